@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace pcl_ops {
+
+/** \brief The paper's three groups of planes (section III-A). */
+enum class Orientation { Horizontal, Vertical, Other };
+
+/** \brief "horizontal", "vertical" or "other". */
+const char*
+toString (Orientation orientation);
+
+/** \brief The group of a plane.
+ * \param[in] normal unit normal, either sign
+ * \param[in] up unit vector against gravity, in the same frame
+ * \param[in] tolerance largest angle between the normal and the up axis (horizontal) or
+ * the plane perpendicular to it (vertical) [rad]
+ * \return Horizontal, Vertical, or Other where neither is within the tolerance */
+Orientation
+orientationOf (const Eigen::Vector3d& normal,
+               const Eigen::Vector3d& up,
+               double tolerance);
+
+} // namespace pcl_ops

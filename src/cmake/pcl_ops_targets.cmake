@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What every target of the project is compiled with.
+function(pcl_ops_target_defaults target)
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  target_compile_options(${target} PRIVATE
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-Wall -Wextra -Wpedantic>)
+  if(PCL_OPS_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE
+      $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-Werror>)
+  endif()
+  if(PCL_OPS_SANITIZE)
+    target_compile_options(${target} PRIVATE
+      -fsanitize=${PCL_OPS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PRIVATE -fsanitize=${PCL_OPS_SANITIZE})
+  endif()
+endfunction()
+
+# A program of the project: pcl_ops_add_program(name sources... LINK libraries...)
+function(pcl_ops_add_program name)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
+  pcl_ops_target_defaults(${name})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK})
+  target_compile_definitions(${name} PRIVATE PCL_OPS_VERSION="${PROJECT_VERSION}")
+  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()
+
+# A GoogleTest program and its CTest entry: pcl_ops_add_test(name sources... LINK libraries...)
+function(pcl_ops_add_test name)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
+  pcl_ops_target_defaults(${name})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE PCL_OPS_DATA_DIR="${PCL_OPS_DATA_DIR}")
+  add_test(NAME ${name} COMMAND ${name})
+endfunction()
