@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -24,7 +25,7 @@ struct Moments {
   double count = 0.0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero ();
   /** \brief xx xy xz yy yz zz */
-  Eigen::Matrix<double, 6, 1> products = Eigen::Matrix<double, 6, 1>::Zero ();
+  std::array<double, 6> products{};
 
   /** \brief Adds a point given relative to \ref origin. */
   void

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/types.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace pcl_ops {
+
+/** \brief The finite points a detector works on, as a structure of arrays in a local
+ * frame: coordinates are relative to \ref origin, so that single precision is enough
+ * however far the cloud is from its own zero. */
+struct Points {
+  /** \brief Zero of the local frame, in the frame of the input cloud. */
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero ();
+  std::vector<float> x, y, z;
+  /** \brief Index of each point in the input cloud, in the order of the indices given. */
+  pcl::Indices index;
+
+  std::size_t
+  size () const
+  {
+    return x.size ();
+  }
+
+  Eigen::Vector3d
+  operator[] (std::size_t i) const
+  {
+    return Eigen::Vector3d (x[i], y[i], z[i]);
+  }
+};
+
+/** \brief Drops points with a NaN or infinite coordinate, once and for all stages.
+ * is_dense is not believed: clouds that wrongly claim it exist.
+ * \param[in] cloud the input cloud
+ * \param[in] indices the points of it to use; each within the cloud
+ * \return the finite ones in the same order; the origin is the first of them */
+template <typename PointT>
+Points
+finitePoints (const pcl::PointCloud<PointT>& cloud, const pcl::Indices& indices);
+
+} // namespace pcl_ops
+
+#include <pcl_ops/impl/points.hpp>

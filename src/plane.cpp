@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_ops/plane.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_ops {
+
+Moments&
+Moments::operator+= (const Moments& other)
+{
+  if (count == 0.0)
+    return *this = other;
+  if (other.origin != origin)
+    return *this += other.about (origin);
+  count += other.count;
+  sum += other.sum;
+  for (std::size_t i = 0; i < products.size (); ++i)
+    products[i] += other.products[i];
+  return *this;
+}
+
+Moments
+Moments::about (const Eigen::Vector3d& new_origin) const
+{
+  const Eigen::Vector3d shift = origin - new_origin;
+  const Eigen::Matrix3d added = sum * shift.transpose () + shift * sum.transpose () +
+                                count * shift * shift.transpose ();
+  Moments moved = *this;
+  moved.origin = new_origin;
+  moved.sum += count * shift;
+  moved.products[0] += added (0, 0);
+  moved.products[1] += added (0, 1);
+  moved.products[2] += added (0, 2);
+  moved.products[3] += added (1, 1);
+  moved.products[4] += added (1, 2);
+  moved.products[5] += added (2, 2);
+  return moved;
+}
+
+Eigen::Matrix3d
+Moments::covariance () const
+{
+  Eigen::Matrix3d second;
+  second << products[0], products[1], products[2], //
+      products[1], products[3], products[4],       //
+      products[2], products[4], products[5];
+  const Eigen::Vector3d mean = sum / count;
+  return second / count - mean * mean.transpose ();
+}
+
+std::optional<PlaneFit>
+fitPlane (const Moments& moments)
+{
+  if (moments.count < 3.0)
+    return std::nullopt;
+  // Taken about the centroid the products lose no digits to the distance from the origin.
+  const Eigen::Matrix3d covariance = moments.covariance ();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (covariance);
+  const Eigen::Vector3d variances = solver.eigenvalues ().cwiseMax (0.0);
+  // Rounding of the inputs (single precision) alone can give a line this much width.
+  constexpr double smallest_width = 1e-5;
+  if (!(variances[1] > smallest_width * smallest_width * variances[2]))
+    return std::nullopt;
+  PlaneFit fit;
+  fit.centroid = moments.centroid ();
+  fit.variances = variances;
+  fit.plane = planeThrough (fit.centroid, solver.eigenvectors ().col (0));
+  return fit;
+}
+
+double
+PlaneSegment::rms () const
+{
+  return std::sqrt (std::max (0.0, normal.dot (moments.covariance () * normal)));
+}
+
+} // namespace pcl_ops
