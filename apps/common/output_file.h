@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace pcl_ops::apps {
+
+/** \brief Finds out before the work whether \ref writeFile can succeed later.
+ * \throws WorkError that names the file, what is in the way and the mend, e.g. if its
+ * folder does not exist or the name is that of a folder, a device or a protected file
+ */
+void
+checkWritable (const std::string& file);
+
+/** \brief Writes a file in one step: \p write fills a temporary file in the same folder
+ * (with the same extension), which then takes the name \p file. If \p write or the
+ * renaming fails, the temporary file is removed and an existing \p file stays as it
+ * was. \param[in] write gets the path to write to and throws on failure \throws
+ * WorkError as \ref checkWritable, and whatever \p write throws */
+void
+writeFile (const std::string& file,
+           const std::function<void (const std::string& path)>& write);
+
+/** \brief \ref writeFile with a text. */
+void
+writeTextFile (const std::string& file, const std::string& text);
+
+/** \brief The lower case extension with its dot, e.g. ".pcd"; empty if there is none.
+ */
+std::string
+extensionOf (const std::string& file);
+
+/** \brief Whether both names lead to the same file, also through links and other
+ * spellings of the folder; the files need not exist. */
+bool
+isSameFile (const std::string& first, const std::string& second);
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program.h"
+
+#include <pcl/console/print.h>
+
+#include <algorithm>
+#include <iostream>
+#include <new>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+int
+fail (const std::string& name, std::string message, ExitCode code)
+{
+  std::replace (message.begin(), message.end(), '\n', ' ');
+  std::cout.flush();
+  std::cerr << name << ": " << message << std::endl;
+  return code;
+}
+
+} // namespace
+
+int
+runProgram (const std::string& name, const std::function<int()>& body)
+{
+  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);
+  try {
+    const int code = body();
+    if (!std::cout.flush())
+      throw WorkError ("standard output", "cannot be written; is its disk full?");
+    return code;
+  }
+  catch (const UsageError& error) {
+    return fail (name, error.what(), kWrongUsage);
+  }
+  catch (const std::bad_alloc&) {
+    return fail (name, "not enough memory; try a smaller cloud", kWorkFailed);
+  }
+  catch (const std::exception& error) {
+    return fail (name, error.what(), kWorkFailed);
+  }
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace pcl_ops::apps {
+
+enum ExitCode : int { kDone = 0, kWorkFailed = 1, kWrongUsage = 2 };
+
+/** \brief The program was called wrongly: exit code 2.
+ * The text of both errors reads "subject: what is wrong; what to do", where the subject
+ * is the option or file it is about. */
+struct UsageError : std::runtime_error {
+  UsageError (const std::string& subject, const std::string& what_and_mend)
+  : std::runtime_error (subject + ": " + what_and_mend)
+  {}
+};
+
+/** \brief The program was called rightly but could not do its work: exit code 1. */
+struct WorkError : std::runtime_error {
+  WorkError (const std::string& subject, const std::string& what_and_mend)
+  : std::runtime_error (subject + ": " + what_and_mend)
+  {}
+};
+
+/** \brief Runs the body of a program and turns what it throws into one line on stderr
+ * and an exit code. Silences PCL's own console output, which would make it more than a
+ * line. \param[in] name of the program, in front of the line \param[in] body returns
+ * the exit code of a run that threw nothing \return the exit code; kWorkFailed if the
+ * standard output could not be written */
+int
+runProgram (const std::string& name, const std::function<int()>& body);
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <common/command_line.h>
+#include <common/output_file.h>
+#include <common/program.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+using namespace pcl_ops::apps;
+
+namespace {
+
+/** \brief A program with one option of each kind. */
+struct Detector {
+  std::string input, output, method = "ops", image;
+  double threshold = 0.05;
+  std::optional<int> k;
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  bool quiet = false;
+  bool proceeds = false;
+
+  /** \return what the command line complains about, empty if nothing */
+  std::string
+  parse (const std::vector<std::string>& arguments)
+  {
+    CommandLine line ("detect", "Detects.", "1.2.3");
+    line.addArgument ("INPUT", input, "a cloud");
+    line.addOptionalArgument ("OUTPUT", output, "a labelled cloud");
+    line.addChoice ("method", {"ops", "fspf"}, method, "the algorithm");
+    line.addText ("image", "FILE", image, "a picture");
+    line.addNumber ("threshold", "M", Range::above (0), threshold, "distance");
+    line.addNumber ("k", "K", Range::from (3).upTo (100), k, "neighbours");
+    line.addDirection ("up", up, "axis");
+    line.addFlag ("quiet", quiet, "no table");
+    std::vector<const char*> argv{"detect"};
+    for (const std::string& argument : arguments)
+      argv.push_back (argument.c_str());
+    try {
+      proceeds = line.parse (static_cast<int> (argv.size()), argv.data());
+      line.forbidTogether ("quiet", "image");
+    }
+    catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+/** \brief An empty folder for one test, removed after it. */
+class Folder : public testing::Test {
+protected:
+  Folder()
+  : path (fs::path (testing::TempDir()) /
+          (std::string ("pcl_ops_common_") +
+           testing::UnitTest::GetInstance()->current_test_info()->name()))
+  {
+    fs::remove_all (path);
+    fs::create_directories (path);
+  }
+  ~Folder() override { fs::remove_all (path); }
+
+  std::string
+  file (const std::string& name) const
+  {
+    return (path / name).string();
+  }
+
+  fs::path path;
+};
+
+std::string
+contentOf (const std::string& file)
+{
+  std::ifstream stream (file, std::ios::binary);
+  return std::string (std::istreambuf_iterator<char> (stream), {});
+}
+
+std::size_t
+filesIn (const fs::path& folder)
+{
+  return static_cast<std::size_t> (
+      std::distance (fs::directory_iterator (folder), fs::directory_iterator()));
+}
+
+} // namespace
+
+TEST (CommandLine, TakesOneDashTwoDashesAndEquals)
+{
+  for (const char* dashes : {"-threshold", "--threshold"}) {
+    Detector spaced, joined;
+    EXPECT_EQ (spaced.parse ({"in.pcd", dashes, "0.02"}), "");
+    EXPECT_EQ (joined.parse ({std::string (dashes) + "=0.02", "in.pcd"}), "");
+    EXPECT_EQ (spaced.threshold, 0.02);
+    EXPECT_EQ (joined.threshold, 0.02);
+    EXPECT_EQ (joined.input, "in.pcd");
+  }
+}
+
+TEST (CommandLine, TakesNegativeNumbersForValues)
+{
+  Detector detector;
+  EXPECT_EQ (detector.parse ({"in.pcd", "--up", "-1,0,-0.5"}), "");
+  EXPECT_EQ (detector.up, Eigen::Vector3f (-1, 0, -0.5));
+  EXPECT_EQ (detector.parse ({"in.pcd", "-threshold", "-0.05"}),
+             "--threshold: -0.05 is out of range; give a number above 0");
+}
+
+TEST (CommandLine, TellsGivenOptionsFromDefaults)
+{
+  Detector with, without;
+  EXPECT_EQ (with.parse ({"in.pcd", "out.pcd", "-k", "30", "--quiet"}), "");
+  EXPECT_EQ (without.parse ({"in.pcd"}), "");
+  EXPECT_EQ (with.k, 30);
+  EXPECT_EQ (with.output, "out.pcd");
+  EXPECT_TRUE (with.quiet);
+  EXPECT_FALSE (without.k);
+  EXPECT_FALSE (without.quiet);
+}
+
+TEST (CommandLine, NamesWhatIsWrongAndTheMend)
+{
+  const auto complaint = [] (const std::vector<std::string>& arguments) {
+    return Detector().parse (arguments);
+  };
+  EXPECT_EQ (complaint ({}), "INPUT: is missing; see --help");
+  EXPECT_EQ (complaint ({"a", "b", "c"}), "c: is one argument too many; see --help");
+  EXPECT_EQ (complaint ({"a", "--k", "2"}),
+             "--k: 2 is out of range; give a whole number from 3 up to 100");
+  EXPECT_EQ (complaint ({"a", "--k", "3.5"}),
+             "--k: 3.5 is not whole; give a whole number from 3 up to 100");
+  EXPECT_EQ (complaint ({"a", "--k", "1e999"}),
+             "--k: 1e999 is out of range; give a whole number from 3 up to 100");
+  EXPECT_EQ (complaint ({"a", "--threshold", "5cm"}),
+             "--threshold: '5cm' is no number; give a number above 0");
+  EXPECT_EQ (complaint ({"a", "--threshold", "nan"}),
+             "--threshold: nan is out of range; give a number above 0");
+  EXPECT_EQ (complaint ({"a", "--up", "0,0"}),
+             "--up: '0,0' is not x,y,z; give three numbers, as 0,0,1");
+  EXPECT_EQ (complaint ({"a", "--up", "0,0,0"}),
+             "--up: 0,0,0 is no direction; give one such as 0,0,1");
+  EXPECT_EQ (complaint ({"a", "--method", "hough"}),
+             "--method: 'hough' is unknown; give ops|fspf");
+  EXPECT_EQ (complaint ({"a", "--quiet", "--image", "x.png"}),
+             "--quiet: contradicts --image; give only one of them");
+}
+
+TEST (CommandLine, RefusesUnknownAmbiguousDoubledAndUnfinishedOptions)
+{
+  const auto complaint = [] (const std::vector<std::string>& arguments) {
+    return Detector().parse (arguments);
+  };
+  EXPECT_EQ (complaint ({"a", "-thresholds", "1"}),
+             "--thresholds: is no option of this program; see --help");
+  EXPECT_EQ (complaint ({"a", "--k", "5", "--k", "6"}),
+             "--k: is given twice; keep one");
+  EXPECT_EQ (complaint ({"a", "--quiet", "--quiet"}),
+             "--quiet: is given twice; keep one");
+  EXPECT_EQ (complaint ({"a", "--k"}), "--k: needs a value; see --help");
+  EXPECT_EQ (complaint ({"a", "--image", "--k", "5"}),
+             "--image: needs a value; see --help");
+  EXPECT_EQ (complaint ({"a", "-image", "-k", "5"}),
+             "--image: needs a value; see --help");
+  EXPECT_EQ (complaint ({"a", "--image=", "--quiet"}),
+             "--image: needs a value; see --help");
+  EXPECT_EQ (complaint ({"a", "--quiet=yes"}), "--quiet: takes no value; leave it out");
+}
+
+TEST (CommandLine, PrintsHelpAndVersion)
+{
+  for (const char* question : {"--help", "-help", "-h", "--version"}) {
+    Detector detector;
+    testing::internal::CaptureStdout();
+    EXPECT_EQ (detector.parse ({question}), "");
+    EXPECT_FALSE (testing::internal::GetCapturedStdout().empty());
+    EXPECT_FALSE (detector.proceeds);
+  }
+}
+
+TEST (Program, MapsWhatIsThrownToExitCodesAndOneLine)
+{
+  const auto run = [] (const std::function<int()>& body) {
+    testing::internal::CaptureStderr();
+    const int code = runProgram ("detect", body);
+    return std::to_string (code) + " " + testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ (run ([] { return kDone; }), "0 ");
+  EXPECT_EQ (run ([] () -> int { throw UsageError ("--k", "is odd"); }),
+             "2 detect: --k: is odd\n");
+  EXPECT_EQ (run ([] () -> int { throw WorkError ("a.pcd", "is\nempty"); }),
+             "1 detect: a.pcd: is empty\n");
+  EXPECT_EQ (run ([] () -> int { throw std::bad_alloc(); }),
+             "1 detect: not enough memory; try a smaller cloud\n");
+}
+
+using OutputFile = Folder;
+
+TEST_F (OutputFile, ReplacesTheTargetInOneStep)
+{
+  writeTextFile (file ("a.json"), "old");
+  writeFile (file ("a.json"), [&] (const std::string& temporary) {
+    EXPECT_EQ (fs::path (temporary).parent_path(), fs::canonical (path));
+    EXPECT_EQ (fs::path (temporary).extension(), ".json");
+    std::ofstream (temporary) << "new";
+    EXPECT_EQ (contentOf (file ("a.json")), "old");
+  });
+  EXPECT_EQ (contentOf (file ("a.json")), "new");
+  EXPECT_EQ (filesIn (path), 1u);
+}
+
+TEST_F (OutputFile, KeepsTheTargetWhenWritingFails)
+{
+  writeTextFile (file ("a.json"), "old");
+  const auto fail_half_way = [] (const std::string& temporary) {
+    std::ofstream (temporary) << "ne";
+    throw WorkError ("a.json", "broke");
+  };
+  EXPECT_THROW (writeFile (file ("a.json"), fail_half_way), WorkError);
+  EXPECT_EQ (contentOf (file ("a.json")), "old");
+  EXPECT_EQ (filesIn (path), 1u);
+}
+
+TEST_F (OutputFile, WritesThroughALinkAndKeepsPermissions)
+{
+  writeTextFile (file ("real.csv"), "old");
+  fs::permissions (file ("real.csv"), fs::perms (0600));
+  fs::create_symlink (file ("real.csv"), file ("link.csv"));
+  writeTextFile (file ("link.csv"), "new");
+  EXPECT_TRUE (fs::is_symlink (file ("link.csv")));
+  EXPECT_EQ (contentOf (file ("real.csv")), "new");
+  EXPECT_EQ (fs::status (file ("real.csv")).permissions(), fs::perms (0600));
+}
+
+TEST_F (OutputFile, NamesWhatIsInTheWay)
+{
+  const auto complaint = [] (const std::string& name) -> std::string {
+    try {
+      checkWritable (name);
+    }
+    catch (const WorkError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ (complaint (file ("fine.pcd")), "");
+  EXPECT_EQ (complaint (path.string()),
+             path.string() + ": is a folder; give the name of a file in it");
+  EXPECT_EQ (complaint (file ("no/a.pcd")),
+             file ("no/a.pcd") +
+                 ": its folder does not exist; create it or give another name");
+  EXPECT_EQ (complaint ("/dev/null"),
+             "/dev/null: is no regular file; give another name");
+  EXPECT_EQ (complaint (""), "'': is no file name; give one to write to");
+}
+
+TEST_F (OutputFile, KnowsAFileByAnyName)
+{
+  writeTextFile (file ("a.pcd"), "");
+  fs::create_hard_link (file ("a.pcd"), file ("b.pcd"));
+  EXPECT_TRUE (isSameFile (file ("a.pcd"), file ("./a.pcd")));
+  EXPECT_TRUE (isSameFile (file ("a.pcd"), file ("b.pcd")));
+  EXPECT_TRUE (isSameFile (file ("new.pcd"), file ("./new.pcd")));
+  EXPECT_FALSE (isSameFile (file ("a.pcd"), file ("c.pcd")));
+}
