@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "metrics.h"
+
+#include <pcl/common/point_tests.h>
+
+#include "fraction.h"
+
+#include <numeric>
+#include <stdexcept>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+struct FinitePoints {
+  Cloud cloud;
+  Labels truth;
+  Labels result;
+};
+
+FinitePoints
+finiteOf (const Cloud& cloud, const Labels& truth, const Labels& result)
+{
+  FinitePoints finite;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (!pcl::isXYZFinite (cloud[i]))
+      continue;
+    finite.cloud.push_back (cloud[i]);
+    finite.truth.push_back (truth[i]);
+    finite.result.push_back (result[i]);
+  }
+  return finite;
+}
+
+double
+classificationAccuracy (const FinitePoints& points, const ClassParameters& parameters)
+{
+  const auto truth = pointClasses (points.cloud, points.truth, parameters);
+  const auto result = pointClasses (points.cloud, points.result, parameters);
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    right += truth[i] == result[i];
+  return fraction (right, truth.size(), 1.0);
+}
+
+void
+setSegmentationAccuracies (const Confusion& confusion, Metrics& metrics)
+{
+  std::size_t right = 0;
+  for (const Overlap& pair : assignPlanes (confusion))
+    right += pair.points;
+  const std::size_t on_true_planes = std::accumulate (
+      confusion.truth.points.begin(), confusion.truth.points.end(), std::size_t (0));
+  const double none_to_find = confusion.result.size() == 0 ? 1.0 : 0.0;
+  metrics.segmentation_accuracy = fraction (right, on_true_planes, none_to_find);
+  metrics.segmentation_accuracy_all =
+      fraction (right + confusion.points_on_no_plane_in_both, confusion.points, 1.0);
+}
+
+void
+appendNamed (const InstanceMetrics& metrics,
+             const std::string& suffix,
+             std::vector<std::pair<std::string, double>>& named)
+{
+  named.emplace_back ("precision" + suffix, metrics.precision);
+  named.emplace_back ("recall" + suffix, metrics.recall);
+  named.emplace_back ("f_score" + suffix, metrics.f_score);
+  named.emplace_back ("mean_iou" + suffix, metrics.mean_iou);
+  named.emplace_back ("panoptic_quality" + suffix, metrics.panoptic_quality);
+  named.emplace_back ("over_segmentation" + suffix, metrics.over_segmentation);
+  named.emplace_back ("under_segmentation" + suffix, metrics.under_segmentation);
+  named.emplace_back ("noise" + suffix, metrics.noise);
+  named.emplace_back ("missed" + suffix, metrics.missed);
+}
+
+} // namespace
+
+Metrics
+compareLabels (const Cloud& cloud,
+               const Labels& truth,
+               const Labels& result,
+               const ClassParameters& parameters)
+{
+  if (truth.size() != cloud.size() || result.size() != cloud.size())
+    throw std::invalid_argument (std::to_string (cloud.size()) + " points, " +
+                                 std::to_string (truth.size()) + " true labels and " +
+                                 std::to_string (result.size()) +
+                                 " found ones do not belong together");
+  const FinitePoints points = finiteOf (cloud, truth, result);
+  const Confusion confusion = confusionOf (points.truth, points.result);
+
+  Metrics metrics;
+  metrics.points = points.cloud.size();
+  metrics.truth_planes = confusion.truth.size();
+  metrics.result_planes = confusion.result.size();
+  metrics.classification_accuracy = classificationAccuracy (points, parameters);
+  setSegmentationAccuracies (confusion, metrics);
+  metrics.at_50 = instanceMetrics (confusion, 0.50);
+  metrics.at_75 = instanceMetrics (confusion, 0.75);
+  return metrics;
+}
+
+std::vector<std::pair<std::string, double>>
+namedMetrics (const Metrics& metrics)
+{
+  std::vector<std::pair<std::string, double>> named{
+      {"classification_accuracy", metrics.classification_accuracy},
+      {"segmentation_accuracy", metrics.segmentation_accuracy},
+      {"segmentation_accuracy_all", metrics.segmentation_accuracy_all}};
+  appendNamed (metrics.at_50, "", named);
+  appendNamed (metrics.at_75, "_75", named);
+  return named;
+}
+
+} // namespace pcl_ops::evaluation

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "confusion.h"
+#include "plane_classes.h"
+
+#include <string>
+#include <utility>
+
+namespace pcl_ops::evaluation {
+
+/** \brief Planes as instances, at one overlap threshold. All are fractions; where both
+ * sides have no plane the result is perfect, where one has none it has found nothing.
+ *
+ * Matching and its figures as in the EVOPS benchmark (Kornilova et al. 2022) and in
+ * panoptic segmentation (Kirillov et al. 2019); the four kinds of error are those of
+ * Hoover et al. 1996. */
+struct InstanceMetrics {
+  /** \brief Found planes that match a true one / found planes. */
+  double precision = 0.0;
+  /** \brief True planes that are matched / true planes. */
+  double recall = 0.0;
+  double f_score = 0.0;
+  /** \brief Mean intersection over union of the matched pairs. */
+  double mean_iou = 0.0;
+  /** \brief mean_iou times f_score. */
+  double panoptic_quality = 0.0;
+  /** \brief True planes broken up: two or more found planes lie on each, and cover it,
+   * by at least the threshold / true planes. */
+  double over_segmentation = 0.0;
+  /** \brief Found planes that swallow two or more true planes, the same test with the
+   * sides exchanged / found planes. */
+  double under_segmentation = 0.0;
+  /** \brief Found planes that neither match nor have a part in the two above / found.
+   */
+  double noise = 0.0;
+  /** \brief True planes that neither match nor have a part in them / true planes. */
+  double missed = 0.0;
+};
+
+/** \brief Everything said about a segmentation against the truth. */
+struct Metrics {
+  /** \brief Points with the right one of the three classes / points. */
+  double classification_accuracy = 0.0;
+  /** \brief Points on true planes with the label assigned to theirs / such points. */
+  double segmentation_accuracy = 0.0;
+  /** \brief The same over all points; on no plane in both is right, too. */
+  double segmentation_accuracy_all = 0.0;
+  InstanceMetrics at_50;
+  InstanceMetrics at_75;
+  std::size_t points = 0;
+  std::size_t truth_planes = 0;
+  std::size_t result_planes = 0;
+};
+
+/** \brief Matches planes one to one by falling intersection over union, from \p
+ * threshold on (at more than one half no plane has two candidates). */
+InstanceMetrics
+instanceMetrics (const Confusion& confusion, double threshold);
+
+/** \brief Compares two labellings of a cloud. Points without finite coordinates are on
+ * no surface and do not count.
+ * \param[in] cloud the points
+ * \param[in] truth, result their labels, each of the cloud's size
+ * \throw std::invalid_argument if the sizes differ
+ * \throw std::length_error as \ref assignPlanes */
+Metrics
+compareLabels (const Cloud& cloud,
+               const Labels& truth,
+               const Labels& result,
+               const ClassParameters& parameters = {});
+
+/** \brief The fractions of a comparison under their published names, in order: the
+ * three accuracies, then the instance metrics at 0.5 and, with suffix _75, at 0.75. */
+std::vector<std::pair<std::string, double>>
+namedMetrics (const Metrics& metrics);
+
+} // namespace pcl_ops::evaluation
