@@ -9,19 +9,14 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl_ops {
 
-/** \brief The finite points a detector works on, as a structure of arrays in a local
- * frame: coordinates are relative to \ref origin, so that single precision is enough
- * however far the cloud is from its own zero. */
-struct Points {
-  /** \brief Zero of the local frame, in the frame of the input cloud. */
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero ();
+/** \brief Positions as a structure of arrays, in single precision. */
+struct Coordinates {
   std::vector<float> x, y, z;
-  /** \brief Index of each point in the input cloud, in the order of the indices given. */
-  pcl::Indices index;
 
   std::size_t
   size () const
@@ -34,7 +29,28 @@ struct Points {
   {
     return Eigen::Vector3d (x[i], y[i], z[i]);
   }
+
+  void
+  add (float px, float py, float pz)
+  {
+    x.push_back (px);
+    y.push_back (py);
+    z.push_back (pz);
+  }
 };
+
+/** \brief The finite points a detector works on. Their coordinates are relative to
+ * \ref origin, so that single precision is enough however far the cloud is from its own
+ * zero. */
+struct Points : Coordinates {
+  /** \brief Zero of the local frame, in the frame of the input cloud. */
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero ();
+  /** \brief Index of each point in the input cloud, in the order of the indices given. */
+  pcl::Indices index;
+};
+
+/** \brief Positions in an array of points or samples, ascending. */
+using Positions = std::vector<std::uint32_t>;
 
 /** \brief Drops points with a NaN or infinite coordinate, once and for all stages.
  * is_dense is not believed: clouds that wrongly claim it exist.

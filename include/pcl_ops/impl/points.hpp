@@ -21,9 +21,9 @@ finitePoints (const pcl::PointCloud<PointT>& cloud, const pcl::Indices& indices)
       continue;
     if (points.index.empty ())
       points.origin = Eigen::Vector3d (point.x, point.y, point.z);
-    points.x.push_back (static_cast<float> (point.x - points.origin.x ()));
-    points.y.push_back (static_cast<float> (point.y - points.origin.y ()));
-    points.z.push_back (static_cast<float> (point.z - points.origin.z ()));
+    points.add (static_cast<float> (point.x - points.origin.x ()),
+                static_cast<float> (point.y - points.origin.y ()),
+                static_cast<float> (point.z - points.origin.z ()));
     points.index.push_back (i);
   }
   return points;

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_ops/plane_detector.h>
+#include <pcl_ops/stage_timer.h>
+
+#include <pcl/console/print.h>
+#include <pcl/search/kdtree.h>
+
+#include <algorithm>
+#include <exception>
+#include <functional>
+
+namespace pcl_ops {
+
+template <typename PointT, typename Detector, typename ParametersT>
+bool
+PlaneDetector<PointT, Detector, ParametersT>::segment (std::vector<PlaneSegment>& planes)
+{
+  planes.clear ();
+  durations_ = StageDurations ();
+  planes_before_merging_ = 0;
+  try {
+    if (!isReady ())
+      return false;
+    planes = timed (durations_.detection, [this] {
+      const Detection detection = static_cast<Detector&> (*this).detect ();
+      planes_before_merging_ = detection.planes.merged_into.size ();
+      return toSegments (detection,
+                         this->input_->sensor_origin_.template head<3> ()
+                             .template cast<double> (),
+                         parameters_);
+    });
+  }
+  catch (const std::exception& error) {
+    PCL_ERROR (
+        "[pcl_ops::%s::segment] %s\n", getClassName ().c_str (), error.what ());
+    planes.clear ();
+    return false;
+  }
+  this->deinitCompute ();
+  return true;
+}
+
+template <typename PointT, typename Detector, typename ParametersT>
+bool
+PlaneDetector<PointT, Detector, ParametersT>::segment (
+    std::vector<pcl::ModelCoefficients>& coefficients,
+    std::vector<pcl::PointIndices>& inliers)
+{
+  std::vector<PlaneSegment> planes;
+  const bool success = segment (planes);
+  coefficients.assign (planes.size (), pcl::ModelCoefficients ());
+  inliers.assign (planes.size (), pcl::PointIndices ());
+  for (std::size_t i = 0; i < planes.size (); ++i) {
+    const Plane plane = planes[i].plane ();
+    coefficients[i].header = inliers[i].header = this->input_->header;
+    coefficients[i].values = {static_cast<float> (plane.normal.x ()),
+                              static_cast<float> (plane.normal.y ()),
+                              static_cast<float> (plane.normal.z ()),
+                              static_cast<float> (plane.offset)};
+    inliers[i].indices.swap (planes[i].inliers);
+  }
+  return success;
+}
+
+template <typename PointT, typename Detector, typename ParametersT>
+bool
+PlaneDetector<PointT, Detector, ParametersT>::segment (
+    pcl::PointIndices& inliers, pcl::ModelCoefficients& coefficients)
+{
+  std::vector<pcl::PointIndices> all_inliers;
+  std::vector<pcl::ModelCoefficients> all_coefficients;
+  const bool success = segment (all_coefficients, all_inliers);
+  inliers = all_inliers.empty () ? pcl::PointIndices () : all_inliers.front ();
+  coefficients = all_coefficients.empty () ? pcl::ModelCoefficients ()
+                                           : all_coefficients.front ();
+  if (success && all_inliers.empty ())
+    inliers.header = coefficients.header = this->input_->header;
+  return success;
+}
+
+template <typename PointT, typename Detector, typename ParametersT>
+bool
+PlaneDetector<PointT, Detector, ParametersT>::extract (
+    std::vector<pcl::PointIndices>& clusters)
+{
+  std::vector<pcl::ModelCoefficients> coefficients;
+  return segment (coefficients, clusters);
+}
+
+template <typename PointT, typename Detector, typename ParametersT>
+bool
+PlaneDetector<PointT, Detector, ParametersT>::isReady ()
+{
+  std::string problem;
+  if (!this->initCompute ())
+    problem = "no input cloud; call setInputCloud";
+  else if (this->input_->empty ())
+    problem = "the input cloud is empty";
+  else if (this->indices_->empty ())
+    problem = "the indices are empty; leave them out to use the whole cloud";
+  else if (!sortIndices ())
+    problem = "an index lies outside the input cloud";
+  else
+    problem = problemOf (parameters_);
+  if (!problem.empty ())
+    PCL_ERROR ("[pcl_ops::%s::segment] %s\n", getClassName ().c_str (), problem.c_str ());
+  return problem.empty ();
+}
+
+// Ascending without repetition, so that the planes' indices are; false if out of range.
+template <typename PointT, typename Detector, typename ParametersT>
+bool
+PlaneDetector<PointT, Detector, ParametersT>::sortIndices ()
+{
+  if (this->fake_indices_)
+    return true;
+  const pcl::Indices& given = *this->indices_;
+  if (std::adjacent_find (given.begin (), given.end (), std::greater_equal<> ()) !=
+      given.end ()) {
+    pcl::IndicesPtr sorted (new pcl::Indices (given));
+    std::sort (sorted->begin (), sorted->end ());
+    sorted->erase (std::unique (sorted->begin (), sorted->end ()), sorted->end ());
+    this->indices_ = sorted;
+  }
+  return this->indices_->front () >= 0 &&
+         static_cast<std::size_t> (this->indices_->back ()) < this->input_->size ();
+}
+
+template <typename PointT, typename Detector, typename ParametersT>
+typename PlaneDetector<PointT, Detector, ParametersT>::SearchPtr
+PlaneDetector<PointT, Detector, ParametersT>::searchOver (const Points& points) const
+{
+  constexpr bool sorted_results = false;
+  SearchPtr search = search_;
+  if (!search)
+    search.reset (new pcl::search::KdTree<PointT> (sorted_results));
+  if (points.size () == this->input_->size ())
+    search->setInputCloud (this->input_);
+  else
+    search->setInputCloud (this->input_,
+                           pcl::IndicesConstPtr (new pcl::Indices (points.index)));
+  return search;
+}
+
+template <typename PointT, typename Detector, typename ParametersT>
+unsigned
+PlaneDetector<PointT, Detector, ParametersT>::searchThreads () const
+{
+  const bool is_kd_tree =
+      !search_ || dynamic_cast<const pcl::search::KdTree<PointT>*> (search_.get ());
+  return is_kd_tree ? parameters_.threads : 1;
+}
+
+template <typename PointT, typename Detector, typename ParametersT>
+MergingParameters
+PlaneDetector<PointT, Detector, ParametersT>::mergingParameters () const
+{
+  MergingParameters merging = parameters_.merging;
+  if (merging.distance_threshold == 0.0)
+    merging.distance_threshold = parameters_.distance_threshold;
+  return merging;
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_ops/plane.h>
+#include <pcl_ops/sac_model_oriented_point.h>
+
+#include <cmath>
+
+namespace pcl_ops {
+
+template <typename PointNT>
+SampleConsensusModelOrientedPoint<PointNT>::SampleConsensusModelOrientedPoint (
+    const PointCloudConstPtr& cloud, bool random)
+: Base (cloud, random)
+{
+  this->model_name_ = "SampleConsensusModelOrientedPoint";
+  this->sample_size_ = 1;
+}
+
+template <typename PointNT>
+SampleConsensusModelOrientedPoint<PointNT>::SampleConsensusModelOrientedPoint (
+    const PointCloudConstPtr& cloud, const pcl::Indices& indices, bool random)
+: Base (cloud, indices, random)
+{
+  this->model_name_ = "SampleConsensusModelOrientedPoint";
+  this->sample_size_ = 1;
+}
+
+template <typename PointNT>
+void
+SampleConsensusModelOrientedPoint<PointNT>::setSeed (std::uint32_t seed)
+{
+  this->rng_alg_.seed (seed);
+}
+
+template <typename PointNT>
+bool
+SampleConsensusModelOrientedPoint<PointNT>::isSampleGood (
+    const pcl::Indices& samples) const
+{
+  if (samples.size () != 1)
+    return false;
+  const PointNT& point = (*this->input_)[samples.front ()];
+  const auto normal = point.getNormalVector3fMap ();
+  return point.getVector3fMap ().allFinite () && normal.allFinite () &&
+         normal.squaredNorm () > 0.0f;
+}
+
+template <typename PointNT>
+bool
+SampleConsensusModelOrientedPoint<PointNT>::computeModelCoefficients (
+    const pcl::Indices& samples, Eigen::VectorXf& model_coefficients) const
+{
+  if (!isSampleGood (samples))
+    return false;
+  const PointNT& point = (*this->input_)[samples.front ()];
+  const Eigen::Vector3f normal = point.getNormalVector3fMap ().normalized ();
+  model_coefficients.resize (4);
+  for (int axis = 0; axis < 3; ++axis)
+    model_coefficients[axis] = normal[axis];
+  model_coefficients[3] = -normal.dot (point.getVector3fMap ());
+  return true;
+}
+
+template <typename PointNT>
+void
+SampleConsensusModelOrientedPoint<PointNT>::optimizeModelCoefficients (
+    const pcl::Indices& inliers,
+    const Eigen::VectorXf& model_coefficients,
+    Eigen::VectorXf& optimized_coefficients) const
+{
+  optimized_coefficients = model_coefficients;
+  if (inliers.empty () || !this->isModelValid (model_coefficients))
+    return;
+  Moments moments;
+  moments.origin =
+      (*this->input_)[inliers.front ()].getVector3fMap ().template cast<double> ();
+  for (const pcl::index_t i : inliers) {
+    const PointNT& point = (*this->input_)[i];
+    moments.add (point.x - moments.origin.x (),
+                 point.y - moments.origin.y (),
+                 point.z - moments.origin.z ());
+  }
+  const std::optional<PlaneFit> fit = fitPlane (moments);
+  if (!fit)
+    return;
+  const Eigen::Vector3d side = model_coefficients.head<3> ().cast<double> ();
+  const double sign = fit->plane.normal.dot (side) < 0.0 ? -1.0 : 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+    optimized_coefficients[axis] = static_cast<float> (sign * fit->plane.normal[axis]);
+  optimized_coefficients[3] = static_cast<float> (sign * fit->plane.offset);
+}
+
+} // namespace pcl_ops
+
+#define PCL_INSTANTIATE_SampleConsensusModelOrientedPoint(T)                           \
+  template class PCL_EXPORTS pcl_ops::SampleConsensusModelOrientedPoint<T>;

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace pcl_ops {
+
+/** \brief Calls \p body (begin, end) for pieces of 0 .. size - 1 that cover it once: the
+ * only place of the library that knows threads. The pieces depend on \p size and
+ * \p grain alone, so what a body computes per piece is the same for any thread count.
+ * \param[in] threads number of threads; 0: as many as the machine has
+ * \param[in] size number of items
+ * \param[in] grain items per piece
+ * \param[in] body called once a piece, concurrently; must not throw */
+void
+parallelFor (unsigned threads,
+             std::size_t size,
+             std::size_t grain,
+             const std::function<void (std::size_t begin, std::size_t end)>& body);
+
+} // namespace pcl_ops

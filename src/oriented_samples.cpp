@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_ops/oriented_samples.h>
+#include <pcl_ops/random.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace pcl_ops {
+
+void
+OrientedSamples::add (const Eigen::Vector3d& position, const Eigen::Vector3d& normal)
+{
+  const Eigen::Vector3f p = position.cast<float> ();
+  const Eigen::Vector3f n = normal.cast<float> ();
+  Coordinates::add (p.x (), p.y (), p.z ());
+  normals.add (n.x (), n.y (), n.z ());
+}
+
+Positions
+drawSample (std::size_t size, double rate, std::uint32_t seed)
+{
+  auto wanted = static_cast<std::size_t> (std::lround (rate * static_cast<double> (size)));
+  RandomGenerator generator (seed);
+  Positions sample;
+  sample.reserve (wanted);
+  for (std::size_t i = 0; wanted > 0; ++i)
+    if (drawBelow (generator, static_cast<std::uint32_t> (size - i)) < wanted) {
+      sample.push_back (static_cast<std::uint32_t> (i));
+      --wanted;
+    }
+  return sample;
+}
+
+Eigen::Vector3d
+normalOfScatter (const Eigen::Matrix3d& scatter)
+{
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect (scatter);
+  // Single precision coordinates leave a line this share of width.
+  constexpr double smallest_relative_variance = 1e-10;
+  const Eigen::Vector3d& variances = solver.eigenvalues ();
+  if (!(variances[1] > smallest_relative_variance * variances[2]))
+    return Eigen::Vector3d::Zero ();
+  return solver.eigenvectors ().col (0);
+}
+
+std::array<Positions, 3>
+groupByOrientation (const OrientedSamples& samples,
+                    const Eigen::Vector3d& up,
+                    double tolerance)
+{
+  std::array<Positions, 3> groups;
+  for (std::size_t i = 0; i < samples.size (); ++i) {
+    const Orientation group = orientationOf (samples.normals[i], up, tolerance);
+    groups[static_cast<std::size_t> (group)].push_back (static_cast<std::uint32_t> (i));
+  }
+  return groups;
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_ops/impl/sac_model_oriented_point.hpp>
+
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/sample_consensus/impl/sac_model_plane.hpp>
+#include <pcl/point_types.h>
+
+#ifndef PCL_NO_PRECOMPILE
+PCL_INSTANTIATE (SampleConsensusModelOrientedPoint,
+                 (pcl::PointNormal) (pcl::PointXYZRGBNormal) (pcl::PointXYZINormal) (
+                     pcl::PointXYZLNormal) (pcl::PointSurfel))
+#endif
