@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scene.h"
+#include <pcl_ops/random.h>
+
+namespace pcl_ops::simulation {
+
+/** \brief A piece of furniture standing on z = 0 around the origin, its back towards
+ * -y. Sizes are drawn from what is common in homes and offices. */
+struct Furniture {
+  Body body;
+  /** \brief Extent on the floor along x and y [m]. */
+  Eigen::Vector2d footprint = Eigen::Vector2d::Zero();
+};
+
+Furniture
+makeTable (RandomGenerator& generator);
+
+/** \brief A table with a monitor, an open laptop, books and a mug. */
+Furniture
+makeDesk (RandomGenerator& generator);
+
+Furniture
+makeCupboard (RandomGenerator& generator);
+
+/** \brief Open shelves with books. */
+Furniture
+makeShelf (RandomGenerator& generator);
+
+Furniture
+makeBed (RandomGenerator& generator);
+
+Furniture
+makeSofa (RandomGenerator& generator);
+
+Furniture
+makeChair (RandomGenerator& generator);
+
+/** \brief A cardboard box or two, one turned on the other. */
+Furniture
+makeCartons (RandomGenerator& generator);
+
+/** \brief A board that leans on the wall behind it. */
+Furniture
+makeLeaningBoard (RandomGenerator& generator);
+
+/** \brief A wide board with one edge on the floor, the other raised. */
+Furniture
+makeRamp (RandomGenerator& generator);
+
+/** \brief A panel of any tilt and roll on a round post. */
+Furniture
+makeTiltedPanel (RandomGenerator& generator);
+
+/** \brief A ball, a bin, a lamp or a rolled carpet: nothing planar. */
+Furniture
+makeRoundClutter (RandomGenerator& generator);
+
+} // namespace pcl_ops::simulation

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_ops/random.h>
+
+#include <vector>
+
+namespace pcl_ops::simulation {
+
+/** \brief A standard normal value for each pixel, row by row, each by itself. */
+std::vector<double>
+drawWhiteField (int width, int height, RandomGenerator& generator);
+
+/** \brief A standard normal value for each pixel, alike for neighbours: white noise
+ * filtered by a Gaussian and brought back to variance 1.
+ * \param[in] width,height of the image [px]
+ * \param[in] smoothing standard deviation of the filter [px]; the field's
+ * autocorrelation then falls to exp (-1/4) at this distance \param[in,out] generator
+ * source of the white noise */
+std::vector<double>
+drawSmoothField (int width, int height, double smoothing, RandomGenerator& generator);
+
+} // namespace pcl_ops::simulation

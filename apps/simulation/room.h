@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scene.h"
+
+#include <cstdint>
+
+namespace pcl_ops::simulation {
+
+/** \brief A furnished rectangular room; z is up, z = 0 the floor, the origin the middle
+ * of the floor. The walls are turned by \ref yaw against the x and y axes. */
+struct Room {
+  Scene scene;
+  /** \brief Length, width and height [m]. */
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+  /** \brief [rad] */
+  double yaw = 0.0;
+};
+
+/** \brief Draws a room with doors, niches, furniture, tilted boards and round clutter.
+ * \param[in] seed the same seed gives the same room */
+Room
+makeRoom (std::uint32_t seed);
+
+} // namespace pcl_ops::simulation

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "room_shell.h"
+
+#include "poses.h"
+
+namespace pcl_ops::simulation {
+
+namespace {
+
+using Eigen::Vector3d;
+
+/** \brief A hole in a wall, in the wall's frame: x along it, z up. */
+struct Opening {
+  double left, right, bottom, top, depth;
+};
+
+/** \brief A rectangle in the wall's plane or, for y < 0, behind it. */
+Rectangle
+upright (double left, double right, double bottom, double top, double y)
+{
+  return {{0.5 * (left + right), y, 0.5 * (bottom + top)},
+          Vector3d::UnitX(),
+          Vector3d::UnitZ(),
+          0.5 * (right - left),
+          0.5 * (top - bottom)};
+}
+
+void
+addWallAround (Body& body, const Opening& hole, double length, double height)
+{
+  const SurfaceId wall = ++body.surface_count;
+  for (Rectangle piece : {upright (-0.5 * length, hole.left, 0.0, height, 0.0),
+                          upright (hole.right, 0.5 * length, 0.0, height, 0.0),
+                          upright (hole.left, hole.right, hole.top, height, 0.0),
+                          upright (hole.left, hole.right, 0.0, hole.bottom, 0.0)}) {
+    piece.surface = wall;
+    if (piece.area() > 0.0)
+      body.rectangles.push_back (piece);
+  }
+}
+
+void
+addRecess (Body& body, const Opening& hole)
+{
+  addSurface (body,
+              upright (hole.left, hole.right, hole.bottom, hole.top, -hole.depth));
+  const double half_depth = 0.5 * hole.depth;
+  const double middle_x = 0.5 * (hole.left + hole.right);
+  const double middle_z = 0.5 * (hole.bottom + hole.top);
+  for (const double x : {hole.left, hole.right})
+    addSurface (body,
+                {{x, -half_depth, middle_z},
+                 Vector3d::UnitY(),
+                 Vector3d::UnitZ(),
+                 half_depth,
+                 0.5 * (hole.top - hole.bottom)});
+  for (const double z : {hole.bottom, hole.top})
+    if (z > 0.0)
+      addSurface (body,
+                  {{middle_x, -half_depth, z},
+                   Vector3d::UnitX(),
+                   Vector3d::UnitY(),
+                   0.5 * (hole.right - hole.left),
+                   half_depth});
+}
+
+Opening
+drawOpening (double length, RandomGenerator& generator)
+{
+  const bool door = drawChance (generator, 0.4);
+  const double width = door ? 0.9 : drawBetween (generator, 0.9, 1.7);
+  const double reach = 0.5 * (length - width) - 0.2;
+  const double middle = drawBetween (generator, -reach, reach);
+  const double bottom = door ? 0.0 : drawBetween (generator, 0.8, 1.0);
+  const double top = door ? 2.05 : drawBetween (generator, 1.9, 2.2);
+  const double depth =
+      door ? drawBetween (generator, 0.07, 0.15) : drawBetween (generator, 0.12, 0.3);
+  return {middle - 0.5 * width, middle + 0.5 * width, bottom, top, depth};
+}
+
+Body
+makeWall (double length, double height, RandomGenerator& generator)
+{
+  Body wall;
+  if (drawChance (generator, 0.6)) {
+    const Opening opening = drawOpening (length, generator);
+    addWallAround (wall, opening, length, height);
+    addRecess (wall, opening);
+  }
+  else
+    addSurface (wall, upright (-0.5 * length, 0.5 * length, 0.0, height, 0.0));
+  return wall;
+}
+
+} // namespace
+
+double
+wallLength (const Vector3d& size, int wall)
+{
+  return wall % 2 == 0 ? size.x() : size.y();
+}
+
+Eigen::Isometry3d
+poseAtWall (const Vector3d& size, int wall, double along, double gap)
+{
+  const double to_wall = 0.5 * wallLength (size, wall + 1);
+  return turned (0.5 * pi * wall, Vector3d::UnitZ()) * at (along, gap - to_wall, 0.0);
+}
+
+Body
+makeRoomShell (const Vector3d& size, RandomGenerator& generator)
+{
+  Body shell;
+  for (const double z : {0.0, size.z()})
+    addSurface (shell,
+                {z * Vector3d::UnitZ(),
+                 Vector3d::UnitX(),
+                 Vector3d::UnitY(),
+                 0.5 * size.x(),
+                 0.5 * size.y()});
+  for (int wall = 0; wall < 4; ++wall)
+    addPart (shell,
+             makeWall (wallLength (size, wall), size.z(), generator),
+             poseAtWall (size, wall, 0.0, 0.0));
+  return shell;
+}
+
+} // namespace pcl_ops::simulation

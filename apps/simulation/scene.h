@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <pcl_ops/plane.h>
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace pcl_ops::simulation {
+
+/** \brief Identity of a flat surface, from 1. Rectangles that are pieces of the same
+ * physical surface share it. */
+using SurfaceId = std::uint32_t;
+
+/** \brief Not a plane: round things, and strips too narrow to be called a surface. */
+constexpr SurfaceId no_surface = 0;
+
+/** \brief A bounded piece of a plane, seen from both sides. */
+struct Rectangle {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Eigen::Vector3d axis_u = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d axis_v = Eigen::Vector3d::UnitY();
+  double half_u = 0.5;
+  double half_v = 0.5;
+  SurfaceId surface = no_surface;
+
+  Eigen::Vector3d
+  normal () const
+  {
+    return axis_u.cross (axis_v);
+  }
+
+  double
+  area () const
+  {
+    return 4.0 * half_u * half_v;
+  }
+};
+
+struct Sphere {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double radius = 0.1;
+};
+
+/** \brief A closed cylinder. */
+struct Cylinder {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  double half_length = 0.5;
+  double radius = 0.1;
+};
+
+/** \brief A piece of furniture or the shell of a room: shapes that are placed together.
+ * Its surfaces are numbered from 1 within the body. */
+struct Body {
+  std::vector<Rectangle> rectangles;
+  std::vector<Sphere> spheres;
+  std::vector<Cylinder> cylinders;
+  SurfaceId surface_count = 0;
+};
+
+/** \brief Adds a rectangle with a surface of its own, or \ref no_surface if it is
+ * narrower than 5 cm: below any detector's distance threshold an edge is not a plane.
+ */
+void
+addSurface (Body& body, const Rectangle& rectangle);
+
+/** \brief The faces of a box that are left out because nothing can see them. */
+enum class HiddenFace { None, Bottom };
+
+/** \brief Adds the faces of a box.
+ * \param[in,out] body takes the faces
+ * \param[in] pose from the box's frame, its zero in the box's centre, to the body's
+ * \param[in] size edge lengths [m]
+ * \param[in] hidden the face to leave out */
+void
+addBox (Body& body,
+        const Eigen::Isometry3d& pose,
+        const Eigen::Vector3d& size,
+        HiddenFace hidden = HiddenFace::None);
+
+/** \brief Adds all shapes of \p part, moved by \p pose, with surfaces of their own. */
+void
+addPart (Body& body, const Body& part, const Eigen::Isometry3d& pose);
+
+/** \brief A sphere around a body, to skip it quickly. */
+struct BoundingSphere {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double radius = 0.0;
+};
+
+/** \brief Everything a sensor can see. */
+struct Scene {
+  std::vector<Body> bodies;
+  /** \brief One for each body. */
+  std::vector<BoundingSphere> bounds;
+  SurfaceId surface_count = 0;
+};
+
+/** \brief Adds a body; its surfaces get the scene's next identities. */
+void
+addBody (Scene& scene, const Body& body, const Eigen::Isometry3d& pose);
+
+/** \brief The plane of each surface, surface 1 first. */
+std::vector<Plane>
+surfacePlanes (const Scene& scene);
+
+/** \brief Where a ray meets a scene. */
+struct Hit {
+  /** \brief The point is origin + distance * direction; infinite if nothing is met. */
+  double distance = std::numeric_limits<double>::infinity();
+  SurfaceId surface = no_surface;
+};
+
+/** \brief The first point of the scene on a ray.
+ * \param[in] scene the scene
+ * \param[in] origin start of the ray [m]
+ * \param[in] direction of any length; the hit's distance is in multiples of it */
+Hit
+castRay (const Scene& scene,
+         const Eigen::Vector3d& origin,
+         const Eigen::Vector3d& direction);
+
+} // namespace pcl_ops::simulation

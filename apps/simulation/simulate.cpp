@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/io/pcd_io.h>
+#include <pcl/exceptions.h>
+
+#include "common/command_line.h"
+#include "common/output_file.h"
+#include "simulation/dense_scan.h"
+#include "simulation/depth_noise.h"
+
+#include <iostream>
+
+namespace {
+
+using namespace pcl_ops::simulation;
+using pcl_ops::apps::Range;
+
+constexpr const char* program_name = "pcl_ops_simulate";
+
+/** \brief Memory: 32 bytes a point. */
+constexpr double most_points = 1e7;
+/** \brief Image sizes for which a neighbourhood of pixels still means something [px].
+ */
+constexpr double smallest_image = 16;
+constexpr double largest_image = 4096;
+
+struct Options {
+  std::string output;
+  std::uint32_t seed = 1;
+  DepthCamera camera;
+  std::string profile = "correlated";
+  double noise = 1.0;
+  std::optional<std::size_t> points;
+  bool organized = false;
+  bool quiet = false;
+};
+
+bool
+readOptions (int argc, const char* const* argv, Options& options)
+{
+  const Range image_size = Range::from (smallest_image).upTo (largest_image);
+  pcl_ops::apps::CommandLine line (
+      program_name,
+      "Simulates a furnished room as a depth camera sees it, with the true plane of "
+      "each\n"
+      "point in the field label (0 no plane, 1..P planes by falling size).",
+      PCL_OPS_VERSION);
+  line.addArgument ("OUTPUT.pcd", options.output, "the cloud to write (binary)");
+  line.addNumber ("seed", "S", Range::from (0), options.seed, "which room (1)");
+  line.addNumber ("width", "W", image_size, options.camera.width, "columns (640)");
+  line.addNumber ("height", "H", image_size, options.camera.height, "rows (480)");
+  line.addNumber ("noise",
+                  "X",
+                  Range::from (0).upTo (10),
+                  options.noise,
+                  "factor on the noise (1)");
+  line.addChoice ("profile",
+                  {"correlated", "raw", "none"},
+                  options.profile,
+                  "the noise: smoothed depth, raw depth, none (correlated)");
+  line.addNumber ("points",
+                  "N",
+                  Range::from (1).upTo (most_points),
+                  options.points,
+                  "scan the whole room with N points instead of one camera image");
+  line.addFlag ("organized", options.organized, "keep pixels without a reading as NaN");
+  line.addFlag ("quiet", options.quiet, "print nothing");
+  if (!line.parse (argc, argv))
+    return false;
+  for (const char* of_camera : {"width", "height", "profile", "organized"})
+    line.forbidTogether ("points", of_camera);
+  return true;
+}
+
+NoiseParameters
+noiseOf (const Options& options)
+{
+  const NoiseProfile profile = options.profile == "raw"    ? NoiseProfile::Raw
+                               : options.profile == "none" ? NoiseProfile::None
+                                                           : NoiseProfile::Correlated;
+  return {profile, options.noise};
+}
+
+SimulatedCloud
+simulate (const Options& options)
+{
+  const Room room = makeRoom (options.seed);
+  if (options.points)
+    return scanDensely (room.scene, *options.points, options.noise, options.seed);
+  DepthCamera camera = options.camera;
+  camera.pose = drawCameraPose (room, camera, options.seed);
+  const DepthImage image =
+      measureDepth (room.scene, camera, noiseOf (options), options.seed);
+  return toCloud (image,
+                  camera,
+                  room.scene,
+                  options.organized ? CloudLayout::Organized : CloudLayout::Readings);
+}
+
+void
+write (const pcl::PointCloud<pcl::PointXYZL>& cloud, const std::string& path)
+{
+  try {
+    pcl::PCDWriter().writeBinary (path, cloud);
+  }
+  catch (const pcl::IOException&) {
+    throw pcl_ops::apps::WorkError (path, "cannot be written; is the disk full?");
+  }
+}
+
+int
+run (int argc, const char* const* argv)
+{
+  Options options;
+  if (!readOptions (argc, argv, options))
+    return pcl_ops::apps::kDone;
+  pcl_ops::apps::checkWritable (options.output);
+  const SimulatedCloud simulated = simulate (options);
+  pcl_ops::apps::writeFile (options.output, [&simulated] (const std::string& path) {
+    write (simulated.cloud, path);
+  });
+  if (!options.quiet)
+    std::cout << options.output << ": " << simulated.cloud.size() << " points, "
+              << simulated.planes.size() << " planes\n";
+  return pcl_ops::apps::kDone;
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  return pcl_ops::apps::runProgram (program_name, [&] { return run (argc, argv); });
+}

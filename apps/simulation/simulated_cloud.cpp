@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulated_cloud.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace pcl_ops::simulation {
+
+namespace {
+
+pcl::PointXYZL
+pointAt (const Eigen::Vector3d& position, SurfaceId surface)
+{
+  pcl::PointXYZL point;
+  point.getVector3fMap() = position.cast<float>();
+  point.label = surface;
+  return point;
+}
+
+pcl::PointXYZL
+missingPoint ()
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return pointAt (Eigen::Vector3d::Constant (nan), no_surface);
+}
+
+void
+setSensorPose (pcl::PointCloud<pcl::PointXYZL>& cloud, const Eigen::Isometry3d& pose)
+{
+  cloud.sensor_origin_.head<3>() = pose.translation().cast<float>();
+  cloud.sensor_origin_.w() = 0.0f;
+  cloud.sensor_orientation_ = Eigen::Quaterniond (pose.linear()).cast<float>();
+}
+
+std::vector<std::size_t>
+countPoints (const pcl::PointCloud<pcl::PointXYZL>& cloud, std::size_t surfaces)
+{
+  std::vector<std::size_t> counts (surfaces + 1, 0);
+  for (const auto& point : cloud)
+    ++counts[point.label];
+  return counts;
+}
+
+} // namespace
+
+SimulatedCloud
+toCloud (const DepthImage& image,
+         const DepthCamera& camera,
+         const Scene& scene,
+         CloudLayout layout)
+{
+  SimulatedCloud simulated;
+  auto& cloud = simulated.cloud;
+  cloud.reserve (image.depth.size());
+  for (std::size_t i = 0; i < image.depth.size(); ++i) {
+    const auto ray = camera.ray (double (i % image.width), double (i / image.width));
+    if (std::isfinite (image.depth[i]))
+      cloud.push_back (
+          pointAt (camera.pose * (image.depth[i] * ray), image.surface[i]));
+    else if (layout == CloudLayout::Organized)
+      cloud.push_back (missingPoint());
+  }
+  if (layout == CloudLayout::Organized) {
+    cloud.width = std::uint32_t (image.width);
+    cloud.height = std::uint32_t (image.height);
+    cloud.is_dense = false;
+  }
+  setSensorPose (cloud, camera.pose);
+  simulated.planes = labelBySize (cloud, surfacePlanes (scene));
+  return simulated;
+}
+
+std::vector<LabeledPlane>
+labelBySize (pcl::PointCloud<pcl::PointXYZL>& cloud, const std::vector<Plane>& surfaces)
+{
+  const std::vector<std::size_t> counts = countPoints (cloud, surfaces.size());
+  std::vector<SurfaceId> by_size (surfaces.size());
+  std::iota (by_size.begin(), by_size.end(), SurfaceId (1));
+  std::stable_sort (by_size.begin(), by_size.end(), [&counts] (auto a, auto b) {
+    return counts[a] > counts[b];
+  });
+  std::vector<LabeledPlane> planes;
+  std::vector<std::uint32_t> label_of (surfaces.size() + 1, 0);
+  for (const SurfaceId surface : by_size) {
+    if (counts[surface] < fewest_points_of_plane)
+      break;
+    label_of[surface] = std::uint32_t (planes.size() + 1);
+    planes.push_back ({label_of[surface], surfaces[surface - 1], counts[surface]});
+  }
+  for (auto& point : cloud)
+    point.label = label_of[point.label];
+  return planes;
+}
+
+} // namespace pcl_ops::simulation
