@@ -23,7 +23,7 @@ fs::path
 resolved (const std::string& file)
 {
   std::error_code error;
-  const fs::path path = fs::weakly_canonical (file, error);
+  const fs::path path = fs::weakly_canonical (fs::absolute (file), error);
   return error ? fs::absolute (file) : path;
 }
 
