@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_ops/octree_cells.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace pcl_ops {
+namespace {
+
+struct AxisRange {
+  float low = std::numeric_limits<float>::infinity();
+  float high = -std::numeric_limits<float>::infinity();
+  double mean = 0.0;
+
+  /** Largest |value - mean|. */
+  double
+  reach () const
+  {
+    return std::max (high - mean, mean - low);
+  }
+};
+
+AxisRange
+rangeOf (const std::vector<float>& values)
+{
+  AxisRange range;
+  double sum = 0.0;
+  for (const float value : values) {
+    range.low = std::min (range.low, value);
+    range.high = std::max (range.high, value);
+    sum += value;
+  }
+  range.mean = sum / static_cast<double> (values.size());
+  return range;
+}
+
+/** The bits of a cell's coordinate moved three places apart. */
+std::array<std::uint16_t, 1 << deepest_cell_level>
+spreadBits ()
+{
+  std::array<std::uint16_t, 1 << deepest_cell_level> spread{};
+  for (unsigned value = 0; value < spread.size(); ++value)
+    for (unsigned bit = 0; bit < deepest_cell_level; ++bit)
+      spread[value] |= static_cast<std::uint16_t> (((value >> bit) & 1u) << (3 * bit));
+  return spread;
+}
+
+/** The inverse of spreadBits for one axis of a Morton code. */
+unsigned
+gatherBits (std::size_t code, unsigned axis)
+{
+  unsigned value = 0;
+  for (unsigned bit = 0; bit < deepest_cell_level; ++bit)
+    value |= static_cast<unsigned> ((code >> (3 * bit + axis)) & 1u) << bit;
+  return value;
+}
+
+std::vector<std::uint16_t>
+mortonCodes (const Coordinates& points, const RootCube& root, int level)
+{
+  const auto spread = spreadBits();
+  const int cells = 1 << level;
+  const auto scale = static_cast<float> (cells / root.edge);
+  const Eigen::Vector3f centre = root.centre.cast<float>();
+  const auto half = static_cast<float> (cells / 2.0);
+  const auto cell = [cells, scale, half] (float value, float middle) {
+    return std::clamp (
+        static_cast<int> ((value - middle) * scale + half), 0, cells - 1);
+  };
+  std::vector<std::uint16_t> codes (points.size());
+  for (std::size_t i = 0; i < codes.size(); ++i)
+    codes[i] =
+        static_cast<std::uint16_t> (spread[cell (points.x[i], centre.x())] |
+                                    (spread[cell (points.y[i], centre.y())] << 1) |
+                                    (spread[cell (points.z[i], centre.z())] << 2));
+  return codes;
+}
+
+} // namespace
+
+void
+PermutedPoints::resize (std::size_t size)
+{
+  x.resize (size);
+  y.resize (size);
+  z.resize (size);
+  order.resize (size);
+}
+
+void
+PermutedPoints::swapPoints (std::size_t i, std::size_t j)
+{
+  std::swap (x[i], x[j]);
+  std::swap (y[i], y[j]);
+  std::swap (z[i], z[j]);
+  std::swap (order[i], order[j]);
+}
+
+RootCube
+rootCubeOf (const Coordinates& points)
+{
+  RootCube root;
+  if (points.size() == 0)
+    return root;
+  const AxisRange x = rangeOf (points.x), y = rangeOf (points.y),
+                  z = rangeOf (points.z);
+  root.centre = Eigen::Vector3d (x.mean, y.mean, z.mean);
+  const bool all_equal = x.low == x.high && y.low == y.high && z.low == z.high;
+  root.edge = all_equal ? 0.0 : 2.0 * std::max ({x.reach(), y.reach(), z.reach()});
+  const Eigen::Vector3f centre = root.centre.cast<float>();
+  float squared_radius = 0.0f;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float dx = points.x[i] - centre.x();
+    const float dy = points.y[i] - centre.y();
+    const float dz = points.z[i] - centre.z();
+    squared_radius = std::max (squared_radius, dx * dx + dy * dy + dz * dz);
+  }
+  root.radius = std::sqrt (squared_radius);
+  return root;
+}
+
+OctreeNode
+OctreeCells::operator[] (std::size_t cell) const
+{
+  const double edge = std::ldexp (root.edge, -level);
+  const Eigen::Vector3d from_corner (gatherBits (cell, 0) + 0.5,
+                                     gatherBits (cell, 1) + 0.5,
+                                     gatherBits (cell, 2) + 0.5);
+  const Eigen::Vector3d half_root = Eigen::Vector3d::Constant (root.edge / 2.0);
+  const Eigen::Vector3d centre = root.centre - half_root + edge * from_corner;
+  return OctreeNode{begins[cell], begins[cell + 1], centre, edge, level};
+}
+
+OctreeCells
+sortIntoCells (const Coordinates& points, const RootCube& root, int level)
+{
+  const std::vector<std::uint16_t> codes = mortonCodes (points, root, level);
+  const std::size_t cells = std::size_t (1) << (3 * level);
+  std::vector<std::uint32_t> begins (cells + 1, 0);
+  for (const std::uint16_t code : codes)
+    ++begins[code + 1u];
+  for (std::size_t cell = 0; cell < cells; ++cell)
+    begins[cell + 1] += begins[cell];
+
+  std::vector<std::uint32_t> next (begins.begin(), begins.end() - 1);
+  PermutedPoints sorted;
+  sorted.resize (points.size());
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    const std::uint32_t to = next[codes[i]]++;
+    sorted.x[to] = points.x[i];
+    sorted.y[to] = points.y[i];
+    sorted.z[to] = points.z[i];
+    sorted.order[to] = static_cast<std::uint32_t> (i);
+  }
+  return OctreeCells{root, level, std::move (sorted), std::move (begins)};
+}
+
+} // namespace pcl_ops
