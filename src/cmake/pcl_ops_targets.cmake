@@ -24,6 +24,11 @@ function(pcl_ops_add_program name)
   pcl_ops_target_defaults(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
   target_compile_definitions(${name} PRIVATE PCL_OPS_VERSION="${PROJECT_VERSION}")
+  # Installed programs find the library beside them, wherever the prefix is.
+  file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+  set_target_properties(${name} PROPERTIES
+    INSTALL_RPATH "$ORIGIN/${bin_to_lib}"
+    INSTALL_RPATH_USE_LINK_PATH ON)
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
 

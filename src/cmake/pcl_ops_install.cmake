@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# How the library is found once installed: by CMake, by pkg-config, by ROS.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS pcl_ops EXPORT pcl_ops-targets
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pcl_ops
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
+
+# A static library hands OpenMP on to whoever links it.
+set(pcl_ops_hands_on_openmp OFF)
+if(OpenMP_CXX_FOUND AND NOT BUILD_SHARED_LIBS)
+  set(pcl_ops_hands_on_openmp ON)
+endif()
+
+set(pcl_ops_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_ops)
+install(EXPORT pcl_ops-targets NAMESPACE pcl_ops:: DESTINATION ${pcl_ops_cmake_dir})
+configure_package_config_file(
+  ${CMAKE_CURRENT_LIST_DIR}/pcl_ops-config.cmake.in
+  ${CMAKE_CURRENT_BINARY_DIR}/pcl_ops-config.cmake
+  INSTALL_DESTINATION ${pcl_ops_cmake_dir})
+write_basic_package_version_file(
+  ${CMAKE_CURRENT_BINARY_DIR}/pcl_ops-config-version.cmake
+  VERSION ${PROJECT_VERSION}
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${CMAKE_CURRENT_BINARY_DIR}/pcl_ops-config.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/pcl_ops-config-version.cmake
+  DESTINATION ${pcl_ops_cmake_dir})
+
+# PCL's own .pc files carried its version in their names up to 1.12.
+set(pcl_pc_suffix "")
+if(PCL_VERSION VERSION_LESS 1.13)
+  set(pcl_pc_suffix "-${PCL_VERSION_MAJOR}.${PCL_VERSION_MINOR}")
+endif()
+list(TRANSFORM pcl_ops_pcl_targets APPEND "${pcl_pc_suffix}" OUTPUT_VARIABLE pcl_pc_names)
+list(JOIN pcl_pc_names " " PCL_OPS_PC_REQUIRES)
+set(PCL_OPS_PC_LIBS_PRIVATE "")
+if(OpenMP_CXX_FOUND)
+  list(JOIN OpenMP_CXX_FLAGS " " PCL_OPS_PC_LIBS_PRIVATE)
+endif()
+foreach(dir LIBDIR INCLUDEDIR)
+  file(RELATIVE_PATH PCL_OPS_PC_${dir} ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FULL_${dir}})
+endforeach()
+file(RELATIVE_PATH PCL_OPS_PC_TO_PREFIX
+  ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+configure_file(${CMAKE_CURRENT_LIST_DIR}/pcl_ops.pc.in pcl_ops.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/pcl_ops.pc
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+# REP 136 and the ament resource index: package.xml and an empty marker.
+install(FILES ${PROJECT_SOURCE_DIR}/package.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/pcl_ops)
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/ament_marker "")
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ament_marker
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/ament_index/resource_index/packages
+  RENAME pcl_ops)

@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Installs a build into a prefix of its own, moves that prefix, and uses it from outside:
+# by find_package, by pkg-config with the bare compiler, and by calling its programs.
+# cmake -DBUILD=build -DWORK=folder -DCONFIG=Release -DCXX=c++ -DLIBDIR=lib -DPKG_CONFIG=pkg-config -P run.cmake
+cmake_minimum_required(VERSION 3.16)
+
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    string(JOIN " " command ${ARGV})
+    message(FATAL_ERROR "failed: ${command}: ${result}")
+  endif()
+endfunction()
+
+set(source ${CMAKE_CURRENT_LIST_DIR})
+set(prefix ${WORK}/moved)
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${WORK}/installed)
+file(RENAME ${WORK}/installed ${prefix})
+
+message(STATUS "find_package")
+run(${CMAKE_COMMAND} -S ${source} -B ${WORK}/build
+  -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_BUILD_TYPE=Release)
+run(${CMAKE_COMMAND} --build ${WORK}/build --config Release)
+find_program(consumer consumer PATHS ${WORK}/build ${WORK}/build/Release NO_DEFAULT_PATH)
+run(${consumer})
+
+message(STATUS "pkg-config")
+set(ENV{PKG_CONFIG_PATH} "${prefix}/${LIBDIR}/pkgconfig:$ENV{PKG_CONFIG_PATH}")
+execute_process(COMMAND ${PKG_CONFIG} --cflags --libs pcl_ops
+  OUTPUT_VARIABLE flags RESULT_VARIABLE result OUTPUT_STRIP_TRAILING_WHITESPACE)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "pkg-config does not find pcl_ops in ${prefix}")
+endif()
+separate_arguments(flags UNIX_COMMAND "${flags}")
+run(${CXX} -O2 ${source}/consumer.cpp -o ${WORK}/consumer ${flags})
+set(ENV{LD_LIBRARY_PATH} "${prefix}/${LIBDIR}:$ENV{LD_LIBRARY_PATH}")
+run(${WORK}/consumer)
+
+set(ENV{LD_LIBRARY_PATH} "")
+file(GLOB programs ${prefix}/bin/*)
+foreach(program ${programs})
+  run(${program} --version)
+endforeach()
