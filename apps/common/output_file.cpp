@@ -23,8 +23,8 @@ fs::path
 resolved (const std::string& file)
 {
   std::error_code error;
-  const fs::path path = fs::weakly_canonical (fs::absolute (file), error);
-  return error ? fs::absolute (file) : path;
+  const fs::path path = fs::weakly_canonical (fs::absolute (file, error), error);
+  return error ? fs::path (file) : path;
 }
 
 /** \brief Removes its file unless that has been renamed. */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "temporary_folder.h"
 #include <common/command_line.h>
 #include <common/output_file.h>
 #include <common/program.h>
@@ -55,41 +56,10 @@ struct Detector {
   }
 };
 
-/** \brief An empty folder for one test, removed after it. */
-class Folder : public testing::Test {
+class OutputFile : public testing::Test {
 protected:
-  Folder()
-  : path (fs::path (testing::TempDir()) /
-          (std::string ("pcl_ops_common_") +
-           testing::UnitTest::GetInstance()->current_test_info()->name()))
-  {
-    fs::remove_all (path);
-    fs::create_directories (path);
-  }
-  ~Folder() override { fs::remove_all (path); }
-
-  std::string
-  file (const std::string& name) const
-  {
-    return (path / name).string();
-  }
-
-  fs::path path;
+  TemporaryFolder folder_;
 };
-
-std::string
-contentOf (const std::string& file)
-{
-  std::ifstream stream (file, std::ios::binary);
-  return std::string (std::istreambuf_iterator<char> (stream), {});
-}
-
-std::size_t
-filesIn (const fs::path& folder)
-{
-  return static_cast<std::size_t> (
-      std::distance (fs::directory_iterator (folder), fs::directory_iterator()));
-}
 
 } // namespace
 
@@ -201,42 +171,40 @@ TEST (Program, MapsWhatIsThrownToExitCodesAndOneLine)
              "1 detect: not enough memory; try a smaller cloud\n");
 }
 
-using OutputFile = Folder;
-
 TEST_F (OutputFile, ReplacesTheTargetInOneStep)
 {
-  writeTextFile (file ("a.json"), "old");
-  writeFile (file ("a.json"), [&] (const std::string& temporary) {
-    EXPECT_EQ (fs::path (temporary).parent_path(), fs::canonical (path));
+  writeTextFile (folder_ / "a.json", "old");
+  writeFile (folder_ / "a.json", [&] (const std::string& temporary) {
+    EXPECT_EQ (fs::path (temporary).parent_path(), folder_.path());
     EXPECT_EQ (fs::path (temporary).extension(), ".json");
     std::ofstream (temporary) << "new";
-    EXPECT_EQ (contentOf (file ("a.json")), "old");
+    EXPECT_EQ (contentOf (folder_ / "a.json"), "old");
   });
-  EXPECT_EQ (contentOf (file ("a.json")), "new");
-  EXPECT_EQ (filesIn (path), 1u);
+  EXPECT_EQ (contentOf (folder_ / "a.json"), "new");
+  EXPECT_EQ (folder_.fileCount(), 1u);
 }
 
 TEST_F (OutputFile, KeepsTheTargetWhenWritingFails)
 {
-  writeTextFile (file ("a.json"), "old");
+  writeTextFile (folder_ / "a.json", "old");
   const auto fail_half_way = [] (const std::string& temporary) {
     std::ofstream (temporary) << "ne";
     throw WorkError ("a.json", "broke");
   };
-  EXPECT_THROW (writeFile (file ("a.json"), fail_half_way), WorkError);
-  EXPECT_EQ (contentOf (file ("a.json")), "old");
-  EXPECT_EQ (filesIn (path), 1u);
+  EXPECT_THROW (writeFile (folder_ / "a.json", fail_half_way), WorkError);
+  EXPECT_EQ (contentOf (folder_ / "a.json"), "old");
+  EXPECT_EQ (folder_.fileCount(), 1u);
 }
 
 TEST_F (OutputFile, WritesThroughALinkAndKeepsPermissions)
 {
-  writeTextFile (file ("real.csv"), "old");
-  fs::permissions (file ("real.csv"), fs::perms (0600));
-  fs::create_symlink (file ("real.csv"), file ("link.csv"));
-  writeTextFile (file ("link.csv"), "new");
-  EXPECT_TRUE (fs::is_symlink (file ("link.csv")));
-  EXPECT_EQ (contentOf (file ("real.csv")), "new");
-  EXPECT_EQ (fs::status (file ("real.csv")).permissions(), fs::perms (0600));
+  writeTextFile (folder_ / "real.csv", "old");
+  fs::permissions (folder_ / "real.csv", fs::perms (0600));
+  fs::create_symlink (folder_ / "real.csv", folder_ / "link.csv");
+  writeTextFile (folder_ / "link.csv", "new");
+  EXPECT_TRUE (fs::is_symlink (folder_ / "link.csv"));
+  EXPECT_EQ (contentOf (folder_ / "real.csv"), "new");
+  EXPECT_EQ (fs::status (folder_ / "real.csv").permissions(), fs::perms (0600));
 }
 
 TEST_F (OutputFile, NamesWhatIsInTheWay)
@@ -250,11 +218,11 @@ TEST_F (OutputFile, NamesWhatIsInTheWay)
     }
     return "";
   };
-  EXPECT_EQ (complaint (file ("fine.pcd")), "");
-  EXPECT_EQ (complaint (path.string()),
-             path.string() + ": is a folder; give the name of a file in it");
-  EXPECT_EQ (complaint (file ("no/a.pcd")),
-             file ("no/a.pcd") +
+  EXPECT_EQ (complaint (folder_ / "fine.pcd"), "");
+  EXPECT_EQ (complaint (folder_.path()),
+             folder_.path() + ": is a folder; give the name of a file in it");
+  EXPECT_EQ (complaint (folder_ / "no/a.pcd"),
+             folder_ / "no/a.pcd" +
                  ": its folder does not exist; create it or give another name");
   EXPECT_EQ (complaint ("/dev/null"),
              "/dev/null: is no regular file; give another name");
@@ -263,10 +231,10 @@ TEST_F (OutputFile, NamesWhatIsInTheWay)
 
 TEST_F (OutputFile, KnowsAFileByAnyName)
 {
-  writeTextFile (file ("a.pcd"), "");
-  fs::create_hard_link (file ("a.pcd"), file ("b.pcd"));
-  EXPECT_TRUE (isSameFile (file ("a.pcd"), file ("./a.pcd")));
-  EXPECT_TRUE (isSameFile (file ("a.pcd"), file ("b.pcd")));
-  EXPECT_TRUE (isSameFile (file ("new.pcd"), file ("./new.pcd")));
-  EXPECT_FALSE (isSameFile (file ("a.pcd"), file ("c.pcd")));
+  writeTextFile (folder_ / "a.pcd", "");
+  fs::create_hard_link (folder_ / "a.pcd", folder_ / "b.pcd");
+  EXPECT_TRUE (isSameFile (folder_ / "a.pcd", folder_ / "./a.pcd"));
+  EXPECT_TRUE (isSameFile (folder_ / "a.pcd", folder_ / "b.pcd"));
+  EXPECT_TRUE (isSameFile (folder_ / "new.pcd", folder_ / "./new.pcd"));
+  EXPECT_FALSE (isSameFile (folder_ / "a.pcd", folder_ / "c.pcd"));
 }

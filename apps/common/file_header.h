@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+using Words = std::vector<std::string>;
+
+/** \brief Reads the text header in front of a cloud file's data and words the
+ * complaints about it. */
+class HeaderReader {
+public:
+  /** \param[in] format e.g. "PCD", for the complaints */
+  HeaderReader (const std::string& file, std::string format);
+
+  /** \brief The words of the next line.
+   * \throws WorkError if the file ends before the line \p last, which ends the header
+   */
+  Words
+  nextLine (const std::string& last);
+
+  /** \brief Offset of the next byte. */
+  std::uint64_t
+  position ();
+
+  std::uint64_t
+  fileSize () const
+  {
+    return file_size_;
+  }
+
+  void
+  read (char* bytes, std::size_t count);
+
+  /** \brief A whole number from 0 on. */
+  std::uint64_t
+  number (const std::string& what, const std::string& text) const;
+
+  /** \brief A number of points: as many as PCL's indices can tell apart. */
+  std::uint64_t
+  count (const std::string& what, const std::string& text) const;
+
+  [[noreturn]] void
+  fail (const std::string& reason) const;
+
+  [[noreturn]] void
+  failTruncated () const;
+
+private:
+  std::string file_, format_;
+  std::ifstream stream_;
+  std::uint64_t file_size_ = 0;
+};
+
+} // namespace pcl_ops::apps

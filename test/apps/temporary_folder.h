@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+/** \brief An empty folder for one test, removed after it. */
+class TemporaryFolder {
+public:
+  TemporaryFolder()
+  : path_ (std::filesystem::canonical (testing::TempDir()) /
+           ("pcl_ops_" + std::to_string (::getpid()) + "_" +
+            testing::UnitTest::GetInstance()->current_test_info()->name()))
+  {
+    std::filesystem::remove_all (path_);
+    std::filesystem::create_directories (path_);
+  }
+  TemporaryFolder (const TemporaryFolder&) = delete;
+  TemporaryFolder&
+  operator= (const TemporaryFolder&) = delete;
+  ~TemporaryFolder() { std::filesystem::remove_all (path_); }
+
+  std::string
+  path () const
+  {
+    return path_.string();
+  }
+
+  /** \brief The path of a file in it. */
+  std::string
+  operator/ (const std::string& name) const
+  {
+    return (path_ / name).string();
+  }
+
+  /** \brief Writes a file and returns its path. */
+  std::string
+  write (const std::string& name, const std::string& content) const
+  {
+    std::ofstream (path_ / name, std::ios::binary) << content;
+    return (path_ / name).string();
+  }
+
+  std::size_t
+  fileCount () const
+  {
+    using Iterator = std::filesystem::directory_iterator;
+    return static_cast<std::size_t> (std::distance (Iterator (path_), Iterator()));
+  }
+
+private:
+  std::filesystem::path path_;
+};
+
+inline std::string
+contentOf (const std::string& file)
+{
+  std::ifstream stream (file, std::ios::binary);
+  return std::string (std::istreambuf_iterator<char> (stream), {});
+}
