@@ -1,0 +1,71 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+# shellcheck shell=bash
+
+# What the scripts share; sourced by them.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+say() { printf '==> %s\n' "$*"; }
+
+fail() {
+  printf '%s: %s\n' "$(basename "$0")" "$*" >&2
+  exit 1
+}
+
+# quietly LOG COMMAND...: the command's output goes to the file and is shown if it fails.
+quietly() {
+  local log=$1
+  shift
+  mkdir -p "$(dirname "$log")"
+  if ! "$@" >"$log" 2>&1 </dev/null; then
+    tail -n 60 "$log" >&2
+    fail "failed: $* (all of its output: $log)"
+  fi
+}
+
+# install_packages PACKAGE...: those Debian or Ubuntu packages that are missing.
+install_packages() {
+  local missing=() as_root=() package
+  if ! command -v apt-get >/dev/null; then
+    say "no apt-get here; what is needed, by its names in Debian: $*"
+    return
+  fi
+  for package in "$@"; do
+    dpkg-query --show --showformat='${db:Status-Status}\n' "$package" 2>/dev/null |
+      grep --quiet --line-regexp installed || missing+=("$package")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then
+    say "nothing to install"
+    return
+  fi
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || fail "needs root or sudo to install: ${missing[*]}"
+    as_root=(sudo)
+  fi
+  say "installing ${missing[*]}"
+  as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get --quiet --yes)
+  quietly "$root/build/apt-update.log" "${as_root[@]}" update
+  quietly "$root/build/apt-install.log" "${as_root[@]}" install --no-install-recommends "${missing[@]}"
+}
+
+# What every build needs.
+# shellcheck disable=SC2034
+build_packages=(g++ cmake make libpcl-dev libboost-program-options-dev nlohmann-json3-dev)
+
+# How many compilers fit, at 1.5 GB each.
+jobs() {
+  awk -v cores="$(nproc)" '/^MemAvailable/ { fit = int($2 / 1500000) }
+    END { print fit < 1 ? 1 : fit < cores ? fit : cores }' /proc/meminfo
+}
+
+# build FOLDER OPTION...: configures and builds below build/, with these CMake options.
+build() {
+  local folder=$root/build/$1
+  shift
+  if command -v ccache >/dev/null; then
+    set -- "$@" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
+  fi
+  quietly "$folder/configure.log" cmake -S "$root" -B "$folder" "$@"
+  quietly "$folder/build.log" cmake --build "$folder" --parallel "$(jobs)"
+}
