@@ -75,11 +75,12 @@ diagonalOf (const Cloud& cloud)
 } // namespace
 
 LabelledCloud
-loadLabelledCloud (const std::string& file)
+loadLabelledCloud (const std::string& file, LabelField field)
 {
   const apps::Cloud cloud = apps::loadCloud (file);
   LabelledCloud labelled;
-  labelled.labels = labelsOf (cloud.points, file);
+  if (field == LabelField::Required || apps::hasField (cloud, "label"))
+    labelled.labels = labelsOf (cloud.points, file);
   const apps::Positions positions = apps::positionsOf (cloud);
   labelled.cloud = positions.cloud;
   labelled.shift = positions.shift;

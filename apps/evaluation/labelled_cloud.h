@@ -17,10 +17,13 @@ struct LabelledCloud {
   Labels labels;
 };
 
-/** \brief Reads a .pcd or .ply file whose points have an integer field `label`.
- * \throw apps::WorkError if that fails or there is no such field */
+enum class LabelField { Required, Optional };
+
+/** \brief Reads a .pcd or .ply file whose points have an integer field `label`; none
+ * leaves the labels empty where the field is optional.
+ * \throw apps::WorkError if that fails or the field is required and missing */
 LabelledCloud
-loadLabelledCloud (const std::string& file);
+loadLabelledCloud (const std::string& file, LabelField field = LabelField::Required);
 
 /** \brief Makes sure that two files label the same points in the same order.
  * \throw apps::WorkError naming \p result_file if their number or coordinates differ */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/common/angles.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -18,11 +19,12 @@ struct ClassParameters {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   /** \brief Largest deviation from horizontal or vertical [rad]; the paper's 7 degrees.
    */
-  double tolerance = 7.0 * 3.14159265358979323846 / 180.0;
+  double tolerance = pcl::deg2rad (7.0);
 };
 
 /** \brief The class of each point: that of the least squares plane through all points
- * of its label. \return Other for label 0 and where the points of a label span no plane
+ * of its label.
+ * \return Other for label 0 and where the points of a label span no plane
  */
 std::vector<Orientation>
 pointClasses (const Cloud& cloud,

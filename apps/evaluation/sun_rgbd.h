@@ -20,8 +20,11 @@ enum class SunRgbdDepth {
 /** \brief The points of a SUN RGB-D depth image (Song, Lichtenberg & Xiao, CVPR 2015)
  * in a frame with its origin at the camera, x to the right and z against gravity [m].
  * Pixels without a reading give no point; as in the data set's toolbox, depths beyond 8
- * m are set to 8 m. \param[in] image pixel values as stored, millimetres rotated right
- * by 3 bits \param[in] intrinsics pinhole camera matrix [pixel] \param[in] extrinsics
+ * m are set to 8 m.
+ * \param[in] image pixel values as stored, millimetres rotated right
+ * by 3 bits
+ * \param[in] intrinsics pinhole camera matrix [pixel]
+ * \param[in] extrinsics
  * takes the camera's axes (x right, y down, z forward) to the same axes with y along
  * gravity */
 Cloud::Ptr
