@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
 namespace pcl_ops::simulation {
 
@@ -14,9 +14,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int candidate_poses = 24;
+constexpr int candidate_poses = 32;
 
-/** \brief Looks from near a point of the floor's edge region across the room. */
+/** \brief A pose is judged by a small image [px]. */
+constexpr int glance_width = 48;
+constexpr int glance_height = 36;
+constexpr int glance_pixels_of_surface = 5;
+/** \brief Along the camera's axis [m]. */
+constexpr double closest_object = 0.7;
+
+/** \brief A surface whose depth differs more between a pixel's ray and the ray beside
+ * it, relative to the depth, is seen edge-on. */
+constexpr double largest_slope = 0.1;
+
+/** \brief From anywhere in the room over its middle, somewhat downwards. */
 Eigen::Isometry3d
 drawPose (const Room& room, RandomGenerator& generator)
 {
@@ -27,28 +38,61 @@ drawPose (const Room& room, RandomGenerator& generator)
                       drawBetween (generator, 1.1, 1.8));
   const Vector3d target (drawBetween (generator, -0.4, 0.4) * reach.x(),
                          drawBetween (generator, -0.4, 0.4) * reach.y(),
-                         drawBetween (generator, 0.4, 1.0));
-  const Vector3d forward = (target - eye).normalized();
-  const Vector3d right = forward.cross (Vector3d::UnitZ()).normalized();
+                         eye.z());
+  const Vector3d level = (target - eye).normalized();
+  const Vector3d right = level.cross (Vector3d::UnitZ());
   Eigen::Isometry3d pose = at (eye.x(), eye.y(), eye.z());
-  pose.linear() << right, forward.cross (right), forward;
+  pose.linear() << right, -Vector3d::UnitZ(), level;
   return turned (room.yaw, Vector3d::UnitZ()) * pose *
-         turned (drawAngle (generator, -5, 5), Vector3d::UnitZ());
+         turned (drawAngle (generator, -20, -5), Vector3d::UnitX()) *
+         turned (drawAngle (generator, -4, 4), Vector3d::UnitZ());
 }
 
-/** \brief Number of surfaces in view, none if something stands before the camera. */
+/** \brief Number of surfaces well in view, none if something stands before the camera.
+ */
 int
 countVisibleSurfaces (const Scene& scene, DepthCamera camera)
 {
-  camera.width = 48;
-  camera.height = 36;
+  camera.width = glance_width;
+  camera.height = glance_height;
   const DepthImage glance = castDepthImage (scene, camera);
   const double closest = *std::min_element (glance.depth.begin(), glance.depth.end());
-  if (closest < camera.nearest)
+  if (closest < closest_object)
     return 0;
-  std::set<SurfaceId> seen (glance.surface.begin(), glance.surface.end());
-  seen.erase (no_surface);
-  return int (seen.size());
+  std::map<SurfaceId, int> pixels;
+  for (const SurfaceId surface : glance.surface)
+    ++pixels[surface];
+  pixels.erase (no_surface);
+  return int (std::count_if (pixels.begin(), pixels.end(), [] (const auto& surface) {
+    return surface.second >= glance_pixels_of_surface;
+  }));
+}
+
+Vector3d
+rayOfPixel (const DepthCamera& camera,
+            std::size_t pixel,
+            double column_offset,
+            double row_offset)
+{
+  const double column = double (pixel % camera.width) + column_offset;
+  const double row = double (pixel / camera.width) + row_offset;
+  return camera.pose.linear() * camera.ray (column, row);
+}
+
+/** \brief Where a pixel's own ray meets the plane that a ray beside it has hit. */
+double
+depthOnSurface (const Hit& hit,
+                const std::vector<Plane>& planes,
+                const Vector3d& eye,
+                const Vector3d& ray)
+{
+  if (hit.surface == no_surface)
+    return hit.distance;
+  const Plane& plane = planes[hit.surface - 1];
+  const double depth = -plane.distance (eye) / plane.normal.dot (ray);
+  const bool is_grazing =
+      !(std::abs (depth - hit.distance) < largest_slope * hit.distance);
+  return is_grazing ? hit.distance : depth;
 }
 
 } // namespace
@@ -63,15 +107,14 @@ castDepthImage (const Scene& scene,
                    camera.height,
                    std::vector<double> (pixels),
                    std::vector<SurfaceId> (pixels)};
-  const bool jittered = !offsets.column.empty();
+  const std::vector<Plane> planes = surfacePlanes (scene);
+  const Vector3d eye = camera.pose.translation();
   for (std::size_t i = 0; i < pixels; ++i) {
-    const double column =
-        double (i % camera.width) + (jittered ? offsets.column[i] : 0.0);
-    const double row = double (i / camera.width) + (jittered ? offsets.row[i] : 0.0);
-    const Hit hit = castRay (scene,
-                             camera.pose.translation(),
-                             camera.pose.linear() * camera.ray (column, row));
-    image.depth[i] = hit.distance;
+    const double column = offsets.column.empty() ? 0.0 : offsets.column[i];
+    const double row = offsets.row.empty() ? 0.0 : offsets.row[i];
+    const Hit hit = castRay (scene, eye, rayOfPixel (camera, i, column, row));
+    image.depth[i] =
+        depthOnSurface (hit, planes, eye, rayOfPixel (camera, i, 0.0, 0.0));
     image.surface[i] = hit.surface;
   }
   return image;

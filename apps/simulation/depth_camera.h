@@ -9,6 +9,9 @@
 
 namespace pcl_ops::simulation {
 
+/** \brief Of a Kinect's depth image of 640 columns [px]. */
+constexpr double kinect_focal_length = 525.0;
+
 /** \brief A pinhole depth camera in the room. Its axes: x right, y down, z forward. */
 struct DepthCamera {
   int width = 640;
@@ -19,11 +22,11 @@ struct DepthCamera {
   /** \brief From the camera's frame to the room's. */
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
 
-  /** \brief Focal length [px]: that of a Kinect, 525 px for an image of 640 columns. */
+  /** \brief Focal length [px]: the field of view is a Kinect's whatever the width. */
   double
   focalLength () const
   {
-    return 525.0 * width / 640.0;
+    return kinect_focal_length * width / 640.0;
   }
 
   /** \brief The ray of a pixel in the camera's frame, of length 1 along z. */
@@ -45,8 +48,9 @@ struct DepthImage {
   std::vector<SurfaceId> surface;
 };
 
-/** \brief Where within the image each pixel's ray really goes, as an offset [px].
- * Empty: exactly through the pixel. */
+/** \brief How far beside its place each pixel looks [px]: this frays the edges, while
+ * the depth is that of the surface it sees at the pixel's place. Empty: edges are
+ * exact. */
 struct PixelOffsets {
   std::vector<double> column, row;
 };

@@ -14,13 +14,6 @@ namespace {
 
 constexpr double no_reading = std::numeric_limits<double>::infinity();
 
-/** \brief Filter of the correlated profile's noise [px]. */
-constexpr double smoothing = 3.0;
-
-/** \brief Standard deviation of a ray's wandering along each image axis [px], the size
- * of the edge noise Nguyen et al. measured. */
-constexpr double lateral_sigma = 0.8;
-
 /** \brief Distance between a Kinect's projector and camera [m] (Khoshelham & Elberink,
  * "Accuracy and Resolution of Kinect Depth Data", Sensors 2012). */
 constexpr double baseline = 0.075;
@@ -35,10 +28,12 @@ constexpr double flying_fraction = 0.3;
 constexpr double lost_fraction = 0.2;
 
 std::vector<double>
-drawField (const DepthCamera& camera, NoiseProfile profile, RandomGenerator& generator)
+drawField (const DepthCamera& camera,
+           const NoiseParameters& noise,
+           RandomGenerator& generator)
 {
-  return profile == NoiseProfile::Correlated
-             ? drawSmoothField (camera.width, camera.height, smoothing, generator)
+  return noise.profile == NoiseProfile::Correlated
+             ? drawSmoothField (camera.width, camera.height, noise.smoothing, generator)
              : drawWhiteField (camera.width, camera.height, generator);
 }
 
@@ -47,11 +42,11 @@ drawLateralJitter (const DepthCamera& camera,
                    const NoiseParameters& noise,
                    RandomGenerator& generator)
 {
-  PixelOffsets offsets{drawField (camera, noise.profile, generator),
-                       drawField (camera, noise.profile, generator)};
+  PixelOffsets offsets{drawField (camera, noise, generator),
+                       drawField (camera, noise, generator)};
   for (auto* axis : {&offsets.column, &offsets.row})
     for (double& offset : *axis)
-      offset *= noise.scale * lateral_sigma;
+      offset *= noise.scale * noise.lateral_sigma;
   return offsets;
 }
 
@@ -105,15 +100,16 @@ addAxialNoise (DepthImage& image,
                const NoiseParameters& noise,
                RandomGenerator& generator)
 {
-  const std::vector<double> field = drawField (camera, noise.profile, generator);
+  const std::vector<double> field = drawField (camera, noise, generator);
   for (std::size_t i = 0; i < field.size(); ++i)
     image.depth[i] += noise.scale * axialSigma (image.depth[i]) * field[i];
 }
 
+/** \brief The steps are those of the Kinect's own image also in a smaller one. */
 void
-quantizeDisparity (DepthImage& image, const DepthCamera& camera)
+quantizeDisparity (DepthImage& image)
 {
-  const double steps_times_depth = disparity_steps * camera.focalLength() * baseline;
+  constexpr double steps_times_depth = disparity_steps * kinect_focal_length * baseline;
   for (double& depth : image.depth)
     if (depth > 0.0)
       depth = steps_times_depth / std::round (steps_times_depth / depth);
@@ -150,7 +146,7 @@ measureDepth (const Scene& scene,
     disturbEdges (image, noise, generator);
     addAxialNoise (image, camera, noise, generator);
     if (noise.profile == NoiseProfile::Raw)
-      quantizeDisparity (image, camera);
+      quantizeDisparity (image);
   }
   dropOutOfRange (image, camera);
   return image;

@@ -21,6 +21,11 @@ struct NoiseParameters {
   NoiseProfile profile = NoiseProfile::Correlated;
   /** \brief Factor on all noise; 1 as measured on a Kinect, 0 none at all. */
   double scale = 1.0;
+  /** \brief Filter of the correlated profile's noise, see \ref drawSmoothField [px]. */
+  double smoothing = 3.0;
+  /** \brief Standard deviation of the rays' wandering along each image axis [px]: the
+   * edge noise Nguyen et al. measured. */
+  double lateral_sigma = 0.8;
 
   bool
   isNone () const

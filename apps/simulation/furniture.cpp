@@ -39,13 +39,13 @@ addSlabOnLegs (Body& body, const Vector3d& size, double thickness, double leg_ra
     }
 }
 
-/** \brief A few books standing or lying, from \p start along x. */
+/** \brief Books standing in a row from \p start along x. */
 void
 addBooks (Body& body, const Vector3d& start, double width, RandomGenerator& generator)
 {
   double x = 0.0;
   while (x < width) {
-    const Vector3d size (drawBetween (generator, 0.02, 0.06),
+    const Vector3d size (drawBetween (generator, 0.02, 0.045),
                          drawBetween (generator, 0.14, 0.2),
                          drawBetween (generator, 0.18, 0.26));
     x += size.x();
@@ -150,8 +150,8 @@ makeShelf (RandomGenerator& generator)
     addBox (shelf.body, at (0.0, 0.0, i * pitch), {size.x(), size.y(), thickness});
   for (int i = 1; i < boards; ++i) {
     const Vector3d start (-0.45 * size.x(), -0.03, i * pitch + 0.5 * thickness);
-    addBooks (
-        shelf.body, start, drawBetween (generator, 0.1, 0.8) * size.x(), generator);
+    if (drawChance (generator, 0.6))
+      addBooks (shelf.body, start, drawBetween (generator, 0.1, 0.6), generator);
   }
   return shelf;
 }

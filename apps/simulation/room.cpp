@@ -21,6 +21,8 @@ using FurnitureMaker = Furniture (*) (RandomGenerator&);
 /** \brief Room to walk between two pieces [m]. */
 constexpr double clearance = 0.1;
 constexpr int placement_attempts = 30;
+/** \brief Floor area for each piece at a wall and each in the room [m^2]. */
+constexpr double floor_of_piece = 8.0;
 
 struct PlacedFurniture {
   Body body;
@@ -113,8 +115,8 @@ furnish (Room& room, RandomGenerator& generator)
   furnisher.place (makeRamp (generator), drawPoseAnywhere);
   furnisher.place (makeRoundClutter (generator), drawPoseAnywhere);
   const double floor_area = room.size.x() * room.size.y();
-  const int pieces = int (3.0 + floor_area / 6.0); // one for each 6 m^2 of the floor
-  for (int i = 0; i < pieces; ++i) {
+  const int rounds = int (3.0 + floor_area / floor_of_piece);
+  for (int i = 0; i < rounds; ++i) {
     furnisher.place (at_walls[drawBelow (generator, 6)](generator), drawPoseAtWall);
     furnisher.place (anywhere[drawBelow (generator, 5)](generator), drawPoseAnywhere);
   }

@@ -10,6 +10,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+/** \brief Of a door [m]. */
+constexpr double threshold_height = 0.02;
+
 /** \brief A hole in a wall, in the wall's frame: x along it, z up. */
 struct Opening {
   double left, right, bottom, top, depth;
@@ -56,13 +59,12 @@ addRecess (Body& body, const Opening& hole)
                  half_depth,
                  0.5 * (hole.top - hole.bottom)});
   for (const double z : {hole.bottom, hole.top})
-    if (z > 0.0)
-      addSurface (body,
-                  {{middle_x, -half_depth, z},
-                   Vector3d::UnitX(),
-                   Vector3d::UnitY(),
-                   0.5 * (hole.right - hole.left),
-                   half_depth});
+    addSurface (body,
+                {{middle_x, -half_depth, z},
+                 Vector3d::UnitX(),
+                 Vector3d::UnitY(),
+                 0.5 * (hole.right - hole.left),
+                 half_depth});
 }
 
 Opening
@@ -72,7 +74,7 @@ drawOpening (double length, RandomGenerator& generator)
   const double width = door ? 0.9 : drawBetween (generator, 0.9, 1.7);
   const double reach = 0.5 * (length - width) - 0.2;
   const double middle = drawBetween (generator, -reach, reach);
-  const double bottom = door ? 0.0 : drawBetween (generator, 0.8, 1.0);
+  const double bottom = door ? threshold_height : drawBetween (generator, 0.8, 1.0);
   const double top = door ? 2.05 : drawBetween (generator, 1.9, 2.2);
   const double depth =
       door ? drawBetween (generator, 0.07, 0.15) : drawBetween (generator, 0.12, 0.3);

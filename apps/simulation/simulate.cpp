@@ -3,12 +3,15 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/exceptions.h>
 
+#include "common/cloud_file.h"
 #include "common/command_line.h"
 #include "common/output_file.h"
 #include "simulation/dense_scan.h"
 #include "simulation/depth_noise.h"
 
+#include <cstring>
 #include <iostream>
+#include <optional>
 
 namespace {
 
@@ -78,7 +81,10 @@ noiseOf (const Options& options)
   const NoiseProfile profile = options.profile == "raw"    ? NoiseProfile::Raw
                                : options.profile == "none" ? NoiseProfile::None
                                                            : NoiseProfile::Correlated;
-  return {profile, options.noise};
+  NoiseParameters noise;
+  noise.profile = profile;
+  noise.scale = options.noise;
+  return noise;
 }
 
 SimulatedCloud
@@ -97,15 +103,30 @@ simulate (const Options& options)
                   options.organized ? CloudLayout::Organized : CloudLayout::Readings);
 }
 
-void
-write (const pcl::PointCloud<pcl::PointXYZL>& cloud, const std::string& path)
+/** \brief The cloud without the padding of pcl::PointXYZL. */
+pcl_ops::apps::Cloud
+packed (const pcl::PointCloud<pcl::PointXYZL>& cloud)
 {
-  try {
-    pcl::PCDWriter().writeBinary (path, cloud);
+  constexpr pcl::uindex_t bytes_of_number = 4; // float and std::uint32_t
+  pcl_ops::apps::Cloud result{{}, cloud.sensor_origin_, cloud.sensor_orientation_};
+  pcl::PCLPointCloud2& points = result.points;
+  points.width = cloud.width;
+  points.height = cloud.height;
+  points.is_dense = cloud.is_dense;
+  points.fields = pcl::getFields<pcl::PointXYZL>();
+  for (auto& field : points.fields) {
+    field.offset = points.point_step;
+    points.point_step += bytes_of_number;
   }
-  catch (const pcl::IOException&) {
-    throw pcl_ops::apps::WorkError (path, "cannot be written; is the disk full?");
+  points.row_step = points.point_step * points.width;
+  points.data.resize (std::size_t (points.point_step) * cloud.size());
+  std::uint8_t* bytes = points.data.data();
+  for (const pcl::PointXYZL& point : cloud) {
+    std::memcpy (bytes, point.data, 3 * bytes_of_number);
+    std::memcpy (bytes + 3 * bytes_of_number, &point.label, bytes_of_number);
+    bytes += points.point_step;
   }
+  return result;
 }
 
 int
@@ -116,9 +137,7 @@ run (int argc, const char* const* argv)
     return pcl_ops::apps::kDone;
   pcl_ops::apps::checkWritable (options.output);
   const SimulatedCloud simulated = simulate (options);
-  pcl_ops::apps::writeFile (options.output, [&simulated] (const std::string& path) {
-    write (simulated.cloud, path);
-  });
+  pcl_ops::apps::savePcd (options.output, packed (simulated.cloud));
   if (!options.quiet)
     std::cout << options.output << ": " << simulated.cloud.size() << " points, "
               << simulated.planes.size() << " planes\n";
