@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "patches.h"
+#include "grid_scene.h"
 #include <pcl_ops/octree_clusters.h>
 
 #include <algorithm>
@@ -15,15 +15,9 @@ using pcl_ops::CoplanarCluster;
 using pcl_ops::OctreeClusterParameters;
 using pcl_ops::OctreeClusters;
 
-const Patch tilted{{0.0, 0.0, 0.0}, {2.0, 0.0, 1.0}, {0.0, 2.0, 0.5}};
-const Patch floor_patch{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
-const Patch wall{{0.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, 0.0, 2.0}};
-
-double
-angleBetween (const Eigen::Vector3d& a, const Eigen::Vector3d& b)
-{
-  return std::atan2 (a.cross (b).norm(), std::abs (a.dot (b)));
-}
+const Surface tilted{{0.0, 0.0, 0.0}, {2.0, 0.0, 1.0}, {0.0, 2.0, 0.5}};
+const Surface ground{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
+const Surface wall{{0.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, 0.0, 2.0}};
 
 /** Centre of the octree cell the cluster lies in. */
 Eigen::Vector3d
@@ -48,7 +42,7 @@ clustersOf (const Coordinates& points, int first_level)
 TEST (OctreeClusters, HaveTheNormalOfTheirPlane)
 {
   Coordinates points;
-  addPatch (points, tilted, 100, 0.001);
+  addGrid (points, tilted, 100, 0.001);
   const OctreeClusters found = clustersOf (points, 3);
   ASSERT_GT (found.clusters.size(), 20u);
   for (const CoplanarCluster& cluster : found.clusters)
@@ -58,7 +52,7 @@ TEST (OctreeClusters, HaveTheNormalOfTheirPlane)
 TEST (OctreeClusters, HoldThePointsOfOneCell)
 {
   Coordinates points;
-  addPatch (points, tilted, 100);
+  addGrid (points, tilted, 100);
   const OctreeClusters found = clustersOf (points, 3);
   constexpr double rounding = 1e-5;
   for (const CoplanarCluster& cluster : found.clusters) {
@@ -72,8 +66,8 @@ TEST (OctreeClusters, HoldThePointsOfOneCell)
 TEST (OctreeClusters, ShareNoPoint)
 {
   Coordinates points;
-  addPatch (points, floor_patch, 100, 0.002);
-  addPatch (points, wall, 100, 0.002);
+  addGrid (points, ground, 100, 0.002);
+  addGrid (points, wall, 100, 0.002);
   OctreeClusters found = clustersOf (points, 4);
   for (std::size_t c = 1; c < found.clusters.size(); ++c)
     EXPECT_LE (found.clusters[c - 1].end, found.clusters[c].begin);
@@ -85,7 +79,7 @@ TEST (OctreeClusters, ShareNoPoint)
 TEST (OctreeClusters, HaveTheMomentsOfTheirPoints)
 {
   Coordinates points;
-  addPatch (points, tilted, 60, 0.001);
+  addGrid (points, tilted, 60, 0.001);
   const OctreeClusters found = clustersOf (points, 3);
   for (const CoplanarCluster& cluster : found.clusters) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -99,12 +93,11 @@ TEST (OctreeClusters, HaveTheMomentsOfTheirPoints)
 TEST (OctreeClusters, AreCutWhereTwoPlanesMeet)
 {
   Coordinates points;
-  addPatch (points, floor_patch, 200);
-  addPatch (points, wall, 200);
+  addGrid (points, ground, 200);
+  addGrid (points, wall, 200);
   const OctreeClusters found = clustersOf (points, 2);
   for (const CoplanarCluster& cluster : found.clusters) {
-    const double to_floor =
-        angleBetween (cluster.fit.plane.normal, floor_patch.normal());
+    const double to_floor = angleBetween (cluster.fit.plane.normal, ground.normal());
     const double to_wall = angleBetween (cluster.fit.plane.normal, wall.normal());
     EXPECT_LT (std::min (to_floor, to_wall), 0.1);
   }
@@ -113,8 +106,8 @@ TEST (OctreeClusters, AreCutWhereTwoPlanesMeet)
 TEST (OctreeClusters, DropPointsFarFromTheirPlane)
 {
   Coordinates points;
-  addPatch (points, floor_patch, 100);
-  addPatch (points, Patch{{0.0, 0.0, 1.0}, {0.1, 0.0, 0.0}, {0.0, 0.1, 0.0}}, 3);
+  addGrid (points, ground, 100);
+  addGrid (points, Surface{{0.0, 0.0, 1.0}, {0.1, 0.0, 0.0}, {0.0, 0.1, 0.0}}, 3);
   const OctreeClusters found = clustersOf (points, 0);
   ASSERT_EQ (found.clusters.size(), 1u);
   EXPECT_EQ (found.clusters[0].size(), 10000u);
@@ -124,7 +117,7 @@ TEST (OctreeClusters, DropPointsFarFromTheirPlane)
 TEST (OctreeClusters, BeginAtTheFirstLevel)
 {
   Coordinates points;
-  addPatch (points, floor_patch, 200);
+  addGrid (points, ground, 200);
   for (const int first_level : {0, 2, 5, 6})
     for (const CoplanarCluster& cluster : clustersOf (points, first_level).clusters)
       EXPECT_EQ (cluster.level, first_level);
@@ -133,9 +126,9 @@ TEST (OctreeClusters, BeginAtTheFirstLevel)
 TEST (OctreeClusters, NeedTheMinimumOfSamples)
 {
   Coordinates points;
-  addPatch (points, floor_patch, 5);
+  addGrid (points, ground, 5);
   EXPECT_TRUE (clustersOf (points, 0).clusters.empty());
-  addPatch (points, floor_patch, 4);
+  addGrid (points, ground, 4);
   EXPECT_FALSE (clustersOf (points, 0).clusters.empty());
 }
 
@@ -155,7 +148,7 @@ TEST (OctreeClusters, AreNoneForEqualPoints)
 TEST (OctreeClusters, EndAtManyEqualPointsAmongOthers)
 {
   Coordinates points;
-  addPatch (points, floor_patch, 100);
+  addGrid (points, ground, 100);
   for (int i = 0; i < 1000; ++i)
     points.add (1.0f, 1.0f, 1.0f);
   const OctreeClusters found = clustersOf (points, 3);
@@ -175,8 +168,8 @@ TEST (OctreeClusters, AreNoneOnALine)
 TEST (OctreeClusters, DoNotDependOnThreads)
 {
   Coordinates points;
-  addPatch (points, tilted, 150, 0.01);
-  addPatch (points, wall, 150, 0.01);
+  addGrid (points, tilted, 150, 0.01);
+  addGrid (points, wall, 150, 0.01);
   const OctreeClusters alone = findCoplanarClusters (points, {}, 1);
   const OctreeClusters shared = findCoplanarClusters (points, {}, 4);
   EXPECT_EQ (alone.points.order, shared.points.order);
