@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_ops/oriented_point_sampling.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace pcl_ops {
 
@@ -11,6 +13,7 @@ OrientedPointSamplingParameters
 OrientedPointSamplingParameters::paper ()
 {
   OrientedPointSamplingParameters parameters;
+  parameters.sampling = Sampling::Points;
   parameters.sampling_rate = 0.03;
   parameters.normals.k = 30;
   parameters.normals.sigma = 0.0;
@@ -38,13 +41,12 @@ problemOf (const OrientedPointSamplingParameters& parameters)
 }
 
 RansacParameters
-ransacParameters (const OrientedPointSamplingParameters& parameters,
-                  double verified_per_sample)
+ransacParameters (const OrientedPointSamplingParameters& parameters)
 {
+  constexpr unsigned fewest = 2; // more than two: three samples make a plane
   RansacParameters ransac;
   ransac.distance_threshold = parameters.distance_threshold;
-  ransac.min_inliers = static_cast<std::size_t> (
-      std::ceil (parameters.min_inliers * verified_per_sample));
+  ransac.min_inliers = std::max (fewest, parameters.min_inliers);
   ransac.probability = parameters.probability;
   ransac.local_optimisation = parameters.local_optimisation;
   return ransac;
@@ -76,11 +78,7 @@ extractPlanes (const OrientedSamples& samples,
                const OrientedPointSamplingParameters& parameters)
 {
   const bool on_all_points = parameters.verification == Verification::AllPoints;
-  const double verified_per_sample =
-      on_all_points && samples.size () > 0
-          ? static_cast<double> (points.size ()) / static_cast<double> (samples.size ())
-          : 1.0;
-  const RansacParameters ransac = ransacParameters (parameters, verified_per_sample);
+  const RansacParameters ransac = ransacParameters (parameters);
   RandomGenerator generator (parameters.seed);
   Coordinates remaining = on_all_points ? Coordinates (points) : Coordinates ();
   const auto find_largest = [&] (const Positions& candidates) {
@@ -88,10 +86,13 @@ extractPlanes (const OrientedSamples& samples,
                ? largestPlane (samples, candidates, remaining, ransac, generator)
                : largestPlane (samples, candidates, ransac, generator);
   };
-  std::vector<Plane> planes;
+  std::vector<ExtractedPlane> extracted;
   for (const Positions& group : groupsOf (samples, parameters))
-    for (const ExtractedPlane& found : extractAll (group, find_largest))
-      planes.push_back (found.plane);
+    for (ExtractedPlane& found : extractAll (group, find_largest))
+      extracted.push_back (std::move (found));
+  std::vector<Plane> planes;
+  for (const ExtractedPlane& found : extracted)
+    planes.push_back (found.plane);
   return planes;
 }
 

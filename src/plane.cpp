@@ -53,12 +53,26 @@ Moments::covariance () const
   return second / count - mean * mean.transpose ();
 }
 
+double
+meanSquaredDistance (const Moments& moments, const Plane& plane)
+{
+  const Eigen::Vector3d& n = plane.normal;
+  const std::array<double, 6>& m = moments.products;
+  const double offset = plane.distance (moments.origin);
+  const double second = n.x () * n.x () * m[0] + n.y () * n.y () * m[3] +
+                        n.z () * n.z () * m[5] +
+                        2.0 * (n.x () * n.y () * m[1] + n.x () * n.z () * m[2] +
+                               n.y () * n.z () * m[4]);
+  const double squared =
+      (second + 2.0 * offset * n.dot (moments.sum)) / moments.count + offset * offset;
+  return std::max (0.0, squared);
+}
+
 std::optional<PlaneFit>
 fitPlane (const Moments& moments)
 {
   if (moments.count < 3.0)
     return std::nullopt;
-  // Taken about the centroid the products lose no digits to the distance from the origin.
   const Eigen::Matrix3d covariance = moments.covariance ();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (covariance);
   const Eigen::Vector3d variances = solver.eigenvalues ().cwiseMax (0.0);

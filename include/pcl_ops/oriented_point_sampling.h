@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_ops/cell_planes.h>
 #include <pcl_ops/oriented_samples.h>
 #include <pcl_ops/plane_detector.h>
 #include <pcl_ops/plane_extraction.h>
@@ -10,6 +11,16 @@
 #include <vector>
 
 namespace pcl_ops {
+
+/** \brief What an oriented sample is. */
+enum class Sampling {
+  /** \brief A point drawn at random; its normal comes from its k nearest neighbours (the
+   * paper). */
+  Points,
+  /** \brief An occupied cell of a grid; its normal comes from the moments of the cells
+   * around it, its plane knows where it ends. */
+  Cells
+};
 
 /** \brief When planes are divided by orientation (paper, "Detecting planes in multiple
  * orientations"). */
@@ -28,13 +39,30 @@ enum class Verification {
   AllPoints
 };
 
+/** \brief The stages of Sampling::Cells. */
+struct CellParameters {
+  /** \brief Edge of a cell [m]; 0: from the number of points and the surface they are
+   * spread over. */
+  double size = 0.0;
+  CellNormalParameters normals;
+  CellInlierParameters inlier;
+  GrowingParameters growing;
+  /** \brief See absorbPlanes. */
+  double absorption_noise_factor = 2.5;
+  BoundedAssignmentParameters assignment;
+};
+
 /** \brief Parameters of OrientedPointSampling; the defaults are the recommended ones. */
 struct OrientedPointSamplingParameters : PlaneDetectorParameters {
+  Sampling sampling = Sampling::Cells;
   /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1. */
   double sampling_rate = 0.03;
   /** \brief k and sigma of the normals. */
   NormalParameters normals;
-  /** \brief theta_N: a plane needs more inliers than this among the samples. */
+  /** \brief Normals, support and growth of planes on the cells of a grid. */
+  CellParameters cells;
+  /** \brief theta_N: a plane needs more inliers than this among the samples, and three in
+   * any case. */
   unsigned min_inliers = 20;
   /** \brief p: probability that RANSAC draws an inlier of the largest plane. */
   double probability = 0.99;
@@ -53,13 +81,9 @@ struct OrientedPointSamplingParameters : PlaneDetectorParameters {
 std::string
 problemOf (const OrientedPointSamplingParameters& parameters);
 
-/** \brief RANSAC parameters of the planes' extraction.
- * \param[in] parameters those of the detector
- * \param[in] verified_per_sample how many points each sample stands for where hypotheses
- * are counted on all points; scales theta_N, which is given in samples */
+/** \brief RANSAC parameters of the planes' extraction. */
 RansacParameters
-ransacParameters (const OrientedPointSamplingParameters& parameters,
-                  double verified_per_sample);
+ransacParameters (const OrientedPointSamplingParameters& parameters);
 
 /** \brief All planes of the samples: extraction per group of orientations.
  * \param[in] samples oriented samples
@@ -70,6 +94,15 @@ std::vector<Plane>
 extractPlanes (const OrientedSamples& samples,
                const Points& points,
                const OrientedPointSamplingParameters& parameters);
+
+/** \brief Detection with Sampling::Cells.
+ * \param[in] points the finite points
+ * \param[in] parameters those of the detector
+ * \param[in,out] durations the time of each stage is added */
+Detection
+detectOnCells (Points points,
+               const OrientedPointSamplingParameters& parameters,
+               StageDurations& durations);
 
 /** \brief OPS: finds all planes of an unorganized point cloud from the normals of a few
  * per cent of its points, by one-point RANSAC.

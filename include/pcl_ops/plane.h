@@ -74,6 +74,11 @@ struct Plane {
   }
 };
 
+/** \brief Mean squared distance of a set of points to a plane in the frame of the
+ * moments' origin [m^2]; undefined for count 0. */
+double
+meanSquaredDistance (const Moments& moments, const Plane& plane);
+
 /** \brief A least squares plane with what its fit says about the points. */
 struct PlaneFit {
   Plane plane;

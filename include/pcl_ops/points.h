@@ -31,6 +31,14 @@ struct Coordinates {
   }
 
   void
+  resize (std::size_t size)
+  {
+    x.resize (size);
+    y.resize (size);
+    z.resize (size);
+  }
+
+  void
   add (float px, float py, float pz)
   {
     x.push_back (px);
@@ -45,18 +53,28 @@ struct Coordinates {
 struct Points : Coordinates {
   /** \brief Zero of the local frame, in the frame of the input cloud. */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero ();
-  /** \brief Index of each point in the input cloud, in the order of the indices given. */
+  /** \brief Index of each point in the input cloud; ascending, each once. */
   pcl::Indices index;
 };
 
 /** \brief Positions in an array of points or samples, ascending. */
 using Positions = std::vector<std::uint32_t>;
 
+/** \brief Sorts indices and drops repetitions. */
+void
+sortOnce (pcl::Indices& indices);
+
+/** \brief The median, or the upper of the two middle ones; 0 for no values.
+ * \param[in,out] values reordered */
+double
+medianOf (std::vector<float>& values);
+
 /** \brief Drops points with a NaN or infinite coordinate, once and for all stages.
  * is_dense is not believed: clouds that wrongly claim it exist.
  * \param[in] cloud the input cloud
- * \param[in] indices the points of it to use; each within the cloud
- * \return the finite ones in the same order; the origin is the first of them */
+ * \param[in] indices the points of it to use; each within the cloud, in any order, given
+ * twice or not
+ * \return the finite ones, each once; their origin is near most of them */
 template <typename PointT>
 Points
 finitePoints (const pcl::PointCloud<PointT>& cloud, const pcl::Indices& indices);

@@ -13,6 +13,8 @@ OrientedPointSampling<PointT>::detect ()
 {
   Detection found;
   found.points = finitePoints (*input_, *indices_);
+  if (parameters_.sampling == Sampling::Cells)
+    return detectOnCells (std::move (found.points), parameters_, durations_);
   const Points& points = found.points;
   found.labels.assign (points.size (), no_plane);
   // P_s: alpha_s N of the points
@@ -36,7 +38,7 @@ OrientedPointSampling<PointT>::detect ()
     return assignPoints (points,
                          planes,
                          parameters_.distance_threshold,
-                         AssignmentRule::Nearest,
+                         AssignmentRule::First,
                          parameters_.threads);
   });
   // section III-C: the coplanarity test on each pair

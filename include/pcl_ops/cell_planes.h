@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_ops/cell_grid.h>
+#include <pcl_ops/oriented_cells.h>
+#include <pcl_ops/plane.h>
+#include <pcl_ops/plane_assignment.h>
+#include <pcl_ops/random.h>
+
+#include <optional>
+#include <vector>
+
+namespace pcl_ops {
+
+/** \brief What a cell may lie off a plane and still be on it. */
+struct CellInlierParameters {
+  /** \brief theta_h: largest distance to a plane [m]; 0: two cells. */
+  double distance_threshold = 0.0;
+  /** \brief Distance in units of the noise measured around the cell. */
+  double noise_factor = 3.0;
+  /** \brief Largest angle between a cell's normal and the plane's [rad]; 30 degrees. */
+  double angle_threshold = 0.52359877559829882;
+  /** \brief Cells thicker than this (see CellNormal::thickness) support no plane. */
+  double largest_thickness = 0.2;
+};
+
+/** \brief One-point RANSAC on the oriented samples of a grid. */
+struct CellRansacParameters {
+  CellInlierParameters inlier;
+  /** \brief theta_N: a plane needs at least this many connected cells. */
+  std::size_t min_inliers = 20;
+  /** \brief p: probability that one of the draws is an inlier of the largest plane. */
+  double probability = 0.99;
+};
+
+/** \brief Planes with the cells that support them: what bounds each to its surface. */
+struct CellPlanes {
+  std::vector<Plane> planes;
+  /** \brief Plane of each cell, or no_plane. */
+  Labels plane_of_cell;
+  /** \brief Noise around each cell of a plane [m]. */
+  std::vector<double> noise;
+};
+
+/** \brief Finds the planes of a grid by one-point RANSAC on its oriented cells: the
+ * peel loop with a finder that weighs cells by their points, compares normals too,
+ * refits the winner while its support grows, and keeps the connected parts of its
+ * support that are large enough. */
+CellPlanes
+extractCellPlanes (const CellGrid& grid,
+                   const std::vector<std::optional<CellNormal>>& normals,
+                   const CellRansacParameters& parameters,
+                   RandomGenerator& generator);
+
+/** \brief Lets planes grow into cells without a plane that touch their support, as long
+ * as the rms distance of the cell's points is below a multiple of the noise next to it.
+ */
+struct GrowingParameters {
+  /** \brief The multiple of the noise. */
+  double noise_factor = 2.0;
+  /** \brief theta_h: largest rms distance [m]; 0: two cells. */
+  double distance_threshold = 0.0;
+  /** \brief Cells a plane may grow by. */
+  int rounds = 10;
+};
+
+void
+growPlanes (const CellGrid& grid,
+            const GrowingParameters& parameters,
+            CellPlanes& planes);
+
+/** \brief Gives planes to a larger neighbour that explains them: whose plane their
+ * points are no farther from than a multiple of the noise on its side of the border. */
+void
+absorbPlanes (const CellGrid& grid, double noise_factor, CellPlanes& planes);
+
+/** \brief Hands every cell to the nearest of its own plane and those of its neighbours,
+ * and refits all planes. */
+void
+reassignCells (const CellGrid& grid, CellPlanes& planes);
+
+/** \brief Moments of each plane's cells. */
+std::vector<Moments>
+momentsOfPlanes (const CellGrid& grid, const CellPlanes& planes);
+
+/** \brief Replaces planes by those they went into and refits them.
+ * \param[in] merged_into for each plane its new position, or no_plane to drop it */
+void
+renumberPlanes (const CellGrid& grid,
+                const Labels& merged_into,
+                std::size_t number,
+                CellPlanes& planes);
+
+/** \brief How points are assigned to bounded planes. */
+struct BoundedAssignmentParameters {
+  /** \brief Largest distance in units of the noise measured there. */
+  double noise_factor = 4.0;
+  /** \brief theta_h: largest distance [m]; 0: two cells. */
+  double distance_threshold = 0.0;
+};
+
+/** \brief Assigns points to bounded planes: to the nearest, in units of the noise
+ * measured there, of the planes whose support has a cell within one cell of the point.
+ */
+Labels
+assignToBoundedPlanes (const Coordinates& positions,
+                       const GriddedPoints& gridded,
+                       const CellPlanes& planes,
+                       const BoundedAssignmentParameters& parameters,
+                       unsigned threads);
+
+} // namespace pcl_ops

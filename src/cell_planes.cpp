@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cell_units.h"
+#include <pcl_ops/cell_planes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace pcl_ops {
+
+namespace {
+
+// Calls visit (plane, neighbour) for each neighbour of a cell that is on a plane.
+template <typename Visit>
+void
+forNeighboursOnPlanes (const CellGrid& grid,
+                       const Labels& plane_of_cell,
+                       std::size_t cell,
+                       Visit&& visit)
+{
+  for (const std::int32_t neighbour : grid.neighbours[cell])
+    if (neighbour >= 0)
+      if (const std::int32_t plane =
+              plane_of_cell[static_cast<std::size_t> (neighbour)];
+          plane != no_plane)
+        visit (static_cast<std::size_t> (plane), static_cast<std::size_t> (neighbour));
+}
+
+struct Adoption {
+  std::size_t cell;
+  std::int32_t plane;
+  double noise;
+};
+
+// The plane next to a cell that its points are nearest to, in units of the limit there.
+std::optional<Adoption>
+adoptingPlane (const CellGrid& grid,
+               const GrowingParameters& parameters,
+               double limit,
+               const CellPlanes& planes,
+               std::size_t cell)
+{
+  std::optional<Adoption> adoption;
+  double best = 1.0;
+  forNeighboursOnPlanes (
+      grid, planes.plane_of_cell, cell, [&] (std::size_t plane, std::size_t neighbour) {
+        const double band =
+            std::min (parameters.noise_factor * planes.noise[neighbour], limit);
+        const double ratio =
+            meanSquaredDistance (grid.moments[cell], planes.planes[plane]) /
+            (band * band);
+        if (ratio >= best)
+          return;
+        best = ratio;
+        adoption = {cell, static_cast<std::int32_t> (plane), planes.noise[neighbour]};
+      });
+  return adoption;
+}
+
+void
+refitPlanes (const CellGrid& grid, CellPlanes& planes)
+{
+  const std::vector<Moments> moments = momentsOfPlanes (grid, planes);
+  for (std::size_t p = 0; p < moments.size(); ++p)
+    if (const std::optional<PlaneFit> fit = fitPlane (moments[p]))
+      planes.planes[p] = fit->plane;
+}
+
+// Follows a chain of absorptions to its end and closes the gaps it leaves.
+std::pair<Labels, std::size_t>
+closeGaps (const std::vector<std::size_t>& goes_into)
+{
+  Labels merged_into (goes_into.size(), no_plane);
+  std::size_t number = 0;
+  for (std::size_t p = 0; p < goes_into.size(); ++p)
+    if (goes_into[p] == p)
+      merged_into[p] = static_cast<std::int32_t> (number++);
+  for (std::size_t p = 0; p < goes_into.size(); ++p) {
+    std::size_t last = p;
+    while (goes_into[last] != last)
+      last = goes_into[last];
+    merged_into[p] = merged_into[last];
+  }
+  return {merged_into, number};
+}
+
+struct Border {
+  double squared_noise = 0.0;
+  double cells = 0.0;
+};
+
+// Noise of a larger plane along its border with a smaller one: (smaller, larger) ->
+// noise
+std::map<std::pair<std::size_t, std::size_t>, Border>
+bordersOf (const CellGrid& grid,
+           const CellPlanes& planes,
+           const std::vector<Moments>& moments)
+{
+  std::map<std::pair<std::size_t, std::size_t>, Border> borders;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    if (planes.plane_of_cell[i] == no_plane)
+      continue;
+    const auto own = static_cast<std::size_t> (planes.plane_of_cell[i]);
+    forNeighboursOnPlanes (
+        grid, planes.plane_of_cell, i, [&] (std::size_t other, std::size_t neighbour) {
+          if (other == own || moments[other].count < moments[own].count)
+            return;
+          Border& border = borders[{own, other}];
+          border.squared_noise += planes.noise[neighbour] * planes.noise[neighbour];
+          border.cells += 1.0;
+        });
+  }
+  return borders;
+}
+
+// One round of absorptions; false if there was none.
+bool
+absorbOnce (const CellGrid& grid, double noise_factor, CellPlanes& planes)
+{
+  const std::vector<Moments> moments = momentsOfPlanes (grid, planes);
+  std::vector<std::size_t> goes_into (moments.size());
+  std::vector<double> best (moments.size(), noise_factor * noise_factor);
+  for (std::size_t p = 0; p < goes_into.size(); ++p)
+    goes_into[p] = p;
+  bool any = false;
+  for (const auto& [pair, border] : bordersOf (grid, planes, moments)) {
+    const auto [smaller, larger] = pair;
+    const double squared_noise = border.squared_noise / border.cells;
+    const double ratio =
+        meanSquaredDistance (moments[smaller], planes.planes[larger]) / squared_noise;
+    const bool would_close_a_loop =
+        moments[larger].count == moments[smaller].count && larger > smaller;
+    if (ratio >= best[smaller] || would_close_a_loop)
+      continue;
+    best[smaller] = ratio;
+    goes_into[smaller] = larger;
+    any = true;
+  }
+  if (!any)
+    return false;
+  const auto [merged_into, number] = closeGaps (goes_into);
+  renumberPlanes (grid, merged_into, number, planes);
+  return true;
+}
+
+} // namespace
+
+void
+growPlanes (const CellGrid& grid,
+            const GrowingParameters& parameters,
+            CellPlanes& planes)
+{
+  const double limit = distanceLimit (grid, parameters.distance_threshold);
+  for (int round = 0; round < parameters.rounds; ++round) {
+    std::vector<Adoption> adoptions;
+    for (std::size_t i = 0; i < grid.size(); ++i)
+      if (planes.plane_of_cell[i] == no_plane)
+        if (const auto adoption = adoptingPlane (grid, parameters, limit, planes, i))
+          adoptions.push_back (*adoption);
+    if (adoptions.empty())
+      break;
+    for (const Adoption& adoption : adoptions) {
+      planes.plane_of_cell[adoption.cell] = adoption.plane;
+      planes.noise[adoption.cell] = adoption.noise;
+    }
+  }
+  refitPlanes (grid, planes);
+}
+
+void
+absorbPlanes (const CellGrid& grid, double noise_factor, CellPlanes& planes)
+{
+  while (absorbOnce (grid, noise_factor, planes)) {
+  }
+}
+
+void
+reassignCells (const CellGrid& grid, CellPlanes& planes)
+{
+  const Labels before = planes.plane_of_cell;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    if (before[i] == no_plane)
+      continue;
+    double best = std::numeric_limits<double>::max();
+    // The cell itself is one of its neighbourhood.
+    forNeighboursOnPlanes (grid, before, i, [&] (std::size_t plane, std::size_t) {
+      const double squared =
+          meanSquaredDistance (grid.moments[i], planes.planes[plane]);
+      if (squared >= best)
+        return;
+      best = squared;
+      planes.plane_of_cell[i] = static_cast<std::int32_t> (plane);
+    });
+  }
+  refitPlanes (grid, planes);
+}
+
+std::vector<Moments>
+momentsOfPlanes (const CellGrid& grid, const CellPlanes& planes)
+{
+  std::vector<Moments> moments (planes.planes.size());
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    if (planes.plane_of_cell[i] != no_plane)
+      moments[static_cast<std::size_t> (planes.plane_of_cell[i])] += grid.moments[i];
+  return moments;
+}
+
+void
+renumberPlanes (const CellGrid& grid,
+                const Labels& merged_into,
+                std::size_t number,
+                CellPlanes& planes)
+{
+  for (std::int32_t& plane : planes.plane_of_cell)
+    if (plane != no_plane)
+      plane = merged_into[static_cast<std::size_t> (plane)];
+  planes.planes.resize (number);
+  refitPlanes (grid, planes);
+}
+
+} // namespace pcl_ops
