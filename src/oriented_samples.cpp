@@ -5,6 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_ops {
@@ -21,7 +22,9 @@ OrientedSamples::add (const Eigen::Vector3d& position, const Eigen::Vector3d& no
 Positions
 drawSample (std::size_t size, double rate, std::uint32_t seed)
 {
-  auto wanted = static_cast<std::size_t> (std::lround (rate * static_cast<double> (size)));
+  const double drawn_share = std::min (1.0, std::max (0.0, rate));
+  auto wanted =
+      static_cast<std::size_t> (std::llround (drawn_share * static_cast<double> (size)));
   RandomGenerator generator (seed);
   Positions sample;
   sample.reserve (wanted);
@@ -38,8 +41,8 @@ normalOfScatter (const Eigen::Matrix3d& scatter)
 {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect (scatter);
-  // Single precision coordinates leave a line this share of width.
-  constexpr double smallest_relative_variance = 1e-10;
+  // Narrower than a thousandth of its length it is a line: rounding decides the rest.
+  constexpr double smallest_relative_variance = 1e-6;
   const Eigen::Vector3d& variances = solver.eigenvalues ();
   if (!(variances[1] > smallest_relative_variance * variances[2]))
     return Eigen::Vector3d::Zero ();

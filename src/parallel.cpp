@@ -8,8 +8,24 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <exception>
 
 namespace pcl_ops {
+
+namespace {
+
+#ifdef _OPENMP
+int
+usefulThreads (unsigned wanted, std::int64_t pieces)
+{
+  // More than these only cost; a runtime that cannot start them ends the program.
+  constexpr std::int64_t most = 256;
+  const std::int64_t threads = wanted ? wanted : omp_get_num_procs ();
+  return static_cast<int> (std::max<std::int64_t> (1, std::min ({threads, pieces, most})));
+}
+#endif
+
+} // namespace
 
 void
 parallelFor (unsigned threads,
@@ -18,17 +34,26 @@ parallelFor (unsigned threads,
              const std::function<void (std::size_t, std::size_t)>& body)
 {
   const auto pieces = static_cast<std::int64_t> ((size + grain - 1) / grain);
+  // An exception must not leave a parallel region: it waits for the end of it.
+  std::exception_ptr thrown;
 #ifdef _OPENMP
-  const int wanted = threads ? static_cast<int> (threads) : omp_get_num_procs ();
-#pragma omp parallel for schedule(dynamic) num_threads(wanted)                         \
-    if (wanted > 1 && pieces > 1)
+  const int used = usefulThreads (threads, pieces);
+#pragma omp parallel for schedule(dynamic) num_threads(used) if (used > 1)
 #else
   (void)threads;
 #endif
   for (std::int64_t piece = 0; piece < pieces; ++piece) {
     const std::size_t begin = static_cast<std::size_t> (piece) * grain;
-    body (begin, std::min (size, begin + grain));
+    try {
+      body (begin, std::min (size, begin + grain));
+    }
+    catch (...) {
+#pragma omp critical(pcl_ops_parallel_for)
+      thrown = std::current_exception ();
+    }
   }
+  if (thrown)
+    std::rethrow_exception (thrown);
 }
 
 } // namespace pcl_ops

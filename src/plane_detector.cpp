@@ -14,7 +14,7 @@ problemOf (const PlaneDetectorParameters& parameters)
   if (!(parameters.distance_threshold > 0.0 &&
         std::isfinite (parameters.distance_threshold)))
     return "the distance threshold must be a length above 0";
-  if (!(parameters.up_axis.norm () > 0.0f && parameters.up_axis.allFinite ()))
+  if (!parameters.up_axis.allFinite () || parameters.up_axis.isZero (0.0f))
     return "the up axis must be a finite vector other than zero";
   if (!(parameters.angle_tolerance >= 0.0 && parameters.angle_tolerance <= right_angle))
     return "the angle tolerance must be between 0 and pi/2 (radians)";

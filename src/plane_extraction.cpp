@@ -41,6 +41,18 @@ pointsOffPlane (const Coordinates& positions, const Plane& plane, double thresho
   return off;
 }
 
+// theta_N is counted on the samples, whatever hypotheses compete on.
+bool
+hasMoreInliers (const OrientedSamples& samples,
+                const Positions& candidates,
+                const Plane& plane,
+                const RansacParameters& parameters)
+{
+  return selectWithinDistance (
+             samples, candidates, plane, parameters.distance_threshold)
+             .size () > parameters.min_inliers;
+}
+
 // Local optimisation: the refitted plane is kept as long as it finds more inliers.
 ExtractedPlane
 growSupport (const OrientedSamples& samples,
@@ -116,20 +128,24 @@ onePointRansac (const OrientedSamples& samples,
                 const RansacParameters& parameters,
                 RandomGenerator& generator)
 {
-  if (candidates.empty () || verified.size () <= parameters.min_inliers)
+  const std::size_t theta_n = parameters.min_inliers;
+  if (candidates.size () <= theta_n)
     return std::nullopt;
   const auto n_h = static_cast<double> (verified.size ());
   std::optional<Plane> best;
-  std::size_t best_count = parameters.min_inliers;
+  std::size_t best_count = theta_n;
+  // No plane smaller than theta_N is worth a draw: the cap of a round that finds nothing.
   std::size_t n_iter =
-      requiredDraws (parameters.probability, static_cast<double> (best_count) / n_h);
+      requiredDraws (parameters.probability,
+                     static_cast<double> (theta_n) /
+                         static_cast<double> (candidates.size ()));
   for (std::size_t iter = 0; iter < n_iter; ++iter) {
     const std::uint32_t drawn = candidates[drawBelow (
         generator, static_cast<std::uint32_t> (candidates.size ()))];
     const Plane hypothesis = planeThrough (samples[drawn], samples.normals[drawn]);
     const std::size_t count =
         countWithinDistance (verified, hypothesis, parameters.distance_threshold);
-    if (count <= best_count)
+    if (count <= best_count || !hasMoreInliers (samples, candidates, hypothesis, parameters))
       continue;
     best = hypothesis;
     best_count = count;

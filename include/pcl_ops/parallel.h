@@ -12,8 +12,9 @@ namespace pcl_ops {
  * \p grain alone, so what a body computes per piece is the same for any thread count.
  * \param[in] threads number of threads; 0: as many as the machine has
  * \param[in] size number of items
- * \param[in] grain items per piece
- * \param[in] body called once a piece, concurrently; must not throw */
+ * \param[in] grain items per piece, 1 or more
+ * \param[in] body called once a piece, concurrently; what it throws is thrown on after
+ * the other pieces are done */
 void
 parallelFor (unsigned threads,
              std::size_t size,

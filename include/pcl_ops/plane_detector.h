@@ -247,7 +247,7 @@ private:
   bool
   isReady ();
   bool
-  sortIndices ();
+  hasIndicesInRange () const;
 };
 
 } // namespace pcl_ops

@@ -63,7 +63,8 @@ selectWithinDistance (const Coordinates& positions,
  * \param[in] verified the positions inliers are counted on; their number is N_h
  * \param[in] parameters theta_h, theta_N and p
  * \param[in,out] generator source of the draws
- * \return nothing if no hypothesis has more than theta_N inliers */
+ * \return nothing if no hypothesis has more than theta_N inliers among the candidates and
+ * among \p verified */
 std::optional<Plane>
 onePointRansac (const OrientedSamples& samples,
                 const Positions& candidates,

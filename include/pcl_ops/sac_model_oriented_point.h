@@ -36,7 +36,8 @@ public:
                                      const pcl::Indices& indices,
                                      bool random = false);
 
-  /** \brief Seeds the draws of this model; PCL itself offers no way to. */
+  /** \brief Seeds the draws of this model and starts them over; PCL itself offers no way
+   * to. */
   void
   setSeed (std::uint32_t seed);
 
@@ -52,7 +53,7 @@ public:
   /** \brief The centred least squares plane of the inliers.
    * \param[in] inliers indices of points
    * \param[in] model_coefficients kept where the inliers, fewer than three or all on a
-   * line, have no plane of their own
+   * line, have no plane of their own, or one that breaks the model constraints
    * \param[out] optimized_coefficients a b c d, on the same side as the model */
   void
   optimizeModelCoefficients (const pcl::Indices& inliers,

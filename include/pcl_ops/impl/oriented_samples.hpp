@@ -47,7 +47,8 @@ orientSamples (const pcl::PointCloud<PointT>& cloud,
                unsigned threads)
 {
   // The nearest neighbour of a point of the cloud is the point itself: q_ij != p_i.
-  const int k = std::min<int> (parameters.k + 1, static_cast<int> (points.size ()));
+  const auto k = static_cast<int> (
+      std::min (static_cast<std::size_t> (parameters.k) + 1, points.size ()));
   constexpr std::size_t samples_per_piece = 256;
   std::vector<Eigen::Vector3d> normals (sample.size ());
   parallelFor (

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <functional>
 
 namespace pcl_ops {
 
@@ -101,7 +100,7 @@ PlaneDetector<PointT, Detector, ParametersT>::isReady ()
     problem = "the input cloud is empty";
   else if (this->indices_->empty ())
     problem = "the indices are empty; leave them out to use the whole cloud";
-  else if (!sortIndices ())
+  else if (!hasIndicesInRange ())
     problem = "an index lies outside the input cloud";
   else
     problem = problemOf (parameters_);
@@ -110,23 +109,16 @@ PlaneDetector<PointT, Detector, ParametersT>::isReady ()
   return problem.empty ();
 }
 
-// Ascending without repetition, so that the planes' indices are; false if out of range.
 template <typename PointT, typename Detector, typename ParametersT>
 bool
-PlaneDetector<PointT, Detector, ParametersT>::sortIndices ()
+PlaneDetector<PointT, Detector, ParametersT>::hasIndicesInRange () const
 {
-  if (this->fake_indices_)
-    return true;
-  const pcl::Indices& given = *this->indices_;
-  if (std::adjacent_find (given.begin (), given.end (), std::greater_equal<> ()) !=
-      given.end ()) {
-    pcl::IndicesPtr sorted (new pcl::Indices (given));
-    std::sort (sorted->begin (), sorted->end ());
-    sorted->erase (std::unique (sorted->begin (), sorted->end ()), sorted->end ());
-    this->indices_ = sorted;
-  }
-  return this->indices_->front () >= 0 &&
-         static_cast<std::size_t> (this->indices_->back ()) < this->input_->size ();
+  const std::size_t size = this->input_->size ();
+  return this->fake_indices_ ||
+         std::all_of (
+             this->indices_->begin (), this->indices_->end (), [size] (pcl::index_t i) {
+               return i >= 0 && static_cast<std::size_t> (i) < size;
+             });
 }
 
 template <typename PointT, typename Detector, typename ParametersT>

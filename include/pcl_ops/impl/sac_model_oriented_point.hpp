@@ -32,6 +32,8 @@ void
 SampleConsensusModelOrientedPoint<PointNT>::setSeed (std::uint32_t seed)
 {
   this->rng_alg_.seed (seed);
+  // PCL draws by shuffling on: start again from the order of the indices.
+  this->shuffled_indices_ = *this->indices_;
 }
 
 template <typename PointNT>
@@ -90,6 +92,8 @@ SampleConsensusModelOrientedPoint<PointNT>::optimizeModelCoefficients (
   for (int axis = 0; axis < 3; ++axis)
     optimized_coefficients[axis] = static_cast<float> (sign * fit->plane.normal[axis]);
   optimized_coefficients[3] = static_cast<float> (sign * fit->plane.offset);
+  if (!this->isModelValid (optimized_coefficients))
+    optimized_coefficients = model_coefficients;
 }
 
 } // namespace pcl_ops
