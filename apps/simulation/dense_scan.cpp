@@ -114,7 +114,10 @@ scanDensely (const Scene& scene,
   forEachShape (scene, [&] (const auto& shape) { whole_area += area (shape); });
 
   SimulatedCloud simulated;
+  if (!(whole_area > 0.0))
+    return simulated;
   simulated.cloud.reserve (points);
+  simulated.cloud.sensor_origin_.head<3>() = scene.bounds.front().center.cast<float>();
   double area_so_far = 0.0;
   forEachShape (scene, [&] (const auto& shape) {
     area_so_far += area (shape);

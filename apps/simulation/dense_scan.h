@@ -10,11 +10,12 @@ namespace pcl_ops::simulation {
 constexpr double laser_sigma = 0.003;
 
 /** \brief Scans all surfaces of a scene evenly, whatever hides them: a registered scan
- * from everywhere. The points follow the surfaces one after the other.
+ * from everywhere. The points follow the surfaces one after the other. The sensor's
+ * origin is the middle of the first body, the room's shell.
  * \param[in] scene what is scanned
- * \param[in] points exact number of points
- * \param[in] noise_scale factor on \ref laser_sigma, the noise along the surface's
- * normal \param[in] seed the same seed gives the same cloud */
+ * \param[in] points exact number of points; none if the scene is empty
+ * \param[in] noise_scale factor on \ref laser_sigma, the noise along the normal
+ * \param[in] seed the same seed gives the same cloud */
 SimulatedCloud
 scanDensely (const Scene& scene,
              std::size_t points,

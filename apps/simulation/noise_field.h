@@ -14,10 +14,11 @@ drawWhiteField (int width, int height, RandomGenerator& generator);
 
 /** \brief A standard normal value for each pixel, alike for neighbours: white noise
  * filtered by a Gaussian and brought back to variance 1.
+ *
  * \param[in] width,height of the image [px]
- * \param[in] smoothing standard deviation of the filter [px]; the field's
- * autocorrelation then falls to exp (-1/4) at this distance \param[in,out] generator
- * source of the white noise */
+ * \param[in] smoothing standard deviation s of the filter [px]; at a distance d the
+ * correlation is exp (-d^2 / (4 s^2))
+ * \param[in,out] generator source of the white noise */
 std::vector<double>
 drawSmoothField (int width, int height, double smoothing, RandomGenerator& generator);
 

@@ -6,7 +6,7 @@
 #include "poses.h"
 #include "room_shell.h"
 
-#include <optional>
+#include <vector>
 
 namespace pcl_ops::simulation {
 

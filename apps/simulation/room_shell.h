@@ -8,8 +8,10 @@
 namespace pcl_ops::simulation {
 
 /** \brief Floor, ceiling and four walls of an empty room; some walls have a window
- * niche or a door whose leaf is set back from the wall. \param[in] size length, width
- * and height [m]; the origin is the middle of the floor */
+ * niche or a door whose leaf is set back from the wall.
+ *
+ * \param[in] size length, width and height [m]; the origin is the middle of the floor
+ * \param[in,out] generator source of all choices */
 Body
 makeRoomShell (const Eigen::Vector3d& size, RandomGenerator& generator);
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace pcl_ops::simulation {
 
@@ -16,39 +18,35 @@ constexpr double smallest_surface_width = 0.05;
 constexpr double smallest_distance = 1e-9;
 
 Eigen::Vector3d
-farthestCorner (const Rectangle& rectangle, double sign_u, double sign_v)
+cornerOf (const Rectangle& rectangle, double sign_u, double sign_v)
 {
   return rectangle.center + sign_u * rectangle.half_u * rectangle.axis_u +
          sign_v * rectangle.half_v * rectangle.axis_v;
 }
 
-/** \brief Points whose convex hull, grown by the radii, holds the body. */
-struct Extent {
-  Eigen::AlignedBox3d box;
-
-  void
-  add (const Eigen::Vector3d& point, double radius)
-  {
-    box.extend (point - Eigen::Vector3d::Constant (radius));
-    box.extend (point + Eigen::Vector3d::Constant (radius));
-  }
-};
+void
+extendAround (Eigen::AlignedBox3d& box, const Eigen::Vector3d& point, double radius)
+{
+  box.extend (point - Eigen::Vector3d::Constant (radius));
+  box.extend (point + Eigen::Vector3d::Constant (radius));
+}
 
 BoundingSphere
 boundingSphere (const Body& body)
 {
-  Extent extent;
+  Eigen::AlignedBox3d box;
   for (const Rectangle& rectangle : body.rectangles)
     for (const double sign_u : {-1.0, 1.0})
       for (const double sign_v : {-1.0, 1.0})
-        extent.add (farthestCorner (rectangle, sign_u, sign_v), 0.0);
+        box.extend (cornerOf (rectangle, sign_u, sign_v));
   for (const Sphere& sphere : body.spheres)
-    extent.add (sphere.center, sphere.radius);
+    extendAround (box, sphere.center, sphere.radius);
   for (const Cylinder& cylinder : body.cylinders)
     for (const double sign : {-1.0, 1.0})
-      extent.add (cylinder.center + sign * cylinder.half_length * cylinder.axis,
-                  cylinder.radius);
-  return {extent.box.center(), 0.5 * extent.box.diagonal().norm()};
+      extendAround (box,
+                    cylinder.center + sign * cylinder.half_length * cylinder.axis,
+                    cylinder.radius);
+  return {box.center(), 0.5 * box.diagonal().norm()};
 }
 
 bool

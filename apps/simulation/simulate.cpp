@@ -11,6 +11,7 @@
 
 #include <cstring>
 #include <iostream>
+#include <limits>
 #include <optional>
 
 namespace {
@@ -20,7 +21,8 @@ using pcl_ops::apps::Range;
 
 constexpr const char* program_name = "pcl_ops_simulate";
 
-/** \brief Memory: 32 bytes a point. */
+constexpr double most_seed = std::numeric_limits<std::uint32_t>::max();
+/** \brief A point takes 32 bytes, and 16 more while it is written. */
 constexpr double most_points = 1e7;
 /** \brief Image sizes for which a neighbourhood of pixels still means something [px].
  */
@@ -49,7 +51,8 @@ readOptions (int argc, const char* const* argv, Options& options)
       "point in the field label (0 no plane, 1..P planes by falling size).",
       PCL_OPS_VERSION);
   line.addArgument ("OUTPUT.pcd", options.output, "the cloud to write (binary)");
-  line.addNumber ("seed", "S", Range::from (0), options.seed, "which room (1)");
+  line.addNumber (
+      "seed", "S", Range::from (0).upTo (most_seed), options.seed, "which room (1)");
   line.addNumber ("width", "W", image_size, options.camera.width, "columns (640)");
   line.addNumber ("height", "H", image_size, options.camera.height, "rows (480)");
   line.addNumber ("noise",
@@ -70,6 +73,9 @@ readOptions (int argc, const char* const* argv, Options& options)
   line.addFlag ("quiet", options.quiet, "print nothing");
   if (!line.parse (argc, argv))
     return false;
+  if (pcl_ops::apps::extensionOf (options.output) != ".pcd")
+    throw pcl_ops::apps::UsageError (options.output,
+                                     "has an unknown extension; give a .pcd file");
   for (const char* of_camera : {"width", "height", "profile", "organized"})
     line.forbidTogether ("points", of_camera);
   return true;

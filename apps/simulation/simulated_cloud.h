@@ -45,9 +45,11 @@ toCloud (const DepthImage& image,
          CloudLayout layout);
 
 /** \brief Turns the surface identities that the cloud's labels hold into labels by
- * falling number of points. \param[in,out] cloud its labels are 0 or an index + 1 into
- * \p surfaces; NaN points 0 \param[in] surfaces the plane of each surface \return the
- * planes that have \ref fewest_points_of_plane or more, label 1 first */
+ * falling number of points.
+ *
+ * \param[in,out] cloud its labels are 0 or an index + 1 into \p surfaces; NaN points 0
+ * \param[in] surfaces the plane of each surface
+ * \return the planes that have \ref fewest_points_of_plane or more, label 1 first */
 std::vector<LabeledPlane>
 labelBySize (pcl::PointCloud<pcl::PointXYZL>& cloud,
              const std::vector<Plane>& surfaces);
