@@ -56,7 +56,7 @@ build_packages=(g++ cmake make libpcl-dev libboost-program-options-dev nlohmann-
 # How many compilers fit, at 1.5 GB each.
 jobs() {
   awk -v cores="$(nproc)" '/^MemAvailable/ { fit = int($2 / 1500000) }
-    END { print fit < 1 ? 1 : fit < cores ? fit : cores }' /proc/meminfo
+    END { print fit < 1 ? 1 : fit < cores ? fit : cores }' /proc/meminfo 2>/dev/null || nproc
 }
 
 # build FOLDER OPTION...: configures and builds below build/, with these CMake options.

@@ -39,6 +39,11 @@ function(pcl_ops_add_test name)
   add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
   pcl_ops_target_defaults(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main)
+  # What PCL_ADD_POINT4D and TYPED_TEST_SUITE expand to is not standard to the letter.
+  set(macros -Wno-gnu-anonymous-struct -Wno-nested-anon-types
+    -Wno-gnu-zero-variadic-macro-arguments)
+  target_compile_options(${name} PRIVATE
+    "$<$<COMPILE_LANG_AND_ID:CXX,Clang,AppleClang>:${macros}>")
   target_compile_definitions(${name} PRIVATE PCL_OPS_DATA_DIR="${PCL_OPS_DATA_DIR}")
   add_test(NAME ${name} COMMAND ${name})
 endfunction()

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_ops/oriented_point_sampling.h>
-
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+
+#include <pcl_ops/oriented_point_sampling.h>
 
 #include <cstdio>
 
@@ -26,10 +26,10 @@ int
 main ()
 {
   pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;
-  ops.setInputCloud (floorAndWall ());
+  ops.setInputCloud (floorAndWall());
   std::vector<pcl::ModelCoefficients> coefficients;
   std::vector<pcl::PointIndices> inliers;
   const bool succeeded = ops.segment (coefficients, inliers);
-  std::printf ("%zu planes\n", inliers.size ());
-  return succeeded && inliers.size () == 2 ? 0 : 1;
+  std::printf ("%zu planes\n", inliers.size());
+  return succeeded && inliers.size() == 2 ? 0 : 1;
 }
