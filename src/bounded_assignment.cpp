@@ -11,6 +11,8 @@ namespace pcl_ops {
 
 namespace {
 
+constexpr std::size_t points_per_piece = 32768;
+
 /** \brief A plane a point of a cell may be on. */
 struct Candidate {
   Eigen::Vector3f normal;
@@ -25,20 +27,23 @@ struct CandidateLists {
   std::vector<Candidate> candidates;
   /** \brief Where each cell's list starts; one more than there are cells. */
   std::vector<std::uint32_t> begin;
+  /** \brief The plane of a cell all of whose points are on it; no_plane where they have
+   * to be looked at one by one. */
+  Labels plane_of_all;
 };
 
-struct NearbyNoise {
+struct NearbyPlane {
   std::int32_t plane;
   double noise;
   double cells;
 };
 
-// Planes with support around a cell, and their mean noise there.
+// Planes with support around a cell, and the sum of their noise there.
 void
-nearbyPlanes (const CellGrid& grid,
-              const CellPlanes& planes,
-              std::size_t cell,
-              std::vector<NearbyNoise>& nearby)
+findNearbyPlanes (const CellGrid& grid,
+                  const CellPlanes& planes,
+                  std::size_t cell,
+                  std::vector<NearbyPlane>& nearby)
 {
   nearby.clear();
   for (const std::int32_t neighbour : grid.neighbours[cell]) {
@@ -49,7 +54,7 @@ nearbyPlanes (const CellGrid& grid,
     if (plane == no_plane)
       continue;
     auto found =
-        std::find_if (nearby.begin(), nearby.end(), [plane] (const NearbyNoise& n) {
+        std::find_if (nearby.begin(), nearby.end(), [plane] (const NearbyPlane& n) {
           return n.plane == plane;
         });
     if (found == nearby.end())
@@ -59,6 +64,15 @@ nearbyPlanes (const CellGrid& grid,
   }
 }
 
+// Whether a cell's points lie so well within the band that none need be looked at.
+bool
+isWholly (const Moments& cell, const Plane& plane, double band)
+{
+  constexpr double share_of_the_band = 0.5;
+  const double limit = share_of_the_band * band;
+  return meanSquaredDistance (cell, plane) < limit * limit;
+}
+
 CandidateLists
 candidatesOfCells (const CellGrid& grid,
                    const CellPlanes& planes,
@@ -66,11 +80,13 @@ candidatesOfCells (const CellGrid& grid,
 {
   const double limit = distanceLimit (grid, parameters.distance_threshold);
   CandidateLists lists;
-  std::vector<NearbyNoise> nearby;
+  lists.begin.reserve (grid.size() + 1);
+  lists.plane_of_all.assign (grid.size(), no_plane);
+  std::vector<NearbyPlane> nearby;
   for (std::size_t i = 0; i < grid.size(); ++i) {
     lists.begin.push_back (static_cast<std::uint32_t> (lists.candidates.size()));
-    nearbyPlanes (grid, planes, i, nearby);
-    for (const NearbyNoise& n : nearby) {
+    findNearbyPlanes (grid, planes, i, nearby);
+    for (const NearbyPlane& n : nearby) {
       const Plane& plane = planes.planes[static_cast<std::size_t> (n.plane)];
       const double band = std::clamp (parameters.noise_factor * n.noise / n.cells,
                                       smallestBand (grid, limit),
@@ -79,6 +95,8 @@ candidatesOfCells (const CellGrid& grid,
                                    static_cast<float> (plane.offset),
                                    static_cast<float> (band),
                                    n.plane});
+      if (nearby.size() == 1 && isWholly (grid.moments[i], plane, band))
+        lists.plane_of_all[i] = n.plane;
     }
   }
   lists.begin.push_back (static_cast<std::uint32_t> (lists.candidates.size()));
@@ -104,32 +122,69 @@ nearestCandidate (const Coordinates& positions,
   return nearest;
 }
 
+// Labels a piece of the points; returns the moments of those looked at one by one.
+std::vector<Moments>
+assignPiece (const Coordinates& positions,
+             const std::vector<std::uint32_t>& cell_of_point,
+             const CandidateLists& lists,
+             std::size_t number_of_planes,
+             std::size_t begin,
+             std::size_t end,
+             Labels& labels)
+{
+  std::vector<Moments> moments (number_of_planes);
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::uint32_t cell = cell_of_point[i];
+    labels[i] = lists.plane_of_all[cell];
+    if (labels[i] != no_plane)
+      continue;
+    labels[i] = nearestCandidate (positions,
+                                  i,
+                                  lists.candidates.data() + lists.begin[cell],
+                                  lists.candidates.data() + lists.begin[cell + 1]);
+    if (labels[i] != no_plane)
+      moments[static_cast<std::size_t> (labels[i])].add (
+          positions.x[i], positions.y[i], positions.z[i]);
+  }
+  return moments;
+}
+
 } // namespace
 
-Labels
+AssignedPoints
 assignToBoundedPlanes (const Coordinates& positions,
                        const GriddedPoints& gridded,
                        const CellPlanes& planes,
                        const BoundedAssignmentParameters& parameters,
                        unsigned threads)
 {
-  constexpr std::size_t points_per_piece = 16384;
   const CandidateLists lists = candidatesOfCells (gridded.grid, planes, parameters);
-  const Candidate* const all = lists.candidates.data();
-  Labels labels (positions.size());
+  const std::size_t pieces =
+      (positions.size() + points_per_piece - 1) / points_per_piece;
+  std::vector<std::vector<Moments>> partial (pieces);
+  AssignedPoints assigned;
+  assigned.labels.resize (positions.size());
   parallelFor (threads,
                positions.size(),
                points_per_piece,
                [&] (std::size_t begin, std::size_t end) {
-                 for (std::size_t i = begin; i < end; ++i) {
-                   const std::uint32_t cell = gridded.cell_of_point[i];
-                   labels[i] = nearestCandidate (positions,
-                                                 i,
-                                                 all + lists.begin[cell],
-                                                 all + lists.begin[cell + 1]);
-                 }
+                 partial[begin / points_per_piece] = assignPiece (positions,
+                                                                  gridded.cell_of_point,
+                                                                  lists,
+                                                                  planes.planes.size(),
+                                                                  begin,
+                                                                  end,
+                                                                  assigned.labels);
                });
-  return labels;
+  assigned.moments.resize (planes.planes.size());
+  for (std::size_t i = 0; i < gridded.grid.size(); ++i)
+    if (lists.plane_of_all[i] != no_plane)
+      assigned.moments[static_cast<std::size_t> (lists.plane_of_all[i])].addAligned (
+          gridded.grid.moments[i]);
+  for (const std::vector<Moments>& piece : partial)
+    for (std::size_t p = 0; p < piece.size(); ++p)
+      assigned.moments[p].addAligned (piece[p]);
+  return assigned;
 }
 
 } // namespace pcl_ops

@@ -17,8 +17,8 @@ struct CellSamples {
   Coordinates normals;
   /** \brief Largest distance of each to its plane [m]. */
   std::vector<float> bands;
-  /** \brief Points in each. */
-  std::vector<float> weights;
+  /** \brief Points in each; integers, whose sum the compiler may reorder. */
+  std::vector<std::int32_t> weights;
 
   std::size_t
   size () const
@@ -34,7 +34,7 @@ struct CellSamples {
     centroids.add (c.x(), c.y(), c.z());
     normals.add (n.x(), n.y(), n.z());
     bands.push_back (static_cast<float> (band));
-    weights.push_back (static_cast<float> (moments.count));
+    weights.push_back (static_cast<std::int32_t> (moments.count));
   }
 };
 
@@ -44,31 +44,43 @@ struct SinglePlane {
 };
 
 struct Support {
-  float weight = 0.0f;
+  std::int32_t weight = 0;
   std::int32_t cells = 0;
 };
 
 inline bool
-isInlier (const CellSamples& samples, std::size_t i, const SinglePlane& plane)
+isInlier (const SinglePlane& plane,
+          float x,
+          float y,
+          float z,
+          float nx,
+          float ny,
+          float nz,
+          float band)
 {
-  const float distance = plane.nx * samples.centroids.x[i] +
-                         plane.ny * samples.centroids.y[i] +
-                         plane.nz * samples.centroids.z[i] + plane.offset;
-  const float cosine = plane.nx * samples.normals.x[i] +
-                       plane.ny * samples.normals.y[i] +
-                       plane.nz * samples.normals.z[i];
-  return (std::abs (distance) < samples.bands[i]) &
-         (std::abs (cosine) > plane.smallest_cosine);
+  const float distance = plane.nx * x + plane.ny * y + plane.nz * z + plane.offset;
+  const float cosine = plane.nx * nx + plane.ny * ny + plane.nz * nz;
+  return (std::abs (distance) < band) & (std::abs (cosine) > plane.smallest_cosine);
 }
 
 Support
 supportOf (const CellSamples& samples, const SinglePlane& plane)
 {
+  const auto size = static_cast<std::int32_t> (samples.size());
+  const float* const x = samples.centroids.x.data();
+  const float* const y = samples.centroids.y.data();
+  const float* const z = samples.centroids.z.data();
+  const float* const nx = samples.normals.x.data();
+  const float* const ny = samples.normals.y.data();
+  const float* const nz = samples.normals.z.data();
+  const float* const bands = samples.bands.data();
+  const std::int32_t* const weights = samples.weights.data();
   Support support;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const bool inlier = isInlier (samples, i, plane);
-    support.weight += inlier ? samples.weights[i] : 0.0f;
-    support.cells += inlier;
+  for (std::int32_t i = 0; i < size; ++i) {
+    const std::int32_t inlier =
+        isInlier (plane, x[i], y[i], z[i], nx[i], ny[i], nz[i], bands[i]) ? -1 : 0;
+    support.weight += inlier & weights[i];
+    support.cells -= inlier;
   }
   return support;
 }
@@ -197,7 +209,14 @@ private:
     const SinglePlane single_plane = single (plane);
     Positions selected;
     for (std::size_t i = 0; i < open.size(); ++i)
-      if (isInlier (samples, i, single_plane))
+      if (isInlier (single_plane,
+                    samples.centroids.x[i],
+                    samples.centroids.y[i],
+                    samples.centroids.z[i],
+                    samples.normals.x[i],
+                    samples.normals.y[i],
+                    samples.normals.z[i],
+                    samples.bands[i]))
         selected.push_back (open[i]);
     return selected;
   }

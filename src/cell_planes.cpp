@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <tuple>
 #include <utility>
 
 namespace pcl_ops {
@@ -60,6 +60,33 @@ adoptingPlane (const CellGrid& grid,
   return adoption;
 }
 
+std::vector<std::size_t>
+cellsOffPlanes (const Labels& plane_of_cell)
+{
+  std::vector<std::size_t> cells;
+  for (std::size_t i = 0; i < plane_of_cell.size(); ++i)
+    if (plane_of_cell[i] == no_plane)
+      cells.push_back (i);
+  return cells;
+}
+
+// The cells off planes that touch an adopted one, ascending.
+std::vector<std::size_t>
+cellsNextTo (const CellGrid& grid,
+             const std::vector<Adoption>& adoptions,
+             const Labels& plane_of_cell)
+{
+  std::vector<std::size_t> cells;
+  for (const Adoption& adoption : adoptions)
+    for (const std::int32_t neighbour : grid.neighbours[adoption.cell])
+      if (neighbour >= 0 &&
+          plane_of_cell[static_cast<std::size_t> (neighbour)] == no_plane)
+        cells.push_back (static_cast<std::size_t> (neighbour));
+  std::sort (cells.begin(), cells.end());
+  cells.erase (std::unique (cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
 void
 refitPlanes (const CellGrid& grid, CellPlanes& planes)
 {
@@ -87,19 +114,43 @@ closeGaps (const std::vector<std::size_t>& goes_into)
   return {merged_into, number};
 }
 
+// A stretch of border between a plane and a larger one, with the larger one's noise.
 struct Border {
-  double squared_noise = 0.0;
-  double cells = 0.0;
+  std::size_t smaller;
+  std::size_t larger;
+  double squared_noise;
+  double cells;
 };
 
-// Noise of a larger plane along its border with a smaller one: (smaller, larger) ->
-// noise
-std::map<std::pair<std::size_t, std::size_t>, Border>
+bool
+isBefore (const Border& first, const Border& second)
+{
+  return std::tie (first.smaller, first.larger) <
+         std::tie (second.smaller, second.larger);
+}
+
+// Joins stretches of the same border.
+std::vector<Border>
+joined (std::vector<Border> stretches)
+{
+  std::stable_sort (stretches.begin(), stretches.end(), isBefore);
+  std::vector<Border> borders;
+  for (const Border& stretch : stretches)
+    if (borders.empty() || isBefore (borders.back(), stretch))
+      borders.push_back (stretch);
+    else {
+      borders.back().squared_noise += stretch.squared_noise;
+      borders.back().cells += stretch.cells;
+    }
+  return borders;
+}
+
+std::vector<Border>
 bordersOf (const CellGrid& grid,
            const CellPlanes& planes,
            const std::vector<Moments>& moments)
 {
-  std::map<std::pair<std::size_t, std::size_t>, Border> borders;
+  std::vector<Border> stretches;
   for (std::size_t i = 0; i < grid.size(); ++i) {
     if (planes.plane_of_cell[i] == no_plane)
       continue;
@@ -108,12 +159,11 @@ bordersOf (const CellGrid& grid,
         grid, planes.plane_of_cell, i, [&] (std::size_t other, std::size_t neighbour) {
           if (other == own || moments[other].count < moments[own].count)
             return;
-          Border& border = borders[{own, other}];
-          border.squared_noise += planes.noise[neighbour] * planes.noise[neighbour];
-          border.cells += 1.0;
+          const double noise = planes.noise[neighbour];
+          stretches.push_back ({own, other, noise * noise, 1.0});
         });
   }
-  return borders;
+  return joined (std::move (stretches));
 }
 
 // One round of absorptions; false if there was none.
@@ -126,8 +176,9 @@ absorbOnce (const CellGrid& grid, double noise_factor, CellPlanes& planes)
   for (std::size_t p = 0; p < goes_into.size(); ++p)
     goes_into[p] = p;
   bool any = false;
-  for (const auto& [pair, border] : bordersOf (grid, planes, moments)) {
-    const auto [smaller, larger] = pair;
+  for (const Border& border : bordersOf (grid, planes, moments)) {
+    const std::size_t smaller = border.smaller;
+    const std::size_t larger = border.larger;
     const double squared_noise = border.squared_noise / border.cells;
     const double ratio =
         meanSquaredDistance (moments[smaller], planes.planes[larger]) / squared_noise;
@@ -154,18 +205,17 @@ growPlanes (const CellGrid& grid,
             CellPlanes& planes)
 {
   const double limit = distanceLimit (grid, parameters.distance_threshold);
-  for (int round = 0; round < parameters.rounds; ++round) {
+  std::vector<std::size_t> border = cellsOffPlanes (planes.plane_of_cell);
+  for (int round = 0; round < parameters.rounds && !border.empty(); ++round) {
     std::vector<Adoption> adoptions;
-    for (std::size_t i = 0; i < grid.size(); ++i)
-      if (planes.plane_of_cell[i] == no_plane)
-        if (const auto adoption = adoptingPlane (grid, parameters, limit, planes, i))
-          adoptions.push_back (*adoption);
-    if (adoptions.empty())
-      break;
+    for (const std::size_t cell : border)
+      if (const auto adoption = adoptingPlane (grid, parameters, limit, planes, cell))
+        adoptions.push_back (*adoption);
     for (const Adoption& adoption : adoptions) {
       planes.plane_of_cell[adoption.cell] = adoption.plane;
       planes.noise[adoption.cell] = adoption.noise;
     }
+    border = cellsNextTo (grid, adoptions, planes.plane_of_cell);
   }
   refitPlanes (grid, planes);
 }
@@ -184,12 +234,19 @@ reassignCells (const CellGrid& grid, CellPlanes& planes)
   for (std::size_t i = 0; i < grid.size(); ++i) {
     if (before[i] == no_plane)
       continue;
-    double best = std::numeric_limits<double>::max();
-    // The cell itself is one of its neighbourhood.
+    const auto own = static_cast<std::size_t> (before[i]);
+    // Computed when another plane is met: most cells have their own all around.
+    std::optional<double> best;
+    std::size_t last = own;
     forNeighboursOnPlanes (grid, before, i, [&] (std::size_t plane, std::size_t) {
+      if (plane == own || plane == last)
+        return;
+      last = plane;
+      if (!best)
+        best = meanSquaredDistance (grid.moments[i], planes.planes[own]);
       const double squared =
           meanSquaredDistance (grid.moments[i], planes.planes[plane]);
-      if (squared >= best)
+      if (squared >= *best)
         return;
       best = squared;
       planes.plane_of_cell[i] = static_cast<std::int32_t> (plane);
@@ -204,7 +261,8 @@ momentsOfPlanes (const CellGrid& grid, const CellPlanes& planes)
   std::vector<Moments> moments (planes.planes.size());
   for (std::size_t i = 0; i < grid.size(); ++i)
     if (planes.plane_of_cell[i] != no_plane)
-      moments[static_cast<std::size_t> (planes.plane_of_cell[i])] += grid.moments[i];
+      moments[static_cast<std::size_t> (planes.plane_of_cell[i])].addAligned (
+          grid.moments[i]);
   return moments;
 }
 

@@ -69,19 +69,17 @@ detectOnCells (Points points,
     reassignCells (grid, planes);
     return 0;
   });
-  found.labels = timed (durations.assignment, [&] {
+  AssignedPoints assigned = timed (durations.assignment, [&] {
     return assignToBoundedPlanes (
         found.points, gridded, planes, parameters.cells.assignment, parameters.threads);
   });
-  MergingParameters keep_apart;
-  keep_apart.enabled = false;
-  found.planes = timed (durations.assignment, [&] {
-    return mergeLabelled (found.points,
-                          found.labels,
-                          planes.planes.size(),
-                          keep_apart,
-                          parameters.threads);
+  found.labels = std::move (assigned.labels);
+  found.planes = timed (durations.merging, [&] {
+    MergingParameters keep_apart;
+    keep_apart.enabled = false;
+    return mergePlanes (assigned.moments, keep_apart);
   });
+  relabel (found.labels, found.planes.merged_into, parameters.threads);
   return found;
 }
 

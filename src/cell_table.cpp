@@ -44,13 +44,6 @@ CellTable::grow()
     slots_[findSlot (blocks_[i].key)] = static_cast<std::uint32_t> (i + 1);
 }
 
-std::int32_t
-CellTable::find (const CellKey& key) const
-{
-  const std::uint32_t block = slots_[findSlot (blockKey (key))];
-  return block == 0 ? -1 : blocks_[block - 1].cells[positionInBlock (key)];
-}
-
 std::vector<std::uint32_t>
 CellTable::sort()
 {
@@ -75,17 +68,82 @@ CellTable::sort()
   return new_number;
 }
 
+namespace {
+
+constexpr int axis_offsets = 3;
+
+// Along one axis: from a coordinate within a block and an offset -1, 0, 1 to the offset
+// of the neighbour's block and its coordinate within that.
+struct Step {
+  std::int32_t block;
+  std::int32_t coordinate;
+};
+
+constexpr Step
+step (std::int32_t coordinate, std::int32_t offset, std::int32_t edge)
+{
+  const std::int32_t moved = coordinate + offset;
+  if (moved < 0)
+    return {-1, moved + edge};
+  if (moved >= edge)
+    return {1, moved - edge};
+  return {0, moved};
+}
+
+} // namespace
+
+CellTable::BlockNeighbours
+CellTable::blocksAround (const Block& block) const
+{
+  BlockNeighbours around;
+  const CellKey corner = cornerOf (block.key);
+  std::size_t n = 0;
+  for (std::int32_t dz = -1; dz <= 1; ++dz)
+    for (std::int32_t dy = -1; dy <= 1; ++dy)
+      for (std::int32_t dx = -1; dx <= 1; ++dx) {
+        const std::uint32_t found =
+            slots_[findSlot (blockKey ({corner.x + dx * block_edge,
+                                        corner.y + dy * block_edge,
+                                        corner.z + dz * block_edge}))];
+        around[n++] = found == 0 ? nullptr : blocks_[found - 1].cells.data();
+      }
+  return around;
+}
+
+Neighbourhood
+CellTable::neighbourhood (const CellKey& key, const BlockNeighbours& around)
+{
+  constexpr std::int32_t mask = block_edge - 1;
+  Neighbourhood neighbours;
+  std::size_t n = 0;
+  for (std::int32_t dz = -1; dz <= 1; ++dz) {
+    const Step z = step (key.z & mask, dz, block_edge);
+    for (std::int32_t dy = -1; dy <= 1; ++dy) {
+      const Step y = step (key.y & mask, dy, block_edge);
+      for (std::int32_t dx = -1; dx <= 1; ++dx) {
+        const Step x = step (key.x & mask, dx, block_edge);
+        const std::int32_t* const cells = around[static_cast<std::size_t> (
+            ((z.block + 1) * axis_offsets + y.block + 1) * axis_offsets + x.block + 1)];
+        neighbours[n++] =
+            cells ? cells[positionInBlock ({x.coordinate, y.coordinate, z.coordinate})]
+                  : -1;
+      }
+    }
+  }
+  return neighbours;
+}
+
 std::vector<Neighbourhood>
 CellTable::neighbourhoods() const
 {
   std::vector<Neighbourhood> neighbours (keys_.size());
-  for (std::size_t i = 0; i < keys_.size(); ++i) {
-    std::size_t n = 0;
-    for (std::int32_t dz = -1; dz <= 1; ++dz)
-      for (std::int32_t dy = -1; dy <= 1; ++dy)
-        for (std::int32_t dx = -1; dx <= 1; ++dx)
-          neighbours[i][n++] =
-              find ({keys_[i].x + dx, keys_[i].y + dy, keys_[i].z + dz});
+  for (const Block& block : blocks_) {
+    const BlockNeighbours around = blocksAround (block);
+    for (const std::int32_t cell : block.cells)
+      if (cell >= 0) {
+        const auto i = static_cast<std::size_t> (cell);
+        neighbours[i] = neighbourhood (keys_[i], around);
+      }
   }
   return neighbours;
 }

@@ -62,6 +62,7 @@ private:
   using BlockKey = std::uint64_t;
   static constexpr int block_bits = 3;
   static constexpr int block_edge = 1 << block_bits;
+  static constexpr int coordinate_bits = 21;
 
   struct Block {
     BlockKey key = 0;
@@ -71,7 +72,6 @@ private:
   static BlockKey
   blockKey (const CellKey& key)
   {
-    constexpr int coordinate_bits = 21;
     return (static_cast<BlockKey> (key.z >> block_bits) << (2 * coordinate_bits)) |
            (static_cast<BlockKey> (key.y >> block_bits) << coordinate_bits) |
            static_cast<BlockKey> (key.x >> block_bits);
@@ -92,8 +92,24 @@ private:
   findOrAddBlock (BlockKey key);
   void
   grow ();
-  std::int32_t
-  find (const CellKey& key) const;
+
+  /** \brief The cells of a block and of the 26 around it; null where there is none. */
+  using BlockNeighbours = std::array<const std::int32_t*, 27>;
+  BlockNeighbours
+  blocksAround (const Block& block) const;
+  static Neighbourhood
+  neighbourhood (const CellKey& key, const BlockNeighbours& around);
+
+  static CellKey
+  cornerOf (BlockKey key)
+  {
+    constexpr BlockKey mask = (BlockKey (1) << coordinate_bits) - 1;
+    const auto coordinate = [key] (int axis) {
+      return static_cast<std::int32_t> ((key >> (axis * coordinate_bits)) & mask)
+             << block_bits;
+    };
+    return {coordinate (0), coordinate (1), coordinate (2)};
+  }
 
   std::vector<CellKey> keys_;
   std::vector<Block> blocks_;

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/Eigenvalues>
-
 #include "cell_units.h"
+#include "principal_axes.h"
 #include <pcl_ops/oriented_cells.h>
 #include <pcl_ops/parallel.h>
 
@@ -18,15 +17,13 @@ constexpr std::size_t cells_per_piece = 1024;
 std::optional<CellNormal>
 normalOf (const Moments& surroundings)
 {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect (surroundings.covariance());
-  const Eigen::Vector3d variances = solver.eigenvalues().cwiseMax (0.0);
-  if (!(variances[1] > 0.0))
+  const PrincipalAxes axes = principalAxes (surroundings.covariance());
+  if (axes.normal.isZero())
     return std::nullopt;
   CellNormal normal;
-  normal.plane = planeThrough (surroundings.centroid(), solver.eigenvectors().col (0));
-  normal.noise = std::sqrt (variances[0]);
-  normal.thickness = std::sqrt (variances[0] / variances[1]);
+  normal.plane = planeThrough (surroundings.centroid(), axes.normal);
+  normal.noise = std::sqrt (axes.values[0]);
+  normal.thickness = std::sqrt (axes.values[0] / axes.values[1]);
   return normal;
 }
 
@@ -47,7 +44,8 @@ normalsAround (const CellGrid& grid, double min_points, unsigned threads)
           Moments surroundings;
           for (const std::int32_t neighbour : grid.neighbours[i])
             if (neighbour >= 0)
-              surroundings += grid.moments[static_cast<std::size_t> (neighbour)];
+              surroundings.addAligned (
+                  grid.moments[static_cast<std::size_t> (neighbour)]);
           if (surroundings.count >= min_points)
             normals[i] = normalOf (surroundings);
         }

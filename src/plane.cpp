@@ -17,10 +17,7 @@ Moments::operator+= (const Moments& other)
     return *this = other;
   if (other.origin != origin)
     return *this += other.about (origin);
-  count += other.count;
-  sum += other.sum;
-  for (std::size_t i = 0; i < products.size (); ++i)
-    products[i] += other.products[i];
+  addAligned (other);
   return *this;
 }
 

@@ -21,7 +21,7 @@ void
 sortByFallingCount (std::vector<Group>& groups)
 {
   std::stable_sort (
-      groups.begin (), groups.end (), [] (const Group& first, const Group& second) {
+      groups.begin(), groups.end(), [] (const Group& first, const Group& second) {
         return first.moments.count > second.moments.count;
       });
 }
@@ -30,7 +30,7 @@ std::vector<Group>
 groupsWithAPlane (const std::vector<Moments>& planes)
 {
   std::vector<Group> groups;
-  for (std::size_t i = 0; i < planes.size (); ++i)
+  for (std::size_t i = 0; i < planes.size(); ++i)
     if (const std::optional<PlaneFit> fit = fitPlane (planes[i]))
       groups.push_back ({planes[i], *fit, {i}});
   sortByFallingCount (groups);
@@ -48,7 +48,7 @@ absorb (Group& larger, const Group& smaller)
   larger.moments = joined;
   larger.fit = *fit;
   larger.members.insert (
-      larger.members.end (), smaller.members.begin (), smaller.members.end ());
+      larger.members.end(), smaller.members.begin(), smaller.members.end());
   return true;
 }
 
@@ -56,8 +56,8 @@ absorb (Group& larger, const Group& smaller)
 bool
 mergeOnce (std::vector<Group>& groups, const MergingParameters& parameters)
 {
-  const std::size_t before = groups.size ();
-  for (std::size_t i = 0; i < groups.size (); ++i) {
+  const std::size_t before = groups.size();
+  for (std::size_t i = 0; i < groups.size(); ++i) {
     auto absorbed = [&] (const Group& other) {
       return areCoplanar (groups[i].fit,
                           other.fit,
@@ -65,27 +65,13 @@ mergeOnce (std::vector<Group>& groups, const MergingParameters& parameters)
                           parameters.distance_threshold) &&
              absorb (groups[i], other);
     };
-    groups.erase (std::remove_if (groups.begin () + static_cast<std::ptrdiff_t> (i) + 1,
-                                  groups.end (),
+    groups.erase (std::remove_if (groups.begin() + static_cast<std::ptrdiff_t> (i) + 1,
+                                  groups.end(),
                                   absorbed),
-                  groups.end ());
+                  groups.end());
   }
   sortByFallingCount (groups);
-  return groups.size () < before;
-}
-
-void
-relabel (Labels& labels, const Labels& merged_into, unsigned threads)
-{
-  constexpr std::size_t labels_per_piece = 65536;
-  parallelFor (threads,
-               labels.size (),
-               labels_per_piece,
-               [&] (std::size_t begin, std::size_t end) {
-                 for (std::size_t i = begin; i < end; ++i)
-                   if (labels[i] != no_plane)
-                     labels[i] = merged_into[static_cast<std::size_t> (labels[i])];
-               });
+  return groups.size() < before;
 }
 
 } // namespace
@@ -109,14 +95,28 @@ mergePlanes (const std::vector<Moments>& planes, const MergingParameters& parame
   while (parameters.enabled && mergeOnce (groups, parameters)) {
   }
   MergedPlanes merged;
-  merged.merged_into.assign (planes.size (), no_plane);
-  for (std::size_t g = 0; g < groups.size (); ++g) {
+  merged.merged_into.assign (planes.size(), no_plane);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
     merged.moments.push_back (groups[g].moments);
     merged.fits.push_back (groups[g].fit);
     for (const std::size_t member : groups[g].members)
       merged.merged_into[member] = static_cast<std::int32_t> (g);
   }
   return merged;
+}
+
+void
+relabel (Labels& labels, const Labels& merged_into, unsigned threads)
+{
+  constexpr std::size_t labels_per_piece = 65536;
+  parallelFor (threads,
+               labels.size(),
+               labels_per_piece,
+               [&] (std::size_t begin, std::size_t end) {
+                 for (std::size_t i = begin; i < end; ++i)
+                   if (labels[i] != no_plane)
+                     labels[i] = merged_into[static_cast<std::size_t> (labels[i])];
+               });
 }
 
 MergedPlanes

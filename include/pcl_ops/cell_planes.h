@@ -100,10 +100,18 @@ struct BoundedAssignmentParameters {
   double distance_threshold = 0.0;
 };
 
+/** \brief Points with their planes, and the planes' moments. */
+struct AssignedPoints {
+  /** \brief Plane of each point, or no_plane. */
+  Labels labels;
+  /** \brief Moments of the points of each plane about the zero of their frame. */
+  std::vector<Moments> moments;
+};
+
 /** \brief Assigns points to bounded planes: to the nearest, in units of the noise
  * measured there, of the planes whose support has a cell within one cell of the point.
  */
-Labels
+AssignedPoints
 assignToBoundedPlanes (const Coordinates& positions,
                        const GriddedPoints& gridded,
                        const CellPlanes& planes,

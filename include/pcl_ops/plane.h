@@ -41,6 +41,16 @@ struct Moments {
     products[5] += z * z;
   }
 
+  /** \brief Adds another set whose sums are taken about the same origin. */
+  void
+  addAligned (const Moments& other)
+  {
+    count += other.count;
+    sum += other.sum;
+    for (std::size_t i = 0; i < products.size (); ++i)
+      products[i] += other.products[i];
+  }
+
   /** \brief Adds another set; its sums are shifted if its origin differs. */
   Moments&
   operator+= (const Moments& other);

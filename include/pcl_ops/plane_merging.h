@@ -48,6 +48,10 @@ struct MergedPlanes {
 MergedPlanes
 mergePlanes (const std::vector<Moments>& planes, const MergingParameters& parameters);
 
+/** \brief Replaces every label by the plane it was merged into. */
+void
+relabel (Labels& labels, const Labels& merged_into, unsigned threads);
+
 /** \brief Merges planes given by the points assigned to them.
  * \param[in] positions the points
  * \param[in,out] labels plane of each point; replaced by the plane it was merged into
