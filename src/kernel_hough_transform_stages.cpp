@@ -66,6 +66,23 @@ houghPlanes (const OctreeClusters& found,
   return planes;
 }
 
+Labels
+assignOctreePoints (const OctreeClusters& found,
+                    std::size_t size,
+                    const std::vector<Plane>& planes,
+                    const KernelHoughTransformParameters& parameters)
+{
+  const Labels in_octree_order = assignPoints (found.points,
+                                               planes,
+                                               parameters.distance_threshold,
+                                               parameters.assignment,
+                                               parameters.threads);
+  Labels labels (size, no_plane);
+  for (std::size_t i = 0; i < in_octree_order.size(); ++i)
+    labels[found.points.order[i]] = in_octree_order[i];
+  return labels;
+}
+
 void
 restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
 {

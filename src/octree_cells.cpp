@@ -124,15 +124,17 @@ rootCubeOf (const Coordinates& points)
 }
 
 OctreeNode
-OctreeCells::operator[] (std::size_t cell) const
+OctreeCells::node (int node_level, std::size_t code) const
 {
-  const double edge = std::ldexp (root.edge, -level);
-  const Eigen::Vector3d from_corner (gatherBits (cell, 0) + 0.5,
-                                     gatherBits (cell, 1) + 0.5,
-                                     gatherBits (cell, 2) + 0.5);
+  const double edge = std::ldexp (root.edge, -node_level);
+  const Eigen::Vector3d from_corner (gatherBits (code, 0) + 0.5,
+                                     gatherBits (code, 1) + 0.5,
+                                     gatherBits (code, 2) + 0.5);
   const Eigen::Vector3d half_root = Eigen::Vector3d::Constant (root.edge / 2.0);
   const Eigen::Vector3d centre = root.centre - half_root + edge * from_corner;
-  return OctreeNode{begins[cell], begins[cell + 1], centre, edge, level};
+  const int shift = 3 * (level - node_level);
+  return OctreeNode{
+      begins[code << shift], begins[(code + 1) << shift], centre, edge, node_level};
 }
 
 OctreeCells

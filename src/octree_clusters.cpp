@@ -15,39 +15,74 @@ namespace {
 // Points farther from a node's plane than this share of its edge are dropped.
 constexpr double dropped_distance_share = 0.1;
 
-constexpr std::size_t cells_per_piece = 256;
+// The nodes of this level, or of s_level if that is higher up, are shared out to
+// threads.
+constexpr int most_start_level = 2;
 
 using OctantBegins = std::array<std::uint32_t, 9>;
 
+/** Moments about the centre of the root, so that those of nodes can be added. */
 Moments
-momentsOf (const Coordinates& points,
-           std::uint32_t begin,
-           std::uint32_t end,
-           const Eigen::Vector3d& origin)
+momentsOf (const Coordinates& points, const OctreeNode& node, const RootCube& root)
 {
   Moments moments;
-  moments.origin = origin;
-  for (std::uint32_t i = begin; i < end; ++i)
-    moments.add (
-        points.x[i] - origin.x(), points.y[i] - origin.y(), points.z[i] - origin.z());
+  moments.origin = root.centre;
+  for (std::uint32_t i = node.begin; i < node.end; ++i)
+    moments.add (points.x[i] - root.centre.x(),
+                 points.y[i] - root.centre.y(),
+                 points.z[i] - root.centre.z());
   return moments;
 }
 
-/** Descends from a cell and collects the clusters below, depth first. */
+/** Moments of the deepest sorted cells of a node. */
+void
+sumUpCells (const OctreeCells& cells,
+            int level,
+            std::size_t code,
+            std::vector<Moments>& moments)
+{
+  const int shift = 3 * (cells.level - level);
+  for (std::size_t cell = code << shift; cell < (code + 1) << shift; ++cell)
+    if (cells.begins[cell] < cells.begins[cell + 1])
+      moments[cell] =
+          momentsOf (cells.points, cells.node (cells.level, cell), cells.root);
+}
+
+/** Descends from a node and collects the clusters below, depth first. */
 class ClusterCollector {
 public:
-  ClusterCollector (PermutedPoints& points,
+  ClusterCollector (OctreeCells& cells,
+                    const std::vector<Moments>& cell_moments,
                     const OctreeClusterParameters& parameters,
                     std::vector<CoplanarCluster>& clusters)
-  : points_ (points), parameters_ (parameters), clusters_ (clusters)
+  : cells_ (cells)
+  , points_ (cells.points)
+  , cell_moments_ (cell_moments)
+  , parameters_ (parameters)
+  , clusters_ (clusters)
   {}
 
+  /** Through the levels that are sorted, down to those that are not. */
   void
-  descend (const OctreeNode& node)
+  descendCells (int level, std::size_t code)
   {
+    const OctreeNode node = cells_.node (level, code);
     if (node.size() < parameters_.min_samples)
       return;
-    if (node.level >= parameters_.first_level && addIfCoplanar (node))
+    if (level == cells_.level)
+      return descend (node, cell_moments_[code]);
+    if (level >= parameters_.first_level &&
+        addIfCoplanar (node, sumOfCells (level, code)))
+      return;
+    for (std::size_t octant = 0; octant < 8; ++octant)
+      descendCells (level + 1, 8 * code + octant);
+  }
+
+private:
+  void
+  descend (const OctreeNode& node, const Moments& moments)
+  {
+    if (node.level >= parameters_.first_level && addIfCoplanar (node, moments))
       return;
     if (node.level >= parameters_.deepest_level)
       return;
@@ -57,27 +92,38 @@ public:
       const Eigen::Vector3d offset (octant & 1u ? quarter : -quarter,
                                     octant & 2u ? quarter : -quarter,
                                     octant & 4u ? quarter : -quarter);
-      descend (OctreeNode{begins[octant],
-                          begins[octant + 1],
-                          node.centre + offset,
-                          node.edge / 2.0,
-                          node.level + 1});
+      const OctreeNode child{begins[octant],
+                             begins[octant + 1],
+                             node.centre + offset,
+                             node.edge / 2.0,
+                             node.level + 1};
+      if (child.size() >= parameters_.min_samples)
+        descend (child, momentsOf (points_, child, cells_.root));
     }
   }
 
-private:
-  bool
-  addIfCoplanar (const OctreeNode& node)
+  Moments
+  sumOfCells (int level, std::size_t code) const
   {
-    CoplanarCluster cluster;
-    cluster.moments = momentsOf (points_, node.begin, node.end, node.centre);
-    std::optional<PlaneFit> fit = fitPlane (cluster.moments);
+    const int shift = 3 * (cells_.level - level);
+    Moments sum;
+    for (std::size_t cell = code << shift; cell < (code + 1) << shift; ++cell)
+      sum += cell_moments_[cell];
+    return sum;
+  }
+
+  bool
+  addIfCoplanar (const OctreeNode& node, const Moments& moments)
+  {
+    std::optional<PlaneFit> fit = fitPlane (moments);
     if (!fit || !isCoplanar (fit->variances))
       return false;
-    cluster.begin = node.begin;
-    cluster.end = dropFarPoints (node, fit->plane);
-    if (cluster.end < node.end) {
-      cluster.moments = momentsOf (points_, cluster.begin, cluster.end, node.centre);
+    CoplanarCluster cluster;
+    cluster.moments = moments;
+    OctreeNode kept = node;
+    kept.end = dropFarPoints (node, fit->plane);
+    if (kept.end < node.end) {
+      cluster.moments = momentsOf (points_, kept, cells_.root);
       fit = fitPlane (cluster.moments);
     }
     if (!fit)
@@ -85,6 +131,8 @@ private:
     cluster.fit = *fit;
     cluster.edge = node.edge;
     cluster.level = node.level;
+    cluster.begin = kept.begin;
+    cluster.end = kept.end;
     clusters_.push_back (cluster);
     return true;
   }
@@ -141,7 +189,9 @@ private:
                                       (points_.z[i] >= centre.z() ? 4u : 0u));
   }
 
+  OctreeCells& cells_;
   PermutedPoints& points_;
+  const std::vector<Moments>& cell_moments_;
   const OctreeClusterParameters& parameters_;
   std::vector<CoplanarCluster>& clusters_;
   PermutedPoints sorted_;
@@ -159,16 +209,18 @@ findCoplanarClusters (const Coordinates& points,
   result.root = rootCubeOf (points);
   if (!(result.root.edge > 0.0))
     return result;
-  const int level = std::clamp (parameters.first_level, 0, deepest_cell_level);
-  OctreeCells cells = sortIntoCells (points, result.root, level);
-  std::vector<std::vector<CoplanarCluster>> found (cells.size() / cells_per_piece + 1);
-  const auto search_cells = [&] (std::size_t begin, std::size_t end) {
-    ClusterCollector collector (
-        cells.points, parameters, found[begin / cells_per_piece]);
-    for (std::size_t cell = begin; cell < end; ++cell)
-      collector.descend (cells[cell]);
-  };
-  parallelFor (threads, cells.size(), cells_per_piece, search_cells);
+  OctreeCells cells = sortIntoCells (points, result.root, deepest_cell_level);
+  std::vector<Moments> cell_moments (cells.begins.size() - 1);
+  const int start_level = std::clamp (parameters.first_level, 0, most_start_level);
+  const std::size_t starts = std::size_t (1) << (3 * start_level);
+  std::vector<std::vector<CoplanarCluster>> found (starts);
+  parallelFor (threads, starts, 1, [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t code = begin; code < end; ++code) {
+      sumUpCells (cells, start_level, code, cell_moments);
+      ClusterCollector collector (cells, cell_moments, parameters, found[code]);
+      collector.descendCells (start_level, code);
+    }
+  });
   for (const std::vector<CoplanarCluster>& clusters : found)
     result.clusters.insert (result.clusters.end(), clusters.begin(), clusters.end());
   result.points = std::move (cells.points);

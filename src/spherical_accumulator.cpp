@@ -81,32 +81,32 @@ private:
 } // namespace
 
 BallColumns::BallColumns (std::size_t directions, int rho_num)
-: stride_ (static_cast<std::size_t> (rho_num + 2 * margin))
-, column_of_ (directions, 0)
-, bins_ (stride_, 0.0f)
+: zeros_ (static_cast<std::size_t> (rho_num + 2 * margin), 0.0f), columns_ (directions)
 {}
 
 float*
-BallColumns::write (std::uint32_t direction)
+BallColumns::write (std::uint32_t direction, Range range)
 {
-  // Column 0 is the zeros of all directions without one.
-  if (column_of_[direction] == 0) {
+  Column& column = columns_[direction];
+  if (!column.bins) {
+    column.bins = std::make_unique<float[]> (zeros_.size());
+    column.range = range;
     directions_.push_back (direction);
-    column_of_[direction] = static_cast<std::uint32_t> (directions_.size());
-    bins_.resize (bins_.size() + stride_, 0.0f);
   }
-  return bins_.data() + std::size_t (column_of_[direction]) * stride_ + margin;
+  column.range.begin = std::min (column.range.begin, range.begin);
+  column.range.end = std::max (column.range.end, range.end);
+  return column.bins.get() + margin;
 }
 
 void
 BallColumns::mirrorCentre (const BallDirections& directions)
 {
-  const std::vector<std::uint32_t> with_votes = directions_;
-  for (const std::uint32_t direction : with_votes) {
+  const std::vector<std::uint32_t> with_column = directions_;
+  for (const std::uint32_t direction : with_column) {
     const float first = read (direction)[0], second = read (direction)[1];
     if (first == 0.0f && second == 0.0f)
       continue;
-    float* mirrored = write (directions.opposite (direction));
+    float* mirrored = write (directions.opposite (direction), {0, 0});
     mirrored[-1] = first;
     mirrored[-2] = second;
   }
@@ -120,11 +120,11 @@ void
 SphericalAccumulator::add (const KernelVotes& votes, std::uint32_t voter)
 {
   for (const VoteRay& ray : votes.rays) {
-    float* bins = votes_.write (ray.direction) + ray.first_bin;
+    const int end = ray.first_bin + static_cast<int> (ray.length);
+    float* bins = votes_.write (ray.direction, {ray.first_bin, end}) + ray.first_bin;
     const float* values = votes.values.data() + ray.first_value;
     for (std::uint32_t i = 0; i < ray.length; ++i)
       bins[i] += values[i];
-    const int end = ray.first_bin + static_cast<int> (ray.length);
     voters_.push_back ({ray.direction, voter, ray.first_bin, end});
   }
 }
@@ -140,8 +140,9 @@ SphericalAccumulator::smoothedVotes() const
     const float* south = votes_.read (beside[1]);
     const float* west = votes_.read (beside[2]);
     const float* east = votes_.read (beside[3]);
-    float* result = smoothed.write (direction);
-    for (int bin = 0; bin < space_.rho_num; ++bin) {
+    const BallColumns::Range range = votes_.rangeOf (direction);
+    float* result = smoothed.write (direction, range);
+    for (int bin = range.begin; bin < range.end; ++bin) {
       const float neighbours =
           own[bin - 1] + own[bin + 1] + north[bin] + south[bin] + west[bin] + east[bin];
       const float sum = own_weight * own[bin] + neighbour_weight * neighbours;
@@ -161,11 +162,13 @@ SphericalAccumulator::peaks() const
   heights.mirrorCentre (space_.directions);
   const PeakTest test (heights, space_.directions);
   std::vector<HoughPeak> peaks;
-  for (const std::uint32_t direction : votes_.directions())
-    for (int bin = 0; bin < space_.rho_num; ++bin)
+  for (const std::uint32_t direction : votes_.directions()) {
+    const BallColumns::Range range = heights.rangeOf (direction);
+    for (int bin = range.begin; bin < range.end; ++bin)
       if (const float height = heights.read (direction)[bin];
           height > 0.0f && test.isPeak (direction, bin))
         peaks.push_back ({direction, bin, height, {}});
+  }
   std::sort (peaks.begin(), peaks.end(), [] (const HoughPeak& a, const HoughPeak& b) {
     return a.votes != b.votes ? a.votes > b.votes
                               : std::make_pair (a.direction, a.bin) <

@@ -45,6 +45,17 @@ std::vector<Plane>
 houghPlanes (const OctreeClusters& found,
              const KernelHoughTransformParameters& parameters);
 
+/** \brief \ref assignPoints, block by block of the octree, where most planes are far
+ * away. \param[in] found clusters of the points \param[in] size number of points
+ * \param[in] planes planes in the frame of the points
+ * \param[in] parameters theta_h, the rule and the number of threads
+ * \return one label a point, in the points' own order */
+Labels
+assignOctreePoints (const OctreeClusters& found,
+                    std::size_t size,
+                    const std::vector<Plane>& planes,
+                    const KernelHoughTransformParameters& parameters);
+
 /** \brief Replaces each least squares plane by the plane its points were assigned to,
  * with the centroid moved onto it: the first one's where planes were merged. */
 void

@@ -62,30 +62,29 @@ struct OctreeNode {
   }
 };
 
-/** \brief The octree's nodes of one level, empty ones included, in Morton order. */
+/** \brief The octree's nodes down to a level, empty ones included. A node's code is its
+ * place in Morton order among the nodes of its level; its children's are 8 code .. 8
+ * code
+ * + 7. */
 struct OctreeCells {
   RootCube root;
+  /** \brief The deepest level. */
   int level = 0;
-  /** \brief The points, each cell's together. */
+  /** \brief The points, each node's together. */
   PermutedPoints points;
-  /** \brief Where each cell begins in \ref points, and the end. */
+  /** \brief Where each node of the deepest level begins in \ref points, and the end. */
   std::vector<std::uint32_t> begins;
 
-  std::size_t
-  size () const
-  {
-    return begins.size() - 1;
-  }
-
+  /** \brief A node of the deepest level or above. */
   OctreeNode
-  operator[] (std::size_t cell) const;
+  node (int node_level, std::size_t code) const;
 };
 
 /** \brief The deepest level \ref sortIntoCells goes to: 8^5 cells fit a 16 bit code and
  * the second level cache. */
 constexpr int deepest_cell_level = 5;
 
-/** \brief Sorts the points into the octree's nodes of one level at once, by counting.
+/** \brief Sorts the points into the octree's nodes of a level at once, by counting.
  * \param[in] points positions within the cube
  * \param[in] root the cube, with an edge above 0
  * \param[in] level 0 .. deepest_cell_level */

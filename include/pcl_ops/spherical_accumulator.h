@@ -6,6 +6,7 @@
 #include <pcl_ops/kernel_votes.h>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace pcl_ops {
@@ -18,18 +19,30 @@ public:
    * are the opposite column's, once \ref mirrorCentre has been called. */
   static constexpr int margin = 2;
 
+  /** \brief The bins of a direction that may be other than 0, margins left out. */
+  struct Range {
+    int begin = 0, end = 0;
+  };
+
   BallColumns (std::size_t directions, int rho_num);
 
-  /** \brief Bins -margin .. rho_num + margin - 1 of a direction, to write to. */
+  /** \brief The column of a direction, to write to the bins of a range in. */
   float*
-  write (std::uint32_t direction);
+  write (std::uint32_t direction, Range range);
 
-  /** \brief The same to read: zeros for a direction without a column. Valid until the
-   * next \ref write. */
+  /** \brief Bins -margin .. rho_num + margin - 1 of a direction; zeros for one without
+   * a column. */
   const float*
   read (std::uint32_t direction) const
   {
-    return bins_.data() + std::size_t (column_of_[direction]) * stride_ + margin;
+    const Column& column = columns_[direction];
+    return (column.bins ? column.bins.get() : zeros_.data()) + margin;
+  }
+
+  Range
+  rangeOf (std::uint32_t direction) const
+  {
+    return columns_[direction].range;
   }
 
   /** \brief The directions that have a column, in the order they got it. */
@@ -39,21 +52,19 @@ public:
     return directions_;
   }
 
-  int
-  rhoNum () const
-  {
-    return static_cast<int> (stride_) - 2 * margin;
-  }
-
   /** \brief Copies what lies next to the centre into the opposite column's margin. */
   void
   mirrorCentre (const BallDirections& directions);
 
 private:
-  std::size_t stride_;
-  std::vector<std::uint32_t> column_of_;
+  struct Column {
+    std::unique_ptr<float[]> bins;
+    Range range;
+  };
+
+  std::vector<float> zeros_;
+  std::vector<Column> columns_;
   std::vector<std::uint32_t> directions_;
-  std::vector<float> bins_;
 };
 
 /** \brief A bin of the accumulator that stands out. */

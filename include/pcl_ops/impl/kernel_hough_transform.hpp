@@ -21,13 +21,11 @@ KernelHoughTransform<PointT>::detect()
   // accumulator ball: Gaussian kernels vote for (rho, phi, theta), peaks are planes
   const std::vector<Plane> planes = timed (
       durations_.extraction, [&] { return houghPlanes (clusters, parameters_); });
+  // each point to the nearest plane within theta_h, or as published the first
   found.labels = timed (durations_.assignment, [&] {
-    return assignPoints (points,
-                         planes,
-                         parameters_.distance_threshold,
-                         parameters_.assignment,
-                         parameters_.threads);
+    return assignOctreePoints (clusters, points.size(), planes, parameters_);
   });
+  // section III-C of the OPS paper: the coplanarity test on each pair
   found.planes = timed (durations_.merging, [&] {
     return mergeLabelled (points,
                           found.labels,
