@@ -74,9 +74,10 @@ rayOfPixel (const DepthCamera& camera,
             double column_offset,
             double row_offset)
 {
-  const double column = double (pixel % camera.width) + column_offset;
-  const double row = double (pixel / camera.width) + row_offset;
-  return camera.pose.linear() * camera.ray (column, row);
+  const std::size_t row = pixel / camera.width;
+  const std::size_t column = pixel % camera.width;
+  return camera.pose.linear() *
+         camera.ray (double (column) + column_offset, double (row) + row_offset);
 }
 
 /** \brief Where a pixel's own ray meets the plane that a ray beside it has hit. */

@@ -56,7 +56,8 @@ toCloud (const DepthImage& image,
   auto& cloud = simulated.cloud;
   cloud.reserve (image.depth.size());
   for (std::size_t i = 0; i < image.depth.size(); ++i) {
-    const auto ray = camera.ray (double (i % image.width), double (i / image.width));
+    const std::size_t row = i / image.width;
+    const auto ray = camera.ray (double (i % image.width), double (row));
     if (std::isfinite (image.depth[i]))
       cloud.push_back (
           pointAt (camera.pose * (image.depth[i] * ray), image.surface[i]));
