@@ -111,7 +111,8 @@ public:
         return std::nullopt;
       Positions parts = largeParts (*support);
       const std::optional<PlaneFit> fit = fitPlane (momentsOf (parts));
-      if (fit)
+      if (fit &&
+          normalSpread (parts, fit->plane) < parameters_.inlier.largest_normal_spread)
         return ExtractedPlane{fit->plane, std::move (parts)};
       for (const std::uint32_t cell : *support)
         rejected_[cell] = true;
@@ -228,6 +229,19 @@ private:
     for (const std::uint32_t cell : cells)
       moments += grid_.moments[cell];
     return moments;
+  }
+
+  // Root mean square angle between the normals of cells and a plane's (for small
+  // angles).
+  double
+  normalSpread (const Positions& cells, const Plane& plane) const
+  {
+    double squared_sines = 0.0;
+    for (const std::uint32_t cell : cells) {
+      const double cosine = plane.normal.dot (normals_[cell]->plane.normal);
+      squared_sines += 1.0 - cosine * cosine;
+    }
+    return std::sqrt (squared_sines / static_cast<double> (cells.size()));
   }
 
   // The connected parts of a support with theta_N cells or more.

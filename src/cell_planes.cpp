@@ -200,6 +200,32 @@ absorbOnce (const CellGrid& grid, double noise_factor, CellPlanes& planes)
 } // namespace
 
 void
+measureNoise (const CellGrid& grid, CellPlanes& planes)
+{
+  std::vector<double> squared (grid.size(), 0.0);
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    if (planes.plane_of_cell[i] != no_plane)
+      squared[i] = meanSquaredDistance (
+          grid.moments[i],
+          planes.planes[static_cast<std::size_t> (planes.plane_of_cell[i])]);
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    if (planes.plane_of_cell[i] == no_plane)
+      continue;
+    const auto own = static_cast<std::size_t> (planes.plane_of_cell[i]);
+    double sum = 0.0;
+    double count = 0.0;
+    forNeighboursOnPlanes (
+        grid, planes.plane_of_cell, i, [&] (std::size_t plane, std::size_t neighbour) {
+          if (plane != own)
+            return;
+          sum += grid.moments[neighbour].count * squared[neighbour];
+          count += grid.moments[neighbour].count;
+        });
+    planes.noise[i] = std::max (std::sqrt (sum / count), smallestNoise (grid));
+  }
+}
+
+void
 growPlanes (const CellGrid& grid,
             const GrowingParameters& parameters,
             CellPlanes& planes)

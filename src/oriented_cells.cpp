@@ -113,6 +113,15 @@ normalOfCell (std::size_t cell,
   return flattest.best() ? std::optional<CellNormal> (*flattest.best()) : std::nullopt;
 }
 
+double
+meanPointsPerCell (const CellGrid& grid)
+{
+  double points = 0.0;
+  for (const Moments& cell : grid.moments)
+    points += cell.count;
+  return points / static_cast<double> (grid.size());
+}
+
 } // namespace
 
 std::vector<std::optional<CellNormal>>
@@ -120,15 +129,16 @@ orientCells (const CellGrid& grid,
              const CellNormalParameters& parameters,
              unsigned threads)
 {
+  const double min_points = parameters.least_average_cells * meanPointsPerCell (grid);
   std::vector<Level> levels (1);
   levels.reserve (static_cast<std::size_t> (parameters.levels));
-  levels[0].normals = normalsAround (grid, parameters.min_points, threads);
+  levels[0].normals = normalsAround (grid, min_points, threads);
   for (int l = 1; l < parameters.levels; ++l) {
     CoarserGrid coarser = coarsen (l == 1 ? grid : levels.back().grid);
     Level level;
     level.grid = std::move (coarser.grid);
     level.cell_of_finer = std::move (coarser.cell_of_finer);
-    level.normals = normalsAround (level.grid, parameters.min_points, threads);
+    level.normals = normalsAround (level.grid, min_points, threads);
     levels.push_back (std::move (level));
   }
   std::vector<std::optional<CellNormal>> normals (grid.size());

@@ -21,6 +21,9 @@ struct CellInlierParameters {
   double noise_factor = 3.0;
   /** \brief Largest angle between a cell's normal and the plane's [rad]; 30 degrees. */
   double angle_threshold = 0.52359877559829882;
+  /** \brief Largest rms angle between the normals of a plane's cells and its own [rad]:
+   * more, and the surface is curved. */
+  double largest_normal_spread = 0.2;
   /** \brief Cells thicker than this (see CellNormal::thickness) support no plane. */
   double largest_thickness = 0.2;
 };
@@ -52,6 +55,11 @@ extractCellPlanes (const CellGrid& grid,
                    const std::vector<std::optional<CellNormal>>& normals,
                    const CellRansacParameters& parameters,
                    RandomGenerator& generator);
+
+/** \brief Measures the noise around each cell of a plane: the rms distance to the plane
+ * of the points of the cells around that are on it. */
+void
+measureNoise (const CellGrid& grid, CellPlanes& planes);
 
 /** \brief Lets planes grow into cells without a plane that touch their support, as long
  * as the rms distance of the cell's points is below a multiple of the noise next to it.

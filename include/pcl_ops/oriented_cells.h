@@ -14,9 +14,11 @@ namespace pcl_ops {
 struct CellNormalParameters {
   /** \brief Grids to choose a neighbourhood from, each of twice the cell size of the
    * one before. */
-  int levels = 4;
-  /** \brief A normal comes from at least this many points. */
-  double min_points = 200.0;
+  int levels = 3;
+  /** \brief A normal comes from at least as many points as this many cells hold on
+   * average: where points are sparse, as they are far from a camera and noisy there,
+   * the neighbourhoods are larger. */
+  double least_average_cells = 8.0;
   /** \brief Thickness of a neighbourhood over its width up to which it is flat enough
    * to look no further. */
   double flat_enough = 0.2;

@@ -48,7 +48,7 @@ struct CellParameters {
   CellInlierParameters inlier;
   GrowingParameters growing;
   /** \brief See absorbPlanes. */
-  double absorption_noise_factor = 2.5;
+  double absorption_noise_factor = 1.8;
   BoundedAssignmentParameters assignment;
 };
 
