@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "presets.h"
+#include "scene.h"
+
+#include <functional>
+
+namespace {
+
+constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
+
+class BadInputFor : public EachPreset {};
+
+INSTANTIATE_TEST_SUITE_P (Presets,
+                          BadInputFor,
+                          ::testing::Values ("default", "paper"),
+                          presetName);
+
+Cloud::Ptr
+cloudOf (std::size_t size, const std::function<pcl::PointXYZ (float)>& point)
+{
+  const auto cloud = pcl::make_shared<Cloud>();
+  for (std::size_t i = 0; i < size; ++i)
+    cloud->push_back (point (static_cast<float> (i)));
+  return cloud;
+}
+
+/** \brief Misuse: false, empty outputs, and one message that names the mend. */
+void
+expectRefused (Ops& ops, const std::string& message)
+{
+  std::vector<pcl::ModelCoefficients> coefficients (9);
+  std::vector<pcl::PointIndices> inliers (9);
+  ::testing::internal::CaptureStderr();
+  EXPECT_FALSE (ops.segment (coefficients, inliers));
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_NE (said.find ("[pcl_ops::OrientedPointSampling::segment]"),
+             std::string::npos);
+  EXPECT_NE (said.find (message), std::string::npos) << said;
+  EXPECT_TRUE (coefficients.empty());
+  EXPECT_TRUE (inliers.empty());
+}
+
+} // namespace
+
+TEST_P (BadInputFor, NoCloud)
+{
+  Ops ops = detectorFor (nullptr);
+  expectRefused (ops, "no input cloud; call setInputCloud");
+}
+
+TEST_P (BadInputFor, EmptyCloud)
+{
+  Ops ops = detectorFor (pcl::make_shared<Cloud>());
+  expectRefused (ops, "the input cloud is empty");
+}
+
+TEST_P (BadInputFor, EmptyIndices)
+{
+  Ops ops = detectorFor (room().build().cloud);
+  ops.setIndices (pcl::make_shared<pcl::Indices>());
+  expectRefused (ops, "the indices are empty");
+}
+
+TEST_P (BadInputFor, IndicesOutsideTheCloud)
+{
+  const auto cloud = room().build().cloud;
+  for (const pcl::index_t outside : {-1, static_cast<int> (cloud->size())}) {
+    Ops ops = detectorFor (cloud);
+    ops.setIndices (pcl::make_shared<pcl::Indices> (pcl::Indices{0, outside, 1}));
+    expectRefused (ops, "an index lies outside the input cloud");
+  }
+}
+
+TEST_P (BadInputFor, RefusalByEveryOverload)
+{
+  Ops ops = detectorFor (nullptr);
+  std::vector<pcl_ops::PlaneSegment> planes (9);
+  std::vector<pcl::PointIndices> clusters (9);
+  pcl::PointIndices inliers;
+  pcl::ModelCoefficients coefficients;
+  inliers.indices = {1, 2, 3};
+  coefficients.values = {1, 2, 3, 4};
+  EXPECT_FALSE (ops.segment (planes));
+  EXPECT_FALSE (ops.extract (clusters));
+  EXPECT_FALSE (ops.segment (inliers, coefficients));
+  EXPECT_TRUE (planes.empty() && clusters.empty());
+  EXPECT_TRUE (inliers.indices.empty() && coefficients.values.empty());
+}
+
+TEST_P (BadInputFor, AfterARefusalTheObjectWorks)
+{
+  const auto scene = room().build();
+  Ops ops = detectorFor (nullptr);
+  expectRefused (ops, "no input cloud");
+  ops.setInputCloud (scene.cloud);
+  expectFindsEverySurface (planesOf (ops), scene);
+}
+
+TEST_P (BadInputFor, OneTwoAndThreePoints)
+{
+  for (const std::size_t size : {1u, 2u, 3u}) {
+    Ops ops = detectorFor (
+        cloudOf (size, [] (float i) { return pcl::PointXYZ (i, i * i, 0); }));
+    ops.setSamplingRate (1.0);
+    EXPECT_TRUE (planesOf (ops).empty()) << size << " points";
+    ops.setMinInliers (0);
+    EXPECT_LE (planesOf (ops).size(), size == 3 ? 1u : 0u) << size << " points";
+  }
+}
+
+TEST_P (BadInputFor, AllPointsNan)
+{
+  Ops ops = detectorFor (
+      cloudOf (500, [] (float i) { return pcl::PointXYZ (nan_value, i, nan_value); }));
+  EXPECT_TRUE (planesOf (ops).empty());
+}
+
+TEST_P (BadInputFor, AllPointsEqual)
+{
+  Ops ops = detectorFor (
+      cloudOf (5000, [] (float) { return pcl::PointXYZ (1.1f, 2.2f, 3.3f); }));
+  EXPECT_TRUE (planesOf (ops).empty());
+}
+
+TEST_P (BadInputFor, CollinearPoints)
+{
+  Ops ops = detectorFor (cloudOf (5000, [] (float i) {
+    return pcl::PointXYZ (0.01f * i, 1 - 0.02f * i, 3 + 0.005f * i);
+  }));
+  EXPECT_TRUE (planesOf (ops).empty());
+}
+
+TEST_P (BadInputFor, EveryPointManyTimes)
+{
+  auto scene = room().build();
+  const Cloud once = *scene.cloud;
+  const std::vector<int> labels = scene.labels;
+  for (const int repetition : {1, 2}) {
+    *scene.cloud += once;
+    scene.labels.insert (scene.labels.end(), labels.begin(), labels.end());
+    Ops ops = detectorFor (scene.cloud);
+    expectFindsEverySurface (planesOf (ops), scene);
+    EXPECT_EQ (scene.cloud->size(), once.size() * (repetition + 1));
+  }
+}
+
+TEST_P (BadInputFor, AnExactPlaneWithoutNoise)
+{
+  const auto scene = Scene().surface ({1, 2, 3}, {3, 0, 1}, {0, 3, -0.5}).build();
+  Ops ops = detectorFor (scene.cloud);
+  const auto planes = planesOf (ops);
+  ASSERT_EQ (planes.size(), 1u);
+  EXPECT_EQ (planes[0].inliers.size(), scene.cloud->size());
+  expectPlaneNear (planes[0].plane(), scene.surfaces[0], 1e-5, 1e-5);
+}
+
+TEST_P (BadInputFor, AnExactPlaneOnAGrid)
+{
+  Ops ops = detectorFor (cloudOf (10000, [] (float i) {
+    return pcl::PointXYZ (
+        0.03f * std::fmod (i, 100.0f), 0.03f * std::floor (i / 100), 1);
+  }));
+  const auto planes = planesOf (ops);
+  ASSERT_EQ (planes.size(), 1u);
+  EXPECT_EQ (planes[0].inliers.size(), 10000u);
+}
+
+TEST_P (BadInputFor, ParallelPlanesFartherApartThanTheThreshold)
+{
+  const auto scene =
+      Scene().floor (3, 3).floor (3, 2.5, 15_cm).spacing (15_mm).noise (2_mm).build();
+  Ops ops = detectorFor (scene.cloud);
+  ops.setDistanceThreshold (5_cm);
+  expectFindsEverySurface (planesOf (ops), scene);
+}
+
+TEST_P (BadInputFor, ParallelPlanesCloserThanTheThresholdAreOne)
+{
+  Ops ops = detectorFor (Scene().floor (3, 3).floor (3, 3, 1_cm).build().cloud);
+  ops.setDistanceThreshold (5_cm);
+  EXPECT_EQ (planesOf (ops).size(), 1u);
+}
+
+TEST (BadInput, KLargerThanTheCloud)
+{
+  const auto scene = Scene().floor (2, 2).spacing (10_cm).build();
+  Ops ops = paperOn (scene.cloud);
+  ops.setSamplingRate (1.0);
+  for (const int k : {1000, std::numeric_limits<int>::max()}) {
+    ops.setKSearch (k);
+    expectFindsEverySurface (planesOf (ops), scene);
+  }
+}
+
+TEST_P (BadInputFor, ASamplingRateThatDrawsNoPoint)
+{
+  Ops ops = detectorFor (room().build().cloud);
+  ops.setSamplingRate (1e-9);
+  EXPECT_TRUE (planesOf (ops).empty());
+}
+
+TEST_P (BadInputFor, CoordinatesOfAThousandKilometres)
+{
+  // Single precision leaves steps of 6 cm there.
+  const auto scene = room().movedBy ({1e6, -1e6, 1e6}).spacing (2_cm).build();
+  Ops ops = detectorFor (scene.cloud);
+  for (const auto& plane : planesOf (ops))
+    EXPECT_TRUE (std::any_of (
+        scene.surfaces.begin(), scene.surfaces.end(), [&] (const Surface& surface) {
+          return isNear (plane.plane(), surface, 1_deg, 4_cm);
+        }));
+}
+
+TEST (BadInput, CoordinatesOfAThousandKilometresLoseNoPlane)
+{
+  const auto scene = room().movedBy ({1e6, -1e6, 1e6}).spacing (2_cm).build();
+  Ops ops = paperOn (scene.cloud);
+  EXPECT_EQ (planesOf (ops).size(), scene.surfaces.size());
+}
+
+TEST_P (BadInputFor, CoordinatesOfAHundredKilometres)
+{
+  const auto scene = room().movedBy ({1e5, -1e5, 1e5}).build();
+  Ops ops = detectorFor (scene.cloud);
+  expectFindsEverySurface (planesOf (ops), scene);
+}
+
+TEST_P (BadInputFor, OnePointFarAwayFromAllOthers)
+{
+  auto scene = room().build();
+  scene.cloud->front() = pcl::PointXYZ (3e7f, -3e7f, 3e7f);
+  Ops ops = detectorFor (scene.cloud);
+  expectFindsEverySurface (planesOf (ops), scene);
+}
+
+TEST_P (BadInputFor, CoordinatesNearTheLargestNumber)
+{
+  constexpr float huge = 3e38f;
+  Ops ops = detectorFor (cloudOf (1000, [] (float i) {
+    return pcl::PointXYZ (std::fmod (i, 2.0f) ? huge : -huge, i * 1e35f, -i * 1e35f);
+  }));
+  planesOf (ops); // anything but a crash
+}
+
+TEST_P (BadInputFor, Millimetres)
+{
+  const auto metres = room().build().cloud;
+  const auto millimetres = pcl::make_shared<Cloud> (*metres);
+  constexpr float unit = 1024.0f; // exact, so that not one point may change its plane
+  for (pcl::PointXYZ& point : *millimetres)
+    point.getVector3fMap() *= unit;
+  Ops small = detectorFor (metres), large = detectorFor (millimetres);
+  large.setDistanceThreshold (unit * small.getDistanceThreshold());
+  EXPECT_EQ (inliersOf (large), inliersOf (small));
+}
+
+TEST_P (BadInputFor, ParametersOutOfRange)
+{
+  const auto cloud = room().build().cloud;
+  Ops ops = detectorFor (cloud);
+  ops.setDistanceThreshold (-0.05);
+  expectRefused (ops, "the distance threshold must be a length above 0");
+  ops = detectorFor (cloud);
+  ops.setUpAxis (Eigen::Vector3f::Zero());
+  expectRefused (ops, "the up axis must be");
+  ops = detectorFor (cloud);
+  ops.setSamplingRate (0.0);
+  expectRefused (ops, "the sampling rate must be above 0 and at most 1");
+}

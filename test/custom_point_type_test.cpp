@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A point type PCL does not know needs the bodies of all templates.
+#define PCL_NO_PRECOMPILE
+#include <gtest/gtest.h>
+
+#include "scene.h"
+#include <pcl_ops/oriented_point_sampling.h>
+
+struct ThermalPoint {
+  PCL_ADD_POINT4D;
+  float temperature;
+  PCL_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+TEST (CustomPointType, IsSegmentedLikeAnyOther)
+{
+  const auto scene = room().build();
+  const auto cloud = pcl::make_shared<pcl::PointCloud<ThermalPoint>>();
+  for (const pcl::PointXYZ& point : *scene.cloud) {
+    ThermalPoint thermal{};
+    thermal.getVector3fMap() = point.getVector3fMap();
+    cloud->push_back (thermal);
+  }
+  pcl_ops::OrientedPointSampling<ThermalPoint> ops;
+  ops.setInputCloud (cloud);
+  ops.setSamplingRate (0.1);
+  std::vector<pcl_ops::PlaneSegment> planes;
+  ASSERT_TRUE (ops.segment (planes));
+  expectFindsEverySurface (planes, scene);
+}

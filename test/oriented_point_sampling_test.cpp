@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/common/angles.h>
+#include <pcl/search/kdtree.h>
+
+#include <gtest/gtest.h>
+
+#include "presets.h"
+#include "scene.h"
+
+using pcl_ops::MergingParameters;
+using pcl_ops::OrientedPointSamplingParameters;
+using pcl_ops::Strategy;
+using pcl_ops::Verification;
+
+namespace {
+
+MergingParameters
+noMerging ()
+{
+  MergingParameters merging;
+  merging.enabled = false;
+  return merging;
+}
+
+class EachVariant
+: public ::testing::TestWithParam<std::tuple<Strategy, Verification, bool>> {};
+
+} // namespace
+
+TEST_P (EachVariant, FindsEverySurfaceOfARoom)
+{
+  const auto scene = room().build();
+  Ops ops = paperOn (scene.cloud);
+  const auto [strategy, verification, local_optimisation] = GetParam();
+  ops.setStrategy (strategy);
+  ops.setVerification (verification);
+  ops.setLocalOptimisation (local_optimisation);
+  expectFindsEverySurface (planesOf (ops), scene);
+}
+
+INSTANTIATE_TEST_SUITE_P (
+    Paper,
+    EachVariant,
+    ::testing::Combine (
+        ::testing::Values (Strategy::DetectThenDivide, Strategy::DivideThenDetect),
+        ::testing::Values (Verification::Samples, Verification::AllPoints),
+        ::testing::Bool()));
+
+TEST (PaperPreset, IsTheBestRowOfThePaper)
+{
+  const auto paper = OrientedPointSamplingParameters::paper();
+  EXPECT_EQ (paper.sampling_rate, 0.03) << "Table III, 3 %";
+  EXPECT_EQ (paper.normals.k, 30) << "Table III, 30 neighbours";
+  EXPECT_EQ (paper.distance_threshold, 0.05) << "section IV-A";
+  EXPECT_EQ (paper.min_inliers, 20u) << "section IV-A";
+  EXPECT_EQ (paper.probability, 0.99) << "section IV-A";
+  EXPECT_DOUBLE_EQ (paper.angle_tolerance, 7_deg) << "section IV-A";
+  EXPECT_EQ (paper.strategy, Strategy::DivideThenDetect) << "section III-A";
+  EXPECT_EQ (paper.verification, Verification::Samples) << "Algorithm 1";
+  EXPECT_FALSE (paper.local_optimisation) << "Algorithm 1";
+}
+
+TEST (PaperPreset, LeavesOpenWhatThePaperDoes)
+{
+  const auto paper = OrientedPointSamplingParameters::paper();
+  EXPECT_EQ (paper.normals.sigma, 0.0) << "adaptive";
+  EXPECT_TRUE (paper.merging.enabled);
+  EXPECT_DOUBLE_EQ (paper.merging.angle_threshold, 7_deg);
+  EXPECT_EQ (paper.merging.distance_threshold, 0.0) << "theta_h";
+}
+
+TEST (Strategy, NumbersAreThoseOfThePaper)
+{
+  EXPECT_EQ (static_cast<int> (Strategy::DetectThenDivide), 1);
+  EXPECT_EQ (static_cast<int> (Strategy::DivideThenDetect), 2);
+}
+
+TEST (Strategy, OneDoesNotCareForTheUpAxis)
+{
+  Ops ops = paperOn (room().build().cloud);
+  ops.setStrategy (Strategy::DetectThenDivide);
+  const auto planes = inliersOf (ops);
+  ops.setUpAxis (Eigen::Vector3f (1, 2, 3));
+  EXPECT_EQ (inliersOf (ops), planes);
+}
+
+TEST (Strategy, TwoFindsThePlanesWhateverTheUpAxis)
+{
+  const auto scene = room().build();
+  Ops ops = paperOn (scene.cloud);
+  ops.setStrategy (Strategy::DivideThenDetect);
+  for (const Eigen::Vector3f& up : {Eigen::Vector3f (0, 0, -2),
+                                    Eigen::Vector3f (1, 0, 0),
+                                    Eigen::Vector3f (1, 2, 3)}) {
+    ops.setUpAxis (up);
+    expectFindsEverySurface (planesOf (ops), scene);
+  }
+}
+
+TEST (Strategy, TwoDetectsPerGroupOfSamples)
+{
+  // The ramp of 3 m x 1 m crosses the floor; the floor takes no sample that is not
+  // flat.
+  const auto scene =
+      Scene().floor (3, 3).surface ({0, 1, -0.5}, {3, 0, 1}, {0, 1, 0}).build();
+  pcl_ops::OrientedSamples samples;
+  for (std::size_t i = 0; i < scene.cloud->size(); ++i)
+    samples.add ((*scene.cloud)[i].getVector3fMap().cast<double>(),
+                 scene.surfaces[static_cast<std::size_t> (scene.labels[i])].normal());
+  const auto planes = extractPlanes (
+      samples, pcl_ops::Points(), OrientedPointSamplingParameters::paper());
+  ASSERT_EQ (planes.size(), 2u);
+  expectPlaneNear (planes[0], scene.surfaces[0], 1e-5, 1e-5);
+  expectPlaneNear (planes[1], scene.surfaces[1], 1e-5, 1e-5);
+}
+
+TEST (MinInliers, DecideWhatIsAPlane)
+{
+  const auto scene = Scene().floor (3, 3).floor (1, 1, 0.8).build();
+  Ops ops = paperOn (scene.cloud); // some 560 samples on the floor, 60 on the table
+  expectFindsEverySurface (planesOf (ops), scene);
+  ops.setMinInliers (150);
+  EXPECT_EQ (planesOf (ops).size(), 1u);
+  ops.setMinInliers (5000);
+  EXPECT_TRUE (planesOf (ops).empty());
+}
+
+TEST (MinInliers, OfZeroStillAsksForThreeSamples)
+{
+  auto parameters = OrientedPointSamplingParameters::paper();
+  parameters.min_inliers = 0;
+  EXPECT_EQ (ransacParameters (parameters).min_inliers, 2u);
+}
+
+TEST (LocalOptimisation, HoldsWholeSurfacesWhereNormalsAreNoisy)
+{
+  const auto scene = room().noise (8_mm).build();
+  Ops ops = paperOn (scene.cloud);
+  ops.setLocalOptimisation (true);
+  ops.setStrategy (Strategy::DetectThenDivide);
+  expectFindsEverySurface (planesOf (ops), scene);
+}
+
+TEST (Merging, JoinsWhatOneFloorWasSplitInto)
+{
+  // Two halves of a floor, the second a little higher: one plane after merging.
+  const auto cloud =
+      Scene().floor (2, 3).surface ({2, 0, 0.04}, {2, 0, 0}, {0, 3, 0}).build().cloud;
+  Ops ops = paperOn (cloud);
+  EXPECT_EQ (planesOf (ops).size(), 1u);
+  MergingParameters strict;
+  strict.distance_threshold = 1_mm;
+  ops.setDistanceThreshold (1_cm);
+  ops.setMergingParameters (strict);
+  EXPECT_EQ (planesOf (ops).size(), 2u);
+}
+
+TEST (Merging, IsReportedInNumbersBeforeAndAfter)
+{
+  Ops ops = paperOn (room().noise (3_cm).build().cloud);
+  const std::size_t merged = planesOf (ops).size();
+  const std::size_t before = ops.getNumberOfPlanesBeforeMerging();
+  EXPECT_GE (before, merged);
+  ops.setMergingParameters (noMerging());
+  EXPECT_EQ (planesOf (ops).size(), before);
+}
+
+TEST (StageDurations, AddUpToNoMoreThanTheDetection)
+{
+  Ops ops = paperOn (room().build().cloud);
+  planesOf (ops);
+  const auto& t = ops.getStageDurations();
+  for (const double stage :
+       {t.search, t.normals, t.extraction, t.assignment, t.merging, t.detection})
+    EXPECT_GT (stage, 0.0);
+  EXPECT_LE (t.search + t.normals + t.extraction + t.assignment + t.merging,
+             t.detection);
+}
+
+TEST (Setters, AreReadByTheirGetters)
+{
+  Ops ops;
+  ops.setSamplingRate (0.2);
+  ops.setKSearch (17);
+  ops.setNormalSigma (0.3);
+  ops.setMinInliers (33);
+  ops.setProbability (0.9);
+  ops.setStrategy (Strategy::DivideThenDetect);
+  ops.setVerification (Verification::AllPoints);
+  ops.setLocalOptimisation (false);
+  EXPECT_EQ (ops.getSamplingRate(), 0.2);
+  EXPECT_EQ (ops.getKSearch(), 17);
+  EXPECT_EQ (ops.getNormalSigma(), 0.3);
+  EXPECT_EQ (ops.getMinInliers(), 33u);
+  EXPECT_EQ (ops.getProbability(), 0.9);
+  EXPECT_EQ (ops.getStrategy(), Strategy::DivideThenDetect);
+  EXPECT_EQ (ops.getVerification(), Verification::AllPoints);
+  EXPECT_FALSE (ops.getLocalOptimisation());
+}
+
+TEST (Setters, OfAllDetectorsAreReadByTheirGetters)
+{
+  const auto search = pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>();
+  Ops ops;
+  ops.setDistanceThreshold (0.07);
+  ops.setUpAxis (Eigen::Vector3f (1, 2, 3));
+  ops.setAngleTolerance (pcl::deg2rad (11.0f));
+  ops.setSeed (99);
+  ops.setNumberOfThreads (3);
+  ops.setMergingParameters (noMerging());
+  ops.setSearchMethod (search);
+  EXPECT_EQ (ops.getDistanceThreshold(), 0.07);
+  EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f (1, 2, 3));
+  EXPECT_EQ (ops.getAngleTolerance(), pcl::deg2rad (11.0f));
+  EXPECT_EQ (ops.getSeed(), 99u);
+  EXPECT_EQ (ops.getNumberOfThreads(), 3u);
+  EXPECT_FALSE (ops.getMergingParameters().enabled);
+  EXPECT_EQ (ops.getSearchMethod(), search);
+}
+
+TEST (Setters, WriteIntoTheParameters)
+{
+  Ops ops;
+  ops.setParameters (OrientedPointSamplingParameters::paper());
+  ops.setKSearch (17);
+  EXPECT_EQ (ops.getParameters().normals.k, 17);
+  EXPECT_EQ (ops.getParameters().strategy, Strategy::DivideThenDetect);
+}

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "presets.h"
+#include "scene.h"
+
+#include <numeric>
+#include <thread>
+
+using pcl_ops::PlaneSegment;
+
+namespace {
+
+class Contract : public EachPreset {};
+
+INSTANTIATE_TEST_SUITE_P (Presets,
+                          Contract,
+                          ::testing::Values ("default", "paper"),
+                          presetName);
+
+void
+expectSameIndices (const std::vector<pcl::PointIndices>& clusters,
+                   const std::vector<PlaneSegment>& planes)
+{
+  ASSERT_EQ (clusters.size(), planes.size());
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    EXPECT_EQ (clusters[i].indices, planes[i].inliers);
+}
+
+Eigen::Vector4f
+toVector (const pcl::ModelCoefficients& coefficients)
+{
+  return Eigen::Map<const Eigen::Vector4f> (coefficients.values.data());
+}
+
+/** \brief Mean and root mean square distance of a plane's inliers, from the points. */
+std::pair<Eigen::Vector3d, double>
+centroidAndRms (const Cloud& cloud, const PlaneSegment& plane)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double squares = 0.0;
+  for (const pcl::index_t i : plane.inliers) {
+    const Eigen::Vector3d point = cloud[i].getVector3fMap().cast<double>();
+    sum += point;
+    squares += plane.plane().distance (point) * plane.plane().distance (point);
+  }
+  const auto count = static_cast<double> (plane.inliers.size());
+  return {sum / count, std::sqrt (squares / count)};
+}
+
+} // namespace
+
+TEST_P (Contract, FindsEverySurfaceOfARoom)
+{
+  const auto scene = room().build();
+  Ops ops = detectorFor (scene.cloud);
+  expectFindsEverySurface (planesOf (ops), scene);
+}
+
+TEST_P (Contract, SegmentInTheOrderOfOrganizedMultiPlaneSegmentation)
+{
+  Ops ops = detectorFor (room().build().cloud);
+  const auto planes = planesOf (ops);
+  std::vector<pcl::ModelCoefficients> coefficients;
+  std::vector<pcl::PointIndices> inliers;
+  ASSERT_TRUE (ops.segment (coefficients, inliers));
+  expectSameIndices (inliers, planes);
+  ASSERT_EQ (coefficients.size(), planes.size());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    ASSERT_EQ (coefficients[i].values.size(), 4u);
+    Eigen::Vector4d expected;
+    expected << planes[i].normal, planes[i].plane().offset;
+    EXPECT_TRUE (toVector (coefficients[i]).isApprox (expected.cast<float>()));
+  }
+}
+
+TEST_P (Contract, ExtractGivesTheSamePointsAsSegment)
+{
+  Ops ops = detectorFor (room().build().cloud);
+  std::vector<pcl::PointIndices> clusters;
+  ASSERT_TRUE (ops.extract (clusters));
+  expectSameIndices (clusters, planesOf (ops));
+}
+
+TEST_P (Contract, SegmentInTheOrderOfSacSegmentationGivesTheLargestPlane)
+{
+  Ops ops = detectorFor (room().build().cloud);
+  pcl::PointIndices inliers;
+  pcl::ModelCoefficients coefficients;
+  ASSERT_TRUE (ops.segment (inliers, coefficients));
+  const auto planes = planesOf (ops);
+  ASSERT_FALSE (planes.empty());
+  EXPECT_EQ (inliers.indices, planes.front().inliers);
+  EXPECT_TRUE (toVector (coefficients)
+                   .head<3>()
+                   .cast<double>()
+                   .isApprox (planes.front().normal, 1e-6));
+}
+
+TEST_P (Contract, ReplacesWhatTheOutputsHeldBefore)
+{
+  Ops ops = detectorFor (room().build().cloud);
+  std::vector<pcl::ModelCoefficients> coefficients (99);
+  std::vector<pcl::PointIndices> inliers (99);
+  ASSERT_TRUE (ops.segment (coefficients, inliers));
+  EXPECT_EQ (coefficients.size(), 3u);
+  EXPECT_EQ (inliers.size(), 3u);
+}
+
+TEST_P (Contract, CopiesTheHeader)
+{
+  const auto cloud = room().build().cloud;
+  cloud->header.frame_id = "camera";
+  cloud->header.stamp = 1234;
+  Ops ops = detectorFor (cloud);
+  std::vector<pcl::ModelCoefficients> coefficients;
+  std::vector<pcl::PointIndices> inliers;
+  ASSERT_TRUE (ops.segment (coefficients, inliers));
+  ASSERT_FALSE (inliers.empty());
+  EXPECT_EQ (inliers.front().header.frame_id, "camera");
+  EXPECT_EQ (inliers.front().header.stamp, 1234u);
+  EXPECT_EQ (coefficients.front().header.frame_id, "camera");
+}
+
+TEST_P (Contract, GivesAscendingDisjointIndicesOfTheCloud)
+{
+  const auto cloud = room().build().cloud;
+  Ops ops = detectorFor (cloud);
+  std::vector<bool> taken (cloud->size(), false);
+  for (const pcl::Indices& inliers : inliersOf (ops)) {
+    EXPECT_TRUE (std::is_sorted (
+        inliers.begin(), inliers.end(), std::less_equal<pcl::index_t>()));
+    for (const pcl::index_t i : inliers) {
+      EXPECT_FALSE (taken.at (i)) << "point " << i << " is on two planes";
+      taken[i] = true;
+    }
+  }
+}
+
+TEST_P (Contract, SortsPlanesByFallingSize)
+{
+  Ops ops = detectorFor (Scene()
+                             .floor (1, 1)
+                             .floor (2, 2, 1)
+                             .floor (1.5, 1, 2)
+                             .floor (3, 1, 3)
+                             .build()
+                             .cloud);
+  const auto planes = inliersOf (ops);
+  ASSERT_EQ (planes.size(), 4u);
+  for (std::size_t i = 1; i < planes.size(); ++i)
+    EXPECT_GE (planes[i - 1].size(), planes[i].size());
+}
+
+TEST_P (Contract, PointsNormalsTowardsTheSensor)
+{
+  const auto scene = room().build();
+  for (const float side :
+       {1.0f, -1.0f}) { // in the room's middle and on the walls' far side
+    scene.cloud->sensor_origin_ << side * 2, side * 1.5f, side * 1.2f, 0;
+    Ops ops = detectorFor (scene.cloud);
+    for (const PlaneSegment& plane : planesOf (ops)) {
+      EXPECT_NEAR (plane.normal.norm(), 1.0, 1e-9);
+      EXPECT_GT (
+          plane.plane().distance (scene.cloud->sensor_origin_.head<3>().cast<double>()),
+          0.0);
+    }
+  }
+}
+
+TEST_P (Contract, DescribesThePointsOfEachPlane)
+{
+  const auto scene = room().build();
+  Ops ops = detectorFor (scene.cloud);
+  for (const PlaneSegment& plane : planesOf (ops)) {
+    const auto [centroid, rms] = centroidAndRms (*scene.cloud, plane);
+    EXPECT_LT ((plane.centroid - centroid).norm(), 1e-6);
+    EXPECT_NEAR (plane.rms(), rms, 1e-6);
+    EXPECT_LT (plane.rms(), 1_cm) << "1 mm of noise, and a little clutter";
+    EXPECT_EQ (plane.moments.count, static_cast<double> (plane.inliers.size()));
+  }
+}
+
+TEST_P (Contract, FitsEachPlaneToItsInliers)
+{
+  Ops ops = detectorFor (room().build().cloud);
+  for (const PlaneSegment& plane : planesOf (ops)) {
+    const auto fit = fitPlane (plane.moments);
+    ASSERT_TRUE (fit);
+    EXPECT_LT (angleBetween (fit->plane.normal, plane.normal), 1e-6);
+  }
+}
+
+TEST_P (Contract, NamesTheOrientationOfEachPlane)
+{
+  using pcl_ops::Orientation;
+  Ops ops = detectorFor (Scene()
+                             .floor (3, 3)
+                             .wall ({0, 0}, {2, 0}, 2.5)
+                             .surface ({5, 0, 0}, {1.4, 0, 1.4}, {0, 1.5, 0})
+                             .build()
+                             .cloud);
+  const auto planes = planesOf (ops);
+  ASSERT_EQ (planes.size(), 3u);
+  EXPECT_EQ (planes[0].orientation, Orientation::Horizontal);
+  EXPECT_EQ (planes[1].orientation, Orientation::Vertical);
+  EXPECT_EQ (planes[2].orientation, Orientation::Other);
+}
+
+TEST_P (Contract, IsAPclBase)
+{
+  const auto scene = room().build();
+  Ops ops = detectorFor (nullptr);
+  pcl::PCLBase<pcl::PointXYZ>* const base = &ops;
+  base->setInputCloud (scene.cloud);
+  EXPECT_EQ (base->getInputCloud(), scene.cloud);
+  expectFindsEverySurface (planesOf (ops), scene);
+}
+
+TEST_P (Contract, FindsNoPlaneInClutterAndCallsThatSuccess)
+{
+  const auto cloud = pcl::make_shared<Cloud>();
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  for (int i = 0; i < 2000; ++i)
+    cloud->push_back (pcl::PointXYZ (static_cast<float> (10 * drawNormal (generator)),
+                                     static_cast<float> (10 * drawNormal (generator)),
+                                     static_cast<float> (10 * drawNormal (generator))));
+  Ops ops = detectorFor (cloud);
+  pcl::PointIndices inliers;
+  pcl::ModelCoefficients coefficients;
+  EXPECT_TRUE (ops.segment (inliers, coefficients));
+  EXPECT_TRUE (inliers.indices.empty());
+  EXPECT_TRUE (coefficients.values.empty());
+  EXPECT_TRUE (planesOf (ops).empty());
+}
+
+TEST_P (Contract, SameSeedSamePlanes)
+{
+  Ops ops = detectorFor (room().build().cloud);
+  ops.setSeed (7);
+  Ops other = ops;
+  const auto planes = inliersOf (ops);
+  EXPECT_EQ (inliersOf (ops), planes);
+  EXPECT_EQ (inliersOf (other), planes);
+}
+
+TEST_P (Contract, AnyNumberOfThreadsSamePlanes)
+{
+  Ops ops = detectorFor (room().spacing (2_cm).build().cloud);
+  const auto planes = inliersOf (ops);
+  for (const unsigned threads : {2u, 4u, 0u}) {
+    ops.setNumberOfThreads (threads);
+    EXPECT_EQ (inliersOf (ops), planes) << threads << " threads";
+  }
+}
+
+TEST_P (Contract, WorksOnALargeCloudThenASmallOneThenALargeOne)
+{
+  const auto large = room().build();
+  const auto small = Scene().floor (1.5, 1.5).build();
+  Ops ops = detectorFor (large.cloud);
+  expectFindsEverySurface (planesOf (ops), large);
+  ops.setInputCloud (small.cloud);
+  expectFindsEverySurface (planesOf (ops), small);
+  ops.setInputCloud (large.cloud);
+  expectFindsEverySurface (planesOf (ops), large);
+}
+
+TEST_P (Contract, TwoObjectsWorkInTwoThreads)
+{
+  const auto scene = room().build();
+  Ops first = detectorFor (scene.cloud), second = detectorFor (scene.cloud);
+  first.setNumberOfThreads (2);
+  std::vector<pcl::Indices> of_first, of_second;
+  std::thread other ([&] { of_second = inliersOf (second); });
+  of_first = inliersOf (first);
+  other.join();
+  EXPECT_EQ (of_first, of_second);
+  EXPECT_EQ (of_first.size(), 3u);
+}
+
+TEST_P (Contract, DropsPointsThatAreNotFinite)
+{
+  auto scene = room().build();
+  scene.cloud->is_dense = true; // a lie
+  for (std::size_t i = 0; i < scene.cloud->size(); i += 3)
+    (*scene.cloud)[i].z = i % 2 ? std::numeric_limits<float>::quiet_NaN()
+                                : std::numeric_limits<float>::infinity();
+  Ops ops = detectorFor (scene.cloud);
+  const auto planes = inliersOf (ops);
+  EXPECT_EQ (planes.size(), 3u);
+  for (const pcl::Indices& inliers : planes)
+    for (const pcl::index_t i : inliers)
+      ASSERT_NE (i % 3, 0) << "point " << i << " is not finite";
+}

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "scene.h"
+#include <pcl_ops/plane_merging.h>
+
+using pcl_ops::areCoplanar;
+using pcl_ops::Labels;
+using pcl_ops::mergePlanes;
+using pcl_ops::MergingParameters;
+using pcl_ops::Moments;
+using pcl_ops::no_plane;
+using pcl_ops::PlaneFit;
+
+namespace {
+
+/** \brief Thresholds of 7 degrees and 5 cm. */
+MergingParameters
+sevenDegreesAndFiveCentimetres ()
+{
+  MergingParameters parameters;
+  parameters.angle_threshold = 7_deg;
+  parameters.distance_threshold = 5_cm;
+  return parameters;
+}
+
+const MergingParameters usual = sevenDegreesAndFiveCentimetres();
+
+/** \brief A square of 1 m x 1 m about a centre, tilted about the y axis. */
+Surface
+square (const Eigen::Vector3d& centre, double tilt = 0.0, double edge = 1_m)
+{
+  const Eigen::Vector3d first (edge * std::cos (tilt), 0, -edge * std::sin (tilt));
+  const Eigen::Vector3d second (0, edge, 0);
+  return {centre - 0.5 * first - 0.5 * second, first, second};
+}
+
+/** \brief Moments of steps x steps points evenly spread over a surface. */
+Moments
+momentsOf (const Surface& surface, int steps = 10)
+{
+  Moments moments;
+  for (int i = 0; i < steps; ++i)
+    for (int j = 0; j < steps; ++j) {
+      const Eigen::Vector3d point = surface.at ((i + 0.5) / steps, (j + 0.5) / steps);
+      moments.add (point.x(), point.y(), point.z());
+    }
+  return moments;
+}
+
+PlaneFit
+fitOf (const Surface& surface)
+{
+  return fitPlane (momentsOf (surface)).value();
+}
+
+bool
+areCoplanarAsUsual (const Surface& first, const Surface& second)
+{
+  return areCoplanar (fitOf (first), fitOf (second), 7_deg, 5_cm);
+}
+
+Moments
+lineOfPoints ()
+{
+  Moments line;
+  for (int i = 0; i < 100; ++i)
+    line.add (0.1 * i, 0.2 * i, 0.3 * i);
+  return line;
+}
+
+} // namespace
+
+TEST (AreCoplanar, TwoPartsOfOneFloorAre)
+{
+  EXPECT_TRUE (areCoplanarAsUsual (square ({0, 0, 0}), square ({5, 3, 0})));
+}
+
+TEST (AreCoplanar, WhateverTheSignOfTheNormals)
+{
+  PlaneFit flipped = fitOf (square ({5, 3, 0}));
+  flipped.plane.normal = -flipped.plane.normal;
+  flipped.plane.offset = -flipped.plane.offset;
+  EXPECT_TRUE (areCoplanar (fitOf (square ({0, 0, 0})), flipped, 7_deg, 5_cm));
+}
+
+TEST (AreCoplanar, TheAngleAloneKeepsPlanesApart)
+{
+  // Both centroids lie on both planes.
+  EXPECT_FALSE (areCoplanarAsUsual (square ({0, 0, 0}), square ({0, 0, 0}, 8_deg)));
+  EXPECT_TRUE (areCoplanarAsUsual (square ({0, 0, 0}), square ({0, 0, 0}, 6_deg)));
+}
+
+TEST (AreCoplanar, TheSecondCentroidsDistanceAloneKeepsPlanesApart)
+{
+  // The second plane is 20 cm up after 10 m but tilted by 1 degree: it passes through
+  // the first centroid.
+  const Surface first = square ({0, 0, 0});
+  const Surface second = square ({10, 0, 0.2}, -std::atan (0.02));
+  EXPECT_LT (std::abs (fitOf (second).plane.distance (first.centre())), 1_mm);
+  EXPECT_FALSE (areCoplanarAsUsual (first, second));
+}
+
+TEST (AreCoplanar, TheFirstCentroidsDistanceAloneKeepsPlanesApart)
+{
+  const Surface first = square ({10, 0, 0.2}, -std::atan (0.02));
+  const Surface second = square ({0, 0, 0});
+  EXPECT_LT (std::abs (fitOf (first).plane.distance (second.centre())), 1_mm);
+  EXPECT_FALSE (areCoplanarAsUsual (first, second));
+}
+
+TEST (Merge, JoinsTwoPartsOfOneFloor)
+{
+  const auto merged = mergePlanes (
+      {momentsOf (square ({0, 0, 0})), momentsOf (square ({5, 3, 0}))}, usual);
+  ASSERT_EQ (merged.fits.size(), 1u);
+  EXPECT_EQ (merged.merged_into, (Labels{0, 0}));
+  expectPlaneNear (merged.fits[0].plane, square ({0, 0, 0}), 1e-6, 1e-9);
+}
+
+TEST (Merge, KeepsParallelPlanesApart)
+{
+  const auto merged = mergePlanes (
+      {momentsOf (square ({0, 0, 0})), momentsOf (square ({0, 0, 6_cm}))}, usual);
+  EXPECT_EQ (merged.fits.size(), 2u);
+}
+
+TEST (Merge, IsTheFitOfAllPoints)
+{
+  const Surface first = square ({0, 0, 0}), second = square ({0.5, 1, 2_cm}, 3_deg);
+  Moments all = momentsOf (first);
+  all += momentsOf (second);
+  const auto merged = mergePlanes ({momentsOf (first), momentsOf (second)}, usual);
+  ASSERT_EQ (merged.fits.size(), 1u);
+  EXPECT_EQ (merged.moments[0].count, 200.0);
+  EXPECT_LT (angleBetween (merged.fits[0].plane.normal, fitPlane (all)->plane.normal),
+             1e-12);
+}
+
+TEST (Merge, ChainsThroughPlanesThatPassOnlyPairwise)
+{
+  // 10 degrees from end to end, 5 between neighbours.
+  const std::vector<Moments> bend{momentsOf (square ({0, 0, 0}), 20),
+                                  momentsOf (square ({0, 0, 0}, 5_deg), 19),
+                                  momentsOf (square ({0, 0, 0}, 8_deg), 5)};
+  EXPECT_FALSE (areCoplanarAsUsual (square ({0, 0, 0}), square ({0, 0, 0}, 8_deg)));
+  EXPECT_EQ (mergePlanes (bend, usual).merged_into, (Labels{0, 0, 0}));
+}
+
+TEST (Merge, GoesOnUntilNoPairPassesTheTest)
+{
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  std::vector<Moments> planes;
+  for (int i = 0; i < 60; ++i)
+    planes.push_back (momentsOf (
+        square ({5 * pcl_ops::drawUnit (generator), 0, drawNormal (generator)},
+                10_deg * drawNormal (generator))));
+  const auto merged = mergePlanes (planes, usual);
+  EXPECT_LT (merged.fits.size(), planes.size());
+  for (std::size_t i = 0; i < merged.fits.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_FALSE (areCoplanar (merged.fits[i], merged.fits[j], 7_deg, 5_cm));
+}
+
+TEST (Merge, LosesNoPoint)
+{
+  const auto merged = mergePlanes ({momentsOf (square ({0, 0, 0}), 8),
+                                    momentsOf (square ({1, 0, 0}), 9),
+                                    momentsOf (square ({0, 0, 1}), 10)},
+                                   usual);
+  double points = 0.0;
+  for (const Moments& moments : merged.moments)
+    points += moments.count;
+  EXPECT_EQ (points, 64 + 81 + 100);
+}
+
+TEST (Merge, LeavesPlanesAloneWhereDisabled)
+{
+  MergingParameters off = usual;
+  off.enabled = false;
+  const auto merged = mergePlanes (
+      {momentsOf (square ({0, 0, 0}), 5), momentsOf (square ({5, 3, 0}), 9)}, off);
+  EXPECT_EQ (merged.fits.size(), 2u);
+  EXPECT_EQ (merged.merged_into, (Labels{1, 0}))
+      << "sorted by falling size all the same";
+}
+
+TEST (Merge, SortsPlanesByFallingSize)
+{
+  const auto merged = mergePlanes ({momentsOf (square ({0, 0, 0}), 5),
+                                    momentsOf (square ({0, 0, 1}), 9),
+                                    momentsOf (square ({0, 0, 2}), 7)},
+                                   usual);
+  EXPECT_EQ (merged.merged_into, (Labels{2, 0, 1}));
+  EXPECT_EQ (merged.moments[0].count, 81.0);
+  EXPECT_EQ (merged.moments[2].count, 25.0);
+}
+
+TEST (Merge, DropsSetsThatAreNoPlane)
+{
+  const auto merged =
+      mergePlanes ({lineOfPoints(), Moments(), momentsOf (square ({0, 0, 0}))}, usual);
+  EXPECT_EQ (merged.merged_into, (Labels{no_plane, no_plane, 0}));
+  EXPECT_EQ (merged.fits.size(), 1u);
+}
+
+TEST (Merge, HasNothingToDoWithoutPlanes)
+{
+  const auto merged = mergePlanes ({}, usual);
+  EXPECT_TRUE (merged.fits.empty());
+  EXPECT_TRUE (merged.merged_into.empty());
+}
+
+TEST (MergeLabelled, RelabelsThePoints)
+{
+  // Plane 0 is a line, 1 and 2 are two halves of one floor.
+  pcl_ops::Coordinates points;
+  Labels labels;
+  for (int i = 0; i < 10; ++i) {
+    points.add (static_cast<float> (i), 7.0f, 7.0f);
+    labels.push_back (0);
+  }
+  for (int i = 0; i < 100; ++i) {
+    points.add (static_cast<float> (i % 10), static_cast<float> (i / 10), 0.0f);
+    labels.push_back (i < 50 ? 1 : 2);
+  }
+  labels.back() = no_plane;
+  mergeLabelled (points, labels, 3, usual, 2);
+  Labels expected (109, 0);
+  std::fill_n (expected.begin(), 10, no_plane);
+  expected.push_back (no_plane);
+  EXPECT_EQ (labels, expected);
+}

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <Eigen/SVD>
+
+#include "scene.h"
+#include <pcl_ops/plane.h>
+
+using pcl_ops::fitPlane;
+using pcl_ops::Moments;
+using pcl_ops::Plane;
+
+namespace {
+
+using PointList = std::vector<Eigen::Vector3d>;
+
+const Eigen::Vector3d far_away (1e6, -1e6, 1e6);
+
+Moments
+momentsOf (const PointList& points, const Eigen::Vector3d& origin)
+{
+  Moments moments;
+  moments.origin = origin;
+  for (const Eigen::Vector3d& point : points) {
+    const Eigen::Vector3d local = point - origin;
+    moments.add (local.x(), local.y(), local.z());
+  }
+  return moments;
+}
+
+/** \brief 200 points of a tilted, noisy, elongated patch about a centre. */
+PointList
+noisyPatch (const Eigen::Vector3d& centre)
+{
+  const Surface patch{centre, {3, 0.2, 1}, {-0.1, 1, 0.4}};
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  PointList points;
+  for (int i = 0; i < 200; ++i) {
+    const double s = pcl_ops::drawUnit (generator);
+    const double t = pcl_ops::drawUnit (generator);
+    points.push_back (patch.at (s, t) + 1_cm * drawNormal (generator) * patch.normal());
+  }
+  return points;
+}
+
+/** \brief The oracle: SVD of the centred points, in double. */
+struct SvdPlane {
+  Eigen::Vector3d centroid, normal, variances;
+};
+
+SvdPlane
+planeBySvd (const PointList& points)
+{
+  Eigen::Matrix<double, Eigen::Dynamic, 3> rows (points.size(), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    rows.row (static_cast<Eigen::Index> (i)) = points[i];
+  const Eigen::RowVector3d mean = rows.colwise().mean();
+  rows.rowwise() -= mean;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd (rows, Eigen::ComputeThinV);
+  const Eigen::Vector3d variances =
+      svd.singularValues().array().square() / static_cast<double> (points.size());
+  return {mean, svd.matrixV().col (2), variances.reverse()};
+}
+
+void
+expectSameMoments (const Moments& first, const Moments& second, double tolerance)
+{
+  EXPECT_EQ (first.origin, second.origin);
+  EXPECT_EQ (first.count, second.count);
+  EXPECT_TRUE (first.sum.isApprox (second.sum, tolerance));
+  for (std::size_t i = 0; i < first.products.size(); ++i)
+    EXPECT_NEAR (first.products[i], second.products[i], tolerance * second.products[0]);
+}
+
+} // namespace
+
+TEST (FitPlane, AgreesWithAnSvdOfTheCentredPoints)
+{
+  const PointList points = noisyPatch ({1, 2, 3});
+  const auto fit = fitPlane (momentsOf (points, points.front()));
+  const SvdPlane svd = planeBySvd (points);
+  ASSERT_TRUE (fit);
+  EXPECT_LT (angleBetween (fit->plane.normal, svd.normal), 1e-9);
+  EXPECT_LT ((fit->centroid - svd.centroid).norm(), 1e-12);
+  EXPECT_TRUE (fit->variances.isApprox (svd.variances, 1e-9));
+  EXPECT_NEAR (fit->plane.distance (svd.centroid), 0.0, 1e-12);
+}
+
+TEST (FitPlane, AgreesWithTheSvdAThousandKilometresAway)
+{
+  const PointList points = noisyPatch (far_away);
+  const auto fit = fitPlane (momentsOf (points, points.front()));
+  const SvdPlane svd = planeBySvd (points);
+  ASSERT_TRUE (fit);
+  EXPECT_LT (angleBetween (fit->plane.normal, svd.normal), 1e-8);
+  EXPECT_LT ((fit->centroid - svd.centroid).norm(), 1e-8);
+  EXPECT_TRUE (fit->variances.isApprox (svd.variances, 1e-6));
+}
+
+TEST (FitPlane, FindsAnExactPlaneExactly)
+{
+  const Surface square{{0, 0, 5}, {1, 0, 0}, {0, 1, 0}};
+  const PointList corners{square.at (0, 0), square.at (1, 0), square.at (0, 1)};
+  const auto fit = fitPlane (momentsOf (corners, Eigen::Vector3d::Zero()));
+  ASSERT_TRUE (fit);
+  expectPlaneNear (fit->plane, square, 1e-7, 1e-12);
+  EXPECT_NEAR (fit->variances[0], 0.0, 1e-15);
+}
+
+TEST (FitPlane, HasAUnitNormal)
+{
+  const auto fit =
+      fitPlane (momentsOf (noisyPatch ({0, 0, 0}), Eigen::Vector3d::Zero()));
+  ASSERT_TRUE (fit);
+  EXPECT_NEAR (fit->plane.normal.norm(), 1.0, 1e-12);
+}
+
+TEST (FitPlane, HasNothingToSayOfNoPointsOneOrTwo)
+{
+  const PointList points{{0, 0, 0}, {1, 0, 0}};
+  EXPECT_FALSE (fitPlane (Moments()));
+  EXPECT_FALSE (fitPlane (momentsOf ({points[0]}, points[0])));
+  EXPECT_FALSE (fitPlane (momentsOf (points, points[0])));
+}
+
+TEST (FitPlane, HasNothingToSayOfPointsOnALineOrAllEqual)
+{
+  PointList line, equal;
+  for (int i = 0; i < 50; ++i) {
+    line.push_back (Eigen::Vector3d (1, 2, 3) + 0.1 * i * Eigen::Vector3d (1, -2, 0.5));
+    equal.push_back ({1.1, 2.2, 3.3});
+  }
+  EXPECT_FALSE (fitPlane (momentsOf (line, line.front())));
+  EXPECT_FALSE (fitPlane (momentsOf (equal, equal.front())));
+  EXPECT_FALSE (fitPlane (momentsOf (equal, Eigen::Vector3d::Zero())));
+}
+
+TEST (FitPlane, DoesNotDependOnTheUnitOfLength)
+{
+  for (const double scale : {1e-6, 1e3}) {
+    PointList scaled = noisyPatch ({1, 2, 3});
+    const SvdPlane metres = planeBySvd (scaled);
+    for (Eigen::Vector3d& point : scaled)
+      point *= scale;
+    const auto fit = fitPlane (momentsOf (scaled, scaled.front()));
+    ASSERT_TRUE (fit) << scale;
+    EXPECT_LT (angleBetween (fit->plane.normal, metres.normal), 1e-8) << scale;
+  }
+}
+
+TEST (FitPlane, HasNothingToSayOfMomentsThatAreNotFinite)
+{
+  PointList points = noisyPatch ({0, 0, 0});
+  points[7].x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE (fitPlane (momentsOf (points, Eigen::Vector3d::Zero())));
+  points[7].x() = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE (fitPlane (momentsOf (points, Eigen::Vector3d::Zero())));
+}
+
+TEST (Moments, OfTwoHalvesAddUpToThoseOfTheWhole)
+{
+  const PointList points = noisyPatch ({1, 2, 3});
+  const PointList half (points.begin(), points.begin() + 70);
+  const PointList rest (points.begin() + 70, points.end());
+  Moments sum = momentsOf (half, half.front());
+  sum += momentsOf (rest, rest.front()); // another origin
+  expectSameMoments (sum, momentsOf (points, half.front()), 1e-12);
+}
+
+TEST (Moments, OfNothingAddNothing)
+{
+  const PointList points = noisyPatch ({1, 2, 3});
+  const Moments whole = momentsOf (points, points.front());
+  Moments sum;
+  sum += whole;
+  expectSameMoments (sum, whole, 0.0);
+  sum += Moments();
+  expectSameMoments (sum, whole, 0.0);
+}
+
+TEST (Moments, AboutAnotherOriginAreThoseTakenThere)
+{
+  const PointList points = noisyPatch ({1, 2, 3});
+  const Eigen::Vector3d there (-2, 0.5, 4);
+  const Moments moved = momentsOf (points, points.front()).about (there);
+  expectSameMoments (moved, momentsOf (points, there), 1e-12);
+}
+
+TEST (Moments, KeepTheirCentroidAndCovarianceWhenTheOriginMoves)
+{
+  const PointList points = noisyPatch (far_away);
+  const Moments here = momentsOf (points, points.front());
+  const Moments there = here.about (points.back());
+  EXPECT_LT ((here.centroid() - there.centroid()).norm(), 1e-8);
+  EXPECT_TRUE (here.covariance().isApprox (there.covariance(), 1e-9));
+}
+
+TEST (Moments, DoNotMindBeingAddedToThemselves)
+{
+  Moments twice = momentsOf (noisyPatch ({1, 2, 3}), Eigen::Vector3d::Zero());
+  const Eigen::Vector3d centroid = twice.centroid();
+  twice += twice;
+  EXPECT_EQ (twice.count, 400.0);
+  EXPECT_LT ((twice.centroid() - centroid).norm(), 1e-12);
+}
+
+TEST (PlaneThrough, ContainsItsPoint)
+{
+  const Plane plane = pcl_ops::planeThrough ({1, 2, 3}, Eigen::Vector3d::UnitZ());
+  EXPECT_EQ (plane.distance ({5, 6, 3}), 0.0);
+  EXPECT_EQ (plane.distance ({5, 6, 4}), 1.0);
+  EXPECT_EQ (plane.distance ({5, 6, 1}), -2.0);
+}
+
+TEST (PlaneSegment, MeasuresTheRmsDistanceOfItsInliers)
+{
+  // Four points 1 cm above and four 1 cm below the plane z = 2.
+  pcl_ops::PlaneSegment segment;
+  segment.centroid = {0, 0, 2};
+  segment.normal = Eigen::Vector3d::UnitZ();
+  segment.moments.origin = segment.centroid;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0})
+      for (const double z : {-1_cm, 1_cm})
+        segment.moments.add (x, y, z);
+  EXPECT_NEAR (segment.rms(), 1_cm, 1e-12);
+  EXPECT_EQ (segment.plane().distance ({3, 4, 2.5}), 0.5);
+}

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <pcl_ops/oriented_point_sampling.h>
+
+#include <string>
+#include <vector>
+
+using Ops = pcl_ops::OrientedPointSampling<pcl::PointXYZ>;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+/** \brief The paper's algorithm, with enough samples for a small scene. */
+inline Ops
+paperOn (const Cloud::ConstPtr& cloud)
+{
+  Ops ops;
+  ops.setParameters (pcl_ops::OrientedPointSamplingParameters::paper());
+  ops.setSamplingRate (0.1);
+  ops.setInputCloud (cloud);
+  return ops;
+}
+
+/** \brief The recommended parameters, with enough samples for a small scene. */
+inline Ops
+defaultsOn (const Cloud::ConstPtr& cloud)
+{
+  Ops ops;
+  ops.setSamplingRate (0.1);
+  ops.setInputCloud (cloud);
+  return ops;
+}
+
+/** \brief Tests of what holds for the recommended parameters and for the paper's. */
+class EachPreset : public ::testing::TestWithParam<std::string> {
+protected:
+  static Ops
+  detectorFor (const Cloud::ConstPtr& cloud)
+  {
+    return GetParam() == "paper" ? paperOn (cloud) : defaultsOn (cloud);
+  }
+};
+
+inline std::string
+presetName (const ::testing::TestParamInfo<std::string>& info)
+{
+  return info.param;
+}
+
+inline std::vector<pcl_ops::PlaneSegment>
+planesOf (Ops& ops)
+{
+  std::vector<pcl_ops::PlaneSegment> planes;
+  EXPECT_TRUE (ops.segment (planes));
+  return planes;
+}
+
+/** \brief The points of each plane. */
+inline std::vector<pcl::Indices>
+inliersOf (Ops& ops)
+{
+  std::vector<pcl::Indices> inliers;
+  for (const pcl_ops::PlaneSegment& plane : planesOf (ops))
+    inliers.push_back (plane.inliers);
+  return inliers;
+}
