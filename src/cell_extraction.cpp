@@ -290,28 +290,28 @@ private:
 
 } // namespace
 
-CellPlanes
+void
 extractCellPlanes (const CellGrid& grid,
                    const std::vector<std::optional<CellNormal>>& normals,
                    const CellRansacParameters& parameters,
-                   RandomGenerator& generator)
+                   RandomGenerator& generator,
+                   CellPlanes& planes)
 {
+  planes.plane_of_cell.resize (grid.size(), no_plane);
+  planes.noise.resize (grid.size(), 0.0);
   Positions candidates;
   for (std::size_t i = 0; i < grid.size(); ++i)
-    if (normals[i] && normals[i]->thickness < parameters.inlier.largest_thickness)
+    if (planes.plane_of_cell[i] == no_plane && normals[i] &&
+        normals[i]->thickness < parameters.inlier.largest_thickness)
       candidates.push_back (static_cast<std::uint32_t> (i));
   LargestCellPlane largest (grid, normals, parameters, generator);
-  CellPlanes found;
-  found.plane_of_cell.assign (grid.size(), no_plane);
-  found.noise.assign (grid.size(), 0.0);
   for (const ExtractedPlane& plane : extractAll (std::move (candidates), largest)) {
     for (const std::uint32_t cell : plane.inliers) {
-      found.plane_of_cell[cell] = static_cast<std::int32_t> (found.planes.size());
-      found.noise[cell] = std::max (normals[cell]->noise, smallestNoise (grid));
+      planes.plane_of_cell[cell] = static_cast<std::int32_t> (planes.planes.size());
+      planes.noise[cell] = std::max (normals[cell]->noise, smallestNoise (grid));
     }
-    found.planes.push_back (plane.plane);
+    planes.planes.push_back (plane.plane);
   }
-  return found;
 }
 
 } // namespace pcl_ops

@@ -61,12 +61,18 @@ detectOnCells (Points points,
     return orientCells (grid, parameters.cells.normals, parameters.threads);
   });
   RandomGenerator generator (parameters.seed);
-  CellPlanes planes = timed (durations.extraction, [&] {
-    return extractCellPlanes (
-        grid, normals, cellRansacParameters (parameters), generator);
+  CellPlanes planes;
+  timed (durations.extraction, [&] {
+    CellRansacParameters ransac = cellRansacParameters (parameters);
+    for (const double thickness :
+         {parameters.cells.sure_thickness, parameters.cells.inlier.largest_thickness}) {
+      ransac.inlier.largest_thickness = thickness;
+      extractCellPlanes (grid, normals, ransac, generator, planes);
+      growPlanes (grid, parameters.cells.growing, planes);
+    }
+    return 0;
   });
   timed (durations.merging, [&] {
-    growPlanes (grid, parameters.cells.growing, planes);
     absorbPlanes (grid, parameters.cells.absorption_noise_factor, planes);
     const MergedPlanes merged =
         mergePlanes (momentsOfPlanes (grid, planes), parameters.merging);

@@ -25,7 +25,7 @@ struct CellInlierParameters {
    * more, and the surface is curved. */
   double largest_normal_spread = 0.2;
   /** \brief Cells thicker than this (see CellNormal::thickness) support no plane. */
-  double largest_thickness = 0.2;
+  double largest_thickness = 0.3;
 };
 
 /** \brief One-point RANSAC on the oriented samples of a grid. */
@@ -46,15 +46,17 @@ struct CellPlanes {
   std::vector<double> noise;
 };
 
-/** \brief Finds the planes of a grid by one-point RANSAC on its oriented cells: the
- * peel loop with a finder that weighs cells by their points, compares normals too,
- * refits the winner while its support grows, and keeps the connected parts of its
- * support that are large enough. */
-CellPlanes
+/** \brief Finds planes among the cells of a grid that have none by one-point RANSAC on
+ * its oriented cells: the peel loop with a finder that weighs cells by their points,
+ * compares normals too, refits the winner while its support grows, and keeps the
+ * connected parts of its support that are large enough.
+ * \param[in,out] planes those found before, empty at first; new ones are added */
+void
 extractCellPlanes (const CellGrid& grid,
                    const std::vector<std::optional<CellNormal>>& normals,
                    const CellRansacParameters& parameters,
-                   RandomGenerator& generator);
+                   RandomGenerator& generator,
+                   CellPlanes& planes);
 
 /** \brief Measures the noise around each cell of a plane: the rms distance to the plane
  * of the points of the cells around that are on it. */

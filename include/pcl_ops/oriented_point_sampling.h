@@ -14,8 +14,8 @@ namespace pcl_ops {
 
 /** \brief What an oriented sample is. */
 enum class Sampling {
-  /** \brief A point drawn at random; its normal comes from its k nearest neighbours (the
-   * paper). */
+  /** \brief A point drawn at random; its normal comes from its k nearest neighbours
+   * (the paper). */
   Points,
   /** \brief An occupied cell of a grid; its normal comes from the moments of the cells
    * around it, its plane knows where it ends. */
@@ -27,7 +27,8 @@ enum class Sampling {
 enum class Strategy {
   /** \brief Strategy 1: planes are found among all samples and then divided. */
   DetectThenDivide = 1,
-  /** \brief Strategy 2: samples are divided by their normals, planes found per group. */
+  /** \brief Strategy 2: samples are divided by their normals, planes found per group.
+   */
   DivideThenDetect = 2
 };
 
@@ -46,13 +47,17 @@ struct CellParameters {
   double size = 0.0;
   CellNormalParameters normals;
   CellInlierParameters inlier;
+  /** \brief Planes are looked for among cells up to this thickness first, and among all
+   * up to inlier.largest_thickness where these left room. */
+  double sure_thickness = 0.2;
   GrowingParameters growing;
   /** \brief See absorbPlanes. */
   double absorption_noise_factor = 1.8;
   BoundedAssignmentParameters assignment;
 };
 
-/** \brief Parameters of OrientedPointSampling; the defaults are the recommended ones. */
+/** \brief Parameters of OrientedPointSampling; the defaults are the recommended ones.
+ */
 struct OrientedPointSamplingParameters : PlaneDetectorParameters {
   Sampling sampling = Sampling::Cells;
   /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1. */
@@ -61,8 +66,8 @@ struct OrientedPointSamplingParameters : PlaneDetectorParameters {
   NormalParameters normals;
   /** \brief Normals, support and growth of planes on the cells of a grid. */
   CellParameters cells;
-  /** \brief theta_N: a plane needs more inliers than this among the samples, and three in
-   * any case. */
+  /** \brief theta_N: a plane needs more inliers than this among the samples, and three
+   * in any case. */
   unsigned min_inliers = 20;
   /** \brief p: probability that RANSAC draws an inlier of the largest plane. */
   double probability = 0.99;
@@ -77,7 +82,8 @@ struct OrientedPointSamplingParameters : PlaneDetectorParameters {
   paper ();
 };
 
-/** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is. */
+/** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is.
+ */
 std::string
 problemOf (const OrientedPointSamplingParameters& parameters);
 
@@ -185,7 +191,8 @@ public:
     return parameters_.min_inliers;
   }
 
-  /** \brief p: probability that RANSAC draws an inlier of the largest plane, in (0, 1). */
+  /** \brief p: probability that RANSAC draws an inlier of the largest plane, in (0, 1).
+   */
   void
   setProbability (double probability)
   {
