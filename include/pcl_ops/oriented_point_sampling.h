@@ -73,6 +73,9 @@ struct OrientedPointSamplingParameters : PlaneDetectorParameters {
   double probability = 0.99;
   Strategy strategy = Strategy::DetectThenDivide;
   Verification verification = Verification::Samples;
+  /** \brief Which plane gets a point that several could have, with Sampling::Points. The
+   * first, as found, is what "remove all its inliers from the point cloud" means. */
+  AssignmentRule assignment_rule = AssignmentRule::First;
   /** \brief Refit and select again while the support of a plane grows. */
   bool local_optimisation = true;
 

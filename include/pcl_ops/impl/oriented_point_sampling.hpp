@@ -33,12 +33,12 @@ OrientedPointSampling<PointT>::detect ()
   const std::vector<Plane> planes = timed (durations_.extraction, [&] {
     return extractPlanes (samples, points, parameters_);
   });
-  // every point of P, not of P_s alone, to the nearest plane within theta_h
+  // every point of P, not of P_s alone, to a plane within theta_h
   found.labels = timed (durations_.assignment, [&] {
     return assignPoints (points,
                          planes,
                          parameters_.distance_threshold,
-                         AssignmentRule::First,
+                         parameters_.assignment_rule,
                          parameters_.threads);
   });
   // section III-C: the coplanarity test on each pair
