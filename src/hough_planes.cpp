@@ -47,14 +47,6 @@ weightOf (const ClusterList& clusters, const OctreeClusters& found)
   return weight;
 }
 
-double
-meanSquaredDistance (const CoplanarCluster& cluster, const Plane& plane)
-{
-  const double of_centroid = plane.distance (cluster.fit.centroid);
-  const Eigen::Matrix3d covariance = cluster.moments.covariance();
-  return of_centroid * of_centroid + plane.normal.dot (covariance * plane.normal);
-}
-
 Moments
 momentsOf (const ClusterList& clusters, const OctreeClusters& found)
 {
@@ -88,8 +80,8 @@ public:
   {
     ClusterList near;
     for (std::uint32_t c = 0; c < is_free_.size(); ++c)
-      if (is_free_[c] &&
-          meanSquaredDistance (found_.clusters[c], plane) <= largest_rms * largest_rms)
+      if (is_free_[c] && meanSquaredDistance (found_.clusters[c].moments, plane) <=
+                             largest_rms * largest_rms)
         near.push_back (c);
     return near;
   }

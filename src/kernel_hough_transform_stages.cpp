@@ -26,6 +26,7 @@ KernelHoughTransformParameters::paper()
   parameters.rho_num = 800;
   parameters.clusters = OctreeClusterParameters();
   parameters.refit.enabled = false;
+  parameters.bounded = false;
   parameters.assignment = AssignmentRule::First;
   parameters.distance_threshold = 0.05;
   parameters.merging.enabled = false;
@@ -51,36 +52,17 @@ problemOf (const KernelHoughTransformParameters& parameters)
   return problemOf (static_cast<const PlaneDetectorParameters&> (parameters));
 }
 
-std::vector<Plane>
+std::vector<HoughPlane>
 houghPlanes (const OctreeClusters& found,
              const KernelHoughTransformParameters& parameters)
 {
-  std::vector<HoughPlane> voted =
+  const std::vector<HoughPlane> voted =
       voteForPlanes (found, parameters.phi_num, parameters.rho_num);
-  if (parameters.refit.enabled)
-    voted = refitPlanes (
-        voted, found, parameters.refit.min_share, parameters.distance_threshold);
-  std::vector<Plane> planes;
-  for (const HoughPlane& plane : voted)
-    planes.push_back (plane.plane);
-  return planes;
-}
-
-Labels
-assignOctreePoints (const OctreeClusters& found,
-                    std::size_t size,
-                    const std::vector<Plane>& planes,
-                    const KernelHoughTransformParameters& parameters)
-{
-  const Labels in_octree_order = assignPoints (found.points,
-                                               planes,
-                                               parameters.distance_threshold,
-                                               parameters.assignment,
-                                               parameters.threads);
-  Labels labels (size, no_plane);
-  for (std::size_t i = 0; i < in_octree_order.size(); ++i)
-    labels[found.points.order[i]] = in_octree_order[i];
-  return labels;
+  return parameters.refit.enabled ? refitPlanes (voted,
+                                                 found,
+                                                 parameters.refit.min_share,
+                                                 parameters.distance_threshold)
+                                  : voted;
 }
 
 void

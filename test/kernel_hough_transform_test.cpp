@@ -122,6 +122,37 @@ TEST (KernelHoughTransform, GivesEachPointToItsPlane)
   EXPECT_GT (right, 97_percent * scene.cloud->size());
 }
 
+TEST (KernelHoughTransform, EndsPlanesWhereTheirClustersEnd)
+{
+  // A table at the height of a shelf far away, and a ball of dust between them.
+  LabelledScene scene = Scene()
+                            .surface ({0, 0, 1}, {1, 0, 0}, {0, 1, 0})
+                            .surface ({4, 0, 1}, {1, 0, 0}, {0, 1, 0})
+                            .floor (5_m, 2_m)
+                            .spacing (1_cm)
+                            .build();
+  scene.cloud->push_back ({2.5f, 0.5f, 1.0f});
+  const auto dust = static_cast<pcl::index_t> (scene.cloud->size() - 1);
+  Parameters parameters;
+  for (const bool bounded : {true, false}) {
+    parameters.bounded = bounded;
+    bool is_on_a_plane = false;
+    for (const PlaneSegment& plane : planesOf (scene, parameters))
+      is_on_a_plane |= plane.inliers.back() == dust;
+    EXPECT_NE (is_on_a_plane, bounded);
+  }
+}
+
+TEST (KernelHoughTransform, CountsPlanesBeforeMerging)
+{
+  Detector kht;
+  const LabelledScene scene = box (5_mm);
+  kht.setInputCloud (scene.cloud);
+  std::vector<PlaneSegment> planes;
+  ASSERT_TRUE (kht.segment (planes));
+  EXPECT_GE (kht.getNumberOfPlanesBeforeMerging(), planes.size());
+}
+
 TEST (KernelHoughTransform, LeavesPublishedPlanesAtBinCentres)
 {
   const BallDirections directions (30);
@@ -154,6 +185,7 @@ TEST (KernelHoughTransform, HasThePapersBestRowAsPreset)
   EXPECT_EQ (paper.clusters.s_alpha, 25.0);
   EXPECT_EQ (paper.clusters.s_beta, 6.0);
   EXPECT_FALSE (paper.refit.enabled);
+  EXPECT_FALSE (paper.bounded);
   EXPECT_FALSE (paper.merging.enabled);
   EXPECT_EQ (paper.assignment, AssignmentRule::First);
 }

@@ -36,7 +36,7 @@ struct PlaneRefitParameters {
   /** \brief Off: planes stay at their bins' centres, quantised as they are. */
   bool enabled = true;
   /** \brief Smallest share of all points that the clusters of a plane hold. */
-  double min_share = 0.002;
+  double min_share = 0.001;
 };
 
 /** \brief Gives each cluster to one plane and fits the planes to the points of theirs.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_ops/cell_planes.h>
 #include <pcl_ops/hough_planes.h>
 #include <pcl_ops/octree_clusters.h>
 #include <pcl_ops/plane_detector.h>
@@ -22,7 +23,11 @@ struct KernelHoughTransformParameters : PlaneDetectorParameters {
   OctreeClusterParameters clusters;
   /** \brief Fits the planes to the points of their clusters. */
   PlaneRefitParameters refit;
-  /** \brief Which of the planes within theta_h gets a point. */
+  /** \brief Planes end where their clusters end, as far as they grow from there over
+   * the occupied cells of a grid. Off, or where planes are not refitted: planes are
+   * endless. */
+  bool bounded = true;
+  /** \brief Which of the endless planes within theta_h gets a point. */
   AssignmentRule assignment = AssignmentRule::Nearest;
 
   KernelHoughTransformParameters();
@@ -41,20 +46,33 @@ problemOf (const KernelHoughTransformParameters& parameters);
 
 /** \brief The planes of the clusters: \ref voteForPlanes, and \ref refitPlanes where
  * the parameters ask for it. */
-std::vector<Plane>
+std::vector<HoughPlane>
 houghPlanes (const OctreeClusters& found,
              const KernelHoughTransformParameters& parameters);
 
-/** \brief \ref assignPoints, block by block of the octree, where most planes are far
- * away. \param[in] found clusters of the points \param[in] size number of points
+/** \brief Assignment and merging of planes without bounds: \ref assignPoints, block by
+ * block of the octree, where most planes are far away, and \ref mergePlanes.
+ * \param[in] points the points
+ * \param[in] found their clusters
  * \param[in] planes planes in the frame of the points
- * \param[in] parameters theta_h, the rule and the number of threads
- * \return one label a point, in the points' own order */
-Labels
-assignOctreePoints (const OctreeClusters& found,
-                    std::size_t size,
-                    const std::vector<Plane>& planes,
-                    const KernelHoughTransformParameters& parameters);
+ * \param[in] parameters thresholds, the rule and the number of threads
+ * \param[in,out] durations of assignment and merging */
+Detection
+assignToEndlessPlanes (Points points,
+                       const OctreeClusters& found,
+                       const std::vector<HoughPlane>& planes,
+                       const KernelHoughTransformParameters& parameters,
+                       StageDurations& durations);
+
+/** \brief The same with planes that support what their clusters cover and what they
+ * grow into: merging first, on the cells of a grid, and then \ref assignToBoundedPlanes
+ * of cells. */
+Detection
+assignToOutlinedPlanes (Points points,
+                        const OctreeClusters& found,
+                        const std::vector<HoughPlane>& planes,
+                        const KernelHoughTransformParameters& parameters,
+                        StageDurations& durations);
 
 /** \brief Replaces each least squares plane by the plane its points were assigned to,
  * with the centroid moved onto it: the first one's where planes were merged. */
@@ -67,10 +85,9 @@ restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes);
  * clouds", Pattern Recognition 48(6), 2015.
  *
  * The preset \c paper () has the method's known weak points: normals quantised to the
- * accumulator's bins, no fit to the points, a point's plane decided by the planes'
- * order. The defaults fit the planes to their clusters, give a point to the nearest
- * plane and merge planes as all detectors of this library do. Planes are unbounded in
- * both.
+ * accumulator's bins, no fit to the points, planes without end, and a point's plane
+ * decided by the planes' order. The defaults fit the planes to their clusters, end them
+ * where the clusters do and merge planes as all detectors of this library do.
  *
  * It needs no neighbour search and draws no random numbers: \c setSearchMethod and
  * \c setSeed change nothing.
@@ -150,7 +167,19 @@ public:
     return parameters_.refit;
   }
 
-  /** \brief Which of the planes within theta_h gets a point. */
+  /** \brief Whether planes end where their clusters end. */
+  void
+  setBounded (bool bounded)
+  {
+    parameters_.bounded = bounded;
+  }
+  bool
+  getBounded () const
+  {
+    return parameters_.bounded;
+  }
+
+  /** \brief Which of the endless planes within theta_h gets a point. */
   void
   setAssignmentRule (AssignmentRule rule)
   {

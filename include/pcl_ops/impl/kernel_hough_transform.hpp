@@ -5,37 +5,29 @@
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/stage_timer.h>
 
+#include <utility>
+
 namespace pcl_ops {
 
 template <typename PointT>
 Detection
 KernelHoughTransform<PointT>::detect()
 {
-  Detection found;
-  found.points = finitePoints (*input_, *indices_);
-  const Points& points = found.points;
+  KernelHoughTransformParameters parameters = parameters_;
+  parameters.merging = this->mergingParameters();
+  Points points = finitePoints (*input_, *indices_);
   // octree: nodes of approximately coplanar points
   const OctreeClusters clusters = timed (durations_.search, [&] {
-    return findCoplanarClusters (points, parameters_.clusters, parameters_.threads);
+    return findCoplanarClusters (points, parameters.clusters, parameters.threads);
   });
   // accumulator ball: Gaussian kernels vote for (rho, phi, theta), peaks are planes
-  const std::vector<Plane> planes = timed (
-      durations_.extraction, [&] { return houghPlanes (clusters, parameters_); });
-  // each point to the nearest plane within theta_h, or as published the first
-  found.labels = timed (durations_.assignment, [&] {
-    return assignOctreePoints (clusters, points.size(), planes, parameters_);
-  });
-  // section III-C of the OPS paper: the coplanarity test on each pair
-  found.planes = timed (durations_.merging, [&] {
-    return mergeLabelled (points,
-                          found.labels,
-                          planes.size(),
-                          this->mergingParameters(),
-                          parameters_.threads);
-  });
-  if (!parameters_.refit.enabled)
-    restorePlanes (found.planes, planes);
-  return found;
+  const std::vector<HoughPlane> planes =
+      timed (durations_.extraction, [&] { return houghPlanes (clusters, parameters); });
+  // every point to a plane, and the coplanarity test of the OPS paper on each pair
+  const auto assign = parameters.refit.enabled && parameters.bounded
+                          ? assignToOutlinedPlanes
+                          : assignToEndlessPlanes;
+  return assign (std::move (points), clusters, planes, parameters, durations_);
 }
 
 } // namespace pcl_ops
