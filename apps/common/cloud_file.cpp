@@ -53,6 +53,21 @@ readWith (pcl::FileReader&& reader, const std::string& file, Cloud& cloud)
   throw WorkError (file, "cannot be read: " + reason + "; is it truncated or damaged?");
 }
 
+/** \brief A PLY's camera may claim a size of the image that is not that of the cloud.
+ */
+void
+makeSizeValid (const std::string& file, pcl::PCLPointCloud2& points)
+{
+  const std::size_t size =
+      points.point_step == 0 ? 0 : points.data.size() / points.point_step;
+  if (size * points.point_step != points.data.size())
+    throw WorkError (file, "is damaged: it ends within a point; write it again");
+  if (static_cast<std::size_t> (points.width) * points.height == size)
+    return;
+  points.width = static_cast<pcl::uindex_t> (size);
+  points.height = 1;
+}
+
 void
 makePoseValid (Cloud& cloud)
 {
@@ -83,6 +98,7 @@ loadCloud (const std::string& file)
     checkPlyFile (file);
     readWith (pcl::PLYReader(), file, cloud);
   }
+  makeSizeValid (file, cloud.points);
   if (cloud.size() == 0)
     throw WorkError (file, "has no points; give a cloud that has");
   for (const char* axis : {"x", "y", "z"})

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pcl_ops::apps {
@@ -21,6 +21,17 @@ struct PcdHeader {
   std::uint64_t data_offset = 0;
 };
 
+constexpr std::array<std::string_view, 10> kKeys = {"VERSION",
+                                                    "FIELDS",
+                                                    "SIZE",
+                                                    "TYPE",
+                                                    "COUNT",
+                                                    "WIDTH",
+                                                    "HEIGHT",
+                                                    "VIEWPOINT",
+                                                    "POINTS",
+                                                    "DATA"};
+
 PcdHeader
 readPcdHeader (HeaderReader& reader)
 {
@@ -30,7 +41,10 @@ readPcdHeader (HeaderReader& reader)
     if (words.empty() || words[0][0] == '#')
       continue;
     const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
-    header.lines[key] = Words (words.begin() + 1, words.end());
+    if (std::find (kKeys.begin(), kKeys.end(), key) == kKeys.end())
+      reader.fail ("its line " + key + " is unknown");
+    if (!header.lines.emplace (key, Words (words.begin() + 1, words.end())).second)
+      reader.fail ("its line " + key + " is there twice");
   }
   header.data_offset = reader.position();
   return header;

@@ -14,10 +14,11 @@
 /** \brief An empty folder for one test, removed after it. */
 class TemporaryFolder {
 public:
-  TemporaryFolder()
+  /** \param[in] suffix tells the folders of one test apart */
+  explicit TemporaryFolder (const std::string& suffix = "")
   : path_ (std::filesystem::canonical (testing::TempDir()) /
            ("pcl_ops_" + std::to_string (::getpid()) + "_" +
-            testing::UnitTest::GetInstance()->current_test_info()->name()))
+            testing::UnitTest::GetInstance()->current_test_info()->name() + suffix))
   {
     std::filesystem::remove_all (path_);
     std::filesystem::create_directories (path_);

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <pcl_ops/oriented_point_sampling.h>
+
+#include <string>
+
+namespace pcl_ops::apps {
+
+/** \brief Which parameter to change where OPS found no plane, as the end of a sentence.
+ * Looks at how many points are sampled and at how the threshold relates to the cloud's
+ * extent, which tells millimetres from metres. */
+std::string
+adviceForOps (const OrientedPointSamplingParameters& parameters,
+              const pcl::PointCloud<pcl::PointXYZ>& cloud);
+
+} // namespace pcl_ops::apps

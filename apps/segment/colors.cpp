@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "colors.h"
+
+#include <pcl/common/colors.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+/** \brief PCL's distinct colours without those that could be taken for no plane's grey.
+ */
+std::vector<pcl::RGB>
+palette ()
+{
+  constexpr int kLeastChroma = 50;
+  std::vector<pcl::RGB> colors;
+  for (std::size_t i = 0; i < pcl::GlasbeyLUT::size(); ++i) {
+    const pcl::RGB color = pcl::GlasbeyLUT::at (i);
+    const auto [least, most] = std::minmax ({color.r, color.g, color.b});
+    if (most - least >= kLeastChroma)
+      colors.push_back (color);
+  }
+  return colors;
+}
+
+} // namespace
+
+pcl::RGB
+colorOfLabel (std::uint32_t label)
+{
+  constexpr std::uint8_t kGrey = 128;
+  static const std::vector<pcl::RGB> kPalette = palette();
+  if (label == 0)
+    return {kGrey, kGrey, kGrey};
+  return kPalette[(label - 1) % kPalette.size()];
+}
+
+pcl::RGB
+colorOf (Orientation orientation)
+{
+  switch (orientation) {
+  case Orientation::Horizontal:
+    return {64, 160, 72};
+  case Orientation::Vertical:
+    return {66, 120, 200};
+  default:
+    return {236, 148, 40};
+  }
+}
+
+} // namespace pcl_ops::apps

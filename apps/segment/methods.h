@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <Eigen/Core>
+
+#include <nlohmann/json.hpp>
+#include <pcl_ops/plane.h>
+#include <pcl_ops/plane_detector.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+using PositionsPtr = pcl::PointCloud<pcl::PointXYZ>::ConstPtr;
+
+/** \brief The options of all detectors; those not given keep the preset's value. */
+struct DetectorOptions {
+  std::string preset = "default";
+  std::optional<double> sampling_rate;
+  std::optional<int> k;
+  std::optional<double> threshold;
+  std::optional<std::uint32_t> min_inliers;
+  std::optional<double> probability;
+  /** \brief [degree] */
+  std::optional<double> angle_tolerance;
+  std::optional<Eigen::Vector3f> up;
+  std::optional<std::uint32_t> seed;
+  std::optional<std::uint32_t> threads;
+};
+
+/** \brief What a detector found and how. */
+struct Detected {
+  /** \brief By falling size, in the frame of the cloud it was given. */
+  std::vector<PlaneSegment> planes;
+  StageDurations timing;
+  /** \brief The parameters used, under the names of their options. */
+  nlohmann::ordered_json parameters;
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  /** \brief Which parameter most likely stands in the way where nothing was found. */
+  std::string advice;
+};
+
+/** \brief A detector as the command line offers it. */
+struct Method {
+  std::string name;
+  /** \brief The options that not all methods share. */
+  std::vector<std::string> options;
+  std::function<Detected (const DetectorOptions&, const PositionsPtr&)> detect;
+};
+
+/** \brief Every method of --method; the first is the default. */
+const std::vector<Method>&
+allMethods ();
+
+/** \brief The method of that name, which must be one of \ref allMethods. */
+const Method&
+methodCalled (const std::string& name);
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "picture.h"
+
+#include <pcl/io/png_io.h>
+
+#include "colors.h"
+#include "raster.h"
+#include "view.h"
+#include <common/output_file.h>
+#include <common/program.h>
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <system_error>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+constexpr int kHalfWidth = 960;
+constexpr int kHeight = 720;
+constexpr int kGap = 12;
+constexpr int kWidth = 2 * kHalfWidth + kGap;
+constexpr std::uint8_t kWhite = 255;
+
+/** \brief Interleaved red, green and blue, row by row. */
+struct Image {
+  std::vector<std::uint8_t> bytes =
+      std::vector<std::uint8_t> (3U * kWidth * kHeight, kWhite);
+
+  void
+  paint (int column, int row, const pcl::RGB& color, float brightness)
+  {
+    const std::size_t first = 3U * (static_cast<std::size_t> (row) * kWidth +
+                                    static_cast<std::size_t> (column));
+    const auto dimmed = [brightness] (std::uint8_t part) {
+      return static_cast<std::uint8_t> (std::lround (brightness * part));
+    };
+    bytes[first] = dimmed (color.r);
+    bytes[first + 1] = dimmed (color.g);
+    bytes[first + 2] = dimmed (color.b);
+  }
+};
+
+/** \brief Planes seen at a grazing angle are darker than those seen from the front. */
+float
+facing (const PlaneSegment& plane, const View& view, const Eigen::Vector3f& point)
+{
+  constexpr float kGrazing = 0.7f;
+  const Eigen::Vector3f ray = (point - view.eye).normalized();
+  return kGrazing + (1.0f - kGrazing) * std::abs (plane.normal.cast<float>().dot (ray));
+}
+
+using ColorOfPoint = std::function<pcl::RGB (pcl::index_t)>;
+
+void
+paintHalf (const Raster& raster,
+           const std::vector<float>& brightness,
+           int first_column,
+           const ColorOfPoint& color,
+           Image& image)
+{
+  for (int row = 0; row < raster.height; ++row) {
+    for (int column = 0; column < raster.width; ++column) {
+      const std::size_t pixel = raster.at (column, row);
+      const pcl::index_t point = raster.points[pixel];
+      if (point != Raster::kNothing)
+        image.paint (first_column + column, row, color (point), brightness[pixel]);
+    }
+  }
+}
+
+void
+savePng (const std::string& file, const Image& image)
+{
+  writeFile (file, [&] (const std::string& path) {
+    pcl::io::saveRgbPNGFile (path, image.bytes.data(), kWidth, kHeight);
+    std::error_code error;
+    if (std::filesystem::file_size (path, error) == 0 || error)
+      throw WorkError (file, "cannot be written; is the disk full?");
+  });
+}
+
+} // namespace
+
+void
+savePicture (const std::string& file,
+             const pcl::PointCloud<pcl::PointXYZ>& cloud,
+             const std::vector<std::uint32_t>& labels,
+             const std::vector<PlaneSegment>& planes,
+             const Eigen::Vector3f& up)
+{
+  const View view = chooseView (cloud, planes, up, kHalfWidth, kHeight);
+  const auto label = [&] (pcl::index_t point) {
+    return labels[static_cast<std::size_t> (point)];
+  };
+  const auto is_shown = [&] (pcl::index_t point) {
+    const Eigen::Vector3f to_eye = view.eye - cloud[point].getVector3fMap();
+    return !view.hides_backs || label (point) == 0 ||
+           planes[label (point) - 1].normal.cast<float>().dot (to_eye) > 0.0f;
+  };
+  const Raster raster = drawPoints (cloud, view, kHalfWidth, kHeight, is_shown);
+  std::vector<float> brightness = shadeDepths (raster);
+  for (std::size_t pixel = 0; pixel < brightness.size(); ++pixel) {
+    const pcl::index_t point = raster.points[pixel];
+    if (point != Raster::kNothing && label (point) != 0)
+      brightness[pixel] *=
+          facing (planes[label (point) - 1], view, cloud[point].getVector3fMap());
+  }
+
+  Image image;
+  const auto plane_color = [&] (pcl::index_t point) {
+    return colorOfLabel (label (point));
+  };
+  const auto class_color = [&] (pcl::index_t point) {
+    return label (point) == 0 ? colorOfLabel (0)
+                              : colorOf (planes[label (point) - 1].orientation);
+  };
+  paintHalf (raster, brightness, 0, plane_color, image);
+  paintHalf (raster, brightness, kHalfWidth + kGap, class_color, image);
+  savePng (file, image);
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "raster.h"
+
+#include <pcl/common/point_tests.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+constexpr float kFar = std::numeric_limits<float>::infinity();
+
+using Offset = std::pair<int, int>;
+
+constexpr std::array<Offset, 8> kNeighbours = {
+    {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
+
+struct Dot {
+  pcl::index_t point;
+  float column, row, depth;
+};
+
+std::vector<Dot>
+projectPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+               const View& view,
+               int width,
+               int height,
+               const std::function<bool (pcl::index_t)>& is_shown)
+{
+  std::vector<Dot> dots;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const auto index = static_cast<pcl::index_t> (i);
+    if (!pcl::isXYZFinite (cloud[i]) || !is_shown (index))
+      continue;
+    const Eigen::Vector3f pixel = view.project (cloud[i].getVector3fMap());
+    const bool is_inside = pixel.z() > 0.0f && pixel.x() >= 0.0f &&
+                           pixel.x() < static_cast<float> (width) &&
+                           pixel.y() >= 0.0f && pixel.y() < static_cast<float> (height);
+    if (is_inside)
+      dots.push_back ({index, pixel.x(), pixel.y(), pixel.z()});
+  }
+  return dots;
+}
+
+/** \brief Half the side of the square of a dot [pixel], from how many dots share its
+ * part of the image. */
+class DotSizes {
+public:
+  DotSizes (const std::vector<Dot>& dots, int width, int height)
+  : columns_ (width / kPart + 1)
+  , counts_ (static_cast<std::size_t> (columns_) *
+             static_cast<std::size_t> (height / kPart + 1))
+  {
+    std::vector<float> nearest (counts_.size(), kFar);
+    for (const Dot& dot : dots)
+      nearest[partOf (dot)] = std::min (nearest[partOf (dot)], dot.depth);
+    int in_front = 0;
+    for (const Dot& dot : dots) {
+      if (dot.depth > kFrontLayer * nearest[partOf (dot)])
+        continue;
+      ++counts_[partOf (dot)];
+      ++in_front;
+    }
+    const auto used =
+        counts_.size() -
+        static_cast<std::size_t> (std::count (counts_.begin(), counts_.end(), 0));
+    const float mean = static_cast<float> (in_front) /
+                       static_cast<float> (std::max<std::size_t> (used, 1));
+    largest_ = std::clamp (2.0f * halfSide (mean), kSmallest, kLargest);
+  }
+
+  float
+  operator() (const Dot& dot) const
+  {
+    return std::clamp (
+        halfSide (static_cast<float> (counts_[partOf (dot)])), kSmallest, largest_);
+  }
+
+private:
+  static constexpr int kPart = 16;
+  /** \brief Depth, in units of the nearest, behind which dots are another layer. */
+  static constexpr float kFrontLayer = 1.1f;
+  static constexpr float kSmallest = 0.5f;
+  static constexpr float kLargest = 5.0f;
+
+  /** \brief Squares of this size cover their part of the image about twice. */
+  static float
+  halfSide (float dots_in_part)
+  {
+    constexpr float kOverlap = 1.4f;
+    const float pixels_per_dot = kPart * kPart / std::max (dots_in_part, 1.0f);
+    return kOverlap * std::sqrt (pixels_per_dot) / 2.0f;
+  }
+
+  std::size_t
+  partOf (const Dot& dot) const
+  {
+    return static_cast<std::size_t> (dot.row) / kPart *
+               static_cast<std::size_t> (columns_) +
+           static_cast<std::size_t> (dot.column) / kPart;
+  }
+
+  int columns_;
+  std::vector<int> counts_;
+  float largest_ = kSmallest;
+};
+
+void
+drawDot (const Dot& dot, float half_side, Raster& raster)
+{
+  const auto range = [half_side] (float middle, int end) {
+    const float low = middle - half_side, high = middle + half_side;
+    return std::make_pair (std::max (static_cast<int> (std::lround (low)), 0),
+                           std::min (static_cast<int> (std::lround (high)), end));
+  };
+  const auto [left, right] = range (dot.column, raster.width);
+  const auto [top, bottom] = range (dot.row, raster.height);
+  for (int row = top; row < bottom; ++row) {
+    for (int column = left; column < right; ++column) {
+      const std::size_t pixel = raster.at (column, row);
+      if (dot.depth < raster.depths[pixel]) {
+        raster.depths[pixel] = dot.depth;
+        raster.points[pixel] = dot.point;
+      }
+    }
+  }
+}
+
+/** \brief Calls \p visit with every pixel inside the border and those around it. */
+template <typename Visit>
+void
+forEachInnerPixel (const Raster& raster, Visit&& visit)
+{
+  for (int row = 1; row + 1 < raster.height; ++row)
+    for (int column = 1; column + 1 < raster.width; ++column) {
+      std::array<std::size_t, kNeighbours.size()> around{};
+      for (std::size_t i = 0; i < around.size(); ++i)
+        around[i] =
+            raster.at (column + kNeighbours[i].first, row + kNeighbours[i].second);
+      visit (raster.at (column, row), around);
+    }
+}
+
+/** \brief Gives empty pixels that most neighbours surround the nearest of those. */
+void
+closeHoles (Raster& raster)
+{
+  constexpr int kMost = 5;
+  const Raster before = raster;
+  forEachInnerPixel (before, [&] (std::size_t pixel, const auto& around) {
+    if (before.points[pixel] != Raster::kNothing)
+      return;
+    const auto seen = std::count_if (around.begin(), around.end(), [&] (std::size_t i) {
+      return before.points[i] != Raster::kNothing;
+    });
+    if (seen < kMost)
+      return;
+    const std::size_t nearest =
+        *std::min_element (around.begin(), around.end(), [&] (auto a, auto b) {
+          return before.depths[a] < before.depths[b];
+        });
+    raster.points[pixel] = before.points[nearest];
+    raster.depths[pixel] = before.depths[nearest];
+  });
+}
+
+} // namespace
+
+Raster
+drawPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+            const View& view,
+            int width,
+            int height,
+            const std::function<bool (pcl::index_t)>& is_shown)
+{
+  const std::size_t pixels =
+      static_cast<std::size_t> (width) * static_cast<std::size_t> (height);
+  Raster raster;
+  raster.width = width;
+  raster.height = height;
+  raster.points.assign (pixels, Raster::kNothing);
+  raster.depths.assign (pixels, kFar);
+
+  const std::vector<Dot> dots = projectPoints (cloud, view, width, height, is_shown);
+  const DotSizes half_side (dots, width, height);
+  for (const Dot& dot : dots)
+    drawDot (dot, half_side (dot), raster);
+  closeHoles (raster);
+  return raster;
+}
+
+std::vector<float>
+shadeDepths (const Raster& raster)
+{
+  constexpr float kStrength = 6.0f;
+  constexpr float kLargestStep = 0.05f; // of the logarithm: farther ones darken no more
+  std::vector<float> brightness (raster.points.size(), 1.0f);
+  forEachInnerPixel (raster, [&] (std::size_t pixel, const auto& around) {
+    if (raster.points[pixel] == Raster::kNothing)
+      return;
+    float obscurance = 0.0f;
+    for (const std::size_t neighbour : around)
+      if (raster.depths[neighbour] < raster.depths[pixel])
+        obscurance += std::min (
+            std::log (raster.depths[pixel] / raster.depths[neighbour]), kLargestStep);
+    brightness[pixel] =
+        std::exp (-kStrength * obscurance / static_cast<float> (around.size()) * 2.0f);
+  });
+  return brightness;
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/types.h>
+
+#include "view.h"
+
+#include <functional>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief Which point each pixel of an image shows, and how far away it is. */
+struct Raster {
+  static constexpr pcl::index_t kNothing = -1;
+
+  int width = 0;
+  int height = 0;
+  /** \brief Row by row; kNothing where no point is seen. */
+  std::vector<pcl::index_t> points;
+  /** \brief Depth along the viewing direction; infinite where no point is seen. */
+  std::vector<float> depths;
+
+  std::size_t
+  at (int column, int row) const
+  {
+    return static_cast<std::size_t> (row) * static_cast<std::size_t> (width) +
+           static_cast<std::size_t> (column);
+  }
+};
+
+/** \brief Draws points as squares just large enough to close the gaps between them, the
+ * nearest in front.
+ * \param[in] is_shown tells which points to draw; NaN points never are */
+Raster
+drawPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+            const View& view,
+            int width,
+            int height,
+            const std::function<bool (pcl::index_t)>& is_shown);
+
+/** \brief Brightness of each pixel, 0 to 1: pixels behind a near neighbour are darker,
+ * which brings out edges and shape (eye-dome lighting; Boucheny, PhD thesis, Universite
+ * Joseph Fourier, 2009). */
+std::vector<float>
+shadeDepths (const Raster& raster);
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report.h"
+
+#include <pcl_ops/orientation.h>
+
+#include <array>
+#include <iomanip>
+#include <limits>
+#include <ostream>
+#include <sstream>
+#include <utility>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+using Stage = std::pair<const char*, double StageDurations::*>;
+
+constexpr std::array<Stage, 6> kStages = {{{"search", &StageDurations::search},
+                                           {"normals", &StageDurations::normals},
+                                           {"extraction", &StageDurations::extraction},
+                                           {"assignment", &StageDurations::assignment},
+                                           {"merging", &StageDurations::merging},
+                                           {"detection", &StageDurations::detection}}};
+
+double
+share (std::size_t part, std::size_t whole)
+{
+  constexpr double kPerCent = 100.0;
+  return whole == 0
+             ? 0.0
+             : kPerCent * static_cast<double> (part) / static_cast<double> (whole);
+}
+
+void
+printPlane (std::size_t id,
+            const PlaneSegment& segment,
+            std::size_t points,
+            std::ostream& stream)
+{
+  const Plane plane = segment.plane();
+  stream << std::setw (4) << id << "  " << std::left << std::setw (10)
+         << toString (segment.orientation) << std::right << " " << std::setw (9)
+         << segment.inliers.size() << std::setprecision (1) << " " << std::setw (6)
+         << share (segment.inliers.size(), points) << std::setprecision (4);
+  for (const double number : {segment.rms(),
+                              plane.normal.x(),
+                              plane.normal.y(),
+                              plane.normal.z(),
+                              plane.offset})
+    stream << " " << std::setw (9) << number;
+  stream << "\n";
+}
+
+void
+printPlanes (const std::vector<PlaneSegment>& planes,
+             std::size_t points,
+             std::ostream& stream)
+{
+  constexpr std::size_t kMostRows = 20;
+  stream << "  id  orientation   points      %       rms         a         b         c"
+            "         d\n";
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    covered += planes[i].inliers.size();
+    if (i < kMostRows)
+      printPlane (i + 1, planes[i], points, stream);
+  }
+  if (planes.size() > kMostRows)
+    stream << "      and " << planes.size() - kMostRows
+           << " smaller ones: --planes FILE.json has them all\n";
+  stream << "      no plane   " << std::setw (9) << points - covered
+         << std::setprecision (1) << " " << std::setw (6)
+         << share (points - covered, points) << "\n";
+}
+
+nlohmann::ordered_json
+toArray (const Eigen::Vector3d& vector)
+{
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+nlohmann::ordered_json
+toObject (std::size_t id, const PlaneSegment& segment)
+{
+  const Plane plane = segment.plane();
+  nlohmann::ordered_json object;
+  object["id"] = id;
+  object["orientation"] = toString (segment.orientation);
+  object["points"] = segment.inliers.size();
+  object["coefficients"] = {
+      plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset};
+  object["centroid"] = toArray (segment.centroid);
+  object["normal"] = toArray (segment.normal);
+  object["rms"] = segment.rms();
+  return object;
+}
+
+} // namespace
+
+void
+printTable (const Report& report, std::ostream& stream)
+{
+  const std::vector<PlaneSegment>& planes = report.detected.planes;
+  stream << std::fixed << report.input << ": " << report.points << " points, "
+         << planes.size() << (planes.size() == 1 ? " plane" : " planes") << " ("
+         << report.method << ")\n";
+  if (planes.empty())
+    stream << "No plane found: " << report.detected.advice << ".\n";
+  else
+    printPlanes (planes, report.points, stream);
+  stream << "Times [ms]:" << std::setprecision (1);
+  for (const auto& [name, duration] : kStages)
+    stream << " " << name << " " << report.detected.timing.*duration;
+  stream << "\n";
+}
+
+std::string
+toJson (const Report& report)
+{
+  nlohmann::ordered_json json;
+  json["points"] = report.points;
+  json["method"] = report.method;
+  json["parameters"] = report.detected.parameters;
+  for (const auto& [name, duration] : kStages)
+    json["timing_ms"][name] = report.detected.timing.*duration;
+  json["planes"] = nlohmann::ordered_json::array();
+  for (const PlaneSegment& plane : report.detected.planes)
+    json["planes"].push_back (toObject (json["planes"].size() + 1, plane));
+  constexpr int kIndent = 2;
+  return json.dump (kIndent) + "\n";
+}
+
+std::string
+toCsv (const Report& report)
+{
+  std::ostringstream csv;
+  csv.imbue (std::locale::classic());
+  csv << std::setprecision (std::numeric_limits<double>::max_digits10)
+      << "id,orientation,points,a,b,c,d,centroid_x,centroid_y,centroid_z,normal_x,"
+         "normal_y,normal_z,rms\n";
+  std::size_t id = 0;
+  for (const PlaneSegment& segment : report.detected.planes) {
+    const Plane plane = segment.plane();
+    csv << ++id << "," << toString (segment.orientation) << ","
+        << segment.inliers.size();
+    for (const double number : {plane.normal.x(),
+                                plane.normal.y(),
+                                plane.normal.z(),
+                                plane.offset,
+                                segment.centroid.x(),
+                                segment.centroid.y(),
+                                segment.centroid.z(),
+                                segment.normal.x(),
+                                segment.normal.y(),
+                                segment.normal.z(),
+                                segment.rms()})
+      csv << "," << number;
+    csv << "\n";
+  }
+  return csv.str();
+}
+
+} // namespace pcl_ops::apps

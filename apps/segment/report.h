@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "methods.h"
+
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+
+namespace pcl_ops::apps {
+
+/** \brief All that is said about a run. */
+struct Report {
+  std::string input;
+  std::string method;
+  /** \brief Points of the cloud, those without coordinates included. */
+  std::size_t points = 0;
+  Detected detected;
+};
+
+/** \brief The table of --help's standard output: planes, then times. */
+void
+printTable (const Report& report, std::ostream& stream);
+
+/** \brief The text of --planes FILE.json. */
+std::string
+toJson (const Report& report);
+
+/** \brief The text of --planes FILE.csv: one line per plane under a line of names. */
+std::string
+toCsv (const Report& report);
+
+} // namespace pcl_ops::apps

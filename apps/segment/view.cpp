@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view.h"
+
+#include <pcl/common/angles.h>
+#include <pcl/common/point_tests.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+using Points = std::vector<Eigen::Vector3f>;
+
+/** \brief The share of points at either end that no view is fitted to: flying points.
+ */
+constexpr double kOutliers = 0.005;
+
+/** \brief How many points a view is fitted to; more would not change it. */
+constexpr std::size_t kEnough = 20000;
+
+Points
+someFinitePoints (const pcl::PointCloud<pcl::PointXYZ>& cloud)
+{
+  const std::size_t step = cloud.size() / kEnough + 1;
+  Points points;
+  for (std::size_t i = 0; i < cloud.size(); i += step)
+    if (pcl::isXYZFinite (cloud[i]))
+      points.push_back (cloud[i].getVector3fMap());
+  return points;
+}
+
+Points
+somePointsOn (const std::vector<PlaneSegment>& planes,
+              const pcl::PointCloud<pcl::PointXYZ>& cloud)
+{
+  const std::size_t step = cloud.size() / kEnough + 1;
+  Points points;
+  for (const PlaneSegment& plane : planes)
+    for (std::size_t i = 0; i < plane.inliers.size(); i += step)
+      points.push_back (cloud[plane.inliers[i]].getVector3fMap());
+  return points;
+}
+
+/** \brief The value below which that share of the numbers lies. */
+float
+quantile (std::vector<float> numbers, double share)
+{
+  const auto rank =
+      static_cast<std::ptrdiff_t> (share * static_cast<double> (numbers.size() - 1));
+  std::nth_element (numbers.begin(), numbers.begin() + rank, numbers.end());
+  return numbers[static_cast<std::size_t> (rank)];
+}
+
+/** \brief The box that holds all points but outliers. */
+Eigen::AlignedBox3f
+boxOf (const Points& points)
+{
+  Eigen::AlignedBox3f box;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<float> coordinates;
+    for (const Eigen::Vector3f& point : points)
+      coordinates.push_back (point[axis]);
+    box.min()[axis] = quantile (coordinates, kOutliers);
+    box.max()[axis] = quantile (coordinates, 1.0 - kOutliers);
+  }
+  return box;
+}
+
+/** \brief Rows right, down, forward from a direction and roughly what is down. */
+Eigen::Matrix3f
+axesOf (const Eigen::Vector3f& forward, const Eigen::Vector3f& down)
+{
+  const Eigen::Vector3f right = down.cross (forward).normalized();
+  Eigen::Matrix3f axes;
+  axes << right.transpose(), forward.cross (right).transpose(), forward.transpose();
+  return axes;
+}
+
+/** \brief Mean direction of the points from the eye, and the angle around it that holds
+ * nearly all of them. */
+struct Cone {
+  Eigen::Vector3f axis = Eigen::Vector3f::UnitZ();
+  float half_angle = 0.0f;
+};
+
+Cone
+coneOf (const Points& points, const Eigen::Vector3f& eye)
+{
+  constexpr double kNearlyAll = 0.98;
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  for (const Eigen::Vector3f& point : points)
+    sum += (point - eye).normalized();
+  Cone cone;
+  cone.axis = sum.normalized();
+  std::vector<float> angles;
+  for (const Eigen::Vector3f& point : points) {
+    const float cosine = (point - eye).normalized().dot (cone.axis);
+    angles.push_back (std::acos (std::clamp (cosine, -1.0f, 1.0f)));
+  }
+  cone.half_angle = quantile (angles, kNearlyAll);
+  return cone;
+}
+
+/** \brief Which way the image of a sensor looking along \p forward goes down: along its
+ * y axis for a camera that looks along its z axis, against gravity otherwise. */
+Eigen::Vector3f
+downOf (const Eigen::Quaternionf& orientation,
+        const Eigen::Vector3f& forward,
+        const Eigen::Vector3f& up)
+{
+  const float camera_like = pcl::deg2rad (40.0f);
+  const Eigen::Vector3f sensor_y = orientation * Eigen::Vector3f::UnitY();
+  const float along_z = forward.dot (orientation * Eigen::Vector3f::UnitZ());
+  if (std::abs (along_z) > std::cos (camera_like))
+    return along_z > 0.0f ? sensor_y : Eigen::Vector3f (-sensor_y);
+  const float almost_parallel = pcl::deg2rad (10.0f);
+  if (std::abs (forward.dot (up)) < std::cos (almost_parallel))
+    return -up;
+  return forward.unitOrthogonal();
+}
+
+/** \brief The slanting direction from which the planes' fronts are seen best.
+ * \return unit vector from the cloud to the eye */
+Eigen::Vector3f
+bestSlant (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f& up)
+{
+  constexpr int kDirections = 24;
+  const float elevation = pcl::deg2rad (40.0f);
+  const Eigen::Vector3f side = up.unitOrthogonal();
+  Eigen::Vector3f best = up;
+  double best_seen = -1.0;
+  for (int i = 0; i < kDirections; ++i) {
+    const float azimuth = pcl::deg2rad (360.0f) * static_cast<float> (i) / kDirections;
+    const Eigen::Vector3f level = Eigen::AngleAxisf (azimuth, up) * side;
+    const Eigen::Vector3f slant =
+        std::cos (elevation) * level + std::sin (elevation) * up;
+    double seen = 0.0;
+    for (const PlaneSegment& plane : planes)
+      seen += std::max (0.0, plane.normal.dot (slant.cast<double>())) *
+              static_cast<double> (plane.inliers.size());
+    if (seen > best_seen) {
+      best_seen = seen;
+      best = slant;
+    }
+  }
+  return best;
+}
+
+/** \brief Zooms and shifts the image so that the points fill it but for a margin. */
+void
+fit (const Points& points, int width, int height, View& view)
+{
+  constexpr float kFilled = 0.95f;
+  view.focal = 1.0f;
+  view.center.setZero();
+  std::array<std::vector<float>, 2> image;
+  for (const Eigen::Vector3f& point : points) {
+    const Eigen::Vector3f pixel = view.project (point);
+    if (pixel.z() > 0.0f) {
+      image[0].push_back (pixel.x());
+      image[1].push_back (pixel.y());
+    }
+  }
+  if (image[0].empty())
+    return;
+  const Eigen::Vector2f low (quantile (image[0], kOutliers),
+                             quantile (image[1], kOutliers));
+  const Eigen::Vector2f high (quantile (image[0], 1.0 - kOutliers),
+                              quantile (image[1], 1.0 - kOutliers));
+  const Eigen::Vector2f size (static_cast<float> (width), static_cast<float> (height));
+  constexpr float smallest = 1e-6f;
+  view.focal =
+      kFilled * (size.array() / (high - low).array().max (smallest)).minCoeff();
+  view.center = size / 2.0f - view.focal * (low + high) / 2.0f;
+}
+
+} // namespace
+
+View
+chooseView (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+            const std::vector<PlaneSegment>& planes,
+            const Eigen::Vector3f& up,
+            int width,
+            int height)
+{
+  const float narrowest = pcl::deg2rad (2.5f);
+  const float widest = pcl::deg2rad (60.0f);
+  constexpr float kDistanceInDiagonals = 1.5f;
+  Points points = someFinitePoints (cloud);
+  View view;
+  if (points.empty())
+    return view;
+  const Eigen::Vector3f up_axis = up.normalized();
+  view.eye = cloud.sensor_origin_.head<3>();
+  const Cone cone = coneOf (points, view.eye);
+  if (cone.half_angle > narrowest && cone.half_angle < widest)
+    view.axes =
+        axesOf (cone.axis, downOf (cloud.sensor_orientation_, cone.axis, up_axis));
+  else {
+    if (!planes.empty())
+      points = somePointsOn (planes, cloud);
+    const Eigen::AlignedBox3f box = boxOf (points);
+    const Eigen::Vector3f slant = bestSlant (planes, up_axis);
+    view.hides_backs = box.contains (view.eye);
+    const float diagonal = box.diagonal().norm();
+    const float distance = diagonal > 0.0f ? kDistanceInDiagonals * diagonal : 1.0f;
+    view.eye = box.center() + distance * slant;
+    view.axes = axesOf (-slant, -up_axis);
+  }
+  fit (points, width, height, view);
+  return view;
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <Eigen/Core>
+
+#include <pcl_ops/plane.h>
+
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief A perspective camera. */
+struct View {
+  Eigen::Vector3f eye = Eigen::Vector3f::Zero();
+  /** \brief Rows: the image's right, its down and the viewing direction, unit vectors
+   * in the frame of the cloud. */
+  Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
+  /** \brief Focal length and principal point [pixel]. */
+  float focal = 1.0f;
+  Eigen::Vector2f center = Eigen::Vector2f::Zero();
+  /** \brief Whether planes seen from behind are left out, as the near walls of a room
+   * looked into from outside. */
+  bool hides_backs = false;
+
+  /** \brief Pixel coordinates and depth along the viewing direction, which is not
+   * positive for points behind the camera. */
+  Eigen::Vector3f
+  project (const Eigen::Vector3f& point) const
+  {
+    const Eigen::Vector3f seen = axes * (point - eye);
+    return Eigen::Vector3f (focal * seen.x() / seen.z() + center.x(),
+                            focal * seen.y() / seen.z() + center.y(),
+                            seen.z());
+  }
+};
+
+/** \brief A view that shows a cloud as its sensor saw it; or, where the points lie all
+ * around the sensor or too far away to have been seen from it, from above at a slant.
+ * \param[in] cloud with the sensor's pose
+ * \param[in] planes whose normals point to the sensor
+ * \param[in] up direction against gravity
+ * \param[in] width, height of the image [pixel], which the cloud will fill */
+View
+chooseView (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+            const std::vector<PlaneSegment>& planes,
+            const Eigen::Vector3f& up,
+            int width,
+            int height);
+
+} // namespace pcl_ops::apps

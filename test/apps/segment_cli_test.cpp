@@ -1,0 +1,366 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+
+#include <gtest/gtest.h>
+
+#include "temporary_folder.h"
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using InputCloud = pcl::PointCloud<pcl::PointXYZI>;
+using LabelledCloud = pcl::PointCloud<pcl::PointXYZRGBL>;
+
+constexpr int kSide = 50;
+constexpr int kPlane = kSide * kSide;
+/** \brief The reading without coordinates between floor and wall. */
+constexpr int kMissing = kPlane;
+
+/** \brief A floor of 2 m by 2 m, one missing reading, and a wall at x = 3 m; the
+ * intensity of each point is its index. */
+InputCloud
+floorAndWall ()
+{
+  constexpr float kStep = 2.0f / kSide;
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  InputCloud cloud;
+  const auto add = [&] (float x, float y, float z) {
+    cloud.push_back ({x, y, z, static_cast<float> (cloud.size())});
+  };
+  for (int i = 0; i < kPlane; ++i)
+    add (kStep * static_cast<float> (i / kSide),
+         kStep * static_cast<float> (i % kSide),
+         0);
+  add (kNaN, kNaN, kNaN);
+  for (int i = 0; i < kPlane; ++i)
+    add (3,
+         kStep * static_cast<float> (i / kSide),
+         kStep * static_cast<float> (i % kSide));
+  cloud.is_dense = false;
+  cloud.sensor_origin_ = Eigen::Vector4f (0.5f, 1.0f, 1.5f, 0.0f);
+  return cloud;
+}
+
+struct Outcome {
+  int exit_code;
+  std::string out, err;
+};
+
+/** \brief A folder with the input cloud, to run the program in. */
+class Segment : public testing::Test {
+protected:
+  Segment() { pcl::io::savePCDFileBinary (folder_ / "in.pcd", floorAndWall()); }
+
+  /** \brief Runs the program in the folder. */
+  Outcome
+  run (const std::string& arguments, const std::string& environment = "") const
+  {
+    const std::string command = "cd '" + folder_.path() + "' && " + environment + " '" +
+                                PCL_OPS_SEGMENT_PROGRAM "' " + arguments + " >'" +
+                                streams_ / "out" + "' 2>'" + streams_ / "err" + "'";
+    const int status = std::system (command.c_str());
+    return {WEXITSTATUS (status),
+            contentOf (streams_ / "out"),
+            contentOf (streams_ / "err")};
+  }
+
+  /** \brief The labelled cloud the program makes of a file. */
+  LabelledCloud
+  label (const std::string& input, const std::string& options = "") const
+  {
+    const Outcome done = run (input + " labelled.pcd " + options);
+    EXPECT_EQ (done.exit_code, 0) << done.err;
+    LabelledCloud cloud;
+    EXPECT_EQ (pcl::io::loadPCDFile (folder_ / "labelled.pcd", cloud), 0);
+    return cloud;
+  }
+
+  TemporaryFolder folder_;
+  TemporaryFolder streams_{"_streams"};
+};
+
+std::vector<std::uint32_t>
+labelsOf (const LabelledCloud& cloud)
+{
+  std::vector<std::uint32_t> labels;
+  for (const pcl::PointXYZRGBL& point : cloud)
+    labels.push_back (point.label);
+  return labels;
+}
+
+std::set<std::uint32_t>
+distinct (const LabelledCloud& cloud, int begin, int end)
+{
+  const std::vector<std::uint32_t> labels = labelsOf (cloud);
+  return {labels.begin() + begin, labels.begin() + end};
+}
+
+std::size_t
+lines (const std::string& text)
+{
+  return static_cast<std::size_t> (std::count (text.begin(), text.end(), '\n'));
+}
+
+bool
+contains (const std::string& text, const std::string& part)
+{
+  return text.find (part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_F (Segment, GivesEachPlaneOneLabelAndColor)
+{
+  const LabelledCloud cloud = label ("in.pcd");
+  ASSERT_EQ (cloud.size(), 2u * kPlane + 1u);
+  const auto floor = distinct (cloud, 0, kPlane);
+  const auto wall = distinct (cloud, kMissing + 1, 2 * kPlane + 1);
+  ASSERT_EQ (floor.size(), 1u);
+  ASSERT_EQ (wall.size(), 1u);
+  EXPECT_EQ (*floor.begin() + *wall.begin(), 3u) << "the labels are 1 and 2";
+  EXPECT_NE (cloud[0].rgba, cloud[kMissing + 1].rgba);
+  EXPECT_EQ (cloud[0].rgba, cloud[kPlane - 1].rgba);
+}
+
+TEST_F (Segment, KeepsMissingReadingsInTheirPlaceAndGrey)
+{
+  const LabelledCloud cloud = label ("in.pcd");
+  EXPECT_TRUE (std::isnan (cloud[kMissing].x));
+  EXPECT_EQ (cloud[kMissing].label, 0u);
+  EXPECT_EQ (cloud[kMissing].r, 128);
+  EXPECT_EQ (cloud[kMissing].b, 128);
+}
+
+TEST_F (Segment, KeepsFieldsOrderAndSensorPose)
+{
+  label ("in.pcd");
+  InputCloud kept;
+  ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "labelled.pcd", kept), 0);
+  const InputCloud input = floorAndWall();
+  ASSERT_EQ (kept.size(), input.size());
+  for (std::size_t i = 0; i < input.size(); ++i)
+    ASSERT_EQ (kept[i].intensity, input[i].intensity);
+  EXPECT_EQ (kept[kPlane - 1].getVector3fMap(), input[kPlane - 1].getVector3fMap());
+  EXPECT_EQ (kept.sensor_origin_, input.sensor_origin_);
+}
+
+TEST_F (Segment, GivesTheSameLabelsForEveryFormatAndNumberOfThreads)
+{
+  const std::vector<std::uint32_t> labels = labelsOf (label ("in.pcd"));
+  const InputCloud cloud = floorAndWall();
+  pcl::io::savePCDFileASCII (folder_ / "ascii.pcd", cloud);
+  pcl::io::savePCDFileBinaryCompressed (folder_ / "compressed.pcd", cloud);
+  // A PLY loses the sensor's pose, which the labels do not depend on.
+  pcl::io::savePLYFileASCII (folder_ / "ascii.ply", cloud);
+  pcl::io::savePLYFileBinary (folder_ / "binary.ply", cloud);
+  for (const char* input : {"ascii.pcd", "compressed.pcd", "ascii.ply", "binary.ply"})
+    EXPECT_EQ (labelsOf (label (input)), labels) << input;
+  EXPECT_EQ (labelsOf (label ("in.pcd", "--threads 4")), labels);
+}
+
+TEST_F (Segment, ReplacesColorsUnlessAskedToKeepThem)
+{
+  LabelledCloud colored;
+  pcl::copyPointCloud (floorAndWall(), colored);
+  for (pcl::PointXYZRGBL& point : colored)
+    point.rgba = 0xff010203;
+  pcl::io::savePCDFileBinary (folder_ / "colored.pcd", colored);
+  EXPECT_NE (label ("colored.pcd")[0].rgba & 0xffffff, 0x010203u);
+  EXPECT_EQ (label ("colored.pcd", "--keep-color")[0].rgba & 0xffffff, 0x010203u);
+  EXPECT_NE (label ("in.pcd", "--keep-color")[0].label, 0u) << "harmless without rgb";
+}
+
+TEST_F (Segment, WritesPlanesAsJson)
+{
+  ASSERT_EQ (run ("in.pcd --planes p.json -threshold 0.02 --up 0,0,2").exit_code, 0);
+  const auto json = nlohmann::json::parse (contentOf (folder_ / "p.json"));
+  EXPECT_EQ (json["points"], 2 * kPlane + 1);
+  EXPECT_EQ (json["method"], "ops");
+  EXPECT_EQ (json["parameters"]["threshold"], 0.02);
+  for (const char* stage :
+       {"search", "normals", "extraction", "assignment", "merging", "detection"})
+    EXPECT_GE (json["timing_ms"][stage].get<double>(), 0.0) << stage;
+  ASSERT_EQ (json["planes"].size(), 2u);
+  const auto& floor = json["planes"][0]["orientation"] == "horizontal"
+                          ? json["planes"][0]
+                          : json["planes"][1];
+  EXPECT_EQ (floor["points"], kPlane);
+  EXPECT_NEAR (floor["coefficients"][2].get<double>(), 1.0, 1e-6)
+      << "towards the sensor";
+  EXPECT_NEAR (floor["coefficients"][3].get<double>(), 0.0, 1e-6);
+  EXPECT_NEAR (floor["centroid"][0].get<double>(), 0.98, 1e-5);
+  EXPECT_NEAR (floor["normal"][2].get<double>(), 1.0, 1e-6);
+  EXPECT_NEAR (floor["rms"].get<double>(), 0.0, 1e-6);
+  EXPECT_EQ (json["planes"][0]["id"], 1);
+}
+
+TEST_F (Segment, WritesPlanesAsCsv)
+{
+  ASSERT_EQ (run ("in.pcd --planes p.csv").exit_code, 0);
+  const std::string csv = contentOf (folder_ / "p.csv");
+  EXPECT_EQ (csv.substr (0, csv.find ('\n')),
+             "id,orientation,points,a,b,c,d,centroid_x,centroid_y,centroid_z,"
+             "normal_x,normal_y,normal_z,rms");
+  EXPECT_EQ (lines (csv), 3u);
+  EXPECT_TRUE (contains (csv, "\n1,"));
+  EXPECT_TRUE (contains (csv, "\n2,"));
+}
+
+TEST_F (Segment, DrawsAPictureWithoutADisplay)
+{
+  const Outcome done =
+      run ("in.pcd --image p.png", "env -u DISPLAY -u WAYLAND_DISPLAY");
+  ASSERT_EQ (done.exit_code, 0) << done.err;
+  const std::string png = contentOf (folder_ / "p.png");
+  EXPECT_EQ (png.substr (0, 8), "\x89PNG\r\n\x1a\n");
+  EXPECT_EQ (png.substr (png.size() - 8, 4), "IEND");
+}
+
+TEST_F (Segment, PrintsATableUnlessQuiet)
+{
+  const Outcome loud = run ("in.pcd");
+  EXPECT_TRUE (contains (loud.out, "5001 points, 2 planes")) << loud.out;
+  EXPECT_TRUE (contains (loud.out, "horizontal"));
+  EXPECT_TRUE (contains (loud.out, "vertical"));
+  EXPECT_TRUE (contains (loud.out, "detection"));
+  const Outcome quiet = run ("in.pcd out.pcd --quiet");
+  EXPECT_EQ (quiet.exit_code, 0);
+  EXPECT_EQ (quiet.out + quiet.err, "");
+}
+
+TEST_F (Segment, SaysWhatStoodInTheWayWhenItFindsNothing)
+{
+  const Outcome few = run ("in.pcd out.pcd --preset paper --sampling-rate 0.001");
+  EXPECT_EQ (few.exit_code, 0) << few.err;
+  EXPECT_TRUE (contains (few.out, "No plane found: only 5 of 5000 points")) << few.out;
+  EXPECT_TRUE (contains (few.out, "--sampling-rate")) << few.out;
+  const Outcome strict = run ("in.pcd --min-inliers 100000 --sampling-rate 1");
+  EXPECT_TRUE (contains (strict.out, "--min-inliers")) << strict.out;
+}
+
+TEST_F (Segment, LabelsACloudWithoutASingleReading)
+{
+  InputCloud blind = floorAndWall();
+  for (pcl::PointXYZI& point : blind)
+    point.z = std::numeric_limits<float>::infinity();
+  pcl::io::savePCDFileBinary (folder_ / "blind.pcd", blind);
+  const LabelledCloud cloud = label ("blind.pcd", "--image p.png --planes p.json");
+  EXPECT_EQ (distinct (cloud, 0, 2 * kPlane + 1), std::set<std::uint32_t>{0});
+}
+
+TEST_F (Segment, AnswersHelpAndVersion)
+{
+  for (const char* question : {"--help", "-h", "--version", "-help"}) {
+    const Outcome done = run (question);
+    EXPECT_EQ (done.exit_code, 0);
+    EXPECT_TRUE (contains (done.out, "pcl_ops_segment"));
+    EXPECT_EQ (done.err, "");
+  }
+}
+
+TEST_F (Segment, RefusesWrongUsageInOneLine)
+{
+  const std::vector<std::pair<std::string, std::string>> wrong = {
+      {"", "INPUT: is missing"},
+      {"in.xyz", "in.xyz: has an unknown extension"},
+      {"in.pcd out.ply", "OUTPUT: out.ply has an unknown extension"},
+      {"in.pcd in.pcd", "in.pcd: is the input, too"},
+      {"in.pcd ./in.pcd", "./in.pcd: is the input, too"},
+      {"in.pcd --planes p.txt", "--planes: p.txt has an unknown extension"},
+      {"in.pcd --image p.jpg", "--image: p.jpg has an unknown extension"},
+      {"in.pcd --colour", "--colour: is no option"},
+      {"in.pcd --th 1", "--th: is ambiguous"},
+      {"in.pcd --k 5 --k 6", "--k: is given twice"},
+      {"in.pcd --method magic", "--method: 'magic' is unknown"},
+      {"in.pcd --sampling-rate 0", "--sampling-rate: 0 is out of range"},
+      {"in.pcd --sampling-rate 1.5",
+       "--sampling-rate: 1.5 is out of range; give a number above 0 and up to 1"},
+      {"in.pcd --k 1", "--k: 1 is out of range"},
+      {"in.pcd --threshold -0.05", "--threshold: -0.05 is out of range"},
+      {"in.pcd --threshold nan", "--threshold: nan is out of range"},
+      {"in.pcd --min-inliers many", "--min-inliers: 'many' is no number"},
+      {"in.pcd --probability 1", "--probability: 1 is out of range"},
+      {"in.pcd --angle-tolerance 91", "--angle-tolerance: 91 is out of range"},
+      {"in.pcd --up 0,0,0", "--up: 0,0,0 is no direction"},
+      {"in.pcd --seed 4294967296", "--seed: 4294967296 is out of range"},
+      {"in.pcd --threads -1", "--threads: -1 is out of range"},
+      {"in.pcd --quiet", "--quiet: leaves nothing to do"},
+      {"in.pcd --keep-color", "--keep-color: is about OUTPUT.pcd"},
+      {"in.pcd out.pcd extra", "extra: is one argument too many"}};
+  for (const auto& [arguments, complaint] : wrong) {
+    const Outcome done = run (arguments);
+    EXPECT_EQ (done.exit_code, 2) << arguments;
+    EXPECT_EQ (done.err.find ("pcl_ops_segment: " + complaint), 0u) << done.err;
+    EXPECT_EQ (lines (done.err), 1u) << done.err;
+    EXPECT_EQ (done.out, "") << arguments;
+  }
+  EXPECT_EQ (folder_.fileCount(), 1u) << "nothing was written";
+}
+
+TEST_F (Segment, SaysInOneLineWhyTheWorkFailed)
+{
+  const std::string whole = contentOf (folder_ / "in.pcd");
+  const std::size_t header = whole.find ("DATA binary\n") + 12;
+  folder_.write ("header.pcd", whole.substr (0, header));
+  folder_.write ("half.pcd", whole.substr (0, (header + whole.size()) / 2));
+  folder_.write ("no_y.pcd",
+                 "FIELDS x z\nSIZE 4 4\nTYPE F F\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
+                 "DATA ascii\n1 2\n");
+  folder_.write ("empty.pcd", "");
+  std::filesystem::create_directory (folder_ / "folder.pcd");
+  const std::vector<std::pair<std::string, std::string>> failures = {
+      {"missing.pcd", "missing.pcd: does not exist"},
+      {"folder.pcd", "folder.pcd: is a folder"},
+      {"header.pcd", "header.pcd: is truncated"},
+      {"half.pcd", "half.pcd: is truncated"},
+      {"no_y.pcd", "no_y.pcd: has no field y"},
+      {"empty.pcd", "empty.pcd: is empty"},
+      {"in.pcd nowhere/out.pcd", "nowhere/out.pcd: its folder does not exist"},
+      {"in.pcd folder.pcd", "folder.pcd: is a folder"},
+      {"in.pcd --planes nowhere/p.json", "nowhere/p.json: its folder does not exist"},
+      {"in.pcd --image nowhere/p.png", "nowhere/p.png: its folder does not exist"}};
+  for (const auto& [arguments, complaint] : failures) {
+    const Outcome done = run (arguments);
+    EXPECT_EQ (done.exit_code, 1) << arguments;
+    EXPECT_EQ (done.err.find ("pcl_ops_segment: " + complaint), 0u) << done.err;
+    EXPECT_EQ (lines (done.err), 1u) << done.err;
+  }
+}
+
+TEST_F (Segment, LeavesExistingOutputsAloneWhenItFails)
+{
+  folder_.write ("broken.pcd", "VERSION 0.7\nFIELDS x y z\n");
+  folder_.write ("out.pcd", "precious");
+  folder_.write ("p.json", "precious, too");
+  const std::size_t files = folder_.fileCount();
+  EXPECT_EQ (run ("broken.pcd out.pcd --planes p.json").exit_code, 1);
+  EXPECT_EQ (run ("in.pcd out.pcd --planes p.json --image nowhere/p.png").exit_code, 1);
+  EXPECT_EQ (contentOf (folder_ / "out.pcd"), "precious");
+  EXPECT_EQ (contentOf (folder_ / "p.json"), "precious, too");
+  EXPECT_EQ (folder_.fileCount(), files) << "no temporary file is left";
+}
+
+TEST_F (Segment, NoticesAFullStandardOutput)
+{
+  if (!std::filesystem::exists ("/dev/full"))
+    GTEST_SKIP() << "this system has no /dev/full";
+  const std::string command = std::string ("'") + PCL_OPS_SEGMENT_PROGRAM "' '" +
+                              folder_ / "in.pcd" + "' >/dev/full 2>'" +
+                              streams_ / "err" + "'";
+  const int status = std::system (command.c_str());
+  EXPECT_EQ (WEXITSTATUS (status), 1);
+  EXPECT_TRUE (contains (contentOf (streams_ / "err"), "standard output"));
+}

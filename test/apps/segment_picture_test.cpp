@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <segment/colors.h>
+#include <segment/raster.h>
+#include <segment/view.h>
+
+#include <set>
+
+using namespace pcl_ops;
+using namespace pcl_ops::apps;
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+constexpr int kWidth = 200;
+constexpr int kHeight = 150;
+const Eigen::Vector3f kUp = Eigen::Vector3f::UnitZ();
+
+void
+add (Cloud& cloud, const Eigen::Vector3f& point)
+{
+  cloud.emplace_back (point.x(), point.y(), point.z());
+}
+
+/** \brief A square of 2 m around a point, spanned by two unit vectors, and its plane.
+ */
+PlaneSegment
+addSquare (Cloud& cloud,
+           const Eigen::Vector3f& center,
+           const Eigen::Vector3f& u,
+           const Eigen::Vector3f& v)
+{
+  PlaneSegment plane;
+  plane.normal = u.cross (v).cast<double>();
+  plane.centroid = center.cast<double>();
+  for (int i = -10; i <= 10; ++i)
+    for (int j = -10; j <= 10; ++j) {
+      plane.inliers.push_back (static_cast<pcl::index_t> (cloud.size()));
+      add (cloud,
+           center + 0.1f * static_cast<float> (i) * u +
+               0.1f * static_cast<float> (j) * v);
+    }
+  return plane;
+}
+
+View
+viewOf (const Cloud& cloud, const std::vector<PlaneSegment>& planes = {})
+{
+  return chooseView (cloud, planes, kUp, kWidth, kHeight);
+}
+
+/** \brief Whether the image has the first point right of, or below, the second. */
+bool
+isRightOf (const View& view,
+           const Eigen::Vector3f& first,
+           const Eigen::Vector3f& second)
+{
+  return view.project (first).x() > view.project (second).x();
+}
+bool
+isBelow (const View& view, const Eigen::Vector3f& first, const Eigen::Vector3f& second)
+{
+  return view.project (first).y() > view.project (second).y();
+}
+
+} // namespace
+
+TEST (View, ShowsACameraFrameAsTheCameraSawIt)
+{
+  Cloud wall;
+  addSquare (wall, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
+  const View view = viewOf (wall);
+  EXPECT_TRUE (isRightOf (view, {1, 0, 3}, {0, 0, 3}));
+  EXPECT_TRUE (isBelow (view, {0, 1, 3}, {0, 0, 3}));
+}
+
+TEST (View, FollowsTheSensorsOrientation)
+{
+  Cloud wall;
+  addSquare (wall, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
+  wall.sensor_orientation_ =
+      Eigen::AngleAxisf (static_cast<float> (M_PI), Eigen::Vector3f::UnitZ());
+  const View view = viewOf (wall);
+  EXPECT_TRUE (isRightOf (view, {-1, 0, 3}, {0, 0, 3}));
+  EXPECT_TRUE (isBelow (view, {0, -1, 3}, {0, 0, 3}));
+}
+
+TEST (View, KeepsGravityDownWhereTheSensorLooksSideways)
+{
+  Cloud wall;
+  addSquare (wall, {5, 0, 1}, {0, 1, 0}, {0, 0, 1});
+  wall.sensor_origin_ = Eigen::Vector4f (0, 0, 1, 0);
+  const View view = viewOf (wall);
+  EXPECT_TRUE (isBelow (view, {5, 0, 0}, {5, 0, 1}));
+  EXPECT_TRUE (isRightOf (view, {5, -1, 1}, {5, 0, 1}));
+}
+
+TEST (View, LooksFromAboveIntoARoomAroundTheSensor)
+{
+  Cloud room;
+  const std::vector<PlaneSegment> planes = {
+      addSquare (room, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}),
+      addSquare (room, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}),
+      addSquare (room, {1, 0, 0}, {0, 0, 1}, {0, 1, 0})};
+  const View view = viewOf (room, planes);
+  EXPECT_TRUE (view.hides_backs);
+  EXPECT_GT (view.eye.z(), 1.0f);
+  EXPECT_TRUE (isBelow (view, {0, 0, -1}, {0, 0, 1}));
+}
+
+TEST (View, FillsTheImage)
+{
+  Cloud wall;
+  addSquare (wall, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
+  const View view = viewOf (wall);
+  const Eigen::Vector3f low = view.project ({-1, -1, 3}),
+                        high = view.project ({1, 1, 3});
+  EXPECT_GT (low.x(), 0.0f);
+  EXPECT_GT (low.y(), 0.0f);
+  EXPECT_LT (high.x(), kWidth);
+  EXPECT_LT (high.y(), kHeight);
+  EXPECT_GT (high.y() - low.y(), 0.9f * kHeight);
+}
+
+TEST (View, ExistsForACloudOfNothingOrOfOnePoint)
+{
+  Cloud cloud;
+  viewOf (cloud);
+  add (cloud, {1, 2, 3});
+  const Eigen::Vector3f pixel = viewOf (cloud).project ({1, 2, 3});
+  EXPECT_TRUE (pixel.allFinite()) << pixel.transpose();
+}
+
+TEST (Raster, ShowsTheNearestOfAllPointsWithoutGaps)
+{
+  Cloud cloud;
+  addSquare (cloud, {0, 0, 4}, {1, 0, 0}, {0, 1, 0});
+  const std::size_t far = cloud.size();
+  addSquare (cloud, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
+  const View view = viewOf (cloud);
+  const Raster raster =
+      drawPoints (cloud, view, kWidth, kHeight, [] (pcl::index_t) { return true; });
+  for (int row = kHeight / 3; row < 2 * kHeight / 3; ++row)
+    for (int column = kWidth / 3; column < 2 * kWidth / 3; ++column)
+      ASSERT_GE (raster.points[raster.at (column, row)],
+                 static_cast<pcl::index_t> (far))
+          << "at " << column << ", " << row;
+}
+
+TEST (Raster, LeavesOutWhatIsNotShown)
+{
+  Cloud cloud;
+  addSquare (cloud, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
+  const Raster raster = drawPoints (
+      cloud, viewOf (cloud), kWidth, kHeight, [] (pcl::index_t) { return false; });
+  for (const pcl::index_t point : raster.points)
+    ASSERT_EQ (point, Raster::kNothing);
+}
+
+TEST (Colors, TellNeighbouringLabelsAndNoPlaneApart)
+{
+  std::set<std::uint32_t> seen;
+  for (std::uint32_t label = 0; label <= 100; ++label)
+    seen.insert (colorOfLabel (label).rgba);
+  EXPECT_EQ (seen.size(), 101u);
+  EXPECT_EQ (colorOfLabel (0).r, colorOfLabel (0).g);
+  EXPECT_NO_THROW (colorOfLabel (1000000));
+}
