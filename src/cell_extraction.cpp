@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cell_samples.h"
 #include "cell_units.h"
 #include <pcl_ops/cell_planes.h>
 #include <pcl_ops/plane_extraction.h>
@@ -10,80 +11,6 @@
 namespace pcl_ops {
 
 namespace {
-
-/** \brief Oriented cells as arrays the compiler vectorizes. */
-struct CellSamples {
-  Coordinates centroids;
-  Coordinates normals;
-  /** \brief Largest distance of each to its plane [m]. */
-  std::vector<float> bands;
-  /** \brief Points in each; integers, whose sum the compiler may reorder. */
-  std::vector<std::int32_t> weights;
-
-  std::size_t
-  size () const
-  {
-    return bands.size();
-  }
-
-  void
-  add (const Moments& moments, const CellNormal& normal, double band)
-  {
-    const Eigen::Vector3f c = moments.centroid().cast<float>();
-    const Eigen::Vector3f n = normal.plane.normal.cast<float>();
-    centroids.add (c.x(), c.y(), c.z());
-    normals.add (n.x(), n.y(), n.z());
-    bands.push_back (static_cast<float> (band));
-    weights.push_back (static_cast<std::int32_t> (moments.count));
-  }
-};
-
-struct SinglePlane {
-  float nx, ny, nz, offset;
-  float smallest_cosine;
-};
-
-struct Support {
-  std::int32_t weight = 0;
-  std::int32_t cells = 0;
-};
-
-inline bool
-isInlier (const SinglePlane& plane,
-          float x,
-          float y,
-          float z,
-          float nx,
-          float ny,
-          float nz,
-          float band)
-{
-  const float distance = plane.nx * x + plane.ny * y + plane.nz * z + plane.offset;
-  const float cosine = plane.nx * nx + plane.ny * ny + plane.nz * nz;
-  return (std::abs (distance) < band) & (std::abs (cosine) > plane.smallest_cosine);
-}
-
-Support
-supportOf (const CellSamples& samples, const SinglePlane& plane)
-{
-  const auto size = static_cast<std::int32_t> (samples.size());
-  const float* const x = samples.centroids.x.data();
-  const float* const y = samples.centroids.y.data();
-  const float* const z = samples.centroids.z.data();
-  const float* const nx = samples.normals.x.data();
-  const float* const ny = samples.normals.y.data();
-  const float* const nz = samples.normals.z.data();
-  const float* const bands = samples.bands.data();
-  const std::int32_t* const weights = samples.weights.data();
-  Support support;
-  for (std::int32_t i = 0; i < size; ++i) {
-    const std::int32_t inlier =
-        isInlier (plane, x[i], y[i], z[i], nx[i], ny[i], nz[i], bands[i]) ? -1 : 0;
-    support.weight += inlier & weights[i];
-    support.cells -= inlier;
-  }
-  return support;
-}
 
 /** \brief The finder of the peel loop: candidates are positions of cells. */
 class LargestCellPlane {
