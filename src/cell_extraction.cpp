@@ -38,8 +38,7 @@ public:
         return std::nullopt;
       Positions parts = largeParts (*support);
       const std::optional<PlaneFit> fit = fitPlane (momentsOf (parts));
-      if (fit &&
-          normalSpread (parts, fit->plane) < parameters_.inlier.largest_normal_spread)
+      if (fit && !isCurved (parts, fit->plane))
         return ExtractedPlane{fit->plane, std::move (parts)};
       for (const std::uint32_t cell : *support)
         rejected_[cell] = true;
@@ -158,17 +157,22 @@ private:
     return moments;
   }
 
-  // Root mean square angle between the normals of cells and a plane's (for small
-  // angles).
-  double
-  normalSpread (const Positions& cells, const Plane& plane) const
+  // Whether the cells' normals spread more about the plane's than noise explains, which
+  // turns the normal of a thick neighbourhood by about its thickness [rad].
+  bool
+  isCurved (const Positions& cells, const Plane& plane) const
   {
     double squared_sines = 0.0;
+    double thickness = 0.0;
     for (const std::uint32_t cell : cells) {
       const double cosine = plane.normal.dot (normals_[cell]->plane.normal);
       squared_sines += 1.0 - cosine * cosine;
+      thickness += normals_[cell]->thickness;
     }
-    return std::sqrt (squared_sines / static_cast<double> (cells.size()));
+    const auto number = static_cast<double> (cells.size());
+    return std::sqrt (squared_sines / number) >
+           parameters_.inlier.largest_normal_spread +
+               parameters_.inlier.spread_of_thickness * thickness / number;
   }
 
   // The connected parts of a support with theta_N cells or more.

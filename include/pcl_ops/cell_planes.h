@@ -21,9 +21,11 @@ struct CellInlierParameters {
   double noise_factor = 3.0;
   /** \brief Largest angle between a cell's normal and the plane's [rad]; 30 degrees. */
   double angle_threshold = 0.52359877559829882;
-  /** \brief Largest rms angle between the normals of a plane's cells and its own [rad]:
+  /** \brief Largest rms angle between the normals of a plane's cells and its own [rad];
    * more, and the surface is curved. */
-  double largest_normal_spread = 0.2;
+  double largest_normal_spread = 0.1;
+  /** \brief What noise may add to it, in units of the cells' mean thickness [rad]. */
+  double spread_of_thickness = 0.6;
   /** \brief Cells thicker than this (see CellNormal::thickness) support no plane. */
   double largest_thickness = 0.3;
 };

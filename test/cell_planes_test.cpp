@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid_scene.h"
+#include <pcl_ops/cell_planes.h>
+
+using pcl_ops::CellGrid;
+using pcl_ops::CellPlanes;
+using pcl_ops::CellRansacParameters;
+using pcl_ops::Coordinates;
+using pcl_ops::GriddedPoints;
+
+namespace {
+
+const Surface ground = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
+const Surface wall = {{0, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+
+CellPlanes
+planesOf (const CellGrid& grid,
+          const CellRansacParameters& parameters = CellRansacParameters())
+{
+  const auto normals = pcl_ops::orientCells (grid, pcl_ops::CellNormalParameters(), 1);
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  CellPlanes planes;
+  pcl_ops::extractCellPlanes (grid, normals, parameters, generator, planes);
+  return planes;
+}
+
+GriddedPoints
+gridOf (const std::vector<Surface>& surfaces, double noise = 0.0)
+{
+  Coordinates points;
+  for (const Surface& surface : surfaces)
+    addGrid (points, surface, 120, noise);
+  return pcl_ops::gridPoints (points, 0.1, 1);
+}
+
+// Cells on no plane.
+std::size_t
+cellsLeft (const CellPlanes& planes)
+{
+  return static_cast<std::size_t> (std::count (
+      planes.plane_of_cell.begin(), planes.plane_of_cell.end(), pcl_ops::no_plane));
+}
+
+} // namespace
+
+TEST (CellExtraction, FindsGroundAndWall)
+{
+  const CellPlanes planes = planesOf (gridOf ({ground, wall}, 5_mm).grid);
+  ASSERT_EQ (planes.planes.size(), 2u);
+  EXPECT_LT (std::abs (planes.planes[0].normal.dot (planes.planes[1].normal)), 0.02);
+}
+
+TEST (CellExtraction, AsksForThetaNConnectedCells)
+{
+  const Surface tile = {{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}};
+  const CellGrid grid = gridOf ({tile}).grid;
+  CellRansacParameters parameters;
+  parameters.min_inliers = grid.size();
+  EXPECT_EQ (planesOf (grid, parameters).planes.size(), 1u);
+  parameters.min_inliers = grid.size() + 1;
+  EXPECT_TRUE (planesOf (grid, parameters).planes.empty());
+}
+
+TEST (CellExtraction, TakesACylinderForNoPlane)
+{
+  Coordinates points;
+  for (int i = 0; i < 400; ++i)
+    for (int j = 0; j < 200; ++j) {
+      const double angle = 2.0 * pi * i / 400;
+      points.add (static_cast<float> (0.4 * std::cos (angle)),
+                  static_cast<float> (0.4 * std::sin (angle)),
+                  static_cast<float> (0.01 * j));
+    }
+  EXPECT_TRUE (planesOf (pcl_ops::gridPoints (points, 0.1, 1).grid).planes.empty());
+}
+
+TEST (Growing, ReachesTheCellsAtTheEdgeOfAPlane)
+{
+  const CellGrid grid = gridOf ({ground, wall}, 5_mm).grid;
+  CellPlanes planes = planesOf (grid);
+  const std::size_t before = cellsLeft (planes);
+  pcl_ops::growPlanes (grid, pcl_ops::GrowingParameters(), planes);
+  EXPECT_LE (cellsLeft (planes), before);
+  // A row of cells where ground and wall meet belongs to neither alone.
+  EXPECT_LE (cellsLeft (planes), 21u);
+}
+
+TEST (Absorption, GivesASplinterToThePlaneAroundIt)
+{
+  const CellGrid grid = gridOf ({ground}, 5_mm).grid;
+  CellPlanes planes = planesOf (grid);
+  planes.planes.push_back (planes.planes[0]);
+  for (std::size_t cell = 0; cell < grid.size() / 10; ++cell)
+    planes.plane_of_cell[cell] = 1;
+  pcl_ops::absorbPlanes (grid, 1.8, planes);
+  EXPECT_EQ (planes.planes.size(), 1u);
+}
+
+TEST (Absorption, LeavesAStepOfManyTimesTheNoise)
+{
+  const Surface step = {{2, 0, 0.08}, {2, 0, 0}, {0, 2, 0}};
+  const CellGrid grid = gridOf ({ground, step}, 5_mm).grid;
+  CellPlanes planes = planesOf (grid);
+  const std::size_t before = planes.planes.size();
+  pcl_ops::absorbPlanes (grid, 1.8, planes);
+  EXPECT_EQ (before, 2u);
+  EXPECT_EQ (planes.planes.size(), before);
+}
+
+TEST (Noise, IsTheRmsDistanceToThePlane)
+{
+  const CellGrid grid = gridOf ({ground}, 1_cm).grid;
+  CellPlanes planes = planesOf (grid);
+  pcl_ops::measureNoise (grid, planes);
+  for (std::size_t cell = 0; cell < grid.size(); ++cell)
+    EXPECT_TRUE (planes.plane_of_cell[cell] == pcl_ops::no_plane ||
+                 std::abs (planes.noise[cell] - 1_cm / std::sqrt (3.0)) < 1_mm);
+}
+
+TEST (BoundedAssignment, LabelsNoPointBeyondTheEndOfItsPlane)
+{
+  Coordinates points;
+  addGrid (points, ground, 120);
+  const std::size_t on_the_ground = points.size();
+  // A chair leg's worth of points at the height of the ground, a metre beyond its end.
+  addGrid (points, {{3, 0, 0}, {0.05, 0, 0}, {0, 0.05, 0}}, 10);
+  const GriddedPoints gridded = pcl_ops::gridPoints (points, 0.1, 1);
+  const auto assigned =
+      pcl_ops::assignToBoundedPlanes (points, gridded, planesOf (gridded.grid), {}, 1);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_EQ (assigned.labels[i], i < on_the_ground ? 0 : pcl_ops::no_plane);
+}
+
+TEST (BoundedAssignment, GivesTheMomentsOfThePointsItLabels)
+{
+  Coordinates points;
+  addGrid (points, ground, 120, 5_mm);
+  addGrid (points, wall, 120, 5_mm);
+  const GriddedPoints gridded = pcl_ops::gridPoints (points, 0.1, 1);
+  const CellPlanes planes = planesOf (gridded.grid);
+  const auto assigned = pcl_ops::assignToBoundedPlanes (points, gridded, planes, {}, 1);
+  const auto expected =
+      pcl_ops::momentsOfLabels (points, assigned.labels, planes.planes.size(), 1);
+  for (std::size_t p = 0; p < expected.size(); ++p) {
+    EXPECT_EQ (assigned.moments[p].count, expected[p].count);
+    EXPECT_LT ((assigned.moments[p].sum - expected[p].sum).norm(), 1e-6);
+  }
+}
+
+TEST (BoundedAssignment, IsTheSameForAnyNumberOfThreads)
+{
+  Coordinates points;
+  addGrid (points, ground, 300, 5_mm);
+  addGrid (points, wall, 300, 5_mm);
+  const GriddedPoints gridded = pcl_ops::gridPoints (points, 0.1, 1);
+  const CellPlanes planes = planesOf (gridded.grid);
+  const auto one = pcl_ops::assignToBoundedPlanes (points, gridded, planes, {}, 1);
+  const auto four = pcl_ops::assignToBoundedPlanes (points, gridded, planes, {}, 4);
+  EXPECT_EQ (one.labels, four.labels);
+}
