@@ -11,6 +11,9 @@
 namespace pcl_ops {
 namespace {
 
+// Cubes below it are points: their cells could not be counted in single precision [m].
+constexpr double smallest_edge = 1e-30;
+
 struct AxisRange {
   float low = std::numeric_limits<float>::infinity();
   float high = -std::numeric_limits<float>::infinity();
@@ -67,9 +70,9 @@ mortonCodes (const Coordinates& points, const RootCube& root, int level)
   const auto scale = static_cast<float> (cells / root.edge);
   const Eigen::Vector3f centre = root.centre.cast<float>();
   const auto half = static_cast<float> (cells / 2.0);
-  const auto cell = [cells, scale, half] (float value, float middle) {
-    return std::clamp (
-        static_cast<int> ((value - middle) * scale + half), 0, cells - 1);
+  const auto last = static_cast<float> (cells - 1);
+  const auto cell = [last, scale, half] (float value, float middle) {
+    return static_cast<int> (std::clamp ((value - middle) * scale + half, 0.0f, last));
   };
   std::vector<std::uint16_t> codes (points.size());
   for (std::size_t i = 0; i < codes.size(); ++i)
@@ -109,14 +112,14 @@ rootCubeOf (const Coordinates& points)
   const AxisRange x = rangeOf (points.x), y = rangeOf (points.y),
                   z = rangeOf (points.z);
   root.centre = Eigen::Vector3d (x.mean, y.mean, z.mean);
+  const double edge = 2.0 * std::max ({x.reach(), y.reach(), z.reach()});
   const bool all_equal = x.low == x.high && y.low == y.high && z.low == z.high;
-  root.edge = all_equal ? 0.0 : 2.0 * std::max ({x.reach(), y.reach(), z.reach()});
-  const Eigen::Vector3f centre = root.centre.cast<float>();
-  float squared_radius = 0.0f;
+  root.edge = all_equal || edge < smallest_edge ? 0.0 : edge;
+  double squared_radius = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const float dx = points.x[i] - centre.x();
-    const float dy = points.y[i] - centre.y();
-    const float dz = points.z[i] - centre.z();
+    const double dx = points.x[i] - x.mean;
+    const double dy = points.y[i] - y.mean;
+    const double dz = points.z[i] - z.mean;
     squared_radius = std::max (squared_radius, dx * dx + dy * dy + dz * dz);
   }
   root.radius = std::sqrt (squared_radius);

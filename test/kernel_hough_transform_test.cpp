@@ -248,6 +248,20 @@ TEST (KernelHoughTransform, IgnoresPointsThatAreNotFinite)
   EXPECT_EQ (planesOf (scene, Parameters()).size(), planes);
 }
 
+TEST (KernelHoughTransform, SurvivesCoordinatesAtTheEndsOfTheirRange)
+{
+  for (const float extreme : {1e-40f, 1e-20f, 1e15f, 1e30f, 3e38f}) {
+    LabelledScene scene = box();
+    scene.cloud->push_back ({extreme, -extreme, extreme});
+    scene.cloud->push_back ({-extreme, extreme, extreme});
+    for (const Parameters& parameters : {Parameters(), published (30, 300)})
+      planesOf (scene, parameters);
+    for (pcl::PointXYZ& point : *scene.cloud)
+      point.getVector3fMap() *= extreme;
+    planesOf (scene, Parameters());
+  }
+}
+
 class WrongHoughParameters : public testing::TestWithParam<int> {};
 
 TEST_P (WrongHoughParameters, AreRefused)
