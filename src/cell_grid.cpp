@@ -115,7 +115,7 @@ cellSizeFor (const Coordinates& positions, double wanted_cells)
     return 0.0;
   const std::size_t stride = positions.size() / looked_at + 1;
   double cell_size = diagonal (positions, stride) / 25.0;
-  if (!(cell_size > 0.0))
+  if (!(cell_size > 0.0 && std::isfinite (cell_size)))
     return 0.0;
   constexpr int most_tries = 8;
   double counted = 0.0;

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "principal_axes.h"
 #include <pcl_ops/oriented_samples.h>
 #include <pcl_ops/random.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -39,14 +38,12 @@ drawSample (std::size_t size, double rate, std::uint32_t seed)
 Eigen::Vector3d
 normalOfScatter (const Eigen::Matrix3d& scatter)
 {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect (scatter);
+  const PrincipalAxes axes = principalAxes (scatter);
   // Narrower than a thousandth of its length it is a line: rounding decides the rest.
   constexpr double smallest_relative_variance = 1e-6;
-  const Eigen::Vector3d& variances = solver.eigenvalues ();
-  if (!(variances[1] > smallest_relative_variance * variances[2]))
+  if (!(axes.values[1] > smallest_relative_variance * axes.values[2]))
     return Eigen::Vector3d::Zero ();
-  return solver.eigenvectors ().col (0);
+  return axes.normal;
 }
 
 std::array<Positions, 3>

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "../src/principal_axes.h"
+#include "scene.h"
+
+using pcl_ops::principalAxes;
+using pcl_ops::PrincipalAxes;
+
+namespace {
+
+/** \brief A matrix with these eigenvalues along random axes. */
+Eigen::Matrix3d
+turned (const Eigen::Vector3d& values, pcl_ops::RandomGenerator& generator)
+{
+  const Eigen::Quaterniond turn = Eigen::Quaterniond (drawNormal (generator),
+                                                      drawNormal (generator),
+                                                      drawNormal (generator),
+                                                      drawNormal (generator))
+                                      .normalized();
+  return turn * values.asDiagonal() * turn.conjugate();
+}
+
+} // namespace
+
+TEST (PrincipalAxes, AgreeWithEigensIterativeSolver)
+{
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  for (int i = 0; i < 200; ++i) {
+    const double width = std::pow (10.0, -3.0 * pcl_ops::drawUnit (generator));
+    const double noise = 0.9 * width * pcl_ops::drawUnit (generator);
+    const Eigen::Matrix3d matrix = turned ({noise, width, 1.0}, generator);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> oracle (matrix);
+    const PrincipalAxes axes = principalAxes (matrix);
+    EXPECT_LT (angleBetween (axes.normal, oracle.eigenvectors().col (0)), 1e-7);
+    EXPECT_TRUE (axes.values.isApprox (oracle.eigenvalues(), 1e-8));
+  }
+}
+
+TEST (PrincipalAxes, FindTheNormalOfAnExactPlane)
+{
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  const Eigen::Matrix3d matrix = turned ({0.0, 0.3, 1.0}, generator);
+  const PrincipalAxes axes = principalAxes (matrix);
+  EXPECT_LT ((matrix * axes.normal).norm(), 1e-14);
+  EXPECT_NEAR (axes.normal.norm(), 1.0, 1e-14);
+  EXPECT_NEAR (axes.values[0], 0.0, 1e-14);
+}
+
+TEST (PrincipalAxes, DoNotDependOnTheUnitOfLength)
+{
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  const Eigen::Matrix3d matrix = turned ({0.01, 0.3, 1.0}, generator);
+  for (const double scale : {1e-12, 1e12}) {
+    const PrincipalAxes axes = principalAxes (scale * matrix);
+    EXPECT_LT (angleBetween (axes.normal, principalAxes (matrix).normal), 1e-12);
+    EXPECT_NEAR (axes.values[2], scale, 1e-9 * scale);
+  }
+}
+
+TEST (PrincipalAxes, HaveNoNormalForAPointAndForNumbersThatAreNone)
+{
+  EXPECT_TRUE (principalAxes (Eigen::Matrix3d::Zero()).normal.isZero());
+  for (const double none : {HUGE_VAL, std::nan ("")})
+    EXPECT_TRUE (principalAxes (Eigen::Matrix3d::Constant (none)).normal.isZero());
+}
