@@ -10,4 +10,24 @@ namespace pcl_ops::evaluation {
 int
 compareCommand (int argc, const char* const* argv);
 
+/** \brief `pcl_ops_evaluate run`: detectors over data sets, with tables and plots. */
+int
+runCommand (int argc, const char* const* argv);
+
+/** \brief `pcl_ops_evaluate report`: tables and plots from the results of a run. */
+int
+reportCommand (int argc, const char* const* argv);
+
+/** \brief `pcl_ops_evaluate detectors`: the configurations by name. */
+int
+detectorsCommand (int argc, const char* const* argv);
+
+/** \brief `pcl_ops_evaluate pictures`: truth and detectors on chosen clouds. */
+int
+picturesCommand (int argc, const char* const* argv);
+
+/** \brief `pcl_ops_evaluate truth`: how good a truth region growing makes. */
+int
+truthCommand (int argc, const char* const* argv);
+
 } // namespace pcl_ops::evaluation

@@ -48,6 +48,7 @@ simulateRoom (std::uint32_t seed, NoiseProfile profile)
   EvaluationCloud result;
   result.cloud.reset (new Cloud);
   result.cloud->sensor_origin_ = simulated.cloud.sensor_origin_;
+  result.cloud->sensor_orientation_ = simulated.cloud.sensor_orientation_;
   result.truth.emplace();
   for (const pcl::PointXYZL& point : simulated.cloud) {
     result.cloud->push_back (pcl::PointXYZ (point.x, point.y, point.z));
@@ -96,6 +97,7 @@ readCloud (const std::string& file, const Eigen::Vector3d& up)
   finite.up = up;
   finite.cloud.reset (new Cloud);
   finite.cloud->sensor_origin_ = all.cloud->sensor_origin_;
+  finite.cloud->sensor_orientation_ = all.cloud->sensor_orientation_;
   if (!all.labels.empty())
     finite.truth.emplace();
   for (std::size_t i = 0; i < all.cloud->size(); ++i) {

@@ -157,6 +157,15 @@ allConfigurations ()
   return all;
 }
 
+bool
+isInGroup (const std::string& configuration, const std::string& group)
+{
+  const std::vector<Configuration>& all = allConfigurations();
+  return std::any_of (all.begin(), all.end(), [&] (const Configuration& known) {
+    return known.name == configuration && isCalled (known, group);
+  });
+}
+
 std::vector<Configuration>
 selectConfigurations (const std::string& list)
 {

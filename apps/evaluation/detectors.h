@@ -47,6 +47,10 @@ struct Configuration {
 const std::vector<Configuration>&
 allConfigurations ();
 
+/** \brief Whether a configuration of that name is known and one of the group. */
+bool
+isInGroup (const std::string& configuration, const std::string& group);
+
 /** \brief The configurations of a list of names and groups, "ops,table4"; "all" for
  * all. None comes twice.
  * \throw apps::UsageError for an unknown name */

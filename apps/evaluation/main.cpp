@@ -17,15 +17,25 @@ constexpr const char* help =
     "pcl_ops_evaluate: compares plane detectors as the paper of OPS does\n"
     "(Sun & Mordohai, ICRA 2019)\n\n"
     "  pcl_ops_evaluate compare TRUTH RESULT   every metric for two labelled clouds\n"
+    "  pcl_ops_evaluate run OUTPUT DATASET...  detectors over data sets\n"
+    "  pcl_ops_evaluate report OUTPUT          tables and plots of a run's results\n"
+    "  pcl_ops_evaluate pictures OUTPUT DATASET...  what they find, as pictures\n"
+    "  pcl_ops_evaluate truth DATASET...       how good a truth region growing makes\n"
+    "  pcl_ops_evaluate detectors              the detectors a run can have\n"
     "\n"
     "pcl_ops_evaluate COMMAND --help says more.\n";
 
 int
-runCommand (int argc, const char* const* argv)
+dispatch (int argc, const char* const* argv)
 {
   using Command = std::function<int (int, const char* const*)>;
   const std::map<std::string, Command> commands{
       {"compare", evaluation::compareCommand},
+      {"run", evaluation::runCommand},
+      {"report", evaluation::reportCommand},
+      {"pictures", evaluation::picturesCommand},
+      {"truth", evaluation::truthCommand},
+      {"detectors", evaluation::detectorsCommand},
   };
   const std::string name = argc > 1 ? argv[1] : "";
   if (name == "--help" || name == "-help" || name == "-h") {
@@ -49,5 +59,5 @@ runCommand (int argc, const char* const* argv)
 int
 main (int argc, char** argv)
 {
-  return apps::runProgram (program_name, [&] { return runCommand (argc, argv); });
+  return apps::runProgram (program_name, [&] { return dispatch (argc, argv); });
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_classes.h"
 
-#include <pcl_ops/plane.h>
-
 namespace pcl_ops::evaluation {
 
 namespace {
@@ -27,24 +25,37 @@ momentsOfPlanes (const Cloud& cloud, const PlaneIds& planes)
 
 } // namespace
 
+std::vector<PlaneSegment>
+planesOf (const Cloud& cloud, const PlaneIds& planes, const ClassParameters& parameters)
+{
+  const Eigen::Vector3d sensor = cloud.sensor_origin_.head<3>().cast<double>();
+  std::vector<PlaneSegment> segments;
+  for (const Moments& moments : momentsOfPlanes (cloud, planes)) {
+    PlaneSegment segment;
+    segment.centroid = moments.centroid();
+    if (const std::optional<PlaneFit> fit = fitPlane (moments)) {
+      const Eigen::Vector3d& normal = fit->plane.normal;
+      segment.normal = fit->plane.distance (sensor) < 0.0 ? -normal : normal;
+      segment.orientation = orientationOf (normal, parameters.up, parameters.tolerance);
+    }
+    segment.moments = moments.about (segment.centroid);
+    segments.push_back (segment);
+  }
+  return segments;
+}
+
 std::vector<Orientation>
 pointClasses (const Cloud& cloud,
               const Labels& labels,
               const ClassParameters& parameters)
 {
   const PlaneIds planes = planeIds (labels);
-  std::vector<Orientation> class_of_plane;
-  for (const Moments& moments : momentsOfPlanes (cloud, planes)) {
-    const std::optional<PlaneFit> fit = fitPlane (moments);
-    class_of_plane.push_back (
-        fit ? orientationOf (fit->plane.normal, parameters.up, parameters.tolerance)
-            : Orientation::Other);
-  }
+  const std::vector<PlaneSegment> segments = planesOf (cloud, planes, parameters);
   std::vector<Orientation> classes;
   classes.reserve (labels.size());
   for (const std::uint32_t plane : planes.of_point)
     classes.push_back (plane == PlaneIds::none ? Orientation::Other
-                                               : class_of_plane[plane]);
+                                               : segments[plane].orientation);
   return classes;
 }
 

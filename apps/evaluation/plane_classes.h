@@ -7,7 +7,7 @@
 #include <pcl/point_types.h>
 
 #include "labels.h"
-#include <pcl_ops/orientation.h>
+#include <pcl_ops/plane.h>
 
 namespace pcl_ops::evaluation {
 
@@ -22,10 +22,18 @@ struct ClassParameters {
   double tolerance = pcl::deg2rad (7.0);
 };
 
-/** \brief The class of each point: that of the least squares plane through all points
- * of its label.
- * \return Other for label 0 and where the points of a label span no plane
- */
+/** \brief The planes of labelled points: least squares through all points of a label,
+ * normals to the sensor's side, without \ref PlaneSegment::inliers.
+ * \param[in] cloud finite points with the sensor's origin
+ * \param[in] planes ids of their labels
+ * \return a plane per id; class Other where the points of a label span none */
+std::vector<PlaneSegment>
+planesOf (const Cloud& cloud,
+          const PlaneIds& planes,
+          const ClassParameters& parameters);
+
+/** \brief The class of each point: that of its label's plane.
+ * \return Other for label 0 and where the points of a label span no plane */
 std::vector<Orientation>
 pointClasses (const Cloud& cloud,
               const Labels& labels,

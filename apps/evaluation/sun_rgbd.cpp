@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sun_rgbd.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <common/program.h>
@@ -131,6 +132,7 @@ sunRgbdCloud (const DepthImage& image,
   const double center_x = intrinsics (0, 2), center_y = intrinsics (1, 2);
 
   Cloud::Ptr cloud (new Cloud);
+  cloud->sensor_orientation_ = Eigen::Quaterniond (rotation).cast<float>();
   for (std::size_t row = 0; row < image.height; ++row)
     for (std::size_t column = 0; column < image.width; ++column) {
       const std::uint16_t stored = image.values[row * image.width + column];

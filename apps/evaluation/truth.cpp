@@ -135,7 +135,7 @@ std::string
 truthName (const EvaluationCloud& cloud, const TruthParameters& parameters)
 {
   if (cloud.truth)
-    return "exact";
+    return exact_truth;
   return "grown-k" + std::to_string (parameters.growing.neighbors);
 }
 

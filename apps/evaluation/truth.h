@@ -28,8 +28,11 @@ truthKey (const Cloud& cloud, const RegionGrowingParameters& parameters);
 Labels
 truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters);
 
-/** \brief How the truth of a cloud was had: "exact", or "grown-k100" with its number of
- * neighbours. */
+/** \brief Name of a truth that came with the cloud. */
+constexpr const char* exact_truth = "exact";
+
+/** \brief How the truth of a cloud was had: \ref exact_truth, or "grown-k100" with its
+ * number of neighbours. */
 std::string
 truthName (const EvaluationCloud& cloud, const TruthParameters& parameters);
 

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+constexpr std::size_t bar_width = 30;
+constexpr const char* erase_line = "\r\033[K";
+
+} // namespace
+
+Progress::Progress (std::size_t steps, std::ostream& stream, bool is_terminal)
+: steps_ (steps), stream_ (stream), is_terminal_ (is_terminal)
+{}
+
+void
+Progress::step()
+{
+  const std::lock_guard<std::mutex> lock (mutex_);
+  ++done_;
+  draw();
+}
+
+void
+Progress::note (const std::string& line)
+{
+  const std::lock_guard<std::mutex> lock (mutex_);
+  stream_ << (is_terminal_ ? erase_line : "") << line << std::endl;
+}
+
+void
+Progress::draw()
+{
+  const std::size_t percent = 100 * done_ / std::max<std::size_t> (1, steps_);
+  if (!is_terminal_ && percent == percent_drawn_)
+    return;
+  percent_drawn_ = percent;
+  const std::chrono::duration<double> elapsed = Clock::now() - start_;
+  const double seconds_left = elapsed.count() *
+                              static_cast<double> (steps_ - std::min (done_, steps_)) /
+                              static_cast<double> (done_);
+  if (is_terminal_) {
+    const std::size_t filled = bar_width * done_ / std::max<std::size_t> (1, steps_);
+    stream_ << erase_line << '[' << std::string (filled, '=')
+            << std::string (bar_width - filled, ' ') << "] ";
+  }
+  stream_ << done_ << " of " << steps_ << " clouds, " << percent << " %, "
+          << (done_ < steps_ ? durationText (seconds_left) + " left"
+                             : "took " + durationText (elapsed.count()));
+  if (is_terminal_ && done_ < steps_)
+    stream_ << std::flush;
+  else
+    stream_ << std::endl;
+}
+
+std::string
+durationText (double seconds)
+{
+  constexpr long minute = 60, hour = 60 * minute;
+  const long total = std::lround (std::max (0.0, seconds));
+  std::ostringstream text;
+  text << std::setfill ('0');
+  if (total < minute)
+    text << total << " s";
+  else if (total < hour)
+    text << total / minute << " min " << std::setw (2) << total % minute << " s";
+  else
+    text << total / hour << " h " << std::setw (2) << total % hour / minute << " min";
+  return text.str();
+}
+
+} // namespace pcl_ops::evaluation
