@@ -74,8 +74,8 @@ addTable1 (Configurations& all)
   for (const double factor : {1.0, 2.0})
     for (const double r1 : {0.03, 0.05, 0.07, 0.1, 0.3}) {
       auto parameters = FastSamplingPlaneFilteringParameters::paper();
-      parameters.r1 = r1;
-      parameters.r2 = factor * r1;
+      parameters.local.inner_radius = r1;
+      parameters.local.outer_radius = factor * r1;
       std::vector<std::string> groups{"table1"};
       if (r1 == 0.07 && factor == 2.0)
         groups.push_back ("table4");

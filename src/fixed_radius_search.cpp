@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_ops/fixed_radius_search.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace pcl_ops {
+
+namespace {
+
+// The radius, or more where cells would hold next to no points: they cost, too.
+double
+cellEdge (const Coordinates& points, double radius)
+{
+  constexpr double points_per_cell = 16.0;
+  const double most_cells = static_cast<double> (points.size()) / points_per_cell;
+  return std::max (radius, cellSizeFor (points, std::max (1.0, most_cells)));
+}
+
+} // namespace
+
+FixedRadiusSearch::FixedRadiusSearch (const Coordinates& points,
+                                      double radius,
+                                      unsigned threads)
+: squared_radius_ (static_cast<float> (radius * radius))
+{
+  GriddedPoints gridded = gridPoints (points, cellEdge (points, radius), threads);
+  neighbours_of_cell_ = std::move (gridded.grid.neighbours);
+  cell_begin_.assign (neighbours_of_cell_.size() + 1, 0);
+  for (const std::uint32_t cell : gridded.cell_of_point)
+    ++cell_begin_[cell + 1];
+  std::partial_sum (cell_begin_.begin(), cell_begin_.end(), cell_begin_.begin());
+  std::vector<std::uint32_t> next (cell_begin_.begin(), cell_begin_.end() - 1);
+  points_.resize (points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::uint32_t place = next[gridded.cell_of_point[i]]++;
+    points_.x[place] = points.x[i];
+    points_.y[place] = points.y[i];
+    points_.z[place] = points.z[i];
+  }
+}
+
+void
+FixedRadiusSearch::find (std::uint32_t point, Positions& neighbours) const
+{
+  const float x = points_.x[point], y = points_.y[point], z = points_.z[point];
+  const auto next_cell =
+      std::upper_bound (cell_begin_.begin(), cell_begin_.end(), point);
+  const auto own_cell = static_cast<std::size_t> (next_cell - cell_begin_.begin()) - 1;
+  std::size_t number = 0;
+  for (const std::int32_t neighbour : neighbours_of_cell_[own_cell]) {
+    if (neighbour < 0)
+      continue;
+    const std::uint32_t* const cell =
+        &cell_begin_[static_cast<std::size_t> (neighbour)];
+    neighbours.resize (number + (cell[1] - cell[0]));
+    for (std::uint32_t i = cell[0]; i < cell[1]; ++i) {
+      const float dx = points_.x[i] - x, dy = points_.y[i] - y, dz = points_.z[i] - z;
+      // Written always, counted if near: no branch to mispredict.
+      neighbours[number] = i;
+      number += dx * dx + dy * dy + dz * dz <= squared_radius_;
+    }
+  }
+  neighbours.resize (number);
+}
+
+} // namespace pcl_ops

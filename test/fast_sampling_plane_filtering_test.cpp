@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/search/brute_force.h>
+#include <pcl/search/kdtree.h>
+#include <pcl/search/octree.h>
+
+#include <gtest/gtest.h>
+
+#include "scene.h"
+#include <pcl_ops/fast_sampling_plane_filtering.h>
+
+#include <numeric>
+
+using namespace pcl_ops;
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Fspf = FastSamplingPlaneFiltering<pcl::PointXYZ>;
+using Parameters = FastSamplingPlaneFilteringParameters;
+
+/** A corner of a room with points as near to each other as a depth camera sees them:
+ * some 300 in a sphere of the default radius. */
+Scene
+denseRoom ()
+{
+  return room().spacing (2_cm);
+}
+
+Fspf
+fspfOn (const Cloud::ConstPtr& cloud)
+{
+  Fspf fspf;
+  fspf.setInputCloud (cloud);
+  return fspf;
+}
+
+std::vector<PlaneSegment>
+planesOf (Fspf& fspf)
+{
+  std::vector<PlaneSegment> planes;
+  EXPECT_TRUE (fspf.segment (planes));
+  return planes;
+}
+
+std::vector<pcl::Indices>
+inliersOf (Fspf& fspf)
+{
+  std::vector<pcl::Indices> inliers;
+  for (const PlaneSegment& plane : planesOf (fspf))
+    inliers.push_back (plane.inliers);
+  return inliers;
+}
+
+Cloud::Ptr
+cloudOf (const std::vector<Eigen::Vector3f>& positions)
+{
+  auto cloud = pcl::make_shared<Cloud>();
+  for (const Eigen::Vector3f& p : positions)
+    cloud->push_back ({p.x(), p.y(), p.z()});
+  return cloud;
+}
+
+void
+expectNoPlanes (const Cloud::ConstPtr& cloud)
+{
+  Fspf fspf = fspfOn (cloud);
+  EXPECT_TRUE (planesOf (fspf).empty());
+}
+
+} // namespace
+
+TEST (Fspf, FindsTwoPlanes)
+{
+  const auto scene =
+      Scene().floor (2, 2).wall ({0, 0}, {2, 0}, 1).spacing (2_cm).build();
+  Fspf fspf = fspfOn (scene.cloud);
+  expectFindsEverySurface (planesOf (fspf), scene);
+}
+
+TEST (Fspf, FindsEverySurfaceOfARoom)
+{
+  const auto scene = denseRoom().build();
+  Fspf fspf = fspfOn (scene.cloud);
+  expectFindsEverySurface (planesOf (fspf), scene);
+}
+
+TEST (Fspf, FindsEverySurfaceAsInThePaper)
+{
+  const auto scene = denseRoom().build();
+  Fspf fspf = fspfOn (scene.cloud);
+  fspf.setParameters (Parameters::paper());
+  expectFindsEverySurface (planesOf (fspf), scene);
+}
+
+TEST (Fspf, FindsEverySurfaceFromTheTestedPointsAlone)
+{
+  const auto scene = denseRoom().build();
+  Fspf fspf = fspfOn (scene.cloud);
+  fspf.setLocalInliers (LocalInliers::Samples);
+  expectFindsEverySurface (planesOf (fspf), scene);
+}
+
+TEST (Fspf, FindsEverySurfaceFarFromTheOrigin)
+{
+  const auto scene = denseRoom().movedBy ({4000, -5000, 300}).build();
+  Fspf fspf = fspfOn (scene.cloud);
+  expectFindsEverySurface (planesOf (fspf), scene);
+}
+
+TEST (Fspf, MergesHundredsOfPlanesIntoTheFewThereAre)
+{
+  Fspf fspf = fspfOn (denseRoom().build().cloud);
+  EXPECT_EQ (planesOf (fspf).size(), 3u);
+  EXPECT_GT (fspf.getNumberOfPlanesBeforeMerging(), 300u);
+}
+
+TEST (Fspf, LeavesPlanesAsFoundWhereMergingIsOff)
+{
+  Fspf fspf = fspfOn (denseRoom().build().cloud);
+  MergingParameters none;
+  none.enabled = false;
+  fspf.setMergingParameters (none);
+  EXPECT_GT (planesOf (fspf).size(), 3u);
+}
+
+TEST (Fspf, NamesOrientationsOfTheFittedPlanes)
+{
+  Fspf fspf = fspfOn (Scene().floor (2, 2).spacing (2_cm).noise (1_cm).build().cloud);
+  auto planes = planesOf (fspf);
+  ASSERT_EQ (planes.size(), 1u);
+  EXPECT_EQ (planes[0].orientation, Orientation::Horizontal);
+  fspf.setUpAxis (Eigen::Vector3f::UnitX());
+  planes = planesOf (fspf);
+  EXPECT_EQ (planes[0].orientation, Orientation::Vertical);
+}
+
+TEST (Fspf, AssignsThePointsOfNoSphere)
+{
+  // Sparse rows of points too far apart for a sphere of their own extend a dense floor.
+  auto scene = Scene().floor (1, 1).spacing (1_cm).build();
+  const auto dense = static_cast<pcl::index_t> (scene.cloud->size());
+  for (int i = 1; i <= 5; ++i)
+    scene.cloud->push_back ({1.0f + static_cast<float> (i), 0.5f, 0.0f});
+  Fspf fspf = fspfOn (scene.cloud);
+  const auto inliers = inliersOf (fspf);
+  ASSERT_EQ (inliers.size(), 1u);
+  EXPECT_EQ (inliers[0].back(), dense + 4);
+}
+
+TEST (Fspf, UsesTheIndicesAlone)
+{
+  const auto scene = denseRoom().build();
+  Fspf fspf = fspfOn (scene.cloud);
+  const auto floor = pcl::make_shared<pcl::Indices>();
+  for (std::size_t i = 0; i < scene.labels.size(); ++i)
+    if (scene.labels[i] == 0)
+      floor->push_back (static_cast<pcl::index_t> (i));
+  fspf.setIndices (floor);
+  EXPECT_EQ (inliersOf (fspf), std::vector<pcl::Indices>{*floor});
+}
+
+TEST (Seed, GivesTheSamePlanesAgain)
+{
+  Fspf fspf = fspfOn (denseRoom().noise (2_cm).build().cloud);
+  const auto first = inliersOf (fspf);
+  EXPECT_EQ (inliersOf (fspf), first);
+  fspf.setSeed (7);
+  EXPECT_NE (inliersOf (fspf), first);
+}
+
+TEST (Threads, DoNotChangeTheResult)
+{
+  // 140,000 points: more than a thread takes at once in any stage.
+  Fspf fspf = fspfOn (room().spacing (1.45e-2).noise (2_cm).build().cloud);
+  const auto of_one = inliersOf (fspf);
+  for (const unsigned threads : {2u, 5u, 0u}) {
+    fspf.setNumberOfThreads (threads);
+    EXPECT_EQ (inliersOf (fspf), of_one) << threads << " threads";
+  }
+}
+
+class SearchMethod : public ::testing::TestWithParam<Fspf::SearchPtr> {};
+
+TEST_P (SearchMethod, FindsEverySurface)
+{
+  const auto scene = room().spacing (3_cm).build();
+  scene.cloud->at (0).x = std::numeric_limits<float>::quiet_NaN();
+  Fspf fspf = fspfOn (scene.cloud);
+  fspf.setSearchMethod (GetParam());
+  const auto planes = inliersOf (fspf);
+  EXPECT_EQ (planes.size(), 3u);
+  EXPECT_EQ (inliersOf (fspf), planes) << "again";
+}
+
+INSTANTIATE_TEST_SUITE_P (
+    OfTheUser,
+    SearchMethod,
+    ::testing::Values (pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>(),
+                       pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>> (false),
+                       pcl::make_shared<pcl::search::Octree<pcl::PointXYZ>> (0.1),
+                       pcl::make_shared<pcl::search::BruteForce<pcl::PointXYZ>>()));
+
+TEST (Degenerate, OneTwoOrThreePointsHaveNoPlane)
+{
+  expectNoPlanes (cloudOf ({{1, 2, 3}}));
+  expectNoPlanes (cloudOf ({{1, 2, 3}, {1, 2, 4}}));
+  expectNoPlanes (cloudOf ({{1, 2, 3}, {1, 2, 4}, {1, 3, 4}}));
+}
+
+TEST (Degenerate, EqualPointsHaveNoPlane)
+{
+  expectNoPlanes (cloudOf (std::vector<Eigen::Vector3f> (500, {1, 2, 3})));
+}
+
+TEST (Degenerate, ALineHasNoPlane)
+{
+  std::vector<Eigen::Vector3f> line;
+  for (int i = 0; i < 1000; ++i)
+    line.emplace_back (1e-3f * Eigen::Vector3f (1, 2, 3) * static_cast<float> (i));
+  expectNoPlanes (cloudOf (line));
+}
+
+TEST (Degenerate, PointsFarApartHaveNoPlane)
+{
+  std::vector<Eigen::Vector3f> grid;
+  for (int i = 0; i < 1000; ++i)
+    grid.emplace_back (static_cast<float> (i % 30), static_cast<float> (i / 30), 0.0f);
+  expectNoPlanes (cloudOf (grid));
+}
+
+TEST (Degenerate, NothingFiniteHasNoPlane)
+{
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  expectNoPlanes (cloudOf (std::vector<Eigen::Vector3f> (500, {nan, 1, 2})));
+}
+
+TEST (Degenerate, DuplicatesAreAsGoodAsOthers)
+{
+  auto scene = Scene().floor (1, 1).spacing (2_cm).build();
+  *scene.cloud += Cloud (*scene.cloud);
+  Fspf fspf = fspfOn (scene.cloud);
+  const auto inliers = inliersOf (fspf);
+  ASSERT_EQ (inliers.size(), 1u);
+  EXPECT_EQ (inliers[0].size(), scene.cloud->size());
+}
+
+TEST (Degenerate, RadiiTooLargeForTheThresholdEndInTime)
+{
+  // A ball seen as 20,000 points, all in every sphere, none on a plane of a millimetre.
+  RandomGenerator generator (seedOfTest());
+  std::vector<Eigen::Vector3f> ball (20000);
+  for (Eigen::Vector3f& point : ball)
+    point = 5e-2f * Eigen::Vector3d (drawNormal (generator),
+                                     drawNormal (generator),
+                                     drawNormal (generator))
+                        .normalized()
+                        .cast<float>();
+  Fspf fspf = fspfOn (cloudOf (ball));
+  fspf.setDistanceThreshold (1_mm);
+  EXPECT_TRUE (planesOf (fspf).empty());
+  EXPECT_LT (fspf.getStageDurations().detection, 5000.0) << "[ms]";
+}
+
+TEST (StageDurations, AddUpToNoMoreThanTheDetection)
+{
+  Fspf fspf = fspfOn (denseRoom().build().cloud);
+  planesOf (fspf);
+  const auto& t = fspf.getStageDurations();
+  for (const double stage : {t.search, t.extraction, t.assignment, t.merging})
+    EXPECT_GT (stage, 0.0);
+  EXPECT_LE (t.search + t.extraction + t.assignment + t.merging, t.detection);
+}
