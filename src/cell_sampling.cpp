@@ -31,9 +31,34 @@ cellRansacParameters (const OrientedPointSamplingParameters& parameters)
 {
   CellRansacParameters ransac;
   ransac.inlier = parameters.cells.inlier;
+  ransac.inlier.distance_threshold = parameters.distance_threshold;
   ransac.min_inliers = std::max (1u, parameters.min_inliers);
   ransac.probability = parameters.probability;
   return ransac;
+}
+
+CellNormalParameters
+normalParameters (const OrientedPointSamplingParameters& parameters)
+{
+  CellNormalParameters normals = parameters.cells.normals;
+  normals.least_points = parameters.normals.k;
+  return normals;
+}
+
+GrowingParameters
+growingParameters (const OrientedPointSamplingParameters& parameters)
+{
+  GrowingParameters growing = parameters.cells.growing;
+  growing.distance_threshold = parameters.distance_threshold;
+  return growing;
+}
+
+BoundedAssignmentParameters
+assignmentParameters (const OrientedPointSamplingParameters& parameters)
+{
+  BoundedAssignmentParameters assignment = parameters.cells.assignment;
+  assignment.distance_threshold = parameters.distance_threshold;
+  return assignment;
 }
 
 } // namespace
@@ -58,7 +83,7 @@ detectOnCells (Points points,
   });
   const CellGrid& grid = gridded.grid;
   const auto normals = timed (durations.normals, [&] {
-    return orientCells (grid, parameters.cells.normals, parameters.threads);
+    return orientCells (grid, normalParameters (parameters), parameters.threads);
   });
   RandomGenerator generator (parameters.seed);
   CellPlanes planes;
@@ -68,7 +93,7 @@ detectOnCells (Points points,
          {parameters.cells.sure_thickness, parameters.cells.inlier.largest_thickness}) {
       ransac.inlier.largest_thickness = thickness;
       extractCellPlanes (grid, normals, ransac, generator, planes);
-      growPlanes (grid, parameters.cells.growing, planes);
+      growPlanes (grid, growingParameters (parameters), planes);
     }
     return 0;
   });
@@ -82,8 +107,11 @@ detectOnCells (Points points,
     return 0;
   });
   AssignedPoints assigned = timed (durations.assignment, [&] {
-    return assignToBoundedPlanes (
-        found.points, gridded, planes, parameters.cells.assignment, parameters.threads);
+    return assignToBoundedPlanes (found.points,
+                                  gridded,
+                                  planes,
+                                  assignmentParameters (parameters),
+                                  parameters.threads);
   });
   found.labels = std::move (assigned.labels);
   found.planes = timed (durations.merging, [&] {

@@ -129,7 +129,9 @@ orientCells (const CellGrid& grid,
              const CellNormalParameters& parameters,
              unsigned threads)
 {
-  const double min_points = parameters.least_average_cells * meanPointsPerCell (grid);
+  const double min_points =
+      std::max (static_cast<double> (parameters.least_points),
+                parameters.least_average_cells * meanPointsPerCell (grid));
   std::vector<Level> levels (1);
   levels.reserve (static_cast<std::size_t> (parameters.levels));
   levels[0].normals = normalsAround (grid, min_points, threads);

@@ -10,7 +10,7 @@
 namespace pcl_ops {
 
 OrientedPointSamplingParameters
-OrientedPointSamplingParameters::paper ()
+OrientedPointSamplingParameters::paper()
 {
   OrientedPointSamplingParameters parameters;
   parameters.sampling = Sampling::Points;
@@ -37,7 +37,8 @@ problemOf (const OrientedPointSamplingParameters& parameters)
     return "the sigma of the normals must be 0 (adaptive) or a length";
   if (!(parameters.probability > 0.0 && parameters.probability < 1.0))
     return "the probability must lie between 0 and 1, both excluded";
-  return problemOf (static_cast<const PlaneDetectorParameters&> (parameters));
+  return problemOf (static_cast<const PlaneDetectorParameters&> (parameters),
+                    parameters.sampling == Sampling::Cells);
 }
 
 RansacParameters
@@ -61,12 +62,12 @@ groupsOf (const OrientedSamples& samples,
   if (parameters.strategy == Strategy::DivideThenDetect) {
     const auto groups =
         groupByOrientation (samples,
-                            parameters.up_axis.cast<double> ().normalized (),
+                            parameters.up_axis.cast<double>().normalized(),
                             parameters.angle_tolerance);
-    return {groups.begin (), groups.end ()};
+    return {groups.begin(), groups.end()};
   }
-  Positions all (samples.size ());
-  std::iota (all.begin (), all.end (), 0);
+  Positions all (samples.size());
+  std::iota (all.begin(), all.end(), 0);
   return {all};
 }
 
@@ -80,7 +81,7 @@ extractPlanes (const OrientedSamples& samples,
   const bool on_all_points = parameters.verification == Verification::AllPoints;
   const RansacParameters ransac = ransacParameters (parameters);
   RandomGenerator generator (parameters.seed);
-  Coordinates remaining = on_all_points ? Coordinates (points) : Coordinates ();
+  Coordinates remaining = on_all_points ? Coordinates (points) : Coordinates();
   const auto find_largest = [&] (const Positions& candidates) {
     return on_all_points
                ? largestPlane (samples, candidates, remaining, ransac, generator)

@@ -7,22 +7,24 @@
 namespace pcl_ops {
 
 std::string
-problemOf (const PlaneDetectorParameters& parameters)
+problemOf (const PlaneDetectorParameters& parameters, bool threshold_may_follow_noise)
 {
   constexpr double right_angle = 1.5707963267948966;
   const MergingParameters& merging = parameters.merging;
-  if (!(parameters.distance_threshold > 0.0 &&
-        std::isfinite (parameters.distance_threshold)))
+  const double threshold = parameters.distance_threshold;
+  const bool follows_noise = threshold == 0.0 && threshold_may_follow_noise;
+  if (!(follows_noise || (threshold > 0.0 && std::isfinite (threshold))))
     return "the distance threshold must be a length above 0";
-  if (!parameters.up_axis.allFinite () || parameters.up_axis.isZero (0.0f))
+  if (!parameters.up_axis.allFinite() || parameters.up_axis.isZero (0.0f))
     return "the up axis must be a finite vector other than zero";
   if (!(parameters.angle_tolerance >= 0.0 && parameters.angle_tolerance <= right_angle))
     return "the angle tolerance must be between 0 and pi/2 (radians)";
   if (!(merging.angle_threshold >= 0.0 && merging.angle_threshold <= right_angle))
     return "the merging angle must be between 0 and pi/2 (radians)";
-  if (!(merging.distance_threshold >= 0.0 && std::isfinite (merging.distance_threshold)))
+  if (!(merging.distance_threshold >= 0.0 &&
+        std::isfinite (merging.distance_threshold)))
     return "the merging distance must be 0 (as the distance threshold) or a length";
-  return std::string ();
+  return std::string();
 }
 
 namespace {
@@ -35,11 +37,12 @@ toSegment (const Moments& moments,
 {
   const bool faces_sensor = fit.plane.distance (local_viewpoint) >= 0.0;
   PlaneSegment segment;
-  segment.normal = faces_sensor ? fit.plane.normal : Eigen::Vector3d (-fit.plane.normal);
+  segment.normal =
+      faces_sensor ? fit.plane.normal : Eigen::Vector3d (-fit.plane.normal);
   segment.centroid = fit.centroid;
   segment.moments = moments.about (fit.centroid);
   segment.orientation = orientationOf (segment.normal,
-                                       parameters.up_axis.cast<double> ().normalized (),
+                                       parameters.up_axis.cast<double>().normalized(),
                                        parameters.angle_tolerance);
   segment.inliers.reserve (static_cast<std::size_t> (moments.count));
   return segment;
@@ -54,13 +57,13 @@ toSegments (const Detection& detection,
 {
   const Points& points = detection.points;
   std::vector<PlaneSegment> segments;
-  segments.reserve (detection.planes.fits.size ());
-  for (std::size_t p = 0; p < detection.planes.fits.size (); ++p)
+  segments.reserve (detection.planes.fits.size());
+  for (std::size_t p = 0; p < detection.planes.fits.size(); ++p)
     segments.push_back (toSegment (detection.planes.moments[p],
                                    detection.planes.fits[p],
                                    viewpoint - points.origin,
                                    parameters));
-  for (std::size_t i = 0; i < points.size (); ++i)
+  for (std::size_t i = 0; i < points.size(); ++i)
     if (detection.labels[i] != no_plane)
       segments[static_cast<std::size_t> (detection.labels[i])].inliers.push_back (
           points.index[i]);

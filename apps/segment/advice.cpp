@@ -31,8 +31,7 @@ adviceForOps (const OrientedPointSamplingParameters& parameters,
   const double extent = finite == 0 ? 0.0 : box.diagonal().norm();
   const bool on_cells = parameters.sampling == Sampling::Cells;
   // On cells the noise sets the distance unless the user does.
-  const double threshold = on_cells ? parameters.cells.inlier.distance_threshold
-                                    : parameters.distance_threshold;
+  const double threshold = parameters.distance_threshold;
 
   std::ostringstream advice;
   if (finite == 0)

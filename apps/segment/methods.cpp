@@ -71,15 +71,7 @@ opsParameters (const DetectorOptions& options)
   override (options.sampling_rate, parameters.sampling_rate);
   override (options.min_inliers, parameters.min_inliers);
   override (options.probability, parameters.probability);
-  if (options.k) {
-    // Only point samples have k neighbours.
-    parameters.sampling = Sampling::Points;
-    parameters.normals.k = *options.k;
-  }
-  // On cells the noise sets the distance unless the user does.
-  override (options.threshold, parameters.cells.inlier.distance_threshold);
-  override (options.threshold, parameters.cells.growing.distance_threshold);
-  override (options.threshold, parameters.cells.assignment.distance_threshold);
+  override (options.k, parameters.normals.k);
   return parameters;
 }
 
@@ -92,12 +84,11 @@ describeOps (const DetectorOptions& options,
   json["preset"] = options.preset;
   json["sampling"] = on_cells ? "cells" : "points";
   json["sampling_rate"] = parameters.sampling_rate;
-  if (!on_cells)
-    json["k"] = parameters.normals.k;
+  json["k"] = parameters.normals.k;
   json["min_inliers"] = parameters.min_inliers;
   json["probability"] = parameters.probability;
   describeCommon (parameters, json);
-  if (on_cells && !options.threshold)
+  if (parameters.distance_threshold == 0.0)
     json["threshold"] = "auto";
   return json;
 }

@@ -19,6 +19,8 @@ struct CellNormalParameters {
    * average: where points are sparse, as they are far from a camera and noisy there,
    * the neighbourhoods are larger. */
   double least_average_cells = 8.0;
+  /** \brief And from at least this many points: k. */
+  int least_points = 30;
   /** \brief Thickness of a neighbourhood over its width up to which it is flat enough
    * to look no further. */
   double flat_enough = 0.2;

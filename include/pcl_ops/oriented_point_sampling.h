@@ -59,6 +59,10 @@ struct CellParameters {
 /** \brief Parameters of OrientedPointSampling; the defaults are the recommended ones.
  */
 struct OrientedPointSamplingParameters : PlaneDetectorParameters {
+  /** \brief theta_h is 0: what is near enough to a plane follows the measured noise, up
+   * to two cells. A length instead is the largest distance of a point to its plane. */
+  OrientedPointSamplingParameters() { distance_threshold = 0.0; }
+
   Sampling sampling = Sampling::Cells;
   /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1. */
   double sampling_rate = 0.03;
@@ -73,8 +77,9 @@ struct OrientedPointSamplingParameters : PlaneDetectorParameters {
   double probability = 0.99;
   Strategy strategy = Strategy::DetectThenDivide;
   Verification verification = Verification::Samples;
-  /** \brief Which plane gets a point that several could have, with Sampling::Points. The
-   * first, as found, is what "remove all its inliers from the point cloud" means. */
+  /** \brief Which plane gets a point that several could have, with Sampling::Points.
+   * The first, as found, is what "remove all its inliers from the point cloud" means.
+   */
   AssignmentRule assignment_rule = AssignmentRule::First;
   /** \brief Refit and select again while the support of a plane grows. */
   bool local_optimisation = true;
@@ -158,7 +163,8 @@ public:
     return parameters_.sampling_rate;
   }
 
-  /** \brief k: neighbours of each sample its normal comes from, 2 or more. */
+  /** \brief k: neighbours of each sample its normal comes from, 2 or more; the normal
+   * of a cell comes from at least as many points. */
   void
   setKSearch (int k)
   {

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/search/search.h>
+#include <pcl/ModelCoefficients.h>
+#include <pcl/pcl_base.h>
+#include <pcl/PointIndices.h>
+
 #include <pcl_ops/orientation.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_assignment.h>
 #include <pcl_ops/plane_merging.h>
 #include <pcl_ops/points.h>
-
-#include <pcl/search/search.h>
-#include <pcl/ModelCoefficients.h>
-#include <pcl/PointIndices.h>
-#include <pcl/pcl_base.h>
 
 #include <cstdint>
 #include <string>
@@ -23,10 +23,10 @@ namespace pcl_ops {
 struct PlaneDetectorParameters {
   /** \brief theta_h: largest distance of a point to its plane [m]. */
   double distance_threshold = 0.05;
-  /** \brief Direction against gravity in the frame of the input cloud, any length but 0.
-   * It only names the orientation of a plane; detection does not depend on it, except
-   * where planes are looked for per orientation (Strategy::DivideThenDetect). */
-  Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ ();
+  /** \brief Direction against gravity in the frame of the input cloud, any length but
+   * 0. It only names the orientation of a plane; detection does not depend on it,
+   * except where planes are looked for per orientation (Strategy::DivideThenDetect). */
+  Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ();
   /** \brief Largest angle to be horizontal or vertical [rad]; default 7 degrees. */
   double angle_tolerance = 0.12217304763960307;
   /** \brief Seed of every random choice. */
@@ -36,9 +36,12 @@ struct PlaneDetectorParameters {
   MergingParameters merging;
 };
 
-/** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is. */
+/** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is.
+ * \param[in] threshold_may_follow_noise whether a distance threshold of 0 has a meaning
+ */
 std::string
-problemOf (const PlaneDetectorParameters& parameters);
+problemOf (const PlaneDetectorParameters& parameters,
+           bool threshold_may_follow_noise = false);
 
 /** \brief Wall time of each stage of the last call [ms]. */
 struct StageDurations {
@@ -68,12 +71,11 @@ toSegments (const Detection& detection,
             const Eigen::Vector3d& viewpoint,
             const PlaneDetectorParameters& parameters);
 
-/** \brief The calls all detectors share: PCL's ways to hand in a cloud and to take planes
- * out. A detector derives from it, gives a method \c detect () that returns a Detection,
- * and a \c className ().
- * \tparam PointT a point type with x, y, z
- * \tparam Detector the detector itself
- * \tparam ParametersT its parameters, derived from PlaneDetectorParameters */
+/** \brief The calls all detectors share: PCL's ways to hand in a cloud and to take
+ * planes out. A detector derives from it, gives a method \c detect () that returns a
+ * Detection, and a \c className (). \tparam PointT a point type with x, y, z \tparam
+ * Detector the detector itself \tparam ParametersT its parameters, derived from
+ * PlaneDetectorParameters */
 template <typename PointT, typename Detector, typename ParametersT>
 class PlaneDetector : public pcl::PCLBase<PointT> {
 public:
@@ -89,9 +91,9 @@ public:
   segment (std::vector<PlaneSegment>& planes);
 
   /** \brief As above, in the order of pcl::OrganizedMultiPlaneSegmentation.
-   * \param[out] coefficients a b c d of a x + b y + c z + d = 0 with a unit normal towards
-   * the sensor's origin, in the frame of the input cloud
-   * \param[out] inliers ascending, disjoint indices into the input cloud */
+   * \param[out] coefficients a b c d of a x + b y + c z + d = 0 with a unit normal
+   * towards the sensor's origin, in the frame of the input cloud \param[out] inliers
+   * ascending, disjoint indices into the input cloud */
   bool
   segment (std::vector<pcl::ModelCoefficients>& coefficients,
            std::vector<pcl::PointIndices>& inliers);
@@ -117,7 +119,8 @@ public:
     return parameters_;
   }
 
-  /** \brief theta_h: largest distance of a point to its plane [m]. */
+  /** \brief theta_h: largest distance of a point to its plane [m]. For OPS on cells 0,
+   * its default, follows the noise of the cloud, whatever its unit. */
   void
   setDistanceThreshold (double threshold)
   {
@@ -216,13 +219,13 @@ public:
   }
 
 protected:
-  PlaneDetector () = default;
-  ~PlaneDetector () = default;
+  PlaneDetector() = default;
+  ~PlaneDetector() = default;
 
   std::string
   getClassName () const
   {
-    return Detector::className ();
+    return Detector::className();
   }
 
   /** \brief The search method of the user, or a kd-tree, over the points. */
