@@ -59,13 +59,20 @@ jobs() {
     END { print fit < 1 ? 1 : fit < cores ? fit : cores }' /proc/meminfo 2>/dev/null || nproc
 }
 
-# build FOLDER OPTION...: configures and builds below build/, with these CMake options.
-build() {
+# configure FOLDER OPTION...: a build below build/ with these CMake options.
+configure() {
   local folder=$root/build/$1
   shift
   if command -v ccache >/dev/null; then
     set -- "$@" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
   fi
   quietly "$folder/configure.log" cmake -S "$root" -B "$folder" "$@"
-  quietly "$folder/build.log" cmake --build "$folder" --parallel "$(jobs)"
+}
+
+# build FOLDER [TARGET...]: everything, or only these targets.
+build() {
+  local folder=$root/build/$1
+  shift
+  [ $# -eq 0 ] || set -- --target "$@"
+  quietly "$folder/build.log" cmake --build "$folder" --parallel "$(jobs)" "$@"
 }

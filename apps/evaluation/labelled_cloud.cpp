@@ -9,6 +9,7 @@
 #include <common/cloud_file.h>
 #include <common/program.h>
 
+#include <cstring>
 #include <limits>
 
 namespace pcl_ops::evaluation {
@@ -28,7 +29,8 @@ integersOf (const pcl::PCLPointCloud2& cloud,
   Labels labels;
   labels.reserve (size);
   for (std::size_t i = 0; i < size; ++i) {
-    const auto label = cloud.at<Integer> (static_cast<pcl::uindex_t> (i), offset);
+    Integer label; // PCL 1.12 has no cloud.at
+    std::memcpy (&label, &cloud.data[i * cloud.point_step + offset], sizeof (label));
     if (label < 0)
       throw apps::WorkError (file,
                              "point " + std::to_string (i) +
