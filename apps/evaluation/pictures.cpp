@@ -46,7 +46,8 @@ writePictures (const EvaluationCloud& cloud,
                std::uint32_t seed,
                const std::string& folder)
 {
-  TextTable table{name, {"method", "class. %", "segm. %", "planes | classes"}, {}};
+  TextTable table{
+      name, {"method", "class. %", "segm. %", "planes (left), classes (right)"}, {}};
   const auto add = [&] (const std::string& method, const Labels& labels) {
     const std::string file = fileNameOf (name) + "-" + method + ".png";
     drawLabels (cloud, labels, (std::filesystem::path (folder) / file).string());
