@@ -79,6 +79,8 @@ candidatesOfCells (const CellGrid& grid,
                    const BoundedAssignmentParameters& parameters)
 {
   const double limit = distanceLimit (grid, parameters.distance_threshold);
+  // A threshold that was asked for is promised to every point.
+  const bool keeps_to_threshold = parameters.distance_threshold > 0.0;
   CandidateLists lists;
   lists.begin.reserve (grid.size() + 1);
   lists.plane_of_all.assign (grid.size(), no_plane);
@@ -95,7 +97,8 @@ candidatesOfCells (const CellGrid& grid,
                                    static_cast<float> (plane.offset),
                                    static_cast<float> (band),
                                    n.plane});
-      if (nearby.size() == 1 && isWholly (grid.moments[i], plane, band))
+      if (!keeps_to_threshold && nearby.size() == 1 &&
+          isWholly (grid.moments[i], plane, band))
         lists.plane_of_all[i] = n.plane;
     }
   }
