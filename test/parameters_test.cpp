@@ -12,11 +12,11 @@ namespace {
 using Parameters = pcl_ops::OrientedPointSamplingParameters;
 using Change = std::function<void (Parameters&)>;
 
-/** \brief What problemOf says after a change to good parameters. */
+/** \brief What problemOf says after a change to the paper's parameters. */
 std::string
 problemAfter (const Change& change)
 {
-  Parameters parameters;
+  Parameters parameters = Parameters::paper();
   change (parameters);
   return problemOf (parameters);
 }
