@@ -18,6 +18,7 @@ std::vector<Plane>
 withoutClusters (const std::vector<HoughPlane>& hough_planes)
 {
   std::vector<Plane> planes;
+  planes.reserve (hough_planes.size());
   for (const HoughPlane& plane : hough_planes)
     planes.push_back (plane.plane);
   return planes;

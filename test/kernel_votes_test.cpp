@@ -195,10 +195,12 @@ TEST (KernelVotes, MeetAPoleAtItsLikeliestAzimuth)
 {
   const PlaneKernel kernel = kernelAt (1.0, 0.02, 6.2);
   Eigen::Vector3d likeliest (1.0, 0.0, 6.2);
-  for (double theta = 6.0; theta < 6.4; theta += 0.001)
-    for (double rho = 0.98; rho < 1.02; rho += 0.001)
-      if (density (kernel, {rho, 0.0, theta}) > density (kernel, likeliest))
-        likeliest = {rho, 0.0, theta};
+  for (int i = -200; i <= 200; ++i)
+    for (int j = -20; j <= 20; ++j) {
+      const Eigen::Vector3d other (1.0 + 0.001 * j, 0.0, 6.2 + 0.001 * i);
+      if (density (kernel, other) > density (kernel, likeliest))
+        likeliest = other;
+    }
   const double expected = density (kernel, {space.rhoOf (100), 0.0, likeliest[2]});
   EXPECT_NEAR (votesOf (kernel).at ({0, 100}), expected, 1e-2 * expected);
 }
