@@ -11,7 +11,8 @@ namespace pcl_ops {
 
 /** \brief A plane from one oriented point, for PCL's own estimators
  * (pcl::RandomSampleConsensus, MSAC, MLESAC, LMedS, PROSAC): with a sample of one point
- * their stop rule log (1 - p) / log (1 - w) is the paper's N_iter.
+ * their stop rule log (1 - p) / log (1 - w) is the paper's N_iter. RRANSAC and RMSAC may
+ * never end before PCL 1.15, with this model as with PCL's own.
  *
  * The points of the cloud carry their unit normals. Coefficients are a b c d with a unit
  * normal. Distances, inliers and counts are those of pcl::SampleConsensusModelPlane.
