@@ -49,7 +49,7 @@ TEST (ParallelFor, TakesAnyNumberOfThreads)
 {
   constexpr unsigned absurd = std::numeric_limits<unsigned>::max();
   EXPECT_EQ (piecesOf (absurd, 1000, 1).size(), 1000u);
-  EXPECT_EQ (piecesOf (1000000, 1000000, 1).size(), 1000000u);
+  EXPECT_EQ (piecesOf (1000000, 10000, 1).size(), 10000u);
 }
 
 TEST (ParallelFor, HandsOnWhatABodyThrows)

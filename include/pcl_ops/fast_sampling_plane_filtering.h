@@ -62,9 +62,9 @@ refitAssigned (const Points& points,
  * extraction and merging from depth images", IROS 2012, in spheres instead of image
  * windows.
  *
- * Its hundreds of small planes are merged before points are assigned to them, other
- * than those of the other detectors, which are large from the start. Each point goes to
- * the largest plane within theta_h.
+ * Unlike those of the other detectors its planes, hundreds of small ones, are merged
+ * before points are assigned to them: extended through a whole room, each would take
+ * points of others. Each point goes to the largest merged plane within theta_h.
  *
  * Without \c setSearchMethod spheres are found by FixedRadiusSearch, several times
  * faster than by a kd-tree. A search method of the user gives the same spheres with
