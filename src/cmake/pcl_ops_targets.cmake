@@ -14,6 +14,9 @@ function(pcl_ops_target_defaults target)
     target_compile_options(${target} PRIVATE
       -fsanitize=${PCL_OPS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE -fsanitize=${PCL_OPS_SANITIZE})
+    # Under a sanitizer Eigen aligns allocations by hand, which PCL's own binary, built
+    # without one, frees in another way.
+    target_compile_definitions(${target} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   endif()
 endfunction()
 
