@@ -99,8 +99,6 @@ loadCloud (const std::string& file)
     readWith (pcl::PLYReader(), file, cloud);
   }
   makeSizeValid (file, cloud.points);
-  if (cloud.size() == 0)
-    throw WorkError (file, "has no points; give a cloud that has");
   for (const char* axis : {"x", "y", "z"})
     if (!hasField (cloud, axis))
       throw WorkError (file,

@@ -91,4 +91,10 @@ HeaderReader::failTruncated() const
                    "copy or write it again");
 }
 
+void
+HeaderReader::failEmpty() const
+{
+  throw WorkError (file_, "has no points; give a cloud that has");
+}
+
 } // namespace pcl_ops::apps

@@ -51,6 +51,10 @@ public:
   [[noreturn]] void
   failTruncated () const;
 
+  /** \brief Before PCL sees the file: its versions differ in what they make of it. */
+  [[noreturn]] void
+  failEmpty () const;
+
 private:
   std::string file_, format_;
   std::ifstream stream_;

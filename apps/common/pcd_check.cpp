@@ -127,6 +127,8 @@ checkPcdFile (const std::string& file)
   const PcdHeader header = readPcdHeader (reader);
   const std::uint64_t point_size = pointSize (reader, header);
   const std::uint64_t points = pointCount (reader, header);
+  if (points == 0)
+    reader.failEmpty();
   const auto viewpoint = header.lines.find ("VIEWPOINT");
   if (viewpoint != header.lines.end() && viewpoint->second.size() != 7)
     reader.fail ("VIEWPOINT is not seven numbers");

@@ -175,6 +175,8 @@ checkPlyFile (const std::string& file)
       header.format != "binary_big_endian")
     reader.fail ("its format is not ascii, binary_little_endian or binary_big_endian");
   checkVertices (reader, header);
+  if (header.elements.at ("vertex").count == 0)
+    reader.failEmpty();
   checkGrid (reader, header);
   const std::uint64_t rest = reader.fileSize() - reader.position();
   if (rest + 1 < smallestSize (reader, header))

@@ -192,6 +192,10 @@ TEST_F (CloudFile, NamesWhatIsNoCloud)
                  "none.pcd",
                  std::string (none).replace (none.find ("WIDTH 2"), 7, "WIDTH 0"))),
              "has no points; give a cloud that has");
+  const std::string no_vertex = plyWith (
+      "element vertex 0\nproperty float x\nproperty float y\nproperty float z\n", "");
+  EXPECT_EQ (complaintAbout (folder_.write ("none.ply", no_vertex)),
+             "has no points; give a cloud that has");
   EXPECT_EQ (complaintAbout (folder_.write ("xyw.pcd", asciiPcd ("FIELDS x y w"))),
              "has no field z; give a cloud with x, y and z");
   EXPECT_EQ (complaintAbout (folder_.write ("good.pcd", asciiPcd (""))), "");
