@@ -46,11 +46,8 @@ findNearbyPlanes (const CellGrid& grid,
                   std::vector<NearbyPlane>& nearby)
 {
   nearby.clear();
-  for (const std::int32_t neighbour : grid.neighbours[cell]) {
-    if (neighbour < 0)
-      continue;
-    const std::int32_t plane =
-        planes.plane_of_cell[static_cast<std::size_t> (neighbour)];
+  for (const std::uint32_t neighbour : grid.neighbours[cell]) {
+    const std::int32_t plane = planes.plane_of_cell[neighbour];
     if (plane == no_plane)
       continue;
     auto found =
@@ -59,7 +56,7 @@ findNearbyPlanes (const CellGrid& grid,
         });
     if (found == nearby.end())
       found = nearby.insert (nearby.end(), {plane, 0.0, 0.0});
-    found->noise += planes.noise[static_cast<std::size_t> (neighbour)];
+    found->noise += planes.noise[neighbour];
     found->cells += 1.0;
   }
 }

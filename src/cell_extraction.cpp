@@ -204,9 +204,8 @@ private:
     };
     visit (start);
     for (std::size_t i = 0; i < part.size(); ++i)
-      for (const std::int32_t neighbour : grid_.neighbours[part[i]])
-        if (neighbour >= 0)
-          visit (static_cast<std::uint32_t> (neighbour));
+      for (const std::uint32_t neighbour : grid_.neighbours[part[i]])
+        visit (neighbour);
     return part;
   }
 

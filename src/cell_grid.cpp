@@ -5,29 +5,51 @@
 #include <pcl_ops/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl_ops {
 
 namespace {
 
-constexpr double key_range = 1048576.0;
+constexpr std::int32_t key_range = 1 << 20;
 
-std::int32_t
-keyOf (float coordinate, double cells_per_metre)
+// Keys of some points along one axis: rounded down, shifted above zero.
+void
+keysOf (const float* coordinates,
+        std::size_t number,
+        float cells_per_metre,
+        std::int32_t* keys)
 {
-  // Shifted above zero so that the conversion, which truncates, rounds down.
-  const double shifted = static_cast<double> (coordinate) * cells_per_metre + key_range;
-  return static_cast<std::int32_t> (
-      std::min (std::max (shifted, 0.0), 2.0 * key_range - 1.0));
+  constexpr auto limit = static_cast<float> (key_range - 1);
+  for (std::size_t i = 0; i < number; ++i) {
+    const float scaled =
+        std::min (std::max (coordinates[i] * cells_per_metre, -limit), limit);
+    const auto truncated = static_cast<std::int32_t> (scaled);
+    keys[i] = truncated - (scaled < static_cast<float> (truncated)) + key_range;
+  }
 }
 
-CellKey
-keyOf (const Coordinates& positions, std::size_t i, double cells_per_metre)
+// Calls visit (i, key) for the points of a range, whose keys it computes by the batch.
+template <typename Visit>
+void
+forKeys (const Coordinates& positions,
+         double cell_size,
+         std::size_t begin,
+         std::size_t end,
+         Visit&& visit)
 {
-  return {keyOf (positions.x[i], cells_per_metre),
-          keyOf (positions.y[i], cells_per_metre),
-          keyOf (positions.z[i], cells_per_metre)};
+  constexpr std::size_t batch = 512;
+  std::array<std::int32_t, batch> x, y, z;
+  const auto cells_per_metre = static_cast<float> (1.0 / cell_size);
+  for (std::size_t first = begin; first < end; first += batch) {
+    const std::size_t number = std::min (batch, end - first);
+    keysOf (positions.x.data() + first, number, cells_per_metre, x.data());
+    keysOf (positions.y.data() + first, number, cells_per_metre, y.data());
+    keysOf (positions.z.data() + first, number, cells_per_metre, z.data());
+    for (std::size_t i = 0; i < number; ++i)
+      visit (first + i, CellKey{x[i], y[i], z[i]});
+  }
 }
 
 struct Piece {
@@ -35,22 +57,59 @@ struct Piece {
   std::vector<Moments> moments;
 };
 
+// Sums in local variables, which stay in registers.
+void
+addPositions (const Coordinates& positions,
+              std::size_t begin,
+              std::size_t end,
+              Moments& moments)
+{
+  double sx = 0, sy = 0, sz = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const double x = positions.x[i], y = positions.y[i], z = positions.z[i];
+    sx += x;
+    sy += y;
+    sz += z;
+    xx += x * x;
+    xy += x * y;
+    xz += x * z;
+    yy += y * y;
+    yz += y * z;
+    zz += z * z;
+  }
+  moments.addAligned ({moments.origin,
+                       static_cast<double> (end - begin),
+                       {sx, sy, sz},
+                       {xx, xy, xz, yy, yz, zz}});
+}
+
+// Points that follow each other mostly share a cell: each run of them is added at once.
 void
 addPoints (const Coordinates& positions,
-           double cells_per_metre,
+           double cell_size,
            std::size_t begin,
            std::size_t end,
            Piece& piece,
            std::vector<std::uint32_t>& cell_of_point)
 {
-  for (std::size_t i = begin; i < end; ++i) {
-    const std::uint32_t cell =
-        piece.table.insert (keyOf (positions, i, cells_per_metre));
+  std::size_t run_begin = begin;
+  std::uint32_t cell_of_run = 0;
+  piece.moments.emplace_back();
+  const auto addRun = [&] (std::size_t run_end) {
+    addPositions (positions, run_begin, run_end, piece.moments[cell_of_run]);
+    run_begin = run_end;
+  };
+  forKeys (positions, cell_size, begin, end, [&] (std::size_t i, const CellKey& key) {
+    const std::uint32_t cell = piece.table.insert (key);
+    cell_of_point[i] = cell;
+    if (cell == cell_of_run)
+      return;
+    addRun (i);
+    cell_of_run = cell;
     if (cell == piece.moments.size())
       piece.moments.emplace_back();
-    piece.moments[cell].add (positions.x[i], positions.y[i], positions.z[i]);
-    cell_of_point[i] = cell;
-  }
+  });
+  addRun (end);
 }
 
 // Adds cells with their moments to a grid's table; returns where each went.
@@ -79,24 +138,37 @@ finish (CellTable& table, std::vector<Moments>& moments, CellGrid& grid)
   grid.moments.resize (moments.size());
   for (std::size_t i = 0; i < moments.size(); ++i)
     grid.moments[order[i]] = moments[i];
-  grid.neighbours = table.neighbourhoods();
+  grid.neighbours = table.neighbours();
   return order;
 }
 
+// Some of the points, evenly spread over their order.
+Coordinates
+someOf (const Coordinates& positions, std::size_t wanted)
+{
+  const std::size_t stride = positions.size() / wanted + 1;
+  Coordinates some;
+  for (std::size_t i = 0; i < positions.size(); i += stride)
+    some.add (positions.x[i], positions.y[i], positions.z[i]);
+  return some;
+}
+
 std::size_t
-countOccupied (const Coordinates& positions, std::size_t stride, double cell_size)
+countOccupied (const Coordinates& positions, double cell_size)
 {
   CellTable table;
-  for (std::size_t i = 0; i < positions.size(); i += stride)
-    table.insert (keyOf (positions, i, 1.0 / cell_size));
+  forKeys (
+      positions, cell_size, 0, positions.size(), [&] (std::size_t, const CellKey& key) {
+        table.insert (key);
+      });
   return table.size();
 }
 
 double
-diagonal (const Coordinates& positions, std::size_t stride)
+diagonal (const Coordinates& positions)
 {
   Eigen::Vector3d low = positions[0], high = positions[0];
-  for (std::size_t i = 0; i < positions.size(); i += stride) {
+  for (std::size_t i = 0; i < positions.size(); ++i) {
     low = low.cwiseMin (positions[i]);
     high = high.cwiseMax (positions[i]);
   }
@@ -113,14 +185,14 @@ cellSizeFor (const Coordinates& positions, double wanted_cells)
   constexpr double counted_cells = 800.0;
   if (positions.size() == 0)
     return 0.0;
-  const std::size_t stride = positions.size() / looked_at + 1;
-  double cell_size = diagonal (positions, stride) / 25.0;
+  const Coordinates some = someOf (positions, looked_at);
+  double cell_size = diagonal (some) / 25.0;
   if (!(cell_size > 0.0 && std::isfinite (cell_size)))
     return 0.0;
   constexpr int most_tries = 8;
   double counted = 0.0;
   for (int i = 0; i < most_tries; ++i) {
-    counted = static_cast<double> (countOccupied (positions, stride, cell_size));
+    counted = static_cast<double> (countOccupied (some, cell_size));
     const double ratio = counted / std::min (counted_cells, wanted_cells);
     if (ratio > 0.5 && ratio < 2.0)
       break;
@@ -132,17 +204,19 @@ cellSizeFor (const Coordinates& positions, double wanted_cells)
 GriddedPoints
 gridPoints (const Coordinates& positions, double cell_size, unsigned threads)
 {
-  constexpr std::size_t smallest_piece = 131072;
+  constexpr std::size_t points_per_piece = 131072;
   constexpr std::size_t most_pieces = 8;
+  const std::size_t number =
+      std::clamp (positions.size() / points_per_piece, std::size_t (1), most_pieces);
   const std::size_t grain =
-      std::max (smallest_piece, (positions.size() + most_pieces - 1) / most_pieces);
-  std::vector<Piece> pieces ((positions.size() + grain - 1) / grain);
+      std::max<std::size_t> (1, (positions.size() + number - 1) / number);
+  std::vector<Piece> pieces (number);
   GriddedPoints gridded;
   gridded.cell_of_point.resize (positions.size());
   parallelFor (
       threads, positions.size(), grain, [&] (std::size_t begin, std::size_t end) {
         addPoints (positions,
-                   1.0 / cell_size,
+                   cell_size,
                    begin,
                    end,
                    pieces[begin / grain],

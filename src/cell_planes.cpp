@@ -21,12 +21,9 @@ forNeighboursOnPlanes (const CellGrid& grid,
                        std::size_t cell,
                        Visit&& visit)
 {
-  for (const std::int32_t neighbour : grid.neighbours[cell])
-    if (neighbour >= 0)
-      if (const std::int32_t plane =
-              plane_of_cell[static_cast<std::size_t> (neighbour)];
-          plane != no_plane)
-        visit (static_cast<std::size_t> (plane), static_cast<std::size_t> (neighbour));
+  for (const std::uint32_t neighbour : grid.neighbours[cell])
+    if (const std::int32_t plane = plane_of_cell[neighbour]; plane != no_plane)
+      visit (static_cast<std::size_t> (plane), std::size_t (neighbour));
 }
 
 struct Adoption {
@@ -78,10 +75,9 @@ cellsNextTo (const CellGrid& grid,
 {
   std::vector<std::size_t> cells;
   for (const Adoption& adoption : adoptions)
-    for (const std::int32_t neighbour : grid.neighbours[adoption.cell])
-      if (neighbour >= 0 &&
-          plane_of_cell[static_cast<std::size_t> (neighbour)] == no_plane)
-        cells.push_back (static_cast<std::size_t> (neighbour));
+    for (const std::uint32_t neighbour : grid.neighbours[adoption.cell])
+      if (plane_of_cell[neighbour] == no_plane)
+        cells.push_back (neighbour);
   std::sort (cells.begin(), cells.end());
   cells.erase (std::unique (cells.begin(), cells.end()), cells.end());
   return cells;

@@ -47,16 +47,16 @@ CellTable::grow()
 std::vector<std::uint32_t>
 CellTable::sort()
 {
-  std::vector<std::size_t> order (blocks_.size());
-  std::iota (order.begin(), order.end(), 0);
+  order_.resize (blocks_.size());
+  std::iota (order_.begin(), order_.end(), 0u);
   std::sort (
-      order.begin(), order.end(), [this] (std::size_t first, std::size_t second) {
+      order_.begin(), order_.end(), [this] (std::uint32_t first, std::uint32_t second) {
         return blocks_[first].key < blocks_[second].key;
       });
   std::vector<std::uint32_t> new_number (keys_.size());
   std::vector<CellKey> sorted;
   sorted.reserve (keys_.size());
-  for (const std::size_t block : order)
+  for (const std::uint32_t block : order_)
     for (std::int32_t& cell : blocks_[block].cells)
       if (cell >= 0) {
         const auto number = static_cast<std::uint32_t> (sorted.size());
@@ -70,80 +70,83 @@ CellTable::sort()
 
 namespace {
 
-constexpr int axis_offsets = 3;
-
-// Along one axis: from a coordinate within a block and an offset -1, 0, 1 to the offset
-// of the neighbour's block and its coordinate within that.
-struct Step {
-  std::int32_t block;
-  std::int32_t coordinate;
+// Along one axis: the cells of a block or of one of its neighbours that fall into the
+// padded block around it.
+struct Overlap {
+  int from;
+  int size;
+  int to;
 };
 
-constexpr Step
-step (std::int32_t coordinate, std::int32_t offset, std::int32_t edge)
+constexpr Overlap
+overlapOf (int block_offset, int edge)
 {
-  const std::int32_t moved = coordinate + offset;
-  if (moved < 0)
-    return {-1, moved + edge};
-  if (moved >= edge)
-    return {1, moved - edge};
-  return {0, moved};
+  if (block_offset < 0)
+    return {edge - 1, 1, 0};
+  if (block_offset > 0)
+    return {0, 1, edge + 1};
+  return {0, edge, 1};
 }
 
 } // namespace
 
-CellTable::BlockNeighbours
-CellTable::blocksAround (const Block& block) const
+void
+CellTable::pad (const Block& block, PaddedBlock& padded) const
 {
-  BlockNeighbours around;
+  padded.fill (-1);
   const CellKey corner = cornerOf (block.key);
-  std::size_t n = 0;
-  for (std::int32_t dz = -1; dz <= 1; ++dz)
-    for (std::int32_t dy = -1; dy <= 1; ++dy)
-      for (std::int32_t dx = -1; dx <= 1; ++dx) {
+  for (int dz = -1; dz <= 1; ++dz)
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
         const std::uint32_t found =
             slots_[findSlot (blockKey ({corner.x + dx * block_edge,
                                         corner.y + dy * block_edge,
                                         corner.z + dz * block_edge}))];
-        around[n++] = found == 0 ? nullptr : blocks_[found - 1].cells.data();
+        if (found == 0)
+          continue;
+        const std::int32_t* const cells = blocks_[found - 1].cells.data();
+        const Overlap x = overlapOf (dx, block_edge), y = overlapOf (dy, block_edge),
+                      z = overlapOf (dz, block_edge);
+        for (int k = 0; k < z.size; ++k)
+          for (int j = 0; j < y.size; ++j)
+            std::copy_n (
+                cells + ((z.from + k) * block_edge + y.from + j) * block_edge + x.from,
+                x.size,
+                padded.data() + ((z.to + k) * padded_edge + y.to + j) * padded_edge +
+                    x.to);
       }
-  return around;
 }
 
-Neighbourhood
-CellTable::neighbourhood (const CellKey& key, const BlockNeighbours& around)
+CellNeighbours
+CellTable::neighbours() const
 {
   constexpr std::int32_t mask = block_edge - 1;
-  Neighbourhood neighbours;
-  std::size_t n = 0;
-  for (std::int32_t dz = -1; dz <= 1; ++dz) {
-    const Step z = step (key.z & mask, dz, block_edge);
-    for (std::int32_t dy = -1; dy <= 1; ++dy) {
-      const Step y = step (key.y & mask, dy, block_edge);
-      for (std::int32_t dx = -1; dx <= 1; ++dx) {
-        const Step x = step (key.x & mask, dx, block_edge);
-        const std::int32_t* const cells = around[static_cast<std::size_t> (
-            ((z.block + 1) * axis_offsets + y.block + 1) * axis_offsets + x.block + 1)];
-        neighbours[n++] =
-            cells ? cells[positionInBlock ({x.coordinate, y.coordinate, z.coordinate})]
-                  : -1;
-      }
+  CellNeighbours neighbours;
+  neighbours.reserve (keys_.size());
+  PaddedBlock padded;
+  std::array<std::uint32_t, 27> found{};
+  for (const std::uint32_t block : order_) {
+    pad (blocks_[block], padded);
+    for (const std::int32_t cell : blocks_[block].cells) {
+      if (cell < 0)
+        continue;
+      const CellKey& key = keys_[static_cast<std::size_t> (cell)];
+      const std::int32_t* const corner =
+          padded.data() +
+          ((key.z & mask) * padded_edge + (key.y & mask)) * padded_edge +
+          (key.x & mask);
+      std::size_t number = 0;
+      for (int dz = 0; dz < 3; ++dz)
+        for (int dy = 0; dy < 3; ++dy)
+          for (int dx = 0; dx < 3; ++dx) {
+            const std::int32_t neighbour =
+                corner[(dz * padded_edge + dy) * padded_edge + dx];
+            // Written always, counted if there: no branch to mispredict.
+            found[number] = static_cast<std::uint32_t> (neighbour);
+            number += neighbour >= 0;
+          }
+      neighbours.add (found.data(), number);
     }
-  }
-  return neighbours;
-}
-
-std::vector<Neighbourhood>
-CellTable::neighbourhoods() const
-{
-  std::vector<Neighbourhood> neighbours (keys_.size());
-  for (const Block& block : blocks_) {
-    const BlockNeighbours around = blocksAround (block);
-    for (const std::int32_t cell : block.cells)
-      if (cell >= 0) {
-        const auto i = static_cast<std::size_t> (cell);
-        neighbours[i] = neighbourhood (keys_[i], around);
-      }
   }
   return neighbours;
 }

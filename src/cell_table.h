@@ -54,9 +54,9 @@ public:
   std::vector<std::uint32_t>
   sort ();
 
-  /** \brief Neighbours of each cell, by number. */
-  std::vector<Neighbourhood>
-  neighbourhoods () const;
+  /** \brief Neighbours of each cell, by number; after \ref sort. */
+  CellNeighbours
+  neighbours () const;
 
 private:
   using BlockKey = std::uint64_t;
@@ -93,12 +93,12 @@ private:
   void
   grow ();
 
-  /** \brief The cells of a block and of the 26 around it; null where there is none. */
-  using BlockNeighbours = std::array<const std::int32_t*, 27>;
-  BlockNeighbours
-  blocksAround (const Block& block) const;
-  static Neighbourhood
-  neighbourhood (const CellKey& key, const BlockNeighbours& around);
+  /** \brief Numbers of the cells of a block and of those one cell around it; -1 where
+   * there is none. */
+  static constexpr int padded_edge = block_edge + 2;
+  using PaddedBlock = std::array<std::int32_t, padded_edge * padded_edge * padded_edge>;
+  void
+  pad (const Block& block, PaddedBlock& padded) const;
 
   static CellKey
   cornerOf (BlockKey key)
@@ -113,6 +113,8 @@ private:
 
   std::vector<CellKey> keys_;
   std::vector<Block> blocks_;
+  /** \brief The blocks by their coordinates, once sorted. */
+  std::vector<std::uint32_t> order_;
   /** \brief Open addressing: block number + 1, 0 for a free slot. */
   std::vector<std::uint32_t> slots_;
   BlockKey last_key_ = ~BlockKey (0);

@@ -50,11 +50,8 @@ FixedRadiusSearch::find (std::uint32_t point, Positions& neighbours) const
       std::upper_bound (cell_begin_.begin(), cell_begin_.end(), point);
   const auto own_cell = static_cast<std::size_t> (next_cell - cell_begin_.begin()) - 1;
   std::size_t number = 0;
-  for (const std::int32_t neighbour : neighbours_of_cell_[own_cell]) {
-    if (neighbour < 0)
-      continue;
-    const std::uint32_t* const cell =
-        &cell_begin_[static_cast<std::size_t> (neighbour)];
+  for (const std::uint32_t neighbour : neighbours_of_cell_[own_cell]) {
+    const std::uint32_t* const cell = &cell_begin_[neighbour];
     neighbours.resize (number + (cell[1] - cell[0]));
     for (std::uint32_t i = cell[0]; i < cell[1]; ++i) {
       const float dx = points_.x[i] - x, dy = points_.y[i] - y, dz = points_.z[i] - z;

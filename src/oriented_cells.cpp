@@ -42,10 +42,8 @@ normalsAround (const CellGrid& grid, double min_points, unsigned threads)
       threads, grid.size(), cells_per_piece, [&] (std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           Moments surroundings;
-          for (const std::int32_t neighbour : grid.neighbours[i])
-            if (neighbour >= 0)
-              surroundings.addAligned (
-                  grid.moments[static_cast<std::size_t> (neighbour)]);
+          for (const std::uint32_t neighbour : grid.neighbours[i])
+            surroundings.addAligned (grid.moments[neighbour]);
           if (surroundings.count >= min_points)
             normals[i] = normalOf (surroundings);
         }
@@ -104,9 +102,8 @@ normalOfCell (std::size_t cell,
     if (flattest.thickness() < parameters.flat_enough)
       break;
     const CellGrid& grid = level.cell_of_finer.empty() ? finest : level.grid;
-    for (const std::int32_t neighbour : grid.neighbours[at])
-      if (neighbour >= 0)
-        flattest.consider (level.normals[static_cast<std::size_t> (neighbour)]);
+    for (const std::uint32_t neighbour : grid.neighbours[at])
+      flattest.consider (level.normals[neighbour]);
     if (flattest.thickness() < parameters.flat_enough)
       break;
   }

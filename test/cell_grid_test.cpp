@@ -74,13 +74,12 @@ TEST (CellGrid, KnowsEveryOccupiedNeighbourAsBruteForceDoes)
 {
   const CellGrid grid = pcl_ops::gridPoints (pointsInACube (400, 9.0), 0.5, 1).grid;
   for (std::size_t a = 0; a < grid.size(); ++a) {
-    std::vector<std::int32_t> expected, found;
+    std::vector<std::uint32_t> expected;
     for (std::size_t b = 0; b < grid.size(); ++b)
       if (isNeighbour (grid.keys[a], grid.keys[b]))
-        expected.push_back (static_cast<std::int32_t> (b));
-    for (const std::int32_t neighbour : grid.neighbours[a])
-      if (neighbour >= 0)
-        found.push_back (neighbour);
+        expected.push_back (static_cast<std::uint32_t> (b));
+    std::vector<std::uint32_t> found (grid.neighbours[a].begin(),
+                                      grid.neighbours[a].end());
     std::sort (found.begin(), found.end());
     ASSERT_EQ (found, expected);
   }

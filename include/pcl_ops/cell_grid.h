@@ -5,7 +5,6 @@
 #include <pcl_ops/plane.h>
 #include <pcl_ops/points.h>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -16,9 +15,61 @@ struct CellKey {
   std::int32_t x = 0, y = 0, z = 0;
 };
 
-/** \brief Positions of a cell's 26 neighbours and, in the middle, of the cell itself;
- * -1 where a neighbour holds no point. */
-using Neighbourhood = std::array<std::int32_t, 27>;
+/** \brief Positions of cells, one after the other. */
+struct CellRange {
+  const std::uint32_t* first;
+  const std::uint32_t* last;
+
+  const std::uint32_t*
+  begin () const
+  {
+    return first;
+  }
+
+  const std::uint32_t*
+  end () const
+  {
+    return last;
+  }
+};
+
+/** \brief For each cell the occupied ones among its 26 neighbours and, in the middle,
+ * itself: most are empty where points are on surfaces. */
+class CellNeighbours {
+public:
+  CellRange
+  operator[] (std::size_t cell) const
+  {
+    return {neighbours_.data() + begin_[cell], neighbours_.data() + begin_[cell + 1]};
+  }
+
+  /** \brief Number of cells. */
+  std::size_t
+  size () const
+  {
+    return begin_.size() - 1;
+  }
+
+  void
+  reserve (std::size_t cells)
+  {
+    constexpr std::size_t usual_neighbours = 12;
+    begin_.reserve (cells + 1);
+    neighbours_.reserve (usual_neighbours * cells);
+  }
+
+  /** \brief Appends the next cell with its \p number neighbours. */
+  void
+  add (const std::uint32_t* neighbours, std::size_t number)
+  {
+    neighbours_.insert (neighbours_.end(), neighbours, neighbours + number);
+    begin_.push_back (static_cast<std::uint32_t> (neighbours_.size()));
+  }
+
+private:
+  std::vector<std::uint32_t> neighbours_;
+  std::vector<std::uint32_t> begin_{0};
+};
 
 /** \brief The occupied cells of a uniform grid with the moments of the points in each.
  */
@@ -30,7 +81,7 @@ struct CellGrid {
   std::vector<CellKey> keys;
   /** \brief Moments of each cell's points about the zero of their frame. */
   std::vector<Moments> moments;
-  std::vector<Neighbourhood> neighbours;
+  CellNeighbours neighbours;
 
   std::size_t
   size () const

@@ -37,7 +37,7 @@ public:
 
 private:
   float squared_radius_;
-  std::vector<Neighbourhood> neighbours_of_cell_;
+  CellNeighbours neighbours_of_cell_;
   /** \brief Position of each cell's first point, and where the last cell ends. */
   std::vector<std::uint32_t> cell_begin_;
   Coordinates points_;
