@@ -12,11 +12,18 @@ namespace pcl_ops {
 
 namespace {
 
+/** \brief Cells on a plane with their moments. */
+struct CellSupport {
+  Positions cells;
+  Moments moments;
+};
+
 /** \brief The finder of the peel loop: candidates are positions of cells. */
 class LargestCellPlane {
 public:
   LargestCellPlane (const CellGrid& grid,
                     const std::vector<std::optional<CellNormal>>& normals,
+                    const Positions& candidates,
                     const CellRansacParameters& parameters,
                     RandomGenerator& generator)
   : grid_ (grid)
@@ -24,46 +31,39 @@ public:
   , parameters_ (parameters)
   , generator_ (generator)
   , limit_ (distanceLimit (grid, parameters.inlier.distance_threshold))
-  , rejected_ (grid.size(), false)
+  , is_open_ (grid.size(), 1)
   , mark_ (grid.size(), 0)
-  {}
+  {
+    for (const std::uint32_t cell : candidates)
+      samples_.add (cell, grid.moments[cell], *normals[cell], band (*normals[cell]));
+  }
 
+  // The candidates are those of the constructor less the cells of the planes found.
   std::optional<ExtractedPlane>
-  operator() (Positions candidates)
+  operator() (const Positions&)
   {
     while (true) {
-      const Positions open = withoutRejected (candidates);
-      const std::optional<Positions> support = supportOfLargest (open);
+      const std::optional<CellSupport> support = supportOfLargest();
       if (!support)
         return std::nullopt;
-      Positions parts = largeParts (*support);
+      Positions parts = largeParts (support->cells);
       const std::optional<PlaneFit> fit = fitPlane (momentsOf (parts));
-      if (fit && !isCurved (parts, fit->plane))
+      if (fit && !isCurved (parts, fit->plane)) {
+        close (parts);
         return ExtractedPlane{fit->plane, std::move (parts)};
-      for (const std::uint32_t cell : *support)
-        rejected_[cell] = true;
+      }
+      close (support->cells);
     }
   }
 
 private:
-  Positions
-  withoutRejected (const Positions& candidates) const
+  // Cells on a plane found or rejected are looked at no more.
+  void
+  close (const Positions& cells)
   {
-    Positions open;
-    open.reserve (candidates.size());
-    for (const std::uint32_t cell : candidates)
-      if (!rejected_[cell])
-        open.push_back (cell);
-    return open;
-  }
-
-  CellSamples
-  samplesOf (const Positions& cells) const
-  {
-    CellSamples samples;
     for (const std::uint32_t cell : cells)
-      samples.add (grid_.moments[cell], *normals_[cell], band (*normals_[cell]));
-    return samples;
+      is_open_[cell] = 0;
+    keepOnly (is_open_, samples_);
   }
 
   double
@@ -84,67 +84,51 @@ private:
             static_cast<float> (std::cos (parameters_.inlier.angle_threshold))};
   }
 
-  std::optional<Positions>
-  supportOfLargest (const Positions& open)
+  std::optional<CellSupport>
+  supportOfLargest ()
   {
-    if (open.size() < parameters_.min_inliers)
+    if (samples_.size() < parameters_.min_inliers)
       return std::nullopt;
-    const CellSamples samples = samplesOf (open);
-    const auto number = static_cast<double> (open.size());
+    const auto number = static_cast<double> (samples_.size());
     const auto least = static_cast<std::int32_t> (parameters_.min_inliers);
     std::size_t n_iter =
         requiredDraws (parameters_.probability,
                        static_cast<double> (parameters_.min_inliers) / number);
-    std::optional<Plane> best;
+    const Plane* best = nullptr;
     Support best_support;
     for (std::size_t iter = 0; iter < n_iter; ++iter) {
-      const std::uint32_t drawn =
-          open[drawBelow (generator_, static_cast<std::uint32_t> (open.size()))];
+      const std::uint32_t drawn = samples_.cells[drawBelow (
+          generator_, static_cast<std::uint32_t> (samples_.size()))];
       const Plane& hypothesis = normals_[drawn]->plane;
-      const Support support = supportOf (samples, single (hypothesis));
+      const Support support = supportOf (samples_, single (hypothesis));
       if (support.weight <= best_support.weight || support.cells < least)
         continue;
-      best = hypothesis;
+      best = &hypothesis;
       best_support = support;
       n_iter = requiredDraws (parameters_.probability, support.cells / number);
     }
-    return best ? std::optional<Positions> (grow (open, samples, *best)) : std::nullopt;
+    return best ? std::optional<CellSupport> (grow (*best)) : std::nullopt;
   }
 
   // Local optimisation: refit and select again while the support grows.
-  Positions
-  grow (const Positions& open,
-        const CellSamples& samples,
-        const Plane& hypothesis) const
+  CellSupport
+  grow (const Plane& hypothesis) const
   {
-    Positions support = select (open, samples, hypothesis);
-    double weight = momentsOf (support).count;
-    while (const std::optional<PlaneFit> fit = fitPlane (momentsOf (support))) {
-      Positions selected = select (open, samples, fit->plane);
-      const double selected_weight = momentsOf (selected).count;
-      if (selected_weight <= weight)
+    CellSupport support = select (hypothesis);
+    while (const std::optional<PlaneFit> fit = fitPlane (support.moments)) {
+      CellSupport selected = select (fit->plane);
+      if (selected.moments.count <= support.moments.count)
         break;
       support = std::move (selected);
-      weight = selected_weight;
     }
     return support;
   }
 
-  Positions
-  select (const Positions& open, const CellSamples& samples, const Plane& plane) const
+  CellSupport
+  select (const Plane& plane) const
   {
-    const SinglePlane single_plane = single (plane);
-    Positions selected;
-    for (std::size_t i = 0; i < open.size(); ++i)
-      if (isInlier (single_plane,
-                    samples.centroids.x[i],
-                    samples.centroids.y[i],
-                    samples.centroids.z[i],
-                    samples.normals.x[i],
-                    samples.normals.y[i],
-                    samples.normals.z[i],
-                    samples.bands[i]))
-        selected.push_back (open[i]);
+    CellSupport selected{cellsOn (samples_, single (plane)), Moments()};
+    selected.moments = momentsOf (selected.cells);
     return selected;
   }
 
@@ -153,7 +137,7 @@ private:
   {
     Moments moments;
     for (const std::uint32_t cell : cells)
-      moments += grid_.moments[cell];
+      moments.addAligned (grid_.moments[cell]);
     return moments;
   }
 
@@ -187,6 +171,8 @@ private:
       if (part.size() >= parameters_.min_inliers)
         large.insert (large.end(), part.begin(), part.end());
     }
+    if (large.size() == support.size())
+      return support;
     std::sort (large.begin(), large.end());
     return large;
   }
@@ -196,6 +182,8 @@ private:
   connectedPart (std::uint32_t start)
   {
     Positions part;
+    if (mark_[start] == 0)
+      return part;
     const auto visit = [&] (std::uint32_t cell) {
       if (mark_[cell] == 0)
         return;
@@ -214,7 +202,8 @@ private:
   const CellRansacParameters& parameters_;
   RandomGenerator& generator_;
   double limit_;
-  std::vector<bool> rejected_;
+  CellSamples samples_;
+  std::vector<char> is_open_;
   std::vector<char> mark_;
 };
 
@@ -234,7 +223,7 @@ extractCellPlanes (const CellGrid& grid,
     if (planes.plane_of_cell[i] == no_plane && normals[i] &&
         normals[i]->thickness < parameters.inlier.largest_thickness)
       candidates.push_back (static_cast<std::uint32_t> (i));
-  LargestCellPlane largest (grid, normals, parameters, generator);
+  LargestCellPlane largest (grid, normals, candidates, parameters, generator);
   for (const ExtractedPlane& plane : extractAll (std::move (candidates), largest)) {
     for (const std::uint32_t cell : plane.inliers) {
       planes.plane_of_cell[cell] = static_cast<std::int32_t> (planes.planes.size());

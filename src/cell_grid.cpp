@@ -94,6 +94,8 @@ addPoints (const Coordinates& positions,
 {
   std::size_t run_begin = begin;
   std::uint32_t cell_of_run = 0;
+  constexpr std::size_t usual_points_per_cell = 8;
+  piece.moments.reserve ((end - begin) / usual_points_per_cell + 1);
   piece.moments.emplace_back();
   const auto addRun = [&] (std::size_t run_end) {
     addPositions (positions, run_begin, run_end, piece.moments[cell_of_run]);

@@ -19,6 +19,8 @@ struct CellSamples {
   std::vector<float> bands;
   /** \brief Points in each; integers, whose sum the compiler may reorder. */
   std::vector<std::int32_t> weights;
+  /** \brief Which cell each is. */
+  Positions cells;
 
   std::size_t
   size () const
@@ -27,8 +29,12 @@ struct CellSamples {
   }
 
   void
-  add (const Moments& moments, const CellNormal& normal, double band)
+  add (std::uint32_t cell,
+       const Moments& moments,
+       const CellNormal& normal,
+       double band)
   {
+    cells.push_back (cell);
     const Eigen::Vector3f c = moments.centroid().cast<float>();
     const Eigen::Vector3f n = normal.plane.normal.cast<float>();
     centroids.add (c.x(), c.y(), c.z());
@@ -66,5 +72,14 @@ isInlier (const SinglePlane& plane,
 /** \brief Points and cells on a plane: the loop RANSAC on cells spends its time in. */
 Support
 supportOf (const CellSamples& samples, const SinglePlane& plane);
+
+/** \brief The cells on a plane, in the order of the samples. */
+Positions
+cellsOn (const CellSamples& samples, const SinglePlane& plane);
+
+/** \brief Drops samples.
+ * \param[in] is_kept per cell */
+void
+keepOnly (const std::vector<char>& is_kept, CellSamples& samples);
 
 } // namespace pcl_ops

@@ -101,7 +101,7 @@ detectOnCells (Points points,
     absorbPlanes (grid, parameters.cells.absorption_noise_factor, planes);
     const MergedPlanes merged =
         mergePlanes (momentsOfPlanes (grid, planes), parameters.merging);
-    renumberPlanes (grid, merged.merged_into, merged.fits.size(), planes);
+    renumberPlanes (merged, planes);
     reassignCells (grid, planes);
     measureNoise (grid, planes);
     return 0;

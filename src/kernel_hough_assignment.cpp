@@ -82,7 +82,7 @@ settleCells (const CellGrid& grid,
   growPlanes (grid, growing, cells);
   const MergedPlanes merged =
       mergePlanes (momentsOfPlanes (grid, cells), parameters.merging);
-  renumberPlanes (grid, merged.merged_into, merged.fits.size(), cells);
+  renumberPlanes (merged, cells);
   reassignCells (grid, cells);
   return merged.merged_into;
 }

@@ -32,23 +32,29 @@ struct Level {
   CellGrid grid;
   std::vector<std::uint32_t> cell_of_finer;
   std::vector<std::optional<CellNormal>> normals;
+  /** \brief Of the normals, apart because most are looked at for this only; 1 where
+   * there is none. */
+  std::vector<double> thickness;
 };
 
-std::vector<std::optional<CellNormal>>
-normalsAround (const CellGrid& grid, double min_points, unsigned threads)
+void
+findNormals (const CellGrid& grid, double min_points, unsigned threads, Level& level)
 {
-  std::vector<std::optional<CellNormal>> normals (grid.size());
+  level.normals.resize (grid.size());
+  level.thickness.resize (grid.size(), 1.0);
   parallelFor (
       threads, grid.size(), cells_per_piece, [&] (std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           Moments surroundings;
           for (const std::uint32_t neighbour : grid.neighbours[i])
             surroundings.addAligned (grid.moments[neighbour]);
-          if (surroundings.count >= min_points)
-            normals[i] = normalOf (surroundings);
+          if (surroundings.count < min_points)
+            continue;
+          level.normals[i] = normalOf (surroundings);
+          if (level.normals[i])
+            level.thickness[i] = level.normals[i]->thickness;
         }
       });
-  return normals;
 }
 
 // The flattest of the planes around a cell of a level that the finest cell lies in.
@@ -59,19 +65,22 @@ public:
   {}
 
   void
-  consider (const std::optional<CellNormal>& candidate)
+  consider (const Level& level, std::size_t candidate)
   {
-    if (!candidate || candidate->thickness >= thickness())
+    if (level.thickness[candidate] >= thickness_)
       return;
-    const double limit = noise_factor_ * std::max (candidate->noise, smallest_noise_);
-    if (meanSquaredDistance (cell_, candidate->plane) < limit * limit)
-      best_ = &*candidate;
+    const CellNormal& normal = *level.normals[candidate];
+    const double limit = noise_factor_ * std::max (normal.noise, smallest_noise_);
+    if (meanSquaredDistance (cell_, normal.plane) >= limit * limit)
+      return;
+    best_ = &normal;
+    thickness_ = normal.thickness;
   }
 
   double
   thickness () const
   {
-    return best_ ? best_->thickness : 1.0;
+    return thickness_;
   }
 
   const CellNormal*
@@ -85,6 +94,7 @@ private:
   double noise_factor_;
   double smallest_noise_;
   const CellNormal* best_ = nullptr;
+  double thickness_ = 1.0;
 };
 
 std::optional<CellNormal>
@@ -98,12 +108,12 @@ normalOfCell (std::size_t cell,
   std::size_t at = cell;
   for (const Level& level : levels) {
     at = level.cell_of_finer.empty() ? at : level.cell_of_finer[at];
-    flattest.consider (level.normals[at]);
+    flattest.consider (level, at);
     if (flattest.thickness() < parameters.flat_enough)
       break;
     const CellGrid& grid = level.cell_of_finer.empty() ? finest : level.grid;
     for (const std::uint32_t neighbour : grid.neighbours[at])
-      flattest.consider (level.normals[neighbour]);
+      flattest.consider (level, neighbour);
     if (flattest.thickness() < parameters.flat_enough)
       break;
   }
@@ -131,13 +141,13 @@ orientCells (const CellGrid& grid,
                 parameters.least_average_cells * meanPointsPerCell (grid));
   std::vector<Level> levels (1);
   levels.reserve (static_cast<std::size_t> (parameters.levels));
-  levels[0].normals = normalsAround (grid, min_points, threads);
+  findNormals (grid, min_points, threads, levels[0]);
   for (int l = 1; l < parameters.levels; ++l) {
     CoarserGrid coarser = coarsen (l == 1 ? grid : levels.back().grid);
     Level level;
     level.grid = std::move (coarser.grid);
     level.cell_of_finer = std::move (coarser.cell_of_finer);
-    level.normals = normalsAround (level.grid, min_points, threads);
+    findNormals (level.grid, min_points, threads, level);
     levels.push_back (std::move (level));
   }
   std::vector<std::optional<CellNormal>> normals (grid.size());

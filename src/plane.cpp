@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_ops/plane.h>
-
 #include <Eigen/Eigenvalues>
+
+#include <pcl_ops/plane.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,8 @@ Moments
 Moments::about (const Eigen::Vector3d& new_origin) const
 {
   const Eigen::Vector3d shift = origin - new_origin;
-  const Eigen::Matrix3d added = sum * shift.transpose () + shift * sum.transpose () +
-                                count * shift * shift.transpose ();
+  const Eigen::Matrix3d added = sum * shift.transpose() + shift * sum.transpose() +
+                                count * shift * shift.transpose();
   Moments moved = *this;
   moved.origin = new_origin;
   moved.sum += count * shift;
@@ -39,55 +39,29 @@ Moments::about (const Eigen::Vector3d& new_origin) const
   return moved;
 }
 
-Eigen::Matrix3d
-Moments::covariance () const
-{
-  Eigen::Matrix3d second;
-  second << products[0], products[1], products[2], //
-      products[1], products[3], products[4],       //
-      products[2], products[4], products[5];
-  const Eigen::Vector3d mean = sum / count;
-  return second / count - mean * mean.transpose ();
-}
-
-double
-meanSquaredDistance (const Moments& moments, const Plane& plane)
-{
-  const Eigen::Vector3d& n = plane.normal;
-  const std::array<double, 6>& m = moments.products;
-  const double offset = plane.distance (moments.origin);
-  const double second = n.x () * n.x () * m[0] + n.y () * n.y () * m[3] +
-                        n.z () * n.z () * m[5] +
-                        2.0 * (n.x () * n.y () * m[1] + n.x () * n.z () * m[2] +
-                               n.y () * n.z () * m[4]);
-  const double squared =
-      (second + 2.0 * offset * n.dot (moments.sum)) / moments.count + offset * offset;
-  return std::max (0.0, squared);
-}
-
 std::optional<PlaneFit>
 fitPlane (const Moments& moments)
 {
   if (moments.count < 3.0)
     return std::nullopt;
-  const Eigen::Matrix3d covariance = moments.covariance ();
+  const Eigen::Matrix3d covariance = moments.covariance();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (covariance);
-  const Eigen::Vector3d variances = solver.eigenvalues ().cwiseMax (0.0);
+  const Eigen::Vector3d variances = solver.eigenvalues().cwiseMax (0.0);
   // Rounding of the inputs (single precision) alone can give a line this much width.
   constexpr double smallest_width = 1e-5;
   if (!(variances[1] > smallest_width * smallest_width * variances[2]))
     return std::nullopt;
   PlaneFit fit;
-  fit.centroid = moments.centroid ();
+  fit.centroid = moments.centroid();
   fit.variances = variances;
-  fit.plane = planeThrough (fit.centroid, solver.eigenvectors ().col (0));
+  fit.plane = planeThrough (fit.centroid, solver.eigenvectors().col (0));
   return fit;
 }
 
 double
-PlaneSegment::rms () const
+PlaneSegment::rms() const
 {
-  return std::sqrt (std::max (0.0, normal.dot (moments.covariance () * normal)));
+  return std::sqrt (std::max (0.0, normal.dot (moments.covariance() * normal)));
 }
 
 } // namespace pcl_ops

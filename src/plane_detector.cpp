@@ -44,8 +44,32 @@ toSegment (const Moments& moments,
   segment.orientation = orientationOf (segment.normal,
                                        parameters.up_axis.cast<double>().normalized(),
                                        parameters.angle_tolerance);
-  segment.inliers.reserve (static_cast<std::size_t> (moments.count));
+  segment.inliers.resize (static_cast<std::size_t> (moments.count));
   return segment;
+}
+
+// Writes each label's indices to its segment, which has room for them. Points that
+// follow each other mostly share a plane: its place to write to stays in a register.
+void
+addInliers (const pcl::Indices& index,
+            const Labels& labels,
+            std::vector<PlaneSegment>& segments)
+{
+  std::vector<pcl::index_t*> next;
+  next.reserve (segments.size());
+  for (PlaneSegment& segment : segments)
+    next.push_back (segment.inliers.data());
+  for (std::size_t i = 0; i < labels.size();) {
+    const std::int32_t label = labels[i];
+    if (label == no_plane) {
+      ++i;
+      continue;
+    }
+    pcl::index_t* place = next[static_cast<std::size_t> (label)];
+    for (; i < labels.size() && labels[i] == label; ++i)
+      *place++ = index[i];
+    next[static_cast<std::size_t> (label)] = place;
+  }
 }
 
 } // namespace
@@ -63,10 +87,7 @@ toSegments (const Detection& detection,
                                    detection.planes.fits[p],
                                    viewpoint - points.origin,
                                    parameters));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (detection.labels[i] != no_plane)
-      segments[static_cast<std::size_t> (detection.labels[i])].inliers.push_back (
-          points.index[i]);
+  addInliers (points.index, detection.labels, segments);
   for (PlaneSegment& segment : segments) {
     segment.centroid += points.origin;
     segment.moments.origin += points.origin;

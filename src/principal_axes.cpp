@@ -11,16 +11,26 @@ namespace pcl_ops {
 
 namespace {
 
-// Smallest root of x^3 - trace x^2 + minors x - determinant.
+// Smallest root of x^3 - trace x^2 + minors x - determinant by Newton's method. Without
+// its cubic term the polynomial has a root just above, which for flat sets of points is
+// near enough to start from.
 double
 smallestRoot (double trace, double minors, double determinant)
 {
   constexpr int most_steps = 60;
-  const double precision = 1e-16 * trace;
-  double root = 0.0;
+  const auto slopeAt = [&] (double root) {
+    return (3.0 * root - 2.0 * trace) * root + minors;
+  };
+  const double precision = 1e-13 * trace;
+  const double discriminant =
+      std::max (0.0, minors * minors - 4.0 * trace * determinant);
+  double root = 2.0 * determinant / (minors + std::sqrt (discriminant));
+  // Zero is on the near side of all roots, if far away.
+  if (!(slopeAt (root) > 0.25 * minors))
+    root = 0.0;
   for (int i = 0; i < most_steps; ++i) {
     const double value = ((root - trace) * root + minors) * root - determinant;
-    const double slope = (3.0 * root - 2.0 * trace) * root + minors;
+    const double slope = slopeAt (root);
     if (!(slope > 0.0))
       break;
     const double step = value / slope;
@@ -56,7 +66,7 @@ principalAxes (const Eigen::Matrix3d& matrix)
   const double scale = matrix.trace();
   if (!(scale > 0.0))
     return axes;
-  const Eigen::Matrix3d m = matrix / scale;
+  const Eigen::Matrix3d m = (1.0 / scale) * matrix;
   const double minors = m (0, 0) * m (1, 1) - m (0, 1) * m (0, 1) +
                         m (0, 0) * m (2, 2) - m (0, 2) * m (0, 2) +
                         m (1, 1) * m (2, 2) - m (1, 2) * m (1, 2);

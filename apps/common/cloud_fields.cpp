@@ -69,7 +69,7 @@ public:
   explicit CoordinateReader (const Cloud& cloud) : cloud_ (cloud.points)
   {
     for (std::size_t i = 0; i < 3; ++i) {
-      const PCLPointField& field = fieldOf (cloud, std::string (1, "xyz"[i]));
+      const PCLPointField field = fieldOf (cloud, std::string (1, "xyz"[i]));
       offsets_[i] = field.offset;
       readers_[i] = readerOf (field.datatype);
       is_single_ = is_single_ && field.datatype == PCLPointField::FLOAT32;

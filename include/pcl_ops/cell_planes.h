@@ -6,6 +6,7 @@
 #include <pcl_ops/oriented_cells.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_assignment.h>
+#include <pcl_ops/plane_merging.h>
 #include <pcl_ops/random.h>
 
 #include <optional>
@@ -96,13 +97,9 @@ reassignCells (const CellGrid& grid, CellPlanes& planes);
 std::vector<Moments>
 momentsOfPlanes (const CellGrid& grid, const CellPlanes& planes);
 
-/** \brief Replaces planes by those they went into and refits them.
- * \param[in] merged_into for each plane its new position, or no_plane to drop it */
+/** \brief Replaces planes by those they were merged into. */
 void
-renumberPlanes (const CellGrid& grid,
-                const Labels& merged_into,
-                std::size_t number,
-                CellPlanes& planes);
+renumberPlanes (const MergedPlanes& merged, CellPlanes& planes);
 
 /** \brief How points are assigned to bounded planes. */
 struct BoundedAssignmentParameters {

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/orientation.h>
-
 #include <pcl/memory.h>
 #include <pcl/types.h>
 
 #include <Eigen/Core>
 
+#include <pcl_ops/orientation.h>
+
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -21,9 +22,9 @@ namespace pcl_ops {
  * The sums are in double and taken about \ref origin, which should lie near the points:
  * that keeps them exact enough for clouds 10^6 m from the frame's zero. */
 struct Moments {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero ();
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   double count = 0.0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero ();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   /** \brief xx xy xz yy yz zz */
   std::array<double, 6> products{};
 
@@ -47,7 +48,7 @@ struct Moments {
   {
     count += other.count;
     sum += other.sum;
-    for (std::size_t i = 0; i < products.size (); ++i)
+    for (std::size_t i = 0; i < products.size(); ++i)
       products[i] += other.products[i];
   }
 
@@ -68,12 +69,24 @@ struct Moments {
 
   /** \brief Population covariance about the centroid; undefined for count 0. */
   Eigen::Matrix3d
-  covariance () const;
+  covariance () const
+  {
+    const double scale = 1.0 / count;
+    const Eigen::Vector3d mean = scale * sum;
+    Eigen::Matrix3d result;
+    result (0, 0) = scale * products[0] - mean.x() * mean.x();
+    result (0, 1) = result (1, 0) = scale * products[1] - mean.x() * mean.y();
+    result (0, 2) = result (2, 0) = scale * products[2] - mean.x() * mean.z();
+    result (1, 1) = scale * products[3] - mean.y() * mean.y();
+    result (1, 2) = result (2, 1) = scale * products[4] - mean.y() * mean.z();
+    result (2, 2) = scale * products[5] - mean.z() * mean.z();
+    return result;
+  }
 };
 
 /** \brief The plane normal . x + offset = 0 with a unit normal. */
 struct Plane {
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ ();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   double offset = 0.0;
 
   /** \brief Signed distance of a point [m]. */
@@ -86,20 +99,32 @@ struct Plane {
 
 /** \brief Mean squared distance of a set of points to a plane in the frame of the
  * moments' origin [m^2]; undefined for count 0. */
-double
-meanSquaredDistance (const Moments& moments, const Plane& plane);
+inline double
+meanSquaredDistance (const Moments& moments, const Plane& plane)
+{
+  const Eigen::Vector3d& n = plane.normal;
+  const std::array<double, 6>& m = moments.products;
+  const double offset = plane.distance (moments.origin);
+  const double second =
+      n.x() * n.x() * m[0] + n.y() * n.y() * m[3] + n.z() * n.z() * m[5] +
+      2.0 * (n.x() * n.y() * m[1] + n.x() * n.z() * m[2] + n.y() * n.z() * m[4]);
+  const double squared =
+      (second + 2.0 * offset * n.dot (moments.sum)) / moments.count + offset * offset;
+  return std::max (0.0, squared);
+}
 
 /** \brief A least squares plane with what its fit says about the points. */
 struct PlaneFit {
   Plane plane;
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero ();
-  /** \brief Variances along the principal axes, ascending [m^2]. The first is the squared
-   * rms distance of the points to the plane. */
-  Eigen::Vector3d variances = Eigen::Vector3d::Zero ();
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  /** \brief Variances along the principal axes, ascending [m^2]. The first is the
+   * squared rms distance of the points to the plane. */
+  Eigen::Vector3d variances = Eigen::Vector3d::Zero();
 };
 
 /** \brief The plane with the smallest sum of squared distances (centred, in double).
- * \return nothing for fewer than three points or if they are on one line or all equal */
+ * \return nothing for fewer than three points or if they are on one line or all equal
+ */
 std::optional<PlaneFit>
 fitPlane (const Moments& moments);
 
@@ -112,9 +137,9 @@ planeThrough (const Eigen::Vector3d& point, const Eigen::Vector3d& normal)
 
 /** \brief A detected plane with the points on it, in the frame of the input cloud. */
 struct PlaneSegment {
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero ();
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   /** \brief Unit normal towards the sensor's origin. */
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ ();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   Orientation orientation = Orientation::Other;
   /** \brief Moments of the inliers about \ref centroid. */
   Moments moments;

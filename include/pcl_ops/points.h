@@ -21,7 +21,7 @@ struct Coordinates {
   std::size_t
   size () const
   {
-    return x.size ();
+    return x.size();
   }
 
   Eigen::Vector3d
@@ -52,7 +52,7 @@ struct Coordinates {
  * zero. */
 struct Points : Coordinates {
   /** \brief Zero of the local frame, in the frame of the input cloud. */
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero ();
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   /** \brief Index of each point in the input cloud; ascending, each once. */
   pcl::Indices index;
 };
@@ -72,9 +72,9 @@ medianOf (std::vector<float>& values);
 /** \brief Drops points with a NaN or infinite coordinate, once and for all stages.
  * is_dense is not believed: clouds that wrongly claim it exist.
  * \param[in] cloud the input cloud
- * \param[in] indices the points of it to use; each within the cloud, in any order, given
- * twice or not
- * \return the finite ones, each once; their origin is near most of them */
+ * \param[in] indices the points of it to use; each within the cloud, in any order,
+ * given twice or not \return the finite ones, each once; their origin is near most of
+ * them */
 template <typename PointT>
 Points
 finitePoints (const pcl::PointCloud<PointT>& cloud, const pcl::Indices& indices);

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_ops/cell_planes.h>
+
+namespace pcl_ops {
+
+/** \brief Calls visit (plane, neighbour) for each neighbour of a cell that is on a
+ * plane, and for the cell itself if it is. */
+template <typename Visit>
+void
+forNeighboursOnPlanes (const CellGrid& grid,
+                       const Labels& plane_of_cell,
+                       std::size_t cell,
+                       Visit&& visit)
+{
+  for (const std::uint32_t neighbour : grid.neighbours[cell])
+    if (const std::int32_t plane = plane_of_cell[neighbour]; plane != no_plane)
+      visit (static_cast<std::size_t> (plane), std::size_t (neighbour));
+}
+
+/** \brief Fits each plane to its cells. */
+void
+refitPlanes (const CellGrid& grid, CellPlanes& planes);
+
+} // namespace pcl_ops
