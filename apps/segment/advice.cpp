@@ -109,7 +109,7 @@ adviceFor (const FastSamplingPlaneFilteringParameters& parameters,
 {
   const LocalSamplingParameters& local = parameters.local;
   const Points points = finitePointsOf (cloud);
-  const std::string on_cloud = adviceOnCloud (
+  std::string on_cloud = adviceOnCloud (
       points, "--threshold and --inner-radius", parameters.distance_threshold);
   if (!on_cloud.empty())
     return on_cloud;
@@ -133,7 +133,7 @@ adviceFor (const KernelHoughTransformParameters& parameters,
 {
   const OctreeClusterParameters& clusters = parameters.clusters;
   const Points points = finitePointsOf (cloud);
-  const std::string on_cloud =
+  std::string on_cloud =
       adviceOnCloud (points, "--threshold", parameters.distance_threshold);
   if (!on_cloud.empty())
     return on_cloud;

@@ -21,10 +21,10 @@
 using InputCloud = pcl::PointCloud<pcl::PointXYZI>;
 using LabelledCloud = pcl::PointCloud<pcl::PointXYZRGBL>;
 
-constexpr int kSide = 50;
-constexpr int kPlane = kSide * kSide;
+inline constexpr int kSide = 50;
+inline constexpr int kPlane = kSide * kSide;
 /** \brief The reading without coordinates between floor and wall. */
-constexpr int kMissing = kPlane;
+inline constexpr int kMissing = kPlane;
 
 /** \brief A floor of 2 m by 2 m, one missing reading, and a wall at x = 3 m; the
  * intensity of each point is its index.
@@ -32,18 +32,19 @@ constexpr int kMissing = kPlane;
 inline InputCloud
 floorAndWall (int side = kSide)
 {
-  const int plane = side * side;
-  const float step = 2.0f / static_cast<float> (side);
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  const float step = 2.0f / static_cast<float> (side);
   InputCloud cloud;
   const auto add = [&] (float x, float y, float z) {
     cloud.push_back ({x, y, z, static_cast<float> (cloud.size())});
   };
-  for (int i = 0; i < plane; ++i)
-    add (step * static_cast<float> (i / side), step * static_cast<float> (i % side), 0);
+  for (int x = 0; x < side; ++x)
+    for (int y = 0; y < side; ++y)
+      add (step * static_cast<float> (x), step * static_cast<float> (y), 0);
   add (kNaN, kNaN, kNaN);
-  for (int i = 0; i < plane; ++i)
-    add (3, step * static_cast<float> (i / side), step * static_cast<float> (i % side));
+  for (int y = 0; y < side; ++y)
+    for (int z = 0; z < side; ++z)
+      add (3, step * static_cast<float> (y), step * static_cast<float> (z));
   cloud.is_dense = false;
   cloud.sensor_origin_ = Eigen::Vector4f (0.5f, 1.0f, 1.5f, 0.0f);
   return cloud;
