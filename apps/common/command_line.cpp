@@ -98,10 +98,10 @@ CommandLine::CommandLine (std::string program, std::string summary, std::string 
 : program_ (std::move (program))
 , summary_ (std::move (summary))
 , version_ (std::move (version))
-, options_ ("Options", kHelpWidth, kHelpWidth / 2)
 {
-  options_.add_options() ("help", "print this and exit") ("version",
-                                                          "print the version and exit");
+  beginGroup ("Options");
+  groups_.back().options.add_options() ("help", "print this and exit") (
+      "version", "print the version and exit");
 }
 
 void
@@ -137,12 +137,20 @@ CommandLine::addArguments (const std::string& name,
 }
 
 void
+CommandLine::beginGroup (const std::string& title)
+{
+  groups_.push_back (
+      {title, po::options_description (title, kHelpWidth, kHelpWidth / 2)});
+}
+
+void
 CommandLine::addFlag (const std::string& name, bool& target, const std::string& help)
 {
-  options_.add_options() (name.c_str(),
-                          po::bool_switch()->notifier (
-                              [&target] (bool given) { target = target || given; }),
-                          help.c_str());
+  groups_.back().options.add_options() (
+      name.c_str(),
+      po::bool_switch()->notifier (
+          [&target] (bool given) { target = target || given; }),
+      help.c_str());
 }
 
 void
@@ -177,7 +185,7 @@ CommandLine::addValue (const std::string& name,
                        const std::string& help,
                        const std::function<void (const std::string&)>& store)
 {
-  options_.add_options() (
+  groups_.back().options.add_options() (
       name.c_str(),
       po::value<std::string>()->value_name (placeholder)->notifier (store),
       help.c_str());
@@ -186,8 +194,8 @@ CommandLine::addValue (const std::string& name,
 bool
 CommandLine::parse (int argc, const char* const* argv)
 {
-  po::options_description all;
-  all.add (options_).add_options() (kPositional, po::value<std::vector<std::string>>());
+  po::options_description all = allOptions();
+  all.add_options() (kPositional, po::value<std::vector<std::string>>());
   const std::vector<std::string> tokens (argv + std::min (argc, 1), argv + argc);
   const po::parsed_options parsed = parseTokens (tokens, all);
   refuseOptionsAsValues (parsed);
@@ -211,6 +219,18 @@ CommandLine::parse (int argc, const char* const* argv)
   return false;
 }
 
+std::vector<std::string>
+CommandLine::givenOf (const std::string& title) const
+{
+  std::vector<std::string> given;
+  for (const Group& group : groups_)
+    if (group.title == title)
+      for (const auto& option : group.options.options())
+        if (isGiven (option->long_name()))
+          given.push_back (option->long_name());
+  return given;
+}
+
 void
 CommandLine::forbidTogether (const std::string& first, const std::string& second) const
 {
@@ -230,8 +250,17 @@ CommandLine::help() const
   text << " [options]\n" << summary_ << "\n\n";
   for (const Argument& argument : arguments_)
     text << "  " << argument.name << ": " << argument.help << "\n";
-  text << "\n" << options_;
+  text << allOptions();
   return text.str();
+}
+
+po::options_description
+CommandLine::allOptions() const
+{
+  po::options_description all ("", kHelpWidth, kHelpWidth / 2);
+  for (const Group& group : groups_)
+    all.add (group.options);
+  return all;
 }
 
 void

@@ -47,6 +47,10 @@ public:
                 std::size_t fewest,
                 const std::string& help);
 
+  /** \brief Lists the options declared from now on under a title of their own. */
+  void
+  beginGroup (const std::string& title);
+
   /** \brief Declares an option without a value. */
   void
   addFlag (const std::string& name, bool& target, const std::string& help);
@@ -120,6 +124,10 @@ public:
     return values_.count (name) > 0 && !values_[name].defaulted();
   }
 
+  /** \brief The options of a group that were on the parsed command line. */
+  std::vector<std::string>
+  givenOf (const std::string& title) const;
+
   /** \brief \throws UsageError if both options were given */
   void
   forbidTogether (const std::string& first, const std::string& second) const;
@@ -146,12 +154,20 @@ private:
     std::function<void (const std::string&)> store;
   };
 
+  struct Group {
+    std::string title;
+    boost::program_options::options_description options;
+  };
+
+  boost::program_options::options_description
+  allOptions () const;
   void
   storeArguments (const std::vector<std::string>& given) const;
 
   std::string program_, summary_, version_;
   std::vector<Argument> arguments_;
-  boost::program_options::options_description options_;
+  /** \brief New options go to the last. */
+  std::vector<Group> groups_;
   boost::program_options::variables_map values_;
 };
 

@@ -5,6 +5,8 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <pcl_ops/fast_sampling_plane_filtering.h>
+#include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
 
 #include <string>
@@ -15,7 +17,17 @@ namespace pcl_ops::apps {
  * Looks at how many points are sampled and at how the threshold relates to the cloud's
  * extent, which tells millimetres from metres. */
 std::string
-adviceForOps (const OrientedPointSamplingParameters& parameters,
-              const pcl::PointCloud<pcl::PointXYZ>& cloud);
+adviceFor (const OrientedPointSamplingParameters& parameters,
+           const pcl::PointCloud<pcl::PointXYZ>& cloud);
+
+/** \brief The same for FSPF. Looks at how many points its spheres hold. */
+std::string
+adviceFor (const FastSamplingPlaneFilteringParameters& parameters,
+           const pcl::PointCloud<pcl::PointXYZ>& cloud);
+
+/** \brief The same for 3D-KHT. Looks for nodes of its octree that are flat. */
+std::string
+adviceFor (const KernelHoughTransformParameters& parameters,
+           const pcl::PointCloud<pcl::PointXYZ>& cloud);
 
 } // namespace pcl_ops::apps

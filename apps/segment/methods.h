@@ -7,10 +7,12 @@
 
 #include <Eigen/Core>
 
+#include <common/command_line.h>
 #include <nlohmann/json.hpp>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -21,19 +23,43 @@ namespace pcl_ops::apps {
 
 using PositionsPtr = pcl::PointCloud<pcl::PointXYZ>::ConstPtr;
 
+/** \brief The options of OPS alone. */
+struct OpsOptions {
+  std::optional<double> sampling_rate;
+  std::optional<int> k;
+  std::optional<std::uint32_t> min_inliers;
+  std::optional<double> probability;
+};
+
+/** \brief The options of FSPF alone. */
+struct FspfOptions {
+  /** \brief r1 and r2 [m]; where one is given the other follows as r2 = 2 r1. */
+  std::optional<double> inner_radius, outer_radius;
+  std::optional<std::uint32_t> local_samples;
+  std::optional<double> min_inlier_share;
+  std::optional<double> inliers_per_point;
+};
+
+/** \brief The options of 3D-KHT alone. */
+struct KhtOptions {
+  std::optional<int> phi_num, rho_num;
+  std::optional<std::size_t> min_samples;
+  std::optional<int> s_level;
+  std::optional<double> s_alpha, s_beta;
+};
+
 /** \brief The options of all detectors; those not given keep the preset's value. */
 struct DetectorOptions {
   std::string preset = "default";
-  std::optional<double> sampling_rate;
-  std::optional<int> k;
   std::optional<double> threshold;
-  std::optional<std::uint32_t> min_inliers;
-  std::optional<double> probability;
   /** \brief [degree] */
   std::optional<double> angle_tolerance;
   std::optional<Eigen::Vector3f> up;
   std::optional<std::uint32_t> seed;
   std::optional<std::uint32_t> threads;
+  OpsOptions ops;
+  FspfOptions fspf;
+  KhtOptions kht;
 };
 
 /** \brief What a detector found and how. */
@@ -51,10 +77,24 @@ struct Detected {
 /** \brief A detector as the command line offers it. */
 struct Method {
   std::string name;
-  /** \brief The options that not all methods share. */
-  std::vector<std::string> options;
+  /** \brief The method in a few words, over its options in the help. */
+  std::string title;
+  /** \brief Declares the options no other method has. */
+  std::function<void (CommandLine&, DetectorOptions&)> declare_options;
   std::function<Detected (const DetectorOptions&, const PositionsPtr&)> detect;
 };
+
+/** \brief Oriented Point Sampling. */
+Method
+opsMethod ();
+
+/** \brief Fast Sampling Plane Filtering. */
+Method
+fspfMethod ();
+
+/** \brief The 3D Kernel-based Hough Transform. */
+Method
+khtMethod ();
 
 /** \brief Every method of --method; the first is the default. */
 const std::vector<Method>&

@@ -13,7 +13,10 @@ namespace pcl_ops::apps {
 namespace {
 
 constexpr const char* kSummary =
-    "Finds the planes of a point cloud and labels every point with its plane.\n"
+    "Finds the planes of a point cloud and labels every point with its plane. Where "
+    "there\n"
+    "is none, it labels all points 0 and says which option to change; that is no "
+    "failure.\n"
     "Lengths are in the unit of the cloud, metres by default; angles in degrees.";
 
 std::vector<std::string>
@@ -25,6 +28,23 @@ methodNames ()
   return names;
 }
 
+std::string
+groupOf (const Method& method)
+{
+  return "Options of --method " + method.name + ", " + method.title;
+}
+
+void
+declareOutputs (CommandLine& line, SegmentOptions& options)
+{
+  line.addText ("planes", "FILE", options.planes, "write the planes as .json or .csv");
+  line.addText ("image", "FILE.png", options.image, "write a picture of the planes");
+  line.addFlag (
+      "keep-color", options.keep_color, "keep the rgb of the input in OUTPUT");
+  line.addFlag ("quiet", options.quiet, "print no table");
+}
+
+/** \brief The options all methods share. */
 void
 declareDetector (CommandLine& line, DetectorOptions& detector)
 {
@@ -33,60 +53,38 @@ declareDetector (CommandLine& line, DetectorOptions& detector)
   line.addChoice ("preset",
                   {"default", "paper"},
                   detector.preset,
-                  "recommended parameters, or those of the paper");
-  line.addNumber ("sampling-rate",
-                  "R",
-                  Range::above (0).upTo (1),
-                  detector.sampling_rate,
-                  "share of the points that get a normal");
-  line.addNumber ("k",
-                  "K",
-                  Range::from (2),
-                  detector.k,
-                  "neighbours of a normal; samples points, not cells");
+                  "recommended parameters, or the paper's best ones");
   line.addNumber ("threshold",
                   "M",
                   Range::above (0),
                   detector.threshold,
-                  "largest distance of a point to its plane");
-  line.addNumber ("min-inliers",
-                  "N",
-                  Range::from (1),
-                  detector.min_inliers,
-                  "a plane has more sampled points than this");
-  line.addNumber ("probability",
-                  "P",
-                  Range::above (0).below (1),
-                  detector.probability,
-                  "of drawing a point of the largest plane");
+                  "largest distance of a point to its plane (0.05; ops: auto)");
   line.addNumber ("angle-tolerance",
                   "DEG",
                   Range::from (0).upTo (kRightAngle),
                   detector.angle_tolerance,
-                  "largest tilt of horizontal and vertical planes");
+                  "largest tilt of horizontal and vertical planes (7)");
   line.addDirection ("up", detector.up, "direction against gravity (0,0,1)");
   line.addNumber (
-      "seed", "S", Range::from (0), detector.seed, "same seed, same result");
+      "seed", "S", Range::from (0), detector.seed, "same seed, same result (42)");
   line.addNumber ("threads",
                   "T",
                   Range::from (0).upTo (kMostThreads),
                   detector.threads,
-                  "threads, 0 for all; the result stays the same");
+                  "0 for all; the result stays the same (1)");
 }
 
 /** \brief Refuses options that only other methods understand. */
 void
 checkMethod (const CommandLine& line, const Method& chosen)
 {
-  const auto has = [] (const Method& method, const std::string& option) {
-    return std::find (method.options.begin(), method.options.end(), option) !=
-           method.options.end();
-  };
-  for (const Method& method : allMethods())
-    for (const std::string& option : method.options)
-      if (line.isGiven (option) && !has (chosen, option))
-        throw UsageError ("--" + option,
-                          "is no option of --method " + chosen.name + "; leave it out");
+  for (const Method& method : allMethods()) {
+    const std::vector<std::string> given = line.givenOf (groupOf (method));
+    if (method.name != chosen.name && !given.empty())
+      throw UsageError ("--" + given.front(),
+                        "is an option of --method " + method.name + ", not of " +
+                            chosen.name + "; leave it out");
+  }
 }
 
 void
@@ -137,13 +135,13 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
       "OUTPUT.pcd",
       options.output,
       "the same cloud with label (0: no plane, 1: largest) and rgb");
-  line.addChoice ("method", methodNames(), options.method, "the detector");
+  declareOutputs (line, options);
+  line.addChoice ("method", methodNames(), options.method, "the detector (ops)");
   declareDetector (line, options.detector);
-  line.addText ("planes", "FILE", options.planes, "write the planes as .json or .csv");
-  line.addText ("image", "FILE.png", options.image, "write a picture of the planes");
-  line.addFlag (
-      "keep-color", options.keep_color, "keep the rgb of the input in OUTPUT");
-  line.addFlag ("quiet", options.quiet, "print no table");
+  for (const Method& method : allMethods()) {
+    line.beginGroup (groupOf (method));
+    method.declare_options (line, options.detector);
+  }
   if (!line.parse (argc, argv))
     return false;
   checkMethod (line, methodCalled (options.method));

@@ -7,6 +7,7 @@
 #include <common/output_file.h>
 #include <common/program.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -142,6 +143,21 @@ TEST (CommandLine, RefusesUnknownAmbiguousDoubledAndUnfinishedOptions)
   EXPECT_EQ (complaint ({"a", "--image=", "--quiet"}),
              "--image: needs a value; see --help");
   EXPECT_EQ (complaint ({"a", "--quiet=yes"}), "--quiet: takes no value; leave it out");
+}
+
+TEST (CommandLine, TellsTheOptionsOfAGroupThatWereGiven)
+{
+  CommandLine line ("detect", "Detects.", "1.0");
+  std::optional<int> k, bins, samples;
+  line.addNumber ("k", "K", Range::any(), k, "neighbours");
+  line.beginGroup ("Hough");
+  line.addNumber ("bins", "N", Range::any(), bins, "of the accumulator");
+  line.addNumber ("samples", "N", Range::any(), samples, "of a cluster");
+  const std::array<const char*, 5> arguments{"detect", "--k", "3", "--samples", "4"};
+  ASSERT_TRUE (line.parse (static_cast<int> (arguments.size()), arguments.data()));
+  EXPECT_EQ (samples, 4);
+  EXPECT_EQ (line.givenOf ("Hough"), std::vector<std::string>{"samples"});
+  EXPECT_NE (line.help().find ("\nHough:\n  --bins"), std::string::npos);
 }
 
 TEST (CommandLine, PrintsHelpAndVersion)

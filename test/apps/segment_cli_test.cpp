@@ -1,126 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 
-#include <gtest/gtest.h>
-
-#include "temporary_folder.h"
+#include "segment_program.h"
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <functional>
-#include <limits>
-#include <set>
-#include <string>
 #include <utility>
-#include <vector>
-
-namespace {
-
-using InputCloud = pcl::PointCloud<pcl::PointXYZI>;
-using LabelledCloud = pcl::PointCloud<pcl::PointXYZRGBL>;
-
-constexpr int kSide = 50;
-constexpr int kPlane = kSide * kSide;
-/** \brief The reading without coordinates between floor and wall. */
-constexpr int kMissing = kPlane;
-
-/** \brief A floor of 2 m by 2 m, one missing reading, and a wall at x = 3 m; the
- * intensity of each point is its index. */
-InputCloud
-floorAndWall ()
-{
-  constexpr float kStep = 2.0f / kSide;
-  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-  InputCloud cloud;
-  const auto add = [&] (float x, float y, float z) {
-    cloud.push_back ({x, y, z, static_cast<float> (cloud.size())});
-  };
-  for (int i = 0; i < kPlane; ++i)
-    add (kStep * static_cast<float> (i / kSide),
-         kStep * static_cast<float> (i % kSide),
-         0);
-  add (kNaN, kNaN, kNaN);
-  for (int i = 0; i < kPlane; ++i)
-    add (3,
-         kStep * static_cast<float> (i / kSide),
-         kStep * static_cast<float> (i % kSide));
-  cloud.is_dense = false;
-  cloud.sensor_origin_ = Eigen::Vector4f (0.5f, 1.0f, 1.5f, 0.0f);
-  return cloud;
-}
-
-struct Outcome {
-  int exit_code;
-  std::string out, err;
-};
-
-/** \brief A folder with the input cloud, to run the program in. */
-class Segment : public testing::Test {
-protected:
-  Segment() { pcl::io::savePCDFileBinary (folder_ / "in.pcd", floorAndWall()); }
-
-  /** \brief Runs the program in the folder. */
-  Outcome
-  run (const std::string& arguments, const std::string& environment = "") const
-  {
-    const std::string command = "cd '" + folder_.path() + "' && " + environment + " '" +
-                                PCL_OPS_SEGMENT_PROGRAM "' " + arguments + " >'" +
-                                streams_ / "out" + "' 2>'" + streams_ / "err" + "'";
-    const int status = std::system (command.c_str());
-    return {WEXITSTATUS (status),
-            contentOf (streams_ / "out"),
-            contentOf (streams_ / "err")};
-  }
-
-  /** \brief The labelled cloud the program makes of a file. */
-  LabelledCloud
-  label (const std::string& input, const std::string& options = "") const
-  {
-    const Outcome done = run (input + " labelled.pcd " + options);
-    EXPECT_EQ (done.exit_code, 0) << done.err;
-    LabelledCloud cloud;
-    EXPECT_EQ (pcl::io::loadPCDFile (folder_ / "labelled.pcd", cloud), 0);
-    return cloud;
-  }
-
-  TemporaryFolder folder_;
-  TemporaryFolder streams_{"_streams"};
-};
-
-std::vector<std::uint32_t>
-labelsOf (const LabelledCloud& cloud)
-{
-  std::vector<std::uint32_t> labels;
-  for (const pcl::PointXYZRGBL& point : cloud)
-    labels.push_back (point.label);
-  return labels;
-}
-
-std::set<std::uint32_t>
-distinct (const LabelledCloud& cloud, int begin, int end)
-{
-  const std::vector<std::uint32_t> labels = labelsOf (cloud);
-  return {labels.begin() + begin, labels.begin() + end};
-}
-
-std::size_t
-lines (const std::string& text)
-{
-  return static_cast<std::size_t> (std::count (text.begin(), text.end(), '\n'));
-}
-
-bool
-contains (const std::string& text, const std::string& part)
-{
-  return text.find (part) != std::string::npos;
-}
-
-} // namespace
 
 TEST_F (Segment, GivesEachPlaneOneLabelAndColor)
 {
@@ -239,26 +125,6 @@ TEST_F (Segment, PrintsATableUnlessQuiet)
   const Outcome quiet = run ("in.pcd out.pcd --quiet");
   EXPECT_EQ (quiet.exit_code, 0);
   EXPECT_EQ (quiet.out + quiet.err, "");
-}
-
-TEST_F (Segment, SaysWhatStoodInTheWayWhenItFindsNothing)
-{
-  const Outcome few = run ("in.pcd out.pcd --preset paper --sampling-rate 0.001");
-  EXPECT_EQ (few.exit_code, 0) << few.err;
-  EXPECT_TRUE (contains (few.out, "No plane found: only 5 of 5000 points")) << few.out;
-  EXPECT_TRUE (contains (few.out, "--sampling-rate")) << few.out;
-  const Outcome strict = run ("in.pcd --min-inliers 100000 --sampling-rate 1");
-  EXPECT_TRUE (contains (strict.out, "--min-inliers")) << strict.out;
-}
-
-TEST_F (Segment, LabelsACloudWithoutASingleReading)
-{
-  InputCloud blind = floorAndWall();
-  for (pcl::PointXYZI& point : blind)
-    point.z = std::numeric_limits<float>::infinity();
-  pcl::io::savePCDFileBinary (folder_ / "blind.pcd", blind);
-  const LabelledCloud cloud = label ("blind.pcd", "--image p.png --planes p.json");
-  EXPECT_EQ (distinct (cloud, 0, 2 * kPlane + 1), std::set<std::uint32_t>{0});
 }
 
 TEST_F (Segment, AnswersHelpAndVersion)

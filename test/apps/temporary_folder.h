@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -17,8 +18,7 @@ public:
   /** \param[in] suffix tells the folders of one test apart */
   explicit TemporaryFolder (const std::string& suffix = "")
   : path_ (std::filesystem::canonical (testing::TempDir()) /
-           ("pcl_ops_" + std::to_string (::getpid()) + "_" +
-            testing::UnitTest::GetInstance()->current_test_info()->name() + suffix))
+           ("pcl_ops_" + std::to_string (::getpid()) + "_" + testName() + suffix))
   {
     std::filesystem::remove_all (path_);
     std::filesystem::create_directories (path_);
@@ -57,6 +57,15 @@ public:
   }
 
 private:
+  /** \brief That of a parametrised test has a slash. */
+  static std::string
+  testName ()
+  {
+    std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::replace (name.begin(), name.end(), '/', '_');
+    return name;
+  }
+
   std::filesystem::path path_;
 };
 

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment_program.h"
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace {
+
+/** \brief The program with a cloud dense enough for every method, room.pcd. */
+class SegmentRoom : public Segment {
+protected:
+  static constexpr int kDenseSide = 100;
+
+  SegmentRoom()
+  {
+    pcl::io::savePCDFileBinary (folder_ / "room.pcd", floorAndWall (kDenseSide));
+  }
+
+  /** \brief The JSON file of a run. */
+  nlohmann::json
+  planesOf (const std::string& options) const
+  {
+    const Outcome done = run ("room.pcd --planes p.json --quiet " + options);
+    EXPECT_EQ (done.exit_code, 0) << done.err;
+    return nlohmann::json::parse (contentOf (folder_ / "p.json"));
+  }
+
+  /** \brief What a run that finds nothing says about it. */
+  std::string
+  adviceOf (const std::string& arguments) const
+  {
+    const Outcome done = run (arguments);
+    EXPECT_EQ (done.exit_code, 0) << done.err;
+    const std::size_t begin = done.out.find ("No plane found: ");
+    EXPECT_NE (begin, std::string::npos) << done.out;
+    return done.out.substr (std::min (begin, done.out.size()));
+  }
+};
+
+class SegmentMethods : public SegmentRoom,
+                       public testing::WithParamInterface<const char*> {
+protected:
+  static std::string
+  method ()
+  {
+    return std::string ("--method ") + GetParam() + " ";
+  }
+};
+
+std::string
+methodOf (const testing::TestParamInfo<const char*>& info)
+{
+  return info.param;
+}
+
+INSTANTIATE_TEST_SUITE_P (Every,
+                          SegmentMethods,
+                          testing::Values ("ops", "fspf", "kht"),
+                          methodOf);
+
+} // namespace
+
+TEST_P (SegmentMethods, FindsFloorAndWall)
+{
+  const LabelledCloud cloud = label ("room.pcd", method() + "--planes p.json");
+  const auto json = nlohmann::json::parse (contentOf (folder_ / "p.json"));
+  ASSERT_EQ (json["planes"].size(), 2u);
+  EXPECT_NE (json["planes"][0]["orientation"], json["planes"][1]["orientation"]);
+  const int missing = kDenseSide * kDenseSide;
+  const int wall_top = missing + kDenseSide;
+  const std::set<std::uint32_t> labels{cloud[0].label, cloud[wall_top].label};
+  EXPECT_EQ (labels, (std::set<std::uint32_t>{1, 2}));
+  EXPECT_EQ (cloud[missing].label, 0u);
+}
+
+TEST_P (SegmentMethods, GivesTheSameLabelsTwiceAndForAnyNumberOfThreads)
+{
+  const std::string options = method() + "--seed 7 --preset ";
+  for (const char* preset : {"default", "paper"}) {
+    const std::vector<std::uint32_t> labels =
+        labelsOf (label ("room.pcd", options + preset));
+    EXPECT_EQ (labelsOf (label ("room.pcd", options + preset)), labels) << preset;
+    EXPECT_EQ (labelsOf (label ("room.pcd", options + preset + " --threads 4")), labels)
+        << preset;
+  }
+}
+
+TEST_P (SegmentMethods, NamesItselfAndItsParametersInTheJson)
+{
+  const std::map<std::string, std::vector<std::string>> own = {
+      {"ops", {"sampling", "sampling_rate", "k", "min_inliers", "probability"}},
+      {"fspf", {"inner_radius", "outer_radius", "local_samples", "min_inlier_share"}},
+      {"kht", {"phi_num", "rho_num", "min_samples", "s_level", "s_alpha", "s_beta"}}};
+  const nlohmann::json json = planesOf (method() + "--threshold 0.02");
+  EXPECT_EQ (json["method"], GetParam());
+  EXPECT_EQ (json["parameters"]["preset"], "default");
+  EXPECT_EQ (json["parameters"]["threshold"], 0.02);
+  for (const auto& [name, parameters] : own)
+    for (const std::string& parameter : parameters)
+      EXPECT_EQ (json["parameters"].contains (parameter), name == GetParam())
+          << parameter;
+}
+
+TEST_P (SegmentMethods, RefusesTheOptionsOfOtherMethods)
+{
+  const std::map<std::string, std::vector<std::string>> own = {
+      {"ops", {"sampling-rate 0.1", "k 5", "min-inliers 9", "probability 0.9"}},
+      {"fspf", {"inner-radius 0.1", "local-samples 9", "inliers-per-point 1"}},
+      {"kht", {"phi-num 30", "rho-num 30", "min-samples 9", "s-level 2", "s-beta 2"}}};
+  for (const auto& [name, options] : own)
+    for (const std::string& option : options) {
+      const Outcome done = run ("room.pcd --quiet out.pcd " + method() + "--" + option);
+      EXPECT_EQ (done.exit_code, name == GetParam() ? 0 : 2) << option;
+      EXPECT_EQ (lines (done.err), name == GetParam() ? 0u : 1u) << done.err;
+      EXPECT_EQ (contains (done.err, "is an option of --method " + name),
+                 name != GetParam())
+          << done.err;
+    }
+}
+
+TEST_P (SegmentMethods, LabelsACloudWithoutASingleReading)
+{
+  InputCloud blind = floorAndWall();
+  for (pcl::PointXYZI& point : blind)
+    point.z = std::numeric_limits<float>::infinity();
+  pcl::io::savePCDFileBinary (folder_ / "blind.pcd", blind);
+  const LabelledCloud cloud =
+      label ("blind.pcd", method() + "--image p.png --planes p.json");
+  EXPECT_EQ (distinct (cloud, 0, 2 * kPlane + 1), std::set<std::uint32_t>{0});
+}
+
+TEST_F (SegmentRoom, TakesTheBestRowsOfThePaperFromItsPreset)
+{
+  const auto ops = planesOf ("--method ops --preset paper")["parameters"];
+  EXPECT_EQ (ops["sampling"], "points");
+  EXPECT_EQ (ops["k"], 30);
+  const auto fspf = planesOf ("--method fspf --preset paper")["parameters"];
+  EXPECT_EQ (fspf["inner_radius"], 0.07);
+  EXPECT_EQ (fspf["outer_radius"], 0.14);
+  const auto kht = planesOf ("--method kht --preset paper")["parameters"];
+  EXPECT_EQ (kht["phi_num"], 80);
+  EXPECT_EQ (kht["rho_num"], 800);
+}
+
+TEST_F (SegmentRoom, KeepsTheRatioOfTheRadiiWhereOneIsGiven)
+{
+  const auto inner = planesOf ("--method fspf --inner-radius 0.3")["parameters"];
+  EXPECT_EQ (inner["outer_radius"], 0.6);
+  const auto outer = planesOf ("--method fspf --outer-radius 0.3")["parameters"];
+  EXPECT_EQ (outer["inner_radius"], 0.15);
+  const auto both =
+      planesOf ("--method fspf --inner-radius 0.2 --outer-radius 0.3")["parameters"];
+  EXPECT_EQ (both["inner_radius"], 0.2);
+  EXPECT_EQ (both["outer_radius"], 0.3);
+}
+
+TEST_F (SegmentRoom, RefusesValuesOutOfRangeInOneLine)
+{
+  const std::vector<std::pair<std::string, std::string>> wrong = {
+      {"fspf --inner-radius 0", "--inner-radius: 0 is out of range"},
+      {"fspf --inner-radius 0.3 --outer-radius 0.2", "--outer-radius: is below"},
+      {"fspf --local-samples 2", "--local-samples: 2 is out of range"},
+      {"fspf --min-inlier-share 1", "--min-inlier-share: 1 is out of range"},
+      {"fspf --inliers-per-point -1", "--inliers-per-point: -1 is out of range"},
+      {"kht --phi-num 1001", "--phi-num: 1001 is out of range"},
+      {"kht --rho-num 2.5", "--rho-num: 2.5 is not whole"},
+      {"kht --min-samples 2", "--min-samples: 2 is out of range"},
+      {"kht --s-level 21", "--s-level: 21 is out of range"},
+      {"kht --s-alpha 0", "--s-alpha: 0 is out of range"},
+      {"kht --s-beta nan", "--s-beta: nan is out of range"}};
+  for (const auto& [options, complaint] : wrong) {
+    const Outcome done = run ("room.pcd out.pcd --method " + options);
+    EXPECT_EQ (done.exit_code, 2) << options;
+    EXPECT_EQ (done.err.find ("pcl_ops_segment: " + complaint), 0u) << done.err;
+    EXPECT_EQ (lines (done.err), 1u) << done.err;
+  }
+}
+
+TEST_F (SegmentRoom, SaysWhenOpsHasTooFewSamples)
+{
+  const std::string few = adviceOf ("in.pcd --preset paper --sampling-rate 0.001");
+  EXPECT_TRUE (contains (few, "only 5 of 5000 points")) << few;
+  EXPECT_TRUE (contains (few, "--sampling-rate")) << few;
+  const std::string strict = adviceOf ("in.pcd --min-inliers 100000 --sampling-rate 1");
+  EXPECT_TRUE (contains (strict, "--min-inliers")) << strict;
+}
+
+TEST_F (SegmentRoom, SaysWhenTheSpheresOfFspfHoldTooFewPoints)
+{
+  // Points 4 cm apart: of the 25 nearest on a plane only the corners are farther away.
+  const std::string sparse = adviceOf ("in.pcd --method fspf --outer-radius 0.09");
+  EXPECT_TRUE (contains (sparse, "--outer-radius 0.09 hold 21 points")) << sparse;
+  EXPECT_TRUE (contains (sparse, "--local-samples 80")) << sparse;
+}
+
+TEST_F (SegmentRoom, SaysWhenNoOctreeNodeOfKhtIsLargeEnough)
+{
+  const std::string deep = adviceOf ("in.pcd --method kht --s-level 9");
+  EXPECT_TRUE (contains (deep, "--s-level 9")) << deep;
+  EXPECT_TRUE (contains (deep, "--min-samples 30")) << deep;
+}
+
+TEST_F (SegmentRoom, SuspectsMillimetres)
+{
+  InputCloud large = floorAndWall();
+  for (pcl::PointXYZI& point : large)
+    point.getVector3fMap() *= 1000.0f;
+  pcl::io::savePCDFileBinary (folder_ / "large.pcd", large);
+  const std::string metres = adviceOf ("large.pcd --method fspf");
+  EXPECT_TRUE (contains (metres, "millimetre")) << metres;
+  EXPECT_TRUE (contains (metres, "--inner-radius")) << metres;
+  const Outcome mended =
+      run ("large.pcd --method fspf --threshold 50 --inner-radius 200");
+  EXPECT_TRUE (contains (mended.out, "2 planes")) << mended.out;
+}
