@@ -4,6 +4,8 @@
 
 #include <pcl_ops/points.h>
 
+#include <pcl/common/point_tests.h>
+
 #include <algorithm>
 #include <array>
 
@@ -34,13 +36,6 @@ keepFinite (const pcl::index_t* index,
             const PositionsOut& positions,
             pcl::index_t* kept);
 
-template <typename PointT>
-bool
-isFinite (const PointT& point)
-{
-  return std::isfinite (point.x) & std::isfinite (point.y) & std::isfinite (point.z);
-}
-
 /** \brief The median of some of the points: near most of them, wherever a few stray to.
  * \return zero for no points */
 template <typename PointT>
@@ -53,7 +48,7 @@ medianPosition (const pcl::PointCloud<PointT>& cloud, const pcl::Indices& indice
   for (std::size_t begin = 0; begin < indices.size(); begin += stride) {
     const std::size_t end = std::min (begin + stride, indices.size());
     std::size_t i = begin;
-    while (i < end && !isFinite (cloud[indices[i]]))
+    while (i < end && !pcl::isFinite (cloud[indices[i]]))
       ++i;
     if (i == end)
       continue;
