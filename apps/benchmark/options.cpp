@@ -28,6 +28,37 @@ dataSetText (const std::string& input)
   return is_simulated ? input : "clouds:" + input;
 }
 
+void
+declareMeasures (apps::CommandLine& line, MeasureParameters& measures, bool& no_peers)
+{
+  line.addNumber ("runs",
+                  "N",
+                  Range::from (1).upTo (most_runs),
+                  measures.runs,
+                  "take the best of N; what has taken 20 s is not repeated (5)");
+  line.addNumber ("peer-runs",
+                  "N",
+                  Range::from (1).upTo (most_runs),
+                  measures.peer_runs,
+                  "of PCL's and CGAL's detectors, which take seconds (1)");
+  line.addFlag ("no-peers", no_peers, "leave these out");
+  line.addNumber ("seed", "S", Range::from (0), measures.seed, "of detectors (42)");
+}
+
+void
+declareScaling (apps::CommandLine& line, Options& options)
+{
+  line.addText ("scaling",
+                "FOLDER",
+                options.scaling_folder,
+                "write times over points, threads, sampling rate and planes: CSV and "
+                "gnuplot");
+  line.addText ("scaling-points",
+                "N,N,...",
+                options.scaling_points,
+                "sizes for that (" + options.scaling_points + ")");
+}
+
 } // namespace
 
 bool
@@ -49,33 +80,13 @@ readOptions (int argc, const char* const* argv, Options& options)
       "a whole room with N points) or rooms:FIRST-LAST (depth images by "
       "seed)");
   line.addText ("json", "FILE", options.json_file, "write every number as JSON");
-  line.addNumber ("runs",
-                  "N",
-                  Range::from (1).upTo (most_runs),
-                  options.measures.runs,
-                  "take the best of N; what takes 20 s runs once (5)");
-  line.addNumber ("peer-runs",
-                  "N",
-                  Range::from (1).upTo (most_runs),
-                  options.measures.peer_runs,
-                  "of PCL's and CGAL's detectors, which take seconds (1)");
-  line.addFlag ("no-peers", no_peers, "leave these out");
+  declareMeasures (line, options.measures, no_peers);
   line.addNumber ("memory-points",
                   "N",
                   Range::from (1).upTo (most_points),
                   memory_points,
                   "size of the simulated scan peak memory is measured on (3000000)");
-  line.addText ("scaling",
-                "FOLDER",
-                options.scaling_folder,
-                "measure times over points, threads, sampling rate and planes too: CSV "
-                "and gnuplot");
-  line.addText ("scaling-points",
-                "N,N,...",
-                options.scaling_points,
-                "sizes for that (" + options.scaling_points + ")");
-  line.addNumber (
-      "seed", "S", Range::from (0), options.measures.seed, "of detectors (42)");
+  declareScaling (line, options);
   if (!line.parse (argc, argv))
     return false;
   line.forbidTogether ("no-peers", "peer-runs");
