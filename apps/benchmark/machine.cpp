@@ -31,12 +31,12 @@ cpuModel ()
 }
 
 std::string
-compilerVersion ()
+compilerAndFlags ()
 {
 #if defined(__clang__)
-  return "clang " __clang_version__;
+  return "clang " __clang_version__ " " PCL_OPS_COMPILER_FLAGS;
 #elif defined(__GNUC__)
-  return "g++ " __VERSION__;
+  return "g++ " __VERSION__ " " PCL_OPS_COMPILER_FLAGS;
 #else
   return "unknown compiler";
 #endif
@@ -83,7 +83,7 @@ describeMachine ()
 {
   return {cpuModel(),
           std::thread::hardware_concurrency(),
-          compilerVersion(),
+          compilerAndFlags(),
           PCL_VERSION_PRETTY};
 }
 

@@ -12,6 +12,7 @@ struct Machine {
   std::string cpu;
   /** \brief That may run at a time, by what the system says. */
   unsigned cores = 0;
+  /** \brief With its version and flags. */
   std::string compiler;
   std::string pcl_version;
 };
