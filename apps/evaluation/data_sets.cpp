@@ -9,6 +9,7 @@
 #include <common/option_value.h>
 #include <common/output_file.h>
 #include <common/program.h>
+#include <simulation/dense_scan.h>
 #include <simulation/depth_noise.h>
 #include <simulation/simulated_cloud.h>
 
@@ -22,7 +23,8 @@ namespace pcl_ops::evaluation {
 const char* const data_set_help =
     "sunrgbd:FOLDER or sunrgbd-raw:FOLDER (refined or raw depth), "
     "rooms:FIRST-LAST or rooms-raw:FIRST-LAST (simulated, by seed), "
-    "clouds:FOLDER (.pcd and .ply, field label as truth)";
+    "simulated:N,N,... (scans of a whole room with N points), "
+    "clouds:PATH (.pcd and .ply, field label as truth)";
 
 namespace {
 
@@ -31,6 +33,24 @@ using simulation::NoiseProfile;
 
 /** More rooms than anybody waits for; keeps a typing error from filling the memory. */
 constexpr std::uint32_t most_rooms = 100'000;
+/** A point takes 16 bytes, and 36 more while it is simulated. */
+constexpr double most_points = 1e8;
+
+EvaluationCloud
+withExactTruth (const simulation::SimulatedCloud& simulated)
+{
+  EvaluationCloud result;
+  result.cloud.reset (new Cloud);
+  result.cloud->reserve (simulated.cloud.size());
+  result.cloud->sensor_origin_ = simulated.cloud.sensor_origin_;
+  result.cloud->sensor_orientation_ = simulated.cloud.sensor_orientation_;
+  result.truth.emplace();
+  for (const pcl::PointXYZL& point : simulated.cloud) {
+    result.cloud->push_back (pcl::PointXYZ (point.x, point.y, point.z));
+    result.truth->push_back (point.label);
+  }
+  return result;
+}
 
 EvaluationCloud
 simulateRoom (std::uint32_t seed, NoiseProfile profile)
@@ -40,21 +60,11 @@ simulateRoom (std::uint32_t seed, NoiseProfile profile)
   camera.pose = simulation::drawCameraPose (room, camera, seed);
   simulation::NoiseParameters noise;
   noise.profile = profile;
-  const simulation::SimulatedCloud simulated =
+  return withExactTruth (
       simulation::toCloud (simulation::measureDepth (room.scene, camera, noise, seed),
                            camera,
                            room.scene,
-                           simulation::CloudLayout::Readings);
-  EvaluationCloud result;
-  result.cloud.reset (new Cloud);
-  result.cloud->sensor_origin_ = simulated.cloud.sensor_origin_;
-  result.cloud->sensor_orientation_ = simulated.cloud.sensor_orientation_;
-  result.truth.emplace();
-  for (const pcl::PointXYZL& point : simulated.cloud) {
-    result.cloud->push_back (pcl::PointXYZ (point.x, point.y, point.z));
-    result.truth->push_back (point.label);
-  }
-  return result;
+                           simulation::CloudLayout::Readings));
 }
 
 /** "3-20", or "7" for one room. */
@@ -89,6 +99,27 @@ roomsDataSet (const std::string& name, const std::string& seeds, NoiseProfile pr
   return data_set;
 }
 
+DataSet
+scansDataSet (const std::string& name, const std::string& sizes)
+{
+  constexpr std::uint32_t seed = 1;
+  const apps::Range of_points = apps::Range::from (1).upTo (most_points);
+  DataSet data_set{name, {}};
+  std::istringstream list (sizes);
+  for (std::string size; std::getline (list, size, ',');) {
+    const auto points = apps::parseNumber<std::size_t> (name, size, of_points);
+    data_set.clouds.push_back ({"scan-" + size, [points] {
+                                  const auto room = simulation::makeRoom (seed);
+                                  return withExactTruth (simulation::scanDensely (
+                                      room.scene, points, 1.0, seed));
+                                }});
+  }
+  if (data_set.clouds.empty())
+    throw apps::UsageError (name,
+                            "has no size; give numbers of points, 300000,3000000");
+  return data_set;
+}
+
 EvaluationCloud
 readCloud (const std::string& file, const Eigen::Vector3d& up)
 {
@@ -112,8 +143,8 @@ readCloud (const std::string& file, const Eigen::Vector3d& up)
   return finite;
 }
 
-DataSet
-cloudsDataSet (const std::string& folder, const Eigen::Vector3d& up)
+std::vector<fs::path>
+cloudFilesIn (const std::string& folder)
 {
   std::vector<fs::path> files;
   std::error_code error;
@@ -127,11 +158,23 @@ cloudsDataSet (const std::string& folder, const Eigen::Vector3d& up)
     throw apps::WorkError (folder,
                            "has no .pcd or .ply file; give a folder with clouds");
   std::sort (files.begin(), files.end());
+  return files;
+}
+
+DataSet
+cloudsDataSet (const std::string& path, const Eigen::Vector3d& up)
+{
+  std::error_code error;
+  if (!fs::exists (path, error))
+    throw apps::WorkError (path, "does not exist; give a cloud or a folder of clouds");
+  const bool is_folder = fs::is_directory (path, error);
+  const fs::path folder = is_folder ? fs::path (path) : fs::path (path).parent_path();
   DataSet data_set{"clouds", {}};
-  for (const fs::path& file : files)
+  for (const fs::path& file :
+       is_folder ? cloudFilesIn (path) : std::vector<fs::path>{path})
     data_set.clouds.push_back (
         {file.lexically_relative (folder).generic_string(),
-         [path = file.string(), up] { return readCloud (path, up); }});
+         [name = file.string(), up] { return readCloud (name, up); }});
   return data_set;
 }
 
@@ -152,6 +195,8 @@ dataSetOf (const std::string& text, const Eigen::Vector3d& up)
       return roomsDataSet (kind, rest, NoiseProfile::Correlated);
     if (kind == "rooms-raw")
       return roomsDataSet (kind, rest, NoiseProfile::Raw);
+    if (kind == "simulated")
+      return scansDataSet (kind, rest);
     if (kind == "clouds")
       return cloudsDataSet (rest, up);
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detectors.h"
 
-#include "peers.h"
+#include "detector_run.h"
 #include <common/program.h>
 
 #if __has_include(<pcl_ops/fast_sampling_plane_filtering.h>)
@@ -14,7 +14,6 @@
 #define PCL_OPS_HAS_KHT
 #endif
 #include <pcl_ops/oriented_point_sampling.h>
-#include <pcl_ops/stage_timer.h>
 
 #include <algorithm>
 #include <sstream>
@@ -35,23 +34,11 @@ configurationOf (const std::string& name,
   const auto run = [parameters] (const Cloud::ConstPtr& cloud,
                                  const Eigen::Vector3d& up,
                                  std::uint32_t seed) {
-    DetectorRun result;
-    double detection = 0.0;
-    timed (detection, [&] {
-      Detector detector;
-      detector.setParameters (parameters);
-      detector.setUpAxis (up.cast<float>());
-      detector.setSeed (seed);
-      detector.setNumberOfThreads (1);
-      detector.setInputCloud (cloud);
-      std::vector<pcl::PointIndices> planes;
-      detector.extract (planes);
-      result.labels = labelsOf (planes, cloud->size());
-      result.durations = detector.getStageDurations();
-      result.planes_before_merging = detector.getNumberOfPlanesBeforeMerging();
-    });
-    result.durations.detection = detection;
-    return result;
+    auto complete = parameters;
+    complete.up_axis = up.cast<float>();
+    complete.seed = seed;
+    complete.threads = 1;
+    return runDetector<Detector> (complete, cloud);
   };
   return {name, groups, run};
 }

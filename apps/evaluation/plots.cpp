@@ -2,29 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plots.h"
 
-#include <boost/process/child.hpp>
-#include <boost/process/io.hpp>
-#include <boost/process/search_path.hpp>
-#include <boost/process/start_dir.hpp>
+#include "gnuplot.h"
 
-#include <common/output_file.h>
-
-#include <filesystem>
 #include <sstream>
 
 namespace pcl_ops::evaluation {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Plot {
-  /** Without extension. */
-  std::string name;
-  std::string data;
-  /** Everything behind the choice of the output file. */
-  std::string commands;
-};
 
 struct Family {
   std::string title;
@@ -115,25 +99,6 @@ accuracyOverRate (const DataSetSummary& summary)
   return plot;
 }
 
-/** False where there is no gnuplot. */
-bool
-runGnuplot (const fs::path& script)
-{
-  namespace process = boost::process;
-  const auto gnuplot = process::search_path ("gnuplot");
-  if (gnuplot.empty())
-    return false;
-  std::error_code error;
-  process::child child (gnuplot,
-                        script.filename().string(),
-                        process::start_dir = script.parent_path().string(),
-                        process::std_out > process::null,
-                        process::std_err > process::null,
-                        error);
-  child.wait (error);
-  return !error && child.exit_code() == 0;
-}
-
 } // namespace
 
 bool
@@ -143,13 +108,7 @@ writePlots (const DataSetSummary& summary, const std::string& folder)
   for (const Plot& plot : {accuracyOverTime (summary), accuracyOverRate (summary)}) {
     if (plot.data.empty())
       continue;
-    const fs::path script = fs::path (folder) / (plot.name + ".gp");
-    apps::writeTextFile ((fs::path (folder) / (plot.name + ".dat")).string(),
-                         plot.data);
-    apps::writeTextFile (script.string(),
-                         "set terminal pngcairo size 1200,1000\nset output '" +
-                             plot.name + ".png'\n" + plot.commands);
-    all_drawn = runGnuplot (script) && all_drawn;
+    all_drawn = writePlot (plot, folder) && all_drawn;
   }
   return all_drawn;
 }

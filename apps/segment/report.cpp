@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
+#include <common/stages.h>
 #include <pcl_ops/orientation.h>
 
 #include <array>
@@ -14,15 +15,6 @@
 namespace pcl_ops::apps {
 
 namespace {
-
-using Stage = std::pair<const char*, double StageDurations::*>;
-
-constexpr std::array<Stage, 6> kStages = {{{"search", &StageDurations::search},
-                                           {"normals", &StageDurations::normals},
-                                           {"extraction", &StageDurations::extraction},
-                                           {"assignment", &StageDurations::assignment},
-                                           {"merging", &StageDurations::merging},
-                                           {"detection", &StageDurations::detection}}};
 
 double
 share (std::size_t part, std::size_t whole)

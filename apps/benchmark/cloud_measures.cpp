@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_measures.h"
+
+#include <pcl/kdtree/kdtree_flann.h>
+
+#include <pcl_ops/fast_sampling_plane_filtering.h>
+#include <pcl_ops/fixed_radius_search.h>
+#include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/stage_timer.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace pcl_ops::benchmark {
+
+namespace {
+
+using evaluation::Cloud;
+using KdTree = pcl::KdTreeFLANN<pcl::PointXYZ>;
+
+/** Onto memory that is there already: what reading and writing it takes at least. */
+Measure
+copyMeasure (const Cloud::ConstPtr& cloud, std::size_t runs)
+{
+  const auto copy = std::make_shared<Cloud> (*cloud);
+  return {cloud_copy, runs, [cloud, copy] {
+            StageDurations durations;
+            timed (durations.detection, [&] {
+              return std::copy (cloud->begin(), cloud->end(), copy->begin());
+            });
+            return durations;
+          }};
+}
+
+/** The centres of all spheres FSPF asks for. */
+std::vector<pcl::PointXYZ>
+sphereCentres (const Cloud& cloud,
+               const FastSamplingPlaneFilteringParameters& parameters)
+{
+  pcl::Indices all (cloud.size());
+  std::iota (all.begin(), all.end(), 0);
+  const Points points = finitePoints (cloud, all);
+  const FixedRadiusSearch search (points, parameters.local.outer_radius, 1);
+  std::vector<pcl::PointXYZ> centres;
+  const auto find_sphere = [&] (std::uint32_t centre, Positions& sphere) {
+    const Eigen::Vector3f position =
+        (search.points()[centre] + points.origin).cast<float>();
+    centres.emplace_back (position.x(), position.y(), position.z());
+    search.find (centre, sphere);
+  };
+  sampleLocalPlanes (search.points(),
+                     find_sphere,
+                     parameters.local,
+                     parameters.distance_threshold,
+                     parameters.seed);
+  return centres;
+}
+
+/** The part of FSPF that a kd-tree would do: the target's denominator. */
+Measure
+sphereSearchMeasure (const Cloud::ConstPtr& cloud, const MeasureParameters& parameters)
+{
+  auto fspf = FastSamplingPlaneFilteringParameters::paper();
+  fspf.seed = parameters.seed;
+  const auto search_all = [cloud, centres = sphereCentres (*cloud, fspf), fspf] {
+    StageDurations durations;
+    const bool sorted = false;
+    KdTree tree (sorted);
+    timed (durations.search, [&] { tree.setInputCloud (cloud); });
+    timed (durations.extraction, [&] {
+      pcl::Indices neighbours;
+      std::vector<float> squared_distances;
+      for (const pcl::PointXYZ& centre : centres)
+        tree.radiusSearch (
+            centre, fspf.local.outer_radius, neighbours, squared_distances);
+    });
+    durations.detection = durations.search + durations.extraction;
+    return durations;
+  };
+  return {kdtree_with_searches, parameters.runs, search_all};
+}
+
+Measure
+twoThreadsMeasure (const Cloud::ConstPtr& cloud, const MeasureParameters& parameters)
+{
+  using Ops = OrientedPointSampling<pcl::PointXYZ>;
+  OrientedPointSamplingParameters ops;
+  ops.seed = parameters.seed;
+  ops.threads = 2;
+  return detectorMeasure<Ops> (default_on_two_threads, parameters.runs, ops, cloud);
+}
+
+void
+addDetectors (const std::string& names,
+              std::size_t runs,
+              const Cloud::ConstPtr& cloud,
+              std::uint32_t seed,
+              std::vector<Measure>& measures)
+{
+  for (const evaluation::Configuration& detector :
+       evaluation::selectConfigurations (names))
+    measures.push_back (
+        {detector.name, runs, [detector, cloud, seed] {
+           return detector.run (cloud, Eigen::Vector3d::UnitZ(), seed).durations;
+         }});
+}
+
+} // namespace
+
+Measure
+kdTreeMeasure (const Cloud::ConstPtr& cloud, std::size_t runs)
+{
+  return {kdtree_construction, runs, [cloud] {
+            StageDurations durations;
+            KdTree tree;
+            timed (durations.detection, [&] { tree.setInputCloud (cloud); });
+            return durations;
+          }};
+}
+
+std::vector<Measure>
+measuresOf (const Cloud::ConstPtr& cloud, const MeasureParameters& parameters)
+{
+  const std::string ours = std::string (default_preset) + "," + paper_preset + "," +
+                           sparse_paper_preset + "," + hough_preset + "," +
+                           sphere_preset;
+  std::vector<Measure> measures{copyMeasure (cloud, parameters.runs),
+                                kdTreeMeasure (cloud, parameters.runs),
+                                sphereSearchMeasure (cloud, parameters),
+                                twoThreadsMeasure (cloud, parameters)};
+  addDetectors (ours, parameters.runs, cloud, parameters.seed, measures);
+  if (parameters.peer_runs > 0)
+    addDetectors ("peers", parameters.peer_runs, cloud, parameters.seed, measures);
+  return measures;
+}
+
+} // namespace pcl_ops::benchmark

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Each stage on simulated scans of growing size, with what the stages before it give.
+// --benchmark_filter=REGEX chooses among them.
+#include <pcl/common/io.h>
+#include <pcl/search/kdtree.h>
+
+#include <benchmark/benchmark.h>
+#include <pcl_ops/cell_planes.h>
+#include <pcl_ops/fixed_radius_search.h>
+#include <pcl_ops/octree_clusters.h>
+#include <pcl_ops/oriented_point_sampling.h>
+#include <simulation/dense_scan.h>
+
+#include <map>
+#include <numeric>
+
+namespace {
+
+using namespace pcl_ops;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using benchmark::State;
+
+constexpr unsigned threads = 1;
+constexpr std::uint32_t seed = 1;
+/** About 12,000 cells at 300,000 points, as by default [m]. */
+constexpr double cell_size = 0.1;
+
+/** \brief What the stages make of a scan, in their order. */
+struct Scan {
+  Cloud::Ptr cloud;
+  pcl::Indices all;
+  Points points;
+  GriddedPoints gridded;
+  std::vector<std::optional<CellNormal>> normals;
+  CellPlanes planes;
+};
+
+CellPlanes
+extractedFrom (const Scan& scan)
+{
+  RandomGenerator generator (seed);
+  CellPlanes planes;
+  extractCellPlanes (scan.gridded.grid, scan.normals, {}, generator, planes);
+  return planes;
+}
+
+Scan
+makeScan (std::size_t size)
+{
+  Scan scan;
+  scan.cloud.reset (new Cloud);
+  pcl::copyPointCloud (
+      simulation::scanDensely (simulation::makeRoom (seed).scene, size, 1.0, seed)
+          .cloud,
+      *scan.cloud);
+  scan.all.resize (size);
+  std::iota (scan.all.begin(), scan.all.end(), 0);
+  scan.points = finitePoints (*scan.cloud, scan.all);
+  scan.gridded = gridPoints (scan.points, cell_size, threads);
+  scan.normals = orientCells (scan.gridded.grid, {}, threads);
+  scan.planes = extractedFrom (scan);
+  measureNoise (scan.gridded.grid, scan.planes);
+  return scan;
+}
+
+const Scan&
+scanFor (State& state)
+{
+  static std::map<std::int64_t, Scan> scans;
+  const std::int64_t size = state.range (0);
+  if (scans.count (size) == 0)
+    scans[size] = makeScan (static_cast<std::size_t> (size));
+  return scans[size];
+}
+
+/** Times a stage and says what it takes per point. */
+template <typename Stage>
+void
+measure (State& state, Stage&& stage)
+{
+  for (auto _ : state)
+    benchmark::DoNotOptimize (stage());
+  state.SetItemsProcessed (state.iterations() * state.range (0));
+}
+
+void
+finitePointsOfACloud (State& state)
+{
+  const Scan& scan = scanFor (state);
+  measure (state, [&] { return finitePoints (*scan.cloud, scan.all); });
+}
+
+void
+cellSizeOfACloud (State& state)
+{
+  const Scan& scan = scanFor (state);
+  measure (state, [&] { return cellSizeFor (scan.points, 12000.0); });
+}
+
+void
+gridding (State& state)
+{
+  const Scan& scan = scanFor (state);
+  measure (state, [&] { return gridPoints (scan.points, cell_size, threads); });
+}
+
+void
+orientingCells (State& state)
+{
+  const Scan& scan = scanFor (state);
+  measure (state, [&] { return orientCells (scan.gridded.grid, {}, threads); });
+}
+
+void
+extractingPlanesOfCells (State& state)
+{
+  const Scan& scan = scanFor (state);
+  measure (state, [&] { return extractedFrom (scan); });
+}
+
+void
+growingPlanes (State& state)
+{
+  const Scan& scan = scanFor (state);
+  measure (state, [&] {
+    CellPlanes planes = scan.planes;
+    growPlanes (scan.gridded.grid, {}, planes);
+    return planes;
+  });
+}
+
+void
+reassigningCells (State& state)
+{
+  const Scan& scan = scanFor (state);
+  measure (state, [&] {
+    CellPlanes planes = scan.planes;
+    reassignCells (scan.gridded.grid, planes);
+    return planes;
+  });
+}
+
+void
+mergingPlanes (State& state)
+{
+  const Scan& scan = scanFor (state);
+  MergingParameters parameters;
+  parameters.distance_threshold = 0.05;
+  const auto moments = momentsOfPlanes (scan.gridded.grid, scan.planes);
+  measure (state, [&] { return mergePlanes (moments, parameters); });
+}
+
+void
+assigningToBoundedPlanes (State& state)
+{
+  const Scan& scan = scanFor (state);
+  measure (state, [&] {
+    return assignToBoundedPlanes (scan.points, scan.gridded, scan.planes, {}, threads);
+  });
+}
+
+void
+assigningToEndlessPlanes (State& state)
+{
+  const Scan& scan = scanFor (state);
+  measure (state, [&] {
+    return assignPoints (
+        scan.points, scan.planes.planes, 0.05, AssignmentRule::First, threads);
+  });
+}
+
+/** The paper's samples: 3 % of the points, 30 neighbours, over a tree built before. */
+void
+orientingSamples (State& state)
+{
+  const Scan& scan = scanFor (state);
+  pcl::search::KdTree<pcl::PointXYZ> tree;
+  tree.setInputCloud (scan.cloud);
+  const Positions sample = drawSample (scan.points.size(), 0.03, seed);
+  measure (state, [&] {
+    return orientSamples<pcl::PointXYZ> (
+        *scan.cloud, scan.points, sample, tree, {}, threads);
+  });
+}
+
+void
+buildingFixedRadiusSearch (State& state)
+{
+  const Scan& scan = scanFor (state);
+  measure (state, [&] { return FixedRadiusSearch (scan.points, 0.14, threads); });
+}
+
+void
+buildingKdTree (State& state)
+{
+  const Scan& scan = scanFor (state);
+  measure (state, [&] {
+    pcl::search::KdTree<pcl::PointXYZ> tree;
+    tree.setInputCloud (scan.cloud);
+    return tree.getInputCloud();
+  });
+}
+
+/** Reads all coordinates and writes them: the limit that memory sets. */
+void
+copyingPoints (State& state)
+{
+  const Scan& scan = scanFor (state);
+  Coordinates copy = scan.points;
+  measure (state, [&] {
+    copy = scan.points;
+    benchmark::ClobberMemory();
+    return copy.x.data();
+  });
+}
+
+#define PCL_OPS_STAGE(stage)                                                           \
+  BENCHMARK (stage)->Arg (300000)->Arg (3000000)->Unit (benchmark::kMillisecond)
+PCL_OPS_STAGE (copyingPoints);
+PCL_OPS_STAGE (finitePointsOfACloud);
+PCL_OPS_STAGE (cellSizeOfACloud);
+PCL_OPS_STAGE (gridding);
+PCL_OPS_STAGE (orientingCells);
+PCL_OPS_STAGE (extractingPlanesOfCells);
+PCL_OPS_STAGE (growingPlanes);
+PCL_OPS_STAGE (reassigningCells);
+PCL_OPS_STAGE (mergingPlanes);
+PCL_OPS_STAGE (assigningToBoundedPlanes);
+PCL_OPS_STAGE (assigningToEndlessPlanes);
+PCL_OPS_STAGE (orientingSamples);
+PCL_OPS_STAGE (buildingFixedRadiusSearch);
+PCL_OPS_STAGE (buildingKdTree);
+
+} // namespace

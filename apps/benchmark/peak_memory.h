@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <evaluation/plane_classes.h>
+
+#include <limits>
+
+namespace pcl_ops::benchmark {
+
+/** \brief Memory at the peak of a detection. */
+struct PeakMemory {
+  std::size_t points = 0;
+  double cloud_bytes = std::numeric_limits<double>::quiet_NaN();
+  /** \brief What the detection needs on top of the cloud; NaN where the system does not
+   * tell. */
+  double extra_bytes = std::numeric_limits<double>::quiet_NaN();
+
+  /** \brief Cloud and detection together over the cloud alone. */
+  double
+  overCloud () const
+  {
+    return (cloud_bytes + extra_bytes) / cloud_bytes;
+  }
+};
+
+/** \brief Runs the default preset on one thread in a child process and takes by how
+ * much its resident memory grows at the peak, labels of all points included.
+ * \param[in] cloud finite points */
+PeakMemory
+peakMemoryOn (const evaluation::Cloud::ConstPtr& cloud);
+
+} // namespace pcl_ops::benchmark

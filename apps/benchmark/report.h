@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "machine.h"
+#include "targets.h"
+#include <nlohmann/json.hpp>
+
+#include <ostream>
+
+namespace pcl_ops::benchmark {
+
+/** \brief Everything that was measured. */
+struct Benchmark {
+  Machine machine;
+  MeasureParameters parameters;
+  std::vector<CloudFigures> clouds;
+  SharedFigures shared;
+};
+
+/** \brief Prints Markdown: for each cloud a table of targets and one of times, the
+ * targets' medians where there are several clouds, and how all this was measured. */
+void
+printReport (const Benchmark& benchmark, std::ostream& stream);
+
+/** \brief The same with every number; null for what was not measured. */
+nlohmann::ordered_json
+toJson (const Benchmark& benchmark);
+
+} // namespace pcl_ops::benchmark

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cloud_measures.h"
+#include <evaluation/cloud_source.h>
+
+namespace pcl_ops::benchmark {
+
+/** \brief A time on the way of something that grows. */
+struct ScalingRow {
+  /** \brief What grows: points, threads, sampling_rate (in per cent) or planes. */
+  std::string series;
+  double x = 0.0;
+  std::size_t points = 0;
+  BestTime time;
+};
+
+/** \brief Names of the series. @{ */
+constexpr const char* over_points = "points";
+constexpr const char* over_threads = "threads";
+constexpr const char* over_sampling_rate = "sampling_rate";
+constexpr const char* over_planes = "planes";
+/** @} */
+
+/** \brief OPS, default and paper preset, where one thing grows at a time; over points
+ * and planes 3D-KHT and the construction of KdTreeFLANN too.
+ * \param[in] cloud for threads and sampling rate; its number of points serves for the
+ * simulated boards of the planes too
+ * \param[in] growing clouds of growing size */
+std::vector<ScalingRow>
+measureScaling (const evaluation::Cloud::ConstPtr& cloud,
+                const std::vector<evaluation::CloudSource>& growing,
+                const MeasureParameters& parameters,
+                const Notify& notify);
+
+/** \brief Writes scaling.csv and a plot of each series into a folder.
+ * \return whether the plots were drawn
+ * \throw apps::WorkError if a file cannot be written */
+bool
+writeScaling (const std::vector<ScalingRow>& rows, const std::string& folder);
+
+} // namespace pcl_ops::benchmark

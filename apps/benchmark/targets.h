@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cloud_measures.h"
+#include "peak_memory.h"
+
+namespace pcl_ops::benchmark {
+
+/** \brief What was measured on a cloud. */
+struct CloudFigures {
+  std::string name;
+  std::size_t points = 0;
+  BestTimes times;
+  PeakMemory peak;
+};
+
+/** \brief What was measured once. */
+struct SharedFigures {
+  /** \brief See \ref arithmeticSpeedup. */
+  double arithmetic_speedup = std::numeric_limits<double>::quiet_NaN();
+  /** \brief On a large simulated scan. */
+  PeakMemory peak;
+  /** \brief Time per point at \ref many_points over that at \ref few_points. */
+  double growth = std::numeric_limits<double>::quiet_NaN();
+};
+
+constexpr std::size_t few_points = 300'000;
+constexpr std::size_t many_points = 10'000'000;
+
+/** \brief How fast or small the library is to be. */
+struct Target {
+  /** \brief Its name in JSON. */
+  std::string id;
+  std::string text;
+  /** \brief "" for a ratio. */
+  std::string unit;
+  bool less_is_better = true;
+  double target = 0.0;
+  /** \brief NaN: nothing more is hoped for. */
+  double hoped_for = std::numeric_limits<double>::quiet_NaN();
+};
+
+/** \brief A target with what was measured. */
+struct TargetRow {
+  Target target;
+  /** \brief NaN: not measured. */
+  double value = std::numeric_limits<double>::quiet_NaN();
+};
+
+enum class Reached { Unknown, Neither, Target, HopedFor };
+
+/** \brief What a value reaches; Unknown where it was not measured. */
+Reached
+reachedBy (const TargetRow& row);
+
+/** \brief "hoped for", "target", "no" or "-". */
+std::string
+toString (Reached reached);
+
+/** \brief Every target with its value on a cloud. Where two real cores were not to be
+ * had, the speed-up by two threads counts as not measured. */
+std::vector<TargetRow>
+rowsOf (const CloudFigures& figures, const SharedFigures& shared);
+
+/** \brief The rows' medians over several clouds. */
+std::vector<TargetRow>
+mediansOf (const std::vector<std::vector<TargetRow>>& rows_of_clouds);
+
+} // namespace pcl_ops::benchmark

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <benchmark/boards.h>
+#include <benchmark/machine.h>
+#include <benchmark/targets.h>
+#include <simulation/dense_scan.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace pcl_ops::benchmark;
+
+constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+
+TargetRow
+rowOf (double value, bool less_is_better, double target, double hoped_for)
+{
+  return {{"", "", "", less_is_better, target, hoped_for}, value};
+}
+
+/** A measure that takes these times, one after the other [ms]. */
+Measure
+measureTaking (const std::string& name, std::vector<double> times)
+{
+  const std::size_t runs = times.size();
+  return {name, runs, [times, next = std::size_t (0)] () mutable {
+            pcl_ops::StageDurations durations;
+            durations.detection = times[next++];
+            return durations;
+          }};
+}
+
+void
+sayNothing (const std::string&)
+{}
+
+} // namespace
+
+TEST (Targets, ARatioToStayBelow)
+{
+  EXPECT_EQ (reachedBy (rowOf (0.1, true, 0.3, 0.12)), Reached::HopedFor);
+  EXPECT_EQ (reachedBy (rowOf (0.2, true, 0.3, 0.12)), Reached::Target);
+  EXPECT_EQ (reachedBy (rowOf (0.4, true, 0.3, 0.12)), Reached::Neither);
+}
+
+TEST (Targets, ARatioToExceed)
+{
+  EXPECT_EQ (reachedBy (rowOf (300, false, 80, 200)), Reached::HopedFor);
+  EXPECT_EQ (reachedBy (rowOf (100, false, 80, 200)), Reached::Target);
+  EXPECT_EQ (reachedBy (rowOf (9, false, 80, 200)), Reached::Neither);
+}
+
+TEST (Targets, WhatWasNotMeasuredReachesNothing)
+{
+  EXPECT_EQ (reachedBy (rowOf (not_measured, true, 0.3, 0.12)), Reached::Unknown);
+  EXPECT_EQ (reachedBy (rowOf (0.1, true, 0.3, not_measured)), Reached::Target);
+}
+
+TEST (Targets, TwoThreadsCountOnlyWhereThereAreTwoCores)
+{
+  CloudFigures figures;
+  figures.times = {{default_preset, {0, 0, 0, 0, 0, 30.0}, 1},
+                   {default_on_two_threads, {0, 0, 0, 0, 0, 15.0}, 1}};
+  const auto speedup = [&] (double arithmetic) {
+    SharedFigures shared;
+    shared.arithmetic_speedup = arithmetic;
+    for (const TargetRow& row : rowsOf (figures, shared))
+      if (row.target.id == "two_threads")
+        return row.value;
+    return -1.0;
+  };
+  EXPECT_EQ (speedup (1.95), 2.0);
+  EXPECT_TRUE (std::isnan (speedup (1.1)));
+}
+
+TEST (Targets, MediansLeaveOutWhatWasNotMeasured)
+{
+  std::vector<std::vector<TargetRow>> rows;
+  for (const double value : {5.0, not_measured, 1.0, 3.0})
+    rows.push_back (
+        {rowOf (value, true, 0.3, 0.12), rowOf (not_measured, true, 0.3, 0.12)});
+  const std::vector<TargetRow> medians = mediansOf (rows);
+  EXPECT_EQ (medians[0].value, 3.0);
+  EXPECT_TRUE (std::isnan (medians[1].value));
+}
+
+TEST (Measures, TheShortestRunCounts)
+{
+  const BestTimes best = measureInTurns (
+      {measureTaking ("a", {5.0, 2.0, 4.0}), measureTaking ("b", {7.0})}, sayNothing);
+  EXPECT_EQ (bestOf (best, "a"), 2.0);
+  EXPECT_EQ (bestOf (best, "b"), 7.0);
+  EXPECT_EQ (best[0].runs, 3u);
+  EXPECT_TRUE (std::isnan (bestOf (best, "c")));
+}
+
+TEST (Measures, WhatTakesVeryLongIsNotRepeated)
+{
+  const double long_time = 2.0 * patience;
+  const BestTimes best =
+      measureInTurns ({measureTaking ("a", {long_time, 1.0})}, sayNothing);
+  EXPECT_EQ (best[0].runs, 1u);
+}
+
+TEST (PeakMemory, HoldsAtLeastALabelForEveryPoint)
+{
+  constexpr std::size_t points = 100'000;
+  const auto scan = pcl_ops::simulation::scanDensely (makeBoards (4), points, 1.0, 1);
+  const pcl_ops::evaluation::Cloud::Ptr cloud (new pcl_ops::evaluation::Cloud);
+  for (const pcl::PointXYZL& point : scan.cloud)
+    cloud->push_back (pcl::PointXYZ (point.x, point.y, point.z));
+  const PeakMemory peak = peakMemoryOn (cloud);
+  EXPECT_EQ (peak.cloud_bytes, 16.0 * points);
+  EXPECT_GT (peak.extra_bytes, 4.0 * points);
+}
+
+TEST (Boards, EachIsAPlaneOfItsOwn)
+{
+  const auto scan = pcl_ops::simulation::scanDensely (makeBoards (10), 5000, 0.0, 1);
+  EXPECT_EQ (scan.planes.size(), 10u);
+  for (const auto& plane : scan.planes)
+    EXPECT_EQ (plane.points, 500u);
+}
+
+TEST (Machine, IsDescribed)
+{
+  const Machine machine = describeMachine();
+  for (const std::string& text : {machine.cpu, machine.compiler, machine.pcl_version})
+    EXPECT_FALSE (text.empty());
+  EXPECT_GT (arithmeticSpeedup (1), 0.0);
+}
