@@ -65,6 +65,7 @@ assignmentParameters (const OrientedPointSamplingParameters& parameters)
 
 Detection
 detectOnCells (Points points,
+               const Eigen::Vector3d& viewpoint,
                const OrientedPointSamplingParameters& parameters,
                StageDurations& durations)
 {
@@ -103,6 +104,9 @@ detectOnCells (Points points,
         mergePlanes (momentsOfPlanes (grid, planes), parameters.merging);
     renumberPlanes (merged, planes);
     reassignCells (grid, planes);
+    if (parameters.cells.separates_surfaces)
+      separateSurfaces (
+          grid, viewpoint - found.points.origin, parameters.min_inliers, planes);
     measureNoise (grid, planes);
     return 0;
   });

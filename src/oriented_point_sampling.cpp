@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_ops/impl/oriented_point_sampling.hpp>
-
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/point_types.h>
 
+#include <pcl_ops/impl/oriented_point_sampling.hpp>
 
 #ifndef PCL_NO_PRECOMPILE
 #ifdef PCL_ONLY_CORE_POINT_TYPES
-PCL_INSTANTIATE (OrientedPointSampling,
-                 (pcl::PointXYZ) (pcl::PointXYZI) (pcl::PointXYZRGBA) (pcl::PointXYZRGB))
+PCL_INSTANTIATE (
+    OrientedPointSampling,
+    (pcl::PointXYZ) (pcl::PointXYZI) (pcl::PointXYZRGBA) (pcl::PointXYZRGB))
 #else
 PCL_INSTANTIATE (OrientedPointSampling, PCL_XYZ_POINT_TYPES)
 #endif

@@ -20,8 +20,9 @@ usefulThreads (unsigned wanted, std::int64_t pieces)
 {
   // More than these only cost; a runtime that cannot start them ends the program.
   constexpr std::int64_t most = 256;
-  const std::int64_t threads = wanted ? wanted : omp_get_num_procs ();
-  return static_cast<int> (std::max<std::int64_t> (1, std::min ({threads, pieces, most})));
+  const std::int64_t threads = wanted ? wanted : omp_get_num_procs();
+  return static_cast<int> (
+      std::max<std::int64_t> (1, std::min ({threads, pieces, most})));
 }
 #endif
 
@@ -49,7 +50,7 @@ parallelFor (unsigned threads,
     }
     catch (...) {
 #pragma omp critical(pcl_ops_parallel_for)
-      thrown = std::current_exception ();
+      thrown = std::current_exception();
     }
   }
   if (thrown)

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_ops/impl/sac_model_oriented_point.hpp>
-
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/sample_consensus/impl/sac_model_plane.hpp>
 #include <pcl/point_types.h>
+
+#include <pcl_ops/impl/sac_model_oriented_point.hpp>
 
 #ifndef PCL_NO_PRECOMPILE
 PCL_INSTANTIATE (SampleConsensusModelOrientedPoint,

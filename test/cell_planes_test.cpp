@@ -160,3 +160,50 @@ TEST (BoundedAssignment, IsTheSameForAnyNumberOfThreads)
   const auto four = pcl_ops::assignToBoundedPlanes (points, gridded, planes, {}, 4);
   EXPECT_EQ (one.labels, four.labels);
 }
+
+namespace {
+
+// Two table tops of one height with the floor below, seen from above.
+const Surface left_top = {{-1.2, -0.4, 1}, {0.9, 0, 0}, {0, 0.9, 0}};
+const Surface right_top = {{0.3, -0.4, 1}, {0.9, 0, 0}, {0, 0.9, 0}};
+const Surface wide_floor = {{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}};
+const Surface lamp = {{-0.4, -0.5, 2}, {0.8, 0, 0}, {0, 1, 0}};
+const Eigen::Vector3d above (0, 0, 3);
+
+std::size_t
+planesAtHeight (double height, const CellPlanes& planes)
+{
+  return static_cast<std::size_t> (
+      std::count_if (planes.planes.begin(),
+                     planes.planes.end(),
+                     [height] (const pcl_ops::Plane& plane) {
+                       return std::abs (std::abs (plane.offset) - height) < 0.05;
+                     }));
+}
+
+std::size_t
+tableTopsFoundAmong (const std::vector<Surface>& surfaces)
+{
+  const CellGrid grid = gridOf (surfaces).grid;
+  CellPlanes planes = planesOf (grid);
+  EXPECT_EQ (planesAtHeight (1.0, planes), 1u) << "one plane before";
+  pcl_ops::separateSurfaces (grid, above, 20, planes);
+  return planesAtHeight (1.0, planes);
+}
+
+} // namespace
+
+TEST (SeparateSurfaces, KeepsTableTopsApartWhereTheFloorIsSeenBetween)
+{
+  EXPECT_EQ (tableTopsFoundAmong ({left_top, right_top, wide_floor}), 2u);
+}
+
+TEST (SeparateSurfaces, TakesATableTopForOneWhereALampHidesItsMiddle)
+{
+  EXPECT_EQ (tableTopsFoundAmong ({left_top, right_top, wide_floor, lamp}), 1u);
+}
+
+TEST (SeparateSurfaces, TakesATableTopForOneWhereNothingIsSeenBetween)
+{
+  EXPECT_EQ (tableTopsFoundAmong ({left_top, right_top}), 1u);
+}

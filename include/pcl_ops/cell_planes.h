@@ -93,6 +93,16 @@ absorbPlanes (const CellGrid& grid, double noise_factor, CellPlanes& planes);
 void
 reassignCells (const CellGrid& grid, CellPlanes& planes);
 
+/** \brief Keeps coplanar surfaces apart: connected parts of a plane become planes of
+ * their own where the sensor looked through between them; where something stood in
+ * front they stay one. \param[in] viewpoint of the sensor in the frame of the grid
+ * \param[in] least_cells parts of fewer cells stay with their plane */
+void
+separateSurfaces (const CellGrid& grid,
+                  const Eigen::Vector3d& viewpoint,
+                  std::size_t least_cells,
+                  CellPlanes& planes);
+
 /** \brief Moments of each plane's cells. */
 std::vector<Moments>
 momentsOfPlanes (const CellGrid& grid, const CellPlanes& planes);

@@ -53,6 +53,8 @@ struct CellParameters {
   GrowingParameters growing;
   /** \brief See absorbPlanes. */
   double absorption_noise_factor = 1.8;
+  /** \brief See separateSurfaces; off: surfaces in one plane are one. */
+  bool separates_surfaces = true;
   BoundedAssignmentParameters assignment;
 };
 
@@ -111,10 +113,12 @@ extractPlanes (const OrientedSamples& samples,
 
 /** \brief Detection with Sampling::Cells.
  * \param[in] points the finite points
+ * \param[in] viewpoint of the sensor in the frame of the input cloud
  * \param[in] parameters those of the detector
  * \param[in,out] durations the time of each stage is added */
 Detection
 detectOnCells (Points points,
+               const Eigen::Vector3d& viewpoint,
                const OrientedPointSamplingParameters& parameters,
                StageDurations& durations);
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/search/search.h>
+
 #include <pcl_ops/orientation.h>
 #include <pcl_ops/points.h>
-
-#include <pcl/search/search.h>
 
 #include <array>
 #include <cstdint>
@@ -31,19 +31,17 @@ struct OrientedSamples : Coordinates {
   add (const Eigen::Vector3d& position, const Eigen::Vector3d& normal);
 };
 
-/** \brief Draws alpha_s N of the N points, each subset equally likely (Knuth's selection
- * sampling: one pass, no repetition).
- * \param[in] size N
- * \param[in] rate alpha_s, 0 .. 1; the number drawn is rounded to the nearest
- * \param[in] seed the same seed draws the same points */
+/** \brief Draws alpha_s N of the N points, each subset equally likely (Knuth's
+ * selection sampling: one pass, no repetition). \param[in] size N \param[in] rate
+ * alpha_s, 0 .. 1; the number drawn is rounded to the nearest \param[in] seed the same
+ * seed draws the same points */
 Positions
 drawSample (std::size_t size, double rate, std::uint32_t seed);
 
-/** \brief The weighted normal of each sample: the eigenvector of the smallest eigenvalue
- * of M_i = sum_j exp (-|q_ij - p_i|^2 / 2 sigma^2) (q_ij - p_i)(q_ij - p_i)^T /
- * |q_ij - p_i|^2 over the k nearest neighbours (paper, equation of section III-A).
- * Neighbours at distance 0 are skipped.
- * \param[in] cloud the input cloud
+/** \brief The weighted normal of each sample: the eigenvector of the smallest
+ * eigenvalue of M_i = sum_j exp (-|q_ij - p_i|^2 / 2 sigma^2) (q_ij - p_i)(q_ij -
+ * p_i)^T / |q_ij - p_i|^2 over the k nearest neighbours (paper, equation of section
+ * III-A). Neighbours at distance 0 are skipped. \param[in] cloud the input cloud
  * \param[in] points the finite points of it
  * \param[in] sample positions in \p points
  * \param[in] search neighbour search whose input is set to \p cloud

@@ -10,7 +10,8 @@
 
 namespace pcl_ops {
 
-/** \brief The plane of each point: a position in the list of planes, or \ref no_plane. */
+/** \brief The plane of each point: a position in the list of planes, or \ref no_plane.
+ */
 using Labels = std::vector<std::int32_t>;
 
 constexpr std::int32_t no_plane = -1;

@@ -232,6 +232,10 @@ protected:
   SearchPtr
   searchOver (const Points& points) const;
 
+  /** \brief Where the sensor was, in the frame of the input cloud. */
+  Eigen::Vector3d
+  viewpoint () const;
+
   /** \brief Threads that may query the search at once: only kd-trees are known to be
    * safe. */
   unsigned

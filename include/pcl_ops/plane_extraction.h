@@ -34,11 +34,10 @@ struct ExtractedPlane {
   Positions inliers;
 };
 
-/** \brief N_iter = log (1 - p) / log (1 - w): draws of one point after which an inlier was
- * among them with probability p.
- * \param[in] probability p in (0, 1)
- * \param[in] inlier_ratio w = 1 - e; outside (0, 1) it is guarded: w >= 1 needs one
- * draw, w <= 0 as many as fit */
+/** \brief N_iter = log (1 - p) / log (1 - w): draws of one point after which an inlier
+ * was among them with probability p. \param[in] probability p in (0, 1) \param[in]
+ * inlier_ratio w = 1 - e; outside (0, 1) it is guarded: w >= 1 needs one draw, w <= 0
+ * as many as fit */
 std::size_t
 requiredDraws (double probability, double inlier_ratio);
 
@@ -56,15 +55,15 @@ selectWithinDistance (const Coordinates& positions,
                       const Plane& plane,
                       double distance_threshold);
 
-/** \brief The hypothesis with most inliers: a candidate's own plane, drawn N_iter times,
- * N_iter adapted to the best inlier ratio so far (Algorithm 1, lines 7 to 24).
+/** \brief The hypothesis with most inliers: a candidate's own plane, drawn N_iter
+ * times, N_iter adapted to the best inlier ratio so far (Algorithm 1, lines 7 to 24).
  * \param[in] samples oriented samples
  * \param[in] candidates the samples to draw from
  * \param[in] verified the positions inliers are counted on; their number is N_h
  * \param[in] parameters theta_h, theta_N and p
  * \param[in,out] generator source of the draws
- * \return nothing if no hypothesis has more than theta_N inliers among the candidates and
- * among \p verified */
+ * \return nothing if no hypothesis has more than theta_N inliers among the candidates
+ * and among \p verified */
 std::optional<Plane>
 onePointRansac (const OrientedSamples& samples,
                 const Positions& candidates,
@@ -90,11 +89,11 @@ largestPlane (const OrientedSamples& samples,
               const RansacParameters& parameters,
               RandomGenerator& generator);
 
-/** \brief The peel loop (paper, "Detection of Multiple Planes"): finds the largest plane,
- * removes its inliers and repeats until none is found.
- * \param[in] candidates positions to share out, ascending
- * \param[in] find_largest (candidates) -> std::optional<ExtractedPlane>
- * \return the planes in the order found; their inliers are disjoint */
+/** \brief The peel loop (paper, "Detection of Multiple Planes"): finds the largest
+ * plane, removes its inliers and repeats until none is found. \param[in] candidates
+ * positions to share out, ascending \param[in] find_largest (candidates) ->
+ * std::optional<ExtractedPlane> \return the planes in the order found; their inliers
+ * are disjoint */
 template <typename FindLargest>
 std::vector<ExtractedPlane>
 extractAll (Positions candidates, FindLargest&& find_largest)
@@ -102,12 +101,12 @@ extractAll (Positions candidates, FindLargest&& find_largest)
   std::vector<ExtractedPlane> planes;
   while (std::optional<ExtractedPlane> found = find_largest (candidates)) {
     Positions rest;
-    std::set_difference (candidates.begin (),
-                         candidates.end (),
-                         found->inliers.begin (),
-                         found->inliers.end (),
+    std::set_difference (candidates.begin(),
+                         candidates.end(),
+                         found->inliers.begin(),
+                         found->inliers.end(),
                          std::back_inserter (rest));
-    if (rest.size () == candidates.size ())
+    if (rest.size() == candidates.size())
       break;
     candidates = std::move (rest);
     planes.push_back (std::move (*found));

@@ -22,7 +22,7 @@ drawBelow (RandomGenerator& generator, std::uint32_t bound)
   const std::uint32_t rejected_below = (0u - bound) % bound;
   std::uint64_t product = 0;
   do
-    product = std::uint64_t (generator ()) * bound;
+    product = std::uint64_t (generator()) * bound;
   while (std::uint32_t (product) < rejected_below);
   return std::uint32_t (product >> 32);
 }
@@ -31,7 +31,7 @@ drawBelow (RandomGenerator& generator, std::uint32_t bound)
 inline double
 drawUnit (RandomGenerator& generator)
 {
-  return generator () * (1.0 / 4294967296.0);
+  return generator() * (1.0 / 4294967296.0);
 }
 
 } // namespace pcl_ops

@@ -11,15 +11,16 @@ namespace pcl_ops {
 
 /** \brief A plane from one oriented point, for PCL's own estimators
  * (pcl::RandomSampleConsensus, MSAC, MLESAC, LMedS, PROSAC): with a sample of one point
- * their stop rule log (1 - p) / log (1 - w) is the paper's N_iter. RRANSAC and RMSAC may
- * never end before PCL 1.15, with this model as with PCL's own.
+ * their stop rule log (1 - p) / log (1 - w) is the paper's N_iter. RRANSAC and RMSAC
+ * may never end before PCL 1.15, with this model as with PCL's own.
  *
- * The points of the cloud carry their unit normals. Coefficients are a b c d with a unit
- * normal. Distances, inliers and counts are those of pcl::SampleConsensusModelPlane.
- * \tparam PointNT a point type with x, y, z and normal_x, normal_y, normal_z
- * \ingroup sample_consensus */
+ * The points of the cloud carry their unit normals. Coefficients are a b c d with a
+ * unit normal. Distances, inliers and counts are those of
+ * pcl::SampleConsensusModelPlane. \tparam PointNT a point type with x, y, z and
+ * normal_x, normal_y, normal_z \ingroup sample_consensus */
 template <typename PointNT>
-class SampleConsensusModelOrientedPoint : public pcl::SampleConsensusModelPlane<PointNT> {
+class SampleConsensusModelOrientedPoint
+: public pcl::SampleConsensusModelPlane<PointNT> {
 public:
   using Base = pcl::SampleConsensusModelPlane<PointNT>;
   using PointCloudConstPtr = typename Base::PointCloudConstPtr;
@@ -28,7 +29,8 @@ public:
 
   /** \brief The model over all points of a cloud.
    * \param[in] cloud points with unit normals
-   * \param[in] random true: seed from the clock, as PCL does; false: PCL's fixed seed */
+   * \param[in] random true: seed from the clock, as PCL does; false: PCL's fixed seed
+   */
   explicit SampleConsensusModelOrientedPoint (const PointCloudConstPtr& cloud,
                                               bool random = false);
 
@@ -37,8 +39,8 @@ public:
                                      const pcl::Indices& indices,
                                      bool random = false);
 
-  /** \brief Seeds the draws of this model and starts them over; PCL itself offers no way
-   * to. */
+  /** \brief Seeds the draws of this model and starts them over; PCL itself offers no
+   * way to. */
   void
   setSeed (std::uint32_t seed);
 

@@ -10,7 +10,7 @@ namespace pcl_ops {
 class StageTimer {
 public:
   explicit StageTimer (double& duration) : duration_ (duration) {}
-  ~StageTimer () { duration_ += watch_.getTime (); }
+  ~StageTimer() { duration_ += watch_.getTime(); }
   StageTimer (const StageTimer&) = delete;
   StageTimer&
   operator= (const StageTimer&) = delete;
@@ -27,7 +27,7 @@ auto
 timed (double& duration, Stage&& stage)
 {
   const StageTimer timer (duration);
-  return stage ();
+  return stage();
 }
 
 } // namespace pcl_ops

@@ -9,25 +9,26 @@ namespace pcl_ops {
 
 template <typename PointT>
 Detection
-OrientedPointSampling<PointT>::detect ()
+OrientedPointSampling<PointT>::detect()
 {
   Detection found;
   found.points = finitePoints (*input_, *indices_);
   if (parameters_.sampling == Sampling::Cells)
-    return detectOnCells (std::move (found.points), parameters_, durations_);
+    return detectOnCells (
+        std::move (found.points), this->viewpoint(), parameters_, durations_);
   const Points& points = found.points;
-  found.labels.assign (points.size (), no_plane);
+  found.labels.assign (points.size(), no_plane);
   // P_s: alpha_s N of the points
   const Positions sample =
-      drawSample (points.size (), parameters_.sampling_rate, parameters_.seed);
-  if (sample.empty ())
+      drawSample (points.size(), parameters_.sampling_rate, parameters_.seed);
+  if (sample.empty())
     return found;
   const auto search =
       timed (durations_.search, [&] { return this->searchOver (points); });
   // n_i: eigenvector of M_i's smallest eigenvalue
   const OrientedSamples samples = timed (durations_.normals, [&] {
     return orientSamples (
-        *input_, points, sample, *search, parameters_.normals, this->searchThreads ());
+        *input_, points, sample, *search, parameters_.normals, this->searchThreads());
   });
   // Pi: one-point RANSAC and peeling, with theta_h, theta_N and p
   const std::vector<Plane> planes = timed (durations_.extraction, [&] {
@@ -45,8 +46,8 @@ OrientedPointSampling<PointT>::detect ()
   found.planes = timed (durations_.merging, [&] {
     return mergeLabelled (points,
                           found.labels,
-                          planes.size (),
-                          this->mergingParameters (),
+                          planes.size(),
+                          this->mergingParameters(),
                           parameters_.threads);
   });
   return found;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/plane_detector.h>
-#include <pcl_ops/stage_timer.h>
-
 #include <pcl/console/print.h>
 #include <pcl/search/kdtree.h>
+
+#include <pcl_ops/plane_detector.h>
+#include <pcl_ops/stage_timer.h>
 
 #include <algorithm>
 #include <exception>
@@ -15,30 +15,27 @@ namespace pcl_ops {
 
 template <typename PointT, typename Detector, typename ParametersT>
 bool
-PlaneDetector<PointT, Detector, ParametersT>::segment (std::vector<PlaneSegment>& planes)
+PlaneDetector<PointT, Detector, ParametersT>::segment (
+    std::vector<PlaneSegment>& planes)
 {
-  planes.clear ();
-  durations_ = StageDurations ();
+  planes.clear();
+  durations_ = StageDurations();
   planes_before_merging_ = 0;
   try {
-    if (!isReady ())
+    if (!isReady())
       return false;
     planes = timed (durations_.detection, [this] {
-      const Detection detection = static_cast<Detector&> (*this).detect ();
-      planes_before_merging_ = detection.planes.merged_into.size ();
-      return toSegments (detection,
-                         this->input_->sensor_origin_.template head<3> ()
-                             .template cast<double> (),
-                         parameters_);
+      const Detection detection = static_cast<Detector&> (*this).detect();
+      planes_before_merging_ = detection.planes.merged_into.size();
+      return toSegments (detection, viewpoint(), parameters_);
     });
   }
   catch (const std::exception& error) {
-    PCL_ERROR (
-        "[pcl_ops::%s::segment] %s\n", getClassName ().c_str (), error.what ());
-    planes.clear ();
+    PCL_ERROR ("[pcl_ops::%s::segment] %s\n", getClassName().c_str(), error.what());
+    planes.clear();
     return false;
   }
-  this->deinitCompute ();
+  this->deinitCompute();
   return true;
 }
 
@@ -50,14 +47,14 @@ PlaneDetector<PointT, Detector, ParametersT>::segment (
 {
   std::vector<PlaneSegment> planes;
   const bool success = segment (planes);
-  coefficients.assign (planes.size (), pcl::ModelCoefficients ());
-  inliers.assign (planes.size (), pcl::PointIndices ());
-  for (std::size_t i = 0; i < planes.size (); ++i) {
-    const Plane plane = planes[i].plane ();
+  coefficients.assign (planes.size(), pcl::ModelCoefficients());
+  inliers.assign (planes.size(), pcl::PointIndices());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const Plane plane = planes[i].plane();
     coefficients[i].header = inliers[i].header = this->input_->header;
-    coefficients[i].values = {static_cast<float> (plane.normal.x ()),
-                              static_cast<float> (plane.normal.y ()),
-                              static_cast<float> (plane.normal.z ()),
+    coefficients[i].values = {static_cast<float> (plane.normal.x()),
+                              static_cast<float> (plane.normal.y()),
+                              static_cast<float> (plane.normal.z()),
                               static_cast<float> (plane.offset)};
     inliers[i].indices.swap (planes[i].inliers);
   }
@@ -72,10 +69,10 @@ PlaneDetector<PointT, Detector, ParametersT>::segment (
   std::vector<pcl::PointIndices> all_inliers;
   std::vector<pcl::ModelCoefficients> all_coefficients;
   const bool success = segment (all_coefficients, all_inliers);
-  inliers = all_inliers.empty () ? pcl::PointIndices () : all_inliers.front ();
-  coefficients = all_coefficients.empty () ? pcl::ModelCoefficients ()
-                                           : all_coefficients.front ();
-  if (success && all_inliers.empty ())
+  inliers = all_inliers.empty() ? pcl::PointIndices() : all_inliers.front();
+  coefficients =
+      all_coefficients.empty() ? pcl::ModelCoefficients() : all_coefficients.front();
+  if (success && all_inliers.empty())
     inliers.header = coefficients.header = this->input_->header;
   return success;
 }
@@ -91,32 +88,32 @@ PlaneDetector<PointT, Detector, ParametersT>::extract (
 
 template <typename PointT, typename Detector, typename ParametersT>
 bool
-PlaneDetector<PointT, Detector, ParametersT>::isReady ()
+PlaneDetector<PointT, Detector, ParametersT>::isReady()
 {
   std::string problem;
-  if (!this->initCompute ())
+  if (!this->initCompute())
     problem = "no input cloud; call setInputCloud";
-  else if (this->input_->empty ())
+  else if (this->input_->empty())
     problem = "the input cloud is empty";
-  else if (this->indices_->empty ())
+  else if (this->indices_->empty())
     problem = "the indices are empty; leave them out to use the whole cloud";
-  else if (!hasIndicesInRange ())
+  else if (!hasIndicesInRange())
     problem = "an index lies outside the input cloud";
   else
     problem = problemOf (parameters_);
-  if (!problem.empty ())
-    PCL_ERROR ("[pcl_ops::%s::segment] %s\n", getClassName ().c_str (), problem.c_str ());
-  return problem.empty ();
+  if (!problem.empty())
+    PCL_ERROR ("[pcl_ops::%s::segment] %s\n", getClassName().c_str(), problem.c_str());
+  return problem.empty();
 }
 
 template <typename PointT, typename Detector, typename ParametersT>
 bool
-PlaneDetector<PointT, Detector, ParametersT>::hasIndicesInRange () const
+PlaneDetector<PointT, Detector, ParametersT>::hasIndicesInRange() const
 {
-  const std::size_t size = this->input_->size ();
+  const std::size_t size = this->input_->size();
   return this->fake_indices_ ||
          std::all_of (
-             this->indices_->begin (), this->indices_->end (), [size] (pcl::index_t i) {
+             this->indices_->begin(), this->indices_->end(), [size] (pcl::index_t i) {
                return i >= 0 && static_cast<std::size_t> (i) < size;
              });
 }
@@ -129,7 +126,7 @@ PlaneDetector<PointT, Detector, ParametersT>::searchOver (const Points& points) 
   SearchPtr search = search_;
   if (!search)
     search.reset (new pcl::search::KdTree<PointT> (sorted_results));
-  if (points.size () == this->input_->size ())
+  if (points.size() == this->input_->size())
     search->setInputCloud (this->input_);
   else
     search->setInputCloud (this->input_,
@@ -138,17 +135,24 @@ PlaneDetector<PointT, Detector, ParametersT>::searchOver (const Points& points) 
 }
 
 template <typename PointT, typename Detector, typename ParametersT>
+Eigen::Vector3d
+PlaneDetector<PointT, Detector, ParametersT>::viewpoint() const
+{
+  return this->input_->sensor_origin_.template head<3>().template cast<double>();
+}
+
+template <typename PointT, typename Detector, typename ParametersT>
 unsigned
-PlaneDetector<PointT, Detector, ParametersT>::searchThreads () const
+PlaneDetector<PointT, Detector, ParametersT>::searchThreads() const
 {
   const bool is_kd_tree =
-      !search_ || dynamic_cast<const pcl::search::KdTree<PointT>*> (search_.get ());
+      !search_ || dynamic_cast<const pcl::search::KdTree<PointT>*> (search_.get());
   return is_kd_tree ? parameters_.threads : 1;
 }
 
 template <typename PointT, typename Detector, typename ParametersT>
 MergingParameters
-PlaneDetector<PointT, Detector, ParametersT>::mergingParameters () const
+PlaneDetector<PointT, Detector, ParametersT>::mergingParameters() const
 {
   MergingParameters merging = parameters_.merging;
   if (merging.distance_threshold == 0.0)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/points.h>
-
 #include <pcl/common/point_tests.h>
+
+#include <pcl_ops/points.h>
 
 #include <algorithm>
 #include <array>

@@ -41,12 +41,12 @@ bool
 SampleConsensusModelOrientedPoint<PointNT>::isSampleGood (
     const pcl::Indices& samples) const
 {
-  if (samples.size () != 1)
+  if (samples.size() != 1)
     return false;
-  const PointNT& point = (*this->input_)[samples.front ()];
-  const auto normal = point.getNormalVector3fMap ();
-  return point.getVector3fMap ().allFinite () && normal.allFinite () &&
-         normal.squaredNorm () > 0.0f;
+  const PointNT& point = (*this->input_)[samples.front()];
+  const auto normal = point.getNormalVector3fMap();
+  return point.getVector3fMap().allFinite() && normal.allFinite() &&
+         normal.squaredNorm() > 0.0f;
 }
 
 template <typename PointNT>
@@ -56,12 +56,12 @@ SampleConsensusModelOrientedPoint<PointNT>::computeModelCoefficients (
 {
   if (!isSampleGood (samples))
     return false;
-  const PointNT& point = (*this->input_)[samples.front ()];
-  const Eigen::Vector3f normal = point.getNormalVector3fMap ().normalized ();
+  const PointNT& point = (*this->input_)[samples.front()];
+  const Eigen::Vector3f normal = point.getNormalVector3fMap().normalized();
   model_coefficients.resize (4);
   for (int axis = 0; axis < 3; ++axis)
     model_coefficients[axis] = normal[axis];
-  model_coefficients[3] = -normal.dot (point.getVector3fMap ());
+  model_coefficients[3] = -normal.dot (point.getVector3fMap());
   return true;
 }
 
@@ -73,21 +73,21 @@ SampleConsensusModelOrientedPoint<PointNT>::optimizeModelCoefficients (
     Eigen::VectorXf& optimized_coefficients) const
 {
   optimized_coefficients = model_coefficients;
-  if (inliers.empty () || !this->isModelValid (model_coefficients))
+  if (inliers.empty() || !this->isModelValid (model_coefficients))
     return;
   Moments moments;
   moments.origin =
-      (*this->input_)[inliers.front ()].getVector3fMap ().template cast<double> ();
+      (*this->input_)[inliers.front()].getVector3fMap().template cast<double>();
   for (const pcl::index_t i : inliers) {
     const PointNT& point = (*this->input_)[i];
-    moments.add (point.x - moments.origin.x (),
-                 point.y - moments.origin.y (),
-                 point.z - moments.origin.z ());
+    moments.add (point.x - moments.origin.x(),
+                 point.y - moments.origin.y(),
+                 point.z - moments.origin.z());
   }
   const std::optional<PlaneFit> fit = fitPlane (moments);
   if (!fit)
     return;
-  const Eigen::Vector3d side = model_coefficients.head<3> ().cast<double> ();
+  const Eigen::Vector3d side = model_coefficients.head<3>().cast<double>();
   const double sign = fit->plane.normal.dot (side) < 0.0 ? -1.0 : 1.0;
   for (int axis = 0; axis < 3; ++axis)
     optimized_coefficients[axis] = static_cast<float> (sign * fit->plane.normal[axis]);
