@@ -23,6 +23,7 @@ OrientedPointSamplingParameters::paper()
   parameters.strategy = Strategy::DivideThenDetect;
   parameters.verification = Verification::Samples;
   parameters.local_optimisation = false;
+  parameters.merging.noise_factor = 0.0;
   return parameters;
 }
 

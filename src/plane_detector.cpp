@@ -24,6 +24,8 @@ problemOf (const PlaneDetectorParameters& parameters, bool threshold_may_follow_
   if (!(merging.distance_threshold >= 0.0 &&
         std::isfinite (merging.distance_threshold)))
     return "the merging distance must be 0 (as the distance threshold) or a length";
+  if (!(merging.noise_factor >= 0.0 && std::isfinite (merging.noise_factor)))
+    return "the merging noise factor must be 0 or more";
   return std::string();
 }
 

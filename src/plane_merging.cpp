@@ -37,6 +37,13 @@ groupsWithAPlane (const std::vector<Moments>& planes)
   return groups;
 }
 
+// The rms distance of the noisier plane's points to it.
+double
+noiseOf (const PlaneFit& first, const PlaneFit& second)
+{
+  return std::sqrt (std::max (first.variances[0], second.variances[0]));
+}
+
 bool
 absorb (Group& larger, const Group& smaller)
 {
@@ -62,7 +69,9 @@ mergeOnce (std::vector<Group>& groups, const MergingParameters& parameters)
       return areCoplanar (groups[i].fit,
                           other.fit,
                           parameters.angle_threshold,
-                          parameters.distance_threshold) &&
+                          std::max (parameters.distance_threshold,
+                                    parameters.noise_factor *
+                                        noiseOf (groups[i].fit, other.fit))) &&
              absorb (groups[i], other);
     };
     groups.erase (std::remove_if (groups.begin() + static_cast<std::ptrdiff_t> (i) + 1,

@@ -67,6 +67,7 @@ TEST (PaperPreset, LeavesOpenWhatThePaperDoes)
   EXPECT_EQ (paper.normals.sigma, 0.0) << "adaptive";
   EXPECT_TRUE (paper.merging.enabled);
   EXPECT_DOUBLE_EQ (paper.merging.angle_threshold, 7_deg);
+  EXPECT_EQ (paper.merging.noise_factor, 0.0) << "not in the paper";
   EXPECT_EQ (paper.merging.distance_threshold, 0.0) << "theta_h";
 }
 

@@ -36,6 +36,7 @@ const std::vector<OutOfRange> out_of_range{
     {"distance threshold", [] (Parameters& p) { p.distance_threshold = 0.0; }},
     {"angle tolerance", [] (Parameters& p) { p.angle_tolerance = 91_deg; }},
     {"merging angle", [] (Parameters& p) { p.merging.angle_threshold = 91_deg; }},
+    {"merging noise", [] (Parameters& p) { p.merging.noise_factor = -1.0; }},
     {"up axis", [] (Parameters& p) { p.up_axis.setZero(); }},
     {"up axis", [] (Parameters& p) { p.up_axis.y() = std::nanf (""); }},
     {"up axis", [] (Parameters& p) { p.up_axis.y() = HUGE_VALF; }}};
@@ -55,7 +56,9 @@ const std::vector<Number> numbers{
     {"merging angle",
      [] (Parameters& p) -> double& { return p.merging.angle_threshold; }},
     {"merging distance",
-     [] (Parameters& p) -> double& { return p.merging.distance_threshold; }}};
+     [] (Parameters& p) -> double& { return p.merging.distance_threshold; }},
+    {"merging noise",
+     [] (Parameters& p) -> double& { return p.merging.noise_factor; }}};
 
 } // namespace
 

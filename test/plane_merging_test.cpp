@@ -119,6 +119,19 @@ TEST (Merge, JoinsTwoPartsOfOneFloor)
   expectPlaneNear (merged.fits[0].plane, square ({0, 0, 0}), 1e-6, 1e-9);
 }
 
+TEST (Merge, AllowsNoisyPlanesTheDistanceTheirNoiseExplains)
+{
+  // Two layers 3 cm off either side: planes with an rms distance of 3 cm.
+  Moments noisy = momentsOf (square ({0, 0, 3_cm}));
+  noisy += momentsOf (square ({0, 0, -3_cm}));
+  const std::vector<Moments> apart = {noisy, momentsOf (square ({2, 0, 5_cm}))};
+  MergingParameters parameters;
+  parameters.noise_factor = 1.0;
+  EXPECT_EQ (mergePlanes (apart, parameters).fits.size(), 2u);
+  parameters.noise_factor = 2.0;
+  EXPECT_EQ (mergePlanes (apart, parameters).fits.size(), 1u);
+}
+
 TEST (Merge, KeepsParallelPlanesApart)
 {
   const auto merged = mergePlanes (

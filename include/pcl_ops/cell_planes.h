@@ -24,7 +24,7 @@ struct CellInlierParameters {
   double angle_threshold = 0.52359877559829882;
   /** \brief Largest rms angle between the normals of a plane's cells and its own [rad];
    * more, and the surface is curved. */
-  double largest_normal_spread = 0.1;
+  double largest_normal_spread = 0.13;
   /** \brief What noise may add to it, in units of the cells' mean thickness [rad]. */
   double spread_of_thickness = 0.6;
   /** \brief Cells thicker than this (see CellNormal::thickness) support no plane. */

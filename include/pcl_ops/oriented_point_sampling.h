@@ -62,8 +62,14 @@ struct CellParameters {
  */
 struct OrientedPointSamplingParameters : PlaneDetectorParameters {
   /** \brief theta_h is 0: what is near enough to a plane follows the measured noise, up
-   * to two cells. A length instead is the largest distance of a point to its plane. */
-  OrientedPointSamplingParameters() { distance_threshold = 0.0; }
+   * to two cells. A length instead is the largest distance of a point to its plane.
+   * Whether two planes are one follows their noise, too: real walls are not flat. */
+  OrientedPointSamplingParameters()
+  {
+    constexpr double merging_noise_factor = 2.25;
+    distance_threshold = 0.0;
+    merging.noise_factor = merging_noise_factor;
+  }
 
   Sampling sampling = Sampling::Cells;
   /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1. */

@@ -18,6 +18,9 @@ struct MergingParameters {
   double angle_threshold = 0.12217304763960307;
   /** \brief Largest distance of either centroid to the other plane [m]; 0: theta_h. */
   double distance_threshold = 0.0;
+  /** \brief That distance in units of the noise, if more: the rms distance of the
+   * points to their plane. Not in the paper. */
+  double noise_factor = 0.0;
 };
 
 /** \brief The coplanarity test on a pair of planes: the angle between the normals, and
