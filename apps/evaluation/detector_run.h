@@ -31,4 +31,27 @@ runDetector (const typename Detector::Parameters& parameters,
   return result;
 }
 
+/** \brief A detector of this project as a configuration. */
+template <typename Detector>
+Configuration
+configurationOf (const std::string& name,
+                 const std::vector<std::string>& groups,
+                 const typename Detector::Parameters& parameters)
+{
+  const auto run = [parameters] (const Cloud::ConstPtr& cloud,
+                                 const Eigen::Vector3d& up,
+                                 std::uint32_t seed) {
+    auto complete = parameters;
+    complete.up_axis = up.cast<float>();
+    complete.seed = seed;
+    complete.threads = 1;
+    return runDetector<Detector> (complete, cloud);
+  };
+  return {name, groups, run};
+}
+
+/** \brief The default preset with one ingredient off at a time: group ablation. */
+void
+addAblation (std::vector<Configuration>& configurations);
+
 } // namespace pcl_ops::evaluation

@@ -4,15 +4,8 @@
 
 #include "detector_run.h"
 #include <common/program.h>
-
-#if __has_include(<pcl_ops/fast_sampling_plane_filtering.h>)
 #include <pcl_ops/fast_sampling_plane_filtering.h>
-#define PCL_OPS_HAS_FSPF
-#endif
-#if __has_include(<pcl_ops/kernel_hough_transform.h>)
 #include <pcl_ops/kernel_hough_transform.h>
-#define PCL_OPS_HAS_KHT
-#endif
 #include <pcl_ops/oriented_point_sampling.h>
 
 #include <algorithm>
@@ -23,25 +16,6 @@ namespace pcl_ops::evaluation {
 namespace {
 
 using Configurations = std::vector<Configuration>;
-
-/** A detector of this project as a configuration. */
-template <typename Detector>
-Configuration
-configurationOf (const std::string& name,
-                 const std::vector<std::string>& groups,
-                 const typename Detector::Parameters& parameters)
-{
-  const auto run = [parameters] (const Cloud::ConstPtr& cloud,
-                                 const Eigen::Vector3d& up,
-                                 std::uint32_t seed) {
-    auto complete = parameters;
-    complete.up_axis = up.cast<float>();
-    complete.seed = seed;
-    complete.threads = 1;
-    return runDetector<Detector> (complete, cloud);
-  };
-  return {name, groups, run};
-}
 
 /** A number as a table shows it: 0.07, 3, 80. */
 std::string
@@ -55,7 +29,6 @@ text (double number)
 void
 addTable1 (Configurations& all)
 {
-#ifdef PCL_OPS_HAS_FSPF
   using Fspf = FastSamplingPlaneFiltering<pcl::PointXYZ>;
   all.push_back (configurationOf<Fspf> ("fspf", {"presets"}, {}));
   for (const double factor : {1.0, 2.0})
@@ -69,15 +42,11 @@ addTable1 (Configurations& all)
       all.push_back (configurationOf<Fspf> (
           "fspf-" + text (r1) + "-" + text (factor * r1), groups, parameters));
     }
-#else
-  (void)all;
-#endif
 }
 
 void
 addTable2 (Configurations& all)
 {
-#ifdef PCL_OPS_HAS_KHT
   using Kht = KernelHoughTransform<pcl::PointXYZ>;
   all.push_back (configurationOf<Kht> ("kht", {"presets"}, {}));
   for (const int phi_num : {30, 40, 60, 80}) {
@@ -90,9 +59,6 @@ addTable2 (Configurations& all)
     all.push_back (configurationOf<Kht> (
         "kht-" + text (phi_num) + "-" + text (10 * phi_num), groups, parameters));
   }
-#else
-  (void)all;
-#endif
 }
 
 void
@@ -123,8 +89,11 @@ bool
 isCalled (const Configuration& configuration, const std::string& name)
 {
   const std::vector<std::string>& groups = configuration.groups;
-  return name == "all" || name == configuration.name ||
-         std::find (groups.begin(), groups.end(), name) != groups.end();
+  const auto isIn = [&groups] (const std::string& group) {
+    return std::find (groups.begin(), groups.end(), group) != groups.end();
+  };
+  return name == configuration.name || isIn (name) ||
+         (name == "all" && !isIn ("ablation"));
 }
 
 } // namespace
@@ -139,6 +108,7 @@ allConfigurations ()
     addTable2 (configurations);
     addPclPeers (configurations);
     addCgalPeers (configurations);
+    addAblation (configurations);
     return configurations;
   }();
   return all;

@@ -43,7 +43,8 @@ struct Configuration {
  * cent
  * - table4: the best rows
  * - presets: ops, fspf, kht as this product recommends them
- * - peers: detectors of PCL and, if found when this was built, of CGAL */
+ * - peers: detectors of PCL and, if found when this was built, of CGAL
+ * - ablation: ops-without-INGREDIENT, the default preset with one ingredient off */
 const std::vector<Configuration>&
 allConfigurations ();
 
@@ -51,8 +52,8 @@ allConfigurations ();
 bool
 isInGroup (const std::string& configuration, const std::string& group);
 
-/** \brief The configurations of a list of names and groups, "ops,table4"; "all" for
- * all. None comes twice.
+/** \brief The configurations of a list of names and groups, "ops,table4"; "all" for all
+ * but the ablation. None comes twice.
  * \throw apps::UsageError for an unknown name */
 std::vector<Configuration>
 selectConfigurations (const std::string& list);
