@@ -135,7 +135,7 @@ insertAll (const std::vector<CellKey>& keys,
 std::vector<std::uint32_t>
 finish (CellTable& table, std::vector<Moments>& moments, CellGrid& grid)
 {
-  const std::vector<std::uint32_t> order = table.sort();
+  std::vector<std::uint32_t> order = table.sort();
   grid.keys = table.keys();
   grid.moments.resize (moments.size());
   for (std::size_t i = 0; i < moments.size(); ++i)
@@ -227,6 +227,7 @@ gridPoints (const Coordinates& positions, double cell_size, unsigned threads)
   CellTable table;
   std::vector<Moments> moments;
   std::vector<std::vector<std::uint32_t>> cell_of;
+  cell_of.reserve (pieces.size());
   for (const Piece& piece : pieces)
     cell_of.push_back (insertAll (piece.table.keys(), piece.moments, table, moments));
   gridded.grid.cell_size = cell_size;

@@ -71,14 +71,15 @@ detectOnCells (Points points,
 {
   Detection found;
   found.points = std::move (points);
-  found.labels.assign (found.points.size(), no_plane);
   const double cell_size =
       parameters.cells.size > 0.0
           ? parameters.cells.size
           : cellSizeFor (found.points,
                          wantedCells (found.points.size(), parameters.sampling_rate));
-  if (!(cell_size > 0.0))
+  if (!(cell_size > 0.0)) {
+    found.labels.assign (found.points.size(), no_plane);
     return found;
+  }
   const GriddedPoints gridded = timed (durations.search, [&] {
     return gridPoints (found.points, cell_size, parameters.threads);
   });
