@@ -26,6 +26,16 @@ wantedCells (std::size_t points, double sampling_rate)
   return std::min (cells_per_sample * samples, number / fewest_points_per_cell);
 }
 
+double
+cellSize (const Coordinates& positions,
+          const OrientedPointSamplingParameters& parameters)
+{
+  return parameters.cells.size > 0.0
+             ? parameters.cells.size
+             : cellSizeFor (positions,
+                            wantedCells (positions.size(), parameters.sampling_rate));
+}
+
 CellRansacParameters
 cellRansacParameters (const OrientedPointSamplingParameters& parameters)
 {
@@ -61,6 +71,40 @@ assignmentParameters (const OrientedPointSamplingParameters& parameters)
   return assignment;
 }
 
+// Planes of sure cells first, then of all that are left.
+CellPlanes
+findPlanes (const CellGrid& grid,
+            const std::vector<std::optional<CellNormal>>& normals,
+            const OrientedPointSamplingParameters& parameters)
+{
+  RandomGenerator generator (parameters.seed);
+  CellRansacParameters ransac = cellRansacParameters (parameters);
+  CellPlanes planes;
+  for (const double thickness :
+       {parameters.cells.sure_thickness, parameters.cells.inlier.largest_thickness}) {
+    ransac.inlier.largest_thickness = thickness;
+    extractCellPlanes (grid, normals, ransac, generator, planes);
+    growPlanes (grid, growingParameters (parameters), planes);
+  }
+  return planes;
+}
+
+// Which cells are whose in the end, and how much noise there is.
+void
+settlePlanes (const CellGrid& grid,
+              const Eigen::Vector3d& viewpoint,
+              const OrientedPointSamplingParameters& parameters,
+              CellPlanes& planes)
+{
+  absorbPlanes (grid, parameters.cells.absorption_noise_factor, planes);
+  renumberPlanes (mergePlanes (momentsOfPlanes (grid, planes), parameters.merging),
+                  planes);
+  reassignCells (grid, planes);
+  if (parameters.cells.separates_surfaces)
+    separateSurfaces (grid, viewpoint, parameters.min_inliers, planes);
+  measureNoise (grid, planes);
+}
+
 } // namespace
 
 Detection
@@ -71,11 +115,7 @@ detectOnCells (Points points,
 {
   Detection found;
   found.points = std::move (points);
-  const double cell_size =
-      parameters.cells.size > 0.0
-          ? parameters.cells.size
-          : cellSizeFor (found.points,
-                         wantedCells (found.points.size(), parameters.sampling_rate));
+  const double cell_size = cellSize (found.points, parameters);
   if (!(cell_size > 0.0)) {
     found.labels.assign (found.points.size(), no_plane);
     return found;
@@ -87,28 +127,10 @@ detectOnCells (Points points,
   const auto normals = timed (durations.normals, [&] {
     return orientCells (grid, normalParameters (parameters), parameters.threads);
   });
-  RandomGenerator generator (parameters.seed);
-  CellPlanes planes;
-  timed (durations.extraction, [&] {
-    CellRansacParameters ransac = cellRansacParameters (parameters);
-    for (const double thickness :
-         {parameters.cells.sure_thickness, parameters.cells.inlier.largest_thickness}) {
-      ransac.inlier.largest_thickness = thickness;
-      extractCellPlanes (grid, normals, ransac, generator, planes);
-      growPlanes (grid, growingParameters (parameters), planes);
-    }
-    return 0;
-  });
+  CellPlanes planes = timed (durations.extraction,
+                             [&] { return findPlanes (grid, normals, parameters); });
   timed (durations.merging, [&] {
-    absorbPlanes (grid, parameters.cells.absorption_noise_factor, planes);
-    const MergedPlanes merged =
-        mergePlanes (momentsOfPlanes (grid, planes), parameters.merging);
-    renumberPlanes (merged, planes);
-    reassignCells (grid, planes);
-    if (parameters.cells.separates_surfaces)
-      separateSurfaces (
-          grid, viewpoint - found.points.origin, parameters.min_inliers, planes);
-    measureNoise (grid, planes);
+    settlePlanes (grid, viewpoint - found.points.origin, parameters, planes);
     return 0;
   });
   AssignedPoints assigned = timed (durations.assignment, [&] {
