@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cell_keys.h"
 #include "cell_table.h"
 #include <pcl_ops/cell_grid.h>
 #include <pcl_ops/parallel.h>
@@ -12,45 +13,7 @@ namespace pcl_ops {
 
 namespace {
 
-constexpr std::int32_t key_range = 1 << 20;
-
-// Keys of some points along one axis: rounded down, shifted above zero.
-void
-keysOf (const float* coordinates,
-        std::size_t number,
-        float cells_per_metre,
-        std::int32_t* keys)
-{
-  constexpr auto limit = static_cast<float> (key_range - 1);
-  for (std::size_t i = 0; i < number; ++i) {
-    const float scaled =
-        std::min (std::max (coordinates[i] * cells_per_metre, -limit), limit);
-    const auto truncated = static_cast<std::int32_t> (scaled);
-    keys[i] = truncated - (scaled < static_cast<float> (truncated)) + key_range;
-  }
-}
-
-// Calls visit (i, key) for the points of a range, whose keys it computes by the batch.
-template <typename Visit>
-void
-forKeys (const Coordinates& positions,
-         double cell_size,
-         std::size_t begin,
-         std::size_t end,
-         Visit&& visit)
-{
-  constexpr std::size_t batch = 512;
-  std::array<std::int32_t, batch> x, y, z;
-  const auto cells_per_metre = static_cast<float> (1.0 / cell_size);
-  for (std::size_t first = begin; first < end; first += batch) {
-    const std::size_t number = std::min (batch, end - first);
-    keysOf (positions.x.data() + first, number, cells_per_metre, x.data());
-    keysOf (positions.y.data() + first, number, cells_per_metre, y.data());
-    keysOf (positions.z.data() + first, number, cells_per_metre, z.data());
-    for (std::size_t i = 0; i < number; ++i)
-      visit (first + i, CellKey{x[i], y[i], z[i]});
-  }
-}
+const Eigen::Vector3f at_zero = Eigen::Vector3f::Zero();
 
 struct Piece {
   CellTable table;
@@ -101,16 +64,21 @@ addPoints (const Coordinates& positions,
     addPositions (positions, run_begin, run_end, piece.moments[cell_of_run]);
     run_begin = run_end;
   };
-  forKeys (positions, cell_size, begin, end, [&] (std::size_t i, const CellKey& key) {
-    const std::uint32_t cell = piece.table.insert (key);
-    cell_of_point[i] = cell;
-    if (cell == cell_of_run)
-      return;
-    addRun (i);
-    cell_of_run = cell;
-    if (cell == piece.moments.size())
-      piece.moments.emplace_back();
-  });
+  forKeys (positions,
+           at_zero,
+           cell_size,
+           begin,
+           end,
+           [&] (std::size_t i, const CellKey& key) {
+             const std::uint32_t cell = piece.table.insert (key);
+             cell_of_point[i] = cell;
+             if (cell == cell_of_run)
+               return;
+             addRun (i);
+             cell_of_run = cell;
+             if (cell == piece.moments.size())
+               piece.moments.emplace_back();
+           });
   addRun (end);
 }
 
@@ -159,10 +127,12 @@ std::size_t
 countOccupied (const Coordinates& positions, double cell_size)
 {
   CellTable table;
-  forKeys (
-      positions, cell_size, 0, positions.size(), [&] (std::size_t, const CellKey& key) {
-        table.insert (key);
-      });
+  forKeys (positions,
+           at_zero,
+           cell_size,
+           0,
+           positions.size(),
+           [&] (std::size_t, const CellKey& key) { table.insert (key); });
   return table.size();
 }
 

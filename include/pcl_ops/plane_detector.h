@@ -228,12 +228,12 @@ protected:
     return Detector::className();
   }
 
-  /** \brief The search method of the user, or a kd-tree, over the points. */
+  /** \brief The search method of the user, or a GridSearch, over the points. */
   SearchPtr
   searchOver (const Points& points) const;
 
-  /** \brief Threads that may query the search at once: only kd-trees are known to be
-   * safe. */
+  /** \brief Threads that may query the search at once: only GridSearch and kd-trees are
+   * known to be safe. */
   unsigned
   searchThreads () const;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_ops/grid_search.h>
 #include <pcl_ops/plane_detector.h>
 #include <pcl_ops/stage_timer.h>
 
@@ -128,7 +129,7 @@ PlaneDetector<PointT, Detector, ParametersT>::searchOver (const Points& points) 
   constexpr bool sorted_results = false;
   SearchPtr search = search_;
   if (!search)
-    search.reset (new pcl::search::KdTree<PointT> (sorted_results));
+    search.reset (new GridSearch<PointT> (sorted_results));
   if (points.size () == this->input_->size ())
     search->setInputCloud (this->input_);
   else
@@ -141,9 +142,10 @@ template <typename PointT, typename Detector, typename ParametersT>
 unsigned
 PlaneDetector<PointT, Detector, ParametersT>::searchThreads () const
 {
-  const bool is_kd_tree =
-      !search_ || dynamic_cast<const pcl::search::KdTree<PointT>*> (search_.get ());
-  return is_kd_tree ? parameters_.threads : 1;
+  const Search* const search = search_.get ();
+  const bool is_safe = !search || dynamic_cast<const GridSearch<PointT>*> (search) ||
+                       dynamic_cast<const pcl::search::KdTree<PointT>*> (search);
+  return is_safe ? parameters_.threads : 1;
 }
 
 template <typename PointT, typename Detector, typename ParametersT>

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/common/point_tests.h>
+
+#include <pcl_ops/grid_search.h>
+
+#include <numeric>
+
+namespace pcl_ops {
+
+template <typename PointT>
+GridSearch<PointT>::GridSearch (bool sorted) : Base ("GridSearch", sorted)
+{}
+
+template <typename PointT>
+typename GridSearch<PointT>::Accepted
+GridSearch<PointT>::setInputCloud (const PointCloudConstPtr& cloud,
+                                   const IndicesConstPtr& indices)
+{
+  pcl::Indices used;
+  if (indices)
+    used = *indices;
+  else if (cloud) {
+    used.resize (cloud->size());
+    std::iota (used.begin(), used.end(), 0);
+  }
+  tree_ = CellTree();
+  if (cloud) {
+    sortOnce (used);
+    Points points;
+    copyFinite (*cloud, used, points);
+    tree_ = CellTree (points, medianPosition (*cloud, used).template cast<float>());
+  }
+  return Base::setInputCloud (cloud, indices);
+}
+
+template <typename PointT>
+int
+GridSearch<PointT>::find (const PointT& point,
+                          NeighbourQuery query,
+                          pcl::Indices& indices,
+                          std::vector<float>& squared_distances) const
+{
+  query.position = point.getVector3fMap();
+  query.sorted = this->sorted_results_;
+  if (!pcl::isFinite (point))
+    query.most = 0;
+  tree_.find (query, indices, squared_distances);
+  return static_cast<int> (indices.size());
+}
+
+template <typename PointT>
+int
+GridSearch<PointT>::nearestKSearch (const PointT& point,
+                                    int k,
+                                    pcl::Indices& k_indices,
+                                    std::vector<float>& k_sqr_distances) const
+{
+  NeighbourQuery query;
+  query.most = static_cast<std::size_t> (std::max (k, 0));
+  return find (point, query, k_indices, k_sqr_distances);
+}
+
+template <typename PointT>
+int
+GridSearch<PointT>::radiusSearch (const PointT& point,
+                                  double radius,
+                                  pcl::Indices& k_indices,
+                                  std::vector<float>& k_sqr_distances,
+                                  unsigned int max_nn) const
+{
+  NeighbourQuery query;
+  query.squared_radius = static_cast<float> (radius * radius);
+  if (max_nn > 0)
+    query.most = max_nn;
+  if (!(radius >= 0.0))
+    query.most = 0;
+  return find (point, query, k_indices, k_sqr_distances);
+}
+
+} // namespace pcl_ops
+
+#define PCL_INSTANTIATE_GridSearch(T) template class PCL_EXPORTS pcl_ops::GridSearch<T>;
