@@ -13,8 +13,6 @@ namespace pcl_ops {
 
 namespace {
 
-const Eigen::Vector3f at_zero = Eigen::Vector3f::Zero();
-
 struct Piece {
   CellTable table;
   std::vector<Moments> moments;
@@ -64,21 +62,16 @@ addPoints (const Coordinates& positions,
     addPositions (positions, run_begin, run_end, piece.moments[cell_of_run]);
     run_begin = run_end;
   };
-  forKeys (positions,
-           at_zero,
-           cell_size,
-           begin,
-           end,
-           [&] (std::size_t i, const CellKey& key) {
-             const std::uint32_t cell = piece.table.insert (key);
-             cell_of_point[i] = cell;
-             if (cell == cell_of_run)
-               return;
-             addRun (i);
-             cell_of_run = cell;
-             if (cell == piece.moments.size())
-               piece.moments.emplace_back();
-           });
+  forKeys (positions, {cell_size}, begin, end, [&] (std::size_t i, const CellKey& key) {
+    const std::uint32_t cell = piece.table.insert (key);
+    cell_of_point[i] = cell;
+    if (cell == cell_of_run)
+      return;
+    addRun (i);
+    cell_of_run = cell;
+    if (cell == piece.moments.size())
+      piece.moments.emplace_back();
+  });
   addRun (end);
 }
 
@@ -128,8 +121,7 @@ countOccupied (const Coordinates& positions, double cell_size)
 {
   CellTable table;
   forKeys (positions,
-           at_zero,
-           cell_size,
+           {cell_size},
            0,
            positions.size(),
            [&] (std::size_t, const CellKey& key) { table.insert (key); });

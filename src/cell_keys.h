@@ -30,26 +30,44 @@ keysOf (const float* coordinates,
   }
 }
 
+/** \brief Where the cells of a grid are. */
+struct CellFrame {
+  /** \brief Edge of a cell [m]. */
+  double cell_size;
+  /** \brief Zero of the grid, in the frame of the points. */
+  Eigen::Vector3f origin = Eigen::Vector3f::Zero();
+};
+
 /** \brief Calls visit (i, key) for the points of a range, whose keys it computes by the
- * batch.
- * \param[in] origin zero of the grid, in the frame of the positions */
+ * batch. */
 template <typename Visit>
 void
 forKeys (const Coordinates& positions,
-         const Eigen::Vector3f& origin,
-         double cell_size,
+         const CellFrame& frame,
          std::size_t begin,
          std::size_t end,
          Visit&& visit)
 {
   constexpr std::size_t batch = 512;
   std::array<std::int32_t, batch> x, y, z;
-  const auto cells_per_metre = static_cast<float> (1.0 / cell_size);
+  const auto cells_per_metre = static_cast<float> (1.0 / frame.cell_size);
   for (std::size_t first = begin; first < end; first += batch) {
     const std::size_t number = std::min (batch, end - first);
-    keysOf (positions.x.data() + first, number, origin.x(), cells_per_metre, x.data());
-    keysOf (positions.y.data() + first, number, origin.y(), cells_per_metre, y.data());
-    keysOf (positions.z.data() + first, number, origin.z(), cells_per_metre, z.data());
+    keysOf (positions.x.data() + first,
+            number,
+            frame.origin.x(),
+            cells_per_metre,
+            x.data());
+    keysOf (positions.y.data() + first,
+            number,
+            frame.origin.y(),
+            cells_per_metre,
+            y.data());
+    keysOf (positions.z.data() + first,
+            number,
+            frame.origin.z(),
+            cells_per_metre,
+            z.data());
     for (std::size_t i = 0; i < number; ++i)
       visit (first + i, CellKey{x[i], y[i], z[i]});
   }

@@ -44,8 +44,7 @@ cellsOf (const Coordinates& positions, const Eigen::Vector3f& origin)
   PointCells cells;
   cells.cell_of_point.resize (positions.size());
   forKeys (positions,
-           origin,
-           cellEdge (positions, origin),
+           {cellEdge (positions, origin), origin},
            0,
            positions.size(),
            [&cells] (std::size_t i, const CellKey& key) {
@@ -177,7 +176,7 @@ CellTree::split (const ItemRange& items)
 }
 
 CellTree::Child
-CellTree::splitCrowded (const Child& leaf)
+CellTree::splitCrowded (Child leaf)
 {
   std::vector<Item> items (leaf.size);
   for (std::uint32_t i = 0; i < leaf.size; ++i) {

@@ -33,6 +33,8 @@ public:
     const std::size_t more = std::max (most / 2, fewest_more);
     shrink_at_ =
         most > std::numeric_limits<std::size_t>::max() - more ? most : most + more;
+    constexpr std::size_t usual_room = 128;
+    keys_.resize (std::min (usual_room, shrink_at_));
   }
 
   /** \brief Whether points so far away may be among the nearest still. */

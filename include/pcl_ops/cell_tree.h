@@ -107,7 +107,7 @@ private:
   static std::vector<ItemRange>
   split (const ItemRange& items);
   Child
-  splitCrowded (const Child& leaf);
+  splitCrowded (Child leaf);
   void
   splitCrowdedLeaves ();
   void

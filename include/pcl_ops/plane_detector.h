@@ -192,7 +192,8 @@ public:
     return parameters_.merging;
   }
 
-  /** \brief Any neighbour search; its input cloud is set by the detector. */
+  /** \brief Any neighbour search, in place of GridSearch; its input cloud is set by the
+   * detector. */
   void
   setSearchMethod (const SearchPtr& search)
   {
