@@ -62,7 +62,7 @@ addPoints (const Coordinates& positions,
     addPositions (positions, run_begin, run_end, piece.moments[cell_of_run]);
     run_begin = run_end;
   };
-  forKeys (positions, {cell_size}, begin, end, [&] (std::size_t i, const CellKey& key) {
+  forKeys (positions, cell_size, begin, end, [&] (std::size_t i, const CellKey& key) {
     const std::uint32_t cell = piece.table.insert (key);
     cell_of_point[i] = cell;
     if (cell == cell_of_run)
@@ -120,11 +120,10 @@ std::size_t
 countOccupied (const Coordinates& positions, double cell_size)
 {
   CellTable table;
-  forKeys (positions,
-           {cell_size},
-           0,
-           positions.size(),
-           [&] (std::size_t, const CellKey& key) { table.insert (key); });
+  forKeys (
+      positions, cell_size, 0, positions.size(), [&] (std::size_t, const CellKey& key) {
+        table.insert (key);
+      });
   return table.size();
 }
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/points.h>
-
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,28 +18,18 @@ countPerCell (const std::vector<std::uint32_t>& cell_of_point, std::size_t cells
   return count;
 }
 
-/** \brief Puts points cell after cell, those of a cell in their own order (counting
- * sort).
- * \param[in] cell_of_point the cell of each point
- * \param[in] cell_begin where each cell's first point goes
- * \param[in] visit called with each point and where it goes */
+/** \brief Calls visit (point, place) with where each point goes when points are put
+ * cell after cell, those of a cell in their own order (counting sort). \param[in]
+ * cell_of_point the cell of each point \param[in] cell_begin where each cell's first
+ * point goes */
 template <typename Visit>
-Coordinates
-sortByCell (const Coordinates& points,
-            const std::vector<std::uint32_t>& cell_of_point,
-            std::vector<std::uint32_t> cell_begin,
-            Visit&& visit)
+void
+forPlacesByCell (const std::vector<std::uint32_t>& cell_of_point,
+                 std::vector<std::uint32_t> cell_begin,
+                 Visit&& visit)
 {
-  Coordinates sorted;
-  sorted.resize (points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::uint32_t place = cell_begin[cell_of_point[i]]++;
-    sorted.x[place] = points.x[i];
-    sorted.y[place] = points.y[i];
-    sorted.z[place] = points.z[i];
-    visit (i, place);
-  }
-  return sorted;
+  for (std::size_t i = 0; i < cell_of_point.size(); ++i)
+    visit (i, cell_begin[cell_of_point[i]]++);
 }
 
 } // namespace pcl_ops

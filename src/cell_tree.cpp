@@ -17,19 +17,11 @@ namespace {
 constexpr double points_per_cell = 24.0;
 constexpr std::uint32_t points_of_leaf = 32;
 
-// Of points relative to the origin: the edge is found on a few of them.
 double
-cellEdge (const Coordinates& positions, const Eigen::Vector3f& origin)
+cellEdge (const Coordinates& points)
 {
-  constexpr std::size_t looked_at = 8192;
-  const std::size_t stride = positions.size() / looked_at + 1;
-  Coordinates some;
-  for (std::size_t i = 0; i < positions.size(); i += stride)
-    some.add (positions.x[i] - origin.x(),
-              positions.y[i] - origin.y(),
-              positions.z[i] - origin.z());
-  const double wanted_cells = static_cast<double> (positions.size()) / points_per_cell;
-  const double edge = cellSizeFor (some, std::max (1.0, wanted_cells));
+  const double wanted_cells = static_cast<double> (points.size()) / points_per_cell;
+  const double edge = cellSizeFor (points, std::max (1.0, wanted_cells));
   return edge > 0.0 ? edge : 1.0;
 }
 
@@ -39,14 +31,14 @@ struct PointCells {
 };
 
 PointCells
-cellsOf (const Coordinates& positions, const Eigen::Vector3f& origin)
+cellsOf (const Coordinates& points)
 {
   PointCells cells;
-  cells.cell_of_point.resize (positions.size());
-  forKeys (positions,
-           {cellEdge (positions, origin), origin},
+  cells.cell_of_point.resize (points.size());
+  forKeys (points,
+           cellEdge (points),
            0,
-           positions.size(),
+           points.size(),
            [&cells] (std::size_t i, const CellKey& key) {
              cells.cell_of_point[i] = cells.table.insert (key);
            });
@@ -102,19 +94,19 @@ halve (Item* begin, Item* end, Visit&& visit)
 
 } // namespace
 
-CellTree::CellTree (const Points& points, const Eigen::Vector3f& origin)
+CellTree::CellTree (const Points& points, const CloudPositions& cloud)
 {
   if (points.size() == 0)
     return;
-  sortIntoCells (points, origin);
+  sortIntoCells (points, cloud);
   splitCrowdedLeaves();
   computeBoxes();
 }
 
 void
-CellTree::sortIntoCells (const Points& points, const Eigen::Vector3f& origin)
+CellTree::sortIntoCells (const Points& points, const CloudPositions& cloud)
 {
-  const PointCells cells = cellsOf (points, origin);
+  const PointCells cells = cellsOf (points);
   const std::vector<CellKey>& keys = cells.table.keys();
   const std::vector<std::uint32_t> count =
       countPerCell (cells.cell_of_point, keys.size());
@@ -133,12 +125,17 @@ CellTree::sortIntoCells (const Points& points, const Eigen::Vector3f& origin)
     cell_begin[item.id] = begin;
     begin += item.points;
   }
+  points_.resize (points.size());
   index_.resize (points.size());
-  points_ = sortByCell (
-      points,
-      cells.cell_of_point,
-      std::move (cell_begin),
-      [&] (std::size_t i, std::uint32_t place) { index_[place] = points.index[i]; });
+  forPlacesByCell (cells.cell_of_point,
+                   std::move (cell_begin),
+                   [&] (std::size_t i, std::uint32_t place) {
+                     const float* const position = cloud[points.index[i]];
+                     points_.x[place] = position[0];
+                     points_.y[place] = position[1];
+                     points_.z[place] = position[2];
+                     index_[place] = points.index[i];
+                   });
 }
 
 std::uint32_t

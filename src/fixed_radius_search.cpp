@@ -34,8 +34,13 @@ FixedRadiusSearch::FixedRadiusSearch (const Coordinates& points,
       countPerCell (gridded.cell_of_point, neighbours_of_cell_.size());
   cell_begin_.assign (1, 0);
   std::partial_sum (count.begin(), count.end(), std::back_inserter (cell_begin_));
-  points_ = sortByCell (
-      points, gridded.cell_of_point, cell_begin_, [] (std::size_t, std::uint32_t) {});
+  points_.resize (points.size());
+  forPlacesByCell (
+      gridded.cell_of_point, cell_begin_, [&] (std::size_t i, std::uint32_t place) {
+        points_.x[place] = points.x[i];
+        points_.y[place] = points.y[i];
+        points_.z[place] = points.z[i];
+      });
 }
 
 void

@@ -18,6 +18,21 @@ namespace pcl_ops {
 
 class NearestCandidates;
 
+/** \brief The positions in a cloud of any point type, each three floats side by side.
+ */
+struct CloudPositions {
+  /** \brief x of the first point. */
+  const float* first = nullptr;
+  /** \brief From each point to the next. */
+  std::size_t floats_per_point = 0;
+
+  const float*
+  operator[] (pcl::index_t i) const
+  {
+    return first + static_cast<std::size_t> (i) * floats_per_point;
+  }
+};
+
 /** \brief Which neighbours are asked for. */
 struct NeighbourQuery {
   Eigen::Vector3f position = Eigen::Vector3f::Zero();
@@ -40,10 +55,10 @@ class CellTree {
 public:
   CellTree() = default;
 
-  /** \param[in] points finite points in the frame of queries: their own origin is zero,
-   * so that no rounding to another frame changes distances
-   * \param[in] origin zero of the grid, near most of the points */
-  CellTree (const Points& points, const Eigen::Vector3f& origin);
+  /** \param[in] points finite points in their local frame
+   * \param[in] cloud where they come from: queries and distances are in its frame, so
+   * that no rounding to another changes distances; not needed afterwards */
+  CellTree (const Points& points, const CloudPositions& cloud);
 
   /** \brief Number of points. */
   std::size_t
@@ -96,7 +111,7 @@ private:
   };
 
   void
-  sortIntoCells (const Points& points, const Eigen::Vector3f& origin);
+  sortIntoCells (const Points& points, const CloudPositions& cloud);
   /** \brief Adds a node over items, and others below it until leaves have few points or
    * one item.
    * \param[in,out] items reordered leaf after leaf

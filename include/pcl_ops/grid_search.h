@@ -47,6 +47,12 @@ public:
   setInputCloud (const PointCloudConstPtr& cloud,
                  const IndicesConstPtr& indices = IndicesConstPtr()) override;
 
+  /** \brief As above, where the finite points have been found already.
+   * \param[in] cloud the cloud that results are indices into
+   * \param[in] points what finitePoints gives of it: the points to search among */
+  void
+  setInputCloud (const PointCloudConstPtr& cloud, const Points& points);
+
   /** \brief Finds the nearest points.
    * \param[in] point any position
    * \param[in] k most neighbours; fewer are found where the input has fewer
@@ -75,6 +81,8 @@ public:
                 unsigned int max_nn = 0) const override;
 
 private:
+  void
+  sortIntoCells (const PointCloudConstPtr& cloud, const Points& points);
   int
   find (const PointT& point,
         NeighbourQuery query,

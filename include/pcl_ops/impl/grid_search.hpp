@@ -26,14 +26,33 @@ GridSearch<PointT>::setInputCloud (const PointCloudConstPtr& cloud,
     used.resize (cloud->size());
     std::iota (used.begin(), used.end(), 0);
   }
-  tree_ = CellTree();
-  if (cloud) {
-    sortOnce (used);
-    Points points;
-    copyFinite (*cloud, used, points);
-    tree_ = CellTree (points, medianPosition (*cloud, used).template cast<float>());
-  }
+  sortIntoCells (cloud, cloud ? finitePoints (*cloud, used) : Points());
   return Base::setInputCloud (cloud, indices);
+}
+
+template <typename PointT>
+void
+GridSearch<PointT>::setInputCloud (const PointCloudConstPtr& cloud,
+                                   const Points& points)
+{
+  sortIntoCells (cloud, points);
+  const bool are_all = points.size() == cloud->size();
+  Base::setInputCloud (
+      cloud, are_all ? nullptr : pcl::make_shared<const pcl::Indices> (points.index));
+}
+
+template <typename PointT>
+void
+GridSearch<PointT>::sortIntoCells (const PointCloudConstPtr& cloud,
+                                   const Points& points)
+{
+  static_assert (sizeof (PointT) % sizeof (float) == 0,
+                 "a cloud's positions are a whole number of floats apart");
+  tree_ = CellTree();
+  if (points.size() > 0)
+    tree_ = CellTree (
+        points,
+        {(*cloud)[0].getVector3fMap().data(), sizeof (PointT) / sizeof (float)});
 }
 
 template <typename PointT>

@@ -126,10 +126,13 @@ template <typename PointT, typename Detector, typename ParametersT>
 typename PlaneDetector<PointT, Detector, ParametersT>::SearchPtr
 PlaneDetector<PointT, Detector, ParametersT>::searchOver (const Points& points) const
 {
-  constexpr bool sorted_results = false;
-  SearchPtr search = search_;
-  if (!search)
-    search.reset (new GridSearch<PointT> (sorted_results));
+  if (!search_) {
+    constexpr bool sorted_results = false;
+    const auto grid = pcl::make_shared<GridSearch<PointT>> (sorted_results);
+    grid->setInputCloud (this->input_, points);
+    return grid;
+  }
+  const SearchPtr search = search_;
   if (points.size () == this->input_->size ())
     search->setInputCloud (this->input_);
   else
