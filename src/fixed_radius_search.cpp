@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cell_sorting.h"
 #include <pcl_ops/fixed_radius_search.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -28,18 +30,17 @@ FixedRadiusSearch::FixedRadiusSearch (const Coordinates& points,
 {
   GriddedPoints gridded = gridPoints (points, cellEdge (points, radius), threads);
   neighbours_of_cell_ = std::move (gridded.grid.neighbours);
-  cell_begin_.assign (neighbours_of_cell_.size() + 1, 0);
-  for (const std::uint32_t cell : gridded.cell_of_point)
-    ++cell_begin_[cell + 1];
-  std::partial_sum (cell_begin_.begin(), cell_begin_.end(), cell_begin_.begin());
-  std::vector<std::uint32_t> next (cell_begin_.begin(), cell_begin_.end() - 1);
+  const std::vector<std::uint32_t> count =
+      countPerCell (gridded.cell_of_point, neighbours_of_cell_.size());
+  cell_begin_.assign (1, 0);
+  std::partial_sum (count.begin(), count.end(), std::back_inserter (cell_begin_));
   points_.resize (points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::uint32_t place = next[gridded.cell_of_point[i]]++;
-    points_.x[place] = points.x[i];
-    points_.y[place] = points.y[i];
-    points_.z[place] = points.z[i];
-  }
+  forPlacesByCell (
+      gridded.cell_of_point, cell_begin_, [&] (std::size_t i, std::uint32_t place) {
+        points_.x[place] = points.x[i];
+        points_.y[place] = points.y[i];
+        points_.z[place] = points.z[i];
+      });
 }
 
 void

@@ -148,6 +148,17 @@ TEST (GivenASearchMethod, FindsTheSamePlanesWithAKdTreeAnOctreeAndBruteForce)
   }
 }
 
+TEST (GivenASearchMethod, PutsEveryPointOnThePlaneAKdTreeDoes)
+{
+  Ops ops = paperOn (room().build().cloud);
+  const auto planes = planesOf (ops);
+  ops.setSearchMethod (pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>());
+  const auto planes_by_kd_tree = planesOf (ops);
+  ASSERT_EQ (planes.size(), planes_by_kd_tree.size());
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    EXPECT_EQ (planes[i].inliers, planes_by_kd_tree[i].inliers);
+}
+
 TEST (GivenASearchMethod, WorksWithOrganizedNeighbor)
 {
   Ops ops = paperOn (roomSeenByCamera (160, 120));

@@ -192,7 +192,8 @@ public:
     return parameters_.merging;
   }
 
-  /** \brief Any neighbour search; its input cloud is set by the detector. */
+  /** \brief Any neighbour search, in place of GridSearch; its input cloud is set by the
+   * detector. */
   void
   setSearchMethod (const SearchPtr& search)
   {
@@ -228,7 +229,7 @@ protected:
     return Detector::className();
   }
 
-  /** \brief The search method of the user, or a kd-tree, over the points. */
+  /** \brief The search method of the user, or a GridSearch, over the points. */
   SearchPtr
   searchOver (const Points& points) const;
 
@@ -236,8 +237,8 @@ protected:
   Eigen::Vector3d
   viewpoint () const;
 
-  /** \brief Threads that may query the search at once: only kd-trees are known to be
-   * safe. */
+  /** \brief Threads that may query the search at once: only GridSearch and kd-trees are
+   * known to be safe. */
   unsigned
   searchThreads () const;
 

@@ -5,6 +5,7 @@
 #include <pcl/console/print.h>
 #include <pcl/search/kdtree.h>
 
+#include <pcl_ops/grid_search.h>
 #include <pcl_ops/plane_detector.h>
 #include <pcl_ops/stage_timer.h>
 
@@ -122,10 +123,13 @@ template <typename PointT, typename Detector, typename ParametersT>
 typename PlaneDetector<PointT, Detector, ParametersT>::SearchPtr
 PlaneDetector<PointT, Detector, ParametersT>::searchOver (const Points& points) const
 {
-  constexpr bool sorted_results = false;
-  SearchPtr search = search_;
-  if (!search)
-    search.reset (new pcl::search::KdTree<PointT> (sorted_results));
+  if (!search_) {
+    constexpr bool sorted_results = false;
+    const auto grid = pcl::make_shared<GridSearch<PointT>> (sorted_results);
+    grid->setInputCloud (this->input_, points);
+    return grid;
+  }
+  const SearchPtr search = search_;
   if (points.size() == this->input_->size())
     search->setInputCloud (this->input_);
   else
@@ -145,9 +149,10 @@ template <typename PointT, typename Detector, typename ParametersT>
 unsigned
 PlaneDetector<PointT, Detector, ParametersT>::searchThreads() const
 {
-  const bool is_kd_tree =
-      !search_ || dynamic_cast<const pcl::search::KdTree<PointT>*> (search_.get());
-  return is_kd_tree ? parameters_.threads : 1;
+  const Search* const search = search_.get();
+  const bool is_safe = !search || dynamic_cast<const GridSearch<PointT>*> (search) ||
+                       dynamic_cast<const pcl::search::KdTree<PointT>*> (search);
+  return is_safe ? parameters_.threads : 1;
 }
 
 template <typename PointT, typename Detector, typename ParametersT>

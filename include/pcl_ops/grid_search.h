@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/search/search.h>
+
+#include <pcl_ops/cell_tree.h>
+
+#include <type_traits>
+#include <vector>
+
+namespace pcl_ops {
+
+/** \brief Exact nearest neighbours and radius search for any user of PCL, built in
+ * about a third of the time of pcl::KdTreeFLANN: worth most where few of the points are
+ * asked for.
+ *
+ * Points are sorted into the cells of a uniform grid whose resolution follows the cloud
+ * (CellTree). Points with a NaN or infinite coordinate are left out. Distances are
+ * those of pcl::search::KdTree to the last bit; neighbours at the same distance come by
+ * their index. Any number of threads may search at once. \tparam PointT a point type
+ * with x, y, z */
+template <typename PointT>
+class GridSearch : public pcl::search::Search<PointT> {
+public:
+  using Base = pcl::search::Search<PointT>;
+  using PointCloud = typename Base::PointCloud;
+  using PointCloudConstPtr = typename Base::PointCloudConstPtr;
+  using IndicesConstPtr = typename Base::IndicesConstPtr;
+  using Ptr = pcl::shared_ptr<GridSearch<PointT>>;
+  using ConstPtr = pcl::shared_ptr<const GridSearch<PointT>>;
+  /** \brief void or bool, as the version of PCL has it. */
+  using Accepted = decltype (std::declval<Base&>().setInputCloud (nullptr));
+
+  using Base::nearestKSearch;
+  using Base::radiusSearch;
+
+  /** \param[in] sorted whether neighbours come by rising distance, as setSortedResults
+   */
+  explicit GridSearch (bool sorted = true);
+
+  /** \brief Sorts the points of a cloud into cells; later changes of the cloud are not
+   * seen.
+   * \param[in] cloud the cloud that results are indices into
+   * \param[in] indices the points to search among, each within the cloud; none: all */
+  Accepted
+  setInputCloud (const PointCloudConstPtr& cloud,
+                 const IndicesConstPtr& indices = IndicesConstPtr()) override;
+
+  /** \brief As above, where the finite points have been found already.
+   * \param[in] cloud the cloud that results are indices into
+   * \param[in] points what finitePoints gives of it: the points to search among */
+  void
+  setInputCloud (const PointCloudConstPtr& cloud, const Points& points);
+
+  /** \brief Finds the nearest points.
+   * \param[in] point any position
+   * \param[in] k most neighbours; fewer are found where the input has fewer
+   * \param[out] k_indices of the neighbours in the input cloud
+   * \param[out] k_sqr_distances [m^2]
+   * \return the number found; 0 without input or for a point that is not finite */
+  int
+  nearestKSearch (const PointT& point,
+                  int k,
+                  pcl::Indices& k_indices,
+                  std::vector<float>& k_sqr_distances) const override;
+
+  /** \brief Finds the points at most a radius away.
+   * \param[in] point any position
+   * \param[in] radius [m]
+   * \param[out] k_indices of the neighbours in the input cloud
+   * \param[out] k_sqr_distances [m^2]
+   * \param[in] max_nn most neighbours, the nearest ones; 0: all
+   * \return the number found; 0 without input, for a point that is not finite or a
+   * radius below 0 */
+  int
+  radiusSearch (const PointT& point,
+                double radius,
+                pcl::Indices& k_indices,
+                std::vector<float>& k_sqr_distances,
+                unsigned int max_nn = 0) const override;
+
+private:
+  void
+  sortIntoCells (const PointCloudConstPtr& cloud, const Points& points);
+  int
+  find (const PointT& point,
+        NeighbourQuery query,
+        pcl::Indices& indices,
+        std::vector<float>& squared_distances) const;
+
+  CellTree tree_;
+};
+
+} // namespace pcl_ops
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl_ops/impl/grid_search.hpp>
+#endif

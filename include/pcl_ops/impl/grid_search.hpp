@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/common/point_tests.h>
+
+#include <pcl_ops/grid_search.h>
+
+#include <numeric>
+
+namespace pcl_ops {
+
+template <typename PointT>
+GridSearch<PointT>::GridSearch (bool sorted) : Base ("GridSearch", sorted)
+{}
+
+template <typename PointT>
+typename GridSearch<PointT>::Accepted
+GridSearch<PointT>::setInputCloud (const PointCloudConstPtr& cloud,
+                                   const IndicesConstPtr& indices)
+{
+  pcl::Indices used;
+  if (indices)
+    used = *indices;
+  else if (cloud) {
+    used.resize (cloud->size());
+    std::iota (used.begin(), used.end(), 0);
+  }
+  sortIntoCells (cloud, cloud ? finitePoints (*cloud, used) : Points());
+  return Base::setInputCloud (cloud, indices);
+}
+
+template <typename PointT>
+void
+GridSearch<PointT>::setInputCloud (const PointCloudConstPtr& cloud,
+                                   const Points& points)
+{
+  sortIntoCells (cloud, points);
+  const bool are_all = points.size() == cloud->size();
+  Base::setInputCloud (
+      cloud, are_all ? nullptr : pcl::make_shared<const pcl::Indices> (points.index));
+}
+
+template <typename PointT>
+void
+GridSearch<PointT>::sortIntoCells (const PointCloudConstPtr& cloud,
+                                   const Points& points)
+{
+  static_assert (sizeof (PointT) % sizeof (float) == 0,
+                 "a cloud's positions are a whole number of floats apart");
+  tree_ = CellTree();
+  if (points.size() > 0)
+    tree_ = CellTree (
+        points,
+        {(*cloud)[0].getVector3fMap().data(), sizeof (PointT) / sizeof (float)});
+}
+
+template <typename PointT>
+int
+GridSearch<PointT>::find (const PointT& point,
+                          NeighbourQuery query,
+                          pcl::Indices& indices,
+                          std::vector<float>& squared_distances) const
+{
+  query.position = point.getVector3fMap();
+  query.sorted = this->sorted_results_;
+  if (!pcl::isFinite (point))
+    query.most = 0;
+  tree_.find (query, indices, squared_distances);
+  return static_cast<int> (indices.size());
+}
+
+template <typename PointT>
+int
+GridSearch<PointT>::nearestKSearch (const PointT& point,
+                                    int k,
+                                    pcl::Indices& k_indices,
+                                    std::vector<float>& k_sqr_distances) const
+{
+  NeighbourQuery query;
+  query.most = static_cast<std::size_t> (std::max (k, 0));
+  return find (point, query, k_indices, k_sqr_distances);
+}
+
+template <typename PointT>
+int
+GridSearch<PointT>::radiusSearch (const PointT& point,
+                                  double radius,
+                                  pcl::Indices& k_indices,
+                                  std::vector<float>& k_sqr_distances,
+                                  unsigned int max_nn) const
+{
+  NeighbourQuery query;
+  query.squared_radius = static_cast<float> (radius * radius);
+  if (max_nn > 0)
+    query.most = max_nn;
+  if (!(radius >= 0.0))
+    query.most = 0;
+  return find (point, query, k_indices, k_sqr_distances);
+}
+
+} // namespace pcl_ops
+
+#define PCL_INSTANTIATE_GridSearch(T) template class PCL_EXPORTS pcl_ops::GridSearch<T>;
