@@ -13,9 +13,10 @@ namespace pcl_ops {
 
 namespace {
 
-// Measured on scans of rooms: larger leaves build faster and are searched slower.
-constexpr double points_per_cell = 24.0;
-constexpr std::uint32_t points_of_leaf = 32;
+// Measured on scans of rooms: both larger and smaller ones are built and searched
+// slower.
+constexpr double points_per_cell = 40.0;
+constexpr std::uint32_t points_of_leaf = 40;
 
 double
 cellEdge (const Coordinates& points)
@@ -61,9 +62,14 @@ countPoints (const Item* begin, const Item* end)
   return points;
 }
 
+struct Side {
+  std::size_t axis;
+  float middle;
+};
+
 template <typename Item>
-std::size_t
-longestAxis (const Item* begin, const Item* end)
+Side
+longestSide (const Item* begin, const Item* end)
 {
   std::array<float, 3> low = begin->position, high = low;
   for (const Item* item = begin; item != end; ++item)
@@ -73,23 +79,31 @@ longestAxis (const Item* begin, const Item* end)
     }
   const std::array<float, 3> length{
       high[0] - low[0], high[1] - low[1], high[2] - low[2]};
-  return static_cast<std::size_t> (std::max_element (length.begin(), length.end()) -
-                                   length.begin());
+  const auto axis = static_cast<std::size_t> (
+      std::max_element (length.begin(), length.end()) - length.begin());
+  return {axis, low[axis] + 0.5f * length[axis]};
 }
 
-// Calls visit (begin, end) for the items below and above the median of the longest
-// axis.
-template <typename Item, typename Visit>
-void
-halve (Item* begin, Item* end, Visit&& visit)
+// Divides items at the middle of the longest side of their box, which takes one pass
+// and makes compact boxes; at the median where most are on one side of that.
+template <typename Item>
+Item*
+divide (Item* begin, Item* end)
 {
-  Item* const middle = begin + (end - begin) / 2;
-  const std::size_t axis = longestAxis (begin, end);
-  std::nth_element (begin, middle, end, [axis] (const Item& first, const Item& second) {
-    return first.position[axis] < second.position[axis];
+  const Side side = longestSide (begin, end);
+  Item* const middle = std::partition (begin, end, [side] (const Item& item) {
+    return item.position[side.axis] < side.middle;
   });
-  visit (begin, middle);
-  visit (middle, end);
+  const auto smaller_share = [&] { return std::min (middle - begin, end - middle); };
+  constexpr std::ptrdiff_t least_share = 4;
+  if (least_share * smaller_share() >= end - begin)
+    return middle;
+  Item* const median = begin + (end - begin) / 2;
+  std::nth_element (
+      begin, median, end, [axis = side.axis] (const Item& first, const Item& second) {
+        return first.position[axis] < second.position[axis];
+      });
+  return median;
 }
 
 } // namespace
@@ -163,10 +177,11 @@ CellTree::split (const ItemRange& items)
     for (const ItemRange& range : ranges)
       if (isLeaf (range.end - range.begin, range.points))
         halves.push_back (range);
-      else
-        halve (range.begin, range.end, [&] (auto* begin, auto* end) {
-          halves.push_back ({begin, end, countPoints (begin, end)});
-        });
+      else {
+        Item* const middle = divide (range.begin, range.end);
+        halves.push_back ({range.begin, middle, countPoints (range.begin, middle)});
+        halves.push_back ({middle, range.end, countPoints (middle, range.end)});
+      }
     ranges.swap (halves);
   }
   return ranges;

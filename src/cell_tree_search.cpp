@@ -49,9 +49,9 @@ public:
 
 private:
   using Entry = std::uint64_t;
-  // A node divides its items by 8: 2^32 cells have 11 levels, the points of one as
-  // many.
-  static constexpr std::size_t most_levels = 22;
+  // Dividing by 4 / 3 or more leaves one of 2^32 cells after 78 times, one point of a
+  // cell after as many; a level of nodes divides three times.
+  static constexpr std::size_t most_levels = 2 * (78 / 3);
   std::array<Entry, most_levels * 8> entries_;
   std::size_t number_ = 0;
   std::size_t first_of_node_ = 0;
