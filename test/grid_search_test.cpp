@@ -4,15 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "scene.h"
+#include "search_clouds.h"
 #include <pcl_ops/grid_search.h>
 #include <pcl_ops/parallel.h>
 
-#include <functional>
 #include <numeric>
 
-using pcl::PointXYZ;
-using Cloud = pcl::PointCloud<PointXYZ>;
 using Search = pcl_ops::GridSearch<PointXYZ>;
 
 namespace {
@@ -74,121 +71,6 @@ bruteForce (const Cloud& cloud,
     found.squared_distances.push_back (distance);
   }
   return found;
-}
-
-Cloud::Ptr
-randomCloud (std::size_t size,
-             const std::function<PointXYZ (pcl_ops::RandomGenerator&)>& draw)
-{
-  pcl_ops::RandomGenerator generator (seedOfTest());
-  auto cloud = pcl::make_shared<Cloud>();
-  for (std::size_t i = 0; i < size; ++i)
-    cloud->push_back (draw (generator));
-  return cloud;
-}
-
-PointXYZ
-drawInCube (pcl_ops::RandomGenerator& generator, double edge)
-{
-  const auto draw = [&] {
-    return static_cast<float> (edge * (pcl_ops::drawUnit (generator) - 0.5));
-  };
-  const float x = draw(), y = draw(), z = draw();
-  return {x, y, z};
-}
-
-Cloud::Ptr
-uniformVolume ()
-{
-  return randomCloud (3000, [] (auto& g) { return drawInCube (g, 1_m); });
-}
-
-Cloud::Ptr
-surfaces ()
-{
-  return room().spacing (10_cm).build().cloud;
-}
-
-/** Most points within a millimetre, the others over a kilometre. */
-Cloud::Ptr
-clusters ()
-{
-  return randomCloud (4000, [] (auto& g) {
-    return drawInCube (g, pcl_ops::drawUnit (g) < 0.9 ? 1_mm : 1000_m);
-  });
-}
-
-Cloud::Ptr
-duplicates ()
-{
-  return randomCloud (2000, [] (auto& g) {
-    const auto i = static_cast<float> (pcl_ops::drawBelow (g, 7));
-    return PointXYZ (i, 2.0f * i, -i);
-  });
-}
-
-Cloud::Ptr
-allEqual ()
-{
-  return randomCloud (1000, [] (auto&) { return PointXYZ (1, 2, 3); });
-}
-
-Cloud::Ptr
-line ()
-{
-  return randomCloud (2000, [] (auto& g) {
-    const auto t = static_cast<float> (pcl_ops::drawUnit (g));
-    return PointXYZ (t, 2.0f * t, 3.0f * t);
-  });
-}
-
-/** The same relative distance between neighbours at every scale. */
-Cloud::Ptr
-everySmallerSteps ()
-{
-  return randomCloud (2000, [] (auto& g) {
-    return drawInCube (g, std::pow (10.0, 12.0 * pcl_ops::drawUnit (g) - 9.0));
-  });
-}
-
-Cloud::Ptr
-farFromZero ()
-{
-  return Scene()
-      .floor (40_m, 30_m)
-      .wall ({0, 0}, {40, 0}, 25_m)
-      .spacing (1_m)
-      .movedBy ({1e6, -2e6, 1e6})
-      .build()
-      .cloud;
-}
-
-Cloud::Ptr
-volumeBesideStrayPoints ()
-{
-  const auto cloud = uniformVolume();
-  for (const PointXYZ& stray : {PointXYZ (1e7f, 0, 0), PointXYZ (-1e12f, 1e12f, 0)})
-    cloud->push_back (stray);
-  return cloud;
-}
-
-Cloud::Ptr
-onePoint ()
-{
-  auto cloud = pcl::make_shared<Cloud>();
-  cloud->push_back ({1, 2, 3});
-  return cloud;
-}
-
-struct NamedCloud {
-  std::string name;
-  Cloud::Ptr (*build)();
-};
-
-std::ostream&
-operator<< (std::ostream& stream, const NamedCloud& cloud)
-{
-  return stream << cloud.name;
 }
 
 /** Points of the cloud, points beside them, and points far away. */
