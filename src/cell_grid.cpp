@@ -168,7 +168,7 @@ GriddedPoints
 gridPoints (const Coordinates& positions, double cell_size, unsigned threads)
 {
   constexpr std::size_t points_per_piece = 131072;
-  constexpr std::size_t most_pieces = 8;
+  constexpr std::size_t most_pieces = 4;
   const std::size_t number =
       std::clamp (positions.size() / points_per_piece, std::size_t (1), most_pieces);
   const std::size_t grain =
