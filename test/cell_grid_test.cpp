@@ -104,7 +104,7 @@ TEST (CellGrid, IsTheSameForAnyNumberOfThreads)
 {
   const Coordinates points = pointsInACube (400000, 4.0);
   const GriddedPoints one = pcl_ops::gridPoints (points, 0.2, 1);
-  for (const unsigned threads : {2u, 4u}) {
+  for (const unsigned threads : {2u, 3u, 4u, 8u}) {
     const GriddedPoints many = pcl_ops::gridPoints (points, 0.2, threads);
     EXPECT_EQ (one.cell_of_point, many.cell_of_point);
     for (std::size_t c = 0; c < one.grid.size(); ++c)

@@ -249,7 +249,7 @@ TEST_P (Contract, AnyNumberOfThreadsSamePlanes)
 {
   Ops ops = detectorFor (room().spacing (2_cm).build().cloud);
   const auto planes = inliersOf (ops);
-  for (const unsigned threads : {2u, 4u, 0u}) {
+  for (const unsigned threads : {2u, 3u, 4u, 8u, 0u}) {
     ops.setNumberOfThreads (threads);
     EXPECT_EQ (inliersOf (ops), planes) << threads << " threads";
   }
