@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cell_samples.h"
+#include "cell_support.h"
 #include "cell_units.h"
 #include <pcl_ops/cell_planes.h>
 #include <pcl_ops/plane_extraction.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl_ops {
 
@@ -18,7 +20,8 @@ struct CellSupport {
   Moments moments;
 };
 
-/** \brief The finder of the peel loop: candidates are positions of cells. */
+/** \brief Gives one plane after the other, the largest first, each among the candidates
+ * that the ones before left. */
 class LargestCellPlane {
 public:
   LargestCellPlane (const CellGrid& grid,
@@ -38,9 +41,8 @@ public:
       samples_.add (cell, grid.moments[cell], *normals[cell], band (*normals[cell]));
   }
 
-  // The candidates are those of the constructor less the cells of the planes found.
   std::optional<ExtractedPlane>
-  operator() (const Positions&)
+  next ()
   {
     while (true) {
       const std::optional<CellSupport> support = supportOfLargest();
@@ -167,7 +169,9 @@ private:
       mark_[cell] = 1;
     Positions large;
     for (const std::uint32_t cell : support) {
-      const Positions part = connectedPart (cell);
+      const Positions part = connectedCells (grid_, cell, [this] (std::uint32_t other) {
+        return std::exchange (mark_[other], 0) != 0;
+      });
       if (part.size() >= parameters_.min_inliers)
         large.insert (large.end(), part.begin(), part.end());
     }
@@ -175,26 +179,6 @@ private:
       return support;
     std::sort (large.begin(), large.end());
     return large;
-  }
-
-  // All marked cells connected to one; unmarks them.
-  Positions
-  connectedPart (std::uint32_t start)
-  {
-    Positions part;
-    if (mark_[start] == 0)
-      return part;
-    const auto visit = [&] (std::uint32_t cell) {
-      if (mark_[cell] == 0)
-        return;
-      mark_[cell] = 0;
-      part.push_back (cell);
-    };
-    visit (start);
-    for (std::size_t i = 0; i < part.size(); ++i)
-      for (const std::uint32_t neighbour : grid_.neighbours[part[i]])
-        visit (neighbour);
-    return part;
   }
 
   const CellGrid& grid_;
@@ -224,12 +208,12 @@ extractCellPlanes (const CellGrid& grid,
         normals[i]->thickness < parameters.inlier.largest_thickness)
       candidates.push_back (static_cast<std::uint32_t> (i));
   LargestCellPlane largest (grid, normals, candidates, parameters, generator);
-  for (const ExtractedPlane& plane : extractAll (std::move (candidates), largest)) {
-    for (const std::uint32_t cell : plane.inliers) {
+  while (const std::optional<ExtractedPlane> plane = largest.next()) {
+    for (const std::uint32_t cell : plane->inliers) {
       planes.plane_of_cell[cell] = static_cast<std::int32_t> (planes.planes.size());
       planes.noise[cell] = std::max (normals[cell]->noise, smallestNoise (grid));
     }
-    planes.planes.push_back (plane.plane);
+    planes.planes.push_back (plane->plane);
   }
 }
 

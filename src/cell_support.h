@@ -20,6 +20,24 @@ forNeighboursOnPlanes (const CellGrid& grid,
       visit (static_cast<std::size_t> (plane), std::size_t (neighbour));
 }
 
+/** \brief A cell and all that are connected to it.
+ * \param[in] take (cell): whether the cell belongs to it; asked again of a cell that
+ * was taken, it says no */
+template <typename Take>
+Positions
+connectedCells (const CellGrid& grid, std::uint32_t start, Take&& take)
+{
+  Positions connected;
+  if (!take (start))
+    return connected;
+  connected.push_back (start);
+  for (std::size_t i = 0; i < connected.size(); ++i)
+    for (const std::uint32_t neighbour : grid.neighbours[connected[i]])
+      if (take (neighbour))
+        connected.push_back (neighbour);
+  return connected;
+}
+
 /** \brief Fits each plane to its cells. */
 void
 refitPlanes (const CellGrid& grid, CellPlanes& planes);

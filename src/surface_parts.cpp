@@ -17,36 +17,23 @@ struct Part {
   Positions cells;
 };
 
-// All cells connected to one on the same plane; marks them as visited.
-Part
-partFrom (std::uint32_t start,
-          const CellGrid& grid,
-          const CellPlanes& planes,
-          std::vector<char>& is_visited)
-{
-  Part part{planes.plane_of_cell[start], {start}};
-  is_visited[start] = 1;
-  for (std::size_t i = 0; i < part.cells.size(); ++i)
-    for (const std::uint32_t neighbour : grid.neighbours[part.cells[i]])
-      if (!is_visited[neighbour] && planes.plane_of_cell[neighbour] == part.plane) {
-        is_visited[neighbour] = 1;
-        part.cells.push_back (neighbour);
-      }
-  return part;
-}
-
 // The connected parts of all planes with at least a number of cells, the larger first.
 std::vector<Part>
 largeParts (const CellGrid& grid, const CellPlanes& planes, std::size_t least_cells)
 {
   std::vector<Part> parts;
-  std::vector<char> is_visited (grid.size(), 0);
-  for (std::uint32_t i = 0; i < grid.size(); ++i)
-    if (planes.plane_of_cell[i] != no_plane && !is_visited[i]) {
-      Part part = partFrom (i, grid, planes, is_visited);
-      if (part.cells.size() >= least_cells)
-        parts.push_back (std::move (part));
-    }
+  Labels unvisited = planes.plane_of_cell;
+  for (std::uint32_t i = 0; i < grid.size(); ++i) {
+    const std::int32_t plane = unvisited[i];
+    if (plane == no_plane)
+      continue;
+    Positions cells = connectedCells (grid, i, [&] (std::uint32_t cell) {
+      return unvisited[cell] == plane &&
+             std::exchange (unvisited[cell], no_plane) == plane;
+    });
+    if (cells.size() >= least_cells)
+      parts.push_back ({plane, std::move (cells)});
+  }
   std::stable_sort (parts.begin(), parts.end(), [] (const Part& a, const Part& b) {
     return a.cells.size() > b.cells.size();
   });

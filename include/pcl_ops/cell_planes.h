@@ -50,8 +50,8 @@ struct CellPlanes {
 };
 
 /** \brief Finds planes among the cells of a grid that have none by one-point RANSAC on
- * its oriented cells: the peel loop with a finder that weighs cells by their points,
- * compares normals too, refits the winner while its support grows, and keeps the
+ * its oriented cells: largest planes first, cells weigh as much as their points,
+ * normals are compared too; refits the winner while its support grows, and keeps the
  * connected parts of its support that are large enough.
  * \param[in,out] planes those found before, empty at first; new ones are added */
 void
