@@ -4,7 +4,7 @@
 
 #include "metrics.h"
 #include "region_growing.h"
-#include <segment/picture.h>
+#include <picture/picture.h>
 
 #include <cctype>
 #include <filesystem>

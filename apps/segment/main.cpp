@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "colors.h"
 #include "options.h"
-#include "picture.h"
 #include "report.h"
 #include <common/cloud_file.h>
 #include <common/output_file.h>
 #include <common/program.h>
+#include <picture/colors.h>
+#include <picture/picture.h>
 
 #include <cstdint>
 #include <iostream>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "methods.h"
+#include <detection/methods.h>
 
 #include <cstddef>
 #include <iosfwd>

@@ -4,9 +4,9 @@
 
 #include <Eigen/Geometry>
 
-#include <segment/colors.h>
-#include <segment/raster.h>
-#include <segment/view.h>
+#include <picture/colors.h>
+#include <picture/raster.h>
+#include <picture/view.h>
 
 #include <set>
 
