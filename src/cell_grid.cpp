@@ -44,7 +44,6 @@ addPositions (const Coordinates& positions,
                        {xx, xy, xz, yy, yz, zz}});
 }
 
-// Points that follow each other mostly share a cell: each run of them is added at once.
 void
 addPoints (const Coordinates& positions,
            double cell_size,
@@ -53,26 +52,21 @@ addPoints (const Coordinates& positions,
            Piece& piece,
            std::vector<std::uint32_t>& cell_of_point)
 {
-  std::size_t run_begin = begin;
-  std::uint32_t cell_of_run = 0;
   constexpr std::size_t usual_points_per_cell = 8;
   piece.moments.reserve ((end - begin) / usual_points_per_cell + 1);
-  piece.moments.emplace_back();
-  const auto addRun = [&] (std::size_t run_end) {
-    addPositions (positions, run_begin, run_end, piece.moments[cell_of_run]);
-    run_begin = run_end;
-  };
-  forKeys (positions, cell_size, begin, end, [&] (std::size_t i, const CellKey& key) {
-    const std::uint32_t cell = piece.table.insert (key);
-    cell_of_point[i] = cell;
-    if (cell == cell_of_run)
-      return;
-    addRun (i);
-    cell_of_run = cell;
-    if (cell == piece.moments.size())
-      piece.moments.emplace_back();
-  });
-  addRun (end);
+  forRuns (positions,
+           cell_size,
+           begin,
+           end,
+           [&] (std::size_t first, std::size_t last, const CellKey& key) {
+             const std::uint32_t cell = piece.table.insert (key);
+             if (cell == piece.moments.size())
+               piece.moments.emplace_back();
+             addPositions (positions, first, last, piece.moments[cell]);
+             std::fill (cell_of_point.begin() + static_cast<std::ptrdiff_t> (first),
+                        cell_of_point.begin() + static_cast<std::ptrdiff_t> (last),
+                        cell);
+           });
 }
 
 // Adds cells with their moments to a grid's table; returns where each went.
@@ -120,10 +114,12 @@ std::size_t
 countOccupied (const Coordinates& positions, double cell_size)
 {
   CellTable table;
-  forKeys (
-      positions, cell_size, 0, positions.size(), [&] (std::size_t, const CellKey& key) {
-        table.insert (key);
-      });
+  forRuns (
+      positions,
+      cell_size,
+      0,
+      positions.size(),
+      [&table] (std::size_t, std::size_t, const CellKey& key) { table.insert (key); });
   return table.size();
 }
 

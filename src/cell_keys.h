@@ -28,11 +28,12 @@ keysOf (const float* coordinates,
   }
 }
 
-/** \brief Calls visit (i, key) for the points of a range, whose keys it computes by the
- * batch. */
+/** \brief Calls visit (first, last, key) for runs of points of a range that have the
+ * same key, in their order. Points that follow each other mostly share a cell: where
+ * they do not is found without a branch. */
 template <typename Visit>
 void
-forKeys (const Coordinates& positions,
+forRuns (const Coordinates& positions,
          double cell_size,
          std::size_t begin,
          std::size_t end,
@@ -40,14 +41,26 @@ forKeys (const Coordinates& positions,
 {
   constexpr std::size_t batch = 512;
   std::array<std::int32_t, batch> x, y, z;
+  std::array<std::uint32_t, batch + 1> run_begin;
   const auto cells_per_metre = static_cast<float> (1.0 / cell_size);
   for (std::size_t first = begin; first < end; first += batch) {
     const std::size_t number = std::min (batch, end - first);
     keysOf (positions.x.data() + first, number, cells_per_metre, x.data());
     keysOf (positions.y.data() + first, number, cells_per_metre, y.data());
     keysOf (positions.z.data() + first, number, cells_per_metre, z.data());
-    for (std::size_t i = 0; i < number; ++i)
-      visit (first + i, CellKey{x[i], y[i], z[i]});
+    std::size_t runs = 0;
+    run_begin[0] = 0;
+    for (std::size_t i = 1; i < number; ++i) {
+      const std::int32_t change =
+          (x[i] ^ x[i - 1]) | (y[i] ^ y[i - 1]) | (z[i] ^ z[i - 1]);
+      run_begin[runs + 1] = static_cast<std::uint32_t> (i);
+      runs += change != 0;
+    }
+    run_begin[++runs] = static_cast<std::uint32_t> (number);
+    for (std::size_t r = 0; r < runs; ++r) {
+      const std::size_t i = run_begin[r];
+      visit (first + i, first + run_begin[r + 1], CellKey{x[i], y[i], z[i]});
+    }
   }
 }
 

@@ -36,12 +36,15 @@ cellsOf (const Coordinates& points)
 {
   PointCells cells;
   cells.cell_of_point.resize (points.size());
-  forKeys (points,
+  forRuns (points,
            cellEdge (points),
            0,
            points.size(),
-           [&cells] (std::size_t i, const CellKey& key) {
-             cells.cell_of_point[i] = cells.table.insert (key);
+           [&cells] (std::size_t first, std::size_t last, const CellKey& key) {
+             std::fill (
+                 cells.cell_of_point.begin() + static_cast<std::ptrdiff_t> (first),
+                 cells.cell_of_point.begin() + static_cast<std::ptrdiff_t> (last),
+                 cells.table.insert (key));
            });
   return cells;
 }
