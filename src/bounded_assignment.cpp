@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cell_support.h"
 #include "cell_units.h"
-#include <pcl_ops/cell_planes.h>
-#include <pcl_ops/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,20 +69,22 @@ isWholly (const Moments& cell, const Plane& plane, double band)
   return meanSquaredDistance (cell, plane) < limit * limit;
 }
 
+// The candidates of a range of cells.
 CandidateLists
-candidatesOfCells (const CellGrid& grid,
-                   const CellPlanes& planes,
-                   const BoundedAssignmentParameters& parameters)
+candidatesOf (const CellGrid& grid,
+              const CellPlanes& planes,
+              const BoundedAssignmentParameters& parameters,
+              std::size_t begin,
+              std::size_t end)
 {
   const double limit = distanceLimit (grid, parameters.distance_threshold);
   // A threshold that was asked for is promised to every point.
   const bool keeps_to_threshold = parameters.distance_threshold > 0.0;
   CandidateLists lists;
-  lists.begin.reserve (grid.size() + 1);
-  lists.plane_of_all.assign (grid.size(), no_plane);
   std::vector<NearbyPlane> nearby;
-  for (std::size_t i = 0; i < grid.size(); ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     lists.begin.push_back (static_cast<std::uint32_t> (lists.candidates.size()));
+    lists.plane_of_all.push_back (no_plane);
     findNearbyPlanes (grid, planes, i, nearby);
     for (const NearbyPlane& n : nearby) {
       const Plane& plane = planes.planes[static_cast<std::size_t> (n.plane)];
@@ -96,11 +97,36 @@ candidatesOfCells (const CellGrid& grid,
                                    n.plane});
       if (!keeps_to_threshold && nearby.size() == 1 &&
           isWholly (grid.moments[i], plane, band))
-        lists.plane_of_all[i] = n.plane;
+        lists.plane_of_all.back() = n.plane;
     }
   }
-  lists.begin.push_back (static_cast<std::uint32_t> (lists.candidates.size()));
   return lists;
+}
+
+CandidateLists
+candidatesOfCells (const CellGrid& grid,
+                   const CellPlanes& planes,
+                   const BoundedAssignmentParameters& parameters,
+                   unsigned threads)
+{
+  CandidateLists all;
+  all.begin.reserve (grid.size() + 1);
+  all.plane_of_all.reserve (grid.size());
+  for (const CandidateLists& piece : parallelPieces (
+           threads, grid.size(), cells_per_piece, [&] (auto begin, auto end) {
+             return candidatesOf (grid, planes, parameters, begin, end);
+           })) {
+    const auto before = static_cast<std::uint32_t> (all.candidates.size());
+    for (const std::uint32_t begin : piece.begin)
+      all.begin.push_back (before + begin);
+    const auto append = [] (const auto& part, auto& whole) {
+      whole.insert (whole.end(), part.begin(), part.end());
+    };
+    append (piece.candidates, all.candidates);
+    append (piece.plane_of_all, all.plane_of_all);
+  }
+  all.begin.push_back (static_cast<std::uint32_t> (all.candidates.size()));
+  return all;
 }
 
 std::int32_t
@@ -158,24 +184,20 @@ assignToBoundedPlanes (const Coordinates& positions,
                        const BoundedAssignmentParameters& parameters,
                        unsigned threads)
 {
-  const CandidateLists lists = candidatesOfCells (gridded.grid, planes, parameters);
-  const std::size_t pieces =
-      (positions.size() + points_per_piece - 1) / points_per_piece;
-  std::vector<std::vector<Moments>> partial (pieces);
+  const CandidateLists lists =
+      candidatesOfCells (gridded.grid, planes, parameters, threads);
   AssignedPoints assigned;
   assigned.labels.resize (positions.size());
-  parallelFor (threads,
-               positions.size(),
-               points_per_piece,
-               [&] (std::size_t begin, std::size_t end) {
-                 partial[begin / points_per_piece] = assignPiece (positions,
-                                                                  gridded.cell_of_point,
-                                                                  lists,
-                                                                  planes.planes.size(),
-                                                                  begin,
-                                                                  end,
-                                                                  assigned.labels);
-               });
+  const auto partial = parallelPieces (
+      threads, positions.size(), points_per_piece, [&] (auto begin, auto end) {
+        return assignPiece (positions,
+                            gridded.cell_of_point,
+                            lists,
+                            planes.planes.size(),
+                            begin,
+                            end,
+                            assigned.labels);
+      });
   assigned.moments.resize (planes.planes.size());
   for (std::size_t i = 0; i < gridded.grid.size(); ++i)
     if (lists.plane_of_all[i] != no_plane)

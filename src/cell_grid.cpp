@@ -81,21 +81,24 @@ insertAll (const std::vector<CellKey>& keys,
     cell_of[i] = table.insert (keys[i]);
     if (cell_of[i] == moments.size())
       moments.emplace_back();
-    moments[cell_of[i]] += added[i];
+    moments[cell_of[i]].addAligned (added[i]);
   }
   return cell_of;
 }
 
 // Puts the cells in the table's order; returns the new position of each.
 std::vector<std::uint32_t>
-finish (CellTable& table, std::vector<Moments>& moments, CellGrid& grid)
+finish (CellTable& table,
+        std::vector<Moments>& moments,
+        unsigned threads,
+        CellGrid& grid)
 {
   std::vector<std::uint32_t> order = table.sort();
   grid.keys = table.keys();
   grid.moments.resize (moments.size());
   for (std::size_t i = 0; i < moments.size(); ++i)
     grid.moments[order[i]] = moments[i];
-  grid.neighbours = table.neighbours();
+  grid.neighbours = table.neighbours (threads);
   return order;
 }
 
@@ -188,7 +191,8 @@ gridPoints (const Coordinates& positions, double cell_size, unsigned threads)
   for (const Piece& piece : pieces)
     cell_of.push_back (insertAll (piece.table.keys(), piece.moments, table, moments));
   gridded.grid.cell_size = cell_size;
-  const std::vector<std::uint32_t> order = finish (table, moments, gridded.grid);
+  const std::vector<std::uint32_t> order =
+      finish (table, moments, threads, gridded.grid);
   for (std::vector<std::uint32_t>& piece : cell_of)
     for (std::uint32_t& cell : piece)
       cell = order[cell];
@@ -202,7 +206,7 @@ gridPoints (const Coordinates& positions, double cell_size, unsigned threads)
 }
 
 CoarserGrid
-coarsen (const CellGrid& finer)
+coarsen (const CellGrid& finer, unsigned threads)
 {
   std::vector<CellKey> keys (finer.size());
   std::transform (
@@ -214,7 +218,8 @@ coarsen (const CellGrid& finer)
   CellTable table;
   std::vector<Moments> moments;
   coarser.cell_of_finer = insertAll (keys, finer.moments, table, moments);
-  const std::vector<std::uint32_t> order = finish (table, moments, coarser.grid);
+  const std::vector<std::uint32_t> order =
+      finish (table, moments, threads, coarser.grid);
   for (std::uint32_t& cell : coarser.cell_of_finer)
     cell = order[cell];
   return coarser;

@@ -41,6 +41,28 @@ adoptingPlane (const CellGrid& grid,
   return adoption;
 }
 
+std::vector<Adoption>
+adoptionsOf (const std::vector<std::size_t>& cells,
+             const CellGrid& grid,
+             const GrowingParameters& parameters,
+             double limit,
+             const CellPlanes& planes,
+             unsigned threads)
+{
+  std::vector<Adoption> all;
+  for (const std::vector<Adoption>&piece : parallelPieces (
+           threads, cells.size(), cells_per_piece, [&] (auto begin, auto end) {
+             std::vector<Adoption> adoptions;
+             for (std::size_t i = begin; i < end; ++i)
+               if (const auto adoption =
+                       adoptingPlane (grid, parameters, limit, planes, cells[i]))
+                 adoptions.push_back (*adoption);
+             return adoptions;
+           }))
+    all.insert (all.end(), piece.begin(), piece.end());
+  return all;
+}
+
 std::vector<std::size_t>
 cellsOffPlanes (const Labels& plane_of_cell)
 {
@@ -72,15 +94,14 @@ cellsNextTo (const CellGrid& grid,
 void
 growPlanes (const CellGrid& grid,
             const GrowingParameters& parameters,
+            unsigned threads,
             CellPlanes& planes)
 {
   const double limit = distanceLimit (grid, parameters.distance_threshold);
   std::vector<std::size_t> border = cellsOffPlanes (planes.plane_of_cell);
   for (int round = 0; round < parameters.rounds && !border.empty(); ++round) {
-    std::vector<Adoption> adoptions;
-    for (const std::size_t cell : border)
-      if (const auto adoption = adoptingPlane (grid, parameters, limit, planes, cell))
-        adoptions.push_back (*adoption);
+    const std::vector<Adoption> adoptions =
+        adoptionsOf (border, grid, parameters, limit, planes, threads);
     for (const Adoption& adoption : adoptions) {
       planes.plane_of_cell[adoption.cell] = adoption.plane;
       planes.noise[adoption.cell] = adoption.noise;

@@ -4,6 +4,7 @@
 #include "cell_units.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -19,38 +20,39 @@ refitPlanes (const CellGrid& grid, CellPlanes& planes)
 }
 
 void
-measureNoise (const CellGrid& grid, CellPlanes& planes)
+measureNoise (const CellGrid& grid, unsigned threads, CellPlanes& planes)
 {
-  std::vector<double> squared (grid.size(), 0.0);
-  for (std::size_t i = 0; i < grid.size(); ++i)
-    if (planes.plane_of_cell[i] != no_plane)
-      squared[i] = meanSquaredDistance (
-          grid.moments[i],
-          planes.planes[static_cast<std::size_t> (planes.plane_of_cell[i])]);
-  for (std::size_t i = 0; i < grid.size(); ++i) {
+  // Of each cell's points: the sum of squared distances, and how many they are.
+  std::vector<std::array<double, 2>> distances (grid.size());
+  forCells (grid, threads, [&] (std::size_t i) {
     if (planes.plane_of_cell[i] == no_plane)
-      continue;
+      return;
+    const Moments& cell = grid.moments[i];
     const auto own = static_cast<std::size_t> (planes.plane_of_cell[i]);
+    distances[i] = {cell.count * meanSquaredDistance (cell, planes.planes[own]),
+                    cell.count};
+  });
+  forCells (grid, threads, [&] (std::size_t i) {
+    if (planes.plane_of_cell[i] == no_plane)
+      return;
     double sum = 0.0;
     double count = 0.0;
-    forNeighboursOnPlanes (
-        grid, planes.plane_of_cell, i, [&] (std::size_t plane, std::size_t neighbour) {
-          if (plane != own)
-            return;
-          sum += grid.moments[neighbour].count * squared[neighbour];
-          count += grid.moments[neighbour].count;
-        });
+    for (const std::uint32_t neighbour : grid.neighbours[i])
+      if (planes.plane_of_cell[neighbour] == planes.plane_of_cell[i]) {
+        sum += distances[neighbour][0];
+        count += distances[neighbour][1];
+      }
     planes.noise[i] = std::max (std::sqrt (sum / count), smallestNoise (grid));
-  }
+  });
 }
 
 void
-reassignCells (const CellGrid& grid, CellPlanes& planes)
+reassignCells (const CellGrid& grid, unsigned threads, CellPlanes& planes)
 {
   const Labels before = planes.plane_of_cell;
-  for (std::size_t i = 0; i < grid.size(); ++i) {
+  forCells (grid, threads, [&] (std::size_t i) {
     if (before[i] == no_plane)
-      continue;
+      return;
     const auto own = static_cast<std::size_t> (before[i]);
     // Computed when another plane is met: most cells have their own all around.
     std::optional<double> best;
@@ -68,7 +70,7 @@ reassignCells (const CellGrid& grid, CellPlanes& planes)
       best = squared;
       planes.plane_of_cell[i] = static_cast<std::int32_t> (plane);
     });
-  }
+  });
   refitPlanes (grid, planes);
 }
 

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cell_samples.h"
 
+#include "vectorized.h"
+
 #include <algorithm>
 #include <array>
 
 namespace pcl_ops {
 
+PCL_OPS_VECTORIZED
 Support
 supportOf (const CellSamples& samples, const SinglePlane& plane)
 {
@@ -29,6 +32,7 @@ supportOf (const CellSamples& samples, const SinglePlane& plane)
   return support;
 }
 
+PCL_OPS_VECTORIZED
 Positions
 cellsOn (const CellSamples& samples, const SinglePlane& plane)
 {

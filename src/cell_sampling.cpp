@@ -84,7 +84,7 @@ findPlanes (const CellGrid& grid,
        {parameters.cells.sure_thickness, parameters.cells.inlier.largest_thickness}) {
     ransac.inlier.largest_thickness = thickness;
     extractCellPlanes (grid, normals, ransac, generator, planes);
-    growPlanes (grid, growingParameters (parameters), planes);
+    growPlanes (grid, growingParameters (parameters), parameters.threads, planes);
   }
   return planes;
 }
@@ -99,10 +99,10 @@ settlePlanes (const CellGrid& grid,
   absorbPlanes (grid, parameters.cells.absorption_noise_factor, planes);
   renumberPlanes (mergePlanes (momentsOfPlanes (grid, planes), parameters.merging),
                   planes);
-  reassignCells (grid, planes);
+  reassignCells (grid, parameters.threads, planes);
   if (parameters.cells.separates_surfaces)
     separateSurfaces (grid, viewpoint, parameters.min_inliers, planes);
-  measureNoise (grid, planes);
+  measureNoise (grid, parameters.threads, planes);
 }
 
 } // namespace

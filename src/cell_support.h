@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl_ops/cell_planes.h>
+#include <pcl_ops/parallel.h>
 
 namespace pcl_ops {
 
@@ -18,6 +19,21 @@ forNeighboursOnPlanes (const CellGrid& grid,
   for (const std::uint32_t neighbour : grid.neighbours[cell])
     if (const std::int32_t plane = plane_of_cell[neighbour]; plane != no_plane)
       visit (static_cast<std::size_t> (plane), std::size_t (neighbour));
+}
+
+/** \brief Cells that one thread looks at in turn. */
+constexpr std::size_t cells_per_piece = 1024;
+
+/** \brief Calls visit (cell) for every cell, some at the same time. */
+template <typename Visit>
+void
+forCells (const CellGrid& grid, unsigned threads, Visit&& visit)
+{
+  parallelFor (
+      threads, grid.size(), cells_per_piece, [&] (std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          visit (i);
+      });
 }
 
 /** \brief A cell and all that are connected to it.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cell_table.h"
 
+#include <pcl_ops/parallel.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -118,16 +120,30 @@ CellTable::pad (const Block& block, PaddedBlock& padded) const
 }
 
 CellNeighbours
-CellTable::neighbours() const
+CellTable::neighbours (unsigned threads) const
+{
+  constexpr std::size_t blocks_per_piece = 32;
+  CellNeighbours neighbours;
+  neighbours.reserve (keys_.size());
+  for (const CellNeighbours& piece : parallelPieces (
+           threads, order_.size(), blocks_per_piece, [this] (auto begin, auto end) {
+             return neighboursIn (begin, end);
+           }))
+    neighbours.append (piece);
+  return neighbours;
+}
+
+CellNeighbours
+CellTable::neighboursIn (std::size_t first_block, std::size_t last_block) const
 {
   constexpr std::int32_t mask = block_edge - 1;
   CellNeighbours neighbours;
-  neighbours.reserve (keys_.size());
   PaddedBlock padded;
   std::array<std::uint32_t, 27> found{};
-  for (const std::uint32_t block : order_) {
-    pad (blocks_[block], padded);
-    for (const std::int32_t cell : blocks_[block].cells) {
+  for (std::size_t b = first_block; b < last_block; ++b) {
+    const Block& block = blocks_[order_[b]];
+    pad (block, padded);
+    for (const std::int32_t cell : block.cells) {
       if (cell < 0)
         continue;
       const CellKey& key = keys_[static_cast<std::size_t> (cell)];

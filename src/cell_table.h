@@ -56,7 +56,7 @@ public:
 
   /** \brief Neighbours of each cell, by number; after \ref sort. */
   CellNeighbours
-  neighbours () const;
+  neighbours (unsigned threads) const;
 
 private:
   using BlockKey = std::uint64_t;
@@ -99,6 +99,10 @@ private:
   using PaddedBlock = std::array<std::int32_t, padded_edge * padded_edge * padded_edge>;
   void
   pad (const Block& block, PaddedBlock& padded) const;
+
+  /** \brief Neighbours of the cells of some of the blocks, in their order. */
+  CellNeighbours
+  neighboursIn (std::size_t first_block, std::size_t last_block) const;
 
   static CellKey
   cornerOf (BlockKey key)

@@ -147,11 +147,11 @@ CellTree::sortIntoCells (const Points& points, const CloudPositions& cloud)
   forPlacesByCell (cells.cell_of_point,
                    std::move (cell_begin),
                    [&] (std::size_t i, std::uint32_t place) {
-                     const float* const position = cloud[points.index[i]];
+                     const float* const position = cloud[points.indexOf (i)];
                      points_.x[place] = position[0];
                      points_.y[place] = position[1];
                      points_.z[place] = position[2];
-                     index_[place] = points.index[i];
+                     index_[place] = points.indexOf (i);
                    });
 }
 

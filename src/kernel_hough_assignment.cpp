@@ -79,11 +79,11 @@ settleCells (const CellGrid& grid,
 {
   GrowingParameters growing;
   growing.distance_threshold = parameters.distance_threshold;
-  growPlanes (grid, growing, cells);
+  growPlanes (grid, growing, parameters.threads, cells);
   const MergedPlanes merged =
       mergePlanes (momentsOfPlanes (grid, cells), parameters.merging);
   renumberPlanes (merged, cells);
-  reassignCells (grid, cells);
+  reassignCells (grid, parameters.threads, cells);
   return merged.merged_into;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cell_support.h"
 #include "cell_units.h"
 #include "principal_axes.h"
 #include <pcl_ops/oriented_cells.h>
@@ -11,8 +12,6 @@
 namespace pcl_ops {
 
 namespace {
-
-constexpr std::size_t cells_per_piece = 1024;
 
 std::optional<CellNormal>
 normalOf (const Moments& surroundings)
@@ -42,19 +41,16 @@ findNormals (const CellGrid& grid, double min_points, unsigned threads, Level& l
 {
   level.normals.resize (grid.size());
   level.thickness.resize (grid.size(), 1.0);
-  parallelFor (
-      threads, grid.size(), cells_per_piece, [&] (std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          Moments surroundings;
-          for (const std::uint32_t neighbour : grid.neighbours[i])
-            surroundings.addAligned (grid.moments[neighbour]);
-          if (surroundings.count < min_points)
-            continue;
-          level.normals[i] = normalOf (surroundings);
-          if (level.normals[i])
-            level.thickness[i] = level.normals[i]->thickness;
-        }
-      });
+  forCells (grid, threads, [&] (std::size_t i) {
+    Moments surroundings;
+    for (const std::uint32_t neighbour : grid.neighbours[i])
+      surroundings.addAligned (grid.moments[neighbour]);
+    if (surroundings.count < min_points)
+      return;
+    level.normals[i] = normalOf (surroundings);
+    if (level.normals[i])
+      level.thickness[i] = level.normals[i]->thickness;
+  });
 }
 
 // The flattest of the planes around a cell of a level that the finest cell lies in.
@@ -63,6 +59,24 @@ public:
   FlattestPlane (const Moments& cell, double noise_factor, double smallest_noise)
   : cell_ (cell), noise_factor_ (noise_factor), smallest_noise_ (smallest_noise)
   {}
+
+  /** \brief The one that is flattest may mostly serve, and spares a look at the others.
+   */
+  void
+  considerAll (const Level& level, const CellRange& candidates)
+  {
+    std::size_t flattest = *candidates.begin();
+    for (const std::uint32_t candidate : candidates)
+      flattest =
+          level.thickness[candidate] < level.thickness[flattest] ? candidate : flattest;
+    if (level.thickness[flattest] >= thickness_)
+      return;
+    consider (level, flattest);
+    if (best_ == &*level.normals[flattest])
+      return;
+    for (const std::uint32_t candidate : candidates)
+      consider (level, candidate);
+  }
 
   void
   consider (const Level& level, std::size_t candidate)
@@ -112,8 +126,7 @@ normalOfCell (std::size_t cell,
     if (flattest.thickness() < parameters.flat_enough)
       break;
     const CellGrid& grid = level.cell_of_finer.empty() ? finest : level.grid;
-    for (const std::uint32_t neighbour : grid.neighbours[at])
-      flattest.consider (level, neighbour);
+    flattest.considerAll (level, grid.neighbours[at]);
     if (flattest.thickness() < parameters.flat_enough)
       break;
   }
@@ -143,7 +156,7 @@ orientCells (const CellGrid& grid,
   levels.reserve (static_cast<std::size_t> (parameters.levels));
   findNormals (grid, min_points, threads, levels[0]);
   for (int l = 1; l < parameters.levels; ++l) {
-    CoarserGrid coarser = coarsen (l == 1 ? grid : levels.back().grid);
+    CoarserGrid coarser = coarsen (l == 1 ? grid : levels.back().grid, threads);
     Level level;
     level.grid = std::move (coarser.grid);
     level.cell_of_finer = std::move (coarser.cell_of_finer);
@@ -151,11 +164,9 @@ orientCells (const CellGrid& grid,
     levels.push_back (std::move (level));
   }
   std::vector<std::optional<CellNormal>> normals (grid.size());
-  parallelFor (
-      threads, grid.size(), cells_per_piece, [&] (std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          normals[i] = normalOfCell (i, grid, levels, parameters);
-      });
+  forCells (grid, threads, [&] (std::size_t i) {
+    normals[i] = normalOfCell (i, grid, levels, parameters);
+  });
   return normals;
 }
 

@@ -114,20 +114,17 @@ momentsOfLabels (const Coordinates& positions,
                  std::size_t number,
                  unsigned threads)
 {
-  const std::size_t pieces =
-      (positions.size() + points_per_piece - 1) / points_per_piece;
   // Sums per piece, added up in order: the same digits for any number of threads.
-  std::vector<std::vector<Moments>> partial (pieces);
-  parallelFor (
+  const auto partial = parallelPieces (
       threads,
       positions.size(),
       points_per_piece,
       [&] (std::size_t begin, std::size_t end) {
-        std::vector<Moments>& moments = partial[begin / points_per_piece];
-        moments.resize (number);
+        std::vector<Moments> moments (number);
         for (std::size_t i = begin; i < end; ++i)
           if (const auto label = static_cast<std::size_t> (labels[i]); label < number)
             moments[label].add (positions.x[i], positions.y[i], positions.z[i]);
+        return moments;
       });
   std::vector<Moments> moments (number);
   for (const std::vector<Moments>& piece : partial)

@@ -53,7 +53,7 @@ toSegment (const Moments& moments,
 // Writes each label's indices to its segment, which has room for them. Points that
 // follow each other mostly share a plane: its place to write to stays in a register.
 void
-addInliers (const pcl::Indices& index,
+addInliers (const Points& points,
             const Labels& labels,
             std::vector<PlaneSegment>& segments)
 {
@@ -69,7 +69,7 @@ addInliers (const pcl::Indices& index,
     }
     pcl::index_t* place = next[static_cast<std::size_t> (label)];
     for (; i < labels.size() && labels[i] == label; ++i)
-      *place++ = index[i];
+      *place++ = points.indexOf (i);
     next[static_cast<std::size_t> (label)] = place;
   }
 }
@@ -89,7 +89,7 @@ toSegments (const Detection& detection,
                                    detection.planes.fits[p],
                                    viewpoint - points.origin,
                                    parameters));
-  addInliers (points.index, detection.labels, segments);
+  addInliers (points, detection.labels, segments);
   for (PlaneSegment& segment : segments) {
     segment.centroid += points.origin;
     segment.moments.origin += points.origin;

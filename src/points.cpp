@@ -46,30 +46,30 @@ isFinite (float x, float y, float z)
 
 } // namespace
 
-std::size_t
-keepFinite (const pcl::index_t* index,
-            std::size_t number,
-            const PositionsOut& positions,
-            pcl::index_t* kept)
+bool
+areFinite (const Coordinates& positions, std::size_t begin, std::size_t end)
 {
-  int all_finite = 1;
-  for (std::size_t i = 0; i < number; ++i)
-    all_finite &= isFinite (positions.x[i], positions.y[i], positions.z[i]) ? 1 : 0;
-  if (all_finite) {
-    std::copy_n (index, number, kept);
-    return number;
-  }
+  int all = 1;
+  for (std::size_t i = begin; i < end; ++i)
+    all &= isFinite (positions.x[i], positions.y[i], positions.z[i]) ? 1 : 0;
+  return all != 0;
+}
+
+void
+keepFinite (Points& points)
+{
   std::size_t left = 0;
-  for (std::size_t i = 0; i < number; ++i) {
-    const float x = positions.x[i], y = positions.y[i], z = positions.z[i];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float x = points.x[i], y = points.y[i], z = points.z[i];
     // Written always, counted if finite: no branch to mispredict.
-    positions.x[left] = x;
-    positions.y[left] = y;
-    positions.z[left] = z;
-    kept[left] = index[i];
+    points.x[left] = x;
+    points.y[left] = y;
+    points.z[left] = z;
+    points.index[left] = points.index[i];
     left += isFinite (x, y, z);
   }
-  return left;
+  points.resize (left);
+  points.index.resize (left);
 }
 
 double

@@ -123,7 +123,7 @@ TEST (CellGrid, KeepsStrayPointsFarAway)
 TEST (CoarserGrid, HoldsEightCellsEachAndLosesNoPoint)
 {
   const CellGrid fine = pcl_ops::gridPoints (pointsInACube (3000, 4.0), 0.25, 1).grid;
-  const pcl_ops::CoarserGrid coarser = pcl_ops::coarsen (fine);
+  const pcl_ops::CoarserGrid coarser = pcl_ops::coarsen (fine, 1);
   EXPECT_EQ (coarser.grid.cell_size, 0.5);
   EXPECT_EQ (countOf (coarser.grid), countOf (fine));
   for (std::size_t c = 0; c < fine.size(); ++c) {

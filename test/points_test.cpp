@@ -7,6 +7,7 @@
 #include <pcl_ops/points.h>
 
 #include <limits>
+#include <numeric>
 
 using pcl_ops::finitePoints;
 using pcl_ops::Points;
@@ -52,6 +53,34 @@ TEST (FinitePoints, KnowsWherePointsCameFrom)
   ASSERT_EQ (points.index, (pcl::Indices{1, 2}));
   EXPECT_EQ (inInputFrame (points, 0), Eigen::Vector3d (4, 5, 6));
   EXPECT_EQ (inInputFrame (points, 1), Eigen::Vector3d (7, 8, 9));
+}
+
+TEST (FinitePoints, NeedNoIndexWhereTheyAreTheWholeCloud)
+{
+  const auto cloud = cloudOf ({{1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
+  for (const pcl::Indices& all : {pcl::Indices{0, 1, 2}, pcl::Indices{2, 0, 1, 1}}) {
+    const Points points = finitePoints (cloud, all);
+    EXPECT_TRUE (points.index.empty());
+    ASSERT_EQ (points.size(), 3u);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_EQ (points.indexOf (i), static_cast<pcl::index_t> (i));
+      EXPECT_EQ (inInputFrame (points, i).cast<float>(), cloud[i].getVector3fMap());
+    }
+  }
+}
+
+TEST (FinitePoints, AreTheSameForAnyNumberOfThreads)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (int i = 0; i < 100000; ++i)
+    cloud.push_back ({static_cast<float> (i), i % 30000 == 7 ? nan_value : 1.0f, 0.0f});
+  pcl::Indices all (cloud.size());
+  std::iota (all.begin(), all.end(), 0);
+  const Points one = finitePoints (cloud, all, 1);
+  const Points three = finitePoints (cloud, all, 3);
+  EXPECT_EQ (one.size(), cloud.size() - 4);
+  EXPECT_EQ (one.index, three.index);
+  EXPECT_EQ (one.x, three.x);
 }
 
 TEST (FinitePoints, AreSmallNumbersInACloudFarFromItsZero)

@@ -69,7 +69,8 @@ surfelsOf (const Cloud& cloud, int neighbors, unsigned threads)
   pcl::Indices all (cloud.size());
   std::iota (all.begin(), all.end(), 0);
   Surfels surfels;
-  surfels.index = finitePoints (cloud, all).index;
+  const Points points = finitePoints (cloud, all);
+  surfels.index = points.index.empty() ? all : points.index;
   surfels.cloud.reset (new Cloud (cloud, surfels.index));
   surfels.neighbors_per_point =
       std::min (surfels.size(), static_cast<std::size_t> (std::max (1, neighbors)));

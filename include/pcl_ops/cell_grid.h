@@ -66,6 +66,17 @@ public:
     begin_.push_back (static_cast<std::uint32_t> (neighbours_.size()));
   }
 
+  /** \brief Appends the cells of another part of the grid. */
+  void
+  append (const CellNeighbours& other)
+  {
+    const auto before = static_cast<std::uint32_t> (neighbours_.size());
+    neighbours_.insert (
+        neighbours_.end(), other.neighbours_.begin(), other.neighbours_.end());
+    for (std::size_t i = 1; i < other.begin_.size(); ++i)
+      begin_.push_back (before + other.begin_[i]);
+  }
+
 private:
   std::vector<std::uint32_t> neighbours_;
   std::vector<std::uint32_t> begin_{0};
@@ -121,6 +132,6 @@ struct CoarserGrid {
 };
 
 CoarserGrid
-coarsen (const CellGrid& finer);
+coarsen (const CellGrid& finer, unsigned threads);
 
 } // namespace pcl_ops

@@ -62,9 +62,12 @@ extractCellPlanes (const CellGrid& grid,
                    CellPlanes& planes);
 
 /** \brief Measures the noise around each cell of a plane: the rms distance to the plane
- * of the points of the cells around that are on it. */
+ * of the points of the cells around that are on it.
+ * \param[in] grid the cells
+ * \param[in] threads number of threads; 0: all. The result does not depend on it
+ * \param[in,out] planes whose noise is set */
 void
-measureNoise (const CellGrid& grid, CellPlanes& planes);
+measureNoise (const CellGrid& grid, unsigned threads, CellPlanes& planes);
 
 /** \brief Lets planes grow into cells without a plane that touch their support, as long
  * as the rms distance of the cell's points is below a multiple of the noise next to it.
@@ -81,6 +84,7 @@ struct GrowingParameters {
 void
 growPlanes (const CellGrid& grid,
             const GrowingParameters& parameters,
+            unsigned threads,
             CellPlanes& planes);
 
 /** \brief Gives planes to a larger neighbour that explains them: whose plane their
@@ -91,7 +95,7 @@ absorbPlanes (const CellGrid& grid, double noise_factor, CellPlanes& planes);
 /** \brief Hands every cell to the nearest of its own plane and those of its neighbours,
  * and refits all planes. */
 void
-reassignCells (const CellGrid& grid, CellPlanes& planes);
+reassignCells (const CellGrid& grid, unsigned threads, CellPlanes& planes);
 
 /** \brief Keeps coplanar surfaces apart: connected parts of a plane become planes of
  * their own where the sensor looked through between them; where something stood in

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace pcl_ops {
 
@@ -20,5 +21,18 @@ parallelFor (unsigned threads,
              std::size_t size,
              std::size_t grain,
              const std::function<void (std::size_t begin, std::size_t end)>& body);
+
+/** \brief What \p body (begin, end) returns for each piece, in the order of the pieces;
+ * the rest as \ref parallelFor. */
+template <typename Body>
+auto
+parallelPieces (unsigned threads, std::size_t size, std::size_t grain, Body&& body)
+{
+  std::vector<decltype (body (size, size))> pieces ((size + grain - 1) / grain);
+  parallelFor (threads, size, grain, [&] (std::size_t begin, std::size_t end) {
+    pieces[begin / grain] = body (begin, end);
+  });
+  return pieces;
+}
 
 } // namespace pcl_ops

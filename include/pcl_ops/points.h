@@ -53,8 +53,16 @@ struct Coordinates {
 struct Points : Coordinates {
   /** \brief Zero of the local frame, in the frame of the input cloud. */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  /** \brief Index of each point in the input cloud; ascending, each once. */
+  /** \brief Index of each point in the input cloud; ascending, each once. Empty where
+   * the points are the whole cloud, as they mostly are: see \ref indexOf. */
   pcl::Indices index;
+
+  /** \brief Index of a point in the input cloud. */
+  pcl::index_t
+  indexOf (std::size_t point) const
+  {
+    return index.empty() ? static_cast<pcl::index_t> (point) : index[point];
+  }
 };
 
 /** \brief Positions in an array of points or samples, ascending. */
@@ -73,11 +81,14 @@ medianOf (std::vector<float>& values);
  * is_dense is not believed: clouds that wrongly claim it exist.
  * \param[in] cloud the input cloud
  * \param[in] indices the points of it to use; each within the cloud, in any order,
- * given twice or not \return the finite ones, each once; their origin is near most of
- * them */
+ * given twice or not
+ * \param[in] threads number of threads; 0: all. The result does not depend on it
+ * \return the finite ones, each once; their origin is near most of them */
 template <typename PointT>
 Points
-finitePoints (const pcl::PointCloud<PointT>& cloud, const pcl::Indices& indices);
+finitePoints (const pcl::PointCloud<PointT>& cloud,
+              const pcl::Indices& indices,
+              unsigned threads = 1);
 
 } // namespace pcl_ops
 

@@ -24,14 +24,14 @@ sphereFinder (const pcl::PointCloud<PointT>& cloud,
   constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   Positions position_of (cloud.size(), none);
   for (std::size_t i = 0; i < points.size(); ++i)
-    position_of[static_cast<std::size_t> (points.index[i])] =
+    position_of[static_cast<std::size_t> (points.indexOf (i))] =
         static_cast<std::uint32_t> (i);
   return [&cloud, &points, &search, radius, position_of] (std::uint32_t centre,
                                                           Positions& sphere) {
     pcl::Indices neighbours;
     std::vector<float> squared_distances;
     search.radiusSearch (
-        cloud[points.index[centre]], radius, neighbours, squared_distances);
+        cloud[points.indexOf (centre)], radius, neighbours, squared_distances);
     sphere.clear();
     for (const pcl::index_t neighbour : neighbours)
       if (position_of[static_cast<std::size_t> (neighbour)] != none)
@@ -62,7 +62,7 @@ Detection
 FastSamplingPlaneFiltering<PointT>::detect()
 {
   Detection found;
-  found.points = finitePoints (*input_, *indices_);
+  found.points = finitePoints (*input_, *indices_, parameters_.threads);
   const Points& points = found.points;
   // Pi: planes of spheres that pass the local test
   const LocalPlanes local = samplePlanes (points);

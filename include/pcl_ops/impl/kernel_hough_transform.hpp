@@ -15,7 +15,7 @@ KernelHoughTransform<PointT>::detect()
 {
   KernelHoughTransformParameters parameters = parameters_;
   parameters.merging = this->mergingParameters();
-  Points points = finitePoints (*input_, *indices_);
+  Points points = finitePoints (*input_, *indices_, parameters_.threads);
   // octree: nodes of approximately coplanar points
   const OctreeClusters clusters = timed (durations_.search, [&] {
     return findCoplanarClusters (points, parameters.clusters, parameters.threads);

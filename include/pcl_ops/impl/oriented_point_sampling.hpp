@@ -12,7 +12,7 @@ Detection
 OrientedPointSampling<PointT>::detect()
 {
   Detection found;
-  found.points = finitePoints (*input_, *indices_);
+  found.points = finitePoints (*input_, *indices_, parameters_.threads);
   if (parameters_.sampling == Sampling::Cells)
     return detectOnCells (
         std::move (found.points), this->viewpoint(), parameters_, durations_);

@@ -59,7 +59,7 @@ orientSamples (const pcl::PointCloud<PointT>& cloud,
                  pcl::Indices neighbours;
                  std::vector<float> squared_distances;
                  for (std::size_t i = begin; i < end; ++i) {
-                   const PointT& point = cloud[points.index[sample[i]]];
+                   const PointT& point = cloud[points.indexOf (sample[i])];
                    search.nearestKSearch (point, k, neighbours, squared_distances);
                    normals[i] = normalOfScatter (weightedScatter (
                        cloud, point, neighbours, squared_distances, parameters.sigma));

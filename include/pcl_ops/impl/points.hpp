@@ -4,10 +4,12 @@
 
 #include <pcl/common/point_tests.h>
 
+#include <pcl_ops/parallel.h>
 #include <pcl_ops/points.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 namespace pcl_ops {
 
@@ -25,16 +27,14 @@ areConsecutive (const pcl::index_t* indices, std::size_t number);
 bool
 areAscending (const pcl::index_t* indices, std::size_t number);
 
-/** \brief Closes the gaps that positions with a NaN or infinite coordinate leave.
- * \param[in] index of each position
- * \param[in,out] positions what is left comes first
- * \param[out] kept the index of each of them
- * \return their number */
-std::size_t
-keepFinite (const pcl::index_t* index,
-            std::size_t number,
-            const PositionsOut& positions,
-            pcl::index_t* kept);
+/** \brief Whether all positions of a range have finite coordinates. */
+bool
+areFinite (const Coordinates& positions, std::size_t begin, std::size_t end);
+
+/** \brief Drops the points with a NaN or infinite coordinate.
+ * \param[in,out] points with their index */
+void
+keepFinite (Points& points);
 
 /** \brief The median of some of the points: near most of them, wherever a few stray to.
  * \return zero for no points */
@@ -76,51 +76,61 @@ copyConsecutive (const PointT* points,
   }
 }
 
-/** \brief Copies the finite points in the order of the indices.
- * \return whether the indices ascend */
+/** \brief Copies points in the order of the indices, in the frame of their origin.
+ * \return whether all are finite */
 template <typename PointT>
 bool
-copyFinite (const pcl::PointCloud<PointT>& cloud,
-            const pcl::Indices& indices,
-            Points& points)
+copyPositions (const pcl::PointCloud<PointT>& cloud,
+               const pcl::Indices& indices,
+               unsigned threads,
+               Points& points)
 {
-  constexpr std::size_t block = 1024;
+  constexpr std::size_t points_per_piece = 8192;
   points.resize (indices.size());
-  points.index.resize (indices.size());
   const Eigen::Vector3f origin = points.origin.cast<float>();
-  std::size_t number = 0;
-  bool ascends = true;
-  for (std::size_t begin = 0; begin < indices.size(); begin += block) {
-    const std::size_t size = std::min (block, indices.size() - begin);
-    const pcl::index_t* const index = indices.data() + begin;
-    const PositionsOut to{&points.x[number], &points.y[number], &points.z[number]};
-    const bool is_run = areConsecutive (index, size);
-    if (is_run)
-      copyConsecutive (&cloud[index[0]], size, origin, to);
-    else
-      for (std::size_t i = 0; i < size; ++i)
-        copyConsecutive (&cloud[index[i]], 1, origin, {to.x + i, to.y + i, to.z + i});
-    ascends = ascends && (begin == 0 || index[-1] < index[0]) &&
-              (is_run || areAscending (index, size));
-    number += keepFinite (index, size, to, &points.index[number]);
-  }
-  points.resize (number);
-  points.index.resize (number);
-  return ascends;
+  std::atomic<bool> all_finite (true);
+  parallelFor (
+      threads,
+      indices.size(),
+      points_per_piece,
+      [&] (std::size_t begin, std::size_t end) {
+        const pcl::index_t* const index = indices.data();
+        const PositionsOut to{points.x.data(), points.y.data(), points.z.data()};
+        if (areConsecutive (index + begin, end - begin))
+          copyConsecutive (&cloud[index[begin]],
+                           end - begin,
+                           origin,
+                           {to.x + begin, to.y + begin, to.z + begin});
+        else
+          for (std::size_t i = begin; i < end; ++i)
+            copyConsecutive (
+                &cloud[index[i]], 1, origin, {to.x + i, to.y + i, to.z + i});
+        if (!areFinite (points, begin, end))
+          all_finite = false;
+      });
+  return all_finite;
 }
 
 template <typename PointT>
 Points
-finitePoints (const pcl::PointCloud<PointT>& cloud, const pcl::Indices& indices)
+finitePoints (const pcl::PointCloud<PointT>& cloud,
+              const pcl::Indices& indices,
+              unsigned threads)
 {
+  const bool are_consecutive = areConsecutive (indices.data(), indices.size());
+  if (!are_consecutive && !areAscending (indices.data(), indices.size())) {
+    pcl::Indices sorted = indices;
+    sortOnce (sorted);
+    return finitePoints (cloud, sorted, threads);
+  }
   Points points;
   points.origin = medianPosition (cloud, indices);
-  if (copyFinite (cloud, indices, points))
-    return points;
-  pcl::Indices sorted = indices;
-  sortOnce (sorted);
-  points.origin = medianPosition (cloud, sorted);
-  copyFinite (cloud, sorted, points);
+  const bool are_finite = copyPositions (cloud, indices, threads, points);
+  const bool are_all = are_consecutive && indices.size() == cloud.size();
+  if (!(are_finite && are_all))
+    points.index = indices;
+  if (!are_finite)
+    keepFinite (points);
   return points;
 }
 
