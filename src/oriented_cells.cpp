@@ -13,12 +13,9 @@ namespace pcl_ops {
 
 namespace {
 
-std::optional<CellNormal>
-normalOf (const Moments& surroundings)
+CellNormal
+normalOf (const Moments& surroundings, const PrincipalAxes& axes)
 {
-  const PrincipalAxes axes = principalAxes (surroundings.covariance());
-  if (axes.normal.isZero())
-    return std::nullopt;
   CellNormal normal;
   normal.plane = planeThrough (surroundings.centroid(), axes.normal);
   normal.noise = std::sqrt (axes.values[0]);
@@ -36,21 +33,56 @@ struct Level {
   std::vector<double> thickness;
 };
 
+Moments
+momentsAround (const CellGrid& grid, std::size_t cell)
+{
+  Moments surroundings;
+  for (const std::uint32_t neighbour : grid.neighbours[cell])
+    surroundings.addAligned (grid.moments[neighbour]);
+  return surroundings;
+}
+
+// The normals of a range of cells.
+void
+findNormals (const CellGrid& grid,
+             double min_points,
+             std::size_t begin,
+             std::size_t end,
+             Level& level)
+{
+  std::vector<std::size_t> cells;
+  std::vector<Moments> surroundings;
+  std::vector<Eigen::Matrix3d> covariances;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Moments moments = momentsAround (grid, i);
+    if (moments.count < min_points)
+      continue;
+    cells.push_back (i);
+    surroundings.push_back (moments);
+    covariances.push_back (moments.covariance());
+  }
+  std::vector<PrincipalAxes> axes (cells.size());
+  principalAxes (covariances.data(), cells.size(), axes.data());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (axes[i].normal.isZero())
+      continue;
+    const CellNormal normal = normalOf (surroundings[i], axes[i]);
+    level.normals[cells[i]] = normal;
+    level.thickness[cells[i]] = normal.thickness;
+  }
+}
+
 void
 findNormals (const CellGrid& grid, double min_points, unsigned threads, Level& level)
 {
+  // So few that what is noted of them stays in the processor's first cache.
+  constexpr std::size_t cells_at_once = 128;
   level.normals.resize (grid.size());
   level.thickness.resize (grid.size(), 1.0);
-  forCells (grid, threads, [&] (std::size_t i) {
-    Moments surroundings;
-    for (const std::uint32_t neighbour : grid.neighbours[i])
-      surroundings.addAligned (grid.moments[neighbour]);
-    if (surroundings.count < min_points)
-      return;
-    level.normals[i] = normalOf (surroundings);
-    if (level.normals[i])
-      level.thickness[i] = level.normals[i]->thickness;
-  });
+  parallelFor (
+      threads, grid.size(), cells_at_once, [&] (std::size_t begin, std::size_t end) {
+        findNormals (grid, min_points, begin, end, level);
+      });
 }
 
 // The flattest of the planes around a cell of a level that the finest cell lies in.

@@ -2,86 +2,184 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "principal_axes.h"
 
-#include <Eigen/Geometry>
+#include "vectorized.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl_ops {
 
 namespace {
 
-// Smallest root of x^3 - trace x^2 + minors x - determinant by Newton's method. Without
-// its cubic term the polynomial has a root just above, which for flat sets of points is
-// near enough to start from.
-double
-smallestRoot (double trace, double minors, double determinant)
+// Matrices side by side: every loop below runs over them, as wide as the processor is.
+constexpr std::size_t lanes = 8;
+using Lanes = std::array<double, lanes>;
+
+struct SymmetricMatrices {
+  Lanes xx, xy, xz, yy, yz, zz;
+};
+
+struct Directions {
+  Lanes x, y, z;
+};
+
+struct Axes {
+  Directions normal;
+  Lanes smallest, middle, largest;
+};
+
+// Divides by the traces and returns them; 0 for a matrix without one.
+inline Lanes
+normalize (SymmetricMatrices& m)
 {
-  constexpr int most_steps = 60;
-  const auto slopeAt = [&] (double root) {
-    return (3.0 * root - 2.0 * trace) * root + minors;
-  };
-  const double precision = 1e-13 * trace;
-  const double discriminant =
-      std::max (0.0, minors * minors - 4.0 * trace * determinant);
-  double root = 2.0 * determinant / (minors + std::sqrt (discriminant));
-  // Zero is on the near side of all roots, if far away.
-  if (!(slopeAt (root) > 0.25 * minors))
-    root = 0.0;
-  for (int i = 0; i < most_steps; ++i) {
-    const double value = ((root - trace) * root + minors) * root - determinant;
-    const double slope = slopeAt (root);
-    if (!(slope > 0.0))
-      break;
-    const double step = value / slope;
-    root -= step;
-    if (std::abs (step) <= precision)
-      break;
+  Lanes scale;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double trace = m.xx[i] + m.yy[i] + m.zz[i];
+    scale[i] = trace > 0.0 ? trace : 0.0;
+    const double inverse = trace > 0.0 ? 1.0 / trace : 0.0;
+    for (Lanes* entry : {&m.xx, &m.xy, &m.xz, &m.yy, &m.yz, &m.zz})
+      (*entry)[i] = trace > 0.0 ? inverse * (*entry)[i] : 0.0;
   }
-  return std::max (0.0, root);
+  return scale;
 }
 
-// The direction both remaining rows of a rank two matrix are perpendicular to.
-Eigen::Vector3d
-nullDirection (const Eigen::Matrix3d& matrix)
+// Where Newton's method starts. Without its cubic term the polynomial has a root just
+// above, which for flat sets of points is near enough; zero is on the near side of all
+// roots, if far away.
+inline Lanes
+startOfRoots (const Lanes& minors, const Lanes& determinant)
 {
-  const Eigen::Vector3d candidates[] = {matrix.row (0).cross (matrix.row (1)),
-                                        matrix.row (1).cross (matrix.row (2)),
-                                        matrix.row (2).cross (matrix.row (0))};
-  const Eigen::Vector3d& longest =
-      *std::max_element (std::begin (candidates),
-                         std::end (candidates),
-                         [] (const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-                           return a.squaredNorm() < b.squaredNorm();
-                         });
-  return longest;
+  Lanes root;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double discriminant =
+        std::max (0.0, minors[i] * minors[i] - 4.0 * determinant[i]);
+    const double start = 2.0 * determinant[i] / (minors[i] + std::sqrt (discriminant));
+    const double slope = (3.0 * start - 2.0) * start + minors[i];
+    root[i] = slope > 0.25 * minors[i] ? start : 0.0;
+  }
+  return root;
+}
+
+// Smallest roots of x^3 - x^2 + minors x - determinant.
+inline Lanes
+smallestRoots (const Lanes& minors, const Lanes& determinant)
+{
+  constexpr int most_steps = 60;
+  constexpr double precision = 1e-13;
+  Lanes root = startOfRoots (minors, determinant);
+  double farthest = 1.0;
+  for (int n = 0; n < most_steps && farthest > precision; ++n) {
+    farthest = 0.0;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double value =
+          ((root[i] - 1.0) * root[i] + minors[i]) * root[i] - determinant[i];
+      const double slope = (3.0 * root[i] - 2.0) * root[i] + minors[i];
+      const double step = slope > 0.0 ? value / slope : 0.0;
+      root[i] -= step;
+      farthest = std::max (farthest, std::abs (step));
+    }
+  }
+  for (std::size_t i = 0; i < lanes; ++i)
+    root[i] = std::max (0.0, root[i]);
+  return root;
+}
+
+// The unit vectors all rows of rank two matrices are perpendicular to: the longest of
+// the products of two rows; zero where the rows are parallel to within rounding.
+inline Directions
+nullDirections (const SymmetricMatrices& m)
+{
+  constexpr double smallest_norm = 1e-13;
+  Directions direction;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    double x = m.xy[i] * m.yz[i] - m.xz[i] * m.yy[i];
+    double y = m.xz[i] * m.xy[i] - m.xx[i] * m.yz[i];
+    double z = m.xx[i] * m.yy[i] - m.xy[i] * m.xy[i];
+    double squared = x * x + y * y + z * z;
+    const auto take = [&] (double px, double py, double pz) {
+      const double other = px * px + py * py + pz * pz;
+      const bool is_longer = other > squared;
+      x = is_longer ? px : x;
+      y = is_longer ? py : y;
+      z = is_longer ? pz : z;
+      squared = is_longer ? other : squared;
+    };
+    take (m.yy[i] * m.zz[i] - m.yz[i] * m.yz[i],
+          m.yz[i] * m.xz[i] - m.xy[i] * m.zz[i],
+          m.xy[i] * m.yz[i] - m.yy[i] * m.xz[i]);
+    take (m.yz[i] * m.xz[i] - m.zz[i] * m.xy[i],
+          m.zz[i] * m.xx[i] - m.xz[i] * m.xz[i],
+          m.xz[i] * m.xy[i] - m.yz[i] * m.xx[i]);
+    const double norm = std::sqrt (squared);
+    const double inverse = norm > smallest_norm ? 1.0 / norm : 0.0;
+    direction.x[i] = norm > smallest_norm ? x * inverse : 0.0;
+    direction.y[i] = norm > smallest_norm ? y * inverse : 0.0;
+    direction.z[i] = norm > smallest_norm ? z * inverse : 0.0;
+  }
+  return direction;
+}
+
+PCL_OPS_VECTORIZED
+void
+findAxes (SymmetricMatrices& m, Axes& axes)
+{
+  const Lanes scale = normalize (m);
+  Lanes minors, determinant;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double yz = m.yy[i] * m.zz[i] - m.yz[i] * m.yz[i];
+    minors[i] = m.xx[i] * m.yy[i] - m.xy[i] * m.xy[i] + m.xx[i] * m.zz[i] -
+                m.xz[i] * m.xz[i] + yz;
+    determinant[i] = m.xx[i] * yz + m.xy[i] * (m.yz[i] * m.xz[i] - m.xy[i] * m.zz[i]) +
+                     m.xz[i] * (m.xy[i] * m.yz[i] - m.yy[i] * m.xz[i]);
+  }
+  const Lanes smallest = smallestRoots (minors, determinant);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double sum = 1.0 - smallest[i];
+    const double product = std::max (0.0, minors[i] - smallest[i] * sum);
+    const double largest =
+        0.5 * (sum + std::sqrt (std::max (0.0, sum * sum - 4.0 * product)));
+    axes.smallest[i] = scale[i] * smallest[i];
+    axes.middle[i] = scale[i] * (product / largest);
+    axes.largest[i] = scale[i] * largest;
+    m.xx[i] -= smallest[i];
+    m.yy[i] -= smallest[i];
+    m.zz[i] -= smallest[i];
+  }
+  axes.normal = nullDirections (m);
 }
 
 } // namespace
+
+void
+principalAxes (const Eigen::Matrix3d* matrices, std::size_t number, PrincipalAxes* axes)
+{
+  for (std::size_t begin = 0; begin < number; begin += lanes) {
+    SymmetricMatrices batch;
+    Axes found;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const Eigen::Matrix3d& matrix = matrices[std::min (begin + i, number - 1)];
+      batch.xx[i] = matrix (0, 0);
+      batch.xy[i] = matrix (0, 1);
+      batch.xz[i] = matrix (0, 2);
+      batch.yy[i] = matrix (1, 1);
+      batch.yz[i] = matrix (1, 2);
+      batch.zz[i] = matrix (2, 2);
+    }
+    findAxes (batch, found);
+    for (std::size_t i = 0; i < std::min (lanes, number - begin); ++i) {
+      axes[begin + i].values = {found.smallest[i], found.middle[i], found.largest[i]};
+      axes[begin + i].normal = {
+          found.normal.x[i], found.normal.y[i], found.normal.z[i]};
+    }
+  }
+}
 
 PrincipalAxes
 principalAxes (const Eigen::Matrix3d& matrix)
 {
   PrincipalAxes axes;
-  const double scale = matrix.trace();
-  if (!(scale > 0.0))
-    return axes;
-  const Eigen::Matrix3d m = (1.0 / scale) * matrix;
-  const double minors = m (0, 0) * m (1, 1) - m (0, 1) * m (0, 1) +
-                        m (0, 0) * m (2, 2) - m (0, 2) * m (0, 2) +
-                        m (1, 1) * m (2, 2) - m (1, 2) * m (1, 2);
-  const double smallest = smallestRoot (1.0, minors, m.determinant());
-  const double sum = 1.0 - smallest;
-  const double product = std::max (0.0, minors - smallest * sum);
-  const double largest =
-      0.5 * (sum + std::sqrt (std::max (0.0, sum * sum - 4.0 * product)));
-  axes.values = scale * Eigen::Vector3d (smallest, product / largest, largest);
-  const Eigen::Vector3d direction =
-      nullDirection (m - smallest * Eigen::Matrix3d::Identity());
-  // Below this the rows are parallel to within rounding.
-  constexpr double smallest_norm = 1e-13;
-  if (direction.norm() > smallest_norm)
-    axes.normal = direction.normalized();
+  principalAxes (&matrix, 1, &axes);
   return axes;
 }
 

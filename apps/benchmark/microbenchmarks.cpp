@@ -61,7 +61,7 @@ makeScan (std::size_t size)
   scan.gridded = gridPoints (scan.points, cell_size, threads);
   scan.normals = orientCells (scan.gridded.grid, {}, threads);
   scan.planes = extractedFrom (scan);
-  measureNoise (scan.gridded.grid, scan.planes);
+  measureNoise (scan.gridded.grid, 1, scan.planes);
   return scan;
 }
 
@@ -126,7 +126,7 @@ growingPlanes (State& state)
   const Scan& scan = scanFor (state);
   measure (state, [&] {
     CellPlanes planes = scan.planes;
-    growPlanes (scan.gridded.grid, {}, planes);
+    growPlanes (scan.gridded.grid, {}, 1, planes);
     return planes;
   });
 }
@@ -137,7 +137,7 @@ reassigningCells (State& state)
   const Scan& scan = scanFor (state);
   measure (state, [&] {
     CellPlanes planes = scan.planes;
-    reassignCells (scan.gridded.grid, planes);
+    reassignCells (scan.gridded.grid, 1, planes);
     return planes;
   });
 }
