@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace pcl_ops {
 
@@ -83,6 +84,20 @@ insertAll (const std::vector<CellKey>& keys,
       moments.emplace_back();
     moments[cell_of[i]].addAligned (added[i]);
   }
+  return cell_of;
+}
+
+// Adds the cells of all pieces to the first; returns for each piece where its cells
+// are.
+std::vector<std::vector<std::uint32_t>>
+joinIntoFirst (std::vector<Piece>& pieces)
+{
+  std::vector<std::vector<std::uint32_t>> cell_of (pieces.size());
+  cell_of[0].resize (pieces[0].moments.size());
+  std::iota (cell_of[0].begin(), cell_of[0].end(), 0u);
+  for (std::size_t p = 1; p < pieces.size(); ++p)
+    cell_of[p] = insertAll (
+        pieces[p].table.keys(), pieces[p].moments, pieces[0].table, pieces[0].moments);
   return cell_of;
 }
 
@@ -184,15 +199,10 @@ gridPoints (const Coordinates& positions, double cell_size, unsigned threads)
                    pieces[begin / grain],
                    gridded.cell_of_point);
       });
-  CellTable table;
-  std::vector<Moments> moments;
-  std::vector<std::vector<std::uint32_t>> cell_of;
-  cell_of.reserve (pieces.size());
-  for (const Piece& piece : pieces)
-    cell_of.push_back (insertAll (piece.table.keys(), piece.moments, table, moments));
+  std::vector<std::vector<std::uint32_t>> cell_of = joinIntoFirst (pieces);
   gridded.grid.cell_size = cell_size;
   const std::vector<std::uint32_t> order =
-      finish (table, moments, threads, gridded.grid);
+      finish (pieces[0].table, pieces[0].moments, threads, gridded.grid);
   for (std::vector<std::uint32_t>& piece : cell_of)
     for (std::uint32_t& cell : piece)
       cell = order[cell];
