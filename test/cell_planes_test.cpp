@@ -81,7 +81,7 @@ TEST (Growing, ReachesTheCellsAtTheEdgeOfAPlane)
   const CellGrid grid = gridOf ({ground, wall}, 5_mm).grid;
   CellPlanes planes = planesOf (grid);
   const std::size_t before = cellsLeft (planes);
-  pcl_ops::growPlanes (grid, pcl_ops::GrowingParameters(), planes);
+  pcl_ops::growPlanes (grid, pcl_ops::GrowingParameters(), 1, planes);
   EXPECT_LE (cellsLeft (planes), before);
   // A row of cells where ground and wall meet belongs to neither alone.
   EXPECT_LE (cellsLeft (planes), 21u);
@@ -113,7 +113,7 @@ TEST (Noise, IsTheRmsDistanceToThePlane)
 {
   const CellGrid grid = gridOf ({ground}, 1_cm).grid;
   CellPlanes planes = planesOf (grid);
-  pcl_ops::measureNoise (grid, planes);
+  pcl_ops::measureNoise (grid, 1, planes);
   for (std::size_t cell = 0; cell < grid.size(); ++cell)
     EXPECT_TRUE (planes.plane_of_cell[cell] == pcl_ops::no_plane ||
                  std::abs (planes.noise[cell] - 1_cm / std::sqrt (3.0)) < 1_mm);

@@ -61,3 +61,12 @@ TEST (ParallelFor, HandsOnWhatABodyThrows)
   for (const unsigned threads : {1u, 2u})
     EXPECT_THROW (parallelFor (threads, 100, 1, body), std::runtime_error);
 }
+
+TEST (ParallelPieces, ComeInTheOrderOfThePiecesForAnyNumberOfThreads)
+{
+  for (const unsigned threads : {1u, 2u, 8u}) {
+    const auto ends = pcl_ops::parallelPieces (
+        threads, 10, 4, [] (std::size_t, std::size_t end) { return end; });
+    EXPECT_EQ (ends, (std::vector<std::size_t>{4, 8, 10}));
+  }
+}
