@@ -25,12 +25,27 @@ normalOf (const Moments& surroundings, const PrincipalAxes& axes)
 
 // One resolution: a grid and the plane around each of its cells.
 struct Level {
+  /** \brief Empty for the finest level, as is the next. */
   CellGrid grid;
-  std::vector<std::uint32_t> cell_of_finer;
+  std::vector<std::uint32_t> cell_of_finest;
   std::vector<std::optional<CellNormal>> normals;
   /** \brief Of the normals, apart because most are looked at for this only; 1 where
    * there is none. */
   std::vector<double> thickness;
+  /** \brief For each cell the one around it, or itself, with the least thickness. */
+  std::vector<std::uint32_t> flattest_around;
+
+  const CellGrid&
+  gridOr (const CellGrid& finest) const
+  {
+    return cell_of_finest.empty() ? finest : grid;
+  }
+
+  std::size_t
+  cellHolding (std::size_t finest_cell) const
+  {
+    return cell_of_finest.empty() ? finest_cell : cell_of_finest[finest_cell];
+  }
 };
 
 Moments
@@ -83,6 +98,15 @@ findNormals (const CellGrid& grid, double min_points, unsigned threads, Level& l
       threads, grid.size(), cells_at_once, [&] (std::size_t begin, std::size_t end) {
         findNormals (grid, min_points, begin, end, level);
       });
+  level.flattest_around.resize (grid.size());
+  forCells (grid, threads, [&] (std::size_t i) {
+    level.flattest_around[i] =
+        *std::min_element (grid.neighbours[i].begin(),
+                           grid.neighbours[i].end(),
+                           [&level] (std::uint32_t a, std::uint32_t b) {
+                             return level.thickness[a] < level.thickness[b];
+                           });
+  });
 }
 
 // The flattest of the planes around a cell of a level that the finest cell lies in.
@@ -92,21 +116,18 @@ public:
   : cell_ (cell), noise_factor_ (noise_factor), smallest_noise_ (smallest_noise)
   {}
 
-  /** \brief The one that is flattest may mostly serve, and spares a look at the others.
-   */
+  /** \brief Considers the planes around a cell of a level. The flattest may mostly
+   * serve, and spares a look at the others. */
   void
-  considerAll (const Level& level, const CellRange& candidates)
+  considerAll (const Level& level, std::size_t at, const CellGrid& finest)
   {
-    std::size_t flattest = *candidates.begin();
-    for (const std::uint32_t candidate : candidates)
-      flattest =
-          level.thickness[candidate] < level.thickness[flattest] ? candidate : flattest;
+    const std::uint32_t flattest = level.flattest_around[at];
     if (level.thickness[flattest] >= thickness_)
       return;
     consider (level, flattest);
     if (best_ == &*level.normals[flattest])
       return;
-    for (const std::uint32_t candidate : candidates)
+    for (const std::uint32_t candidate : level.gridOr (finest).neighbours[at])
       consider (level, candidate);
   }
 
@@ -149,20 +170,22 @@ normalOfCell (std::size_t cell,
               const std::vector<Level>& levels,
               const CellNormalParameters& parameters)
 {
-  FlattestPlane flattest (
+  FlattestPlane plane (
       finest.moments[cell], parameters.noise_factor, smallestNoise (finest));
-  std::size_t at = cell;
   for (const Level& level : levels) {
-    at = level.cell_of_finer.empty() ? at : level.cell_of_finer[at];
-    flattest.consider (level, at);
-    if (flattest.thickness() < parameters.flat_enough)
-      break;
-    const CellGrid& grid = level.cell_of_finer.empty() ? finest : level.grid;
-    flattest.considerAll (level, grid.neighbours[at]);
-    if (flattest.thickness() < parameters.flat_enough)
-      break;
+    const std::size_t at = level.cellHolding (cell);
+    if (level.thickness[at] < parameters.flat_enough)
+      plane.consider (level, at);
+    // Where nothing around is flat enough, a coarser level is likely to have better.
+    if (plane.thickness() >= parameters.flat_enough &&
+        level.thickness[level.flattest_around[at]] < parameters.flat_enough)
+      plane.considerAll (level, at, finest);
+    if (plane.thickness() < parameters.flat_enough)
+      return *plane.best();
   }
-  return flattest.best() ? std::optional<CellNormal> (*flattest.best()) : std::nullopt;
+  for (auto level = levels.rbegin(); level != levels.rend(); ++level)
+    plane.considerAll (*level, level->cellHolding (cell), finest);
+  return plane.best() ? std::optional<CellNormal> (*plane.best()) : std::nullopt;
 }
 
 double
@@ -172,6 +195,19 @@ meanPointsPerCell (const CellGrid& grid)
   for (const Moments& cell : grid.moments)
     points += cell.count;
   return points / static_cast<double> (grid.size());
+}
+
+// The level after the last one.
+Level
+coarserLevel (const CellGrid& finest, const Level& last, unsigned threads)
+{
+  CoarserGrid coarser = coarsen (last.gridOr (finest), threads);
+  Level level;
+  level.grid = std::move (coarser.grid);
+  level.cell_of_finest.resize (finest.size());
+  for (std::size_t i = 0; i < finest.size(); ++i)
+    level.cell_of_finest[i] = coarser.cell_of_finer[last.cellHolding (i)];
+  return level;
 }
 
 } // namespace
@@ -184,16 +220,10 @@ orientCells (const CellGrid& grid,
   const double min_points =
       std::max (static_cast<double> (parameters.least_points),
                 parameters.least_average_cells * meanPointsPerCell (grid));
-  std::vector<Level> levels (1);
-  levels.reserve (static_cast<std::size_t> (parameters.levels));
-  findNormals (grid, min_points, threads, levels[0]);
-  for (int l = 1; l < parameters.levels; ++l) {
-    CoarserGrid coarser = coarsen (l == 1 ? grid : levels.back().grid, threads);
-    Level level;
-    level.grid = std::move (coarser.grid);
-    level.cell_of_finer = std::move (coarser.cell_of_finer);
-    findNormals (level.grid, min_points, threads, level);
-    levels.push_back (std::move (level));
+  std::vector<Level> levels;
+  for (int l = 0; l < parameters.levels; ++l) {
+    levels.push_back (l == 0 ? Level() : coarserLevel (grid, levels.back(), threads));
+    findNormals (levels.back().gridOr (grid), min_points, threads, levels.back());
   }
   std::vector<std::optional<CellNormal>> normals (grid.size());
   forCells (grid, threads, [&] (std::size_t i) {
