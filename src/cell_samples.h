@@ -66,7 +66,9 @@ isInlier (const SinglePlane& plane,
 {
   const float distance = plane.nx * x + plane.ny * y + plane.nz * z + plane.offset;
   const float cosine = plane.nx * nx + plane.ny * ny + plane.nz * nz;
-  return (std::abs (distance) < band) & (std::abs (cosine) > plane.smallest_cosine);
+  const int is_near = std::abs (distance) < band;
+  const int is_parallel = std::abs (cosine) > plane.smallest_cosine;
+  return (is_near & is_parallel) != 0;
 }
 
 /** \brief Points and cells on a plane: the loop RANSAC on cells spends its time in. */
