@@ -26,13 +26,17 @@ adoptingPlane (const CellGrid& grid,
 {
   std::optional<Adoption> adoption;
   double best = 1.0;
+  // Neighbours in a row mostly are on the same plane.
+  std::optional<std::size_t> last;
+  double squared = 0.0;
   forNeighboursOnPlanes (
       grid, planes.plane_of_cell, cell, [&] (std::size_t plane, std::size_t neighbour) {
         const double band =
             std::min (parameters.noise_factor * planes.noise[neighbour], limit);
-        const double ratio =
-            meanSquaredDistance (grid.moments[cell], planes.planes[plane]) /
-            (band * band);
+        if (plane != last)
+          squared = meanSquaredDistance (grid.moments[cell], planes.planes[plane]);
+        last = plane;
+        const double ratio = squared / (band * band);
         if (ratio >= best)
           return;
         best = ratio;
