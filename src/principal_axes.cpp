@@ -44,6 +44,9 @@ normalize (SymmetricMatrices& m)
   return scale;
 }
 
+// The trace is one: the smallest of three can be no more.
+constexpr double largest_smallest = 1.0 / 3.0;
+
 // Where Newton's method starts. Without its cubic term the polynomial has a root just
 // above, which for flat sets of points is near enough; zero is on the near side of all
 // roots, if far away.
@@ -56,7 +59,8 @@ startOfRoots (const Lanes& minors, const Lanes& determinant)
         std::max (0.0, minors[i] * minors[i] - 4.0 * determinant[i]);
     const double start = 2.0 * determinant[i] / (minors[i] + std::sqrt (discriminant));
     const double slope = (3.0 * start - 2.0) * start + minors[i];
-    root[i] = slope > 0.25 * minors[i] ? start : 0.0;
+    const bool is_below = start <= largest_smallest && slope > 0.25 * minors[i];
+    root[i] = is_below ? start : 0.0;
   }
   return root;
 }
@@ -67,6 +71,8 @@ smallestRoots (const Lanes& minors, const Lanes& determinant)
 {
   constexpr int most_steps = 60;
   constexpr double precision = 1e-13;
+  // Less steep it is a line's, whose two smallest roots are zero to within rounding.
+  constexpr double least_slope = 1e-14;
   Lanes root = startOfRoots (minors, determinant);
   double farthest = 1.0;
   for (int n = 0; n < most_steps && farthest > precision; ++n) {
@@ -75,13 +81,13 @@ smallestRoots (const Lanes& minors, const Lanes& determinant)
       const double value =
           ((root[i] - 1.0) * root[i] + minors[i]) * root[i] - determinant[i];
       const double slope = (3.0 * root[i] - 2.0) * root[i] + minors[i];
-      const double step = slope > 0.0 ? value / slope : 0.0;
+      const double step = slope > least_slope ? value / slope : 0.0;
       root[i] -= step;
       farthest = std::max (farthest, std::abs (step));
     }
   }
   for (std::size_t i = 0; i < lanes; ++i)
-    root[i] = std::max (0.0, root[i]);
+    root[i] = std::min (std::max (0.0, root[i]), largest_smallest);
   return root;
 }
 

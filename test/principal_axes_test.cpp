@@ -61,6 +61,18 @@ TEST (PrincipalAxes, DoNotDependOnTheUnitOfLength)
   }
 }
 
+TEST (PrincipalAxes, HaveTwoValuesOfZeroForALine)
+{
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Matrix3d line = turned ({0.0, 0.0, 1e12}, generator);
+    const Eigen::Vector3d values = principalAxes (line).values;
+    // Double roots are found to half the digits.
+    EXPECT_TRUE (values.isApprox (Eigen::Vector3d (0.0, 0.0, 1e12), 1e-6))
+        << values.transpose();
+  }
+}
+
 TEST (PrincipalAxes, HaveNoNormalForAPointAndForNumbersThatAreNone)
 {
   EXPECT_TRUE (principalAxes (Eigen::Matrix3d::Zero()).normal.isZero());
