@@ -64,4 +64,19 @@ PlaneSegment::rms() const
   return std::sqrt (std::max (0.0, normal.dot (moments.covariance() * normal)));
 }
 
+bool
+nameOrientations (std::vector<PlaneSegment>& planes,
+                  const Eigen::Vector3d& up,
+                  double tolerance)
+{
+  constexpr double right_angle = 1.5707963267948966;
+  if (!up.allFinite() || up.isZero (0.0) ||
+      !(tolerance >= 0.0 && tolerance <= right_angle))
+    return false;
+  const Eigen::Vector3d unit = up.stableNormalized();
+  for (PlaneSegment& plane : planes)
+    plane.orientation = orientationOf (plane.normal, unit, tolerance);
+  return true;
+}
+
 } // namespace pcl_ops

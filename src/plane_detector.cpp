@@ -34,8 +34,7 @@ namespace {
 PlaneSegment
 toSegment (const Moments& moments,
            const PlaneFit& fit,
-           const Eigen::Vector3d& local_viewpoint,
-           const PlaneDetectorParameters& parameters)
+           const Eigen::Vector3d& local_viewpoint)
 {
   const bool faces_sensor = fit.plane.distance (local_viewpoint) >= 0.0;
   PlaneSegment segment;
@@ -43,9 +42,6 @@ toSegment (const Moments& moments,
       faces_sensor ? fit.plane.normal : Eigen::Vector3d (-fit.plane.normal);
   segment.centroid = fit.centroid;
   segment.moments = moments.about (fit.centroid);
-  segment.orientation = orientationOf (segment.normal,
-                                       parameters.up_axis.cast<double>().normalized(),
-                                       parameters.angle_tolerance);
   segment.inliers.resize (static_cast<std::size_t> (moments.count));
   return segment;
 }
@@ -87,13 +83,14 @@ toSegments (const Detection& detection,
   for (std::size_t p = 0; p < detection.planes.fits.size(); ++p)
     segments.push_back (toSegment (detection.planes.moments[p],
                                    detection.planes.fits[p],
-                                   viewpoint - points.origin,
-                                   parameters));
+                                   viewpoint - points.origin));
   addInliers (points, detection.labels, segments);
   for (PlaneSegment& segment : segments) {
     segment.centroid += points.origin;
     segment.moments.origin += points.origin;
   }
+  nameOrientations (
+      segments, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
   return segments;
 }
 

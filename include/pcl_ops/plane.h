@@ -158,4 +158,15 @@ struct PlaneSegment {
   rms () const;
 };
 
+/** \brief Names the orientation of planes anew, for another up axis.
+ * \param[in,out] planes only their orientation changes
+ * \param[in] up against gravity, any length but 0
+ * \param[in] tolerance largest angle to be horizontal or vertical, 0 to pi/2 [rad]
+ * \return false, with the planes as they were, where up is zero or not finite or the
+ * tolerance out of range */
+bool
+nameOrientations (std::vector<PlaneSegment>& planes,
+                  const Eigen::Vector3d& up,
+                  double tolerance);
+
 } // namespace pcl_ops

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_ops/plane.h>
+
+#include <optional>
+#include <vector>
+
+namespace pcl_ops {
+
+/** \brief The direction against gravity, as the planes of a room tell it. */
+struct UpAxis {
+  /** \brief Unit vector in the frame of the planes. */
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+  /** \brief How sure that is, 0 to 1: the share of right answers to expect among rooms
+   * that look like this one. */
+  double confidence = 0.0;
+};
+
+struct UpAxisParameters {
+  /** \brief Largest angle of a plane to the direction it speaks for [rad]; default 7
+   * degrees. */
+  double angle_tolerance = 0.12217304763960307;
+  /** \brief Share of the planes that must be horizontal, and share that must be
+   * vertical, for a direction to be looked at. */
+  double least_share = 0.02;
+  /** \brief Below this confidence there is no answer; 0: always the likeliest one. */
+  double least_confidence = 0.7;
+};
+
+/** \brief Which way is up in a room, by its planes alone.
+ *
+ * Directions that floor and walls can agree on are the normals of the larger planes and
+ * the cross products of two of them, each turned to where the planes within the
+ * tolerance fit best. A room mostly has three, so six ways to be up. What tells them
+ * apart: much faces up, as floor, seats and table tops seen from above; some planes are
+ * vertical; the sensor looks ahead rather than along the axis; rooms are wider than
+ * high; and most things are below the middle of the heights, for they stand on the
+ * floor. A logistic model of these five, fitted to simulated rooms, gives each
+ * direction its probability.
+ *
+ * All of it is relative: no unit, no number of points, no frame. It counts on a room or
+ * a corridor; on a sensor whose origin is known and that looks level or somewhat down;
+ * for a scan all around any gaze will do.
+ * \param[in] planes as PlaneDetector::segment gives them: normals towards the sensor
+ * \param[in] viewpoint origin of the sensor, in the frame of the planes
+ * \param[in] parameters tolerance, and how sure an answer has to be
+ * \return nothing where the planes cannot tell: there are none, or none across the
+ * others, or two directions are about as likely; or where an argument is not finite */
+std::optional<UpAxis>
+estimateUpAxis (const std::vector<PlaneSegment>& planes,
+                const Eigen::Vector3d& viewpoint,
+                const UpAxisParameters& parameters = UpAxisParameters());
+
+} // namespace pcl_ops

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <pcl_ops/up_axis.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_ops {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/** \brief What counts of a plane. */
+struct Face {
+  Vector3d normal, centroid;
+  Matrix3d covariance;
+  /** \brief Share of all points on planes. */
+  double points;
+  /** \brief Share by the root of the points: a near plane has far more points than a
+   * far one of the same size. */
+  double weight;
+};
+
+/** \brief The planes with what they are together. */
+struct Faces {
+  std::vector<Face> each;
+  /** \brief Of all points on planes. */
+  Vector3d mean = Vector3d::Zero();
+  Matrix3d covariance = Matrix3d::Zero();
+};
+
+bool
+isUsable (const PlaneSegment& plane)
+{
+  return plane.normal.allFinite() && plane.centroid.allFinite() &&
+         plane.moments.count > 0.0 && plane.moments.covariance().allFinite();
+}
+
+Faces
+facesOf (const std::vector<PlaneSegment>& planes)
+{
+  Faces faces;
+  double points = 0.0, weights = 0.0;
+  for (const PlaneSegment& plane : planes) {
+    if (!isUsable (plane))
+      continue;
+    const double count = plane.moments.count;
+    faces.each.push_back ({plane.normal,
+                           plane.centroid,
+                           plane.moments.covariance(),
+                           count,
+                           std::sqrt (count)});
+    points += count;
+    weights += std::sqrt (count);
+  }
+  for (Face& face : faces.each) {
+    face.points /= points;
+    face.weight /= weights;
+    faces.mean += face.points * face.centroid;
+  }
+  for (const Face& face : faces.each) {
+    const Vector3d offset = face.centroid - faces.mean;
+    faces.covariance += face.points * (face.covariance + offset * offset.transpose());
+  }
+  return faces;
+}
+
+/** \brief How well a plane fits a direction (Tukey's biweight): 1 for no deviation, 0
+ * from the limit on. Both are sines of angles. */
+double
+closeness (double deviation, double limit)
+{
+  if (deviation >= limit)
+    return 0.0;
+  const double rest = 1.0 - (deviation / limit) * (deviation / limit);
+  return rest * rest;
+}
+
+/** \brief How horizontal a plane is if \p axis is up. */
+double
+levelness (const Face& face, const Vector3d& axis, double limit)
+{
+  return closeness (face.normal.cross (axis).norm(), limit);
+}
+
+/** \brief How vertical a plane is if \p axis is up. */
+double
+uprightness (const Face& face, const Vector3d& axis, double limit)
+{
+  return closeness (std::abs (face.normal.dot (axis)), limit);
+}
+
+/** \brief Turns a direction to where horizontal normals are most along it and vertical
+ * ones least: sum of w_h (n . u)^2 - w_v (n . u)^2 at its largest. */
+Vector3d
+fittedAxis (const Faces& faces, Vector3d axis, double tolerance)
+{
+  for (const double widening : {3.0, 2.0, 1.0, 1.0, 1.0}) {
+    const double limit = std::sin (std::min (widening * tolerance, 0.5));
+    Matrix3d scatter = Matrix3d::Zero();
+    for (const Face& face : faces.each)
+      scatter += face.weight *
+                 (levelness (face, axis, limit) - uprightness (face, axis, limit)) *
+                 (face.normal * face.normal.transpose());
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> solver (scatter);
+    const Vector3d best = solver.eigenvectors().col (2);
+    axis = best.dot (axis) < 0.0 ? Vector3d (-best) : best;
+  }
+  return axis;
+}
+
+/** \brief The largest planes' normals, and the directions across two of them. */
+std::vector<Vector3d>
+axesToTry (const Faces& faces)
+{
+  constexpr std::size_t most_planes = 12;
+  constexpr double least_sine = 0.5;
+  std::vector<Face> largest = faces.each;
+  std::stable_sort (
+      largest.begin(), largest.end(), [] (const Face& first, const Face& second) {
+        return first.weight > second.weight;
+      });
+  largest.resize (std::min (largest.size(), most_planes));
+  std::vector<Vector3d> axes;
+  for (std::size_t i = 0; i < largest.size(); ++i) {
+    axes.push_back (largest[i].normal);
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vector3d across = largest[i].normal.cross (largest[j].normal);
+      if (across.norm() > least_sine)
+        axes.push_back (across.normalized());
+    }
+  }
+  return axes;
+}
+
+/** \brief An axis, either way, with the share of the planes along and across it. */
+struct Candidate {
+  Vector3d axis;
+  double support;
+};
+
+/** \brief The axes floor and walls can agree on, each once. */
+std::vector<Candidate>
+candidatesOf (const Faces& faces, const UpAxisParameters& parameters)
+{
+  constexpr double same_axis = 0.978; // cosine of 12 degrees
+  const double limit = std::sin (parameters.angle_tolerance);
+  std::vector<Candidate> all, distinct;
+  for (const Vector3d& start : axesToTry (faces)) {
+    const Vector3d axis = fittedAxis (faces, start, parameters.angle_tolerance);
+    double horizontal = 0.0, vertical = 0.0;
+    for (const Face& face : faces.each) {
+      horizontal += face.weight * levelness (face, axis, limit);
+      vertical += face.weight * uprightness (face, axis, limit);
+    }
+    if (std::min (horizontal, vertical) >= parameters.least_share)
+      all.push_back ({axis, horizontal + vertical});
+  }
+  std::stable_sort (
+      all.begin(), all.end(), [] (const Candidate& first, const Candidate& second) {
+        return first.support > second.support;
+      });
+  for (const Candidate& candidate : all)
+    if (std::none_of (distinct.begin(), distinct.end(), [&] (const Candidate& other) {
+          return std::abs (other.axis.dot (candidate.axis)) > same_axis;
+        }))
+      distinct.push_back (candidate);
+  return distinct;
+}
+
+/** \brief The logarithm of how likely a direction is up, but for a constant. */
+double
+evidenceFor (const Vector3d& up,
+             const Faces& faces,
+             const Vector3d& viewpoint,
+             double tolerance)
+{
+  const double limit = std::sin (tolerance);
+  double facing_up = 0.0, vertical = 0.0, third_moment = 0.0;
+  for (const Face& face : faces.each) {
+    if (face.normal.dot (up) > 0.0)
+      facing_up += face.weight * levelness (face, up, limit);
+    vertical += face.weight * uprightness (face, up, limit);
+    const double height = up.dot (face.centroid - faces.mean);
+    const double spread = up.dot (face.covariance * up);
+    third_moment += face.points * (height * height * height + 3.0 * height * spread);
+  }
+  const double variance = up.dot (faces.covariance * up);
+  const double spread = faces.covariance.trace();
+  const Vector3d gaze = faces.mean - viewpoint;
+  const double along_gaze =
+      gaze.dot (up) * gaze.dot (up) / (spread + gaze.squaredNorm());
+  const double skewness = third_moment / std::pow (variance, 1.5);
+  // Maximum likelihood on 300 simulated rooms, with a weak prior on small weights.
+  return 13.0 * facing_up + 1.5 * vertical - 13.0 * along_gaze -
+         11.0 * variance / spread + 0.8 * std::clamp (skewness, -2.0, 2.0);
+}
+
+} // namespace
+
+std::optional<UpAxis>
+estimateUpAxis (const std::vector<PlaneSegment>& planes,
+                const Eigen::Vector3d& viewpoint,
+                const UpAxisParameters& parameters)
+{
+  const Faces faces = facesOf (planes);
+  if (faces.each.empty() || !viewpoint.allFinite())
+    return std::nullopt;
+  struct Direction {
+    Vector3d up;
+    double evidence;
+  };
+  std::vector<Direction> directions;
+  for (const Candidate& candidate : candidatesOf (faces, parameters))
+    for (const double sign : {1.0, -1.0}) {
+      const Vector3d up = sign * candidate.axis;
+      directions.push_back (
+          {up, evidenceFor (up, faces, viewpoint, parameters.angle_tolerance)});
+    }
+  if (directions.empty())
+    return std::nullopt;
+  const Direction best = *std::max_element (
+      directions.begin(), directions.end(), [] (const auto& first, const auto& second) {
+        return first.evidence < second.evidence;
+      });
+  double likelihoods = 0.0;
+  for (const Direction& direction : directions)
+    likelihoods += std::exp (direction.evidence - best.evidence);
+  const UpAxis found{best.up.normalized(), 1.0 / likelihoods};
+  if (!(found.confidence >= parameters.least_confidence))
+    return std::nullopt;
+  return found;
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "scene.h"
+#include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/up_axis.h>
+
+#include <limits>
+
+using Eigen::Vector3d;
+using pcl_ops::estimateUpAxis;
+using pcl_ops::Orientation;
+using pcl_ops::PlaneSegment;
+
+namespace {
+
+const Vector3d up = Vector3d::UnitZ();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/** \brief A surface as a detector gives it: with a point every 10 cm, and its normal
+ * towards the eye. */
+PlaneSegment
+seenFrom (const Vector3d& eye, const Surface& surface)
+{
+  PlaneSegment plane;
+  plane.centroid = plane.moments.origin = surface.centre();
+  const int columns = static_cast<int> (surface.first.norm() / 10_cm);
+  const int rows = static_cast<int> (surface.second.norm() / 10_cm);
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) {
+      const Vector3d point = surface.at ((i + 0.5) / columns, (j + 0.5) / rows);
+      const Vector3d offset = point - plane.centroid;
+      plane.moments.add (offset.x(), offset.y(), offset.z());
+    }
+  const bool faces_eye = surface.normal().dot (eye - surface.centre()) > 0.0;
+  plane.normal = faces_eye ? surface.normal() : Vector3d (-surface.normal());
+  return plane;
+}
+
+const Vector3d eye (0.5_m, 2_m, 1.4_m);
+const Surface ground{{0, 0, 0}, {6, 0, 0}, {0, 4, 0}};
+const Surface table_top{{3, 1, 0.75}, {1.5, 0, 0}, {0, 1, 0}};
+const Surface wall_ahead{{6, 0, 0}, {0, 4, 0}, {0, 0, 2.4}};
+const Surface wall_beside{{0, 0, 0}, {6, 0, 0}, {0, 0, 2.4}};
+
+/** \brief A room of 6 m x 4 m seen from one end: the floor, a table top, the wall at
+ * the far end and one beside. */
+std::vector<PlaneSegment>
+furnishedRoom ()
+{
+  return {seenFrom (eye, ground),
+          seenFrom (eye, wall_beside),
+          seenFrom (eye, wall_ahead),
+          seenFrom (eye, table_top)};
+}
+
+PlaneSegment
+turned (const Eigen::Isometry3d& pose, PlaneSegment plane)
+{
+  plane.normal = pose.linear() * plane.normal;
+  plane.centroid = pose * plane.centroid;
+  const Eigen::Matrix3d second =
+      pose.linear() * plane.moments.covariance() * pose.linear().transpose();
+  pcl_ops::Moments& moments = plane.moments;
+  moments.origin = plane.centroid;
+  moments.sum.setZero();
+  moments.products = {second (0, 0),
+                      second (0, 1),
+                      second (0, 2),
+                      second (1, 1),
+                      second (1, 2),
+                      second (2, 2)};
+  for (double& product : moments.products)
+    product *= moments.count;
+  return plane;
+}
+
+Eigen::Quaterniond
+drawTurn (pcl_ops::RandomGenerator& generator)
+{
+  const Eigen::Quaterniond turn (drawNormal (generator),
+                                 drawNormal (generator),
+                                 drawNormal (generator),
+                                 drawNormal (generator));
+  return turn.normalized();
+}
+
+/** \brief Angle between two directions with their signs [rad]. */
+double
+angleOf (const Vector3d& found, const Vector3d& truth)
+{
+  return std::acos (std::clamp (found.dot (truth), -1.0, 1.0));
+}
+
+} // namespace
+
+TEST (UpAxis, IsWhereTheFloorFacesAndTheWallsStand)
+{
+  const auto found = estimateUpAxis (furnishedRoom(), eye);
+  ASSERT_TRUE (found.has_value());
+  EXPECT_LE (angleOf (found->direction, up), 0.1_deg);
+  EXPECT_GE (found->confidence, 0.7);
+  EXPECT_LE (found->confidence, 1.0);
+}
+
+TEST (UpAxis, TurnsWithTheRoom)
+{
+  const auto upright = estimateUpAxis (furnishedRoom(), eye);
+  ASSERT_TRUE (upright.has_value());
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  for (int i = 0; i < 50; ++i) {
+    Eigen::Isometry3d pose (drawTurn (generator));
+    pose.translation() << 10, -20, 30;
+    std::vector<PlaneSegment> planes;
+    for (const PlaneSegment& plane : furnishedRoom())
+      planes.push_back (turned (pose, plane));
+    const auto found = estimateUpAxis (planes, pose * eye);
+    ASSERT_TRUE (found.has_value());
+    EXPECT_LE (angleOf (found->direction, pose.linear() * up), 0.1_deg);
+    EXPECT_NEAR (found->confidence, upright->confidence, 1e-6);
+  }
+}
+
+TEST (UpAxis, DoesNotDependOnTheUnit)
+{
+  std::vector<PlaneSegment> in_millimetres = furnishedRoom();
+  for (PlaneSegment& plane : in_millimetres) {
+    plane.centroid *= 1000.0;
+    plane.moments.origin *= 1000.0;
+    plane.moments.sum *= 1000.0;
+    for (double& product : plane.moments.products)
+      product *= 1e6;
+  }
+  const auto metres = estimateUpAxis (furnishedRoom(), eye);
+  const auto millimetres = estimateUpAxis (in_millimetres, 1000.0 * eye);
+  ASSERT_TRUE (metres && millimetres);
+  EXPECT_NEAR (metres->confidence, millimetres->confidence, 1e-9);
+}
+
+TEST (UpAxis, IsFoundInACloudThatWasTurned)
+{
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  const LabelledScene scene =
+      room().floor (1.5_m, 1_m, 75_cm).clutter (2_percent).build();
+  const Eigen::Quaternionf turn = drawTurn (generator).cast<float>();
+  for (pcl::PointXYZ& point : *scene.cloud)
+    point.getVector3fMap() = turn * point.getVector3fMap();
+  const Vector3d sensor = turn.cast<double>() * Vector3d (3.6, 2.7, 1.5);
+  scene.cloud->sensor_origin_.head<3>() = sensor.cast<float>();
+
+  pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;
+  ops.setInputCloud (scene.cloud);
+  std::vector<PlaneSegment> planes;
+  ASSERT_TRUE (ops.segment (planes));
+  pcl_ops::UpAxisParameters parameters;
+  parameters.least_confidence = 0.0;
+  const auto found = estimateUpAxis (planes, sensor, parameters);
+  ASSERT_TRUE (found.has_value());
+  EXPECT_LE (angleOf (found->direction, turn.cast<double>() * up), 1_deg);
+}
+
+TEST (UpAxis, FollowsThePlanesNotOneTiltedOne)
+{
+  std::vector<PlaneSegment> planes = furnishedRoom();
+  const Surface ramp{{2, 0.5, 0}, {1, 0, 0.3}, {0, 1, 0}}; // 17 degrees
+  planes.push_back (seenFrom (eye, ramp));
+  const auto found = estimateUpAxis (planes, eye);
+  ASSERT_TRUE (found.has_value());
+  EXPECT_LE (angleOf (found->direction, up), 0.5_deg);
+}
+
+TEST (UpAxis, CannotBeToldWithoutPlanes)
+{
+  EXPECT_FALSE (estimateUpAxis ({}, eye).has_value());
+}
+
+TEST (UpAxis, CannotBeToldFromASingleWall)
+{
+  EXPECT_FALSE (estimateUpAxis ({seenFrom (eye, wall_ahead)}, eye).has_value());
+}
+
+TEST (UpAxis, CannotBeToldFromParallelPlanes)
+{
+  const std::vector<PlaneSegment> planes{seenFrom (eye, ground),
+                                         seenFrom (eye, table_top)};
+  EXPECT_FALSE (estimateUpAxis (planes, eye).has_value());
+}
+
+TEST (UpAxis, CannotBeToldInTheCornerOfACube)
+{
+  // The three faces are one and the same, seen along the diagonal.
+  const Vector3d diagonal (3, 3, 3);
+  const std::vector<PlaneSegment> planes{
+      seenFrom (diagonal, {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}),
+      seenFrom (diagonal, {{0, 0, 0}, {0, 2, 0}, {0, 0, 2}}),
+      seenFrom (diagonal, {{0, 0, 0}, {0, 0, 2}, {2, 0, 0}})};
+  EXPECT_FALSE (estimateUpAxis (planes, diagonal).has_value());
+  pcl_ops::UpAxisParameters parameters;
+  parameters.least_confidence = 0.0;
+  const auto guess = estimateUpAxis (planes, diagonal, parameters);
+  ASSERT_TRUE (guess.has_value());
+  EXPECT_LE (guess->confidence, 0.34) << "three are alike";
+}
+
+TEST (UpAxis, MayBeToldFromAFloorAndOneWall)
+{
+  const std::vector<PlaneSegment> planes{seenFrom (eye, ground),
+                                         seenFrom (eye, wall_ahead)};
+  const auto found = estimateUpAxis (planes, eye);
+  ASSERT_TRUE (found.has_value());
+  EXPECT_LE (angleOf (found->direction, up), 0.1_deg);
+}
+
+TEST (UpAxis, AnswersOnlyWhenAsSureAsAsked)
+{
+  const auto found = estimateUpAxis (furnishedRoom(), eye);
+  ASSERT_TRUE (found.has_value());
+  pcl_ops::UpAxisParameters parameters;
+  parameters.least_confidence = found->confidence + 1e-3;
+  EXPECT_FALSE (estimateUpAxis (furnishedRoom(), eye, parameters).has_value());
+}
+
+TEST (UpAxis, RefusesWhatIsNotFinite)
+{
+  EXPECT_FALSE (estimateUpAxis (furnishedRoom(), {not_a_number, 0, 0}).has_value());
+  EXPECT_FALSE (estimateUpAxis (furnishedRoom(), {0, infinite, 0}).has_value());
+  pcl_ops::UpAxisParameters parameters;
+  parameters.angle_tolerance = not_a_number;
+  EXPECT_FALSE (estimateUpAxis (furnishedRoom(), eye, parameters).has_value());
+}
+
+TEST (UpAxis, LeavesOutBrokenPlanes)
+{
+  std::vector<PlaneSegment> planes = furnishedRoom();
+  PlaneSegment broken = planes.front();
+  broken.normal.x() = not_a_number;
+  planes.push_back (broken);
+  planes.push_back (PlaneSegment()); // no points
+  const auto with = estimateUpAxis (planes, eye);
+  const auto without = estimateUpAxis (furnishedRoom(), eye);
+  ASSERT_TRUE (with && without);
+  EXPECT_EQ (with->direction, without->direction);
+  EXPECT_EQ (with->confidence, without->confidence);
+}
+
+TEST (NameOrientations, NamesPlanesForTheAxisFound)
+{
+  std::vector<PlaneSegment> planes = furnishedRoom();
+  ASSERT_TRUE (pcl_ops::nameOrientations (planes, 5.0 * up, 7_deg));
+  EXPECT_EQ (planes[0].orientation, Orientation::Horizontal);
+  EXPECT_EQ (planes[1].orientation, Orientation::Vertical);
+  ASSERT_TRUE (pcl_ops::nameOrientations (planes, {1, 0, 1}, 7_deg));
+  EXPECT_EQ (planes[0].orientation, Orientation::Other);
+}
+
+TEST (NameOrientations, LeavesThePlanesAloneForABadAxis)
+{
+  std::vector<PlaneSegment> planes = furnishedRoom();
+  ASSERT_TRUE (pcl_ops::nameOrientations (planes, up, 7_deg));
+  EXPECT_FALSE (pcl_ops::nameOrientations (planes, Vector3d::Zero(), 7_deg));
+  EXPECT_FALSE (pcl_ops::nameOrientations (planes, {not_a_number, 0, 1}, 7_deg));
+  EXPECT_FALSE (pcl_ops::nameOrientations (planes, up, -1_deg));
+  EXPECT_FALSE (pcl_ops::nameOrientations (planes, up, not_a_number));
+  EXPECT_EQ (planes[0].orientation, Orientation::Horizontal);
+}
