@@ -94,11 +94,7 @@ public:
   addDirection (const std::string& name, Target& target, const std::string& help)
   {
     addValue (name, "x,y,z", help, [name, &target] (const std::string& text) {
-      const Eigen::Vector3f direction = parseVector ("--" + name, text);
-      if (!(direction.norm() > 0.0f))
-        throw UsageError ("--" + name,
-                          text + " is no direction; give one such as 0,0,1");
-      target = direction;
+      target = parseDirection ("--" + name, text);
     });
   }
 

@@ -141,4 +141,13 @@ parseVector (const std::string& option, const std::string& text)
   return vector;
 }
 
+Eigen::Vector3f
+parseDirection (const std::string& option, const std::string& text)
+{
+  const Eigen::Vector3f direction = parseVector (option, text);
+  if (!(direction.norm() > 0.0f))
+    throw UsageError (option, text + " is no direction; give one such as 0,0,1");
+  return direction;
+}
+
 } // namespace pcl_ops::apps

@@ -52,4 +52,9 @@ parseNumber (const std::string& option, const std::string& text, const Range& ra
 Eigen::Vector3f
 parseVector (const std::string& option, const std::string& text);
 
+/** \brief A vector "x,y,z" other than zero.
+ * \throws UsageError if the text is anything else */
+Eigen::Vector3f
+parseDirection (const std::string& option, const std::string& text);
+
 } // namespace pcl_ops::apps

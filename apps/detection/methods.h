@@ -55,6 +55,8 @@ struct DetectorOptions {
   /** \brief [degree] */
   std::optional<double> angle_tolerance;
   std::optional<Eigen::Vector3f> up;
+  /** \brief Look for the up axis in the cloud; see runMethod. */
+  bool finds_up = false;
   std::optional<std::uint32_t> seed;
   std::optional<std::uint32_t> threads;
   OpsOptions ops;
@@ -70,6 +72,8 @@ struct Detected {
   /** \brief The parameters used, under the names of their options. */
   nlohmann::ordered_json parameters;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  /** \brief A line on the up axis where it was looked for. */
+  std::string up_note;
   /** \brief Which parameter most likely stands in the way where nothing was found. */
   std::string advice;
 };

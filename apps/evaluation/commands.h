@@ -30,4 +30,8 @@ picturesCommand (int argc, const char* const* argv);
 int
 truthCommand (int argc, const char* const* argv);
 
+/** \brief `pcl_ops_evaluate up`: how well the up axis is found from planes. */
+int
+upCommand (int argc, const char* const* argv);
+
 } // namespace pcl_ops::evaluation

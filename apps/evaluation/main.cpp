@@ -21,6 +21,7 @@ constexpr const char* help =
     "  pcl_ops_evaluate report OUTPUT          tables and plots of a run's results\n"
     "  pcl_ops_evaluate pictures OUTPUT DATASET...  what they find, as pictures\n"
     "  pcl_ops_evaluate truth DATASET...       how good a truth region growing makes\n"
+    "  pcl_ops_evaluate up DATASET...          how well the up axis is found\n"
     "  pcl_ops_evaluate detectors              the detectors a run can have\n"
     "\n"
     "pcl_ops_evaluate COMMAND --help says more.\n";
@@ -35,6 +36,7 @@ dispatch (int argc, const char* const* argv)
       {"report", evaluation::reportCommand},
       {"pictures", evaluation::picturesCommand},
       {"truth", evaluation::truthCommand},
+      {"up", evaluation::upCommand},
       {"detectors", evaluation::detectorsCommand},
   };
   const std::string name = argc > 1 ? argv[1] : "";

@@ -5,6 +5,7 @@
 #include <common/cloud_file.h>
 #include <common/output_file.h>
 #include <common/program.h>
+#include <detection/up_search.h>
 #include <picture/colors.h>
 #include <picture/picture.h>
 
@@ -20,7 +21,7 @@ Detected
 detectPlanes (const SegmentOptions& options, const Positions& positions)
 {
   Detected detected =
-      methodCalled (options.method).detect (options.detector, positions.cloud);
+      runMethod (methodCalled (options.method), options.detector, positions.cloud);
   for (PlaneSegment& plane : detected.planes)
     plane.centroid += positions.shift;
   return detected;

@@ -64,7 +64,14 @@ declareDetector (CommandLine& line, DetectorOptions& detector)
                   Range::from (0).upTo (kRightAngle),
                   detector.angle_tolerance,
                   "largest tilt of horizontal and vertical planes (7)");
-  line.addDirection ("up", detector.up, "direction against gravity (0,0,1)");
+  line.addValue ("up",
+                 "x,y,z",
+                 "direction against gravity, or auto to find it (0,0,1)",
+                 [&detector] (const std::string& text) {
+                   detector.finds_up = text == "auto";
+                   if (!detector.finds_up)
+                     detector.up = parseDirection ("--up", text);
+                 });
   line.addNumber (
       "seed", "S", Range::from (0), detector.seed, "same seed, same result (42)");
   line.addNumber ("threads",

@@ -102,6 +102,8 @@ printTable (const Report& report, std::ostream& stream)
     stream << "No plane found: " << report.detected.advice << ".\n";
   else
     printPlanes (planes, report.points, stream);
+  if (!report.detected.up_note.empty())
+    stream << report.detected.up_note << "\n";
   stream << "Times [ms]:" << std::setprecision (1);
   for (const auto& [name, duration] : kStages)
     stream << " " << name << " " << report.detected.timing.*duration;

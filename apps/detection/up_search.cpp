@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "up_search.h"
+
+#include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/up_axis.h>
+
+#include <iomanip>
+#include <sstream>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+std::optional<UpAxis>
+findUp (const DetectorOptions& options, const PositionsPtr& cloud)
+{
+  OrientedPointSampling<pcl::PointXYZ> ops;
+  ops.setSeed (options.seed.value_or (ops.getSeed()));
+  ops.setNumberOfThreads (options.threads.value_or (ops.getNumberOfThreads()));
+  ops.setInputCloud (cloud);
+  std::vector<PlaneSegment> planes;
+  ops.segment (planes);
+  return estimateUpAxis (planes, cloud->sensor_origin_.head<3>().cast<double>());
+}
+
+std::string
+textOf (const Eigen::Vector3f& vector)
+{
+  const Eigen::IOFormat with_commas (4, Eigen::DontAlignCols, ",", ",");
+  std::ostringstream text;
+  text << vector.transpose().format (with_commas);
+  return text.str();
+}
+
+std::string
+noteOn (const std::optional<UpAxis>& found, const Eigen::Vector3f& used)
+{
+  std::ostringstream note;
+  if (found)
+    note << "Up axis: " << textOf (used) << ", confidence " << std::fixed
+         << std::setprecision (2) << found->confidence;
+  else
+    note << "Up axis: the planes cannot tell, " << textOf (used)
+         << " is used; give --up x,y,z";
+  return note.str();
+}
+
+} // namespace
+
+Detected
+runMethod (const Method& method,
+           const DetectorOptions& options,
+           const PositionsPtr& cloud)
+{
+  if (!options.finds_up)
+    return method.detect (options, cloud);
+  const std::optional<UpAxis> found = findUp (options, cloud);
+  DetectorOptions known = options;
+  if (found)
+    known.up = found->direction.cast<float>();
+  Detected detected = method.detect (known, cloud);
+  detected.up_note = noteOn (found, detected.up);
+  nlohmann::ordered_json& confidence = detected.parameters["up_confidence"];
+  if (found)
+    confidence = found->confidence;
+  return detected;
+}
+
+} // namespace pcl_ops::apps

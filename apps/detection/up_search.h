@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "methods.h"
+
+namespace pcl_ops::apps {
+
+/** \brief The planes a method finds; by `--up auto` named, and for the paper's strategy
+ * 2 found, with the up axis of the cloud's own planes.
+ *
+ * The axis is that of the default preset's planes, whatever the method: its confidence
+ * was measured on those. Where they cannot tell, the default axis is used. */
+Detected
+runMethod (const Method& method,
+           const DetectorOptions& options,
+           const PositionsPtr& cloud);
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+
+#include "segment_program.h"
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace {
+
+/** \brief The floor and the wall with a second wall at y = 2 m, x becoming up: the
+ * sensor looks along the longest side. */
+InputCloud
+roomLyingOnItsSide ()
+{
+  InputCloud cloud;
+  const auto add = [&] (float x, float y, float z) {
+    // What was up, z, is x now.
+    cloud.push_back ({z, x, y, static_cast<float> (cloud.size())});
+  };
+  constexpr float kStep = 0.04f;
+  for (float x = 0; x < 4; x += kStep)
+    for (float y = 0; y < 2; y += kStep)
+      add (x, y, 0);
+  for (float x = 0; x < 4; x += kStep)
+    for (float z = kStep; z < 1.6f; z += kStep)
+      add (x, 2, z);
+  for (float y = 0; y < 2; y += kStep)
+    for (float z = kStep; z < 1.6f; z += kStep)
+      add (4, y, z);
+  cloud.sensor_origin_ = Eigen::Vector4f (1.3f, -1.0f, 0.8f, 0.0f);
+  return cloud;
+}
+
+/** \brief A run that looks for the up axis, with what it wrote to planes.json. */
+struct UpRun {
+  Outcome outcome;
+  nlohmann::json json;
+
+  Eigen::Vector3d
+  up () const
+  {
+    const auto& numbers = json["parameters"]["up"];
+    return {numbers[0], numbers[1], numbers[2]};
+  }
+};
+
+class SegmentUp : public Segment {
+protected:
+  UpRun
+  findUp (const InputCloud& cloud, const std::string& options = "") const
+  {
+    pcl::io::savePCDFileBinary (folder_ / "cloud.pcd", cloud);
+    const Outcome done = run ("cloud.pcd --up auto --planes planes.json " + options);
+    EXPECT_EQ (done.exit_code, 0) << done.err;
+    return {done, nlohmann::json::parse (contentOf (folder_ / "planes.json"))};
+  }
+};
+
+} // namespace
+
+TEST_F (SegmentUp, IsFoundAndNamesThePlanes)
+{
+  const UpRun run = findUp (roomLyingOnItsSide());
+  EXPECT_GE (run.up().x(), 0.999) << run.outcome.out;
+  EXPECT_GE (run.json["parameters"]["up_confidence"], 0.7);
+  EXPECT_TRUE (contains (run.outcome.out, "Up axis: 1,")) << run.outcome.out;
+  EXPECT_TRUE (contains (run.outcome.out, "confidence")) << run.outcome.out;
+  for (const auto& plane : run.json["planes"]) {
+    const bool is_floor = std::abs (plane["normal"][0].get<double>()) > 0.9;
+    EXPECT_EQ (plane["orientation"], is_floor ? "horizontal" : "vertical");
+  }
+}
+
+TEST_F (SegmentUp, IsTheSameForEveryMethodAndPreset)
+{
+  for (const char* options :
+       {"--preset paper", "--method fspf", "--method kht", "--threads 2"})
+    EXPECT_EQ (findUp (roomLyingOnItsSide(), options).up(),
+               findUp (roomLyingOnItsSide()).up())
+        << options;
+}
+
+TEST_F (SegmentUp, SaysWhenThePlanesCannotTell)
+{
+  InputCloud wall;
+  for (int x = 0; x < 60; ++x)
+    for (int y = 0; y < 60; ++y)
+      wall.push_back (
+          {0.04f * static_cast<float> (x), 0.04f * static_cast<float> (y), 2.0f, 0.0f});
+  const UpRun run = findUp (wall);
+  EXPECT_EQ (run.up(), Eigen::Vector3d::UnitZ());
+  EXPECT_TRUE (run.json["parameters"]["up_confidence"].is_null());
+  EXPECT_TRUE (contains (run.outcome.out, "cannot tell, 0,0,1 is used"))
+      << run.outcome.out;
+}
+
+TEST_F (SegmentUp, IsNotLookedForUnlessAsked)
+{
+  ASSERT_EQ (run ("in.pcd --planes planes.json").exit_code, 0);
+  const auto json = nlohmann::json::parse (contentOf (folder_ / "planes.json"));
+  EXPECT_FALSE (json["parameters"].contains ("up_confidence"));
+  EXPECT_EQ (run ("in.pcd --up automatic").exit_code, 2);
+}
