@@ -175,6 +175,16 @@ TEST (EvaluateProgram, ABrokenCloudIsLeftOutTheRestGoesOn)
       << run.text;
 }
 
+TEST (EvaluateProgram, TellsHowWellTheUpAxisIsFound)
+{
+  const ProgramRun run = evaluate ("up rooms:7 --rotations 2");
+  EXPECT_EQ (run.exit_code, 0) << run.text;
+  EXPECT_NE (run.text.find ("| rooms"), std::string::npos) << run.text;
+  EXPECT_NE (run.text.find ("Right by confidence"), std::string::npos) << run.text;
+  expectError (evaluate ("up rooms:7 --rotations 0"), 2, "--rotations");
+  expectError (evaluate ("up planets:9"), 2, "planets:9");
+}
+
 TEST (EvaluateProgram, FoldersThatCannotBeUsedAreNamed)
 {
   const TemporaryFolder folder;

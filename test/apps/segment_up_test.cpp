@@ -41,8 +41,8 @@ struct UpRun {
   Eigen::Vector3d
   up () const
   {
-    const auto& numbers = json["parameters"]["up"];
-    return {numbers[0], numbers[1], numbers[2]};
+    const auto numbers = json["parameters"]["up"].get<std::vector<double>>();
+    return Eigen::Vector3d (numbers[0], numbers[1], numbers[2]);
   }
 };
 
