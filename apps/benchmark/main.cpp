@@ -144,7 +144,7 @@ run (int argc, const char* const* argv)
   if (!options.json_file.empty())
     apps::checkWritable (options.json_file);
   if (!options.scaling_folder.empty())
-    evaluation::makeFolder (options.scaling_folder);
+    apps::makeFolder (options.scaling_folder);
 
   std::size_t left_out = 0;
   const Benchmark benchmark = measure (options, clouds, growing, left_out);

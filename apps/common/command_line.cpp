@@ -18,7 +18,6 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr unsigned kHelpWidth = 100;
 constexpr const char* kPositional = "positional arguments";
 
 bool
@@ -137,10 +136,32 @@ CommandLine::addArguments (const std::string& name,
 }
 
 void
+CommandLine::setUsage (const std::vector<std::string>& ways,
+                       const std::string& explanation)
+{
+  ways_ = ways;
+  explanation_ = explanation;
+}
+
+void
 CommandLine::beginGroup (const std::string& title)
 {
   groups_.push_back (
       {title, po::options_description (title, kHelpWidth, kHelpWidth / 2)});
+}
+
+void
+CommandLine::beginBriefGroup (const std::string& title)
+{
+  const bool is_first =
+      std::none_of (groups_.begin(), groups_.end(), [] (const Group& group) {
+        return group.is_brief;
+      });
+  if (is_first)
+    groups_.front().options.add_options() (
+        "help-all", "explain the options of the groups below, too");
+  beginGroup (title);
+  groups_.back().is_brief = true;
 }
 
 void
@@ -167,16 +188,18 @@ void
 CommandLine::addChoice (const std::string& name,
                         const std::vector<std::string>& choices,
                         std::string& target,
-                        const std::string& help)
+                        const std::string& help,
+                        const std::string& placeholder)
 {
   std::string list;
   for (const std::string& choice : choices)
     list += (list.empty() ? "" : "|") + choice;
-  addValue (name, list, help, [name, choices, list, &target] (const std::string& text) {
+  const auto store = [name, choices, list, &target] (const std::string& text) {
     if (std::find (choices.begin(), choices.end(), text) == choices.end())
       throw UsageError ("--" + name, "'" + text + "' is unknown; give " + list);
     target = text;
-  });
+  };
+  addValue (name, placeholder.empty() ? list : placeholder, help, store);
 }
 
 void
@@ -207,6 +230,8 @@ CommandLine::parse (int argc, const char* const* argv)
   }
   if (values_.count ("help") > 0)
     std::cout << help();
+  else if (values_.count ("help-all") > 0)
+    std::cout << fullHelp();
   else if (values_.count ("version") > 0)
     std::cout << program_ << " " << version_ << "\n";
   else {
@@ -237,30 +262,6 @@ CommandLine::forbidTogether (const std::string& first, const std::string& second
   if (isGiven (first) && isGiven (second))
     throw UsageError ("--" + first,
                       "contradicts --" + second + "; give only one of them");
-}
-
-std::string
-CommandLine::help() const
-{
-  std::ostringstream text;
-  text << "Usage: " << program_;
-  for (const Argument& argument : arguments_)
-    text << (argument.fewest == 0 ? " [" : " ") << argument.name
-         << (argument.most > 1 ? "..." : "") << (argument.fewest == 0 ? "]" : "");
-  text << " [options]\n" << summary_ << "\n\n";
-  for (const Argument& argument : arguments_)
-    text << "  " << argument.name << ": " << argument.help << "\n";
-  text << allOptions();
-  return text.str();
-}
-
-po::options_description
-CommandLine::allOptions() const
-{
-  po::options_description all ("", kHelpWidth, kHelpWidth / 2);
-  for (const Group& group : groups_)
-    all.add (group.options);
-  return all;
 }
 
 void

@@ -47,9 +47,19 @@ public:
                 std::size_t fewest,
                 const std::string& help);
 
+  /** \brief Replaces what --help derives from the arguments after "Usage: program".
+   * \param[in] ways to call the program, one a line
+   * \param[in] explanation below the summary */
+  void
+  setUsage (const std::vector<std::string>& ways, const std::string& explanation);
+
   /** \brief Lists the options declared from now on under a title of their own. */
   void
   beginGroup (const std::string& title);
+
+  /** \brief The same, with a line of names in --help; --help-all explains them. */
+  void
+  beginBriefGroup (const std::string& title);
 
   /** \brief Declares an option without a value. */
   void
@@ -62,12 +72,14 @@ public:
            std::string& target,
            const std::string& help);
 
-  /** \brief Declares an option whose value is one of \p choices. */
+  /** \brief Declares an option whose value is one of \p choices.
+   * \param[in] placeholder in the help; empty for the list of choices */
   void
   addChoice (const std::string& name,
              const std::vector<std::string>& choices,
              std::string& target,
-             const std::string& help);
+             const std::string& help,
+             const std::string& placeholder = "");
 
   /** \brief Declares an option with a number.
    * \param[out] target an int, std::uint32_t, std::size_t, float or double, or a
@@ -132,7 +144,14 @@ public:
   std::string
   help () const;
 
+  /** \brief The text of --help-all, which explains the options of brief groups, too. */
+  std::string
+  fullHelp () const;
+
 private:
+  /** \brief Columns of --help. */
+  static constexpr unsigned kHelpWidth = 80;
+
   template <typename T>
   struct NumberOf {
     using type = T;
@@ -153,14 +172,22 @@ private:
   struct Group {
     std::string title;
     boost::program_options::options_description options;
+    bool is_brief = false;
   };
 
   boost::program_options::options_description
   allOptions () const;
   void
   storeArguments (const std::vector<std::string>& given) const;
+  std::vector<std::string>
+  waysToCall () const;
+  std::string
+  usage () const;
 
   std::string program_, summary_, version_;
+  /** \brief Of \ref setUsage. */
+  std::vector<std::string> ways_;
+  std::string explanation_;
   std::vector<Argument> arguments_;
   /** \brief New options go to the last. */
   std::vector<Group> groups_;

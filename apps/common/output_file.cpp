@@ -107,6 +107,20 @@ writeTextFile (const std::string& file, const std::string& text)
   });
 }
 
+void
+makeFolder (const std::string& folder)
+{
+  std::error_code error;
+  if (fs::exists (folder, error) && !fs::is_directory (folder, error))
+    throw WorkError (folder, "is no folder; give another name");
+  fs::create_directories (folder, error);
+  if (error)
+    throw WorkError (folder,
+                     "cannot be created (" + error.message() + "); give another name");
+  if (::access (folder.c_str(), W_OK | X_OK) != 0)
+    throw WorkError (folder, "cannot be written to; choose another folder");
+}
+
 std::string
 extensionOf (const std::string& file)
 {
@@ -115,6 +129,12 @@ extensionOf (const std::string& file)
     return static_cast<char> (std::tolower (static_cast<unsigned char> (c)));
   });
   return extension;
+}
+
+std::string
+resolvedName (const std::string& file)
+{
+  return resolved (file).string();
 }
 
 bool

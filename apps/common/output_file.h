@@ -27,10 +27,20 @@ writeFile (const std::string& file,
 void
 writeTextFile (const std::string& file, const std::string& text);
 
+/** \brief Makes a folder, with those it lies in, unless it is there.
+ * \throws WorkError that names the folder if files cannot be written there */
+void
+makeFolder (const std::string& folder);
+
 /** \brief The lower case extension with its dot, e.g. ".pcd"; empty if there is none.
  */
 std::string
 extensionOf (const std::string& file);
+
+/** \brief The absolute name of a file, through links in its folder and its own; the
+ * file need not exist. */
+std::string
+resolvedName (const std::string& file);
 
 /** \brief Whether both names lead to the same file, also through links and other
  * spellings of the folder; the files need not exist. */

@@ -13,15 +13,21 @@ namespace pcl_ops::apps {
 namespace {
 
 int
-fail (const std::string& name, std::string message, ExitCode code)
+fail (const std::string& name, const std::string& message, ExitCode code)
 {
-  std::replace (message.begin(), message.end(), '\n', ' ');
   std::cout.flush();
-  std::cerr << name << ": " << message << std::endl;
+  std::cerr << errorLine (name, message) << std::endl;
   return code;
 }
 
 } // namespace
+
+std::string
+errorLine (const std::string& program, std::string message)
+{
+  std::replace (message.begin(), message.end(), '\n', ' ');
+  return program + ": " + message;
+}
 
 int
 runProgram (const std::string& name, const std::function<int()>& body)

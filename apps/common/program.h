@@ -5,26 +5,36 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace pcl_ops::apps {
 
 enum ExitCode : int { kDone = 0, kWorkFailed = 1, kWrongUsage = 2 };
 
-/** \brief The program was called wrongly: exit code 2.
- * The text of both errors reads "subject: what is wrong; what to do", where the subject
- * is the option or file it is about. */
-struct UsageError : std::runtime_error {
-  UsageError (const std::string& subject, const std::string& what_and_mend)
+/** \brief What a program ends with where it cannot go on. Its text reads "subject: what
+ * is wrong; what to do", where the subject is the option or file it is about. */
+struct ProgramError : std::runtime_error {
+  ProgramError (const std::string& subject, std::string what_and_mend)
   : std::runtime_error (subject + ": " + what_and_mend)
+  , problem (std::move (what_and_mend))
   {}
+  /** \brief The text without its subject. */
+  std::string problem;
+};
+
+/** \brief The program was called wrongly: exit code 2. */
+struct UsageError : ProgramError {
+  using ProgramError::ProgramError;
 };
 
 /** \brief The program was called rightly but could not do its work: exit code 1. */
-struct WorkError : std::runtime_error {
-  WorkError (const std::string& subject, const std::string& what_and_mend)
-  : std::runtime_error (subject + ": " + what_and_mend)
-  {}
+struct WorkError : ProgramError {
+  using ProgramError::ProgramError;
 };
+
+/** \brief What a program says about a problem: one line, without its end. */
+std::string
+errorLine (const std::string& program, std::string message);
 
 /** \brief Runs the body of a program and turns what it throws into one line on stderr
  * and an exit code. Silences PCL's own console output, which would make it more than a

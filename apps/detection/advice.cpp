@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "advice.h"
 
+#include <pcl/common/point_tests.h>
+
 #include <pcl_ops/fixed_radius_search.h>
 #include <pcl_ops/octree_clusters.h>
 
@@ -72,6 +74,22 @@ medianSphereSize (const Points& points, double radius, unsigned threads)
 }
 
 } // namespace
+
+bool
+isHardlyCovered (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+                 const std::vector<PlaneSegment>& planes)
+{
+  constexpr double kLeastShare = 0.05;
+  const auto points =
+      std::count_if (cloud.begin(), cloud.end(), [] (const pcl::PointXYZ& point) {
+        return pcl::isFinite (point);
+      });
+  std::size_t covered = 0;
+  for (const PlaneSegment& plane : planes)
+    covered += plane.inliers.size();
+  return covered == 0 ||
+         static_cast<double> (covered) < kLeastShare * static_cast<double> (points);
+}
 
 std::string
 adviceFor (const OrientedPointSamplingParameters& parameters,
@@ -146,7 +164,7 @@ adviceFor (const KernelHoughTransformParameters& parameters,
            << " points: lower either, or --s-alpha (" << clusters.s_alpha
            << ") if the points are noisy";
   else
-    advice << "no plane is left of " << flat
+    advice << "hardly a plane is left of " << flat
            << " flat octree nodes: raise --threshold (" << parameters.distance_threshold
            << "), or lower --min-samples (" << clusters.min_samples
            << ") for more of them";

@@ -8,14 +8,23 @@
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/plane.h>
 
 #include <string>
+#include <vector>
 
 namespace pcl_ops::apps {
 
-/** \brief Which parameter to change where OPS found no plane, as the end of a sentence.
- * Looks at how many points are sampled and at how the threshold relates to the cloud's
- * extent, which tells millimetres from metres. */
+/** \brief Whether so few of the points with coordinates are on planes that most likely
+ * a parameter does not fit the cloud; also if there are no such points. */
+bool
+isHardlyCovered (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+                 const std::vector<PlaneSegment>& planes);
+
+/** \brief Which parameter to change where OPS found no plane or, as \ref
+ * isHardlyCovered says, next to none, as the end of a sentence. Looks at how many
+ * points are sampled and at how the threshold relates to the cloud's extent, which
+ * tells millimetres from metres. */
 std::string
 adviceFor (const OrientedPointSamplingParameters& parameters,
            const pcl::PointCloud<pcl::PointXYZ>& cloud);

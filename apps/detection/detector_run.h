@@ -80,7 +80,7 @@ detectBy (const typename Detector::Parameters& parameters,
   detected.timing = detector.getStageDurations();
   detected.parameters = std::move (described);
   detected.up = parameters.up_axis;
-  if (detected.planes.empty())
+  if (isHardlyCovered (*cloud, detected.planes))
     detected.advice = adviceFor (parameters, *cloud);
   return detected;
 }

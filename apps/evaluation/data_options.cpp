@@ -3,9 +3,6 @@
 #include "data_options.h"
 
 #include "data_sets.h"
-#include <common/output_file.h>
-
-#include <filesystem>
 
 namespace pcl_ops::evaluation {
 
@@ -43,14 +40,6 @@ dataSetsOf (const DataOptions& options)
   for (const std::string& text : options.data_sets)
     data_sets.push_back (dataSetOf (text, options.up.cast<double>().normalized()));
   return data_sets;
-}
-
-void
-makeFolder (const std::string& folder)
-{
-  std::error_code ignored;
-  std::filesystem::create_directories (folder, ignored);
-  apps::checkWritable ((std::filesystem::path (folder) / "file").string());
 }
 
 } // namespace pcl_ops::evaluation

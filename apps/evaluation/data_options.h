@@ -24,9 +24,4 @@ addDataOptions (apps::CommandLine& line, DataOptions& options);
 std::vector<DataSet>
 dataSetsOf (const DataOptions& options);
 
-/** \brief Makes a folder, with those it lies in.
- * \throw apps::WorkError if files cannot be written there */
-void
-makeFolder (const std::string& folder);
-
 } // namespace pcl_ops::evaluation

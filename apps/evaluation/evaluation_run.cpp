@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_run.h"
 
+#include <common/parallel.h>
 #include <common/program.h>
 
 #include <atomic>
 #include <exception>
-#include <thread>
 
 namespace pcl_ops::evaluation {
 
@@ -27,19 +27,18 @@ public:
   : plan_ (plan)
   , results_ (results)
   , tasks_ (tasksOf (plan))
-  , progress_ (tasks_.size(), messages, is_terminal)
+  , progress_ (tasks_.size(),
+               messages,
+               is_terminal ? apps::ProgressStyle::Bar : apps::ProgressStyle::Lines)
   {}
 
   EvaluationSummary
   run ()
   {
-    std::vector<std::thread> threads;
-    for (unsigned i = 0; i < std::max (1u, plan_.jobs); ++i)
-      threads.emplace_back ([this] { work(); });
-    for (std::thread& thread : threads)
-      thread.join();
-    if (failure_)
-      std::rethrow_exception (failure_);
+    apps::runInParallel (tasks_.size(), plan_.jobs, [this] (std::size_t i) {
+      evaluateCloud (tasks_[i]);
+      progress_.step();
+    });
     return {clouds_, new_rows_, broken_clouds_, failed_runs_};
   }
 
@@ -52,21 +51,6 @@ private:
       for (const CloudSource& source : data_set.clouds)
         tasks.push_back ({data_set.name, &source});
     return tasks;
-  }
-
-  void
-  work ()
-  {
-    try {
-      for (std::size_t i; !stopped_ && (i = next_++) < tasks_.size();) {
-        evaluateCloud (tasks_[i]);
-        progress_.step();
-      }
-    }
-    catch (...) {
-      if (!stopped_.exchange (true))
-        failure_ = std::current_exception();
-    }
   }
 
   void
@@ -143,11 +127,8 @@ private:
   const EvaluationPlan& plan_;
   ResultsFile& results_;
   std::vector<CloudTask> tasks_;
-  Progress progress_;
-  std::atomic<std::size_t> next_{0};
+  apps::Progress progress_;
   std::atomic<std::size_t> clouds_{0}, new_rows_{0}, broken_clouds_{0}, failed_runs_{0};
-  std::atomic<bool> stopped_{false};
-  std::exception_ptr failure_;
 };
 
 } // namespace

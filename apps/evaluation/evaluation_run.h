@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "progress.h"
 #include "results_file.h"
 #include "truth.h"
+#include <common/progress.h>
 
 namespace pcl_ops::evaluation {
 

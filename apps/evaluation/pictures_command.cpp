@@ -55,7 +55,7 @@ picturesCommand (int argc, const char* const* argv)
     return apps::kDone;
   const auto configurations = selectConfigurations (options.detectors);
   const std::vector<DataSet> data_sets = dataSetsOf (options.data);
-  makeFolder (options.folder);
+  apps::makeFolder (options.folder);
 
   std::ostringstream page;
   for (const DataSet& data_set : data_sets)

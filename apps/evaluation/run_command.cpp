@@ -5,6 +5,7 @@
 #include "evaluation_run.h"
 #include "report.h"
 #include <common/command_line.h>
+#include <common/output_file.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -60,8 +61,8 @@ planOf (const RunOptions& options)
   plan.truth = options.data.truth;
   if (plan.truth.cache_folder.empty())
     plan.truth.cache_folder = (fs::path (options.folder) / "truth").string();
-  makeFolder (options.folder);
-  makeFolder (plan.truth.cache_folder);
+  apps::makeFolder (options.folder);
+  apps::makeFolder (plan.truth.cache_folder);
   return plan;
 }
 

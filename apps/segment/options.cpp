@@ -2,22 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
+#include "tasks.h"
 #include <common/command_line.h>
 #include <common/output_file.h>
+#include <common/standard_input.h>
 
 #include <algorithm>
-#include <vector>
+#include <filesystem>
+#include <utility>
+
+namespace fs = std::filesystem;
 
 namespace pcl_ops::apps {
 
 namespace {
 
 constexpr const char* kSummary =
-    "Finds the planes of a point cloud and labels every point with its plane. Where "
-    "there\n"
-    "is none, it labels all points 0 and says which option to change; that is no "
-    "failure.\n"
-    "Lengths are in the unit of the cloud, metres by default; angles in degrees.";
+    "Finds the planes of point clouds and labels every point with its plane.";
+
+constexpr const char* kInAndOut =
+    "  INPUT       .pcd or .ply; - for one that is piped in. With --output-dir also\n"
+    "              several, folders (without subfolders), patterns as 'scans/*.pcd'\n"
+    "  OUTPUT.pcd  the cloud with label (0: no plane, 1: the largest, ...) and rgb\n"
+    "  prints      a table of the planes; with INPUT - their JSON; with --output-dir\n"
+    "              a line for each input, and goes on where one is bad\n"
+    "  no plane    is no failure: all labels 0, and a hint which option to change\n"
+    "  exit code   0 done; 1 failed, with --output-dir any input; 2 wrong usage\n"
+    "Lengths are in the unit of the cloud, metres by default; angles in degrees.\n";
 
 std::vector<std::string>
 methodNames ()
@@ -37,10 +48,32 @@ groupOf (const Method& method)
 void
 declareOutputs (CommandLine& line, SegmentOptions& options)
 {
-  line.addText ("planes", "FILE", options.planes, "write the planes as .json or .csv");
-  line.addText ("image", "FILE.png", options.image, "write a picture of the planes");
-  line.addFlag (
-      "keep-color", options.keep_color, "keep the rgb of the input in OUTPUT");
+  constexpr double kMostJobs = 256;
+  Outputs& outputs = options.outputs;
+  line.addText ("output-dir",
+                "DIR",
+                options.output_dir,
+                "write DIR/NAME.pcd, .json for each INPUT NAME.pcd;\n"
+                "below, {} in FILE and DIR stands for NAME");
+  line.addNumber ("jobs",
+                  "N",
+                  Range::from (0).upTo (kMostJobs),
+                  options.jobs,
+                  "INPUTs at a time; 0: one for each processor (1)");
+  line.addText (
+      "planes", "FILE", outputs.planes, "write the planes: .json, .csv or - (printed)");
+  line.addText ("image", "FILE.png", outputs.image, "write a picture of the planes");
+  line.addText ("rest", "FILE.pcd", outputs.rest, "write the points on no plane");
+  line.addText ("planes-dir",
+                "DIR",
+                outputs.planes_dir,
+                "write each plane: plane_001_horizontal.pcd, ...");
+  line.addChoice ("only",
+                  {"horizontal", "vertical", "other", "largest"},
+                  options.only,
+                  "find horizontal, vertical, other or largest only",
+                  "WHICH");
+  line.addFlag ("keep-color", options.keep_color, "keep the input's rgb in OUTPUT");
   line.addFlag ("quiet", options.quiet, "print no table");
 }
 
@@ -58,7 +91,7 @@ declareDetector (CommandLine& line, DetectorOptions& detector)
                   "M",
                   Range::above (0),
                   detector.threshold,
-                  "largest distance of a point to its plane (0.05; ops: auto)");
+                  "farthest point of a plane (0.05; ops: auto)");
   line.addNumber ("angle-tolerance",
                   "DEG",
                   Range::from (0).upTo (kRightAngle),
@@ -110,49 +143,105 @@ checkExtension (const std::string& subject,
   }
 }
 
+/** \brief Sorts out what the arguments are: INPUT and OUTPUT, or all inputs. */
+void
+storeArguments (const std::vector<std::string>& arguments, SegmentOptions& options)
+{
+  options.inputs = arguments;
+  if (options.isBatch())
+    return;
+  if (arguments.size() > 2)
+    throw UsageError (
+        arguments[2],
+        "is one argument too many; for several clouds give --output-dir DIR, too");
+  if (arguments.size() == 2) {
+    options.outputs.cloud = arguments[1];
+    options.inputs.pop_back();
+  }
+  if (options.inputs[0] == kStandardStream && options.outputs.planes.empty())
+    options.outputs.planes = kStandardStream;
+}
+
 void
 checkOutputs (const SegmentOptions& options)
 {
-  checkExtension ("OUTPUT", options.output, {".pcd"});
-  checkExtension ("--planes", options.planes, {".json", ".csv"});
-  checkExtension ("--image", options.image, {".png"});
-  const bool has_output =
-      !options.output.empty() || !options.planes.empty() || !options.image.empty();
+  const Outputs& outputs = options.outputs;
+  checkExtension ("OUTPUT", outputs.cloud, {".pcd"});
+  if (outputs.planes != kStandardStream)
+    checkExtension ("--planes", outputs.planes, {".json", ".csv"});
+  checkExtension ("--image", outputs.image, {".png"});
+  checkExtension ("--rest", outputs.rest, {".pcd"});
+  const bool has_output = options.isBatch() || !outputs.planes.empty() ||
+                          !outputs.files().empty() || !outputs.planes_dir.empty();
   if (options.quiet && !has_output)
     throw UsageError (
         "--quiet", "leaves nothing to do; give OUTPUT.pcd, --planes or --image, too");
-  if (options.keep_color && options.output.empty())
+  if (options.keep_color && !options.isBatch() && outputs.cloud.empty())
     throw UsageError ("--keep-color", "is about OUTPUT.pcd; give one");
-  if (!options.output.empty() && isSameFile (options.input, options.output))
-    throw UsageError (options.output,
-                      "is the input, too; give the output another name");
-  for (const std::string& file : {options.output, options.planes, options.image})
-    if (!file.empty())
-      checkWritable (file);
+}
+
+/** \brief Refuses names that all inputs would share. */
+void
+checkBatch (const CommandLine& line, const SegmentOptions& options)
+{
+  if (!options.isBatch()) {
+    if (line.isGiven ("jobs"))
+      throw UsageError ("--jobs", "is about several inputs; give --output-dir, too");
+    return;
+  }
+  for (const std::string& input : options.inputs)
+    if (input == kStandardStream)
+      throw UsageError (kStandardStream,
+                        "is one cloud without a name; leave out --output-dir");
+  const Outputs& outputs = options.outputs;
+  const std::vector<std::pair<const char*, std::string>> patterns = {
+      {"--planes", outputs.planes},
+      {"--image", outputs.image},
+      {"--rest", outputs.rest},
+      {"--planes-dir", outputs.planes_dir}};
+  for (const auto& [option, pattern] : patterns)
+    if (!pattern.empty() && pattern.find (kNameOfInput) == std::string::npos)
+      throw UsageError (option,
+                        pattern +
+                            " would be written by every input; put {} where the "
+                            "name of the input goes, as in {}_" +
+                            fs::path (pattern).filename().string());
 }
 
 } // namespace
 
+std::vector<std::string>
+Outputs::files() const
+{
+  std::vector<std::string> named;
+  for (const std::string& file : {cloud, planes, image, rest})
+    if (!file.empty() && file != kStandardStream)
+      named.push_back (file);
+  return named;
+}
+
 bool
 readOptions (int argc, const char* const* argv, SegmentOptions& options)
 {
-  CommandLine line ("pcl_ops_segment", kSummary, PCL_OPS_VERSION);
-  line.addArgument ("INPUT", options.input, "the cloud, a .pcd or .ply file");
-  line.addOptionalArgument (
-      "OUTPUT.pcd",
-      options.output,
-      "the same cloud with label (0: no plane, 1: largest) and rgb");
+  std::vector<std::string> arguments;
+  CommandLine line (kProgram, kSummary, PCL_OPS_VERSION);
+  line.setUsage (
+      {"INPUT [OUTPUT.pcd] [options]", "INPUT... --output-dir DIR [options]"},
+      kInAndOut);
+  line.addArguments ("INPUT", arguments, 1, "");
   declareOutputs (line, options);
   line.addChoice ("method", methodNames(), options.method, "the detector (ops)");
   declareDetector (line, options.detector);
   for (const Method& method : allMethods()) {
-    line.beginGroup (groupOf (method));
+    line.beginBriefGroup (groupOf (method));
     method.declare_options (line, options.detector);
   }
   if (!line.parse (argc, argv))
     return false;
   checkMethod (line, methodCalled (options.method));
+  storeArguments (arguments, options);
   checkOutputs (options);
+  checkBatch (line, options);
   return true;
 }
 

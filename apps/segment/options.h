@@ -5,24 +5,55 @@
 #include <detection/methods.h>
 
 #include <string>
+#include <vector>
 
 namespace pcl_ops::apps {
 
-/** \brief What the command line asks for. */
-struct SegmentOptions {
-  std::string input;
-  /** \brief Outputs; empty where not asked for. */
-  std::string output, planes, image;
-  std::string method = "ops";
-  DetectorOptions detector;
-  bool keep_color = false;
-  bool quiet = false;
+/** \brief Where to write what is found in one cloud; empty where not asked for. */
+struct Outputs {
+  /** \brief The labelled cloud. */
+  std::string cloud;
+  /** \brief The list of planes, .json or .csv; "-" for JSON on the standard output. */
+  std::string planes;
+  std::string image;
+  /** \brief The points on no plane. */
+  std::string rest;
+  /** \brief The folder of one cloud for each plane. */
+  std::string planes_dir;
+
+  /** \brief Those that are files, of all that are asked for. */
+  std::vector<std::string>
+  files () const;
 };
 
-/** \brief Reads the command line and checks it, down to whether the outputs can be
- * written, before any work is done.
+/** \brief What the command line asks for. */
+struct SegmentOptions {
+  /** \brief As given: a file or "-"; with \ref output_dir files, folders, patterns. */
+  std::vector<std::string> inputs;
+  /** \brief Where the outputs of several inputs go; empty for one input. */
+  std::string output_dir;
+  /** \brief With \ref output_dir, {} stands for the name of each input. */
+  Outputs outputs;
+  std::string method = "ops";
+  /** \brief Which planes count: an orientation, "largest", or empty for all. */
+  std::string only;
+  DetectorOptions detector;
+  /** \brief Inputs at a time; 0: as many as there are processors. */
+  unsigned jobs = 1;
+  bool keep_color = false;
+  bool quiet = false;
+
+  bool
+  isBatch () const
+  {
+    return !output_dir.empty();
+  }
+};
+
+/** \brief Reads the command line and checks what can be checked without a look at the
+ * disk.
  * \return false if --help or --version was answered and nothing is left to do
- * \throws UsageError or, for an output, WorkError */
+ * \throws UsageError */
 bool
 readOptions (int argc, const char* const* argv, SegmentOptions& options);
 

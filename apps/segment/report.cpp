@@ -89,25 +89,52 @@ toObject (std::size_t id, const PlaneSegment& segment)
   return object;
 }
 
+std::string
+countsOf (const Report& report)
+{
+  const std::size_t planes = report.detected.planes.size();
+  return std::to_string (report.points) + " points, " + std::to_string (planes) +
+         (planes == 1 ? " plane" : " planes");
+}
+
+/** \brief What to say where there is nothing or little to show; empty elsewhere. */
+std::string
+adviceOf (const Report& report)
+{
+  const Detected& detected = report.detected;
+  if (detected.planes.empty())
+    return "No plane found: " + detected.advice + ".";
+  return detected.advice.empty()
+             ? ""
+             : "Hardly any point is on a plane: " + detected.advice + ".";
+}
+
 } // namespace
 
 void
 printTable (const Report& report, std::ostream& stream)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
-  stream << std::fixed << report.input << ": " << report.points << " points, "
-         << planes.size() << (planes.size() == 1 ? " plane" : " planes") << " ("
+  stream << std::fixed << report.input << ": " << countsOf (report) << " ("
          << report.method << ")\n";
-  if (planes.empty())
-    stream << "No plane found: " << report.detected.advice << ".\n";
-  else
+  if (!planes.empty())
     printPlanes (planes, report.points, stream);
   if (!report.detected.up_note.empty())
     stream << report.detected.up_note << "\n";
+  const std::string advice = adviceOf (report);
+  if (!advice.empty())
+    stream << advice << "\n";
   stream << "Times [ms]:" << std::setprecision (1);
   for (const auto& [name, duration] : kStages)
     stream << " " << name << " " << report.detected.timing.*duration;
   stream << "\n";
+}
+
+std::string
+summaryOf (const Report& report)
+{
+  const std::string advice = adviceOf (report);
+  return countsOf (report) + (advice.empty() ? "" : ". " + advice);
 }
 
 std::string
@@ -119,6 +146,8 @@ toJson (const Report& report)
   json["parameters"] = report.detected.parameters;
   for (const auto& [name, duration] : kStages)
     json["timing_ms"][name] = report.detected.timing.*duration;
+  if (!report.detected.advice.empty())
+    json["advice"] = report.detected.advice;
   json["planes"] = nlohmann::ordered_json::array();
   for (const PlaneSegment& plane : report.detected.planes)
     json["planes"].push_back (toObject (json["planes"].size() + 1, plane));

@@ -23,6 +23,11 @@ struct Report {
 void
 printTable (const Report& report, std::ostream& stream);
 
+/** \brief The run in a few words: points, planes, advice; without times, so that the
+ * same run gives the same words. */
+std::string
+summaryOf (const Report& report);
+
 /** \brief The text of --planes FILE.json. */
 std::string
 toJson (const Report& report);

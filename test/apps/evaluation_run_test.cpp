@@ -229,21 +229,6 @@ TEST_F (EvaluationRunTest, AReportHasTablesAndPlots)
              std::string::npos);
 }
 
-TEST (Progress, EstimatesTheTimeLeftOnATerminal)
-{
-  std::ostringstream stream;
-  Progress progress (4, stream, true);
-  progress.step();
-  EXPECT_NE (stream.str().find ("1 of 4 clouds, 25 %, 0 s left"), std::string::npos);
-}
-
-TEST (Progress, SaysDurationsAsAPersonDoes)
-{
-  EXPECT_EQ (durationText (42.4), "42 s");
-  EXPECT_EQ (durationText (187), "3 min 07 s");
-  EXPECT_EQ (durationText (7500), "2 h 05 min");
-}
-
 TEST (Detectors, NamesAndGroupsSelectEachConfigurationOnce)
 {
   EXPECT_EQ (selectConfigurations ("ops").size(), 1u);

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+constexpr std::size_t kBarWidth = 30;
+constexpr const char* kEraseLine = "\r\033[K";
+
+} // namespace
+
+Progress::Progress (std::size_t steps, std::ostream& stream, ProgressStyle style)
+: steps_ (steps), stream_ (stream), style_ (style)
+{}
+
+void
+Progress::step()
+{
+  const std::lock_guard<std::mutex> lock (mutex_);
+  ++done_;
+  draw();
+}
+
+void
+Progress::note (const std::string& line)
+{
+  note (line, stream_);
+}
+
+void
+Progress::note (const std::string& line, std::ostream& stream)
+{
+  const std::lock_guard<std::mutex> lock (mutex_);
+  const bool has_bar = style_ == ProgressStyle::Bar;
+  if (has_bar)
+    stream_ << kEraseLine << std::flush;
+  stream << line << std::endl;
+  if (has_bar && 0 < done_ && done_ < steps_)
+    draw();
+}
+
+void
+Progress::erase()
+{
+  const std::lock_guard<std::mutex> lock (mutex_);
+  if (style_ == ProgressStyle::Bar && done_ < steps_)
+    stream_ << kEraseLine << std::flush;
+}
+
+void
+Progress::draw()
+{
+  const std::size_t percent = 100 * done_ / std::max<std::size_t> (1, steps_);
+  const bool is_drawn = style_ == ProgressStyle::Lines && percent == percent_drawn_;
+  if (is_drawn || style_ == ProgressStyle::None)
+    return;
+  percent_drawn_ = percent;
+  const std::chrono::duration<double> elapsed = Clock::now() - start_;
+  const double seconds_left = elapsed.count() *
+                              static_cast<double> (steps_ - std::min (done_, steps_)) /
+                              static_cast<double> (done_);
+  if (style_ == ProgressStyle::Bar)
+    drawBar();
+  stream_ << done_ << " of " << steps_ << " clouds, " << percent << " %, "
+          << (done_ < steps_ ? durationText (seconds_left) + " left"
+                             : "took " + durationText (elapsed.count()));
+  if (style_ == ProgressStyle::Bar && done_ < steps_)
+    stream_ << std::flush;
+  else
+    stream_ << std::endl;
+}
+
+void
+Progress::drawBar()
+{
+  const std::size_t filled = kBarWidth * done_ / std::max<std::size_t> (1, steps_);
+  stream_ << kEraseLine << '[' << std::string (filled, '=')
+          << std::string (kBarWidth - filled, ' ') << "] ";
+}
+
+std::string
+durationText (double seconds)
+{
+  constexpr long kMinute = 60, kHour = 60 * kMinute;
+  const long total = std::lround (std::max (0.0, seconds));
+  std::ostringstream text;
+  text << std::setfill ('0');
+  if (total < kMinute)
+    text << total << " s";
+  else if (total < kHour)
+    text << total / kMinute << " min " << std::setw (2) << total % kMinute << " s";
+  else
+    text << total / kHour << " h " << std::setw (2) << total % kHour / kMinute
+         << " min";
+  return text.str();
+}
+
+} // namespace pcl_ops::apps

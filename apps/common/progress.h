@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <ostream>
+#include <string>
+
+namespace pcl_ops::apps {
+
+/** \brief How a long run is shown. */
+enum class ProgressStyle {
+  /** \brief A bar with the time left, for terminals: it overwrites itself. */
+  Bar,
+  /** \brief A plain line for each whole per cent. */
+  Lines,
+  None
+};
+
+/** \brief Tells how far a long run is. May be used by several threads. */
+class Progress {
+public:
+  /** \param[in] steps number of calls of \ref step to come
+   * \param[in] stream where to write */
+  Progress (std::size_t steps, std::ostream& stream, ProgressStyle style);
+
+  /** \brief Counts one piece of work as done. */
+  void
+  step ();
+
+  /** \brief Writes a line of its own to the stream of the progress or to another one
+   * that may be the same terminal; a bar moves below it. */
+  void
+  note (const std::string& line);
+  void
+  note (const std::string& line, std::ostream& stream);
+
+  /** \brief Takes the bar away where the run ends before its last step. */
+  void
+  erase ();
+
+private:
+  void
+  draw ();
+  void
+  drawBar ();
+
+  using Clock = std::chrono::steady_clock;
+
+  std::size_t steps_;
+  std::size_t done_ = 0;
+  std::size_t percent_drawn_ = 0;
+  std::ostream& stream_;
+  ProgressStyle style_;
+  Clock::time_point start_ = Clock::now();
+  std::mutex mutex_;
+};
+
+/** \brief A duration as a person says it: "42 s", "3 min 07 s", "2 h 05 min". */
+std::string
+durationText (double seconds);
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "batch.h"
+
+#include "segment_cloud.h"
+#include <common/interruption.h>
+#include <common/parallel.h>
+#include <common/program.h>
+#include <common/progress.h>
+
+#include <mutex>
+#include <new>
+#include <optional>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+/** \brief What became of a cloud, in a line. */
+struct Status {
+  bool is_done;
+  std::string line;
+};
+
+/** \brief What the threads of a batch share. */
+class BatchRun {
+public:
+  BatchRun (const SegmentOptions& options,
+            const Batch& batch,
+            std::ostream& out,
+            std::ostream& messages,
+            ProgressStyle style)
+  : options_ (options)
+  , batch_ (batch)
+  , out_ (out)
+  , messages_ (messages)
+  , progress_ (batch.tasks.size(), messages, style)
+  , statuses_ (batch.tasks.size())
+  {}
+
+  int
+  run ()
+  {
+    for (const std::string& problem : batch_.problems)
+      print ({false, problem});
+    runInParallel (statuses_.size(), options_.jobs, [this] (std::size_t i) {
+      std::optional<Status> status = statusOf (batch_.tasks[i]);
+      if (status)
+        store (i, std::move (*status));
+    });
+    // After an interruption there are gaps, behind which some may be done.
+    for (; printed_ < statuses_.size(); ++printed_)
+      if (statuses_[printed_])
+        print (*statuses_[printed_]);
+    progress_.erase();
+    return conclude();
+  }
+
+private:
+  /** \brief Segments a cloud. \return nothing if the user interrupted it */
+  std::optional<Status>
+  statusOf (const Task& task) const
+  {
+    try {
+      stopIfInterrupted();
+      return Status{true,
+                    task.input + " -> " + task.outputs.cloud + ": " +
+                        summaryOf (segmentCloud (options_, task))};
+    }
+    catch (const Interrupted&) {
+      return {};
+    }
+    catch (const std::bad_alloc&) {
+      return Status{false, task.input + ": not enough memory; give fewer --jobs"};
+    }
+    catch (const std::exception& error) {
+      return Status{false, error.what()};
+    }
+  }
+
+  /** \brief Prints the statuses that are no longer waiting for an earlier one. */
+  void
+  store (std::size_t i, Status status)
+  {
+    const std::lock_guard<std::mutex> lock (mutex_);
+    statuses_[i] = std::move (status);
+    for (; printed_ < statuses_.size() && statuses_[printed_]; ++printed_)
+      print (*statuses_[printed_]);
+    progress_.step();
+  }
+
+  void
+  print (const Status& status)
+  {
+    if (!status.is_done) {
+      ++failed_;
+      progress_.note (errorLine (kProgram, status.line), messages_);
+    }
+    else {
+      ++done_;
+      if (!options_.quiet)
+        progress_.note (status.line, out_);
+    }
+  }
+
+  int
+  conclude ()
+  {
+    const std::size_t all = batch_.tasks.size() + batch_.problems.size();
+    const std::string done =
+        std::to_string (done_) + " of " + std::to_string (all) + " inputs are done";
+    if (done_ + failed_ < all)
+      throw WorkError ("interrupted", done + ", none is half-written; run it again");
+    if (failed_ > 0 && all > 1)
+      throw WorkError (std::to_string (failed_) + " failed", done + "; see above");
+    return failed_ > 0 ? kWorkFailed : kDone;
+  }
+
+  const SegmentOptions& options_;
+  const Batch& batch_;
+  std::ostream& out_;
+  std::ostream& messages_;
+  Progress progress_;
+  std::mutex mutex_;
+  std::vector<std::optional<Status>> statuses_;
+  std::size_t printed_ = 0, done_ = 0, failed_ = 0;
+};
+
+} // namespace
+
+int
+runBatch (const SegmentOptions& options,
+          const Batch& batch,
+          std::ostream& out,
+          std::ostream& messages,
+          bool is_terminal)
+{
+  const ProgressStyle style = is_terminal ? ProgressStyle::Bar : ProgressStyle::None;
+  return BatchRun (options, batch, out, messages, style).run();
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "inputs.h"
+
+#include <common/output_file.h>
+#include <glob.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+namespace fs = std::filesystem;
+
+namespace pcl_ops::apps {
+
+namespace {
+
+/** \brief The files a pattern matches, sorted. */
+std::vector<std::string>
+matchesOf (const std::string& pattern)
+{
+  glob_t found{};
+  std::vector<std::string> names;
+  if (::glob (pattern.c_str(), 0, nullptr, &found) == 0)
+    names.assign (found.gl_pathv, found.gl_pathv + found.gl_pathc);
+  ::globfree (&found);
+  return names;
+}
+
+/** \brief Collects files, each once. */
+class InputSearch {
+public:
+  void
+  add (const std::string& name)
+  {
+    std::error_code error;
+    const fs::file_status status = fs::status (name, error);
+    if (fs::is_directory (status))
+      addFolder (name);
+    else if (!fs::exists (status) && isPattern (name))
+      addPattern (name);
+    else
+      addFile (name);
+  }
+
+  InputFiles
+  take ()
+  {
+    return std::move (inputs_);
+  }
+
+private:
+  void
+  addFile (const std::string& file)
+  {
+    const fs::path absolute = fs::absolute (file).lexically_normal();
+    if (seen_.insert (absolute.string()).second)
+      inputs_.files.push_back (file);
+  }
+
+  void
+  addFolder (const std::string& folder)
+  {
+    std::error_code error;
+    std::vector<std::string> clouds;
+    for (fs::directory_iterator entry (folder, error), end; entry != end && !error;
+         entry.increment (error)) {
+      const fs::path& path = entry->path();
+      const std::string extension = extensionOf (path.string());
+      const bool is_hidden = path.filename().string().front() == '.';
+      if (!is_hidden && (extension == ".pcd" || extension == ".ply"))
+        clouds.push_back (path.string());
+    }
+    if (error)
+      fail (folder, "cannot be read (" + error.message() + "); check its permissions");
+    else if (clouds.empty())
+      fail (folder,
+            "has no .pcd or .ply file; give a folder with clouds (subfolders are not "
+            "searched)");
+    std::sort (clouds.begin(), clouds.end());
+    for (const std::string& cloud : clouds)
+      addFile (cloud);
+  }
+
+  void
+  addPattern (const std::string& pattern)
+  {
+    const std::vector<std::string> matches = matchesOf (pattern);
+    if (matches.empty())
+      fail (pattern, "matches no file; check the pattern");
+    for (const std::string& match : matches)
+      add (match);
+  }
+
+  void
+  fail (const std::string& name, const std::string& problem)
+  {
+    inputs_.problems.push_back (name + ": " + problem);
+  }
+
+  InputFiles inputs_;
+  std::set<std::string> seen_;
+};
+
+} // namespace
+
+InputFiles
+findInputs (const std::vector<std::string>& names)
+{
+  InputSearch search;
+  for (const std::string& name : names)
+    search.add (name);
+  return search.take();
+}
+
+bool
+isPattern (const std::string& name)
+{
+  return name.find_first_of ("*?[") != std::string::npos;
+}
+
+} // namespace pcl_ops::apps

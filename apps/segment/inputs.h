@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief The clouds that names stand for. */
+struct InputFiles {
+  /** \brief In the order of the names; those of a folder or pattern sorted. Each once.
+   */
+  std::vector<std::string> files;
+  /** \brief What is wrong with names that stand for no cloud, "name: what; mend". */
+  std::vector<std::string> problems;
+};
+
+/** \brief Looks up names of files, folders and patterns. A folder stands for the .pcd
+ * and .ply files in it, but not in its subfolders; a pattern with *, ? or [ for what it
+ * stands for in a shell. A file is taken as it is, even one that does not exist. */
+InputFiles
+findInputs (const std::vector<std::string>& names);
+
+/** \brief Whether a name that is no file would be a pattern. */
+bool
+isPattern (const std::string& name);
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment_cloud.h"
+
+#include "filter.h"
+#include "parts.h"
+#include <common/cloud_file.h>
+#include <common/interruption.h>
+#include <common/output_file.h>
+#include <common/standard_input.h>
+#include <detection/up_search.h>
+#include <picture/colors.h>
+#include <picture/picture.h>
+
+#include <cstdint>
+#include <iostream>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+Detected
+detectPlanes (const SegmentOptions& options, const Positions& positions)
+{
+  Detected detected =
+      runMethod (methodCalled (options.method), options.detector, positions.cloud);
+  for (PlaneSegment& plane : detected.planes)
+    plane.centroid += positions.shift;
+  keepOnly (options.only, detected);
+  return detected;
+}
+
+/** \brief For each point the id of its plane, 0 for none. */
+std::vector<std::uint32_t>
+labelsOf (const std::vector<PlaneSegment>& planes, std::size_t points)
+{
+  std::vector<std::uint32_t> labels (points, 0);
+  std::uint32_t id = 0;
+  for (const PlaneSegment& plane : planes) {
+    ++id;
+    for (const pcl::index_t index : plane.inliers)
+      labels[static_cast<std::size_t> (index)] = id;
+  }
+  return labels;
+}
+
+void
+saveLabelled (const std::string& file,
+              Cloud cloud,
+              const std::vector<std::uint32_t>& labels,
+              bool keeps_color)
+{
+  setLabels (cloud, labels);
+  if (!keeps_color || !(hasField (cloud, "rgb") || hasField (cloud, "rgba"))) {
+    std::vector<pcl::RGB> colors;
+    colors.reserve (labels.size());
+    for (const std::uint32_t label : labels)
+      colors.push_back (colorOfLabel (label));
+    setColors (cloud, colors);
+  }
+  savePcd (file, cloud);
+}
+
+void
+savePlanes (const std::string& file, const Report& report)
+{
+  if (file == kStandardStream)
+    std::cout << toJson (report);
+  else
+    writeTextFile (file,
+                   extensionOf (file) == ".csv" ? toCsv (report) : toJson (report));
+}
+
+void
+saveOutputs (const SegmentOptions& options,
+             const Outputs& outputs,
+             const Cloud& cloud,
+             const Positions& positions,
+             const Report& report)
+{
+  const std::vector<PlaneSegment>& planes = report.detected.planes;
+  const std::vector<std::uint32_t> labels = labelsOf (planes, cloud.size());
+  if (!outputs.cloud.empty())
+    saveLabelled (outputs.cloud, cloud, labels, options.keep_color);
+  if (!outputs.image.empty())
+    savePicture (outputs.image, *positions.cloud, labels, planes, report.detected.up);
+  if (!outputs.rest.empty())
+    saveRest (outputs.rest, cloud, positions, labels);
+  if (!outputs.planes_dir.empty())
+    savePlaneClouds (outputs.planes_dir, cloud, planes);
+  // Last: a pipe gets its JSON when the files are there.
+  if (!outputs.planes.empty())
+    savePlanes (outputs.planes, report);
+}
+
+} // namespace
+
+Report
+segmentCloud (const SegmentOptions& options, const Task& task)
+{
+  const bool is_piped = task.input == kStandardStream;
+  const Cloud cloud = is_piped ? loadStandardInput() : loadCloud (task.input);
+  stopIfInterrupted();
+  const Positions positions = positionsOf (cloud);
+  const Report report{is_piped ? kStandardInput : task.input,
+                      options.method,
+                      cloud.size(),
+                      detectPlanes (options, positions)};
+  stopIfInterrupted();
+  saveOutputs (options, task.outputs, cloud, positions, report);
+  return report;
+}
+
+} // namespace pcl_ops::apps

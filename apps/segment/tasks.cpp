@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tasks.h"
+
+#include "inputs.h"
+#include <common/output_file.h>
+#include <common/program.h>
+#include <common/standard_input.h>
+
+#include <filesystem>
+#include <map>
+#include <system_error>
+#include <utility>
+
+namespace fs = std::filesystem;
+
+namespace pcl_ops::apps {
+
+namespace {
+
+/** \brief An output as it was named, and whose it is. */
+struct Claim {
+  std::string name;
+  const Task* task;
+};
+
+/** \brief Who writes what, by absolute names. */
+using Claims = std::map<std::string, Claim>;
+
+void
+claim (const std::string& output, const Task& task, Claims& claims)
+{
+  const auto [first, is_new] =
+      claims.emplace (resolvedName (output), Claim{output, &task});
+  if (is_new)
+    return;
+  if (first->second.task == &task)
+    throw UsageError (output, "is the name of two outputs; give each its own");
+  throw UsageError (first->second.task->input + " and " + task.input,
+                    "would both be written to " + output +
+                        "; rename one or give them in two runs");
+}
+
+/** \brief Refuses outputs that would be written over each other or over an input. */
+void
+checkClashes (const std::vector<Task>& tasks, const std::string& mend)
+{
+  Claims files, folders;
+  for (const Task& task : tasks) {
+    for (const std::string& file : task.outputs.files()) {
+      claim (file, task, files);
+      if (isSameFile (task.input, file))
+        throw UsageError (file, "is the input, too; " + mend);
+    }
+    if (!task.outputs.planes_dir.empty())
+      claim (task.outputs.planes_dir, task, folders);
+  }
+  for (const Task& task : tasks) {
+    const fs::path input = resolvedName (task.input);
+    const auto file = files.find (input.string());
+    if (file != files.end())
+      throw UsageError (file->second.name, "is an input, too; " + mend);
+    if (folders.count (input.parent_path().string()) > 0)
+      throw UsageError ("--planes-dir",
+                        "the input " + task.input + " lies in it; give another folder");
+  }
+}
+
+std::string
+inFolder (const std::string& folder, std::string pattern, const std::string& name)
+{
+  const std::string placeholder = kNameOfInput;
+  for (std::size_t i = 0; (i = pattern.find (placeholder, i)) != std::string::npos;
+       i += name.size())
+    pattern.replace (i, placeholder.size(), name);
+  return pattern.empty() ? "" : (fs::path (folder) / pattern).string();
+}
+
+Task
+batchTask (const SegmentOptions& options, const std::string& input)
+{
+  const std::string name = fs::path (input).stem().string();
+  const auto output = [&] (const std::string& pattern) {
+    return inFolder (options.output_dir, pattern, name);
+  };
+  const Outputs& given = options.outputs;
+  Task task{input, {}};
+  task.outputs.cloud = output ("{}.pcd");
+  task.outputs.planes = output (given.planes.empty() ? "{}.json" : given.planes);
+  task.outputs.image = output (given.image);
+  task.outputs.rest = output (given.rest);
+  task.outputs.planes_dir = output (given.planes_dir);
+  return task;
+}
+
+/** \brief Says what to do where one cloud is needed and more are given. */
+void
+checkIsOneCloud (const std::string& input)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status (input, error);
+  if (fs::is_directory (status))
+    throw UsageError (input,
+                      "is a folder; to segment the clouds in it give --output-dir DIR");
+  if (!fs::exists (status) && isPattern (input))
+    throw UsageError (
+        input, "is no file; to segment what the pattern matches give --output-dir DIR");
+}
+
+} // namespace
+
+Task
+taskOf (const SegmentOptions& options)
+{
+  Task task{options.inputs[0], options.outputs};
+  if (task.input != kStandardStream)
+    checkIsOneCloud (task.input);
+  checkClashes ({task}, "give the output another name");
+  if (!task.outputs.planes_dir.empty())
+    makeFolder (task.outputs.planes_dir);
+  for (const std::string& file : task.outputs.files())
+    checkWritable (file);
+  return task;
+}
+
+Batch
+batchOf (const SegmentOptions& options)
+{
+  InputFiles inputs = findInputs (options.inputs);
+  Batch batch;
+  batch.problems = std::move (inputs.problems);
+  for (const std::string& input : inputs.files)
+    batch.tasks.push_back (batchTask (options, input));
+  checkClashes (batch.tasks, "give another --output-dir");
+  if (!batch.tasks.empty())
+    makeFolder (options.output_dir);
+  return batch;
+}
+
+} // namespace pcl_ops::apps
