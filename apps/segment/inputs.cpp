@@ -3,6 +3,7 @@
 #include "inputs.h"
 
 #include <common/output_file.h>
+#include <common/program.h>
 #include <glob.h>
 
 #include <algorithm>
@@ -15,6 +16,12 @@ namespace fs = std::filesystem;
 namespace pcl_ops::apps {
 
 namespace {
+
+bool
+isPattern (const std::string& name)
+{
+  return name.find_first_of ("*?[") != std::string::npos;
+}
 
 /** \brief The files a pattern matches, sorted. */
 std::vector<std::string>
@@ -114,10 +121,17 @@ findInputs (const std::vector<std::string>& names)
   return search.take();
 }
 
-bool
-isPattern (const std::string& name)
+void
+checkIsOneCloud (const std::string& name)
 {
-  return name.find_first_of ("*?[") != std::string::npos;
+  std::error_code error;
+  const fs::file_status status = fs::status (name, error);
+  if (fs::is_directory (status))
+    throw UsageError (name,
+                      "is a folder; to segment the clouds in it give --output-dir DIR");
+  if (!fs::exists (status) && isPattern (name))
+    throw UsageError (
+        name, "is no file; to segment what the pattern matches give --output-dir DIR");
 }
 
 } // namespace pcl_ops::apps

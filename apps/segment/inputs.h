@@ -22,8 +22,9 @@ struct InputFiles {
 InputFiles
 findInputs (const std::vector<std::string>& names);
 
-/** \brief Whether a name that is no file would be a pattern. */
-bool
-isPattern (const std::string& name);
+/** \brief Where one cloud is needed, says what to do with a name of several.
+ * \throws UsageError if it is a folder or a pattern */
+void
+checkIsOneCloud (const std::string& name);
 
 } // namespace pcl_ops::apps

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
+#include "inputs.h"
 #include "tasks.h"
 #include <common/command_line.h>
 #include <common/output_file.h>
@@ -150,6 +151,8 @@ storeArguments (const std::vector<std::string>& arguments, SegmentOptions& optio
   options.inputs = arguments;
   if (options.isBatch())
     return;
+  if (arguments[0] != kStandardStream)
+    checkIsOneCloud (arguments[0]);
   if (arguments.size() > 2)
     throw UsageError (
         arguments[2],

@@ -50,8 +50,8 @@ struct SegmentOptions {
   }
 };
 
-/** \brief Reads the command line and checks what can be checked without a look at the
- * disk.
+/** \brief Reads the command line and checks it as far as that is possible without the
+ * outputs.
  * \return false if --help or --version was answered and nothing is left to do
  * \throws UsageError */
 bool

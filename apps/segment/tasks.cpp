@@ -5,11 +5,9 @@
 #include "inputs.h"
 #include <common/output_file.h>
 #include <common/program.h>
-#include <common/standard_input.h>
 
 #include <filesystem>
 #include <map>
-#include <system_error>
 #include <utility>
 
 namespace fs = std::filesystem;
@@ -93,28 +91,12 @@ batchTask (const SegmentOptions& options, const std::string& input)
   return task;
 }
 
-/** \brief Says what to do where one cloud is needed and more are given. */
-void
-checkIsOneCloud (const std::string& input)
-{
-  std::error_code error;
-  const fs::file_status status = fs::status (input, error);
-  if (fs::is_directory (status))
-    throw UsageError (input,
-                      "is a folder; to segment the clouds in it give --output-dir DIR");
-  if (!fs::exists (status) && isPattern (input))
-    throw UsageError (
-        input, "is no file; to segment what the pattern matches give --output-dir DIR");
-}
-
 } // namespace
 
 Task
 taskOf (const SegmentOptions& options)
 {
   Task task{options.inputs[0], options.outputs};
-  if (task.input != kStandardStream)
-    checkIsOneCloud (task.input);
   checkClashes ({task}, "give the output another name");
   if (!task.outputs.planes_dir.empty())
     makeFolder (task.outputs.planes_dir);

@@ -73,6 +73,19 @@ protected:
             contentOf (streams_ / "err")};
   }
 
+  /** \brief Ends the program by SIGTERM as soon as a condition of the shell holds, at
+   * the latest after some ten seconds. */
+  Outcome
+  runAndTerminate (const std::string& environment,
+                   const std::string& arguments,
+                   const std::string& condition) const
+  {
+    return run (arguments + " & segment=$!; n=0; until " + condition +
+                    " || [ $n -gt 1000 ]; do sleep 0.01; n=$((n + 1)); done; "
+                    "kill -TERM $segment; wait $segment; }",
+                "{ " + environment);
+  }
+
   /** \brief The labelled cloud the program makes of a file. */
   LabelledCloud
   label (const std::string& input, const std::string& options = "") const

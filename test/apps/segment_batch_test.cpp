@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment_program.h"
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <utility>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/** \brief A folder scans with the clouds a.pcd and b.pcd. */
+class SegmentBatch : public Segment {
+protected:
+  SegmentBatch()
+  {
+    fs::create_directory (folder_ / "scans");
+    addScan ("a.pcd");
+    addScan ("b.pcd");
+  }
+
+  void
+  addScan (const std::string& name) const
+  {
+    fs::copy_file (folder_ / "in.pcd", folder_ / ("scans/" + name));
+  }
+
+  /** \brief Names in a folder, sorted; those that start with a dot, too. */
+  std::vector<std::string>
+  namesIn (const std::string& name) const
+  {
+    std::vector<std::string> names;
+    if (fs::exists (folder_ / name))
+      for (const auto& entry : fs::directory_iterator (folder_ / name))
+        names.push_back (entry.path().filename().string());
+    std::sort (names.begin(), names.end());
+    return names;
+  }
+
+  /** \brief Whether a run is refused in one line before anything is written. */
+  void
+  expectRefused (const std::string& arguments, const std::string& complaint) const
+  {
+    const Outcome done = run (arguments);
+    EXPECT_EQ (done.exit_code, 2) << arguments;
+    EXPECT_EQ (done.err.find ("pcl_ops_segment: " + complaint), 0u) << done.err;
+    EXPECT_EQ (lines (done.err), 1u) << done.err;
+    EXPECT_FALSE (fs::exists (folder_ / "out")) << arguments;
+  }
+};
+
+using Names = std::vector<std::string>;
+
+} // namespace
+
+TEST_F (SegmentBatch, LabelsEveryCloudOfAFolderAndListsItsPlanes)
+{
+  const Outcome done = run ("scans --output-dir out");
+  EXPECT_EQ (done.exit_code, 0) << done.err;
+  EXPECT_EQ (done.out,
+             "scans/a.pcd -> out/a.pcd: 5001 points, 2 planes\n"
+             "scans/b.pcd -> out/b.pcd: 5001 points, 2 planes\n");
+  EXPECT_EQ (namesIn ("out"), (Names{"a.json", "a.pcd", "b.json", "b.pcd"}));
+  LabelledCloud cloud;
+  ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "out/b.pcd", cloud), 0);
+  EXPECT_EQ (labelsOf (cloud), labelsOf (label ("in.pcd")));
+  const auto json = nlohmann::json::parse (contentOf (folder_ / "out/b.json"));
+  EXPECT_EQ (json["planes"].size(), 2u);
+}
+
+TEST_F (SegmentBatch, LooksIntoNoSubfolderNorAtOtherOrHiddenFiles)
+{
+  fs::create_directory (folder_ / "scans/deeper");
+  addScan ("deeper/c.pcd");
+  addScan (".hidden.pcd");
+  folder_.write ("scans/notes.txt", "no cloud");
+  EXPECT_EQ (run ("scans --output-dir out --quiet").exit_code, 0);
+  EXPECT_EQ (namesIn ("out"), (Names{"a.json", "a.pcd", "b.json", "b.pcd"}));
+}
+
+TEST_F (SegmentBatch, TakesFilesFoldersAndPatternsAndEachCloudOnce)
+{
+  const Outcome done = run ("in.pcd scans 'scans/[ab].p?d' ./in.pcd --output-dir out");
+  EXPECT_EQ (done.exit_code, 0) << done.err;
+  EXPECT_EQ (lines (done.out), 3u) << done.out;
+  EXPECT_EQ (done.out.find ("in.pcd -> out/in.pcd"), 0u) << done.out;
+}
+
+TEST_F (SegmentBatch, GoesOnAfterABadFile)
+{
+  folder_.write ("scans/aa.pcd", "no cloud");
+  folder_.write ("scans/ab.ply", "");
+  const Outcome done = run ("scans --output-dir out");
+  EXPECT_EQ (done.exit_code, 1);
+  EXPECT_EQ (lines (done.out), 2u) << done.out;
+  EXPECT_EQ (lines (done.err), 3u) << done.err;
+  EXPECT_TRUE (contains (done.err, "pcl_ops_segment: scans/aa.pcd: is no valid PCD"));
+  EXPECT_TRUE (contains (done.err, "pcl_ops_segment: scans/ab.ply: is empty"));
+  EXPECT_TRUE (contains (done.err, "2 failed: 2 of 4 inputs are done"));
+  EXPECT_EQ (namesIn ("out"), (Names{"a.json", "a.pcd", "b.json", "b.pcd"}));
+}
+
+TEST_F (SegmentBatch, SaysWhichNamesStandForNoCloudAndDoesTheOthers)
+{
+  fs::create_directory (folder_ / "empty");
+  const Outcome done = run ("empty 'no*.pcd' gone.pcd in.pcd --output-dir out");
+  EXPECT_EQ (done.exit_code, 1);
+  EXPECT_TRUE (contains (done.err, "empty: has no .pcd or .ply file")) << done.err;
+  EXPECT_TRUE (contains (done.err, "no*.pcd: matches no file")) << done.err;
+  EXPECT_TRUE (contains (done.err, "gone.pcd: does not exist")) << done.err;
+  EXPECT_EQ (lines (done.err), 4u) << done.err;
+  EXPECT_EQ (namesIn ("out"), (Names{"in.json", "in.pcd"}));
+  const Outcome nothing = run ("empty --output-dir nothing");
+  EXPECT_EQ (nothing.exit_code, 1);
+  EXPECT_EQ (lines (nothing.err), 1u) << nothing.err;
+  EXPECT_FALSE (fs::exists (folder_ / "nothing"));
+}
+
+TEST_F (SegmentBatch, LeavesWhatItCannotReplaceAndDoesTheOthers)
+{
+  fs::create_directories (folder_ / "out/a.json");
+  const Outcome done = run ("scans --output-dir out");
+  EXPECT_EQ (done.exit_code, 1);
+  EXPECT_TRUE (contains (done.err, "out/a.json: is a folder")) << done.err;
+  EXPECT_TRUE (fs::exists (folder_ / "out/b.json"));
+}
+
+TEST_F (SegmentBatch, RefusesInputsThatWouldBeWrittenToOneFile)
+{
+  fs::create_directory (folder_ / "more");
+  fs::copy_file (folder_ / "in.pcd", folder_ / "more/b.pcd");
+  fs::copy_file (folder_ / "in.pcd", folder_ / "more/in.ply");
+  expectRefused ("scans more/b.pcd --output-dir out",
+                 "scans/b.pcd and more/b.pcd: would both be written to out/b.pcd");
+  expectRefused ("in.pcd more/in.ply --output-dir out",
+                 "in.pcd and more/in.ply: would both be written to out/in.pcd");
+  fs::copy_file (folder_ / "in.pcd", folder_ / "a_rest.pcd");
+  expectRefused ("a_rest.pcd scans/a.pcd --output-dir out --rest {}_rest.pcd",
+                 "a_rest.pcd and scans/a.pcd: would both be written to out/a_rest.pcd");
+}
+
+TEST_F (SegmentBatch, RefusesToWriteOverAnInput)
+{
+  const std::string before = contentOf (folder_ / "scans/a.pcd");
+  expectRefused ("scans --output-dir scans", "scans/a.pcd: is the input, too");
+  fs::copy_file (folder_ / "in.pcd", folder_ / "scans/in.pcd");
+  expectRefused ("in.pcd scans/in.pcd --output-dir scans", "");
+  fs::create_directory (folder_ / "more");
+  fs::copy_file (folder_ / "in.pcd", folder_ / "more/a_rest.pcd");
+  expectRefused ("scans/a.pcd more --output-dir out --rest ../more/{}_rest.pcd",
+                 "out/../more/a_rest.pcd: is an input, too");
+  EXPECT_EQ (contentOf (folder_ / "scans/a.pcd"), before);
+}
+
+TEST_F (SegmentBatch, NamesFurtherOutputsAfterTheirInputs)
+{
+  const Outcome done = run ("scans --output-dir out --planes {}_list.csv --image "
+                            "{}.png --rest {}_rest.pcd --planes-dir {}");
+  EXPECT_EQ (done.exit_code, 0) << done.err;
+  EXPECT_EQ (namesIn ("out"),
+             (Names{"a",
+                    "a.pcd",
+                    "a.png",
+                    "a_list.csv",
+                    "a_rest.pcd",
+                    "b",
+                    "b.pcd",
+                    "b.png",
+                    "b_list.csv",
+                    "b_rest.pcd"}));
+  EXPECT_EQ (namesIn ("out/b").size(), 2u);
+}
+
+TEST_F (SegmentBatch, RefusesNamesThatAllInputsWouldShare)
+{
+  const std::string batch = "scans --output-dir out ";
+  expectRefused (batch + "--planes p.json", "--planes: p.json would be written by");
+  expectRefused (batch + "--planes -", "--planes: - would be written by");
+  expectRefused (batch + "--image p.png", "--image: p.png would be written by");
+  expectRefused (batch + "--rest r.pcd", "--rest: r.pcd would be written by");
+  expectRefused (batch + "--planes-dir p", "--planes-dir: p would be written by");
+  expectRefused (batch + "-", "-: is one cloud without a name");
+}
+
+TEST_F (SegmentBatch, GivesTheSameForAnyNumberOfJobs)
+{
+  for (const char* name : {"c.pcd", "d.pcd", "e.pcd"})
+    addScan (name);
+  folder_.write ("scans/bad.pcd", "no cloud");
+  const Outcome one = run ("scans --output-dir one --rest {}_rest.pcd");
+  const Outcome many = run ("scans --output-dir two --rest {}_rest.pcd --jobs 4");
+  EXPECT_EQ (many.err, one.err);
+  EXPECT_EQ (lines (many.out), 5u);
+  EXPECT_EQ (namesIn ("two"), namesIn ("one"));
+  std::size_t at = 0;
+  for (const char* name : {"a", "b", "c", "d", "e"}) {
+    const std::string file = name + std::string (".pcd");
+    EXPECT_EQ (contentOf (folder_ / ("two/" + file)),
+               contentOf (folder_ / ("one/" + file)));
+    at = many.out.find ("two/" + file, at);
+    ASSERT_NE (at, std::string::npos) << "not in the order of the inputs: " << many.out;
+  }
+  EXPECT_EQ (run ("scans --output-dir three --jobs 0").exit_code, 1);
+  EXPECT_EQ (namesIn ("three").size(), 10u);
+}
+
+TEST_F (SegmentBatch, IsSilentWhereAskedToBe)
+{
+  const Outcome done = run ("scans --output-dir out --quiet");
+  EXPECT_EQ (done.exit_code, 0);
+  EXPECT_EQ (done.out + done.err, "");
+}
+
+TEST_F (SegmentBatch, SaysWhatToDoWithSeveralCloudsWithoutAFolderForThem)
+{
+  expectRefused ("scans",
+                 "scans: is a folder; to segment the clouds in it give "
+                 "--output-dir DIR");
+  expectRefused ("scans out", "scans: is a folder");
+  expectRefused ("'scans/*.pcd'", "scans/*.pcd: is no file; to segment what the");
+  expectRefused ("in.pcd out.pcd more.pcd", "more.pcd: is one argument too many; for");
+  expectRefused ("in.pcd --jobs 2", "--jobs: is about several inputs");
+}
+
+TEST_F (SegmentBatch, LeavesNothingHalfDoneWhenInterrupted)
+{
+  constexpr int kScans = 40, kDenseSide = 200;
+  pcl::io::savePCDFileBinary (folder_ / "dense.pcd", floorAndWall (kDenseSide));
+  for (int i = 0; i < kScans; ++i)
+    fs::create_hard_link (folder_ / "dense.pcd",
+                          folder_ / ("scans/s" + std::to_string (i) + ".pcd"));
+  const Outcome done = runAndTerminate (
+      "", "scans --output-dir out --jobs 2 2>said", "[ -e out/s0.json ]");
+  EXPECT_EQ (done.exit_code, 128 + 15) << "as a shell says it";
+  const std::string said = contentOf (folder_ / "said");
+  EXPECT_EQ (said.find ("pcl_ops_segment: interrupted: "), 0u) << said;
+  EXPECT_EQ (lines (said), 1u) << said;
+  std::size_t clouds = 0;
+  for (const std::string& name : namesIn ("out")) {
+    EXPECT_NE (name.front(), '.') << "a temporary file is left: " << name;
+    if (fs::path (name).extension() != ".pcd")
+      continue;
+    ++clouds;
+    LabelledCloud cloud;
+    EXPECT_EQ (pcl::io::loadPCDFile (folder_ / ("out/" + name), cloud), 0) << name;
+    EXPECT_TRUE (
+        fs::exists (folder_ / ("out/" + fs::path (name).stem().string() + ".json")))
+        << name;
+  }
+  EXPECT_LT (clouds, kScans + 2u) << "it ended before its work was done";
+  EXPECT_TRUE (contains (said, " " + std::to_string (clouds) + " of 42 inputs"))
+      << said;
+}

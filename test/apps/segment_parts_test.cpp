@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment_program.h"
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <set>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/** \brief The program with scene.pcd: floor and wall, and three points in the air. */
+class SegmentParts : public Segment {
+protected:
+  static constexpr int kAir = 2 * kPlane + 1;
+
+  SegmentParts()
+  {
+    InputCloud scene = floorAndWall();
+    for (const float z : {0.7f, 1.0f, 1.3f})
+      scene.push_back ({1.0f, 1.0f, z, static_cast<float> (scene.size())});
+    pcl::io::savePCDFileBinary (folder_ / "scene.pcd", scene);
+  }
+
+  /** \brief The indices in the scene of a written cloud's points. */
+  std::vector<int>
+  indicesIn (const std::string& file) const
+  {
+    InputCloud cloud;
+    EXPECT_EQ (pcl::io::loadPCDFile (folder_ / file, cloud), 0) << file;
+    std::vector<int> indices;
+    for (const pcl::PointXYZI& point : cloud)
+      indices.push_back (static_cast<int> (point.intensity));
+    return indices;
+  }
+
+  nlohmann::json
+  planesOf (const std::string& options) const
+  {
+    const Outcome done = run ("scene.pcd --planes - " + options);
+    EXPECT_EQ (done.exit_code, 0) << done.err;
+    return nlohmann::json::parse (done.out)["planes"];
+  }
+
+  std::set<std::string>
+  namesIn (const std::string& name) const
+  {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator (folder_ / name))
+      names.insert (entry.path().filename().string());
+    return names;
+  }
+};
+
+using Names = std::set<std::string>;
+
+} // namespace
+
+TEST_F (SegmentParts, TheRestIsThePointsOnNoPlaneButNotTheMissingReading)
+{
+  ASSERT_EQ (run ("scene.pcd --rest rest.pcd --quiet").exit_code, 0);
+  EXPECT_EQ (indicesIn ("rest.pcd"), (std::vector<int>{kAir, kAir + 1, kAir + 2}));
+  InputCloud rest;
+  ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "rest.pcd", rest), 0);
+  EXPECT_EQ (rest[1].z, 1.0f);
+  EXPECT_EQ (rest.sensor_origin_, floorAndWall().sensor_origin_);
+}
+
+TEST_F (SegmentParts, TheRestMayBeEmpty)
+{
+  ASSERT_EQ (run ("in.pcd --rest rest.pcd --quiet").exit_code, 0);
+  EXPECT_TRUE (contains (contentOf (folder_ / "rest.pcd"), "\nPOINTS 0\n"));
+}
+
+TEST_F (SegmentParts, EachPlaneIsACloudWithTheFieldsOfTheInput)
+{
+  ASSERT_EQ (run ("scene.pcd labelled.pcd --planes-dir planes --quiet").exit_code, 0);
+  const Names names = namesIn ("planes");
+  ASSERT_EQ (names.size(), 2u);
+  LabelledCloud labelled;
+  ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "labelled.pcd", labelled), 0);
+  for (const std::string& name : names) {
+    const std::vector<int> indices = indicesIn ("planes/" + name);
+    EXPECT_EQ (indices.size(), static_cast<std::size_t> (kPlane)) << name;
+    const bool is_floor = contains (name, "horizontal");
+    for (const int index : indices) {
+      ASSERT_EQ (labelled[index].label, name[8] - '0') << "plane_001_... has label 1";
+      ASSERT_EQ (index < kPlane, is_floor) << name;
+    }
+  }
+}
+
+TEST_F (SegmentParts, PlanesOfAnEarlierRunAreGoneAndOtherFilesStay)
+{
+  fs::create_directory (folder_ / "planes");
+  folder_.write ("planes/plane_017_other.pcd", "of a run that found more");
+  folder_.write ("planes/plane_of_mine.pcd", "precious");
+  folder_.write ("planes/notes.txt", "precious");
+  ASSERT_EQ (run ("scene.pcd --planes-dir planes --only horizontal --quiet").exit_code,
+             0);
+  EXPECT_EQ (namesIn ("planes"),
+             (Names{"notes.txt", "plane_001_horizontal.pcd", "plane_of_mine.pcd"}));
+}
+
+TEST_F (SegmentParts, AFailedRunLeavesTheFolderOfPlanesAlone)
+{
+  fs::create_directory (folder_ / "planes");
+  folder_.write ("planes/plane_017_other.pcd", "precious");
+  folder_.write ("broken.pcd", "no cloud");
+  EXPECT_EQ (run ("broken.pcd --planes-dir planes --quiet").exit_code, 1);
+  EXPECT_EQ (namesIn ("planes"), Names{"plane_017_other.pcd"});
+}
+
+TEST_F (SegmentParts, AnInputInTheFolderOfPlanesIsRefused)
+{
+  fs::create_directory (folder_ / "planes");
+  const std::string input = "planes/plane_001_horizontal.pcd";
+  fs::copy_file (folder_ / "scene.pcd", folder_ / input);
+  const Outcome done = run (input + " --planes-dir planes");
+  EXPECT_EQ (done.exit_code, 2);
+  EXPECT_TRUE (contains (done.err, "--planes-dir: the input " + input + " lies in it"))
+      << done.err;
+  EXPECT_TRUE (fs::exists (folder_ / input));
+}
+
+TEST_F (SegmentParts, PlanesThatAreLeftOutCountAsNone)
+{
+  const auto planes = planesOf ("labelled.pcd --only vertical --rest rest.pcd");
+  ASSERT_EQ (planes.size(), 1u);
+  EXPECT_EQ (planes[0]["orientation"], "vertical");
+  EXPECT_EQ (planes[0]["id"], 1) << "numbered as the labels are";
+  LabelledCloud cloud;
+  ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "labelled.pcd", cloud), 0);
+  EXPECT_EQ (distinct (cloud, 0, kMissing + 1), std::set<std::uint32_t>{0});
+  EXPECT_EQ (distinct (cloud, kMissing + 1, kAir), std::set<std::uint32_t>{1});
+  EXPECT_EQ (indicesIn ("rest.pcd").size(), static_cast<std::size_t> (kPlane + 3));
+}
+
+TEST_F (SegmentParts, OnlyTheLargestIsTheFirstOfAll)
+{
+  const auto all = planesOf ("");
+  const auto largest = planesOf ("--only largest");
+  ASSERT_EQ (largest.size(), 1u);
+  EXPECT_EQ (largest[0], all[0]);
+}
+
+TEST_F (SegmentParts, SaysThatTheFilterLeavesNothing)
+{
+  const Outcome done = run ("scene.pcd --only other");
+  EXPECT_EQ (done.exit_code, 0);
+  EXPECT_TRUE (
+      contains (done.out, "No plane found: none of the 2 planes found is other"))
+      << done.out;
+}
+
+TEST_F (SegmentParts, RefusesOneNameForTwoOutputs)
+{
+  const Outcome same = run ("scene.pcd out.pcd --rest ./out.pcd");
+  EXPECT_EQ (same.exit_code, 2);
+  EXPECT_TRUE (contains (same.err, "./out.pcd: is the name of two outputs"))
+      << same.err;
+  const Outcome input = run ("scene.pcd --rest scene.pcd");
+  EXPECT_EQ (input.exit_code, 2);
+  EXPECT_TRUE (contains (input.err, "scene.pcd: is the input, too")) << input.err;
+  EXPECT_EQ (run ("scene.pcd --rest rest.ply").exit_code, 2);
+  EXPECT_EQ (run ("scene.pcd --only walls").exit_code, 2);
+}
