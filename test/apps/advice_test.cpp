@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <detection/advice.h>
+
+#include <limits>
+
+using namespace pcl_ops;
+
+namespace {
+
+/** \brief Whether of 100 readings and as many missing ones \p covered on a plane are
+ * next to none. */
+bool
+isHardlyCoveredBy (int covered)
+{
+  constexpr int kReadings = 100;
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (int i = 0; i < kReadings; ++i) {
+    cloud.push_back ({static_cast<float> (i), 0, 0});
+    cloud.push_back ({kNaN, kNaN, kNaN});
+  }
+  PlaneSegment plane;
+  for (int i = 0; i < covered; ++i)
+    plane.inliers.push_back (2 * i);
+  return apps::isHardlyCovered (cloud, {plane});
+}
+
+} // namespace
+
+TEST (Advice, IsGivenWherePlanesHaveLessThanATwentiethOfTheReadings)
+{
+  EXPECT_TRUE (isHardlyCoveredBy (0));
+  EXPECT_TRUE (isHardlyCoveredBy (4));
+  EXPECT_FALSE (isHardlyCoveredBy (5));
+  EXPECT_TRUE (apps::isHardlyCovered ({}, {}));
+}
