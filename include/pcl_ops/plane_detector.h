@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl/search/search.h>
+#include <pcl/segmentation/planar_region.h>
 #include <pcl/ModelCoefficients.h>
 #include <pcl/pcl_base.h>
 #include <pcl/PointIndices.h>
@@ -10,6 +11,7 @@
 #include <pcl_ops/orientation.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_assignment.h>
+#include <pcl_ops/plane_extent.h>
 #include <pcl_ops/plane_merging.h>
 #include <pcl_ops/points.h>
 
@@ -82,6 +84,9 @@ public:
   using Parameters = ParametersT;
   using Search = pcl::search::Search<PointT>;
   using SearchPtr = typename Search::Ptr;
+  using PlanarRegions =
+      std::vector<pcl::PlanarRegion<PointT>,
+                  Eigen::aligned_allocator<pcl::PlanarRegion<PointT>>>;
 
   /** \brief Finds the planes of the input cloud.
    * \param[out] planes by falling size; cleared first
@@ -101,6 +106,13 @@ public:
   /** \brief The largest plane alone, in the order of pcl::SACSegmentation. */
   bool
   segment (pcl::PointIndices& inliers, pcl::ModelCoefficients& coefficients);
+
+  /** \brief Where each plane ends, as pcl::OrganizedMultiPlaneSegmentation says it.
+   * \param[out] regions centroid, covariance and number of the inliers, coefficients,
+   * and as contour the convex hull (\ref planeExtent), counter-clockwise seen from the
+   * side the normal points to; of a contour's points only x, y and z are set */
+  bool
+  segment (PlanarRegions& regions);
 
   /** \brief The points of each plane, as pcl::RegionGrowing and
    * pcl::EuclideanClusterExtraction give their clusters. */

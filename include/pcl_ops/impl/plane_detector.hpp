@@ -14,6 +14,28 @@
 
 namespace pcl_ops {
 
+template <typename PointT>
+pcl::PlanarRegion<PointT>
+toRegion (const pcl::PointCloud<PointT>& cloud, const PlaneSegment& segment)
+{
+  typename pcl::PointCloud<PointT>::VectorType contour;
+  for (const Eigen::Vector3d& corner : planeExtent (cloud, segment).hull) {
+    PointT point{};
+    point.x = static_cast<float> (corner.x());
+    point.y = static_cast<float> (corner.y());
+    point.z = static_cast<float> (corner.z());
+    contour.push_back (point);
+  }
+  const Plane plane = segment.plane();
+  Eigen::Vector4f coefficients;
+  coefficients << plane.normal.cast<float>(), static_cast<float> (plane.offset);
+  return {segment.centroid.cast<float>(),
+          segment.moments.covariance().template cast<float>(),
+          static_cast<unsigned> (segment.inliers.size()),
+          contour,
+          coefficients};
+}
+
 template <typename PointT, typename Detector, typename ParametersT>
 bool
 PlaneDetector<PointT, Detector, ParametersT>::segment (
@@ -75,6 +97,18 @@ PlaneDetector<PointT, Detector, ParametersT>::segment (
       all_coefficients.empty() ? pcl::ModelCoefficients() : all_coefficients.front();
   if (success && all_inliers.empty())
     inliers.header = coefficients.header = this->input_->header;
+  return success;
+}
+
+template <typename PointT, typename Detector, typename ParametersT>
+bool
+PlaneDetector<PointT, Detector, ParametersT>::segment (PlanarRegions& regions)
+{
+  std::vector<PlaneSegment> planes;
+  const bool success = segment (planes);
+  regions.clear();
+  for (const PlaneSegment& plane : planes)
+    regions.push_back (toRegion (*this->input_, plane));
   return success;
 }
 

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_cloud.h>
+
+#include <Eigen/Core>
+
+#include <pcl_ops/plane.h>
+
+#include <vector>
+
+namespace pcl_ops {
+
+/** \brief A right-handed frame in a plane: u, v, and the plane's normal as the third
+ * axis. */
+class PlaneFrame {
+public:
+  /** \param[in] origin zero of the frame, on the plane and near the points: that keeps
+   * doubles exact however far the cloud is from its own zero
+   * \param[in] normal unit normal of the plane */
+  PlaneFrame (const Eigen::Vector3d& origin, const Eigen::Vector3d& normal);
+
+  /** \brief Where a point lies once it is projected onto the plane. */
+  Eigen::Vector2d
+  toPlane (const Eigen::Vector3d& point) const
+  {
+    return axes_.transpose() * (point - origin_);
+  }
+  Eigen::Vector3d
+  toSpace (const Eigen::Vector2d& point) const
+  {
+    return origin_ + axes_ * point;
+  }
+  /** \brief As \ref toSpace, for a direction. */
+  Eigen::Vector3d
+  directionInSpace (const Eigen::Vector2d& direction) const
+  {
+    return axes_ * direction;
+  }
+
+private:
+  Eigen::Vector3d origin_;
+  Eigen::Matrix<double, 3, 2> axes_;
+};
+
+/** \brief Points or a polygon in a plane, in the coordinates of a PlaneFrame [m]. */
+using PlanarPoints = std::vector<Eigen::Vector2d>;
+
+/** \brief Where a plane ends, in the frame of the input cloud. */
+struct PlaneExtent {
+  /** \brief Corners of the outline, on the plane, counter-clockwise seen from the side
+   * the normal points to, the first not repeated. Empty where the points span no area:
+   * fewer than three, all on one line, or all equal. */
+  std::vector<Eigen::Vector3d> hull;
+  /** \brief Area inside the outline [m^2]. */
+  double area = 0.0;
+  /** \brief The smallest rectangle around the outline: its centre, its sides as unit
+   * vectors with long_axis x short_axis = normal, and how long they are [m]. Of points
+   * on one line the width is 0, of equal points the length, too. */
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Eigen::Vector3d long_axis = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d short_axis = Eigen::Vector3d::UnitY();
+  double length = 0.0;
+  double width = 0.0;
+};
+
+/** \brief The convex outline of points in a plane, without the fringe that noise gives
+ * its rim.
+ *
+ * A raw hull hangs on the few points that noise carried farthest. So its corners are
+ * taken off, layer by layer, while points there are less than half as dense as within:
+ * the edge of a surface, blurred by noise, is where the density has fallen to one half.
+ * Sharp edges keep every point, and never more than 1 % of the points are left outside.
+ * \param[in] points in any order; those with a NaN or infinite coordinate are left out
+ * \return counter-clockwise, the first corner not repeated; empty where the points span
+ * no area */
+PlanarPoints
+convexHull (const PlanarPoints& points);
+
+/** \brief Area and smallest rectangle of an outline.
+ * \param[in] outline counter-clockwise, convex or not; empty if the points span no area
+ * \param[in] points what the rectangle is put around where there is no outline
+ * \param[in] frame the plane of the outline */
+PlaneExtent
+extentOf (const PlanarPoints& outline,
+          const PlanarPoints& points,
+          const PlaneFrame& frame);
+
+/** \brief The inliers of a plane, projected onto it.
+ * \param[in] cloud the input cloud the plane was found in
+ * \param[in] plane its inliers are indices into that cloud */
+template <typename PointT>
+PlanarPoints
+pointsOnPlane (const pcl::PointCloud<PointT>& cloud,
+               const PlaneSegment& plane,
+               const PlaneFrame& frame);
+
+/** \brief Extent, area and convex hull of a plane; at least 99 % of its inliers lie
+ * inside (\ref convexHull).
+ * \param[in] cloud the input cloud the plane was found in
+ * \param[in] plane as a detector gives it */
+template <typename PointT>
+PlaneExtent
+planeExtent (const pcl::PointCloud<PointT>& cloud, const PlaneSegment& plane);
+
+} // namespace pcl_ops
+
+#include <pcl_ops/impl/plane_extent.hpp>

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+
+#include "planar_hull.h"
+#include "rim.h"
+#include <pcl_ops/plane_extent.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl_ops {
+
+namespace {
+
+/** \brief A rectangle around points, by its side u and the one to the left of it. */
+struct Rectangle {
+  Eigen::Vector2d u = Eigen::Vector2d::UnitX();
+  Eigen::Vector2d low = Eigen::Vector2d::Zero();
+  Eigen::Vector2d high = Eigen::Vector2d::Zero();
+
+  Eigen::Vector2d
+  left () const
+  {
+    return {-u.y(), u.x()};
+  }
+  Eigen::Vector2d
+  sides () const
+  {
+    return high - low;
+  }
+  Eigen::Vector2d
+  center () const
+  {
+    const Eigen::Vector2d middle = 0.5 * (low + high);
+    return middle.x() * u + middle.y() * left();
+  }
+};
+
+Rectangle
+rectangleAlong (const Eigen::Vector2d& u, const PlanarPoints& points)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Rectangle rectangle;
+  rectangle.u = u;
+  rectangle.low.setConstant (infinity);
+  rectangle.high.setConstant (-infinity);
+  for (const Eigen::Vector2d& point : points) {
+    const Eigen::Vector2d turned (u.dot (point), rectangle.left().dot (point));
+    rectangle.low = rectangle.low.cwiseMin (turned);
+    rectangle.high = rectangle.high.cwiseMax (turned);
+  }
+  return rectangle;
+}
+
+// One side of the smallest rectangle lies along an edge of the convex hull.
+Rectangle
+smallestRectangle (const PlanarPoints& hull)
+{
+  Rectangle smallest;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Eigen::Vector2d edge = hull[(i + 1) % hull.size()] - hull[i];
+    const Rectangle rectangle = rectangleAlong (edge.normalized(), hull);
+    const double area = rectangle.sides().prod();
+    if (area < least) {
+      least = area;
+      smallest = rectangle;
+    }
+  }
+  return smallest;
+}
+
+bool
+isFinite (const Eigen::Vector2d& point)
+{
+  return point.allFinite();
+}
+
+// Of points on one line: its direction, by two that lie far apart.
+Eigen::Vector2d
+directionOf (const PlanarPoints& points)
+{
+  const auto farthestFrom = [&] (const Eigen::Vector2d& from) {
+    return *std::max_element (
+        points.begin(), points.end(), [&] (const auto& first, const auto& second) {
+          return (first - from).squaredNorm() < (second - from).squaredNorm();
+        });
+  };
+  const Eigen::Vector2d end = farthestFrom (points.front());
+  const Eigen::Vector2d along = farthestFrom (end) - end;
+  return along.isZero (0.0) ? Eigen::Vector2d::UnitX() : along.normalized();
+}
+
+Rectangle
+rectangleAlongLine (const PlanarPoints& points)
+{
+  if (points.empty())
+    return {};
+  Rectangle rectangle = rectangleAlong (directionOf (points), points);
+  rectangle.low.y() = rectangle.high.y() = rectangle.center().dot (rectangle.left());
+  return rectangle;
+}
+
+PlanarPoints
+finiteOf (const PlanarPoints& points)
+{
+  PlanarPoints finite;
+  finite.reserve (points.size());
+  std::copy_if (points.begin(), points.end(), std::back_inserter (finite), isFinite);
+  return finite;
+}
+
+} // namespace
+
+PlaneFrame::PlaneFrame (const Eigen::Vector3d& origin, const Eigen::Vector3d& normal)
+: origin_ (origin)
+{
+  const Eigen::Vector3d u = normal.unitOrthogonal();
+  axes_.col (0) = u;
+  axes_.col (1) = normal.cross (u);
+}
+
+PlanarPoints
+convexHull (const PlanarPoints& points)
+{
+  constexpr double edge_density = 0.5;
+  constexpr std::size_t one_outside_in = 100;
+  PlanarPoints finite = finiteOf (points);
+  const auto number = static_cast<double> (finite.size());
+  const std::size_t most_outside = finite.size() / one_outside_in;
+  PlanarPoints hull = hullOfAll (finite);
+  Rim rim (std::move (finite));
+  std::size_t outside = 0;
+  while (!hull.empty()) {
+    const std::size_t corners = rim.takeOff (hull);
+    outside += corners;
+    if (outside > most_outside)
+      break;
+    const PlanarPoints next = rim.hull();
+    const double area = areaOf (next);
+    const double density = static_cast<double> (corners) / (areaOf (hull) - area);
+    if (!(density < edge_density * number / area))
+      break;
+    hull = next;
+  }
+  return hull;
+}
+
+PlaneExtent
+extentOf (const PlanarPoints& outline,
+          const PlanarPoints& points,
+          const PlaneFrame& frame)
+{
+  const PlanarPoints hull = hullOfAll (outline);
+  const Rectangle rectangle =
+      hull.empty() ? rectangleAlongLine (finiteOf (points)) : smallestRectangle (hull);
+  const Eigen::Vector2d sides = rectangle.sides();
+  const bool is_long = sides.x() >= sides.y();
+  PlaneExtent extent;
+  for (const Eigen::Vector2d& corner : outline)
+    extent.hull.push_back (frame.toSpace (corner));
+  extent.area = areaOf (outline);
+  extent.center = frame.toSpace (rectangle.center());
+  extent.long_axis = frame.directionInSpace (is_long ? rectangle.u : rectangle.left());
+  extent.short_axis =
+      frame.directionInSpace (is_long ? rectangle.left() : -rectangle.u);
+  extent.length = sides.maxCoeff();
+  extent.width = sides.minCoeff();
+  return extent;
+}
+
+} // namespace pcl_ops
