@@ -126,21 +126,23 @@ convexHull (const PlanarPoints& points)
 {
   constexpr double edge_density = 0.5;
   constexpr std::size_t one_outside_in = 100;
-  PlanarPoints finite = finiteOf (points);
+  constexpr std::size_t layers = 16;
+  const PlanarPoints finite = finiteOf (points);
   const auto number = static_cast<double> (finite.size());
   const std::size_t most_outside = finite.size() / one_outside_in;
-  PlanarPoints hull = hullOfAll (finite);
-  Rim rim (std::move (finite));
-  std::size_t outside = 0;
-  while (!hull.empty()) {
-    const std::size_t corners = rim.takeOff (hull);
-    outside += corners;
+  Rim rim (finite);
+  PlanarPoints hull = rim.hull();
+  for (std::size_t outside = 0; !hull.empty();) {
+    const std::size_t layer = rim.takeOff (hull, most_outside / layers + 1);
+    outside += layer;
     if (outside > most_outside)
       break;
     const PlanarPoints next = rim.hull();
     const double area = areaOf (next);
-    const double density = static_cast<double> (corners) / (areaOf (hull) - area);
-    if (!(density < edge_density * number / area))
+    const double lost = areaOf (hull) - area;
+    const bool is_fringe =
+        static_cast<double> (layer) * area < edge_density * number * lost;
+    if (next.empty() || !is_fringe)
       break;
     hull = next;
   }

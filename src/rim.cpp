@@ -3,6 +3,7 @@
 #include "rim.h"
 
 #include "planar_hull.h"
+#include <pcl_ops/random.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,26 +13,7 @@ namespace pcl_ops {
 
 namespace {
 
-bool
-comesFirst (const Eigen::Vector2d& first, const Eigen::Vector2d& second)
-{
-  return first.x() < second.x() || (first.x() == second.x() && first.y() < second.y());
-}
-
-PlanarPoints
-sorted (PlanarPoints points)
-{
-  std::sort (points.begin(), points.end(), comesFirst);
-  return points;
-}
-
-bool
-isAmong (const PlanarPoints& ordered, const Eigen::Vector2d& point)
-{
-  return std::binary_search (ordered.begin(), ordered.end(), point, comesFirst);
-}
-
-/** \brief How far inside a convex hull each point lies, above 0 within. */
+/** \brief How far inside a convex hull each point lies; below 0 outside. */
 std::vector<double>
 depthsWithin (const PlanarPoints& hull, const PlanarPoints& points)
 {
@@ -46,20 +28,56 @@ depthsWithin (const PlanarPoints& hull, const PlanarPoints& points)
   return depths;
 }
 
+/** \brief The points no deeper within a hull than \p depth. */
+PlanarPoints
+splitOff (PlanarPoints& points, const std::vector<double>& depths, double depth)
+{
+  PlanarPoints off, left;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    (depths[i] <= depth ? off : left).push_back (points[i]);
+  points.swap (left);
+  return off;
+}
+
+// The depth of a corner is a rounding away from 0.
+double
+depthOfCorners (const PlanarPoints& hull)
+{
+  constexpr double rounding = 1e-12;
+  double largest = 0.0;
+  for (const Eigen::Vector2d& corner : hull)
+    largest = std::max (largest, corner.lpNorm<Eigen::Infinity>());
+  return rounding * largest;
+}
+
+/** \brief A hull around all but a few per cent of the points, from a sample of them. */
+PlanarPoints
+innerHull (const PlanarPoints& points)
+{
+  constexpr std::size_t sample_size = 2048;
+  constexpr std::size_t one_outside_in = 32;
+  if (points.size() <= sample_size)
+    return {};
+  RandomGenerator generator; // of the standard's own seed: the result has none
+  PlanarPoints sample;
+  for (std::size_t i = 0; i < sample_size; ++i)
+    sample.push_back (
+        points[drawBelow (generator, static_cast<std::uint32_t> (points.size()))]);
+  PlanarPoints hull = hullOfAll (sample);
+  while (!hull.empty() && sample.size() > sample_size - sample_size / one_outside_in) {
+    splitOff (sample, depthsWithin (hull, sample), depthOfCorners (hull));
+    hull = hullOfAll (sample);
+  }
+  return hull;
+}
+
 } // namespace
 
-std::size_t
-Rim::takeOff (const PlanarPoints& hull)
+Rim::Rim (const PlanarPoints& points) : inner_hull_ (innerHull (points))
 {
-  const PlanarPoints corners = sorted (hull);
-  const auto is_corner = [&] (const Eigen::Vector2d& point) {
-    return isAmong (corners, point);
-  };
-  if (outer_.empty() || std::any_of (inner_hull_.begin(), inner_hull_.end(), is_corner))
-    splitNear (hull);
-  const std::size_t before = outer_.size();
-  outer_.erase (std::remove_if (outer_.begin(), outer_.end(), is_corner), outer_.end());
-  return before - outer_.size();
+  PlanarPoints all = points;
+  outer_ =
+      inner_hull_.empty() ? all : splitOff (all, depthsWithin (inner_hull_, all), 0.0);
 }
 
 PlanarPoints
@@ -70,25 +88,17 @@ Rim::hull() const
   return hullOfAll (points);
 }
 
-void
-Rim::splitNear (const PlanarPoints& hull)
+std::size_t
+Rim::takeOff (const PlanarPoints& hull, std::size_t fewest)
 {
-  inner_.insert (inner_.end(), outer_.begin(), outer_.end());
-  outer_.clear();
-  const std::vector<double> depths = depthsWithin (hull, inner_);
-  constexpr std::size_t one_in = 32;
+  if (outer_.empty())
+    return 0;
+  const std::vector<double> depths = depthsWithin (hull, outer_);
   std::vector<double> ordered = depths;
-  const auto nth =
-      ordered.begin() + static_cast<std::ptrdiff_t> (ordered.size() / one_in);
-  std::nth_element (ordered.begin(), nth, ordered.end());
-  // The hull's own corners are a rounding away from depth 0.
-  constexpr double rounding = 1e-12;
-  const double near = *nth + rounding * (1.0 + std::abs (hull.front().sum()));
-  PlanarPoints inner;
-  for (std::size_t i = 0; i < inner_.size(); ++i)
-    (depths[i] <= near ? outer_ : inner).push_back (inner_[i]);
-  inner_.swap (inner);
-  inner_hull_ = hullOfAll (inner_);
+  const auto last = ordered.begin() +
+                    static_cast<std::ptrdiff_t> (std::min (fewest, ordered.size()) - 1);
+  std::nth_element (ordered.begin(), last, ordered.end());
+  return splitOff (outer_, depths, std::max (*last, depthOfCorners (hull))).size();
 }
 
 } // namespace pcl_ops

@@ -6,28 +6,28 @@
 
 namespace pcl_ops {
 
-/** \brief Points in a plane whose hull is taken off layer by layer. Only those near the
- * hull are looked at in each step. */
+/** \brief Points in a plane, taken off from outside. Those clearly inside are not
+ * looked at again. */
 class Rim {
 public:
   /** \param[in] points finite ones */
-  explicit Rim (PlanarPoints points) : inner_ (std::move (points)) {}
-
-  /** \brief Removes the corners of a hull of the points, and what lies on them.
-   * \return how many points that were */
-  std::size_t
-  takeOff (const PlanarPoints& hull);
+  explicit Rim (const PlanarPoints& points);
 
   /** \brief The hull of the points that are left. */
   PlanarPoints
   hull () const;
 
-private:
-  void
-  splitNear (const PlanarPoints& hull);
+  /** \brief Removes all points on the hull and those nearest to it.
+   * \param[in] hull of the points that are left
+   * \param[in] fewest how many points to remove at least
+   * \return how many points that were */
+  std::size_t
+  takeOff (const PlanarPoints& hull, std::size_t fewest);
 
-  /** \brief The points near the hull, and all others with the corners of their hull. */
-  PlanarPoints outer_, inner_, inner_hull_;
+private:
+  PlanarPoints outer_;
+  /** \brief Points around all others; they stay. */
+  PlanarPoints inner_hull_;
 };
 
 } // namespace pcl_ops

@@ -167,3 +167,121 @@ TEST (PlaneExtent, TurnsAndMovesWithThePoints)
              1e-4);
   EXPECT_LT (angleBetween (extent.long_axis, turn * Eigen::Vector3d::UnitX()), 0.1_deg);
 }
+
+TEST (PlaneExtent, OfABoardFarAwayIsThatOfABoardNearBy)
+{
+  // At 10^6 m the numbers of a float are 6 cm apart: a board of 100 m feels only that.
+  Cloud cloud;
+  for (int x = 0; x <= 100; ++x)
+    for (int y = 0; y <= 60; ++y)
+      cloud.push_back (pcl::PointXYZ (
+          1e6f + static_cast<float> (x), -1e6f + static_cast<float> (y), 1e6f));
+  const PlaneExtent extent = extentOf (cloud);
+  EXPECT_NEAR (extent.area, 6000.0, 60.0);
+  EXPECT_NEAR (extent.length, 100.0, 1.0);
+  EXPECT_NEAR (extent.width, 60.0, 0.6);
+  EXPECT_LT ((extent.center - Eigen::Vector3d (1000050.0, -999970.0, 1e6)).norm(), 0.1);
+}
+
+TEST (PlaneExtent, IgnoresAFewPointsThatStrayFarOutside)
+{
+  Cloud cloud = scatteredBoard (20000, 1_mm);
+  for (int i = 1; i <= 20; ++i)
+    cloud.push_back ({static_cast<float> (i), -0.5f * static_cast<float> (i), 0.0f});
+  expectBoard (extentOf (cloud), 5_percent);
+}
+
+TEST (PlaneExtent, OfATriangleHasHalfTheAreaOfItsRectangle)
+{
+  Cloud triangle;
+  for (int x = 0; x <= 100; ++x)
+    for (int y = 0; y <= 100 - x; ++y)
+      triangle.push_back (
+          {0.01f * static_cast<float> (x), 0.01f * static_cast<float> (y), 0});
+  const PlaneExtent extent = extentOf (triangle);
+  EXPECT_NEAR (extent.area, 0.5, 1e-6);
+  EXPECT_NEAR (extent.length * extent.width, 1.0, 1e-6);
+}
+
+TEST (PlaneExtent, DoesNotDependOnTheOrderOfThePoints)
+{
+  Cloud cloud = scatteredBoard (1500, 5_mm);
+  const PlaneExtent extent = extentOf (cloud);
+  std::reverse (cloud.begin(), cloud.end());
+  const PlaneExtent reversed = extentOf (cloud);
+  EXPECT_NEAR (reversed.area, extent.area, 1e-9);
+  EXPECT_EQ (reversed.hull.size(), extent.hull.size());
+}
+
+namespace {
+
+const PlaneFrame ground (Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ());
+
+/** \brief The extent of points of the ground that span no area. */
+PlaneExtent
+flatExtent (const std::vector<Eigen::Vector3d>& positions)
+{
+  PlanarPoints points;
+  for (const Eigen::Vector3d& position : positions)
+    points.push_back (ground.toPlane (position));
+  const PlanarPoints hull = pcl_ops::convexHull (points);
+  EXPECT_TRUE (hull.empty());
+  const PlaneExtent extent = pcl_ops::extentOf (hull, points, ground);
+  EXPECT_TRUE (extent.hull.empty());
+  EXPECT_EQ (extent.area, 0.0);
+  EXPECT_EQ (extent.width, 0.0);
+  expectRightHanded (extent, Eigen::Vector3d::UnitZ());
+  return extent;
+}
+
+} // namespace
+
+TEST (PlaneExtent, OfNoPointsIsNothing) { EXPECT_EQ (flatExtent ({}).length, 0.0); }
+
+TEST (PlaneExtent, OfEqualPointsIsAPoint)
+{
+  for (const std::size_t number : {1u, 2u, 3u, 5000u}) {
+    const PlaneExtent extent =
+        flatExtent (std::vector<Eigen::Vector3d> (number, {3.0, 4.0, 0.0}));
+    EXPECT_EQ (extent.length, 0.0);
+    EXPECT_TRUE (extent.center.isApprox (Eigen::Vector3d (3.0, 4.0, 0.0)));
+  }
+}
+
+TEST (PlaneExtent, OfTwoPointsIsTheLineBetween)
+{
+  const PlaneExtent extent = flatExtent ({{1.0, 1.0, 0.0}, {4.0, 5.0, 0.0}});
+  EXPECT_NEAR (extent.length, 5.0, 1e-9);
+  EXPECT_TRUE (extent.center.isApprox (Eigen::Vector3d (2.5, 3.0, 0.0)));
+  EXPECT_NEAR (
+      std::abs (extent.long_axis.dot (Eigen::Vector3d (0.6, 0.8, 0.0))), 1.0, 1e-9);
+}
+
+TEST (PlaneExtent, OfPointsOnOneLineIsThatLine)
+{
+  std::vector<Eigen::Vector3d> line;
+  for (int i = 0; i < 5000; ++i)
+    line.emplace_back (1.0 + 0.3 * i, 2.0 - 0.7 * i, 0.0);
+  const PlaneExtent extent = flatExtent (line);
+  EXPECT_NEAR (extent.length, (line.back() - line.front()).norm(), 1e-6);
+  EXPECT_TRUE (extent.center.isApprox (0.5 * (line.front() + line.back())));
+}
+
+TEST (PlaneExtent, OfALineAndOnePointBesideItIsATriangle)
+{
+  PlanarPoints points (1, Eigen::Vector2d (0.5, 1.0));
+  for (int i = 0; i <= 1000; ++i)
+    points.emplace_back (0.001 * i, 0.0);
+  EXPECT_NEAR (
+      pcl_ops::extentOf (pcl_ops::convexHull (points), points, ground).area, 0.5, 1e-9);
+}
+
+TEST (PlaneExtent, LeavesOutPointsThatAreNotFinite)
+{
+  PlanarPoints points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  points.emplace_back (nan, 0.5);
+  points.emplace_back (0.5, std::numeric_limits<double>::infinity());
+  EXPECT_NEAR (
+      pcl_ops::extentOf (pcl_ops::convexHull (points), points, ground).area, 1.0, 1e-9);
+}
