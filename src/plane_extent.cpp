@@ -122,20 +122,19 @@ PlaneFrame::PlaneFrame (const Eigen::Vector3d& origin, const Eigen::Vector3d& no
 }
 
 PlanarPoints
-convexHull (const PlanarPoints& points)
+convexHull (const PlanarPoints& points, double most_outside)
 {
   constexpr double edge_density = 0.5;
-  constexpr std::size_t one_outside_in = 100;
   constexpr std::size_t layers = 16;
   const PlanarPoints finite = finiteOf (points);
   const auto number = static_cast<double> (finite.size());
-  const std::size_t most_outside = finite.size() / one_outside_in;
+  const auto budget = static_cast<std::size_t> (most_outside * number);
   Rim rim (finite);
   PlanarPoints hull = rim.hull();
   for (std::size_t outside = 0; !hull.empty();) {
-    const std::size_t layer = rim.takeOff (hull, most_outside / layers + 1);
+    const std::size_t layer = rim.takeOff (hull, budget / layers + 1);
     outside += layer;
-    if (outside > most_outside)
+    if (outside > budget)
       break;
     const PlanarPoints next = rim.hull();
     const double area = areaOf (next);

@@ -71,12 +71,13 @@ struct PlaneExtent {
  * A raw hull hangs on the few points that noise carried farthest. So its corners are
  * taken off, layer by layer, while points there are less than half as dense as within:
  * the edge of a surface, blurred by noise, is where the density has fallen to one half.
- * Sharp edges keep every point, and never more than 1 % of the points are left outside.
+ * Sharp edges keep every point.
  * \param[in] points in any order; those with a NaN or infinite coordinate are left out
+ * \param[in] most_outside largest share of the points that is left outside; 0: none
  * \return counter-clockwise, the first corner not repeated; empty where the points span
  * no area */
 PlanarPoints
-convexHull (const PlanarPoints& points);
+convexHull (const PlanarPoints& points, double most_outside = 0.01);
 
 /** \brief Area and smallest rectangle of an outline.
  * \param[in] outline counter-clockwise, convex or not; empty if the points span no area

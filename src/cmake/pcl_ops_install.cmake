@@ -10,7 +10,7 @@ install(TARGETS pcl_ops EXPORT pcl_ops-targets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pcl_ops
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
+  FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "surface" EXCLUDE)
 
 # A static library hands OpenMP on to whoever links it.
 set(pcl_ops_hands_on_openmp OFF)
@@ -20,6 +20,17 @@ endif()
 
 set(pcl_ops_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_ops)
 install(EXPORT pcl_ops-targets NAMESPACE pcl_ops:: DESTINATION ${pcl_ops_cmake_dir})
+# Exported apart: who does not ask for the component needs neither VTK nor Qhull.
+if(TARGET pcl_ops_surface)
+  install(TARGETS pcl_ops_surface EXPORT pcl_ops-surface-targets
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pcl_ops/surface
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pcl_ops)
+  install(EXPORT pcl_ops-surface-targets
+    NAMESPACE pcl_ops:: DESTINATION ${pcl_ops_cmake_dir})
+endif()
 configure_package_config_file(
   ${CMAKE_CURRENT_LIST_DIR}/pcl_ops-config.cmake.in
   ${CMAKE_CURRENT_BINARY_DIR}/pcl_ops-config.cmake

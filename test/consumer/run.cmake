@@ -21,11 +21,20 @@ run(${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${WORK}/inst
 file(RENAME ${WORK}/installed ${prefix})
 
 message(STATUS "find_package")
-run(${CMAKE_COMMAND} -S ${source} -B ${WORK}/build
+set(with_surface OFF)
+if(EXISTS ${prefix}/${LIBDIR}/cmake/pcl_ops/pcl_ops-surface-targets.cmake)
+  set(with_surface ON)
+endif()
+run(${CMAKE_COMMAND} -S ${source} -B ${WORK}/build -DWITH_SURFACE=${with_surface}
   -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build ${WORK}/build --config Release)
 find_program(consumer consumer PATHS ${WORK}/build ${WORK}/build/Release NO_DEFAULT_PATH)
 run(${consumer})
+if(with_surface)
+  find_program(surface_consumer surface_consumer
+    PATHS ${WORK}/build ${WORK}/build/Release NO_DEFAULT_PATH)
+  run(${surface_consumer})
+endif()
 
 message(STATUS "pkg-config")
 set(ENV{PKG_CONFIG_PATH} "${prefix}/${LIBDIR}/pkgconfig:$ENV{PKG_CONFIG_PATH}")

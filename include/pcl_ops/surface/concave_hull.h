@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_ops/plane_extent.h>
+
+namespace pcl_ops {
+
+/** \brief The concave outline of points in a plane, by pcl::ConcaveHull: the outer edge
+ * of the triangles between neighbouring points that have a circumscribed circle of
+ * radius alpha at most.
+ *
+ * The radius grows until the outline is a single one with at least 99 % of the points
+ * inside; the convex hull is what it ends in. Holes are not cut out. Points clearly
+ * inside are thinned first.
+ * \param[in] points in any order; those with a NaN or infinite coordinate are left out
+ * \param[in] alpha the radius to begin with [m]; 0: six times the mean distance between
+ * neighbouring points
+ * \return counter-clockwise, the first corner not repeated; empty where the points span
+ * no area */
+PlanarPoints
+concaveHull (const PlanarPoints& points, double alpha = 0.0);
+
+/** \brief As \ref planeExtent, with the concave outline as its hull.
+ * \param[in] cloud the input cloud the plane was found in
+ * \param[in] plane as a detector gives it
+ * \param[in] alpha as for \ref concaveHull */
+template <typename PointT>
+PlaneExtent
+concavePlaneExtent (const pcl::PointCloud<PointT>& cloud,
+                    const PlaneSegment& plane,
+                    double alpha = 0.0)
+{
+  const PlaneFrame frame (plane.centroid, plane.normal);
+  const PlanarPoints points = pointsOnPlane (cloud, plane, frame);
+  return extentOf (concaveHull (points, alpha), points, frame);
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_ops/surface/concave_hull.h>
+
+#include <cstdio>
+
+int
+main ()
+{
+  const pcl_ops::PlanarPoints square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const std::size_t corners = pcl_ops::concaveHull (square).size();
+  std::printf ("%zu corners\n", corners);
+  return corners == 4 ? 0 : 1;
+}

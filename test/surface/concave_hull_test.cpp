@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/geometry.hpp>
+
+#include "scene.h"
+#include <pcl_ops/surface/concave_hull.h>
+
+using pcl_ops::concaveHull;
+using pcl_ops::PlanarPoints;
+
+namespace {
+
+const pcl_ops::PlaneFrame ground (Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ());
+
+using Point = boost::geometry::model::d2::point_xy<double>;
+using Ring = boost::geometry::model::ring<Point, false, false>;
+
+Ring
+toRing (const PlanarPoints& outline)
+{
+  Ring ring;
+  for (const Eigen::Vector2d& corner : outline)
+    ring.emplace_back (corner.x(), corner.y());
+  return ring;
+}
+
+double
+areaOf (const PlanarPoints& outline)
+{
+  return boost::geometry::area (toRing (outline));
+}
+
+/** \brief Share of the points inside, or nearer than 1 um to the outline. */
+double
+shareInside (const PlanarPoints& points, const PlanarPoints& outline)
+{
+  const Ring ring = toRing (outline);
+  const auto inside = std::count_if (points.begin(), points.end(), [&] (const auto& p) {
+    return boost::geometry::distance (Point (p.x(), p.y()), ring) < 1e-6;
+  });
+  return static_cast<double> (inside) / static_cast<double> (points.size());
+}
+
+/** \brief An L of two bars, 2 m long and 0.5 m wide: 1.75 m^2 of a hull of 2.875 m^2.
+ */
+bool
+isInL (const Eigen::Vector2d& point)
+{
+  return point.x() <= 0.5 || point.y() <= 0.5;
+}
+
+constexpr double area_of_l = 1.75;
+
+PlanarPoints
+scatteredL (int points, double noise)
+{
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  PlanarPoints l;
+  while (l.size() < static_cast<std::size_t> (points)) {
+    const double x = 2.0 * pcl_ops::drawUnit (generator);
+    const double y = 2.0 * pcl_ops::drawUnit (generator);
+    if (isInL ({x, y}))
+      l.emplace_back (x + noise * drawNormal (generator),
+                      y + noise * drawNormal (generator));
+  }
+  return l;
+}
+
+PlanarPoints
+gridOfL ()
+{
+  PlanarPoints l;
+  for (int x = 0; x <= 200; ++x)
+    for (int y = 0; y <= 200; ++y)
+      if (isInL ({0.01 * x, 0.01 * y}))
+        l.emplace_back (0.01 * x, 0.01 * y);
+  return l;
+}
+
+} // namespace
+
+TEST (ConcaveHull, FollowsAnLWhereTheConvexHullDoesNot)
+{
+  const PlanarPoints l = gridOfL();
+  EXPECT_NEAR (areaOf (pcl_ops::convexHull (l)), 2.875, 1e-6);
+  EXPECT_NEAR (areaOf (concaveHull (l)) / area_of_l, 1.0, 1_percent);
+}
+
+TEST (ConcaveHull, HasTheAreaOfScatteredPoints)
+{
+  for (const int points : {3000, 30000, 100000}) {
+    EXPECT_NEAR (
+        areaOf (concaveHull (scatteredL (points, 0.0))) / area_of_l, 1.0, 5_percent)
+        << points;
+    EXPECT_NEAR (
+        areaOf (concaveHull (scatteredL (points, 5_mm))) / area_of_l, 1.0, 5_percent)
+        << points << " noisy";
+  }
+}
+
+TEST (ConcaveHull, HasNineHundredNinetyOfAThousandPointsInside)
+{
+  for (const double noise : {0.0, 5_mm, 2_cm}) {
+    const PlanarPoints l = scatteredL (20000, noise);
+    EXPECT_GE (shareInside (l, concaveHull (l)), 99_percent) << noise << " m of noise";
+  }
+}
+
+TEST (ConcaveHull, RunsCounterClockwiseWithoutCrossingItself)
+{
+  const PlanarPoints hull = concaveHull (scatteredL (5000, 5_mm));
+  EXPECT_GT (areaOf (hull), 0.0);
+  EXPECT_TRUE (boost::geometry::is_valid (toRing (hull)));
+}
+
+TEST (ConcaveHull, IsTheSameEveryTime)
+{
+  const PlanarPoints l = scatteredL (5000, 5_mm);
+  EXPECT_EQ (concaveHull (l), concaveHull (l));
+}
+
+TEST (ConcaveHull, KeepsTheRectangleOfTheExtent)
+{
+  const PlanarPoints l = gridOfL();
+  const pcl_ops::PlaneExtent extent = pcl_ops::extentOf (concaveHull (l), l, ground);
+  EXPECT_NEAR (extent.area / area_of_l, 1.0, 1_percent);
+  const pcl_ops::PlaneExtent convex =
+      pcl_ops::extentOf (pcl_ops::convexHull (l), l, ground);
+  EXPECT_NEAR (extent.length, convex.length, 1_cm);
+  EXPECT_NEAR (extent.width, convex.width, 1_cm);
+}
+
+TEST (ConcaveHull, GoesAroundAllPartsOfAPlane)
+{
+  PlanarPoints parts = gridOfL();
+  for (const Eigen::Vector2d& point : gridOfL())
+    parts.emplace_back (point + Eigen::Vector2d (3.0, 0.0));
+  EXPECT_GE (shareInside (parts, concaveHull (parts)), 99_percent);
+}
+
+TEST (ConcaveHull, TakesTheRadiusItIsGiven)
+{
+  const PlanarPoints l = gridOfL();
+  EXPECT_NEAR (areaOf (concaveHull (l, 100.0)), 2.875, 0.01) << "as good as convex";
+}
+
+TEST (ConcaveHull, OfPointsThatSpanNoAreaIsEmpty)
+{
+  PlanarPoints line;
+  for (int i = 0; i < 1000; ++i)
+    line.emplace_back (0.1 * i, 0.2 * i);
+  EXPECT_TRUE (concaveHull ({}).empty());
+  EXPECT_TRUE (concaveHull ({{1, 2}, {3, 4}}).empty());
+  EXPECT_TRUE (concaveHull (line).empty());
+  EXPECT_TRUE (concaveHull (PlanarPoints (1000, Eigen::Vector2d (1, 2))).empty());
+}
+
+TEST (ConcaveHull, OfThreePointsIsTheirTriangle)
+{
+  EXPECT_NEAR (areaOf (concaveHull ({{0, 0}, {1, 0}, {0, 1}})), 0.5, 1e-9);
+}
