@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
+#include "extents.h"
 #include "inputs.h"
 #include "tasks.h"
 #include <common/command_line.h>
@@ -64,6 +65,9 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
   line.addText (
       "planes", "FILE", outputs.planes, "write the planes: .json, .csv or - (printed)");
   line.addText ("image", "FILE.png", outputs.image, "write a picture of the planes");
+  line.addText ("mesh", "FILE", outputs.mesh, "write the hulls as a .ply or .vtk mesh");
+  line.addChoice (
+      "hull", kHulls, options.hull, "outline of a plane in --planes, --mesh (convex)");
   line.addText ("rest", "FILE.pcd", outputs.rest, "write the points on no plane");
   line.addText ("planes-dir",
                 "DIR",
@@ -166,6 +170,19 @@ storeArguments (const std::vector<std::string>& arguments, SegmentOptions& optio
 }
 
 void
+checkHull (const CommandLine& line, const SegmentOptions& options)
+{
+  if (!hasHull (options.hull))
+    throw UsageError ("--hull",
+                      options.hull + " is not in this build, which was made without "
+                                     "PCL's surface module; give convex");
+  const bool has_hulls = options.isBatch() || !options.outputs.planes.empty() ||
+                         !options.outputs.mesh.empty();
+  if (line.isGiven ("hull") && !has_hulls)
+    throw UsageError ("--hull", "is about --planes and --mesh; give one");
+}
+
+void
 checkOutputs (const SegmentOptions& options)
 {
   const Outputs& outputs = options.outputs;
@@ -173,12 +190,14 @@ checkOutputs (const SegmentOptions& options)
   if (outputs.planes != kStandardStream)
     checkExtension ("--planes", outputs.planes, {".json", ".csv"});
   checkExtension ("--image", outputs.image, {".png"});
+  checkExtension ("--mesh", outputs.mesh, {".ply", ".vtk"});
   checkExtension ("--rest", outputs.rest, {".pcd"});
   const bool has_output = options.isBatch() || !outputs.planes.empty() ||
                           !outputs.files().empty() || !outputs.planes_dir.empty();
   if (options.quiet && !has_output)
     throw UsageError (
-        "--quiet", "leaves nothing to do; give OUTPUT.pcd, --planes or --image, too");
+        "--quiet",
+        "leaves nothing to do; give OUTPUT.pcd, --planes, --image or --mesh, too");
   if (options.keep_color && !options.isBatch() && outputs.cloud.empty())
     throw UsageError ("--keep-color", "is about OUTPUT.pcd; give one");
 }
@@ -200,6 +219,7 @@ checkBatch (const CommandLine& line, const SegmentOptions& options)
   const std::vector<std::pair<const char*, std::string>> patterns = {
       {"--planes", outputs.planes},
       {"--image", outputs.image},
+      {"--mesh", outputs.mesh},
       {"--rest", outputs.rest},
       {"--planes-dir", outputs.planes_dir}};
   for (const auto& [option, pattern] : patterns)
@@ -217,7 +237,7 @@ std::vector<std::string>
 Outputs::files() const
 {
   std::vector<std::string> named;
-  for (const std::string& file : {cloud, planes, image, rest})
+  for (const std::string& file : {cloud, planes, image, mesh, rest})
     if (!file.empty() && file != kStandardStream)
       named.push_back (file);
   return named;
@@ -243,6 +263,7 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
     return false;
   checkMethod (line, methodCalled (options.method));
   storeArguments (arguments, options);
+  checkHull (line, options);
   checkOutputs (options);
   checkBatch (line, options);
   return true;

@@ -16,6 +16,8 @@ struct Outputs {
   /** \brief The list of planes, .json or .csv; "-" for JSON on the standard output. */
   std::string planes;
   std::string image;
+  /** \brief The outlines of the planes, .ply or .vtk. */
+  std::string mesh;
   /** \brief The points on no plane. */
   std::string rest;
   /** \brief The folder of one cloud for each plane. */
@@ -35,6 +37,8 @@ struct SegmentOptions {
   /** \brief With \ref output_dir, {} stands for the name of each input. */
   Outputs outputs;
   std::string method = "ops";
+  /** \brief What outlines are drawn by: "convex" or "concave". */
+  std::string hull = "convex";
   /** \brief Which planes count: an orientation, "largest", or empty for all. */
   std::string only;
   DetectorOptions detector;

@@ -74,7 +74,18 @@ toArray (const Eigen::Vector3d& vector)
 }
 
 nlohmann::ordered_json
-toObject (std::size_t id, const PlaneSegment& segment)
+toObject (const PlaneExtent& extent)
+{
+  nlohmann::ordered_json object;
+  object["length"] = extent.length;
+  object["width"] = extent.width;
+  object["center"] = toArray (extent.center);
+  object["axes"] = {toArray (extent.long_axis), toArray (extent.short_axis)};
+  return object;
+}
+
+nlohmann::ordered_json
+toObject (std::size_t id, const PlaneSegment& segment, const PlaneExtent& extent)
 {
   const Plane plane = segment.plane();
   nlohmann::ordered_json object;
@@ -86,6 +97,11 @@ toObject (std::size_t id, const PlaneSegment& segment)
   object["centroid"] = toArray (segment.centroid);
   object["normal"] = toArray (segment.normal);
   object["rms"] = segment.rms();
+  object["area"] = extent.area;
+  object["extent"] = toObject (extent);
+  object["hull"] = nlohmann::ordered_json::array();
+  for (const Eigen::Vector3d& corner : extent.hull)
+    object["hull"].push_back (toArray (corner));
   return object;
 }
 
@@ -149,8 +165,9 @@ toJson (const Report& report)
   if (!report.detected.advice.empty())
     json["advice"] = report.detected.advice;
   json["planes"] = nlohmann::ordered_json::array();
-  for (const PlaneSegment& plane : report.detected.planes)
-    json["planes"].push_back (toObject (json["planes"].size() + 1, plane));
+  const std::vector<PlaneSegment>& planes = report.detected.planes;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    json["planes"].push_back (toObject (i + 1, planes[i], report.extents[i]));
   constexpr int kIndent = 2;
   return json.dump (kIndent) + "\n";
 }
@@ -162,11 +179,12 @@ toCsv (const Report& report)
   csv.imbue (std::locale::classic());
   csv << std::setprecision (std::numeric_limits<double>::max_digits10)
       << "id,orientation,points,a,b,c,d,centroid_x,centroid_y,centroid_z,normal_x,"
-         "normal_y,normal_z,rms\n";
-  std::size_t id = 0;
-  for (const PlaneSegment& segment : report.detected.planes) {
+         "normal_y,normal_z,rms,area,length,width\n";
+  for (std::size_t i = 0; i < report.detected.planes.size(); ++i) {
+    const PlaneSegment& segment = report.detected.planes[i];
+    const PlaneExtent& extent = report.extents[i];
     const Plane plane = segment.plane();
-    csv << ++id << "," << toString (segment.orientation) << ","
+    csv << i + 1 << "," << toString (segment.orientation) << ","
         << segment.inliers.size();
     for (const double number : {plane.normal.x(),
                                 plane.normal.y(),
@@ -178,7 +196,10 @@ toCsv (const Report& report)
                                 segment.normal.x(),
                                 segment.normal.y(),
                                 segment.normal.z(),
-                                segment.rms()})
+                                segment.rms(),
+                                extent.area,
+                                extent.length,
+                                extent.width})
       csv << "," << number;
     csv << "\n";
   }

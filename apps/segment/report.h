@@ -3,10 +3,12 @@
 #pragma once
 
 #include <detection/methods.h>
+#include <pcl_ops/plane_extent.h>
 
 #include <cstddef>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -17,6 +19,8 @@ struct Report {
   /** \brief Points of the cloud, those without coordinates included. */
   std::size_t points = 0;
   Detected detected;
+  /** \brief One for each plane, if an output says where planes end; else none. */
+  std::vector<PlaneExtent> extents;
 };
 
 /** \brief The table of --help's standard output: planes, then times. */

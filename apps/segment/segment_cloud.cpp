@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_cloud.h"
 
+#include "extents.h"
 #include "filter.h"
+#include "mesh.h"
 #include "parts.h"
 #include <common/cloud_file.h>
 #include <common/interruption.h>
@@ -62,6 +64,13 @@ saveLabelled (const std::string& file,
   savePcd (file, cloud);
 }
 
+Eigen::Isometry3d
+poseOf (const Cloud& cloud)
+{
+  return Eigen::Translation3d (cloud.origin.head<3>().cast<double>()) *
+         cloud.orientation.cast<double>();
+}
+
 void
 savePlanes (const std::string& file, const Report& report)
 {
@@ -85,6 +94,8 @@ saveOutputs (const SegmentOptions& options,
     saveLabelled (outputs.cloud, cloud, labels, options.keep_color);
   if (!outputs.image.empty())
     savePicture (outputs.image, *positions.cloud, labels, planes, report.detected.up);
+  if (!outputs.mesh.empty())
+    saveMesh (outputs.mesh, poseOf (cloud), planes, report.extents);
   if (!outputs.rest.empty())
     saveRest (outputs.rest, cloud, positions, labels);
   if (!outputs.planes_dir.empty())
@@ -103,10 +114,13 @@ segmentCloud (const SegmentOptions& options, const Task& task)
   const Cloud cloud = is_piped ? loadStandardInput() : loadCloud (task.input);
   stopIfInterrupted();
   const Positions positions = positionsOf (cloud);
-  const Report report{is_piped ? kStandardInput : task.input,
-                      options.method,
-                      cloud.size(),
-                      detectPlanes (options, positions)};
+  Report report{is_piped ? kStandardInput : task.input,
+                options.method,
+                cloud.size(),
+                detectPlanes (options, positions),
+                {}};
+  if (!task.outputs.planes.empty() || !task.outputs.mesh.empty())
+    report.extents = extentsOf (positions, report.detected.planes, options.hull);
   stopIfInterrupted();
   saveOutputs (options, task.outputs, cloud, positions, report);
   return report;

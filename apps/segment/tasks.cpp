@@ -86,6 +86,7 @@ batchTask (const SegmentOptions& options, const std::string& input)
   task.outputs.cloud = output ("{}.pcd");
   task.outputs.planes = output (given.planes.empty() ? "{}.json" : given.planes);
   task.outputs.image = output (given.image);
+  task.outputs.mesh = output (given.mesh);
   task.outputs.rest = output (given.rest);
   task.outputs.planes_dir = output (given.planes_dir);
   return task;

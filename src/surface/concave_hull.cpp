@@ -122,6 +122,7 @@ concaveHull (const PlanarPoints& points, double alpha)
       Ring corners;
       constexpr double straight = 1e-3;
       geometry::simplify (ring, corners, straight * spacing);
+      geometry::correct (corners);
       PlanarPoints outline;
       for (const Point& corner : corners)
         outline.emplace_back (corner.x(), corner.y());

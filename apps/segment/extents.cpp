@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "extents.h"
+
+#ifdef PCL_OPS_WITH_SURFACE
+#include <pcl_ops/surface/concave_hull.h>
+#endif
+
+namespace pcl_ops::apps {
+
+const std::vector<std::string> kHulls = {"convex", "concave"};
+
+namespace {
+
+PlanarPoints
+outlineOf (const PlanarPoints& points, [[maybe_unused]] const std::string& hull)
+{
+#ifdef PCL_OPS_WITH_SURFACE
+  if (hull == "concave")
+    return concaveHull (points);
+#endif
+  return convexHull (points);
+}
+
+} // namespace
+
+bool
+hasHull ([[maybe_unused]] const std::string& hull)
+{
+#ifdef PCL_OPS_WITH_SURFACE
+  return true;
+#else
+  return hull == "convex";
+#endif
+}
+
+std::vector<PlaneExtent>
+extentsOf (const Positions& positions,
+           const std::vector<PlaneSegment>& planes,
+           const std::string& hull)
+{
+  std::vector<PlaneExtent> extents;
+  extents.reserve (planes.size());
+  for (const PlaneSegment& plane : planes) {
+    const PlaneFrame in_cloud (plane.centroid - positions.shift, plane.normal);
+    const PlaneFrame in_file (plane.centroid, plane.normal);
+    const PlanarPoints points = pointsOnPlane (*positions.cloud, plane, in_cloud);
+    extents.push_back (extentOf (outlineOf (points, hull), points, in_file));
+  }
+  return extents;
+}
+
+} // namespace pcl_ops::apps

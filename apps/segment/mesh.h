@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <pcl_ops/plane_extent.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief Writes the outlines of planes as a mesh in one step (\ref writeFile), each in
+ * the colour its points have in the labelled cloud. Outlines without area are left out.
+ * \param[in] file a .ply (binary) in the file's frame, or a .vtk for pcl_viewer
+ * \param[in] sensor_pose where pcl_viewer moves the labelled cloud to; it does not know
+ * of meshes' poses, so that a .vtk is written moved
+ * \param[in] planes by falling size
+ * \param[in] extents one for each plane
+ * \throws WorkError if it cannot be written */
+void
+saveMesh (const std::string& file,
+          const Eigen::Isometry3d& sensor_pose,
+          const std::vector<PlaneSegment>& planes,
+          const std::vector<PlaneExtent>& extents);
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_ops/plane_extent.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace pcl_ops {
+
+/** \brief Three corners of an outline, by their places in it. */
+using Triangle = std::array<std::size_t, 3>;
+
+/** \brief Cuts an outline, convex or not, into triangles between its corners, by VTK.
+ * Most programs show meshes of triangles only.
+ * \param[in] outline counter-clockwise, not crossing itself
+ * \return counter-clockwise, too; none for an outline without area, or one so crooked
+ * that VTK does not get all of it */
+std::vector<Triangle>
+triangulate (const PlanarPoints& outline);
+
+} // namespace pcl_ops
