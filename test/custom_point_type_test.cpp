@@ -13,9 +13,11 @@ struct ThermalPoint {
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-TEST (CustomPointType, IsSegmentedLikeAnyOther)
+namespace {
+
+pcl_ops::OrientedPointSampling<ThermalPoint>
+detectorFor (const LabelledScene& scene)
 {
-  const auto scene = room().build();
   const auto cloud = pcl::make_shared<pcl::PointCloud<ThermalPoint>>();
   for (const pcl::PointXYZ& point : *scene.cloud) {
     ThermalPoint thermal{};
@@ -25,7 +27,33 @@ TEST (CustomPointType, IsSegmentedLikeAnyOther)
   pcl_ops::OrientedPointSampling<ThermalPoint> ops;
   ops.setInputCloud (cloud);
   ops.setSamplingRate (0.1);
+  return ops;
+}
+
+} // namespace
+
+TEST (CustomPointType, IsSegmentedLikeAnyOther)
+{
+  const auto scene = room().build();
+  auto ops = detectorFor (scene);
   std::vector<pcl_ops::PlaneSegment> planes;
   ASSERT_TRUE (ops.segment (planes));
   expectFindsEverySurface (planes, scene);
+}
+
+TEST (CustomPointType, HasRegionsWithContoursOfItsOwn)
+{
+  const auto scene = room().build();
+  auto ops = detectorFor (scene);
+  decltype (ops)::PlanarRegions regions;
+  ASSERT_TRUE (ops.segment (regions));
+  ASSERT_EQ (regions.size(), scene.surfaces.size());
+  for (const pcl::PlanarRegion<ThermalPoint>& region : regions) {
+    EXPECT_GE (region.getContour().size(), 4u);
+    for (const ThermalPoint& corner : region.getContour())
+      EXPECT_NEAR (region.getCoefficients().head<3>().dot (corner.getVector3fMap()) +
+                       region.getCoefficients()[3],
+                   0.0f,
+                   1e-4f);
+  }
 }
