@@ -13,6 +13,7 @@ overrideCommon (const DetectorOptions& options, PlaneDetectorParameters& paramet
   override (options.up, parameters.up_axis);
   override (options.seed, parameters.seed);
   override (options.threads, parameters.threads);
+  parameters.merging.enabled = parameters.merging.enabled && options.merging;
   if (options.angle_tolerance)
     parameters.angle_tolerance = pcl::deg2rad (*options.angle_tolerance);
 }

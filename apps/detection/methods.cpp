@@ -6,6 +6,19 @@
 
 namespace pcl_ops::apps {
 
+std::vector<std::uint32_t>
+labelsOf (const std::vector<PlaneSegment>& planes, std::size_t points)
+{
+  std::vector<std::uint32_t> labels (points, 0);
+  std::uint32_t id = 0;
+  for (const PlaneSegment& plane : planes) {
+    ++id;
+    for (const pcl::index_t index : plane.inliers)
+      labels[static_cast<std::size_t> (index)] = id;
+  }
+  return labels;
+}
+
 const std::vector<Method>&
 allMethods ()
 {

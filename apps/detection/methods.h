@@ -59,6 +59,8 @@ struct DetectorOptions {
   bool finds_up = false;
   std::optional<std::uint32_t> seed;
   std::optional<std::uint32_t> threads;
+  /** \brief Off: planes stay as they are before the merging process. */
+  bool merging = true;
   OpsOptions ops;
   FspfOptions fspf;
   KhtOptions kht;
@@ -78,6 +80,11 @@ struct Detected {
    * none was found; empty elsewhere. */
   std::string advice;
 };
+
+/** \brief For each point of a cloud the id of its plane: 1 for the first, 0 for none.
+ */
+std::vector<std::uint32_t>
+labelsOf (const std::vector<PlaneSegment>& planes, std::size_t points);
 
 /** \brief A detector as the command line offers it. */
 struct Method {

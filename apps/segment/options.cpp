@@ -8,6 +8,7 @@
 #include <common/command_line.h>
 #include <common/output_file.h>
 #include <common/standard_input.h>
+#include <detection/method_options.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -31,21 +32,6 @@ constexpr const char* kInAndOut =
     "  no plane    is no failure: all labels 0, and a hint which option to change\n"
     "  exit code   0 done; 1 failed, with --output-dir any input; 2 wrong usage\n"
     "Lengths are in the unit of the cloud, metres by default; angles in degrees.\n";
-
-std::vector<std::string>
-methodNames ()
-{
-  std::vector<std::string> names;
-  for (const Method& method : allMethods())
-    names.push_back (method.name);
-  return names;
-}
-
-std::string
-groupOf (const Method& method)
-{
-  return "Options of --method " + method.name + ", " + method.title;
-}
 
 void
 declareOutputs (CommandLine& line, SegmentOptions& options)
@@ -80,56 +66,6 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
                   "WHICH");
   line.addFlag ("keep-color", options.keep_color, "keep the input's rgb in OUTPUT");
   line.addFlag ("quiet", options.quiet, "print no table");
-}
-
-/** \brief The options all methods share. */
-void
-declareDetector (CommandLine& line, DetectorOptions& detector)
-{
-  constexpr double kMostThreads = 1024;
-  constexpr double kRightAngle = 90;
-  line.addChoice ("preset",
-                  {"default", "paper"},
-                  detector.preset,
-                  "recommended parameters, or the paper's best ones");
-  line.addNumber ("threshold",
-                  "M",
-                  Range::above (0),
-                  detector.threshold,
-                  "farthest point of a plane (0.05; ops: auto)");
-  line.addNumber ("angle-tolerance",
-                  "DEG",
-                  Range::from (0).upTo (kRightAngle),
-                  detector.angle_tolerance,
-                  "largest tilt of horizontal and vertical planes (7)");
-  line.addValue ("up",
-                 "x,y,z",
-                 "direction against gravity, or auto to find it (0,0,1)",
-                 [&detector] (const std::string& text) {
-                   detector.finds_up = text == "auto";
-                   if (!detector.finds_up)
-                     detector.up = parseDirection ("--up", text);
-                 });
-  line.addNumber (
-      "seed", "S", Range::from (0), detector.seed, "same seed, same result (42)");
-  line.addNumber ("threads",
-                  "T",
-                  Range::from (0).upTo (kMostThreads),
-                  detector.threads,
-                  "0 for all; the result stays the same (1)");
-}
-
-/** \brief Refuses options that only other methods understand. */
-void
-checkMethod (const CommandLine& line, const Method& chosen)
-{
-  for (const Method& method : allMethods()) {
-    const std::vector<std::string> given = line.givenOf (groupOf (method));
-    if (method.name != chosen.name && !given.empty())
-      throw UsageError ("--" + given.front(),
-                        "is an option of --method " + method.name + ", not of " +
-                            chosen.name + "; leave it out");
-  }
 }
 
 void
@@ -253,15 +189,10 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
       kInAndOut);
   line.addArguments ("INPUT", arguments, 1, "");
   declareOutputs (line, options);
-  line.addChoice ("method", methodNames(), options.method, "the detector (ops)");
-  declareDetector (line, options.detector);
-  for (const Method& method : allMethods()) {
-    line.beginBriefGroup (groupOf (method));
-    method.declare_options (line, options.detector);
-  }
+  declareMethodOptions (line, options.method, options.detector);
   if (!line.parse (argc, argv))
     return false;
-  checkMethod (line, methodCalled (options.method));
+  checkMethodOptions (line, methodCalled (options.method));
   storeArguments (arguments, options);
   checkHull (line, options);
   checkOutputs (options);

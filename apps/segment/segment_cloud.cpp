@@ -33,20 +33,6 @@ detectPlanes (const SegmentOptions& options, const Positions& positions)
   return detected;
 }
 
-/** \brief For each point the id of its plane, 0 for none. */
-std::vector<std::uint32_t>
-labelsOf (const std::vector<PlaneSegment>& planes, std::size_t points)
-{
-  std::vector<std::uint32_t> labels (points, 0);
-  std::uint32_t id = 0;
-  for (const PlaneSegment& plane : planes) {
-    ++id;
-    for (const pcl::index_t index : plane.inliers)
-      labels[static_cast<std::size_t> (index)] = id;
-  }
-  return labels;
-}
-
 void
 saveLabelled (const std::string& file,
               Cloud cloud,

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drawing.h"
+
+#include <Eigen/Geometry>
+
+#include <vtkArrowSource.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkGlyph3D.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+/** \brief Points of one colour each, to draw lines or arrows with. */
+class ColoredPoints {
+public:
+  ColoredPoints() { colors_->SetNumberOfComponents (3); }
+
+  vtkIdType
+  add (const Eigen::Vector3d& point, const pcl::RGB& color)
+  {
+    colors_->InsertNextValue (color.r);
+    colors_->InsertNextValue (color.g);
+    colors_->InsertNextValue (color.b);
+    return points_->InsertNextPoint (point.data());
+  }
+
+  vtkSmartPointer<vtkPolyData>
+  toPolyData () const
+  {
+    vtkNew<vtkPolyData> data;
+    data->SetPoints (points_);
+    data->GetPointData()->SetScalars (colors_);
+    return data;
+  }
+
+private:
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkUnsignedCharArray> colors_;
+};
+
+/** \brief The planes' own colours would be lost among their points. */
+pcl::RGB
+darker (const pcl::RGB& color)
+{
+  const auto part = [] (std::uint8_t bright) {
+    return static_cast<std::uint8_t> (bright / 2);
+  };
+  return {part (color.r), part (color.g), part (color.b)};
+}
+
+/** \brief Diagonal of the box around all outlines. */
+double
+diagonalOf (const std::vector<PlaneExtent>& extents)
+{
+  Eigen::AlignedBox3d box;
+  for (const PlaneExtent& extent : extents)
+    for (const Eigen::Vector3d& corner : extent.hull)
+      box.extend (corner);
+  return box.isEmpty() ? 1.0 : box.diagonal().norm();
+}
+
+double
+arrowLength (const PlaneExtent& extent, double diagonal)
+{
+  constexpr double kOfSide = 0.4;
+  constexpr double kShortest = 0.03;
+  constexpr double kLongest = 0.08;
+  return std::clamp (
+      kOfSide * std::sqrt (extent.area), kShortest * diagonal, kLongest * diagonal);
+}
+
+} // namespace
+
+vtkSmartPointer<vtkActor>
+outlinesOf (const FoundPlanes& found, const std::vector<pcl::RGB>& colors)
+{
+  constexpr float kWidth = 2.5f;
+  constexpr double kTowardsEye = -8.0;
+  ColoredPoints corners;
+  vtkNew<vtkCellArray> lines;
+  for (std::size_t i = 0; i < found.extents.size(); ++i) {
+    const std::vector<Eigen::Vector3d>& hull = found.extents[i].hull;
+    if (hull.empty())
+      continue;
+    lines->InsertNextCell (static_cast<int> (hull.size() + 1));
+    vtkIdType last = 0;
+    for (const Eigen::Vector3d& corner : hull) {
+      last = corners.add (corner, darker (colors[i]));
+      lines->InsertCellPoint (last);
+    }
+    lines->InsertCellPoint (last + 1 - static_cast<vtkIdType> (hull.size()));
+  }
+  const vtkSmartPointer<vtkPolyData> data = corners.toPolyData();
+  data->SetLines (lines);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData (data);
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters (kTowardsEye, kTowardsEye);
+  const auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper (mapper);
+  actor->GetProperty()->SetLineWidth (kWidth);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+vtkSmartPointer<vtkActor>
+normalsOf (const FoundPlanes& found, const std::vector<pcl::RGB>& colors)
+{
+  constexpr int kSides = 12;
+  const double diagonal = diagonalOf (found.extents);
+  ColoredPoints centroids;
+  vtkNew<vtkFloatArray> directions;
+  directions->SetNumberOfComponents (3);
+  for (std::size_t i = 0; i < found.planes.size(); ++i) {
+    const PlaneSegment& plane = found.planes[i];
+    const Eigen::Vector3d arrow =
+        arrowLength (found.extents[i], diagonal) * plane.normal;
+    centroids.add (plane.centroid, darker (colors[i]));
+    directions->InsertNextTuple (arrow.data());
+  }
+  const vtkSmartPointer<vtkPolyData> data = centroids.toPolyData();
+  data->GetPointData()->SetVectors (directions);
+  vtkNew<vtkArrowSource> arrow;
+  arrow->SetTipResolution (kSides);
+  arrow->SetShaftResolution (kSides);
+  vtkNew<vtkGlyph3D> glyphs;
+  glyphs->SetInputData (data);
+  glyphs->SetSourceConnection (arrow->GetOutputPort());
+  glyphs->SetVectorModeToUseVector();
+  glyphs->SetScaleModeToScaleByVector();
+  glyphs->SetColorModeToColorByScalar();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection (glyphs->GetOutputPort());
+  const auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper (mapper);
+  return actor;
+}
+
+vtkSmartPointer<vtkTextActor>
+textIn (const Corner& corner)
+{
+  constexpr int kFontSize = 15;
+  constexpr double kMargin = 0.012;
+  constexpr double kOpacity = 0.75;
+  const auto text = vtkSmartPointer<vtkTextActor>::New();
+  text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  text->SetPosition (corner.is_right ? 1.0 - kMargin : kMargin,
+                     corner.is_top ? 1.0 - kMargin : kMargin);
+  vtkTextProperty* const style = text->GetTextProperty();
+  style->SetFontSize (kFontSize);
+  style->SetColor (0.0, 0.0, 0.0);
+  style->SetBackgroundColor (1.0, 1.0, 1.0);
+  style->SetBackgroundOpacity (kOpacity);
+  if (corner.is_right)
+    style->SetJustificationToRight();
+  if (corner.is_top)
+    style->SetVerticalJustificationToTop();
+  return text;
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/common/point_tests.h>
+
+#include "display.h"
+#include "options.h"
+#include "point_colors.h"
+#include "window.h"
+#include <common/cloud_file.h>
+#include <common/program.h>
+
+#include <algorithm>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+ViewedCloud
+loadViewed (const std::string& file, const Eigen::Vector3f& up)
+{
+  const Cloud cloud = loadCloud (file);
+  const Positions positions = positionsOf (cloud);
+  const auto& points = *positions.cloud;
+  if (std::none_of (points.begin(), points.end(), [] (const pcl::PointXYZ& point) {
+        return pcl::isXYZFinite (point);
+      }))
+    throw WorkError (file,
+                     "has no point with finite coordinates, so there is nothing to "
+                     "show; give another cloud");
+  return {positions.cloud, positions.shift, inputColors (cloud, points, up)};
+}
+
+int
+view (int argc, const char* const* argv)
+{
+  ViewOptions options;
+  if (!readOptions (argc, argv, options))
+    return kDone;
+  const ViewedCloud cloud = loadViewed (
+      options.input, options.detector.up.value_or (Eigen::Vector3f::UnitZ()));
+  checkDisplay();
+  showCloud (options, cloud);
+  return kDone;
+}
+
+} // namespace
+
+} // namespace pcl_ops::apps
+
+int
+main (int argc, char** argv)
+{
+  using namespace pcl_ops::apps;
+  return runProgram ("pcl_ops_view", [&] { return view (argc, argv); });
+}

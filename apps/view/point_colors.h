@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <Eigen/Core>
+
+#include "found_planes.h"
+#include "view_state.h"
+#include <common/cloud_file.h>
+
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief The colours a cloud comes with; where it has no field rgb or rgba, the height
+ * of each point from blue to yellow.
+ * \param[in] positions of the same points
+ * \param[in] up direction against gravity */
+std::vector<pcl::RGB>
+inputColors (const Cloud& cloud,
+             const pcl::PointCloud<pcl::PointXYZ>& positions,
+             const Eigen::Vector3f& up);
+
+/** \brief The colour of each plane as a state asks for it. Orientation classes are
+ * shaded by the direction of the plane, which tells neighbours of one class apart. */
+std::vector<pcl::RGB>
+planeColors (const FoundPlanes& found, const ViewState& state);
+
+/** \brief The colour of each point as a state asks for it; where a plane is selected,
+ * all others fade.
+ * \param[in] input what \ref inputColors gave */
+std::vector<pcl::RGB>
+pointColors (const FoundPlanes& found,
+             const ViewState& state,
+             const std::vector<pcl::RGB>& input);
+
+} // namespace pcl_ops::apps

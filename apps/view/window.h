@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_types.h>
+
+#include <Eigen/Core>
+
+#include "found_planes.h"
+#include "options.h"
+
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief A cloud as the viewer needs it. */
+struct ViewedCloud {
+  PositionsPtr positions;
+  /** \brief Zero of the frame of the positions in the frame of the file. */
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  /** \brief The colours it came with, one per point. */
+  std::vector<pcl::RGB> colors;
+};
+
+/** \brief Opens a window until the user closes it, or writes options.screenshot.
+ * \param[in] cloud has a finite point
+ * \throws WorkError if nothing can be drawn here or the picture cannot be written, and
+ * whatever the first detection throws */
+void
+showCloud (const ViewOptions& options, const ViewedCloud& cloud);
+
+} // namespace pcl_ops::apps
