@@ -56,7 +56,7 @@ cameraFor (const pcl::PointCloud<pcl::PointXYZ>& cloud,
 int
 pointSizeFor (std::size_t points, int width, int height)
 {
-  constexpr double kFilled = 0.7;
+  constexpr double kFilled = 1.6;
   constexpr double kSmallest = 2.0;
   constexpr double kLargest = 6.0;
   const double pixels = static_cast<double> (width) * height;

@@ -76,9 +76,9 @@ diagonalOf (const std::vector<PlaneExtent>& extents)
 double
 arrowLength (const PlaneExtent& extent, double diagonal)
 {
-  constexpr double kOfSide = 0.4;
-  constexpr double kShortest = 0.03;
-  constexpr double kLongest = 0.08;
+  constexpr double kOfSide = 0.3;
+  constexpr double kShortest = 0.02;
+  constexpr double kLongest = 0.05;
   return std::clamp (
       kOfSide * std::sqrt (extent.area), kShortest * diagonal, kLongest * diagonal);
 }
@@ -156,6 +156,7 @@ textIn (const Corner& corner)
   constexpr int kFontSize = 15;
   constexpr double kMargin = 0.012;
   constexpr double kOpacity = 0.75;
+  constexpr double kLineSpacing = 1.15;
   const auto text = vtkSmartPointer<vtkTextActor>::New();
   text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   text->SetPosition (corner.is_right ? 1.0 - kMargin : kMargin,
@@ -165,6 +166,7 @@ textIn (const Corner& corner)
   style->SetColor (0.0, 0.0, 0.0);
   style->SetBackgroundColor (1.0, 1.0, 1.0);
   style->SetBackgroundOpacity (kOpacity);
+  style->SetLineSpacing (kLineSpacing);
   if (corner.is_right)
     style->SetJustificationToRight();
   if (corner.is_top)

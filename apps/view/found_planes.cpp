@@ -29,7 +29,7 @@ mergedInto (const PlaneSegment& plane, const FoundPlanes& after)
 } // namespace
 
 FoundPlanes
-findPlanes (const Run& run, DetectorOptions options, const PositionsPtr& cloud)
+findPlanes (const DetectionRun& run, DetectorOptions options, const PositionsPtr& cloud)
 {
   options.preset = run.preset;
   options.merging = run.merging;
@@ -66,7 +66,7 @@ PlaneFinder::PlaneFinder (DetectorOptions options, PositionsPtr cloud)
 {}
 
 const FoundPlanes&
-PlaneFinder::detectOnce (const Run& run)
+PlaneFinder::detectOnce (const DetectionRun& run)
 {
   const auto known = std::find_if (
       entries_.begin(), entries_.end(), [&] (const Entry& e) { return e.run == run; });
@@ -78,9 +78,9 @@ PlaneFinder::detectOnce (const Run& run)
 }
 
 const FoundPlanes&
-PlaneFinder::find (const Run& run)
+PlaneFinder::find (const DetectionRun& run)
 {
-  Run merged = run;
+  DetectionRun merged = run;
   merged.merging = true;
   const FoundPlanes& after = detectOnce (merged);
   // Not before: had the detector failed, the planes of the last run would still be

@@ -29,7 +29,9 @@ struct FoundPlanes {
 /** \brief Runs the detector a state asks for and adds outlines and areas.
  * \throws UsageError or WorkError as the detector does */
 FoundPlanes
-findPlanes (const Run& run, DetectorOptions options, const PositionsPtr& cloud);
+findPlanes (const DetectionRun& run,
+            DetectorOptions options,
+            const PositionsPtr& cloud);
 
 /** \brief Colours for planes before merging that show what was merged: the largest part
  * of every merged plane keeps the plane's colour, the others get colours of their own.
@@ -47,7 +49,7 @@ public:
    * \throws UsageError or WorkError as the detector does; then what was found before
    * stays valid */
   const FoundPlanes&
-  find (const Run& run);
+  find (const DetectionRun& run);
 
   /** \brief How often a detector has worked. */
   std::size_t
@@ -58,10 +60,10 @@ public:
 
 private:
   const FoundPlanes&
-  detectOnce (const Run& run);
+  detectOnce (const DetectionRun& run);
 
   struct Entry {
-    Run run;
+    DetectionRun run;
     FoundPlanes found;
   };
 

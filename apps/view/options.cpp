@@ -92,6 +92,7 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
   options.state.run.preset = options.detector.preset;
   options.state.run.merging = !before;
   options.state.coloring = coloringCalled (coloring);
+  options.state.help = options.screenshot.empty();
   checkScreenshot (options.screenshot);
   return true;
 }

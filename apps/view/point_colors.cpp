@@ -38,7 +38,7 @@ faded (const pcl::RGB& color)
 pcl::RGB
 shaded (const pcl::RGB& color, const Eigen::Vector3d& normal)
 {
-  constexpr double kDarkest = 0.45;
+  constexpr double kDarkest = 0.35;
   const Eigen::Vector3d light = Eigen::Vector3d (0.3, 0.55, 0.78).normalized();
   const double dark = kDarkest * (1.0 - std::abs (normal.dot (light)));
   return blend (color, {0, 0, 0}, dark);

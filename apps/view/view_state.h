@@ -20,14 +20,14 @@ enum class Coloring {
 };
 
 /** \brief Which run of a detector is shown. */
-struct Run {
+struct DetectionRun {
   std::string method = "ops";
   std::string preset = "default";
   /** \brief Off: the planes before the merging process. */
   bool merging = true;
 
   bool
-  operator== (const Run& other) const
+  operator== (const DetectionRun& other) const
   {
     return method == other.method && preset == other.preset && merging == other.merging;
   }
@@ -35,7 +35,7 @@ struct Run {
 
 /** \brief Everything the keys and clicks of the viewer change but the camera. */
 struct ViewState {
-  Run run;
+  DetectionRun run;
   Coloring coloring = Coloring::Planes;
   bool hulls = false;
   bool normals = false;

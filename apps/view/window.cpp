@@ -224,7 +224,8 @@ Window::drawPlanes()
     const pcl::RGB& color = colors[static_cast<std::size_t> (index)];
     cloud->emplace_back (point.x, point.y, point.z, color.r, color.g, color.b);
   }
-  viewer_->updatePointCloud<pcl::PointXYZRGB> (cloud, kCloud);
+  viewer_->updatePointCloud (pcl::PointCloud<pcl::PointXYZRGB>::ConstPtr (cloud),
+                             kCloud);
   renderer_->RemoveActor (outlines_);
   renderer_->RemoveActor (normals_);
   const std::vector<pcl::RGB> plane_colors = planeColors (*found_, state_);

@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <picture/colors.h>
+#include <view/camera.h>
+#include <view/found_planes.h>
+#include <view/picking.h>
+#include <view/point_colors.h>
+#include <view/texts.h>
+#include <view/view_state.h>
+
+#include <limits>
+#include <set>
+
+using namespace pcl_ops;
+using namespace pcl_ops::apps;
+
+namespace {
+
+using Positions3 = pcl::PointCloud<pcl::PointXYZ>;
+
+/** \brief The state after some keys, all of which must be keys of the viewer. */
+ViewState
+afterKeys (ViewState state, const std::string& keys)
+{
+  for (const char key : keys)
+    state = afterKey (state, std::string (1, key)).value();
+  return state;
+}
+
+bool
+isSame (const pcl::RGB& first, const pcl::RGB& second)
+{
+  return first.r == second.r && first.g == second.g && first.b == second.b;
+}
+
+/** \brief A square of 2 m at z = 0 and a point off it, 0.5 m higher. */
+PositionsPtr
+tableAndPoint ()
+{
+  const auto cloud = pcl::make_shared<Positions3>();
+  for (int x = 0; x <= 40; ++x)
+    for (int y = 0; y <= 40; ++y)
+      cloud->emplace_back (
+          0.05f * static_cast<float> (x), 0.05f * static_cast<float> (y), 0.0f);
+  cloud->emplace_back (1.0f, 1.0f, 0.5f);
+  return cloud;
+}
+
+PlaneSegment
+planeOf (const pcl::Indices& inliers)
+{
+  PlaneSegment plane;
+  plane.inliers = inliers;
+  return plane;
+}
+
+/** \brief Planes with nothing but their points, of a cloud of so many. */
+FoundPlanes
+foundOf (const std::vector<pcl::Indices>& inliers, std::size_t points)
+{
+  FoundPlanes found;
+  for (const pcl::Indices& plane : inliers) {
+    found.planes.push_back (planeOf (plane));
+    found.extents.emplace_back();
+    found.colors.push_back (static_cast<std::uint32_t> (found.planes.size()));
+  }
+  found.labels = labelsOf (found.planes, points);
+  return found;
+}
+
+} // namespace
+
+TEST (ViewState, EveryListedKeyButThoseOfPclChangesIt)
+{
+  const std::set<std::string> by_pcl = {kResetKey, "+ -", "o", "q"};
+  for (const Key& key : allKeys())
+    EXPECT_EQ (afterKey ({}, key.name).has_value(), by_pcl.count (key.name) == 0)
+        << key.name;
+}
+
+TEST (ViewState, NoKeyIsListedTwice)
+{
+  std::set<std::string> names;
+  for (const Key& key : allKeys())
+    EXPECT_TRUE (names.insert (key.name).second) << key.name;
+}
+
+TEST (ViewState, KeysChooseColours)
+{
+  EXPECT_EQ (afterKeys ({}, "2").coloring, Coloring::Orientations);
+  EXPECT_EQ (afterKeys ({}, "3").coloring, Coloring::Input);
+  EXPECT_EQ (afterKeys ({}, "31").coloring, Coloring::Planes);
+}
+
+TEST (ViewState, KeysSwitchOnAndOff)
+{
+  EXPECT_TRUE (afterKeys ({}, "l").hulls);
+  EXPECT_FALSE (afterKeys ({}, "ll").hulls);
+  EXPECT_TRUE (afterKeys ({}, "n").normals);
+  EXPECT_FALSE (afterKeys ({}, "nn").normals);
+  EXPECT_FALSE (afterKeys ({}, "h").help);
+  EXPECT_FALSE (afterKeys ({}, "b").run.merging);
+  EXPECT_TRUE (afterKeys ({}, "bb").run.merging);
+  EXPECT_EQ (afterKeys ({}, "p").run.preset, "paper");
+  EXPECT_EQ (afterKeys ({}, "pp").run.preset, "default");
+}
+
+TEST (ViewState, MethodsComeRoundToTheFirst)
+{
+  ViewState state;
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < allMethods().size(); ++i) {
+    seen.insert (state.run.method);
+    state = afterKeys (state, "m");
+  }
+  EXPECT_EQ (seen.size(), allMethods().size());
+  EXPECT_EQ (state.run.method, ViewState().run.method);
+}
+
+TEST (ViewState, ASelectionOutlivesColoursButNotAnotherRun)
+{
+  ViewState state;
+  state.selected = 2;
+  EXPECT_EQ (afterKeys (state, "2ln").selected, 2u);
+  for (const char* key : {"m", "p", "b"})
+    EXPECT_EQ (afterKeys (state, key).selected, 0u) << key;
+}
+
+TEST (PlaneFinder, WorksOnlyForAnotherMethodPresetOrMerging)
+{
+  PlaneFinder finder ({}, tableAndPoint());
+  ViewState state;
+  finder.find (state.run);
+  EXPECT_EQ (finder.numberOfDetections(), 1u);
+  finder.find (afterKeys (state, "2ln").run);
+  EXPECT_EQ (finder.numberOfDetections(), 1u);
+  finder.find (afterKeys (state, "b").run);
+  EXPECT_EQ (finder.numberOfDetections(), 2u);
+  finder.find (state.run);
+  finder.find (afterKeys (state, "b").run);
+  EXPECT_EQ (finder.numberOfDetections(), 2u);
+  finder.find (afterKeys (state, "m").run);
+  EXPECT_EQ (finder.numberOfDetections(), 3u);
+}
+
+TEST (PlaneFinder, FindsTheTableByEveryMethod)
+{
+  const PositionsPtr cloud = tableAndPoint();
+  for (const Method& method : allMethods()) {
+    PlaneFinder finder ({}, cloud);
+    DetectionRun run;
+    run.method = method.name;
+    const FoundPlanes& found = finder.find (run);
+    ASSERT_EQ (found.planes.size(), 1u) << method.name;
+    EXPECT_NEAR (found.extents[0].area, 4.0, 0.3) << method.name;
+    EXPECT_EQ (found.labels.front(), 1u) << method.name;
+    EXPECT_EQ (found.labels.back(), 0u) << method.name;
+  }
+}
+
+TEST (PlaneFinder, KeepsWhatItFoundIfTheNextRunFails)
+{
+  DetectorOptions options;
+  options.fspf.inner_radius = 0.2;
+  options.fspf.outer_radius = 0.1; // refused: smaller than the inner one
+  PlaneFinder finder (options, tableAndPoint());
+  const FoundPlanes& found = finder.find ({});
+  DetectionRun refused;
+  refused.method = "fspf";
+  EXPECT_ANY_THROW (finder.find (refused));
+  EXPECT_EQ (&finder.find ({}), &found);
+}
+
+TEST (BeforeMerging, ThereAreAtLeastAsManyPlanes)
+{
+  // Two halves of a table, one 2 cm higher: one plane once merged.
+  const auto cloud = pcl::make_shared<Positions3>();
+  for (int x = 0; x < 60; ++x)
+    for (int y = 0; y < 60; ++y)
+      cloud->emplace_back (0.05f * static_cast<float> (x),
+                           0.05f * static_cast<float> (y),
+                           x < 30 ? 0.0f : 0.02f);
+  DetectorOptions options;
+  options.threshold = 0.03;
+  for (const Method& method : allMethods()) {
+    PlaneFinder finder (options, cloud);
+    DetectionRun run;
+    run.method = method.name;
+    const std::size_t after = finder.find (run).planes.size();
+    run.merging = false;
+    EXPECT_GE (finder.find (run).planes.size(), after) << method.name;
+  }
+}
+
+TEST (BeforeMerging, TheLargestPartKeepsTheColour)
+{
+  const FoundPlanes after = foundOf ({{0, 1, 2, 3, 4}, {5, 6}}, 8);
+  const FoundPlanes before = foundOf ({{2, 3, 4}, {0, 1}, {5, 6}, {7}}, 8);
+  EXPECT_EQ (colorsBeforeMerging (before, after),
+             (std::vector<std::uint32_t>{1, 3, 2, 4}));
+}
+
+TEST (PointColors, ArePlanesGreyOrTheInput)
+{
+  const FoundPlanes found = foundOf ({{0}}, 2);
+  const std::vector<pcl::RGB> input = {{1, 2, 3}, {4, 5, 6}};
+  ViewState state;
+  std::vector<pcl::RGB> colors = pointColors (found, state, input);
+  EXPECT_TRUE (isSame (colors[0], colorOfLabel (1)));
+  EXPECT_TRUE (isSame (colors[1], colorOfLabel (0)));
+  state.coloring = Coloring::Input;
+  colors = pointColors (found, state, input);
+  EXPECT_TRUE (isSame (colors[0], input[0]));
+  EXPECT_TRUE (isSame (colors[1], input[1]));
+}
+
+TEST (PointColors, OrientationsDiffer)
+{
+  FoundPlanes found = foundOf ({{0}, {1}}, 2);
+  found.planes[0].orientation = Orientation::Horizontal;
+  found.planes[1].orientation = Orientation::Vertical;
+  ViewState state;
+  state.coloring = Coloring::Orientations;
+  const std::vector<pcl::RGB> colors = pointColors (found, state, {{}, {}});
+  EXPECT_GT (colors[0].g, colors[0].b);
+  EXPECT_GT (colors[1].b, colors[1].g);
+}
+
+TEST (PointColors, OnlyTheSelectedPlaneDoesNotFade)
+{
+  const FoundPlanes found = foundOf ({{0}, {1}}, 3);
+  ViewState state;
+  state.selected = 2;
+  const std::vector<pcl::RGB> colors = pointColors (found, state, {{}, {}, {}});
+  EXPECT_FALSE (isSame (colors[0], colorOfLabel (1)));
+  EXPECT_TRUE (isSame (colors[1], colorOfLabel (2)));
+  EXPECT_FALSE (isSame (colors[2], colorOfLabel (0)));
+}
+
+TEST (InputColors, AreTheHeightWhereTheFileHasNone)
+{
+  Positions3 positions;
+  for (int i = 0; i < 5; ++i)
+    positions.emplace_back (0.0f, 0.0f, static_cast<float> (i));
+  const float missing = std::numeric_limits<float>::quiet_NaN();
+  positions.emplace_back (missing, missing, missing);
+  const std::vector<pcl::RGB> colors =
+      inputColors ({}, positions, Eigen::Vector3f::UnitZ());
+  ASSERT_EQ (colors.size(), positions.size());
+  EXPECT_GT (colors[4].r, colors[0].r); // from blue to yellow
+  EXPECT_GT (colors[4].g, colors[0].g);
+}
+
+TEST (Picking, TakesTheNearestPointUnderTheCursor)
+{
+  Projection projection; // a cube of 2 m, seen along z
+  projection.size = {200, 100};
+  Positions3 cloud;
+  cloud.emplace_back (0.0f, 0.0f, 0.5f);
+  cloud.emplace_back (0.01f, 0.0f, -0.5f);
+  cloud.emplace_back (0.5f, 0.5f, 0.0f);
+  EXPECT_EQ (pointAt ({100, 50}, 4, cloud, projection), 1);
+  EXPECT_EQ (pointAt ({150, 75}, 4, cloud, projection), 2);
+  EXPECT_FALSE (pointAt ({20, 20}, 4, cloud, projection));
+}
+
+TEST (Picking, LeavesOutWhatIsBehindTheEyeOrHasNoCoordinates)
+{
+  Projection projection;
+  projection.size = {200, 100};
+  projection.to_cube (3, 3) = 0.0;
+  projection.to_cube (3, 2) = 1.0; // a pinhole at the origin
+  Positions3 cloud;
+  const float missing = std::numeric_limits<float>::quiet_NaN();
+  cloud.emplace_back (0.0f, 0.0f, -1.0f);
+  cloud.emplace_back (missing, missing, missing);
+  EXPECT_FALSE (pointAt ({100, 50}, 4, cloud, projection));
+}
+
+TEST (Camera, LooksAtTheCloudAsItsSensorDid)
+{
+  Positions3 wall; // 3 m in front of a camera, whose y axis points down
+  for (int x = -10; x <= 10; ++x)
+    for (int y = -10; y <= 10; ++y)
+      wall.emplace_back (
+          0.1f * static_cast<float> (x), 0.1f * static_cast<float> (y), 3.0f);
+  const Camera camera = cameraFor (wall, {}, Eigen::Vector3f::UnitZ(), 400, 300);
+  EXPECT_LT ((camera.eye - Eigen::Vector3d::Zero()).norm(), 1e-6);
+  EXPECT_LT ((camera.target - Eigen::Vector3d (0, 0, 3)).norm(), 0.05);
+  EXPECT_GT (camera.up.dot (-Eigen::Vector3d::UnitY()), 0.99);
+  EXPECT_NEAR (camera.angle, 2.0 * std::atan2 (1.0, 3.0) * 180.0 / M_PI, 3.0);
+}
+
+TEST (Camera, DrawsFewerPointsLarger)
+{
+  EXPECT_GT (pointSizeFor (1000, 640, 480), pointSizeFor (1000000, 640, 480));
+  EXPECT_GE (pointSizeFor (0, 640, 480), 1);
+}
+
+TEST (Texts, GiveThePlaneInTheFrameOfTheFile)
+{
+  FoundPlanes found = foundOf ({{0, 1, 2}}, 3);
+  found.planes[0].orientation = Orientation::Horizontal;
+  found.extents[0].area = 1.5;
+  const std::string text = planeText (found, 1, {0, 0, 10});
+  EXPECT_NE (text.find ("plane 1: horizontal, 3 points, area 1.500"), std::string::npos)
+      << text;
+  EXPECT_NE (text.find ("1.0000 z - 10.0000 = 0"), std::string::npos) << text;
+}
+
+TEST (Texts, SayWhatToChangeWhereNothingWasFound)
+{
+  FoundPlanes found = foundOf ({}, 3);
+  found.advice = "lower --min-inliers";
+  const std::string text = statusText ("folder/room.pcd", found, {});
+  EXPECT_EQ (text.find ("room.pcd, 3 points"), 0u) << text;
+  EXPECT_NE (text.find ("0 planes"), std::string::npos) << text;
+  EXPECT_NE (text.find (found.advice), std::string::npos) << text;
+}
+
+TEST (Texts, ListEveryKey)
+{
+  const std::string text = keysText();
+  for (const Key& key : allKeys())
+    EXPECT_NE (text.find (key.name + "  " + key.help), std::string::npos) << key.name;
+}
