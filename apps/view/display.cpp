@@ -3,49 +3,64 @@
 #include "display.h"
 
 #include <common/program.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 
-#ifdef PCL_OPS_VIEW_ON_X11
-// Last: its macros, such as None and Bool, go on for the rest of the file.
-#include <X11/Xlib.h>
-#endif
-
 namespace pcl_ops::apps {
 
-#ifdef PCL_OPS_VIEW_ON_X11
+namespace {
 
-void
-checkDisplay ()
+/** \brief Tries to draw, silently. Aborts if VTK finds no display or no driver. */
+bool
+tryToDraw (bool has_window)
 {
-  constexpr const char* kMend =
-      "; start it in a graphical session, or without one by xvfb-run -a pcl_ops_view "
-      "CLOUD --screenshot FILE.png";
-  const char* const given = std::getenv ("DISPLAY");
-  const std::string name = given == nullptr ? "" : given;
-  if (name.empty())
-    throw WorkError ("DISPLAY",
-                     std::string ("is not set, there is no display") + kMend);
-  Display* const display = XOpenDisplay (name.c_str());
-  if (display == nullptr)
-    throw WorkError ("DISPLAY", "the display " + name + " cannot be opened" + kMend);
-  int opcode = 0;
-  int event = 0;
-  int error = 0;
-  const bool can_draw = XQueryExtension (display, "GLX", &opcode, &event, &error) != 0;
-  XCloseDisplay (display);
-  if (!can_draw)
-    throw WorkError ("DISPLAY",
-                     "the display " + name + " has no OpenGL (GLX extension)" + kMend);
+  const rlimit no_core{0, 0};
+  setrlimit (RLIMIT_CORE, &no_core);
+  for (std::FILE* const stream : {stdout, stderr})
+    if (std::freopen ("/dev/null", "w", stream) == nullptr)
+      return false;
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering (has_window ? 0 : 1);
+  return window->SupportsOpenGL() != 0;
 }
 
-#else
+/** \brief As \ref tryToDraw, in a process that may die of it. */
+bool
+canDraw (bool has_window)
+{
+  const pid_t child = fork();
+  if (child == 0)
+    _exit (tryToDraw (has_window) ? kDone : kWorkFailed);
+  int status = 0;
+  return child > 0 && waitpid (child, &status, 0) == child && WIFEXITED (status) &&
+         WEXITSTATUS (status) == kDone;
+}
+
+} // namespace
 
 void
-checkDisplay ()
-{}
-
+checkDisplay (bool has_window)
+{
+#ifndef __APPLE__ // whose windows need no display, and no process may draw after a fork
+  if (canDraw (has_window))
+    return;
+  const char* const given = std::getenv ("DISPLAY");
+  const std::string name = given == nullptr ? "" : given;
+  throw WorkError ("DISPLAY",
+                   (name.empty() ? "is not set: there is no display"
+                                 : name + " cannot be opened or offers no OpenGL 3.2") +
+                       "; start the viewer in a graphical session, or without one by "
+                       "xvfb-run -a pcl_ops_view CLOUD --screenshot FILE.png");
+#else
+  static_cast<void> (has_window);
 #endif
+}
 
 } // namespace pcl_ops::apps

@@ -4,10 +4,10 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Finds out whether a window can be opened: without a display, or with one that
- * cannot draw in three dimensions, VTK ends the program by itself.
+/** \brief Finds out whether anything can be drawn: where not, VTK aborts the program.
+ * \param[in] has_window false if the drawing goes to a file
  * \throws WorkError that says what is missing and the mend */
 void
-checkDisplay ();
+checkDisplay (bool has_window);
 
 } // namespace pcl_ops::apps

@@ -14,10 +14,10 @@ vtkStandardNewMacro (Interaction)
 
     void Interaction::OnKeyDown()
 {
-  const char* const name = Interactor->GetKeySym();
+  const std::string key (1, Interactor->GetKeyCode());
   const bool has_modifier =
       Interactor->GetControlKey() != 0 || Interactor->GetAltKey() != 0;
-  is_own_key_ = !has_modifier && name != nullptr && on_key && on_key (name);
+  is_own_key_ = !has_modifier && on_key && on_key (key);
   if (!is_own_key_)
     PCLVisualizerInteractorStyle::OnKeyDown();
 }

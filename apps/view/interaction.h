@@ -17,7 +17,8 @@ public:
   static Interaction*
   New ();
 
-  /** \brief Gets the name of a pressed key, returns whether it was one of the viewer's.
+  /** \brief Gets the character of a pressed key, returns whether it was one of the
+   * viewer's.
    */
   std::function<bool (const std::string&)> on_key;
   /** \brief Gets the pixel from the lower left corner. */

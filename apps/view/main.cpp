@@ -38,7 +38,7 @@ view (int argc, const char* const* argv)
     return kDone;
   const ViewedCloud cloud = loadViewed (
       options.input, options.detector.up.value_or (Eigen::Vector3f::UnitZ()));
-  checkDisplay();
+  checkDisplay (options.screenshot.empty());
   showCloud (options, cloud);
   return kDone;
 }

@@ -27,6 +27,14 @@ takeNextMethod (ViewState& state)
       (std::next (now) == methods.end() ? methods.front() : *std::next (now)).name;
 }
 
+void
+resizePoints (ViewState& state, int step)
+{
+  constexpr int kSmallest = 1;
+  constexpr int kLargest = 20;
+  state.point_size = std::clamp (state.point_size + step, kSmallest, kLargest);
+}
+
 const std::vector<Binding>&
 bindings ()
 {
@@ -48,6 +56,8 @@ bindings ()
        [] (ViewState& state) { state.hulls = !state.hulls; }},
       {{"n", "normals on or off"},
        [] (ViewState& state) { state.normals = !state.normals; }},
+      {{"+", "larger points"}, [] (ViewState& state) { resizePoints (state, 1); }},
+      {{"-", "smaller points"}, [] (ViewState& state) { resizePoints (state, -1); }},
       {{"h", "this list on or off"},
        [] (ViewState& state) { state.help = !state.help; }}};
   return kBindings;
@@ -62,7 +72,6 @@ allKeys ()
   for (const Binding& binding : bindings())
     keys.push_back (binding.key);
   keys.push_back ({kResetKey, "view as at the start"});
-  keys.push_back ({"+ -", "larger or smaller points"});
   keys.push_back ({"o", "perspective or parallel projection"});
   keys.push_back ({"q", "quit"});
   return keys;

@@ -39,6 +39,8 @@ struct ViewState {
   Coloring coloring = Coloring::Planes;
   bool hulls = false;
   bool normals = false;
+  /** \brief Edge of the square that a point is drawn as [pixel]. */
+  int point_size = 2;
   /** \brief Whether the window lists the keys. */
   bool help = true;
   /** \brief The plane that was clicked, counted from 1; 0 for none. */
@@ -47,7 +49,7 @@ struct ViewState {
 
 /** \brief A key of the viewer. */
 struct Key {
-  /** \brief Its name in X11, which for letters and digits is the character. */
+  /** \brief The character. */
   std::string name;
   std::string help;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "window.h"
 
+#include <pcl/common/angles.h>
 #include <pcl/common/point_tests.h>
 #include <pcl/visualization/pcl_visualizer.h>
 
@@ -21,6 +22,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -61,8 +63,6 @@ private:
   void
   show (const ViewState& state);
   void
-  drawCloud ();
-  void
   drawPlanes ();
   void
   resetCamera ();
@@ -97,6 +97,7 @@ Window::Window (const ViewOptions& options, const ViewedCloud& cloud)
   for (std::size_t i = 0; i < cloud.positions->size(); ++i)
     if (pcl::isXYZFinite ((*cloud.positions)[i]))
       drawn_.push_back (static_cast<pcl::index_t> (i));
+  state_.point_size = pointSizeFor (drawn_.size(), options.width, options.height);
   found_ = &finder_.find (state_.run);
   first_view_ = cameraFor (*cloud.positions,
                            found_->planes,
@@ -107,7 +108,8 @@ Window::Window (const ViewOptions& options, const ViewedCloud& cloud)
   for (const auto& text : {status_, keys_, plane_})
     renderer_->AddActor2D (text);
   keys_->SetInput (keysText().c_str());
-  drawCloud();
+  viewer_->addPointCloud<pcl::PointXYZRGB> (
+      pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>(), kCloud);
   show (state_);
   resetCamera();
 }
@@ -116,7 +118,9 @@ void
 Window::createViewer()
 {
   const bool has_window = options_.screenshot.empty();
-  if (!has_window)
+  if (has_window)
+    window_->SetMultiSamples (0); // without a graphics card they cost most of the time
+  else
     window_->SetOffScreenRendering (1);
   int no_arguments = 0;
   viewer_ = std::make_unique<PCLVisualizer> (no_arguments,
@@ -126,10 +130,6 @@ Window::createViewer()
                                              "pcl_ops_view " + options_.input,
                                              interaction_.Get(),
                                              has_window);
-  if (window_->SupportsOpenGL() == 0)
-    throw WorkError ("OpenGL",
-                     "this display offers no OpenGL 3.2, which VTK needs; update its "
-                     "driver or use xvfb-run with Mesa's software driver");
   viewer_->setBackgroundColor (1.0, 1.0, 1.0);
   window_->SetSize (options_.width, options_.height);
   interaction_->on_key = [this] (const std::string& key) { return pressKey (key); };
@@ -204,17 +204,6 @@ Window::show (const ViewState& state)
 }
 
 void
-Window::drawCloud()
-{
-  viewer_->addPointCloud<pcl::PointXYZRGB> (
-      pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>(), kCloud);
-  viewer_->setPointCloudRenderingProperties (
-      pcl::visualization::PCL_VISUALIZER_POINT_SIZE,
-      pointSizeFor (drawn_.size(), options_.width, options_.height),
-      kCloud);
-}
-
-void
 Window::drawPlanes()
 {
   const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>();
@@ -226,6 +215,8 @@ Window::drawPlanes()
   }
   viewer_->updatePointCloud (pcl::PointCloud<pcl::PointXYZRGB>::ConstPtr (cloud),
                              kCloud);
+  viewer_->setPointCloudRenderingProperties (
+      pcl::visualization::PCL_VISUALIZER_POINT_SIZE, state_.point_size, kCloud);
   renderer_->RemoveActor (outlines_);
   renderer_->RemoveActor (normals_);
   const std::vector<pcl::RGB> plane_colors = planeColors (*found_, state_);
@@ -246,6 +237,8 @@ Window::resetCamera()
   camera->SetFocalPoint (first_view_.target.data());
   camera->SetViewUp (first_view_.up.data());
   camera->SetViewAngle (first_view_.angle);
+  camera->SetParallelScale (camera->GetDistance() *
+                            std::tan (0.5 * pcl::deg2rad (first_view_.angle)));
   renderer_->ResetCameraClippingRange();
 }
 

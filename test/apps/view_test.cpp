@@ -42,10 +42,10 @@ PositionsPtr
 tableAndPoint ()
 {
   const auto cloud = pcl::make_shared<Positions3>();
-  for (int x = 0; x <= 40; ++x)
-    for (int y = 0; y <= 40; ++y)
+  for (int x = 0; x <= 100; ++x)
+    for (int y = 0; y <= 100; ++y)
       cloud->emplace_back (
-          0.05f * static_cast<float> (x), 0.05f * static_cast<float> (y), 0.0f);
+          0.02f * static_cast<float> (x), 0.02f * static_cast<float> (y), 0.0f);
   cloud->emplace_back (1.0f, 1.0f, 0.5f);
   return cloud;
 }
@@ -76,7 +76,7 @@ foundOf (const std::vector<pcl::Indices>& inliers, std::size_t points)
 
 TEST (ViewState, EveryListedKeyButThoseOfPclChangesIt)
 {
-  const std::set<std::string> by_pcl = {kResetKey, "+ -", "o", "q"};
+  const std::set<std::string> by_pcl = {kResetKey, "o", "q"};
   for (const Key& key : allKeys())
     EXPECT_EQ (afterKey ({}, key.name).has_value(), by_pcl.count (key.name) == 0)
         << key.name;
@@ -107,6 +107,14 @@ TEST (ViewState, KeysSwitchOnAndOff)
   EXPECT_TRUE (afterKeys ({}, "bb").run.merging);
   EXPECT_EQ (afterKeys ({}, "p").run.preset, "paper");
   EXPECT_EQ (afterKeys ({}, "pp").run.preset, "default");
+}
+
+TEST (ViewState, PointsGrowAndShrinkButNeverVanish)
+{
+  const ViewState state;
+  EXPECT_GT (afterKeys (state, "+").point_size, state.point_size);
+  EXPECT_EQ (afterKeys (state, "+-").point_size, state.point_size);
+  EXPECT_EQ (afterKeys (state, std::string (50, '-')).point_size, 1);
 }
 
 TEST (ViewState, MethodsComeRoundToTheFirst)
@@ -179,11 +187,11 @@ TEST (BeforeMerging, ThereAreAtLeastAsManyPlanes)
 {
   // Two halves of a table, one 2 cm higher: one plane once merged.
   const auto cloud = pcl::make_shared<Positions3>();
-  for (int x = 0; x < 60; ++x)
-    for (int y = 0; y < 60; ++y)
-      cloud->emplace_back (0.05f * static_cast<float> (x),
-                           0.05f * static_cast<float> (y),
-                           x < 30 ? 0.0f : 0.02f);
+  for (int x = 0; x < 100; ++x)
+    for (int y = 0; y < 100; ++y)
+      cloud->emplace_back (0.03f * static_cast<float> (x),
+                           0.03f * static_cast<float> (y),
+                           x < 50 ? 0.0f : 0.02f);
   DetectorOptions options;
   options.threshold = 0.03;
   for (const Method& method : allMethods()) {
