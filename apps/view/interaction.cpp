@@ -10,11 +10,29 @@
 
 namespace pcl_ops::apps {
 
+namespace {
+
+/** \brief The character of the last key, that of a number pad too. */
+std::string
+pressedKey (vtkRenderWindowInteractor& interactor)
+{
+  const char* const symbol = interactor.GetKeySym();
+  const std::string name = symbol == nullptr ? "" : symbol;
+  // The key with + and = where + needs the shift key, which many will not press.
+  if (name == "KP_Add" || name == "equal")
+    return "+";
+  if (name == "KP_Subtract")
+    return "-";
+  return std::string (1, interactor.GetKeyCode());
+}
+
+} // namespace
+
 vtkStandardNewMacro (Interaction)
 
     void Interaction::OnKeyDown()
 {
-  const std::string key (1, Interactor->GetKeyCode());
+  const std::string key = pressedKey (*Interactor);
   const bool has_modifier =
       Interactor->GetControlKey() != 0 || Interactor->GetAltKey() != 0;
   is_own_key_ = !has_modifier && on_key && on_key (key);
