@@ -38,6 +38,8 @@ cameraFor (const pcl::PointCloud<pcl::PointXYZ>& cloud,
            int width,
            int height)
 {
+  constexpr double kNarrowest = 1.0;
+  constexpr double kWidest = 150.0;
   const View view = chooseView (cloud, planes, gravity_up, width, height);
   const Eigen::Vector2f middle =
       0.5f * Eigen::Vector2f (static_cast<float> (width), static_cast<float> (height));
@@ -49,7 +51,9 @@ cameraFor (const pcl::PointCloud<pcl::PointXYZ>& cloud,
   camera.eye = view.eye.cast<double>();
   camera.target = (view.eye + ray).cast<double>();
   camera.up = -view.axes.row (1).transpose().cast<double>();
-  camera.angle = pcl::rad2deg (2.0 * std::atan2 (middle.y(), view.focal));
+  // A single point would be seen at an angle of nothing.
+  camera.angle = std::clamp (
+      pcl::rad2deg (2.0 * std::atan2 (middle.y(), view.focal)), kNarrowest, kWidest);
   return camera;
 }
 

@@ -52,15 +52,30 @@ statusText (const std::string& file, const FoundPlanes& found, const ViewState& 
   const std::size_t number = found.planes.size();
   std::ostringstream text;
   text << std::filesystem::path (file).filename().string() << ", "
-       << found.labels.size() << " points\n"
+       << found.labels.size() << (found.labels.size() == 1 ? " point\n" : " points\n")
        << methodCalled (state.run.method).title << ", " << state.run.preset
        << " preset\n"
        << number << (number == 1 ? " plane" : " planes")
        << (state.run.merging ? "" : " before merging") << "\n"
        << nameOf (state.coloring);
   if (number == 0)
-    text << "\nNo plane found: " << found.advice;
+    text << "\n" << wrapped ("No plane found: " + found.advice);
   return text.str();
+}
+
+std::string
+wrapped (const std::string& text)
+{
+  constexpr std::size_t kWidth = 64;
+  std::istringstream words (text);
+  std::string lines, word;
+  std::size_t length = 0;
+  while (words >> word) {
+    const bool fits = length + 1 + word.size() <= kWidth;
+    lines += (lines.empty() ? "" : fits ? " " : "\n") + word;
+    length = fits ? length + 1 + word.size() : word.size();
+  }
+  return lines;
 }
 
 std::string

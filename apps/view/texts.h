@@ -7,7 +7,6 @@
 #include "found_planes.h"
 #include "view_state.h"
 
-#include <cstddef>
 #include <string>
 
 namespace pcl_ops::apps {
@@ -16,6 +15,10 @@ namespace pcl_ops::apps {
  * \param[in] file the cloud's name */
 std::string
 statusText (const std::string& file, const FoundPlanes& found, const ViewState& state);
+
+/** \brief The same text with lines no longer than a window is wide. */
+std::string
+wrapped (const std::string& text);
 
 /** \brief The keys, one in a line. */
 std::string

@@ -156,7 +156,7 @@ Window::pressKey (const std::string& key)
     show (*next);
   }
   catch (const std::exception& error) { // the window stays as it was
-    status_->SetInput (error.what());
+    status_->SetInput (wrapped (error.what()).c_str());
   }
   window_->Render();
   return true;

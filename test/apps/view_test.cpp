@@ -12,8 +12,8 @@
 #include <view/texts.h>
 #include <view/view_state.h>
 
+#include <algorithm>
 #include <limits>
-#include <set>
 
 using namespace pcl_ops;
 using namespace pcl_ops::apps;
@@ -21,15 +21,6 @@ using namespace pcl_ops::apps;
 namespace {
 
 using Positions3 = pcl::PointCloud<pcl::PointXYZ>;
-
-/** \brief The state after some keys, all of which must be keys of the viewer. */
-ViewState
-afterKeys (ViewState state, const std::string& keys)
-{
-  for (const char key : keys)
-    state = afterKey (state, std::string (1, key)).value();
-  return state;
-}
 
 bool
 isSame (const pcl::RGB& first, const pcl::RGB& second)
@@ -74,84 +65,23 @@ foundOf (const std::vector<pcl::Indices>& inliers, std::size_t points)
 
 } // namespace
 
-TEST (ViewState, EveryListedKeyButThoseOfPclChangesIt)
-{
-  const std::set<std::string> by_pcl = {kResetKey, "o", "q"};
-  for (const Key& key : allKeys())
-    EXPECT_EQ (afterKey ({}, key.name).has_value(), by_pcl.count (key.name) == 0)
-        << key.name;
-}
-
-TEST (ViewState, NoKeyIsListedTwice)
-{
-  std::set<std::string> names;
-  for (const Key& key : allKeys())
-    EXPECT_TRUE (names.insert (key.name).second) << key.name;
-}
-
-TEST (ViewState, KeysChooseColours)
-{
-  EXPECT_EQ (afterKeys ({}, "2").coloring, Coloring::Orientations);
-  EXPECT_EQ (afterKeys ({}, "3").coloring, Coloring::Input);
-  EXPECT_EQ (afterKeys ({}, "31").coloring, Coloring::Planes);
-}
-
-TEST (ViewState, KeysSwitchOnAndOff)
-{
-  EXPECT_TRUE (afterKeys ({}, "l").hulls);
-  EXPECT_FALSE (afterKeys ({}, "ll").hulls);
-  EXPECT_TRUE (afterKeys ({}, "n").normals);
-  EXPECT_FALSE (afterKeys ({}, "nn").normals);
-  EXPECT_FALSE (afterKeys ({}, "h").help);
-  EXPECT_FALSE (afterKeys ({}, "b").run.merging);
-  EXPECT_TRUE (afterKeys ({}, "bb").run.merging);
-  EXPECT_EQ (afterKeys ({}, "p").run.preset, "paper");
-  EXPECT_EQ (afterKeys ({}, "pp").run.preset, "default");
-}
-
-TEST (ViewState, PointsGrowAndShrinkButNeverVanish)
-{
-  const ViewState state;
-  EXPECT_GT (afterKeys (state, "+").point_size, state.point_size);
-  EXPECT_EQ (afterKeys (state, "+-").point_size, state.point_size);
-  EXPECT_EQ (afterKeys (state, std::string (50, '-')).point_size, 1);
-}
-
-TEST (ViewState, MethodsComeRoundToTheFirst)
-{
-  ViewState state;
-  std::set<std::string> seen;
-  for (std::size_t i = 0; i < allMethods().size(); ++i) {
-    seen.insert (state.run.method);
-    state = afterKeys (state, "m");
-  }
-  EXPECT_EQ (seen.size(), allMethods().size());
-  EXPECT_EQ (state.run.method, ViewState().run.method);
-}
-
-TEST (ViewState, ASelectionOutlivesColoursButNotAnotherRun)
-{
-  ViewState state;
-  state.selected = 2;
-  EXPECT_EQ (afterKeys (state, "2ln").selected, 2u);
-  for (const char* key : {"m", "p", "b"})
-    EXPECT_EQ (afterKeys (state, key).selected, 0u) << key;
-}
-
 TEST (PlaneFinder, WorksOnlyForAnotherMethodPresetOrMerging)
 {
   PlaneFinder finder ({}, tableAndPoint());
-  ViewState state;
-  finder.find (state.run);
+  const DetectionRun merged;
+  DetectionRun before;
+  before.merging = false;
+  finder.find (merged);
+  finder.find (merged);
   EXPECT_EQ (finder.numberOfDetections(), 1u);
-  finder.find (afterKeys (state, "2ln").run);
-  EXPECT_EQ (finder.numberOfDetections(), 1u);
-  finder.find (afterKeys (state, "b").run);
+  finder.find (before);
   EXPECT_EQ (finder.numberOfDetections(), 2u);
-  finder.find (state.run);
-  finder.find (afterKeys (state, "b").run);
+  finder.find (merged);
+  finder.find (before);
   EXPECT_EQ (finder.numberOfDetections(), 2u);
-  finder.find (afterKeys (state, "m").run);
+  DetectionRun other;
+  other.method = "kht";
+  finder.find (other);
   EXPECT_EQ (finder.numberOfDetections(), 3u);
 }
 
@@ -328,6 +258,24 @@ TEST (Texts, SayWhatToChangeWhereNothingWasFound)
   EXPECT_EQ (text.find ("room.pcd, 3 points"), 0u) << text;
   EXPECT_NE (text.find ("0 planes"), std::string::npos) << text;
   EXPECT_NE (text.find (found.advice), std::string::npos) << text;
+}
+
+TEST (Texts, AreWrappedBetweenWords)
+{
+  std::string text = "word";
+  for (int i = 0; i < 50; ++i)
+    text += " word";
+  std::string lines = wrapped (text);
+  std::size_t longest = 0, start = 0;
+  for (std::size_t end = lines.find ('\n'); end != std::string::npos;
+       end = lines.find ('\n', start)) {
+    longest = std::max (longest, end - start);
+    start = end + 1;
+  }
+  EXPECT_GT (longest, 40u);
+  EXPECT_LE (longest, 64u);
+  std::replace (lines.begin(), lines.end(), '\n', ' ');
+  EXPECT_EQ (lines, text);
 }
 
 TEST (Texts, ListEveryKey)
