@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
+#include "help_text.h"
 
 #include <sstream>
+#include <utility>
 
 namespace po = boost::program_options;
 
@@ -63,9 +65,12 @@ CommandLine::usage() const
     before = "       ";
   }
   text << summary_ << "\n\n" << explanation_;
+  std::vector<std::pair<std::string, std::string>> entries;
   for (const Argument& argument : arguments_)
     if (!argument.help.empty())
-      text << "  " << argument.name << ": " << argument.help << "\n";
+      entries.emplace_back (argument.name, argument.help);
+  if (!entries.empty())
+    text << "Arguments:\n" << listed (entries, kHelpWidth);
   return text.str();
 }
 

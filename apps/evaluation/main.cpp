@@ -14,17 +14,21 @@ using namespace pcl_ops;
 constexpr const char* program_name = "pcl_ops_evaluate";
 
 constexpr const char* help =
-    "pcl_ops_evaluate: compares plane detectors as the paper of OPS does\n"
-    "(Sun & Mordohai, ICRA 2019)\n\n"
-    "  pcl_ops_evaluate compare TRUTH RESULT   every metric for two labelled clouds\n"
-    "  pcl_ops_evaluate run OUTPUT DATASET...  detectors over data sets\n"
-    "  pcl_ops_evaluate report OUTPUT          tables and plots of a run's results\n"
-    "  pcl_ops_evaluate pictures OUTPUT DATASET...  what they find, as pictures\n"
-    "  pcl_ops_evaluate truth DATASET...       how good a truth region growing makes\n"
-    "  pcl_ops_evaluate up DATASET...          how well the up axis is found\n"
-    "  pcl_ops_evaluate detectors              the detectors a run can have\n"
+    "Usage: pcl_ops_evaluate COMMAND [arguments] [options]\n"
+    "Compares plane detectors as the paper of OPS does (Sun & Mordohai, ICRA 2019).\n"
     "\n"
-    "pcl_ops_evaluate COMMAND --help says more.\n";
+    "Commands:\n"
+    "  compare TRUTH RESULT         every metric for two labelled clouds\n"
+    "  run OUTPUT DATASET...        detectors over data sets\n"
+    "  report OUTPUT                tables and plots of a run's results\n"
+    "  pictures OUTPUT DATASET...   what they find, as pictures\n"
+    "  truth DATASET...             how good a truth region growing makes\n"
+    "  up DATASET...                how well the up axis is found\n"
+    "  detectors                    the detectors a run can have\n"
+    "\n"
+    "Options:\n"
+    "  --help                       print this and exit, after COMMAND what it takes\n"
+    "  --version                    print the version and exit\n";
 
 int
 dispatch (int argc, const char* const* argv)

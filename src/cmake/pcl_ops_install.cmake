@@ -1,15 +1,23 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# How the library is found once installed: by CMake, by pkg-config, by ROS.
+# How the library is found once installed: by CMake, by pkg-config, by ROS. Components,
+# here and in pcl_ops_targets.cmake, are those of the Debian packages: library for what
+# programs need to run, dev for what they need to be built, tools for our own.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS pcl_ops EXPORT pcl_ops-targets
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+# A library of the project, its shared part in a component of its own.
+function(pcl_ops_install_library target component)
+  install(TARGETS ${target} EXPORT pcl_ops-targets
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+      COMPONENT ${component} NAMELINK_COMPONENT dev
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component})
+endfunction()
+
+pcl_ops_install_library(pcl_ops library)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pcl_ops
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev
   FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "surface" EXCLUDE)
 
 # A static library hands OpenMP on to whoever links it.
@@ -19,17 +27,15 @@ if(OpenMP_CXX_FOUND AND NOT BUILD_SHARED_LIBS)
 endif()
 
 set(pcl_ops_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_ops)
-install(EXPORT pcl_ops-targets NAMESPACE pcl_ops:: DESTINATION ${pcl_ops_cmake_dir})
+install(EXPORT pcl_ops-targets NAMESPACE pcl_ops::
+  DESTINATION ${pcl_ops_cmake_dir} COMPONENT dev)
 # Exported apart: who does not ask for the component needs neither VTK nor Qhull.
 if(TARGET pcl_ops_surface)
-  install(TARGETS pcl_ops_surface EXPORT pcl_ops-surface-targets
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  pcl_ops_install_library(pcl_ops_surface surface pcl_ops-surface-targets)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pcl_ops/surface
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pcl_ops)
-  install(EXPORT pcl_ops-surface-targets
-    NAMESPACE pcl_ops:: DESTINATION ${pcl_ops_cmake_dir})
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pcl_ops COMPONENT dev)
+  install(EXPORT pcl_ops-surface-targets NAMESPACE pcl_ops::
+    DESTINATION ${pcl_ops_cmake_dir} COMPONENT dev)
 endif()
 configure_package_config_file(
   ${CMAKE_CURRENT_LIST_DIR}/pcl_ops-config.cmake.in
@@ -42,7 +48,7 @@ write_basic_package_version_file(
 install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/pcl_ops-config.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/pcl_ops-config-version.cmake
-  DESTINATION ${pcl_ops_cmake_dir})
+  DESTINATION ${pcl_ops_cmake_dir} COMPONENT dev)
 
 # PCL's own .pc files carried its version in their names up to 1.12.
 set(pcl_pc_suffix "")
@@ -62,11 +68,12 @@ file(RELATIVE_PATH PCL_OPS_PC_TO_PREFIX
   ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(${CMAKE_CURRENT_LIST_DIR}/pcl_ops.pc.in pcl_ops.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/pcl_ops.pc
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 
 # REP 136 and the ament resource index: package.xml and an empty marker.
-install(FILES ${PROJECT_SOURCE_DIR}/package.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/pcl_ops)
+install(FILES ${PROJECT_SOURCE_DIR}/package.xml
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/pcl_ops COMPONENT dev)
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/ament_marker "")
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ament_marker
   DESTINATION ${CMAKE_INSTALL_DATADIR}/ament_index/resource_index/packages
-  RENAME pcl_ops)
+  COMPONENT dev RENAME pcl_ops)

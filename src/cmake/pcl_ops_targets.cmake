@@ -20,9 +20,13 @@ function(pcl_ops_target_defaults target)
   endif()
 endfunction()
 
-# A program of the project: pcl_ops_add_program(name sources... LINK libraries...)
+# A program of the project and its manual page, installed as part of a component:
+# pcl_ops_add_program(name sources... SUMMARY line LINK libraries... [COMPONENT tools])
 function(pcl_ops_add_program name)
-  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "SUMMARY;COMPONENT" "LINK" ${ARGN})
+  if(NOT ARG_COMPONENT)
+    set(ARG_COMPONENT tools)
+  endif()
   add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
   pcl_ops_target_defaults(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
@@ -33,7 +37,9 @@ function(pcl_ops_add_program name)
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin
     INSTALL_RPATH "$ORIGIN/${bin_to_lib}"
     INSTALL_RPATH_USE_LINK_PATH ON)
-  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS ${name}
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${ARG_COMPONENT})
+  pcl_ops_add_manual_page(${name} "${ARG_SUMMARY}" ${ARG_COMPONENT})
 endfunction()
 
 # A GoogleTest program and its CTest entry: pcl_ops_add_test(name sources... LINK libraries...)

@@ -4,6 +4,7 @@
 
 #include "temporary_folder.h"
 #include <common/command_line.h>
+#include <common/help_text.h>
 #include <common/output_file.h>
 #include <common/program.h>
 
@@ -158,6 +159,26 @@ TEST (CommandLine, TellsTheOptionsOfAGroupThatWereGiven)
   EXPECT_EQ (samples, 4);
   EXPECT_EQ (line.givenOf ("Hough"), std::vector<std::string>{"samples"});
   EXPECT_NE (line.help().find ("\nHough:\n  --bins"), std::string::npos);
+}
+
+TEST (CommandLine, ListsArgumentsLikeOptions)
+{
+  std::string input, output;
+  CommandLine line ("detect", "Detects.", "1.0");
+  line.addArgument ("INPUT", input, "a cloud");
+  line.addArgument (
+      "OUTPUT.pcd", output, "the same cloud with the plane of each point");
+  EXPECT_NE (
+      line.help().find ("\nArguments:\n  INPUT        a cloud\n  OUTPUT.pcd   the"),
+      std::string::npos);
+}
+
+TEST (HelpText, BreaksLongMeaningsBetweenWords)
+{
+  EXPECT_EQ (listed ({{"A", "one two three"}, {"LONG", "four"}}, 16),
+             "  A      one two\n"
+             "         three\n"
+             "  LONG   four\n");
 }
 
 TEST (CommandLine, PrintsHelpAndVersion)

@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What the packages are called and say of themselves.
+pcl_ops_add_library_package(pcl_ops library
+  SUMMARY "fast plane detection in unorganized point clouds for PCL"
+  DESCRIPTION "pcl_ops finds all planes of a point cloud in one call: floors, walls, table
+tops and boards, each with the points that lie on it. It has Oriented Point
+Sampling, Fast Sampling Plane Filtering and the 3D Kernel-based Hough
+Transform, as classes in the style of the Point Cloud Library.
+.
+This package has the shared library.")
+
+set(libraries library)
+if(TARGET pcl_ops_surface)
+  list(APPEND libraries surface)
+  pcl_ops_add_library_package(pcl_ops_surface surface
+    COMPONENTS library
+    SUMMARY "outlines and meshes of the planes pcl_ops finds"
+    DESCRIPTION "pcl_ops finds all planes of a point cloud in one call. This part of it turns
+them into surfaces, for which it needs more of the Point Cloud Library.
+.
+This package has the shared library.")
+endif()
+
+pcl_ops_add_package(dev NAME libpcl-ops-dev SECTION libdevel MULTIARCH same
+  DEPENDS libpcl-dev
+  COMPONENTS ${libraries}
+  SUMMARY "fast plane detection in point clouds for PCL (development files)"
+  DESCRIPTION "pcl_ops finds all planes of a point cloud in one call: floors, walls, table
+tops and boards, each with the points that lie on it.
+.
+This package has what programs that use it are built with: the headers, the
+CMake package and the pkg-config file.")
+
+pcl_ops_add_package(tools NAME pcl-ops-tools SECTION science MULTIARCH foreign
+  COMPONENTS ${libraries}
+  SUMMARY "find the planes of a point cloud (command line programs)"
+  DESCRIPTION "pcl_ops_segment labels every point of a .pcd or .ply file with the plane it
+lies on and writes the planes and a picture of them. pcl_ops_simulate makes
+rooms as a depth camera sees them, with their true planes. pcl_ops_evaluate
+and pcl_ops_benchmark measure how good and how fast plane detectors are.")
+
+if(TARGET pcl_ops_view)
+  pcl_ops_add_package(view NAME pcl-ops-view SECTION science MULTIARCH foreign
+    COMPONENTS ${libraries}
+    SUMMARY "look at the planes of a point cloud (viewer)"
+    DESCRIPTION "pcl_ops_view shows a point cloud by its planes, in a window. It has a package
+of its own because it needs VTK.")
+endif()
