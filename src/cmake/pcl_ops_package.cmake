@@ -46,17 +46,15 @@ function(pcl_ops_write_debian_texts)
 endfunction()
 
 # Makes one component a package of its own:
-# pcl_ops_add_package(component NAME name SECTION section MULTIARCH same SUMMARY line
-#   DESCRIPTION text DEPENDS packages COMPONENTS those of ours it needs)
+# pcl_ops_add_package(component NAME name SECTION section SUMMARY line DESCRIPTION text
+#   DEPENDS packages COMPONENTS those of ours it needs)
 macro(pcl_ops_add_package component)
-  cmake_parse_arguments(ARG "" "NAME;SECTION;MULTIARCH;SUMMARY;DESCRIPTION;DEPENDS"
-    "COMPONENTS" ${ARGN})
+  cmake_parse_arguments(ARG "" "NAME;SECTION;SUMMARY;DESCRIPTION;DEPENDS" "COMPONENTS" ${ARGN})
   string(TOUPPER ${component} key)
   list(APPEND CPACK_COMPONENTS_ALL ${component})
   set(CPACK_COMPONENT_${key}_DEPENDS ${ARG_COMPONENTS})
   set(CPACK_DEBIAN_${key}_PACKAGE_NAME ${ARG_NAME})
   set(CPACK_DEBIAN_${key}_PACKAGE_SECTION ${ARG_SECTION})
-  set(CPACK_DEBIAN_${key}_PACKAGE_MULTIARCH ${ARG_MULTIARCH})
   set(CPACK_DEBIAN_${key}_PACKAGE_DEPENDS ${ARG_DEPENDS})
   set(CPACK_DEBIAN_${key}_DESCRIPTION "${ARG_SUMMARY}\n${ARG_DESCRIPTION}")
   set(docs ${CMAKE_INSTALL_DATADIR}/doc/${ARG_NAME})
@@ -73,7 +71,7 @@ macro(pcl_ops_add_library_package target component)
   pcl_ops_library_package(${target} package)
   string(TOUPPER ${component} upper)
   set(CPACK_DEBIAN_${upper}_PACKAGE_CONTROL_EXTRA ${pcl_ops_debian_dir}/triggers)
-  pcl_ops_add_package(${component} NAME ${package} SECTION libs MULTIARCH same ${ARGN})
+  pcl_ops_add_package(${component} NAME ${package} SECTION libs ${ARGN})
 endmacro()
 
 function(pcl_ops_make_packages)

@@ -1,24 +1,16 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Installs a build into a prefix of its own, moves that prefix, and uses it from outside:
-# by find_package, by pkg-config with the bare compiler, and by calling its programs.
-# cmake -DBUILD=build -DWORK=folder -DCONFIG=Release -DCXX=c++ -DLIBDIR=lib -DPKG_CONFIG=pkg-config -P run.cmake
+# Uses an installed prefix (install.cmake) from outside: by find_package, by pkg-config
+# with the bare compiler, and by calling its programs.
+# cmake -DPREFIX=prefix -DWORK=folder -DCXX=c++ -DLIBDIR=lib -DPKG_CONFIG=pkg-config -P run.cmake
 cmake_minimum_required(VERSION 3.16)
-
-function(run)
-  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    string(JOIN " " command ${ARGV})
-    message(FATAL_ERROR "failed: ${command}: ${result}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run_command.cmake)
 
 set(source ${CMAKE_CURRENT_LIST_DIR})
-set(prefix ${WORK}/moved)
+set(prefix ${PREFIX})
 file(REMOVE_RECURSE ${WORK})
-run(${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${WORK}/installed)
-file(RENAME ${WORK}/installed ${prefix})
+file(MAKE_DIRECTORY ${WORK})
 
 message(STATUS "find_package")
 set(with_surface OFF)

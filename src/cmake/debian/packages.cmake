@@ -23,7 +23,7 @@ them into surfaces, for which it needs more of the Point Cloud Library.
 This package has the shared library.")
 endif()
 
-pcl_ops_add_package(dev NAME libpcl-ops-dev SECTION libdevel MULTIARCH same
+pcl_ops_add_package(dev NAME libpcl-ops-dev SECTION libdevel
   DEPENDS libpcl-dev
   COMPONENTS ${libraries}
   SUMMARY "fast plane detection in point clouds for PCL (development files)"
@@ -33,7 +33,7 @@ tops and boards, each with the points that lie on it.
 This package has what programs that use it are built with: the headers, the
 CMake package and the pkg-config file.")
 
-pcl_ops_add_package(tools NAME pcl-ops-tools SECTION science MULTIARCH foreign
+pcl_ops_add_package(tools NAME pcl-ops-tools SECTION science
   COMPONENTS ${libraries}
   SUMMARY "find the planes of a point cloud (command line programs)"
   DESCRIPTION "pcl_ops_segment labels every point of a .pcd or .ply file with the plane it
@@ -42,7 +42,7 @@ rooms as a depth camera sees them, with their true planes. pcl_ops_evaluate
 and pcl_ops_benchmark measure how good and how fast plane detectors are.")
 
 if(TARGET pcl_ops_view)
-  pcl_ops_add_package(view NAME pcl-ops-view SECTION science MULTIARCH foreign
+  pcl_ops_add_package(view NAME pcl-ops-view SECTION science
     COMPONENTS ${libraries}
     SUMMARY "look at the planes of a point cloud (viewer)"
     DESCRIPTION "pcl_ops_view shows a point cloud by its planes, in a window. It has a package

@@ -1,0 +1,11 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Installs a build into a prefix of its own and moves it: nothing may depend on the place.
+# cmake -DBUILD=build -DPREFIX=prefix -DCONFIG=Release -P install.cmake
+cmake_minimum_required(VERSION 3.16)
+include(${CMAKE_CURRENT_LIST_DIR}/run_command.cmake)
+
+file(REMOVE_RECURSE ${PREFIX} ${PREFIX}_before)
+run(${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${PREFIX}_before)
+file(RENAME ${PREFIX}_before ${PREFIX})
