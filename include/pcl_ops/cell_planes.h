@@ -53,6 +53,10 @@ struct CellPlanes {
  * its oriented cells: largest planes first, cells weigh as much as their points,
  * normals are compared too; refits the winner while its support grows, and keeps the
  * connected parts of its support that are large enough.
+ * \param[in] grid the cells
+ * \param[in] normals the oriented sample of each cell, or nothing
+ * \param[in] parameters thresholds and the probability of success
+ * \param[in,out] generator draws the hypotheses
  * \param[in,out] planes those found before, empty at first; new ones are added */
 void
 extractCellPlanes (const CellGrid& grid,
@@ -99,8 +103,11 @@ reassignCells (const CellGrid& grid, unsigned threads, CellPlanes& planes);
 
 /** \brief Keeps coplanar surfaces apart: connected parts of a plane become planes of
  * their own where the sensor looked through between them; where something stood in
- * front they stay one. \param[in] viewpoint of the sensor in the frame of the grid
- * \param[in] least_cells parts of fewer cells stay with their plane */
+ * front they stay one.
+ * \param[in] grid the cells
+ * \param[in] viewpoint of the sensor in the frame of the grid
+ * \param[in] least_cells parts of fewer cells stay with their plane
+ * \param[in,out] planes each gives its parts away; new ones are added */
 void
 separateSurfaces (const CellGrid& grid,
                   const Eigen::Vector3d& viewpoint,

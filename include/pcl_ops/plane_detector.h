@@ -39,6 +39,7 @@ struct PlaneDetectorParameters {
 };
 
 /** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is.
+ * \param[in] parameters those of any detector
  * \param[in] threshold_may_follow_noise whether a distance threshold of 0 has a meaning
  */
 std::string

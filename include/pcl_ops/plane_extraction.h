@@ -81,6 +81,10 @@ largestPlane (const OrientedSamples& samples,
 
 /** \brief As \ref largestPlane, but hypotheses compete on all points no plane has yet
  * ("using all points for verification"; Verification::AllPoints).
+ * \param[in] samples oriented samples
+ * \param[in] candidates positions of the samples that may be on the plane
+ * \param[in] parameters thresholds and the probability of success
+ * \param[in,out] generator draws the hypotheses
  * \param[in,out] remaining those points; the winner's inliers are removed from it */
 std::optional<ExtractedPlane>
 largestPlane (const OrientedSamples& samples,
