@@ -6,16 +6,17 @@
 # programs need to run, dev for what they need to be built, tools for our own.
 include(CMakePackageConfigHelpers)
 
-# A library of the project, its shared part in a component of its own.
-function(pcl_ops_install_library target component)
-  install(TARGETS ${target} EXPORT pcl_ops-targets
+# A library of the project, its shared part in a component of its own, and the export
+# set it belongs to.
+function(pcl_ops_install_library target component export)
+  install(TARGETS ${target} EXPORT ${export}
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
       COMPONENT ${component} NAMELINK_COMPONENT dev
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component})
 endfunction()
 
-pcl_ops_install_library(pcl_ops library)
+pcl_ops_install_library(pcl_ops library pcl_ops-targets)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pcl_ops
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev
   FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "surface" EXCLUDE)
