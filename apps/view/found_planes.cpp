@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "found_planes.h"
 
+#include <detection/up_search.h>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -33,9 +35,10 @@ findPlanes (const DetectionRun& run, DetectorOptions options, const PositionsPtr
 {
   options.preset = run.preset;
   options.merging = run.merging;
-  Detected detected = methodCalled (run.method).detect (options, cloud);
+  Detected detected = runMethod (methodCalled (run.method), options, cloud);
   FoundPlanes found;
   found.planes = std::move (detected.planes);
+  found.up = detected.up;
   found.advice = std::move (detected.advice);
   found.labels = labelsOf (found.planes, cloud->size());
   for (const PlaneSegment& plane : found.planes)

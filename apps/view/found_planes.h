@@ -16,6 +16,8 @@ namespace pcl_ops::apps {
 /** \brief The planes of one run with what is needed to show them. All vectors but
  * \ref labels have one entry per plane. */
 struct FoundPlanes {
+  /** \brief Direction against gravity, as given or found. */
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   std::vector<PlaneSegment> planes;
   std::vector<PlaneExtent> extents;
   /** \brief Which colour each has, as a label (\ref colorOfLabel). */

@@ -37,12 +37,6 @@ using pcl::visualization::PCLVisualizer;
 
 constexpr const char* kCloud = "cloud";
 
-Eigen::Vector3f
-upOf (const DetectorOptions& options)
-{
-  return options.up.value_or (Eigen::Vector3f::UnitZ());
-}
-
 /** \brief A PCLVisualizer that shows one state after the other. */
 class Window {
 public:
@@ -99,11 +93,8 @@ Window::Window (const ViewOptions& options, const ViewedCloud& cloud)
       drawn_.push_back (static_cast<pcl::index_t> (i));
   state_.point_size = pointSizeFor (drawn_.size(), options.width, options.height);
   found_ = &finder_.find (state_.run);
-  first_view_ = cameraFor (*cloud.positions,
-                           found_->planes,
-                           upOf (options.detector),
-                           options.width,
-                           options.height);
+  first_view_ = cameraFor (
+      *cloud.positions, found_->planes, found_->up, options.width, options.height);
   createViewer();
   for (const auto& text : {status_, keys_, plane_})
     renderer_->AddActor2D (text);
