@@ -15,7 +15,14 @@ endfunction()
 get_filename_component(folder ${PAGE} DIRECTORY)
 file(MAKE_DIRECTORY ${folder})
 set(raw ${folder}/${NAME}.1)
-run(${raw} ${HELP2MAN} --no-info --section=1 "--name=${SUMMARY}"
+# Where --help is short, the page is the long one.
+set(help_option --help)
+execute_process(COMMAND ${PROGRAM} --help-all
+  RESULT_VARIABLE has_no_long_help OUTPUT_QUIET ERROR_QUIET)
+if(NOT COMMAND AND has_no_long_help EQUAL 0)
+  set(help_option --help-all)
+endif()
+run(${raw} ${HELP2MAN} --no-info --section=1 "--name=${SUMMARY}" --help-option=${help_option}
   --include=${CMAKE_CURRENT_LIST_DIR}/common.h2m "${PROGRAM} ${COMMAND}")
 
 # A page is called by its program, which is not all of the name where there is a command;
