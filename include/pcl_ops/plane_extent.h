@@ -90,7 +90,8 @@ extentOf (const PlanarPoints& outline,
 
 /** \brief The inliers of a plane, projected onto it.
  * \param[in] cloud the input cloud the plane was found in
- * \param[in] plane its inliers are indices into that cloud */
+ * \param[in] plane its inliers are indices into that cloud
+ * \param[in] frame the plane to project onto */
 template <typename PointT>
 PlanarPoints
 pointsOnPlane (const pcl::PointCloud<PointT>& cloud,
