@@ -19,7 +19,7 @@ set(raw ${folder}/${NAME}.1)
 set(help_option --help)
 execute_process(COMMAND ${PROGRAM} --help-all
   RESULT_VARIABLE has_no_long_help OUTPUT_QUIET ERROR_QUIET)
-if(NOT COMMAND AND has_no_long_help EQUAL 0)
+if("${COMMAND}" STREQUAL "" AND has_no_long_help EQUAL 0)
   set(help_option --help-all)
 endif()
 run(${raw} ${HELP2MAN} --no-info --section=1 "--name=${SUMMARY}" --help-option=${help_option}
