@@ -17,25 +17,28 @@ someGuesses ()
   return {"shed", 5, {{0.95, 1.0}, {0.9, 2.0}, {0.75, 90.0}, {0.4, 180.0}}};
 }
 
-/** \brief A floor and two walls, seen by a sensor that looks ahead. */
+/** \brief A floor, two walls and a table top, seen by a sensor that looks ahead. */
 EvaluationCloud
-corner ()
+furnishedRoom ()
 {
-  EvaluationCloud corner;
-  corner.cloud.reset (new Cloud);
-  const auto add = [&corner] (float x, float y, float z) {
-    corner.cloud->push_back ({x, y, z});
+  EvaluationCloud room;
+  room.cloud.reset (new Cloud);
+  const auto add = [&room] (float x, float y, float z) {
+    room.cloud->push_back ({x, y, z});
   };
   constexpr float step = 0.05f;
-  for (float s = step; s < 4.0f; s += step)
-    for (float t = step; t < 2.0f; t += step) {
+  for (float s = step; s < 6.0f; s += step)
+    for (float t = step; t < 4.0f; t += step) {
       add (s, t, 0);
-      add (s, 2, t);
-      if (s < 2.0f)
-        add (4, s, t);
+      if (t < 2.4f)
+        add (s, 0, t);
+      if (s < 2.4f)
+        add (6, t, s);
+      if (s > 3.0f && s < 4.5f && t > 1.0f && t < 2.0f)
+        add (s, t, 0.75f);
     }
-  corner.cloud->sensor_origin_ = Eigen::Vector4f (-1.0f, 0.8f, 1.2f, 0.0f);
-  return corner;
+  room.cloud->sensor_origin_ = Eigen::Vector4f (0.5f, 2.0f, 1.4f, 0.0f);
+  return room;
 }
 
 } // namespace
@@ -66,7 +69,7 @@ TEST (UpAccuracy, ARightGuessStaysRightHoweverTheCloudIsTurned)
 {
   pcl_ops::RandomGenerator generator (3);
   for (int i = 0; i < 5; ++i) {
-    const auto guess = guessUp (corner(), generator);
+    const auto guess = guessUp (furnishedRoom(), generator);
     ASSERT_TRUE (guess.has_value());
     EXPECT_LE (guess->error, 1.0);
   }
@@ -74,7 +77,7 @@ TEST (UpAccuracy, ARightGuessStaysRightHoweverTheCloudIsTurned)
 
 TEST (UpAccuracy, TheErrorIsMeasuredWithItsSign)
 {
-  EvaluationCloud upside_down = corner();
+  EvaluationCloud upside_down = furnishedRoom();
   upside_down.up *= -1.0;
   pcl_ops::RandomGenerator generator (3);
   const auto guess = guessUp (upside_down, generator);
