@@ -68,6 +68,9 @@ findNormals (const CellGrid& grid,
   std::vector<std::size_t> cells;
   std::vector<Moments> surroundings;
   std::vector<Eigen::Matrix3d> covariances;
+  cells.reserve (end - begin);
+  surroundings.reserve (end - begin);
+  covariances.reserve (end - begin);
   for (std::size_t i = begin; i < end; ++i) {
     const Moments moments = momentsAround (grid, i);
     if (moments.count < min_points)
