@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planar_hull.h"
 
-#include <boost/geometry.hpp>
+#include "planar_ring.h"
 
 #include <algorithm>
 
@@ -11,10 +11,6 @@ namespace pcl_ops {
 namespace {
 
 namespace geometry = boost::geometry;
-using Point = geometry::model::d2::point_xy<double>;
-constexpr bool clockwise = false;
-constexpr bool closed = false;
-using Ring = geometry::model::ring<Point, clockwise, closed>;
 
 } // namespace
 
@@ -24,7 +20,7 @@ hullOfAll (const PlanarPoints& points)
   constexpr std::size_t corners_of_an_area = 3;
   if (points.size() < corners_of_an_area)
     return {};
-  geometry::model::multi_point<Point> cloud;
+  geometry::model::multi_point<RingPoint> cloud;
   cloud.reserve (points.size());
   for (const Eigen::Vector2d& point : points)
     cloud.emplace_back (point.x(), point.y());
@@ -32,7 +28,7 @@ hullOfAll (const PlanarPoints& points)
   geometry::convex_hull (cloud, ring);
   PlanarPoints hull;
   double longest = 0.0;
-  for (const Point& point : ring) {
+  for (const RingPoint& point : ring) {
     hull.emplace_back (point.x(), point.y());
     longest = std::max (longest, (hull.back() - hull.front()).norm());
   }

@@ -3,6 +3,7 @@
 #include "output_file.h"
 
 #include "program.h"
+#include "temporary_path.h"
 #include <unistd.h>
 
 #include <algorithm>
@@ -27,32 +28,14 @@ resolved (const std::string& file)
   return error ? fs::path (file) : path;
 }
 
-/** \brief Removes its file unless that has been renamed. */
-class TemporaryFile {
-public:
-  explicit TemporaryFile (const fs::path& target)
-  : path_ (target.parent_path() /
-           ("." + target.stem().string() + "." + std::to_string (::getpid()) +
-            target.extension().string()))
-  {}
-  TemporaryFile (const TemporaryFile&) = delete;
-  TemporaryFile&
-  operator= (const TemporaryFile&) = delete;
-  ~TemporaryFile()
-  {
-    std::error_code ignored;
-    fs::remove (path_, ignored);
-  }
-
-  const fs::path&
-  path () const
-  {
-    return path_;
-  }
-
-private:
-  fs::path path_;
-};
+/** \brief Where a file is written before it takes its name: in the same folder. */
+fs::path
+temporaryName (const fs::path& target)
+{
+  return target.parent_path() /
+         ("." + target.stem().string() + "." + std::to_string (::getpid()) +
+          target.extension().string());
+}
 
 } // namespace
 
@@ -83,7 +66,7 @@ writeFile (const std::string& file,
 {
   checkWritable (file);
   const fs::path target = resolved (file);
-  const TemporaryFile temporary (target);
+  const TemporaryPath temporary (temporaryName (target));
   write (temporary.path().string());
 
   std::error_code error;

@@ -7,6 +7,7 @@
 
 #include <common/output_file.h>
 #include <common/program.h>
+#include <common/temporary_path.h>
 #include <pcl_ops/orientation.h>
 #include <unistd.h>
 
@@ -51,33 +52,6 @@ planeFilesIn (const fs::path& folder)
   return files;
 }
 
-/** \brief A folder in another one, removed at the end with all in it. */
-class TemporaryFolder {
-public:
-  explicit TemporaryFolder (const fs::path& parent)
-  : path_ (parent / (".planes." + std::to_string (::getpid())))
-  {
-    makeFolder (path_.string());
-  }
-  TemporaryFolder (const TemporaryFolder&) = delete;
-  TemporaryFolder&
-  operator= (const TemporaryFolder&) = delete;
-  ~TemporaryFolder()
-  {
-    std::error_code ignored;
-    fs::remove_all (path_, ignored);
-  }
-
-  const fs::path&
-  path () const
-  {
-    return path_;
-  }
-
-private:
-  fs::path path_;
-};
-
 } // namespace
 
 void
@@ -99,7 +73,9 @@ savePlaneClouds (const std::string& folder,
                  const std::vector<PlaneSegment>& planes)
 {
   makeFolder (folder);
-  const TemporaryFolder written (folder);
+  const TemporaryPath written (fs::path (folder) /
+                               (".planes." + std::to_string (::getpid())));
+  makeFolder (written.path().string());
   std::size_t id = 0;
   for (const PlaneSegment& plane : planes)
     savePcd ((written.path() / planeFile (++id, plane)).string(),

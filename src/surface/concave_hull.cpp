@@ -3,8 +3,7 @@
 #include <pcl/surface/concave_hull.h>
 #include <pcl/point_types.h>
 
-#include <boost/geometry.hpp>
-
+#include "../planar_ring.h"
 #include "thinning.h"
 #include <pcl_ops/surface/concave_hull.h>
 
@@ -16,12 +15,8 @@ namespace pcl_ops {
 namespace {
 
 namespace geometry = boost::geometry;
-using Point = geometry::model::d2::point_xy<double>;
-constexpr bool clockwise = false;
-constexpr bool closed = false;
-using Ring = geometry::model::ring<Point, clockwise, closed>;
 
-Point
+RingPoint
 toPoint (const Eigen::Vector2d& point)
 {
   return {point.x(), point.y()};
@@ -124,7 +119,7 @@ concaveHull (const PlanarPoints& points, double alpha)
       geometry::simplify (ring, corners, straight * spacing);
       geometry::correct (corners);
       PlanarPoints outline;
-      for (const Point& corner : corners)
+      for (const RingPoint& corner : corners)
         outline.emplace_back (corner.x(), corner.y());
       return outline;
     }

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <boost/geometry.hpp>
+
+namespace pcl_ops {
+
+/** \brief A polygon as Boost.Geometry takes it, in the order our outlines have:
+ * counter-clockwise, the first corner not repeated. */
+using RingPoint = boost::geometry::model::d2::point_xy<double>;
+using Ring = boost::geometry::model::ring<RingPoint, false, false>;
+
+} // namespace pcl_ops
