@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// Boost 1.74 remarks in every build on a header it includes itself.
+#define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry.hpp>
+#undef BOOST_ALLOW_DEPRECATED_HEADERS
 
 namespace pcl_ops {
 

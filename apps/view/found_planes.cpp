@@ -40,6 +40,7 @@ findPlanes (const DetectionRun& run, DetectorOptions options, const PositionsPtr
   found.planes = std::move (detected.planes);
   found.up = detected.up;
   found.advice = std::move (detected.advice);
+  found.up_note = std::move (detected.up_note);
   found.labels = labelsOf (found.planes, cloud->size());
   for (const PlaneSegment& plane : found.planes)
     found.extents.push_back (planeExtent (*cloud, plane));

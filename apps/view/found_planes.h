@@ -26,6 +26,8 @@ struct FoundPlanes {
   std::vector<std::uint32_t> labels;
   /** \brief Which parameter most likely stands in the way where nothing was found. */
   std::string advice;
+  /** \brief What was found of the up axis, where it was looked for. */
+  std::string up_note;
 };
 
 /** \brief Runs the detector a state asks for and adds outlines and areas.

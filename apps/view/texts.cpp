@@ -58,6 +58,8 @@ statusText (const std::string& file, const FoundPlanes& found, const ViewState& 
        << number << (number == 1 ? " plane" : " planes")
        << (state.run.merging ? "" : " before merging") << "\n"
        << nameOf (state.coloring);
+  if (!found.up_note.empty())
+    text << "\n" << wrapped (found.up_note);
   if (number == 0)
     text << "\n" << wrapped ("No plane found: " + found.advice);
   return text.str();

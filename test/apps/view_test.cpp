@@ -260,6 +260,14 @@ TEST (Texts, SayWhatToChangeWhereNothingWasFound)
   EXPECT_NE (text.find (found.advice), std::string::npos) << text;
 }
 
+TEST (Texts, SayWhetherTheUpAxisWasFound)
+{
+  FoundPlanes found = foundOf ({}, 3);
+  found.up_note = "Up axis: the planes cannot tell";
+  const std::string text = statusText ("room.pcd", found, {});
+  EXPECT_NE (text.find (found.up_note), std::string::npos) << text;
+}
+
 TEST (Texts, AreWrappedBetweenWords)
 {
   std::string text = "word";
