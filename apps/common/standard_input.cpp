@@ -28,8 +28,9 @@ public:
   {
     std::error_code error;
     const fs::path folder = fs::temp_directory_path (error);
-    name_ = ((error ? fs::path ("/tmp") : folder) / "pcl_ops_XXXXXX").string();
-    name_ += extension;
+    if (error)
+      throw WorkError ("TMPDIR", "is no folder; set it to one for temporary files");
+    name_ = (folder / ("pcl_ops_XXXXXX" + extension)).string();
     file_ = ::mkstemps (name_.data(), static_cast<int> (extension.size()));
     if (file_ < 0)
       fail();

@@ -69,6 +69,16 @@ TEST_F (SegmentPipe, SaysWhatIsWrongWithTheInputAndLeavesNoTemporaryFile)
   }
 }
 
+TEST_F (SegmentPipe, NamesTmpdirWhereItIsNoFolder)
+{
+  const Outcome piped = run ("-", "cat in.pcd | TMPDIR=missing_folder");
+  EXPECT_EQ (piped.exit_code, 1);
+  EXPECT_EQ (piped.out, "");
+  EXPECT_EQ (piped.err,
+             "pcl_ops_segment: TMPDIR: is no folder; set it to one for temporary "
+             "files\n");
+}
+
 TEST_F (SegmentPipe, LeavesNoTemporaryFileWhenInterrupted)
 {
   // More than fits into the pipe, then silence.
