@@ -5,9 +5,9 @@
 #include <pcl/kdtree/kdtree_flann.h>
 
 #include <pcl_ops/fast_sampling_plane_filtering.h>
-#include <pcl_ops/fixed_radius_search.h>
+#include "search/fixed_radius_search.h"
 #include <pcl_ops/oriented_point_sampling.h>
-#include <pcl_ops/stage_timer.h>
+#include <common/timed.h>
 
 #include <algorithm>
 #include <numeric>

@@ -7,9 +7,9 @@
 #include <pcl/search/kdtree.h>
 
 #include <benchmark/benchmark.h>
-#include <pcl_ops/cell_planes.h>
-#include <pcl_ops/fixed_radius_search.h>
-#include <pcl_ops/octree_clusters.h>
+#include "bounded/bounded_planes.h"
+#include "search/fixed_radius_search.h"
+#include "kht/octree_clusters.h"
 #include <pcl_ops/oriented_point_sampling.h>
 #include <simulation/dense_scan.h>
 

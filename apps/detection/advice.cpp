@@ -4,8 +4,8 @@
 
 #include <pcl/common/point_tests.h>
 
-#include <pcl_ops/fixed_radius_search.h>
-#include <pcl_ops/octree_clusters.h>
+#include "search/fixed_radius_search.h"
+#include "kht/octree_clusters.h"
 
 #include <algorithm>
 #include <cmath>

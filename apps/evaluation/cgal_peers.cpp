@@ -9,7 +9,7 @@
 #include <CGAL/Shape_detection/Region_growing/Region_growing.h>
 #include <CGAL/Shape_detection/Region_growing/Region_growing_on_point_set.h>
 #include <CGAL/Simple_cartesian.h>
-#include <pcl_ops/stage_timer.h>
+#include <common/timed.h>
 
 #include <cmath>
 #include <tuple>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "peers.h"
-#include <pcl_ops/stage_timer.h>
+#include <common/timed.h>
 
 namespace pcl_ops::evaluation {
 

@@ -7,7 +7,7 @@
 #include <pcl/segmentation/sac_segmentation.h>
 
 #include "peers.h"
-#include <pcl_ops/stage_timer.h>
+#include <common/timed.h>
 
 #include <algorithm>
 #include <iterator>

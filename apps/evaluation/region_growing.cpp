@@ -4,9 +4,9 @@
 
 #include <pcl/search/kdtree.h>
 
-#include <pcl_ops/parallel.h>
+#include "base/parallel.h"
 #include <pcl_ops/plane.h>
-#include <pcl_ops/points.h>
+#include "geometry/points.h"
 
 #include <algorithm>
 #include <cmath>

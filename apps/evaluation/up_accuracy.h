@@ -4,7 +4,7 @@
 
 #include "cloud_source.h"
 #include "text_table.h"
-#include <pcl_ops/random.h>
+#include "base/random.h"
 #include <pcl_ops/up_axis.h>
 
 #include <string>

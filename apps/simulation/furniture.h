@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scene.h"
-#include <pcl_ops/random.h>
+#include "base/random.h"
 
 namespace pcl_ops::simulation {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/random.h>
+#include "base/random.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_ops/parallel.h>
+#include "base/parallel.h"
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <exception>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 namespace {
 
@@ -57,4 +57,4 @@ parallelFor (unsigned threads,
     std::rethrow_exception (thrown);
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 /** \brief Calls \p body (begin, end) for pieces of 0 .. size - 1 that cover it once:
  * the only place of the library that knows threads. The pieces depend on \p size and \p
@@ -35,4 +35,4 @@ parallelPieces (unsigned threads, std::size_t size, std::size_t grain, Body&& bo
   return pieces;
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

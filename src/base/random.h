@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <random>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 /** \brief The generator of every random choice. std::mt19937's output is fixed by the
  * C++ standard, the std:: distributions' is not: hence the draws below. */
@@ -34,4 +34,4 @@ drawUnit (RandomGenerator& generator)
   return generator() * (1.0 / 4294967296.0);
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

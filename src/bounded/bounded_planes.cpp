@@ -1,17 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_support.h"
-#include "cell_units.h"
+#include "bounded/bounded_planes.h"
+
+#include "bounded/noise_floors.h"
+#include "detection/plane_assignment.h"
+#include "voxels/voxel_traversal.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 void
-refitPlanes (const CellGrid& grid, CellPlanes& planes)
+refitPlanes (const VoxelGrid& grid, BoundedPlanes& planes)
 {
   const std::vector<Moments> moments = momentsOfPlanes (grid, planes);
   for (std::size_t p = 0; p < moments.size(); ++p)
@@ -20,25 +23,25 @@ refitPlanes (const CellGrid& grid, CellPlanes& planes)
 }
 
 void
-measureNoise (const CellGrid& grid, unsigned threads, CellPlanes& planes)
+measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes)
 {
-  // Of each cell's points: the sum of squared distances, and how many they are.
+  // Of each voxel's points: the sum of squared distances, and how many they are.
   std::vector<std::array<double, 2>> distances (grid.size());
-  forCells (grid, threads, [&] (std::size_t i) {
-    if (planes.plane_of_cell[i] == no_plane)
+  forVoxels (grid, threads, [&] (std::size_t i) {
+    if (planes.plane_of_voxel[i] == no_plane)
       return;
-    const Moments& cell = grid.moments[i];
-    const auto own = static_cast<std::size_t> (planes.plane_of_cell[i]);
-    distances[i] = {cell.count * meanSquaredDistance (cell, planes.planes[own]),
-                    cell.count};
+    const Moments& voxel = grid.moments[i];
+    const auto own = static_cast<std::size_t> (planes.plane_of_voxel[i]);
+    distances[i] = {voxel.count * meanSquaredDistance (voxel, planes.planes[own]),
+                    voxel.count};
   });
-  forCells (grid, threads, [&] (std::size_t i) {
-    if (planes.plane_of_cell[i] == no_plane)
+  forVoxels (grid, threads, [&] (std::size_t i) {
+    if (planes.plane_of_voxel[i] == no_plane)
       return;
     double sum = 0.0;
     double count = 0.0;
     for (const std::uint32_t neighbour : grid.neighbours[i])
-      if (planes.plane_of_cell[neighbour] == planes.plane_of_cell[i]) {
+      if (planes.plane_of_voxel[neighbour] == planes.plane_of_voxel[i]) {
         sum += distances[neighbour][0];
         count += distances[neighbour][1];
       }
@@ -47,14 +50,14 @@ measureNoise (const CellGrid& grid, unsigned threads, CellPlanes& planes)
 }
 
 void
-reassignCells (const CellGrid& grid, unsigned threads, CellPlanes& planes)
+reassignVoxels (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes)
 {
-  const Labels before = planes.plane_of_cell;
-  forCells (grid, threads, [&] (std::size_t i) {
+  const Labels before = planes.plane_of_voxel;
+  forVoxels (grid, threads, [&] (std::size_t i) {
     if (before[i] == no_plane)
       return;
     const auto own = static_cast<std::size_t> (before[i]);
-    // Computed when another plane is met: most cells have their own all around.
+    // Computed when another plane is met: most voxels have their own all around.
     std::optional<double> best;
     std::size_t last = own;
     forNeighboursOnPlanes (grid, before, i, [&] (std::size_t plane, std::size_t) {
@@ -68,30 +71,39 @@ reassignCells (const CellGrid& grid, unsigned threads, CellPlanes& planes)
       if (squared >= *best)
         return;
       best = squared;
-      planes.plane_of_cell[i] = static_cast<std::int32_t> (plane);
+      planes.plane_of_voxel[i] = static_cast<std::int32_t> (plane);
     });
   });
   refitPlanes (grid, planes);
 }
 
 std::vector<Moments>
-momentsOfPlanes (const CellGrid& grid, const CellPlanes& planes)
+momentsOfPlanes (const VoxelGrid& grid, const BoundedPlanes& planes)
 {
   std::vector<Moments> moments (planes.planes.size());
   for (std::size_t i = 0; i < grid.size(); ++i)
-    if (planes.plane_of_cell[i] != no_plane)
-      moments[static_cast<std::size_t> (planes.plane_of_cell[i])].addAligned (
+    if (planes.plane_of_voxel[i] != no_plane)
+      moments[static_cast<std::size_t> (planes.plane_of_voxel[i])].addAligned (
           grid.moments[i]);
   return moments;
 }
 
 void
-renumberPlanes (const MergedPlanes& merged, CellPlanes& planes)
+renumberPlanes (const MergedPlanes& merged, BoundedPlanes& planes)
 {
-  relabel (planes.plane_of_cell, merged.merged_into, 1);
+  relabel (planes.plane_of_voxel, merged.merged_into, 1);
   planes.planes.clear();
   for (const PlaneFit& fit : merged.fits)
     planes.planes.push_back (fit.plane);
 }
 
-} // namespace pcl_ops
+Moments
+momentsOf (const VoxelGrid& grid, const Indices& voxels)
+{
+  Moments moments;
+  for (const std::uint32_t voxel : voxels)
+    moments.addAligned (grid.moments[voxel]);
+  return moments;
+}
+
+} // namespace pcl_ops::internal

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "depth_buffer.h"
+#include "bounded/depth_buffer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 namespace {
 
@@ -46,19 +46,19 @@ indexOf (int face, int row, int column)
 
 } // namespace
 
-DepthBuffer::DepthBuffer (const CellGrid& grid, const Eigen::Vector3d& viewpoint)
+DepthBuffer::DepthBuffer (const VoxelGrid& grid, const Eigen::Vector3d& viewpoint)
 : viewpoint_ (viewpoint)
 , ranges_ (6 * edge * edge, {std::numeric_limits<float>::max(), -1.0f})
 {
-  for (const Moments& cell : grid.moments)
-    draw (cell.centroid() - viewpoint, 0.5 * grid.cell_size);
+  for (const Moments& voxel : grid.moments)
+    draw (voxel.centroid() - viewpoint, 0.5 * grid.voxel_size);
 }
 
 void
 DepthBuffer::draw (const Eigen::Vector3d& offset, double half_width)
 {
   const double depth = offset.norm();
-  // So near that a cell fills its face.
+  // So near that a voxel fills its face.
   if (depth <= half_width)
     return;
   const OnCube at = onCube (offset);
@@ -88,4 +88,4 @@ DepthBuffer::lookAt (const Eigen::Vector3d& place, double margin) const
   return bin.nearest > depth + margin ? Sight::Through : Sight::There;
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -4,29 +4,29 @@
 
 #include <Eigen/Core>
 
-#include <pcl_ops/cell_grid.h>
+#include "voxels/voxel_grid.h"
 
 #include <vector>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 /** \brief What can be seen from a viewpoint in a direction. */
 enum class Sight {
-  /** \brief No cell lies that way. */
+  /** \brief No voxel lies that way. */
   Nothing,
-  /** \brief A cell in front of the place looked at hides it. */
+  /** \brief A voxel in front of the place looked at hides it. */
   Hidden,
-  /** \brief A cell at the place. */
+  /** \brief A voxel at the place. */
   There,
-  /** \brief Only cells behind the place: it was looked at and found empty. */
+  /** \brief Only voxels behind the place: it was looked at and found empty. */
   Through
 };
 
-/** \brief The nearest and farthest cells in each direction from a viewpoint: a coarse
+/** \brief The nearest and farthest voxels in each direction from a viewpoint: a coarse
  * depth image on the six faces of a cube. */
 class DepthBuffer {
 public:
-  DepthBuffer (const CellGrid& grid, const Eigen::Vector3d& viewpoint);
+  DepthBuffer (const VoxelGrid& grid, const Eigen::Vector3d& viewpoint);
 
   /** \brief What is seen when looking at a place.
    * \param[in] margin distances differing by less count as equal [m] */
@@ -45,4 +45,4 @@ private:
   std::vector<Range> ranges_;
 };
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

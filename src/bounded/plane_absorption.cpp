@@ -1,22 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_support.h"
-#include <pcl_ops/plane_merging.h>
+#include "bounded/plane_absorption.h"
+
+#include "detection/plane_assignment.h"
 
 #include <algorithm>
 #include <numeric>
 #include <optional>
 #include <utility>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 namespace {
 
-// Where a plane touches another one: the noise on that one's side, summed over cells.
+// Where a plane touches another one: the noise on that one's side, summed over voxels.
 struct Border {
   std::size_t other;
   double squared_noise;
-  double cells;
+  double voxels;
 };
 
 void
@@ -32,7 +33,7 @@ addBorder (const Border& added, std::vector<Border>& borders)
     return;
   }
   place->squared_noise += added.squared_noise;
-  place->cells += added.cells;
+  place->voxels += added.voxels;
 }
 
 // A plane with what decides over its absorption.
@@ -44,18 +45,18 @@ struct Territory {
 };
 
 std::vector<Territory>
-territoriesOf (const CellGrid& grid, const CellPlanes& planes)
+territoriesOf (const VoxelGrid& grid, const BoundedPlanes& planes)
 {
   std::vector<Territory> territories;
   for (const Plane& plane : planes.planes)
     territories.push_back ({plane, Moments(), {}});
   for (std::size_t i = 0; i < grid.size(); ++i) {
-    if (planes.plane_of_cell[i] == no_plane)
+    if (planes.plane_of_voxel[i] == no_plane)
       continue;
-    const auto own = static_cast<std::size_t> (planes.plane_of_cell[i]);
+    const auto own = static_cast<std::size_t> (planes.plane_of_voxel[i]);
     territories[own].moments.addAligned (grid.moments[i]);
     forNeighboursOnPlanes (
-        grid, planes.plane_of_cell, i, [&] (std::size_t other, std::size_t neighbour) {
+        grid, planes.plane_of_voxel, i, [&] (std::size_t other, std::size_t neighbour) {
           const double noise = planes.noise[neighbour];
           if (other != own)
             addBorder ({other, noise * noise, 1.0}, territories[own].borders);
@@ -81,7 +82,7 @@ absorbers (const std::vector<Territory>& territories, double noise_factor)
       if (!is_larger)
         continue;
       const double ratio = meanSquaredDistance (own.moments, other.plane) /
-                           (border.squared_noise / border.cells);
+                           (border.squared_noise / border.voxels);
       if (ratio >= best)
         continue;
       best = ratio;
@@ -134,7 +135,7 @@ joined (const std::vector<Territory>& territories,
 } // namespace
 
 void
-absorbPlanes (const CellGrid& grid, double noise_factor, CellPlanes& planes)
+absorbPlanes (const VoxelGrid& grid, double noise_factor, BoundedPlanes& planes)
 {
   std::vector<Territory> territories = territoriesOf (grid, planes);
   while (true) {
@@ -143,11 +144,11 @@ absorbPlanes (const CellGrid& grid, double noise_factor, CellPlanes& planes)
     if (number == territories.size())
       break;
     territories = joined (territories, merged_into, number);
-    relabel (planes.plane_of_cell, merged_into, 1);
+    relabel (planes.plane_of_voxel, merged_into, 1);
   }
   planes.planes.clear();
   for (const Territory& territory : territories)
     planes.planes.push_back (territory.plane);
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -1,54 +1,58 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_support.h"
-#include "depth_buffer.h"
+#include "bounded/surface_separation.h"
+
+#include "bounded/depth_buffer.h"
+#include "voxels/voxel_traversal.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief Connected cells of one plane. */
+/** \brief Connected voxels of one plane. */
 struct Part {
   std::int32_t plane;
-  Positions cells;
+  Indices voxels;
 };
 
-// The connected parts of all planes with at least a number of cells, the larger first.
+// The connected parts of all planes with at least a number of voxels, the larger first.
 std::vector<Part>
-largeParts (const CellGrid& grid, const CellPlanes& planes, std::size_t least_cells)
+largeParts (const VoxelGrid& grid,
+            const BoundedPlanes& planes,
+            std::size_t least_voxels)
 {
   std::vector<Part> parts;
-  Labels unvisited = planes.plane_of_cell;
+  Labels unvisited = planes.plane_of_voxel;
   for (std::uint32_t i = 0; i < grid.size(); ++i) {
     const std::int32_t plane = unvisited[i];
     if (plane == no_plane)
       continue;
-    Positions cells = connectedCells (grid, i, [&] (std::uint32_t cell) {
-      return unvisited[cell] == plane &&
-             std::exchange (unvisited[cell], no_plane) == plane;
+    Indices voxels = connectedVoxels (grid, i, [&] (std::uint32_t voxel) {
+      return unvisited[voxel] == plane &&
+             std::exchange (unvisited[voxel], no_plane) == plane;
     });
-    if (cells.size() >= least_cells)
-      parts.push_back ({plane, std::move (cells)});
+    if (voxels.size() >= least_voxels)
+      parts.push_back ({plane, std::move (voxels)});
   }
   std::stable_sort (parts.begin(), parts.end(), [] (const Part& a, const Part& b) {
-    return a.cells.size() > b.cells.size();
+    return a.voxels.size() > b.voxels.size();
   });
   return parts;
 }
 
-// Some cells' centroids, evenly spread over the part.
+// Some voxels' centroids, evenly spread over the part.
 std::vector<Eigen::Vector3d>
-someCentroids (const Part& part, const CellGrid& grid)
+someCentroids (const Part& part, const VoxelGrid& grid)
 {
   constexpr std::size_t wanted = 64;
-  const std::size_t stride = part.cells.size() / wanted + 1;
+  const std::size_t stride = part.voxels.size() / wanted + 1;
   std::vector<Eigen::Vector3d> centroids;
-  for (std::size_t i = 0; i < part.cells.size(); i += stride)
-    centroids.push_back (grid.moments[part.cells[i]].centroid());
+  for (std::size_t i = 0; i < part.voxels.size(); i += stride)
+    centroids.push_back (grid.moments[part.voxels[i]].centroid());
   return centroids;
 }
 
@@ -60,7 +64,7 @@ struct Gap {
 // Where two parts come nearest to each other: the narrowest quarter of the gaps
 // between.
 std::vector<Gap>
-narrowestGaps (const Part& first, const Part& second, const CellGrid& grid)
+narrowestGaps (const Part& first, const Part& second, const VoxelGrid& grid)
 {
   const std::vector<Eigen::Vector3d> ends = someCentroids (second, grid);
   std::vector<Gap> gaps;
@@ -83,10 +87,10 @@ narrowestGaps (const Part& first, const Part& second, const CellGrid& grid)
 bool
 areSeenApart (const Part& first,
               const Part& second,
-              const CellGrid& grid,
+              const VoxelGrid& grid,
               const DepthBuffer& view)
 {
-  const double margin = 2.0 * grid.cell_size;
+  const double margin = 2.0 * grid.voxel_size;
   constexpr std::array<double, 3> fractions = {0.3, 0.5, 0.7};
   int through = 0, hidden = 0;
   for (const Gap& gap : narrowestGaps (first, second, grid))
@@ -109,7 +113,7 @@ std::int32_t
 surfaceOf (std::size_t part,
            const std::vector<Part>& parts,
            const std::vector<std::int32_t>& surface_of,
-           const CellGrid& grid,
+           const VoxelGrid& grid,
            const DepthBuffer& view)
 {
   for (std::size_t other = 0; other < part; ++other)
@@ -131,12 +135,12 @@ anyPlaneHasTwo (const std::vector<Part>& parts, std::size_t planes)
 } // namespace
 
 void
-separateSurfaces (const CellGrid& grid,
+separateSurfaces (const VoxelGrid& grid,
                   const Eigen::Vector3d& viewpoint,
-                  std::size_t least_cells,
-                  CellPlanes& planes)
+                  std::size_t least_voxels,
+                  BoundedPlanes& planes)
 {
-  const std::vector<Part> parts = largeParts (grid, planes, least_cells);
+  const std::vector<Part> parts = largeParts (grid, planes, least_voxels);
   const std::size_t number = planes.planes.size();
   if (!anyPlaneHasTwo (parts, number))
     return;
@@ -151,10 +155,10 @@ separateSurfaces (const CellGrid& grid,
       planes.planes.push_back (planes.planes[plane]);
     }
     surface_of.push_back (surface == no_plane ? parts[p].plane : surface);
-    for (const std::uint32_t cell : parts[p].cells)
-      planes.plane_of_cell[cell] = surface_of[p];
+    for (const std::uint32_t voxel : parts[p].voxels)
+      planes.plane_of_voxel[voxel] = surface_of[p];
   }
   refitPlanes (grid, planes);
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

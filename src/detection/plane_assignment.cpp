@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_ops/parallel.h>
-#include <pcl_ops/plane_assignment.h>
+#include "detection/plane_assignment.h"
+
+#include "base/parallel.h"
+#include "geometry/float_plane.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 namespace {
 
@@ -17,26 +19,18 @@ namespace {
 constexpr std::size_t block_size = 256;
 constexpr std::size_t points_per_piece = 64 * block_size;
 
-struct Block {
-  const float* x;
-  const float* y;
-  const float* z;
-  std::size_t size;
-  std::int32_t* labels;
-};
-
 struct Box {
   Eigen::Vector3d centre, half_size;
 };
 
 Box
-boxOf (const Block& block)
+boxOf (const Coordinates& points, std::size_t begin, std::size_t end)
 {
-  const auto size = static_cast<Eigen::Index> (block.size);
+  const auto size = static_cast<Eigen::Index> (end - begin);
   Eigen::Vector3f low, high;
   for (const auto& [axis, values] :
-       {std::make_pair (0, block.x), {1, block.y}, {2, block.z}}) {
-    const Eigen::Map<const Eigen::ArrayXf> coordinates (values, size);
+       {std::make_pair (0, &points.x), {1, &points.y}, {2, &points.z}}) {
+    const Eigen::Map<const Eigen::ArrayXf> coordinates (values->data() + begin, size);
     low[axis] = coordinates.minCoeff();
     high[axis] = coordinates.maxCoeff();
   }
@@ -54,62 +48,68 @@ reaches (const Plane& plane, const Box& box, double threshold)
   return std::abs (plane.distance (box.centre)) <= threshold + reach + rounding;
 }
 
+// Points begin .. end - 1, at most block_size.
 void
-assignBlock (const Block& block,
+assignBlock (const Coordinates& points,
+             std::size_t begin,
+             std::size_t end,
              const std::vector<Plane>& planes,
              float threshold,
-             AssignmentRule rule)
+             AssignmentRule rule,
+             Labels& labels)
 {
-  const Box box = boxOf (block);
+  const Box box = boxOf (points, begin, end);
   std::array<float, block_size> best;
   best.fill (threshold);
   for (std::size_t p = 0; p < planes.size(); ++p) {
     if (!reaches (planes[p], box, threshold))
       continue;
-    const Eigen::Vector3f n = planes[p].normal.cast<float>();
-    const auto offset = static_cast<float> (planes[p].offset);
     const auto label = static_cast<std::int32_t> (p);
+    std::int32_t* const label_of = labels.data();
     // A distance no later plane can beat makes the first plane final.
     const float won = rule == AssignmentRule::First ? 0.0f : 1.0f;
-    for (std::size_t i = 0; i < block.size; ++i) {
-      const float distance = std::abs (n.x() * block.x[i] + n.y() * block.y[i] +
-                                       n.z() * block.z[i] + offset);
-      const bool closer = distance < best[i];
-      block.labels[i] = closer ? label : block.labels[i];
-      best[i] = closer ? won * distance : best[i];
-    }
+    forDistances (FloatPlane (planes[p]),
+                  points,
+                  begin,
+                  end,
+                  [=, &best] (std::size_t i, float distance) {
+                    float& nearest = best[i - begin];
+                    const bool closer = distance < nearest;
+                    label_of[i] = closer ? label : label_of[i];
+                    nearest = closer ? won * distance : nearest;
+                  });
   }
 }
 
 } // namespace
 
 Labels
-assignPoints (const Coordinates& positions,
+assignPoints (const Coordinates& points,
               const std::vector<Plane>& planes,
               double distance_threshold,
               AssignmentRule rule,
               unsigned threads)
 {
-  Labels labels (positions.size(), no_plane);
+  const auto threshold = static_cast<float> (distance_threshold);
+  Labels labels (points.size(), no_plane);
   parallelFor (threads,
-               positions.size(),
+               points.size(),
                points_per_piece,
                [&] (std::size_t begin, std::size_t end) {
                  for (std::size_t i = begin; i < end; i += block_size)
-                   assignBlock ({positions.x.data() + i,
-                                 positions.y.data() + i,
-                                 positions.z.data() + i,
-                                 std::min (block_size, end - i),
-                                 labels.data() + i},
+                   assignBlock (points,
+                                i,
+                                std::min (i + block_size, end),
                                 planes,
-                                static_cast<float> (distance_threshold),
-                                rule);
+                                threshold,
+                                rule,
+                                labels);
                });
   return labels;
 }
 
 std::vector<Moments>
-momentsOfLabels (const Coordinates& positions,
+momentsOfLabels (const Coordinates& points,
                  const Labels& labels,
                  std::size_t number,
                  unsigned threads)
@@ -117,13 +117,13 @@ momentsOfLabels (const Coordinates& positions,
   // Sums per piece, added up in order: the same digits for any number of threads.
   const auto partial = parallelPieces (
       threads,
-      positions.size(),
+      points.size(),
       points_per_piece,
       [&] (std::size_t begin, std::size_t end) {
         std::vector<Moments> moments (number);
         for (std::size_t i = begin; i < end; ++i)
           if (const auto label = static_cast<std::size_t> (labels[i]); label < number)
-            moments[label].add (positions.x[i], positions.y[i], positions.z[i]);
+            moments[label].add (points.x[i], points.y[i], points.z[i]);
         return moments;
       });
   std::vector<Moments> moments (number);
@@ -133,4 +133,31 @@ momentsOfLabels (const Coordinates& positions,
   return moments;
 }
 
-} // namespace pcl_ops
+AssignedPoints
+assignToUnboundedPlanes (const Coordinates& points,
+                         const std::vector<Plane>& planes,
+                         double distance_threshold,
+                         AssignmentRule rule,
+                         unsigned threads)
+{
+  AssignedPoints assigned;
+  assigned.labels = assignPoints (points, planes, distance_threshold, rule, threads);
+  assigned.moments = momentsOfLabels (points, assigned.labels, planes.size(), threads);
+  return assigned;
+}
+
+void
+relabel (Labels& labels, const Labels& merged_into, unsigned threads)
+{
+  constexpr std::size_t labels_per_piece = 65536;
+  parallelFor (threads,
+               labels.size(),
+               labels_per_piece,
+               [&] (std::size_t begin, std::size_t end) {
+                 for (std::size_t i = begin; i < end; ++i)
+                   if (labels[i] != no_plane)
+                     labels[i] = merged_into[static_cast<std::size_t> (labels[i])];
+               });
+}
+
+} // namespace pcl_ops::internal

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_ops/parallel.h>
 #include <pcl_ops/plane_merging.h>
 
 #include <algorithm>
@@ -61,17 +60,20 @@ absorb (Group& larger, const Group& smaller)
 
 // One sweep over all pairs; true if any was merged.
 bool
-mergeOnce (std::vector<Group>& groups, const MergingParameters& parameters)
+mergeOnce (std::vector<Group>& groups,
+           double angle_threshold,
+           double distance_threshold,
+           double noise_factor)
 {
   const std::size_t before = groups.size();
   for (std::size_t i = 0; i < groups.size(); ++i) {
     auto absorbed = [&] (const Group& other) {
-      return areCoplanar (groups[i].fit,
-                          other.fit,
-                          parameters.angle_threshold,
-                          std::max (parameters.distance_threshold,
-                                    parameters.noise_factor *
-                                        noiseOf (groups[i].fit, other.fit))) &&
+      return areCoplanar (
+                 groups[i].fit,
+                 other.fit,
+                 angle_threshold,
+                 std::max (distance_threshold,
+                           noise_factor * noiseOf (groups[i].fit, other.fit))) &&
              absorb (groups[i], other);
     };
     groups.erase (std::remove_if (groups.begin() + static_cast<std::ptrdiff_t> (i) + 1,
@@ -101,7 +103,12 @@ MergedPlanes
 mergePlanes (const std::vector<Moments>& planes, const MergingParameters& parameters)
 {
   std::vector<Group> groups = groupsWithAPlane (planes);
-  while (parameters.enabled && mergeOnce (groups, parameters)) {
+  constexpr double usual_theta_h = 0.05;
+  while (parameters.enabled &&
+         mergeOnce (groups,
+                    parameters.angle_threshold,
+                    parameters.distance_threshold.value_or (usual_theta_h),
+                    parameters.noise_factor.value_or (0.0))) {
   }
   MergedPlanes merged;
   merged.merged_into.assign (planes.size(), no_plane);
@@ -111,33 +118,6 @@ mergePlanes (const std::vector<Moments>& planes, const MergingParameters& parame
     for (const std::size_t member : groups[g].members)
       merged.merged_into[member] = static_cast<std::int32_t> (g);
   }
-  return merged;
-}
-
-void
-relabel (Labels& labels, const Labels& merged_into, unsigned threads)
-{
-  constexpr std::size_t labels_per_piece = 65536;
-  parallelFor (threads,
-               labels.size(),
-               labels_per_piece,
-               [&] (std::size_t begin, std::size_t end) {
-                 for (std::size_t i = begin; i < end; ++i)
-                   if (labels[i] != no_plane)
-                     labels[i] = merged_into[static_cast<std::size_t> (labels[i])];
-               });
-}
-
-MergedPlanes
-mergeLabelled (const Coordinates& positions,
-               Labels& labels,
-               std::size_t number,
-               const MergingParameters& parameters,
-               unsigned threads)
-{
-  MergedPlanes merged =
-      mergePlanes (momentsOfLabels (positions, labels, number, threads), parameters);
-  relabel (labels, merged.merged_into, threads);
   return merged;
 }
 

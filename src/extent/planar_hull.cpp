@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planar_hull.h"
+#include "extent/planar_hull.h"
 
-#include "planar_ring.h"
+#include "extent/planar_ring.h"
 
 #include <algorithm>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 namespace {
 
@@ -49,4 +49,4 @@ areaOf (const PlanarPoints& outline)
   return geometry::area (ring);
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -4,7 +4,7 @@
 
 #include <pcl_ops/plane_extent.h>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 /** \brief The convex hull of all points.
  * \param[in] points finite ones
@@ -17,4 +17,4 @@ hullOfAll (const PlanarPoints& points);
 double
 areaOf (const PlanarPoints& outline);
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
 
-#include "planar_hull.h"
-#include "rim.h"
+#include "extent/planar_hull.h"
+#include "extent/rim.h"
 #include <pcl_ops/plane_extent.h>
 
 #include <algorithm>
 #include <limits>
 
 namespace pcl_ops {
+
+using namespace internal;
 
 namespace {
 
@@ -169,6 +171,28 @@ extentOf (const PlanarPoints& outline,
   extent.length = sides.maxCoeff();
   extent.width = sides.minCoeff();
   return extent;
+}
+
+PlanarPoints
+pointsOnPlane (const CloudView& cloud,
+               const PlaneSegment& plane,
+               const PlaneFrame& frame)
+{
+  PlanarPoints points;
+  points.reserve (plane.inliers.size());
+  for (const pcl::index_t index : plane.inliers) {
+    const float* const point = cloud[static_cast<std::size_t> (index)];
+    points.push_back (frame.toPlane (Eigen::Vector3d (point[0], point[1], point[2])));
+  }
+  return points;
+}
+
+PlaneExtent
+planeExtent (const CloudView& cloud, const PlaneSegment& plane)
+{
+  const PlaneFrame frame (plane.centroid, plane.normal);
+  const PlanarPoints points = pointsOnPlane (cloud, plane, frame);
+  return extentOf (convexHull (points), points, frame);
 }
 
 } // namespace pcl_ops

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rim.h"
+#include "extent/rim.h"
 
-#include "planar_hull.h"
-#include <pcl_ops/random.h>
+#include "base/random.h"
+#include "extent/planar_hull.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 namespace {
 
@@ -101,4 +101,4 @@ Rim::takeOff (const PlanarPoints& hull, std::size_t fewest)
   return splitOff (outer_, depths, std::max (*last, depthOfCorners (hull))).size();
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

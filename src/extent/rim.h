@@ -4,7 +4,7 @@
 
 #include <pcl_ops/plane_extent.h>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 /** \brief Points in a plane, taken off from outside. Those clearly inside are not
  * looked at again. */
@@ -30,4 +30,4 @@ private:
   PlanarPoints inner_hull_;
 };
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -1,12 +1,74 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/stage_clock.h"
+#include "detection/labelled_planes.h"
+#include "detection/merging_defaults.h"
+#include "fspf/local_plane_sampling.h"
+#include "fspf/spheres.h"
 #include <pcl_ops/fast_sampling_plane_filtering.h>
-#include <pcl_ops/fixed_radius_search.h>
-#include <pcl_ops/stage_timer.h>
 
 #include <cmath>
+#include <utility>
 
 namespace pcl_ops {
+
+namespace internal {
+namespace {
+
+std::vector<Plane>
+planesOf (const MergedPlanes& merged)
+{
+  std::vector<Plane> planes;
+  planes.reserve (merged.fits.size());
+  for (const PlaneFit& fit : merged.fits)
+    planes.push_back (fit.plane);
+  return planes;
+}
+
+LabelledPlanes
+detectBySpheres (const DetectorInput& input,
+                 const Points& points,
+                 const FastSamplingPlaneFilteringParameters& parameters,
+                 StageDurations& durations)
+{
+  const double theta_h = *parameters.distance_threshold;
+  const MergingParameters merging = mergingOf (parameters);
+  StageClock clock;
+  const Spheres spheres =
+      spheresAround (input, points, parameters.local.outer_radius, parameters.threads);
+  clock.lap (durations.search);
+  // Pi: planes of spheres that pass the local test
+  const LocalPlanes local = sampleLocalPlanes (
+      spheres.points, spheres.find, parameters.local, theta_h, parameters.seed);
+  clock.lap (durations.extraction);
+  // section III-C: the coplanarity test on each pair
+  const MergedPlanes merged = mergePlanes (local.moments, merging);
+  clock.lap (durations.merging);
+  // every point of P, not of the spheres alone, to the largest plane within theta_h
+  AssignedPoints assigned = assignToUnboundedPlanes (
+      points, planesOf (merged), theta_h, AssignmentRule::First, parameters.threads);
+  clock.lap (durations.assignment);
+  // fitted to their points, and merged where they have become coplanar
+  LabelledPlanes found =
+      mergeAssigned (std::move (assigned), merging, parameters.threads);
+  found.planes_before_merging = local.moments.size();
+  clock.lap (durations.merging);
+  return found;
+}
+
+} // namespace
+} // namespace internal
+
+Detection
+detectPlanes (const DetectorInput& input,
+              const FastSamplingPlaneFilteringParameters& parameters)
+{
+  using namespace internal;
+  return detectInFinitePoints (
+      input, parameters, [&] (const auto& points, auto& durations) {
+        return detectBySpheres (input, points, parameters, durations);
+      });
+}
 
 FastSamplingPlaneFilteringParameters
 FastSamplingPlaneFilteringParameters::paper()
@@ -49,51 +111,9 @@ problemOf (const FastSamplingPlaneFilteringParameters& parameters)
     return "the number of hypotheses per point to end at must be above 0";
   if (!isAboveZero (local.max_visits_per_point))
     return "the number of visits per point to end at must be above 0";
+  if (!parameters.distance_threshold)
+    return "the distance threshold must be a length above 0";
   return problemOf (static_cast<const PlaneDetectorParameters&> (parameters));
-}
-
-LocalPlanes
-sampleLocalPlanes (const Points& points,
-                   const FastSamplingPlaneFilteringParameters& parameters,
-                   StageDurations& durations)
-{
-  const FixedRadiusSearch search = timed (durations.search, [&] {
-    return FixedRadiusSearch (
-        points, parameters.local.outer_radius, parameters.threads);
-  });
-  return timed (durations.extraction, [&] {
-    return sampleLocalPlanes (
-        search.points(),
-        [&] (std::uint32_t centre, Positions& sphere) { search.find (centre, sphere); },
-        parameters.local,
-        parameters.distance_threshold,
-        parameters.seed);
-  });
-}
-
-std::vector<Plane>
-planesOf (const MergedPlanes& merged)
-{
-  std::vector<Plane> planes;
-  planes.reserve (merged.fits.size());
-  for (const PlaneFit& fit : merged.fits)
-    planes.push_back (fit.plane);
-  return planes;
-}
-
-MergedPlanes
-refitAssigned (const Points& points,
-               Labels& labels,
-               const MergedPlanes& merged,
-               const MergingParameters& parameters,
-               unsigned threads)
-{
-  MergedPlanes refitted =
-      mergeLabelled (points, labels, merged.fits.size(), parameters, threads);
-  Labels merged_into = merged.merged_into;
-  relabel (merged_into, refitted.merged_into, threads);
-  refitted.merged_into = std::move (merged_into);
-  return refitted;
 }
 
 } // namespace pcl_ops

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/Geometry>
+#include "fspf/local_plane_sampling.h"
 
-#include <pcl_ops/local_plane_sampling.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 namespace {
 
@@ -33,7 +33,7 @@ struct Hypothesis {
   }
 
   Moments
-  inliersOf (const Positions& candidates) const
+  inliersOf (const Indices& candidates) const
   {
     Moments moments;
     for (const std::uint32_t i : candidates)
@@ -44,20 +44,20 @@ struct Hypothesis {
 };
 
 std::uint32_t
-drawFrom (const Positions& positions, RandomGenerator& generator)
+drawFrom (const Indices& positions, RandomGenerator& generator)
 {
   const auto size = static_cast<std::uint32_t> (positions.size());
   return positions[drawBelow (generator, size)];
 }
 
 /** The samples of a hypothesis that passes the local test; none of one that fails. */
-Positions
+Indices
 passTest (const Hypothesis& hypothesis,
-          const Positions& sphere,
+          const Indices& sphere,
           const LocalSamplingParameters& parameters,
           RandomGenerator& generator)
 {
-  Positions samples;
+  Indices samples;
   unsigned inliers = 0;
   while (samples.size() < parameters.local_samples) {
     samples.push_back (drawFrom (sphere, generator));
@@ -77,7 +77,7 @@ passTest (const Hypothesis& hypothesis,
 std::optional<Plane>
 drawHypothesis (const Coordinates& points,
                 std::uint32_t origin,
-                const Positions& sphere,
+                const Indices& sphere,
                 double inner_radius,
                 RandomGenerator& generator)
 {
@@ -117,7 +117,7 @@ namespace {
 std::optional<Moments>
 planeAround (const Coordinates& points,
              std::uint32_t origin,
-             const Positions& sphere,
+             const Indices& sphere,
              const LocalSamplingParameters& parameters,
              double distance_threshold,
              RandomGenerator& generator)
@@ -129,7 +129,7 @@ planeAround (const Coordinates& points,
   if (!plane)
     return std::nullopt;
   const Hypothesis hypothesis (points, *plane, distance_threshold);
-  const Positions samples = passTest (hypothesis, sphere, parameters, generator);
+  const Indices samples = passTest (hypothesis, sphere, parameters, generator);
   if (samples.empty())
     return std::nullopt;
   return hypothesis.inliersOf (parameters.inliers == LocalInliers::Sphere ? sphere
@@ -152,7 +152,7 @@ sampleLocalPlanes (const Coordinates& points,
   double n = 0.0, k = 0.0, visits = 0.0;
   RandomGenerator generator (seed);
   LocalPlanes found;
-  Positions sphere;
+  Indices sphere;
   for (; n < n_max && k < k_max && visits < most_visits; ++k) {
     const std::uint32_t origin = drawBelow (generator, size);
     find_sphere (origin, sphere);
@@ -168,4 +168,4 @@ sampleLocalPlanes (const Coordinates& points,
   return found;
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

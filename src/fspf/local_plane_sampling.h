@@ -2,54 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/random.h"
+#include "geometry/points.h"
+#include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/plane.h>
-#include <pcl_ops/points.h>
-#include <pcl_ops/random.h>
 
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
 
-namespace pcl_ops {
-
-/** \brief Which points of a sphere are the inliers of its plane: the paper says both.
- */
-enum class LocalInliers {
-  /** \brief All points of the sphere within theta_h of the hypothesis (its text). */
-  Sphere,
-  /** \brief Those of the N_loc tested points that are (its Algorithm 2). */
-  Samples
-};
-
-/** \brief How planes are sampled in spheres (paper section III-B, Algorithm 2). */
-struct LocalSamplingParameters {
-  /** \brief r1: p_r1 and p_r2 are drawn from the points this near to p_r0 [m]. */
-  double inner_radius = 0.1;
-  /** \brief r2: a hypothesis is tested on the points this near to p_r0 [m]. */
-  double outer_radius = 0.2;
-  /** \brief N_loc: how many of these it is tested on, drawn with repetition. */
-  unsigned local_samples = 80;
-  /** \brief alpha_min: it needs more than this share of inliers among them. */
-  double min_inlier_fraction = 0.8;
-  /** \brief Which points of an accepted sphere count, for its plane and for N_max. */
-  LocalInliers inliers = LocalInliers::Sphere;
-  /** \brief N_max, as a multiple of the number of points: sampling ends at so many
-   * inliers, a point counted as often as it is one. */
-  double max_inliers_per_point = 2.0;
-  /** \brief K_max, as a multiple of the number of points: sampling ends after so many
-   * hypotheses. */
-  double max_hypotheses_per_point = 1.0;
-  /** \brief Points looked at in all spheres together, as a multiple of the number of
-   * points, before sampling gives up: where radii are far too large for the distance
-   * threshold, K_max would take hours. Not in the paper; clouds of rooms come to some
-   * 10, with LocalInliers::Samples to 100. */
-  double max_visits_per_point = 300.0;
-};
+namespace pcl_ops::internal {
 
 /** \brief Gives the points within r2 of the point at a position, itself included: their
  * positions, in any order, replace what the vector held. */
-using SphereFinder = std::function<void (std::uint32_t centre, Positions& sphere)>;
+using SphereFinder = std::function<void (std::uint32_t centre, Indices& sphere)>;
 
 /** \brief A point and the plane through it and two others near it.
  * \param[in] points the points
@@ -62,7 +29,7 @@ using SphereFinder = std::function<void (std::uint32_t centre, Positions& sphere
 std::optional<Plane>
 drawHypothesis (const Coordinates& points,
                 std::uint32_t origin,
-                const Positions& sphere,
+                const Indices& sphere,
                 double inner_radius,
                 RandomGenerator& generator);
 
@@ -104,4 +71,4 @@ sampleLocalPlanes (const Coordinates& points,
                    double distance_threshold,
                    std::uint32_t seed);
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Eigenvalues>
 
+#include "geometry/angles.h"
 #include <pcl_ops/plane.h>
 
 #include <algorithm>
@@ -9,6 +10,8 @@
 #include <limits>
 
 namespace pcl_ops {
+
+using namespace internal;
 
 Moments&
 Moments::operator+= (const Moments& other)
@@ -69,7 +72,6 @@ nameOrientations (std::vector<PlaneSegment>& planes,
                   const Eigen::Vector3d& up,
                   double tolerance)
 {
-  constexpr double right_angle = 1.5707963267948966;
   if (!up.allFinite() || up.isZero (0.0) ||
       !(tolerance >= 0.0 && tolerance <= right_angle))
     return false;

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/point_cloud.h>
 #include <pcl/types.h>
 
 #include <Eigen/Core>
 
-#include <cmath>
+#include <pcl_ops/cloud_view.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
-/** \brief Positions as a structure of arrays, in single precision. */
+/** \brief Indices in space as a structure of arrays, in single precision. */
 struct Coordinates {
   std::vector<float> x, y, z;
 
@@ -65,12 +65,9 @@ struct Points : Coordinates {
   }
 };
 
-/** \brief Positions in an array of points or samples, ascending. */
-using Positions = std::vector<std::uint32_t>;
-
-/** \brief Sorts indices and drops repetitions. */
-void
-sortOnce (pcl::Indices& indices);
+/** \brief Which of a stage's own items, points, voxels or samples: ascending numbers.
+ * Of the input cloud's points pcl::Indices speak. */
+using Indices = std::vector<std::uint32_t>;
 
 /** \brief The median, or the upper of the two middle ones; 0 for no values.
  * \param[in,out] values reordered */
@@ -84,12 +81,7 @@ medianOf (std::vector<float>& values);
  * given twice or not
  * \param[in] threads number of threads; 0: all. The result does not depend on it
  * \return the finite ones, each once; their origin is near most of them */
-template <typename PointT>
 Points
-finitePoints (const pcl::PointCloud<PointT>& cloud,
-              const pcl::Indices& indices,
-              unsigned threads = 1);
+finitePoints (const CloudView& cloud, const pcl::Indices& indices, unsigned threads);
 
-} // namespace pcl_ops
-
-#include <pcl_ops/impl/points.hpp>
+} // namespace pcl_ops::internal

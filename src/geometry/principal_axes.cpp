@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "principal_axes.h"
+#include "geometry/principal_axes.h"
 
-#include "vectorized.h"
+#include "base/vectorized.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 namespace {
 
@@ -189,4 +189,4 @@ principalAxes (const Eigen::Matrix3d& matrix)
   return axes;
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 /** \brief What a plane fit needs of a symmetric, positive semi-definite matrix. */
 struct PrincipalAxes {
@@ -34,4 +34,4 @@ principalAxes (const Eigen::Matrix3d* matrices,
 PrincipalAxes
 principalAxes (const Eigen::Matrix3d& matrix);
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

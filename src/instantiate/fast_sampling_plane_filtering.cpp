@@ -3,7 +3,8 @@
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/point_types.h>
 
-#include <pcl_ops/impl/fast_sampling_plane_filtering.hpp>
+#include <pcl_ops/fast_sampling_plane_filtering.h>
+#include <pcl_ops/impl/plane_detector.hpp>
 
 #ifndef PCL_NO_PRECOMPILE
 #ifdef PCL_ONLY_CORE_POINT_TYPES

@@ -3,7 +3,8 @@
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/point_types.h>
 
-#include <pcl_ops/impl/kernel_hough_transform.hpp>
+#include <pcl_ops/impl/plane_detector.hpp>
+#include <pcl_ops/kernel_hough_transform.h>
 
 #ifndef PCL_NO_PRECOMPILE
 #ifdef PCL_ONLY_CORE_POINT_TYPES

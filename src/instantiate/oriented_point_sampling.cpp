@@ -3,7 +3,8 @@
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/point_types.h>
 
-#include <pcl_ops/impl/oriented_point_sampling.hpp>
+#include <pcl_ops/impl/plane_detector.hpp>
+#include <pcl_ops/oriented_point_sampling.h>
 
 #ifndef PCL_NO_PRECOMPILE
 #ifdef PCL_ONLY_CORE_POINT_TYPES

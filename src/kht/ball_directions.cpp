@@ -1,23 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_ops/ball_directions.h>
+#include "kht/ball_directions.h"
+
+#include "geometry/angles.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace pcl_ops {
-namespace {
-
-constexpr double pi = 3.14159265358979323846;
-
-} // namespace
+namespace pcl_ops::internal {
+namespace {} // namespace
 
 BallDirections::BallDirections (int phi_num) : row_begins_ (1, 0)
 {
   for (int row = 0; row <= phi_num; ++row) {
     const double circumference = 2.0 * phi_num * std::sin (row * pi / phi_num);
-    const long cells = std::max (1L, std::lround (circumference));
-    rows_.insert (rows_.end(), cells, static_cast<std::uint16_t> (row));
+    const long patches = std::max (1L, std::lround (circumference));
+    rows_.insert (rows_.end(), patches, static_cast<std::uint16_t> (row));
     row_begins_.push_back (static_cast<std::uint32_t> (rows_.size()));
   }
 }
@@ -29,12 +27,12 @@ BallDirections::phiStep() const
 }
 
 std::uint32_t
-BallDirections::cellOfRow (int row, int cell) const
+BallDirections::patchOfRow (int row, int patch) const
 {
-  const int cells = cellsOfRow (row);
-  const int wrapped = cell % cells;
+  const int patches = patchesOfRow (row);
+  const int wrapped = patch % patches;
   return row_begins_[row] +
-         static_cast<std::uint32_t> (wrapped < 0 ? wrapped + cells : wrapped);
+         static_cast<std::uint32_t> (wrapped < 0 ? wrapped + patches : wrapped);
 }
 
 std::uint32_t
@@ -43,8 +41,8 @@ BallDirections::at (int row, double theta) const
   const bool beyond_pole = row < 0 || row > phiNum();
   const int reflected = row < 0 ? -row : beyond_pole ? 2 * phiNum() - row : row;
   const double turns = theta / (2.0 * pi) + (beyond_pole ? 0.5 : 0.0);
-  const double cell = std::floor (turns * cellsOfRow (reflected));
-  return cellOfRow (reflected, static_cast<int> (cell));
+  const double patch = std::floor (turns * patchesOfRow (reflected));
+  return patchOfRow (reflected, static_cast<int> (patch));
 }
 
 double
@@ -57,7 +55,7 @@ double
 BallDirections::thetaOf (std::uint32_t direction) const
 {
   const int row = rowOf (direction);
-  return 2.0 * pi * (direction - row_begins_[row] + 0.5) / cellsOfRow (row);
+  return 2.0 * pi * (direction - row_begins_[row] + 0.5) / patchesOfRow (row);
 }
 
 Eigen::Vector3d
@@ -76,12 +74,12 @@ std::uint32_t
 BallDirections::opposite (std::uint32_t direction) const
 {
   const int row = rowOf (direction);
-  const int cells = cellsOfRow (row);
-  // Half a turn ends between two cells where their number is odd: the northern half
+  const int patches = patchesOfRow (row);
+  // Half a turn ends between two patches where their number is odd: the northern half
   // then goes to the later one and the southern half back.
-  const int half_turn = 2 * row <= phiNum() ? (cells + 1) / 2 : cells / 2;
-  const int cell = static_cast<int> (direction - row_begins_[row]);
-  return cellOfRow (phiNum() - row, cell + half_turn);
+  const int half_turn = 2 * row <= phiNum() ? (patches + 1) / 2 : patches / 2;
+  const int patch = static_cast<int> (direction - row_begins_[row]);
+  return patchOfRow (phiNum() - row, patch + half_turn);
 }
 
 std::array<std::uint32_t, 4>
@@ -89,11 +87,11 @@ BallDirections::beside (std::uint32_t direction) const
 {
   const int row = rowOf (direction);
   const double theta = thetaOf (direction);
-  const int cell = static_cast<int> (direction - row_begins_[row]);
+  const int patch = static_cast<int> (direction - row_begins_[row]);
   return {at (row - 1, theta),
           at (row + 1, theta),
-          cellOfRow (row, cell - 1),
-          cellOfRow (row, cell + 1)};
+          patchOfRow (row, patch - 1),
+          patchOfRow (row, patch + 1)};
 }
 
 std::vector<std::uint32_t>
@@ -104,13 +102,13 @@ BallDirections::around (std::uint32_t direction) const
   found.reserve (9);
   for (const std::uint32_t middle : {sides[0], direction, sides[1]}) {
     const int row = rowOf (middle);
-    const int cell = static_cast<int> (middle - row_begins_[row]);
+    const int patch = static_cast<int> (middle - row_begins_[row]);
     for (const int offset : {-1, 0, 1})
-      found.push_back (cellOfRow (row, cell + offset));
+      found.push_back (patchOfRow (row, patch + offset));
   }
   std::sort (found.begin(), found.end());
   found.erase (std::unique (found.begin(), found.end()), found.end());
   return found;
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

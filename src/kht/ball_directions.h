@@ -8,12 +8,12 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 /** \brief The directions of an accumulator ball (Borrmann et al. 2011): rows of equal
  * polar angle phi, pi / phi_num apart with one on each pole, each cut into
- * max (1, round (2 phi_num sin phi)) cells of azimuth theta, so that all cells have
- * about the same area. A direction is the number of a cell, row by row from the north
+ * max (1, round (2 phi_num sin phi)) patches of azimuth theta, so that all patches have
+ * about the same area. A direction is the number of a patch, row by row from the north
  * pole. */
 class BallDirections {
 public:
@@ -37,9 +37,9 @@ public:
   double
   phiStep () const;
 
-  /** \brief Number of cells of a row 0 .. phi_num. */
+  /** \brief Number of patches of a row 0 .. phi_num. */
   int
-  cellsOfRow (int row) const
+  patchesOfRow (int row) const
   {
     return static_cast<int> (row_begins_[row + 1] - row_begins_[row]);
   }
@@ -50,9 +50,10 @@ public:
     return rows_[direction];
   }
 
-  /** \brief The direction of a cell of a row; any whole number wraps around the row. */
+  /** \brief The direction of a patch of a row; any whole number wraps around the row.
+   */
   std::uint32_t
-  cellOfRow (int row, int cell) const;
+  patchOfRow (int row, int patch) const;
 
   /** \brief The direction that holds an azimuth.
    * \param[in] row -phi_num .. 2 phi_num; a row beyond a pole is the row as far on the
@@ -76,12 +77,12 @@ public:
   std::uint32_t
   opposite (std::uint32_t direction) const;
 
-  /** \brief The directions across the four sides of a cell. */
+  /** \brief The directions across the four sides of a patch. */
   std::array<std::uint32_t, 4>
   beside (std::uint32_t direction) const;
 
-  /** \brief The 3 x 3 cells around a direction, itself included: in each of three rows
-   * the cell at its azimuth and one to either side. Each once, ascending. */
+  /** \brief The 3 x 3 patches around a direction, itself included: in each of three
+   * rows the patch at its azimuth and one to either side. Each once, ascending. */
   std::vector<std::uint32_t>
   around (std::uint32_t direction) const;
 
@@ -105,4 +106,4 @@ struct HoughSpace {
   }
 };
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -1,18 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_units.h"
-#include <pcl_ops/kernel_hough_transform.h>
-#include <pcl_ops/stage_timer.h>
+#include "kht/cluster_assignment.h"
+
+#include "base/stage_clock.h"
+#include "bounded/bounded_assignment.h"
+#include "bounded/noise_floors.h"
+#include "bounded/plane_growing.h"
+#include "detection/merging_defaults.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 namespace {
 
-// Into how many cells a cloud is divided to follow its planes' outlines.
-constexpr double wanted_cells = 9000.0;
+// Into how many voxels a cloud is divided to follow its planes' outlines.
+constexpr double wanted_voxels = 9000.0;
 
 std::vector<Plane>
 withoutClusters (const std::vector<HoughPlane>& hough_planes)
@@ -33,7 +37,7 @@ assignOctreePoints (const OctreeClusters& found,
 {
   const Labels in_octree_order = assignPoints (found.points,
                                                planes,
-                                               parameters.distance_threshold,
+                                               *parameters.distance_threshold,
                                                parameters.assignment,
                                                parameters.threads);
   Labels labels (size, no_plane);
@@ -42,111 +46,118 @@ assignOctreePoints (const OctreeClusters& found,
   return labels;
 }
 
-/** Each cell goes to the plane of the first cluster that has a point in it. */
-CellPlanes
-cellsOfClusters (const std::vector<HoughPlane>& planes,
-                 const OctreeClusters& found,
-                 const GriddedPoints& gridded)
+/** Each voxel goes to the plane of the first cluster that has a point in it. */
+BoundedPlanes
+voxelsOfClusters (const std::vector<HoughPlane>& planes,
+                  const OctreeClusters& found,
+                  const VoxelizedPoints& voxelized)
 {
-  CellPlanes cells;
-  cells.plane_of_cell.assign (gridded.grid.size(), no_plane);
-  cells.noise.assign (gridded.grid.size(), 0.0);
+  BoundedPlanes voxels;
+  voxels.plane_of_voxel.assign (voxelized.grid.size(), no_plane);
+  voxels.noise.assign (voxelized.grid.size(), 0.0);
   for (const HoughPlane& plane : planes) {
-    const auto label = static_cast<std::int32_t> (cells.planes.size());
-    cells.planes.push_back (plane.plane);
+    const auto label = static_cast<std::int32_t> (voxels.planes.size());
+    voxels.planes.push_back (plane.plane);
     for (const std::uint32_t c : plane.clusters) {
       const CoplanarCluster& cluster = found.clusters[c];
       const double noise =
           std::sqrt (meanSquaredDistance (cluster.moments, plane.plane));
       for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
-        const std::uint32_t cell = gridded.cell_of_point[found.points.order[i]];
-        if (cells.plane_of_cell[cell] != no_plane)
+        const std::uint32_t voxel = voxelized.voxel_of_point[found.points.order[i]];
+        if (voxels.plane_of_voxel[voxel] != no_plane)
           continue;
-        cells.plane_of_cell[cell] = label;
-        cells.noise[cell] = std::max (noise, smallestNoise (gridded.grid));
+        voxels.plane_of_voxel[voxel] = label;
+        voxels.noise[voxel] = std::max (noise, smallestNoise (voxelized.grid));
       }
     }
   }
-  return cells;
+  return voxels;
 }
 
-/** Grows, merges and refits planes on their cells.
- * \return for each plane the one it went into, or no_plane */
-Labels
-settleCells (const CellGrid& grid,
-             const KernelHoughTransformParameters& parameters,
-             CellPlanes& cells)
+/** Grows, merges and refits planes on their voxels. */
+void
+settleVoxels (const VoxelGrid& grid,
+              const KernelHoughTransformParameters& parameters,
+              BoundedPlanes& planes)
 {
-  GrowingParameters growing;
-  growing.distance_threshold = parameters.distance_threshold;
-  growPlanes (grid, growing, parameters.threads, cells);
-  const MergedPlanes merged =
-      mergePlanes (momentsOfPlanes (grid, cells), parameters.merging);
-  renumberPlanes (merged, cells);
-  reassignCells (grid, parameters.threads, cells);
-  return merged.merged_into;
+  constexpr int growing_rounds = 10;
+  growPlanes (
+      grid, parameters.distance_threshold, growing_rounds, parameters.threads, planes);
+  renumberPlanes (mergePlanes (momentsOfPlanes (grid, planes), mergingOf (parameters)),
+                  planes);
+  reassignVoxels (grid, parameters.threads, planes);
 }
 
 } // namespace
 
-Detection
-assignToEndlessPlanes (Points points,
+void
+restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
+{
+  std::vector<bool> is_restored (merged.fits.size(), false);
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (merged.merged_into[i] == no_plane)
+      continue;
+    const auto group = static_cast<std::size_t> (merged.merged_into[i]);
+    if (is_restored[group])
+      continue;
+    is_restored[group] = true;
+    PlaneFit& fit = merged.fits[group];
+    fit.plane = planes[i];
+    fit.centroid -= planes[i].distance (fit.centroid) * planes[i].normal;
+  }
+}
+
+LabelledPlanes
+assignToEndlessPlanes (const Points& points,
                        const OctreeClusters& found,
                        const std::vector<HoughPlane>& hough_planes,
                        const KernelHoughTransformParameters& parameters,
                        StageDurations& durations)
 {
+  StageClock clock;
   const std::vector<Plane> planes = withoutClusters (hough_planes);
-  Detection detection;
-  detection.points = std::move (points);
-  detection.labels = timed (durations.assignment, [&] {
-    return assignOctreePoints (found, detection.points.size(), planes, parameters);
-  });
-  detection.planes = timed (durations.merging, [&] {
-    return mergeLabelled (detection.points,
-                          detection.labels,
-                          planes.size(),
-                          parameters.merging,
-                          parameters.threads);
-  });
+  AssignedPoints assigned;
+  assigned.labels = assignOctreePoints (found, points.size(), planes, parameters);
+  clock.lap (durations.assignment);
+  assigned.moments =
+      momentsOfLabels (points, assigned.labels, planes.size(), parameters.threads);
+  LabelledPlanes merged =
+      mergeAssigned (std::move (assigned), mergingOf (parameters), parameters.threads);
   if (!parameters.refit.enabled)
-    restorePlanes (detection.planes, planes);
-  return detection;
+    restorePlanes (merged.planes, planes);
+  clock.lap (durations.merging);
+  return merged;
 }
 
-Detection
-assignToOutlinedPlanes (Points points,
+LabelledPlanes
+assignToOutlinedPlanes (const Points& points,
                         const OctreeClusters& found,
-                        const std::vector<HoughPlane>& planes,
+                        const std::vector<HoughPlane>& hough_planes,
                         const KernelHoughTransformParameters& parameters,
                         StageDurations& durations)
 {
-  Detection detection;
-  detection.points = std::move (points);
-  detection.labels.assign (detection.points.size(), no_plane);
-  if (planes.empty())
-    return detection;
-  const GriddedPoints gridded = timed (durations.search, [&] {
-    const double cell_size = cellSizeFor (detection.points, wanted_cells);
-    return gridPoints (detection.points, cell_size, parameters.threads);
-  });
-  CellPlanes cells = cellsOfClusters (planes, found, gridded);
-  Labels merged_into = timed (
-      durations.merging, [&] { return settleCells (gridded.grid, parameters, cells); });
-  AssignedPoints assigned = timed (durations.assignment, [&] {
-    BoundedAssignmentParameters bounded;
-    bounded.distance_threshold = parameters.distance_threshold;
-    return assignToBoundedPlanes (
-        detection.points, gridded, cells, bounded, parameters.threads);
-  });
+  if (hough_planes.empty())
+    return {Labels (points.size(), no_plane), {}, 0};
+  constexpr double follows_noise_up_to = 4.0;
+  StageClock clock;
+  const VoxelizedPoints voxelized =
+      voxelize (points, voxelSizeFor (points, wanted_voxels), parameters.threads);
+  clock.lap (durations.search);
+  BoundedPlanes planes = voxelsOfClusters (hough_planes, found, voxelized);
+  settleVoxels (voxelized.grid, parameters, planes);
+  clock.lap (durations.merging);
+  AssignedPoints assigned = assignToBoundedPlanes (points,
+                                                   voxelized,
+                                                   planes,
+                                                   parameters.distance_threshold,
+                                                   follows_noise_up_to,
+                                                   parameters.threads);
   MergingParameters keep_apart;
   keep_apart.enabled = false;
-  detection.planes = mergePlanes (assigned.moments, keep_apart);
-  detection.labels = std::move (assigned.labels);
-  relabel (detection.labels, detection.planes.merged_into, parameters.threads);
-  relabel (merged_into, detection.planes.merged_into, parameters.threads);
-  detection.planes.merged_into = std::move (merged_into);
-  return detection;
+  LabelledPlanes kept =
+      mergeAssigned (std::move (assigned), keep_apart, parameters.threads);
+  clock.lap (durations.assignment);
+  return kept;
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_ops/hough_planes.h>
-#include <pcl_ops/spherical_accumulator.h>
+#include "kht/hough_planes.h"
+
+#include "kht/spherical_accumulator.h"
 
 #include <algorithm>
 #include <numeric>
@@ -9,7 +10,7 @@
 #include <queue>
 #include <utility>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 namespace {
 
 using ClusterList = std::vector<std::uint32_t>;
@@ -185,4 +186,4 @@ refitPlanes (const std::vector<HoughPlane>& planes,
   return refitted;
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/octree_clusters.h>
+#include "kht/octree_clusters.h"
 #include <pcl_ops/plane.h>
 
 #include <cstdint>
 #include <vector>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 /** \brief A plane and the clusters that voted for it. */
 struct HoughPlane {
   Plane plane;
-  /** \brief Positions of its clusters, ascending. */
+  /** \brief Indices of its clusters, ascending. */
   std::vector<std::uint32_t> clusters;
 };
 
@@ -31,14 +31,6 @@ clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& found);
 std::vector<HoughPlane>
 voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num);
 
-/** \brief How planes are freed from the accumulator's bins. */
-struct PlaneRefitParameters {
-  /** \brief Off: planes stay at their bins' centres, quantised as they are. */
-  bool enabled = true;
-  /** \brief Smallest share of all points that the clusters of a plane hold. */
-  double min_share = 0.001;
-};
-
 /** \brief Gives each cluster to one plane and fits the planes to the points of theirs.
  * The plane with the largest weight of free clusters is fitted to them, takes all free
  * clusters whose rms distance to it is at most half of theta_h and is fitted again, so
@@ -54,4 +46,4 @@ refitPlanes (const std::vector<HoughPlane>& planes,
              double min_share,
              double distance_threshold);
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

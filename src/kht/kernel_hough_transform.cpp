@@ -1,10 +1,61 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/stage_clock.h"
+#include "detection/labelled_planes.h"
+#include "kht/cluster_assignment.h"
+#include "kht/hough_planes.h"
+#include "kht/octree_clusters.h"
 #include <pcl_ops/kernel_hough_transform.h>
 
 #include <string>
+#include <utility>
 
 namespace pcl_ops {
+
+namespace internal {
+namespace {
+
+LabelledPlanes
+detectByVotes (const Points& points,
+               const KernelHoughTransformParameters& parameters,
+               StageDurations& durations)
+{
+  const double theta_h = *parameters.distance_threshold;
+  StageClock clock;
+  // octree: nodes of approximately coplanar points
+  const OctreeClusters clusters =
+      findCoplanarClusters (points, parameters.clusters, parameters.threads);
+  clock.lap (durations.search);
+  // accumulator ball: Gaussian kernels vote for (rho, phi, theta), peaks are planes
+  std::vector<HoughPlane> planes =
+      voteForPlanes (clusters, parameters.phi_num, parameters.rho_num);
+  // the planes freed from the bins
+  if (parameters.refit.enabled)
+    planes = refitPlanes (planes, clusters, parameters.refit.min_share, theta_h);
+  clock.lap (durations.extraction);
+  // every point to a plane, and the coplanarity test of the OPS paper on each pair
+  LabelledPlanes found =
+      parameters.refit.enabled && parameters.bounded
+          ? assignToOutlinedPlanes (points, clusters, planes, parameters, durations)
+          : assignToEndlessPlanes (points, clusters, planes, parameters, durations);
+  found.planes_before_merging = planes.size();
+  return found;
+}
+
+} // namespace
+} // namespace internal
+
+Detection
+detectPlanes (const DetectorInput& input,
+              const KernelHoughTransformParameters& parameters)
+{
+  using namespace internal;
+  return detectInFinitePoints (
+      input, parameters, [&] (const auto& points, auto& durations) {
+        return detectByVotes (points, parameters, durations);
+      });
+}
+
 namespace {
 
 constexpr int most_phi = 1000;
@@ -49,37 +100,9 @@ problemOf (const KernelHoughTransformParameters& parameters)
     return "s_alpha and s_beta must be above 0";
   if (!(parameters.refit.min_share >= 0.0 && parameters.refit.min_share <= 1.0))
     return "the smallest share of a plane must be between 0 and 1";
+  if (!parameters.distance_threshold)
+    return "the distance threshold must be a length above 0";
   return problemOf (static_cast<const PlaneDetectorParameters&> (parameters));
-}
-
-std::vector<HoughPlane>
-houghPlanes (const OctreeClusters& found,
-             const KernelHoughTransformParameters& parameters)
-{
-  const std::vector<HoughPlane> voted =
-      voteForPlanes (found, parameters.phi_num, parameters.rho_num);
-  return parameters.refit.enabled ? refitPlanes (voted,
-                                                 found,
-                                                 parameters.refit.min_share,
-                                                 parameters.distance_threshold)
-                                  : voted;
-}
-
-void
-restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
-{
-  std::vector<bool> is_restored (merged.fits.size(), false);
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    if (merged.merged_into[i] == no_plane)
-      continue;
-    const auto group = static_cast<std::size_t> (merged.merged_into[i]);
-    if (is_restored[group])
-      continue;
-    is_restored[group] = true;
-    PlaneFit& fit = merged.fits[group];
-    fit.plane = planes[i];
-    fit.centroid -= planes[i].distance (fit.centroid) * planes[i].normal;
-  }
 }
 
 } // namespace pcl_ops

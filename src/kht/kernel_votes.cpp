@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_ops/kernel_votes.h>
+#include "kht/kernel_votes.h"
+
+#include "geometry/angles.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // Squared Mahalanobis distance of two standard deviations, where votes end.
 constexpr double largest_squared_distance = 4.0;
@@ -150,20 +150,20 @@ VoteCaster::castRow (int row)
     return;
   has_wrapped_ |= beyond_pole;
   const double middle = likeliestTheta (phi_offset);
-  const int cells = directions.cellsOfRow (reflected);
-  if (cells == 1) // All azimuths meet at a pole.
-    return castRay (directions.cellOfRow (reflected, 0), {phi_offset, middle});
+  const int patches = directions.patchesOfRow (reflected);
+  if (patches == 1) // All azimuths meet at a pole.
+    return castRay (directions.patchOfRow (reflected, 0), {phi_offset, middle});
 
   const double start = mean_theta_ + (beyond_pole ? pi : 0.0);
-  const double step = 2.0 * pi / cells;
-  const double middle_cell = (start + middle) / step - 0.5;
-  const double reach = std::min (std::sqrt (room / tt_) / step, 0.5 * cells);
-  const int first = static_cast<int> (std::ceil (middle_cell - reach));
-  const int last =
-      std::min (static_cast<int> (std::floor (middle_cell + reach)), first + cells - 1);
-  for (int cell = first; cell <= last; ++cell)
-    castRay (directions.cellOfRow (reflected, cell),
-             {phi_offset, (cell + 0.5) * step - start});
+  const double step = 2.0 * pi / patches;
+  const double middle_patch = (start + middle) / step - 0.5;
+  const double reach = std::min (std::sqrt (room / tt_) / step, 0.5 * patches);
+  const int first = static_cast<int> (std::ceil (middle_patch - reach));
+  const int last = std::min (static_cast<int> (std::floor (middle_patch + reach)),
+                             first + patches - 1);
+  for (int patch = first; patch <= last; ++patch)
+    castRay (directions.patchOfRow (reflected, patch),
+             {phi_offset, (patch + 0.5) * step - start});
 }
 
 void
@@ -224,7 +224,7 @@ VoteCaster::castOwnBin()
       std::min (static_cast<int> (mean_rho_ / space_.rho_step), space_.rho_num - 1);
   Offset offset{directions.phiOf (direction) - mean_phi_, 0.0};
   offset.theta =
-      directions.cellsOfRow (row) == 1
+      directions.patchesOfRow (row) == 1
           ? likeliestTheta (offset.phi)
           : std::remainder (directions.thetaOf (direction) - mean_theta_, 2.0 * pi);
   const double rho_offset = space_.rhoOf (bin) - likeliestRho (offset);
@@ -275,4 +275,4 @@ castVotes (const PlaneKernel& kernel, const HoughSpace& space, KernelVotes& vote
     caster.castAll();
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

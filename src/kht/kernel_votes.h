@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/ball_directions.h>
-#include <pcl_ops/plane_kernel.h>
+#include "kht/ball_directions.h"
+#include "kht/plane_kernel.h"
 
 #include <cstdint>
 #include <vector>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 /** \brief A kernel's votes along rho in one direction. */
 struct VoteRay {
@@ -41,4 +41,4 @@ struct KernelVotes {
 void
 castVotes (const PlaneKernel& kernel, const HoughSpace& space, KernelVotes& votes);
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_ops/octree_clusters.h>
-#include <pcl_ops/parallel.h>
+#include "kht/octree_clusters.h"
+
+#include "base/parallel.h"
+#include "search/counting_sort.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 namespace {
 
 // Points farther from a node's plane than this share of its edge are dropped.
@@ -34,48 +36,48 @@ momentsOf (const Coordinates& points, const OctreeNode& node, const RootCube& ro
   return moments;
 }
 
-/** Moments of the deepest sorted cells of a node. */
+/** Moments of the deepest sorted leaves of a node. */
 void
-sumUpCells (const OctreeCells& cells,
-            int level,
-            std::size_t code,
-            std::vector<Moments>& moments)
+sumUpLeaves (const SortedOctree& octree,
+             int level,
+             std::size_t code,
+             std::vector<Moments>& moments)
 {
-  const int shift = 3 * (cells.level - level);
-  for (std::size_t cell = code << shift; cell < (code + 1) << shift; ++cell)
-    if (cells.begins[cell] < cells.begins[cell + 1])
-      moments[cell] =
-          momentsOf (cells.points, cells.node (cells.level, cell), cells.root);
+  const int shift = 3 * (octree.level - level);
+  for (std::size_t leaf = code << shift; leaf < (code + 1) << shift; ++leaf)
+    if (octree.begins[leaf] < octree.begins[leaf + 1])
+      moments[leaf] =
+          momentsOf (octree.points, octree.node (octree.level, leaf), octree.root);
 }
 
 /** Descends from a node and collects the clusters below, depth first. */
 class ClusterCollector {
 public:
-  ClusterCollector (OctreeCells& cells,
-                    const std::vector<Moments>& cell_moments,
+  ClusterCollector (SortedOctree& octree,
+                    const std::vector<Moments>& leaf_moments,
                     const OctreeClusterParameters& parameters,
                     std::vector<CoplanarCluster>& clusters)
-  : cells_ (cells)
-  , points_ (cells.points)
-  , cell_moments_ (cell_moments)
+  : octree_ (octree)
+  , points_ (octree.points)
+  , leaf_moments_ (leaf_moments)
   , parameters_ (parameters)
   , clusters_ (clusters)
   {}
 
   /** Through the levels that are sorted, down to those that are not. */
   void
-  descendCells (int level, std::size_t code)
+  descendSorted (int level, std::size_t code)
   {
-    const OctreeNode node = cells_.node (level, code);
+    const OctreeNode node = octree_.node (level, code);
     if (node.size() < parameters_.min_samples)
       return;
-    if (level == cells_.level)
-      return descend (node, cell_moments_[code]);
+    if (level == octree_.level)
+      return descend (node, leaf_moments_[code]);
     if (level >= parameters_.first_level &&
-        addIfCoplanar (node, sumOfCells (level, code)))
+        addIfCoplanar (node, sumOfLeaves (level, code)))
       return;
     for (std::size_t octant = 0; octant < 8; ++octant)
-      descendCells (level + 1, 8 * code + octant);
+      descendSorted (level + 1, 8 * code + octant);
   }
 
 private:
@@ -98,17 +100,17 @@ private:
                              node.edge / 2.0,
                              node.level + 1};
       if (child.size() >= parameters_.min_samples)
-        descend (child, momentsOf (points_, child, cells_.root));
+        descend (child, momentsOf (points_, child, octree_.root));
     }
   }
 
   Moments
-  sumOfCells (int level, std::size_t code) const
+  sumOfLeaves (int level, std::size_t code) const
   {
-    const int shift = 3 * (cells_.level - level);
+    const int shift = 3 * (octree_.level - level);
     Moments sum;
-    for (std::size_t cell = code << shift; cell < (code + 1) << shift; ++cell)
-      sum += cell_moments_[cell];
+    for (std::size_t leaf = code << shift; leaf < (code + 1) << shift; ++leaf)
+      sum += leaf_moments_[leaf];
     return sum;
   }
 
@@ -123,7 +125,7 @@ private:
     OctreeNode kept = node;
     kept.end = dropFarPoints (node, fit->plane);
     if (kept.end < node.end) {
-      cluster.moments = momentsOf (points_, kept, cells_.root);
+      cluster.moments = momentsOf (points_, kept, octree_.root);
       fit = fitPlane (cluster.moments);
     }
     if (!fit)
@@ -164,16 +166,13 @@ private:
     const Eigen::Vector3f centre = node.centre.cast<float>();
     octants_.resize (size);
     sorted_.resize (size);
-    OctantBegins begins{};
-    for (std::size_t i = 0; i < size; ++i) {
-      octants_[i] = octantOf (node.begin + i, centre);
-      ++begins[octants_[i] + 1u];
-    }
-    for (std::size_t octant = 0; octant < 8; ++octant)
-      begins[octant + 1] += begins[octant];
-    OctantBegins next = begins;
     for (std::size_t i = 0; i < size; ++i)
-      sorted_.copyFrom (points_, node.begin + i, next[octants_[i]]++);
+      octants_[i] = octantOf (node.begin + i, centre);
+    OctantBegins begins;
+    findBegins (octants_, begins);
+    forPlaces (octants_, begins, [&] (std::size_t i, std::uint32_t place) {
+      sorted_.copyFrom (points_, node.begin + i, place);
+    });
     for (std::size_t i = 0; i < size; ++i)
       points_.copyFrom (sorted_, i, node.begin + i);
     for (std::uint32_t& begin : begins)
@@ -189,9 +188,9 @@ private:
                                       (points_.z[i] >= centre.z() ? 4u : 0u));
   }
 
-  OctreeCells& cells_;
+  SortedOctree& octree_;
   PermutedPoints& points_;
-  const std::vector<Moments>& cell_moments_;
+  const std::vector<Moments>& leaf_moments_;
   const OctreeClusterParameters& parameters_;
   std::vector<CoplanarCluster>& clusters_;
   PermutedPoints sorted_;
@@ -209,22 +208,22 @@ findCoplanarClusters (const Coordinates& points,
   result.root = rootCubeOf (points);
   if (!(result.root.edge > 0.0))
     return result;
-  OctreeCells cells = sortIntoCells (points, result.root, deepest_cell_level);
-  std::vector<Moments> cell_moments (cells.begins.size() - 1);
+  SortedOctree octree = sortIntoOctree (points, result.root, deepest_sorted_level);
+  std::vector<Moments> leaf_moments (octree.begins.size() - 1);
   const int start_level = std::clamp (parameters.first_level, 0, most_start_level);
   const std::size_t starts = std::size_t (1) << (3 * start_level);
   std::vector<std::vector<CoplanarCluster>> found (starts);
   parallelFor (threads, starts, 1, [&] (std::size_t begin, std::size_t end) {
     for (std::size_t code = begin; code < end; ++code) {
-      sumUpCells (cells, start_level, code, cell_moments);
-      ClusterCollector collector (cells, cell_moments, parameters, found[code]);
-      collector.descendCells (start_level, code);
+      sumUpLeaves (octree, start_level, code, leaf_moments);
+      ClusterCollector collector (octree, leaf_moments, parameters, found[code]);
+      collector.descendSorted (start_level, code);
     }
   });
   for (const std::vector<CoplanarCluster>& clusters : found)
     result.clusters.insert (result.clusters.end(), clusters.begin(), clusters.end());
-  result.points = std::move (cells.points);
+  result.points = std::move (octree.points);
   return result;
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

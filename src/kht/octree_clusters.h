@@ -2,30 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/octree_cells.h>
+#include "kht/sorted_octree.h"
+#include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/plane.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace pcl_ops {
-
-/** \brief What makes an octree node a cluster of approximately coplanar points
- * (Limberger & Oliveira 2015, section 3.1). */
-struct OctreeClusterParameters {
-  /** \brief Nodes with fewer points are not used. */
-  std::size_t min_samples = 30;
-  /** \brief s_level: the first level whose nodes are tested; the root is level 0. */
-  int first_level = 5;
-  /** \brief s_alpha: the thickness l1 / l2 of a coplanar node is below 1 / s_alpha. */
-  double s_alpha = 25.0;
-  /** \brief s_beta: the elongation l2 / l3 of a coplanar node is above 1 / s_beta. */
-  double s_beta = 6.0;
-  /** \brief Nodes of this level are not split any more, so that many equal points end.
-   */
-  int deepest_level = 20;
-};
+namespace pcl_ops::internal {
 
 /** \brief The approximately coplanar points of one octree node. */
 struct CoplanarCluster {
@@ -66,4 +51,4 @@ findCoplanarClusters (const Coordinates& points,
                       const OctreeClusterParameters& parameters,
                       unsigned threads = 1);
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

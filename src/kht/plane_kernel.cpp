@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_ops/plane_kernel.h>
+#include "kht/plane_kernel.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 namespace {
 
 // Keeps the Jacobian finite at the poles and for planes through the centre [m^2].
@@ -51,4 +51,4 @@ planeKernel (const Plane& plane,
   return kernel;
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -6,7 +6,7 @@
 
 #include <pcl_ops/plane.h>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 /** \brief A trivariate Gaussian over planes, in the order rho [m], phi [rad], theta
  * [rad] (Limberger & Oliveira 2015, section 3.2). */
@@ -31,4 +31,4 @@ planeKernel (const Plane& plane,
              const Eigen::Vector3d& centre,
              double weight);
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

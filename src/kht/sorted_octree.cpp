@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_ops/octree_cells.h>
+#include "kht/sorted_octree.h"
+
+#include "search/counting_sort.h"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +10,10 @@
 #include <limits>
 #include <utility>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 namespace {
 
-// Cubes below it are points: their cells could not be counted in single precision [m].
+// Cubes below it are points: their leaves could not be counted in single precision [m].
 constexpr double smallest_edge = 1e-30;
 
 struct AxisRange {
@@ -41,13 +43,13 @@ rangeOf (const std::vector<float>& values)
   return range;
 }
 
-/** The bits of a cell's coordinate moved three places apart. */
-std::array<std::uint16_t, 1 << deepest_cell_level>
+/** The bits of a leaf's coordinate moved three places apart. */
+std::array<std::uint16_t, 1 << deepest_sorted_level>
 spreadBits ()
 {
-  std::array<std::uint16_t, 1 << deepest_cell_level> spread{};
+  std::array<std::uint16_t, 1 << deepest_sorted_level> spread{};
   for (unsigned value = 0; value < spread.size(); ++value)
-    for (unsigned bit = 0; bit < deepest_cell_level; ++bit)
+    for (unsigned bit = 0; bit < deepest_sorted_level; ++bit)
       spread[value] |= static_cast<std::uint16_t> (((value >> bit) & 1u) << (3 * bit));
   return spread;
 }
@@ -57,7 +59,7 @@ unsigned
 gatherBits (std::size_t code, unsigned axis)
 {
   unsigned value = 0;
-  for (unsigned bit = 0; bit < deepest_cell_level; ++bit)
+  for (unsigned bit = 0; bit < deepest_sorted_level; ++bit)
     value |= static_cast<unsigned> ((code >> (3 * bit + axis)) & 1u) << bit;
   return value;
 }
@@ -66,20 +68,20 @@ std::vector<std::uint16_t>
 mortonCodes (const Coordinates& points, const RootCube& root, int level)
 {
   const auto spread = spreadBits();
-  const int cells = 1 << level;
-  const auto scale = static_cast<float> (cells / root.edge);
+  const int leaves = 1 << level;
+  const auto scale = static_cast<float> (leaves / root.edge);
   const Eigen::Vector3f centre = root.centre.cast<float>();
-  const auto half = static_cast<float> (cells / 2.0);
-  const auto last = static_cast<float> (cells - 1);
-  const auto cell = [last, scale, half] (float value, float middle) {
+  const auto half = static_cast<float> (leaves / 2.0);
+  const auto last = static_cast<float> (leaves - 1);
+  const auto leaf = [last, scale, half] (float value, float middle) {
     return static_cast<int> (std::clamp ((value - middle) * scale + half, 0.0f, last));
   };
   std::vector<std::uint16_t> codes (points.size());
   for (std::size_t i = 0; i < codes.size(); ++i)
     codes[i] =
-        static_cast<std::uint16_t> (spread[cell (points.x[i], centre.x())] |
-                                    (spread[cell (points.y[i], centre.y())] << 1) |
-                                    (spread[cell (points.z[i], centre.z())] << 2));
+        static_cast<std::uint16_t> (spread[leaf (points.x[i], centre.x())] |
+                                    (spread[leaf (points.y[i], centre.y())] << 1) |
+                                    (spread[leaf (points.z[i], centre.z())] << 2));
   return codes;
 }
 
@@ -127,7 +129,7 @@ rootCubeOf (const Coordinates& points)
 }
 
 OctreeNode
-OctreeCells::node (int node_level, std::size_t code) const
+SortedOctree::node (int node_level, std::size_t code) const
 {
   const double edge = std::ldexp (root.edge, -node_level);
   const Eigen::Vector3d from_corner (gatherBits (code, 0) + 0.5,
@@ -140,28 +142,22 @@ OctreeCells::node (int node_level, std::size_t code) const
       begins[code << shift], begins[(code + 1) << shift], centre, edge, node_level};
 }
 
-OctreeCells
-sortIntoCells (const Coordinates& points, const RootCube& root, int level)
+SortedOctree
+sortIntoOctree (const Coordinates& points, const RootCube& root, int level)
 {
   const std::vector<std::uint16_t> codes = mortonCodes (points, root, level);
-  const std::size_t cells = std::size_t (1) << (3 * level);
-  std::vector<std::uint32_t> begins (cells + 1, 0);
-  for (const std::uint16_t code : codes)
-    ++begins[code + 1u];
-  for (std::size_t cell = 0; cell < cells; ++cell)
-    begins[cell + 1] += begins[cell];
-
-  std::vector<std::uint32_t> next (begins.begin(), begins.end() - 1);
+  const std::size_t leaves = std::size_t (1) << (3 * level);
+  std::vector<std::uint32_t> begins (leaves + 1);
+  findBegins (codes, begins);
   PermutedPoints sorted;
   sorted.resize (points.size());
-  for (std::size_t i = 0; i < codes.size(); ++i) {
-    const std::uint32_t to = next[codes[i]]++;
-    sorted.x[to] = points.x[i];
-    sorted.y[to] = points.y[i];
-    sorted.z[to] = points.z[i];
-    sorted.order[to] = static_cast<std::uint32_t> (i);
-  }
-  return OctreeCells{root, level, std::move (sorted), std::move (begins)};
+  forPlaces (codes, begins, [&] (std::size_t i, std::uint32_t place) {
+    sorted.x[place] = points.x[i];
+    sorted.y[place] = points.y[i];
+    sorted.z[place] = points.z[i];
+    sorted.order[place] = static_cast<std::uint32_t> (i);
+  });
+  return SortedOctree{root, level, std::move (sorted), std::move (begins)};
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

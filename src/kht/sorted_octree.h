@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/points.h>
+#include "geometry/points.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 /** \brief The cube an octree starts from. */
 struct RootCube {
@@ -28,7 +28,7 @@ rootCubeOf (const Coordinates& points);
 /** \brief Points in an order of their own. */
 struct PermutedPoints : Coordinates {
   /** \brief The position each point had before. */
-  Positions order;
+  Indices order;
 
   void
   resize (std::size_t size);
@@ -66,7 +66,7 @@ struct OctreeNode {
  * place in Morton order among the nodes of its level; its children's are 8 code .. 8
  * code
  * + 7. */
-struct OctreeCells {
+struct SortedOctree {
   RootCube root;
   /** \brief The deepest level. */
   int level = 0;
@@ -80,15 +80,15 @@ struct OctreeCells {
   node (int node_level, std::size_t code) const;
 };
 
-/** \brief The deepest level \ref sortIntoCells goes to: 8^5 cells fit a 16 bit code and
- * the second level cache. */
-constexpr int deepest_cell_level = 5;
+/** \brief The deepest level \ref sortIntoOctree goes to: 8^5 leaves fit a 16 bit code
+ * and the second level cache. */
+constexpr int deepest_sorted_level = 5;
 
 /** \brief Sorts the points into the octree's nodes of a level at once, by counting.
  * \param[in] points positions within the cube
  * \param[in] root the cube, with an edge above 0
- * \param[in] level 0 .. deepest_cell_level */
-OctreeCells
-sortIntoCells (const Coordinates& points, const RootCube& root, int level);
+ * \param[in] level 0 .. deepest_sorted_level */
+SortedOctree
+sortIntoOctree (const Coordinates& points, const RootCube& root, int level);
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_ops/spherical_accumulator.h>
+#include "kht/spherical_accumulator.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 namespace {
 
 constexpr float own_weight = 0.2f;
@@ -215,4 +215,4 @@ SphericalAccumulator::addVoters (std::vector<HoughPeak>& peaks) const
   }
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/ball_directions.h>
-#include <pcl_ops/kernel_votes.h>
+#include "kht/ball_directions.h"
+#include "kht/kernel_votes.h"
 
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 /** \brief A number for each bin of a ball. A direction gets its column of bins when it
  * is first written to, so that memory goes with the directions that occur. */
@@ -128,4 +128,4 @@ private:
   addVoters (std::vector<HoughPeak>& peaks) const;
 };
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -1,220 +1,208 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_samples.h"
-#include "cell_support.h"
-#include "cell_units.h"
-#include <pcl_ops/cell_planes.h>
-#include <pcl_ops/plane_extraction.h>
+#include "ops/surfel_extraction.h"
+
+#include "bounded/noise_floors.h"
+#include "ops/one_point_ransac.h"
+#include "ops/surfel_samples.h"
+#include "voxels/voxel_traversal.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief Cells on a plane with their moments. */
-struct CellSupport {
-  Positions cells;
-  Moments moments;
-};
-
-/** \brief Gives one plane after the other, the largest first, each among the candidates
- * that the ones before left. */
-class LargestCellPlane {
+/** \brief Surfels no plane has yet. */
+class SurfelCandidates {
 public:
-  LargestCellPlane (const CellGrid& grid,
-                    const std::vector<std::optional<CellNormal>>& normals,
-                    const Positions& candidates,
-                    const CellRansacParameters& parameters,
-                    RandomGenerator& generator)
+  SurfelCandidates (const VoxelGrid& grid,
+                    const std::vector<std::optional<Surfel>>& surfels,
+                    const Indices& candidates,
+                    const SurfelRansacParameters& parameters)
   : grid_ (grid)
-  , normals_ (normals)
+  , surfels_ (surfels)
   , parameters_ (parameters)
-  , generator_ (generator)
-  , limit_ (distanceLimit (grid, parameters.inlier.distance_threshold))
   , is_open_ (grid.size(), 1)
-  , mark_ (grid.size(), 0)
   {
-    for (const std::uint32_t cell : candidates)
-      samples_.add (cell, grid.moments[cell], *normals[cell], band (*normals[cell]));
+    for (const std::uint32_t voxel : candidates)
+      samples_.add (
+          voxel, grid.moments[voxel], *surfels[voxel], band (*surfels[voxel]));
   }
 
-  std::optional<ExtractedPlane>
-  next ()
+  std::size_t
+  size () const
   {
-    while (true) {
-      const std::optional<CellSupport> support = supportOfLargest();
-      if (!support)
-        return std::nullopt;
-      Positions parts = largeParts (support->cells);
-      const std::optional<PlaneFit> fit = fitPlane (momentsOf (parts));
-      if (fit && !isCurved (parts, fit->plane)) {
-        close (parts);
-        return ExtractedPlane{fit->plane, std::move (parts)};
-      }
-      close (support->cells);
-    }
+    return samples_.size();
   }
 
-private:
-  // Cells on a plane found or rejected are looked at no more.
-  void
-  close (const Positions& cells)
+  bool
+  mayHoldPlane () const
   {
-    for (const std::uint32_t cell : cells)
-      is_open_[cell] = 0;
-    keepOnly (is_open_, samples_);
+    return size() >= parameters_.min_inliers;
   }
 
-  double
-  band (const CellNormal& normal) const
+  const Plane&
+  planeOf (std::uint32_t candidate) const
   {
-    return std::clamp (parameters_.inlier.noise_factor * normal.noise,
-                       smallestBand (grid_, limit_),
-                       limit_);
+    return surfels_[samples_.voxels[candidate]]->plane;
   }
 
-  SinglePlane
-  single (const Plane& plane) const
+  Vote
+  leastVote () const
   {
-    return {static_cast<float> (plane.normal.x()),
-            static_cast<float> (plane.normal.y()),
-            static_cast<float> (plane.normal.z()),
-            static_cast<float> (plane.offset),
-            static_cast<float> (std::cos (parameters_.inlier.angle_threshold))};
+    return {0, static_cast<std::int32_t> (parameters_.min_inliers), size()};
   }
 
-  std::optional<CellSupport>
-  supportOfLargest ()
+  Vote
+  vote (const Plane& hypothesis) const
   {
-    if (samples_.size() < parameters_.min_inliers)
-      return std::nullopt;
-    const auto number = static_cast<double> (samples_.size());
-    const auto least = static_cast<std::int32_t> (parameters_.min_inliers);
-    std::size_t n_iter =
-        requiredDraws (parameters_.probability,
-                       static_cast<double> (parameters_.min_inliers) / number);
-    const Plane* best = nullptr;
-    Support best_support;
-    for (std::size_t iter = 0; iter < n_iter; ++iter) {
-      const std::uint32_t drawn = samples_.cells[drawBelow (
-          generator_, static_cast<std::uint32_t> (samples_.size()))];
-      const Plane& hypothesis = normals_[drawn]->plane;
-      const Support support = supportOf (samples_, single (hypothesis));
-      if (support.weight <= best_support.weight || support.cells < least)
-        continue;
-      best = &hypothesis;
-      best_support = support;
-      n_iter = requiredDraws (parameters_.probability, support.cells / number);
-    }
-    return best ? std::optional<CellSupport> (grow (*best)) : std::nullopt;
+    return voteOf (samples_, surfelBand (hypothesis));
   }
 
-  // Local optimisation: refit and select again while the support grows.
-  CellSupport
-  grow (const Plane& hypothesis) const
+  bool
+  suffices (const Plane& /*hypothesis*/, const Vote& vote) const
   {
-    CellSupport support = select (hypothesis);
-    while (const std::optional<PlaneFit> fit = fitPlane (support.moments)) {
-      CellSupport selected = select (fit->plane);
-      if (selected.moments.count <= support.moments.count)
-        break;
-      support = std::move (selected);
-    }
+    return vote.inliers >= static_cast<std::int32_t> (parameters_.min_inliers);
+  }
+
+  Support
+  select (const Plane& plane) const
+  {
+    Support support{plane, surfelsOn (samples_, surfelBand (plane)), Moments()};
+    support.moments = momentsOf (grid_, support.inliers);
     return support;
   }
 
-  CellSupport
-  select (const Plane& plane) const
+  void
+  remove (const Peel& peel)
   {
-    CellSupport selected{cellsOn (samples_, single (plane)), Moments()};
-    selected.moments = momentsOf (selected.cells);
-    return selected;
+    for (const std::uint32_t voxel : peel.taken)
+      is_open_[voxel] = 0;
+    keepOnly (is_open_, samples_);
   }
 
-  Moments
-  momentsOf (const Positions& cells) const
+private:
+  double
+  band (const Surfel& surfel) const
   {
-    Moments moments;
-    for (const std::uint32_t cell : cells)
-      moments.addAligned (grid_.moments[cell]);
-    return moments;
+    return std::clamp (parameters_.noise_factor * surfel.noise,
+                       smallestBand (grid_, parameters_.distance_limit),
+                       parameters_.distance_limit);
   }
 
-  // Whether the cells' normals spread more about the plane's than noise explains, which
-  // turns the normal of a thick neighbourhood by about its thickness [rad].
-  bool
-  isCurved (const Positions& cells, const Plane& plane) const
+  SurfelBand
+  surfelBand (const Plane& plane) const
   {
-    double squared_sines = 0.0;
-    double thickness = 0.0;
-    for (const std::uint32_t cell : cells) {
-      const double cosine = plane.normal.dot (normals_[cell]->plane.normal);
-      squared_sines += 1.0 - cosine * cosine;
-      thickness += normals_[cell]->thickness;
-    }
-    const auto number = static_cast<double> (cells.size());
-    return std::sqrt (squared_sines / number) >
-           parameters_.inlier.largest_normal_spread +
-               parameters_.inlier.spread_of_thickness * thickness / number;
+    return {FloatPlane (plane),
+            static_cast<float> (std::cos (parameters_.angle_threshold))};
   }
 
-  // The connected parts of a support with theta_N cells or more.
-  Positions
-  largeParts (const Positions& support)
-  {
-    for (const std::uint32_t cell : support)
-      mark_[cell] = 1;
-    Positions large;
-    for (const std::uint32_t cell : support) {
-      const Positions part = connectedCells (grid_, cell, [this] (std::uint32_t other) {
-        return std::exchange (mark_[other], 0) != 0;
-      });
-      if (part.size() >= parameters_.min_inliers)
-        large.insert (large.end(), part.begin(), part.end());
-    }
-    if (large.size() == support.size())
-      return support;
-    std::sort (large.begin(), large.end());
-    return large;
-  }
-
-  const CellGrid& grid_;
-  const std::vector<std::optional<CellNormal>>& normals_;
-  const CellRansacParameters& parameters_;
-  RandomGenerator& generator_;
-  double limit_;
-  CellSamples samples_;
+  const VoxelGrid& grid_;
+  const std::vector<std::optional<Surfel>>& surfels_;
+  const SurfelRansacParameters& parameters_;
+  SurfelSamples samples_;
   std::vector<char> is_open_;
-  std::vector<char> mark_;
 };
+
+// Whether the surfels' normals spread more about the plane's than noise explains, which
+// turns the normal of a thick neighbourhood by about its thickness [rad].
+bool
+isCurved (const Indices& voxels,
+          const std::vector<std::optional<Surfel>>& surfels,
+          const Plane& plane,
+          double largest_normal_spread)
+{
+  constexpr double spread_of_thickness = 0.6;
+  double squared_sines = 0.0;
+  double thickness = 0.0;
+  for (const std::uint32_t voxel : voxels) {
+    const double cosine = plane.normal.dot (surfels[voxel]->plane.normal);
+    squared_sines += 1.0 - cosine * cosine;
+    thickness += surfels[voxel]->thickness;
+  }
+  const auto number = static_cast<double> (voxels.size());
+  return std::sqrt (squared_sines / number) >
+         largest_normal_spread + spread_of_thickness * thickness / number;
+}
+
+// The connected parts of a support with theta_N surfels or more.
+Indices
+largeParts (const VoxelGrid& grid,
+            const Indices& support,
+            std::size_t min_inliers,
+            std::vector<char>& mark)
+{
+  for (const std::uint32_t voxel : support)
+    mark[voxel] = 1;
+  Indices large;
+  for (const std::uint32_t voxel : support) {
+    const Indices part = connectedVoxels (grid, voxel, [&mark] (std::uint32_t other) {
+      return std::exchange (mark[other], 0) != 0;
+    });
+    if (part.size() >= min_inliers)
+      large.insert (large.end(), part.begin(), part.end());
+  }
+  if (large.size() == support.size())
+    return support;
+  std::sort (large.begin(), large.end());
+  return large;
+}
+
+Indices
+candidatesOf (const std::vector<std::optional<Surfel>>& surfels,
+              const Labels& plane_of_voxel,
+              double largest_thickness)
+{
+  Indices candidates;
+  for (std::size_t i = 0; i < surfels.size(); ++i)
+    if (plane_of_voxel[i] == no_plane && surfels[i] &&
+        surfels[i]->thickness < largest_thickness)
+      candidates.push_back (static_cast<std::uint32_t> (i));
+  return candidates;
+}
 
 } // namespace
 
 void
-extractCellPlanes (const CellGrid& grid,
-                   const std::vector<std::optional<CellNormal>>& normals,
-                   const CellRansacParameters& parameters,
-                   RandomGenerator& generator,
-                   CellPlanes& planes)
+extractSurfelPlanes (const VoxelGrid& grid,
+                     const std::vector<std::optional<Surfel>>& surfels,
+                     const SurfelRansacParameters& parameters,
+                     RandomGenerator& generator,
+                     BoundedPlanes& planes)
 {
-  planes.plane_of_cell.resize (grid.size(), no_plane);
+  planes.plane_of_voxel.resize (grid.size(), no_plane);
   planes.noise.resize (grid.size(), 0.0);
-  Positions candidates;
-  for (std::size_t i = 0; i < grid.size(); ++i)
-    if (planes.plane_of_cell[i] == no_plane && normals[i] &&
-        normals[i]->thickness < parameters.inlier.largest_thickness)
-      candidates.push_back (static_cast<std::uint32_t> (i));
-  LargestCellPlane largest (grid, normals, candidates, parameters, generator);
-  while (const std::optional<ExtractedPlane> plane = largest.next()) {
-    for (const std::uint32_t cell : plane->inliers) {
-      planes.plane_of_cell[cell] = static_cast<std::int32_t> (planes.planes.size());
-      planes.noise[cell] = std::max (normals[cell]->noise, smallestNoise (grid));
+  SurfelCandidates samples (
+      grid,
+      surfels,
+      candidatesOf (surfels, planes.plane_of_voxel, parameters.largest_thickness),
+      parameters);
+  std::vector<char> mark (grid.size(), 0);
+  const auto largest_plane =
+      [&] (const SurfelCandidates& candidates) -> std::optional<Peel> {
+    const std::optional<Plane> hypothesis =
+        onePointRansac (candidates, parameters.probability, generator);
+    if (!hypothesis)
+      return std::nullopt;
+    Support support = growSupport (*hypothesis, [&candidates] (const Plane& plane) {
+      return candidates.select (plane);
+    });
+    Indices parts = largeParts (grid, support.inliers, parameters.min_inliers, mark);
+    const std::optional<PlaneFit> fit = fitPlane (momentsOf (grid, parts));
+    if (fit && !isCurved (parts, surfels, fit->plane, parameters.largest_normal_spread))
+      return Peel{std::move (parts), fit->plane};
+    return Peel{std::move (support.inliers), std::nullopt};
+  };
+  for (const ExtractedPlane& found : extractAll (samples, largest_plane)) {
+    for (const std::uint32_t voxel : found.inliers) {
+      planes.plane_of_voxel[voxel] = static_cast<std::int32_t> (planes.planes.size());
+      planes.noise[voxel] = std::max (surfels[voxel]->noise, smallestNoise (grid));
     }
-    planes.planes.push_back (plane->plane);
+    planes.planes.push_back (found.plane);
   }
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -1,70 +1,75 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_samples.h"
+#include "ops/surfel_samples.h"
 
-#include "vectorized.h"
+#include "base/vectorized.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
+
+namespace {
+
+// Whole numbers, combined without a branch, so that the loops below vectorize.
+inline int
+isInlier (const SurfelSamples& samples,
+          std::size_t i,
+          float distance,
+          const SurfelBand& band)
+{
+  const float cosine = band.plane.nx * samples.normals.x[i] +
+                       band.plane.ny * samples.normals.y[i] +
+                       band.plane.nz * samples.normals.z[i];
+  const int is_near = distance < samples.bands[i];
+  const int is_parallel = std::abs (cosine) > band.smallest_cosine;
+  return is_near & is_parallel;
+}
+
+} // namespace
 
 PCL_OPS_VECTORIZED
-Support
-supportOf (const CellSamples& samples, const SinglePlane& plane)
+Vote
+voteOf (const SurfelSamples& samples, const SurfelBand& band)
 {
-  const auto size = static_cast<std::int32_t> (samples.size());
-  const float* const x = samples.centroids.x.data();
-  const float* const y = samples.centroids.y.data();
-  const float* const z = samples.centroids.z.data();
-  const float* const nx = samples.normals.x.data();
-  const float* const ny = samples.normals.y.data();
-  const float* const nz = samples.normals.z.data();
-  const float* const bands = samples.bands.data();
   const std::int32_t* const weights = samples.weights.data();
-  Support support;
-  for (std::int32_t i = 0; i < size; ++i) {
-    const std::int32_t inlier =
-        isInlier (plane, x[i], y[i], z[i], nx[i], ny[i], nz[i], bands[i]) ? -1 : 0;
-    support.weight += inlier & weights[i];
-    support.cells -= inlier;
-  }
-  return support;
+  std::int32_t weight = 0, inliers = 0;
+  forDistances (band.plane, samples.centroids, [&] (std::size_t i, float distance) {
+    const std::int32_t inlier = -isInlier (samples, i, distance, band);
+    weight += inlier & weights[i];
+    inliers -= inlier;
+  });
+  return {weight, inliers, samples.size()};
 }
 
 PCL_OPS_VECTORIZED
-Positions
-cellsOn (const CellSamples& samples, const SinglePlane& plane)
+Indices
+surfelsOn (const SurfelSamples& samples, const SurfelBand& band)
 {
   constexpr std::size_t batch = 64;
   std::array<std::uint8_t, batch> is_on;
-  Positions cells;
+  Indices voxels;
   for (std::size_t begin = 0; begin < samples.size(); begin += batch) {
-    const std::size_t number = std::min (batch, samples.size() - begin);
+    const std::size_t end = std::min (begin + batch, samples.size());
     int any = 0;
-    for (std::size_t i = 0; i < number; ++i) {
-      const std::size_t s = begin + i;
-      is_on[i] = isInlier (plane,
-                           samples.centroids.x[s],
-                           samples.centroids.y[s],
-                           samples.centroids.z[s],
-                           samples.normals.x[s],
-                           samples.normals.y[s],
-                           samples.normals.z[s],
-                           samples.bands[s]);
-      any |= is_on[i];
-    }
+    forDistances (
+        band.plane, samples.centroids, begin, end, [&] (std::size_t i, float distance) {
+          const int inlier = isInlier (samples, i, distance, band);
+          is_on[i - begin] = static_cast<std::uint8_t> (inlier);
+          any |= inlier;
+        });
     if (!any)
       continue;
-    for (std::size_t i = 0; i < number; ++i)
-      if (is_on[i])
-        cells.push_back (samples.cells[begin + i]);
+    for (std::size_t i = begin; i < end; ++i)
+      if (is_on[i - begin])
+        voxels.push_back (samples.voxels[i]);
   }
-  return cells;
+  return voxels;
 }
 
 void
-keepOnly (const std::vector<char>& is_kept, CellSamples& samples)
+keepOnly (const std::vector<char>& is_kept, SurfelSamples& samples)
 {
   std::size_t kept = 0;
   const auto forAll = [&samples] (auto&& visit) {
@@ -77,13 +82,13 @@ keepOnly (const std::vector<char>& is_kept, CellSamples& samples)
                                        &samples.bands})
       visit (*values);
     visit (samples.weights);
-    visit (samples.cells);
+    visit (samples.voxels);
   };
   for (std::size_t i = 0; i < samples.size(); ++i) {
     forAll ([kept, i] (auto& values) { values[kept] = values[i]; });
-    kept += is_kept[samples.cells[i]] != 0;
+    kept += is_kept[samples.voxels[i]] != 0;
   }
   forAll ([kept] (auto& values) { values.resize (kept); });
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

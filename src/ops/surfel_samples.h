@@ -2,25 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/oriented_cells.h>
-#include <pcl_ops/points.h>
+#include "geometry/float_plane.h"
+#include "geometry/points.h"
+#include "ops/one_point_ransac.h"
+#include "ops/surfels.h"
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
-/** \brief Oriented cells as arrays the compiler vectorizes. */
-struct CellSamples {
+/** \brief Oriented voxels as arrays the compiler vectorizes. */
+struct SurfelSamples {
   Coordinates centroids;
   Coordinates normals;
   /** \brief Largest distance of each to its plane [m]. */
   std::vector<float> bands;
   /** \brief Points in each; integers, whose sum the compiler may reorder. */
   std::vector<std::int32_t> weights;
-  /** \brief Which cell each is. */
-  Positions cells;
+  /** \brief Which voxel each is. */
+  Indices voxels;
 
   std::size_t
   size () const
@@ -29,12 +30,9 @@ struct CellSamples {
   }
 
   void
-  add (std::uint32_t cell,
-       const Moments& moments,
-       const CellNormal& normal,
-       double band)
+  add (std::uint32_t voxel, const Moments& moments, const Surfel& normal, double band)
   {
-    cells.push_back (cell);
+    voxels.push_back (voxel);
     const Eigen::Vector3f c = moments.centroid().cast<float>();
     const Eigen::Vector3f n = normal.plane.normal.cast<float>();
     centroids.add (c.x(), c.y(), c.z());
@@ -44,44 +42,24 @@ struct CellSamples {
   }
 };
 
-struct SinglePlane {
-  float nx, ny, nz, offset;
-  float smallest_cosine;
+/** \brief A plane and how much its surfels may lean against it. */
+struct SurfelBand {
+  FloatPlane plane;
+  float smallest_cosine = 0.0f;
 };
 
-struct Support {
-  std::int32_t weight = 0;
-  std::int32_t cells = 0;
-};
+/** \brief Points and surfels on a plane: the loop RANSAC on surfels spends its time in.
+ */
+Vote
+voteOf (const SurfelSamples& samples, const SurfelBand& band);
 
-inline bool
-isInlier (const SinglePlane& plane,
-          float x,
-          float y,
-          float z,
-          float nx,
-          float ny,
-          float nz,
-          float band)
-{
-  const float distance = plane.nx * x + plane.ny * y + plane.nz * z + plane.offset;
-  const float cosine = plane.nx * nx + plane.ny * ny + plane.nz * nz;
-  const int is_near = std::abs (distance) < band;
-  const int is_parallel = std::abs (cosine) > plane.smallest_cosine;
-  return (is_near & is_parallel) != 0;
-}
-
-/** \brief Points and cells on a plane: the loop RANSAC on cells spends its time in. */
-Support
-supportOf (const CellSamples& samples, const SinglePlane& plane);
-
-/** \brief The cells on a plane, in the order of the samples. */
-Positions
-cellsOn (const CellSamples& samples, const SinglePlane& plane);
+/** \brief The voxels whose surfels are on a plane, in the order of the samples. */
+Indices
+surfelsOn (const SurfelSamples& samples, const SurfelBand& band);
 
 /** \brief Drops samples.
- * \param[in] is_kept per cell */
+ * \param[in] is_kept per voxel */
 void
-keepOnly (const std::vector<char>& is_kept, CellSamples& samples);
+keepOnly (const std::vector<char>& is_kept, SurfelSamples& samples);
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -1,108 +1,117 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_support.h"
-#include "cell_units.h"
-#include "principal_axes.h"
-#include <pcl_ops/oriented_cells.h>
-#include <pcl_ops/parallel.h>
+#include "ops/surfels.h"
+
+#include "base/parallel.h"
+#include "bounded/noise_floors.h"
+#include "geometry/principal_axes.h"
+#include "voxels/voxel_traversal.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 namespace {
 
-CellNormal
+Surfel
 normalOf (const Moments& surroundings, const PrincipalAxes& axes)
 {
-  CellNormal normal;
+  Surfel normal;
   normal.plane = planeThrough (surroundings.centroid(), axes.normal);
   normal.noise = std::sqrt (axes.values[0]);
   normal.thickness = std::sqrt (axes.values[0] / axes.values[1]);
   return normal;
 }
 
-// One resolution: a grid and the plane around each of its cells.
+// Thickness of a neighbourhood over its width up to which it is flat enough to look no
+// further.
+constexpr double flat_enough = 0.2;
+
+// A voxel may take the normal of a neighbouring voxel if its points' rms distance to
+// that plane is below this many times the noise there.
+constexpr double borrowed_noise_factor = 1.5;
+
+// One resolution: a grid and the plane around each of its voxels.
 struct Level {
   /** \brief Empty for the finest level, as is the next. */
-  CellGrid grid;
-  std::vector<std::uint32_t> cell_of_finest;
-  std::vector<std::optional<CellNormal>> normals;
+  VoxelGrid grid;
+  std::vector<std::uint32_t> voxel_of_finest;
+  std::vector<std::optional<Surfel>> normals;
   /** \brief Of the normals, apart because most are looked at for this only; 1 where
    * there is none. */
   std::vector<double> thickness;
-  /** \brief For each cell the one around it, or itself, with the least thickness. */
+  /** \brief For each voxel the one around it, or itself, with the least thickness. */
   std::vector<std::uint32_t> flattest_around;
 
-  const CellGrid&
-  gridOr (const CellGrid& finest) const
+  const VoxelGrid&
+  gridOr (const VoxelGrid& finest) const
   {
-    return cell_of_finest.empty() ? finest : grid;
+    return voxel_of_finest.empty() ? finest : grid;
   }
 
   std::size_t
-  cellHolding (std::size_t finest_cell) const
+  voxelHolding (std::size_t finest_voxel) const
   {
-    return cell_of_finest.empty() ? finest_cell : cell_of_finest[finest_cell];
+    return voxel_of_finest.empty() ? finest_voxel : voxel_of_finest[finest_voxel];
   }
 };
 
 Moments
-momentsAround (const CellGrid& grid, std::size_t cell)
+momentsAround (const VoxelGrid& grid, std::size_t voxel)
 {
   Moments surroundings;
-  for (const std::uint32_t neighbour : grid.neighbours[cell])
+  for (const std::uint32_t neighbour : grid.neighbours[voxel])
     surroundings.addAligned (grid.moments[neighbour]);
   return surroundings;
 }
 
-// The normals of a range of cells.
+// The normals of a range of voxels.
 void
-findNormals (const CellGrid& grid,
+findNormals (const VoxelGrid& grid,
              double min_points,
              std::size_t begin,
              std::size_t end,
              Level& level)
 {
-  std::vector<std::size_t> cells;
+  std::vector<std::size_t> voxels;
   std::vector<Moments> surroundings;
   std::vector<Eigen::Matrix3d> covariances;
-  cells.reserve (end - begin);
+  voxels.reserve (end - begin);
   surroundings.reserve (end - begin);
   covariances.reserve (end - begin);
   for (std::size_t i = begin; i < end; ++i) {
     const Moments moments = momentsAround (grid, i);
     if (moments.count < min_points)
       continue;
-    cells.push_back (i);
+    voxels.push_back (i);
     surroundings.push_back (moments);
     covariances.push_back (moments.covariance());
   }
-  std::vector<PrincipalAxes> axes (cells.size());
-  principalAxes (covariances.data(), cells.size(), axes.data());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  std::vector<PrincipalAxes> axes (voxels.size());
+  principalAxes (covariances.data(), voxels.size(), axes.data());
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
     if (axes[i].normal.isZero())
       continue;
-    const CellNormal normal = normalOf (surroundings[i], axes[i]);
-    level.normals[cells[i]] = normal;
-    level.thickness[cells[i]] = normal.thickness;
+    const Surfel normal = normalOf (surroundings[i], axes[i]);
+    level.normals[voxels[i]] = normal;
+    level.thickness[voxels[i]] = normal.thickness;
   }
 }
 
 void
-findNormals (const CellGrid& grid, double min_points, unsigned threads, Level& level)
+findNormals (const VoxelGrid& grid, double min_points, unsigned threads, Level& level)
 {
   // So few that what is noted of them stays in the processor's first cache.
-  constexpr std::size_t cells_at_once = 128;
+  constexpr std::size_t voxels_at_once = 128;
   level.normals.resize (grid.size());
   level.thickness.resize (grid.size(), 1.0);
   parallelFor (
-      threads, grid.size(), cells_at_once, [&] (std::size_t begin, std::size_t end) {
+      threads, grid.size(), voxels_at_once, [&] (std::size_t begin, std::size_t end) {
         findNormals (grid, min_points, begin, end, level);
       });
   level.flattest_around.resize (grid.size());
-  forCells (grid, threads, [&] (std::size_t i) {
+  forVoxels (grid, threads, [&] (std::size_t i) {
     level.flattest_around[i] =
         *std::min_element (grid.neighbours[i].begin(),
                            grid.neighbours[i].end(),
@@ -112,17 +121,17 @@ findNormals (const CellGrid& grid, double min_points, unsigned threads, Level& l
   });
 }
 
-// The flattest of the planes around a cell of a level that the finest cell lies in.
+// The flattest of the planes around a voxel of a level that the finest voxel lies in.
 class FlattestPlane {
 public:
-  FlattestPlane (const Moments& cell, double noise_factor, double smallest_noise)
-  : cell_ (cell), noise_factor_ (noise_factor), smallest_noise_ (smallest_noise)
+  FlattestPlane (const Moments& voxel, double smallest_noise)
+  : voxel_ (voxel), smallest_noise_ (smallest_noise)
   {}
 
-  /** \brief Considers the planes around a cell of a level. The flattest may mostly
+  /** \brief Considers the planes around a voxel of a level. The flattest may mostly
    * serve, and spares a look at the others. */
   void
-  considerAll (const Level& level, std::size_t at, const CellGrid& finest)
+  considerAll (const Level& level, std::size_t at, const VoxelGrid& finest)
   {
     const std::uint32_t flattest = level.flattest_around[at];
     if (level.thickness[flattest] >= thickness_)
@@ -139,9 +148,10 @@ public:
   {
     if (level.thickness[candidate] >= thickness_)
       return;
-    const CellNormal& normal = *level.normals[candidate];
-    const double limit = noise_factor_ * std::max (normal.noise, smallest_noise_);
-    if (meanSquaredDistance (cell_, normal.plane) >= limit * limit)
+    const Surfel& normal = *level.normals[candidate];
+    const double limit =
+        borrowed_noise_factor * std::max (normal.noise, smallest_noise_);
+    if (meanSquaredDistance (voxel_, normal.plane) >= limit * limit)
       return;
     best_ = &normal;
     thickness_ = normal.thickness;
@@ -153,86 +163,69 @@ public:
     return thickness_;
   }
 
-  const CellNormal*
+  const Surfel*
   best () const
   {
     return best_;
   }
 
 private:
-  const Moments& cell_;
-  double noise_factor_;
+  const Moments& voxel_;
   double smallest_noise_;
-  const CellNormal* best_ = nullptr;
+  const Surfel* best_ = nullptr;
   double thickness_ = 1.0;
 };
 
-std::optional<CellNormal>
-normalOfCell (std::size_t cell,
-              const CellGrid& finest,
-              const std::vector<Level>& levels,
-              const CellNormalParameters& parameters)
+std::optional<Surfel>
+surfelOf (std::size_t voxel, const VoxelGrid& finest, const std::vector<Level>& levels)
 {
-  FlattestPlane plane (
-      finest.moments[cell], parameters.noise_factor, smallestNoise (finest));
+  FlattestPlane plane (finest.moments[voxel], smallestNoise (finest));
   for (const Level& level : levels) {
-    const std::size_t at = level.cellHolding (cell);
-    if (level.thickness[at] < parameters.flat_enough)
+    const std::size_t at = level.voxelHolding (voxel);
+    if (level.thickness[at] < flat_enough)
       plane.consider (level, at);
     // Where nothing around is flat enough, a coarser level is likely to have better.
-    if (plane.thickness() >= parameters.flat_enough &&
-        level.thickness[level.flattest_around[at]] < parameters.flat_enough)
+    if (plane.thickness() >= flat_enough &&
+        level.thickness[level.flattest_around[at]] < flat_enough)
       plane.considerAll (level, at, finest);
-    if (plane.thickness() < parameters.flat_enough)
+    if (plane.thickness() < flat_enough)
       return *plane.best();
   }
   for (auto level = levels.rbegin(); level != levels.rend(); ++level)
-    plane.considerAll (*level, level->cellHolding (cell), finest);
-  return plane.best() ? std::optional<CellNormal> (*plane.best()) : std::nullopt;
-}
-
-double
-meanPointsPerCell (const CellGrid& grid)
-{
-  double points = 0.0;
-  for (const Moments& cell : grid.moments)
-    points += cell.count;
-  return points / static_cast<double> (grid.size());
+    plane.considerAll (*level, level->voxelHolding (voxel), finest);
+  return plane.best() ? std::optional<Surfel> (*plane.best()) : std::nullopt;
 }
 
 // The level after the last one.
 Level
-coarserLevel (const CellGrid& finest, const Level& last, unsigned threads)
+coarserLevel (const VoxelGrid& finest, const Level& last, unsigned threads)
 {
   CoarserGrid coarser = coarsen (last.gridOr (finest), threads);
   Level level;
   level.grid = std::move (coarser.grid);
-  level.cell_of_finest.resize (finest.size());
+  level.voxel_of_finest.resize (finest.size());
   for (std::size_t i = 0; i < finest.size(); ++i)
-    level.cell_of_finest[i] = coarser.cell_of_finer[last.cellHolding (i)];
+    level.voxel_of_finest[i] = coarser.voxel_of_finer[last.voxelHolding (i)];
   return level;
 }
 
 } // namespace
 
-std::vector<std::optional<CellNormal>>
-orientCells (const CellGrid& grid,
-             const CellNormalParameters& parameters,
+std::vector<std::optional<Surfel>>
+findSurfels (const VoxelGrid& grid,
+             int resolutions,
+             double least_points,
              unsigned threads)
 {
-  const double min_points =
-      std::max (static_cast<double> (parameters.least_points),
-                parameters.least_average_cells * meanPointsPerCell (grid));
   std::vector<Level> levels;
-  for (int l = 0; l < parameters.levels; ++l) {
+  for (int l = 0; l < resolutions; ++l) {
     levels.push_back (l == 0 ? Level() : coarserLevel (grid, levels.back(), threads));
-    findNormals (levels.back().gridOr (grid), min_points, threads, levels.back());
+    findNormals (levels.back().gridOr (grid), least_points, threads, levels.back());
   }
-  std::vector<std::optional<CellNormal>> normals (grid.size());
-  forCells (grid, threads, [&] (std::size_t i) {
-    normals[i] = normalOfCell (i, grid, levels, parameters);
-  });
+  std::vector<std::optional<Surfel>> normals (grid.size());
+  forVoxels (
+      grid, threads, [&] (std::size_t i) { normals[i] = surfelOf (i, grid, levels); });
   return normals;
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_tree_limits.h"
-#include "nearest_candidates.h"
-#include <pcl_ops/cell_tree.h>
+#include "search/box_tree.h"
+
+#include "search/nearest_candidates.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 namespace {
 
@@ -49,23 +50,25 @@ public:
 
 private:
   using Entry = std::uint64_t;
-  // Dividing by 4 / 3 or more leaves one of 2^32 cells after 78 times, one point of a
-  // cell after as many; a level of nodes divides three times.
+  // Dividing by 4 / 3 or more leaves one of 2^32 voxels after 78 times, one point of a
+  // voxel after as many; a level of nodes divides three times.
   static constexpr std::size_t most_levels = 2 * (78 / 3);
   std::array<Entry, most_levels * 8> entries_;
   std::size_t number_ = 0;
   std::size_t first_of_node_ = 0;
 };
 
-} // namespace
+using Node = BoxTree::Node;
+using Child = BoxTree::Child;
+using OfChildren = BoxTree::OfChildren;
 
 // Rounded as the distances of points are, it is never more than theirs.
 void
-CellTree::squaredDistances (const Node& node,
-                            const Eigen::Vector3f& position,
-                            OfChildren& distances)
+squaredDistances (const Node& node,
+                  const Eigen::Vector3f& position,
+                  OfChildren& distances)
 {
-  using Values = Eigen::Array<float, most_children, 1>;
+  using Values = Eigen::Array<float, BoxTree::most_children, 1>;
   const auto outside = [] (const OfChildren& low, float value, const OfChildren& high) {
     const Eigen::Map<const Values> l (low.data()), h (high.data());
     return (l - value).max (value - h).max (0.0f).square().eval();
@@ -77,30 +80,37 @@ CellTree::squaredDistances (const Node& node,
 }
 
 void
-CellTree::visitLeaf (const Child& leaf,
-                     const Eigen::Vector3f& position,
-                     NearestCandidates& candidates) const
+visitLeaf (const Child& leaf,
+           const Coordinates& points,
+           const pcl::Indices& index,
+           const Eigen::Vector3f& position,
+           NearestCandidates& candidates)
 {
-  std::array<float, most_points_of_leaf> distances;
+  std::array<float, BoxTree::most_points_of_leaf> distances;
   const float x = position.x(), y = position.y(), z = position.z();
-  const float* const px = points_.x.data() + leaf.first;
-  const float* const py = points_.y.data() + leaf.first;
-  const float* const pz = points_.z.data() + leaf.first;
+  const float* const px = points.x.data() + leaf.first;
+  const float* const py = points.y.data() + leaf.first;
+  const float* const pz = points.z.data() + leaf.first;
   for (std::uint32_t i = 0; i < leaf.size; ++i) {
     const float dx = px[i] - x, dy = py[i] - y, dz = pz[i] - z;
     distances[i] = dx * dx + dy * dy + dz * dz;
   }
-  candidates.add (distances.data(), &index_[leaf.first], leaf.size);
+  candidates.add (distances.data(), &index[leaf.first], leaf.size);
 }
 
 void
-CellTree::visit (const Eigen::Vector3f& position, NearestCandidates& candidates) const
+visit (const std::vector<Node>& nodes,
+       const Coordinates& points,
+       const pcl::Indices& index,
+       const Eigen::Vector3f& position,
+       NearestCandidates& candidates)
 {
+  constexpr std::size_t most_children = BoxTree::most_children;
   Postponed postponed;
   OfChildren distances;
   std::uint32_t number = 0;
   while (true) {
-    const Node& node = nodes_[number];
+    const Node& node = nodes[number];
     squaredDistances (node, position, distances);
     postponed.startNode();
     for (std::uint32_t i = 0; i < node.number; ++i)
@@ -113,25 +123,31 @@ CellTree::visit (const Eigen::Vector3f& position, NearestCandidates& candidates)
       if (!candidates.mayTakeBits (next >> Postponed::child_bits))
         continue;
       const auto slot = static_cast<std::uint32_t> (next);
-      const Child& child = nodes_[slot / most_children].children[slot % most_children];
+      const Child& child = nodes[slot / most_children].children[slot % most_children];
       is_leaf = child.size > 0;
       if (is_leaf)
-        visitLeaf (child, position, candidates);
+        visitLeaf (child, points, index, position, candidates);
       else
         number = child.first;
     }
   }
 }
 
+} // namespace
+
+BoxTree::BoxTree (std::vector<Node> nodes, Coordinates points, pcl::Indices index)
+: nodes_ (std::move (nodes)), points_ (std::move (points)), index_ (std::move (index))
+{}
+
 void
-CellTree::find (const NeighbourQuery& query,
-                pcl::Indices& indices,
-                std::vector<float>& squared_distances) const
+BoxTree::find (const NeighbourQuery& query,
+               pcl::Indices& indices,
+               std::vector<float>& squared_distances) const
 {
   NearestCandidates candidates (std::min (query.most, size()), query.squared_radius);
   if (size() > 0 && query.most > 0)
-    visit (query.position, candidates);
+    visit (nodes_, points_, index_, query.position, candidates);
   candidates.take (query.sorted, indices, squared_distances);
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

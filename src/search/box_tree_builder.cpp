@@ -1,53 +1,73 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_keys.h"
-#include "cell_sorting.h"
-#include "cell_table.h"
-#include "cell_tree_limits.h"
-#include <pcl_ops/cell_tree.h>
+#include "search/box_tree_builder.h"
+
+#include "search/counting_sort.h"
+#include "voxels/voxel_grid.h"
+#include "voxels/voxel_keys.h"
+#include "voxels/voxel_table.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 namespace {
 
 // Measured on scans of rooms: both larger and smaller ones are built and searched
 // slower.
-constexpr double points_per_cell = 40.0;
+constexpr double points_per_voxel = 40.0;
 constexpr std::uint32_t points_of_leaf = 40;
 
 double
-cellEdge (const Coordinates& points)
+voxelEdge (const Coordinates& points)
 {
-  const double wanted_cells = static_cast<double> (points.size()) / points_per_cell;
-  const double edge = cellSizeFor (points, std::max (1.0, wanted_cells));
+  const double wanted_voxels = static_cast<double> (points.size()) / points_per_voxel;
+  const double edge = voxelSizeFor (points, std::max (1.0, wanted_voxels));
   return edge > 0.0 ? edge : 1.0;
 }
 
-struct PointCells {
-  CellTable table;
-  std::vector<std::uint32_t> cell_of_point;
+struct PointVoxels {
+  VoxelTable table;
+  std::vector<std::uint32_t> voxel_of_point;
 };
 
-PointCells
-cellsOf (const Coordinates& points)
+PointVoxels
+voxelsOf (const Coordinates& points)
 {
-  PointCells cells;
-  cells.cell_of_point.resize (points.size());
+  PointVoxels voxels;
+  voxels.voxel_of_point.resize (points.size());
   forRuns (points,
-           cellEdge (points),
+           voxelEdge (points),
            0,
            points.size(),
-           [&cells] (std::size_t first, std::size_t last, const CellKey& key) {
+           [&voxels] (std::size_t first, std::size_t last, const VoxelKey& key) {
              std::fill (
-                 cells.cell_of_point.begin() + static_cast<std::ptrdiff_t> (first),
-                 cells.cell_of_point.begin() + static_cast<std::ptrdiff_t> (last),
-                 cells.table.insert (key));
+                 voxels.voxel_of_point.begin() + static_cast<std::ptrdiff_t> (first),
+                 voxels.voxel_of_point.begin() + static_cast<std::ptrdiff_t> (last),
+                 voxels.table.insert (key));
            });
-  return cells;
+  return voxels;
 }
+
+using Node = BoxTree::Node;
+using Child = BoxTree::Child;
+using OfChildren = BoxTree::OfChildren;
+
+/** \brief Something with a position that a node holds: a voxel or a point. */
+struct Item {
+  std::array<float, 3> position;
+  std::uint32_t id;
+  std::uint32_t points;
+};
+
+/** \brief Items of a child. */
+struct ItemRange {
+  Item* begin;
+  Item* end;
+  std::uint32_t points;
+};
 
 bool
 isLeaf (std::ptrdiff_t items, std::uint32_t points)
@@ -55,7 +75,6 @@ isLeaf (std::ptrdiff_t items, std::uint32_t points)
   return items == 1 || points <= points_of_leaf;
 }
 
-template <typename Item>
 std::uint32_t
 countPoints (const Item* begin, const Item* end)
 {
@@ -70,7 +89,6 @@ struct Side {
   float middle;
 };
 
-template <typename Item>
 Side
 longestSide (const Item* begin, const Item* end)
 {
@@ -89,7 +107,6 @@ longestSide (const Item* begin, const Item* end)
 
 // Divides items at the middle of the longest side of their box, which takes one pass
 // and makes compact boxes; at the median where most are on one side of that.
-template <typename Item>
 Item*
 divide (Item* begin, Item* end)
 {
@@ -109,73 +126,11 @@ divide (Item* begin, Item* end)
   return median;
 }
 
-} // namespace
-
-CellTree::CellTree (const Points& points, const CloudPositions& cloud)
-{
-  if (points.size() == 0)
-    return;
-  sortIntoCells (points, cloud);
-  splitCrowdedLeaves();
-  computeBoxes();
-}
-
-void
-CellTree::sortIntoCells (const Points& points, const CloudPositions& cloud)
-{
-  const PointCells cells = cellsOf (points);
-  const std::vector<CellKey>& keys = cells.table.keys();
-  const std::vector<std::uint32_t> count =
-      countPerCell (cells.cell_of_point, keys.size());
-  std::vector<Item> items (keys.size());
-  for (std::uint32_t cell = 0; cell < keys.size(); ++cell)
-    items[cell] = {{static_cast<float> (keys[cell].x),
-                    static_cast<float> (keys[cell].y),
-                    static_cast<float> (keys[cell].z)},
-                   cell,
-                   count[cell]};
-  const auto number = static_cast<std::uint32_t> (points.size());
-  grow ({items.data(), items.data() + items.size(), number}, 0);
-  std::vector<std::uint32_t> cell_begin (keys.size());
-  std::uint32_t begin = 0;
-  for (const Item& item : items) {
-    cell_begin[item.id] = begin;
-    begin += item.points;
-  }
-  points_.resize (points.size());
-  index_.resize (points.size());
-  forPlacesByCell (cells.cell_of_point,
-                   std::move (cell_begin),
-                   [&] (std::size_t i, std::uint32_t place) {
-                     const float* const position = cloud[points.indexOf (i)];
-                     points_.x[place] = position[0];
-                     points_.y[place] = position[1];
-                     points_.z[place] = position[2];
-                     index_[place] = points.indexOf (i);
-                   });
-}
-
-std::uint32_t
-CellTree::grow (const ItemRange& items, std::uint32_t first_point)
-{
-  const auto number = static_cast<std::uint32_t> (nodes_.size());
-  nodes_.emplace_back();
-  for (const ItemRange& range : split (items)) {
-    Child child{first_point, range.points};
-    if (!isLeaf (range.end - range.begin, range.points))
-      child = {grow (range, first_point), 0};
-    first_point += range.points;
-    Node& node = nodes_[number];
-    node.children[node.number++] = child;
-  }
-  return number;
-}
-
-std::vector<CellTree::ItemRange>
-CellTree::split (const ItemRange& items)
+std::vector<ItemRange>
+split (const ItemRange& items)
 {
   std::vector<ItemRange> ranges{items}, halves;
-  for (std::size_t most = 2; most <= most_children; most *= 2) {
+  for (std::size_t most = 2; most <= BoxTree::most_children; most *= 2) {
     halves.clear();
     for (const ItemRange& range : ranges)
       if (isLeaf (range.end - range.begin, range.points))
@@ -190,8 +145,93 @@ CellTree::split (const ItemRange& items)
   return ranges;
 }
 
-CellTree::Child
-CellTree::splitCrowded (Child leaf)
+/** \brief Puts points and nodes where they belong, and gives them out as a tree. */
+class BoxTreeBuilder {
+public:
+  void
+  sortIntoVoxels (const Points& points, const CloudView& cloud);
+  void
+  splitCrowdedLeaves ();
+  void
+  computeBoxes ();
+
+  BoxTree
+  finish ()
+  {
+    return {std::move (nodes_), std::move (points_), std::move (index_)};
+  }
+
+private:
+  /** \brief Adds a node over items, and others below it until leaves have few points or
+   * one item.
+   * \param[in,out] items reordered leaf after leaf
+   * \param[in] first_point of the node
+   * \return its number */
+  std::uint32_t
+  grow (const ItemRange& items, std::uint32_t first_point);
+  Child
+  splitCrowded (Child leaf);
+  void
+  computeBox (Node& node, std::uint32_t child) const;
+
+  std::vector<Node> nodes_;
+  Coordinates points_;
+  pcl::Indices index_;
+};
+
+void
+BoxTreeBuilder::sortIntoVoxels (const Points& points, const CloudView& cloud)
+{
+  const PointVoxels voxels = voxelsOf (points);
+  const std::vector<VoxelKey>& keys = voxels.table.keys();
+  std::vector<std::uint32_t> begins (keys.size() + 1);
+  findBegins (voxels.voxel_of_point, begins);
+  std::vector<Item> items (keys.size());
+  for (std::uint32_t voxel = 0; voxel < keys.size(); ++voxel)
+    items[voxel] = {{static_cast<float> (keys[voxel].x),
+                     static_cast<float> (keys[voxel].y),
+                     static_cast<float> (keys[voxel].z)},
+                    voxel,
+                    begins[voxel + 1] - begins[voxel]};
+  const auto number = static_cast<std::uint32_t> (points.size());
+  grow ({items.data(), items.data() + items.size(), number}, 0);
+  std::vector<std::uint32_t> voxel_begin (keys.size());
+  std::uint32_t begin = 0;
+  for (const Item& item : items) {
+    voxel_begin[item.id] = begin;
+    begin += item.points;
+  }
+  points_.resize (points.size());
+  index_.resize (points.size());
+  forPlaces (voxels.voxel_of_point,
+             std::move (voxel_begin),
+             [&] (std::size_t i, std::uint32_t place) {
+               const float* const position = cloud[points.indexOf (i)];
+               points_.x[place] = position[0];
+               points_.y[place] = position[1];
+               points_.z[place] = position[2];
+               index_[place] = points.indexOf (i);
+             });
+}
+
+std::uint32_t
+BoxTreeBuilder::grow (const ItemRange& items, std::uint32_t first_point)
+{
+  const auto number = static_cast<std::uint32_t> (nodes_.size());
+  nodes_.emplace_back();
+  for (const ItemRange& range : split (items)) {
+    Child child{first_point, range.points};
+    if (!isLeaf (range.end - range.begin, range.points))
+      child = {grow (range, first_point), 0};
+    first_point += range.points;
+    Node& node = nodes_[number];
+    node.children[node.number++] = child;
+  }
+  return number;
+}
+
+Child
+BoxTreeBuilder::splitCrowded (Child leaf)
 {
   std::vector<Item> items (leaf.size);
   for (std::uint32_t i = 0; i < leaf.size; ++i) {
@@ -213,19 +253,19 @@ CellTree::splitCrowded (Child leaf)
 }
 
 void
-CellTree::splitCrowdedLeaves()
+BoxTreeBuilder::splitCrowdedLeaves()
 {
-  const std::size_t nodes_over_cells = nodes_.size();
-  for (std::size_t node = 0; node < nodes_over_cells; ++node)
+  const std::size_t nodes_over_voxels = nodes_.size();
+  for (std::size_t node = 0; node < nodes_over_voxels; ++node)
     for (std::uint32_t i = 0; i < nodes_[node].number; ++i)
-      if (nodes_[node].children[i].size > most_points_of_leaf) {
+      if (nodes_[node].children[i].size > BoxTree::most_points_of_leaf) {
         const Child split = splitCrowded (nodes_[node].children[i]);
         nodes_[node].children[i] = split;
       }
 }
 
 void
-CellTree::computeBoxes()
+BoxTreeBuilder::computeBoxes()
 {
   for (std::size_t node = nodes_.size(); node-- > 0;)
     for (std::uint32_t child = 0; child < nodes_[node].number; ++child)
@@ -233,7 +273,7 @@ CellTree::computeBoxes()
 }
 
 void
-CellTree::computeBox (Node& node, std::uint32_t child) const
+BoxTreeBuilder::computeBox (Node& node, std::uint32_t child) const
 {
   const Child& held = node.children[child];
   const auto bound = [child] (const float* lows,
@@ -264,4 +304,18 @@ CellTree::computeBox (Node& node, std::uint32_t child) const
       below.low_z.data(), below.high_z.data(), below.number, node.low_z, node.high_z);
 }
 
-} // namespace pcl_ops
+} // namespace
+
+BoxTree
+buildBoxTree (const Points& points, const CloudView& cloud)
+{
+  if (points.size() == 0)
+    return {};
+  BoxTreeBuilder builder;
+  builder.sortIntoVoxels (points, cloud);
+  builder.splitCrowdedLeaves();
+  builder.computeBoxes();
+  return builder.finish();
+}
+
+} // namespace pcl_ops::internal

@@ -2,34 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
-/** \brief Number of points in each cell. */
-inline std::vector<std::uint32_t>
-countPerCell (const std::vector<std::uint32_t>& cell_of_point, std::size_t cells)
-{
-  std::vector<std::uint32_t> count (cells, 0);
-  for (const std::uint32_t cell : cell_of_point)
-    ++count[cell];
-  return count;
-}
-
-/** \brief Calls visit (point, place) with where each point goes when points are put
- * cell after cell, those of a cell in their own order (counting sort). \param[in]
- * cell_of_point the cell of each point \param[in] cell_begin where each cell's first
- * point goes */
-template <typename Visit>
+/** \brief Where each bin begins when items are put bin after bin.
+ * \param[in] bin_of_item whole numbers
+ * \param[out] begins one more than there are bins: the last is where the last bin ends
+ */
+template <typename Bins, typename Begins>
 void
-forPlacesByCell (const std::vector<std::uint32_t>& cell_of_point,
-                 std::vector<std::uint32_t> cell_begin,
-                 Visit&& visit)
+findBegins (const Bins& bin_of_item, Begins& begins)
 {
-  for (std::size_t i = 0; i < cell_of_point.size(); ++i)
-    visit (i, cell_begin[cell_of_point[i]]++);
+  std::fill (begins.begin(), begins.end(), 0);
+  for (const auto bin : bin_of_item)
+    ++begins[bin + std::size_t (1)];
+  for (std::size_t bin = 1; bin < begins.size(); ++bin)
+    begins[bin] += begins[bin - 1];
 }
 
-} // namespace pcl_ops
+/** \brief Calls visit (item, place) with where each item goes when items are put bin
+ * after bin, those of a bin in their own order (counting sort).
+ * \param[in] bin_of_item whole numbers
+ * \param[in] begins where each bin's first item goes */
+template <typename Bins, typename Begins, typename Visit>
+void
+forPlaces (const Bins& bin_of_item, Begins begins, Visit&& visit)
+{
+  for (std::size_t i = 0; i < bin_of_item.size(); ++i)
+    visit (i, begins[bin_of_item[i]]++);
+}
+
+} // namespace pcl_ops::internal

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/cell_grid.h>
-#include <pcl_ops/points.h>
+#include "geometry/points.h"
+#include "voxels/voxel_grid.h"
 
 #include <cstdint>
 #include <vector>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 /** \brief Finds the points within one radius, known beforehand, of any of the points:
- * they are sorted into cells of that size, or larger ones where the points lie so far
+ * they are sorted into voxels of that size, or larger ones where the points lie so far
  * apart that most would be nearly empty. That takes a fraction of the time a kd-tree
  * takes to build. */
 class FixedRadiusSearch {
@@ -21,7 +21,7 @@ public:
    * \param[in] threads number of threads; 0: all. The result does not depend on it */
   FixedRadiusSearch (const Coordinates& points, double radius, unsigned threads);
 
-  /** \brief The points cell by cell: what positions stand for below. */
+  /** \brief The points voxel by voxel: what positions stand for below. */
   const Coordinates&
   points () const
   {
@@ -33,14 +33,14 @@ public:
    * \param[out] neighbours their positions in \ref points, in an order that depends on
    * the points alone; what it held is replaced */
   void
-  find (std::uint32_t point, Positions& neighbours) const;
+  find (std::uint32_t point, Indices& neighbours) const;
 
 private:
   float squared_radius_;
-  CellNeighbours neighbours_of_cell_;
-  /** \brief Position of each cell's first point, and where the last cell ends. */
-  std::vector<std::uint32_t> cell_begin_;
+  VoxelNeighbours neighbours_of_voxel_;
+  /** \brief Position of each voxel's first point, and where the last voxel ends. */
+  std::vector<std::uint32_t> voxel_begin_;
   Coordinates points_;
 };
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 /** \brief The nearest of the points it is shown: collects more than that and drops the
  * farther ones when they have become many, which costs a constant time a point however
@@ -108,4 +108,4 @@ private:
   std::vector<Key> keys_;
 };
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

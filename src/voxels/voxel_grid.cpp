@@ -1,21 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_keys.h"
-#include "cell_table.h"
-#include <pcl_ops/cell_grid.h>
-#include <pcl_ops/parallel.h>
+#include "voxels/voxel_grid.h"
+
+#include "base/parallel.h"
+#include "voxels/voxel_keys.h"
+#include "voxels/voxel_table.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
 namespace {
 
 struct Piece {
-  CellTable table;
+  VoxelTable table;
   std::vector<Moments> moments;
 };
 
@@ -47,66 +48,66 @@ addPositions (const Coordinates& positions,
 
 void
 addPoints (const Coordinates& positions,
-           double cell_size,
+           double voxel_size,
            std::size_t begin,
            std::size_t end,
            Piece& piece,
-           std::vector<std::uint32_t>& cell_of_point)
+           std::vector<std::uint32_t>& voxel_of_point)
 {
-  constexpr std::size_t usual_points_per_cell = 8;
-  piece.moments.reserve ((end - begin) / usual_points_per_cell + 1);
+  constexpr std::size_t usual_points_per_voxel = 8;
+  piece.moments.reserve ((end - begin) / usual_points_per_voxel + 1);
   forRuns (positions,
-           cell_size,
+           voxel_size,
            begin,
            end,
-           [&] (std::size_t first, std::size_t last, const CellKey& key) {
-             const std::uint32_t cell = piece.table.insert (key);
-             if (cell == piece.moments.size())
+           [&] (std::size_t first, std::size_t last, const VoxelKey& key) {
+             const std::uint32_t voxel = piece.table.insert (key);
+             if (voxel == piece.moments.size())
                piece.moments.emplace_back();
-             addPositions (positions, first, last, piece.moments[cell]);
-             std::fill (cell_of_point.begin() + static_cast<std::ptrdiff_t> (first),
-                        cell_of_point.begin() + static_cast<std::ptrdiff_t> (last),
-                        cell);
+             addPositions (positions, first, last, piece.moments[voxel]);
+             std::fill (voxel_of_point.begin() + static_cast<std::ptrdiff_t> (first),
+                        voxel_of_point.begin() + static_cast<std::ptrdiff_t> (last),
+                        voxel);
            });
 }
 
-// Adds cells with their moments to a grid's table; returns where each went.
+// Adds voxels with their moments to a grid's table; returns where each went.
 std::vector<std::uint32_t>
-insertAll (const std::vector<CellKey>& keys,
+insertAll (const std::vector<VoxelKey>& keys,
            const std::vector<Moments>& added,
-           CellTable& table,
+           VoxelTable& table,
            std::vector<Moments>& moments)
 {
-  std::vector<std::uint32_t> cell_of (keys.size());
+  std::vector<std::uint32_t> voxel_of (keys.size());
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    cell_of[i] = table.insert (keys[i]);
-    if (cell_of[i] == moments.size())
+    voxel_of[i] = table.insert (keys[i]);
+    if (voxel_of[i] == moments.size())
       moments.emplace_back();
-    moments[cell_of[i]].addAligned (added[i]);
+    moments[voxel_of[i]].addAligned (added[i]);
   }
-  return cell_of;
+  return voxel_of;
 }
 
-// Adds the cells of all pieces to the first; returns for each piece where its cells
+// Adds the voxels of all pieces to the first; returns for each piece where its voxels
 // are.
 std::vector<std::vector<std::uint32_t>>
 joinIntoFirst (std::vector<Piece>& pieces)
 {
-  std::vector<std::vector<std::uint32_t>> cell_of (pieces.size());
-  cell_of[0].resize (pieces[0].moments.size());
-  std::iota (cell_of[0].begin(), cell_of[0].end(), 0u);
+  std::vector<std::vector<std::uint32_t>> voxel_of (pieces.size());
+  voxel_of[0].resize (pieces[0].moments.size());
+  std::iota (voxel_of[0].begin(), voxel_of[0].end(), 0u);
   for (std::size_t p = 1; p < pieces.size(); ++p)
-    cell_of[p] = insertAll (
+    voxel_of[p] = insertAll (
         pieces[p].table.keys(), pieces[p].moments, pieces[0].table, pieces[0].moments);
-  return cell_of;
+  return voxel_of;
 }
 
-// Puts the cells in the table's order; returns the new position of each.
+// Puts the voxels in the table's order; returns the new position of each.
 std::vector<std::uint32_t>
-finish (CellTable& table,
+finish (VoxelTable& table,
         std::vector<Moments>& moments,
         unsigned threads,
-        CellGrid& grid)
+        VoxelGrid& grid)
 {
   std::vector<std::uint32_t> order = table.sort();
   grid.keys = table.keys();
@@ -129,15 +130,15 @@ someOf (const Coordinates& positions, std::size_t wanted)
 }
 
 std::size_t
-countOccupied (const Coordinates& positions, double cell_size)
+countOccupied (const Coordinates& positions, double voxel_size)
 {
-  CellTable table;
+  VoxelTable table;
   forRuns (
       positions,
-      cell_size,
+      voxel_size,
       0,
       positions.size(),
-      [&table] (std::size_t, std::size_t, const CellKey& key) { table.insert (key); });
+      [&table] (std::size_t, std::size_t, const VoxelKey& key) { table.insert (key); });
   return table.size();
 }
 
@@ -155,31 +156,31 @@ diagonal (const Coordinates& positions)
 } // namespace
 
 double
-cellSizeFor (const Coordinates& positions, double wanted_cells)
+voxelSizeFor (const Coordinates& positions, double wanted_voxels)
 {
   constexpr std::size_t looked_at = 8192;
-  // Several of the points looked at share a cell: an empty one is empty indeed.
-  constexpr double counted_cells = 800.0;
+  // Several of the points looked at share a voxel: an empty one is empty indeed.
+  constexpr double counted_voxels = 800.0;
   if (positions.size() == 0)
     return 0.0;
   const Coordinates some = someOf (positions, looked_at);
-  double cell_size = diagonal (some) / 25.0;
-  if (!(cell_size > 0.0 && std::isfinite (cell_size)))
+  double voxel_size = diagonal (some) / 25.0;
+  if (!(voxel_size > 0.0 && std::isfinite (voxel_size)))
     return 0.0;
   constexpr int most_tries = 8;
   double counted = 0.0;
   for (int i = 0; i < most_tries; ++i) {
-    counted = static_cast<double> (countOccupied (some, cell_size));
-    const double ratio = counted / std::min (counted_cells, wanted_cells);
+    counted = static_cast<double> (countOccupied (some, voxel_size));
+    const double ratio = counted / std::min (counted_voxels, wanted_voxels);
     if (ratio > 0.5 && ratio < 2.0)
       break;
-    cell_size *= std::sqrt (ratio);
+    voxel_size *= std::sqrt (ratio);
   }
-  return cell_size * std::sqrt (counted / wanted_cells);
+  return voxel_size * std::sqrt (counted / wanted_voxels);
 }
 
-GriddedPoints
-gridPoints (const Coordinates& positions, double cell_size, unsigned threads)
+VoxelizedPoints
+voxelize (const Coordinates& positions, double voxel_size, unsigned threads)
 {
   constexpr std::size_t points_per_piece = 131072;
   constexpr std::size_t most_pieces = 4;
@@ -188,51 +189,51 @@ gridPoints (const Coordinates& positions, double cell_size, unsigned threads)
   const std::size_t grain =
       std::max<std::size_t> (1, (positions.size() + number - 1) / number);
   std::vector<Piece> pieces (number);
-  GriddedPoints gridded;
-  gridded.cell_of_point.resize (positions.size());
+  VoxelizedPoints voxelized;
+  voxelized.voxel_of_point.resize (positions.size());
   parallelFor (
       threads, positions.size(), grain, [&] (std::size_t begin, std::size_t end) {
         addPoints (positions,
-                   cell_size,
+                   voxel_size,
                    begin,
                    end,
                    pieces[begin / grain],
-                   gridded.cell_of_point);
+                   voxelized.voxel_of_point);
       });
-  std::vector<std::vector<std::uint32_t>> cell_of = joinIntoFirst (pieces);
-  gridded.grid.cell_size = cell_size;
+  std::vector<std::vector<std::uint32_t>> voxel_of = joinIntoFirst (pieces);
+  voxelized.grid.voxel_size = voxel_size;
   const std::vector<std::uint32_t> order =
-      finish (pieces[0].table, pieces[0].moments, threads, gridded.grid);
-  for (std::vector<std::uint32_t>& piece : cell_of)
-    for (std::uint32_t& cell : piece)
-      cell = order[cell];
+      finish (pieces[0].table, pieces[0].moments, threads, voxelized.grid);
+  for (std::vector<std::uint32_t>& piece : voxel_of)
+    for (std::uint32_t& voxel : piece)
+      voxel = order[voxel];
   parallelFor (
       threads, positions.size(), grain, [&] (std::size_t begin, std::size_t end) {
-        const std::vector<std::uint32_t>& new_cell = cell_of[begin / grain];
+        const std::vector<std::uint32_t>& new_voxel = voxel_of[begin / grain];
         for (std::size_t i = begin; i < end; ++i)
-          gridded.cell_of_point[i] = new_cell[gridded.cell_of_point[i]];
+          voxelized.voxel_of_point[i] = new_voxel[voxelized.voxel_of_point[i]];
       });
-  return gridded;
+  return voxelized;
 }
 
 CoarserGrid
-coarsen (const CellGrid& finer, unsigned threads)
+coarsen (const VoxelGrid& finer, unsigned threads)
 {
-  std::vector<CellKey> keys (finer.size());
+  std::vector<VoxelKey> keys (finer.size());
   std::transform (
-      finer.keys.begin(), finer.keys.end(), keys.begin(), [] (const CellKey& key) {
-        return CellKey{key.x >> 1, key.y >> 1, key.z >> 1};
+      finer.keys.begin(), finer.keys.end(), keys.begin(), [] (const VoxelKey& key) {
+        return VoxelKey{key.x >> 1, key.y >> 1, key.z >> 1};
       });
   CoarserGrid coarser;
-  coarser.grid.cell_size = 2.0 * finer.cell_size;
-  CellTable table;
+  coarser.grid.voxel_size = 2.0 * finer.voxel_size;
+  VoxelTable table;
   std::vector<Moments> moments;
-  coarser.cell_of_finer = insertAll (keys, finer.moments, table, moments);
+  coarser.voxel_of_finer = insertAll (keys, finer.moments, table, moments);
   const std::vector<std::uint32_t> order =
       finish (table, moments, threads, coarser.grid);
-  for (std::uint32_t& cell : coarser.cell_of_finer)
-    cell = order[cell];
+  for (std::uint32_t& voxel : coarser.voxel_of_finer)
+    voxel = order[voxel];
   return coarser;
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "geometry/points.h"
 #include <pcl_ops/plane.h>
-#include <pcl_ops/points.h>
 
 #include <cstdint>
 #include <vector>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
-/** \brief Integer coordinates of a cell of a grid. */
-struct CellKey {
+/** \brief Integer coordinates of a voxel of a grid. */
+struct VoxelKey {
   std::int32_t x = 0, y = 0, z = 0;
 };
 
-/** \brief Positions of cells, one after the other. */
-struct CellRange {
+/** \brief Indices of voxels, one after the other. */
+struct VoxelRange {
   const std::uint32_t* first;
   const std::uint32_t* last;
 
@@ -33,17 +33,17 @@ struct CellRange {
   }
 };
 
-/** \brief For each cell the occupied ones among its 26 neighbours and, in the middle,
+/** \brief For each voxel the occupied ones among its 26 neighbours and, in the middle,
  * itself: most are empty where points are on surfaces. */
-class CellNeighbours {
+class VoxelNeighbours {
 public:
-  CellRange
-  operator[] (std::size_t cell) const
+  VoxelRange
+  operator[] (std::size_t voxel) const
   {
-    return {neighbours_.data() + begin_[cell], neighbours_.data() + begin_[cell + 1]};
+    return {neighbours_.data() + begin_[voxel], neighbours_.data() + begin_[voxel + 1]};
   }
 
-  /** \brief Number of cells. */
+  /** \brief Number of voxels. */
   std::size_t
   size () const
   {
@@ -51,14 +51,14 @@ public:
   }
 
   void
-  reserve (std::size_t cells)
+  reserve (std::size_t voxels)
   {
     constexpr std::size_t usual_neighbours = 12;
-    begin_.reserve (cells + 1);
-    neighbours_.reserve (usual_neighbours * cells);
+    begin_.reserve (voxels + 1);
+    neighbours_.reserve (usual_neighbours * voxels);
   }
 
-  /** \brief Appends the next cell with its \p number neighbours. */
+  /** \brief Appends the next voxel with its \p number neighbours. */
   void
   add (const std::uint32_t* neighbours, std::size_t number)
   {
@@ -66,9 +66,9 @@ public:
     begin_.push_back (static_cast<std::uint32_t> (neighbours_.size()));
   }
 
-  /** \brief Appends the cells of another part of the grid. */
+  /** \brief Appends the voxels of another part of the grid. */
   void
-  append (const CellNeighbours& other)
+  append (const VoxelNeighbours& other)
   {
     const auto before = static_cast<std::uint32_t> (neighbours_.size());
     neighbours_.insert (
@@ -82,17 +82,17 @@ private:
   std::vector<std::uint32_t> begin_{0};
 };
 
-/** \brief The occupied cells of a uniform grid with the moments of the points in each.
+/** \brief The occupied voxels of a uniform grid with the moments of the points in each.
  */
-struct CellGrid {
-  /** \brief Edge of a cell [m]. */
-  double cell_size = 0.0;
-  /** \brief Coordinates of each occupied cell, in an order that depends on them alone:
+struct VoxelGrid {
+  /** \brief Edge of a voxel [m]. */
+  double voxel_size = 0.0;
+  /** \brief Coordinates of each occupied voxel, in an order that depends on them alone:
    * neighbours in space are near in memory. */
-  std::vector<CellKey> keys;
-  /** \brief Moments of each cell's points about the zero of their frame. */
+  std::vector<VoxelKey> keys;
+  /** \brief Moments of each voxel's points about the zero of their frame. */
   std::vector<Moments> moments;
-  CellNeighbours neighbours;
+  VoxelNeighbours neighbours;
 
   std::size_t
   size () const
@@ -101,37 +101,36 @@ struct CellGrid {
   }
 };
 
-/** \brief A grid with the cell of each point. */
-struct GriddedPoints {
-  CellGrid grid;
-  std::vector<std::uint32_t> cell_of_point;
+/** \brief A grid with the voxel of each point. */
+struct VoxelizedPoints {
+  VoxelGrid grid;
+  std::vector<std::uint32_t> voxel_of_point;
 };
 
-/** \brief Cell edge at which the points fill about \p wanted_cells cells.
+/** \brief Voxel edge at which the points fill about \p wanted_voxels voxels.
  *
- * Counted on a few thousand points in cells so large that they show all occupied ones,
- * and carried over to small cells as for surfaces, whose occupied cells grow with the
+ * Counted on a few thousand points in voxels so large that they show all occupied ones,
+ * and carried over to small voxels as for surfaces, whose occupied voxels grow with the
  * inverse square of the edge.
  * \return 0 for fewer than two different points */
 double
-cellSizeFor (const Coordinates& positions, double wanted_cells);
+voxelSizeFor (const Coordinates& positions, double wanted_voxels);
 
-/** \brief Sorts points into cells and adds up their moments in one pass.
- * \param[in] positions finite points; coordinates beyond 2^20 cells from zero share the
- * outermost cells
- * \param[in] cell_size edge of a cell, above 0
- * \param[in] threads number of threads; 0: all. The result does not depend on it */
-GriddedPoints
-gridPoints (const Coordinates& positions, double cell_size, unsigned threads);
+/** \brief Sorts points into voxels and adds up their moments in one pass.
+ * \param[in] positions finite points; coordinates beyond 2^20 voxels from zero share
+ * the outermost voxels \param[in] voxel_size edge of a voxel, above 0 \param[in]
+ * threads number of threads; 0: all. The result does not depend on it */
+VoxelizedPoints
+voxelize (const Coordinates& positions, double voxel_size, unsigned threads);
 
-/** \brief A grid of twice the cell size whose cells hold 2 x 2 x 2 cells each. */
+/** \brief A grid of twice the voxel size whose voxels hold 2 x 2 x 2 voxels each. */
 struct CoarserGrid {
-  CellGrid grid;
-  /** \brief For each finer cell the coarser one that holds it. */
-  std::vector<std::uint32_t> cell_of_finer;
+  VoxelGrid grid;
+  /** \brief For each finer voxel the coarser one that holds it. */
+  std::vector<std::uint32_t> voxel_of_finer;
 };
 
 CoarserGrid
-coarsen (const CellGrid& finer, unsigned threads);
+coarsen (const VoxelGrid& finer, unsigned threads);
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

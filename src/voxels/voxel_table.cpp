@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cell_table.h"
+#include "voxels/voxel_table.h"
 
-#include <pcl_ops/parallel.h>
+#include "base/parallel.h"
 
 #include <algorithm>
 #include <numeric>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
-CellTable::CellTable() : slots_ (1024, 0) {}
+VoxelTable::VoxelTable() : slots_ (1024, 0) {}
 
 std::size_t
-CellTable::findSlot (BlockKey key) const
+VoxelTable::findSlot (BlockKey key) const
 {
   // Fibonacci hashing: the high bits of the product are well mixed.
   const std::size_t mask = slots_.size() - 1;
@@ -24,14 +24,14 @@ CellTable::findSlot (BlockKey key) const
 }
 
 std::uint32_t
-CellTable::findOrAddBlock (BlockKey key)
+VoxelTable::findOrAddBlock (BlockKey key)
 {
   const std::size_t slot = findSlot (key);
   if (slots_[slot] != 0)
     return slots_[slot] - 1;
   blocks_.emplace_back();
   blocks_.back().key = key;
-  blocks_.back().cells.fill (-1);
+  blocks_.back().voxels.fill (-1);
   slots_[slot] = static_cast<std::uint32_t> (blocks_.size());
   if (2 * blocks_.size() > slots_.size())
     grow();
@@ -39,7 +39,7 @@ CellTable::findOrAddBlock (BlockKey key)
 }
 
 void
-CellTable::grow()
+VoxelTable::grow()
 {
   slots_.assign (2 * slots_.size(), 0);
   for (std::size_t i = 0; i < blocks_.size(); ++i)
@@ -47,7 +47,7 @@ CellTable::grow()
 }
 
 std::vector<std::uint32_t>
-CellTable::sort()
+VoxelTable::sort()
 {
   order_.resize (blocks_.size());
   std::iota (order_.begin(), order_.end(), 0u);
@@ -56,15 +56,15 @@ CellTable::sort()
         return blocks_[first].key < blocks_[second].key;
       });
   std::vector<std::uint32_t> new_number (keys_.size());
-  std::vector<CellKey> sorted;
+  std::vector<VoxelKey> sorted;
   sorted.reserve (keys_.size());
   for (const std::uint32_t block : order_)
-    for (std::int32_t& cell : blocks_[block].cells)
-      if (cell >= 0) {
+    for (std::int32_t& voxel : blocks_[block].voxels)
+      if (voxel >= 0) {
         const auto number = static_cast<std::uint32_t> (sorted.size());
-        new_number[static_cast<std::size_t> (cell)] = number;
-        sorted.push_back (keys_[static_cast<std::size_t> (cell)]);
-        cell = static_cast<std::int32_t> (number);
+        new_number[static_cast<std::size_t> (voxel)] = number;
+        sorted.push_back (keys_[static_cast<std::size_t> (voxel)]);
+        voxel = static_cast<std::int32_t> (number);
       }
   keys_ = std::move (sorted);
   return new_number;
@@ -72,7 +72,7 @@ CellTable::sort()
 
 namespace {
 
-// Along one axis: the cells of a block or of one of its neighbours that fall into the
+// Along one axis: the voxels of a block or of one of its neighbours that fall into the
 // padded block around it.
 struct Overlap {
   int from;
@@ -93,10 +93,10 @@ overlapOf (int block_offset, int edge)
 } // namespace
 
 void
-CellTable::pad (const Block& block, PaddedBlock& padded) const
+VoxelTable::pad (const Block& block, PaddedBlock& padded) const
 {
   padded.fill (-1);
-  const CellKey corner = cornerOf (block.key);
+  const VoxelKey corner = cornerOf (block.key);
   for (int dz = -1; dz <= 1; ++dz)
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
@@ -106,26 +106,26 @@ CellTable::pad (const Block& block, PaddedBlock& padded) const
                                         corner.z + dz * block_edge}))];
         if (found == 0)
           continue;
-        const std::int32_t* const cells = blocks_[found - 1].cells.data();
+        const std::int32_t* const voxels = blocks_[found - 1].voxels.data();
         const Overlap x = overlapOf (dx, block_edge), y = overlapOf (dy, block_edge),
                       z = overlapOf (dz, block_edge);
         for (int k = 0; k < z.size; ++k)
           for (int j = 0; j < y.size; ++j)
             std::copy_n (
-                cells + ((z.from + k) * block_edge + y.from + j) * block_edge + x.from,
+                voxels + ((z.from + k) * block_edge + y.from + j) * block_edge + x.from,
                 x.size,
                 padded.data() + ((z.to + k) * padded_edge + y.to + j) * padded_edge +
                     x.to);
       }
 }
 
-CellNeighbours
-CellTable::neighbours (unsigned threads) const
+VoxelNeighbours
+VoxelTable::neighbours (unsigned threads) const
 {
   constexpr std::size_t blocks_per_piece = 32;
-  CellNeighbours neighbours;
+  VoxelNeighbours neighbours;
   neighbours.reserve (keys_.size());
-  for (const CellNeighbours& piece : parallelPieces (
+  for (const VoxelNeighbours& piece : parallelPieces (
            threads, order_.size(), blocks_per_piece, [this] (auto begin, auto end) {
              return neighboursIn (begin, end);
            }))
@@ -133,20 +133,20 @@ CellTable::neighbours (unsigned threads) const
   return neighbours;
 }
 
-CellNeighbours
-CellTable::neighboursIn (std::size_t first_block, std::size_t last_block) const
+VoxelNeighbours
+VoxelTable::neighboursIn (std::size_t first_block, std::size_t last_block) const
 {
   constexpr std::int32_t mask = block_edge - 1;
-  CellNeighbours neighbours;
+  VoxelNeighbours neighbours;
   PaddedBlock padded;
   std::array<std::uint32_t, 27> found{};
   for (std::size_t b = first_block; b < last_block; ++b) {
     const Block& block = blocks_[order_[b]];
     pad (block, padded);
-    for (const std::int32_t cell : block.cells) {
-      if (cell < 0)
+    for (const std::int32_t voxel : block.voxels) {
+      if (voxel < 0)
         continue;
-      const CellKey& key = keys_[static_cast<std::size_t> (cell)];
+      const VoxelKey& key = keys_[static_cast<std::size_t> (voxel)];
       const std::int32_t* const corner =
           padded.data() +
           ((key.z & mask) * padded_edge + (key.y & mask)) * padded_edge +
@@ -167,4 +167,4 @@ CellTable::neighboursIn (std::size_t first_block, std::size_t last_block) const
   return neighbours;
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -2,38 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/cell_grid.h>
+#include "voxels/voxel_grid.h"
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-namespace pcl_ops {
+namespace pcl_ops::internal {
 
-/** \brief Numbers the occupied cells of an unbounded grid.
+/** \brief Numbers the occupied voxels of an unbounded grid.
  *
- * Cells are kept in blocks of 8 x 8 x 8 that are looked up by a hash; points that
+ * Voxels are kept in blocks of 8 x 8 x 8 that are looked up by a hash; points that
  * follow each other mostly share a block, and a surface fills a good share of the
  * blocks it crosses. */
-class CellTable {
+class VoxelTable {
 public:
-  CellTable();
+  VoxelTable();
 
-  /** \brief Number of the cell; a new one gets the next number. */
+  /** \brief Number of the voxel; a new one gets the next number. */
   std::uint32_t
-  insert (const CellKey& key)
+  insert (const VoxelKey& key)
   {
     const BlockKey block_key = blockKey (key);
     if (block_key != last_key_) {
       last_block_ = findOrAddBlock (block_key);
       last_key_ = block_key;
     }
-    std::int32_t& cell = blocks_[last_block_].cells[positionInBlock (key)];
-    if (cell < 0) {
-      cell = static_cast<std::int32_t> (keys_.size());
+    std::int32_t& voxel = blocks_[last_block_].voxels[positionInBlock (key)];
+    if (voxel < 0) {
+      voxel = static_cast<std::int32_t> (keys_.size());
       keys_.push_back (key);
     }
-    return static_cast<std::uint32_t> (cell);
+    return static_cast<std::uint32_t> (voxel);
   }
 
   std::size_t
@@ -42,20 +42,20 @@ public:
     return keys_.size();
   }
 
-  /** \brief Coordinates of each cell, by number. */
-  const std::vector<CellKey>&
+  /** \brief Coordinates of each voxel, by number. */
+  const std::vector<VoxelKey>&
   keys () const
   {
     return keys_;
   }
 
-  /** \brief Renumbers the cells by their coordinates, block after block.
+  /** \brief Renumbers the voxels by their coordinates, block after block.
    * \return the new number of each */
   std::vector<std::uint32_t>
   sort ();
 
-  /** \brief Neighbours of each cell, by number; after \ref sort. */
-  CellNeighbours
+  /** \brief Neighbours of each voxel, by number; after \ref sort. */
+  VoxelNeighbours
   neighbours (unsigned threads) const;
 
 private:
@@ -66,11 +66,11 @@ private:
 
   struct Block {
     BlockKey key = 0;
-    std::array<std::int32_t, block_edge * block_edge * block_edge> cells;
+    std::array<std::int32_t, block_edge * block_edge * block_edge> voxels;
   };
 
   static BlockKey
-  blockKey (const CellKey& key)
+  blockKey (const VoxelKey& key)
   {
     return (static_cast<BlockKey> (key.z >> block_bits) << (2 * coordinate_bits)) |
            (static_cast<BlockKey> (key.y >> block_bits) << coordinate_bits) |
@@ -78,7 +78,7 @@ private:
   }
 
   static std::size_t
-  positionInBlock (const CellKey& key)
+  positionInBlock (const VoxelKey& key)
   {
     constexpr int mask = block_edge - 1;
     return static_cast<std::size_t> (
@@ -93,18 +93,18 @@ private:
   void
   grow ();
 
-  /** \brief Numbers of the cells of a block and of those one cell around it; -1 where
+  /** \brief Numbers of the voxels of a block and of those one voxel around it; -1 where
    * there is none. */
   static constexpr int padded_edge = block_edge + 2;
   using PaddedBlock = std::array<std::int32_t, padded_edge * padded_edge * padded_edge>;
   void
   pad (const Block& block, PaddedBlock& padded) const;
 
-  /** \brief Neighbours of the cells of some of the blocks, in their order. */
-  CellNeighbours
+  /** \brief Neighbours of the voxels of some of the blocks, in their order. */
+  VoxelNeighbours
   neighboursIn (std::size_t first_block, std::size_t last_block) const;
 
-  static CellKey
+  static VoxelKey
   cornerOf (BlockKey key)
   {
     constexpr BlockKey mask = (BlockKey (1) << coordinate_bits) - 1;
@@ -115,7 +115,7 @@ private:
     return {coordinate (0), coordinate (1), coordinate (2)};
   }
 
-  std::vector<CellKey> keys_;
+  std::vector<VoxelKey> keys_;
   std::vector<Block> blocks_;
   /** \brief The blocks by their coordinates, once sorted. */
   std::vector<std::uint32_t> order_;
@@ -125,4 +125,4 @@ private:
   std::uint32_t last_block_ = 0;
 };
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <evaluation/hungarian.h>
-#include <pcl_ops/random.h>
+#include "base/random.h"
 
 #include <algorithm>
 #include <numeric>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <pcl_ops/parallel.h>
+#include "base/parallel.h"
 
 #include <algorithm>
 #include <atomic>

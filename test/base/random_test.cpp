@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "base/random.h"
 #include "scene.h"
-#include <pcl_ops/random.h>
 
 #include <array>
 

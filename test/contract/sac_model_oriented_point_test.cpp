@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ops/plane_extraction.h"
 #include "scene.h"
-#include <pcl_ops/plane_extraction.h>
 #include <pcl_ops/sac_model_oriented_point.h>
 
 #include <numeric>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "detection/plane_assignment.h"
 #include "scene.h"
-#include <pcl_ops/plane_assignment.h>
 
 using pcl_ops::AssignmentRule;
 using pcl_ops::assignPoints;

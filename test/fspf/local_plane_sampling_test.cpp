@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "fspf/local_plane_sampling.h"
 #include "scene.h"
-#include <pcl_ops/local_plane_sampling.h>
 
 #include <numeric>
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <pcl_ops/points.h>
+#include "geometry/points.h"
 
 #include <limits>
 #include <numeric>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "kht/ball_directions.h"
 #include "scene.h"
-#include <pcl_ops/ball_directions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +23,16 @@ TEST (BallDirections, HaveAboutTheSameAreaAwayFromThePoles)
   for (int row = 1; row < 30; ++row) {
     const double phi = row * pi / 30;
     const double area =
-        ball.phiStep() * std::sin (phi) * 2.0 * pi / ball.cellsOfRow (row);
+        ball.phiStep() * std::sin (phi) * 2.0 * pi / ball.patchesOfRow (row);
     EXPECT_NEAR (area / (ball.phiStep() * ball.phiStep()), 1.0, 0.1);
   }
 }
 
-TEST (BallDirections, HaveOneCellOnEachPole)
+TEST (BallDirections, HaveOnePatchOnEachPole)
 {
   const BallDirections ball (30);
-  EXPECT_EQ (ball.cellsOfRow (0), 1);
-  EXPECT_EQ (ball.cellsOfRow (30), 1);
+  EXPECT_EQ (ball.patchesOfRow (0), 1);
+  EXPECT_EQ (ball.patchesOfRow (30), 1);
   EXPECT_EQ (ball.vectorOf (0), Eigen::Vector3d::UnitZ());
 }
 
@@ -50,7 +50,8 @@ TEST (BallDirections, WrapAroundTheirRow)
   const BallDirections ball (30);
   EXPECT_EQ (ball.at (10, 0.3), ball.at (10, 0.3 + 2.0 * pi));
   EXPECT_EQ (ball.at (10, 0.3), ball.at (10, 0.3 - 4.0 * pi));
-  EXPECT_EQ (ball.cellOfRow (10, -1), ball.cellOfRow (10, ball.cellsOfRow (10) - 1));
+  EXPECT_EQ (ball.patchOfRow (10, -1),
+             ball.patchOfRow (10, ball.patchesOfRow (10) - 1));
 }
 
 TEST (BallDirections, GoOnHalfATurnAwayBeyondAPole)
@@ -91,5 +92,5 @@ TEST (BallDirections, AreSurroundedByTheirSides)
 TEST (BallDirections, AroundAPoleAreTheWholeNextRow)
 {
   const BallDirections ball (30);
-  EXPECT_EQ (ball.around (0).size(), 1u + ball.cellsOfRow (1));
+  EXPECT_EQ (ball.around (0).size(), 1u + ball.patchesOfRow (1));
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grid_scene.h"
-#include <pcl_ops/hough_planes.h>
+#include "kht/hough_planes.h"
 
 #include <set>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/console/print.h>
 
+#include "kht/ball_directions.h"
 #include "scene.h"
-#include <pcl_ops/ball_directions.h>
 #include <pcl_ops/kernel_hough_transform.h>
 
 #include <set>

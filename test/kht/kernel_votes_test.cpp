@@ -4,8 +4,8 @@
 
 #include <Eigen/LU>
 
+#include "kht/kernel_votes.h"
 #include "scene.h"
-#include <pcl_ops/kernel_votes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +83,7 @@ widthOf (const Bin& bin)
   const int row = space.directions.rowOf (bin.first);
   return Eigen::Vector3d (space.rho_step,
                           space.directions.phiStep(),
-                          2.0 * pi / space.directions.cellsOfRow (row));
+                          2.0 * pi / space.directions.patchesOfRow (row));
 }
 
 /** The density's mean over a bin, by the midpoint rule on 8 x 8 x 8 parts. */
@@ -124,7 +124,7 @@ largestDensity (const PlaneKernel& kernel, const Bin& bin)
 bool
 isPole (std::uint32_t direction)
 {
-  return space.directions.cellsOfRow (space.directions.rowOf (direction)) == 1;
+  return space.directions.patchesOfRow (space.directions.rowOf (direction)) == 1;
 }
 
 bool

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "grid_scene.h"
-#include <pcl_ops/octree_clusters.h>
+#include "kht/octree_clusters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +19,14 @@ const Surface tilted{{0.0, 0.0, 0.0}, {2.0, 0.0, 1.0}, {0.0, 2.0, 0.5}};
 const Surface ground{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
 const Surface wall{{0.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, 0.0, 2.0}};
 
-/** Centre of the octree cell the cluster lies in. */
+/** Centre of the octree leaf the cluster lies in. */
 Eigen::Vector3d
 cellCentreOf (const OctreeClusters& found, const CoplanarCluster& cluster)
 {
   const Eigen::Vector3d corner =
       found.root.centre - Eigen::Vector3d::Constant (found.root.edge / 2.0);
-  const Eigen::Vector3d cell = (cluster.fit.centroid - corner) / cluster.edge;
-  return corner + cluster.edge * (cell.array().floor() + 0.5).matrix();
+  const Eigen::Vector3d leaf = (cluster.fit.centroid - corner) / cluster.edge;
+  return corner + cluster.edge * (leaf.array().floor() + 0.5).matrix();
 }
 
 OctreeClusters

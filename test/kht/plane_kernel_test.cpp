@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-#include <pcl_ops/plane_kernel.h>
+#include "kht/plane_kernel.h"
 
 #include <cmath>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "kht/spherical_accumulator.h"
 #include "scene.h"
-#include <pcl_ops/spherical_accumulator.h>
 
 #include <algorithm>
 #include <set>

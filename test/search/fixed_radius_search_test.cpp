@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scene.h"
-#include <pcl_ops/fixed_radius_search.h>
+#include "search/fixed_radius_search.h"
 
 #include <set>
 #include <tuple>

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/parallel.h"
 #include "search_clouds.h"
 #include <pcl_ops/grid_search.h>
-#include <pcl_ops/parallel.h>
 
 #include <numeric>
 

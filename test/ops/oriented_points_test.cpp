@@ -7,8 +7,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "ops/oriented_samples.h"
 #include "scene.h"
-#include <pcl_ops/oriented_samples.h>
 
 #include <numeric>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "ops/plane_extraction.h"
 #include "scene.h"
-#include <pcl_ops/plane_extraction.h>
 
 #include <numeric>
 
