@@ -42,20 +42,4 @@ makeChair (RandomGenerator& generator);
 Furniture
 makeCartons (RandomGenerator& generator);
 
-/** \brief A board that leans on the wall behind it. */
-Furniture
-makeLeaningBoard (RandomGenerator& generator);
-
-/** \brief A wide board with one edge on the floor, the other raised. */
-Furniture
-makeRamp (RandomGenerator& generator);
-
-/** \brief A panel of any tilt and roll on a round post. */
-Furniture
-makeTiltedPanel (RandomGenerator& generator);
-
-/** \brief A ball, a bin, a lamp or a rolled carpet: nothing planar. */
-Furniture
-makeRoundClutter (RandomGenerator& generator);
-
 } // namespace pcl_ops::simulation

@@ -5,6 +5,8 @@
 #include "furniture.h"
 #include "poses.h"
 #include "room_shell.h"
+#include "round_furniture.h"
+#include "tilted_furniture.h"
 
 #include <vector>
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "furniture.h"
+#include "tilted_furniture.h"
+
 #include "poses.h"
 
 #include <cmath>
