@@ -7,7 +7,7 @@
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include "search/fixed_radius_search.h"
 #include <pcl_ops/oriented_point_sampling.h>
-#include <common/timed.h>
+#include <evaluation/detectors/timed.h>
 
 #include <algorithm>
 #include <numeric>
@@ -40,10 +40,11 @@ sphereCentres (const Cloud& cloud,
 {
   pcl::Indices all (cloud.size());
   std::iota (all.begin(), all.end(), 0);
-  const Points points = finitePoints (cloud, all);
+  using namespace internal;
+  const Points points = finitePoints (CloudView (cloud), all, 1);
   const FixedRadiusSearch search (points, parameters.local.outer_radius, 1);
   std::vector<pcl::PointXYZ> centres;
-  const auto find_sphere = [&] (std::uint32_t centre, Positions& sphere) {
+  const auto find_sphere = [&] (std::uint32_t centre, Indices& sphere) {
     const Eigen::Vector3f position =
         (search.points()[centre] + points.origin).cast<float>();
     centres.emplace_back (position.x(), position.y(), position.z());
@@ -52,7 +53,7 @@ sphereCentres (const Cloud& cloud,
   sampleLocalPlanes (search.points(),
                      find_sphere,
                      parameters.local,
-                     parameters.distance_threshold,
+                     *parameters.distance_threshold,
                      parameters.seed);
   return centres;
 }

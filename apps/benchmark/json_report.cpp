@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report.h"
-#include <common/stages.h>
+#include "json_report.h"
+
+#include <detection/stages.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -67,8 +69,8 @@ toObject (const CloudFigures& figures, const SharedFigures& shared)
 
 } // namespace
 
-Json
-toJson (const Benchmark& benchmark)
+std::string
+jsonOf (const Benchmark& benchmark)
 {
   Json json{{"program", "pcl_ops_benchmark"}, {"version", PCL_OPS_VERSION}};
   json["machine"] = {{"cpu", benchmark.machine.cpu},
@@ -87,7 +89,7 @@ toJson (const Benchmark& benchmark)
     rows.push_back (rowsOf (figures, benchmark.shared));
   }
   json["rows"] = toArray (mediansOf (rows));
-  return json;
+  return json.dump (2) + "\n";
 }
 
 } // namespace pcl_ops::benchmark

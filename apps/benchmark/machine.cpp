@@ -4,7 +4,7 @@
 
 #include <pcl/pcl_config.h>
 
-#include <common/timed.h>
+#include <evaluation/detectors/timed.h>
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "json_report.h"
 #include "options.h"
-#include "report.h"
-#include "scaling.h"
-#include <common/output_file.h>
-#include <common/program.h>
-#include <evaluation/data_options.h>
-#include <evaluation/data_sets.h>
+#include "scaling_report.h"
+#include <cli/errors.h>
+#include <cli/program.h>
+#include <evaluation/commands/data_options.h>
+#include <evaluation/data/data_sets.h>
+#include <io/output_file.h>
 #include <unistd.h>
 
 #include <iostream>
@@ -150,7 +151,7 @@ run (int argc, const char* const* argv)
   const Benchmark benchmark = measure (options, clouds, growing, left_out);
   printReport (benchmark, std::cout);
   if (!options.json_file.empty())
-    apps::writeTextFile (options.json_file, toJson (benchmark).dump (2) + "\n");
+    apps::writeTextFile (options.json_file, jsonOf (benchmark));
   return left_out == 0 ? apps::kDone : apps::kWorkFailed;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <evaluation/detector_run.h>
+#include <evaluation/detectors/detector_run.h>
 
 #include <functional>
 #include <string>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
-#include <common/command_line.h>
+#include <cli/command_line.h>
 
 #include <algorithm>
 #include <array>

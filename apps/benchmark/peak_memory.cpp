@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "peak_memory.h"
 
-#include <evaluation/detector_run.h>
+#include <evaluation/detectors/detector_run.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <sys/wait.h>
 #include <unistd.h>

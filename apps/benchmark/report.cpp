@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
-#include <common/stages.h>
-#include <evaluation/text_table.h>
+#include <detection/stages.h>
+#include <evaluation/report/text_table.h>
 
 #include <algorithm>
 #include <cmath>

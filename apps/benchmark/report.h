@@ -4,9 +4,8 @@
 
 #include "machine.h"
 #include "targets.h"
-#include <nlohmann/json.hpp>
 
-#include <ostream>
+#include <iosfwd>
 
 namespace pcl_ops::benchmark {
 
@@ -22,9 +21,5 @@ struct Benchmark {
  * targets' medians where there are several clouds, and how all this was measured. */
 void
 printReport (const Benchmark& benchmark, std::ostream& stream);
-
-/** \brief The same with every number; null for what was not measured. */
-nlohmann::ordered_json
-toJson (const Benchmark& benchmark);
 
 } // namespace pcl_ops::benchmark

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cloud_measures.h"
-#include <evaluation/cloud_source.h>
+#include <evaluation/data/cloud_source.h>
 
 namespace pcl_ops::benchmark {
 
@@ -33,11 +33,5 @@ measureScaling (const evaluation::Cloud::ConstPtr& cloud,
                 const std::vector<evaluation::CloudSource>& growing,
                 const MeasureParameters& parameters,
                 const Notify& notify);
-
-/** \brief Writes scaling.csv and a plot of each series into a folder.
- * \return whether the plots were drawn
- * \throw apps::WorkError if a file cannot be written */
-bool
-writeScaling (const std::vector<ScalingRow>& rows, const std::string& folder);
 
 } // namespace pcl_ops::benchmark

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scaling.h"
-#include <common/output_file.h>
-#include <common/stages.h>
-#include <evaluation/gnuplot.h>
+#include "scaling_report.h"
+
+#include <detection/stages.h>
+#include <evaluation/report/gnuplot.h>
+#include <io/output_file.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -4,7 +4,7 @@
 
 #include "advice.h"
 #include "methods.h"
-#include <common/program.h>
+#include <cli/errors.h>
 
 #include <optional>
 #include <sstream>

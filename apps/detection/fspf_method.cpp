@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detector_run.h"
+#include <cli/errors.h>
 
 namespace pcl_ops::apps {
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "method_options.h"
 
-#include <common/option_value.h>
+#include <cli/errors.h>
+#include <cli/option_value.h>
 
 #include <vector>
 

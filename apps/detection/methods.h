@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include <common/command_line.h>
+#include <cli/command_line.h>
 #include <nlohmann/json.hpp>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>

@@ -1,7 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "commands.h"
-#include <common/program.h>
+#include <cli/errors.h>
+#include <cli/program.h>
+#include <evaluation/commands/compare_command.h>
+#include <evaluation/commands/detectors_command.h>
+#include <evaluation/commands/pictures_command.h>
+#include <evaluation/commands/report_command.h>
+#include <evaluation/commands/run_command.h>
+#include <evaluation/commands/truth_command.h>
+#include <evaluation/commands/up_command.h>
 
 #include <functional>
 #include <iostream>

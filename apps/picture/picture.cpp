@@ -7,8 +7,8 @@
 #include "colors.h"
 #include "raster.h"
 #include "view.h"
-#include <common/output_file.h>
-#include <common/program.h>
+#include <cli/errors.h>
+#include <io/output_file.h>
 
 #include <cmath>
 #include <filesystem>

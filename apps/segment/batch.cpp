@@ -3,10 +3,11 @@
 #include "batch.h"
 
 #include "segment_cloud.h"
-#include <common/interruption.h>
-#include <common/parallel.h>
-#include <common/program.h>
-#include <common/progress.h>
+#include <cli/errors.h>
+#include <cli/interruption.h>
+#include <cli/parallel.h>
+#include <cli/program.h>
+#include <cli/progress.h>
 
 #include <mutex>
 #include <new>

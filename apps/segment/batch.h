@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks.h"
+#include <cli/program.h>
 
 #include <ostream>
 

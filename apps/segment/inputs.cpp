@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "inputs.h"
 
-#include <common/output_file.h>
-#include <common/program.h>
+#include <cli/errors.h>
 #include <glob.h>
+#include <io/output_file.h>
 
 #include <algorithm>
 #include <filesystem>

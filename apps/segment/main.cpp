@@ -5,9 +5,9 @@
 #include "report.h"
 #include "segment_cloud.h"
 #include "tasks.h"
-#include <common/interruption.h>
-#include <common/program.h>
-#include <common/standard_input.h>
+#include <cli/interruption.h>
+#include <cli/program.h>
+#include <io/standard_input.h>
 #include <unistd.h>
 
 #include <iostream>

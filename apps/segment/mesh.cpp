@@ -6,8 +6,8 @@
 #include <pcl/io/vtk_io.h>
 #include <pcl/conversions.h>
 
-#include <common/output_file.h>
-#include <common/program.h>
+#include <cli/errors.h>
+#include <io/output_file.h>
 #include <picture/colors.h>
 
 #ifdef PCL_OPS_WITH_SURFACE

@@ -5,10 +5,11 @@
 #include "extents.h"
 #include "inputs.h"
 #include "tasks.h"
-#include <common/command_line.h>
-#include <common/output_file.h>
-#include <common/standard_input.h>
+#include <cli/command_line.h>
+#include <cli/errors.h>
 #include <detection/method_options.h>
+#include <io/output_file.h>
+#include <io/standard_input.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -5,9 +5,9 @@
 #include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
 
-#include <common/output_file.h>
-#include <common/program.h>
-#include <common/temporary_path.h>
+#include <cli/errors.h>
+#include <io/output_file.h>
+#include <io/temporary_path.h>
 #include <pcl_ops/orientation.h>
 #include <unistd.h>
 

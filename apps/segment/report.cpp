@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
-#include <common/stages.h>
+#include <detection/stages.h>
 #include <pcl_ops/orientation.h>
 
 #include <array>

@@ -6,11 +6,12 @@
 #include "filter.h"
 #include "mesh.h"
 #include "parts.h"
-#include <common/cloud_file.h>
-#include <common/interruption.h>
-#include <common/output_file.h>
-#include <common/standard_input.h>
+#include <cli/interruption.h>
 #include <detection/up_search.h>
+#include <io/cloud_fields.h>
+#include <io/cloud_file.h>
+#include <io/output_file.h>
+#include <io/standard_input.h>
 #include <picture/colors.h>
 #include <picture/picture.h>
 

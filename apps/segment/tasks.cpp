@@ -3,8 +3,8 @@
 #include "tasks.h"
 
 #include "inputs.h"
-#include <common/output_file.h>
-#include <common/program.h>
+#include <cli/errors.h>
+#include <io/output_file.h>
 
 #include <filesystem>
 #include <map>

@@ -16,46 +16,30 @@ struct Furniture {
 };
 
 Furniture
-makeTable (RandomGenerator& generator);
+makeTable (internal::RandomGenerator& generator);
 
 /** \brief A table with a monitor, an open laptop, books and a mug. */
 Furniture
-makeDesk (RandomGenerator& generator);
+makeDesk (internal::RandomGenerator& generator);
 
 Furniture
-makeCupboard (RandomGenerator& generator);
+makeCupboard (internal::RandomGenerator& generator);
 
 /** \brief Open shelves with books. */
 Furniture
-makeShelf (RandomGenerator& generator);
+makeShelf (internal::RandomGenerator& generator);
 
 Furniture
-makeBed (RandomGenerator& generator);
+makeBed (internal::RandomGenerator& generator);
 
 Furniture
-makeSofa (RandomGenerator& generator);
+makeSofa (internal::RandomGenerator& generator);
 
 Furniture
-makeChair (RandomGenerator& generator);
+makeChair (internal::RandomGenerator& generator);
 
 /** \brief A cardboard box or two, one turned on the other. */
 Furniture
-makeCartons (RandomGenerator& generator);
-
-/** \brief A board that leans on the wall behind it. */
-Furniture
-makeLeaningBoard (RandomGenerator& generator);
-
-/** \brief A wide board with one edge on the floor, the other raised. */
-Furniture
-makeRamp (RandomGenerator& generator);
-
-/** \brief A panel of any tilt and roll on a round post. */
-Furniture
-makeTiltedPanel (RandomGenerator& generator);
-
-/** \brief A ball, a bin, a lamp or a rolled carpet: nothing planar. */
-Furniture
-makeRoundClutter (RandomGenerator& generator);
+makeCartons (internal::RandomGenerator& generator);
 
 } // namespace pcl_ops::simulation

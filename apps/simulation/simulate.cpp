@@ -3,11 +3,13 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/exceptions.h>
 
-#include "common/cloud_file.h"
-#include "common/command_line.h"
-#include "common/output_file.h"
-#include "simulation/dense_scan.h"
-#include "simulation/depth_noise.h"
+#include "dense_scan.h"
+#include "depth_noise.h"
+#include <cli/command_line.h>
+#include <cli/errors.h>
+#include <cli/program.h>
+#include <io/cloud_file.h>
+#include <io/output_file.h>
 
 #include <cstring>
 #include <iostream>

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "display.h"
 
-#include <common/program.h>
+#include <cli/errors.h>
+#include <cli/program.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -6,8 +6,10 @@
 #include "options.h"
 #include "point_colors.h"
 #include "window.h"
-#include <common/cloud_file.h>
-#include <common/program.h>
+#include <cli/errors.h>
+#include <cli/program.h>
+#include <io/cloud_fields.h>
+#include <io/cloud_file.h>
 
 #include <algorithm>
 

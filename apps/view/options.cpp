@@ -3,9 +3,10 @@
 #include "options.h"
 
 #include "texts.h"
-#include <common/command_line.h>
-#include <common/output_file.h>
+#include <cli/command_line.h>
+#include <cli/errors.h>
 #include <detection/method_options.h>
+#include <io/output_file.h>
 
 namespace pcl_ops::apps {
 

@@ -9,7 +9,7 @@
 
 #include "found_planes.h"
 #include "view_state.h"
-#include <common/cloud_file.h>
+#include <io/cloud_file.h>
 
 #include <vector>
 

@@ -12,8 +12,8 @@
 #include "picking.h"
 #include "point_colors.h"
 #include "texts.h"
-#include <common/output_file.h>
-#include <common/program.h>
+#include <cli/errors.h>
+#include <io/output_file.h>
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>

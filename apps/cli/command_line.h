@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <boost/program_options/variables_map.hpp>
+
+#include <Eigen/Core>
+
+#include "help_page.h"
+#include "option_value.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief The command line of a program: Boost.Program_options with `--long x`,
+ * `--long=x` and PCL's single dash `-long x`, positional arguments, --help and
+ * --version, and errors of one line. Declare arguments and options with where to store
+ * them, then parse. A target of type std::optional tells whether its option was given.
+ */
+class CommandLine {
+public:
+  /** \param[in] program the name, with the subcommand where there is one
+   * \param[in] summary what the program does, the top of --help
+   * \param[in] version what --version prints after the name */
+  CommandLine (std::string program, std::string summary, std::string version);
+
+  /** \brief Declares the next positional argument; it must be given. */
+  void
+  addArgument (const std::string& name, std::string& target, const std::string& help);
+
+  /** \brief Declares the next positional argument; it may be missing. */
+  void
+  addOptionalArgument (const std::string& name,
+                       std::string& target,
+                       const std::string& help);
+
+  /** \brief Declares that any number of positional arguments, but at least
+   * \p fewest, may follow. */
+  void
+  addArguments (const std::string& name,
+                std::vector<std::string>& targets,
+                std::size_t fewest,
+                const std::string& help);
+
+  /** \brief Replaces what --help derives from the arguments after "Usage: program".
+   * \param[in] ways to call the program, one a line
+   * \param[in] explanation below the summary */
+  void
+  setUsage (const std::vector<std::string>& ways, const std::string& explanation);
+
+  /** \brief Lists the options declared from now on under a title of their own. */
+  void
+  beginGroup (const std::string& title);
+
+  /** \brief The same, with a line of names in --help; --help-all explains them. */
+  void
+  beginBriefGroup (const std::string& title);
+
+  /** \brief Declares an option without a value. */
+  void
+  addFlag (const std::string& name, bool& target, const std::string& help);
+
+  /** \brief Declares an option whose value is any text, such as a file name. */
+  void
+  addText (const std::string& name,
+           const std::string& placeholder,
+           std::string& target,
+           const std::string& help);
+
+  /** \brief Declares an option whose value is one of \p choices.
+   * \param[in] placeholder in the help; empty for the list of choices */
+  void
+  addChoice (const std::string& name,
+             const std::vector<std::string>& choices,
+             std::string& target,
+             const std::string& help,
+             const std::string& placeholder = "");
+
+  /** \brief Declares an option with a number.
+   * \param[out] target an int, std::uint32_t, std::size_t, float or double, or a
+   * std::optional of one */
+  template <typename Target>
+  void
+  addNumber (const std::string& name,
+             const std::string& placeholder,
+             const Range& range,
+             Target& target,
+             const std::string& help)
+  {
+    addValue (
+        name, placeholder, help, [name, range, &target] (const std::string& text) {
+          target =
+              parseNumber<typename NumberOf<Target>::type> ("--" + name, text, range);
+        });
+  }
+
+  /** \brief Declares an option with a vector "x,y,z" other than zero.
+   * \param[out] target an Eigen::Vector3f or a std::optional of one */
+  template <typename Target>
+  void
+  addDirection (const std::string& name, Target& target, const std::string& help)
+  {
+    addValue (name, "x,y,z", help, [name, &target] (const std::string& text) {
+      target = parseDirection ("--" + name, text);
+    });
+  }
+
+  /** \brief Declares an option whose value is given to \p store, which may throw a
+   * UsageError. */
+  void
+  addValue (const std::string& name,
+            const std::string& placeholder,
+            const std::string& help,
+            const std::function<void (const std::string&)>& store);
+
+  /** \brief Stores what the command line says, or prints the help or the version.
+   * \return false if it printed and the program is done
+   * \throws UsageError on anything undeclared, missing, ambiguous, given twice or out
+   * of range */
+  bool
+  parse (int argc, const char* const* argv);
+
+  /** \brief Whether the option was on the parsed command line. */
+  bool
+  isGiven (const std::string& name) const
+  {
+    return values_.count (name) > 0 && !values_[name].defaulted();
+  }
+
+  /** \brief The options of a group that were on the parsed command line. */
+  std::vector<std::string>
+  givenOf (const std::string& title) const;
+
+  /** \brief \throws UsageError if both options were given */
+  void
+  forbidTogether (const std::string& first, const std::string& second) const;
+
+  HelpPage
+  help () const;
+
+private:
+  template <typename T>
+  struct NumberOf {
+    using type = T;
+  };
+  template <typename T>
+  struct NumberOf<std::optional<T>> {
+    using type = T;
+  };
+
+  struct Argument {
+    std::string name;
+    std::string help;
+    std::size_t fewest;
+    std::size_t most;
+    std::function<void (const std::string&)> store;
+  };
+
+  void
+  storeArguments (const std::vector<std::string>& given) const;
+  std::string
+  wayToCall () const;
+
+  std::string program_, summary_, version_;
+  /** \brief Of \ref setUsage. */
+  std::vector<std::string> ways_;
+  std::string explanation_;
+  std::vector<Argument> arguments_;
+  /** \brief New options go to the last. */
+  std::vector<OptionGroup> groups_;
+  boost::program_options::variables_map values_;
+};
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program.h"
+
+#include <pcl/console/print.h>
+
+#include "errors.h"
+
+#include <algorithm>
+#include <iostream>
+#include <new>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+int
+fail (const std::string& name, const std::string& message, ExitCode code)
+{
+  std::cout.flush();
+  std::cerr << errorLine (name, message) << std::endl;
+  return code;
+}
+
+} // namespace
+
+std::string
+errorLine (const std::string& program, std::string message)
+{
+  std::replace (message.begin(), message.end(), '\n', ' ');
+  return program + ": " + message;
+}
+
+int
+runProgram (const std::string& name, const std::function<int()>& body)
+{
+  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);
+  try {
+    const int code = body();
+    if (!std::cout.flush())
+      throw WorkError ("standard output", "cannot be written; is its disk full?");
+    return code;
+  }
+  catch (const UsageError& error) {
+    return fail (name, error.what(), kWrongUsage);
+  }
+  catch (const std::bad_alloc&) {
+    return fail (name, "not enough memory; try a smaller cloud", kWorkFailed);
+  }
+  catch (const std::exception& error) {
+    return fail (name, error.what(), kWorkFailed);
+  }
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace pcl_ops::apps {
+
+enum ExitCode : int { kDone = 0, kWorkFailed = 1, kWrongUsage = 2 };
+
+/** \brief What a program says about a problem: one line, without its end. */
+std::string
+errorLine (const std::string& program, std::string message);
+
+/** \brief Runs the body of a program and turns what it throws into one line on stderr
+ * and an exit code. Silences PCL's own console output, which would make it more than a
+ * line. \param[in] name of the program, in front of the line \param[in] body returns
+ * the exit code of a run that threw nothing \return the exit code; kWorkFailed if the
+ * standard output could not be written */
+int
+runProgram (const std::string& name, const std::function<int()>& body);
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compare_command.h"
+
+#include <cli/command_line.h>
+#include <cli/program.h>
+#include <evaluation/data/labelled_cloud.h>
+#include <evaluation/metrics/metrics.h>
+#include <nlohmann/json.hpp>
+
+#include <iomanip>
+#include <iostream>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+struct CompareOptions {
+  std::string truth_file;
+  std::string result_file;
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  std::size_t min_plane_points = 1;
+  bool json = false;
+};
+
+bool
+readOptions (int argc, const char* const* argv, CompareOptions& options)
+{
+  apps::CommandLine line ("pcl_ops_evaluate compare",
+                          "Compares the planes of two labelled clouds of the same "
+                          "points (field label, 0: no plane).",
+                          PCL_OPS_VERSION);
+  line.addArgument ("TRUTH", options.truth_file, "the true planes, .pcd or .ply");
+  line.addArgument ("RESULT", options.result_file, "the planes found, .pcd or .ply");
+  line.addDirection ("up", options.up, "direction against gravity (0,0,1)");
+  line.addNumber ("min-plane-points",
+                  "N",
+                  apps::Range::from (0),
+                  options.min_plane_points,
+                  "true planes with fewer points count as no plane (1)");
+  line.addFlag ("json", options.json, "print JSON instead of a table");
+  return line.parse (argc, argv);
+}
+
+void
+printJson (const Metrics& metrics)
+{
+  nlohmann::ordered_json json{{"points", metrics.points},
+                              {"truth_planes", metrics.truth_planes},
+                              {"result_planes", metrics.result_planes}};
+  for (const auto& [name, value] : namedMetrics (metrics))
+    json[name] = value;
+  std::cout << json.dump (2) << '\n';
+}
+
+void
+printRow (const char* name, double at_50, double at_75)
+{
+  std::cout << "  " << std::left << std::setw (20) << name << std::right
+            << std::setw (8) << at_50 << std::setw (8) << at_75 << '\n';
+}
+
+void
+printTable (const Metrics& metrics)
+{
+  const InstanceMetrics &at_50 = metrics.at_50, &at_75 = metrics.at_75;
+  std::cout << metrics.points << " points, " << metrics.truth_planes << " true planes, "
+            << metrics.result_planes << " found\n"
+            << std::fixed << std::setprecision (2) << "classification accuracy "
+            << std::setw (9) << 100.0 * metrics.classification_accuracy << " %\n"
+            << "segmentation accuracy   " << std::setw (9)
+            << 100.0 * metrics.segmentation_accuracy << " %  of points on true planes\n"
+            << "                        " << std::setw (9)
+            << 100.0 * metrics.segmentation_accuracy_all << " %  of all points\n"
+            << std::setprecision (3) << "planes at an overlap of    0.50    0.75\n";
+  printRow ("precision", at_50.precision, at_75.precision);
+  printRow ("recall", at_50.recall, at_75.recall);
+  printRow ("F-score", at_50.f_score, at_75.f_score);
+  printRow ("mean IoU of matched", at_50.mean_iou, at_75.mean_iou);
+  printRow ("panoptic quality", at_50.panoptic_quality, at_75.panoptic_quality);
+  printRow ("over-segmentation", at_50.over_segmentation, at_75.over_segmentation);
+  printRow ("under-segmentation", at_50.under_segmentation, at_75.under_segmentation);
+  printRow ("noise", at_50.noise, at_75.noise);
+  printRow ("missed", at_50.missed, at_75.missed);
+}
+
+} // namespace
+
+int
+compareCommand (int argc, const char* const* argv)
+{
+  CompareOptions options;
+  if (!readOptions (argc, argv, options))
+    return apps::kDone;
+  LabelledCloud truth = loadLabelledCloud (options.truth_file);
+  const LabelledCloud result = loadLabelledCloud (options.result_file);
+  requireSamePoints (truth, result, options.result_file);
+  dropSmallPlanes (truth.labels, options.min_plane_points);
+
+  ClassParameters parameters;
+  parameters.up = options.up.cast<double>().normalized();
+  const Metrics metrics =
+      compareLabels (*truth.cloud, truth.labels, result.labels, parameters);
+  if (metrics.truth_planes == 0)
+    std::cerr << "pcl_ops_evaluate: " << options.truth_file
+              << ": has no plane; all that can be right is to find none\n";
+  options.json ? printJson (metrics) : printTable (metrics);
+  return apps::kDone;
+}
+
+} // namespace pcl_ops::evaluation

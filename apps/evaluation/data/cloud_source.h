@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <evaluation/labels/labels.h>
+#include <evaluation/labels/plane_classes.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl_ops::evaluation {
+
+/** \brief A cloud to evaluate detectors on. */
+struct EvaluationCloud {
+  Cloud::Ptr cloud;
+  /** \brief Exact truth where there is one; otherwise it is made by region growing. */
+  std::optional<Labels> truth;
+  /** \brief Unit vector against gravity in the cloud's frame. */
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+};
+
+/** \brief A cloud that is loaded when its turn comes, so that memory is bounded by the
+ * clouds in flight. */
+struct CloudSource {
+  /** \brief Unique within its data set. */
+  std::string name;
+  /** \brief Throws apps::WorkError that names the file if the cloud cannot be had. */
+  std::function<EvaluationCloud()> load;
+};
+
+/** \brief What an evaluation runs over. */
+struct DataSet {
+  std::string name;
+  std::vector<CloudSource> clouds;
+};
+
+} // namespace pcl_ops::evaluation

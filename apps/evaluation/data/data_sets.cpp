@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "data_sets.h"
+
+#include <pcl/common/point_tests.h>
+
+#include "labelled_cloud.h"
+#include "sun_rgbd.h"
+#include <cli/errors.h>
+#include <cli/option_value.h>
+#include <io/output_file.h>
+#include <simulation/dense_scan.h>
+#include <simulation/depth_noise.h>
+#include <simulation/simulated_cloud.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+
+namespace pcl_ops::evaluation {
+
+const char* const data_set_help =
+    "sunrgbd:FOLDER or sunrgbd-raw:FOLDER (refined or raw depth), "
+    "rooms:FIRST-LAST or rooms-raw:FIRST-LAST (simulated, by seed), "
+    "simulated:N,N,... (scans of a whole room with N points), "
+    "clouds:PATH (.pcd and .ply, field label as truth)";
+
+namespace {
+
+namespace fs = std::filesystem;
+using simulation::NoiseProfile;
+
+/** More rooms than anybody waits for; keeps a typing error from filling the memory. */
+constexpr std::uint32_t most_rooms = 100'000;
+/** A point takes 16 bytes, and 36 more while it is simulated. */
+constexpr double most_points = 1e8;
+
+EvaluationCloud
+withExactTruth (const simulation::SimulatedCloud& simulated)
+{
+  EvaluationCloud result;
+  result.cloud.reset (new Cloud);
+  result.cloud->reserve (simulated.cloud.size());
+  result.cloud->sensor_origin_ = simulated.cloud.sensor_origin_;
+  result.cloud->sensor_orientation_ = simulated.cloud.sensor_orientation_;
+  result.truth.emplace();
+  for (const pcl::PointXYZL& point : simulated.cloud) {
+    result.cloud->push_back (pcl::PointXYZ (point.x, point.y, point.z));
+    result.truth->push_back (point.label);
+  }
+  return result;
+}
+
+EvaluationCloud
+simulateRoom (std::uint32_t seed, NoiseProfile profile)
+{
+  const simulation::Room room = simulation::makeRoom (seed);
+  simulation::DepthCamera camera;
+  camera.pose = simulation::drawCameraPose (room, camera, seed);
+  simulation::NoiseParameters noise;
+  noise.profile = profile;
+  return withExactTruth (
+      simulation::toCloud (simulation::measureDepth (room.scene, camera, noise, seed),
+                           camera,
+                           room.scene,
+                           simulation::CloudLayout::Readings));
+}
+
+/** "3-20", or "7" for one room. */
+std::pair<std::uint32_t, std::uint32_t>
+seedRange (const std::string& text)
+{
+  const std::size_t dash = text.find ('-');
+  const apps::Range any = apps::Range::from (0);
+  const auto first =
+      apps::parseNumber<std::uint32_t> ("rooms", text.substr (0, dash), any);
+  const auto last =
+      dash == std::string::npos
+          ? first
+          : apps::parseNumber<std::uint32_t> ("rooms", text.substr (dash + 1), any);
+  if (last < first || last - first >= most_rooms)
+    throw apps::UsageError ("rooms:" + text, "is no range of seeds such as 1-20");
+  return {first, last};
+}
+
+DataSet
+roomsDataSet (const std::string& name, const std::string& seeds, NoiseProfile profile)
+{
+  const auto [first, last] = seedRange (seeds);
+  DataSet data_set{name, {}};
+  for (std::uint32_t i = 0; i <= last - first; ++i) {
+    const std::uint32_t seed = first + i;
+    std::ostringstream room;
+    room << "room-" << std::setfill ('0') << std::setw (4) << seed;
+    data_set.clouds.push_back (
+        {room.str(), [seed, profile] { return simulateRoom (seed, profile); }});
+  }
+  return data_set;
+}
+
+DataSet
+scansDataSet (const std::string& name, const std::string& sizes)
+{
+  constexpr std::uint32_t seed = 1;
+  const apps::Range of_points = apps::Range::from (1).upTo (most_points);
+  DataSet data_set{name, {}};
+  std::istringstream list (sizes);
+  for (std::string size; std::getline (list, size, ',');) {
+    const auto points = apps::parseNumber<std::size_t> (name, size, of_points);
+    data_set.clouds.push_back ({"scan-" + size, [points] {
+                                  const auto room = simulation::makeRoom (seed);
+                                  return withExactTruth (simulation::scanDensely (
+                                      room.scene, points, 1.0, seed));
+                                }});
+  }
+  if (data_set.clouds.empty())
+    throw apps::UsageError (name,
+                            "has no size; give numbers of points, 300000,3000000");
+  return data_set;
+}
+
+EvaluationCloud
+readCloud (const std::string& file, const Eigen::Vector3d& up)
+{
+  const LabelledCloud all = loadLabelledCloud (file, LabelField::Optional);
+  EvaluationCloud finite;
+  finite.up = up;
+  finite.cloud.reset (new Cloud);
+  finite.cloud->sensor_origin_ = all.cloud->sensor_origin_;
+  finite.cloud->sensor_orientation_ = all.cloud->sensor_orientation_;
+  if (!all.labels.empty())
+    finite.truth.emplace();
+  for (std::size_t i = 0; i < all.cloud->size(); ++i) {
+    if (!pcl::isXYZFinite ((*all.cloud)[i]))
+      continue;
+    finite.cloud->push_back ((*all.cloud)[i]);
+    if (finite.truth)
+      finite.truth->push_back (all.labels[i]);
+  }
+  if (finite.cloud->empty())
+    throw apps::WorkError (file, "has no finite point; leave it out");
+  return finite;
+}
+
+std::vector<fs::path>
+cloudFilesIn (const std::string& folder)
+{
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry (folder, error), end; entry != end;
+       entry.increment (error)) {
+    const std::string extension = apps::extensionOf (entry->path().string());
+    if (extension == ".pcd" || extension == ".ply")
+      files.push_back (entry->path());
+  }
+  if (files.empty())
+    throw apps::WorkError (folder,
+                           "has no .pcd or .ply file; give a folder with clouds");
+  std::sort (files.begin(), files.end());
+  return files;
+}
+
+DataSet
+cloudsDataSet (const std::string& path, const Eigen::Vector3d& up)
+{
+  std::error_code error;
+  if (!fs::exists (path, error))
+    throw apps::WorkError (path, "does not exist; give a cloud or a folder of clouds");
+  const bool is_folder = fs::is_directory (path, error);
+  const fs::path folder = is_folder ? fs::path (path) : fs::path (path).parent_path();
+  DataSet data_set{"clouds", {}};
+  for (const fs::path& file :
+       is_folder ? cloudFilesIn (path) : std::vector<fs::path>{path})
+    data_set.clouds.push_back (
+        {file.lexically_relative (folder).generic_string(),
+         [name = file.string(), up] { return readCloud (name, up); }});
+  return data_set;
+}
+
+} // namespace
+
+DataSet
+dataSetOf (const std::string& text, const Eigen::Vector3d& up)
+{
+  const std::size_t colon = text.find (':');
+  const std::string kind = text.substr (0, colon);
+  const std::string rest = colon == std::string::npos ? "" : text.substr (colon + 1);
+  if (!rest.empty()) {
+    if (kind == "sunrgbd")
+      return sunRgbdDataSet (rest, SunRgbdDepth::Refined);
+    if (kind == "sunrgbd-raw")
+      return sunRgbdDataSet (rest, SunRgbdDepth::Raw);
+    if (kind == "rooms")
+      return roomsDataSet (kind, rest, NoiseProfile::Correlated);
+    if (kind == "rooms-raw")
+      return roomsDataSet (kind, rest, NoiseProfile::Raw);
+    if (kind == "simulated")
+      return scansDataSet (kind, rest);
+    if (kind == "clouds")
+      return cloudsDataSet (rest, up);
+  }
+  throw apps::UsageError (text, std::string ("is no data set; give ") + data_set_help);
+}
+
+} // namespace pcl_ops::evaluation

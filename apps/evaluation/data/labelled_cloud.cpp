@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "labelled_cloud.h"
+
+#include <pcl/common/common.h>
+#include <pcl/common/io.h>
+#include <pcl/common/point_tests.h>
+
+#include <cli/errors.h>
+#include <io/cloud_fields.h>
+#include <io/cloud_file.h>
+
+#include <cstring>
+#include <limits>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+/** Share of the cloud's diagonal by which rounding in a text file may move a point. */
+constexpr double largest_rounding = 1e-3;
+
+template <typename Integer>
+Labels
+integersOf (const pcl::PCLPointCloud2& cloud,
+            pcl::uindex_t offset,
+            const std::string& file)
+{
+  const std::size_t size = static_cast<std::size_t> (cloud.width) * cloud.height;
+  Labels labels;
+  labels.reserve (size);
+  for (std::size_t i = 0; i < size; ++i) {
+    Integer label; // PCL 1.12 has no cloud.at
+    std::memcpy (&label, &cloud.data[i * cloud.point_step + offset], sizeof (label));
+    if (label < 0)
+      throw apps::WorkError (file,
+                             "point " + std::to_string (i) +
+                                 " has a negative label; 0 means no plane");
+    labels.push_back (static_cast<std::uint32_t> (label));
+  }
+  return labels;
+}
+
+Labels
+labelsOf (const pcl::PCLPointCloud2& cloud, const std::string& file)
+{
+  const int index = pcl::getFieldIndex (cloud, "label");
+  if (index < 0)
+    throw apps::WorkError (file, "has no field label; give a cloud with labels");
+  const pcl::PCLPointField& field = cloud.fields[static_cast<std::size_t> (index)];
+  switch (field.datatype) {
+  case pcl::PCLPointField::INT8:
+    return integersOf<std::int8_t> (cloud, field.offset, file);
+  case pcl::PCLPointField::UINT8:
+    return integersOf<std::uint8_t> (cloud, field.offset, file);
+  case pcl::PCLPointField::INT16:
+    return integersOf<std::int16_t> (cloud, field.offset, file);
+  case pcl::PCLPointField::UINT16:
+    return integersOf<std::uint16_t> (cloud, field.offset, file);
+  case pcl::PCLPointField::INT32:
+    return integersOf<std::int32_t> (cloud, field.offset, file);
+  case pcl::PCLPointField::UINT32:
+    return integersOf<std::uint32_t> (cloud, field.offset, file);
+  default:
+    throw apps::WorkError (file,
+                           "its label is no integer of up to 4 bytes; convert it");
+  }
+}
+
+double
+diagonalOf (const Cloud& cloud)
+{
+  pcl::PointXYZ lowest, highest;
+  pcl::getMinMax3D (cloud, lowest, highest);
+  return (highest.getVector3fMap() - lowest.getVector3fMap()).cast<double>().norm();
+}
+
+} // namespace
+
+LabelledCloud
+loadLabelledCloud (const std::string& file, LabelField field)
+{
+  const apps::Cloud cloud = apps::loadCloud (file);
+  LabelledCloud labelled;
+  if (field == LabelField::Required || apps::hasField (cloud, "label"))
+    labelled.labels = labelsOf (cloud.points, file);
+  const apps::Positions positions = apps::positionsOf (cloud);
+  labelled.cloud = positions.cloud;
+  labelled.shift = positions.shift;
+  return labelled;
+}
+
+void
+requireSamePoints (const LabelledCloud& truth,
+                   const LabelledCloud& result,
+                   const std::string& result_file)
+{
+  if (truth.cloud->size() != result.cloud->size())
+    throw apps::WorkError (result_file,
+                           "has " + std::to_string (result.cloud->size()) +
+                               " points, the truth " +
+                               std::to_string (truth.cloud->size()) +
+                               "; give two labellings of the same cloud");
+  const Eigen::Vector3d shift = result.shift - truth.shift;
+  const double tolerance = largest_rounding * diagonalOf (*truth.cloud);
+  for (std::size_t i = 0; i < truth.cloud->size(); ++i) {
+    const pcl::PointXYZ &expected = (*truth.cloud)[i], &found = (*result.cloud)[i];
+    const Eigen::Vector3d offset =
+        (found.getVector3fMap() - expected.getVector3fMap()).cast<double>() + shift;
+    const bool both_finite = pcl::isXYZFinite (expected) && pcl::isXYZFinite (found);
+    if (both_finite && offset.norm() > tolerance)
+      throw apps::WorkError (result_file,
+                             "point " + std::to_string (i) +
+                                 " lies elsewhere than in the truth; give two "
+                                 "labellings of the same cloud");
+  }
+}
+
+} // namespace pcl_ops::evaluation

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sun_rgbd.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <cli/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double metres_per_unit = 0.001;
+constexpr double farthest_depth = 8.0; // [m]
+constexpr double largest_rotation_error = 1e-3;
+
+const char*
+folderOf (SunRgbdDepth depth)
+{
+  return depth == SunRgbdDepth::Raw ? "depth" : "depth_bfx";
+}
+
+/** The files of a folder with an extension, by name; none if there is no such folder.
+ */
+std::vector<fs::path>
+filesIn (const fs::path& folder, const std::string& extension)
+{
+  std::vector<fs::path> files;
+  std::error_code ignored;
+  for (fs::directory_iterator entry (folder, ignored), end; entry != end;
+       entry.increment (ignored))
+    if (entry->path().extension() == extension)
+      files.push_back (entry->path());
+  std::sort (files.begin(), files.end());
+  return files;
+}
+
+fs::path
+lastFileIn (const fs::path& folder, const std::string& extension)
+{
+  const std::vector<fs::path> files = filesIn (folder, extension);
+  if (files.empty())
+    throw apps::WorkError (folder.string(),
+                           "has no " + extension + " file; the frame is incomplete");
+  return files.back();
+}
+
+/** A matrix as text, row by row, with nothing behind it. */
+template <int Rows, int Columns>
+Eigen::Matrix<double, Rows, Columns>
+readMatrix (const fs::path& file)
+{
+  std::ifstream stream (file);
+  if (!stream)
+    throw apps::WorkError (file.string(), "cannot be read; the frame is incomplete");
+  Eigen::Matrix<double, Rows, Columns> matrix;
+  for (int row = 0; row < Rows; ++row)
+    for (int column = 0; column < Columns; ++column)
+      stream >> matrix (row, column);
+  std::string rest;
+  if (!stream || stream >> rest || !matrix.allFinite())
+    throw apps::WorkError (file.string(),
+                           "is no matrix of " + std::to_string (Rows) + " x " +
+                               std::to_string (Columns) +
+                               " numbers; get the file again");
+  return matrix;
+}
+
+Eigen::Matrix3d
+readIntrinsics (const fs::path& file)
+{
+  const Eigen::Matrix3d intrinsics = readMatrix<3, 3> (file);
+  if (!(intrinsics (0, 0) > 0.0 && intrinsics (1, 1) > 0.0))
+    throw apps::WorkError (
+        file.string(), "has a focal length that is not positive; get the file again");
+  return intrinsics;
+}
+
+Eigen::Matrix3d
+readExtrinsics (const fs::path& file)
+{
+  const Eigen::Matrix3d rotation = readMatrix<3, 4> (file).leftCols<3>();
+  const Eigen::Matrix3d error =
+      rotation * rotation.transpose() - Eigen::Matrix3d::Identity();
+  if (error.cwiseAbs().maxCoeff() > largest_rotation_error ||
+      rotation.determinant() < 0.0)
+    throw apps::WorkError (file.string(), "holds no rotation; get the file again");
+  return rotation;
+}
+
+bool
+isFrame (const fs::path& folder)
+{
+  std::error_code ignored;
+  return fs::is_directory (folder / folderOf (SunRgbdDepth::Raw), ignored) ||
+         fs::is_directory (folder / folderOf (SunRgbdDepth::Refined), ignored);
+}
+
+void
+collectFrames (const fs::path& folder, std::vector<fs::path>& frames)
+{
+  if (isFrame (folder)) {
+    frames.push_back (folder);
+    return;
+  }
+  std::error_code ignored;
+  for (fs::directory_iterator entry (folder, ignored), end; entry != end;
+       entry.increment (ignored))
+    if (entry->is_directory (ignored))
+      collectFrames (entry->path(), frames);
+}
+
+} // namespace
+
+Cloud::Ptr
+sunRgbdCloud (const DepthImage& image,
+              const Eigen::Matrix3d& intrinsics,
+              const Eigen::Matrix3d& extrinsics)
+{
+  Eigen::Matrix3d z_up; // from x right, y along gravity, z forward
+  z_up << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  const Eigen::Matrix3d rotation = z_up * extrinsics;
+  const double focal_x = intrinsics (0, 0), focal_y = intrinsics (1, 1);
+  const double center_x = intrinsics (0, 2), center_y = intrinsics (1, 2);
+
+  Cloud::Ptr cloud (new Cloud);
+  cloud->sensor_orientation_ = Eigen::Quaterniond (rotation).cast<float>();
+  for (std::size_t row = 0; row < image.height; ++row)
+    for (std::size_t column = 0; column < image.width; ++column) {
+      const std::uint16_t stored = image.values[row * image.width + column];
+      if (stored == 0)
+        continue;
+      const auto millimetres = static_cast<std::uint16_t> (stored >> 3 | stored << 13);
+      const double depth = std::min (millimetres * metres_per_unit, farthest_depth);
+      const Eigen::Vector3d point (
+          (static_cast<double> (column) - center_x) / focal_x * depth,
+          (static_cast<double> (row) - center_y) / focal_y * depth,
+          depth);
+      pcl::PointXYZ rotated;
+      rotated.getVector3fMap() = (rotation * point).cast<float>();
+      cloud->push_back (rotated);
+    }
+  return cloud;
+}
+
+EvaluationCloud
+readSunRgbdFrame (const std::string& folder, SunRgbdDepth depth)
+{
+  const fs::path frame (folder);
+  const Eigen::Matrix3d intrinsics = readIntrinsics (frame / "intrinsics.txt");
+  const Eigen::Matrix3d extrinsics =
+      readExtrinsics (lastFileIn (frame / "extrinsics", ".txt"));
+  const fs::path image = lastFileIn (frame / folderOf (depth), ".png");
+  EvaluationCloud result;
+  result.cloud = sunRgbdCloud (readDepthPng (image.string()), intrinsics, extrinsics);
+  if (result.cloud->empty())
+    throw apps::WorkError (image.string(),
+                           "has no reading at all; leave the frame out");
+  return result;
+}
+
+DataSet
+sunRgbdDataSet (const std::string& folder, SunRgbdDepth depth)
+{
+  std::vector<fs::path> frames;
+  collectFrames (fs::path (folder), frames);
+  if (frames.empty())
+    throw apps::WorkError (folder,
+                           "has no SUN RGB-D frame (a folder with depth or depth_bfx, "
+                           "intrinsics.txt and extrinsics); give the folder SUNRGBD");
+  std::sort (frames.begin(), frames.end());
+  DataSet data_set{depth == SunRgbdDepth::Raw ? "sunrgbd-raw" : "sunrgbd", {}};
+  for (const fs::path& frame : frames)
+    data_set.clouds.push_back (
+        {frame.lexically_relative (folder).generic_string(),
+         [path = frame.string(), depth] { return readSunRgbdFrame (path, depth); }});
+  return data_set;
+}
+
+} // namespace pcl_ops::evaluation

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ablation.h"
+
+#include "detector_run.h"
+#include <pcl_ops/oriented_point_sampling.h>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+using Parameters = OrientedPointSamplingParameters;
+
+struct Ingredient {
+  const char* name;
+  void (*switch_off) (Parameters& parameters);
+};
+
+constexpr double no_limit = 1e6;
+
+const Ingredient ingredients[] = {
+    {"resolutions", [] (Parameters& p) { p.surfels.resolutions = 1; }},
+    {"least-cells", [] (Parameters& p) { p.surfels.least_average_voxels = 0.0; }},
+    {"normal-test",
+     [] (Parameters& p) {
+       constexpr double right_angle = 1.5707963267948966;
+       p.surfels.angle_threshold = right_angle;
+     }},
+    {"noise-bands", [] (Parameters& p) { p.surfels.noise_factor = no_limit; }},
+    {"curvature-test",
+     [] (Parameters& p) { p.surfels.largest_normal_spread = no_limit; }},
+    {"sure-cells-first",
+     [] (Parameters& p) { p.surfels.sure_thickness = p.surfels.largest_thickness; }},
+    {"growing", [] (Parameters& p) { p.surfels.growing_rounds = 0; }},
+    {"absorption", [] (Parameters& p) { p.surfels.absorption_noise_factor = 0.0; }},
+    {"merging", [] (Parameters& p) { p.merging.enabled = false; }},
+    {"separation", [] (Parameters& p) { p.surfels.separates_surfaces = false; }},
+    {"noise-in-assignment",
+     [] (Parameters& p) { p.surfels.assignment_noise_factor = no_limit; }},
+    {"measured-threshold", [] (Parameters& p) { p.distance_threshold = 0.05; }}};
+
+} // namespace
+
+void
+addAblation (std::vector<Configuration>& configurations)
+{
+  for (const Ingredient& ingredient : ingredients) {
+    Parameters parameters;
+    ingredient.switch_off (parameters);
+    configurations.push_back (configurationOf<OrientedPointSampling<pcl::PointXYZ>> (
+        std::string ("ops-without-") + ingredient.name, {"ablation"}, parameters));
+  }
+}
+
+} // namespace pcl_ops::evaluation

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cgal_peers.h"
+
+#include <pcl/common/angles.h>
+
+#include <CGAL/pca_estimate_normals.h>
+#include <CGAL/property_map.h>
+#include <CGAL/Shape_detection/Efficient_RANSAC.h>
+#include <CGAL/Shape_detection/Region_growing/Region_growing.h>
+#include <CGAL/Shape_detection/Region_growing/Region_growing_on_point_set.h>
+#include <CGAL/Simple_cartesian.h>
+#include <evaluation/detectors/timed.h>
+
+#include <cmath>
+#include <tuple>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<float>;
+/** Efficient RANSAC reorders its input: a point brings its index along. */
+using OrientedPoint = std::tuple<Kernel::Point_3, Kernel::Vector_3, pcl::index_t>;
+using OrientedPoints = std::vector<OrientedPoint>;
+using PointMap = CGAL::Nth_of_tuple_property_map<0, OrientedPoint>;
+using NormalMap = CGAL::Nth_of_tuple_property_map<1, OrientedPoint>;
+
+constexpr unsigned neighbors = 24;
+/** CGAL grows smaller regions in vain again from each of their points: at 0.2 per cent
+ * of the points, as for Efficient RANSAC, that takes minutes. */
+constexpr std::size_t fewest_points_of_region = 50;
+constexpr float distance_threshold = 0.05f; // [m]
+/** Gaps up to this do not divide a surface [m]. */
+constexpr float cluster_distance = 0.1f;
+/** CGAL's own default for both detectors. */
+constexpr float normal_degrees = 25.0f;
+/** Probability to miss the largest plane: CGAL's default. */
+constexpr float miss_probability = 0.05f;
+constexpr double smallest_share = 0.002;
+
+OrientedPoints
+orientedPointsOf (const Cloud& cloud)
+{
+  OrientedPoints points;
+  points.reserve (cloud.size());
+  for (const pcl::PointXYZ& point : cloud)
+    points.emplace_back (Kernel::Point_3 (point.x, point.y, point.z),
+                         Kernel::Vector_3 (0, 0, 0),
+                         static_cast<pcl::index_t> (points.size()));
+  CGAL::pca_estimate_normals<CGAL::Sequential_tag> (
+      points,
+      neighbors,
+      CGAL::parameters::point_map (PointMap()).normal_map (NormalMap()));
+  return points;
+}
+
+std::size_t
+fewestPoints (const OrientedPoints& points)
+{
+  return static_cast<std::size_t> (smallest_share *
+                                   static_cast<double> (points.size())) +
+         1;
+}
+
+pcl::PointIndices
+planeOf (const OrientedPoints& points, const std::vector<std::size_t>& members)
+{
+  pcl::PointIndices plane;
+  for (const std::size_t i : members)
+    plane.indices.push_back (std::get<2> (points[i]));
+  return plane;
+}
+
+std::vector<pcl::PointIndices>
+planesByEfficientRansac (OrientedPoints& points, std::uint32_t seed)
+{
+  using Traits = CGAL::Shape_detection::
+      Efficient_RANSAC_traits<Kernel, OrientedPoints, PointMap, NormalMap>;
+  using Ransac = CGAL::Shape_detection::Efficient_RANSAC<Traits>;
+  CGAL::get_default_random() = CGAL::Random (seed);
+  Ransac ransac;
+  ransac.set_input (points);
+  ransac.add_shape_factory<CGAL::Shape_detection::Plane<Traits>>();
+  Ransac::Parameters parameters;
+  parameters.probability = miss_probability;
+  parameters.min_points = fewestPoints (points);
+  parameters.epsilon = distance_threshold;
+  parameters.cluster_epsilon = cluster_distance;
+  parameters.normal_threshold = std::cos (pcl::deg2rad (normal_degrees));
+  ransac.detect (parameters);
+
+  std::vector<pcl::PointIndices> planes;
+  for (const auto& shape : ransac.shapes())
+    planes.push_back (planeOf (points, shape->indices_of_assigned_points()));
+  return planes;
+}
+
+std::vector<pcl::PointIndices>
+planesByRegionGrowing (const OrientedPoints& points)
+{
+  namespace growing = CGAL::Shape_detection::Point_set;
+  using Query = growing::K_neighbor_query<Kernel, OrientedPoints, PointMap>;
+  using Region = growing::
+      Least_squares_plane_fit_region<Kernel, OrientedPoints, PointMap, NormalMap>;
+  using Sorting =
+      growing::Least_squares_plane_fit_sorting<Kernel, OrientedPoints, Query, PointMap>;
+  Query query (points, neighbors, PointMap());
+  Region region (points,
+                 distance_threshold,
+                 normal_degrees,
+                 fewest_points_of_region,
+                 PointMap(),
+                 NormalMap());
+  Sorting sorting (points, query, PointMap());
+  sorting.sort();
+  CGAL::Shape_detection::
+      Region_growing<OrientedPoints, Query, Region, typename Sorting::Seed_map>
+          region_growing (points, query, region, sorting.seed_map());
+  std::vector<std::vector<std::size_t>> regions;
+  region_growing.detect (std::back_inserter (regions));
+
+  std::vector<pcl::PointIndices> planes;
+  for (const std::vector<std::size_t>& members : regions)
+    planes.push_back (planeOf (points, members));
+  return planes;
+}
+
+/** Both detectors as PCL would be given them: cloud to normals to labels. */
+template <typename Detect>
+DetectorRun
+runCgal (const Cloud& cloud, Detect detect)
+{
+  DetectorRun run;
+  timed (run.durations.detection, [&] {
+    OrientedPoints points =
+        timed (run.durations.normals, [&] { return orientedPointsOf (cloud); });
+    const std::vector<pcl::PointIndices> planes = detect (points);
+    run.planes_before_merging = planes.size();
+    run.labels = labelsOf (planes, cloud.size());
+  });
+  return run;
+}
+
+} // namespace
+
+void
+addCgalPeers (std::vector<Configuration>& configurations)
+{
+  configurations.push_back (
+      {"cgal-ransac",
+       {"peers"},
+       [] (const Cloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t seed) {
+         return runCgal (*cloud, [seed] (OrientedPoints& points) {
+           return planesByEfficientRansac (points, seed);
+         });
+       }});
+  configurations.push_back (
+      {"cgal-region-growing",
+       {"peers"},
+       [] (const Cloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t) {
+         return runCgal (*cloud, planesByRegionGrowing);
+       }});
+}
+
+} // namespace pcl_ops::evaluation

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+<<<<<<< HEAD:apps/evaluation/detector_run.h
+#include "peers.h"
+#include <evaluation/detectors/timed.h>
+=======
+#include "detectors.h"
+#include <pcl_ops/stage_timer.h>
+>>>>>>> apps:apps/evaluation/detectors/detector_run.h
+
+namespace pcl_ops::evaluation {
+
+/** \brief Runs a detector of this project.
+ * \param[in] parameters all of them: up axis, seed and threads too
+ * \param[in] cloud finite points */
+template <typename Detector>
+DetectorRun
+runDetector (const typename Detector::Parameters& parameters,
+             const Cloud::ConstPtr& cloud)
+{
+  DetectorRun result;
+  double detection = 0.0;
+  timed (detection, [&] {
+    Detector detector;
+    detector.setParameters (parameters);
+    detector.setInputCloud (cloud);
+    std::vector<pcl::PointIndices> planes;
+    detector.extract (planes);
+    result.labels = labelsOf (planes, cloud->size());
+    result.durations = detector.getStageDurations();
+    result.planes_before_merging = detector.getNumberOfPlanesBeforeMerging();
+  });
+  result.durations.detection = detection;
+  return result;
+}
+
+/** \brief A detector of this project as a configuration. */
+template <typename Detector>
+Configuration
+configurationOf (const std::string& name,
+                 const std::vector<std::string>& groups,
+                 const typename Detector::Parameters& parameters)
+{
+  const auto run = [parameters] (const Cloud::ConstPtr& cloud,
+                                 const Eigen::Vector3d& up,
+                                 std::uint32_t seed) {
+    auto complete = parameters;
+    complete.up_axis = up.cast<float>();
+    complete.seed = seed;
+    complete.threads = 1;
+    return runDetector<Detector> (complete, cloud);
+  };
+  return {name, groups, run};
+}
+
+} // namespace pcl_ops::evaluation

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <evaluation/labels/plane_classes.h>
+#include <pcl_ops/plane_detector.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pcl_ops::evaluation {
+
+/** \brief What a detector made of a cloud. */
+struct DetectorRun {
+  /** \brief 0: no plane; 1 .. P: planes, in any order. */
+  Labels labels;
+  std::size_t planes_before_merging = 0;
+  /** \brief Times [ms]; of the foreign detectors only normals and detection are known.
+   * Detection is everything from the loaded cloud to labels. */
+  StageDurations durations;
+};
+
+/** \brief A detector with its parameters, under a name. */
+struct Configuration {
+  std::string name;
+  /** \brief Names that stand for it among others: table1 to table4, presets, peers. */
+  std::vector<std::string> groups;
+  /** \brief On one thread.
+   * \param cloud finite points
+   * \param up unit vector against gravity
+   * \param seed of every random choice the detector lets be seeded */
+  std::function<DetectorRun (
+      const Cloud::ConstPtr& cloud, const Eigen::Vector3d& up, std::uint32_t seed)>
+      run;
+};
+
+/** \brief Every row of the paper's tables, the product's presets, and the detectors
+ * people use today:
+ * - table1: fspf-R1-R2, with the radii in metres
+ * - table2: kht-PHI-RHO, with the numbers of bins
+ * - table3: ops-RATE-K and ops-s1-RATE-K (strategy 1), with the sampling rate in per
+ * cent
+ * - table4: the best rows
+ * - presets: ops, fspf, kht as this product recommends them
+ * - peers: detectors of PCL and, if found when this was built, of CGAL
+ * - ablation: ops-without-INGREDIENT, the default preset with one ingredient off */
+const std::vector<Configuration>&
+allConfigurations ();
+
+/** \brief Whether a configuration of that name is known and one of the group. */
+bool
+isInGroup (const std::string& configuration, const std::string& group);
+
+/** \brief The configurations of a list of names and groups, "ops,table4"; "all" for all
+ * but the ablation. None comes twice.
+ * \throw apps::UsageError for an unknown name */
+std::vector<Configuration>
+selectConfigurations (const std::string& list);
+
+} // namespace pcl_ops::evaluation

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cli/progress.h>
+#include <evaluation/report/results_file.h>
+#include <evaluation/truth/truth.h>
+
+namespace pcl_ops::evaluation {
+
+/** \brief What to run over what. */
+struct EvaluationPlan {
+  std::vector<DataSet> data_sets;
+  std::vector<Configuration> configurations;
+  TruthParameters truth;
+  std::uint32_t seed = 42;
+  /** \brief Clouds at a time; only 1 leaves the measured times undisturbed. */
+  unsigned jobs = 1;
+};
+
+/** \brief What became of it. */
+struct EvaluationSummary {
+  /** \brief Clouds with all their rows in the file. */
+  std::size_t clouds = 0;
+  std::size_t new_rows = 0;
+  std::size_t broken_clouds = 0;
+  /** \brief Configurations that failed on a cloud. */
+  std::size_t failed_runs = 0;
+};
+
+/** \brief Runs every configuration on every cloud for which the results have no row
+ * yet. Clouds that cannot be loaded and detectors that fail are said and counted, the
+ * rest goes on.
+ * \param[in] plan what to run
+ * \param[in,out] results gets each row as
+ * soon as it is known
+ * \param[out] messages one line for each cloud or run that failed,
+ * and the progress
+ * \param[in] is_terminal whether \p messages is one
+ * \throw
+ * apps::WorkError if the results cannot be written */
+EvaluationSummary
+evaluate (const EvaluationPlan& plan,
+          ResultsFile& results,
+          std::ostream& messages,
+          bool is_terminal);
+
+} // namespace pcl_ops::evaluation

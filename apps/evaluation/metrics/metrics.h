@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "instance_metrics.h"
+#include <evaluation/labels/plane_classes.h>
+
+#include <string>
+#include <utility>
+
+namespace pcl_ops::evaluation {
+
+/** \brief Everything said about a segmentation against the truth. */
+struct Metrics {
+  /** \brief Points with the right one of the three classes / points. */
+  double classification_accuracy = 0.0;
+  /** \brief Points on true planes with the label assigned to theirs / such points. */
+  double segmentation_accuracy = 0.0;
+  /** \brief The same over all points; on no plane in both is right, too. */
+  double segmentation_accuracy_all = 0.0;
+  InstanceMetrics at_50;
+  InstanceMetrics at_75;
+  std::size_t points = 0;
+  std::size_t truth_planes = 0;
+  std::size_t result_planes = 0;
+};
+
+/** \brief Compares two labellings of a cloud. Points without finite coordinates are on
+ * no surface and do not count.
+ * \param[in] cloud the points
+ * \param[in] truth, result their labels, each of the cloud's size
+ * \throw std::invalid_argument if the sizes differ
+ * \throw std::length_error as \ref assignPlanes */
+Metrics
+compareLabels (const Cloud& cloud,
+               const Labels& truth,
+               const Labels& result,
+               const ClassParameters& parameters = {});
+
+/** \brief The fractions of a comparison under their published names, in order: the
+ * three accuracies, then the instance metrics at 0.5 and, with suffix _75, at 0.75. */
+std::vector<std::pair<std::string, double>>
+namedMetrics (const Metrics& metrics);
+
+} // namespace pcl_ops::evaluation

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "results_file.h"
+
+#include <cli/errors.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t text_columns = 5;
+constexpr int digits_of_value = 7;
+
+/** A cell of RFC 4180: quoted where it has to be. A name's line break becomes a space,
+ * so that a row is always a line. */
+std::string
+quoted (std::string text)
+{
+  std::replace (text.begin(), text.end(), '\n', ' ');
+  if (text.find_first_of (",\"") == std::string::npos)
+    return text;
+  std::string cell = "\"";
+  for (const char character : text)
+    cell += character == '"' ? std::string ("\"\"") : std::string (1, character);
+  return cell + '"';
+}
+
+std::vector<std::string>
+cellsOf (const std::string& line)
+{
+  std::vector<std::string> cells (1);
+  bool in_quotes = false;
+  for (const char character : line) {
+    if (character == '"') {
+      // The second quote of a pair inside quotes stands for one.
+      if (!in_quotes && !cells.back().empty())
+        cells.back() += '"';
+      in_quotes = !in_quotes;
+    }
+    else if (character == ',' && !in_quotes)
+      cells.emplace_back();
+    else
+      cells.back() += character;
+  }
+  return cells;
+}
+
+std::string
+headerLine ()
+{
+  std::string line = "data_set,cloud,truth,configuration,seed";
+  for (const std::string& column : valueColumns())
+    line += ',' + column;
+  return line;
+}
+
+std::string
+lineOf (const ResultRow& row)
+{
+  std::ostringstream line;
+  line.precision (digits_of_value);
+  line << quoted (row.data_set) << ',' << quoted (row.cloud) << ','
+       << quoted (row.truth) << ',' << quoted (row.configuration) << ',' << row.seed;
+  for (const double value : row.values)
+    line << ',' << value;
+  return line.str();
+}
+
+/** \throw std::exception for a line that is no row */
+ResultRow
+rowOf (const std::string& line)
+{
+  const std::vector<std::string> cells = cellsOf (line);
+  if (cells.size() != text_columns + valueColumns().size())
+    throw std::invalid_argument ("wrong number of cells");
+  ResultRow row{cells[0], cells[1], cells[2], cells[3], 0, {}};
+  row.seed = static_cast<std::uint32_t> (std::stoul (cells[4]));
+  for (std::size_t i = text_columns; i < cells.size(); ++i)
+    row.values.push_back (std::stod (cells[i]));
+  return row;
+}
+
+/** Cuts off what follows the last line break. */
+void
+removeIncompleteLine (const std::string& file)
+{
+  std::ifstream stream (file, std::ios::binary);
+  const std::string text (std::istreambuf_iterator<char> (stream), {});
+  const std::size_t end = text.rfind ('\n');
+  const std::size_t complete = end == std::string::npos ? 0 : end + 1;
+  if (complete < text.size())
+    fs::resize_file (file, complete);
+}
+
+} // namespace
+
+double
+ResultRow::value (const std::string& column) const
+{
+  const std::vector<std::string>& columns = valueColumns();
+  const auto found = std::find (columns.begin(), columns.end(), column);
+  if (found == columns.end())
+    throw std::out_of_range ("no column " + column);
+  return values[static_cast<std::size_t> (found - columns.begin())];
+}
+
+const std::vector<std::string>&
+valueColumns ()
+{
+  static const std::vector<std::string> columns = [] {
+    std::vector<std::string> names{
+        "points", "truth_planes", "result_planes", "planes_before_merging"};
+    for (const auto& named : namedMetrics ({}))
+      names.push_back (named.first);
+    for (const char* stage :
+         {"search", "normals", "extraction", "assignment", "merging", "detection"})
+      names.push_back (stage + std::string ("_ms"));
+    return names;
+  }();
+  return columns;
+}
+
+std::vector<double>
+valuesOf (const Metrics& metrics, const DetectorRun& run)
+{
+  std::vector<double> values{static_cast<double> (metrics.points),
+                             static_cast<double> (metrics.truth_planes),
+                             static_cast<double> (metrics.result_planes),
+                             static_cast<double> (run.planes_before_merging)};
+  for (const auto& named : namedMetrics (metrics))
+    values.push_back (named.second);
+  const StageDurations& stages = run.durations;
+  for (const double duration : {stages.search,
+                                stages.normals,
+                                stages.extraction,
+                                stages.assignment,
+                                stages.merging,
+                                stages.detection})
+    values.push_back (duration);
+  return values;
+}
+
+ResultsFile::ResultsFile (const std::string& file) : file_ (file)
+{
+  std::error_code ignored;
+  const bool is_new = !fs::exists (file, ignored);
+  if (!is_new) {
+    removeIncompleteLine (file);
+    readRows();
+  }
+  stream_.open (file, std::ios::app);
+  if (is_new || fs::file_size (file, ignored) == 0)
+    stream_ << headerLine() << '\n';
+  if (!stream_.flush())
+    throw apps::WorkError (file, "cannot be written; give another output folder");
+}
+
+void
+ResultsFile::readRows()
+{
+  std::ifstream stream (file_);
+  std::string line;
+  if (!std::getline (stream, line))
+    return;
+  if (line != headerLine())
+    throw apps::WorkError (file_,
+                           "has other columns than this version writes; give another "
+                           "output folder");
+  for (std::size_t number = 2; std::getline (stream, line); ++number)
+    try {
+      rows_.push_back (rowOf (line));
+      keys_.insert (rows_.back().key());
+    }
+    catch (const std::exception&) {
+      throw apps::WorkError (file_,
+                             "line " + std::to_string (number) +
+                                 " is no row of results; remove it");
+    }
+}
+
+bool
+ResultsFile::has (const ResultRow::Key& key) const
+{
+  const std::lock_guard<std::mutex> lock (mutex_);
+  return keys_.count (key) > 0;
+}
+
+void
+ResultsFile::add (const ResultRow& row)
+{
+  const std::lock_guard<std::mutex> lock (mutex_);
+  if (!(stream_ << lineOf (row) + '\n') || !stream_.flush())
+    throw apps::WorkError (file_, "cannot be written; is the disk full?");
+  rows_.push_back (row);
+  keys_.insert (row.key());
+}
+
+} // namespace pcl_ops::evaluation

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "truth.h"
+
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
+#include <pcl/type_traits.h>
+
+#include <cli/errors.h>
+#include <io/output_file.h>
+#include <io/pcd_header.h>
+
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/** Change it with the algorithm: truth grown by an older one is then grown anew. */
+constexpr std::uint64_t algorithm_version = 1;
+
+/** FNV-1a, 64 bits (Fowler, Noll & Vo). */
+class Hash {
+public:
+  template <typename T>
+  void
+  add (const T& value)
+  {
+    const auto* const bytes = reinterpret_cast<const unsigned char*> (&value);
+    for (std::size_t i = 0; i < sizeof (T); ++i)
+      value_ = (value_ ^ bytes[i]) * 0x100000001b3u;
+  }
+
+  std::string
+  hex () const
+  {
+    std::ostringstream text;
+    text << std::hex << std::setfill ('0') << std::setw (16) << value_;
+    return text.str();
+  }
+
+private:
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+/** Nothing if there is no such file or it is damaged. */
+std::optional<Labels>
+readLabels (const std::string& file, std::size_t points)
+{
+  std::error_code ignored;
+  if (!fs::exists (file, ignored))
+    return std::nullopt;
+  pcl::PointCloud<pcl::Label> cloud;
+  try {
+    apps::checkPcdFile (file);
+    pcl::io::loadPCDFile (file, cloud);
+  }
+  catch (const std::exception&) {
+    return std::nullopt;
+  }
+  if (cloud.size() != points)
+    return std::nullopt;
+  Labels labels;
+  labels.reserve (points);
+  for (const pcl::Label& point : cloud)
+    labels.push_back (point.label);
+  return labels;
+}
+
+void
+writeLabels (const std::string& file, const Labels& labels)
+{
+  pcl::PointCloud<pcl::Label> cloud;
+  cloud.reserve (labels.size());
+  for (const std::uint32_t label : labels) {
+    pcl::Label point;
+    point.label = label;
+    cloud.push_back (point);
+  }
+  apps::writeFile (file, [&] (const std::string& path) {
+    if (pcl::PCDWriter().writeBinaryCompressed (path, cloud) < 0)
+      throw apps::WorkError (file, "cannot be written; is the disk full?");
+  });
+}
+
+Labels
+grownTruth (const Cloud& cloud, const TruthParameters& parameters)
+{
+  if (parameters.cache_folder.empty())
+    return growRegions (cloud, parameters.growing);
+  std::error_code ignored;
+  fs::create_directories (parameters.cache_folder, ignored);
+  const std::string file = (fs::path (parameters.cache_folder) /
+                            (truthKey (cloud, parameters.growing) + ".pcd"))
+                               .string();
+  if (const std::optional<Labels> cached = readLabels (file, cloud.size()))
+    return *cached;
+  const Labels labels = growRegions (cloud, parameters.growing);
+  writeLabels (file, labels);
+  return labels;
+}
+
+} // namespace
+
+std::string
+truthKey (const Cloud& cloud, const RegionGrowingParameters& parameters)
+{
+  Hash hash;
+  hash.add (algorithm_version);
+  hash.add (parameters.neighbors);
+  hash.add (parameters.distance_threshold);
+  hash.add (parameters.angle_threshold);
+  hash.add (parameters.min_points);
+  for (const pcl::PointXYZ& point : cloud) {
+    hash.add (point.x);
+    hash.add (point.y);
+    hash.add (point.z);
+  }
+  return hash.hex();
+}
+
+Labels
+truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters)
+{
+  Labels labels = cloud.truth ? *cloud.truth : grownTruth (*cloud.cloud, parameters);
+  dropSmallPlanes (labels, parameters.min_points);
+  return labels;
+}
+
+std::string
+truthName (const EvaluationCloud& cloud, const TruthParameters& parameters)
+{
+  if (cloud.truth)
+    return exact_truth;
+  return "grown-k" + std::to_string (parameters.growing.neighbors);
+}
+
+} // namespace pcl_ops::evaluation

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_fields.h"
+
+#include <pcl/common/io.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <type_traits>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+using pcl::PCLPointField;
+
+const PCLPointField&
+fieldOf (const Cloud& cloud, const std::string& name)
+{
+  const int index = pcl::getFieldIndex (cloud.points, name);
+  if (index < 0)
+    throw std::invalid_argument ("the cloud has no field " + name);
+  return cloud.points.fields[static_cast<std::size_t> (index)];
+}
+
+template <typename Number>
+double
+numberAt (const std::uint8_t* bytes)
+{
+  Number number;
+  std::memcpy (&number, bytes, sizeof (number));
+  return static_cast<double> (number);
+}
+
+using NumberReader = double (*) (const std::uint8_t*);
+
+NumberReader
+readerOf (std::uint8_t datatype)
+{
+  switch (datatype) {
+  case PCLPointField::INT8:
+    return numberAt<std::int8_t>;
+  case PCLPointField::UINT8:
+    return numberAt<std::uint8_t>;
+  case PCLPointField::INT16:
+    return numberAt<std::int16_t>;
+  case PCLPointField::UINT16:
+    return numberAt<std::uint16_t>;
+  case PCLPointField::INT32:
+    return numberAt<std::int32_t>;
+  case PCLPointField::UINT32:
+    return numberAt<std::uint32_t>;
+  case PCLPointField::FLOAT32:
+    return numberAt<float>;
+  case PCLPointField::FLOAT64:
+    return numberAt<double>;
+  default:
+    // 8-byte integers, which PCL writes and reads but has no name for before 1.15.
+    return numberAt<std::int64_t>;
+  }
+}
+
+/** \brief The three coordinates of each point, whatever their type. */
+class CoordinateReader {
+public:
+  explicit CoordinateReader (const Cloud& cloud) : cloud_ (cloud.points)
+  {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const PCLPointField field = fieldOf (cloud, std::string (1, "xyz"[i]));
+      offsets_[i] = field.offset;
+      readers_[i] = readerOf (field.datatype);
+      is_single_ = is_single_ && field.datatype == PCLPointField::FLOAT32;
+    }
+  }
+
+  bool
+  isSinglePrecision () const
+  {
+    return is_single_;
+  }
+
+  Eigen::Vector3d
+  operator() (std::size_t i) const
+  {
+    const std::uint8_t* const point = cloud_.data.data() + i * cloud_.point_step;
+    return Eigen::Vector3d (readers_[0](point + offsets_[0]),
+                            readers_[1](point + offsets_[1]),
+                            readers_[2](point + offsets_[2]));
+  }
+
+private:
+  const pcl::PCLPointCloud2& cloud_;
+  std::array<pcl::uindex_t, 3> offsets_{};
+  std::array<NumberReader, 3> readers_{};
+  bool is_single_ = true;
+};
+
+/** \brief A field of the output and where its bytes come from in the input. */
+struct Column {
+  PCLPointField field;
+  pcl::uindex_t source = 0;
+  pcl::uindex_t size = 0;
+  bool is_new = false;
+};
+
+/** \brief The fields of a cloud, each up to where the next one starts: that way also
+ * types the installed PCL does not know are copied whole. */
+std::vector<Column>
+columnsOf (const pcl::PCLPointCloud2& cloud)
+{
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < cloud.fields.size(); ++i) {
+    const bool is_last = i + 1 == cloud.fields.size();
+    const pcl::uindex_t start = cloud.fields[i].offset;
+    const pcl::uindex_t end = is_last ? cloud.point_step : cloud.fields[i + 1].offset;
+    columns.push_back ({cloud.fields[i], start, end - start, false});
+  }
+  return columns;
+}
+
+/** \brief Puts a new column in place of one of its name, else before the one called
+ * \p before, else at the end. */
+void
+place (const Column& column, const std::string& before, std::vector<Column>& columns)
+{
+  const auto named = [&] (const std::string& name) {
+    return std::find_if (columns.begin(), columns.end(), [&] (const Column& other) {
+      return other.field.name == name;
+    });
+  };
+  const auto old = named (column.field.name);
+  if (old != columns.end())
+    *old = column;
+  else
+    columns.insert (named (before), column);
+}
+
+/** \brief Sets one field of four bytes of every point and copies all others. */
+void
+setField (pcl::PCLPointCloud2& cloud,
+          const std::string& name,
+          std::uint8_t datatype,
+          const std::string& before,
+          const std::vector<std::uint32_t>& values)
+{
+  Column added{{}, 0, sizeof (values[0]), true};
+  added.field.name = name;
+  added.field.datatype = datatype;
+  added.field.count = 1;
+  std::vector<Column> columns = columnsOf (cloud);
+  place (added, before, columns);
+
+  pcl::uindex_t step = 0;
+  cloud.fields.clear();
+  for (Column& column : columns) {
+    column.field.offset = step;
+    step += column.size;
+    cloud.fields.push_back (column.field);
+  }
+  std::vector<std::uint8_t> bytes (values.size() * step);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::uint8_t* const point = cloud.data.data() + i * cloud.point_step;
+    const auto* const value = reinterpret_cast<const std::uint8_t*> (&values[i]);
+    for (const Column& column : columns)
+      std::copy_n (column.is_new ? value : point + column.source,
+                   column.size,
+                   bytes.data() + i * step + column.field.offset);
+  }
+  cloud.data = std::move (bytes);
+  cloud.point_step = step;
+  cloud.row_step = step * cloud.width;
+}
+
+} // namespace
+
+Positions
+positionsOf (const Cloud& cloud)
+{
+  const CoordinateReader coordinates (cloud);
+  Positions positions;
+  const std::size_t size = cloud.size();
+  if (!coordinates.isSinglePrecision()) {
+    for (std::size_t i = 0; i < size && positions.shift.isZero (0.0); ++i)
+      if (coordinates (i).allFinite())
+        positions.shift = coordinates (i);
+  }
+  positions.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  positions.cloud->points.reserve (size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const Eigen::Vector3f point = (coordinates (i) - positions.shift).cast<float>();
+    positions.cloud->points.emplace_back (point.x(), point.y(), point.z());
+  }
+  positions.cloud->width = cloud.points.width;
+  positions.cloud->height = cloud.points.height;
+  positions.cloud->is_dense = false;
+  positions.cloud->sensor_orientation_ = cloud.orientation;
+  positions.cloud->sensor_origin_.head<3>() =
+      (cloud.origin.head<3>().cast<double>() - positions.shift).cast<float>();
+  return positions;
+}
+
+bool
+hasField (const Cloud& cloud, const std::string& name)
+{
+  return pcl::getFieldIndex (cloud.points, name) >= 0;
+}
+
+void
+setLabels (Cloud& cloud, const std::vector<std::uint32_t>& labels)
+{
+  setField (cloud.points, "label", PCLPointField::UINT32, "", labels);
+}
+
+void
+setColors (Cloud& cloud, const std::vector<pcl::RGB>& colors)
+{
+  std::vector<std::uint32_t> packed;
+  packed.reserve (colors.size());
+  for (const pcl::RGB& color : colors)
+    packed.push_back (color.rgba);
+  setField (cloud.points, "rgb", PCLPointField::FLOAT32, "rgba", packed);
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_file.h"
+
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+
+#include "cloud_fields.h"
+#include "output_file.h"
+#include "pcd_header.h"
+#include "ply_header.h"
+#include <cli/errors.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace fs = std::filesystem;
+
+namespace pcl_ops::apps {
+
+namespace {
+
+void
+checkReadable (const std::string& file)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status (file, error);
+  if (!fs::exists (status))
+    throw WorkError (file, "does not exist; check the name");
+  if (fs::is_directory (status))
+    throw WorkError (file, "is a folder; give a .pcd or .ply file");
+  if (!fs::is_regular_file (status))
+    throw WorkError (file, "is no regular file; give a .pcd or .ply file");
+}
+
+/** \brief PCL's reader; what it throws or returns on failure becomes one error. */
+void
+readWith (pcl::FileReader&& reader, const std::string& file, Cloud& cloud)
+{
+  std::string reason;
+  try {
+    int version = 0;
+    if (reader.read (file, cloud.points, cloud.origin, cloud.orientation, version) >= 0)
+      return;
+    reason = "its data does not match its header";
+  }
+  catch (const std::bad_alloc&) {
+    throw;
+  }
+  catch (const std::exception& error) {
+    reason = error.what();
+  }
+  throw WorkError (file, "cannot be read: " + reason + "; is it truncated or damaged?");
+}
+
+/** \brief A PLY's camera may claim a size of the image that is not that of the cloud.
+ */
+void
+makeSizeValid (const std::string& file, pcl::PCLPointCloud2& points)
+{
+  const std::size_t size =
+      points.point_step == 0 ? 0 : points.data.size() / points.point_step;
+  if (size * points.point_step != points.data.size())
+    throw WorkError (file, "is damaged: it ends within a point; write it again");
+  if (static_cast<std::size_t> (points.width) * points.height == size)
+    return;
+  points.width = static_cast<pcl::uindex_t> (size);
+  points.height = 1;
+}
+
+void
+makePoseValid (Cloud& cloud)
+{
+  if (!cloud.origin.head<3>().allFinite())
+    cloud.origin.setZero();
+  const float norm = cloud.orientation.norm();
+  if (std::isfinite (norm) && norm > 0.0f)
+    cloud.orientation.normalize();
+  else
+    cloud.orientation.setIdentity();
+}
+
+} // namespace
+
+Cloud
+loadCloud (const std::string& file)
+{
+  const std::string extension = extensionOf (file);
+  if (extension != ".pcd" && extension != ".ply")
+    throw UsageError (file, "has an unknown extension; give a .pcd or .ply file");
+  checkReadable (file);
+  Cloud cloud;
+  if (extension == ".pcd") {
+    checkPcdFile (file);
+    readWith (pcl::PCDReader(), file, cloud);
+  }
+  else {
+    checkPlyFile (file);
+    readWith (pcl::PLYReader(), file, cloud);
+  }
+  makeSizeValid (file, cloud.points);
+  for (const char* axis : {"x", "y", "z"})
+    if (!hasField (cloud, axis))
+      throw WorkError (file,
+                       std::string ("has no field ") + axis +
+                           "; give a cloud with x, y and z");
+  makePoseValid (cloud);
+  return cloud;
+}
+
+void
+savePcd (const std::string& file, const Cloud& cloud)
+{
+  // PCL's own writeBinary fills the file up to a page, which other readers stumble
+  // over.
+  const std::string header = pcl::PCDWriter().generateHeaderBinary (
+      cloud.points, cloud.origin, cloud.orientation);
+  writeFile (file, [&] (const std::string& path) {
+    std::ofstream stream (path, std::ios::binary);
+    stream << header << "DATA binary\n";
+    stream.write (reinterpret_cast<const char*> (cloud.points.data.data()),
+                  static_cast<std::streamsize> (cloud.points.data.size()));
+    stream.close();
+    if (!stream)
+      throw WorkError (file, "cannot be written; is the disk full?");
+  });
+}
+
+} // namespace pcl_ops::apps

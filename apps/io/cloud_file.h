@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/PCLPointCloud2.h>
+
+#include <Eigen/Geometry>
+
+#include <string>
+
+namespace pcl_ops::apps {
+
+/** \brief A cloud as its file has it: every field, and where the sensor stood. */
+struct Cloud {
+  pcl::PCLPointCloud2 points;
+  /** \brief The sensor's pose in the frame of the points: zero and identity where the
+   * file has none or an invalid one, and for PLY, whose camera PCL's reader drops. */
+  Eigen::Vector4f origin = Eigen::Vector4f::Zero();
+  Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+
+  std::size_t
+  size () const
+  {
+    return static_cast<std::size_t> (points.width) * points.height;
+  }
+};
+
+/** \brief Reads a .pcd (ascii, binary, binary_compressed) or .ply file.
+ *
+ * The file's header is checked before PCL's readers see it: they crash on broken ones.
+ * \throws UsageError for another extension, WorkError if the file is missing, a folder,
+ * malformed, truncated or without points, or has no x, y and z */
+Cloud
+loadCloud (const std::string& file);
+
+/** \brief Writes a binary PCD in one step (\ref writeFile).
+ * \throws WorkError if it cannot be written */
+void
+savePcd (const std::string& file, const Cloud& cloud);
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "header_reader.h"
+
+#include <pcl/types.h>
+
+#include <cli/errors.h>
+
+#include <charconv>
+#include <limits>
+#include <sstream>
+
+namespace pcl_ops::apps {
+
+HeaderReader::HeaderReader (const std::string& file, std::string format)
+: file_ (file), format_ (std::move (format)), stream_ (file, std::ios::binary)
+{
+  stream_.seekg (0, std::ios::end);
+  file_size_ =
+      static_cast<std::uint64_t> (std::max<std::streamoff> (stream_.tellg(), 0));
+  stream_.seekg (0);
+  if (!stream_)
+    throw WorkError (file_, "cannot be read; check its permissions");
+  if (file_size_ == 0)
+    throw WorkError (file_, "is empty; write it again");
+}
+
+Words
+HeaderReader::nextLine (const std::string& last)
+{
+  constexpr std::uint64_t kLongestHeader = 1U << 20U;
+  std::string line;
+  if (position() > kLongestHeader || !std::getline (stream_, line) || stream_.eof())
+    fail ("its header has no line " + last);
+  std::istringstream parts (line);
+  Words words;
+  for (std::string word; parts >> word;)
+    words.push_back (word);
+  return words;
+}
+
+std::uint64_t
+HeaderReader::position()
+{
+  return static_cast<std::uint64_t> (std::max<std::streamoff> (stream_.tellg(), 0));
+}
+
+void
+HeaderReader::read (char* bytes, std::size_t count)
+{
+  if (!stream_.read (bytes, static_cast<std::streamsize> (count)))
+    failTruncated();
+}
+
+std::uint64_t
+HeaderReader::number (const std::string& what, const std::string& text) const
+{
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars (text.data(), end, value);
+  if (error != std::errc() || rest != end)
+    fail (what + " " + text + " is out of range");
+  return value;
+}
+
+std::uint64_t
+HeaderReader::count (const std::string& what, const std::string& text) const
+{
+  const std::uint64_t value = number (what, text);
+  if (value > static_cast<std::uint64_t> (std::numeric_limits<pcl::index_t>::max()))
+    fail (what + " " + text + " is out of range");
+  return value;
+}
+
+void
+HeaderReader::fail (const std::string& reason) const
+{
+  constexpr std::size_t kLongestReason = 200;
+  std::string printable = reason.substr (0, kLongestReason);
+  for (char& c : printable)
+    c = std::isprint (static_cast<unsigned char> (c)) != 0 ? c : '?';
+  throw WorkError (
+      file_, "is no valid " + format_ + " file: " + printable + "; write it again");
+}
+
+void
+HeaderReader::failTruncated() const
+{
+  throw WorkError (file_,
+                   "is truncated: its header promises more points than follow; "
+                   "copy or write it again");
+}
+
+void
+HeaderReader::failEmpty() const
+{
+  throw WorkError (file_, "has no points; give a cloud that has");
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pcd_header.h"
+
+#include "header_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+/** \brief The lines of a PCD header that say how much data follows. */
+struct PcdHeader {
+  std::map<std::string, Words> lines;
+  std::uint64_t data_offset = 0;
+};
+
+constexpr std::array<std::string_view, 10> kKeys = {"VERSION",
+                                                    "FIELDS",
+                                                    "SIZE",
+                                                    "TYPE",
+                                                    "COUNT",
+                                                    "WIDTH",
+                                                    "HEIGHT",
+                                                    "VIEWPOINT",
+                                                    "POINTS",
+                                                    "DATA"};
+
+PcdHeader
+readPcdHeader (HeaderReader& reader)
+{
+  PcdHeader header;
+  while (header.lines.count ("DATA") == 0) {
+    Words words = reader.nextLine ("DATA");
+    if (words.empty() || words[0][0] == '#')
+      continue;
+    const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
+    if (std::find (kKeys.begin(), kKeys.end(), key) == kKeys.end())
+      reader.fail ("its line " + key + " is unknown");
+    if (!header.lines.emplace (key, Words (words.begin() + 1, words.end())).second)
+      reader.fail ("its line " + key + " is there twice");
+  }
+  header.data_offset = reader.position();
+  return header;
+}
+
+/** \brief Bytes of one point: SIZE times COUNT summed over the fields. */
+std::uint64_t
+pointSize (const HeaderReader& reader, const PcdHeader& header)
+{
+  const auto line = [&] (const std::string& key) {
+    const auto found = header.lines.find (key);
+    if (found == header.lines.end())
+      reader.fail ("it has no line " + key);
+    return found->second;
+  };
+  const Words fields = line ("FIELDS"), sizes = line ("SIZE"), types = line ("TYPE");
+  const Words counts =
+      header.lines.count ("COUNT") > 0 ? line ("COUNT") : Words (fields.size(), "1");
+  if (fields.empty())
+    reader.fail ("FIELDS names none");
+  if (sizes.size() != fields.size() || types.size() != fields.size() ||
+      counts.size() != fields.size())
+    reader.fail ("FIELDS, SIZE, TYPE and COUNT differ in length");
+
+  static const std::array<std::string, 10> kTypes = {
+      "I1", "I2", "I4", "I8", "U1", "U2", "U4", "U8", "F4", "F8"};
+  constexpr std::uint64_t kMostPerField = 1U << 20U;
+  std::uint64_t bytes = 0;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (std::find (kTypes.begin(), kTypes.end(), types[i] + sizes[i]) == kTypes.end())
+      reader.fail ("TYPE " + types[i] + " with SIZE " + sizes[i] + " does not exist");
+    const std::uint64_t count = reader.number ("COUNT", counts[i]);
+    if (count == 0 || count > kMostPerField)
+      reader.fail ("COUNT " + counts[i] + " is out of range");
+    bytes += count * reader.number ("SIZE", sizes[i]);
+  }
+  return bytes;
+}
+
+/** \brief POINTS, which has to agree with WIDTH and HEIGHT where they are given. */
+std::uint64_t
+pointCount (const HeaderReader& reader, const PcdHeader& header)
+{
+  const auto value = [&] (const std::string& key) {
+    const auto line = header.lines.find (key);
+    if (line == header.lines.end())
+      reader.fail ("it has no line " + key);
+    if (line->second.size() != 1)
+      reader.fail (key + " is not one number");
+    return reader.count (key, line->second[0]);
+  };
+  const std::uint64_t points = value ("POINTS");
+  const std::uint64_t width = value ("WIDTH");
+  const std::uint64_t height = header.lines.count ("HEIGHT") > 0 ? value ("HEIGHT") : 1;
+  if (width * height != points)
+    reader.fail ("WIDTH times HEIGHT is not POINTS");
+  return points;
+}
+
+/** \brief A compressed body starts with its compressed and uncompressed size. */
+void
+checkCompressed (HeaderReader& reader, std::uint64_t rest, std::uint64_t expected)
+{
+  std::array<std::uint32_t, 2> sizes{};
+  if (rest < sizeof (sizes))
+    reader.failTruncated();
+  reader.read (reinterpret_cast<char*> (sizes.data()), sizeof (sizes));
+  if (rest - sizeof (sizes) < sizes[0])
+    reader.failTruncated();
+  if (sizes[1] != expected)
+    reader.fail ("the size of its compressed data is not that of its points");
+}
+
+} // namespace
+
+void
+checkPcdFile (const std::string& file)
+{
+  HeaderReader reader (file, "PCD");
+  const PcdHeader header = readPcdHeader (reader);
+  const std::uint64_t point_size = pointSize (reader, header);
+  const std::uint64_t points = pointCount (reader, header);
+  if (points == 0)
+    reader.failEmpty();
+  const auto viewpoint = header.lines.find ("VIEWPOINT");
+  if (viewpoint != header.lines.end() && viewpoint->second.size() != 7)
+    reader.fail ("VIEWPOINT is not seven numbers");
+
+  const std::uint64_t rest = reader.fileSize() - header.data_offset;
+  const Words& data = header.lines.at ("DATA");
+  const std::string kind = data.size() == 1 ? data[0] : "";
+  // The shortest ascii point is a digit and a separator for each field.
+  const std::uint64_t ascii_size = 2 * header.lines.at ("FIELDS").size();
+  if (kind == "binary_compressed")
+    checkCompressed (reader, rest, points * point_size);
+  else if (kind != "ascii" && kind != "binary")
+    reader.fail ("DATA is not ascii, binary or binary_compressed");
+  else if (rest + 1 < points * (kind == "binary" ? point_size : ascii_size))
+    reader.failTruncated();
+}
+
+} // namespace pcl_ops::apps

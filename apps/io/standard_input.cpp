@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "standard_input.h"
+
+#include <cli/errors.h>
+#include <cli/interruption.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace pcl_ops::apps {
+
+namespace {
+
+/** \brief A new file in the folder for temporary files, removed at the end. */
+class Spool {
+public:
+  /** \param[in] extension of the file, with its dot */
+  explicit Spool (const std::string& extension)
+  {
+    std::error_code error;
+    const fs::path folder = fs::temp_directory_path (error);
+    if (error)
+      throw WorkError ("TMPDIR", "is no folder; set it to one for temporary files");
+    name_ = (folder / ("pcl_ops_XXXXXX" + extension)).string();
+    file_ = ::mkstemps (name_.data(), static_cast<int> (extension.size()));
+    if (file_ < 0)
+      fail();
+  }
+  Spool (const Spool&) = delete;
+  Spool&
+  operator= (const Spool&) = delete;
+  ~Spool()
+  {
+    if (file_ >= 0) {
+      ::close (file_);
+      ::unlink (name_.c_str());
+    }
+  }
+
+  void
+  write (const char* bytes, std::size_t count)
+  {
+    while (count > 0) {
+      const ssize_t written = ::write (file_, bytes, count);
+      stopIfInterrupted();
+      if (written < 0 && errno == EINTR)
+        continue;
+      if (written < 0)
+        fail();
+      bytes += written;
+      count -= static_cast<std::size_t> (written);
+    }
+  }
+
+  const std::string&
+  name () const
+  {
+    return name_;
+  }
+
+private:
+  [[noreturn]] void
+  fail () const
+  {
+    throw WorkError (kStandardInput,
+                     "cannot be copied to " + name_ + " (" + std::strerror (errno) +
+                         "); set TMPDIR to a folder with more space");
+  }
+
+  std::string name_;
+  int file_ = -1;
+};
+
+/** \brief Fills the buffer as far as the input reaches. \return bytes read */
+std::size_t
+readInput (std::vector<char>& buffer)
+{
+  std::size_t filled = 0;
+  while (filled < buffer.size()) {
+    const ssize_t count =
+        ::read (STDIN_FILENO, buffer.data() + filled, buffer.size() - filled);
+    stopIfInterrupted();
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count < 0)
+      throw WorkError (kStandardInput,
+                       std::string ("cannot be read (") + std::strerror (errno) +
+                           "); pipe a PCD into the program");
+    if (count == 0)
+      break;
+    filled += static_cast<std::size_t> (count);
+  }
+  return filled;
+}
+
+} // namespace
+
+Cloud
+loadStandardInput ()
+{
+  constexpr std::size_t kBufferSize = 1U << 20U;
+  if (::isatty (STDIN_FILENO) == 1)
+    throw UsageError (kStandardInput, "is the terminal; pipe a PCD into the program");
+  std::vector<char> buffer (kBufferSize);
+  std::size_t count = readInput (buffer);
+  const bool is_ply = count > 3 && std::string (buffer.data(), 3) == "ply";
+  Spool spool (is_ply ? ".ply" : ".pcd");
+  for (; count > 0; count = readInput (buffer))
+    spool.write (buffer.data(), count);
+  try {
+    return loadCloud (spool.name());
+  }
+  catch (const WorkError& error) {
+    throw WorkError (kStandardInput, error.problem);
+  }
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <support/run_program.h>
+#include <support/temporary_folder.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace {
+
+constexpr const char* quick = " --runs 1 --memory-points 2000";
+
+ProgramRun
+measure (const std::string& arguments)
+{
+  return runProgram (PCL_OPS_BENCHMARK_PROGRAM, arguments);
+}
+
+/** The JSON of a run that works. */
+nlohmann::json
+jsonOf (const std::string& arguments)
+{
+  const TemporaryFolder folder ("_json");
+  const ProgramRun run = measure (arguments + quick + " --json " + folder / "out.json");
+  EXPECT_EQ (run.exit_code, 0) << run.text;
+  return nlohmann::json::parse (contentOf (folder / "out.json"));
+}
+
+std::map<std::string, nlohmann::json>
+rowsById (const nlohmann::json& rows)
+{
+  std::map<std::string, nlohmann::json> by_id;
+  for (const nlohmann::json& row : rows)
+    by_id[row["id"]] = row;
+  return by_id;
+}
+
+/** The program ends with this code after one line that names the culprit. */
+void
+expectError (const ProgramRun& run, int exit_code, const std::string& culprit)
+{
+  EXPECT_EQ (run.exit_code, exit_code) << run.text;
+  EXPECT_EQ (run.text.rfind ("pcl_ops_benchmark: " + culprit + ": ", 0), 0u)
+      << run.text;
+  EXPECT_EQ (std::count (run.text.begin(), run.text.end(), '\n'), 1) << run.text;
+}
+
+void
+simulate (const std::string& file)
+{
+  runProgram (PCL_OPS_SIMULATE_PROGRAM, file + " --points 2000 --quiet");
+}
+
+} // namespace
+
+TEST (BenchmarkProgram, EveryTargetHasARowWithItsBounds)
+{
+  auto rows = rowsById (jsonOf ("simulated:2000 --no-peers")["rows"]);
+  for (const char* id : {"default_over_kdtree",
+                         "sac_loop_over_default",
+                         "efficient_ransac_over_default",
+                         "sparse_over_dense_paper",
+                         "growth",
+                         "two_threads",
+                         "peak_memory",
+                         "hough_time_per_point",
+                         "fspf_over_kdtree"})
+    EXPECT_TRUE (rows[id]["target"].is_number()) << id;
+  EXPECT_EQ (rows.size(), 9u);
+}
+
+TEST (BenchmarkProgram, ValuesAreWhatTheTimesSay)
+{
+  const auto cloud = jsonOf ("simulated:2000 --no-peers")["clouds"][0];
+  const auto time = [&] (const char* measure) {
+    return cloud["times"][measure]["detection_ms"].get<double>();
+  };
+  auto rows = rowsById (cloud["rows"]);
+  EXPECT_EQ (cloud["points"], 2000);
+  EXPECT_DOUBLE_EQ (rows["default_over_kdtree"]["value"].get<double>(),
+                    time ("ops") / time ("KdTreeFLANN construction"));
+  EXPECT_DOUBLE_EQ (rows["hough_time_per_point"]["value"].get<double>(),
+                    1000.0 * time ("kht") / 2000.0); // [us]
+}
+
+TEST (BenchmarkProgram, PeersAreMeasuredUnlessLeftOut)
+{
+  auto with = rowsById (jsonOf ("simulated:2000")["rows"]);
+  auto without = rowsById (jsonOf ("simulated:2000 --no-peers")["rows"]);
+  EXPECT_GT (with["sac_loop_over_default"]["value"].get<double>(), 0.0);
+  EXPECT_TRUE (without["sac_loop_over_default"]["value"].is_null());
+  EXPECT_EQ (without["sac_loop_over_default"]["reached"], "-");
+}
+
+TEST (BenchmarkProgram, PrintsMarkdownTables)
+{
+  const ProgramRun run = measure (std::string ("simulated:2000 --no-peers") + quick);
+  EXPECT_EQ (run.exit_code, 0);
+  EXPECT_EQ (run.text.rfind ("**scan-2000, 2000 points**\n\n| ", 0), 0u) << run.text;
+  for (const char* part : {"| ops ", "| copy of the cloud ", "- Machine: ", "MB more"})
+    EXPECT_NE (run.text.find (part), std::string::npos) << part << run.text;
+}
+
+TEST (BenchmarkProgram, MeasuresEveryCloudOfAFolderAndLeavesOutBrokenOnes)
+{
+  const TemporaryFolder folder;
+  for (const char* name : {"first.pcd", "second.pcd"})
+    simulate (folder / name);
+  EXPECT_EQ (jsonOf (folder.path() + " --no-peers")["clouds"].size(), 2u);
+  folder.write ("third.pcd", "VERSION 0.7\nFIELDS x y z\n");
+  const ProgramRun run = measure (folder.path() + " --no-peers" + quick);
+  EXPECT_EQ (run.exit_code, 1);
+  EXPECT_NE (run.text.find ("left out: " + folder / "third.pcd"), std::string::npos);
+  EXPECT_NE (run.text.find ("Median over 2 clouds"), std::string::npos) << run.text;
+}
+
+TEST (BenchmarkProgram, ScalingWritesEverySeriesAndItsPlot)
+{
+  const TemporaryFolder folder;
+  const ProgramRun run = measure ("simulated:2000 --no-peers --scaling " +
+                                  folder / "out --scaling-points 1000,3000" + quick);
+  EXPECT_EQ (run.exit_code, 0) << run.text;
+  const std::string csv = contentOf (folder / "out/scaling.csv");
+  for (const char* row : {"\npoints,1000,", "\npoints,3000,", "\nthreads,2,"})
+    EXPECT_NE (csv.find (row), std::string::npos) << row << csv;
+  for (const char* series : {"points", "threads", "sampling_rate", "planes"})
+    EXPECT_NE (contentOf (folder / "out/time_over_" + series + ".gp").find ("plot '"),
+               std::string::npos);
+}
+
+TEST (BenchmarkProgram, RefusesWrongUsage)
+{
+  expectError (measure (""), 2, "INPUT");
+  expectError (measure ("simulated:100 --runs 0"), 2, "--runs");
+  expectError (measure ("simulated:many"), 2, "simulated");
+  expectError (measure ("simulated:,"), 2, "simulated");
+  expectError (measure ("simulated:9 --scaling-points 3,x"), 2, "--scaling-points");
+  expectError (measure ("simulated:100 --no-peers --peer-runs 2"), 2, "--no-peers");
+  expectError (measure ("simulated:100 --colour"), 2, "--colour");
+}
+
+TEST (BenchmarkProgram, SaysWhatIsMissingOrInTheWay)
+{
+  const TemporaryFolder folder;
+  expectError (measure ("/no/such.pcd"), 1, "/no/such.pcd");
+  expectError (measure (folder.path()), 1, folder.path());
+  const std::string broken = folder.write ("broken.pcd", "VERSION 0.7\nFIELDS x\n");
+  expectError (measure (broken + quick), 1, broken);
+  const std::string output = folder / "absent/out.json";
+  expectError (measure ("simulated:100 --json " + output), 1, output);
+  EXPECT_EQ (measure ("simulated:100 --scaling " + broken).exit_code, 1);
+  EXPECT_EQ (folder.fileCount(), 1u);
+}

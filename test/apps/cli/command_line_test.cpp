@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors#include <gtest/gtest.h>
+
+#include <cli/command_line.h>
+#include <cli/errors.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cli/command_line.h>
+#include <cli/help_page.h>
+#include <cli/program.h>
+#include <io/output_file.h>
+#include <support/temporary_folder.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace pcl_ops::apps;
+
+namespace {
+
+/** \brief A program with one option of each kind. */
+struct Detector {
+  std::string input, output, method = "ops", image;
+  double threshold = 0.05;
+  std::optional<int> k;
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  bool quiet = false;
+  bool proceeds = false;
+
+  /** \return what the command line complains about, empty if nothing */
+  std::string
+  parse (const std::vector<std::string>& arguments)
+  {
+    CommandLine line ("detect", "Detects.", "1.2.3");
+    line.addArgument ("INPUT", input, "a cloud");
+    line.addOptionalArgument ("OUTPUT", output, "a labelled cloud");
+    line.addChoice ("method", {"ops", "fspf"}, method, "the algorithm");
+    line.addText ("image", "FILE", image, "a picture");
+    line.addNumber ("threshold", "M", Range::above (0), threshold, "distance");
+    line.addNumber ("k", "K", Range::from (3).upTo (100), k, "neighbours");
+    line.addDirection ("up", up, "axis");
+    line.addFlag ("quiet", quiet, "no table");
+    std::vector<const char*> argv{"detect"};
+    for (const std::string& argument : arguments)
+      argv.push_back (argument.c_str());
+    try {
+      proceeds = line.parse (static_cast<int> (argv.size()), argv.data());
+      line.forbidTogether ("quiet", "image");
+    }
+    catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+} // namespace
+
+TEST (CommandLine, TakesOneDashTwoDashesAndEquals)
+{
+  for (const char* dashes : {"-threshold", "--threshold"}) {
+    Detector spaced, joined;
+    EXPECT_EQ (spaced.parse ({"in.pcd", dashes, "0.02"}), "");
+    EXPECT_EQ (joined.parse ({std::string (dashes) + "=0.02", "in.pcd"}), "");
+    EXPECT_EQ (spaced.threshold, 0.02);
+    EXPECT_EQ (joined.threshold, 0.02);
+    EXPECT_EQ (joined.input, "in.pcd");
+  }
+}
+
+TEST (CommandLine, TakesNegativeNumbersForValues)
+{
+  Detector detector;
+  EXPECT_EQ (detector.parse ({"in.pcd", "--up", "-1,0,-0.5"}), "");
+  EXPECT_EQ (detector.up, Eigen::Vector3f (-1, 0, -0.5));
+  EXPECT_EQ (detector.parse ({"in.pcd", "-threshold", "-0.05"}),
+             "--threshold: -0.05 is out of range; give a number above 0");
+}
+
+TEST (CommandLine, TellsGivenOptionsFromDefaults)
+{
+  Detector with, without;
+  EXPECT_EQ (with.parse ({"in.pcd", "out.pcd", "-k", "30", "--quiet"}), "");
+  EXPECT_EQ (without.parse ({"in.pcd"}), "");
+  EXPECT_EQ (with.k, 30);
+  EXPECT_EQ (with.output, "out.pcd");
+  EXPECT_TRUE (with.quiet);
+  EXPECT_FALSE (without.k);
+  EXPECT_FALSE (without.quiet);
+}
+
+TEST (CommandLine, NamesWhatIsWrongAndTheMend)
+{
+  const auto complaint = [] (const std::vector<std::string>& arguments) {
+    return Detector().parse (arguments);
+  };
+  EXPECT_EQ (complaint ({}), "INPUT: is missing; see --help");
+  EXPECT_EQ (complaint ({"a", "b", "c"}), "c: is one argument too many; see --help");
+  EXPECT_EQ (complaint ({"a", "--k", "2"}),
+             "--k: 2 is out of range; give a whole number from 3 up to 100");
+  EXPECT_EQ (complaint ({"a", "--k", "3.5"}),
+             "--k: 3.5 is not whole; give a whole number from 3 up to 100");
+  EXPECT_EQ (complaint ({"a", "--k", "1e999"}),
+             "--k: 1e999 is out of range; give a whole number from 3 up to 100");
+  EXPECT_EQ (complaint ({"a", "--threshold", "5cm"}),
+             "--threshold: '5cm' is no number; give a number above 0");
+  EXPECT_EQ (complaint ({"a", "--threshold", "nan"}),
+             "--threshold: nan is out of range; give a number above 0");
+  EXPECT_EQ (complaint ({"a", "--up", "0,0"}),
+             "--up: '0,0' is not x,y,z; give three numbers, as 0,0,1");
+  EXPECT_EQ (complaint ({"a", "--up", "0,0,0"}),
+             "--up: 0,0,0 is no direction; give one such as 0,0,1");
+  EXPECT_EQ (complaint ({"a", "--method", "hough"}),
+             "--method: 'hough' is unknown; give ops|fspf");
+  EXPECT_EQ (complaint ({"a", "--quiet", "--image", "x.png"}),
+             "--quiet: contradicts --image; give only one of them");
+}
+
+TEST (CommandLine, RefusesUnknownAmbiguousDoubledAndUnfinishedOptions)
+{
+  const auto complaint = [] (const std::vector<std::string>& arguments) {
+    return Detector().parse (arguments);
+  };
+  EXPECT_EQ (complaint ({"a", "-thresholds", "1"}),
+             "--thresholds: is no option of this program; see --help");
+  EXPECT_EQ (complaint ({"a", "--k", "5", "--k", "6"}),
+             "--k: is given twice; keep one");
+  EXPECT_EQ (complaint ({"a", "--quiet", "--quiet"}),
+             "--quiet: is given twice; keep one");
+  EXPECT_EQ (complaint ({"a", "--k"}), "--k: needs a value; see --help");
+  EXPECT_EQ (complaint ({"a", "--image", "--k", "5"}),
+             "--image: needs a value; see --help");
+  EXPECT_EQ (complaint ({"a", "-image", "-k", "5"}),
+             "--image: needs a value; see --help");
+  EXPECT_EQ (complaint ({"a", "--image=", "--quiet"}),
+             "--image: needs a value; see --help");
+  EXPECT_EQ (complaint ({"a", "--quiet=yes"}), "--quiet: takes no value; leave it out");
+}
+
+TEST (CommandLine, TellsTheOptionsOfAGroupThatWereGiven)
+{
+  CommandLine line ("detect", "Detects.", "1.0");
+  std::optional<int> k, bins, samples;
+  line.addNumber ("k", "K", Range::any(), k, "neighbours");
+  line.beginGroup ("Hough");
+  line.addNumber ("bins", "N", Range::any(), bins, "of the accumulator");
+  line.addNumber ("samples", "N", Range::any(), samples, "of a cluster");
+  const std::array<const char*, 5> arguments{"detect", "--k", "3", "--samples", "4"};
+  ASSERT_TRUE (line.parse (static_cast<int> (arguments.size()), arguments.data()));
+  EXPECT_EQ (samples, 4);
+  EXPECT_EQ (line.givenOf ("Hough"), std::vector<std::string>{"samples"});
+  EXPECT_NE (line.help().brief().find ("\nHough:\n  --bins"), std::string::npos);
+}
+
+TEST (CommandLine, ListsArgumentsLikeOptions)
+{
+  std::string input, output;
+  CommandLine line ("detect", "Detects.", "1.0");
+  line.addArgument ("INPUT", input, "a cloud");
+  line.addArgument (
+      "OUTPUT.pcd", output, "the same cloud with the plane of each point");
+  EXPECT_NE (line.help().brief().find (
+                 "\nArguments:\n  INPUT        a cloud\n  OUTPUT.pcd   the"),
+             std::string::npos);
+}
+
+TEST (CommandLine, PrintsHelpAndVersion)
+{
+  for (const char* question : {"--help", "-help", "-h", "--version"}) {
+    Detector detector;
+    testing::internal::CaptureStdout();
+    EXPECT_EQ (detector.parse ({question}), "");
+    EXPECT_FALSE (testing::internal::GetCapturedStdout().empty());
+    EXPECT_FALSE (detector.proceeds);
+  }
+}

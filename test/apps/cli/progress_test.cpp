@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cli/parallel.h>
+#include <cli/progress.h>
+
+#include <atomic>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+using namespace pcl_ops::apps;
+
+TEST (Progress, EstimatesTheTimeLeftOnATerminal)
+{
+  std::ostringstream stream;
+  Progress progress (4, stream, ProgressStyle::Bar);
+  progress.step();
+  EXPECT_NE (stream.str().find ("1 of 4 clouds, 25 %, 0 s left"), std::string::npos);
+}
+
+TEST (Progress, DrawsTheBarAnewBelowALine)
+{
+  std::ostringstream terminal;
+  Progress progress (2, terminal, ProgressStyle::Bar);
+  progress.step();
+  progress.note ("a.pcd: done");
+  const std::string text = terminal.str();
+  const std::size_t line = text.find ("\r\033[Ka.pcd: done\n");
+  ASSERT_NE (line, std::string::npos) << text;
+  EXPECT_NE (text.find ("1 of 2 clouds", line), std::string::npos) << text;
+}
+
+TEST (Progress, SaysNothingWhereNoneIsAskedFor)
+{
+  std::ostringstream stream;
+  Progress progress (2, stream, ProgressStyle::None);
+  progress.step();
+  progress.step();
+  progress.erase();
+  EXPECT_EQ (stream.str(), "");
+}
+
+TEST (Progress, SaysDurationsAsAPersonDoes)
+{
+  EXPECT_EQ (durationText (42.4), "42 s");
+  EXPECT_EQ (durationText (187), "3 min 07 s");
+  EXPECT_EQ (durationText (7500), "2 h 05 min");
+}
+
+TEST (RunInParallel, DoesEachPieceOfWorkOnce)
+{
+  for (const unsigned jobs : {0U, 1U, 3U, 100U}) {
+    std::vector<std::atomic<int>> calls (10);
+    runInParallel (calls.size(), jobs, [&] (std::size_t i) { ++calls[i]; });
+    for (const std::atomic<int>& count : calls)
+      EXPECT_EQ (count, 1) << jobs;
+  }
+}
+
+TEST (RunInParallel, PassesOnWhatTheWorkThrows)
+{
+  const auto fail = [] (std::size_t i) {
+    if (i == 2)
+      throw std::runtime_error ("third");
+  };
+  EXPECT_THROW (runInParallel (5, 2, fail), std::runtime_error);
+}

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <support/run_program.h>
+#include <support/temporary_folder.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+namespace {
+
+ProgramRun
+evaluate (const std::string& arguments)
+{
+  return runProgram (PCL_OPS_EVALUATE_PROGRAM, arguments);
+}
+
+/** The program ends with this code after one line that names the culprit. */
+void
+expectError (const ProgramRun& run, int exit_code, const std::string& culprit)
+{
+  EXPECT_EQ (run.exit_code, exit_code) << run.text;
+  EXPECT_EQ (run.text.rfind ("pcl_ops_evaluate: " + culprit + ": ", 0), 0u) << run.text;
+  EXPECT_EQ (std::count (run.text.begin(), run.text.end(), '\n'), 1) << run.text;
+}
+
+std::string
+pcd (const std::string& fields, int points, const std::string& rows)
+{
+  const bool has_label = fields == "x y z label";
+  return "VERSION 0.7\nFIELDS " + fields + "\nSIZE 4 4 4" + (has_label ? " 4" : "") +
+         "\nTYPE F F F" + (has_label ? " U" : "") + "\nCOUNT 1 1 1" +
+         (has_label ? " 1" : "") + "\nWIDTH " + std::to_string (points) +
+         "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + std::to_string (points) +
+         "\nDATA ascii\n" + rows;
+}
+
+/** A floor of side x side points, 2 cm apart; label(i) of the i-th. */
+template <typename LabelOf>
+std::string
+floorOf (int side, LabelOf label)
+{
+  std::ostringstream rows;
+  for (int i = 0; i < side * side; ++i)
+    rows << 0.02 * (i % side) << ' ' << 0.02 * (i / side) << " 0 " << label (i) << '\n';
+  return pcd ("x y z label", side * side, rows.str());
+}
+
+const std::string one_plane = floorOf (10, [] (int) { return 1; });
+const std::string two_halves = floorOf (10, [] (int i) { return i < 60 ? 4 : 9; });
+const std::string no_plane = floorOf (10, [] (int) { return 0; });
+
+TEST (EvaluateProgram, ComparesTwoLabelledClouds)
+{
+  const TemporaryFolder folder;
+  const std::string truth = folder.write ("truth.pcd", one_plane),
+                    result = folder.write ("result.pcd", two_halves);
+  const ProgramRun run = evaluate ("compare " + truth + " " + result + " --json");
+  ASSERT_EQ (run.exit_code, 0) << run.text;
+  const auto json = nlohmann::json::parse (run.text);
+  EXPECT_EQ (json["classification_accuracy"], 1.0); // both halves are horizontal
+  EXPECT_EQ (json["segmentation_accuracy"], 0.6);
+  EXPECT_EQ (json["segmentation_accuracy_all"], 0.6);
+  EXPECT_EQ (json["precision"], 0.5);
+  EXPECT_EQ (json["recall"], 1.0);
+  EXPECT_EQ (json["mean_iou"], 0.6);
+  EXPECT_EQ (json["over_segmentation"], 1.0);
+  EXPECT_EQ (json["precision_75"], 0.0);
+  EXPECT_EQ (json["missed_75"], 0.0); // over-segmented, so not missed
+}
+
+TEST (EvaluateProgram, TheUpAxisDecidesTheClasses)
+{
+  const TemporaryFolder folder;
+  const std::string truth = folder.write ("truth.pcd", one_plane);
+  const std::string result = folder.write ("result.pcd", no_plane);
+  const auto accuracy = [&] (const std::string& up) {
+    const ProgramRun run =
+        evaluate ("compare " + truth + " " + result + " --json --up " + up);
+    return nlohmann::json::parse (run.text)["classification_accuracy"].get<double>();
+  };
+  EXPECT_EQ (accuracy ("0,0,1"), 0.0);
+  EXPECT_EQ (accuracy ("0,1,1"), 1.0); // at 45 degrees the plane is "other", too
+}
+
+TEST (EvaluateProgram, PrintsATableForPeople)
+{
+  const TemporaryFolder folder;
+  const std::string truth = folder.write ("truth.pcd", one_plane);
+  const ProgramRun run = evaluate ("compare " + truth + " " + truth);
+  EXPECT_EQ (run.exit_code, 0);
+  EXPECT_NE (run.text.find ("segmentation accuracy"), std::string::npos);
+  EXPECT_NE (run.text.find ("100.00 %"), std::string::npos);
+}
+
+TEST (EvaluateProgram, AnEmptyTruthIsSaidButCompared)
+{
+  const TemporaryFolder folder;
+  const std::string truth = folder.write ("truth.pcd", no_plane),
+                    result = folder.write ("result.pcd", one_plane);
+  const ProgramRun run = evaluate ("compare " + truth + " " + result);
+  EXPECT_EQ (run.exit_code, 0);
+  EXPECT_NE (run.text.find ("truth.pcd: has no plane"), std::string::npos);
+}
+
+TEST (EvaluateProgram, CloudsThatDoNotBelongTogetherAreErrors)
+{
+  const TemporaryFolder folder;
+  const std::string truth = folder.write ("truth.pcd", one_plane),
+                    larger = folder.write ("larger.pcd",
+                                           floorOf (11, [] (int) { return 1; })),
+                    moved = folder.write (
+                        "moved.pcd",
+                        std::string (one_plane).replace (
+                            one_plane.find ("\n0 0 0 1\n"), 9, "\n9 9 9 1\n")),
+                    plain = folder.write ("plain.pcd", pcd ("x y z", 1, "0 0 0\n"));
+  expectError (evaluate ("compare " + truth + " " + larger), 1, larger);
+  expectError (evaluate ("compare " + truth + " " + moved), 1, moved);
+  expectError (evaluate ("compare " + truth + " " + plain), 1, plain);
+  expectError (evaluate ("compare " + plain + " " + truth), 1, plain);
+  expectError (evaluate ("compare " + truth + " /no/such.pcd"), 1, "/no/such.pcd");
+}
+
+TEST (EvaluateProgram, WrongUsageEndsWithTwo)
+{
+  expectError (evaluate (""), 2, "command");
+  expectError (evaluate ("compute"), 2, "compute");
+  expectError (evaluate ("run /tmp/x planets:9"), 2, "planets:9");
+  expectError (evaluate ("run /tmp/x rooms:1 --detectors magic"), 2, "magic");
+  expectError (evaluate ("run /tmp/x rooms:1 --jobs 0"), 2, "--jobs");
+  EXPECT_EQ (evaluate ("compare only-one.pcd").exit_code, 2);
+}
+
+TEST (EvaluateProgram, HelpAndVersionEndWithZero)
+{
+  for (const char* arguments :
+       {"--help", "-h", "--version", "run --help", "compare --help", "detectors"}) {
+    const ProgramRun run = evaluate (arguments);
+    EXPECT_EQ (run.exit_code, 0) << arguments;
+    EXPECT_FALSE (run.text.empty()) << arguments;
+  }
+}
+
+TEST (EvaluateProgram, ARunWritesRowsTablesAndPlots)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directories (folder / "clouds");
+  folder.write ("clouds/floor.pcd", floorOf (60, [] (int) { return 1; }));
+  const std::string command =
+      "run " + folder / "out" + " clouds:" + folder / "clouds" + " --detectors ops";
+  const ProgramRun first = evaluate (command), second = evaluate (command);
+  EXPECT_EQ (first.exit_code, 0) << first.text;
+  EXPECT_NE (first.text.find ("1 clouds evaluated, 1 new rows"), std::string::npos);
+  EXPECT_NE (second.text.find ("1 clouds evaluated, 0 new rows"), std::string::npos);
+  for (const char* name : {"results.csv", "tables.md", "clouds-exact"})
+    EXPECT_TRUE (std::filesystem::exists (folder / "out/" + name)) << name;
+}
+
+TEST (EvaluateProgram, ABrokenCloudIsLeftOutTheRestGoesOn)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directories (folder / "clouds");
+  folder.write ("clouds/broken.pcd", "VERSION 0.7\nFIELDS x y z\n");
+  folder.write ("clouds/floor.pcd", floorOf (60, [] (int) { return 1; }));
+  const ProgramRun run = evaluate ("run " + folder / "out" +
+                                   " clouds:" + folder / "clouds" + " --detectors ops");
+  EXPECT_EQ (run.exit_code, 1);
+  EXPECT_NE (run.text.find ("left out: " + folder / "clouds/broken.pcd"),
+             std::string::npos);
+  EXPECT_NE (run.text.find ("1 new rows; 1 clouds left out"), std::string::npos)
+      << run.text;
+}
+
+TEST (EvaluateProgram, TellsHowWellTheUpAxisIsFound)
+{
+  const ProgramRun run = evaluate ("up rooms:7 --rotations 2");
+  EXPECT_EQ (run.exit_code, 0) << run.text;
+  EXPECT_NE (run.text.find ("| rooms"), std::string::npos) << run.text;
+  EXPECT_NE (run.text.find ("Right by confidence"), std::string::npos) << run.text;
+  expectError (evaluate ("up rooms:7 --rotations 0"), 2, "--rotations");
+  expectError (evaluate ("up planets:9"), 2, "planets:9");
+}
+
+TEST (EvaluateProgram, FoldersThatCannotBeUsedAreNamed)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder.write ("file", "in the way");
+  const ProgramRun no_output = evaluate ("run " + file + "/out rooms:1");
+  EXPECT_EQ (no_output.exit_code, 1);
+  EXPECT_NE (no_output.text.find (file), std::string::npos) << no_output.text;
+  expectError (evaluate ("run " + folder / "out" + " sunrgbd:" + folder.path()),
+               1,
+               folder.path());
+  expectError (evaluate ("report " + folder.path()), 1, folder / "results.csv");
+}
+
+} // namespace

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cli/errors.h>
+#include <evaluation/detectors/detectors.h>
+#include <evaluation/experiments/evaluation_run.h>
+#include <evaluation/report/report.h>
+#include <evaluation/report/summary.h>
+#include <evaluation/report/tables.h>
+#include <support/temporary_folder.h>
+
+#include <algorithm>
+#include <atomic>
+#include <sstream>
+#include <stdexcept>
+
+namespace {
+
+using namespace pcl_ops::evaluation;
+
+/** Ten points in a row, all on true plane 1. */
+CloudSource
+rowOfPoints (const std::string& name)
+{
+  return {name, [] {
+            EvaluationCloud cloud;
+            cloud.cloud.reset (new Cloud (10, 1));
+            for (int i = 0; i < 10; ++i)
+              (*cloud.cloud)[i] = pcl::PointXYZ (float (i), 0, 0);
+            cloud.truth = Labels (10, 1);
+            return cloud;
+          }};
+}
+
+CloudSource
+brokenCloud (const std::string& name)
+{
+  return {name, [name] () -> EvaluationCloud {
+            throw pcl_ops::apps::WorkError (name, "is broken");
+          }};
+}
+
+/** Gives the first \p labelled of ten points a label; counts its calls. */
+Configuration
+labelling (const std::string& name, std::size_t labelled, std::atomic<int>& calls)
+{
+  return {name, {}, [=, &calls] (const auto& cloud, const auto&, std::uint32_t) {
+            ++calls;
+            DetectorRun run;
+            run.labels.assign (cloud->size(), 0);
+            std::fill_n (run.labels.begin(), labelled, 1);
+            run.planes_before_merging = 7;
+            run.durations.detection = 1500.0;
+            return run;
+          }};
+}
+
+class EvaluationRunTest : public testing::Test {
+protected:
+  TemporaryFolder folder;
+  std::string file = folder / "results.csv";
+  std::atomic<int> calls{0};
+  std::ostringstream messages;
+  EvaluationPlan plan;
+
+  EvaluationRunTest()
+  {
+    plan.truth.min_points = 1;
+    plan.data_sets = {{"rows", {rowOfPoints ("a"), rowOfPoints ("b, \"c\"")}}};
+    plan.configurations = {labelling ("all-right", 10, calls),
+                           labelling ("half-right", 5, calls)};
+  }
+
+  EvaluationSummary
+  run ()
+  {
+    ResultsFile results (file);
+    return evaluate (plan, results, messages, false);
+  }
+
+  std::vector<ResultRow>
+  rows () const
+  {
+    return ResultsFile (file).rows();
+  }
+};
+
+TEST_F (EvaluationRunTest, WritesARowForEachCloudAndConfiguration)
+{
+  const EvaluationSummary summary = run();
+  EXPECT_EQ (summary.clouds, 2u);
+  EXPECT_EQ (summary.new_rows, 4u);
+  ASSERT_EQ (rows().size(), 4u);
+  EXPECT_EQ (rows()[1].configuration, "half-right");
+  EXPECT_EQ (rows()[1].value ("segmentation_accuracy"), 0.5);
+  EXPECT_EQ (rows()[1].value ("planes_before_merging"), 7.0);
+  EXPECT_EQ (rows()[1].value ("detection_ms"), 1500.0);
+  EXPECT_EQ (rows()[2].cloud, "b, \"c\"");
+}
+
+TEST_F (EvaluationRunTest, ComputesNoRowTwice)
+{
+  run();
+  EXPECT_EQ (run().new_rows, 0u);
+  EXPECT_EQ (calls, 4);
+}
+
+TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)
+{
+  run();
+  const std::string complete = contentOf (file);
+  // Cut in the middle of the last row, as a power failure does.
+  std::filesystem::resize_file (file, complete.size() - 20);
+  EXPECT_EQ (run().new_rows, 1u);
+  EXPECT_EQ (contentOf (file), complete);
+}
+
+TEST_F (EvaluationRunTest, AddsConfigurationsToEarlierOnes)
+{
+  run();
+  plan.configurations.push_back (labelling ("new", 3, calls));
+  EXPECT_EQ (run().new_rows, 2u);
+  EXPECT_EQ (rows().size(), 6u);
+}
+
+TEST_F (EvaluationRunTest, ManyThreadsGiveTheSameRows)
+{
+  for (int i = 0; i < 20; ++i)
+    plan.data_sets[0].clouds.push_back (rowOfPoints ("cloud " + std::to_string (i)));
+  plan.jobs = 4;
+  EXPECT_EQ (run().new_rows, 44u);
+  std::set<ResultRow::Key> keys;
+  for (const ResultRow& row : rows())
+    keys.insert (row.key());
+  EXPECT_EQ (keys.size(), 44u);
+}
+
+TEST_F (EvaluationRunTest, ABrokenCloudIsSaidCountedAndLeftOut)
+{
+  plan.data_sets[0].clouds.insert (plan.data_sets[0].clouds.begin(),
+                                   brokenCloud ("frame-17"));
+  const EvaluationSummary summary = run();
+  EXPECT_EQ (summary.broken_clouds, 1u);
+  EXPECT_EQ (summary.new_rows, 4u);
+  EXPECT_NE (messages.str().find ("left out: frame-17: is broken\n"),
+             std::string::npos);
+}
+
+TEST_F (EvaluationRunTest, AFailingDetectorIsSaidAndCounted)
+{
+  const auto fail = [] (const auto&, const auto&, std::uint32_t) -> DetectorRun {
+    throw std::runtime_error ("no memory");
+  };
+  plan.configurations.insert (plan.configurations.begin(), {"failing", {}, fail});
+  const EvaluationSummary summary = run();
+  EXPECT_EQ (summary.failed_runs, 2u);
+  EXPECT_EQ (summary.new_rows, 4u);
+  EXPECT_NE (messages.str().find ("failing failed on a: no memory"), std::string::npos);
+}
+
+TEST_F (EvaluationRunTest, NoPlaneFoundIsAResult)
+{
+  plan.configurations = {labelling ("blind", 0, calls)};
+  run();
+  EXPECT_EQ (rows()[0].value ("segmentation_accuracy"), 0.0);
+  EXPECT_EQ (rows()[0].value ("f_score"), 0.0);
+}
+
+TEST_F (EvaluationRunTest, ProgressIsPlainLinesWithoutATerminal)
+{
+  run();
+  EXPECT_EQ (messages.str().find ('\r'), std::string::npos);
+  EXPECT_NE (messages.str().find ("1 of 2 clouds, 50 %, "), std::string::npos);
+  EXPECT_NE (messages.str().find ("2 of 2 clouds, 100 %, took 0 s\n"),
+             std::string::npos);
+}
+
+TEST_F (EvaluationRunTest, AResultsFileOfAnotherKindIsLeftAlone)
+{
+  folder.write ("results.csv", "name,value\nx,1\n");
+  EXPECT_THROW (run(), pcl_ops::apps::WorkError);
+  EXPECT_EQ (contentOf (file), "name,value\nx,1\n");
+}
+
+TEST_F (EvaluationRunTest, AnUnwritableFileIsAnError)
+{
+  EXPECT_THROW (ResultsFile ((folder / "missing") + "/results.csv"),
+                pcl_ops::apps::WorkError);
+}
+
+TEST_F (EvaluationRunTest, SummaryIsTheMeanOverClouds)
+{
+  run();
+  const std::vector<DataSetSummary> summaries = summarize (rows());
+  ASSERT_EQ (summaries.size(), 1u);
+  const ConfigurationSummary* half = summaries[0].find ("half-right");
+  ASSERT_NE (half, nullptr);
+  EXPECT_EQ (half->clouds, 2u);
+  EXPECT_EQ (half->mean.at ("segmentation_accuracy"), 0.5);
+  EXPECT_EQ (summaries[0].find ("other"), nullptr);
+}
+
+TEST_F (EvaluationRunTest, TablesShowThePapersFiguresBesideOurs)
+{
+  plan.configurations = {labelling ("ops-3-30", 5, calls)};
+  run();
+  std::ostringstream text;
+  for (const TextTable& table : tablesOf (summarize (rows())[0]))
+    text << table;
+  EXPECT_NE (text.str().find ("Table III"), std::string::npos);
+  EXPECT_NE (text.str().find ("87.39"), std::string::npos);  // accuracy
+  EXPECT_NE (text.str().find ("0.6455"), std::string::npos); // total time
+  EXPECT_NE (text.str().find ("1.5000"), std::string::npos); // our 1500 ms
+  EXPECT_EQ (text.str().find ("Table II,"), std::string::npos);
+}
+
+TEST_F (EvaluationRunTest, AReportHasTablesAndPlots)
+{
+  plan.configurations = {labelling ("ops-3-30", 5, calls)};
+  run();
+  std::ostringstream printed;
+  writeReport (rows(), folder.path(), printed);
+  EXPECT_NE (contentOf (folder / "tables.md").find ("Table IV"), std::string::npos);
+  const std::string plots = folder / "rows-exact/";
+  EXPECT_NE (contentOf (plots + "accuracy_over_time.dat").find ("1.5 "),
+             std::string::npos);
+  EXPECT_NE (contentOf (plots + "accuracy_over_sampling_rate.gp").find ("plot "),
+             std::string::npos);
+}
+
+TEST (Detectors, NamesAndGroupsSelectEachConfigurationOnce)
+{
+  EXPECT_EQ (selectConfigurations ("ops").size(), 1u);
+  EXPECT_EQ (selectConfigurations ("table3").size(), 18u); // 15 rows, 3 of strategy 1
+  EXPECT_EQ (selectConfigurations ("table3,ops-3-30").size(), 18u);
+  EXPECT_EQ (selectConfigurations ("all,ablation").size(), allConfigurations().size());
+  EXPECT_THROW (selectConfigurations ("ops,opps"), pcl_ops::apps::UsageError);
+}
+
+TEST (Detectors, EveryOneFindsAFloorAndSaysHowLongItTook)
+{
+  Cloud::Ptr cloud (new Cloud);
+  for (int i = 0; i < 60; ++i)
+    for (int j = 0; j < 60; ++j)
+      cloud->push_back (pcl::PointXYZ (0.02f * i, 0.02f * j, 0.001f * (i * j % 3)));
+  for (const char* name : {"ops", "pcl-sac", "pcl-region-growing"}) {
+    const auto run =
+        selectConfigurations (name)[0].run (cloud, Eigen::Vector3d::UnitZ(), 1);
+    EXPECT_GT (std::count (run.labels.begin(), run.labels.end(), 1u), 3400) << name;
+    EXPECT_GT (run.durations.detection, 0.0);
+  }
+}
+
+} // namespace

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cli/errors.h>
+#include <evaluation/data/data_sets.h>
+#include <evaluation/metrics/metrics.h>
+#include <evaluation/truth/truth.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+namespace {
+
+using namespace pcl_ops::evaluation;
+namespace fs = std::filesystem;
+
+constexpr float spacing = 0.02f; // [m]
+
+/** A square of n x n points spanned by two unit vectors from a corner. */
+void
+addSquare (Cloud& cloud,
+           int n,
+           const Eigen::Vector3f& corner,
+           const Eigen::Vector3f& u,
+           const Eigen::Vector3f& v)
+{
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      pcl::PointXYZ point;
+      point.getVector3fMap() = corner + spacing * (i * u + j * v);
+      cloud.push_back (point);
+    }
+}
+
+const Eigen::Vector3f x = Eigen::Vector3f::UnitX(), y = Eigen::Vector3f::UnitY(),
+                      z = Eigen::Vector3f::UnitZ();
+
+/** A floor of 900 points and a wall of 400 that stands in its middle. */
+Cloud
+floorAndWall ()
+{
+  Cloud cloud;
+  addSquare (cloud, 30, {0, 0, 0}, x, y);
+  addSquare (cloud, 20, {0.1f, 0.31f, 0.02f}, x, z);
+  return cloud;
+}
+
+RegionGrowingParameters
+nineNeighbors ()
+{
+  RegionGrowingParameters parameters;
+  parameters.neighbors = 9;
+  return parameters;
+}
+
+std::size_t
+pointsWith (const Labels& labels, std::uint32_t label)
+{
+  return static_cast<std::size_t> (std::count (labels.begin(), labels.end(), label));
+}
+
+TEST (RegionGrowing, SeparatesAFloorFromTheWallOnIt)
+{
+  const Labels labels = growRegions (floorAndWall(), nineNeighbors());
+  EXPECT_EQ (planeIds (labels).size(), 2u);
+  EXPECT_EQ (labels[0], 1u);         // the larger one first
+  EXPECT_EQ (labels[900 + 399], 2u); // the wall's upper corner
+  EXPECT_GT (pointsWith (labels, 1), 800u);
+  EXPECT_GT (pointsWith (labels, 2), 350u);
+}
+
+TEST (RegionGrowing, DoesNotReachAcrossAGap)
+{
+  Cloud cloud;
+  addSquare (cloud, 20, {0, 0, 0}, x, y);
+  addSquare (cloud, 20, {1, 0, 0}, x, y);
+  const Labels labels = growRegions (cloud, nineNeighbors());
+  EXPECT_EQ (pointsWith (labels, 1), 400u);
+  EXPECT_EQ (pointsWith (labels, 2), 400u);
+}
+
+TEST (RegionGrowing, EndsWhereASurfaceLeavesItsPlane)
+{
+  // A cylinder of radius 1 m: 5 cm off the plane through its top at 0.31 m.
+  Cloud cloud;
+  for (int i = -60; i <= 60; ++i)
+    for (int j = 0; j < 20; ++j)
+      cloud.push_back (
+          pcl::PointXYZ (std::sin (0.01f * i), spacing * j, std::cos (0.01f * i)));
+  const Labels labels = growRegions (cloud, nineNeighbors());
+  EXPECT_GT (planeIds (labels).size(), 1u);
+}
+
+TEST (RegionGrowing, RegionsOfUnderFiftyPointsAreOnNoPlane)
+{
+  Cloud cloud;
+  addSquare (cloud, 7, {0, 0, 0}, x, y); // 49 points
+  addSquare (cloud, 8, {2, 0, 0}, x, y); // 64 points
+  const Labels labels = growRegions (cloud, nineNeighbors());
+  EXPECT_EQ (pointsWith (labels, 0), 49u);
+  EXPECT_EQ (pointsWith (labels, 1), 64u);
+}
+
+TEST (RegionGrowing, PointsWithoutCoordinatesAreOnNoPlane)
+{
+  Cloud cloud = floorAndWall();
+  cloud[450].y = std::numeric_limits<float>::quiet_NaN();
+  const Labels labels = growRegions (cloud, nineNeighbors());
+  EXPECT_EQ (labels[450], 0u);
+  EXPECT_EQ (planeIds (labels).size(), 2u);
+}
+
+TEST (RegionGrowing, DoesNotDependOnThreads)
+{
+  const Cloud cloud = floorAndWall();
+  EXPECT_EQ (growRegions (cloud, nineNeighbors(), 1),
+             growRegions (cloud, nineNeighbors(), 4));
+}
+
+TEST (RegionGrowing, EmptyTinyAndCollapsedCloudsHaveNoPlane)
+{
+  for (const std::size_t size : {0u, 1u, 2u, 3u, 200u})
+    EXPECT_EQ (growRegions (Cloud (size, 1), nineNeighbors()), Labels (size, 0));
+}
+
+TEST (RegionGrowing, FindsTheExactPlanesOfARenderedRoom)
+{
+  const fs::path folder = fs::path (PCL_OPS_DATA_DIR) / "clouds";
+  if (!fs::exists (folder / "icl_nuim_lr_frame0_gt.pcd"))
+    GTEST_SKIP() << "no icl_nuim_lr_frame0_gt.pcd in " << folder;
+  const DataSet set = dataSetOf ("clouds:" + folder.string(), z.cast<double>());
+  const auto icl = std::find_if (
+      set.clouds.begin(), set.clouds.end(), [] (const CloudSource& source) {
+        return source.name == "icl_nuim_lr_frame0_gt.pcd";
+      });
+  const EvaluationCloud cloud = icl->load();
+  RegionGrowingParameters parameters;
+  parameters.neighbors = 30;
+  const Labels grown = growRegions (*cloud.cloud, parameters, 0);
+  const Metrics metrics = compareLabels (*cloud.cloud, *cloud.truth, grown);
+  EXPECT_GT (metrics.segmentation_accuracy, 0.9);
+}
+
+class TruthCache : public testing::Test {
+protected:
+  EvaluationCloud cloud;
+  TruthParameters parameters;
+
+  TruthCache()
+  {
+    cloud.cloud.reset (new Cloud (floorAndWall()));
+    parameters.growing = nineNeighbors();
+    parameters.cache_folder =
+        (fs::temp_directory_path() /
+         (std::string ("pcl_ops_truth_") +
+          testing::UnitTest::GetInstance()->current_test_info()->name()))
+            .string();
+    fs::remove_all (parameters.cache_folder);
+  }
+  ~TruthCache() override { fs::remove_all (parameters.cache_folder); }
+
+  fs::path
+  cacheFile () const
+  {
+    return fs::path (parameters.cache_folder) /
+           (truthKey (*cloud.cloud, parameters.growing) + ".pcd");
+  }
+};
+
+TEST_F (TruthCache, GivesWhatWasGrown)
+{
+  const Labels grown = growRegions (*cloud.cloud, parameters.growing);
+  EXPECT_EQ (truthOf (cloud, parameters), grown);
+  EXPECT_TRUE (fs::exists (cacheFile()));
+  EXPECT_EQ (truthOf (cloud, parameters), grown);
+}
+
+TEST_F (TruthCache, IsReadRatherThanGrownAgain)
+{
+  truthOf (cloud, parameters);
+  const auto written = fs::last_write_time (cacheFile());
+  truthOf (cloud, parameters);
+  EXPECT_EQ (fs::last_write_time (cacheFile()), written);
+}
+
+TEST_F (TruthCache, TellsCloudsAndParametersApart)
+{
+  const std::string key = truthKey (*cloud.cloud, parameters.growing);
+  RegionGrowingParameters other = parameters.growing;
+  other.neighbors = 10;
+  EXPECT_NE (truthKey (*cloud.cloud, other), key);
+  (*cloud.cloud)[7].z += 1e-6f;
+  EXPECT_NE (truthKey (*cloud.cloud, parameters.growing), key);
+}
+
+TEST_F (TruthCache, ADamagedFileIsReplaced)
+{
+  const Labels grown = truthOf (cloud, parameters);
+  std::ofstream (cacheFile()) << "no cloud at all";
+  EXPECT_EQ (truthOf (cloud, parameters), grown);
+}
+
+TEST_F (TruthCache, AnUnwritableFolderIsNamed)
+{
+  std::ofstream (parameters.cache_folder) << "a file where the folder should be";
+  EXPECT_THROW (truthOf (cloud, parameters), pcl_ops::apps::WorkError);
+}
+
+TEST_F (TruthCache, ExactTruthIsTakenAsItIsButForSmallPlanes)
+{
+  cloud.truth = Labels (cloud.cloud->size(), 3);
+  std::fill_n (cloud.truth->begin(), 49, 8);
+  const Labels truth = truthOf (cloud, parameters);
+  EXPECT_EQ (pointsWith (truth, 0), 49u);
+  EXPECT_EQ (truthName (cloud, parameters), "exact");
+  EXPECT_FALSE (fs::exists (parameters.cache_folder));
+}
+
+TEST (DataSets, RoomsAreRepeatableAndHaveExactTruth)
+{
+  const DataSet rooms = dataSetOf ("rooms:2-4", z.cast<double>());
+  ASSERT_EQ (rooms.clouds.size(), 3u);
+  EXPECT_EQ (rooms.clouds[0].name, "room-0002");
+  const EvaluationCloud first = rooms.clouds[0].load(), again = rooms.clouds[0].load();
+  ASSERT_TRUE (first.truth.has_value());
+  EXPECT_EQ (first.truth->size(), first.cloud->size());
+  EXPECT_EQ (truthKey (*first.cloud, {}), truthKey (*again.cloud, {}));
+}
+
+TEST (DataSets, NonsenseIsAUsageError)
+{
+  for (const char* text : {"",
+                           "rooms",
+                           "rooms:",
+                           "rooms:3-1",
+                           "rooms:a",
+                           "rooms:1-2-3",
+                           "sunrgbd:",
+                           "what:ever",
+                           "rooms:0-4000000000"})
+    EXPECT_THROW (dataSetOf (text, z.cast<double>()), pcl_ops::apps::UsageError)
+        << text;
+}
+
+TEST (DataSets, AFolderWithoutCloudsIsAnError)
+{
+  for (const char* kind : {"clouds:", "sunrgbd:", "sunrgbd-raw:"})
+    EXPECT_THROW (dataSetOf (kind + std::string ("/no/such/folder"), z.cast<double>()),
+                  pcl_ops::apps::WorkError);
+}
+
+} // namespace

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/console/print.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+
+#include <gtest/gtest.h>
+
+#include <io/cloud_fields.h>
+#include <io/cloud_file.h>
+#include <support/temporary_folder.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace pcl_ops::apps;
+
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+/** \brief Two readings and a missing one between them, with intensity. */
+pcl::PointCloud<pcl::PointXYZI>
+threePoints ()
+{
+  pcl::PointCloud<pcl::PointXYZI> cloud;
+  cloud.push_back ({1.0f, 2.0f, 3.0f, 0.5f});
+  cloud.push_back ({kNaN, kNaN, kNaN, 0.25f});
+  cloud.push_back ({4.0f, 5.0f, 6.0f, 0.75f});
+  cloud.is_dense = false;
+  cloud.sensor_origin_ = Eigen::Vector4f (0.5f, -1.0f, 1.5f, 0.0f);
+  cloud.sensor_orientation_ = Eigen::Quaternionf (0.0f, 1.0f, 0.0f, 0.0f);
+  return cloud;
+}
+
+std::string
+asciiPcd (const std::string& header_change, const std::string& body = "1 2 3\n4 5 6\n")
+{
+  std::string pcd =
+      "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
+      "WIDTH 2\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA ascii\n";
+  const std::string key = header_change.substr (0, header_change.find (' '));
+  const std::size_t line = key.empty() ? pcd.size() : pcd.find (key);
+  if (line < pcd.size())
+    pcd.replace (line, pcd.find ('\n', line) - line, header_change);
+  return pcd + body;
+}
+
+std::string
+plyWith (const std::string& elements, const std::string& body)
+{
+  return "ply\nformat ascii 1.0\n" + elements + "end_header\n" + body;
+}
+
+const std::string kTwoVertices =
+    "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n";
+
+/** \return what loading a file complains about, without the file's name */
+std::string
+complaintAbout (const std::string& file)
+{
+  try {
+    loadCloud (file);
+  }
+  catch (const std::runtime_error& error) {
+    const std::string text = error.what();
+    return text.substr (text.find (file) == 0 ? file.size() + 2 : 0);
+  }
+  return "";
+}
+
+class CloudFile : public testing::Test {
+protected:
+  CloudFile() { pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); }
+
+  TemporaryFolder folder_;
+};
+
+} // namespace
+
+TEST_F (CloudFile, KeepsPointsFieldsAndPoseInEveryFormat)
+{
+  using Save = std::function<void (const std::string&)>;
+  const pcl::PointCloud<pcl::PointXYZI> cloud = threePoints();
+  const std::vector<std::pair<std::string, Save>> formats = {
+      {"ascii.pcd", [&] (auto& file) { pcl::io::savePCDFileASCII (file, cloud); }},
+      {"binary.pcd", [&] (auto& file) { pcl::io::savePCDFileBinary (file, cloud); }},
+      {"compressed.pcd",
+       [&] (auto& file) { pcl::io::savePCDFileBinaryCompressed (file, cloud); }},
+      {"ascii.ply", [&] (auto& file) { pcl::io::savePLYFileASCII (file, cloud); }},
+      {"binary.PLY", [&] (auto& file) { pcl::io::savePLYFileBinary (file, cloud); }}};
+  for (const auto& [name, save] : formats) {
+    SCOPED_TRACE (name);
+    save (folder_ / name);
+    const Cloud loaded = loadCloud (folder_ / name);
+    const Positions positions = positionsOf (loaded);
+    ASSERT_EQ (positions.cloud->size(), 3u);
+    EXPECT_TRUE (std::isnan ((*positions.cloud)[1].x));
+    EXPECT_EQ ((*positions.cloud)[2].getVector3fMap(), Eigen::Vector3f (4, 5, 6));
+    EXPECT_TRUE (hasField (loaded, "intensity"));
+    if (name.find (".pcd") == std::string::npos)
+      continue; // PCL's reader drops the pose of a PLY
+    EXPECT_TRUE (loaded.origin.head<3>().isApprox (Eigen::Vector3f (0.5, -1, 1.5)));
+    EXPECT_NEAR (std::abs (loaded.orientation.x()), 1.0, 1e-6);
+  }
+}
+
+TEST_F (CloudFile, SavesWhatItLoadedAndNoByteMore)
+{
+  pcl::io::savePCDFileBinary (folder_ / "in.pcd", threePoints());
+  savePcd (folder_ / "out.pcd", loadCloud (folder_ / "in.pcd"));
+  EXPECT_TRUE (contentOf (folder_ / "in.pcd") == contentOf (folder_ / "out.pcd"));
+}
+
+TEST_F (CloudFile, AddsLabelsAndColorsBesideTheOtherFields)
+{
+  pcl::io::savePCDFileBinary (folder_ / "in.pcd", threePoints());
+  Cloud cloud = loadCloud (folder_ / "in.pcd");
+  setLabels (cloud, {2, 0, 1});
+  setColors (cloud, {{255, 0, 0}, {128, 128, 128}, {0, 0, 255}});
+  savePcd (folder_ / "out.pcd", cloud);
+
+  pcl::PointCloud<pcl::PointXYZRGBL> colored;
+  pcl::PointCloud<pcl::PointXYZI> others;
+  ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "out.pcd", colored), 0);
+  ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "out.pcd", others), 0);
+  EXPECT_EQ (colored[0].label, 2u);
+  EXPECT_EQ (colored[0].r, 255);
+  EXPECT_EQ (colored[2].label, 1u);
+  EXPECT_EQ (colored[2].b, 255);
+  EXPECT_EQ (others[1].intensity, 0.25f);
+  EXPECT_EQ (others[2].y, 5.0f);
+}
+
+TEST_F (CloudFile, ReplacesLabelsAndColorsTheInputHad)
+{
+  const std::string file =
+      folder_.write ("in.pcd",
+                     "FIELDS x y label rgba z\nSIZE 4 4 1 4 4\nTYPE F F U U F\n"
+                     "WIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n1 2 7 255 3\n");
+  Cloud cloud = loadCloud (file);
+  setLabels (cloud, {70000});
+  setColors (cloud, {{9, 8, 7}});
+  pcl::PointCloud<pcl::PointXYZRGBL> colored;
+  pcl::fromPCLPointCloud2 (cloud.points, colored);
+  EXPECT_EQ (colored[0].label, 70000u);
+  EXPECT_EQ (colored[0].r, 9);
+  EXPECT_EQ (colored[0].z, 3.0f);
+  EXPECT_TRUE (hasField (cloud, "rgba"));
+  EXPECT_EQ (cloud.points.fields.size(), 6u);
+}
+
+TEST_F (CloudFile, KeepsMillimetresOfDoublePrecisionFarFromZero)
+{
+  const std::string file = folder_.write (
+      "utm.ply",
+      plyWith ("element vertex 2\nproperty double x\nproperty double y\n"
+               "property double z\n",
+               "512345.001 5412345.002 99.003\n512346.002 5412345.002 99.003\n"));
+  const Positions positions = positionsOf (loadCloud (file));
+  EXPECT_NEAR ((*positions.cloud)[1].x - (*positions.cloud)[0].x, 1.001, 1e-6);
+  EXPECT_NEAR ((*positions.cloud)[1].x + positions.shift.x(), 512346.002, 1e-6);
+}
+
+TEST_F (CloudFile, ReadsTheVerticesOfAMesh)
+{
+  const std::string file = folder_.write (
+      "mesh.ply",
+      plyWith (
+          "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+          "element face 1\nproperty list uchar int vertex_indices\n",
+          "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"));
+  EXPECT_EQ (loadCloud (file).size(), 3u);
+}
+
+TEST_F (CloudFile, NamesWhatIsNoCloud)
+{
+  EXPECT_EQ (complaintAbout (folder_ / "missing.pcd"),
+             "does not exist; check the name");
+  EXPECT_EQ (complaintAbout (folder_.write ("a.xyz", "1 2 3")),
+             "has an unknown extension; give a .pcd or .ply file");
+  EXPECT_EQ (complaintAbout (folder_.write ("empty.pcd", "")),
+             "is empty; write it again");
+  std::filesystem::create_directory (folder_ / "folder.pcd");
+  EXPECT_EQ (complaintAbout (folder_ / "folder.pcd"),
+             "is a folder; give a .pcd or .ply file");
+  const std::string none = asciiPcd ("POINTS 0", "");
+  EXPECT_EQ (complaintAbout (folder_.write (
+                 "none.pcd",
+                 std::string (none).replace (none.find ("WIDTH 2"), 7, "WIDTH 0"))),
+             "has no points; give a cloud that has");
+  const std::string no_vertex = plyWith (
+      "element vertex 0\nproperty float x\nproperty float y\nproperty float z\n", "");
+  EXPECT_EQ (complaintAbout (folder_.write ("none.ply", no_vertex)),
+             "has no points; give a cloud that has");
+  EXPECT_EQ (complaintAbout (folder_.write ("xyw.pcd", asciiPcd ("FIELDS x y w"))),
+             "has no field z; give a cloud with x, y and z");
+  EXPECT_EQ (complaintAbout (folder_.write ("good.pcd", asciiPcd (""))), "");
+}
+
+TEST_F (CloudFile, NamesTheHeaderLineAtFault)
+{
+  const auto complaint = [&] (const std::string& change) {
+    return complaintAbout (folder_.write ("bad.pcd", asciiPcd (change)));
+  };
+  const auto invalid = [] (const std::string& reason) {
+    return "is no valid PCD file: " + reason + "; write it again";
+  };
+  EXPECT_EQ (complaint ("WIDTH -5"), invalid ("WIDTH -5 is out of range"));
+  EXPECT_EQ (complaint ("WIDTH 4294967295"),
+             invalid ("WIDTH 4294967295 is out of range"));
+  EXPECT_EQ (complaint ("WIDTH"), invalid ("WIDTH is not one number"));
+  EXPECT_EQ (complaint ("HEIGHT 7"), invalid ("WIDTH times HEIGHT is not POINTS"));
+  EXPECT_EQ (complaint ("POINTS two"), invalid ("POINTS two is out of range"));
+  EXPECT_EQ (complaint ("COUNT 1 1 -1"), invalid ("COUNT -1 is out of range"));
+  EXPECT_EQ (complaint ("COUNT 1 1 99999999"),
+             invalid ("COUNT 99999999 is out of range"));
+  EXPECT_EQ (complaint ("SIZE 4 4 0"), invalid ("TYPE F with SIZE 0 does not exist"));
+  EXPECT_EQ (complaint ("SIZE 4 4"),
+             invalid ("FIELDS, SIZE, TYPE and COUNT differ in length"));
+  EXPECT_EQ (complaint ("FIELDS"), invalid ("FIELDS names none"));
+  EXPECT_EQ (complaint ("VIEWPOINT 0 0 0"), invalid ("VIEWPOINT is not seven numbers"));
+  EXPECT_EQ (complaint ("DATA morse"),
+             invalid ("DATA is not ascii, binary or binary_compressed"));
+  EXPECT_EQ (complaintAbout (folder_.write ("junk.pcd", std::string (5000, '\xfe'))),
+             invalid ("its header has no line DATA"));
+}
+
+TEST_F (CloudFile, NoticesTruncatedData)
+{
+  const std::string truncated = "is truncated: its header promises more points than "
+                                "follow; copy or write it again";
+  const std::string damaged =
+      "cannot be read: its data does not match its header; is it "
+      "truncated or damaged?";
+  EXPECT_EQ (complaintAbout (folder_.write ("header.pcd", asciiPcd ("", ""))),
+             truncated);
+  EXPECT_EQ (
+      complaintAbout (folder_.write ("line.pcd", asciiPcd ("", "1.5 2.5 3.5\n"))),
+      damaged);
+  pcl::io::savePCDFileBinary (folder_ / "binary.pcd", threePoints());
+  pcl::io::savePCDFileBinaryCompressed (folder_ / "compressed.pcd", threePoints());
+  pcl::io::savePLYFileBinary (folder_ / "binary.ply", threePoints());
+  for (const char* name : {"binary.pcd", "compressed.pcd", "binary.ply"}) {
+    const std::string whole = contentOf (folder_ / name);
+    folder_.write (name, whole.substr (0, whole.size() - 20));
+    EXPECT_EQ (complaintAbout (folder_ / name), truncated) << name;
+  }
+}
+
+TEST_F (CloudFile, NamesWhatIsNoPly)
+{
+  const auto complaint = [&] (const std::string& content) {
+    return complaintAbout (folder_.write ("bad.ply", content));
+  };
+  const auto invalid = [] (const std::string& reason) {
+    return "is no valid PLY file: " + reason + "; write it again";
+  };
+  EXPECT_EQ (complaint ("plot\n"), invalid ("its first line is not ply"));
+  EXPECT_EQ (complaint ("ply\nformat ascii 1.0\n"),
+             invalid ("its header has no line end_header"));
+  EXPECT_EQ (complaint (plyWith ("element vertex -2\n", "")),
+             invalid ("element vertex -2 is out of range"));
+  EXPECT_EQ (complaint (plyWith ("", "")), invalid ("it has no element vertex"));
+  EXPECT_EQ (complaint (plyWith ("element vertex 2\nproperty quad x\n", "")),
+             invalid ("the property type quad does not exist"));
+  EXPECT_NE (complaint (plyWith (kTwoVertices, "1 2 3\n")), "");
+  EXPECT_EQ (complaint (plyWith (kTwoVertices, "1 2 3\n4 5 6\n")), "");
+}

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <support/temporary_folder.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+using InputCloud = pcl::PointCloud<pcl::PointXYZI>;
+using LabelledCloud = pcl::PointCloud<pcl::PointXYZRGBL>;
+
+inline constexpr int kSide = 50;
+inline constexpr int kPlane = kSide * kSide;
+/** \brief The reading without coordinates between floor and wall. */
+inline constexpr int kMissing = kPlane;
+
+/** \brief A floor of 2 m by 2 m, one missing reading, and a wall at x = 3 m; the
+ * intensity of each point is its index.
+ * \param[in] side how many points there are along each edge */
+inline InputCloud
+floorAndWall (int side = kSide)
+{
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  const float step = 2.0f / static_cast<float> (side);
+  InputCloud cloud;
+  const auto add = [&] (float x, float y, float z) {
+    cloud.push_back ({x, y, z, static_cast<float> (cloud.size())});
+  };
+  for (int x = 0; x < side; ++x)
+    for (int y = 0; y < side; ++y)
+      add (step * static_cast<float> (x), step * static_cast<float> (y), 0);
+  add (kNaN, kNaN, kNaN);
+  for (int y = 0; y < side; ++y)
+    for (int z = 0; z < side; ++z)
+      add (3, step * static_cast<float> (y), step * static_cast<float> (z));
+  cloud.is_dense = false;
+  cloud.sensor_origin_ = Eigen::Vector4f (0.5f, 1.0f, 1.5f, 0.0f);
+  return cloud;
+}
+
+struct Outcome {
+  int exit_code;
+  std::string out, err;
+};
+
+/** \brief A folder with the input cloud, to run the program in. */
+class Segment : public testing::Test {
+protected:
+  Segment() { pcl::io::savePCDFileBinary (folder_ / "in.pcd", floorAndWall()); }
+
+  /** \brief Runs the program in the folder. */
+  Outcome
+  run (const std::string& arguments, const std::string& environment = "") const
+  {
+    const std::string command = "cd '" + folder_.path() + "' && " + environment + " '" +
+                                PCL_OPS_SEGMENT_PROGRAM "' " + arguments + " >'" +
+                                streams_ / "out" + "' 2>'" + streams_ / "err" + "'";
+    const int status = std::system (command.c_str());
+    return {WEXITSTATUS (status),
+            contentOf (streams_ / "out"),
+            contentOf (streams_ / "err")};
+  }
+
+  /** \brief Ends the program by SIGTERM as soon as a condition of the shell holds, at
+   * the latest after some ten seconds. */
+  Outcome
+  runAndTerminate (const std::string& environment,
+                   const std::string& arguments,
+                   const std::string& condition) const
+  {
+    return run (arguments + " & segment=$!; n=0; until " + condition +
+                    " || [ $n -gt 1000 ]; do sleep 0.01; n=$((n + 1)); done; "
+                    "kill -TERM $segment; wait $segment; }",
+                "{ " + environment);
+  }
+
+  /** \brief The labelled cloud the program makes of a file. */
+  LabelledCloud
+  label (const std::string& input, const std::string& options = "") const
+  {
+    const Outcome done = run (input + " labelled.pcd " + options);
+    EXPECT_EQ (done.exit_code, 0) << done.err;
+    LabelledCloud cloud;
+    EXPECT_EQ (pcl::io::loadPCDFile (folder_ / "labelled.pcd", cloud), 0);
+    return cloud;
+  }
+
+  TemporaryFolder folder_;
+  TemporaryFolder streams_{"_streams"};
+};
+
+inline std::vector<std::uint32_t>
+labelsOf (const LabelledCloud& cloud)
+{
+  std::vector<std::uint32_t> labels;
+  for (const pcl::PointXYZRGBL& point : cloud)
+    labels.push_back (point.label);
+  return labels;
+}
+
+inline std::set<std::uint32_t>
+distinct (const LabelledCloud& cloud, int begin, int end)
+{
+  const std::vector<std::uint32_t> labels = labelsOf (cloud);
+  return {labels.begin() + begin, labels.begin() + end};
+}
+
+inline std::size_t
+lines (const std::string& text)
+{
+  return static_cast<std::size_t> (std::count (text.begin(), text.end(), '\n'));
+}
+
+inline bool
+contains (const std::string& text, const std::string& part)
+{
+  return text.find (part) != std::string::npos;
+}

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <support/run_program.h>
+#include <support/temporary_folder.h>
+
+#include <algorithm>
+#include <string>
+
+namespace {
+
+constexpr const char* small_image = " --width 64 --height 48";
+
+ProgramRun
+simulate (const std::string& arguments)
+{
+  return runProgram (PCL_OPS_SIMULATE_PROGRAM, arguments);
+}
+
+/** \brief The program ends with this code after one line that names the culprit. */
+void
+expectError (const ProgramRun& run, int exit_code, const std::string& culprit)
+{
+  EXPECT_EQ (run.exit_code, exit_code) << run.text;
+  EXPECT_EQ (run.text.rfind ("pcl_ops_simulate: " + culprit + ": ", 0), 0u) << run.text;
+  EXPECT_EQ (std::count (run.text.begin(), run.text.end(), '\n'), 1) << run.text;
+}
+
+pcl::PointCloud<pcl::PointXYZL>
+loaded (const std::string& file)
+{
+  pcl::PointCloud<pcl::PointXYZL> cloud;
+  pcl::io::loadPCDFile (file, cloud);
+  return cloud;
+}
+
+} // namespace
+
+TEST (SimulateProgram, WritesALabelledCloudThatPclReads)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder / "room.pcd";
+  ASSERT_EQ (simulate (file + small_image + " --organized").exit_code, 0);
+  const auto cloud = loaded (file);
+  EXPECT_EQ (cloud.width, 64u);
+  EXPECT_EQ (cloud.height, 48u);
+  EXPECT_TRUE (std::any_of (
+      cloud.begin(), cloud.end(), [] (const auto& point) { return point.label > 1; }));
+  EXPECT_GT (cloud.sensor_origin_.z(), 1.0f);
+}
+
+TEST (SimulateProgram, SameSeedSameBytes)
+{
+  const TemporaryFolder folder;
+  for (const char* name : {"a.pcd", "b.pcd"})
+    simulate (folder / name + small_image + " -seed 7");
+  simulate (folder / "c.pcd" + small_image + " -seed 8");
+  EXPECT_EQ (contentOf (folder / "a.pcd"), contentOf (folder / "b.pcd"));
+  EXPECT_NE (contentOf (folder / "a.pcd"), contentOf (folder / "c.pcd"));
+}
+
+TEST (SimulateProgram, ScansWithTheNumberOfPointsAskedFor)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ (simulate (folder / "scan.pcd" + " --points 1234").exit_code, 0);
+  EXPECT_EQ (loaded (folder / "scan.pcd").size(), 1234u);
+}
+
+TEST (SimulateProgram, RefusesWrongUsage)
+{
+  const TemporaryFolder folder;
+  const std::string output = folder / "room.pcd";
+  expectError (simulate (""), 2, "OUTPUT.pcd");
+  expectError (simulate (folder / "room.xyz"), 2, folder / "room.xyz");
+  expectError (simulate (output + " --profile pink"), 2, "--profile");
+  expectError (simulate (output + " --points 0"), 2, "--points");
+  expectError (simulate (output + " --points 10000001"), 2, "--points");
+  expectError (simulate (output + " --width 8"), 2, "--width");
+  expectError (simulate (output + " --height 100000"), 2, "--height");
+  expectError (simulate (output + " --noise nan"), 2, "--noise");
+  expectError (simulate (output + " --points 9 --organized"), 2, "--points");
+  expectError (simulate (output + " --colour"), 2, "--colour");
+  EXPECT_EQ (folder.fileCount(), 0u);
+}
+
+TEST (SimulateProgram, SaysWhyItCannotWrite)
+{
+  const TemporaryFolder folder;
+  expectError (simulate (folder / "absent/room.pcd"), 1, folder / "absent/room.pcd");
+  std::filesystem::create_directory (folder / "folder.pcd");
+  expectError (simulate (folder / "folder.pcd"), 1, folder / "folder.pcd");
+}
+
+TEST (SimulateProgram, AFullDiskLeavesTheOldFile)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder.write ("room.pcd", "precious");
+  const ProgramRun run =
+      runProgram ("/bin/sh",
+                  "-c 'trap \"\" XFSZ; ulimit -f 8; " PCL_OPS_SIMULATE_PROGRAM " " +
+                      file + small_image + "'");
+  expectError (run, 1, file);
+  EXPECT_EQ (contentOf (file), "precious");
+  EXPECT_EQ (folder.fileCount(), 1u);
+}

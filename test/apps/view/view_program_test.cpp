@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <support/run_program.h>
+#include <support/temporary_folder.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+/** \brief A folder with a floor and a wall, to run the viewer in. */
+class View : public testing::Test {
+protected:
+  View()
+  {
+    pcl::PointCloud<pcl::PointXYZ> cloud;
+    for (int i = 0; i < 50; ++i)
+      for (int j = 0; j < 50; ++j) {
+        const float x = 0.04f * static_cast<float> (i);
+        const float y = 0.04f * static_cast<float> (j);
+        cloud.emplace_back (x, y, 0.0f);
+        cloud.emplace_back (2.0f, y, x);
+      }
+    cloud.emplace_back (kNaN, kNaN, kNaN);
+    pcl::io::savePCDFileBinary (folder_ / "in.pcd", cloud);
+  }
+
+  /** \brief Runs the viewer without a display. */
+  ProgramRun
+  run (const std::string& arguments) const
+  {
+    return runInFolder ("unset DISPLAY; '" PCL_OPS_VIEW_PROGRAM "' " + arguments);
+  }
+
+  /** \brief Runs the viewer on a display of its own. */
+  ProgramRun
+  runOnDisplay (const std::string& arguments) const
+  {
+    return runInFolder ("xvfb-run -a -s '-screen 0 1024x768x24' '" PCL_OPS_VIEW_PROGRAM
+                        "' " +
+                        arguments);
+  }
+
+  /** \brief Why nothing can be drawn on this machine; empty if it can. */
+  static std::string
+  whyNotDrawn ()
+  {
+#ifdef PCL_OPS_SANITIZED
+    return "graphics drivers are not made for sanitizers";
+#else
+    const char* const probe = "'command -v xauth >/dev/null && xvfb-run -a true'";
+    return runProgram ("sh", std::string ("-c ") + probe).exit_code == 0
+               ? ""
+               : "xvfb-run is not installed or cannot start";
+#endif
+  }
+
+  TemporaryFolder folder_;
+
+private:
+  ProgramRun
+  runInFolder (const std::string& commands) const
+  {
+    const std::string script =
+        folder_.write ("run.sh", "cd '" + folder_.path() + "'\n" + commands + "\n");
+    return runProgram ("sh", "'" + script + "'");
+  }
+};
+
+void
+expectOneLine (const ProgramRun& run, int exit_code, const std::string& about)
+{
+  EXPECT_EQ (run.exit_code, exit_code) << run.text;
+  EXPECT_EQ (std::count (run.text.begin(), run.text.end(), '\n'), 1) << run.text;
+  EXPECT_EQ (run.text.find ("pcl_ops_view: "), 0u) << run.text;
+  EXPECT_NE (run.text.find (about), std::string::npos) << run.text;
+}
+
+} // namespace
+
+TEST_F (View, ListsOptionsAndKeysInItsHelp)
+{
+  const ProgramRun help = run ("--help");
+  EXPECT_EQ (help.exit_code, 0);
+  for (const char* part : {"--screenshot", "--method", "--hulls", "next method"})
+    EXPECT_NE (help.text.find (part), std::string::npos) << part;
+}
+
+TEST_F (View, SaysThatThereIsNoDisplay)
+{
+#ifdef __APPLE__
+  GTEST_SKIP() << "windows need no X11 display here";
+#endif
+  expectOneLine (run ("in.pcd"), 1, "xvfb-run");
+  expectOneLine (run ("in.pcd --screenshot out.png"), 1, "xvfb-run");
+  expectOneLine (runProgram ("env",
+                             "DISPLAY=nowhere:99 '" PCL_OPS_VIEW_PROGRAM "' '" +
+                                 folder_ / "in.pcd" + "'"),
+                 1,
+                 "nowhere:99");
+}
+
+TEST_F (View, RefusesCloudsItCannotShow)
+{
+  pcl::PointCloud<pcl::PointXYZ> nowhere (3, 1, {kNaN, kNaN, kNaN});
+  pcl::io::savePCDFileBinary (folder_ / "nan.pcd", nowhere);
+  const std::string whole = contentOf (folder_ / "in.pcd");
+  folder_.write ("cut.pcd", whole.substr (0, whole.size() / 2));
+  folder_.write ("text.pcd", "no cloud\n");
+  for (const char* file : {"nan.pcd", "cut.pcd", "text.pcd", "missing.pcd"})
+    expectOneLine (run (file), 1, file);
+  expectOneLine (run ("in.txt"), 2, "in.txt");
+}
+
+TEST_F (View, RefusesWrongUsage)
+{
+  for (const char* arguments : {"",
+                                "in.pcd --method sac",
+                                "in.pcd --color rainbow",
+                                "in.pcd --size 12",
+                                "in.pcd --size 0x100",
+                                "in.pcd --screenshot picture.gif"})
+    expectOneLine (run (arguments), 2, "");
+  expectOneLine (run ("in.pcd --screenshot nowhere/out.png"), 1, "nowhere/out.png");
+}
+
+TEST_F (View, WritesAScreenshotOfTheSizeAskedFor)
+{
+  if (!whyNotDrawn().empty())
+    GTEST_SKIP() << whyNotDrawn();
+  const ProgramRun done = runOnDisplay ("in.pcd --hulls --normals --color orientations "
+                                        "--size 320x240 --screenshot out.png");
+  if (done.text.find ("OpenGL") != std::string::npos)
+    GTEST_SKIP() << done.text;
+  EXPECT_EQ (done.exit_code, 0) << done.text;
+  const std::string png = contentOf (folder_ / "out.png");
+  ASSERT_GT (png.size(), 24u);
+  EXPECT_EQ (png.substr (1, 3), "PNG");
+  EXPECT_EQ (png.substr (16, 8), std::string ("\0\0\x01\x40\0\0\0\xF0", 8)); // 320x240
+}
+
+TEST_F (View, ColoursAsAsked)
+{
+  if (!whyNotDrawn().empty())
+    GTEST_SKIP() << whyNotDrawn();
+  const ProgramRun done = runOnDisplay ("in.pcd --size 320x240 --screenshot a.png");
+  if (done.text.find ("OpenGL") != std::string::npos)
+    GTEST_SKIP() << done.text;
+  ASSERT_EQ (done.exit_code, 0) << done.text;
+  ASSERT_EQ (
+      runOnDisplay ("in.pcd --size 320x240 --color input --screenshot b.png").exit_code,
+      0);
+  EXPECT_NE (contentOf (folder_ / "a.png"), contentOf (folder_ / "b.png"));
+}
