@@ -2,13 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-<<<<<<< HEAD:apps/evaluation/detector_run.h
-#include "peers.h"
-#include <evaluation/detectors/timed.h>
-=======
 #include "detectors.h"
-#include <pcl_ops/stage_timer.h>
->>>>>>> apps:apps/evaluation/detectors/detector_run.h
+#include <evaluation/detectors/timed.h>
 
 namespace pcl_ops::evaluation {
 

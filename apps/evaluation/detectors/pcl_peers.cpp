@@ -8,12 +8,7 @@
 #include <pcl/segmentation/region_growing.h>
 #include <pcl/segmentation/sac_segmentation.h>
 
-<<<<<<< HEAD:apps/evaluation/pcl_peers.cpp
-#include "peers.h"
 #include <evaluation/detectors/timed.h>
-=======
-#include <pcl_ops/stage_timer.h>
->>>>>>> apps:apps/evaluation/detectors/pcl_peers.cpp
 
 #include <algorithm>
 #include <iterator>

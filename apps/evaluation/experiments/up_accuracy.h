@@ -2,15 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-<<<<<<< HEAD:apps/evaluation/up_accuracy.h
-#include "cloud_source.h"
-#include "text_table.h"
-#include "base/random.h"
-=======
 #include <evaluation/data/cloud_source.h>
 #include <evaluation/report/text_table.h>
-#include <pcl_ops/random.h>
->>>>>>> apps:apps/evaluation/experiments/up_accuracy.h
+#include "base/random.h"
 #include <pcl_ops/up_axis.h>
 
 #include <string>
