@@ -4,6 +4,7 @@
 
 #include <pcl/common/point_tests.h>
 
+#include <numbers/quantile.h>
 #include <pcl_ops/fixed_radius_search.h>
 #include <pcl_ops/octree_clusters.h>
 
@@ -46,11 +47,11 @@ std::string
 adviceOnCloud (const Points& points, const std::string& lengths, double threshold)
 {
   // A room of 10 m in millimetres; no scene in metres is that large for 5 cm.
-  constexpr double kLargestExtentInThresholds = 40000.0;
+  constexpr double largest_extent_in_thresholds = 40000.0;
   if (points.size() == 0)
     return "every point is NaN or infinite";
   const double extent = extentOf (points);
-  if (!(threshold > 0.0 && extent > kLargestExtentInThresholds * threshold))
+  if (!(threshold > 0.0 && extent > largest_extent_in_thresholds * threshold))
     return "";
   std::ostringstream advice;
   advice << "the cloud is " << extent << " wide: if its unit is the millimetre, give "
@@ -62,15 +63,15 @@ adviceOnCloud (const Points& points, const std::string& lengths, double threshol
 double
 medianSphereSize (const Points& points, double radius, unsigned threads)
 {
-  constexpr std::size_t kSpheres = 101;
+  constexpr std::size_t spheres = 101;
   const FixedRadiusSearch search (points, radius, threads);
-  std::vector<float> sizes;
+  std::vector<double> sizes;
   Positions sphere;
-  for (std::size_t i = 0; i < kSpheres; ++i) {
-    search.find (static_cast<std::uint32_t> (i * points.size() / kSpheres), sphere);
-    sizes.push_back (static_cast<float> (sphere.size()));
+  for (std::size_t i = 0; i < spheres; ++i) {
+    search.find (static_cast<std::uint32_t> (i * points.size() / spheres), sphere);
+    sizes.push_back (static_cast<double> (sphere.size()));
   }
-  return medianOf (sizes);
+  return quantile (sizes, 0.5);
 }
 
 } // namespace
@@ -79,7 +80,7 @@ bool
 isHardlyCovered (const pcl::PointCloud<pcl::PointXYZ>& cloud,
                  const std::vector<PlaneSegment>& planes)
 {
-  constexpr double kLeastShare = 0.05;
+  constexpr double least_share = 0.05;
   const auto points =
       std::count_if (cloud.begin(), cloud.end(), [] (const pcl::PointXYZ& point) {
         return pcl::isFinite (point);
@@ -88,7 +89,7 @@ isHardlyCovered (const pcl::PointCloud<pcl::PointXYZ>& cloud,
   for (const PlaneSegment& plane : planes)
     covered += plane.inliers.size();
   return covered == 0 ||
-         static_cast<double> (covered) < kLeastShare * static_cast<double> (points);
+         static_cast<double> (covered) < least_share * static_cast<double> (points);
 }
 
 std::string

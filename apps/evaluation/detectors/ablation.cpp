@@ -21,11 +21,7 @@ constexpr double no_limit = 1e6;
 const Ingredient ingredients[] = {
     {"resolutions", [] (Parameters& p) { p.cells.normals.levels = 1; }},
     {"least-cells", [] (Parameters& p) { p.cells.normals.least_average_cells = 0.0; }},
-    {"normal-test",
-     [] (Parameters& p) {
-       constexpr double right_angle = 1.5707963267948966;
-       p.cells.inlier.angle_threshold = right_angle;
-     }},
+    {"normal-test", [] (Parameters& p) { p.cells.inlier.angle_threshold = M_PI_2; }},
     {"noise-bands", [] (Parameters& p) { p.cells.inlier.noise_factor = no_limit; }},
     {"curvature-test",
      [] (Parameters& p) { p.cells.inlier.largest_normal_spread = no_limit; }},
