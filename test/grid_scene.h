@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "geometry/points.h"
 #include "scene.h"
-#include <pcl_ops/points.h>
 
 /** \brief Adds steps x steps points of a surface, evenly spread and without its rim.
  * \param[in] noise each point is moved by up to this much along the normal [m] */

@@ -9,8 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include "base/random.h"
 #include <pcl_ops/plane.h>
-#include <pcl_ops/random.h>
 
 #include <algorithm>
 #include <cmath>

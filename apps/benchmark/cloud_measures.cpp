@@ -4,10 +4,10 @@
 
 #include <pcl/kdtree/kdtree_flann.h>
 
+#include <evaluation/detectors/timed.h>
 #include <pcl_ops/fast_sampling_plane_filtering.h>
-#include <pcl_ops/fixed_radius_search.h>
 #include <pcl_ops/oriented_point_sampling.h>
-#include <pcl_ops/stage_timer.h>
+#include <search/fixed_radius_search.h>
 
 #include <algorithm>
 #include <map>
@@ -41,10 +41,11 @@ sphereCentres (const XyzCloud& cloud,
 {
   pcl::Indices all (cloud.size());
   std::iota (all.begin(), all.end(), 0);
-  const Points points = finitePoints (cloud, all);
+  using namespace internal;
+  const Points points = finitePoints (CloudView (cloud), all, 1);
   const FixedRadiusSearch search (points, parameters.local.outer_radius, 1);
   std::vector<pcl::PointXYZ> centres;
-  const auto find_sphere = [&] (std::uint32_t centre, Positions& sphere) {
+  const auto find_sphere = [&] (std::uint32_t centre, Indices& sphere) {
     const Eigen::Vector3f position =
         (search.points()[centre] + points.origin).cast<float>();
     centres.emplace_back (position.x(), position.y(), position.z());
@@ -53,7 +54,7 @@ sphereCentres (const XyzCloud& cloud,
   sampleLocalPlanes (search.points(),
                      find_sphere,
                      parameters.local,
-                     parameters.distance_threshold,
+                     *parameters.distance_threshold,
                      parameters.seed);
   return centres;
 }

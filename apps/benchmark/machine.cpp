@@ -4,7 +4,7 @@
 
 #include <pcl/pcl_config.h>
 
-#include <pcl_ops/stage_timer.h>
+#include <evaluation/detectors/timed.h>
 
 #include <algorithm>
 #include <array>

@@ -7,10 +7,14 @@
 #include <pcl/search/kdtree.h>
 
 #include <benchmark/benchmark.h>
-#include <pcl_ops/cell_planes.h>
-#include <pcl_ops/fixed_radius_search.h>
-#include <pcl_ops/octree_clusters.h>
+#include <bounded/bounded_assignment.h>
+#include <bounded/bounded_planes.h>
+#include <bounded/plane_growing.h>
+#include <kht/octree_clusters.h>
+#include <ops/oriented_points.h>
+#include <ops/surfel_extraction.h>
 #include <pcl_ops/oriented_point_sampling.h>
+#include <search/fixed_radius_search.h>
 #include <simulation/dense_scan.h>
 
 #include <map>
@@ -19,30 +23,47 @@
 namespace {
 
 using namespace pcl_ops;
+using namespace pcl_ops::internal;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using benchmark::State;
 
 constexpr unsigned threads = 1;
 constexpr std::uint32_t seed = 1;
-/** About 12,000 cells at 300,000 points, as by default [m]. */
-constexpr double cell_size = 0.1;
+/** About 12,000 voxels at 300,000 points, as by default [m]. */
+constexpr double voxel_size = 0.1;
+
+constexpr int resolutions = 3;
+constexpr double least_points = 200.0;
+
+SurfelRansacParameters
+ransacParameters ()
+{
+  const SurfelParameters usual;
+  SurfelRansacParameters ransac;
+  ransac.distance_limit = 2.0 * voxel_size;
+  ransac.noise_factor = usual.noise_factor;
+  ransac.angle_threshold = usual.angle_threshold;
+  ransac.largest_normal_spread = usual.largest_normal_spread;
+  ransac.largest_thickness = usual.largest_thickness;
+  return ransac;
+}
 
 /** \brief What the stages make of a scan, in their order. */
 struct Scan {
   Cloud::Ptr cloud;
   pcl::Indices all;
   Points points;
-  GriddedPoints gridded;
-  std::vector<std::optional<CellNormal>> normals;
-  CellPlanes planes;
+  VoxelizedPoints voxelized;
+  std::vector<std::optional<Surfel>> surfels;
+  BoundedPlanes planes;
 };
 
-CellPlanes
+BoundedPlanes
 extractedFrom (const Scan& scan)
 {
-  RandomGenerator generator (seed);
-  CellPlanes planes;
-  extractCellPlanes (scan.gridded.grid, scan.normals, {}, generator, planes);
+  internal::RandomGenerator generator (seed);
+  BoundedPlanes planes;
+  extractBoundedPlanes (scan.voxelized.grid, scan.normals, {}, generator, planes);
   return planes;
 }
 
@@ -57,11 +78,11 @@ makeScan (std::size_t size)
       *scan.cloud);
   scan.all.resize (size);
   std::iota (scan.all.begin(), scan.all.end(), 0);
-  scan.points = finitePoints (*scan.cloud, scan.all);
-  scan.gridded = gridPoints (scan.points, cell_size, threads);
-  scan.normals = orientCells (scan.gridded.grid, {}, threads);
+  scan.points = finitePoints (CloudView (*scan.cloud), scan.all, threads);
+  scan.voxelized = voxelize (scan.points, voxel_size, threads);
+  scan.surfels = findSurfels (scan.voxelized.grid, resolutions, least_points, threads);
   scan.planes = extractedFrom (scan);
-  measureNoise (scan.gridded.grid, 1, scan.planes);
+  measureNoise (scan.voxelized.grid, 1, scan.planes);
   return scan;
 }
 
@@ -89,32 +110,35 @@ void
 finitePointsOfACloud (State& state)
 {
   const Scan& scan = scanFor (state);
-  measure (state, [&] { return finitePoints (*scan.cloud, scan.all); });
+  measure (state,
+           [&] { return finitePoints (CloudView (*scan.cloud), scan.all, threads); });
 }
 
 void
-cellSizeOfACloud (State& state)
+voxelSizeOfACloud (State& state)
 {
   const Scan& scan = scanFor (state);
-  measure (state, [&] { return cellSizeFor (scan.points, 12000.0); });
+  measure (state, [&] { return voxelSizeFor (scan.points, 12000.0); });
 }
 
 void
-gridding (State& state)
+voxelizing (State& state)
 {
   const Scan& scan = scanFor (state);
-  measure (state, [&] { return gridPoints (scan.points, cell_size, threads); });
+  measure (state, [&] { return voxelize (scan.points, voxel_size, threads); });
 }
 
 void
-orientingCells (State& state)
+findingSurfels (State& state)
 {
   const Scan& scan = scanFor (state);
-  measure (state, [&] { return orientCells (scan.gridded.grid, {}, threads); });
+  measure (state, [&] {
+    return findSurfels (scan.voxelized.grid, resolutions, least_points, threads);
+  });
 }
 
 void
-extractingPlanesOfCells (State& state)
+extractingPlanesOfSurfels (State& state)
 {
   const Scan& scan = scanFor (state);
   measure (state, [&] { return extractedFrom (scan); });
@@ -125,19 +149,19 @@ growingPlanes (State& state)
 {
   const Scan& scan = scanFor (state);
   measure (state, [&] {
-    CellPlanes planes = scan.planes;
-    growPlanes (scan.gridded.grid, {}, 1, planes);
+    BoundedPlanes planes = scan.planes;
+    growPlanes (scan.voxelized.grid, std::nullopt, 10, 1, planes);
     return planes;
   });
 }
 
 void
-reassigningCells (State& state)
+reassigningVoxels (State& state)
 {
   const Scan& scan = scanFor (state);
   measure (state, [&] {
-    CellPlanes planes = scan.planes;
-    reassignCells (scan.gridded.grid, 1, planes);
+    BoundedPlanes planes = scan.planes;
+    reassignVoxels (scan.voxelized.grid, 1, planes);
     return planes;
   });
 }
@@ -148,7 +172,7 @@ mergingPlanes (State& state)
   const Scan& scan = scanFor (state);
   MergingParameters parameters;
   parameters.distance_threshold = 0.05;
-  const auto moments = momentsOfPlanes (scan.gridded.grid, scan.planes);
+  const auto moments = momentsOfPlanes (scan.voxelized.grid, scan.planes);
   measure (state, [&] { return mergePlanes (moments, parameters); });
 }
 
@@ -157,7 +181,8 @@ assigningToBoundedPlanes (State& state)
 {
   const Scan& scan = scanFor (state);
   measure (state, [&] {
-    return assignToBoundedPlanes (scan.points, scan.gridded, scan.planes, {}, threads);
+    return assignToBoundedPlanes (
+        scan.points, scan.voxelized, scan.planes, std::nullopt, 4.0, threads);
   });
 }
 
@@ -178,10 +203,14 @@ orientingSamples (State& state)
   const Scan& scan = scanFor (state);
   pcl::search::KdTree<pcl::PointXYZ> tree;
   tree.setInputCloud (scan.cloud);
-  const Positions sample = drawSample (scan.points.size(), 0.03, seed);
+  NeighbourSearch search;
+  search.nearest = [&] (pcl::index_t point, int k, auto& neighbours, auto& distances) {
+    tree.nearestKSearch ((*scan.cloud)[point], k, neighbours, distances);
+  };
+  const Indices sample = drawSample (scan.points.size(), 0.03, seed);
   measure (state, [&] {
-    return orientSamples<pcl::PointXYZ> (
-        *scan.cloud, scan.points, sample, tree, {}, threads);
+    return orientSamples (
+        CloudView (*scan.cloud), scan.points, sample, search, 30, std::nullopt);
   });
 }
 
@@ -220,12 +249,12 @@ copyingPoints (State& state)
   BENCHMARK (stage)->Arg (300000)->Arg (3000000)->Unit (benchmark::kMillisecond)
 PCL_OPS_STAGE (copyingPoints);
 PCL_OPS_STAGE (finitePointsOfACloud);
-PCL_OPS_STAGE (cellSizeOfACloud);
-PCL_OPS_STAGE (gridding);
-PCL_OPS_STAGE (orientingCells);
-PCL_OPS_STAGE (extractingPlanesOfCells);
+PCL_OPS_STAGE (voxelSizeOfACloud);
+PCL_OPS_STAGE (voxelizing);
+PCL_OPS_STAGE (findingSurfels);
+PCL_OPS_STAGE (extractingPlanesOfSurfels);
 PCL_OPS_STAGE (growingPlanes);
-PCL_OPS_STAGE (reassigningCells);
+PCL_OPS_STAGE (reassigningVoxels);
 PCL_OPS_STAGE (mergingPlanes);
 PCL_OPS_STAGE (assigningToBoundedPlanes);
 PCL_OPS_STAGE (assigningToEndlessPlanes);

@@ -4,18 +4,21 @@
 
 #include <pcl/common/point_tests.h>
 
+#include <kht/octree_clusters.h>
 #include <numbers/quantile.h>
-#include <pcl_ops/fixed_radius_search.h>
-#include <pcl_ops/octree_clusters.h>
+#include <search/fixed_radius_search.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
+
+using namespace internal;
 
 namespace {
 
@@ -24,7 +27,8 @@ finitePointsOf (const pcl::PointCloud<pcl::PointXYZ>& cloud)
 {
   pcl::Indices all (cloud.size());
   std::iota (all.begin(), all.end(), 0);
-  return finitePoints (cloud, all);
+  constexpr unsigned one_thread = 1;
+  return finitePoints (CloudView (cloud), all, one_thread);
 }
 
 /** \brief Diagonal of the box around points. */
@@ -42,20 +46,22 @@ extentOf (const Coordinates& points)
 
 /** \brief What no method could cope with; empty if there is nothing.
  * \param[in] lengths the options with a length
- * \param[in] threshold 0 if it follows the noise */
+ * \param[in] threshold none if it follows the noise */
 std::string
-adviceOnCloud (const Points& points, const std::string& lengths, double threshold)
+adviceOnCloud (const Points& points,
+               const std::string& lengths,
+               std::optional<double> threshold)
 {
   // A room of 10 m in millimetres; no scene in metres is that large for 5 cm.
   constexpr double largest_extent_in_thresholds = 40000.0;
   if (points.size() == 0)
     return "every point is NaN or infinite";
   const double extent = extentOf (points);
-  if (!(threshold > 0.0 && extent > largest_extent_in_thresholds * threshold))
+  if (!(threshold && extent > largest_extent_in_thresholds * *threshold))
     return "";
   std::ostringstream advice;
   advice << "the cloud is " << extent << " wide: if its unit is the millimetre, give "
-         << lengths << " in millimetres, too (threshold now " << threshold << ")";
+         << lengths << " in millimetres, too (threshold now " << *threshold << ")";
   return advice.str();
 }
 
@@ -66,7 +72,7 @@ medianSphereSize (const Points& points, double radius, unsigned threads)
   constexpr std::size_t spheres = 101;
   const FixedRadiusSearch search (points, radius, threads);
   std::vector<double> sizes;
-  Positions sphere;
+  Indices sphere;
   for (std::size_t i = 0; i < spheres; ++i) {
     search.find (static_cast<std::uint32_t> (i * points.size() / spheres), sphere);
     sizes.push_back (static_cast<double> (sphere.size()));
@@ -99,8 +105,8 @@ adviceFor (const OrientedPointSamplingParameters& parameters,
   const Points points = finitePointsOf (cloud);
   const double samples =
       std::floor (parameters.sampling_rate * static_cast<double> (points.size()));
-  // On cells the noise sets the distance unless the user does.
-  const double threshold = parameters.distance_threshold;
+  // On surfels the noise sets the distance unless the user does.
+  const std::optional<double> threshold = parameters.distance_threshold;
   const std::string on_cloud = adviceOnCloud (points, "--threshold", threshold);
   const bool few_samples = points.size() > 0 &&
                            parameters.sampling == Sampling::Points &&
@@ -117,7 +123,7 @@ adviceFor (const OrientedPointSamplingParameters& parameters,
     advice << "lower --min-inliers (" << parameters.min_inliers
            << ") or raise --sampling-rate (" << parameters.sampling_rate
            << ") if the planes are small, raise --threshold ("
-           << (threshold > 0.0 ? std::to_string (threshold) : "auto")
+           << (threshold ? std::to_string (*threshold) : "auto")
            << ") if the points are noisy";
   return advice.str();
 }
@@ -139,7 +145,7 @@ adviceFor (const FastSamplingPlaneFilteringParameters& parameters,
            << held << " points or fewer and --local-samples " << local.local_samples
            << " are needed: raise the radius or lower the samples";
   else
-    advice << "raise --threshold (" << parameters.distance_threshold
+    advice << "raise --threshold (" << *parameters.distance_threshold
            << ") or lower --min-inlier-share (" << local.min_inlier_fraction
            << ") if the points are noisy, lower --outer-radius (" << local.outer_radius
            << ") if the planes are small";
@@ -166,9 +172,9 @@ adviceFor (const KernelHoughTransformParameters& parameters,
            << ") if the points are noisy";
   else
     advice << "hardly a plane is left of " << flat
-           << " flat octree nodes: raise --threshold (" << parameters.distance_threshold
-           << "), or lower --min-samples (" << clusters.min_samples
-           << ") for more of them";
+           << " flat octree nodes: raise --threshold ("
+           << *parameters.distance_threshold << "), or lower --min-samples ("
+           << clusters.min_samples << ") for more of them";
   return advice.str();
 }
 

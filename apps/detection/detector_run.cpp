@@ -27,8 +27,9 @@ describe (const std::string& preset,
   nlohmann::ordered_json json;
   json["preset"] = preset;
   json.update (own);
-  json["threshold"] = parameters.distance_threshold;
-  if (parameters.distance_threshold == 0.0)
+  if (parameters.distance_threshold)
+    json["threshold"] = *parameters.distance_threshold;
+  else
     json["threshold"] = "auto";
   json["angle_tolerance"] = pcl::rad2deg (parameters.angle_tolerance);
   json["up"] = {up.x(), up.y(), up.z()};

@@ -25,9 +25,9 @@ declareOptions (CommandLine& line, DetectorOptions& detector)
                   "K",
                   Range::from (2),
                   options.k,
-                  withPresets ("neighbours of a normal; on cells the fewest points",
-                               usual.normals.k,
-                               paper.normals.k));
+                  withPresets ("neighbours of a normal; on surfels the fewest points",
+                               usual.k,
+                               paper.k));
   line.addNumber ("min-inliers",
                   "N",
                   Range::from (1),
@@ -49,7 +49,7 @@ parametersOf (const DetectorOptions& options)
 {
   auto parameters = presetOf<Ops::Parameters> (options);
   override (options.ops.sampling_rate, parameters.sampling_rate);
-  override (options.ops.k, parameters.normals.k);
+  override (options.ops.k, parameters.k);
   override (options.ops.min_inliers, parameters.min_inliers);
   override (options.ops.probability, parameters.probability);
   return parameters;
@@ -58,11 +58,11 @@ parametersOf (const DetectorOptions& options)
 nlohmann::ordered_json
 describeOwn (const Ops::Parameters& parameters)
 {
-  const bool on_cells = parameters.sampling == Sampling::Cells;
+  const bool on_surfels = parameters.sampling == Sampling::Surfels;
   nlohmann::ordered_json json;
-  json["sampling"] = on_cells ? "cells" : "points";
+  json["sampling"] = on_surfels ? "surfels" : "points";
   json["sampling_rate"] = parameters.sampling_rate;
-  json["k"] = parameters.normals.k;
+  json["k"] = parameters.k;
   json["min_inliers"] = parameters.min_inliers;
   json["probability"] = parameters.probability;
   return json;

@@ -20,7 +20,7 @@ struct SurfacePoint {
 };
 
 SurfacePoint
-drawPoint (const Rectangle& rectangle, RandomGenerator& generator)
+drawPoint (const Rectangle& rectangle, internal::RandomGenerator& generator)
 {
   const double u = drawBetween (generator, -1, 1) * rectangle.half_u;
   const double v = drawBetween (generator, -1, 1) * rectangle.half_v;
@@ -30,7 +30,7 @@ drawPoint (const Rectangle& rectangle, RandomGenerator& generator)
 
 /** \brief Slices of a sphere of equal height have equal area (Archimedes). */
 SurfacePoint
-drawPoint (const Sphere& sphere, RandomGenerator& generator)
+drawPoint (const Sphere& sphere, internal::RandomGenerator& generator)
 {
   const double z = drawBetween (generator, -1, 1);
   const double around = drawBetween (generator, 0, 2.0 * pi);
@@ -41,7 +41,7 @@ drawPoint (const Sphere& sphere, RandomGenerator& generator)
 
 /** \brief The side only; its ends are as small as they are few. */
 SurfacePoint
-drawPoint (const Cylinder& cylinder, RandomGenerator& generator)
+drawPoint (const Cylinder& cylinder, internal::RandomGenerator& generator)
 {
   const Vector3d across = cylinder.axis.unitOrthogonal();
   const double around = drawBetween (generator, 0, 2.0 * pi);
@@ -109,7 +109,7 @@ scanDensely (const Scene& scene,
              double noise_scale,
              std::uint32_t seed)
 {
-  RandomGenerator generator = makeGenerator (seed, Purpose::DenseScan);
+  internal::RandomGenerator generator = makeGenerator (seed, Purpose::DenseScan);
   double whole_area = 0.0;
   forEachShape (scene, [&] (const auto& shape) { whole_area += area (shape); });
 

@@ -29,7 +29,7 @@ constexpr double largest_slope = 0.1;
 
 /** \brief From anywhere in the room over its middle, somewhat downwards. */
 Eigen::Isometry3d
-drawPose (const Room& room, RandomGenerator& generator)
+drawPose (const Room& room, internal::RandomGenerator& generator)
 {
   const double wall_distance = 0.4; // [m]
   const Vector3d reach = 0.5 * room.size - Vector3d::Constant (wall_distance);
@@ -124,7 +124,7 @@ castDepthImage (const Scene& scene,
 Eigen::Isometry3d
 drawCameraPose (const Room& room, const DepthCamera& camera, std::uint32_t seed)
 {
-  RandomGenerator generator = makeGenerator (seed, Purpose::CameraPose);
+  internal::RandomGenerator generator = makeGenerator (seed, Purpose::CameraPose);
   Eigen::Isometry3d best = Eigen::Isometry3d::Identity();
   int most_surfaces = -1;
   for (int i = 0; i < candidate_poses; ++i) {

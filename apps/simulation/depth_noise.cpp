@@ -33,7 +33,7 @@ constexpr double lost_fraction = 0.2;
 std::vector<double>
 drawField (const DepthCamera& camera,
            const NoiseParameters& noise,
-           RandomGenerator& generator)
+           internal::RandomGenerator& generator)
 {
   return noise.profile == NoiseProfile::Correlated
              ? drawSmoothField (camera.width, camera.height, noise.smoothing, generator)
@@ -43,7 +43,7 @@ drawField (const DepthCamera& camera,
 PixelOffsets
 drawLateralJitter (const DepthCamera& camera,
                    const NoiseParameters& noise,
-                   RandomGenerator& generator)
+                   internal::RandomGenerator& generator)
 {
   PixelOffsets offsets{drawField (camera, noise, generator),
                        drawField (camera, noise, generator)};
@@ -77,7 +77,7 @@ depthAcrossEdge (const DepthImage& image, int column, int row)
 void
 disturbEdges (DepthImage& image,
               const NoiseParameters& noise,
-              RandomGenerator& generator)
+              internal::RandomGenerator& generator)
 {
   const DepthImage exact = image;
   const double strength = std::min (1.0, noise.scale);
@@ -87,7 +87,7 @@ disturbEdges (DepthImage& image,
       if (!other)
         continue;
       const std::size_t i = std::size_t (row) * image.width + column;
-      const double chance = drawUnit (generator) / strength;
+      const double chance = internal::drawUnit (generator) / strength;
       if (chance < flying_fraction) {
         image.depth[i] += drawBetween (generator, 0.1, 0.9) * (*other - image.depth[i]);
         image.surface[i] = no_surface;
@@ -101,7 +101,7 @@ void
 addAxialNoise (DepthImage& image,
                const DepthCamera& camera,
                const NoiseParameters& noise,
-               RandomGenerator& generator)
+               internal::RandomGenerator& generator)
 {
   const std::vector<double> field = drawField (camera, noise, generator);
   for (std::size_t i = 0; i < field.size(); ++i)
@@ -140,7 +140,7 @@ measureDepth (const Scene& scene,
               const NoiseParameters& noise,
               std::uint32_t seed)
 {
-  RandomGenerator generator = makeGenerator (seed, Purpose::DepthNoise);
+  internal::RandomGenerator generator = makeGenerator (seed, Purpose::DepthNoise);
   PixelOffsets jitter;
   if (!noise.isNone())
     jitter = drawLateralJitter (camera, noise, generator);

@@ -2,45 +2,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/random.h>
+#include <base/random.h>
 
 #include <cmath>
 #include <cstdint>
 
 namespace pcl_ops::simulation {
 
+constexpr double pi = 3.141592653589793;
+
 /** \brief What a stream of random numbers is for. Each purpose has its own stream, so
  * that the same seed gives the same room whatever the camera and the noise. */
 enum class Purpose : std::uint32_t { Room = 1, CameraPose, DepthNoise, DenseScan };
 
-inline RandomGenerator
+inline internal::RandomGenerator
 makeGenerator (std::uint32_t seed, Purpose purpose)
 {
   std::seed_seq sequence{seed, std::uint32_t (purpose)};
-  return RandomGenerator (sequence);
+  return internal::RandomGenerator (sequence);
 }
 
 /** \brief Uniform draw from [lower, upper). */
 inline double
-drawBetween (RandomGenerator& generator, double lower, double upper)
+drawBetween (internal::RandomGenerator& generator, double lower, double upper)
 {
-  return lower + (upper - lower) * drawUnit (generator);
+  return lower + (upper - lower) * internal::drawUnit (generator);
 }
 
 /** \brief True with the given probability. */
 inline bool
-drawChance (RandomGenerator& generator, double probability)
+drawChance (internal::RandomGenerator& generator, double probability)
 {
-  return drawUnit (generator) < probability;
+  return internal::drawUnit (generator) < probability;
 }
 
 /** \brief Draw from the standard normal distribution (Box & Muller 1958). */
 inline double
-drawGaussian (RandomGenerator& generator)
+drawGaussian (internal::RandomGenerator& generator)
 {
-  constexpr double two_pi = 6.283185307179586;
-  const double radius = std::sqrt (-2.0 * std::log (1.0 - drawUnit (generator)));
-  return radius * std::cos (two_pi * drawUnit (generator));
+  const double radius =
+      std::sqrt (-2.0 * std::log (1.0 - internal::drawUnit (generator)));
+  return radius * std::cos (2.0 * pi * internal::drawUnit (generator));
 }
 
 } // namespace pcl_ops::simulation

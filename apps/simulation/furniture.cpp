@@ -41,7 +41,10 @@ addSlabOnLegs (Body& body, const Vector3d& size, double thickness, double leg_ra
 
 /** \brief Books standing in a row from \p start along x. */
 void
-addBooks (Body& body, const Vector3d& start, double width, RandomGenerator& generator)
+addBooks (Body& body,
+          const Vector3d& start,
+          double width,
+          internal::RandomGenerator& generator)
 {
   double x = 0.0;
   while (x < width) {
@@ -57,7 +60,7 @@ addBooks (Body& body, const Vector3d& start, double width, RandomGenerator& gene
 }
 
 void
-addMonitor (Body& body, const Vector3d& foot, RandomGenerator& generator)
+addMonitor (Body& body, const Vector3d& foot, internal::RandomGenerator& generator)
 {
   const Vector3d size (drawBetween (generator, 0.45, 0.7), 0.04, 0.36);
   addUprightCylinder (body, foot, 0.2, 0.03);
@@ -70,7 +73,7 @@ addMonitor (Body& body, const Vector3d& foot, RandomGenerator& generator)
 }
 
 void
-addLaptop (Body& body, const Vector3d& hinge, RandomGenerator& generator)
+addLaptop (Body& body, const Vector3d& hinge, internal::RandomGenerator& generator)
 {
   const double width = 0.34;
   const double depth = 0.24;
@@ -91,7 +94,7 @@ addLaptop (Body& body, const Vector3d& hinge, RandomGenerator& generator)
 } // namespace
 
 Furniture
-makeTable (RandomGenerator& generator)
+makeTable (internal::RandomGenerator& generator)
 {
   const Vector3d size (drawBetween (generator, 0.8, 1.8),
                        drawBetween (generator, 0.6, 0.95),
@@ -105,7 +108,7 @@ makeTable (RandomGenerator& generator)
 }
 
 Furniture
-makeDesk (RandomGenerator& generator)
+makeDesk (internal::RandomGenerator& generator)
 {
   const Vector3d size (drawBetween (generator, 1.2, 1.8),
                        drawBetween (generator, 0.65, 0.85),
@@ -125,7 +128,7 @@ makeDesk (RandomGenerator& generator)
 }
 
 Furniture
-makeCupboard (RandomGenerator& generator)
+makeCupboard (internal::RandomGenerator& generator)
 {
   const Vector3d size (drawBetween (generator, 0.5, 1.4),
                        drawBetween (generator, 0.35, 0.6),
@@ -136,10 +139,10 @@ makeCupboard (RandomGenerator& generator)
 }
 
 Furniture
-makeShelf (RandomGenerator& generator)
+makeShelf (internal::RandomGenerator& generator)
 {
   const double thickness = 0.025;
-  const int boards = 3 + int (drawBelow (generator, 3));
+  const int boards = 3 + int (internal::drawBelow (generator, 3));
   const double pitch = drawBetween (generator, 0.33, 0.4);
   const Vector3d size (drawBetween (generator, 0.7, 1.2), 0.3, boards * pitch);
   Furniture shelf{{}, size.head<2>()};
@@ -157,7 +160,7 @@ makeShelf (RandomGenerator& generator)
 }
 
 Furniture
-makeBed (RandomGenerator& generator)
+makeBed (internal::RandomGenerator& generator)
 {
   const Vector3d size (
       drawBetween (generator, 0.9, 1.6), 2.0, drawBetween (generator, 0.4, 0.6));
@@ -175,7 +178,7 @@ makeBed (RandomGenerator& generator)
 }
 
 Furniture
-makeSofa (RandomGenerator& generator)
+makeSofa (internal::RandomGenerator& generator)
 {
   const double width = drawBetween (generator, 1.4, 2.2);
   const double depth = 0.85;
@@ -194,7 +197,7 @@ makeSofa (RandomGenerator& generator)
 }
 
 Furniture
-makeChair (RandomGenerator& generator)
+makeChair (internal::RandomGenerator& generator)
 {
   const Vector3d size (drawBetween (generator, 0.4, 0.5),
                        drawBetween (generator, 0.4, 0.5),
@@ -209,7 +212,7 @@ makeChair (RandomGenerator& generator)
 }
 
 Furniture
-makeCartons (RandomGenerator& generator)
+makeCartons (internal::RandomGenerator& generator)
 {
   const Vector3d lower (drawBetween (generator, 0.35, 0.7),
                         drawBetween (generator, 0.35, 0.6),

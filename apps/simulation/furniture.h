@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scene.h"
-#include <pcl_ops/random.h>
+#include <base/random.h>
 
 namespace pcl_ops::simulation {
 
@@ -16,30 +16,30 @@ struct Furniture {
 };
 
 Furniture
-makeTable (RandomGenerator& generator);
+makeTable (internal::RandomGenerator& generator);
 
 /** \brief A table with a monitor, an open laptop, books and a mug. */
 Furniture
-makeDesk (RandomGenerator& generator);
+makeDesk (internal::RandomGenerator& generator);
 
 Furniture
-makeCupboard (RandomGenerator& generator);
+makeCupboard (internal::RandomGenerator& generator);
 
 /** \brief Open shelves with books. */
 Furniture
-makeShelf (RandomGenerator& generator);
+makeShelf (internal::RandomGenerator& generator);
 
 Furniture
-makeBed (RandomGenerator& generator);
+makeBed (internal::RandomGenerator& generator);
 
 Furniture
-makeSofa (RandomGenerator& generator);
+makeSofa (internal::RandomGenerator& generator);
 
 Furniture
-makeChair (RandomGenerator& generator);
+makeChair (internal::RandomGenerator& generator);
 
 /** \brief A cardboard box or two, one turned on the other. */
 Furniture
-makeCartons (RandomGenerator& generator);
+makeCartons (internal::RandomGenerator& generator);
 
 } // namespace pcl_ops::simulation

@@ -50,7 +50,7 @@ filterRowsAndTranspose (const std::vector<double>& field,
 } // namespace
 
 std::vector<double>
-drawWhiteField (int width, int height, RandomGenerator& generator)
+drawWhiteField (int width, int height, internal::RandomGenerator& generator)
 {
   std::vector<double> field (std::size_t (width) * height);
   for (double& value : field)
@@ -59,7 +59,10 @@ drawWhiteField (int width, int height, RandomGenerator& generator)
 }
 
 std::vector<double>
-drawSmoothField (int width, int height, double smoothing, RandomGenerator& generator)
+drawSmoothField (int width,
+                 int height,
+                 double smoothing,
+                 internal::RandomGenerator& generator)
 {
   const int radius = int (std::ceil (3.0 * smoothing));
   const std::vector<double> kernel = variancePreservingKernel (radius, smoothing);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/random.h>
+#include <base/random.h>
 
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace pcl_ops::simulation {
 
 /** \brief A standard normal value for each pixel, row by row, each by itself. */
 std::vector<double>
-drawWhiteField (int width, int height, RandomGenerator& generator);
+drawWhiteField (int width, int height, internal::RandomGenerator& generator);
 
 /** \brief A standard normal value for each pixel, alike for neighbours: white noise
  * filtered by a Gaussian and brought back to variance 1.
@@ -20,6 +20,9 @@ drawWhiteField (int width, int height, RandomGenerator& generator);
  * correlation is exp (-d^2 / (4 s^2))
  * \param[in,out] generator source of the white noise */
 std::vector<double>
-drawSmoothField (int width, int height, double smoothing, RandomGenerator& generator);
+drawSmoothField (int width,
+                 int height,
+                 double smoothing,
+                 internal::RandomGenerator& generator);
 
 } // namespace pcl_ops::simulation

@@ -18,7 +18,7 @@ using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-using FurnitureMaker = Furniture (*) (RandomGenerator&);
+using FurnitureMaker = Furniture (*) (internal::RandomGenerator&);
 
 /** \brief Room to walk between two pieces [m]. */
 constexpr double clearance = 0.1;
@@ -47,9 +47,9 @@ coveredFloor (const Vector2d& footprint, const Eigen::Isometry3d& pose)
 Eigen::Isometry3d
 drawPoseAtWall (const Vector3d& room,
                 const Vector2d& footprint,
-                RandomGenerator& generator)
+                internal::RandomGenerator& generator)
 {
-  const int wall = int (drawBelow (generator, 4));
+  const int wall = int (internal::drawBelow (generator, 4));
   const double reach = 0.5 * (wallLength (room, wall) - footprint.x());
   const double along = drawBetween (generator, -reach, reach);
   const double gap = drawBetween (generator, 0.005, 0.05);
@@ -57,7 +57,9 @@ drawPoseAtWall (const Vector3d& room,
 }
 
 Eigen::Isometry3d
-drawPoseAnywhere (const Vector3d& room, const Vector2d&, RandomGenerator& generator)
+drawPoseAnywhere (const Vector3d& room,
+                  const Vector2d&,
+                  internal::RandomGenerator& generator)
 {
   const double x = drawBetween (generator, -0.5, 0.5) * room.x();
   const double y = drawBetween (generator, -0.5, 0.5) * room.y();
@@ -67,7 +69,7 @@ drawPoseAnywhere (const Vector3d& room, const Vector2d&, RandomGenerator& genera
 /** \brief Places pieces one by one where there is still room for them. */
 class Furnisher {
 public:
-  Furnisher (Room& room, RandomGenerator& generator)
+  Furnisher (Room& room, internal::RandomGenerator& generator)
   : room_ (room), generator_ (generator)
   {}
 
@@ -101,12 +103,12 @@ private:
   }
 
   Room& room_;
-  RandomGenerator& generator_;
+  internal::RandomGenerator& generator_;
   std::vector<AlignedBox2d> covered_;
 };
 
 void
-furnish (Room& room, RandomGenerator& generator)
+furnish (Room& room, internal::RandomGenerator& generator)
 {
   constexpr FurnitureMaker at_walls[] = {
       makeDesk, makeCupboard, makeShelf, makeBed, makeSofa, makeLeaningBoard};
@@ -119,8 +121,10 @@ furnish (Room& room, RandomGenerator& generator)
   const double floor_area = room.size.x() * room.size.y();
   const int rounds = int (3.0 + floor_area / floor_of_piece);
   for (int i = 0; i < rounds; ++i) {
-    furnisher.place (at_walls[drawBelow (generator, 6)](generator), drawPoseAtWall);
-    furnisher.place (anywhere[drawBelow (generator, 5)](generator), drawPoseAnywhere);
+    furnisher.place (at_walls[internal::drawBelow (generator, 6)](generator),
+                     drawPoseAtWall);
+    furnisher.place (anywhere[internal::drawBelow (generator, 5)](generator),
+                     drawPoseAnywhere);
   }
 }
 
@@ -129,7 +133,7 @@ furnish (Room& room, RandomGenerator& generator)
 Room
 makeRoom (std::uint32_t seed)
 {
-  RandomGenerator generator = makeGenerator (seed, Purpose::Room);
+  internal::RandomGenerator generator = makeGenerator (seed, Purpose::Room);
   Room room;
   room.size = {drawBetween (generator, 3.5, 8.0),
                drawBetween (generator, 3.0, 6.0),

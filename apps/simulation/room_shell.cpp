@@ -68,7 +68,7 @@ addRecess (Body& body, const Opening& hole)
 }
 
 Opening
-drawOpening (double length, RandomGenerator& generator)
+drawOpening (double length, internal::RandomGenerator& generator)
 {
   const bool door = drawChance (generator, 0.4);
   const double width = door ? 0.9 : drawBetween (generator, 0.9, 1.7);
@@ -82,7 +82,7 @@ drawOpening (double length, RandomGenerator& generator)
 }
 
 Body
-makeWall (double length, double height, RandomGenerator& generator)
+makeWall (double length, double height, internal::RandomGenerator& generator)
 {
   Body wall;
   if (drawChance (generator, 0.6)) {
@@ -111,7 +111,7 @@ poseAtWall (const Vector3d& size, int wall, double along, double gap)
 }
 
 Body
-makeRoomShell (const Vector3d& size, RandomGenerator& generator)
+makeRoomShell (const Vector3d& size, internal::RandomGenerator& generator)
 {
   Body shell;
   for (const double z : {0.0, size.z()})

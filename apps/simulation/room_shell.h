@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scene.h"
-#include <pcl_ops/random.h>
+#include <base/random.h>
 
 namespace pcl_ops::simulation {
 
@@ -13,7 +13,7 @@ namespace pcl_ops::simulation {
  * \param[in] size length, width and height [m]; the origin is the middle of the floor
  * \param[in,out] generator source of all choices */
 Body
-makeRoomShell (const Eigen::Vector3d& size, RandomGenerator& generator);
+makeRoomShell (const Eigen::Vector3d& size, internal::RandomGenerator& generator);
 
 /** \brief Puts what stands at the origin with its back towards -y against a wall.
  * \param[in] size of the room [m]

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 namespace {
 
 Furniture
-makeBall (RandomGenerator& generator)
+makeBall (internal::RandomGenerator& generator)
 {
   const double radius = drawBetween (generator, 0.1, 0.35);
   Furniture ball{{}, {2.0 * radius, 2.0 * radius}};
@@ -20,7 +20,7 @@ makeBall (RandomGenerator& generator)
 }
 
 Furniture
-makeBin (RandomGenerator& generator)
+makeBin (internal::RandomGenerator& generator)
 {
   const double radius = drawBetween (generator, 0.1, 0.2);
   const double half_length = drawBetween (generator, 0.15, 0.3);
@@ -31,7 +31,7 @@ makeBin (RandomGenerator& generator)
 }
 
 Furniture
-makeLamp (RandomGenerator& generator)
+makeLamp (internal::RandomGenerator& generator)
 {
   const double half_length = drawBetween (generator, 0.6, 0.85);
   const double shade = drawBetween (generator, 0.12, 0.22);
@@ -44,7 +44,7 @@ makeLamp (RandomGenerator& generator)
 }
 
 Furniture
-makeRolledCarpet (RandomGenerator& generator)
+makeRolledCarpet (internal::RandomGenerator& generator)
 {
   const double radius = drawBetween (generator, 0.08, 0.15);
   const double length = drawBetween (generator, 0.8, 1.6);
@@ -57,11 +57,11 @@ makeRolledCarpet (RandomGenerator& generator)
 } // namespace
 
 Furniture
-makeRoundClutter (RandomGenerator& generator)
+makeRoundClutter (internal::RandomGenerator& generator)
 {
-  constexpr Furniture (*kinds[]) (RandomGenerator&) = {
+  constexpr Furniture (*kinds[]) (internal::RandomGenerator&) = {
       makeBall, makeBin, makeLamp, makeRolledCarpet};
-  return kinds[drawBelow (generator, 4)](generator);
+  return kinds[internal::drawBelow (generator, 4)](generator);
 }
 
 } // namespace pcl_ops::simulation

@@ -8,6 +8,6 @@ namespace pcl_ops::simulation {
 
 /** \brief A ball, a bin, a lamp or a rolled carpet: nothing planar. */
 Furniture
-makeRoundClutter (RandomGenerator& generator);
+makeRoundClutter (internal::RandomGenerator& generator);
 
 } // namespace pcl_ops::simulation

@@ -11,7 +11,7 @@ namespace pcl_ops::simulation {
 using Eigen::Vector3d;
 
 Furniture
-makeLeaningBoard (RandomGenerator& generator)
+makeLeaningBoard (internal::RandomGenerator& generator)
 {
   const Vector3d size (
       drawBetween (generator, 0.5, 1.3), 0.03, drawBetween (generator, 0.8, 1.9));
@@ -28,7 +28,7 @@ makeLeaningBoard (RandomGenerator& generator)
 }
 
 Furniture
-makeRamp (RandomGenerator& generator)
+makeRamp (internal::RandomGenerator& generator)
 {
   const Vector3d size (
       drawBetween (generator, 0.7, 1.2), drawBetween (generator, 1.0, 1.9), 0.03);
@@ -48,7 +48,7 @@ makeRamp (RandomGenerator& generator)
 }
 
 Furniture
-makeTiltedPanel (RandomGenerator& generator)
+makeTiltedPanel (internal::RandomGenerator& generator)
 {
   const Vector3d size (
       drawBetween (generator, 0.7, 1.3), drawBetween (generator, 0.5, 0.95), 0.025);

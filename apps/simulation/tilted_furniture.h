@@ -8,14 +8,14 @@ namespace pcl_ops::simulation {
 
 /** \brief A board that leans on the wall behind it. */
 Furniture
-makeLeaningBoard (RandomGenerator& generator);
+makeLeaningBoard (internal::RandomGenerator& generator);
 
 /** \brief A wide board with one edge on the floor, the other raised. */
 Furniture
-makeRamp (RandomGenerator& generator);
+makeRamp (internal::RandomGenerator& generator);
 
 /** \brief A panel of any tilt and roll on a round post. */
 Furniture
-makeTiltedPanel (RandomGenerator& generator);
+makeTiltedPanel (internal::RandomGenerator& generator);
 
 } // namespace pcl_ops::simulation

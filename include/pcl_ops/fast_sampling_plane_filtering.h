@@ -2,16 +2,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/local_plane_sampling.h>
 #include <pcl_ops/plane_detector.h>
 
 #include <string>
 
 namespace pcl_ops {
 
+/** \brief Which points of a sphere are the inliers of its plane: the paper says both.
+ */
+enum class LocalInliers {
+  /** \brief All points of the sphere within theta_h of the hypothesis (its text). */
+  Sphere,
+  /** \brief Those of the N_loc tested points that are (its Algorithm 2). */
+  Samples
+};
+
+/** \brief How planes are sampled in spheres (paper section III-B, Algorithm 2). */
+struct LocalSamplingParameters {
+  /** \brief r1: p_r1 and p_r2 are drawn from the points this near to p_r0 [m]. */
+  double inner_radius = 0.1;
+  /** \brief r2: a hypothesis is tested on the points this near to p_r0 [m]. */
+  double outer_radius = 0.2;
+  /** \brief N_loc: how many of these it is tested on, drawn with repetition. */
+  unsigned local_samples = 80;
+  /** \brief alpha_min: it needs more than this share of inliers among them. */
+  double min_inlier_fraction = 0.8;
+  /** \brief Which points of an accepted sphere count, for its plane and for N_max. */
+  LocalInliers inliers = LocalInliers::Sphere;
+  /** \brief N_max, as a multiple of the number of points: sampling ends at so many
+   * inliers, a point counted as often as it is one. */
+  double max_inliers_per_point = 2.0;
+  /** \brief K_max, as a multiple of the number of points: sampling ends after so many
+   * hypotheses. */
+  double max_hypotheses_per_point = 1.0;
+  /** \brief Points looked at in all spheres together, as a multiple of the number of
+   * points, before sampling gives up: where radii are far too large for the distance
+   * threshold, K_max would take hours. Not in the paper; clouds of rooms come to some
+   * 10, with LocalInliers::Samples to 100. */
+  double max_visits_per_point = 300.0;
+};
+
 /** \brief Parameters of FastSamplingPlaneFiltering; the defaults are the recommended
  * ones: the paper's, with the radii it finds the most accurate (Table I). */
-struct FastSamplingPlaneFilteringParameters : PlaneDetectorParameters {
+struct PCL_OPS_EXPORT FastSamplingPlaneFilteringParameters : PlaneDetectorParameters {
   /** \brief r1, r2, N_loc, alpha_min, N_max and K_max. */
   LocalSamplingParameters local;
 
@@ -23,36 +56,16 @@ struct FastSamplingPlaneFilteringParameters : PlaneDetectorParameters {
 
 /** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is.
  */
-std::string
+PCL_OPS_EXPORT std::string
 problemOf (const FastSamplingPlaneFilteringParameters& parameters);
 
-/** \brief \ref sampleLocalPlanes with a search of the library's own for the spheres.
- * \param[in] points the finite points
- * \param[in] parameters those of the detector
- * \param[in,out] durations the time of each stage is added */
-LocalPlanes
-sampleLocalPlanes (const Points& points,
-                   const FastSamplingPlaneFilteringParameters& parameters,
-                   StageDurations& durations);
-
-/** \brief The planes of merged moments, the largest first. */
-std::vector<Plane>
-planesOf (const MergedPlanes& merged);
-
-/** \brief Fits merged planes to the points assigned to them, and merges those that have
- * become coplanar.
- * \param[in] points the points
- * \param[in,out] labels plane of each point; replaced by the plane it was merged into
- * \param[in] merged the planes \p labels speaks of
- * \param[in] parameters thresholds; its distance_threshold must be above 0
- * \param[in] threads number of threads; 0: all. The result does not depend on it
- * \return the planes, with where each of those put into \p merged has gone */
-MergedPlanes
-refitAssigned (const Points& points,
-               Labels& labels,
-               const MergedPlanes& merged,
-               const MergingParameters& parameters,
-               unsigned threads);
+/** \brief FSPF for a cloud of any point type: the work behind
+ * FastSamplingPlaneFiltering.
+ * \param[in] input the cloud
+ * \param[in] parameters those \ref problemOf finds nothing wrong with */
+PCL_OPS_EXPORT Detection
+detectPlanes (const DetectorInput& input,
+              const FastSamplingPlaneFilteringParameters& parameters);
 
 /** \brief FSPF: finds planes by testing, all over a point cloud, whether the points in
  * a small sphere lie on the plane through three of them.
@@ -66,7 +79,7 @@ refitAssigned (const Points& points,
  * before points are assigned to them: extended through a whole room, each would take
  * points of others. Each point goes to the largest merged plane within theta_h.
  *
- * Without \c setSearchMethod spheres are found by FixedRadiusSearch, several times
+ * Without \c setSearchMethod spheres are found in a grid of voxels, several times
  * faster than by a kd-tree. A search method of the user gives the same spheres with
  * their points in another order, and so other random draws from them.
  *
@@ -183,21 +196,7 @@ public:
   }
 
 private:
-  using Base::durations_;
-  using Base::indices_;
-  using Base::input_;
   using Base::parameters_;
-  using Base::search_;
-
-  LocalPlanes
-  samplePlanes (const Points& points);
-
-  Detection
-  detect ();
 };
 
 } // namespace pcl_ops
-
-#ifdef PCL_NO_PRECOMPILE
-#include <pcl_ops/impl/fast_sampling_plane_filtering.hpp>
-#endif

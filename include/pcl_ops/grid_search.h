@@ -4,22 +4,59 @@
 
 #include <pcl/search/search.h>
 
-#include <pcl_ops/cell_tree.h>
+#include <Eigen/Core>
 
+#include <pcl_ops/cloud_view.h>
+#include <pcl_ops/export.h>
+
+#include <limits>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
 namespace pcl_ops {
 
+namespace internal {
+class BoxTree;
+}
+
+/** \brief Which neighbours are asked for. */
+struct NeighbourQuery {
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();
+  /** \brief k: most neighbours, the nearest ones. */
+  std::size_t most = std::numeric_limits<std::size_t>::max();
+  /** \brief Largest squared distance of a neighbour [m^2]. */
+  float squared_radius = std::numeric_limits<float>::infinity();
+  /** \brief Whether neighbours come by rising distance, equal ones by rising index. */
+  bool sorted = true;
+};
+
+/** \brief GridSearch for a cloud of any point type: sorts the finite ones of some
+ * points into voxels. \param[in] cloud not needed afterwards \param[in] indices the
+ * points to search among, each within the cloud */
+PCL_OPS_EXPORT std::shared_ptr<const internal::BoxTree>
+sortIntoVoxels (const CloudView& cloud, const pcl::Indices& indices);
+
+/** \brief Finds the nearest points within a radius.
+ * \param[in] tree what \ref sortIntoVoxels gave; nothing is found where there is none
+ * \param[in] query nothing is found where its position is not finite
+ * \param[out] indices of the neighbours in the cloud
+ * \param[out] squared_distances [m^2] */
+PCL_OPS_EXPORT void
+findNeighbours (const internal::BoxTree* tree,
+                const NeighbourQuery& query,
+                pcl::Indices& indices,
+                std::vector<float>& squared_distances);
+
 /** \brief Exact nearest neighbours and radius search for any user of PCL, built in
  * about a third of the time of pcl::KdTreeFLANN: worth most where few of the points are
  * asked for.
  *
- * Points are sorted into the cells of a uniform grid whose resolution follows the cloud
- * (CellTree). Points with a NaN or infinite coordinate are left out. Distances are
- * those of pcl::search::KdTree to the last bit; neighbours at the same distance come by
- * their index. Any number of threads may search at once. \tparam PointT a point type
- * with x, y, z */
+ * Points are sorted into the voxels of a uniform grid whose resolution follows the
+ * cloud and searched by a tree of boxes. Points with a NaN or infinite coordinate are
+ * left out. Distances are those of pcl::search::KdTree to the last bit; neighbours at
+ * the same distance come by their index. Any number of threads may search at once.
+ * \tparam PointT a point type with x, y, z */
 template <typename PointT>
 class GridSearch : public pcl::search::Search<PointT> {
 public:
@@ -39,19 +76,13 @@ public:
    */
   explicit GridSearch (bool sorted = true);
 
-  /** \brief Sorts the points of a cloud into cells; later changes of the cloud are not
+  /** \brief Sorts the points of a cloud into voxels; later changes of the cloud are not
    * seen.
    * \param[in] cloud the cloud that results are indices into
    * \param[in] indices the points to search among, each within the cloud; none: all */
   Accepted
   setInputCloud (const PointCloudConstPtr& cloud,
                  const IndicesConstPtr& indices = IndicesConstPtr()) override;
-
-  /** \brief As above, where the finite points have been found already.
-   * \param[in] cloud the cloud that results are indices into
-   * \param[in] points what finitePoints gives of it: the points to search among */
-  void
-  setInputCloud (const PointCloudConstPtr& cloud, const Points& points);
 
   /** \brief Finds the nearest points.
    * \param[in] point any position
@@ -81,15 +112,13 @@ public:
                 unsigned int max_nn = 0) const override;
 
 private:
-  void
-  sortIntoCells (const PointCloudConstPtr& cloud, const Points& points);
   int
   find (const PointT& point,
         NeighbourQuery query,
         pcl::Indices& indices,
         std::vector<float>& squared_distances) const;
 
-  CellTree tree_;
+  std::shared_ptr<const internal::BoxTree> tree_;
 };
 
 } // namespace pcl_ops

@@ -2,18 +2,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/cell_planes.h>
-#include <pcl_ops/hough_planes.h>
-#include <pcl_ops/octree_clusters.h>
 #include <pcl_ops/plane_detector.h>
 
+#include <cstddef>
 #include <string>
-#include <vector>
 
 namespace pcl_ops {
 
+/** \brief What makes an octree node a cluster of approximately coplanar points
+ * (Limberger & Oliveira 2015, section 3.1). */
+struct OctreeClusterParameters {
+  /** \brief Nodes with fewer points are not used. */
+  std::size_t min_samples = 30;
+  /** \brief s_level: the first level whose nodes are tested; the root is level 0. */
+  int first_level = 5;
+  /** \brief s_alpha: the thickness l1 / l2 of a coplanar node is below 1 / s_alpha. */
+  double s_alpha = 25.0;
+  /** \brief s_beta: the elongation l2 / l3 of a coplanar node is above 1 / s_beta. */
+  double s_beta = 6.0;
+  /** \brief Nodes of this level are not split any more, so that many equal points end.
+   */
+  int deepest_level = 20;
+};
+
+/** \brief How planes are freed from the accumulator's bins. */
+struct PlaneRefitParameters {
+  /** \brief Off: planes stay at their bins' centres, quantised as they are. */
+  bool enabled = true;
+  /** \brief Smallest share of all points that the clusters of a plane hold. */
+  double min_share = 0.001;
+};
+
 /** \brief Parameters of KernelHoughTransform; the defaults are the recommended ones. */
-struct KernelHoughTransformParameters : PlaneDetectorParameters {
+struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
   /** \brief Steps of the accumulator from pole to pole. */
   int phi_num = 30;
   /** \brief Steps of the accumulator from its centre to the farthest point. */
@@ -24,7 +45,7 @@ struct KernelHoughTransformParameters : PlaneDetectorParameters {
   /** \brief Fits the planes to the points of their clusters. */
   PlaneRefitParameters refit;
   /** \brief Planes end where their clusters end, as far as they grow from there over
-   * the occupied cells of a grid. Off, or where planes are not refitted: planes are
+   * the occupied voxels of a grid. Off, or where planes are not refitted: planes are
    * endless. */
   bool bounded = true;
   /** \brief Which of the endless planes within theta_h gets a point. */
@@ -41,43 +62,15 @@ struct KernelHoughTransformParameters : PlaneDetectorParameters {
 
 /** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is.
  */
-std::string
+PCL_OPS_EXPORT std::string
 problemOf (const KernelHoughTransformParameters& parameters);
 
-/** \brief The planes of the clusters: \ref voteForPlanes, and \ref refitPlanes where
- * the parameters ask for it. */
-std::vector<HoughPlane>
-houghPlanes (const OctreeClusters& found,
-             const KernelHoughTransformParameters& parameters);
-
-/** \brief Assignment and merging of planes without bounds: \ref assignPoints, block by
- * block of the octree, where most planes are far away, and \ref mergePlanes.
- * \param[in] points the points
- * \param[in] found their clusters
- * \param[in] planes planes in the frame of the points
- * \param[in] parameters thresholds, the rule and the number of threads
- * \param[in,out] durations of assignment and merging */
-Detection
-assignToEndlessPlanes (Points points,
-                       const OctreeClusters& found,
-                       const std::vector<HoughPlane>& planes,
-                       const KernelHoughTransformParameters& parameters,
-                       StageDurations& durations);
-
-/** \brief The same with planes that support what their clusters cover and what they
- * grow into: merging first, on the cells of a grid, and then \ref assignToBoundedPlanes
- * of cells. */
-Detection
-assignToOutlinedPlanes (Points points,
-                        const OctreeClusters& found,
-                        const std::vector<HoughPlane>& planes,
-                        const KernelHoughTransformParameters& parameters,
-                        StageDurations& durations);
-
-/** \brief Replaces each least squares plane by the plane its points were assigned to,
- * with the centroid moved onto it: the first one's where planes were merged. */
-void
-restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes);
+/** \brief 3D-KHT for a cloud of any point type: the work behind KernelHoughTransform.
+ * \param[in] input the cloud
+ * \param[in] parameters those \ref problemOf finds nothing wrong with */
+PCL_OPS_EXPORT Detection
+detectPlanes (const DetectorInput& input,
+              const KernelHoughTransformParameters& parameters);
 
 /** \brief 3D-KHT: finds planes by a Hough transform that nodes of an octree vote in.
  *
@@ -192,17 +185,7 @@ public:
   }
 
 private:
-  using Base::durations_;
-  using Base::indices_;
-  using Base::input_;
   using Base::parameters_;
-
-  Detection
-  detect ();
 };
 
 } // namespace pcl_ops
-
-#ifdef PCL_NO_PRECOMPILE
-#include <pcl_ops/impl/kernel_hough_transform.hpp>
-#endif

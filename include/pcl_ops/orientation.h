@@ -4,13 +4,18 @@
 
 #include <Eigen/Core>
 
+#include <pcl_ops/export.h>
+
 namespace pcl_ops {
+
+/** \brief 7 degrees [rad]: the paper's tolerance of orientations and of merging. */
+constexpr double paper_angle_tolerance = 0.12217304763960307;
 
 /** \brief The paper's three groups of planes (section III-A). */
 enum class Orientation { Horizontal, Vertical, Other };
 
 /** \brief "horizontal", "vertical" or "other". */
-const char*
+PCL_OPS_EXPORT const char*
 toString (Orientation orientation);
 
 /** \brief The group of a plane.
@@ -19,7 +24,7 @@ toString (Orientation orientation);
  * \param[in] tolerance largest angle between the normal and the up axis (horizontal) or
  * the plane perpendicular to it (vertical) [rad]
  * \return Horizontal, Vertical, or Other where neither is within the tolerance */
-Orientation
+PCL_OPS_EXPORT Orientation
 orientationOf (const Eigen::Vector3d& normal,
                const Eigen::Vector3d& up,
                double tolerance);

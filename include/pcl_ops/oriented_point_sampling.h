@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/cell_planes.h>
-#include <pcl_ops/oriented_samples.h>
 #include <pcl_ops/plane_detector.h>
-#include <pcl_ops/plane_extraction.h>
 
+#include <optional>
 #include <string>
-#include <vector>
 
 namespace pcl_ops {
 
@@ -17,9 +14,9 @@ enum class Sampling {
   /** \brief A point drawn at random; its normal comes from its k nearest neighbours
    * (the paper). */
   Points,
-  /** \brief An occupied cell of a grid; its normal comes from the moments of the cells
+  /** \brief A flat voxel of a grid; its normal comes from the moments of the voxels
    * around it, its plane knows where it ends. */
-  Cells
+  Surfels
 };
 
 /** \brief When planes are divided by orientation (paper, "Detecting planes in multiple
@@ -40,57 +37,79 @@ enum class Verification {
   AllPoints
 };
 
-/** \brief The stages of Sampling::Cells. */
-struct CellParameters {
-  /** \brief Edge of a cell [m]; 0: from the number of points and the surface they are
-   * spread over. */
-  double size = 0.0;
-  CellNormalParameters normals;
-  CellInlierParameters inlier;
-  /** \brief Planes are looked for among cells up to this thickness first, and among all
-   * up to inlier.largest_thickness where these left room. */
+/** \brief Expert knobs of Sampling::Surfels. */
+struct SurfelParameters {
+  /** \brief Edge of a voxel [m]. Not given: from the number of points and the surface
+   * they are spread over. */
+  std::optional<double> voxel_size;
+  /** \brief Grids to choose a normal's neighbourhood from, each of twice the voxel size
+   * of the one before, 1 to 10. */
+  int resolutions = 3;
+  /** \brief A normal comes from at least as many points as this many voxels hold on
+   * average: where points are sparse, as they are far from a camera and noisy there,
+   * the neighbourhoods are larger. */
+  double least_average_voxels = 8.0;
+  /** \brief Largest distance of a surfel to its plane in units of the noise measured
+   * around it. */
+  double noise_factor = 3.0;
+  /** \brief Largest angle between a surfel's normal and its plane's [rad]; 30 degrees.
+   */
+  double angle_threshold = 0.52359877559829882;
+  /** \brief Largest rms angle between the normals of a plane's surfels and its own
+   * [rad]; more, and the surface is curved. */
+  double largest_normal_spread = 0.13;
+  /** \brief Planes are looked for among surfels up to this thickness first: the noise
+   * over the spread in the surfel's narrow direction, 0 for an exact plane, 1 for a
+   * ball. */
   double sure_thickness = 0.2;
-  GrowingParameters growing;
-  /** \brief See absorbPlanes. */
+  /** \brief And then among all up to this one that are left. */
+  double largest_thickness = 0.3;
+  /** \brief Voxels a plane may grow by. */
+  int growing_rounds = 10;
+  /** \brief A plane goes into a larger neighbour that its points are no farther from
+   * than this, in units of the noise on the neighbour's side of their border. */
   double absorption_noise_factor = 1.8;
-  /** \brief See separateSurfaces; off: surfaces in one plane are one. */
+  /** \brief Connected parts of a plane become planes of their own where the sensor
+   * looked through between them; off: surfaces in one plane are one. */
   bool separates_surfaces = true;
-  BoundedAssignmentParameters assignment;
+  /** \brief Largest distance of a point to its plane in units of the noise there. */
+  double assignment_noise_factor = 4.0;
 };
 
 /** \brief Parameters of OrientedPointSampling; the defaults are the recommended ones.
  */
-struct OrientedPointSamplingParameters : PlaneDetectorParameters {
-  /** \brief theta_h is 0: what is near enough to a plane follows the measured noise, up
-   * to two cells. A length instead is the largest distance of a point to its plane.
-   * Whether two planes are one follows their noise, too: real walls are not flat. */
-  OrientedPointSamplingParameters()
-  {
-    constexpr double merging_noise_factor = 2.25;
-    distance_threshold = 0.0;
-    merging.noise_factor = merging_noise_factor;
-  }
+struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters {
+  /** \brief theta_h is not given: what is near enough to a plane follows the measured
+   * noise, up to two voxels. */
+  OrientedPointSamplingParameters() { distance_threshold.reset(); }
 
-  Sampling sampling = Sampling::Cells;
-  /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1. */
+  Sampling sampling = Sampling::Surfels;
+  /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1; on
+   * surfels it decides how many voxels the cloud is divided into. */
   double sampling_rate = 0.03;
-  /** \brief k and sigma of the normals. */
-  NormalParameters normals;
-  /** \brief Normals, support and growth of planes on the cells of a grid. */
-  CellParameters cells;
+  /** \brief k: neighbours of each sample its normal comes from, 2 or more; the normal
+   * of a surfel comes from at least as many points. */
+  int k = 30;
+  /** \brief sigma of the weight of a neighbour [m]. Not given: the distance to the
+   * farthest one. Surfels have no use for it. */
+  std::optional<double> normal_sigma;
   /** \brief theta_N: a plane needs more inliers than this among the samples, and three
-   * in any case. */
+   * in any case; of surfels at least as many. */
   unsigned min_inliers = 20;
   /** \brief p: probability that RANSAC draws an inlier of the largest plane. */
   double probability = 0.99;
+  /** \brief With Sampling::Points; surfels are not divided. */
   Strategy strategy = Strategy::DetectThenDivide;
+  /** \brief With Sampling::Points; surfels are verified on surfels. */
   Verification verification = Verification::Samples;
   /** \brief Which plane gets a point that several could have, with Sampling::Points.
    * The first, as found, is what "remove all its inliers from the point cloud" means.
    */
   AssignmentRule assignment_rule = AssignmentRule::First;
-  /** \brief Refit and select again while the support of a plane grows. */
+  /** \brief Refit and select again while the support of a plane grows, with
+   * Sampling::Points; on surfels that is always done. */
   bool local_optimisation = true;
+  SurfelParameters surfels;
 
   /** \brief The algorithm of the paper with its best row (Table III): 3 %, 30
    * neighbours, 0.05 m, 20 samples, p 0.99, 7 degrees, strategy 2. */
@@ -100,33 +119,15 @@ struct OrientedPointSamplingParameters : PlaneDetectorParameters {
 
 /** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is.
  */
-std::string
+PCL_OPS_EXPORT std::string
 problemOf (const OrientedPointSamplingParameters& parameters);
 
-/** \brief RANSAC parameters of the planes' extraction. */
-RansacParameters
-ransacParameters (const OrientedPointSamplingParameters& parameters);
-
-/** \brief All planes of the samples: extraction per group of orientations.
- * \param[in] samples oriented samples
- * \param[in] points all points, for Verification::AllPoints
- * \param[in] parameters those of the detector
- * \return planes in the order found */
-std::vector<Plane>
-extractPlanes (const OrientedSamples& samples,
-               const Points& points,
-               const OrientedPointSamplingParameters& parameters);
-
-/** \brief Detection with Sampling::Cells.
- * \param[in] points the finite points
- * \param[in] viewpoint of the sensor in the frame of the input cloud
- * \param[in] parameters those of the detector
- * \param[in,out] durations the time of each stage is added */
-Detection
-detectOnCells (Points points,
-               const Eigen::Vector3d& viewpoint,
-               const OrientedPointSamplingParameters& parameters,
-               StageDurations& durations);
+/** \brief OPS for a cloud of any point type: the work behind OrientedPointSampling.
+ * \param[in] input the cloud
+ * \param[in] parameters those \ref problemOf finds nothing wrong with */
+PCL_OPS_EXPORT Detection
+detectPlanes (const DetectorInput& input,
+              const OrientedPointSamplingParameters& parameters);
 
 /** \brief OPS: finds all planes of an unorganized point cloud from the normals of a few
  * per cent of its points, by one-point RANSAC.
@@ -174,28 +175,29 @@ public:
   }
 
   /** \brief k: neighbours of each sample its normal comes from, 2 or more; the normal
-   * of a cell comes from at least as many points. */
+   * of a surfel comes from at least as many points. */
   void
   setKSearch (int k)
   {
-    parameters_.normals.k = k;
+    parameters_.k = k;
   }
   int
   getKSearch () const
   {
-    return parameters_.normals.k;
+    return parameters_.k;
   }
 
-  /** \brief sigma of the weight of a neighbour [m]; 0: the neighbourhood's radius. */
+  /** \brief sigma of the weight of a neighbour [m]; 0 stands for none: the
+   * neighbourhood's radius. Surfels, the default, have no use for it. */
   void
   setNormalSigma (double sigma)
   {
-    parameters_.normals.sigma = sigma;
+    parameters_.normal_sigma = sigma == 0.0 ? std::nullopt : std::make_optional (sigma);
   }
   double
   getNormalSigma () const
   {
-    return parameters_.normals.sigma;
+    return parameters_.normal_sigma.value_or (0.0);
   }
 
   /** \brief theta_N: a plane needs more inliers than this among the samples. */
@@ -223,7 +225,7 @@ public:
     return parameters_.probability;
   }
 
-  /** \brief Strategy 1 or 2 of the paper. */
+  /** \brief Strategy 1 or 2 of the paper; surfels, the default, are never divided. */
   void
   setStrategy (Strategy strategy)
   {
@@ -235,7 +237,7 @@ public:
     return parameters_.strategy;
   }
 
-  /** \brief What hypotheses are counted on. */
+  /** \brief What hypotheses are counted on; on surfels, the default, always those. */
   void
   setVerification (Verification verification)
   {
@@ -247,7 +249,8 @@ public:
     return parameters_.verification;
   }
 
-  /** \brief Refit and select again while the support of a plane grows. */
+  /** \brief Refit and select again while the support of a plane grows; on surfels, the
+   * default, always on. */
   void
   setLocalOptimisation (bool local_optimisation)
   {
@@ -260,17 +263,7 @@ public:
   }
 
 private:
-  using Base::durations_;
-  using Base::indices_;
-  using Base::input_;
   using Base::parameters_;
-
-  Detection
-  detect ();
 };
 
 } // namespace pcl_ops
-
-#ifdef PCL_NO_PRECOMPILE
-#include <pcl_ops/impl/oriented_point_sampling.hpp>
-#endif

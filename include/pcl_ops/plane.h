@@ -7,10 +7,12 @@
 
 #include <Eigen/Core>
 
+#include <pcl_ops/export.h>
 #include <pcl_ops/orientation.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -21,7 +23,7 @@ namespace pcl_ops {
  *
  * The sums are in double and taken about \ref origin, which should lie near the points:
  * that keeps them exact enough for clouds 10^6 m from the frame's zero. */
-struct Moments {
+struct PCL_OPS_EXPORT Moments {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   double count = 0.0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -125,7 +127,7 @@ struct PlaneFit {
 /** \brief The plane with the smallest sum of squared distances (centred, in double).
  * \return nothing for fewer than three points or if they are on one line or all equal
  */
-std::optional<PlaneFit>
+PCL_OPS_EXPORT std::optional<PlaneFit>
 fitPlane (const Moments& moments);
 
 /** \brief The plane through \p point with unit normal \p normal. */
@@ -135,8 +137,22 @@ planeThrough (const Eigen::Vector3d& point, const Eigen::Vector3d& normal)
   return Plane{normal, -normal.dot (point)};
 }
 
+/** \brief The plane of each point, voxel or plane of a list: a position in a list of
+ * planes, or \ref no_plane. */
+using Labels = std::vector<std::int32_t>;
+
+constexpr std::int32_t no_plane = -1;
+
+/** \brief Which of the endless planes within theta_h gets a point. */
+enum class AssignmentRule {
+  /** \brief The nearest; of two equally near ones the first. */
+  Nearest,
+  /** \brief The first of the list. */
+  First
+};
+
 /** \brief A detected plane with the points on it, in the frame of the input cloud. */
-struct PlaneSegment {
+struct PCL_OPS_EXPORT PlaneSegment {
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   /** \brief Unit normal towards the sensor's origin. */
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
@@ -164,7 +180,7 @@ struct PlaneSegment {
  * \param[in] tolerance largest angle to be horizontal or vertical, 0 to pi/2 [rad]
  * \return false, with the planes as they were, where up is zero or not finite or the
  * tolerance out of range */
-bool
+PCL_OPS_EXPORT bool
 nameOrientations (std::vector<PlaneSegment>& planes,
                   const Eigen::Vector3d& up,
                   double tolerance);

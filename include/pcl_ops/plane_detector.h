@@ -8,14 +8,15 @@
 #include <pcl/pcl_base.h>
 #include <pcl/PointIndices.h>
 
+#include <pcl_ops/cloud_view.h>
+#include <pcl_ops/export.h>
 #include <pcl_ops/orientation.h>
 #include <pcl_ops/plane.h>
-#include <pcl_ops/plane_assignment.h>
-#include <pcl_ops/plane_extent.h>
 #include <pcl_ops/plane_merging.h>
-#include <pcl_ops/points.h>
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,14 +24,16 @@ namespace pcl_ops {
 
 /** \brief What the parameters of all detectors have in common. */
 struct PlaneDetectorParameters {
-  /** \brief theta_h: largest distance of a point to its plane [m]. */
-  double distance_threshold = 0.05;
+  /** \brief theta_h: largest distance of a point to its plane [m]. Not given, which
+   * only Sampling::Surfels allows: it follows the noise of the cloud, whatever its
+   * unit. */
+  std::optional<double> distance_threshold = 0.05;
   /** \brief Direction against gravity in the frame of the input cloud, any length but
    * 0. It only names the orientation of a plane; detection does not depend on it,
    * except where planes are looked for per orientation (Strategy::DivideThenDetect). */
   Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ();
-  /** \brief Largest angle to be horizontal or vertical [rad]; default 7 degrees. */
-  double angle_tolerance = 0.12217304763960307;
+  /** \brief Largest angle to be horizontal or vertical [rad]. */
+  double angle_tolerance = paper_angle_tolerance;
   /** \brief Seed of every random choice. */
   std::uint32_t seed = 42;
   /** \brief Number of threads; 0: all. The result does not depend on it. */
@@ -38,13 +41,10 @@ struct PlaneDetectorParameters {
   MergingParameters merging;
 };
 
-/** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is.
- * \param[in] parameters those of any detector
- * \param[in] threshold_may_follow_noise whether a distance threshold of 0 has a meaning
- */
-std::string
-problemOf (const PlaneDetectorParameters& parameters,
-           bool threshold_may_follow_noise = false);
+/** \brief What is wrong with the parameters all detectors share, as a sentence; empty
+ * if nothing is. */
+PCL_OPS_EXPORT std::string
+problemOf (const PlaneDetectorParameters& parameters);
 
 /** \brief Wall time of each stage of the last call [ms]. */
 struct StageDurations {
@@ -57,28 +57,46 @@ struct StageDurations {
   double detection = 0.0;
 };
 
-/** \brief What a detector found, in the local frame of its points. */
-struct Detection {
-  Points points;
-  /** \brief For each point the position of its plane in \ref planes, or no_plane. */
-  Labels labels;
-  MergedPlanes planes;
+/** \brief A neighbour search of the user, as the stages ask it. Neighbours come as
+ * indices into the input cloud with their squared distances [m^2]. */
+struct NeighbourSearch {
+  /** \brief The k points nearest to a point of the cloud, itself included. */
+  std::function<void (pcl::index_t, int k, pcl::Indices&, std::vector<float>&)> nearest;
+  /** \brief The points at most a radius [m] from a point of the cloud, itself included.
+   */
+  std::function<void (pcl::index_t, double radius, pcl::Indices&, std::vector<float>&)>
+      within;
+  /** \brief Threads that may ask at once; 0: all. */
+  unsigned threads = 1;
 };
 
-/** \brief The planes of a detection in the frame of the input cloud, by falling size.
- * \param[in] detection the planes and the points on them
- * \param[in] viewpoint origin of the sensor: normals point to its side
- * \param[in] parameters up axis and angle tolerance for the orientation */
-std::vector<PlaneSegment>
-toSegments (const Detection& detection,
-            const Eigen::Vector3d& viewpoint,
-            const PlaneDetectorParameters& parameters);
+/** \brief What a detector works on. */
+struct DetectorInput {
+  CloudView cloud;
+  /** \brief The points to use, each within the cloud, in any order, given twice or not.
+   */
+  const pcl::Indices& indices;
+  /** \brief Where the sensor was, in the frame of the cloud. */
+  Eigen::Vector3d viewpoint;
+  /** \brief Builds the user's search over the finite ones of the points, no indices
+   * standing for the whole cloud. Empty: the library searches by itself. */
+  std::function<NeighbourSearch (const pcl::Indices& finite)> search_over;
+};
+
+/** \brief What a detector found. */
+struct Detection {
+  /** \brief By falling size, in the frame of the input cloud. */
+  std::vector<PlaneSegment> planes;
+  StageDurations durations;
+  std::size_t planes_before_merging = 0;
+};
 
 /** \brief The calls all detectors share: PCL's ways to hand in a cloud and to take
- * planes out. A detector derives from it, gives a method \c detect () that returns a
- * Detection, and a \c className (). \tparam PointT a point type with x, y, z \tparam
- * Detector the detector itself \tparam ParametersT its parameters, derived from
- * PlaneDetectorParameters */
+ * planes out. A detector derives from it and gives a \c className (); for its
+ * parameters there are a \c problemOf (parameters) and a \c detectPlanes (input,
+ * parameters), which does the work for all point types. \tparam PointT a point type
+ * with x, y, z \tparam Detector the detector itself \tparam ParametersT its parameters,
+ * derived from PlaneDetectorParameters */
 template <typename PointT, typename Detector, typename ParametersT>
 class PlaneDetector : public pcl::PCLBase<PointT> {
 public:
@@ -132,17 +150,19 @@ public:
     return parameters_;
   }
 
-  /** \brief theta_h: largest distance of a point to its plane [m]. For OPS on cells 0,
-   * its default, follows the noise of the cloud, whatever its unit. */
+  /** \brief theta_h: largest distance of a point to its plane [m]. 0 stands for none:
+   * it follows the noise of the cloud, which only OPS on surfels, its default, allows.
+   */
   void
   setDistanceThreshold (double threshold)
   {
-    parameters_.distance_threshold = threshold;
+    parameters_.distance_threshold =
+        threshold == 0.0 ? std::nullopt : std::make_optional (threshold);
   }
   double
   getDistanceThreshold () const
   {
-    return parameters_.distance_threshold;
+    return parameters_.distance_threshold.value_or (0.0);
   }
 
   /** \brief Direction against gravity; any length but 0. */
@@ -205,8 +225,8 @@ public:
     return parameters_.merging;
   }
 
-  /** \brief Any neighbour search, in place of GridSearch; its input cloud is set by the
-   * detector. */
+  /** \brief Any neighbour search, in place of the library's own; its input cloud is set
+   * by the detector. OPS on surfels, its default, and 3D-KHT need none and ask none. */
   void
   setSearchMethod (const SearchPtr& search)
   {
@@ -222,14 +242,14 @@ public:
   const StageDurations&
   getStageDurations () const
   {
-    return durations_;
+    return last_.durations;
   }
 
-  /** \brief How many planes the last call had before it merged them. */
+  /** \brief How many planes the last call had before any of them were merged. */
   std::size_t
   getNumberOfPlanesBeforeMerging () const
   {
-    return planes_before_merging_;
+    return last_.planes_before_merging;
   }
 
 protected:
@@ -242,35 +262,25 @@ protected:
     return Detector::className();
   }
 
-  /** \brief The search method of the user, or a GridSearch, over the points. */
-  SearchPtr
-  searchOver (const Points& points) const;
-
-  /** \brief Where the sensor was, in the frame of the input cloud. */
-  Eigen::Vector3d
-  viewpoint () const;
-
-  /** \brief Threads that may query the search at once: only GridSearch and kd-trees are
-   * known to be safe. */
-  unsigned
-  searchThreads () const;
-
-  /** \brief theta_h where the merging process has no distance of its own. */
-  MergingParameters
-  mergingParameters () const;
-
   Parameters parameters_;
-  SearchPtr search_;
-  StageDurations durations_;
-  std::size_t planes_before_merging_ = 0;
 
 private:
   bool
   isReady ();
   bool
   hasIndicesInRange () const;
+  DetectorInput
+  input () const;
+  NeighbourSearch
+  searchOver (const pcl::Indices& finite) const;
+
+  SearchPtr search_;
+  /** \brief The last call's durations and numbers, its planes given out. */
+  Detection last_;
 };
 
 } // namespace pcl_ops
 
+#ifdef PCL_NO_PRECOMPILE
 #include <pcl_ops/impl/plane_detector.hpp>
+#endif

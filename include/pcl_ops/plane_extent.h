@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/point_cloud.h>
-
 #include <Eigen/Core>
 
+#include <pcl_ops/cloud_view.h>
+#include <pcl_ops/export.h>
 #include <pcl_ops/plane.h>
 
 #include <vector>
@@ -14,7 +14,7 @@ namespace pcl_ops {
 
 /** \brief A right-handed frame in a plane: u, v, and the plane's normal as the third
  * axis. */
-class PlaneFrame {
+class PCL_OPS_EXPORT PlaneFrame {
 public:
   /** \param[in] origin zero of the frame, on the plane and near the points: that keeps
    * doubles exact however far the cloud is from its own zero
@@ -76,14 +76,14 @@ struct PlaneExtent {
  * \param[in] most_outside largest share of the points that is left outside; 0: none
  * \return counter-clockwise, the first corner not repeated; empty where the points span
  * no area */
-PlanarPoints
+PCL_OPS_EXPORT PlanarPoints
 convexHull (const PlanarPoints& points, double most_outside = 0.01);
 
 /** \brief Area and smallest rectangle of an outline.
  * \param[in] outline counter-clockwise, convex or not; empty if the points span no area
  * \param[in] points what the rectangle is put around where there is no outline
  * \param[in] frame the plane of the outline */
-PlaneExtent
+PCL_OPS_EXPORT PlaneExtent
 extentOf (const PlanarPoints& outline,
           const PlanarPoints& points,
           const PlaneFrame& frame);
@@ -92,20 +92,32 @@ extentOf (const PlanarPoints& outline,
  * \param[in] cloud the input cloud the plane was found in
  * \param[in] plane its inliers are indices into that cloud
  * \param[in] frame the plane to project onto */
+PCL_OPS_EXPORT PlanarPoints
+pointsOnPlane (const CloudView& cloud,
+               const PlaneSegment& plane,
+               const PlaneFrame& frame);
+
 template <typename PointT>
 PlanarPoints
 pointsOnPlane (const pcl::PointCloud<PointT>& cloud,
                const PlaneSegment& plane,
-               const PlaneFrame& frame);
+               const PlaneFrame& frame)
+{
+  return pointsOnPlane (CloudView (cloud), plane, frame);
+}
 
 /** \brief Extent, area and convex hull of a plane; at least 99 % of its inliers lie
  * inside (\ref convexHull).
  * \param[in] cloud the input cloud the plane was found in
  * \param[in] plane as a detector gives it */
+PCL_OPS_EXPORT PlaneExtent
+planeExtent (const CloudView& cloud, const PlaneSegment& plane);
+
 template <typename PointT>
 PlaneExtent
-planeExtent (const pcl::PointCloud<PointT>& cloud, const PlaneSegment& plane);
+planeExtent (const pcl::PointCloud<PointT>& cloud, const PlaneSegment& plane)
+{
+  return planeExtent (CloudView (cloud), plane);
+}
 
 } // namespace pcl_ops
-
-#include <pcl_ops/impl/plane_extent.hpp>

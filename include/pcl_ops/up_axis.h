@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_ops/export.h>
 #include <pcl_ops/plane.h>
 
 #include <optional>
@@ -21,7 +22,7 @@ struct UpAxis {
 struct UpAxisParameters {
   /** \brief Largest angle of a plane to the direction it speaks for [rad]; default 7
    * degrees. */
-  double angle_tolerance = 0.12217304763960307;
+  double angle_tolerance = paper_angle_tolerance;
   /** \brief Share of the planes that must be horizontal, and share that must be
    * vertical, for a direction to be looked at. */
   double least_share = 0.02;
@@ -48,7 +49,7 @@ struct UpAxisParameters {
  * \param[in] parameters tolerance, and how sure an answer has to be
  * \return nothing where the planes cannot tell: there are none, or none across the
  * others, or two directions are about as likely; or where an argument is not finite */
-std::optional<UpAxis>
+PCL_OPS_EXPORT std::optional<UpAxis>
 estimateUpAxis (const std::vector<PlaneSegment>& planes,
                 const Eigen::Vector3d& viewpoint,
                 const UpAxisParameters& parameters = UpAxisParameters());

@@ -52,7 +52,7 @@ UpGuesses
 guessesOn (const DataSet& data_set, const UpOptions& options)
 {
   UpGuesses result{data_set.name, 0, {}};
-  RandomGenerator generator (options.seed);
+  internal::RandomGenerator generator (options.seed);
   for (const CloudSource& source : data_set.clouds) {
     const EvaluationCloud cloud = source.load();
     for (unsigned i = 0; i < options.rotations; ++i) {

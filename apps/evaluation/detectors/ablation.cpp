@@ -19,20 +19,20 @@ struct Ingredient {
 constexpr double no_limit = 1e6;
 
 const Ingredient ingredients[] = {
-    {"resolutions", [] (Parameters& p) { p.cells.normals.levels = 1; }},
-    {"least-cells", [] (Parameters& p) { p.cells.normals.least_average_cells = 0.0; }},
-    {"normal-test", [] (Parameters& p) { p.cells.inlier.angle_threshold = M_PI_2; }},
-    {"noise-bands", [] (Parameters& p) { p.cells.inlier.noise_factor = no_limit; }},
+    {"resolutions", [] (Parameters& p) { p.surfels.resolutions = 1; }},
+    {"least-cells", [] (Parameters& p) { p.surfels.least_average_voxels = 0.0; }},
+    {"normal-test", [] (Parameters& p) { p.surfels.angle_threshold = M_PI_2; }},
+    {"noise-bands", [] (Parameters& p) { p.surfels.noise_factor = no_limit; }},
     {"curvature-test",
-     [] (Parameters& p) { p.cells.inlier.largest_normal_spread = no_limit; }},
+     [] (Parameters& p) { p.surfels.largest_normal_spread = no_limit; }},
     {"sure-cells-first",
-     [] (Parameters& p) { p.cells.sure_thickness = p.cells.inlier.largest_thickness; }},
-    {"growing", [] (Parameters& p) { p.cells.growing.rounds = 0; }},
-    {"absorption", [] (Parameters& p) { p.cells.absorption_noise_factor = 0.0; }},
+     [] (Parameters& p) { p.surfels.sure_thickness = p.surfels.largest_thickness; }},
+    {"growing", [] (Parameters& p) { p.surfels.growing_rounds = 0; }},
+    {"absorption", [] (Parameters& p) { p.surfels.absorption_noise_factor = 0.0; }},
     {"merging", [] (Parameters& p) { p.merging.enabled = false; }},
-    {"separation", [] (Parameters& p) { p.cells.separates_surfaces = false; }},
+    {"separation", [] (Parameters& p) { p.surfels.separates_surfaces = false; }},
     {"noise-in-assignment",
-     [] (Parameters& p) { p.cells.assignment.noise_factor = no_limit; }},
+     [] (Parameters& p) { p.surfels.assignment_noise_factor = no_limit; }},
     {"measured-threshold", [] (Parameters& p) { p.distance_threshold = 0.05; }}};
 
 } // namespace

@@ -4,13 +4,13 @@
 
 #include <pcl/common/angles.h>
 
+#include "timed.h"
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
 #include <CGAL/Shape_detection/Region_growing/Region_growing.h>
 #include <CGAL/Shape_detection/Region_growing/Region_growing_on_point_set.h>
 #include <CGAL/Simple_cartesian.h>
-#include <pcl_ops/stage_timer.h>
 
 #include <cmath>
 #include <tuple>

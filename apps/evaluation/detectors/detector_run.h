@@ -3,7 +3,7 @@
 #pragma once
 
 #include "detectors.h"
-#include <pcl_ops/stage_timer.h>
+#include "timed.h"
 
 namespace pcl_ops::evaluation {
 

@@ -72,7 +72,7 @@ addTable3 (Configurations& all)
   const auto addRow = [&all] (const std::string& prefix, double percent, int k) {
     auto parameters = OrientedPointSamplingParameters::paper();
     parameters.sampling_rate = percent / 100.0;
-    parameters.normals.k = k;
+    parameters.k = k;
     std::vector<std::string> groups{"table3"};
     if (prefix == "ops-s1-")
       parameters.strategy = Strategy::DetectThenDivide;

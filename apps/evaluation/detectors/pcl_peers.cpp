@@ -8,7 +8,7 @@
 #include <pcl/segmentation/region_growing.h>
 #include <pcl/segmentation/sac_segmentation.h>
 
-#include <pcl_ops/stage_timer.h>
+#include "timed.h"
 
 #include <algorithm>
 #include <iterator>

@@ -21,12 +21,12 @@ constexpr double largest_right_error = 10.0; // [degree]
 
 /** Even among all rotations (Shoemake 1992). */
 Eigen::Quaterniond
-drawRotation (RandomGenerator& generator)
+drawRotation (internal::RandomGenerator& generator)
 {
-  constexpr double two_pi = 6.283185307179586;
-  const double share = drawUnit (generator);
-  const double first = two_pi * drawUnit (generator);
-  const double second = two_pi * drawUnit (generator);
+  constexpr double two_pi = 2.0 * M_PI;
+  const double share = internal::drawUnit (generator);
+  const double first = two_pi * internal::drawUnit (generator);
+  const double second = two_pi * internal::drawUnit (generator);
   const double a = std::sqrt (1.0 - share), b = std::sqrt (share);
   return {b * std::cos (second),
           a * std::sin (first),
@@ -54,7 +54,7 @@ isRight (const UpGuess& guess)
 } // namespace
 
 std::optional<UpGuess>
-guessUp (const EvaluationCloud& cloud, RandomGenerator& generator)
+guessUp (const EvaluationCloud& cloud, internal::RandomGenerator& generator)
 {
   const Eigen::Quaterniond rotation = drawRotation (generator);
   const XyzCloud::Ptr turned_cloud = turned (*cloud.cloud, rotation);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <base/random.h>
 #include <evaluation/data/cloud_source.h>
 #include <evaluation/report/text_table.h>
-#include <pcl_ops/random.h>
 #include <pcl_ops/up_axis.h>
 
 #include <string>
@@ -25,7 +25,7 @@ struct UpGuess {
  * \param[in,out] generator draws the rotation, evenly among all
  * \return nothing where no direction can be up at all */
 std::optional<UpGuess>
-guessUp (const EvaluationCloud& cloud, RandomGenerator& generator);
+guessUp (const EvaluationCloud& cloud, internal::RandomGenerator& generator);
 
 /** \brief The guesses on a data set. */
 struct UpGuesses {

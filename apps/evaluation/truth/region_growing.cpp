@@ -4,9 +4,9 @@
 
 #include <pcl/search/kdtree.h>
 
-#include <pcl_ops/parallel.h>
+#include <base/parallel.h>
+#include <geometry/points.h>
 #include <pcl_ops/plane.h>
-#include <pcl_ops/points.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +69,8 @@ surfelsOf (const XyzCloud& cloud, int neighbors, unsigned threads)
   pcl::Indices all (cloud.size());
   std::iota (all.begin(), all.end(), 0);
   Surfels surfels;
-  const Points points = finitePoints (cloud, all);
+  const internal::Points points =
+      internal::finitePoints (CloudView (cloud), all, threads);
   surfels.index = points.index.empty() ? all : points.index;
   surfels.cloud.reset (new XyzCloud (cloud, surfels.index));
   surfels.neighbors_per_point =
@@ -94,7 +95,7 @@ surfelsOf (const XyzCloud& cloud, int neighbors, unsigned threads)
       orient (surfels, i);
     }
   };
-  parallelFor (threads, surfels.size(), points_per_piece, orientAll);
+  internal::parallelFor (threads, surfels.size(), points_per_piece, orientAll);
   return surfels;
 }
 

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/common/point_tests.h>
-
 #include <pcl_ops/grid_search.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace pcl_ops {
@@ -26,33 +25,8 @@ GridSearch<PointT>::setInputCloud (const PointCloudConstPtr& cloud,
     used.resize (cloud->size());
     std::iota (used.begin(), used.end(), 0);
   }
-  sortIntoCells (cloud, cloud ? finitePoints (*cloud, used) : Points());
+  tree_ = cloud ? sortIntoVoxels (CloudView (*cloud), used) : nullptr;
   return Base::setInputCloud (cloud, indices);
-}
-
-template <typename PointT>
-void
-GridSearch<PointT>::setInputCloud (const PointCloudConstPtr& cloud,
-                                   const Points& points)
-{
-  sortIntoCells (cloud, points);
-  const bool are_all = points.size() == cloud->size();
-  Base::setInputCloud (
-      cloud, are_all ? nullptr : pcl::make_shared<const pcl::Indices> (points.index));
-}
-
-template <typename PointT>
-void
-GridSearch<PointT>::sortIntoCells (const PointCloudConstPtr& cloud,
-                                   const Points& points)
-{
-  static_assert (sizeof (PointT) % sizeof (float) == 0,
-                 "a cloud's positions are a whole number of floats apart");
-  tree_ = CellTree();
-  if (points.size() > 0)
-    tree_ = CellTree (
-        points,
-        {(*cloud)[0].getVector3fMap().data(), sizeof (PointT) / sizeof (float)});
 }
 
 template <typename PointT>
@@ -64,9 +38,7 @@ GridSearch<PointT>::find (const PointT& point,
 {
   query.position = point.getVector3fMap();
   query.sorted = this->sorted_results_;
-  if (!pcl::isFinite (point))
-    query.most = 0;
-  tree_.find (query, indices, squared_distances);
+  findNeighbours (tree_.get(), query, indices, squared_distances);
   return static_cast<int> (indices.size());
 }
 
@@ -101,4 +73,5 @@ GridSearch<PointT>::radiusSearch (const PointT& point,
 
 } // namespace pcl_ops
 
-#define PCL_INSTANTIATE_GridSearch(T) template class PCL_EXPORTS pcl_ops::GridSearch<T>;
+#define PCL_INSTANTIATE_GridSearch(T)                                                  \
+  template class PCL_OPS_EXPORT pcl_ops::GridSearch<T>;

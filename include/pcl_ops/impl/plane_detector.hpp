@@ -7,7 +7,7 @@
 
 #include <pcl_ops/grid_search.h>
 #include <pcl_ops/plane_detector.h>
-#include <pcl_ops/stage_timer.h>
+#include <pcl_ops/plane_extent.h>
 
 #include <algorithm>
 #include <exception>
@@ -42,20 +42,16 @@ PlaneDetector<PointT, Detector, ParametersT>::segment (
     std::vector<PlaneSegment>& planes)
 {
   planes.clear();
-  durations_ = StageDurations();
-  planes_before_merging_ = 0;
+  last_ = Detection();
   try {
     if (!isReady())
       return false;
-    planes = timed (durations_.detection, [this] {
-      const Detection detection = static_cast<Detector&> (*this).detect();
-      planes_before_merging_ = detection.planes.merged_into.size();
-      return toSegments (detection, viewpoint(), parameters_);
-    });
+    last_ = detectPlanes (input(), parameters_);
+    planes.swap (last_.planes);
   }
   catch (const std::exception& error) {
     PCL_ERROR ("[pcl_ops::%s::segment] %s\n", getClassName().c_str(), error.what());
-    planes.clear();
+    last_ = Detection();
     return false;
   }
   this->deinitCompute();
@@ -154,49 +150,62 @@ PlaneDetector<PointT, Detector, ParametersT>::hasIndicesInRange() const
 }
 
 template <typename PointT, typename Detector, typename ParametersT>
-typename PlaneDetector<PointT, Detector, ParametersT>::SearchPtr
-PlaneDetector<PointT, Detector, ParametersT>::searchOver (const Points& points) const
+DetectorInput
+PlaneDetector<PointT, Detector, ParametersT>::input() const
 {
-  if (!search_) {
-    constexpr bool sorted_results = false;
-    const auto grid = pcl::make_shared<GridSearch<PointT>> (sorted_results);
-    grid->setInputCloud (this->input_, points);
-    return grid;
-  }
-  const SearchPtr search = search_;
-  if (points.size() == this->input_->size())
-    search->setInputCloud (this->input_);
-  else
-    search->setInputCloud (this->input_,
-                           pcl::IndicesConstPtr (new pcl::Indices (points.index)));
+  DetectorInput input{
+      CloudView (*this->input_),
+      *this->indices_,
+      this->input_->sensor_origin_.template head<3>().template cast<double>(),
+      nullptr};
+  if (search_)
+    input.search_over = [this] (const pcl::Indices& finite) {
+      return searchOver (finite);
+    };
+  return input;
+}
+
+template <typename PointT, typename Detector, typename ParametersT>
+NeighbourSearch
+PlaneDetector<PointT, Detector, ParametersT>::searchOver (
+    const pcl::Indices& finite) const
+{
+  const bool are_all = finite.empty();
+  search_->setInputCloud (
+      this->input_, are_all ? nullptr : pcl::make_shared<const pcl::Indices> (finite));
+  NeighbourSearch search;
+  search.nearest = [this] (pcl::index_t point,
+                           int k,
+                           pcl::Indices& neighbours,
+                           std::vector<float>& squared_distances) {
+    search_->nearestKSearch ((*this->input_)[point], k, neighbours, squared_distances);
+  };
+  search.within = [this] (pcl::index_t point,
+                          double radius,
+                          pcl::Indices& neighbours,
+                          std::vector<float>& squared_distances) {
+    search_->radiusSearch (
+        (*this->input_)[point], radius, neighbours, squared_distances);
+  };
+  // Only these are known to be safe to ask from several threads at once.
+  const Search* const asked = search_.get();
+  const bool is_safe = dynamic_cast<const GridSearch<PointT>*> (asked) ||
+                       dynamic_cast<const pcl::search::KdTree<PointT>*> (asked);
+  search.threads = is_safe ? parameters_.threads : 1;
   return search;
 }
 
-template <typename PointT, typename Detector, typename ParametersT>
-Eigen::Vector3d
-PlaneDetector<PointT, Detector, ParametersT>::viewpoint() const
-{
-  return this->input_->sensor_origin_.template head<3>().template cast<double>();
-}
-
-template <typename PointT, typename Detector, typename ParametersT>
-unsigned
-PlaneDetector<PointT, Detector, ParametersT>::searchThreads() const
-{
-  const Search* const search = search_.get();
-  const bool is_safe = !search || dynamic_cast<const GridSearch<PointT>*> (search) ||
-                       dynamic_cast<const pcl::search::KdTree<PointT>*> (search);
-  return is_safe ? parameters_.threads : 1;
-}
-
-template <typename PointT, typename Detector, typename ParametersT>
-MergingParameters
-PlaneDetector<PointT, Detector, ParametersT>::mergingParameters() const
-{
-  MergingParameters merging = parameters_.merging;
-  if (merging.distance_threshold == 0.0)
-    merging.distance_threshold = parameters_.distance_threshold;
-  return merging;
-}
-
 } // namespace pcl_ops
+
+/** The calls are those of the base, instantiated with each detector. */
+#define PCL_OPS_INSTANTIATE_DETECTOR(Detector, T)                                      \
+  template class PCL_OPS_EXPORT                                                        \
+      pcl_ops::PlaneDetector<T, pcl_ops::Detector<T>, pcl_ops::Detector##Parameters>;  \
+  template class PCL_OPS_EXPORT pcl_ops::Detector<T>;
+
+#define PCL_INSTANTIATE_OrientedPointSampling(T)                                       \
+  PCL_OPS_INSTANTIATE_DETECTOR (OrientedPointSampling, T)
+#define PCL_INSTANTIATE_FastSamplingPlaneFiltering(T)                                  \
+  PCL_OPS_INSTANTIATE_DETECTOR (FastSamplingPlaneFiltering, T)
+#define PCL_INSTANTIATE_KernelHoughTransform(T)                                        \
+  PCL_OPS_INSTANTIATE_DETECTOR (KernelHoughTransform, T)

@@ -99,4 +99,4 @@ SampleConsensusModelOrientedPoint<PointNT>::optimizeModelCoefficients (
 } // namespace pcl_ops
 
 #define PCL_INSTANTIATE_SampleConsensusModelOrientedPoint(T)                           \
-  template class PCL_EXPORTS pcl_ops::SampleConsensusModelOrientedPoint<T>;
+  template class PCL_OPS_EXPORT pcl_ops::SampleConsensusModelOrientedPoint<T>;

@@ -18,7 +18,7 @@ namespace pcl_ops {
  * neighbouring points
  * \return counter-clockwise, the first corner not repeated; empty where the points span
  * no area */
-PlanarPoints
+PCL_OPS_EXPORT PlanarPoints
 concaveHull (const PlanarPoints& points, double alpha = 0.0);
 
 /** \brief As \ref planeExtent, with the concave outline as its hull.

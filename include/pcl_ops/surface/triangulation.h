@@ -18,7 +18,7 @@ using Triangle = std::array<std::size_t, 3>;
  * \param[in] outline counter-clockwise, not crossing itself
  * \return counter-clockwise, too; none for an outline without area, or one so crooked
  * that VTK does not get all of it */
-std::vector<Triangle>
+PCL_OPS_EXPORT std::vector<Triangle>
 triangulate (const PlanarPoints& outline);
 
 } // namespace pcl_ops

@@ -67,7 +67,7 @@ TEST (UpAccuracy, TellsHowOftenAConfidenceIsRight)
 
 TEST (UpAccuracy, ARightGuessStaysRightHoweverTheCloudIsTurned)
 {
-  pcl_ops::RandomGenerator generator (3);
+  pcl_ops::internal::RandomGenerator generator (3);
   for (int i = 0; i < 5; ++i) {
     const auto guess = guessUp (furnishedRoom(), generator);
     ASSERT_TRUE (guess.has_value());
@@ -79,7 +79,7 @@ TEST (UpAccuracy, TheErrorIsMeasuredWithItsSign)
 {
   EvaluationCloud upside_down = furnishedRoom();
   upside_down.up *= -1.0;
-  pcl_ops::RandomGenerator generator (3);
+  pcl_ops::internal::RandomGenerator generator (3);
   const auto guess = guessUp (upside_down, generator);
   ASSERT_TRUE (guess.has_value());
   EXPECT_GE (guess->error, 179.0);

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_cloud.h>
+
+#include <cstddef>
+
+namespace pcl_ops {
+
+/** \brief The positions of a cloud of any point type, each three floats side by side:
+ * all that the library sees of a cloud, so that nothing behind it is a template.
+ *
+ * It does not own the points and is valid as long as the cloud stays as it is. */
+struct CloudView {
+  CloudView() = default;
+
+  /** \tparam PointT a point type with x, y, z side by side, as PCL_ADD_POINT4D gives
+   * them */
+  template <typename PointT>
+  explicit CloudView (const pcl::PointCloud<PointT>& cloud)
+  : first (cloud.empty() ? nullptr : &cloud[0].x)
+  , stride (sizeof (PointT) / sizeof (float))
+  , size (cloud.size())
+  {
+    static_assert (sizeof (PointT) % sizeof (float) == 0,
+                   "a cloud's positions are a whole number of floats apart");
+  }
+
+  /** \brief x, y and z of a point. */
+  const float*
+  operator[] (std::size_t i) const
+  {
+    return first + i * stride;
+  }
+
+  /** \brief x of the first point. */
+  const float* first = nullptr;
+  /** \brief Floats from each point to the next. */
+  std::size_t stride = 0;
+  /** \brief Number of points, finite or not. */
+  std::size_t size = 0;
+};
+
+} // namespace pcl_ops

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/parallel.h"
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+#ifdef _OPENMP
+int
+usefulThreads (unsigned wanted, std::int64_t pieces)
+{
+  // More than these only cost; a runtime that cannot start them ends the program.
+  constexpr std::int64_t most = 256;
+  const std::int64_t threads = wanted ? wanted : omp_get_num_procs();
+  return static_cast<int> (
+      std::max<std::int64_t> (1, std::min ({threads, pieces, most})));
+}
+#endif
+
+} // namespace
+
+void
+parallelFor (unsigned threads,
+             std::size_t size,
+             std::size_t grain,
+             const std::function<void (std::size_t, std::size_t)>& body)
+{
+  const auto pieces = static_cast<std::int64_t> ((size + grain - 1) / grain);
+  // An exception must not leave a parallel region: it waits for the end of it.
+  std::exception_ptr thrown;
+#ifdef _OPENMP
+  const int used = usefulThreads (threads, pieces);
+#pragma omp parallel for schedule(dynamic) num_threads(used) if (used > 1)
+#else
+  (void)threads;
+#endif
+  for (std::int64_t piece = 0; piece < pieces; ++piece) {
+    const std::size_t begin = static_cast<std::size_t> (piece) * grain;
+    try {
+      body (begin, std::min (size, begin + grain));
+    }
+    catch (...) {
+#pragma omp critical(pcl_ops_parallel_for)
+      thrown = std::current_exception();
+    }
+  }
+  if (thrown)
+    std::rethrow_exception (thrown);
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief Calls \p body (begin, end) for pieces of 0 .. size - 1 that cover it once:
+ * the only place of the library that knows threads. The pieces depend on \p size and \p
+ * grain alone, so what a body computes per piece is the same for any thread count.
+ * \param[in] threads number of threads; 0: as many as the machine has
+ * \param[in] size number of items
+ * \param[in] grain items per piece, 1 or more
+ * \param[in] body called once a piece, concurrently; what it throws is thrown on after
+ * the other pieces are done */
+void
+parallelFor (unsigned threads,
+             std::size_t size,
+             std::size_t grain,
+             const std::function<void (std::size_t begin, std::size_t end)>& body);
+
+/** \brief What \p body (begin, end) returns for each piece, in the order of the pieces;
+ * the rest as \ref parallelFor. */
+template <typename Body>
+auto
+parallelPieces (unsigned threads, std::size_t size, std::size_t grain, Body&& body)
+{
+  std::vector<decltype (body (size, size))> pieces ((size + grain - 1) / grain);
+  parallelFor (threads, size, grain, [&] (std::size_t begin, std::size_t end) {
+    pieces[begin / grain] = body (begin, end);
+  });
+  return pieces;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+namespace pcl_ops::internal {
+
+/** \brief The generator of every random choice. std::mt19937's output is fixed by the
+ * C++ standard, the std:: distributions' is not: hence the draws below. */
+using RandomGenerator = std::mt19937;
+
+/** \brief Unbiased draw from 0 .. bound - 1 (Lemire 2019, multiply and reject).
+ * \param[in,out] generator the generator, advanced by one draw or more
+ * \param[in] bound number of outcomes; 0 is treated as 1 */
+inline std::uint32_t
+drawBelow (RandomGenerator& generator, std::uint32_t bound)
+{
+  if (bound < 2)
+    return 0;
+  const std::uint32_t rejected_below = (0u - bound) % bound;
+  std::uint64_t product = 0;
+  do
+    product = std::uint64_t (generator()) * bound;
+  while (std::uint32_t (product) < rejected_below);
+  return std::uint32_t (product >> 32);
+}
+
+/** \brief Uniform draw from [0, 1) with 32 random bits. */
+inline double
+drawUnit (RandomGenerator& generator)
+{
+  return generator() * (1.0 / 4294967296.0);
+}
+
+} // namespace pcl_ops::internal

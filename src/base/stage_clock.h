@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/common/time.h>
+
+namespace pcl_ops::internal {
+
+/** \brief A stop watch that is read between stages. */
+class StageClock {
+public:
+  /** \brief Adds the wall time since the last lap, or the start, to a duration [ms]. */
+  void
+  lap (double& duration)
+  {
+    const double now = watch_.getTime();
+    duration += now - last_;
+    last_ = now;
+  }
+
+  /** \brief Wall time since the start [ms]. */
+  double
+  total () const
+  {
+    return watch_.getTime();
+  }
+
+private:
+  pcl::StopWatch watch_;
+  double last_ = 0.0;
+};
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bounded/bounded_planes.h"
+#include "detection/plane_assignment.h"
+
+#include <optional>
+
+namespace pcl_ops::internal {
+
+/** \brief Assigns points to bounded planes: to the nearest, in units of the noise
+ * measured there, of the planes whose support has a voxel within one voxel of the
+ * point. \param[in] points the points \param[in] voxelized their voxels \param[in]
+ * planes on these voxels \param[in] distance_threshold theta_h: largest distance [m];
+ * none: two voxels \param[in] noise_factor largest distance in units of the noise
+ * measured there \param[in] threads number of threads; 0: all. The result does not
+ * depend on it */
+AssignedPoints
+assignToBoundedPlanes (const Coordinates& points,
+                       const VoxelizedPoints& voxelized,
+                       const BoundedPlanes& planes,
+                       std::optional<double> distance_threshold,
+                       double noise_factor,
+                       unsigned threads);
+
+} // namespace pcl_ops::internal

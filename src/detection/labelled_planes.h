@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/stage_clock.h"
+#include "detection/plane_assignment.h"
+#include "geometry/points.h"
+#include <pcl_ops/orientation.h>
+#include <pcl_ops/plane.h>
+#include <pcl_ops/plane_detector.h>
+#include <pcl_ops/plane_merging.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief What a detector found, in the local frame of its points. */
+struct LabelledPlanes {
+  /** \brief For each point the position of its plane in \ref planes, or no_plane. */
+  Labels labels;
+  MergedPlanes planes;
+  std::size_t planes_before_merging = 0;
+};
+
+/** \brief Merges planes by the points assigned to them, and labels the points anew. */
+LabelledPlanes
+mergeAssigned (AssignedPoints assigned,
+               const MergingParameters& parameters,
+               unsigned threads);
+
+/** \brief The planes in the frame of the input cloud, by falling size.
+ * \param[in] points with their index in the input cloud
+ * \param[in] found the planes and the points on them
+ * \param[in] viewpoint origin of the sensor: normals point to its side */
+std::vector<PlaneSegment>
+toSegments (const Points& points,
+            const LabelledPlanes& found,
+            const Eigen::Vector3d& viewpoint);
+
+/** \brief What all detectors begin and end with: the finite points, and the planes
+ * among them in the frame of the input cloud. \param[in] detect (points, durations) ->
+ * LabelledPlanes */
+template <typename Detect>
+Detection
+detectInFinitePoints (const DetectorInput& input,
+                      const PlaneDetectorParameters& parameters,
+                      Detect&& detect)
+{
+  Detection found;
+  const StageClock clock;
+  // P: drop NaN and Inf once; nothing later checks again
+  const Points points = finitePoints (input.cloud, input.indices, parameters.threads);
+  const LabelledPlanes planes =
+      points.size() > 0 ? detect (points, found.durations) : LabelledPlanes();
+  found.planes = toSegments (points, planes, input.viewpoint);
+  nameOrientations (
+      found.planes, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
+  found.planes_before_merging = planes.planes_before_merging;
+  found.durations.detection = clock.total();
+  return found;
+}
+
+} // namespace pcl_ops::internal

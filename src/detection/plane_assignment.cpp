@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "detection/plane_assignment.h"
+
+#include "base/parallel.h"
+#include "geometry/float_plane.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// So few that they lie close together where neighbours in the list are neighbours in
+// space, and most planes can be left out; so many that leaving out costs little.
+constexpr std::size_t block_size = 256;
+constexpr std::size_t points_per_piece = 64 * block_size;
+
+struct Box {
+  Eigen::Vector3d centre, half_size;
+};
+
+Box
+boxOf (const Coordinates& points, std::size_t begin, std::size_t end)
+{
+  const auto size = static_cast<Eigen::Index> (end - begin);
+  Eigen::Vector3f low, high;
+  for (const auto& [axis, values] :
+       {std::make_pair (0, &points.x), {1, &points.y}, {2, &points.z}}) {
+    const Eigen::Map<const Eigen::ArrayXf> coordinates (values->data() + begin, size);
+    low[axis] = coordinates.minCoeff();
+    high[axis] = coordinates.maxCoeff();
+  }
+  return {0.5 * (low + high).cast<double>(), 0.5 * (high - low).cast<double>()};
+}
+
+// False if no point of the box can be within the threshold, rounding included.
+bool
+reaches (const Plane& plane, const Box& box, double threshold)
+{
+  constexpr double single_precision = 1e-5;
+  const double reach = plane.normal.cwiseAbs().dot (box.half_size);
+  const double rounding =
+      single_precision * (std::abs (plane.offset) + box.centre.norm() + reach);
+  return std::abs (plane.distance (box.centre)) <= threshold + reach + rounding;
+}
+
+// Points begin .. end - 1, at most block_size.
+void
+assignBlock (const Coordinates& points,
+             std::size_t begin,
+             std::size_t end,
+             const std::vector<Plane>& planes,
+             float threshold,
+             AssignmentRule rule,
+             Labels& labels)
+{
+  const Box box = boxOf (points, begin, end);
+  std::array<float, block_size> best;
+  best.fill (threshold);
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    if (!reaches (planes[p], box, threshold))
+      continue;
+    const auto label = static_cast<std::int32_t> (p);
+    std::int32_t* const label_of = labels.data();
+    // A distance no later plane can beat makes the first plane final.
+    const float won = rule == AssignmentRule::First ? 0.0f : 1.0f;
+    forDistances (FloatPlane (planes[p]),
+                  points,
+                  begin,
+                  end,
+                  [=, &best] (std::size_t i, float distance) {
+                    float& nearest = best[i - begin];
+                    const bool closer = distance < nearest;
+                    label_of[i] = closer ? label : label_of[i];
+                    nearest = closer ? won * distance : nearest;
+                  });
+  }
+}
+
+} // namespace
+
+Labels
+assignPoints (const Coordinates& points,
+              const std::vector<Plane>& planes,
+              double distance_threshold,
+              AssignmentRule rule,
+              unsigned threads)
+{
+  const auto threshold = static_cast<float> (distance_threshold);
+  Labels labels (points.size(), no_plane);
+  parallelFor (threads,
+               points.size(),
+               points_per_piece,
+               [&] (std::size_t begin, std::size_t end) {
+                 for (std::size_t i = begin; i < end; i += block_size)
+                   assignBlock (points,
+                                i,
+                                std::min (i + block_size, end),
+                                planes,
+                                threshold,
+                                rule,
+                                labels);
+               });
+  return labels;
+}
+
+std::vector<Moments>
+momentsOfLabels (const Coordinates& points,
+                 const Labels& labels,
+                 std::size_t number,
+                 unsigned threads)
+{
+  // Sums per piece, added up in order: the same digits for any number of threads.
+  const auto partial = parallelPieces (
+      threads,
+      points.size(),
+      points_per_piece,
+      [&] (std::size_t begin, std::size_t end) {
+        std::vector<Moments> moments (number);
+        for (std::size_t i = begin; i < end; ++i)
+          if (const auto label = static_cast<std::size_t> (labels[i]); label < number)
+            moments[label].add (points.x[i], points.y[i], points.z[i]);
+        return moments;
+      });
+  std::vector<Moments> moments (number);
+  for (const std::vector<Moments>& piece : partial)
+    for (std::size_t p = 0; p < number; ++p)
+      moments[p] += piece[p];
+  return moments;
+}
+
+AssignedPoints
+assignToUnboundedPlanes (const Coordinates& points,
+                         const std::vector<Plane>& planes,
+                         double distance_threshold,
+                         AssignmentRule rule,
+                         unsigned threads)
+{
+  AssignedPoints assigned;
+  assigned.labels = assignPoints (points, planes, distance_threshold, rule, threads);
+  assigned.moments = momentsOfLabels (points, assigned.labels, planes.size(), threads);
+  return assigned;
+}
+
+void
+relabel (Labels& labels, const Labels& merged_into, unsigned threads)
+{
+  constexpr std::size_t labels_per_piece = 65536;
+  parallelFor (threads,
+               labels.size(),
+               labels_per_piece,
+               [&] (std::size_t begin, std::size_t end) {
+                 for (std::size_t i = begin; i < end; ++i)
+                   if (labels[i] != no_plane)
+                     labels[i] = merged_into[static_cast<std::size_t> (labels[i])];
+               });
+}
+
+} // namespace pcl_ops::internal

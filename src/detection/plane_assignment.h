@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "geometry/points.h"
+#include <pcl_ops/plane.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief Points with their planes, and the planes' moments. */
+struct AssignedPoints {
+  /** \brief Plane of each point, or no_plane. */
+  Labels labels;
+  /** \brief Moments of the points of each plane about the zero of their frame. */
+  std::vector<Moments> moments;
+};
+
+/** \brief Assigns every point to a plane.
+ * \param[in] points the points
+ * \param[in] planes the planes, in the frame of the points
+ * \param[in] distance_threshold theta_h: largest distance of a point to its plane [m]
+ * \param[in] rule which plane gets a point that several could have
+ * \param[in] threads number of threads; 0: all. The result does not depend on it
+ * \return one label a point */
+Labels
+assignPoints (const Coordinates& points,
+              const std::vector<Plane>& planes,
+              double distance_threshold,
+              AssignmentRule rule,
+              unsigned threads);
+
+/** \brief Moments of the points of each label, about the zero of their frame.
+ * \param[in] points the points
+ * \param[in] labels one per point; labels outside 0 .. number - 1 are left out
+ * \param[in] number how many planes there are
+ * \param[in] threads number of threads; 0: all. The result does not depend on it */
+std::vector<Moments>
+momentsOfLabels (const Coordinates& points,
+                 const Labels& labels,
+                 std::size_t number,
+                 unsigned threads);
+
+/** \brief \ref assignPoints with the moments of what each plane got. */
+AssignedPoints
+assignToUnboundedPlanes (const Coordinates& points,
+                         const std::vector<Plane>& planes,
+                         double distance_threshold,
+                         AssignmentRule rule,
+                         unsigned threads);
+
+/** \brief Replaces every label by the plane it was merged into. */
+void
+relabel (Labels& labels, const Labels& merged_into, unsigned threads);
+
+} // namespace pcl_ops::internal

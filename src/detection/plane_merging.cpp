@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_ops/plane_merging.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl_ops {
+
+namespace {
+
+struct Group {
+  Moments moments;
+  PlaneFit fit;
+  std::vector<std::size_t> members;
+};
+
+void
+sortByFallingCount (std::vector<Group>& groups)
+{
+  std::stable_sort (
+      groups.begin(), groups.end(), [] (const Group& first, const Group& second) {
+        return first.moments.count > second.moments.count;
+      });
+}
+
+std::vector<Group>
+groupsWithAPlane (const std::vector<Moments>& planes)
+{
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (const std::optional<PlaneFit> fit = fitPlane (planes[i]))
+      groups.push_back ({planes[i], *fit, {i}});
+  sortByFallingCount (groups);
+  return groups;
+}
+
+// The rms distance of the noisier plane's points to it.
+double
+noiseOf (const PlaneFit& first, const PlaneFit& second)
+{
+  return std::sqrt (std::max (first.variances[0], second.variances[0]));
+}
+
+bool
+absorb (Group& larger, const Group& smaller)
+{
+  Moments joined = larger.moments;
+  joined += smaller.moments;
+  const std::optional<PlaneFit> fit = fitPlane (joined);
+  if (!fit)
+    return false;
+  larger.moments = joined;
+  larger.fit = *fit;
+  larger.members.insert (
+      larger.members.end(), smaller.members.begin(), smaller.members.end());
+  return true;
+}
+
+// One sweep over all pairs; true if any was merged.
+bool
+mergeOnce (std::vector<Group>& groups,
+           double angle_threshold,
+           double distance_threshold,
+           double noise_factor)
+{
+  const std::size_t before = groups.size();
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    auto absorbed = [&] (const Group& other) {
+      return areCoplanar (
+                 groups[i].fit,
+                 other.fit,
+                 angle_threshold,
+                 std::max (distance_threshold,
+                           noise_factor * noiseOf (groups[i].fit, other.fit))) &&
+             absorb (groups[i], other);
+    };
+    groups.erase (std::remove_if (groups.begin() + static_cast<std::ptrdiff_t> (i) + 1,
+                                  groups.end(),
+                                  absorbed),
+                  groups.end());
+  }
+  sortByFallingCount (groups);
+  return groups.size() < before;
+}
+
+} // namespace
+
+bool
+areCoplanar (const PlaneFit& first,
+             const PlaneFit& second,
+             double angle_threshold,
+             double distance_threshold)
+{
+  const double cosine = std::abs (first.plane.normal.dot (second.plane.normal));
+  return std::acos (std::min (1.0, cosine)) < angle_threshold &&
+         std::abs (first.plane.distance (second.centroid)) < distance_threshold &&
+         std::abs (second.plane.distance (first.centroid)) < distance_threshold;
+}
+
+MergedPlanes
+mergePlanes (const std::vector<Moments>& planes, const MergingParameters& parameters)
+{
+  std::vector<Group> groups = groupsWithAPlane (planes);
+  constexpr double usual_theta_h = 0.05;
+  while (parameters.enabled &&
+         mergeOnce (groups,
+                    parameters.angle_threshold,
+                    parameters.distance_threshold.value_or (usual_theta_h),
+                    parameters.noise_factor.value_or (0.0))) {
+  }
+  MergedPlanes merged;
+  merged.merged_into.assign (planes.size(), no_plane);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    merged.moments.push_back (groups[g].moments);
+    merged.fits.push_back (groups[g].fit);
+    for (const std::size_t member : groups[g].members)
+      merged.merged_into[member] = static_cast<std::int32_t> (g);
+  }
+  return merged;
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "extent/planar_hull.h"
+
+#include "extent/planar_ring.h"
+
+#include <algorithm>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+namespace geometry = boost::geometry;
+
+} // namespace
+
+PlanarPoints
+hullOfAll (const PlanarPoints& points)
+{
+  constexpr std::size_t corners_of_an_area = 3;
+  if (points.size() < corners_of_an_area)
+    return {};
+  geometry::model::multi_point<RingPoint> cloud;
+  cloud.reserve (points.size());
+  for (const Eigen::Vector2d& point : points)
+    cloud.emplace_back (point.x(), point.y());
+  Ring ring;
+  geometry::convex_hull (cloud, ring);
+  PlanarPoints hull;
+  double longest = 0.0;
+  for (const RingPoint& point : ring) {
+    hull.emplace_back (point.x(), point.y());
+    longest = std::max (longest, (hull.back() - hull.front()).norm());
+  }
+  // Rounding of the inputs (single precision) alone can give a line this much width.
+  constexpr double smallest_width = 1e-5;
+  if (hull.size() < corners_of_an_area ||
+      !(areaOf (hull) > smallest_width * longest * longest))
+    return {};
+  return hull;
+}
+
+double
+areaOf (const PlanarPoints& outline)
+{
+  Ring ring;
+  for (const Eigen::Vector2d& corner : outline)
+    ring.emplace_back (corner.x(), corner.y());
+  return geometry::area (ring);
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fspf/local_plane_sampling.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+/** A plane with the test for its inliers, in the points' own precision. */
+struct Hypothesis {
+  const Coordinates& points;
+  Eigen::Vector3f normal;
+  float offset;
+  float threshold;
+
+  Hypothesis (const Coordinates& points, const Plane& plane, double distance_threshold)
+  : points (points)
+  , normal (plane.normal.cast<float>())
+  , offset (static_cast<float> (plane.offset))
+  , threshold (static_cast<float> (distance_threshold))
+  {}
+
+  bool
+  isInlier (std::uint32_t i) const
+  {
+    return std::abs (normal.x() * points.x[i] + normal.y() * points.y[i] +
+                     normal.z() * points.z[i] + offset) < threshold;
+  }
+
+  Moments
+  inliersOf (const Indices& candidates) const
+  {
+    Moments moments;
+    for (const std::uint32_t i : candidates)
+      if (isInlier (i))
+        moments.add (points.x[i], points.y[i], points.z[i]);
+    return moments;
+  }
+};
+
+std::uint32_t
+drawFrom (const Indices& positions, RandomGenerator& generator)
+{
+  const auto size = static_cast<std::uint32_t> (positions.size());
+  return positions[drawBelow (generator, size)];
+}
+
+/** The samples of a hypothesis that passes the local test; none of one that fails. */
+Indices
+passTest (const Hypothesis& hypothesis,
+          const Indices& sphere,
+          const LocalSamplingParameters& parameters,
+          RandomGenerator& generator)
+{
+  Indices samples;
+  unsigned inliers = 0;
+  while (samples.size() < parameters.local_samples) {
+    samples.push_back (drawFrom (sphere, generator));
+    inliers += hypothesis.isInlier (samples.back());
+    const auto drawn = static_cast<unsigned> (samples.size());
+    const LocalVerdict verdict = localVerdict (drawn, inliers, parameters);
+    if (verdict == LocalVerdict::Rejected)
+      return {};
+    if (verdict == LocalVerdict::Accepted && parameters.inliers == LocalInliers::Sphere)
+      break;
+  }
+  return samples;
+}
+
+} // namespace
+
+std::optional<Plane>
+drawHypothesis (const Coordinates& points,
+                std::uint32_t origin,
+                const Indices& sphere,
+                double inner_radius,
+                RandomGenerator& generator)
+{
+  constexpr int most_draws = 1000;
+  // Narrower than a thousandth of its length a triangle is a line.
+  constexpr double smallest_sine = 1e-3;
+  const Eigen::Vector3d p0 = points[origin];
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  for (int draw = 0; draw < most_draws; ++draw) {
+    const Eigen::Vector3d edge = points[drawFrom (sphere, generator)] - p0;
+    if (edge.isZero (0.0) || edge.squaredNorm() > inner_radius * inner_radius)
+      continue;
+    const Eigen::Vector3d cross = first.cross (edge);
+    if (cross.norm() > smallest_sine * first.norm() * edge.norm())
+      return planeThrough (p0, cross.normalized());
+    first = first.isZero (0.0) ? edge : Eigen::Vector3d::Zero();
+  }
+  return std::nullopt;
+}
+
+LocalVerdict
+localVerdict (unsigned drawn,
+              unsigned inliers,
+              const LocalSamplingParameters& parameters)
+{
+  const unsigned to_come = parameters.local_samples - drawn;
+  const double needed = parameters.min_inlier_fraction * parameters.local_samples;
+  if (inliers > needed)
+    return LocalVerdict::Accepted;
+  return inliers + to_come > needed ? LocalVerdict::Open : LocalVerdict::Rejected;
+}
+
+namespace {
+
+/** One turn of the paper's loop: the inliers of a plane around p_r0, if there is one.
+ */
+std::optional<Moments>
+planeAround (const Coordinates& points,
+             std::uint32_t origin,
+             const Indices& sphere,
+             const LocalSamplingParameters& parameters,
+             double distance_threshold,
+             RandomGenerator& generator)
+{
+  if (sphere.size() < parameters.local_samples)
+    return std::nullopt;
+  const std::optional<Plane> plane =
+      drawHypothesis (points, origin, sphere, parameters.inner_radius, generator);
+  if (!plane)
+    return std::nullopt;
+  const Hypothesis hypothesis (points, *plane, distance_threshold);
+  const Indices samples = passTest (hypothesis, sphere, parameters, generator);
+  if (samples.empty())
+    return std::nullopt;
+  return hypothesis.inliersOf (parameters.inliers == LocalInliers::Sphere ? sphere
+                                                                          : samples);
+}
+
+} // namespace
+
+LocalPlanes
+sampleLocalPlanes (const Coordinates& points,
+                   const SphereFinder& find_sphere,
+                   const LocalSamplingParameters& parameters,
+                   double distance_threshold,
+                   std::uint32_t seed)
+{
+  const auto size = static_cast<std::uint32_t> (points.size());
+  const double n_max = parameters.max_inliers_per_point * size;
+  const double k_max = parameters.max_hypotheses_per_point * size;
+  const double most_visits = parameters.max_visits_per_point * size;
+  double n = 0.0, k = 0.0, visits = 0.0;
+  RandomGenerator generator (seed);
+  LocalPlanes found;
+  Indices sphere;
+  for (; n < n_max && k < k_max && visits < most_visits; ++k) {
+    const std::uint32_t origin = drawBelow (generator, size);
+    find_sphere (origin, sphere);
+    visits += static_cast<double> (sphere.size());
+    const std::optional<Moments> inliers =
+        planeAround (points, origin, sphere, parameters, distance_threshold, generator);
+    if (!inliers)
+      continue;
+    n += inliers->count;
+    found.moments.push_back (*inliers);
+  }
+  found.hypotheses = static_cast<std::size_t> (k);
+  return found;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/random.h"
+#include "geometry/points.h"
+#include <pcl_ops/fast_sampling_plane_filtering.h>
+#include <pcl_ops/plane.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief Gives the points within r2 of the point at a position, itself included: their
+ * positions, in any order, replace what the vector held. */
+using SphereFinder = std::function<void (std::uint32_t centre, Indices& sphere)>;
+
+/** \brief A point and the plane through it and two others near it.
+ * \param[in] points the points
+ * \param[in] origin position of p_r0
+ * \param[in] sphere positions of the points around it, at least one
+ * \param[in] inner_radius r1: how far away p_r1 and p_r2 may be [m]
+ * \param[in,out] generator draws p_r1 and p_r2, both anew while the three are not
+ * different points or are on one line
+ * \return nothing if a bounded number of draws gives no triangle */
+std::optional<Plane>
+drawHypothesis (const Coordinates& points,
+                std::uint32_t origin,
+                const Indices& sphere,
+                double inner_radius,
+                RandomGenerator& generator);
+
+/** \brief What a local test is certain to end with. */
+enum class LocalVerdict { Open, Accepted, Rejected };
+
+/** \brief The verdict as soon as the samples not yet drawn cannot change it.
+ * \param[in] drawn samples so far, at most N_loc
+ * \param[in] inliers those of them that are inliers
+ * \param[in] parameters N_loc and alpha_min
+ * \return Accepted: more than alpha_min N_loc inliers; Rejected: no way to as many */
+LocalVerdict
+localVerdict (unsigned drawn,
+              unsigned inliers,
+              const LocalSamplingParameters& parameters);
+
+/** \brief Planes found in spheres. */
+struct LocalPlanes {
+  /** \brief Moments of each plane's inliers about the zero of the points' frame, in the
+   * order found. */
+  std::vector<Moments> moments;
+  /** \brief k: how many hypotheses were looked at. */
+  std::size_t hypotheses = 0;
+};
+
+/** \brief Samples planes of small spheres until N_max or K_max is reached.
+ *
+ * Spheres with fewer than N_loc points have no plane. As in the paper, points stay in
+ * the game when a plane has taken them: spheres overlap, merging joins their planes.
+ * \param[in] points the points
+ * \param[in] find_sphere gives the points within r2 of a point
+ * \param[in] parameters radii, test and limits
+ * \param[in] distance_threshold theta_h: largest distance of an inlier [m]
+ * \param[in] seed the same seed finds the same planes */
+LocalPlanes
+sampleLocalPlanes (const Coordinates& points,
+                   const SphereFinder& find_sphere,
+                   const LocalSamplingParameters& parameters,
+                   double distance_threshold,
+                   std::uint32_t seed);
+
+} // namespace pcl_ops::internal

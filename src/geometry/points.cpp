@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/points.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// Whether indices follow each other without a gap.
+bool
+areConsecutive (const pcl::index_t* indices, std::size_t number)
+{
+  pcl::index_t different = 0;
+  for (std::size_t i = 0; i < number; ++i)
+    different |= (indices[i] - indices[0]) ^ static_cast<pcl::index_t> (i);
+  return different == 0;
+}
+
+bool
+areAscending (const pcl::index_t* indices, std::size_t number)
+{
+  return std::adjacent_find (indices, indices + number, std::greater_equal<>()) ==
+         indices + number;
+}
+
+bool
+isFinite (float x, float y, float z)
+{
+  constexpr float largest = std::numeric_limits<float>::max();
+  // Whole numbers, combined without a branch, so that the loops below vectorize.
+  const int x_is_finite = std::abs (x) <= largest;
+  const int y_is_finite = std::abs (y) <= largest;
+  const int z_is_finite = std::abs (z) <= largest;
+  return (x_is_finite & y_is_finite & z_is_finite) != 0;
+}
+
+bool
+areFinite (const Coordinates& points, std::size_t begin, std::size_t end)
+{
+  int all = 1;
+  for (std::size_t i = begin; i < end; ++i)
+    all &= isFinite (points.x[i], points.y[i], points.z[i]) ? 1 : 0;
+  return all != 0;
+}
+
+const float*
+positionOf (const CloudView& cloud, pcl::index_t index)
+{
+  return cloud[static_cast<std::size_t> (index)];
+}
+
+// The median of some of the points: near most of them, wherever a few stray to; zero
+// for no points.
+Eigen::Vector3d
+medianPosition (const CloudView& cloud, const pcl::Indices& indices)
+{
+  constexpr std::size_t looked_at = 100;
+  const std::size_t stride = indices.size() / looked_at + 1;
+  std::array<std::vector<float>, 3> values;
+  for (std::size_t begin = 0; begin < indices.size(); begin += stride) {
+    const auto end = indices.begin() + static_cast<std::ptrdiff_t> (
+                                           std::min (begin + stride, indices.size()));
+    const auto finite = std::find_if (
+        indices.begin() + static_cast<std::ptrdiff_t> (begin), end, [&] (auto index) {
+          const float* const position = positionOf (cloud, index);
+          return isFinite (position[0], position[1], position[2]);
+        });
+    if (finite == end)
+      continue;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      values[axis].push_back (positionOf (cloud, *finite)[axis]);
+  }
+  return {medianOf (values[0]), medianOf (values[1]), medianOf (values[2])};
+}
+
+// Copies points that follow each other in the cloud. The stride of the usual point
+// types is known when this is compiled, so that loads are vectors.
+template <std::size_t known_stride>
+void
+copyConsecutive (const float* first,
+                 std::size_t any_stride,
+                 std::size_t begin,
+                 std::size_t end,
+                 Points& points)
+{
+  const Eigen::Vector3f origin = points.origin.cast<float>();
+  const float ox = origin.x(), oy = origin.y(), oz = origin.z();
+  const std::size_t stride = known_stride > 0 ? known_stride : any_stride;
+  float* const x = points.x.data() + begin;
+  float* const y = points.y.data() + begin;
+  float* const z = points.z.data() + begin;
+  for (std::size_t i = 0; i < end - begin; ++i) {
+    x[i] = first[i * stride] - ox;
+    y[i] = first[i * stride + 1] - oy;
+    z[i] = first[i * stride + 2] - oz;
+  }
+}
+
+void
+copyConsecutive (const CloudView& cloud,
+                 pcl::index_t first_index,
+                 std::size_t begin,
+                 std::size_t end,
+                 Points& points)
+{
+  const float* const first = positionOf (cloud, first_index);
+  switch (cloud.stride) {
+  case 4:
+    return copyConsecutive<4> (first, cloud.stride, begin, end, points);
+  case 8:
+    return copyConsecutive<8> (first, cloud.stride, begin, end, points);
+  default:
+    return copyConsecutive<0> (first, cloud.stride, begin, end, points);
+  }
+}
+
+// Copies points in the order of the indices, in the frame of their origin; returns
+// whether all are finite.
+bool
+copyPoints (const CloudView& cloud,
+            const pcl::Indices& indices,
+            unsigned threads,
+            Points& points)
+{
+  constexpr std::size_t points_per_piece = 8192;
+  points.resize (indices.size());
+  std::atomic<bool> all_finite (true);
+  parallelFor (
+      threads,
+      indices.size(),
+      points_per_piece,
+      [&] (std::size_t begin, std::size_t end) {
+        if (areConsecutive (indices.data() + begin, end - begin))
+          copyConsecutive (cloud, indices[begin], begin, end, points);
+        else
+          for (std::size_t i = begin; i < end; ++i)
+            copyConsecutive<0> (
+                positionOf (cloud, indices[i]), cloud.stride, i, i + 1, points);
+        if (!areFinite (points, begin, end))
+          all_finite = false;
+      });
+  return all_finite;
+}
+
+void
+keepFinite (Points& points)
+{
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float x = points.x[i], y = points.y[i], z = points.z[i];
+    // Written always, counted if finite: no branch to mispredict.
+    points.x[left] = x;
+    points.y[left] = y;
+    points.z[left] = z;
+    points.index[left] = points.index[i];
+    left += isFinite (x, y, z);
+  }
+  points.resize (left);
+  points.index.resize (left);
+}
+
+} // namespace
+
+double
+medianOf (std::vector<float>& values)
+{
+  if (values.empty())
+    return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
+  std::nth_element (values.begin(), middle, values.end());
+  return *middle;
+}
+
+Points
+finitePoints (const CloudView& cloud, const pcl::Indices& indices, unsigned threads)
+{
+  const bool are_consecutive = areConsecutive (indices.data(), indices.size());
+  if (!are_consecutive && !areAscending (indices.data(), indices.size())) {
+    pcl::Indices sorted = indices;
+    std::sort (sorted.begin(), sorted.end());
+    sorted.erase (std::unique (sorted.begin(), sorted.end()), sorted.end());
+    return finitePoints (cloud, sorted, threads);
+  }
+  Points points;
+  points.origin = medianPosition (cloud, indices);
+  const bool are_finite = copyPoints (cloud, indices, threads, points);
+  const bool are_all = are_consecutive && indices.size() == cloud.size;
+  if (!(are_finite && are_all))
+    points.index = indices;
+  if (!are_finite)
+    keepFinite (points);
+  return points;
+}
+
+} // namespace pcl_ops::internal

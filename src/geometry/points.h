@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/types.h>
+
+#include <Eigen/Core>
+
+#include <pcl_ops/cloud_view.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief Indices in space as a structure of arrays, in single precision. */
+struct Coordinates {
+  std::vector<float> x, y, z;
+
+  std::size_t
+  size () const
+  {
+    return x.size();
+  }
+
+  Eigen::Vector3d
+  operator[] (std::size_t i) const
+  {
+    return Eigen::Vector3d (x[i], y[i], z[i]);
+  }
+
+  void
+  resize (std::size_t size)
+  {
+    x.resize (size);
+    y.resize (size);
+    z.resize (size);
+  }
+
+  void
+  add (float px, float py, float pz)
+  {
+    x.push_back (px);
+    y.push_back (py);
+    z.push_back (pz);
+  }
+};
+
+/** \brief The finite points a detector works on. Their coordinates are relative to
+ * \ref origin, so that single precision is enough however far the cloud is from its own
+ * zero. */
+struct Points : Coordinates {
+  /** \brief Zero of the local frame, in the frame of the input cloud. */
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  /** \brief Index of each point in the input cloud; ascending, each once. Empty where
+   * the points are the whole cloud, as they mostly are: see \ref indexOf. */
+  pcl::Indices index;
+
+  /** \brief Index of a point in the input cloud. */
+  pcl::index_t
+  indexOf (std::size_t point) const
+  {
+    return index.empty() ? static_cast<pcl::index_t> (point) : index[point];
+  }
+};
+
+/** \brief Which of a stage's own items, points, voxels or samples: ascending numbers.
+ * Of the input cloud's points pcl::Indices speak. */
+using Indices = std::vector<std::uint32_t>;
+
+/** \brief The median, or the upper of the two middle ones; 0 for no values.
+ * \param[in,out] values reordered */
+double
+medianOf (std::vector<float>& values);
+
+/** \brief Drops points with a NaN or infinite coordinate, once and for all stages.
+ * is_dense is not believed: clouds that wrongly claim it exist.
+ * \param[in] cloud the input cloud
+ * \param[in] indices the points of it to use; each within the cloud, in any order,
+ * given twice or not
+ * \param[in] threads number of threads; 0: all. The result does not depend on it
+ * \return the finite ones, each once; their origin is near most of them */
+Points
+finitePoints (const CloudView& cloud, const pcl::Indices& indices, unsigned threads);
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/principal_axes.h"
+
+#include "base/vectorized.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// Matrices side by side: every loop below runs over them, as wide as the processor is.
+constexpr std::size_t lanes = 8;
+using Lanes = std::array<double, lanes>;
+
+struct SymmetricMatrices {
+  Lanes xx, xy, xz, yy, yz, zz;
+};
+
+struct Directions {
+  Lanes x, y, z;
+};
+
+struct Axes {
+  Directions normal;
+  Lanes smallest, middle, largest;
+};
+
+// Divides by the traces and returns them; 0 for a matrix without one.
+inline Lanes
+normalize (SymmetricMatrices& m)
+{
+  Lanes scale;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double trace = m.xx[i] + m.yy[i] + m.zz[i];
+    scale[i] = trace > 0.0 ? trace : 0.0;
+    const double inverse = trace > 0.0 ? 1.0 / trace : 0.0;
+    for (Lanes* entry : {&m.xx, &m.xy, &m.xz, &m.yy, &m.yz, &m.zz})
+      (*entry)[i] = trace > 0.0 ? inverse * (*entry)[i] : 0.0;
+  }
+  return scale;
+}
+
+// The trace is one: the smallest of three can be no more.
+constexpr double largest_smallest = 1.0 / 3.0;
+
+// Where Newton's method starts. Without its cubic term the polynomial has a root just
+// above, which for flat sets of points is near enough; zero is on the near side of all
+// roots, if far away.
+inline Lanes
+startOfRoots (const Lanes& minors, const Lanes& determinant)
+{
+  Lanes root;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double discriminant =
+        std::max (0.0, minors[i] * minors[i] - 4.0 * determinant[i]);
+    const double start = 2.0 * determinant[i] / (minors[i] + std::sqrt (discriminant));
+    const double slope = (3.0 * start - 2.0) * start + minors[i];
+    const bool is_below = start <= largest_smallest && slope > 0.25 * minors[i];
+    root[i] = is_below ? start : 0.0;
+  }
+  return root;
+}
+
+// Smallest roots of x^3 - x^2 + minors x - determinant.
+inline Lanes
+smallestRoots (const Lanes& minors, const Lanes& determinant)
+{
+  constexpr int most_steps = 60;
+  constexpr double precision = 1e-13;
+  // Less steep it is a line's, whose two smallest roots are zero to within rounding.
+  constexpr double least_slope = 1e-14;
+  Lanes root = startOfRoots (minors, determinant);
+  double farthest = 1.0;
+  for (int n = 0; n < most_steps && farthest > precision; ++n) {
+    farthest = 0.0;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double value =
+          ((root[i] - 1.0) * root[i] + minors[i]) * root[i] - determinant[i];
+      const double slope = (3.0 * root[i] - 2.0) * root[i] + minors[i];
+      const double step = slope > least_slope ? value / slope : 0.0;
+      root[i] -= step;
+      farthest = std::max (farthest, std::abs (step));
+    }
+  }
+  for (std::size_t i = 0; i < lanes; ++i)
+    root[i] = std::min (std::max (0.0, root[i]), largest_smallest);
+  return root;
+}
+
+// The unit vectors all rows of rank two matrices are perpendicular to: the longest of
+// the products of two rows; zero where the rows are parallel to within rounding.
+inline Directions
+nullDirections (const SymmetricMatrices& m)
+{
+  constexpr double smallest_norm = 1e-13;
+  Directions direction;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    double x = m.xy[i] * m.yz[i] - m.xz[i] * m.yy[i];
+    double y = m.xz[i] * m.xy[i] - m.xx[i] * m.yz[i];
+    double z = m.xx[i] * m.yy[i] - m.xy[i] * m.xy[i];
+    double squared = x * x + y * y + z * z;
+    const auto take = [&] (double px, double py, double pz) {
+      const double other = px * px + py * py + pz * pz;
+      const bool is_longer = other > squared;
+      x = is_longer ? px : x;
+      y = is_longer ? py : y;
+      z = is_longer ? pz : z;
+      squared = is_longer ? other : squared;
+    };
+    take (m.yy[i] * m.zz[i] - m.yz[i] * m.yz[i],
+          m.yz[i] * m.xz[i] - m.xy[i] * m.zz[i],
+          m.xy[i] * m.yz[i] - m.yy[i] * m.xz[i]);
+    take (m.yz[i] * m.xz[i] - m.zz[i] * m.xy[i],
+          m.zz[i] * m.xx[i] - m.xz[i] * m.xz[i],
+          m.xz[i] * m.xy[i] - m.yz[i] * m.xx[i]);
+    const double norm = std::sqrt (squared);
+    const double inverse = norm > smallest_norm ? 1.0 / norm : 0.0;
+    direction.x[i] = norm > smallest_norm ? x * inverse : 0.0;
+    direction.y[i] = norm > smallest_norm ? y * inverse : 0.0;
+    direction.z[i] = norm > smallest_norm ? z * inverse : 0.0;
+  }
+  return direction;
+}
+
+PCL_OPS_VECTORIZED
+void
+findAxes (SymmetricMatrices& m, Axes& axes)
+{
+  const Lanes scale = normalize (m);
+  Lanes minors, determinant;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double yz = m.yy[i] * m.zz[i] - m.yz[i] * m.yz[i];
+    minors[i] = m.xx[i] * m.yy[i] - m.xy[i] * m.xy[i] + m.xx[i] * m.zz[i] -
+                m.xz[i] * m.xz[i] + yz;
+    determinant[i] = m.xx[i] * yz + m.xy[i] * (m.yz[i] * m.xz[i] - m.xy[i] * m.zz[i]) +
+                     m.xz[i] * (m.xy[i] * m.yz[i] - m.yy[i] * m.xz[i]);
+  }
+  const Lanes smallest = smallestRoots (minors, determinant);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double sum = 1.0 - smallest[i];
+    const double product = std::max (0.0, minors[i] - smallest[i] * sum);
+    const double largest =
+        0.5 * (sum + std::sqrt (std::max (0.0, sum * sum - 4.0 * product)));
+    axes.smallest[i] = scale[i] * smallest[i];
+    axes.middle[i] = scale[i] * (product / largest);
+    axes.largest[i] = scale[i] * largest;
+    m.xx[i] -= smallest[i];
+    m.yy[i] -= smallest[i];
+    m.zz[i] -= smallest[i];
+  }
+  axes.normal = nullDirections (m);
+}
+
+} // namespace
+
+void
+principalAxes (const Eigen::Matrix3d* matrices, std::size_t number, PrincipalAxes* axes)
+{
+  for (std::size_t begin = 0; begin < number; begin += lanes) {
+    SymmetricMatrices batch;
+    Axes found;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const Eigen::Matrix3d& matrix = matrices[std::min (begin + i, number - 1)];
+      batch.xx[i] = matrix (0, 0);
+      batch.xy[i] = matrix (0, 1);
+      batch.xz[i] = matrix (0, 2);
+      batch.yy[i] = matrix (1, 1);
+      batch.yz[i] = matrix (1, 2);
+      batch.zz[i] = matrix (2, 2);
+    }
+    findAxes (batch, found);
+    for (std::size_t i = 0; i < std::min (lanes, number - begin); ++i) {
+      axes[begin + i].values = {found.smallest[i], found.middle[i], found.largest[i]};
+      axes[begin + i].normal = {
+          found.normal.x[i], found.normal.y[i], found.normal.z[i]};
+    }
+  }
+}
+
+PrincipalAxes
+principalAxes (const Eigen::Matrix3d& matrix)
+{
+  PrincipalAxes axes;
+  principalAxes (&matrix, 1, &axes);
+  return axes;
+}
+
+} // namespace pcl_ops::internal

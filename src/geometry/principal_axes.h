@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace pcl_ops::internal {
+
+/** \brief What a plane fit needs of a symmetric, positive semi-definite matrix. */
+struct PrincipalAxes {
+  /** \brief Unit eigenvector of the smallest eigenvalue; zero where that is no single
+   * direction (rank one or less). */
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  /** \brief Ascending eigenvalues. */
+  Eigen::Vector3d values = Eigen::Vector3d::Zero();
+};
+
+/** \brief Principal axes of many matrices, several at a time.
+ *
+ * Closed form but for the smallest eigenvalue, which Newton's method finds from below:
+ * the characteristic polynomial is concave there, so that it cannot overshoot, and for
+ * the flat sets of interest two or three steps suffice.
+ * \param[in] matrices \p number of them
+ * \param[in] number how many
+ * \param[out] axes \p number of them; zero for a matrix without a positive trace */
+void
+principalAxes (const Eigen::Matrix3d* matrices,
+               std::size_t number,
+               PrincipalAxes* axes);
+
+/** \brief Principal axes of a single matrix. */
+PrincipalAxes
+principalAxes (const Eigen::Matrix3d& matrix);
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/point_types.h>
+
+#include <pcl_ops/impl/plane_detector.hpp>
+#include <pcl_ops/kernel_hough_transform.h>
+
+#ifndef PCL_NO_PRECOMPILE
+#ifdef PCL_ONLY_CORE_POINT_TYPES
+PCL_INSTANTIATE (
+    KernelHoughTransform,
+    (pcl::PointXYZ) (pcl::PointXYZI) (pcl::PointXYZRGBA) (pcl::PointXYZRGB))
+#else
+PCL_INSTANTIATE (KernelHoughTransform, PCL_XYZ_POINT_TYPES)
+#endif
+#endif

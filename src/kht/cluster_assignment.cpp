@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kht/cluster_assignment.h"
+
+#include "base/stage_clock.h"
+#include "bounded/bounded_assignment.h"
+#include "bounded/noise_floors.h"
+#include "bounded/plane_growing.h"
+#include "detection/merging_defaults.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl_ops::internal {
+namespace {
+
+// Into how many voxels a cloud is divided to follow its planes' outlines.
+constexpr double wanted_voxels = 9000.0;
+
+std::vector<Plane>
+withoutClusters (const std::vector<HoughPlane>& hough_planes)
+{
+  std::vector<Plane> planes;
+  planes.reserve (hough_planes.size());
+  for (const HoughPlane& plane : hough_planes)
+    planes.push_back (plane.plane);
+  return planes;
+}
+
+/** Blocks of the octree lie together, so that most planes are far from most blocks. */
+Labels
+assignOctreePoints (const OctreeClusters& found,
+                    std::size_t size,
+                    const std::vector<Plane>& planes,
+                    const KernelHoughTransformParameters& parameters)
+{
+  const Labels in_octree_order = assignPoints (found.points,
+                                               planes,
+                                               *parameters.distance_threshold,
+                                               parameters.assignment,
+                                               parameters.threads);
+  Labels labels (size, no_plane);
+  for (std::size_t i = 0; i < in_octree_order.size(); ++i)
+    labels[found.points.order[i]] = in_octree_order[i];
+  return labels;
+}
+
+/** Each voxel goes to the plane of the first cluster that has a point in it. */
+BoundedPlanes
+voxelsOfClusters (const std::vector<HoughPlane>& planes,
+                  const OctreeClusters& found,
+                  const VoxelizedPoints& voxelized)
+{
+  BoundedPlanes voxels;
+  voxels.plane_of_voxel.assign (voxelized.grid.size(), no_plane);
+  voxels.noise.assign (voxelized.grid.size(), 0.0);
+  for (const HoughPlane& plane : planes) {
+    const auto label = static_cast<std::int32_t> (voxels.planes.size());
+    voxels.planes.push_back (plane.plane);
+    for (const std::uint32_t c : plane.clusters) {
+      const CoplanarCluster& cluster = found.clusters[c];
+      const double noise =
+          std::sqrt (meanSquaredDistance (cluster.moments, plane.plane));
+      for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
+        const std::uint32_t voxel = voxelized.voxel_of_point[found.points.order[i]];
+        if (voxels.plane_of_voxel[voxel] != no_plane)
+          continue;
+        voxels.plane_of_voxel[voxel] = label;
+        voxels.noise[voxel] = std::max (noise, smallestNoise (voxelized.grid));
+      }
+    }
+  }
+  return voxels;
+}
+
+/** Grows, merges and refits planes on their voxels. */
+void
+settleVoxels (const VoxelGrid& grid,
+              const KernelHoughTransformParameters& parameters,
+              BoundedPlanes& planes)
+{
+  constexpr int growing_rounds = 10;
+  growPlanes (
+      grid, parameters.distance_threshold, growing_rounds, parameters.threads, planes);
+  renumberPlanes (mergePlanes (momentsOfPlanes (grid, planes), mergingOf (parameters)),
+                  planes);
+  reassignVoxels (grid, parameters.threads, planes);
+}
+
+} // namespace
+
+void
+restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
+{
+  std::vector<bool> is_restored (merged.fits.size(), false);
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (merged.merged_into[i] == no_plane)
+      continue;
+    const auto group = static_cast<std::size_t> (merged.merged_into[i]);
+    if (is_restored[group])
+      continue;
+    is_restored[group] = true;
+    PlaneFit& fit = merged.fits[group];
+    fit.plane = planes[i];
+    fit.centroid -= planes[i].distance (fit.centroid) * planes[i].normal;
+  }
+}
+
+LabelledPlanes
+assignToEndlessPlanes (const Points& points,
+                       const OctreeClusters& found,
+                       const std::vector<HoughPlane>& hough_planes,
+                       const KernelHoughTransformParameters& parameters,
+                       StageDurations& durations)
+{
+  StageClock clock;
+  const std::vector<Plane> planes = withoutClusters (hough_planes);
+  AssignedPoints assigned;
+  assigned.labels = assignOctreePoints (found, points.size(), planes, parameters);
+  clock.lap (durations.assignment);
+  assigned.moments =
+      momentsOfLabels (points, assigned.labels, planes.size(), parameters.threads);
+  LabelledPlanes merged =
+      mergeAssigned (std::move (assigned), mergingOf (parameters), parameters.threads);
+  if (!parameters.refit.enabled)
+    restorePlanes (merged.planes, planes);
+  clock.lap (durations.merging);
+  return merged;
+}
+
+LabelledPlanes
+assignToOutlinedPlanes (const Points& points,
+                        const OctreeClusters& found,
+                        const std::vector<HoughPlane>& hough_planes,
+                        const KernelHoughTransformParameters& parameters,
+                        StageDurations& durations)
+{
+  if (hough_planes.empty())
+    return {Labels (points.size(), no_plane), {}, 0};
+  constexpr double follows_noise_up_to = 4.0;
+  StageClock clock;
+  const VoxelizedPoints voxelized =
+      voxelize (points, voxelSizeFor (points, wanted_voxels), parameters.threads);
+  clock.lap (durations.search);
+  BoundedPlanes planes = voxelsOfClusters (hough_planes, found, voxelized);
+  settleVoxels (voxelized.grid, parameters, planes);
+  clock.lap (durations.merging);
+  AssignedPoints assigned = assignToBoundedPlanes (points,
+                                                   voxelized,
+                                                   planes,
+                                                   parameters.distance_threshold,
+                                                   follows_noise_up_to,
+                                                   parameters.threads);
+  MergingParameters keep_apart;
+  keep_apart.enabled = false;
+  LabelledPlanes kept =
+      mergeAssigned (std::move (assigned), keep_apart, parameters.threads);
+  clock.lap (durations.assignment);
+  return kept;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kht/hough_planes.h"
+
+#include "kht/spherical_accumulator.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <queue>
+#include <utility>
+
+namespace pcl_ops::internal {
+namespace {
+
+using ClusterList = std::vector<std::uint32_t>;
+
+// The rms distance of a cluster to its plane is at most this share of theta_h.
+constexpr double largest_rms_share = 0.5;
+
+// Fits of a plane, each to the clusters near the one before.
+constexpr int fits_per_plane = 2;
+
+SphericalAccumulator
+castAllVotes (const OctreeClusters& found, HoughSpace space)
+{
+  SphericalAccumulator accumulator (std::move (space));
+  KernelVotes votes;
+  for (std::uint32_t c = 0; c < found.clusters.size(); ++c) {
+    const CoplanarCluster& cluster = found.clusters[c];
+    const PlaneKernel kernel = planeKernel (cluster.fit.plane,
+                                            cluster.fit.centroid,
+                                            cluster.moments.covariance(),
+                                            found.root.centre,
+                                            clusterWeight (cluster, found));
+    castVotes (kernel, accumulator.space(), votes);
+    accumulator.add (votes, c);
+  }
+  return accumulator;
+}
+
+double
+weightOf (const ClusterList& clusters, const OctreeClusters& found)
+{
+  double weight = 0.0;
+  for (const std::uint32_t cluster : clusters)
+    weight += clusterWeight (found.clusters[cluster], found);
+  return weight;
+}
+
+Moments
+momentsOf (const ClusterList& clusters, const OctreeClusters& found)
+{
+  Moments moments;
+  moments.origin = found.root.centre;
+  for (const std::uint32_t cluster : clusters)
+    moments += found.clusters[cluster].moments;
+  return moments;
+}
+
+/** The clusters no plane has taken yet. */
+class FreeClusters {
+public:
+  explicit FreeClusters (const OctreeClusters& found)
+  : found_ (found), is_free_ (found.clusters.size(), true)
+  {}
+
+  ClusterList
+  among (const ClusterList& clusters) const
+  {
+    ClusterList free;
+    std::copy_if (clusters.begin(),
+                  clusters.end(),
+                  std::back_inserter (free),
+                  [this] (std::uint32_t cluster) { return is_free_[cluster]; });
+    return free;
+  }
+
+  ClusterList
+  near (const Plane& plane, double largest_rms) const
+  {
+    ClusterList near;
+    for (std::uint32_t c = 0; c < is_free_.size(); ++c)
+      if (is_free_[c] && meanSquaredDistance (found_.clusters[c].moments, plane) <=
+                             largest_rms * largest_rms)
+        near.push_back (c);
+    return near;
+  }
+
+  void
+  take (const ClusterList& clusters)
+  {
+    for (const std::uint32_t cluster : clusters)
+      is_free_[cluster] = false;
+  }
+
+private:
+  const OctreeClusters& found_;
+  std::vector<bool> is_free_;
+};
+
+/** A plane's weight when it was last looked at; free clusters only become fewer. */
+struct Rank {
+  double weight;
+  std::size_t plane;
+
+  bool
+  operator<(const Rank& other) const
+  {
+    return weight != other.weight ? weight < other.weight : plane > other.plane;
+  }
+};
+
+std::priority_queue<Rank>
+rankPlanes (const std::vector<HoughPlane>& planes, const OctreeClusters& found)
+{
+  std::vector<Rank> ranks;
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    ranks.push_back ({weightOf (planes[p].clusters, found), p});
+  return std::priority_queue<Rank> (std::less<Rank>(), std::move (ranks));
+}
+
+} // namespace
+
+double
+clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& found)
+{
+  constexpr double edge_weight = 0.75, count_weight = 0.25;
+  const double count_share =
+      static_cast<double> (cluster.size()) / static_cast<double> (found.points.size());
+  return edge_weight * cluster.edge / found.root.edge + count_weight * count_share;
+}
+
+std::vector<HoughPlane>
+voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num)
+{
+  if (found.clusters.empty())
+    return {};
+  const SphericalAccumulator accumulator = castAllVotes (
+      found,
+      HoughSpace{BallDirections (phi_num), rho_num, found.root.radius / rho_num});
+  const HoughSpace& space = accumulator.space();
+  std::vector<HoughPlane> planes;
+  for (HoughPeak& peak : accumulator.peaks()) {
+    const Eigen::Vector3d normal = space.directions.vectorOf (peak.direction);
+    const Eigen::Vector3d nearest = found.root.centre + space.rhoOf (peak.bin) * normal;
+    planes.push_back ({planeThrough (nearest, normal), std::move (peak.voters)});
+  }
+  std::vector<HoughPlane> sorted;
+  for (auto ranks = rankPlanes (planes, found); !ranks.empty(); ranks.pop())
+    sorted.push_back (std::move (planes[ranks.top().plane]));
+  return sorted;
+}
+
+std::vector<HoughPlane>
+refitPlanes (const std::vector<HoughPlane>& planes,
+             const OctreeClusters& found,
+             double min_share,
+             double distance_threshold)
+{
+  const double min_count = min_share * static_cast<double> (found.points.size());
+  FreeClusters free (found);
+  std::vector<HoughPlane> refitted;
+  auto ranks = rankPlanes (planes, found);
+  while (!ranks.empty()) {
+    const Rank first = ranks.top();
+    ranks.pop();
+    ClusterList clusters = free.among (planes[first.plane].clusters);
+    const double weight = weightOf (clusters, found);
+    if (weight < first.weight) {
+      ranks.push ({weight, first.plane});
+      continue;
+    }
+    Moments moments = momentsOf (clusters, found);
+    std::optional<PlaneFit> fit = fitPlane (moments);
+    for (int i = 0; i < fits_per_plane && fit; ++i) {
+      clusters = free.near (fit->plane, largest_rms_share * distance_threshold);
+      moments = momentsOf (clusters, found);
+      fit = fitPlane (moments);
+    }
+    if (!fit || moments.count < min_count)
+      continue;
+    free.take (clusters);
+    refitted.push_back ({fit->plane, std::move (clusters)});
+  }
+  return refitted;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kht/kernel_votes.h"
+
+#include "geometry/angles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_ops::internal {
+namespace {
+
+// Squared Mahalanobis distance of two standard deviations, where votes end.
+constexpr double largest_squared_distance = 4.0;
+
+/** ceil and floor to int, bounded so that no double overflows it. */
+int
+firstAtLeast (double value, int low, int high)
+{
+  return static_cast<int> (std::ceil (std::clamp<double> (value, low, high)));
+}
+
+int
+lastAtMost (double value, int low, int high)
+{
+  return static_cast<int> (std::floor (std::clamp<double> (value, low, high)));
+}
+
+class VoteCaster {
+public:
+  VoteCaster (const PlaneKernel& kernel, const HoughSpace& space, KernelVotes& votes);
+
+  /** False for a covariance that is not positive definite. */
+  bool
+  isDefined () const
+  {
+    return std::isfinite (peak_) && peak_ > 0.0;
+  }
+
+  void
+  castAll ();
+
+private:
+  /** A direction's offset from the kernel's mean. */
+  struct Offset {
+    double phi, theta;
+  };
+
+  void
+  castRow (int row);
+  void
+  castRay (std::uint32_t direction, const Offset& offset);
+  void
+  addRay (std::uint32_t direction,
+          int first_bin,
+          int length,
+          double offset,
+          double step,
+          double height);
+  void
+  castOwnBin ();
+  void
+  keepLargestVotes ();
+  void
+  keepLargerVote (const VoteRay& a, const VoteRay& b);
+
+  /** Squared Mahalanobis distance of a direction, the best rho assumed. */
+  double
+  squaredDistance (const Offset& offset) const
+  {
+    return offset.phi * (pp_ * offset.phi + 2.0 * pt_ * offset.theta) +
+           tt_ * offset.theta * offset.theta;
+  }
+
+  double
+  likeliestTheta (double phi_offset) const
+  {
+    return -pt_ / tt_ * phi_offset;
+  }
+
+  double
+  likeliestRho (const Offset& offset) const
+  {
+    return mean_rho_ + rho_per_phi_ * offset.phi + rho_per_theta_ * offset.theta;
+  }
+
+  const HoughSpace& space_;
+  KernelVotes& votes_;
+  double mean_rho_, mean_phi_, mean_theta_;
+  double phi_deviation_;
+  // The inverse of the covariance of phi and theta.
+  double pp_, pt_, tt_;
+  // The line of the likeliest rho over phi and theta, and the variance about it.
+  double rho_per_phi_, rho_per_theta_, rho_variance_;
+  double peak_;
+  double ratio_change_;
+  // The votes may meet themselves.
+  bool has_wrapped_ = false;
+};
+
+VoteCaster::VoteCaster (const PlaneKernel& kernel,
+                        const HoughSpace& space,
+                        KernelVotes& votes)
+: space_ (space)
+, votes_ (votes)
+, mean_rho_ (kernel.mean[0])
+, mean_phi_ (kernel.mean[1])
+, mean_theta_ (kernel.mean[2])
+{
+  const Eigen::Matrix3d& sigma = kernel.covariance;
+  const double determinant = sigma (1, 1) * sigma (2, 2) - sigma (1, 2) * sigma (1, 2);
+  phi_deviation_ = std::sqrt (sigma (1, 1));
+  pp_ = sigma (2, 2) / determinant;
+  pt_ = -sigma (1, 2) / determinant;
+  tt_ = sigma (1, 1) / determinant;
+  rho_per_phi_ = pp_ * sigma (0, 1) + pt_ * sigma (0, 2);
+  rho_per_theta_ = pt_ * sigma (0, 1) + tt_ * sigma (0, 2);
+  rho_variance_ =
+      sigma (0, 0) - rho_per_phi_ * sigma (0, 1) - rho_per_theta_ * sigma (0, 2);
+  peak_ = kernel.weight / std::sqrt (8.0 * pi * pi * pi * determinant * rho_variance_);
+  ratio_change_ = std::exp (-space.rho_step * space.rho_step / rho_variance_);
+}
+
+void
+VoteCaster::castAll()
+{
+  const double reach = std::sqrt (largest_squared_distance) * phi_deviation_;
+  const double step = space_.directions.phiStep();
+  const int phi_num = space_.directions.phiNum();
+  const int first = firstAtLeast ((mean_phi_ - reach) / step, -phi_num, 2 * phi_num);
+  const int last = lastAtMost ((mean_phi_ + reach) / step, -phi_num, 2 * phi_num);
+  for (int row = first; row <= last; ++row)
+    castRow (row);
+  castOwnBin();
+  if (has_wrapped_)
+    keepLargestVotes();
+}
+
+void
+VoteCaster::castRow (int row)
+{
+  const BallDirections& directions = space_.directions;
+  const int phi_num = directions.phiNum();
+  const bool beyond_pole = row < 0 || row > phi_num;
+  const int reflected = row < 0 ? -row : beyond_pole ? 2 * phi_num - row : row;
+  const double phi_offset = row * directions.phiStep() - mean_phi_;
+  const double room = largest_squared_distance -
+                      phi_offset * phi_offset / (phi_deviation_ * phi_deviation_);
+  if (room < 0.0)
+    return;
+  has_wrapped_ |= beyond_pole;
+  const double middle = likeliestTheta (phi_offset);
+  const int patches = directions.patchesOfRow (reflected);
+  if (patches == 1) // All azimuths meet at a pole.
+    return castRay (directions.patchOfRow (reflected, 0), {phi_offset, middle});
+
+  const double start = mean_theta_ + (beyond_pole ? pi : 0.0);
+  const double step = 2.0 * pi / patches;
+  const double middle_patch = (start + middle) / step - 0.5;
+  const double reach = std::min (std::sqrt (room / tt_) / step, 0.5 * patches);
+  const int first = static_cast<int> (std::ceil (middle_patch - reach));
+  const int last = std::min (static_cast<int> (std::floor (middle_patch + reach)),
+                             first + patches - 1);
+  for (int patch = first; patch <= last; ++patch)
+    castRay (directions.patchOfRow (reflected, patch),
+             {phi_offset, (patch + 0.5) * step - start});
+}
+
+void
+VoteCaster::castRay (std::uint32_t direction, const Offset& offset)
+{
+  const double distance = squaredDistance (offset);
+  const double room = std::max (0.0, largest_squared_distance - distance);
+  const double middle = likeliestRho (offset);
+  const double reach = std::sqrt (room * rho_variance_);
+  const double step = space_.rho_step;
+  const int bins = space_.rho_num;
+  const int first = firstAtLeast ((middle - reach) / step - 0.5, -bins, bins);
+  const int last = lastAtMost ((middle + reach) / step - 0.5, -bins - 1, bins - 1);
+  const double height = peak_ * std::exp (-0.5 * distance);
+  if (last >= 0 && last >= first) {
+    const int from = std::max (first, 0);
+    const double start = space_.rhoOf (from) - middle;
+    addRay (direction, from, last - from + 1, start, step, height);
+  }
+  if (first < 0 && last >= first) {
+    has_wrapped_ = true;
+    const int from = std::min (last, -1);
+    const double start = space_.rhoOf (from) - middle;
+    const std::uint32_t opposite = space_.directions.opposite (direction);
+    addRay (opposite, -1 - from, from - first + 1, start, -step, height);
+  }
+}
+
+/** The density along rho at offset, offset + step, ..: the ratio of neighbours changes
+ * by a constant factor, so that no bin costs an exponential. */
+void
+VoteCaster::addRay (std::uint32_t direction,
+                    int first_bin,
+                    int length,
+                    double offset,
+                    double step,
+                    double height)
+{
+  double value = height * std::exp (-0.5 * offset * offset / rho_variance_);
+  double ratio = std::exp (-step * (offset + 0.5 * step) / rho_variance_);
+  const auto first_value = static_cast<std::uint32_t> (votes_.values.size());
+  votes_.rays.push_back (
+      {direction, first_bin, static_cast<std::uint32_t> (length), first_value});
+  for (int i = 0; i < length; ++i) {
+    votes_.values.push_back (static_cast<float> (value));
+    value *= ratio;
+    ratio *= ratio_change_;
+  }
+}
+
+void
+VoteCaster::castOwnBin()
+{
+  const BallDirections& directions = space_.directions;
+  const int row = static_cast<int> (std::lround (mean_phi_ / directions.phiStep()));
+  const std::uint32_t direction = directions.at (row, mean_theta_);
+  const int bin =
+      std::min (static_cast<int> (mean_rho_ / space_.rho_step), space_.rho_num - 1);
+  Offset offset{directions.phiOf (direction) - mean_phi_, 0.0};
+  offset.theta =
+      directions.patchesOfRow (row) == 1
+          ? likeliestTheta (offset.phi)
+          : std::remainder (directions.thetaOf (direction) - mean_theta_, 2.0 * pi);
+  const double rho_offset = space_.rhoOf (bin) - likeliestRho (offset);
+  if (squaredDistance (offset) + rho_offset * rho_offset / rho_variance_ <=
+      largest_squared_distance)
+    return;
+  addRay (
+      direction, bin, 1, 0.0, 0.0, peak_ * std::exp (-0.5 * largest_squared_distance));
+}
+
+void
+VoteCaster::keepLargestVotes()
+{
+  std::vector<VoteRay>& rays = votes_.rays;
+  std::sort (rays.begin(), rays.end(), [] (const VoteRay& a, const VoteRay& b) {
+    return a.direction != b.direction ? a.direction < b.direction
+                                      : a.first_value < b.first_value;
+  });
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    for (std::size_t j = i + 1; j < rays.size(); ++j) {
+      if (rays[i].direction != rays[j].direction)
+        break;
+      keepLargerVote (rays[i], rays[j]);
+    }
+}
+
+void
+VoteCaster::keepLargerVote (const VoteRay& a, const VoteRay& b)
+{
+  const int end = std::min (a.first_bin + static_cast<int> (a.length),
+                            b.first_bin + static_cast<int> (b.length));
+  for (int bin = std::max (a.first_bin, b.first_bin); bin < end; ++bin) {
+    float& of_a = votes_.values[a.first_value + (bin - a.first_bin)];
+    float& of_b = votes_.values[b.first_value + (bin - b.first_bin)];
+    (of_a < of_b ? of_a : of_b) = 0.0f;
+  }
+}
+
+} // namespace
+
+void
+castVotes (const PlaneKernel& kernel, const HoughSpace& space, KernelVotes& votes)
+{
+  votes.rays.clear();
+  votes.values.clear();
+  VoteCaster caster (kernel, space, votes);
+  if (caster.isDefined())
+    caster.castAll();
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kht/ball_directions.h"
+#include "kht/plane_kernel.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief A kernel's votes along rho in one direction. */
+struct VoteRay {
+  std::uint32_t direction = 0;
+  /** \brief Its bins are first_bin .. first_bin + length - 1. */
+  std::int32_t first_bin = 0;
+  std::uint32_t length = 0;
+  /** \brief Where its values begin in \ref KernelVotes::values. */
+  std::uint32_t first_value = 0;
+};
+
+/** \brief All votes of a kernel. */
+struct KernelVotes {
+  std::vector<VoteRay> rays;
+  std::vector<float> values;
+};
+
+/** \brief Votes for the bins whose centre lies within two standard deviations of a
+ * kernel: within the ellipsoid on which its density is g_min = exp (-2) of its peak.
+ *
+ * The vote is weight times the density at the bin's centre. The kernel's own bin gets
+ * at least the vote weight g_min, so that a kernel that lies between bin centres is not
+ * lost. Rows beyond a pole are those of the pole's other side, half a turn on; negative
+ * rho is positive rho in the opposite direction; votes beyond the last rho are dropped.
+ * A kernel counts once per bin, with its largest vote: where its votes meet themselves
+ * around a pole or the centre, the smaller is 0.
+ * \param[in] kernel a kernel with a positive definite covariance; others have no votes
+ * \param[in] space the bins
+ * \param[out] votes overwritten; its memory is used again */
+void
+castVotes (const PlaneKernel& kernel, const HoughSpace& space, KernelVotes& votes);
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "geometry/points.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief The cube an octree starts from. */
+struct RootCube {
+  /** \brief Centroid of all points. */
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  /** \brief 2 max |coordinate about the centre| [m]; 0 for points that are all equal.
+   */
+  double edge = 0.0;
+  /** \brief Largest distance of a point to the centre [m]. */
+  double radius = 0.0;
+};
+
+/** \brief The cube around the centroid that holds all points; edge 0 for no points. */
+RootCube
+rootCubeOf (const Coordinates& points);
+
+/** \brief Points in an order of their own. */
+struct PermutedPoints : Coordinates {
+  /** \brief The position each point had before. */
+  Indices order;
+
+  void
+  resize (std::size_t size);
+
+  void
+  copyFrom (const PermutedPoints& other, std::size_t from, std::size_t to)
+  {
+    x[to] = other.x[from];
+    y[to] = other.y[from];
+    z[to] = other.z[from];
+    order[to] = other.order[from];
+  }
+
+  void
+  swapPoints (std::size_t i, std::size_t j);
+};
+
+/** \brief A range of points in a cube: a node of the octree. */
+struct OctreeNode {
+  std::uint32_t begin = 0, end = 0;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  /** \brief Length of its edge [m]. */
+  double edge = 0.0;
+  /** \brief 0 for the root. */
+  int level = 0;
+
+  std::size_t
+  size () const
+  {
+    return end - begin;
+  }
+};
+
+/** \brief The octree's nodes down to a level, empty ones included. A node's code is its
+ * place in Morton order among the nodes of its level; its children's are 8 code .. 8
+ * code
+ * + 7. */
+struct SortedOctree {
+  RootCube root;
+  /** \brief The deepest level. */
+  int level = 0;
+  /** \brief The points, each node's together. */
+  PermutedPoints points;
+  /** \brief Where each node of the deepest level begins in \ref points, and the end. */
+  std::vector<std::uint32_t> begins;
+
+  /** \brief A node of the deepest level or above. */
+  OctreeNode
+  node (int node_level, std::size_t code) const;
+};
+
+/** \brief The deepest level \ref sortIntoOctree goes to: 8^5 leaves fit a 16 bit code
+ * and the second level cache. */
+constexpr int deepest_sorted_level = 5;
+
+/** \brief Sorts the points into the octree's nodes of a level at once, by counting.
+ * \param[in] points positions within the cube
+ * \param[in] root the cube, with an edge above 0
+ * \param[in] level 0 .. deepest_sorted_level */
+SortedOctree
+sortIntoOctree (const Coordinates& points, const RootCube& root, int level);
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/stage_clock.h"
+#include "detection/labelled_planes.h"
+#include "geometry/angles.h"
+#include "ops/drawn_points.h"
+#include "ops/voxel_surfels.h"
+#include <pcl_ops/oriented_point_sampling.h>
+
+#include <cmath>
+#include <utility>
+
+namespace pcl_ops {
+
+namespace internal {
+namespace {
+
+// The straight line of OPS. What an oriented sample is, a point drawn at random (the
+// paper) or a flat voxel, the policy decides.
+template <typename Policy>
+LabelledPlanes
+detectBy (const Policy& policy, const Points& points, StageDurations& durations)
+{
+  StageClock clock;
+  // P_s: alpha_s N of the points, or the voxels of a grid
+  const auto samples = policy.sample (points);
+  clock.lap (durations.search);
+  // n_i: from the k nearest points, or from the moments around
+  const auto oriented = policy.orient (points, samples);
+  clock.lap (durations.normals);
+  // Pi: one-point RANSAC and peeling, with theta_h, theta_N and p
+  auto planes = policy.extract (points, samples, oriented);
+  const std::size_t planes_before_merging = planes.size();
+  clock.lap (durations.extraction);
+  // where planes end, for samples that tell
+  policy.bound (points, samples, planes);
+  clock.lap (durations.merging);
+  // every point of P, not of P_s alone, to a plane
+  AssignedPoints assigned = policy.assign (points, samples, planes);
+  clock.lap (durations.assignment);
+  // section III-C: the coplanarity test on each pair, where bounds have not settled it
+  LabelledPlanes found = policy.merge (std::move (assigned));
+  found.planes_before_merging = planes_before_merging;
+  clock.lap (durations.merging);
+  return found;
+}
+
+} // namespace
+} // namespace internal
+
+Detection
+detectPlanes (const DetectorInput& input,
+              const OrientedPointSamplingParameters& parameters)
+{
+  using namespace internal;
+  return detectInFinitePoints (
+      input, parameters, [&] (const auto& points, auto& durations) {
+        return parameters.sampling == Sampling::Surfels
+                   ? detectBy (VoxelSurfels (input, parameters), points, durations)
+                   : detectBy (DrawnPoints (input, parameters), points, durations);
+      });
+}
+
+OrientedPointSamplingParameters
+OrientedPointSamplingParameters::paper()
+{
+  OrientedPointSamplingParameters parameters;
+  parameters.sampling = Sampling::Points;
+  parameters.sampling_rate = 0.03;
+  parameters.k = 30;
+  parameters.normal_sigma.reset();
+  parameters.distance_threshold = 0.05;
+  parameters.min_inliers = 20;
+  parameters.probability = 0.99;
+  parameters.strategy = Strategy::DivideThenDetect;
+  parameters.verification = Verification::Samples;
+  parameters.local_optimisation = false;
+  return parameters;
+}
+
+namespace {
+
+bool
+isAtLeastZero (double value)
+{
+  return value >= 0.0 && std::isfinite (value);
+}
+
+// A voxel's edge and its inverse are used in single precision.
+bool
+isVoxelSize (double size)
+{
+  return size > 0.0 && std::isnormal (static_cast<float> (size)) &&
+         std::isnormal (static_cast<float> (1.0 / size));
+}
+
+std::string
+problemOf (const SurfelParameters& surfels)
+{
+  constexpr int most_resolutions = 10;
+  if (surfels.voxel_size && !isVoxelSize (*surfels.voxel_size))
+    return "the voxel size must be a length above 0, or not be given";
+  if (surfels.resolutions < 1 || surfels.resolutions > most_resolutions)
+    return "the number of resolutions must be between 1 and 10";
+  if (!isAtLeastZero (surfels.least_average_voxels))
+    return "the least average voxels of a normal must be 0 or more";
+  if (!isAtLeastZero (surfels.noise_factor))
+    return "the noise factor of surfels must be 0 or more";
+  if (!(surfels.angle_threshold >= 0.0 &&
+        surfels.angle_threshold <= internal::right_angle))
+    return "the angle threshold of surfels must be between 0 and pi/2 (radians)";
+  if (!isAtLeastZero (surfels.largest_normal_spread))
+    return "the largest spread of normals must be 0 or more (radians)";
+  if (!isAtLeastZero (surfels.sure_thickness) ||
+      !isAtLeastZero (surfels.largest_thickness))
+    return "the thickness of surfels must be 0 or more";
+  if (surfels.growing_rounds < 0)
+    return "the number of growing rounds must be 0 or more";
+  if (!isAtLeastZero (surfels.absorption_noise_factor))
+    return "the noise factor of absorption must be 0 or more";
+  if (!isAtLeastZero (surfels.assignment_noise_factor))
+    return "the noise factor of assignment must be 0 or more";
+  return {};
+}
+
+} // namespace
+
+std::string
+problemOf (const OrientedPointSamplingParameters& parameters)
+{
+  if (!(parameters.sampling_rate > 0.0 && parameters.sampling_rate <= 1.0))
+    return "the sampling rate must be above 0 and at most 1";
+  if (parameters.k < 2)
+    return "k must be 2 or more: a normal needs two neighbours";
+  if (parameters.normal_sigma &&
+      !(*parameters.normal_sigma > 0.0 && std::isfinite (*parameters.normal_sigma)))
+    return "the sigma of the normals must be a length above 0, or not be given";
+  if (!(parameters.probability > 0.0 && parameters.probability < 1.0))
+    return "the probability must lie between 0 and 1, both excluded";
+  if (parameters.sampling == Sampling::Points && !parameters.distance_threshold)
+    return "the distance threshold must be a length above 0";
+  const std::string problem = problemOf (parameters.surfels);
+  return problem.empty()
+             ? problemOf (static_cast<const PlaneDetectorParameters&> (parameters))
+             : problem;
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/oriented_points.h"
+
+#include "base/parallel.h"
+#include "base/random.h"
+#include "geometry/principal_axes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+void
+OrientedSamples::add (const Eigen::Vector3d& position, const Eigen::Vector3d& normal)
+{
+  const Eigen::Vector3f p = position.cast<float>();
+  const Eigen::Vector3f n = normal.cast<float>();
+  Coordinates::add (p.x(), p.y(), p.z());
+  normals.add (n.x(), n.y(), n.z());
+}
+
+Indices
+drawSample (std::size_t size, double rate, std::uint32_t seed)
+{
+  const double drawn_share = std::min (1.0, std::max (0.0, rate));
+  auto wanted = static_cast<std::size_t> (
+      std::llround (drawn_share * static_cast<double> (size)));
+  RandomGenerator generator (seed);
+  Indices sample;
+  sample.reserve (wanted);
+  for (std::size_t i = 0; wanted > 0; ++i)
+    if (drawBelow (generator, static_cast<std::uint32_t> (size - i)) < wanted) {
+      sample.push_back (static_cast<std::uint32_t> (i));
+      --wanted;
+    }
+  return sample;
+}
+
+namespace {
+
+Eigen::Vector3d
+positionOf (const CloudView& cloud, pcl::index_t index)
+{
+  const float* const position = cloud[static_cast<std::size_t> (index)];
+  return {position[0], position[1], position[2]};
+}
+
+// M_i of one sample, in the frame of its position.
+Eigen::Matrix3d
+weightedScatter (const CloudView& cloud,
+                 pcl::index_t sample,
+                 const pcl::Indices& neighbours,
+                 const std::vector<float>& squared_distances,
+                 std::optional<double> given_sigma)
+{
+  const auto farthest =
+      std::max_element (squared_distances.begin(), squared_distances.end());
+  const double sigma = given_sigma
+                           ? *given_sigma
+                           : static_cast<double> (farthest == squared_distances.end()
+                                                      ? 0.0f
+                                                      : std::sqrt (*farthest));
+  const Eigen::Vector3d p = positionOf (cloud, sample);
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const pcl::index_t neighbour : neighbours) {
+    const Eigen::Vector3d q = positionOf (cloud, neighbour) - p;
+    const double squared_distance = q.squaredNorm();
+    if (squared_distance == 0.0)
+      continue;
+    const double weight = std::exp (-squared_distance / (2.0 * sigma * sigma));
+    scatter.noalias() += (weight / squared_distance) * q * q.transpose();
+  }
+  return scatter;
+}
+
+} // namespace
+
+Eigen::Vector3d
+normalOfScatter (const Eigen::Matrix3d& scatter)
+{
+  const PrincipalAxes axes = principalAxes (scatter);
+  // Narrower than a thousandth of its length it is a line: rounding decides the rest.
+  constexpr double smallest_relative_variance = 1e-6;
+  if (!(axes.values[1] > smallest_relative_variance * axes.values[2]))
+    return Eigen::Vector3d::Zero();
+  return axes.normal;
+}
+
+OrientedSamples
+orientSamples (const CloudView& cloud,
+               const Points& points,
+               const Indices& sample,
+               const NeighbourSearch& search,
+               int k,
+               std::optional<double> sigma)
+{
+  // The nearest neighbour of a point of the cloud is the point itself: q_ij != p_i.
+  const auto asked =
+      static_cast<int> (std::min (static_cast<std::size_t> (k) + 1, points.size()));
+  constexpr std::size_t samples_per_piece = 256;
+  std::vector<Eigen::Vector3d> normals (sample.size());
+  parallelFor (search.threads,
+               sample.size(),
+               samples_per_piece,
+               [&] (std::size_t begin, std::size_t end) {
+                 pcl::Indices neighbours;
+                 std::vector<float> squared_distances;
+                 for (std::size_t i = begin; i < end; ++i) {
+                   const pcl::index_t point = points.indexOf (sample[i]);
+                   search.nearest (point, asked, neighbours, squared_distances);
+                   normals[i] = normalOfScatter (weightedScatter (
+                       cloud, point, neighbours, squared_distances, sigma));
+                 }
+               });
+  OrientedSamples samples;
+  for (std::size_t i = 0; i < sample.size(); ++i)
+    if (!normals[i].isZero())
+      samples.add (points[sample[i]], normals[i]);
+  return samples;
+}
+
+std::array<Indices, 3>
+groupByOrientation (const OrientedSamples& samples,
+                    const Eigen::Vector3d& up,
+                    double tolerance)
+{
+  std::array<Indices, 3> groups;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Orientation group = orientationOf (samples.normals[i], up, tolerance);
+    groups[static_cast<std::size_t> (group)].push_back (static_cast<std::uint32_t> (i));
+  }
+  return groups;
+}
+
+} // namespace pcl_ops::internal

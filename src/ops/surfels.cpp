@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/surfels.h"
+
+#include "base/parallel.h"
+#include "bounded/noise_floors.h"
+#include "geometry/principal_axes.h"
+#include "voxels/voxel_traversal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+Surfel
+normalOf (const Moments& surroundings, const PrincipalAxes& axes)
+{
+  Surfel normal;
+  normal.plane = planeThrough (surroundings.centroid(), axes.normal);
+  normal.noise = std::sqrt (axes.values[0]);
+  normal.thickness = std::sqrt (axes.values[0] / axes.values[1]);
+  return normal;
+}
+
+// Thickness of a neighbourhood over its width up to which it is flat enough to look no
+// further.
+constexpr double flat_enough = 0.2;
+
+// A voxel may take the normal of a neighbouring voxel if its points' rms distance to
+// that plane is below this many times the noise there.
+constexpr double borrowed_noise_factor = 1.5;
+
+// One resolution: a grid and the plane around each of its voxels.
+struct Level {
+  /** \brief Empty for the finest level, as is the next. */
+  VoxelGrid grid;
+  std::vector<std::uint32_t> voxel_of_finest;
+  std::vector<std::optional<Surfel>> normals;
+  /** \brief Of the normals, apart because most are looked at for this only; 1 where
+   * there is none. */
+  std::vector<double> thickness;
+  /** \brief For each voxel the one around it, or itself, with the least thickness. */
+  std::vector<std::uint32_t> flattest_around;
+
+  const VoxelGrid&
+  gridOr (const VoxelGrid& finest) const
+  {
+    return voxel_of_finest.empty() ? finest : grid;
+  }
+
+  std::size_t
+  voxelHolding (std::size_t finest_voxel) const
+  {
+    return voxel_of_finest.empty() ? finest_voxel : voxel_of_finest[finest_voxel];
+  }
+};
+
+Moments
+momentsAround (const VoxelGrid& grid, std::size_t voxel)
+{
+  Moments surroundings;
+  for (const std::uint32_t neighbour : grid.neighbours[voxel])
+    surroundings.addAligned (grid.moments[neighbour]);
+  return surroundings;
+}
+
+// The normals of a range of voxels.
+void
+findNormals (const VoxelGrid& grid,
+             double min_points,
+             std::size_t begin,
+             std::size_t end,
+             Level& level)
+{
+  std::vector<std::size_t> voxels;
+  std::vector<Moments> surroundings;
+  std::vector<Eigen::Matrix3d> covariances;
+  voxels.reserve (end - begin);
+  surroundings.reserve (end - begin);
+  covariances.reserve (end - begin);
+  for (std::size_t i = begin; i < end; ++i) {
+    const Moments moments = momentsAround (grid, i);
+    if (moments.count < min_points)
+      continue;
+    voxels.push_back (i);
+    surroundings.push_back (moments);
+    covariances.push_back (moments.covariance());
+  }
+  std::vector<PrincipalAxes> axes (voxels.size());
+  principalAxes (covariances.data(), voxels.size(), axes.data());
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    if (axes[i].normal.isZero())
+      continue;
+    const Surfel normal = normalOf (surroundings[i], axes[i]);
+    level.normals[voxels[i]] = normal;
+    level.thickness[voxels[i]] = normal.thickness;
+  }
+}
+
+void
+findNormals (const VoxelGrid& grid, double min_points, unsigned threads, Level& level)
+{
+  // So few that what is noted of them stays in the processor's first cache.
+  constexpr std::size_t voxels_at_once = 128;
+  level.normals.resize (grid.size());
+  level.thickness.resize (grid.size(), 1.0);
+  parallelFor (
+      threads, grid.size(), voxels_at_once, [&] (std::size_t begin, std::size_t end) {
+        findNormals (grid, min_points, begin, end, level);
+      });
+  level.flattest_around.resize (grid.size());
+  forVoxels (grid, threads, [&] (std::size_t i) {
+    level.flattest_around[i] =
+        *std::min_element (grid.neighbours[i].begin(),
+                           grid.neighbours[i].end(),
+                           [&level] (std::uint32_t a, std::uint32_t b) {
+                             return level.thickness[a] < level.thickness[b];
+                           });
+  });
+}
+
+// The flattest of the planes around a voxel of a level that the finest voxel lies in.
+class FlattestPlane {
+public:
+  FlattestPlane (const Moments& voxel, double smallest_noise)
+  : voxel_ (voxel), smallest_noise_ (smallest_noise)
+  {}
+
+  /** \brief Considers the planes around a voxel of a level. The flattest may mostly
+   * serve, and spares a look at the others. */
+  void
+  considerAll (const Level& level, std::size_t at, const VoxelGrid& finest)
+  {
+    const std::uint32_t flattest = level.flattest_around[at];
+    if (level.thickness[flattest] >= thickness_)
+      return;
+    consider (level, flattest);
+    if (best_ == &*level.normals[flattest])
+      return;
+    for (const std::uint32_t candidate : level.gridOr (finest).neighbours[at])
+      consider (level, candidate);
+  }
+
+  void
+  consider (const Level& level, std::size_t candidate)
+  {
+    if (level.thickness[candidate] >= thickness_)
+      return;
+    const Surfel& normal = *level.normals[candidate];
+    const double limit =
+        borrowed_noise_factor * std::max (normal.noise, smallest_noise_);
+    if (meanSquaredDistance (voxel_, normal.plane) >= limit * limit)
+      return;
+    best_ = &normal;
+    thickness_ = normal.thickness;
+  }
+
+  double
+  thickness () const
+  {
+    return thickness_;
+  }
+
+  const Surfel*
+  best () const
+  {
+    return best_;
+  }
+
+private:
+  const Moments& voxel_;
+  double smallest_noise_;
+  const Surfel* best_ = nullptr;
+  double thickness_ = 1.0;
+};
+
+std::optional<Surfel>
+surfelOf (std::size_t voxel, const VoxelGrid& finest, const std::vector<Level>& levels)
+{
+  FlattestPlane plane (finest.moments[voxel], smallestNoise (finest));
+  for (const Level& level : levels) {
+    const std::size_t at = level.voxelHolding (voxel);
+    if (level.thickness[at] < flat_enough)
+      plane.consider (level, at);
+    // Where nothing around is flat enough, a coarser level is likely to have better.
+    if (plane.thickness() >= flat_enough &&
+        level.thickness[level.flattest_around[at]] < flat_enough)
+      plane.considerAll (level, at, finest);
+    if (plane.thickness() < flat_enough)
+      return *plane.best();
+  }
+  for (auto level = levels.rbegin(); level != levels.rend(); ++level)
+    plane.considerAll (*level, level->voxelHolding (voxel), finest);
+  return plane.best() ? std::optional<Surfel> (*plane.best()) : std::nullopt;
+}
+
+// The level after the last one.
+Level
+coarserLevel (const VoxelGrid& finest, const Level& last, unsigned threads)
+{
+  CoarserGrid coarser = coarsen (last.gridOr (finest), threads);
+  Level level;
+  level.grid = std::move (coarser.grid);
+  level.voxel_of_finest.resize (finest.size());
+  for (std::size_t i = 0; i < finest.size(); ++i)
+    level.voxel_of_finest[i] = coarser.voxel_of_finer[last.voxelHolding (i)];
+  return level;
+}
+
+} // namespace
+
+std::vector<std::optional<Surfel>>
+findSurfels (const VoxelGrid& grid,
+             int resolutions,
+             double least_points,
+             unsigned threads)
+{
+  std::vector<Level> levels;
+  for (int l = 0; l < resolutions; ++l) {
+    levels.push_back (l == 0 ? Level() : coarserLevel (grid, levels.back(), threads));
+    findNormals (levels.back().gridOr (grid), least_points, threads, levels.back());
+  }
+  std::vector<std::optional<Surfel>> normals (grid.size());
+  forVoxels (
+      grid, threads, [&] (std::size_t i) { normals[i] = surfelOf (i, grid, levels); });
+  return normals;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "voxels/voxel_grid.h"
+#include <pcl_ops/plane.h>
+
+#include <optional>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief The plane of a voxel's surroundings. */
+struct Surfel {
+  Plane plane;
+  /** \brief Rms distance of the surrounding points to the plane [m]: the noise, where
+   * the surroundings are flat. */
+  double noise = 0.0;
+  /** \brief The noise over the spread in the plane's narrow direction: 0 for an exact
+   * plane, 1 for a ball. */
+  double thickness = 1.0;
+};
+
+/** \brief The oriented samples of a grid: a surfel for each voxel, or nothing.
+ *
+ * The neighbourhood is the 3 x 3 x 3 voxels around at the finest of several resolutions
+ * that is flat and holds enough points: noise that grows with distance gets the larger
+ * neighbourhoods it needs. Next to an edge, where the voxel's own neighbourhood bends,
+ * the flattest one of those around its neighbours that the voxel lies in serves instead
+ * (the idea of Kuwahara's edge-preserving filter).
+ * \param[in] grid the voxels
+ * \param[in] resolutions grids, each of twice the voxel size of the one before
+ * \param[in] least_points fewest points of a neighbourhood
+ * \param[in] threads number of threads; 0: all. The result does not depend on it */
+std::vector<std::optional<Surfel>>
+findSurfels (const VoxelGrid& grid,
+             int resolutions,
+             double least_points,
+             unsigned threads);
+
+} // namespace pcl_ops::internal

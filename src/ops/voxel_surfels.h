@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bounded/bounded_planes.h"
+#include "detection/labelled_planes.h"
+#include "ops/surfels.h"
+#include "voxels/voxel_grid.h"
+#include <pcl_ops/oriented_point_sampling.h>
+
+#include <optional>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief The recommended sampling: the flat voxels of a grid, with the normals of the
+ * moments around; planes end where their voxels end. */
+class VoxelSurfels {
+public:
+  /** \param[in] input, parameters used as long as this is */
+  VoxelSurfels (const DetectorInput& input,
+                const OrientedPointSamplingParameters& parameters)
+  : input_ (input), parameters_ (parameters)
+  {}
+
+  /** \return an empty grid where the points span no voxels */
+  VoxelizedPoints
+  sample (const Points& points) const;
+
+  std::vector<std::optional<Surfel>>
+  orient (const Points& points, const VoxelizedPoints& voxelized) const;
+
+  /** \brief Planes of sure surfels first, then of all that are left. */
+  BoundedPlanes
+  extract (const Points& points,
+           const VoxelizedPoints& voxelized,
+           const std::vector<std::optional<Surfel>>& surfels) const;
+
+  /** \brief Which voxels are whose in the end, and how much noise there is. */
+  void
+  bound (const Points& points,
+         const VoxelizedPoints& voxelized,
+         BoundedPlanes& planes) const;
+
+  AssignedPoints
+  assign (const Points& points,
+          const VoxelizedPoints& voxelized,
+          const BoundedPlanes& planes) const;
+
+  /** \brief Fits the planes to their points; their bounds have been settled. */
+  LabelledPlanes
+  merge (AssignedPoints assigned) const;
+
+private:
+  const DetectorInput& input_;
+  const OrientedPointSamplingParameters& parameters_;
+};
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "search/box_tree.h"
+
+#include "search/nearest_candidates.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+/** \brief What is still to be visited, the next one on top: in one number the distance,
+ * as sorting goes by it, and which child of which node it is. */
+class Postponed {
+public:
+  bool
+  empty () const
+  {
+    return number_ == 0;
+  }
+
+  /** \brief Later additions come before earlier ones, nearer before farther ones. */
+  void
+  startNode ()
+  {
+    first_of_node_ = number_;
+  }
+
+  void
+  add (float squared_distance, std::uint32_t child)
+  {
+    const Entry entry =
+        (Entry (NearestCandidates::bitsOf (squared_distance)) << child_bits) | child;
+    std::size_t place = number_++;
+    for (; place > first_of_node_ && entries_[place - 1] < entry; --place)
+      entries_[place] = entries_[place - 1];
+    entries_[place] = entry;
+  }
+
+  std::uint64_t
+  pop ()
+  {
+    return entries_[--number_];
+  }
+
+  static constexpr int child_bits = 32;
+
+private:
+  using Entry = std::uint64_t;
+  // Dividing by 4 / 3 or more leaves one of 2^32 voxels after 78 times, one point of a
+  // voxel after as many; a level of nodes divides three times.
+  static constexpr std::size_t most_levels = 2 * (78 / 3);
+  std::array<Entry, most_levels * 8> entries_;
+  std::size_t number_ = 0;
+  std::size_t first_of_node_ = 0;
+};
+
+using Node = BoxTree::Node;
+using Child = BoxTree::Child;
+using OfChildren = BoxTree::OfChildren;
+
+// Rounded as the distances of points are, it is never more than theirs.
+void
+squaredDistances (const Node& node,
+                  const Eigen::Vector3f& position,
+                  OfChildren& distances)
+{
+  using Values = Eigen::Array<float, BoxTree::most_children, 1>;
+  const auto outside = [] (const OfChildren& low, float value, const OfChildren& high) {
+    const Eigen::Map<const Values> l (low.data()), h (high.data());
+    return (l - value).max (value - h).max (0.0f).square().eval();
+  };
+  Eigen::Map<Values> (distances.data()) =
+      outside (node.low_x, position.x(), node.high_x) +
+      outside (node.low_y, position.y(), node.high_y) +
+      outside (node.low_z, position.z(), node.high_z);
+}
+
+void
+visitLeaf (const Child& leaf,
+           const Coordinates& points,
+           const pcl::Indices& index,
+           const Eigen::Vector3f& position,
+           NearestCandidates& candidates)
+{
+  std::array<float, BoxTree::most_points_of_leaf> distances;
+  const float x = position.x(), y = position.y(), z = position.z();
+  const float* const px = points.x.data() + leaf.first;
+  const float* const py = points.y.data() + leaf.first;
+  const float* const pz = points.z.data() + leaf.first;
+  for (std::uint32_t i = 0; i < leaf.size; ++i) {
+    const float dx = px[i] - x, dy = py[i] - y, dz = pz[i] - z;
+    distances[i] = dx * dx + dy * dy + dz * dz;
+  }
+  candidates.add (distances.data(), &index[leaf.first], leaf.size);
+}
+
+void
+visit (const std::vector<Node>& nodes,
+       const Coordinates& points,
+       const pcl::Indices& index,
+       const Eigen::Vector3f& position,
+       NearestCandidates& candidates)
+{
+  constexpr std::size_t most_children = BoxTree::most_children;
+  Postponed postponed;
+  OfChildren distances;
+  std::uint32_t number = 0;
+  while (true) {
+    const Node& node = nodes[number];
+    squaredDistances (node, position, distances);
+    postponed.startNode();
+    for (std::uint32_t i = 0; i < node.number; ++i)
+      if (candidates.mayTake (distances[i]))
+        postponed.add (distances[i], number * most_children + i);
+    for (bool is_leaf = true; is_leaf;) {
+      if (postponed.empty())
+        return;
+      const std::uint64_t next = postponed.pop();
+      if (!candidates.mayTakeBits (next >> Postponed::child_bits))
+        continue;
+      const auto slot = static_cast<std::uint32_t> (next);
+      const Child& child = nodes[slot / most_children].children[slot % most_children];
+      is_leaf = child.size > 0;
+      if (is_leaf)
+        visitLeaf (child, points, index, position, candidates);
+      else
+        number = child.first;
+    }
+  }
+}
+
+} // namespace
+
+BoxTree::BoxTree (std::vector<Node> nodes, Coordinates points, pcl::Indices index)
+: nodes_ (std::move (nodes)), points_ (std::move (points)), index_ (std::move (index))
+{}
+
+void
+BoxTree::find (const NeighbourQuery& query,
+               pcl::Indices& indices,
+               std::vector<float>& squared_distances) const
+{
+  NearestCandidates candidates (std::min (query.most, size()), query.squared_radius);
+  if (size() > 0 && query.most > 0)
+    visit (nodes_, points_, index_, query.position, candidates);
+  candidates.take (query.sorted, indices, squared_distances);
+}
+
+} // namespace pcl_ops::internal

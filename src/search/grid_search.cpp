@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/points.h"
+#include "search/box_tree_builder.h"
+#include <pcl_ops/grid_search.h>
+
+namespace pcl_ops {
+
+std::shared_ptr<const internal::BoxTree>
+sortIntoVoxels (const CloudView& cloud, const pcl::Indices& indices)
+{
+  constexpr unsigned one_thread = 1;
+  const internal::Points points = internal::finitePoints (cloud, indices, one_thread);
+  return std::make_shared<const internal::BoxTree> (
+      internal::buildBoxTree (points, cloud));
+}
+
+void
+findNeighbours (const internal::BoxTree* tree,
+                const NeighbourQuery& query,
+                pcl::Indices& indices,
+                std::vector<float>& squared_distances)
+{
+  indices.clear();
+  squared_distances.clear();
+  if (tree && query.position.allFinite())
+    tree->find (query, indices, squared_distances);
+}
+
+} // namespace pcl_ops

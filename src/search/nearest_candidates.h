@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/types.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief The nearest of the points it is shown: collects more than that and drops the
+ * farther ones when they have become many, which costs a constant time a point however
+ * many are wanted. */
+class NearestCandidates {
+public:
+  /** \brief As whole numbers, floats of 0 and above are in the same order. */
+  static std::uint32_t
+  bitsOf (float distance)
+  {
+    std::uint32_t bits;
+    std::memcpy (&bits, &distance, sizeof (bits));
+    return bits;
+  }
+
+  NearestCandidates (std::size_t most, float squared_radius)
+  : most_ (most), limit_ (bitsOf (squared_radius) + 1)
+  {
+    constexpr std::size_t fewest_more = 16;
+    const std::size_t more = std::max (most / 2, fewest_more);
+    shrink_at_ =
+        most > std::numeric_limits<std::size_t>::max() - more ? most : most + more;
+    constexpr std::size_t usual_room = 128;
+    keys_.resize (std::min (usual_room, shrink_at_));
+  }
+
+  /** \brief Whether points so far away may be among the nearest still. */
+  bool
+  mayTake (float squared_distance) const
+  {
+    return mayTakeBits (bitsOf (squared_distance));
+  }
+  bool
+  mayTakeBits (std::uint64_t squared_distance) const
+  {
+    return squared_distance < limit_;
+  }
+
+  void
+  add (const float* squared_distances, const pcl::index_t* indices, std::size_t number)
+  {
+    if (keys_.size() < number_ + number)
+      keys_.resize (std::max (2 * keys_.size(), number_ + number));
+    Key* next = keys_.data() + number_;
+    const std::uint32_t limit = limit_;
+    for (std::size_t i = 0; i < number; ++i) {
+      const std::uint32_t distance = bitsOf (squared_distances[i]);
+      // Written always, counted if near: no branch to mispredict.
+      *next = (Key (distance) << index_bits) | static_cast<Key> (indices[i]);
+      next += distance < limit ? 1 : 0;
+    }
+    number_ = static_cast<std::size_t> (next - keys_.data());
+    if (number_ >= shrink_at_)
+      shrink();
+  }
+
+  /** \brief Gives out what is left. */
+  void
+  take (bool sorted, pcl::Indices& indices, std::vector<float>& squared_distances)
+  {
+    if (number_ > most_)
+      shrink();
+    if (sorted)
+      std::sort (keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t> (number_));
+    indices.resize (number_);
+    squared_distances.resize (number_);
+    for (std::size_t i = 0; i < number_; ++i) {
+      indices[i] = static_cast<pcl::index_t> (keys_[i] & ((Key (1) << index_bits) - 1));
+      const auto distance = static_cast<std::uint32_t> (keys_[i] >> index_bits);
+      std::memcpy (&squared_distances[i], &distance, sizeof (distance));
+    }
+  }
+
+private:
+  /** \brief Distance and index in one: sorted by both. */
+  using Key = std::uint64_t;
+  static constexpr int index_bits = 32;
+  static_assert (sizeof (pcl::index_t) * 8 <= index_bits, "an index fits into a key");
+
+  void
+  shrink ()
+  {
+    const auto farthest = keys_.begin() + static_cast<std::ptrdiff_t> (most_ - 1);
+    std::nth_element (
+        keys_.begin(), farthest, keys_.begin() + static_cast<std::ptrdiff_t> (number_));
+    number_ = most_;
+    limit_ = static_cast<std::uint32_t> (*farthest >> index_bits);
+  }
+
+  std::size_t most_;
+  std::size_t shrink_at_;
+  /** \brief Points nearer than this, as bits, are collected. */
+  std::uint32_t limit_;
+  std::size_t number_ = 0;
+  std::vector<Key> keys_;
+};
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxels/voxel_table.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pcl_ops::internal {
+
+VoxelTable::VoxelTable() : slots_ (1024, 0) {}
+
+std::size_t
+VoxelTable::findSlot (BlockKey key) const
+{
+  // Fibonacci hashing: the high bits of the product are well mixed.
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t slot =
+      static_cast<std::size_t> ((key * 0x9E3779B97F4A7C15u) >> 32) & mask;
+  while (slots_[slot] != 0 && blocks_[slots_[slot] - 1].key != key)
+    slot = (slot + 1) & mask;
+  return slot;
+}
+
+std::uint32_t
+VoxelTable::findOrAddBlock (BlockKey key)
+{
+  const std::size_t slot = findSlot (key);
+  if (slots_[slot] != 0)
+    return slots_[slot] - 1;
+  blocks_.emplace_back();
+  blocks_.back().key = key;
+  blocks_.back().voxels.fill (-1);
+  slots_[slot] = static_cast<std::uint32_t> (blocks_.size());
+  if (2 * blocks_.size() > slots_.size())
+    grow();
+  return static_cast<std::uint32_t> (blocks_.size() - 1);
+}
+
+void
+VoxelTable::grow()
+{
+  slots_.assign (2 * slots_.size(), 0);
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    slots_[findSlot (blocks_[i].key)] = static_cast<std::uint32_t> (i + 1);
+}
+
+std::vector<std::uint32_t>
+VoxelTable::sort()
+{
+  order_.resize (blocks_.size());
+  std::iota (order_.begin(), order_.end(), 0u);
+  std::sort (
+      order_.begin(), order_.end(), [this] (std::uint32_t first, std::uint32_t second) {
+        return blocks_[first].key < blocks_[second].key;
+      });
+  std::vector<std::uint32_t> new_number (keys_.size());
+  std::vector<VoxelKey> sorted;
+  sorted.reserve (keys_.size());
+  for (const std::uint32_t block : order_)
+    for (std::int32_t& voxel : blocks_[block].voxels)
+      if (voxel >= 0) {
+        const auto number = static_cast<std::uint32_t> (sorted.size());
+        new_number[static_cast<std::size_t> (voxel)] = number;
+        sorted.push_back (keys_[static_cast<std::size_t> (voxel)]);
+        voxel = static_cast<std::int32_t> (number);
+      }
+  keys_ = std::move (sorted);
+  return new_number;
+}
+
+namespace {
+
+// Along one axis: the voxels of a block or of one of its neighbours that fall into the
+// padded block around it.
+struct Overlap {
+  int from;
+  int size;
+  int to;
+};
+
+constexpr Overlap
+overlapOf (int block_offset, int edge)
+{
+  if (block_offset < 0)
+    return {edge - 1, 1, 0};
+  if (block_offset > 0)
+    return {0, 1, edge + 1};
+  return {0, edge, 1};
+}
+
+} // namespace
+
+void
+VoxelTable::pad (const Block& block, PaddedBlock& padded) const
+{
+  padded.fill (-1);
+  const VoxelKey corner = cornerOf (block.key);
+  for (int dz = -1; dz <= 1; ++dz)
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const std::uint32_t found =
+            slots_[findSlot (blockKey ({corner.x + dx * block_edge,
+                                        corner.y + dy * block_edge,
+                                        corner.z + dz * block_edge}))];
+        if (found == 0)
+          continue;
+        const std::int32_t* const voxels = blocks_[found - 1].voxels.data();
+        const Overlap x = overlapOf (dx, block_edge), y = overlapOf (dy, block_edge),
+                      z = overlapOf (dz, block_edge);
+        for (int k = 0; k < z.size; ++k)
+          for (int j = 0; j < y.size; ++j)
+            std::copy_n (
+                voxels + ((z.from + k) * block_edge + y.from + j) * block_edge + x.from,
+                x.size,
+                padded.data() + ((z.to + k) * padded_edge + y.to + j) * padded_edge +
+                    x.to);
+      }
+}
+
+VoxelNeighbours
+VoxelTable::neighbours (unsigned threads) const
+{
+  constexpr std::size_t blocks_per_piece = 32;
+  VoxelNeighbours neighbours;
+  neighbours.reserve (keys_.size());
+  for (const VoxelNeighbours& piece : parallelPieces (
+           threads, order_.size(), blocks_per_piece, [this] (auto begin, auto end) {
+             return neighboursIn (begin, end);
+           }))
+    neighbours.append (piece);
+  return neighbours;
+}
+
+VoxelNeighbours
+VoxelTable::neighboursIn (std::size_t first_block, std::size_t last_block) const
+{
+  constexpr std::int32_t mask = block_edge - 1;
+  VoxelNeighbours neighbours;
+  PaddedBlock padded;
+  std::array<std::uint32_t, 27> found{};
+  for (std::size_t b = first_block; b < last_block; ++b) {
+    const Block& block = blocks_[order_[b]];
+    pad (block, padded);
+    for (const std::int32_t voxel : block.voxels) {
+      if (voxel < 0)
+        continue;
+      const VoxelKey& key = keys_[static_cast<std::size_t> (voxel)];
+      const std::int32_t* const corner =
+          padded.data() +
+          ((key.z & mask) * padded_edge + (key.y & mask)) * padded_edge +
+          (key.x & mask);
+      std::size_t number = 0;
+      for (int dz = 0; dz < 3; ++dz)
+        for (int dy = 0; dy < 3; ++dy)
+          for (int dx = 0; dx < 3; ++dx) {
+            const std::int32_t neighbour =
+                corner[(dz * padded_edge + dy) * padded_edge + dx];
+            // Written always, counted if there: no branch to mispredict.
+            found[number] = static_cast<std::uint32_t> (neighbour);
+            number += neighbour >= 0;
+          }
+      neighbours.add (found.data(), number);
+    }
+  }
+  return neighbours;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "voxels/voxel_grid.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief Numbers the occupied voxels of an unbounded grid.
+ *
+ * Voxels are kept in blocks of 8 x 8 x 8 that are looked up by a hash; points that
+ * follow each other mostly share a block, and a surface fills a good share of the
+ * blocks it crosses. */
+class VoxelTable {
+public:
+  VoxelTable();
+
+  /** \brief Number of the voxel; a new one gets the next number. */
+  std::uint32_t
+  insert (const VoxelKey& key)
+  {
+    const BlockKey block_key = blockKey (key);
+    if (block_key != last_key_) {
+      last_block_ = findOrAddBlock (block_key);
+      last_key_ = block_key;
+    }
+    std::int32_t& voxel = blocks_[last_block_].voxels[positionInBlock (key)];
+    if (voxel < 0) {
+      voxel = static_cast<std::int32_t> (keys_.size());
+      keys_.push_back (key);
+    }
+    return static_cast<std::uint32_t> (voxel);
+  }
+
+  std::size_t
+  size () const
+  {
+    return keys_.size();
+  }
+
+  /** \brief Coordinates of each voxel, by number. */
+  const std::vector<VoxelKey>&
+  keys () const
+  {
+    return keys_;
+  }
+
+  /** \brief Renumbers the voxels by their coordinates, block after block.
+   * \return the new number of each */
+  std::vector<std::uint32_t>
+  sort ();
+
+  /** \brief Neighbours of each voxel, by number; after \ref sort. */
+  VoxelNeighbours
+  neighbours (unsigned threads) const;
+
+private:
+  using BlockKey = std::uint64_t;
+  static constexpr int block_bits = 3;
+  static constexpr int block_edge = 1 << block_bits;
+  static constexpr int coordinate_bits = 21;
+
+  struct Block {
+    BlockKey key = 0;
+    std::array<std::int32_t, block_edge * block_edge * block_edge> voxels;
+  };
+
+  static BlockKey
+  blockKey (const VoxelKey& key)
+  {
+    return (static_cast<BlockKey> (key.z >> block_bits) << (2 * coordinate_bits)) |
+           (static_cast<BlockKey> (key.y >> block_bits) << coordinate_bits) |
+           static_cast<BlockKey> (key.x >> block_bits);
+  }
+
+  static std::size_t
+  positionInBlock (const VoxelKey& key)
+  {
+    constexpr int mask = block_edge - 1;
+    return static_cast<std::size_t> (
+        ((((key.z & mask) << block_bits) | (key.y & mask)) << block_bits) |
+        (key.x & mask));
+  }
+
+  std::size_t
+  findSlot (BlockKey key) const;
+  std::uint32_t
+  findOrAddBlock (BlockKey key);
+  void
+  grow ();
+
+  /** \brief Numbers of the voxels of a block and of those one voxel around it; -1 where
+   * there is none. */
+  static constexpr int padded_edge = block_edge + 2;
+  using PaddedBlock = std::array<std::int32_t, padded_edge * padded_edge * padded_edge>;
+  void
+  pad (const Block& block, PaddedBlock& padded) const;
+
+  /** \brief Neighbours of the voxels of some of the blocks, in their order. */
+  VoxelNeighbours
+  neighboursIn (std::size_t first_block, std::size_t last_block) const;
+
+  static VoxelKey
+  cornerOf (BlockKey key)
+  {
+    constexpr BlockKey mask = (BlockKey (1) << coordinate_bits) - 1;
+    const auto coordinate = [key] (int axis) {
+      return static_cast<std::int32_t> ((key >> (axis * coordinate_bits)) & mask)
+             << block_bits;
+    };
+    return {coordinate (0), coordinate (1), coordinate (2)};
+  }
+
+  std::vector<VoxelKey> keys_;
+  std::vector<Block> blocks_;
+  /** \brief The blocks by their coordinates, once sorted. */
+  std::vector<std::uint32_t> order_;
+  /** \brief Open addressing: block number + 1, 0 for a free slot. */
+  std::vector<std::uint32_t> slots_;
+  BlockKey last_key_ = ~BlockKey (0);
+  std::uint32_t last_block_ = 0;
+};
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+using pcl_ops::parallelFor;
+
+namespace {
+
+using Piece = std::pair<std::size_t, std::size_t>;
+
+std::vector<Piece>
+piecesOf (unsigned threads, std::size_t size, std::size_t grain)
+{
+  std::vector<Piece> pieces (size);
+  std::atomic<std::size_t> calls{0};
+  parallelFor (threads, size, grain, [&] (std::size_t begin, std::size_t end) {
+    pieces[calls++] = {begin, end};
+  });
+  pieces.resize (calls);
+  std::sort (pieces.begin(), pieces.end());
+  return pieces;
+}
+
+} // namespace
+
+TEST (ParallelFor, CoversEveryItemOnce)
+{
+  const std::vector<Piece> expected{{0, 4}, {4, 8}, {8, 10}};
+  for (const unsigned threads : {0u, 1u, 2u, 4u})
+    EXPECT_EQ (piecesOf (threads, 10, 4), expected) << threads << " threads";
+}
+
+TEST (ParallelFor, HasNothingToDoForNoItems)
+{
+  EXPECT_TRUE (piecesOf (2, 0, 4).empty());
+}
+
+TEST (ParallelFor, TakesAnyNumberOfThreads)
+{
+  constexpr unsigned absurd = std::numeric_limits<unsigned>::max();
+  EXPECT_EQ (piecesOf (absurd, 1000, 1).size(), 1000u);
+  EXPECT_EQ (piecesOf (1000000, 10000, 1).size(), 10000u);
+}
+
+TEST (ParallelFor, HandsOnWhatABodyThrows)
+{
+  const auto body = [] (std::size_t begin, std::size_t) {
+    if (begin == 50)
+      throw std::runtime_error ("piece 50");
+  };
+  for (const unsigned threads : {1u, 2u})
+    EXPECT_THROW (parallelFor (threads, 100, 1, body), std::runtime_error);
+}
+
+TEST (ParallelPieces, ComeInTheOrderOfThePiecesForAnyNumberOfThreads)
+{
+  for (const unsigned threads : {1u, 2u, 8u}) {
+    const auto ends = pcl_ops::parallelPieces (
+        threads, 10, 4, [] (std::size_t, std::size_t end) { return end; });
+    EXPECT_EQ (ends, (std::vector<std::size_t>{4, 8, 10}));
+  }
+}

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "base/random.h"
+#include "scene.h"
+
+#include <array>
+
+using pcl_ops::drawBelow;
+using pcl_ops::drawUnit;
+using pcl_ops::RandomGenerator;
+
+TEST (RandomGenerator, IsTheOneTheStandardDefines)
+{
+  RandomGenerator generator;
+  generator.discard (9999);
+  EXPECT_EQ (generator(), 4123659995u); // [rand.predef], the 10000th value of mt19937
+}
+
+TEST (DrawBelow, StaysBelowItsBound)
+{
+  RandomGenerator generator (seedOfTest());
+  for (const std::uint32_t bound : {2u, 3u, 1000u, 0x80000001u, 0xffffffffu})
+    for (int i = 0; i < 1000; ++i)
+      EXPECT_LT (drawBelow (generator, bound), bound);
+}
+
+TEST (DrawBelow, HasOneOutcomeForBoundsOfOneAndZero)
+{
+  RandomGenerator generator (seedOfTest());
+  EXPECT_EQ (drawBelow (generator, 1), 0u);
+  EXPECT_EQ (drawBelow (generator, 0), 0u);
+}
+
+TEST (DrawBelow, GivesEachOutcomeItsShare)
+{
+  RandomGenerator generator (seedOfTest());
+  std::array<int, 6> times{};
+  for (int i = 0; i < 60000; ++i)
+    ++times[drawBelow (generator, 6)];
+  for (const int count : times)
+    EXPECT_NEAR (count, 10000, 5 * 92); // five standard deviations
+}
+
+TEST (DrawBelow, IsUnbiasedWhereAModuloWouldNotBe)
+{
+  // generator () % bound would fall into the first third half of the time.
+  constexpr std::uint32_t third = 1u << 30;
+  RandomGenerator generator (seedOfTest());
+  int in_first_third = 0;
+  for (int i = 0; i < 30000; ++i)
+    in_first_third += drawBelow (generator, 3 * third) < third;
+  EXPECT_NEAR (in_first_third, 10000, 5 * 82);
+}
+
+TEST (DrawBelow, SameSeedSameDraws)
+{
+  RandomGenerator first (7), again (7), other (8);
+  int same = 0;
+  for (int i = 0; i < 100; ++i) {
+    const std::uint32_t drawn = drawBelow (first, 1000000);
+    EXPECT_EQ (drawn, drawBelow (again, 1000000));
+    same += drawn == drawBelow (other, 1000000);
+  }
+  EXPECT_LT (same, 5);
+}
+
+TEST (DrawUnit, IsUniformInTheHalfOpenUnitInterval)
+{
+  RandomGenerator generator (seedOfTest());
+  std::array<int, 10> tenth{};
+  for (int i = 0; i < 10000; ++i) {
+    const double drawn = drawUnit (generator);
+    ASSERT_GE (drawn, 0.0);
+    ASSERT_LT (drawn, 1.0);
+    ++tenth[static_cast<std::size_t> (10.0 * drawn)];
+  }
+  for (const int count : tenth)
+    EXPECT_NEAR (count, 1000, 5 * 30);
+}

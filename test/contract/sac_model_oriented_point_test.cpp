@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/sample_consensus/lmeds.h>
+#include <pcl/sample_consensus/mlesac.h>
+#include <pcl/sample_consensus/msac.h>
+#include <pcl/sample_consensus/prosac.h>
+#include <pcl/sample_consensus/ransac.h>
+
+#include <gtest/gtest.h>
+
+#include "ops/plane_extraction.h"
+#include "scene.h"
+#include <pcl_ops/sac_model_oriented_point.h>
+
+#include <numeric>
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointNormal>;
+using Model = pcl_ops::SampleConsensusModelOrientedPoint<pcl::PointNormal>;
+
+pcl::PointNormal
+orientedPoint (const Eigen::Vector3d& position, const Eigen::Vector3d& normal)
+{
+  pcl::PointNormal point;
+  point.getVector3fMap() = position.cast<float>();
+  point.getNormalVector3fMap() = normal.cast<float>();
+  return point;
+}
+
+/** \brief A horizontal plane 1 m up that has a share of the points, each with its exact
+ * normal; the rest lies far above, each on a plane of its own. */
+Cloud::Ptr
+planeWithShare (double share, std::size_t size = 1000)
+{
+  const auto cloud = pcl::make_shared<Cloud>();
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  const auto on_plane = static_cast<double> (size) * share;
+  for (std::size_t i = 0; i < size; ++i) {
+    const bool inlier = static_cast<double> (i) < on_plane;
+    const double x = pcl_ops::drawUnit (generator), y = pcl_ops::drawUnit (generator);
+    const double height = inlier ? 1.0 : 2.0 + static_cast<double> (i);
+    cloud->push_back (orientedPoint ({x, y, height}, Eigen::Vector3d::UnitZ()));
+  }
+  return cloud;
+}
+
+const Surface one_metre_up{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+
+pcl_ops::Plane
+toPlane (const Eigen::VectorXf& coefficients)
+{
+  return {coefficients.head<3>().cast<double>(), coefficients[3]};
+}
+
+/** \brief pcl::RandomSampleConsensus with its number of iterations in sight. */
+class CountingRansac : public pcl::RandomSampleConsensus<pcl::PointNormal> {
+public:
+  using pcl::RandomSampleConsensus<pcl::PointNormal>::RandomSampleConsensus;
+
+  std::size_t
+  iterations () const
+  {
+    return static_cast<std::size_t> (iterations_);
+  }
+};
+
+/** \brief Iterations of RANSAC on a plane with a share of the points, over 21 seeds. */
+std::vector<std::size_t>
+sortedIterations (double share)
+{
+  const auto cloud = planeWithShare (share);
+  std::vector<std::size_t> iterations;
+  for (std::uint32_t seed = 0; seed < 21; ++seed) {
+    const auto model = pcl::make_shared<Model> (cloud);
+    model->setSeed (seed);
+    CountingRansac ransac (model, 5_cm);
+    ransac.setProbability (0.99);
+    EXPECT_TRUE (ransac.computeModel());
+    iterations.push_back (ransac.iterations());
+  }
+  std::sort (iterations.begin(), iterations.end());
+  return iterations;
+}
+
+/** \brief Indices a model draws one after the other. */
+pcl::Indices
+draws (Model& model, int number)
+{
+  pcl::Indices drawn, sample;
+  for (int i = 0; i < number; ++i) {
+    int iterations = 0;
+    model.getSamples (iterations, sample);
+    drawn.push_back (sample.at (0));
+  }
+  return drawn;
+}
+
+} // namespace
+
+template <typename EstimatorT>
+class OrientedPointModelIn : public ::testing::Test {};
+
+// Not RRANSAC and RMSAC: before PCL 1.15 they pretest a tenth of all points and may
+// never end, with any model.
+using Estimators =
+    ::testing::Types<pcl::RandomSampleConsensus<pcl::PointNormal>,
+                     pcl::MEstimatorSampleConsensus<pcl::PointNormal>,
+                     pcl::MaximumLikelihoodSampleConsensus<pcl::PointNormal>,
+                     pcl::ProgressiveSampleConsensus<pcl::PointNormal>,
+                     pcl::LeastMedianSquares<pcl::PointNormal>>;
+TYPED_TEST_SUITE (OrientedPointModelIn, Estimators);
+
+TYPED_TEST (OrientedPointModelIn, PclsEstimatorFindsThePlane)
+{
+  const auto cloud = planeWithShare (0.7);
+  TypeParam estimator (pcl::make_shared<Model> (cloud), 5_cm);
+  ASSERT_TRUE (estimator.computeModel());
+  Eigen::VectorXf coefficients;
+  pcl::Indices inliers;
+  estimator.getModelCoefficients (coefficients);
+  estimator.getInliers (inliers);
+  expectPlaneNear (toPlane (coefficients), one_metre_up, 1e-5, 1e-5);
+  EXPECT_EQ (inliers.size(), 700u);
+}
+
+TEST (OrientedPointModel, MakesPclsRansacIterateAsOftenAsThePaperSays)
+{
+  // A run ends after N_iter = log (1 - p) / log (1 - w) draws if one of them hit the
+  // plane, and that is so in 99 of 100 runs.
+  for (const double w : {0.1, 0.2, 0.5, 0.7}) {
+    const std::vector<std::size_t> iterations = sortedIterations (w);
+    const std::size_t n_iter = pcl_ops::requiredDraws (0.99, w);
+    EXPECT_GE (iterations.front(), n_iter) << "w = " << w;
+    EXPECT_LE (iterations[10], n_iter + 1) << "w = " << w;
+  }
+}
+
+TEST (OrientedPointModel, IsThePlaneThroughAPointPerpendicularToItsNormal)
+{
+  const auto cloud = pcl::make_shared<Cloud>();
+  cloud->push_back (orientedPoint ({1, 2, 3}, {0, 0, 2})); // not quite a unit normal
+  Eigen::VectorXf coefficients;
+  ASSERT_TRUE (Model (cloud).computeModelCoefficients ({0}, coefficients));
+  EXPECT_TRUE (coefficients.isApprox (Eigen::Vector4f (0, 0, 1, -3)));
+}
+
+TEST (OrientedPointModel, RefusesSamplesWithoutAPlane)
+{
+  constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+  const auto cloud = pcl::make_shared<Cloud>();
+  cloud->push_back (orientedPoint ({1, 2, 3}, {0, 0, 0}));
+  cloud->push_back (orientedPoint ({1, 2, 3}, {nan_value, 0, 1}));
+  cloud->push_back (orientedPoint ({nan_value, 2, 3}, {0, 0, 1}));
+  cloud->push_back (orientedPoint ({1, 2, 3}, {0, 0, 1}));
+  const Model model (cloud);
+  Eigen::VectorXf coefficients;
+  for (const pcl::Indices& sample : {pcl::Indices{0},
+                                     pcl::Indices{1},
+                                     pcl::Indices{2},
+                                     pcl::Indices{},
+                                     pcl::Indices{3, 3}})
+    EXPECT_FALSE (model.computeModelCoefficients (sample, coefficients));
+  EXPECT_TRUE (model.computeModelCoefficients ({3}, coefficients));
+}
+
+TEST (OrientedPointModel, RefitsToInliersOnTheSideOfTheModel)
+{
+  const auto cloud = planeWithShare (1.0, 100);
+  pcl::Indices all (cloud->size());
+  std::iota (all.begin(), all.end(), 0);
+  for (const float side : {1.0f, -1.0f}) {
+    Eigen::VectorXf hypothesis (4), refitted;
+    hypothesis << side * 0.1f, 0, side * 0.995f, -side;
+    Model (cloud).optimizeModelCoefficients (all, hypothesis, refitted);
+    EXPECT_TRUE (refitted.isApprox (side * Eigen::Vector4f (0, 0, 1, -1), 1e-5f));
+  }
+}
+
+TEST (OrientedPointModel, KeepsItsHypothesisWhereInliersHaveNoPlane)
+{
+  const auto cloud = pcl::make_shared<Cloud>();
+  for (int i = 0; i < 5; ++i)
+    cloud->push_back (orientedPoint (Eigen::Vector3d::Constant (i), {0, 0, 1}));
+  Eigen::VectorXf hypothesis (4), refitted;
+  hypothesis << 0, 0, 1, -3;
+  for (const pcl::Indices& inliers :
+       {pcl::Indices{}, pcl::Indices{0, 1}, pcl::Indices{0, 1, 2, 3, 4}}) {
+    Model (cloud).optimizeModelCoefficients (inliers, hypothesis, refitted);
+    EXPECT_EQ (refitted, hypothesis);
+  }
+}
+
+TEST (OrientedPointModel, KeepsItsHypothesisWhereTheRefitBreaksAConstraint)
+{
+  const auto cloud = planeWithShare (1.0, 100);
+  Model model (cloud);
+  model.setModelConstraints ([] (const Eigen::VectorXf& c) { return c[0] > 0.05f; });
+  Eigen::VectorXf hypothesis (4), refitted;
+  hypothesis << 0.1f, 0, 0.995f, -1;
+  model.optimizeModelCoefficients ({0, 1, 2, 3, 4, 5}, hypothesis, refitted);
+  EXPECT_EQ (refitted, hypothesis);
+}
+
+TEST (OrientedPointModel, DrawsTheSameForTheSameSeed)
+{
+  const auto cloud = planeWithShare (0.5);
+  Model first (cloud), again (cloud), other (cloud);
+  first.setSeed (7);
+  again.setSeed (7);
+  other.setSeed (8);
+  const pcl::Indices drawn = draws (first, 20);
+  EXPECT_EQ (draws (again, 20), drawn);
+  EXPECT_NE (draws (other, 20), drawn);
+}
+
+TEST (OrientedPointModel, StartsOverWhenSeededAgain)
+{
+  Model model (planeWithShare (0.5));
+  model.setSeed (7);
+  const pcl::Indices drawn = draws (model, 20);
+  model.setSeed (7);
+  EXPECT_EQ (draws (model, 20), drawn);
+}
+
+TEST (OrientedPointModel, UsesTheIndicesItIsGiven)
+{
+  const auto cloud = planeWithShare (0.5);
+  const pcl::Indices given{0, 1, 2, 3, 900, 950};
+  pcl::RandomSampleConsensus<pcl::PointNormal> ransac (
+      pcl::make_shared<Model> (cloud, given), 5_cm);
+  ASSERT_TRUE (ransac.computeModel());
+  pcl::Indices inliers;
+  ransac.getInliers (inliers);
+  EXPECT_EQ (inliers, (pcl::Indices{0, 1, 2, 3}));
+}

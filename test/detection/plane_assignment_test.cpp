@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "detection/plane_assignment.h"
+#include "scene.h"
+
+using pcl_ops::AssignmentRule;
+using pcl_ops::assignPoints;
+using pcl_ops::Coordinates;
+using pcl_ops::Labels;
+using pcl_ops::Moments;
+using pcl_ops::momentsOfLabels;
+using pcl_ops::no_plane;
+using pcl_ops::Plane;
+
+namespace {
+
+Plane
+atHeight (double z)
+{
+  return {Eigen::Vector3d::UnitZ(), -z};
+}
+
+Coordinates
+pointsAtHeights (const std::vector<float>& heights)
+{
+  Coordinates points;
+  for (const float z : heights)
+    points.add (0.0f, 0.0f, z);
+  return points;
+}
+
+/** \brief Points of a cube of 2 m: more than a few pieces of the parallel loop. */
+Coordinates
+randomPoints (std::size_t count)
+{
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  const auto draw = [&] {
+    return static_cast<float> (2.0 * pcl_ops::drawUnit (generator) - 1.0);
+  };
+  Coordinates points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float x = draw(), y = draw(), z = draw();
+    points.add (x, y, z);
+  }
+  return points;
+}
+
+std::vector<Plane>
+randomPlanes (std::size_t count)
+{
+  pcl_ops::RandomGenerator generator (seedOfTest() + 1);
+  std::vector<Plane> planes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d normal (
+        drawNormal (generator), drawNormal (generator), drawNormal (generator));
+    planes.push_back ({normal.normalized(), pcl_ops::drawUnit (generator) - 0.5});
+  }
+  return planes;
+}
+
+std::int32_t
+labelByBruteForce (const Eigen::Vector3d& point,
+                   const std::vector<Plane>& planes,
+                   double threshold,
+                   AssignmentRule rule)
+{
+  std::int32_t best = no_plane;
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const double distance = std::abs (planes[p].distance (point));
+    if (distance >= threshold)
+      continue;
+    best = static_cast<std::int32_t> (p);
+    if (rule == AssignmentRule::First)
+      break;
+    threshold = distance;
+  }
+  return best;
+}
+
+} // namespace
+
+TEST (AssignPoints, GivesAPointToTheNearestPlane)
+{
+  const Coordinates points = pointsAtHeights ({0.0f, 0.2f, 0.8f, 1.0f});
+  EXPECT_EQ (assignPoints (
+                 points, {atHeight (0), atHeight (1)}, 2.0, AssignmentRule::Nearest, 1),
+             (Labels{0, 0, 1, 1}));
+}
+
+TEST (AssignPoints, GivesAPointToTheFirstPlaneIfAskedTo)
+{
+  const Coordinates points = pointsAtHeights ({0.0f, 0.2f, 0.8f, 1.0f, 2.5f});
+  EXPECT_EQ (assignPoints (
+                 points, {atHeight (0), atHeight (1)}, 2.0, AssignmentRule::First, 1),
+             (Labels{0, 0, 0, 0, 1}));
+}
+
+TEST (AssignPoints, GivesAPointBetweenTwoPlanesToTheFirst)
+{
+  const Coordinates points = pointsAtHeights ({0.5f});
+  for (const auto rule : {AssignmentRule::Nearest, AssignmentRule::First})
+    EXPECT_EQ (assignPoints (points, {atHeight (0), atHeight (1)}, 2.0, rule, 1),
+               (Labels{0}));
+}
+
+TEST (AssignPoints, LeavesPointsBeyondTheThresholdAlone)
+{
+  const Coordinates points = pointsAtHeights ({-0.06f, -0.04f, 0.04f, 0.06f});
+  for (const auto rule : {AssignmentRule::Nearest, AssignmentRule::First})
+    EXPECT_EQ (assignPoints (points, {atHeight (0)}, 5_cm, rule, 1),
+               (Labels{no_plane, 0, 0, no_plane}));
+}
+
+TEST (AssignPoints, HasOneLabelPerPointAndNoneWithoutPlanes)
+{
+  EXPECT_TRUE (
+      assignPoints ({}, {atHeight (0)}, 5_cm, AssignmentRule::Nearest, 2).empty());
+  EXPECT_EQ (
+      assignPoints (pointsAtHeights ({0, 1}), {}, 5_cm, AssignmentRule::Nearest, 2),
+      (Labels{no_plane, no_plane}));
+}
+
+TEST (AssignPoints, AgreesWithBruteForce)
+{
+  const Coordinates points = randomPoints (40000);
+  const auto planes = randomPlanes (12);
+  for (const auto rule : {AssignmentRule::Nearest, AssignmentRule::First}) {
+    const Labels labels = assignPoints (points, planes, 10_cm, rule, 1);
+    int different = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      different += labels[i] != labelByBruteForce (points[i], planes, 10_cm, rule);
+    EXPECT_LE (different, 4) << "single and double precision may differ on a tie";
+  }
+}
+
+TEST (AssignPoints, DoesNotDependOnTheNumberOfThreads)
+{
+  const Coordinates points = randomPoints (100000);
+  const auto planes = randomPlanes (5);
+  const Labels one = assignPoints (points, planes, 10_cm, AssignmentRule::Nearest, 1);
+  for (const unsigned threads : {0u, 2u, 4u})
+    EXPECT_EQ (assignPoints (points, planes, 10_cm, AssignmentRule::Nearest, threads),
+               one);
+}
+
+TEST (MomentsOfLabels, AreThoseOfThePointsOfEachLabel)
+{
+  const Coordinates points = randomPoints (40000);
+  const Labels labels =
+      assignPoints (points, randomPlanes (3), 10_cm, AssignmentRule::Nearest, 1);
+  std::vector<Moments> expected (3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (labels[i] != no_plane)
+      expected[static_cast<std::size_t> (labels[i])].add (
+          points.x[i], points.y[i], points.z[i]);
+  const auto moments = momentsOfLabels (points, labels, 3, 1);
+  for (std::size_t p = 0; p < 3; ++p) {
+    EXPECT_EQ (moments[p].count, expected[p].count);
+    EXPECT_TRUE (moments[p].sum.isApprox (expected[p].sum, 1e-9));
+    EXPECT_TRUE (moments[p].covariance().isApprox (expected[p].covariance(), 1e-9));
+  }
+}
+
+TEST (MomentsOfLabels, LeaveOutLabelsOfNoPlane)
+{
+  const auto moments =
+      momentsOfLabels (pointsAtHeights ({1, 2, 3, 4}), {0, no_plane, 7, 0}, 2, 1);
+  ASSERT_EQ (moments.size(), 2u);
+  EXPECT_EQ (moments[0].count, 2.0);
+  EXPECT_EQ (moments[0].sum.z(), 5.0);
+  EXPECT_EQ (moments[1].count, 0.0);
+}
+
+TEST (MomentsOfLabels, AreTheSameToTheLastBitForAnyNumberOfThreads)
+{
+  const Coordinates points = randomPoints (100000);
+  const Labels labels (points.size(), 0);
+  const auto one = momentsOfLabels (points, labels, 1, 1);
+  for (const unsigned threads : {0u, 2u, 4u}) {
+    const auto many = momentsOfLabels (points, labels, 1, threads);
+    EXPECT_EQ (many[0].sum, one[0].sum);
+    EXPECT_EQ (many[0].products, one[0].products);
+  }
+}

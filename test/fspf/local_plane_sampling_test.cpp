@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "fspf/local_plane_sampling.h"
+#include "scene.h"
+
+#include <numeric>
+
+using namespace pcl_ops;
+
+namespace {
+
+constexpr double theta_h = 5_cm;
+
+Coordinates
+pointsAt (const std::vector<Eigen::Vector3f>& positions)
+{
+  Coordinates points;
+  for (const Eigen::Vector3f& p : positions)
+    points.add (p.x(), p.y(), p.z());
+  return points;
+}
+
+Positions
+allOf (const Coordinates& points)
+{
+  Positions all (points.size());
+  std::iota (all.begin(), all.end(), 0);
+  return all;
+}
+
+/** A hypothesis around the first point, p_r1 and p_r2 being any of the others. */
+std::optional<Plane>
+hypothesisAround (const Coordinates& points, double inner_radius)
+{
+  RandomGenerator generator (seedOfTest());
+  return drawHypothesis (points, 0, allOf (points), inner_radius, generator);
+}
+
+/** Adds points all over a square of 4 cm x 4 cm on the plane z = 0. */
+void
+addPatch (std::size_t size, Coordinates& points)
+{
+  RandomGenerator generator (seedOfTest());
+  for (std::size_t i = 0; i < size; ++i) {
+    const double x = 4_cm * drawUnit (generator), y = 4_cm * drawUnit (generator);
+    points.add (static_cast<float> (x), static_cast<float> (y), 0.0f);
+  }
+}
+
+/** Adds points a metre and more from it and from each other: none has a neighbour. */
+void
+addHermits (std::size_t size, Coordinates& points)
+{
+  for (std::size_t i = 1; i <= size; ++i)
+    points.add (0, 0, static_cast<float> (i));
+}
+
+LocalPlanes
+sample (const Coordinates& points, const LocalSamplingParameters& parameters)
+{
+  const Positions all = allOf (points);
+  return sampleLocalPlanes (
+      points,
+      [&] (std::uint32_t, Positions& sphere) { sphere = all; },
+      parameters,
+      theta_h,
+      seedOfTest());
+}
+
+LocalPlanes
+samplePatch (std::size_t size, const LocalSamplingParameters& parameters)
+{
+  Coordinates points;
+  addPatch (size, points);
+  return sample (points, parameters);
+}
+
+/** P (X > k) of X inliers among n samples drawn with repetition. */
+double
+binomialTail (int k, int n, double inlier_share)
+{
+  double tail = 0.0;
+  for (int i = k + 1; i <= n; ++i)
+    tail += std::exp (std::lgamma (n + 1.0) - std::lgamma (i + 1.0) -
+                      std::lgamma (n - i + 1.0) + i * std::log (inlier_share) +
+                      (n - i) * std::log1p (-inlier_share));
+  return tail;
+}
+
+} // namespace
+
+TEST (DrawHypothesis, IsThePlaneThroughThreePoints)
+{
+  const auto plane =
+      hypothesisAround (pointsAt ({{1, 2, 3}, {1, 3, 3}, {1, 2, 4}}), 2_m);
+  ASSERT_TRUE (plane);
+  EXPECT_NEAR (std::abs (plane->normal.x()), 1.0, 1e-12);
+  EXPECT_NEAR (plane->distance ({1, 7, -5}), 0.0, 1e-12);
+}
+
+TEST (DrawHypothesis, TakesNoPointBeyondTheInnerRadius)
+{
+  const auto points =
+      pointsAt ({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2}, {3, 0, 3}, {0, 4, 1}});
+  RandomGenerator generator (seedOfTest());
+  for (int i = 0; i < 100; ++i) {
+    const auto plane = drawHypothesis (points, 0, allOf (points), 1.5_m, generator);
+    ASSERT_TRUE (plane);
+    EXPECT_EQ (std::abs (plane->normal.z()), 1.0);
+  }
+}
+
+TEST (DrawHypothesis, IsNoneForEqualPoints)
+{
+  EXPECT_FALSE (hypothesisAround (pointsAt ({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}), 1_m));
+  EXPECT_FALSE (hypothesisAround (pointsAt ({{1, 2, 3}, {1, 2, 4}, {1, 2, 4}}), 2_m));
+  EXPECT_FALSE (hypothesisAround (pointsAt ({{1, 2, 3}}), 1_m));
+}
+
+TEST (DrawHypothesis, IsNoneForALine)
+{
+  EXPECT_FALSE (
+      hypothesisAround (pointsAt ({{0, 0, 0}, {1, 2, 3}, {2, 4, 6}, {3, 6, 9}}), 99_m));
+}
+
+TEST (DrawHypothesis, DrawsAgainUntilThePointsMakeATriangle)
+{
+  std::vector<Eigen::Vector3f> positions (50, {0, 0, 0});
+  positions.insert (positions.end(), 20, {1, 0, 0});
+  positions.emplace_back (0, 1, 0);
+  EXPECT_TRUE (hypothesisAround (pointsAt (positions), 2_m));
+}
+
+TEST (LocalVerdict, IsGivenExactlyWhenTheRestCannotChangeIt)
+{
+  LocalSamplingParameters parameters;
+  parameters.local_samples = 10;
+  parameters.min_inlier_fraction = 0.8; // nine inliers pass, eight do not
+  for (unsigned drawn = 0; drawn <= 10; ++drawn)
+    for (unsigned inliers = 0; inliers <= drawn; ++inliers) {
+      const bool passes_at_worst = inliers >= 9,
+                 passes_at_best = inliers + 10 - drawn >= 9;
+      const LocalVerdict verdict = localVerdict (drawn, inliers, parameters);
+      EXPECT_EQ (verdict == LocalVerdict::Accepted, passes_at_worst);
+      EXPECT_EQ (verdict == LocalVerdict::Rejected, !passes_at_best);
+    }
+}
+
+TEST (LocalVerdict, IsTheOneAllSamplesWouldGive)
+{
+  const LocalSamplingParameters parameters;
+  RandomGenerator generator (seedOfTest());
+  for (int test = 0; test < 1000; ++test) {
+    LocalVerdict first_certain = LocalVerdict::Open;
+    unsigned inliers = 0;
+    for (unsigned drawn = 1; drawn <= parameters.local_samples; ++drawn) {
+      inliers += drawUnit (generator) < 0.8;
+      if (first_certain == LocalVerdict::Open)
+        first_certain = localVerdict (drawn, inliers, parameters);
+    }
+    EXPECT_EQ (first_certain == LocalVerdict::Accepted, inliers > 64) << inliers;
+  }
+}
+
+class InlierShare : public ::testing::TestWithParam<double> {};
+
+TEST_P (InlierShare, DecidesHowManySpheresAreAccepted)
+{
+  // p_r0 must be on the patch: a hermit has nobody to make a hypothesis with.
+  constexpr int size = 1000;
+  const auto on_patch = static_cast<std::size_t> (GetParam() * size);
+  Coordinates points;
+  addPatch (on_patch, points);
+  addHermits (size - on_patch, points);
+  LocalSamplingParameters parameters;
+  parameters.max_hypotheses_per_point = 5.0;
+  parameters.max_inliers_per_point = parameters.max_visits_per_point = 1e9;
+  const auto accepted =
+      static_cast<double> (sample (points, parameters).moments.size());
+  const double rate = GetParam() * binomialTail (64, 80, GetParam());
+  const double tries = 5.0 * size;
+  const double deviation = std::sqrt (tries * rate * (1.0 - rate));
+  EXPECT_NEAR (accepted, tries * rate, 4.0 * deviation);
+}
+
+INSTANTIATE_TEST_SUITE_P (OfTheSphere,
+                          InlierShare,
+                          ::testing::Values (0.7, 0.75, 0.8, 0.85, 0.9, 0.95));
+
+TEST (SampleLocalPlanes, EndsAtTheNumberOfInliers)
+{
+  LocalSamplingParameters parameters;
+  parameters.max_inliers_per_point = 3.5;
+  EXPECT_EQ (samplePatch (200, parameters).moments.size(), 4u);
+}
+
+TEST (SampleLocalPlanes, EndsAtTheNumberOfHypotheses)
+{
+  LocalSamplingParameters parameters;
+  parameters.max_inliers_per_point = 1e9;
+  parameters.max_hypotheses_per_point = 0.5;
+  EXPECT_EQ (samplePatch (200, parameters).hypotheses, 100u);
+}
+
+TEST (SampleLocalPlanes, EndsAtTheNumberOfVisits)
+{
+  LocalSamplingParameters parameters;
+  parameters.max_inliers_per_point = 1e9;
+  parameters.max_visits_per_point = 7.0;
+  EXPECT_EQ (samplePatch (200, parameters).hypotheses, 7u);
+}
+
+TEST (SampleLocalPlanes, SkipsSpheresWithFewerPointsThanSamples)
+{
+  EXPECT_FALSE (samplePatch (80, {}).moments.empty());
+  const LocalPlanes skipped = samplePatch (79, {});
+  EXPECT_TRUE (skipped.moments.empty());
+  EXPECT_EQ (skipped.hypotheses, 79u) << "K_max";
+}
+
+TEST (SampleLocalPlanes, CountsAllInliersOfTheSphere)
+{
+  Coordinates points;
+  addPatch (900, points);
+  addHermits (50, points);
+  for (const Moments& inliers : sample (points, {}).moments)
+    EXPECT_EQ (inliers.count, 900.0);
+}
+
+TEST (SampleLocalPlanes, CountsTheTestedInliersAlone)
+{
+  LocalSamplingParameters parameters;
+  parameters.inliers = LocalInliers::Samples;
+  for (const Moments& inliers : samplePatch (900, parameters).moments)
+    EXPECT_EQ (inliers.count, 80.0);
+}
+
+TEST (SampleLocalPlanes, DrawsWhatTheSeedSays)
+{
+  Coordinates points;
+  addPatch (600, points);
+  addHermits (150, points);
+  const auto find_all = [&] (std::uint32_t, Positions& sphere) {
+    sphere = allOf (points);
+  };
+  const auto hypotheses = [&] (std::uint32_t seed) {
+    return sampleLocalPlanes (points, find_all, {}, theta_h, seed).hypotheses;
+  };
+  EXPECT_EQ (hypotheses (1), hypotheses (1));
+  const std::vector<std::size_t> seeds{hypotheses (1), hypotheses (2), hypotheses (3)};
+  EXPECT_NE (seeds, std::vector<std::size_t> (3, seeds.front()));
+}
+
+TEST (SampleLocalPlanes, OfNoPointsAreNone)
+{
+  EXPECT_TRUE (sample (Coordinates(), {}).moments.empty());
+}

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include "geometry/points.h"
+
+#include <limits>
+#include <numeric>
+
+using pcl_ops::finitePoints;
+using pcl_ops::Points;
+
+namespace {
+
+constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+pcl::PointCloud<pcl::PointXYZ>
+cloudOf (const std::vector<pcl::PointXYZ>& points)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (const pcl::PointXYZ& point : points)
+    cloud.push_back (point);
+  return cloud;
+}
+
+Eigen::Vector3d
+inInputFrame (const Points& points, std::size_t i)
+{
+  return points.origin + points[i];
+}
+
+} // namespace
+
+TEST (FinitePoints, DropsNanAndInfinityWhateverIsDenseSays)
+{
+  auto cloud = cloudOf (
+      {{nan_value, 0, 0}, {1, 2, 3}, {0, infinite, 0}, {4, 5, 6}, {0, 0, -infinite}});
+  for (const bool dense : {true, false}) {
+    cloud.is_dense = dense;
+    const Points points = finitePoints (cloud, {0, 1, 2, 3, 4});
+    EXPECT_EQ (points.index, (pcl::Indices{1, 3}));
+    EXPECT_EQ (points.size(), 2u);
+  }
+}
+
+TEST (FinitePoints, KnowsWherePointsCameFrom)
+{
+  const auto cloud = cloudOf ({{1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
+  const Points points = finitePoints (cloud, {1, 2});
+  ASSERT_EQ (points.index, (pcl::Indices{1, 2}));
+  EXPECT_EQ (inInputFrame (points, 0), Eigen::Vector3d (4, 5, 6));
+  EXPECT_EQ (inInputFrame (points, 1), Eigen::Vector3d (7, 8, 9));
+}
+
+TEST (FinitePoints, NeedNoIndexWhereTheyAreTheWholeCloud)
+{
+  const auto cloud = cloudOf ({{1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
+  for (const pcl::Indices& all : {pcl::Indices{0, 1, 2}, pcl::Indices{2, 0, 1, 1}}) {
+    const Points points = finitePoints (cloud, all);
+    EXPECT_TRUE (points.index.empty());
+    ASSERT_EQ (points.size(), 3u);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_EQ (points.indexOf (i), static_cast<pcl::index_t> (i));
+      EXPECT_EQ (inInputFrame (points, i).cast<float>(), cloud[i].getVector3fMap());
+    }
+  }
+}
+
+TEST (FinitePoints, AreTheSameForAnyNumberOfThreads)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (int i = 0; i < 100000; ++i)
+    cloud.push_back ({static_cast<float> (i), i % 30000 == 7 ? nan_value : 1.0f, 0.0f});
+  pcl::Indices all (cloud.size());
+  std::iota (all.begin(), all.end(), 0);
+  const Points one = finitePoints (cloud, all, 1);
+  const Points three = finitePoints (cloud, all, 3);
+  EXPECT_EQ (one.size(), cloud.size() - 4);
+  EXPECT_EQ (one.index, three.index);
+  EXPECT_EQ (one.x, three.x);
+}
+
+TEST (FinitePoints, AreSmallNumbersInACloudFarFromItsZero)
+{
+  const auto cloud = cloudOf ({{1e6f, -1e6f, 0}, {1e6f + 1, -1e6f, 2}});
+  const Points points = finitePoints (cloud, {0, 1});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_LE (points[i].norm(), 3.0);
+    EXPECT_EQ (inInputFrame (points, i).cast<float>(), cloud[i].getVector3fMap());
+  }
+}
+
+TEST (FinitePoints, KeepTheirDigitsBesideOneStrayPoint)
+{
+  auto cloud = cloudOf ({{1e7f, 1e7f, 1e7f}});
+  for (int i = 0; i < 20; ++i)
+    cloud.push_back ({0.1f * static_cast<float> (i), 0.3f, 0.7f});
+  const Points points = finitePoints (cloud, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  for (std::size_t i = 1; i < points.size(); ++i)
+    EXPECT_NEAR (
+        (inInputFrame (points, i) - cloud[i].getVector3fMap().cast<double>()).norm(),
+        0.0,
+        1e-6);
+}
+
+TEST (FinitePoints, AreNoneInAnEmptyCloudAndInOneOfNan)
+{
+  EXPECT_EQ (finitePoints (cloudOf ({}), {}).size(), 0u);
+  EXPECT_EQ (finitePoints (cloudOf ({{nan_value, 0, 0}}), {0}).size(), 0u);
+}

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "kht/ball_directions.h"
+#include "scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using pcl_ops::BallDirections;
+
+/** Even and odd numbers of rows. */
+const int sizes[] = {4, 7, 30, 80};
+
+} // namespace
+
+TEST (BallDirections, HaveAboutTheSameAreaAwayFromThePoles)
+{
+  const BallDirections ball (30);
+  for (int row = 1; row < 30; ++row) {
+    const double phi = row * pi / 30;
+    const double area =
+        ball.phiStep() * std::sin (phi) * 2.0 * pi / ball.patchesOfRow (row);
+    EXPECT_NEAR (area / (ball.phiStep() * ball.phiStep()), 1.0, 0.1);
+  }
+}
+
+TEST (BallDirections, HaveOnePatchOnEachPole)
+{
+  const BallDirections ball (30);
+  EXPECT_EQ (ball.patchesOfRow (0), 1);
+  EXPECT_EQ (ball.patchesOfRow (30), 1);
+  EXPECT_EQ (ball.vectorOf (0), Eigen::Vector3d::UnitZ());
+}
+
+TEST (BallDirections, HoldTheirOwnCentres)
+{
+  for (const int phi_num : sizes) {
+    const BallDirections ball (phi_num);
+    for (std::uint32_t direction = 0; direction < ball.size(); ++direction)
+      ASSERT_EQ (ball.at (ball.rowOf (direction), ball.thetaOf (direction)), direction);
+  }
+}
+
+TEST (BallDirections, WrapAroundTheirRow)
+{
+  const BallDirections ball (30);
+  EXPECT_EQ (ball.at (10, 0.3), ball.at (10, 0.3 + 2.0 * pi));
+  EXPECT_EQ (ball.at (10, 0.3), ball.at (10, 0.3 - 4.0 * pi));
+  EXPECT_EQ (ball.patchOfRow (10, -1),
+             ball.patchOfRow (10, ball.patchesOfRow (10) - 1));
+}
+
+TEST (BallDirections, GoOnHalfATurnAwayBeyondAPole)
+{
+  const BallDirections ball (30);
+  EXPECT_EQ (ball.at (-2, 1.0), ball.at (2, 1.0 + pi));
+  EXPECT_EQ (ball.at (32, 1.0), ball.at (28, 1.0 + pi));
+}
+
+TEST (BallDirections, HaveAnOppositeThatPointsAway)
+{
+  for (const int phi_num : sizes) {
+    const BallDirections ball (phi_num);
+    for (std::uint32_t direction = 0; direction < ball.size(); ++direction) {
+      const std::uint32_t opposite = ball.opposite (direction);
+      EXPECT_LT (ball.vectorOf (direction).dot (ball.vectorOf (opposite)),
+                 -std::cos (ball.phiStep()));
+      EXPECT_EQ (ball.opposite (opposite), direction);
+    }
+  }
+}
+
+TEST (BallDirections, AreSurroundedByTheirSides)
+{
+  const BallDirections ball (30);
+  for (std::uint32_t direction = 0; direction < ball.size(); ++direction) {
+    const auto around = ball.around (direction);
+    EXPECT_TRUE (std::binary_search (around.begin(), around.end(), direction));
+    for (const std::uint32_t side : ball.beside (direction))
+      EXPECT_TRUE (std::binary_search (around.begin(), around.end(), side));
+    for (const std::uint32_t near : around)
+      EXPECT_LT (std::acos (std::min (
+                     1.0, ball.vectorOf (near).dot (ball.vectorOf (direction)))),
+                 2.2 * ball.phiStep());
+  }
+}
+
+TEST (BallDirections, AroundAPoleAreTheWholeNextRow)
+{
+  const BallDirections ball (30);
+  EXPECT_EQ (ball.around (0).size(), 1u + ball.patchesOfRow (1));
+}

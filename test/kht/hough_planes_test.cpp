@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid_scene.h"
+#include "kht/hough_planes.h"
+
+#include <set>
+
+namespace {
+
+using namespace pcl_ops;
+
+constexpr double theta_h = 5_cm;
+
+const Surface ground{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
+const Surface wall{{0.0, 0.0, 0.1}, {0.0, 2.0, 0.0}, {0.0, 0.0, 1.9}};
+const Surface shelf{{1.5, 0.5, 1.0}, {0.4, 0.0, 0.0}, {0.0, 0.4, 0.0}};
+
+Coordinates
+corner (double noise)
+{
+  Coordinates points;
+  addGrid (points, ground, 100, noise);
+  addGrid (points, wall, 100, noise);
+  addGrid (points, shelf, 20, noise);
+  return points;
+}
+
+OctreeClusters
+clustersOf (const Coordinates& points)
+{
+  OctreeClusterParameters parameters;
+  parameters.first_level = 3;
+  return findCoplanarClusters (points, parameters);
+}
+
+bool
+hasPlaneOf (const Surface& surface,
+            const std::vector<HoughPlane>& planes,
+            double angle,
+            double distance)
+{
+  return std::any_of (planes.begin(), planes.end(), [&] (const HoughPlane& found) {
+    return isNear (found.plane, surface, angle, distance);
+  });
+}
+
+} // namespace
+
+TEST (HoughPlanes, WeighAClusterByItsEdgeAndPoints)
+{
+  OctreeClusters found;
+  found.root.edge = 8.0;
+  found.points.resize (1000);
+  CoplanarCluster cluster;
+  cluster.edge = 2.0;
+  cluster.end = 100;
+  EXPECT_DOUBLE_EQ (clusterWeight (cluster, found), 0.75 * 0.25 + 0.25 * 0.1);
+}
+
+TEST (HoughPlanes, AreVotedForWithinABin)
+{
+  const OctreeClusters found = clustersOf (corner (1_mm));
+  const std::vector<HoughPlane> planes = voteForPlanes (found, 45, 200);
+  for (const Surface& surface : {ground, wall, shelf})
+    EXPECT_TRUE (hasPlaneOf (surface, planes, 4_deg, 3_cm));
+}
+
+TEST (HoughPlanes, ComeByFallingWeight)
+{
+  const OctreeClusters found = clustersOf (corner (1_mm));
+  double before = std::numeric_limits<double>::infinity();
+  for (const HoughPlane& plane : voteForPlanes (found, 45, 200)) {
+    double weight = 0.0;
+    for (const std::uint32_t cluster : plane.clusters)
+      weight += clusterWeight (found.clusters[cluster], found);
+    EXPECT_LE (weight, before + 1e-12);
+    before = weight;
+  }
+}
+
+TEST (HoughPlanes, AreNoneWithoutClusters)
+{
+  EXPECT_TRUE (voteForPlanes (OctreeClusters(), 30, 300).empty());
+  EXPECT_TRUE (refitPlanes ({}, OctreeClusters(), 0.0, theta_h).empty());
+}
+
+TEST (HoughPlanes, AreExactWhenRefitted)
+{
+  const OctreeClusters found = clustersOf (corner (1_mm));
+  const auto planes = refitPlanes (voteForPlanes (found, 30, 100), found, 0.0, theta_h);
+  for (const Surface& surface : {ground, wall, shelf})
+    EXPECT_TRUE (hasPlaneOf (surface, planes, 0.5_deg, 2_mm));
+}
+
+TEST (HoughPlanes, ShareNoClusterWhenRefitted)
+{
+  const OctreeClusters found = clustersOf (corner (1_cm));
+  std::set<std::uint32_t> taken;
+  for (const HoughPlane& plane :
+       refitPlanes (voteForPlanes (found, 30, 100), found, 0.0, theta_h))
+    for (const std::uint32_t cluster : plane.clusters)
+      EXPECT_TRUE (taken.insert (cluster).second);
+}
+
+TEST (HoughPlanes, AreDroppedBelowTheSmallestShare)
+{
+  const OctreeClusters found = clustersOf (corner (1_mm));
+  const std::vector<HoughPlane> voted = voteForPlanes (found, 30, 100);
+  constexpr double share_of_shelf = 400.0 / 20400.0;
+  EXPECT_TRUE (hasPlaneOf (
+      shelf, refitPlanes (voted, found, 0.5 * share_of_shelf, theta_h), 1_deg, 1_cm));
+  EXPECT_FALSE (hasPlaneOf (
+      shelf, refitPlanes (voted, found, 2.0 * share_of_shelf, theta_h), 1_deg, 1_cm));
+}

@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "kht/kernel_votes.h"
+#include "scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace {
+
+using pcl_ops::BallDirections;
+using pcl_ops::HoughSpace;
+using pcl_ops::KernelVotes;
+using pcl_ops::PlaneKernel;
+using pcl_ops::VoteRay;
+
+/** 1 degree by 1 degree by 1 cm. */
+const HoughSpace space{BallDirections (180), 200, 0.01};
+
+using Bin = std::pair<std::uint32_t, int>;
+
+/** The largest vote of each bin. */
+std::map<Bin, double>
+votesOf (const PlaneKernel& kernel)
+{
+  KernelVotes votes;
+  castVotes (kernel, space, votes);
+  std::map<Bin, double> bins;
+  for (const VoteRay& ray : votes.rays)
+    for (std::uint32_t i = 0; i < ray.length; ++i) {
+      double& vote = bins[{ray.direction, ray.first_bin + static_cast<int> (i)}];
+      vote = std::max<double> (vote, votes.values[ray.first_value + i]);
+    }
+  return bins;
+}
+
+/** Deviations of some bins' width, all correlated. */
+PlaneKernel
+kernelAt (double rho, double phi, double theta)
+{
+  const Eigen::Vector3d deviations (3_cm, 3_deg, 4_deg);
+  Eigen::Matrix3d correlation;
+  correlation << 1.0, 0.5, -0.3, 0.5, 1.0, 0.2, -0.3, 0.2, 1.0;
+  PlaneKernel kernel;
+  kernel.mean = Eigen::Vector3d (rho, phi, theta);
+  kernel.covariance = deviations.asDiagonal() * correlation * deviations.asDiagonal();
+  kernel.weight = 0.7;
+  return kernel;
+}
+
+double
+density (const PlaneKernel& kernel, const Eigen::Vector3d& at)
+{
+  const Eigen::Vector3d offset = at - kernel.mean;
+  const double squared = offset.dot (kernel.covariance.inverse() * offset);
+  const double volume = std::pow (2.0 * pi, 3) * kernel.covariance.determinant();
+  return kernel.weight * std::exp (-0.5 * squared) / std::sqrt (volume);
+}
+
+double
+leastVote (const PlaneKernel& kernel)
+{
+  return std::exp (-2.0) * density (kernel, kernel.mean);
+}
+
+Eigen::Vector3d
+centreOf (const Bin& bin)
+{
+  return Eigen::Vector3d (space.rhoOf (bin.second),
+                          space.directions.phiOf (bin.first),
+                          space.directions.thetaOf (bin.first));
+}
+
+Eigen::Vector3d
+widthOf (const Bin& bin)
+{
+  const int row = space.directions.rowOf (bin.first);
+  return Eigen::Vector3d (space.rho_step,
+                          space.directions.phiStep(),
+                          2.0 * pi / space.directions.patchesOfRow (row));
+}
+
+/** The density's mean over a bin, by the midpoint rule on 8 x 8 x 8 parts. */
+double
+meanDensity (const PlaneKernel& kernel, const Bin& bin)
+{
+  constexpr int parts = 8;
+  double sum = 0.0;
+  for (int i = 0; i < parts; ++i)
+    for (int j = 0; j < parts; ++j)
+      for (int k = 0; k < parts; ++k) {
+        const Eigen::Vector3d part = Eigen::Vector3d (i, j, k).array() + 0.5;
+        const Eigen::Vector3d within = part / parts - Eigen::Vector3d::Constant (0.5);
+        sum += density (kernel, centreOf (bin) + within.cwiseProduct (widthOf (bin)));
+      }
+  return sum / (parts * parts * parts);
+}
+
+/** The density at a bin seen from either side of the poles and any number of turns on.
+ */
+double
+largestDensity (const PlaneKernel& kernel, const Bin& bin)
+{
+  const Eigen::Vector3d centre = centreOf (bin);
+  double largest = 0.0;
+  for (int turn = -2; turn <= 2; ++turn) {
+    const double theta = centre[2] + 2.0 * pi * turn;
+    for (const Eigen::Vector2d& angles :
+         {Eigen::Vector2d (centre[1], theta),
+          Eigen::Vector2d (-centre[1], theta + pi),
+          Eigen::Vector2d (2.0 * pi - centre[1], theta + pi)})
+      largest = std::max (
+          largest, density (kernel, Eigen::Vector3d (centre[0], angles[0], angles[1])));
+  }
+  return largest;
+}
+
+bool
+isPole (std::uint32_t direction)
+{
+  return space.directions.patchesOfRow (space.directions.rowOf (direction)) == 1;
+}
+
+bool
+isOwnBin (const PlaneKernel& kernel, const Bin& bin)
+{
+  const auto row = std::lround (kernel.mean[1] / space.directions.phiStep());
+  const auto direction = space.directions.at (static_cast<int> (row), kernel.mean[2]);
+  return bin == Bin (direction, static_cast<int> (kernel.mean[0] / space.rho_step));
+}
+
+double
+massOf (const std::map<Bin, double>& votes)
+{
+  double mass = 0.0;
+  for (const auto& [bin, vote] : votes)
+    mass += vote * widthOf (bin).prod();
+  return mass;
+}
+
+// Probability of a trivariate Gaussian within two standard deviations.
+constexpr double mass_within_two_deviations = 0.7385;
+
+} // namespace
+
+// The vote is the density at the bin's centre; the integral over the bin divided by its
+// volume differs by the density's curvature: here, with deviations of three bins and
+// more, by less than 6 % out to two deviations.
+TEST (KernelVotes, AreTheMeanDensityOverTheirBins)
+{
+  const PlaneKernel kernel = kernelAt (1.0, 1.2, 2.0);
+  const std::map<Bin, double> votes = votesOf (kernel);
+  ASSERT_GT (votes.size(), 500u);
+  for (const auto& [bin, vote] : votes)
+    ASSERT_NEAR (vote / meanDensity (kernel, bin), 1.0, 0.06);
+}
+
+TEST (KernelVotes, SumUpToTheMassWithinTwoDeviations)
+{
+  const PlaneKernel kernel = kernelAt (1.0, 1.2, 2.0);
+  EXPECT_NEAR (
+      massOf (votesOf (kernel)), kernel.weight * mass_within_two_deviations, 0.01);
+}
+
+class KernelVotesNear : public testing::TestWithParam<double> {};
+
+TEST_P (KernelVotesNear, AreTheDensityOfAllBinsWithinTwoDeviations)
+{
+  const PlaneKernel kernel = kernelAt (1.0, GetParam(), 6.2);
+  const std::map<Bin, double> votes = votesOf (kernel);
+  const double least = leastVote (kernel);
+  for (std::uint32_t direction = 0; direction < space.directions.size(); ++direction)
+    for (int bin = 85; bin < 115; bin += 6) {
+      const double expected = largestDensity (kernel, {direction, bin});
+      if (isOwnBin (kernel, {direction, bin}) || isPole (direction) ||
+          std::abs (expected / least - 1.0) < 1e-4)
+        continue;
+      const auto found = votes.find ({direction, bin});
+      const double vote = found == votes.end() ? 0.0 : found->second;
+      ASSERT_NEAR (vote, expected > least ? expected : 0.0, 1e-4 * expected);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P (EquatorAndBothPoles,
+                          KernelVotesNear,
+                          testing::Values (1.5, 0.02, 3.1));
+
+TEST (KernelVotes, MeetAPoleAtItsLikeliestAzimuth)
+{
+  const PlaneKernel kernel = kernelAt (1.0, 0.02, 6.2);
+  Eigen::Vector3d likeliest (1.0, 0.0, 6.2);
+  for (int i = -200; i <= 200; ++i)
+    for (int j = -20; j <= 20; ++j) {
+      const Eigen::Vector3d other (1.0 + 0.001 * j, 0.0, 6.2 + 0.001 * i);
+      if (density (kernel, other) > density (kernel, likeliest))
+        likeliest = other;
+    }
+  const double expected = density (kernel, {space.rhoOf (100), 0.0, likeliest[2]});
+  EXPECT_NEAR (votesOf (kernel).at ({0, 100}), expected, 1e-2 * expected);
+}
+
+TEST (KernelVotes, GoOnAtTheOtherSideOfTheCentre)
+{
+  const PlaneKernel kernel = kernelAt (0.015, 1.5, 2.0);
+  const std::map<Bin, double> votes = votesOf (kernel);
+  EXPECT_NEAR (massOf (votes), kernel.weight * mass_within_two_deviations, 0.01);
+  EXPECT_TRUE (votes.count ({space.directions.at (91, 2.0 + pi), 0}));
+}
+
+TEST (KernelVotes, EndAtTheLastRho)
+{
+  for (const auto& [bin, vote] : votesOf (kernelAt (1.99, 1.5, 2.0)))
+    EXPECT_LT (bin.second, space.rho_num);
+}
+
+TEST (KernelVotes, CountOncePerBin)
+{
+  KernelVotes votes;
+  castVotes (kernelAt (0.01, 0.02, 1.0), space, votes);
+  std::map<Bin, int> voted;
+  for (const VoteRay& ray : votes.rays)
+    for (std::uint32_t i = 0; i < ray.length; ++i)
+      if (votes.values[ray.first_value + i] > 0.0f)
+        ++voted[{ray.direction, ray.first_bin + static_cast<int> (i)}];
+  for (const auto& [bin, times] : voted)
+    EXPECT_EQ (times, 1);
+}
+
+TEST (KernelVotes, OfAKernelBetweenBinCentresGoToItsOwnBin)
+{
+  PlaneKernel kernel = kernelAt (1.0012, 1.2, 2.0);
+  kernel.covariance *= 1e-6;
+  const std::map<Bin, double> votes = votesOf (kernel);
+  ASSERT_EQ (votes.size(), 1u);
+  const Bin own{space.directions.at (69, 2.0), 100};
+  EXPECT_EQ (votes.begin()->first, own);
+  EXPECT_NEAR (votes.begin()->second / leastVote (kernel), 1.0, 1e-5);
+}
+
+TEST (KernelVotes, CoverAnyDirectionOnceForAnEndlessSpread)
+{
+  PlaneKernel kernel = kernelAt (1.0, 1.2, 2.0);
+  kernel.covariance = Eigen::Vector3d (0.0001, 1e4, 1e4).asDiagonal();
+  const std::map<Bin, double> votes = votesOf (kernel);
+  std::map<std::uint32_t, int> directions;
+  for (const auto& [bin, vote] : votes)
+    ++directions[bin.first];
+  EXPECT_EQ (directions.size(), space.directions.size());
+}
+
+TEST (KernelVotes, AreNoneWithoutACovariance)
+{
+  PlaneKernel kernel = kernelAt (1.0, 1.2, 2.0);
+  kernel.covariance.setZero();
+  EXPECT_TRUE (votesOf (kernel).empty());
+  kernel.covariance.setConstant (std::numeric_limits<double>::quiet_NaN());
+  EXPECT_TRUE (votesOf (kernel).empty());
+}

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "grid_scene.h"
+#include "kht/octree_clusters.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using pcl_ops::Coordinates;
+using pcl_ops::CoplanarCluster;
+using pcl_ops::OctreeClusterParameters;
+using pcl_ops::OctreeClusters;
+
+const Surface tilted{{0.0, 0.0, 0.0}, {2.0, 0.0, 1.0}, {0.0, 2.0, 0.5}};
+const Surface ground{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
+const Surface wall{{0.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, 0.0, 2.0}};
+
+/** Centre of the octree leaf the cluster lies in. */
+Eigen::Vector3d
+cellCentreOf (const OctreeClusters& found, const CoplanarCluster& cluster)
+{
+  const Eigen::Vector3d corner =
+      found.root.centre - Eigen::Vector3d::Constant (found.root.edge / 2.0);
+  const Eigen::Vector3d leaf = (cluster.fit.centroid - corner) / cluster.edge;
+  return corner + cluster.edge * (leaf.array().floor() + 0.5).matrix();
+}
+
+OctreeClusters
+clustersOf (const Coordinates& points, int first_level)
+{
+  OctreeClusterParameters parameters;
+  parameters.first_level = first_level;
+  return findCoplanarClusters (points, parameters);
+}
+
+} // namespace
+
+TEST (OctreeClusters, HaveTheNormalOfTheirPlane)
+{
+  Coordinates points;
+  addGrid (points, tilted, 100, 0.001);
+  const OctreeClusters found = clustersOf (points, 3);
+  ASSERT_GT (found.clusters.size(), 20u);
+  for (const CoplanarCluster& cluster : found.clusters)
+    EXPECT_LT (angleBetween (cluster.fit.plane.normal, tilted.normal()), 0.02);
+}
+
+TEST (OctreeClusters, HoldThePointsOfOneCell)
+{
+  Coordinates points;
+  addGrid (points, tilted, 100);
+  const OctreeClusters found = clustersOf (points, 3);
+  constexpr double rounding = 1e-5;
+  for (const CoplanarCluster& cluster : found.clusters) {
+    const Eigen::Vector3d centre = cellCentreOf (found, cluster);
+    for (std::uint32_t i = cluster.begin; i < cluster.end; ++i)
+      EXPECT_LE ((found.points[i] - centre).cwiseAbs().maxCoeff(),
+                 cluster.edge / 2.0 + rounding);
+  }
+}
+
+TEST (OctreeClusters, ShareNoPoint)
+{
+  Coordinates points;
+  addGrid (points, ground, 100, 0.002);
+  addGrid (points, wall, 100, 0.002);
+  OctreeClusters found = clustersOf (points, 4);
+  for (std::size_t c = 1; c < found.clusters.size(); ++c)
+    EXPECT_LE (found.clusters[c - 1].end, found.clusters[c].begin);
+  std::sort (found.points.order.begin(), found.points.order.end());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    ASSERT_EQ (found.points.order[i], i) << "the order is a permutation of all points";
+}
+
+TEST (OctreeClusters, HaveTheMomentsOfTheirPoints)
+{
+  Coordinates points;
+  addGrid (points, tilted, 60, 0.001);
+  const OctreeClusters found = clustersOf (points, 3);
+  for (const CoplanarCluster& cluster : found.clusters) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::uint32_t i = cluster.begin; i < cluster.end; ++i)
+      sum += points[found.points.order[i]];
+    EXPECT_EQ (cluster.moments.count, cluster.size());
+    EXPECT_LT ((cluster.fit.centroid - sum / cluster.size()).norm(), 1e-6);
+  }
+}
+
+TEST (OctreeClusters, AreCutWhereTwoPlanesMeet)
+{
+  Coordinates points;
+  addGrid (points, ground, 200);
+  addGrid (points, wall, 200);
+  const OctreeClusters found = clustersOf (points, 2);
+  for (const CoplanarCluster& cluster : found.clusters) {
+    const double to_floor = angleBetween (cluster.fit.plane.normal, ground.normal());
+    const double to_wall = angleBetween (cluster.fit.plane.normal, wall.normal());
+    EXPECT_LT (std::min (to_floor, to_wall), 0.1);
+  }
+}
+
+TEST (OctreeClusters, DropPointsFarFromTheirPlane)
+{
+  Coordinates points;
+  addGrid (points, ground, 100);
+  addGrid (points, Surface{{0.0, 0.0, 1.0}, {0.1, 0.0, 0.0}, {0.0, 0.1, 0.0}}, 3);
+  const OctreeClusters found = clustersOf (points, 0);
+  ASSERT_EQ (found.clusters.size(), 1u);
+  EXPECT_EQ (found.clusters[0].size(), 10000u);
+  EXPECT_LT (found.clusters[0].fit.variances[0], 1e-12);
+}
+
+TEST (OctreeClusters, BeginAtTheFirstLevel)
+{
+  Coordinates points;
+  addGrid (points, ground, 200);
+  for (const int first_level : {0, 2, 5, 6})
+    for (const CoplanarCluster& cluster : clustersOf (points, first_level).clusters)
+      EXPECT_EQ (cluster.level, first_level);
+}
+
+TEST (OctreeClusters, NeedTheMinimumOfSamples)
+{
+  Coordinates points;
+  addGrid (points, ground, 5);
+  EXPECT_TRUE (clustersOf (points, 0).clusters.empty());
+  addGrid (points, ground, 4);
+  EXPECT_FALSE (clustersOf (points, 0).clusters.empty());
+}
+
+TEST (OctreeClusters, AreNoneForNoPoints)
+{
+  EXPECT_TRUE (clustersOf (Coordinates(), 5).clusters.empty());
+}
+
+TEST (OctreeClusters, AreNoneForEqualPoints)
+{
+  Coordinates points;
+  for (int i = 0; i < 1000; ++i)
+    points.add (1.0f, 2.0f, 3.0f);
+  EXPECT_TRUE (clustersOf (points, 5).clusters.empty());
+}
+
+TEST (OctreeClusters, EndAtManyEqualPointsAmongOthers)
+{
+  Coordinates points;
+  addGrid (points, ground, 100);
+  for (int i = 0; i < 1000; ++i)
+    points.add (1.0f, 1.0f, 1.0f);
+  const OctreeClusters found = clustersOf (points, 3);
+  ASSERT_FALSE (found.clusters.empty());
+  for (const CoplanarCluster& cluster : found.clusters)
+    EXPECT_LT (cluster.fit.variances[0], 1e-10);
+}
+
+TEST (OctreeClusters, AreNoneOnALine)
+{
+  Coordinates points;
+  for (int i = 0; i < 10000; ++i)
+    points.add (0.001f * i, 0.002f * i, -0.0005f * i);
+  EXPECT_TRUE (clustersOf (points, 0).clusters.empty());
+}
+
+TEST (OctreeClusters, DoNotDependOnThreads)
+{
+  Coordinates points;
+  addGrid (points, tilted, 150, 0.01);
+  addGrid (points, wall, 150, 0.01);
+  const OctreeClusters alone = findCoplanarClusters (points, {}, 1);
+  const OctreeClusters shared = findCoplanarClusters (points, {}, 4);
+  EXPECT_EQ (alone.points.order, shared.points.order);
+  ASSERT_EQ (alone.clusters.size(), shared.clusters.size());
+  for (std::size_t c = 0; c < alone.clusters.size(); ++c)
+    EXPECT_EQ (alone.clusters[c].fit.plane.offset, shared.clusters[c].fit.plane.offset);
+}

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "kht/spherical_accumulator.h"
+#include "scene.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+namespace {
+
+using pcl_ops::BallDirections;
+using pcl_ops::HoughPeak;
+using pcl_ops::HoughSpace;
+using pcl_ops::KernelVotes;
+using pcl_ops::PlaneKernel;
+using pcl_ops::SphericalAccumulator;
+
+using Bin = std::pair<std::uint32_t, int>;
+
+const HoughSpace space{BallDirections (12), 40, 0.05};
+
+KernelVotes
+votesFor (const Bin& bin, std::vector<float> values)
+{
+  KernelVotes votes;
+  votes.rays.push_back (
+      {bin.first, bin.second, static_cast<std::uint32_t> (values.size()), 0});
+  votes.values = std::move (values);
+  return votes;
+}
+
+KernelVotes
+votesOfKernelAt (double rho, double phi, double theta)
+{
+  PlaneKernel kernel;
+  kernel.mean = Eigen::Vector3d (rho, phi, theta);
+  kernel.covariance = Eigen::Vector3d (0.01, 0.05, 0.05).asDiagonal();
+  KernelVotes votes;
+  castVotes (kernel, space, votes);
+  return votes;
+}
+
+/** A value beyond the first or the last bin comes from the other side or is none. */
+float
+votesOf (const SphericalAccumulator& accumulator, std::uint32_t direction, int bin)
+{
+  if (bin < 0)
+    return accumulator.votesOf (space.directions.opposite (direction), -1 - bin);
+  return bin < space.rho_num ? accumulator.votesOf (direction, bin) : 0.0f;
+}
+
+float
+smoothed (const SphericalAccumulator& accumulator, const Bin& bin)
+{
+  float neighbours = votesOf (accumulator, bin.first, bin.second - 1) +
+                     votesOf (accumulator, bin.first, bin.second + 1);
+  for (const std::uint32_t side : space.directions.beside (bin.first))
+    neighbours += votesOf (accumulator, side, bin.second);
+  return 0.2f * votesOf (accumulator, bin.first, bin.second) + 0.1333f * neighbours;
+}
+
+/** Sorts all bins and walks them, marking those around each, as the method was
+ * published. Only for votes away from the centre. */
+std::set<Bin>
+peaksByWalking (const SphericalAccumulator& accumulator)
+{
+  std::vector<std::tuple<float, std::uint32_t, int>> bins;
+  for (std::uint32_t direction = 0; direction < space.directions.size(); ++direction)
+    for (int bin = 0; bin < space.rho_num; ++bin)
+      if (accumulator.votesOf (direction, bin) > 0.0f)
+        bins.emplace_back (-smoothed (accumulator, {direction, bin}), direction, bin);
+  std::sort (bins.begin(), bins.end());
+  std::set<Bin> marked, peaks;
+  for (const auto& [height, direction, bin] : bins) {
+    bool meets_marked = false;
+    for (const std::uint32_t near : space.directions.around (direction))
+      for (int beside = bin - 1; beside <= bin + 1; ++beside)
+        meets_marked |= !marked.insert ({near, beside}).second;
+    if (!meets_marked)
+      peaks.insert ({direction, bin});
+  }
+  return peaks;
+}
+
+std::set<Bin>
+binsOf (const std::vector<HoughPeak>& peaks)
+{
+  std::set<Bin> bins;
+  for (const HoughPeak& peak : peaks)
+    bins.insert ({peak.direction, peak.bin});
+  return bins;
+}
+
+} // namespace
+
+TEST (SphericalAccumulator, AddsVotesUp)
+{
+  SphericalAccumulator accumulator (space);
+  accumulator.add (votesFor ({5, 10}, {1.0f, 2.0f}), 0);
+  accumulator.add (votesFor ({5, 11}, {4.0f}), 1);
+  EXPECT_EQ (accumulator.votesOf (5, 10), 1.0f);
+  EXPECT_EQ (accumulator.votesOf (5, 11), 6.0f);
+  EXPECT_EQ (accumulator.votesOf (6, 10), 0.0f);
+}
+
+TEST (SphericalAccumulator, HasNoPeakWithoutVotes)
+{
+  EXPECT_TRUE (SphericalAccumulator (space).peaks().empty());
+}
+
+TEST (SphericalAccumulator, PeaksWhereAKernelIsCentred)
+{
+  SphericalAccumulator accumulator (space);
+  const std::uint32_t direction = space.directions.at (5, 1.0);
+  const double theta = space.directions.thetaOf (direction);
+  const double phi = space.directions.phiOf (direction);
+  accumulator.add (votesOfKernelAt (space.rhoOf (20), phi, theta), 0);
+  EXPECT_EQ (binsOf (accumulator.peaks()), (std::set<Bin>{{direction, 20}}));
+}
+
+TEST (SphericalAccumulator, PeaksOnceForAKernelAcrossTheCentre)
+{
+  SphericalAccumulator accumulator (space);
+  accumulator.add (votesOfKernelAt (0.01, 1.3, 1.0), 0);
+  EXPECT_EQ (accumulator.peaks().size(), 1u);
+}
+
+TEST (SphericalAccumulator, PeaksOnceForAKernelAcrossAPole)
+{
+  for (const double phi : {0.0, 0.1, 3.1}) {
+    SphericalAccumulator accumulator (space);
+    accumulator.add (votesOfKernelAt (1.0, phi, 1.0), 0);
+    EXPECT_EQ (accumulator.peaks().size(), 1u);
+  }
+}
+
+TEST (SphericalAccumulator, PeaksWhereAWalkOverSortedBinsDoes)
+{
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  const auto directions = static_cast<std::uint32_t> (space.directions.size());
+  SphericalAccumulator accumulator (space);
+  for (std::uint32_t voter = 0; voter < 2000; ++voter) {
+    const auto vote = static_cast<float> (pcl_ops::drawUnit (generator));
+    const std::uint32_t direction = pcl_ops::drawBelow (generator, directions);
+    const int bin = 4 + static_cast<int> (pcl_ops::drawBelow (generator, 34));
+    accumulator.add (votesFor ({direction, bin}, {vote, vote}), voter);
+  }
+  const std::set<Bin> expected = peaksByWalking (accumulator);
+  EXPECT_GT (expected.size(), 20u);
+  EXPECT_EQ (binsOf (accumulator.peaks()), expected);
+}
+
+TEST (SphericalAccumulator, TakesTheFirstOfEqualBins)
+{
+  SphericalAccumulator accumulator (space);
+  accumulator.add (votesFor ({40, 10}, {1.0f, 1.0f}), 0);
+  EXPECT_EQ (binsOf (accumulator.peaks()), (std::set<Bin>{{40, 10}}));
+}
+
+TEST (SphericalAccumulator, SortsPeaksByHeight)
+{
+  SphericalAccumulator accumulator (space);
+  accumulator.add (votesFor ({40, 10}, {1.0f}), 0);
+  accumulator.add (votesFor ({40, 20}, {3.0f}), 1);
+  accumulator.add (votesFor ({40, 30}, {2.0f}), 2);
+  const std::vector<HoughPeak> peaks = accumulator.peaks();
+  ASSERT_EQ (peaks.size(), 3u);
+  EXPECT_GT (peaks[0].votes, peaks[1].votes);
+  EXPECT_GT (peaks[1].votes, peaks[2].votes);
+}
+
+TEST (SphericalAccumulator, RemembersWhoVotedAroundAPeak)
+{
+  SphericalAccumulator accumulator (space);
+  const std::uint32_t beside = space.directions.beside (40)[3];
+  accumulator.add (votesFor ({40, 10}, {5.0f, 5.0f}), 0);
+  accumulator.add (votesFor ({beside, 11}, {1.0f}), 1);
+  accumulator.add (votesFor ({40, 14}, {1.0f}), 2);
+  const std::vector<HoughPeak> peaks = accumulator.peaks();
+  ASSERT_EQ (peaks.size(), 2u);
+  EXPECT_EQ (peaks[0].voters, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ (peaks[1].voters, (std::vector<std::uint32_t>{2}));
+}
+
+TEST (SphericalAccumulator, RemembersVotersAtTheOtherSideOfTheCentre)
+{
+  SphericalAccumulator accumulator (space);
+  accumulator.add (votesFor ({40, 0}, {5.0f}), 0);
+  accumulator.add (votesFor ({space.directions.opposite (40), 0}, {1.0f}), 1);
+  const std::vector<HoughPeak> peaks = accumulator.peaks();
+  ASSERT_EQ (peaks.size(), 1u);
+  EXPECT_EQ (peaks[0].voters, (std::vector<std::uint32_t>{0, 1}));
+}

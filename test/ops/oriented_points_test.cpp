@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/features/normal_3d.h>
+#include <pcl/search/kdtree.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "ops/oriented_samples.h"
+#include "scene.h"
+
+#include <numeric>
+
+using pcl_ops::drawSample;
+using pcl_ops::OrientedSamples;
+using pcl_ops::Positions;
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+pcl::Indices
+allIndices (const Cloud& cloud)
+{
+  pcl::Indices indices (cloud.size());
+  std::iota (indices.begin(), indices.end(), 0);
+  return indices;
+}
+
+/** \brief Weighted normals of some points of a cloud, with a kd-tree over all of it. */
+OrientedSamples
+orient (const Cloud::ConstPtr& cloud,
+        const Positions& sample,
+        const pcl_ops::NormalParameters& parameters,
+        unsigned threads = 1)
+{
+  pcl::search::KdTree<pcl::PointXYZ> search;
+  search.setInputCloud (cloud);
+  return pcl_ops::orientSamples (*cloud,
+                                 pcl_ops::finitePoints (*cloud, allIndices (*cloud)),
+                                 sample,
+                                 search,
+                                 parameters,
+                                 threads);
+}
+
+Positions
+everyTenth (const Cloud& cloud)
+{
+  Positions sample;
+  for (std::size_t i = 0; i < cloud.size(); i += 10)
+    sample.push_back (static_cast<std::uint32_t> (i));
+  return sample;
+}
+
+/** \brief M_i straight from the paper: the k nearest by sorting all distances. */
+Eigen::Matrix3d
+scatterByBruteForce (const Cloud& cloud,
+                     std::size_t sample,
+                     std::size_t k,
+                     double sigma)
+{
+  const Eigen::Vector3d p = cloud[sample].getVector3fMap().cast<double>();
+  std::vector<Eigen::Vector3d> q;
+  for (const pcl::PointXYZ& point : cloud)
+    q.push_back (point.getVector3fMap().cast<double>() - p);
+  std::sort (q.begin(), q.end(), [] (const auto& first, const auto& second) {
+    return first.squaredNorm() < second.squaredNorm();
+  });
+  Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
+  for (std::size_t j = 1; j <= k; ++j) // 0 is the sample itself
+    m += std::exp (-q[j].squaredNorm() / (2 * sigma * sigma)) * q[j] *
+         q[j].transpose() / q[j].squaredNorm();
+  return m;
+}
+
+Eigen::Vector3d
+smallestEigenvector (const Eigen::Matrix3d& matrix)
+{
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> (matrix).eigenvectors().col (0);
+}
+
+/** \brief The unweighted normals of PCL from the sample and its k nearest. */
+std::vector<Eigen::Vector3d>
+normalsByPcl (const Cloud::ConstPtr& cloud, const Positions& sample, int k)
+{
+  pcl::search::KdTree<pcl::PointXYZ> search;
+  search.setInputCloud (cloud);
+  std::vector<Eigen::Vector3d> normals;
+  for (const std::uint32_t i : sample) {
+    pcl::Indices neighbours;
+    std::vector<float> squared_distances;
+    search.nearestKSearch ((*cloud)[i], k + 1, neighbours, squared_distances);
+    Eigen::Vector4f plane;
+    float curvature = 0.0f;
+    pcl::computePointNormal (*cloud, neighbours, plane, curvature);
+    normals.push_back (plane.head<3>().cast<double>());
+  }
+  return normals;
+}
+
+double
+median (std::vector<double> values)
+{
+  std::nth_element (values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+/** \brief The points of a line, and a few that make a plane elsewhere. */
+Cloud::Ptr
+lineBesideAPlane ()
+{
+  auto cloud = Scene().floor (1_m, 1_m).build().cloud;
+  for (int i = 0; i < 100; ++i)
+    cloud->push_back ({10.0f + 0.01f * i, 20.0f + 0.02f * i, 30.0f - 0.03f * i});
+  return cloud;
+}
+
+} // namespace
+
+TEST (DrawSample, DrawsTheRateAscendingAndDistinct)
+{
+  for (const double rate : {0.001, 0.03, 0.5, 1.0}) {
+    const Positions sample = drawSample (10000, rate, seedOfTest());
+    EXPECT_EQ (sample.size(), static_cast<std::size_t> (10000 * rate));
+    EXPECT_TRUE (std::is_sorted (
+        sample.begin(), sample.end(), std::less_equal<std::uint32_t>()));
+    EXPECT_LT (sample.back(), 10000u);
+  }
+}
+
+TEST (DrawSample, DrawsNothingFromNothingAndAllFromAll)
+{
+  EXPECT_TRUE (drawSample (0, 0.5, 1).empty());
+  EXPECT_TRUE (drawSample (10, 0.01, 1).empty()) << "a tenth of a point";
+  EXPECT_EQ (drawSample (3, 1.0, 1), (Positions{0, 1, 2}));
+  EXPECT_EQ (drawSample (3, 2.0, 1), (Positions{0, 1, 2})) << "a rate above 1";
+}
+
+TEST (DrawSample, GivesEveryPointTheSameChance)
+{
+  std::vector<int> times (20, 0);
+  for (std::uint32_t seed = 0; seed < 10000; ++seed)
+    for (const std::uint32_t i : drawSample (20, 0.25, seed))
+      ++times[i];
+  double chi_square = 0.0;
+  for (const int count : times)
+    chi_square += (count - 2500.0) * (count - 2500.0) / (2500.0 * 0.75);
+  EXPECT_LT (chi_square, 43.8) << "99.9 % of chi-square with 19 degrees of freedom";
+}
+
+TEST (DrawSample, SameSeedSamePoints)
+{
+  const Positions sample = drawSample (10000, 0.03, 7);
+  EXPECT_EQ (sample, drawSample (10000, 0.03, 7));
+  EXPECT_NE (sample, drawSample (10000, 0.03, 8));
+}
+
+TEST (OrientSamples, FindsTheNormalOfAnExactPlane)
+{
+  const auto scene = Scene().surface ({1, 2, 3}, {2, 0.1, 0.5}, {-0.3, 2, 1}).build();
+  const auto samples = orient (scene.cloud, everyTenth (*scene.cloud), {});
+  ASSERT_EQ (samples.size(), everyTenth (*scene.cloud).size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    EXPECT_LT (angleBetween (samples.normals[i], scene.surfaces[0].normal()), 1e-5);
+}
+
+TEST (OrientSamples, ComputesTheMatrixOfThePaper)
+{
+  const auto scene = Scene().floor (1_m, 1_m).noise (1_cm).build();
+  constexpr double sigma = 10_cm;
+  const Positions sample = everyTenth (*scene.cloud);
+  const auto samples = orient (scene.cloud, sample, {20, sigma});
+  ASSERT_EQ (samples.size(), sample.size());
+  for (std::size_t i = 0; i < sample.size(); ++i) {
+    const auto m = scatterByBruteForce (*scene.cloud, sample[i], 20, sigma);
+    EXPECT_LT (angleBetween (samples.normals[i], smallestEigenvector (m)), 1e-5);
+  }
+}
+
+TEST (OrientSamples, TakesTheNeighbourhoodsRadiusForSigmaUnlessToldOtherwise)
+{
+  const auto cloud = Scene().floor (1_m, 1_m).noise (1_cm).build().cloud;
+  const auto distances = [&] {
+    std::vector<double> all;
+    for (const pcl::PointXYZ& point : *cloud)
+      all.push_back ((point.getVector3fMap() - (*cloud)[0].getVector3fMap()).norm());
+    std::sort (all.begin(), all.end());
+    return all;
+  }();
+  const auto m = scatterByBruteForce (*cloud, 0, 20, distances[20]);
+  const auto samples = orient (cloud, {0}, {20, 0.0});
+  EXPECT_LT (angleBetween (samples.normals[0], smallestEigenvector (m)), 1e-5);
+}
+
+TEST (OrientSamples, AreAsGoodAsPclsNormalsOnANoisyPlane)
+{
+  const auto scene = Scene().floor (3_m, 3_m).noise (5_mm).build();
+  const Eigen::Vector3d truth = scene.surfaces[0].normal();
+  const Positions sample = everyTenth (*scene.cloud);
+  const auto samples = orient (scene.cloud, sample, {30, 0.0});
+  const auto pcl_normals = normalsByPcl (scene.cloud, sample, 30);
+  std::vector<double> difference, our_error, pcl_error;
+  for (std::size_t i = 0; i < sample.size(); ++i) {
+    difference.push_back (angleBetween (samples.normals[i], pcl_normals[i]));
+    our_error.push_back (angleBetween (samples.normals[i], truth));
+    pcl_error.push_back (angleBetween (pcl_normals[i], truth));
+  }
+  // The paper's M_i is taken about the sample, noise and all; PCL's about the centroid.
+  EXPECT_LT (median (difference), 3_deg);
+  EXPECT_LT (median (our_error), 3.0 * median (pcl_error));
+  EXPECT_LT (median (our_error), 3_deg);
+}
+
+TEST (OrientSamples, SkipsDuplicatesOfTheSample)
+{
+  auto scene = Scene().floor (1_m, 1_m).build();
+  const pcl::PointXYZ repeated = scene.cloud->front();
+  for (int i = 0; i < 5; ++i)
+    scene.cloud->push_back (repeated);
+  const auto samples = orient (scene.cloud, {0}, {});
+  ASSERT_EQ (samples.size(), 1u);
+  EXPECT_LT (angleBetween (samples.normals[0], Eigen::Vector3d::UnitZ()), 1e-5);
+}
+
+TEST (OrientSamples, LeavesOutSamplesWhoseNeighboursAreAllDuplicatesOfThem)
+{
+  const auto cloud = pcl::make_shared<Cloud>();
+  for (int i = 0; i < 50; ++i)
+    cloud->push_back ({1, 2, 3});
+  EXPECT_EQ (orient (cloud, {0, 10, 20}, {}).size(), 0u);
+}
+
+TEST (OrientSamples, LeavesOutSamplesOnALine)
+{
+  const auto cloud = lineBesideAPlane();
+  const auto on_line = static_cast<std::uint32_t> (cloud->size() - 50);
+  const auto samples = orient (cloud, {0, on_line}, {20, 0.0});
+  ASSERT_EQ (samples.size(), 1u) << "the one on the plane";
+  EXPECT_LT (angleBetween (samples.normals[0], Eigen::Vector3d::UnitZ()), 1e-5);
+}
+
+TEST (OrientSamples, MakesDoWithFewerPointsThanK)
+{
+  const auto cloud = pcl::make_shared<Cloud>();
+  for (const float x : {0.0f, 1.0f})
+    for (const float y : {0.0f, 1.0f})
+      cloud->push_back ({x, y, 5});
+  for (const int k : {30, std::numeric_limits<int>::max()}) {
+    const auto samples = orient (cloud, {0, 1, 2, 3}, {k, 0.0});
+    ASSERT_EQ (samples.size(), 4u);
+    EXPECT_LT (angleBetween (samples.normals[0], Eigen::Vector3d::UnitZ()), 1e-5);
+  }
+}
+
+TEST (OrientSamples, DoesNotDependOnTheNumberOfThreads)
+{
+  const auto cloud = room().build().cloud;
+  const auto one = orient (cloud, everyTenth (*cloud), {}, 1);
+  for (const unsigned threads : {2u, 4u, 0u}) {
+    const auto many = orient (cloud, everyTenth (*cloud), {}, threads);
+    EXPECT_EQ (many.normals.x, one.normals.x);
+    EXPECT_EQ (many.normals.y, one.normals.y);
+    EXPECT_EQ (many.normals.z, one.normals.z);
+  }
+}
+
+TEST (NormalOfScatter, IsNothingForAMatrixOfRankOneOrNone)
+{
+  const Eigen::Vector3d line (1.0 / 3.0, -0.7, 0.2);
+  EXPECT_TRUE (pcl_ops::normalOfScatter (Eigen::Matrix3d::Zero()).isZero());
+  EXPECT_TRUE (pcl_ops::normalOfScatter (line * line.transpose()).isZero());
+  EXPECT_TRUE (pcl_ops::normalOfScatter (1e12 * line * line.transpose()).isZero());
+}
+
+TEST (NormalOfScatter, IsThePreciseDirectionOfLeastSpread)
+{
+  const Surface patch{{0, 0, 0}, {1, 0.3, 0.2}, {0.1, -1, 0.4}};
+  const Eigen::Matrix3d m = patch.first * patch.first.transpose() +
+                            1e-4 * patch.second * patch.second.transpose();
+  EXPECT_LT (angleBetween (pcl_ops::normalOfScatter (m), patch.normal()), 1e-5);
+}
+
+TEST (GroupByOrientation, PutsEverySampleIntoOneGroup)
+{
+  OrientedSamples samples;
+  for (const Eigen::Vector3d& normal : {Eigen::Vector3d (0, 0, 1),
+                                        Eigen::Vector3d (1, 0, 0),
+                                        Eigen::Vector3d (0.6, 0, 0.8),
+                                        Eigen::Vector3d (0, 0, -1)})
+    samples.add ({0, 0, 0}, normal);
+  const auto groups = groupByOrientation (samples, Eigen::Vector3d::UnitZ(), 7_deg);
+  EXPECT_EQ (groups[0], (Positions{0, 3})) << "horizontal";
+  EXPECT_EQ (groups[1], (Positions{1})) << "vertical";
+  EXPECT_EQ (groups[2], (Positions{2})) << "other";
+}

@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "ops/plane_extraction.h"
+#include "scene.h"
+
+#include <numeric>
+
+using pcl_ops::Coordinates;
+using pcl_ops::ExtractedPlane;
+using pcl_ops::OrientedSamples;
+using pcl_ops::Plane;
+using pcl_ops::Positions;
+using pcl_ops::RandomGenerator;
+using pcl_ops::RansacParameters;
+using pcl_ops::requiredDraws;
+
+namespace {
+
+Positions
+upTo (std::size_t size)
+{
+  Positions positions (size);
+  std::iota (positions.begin(), positions.end(), 0);
+  return positions;
+}
+
+/** \brief Every point of a scene as a sample: with the normal of its surface turned by
+ * a random angle, or any normal for clutter. */
+OrientedSamples
+samplesOf (const LabelledScene& scene, double normal_noise = 0.0)
+{
+  RandomGenerator generator (seedOfTest());
+  OrientedSamples samples;
+  for (std::size_t i = 0; i < scene.labels.size(); ++i) {
+    const Eigen::Vector3d any (
+        drawNormal (generator), drawNormal (generator), drawNormal (generator));
+    const int label = scene.labels[i];
+    const Eigen::Vector3d normal =
+        label < 0 ? any
+                  : scene.surfaces[static_cast<std::size_t> (label)].normal() +
+                        normal_noise * any;
+    samples.add ((*scene.cloud)[i].getVector3fMap().cast<double>(),
+                 normal.normalized());
+  }
+  return samples;
+}
+
+/** \brief A floor twice as large as a wall, and clutter. */
+Scene
+floorAndWall ()
+{
+  return Scene()
+      .floor (4_m, 2_m)
+      .wall ({0, 0}, {2, 0}, 2_m)
+      .spacing (10_cm)
+      .clutter (10_percent);
+}
+
+const Plane horizontal{Eigen::Vector3d::UnitZ(), 0.0};
+
+} // namespace
+
+TEST (RequiredDraws, MatchesTheFormula)
+{
+  EXPECT_EQ (requiredDraws (0.99, 0.8), 3u);    // log 0.01 / log 0.2 = 2.9
+  EXPECT_EQ (requiredDraws (0.99, 0.5), 7u);    // 6.6
+  EXPECT_EQ (requiredDraws (0.99, 0.1), 44u);   // 43.7
+  EXPECT_EQ (requiredDraws (0.99, 0.01), 459u); // 458.2
+  EXPECT_EQ (requiredDraws (0.95, 0.2), 14u);   // 13.4
+}
+
+TEST (RequiredDraws, IsOneWhereEveryPointIsAnInlier)
+{
+  EXPECT_EQ (requiredDraws (0.99, 1.0), 1u);
+  EXPECT_EQ (requiredDraws (0.99, 1.5), 1u);
+}
+
+TEST (RequiredDraws, IsVeryLargeButFiniteWhereNoneIs)
+{
+  for (const double no_inliers : {0.0, -0.5, 1e-300}) {
+    EXPECT_GT (requiredDraws (0.99, no_inliers), 1000000000u);
+    EXPECT_LE (requiredDraws (0.99, no_inliers), 2147483647u);
+  }
+}
+
+TEST (WithinDistance, CountsAndSelectsTheSamePoints)
+{
+  Coordinates positions;
+  for (const float z : {-0.2f, -0.04f, 0.0f, 0.04f, 0.2f})
+    positions.add (1.0f, 2.0f, z);
+  EXPECT_EQ (countWithinDistance (positions, horizontal, 5_cm), 3u);
+  EXPECT_EQ (selectWithinDistance (positions, upTo (5), horizontal, 5_cm),
+             (Positions{1, 2, 3}));
+}
+
+TEST (WithinDistance, SelectsAmongTheCandidatesOnly)
+{
+  Coordinates positions;
+  for (int i = 0; i < 5; ++i)
+    positions.add (1.0f, 2.0f, 0.0f);
+  EXPECT_EQ (selectWithinDistance (positions, {0, 3}, horizontal, 5_cm),
+             (Positions{0, 3}));
+}
+
+TEST (WithinDistance, AgreesWithBruteForce)
+{
+  const auto samples = samplesOf (floorAndWall().build());
+  const Plane tilted =
+      pcl_ops::planeThrough ({1, 1, 1}, Eigen::Vector3d (1, 2, 3).normalized());
+  std::size_t near = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    near += std::abs (tilted.distance (samples[i])) < 30_cm;
+  EXPECT_EQ (countWithinDistance (samples, tilted, 30_cm), near);
+  EXPECT_EQ (
+      selectWithinDistance (samples, upTo (samples.size()), tilted, 30_cm).size(),
+      near);
+}
+
+TEST (ExtractAll, StopsWhenNothingIsFound)
+{
+  int calls = 0;
+  const auto planes = pcl_ops::extractAll (
+      {0, 1, 2, 3}, [&] (const Positions&) -> std::optional<ExtractedPlane> {
+        ++calls;
+        return std::nullopt;
+      });
+  EXPECT_TRUE (planes.empty());
+  EXPECT_EQ (calls, 1);
+}
+
+TEST (ExtractAll, NeverReusesAPoint)
+{
+  const auto take_two = [] (const Positions& left) -> std::optional<ExtractedPlane> {
+    if (left.size() < 2)
+      return std::nullopt;
+    return ExtractedPlane{Plane(), {left.front(), left.back()}};
+  };
+  const auto planes = pcl_ops::extractAll ({1, 3, 5, 7, 9}, take_two);
+  ASSERT_EQ (planes.size(), 2u);
+  EXPECT_EQ (planes[0].inliers, (Positions{1, 9}));
+  EXPECT_EQ (planes[1].inliers, (Positions{3, 7}));
+}
+
+TEST (ExtractAll, StopsIfAPlaneTakesNoCandidate)
+{
+  int calls = 0;
+  const auto endless = [&] (const Positions&) {
+    ++calls;
+    return std::optional<ExtractedPlane> (ExtractedPlane{Plane(), {}});
+  };
+  EXPECT_TRUE (pcl_ops::extractAll ({1, 2, 3}, endless).empty());
+  EXPECT_EQ (calls, 1);
+}
+
+TEST (ExtractAll, FindsEveryPlaneOfAScene)
+{
+  const auto scene = floorAndWall().build();
+  const auto samples = samplesOf (scene);
+  RandomGenerator generator (seedOfTest());
+  const auto planes =
+      pcl_ops::extractAll (upTo (samples.size()), [&] (const Positions& candidates) {
+        return largestPlane (samples, candidates, RansacParameters(), generator);
+      });
+  ASSERT_GE (planes.size(), 2u);
+  expectPlaneNear (planes[0].plane, scene.surfaces[0], 1_deg, 1_cm);
+  expectPlaneNear (planes[1].plane, scene.surfaces[1], 1_deg, 1_cm);
+}
+
+TEST (OnePointRansac, FindsThePlaneWithMostInliers)
+{
+  const auto scene = floorAndWall().build();
+  const auto samples = samplesOf (scene);
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    RandomGenerator generator (seed);
+    const auto plane =
+        onePointRansac (samples, upTo (samples.size()), samples, {}, generator);
+    ASSERT_TRUE (plane);
+    expectPlaneNear (*plane, scene.surfaces[0], 1e-6, 1e-6);
+  }
+}
+
+TEST (OnePointRansac, DrawsFromTheCandidatesOnly)
+{
+  const auto scene = floorAndWall().build();
+  const auto samples = samplesOf (scene);
+  Positions on_wall;
+  for (std::uint32_t i = 0; i < samples.size(); ++i)
+    if (scene.labels[i] == 1)
+      on_wall.push_back (i);
+  RandomGenerator generator (seedOfTest());
+  const auto plane = onePointRansac (samples, on_wall, samples, {}, generator);
+  ASSERT_TRUE (plane);
+  expectPlaneNear (*plane, scene.surfaces[1], 1e-6, 1e-6);
+}
+
+TEST (OnePointRansac, WantsMoreInliersThanThetaN)
+{
+  OrientedSamples samples;
+  for (int i = 0; i < 20; ++i)
+    samples.add (Eigen::Vector3d (i % 5, i / 5, 0), Eigen::Vector3d::UnitZ());
+  RansacParameters parameters;
+  RandomGenerator generator (seedOfTest());
+  parameters.min_inliers = 20;
+  EXPECT_FALSE (onePointRansac (samples, upTo (20), samples, parameters, generator));
+  parameters.min_inliers = 19;
+  EXPECT_TRUE (onePointRansac (samples, upTo (20), samples, parameters, generator));
+}
+
+TEST (OnePointRansac, CountsThetaNOnTheCandidatesWhateverItVerifiesOn)
+{
+  // Ten candidates on a floor that has a thousand points.
+  const auto scene = Scene().floor (4_m, 2.5_m).spacing (10_cm).build();
+  const auto samples = samplesOf (scene);
+  RansacParameters parameters;
+  RandomGenerator generator (seedOfTest());
+  parameters.min_inliers = 10;
+  EXPECT_FALSE (onePointRansac (samples, upTo (10), samples, parameters, generator));
+  parameters.min_inliers = 9;
+  EXPECT_TRUE (onePointRansac (samples, upTo (10), samples, parameters, generator));
+}
+
+TEST (OnePointRansac, FindsNothingAmongNoCandidatesOrPointsOnNoPlane)
+{
+  const auto scene = floorAndWall().build();
+  const auto samples = samplesOf (scene);
+  RandomGenerator generator (seedOfTest());
+  EXPECT_FALSE (onePointRansac (samples, {}, samples, {}, generator));
+  OrientedSamples scattered;
+  for (int i = 0; i < 100; ++i)
+    scattered.add (Eigen::Vector3d::Constant (i), Eigen::Vector3d::Ones().normalized());
+  EXPECT_FALSE (onePointRansac (scattered, upTo (100), scattered, {}, generator));
+}
+
+TEST (LargestPlane, IsRefittedToItsInliers)
+{
+  const auto scene = floorAndWall().noise (1_cm).build();
+  const auto samples = samplesOf (scene, 0.01);
+  RansacParameters parameters;
+  parameters.local_optimisation = false;
+  RandomGenerator generator (seedOfTest());
+  const auto found =
+      largestPlane (samples, upTo (samples.size()), parameters, generator);
+  ASSERT_TRUE (found);
+  pcl_ops::Moments moments;
+  for (const std::uint32_t i : found->inliers)
+    moments.add (samples.x[i], samples.y[i], samples.z[i]);
+  const auto fit = fitPlane (moments);
+  ASSERT_TRUE (fit);
+  EXPECT_LT (angleBetween (found->plane.normal, fit->plane.normal), 1e-9);
+  EXPECT_NEAR (found->plane.distance (fit->centroid), 0.0, 1e-9);
+}
+
+TEST (LargestPlane, GrowsItsSupportByLocalOptimisation)
+{
+  const auto scene = floorAndWall().noise (1_cm).build();
+  const auto samples = samplesOf (scene, 0.05);
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    RandomGenerator generator (seed), same_draws (seed);
+    RansacParameters parameters;
+    const auto grown =
+        largestPlane (samples, upTo (samples.size()), parameters, generator);
+    parameters.local_optimisation = false;
+    const auto plain =
+        largestPlane (samples, upTo (samples.size()), parameters, same_draws);
+    ASSERT_TRUE (grown && plain);
+    EXPECT_GE (grown->inliers.size(), plain->inliers.size());
+    expectPlaneNear (grown->plane, scene.surfaces[0], 1_deg, 1_cm);
+  }
+}
+
+TEST (LargestPlane, TakesItsInliersOutOfTheRemainingPoints)
+{
+  const auto scene = floorAndWall().build();
+  const auto samples = samplesOf (scene);
+  Coordinates remaining = samples;
+  RandomGenerator generator (seedOfTest());
+  const auto found =
+      largestPlane (samples, upTo (samples.size()), remaining, {}, generator);
+  ASSERT_TRUE (found);
+  EXPECT_EQ (remaining.size(), samples.size() - found->inliers.size());
+  EXPECT_EQ (countWithinDistance (remaining, found->plane, 5_cm), 0u);
+}
+
+TEST (LargestPlane, GivesAscendingInliersAmongTheCandidates)
+{
+  const auto samples = samplesOf (floorAndWall().build());
+  Positions even;
+  for (std::uint32_t i = 0; i < samples.size(); i += 2)
+    even.push_back (i);
+  RandomGenerator generator (seedOfTest());
+  const auto found = largestPlane (samples, even, RansacParameters(), generator);
+  ASSERT_TRUE (found);
+  EXPECT_TRUE (std::includes (
+      even.begin(), even.end(), found->inliers.begin(), found->inliers.end()));
+}

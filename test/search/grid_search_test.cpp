@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/search/kdtree.h>
+
+#include <gtest/gtest.h>
+
+#include "base/parallel.h"
+#include "search_clouds.h"
+#include <pcl_ops/grid_search.h>
+
+#include <numeric>
+
+using Search = pcl_ops::GridSearch<PointXYZ>;
+
+namespace {
+
+struct Neighbours {
+  pcl::Indices indices;
+  std::vector<float> squared_distances;
+
+  bool
+  operator== (const Neighbours& other) const
+  {
+    return indices == other.indices && squared_distances == other.squared_distances;
+  }
+};
+
+float
+squaredDistance (const PointXYZ& first, const PointXYZ& second)
+{
+  const float dx = first.x - second.x, dy = first.y - second.y, dz = first.z - second.z;
+  return dx * dx + dy * dy + dz * dz;
+}
+
+Neighbours
+nearest (const pcl::search::Search<PointXYZ>& search, const PointXYZ& query, int k)
+{
+  Neighbours found{{99, 98, 97}, {-1.0f}};
+  const int number =
+      search.nearestKSearch (query, k, found.indices, found.squared_distances);
+  EXPECT_EQ (static_cast<std::size_t> (number), found.indices.size());
+  EXPECT_EQ (static_cast<std::size_t> (number), found.squared_distances.size());
+  return found;
+}
+
+Neighbours
+within (const pcl::search::Search<PointXYZ>& search,
+        const PointXYZ& query,
+        double radius,
+        unsigned most = 0)
+{
+  Neighbours found{{99, 98, 97}, {-1.0f}};
+  search.radiusSearch (query, radius, found.indices, found.squared_distances, most);
+  return found;
+}
+
+/** All points by rising distance, equal ones by rising index, up to a distance. */
+Neighbours
+bruteForce (const Cloud& cloud,
+            const PointXYZ& query,
+            float squared_radius = std::numeric_limits<float>::infinity())
+{
+  std::vector<std::pair<float, int>> all;
+  for (int i = 0; i < static_cast<int> (cloud.size()); ++i)
+    if (pcl::isFinite (cloud[i]) && squaredDistance (cloud[i], query) <= squared_radius)
+      all.emplace_back (squaredDistance (cloud[i], query), i);
+  std::sort (all.begin(), all.end());
+  Neighbours found;
+  for (const auto& [distance, index] : all) {
+    found.indices.push_back (index);
+    found.squared_distances.push_back (distance);
+  }
+  return found;
+}
+
+/** Points of the cloud, points beside them, and points far away. */
+std::vector<PointXYZ>
+queriesFor (const Cloud& cloud)
+{
+  pcl_ops::RandomGenerator generator (seedOfTest());
+  const std::size_t stride = cloud.size() / 50 + 1;
+  std::vector<PointXYZ> queries{{100, 0, 0}, {0, -1e5f, 1e5f}, {1e10f, 1e10f, 1e10f}};
+  for (std::size_t i = 0; i < cloud.size(); i += stride)
+    for (const double away : {0_m, 1_mm, 1_m}) {
+      PointXYZ query = cloud[i];
+      query.getVector3fMap() += drawInCube (generator, away).getVector3fMap();
+      queries.push_back (query);
+    }
+  return queries;
+}
+
+class GridSearchOn : public ::testing::TestWithParam<NamedCloud> {
+protected:
+  void
+  SetUp () override
+  {
+    cloud_ = GetParam().build();
+    search_.setInputCloud (cloud_);
+  }
+
+  Cloud::Ptr cloud_;
+  Search search_;
+};
+
+} // namespace
+
+TEST_P (GridSearchOn, FindsTheNearestThatLookingAtAllPointsFinds)
+{
+  for (const PointXYZ& query : queriesFor (*cloud_)) {
+    const Neighbours all = bruteForce (*cloud_, query);
+    for (const std::size_t k : {1, 10, 31, 500}) {
+      const Neighbours found = nearest (search_, query, static_cast<int> (k));
+      ASSERT_EQ (found.indices.size(), std::min (k, cloud_->size()));
+      for (std::size_t i = 0; i < found.indices.size(); ++i) {
+        EXPECT_EQ (found.squared_distances[i], all.squared_distances[i]);
+        EXPECT_EQ (found.squared_distances[i],
+                   squaredDistance ((*cloud_)[found.indices[i]], query));
+      }
+    }
+  }
+}
+
+TEST_P (GridSearchOn, FindsNoPointTwice)
+{
+  for (const PointXYZ& query : queriesFor (*cloud_)) {
+    Neighbours found = nearest (search_, query, 100);
+    const std::size_t number = found.indices.size();
+    pcl_ops::sortOnce (found.indices);
+    EXPECT_EQ (found.indices.size(), number);
+  }
+}
+
+TEST_P (GridSearchOn, FindsAllWithinARadius)
+{
+  for (const PointXYZ& query : queriesFor (*cloud_))
+    for (const double radius : {0_m, 1_mm, 10_cm, 1_m, 1e6_m}) {
+      const auto squared_radius = static_cast<float> (radius * radius);
+      EXPECT_EQ (within (search_, query, radius),
+                 bruteForce (*cloud_, query, squared_radius));
+    }
+}
+
+TEST_P (GridSearchOn, GivesTheDistancesOfAKdTree)
+{
+  pcl::search::KdTree<PointXYZ> tree;
+  tree.setInputCloud (cloud_);
+  for (const PointXYZ& query : queriesFor (*cloud_)) {
+    const int k = std::min (30, static_cast<int> (cloud_->size()));
+    EXPECT_EQ (nearest (search_, query, k).squared_distances,
+               nearest (tree, query, k).squared_distances);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P (
+    Clouds,
+    GridSearchOn,
+    ::testing::Values (NamedCloud{"UniformVolume", uniformVolume},
+                       NamedCloud{"Surfaces", surfaces},
+                       NamedCloud{"Clusters", clusters},
+                       NamedCloud{"Duplicates", duplicates},
+                       NamedCloud{"AllEqual", allEqual},
+                       NamedCloud{"Line", line},
+                       NamedCloud{"EverySmallerSteps", everySmallerSteps},
+                       NamedCloud{"FarFromZero", farFromZero},
+                       NamedCloud{"VolumeBesideStrayPoints", volumeBesideStrayPoints},
+                       NamedCloud{"OnePoint", onePoint}),
+    [] (const auto& test) { return test.param.name; });
+
+TEST (GridSearch, GivesTheNearestOfThoseWithinTheRadius)
+{
+  Search search;
+  search.setInputCloud (uniformVolume());
+  const PointXYZ query (0.1f, 0.1f, 0.1f);
+  EXPECT_EQ (within (search, query, 1_m, 20), nearest (search, query, 20));
+  EXPECT_EQ (within (search, query, 5_cm, 1000000), within (search, query, 5_cm));
+}
+
+TEST (GridSearch, UnsortedGivesTheSameNeighbours)
+{
+  Search sorted (true), unsorted (true);
+  unsorted.setSortedResults (false);
+  const auto cloud = uniformVolume();
+  sorted.setInputCloud (cloud);
+  unsorted.setInputCloud (cloud);
+  pcl::Indices indices = nearest (sorted, {0, 0, 0}, 200).indices;
+  pcl::Indices others = nearest (unsorted, {0, 0, 0}, 200).indices;
+  EXPECT_NE (indices, others);
+  EXPECT_TRUE (std::is_permutation (indices.begin(), indices.end(), others.begin()));
+}
+
+TEST (GridSearch, SearchesTheGivenIndicesAlone)
+{
+  const auto cloud = uniformVolume();
+  const auto indices = pcl::make_shared<pcl::Indices> (pcl::Indices{70, 7, 700, 7});
+  Search search;
+  search.setInputCloud (cloud, indices);
+  pcl::Indices found = nearest (search, (*cloud)[1], 10).indices;
+  std::sort (found.begin(), found.end());
+  EXPECT_EQ (found, (pcl::Indices{7, 70, 700}));
+  EXPECT_EQ (search.getIndices(), indices);
+}
+
+TEST (GridSearch, TakesAQueryByItsPositionInTheIndices)
+{
+  Search search;
+  search.setInputCloud (uniformVolume(),
+                        pcl::make_shared<pcl::Indices> (pcl::Indices{70, 7, 700}));
+  Neighbours found;
+  search.nearestKSearch (1, 1, found.indices, found.squared_distances);
+  EXPECT_EQ (found.indices, pcl::Indices{7});
+}
+
+TEST (GridSearch, LeavesOutPointsThatAreNotFinite)
+{
+  const auto cloud = uniformVolume();
+  for (std::size_t i = 0; i < cloud->size(); i += 2)
+    (*cloud)[i].y = std::numeric_limits<float>::quiet_NaN();
+  (*cloud)[1].z = std::numeric_limits<float>::infinity();
+  Search search;
+  search.setInputCloud (cloud);
+  const PointXYZ query (0.2f, 0.1f, 0);
+  EXPECT_EQ (nearest (search, query, 3000), bruteForce (*cloud, query));
+}
+
+TEST (GridSearch, FindsNothingWhereThereIsNothing)
+{
+  Search search;
+  const PointXYZ query (0, 0, 0);
+  EXPECT_TRUE (nearest (search, query, 5).indices.empty()) << "without a cloud";
+  search.setInputCloud (pcl::make_shared<Cloud>());
+  EXPECT_TRUE (nearest (search, query, 5).indices.empty()) << "in an empty cloud";
+  search.setInputCloud (onePoint());
+  EXPECT_TRUE (nearest (search, query, 0).indices.empty()) << "of no neighbours";
+  EXPECT_TRUE (within (search, query, 1_m).indices.empty()) << "within a metre";
+  EXPECT_TRUE (within (search, query, -9_m).indices.empty()) << "below zero";
+  const PointXYZ nowhere (std::numeric_limits<float>::quiet_NaN(), 0, 0);
+  EXPECT_TRUE (nearest (search, nowhere, 5).indices.empty()) << "of no position";
+}
+
+TEST (GridSearch, ForgetsTheCloudBefore)
+{
+  Search search;
+  search.setInputCloud (uniformVolume());
+  search.setInputCloud (onePoint());
+  EXPECT_EQ (nearest (search, {0, 0, 0}, 5).indices, pcl::Indices{0});
+}
+
+TEST (GridSearch, FindsTheSameFromManyThreads)
+{
+  const auto cloud = surfaces();
+  Search search;
+  search.setInputCloud (cloud);
+  std::vector<Neighbours> found (cloud->size());
+  pcl_ops::parallelFor (4, cloud->size(), 16, [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      found[i] = nearest (search, (*cloud)[i], 31);
+  });
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    ASSERT_EQ (found[i], nearest (search, (*cloud)[i], 31));
+}
