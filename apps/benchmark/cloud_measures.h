@@ -35,12 +35,12 @@ struct MeasureParameters {
 
 /** \brief Building pcl::KdTreeFLANN. */
 Measure
-kdTreeMeasure (const evaluation::Cloud::ConstPtr& cloud, std::size_t runs);
+kdTreeMeasure (const evaluation::XyzCloud::ConstPtr& cloud, std::size_t runs);
 
-/** \brief Everything the targets need on a cloud.
+/** \brief Everything the ratios need on a cloud.
  * \param[in] cloud finite points */
 std::vector<Measure>
-measuresOf (const evaluation::Cloud::ConstPtr& cloud,
+measuresOf (const evaluation::XyzCloud::ConstPtr& cloud,
             const MeasureParameters& parameters);
 
 } // namespace pcl_ops::benchmark

@@ -20,19 +20,14 @@ numberOrNull (double number)
 }
 
 Json
-toArray (const std::vector<TargetRow>& rows)
+toArray (const std::vector<Ratio>& ratios)
 {
   Json array = Json::array();
-  for (const TargetRow& row : rows)
-    array.push_back (
-        {{"id", row.target.id},
-         {"name", row.target.text},
-         {"unit", row.target.unit.empty() ? Json() : Json (row.target.unit)},
-         {"value", numberOrNull (row.value)},
-         {"better", row.target.less_is_better ? "less" : "more"},
-         {"target", row.target.target},
-         {"hoped_for", numberOrNull (row.target.hoped_for)},
-         {"reached", toString (reachedBy (row))}});
+  for (const Ratio& ratio : ratios)
+    array.push_back ({{"id", ratio.id},
+                      {"name", ratio.text},
+                      {"unit", ratio.unit.empty() ? Json() : Json (ratio.unit)},
+                      {"value", numberOrNull (ratio.value)}});
   return array;
 }
 
@@ -43,7 +38,7 @@ toObject (const BestTimes& times)
   for (const BestTime& time : times) {
     Json& measure = object[time.name];
     measure["runs"] = time.runs;
-    for (const auto& [stage, duration] : apps::kStages)
+    for (const auto& [stage, duration] : apps::detection_stages)
       measure[std::string (stage) + "_ms"] = time.durations.*duration;
   }
   return object;
@@ -64,7 +59,7 @@ toObject (const CloudFigures& figures, const SharedFigures& shared)
           {"points", figures.points},
           {"times", toObject (figures.times)},
           {"peak_memory", toObject (figures.peak)},
-          {"rows", toArray (rowsOf (figures, shared))}};
+          {"rows", toArray (ratiosOf (figures, shared))}};
 }
 
 } // namespace
@@ -83,12 +78,12 @@ jsonOf (const Benchmark& benchmark)
   json["arithmetic_speedup"] = numberOrNull (benchmark.shared.arithmetic_speedup);
   json["peak_memory"] = toObject (benchmark.shared.peak);
   json["clouds"] = Json::array();
-  std::vector<std::vector<TargetRow>> rows;
+  std::vector<std::vector<Ratio>> ratios;
   for (const CloudFigures& figures : benchmark.clouds) {
     json["clouds"].push_back (toObject (figures, benchmark.shared));
-    rows.push_back (rowsOf (figures, benchmark.shared));
+    ratios.push_back (ratiosOf (figures, benchmark.shared));
   }
-  json["rows"] = toArray (mediansOf (rows));
+  json["rows"] = toArray (mediansOf (ratios));
   return json.dump (2) + "\n";
 }
 

@@ -3,8 +3,10 @@
 #include "json_report.h"
 #include "options.h"
 #include "scaling_report.h"
+#include "time_table.h"
 #include <cli/errors.h>
 #include <cli/program.h>
+#include <cli/progress.h>
 #include <evaluation/commands/data_options.h>
 #include <evaluation/data/data_sets.h>
 #include <io/output_file.h>
@@ -19,27 +21,38 @@ using namespace pcl_ops;
 using namespace pcl_ops::benchmark;
 using evaluation::DataSet;
 
-/** Says on a terminal what is being done. */
+/** Says on a terminal what is being done, and anywhere what takes minutes. */
 void
-notify (const std::string& what)
+notify (const std::string& what, double expected = 0.0)
 {
   constexpr const char* erase_line = "\r\033[K";
-  if (isatty (STDERR_FILENO) == 1)
+  constexpr double minute = 60'000.0;
+  const bool is_terminal = isatty (STDERR_FILENO) == 1;
+  if (is_terminal)
     std::cerr << erase_line << what << std::flush;
+  if (expected >= minute)
+    std::cerr << (is_terminal ? "" : what) << " takes about "
+              << apps::durationText (1e-3 * expected) << std::endl;
 }
 
 CloudFigures
 figuresOf (const evaluation::CloudSource& source, const MeasureParameters& parameters)
 {
   notify ("loading " + source.name);
-  const evaluation::Cloud::ConstPtr cloud = source.load().cloud;
-  const Notify notify_with_name = [&] (const std::string& what) {
-    notify (source.name + ": " + what);
-  };
-  return {source.name,
-          cloud->size(),
-          measureInTurns (measuresOf (cloud, parameters), notify_with_name),
-          peakMemoryOn (cloud)};
+  const evaluation::XyzCloud::ConstPtr cloud = source.load().cloud;
+  const std::vector<Measure> measures = measuresOf (cloud, parameters);
+  TimeTable table (std::cout, source.name, cloud->size(), measures);
+  const BestTimes times = measureInTurns (
+      measures,
+      [&] (const std::string& what, double expected) {
+        notify (source.name + ": " + what, expected);
+      },
+      [&] (const BestTime& time) {
+        notify ("");
+        table.add (time);
+      });
+  table.end();
+  return {source.name, cloud->size(), times, peakMemoryOn (cloud)};
 }
 
 /** The default preset's times by the number of points. */
@@ -138,7 +151,7 @@ run (int argc, const char* const* argv)
 {
   Options options;
   if (!readOptions (argc, argv, options))
-    return apps::kDone;
+    return apps::ExitCode::done;
   const DataSet clouds =
       evaluation::dataSetOf (options.clouds, Eigen::Vector3d::UnitZ());
   const DataSet growing = growingScans (options.scaling_points);
@@ -152,7 +165,7 @@ run (int argc, const char* const* argv)
   printReport (benchmark, std::cout);
   if (!options.json_file.empty())
     apps::writeTextFile (options.json_file, jsonOf (benchmark));
-  return left_out == 0 ? apps::kDone : apps::kWorkFailed;
+  return left_out == 0 ? apps::ExitCode::done : apps::ExitCode::work_failed;
 }
 
 } // namespace

@@ -8,23 +8,30 @@
 namespace pcl_ops::benchmark {
 
 BestTimes
-measureInTurns (const std::vector<Measure>& measures, const Notify& notify)
+measureInTurns (const std::vector<Measure>& measures,
+                const Notify& notify,
+                const Finish& finish)
 {
   BestTimes best (measures.size());
   std::vector<double> spent (measures.size(), 0.0);
+  const auto is_finished = [&] (std::size_t i) {
+    return best[i].runs >= measures[i].runs || spent[i] > patience;
+  };
   bool is_done = false;
   for (std::size_t turn = 0; !is_done; ++turn) {
     is_done = true;
     for (std::size_t i = 0; i < measures.size(); ++i) {
-      if (turn >= measures[i].runs || spent[i] > patience)
+      if (is_finished (i))
         continue;
       is_done = false;
-      notify (measures[i].name);
+      notify (measures[i].name, measures[i].expected);
       const StageDurations durations = measures[i].run();
       spent[i] += durations.detection;
       if (turn == 0 || durations.detection < best[i].durations.detection)
         best[i] = {measures[i].name, durations, 0};
       best[i].runs = turn + 1;
+      if (is_finished (i))
+        finish (best[i]);
     }
   }
   return best;

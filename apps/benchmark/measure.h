@@ -17,6 +17,8 @@ struct Measure {
   std::size_t runs = 1;
   /** \brief Its times [ms]: of the stages where it has stages, and of the whole. */
   std::function<StageDurations()> run;
+  /** \brief About how long a run takes [ms], where that may be long. */
+  double expected = 0.0;
 };
 
 /** \brief The run of a measure with the shortest whole. */
@@ -28,14 +30,20 @@ struct BestTime {
 
 using BestTimes = std::vector<BestTime>;
 
-/** \brief Is told what is being measured. */
-using Notify = std::function<void (const std::string& what)>;
+/** \brief Is told what is being done, and about how long it takes [ms]; 0: not
+ * long. */
+using Notify = std::function<void (const std::string& what, double expected)>;
+
+/** \brief Is told the best time of a measure that will not be run again. */
+using Finish = std::function<void (const BestTime& time)>;
 
 /** \brief Runs each measure once, then each a second time, and so on, so that a slow
  * phase of the machine hits all alike. What has taken \ref patience is not repeated.
  * \return the best of each in the order given */
 BestTimes
-measureInTurns (const std::vector<Measure>& measures, const Notify& notify);
+measureInTurns (const std::vector<Measure>& measures,
+                const Notify& notify,
+                const Finish& finish);
 
 /** \brief [ms] */
 constexpr double patience = 20000.0;
@@ -50,7 +58,7 @@ Measure
 detectorMeasure (const std::string& name,
                  std::size_t runs,
                  const typename Detector::Parameters& parameters,
-                 const evaluation::Cloud::ConstPtr& cloud)
+                 const evaluation::XyzCloud::ConstPtr& cloud)
 {
   return {name, runs, [parameters, cloud] {
             return evaluation::runDetector<Detector> (parameters, cloud).durations;

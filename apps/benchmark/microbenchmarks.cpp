@@ -7,14 +7,14 @@
 #include <pcl/search/kdtree.h>
 
 #include <benchmark/benchmark.h>
-#include "bounded/bounded_assignment.h"
-#include "bounded/bounded_planes.h"
-#include "bounded/plane_growing.h"
-#include "ops/oriented_points.h"
-#include "ops/surfel_extraction.h"
-#include "search/fixed_radius_search.h"
-#include "kht/octree_clusters.h"
+#include <bounded/bounded_assignment.h>
+#include <bounded/bounded_planes.h>
+#include <bounded/plane_growing.h>
+#include <kht/octree_clusters.h>
+#include <ops/oriented_points.h>
+#include <ops/surfel_extraction.h>
 #include <pcl_ops/oriented_point_sampling.h>
+#include <search/fixed_radius_search.h>
 #include <simulation/dense_scan.h>
 
 #include <map>
@@ -110,7 +110,8 @@ void
 finitePointsOfACloud (State& state)
 {
   const Scan& scan = scanFor (state);
-  measure (state, [&] { return finitePoints (CloudView (*scan.cloud), scan.all, threads); });
+  measure (state,
+           [&] { return finitePoints (CloudView (*scan.cloud), scan.all, threads); });
 }
 
 void
@@ -131,7 +132,9 @@ void
 findingSurfels (State& state)
 {
   const Scan& scan = scanFor (state);
-  measure (state, [&] { return findSurfels (scan.voxelized.grid, resolutions, least_points, threads); });
+  measure (state, [&] {
+    return findSurfels (scan.voxelized.grid, resolutions, least_points, threads);
+  });
 }
 
 void

@@ -19,7 +19,7 @@ namespace pcl_ops::benchmark {
 
 namespace {
 
-using evaluation::Cloud;
+using evaluation::XyzCloud;
 
 /** A line of /proc/self/status in bytes; NaN if there is none. */
 double
@@ -43,7 +43,7 @@ giveBackFreedMemory ()
 }
 
 void
-detect (const Cloud::ConstPtr& cloud)
+detect (const XyzCloud::ConstPtr& cloud)
 {
   evaluation::runDetector<OrientedPointSampling<pcl::PointXYZ>> ({}, cloud);
 }
@@ -91,11 +91,11 @@ inChildProcess (const std::function<double()>& compute)
 } // namespace
 
 PeakMemory
-peakMemoryOn (const Cloud::ConstPtr& cloud)
+peakMemoryOn (const XyzCloud::ConstPtr& cloud)
 {
   // The pages of the program itself are resident once a small cloud has used them.
   constexpr std::size_t small = 5000;
-  const Cloud::Ptr few (new Cloud);
+  const XyzCloud::Ptr few (new XyzCloud);
   const std::size_t stride = std::max<std::size_t> (1, cloud->size() / small);
   for (std::size_t i = 0; i < cloud->size(); i += stride)
     few->push_back ((*cloud)[i]);

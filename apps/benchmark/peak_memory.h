@@ -28,6 +28,6 @@ struct PeakMemory {
  * much its resident memory grows at the peak, labels of all points included.
  * \param[in] cloud finite points */
 PeakMemory
-peakMemoryOn (const evaluation::Cloud::ConstPtr& cloud);
+peakMemoryOn (const evaluation::XyzCloud::ConstPtr& cloud);
 
 } // namespace pcl_ops::benchmark

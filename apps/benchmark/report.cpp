@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
-#include <detection/stages.h>
 #include <evaluation/report/text_table.h>
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -18,56 +16,16 @@ using evaluation::TextTable;
 
 constexpr double bytes_per_megabyte = 1e6;
 
-/** Enough digits to compare with the bounds. */
-std::string
-shortNumber (double number)
+TextTable
+ratioTable (const std::string& title, const std::vector<Ratio>& ratios)
 {
   constexpr double large = 20.0;
-  return decimal (number, std::abs (number) < large ? 2 : 0);
-}
-
-std::string
-boundText (const Target& target, double bound)
-{
-  return std::isnan (bound)
-             ? ""
-             : (target.less_is_better ? "<= " : ">= ") + shortNumber (bound);
-}
-
-TextTable
-targetTable (const std::string& title, const std::vector<TargetRow>& rows)
-{
-  TextTable table{title, {"ratio", "value", "target", "hoped for", "reached"}, {}};
-  for (const TargetRow& row : rows) {
-    const Target& target = row.target;
-    const std::string unit = target.unit.empty() ? "" : " [" + target.unit + "]";
-    table.rows.push_back ({target.text + unit,
-                           shortNumber (row.value),
-                           boundText (target, target.target),
-                           boundText (target, target.hoped_for),
-                           toString (reachedBy (row))});
-  }
-  return table;
-}
-
-TextTable
-timeTable (const CloudFigures& figures)
-{
-  constexpr double microseconds_per_millisecond = 1000.0;
-  TextTable table{"Times [ms], " + figures.name, {"measure", "runs"}, {}};
-  for (const auto& stage : apps::kStages)
-    table.header.emplace_back (stage.first);
-  table.header.emplace_back ("us per point");
-  for (const BestTime& time : figures.times) {
-    std::vector<std::string> row{time.name, std::to_string (time.runs)};
-    for (const auto& [stage, duration] : apps::kStages) {
-      const double milliseconds = time.durations.*duration;
-      row.push_back (milliseconds > 0.0 ? decimal (milliseconds, 1) : "");
-    }
-    row.push_back (decimal (microseconds_per_millisecond * time.durations.detection /
-                                static_cast<double> (figures.points),
-                            3));
-    table.rows.push_back (std::move (row));
+  TextTable table{title, {"ratio", "value"}, {}};
+  for (const Ratio& ratio : ratios) {
+    const std::string unit = ratio.unit.empty() ? "" : " [" + ratio.unit + "]";
+    table.rows.push_back (
+        {ratio.text + unit,
+         decimal (ratio.value, std::abs (ratio.value) < large ? 2 : 0)});
   }
   return table;
 }
@@ -158,17 +116,16 @@ printMethod (const Benchmark& benchmark, std::ostream& stream)
 void
 printReport (const Benchmark& benchmark, std::ostream& stream)
 {
-  std::vector<std::vector<TargetRow>> rows;
+  std::vector<std::vector<Ratio>> ratios;
   for (const CloudFigures& figures : benchmark.clouds) {
-    rows.push_back (rowsOf (figures, benchmark.shared));
-    stream << targetTable (figures.name + ", " + std::to_string (figures.points) +
-                               " points",
-                           rows.back())
-           << timeTable (figures);
+    ratios.push_back (ratiosOf (figures, benchmark.shared));
+    stream << ratioTable (figures.name + ", " + std::to_string (figures.points) +
+                              " points",
+                          ratios.back());
   }
-  if (rows.size() > 1)
-    stream << targetTable ("Median over " + std::to_string (rows.size()) + " clouds",
-                           mediansOf (rows));
+  if (ratios.size() > 1)
+    stream << ratioTable ("Median over " + std::to_string (ratios.size()) + " clouds",
+                          mediansOf (ratios));
   printMethod (benchmark, stream);
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "machine.h"
-#include "targets.h"
+#include "ratios.h"
 
 #include <iosfwd>
 
@@ -17,8 +17,8 @@ struct Benchmark {
   SharedFigures shared;
 };
 
-/** \brief Prints Markdown: for each cloud a table of targets and one of times, the
- * targets' medians where there are several clouds, and how all this was measured. */
+/** \brief Prints Markdown: for each cloud a table of ratios, their medians
+ * where there are several clouds, and how all this was measured. */
 void
 printReport (const Benchmark& benchmark, std::ostream& stream);
 

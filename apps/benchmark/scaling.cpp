@@ -16,7 +16,7 @@ namespace pcl_ops::benchmark {
 
 namespace {
 
-using evaluation::Cloud;
+using evaluation::XyzCloud;
 using Ops = OrientedPointSampling<pcl::PointXYZ>;
 using Kht = KernelHoughTransform<pcl::PointXYZ>;
 
@@ -29,7 +29,7 @@ public:
   }
 
   void
-  overThreads (const Cloud::ConstPtr& cloud, unsigned most)
+  overThreads (const XyzCloud::ConstPtr& cloud, unsigned most)
   {
     for (unsigned threads = 1; threads <= most; ++threads) {
       default_.threads = paper_.threads = threads;
@@ -39,7 +39,7 @@ public:
   }
 
   void
-  overSamplingRate (const Cloud::ConstPtr& cloud)
+  overSamplingRate (const XyzCloud::ConstPtr& cloud)
   {
     constexpr double per_cent = 100.0;
     const double usual = default_.sampling_rate;
@@ -54,8 +54,8 @@ public:
   overPoints (const std::vector<evaluation::CloudSource>& growing)
   {
     for (const evaluation::CloudSource& source : growing) {
-      notify_ ("simulating " + source.name);
-      const Cloud::ConstPtr cloud = source.load().cloud;
+      notify_ ("simulating " + source.name, 0.0);
+      const XyzCloud::ConstPtr cloud = source.load().cloud;
       add (over_points, static_cast<double> (cloud->size()), cloud, allOn (cloud));
     }
   }
@@ -66,7 +66,7 @@ public:
     for (const unsigned planes : {1u, 3u, 10u, 30u, 100u, 300u}) {
       const auto scan =
           simulation::scanDensely (makeBoards (planes), points, 1.0, default_.seed);
-      const Cloud::Ptr cloud (new Cloud);
+      const XyzCloud::Ptr cloud (new XyzCloud);
       pcl::copyPointCloud (scan.cloud, *cloud);
       add (over_planes, planes, cloud, allOn (cloud));
     }
@@ -76,14 +76,14 @@ public:
 
 private:
   std::vector<Measure>
-  presetsOn (const Cloud::ConstPtr& cloud) const
+  presetsOn (const XyzCloud::ConstPtr& cloud) const
   {
     return {detectorMeasure<Ops> ("ops", runs_, default_, cloud),
             detectorMeasure<Ops> ("ops paper", runs_, paper_, cloud)};
   }
 
   std::vector<Measure>
-  allOn (const Cloud::ConstPtr& cloud) const
+  allOn (const XyzCloud::ConstPtr& cloud) const
   {
     std::vector<Measure> measures = presetsOn (cloud);
     measures.push_back (detectorMeasure<Kht> ("kht", runs_, {}, cloud));
@@ -94,11 +94,12 @@ private:
   void
   add (const char* series,
        double x,
-       const Cloud::ConstPtr& cloud,
+       const XyzCloud::ConstPtr& cloud,
        const std::vector<Measure>& measures)
   {
-    for (const BestTime& time : measureInTurns (measures, notify_))
+    measureInTurns (measures, notify_, [&] (const BestTime& time) {
       rows.push_back ({series, x, cloud->size(), time});
+    });
   }
 
   std::size_t runs_;
@@ -110,7 +111,7 @@ private:
 } // namespace
 
 std::vector<ScalingRow>
-measureScaling (const Cloud::ConstPtr& cloud,
+measureScaling (const XyzCloud::ConstPtr& cloud,
                 const std::vector<evaluation::CloudSource>& growing,
                 const MeasureParameters& parameters,
                 const Notify& notify)

@@ -29,7 +29,7 @@ constexpr const char* over_planes = "planes";
  * simulated boards of the planes too
  * \param[in] growing clouds of growing size */
 std::vector<ScalingRow>
-measureScaling (const evaluation::Cloud::ConstPtr& cloud,
+measureScaling (const evaluation::XyzCloud::ConstPtr& cloud,
                 const std::vector<evaluation::CloudSource>& growing,
                 const MeasureParameters& parameters,
                 const Notify& notify);

@@ -34,13 +34,13 @@ csvOf (const std::vector<ScalingRow>& rows)
 {
   std::ostringstream csv;
   csv << "series,x,points,measure,runs";
-  for (const auto& stage : apps::kStages)
+  for (const auto& stage : apps::detection_stages)
     csv << ',' << stage.first << "_ms";
   csv << '\n';
   for (const ScalingRow& row : rows) {
     csv << row.series << ',' << row.x << ',' << row.points << ',' << row.time.name
         << ',' << row.time.runs;
-    for (const auto& [stage, duration] : apps::kStages)
+    for (const auto& [stage, duration] : apps::detection_stages)
       csv << ',' << row.time.durations.*duration;
     csv << '\n';
   }
@@ -65,8 +65,8 @@ plotOf (const std::vector<ScalingRow>& rows, const SeriesPlot& kind)
 {
   constexpr double microseconds_per_millisecond = 1000.0;
   evaluation::Plot plot{std::string ("time_over_") + kind.series, "", ""};
-  plot.commands = std::string ("set grid\nset key outside right noenhanced\n") +
-                  kind.axes + "set xlabel '" + kind.x_label + "'\nset ylabel '" +
+  plot.commands = std::string (kind.axes) + "set xlabel '" + kind.x_label +
+                  "'\nset ylabel '" +
                   (kind.per_point ? "time per point [us]" : "time [ms]") + "'\nplot ";
   std::ostringstream data;
   int block = 0;

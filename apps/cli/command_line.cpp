@@ -4,34 +4,90 @@
 
 #include <boost/program_options/errors.hpp>
 #include <boost/program_options/value_semantic.hpp>
+#include <boost/program_options/variables_map.hpp>
 
 #include "errors.h"
+#include "help_page.h"
 #include "tokens.h"
 
 #include <algorithm>
 #include <iostream>
 #include <limits>
+#include <utility>
 
 namespace po = boost::program_options;
 
 namespace pcl_ops::apps {
 
-CommandLine::CommandLine (std::string program, std::string summary, std::string version)
-: program_ (std::move (program))
-, summary_ (std::move (summary))
-, version_ (std::move (version))
+namespace {
+
+struct Argument {
+  std::string name;
+  std::string help;
+  std::size_t fewest;
+  std::size_t most;
+  std::function<void (const std::string&)> store;
+};
+
+void
+storeArguments (const std::vector<Argument>& arguments,
+                const std::vector<std::string>& given)
+{
+  std::size_t next = 0;
+  for (const Argument& argument : arguments) {
+    std::size_t taken = 0;
+    for (; taken < argument.most && next < given.size(); ++taken, ++next)
+      argument.store (given[next]);
+    if (taken < argument.fewest)
+      throw UsageError (argument.name, "is missing; see --help");
+  }
+  if (next < given.size())
+    throw UsageError (given[next], "is one argument too many; see --help");
+}
+
+/** \brief What follows a program's name. */
+std::string
+wayToCall (const std::vector<Argument>& arguments)
+{
+  std::string way;
+  for (const Argument& argument : arguments) {
+    const std::string name = argument.name + (argument.most > 1 ? "..." : "");
+    way += (argument.fewest == 0 ? "[" + name + "]" : name) + " ";
+  }
+  return way + "[options]";
+}
+
+} // namespace
+
+struct CommandLine::State {
+  std::string program, summary, version;
+  /** \brief Of \ref setUsage. */
+  std::vector<std::string> ways;
+  std::string explanation;
+  std::vector<Argument> arguments;
+  /** \brief New options go to the last. */
+  std::vector<OptionGroup> groups;
+  po::variables_map values;
+};
+
+CommandLine::CommandLine (const std::string& program,
+                          const std::string& summary,
+                          const std::string& version)
+: state_ (new State{program, summary, version, {}, {}, {}, {}, {}})
 {
   beginGroup ("Options");
-  groups_.back().options.add_options() ("help", "print this and exit") (
+  state_->groups.back().options.add_options() ("help", "print this and exit") (
       "version", "print the version and exit");
 }
+
+CommandLine::~CommandLine() = default;
 
 void
 CommandLine::addArgument (const std::string& name,
                           std::string& target,
                           const std::string& help)
 {
-  arguments_.push_back (
+  state_->arguments.push_back (
       {name, help, 1, 1, [&target] (const std::string& text) { target = text; }});
 }
 
@@ -41,7 +97,7 @@ CommandLine::addOptionalArgument (const std::string& name,
                                   const std::string& help)
 {
   addArgument (name, target, help);
-  arguments_.back().fewest = 0;
+  state_->arguments.back().fewest = 0;
 }
 
 void
@@ -50,7 +106,7 @@ CommandLine::addArguments (const std::string& name,
                            std::size_t fewest,
                            const std::string& help)
 {
-  arguments_.push_back (
+  state_->arguments.push_back (
       {name,
        help,
        fewest,
@@ -62,34 +118,34 @@ void
 CommandLine::setUsage (const std::vector<std::string>& ways,
                        const std::string& explanation)
 {
-  ways_ = ways;
-  explanation_ = explanation;
+  state_->ways = ways;
+  state_->explanation = explanation;
 }
 
 void
 CommandLine::beginGroup (const std::string& title)
 {
-  groups_.emplace_back (title);
+  state_->groups.emplace_back (title);
 }
 
 void
 CommandLine::beginBriefGroup (const std::string& title)
 {
   const bool is_first =
-      std::none_of (groups_.begin(), groups_.end(), [] (const OptionGroup& group) {
-        return group.is_brief;
-      });
+      std::none_of (state_->groups.begin(),
+                    state_->groups.end(),
+                    [] (const OptionGroup& group) { return group.is_brief; });
   if (is_first)
-    groups_.front().options.add_options() (
+    state_->groups.front().options.add_options() (
         "help-all", "explain the options of the groups below, too");
   beginGroup (title);
-  groups_.back().is_brief = true;
+  state_->groups.back().is_brief = true;
 }
 
 void
 CommandLine::addFlag (const std::string& name, bool& target, const std::string& help)
 {
-  groups_.back().options.add_options() (
+  state_->groups.back().options.add_options() (
       name.c_str(),
       po::bool_switch()->notifier (
           [&target] (bool given) { target = target || given; }),
@@ -130,7 +186,7 @@ CommandLine::addValue (const std::string& name,
                        const std::string& help,
                        const std::function<void (const std::string&)>& store)
 {
-  groups_.back().options.add_options() (
+  state_->groups.back().options.add_options() (
       name.c_str(),
       po::value<std::string>()->value_name (placeholder)->notifier (store),
       help.c_str());
@@ -139,37 +195,44 @@ CommandLine::addValue (const std::string& name,
 bool
 CommandLine::parse (int argc, const char* const* argv)
 {
-  po::options_description all = joined (groups_);
+  po::options_description all = joined (state_->groups);
   all.add_options() (positional_arguments, po::value<std::vector<std::string>>());
   const std::vector<std::string> tokens (argv + std::min (argc, 1), argv + argc);
   const po::parsed_options parsed = parseTokens (tokens, all);
   try {
-    po::store (parsed, values_);
+    po::store (parsed, state_->values);
   }
   catch (const po::multiple_occurrences& error) {
     throw UsageError (dashed (error.get_option_name()), "is given twice; keep one");
   }
-  if (values_.count ("help") > 0)
+  if (state_->values.count ("help") > 0)
     std::cout << help().brief();
-  else if (values_.count ("help-all") > 0)
+  else if (state_->values.count ("help-all") > 0)
     std::cout << help().full();
-  else if (values_.count ("version") > 0)
-    std::cout << program_ << " " << version_ << "\n";
+  else if (state_->values.count ("version") > 0)
+    std::cout << state_->program << " " << state_->version << "\n";
   else {
-    po::notify (values_);
-    const po::variable_value& given = values_[positional_arguments];
-    storeArguments (given.empty() ? std::vector<std::string>()
+    po::notify (state_->values);
+    const po::variable_value& given = state_->values[positional_arguments];
+    storeArguments (state_->arguments,
+                    given.empty() ? std::vector<std::string>()
                                   : given.as<std::vector<std::string>>());
     return true;
   }
   return false;
 }
 
+bool
+CommandLine::isGiven (const std::string& name) const
+{
+  return state_->values.count (name) > 0 && !state_->values[name].defaulted();
+}
+
 std::vector<std::string>
 CommandLine::givenOf (const std::string& title) const
 {
   std::vector<std::string> given;
-  for (const OptionGroup& group : groups_)
+  for (const OptionGroup& group : state_->groups)
     if (group.title == title)
       for (const auto& option : group.options.options())
         if (isGiven (option->long_name()))
@@ -185,42 +248,21 @@ CommandLine::forbidTogether (const std::string& first, const std::string& second
                       "contradicts --" + second + "; give only one of them");
 }
 
-void
-CommandLine::storeArguments (const std::vector<std::string>& given) const
-{
-  std::size_t next = 0;
-  for (const Argument& argument : arguments_) {
-    std::size_t taken = 0;
-    for (; taken < argument.most && next < given.size(); ++taken, ++next)
-      argument.store (given[next]);
-    if (taken < argument.fewest)
-      throw UsageError (argument.name, "is missing; see --help");
-  }
-  if (next < given.size())
-    throw UsageError (given[next], "is one argument too many; see --help");
-}
-
 HelpPage
 CommandLine::help() const
 {
-  HelpPage page{program_, ways_, summary_, explanation_, {}, groups_};
-  if (ways_.empty())
-    page.ways = {wayToCall()};
-  for (const Argument& argument : arguments_)
+  HelpPage page{state_->program,
+                state_->ways,
+                state_->summary,
+                state_->explanation,
+                {},
+                state_->groups};
+  if (state_->ways.empty())
+    page.ways = {wayToCall (state_->arguments)};
+  for (const Argument& argument : state_->arguments)
     if (!argument.help.empty())
       page.arguments.emplace_back (argument.name, argument.help);
   return page;
-}
-
-std::string
-CommandLine::wayToCall() const
-{
-  std::string way;
-  for (const Argument& argument : arguments_) {
-    const std::string name = argument.name + (argument.most > 1 ? "..." : "");
-    way += (argument.fewest == 0 ? "[" + name + "]" : name) + " ";
-  }
-  return way + "[options]";
 }
 
 } // namespace pcl_ops::apps

@@ -2,19 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <boost/program_options/variables_map.hpp>
-
 #include <Eigen/Core>
 
-#include "help_page.h"
 #include "option_value.h"
 
+#include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
+
+struct HelpPage;
 
 /** \brief The command line of a program: Boost.Program_options with `--long x`,
  * `--long=x` and PCL's single dash `-long x`, positional arguments, --help and
@@ -26,7 +27,10 @@ public:
   /** \param[in] program the name, with the subcommand where there is one
    * \param[in] summary what the program does, the top of --help
    * \param[in] version what --version prints after the name */
-  CommandLine (std::string program, std::string summary, std::string version);
+  CommandLine (const std::string& program,
+               const std::string& summary,
+               const std::string& version);
+  ~CommandLine();
 
   /** \brief Declares the next positional argument; it must be given. */
   void
@@ -126,10 +130,7 @@ public:
 
   /** \brief Whether the option was on the parsed command line. */
   bool
-  isGiven (const std::string& name) const
-  {
-    return values_.count (name) > 0 && !values_[name].defaulted();
-  }
+  isGiven (const std::string& name) const;
 
   /** \brief The options of a group that were on the parsed command line. */
   std::vector<std::string>
@@ -152,27 +153,9 @@ private:
     using type = T;
   };
 
-  struct Argument {
-    std::string name;
-    std::string help;
-    std::size_t fewest;
-    std::size_t most;
-    std::function<void (const std::string&)> store;
-  };
+  struct State;
 
-  void
-  storeArguments (const std::vector<std::string>& given) const;
-  std::string
-  wayToCall () const;
-
-  std::string program_, summary_, version_;
-  /** \brief Of \ref setUsage. */
-  std::vector<std::string> ways_;
-  std::string explanation_;
-  std::vector<Argument> arguments_;
-  /** \brief New options go to the last. */
-  std::vector<OptionGroup> groups_;
-  boost::program_options::variables_map values_;
+  std::unique_ptr<State> state_;
 };
 
 } // namespace pcl_ops::apps

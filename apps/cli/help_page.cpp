@@ -81,14 +81,14 @@ joined (const std::vector<OptionGroup>& groups)
 std::string
 listed (const Entries& entries, std::size_t width)
 {
-  constexpr std::size_t kMargin = 2, kGap = 3;
+  constexpr std::size_t margin = 2, gap = 3;
   std::size_t longest = 0;
   for (const auto& entry : entries)
     longest = std::max (longest, entry.first.size());
-  const std::size_t column = kMargin + longest + kGap;
+  const std::size_t column = margin + longest + gap;
   std::string text;
   for (const auto& [name, meaning] : entries) {
-    std::string line = std::string (kMargin, ' ') + name;
+    std::string line = std::string (margin, ' ') + name;
     line.resize (column - 1, ' ');
     std::istringstream words (meaning);
     for (std::string word; words >> word;) {

@@ -42,13 +42,13 @@ runProgram (const std::string& name, const std::function<int()>& body)
     return code;
   }
   catch (const UsageError& error) {
-    return fail (name, error.what(), kWrongUsage);
+    return fail (name, error.what(), ExitCode::wrong_usage);
   }
   catch (const std::bad_alloc&) {
-    return fail (name, "not enough memory; try a smaller cloud", kWorkFailed);
+    return fail (name, "not enough memory; try a smaller cloud", ExitCode::work_failed);
   }
   catch (const std::exception& error) {
-    return fail (name, error.what(), kWorkFailed);
+    return fail (name, error.what(), ExitCode::work_failed);
   }
 }
 

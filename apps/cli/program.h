@@ -7,7 +7,7 @@
 
 namespace pcl_ops::apps {
 
-enum ExitCode : int { kDone = 0, kWorkFailed = 1, kWrongUsage = 2 };
+enum ExitCode : int { done = 0, work_failed = 1, wrong_usage = 2 };
 
 /** \brief What a program says about a problem: one line, without its end. */
 std::string
@@ -16,7 +16,7 @@ errorLine (const std::string& program, std::string message);
 /** \brief Runs the body of a program and turns what it throws into one line on stderr
  * and an exit code. Silences PCL's own console output, which would make it more than a
  * line. \param[in] name of the program, in front of the line \param[in] body returns
- * the exit code of a run that threw nothing \return the exit code; kWorkFailed if the
+ * the exit code of a run that threw nothing \return the exit code; work_failed if the
  * standard output could not be written */
 int
 runProgram (const std::string& name, const std::function<int()>& body);

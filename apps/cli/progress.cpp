@@ -11,8 +11,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr std::size_t kBarWidth = 30;
-constexpr const char* kEraseLine = "\r\033[K";
+constexpr std::size_t bar_width = 30;
+constexpr const char* erase_line = "\r\033[K";
 
 } // namespace
 
@@ -40,7 +40,7 @@ Progress::note (const std::string& line, std::ostream& stream)
   const std::lock_guard<std::mutex> lock (mutex_);
   const bool has_bar = style_ == ProgressStyle::Bar;
   if (has_bar)
-    stream_ << kEraseLine << std::flush;
+    stream_ << erase_line << std::flush;
   stream << line << std::endl;
   if (has_bar && 0 < done_ && done_ < steps_)
     draw();
@@ -51,7 +51,7 @@ Progress::erase()
 {
   const std::lock_guard<std::mutex> lock (mutex_);
   if (style_ == ProgressStyle::Bar && done_ < steps_)
-    stream_ << kEraseLine << std::flush;
+    stream_ << erase_line << std::flush;
 }
 
 void
@@ -80,25 +80,24 @@ Progress::draw()
 void
 Progress::drawBar()
 {
-  const std::size_t filled = kBarWidth * done_ / std::max<std::size_t> (1, steps_);
-  stream_ << kEraseLine << '[' << std::string (filled, '=')
-          << std::string (kBarWidth - filled, ' ') << "] ";
+  const std::size_t filled = bar_width * done_ / std::max<std::size_t> (1, steps_);
+  stream_ << erase_line << '[' << std::string (filled, '=')
+          << std::string (bar_width - filled, ' ') << "] ";
 }
 
 std::string
 durationText (double seconds)
 {
-  constexpr long kMinute = 60, kHour = 60 * kMinute;
+  constexpr long minute = 60, hour = 60 * minute;
   const long total = std::lround (std::max (0.0, seconds));
   std::ostringstream text;
   text << std::setfill ('0');
-  if (total < kMinute)
+  if (total < minute)
     text << total << " s";
-  else if (total < kHour)
-    text << total / kMinute << " min " << std::setw (2) << total % kMinute << " s";
+  else if (total < hour)
+    text << total / minute << " min " << std::setw (2) << total % minute << " s";
   else
-    text << total / kHour << " h " << std::setw (2) << total % kHour / kMinute
-         << " min";
+    text << total / hour << " h " << std::setw (2) << total % hour / minute << " min";
   return text.str();
 }
 

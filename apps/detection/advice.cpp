@@ -4,8 +4,9 @@
 
 #include <pcl/common/point_tests.h>
 
-#include "search/fixed_radius_search.h"
-#include "kht/octree_clusters.h"
+#include <kht/octree_clusters.h>
+#include <numbers/quantile.h>
+#include <search/fixed_radius_search.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,14 +48,16 @@ extentOf (const Coordinates& points)
  * \param[in] lengths the options with a length
  * \param[in] threshold none if it follows the noise */
 std::string
-adviceOnCloud (const Points& points, const std::string& lengths, std::optional<double> threshold)
+adviceOnCloud (const Points& points,
+               const std::string& lengths,
+               std::optional<double> threshold)
 {
   // A room of 10 m in millimetres; no scene in metres is that large for 5 cm.
-  constexpr double kLargestExtentInThresholds = 40000.0;
+  constexpr double largest_extent_in_thresholds = 40000.0;
   if (points.size() == 0)
     return "every point is NaN or infinite";
   const double extent = extentOf (points);
-  if (!(threshold && extent > kLargestExtentInThresholds * *threshold))
+  if (!(threshold && extent > largest_extent_in_thresholds * *threshold))
     return "";
   std::ostringstream advice;
   advice << "the cloud is " << extent << " wide: if its unit is the millimetre, give "
@@ -66,15 +69,15 @@ adviceOnCloud (const Points& points, const std::string& lengths, std::optional<d
 double
 medianSphereSize (const Points& points, double radius, unsigned threads)
 {
-  constexpr std::size_t kSpheres = 101;
+  constexpr std::size_t spheres = 101;
   const FixedRadiusSearch search (points, radius, threads);
-  std::vector<float> sizes;
+  std::vector<double> sizes;
   Indices sphere;
-  for (std::size_t i = 0; i < kSpheres; ++i) {
-    search.find (static_cast<std::uint32_t> (i * points.size() / kSpheres), sphere);
-    sizes.push_back (static_cast<float> (sphere.size()));
+  for (std::size_t i = 0; i < spheres; ++i) {
+    search.find (static_cast<std::uint32_t> (i * points.size() / spheres), sphere);
+    sizes.push_back (static_cast<double> (sphere.size()));
   }
-  return medianOf (sizes);
+  return quantile (sizes, 0.5);
 }
 
 } // namespace
@@ -83,7 +86,7 @@ bool
 isHardlyCovered (const pcl::PointCloud<pcl::PointXYZ>& cloud,
                  const std::vector<PlaneSegment>& planes)
 {
-  constexpr double kLeastShare = 0.05;
+  constexpr double least_share = 0.05;
   const auto points =
       std::count_if (cloud.begin(), cloud.end(), [] (const pcl::PointXYZ& point) {
         return pcl::isFinite (point);
@@ -92,7 +95,7 @@ isHardlyCovered (const pcl::PointCloud<pcl::PointXYZ>& cloud,
   for (const PlaneSegment& plane : planes)
     covered += plane.inliers.size();
   return covered == 0 ||
-         static_cast<double> (covered) < kLeastShare * static_cast<double> (points);
+         static_cast<double> (covered) < least_share * static_cast<double> (points);
 }
 
 std::string
@@ -169,9 +172,9 @@ adviceFor (const KernelHoughTransformParameters& parameters,
            << ") if the points are noisy";
   else
     advice << "hardly a plane is left of " << flat
-           << " flat octree nodes: raise --threshold (" << *parameters.distance_threshold
-           << "), or lower --min-samples (" << clusters.min_samples
-           << ") for more of them";
+           << " flat octree nodes: raise --threshold ("
+           << *parameters.distance_threshold << "), or lower --min-samples ("
+           << clusters.min_samples << ") for more of them";
   return advice.str();
 }
 

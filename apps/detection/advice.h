@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-
+#include <io/xyz_cloud.h>
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
@@ -18,25 +16,22 @@ namespace pcl_ops::apps {
 /** \brief Whether so few of the points with coordinates are on planes that most likely
  * a parameter does not fit the cloud; also if there are no such points. */
 bool
-isHardlyCovered (const pcl::PointCloud<pcl::PointXYZ>& cloud,
-                 const std::vector<PlaneSegment>& planes);
+isHardlyCovered (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes);
 
 /** \brief Which parameter to change where OPS found no plane or, as \ref
  * isHardlyCovered says, next to none, as the end of a sentence. Looks at how many
  * points are sampled and at how the threshold relates to the cloud's extent, which
  * tells millimetres from metres. */
 std::string
-adviceFor (const OrientedPointSamplingParameters& parameters,
-           const pcl::PointCloud<pcl::PointXYZ>& cloud);
+adviceFor (const OrientedPointSamplingParameters& parameters, const XyzCloud& cloud);
 
 /** \brief The same for FSPF. Looks at how many points its spheres hold. */
 std::string
 adviceFor (const FastSamplingPlaneFilteringParameters& parameters,
-           const pcl::PointCloud<pcl::PointXYZ>& cloud);
+           const XyzCloud& cloud);
 
 /** \brief The same for 3D-KHT. Looks for nodes of its octree that are flat. */
 std::string
-adviceFor (const KernelHoughTransformParameters& parameters,
-           const pcl::PointCloud<pcl::PointXYZ>& cloud);
+adviceFor (const KernelHoughTransformParameters& parameters, const XyzCloud& cloud);
 
 } // namespace pcl_ops::apps

@@ -65,7 +65,7 @@ template <typename Detector>
 Detected
 detectBy (const typename Detector::Parameters& parameters,
           nlohmann::ordered_json described,
-          const PositionsPtr& cloud)
+          const XyzCloud::ConstPtr& cloud)
 {
   const std::string problem = problemOf (parameters);
   if (!problem.empty())

@@ -10,7 +10,7 @@ namespace {
 using Fspf = FastSamplingPlaneFiltering<pcl::PointXYZ>;
 
 /** \brief r2 / r1 where the paper finds FSPF most accurate (Table I). */
-constexpr double kRadiiRatio = 2.0;
+constexpr double radii_ratio = 2.0;
 
 void
 declareRadii (CommandLine& line, FspfOptions& options)
@@ -36,14 +36,14 @@ declareRadii (CommandLine& line, FspfOptions& options)
 void
 declareOptions (CommandLine& line, DetectorOptions& detector)
 {
-  constexpr double kPointsOfAPlane = 3;
+  constexpr double points_of_a_plane = 3;
   const LocalSamplingParameters usual;
   const LocalSamplingParameters paper = Fspf::Parameters::paper().local;
   FspfOptions& options = detector.fspf;
   declareRadii (line, options);
   line.addNumber ("local-samples",
                   "N",
-                  Range::from (kPointsOfAPlane),
+                  Range::from (points_of_a_plane),
                   options.local_samples,
                   withPresets ("it is tested on so many of them",
                                usual.local_samples,
@@ -68,9 +68,9 @@ void
 overrideRadii (const FspfOptions& options, LocalSamplingParameters& local)
 {
   if (options.inner_radius)
-    local.outer_radius = kRadiiRatio * *options.inner_radius;
+    local.outer_radius = radii_ratio * *options.inner_radius;
   if (options.outer_radius)
-    local.inner_radius = *options.outer_radius / kRadiiRatio;
+    local.inner_radius = *options.outer_radius / radii_ratio;
   override (options.inner_radius, local.inner_radius);
   override (options.outer_radius, local.outer_radius);
   if (local.outer_radius < local.inner_radius)
@@ -103,7 +103,7 @@ describeOwn (const LocalSamplingParameters& local)
 }
 
 Detected
-detect (const DetectorOptions& options, const PositionsPtr& cloud)
+detect (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 {
   const Fspf::Parameters parameters = parametersOf (options);
   return detectBy<Fspf> (

@@ -11,19 +11,19 @@ using Kht = KernelHoughTransform<pcl::PointXYZ>;
 void
 declareAccumulator (CommandLine& line, KhtOptions& options)
 {
-  constexpr double kMostPhi = 1000;
-  constexpr double kMostRho = 10000;
+  constexpr double most_phi = 1000;
+  constexpr double most_rho = 10000;
   const Kht::Parameters usual;
   const Kht::Parameters paper = Kht::Parameters::paper();
   line.addNumber ("phi-num",
                   "N",
-                  Range::from (2).upTo (kMostPhi),
+                  Range::from (2).upTo (most_phi),
                   options.phi_num,
                   withPresets ("steps of half a turn", usual.phi_num, paper.phi_num));
   line.addNumber (
       "rho-num",
       "N",
-      Range::from (2).upTo (kMostRho),
+      Range::from (2).upTo (most_rho),
       options.rho_num,
       withPresets ("steps out to the farthest point", usual.rho_num, paper.rho_num));
 }
@@ -31,20 +31,20 @@ declareAccumulator (CommandLine& line, KhtOptions& options)
 void
 declareClusters (CommandLine& line, KhtOptions& options)
 {
-  constexpr double kPointsOfAPlane = 3;
-  constexpr double kDeepestLevel = 20;
+  constexpr double points_of_a_plane = 3;
+  constexpr double deepest_level = 20;
   const OctreeClusterParameters usual = Kht::Parameters().clusters;
   const OctreeClusterParameters paper = Kht::Parameters::paper().clusters;
   line.addNumber ("min-samples",
                   "N",
-                  Range::from (kPointsOfAPlane),
+                  Range::from (points_of_a_plane),
                   options.min_samples,
                   withPresets ("smaller octree nodes are left out",
                                usual.min_samples,
                                paper.min_samples));
   line.addNumber ("s-level",
                   "N",
-                  Range::from (0).upTo (kDeepestLevel),
+                  Range::from (0).upTo (deepest_level),
                   options.s_level,
                   withPresets ("first level of the octree that is tested",
                                usual.first_level,
@@ -103,7 +103,7 @@ describeOwn (const Kht::Parameters& parameters)
 }
 
 Detected
-detect (const DetectorOptions& options, const PositionsPtr& cloud)
+detect (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 {
   const Kht::Parameters parameters = parametersOf (options);
   return detectBy<Kht> (parameters,

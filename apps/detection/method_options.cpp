@@ -30,8 +30,8 @@ groupOf (const Method& method)
 void
 declareSharedOptions (CommandLine& line, DetectorOptions& detector)
 {
-  constexpr double kMostThreads = 1024;
-  constexpr double kRightAngle = 90;
+  constexpr double most_threads = 1024;
+  constexpr double right_angle = 90;
   line.addChoice ("preset",
                   {"default", "paper"},
                   detector.preset,
@@ -43,7 +43,7 @@ declareSharedOptions (CommandLine& line, DetectorOptions& detector)
                   "farthest point of a plane (0.05; ops: auto)");
   line.addNumber ("angle-tolerance",
                   "DEG",
-                  Range::from (0).upTo (kRightAngle),
+                  Range::from (0).upTo (right_angle),
                   detector.angle_tolerance,
                   "largest tilt of horizontal and vertical planes (7)");
   line.addValue ("up",
@@ -58,7 +58,7 @@ declareSharedOptions (CommandLine& line, DetectorOptions& detector)
       "seed", "S", Range::from (0), detector.seed, "same seed, same result (42)");
   line.addNumber ("threads",
                   "T",
-                  Range::from (0).upTo (kMostThreads),
+                  Range::from (0).upTo (most_threads),
                   detector.threads,
                   "0 for all; the result stays the same (1)");
 }

@@ -22,8 +22,8 @@ labelsOf (const std::vector<PlaneSegment>& planes, std::size_t points)
 const std::vector<Method>&
 allMethods ()
 {
-  static const std::vector<Method> kMethods = {opsMethod(), fspfMethod(), khtMethod()};
-  return kMethods;
+  static const std::vector<Method> methods = {opsMethod(), fspfMethod(), khtMethod()};
+  return methods;
 }
 
 const Method&

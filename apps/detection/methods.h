@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-
 #include <Eigen/Core>
 
 #include <cli/command_line.h>
+#include <io/xyz_cloud.h>
 #include <nlohmann/json.hpp>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>
@@ -20,8 +18,6 @@
 #include <vector>
 
 namespace pcl_ops::apps {
-
-using PositionsPtr = pcl::PointCloud<pcl::PointXYZ>::ConstPtr;
 
 /** \brief The options of OPS alone. */
 struct OpsOptions {
@@ -93,7 +89,7 @@ struct Method {
   std::string title;
   /** \brief Declares the options no other method has. */
   std::function<void (CommandLine&, DetectorOptions&)> declare_options;
-  std::function<Detected (const DetectorOptions&, const PositionsPtr&)> detect;
+  std::function<Detected (const DetectorOptions&, const XyzCloud::ConstPtr&)> detect;
 };
 
 /** \brief Oriented Point Sampling. */

@@ -69,7 +69,7 @@ describeOwn (const Ops::Parameters& parameters)
 }
 
 Detected
-detect (const DetectorOptions& options, const PositionsPtr& cloud)
+detect (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 {
   const Ops::Parameters parameters = parametersOf (options);
   return detectBy<Ops> (parameters,

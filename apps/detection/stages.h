@@ -12,11 +12,12 @@ namespace pcl_ops::apps {
 using Stage = std::pair<const char*, double StageDurations::*>;
 
 /** \brief The durations of a detector by name; the last is that of them all. */
-constexpr std::array<Stage, 6> kStages = {{{"search", &StageDurations::search},
-                                           {"normals", &StageDurations::normals},
-                                           {"extraction", &StageDurations::extraction},
-                                           {"assignment", &StageDurations::assignment},
-                                           {"merging", &StageDurations::merging},
-                                           {"detection", &StageDurations::detection}}};
+constexpr std::array<Stage, 6> detection_stages = {
+    {{"search", &StageDurations::search},
+     {"normals", &StageDurations::normals},
+     {"extraction", &StageDurations::extraction},
+     {"assignment", &StageDurations::assignment},
+     {"merging", &StageDurations::merging},
+     {"detection", &StageDurations::detection}}};
 
 } // namespace pcl_ops::apps

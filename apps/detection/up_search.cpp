@@ -13,7 +13,7 @@ namespace pcl_ops::apps {
 namespace {
 
 std::optional<UpAxis>
-findUp (const DetectorOptions& options, const PositionsPtr& cloud)
+findUp (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 {
   OrientedPointSampling<pcl::PointXYZ> ops;
   ops.setSeed (options.seed.value_or (ops.getSeed()));
@@ -51,7 +51,7 @@ noteOn (const std::optional<UpAxis>& found, const Eigen::Vector3f& used)
 Detected
 runMethod (const Method& method,
            const DetectorOptions& options,
-           const PositionsPtr& cloud)
+           const XyzCloud::ConstPtr& cloud)
 {
   if (!options.finds_up)
     return method.detect (options, cloud);

@@ -14,6 +14,6 @@ namespace pcl_ops::apps {
 Detected
 runMethod (const Method& method,
            const DetectorOptions& options,
-           const PositionsPtr& cloud);
+           const XyzCloud::ConstPtr& cloud);
 
 } // namespace pcl_ops::apps

@@ -53,11 +53,11 @@ dispatch (int argc, const char* const* argv)
   const std::string name = argc > 1 ? argv[1] : "";
   if (name == "--help" || name == "-help" || name == "-h") {
     std::cout << help;
-    return apps::kDone;
+    return apps::ExitCode::done;
   }
   if (name == "--version" || name == "-version") {
     std::cout << program_name << ' ' << PCL_OPS_VERSION << '\n';
-    return apps::kDone;
+    return apps::ExitCode::done;
   }
   const auto command = commands.find (name);
   if (command == commands.end())

@@ -18,7 +18,7 @@ namespace {
 using pcl::PCLPointField;
 
 const PCLPointField&
-fieldOf (const Cloud& cloud, const std::string& name)
+fieldOf (const FileCloud& cloud, const std::string& name)
 {
   const int index = pcl::getFieldIndex (cloud.points, name);
   if (index < 0)
@@ -66,7 +66,7 @@ readerOf (std::uint8_t datatype)
 /** \brief The three coordinates of each point, whatever their type. */
 class CoordinateReader {
 public:
-  explicit CoordinateReader (const Cloud& cloud) : cloud_ (cloud.points)
+  explicit CoordinateReader (const FileCloud& cloud) : cloud_ (cloud.points)
   {
     for (std::size_t i = 0; i < 3; ++i) {
       const PCLPointField field = fieldOf (cloud, std::string (1, "xyz"[i]));
@@ -176,46 +176,46 @@ setField (pcl::PCLPointCloud2& cloud,
 
 } // namespace
 
-Positions
-positionsOf (const Cloud& cloud)
+ShiftedCloud
+shiftedCloudOf (const FileCloud& cloud)
 {
-  const CoordinateReader coordinates (cloud);
-  Positions positions;
+  const CoordinateReader reader (cloud);
+  ShiftedCloud shifted;
   const std::size_t size = cloud.size();
-  if (!coordinates.isSinglePrecision()) {
-    for (std::size_t i = 0; i < size && positions.shift.isZero (0.0); ++i)
-      if (coordinates (i).allFinite())
-        positions.shift = coordinates (i);
+  if (!reader.isSinglePrecision()) {
+    for (std::size_t i = 0; i < size && shifted.shift.isZero (0.0); ++i)
+      if (reader (i).allFinite())
+        shifted.shift = reader (i);
   }
-  positions.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  positions.cloud->points.reserve (size);
+  shifted.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  shifted.cloud->points.reserve (size);
   for (std::size_t i = 0; i < size; ++i) {
-    const Eigen::Vector3f point = (coordinates (i) - positions.shift).cast<float>();
-    positions.cloud->points.emplace_back (point.x(), point.y(), point.z());
+    const Eigen::Vector3f point = (reader (i) - shifted.shift).cast<float>();
+    shifted.cloud->points.emplace_back (point.x(), point.y(), point.z());
   }
-  positions.cloud->width = cloud.points.width;
-  positions.cloud->height = cloud.points.height;
-  positions.cloud->is_dense = false;
-  positions.cloud->sensor_orientation_ = cloud.orientation;
-  positions.cloud->sensor_origin_.head<3>() =
-      (cloud.origin.head<3>().cast<double>() - positions.shift).cast<float>();
-  return positions;
+  shifted.cloud->width = cloud.points.width;
+  shifted.cloud->height = cloud.points.height;
+  shifted.cloud->is_dense = false;
+  shifted.cloud->sensor_orientation_ = cloud.orientation;
+  shifted.cloud->sensor_origin_.head<3>() =
+      (cloud.origin.head<3>().cast<double>() - shifted.shift).cast<float>();
+  return shifted;
 }
 
 bool
-hasField (const Cloud& cloud, const std::string& name)
+hasField (const FileCloud& cloud, const std::string& name)
 {
   return pcl::getFieldIndex (cloud.points, name) >= 0;
 }
 
 void
-setLabels (Cloud& cloud, const std::vector<std::uint32_t>& labels)
+setLabels (FileCloud& cloud, const std::vector<std::uint32_t>& labels)
 {
   setField (cloud.points, "label", PCLPointField::UINT32, "", labels);
 }
 
 void
-setColors (Cloud& cloud, const std::vector<pcl::RGB>& colors)
+setColors (FileCloud& cloud, const std::vector<pcl::RGB>& colors)
 {
   std::vector<std::uint32_t> packed;
   packed.reserve (colors.size());

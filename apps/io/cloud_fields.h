@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-
 #include <Eigen/Core>
 
 #include "cloud_file.h"
+#include "xyz_cloud.h"
 
 #include <cstdint>
 #include <string>
@@ -16,31 +14,31 @@
 namespace pcl_ops::apps {
 
 /** \brief The coordinates alone, in single precision. */
-struct Positions {
+struct ShiftedCloud {
   /** \brief Every point in the file's order, NaN too, relative to \ref shift; with the
    * sensor's pose in that frame. */
-  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud;
+  XyzCloud::Ptr cloud;
   /** \brief Zero of that frame in the file's frame: the first finite point where the
    * file has double precision, which single would lose far from zero; else zero. */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
 };
 
 /** \brief The coordinates of a cloud whose x, y and z may be of any number type. */
-Positions
-positionsOf (const Cloud& cloud);
+ShiftedCloud
+shiftedCloudOf (const FileCloud& cloud);
 
 /** \brief Whether the cloud has a field of that name. */
 bool
-hasField (const Cloud& cloud, const std::string& name);
+hasField (const FileCloud& cloud, const std::string& name);
 
 /** \brief Gives every point a field `label` (uint32), in place of one it had. */
 void
-setLabels (Cloud& cloud, const std::vector<std::uint32_t>& labels);
+setLabels (FileCloud& cloud, const std::vector<std::uint32_t>& labels);
 
 /** \brief Gives every point a field `rgb` (PCL's packed float), in place of one it had.
  * A field `rgba` stays, and `rgb` comes before it, where PCL's point types look first.
  */
 void
-setColors (Cloud& cloud, const std::vector<pcl::RGB>& colors);
+setColors (FileCloud& cloud, const std::vector<pcl::RGB>& colors);
 
 } // namespace pcl_ops::apps

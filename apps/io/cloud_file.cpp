@@ -37,7 +37,7 @@ checkReadable (const std::string& file)
 
 /** \brief PCL's reader; what it throws or returns on failure becomes one error. */
 void
-readWith (pcl::FileReader&& reader, const std::string& file, Cloud& cloud)
+readWith (pcl::FileReader&& reader, const std::string& file, FileCloud& cloud)
 {
   std::string reason;
   try {
@@ -71,7 +71,7 @@ makeSizeValid (const std::string& file, pcl::PCLPointCloud2& points)
 }
 
 void
-makePoseValid (Cloud& cloud)
+makePoseValid (FileCloud& cloud)
 {
   if (!cloud.origin.head<3>().allFinite())
     cloud.origin.setZero();
@@ -84,14 +84,14 @@ makePoseValid (Cloud& cloud)
 
 } // namespace
 
-Cloud
+FileCloud
 loadCloud (const std::string& file)
 {
   const std::string extension = extensionOf (file);
   if (extension != ".pcd" && extension != ".ply")
     throw UsageError (file, "has an unknown extension; give a .pcd or .ply file");
   checkReadable (file);
-  Cloud cloud;
+  FileCloud cloud;
   if (extension == ".pcd") {
     checkPcdFile (file);
     readWith (pcl::PCDReader(), file, cloud);
@@ -111,7 +111,7 @@ loadCloud (const std::string& file)
 }
 
 void
-savePcd (const std::string& file, const Cloud& cloud)
+savePcd (const std::string& file, const FileCloud& cloud)
 {
   // PCL's own writeBinary fills the file up to a page, which other readers stumble
   // over.

@@ -11,7 +11,7 @@
 namespace pcl_ops::apps {
 
 /** \brief A cloud as its file has it: every field, and where the sensor stood. */
-struct Cloud {
+struct FileCloud {
   pcl::PCLPointCloud2 points;
   /** \brief The sensor's pose in the frame of the points: zero and identity where the
    * file has none or an invalid one, and for PLY, whose camera PCL's reader drops. */
@@ -30,12 +30,12 @@ struct Cloud {
  * The file's header is checked before PCL's readers see it: they crash on broken ones.
  * \throws UsageError for another extension, WorkError if the file is missing, a folder,
  * malformed, truncated or without points, or has no x, y and z */
-Cloud
+FileCloud
 loadCloud (const std::string& file);
 
 /** \brief Writes a binary PCD in one step (\ref writeFile).
  * \throws WorkError if it cannot be written */
 void
-savePcd (const std::string& file, const Cloud& cloud);
+savePcd (const std::string& file, const FileCloud& cloud);
 
 } // namespace pcl_ops::apps

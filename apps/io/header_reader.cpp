@@ -28,9 +28,9 @@ HeaderReader::HeaderReader (const std::string& file, std::string format)
 Words
 HeaderReader::nextLine (const std::string& last)
 {
-  constexpr std::uint64_t kLongestHeader = 1U << 20U;
+  constexpr std::uint64_t longest_header = 1U << 20U;
   std::string line;
-  if (position() > kLongestHeader || !std::getline (stream_, line) || stream_.eof())
+  if (position() > longest_header || !std::getline (stream_, line) || stream_.eof())
     fail ("its header has no line " + last);
   std::istringstream parts (line);
   Words words;
@@ -75,8 +75,8 @@ HeaderReader::count (const std::string& what, const std::string& text) const
 void
 HeaderReader::fail (const std::string& reason) const
 {
-  constexpr std::size_t kLongestReason = 200;
-  std::string printable = reason.substr (0, kLongestReason);
+  constexpr std::size_t longest_reason = 200;
+  std::string printable = reason.substr (0, longest_reason);
   for (char& c : printable)
     c = std::isprint (static_cast<unsigned char> (c)) != 0 ? c : '?';
   throw WorkError (

@@ -22,16 +22,16 @@ struct PcdHeader {
   std::uint64_t data_offset = 0;
 };
 
-constexpr std::array<std::string_view, 10> kKeys = {"VERSION",
-                                                    "FIELDS",
-                                                    "SIZE",
-                                                    "TYPE",
-                                                    "COUNT",
-                                                    "WIDTH",
-                                                    "HEIGHT",
-                                                    "VIEWPOINT",
-                                                    "POINTS",
-                                                    "DATA"};
+constexpr std::array<std::string_view, 10> known_keys = {"VERSION",
+                                                         "FIELDS",
+                                                         "SIZE",
+                                                         "TYPE",
+                                                         "COUNT",
+                                                         "WIDTH",
+                                                         "HEIGHT",
+                                                         "VIEWPOINT",
+                                                         "POINTS",
+                                                         "DATA"};
 
 PcdHeader
 readPcdHeader (HeaderReader& reader)
@@ -42,7 +42,7 @@ readPcdHeader (HeaderReader& reader)
     if (words.empty() || words[0][0] == '#')
       continue;
     const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
-    if (std::find (kKeys.begin(), kKeys.end(), key) == kKeys.end())
+    if (std::find (known_keys.begin(), known_keys.end(), key) == known_keys.end())
       reader.fail ("its line " + key + " is unknown");
     if (!header.lines.emplace (key, Words (words.begin() + 1, words.end())).second)
       reader.fail ("its line " + key + " is there twice");
@@ -70,15 +70,16 @@ pointSize (const HeaderReader& reader, const PcdHeader& header)
       counts.size() != fields.size())
     reader.fail ("FIELDS, SIZE, TYPE and COUNT differ in length");
 
-  static const std::array<std::string, 10> kTypes = {
+  static const std::array<std::string, 10> known_types = {
       "I1", "I2", "I4", "I8", "U1", "U2", "U4", "U8", "F4", "F8"};
-  constexpr std::uint64_t kMostPerField = 1U << 20U;
+  constexpr std::uint64_t most_per_field = 1U << 20U;
   std::uint64_t bytes = 0;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (std::find (kTypes.begin(), kTypes.end(), types[i] + sizes[i]) == kTypes.end())
+    if (std::find (known_types.begin(), known_types.end(), types[i] + sizes[i]) ==
+        known_types.end())
       reader.fail ("TYPE " + types[i] + " with SIZE " + sizes[i] + " does not exist");
     const std::uint64_t count = reader.number ("COUNT", counts[i]);
-    if (count == 0 || count > kMostPerField)
+    if (count == 0 || count > most_per_field)
       reader.fail ("COUNT " + counts[i] + " is out of range");
     bytes += count * reader.number ("SIZE", sizes[i]);
   }

@@ -36,24 +36,24 @@ struct PlyHeader {
 std::uint64_t
 sizeOfType (const HeaderReader& reader, const std::string& type)
 {
-  static const std::map<std::string, std::uint64_t> kSizes = {{"char", 1},
-                                                              {"uchar", 1},
-                                                              {"int8", 1},
-                                                              {"uint8", 1},
-                                                              {"short", 2},
-                                                              {"ushort", 2},
-                                                              {"int16", 2},
-                                                              {"uint16", 2},
-                                                              {"int", 4},
-                                                              {"uint", 4},
-                                                              {"int32", 4},
-                                                              {"uint32", 4},
-                                                              {"float", 4},
-                                                              {"double", 8},
-                                                              {"float32", 4},
-                                                              {"float64", 8}};
-  const auto size = kSizes.find (type);
-  if (size == kSizes.end())
+  static const std::map<std::string, std::uint64_t> known_sizes = {{"char", 1},
+                                                                   {"uchar", 1},
+                                                                   {"int8", 1},
+                                                                   {"uint8", 1},
+                                                                   {"short", 2},
+                                                                   {"ushort", 2},
+                                                                   {"int16", 2},
+                                                                   {"uint16", 2},
+                                                                   {"int", 4},
+                                                                   {"uint", 4},
+                                                                   {"int32", 4},
+                                                                   {"uint32", 4},
+                                                                   {"float", 4},
+                                                                   {"double", 8},
+                                                                   {"float32", 4},
+                                                                   {"float64", 8}};
+  const auto size = known_sizes.find (type);
+  if (size == known_sizes.end())
     reader.fail ("the property type " + type + " does not exist");
   return size->second;
 }

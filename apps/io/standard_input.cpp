@@ -71,7 +71,7 @@ private:
   [[noreturn]] void
   fail () const
   {
-    throw WorkError (kStandardInput,
+    throw WorkError (standard_input,
                      "cannot be copied to " + name_ + " (" + std::strerror (errno) +
                          "); set TMPDIR to a folder with more space");
   }
@@ -92,7 +92,7 @@ readInput (std::vector<char>& buffer)
     if (count < 0 && errno == EINTR)
       continue;
     if (count < 0)
-      throw WorkError (kStandardInput,
+      throw WorkError (standard_input,
                        std::string ("cannot be read (") + std::strerror (errno) +
                            "); pipe a PCD into the program");
     if (count == 0)
@@ -104,13 +104,13 @@ readInput (std::vector<char>& buffer)
 
 } // namespace
 
-Cloud
+FileCloud
 loadStandardInput ()
 {
-  constexpr std::size_t kBufferSize = 1U << 20U;
+  constexpr std::size_t buffer_size = 1U << 20U;
   if (::isatty (STDIN_FILENO) == 1)
-    throw UsageError (kStandardInput, "is the terminal; pipe a PCD into the program");
-  std::vector<char> buffer (kBufferSize);
+    throw UsageError (standard_input, "is the terminal; pipe a PCD into the program");
+  std::vector<char> buffer (buffer_size);
   std::size_t count = readInput (buffer);
   const bool is_ply = count > 3 && std::string (buffer.data(), 3) == "ply";
   Spool spool (is_ply ? ".ply" : ".pcd");
@@ -120,7 +120,7 @@ loadStandardInput ()
     return loadCloud (spool.name());
   }
   catch (const WorkError& error) {
-    throw WorkError (kStandardInput, error.problem);
+    throw WorkError (standard_input, error.problem);
   }
 }
 

@@ -7,17 +7,17 @@
 namespace pcl_ops::apps {
 
 /** \brief What stands for the standard streams where a file name is expected. */
-inline constexpr const char* kStandardStream = "-";
+inline constexpr const char* standard_stream = "-";
 
 /** \brief How the standard input is called in messages. */
-inline constexpr const char* kStandardInput = "standard input";
+inline constexpr const char* standard_input = "standard input";
 
 /** \brief Reads the PCD (ascii, binary, binary_compressed) or PLY that is piped into
  * the program. PCL reads from files only: all of it is put into one for temporary files
  * ($TMPDIR) first, which is removed in any case.
  * \throws UsageError if nothing is piped in, WorkError as \ref loadCloud, and
  * Interrupted */
-Cloud
+FileCloud
 loadStandardInput ();
 
 } // namespace pcl_ops::apps

@@ -16,12 +16,12 @@ namespace {
 std::vector<pcl::RGB>
 palette ()
 {
-  constexpr int kLeastChroma = 50;
+  constexpr int least_chroma = 50;
   std::vector<pcl::RGB> colors;
   for (std::size_t i = 0; i < pcl::GlasbeyLUT::size(); ++i) {
     const pcl::RGB color = pcl::GlasbeyLUT::at (i);
     const auto [least, most] = std::minmax ({color.r, color.g, color.b});
-    if (most - least >= kLeastChroma)
+    if (most - least >= least_chroma)
       colors.push_back (color);
   }
   return colors;
@@ -32,11 +32,11 @@ palette ()
 pcl::RGB
 colorOfLabel (std::uint32_t label)
 {
-  constexpr std::uint8_t kGrey = 128;
-  static const std::vector<pcl::RGB> kPalette = palette();
+  constexpr std::uint8_t grey = 128;
+  static const std::vector<pcl::RGB> colors = palette();
   if (label == 0)
-    return {kGrey, kGrey, kGrey};
-  return kPalette[(label - 1) % kPalette.size()];
+    return {grey, grey, grey};
+  return colors[(label - 1) % colors.size()];
 }
 
 pcl::RGB

@@ -19,21 +19,21 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr int kHalfWidth = 960;
-constexpr int kHeight = 720;
-constexpr int kGap = 12;
-constexpr int kWidth = 2 * kHalfWidth + kGap;
-constexpr std::uint8_t kWhite = 255;
+constexpr int half_image_width = 960;
+constexpr int image_height = 720;
+constexpr int gap = 12;
+constexpr int image_width = 2 * half_image_width + gap;
+constexpr std::uint8_t white = 255;
 
 /** \brief Interleaved red, green and blue, row by row. */
 struct Image {
   std::vector<std::uint8_t> bytes =
-      std::vector<std::uint8_t> (3U * kWidth * kHeight, kWhite);
+      std::vector<std::uint8_t> (3U * image_width * image_height, white);
 
   void
   paint (int column, int row, const pcl::RGB& color, float brightness)
   {
-    const std::size_t first = 3U * (static_cast<std::size_t> (row) * kWidth +
+    const std::size_t first = 3U * (static_cast<std::size_t> (row) * image_width +
                                     static_cast<std::size_t> (column));
     const auto dimmed = [brightness] (std::uint8_t part) {
       return static_cast<std::uint8_t> (std::lround (brightness * part));
@@ -48,9 +48,9 @@ struct Image {
 float
 facing (const PlaneSegment& plane, const View& view, const Eigen::Vector3f& point)
 {
-  constexpr float kGrazing = 0.7f;
+  constexpr float grazing = 0.7f;
   const Eigen::Vector3f ray = (point - view.eye).normalized();
-  return kGrazing + (1.0f - kGrazing) * std::abs (plane.normal.cast<float>().dot (ray));
+  return grazing + (1.0f - grazing) * std::abs (plane.normal.cast<float>().dot (ray));
 }
 
 using ColorOfPoint = std::function<pcl::RGB (pcl::index_t)>;
@@ -66,7 +66,7 @@ paintHalf (const Raster& raster,
     for (int column = 0; column < raster.width; ++column) {
       const std::size_t pixel = raster.at (column, row);
       const pcl::index_t point = raster.points[pixel];
-      if (point != Raster::kNothing)
+      if (point != Raster::nothing)
         image.paint (first_column + column, row, color (point), brightness[pixel]);
     }
   }
@@ -76,7 +76,7 @@ void
 savePng (const std::string& file, const Image& image)
 {
   writeFile (file, [&] (const std::string& path) {
-    pcl::io::saveRgbPNGFile (path, image.bytes.data(), kWidth, kHeight);
+    pcl::io::saveRgbPNGFile (path, image.bytes.data(), image_width, image_height);
     std::error_code error;
     if (std::filesystem::file_size (path, error) == 0 || error)
       throw WorkError (file, "cannot be written; is the disk full?");
@@ -87,12 +87,12 @@ savePng (const std::string& file, const Image& image)
 
 void
 savePicture (const std::string& file,
-             const pcl::PointCloud<pcl::PointXYZ>& cloud,
+             const XyzCloud& cloud,
              const std::vector<std::uint32_t>& labels,
              const std::vector<PlaneSegment>& planes,
              const Eigen::Vector3f& up)
 {
-  const View view = chooseView (cloud, planes, up, kHalfWidth, kHeight);
+  const View view = chooseView (cloud, planes, up, half_image_width, image_height);
   const auto label = [&] (pcl::index_t point) {
     return labels[static_cast<std::size_t> (point)];
   };
@@ -101,11 +101,12 @@ savePicture (const std::string& file,
     return !view.hides_backs || label (point) == 0 ||
            planes[label (point) - 1].normal.cast<float>().dot (to_eye) > 0.0f;
   };
-  const Raster raster = drawPoints (cloud, view, kHalfWidth, kHeight, is_shown);
+  const Raster raster =
+      drawPoints (cloud, view, half_image_width, image_height, is_shown);
   std::vector<float> brightness = shadeDepths (raster);
   for (std::size_t pixel = 0; pixel < brightness.size(); ++pixel) {
     const pcl::index_t point = raster.points[pixel];
-    if (point != Raster::kNothing && label (point) != 0)
+    if (point != Raster::nothing && label (point) != 0)
       brightness[pixel] *=
           facing (planes[label (point) - 1], view, cloud[point].getVector3fMap());
   }
@@ -119,7 +120,7 @@ savePicture (const std::string& file,
                               : colorOf (planes[label (point) - 1].orientation);
   };
   paintHalf (raster, brightness, 0, plane_color, image);
-  paintHalf (raster, brightness, kHalfWidth + kGap, class_color, image);
+  paintHalf (raster, brightness, half_image_width + gap, class_color, image);
   savePng (file, image);
 }
 

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-
 #include <Eigen/Core>
 
+#include <io/xyz_cloud.h>
 #include <pcl_ops/plane.h>
 
 #include <cstdint>
@@ -24,7 +22,7 @@ namespace pcl_ops::apps {
  * \throws WorkError if the file cannot be written */
 void
 savePicture (const std::string& file,
-             const pcl::PointCloud<pcl::PointXYZ>& cloud,
+             const XyzCloud& cloud,
              const std::vector<std::uint32_t>& labels,
              const std::vector<PlaneSegment>& planes,
              const Eigen::Vector3f& up);

@@ -14,11 +14,11 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr float far = std::numeric_limits<float>::infinity();
 
 using Offset = std::pair<int, int>;
 
-constexpr std::array<Offset, 8> kNeighbours = {
+constexpr std::array<Offset, 8> neighbours = {
     {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 
 struct Dot {
@@ -27,7 +27,7 @@ struct Dot {
 };
 
 std::vector<Dot>
-projectPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+projectPoints (const XyzCloud& cloud,
                const View& view,
                int width,
                int height,
@@ -53,16 +53,16 @@ projectPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
 class DotSizes {
 public:
   DotSizes (const std::vector<Dot>& dots, int width, int height)
-  : columns_ (width / kPart + 1)
+  : columns_ (width / part + 1)
   , counts_ (static_cast<std::size_t> (columns_) *
-             static_cast<std::size_t> (height / kPart + 1))
+             static_cast<std::size_t> (height / part + 1))
   {
-    std::vector<float> nearest (counts_.size(), kFar);
+    std::vector<float> nearest (counts_.size(), far);
     for (const Dot& dot : dots)
       nearest[partOf (dot)] = std::min (nearest[partOf (dot)], dot.depth);
     int in_front = 0;
     for (const Dot& dot : dots) {
-      if (dot.depth > kFrontLayer * nearest[partOf (dot)])
+      if (dot.depth > front_layer * nearest[partOf (dot)])
         continue;
       ++counts_[partOf (dot)];
       ++in_front;
@@ -72,43 +72,43 @@ public:
         static_cast<std::size_t> (std::count (counts_.begin(), counts_.end(), 0));
     const float mean = static_cast<float> (in_front) /
                        static_cast<float> (std::max<std::size_t> (used, 1));
-    largest_ = std::clamp (2.0f * halfSide (mean), kSmallest, kLargest);
+    largest_ = std::clamp (2.0f * halfSide (mean), smallest, largest);
   }
 
   float
   operator() (const Dot& dot) const
   {
     return std::clamp (
-        halfSide (static_cast<float> (counts_[partOf (dot)])), kSmallest, largest_);
+        halfSide (static_cast<float> (counts_[partOf (dot)])), smallest, largest_);
   }
 
 private:
-  static constexpr int kPart = 16;
+  static constexpr int part = 16;
   /** \brief Depth, in units of the nearest, behind which dots are another layer. */
-  static constexpr float kFrontLayer = 1.1f;
-  static constexpr float kSmallest = 0.5f;
-  static constexpr float kLargest = 5.0f;
+  static constexpr float front_layer = 1.1f;
+  static constexpr float smallest = 0.5f;
+  static constexpr float largest = 5.0f;
 
   /** \brief Squares of this size cover their part of the image about twice. */
   static float
   halfSide (float dots_in_part)
   {
-    constexpr float kOverlap = 1.4f;
-    const float pixels_per_dot = kPart * kPart / std::max (dots_in_part, 1.0f);
-    return kOverlap * std::sqrt (pixels_per_dot) / 2.0f;
+    constexpr float overlap = 1.4f;
+    const float pixels_per_dot = part * part / std::max (dots_in_part, 1.0f);
+    return overlap * std::sqrt (pixels_per_dot) / 2.0f;
   }
 
   std::size_t
   partOf (const Dot& dot) const
   {
-    return static_cast<std::size_t> (dot.row) / kPart *
+    return static_cast<std::size_t> (dot.row) / part *
                static_cast<std::size_t> (columns_) +
-           static_cast<std::size_t> (dot.column) / kPart;
+           static_cast<std::size_t> (dot.column) / part;
   }
 
   int columns_;
   std::vector<int> counts_;
-  float largest_ = kSmallest;
+  float largest_ = smallest;
 };
 
 void
@@ -139,10 +139,10 @@ forEachInnerPixel (const Raster& raster, Visit&& visit)
 {
   for (int row = 1; row + 1 < raster.height; ++row)
     for (int column = 1; column + 1 < raster.width; ++column) {
-      std::array<std::size_t, kNeighbours.size()> around{};
+      std::array<std::size_t, neighbours.size()> around{};
       for (std::size_t i = 0; i < around.size(); ++i)
         around[i] =
-            raster.at (column + kNeighbours[i].first, row + kNeighbours[i].second);
+            raster.at (column + neighbours[i].first, row + neighbours[i].second);
       visit (raster.at (column, row), around);
     }
 }
@@ -151,15 +151,15 @@ forEachInnerPixel (const Raster& raster, Visit&& visit)
 void
 closeHoles (Raster& raster)
 {
-  constexpr int kMost = 5;
+  constexpr int most = 5;
   const Raster before = raster;
   forEachInnerPixel (before, [&] (std::size_t pixel, const auto& around) {
-    if (before.points[pixel] != Raster::kNothing)
+    if (before.points[pixel] != Raster::nothing)
       return;
     const auto seen = std::count_if (around.begin(), around.end(), [&] (std::size_t i) {
-      return before.points[i] != Raster::kNothing;
+      return before.points[i] != Raster::nothing;
     });
-    if (seen < kMost)
+    if (seen < most)
       return;
     const std::size_t nearest =
         *std::min_element (around.begin(), around.end(), [&] (auto a, auto b) {
@@ -173,7 +173,7 @@ closeHoles (Raster& raster)
 } // namespace
 
 Raster
-drawPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+drawPoints (const XyzCloud& cloud,
             const View& view,
             int width,
             int height,
@@ -184,8 +184,8 @@ drawPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
   Raster raster;
   raster.width = width;
   raster.height = height;
-  raster.points.assign (pixels, Raster::kNothing);
-  raster.depths.assign (pixels, kFar);
+  raster.points.assign (pixels, Raster::nothing);
+  raster.depths.assign (pixels, far);
 
   const std::vector<Dot> dots = projectPoints (cloud, view, width, height, is_shown);
   const DotSizes half_side (dots, width, height);
@@ -198,19 +198,19 @@ drawPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
 std::vector<float>
 shadeDepths (const Raster& raster)
 {
-  constexpr float kStrength = 6.0f;
-  constexpr float kLargestStep = 0.05f; // of the logarithm: farther ones darken no more
+  constexpr float strength = 6.0f;
+  constexpr float largest_step = 0.05f; // of the logarithm: farther ones darken no more
   std::vector<float> brightness (raster.points.size(), 1.0f);
   forEachInnerPixel (raster, [&] (std::size_t pixel, const auto& around) {
-    if (raster.points[pixel] == Raster::kNothing)
+    if (raster.points[pixel] == Raster::nothing)
       return;
     float obscurance = 0.0f;
     for (const std::size_t neighbour : around)
       if (raster.depths[neighbour] < raster.depths[pixel])
         obscurance += std::min (
-            std::log (raster.depths[pixel] / raster.depths[neighbour]), kLargestStep);
+            std::log (raster.depths[pixel] / raster.depths[neighbour]), largest_step);
     brightness[pixel] =
-        std::exp (-kStrength * obscurance / static_cast<float> (around.size()) * 2.0f);
+        std::exp (-strength * obscurance / static_cast<float> (around.size()) * 2.0f);
   });
   return brightness;
 }

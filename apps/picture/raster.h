@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
 #include <pcl/types.h>
 
 #include "view.h"
+#include <io/xyz_cloud.h>
 
 #include <functional>
 #include <vector>
@@ -15,11 +14,11 @@ namespace pcl_ops::apps {
 
 /** \brief Which point each pixel of an image shows, and how far away it is. */
 struct Raster {
-  static constexpr pcl::index_t kNothing = -1;
+  static constexpr pcl::index_t nothing = -1;
 
   int width = 0;
   int height = 0;
-  /** \brief Row by row; kNothing where no point is seen. */
+  /** \brief Row by row; nothing where no point is seen. */
   std::vector<pcl::index_t> points;
   /** \brief Depth along the viewing direction; infinite where no point is seen. */
   std::vector<float> depths;
@@ -36,7 +35,7 @@ struct Raster {
  * nearest in front.
  * \param[in] is_shown tells which points to draw; NaN points never are */
 Raster
-drawPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+drawPoints (const XyzCloud& cloud,
             const View& view,
             int width,
             int height,

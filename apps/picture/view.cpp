@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include <numbers/quantile.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,15 +21,15 @@ using Points = std::vector<Eigen::Vector3f>;
 
 /** \brief The share of points at either end that no view is fitted to: flying points.
  */
-constexpr double kOutliers = 0.005;
+constexpr double outliers = 0.005;
 
 /** \brief How many points a view is fitted to; more would not change it. */
-constexpr std::size_t kEnough = 20000;
+constexpr std::size_t enough = 20000;
 
 Points
-someFinitePoints (const pcl::PointCloud<pcl::PointXYZ>& cloud)
+someFinitePoints (const XyzCloud& cloud)
 {
-  const std::size_t step = cloud.size() / kEnough + 1;
+  const std::size_t step = cloud.size() / enough + 1;
   Points points;
   for (std::size_t i = 0; i < cloud.size(); i += step)
     if (pcl::isXYZFinite (cloud[i]))
@@ -36,25 +38,14 @@ someFinitePoints (const pcl::PointCloud<pcl::PointXYZ>& cloud)
 }
 
 Points
-somePointsOn (const std::vector<PlaneSegment>& planes,
-              const pcl::PointCloud<pcl::PointXYZ>& cloud)
+somePointsOn (const std::vector<PlaneSegment>& planes, const XyzCloud& cloud)
 {
-  const std::size_t step = cloud.size() / kEnough + 1;
+  const std::size_t step = cloud.size() / enough + 1;
   Points points;
   for (const PlaneSegment& plane : planes)
     for (std::size_t i = 0; i < plane.inliers.size(); i += step)
       points.push_back (cloud[plane.inliers[i]].getVector3fMap());
   return points;
-}
-
-/** \brief The value below which that share of the numbers lies. */
-float
-quantile (std::vector<float> numbers, double share)
-{
-  const auto rank =
-      static_cast<std::ptrdiff_t> (share * static_cast<double> (numbers.size() - 1));
-  std::nth_element (numbers.begin(), numbers.begin() + rank, numbers.end());
-  return numbers[static_cast<std::size_t> (rank)];
 }
 
 /** \brief The box that holds all points but outliers. */
@@ -66,8 +57,8 @@ boxOf (const Points& points)
     std::vector<float> coordinates;
     for (const Eigen::Vector3f& point : points)
       coordinates.push_back (point[axis]);
-    box.min()[axis] = quantile (coordinates, kOutliers);
-    box.max()[axis] = quantile (coordinates, 1.0 - kOutliers);
+    box.min()[axis] = quantile (coordinates, outliers);
+    box.max()[axis] = quantile (coordinates, 1.0 - outliers);
   }
   return box;
 }
@@ -92,7 +83,7 @@ struct Cone {
 Cone
 coneOf (const Points& points, const Eigen::Vector3f& eye)
 {
-  constexpr double kNearlyAll = 0.98;
+  constexpr double nearly_all = 0.98;
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   for (const Eigen::Vector3f& point : points)
     sum += (point - eye).normalized();
@@ -103,7 +94,7 @@ coneOf (const Points& points, const Eigen::Vector3f& eye)
     const float cosine = (point - eye).normalized().dot (cone.axis);
     angles.push_back (std::acos (std::clamp (cosine, -1.0f, 1.0f)));
   }
-  cone.half_angle = quantile (angles, kNearlyAll);
+  cone.half_angle = quantile (angles, nearly_all);
   return cone;
 }
 
@@ -130,13 +121,13 @@ downOf (const Eigen::Quaternionf& orientation,
 Eigen::Vector3f
 bestSlant (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f& up)
 {
-  constexpr int kDirections = 24;
+  constexpr int directions = 24;
   const float elevation = pcl::deg2rad (40.0f);
   const Eigen::Vector3f side = up.unitOrthogonal();
   Eigen::Vector3f best = up;
   double best_seen = -1.0;
-  for (int i = 0; i < kDirections; ++i) {
-    const float azimuth = pcl::deg2rad (360.0f) * static_cast<float> (i) / kDirections;
+  for (int i = 0; i < directions; ++i) {
+    const float azimuth = pcl::deg2rad (360.0f) * static_cast<float> (i) / directions;
     const Eigen::Vector3f level = Eigen::AngleAxisf (azimuth, up) * side;
     const Eigen::Vector3f slant =
         std::cos (elevation) * level + std::sin (elevation) * up;
@@ -156,7 +147,7 @@ bestSlant (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f& up)
 void
 fit (const Points& points, int width, int height, View& view)
 {
-  constexpr float kFilled = 0.95f;
+  constexpr float filled = 0.95f;
   view.focal = 1.0f;
   view.center.setZero();
   std::array<std::vector<float>, 2> image;
@@ -169,21 +160,20 @@ fit (const Points& points, int width, int height, View& view)
   }
   if (image[0].empty())
     return;
-  const Eigen::Vector2f low (quantile (image[0], kOutliers),
-                             quantile (image[1], kOutliers));
-  const Eigen::Vector2f high (quantile (image[0], 1.0 - kOutliers),
-                              quantile (image[1], 1.0 - kOutliers));
+  const Eigen::Vector2f low (quantile (image[0], outliers),
+                             quantile (image[1], outliers));
+  const Eigen::Vector2f high (quantile (image[0], 1.0 - outliers),
+                              quantile (image[1], 1.0 - outliers));
   const Eigen::Vector2f size (static_cast<float> (width), static_cast<float> (height));
   constexpr float smallest = 1e-6f;
-  view.focal =
-      kFilled * (size.array() / (high - low).array().max (smallest)).minCoeff();
+  view.focal = filled * (size.array() / (high - low).array().max (smallest)).minCoeff();
   view.center = size / 2.0f - view.focal * (low + high) / 2.0f;
 }
 
 } // namespace
 
 View
-chooseView (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+chooseView (const XyzCloud& cloud,
             const std::vector<PlaneSegment>& planes,
             const Eigen::Vector3f& up,
             int width,
@@ -191,7 +181,7 @@ chooseView (const pcl::PointCloud<pcl::PointXYZ>& cloud,
 {
   const float narrowest = pcl::deg2rad (2.5f);
   const float widest = pcl::deg2rad (60.0f);
-  constexpr float kDistanceInDiagonals = 1.5f;
+  constexpr float distance_in_diagonals = 1.5f;
   Points points = someFinitePoints (cloud);
   View view;
   if (points.empty())
@@ -209,7 +199,7 @@ chooseView (const pcl::PointCloud<pcl::PointXYZ>& cloud,
     const Eigen::Vector3f slant = bestSlant (planes, up_axis);
     view.hides_backs = box.contains (view.eye);
     const float diagonal = box.diagonal().norm();
-    const float distance = diagonal > 0.0f ? kDistanceInDiagonals * diagonal : 1.0f;
+    const float distance = diagonal > 0.0f ? distance_in_diagonals * diagonal : 1.0f;
     view.eye = box.center() + distance * slant;
     view.axes = axesOf (-slant, -up_axis);
   }

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-
 #include <Eigen/Core>
 
+#include <io/xyz_cloud.h>
 #include <pcl_ops/plane.h>
 
 #include <vector>
@@ -45,7 +43,7 @@ struct View {
  * \param[in] up direction against gravity
  * \param[in] width, height of the image [pixel], which the cloud will fill */
 View
-chooseView (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+chooseView (const XyzCloud& cloud,
             const std::vector<PlaneSegment>& planes,
             const Eigen::Vector3f& up,
             int width,

@@ -96,7 +96,7 @@ private:
   {
     if (!status.is_done) {
       ++failed_;
-      progress_.note (errorLine (kProgram, status.line), messages_);
+      progress_.note (errorLine (program_name, status.line), messages_);
     }
     else {
       ++done_;
@@ -115,7 +115,7 @@ private:
       throw WorkError ("interrupted", done + ", none is half-written; run it again");
     if (failed_ > 0 && all > 1)
       throw WorkError (std::to_string (failed_) + " failed", done + "; see above");
-    return failed_ > 0 ? kWorkFailed : kDone;
+    return failed_ > 0 ? ExitCode::work_failed : ExitCode::done;
   }
 
   const SegmentOptions& options_;

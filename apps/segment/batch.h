@@ -15,7 +15,7 @@ namespace pcl_ops::apps {
  * \param[out] out one line for each cloud done, in the order of the tasks, unless quiet
  * \param[out] messages one line for each problem, in the same order, and the progress
  * \param[in] is_terminal whether \p messages is one: then with a bar
- * \return the exit code, kWorkFailed if any failed or was left */
+ * \return the exit code, ExitCode::work_failed if any failed or was left */
 int
 runBatch (const SegmentOptions& options,
           const Batch& batch,

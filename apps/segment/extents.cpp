@@ -8,7 +8,7 @@
 
 namespace pcl_ops::apps {
 
-const std::vector<std::string> kHulls = {"convex", "concave"};
+const std::vector<std::string> hulls = {"convex", "concave"};
 
 namespace {
 
@@ -35,16 +35,16 @@ hasHull ([[maybe_unused]] const std::string& hull)
 }
 
 std::vector<PlaneExtent>
-extentsOf (const Positions& positions,
+extentsOf (const ShiftedCloud& shifted,
            const std::vector<PlaneSegment>& planes,
            const std::string& hull)
 {
   std::vector<PlaneExtent> extents;
   extents.reserve (planes.size());
   for (const PlaneSegment& plane : planes) {
-    const PlaneFrame in_cloud (plane.centroid - positions.shift, plane.normal);
+    const PlaneFrame in_cloud (plane.centroid - shifted.shift, plane.normal);
     const PlaneFrame in_file (plane.centroid, plane.normal);
-    const PlanarPoints points = pointsOnPlane (*positions.cloud, plane, in_cloud);
+    const PlanarPoints points = pointsOnPlane (*shifted.cloud, plane, in_cloud);
     extents.push_back (extentOf (outlineOf (points, hull), points, in_file));
   }
   return extents;

@@ -11,18 +11,18 @@
 namespace pcl_ops::apps {
 
 /** \brief What --hull can be; the first is its default. */
-extern const std::vector<std::string> kHulls;
+extern const std::vector<std::string> hulls;
 
 /** \brief Whether this build has the library that concave hulls need. */
 bool
 hasHull (const std::string& hull);
 
 /** \brief Where each plane ends, in the file's frame.
- * \param[in] positions the cloud the planes were found in
+ * \param[in] shifted the cloud the planes were found in
  * \param[in] planes in the file's frame
- * \param[in] hull one of \ref kHulls that the build has */
+ * \param[in] hull one of \ref hulls that the build has */
 std::vector<PlaneExtent>
-extentsOf (const Positions& positions,
+extentsOf (const ShiftedCloud& shifted,
            const std::vector<PlaneSegment>& planes,
            const std::string& hull);
 

@@ -21,15 +21,15 @@ segmentOne (const SegmentOptions& options)
 {
   const Task task = taskOf (options);
   const Report report = segmentCloud (options, task);
-  const bool prints_json = task.outputs.planes == kStandardStream;
+  const bool prints_json = task.outputs.planes == standard_stream;
   if (options.quiet || prints_json)
-    return kDone;
+    return ExitCode::done;
   printTable (report, std::cout);
   if (!task.outputs.image.empty())
     std::cout << task.outputs.image
               << ": left each plane in its colour; right horizontal "
               << "green, vertical blue, other orange; no plane grey\n";
-  return kDone;
+  return ExitCode::done;
 }
 
 int
@@ -37,7 +37,7 @@ segment (int argc, const char* const* argv)
 {
   SegmentOptions options;
   if (!readOptions (argc, argv, options))
-    return kDone;
+    return ExitCode::done;
   if (!options.isBatch())
     return segmentOne (options);
   // A batch is about its files, whose writing a closed pipe must not cut short.
@@ -55,8 +55,8 @@ main (int argc, char** argv)
 {
   using namespace pcl_ops::apps;
   noteInterruptions();
-  const int code = runProgram (kProgram, [&] { return segment (argc, argv); });
-  if (code != kDone)
+  const int code = runProgram (program_name, [&] { return segment (argc, argv); });
+  if (code != ExitCode::done)
     endAsInterrupted();
   return code;
 }

@@ -70,10 +70,10 @@ toMesh (const Eigen::Isometry3d& pose,
 }
 
 // PCL refuses to write a mesh without points.
-constexpr const char* kEmptyVtk =
+constexpr const char* empty_vtk =
     "# vtk DataFile Version 3.0\nno planes\nASCII\nDATASET POLYDATA\n"
     "POINTS 0 float\n";
-constexpr const char* kEmptyPly =
+constexpr const char* empty_ply =
     "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\n"
     "property float y\nproperty float z\nelement face 0\n"
     "property list uchar int vertex_indices\nend_header\n";
@@ -90,7 +90,7 @@ saveMesh (const std::string& file,
   const Eigen::Isometry3d pose = is_vtk ? sensor_pose : Eigen::Isometry3d::Identity();
   const pcl::PolygonMesh mesh = toMesh (pose, planes, extents);
   if (mesh.polygons.empty())
-    return writeTextFile (file, is_vtk ? kEmptyVtk : kEmptyPly);
+    return writeTextFile (file, is_vtk ? empty_vtk : empty_ply);
   writeFile (file, [&] (const std::string& path) {
     constexpr unsigned digits = std::numeric_limits<float>::max_digits10;
     const int result = is_vtk ? pcl::io::saveVTKFile (path, mesh, digits)

@@ -21,10 +21,10 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr const char* kSummary =
+constexpr const char* summary =
     "Finds the planes of point clouds and labels every point with its plane.";
 
-constexpr const char* kInAndOut =
+constexpr const char* in_and_out =
     "  INPUT       .pcd or .ply; - for one that is piped in. With --output-dir also\n"
     "              several, folders (without subfolders), patterns as 'scans/*.pcd'\n"
     "  OUTPUT.pcd  the cloud with label (0: no plane, 1: the largest, ...) and rgb\n"
@@ -37,7 +37,7 @@ constexpr const char* kInAndOut =
 void
 declareOutputs (CommandLine& line, SegmentOptions& options)
 {
-  constexpr double kMostJobs = 256;
+  constexpr double most_jobs = 256;
   Outputs& outputs = options.outputs;
   line.addText ("output-dir",
                 "DIR",
@@ -46,7 +46,7 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
                 "below, {} in FILE and DIR stands for NAME");
   line.addNumber ("jobs",
                   "N",
-                  Range::from (0).upTo (kMostJobs),
+                  Range::from (0).upTo (most_jobs),
                   options.jobs,
                   "INPUTs at a time; 0: one for each processor (1)");
   line.addText (
@@ -54,7 +54,7 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
   line.addText ("image", "FILE.png", outputs.image, "write a picture of the planes");
   line.addText ("mesh", "FILE", outputs.mesh, "write the hulls as a .ply or .vtk mesh");
   line.addChoice (
-      "hull", kHulls, options.hull, "outline of a plane in --planes, --mesh (convex)");
+      "hull", hulls, options.hull, "outline of a plane in --planes, --mesh (convex)");
   line.addText ("rest", "FILE.pcd", outputs.rest, "write the points on no plane");
   line.addText ("planes-dir",
                 "DIR",
@@ -92,7 +92,7 @@ storeArguments (const std::vector<std::string>& arguments, SegmentOptions& optio
   options.inputs = arguments;
   if (options.isBatch())
     return;
-  if (arguments[0] != kStandardStream)
+  if (arguments[0] != standard_stream)
     checkIsOneCloud (arguments[0]);
   if (arguments.size() > 2)
     throw UsageError (
@@ -102,8 +102,8 @@ storeArguments (const std::vector<std::string>& arguments, SegmentOptions& optio
     options.outputs.cloud = arguments[1];
     options.inputs.pop_back();
   }
-  if (options.inputs[0] == kStandardStream && options.outputs.planes.empty())
-    options.outputs.planes = kStandardStream;
+  if (options.inputs[0] == standard_stream && options.outputs.planes.empty())
+    options.outputs.planes = standard_stream;
 }
 
 void
@@ -124,7 +124,7 @@ checkOutputs (const SegmentOptions& options)
 {
   const Outputs& outputs = options.outputs;
   checkExtension ("OUTPUT", outputs.cloud, {".pcd"});
-  if (outputs.planes != kStandardStream)
+  if (outputs.planes != standard_stream)
     checkExtension ("--planes", outputs.planes, {".json", ".csv"});
   checkExtension ("--image", outputs.image, {".png"});
   checkExtension ("--mesh", outputs.mesh, {".ply", ".vtk"});
@@ -149,8 +149,8 @@ checkBatch (const CommandLine& line, const SegmentOptions& options)
     return;
   }
   for (const std::string& input : options.inputs)
-    if (input == kStandardStream)
-      throw UsageError (kStandardStream,
+    if (input == standard_stream)
+      throw UsageError (standard_stream,
                         "is one cloud without a name; leave out --output-dir");
   const Outputs& outputs = options.outputs;
   const std::vector<std::pair<const char*, std::string>> patterns = {
@@ -160,7 +160,7 @@ checkBatch (const CommandLine& line, const SegmentOptions& options)
       {"--rest", outputs.rest},
       {"--planes-dir", outputs.planes_dir}};
   for (const auto& [option, pattern] : patterns)
-    if (!pattern.empty() && pattern.find (kNameOfInput) == std::string::npos)
+    if (!pattern.empty() && pattern.find (name_of_input) == std::string::npos)
       throw UsageError (option,
                         pattern +
                             " would be written by every input; put {} where the "
@@ -175,7 +175,7 @@ Outputs::files() const
 {
   std::vector<std::string> named;
   for (const std::string& file : {cloud, planes, image, mesh, rest})
-    if (!file.empty() && file != kStandardStream)
+    if (!file.empty() && file != standard_stream)
       named.push_back (file);
   return named;
 }
@@ -184,10 +184,10 @@ bool
 readOptions (int argc, const char* const* argv, SegmentOptions& options)
 {
   std::vector<std::string> arguments;
-  CommandLine line (kProgram, kSummary, PCL_OPS_VERSION);
+  CommandLine line (program_name, summary, PCL_OPS_VERSION);
   line.setUsage (
       {"INPUT [OUTPUT.pcd] [options]", "INPUT... --output-dir DIR [options]"},
-      kInAndOut);
+      in_and_out);
   line.addArguments ("INPUT", arguments, 1, "");
   declareOutputs (line, options);
   declareMethodOptions (line, options.method, options.detector);

@@ -13,7 +13,6 @@
 
 #include <filesystem>
 #include <iomanip>
-#include <regex>
 #include <sstream>
 #include <system_error>
 
@@ -23,31 +22,47 @@ namespace pcl_ops::apps {
 
 namespace {
 
-Cloud
-pointsOf (const Cloud& cloud, const pcl::Indices& indices)
+FileCloud
+pointsOf (const FileCloud& cloud, const pcl::Indices& indices)
 {
-  Cloud part{{}, cloud.origin, cloud.orientation};
+  FileCloud part{{}, cloud.origin, cloud.orientation};
   pcl::copyPointCloud (cloud.points, indices, part.points);
   return part;
 }
 
+constexpr const char* start_of_name = "plane_";
+constexpr std::size_t fewest_digits = 3;
+
 std::string
 planeFile (std::size_t id, const PlaneSegment& plane)
 {
-  constexpr int kDigits = 3;
   std::ostringstream name;
-  name << "plane_" << std::setfill ('0') << std::setw (kDigits) << id << "_"
-       << toString (plane.orientation) << ".pcd";
+  name << start_of_name << std::setfill ('0') << std::setw (int (fewest_digits)) << id
+       << "_" << toString (plane.orientation) << ".pcd";
   return name.str();
+}
+
+bool
+isPlaneFile (const std::string& name)
+{
+  const std::string start = start_of_name;
+  if (name.compare (0, start.size(), start) != 0)
+    return false;
+  const std::size_t end = name.find_first_not_of ("0123456789", start.size());
+  if (end == std::string::npos || end - start.size() < fewest_digits)
+    return false;
+  for (const char* rest : {"_horizontal.pcd", "_vertical.pcd", "_other.pcd"})
+    if (name.compare (end, std::string::npos, rest) == 0)
+      return true;
+  return false;
 }
 
 std::vector<fs::path>
 planeFilesIn (const fs::path& folder)
 {
-  static const std::regex kName ("plane_[0-9]{3,}_(horizontal|vertical|other)\\.pcd");
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator (folder))
-    if (std::regex_match (entry.path().filename().string(), kName))
+    if (isPlaneFile (entry.path().filename().string()))
       files.push_back (entry.path());
   return files;
 }
@@ -56,20 +71,20 @@ planeFilesIn (const fs::path& folder)
 
 void
 saveRest (const std::string& file,
-          const Cloud& cloud,
-          const Positions& positions,
+          const FileCloud& cloud,
+          const ShiftedCloud& shifted,
           const std::vector<std::uint32_t>& labels)
 {
   pcl::Indices rest;
   for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i] == 0 && pcl::isFinite ((*positions.cloud)[i]))
+    if (labels[i] == 0 && pcl::isFinite ((*shifted.cloud)[i]))
       rest.push_back (static_cast<pcl::index_t> (i));
   savePcd (file, pointsOf (cloud, rest));
 }
 
 void
 savePlaneClouds (const std::string& folder,
-                 const Cloud& cloud,
+                 const FileCloud& cloud,
                  const std::vector<PlaneSegment>& planes)
 {
   makeFolder (folder);

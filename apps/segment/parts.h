@@ -14,13 +14,13 @@ namespace pcl_ops::apps {
 
 /** \brief Writes the points on no plane, with all fields of the input, as a PCD; points
  * without coordinates are left out.
- * \param[in] positions of the cloud's points
+ * \param[in] shifted of the cloud's points
  * \param[in] labels per point, 0 for no plane
  * \throws WorkError if it cannot be written */
 void
 saveRest (const std::string& file,
-          const Cloud& cloud,
-          const Positions& positions,
+          const FileCloud& cloud,
+          const ShiftedCloud& shifted,
           const std::vector<std::uint32_t>& labels);
 
 /** \brief Writes the points of each plane, with all fields of the input, as
@@ -31,7 +31,7 @@ saveRest (const std::string& file,
  * written to */
 void
 savePlaneClouds (const std::string& folder,
-                 const Cloud& cloud,
+                 const FileCloud& cloud,
                  const std::vector<PlaneSegment>& planes);
 
 } // namespace pcl_ops::apps

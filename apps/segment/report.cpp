@@ -19,10 +19,10 @@ namespace {
 double
 share (std::size_t part, std::size_t whole)
 {
-  constexpr double kPerCent = 100.0;
+  constexpr double per_cent = 100.0;
   return whole == 0
              ? 0.0
-             : kPerCent * static_cast<double> (part) / static_cast<double> (whole);
+             : per_cent * static_cast<double> (part) / static_cast<double> (whole);
 }
 
 void
@@ -50,17 +50,17 @@ printPlanes (const std::vector<PlaneSegment>& planes,
              std::size_t points,
              std::ostream& stream)
 {
-  constexpr std::size_t kMostRows = 20;
+  constexpr std::size_t most_rows = 20;
   stream << "  id  orientation   points      %       rms         a         b         c"
             "         d\n";
   std::size_t covered = 0;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     covered += planes[i].inliers.size();
-    if (i < kMostRows)
+    if (i < most_rows)
       printPlane (i + 1, planes[i], points, stream);
   }
-  if (planes.size() > kMostRows)
-    stream << "      and " << planes.size() - kMostRows
+  if (planes.size() > most_rows)
+    stream << "      and " << planes.size() - most_rows
            << " smaller ones: --planes FILE.json has them all\n";
   stream << "      no plane   " << std::setw (9) << points - covered
          << std::setprecision (1) << " " << std::setw (6)
@@ -141,7 +141,7 @@ printTable (const Report& report, std::ostream& stream)
   if (!advice.empty())
     stream << advice << "\n";
   stream << "Times [ms]:" << std::setprecision (1);
-  for (const auto& [name, duration] : kStages)
+  for (const auto& [name, duration] : detection_stages)
     stream << " " << name << " " << report.detected.timing.*duration;
   stream << "\n";
 }
@@ -160,7 +160,7 @@ toJson (const Report& report)
   json["points"] = report.points;
   json["method"] = report.method;
   json["parameters"] = report.detected.parameters;
-  for (const auto& [name, duration] : kStages)
+  for (const auto& [name, duration] : detection_stages)
     json["timing_ms"][name] = report.detected.timing.*duration;
   if (!report.detected.advice.empty())
     json["advice"] = report.detected.advice;
@@ -168,8 +168,8 @@ toJson (const Report& report)
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   for (std::size_t i = 0; i < planes.size(); ++i)
     json["planes"].push_back (toObject (i + 1, planes[i], report.extents[i]));
-  constexpr int kIndent = 2;
-  return json.dump (kIndent) + "\n";
+  constexpr int indent = 2;
+  return json.dump (indent) + "\n";
 }
 
 std::string

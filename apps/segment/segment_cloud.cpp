@@ -24,19 +24,19 @@ namespace pcl_ops::apps {
 namespace {
 
 Detected
-detectPlanes (const SegmentOptions& options, const Positions& positions)
+detectPlanes (const SegmentOptions& options, const ShiftedCloud& shifted)
 {
   Detected detected =
-      runMethod (methodCalled (options.method), options.detector, positions.cloud);
+      runMethod (methodCalled (options.method), options.detector, shifted.cloud);
   for (PlaneSegment& plane : detected.planes)
-    plane.centroid += positions.shift;
+    plane.centroid += shifted.shift;
   keepOnly (options.only, detected);
   return detected;
 }
 
 void
 saveLabelled (const std::string& file,
-              Cloud cloud,
+              FileCloud cloud,
               const std::vector<std::uint32_t>& labels,
               bool keeps_color)
 {
@@ -52,7 +52,7 @@ saveLabelled (const std::string& file,
 }
 
 Eigen::Isometry3d
-poseOf (const Cloud& cloud)
+poseOf (const FileCloud& cloud)
 {
   return Eigen::Translation3d (cloud.origin.head<3>().cast<double>()) *
          cloud.orientation.cast<double>();
@@ -61,7 +61,7 @@ poseOf (const Cloud& cloud)
 void
 savePlanes (const std::string& file, const Report& report)
 {
-  if (file == kStandardStream)
+  if (file == standard_stream)
     std::cout << toJson (report);
   else
     writeTextFile (file,
@@ -71,8 +71,8 @@ savePlanes (const std::string& file, const Report& report)
 void
 saveOutputs (const SegmentOptions& options,
              const Outputs& outputs,
-             const Cloud& cloud,
-             const Positions& positions,
+             const FileCloud& cloud,
+             const ShiftedCloud& shifted,
              const Report& report)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
@@ -80,11 +80,11 @@ saveOutputs (const SegmentOptions& options,
   if (!outputs.cloud.empty())
     saveLabelled (outputs.cloud, cloud, labels, options.keep_color);
   if (!outputs.image.empty())
-    savePicture (outputs.image, *positions.cloud, labels, planes, report.detected.up);
+    savePicture (outputs.image, *shifted.cloud, labels, planes, report.detected.up);
   if (!outputs.mesh.empty())
     saveMesh (outputs.mesh, poseOf (cloud), planes, report.extents);
   if (!outputs.rest.empty())
-    saveRest (outputs.rest, cloud, positions, labels);
+    saveRest (outputs.rest, cloud, shifted, labels);
   if (!outputs.planes_dir.empty())
     savePlaneClouds (outputs.planes_dir, cloud, planes);
   // Last: a pipe gets its JSON when the files are there.
@@ -97,19 +97,19 @@ saveOutputs (const SegmentOptions& options,
 Report
 segmentCloud (const SegmentOptions& options, const Task& task)
 {
-  const bool is_piped = task.input == kStandardStream;
-  const Cloud cloud = is_piped ? loadStandardInput() : loadCloud (task.input);
+  const bool is_piped = task.input == standard_stream;
+  const FileCloud cloud = is_piped ? loadStandardInput() : loadCloud (task.input);
   stopIfInterrupted();
-  const Positions positions = positionsOf (cloud);
-  Report report{is_piped ? kStandardInput : task.input,
+  const ShiftedCloud shifted = shiftedCloudOf (cloud);
+  Report report{is_piped ? standard_input : task.input,
                 options.method,
                 cloud.size(),
-                detectPlanes (options, positions),
+                detectPlanes (options, shifted),
                 {}};
   if (!task.outputs.planes.empty() || !task.outputs.mesh.empty())
-    report.extents = extentsOf (positions, report.detected.planes, options.hull);
+    report.extents = extentsOf (shifted, report.detected.planes, options.hull);
   stopIfInterrupted();
-  saveOutputs (options, task.outputs, cloud, positions, report);
+  saveOutputs (options, task.outputs, cloud, shifted, report);
   return report;
 }
 

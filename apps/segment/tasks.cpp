@@ -67,7 +67,7 @@ checkClashes (const std::vector<Task>& tasks, const std::string& mend)
 std::string
 inFolder (const std::string& folder, std::string pattern, const std::string& name)
 {
-  const std::string placeholder = kNameOfInput;
+  const std::string placeholder = name_of_input;
   for (std::size_t i = 0; (i = pattern.find (placeholder, i)) != std::string::npos;
        i += name.size())
     pattern.replace (i, placeholder.size(), name);

@@ -9,10 +9,10 @@
 
 namespace pcl_ops::apps {
 
-inline constexpr const char* kProgram = "pcl_ops_segment";
+inline constexpr const char* program_name = "pcl_ops_segment";
 
 /** \brief What stands for the name of the input in the outputs of a batch. */
-inline constexpr const char* kNameOfInput = "{}";
+inline constexpr const char* name_of_input = "{}";
 
 /** \brief One cloud to segment. */
 struct Task {

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "base/random.h"
+#include <base/random.h>
 
 #include <cmath>
 #include <cstdint>
 
 namespace pcl_ops::simulation {
+
+constexpr double pi = 3.141592653589793;
 
 /** \brief What a stream of random numbers is for. Each purpose has its own stream, so
  * that the same seed gives the same room whatever the camera and the noise. */
@@ -38,9 +40,9 @@ drawChance (internal::RandomGenerator& generator, double probability)
 inline double
 drawGaussian (internal::RandomGenerator& generator)
 {
-  constexpr double two_pi = 6.283185307179586;
-  const double radius = std::sqrt (-2.0 * std::log (1.0 - internal::drawUnit (generator)));
-  return radius * std::cos (two_pi * internal::drawUnit (generator));
+  const double radius =
+      std::sqrt (-2.0 * std::log (1.0 - internal::drawUnit (generator)));
+  return radius * std::cos (2.0 * pi * internal::drawUnit (generator));
 }
 
 } // namespace pcl_ops::simulation

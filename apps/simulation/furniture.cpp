@@ -41,7 +41,10 @@ addSlabOnLegs (Body& body, const Vector3d& size, double thickness, double leg_ra
 
 /** \brief Books standing in a row from \p start along x. */
 void
-addBooks (Body& body, const Vector3d& start, double width, internal::RandomGenerator& generator)
+addBooks (Body& body,
+          const Vector3d& start,
+          double width,
+          internal::RandomGenerator& generator)
 {
   double x = 0.0;
   while (x < width) {

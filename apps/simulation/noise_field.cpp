@@ -59,7 +59,10 @@ drawWhiteField (int width, int height, internal::RandomGenerator& generator)
 }
 
 std::vector<double>
-drawSmoothField (int width, int height, double smoothing, internal::RandomGenerator& generator)
+drawSmoothField (int width,
+                 int height,
+                 double smoothing,
+                 internal::RandomGenerator& generator)
 {
   const int radius = int (std::ceil (3.0 * smoothing));
   const std::vector<double> kernel = variancePreservingKernel (radius, smoothing);

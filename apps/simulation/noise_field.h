@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "base/random.h"
+#include <base/random.h>
 
 #include <vector>
 
@@ -20,6 +20,9 @@ drawWhiteField (int width, int height, internal::RandomGenerator& generator);
  * correlation is exp (-d^2 / (4 s^2))
  * \param[in,out] generator source of the white noise */
 std::vector<double>
-drawSmoothField (int width, int height, double smoothing, internal::RandomGenerator& generator);
+drawSmoothField (int width,
+                 int height,
+                 double smoothing,
+                 internal::RandomGenerator& generator);
 
 } // namespace pcl_ops::simulation

@@ -8,8 +8,6 @@
 
 namespace pcl_ops::simulation {
 
-constexpr double pi = 3.141592653589793;
-
 inline Eigen::Isometry3d
 at (double x, double y, double z)
 {
@@ -24,7 +22,9 @@ turned (double angle, const Eigen::Vector3d& axis)
 
 /** \brief Uniform draw of an angle [rad] between two given in degrees. */
 inline double
-drawAngle (internal::RandomGenerator& generator, double lower_degrees, double upper_degrees)
+drawAngle (internal::RandomGenerator& generator,
+           double lower_degrees,
+           double upper_degrees)
 {
   return drawBetween (generator, lower_degrees, upper_degrees) * pi / 180.0;
 }

@@ -57,7 +57,9 @@ drawPoseAtWall (const Vector3d& room,
 }
 
 Eigen::Isometry3d
-drawPoseAnywhere (const Vector3d& room, const Vector2d&, internal::RandomGenerator& generator)
+drawPoseAnywhere (const Vector3d& room,
+                  const Vector2d&,
+                  internal::RandomGenerator& generator)
 {
   const double x = drawBetween (generator, -0.5, 0.5) * room.x();
   const double y = drawBetween (generator, -0.5, 0.5) * room.y();
@@ -119,8 +121,10 @@ furnish (Room& room, internal::RandomGenerator& generator)
   const double floor_area = room.size.x() * room.size.y();
   const int rounds = int (3.0 + floor_area / floor_of_piece);
   for (int i = 0; i < rounds; ++i) {
-    furnisher.place (at_walls[internal::drawBelow (generator, 6)](generator), drawPoseAtWall);
-    furnisher.place (anywhere[internal::drawBelow (generator, 5)](generator), drawPoseAnywhere);
+    furnisher.place (at_walls[internal::drawBelow (generator, 6)](generator),
+                     drawPoseAtWall);
+    furnisher.place (anywhere[internal::drawBelow (generator, 5)](generator),
+                     drawPoseAnywhere);
   }
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "scene.h"
-#include "base/random.h"
+#include <base/random.h>
 
 namespace pcl_ops::simulation {
 

@@ -112,11 +112,11 @@ simulate (const Options& options)
 }
 
 /** \brief The cloud without the padding of pcl::PointXYZL. */
-pcl_ops::apps::Cloud
+pcl_ops::apps::FileCloud
 packed (const pcl::PointCloud<pcl::PointXYZL>& cloud)
 {
   constexpr pcl::uindex_t bytes_of_number = 4; // float and std::uint32_t
-  pcl_ops::apps::Cloud result{{}, cloud.sensor_origin_, cloud.sensor_orientation_};
+  pcl_ops::apps::FileCloud result{{}, cloud.sensor_origin_, cloud.sensor_orientation_};
   pcl::PCLPointCloud2& points = result.points;
   points.width = cloud.width;
   points.height = cloud.height;
@@ -142,14 +142,14 @@ run (int argc, const char* const* argv)
 {
   Options options;
   if (!readOptions (argc, argv, options))
-    return pcl_ops::apps::kDone;
+    return pcl_ops::apps::ExitCode::done;
   pcl_ops::apps::checkWritable (options.output);
   const SimulatedCloud simulated = simulate (options);
   pcl_ops::apps::savePcd (options.output, packed (simulated.cloud));
   if (!options.quiet)
     std::cout << options.output << ": " << simulated.cloud.size() << " points, "
               << simulated.planes.size() << " planes\n";
-  return pcl_ops::apps::kDone;
+  return pcl_ops::apps::ExitCode::done;
 }
 
 } // namespace

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-
 #include <Eigen/Core>
 
+#include <io/xyz_cloud.h>
 #include <pcl_ops/plane.h>
 
 #include <vector>
@@ -28,7 +26,7 @@ struct Camera {
  * \param[in] gravity_up direction against gravity
  * \param[in] width, height of the window [pixel] */
 Camera
-cameraFor (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+cameraFor (const XyzCloud& cloud,
            const std::vector<PlaneSegment>& planes,
            const Eigen::Vector3f& gravity_up,
            int width,

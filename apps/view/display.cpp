@@ -38,10 +38,10 @@ canDraw (bool has_window)
 {
   const pid_t child = fork();
   if (child == 0)
-    _exit (tryToDraw (has_window) ? kDone : kWorkFailed);
+    _exit (tryToDraw (has_window) ? ExitCode::done : ExitCode::work_failed);
   int status = 0;
   return child > 0 && waitpid (child, &status, 0) == child && WIFEXITED (status) &&
-         WEXITSTATUS (status) == kDone;
+         WEXITSTATUS (status) == ExitCode::done;
 }
 
 } // namespace
@@ -49,7 +49,8 @@ canDraw (bool has_window)
 void
 checkDisplay (bool has_window)
 {
-#ifndef __APPLE__ // whose windows need no display, and no process may draw after a fork
+#ifndef __APPLE__ // whose windows need no display, and no process may draw
+                  // after a fork
   if (canDraw (has_window))
     return;
   const char* const given = std::getenv ("DISPLAY");

@@ -76,11 +76,11 @@ diagonalOf (const std::vector<PlaneExtent>& extents)
 double
 arrowLength (const PlaneExtent& extent, double diagonal)
 {
-  constexpr double kOfSide = 0.3;
-  constexpr double kShortest = 0.02;
-  constexpr double kLongest = 0.05;
+  constexpr double of_side = 0.3;
+  constexpr double shortest = 0.02;
+  constexpr double longest = 0.05;
   return std::clamp (
-      kOfSide * std::sqrt (extent.area), kShortest * diagonal, kLongest * diagonal);
+      of_side * std::sqrt (extent.area), shortest * diagonal, longest * diagonal);
 }
 
 } // namespace
@@ -88,8 +88,8 @@ arrowLength (const PlaneExtent& extent, double diagonal)
 vtkSmartPointer<vtkActor>
 outlinesOf (const FoundPlanes& found, const std::vector<pcl::RGB>& colors)
 {
-  constexpr float kWidth = 2.5f;
-  constexpr double kTowardsEye = -8.0;
+  constexpr float line_width = 2.5f;
+  constexpr double towards_eye = -8.0;
   ColoredPoints corners;
   vtkNew<vtkCellArray> lines;
   for (std::size_t i = 0; i < found.extents.size(); ++i) {
@@ -109,10 +109,10 @@ outlinesOf (const FoundPlanes& found, const std::vector<pcl::RGB>& colors)
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData (data);
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters (kTowardsEye, kTowardsEye);
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters (towards_eye, towards_eye);
   const auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper (mapper);
-  actor->GetProperty()->SetLineWidth (kWidth);
+  actor->GetProperty()->SetLineWidth (line_width);
   actor->GetProperty()->LightingOff();
   return actor;
 }
@@ -120,7 +120,7 @@ outlinesOf (const FoundPlanes& found, const std::vector<pcl::RGB>& colors)
 vtkSmartPointer<vtkActor>
 normalsOf (const FoundPlanes& found, const std::vector<pcl::RGB>& colors)
 {
-  constexpr int kSides = 12;
+  constexpr int sides = 12;
   const double diagonal = diagonalOf (found.extents);
   ColoredPoints centroids;
   vtkNew<vtkFloatArray> directions;
@@ -135,8 +135,8 @@ normalsOf (const FoundPlanes& found, const std::vector<pcl::RGB>& colors)
   const vtkSmartPointer<vtkPolyData> data = centroids.toPolyData();
   data->GetPointData()->SetVectors (directions);
   vtkNew<vtkArrowSource> arrow;
-  arrow->SetTipResolution (kSides);
-  arrow->SetShaftResolution (kSides);
+  arrow->SetTipResolution (sides);
+  arrow->SetShaftResolution (sides);
   vtkNew<vtkGlyph3D> glyphs;
   glyphs->SetInputData (data);
   glyphs->SetSourceConnection (arrow->GetOutputPort());
@@ -153,20 +153,20 @@ normalsOf (const FoundPlanes& found, const std::vector<pcl::RGB>& colors)
 vtkSmartPointer<vtkTextActor>
 textIn (const Corner& corner)
 {
-  constexpr int kFontSize = 15;
-  constexpr double kMargin = 0.012;
-  constexpr double kOpacity = 0.75;
-  constexpr double kLineSpacing = 1.15;
+  constexpr int font_size = 15;
+  constexpr double margin = 0.012;
+  constexpr double opacity = 0.75;
+  constexpr double line_spacing = 1.15;
   const auto text = vtkSmartPointer<vtkTextActor>::New();
   text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  text->SetPosition (corner.is_right ? 1.0 - kMargin : kMargin,
-                     corner.is_top ? 1.0 - kMargin : kMargin);
+  text->SetPosition (corner.is_right ? 1.0 - margin : margin,
+                     corner.is_top ? 1.0 - margin : margin);
   vtkTextProperty* const style = text->GetTextProperty();
-  style->SetFontSize (kFontSize);
+  style->SetFontSize (font_size);
   style->SetColor (0.0, 0.0, 0.0);
   style->SetBackgroundColor (1.0, 1.0, 1.0);
-  style->SetBackgroundOpacity (kOpacity);
-  style->SetLineSpacing (kLineSpacing);
+  style->SetBackgroundOpacity (opacity);
+  style->SetLineSpacing (line_spacing);
   if (corner.is_right)
     style->SetJustificationToRight();
   if (corner.is_top)

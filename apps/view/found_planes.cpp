@@ -31,7 +31,9 @@ mergedInto (const PlaneSegment& plane, const FoundPlanes& after)
 } // namespace
 
 FoundPlanes
-findPlanes (const DetectionRun& run, DetectorOptions options, const PositionsPtr& cloud)
+findPlanes (const DetectionRun& run,
+            DetectorOptions options,
+            const XyzCloud::ConstPtr& cloud)
 {
   options.preset = run.preset;
   options.merging = run.merging;
@@ -65,7 +67,7 @@ colorsBeforeMerging (const FoundPlanes& before, const FoundPlanes& after)
   return colors;
 }
 
-PlaneFinder::PlaneFinder (DetectorOptions options, PositionsPtr cloud)
+PlaneFinder::PlaneFinder (DetectorOptions options, XyzCloud::ConstPtr cloud)
 : options_ (std::move (options)), cloud_ (std::move (cloud))
 {}
 

@@ -35,7 +35,7 @@ struct FoundPlanes {
 FoundPlanes
 findPlanes (const DetectionRun& run,
             DetectorOptions options,
-            const PositionsPtr& cloud);
+            const XyzCloud::ConstPtr& cloud);
 
 /** \brief Colours for planes before merging that show what was merged: the largest part
  * of every merged plane keeps the plane's colour, the others get colours of their own.
@@ -47,7 +47,7 @@ colorsBeforeMerging (const FoundPlanes& before, const FoundPlanes& after);
  * when the method or the preset changes. */
 class PlaneFinder {
 public:
-  PlaneFinder (DetectorOptions options, PositionsPtr cloud);
+  PlaneFinder (DetectorOptions options, XyzCloud::ConstPtr cloud);
 
   /** \brief The planes of a run, valid until another method or preset is asked for.
    * \throws UsageError or WorkError as the detector does; then what was found before
@@ -72,7 +72,7 @@ private:
   };
 
   DetectorOptions options_;
-  PositionsPtr cloud_;
+  XyzCloud::ConstPtr cloud_;
   /** \brief Of one method and preset. In a list entries stay where they are. */
   std::list<Entry> entries_;
   std::size_t detections_ = 0;

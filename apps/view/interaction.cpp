@@ -58,13 +58,13 @@ Interaction::OnLeftButtonDown()
 void
 Interaction::OnLeftButtonUp()
 {
-  constexpr int kStill = 3;
+  constexpr int still = 3;
   PCLVisualizerInteractorStyle::OnLeftButtonUp();
   int x = 0;
   int y = 0;
   Interactor->GetEventPosition (x, y);
   const bool is_click =
-      std::max (std::abs (x - pressed_x_), std::abs (y - pressed_y_)) <= kStill;
+      std::max (std::abs (x - pressed_x_), std::abs (y - pressed_y_)) <= still;
   if (is_click && on_click)
     on_click (x, y);
 }

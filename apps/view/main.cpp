@@ -20,16 +20,16 @@ namespace {
 ViewedCloud
 loadViewed (const std::string& file, const Eigen::Vector3f& up)
 {
-  const Cloud cloud = loadCloud (file);
-  const Positions positions = positionsOf (cloud);
-  const auto& points = *positions.cloud;
+  const FileCloud cloud = loadCloud (file);
+  const ShiftedCloud shifted = shiftedCloudOf (cloud);
+  const auto& points = *shifted.cloud;
   if (std::none_of (points.begin(), points.end(), [] (const pcl::PointXYZ& point) {
         return pcl::isXYZFinite (point);
       }))
     throw WorkError (file,
                      "has no point with finite coordinates, so there is nothing to "
                      "show; give another cloud");
-  return {positions.cloud, positions.shift, inputColors (cloud, points, up)};
+  return {shifted.cloud, shifted.shift, inputColors (cloud, points, up)};
 }
 
 int
@@ -37,12 +37,12 @@ view (int argc, const char* const* argv)
 {
   ViewOptions options;
   if (!readOptions (argc, argv, options))
-    return kDone;
+    return ExitCode::done;
   const ViewedCloud cloud = loadViewed (
       options.input, options.detector.up.value_or (Eigen::Vector3f::UnitZ()));
   checkDisplay (options.screenshot.empty());
   showCloud (options, cloud);
-  return kDone;
+  return ExitCode::done;
 }
 
 } // namespace

@@ -32,9 +32,9 @@ coloringCalled (const std::string& name)
 void
 storeSize (const std::string& text, ViewOptions& options)
 {
-  constexpr double kSmallest = 200;
-  constexpr double kLargest = 8192;
-  const Range range = Range::from (kSmallest).upTo (kLargest);
+  constexpr double smallest = 200;
+  constexpr double largest = 8192;
+  const Range range = Range::from (smallest).upTo (largest);
   const std::size_t cross = text.find ('x');
   if (cross == std::string::npos)
     throw UsageError ("--size", text + " is no size; give one such as 1280x960");

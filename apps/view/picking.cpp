@@ -9,7 +9,7 @@ namespace pcl_ops::apps {
 std::optional<pcl::index_t>
 pointAt (const Eigen::Vector2d& pixel,
          double radius,
-         const pcl::PointCloud<pcl::PointXYZ>& cloud,
+         const XyzCloud& cloud,
          const Projection& projection)
 {
   std::optional<pcl::index_t> nearest;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
 #include <pcl/types.h>
 
 #include <Eigen/Core>
+
+#include <io/xyz_cloud.h>
 
 #include <optional>
 
@@ -29,7 +29,7 @@ struct Projection {
 std::optional<pcl::index_t>
 pointAt (const Eigen::Vector2d& pixel,
          double radius,
-         const pcl::PointCloud<pcl::PointXYZ>& cloud,
+         const XyzCloud& cloud,
          const Projection& projection);
 
 } // namespace pcl_ops::apps

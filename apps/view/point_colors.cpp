@@ -6,6 +6,7 @@
 #include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
 
+#include <numbers/quantile.h>
 #include <picture/colors.h>
 
 #include <algorithm>
@@ -30,23 +31,23 @@ blend (const pcl::RGB& first, const pcl::RGB& second, double share)
 pcl::RGB
 faded (const pcl::RGB& color)
 {
-  constexpr double kFaded = 0.75;
-  constexpr std::uint8_t kLightGrey = 215;
-  return blend (color, {kLightGrey, kLightGrey, kLightGrey}, kFaded);
+  constexpr double faded_share = 0.75;
+  constexpr std::uint8_t light_grey = 215;
+  return blend (color, {light_grey, light_grey, light_grey}, faded_share);
 }
 
 pcl::RGB
 shaded (const pcl::RGB& color, const Eigen::Vector3d& normal)
 {
-  constexpr double kDarkest = 0.35;
+  constexpr double darkest = 0.35;
   const Eigen::Vector3d light = Eigen::Vector3d (0.3, 0.55, 0.78).normalized();
-  const double dark = kDarkest * (1.0 - std::abs (normal.dot (light)));
+  const double dark = darkest * (1.0 - std::abs (normal.dot (light)));
   return blend (color, {0, 0, 0}, dark);
 }
 
 /** \brief Where a point's packed colour is, in PCL's order blue, green, red. */
 std::optional<pcl::uindex_t>
-offsetOfColor (const Cloud& cloud)
+offsetOfColor (const FileCloud& cloud)
 {
   for (const pcl::PCLPointField& field : cloud.points.fields)
     if (field.name == "rgb" || field.name == "rgba")
@@ -64,24 +65,21 @@ colorsAt (pcl::uindex_t offset, const pcl::PCLPointCloud2& cloud)
 }
 
 std::vector<pcl::RGB>
-colorsOfHeight (const pcl::PointCloud<pcl::PointXYZ>& positions,
-                const Eigen::Vector3f& up)
+colorsOfHeight (const XyzCloud& coordinates, const Eigen::Vector3f& up)
 {
   // Flying points would leave one colour to all others.
-  constexpr double kOutliers = 0.01;
+  constexpr double outliers = 0.01;
   std::vector<float> heights;
-  for (const pcl::PointXYZ& point : positions)
+  for (const pcl::PointXYZ& point : coordinates)
     if (pcl::isXYZFinite (point))
       heights.push_back (point.getVector3fMap().dot (up));
   if (heights.empty())
-    return std::vector<pcl::RGB> (positions.size(), colorOfLabel (0));
-  std::sort (heights.begin(), heights.end());
-  const double last = static_cast<double> (heights.size() - 1);
-  const float low = heights[static_cast<std::size_t> (kOutliers * last)];
-  const float high = heights[static_cast<std::size_t> ((1.0 - kOutliers) * last)];
+    return std::vector<pcl::RGB> (coordinates.size(), colorOfLabel (0));
+  const float low = quantile (heights, outliers);
+  const float high = quantile (heights, 1.0 - outliers);
   const auto most = static_cast<float> (pcl::ViridisLUT::size() - 1);
   std::vector<pcl::RGB> colors;
-  for (const pcl::PointXYZ& point : positions) {
+  for (const pcl::PointXYZ& point : coordinates) {
     const float share =
         high > low ? (point.getVector3fMap().dot (up) - low) / (high - low) : 0.0f;
     const float clamped = share > 0.0f ? std::min (share, 1.0f) : 0.0f; // 0 for NaN
@@ -94,12 +92,12 @@ colorsOfHeight (const pcl::PointCloud<pcl::PointXYZ>& positions,
 } // namespace
 
 std::vector<pcl::RGB>
-inputColors (const Cloud& cloud,
-             const pcl::PointCloud<pcl::PointXYZ>& positions,
+inputColors (const FileCloud& cloud,
+             const XyzCloud& coordinates,
              const Eigen::Vector3f& up)
 {
   const std::optional<pcl::uindex_t> offset = offsetOfColor (cloud);
-  return offset ? colorsAt (*offset, cloud.points) : colorsOfHeight (positions, up);
+  return offset ? colorsAt (*offset, cloud.points) : colorsOfHeight (coordinates, up);
 }
 
 std::vector<pcl::RGB>

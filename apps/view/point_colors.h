@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-
 #include <Eigen/Core>
 
 #include "found_planes.h"
 #include "view_state.h"
 #include <io/cloud_file.h>
+#include <io/xyz_cloud.h>
 
 #include <vector>
 
@@ -17,11 +15,11 @@ namespace pcl_ops::apps {
 
 /** \brief The colours a cloud comes with; where it has no field rgb or rgba, the height
  * of each point from blue to yellow.
- * \param[in] positions of the same points
+ * \param[in] coordinates of the same points
  * \param[in] up direction against gravity */
 std::vector<pcl::RGB>
-inputColors (const Cloud& cloud,
-             const pcl::PointCloud<pcl::PointXYZ>& positions,
+inputColors (const FileCloud& cloud,
+             const XyzCloud& coordinates,
              const Eigen::Vector3f& up);
 
 /** \brief The colour of each plane as a state asks for it. Orientation classes are

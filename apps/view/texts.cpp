@@ -68,12 +68,12 @@ statusText (const std::string& file, const FoundPlanes& found, const ViewState& 
 std::string
 wrapped (const std::string& text)
 {
-  constexpr std::size_t kWidth = 64;
+  constexpr std::size_t line_width = 64;
   std::istringstream words (text);
   std::string lines, word;
   std::size_t length = 0;
   while (words >> word) {
-    const bool fits = length + 1 + word.size() <= kWidth;
+    const bool fits = length + 1 + word.size() <= line_width;
     lines += (lines.empty() ? "" : fits ? " " : "\n") + word;
     length = fits ? length + 1 + word.size() : word.size();
   }

@@ -30,15 +30,15 @@ takeNextMethod (ViewState& state)
 void
 resizePoints (ViewState& state, int step)
 {
-  constexpr int kSmallest = 1;
-  constexpr int kLargest = 20;
-  state.point_size = std::clamp (state.point_size + step, kSmallest, kLargest);
+  constexpr int smallest = 1;
+  constexpr int largest = 20;
+  state.point_size = std::clamp (state.point_size + step, smallest, largest);
 }
 
 const std::vector<Binding>&
 bindings ()
 {
-  static const std::vector<Binding> kBindings = {
+  static const std::vector<Binding> all_bindings = {
       {{"1", "colour by plane"},
        [] (ViewState& state) { state.coloring = Coloring::Planes; }},
       {{"2", "colour by orientation"},
@@ -60,7 +60,7 @@ bindings ()
       {{"-", "smaller points"}, [] (ViewState& state) { resizePoints (state, -1); }},
       {{"h", "this list on or off"},
        [] (ViewState& state) { state.help = !state.help; }}};
-  return kBindings;
+  return all_bindings;
 }
 
 } // namespace
@@ -71,7 +71,7 @@ allKeys ()
   std::vector<Key> keys;
   for (const Binding& binding : bindings())
     keys.push_back (binding.key);
-  keys.push_back ({kResetKey, "view as at the start"});
+  keys.push_back ({reset_key, "view as at the start"});
   keys.push_back ({"o", "perspective or parallel projection"});
   keys.push_back ({"q", "quit"});
   return keys;

@@ -64,6 +64,6 @@ std::optional<ViewState>
 afterKey (const ViewState& state, const std::string& key);
 
 /** \brief The key that shows the cloud as at the start. It changes no state. */
-inline constexpr const char* kResetKey = "r";
+inline constexpr const char* reset_key = "r";
 
 } // namespace pcl_ops::apps

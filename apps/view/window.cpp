@@ -35,7 +35,7 @@ namespace {
 
 using pcl::visualization::PCLVisualizer;
 
-constexpr const char* kCloud = "cloud";
+constexpr const char* cloud_id = "cloud";
 
 /** \brief A PCLVisualizer that shows one state after the other. */
 class Window {
@@ -85,22 +85,22 @@ private:
 Window::Window (const ViewOptions& options, const ViewedCloud& cloud)
 : options_ (options)
 , cloud_ (cloud)
-, finder_ (options.detector, cloud.positions)
+, finder_ (options.detector, cloud.coordinates)
 , state_ (options.state)
 {
-  for (std::size_t i = 0; i < cloud.positions->size(); ++i)
-    if (pcl::isXYZFinite ((*cloud.positions)[i]))
+  for (std::size_t i = 0; i < cloud.coordinates->size(); ++i)
+    if (pcl::isXYZFinite ((*cloud.coordinates)[i]))
       drawn_.push_back (static_cast<pcl::index_t> (i));
   state_.point_size = pointSizeFor (drawn_.size(), options.width, options.height);
   found_ = &finder_.find (state_.run);
   first_view_ = cameraFor (
-      *cloud.positions, found_->planes, found_->up, options.width, options.height);
+      *cloud.coordinates, found_->planes, found_->up, options.width, options.height);
   createViewer();
   for (const auto& text : {status_, keys_, plane_})
     renderer_->AddActor2D (text);
   keys_->SetInput (keysText().c_str());
   viewer_->addPointCloud<pcl::PointXYZRGB> (
-      pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>(), kCloud);
+      pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>(), cloud_id);
   show (state_);
   resetCamera();
 }
@@ -130,7 +130,7 @@ Window::createViewer()
 bool
 Window::pressKey (const std::string& key)
 {
-  if (key == kResetKey) {
+  if (key == reset_key) {
     resetCamera();
     window_->Render();
     return true;
@@ -167,7 +167,7 @@ Window::click (int x, int y)
 std::uint32_t
 Window::labelAt (int x, int y) const
 {
-  constexpr double kRadius = 4.0;
+  constexpr double radius = 4.0;
   const int* const size = window_->GetSize();
   Projection projection;
   projection.size = Eigen::Vector2d (size[0], size[1]);
@@ -178,7 +178,7 @@ Window::labelAt (int x, int y) const
     for (int column = 0; column < 4; ++column)
       projection.to_cube (row, column) = matrix->GetElement (row, column);
   const std::optional<pcl::index_t> point =
-      pointAt (Eigen::Vector2d (x, y), kRadius, *cloud_.positions, projection);
+      pointAt (Eigen::Vector2d (x, y), radius, *cloud_.coordinates, projection);
   return point ? found_->labels[static_cast<std::size_t> (*point)] : 0;
 }
 
@@ -200,14 +200,14 @@ Window::drawPlanes()
   const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>();
   const std::vector<pcl::RGB> colors = pointColors (*found_, state_, cloud_.colors);
   for (const pcl::index_t index : drawn_) {
-    const pcl::PointXYZ& point = (*cloud_.positions)[index];
+    const pcl::PointXYZ& point = (*cloud_.coordinates)[index];
     const pcl::RGB& color = colors[static_cast<std::size_t> (index)];
     cloud->emplace_back (point.x, point.y, point.z, color.r, color.g, color.b);
   }
   viewer_->updatePointCloud (pcl::PointCloud<pcl::PointXYZRGB>::ConstPtr (cloud),
-                             kCloud);
+                             cloud_id);
   viewer_->setPointCloudRenderingProperties (
-      pcl::visualization::PCL_VISUALIZER_POINT_SIZE, state_.point_size, kCloud);
+      pcl::visualization::PCL_VISUALIZER_POINT_SIZE, state_.point_size, cloud_id);
   renderer_->RemoveActor (outlines_);
   renderer_->RemoveActor (normals_);
   const std::vector<pcl::RGB> plane_colors = planeColors (*found_, state_);

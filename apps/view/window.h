@@ -15,8 +15,8 @@ namespace pcl_ops::apps {
 
 /** \brief A cloud as the viewer needs it. */
 struct ViewedCloud {
-  PositionsPtr positions;
-  /** \brief Zero of the frame of the positions in the frame of the file. */
+  XyzCloud::ConstPtr coordinates;
+  /** \brief Zero of the frame of the coordinates in the frame of the file. */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   /** \brief The colours it came with, one per point. */
   std::vector<pcl::RGB> colors;

@@ -91,7 +91,7 @@ compareCommand (int argc, const char* const* argv)
 {
   CompareOptions options;
   if (!readOptions (argc, argv, options))
-    return apps::kDone;
+    return apps::ExitCode::done;
   LabelledCloud truth = loadLabelledCloud (options.truth_file);
   const LabelledCloud result = loadLabelledCloud (options.result_file);
   requireSamePoints (truth, result, options.result_file);
@@ -105,7 +105,7 @@ compareCommand (int argc, const char* const* argv)
     std::cerr << "pcl_ops_evaluate: " << options.truth_file
               << ": has no plane; all that can be right is to find none\n";
   options.json ? printJson (metrics) : printTable (metrics);
-  return apps::kDone;
+  return apps::ExitCode::done;
 }
 
 } // namespace pcl_ops::evaluation

@@ -17,14 +17,14 @@ detectorsCommand (int argc, const char* const* argv)
                           "Lists the configurations a run can have and their groups.",
                           PCL_OPS_VERSION);
   if (!line.parse (argc, argv))
-    return apps::kDone;
+    return apps::ExitCode::done;
   for (const Configuration& configuration : allConfigurations()) {
     std::cout << configuration.name;
     for (const std::string& group : configuration.groups)
       std::cout << ' ' << group;
     std::cout << '\n';
   }
-  return apps::kDone;
+  return apps::ExitCode::done;
 }
 
 } // namespace pcl_ops::evaluation

@@ -54,7 +54,7 @@ picturesCommand (int argc, const char* const* argv)
 {
   PictureOptions options;
   if (!readOptions (argc, argv, options))
-    return apps::kDone;
+    return apps::ExitCode::done;
   const auto configurations = selectConfigurations (options.detectors);
   const std::vector<DataSet> data_sets = dataSetsOf (options.data);
   apps::makeFolder (options.folder);
@@ -78,7 +78,7 @@ picturesCommand (int argc, const char* const* argv)
                             "no cloud of the data sets has this in its name");
   apps::writeTextFile ((fs::path (options.folder) / "pictures.md").string(),
                        page.str());
-  return apps::kDone;
+  return apps::ExitCode::done;
 }
 
 } // namespace pcl_ops::evaluation

@@ -23,7 +23,7 @@ reportCommand (int argc, const char* const* argv)
                           PCL_OPS_VERSION);
   line.addArgument ("OUTPUT", folder, "folder that pcl_ops_evaluate run wrote");
   if (!line.parse (argc, argv))
-    return apps::kDone;
+    return apps::ExitCode::done;
   const std::string file = (fs::path (folder) / "results.csv").string();
   if (!fs::exists (file))
     throw apps::WorkError (file, "is not there; give the OUTPUT of a run");
@@ -31,7 +31,7 @@ reportCommand (int argc, const char* const* argv)
   if (results.rows().empty())
     throw apps::WorkError (file, "has no row yet; run an evaluation first");
   writeReport (results.rows(), folder, std::cout);
-  return apps::kDone;
+  return apps::ExitCode::done;
 }
 
 } // namespace pcl_ops::evaluation

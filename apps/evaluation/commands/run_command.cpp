@@ -75,7 +75,7 @@ runCommand (int argc, const char* const* argv)
 {
   RunOptions options;
   if (!readOptions (argc, argv, options))
-    return apps::kDone;
+    return apps::ExitCode::done;
   const EvaluationPlan plan = planOf (options);
   ResultsFile results ((fs::path (options.folder) / "results.csv").string());
   const EvaluationSummary summary =
@@ -86,7 +86,7 @@ runCommand (int argc, const char* const* argv)
             << " new rows; " << summary.broken_clouds << " clouds left out, "
             << summary.failed_runs << " runs failed\n";
   const bool is_complete = summary.broken_clouds == 0 && summary.failed_runs == 0;
-  return is_complete ? apps::kDone : apps::kWorkFailed;
+  return is_complete ? apps::ExitCode::done : apps::ExitCode::work_failed;
 }
 
 } // namespace pcl_ops::evaluation

@@ -4,9 +4,9 @@
 
 #include "data_options.h"
 #include <cli/program.h>
-#include <evaluation/metrics/fraction.h>
 #include <evaluation/metrics/metrics.h>
 #include <evaluation/report/text_table.h>
+#include <numbers/fraction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,13 +60,15 @@ struct GrownQuality {
          exact_planes = 0;
 
   void
-  add (const EvaluationCloud& cloud, const Labels& grown, const TruthParameters& truth)
+  add (const EvaluationCloud& cloud,
+       const PlaneLabels& grown,
+       const TruthParameters& truth)
   {
     const auto zeros =
         static_cast<std::size_t> (std::count (grown.begin(), grown.end(), 0u));
     clouds += 1;
     planes += static_cast<double> (planeIds (grown).size());
-    unlabelled += fraction (zeros, grown.size(), 0.0);
+    unlabelled += apps::fraction (zeros, grown.size(), 0.0);
     if (!cloud.truth)
       return;
     ClassParameters classes;
@@ -134,10 +136,10 @@ truthCommand (int argc, const char* const* argv)
 {
   TruthOptions options;
   if (!readOptions (argc, argv, options))
-    return apps::kDone;
+    return apps::ExitCode::done;
   for (const DataSet& data_set : dataSetsOf (options.data))
     std::cout << qualityOf (data_set, options);
-  return apps::kDone;
+  return apps::ExitCode::done;
 }
 
 } // namespace pcl_ops::evaluation

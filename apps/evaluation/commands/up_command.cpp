@@ -72,7 +72,7 @@ upCommand (int argc, const char* const* argv)
 {
   UpOptions options;
   if (!readOptions (argc, argv, options))
-    return apps::kDone;
+    return apps::ExitCode::done;
   std::vector<DataSet> data_sets;
   for (const std::string& text : options.data_sets)
     data_sets.push_back (dataSetOf (text, options.up.cast<double>().normalized()));
@@ -80,7 +80,7 @@ upCommand (int argc, const char* const* argv)
   for (const DataSet& data_set : data_sets)
     all.push_back (guessesOn (data_set, options));
   std::cout << errorTable (all, options.least_confidence) << reliabilityTable (all);
-  return apps::kDone;
+  return apps::ExitCode::done;
 }
 
 } // namespace pcl_ops::evaluation

@@ -14,9 +14,9 @@ namespace pcl_ops::evaluation {
 
 /** \brief A cloud to evaluate detectors on. */
 struct EvaluationCloud {
-  Cloud::Ptr cloud;
+  XyzCloud::Ptr cloud;
   /** \brief Exact truth where there is one; otherwise it is made by region growing. */
-  std::optional<Labels> truth;
+  std::optional<PlaneLabels> truth;
   /** \brief Unit vector against gravity in the cloud's frame. */
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
 };

@@ -40,7 +40,7 @@ EvaluationCloud
 withExactTruth (const simulation::SimulatedCloud& simulated)
 {
   EvaluationCloud result;
-  result.cloud.reset (new Cloud);
+  result.cloud.reset (new XyzCloud);
   result.cloud->reserve (simulated.cloud.size());
   result.cloud->sensor_origin_ = simulated.cloud.sensor_origin_;
   result.cloud->sensor_orientation_ = simulated.cloud.sensor_orientation_;
@@ -126,7 +126,7 @@ readCloud (const std::string& file, const Eigen::Vector3d& up)
   const LabelledCloud all = loadLabelledCloud (file, LabelField::Optional);
   EvaluationCloud finite;
   finite.up = up;
-  finite.cloud.reset (new Cloud);
+  finite.cloud.reset (new XyzCloud);
   finite.cloud->sensor_origin_ = all.cloud->sensor_origin_;
   finite.cloud->sensor_orientation_ = all.cloud->sensor_orientation_;
   if (!all.labels.empty())

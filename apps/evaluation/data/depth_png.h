@@ -16,8 +16,8 @@ struct DepthImage {
 };
 
 /** \brief Reads a 16-bit greyscale PNG file (ISO/IEC 15948), the format of depth
- * images. Own code because VTK's reader, the one PCL brings, crashes on a truncated
- * file.
+ * images. By libpng itself because VTK's reader, the one PCL brings, crashes on a
+ * truncated file.
  * \throw apps::WorkError that names the file if it cannot be read, is truncated
  * or damaged or has another pixel format */
 DepthImage

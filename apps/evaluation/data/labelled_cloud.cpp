@@ -21,13 +21,13 @@ namespace {
 constexpr double largest_rounding = 1e-3;
 
 template <typename Integer>
-Labels
+PlaneLabels
 integersOf (const pcl::PCLPointCloud2& cloud,
             pcl::uindex_t offset,
             const std::string& file)
 {
   const std::size_t size = static_cast<std::size_t> (cloud.width) * cloud.height;
-  Labels labels;
+  PlaneLabels labels;
   labels.reserve (size);
   for (std::size_t i = 0; i < size; ++i) {
     Integer label; // PCL 1.12 has no cloud.at
@@ -41,7 +41,7 @@ integersOf (const pcl::PCLPointCloud2& cloud,
   return labels;
 }
 
-Labels
+PlaneLabels
 labelsOf (const pcl::PCLPointCloud2& cloud, const std::string& file)
 {
   const int index = pcl::getFieldIndex (cloud, "label");
@@ -68,7 +68,7 @@ labelsOf (const pcl::PCLPointCloud2& cloud, const std::string& file)
 }
 
 double
-diagonalOf (const Cloud& cloud)
+diagonalOf (const XyzCloud& cloud)
 {
   pcl::PointXYZ lowest, highest;
   pcl::getMinMax3D (cloud, lowest, highest);
@@ -80,13 +80,13 @@ diagonalOf (const Cloud& cloud)
 LabelledCloud
 loadLabelledCloud (const std::string& file, LabelField field)
 {
-  const apps::Cloud cloud = apps::loadCloud (file);
+  const apps::FileCloud cloud = apps::loadCloud (file);
   LabelledCloud labelled;
   if (field == LabelField::Required || apps::hasField (cloud, "label"))
     labelled.labels = labelsOf (cloud.points, file);
-  const apps::Positions positions = apps::positionsOf (cloud);
-  labelled.cloud = positions.cloud;
-  labelled.shift = positions.shift;
+  const apps::ShiftedCloud shifted = apps::shiftedCloudOf (cloud);
+  labelled.cloud = shifted.cloud;
+  labelled.shift = shifted.shift;
   return labelled;
 }
 

@@ -12,9 +12,9 @@ namespace pcl_ops::evaluation {
 struct LabelledCloud {
   /** \brief Every point in the file's order; zero of the file's frame is at -\ref
    * shift. */
-  Cloud::Ptr cloud;
+  XyzCloud::Ptr cloud;
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-  Labels labels;
+  PlaneLabels labels;
 };
 
 enum class LabelField { Required, Optional };

@@ -120,7 +120,7 @@ collectFrames (const fs::path& folder, std::vector<fs::path>& frames)
 
 } // namespace
 
-Cloud::Ptr
+XyzCloud::Ptr
 sunRgbdCloud (const DepthImage& image,
               const Eigen::Matrix3d& intrinsics,
               const Eigen::Matrix3d& extrinsics)
@@ -131,7 +131,7 @@ sunRgbdCloud (const DepthImage& image,
   const double focal_x = intrinsics (0, 0), focal_y = intrinsics (1, 1);
   const double center_x = intrinsics (0, 2), center_y = intrinsics (1, 2);
 
-  Cloud::Ptr cloud (new Cloud);
+  XyzCloud::Ptr cloud (new XyzCloud);
   cloud->sensor_orientation_ = Eigen::Quaterniond (rotation).cast<float>();
   for (std::size_t row = 0; row < image.height; ++row)
     for (std::size_t column = 0; column < image.width; ++column) {

@@ -27,7 +27,7 @@ enum class SunRgbdDepth {
  * \param[in] extrinsics
  * takes the camera's axes (x right, y down, z forward) to the same axes with y along
  * gravity */
-Cloud::Ptr
+XyzCloud::Ptr
 sunRgbdCloud (const DepthImage& image,
               const Eigen::Matrix3d& intrinsics,
               const Eigen::Matrix3d& extrinsics);

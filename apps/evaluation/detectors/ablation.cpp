@@ -21,11 +21,7 @@ constexpr double no_limit = 1e6;
 const Ingredient ingredients[] = {
     {"resolutions", [] (Parameters& p) { p.surfels.resolutions = 1; }},
     {"least-cells", [] (Parameters& p) { p.surfels.least_average_voxels = 0.0; }},
-    {"normal-test",
-     [] (Parameters& p) {
-       constexpr double right_angle = 1.5707963267948966;
-       p.surfels.angle_threshold = right_angle;
-     }},
+    {"normal-test", [] (Parameters& p) { p.surfels.angle_threshold = M_PI_2; }},
     {"noise-bands", [] (Parameters& p) { p.surfels.noise_factor = no_limit; }},
     {"curvature-test",
      [] (Parameters& p) { p.surfels.largest_normal_spread = no_limit; }},

@@ -4,13 +4,13 @@
 
 #include <pcl/common/angles.h>
 
+#include "timed.h"
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
 #include <CGAL/Shape_detection/Region_growing/Region_growing.h>
 #include <CGAL/Shape_detection/Region_growing/Region_growing_on_point_set.h>
 #include <CGAL/Simple_cartesian.h>
-#include <evaluation/detectors/timed.h>
 
 #include <cmath>
 #include <tuple>
@@ -40,7 +40,7 @@ constexpr float miss_probability = 0.05f;
 constexpr double smallest_share = 0.002;
 
 OrientedPoints
-orientedPointsOf (const Cloud& cloud)
+orientedPointsOf (const XyzCloud& cloud)
 {
   OrientedPoints points;
   points.reserve (cloud.size());
@@ -129,7 +129,7 @@ planesByRegionGrowing (const OrientedPoints& points)
 /** Both detectors as PCL would be given them: cloud to normals to labels. */
 template <typename Detect>
 DetectorRun
-runCgal (const Cloud& cloud, Detect detect)
+runCgal (const XyzCloud& cloud, Detect detect)
 {
   DetectorRun run;
   timed (run.durations.detection, [&] {
@@ -147,18 +147,19 @@ runCgal (const Cloud& cloud, Detect detect)
 void
 addCgalPeers (std::vector<Configuration>& configurations)
 {
-  configurations.push_back (
-      {"cgal-ransac",
-       {"peers"},
-       [] (const Cloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t seed) {
-         return runCgal (*cloud, [seed] (OrientedPoints& points) {
-           return planesByEfficientRansac (points, seed);
-         });
-       }});
+  configurations.push_back ({"cgal-ransac",
+                             {"peers"},
+                             [] (const XyzCloud::ConstPtr& cloud,
+                                 const Eigen::Vector3d&,
+                                 std::uint32_t seed) {
+                               return runCgal (*cloud, [seed] (OrientedPoints& points) {
+                                 return planesByEfficientRansac (points, seed);
+                               });
+                             }});
   configurations.push_back (
       {"cgal-region-growing",
        {"peers"},
-       [] (const Cloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t) {
+       [] (const XyzCloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t) {
          return runCgal (*cloud, planesByRegionGrowing);
        }});
 }

@@ -3,7 +3,11 @@
 #pragma once
 
 #include "detectors.h"
+<<<<<<< HEAD
 #include <evaluation/detectors/timed.h>
+=======
+#include "timed.h"
+>>>>>>> apps
 
 namespace pcl_ops::evaluation {
 
@@ -13,7 +17,7 @@ namespace pcl_ops::evaluation {
 template <typename Detector>
 DetectorRun
 runDetector (const typename Detector::Parameters& parameters,
-             const Cloud::ConstPtr& cloud)
+             const XyzCloud::ConstPtr& cloud)
 {
   DetectorRun result;
   double detection = 0.0;
@@ -38,7 +42,7 @@ configurationOf (const std::string& name,
                  const std::vector<std::string>& groups,
                  const typename Detector::Parameters& parameters)
 {
-  const auto run = [parameters] (const Cloud::ConstPtr& cloud,
+  const auto run = [parameters] (const XyzCloud::ConstPtr& cloud,
                                  const Eigen::Vector3d& up,
                                  std::uint32_t seed) {
     auto complete = parameters;

@@ -14,7 +14,7 @@ namespace pcl_ops::evaluation {
 /** \brief What a detector made of a cloud. */
 struct DetectorRun {
   /** \brief 0: no plane; 1 .. P: planes, in any order. */
-  Labels labels;
+  PlaneLabels labels;
   std::size_t planes_before_merging = 0;
   /** \brief Times [ms]; of the foreign detectors only normals and detection are known.
    * Detection is everything from the loaded cloud to labels. */
@@ -31,7 +31,7 @@ struct Configuration {
    * \param up unit vector against gravity
    * \param seed of every random choice the detector lets be seeded */
   std::function<DetectorRun (
-      const Cloud::ConstPtr& cloud, const Eigen::Vector3d& up, std::uint32_t seed)>
+      const XyzCloud::ConstPtr& cloud, const Eigen::Vector3d& up, std::uint32_t seed)>
       run;
 };
 

@@ -8,7 +8,11 @@
 #include <pcl/segmentation/region_growing.h>
 #include <pcl/segmentation/sac_segmentation.h>
 
+<<<<<<< HEAD
 #include <evaluation/detectors/timed.h>
+=======
+#include "timed.h"
+>>>>>>> apps
 
 #include <algorithm>
 #include <iterator>
@@ -26,13 +30,12 @@ constexpr double share_left = 0.02;
 constexpr int most_iterations = 1000;
 
 constexpr int neighbors = 30;
-constexpr float smoothness_degrees = 7.0f;
 /** As in PCL's tutorial: the normals alone decide. */
 constexpr float curvature_threshold = 1.0f;
 constexpr int fewest_points_of_region = 50;
 
 std::vector<pcl::PointIndices>
-planesByRansac (const Cloud::ConstPtr& cloud)
+planesByRansac (const XyzCloud::ConstPtr& cloud)
 {
   pcl::SACSegmentation<pcl::PointXYZ> segmentation;
   segmentation.setOptimizeCoefficients (true);
@@ -66,7 +69,7 @@ planesByRansac (const Cloud::ConstPtr& cloud)
 }
 
 DetectorRun
-runSacLoop (const Cloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t)
+runSacLoop (const XyzCloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t)
 {
   DetectorRun run;
   timed (run.durations.detection, [&] {
@@ -78,7 +81,7 @@ runSacLoop (const Cloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t)
 }
 
 pcl::PointCloud<pcl::Normal>::Ptr
-normalsOf (const Cloud::ConstPtr& cloud,
+normalsOf (const XyzCloud::ConstPtr& cloud,
            const pcl::search::KdTree<pcl::PointXYZ>::Ptr& tree)
 {
   pcl::PointCloud<pcl::Normal>::Ptr normals (new pcl::PointCloud<pcl::Normal>);
@@ -91,7 +94,7 @@ normalsOf (const Cloud::ConstPtr& cloud,
 }
 
 std::vector<pcl::PointIndices>
-regionsOf (const Cloud::ConstPtr& cloud, double& normals_duration)
+regionsOf (const XyzCloud::ConstPtr& cloud, double& normals_duration)
 {
   pcl::search::KdTree<pcl::PointXYZ>::Ptr tree (new pcl::search::KdTree<pcl::PointXYZ>);
   const auto normals =
@@ -101,7 +104,7 @@ regionsOf (const Cloud::ConstPtr& cloud, double& normals_duration)
   growing.setInputNormals (normals);
   growing.setSearchMethod (tree);
   growing.setNumberOfNeighbours (neighbors);
-  growing.setSmoothnessThreshold (pcl::deg2rad (smoothness_degrees));
+  growing.setSmoothnessThreshold (static_cast<float> (paper_angle));
   growing.setCurvatureThreshold (curvature_threshold);
   growing.setMinClusterSize (fewest_points_of_region);
   std::vector<pcl::PointIndices> regions;
@@ -110,7 +113,9 @@ regionsOf (const Cloud::ConstPtr& cloud, double& normals_duration)
 }
 
 DetectorRun
-runRegionGrowing (const Cloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t)
+runRegionGrowing (const XyzCloud::ConstPtr& cloud,
+                  const Eigen::Vector3d&,
+                  std::uint32_t)
 {
   DetectorRun run;
   timed (run.durations.detection, [&] {

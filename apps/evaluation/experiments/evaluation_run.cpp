@@ -60,7 +60,7 @@ private:
       return;
     }
     EvaluationCloud cloud;
-    Labels truth;
+    PlaneLabels truth;
     try {
       cloud = task.source->load();
       truth = truthOf (cloud, plan_.truth);
@@ -100,7 +100,7 @@ private:
   evaluateConfiguration (const CloudTask& task,
                          const Configuration& configuration,
                          const EvaluationCloud& cloud,
-                         const Labels& truth)
+                         const PlaneLabels& truth)
   {
     ResultRow row = emptyRow (task, truthName (cloud, plan_.truth));
     row.configuration = configuration.name;

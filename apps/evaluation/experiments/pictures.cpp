@@ -24,7 +24,7 @@ fileNameOf (std::string name)
 }
 
 void
-drawLabels (const EvaluationCloud& cloud, Labels labels, const std::string& file)
+drawLabels (const EvaluationCloud& cloud, PlaneLabels labels, const std::string& file)
 {
   sortBySize (labels); // so that a label is the position of its plane, plus 1
   ClassParameters classes;
@@ -41,14 +41,14 @@ drawLabels (const EvaluationCloud& cloud, Labels labels, const std::string& file
 TextTable
 writePictures (const EvaluationCloud& cloud,
                const std::string& name,
-               const Labels& truth,
+               const PlaneLabels& truth,
                const std::vector<Configuration>& configurations,
                std::uint32_t seed,
                const std::string& folder)
 {
   TextTable table{
       name, {"method", "class. %", "segm. %", "planes (left), classes (right)"}, {}};
-  const auto add = [&] (const std::string& method, const Labels& labels) {
+  const auto add = [&] (const std::string& method, const PlaneLabels& labels) {
     const std::string file = fileNameOf (name) + "-" + method + ".png";
     drawLabels (cloud, labels, (std::filesystem::path (folder) / file).string());
     ClassParameters classes;

@@ -22,7 +22,7 @@ namespace pcl_ops::evaluation {
 TextTable
 writePictures (const EvaluationCloud& cloud,
                const std::string& name,
-               const Labels& truth,
+               const PlaneLabels& truth,
                const std::vector<Configuration>& configurations,
                std::uint32_t seed,
                const std::string& folder);

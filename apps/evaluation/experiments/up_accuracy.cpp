@@ -5,7 +5,8 @@
 #include <pcl/common/angles.h>
 #include <pcl/common/transforms.h>
 
-#include <evaluation/metrics/fraction.h>
+#include <numbers/fraction.h>
+#include <numbers/quantile.h>
 #include <pcl_ops/oriented_point_sampling.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ constexpr double largest_right_error = 10.0; // [degree]
 Eigen::Quaterniond
 drawRotation (internal::RandomGenerator& generator)
 {
-  constexpr double two_pi = 6.283185307179586;
+  constexpr double two_pi = 2.0 * M_PI;
   const double share = internal::drawUnit (generator);
   const double first = two_pi * internal::drawUnit (generator);
   const double second = two_pi * internal::drawUnit (generator);
@@ -33,11 +34,11 @@ drawRotation (internal::RandomGenerator& generator)
           b * std::sin (second)};
 }
 
-Cloud::Ptr
-turned (const Cloud& cloud, const Eigen::Quaterniond& rotation)
+XyzCloud::Ptr
+turned (const XyzCloud& cloud, const Eigen::Quaterniond& rotation)
 {
   const Eigen::Affine3f turn (rotation.cast<float>());
-  Cloud::Ptr result (new Cloud);
+  XyzCloud::Ptr result (new XyzCloud);
   pcl::transformPointCloud (cloud, *result, turn);
   const Eigen::Vector3f origin = cloud.sensor_origin_.head<3>();
   result->sensor_origin_.head<3>() = turn * origin;
@@ -50,27 +51,13 @@ isRight (const UpGuess& guess)
   return guess.error <= largest_right_error;
 }
 
-/** The value that a share of all values does not exceed; NaN for none. */
-double
-quantile (std::vector<double> values, double share)
-{
-  if (values.empty())
-    return NAN;
-  const auto rank = static_cast<std::size_t> (
-      std::ceil (share * static_cast<double> (values.size())));
-  const auto place = values.begin() +
-                     static_cast<std::ptrdiff_t> (std::max<std::size_t> (rank, 1) - 1);
-  std::nth_element (values.begin(), place, values.end());
-  return *place;
-}
-
 } // namespace
 
 std::optional<UpGuess>
 guessUp (const EvaluationCloud& cloud, internal::RandomGenerator& generator)
 {
   const Eigen::Quaterniond rotation = drawRotation (generator);
-  const Cloud::Ptr turned_cloud = turned (*cloud.cloud, rotation);
+  const XyzCloud::Ptr turned_cloud = turned (*cloud.cloud, rotation);
   OrientedPointSampling<pcl::PointXYZ> ops;
   ops.setInputCloud (turned_cloud);
   std::vector<PlaneSegment> planes;
@@ -105,10 +92,10 @@ errorTable (const std::vector<UpGuesses>& data_sets, double least_confidence)
       }
     table.rows.push_back ({set.data_set,
                            std::to_string (set.tries),
-                           percent (fraction (errors.size(), set.tries, NAN)),
-                           percent (fraction (wrong, set.tries, NAN)),
-                           decimal (quantile (errors, 0.5), 2),
-                           decimal (quantile (errors, 0.95), 2)});
+                           percent (apps::fraction (errors.size(), set.tries, NAN)),
+                           percent (apps::fraction (wrong, set.tries, NAN)),
+                           decimal (apps::quantile (errors, 0.5), 2),
+                           decimal (apps::quantile (errors, 0.95), 2)});
   }
   return table;
 }
@@ -137,7 +124,7 @@ reliabilityTable (const std::vector<UpGuesses>& data_sets)
         {decimal (bounds[i], 1) + " to " + decimal (bounds[i + 1], 1),
          std::to_string (guesses),
          percent (guesses == 0 ? NAN : confidence / static_cast<double> (guesses)),
-         percent (fraction (right, guesses, NAN))});
+         percent (apps::fraction (right, guesses, NAN))});
   }
   return table;
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <base/random.h>
 #include <evaluation/data/cloud_source.h>
 #include <evaluation/report/text_table.h>
-#include "base/random.h"
 #include <pcl_ops/up_axis.h>
 
 #include <string>

@@ -7,10 +7,10 @@
 
 namespace pcl_ops::evaluation {
 
-Labels
+PlaneLabels
 labelsOf (const std::vector<pcl::PointIndices>& planes, std::size_t points)
 {
-  Labels labels (points, 0);
+  PlaneLabels labels (points, 0);
   for (std::size_t plane = 0; plane < planes.size(); ++plane)
     for (const pcl::index_t i : planes[plane].indices)
       labels[static_cast<std::size_t> (i)] = static_cast<std::uint32_t> (plane + 1);
@@ -18,7 +18,7 @@ labelsOf (const std::vector<pcl::PointIndices>& planes, std::size_t points)
 }
 
 PlaneIds
-planeIds (const Labels& labels)
+planeIds (const PlaneLabels& labels)
 {
   PlaneIds ids;
   ids.label = labels;
@@ -42,7 +42,7 @@ planeIds (const Labels& labels)
 }
 
 void
-dropSmallPlanes (Labels& labels, std::size_t min_points)
+dropSmallPlanes (PlaneLabels& labels, std::size_t min_points)
 {
   const PlaneIds ids = planeIds (labels);
   for (std::size_t i = 0; i < labels.size(); ++i)
@@ -51,7 +51,7 @@ dropSmallPlanes (Labels& labels, std::size_t min_points)
 }
 
 void
-sortBySize (Labels& labels)
+sortBySize (PlaneLabels& labels)
 {
   const PlaneIds planes = planeIds (labels);
   std::vector<std::uint32_t> largest_first (planes.size());

@@ -11,10 +11,10 @@
 namespace pcl_ops::evaluation {
 
 /** \brief The plane of each point of a cloud; 0: on no plane. */
-using Labels = std::vector<std::uint32_t>;
+using PlaneLabels = std::vector<std::uint32_t>;
 
 /** \brief Labels 1 .. P of the points of disjoint planes. */
-Labels
+PlaneLabels
 labelsOf (const std::vector<pcl::PointIndices>& planes, std::size_t points);
 
 /** \brief Labels renumbered without gaps, so that a plane is an index into a vector. */
@@ -36,15 +36,15 @@ struct PlaneIds {
 };
 
 PlaneIds
-planeIds (const Labels& labels);
+planeIds (const PlaneLabels& labels);
 
 /** \brief Sets the labels of planes with fewer than \p min_points points to 0: the
  * paper's "small planes, with under 50 points, are labeled as other" (section IV-A). */
 void
-dropSmallPlanes (Labels& labels, std::size_t min_points);
+dropSmallPlanes (PlaneLabels& labels, std::size_t min_points);
 
 /** \brief Renumbers labels 1 .. P by falling number of points, ties by label. */
 void
-sortBySize (Labels& labels);
+sortBySize (PlaneLabels& labels);
 
 } // namespace pcl_ops::evaluation

@@ -7,7 +7,7 @@ namespace pcl_ops::evaluation {
 namespace {
 
 std::vector<Moments>
-momentsOfPlanes (const Cloud& cloud, const PlaneIds& planes)
+momentsOfPlanes (const XyzCloud& cloud, const PlaneIds& planes)
 {
   std::vector<Moments> moments (planes.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -26,7 +26,9 @@ momentsOfPlanes (const Cloud& cloud, const PlaneIds& planes)
 } // namespace
 
 std::vector<PlaneSegment>
-planesOf (const Cloud& cloud, const PlaneIds& planes, const ClassParameters& parameters)
+planesOf (const XyzCloud& cloud,
+          const PlaneIds& planes,
+          const ClassParameters& parameters)
 {
   const Eigen::Vector3d sensor = cloud.sensor_origin_.head<3>().cast<double>();
   std::vector<PlaneSegment> segments;
@@ -45,8 +47,8 @@ planesOf (const Cloud& cloud, const PlaneIds& planes, const ClassParameters& par
 }
 
 std::vector<Orientation>
-pointClasses (const Cloud& cloud,
-              const Labels& labels,
+pointClasses (const XyzCloud& cloud,
+              const PlaneLabels& labels,
               const ClassParameters& parameters)
 {
   const PlaneIds planes = planeIds (labels);

@@ -3,23 +3,25 @@
 #pragma once
 
 #include <pcl/common/angles.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
 
 #include "labels.h"
+#include <io/xyz_cloud.h>
 #include <pcl_ops/plane.h>
 
 namespace pcl_ops::evaluation {
 
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using apps::XyzCloud;
+
+/** \brief Below which the paper takes directions for the same: 7 degrees [rad].
+ */
+const double paper_angle = pcl::deg2rad (7.0);
 
 /** \brief How planes are divided into the paper's three classes. */
 struct ClassParameters {
   /** \brief Unit vector against gravity in the cloud's frame. */
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  /** \brief Largest deviation from horizontal or vertical [rad]; the paper's 7 degrees.
-   */
-  double tolerance = pcl::deg2rad (7.0);
+  /** \brief Largest deviation from horizontal or vertical [rad]. */
+  double tolerance = paper_angle;
 };
 
 /** \brief The planes of labelled points: least squares through all points of a label,
@@ -28,15 +30,15 @@ struct ClassParameters {
  * \param[in] planes ids of their labels
  * \return a plane per id; class Other where the points of a label span none */
 std::vector<PlaneSegment>
-planesOf (const Cloud& cloud,
+planesOf (const XyzCloud& cloud,
           const PlaneIds& planes,
           const ClassParameters& parameters);
 
 /** \brief The class of each point: that of its label's plane.
  * \return Other for label 0 and where the points of a label span no plane */
 std::vector<Orientation>
-pointClasses (const Cloud& cloud,
-              const Labels& labels,
+pointClasses (const XyzCloud& cloud,
+              const PlaneLabels& labels,
               const ClassParameters& parameters);
 
 } // namespace pcl_ops::evaluation

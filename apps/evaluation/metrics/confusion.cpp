@@ -18,7 +18,7 @@ constexpr std::size_t max_plane_pairs = 100'000'000;
 } // namespace
 
 Confusion
-confusionOf (const Labels& truth, const Labels& result)
+confusionOf (const PlaneLabels& truth, const PlaneLabels& result)
 {
   Confusion confusion{planeIds (truth), planeIds (result), {}, truth.size(), 0};
   const std::uint64_t columns = confusion.result.size();

@@ -49,7 +49,7 @@ struct Confusion {
 /** \brief Counts the points of each pair of planes in one pass.
  * \param[in] truth, result labels of the same points: of equal size */
 Confusion
-confusionOf (const Labels& truth, const Labels& result);
+confusionOf (const PlaneLabels& truth, const PlaneLabels& result);
 
 /** \brief The pairs of the one-to-one assignment of planes with the largest number of
  * common points (the paper's Hungarian assignment, section IV).

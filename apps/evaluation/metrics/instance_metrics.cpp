@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "instance_metrics.h"
 
-#include "fraction.h"
+#include <numbers/fraction.h>
 
 #include <algorithm>
 
@@ -114,16 +114,19 @@ instanceMetrics (const Confusion& confusion, double threshold)
   const std::size_t matches = countTrue (truth.matched);
   const double both_empty = truth_planes + result_planes == 0 ? 1.0 : 0.0;
   InstanceMetrics metrics;
-  metrics.precision = fraction (matches, result_planes, both_empty);
-  metrics.recall = fraction (matches, truth_planes, both_empty);
-  metrics.f_score = fraction (2 * matches, truth_planes + result_planes, both_empty);
+  metrics.precision = apps::fraction (matches, result_planes, both_empty);
+  metrics.recall = apps::fraction (matches, truth_planes, both_empty);
+  metrics.f_score =
+      apps::fraction (2 * matches, truth_planes + result_planes, both_empty);
   metrics.mean_iou =
       matches == 0 ? both_empty : iou_sum / static_cast<double> (matches);
   metrics.panoptic_quality = metrics.mean_iou * metrics.f_score;
-  metrics.over_segmentation = fraction (countTrue (truth.split), truth_planes, 0.0);
-  metrics.under_segmentation = fraction (countTrue (result.split), result_planes, 0.0);
-  metrics.noise = fraction (result.unexplained(), result_planes, 0.0);
-  metrics.missed = fraction (truth.unexplained(), truth_planes, 0.0);
+  metrics.over_segmentation =
+      apps::fraction (countTrue (truth.split), truth_planes, 0.0);
+  metrics.under_segmentation =
+      apps::fraction (countTrue (result.split), result_planes, 0.0);
+  metrics.noise = apps::fraction (result.unexplained(), result_planes, 0.0);
+  metrics.missed = apps::fraction (truth.unexplained(), truth_planes, 0.0);
   return metrics;
 }
 

@@ -4,7 +4,7 @@
 
 #include <pcl/common/point_tests.h>
 
-#include "fraction.h"
+#include <numbers/fraction.h>
 
 #include <numeric>
 #include <stdexcept>
@@ -14,13 +14,13 @@ namespace pcl_ops::evaluation {
 namespace {
 
 struct FinitePoints {
-  Cloud cloud;
-  Labels truth;
-  Labels result;
+  XyzCloud cloud;
+  PlaneLabels truth;
+  PlaneLabels result;
 };
 
 FinitePoints
-finiteOf (const Cloud& cloud, const Labels& truth, const Labels& result)
+finiteOf (const XyzCloud& cloud, const PlaneLabels& truth, const PlaneLabels& result)
 {
   FinitePoints finite;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -41,7 +41,7 @@ classificationAccuracy (const FinitePoints& points, const ClassParameters& param
   std::size_t right = 0;
   for (std::size_t i = 0; i < truth.size(); ++i)
     right += truth[i] == result[i];
-  return fraction (right, truth.size(), 1.0);
+  return apps::fraction (right, truth.size(), 1.0);
 }
 
 void
@@ -53,9 +53,9 @@ setSegmentationAccuracies (const Confusion& confusion, Metrics& metrics)
   const std::size_t on_true_planes = std::accumulate (
       confusion.truth.points.begin(), confusion.truth.points.end(), std::size_t (0));
   const double none_to_find = confusion.result.size() == 0 ? 1.0 : 0.0;
-  metrics.segmentation_accuracy = fraction (right, on_true_planes, none_to_find);
-  metrics.segmentation_accuracy_all =
-      fraction (right + confusion.points_on_no_plane_in_both, confusion.points, 1.0);
+  metrics.segmentation_accuracy = apps::fraction (right, on_true_planes, none_to_find);
+  metrics.segmentation_accuracy_all = apps::fraction (
+      right + confusion.points_on_no_plane_in_both, confusion.points, 1.0);
 }
 
 void
@@ -77,9 +77,9 @@ appendNamed (const InstanceMetrics& metrics,
 } // namespace
 
 Metrics
-compareLabels (const Cloud& cloud,
-               const Labels& truth,
-               const Labels& result,
+compareLabels (const XyzCloud& cloud,
+               const PlaneLabels& truth,
+               const PlaneLabels& result,
                const ClassParameters& parameters)
 {
   if (truth.size() != cloud.size() || result.size() != cloud.size())

@@ -32,9 +32,9 @@ struct Metrics {
  * \throw std::invalid_argument if the sizes differ
  * \throw std::length_error as \ref assignPlanes */
 Metrics
-compareLabels (const Cloud& cloud,
-               const Labels& truth,
-               const Labels& result,
+compareLabels (const XyzCloud& cloud,
+               const PlaneLabels& truth,
+               const PlaneLabels& result,
                const ClassParameters& parameters = {});
 
 /** \brief The fractions of a comparison under their published names, in order: the

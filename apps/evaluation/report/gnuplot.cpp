@@ -43,9 +43,10 @@ writePlot (const Plot& plot, const std::string& folder)
 {
   const fs::path script = fs::path (folder) / (plot.name + ".gp");
   apps::writeTextFile ((fs::path (folder) / (plot.name + ".dat")).string(), plot.data);
-  apps::writeTextFile (script.string(),
-                       "set terminal pngcairo size 1200,1000\nset output '" +
-                           plot.name + ".png'\n" + plot.commands);
+  apps::writeTextFile (
+      script.string(),
+      "set terminal pngcairo size 1200,1000\nset output '" + plot.name +
+          ".png'\nset grid\nset key outside right noenhanced\n" + plot.commands);
   return runGnuplot (script);
 }
 

@@ -12,7 +12,7 @@ struct Plot {
   std::string name;
   /** \brief The columns, as NAME.dat has them. */
   std::string data;
-  /** \brief Everything behind the choice of the output file. */
+  /** \brief What this picture alone has: axes, titles and what is plotted. */
   std::string commands;
 };
 

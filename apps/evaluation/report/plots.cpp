@@ -26,7 +26,7 @@ std::string
 headOf (const DataSetSummary& summary)
 {
   return "set title '" + summary.data_set + ", truth " + summary.truth +
-         "' noenhanced\nset grid\nset key outside right noenhanced\n"
+         "' noenhanced\n"
          "set logscale x\nset ylabel 'accuracy [%]'\nset yrange [0:100]\n";
 }
 

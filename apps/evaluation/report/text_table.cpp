@@ -5,44 +5,64 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <ostream>
 #include <sstream>
+#include <utility>
 
 namespace pcl_ops::evaluation {
-
-namespace {
-
-void
-printRow (std::ostream& stream,
-          const std::vector<std::string>& cells,
-          const std::vector<std::size_t>& widths)
-{
-  for (std::size_t column = 0; column < cells.size(); ++column)
-    stream << "| " << (column == 0 ? std::left : std::right)
-           << std::setw (static_cast<int> (widths[column])) << cells[column] << ' ';
-  stream << "|\n";
-}
-
-} // namespace
 
 std::ostream&
 operator<< (std::ostream& stream, const TextTable& table)
 {
-  std::vector<std::size_t> widths;
-  for (const std::string& cell : table.header)
-    widths.push_back (std::max<std::size_t> (3, cell.size()));
+  std::vector<std::size_t> widths (table.header.size(), 0);
   for (const std::vector<std::string>& row : table.rows)
     for (std::size_t column = 0; column < row.size(); ++column)
       widths[column] = std::max (widths[column], row[column].size());
-
-  stream << "**" << table.title << "**\n\n";
-  printRow (stream, table.header, widths);
-  for (std::size_t column = 0; column < widths.size(); ++column)
-    stream << '|' << (column == 0 ? ":" : "-") << std::string (widths[column], '-')
-           << (column == 0 ? "-" : ":");
-  stream << "|\n";
+  GrowingTable lines (stream, table.title, table.header, widths);
   for (const std::vector<std::string>& row : table.rows)
-    printRow (stream, row, widths);
-  return stream << '\n';
+    lines.add (row);
+  lines.end();
+  return stream;
+}
+
+GrowingTable::GrowingTable (std::ostream& stream,
+                            const std::string& title,
+                            const std::vector<std::string>& header,
+                            std::vector<std::size_t> widths)
+: stream_ (stream), widths_ (std::move (widths))
+{
+  constexpr std::size_t narrowest = 3; // in Markdown
+  widths_.resize (header.size(), 0);
+  for (std::size_t column = 0; column < header.size(); ++column)
+    widths_[column] = std::max ({widths_[column], header[column].size(), narrowest});
+  stream_ << "**" << title << "**\n\n";
+  print (header);
+  for (std::size_t column = 0; column < widths_.size(); ++column)
+    stream_ << '|' << (column == 0 ? ":" : "-") << std::string (widths_[column], '-')
+            << (column == 0 ? "-" : ":");
+  stream_ << '|' << std::endl;
+}
+
+void
+GrowingTable::add (const std::vector<std::string>& row)
+{
+  print (row);
+  stream_ << std::flush;
+}
+
+void
+GrowingTable::end()
+{
+  stream_ << std::endl;
+}
+
+void
+GrowingTable::print (const std::vector<std::string>& cells)
+{
+  for (std::size_t column = 0; column < cells.size(); ++column)
+    stream_ << "| " << (column == 0 ? std::left : std::right)
+            << std::setw (static_cast<int> (widths_[column])) << cells[column] << ' ';
+  stream_ << "|\n";
 }
 
 std::string

@@ -4,9 +4,9 @@
 
 #include <pcl/search/kdtree.h>
 
-#include "base/parallel.h"
+#include <base/parallel.h>
+#include <geometry/points.h>
 #include <pcl_ops/plane.h>
-#include "geometry/points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr double points_of_first_fit = 10.0;
 
 /** The finite points of a cloud with what their neighbourhoods tell. */
 struct Surfels {
-  Cloud::Ptr cloud;
+  XyzCloud::Ptr cloud;
   pcl::Indices index;
   std::size_t neighbors_per_point = 0;
   /** \ref neighbors_per_point of each point in turn. */
@@ -64,7 +64,7 @@ orient (Surfels& surfels, std::size_t i)
 }
 
 Surfels
-surfelsOf (const Cloud& cloud, int neighbors, unsigned threads)
+surfelsOf (const XyzCloud& cloud, int neighbors, unsigned threads)
 {
   pcl::Indices all (cloud.size());
   std::iota (all.begin(), all.end(), 0);
@@ -72,7 +72,7 @@ surfelsOf (const Cloud& cloud, int neighbors, unsigned threads)
   const internal::Points points =
       internal::finitePoints (CloudView (cloud), all, threads);
   surfels.index = points.index.empty() ? all : points.index;
-  surfels.cloud.reset (new Cloud (cloud, surfels.index));
+  surfels.cloud.reset (new XyzCloud (cloud, surfels.index));
   surfels.neighbors_per_point =
       std::min (surfels.size(), static_cast<std::size_t> (std::max (1, neighbors)));
   surfels.neighbors.resize (surfels.size() * surfels.neighbors_per_point);
@@ -129,7 +129,7 @@ growFrom (std::size_t seed,
           std::uint32_t label,
           const Surfels& surfels,
           const RegionGrowingParameters& parameters,
-          Labels& labels)
+          PlaneLabels& labels)
 {
   const auto least_cosine = static_cast<float> (std::cos (parameters.angle_threshold));
   Region region ((*surfels.cloud)[seed], surfels.normal[seed]);
@@ -154,8 +154,8 @@ growFrom (std::size_t seed,
 
 } // namespace
 
-Labels
-growRegions (const Cloud& cloud,
+PlaneLabels
+growRegions (const XyzCloud& cloud,
              const RegionGrowingParameters& parameters,
              unsigned threads)
 {
@@ -166,7 +166,7 @@ growRegions (const Cloud& cloud,
       flattest_first.begin(), flattest_first.end(), [&] (std::size_t a, std::size_t b) {
         return surfels.curvature[a] < surfels.curvature[b];
       });
-  Labels labels (surfels.size(), 0);
+  PlaneLabels labels (surfels.size(), 0);
   std::uint32_t regions = 0;
   for (const std::size_t seed : flattest_first)
     if (labels[seed] == 0 && std::isfinite (surfels.curvature[seed]))
@@ -174,7 +174,7 @@ growRegions (const Cloud& cloud,
   dropSmallPlanes (labels, parameters.min_points);
   sortBySize (labels);
 
-  Labels labels_of_cloud (cloud.size(), 0);
+  PlaneLabels labels_of_cloud (cloud.size(), 0);
   for (std::size_t i = 0; i < surfels.size(); ++i)
     labels_of_cloud[static_cast<std::size_t> (surfels.index[i])] = labels[i];
   return labels_of_cloud;

@@ -14,7 +14,7 @@ struct RegionGrowingParameters {
   /** \brief Largest distance of a point to its region's plane [m]. */
   double distance_threshold = 0.05;
   /** \brief Largest angle between the normals of neighbours in a region [rad]. */
-  double angle_threshold = pcl::deg2rad (7.0);
+  double angle_threshold = paper_angle;
   /** \brief Smaller regions are on no plane. */
   std::size_t min_points = 50;
 };
@@ -25,8 +25,8 @@ struct RegionGrowingParameters {
  * \param[in] parameters thresholds and neighbourhood
  * \param[in] threads 0: all; the result does not depend on it
  * \return labels 1 .. P by falling size */
-Labels
-growRegions (const Cloud& cloud,
+PlaneLabels
+growRegions (const XyzCloud& cloud,
              const RegionGrowingParameters& parameters,
              unsigned threads = 1);
 

@@ -48,7 +48,7 @@ private:
 };
 
 /** Nothing if there is no such file or it is damaged. */
-std::optional<Labels>
+std::optional<PlaneLabels>
 readLabels (const std::string& file, std::size_t points)
 {
   std::error_code ignored;
@@ -64,7 +64,7 @@ readLabels (const std::string& file, std::size_t points)
   }
   if (cloud.size() != points)
     return std::nullopt;
-  Labels labels;
+  PlaneLabels labels;
   labels.reserve (points);
   for (const pcl::Label& point : cloud)
     labels.push_back (point.label);
@@ -72,7 +72,7 @@ readLabels (const std::string& file, std::size_t points)
 }
 
 void
-writeLabels (const std::string& file, const Labels& labels)
+writeLabels (const std::string& file, const PlaneLabels& labels)
 {
   pcl::PointCloud<pcl::Label> cloud;
   cloud.reserve (labels.size());
@@ -87,8 +87,8 @@ writeLabels (const std::string& file, const Labels& labels)
   });
 }
 
-Labels
-grownTruth (const Cloud& cloud, const TruthParameters& parameters)
+PlaneLabels
+grownTruth (const XyzCloud& cloud, const TruthParameters& parameters)
 {
   if (parameters.cache_folder.empty())
     return growRegions (cloud, parameters.growing);
@@ -97,9 +97,9 @@ grownTruth (const Cloud& cloud, const TruthParameters& parameters)
   const std::string file = (fs::path (parameters.cache_folder) /
                             (truthKey (cloud, parameters.growing) + ".pcd"))
                                .string();
-  if (const std::optional<Labels> cached = readLabels (file, cloud.size()))
+  if (const std::optional<PlaneLabels> cached = readLabels (file, cloud.size()))
     return *cached;
-  const Labels labels = growRegions (cloud, parameters.growing);
+  const PlaneLabels labels = growRegions (cloud, parameters.growing);
   writeLabels (file, labels);
   return labels;
 }
@@ -107,7 +107,7 @@ grownTruth (const Cloud& cloud, const TruthParameters& parameters)
 } // namespace
 
 std::string
-truthKey (const Cloud& cloud, const RegionGrowingParameters& parameters)
+truthKey (const XyzCloud& cloud, const RegionGrowingParameters& parameters)
 {
   Hash hash;
   hash.add (algorithm_version);
@@ -123,10 +123,11 @@ truthKey (const Cloud& cloud, const RegionGrowingParameters& parameters)
   return hash.hex();
 }
 
-Labels
+PlaneLabels
 truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters)
 {
-  Labels labels = cloud.truth ? *cloud.truth : grownTruth (*cloud.cloud, parameters);
+  PlaneLabels labels =
+      cloud.truth ? *cloud.truth : grownTruth (*cloud.cloud, parameters);
   dropSmallPlanes (labels, parameters.min_points);
   return labels;
 }

@@ -19,13 +19,13 @@ struct TruthParameters {
 
 /** \brief Name of a grown truth in the cache: it tells clouds and parameters apart. */
 std::string
-truthKey (const Cloud& cloud, const RegionGrowingParameters& parameters);
+truthKey (const XyzCloud& cloud, const RegionGrowingParameters& parameters);
 
 /** \brief The exact truth of a cloud, or else the one grown from it: read from the
  * cache, or grown and written there.
  * \throw apps::WorkError if the cache cannot be
  * written */
-Labels
+PlaneLabels
 truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters);
 
 /** \brief Name of a truth that came with the cloud. */

@@ -4,7 +4,7 @@
 
 #include <benchmark/boards.h>
 #include <benchmark/machine.h>
-#include <benchmark/targets.h>
+#include <benchmark/ratios.h>
 #include <simulation/dense_scan.h>
 
 #include <cmath>
@@ -14,12 +14,6 @@ namespace {
 using namespace pcl_ops::benchmark;
 
 constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
-
-TargetRow
-rowOf (double value, bool less_is_better, double target, double hoped_for)
-{
-  return {{"", "", "", less_is_better, target, hoped_for}, value};
-}
 
 /** A measure that takes these times, one after the other [ms]. */
 Measure
@@ -33,33 +27,16 @@ measureTaking (const std::string& name, std::vector<double> times)
           }};
 }
 
-void
-sayNothing (const std::string&)
-{}
+BestTimes
+measureQuietly (const std::vector<Measure>& measures)
+{
+  return measureInTurns (
+      measures, [] (const std::string&, double) {}, [] (const BestTime&) {});
+}
 
 } // namespace
 
-TEST (Targets, ARatioToStayBelow)
-{
-  EXPECT_EQ (reachedBy (rowOf (0.1, true, 0.3, 0.12)), Reached::HopedFor);
-  EXPECT_EQ (reachedBy (rowOf (0.2, true, 0.3, 0.12)), Reached::Target);
-  EXPECT_EQ (reachedBy (rowOf (0.4, true, 0.3, 0.12)), Reached::Neither);
-}
-
-TEST (Targets, ARatioToExceed)
-{
-  EXPECT_EQ (reachedBy (rowOf (300, false, 80, 200)), Reached::HopedFor);
-  EXPECT_EQ (reachedBy (rowOf (100, false, 80, 200)), Reached::Target);
-  EXPECT_EQ (reachedBy (rowOf (9, false, 80, 200)), Reached::Neither);
-}
-
-TEST (Targets, WhatWasNotMeasuredReachesNothing)
-{
-  EXPECT_EQ (reachedBy (rowOf (not_measured, true, 0.3, 0.12)), Reached::Unknown);
-  EXPECT_EQ (reachedBy (rowOf (0.1, true, 0.3, not_measured)), Reached::Target);
-}
-
-TEST (Targets, TwoThreadsCountOnlyWhereThereAreTwoCores)
+TEST (Ratios, TwoThreadsCountOnlyWhereThereAreTwoCores)
 {
   CloudFigures figures;
   figures.times = {{default_preset, {0, 0, 0, 0, 0, 30.0}, 1},
@@ -67,30 +44,29 @@ TEST (Targets, TwoThreadsCountOnlyWhereThereAreTwoCores)
   const auto speedup = [&] (double arithmetic) {
     SharedFigures shared;
     shared.arithmetic_speedup = arithmetic;
-    for (const TargetRow& row : rowsOf (figures, shared))
-      if (row.target.id == "two_threads")
-        return row.value;
+    for (const Ratio& ratio : ratiosOf (figures, shared))
+      if (ratio.id == "two_threads")
+        return ratio.value;
     return -1.0;
   };
   EXPECT_EQ (speedup (1.95), 2.0);
   EXPECT_TRUE (std::isnan (speedup (1.1)));
 }
 
-TEST (Targets, MediansLeaveOutWhatWasNotMeasured)
+TEST (Ratios, MediansLeaveOutWhatWasNotMeasured)
 {
-  std::vector<std::vector<TargetRow>> rows;
+  std::vector<std::vector<Ratio>> ratios;
   for (const double value : {5.0, not_measured, 1.0, 3.0})
-    rows.push_back (
-        {rowOf (value, true, 0.3, 0.12), rowOf (not_measured, true, 0.3, 0.12)});
-  const std::vector<TargetRow> medians = mediansOf (rows);
+    ratios.push_back ({{"", "", "", value}, {"", "", "", not_measured}});
+  const std::vector<Ratio> medians = mediansOf (ratios);
   EXPECT_EQ (medians[0].value, 3.0);
   EXPECT_TRUE (std::isnan (medians[1].value));
 }
 
 TEST (Measures, TheShortestRunCounts)
 {
-  const BestTimes best = measureInTurns (
-      {measureTaking ("a", {5.0, 2.0, 4.0}), measureTaking ("b", {7.0})}, sayNothing);
+  const BestTimes best = measureQuietly (
+      {measureTaking ("a", {5.0, 2.0, 4.0}), measureTaking ("b", {7.0})});
   EXPECT_EQ (bestOf (best, "a"), 2.0);
   EXPECT_EQ (bestOf (best, "b"), 7.0);
   EXPECT_EQ (best[0].runs, 3u);
@@ -100,16 +76,27 @@ TEST (Measures, TheShortestRunCounts)
 TEST (Measures, WhatTakesVeryLongIsNotRepeated)
 {
   const double long_time = 2.0 * patience;
-  const BestTimes best =
-      measureInTurns ({measureTaking ("a", {long_time, 1.0})}, sayNothing);
+  const BestTimes best = measureQuietly ({measureTaking ("a", {long_time, 1.0})});
   EXPECT_EQ (best[0].runs, 1u);
+}
+
+TEST (Measures, AreToldOneByOneAsSoonAsTheyAreFinished)
+{
+  std::string told;
+  measureInTurns (
+      {measureTaking ("a", {5.0, 2.0}), measureTaking ("b", {7.0})},
+      [&] (const std::string& what, double) { told += what; },
+      [&] (const BestTime& time) {
+        told += " " + time.name + std::to_string (time.runs) + " ";
+      });
+  EXPECT_EQ (told, "ab b1 a a2 ");
 }
 
 TEST (PeakMemory, HoldsAtLeastALabelForEveryPoint)
 {
   constexpr std::size_t points = 100'000;
   const auto scan = pcl_ops::simulation::scanDensely (makeBoards (4), points, 1.0, 1);
-  const pcl_ops::evaluation::Cloud::Ptr cloud (new pcl_ops::evaluation::Cloud);
+  const pcl_ops::evaluation::XyzCloud::Ptr cloud (new pcl_ops::evaluation::XyzCloud);
   for (const pcl::PointXYZL& point : scan.cloud)
     cloud->push_back (pcl::PointXYZ (point.x, point.y, point.z));
   const PeakMemory peak = peakMemoryOn (cloud);

@@ -2,6 +2,7 @@
 
 #include <cli/command_line.h>
 #include <cli/errors.h>
+#include <cli/help_page.h>
 
 #include <array>
 #include <optional>

@@ -18,7 +18,7 @@ TEST (Program, MapsWhatIsThrownToExitCodesAndOneLine)
     const int code = runProgram ("detect", body);
     return std::to_string (code) + " " + testing::internal::GetCapturedStderr();
   };
-  EXPECT_EQ (run ([] { return kDone; }), "0 ");
+  EXPECT_EQ (run ([] { return ExitCode::done; }), "0 ");
   EXPECT_EQ (run ([] () -> int { throw UsageError ("--k", "is odd"); }),
              "2 detect: --k: is odd\n");
   EXPECT_EQ (run ([] () -> int { throw WorkError ("a.pcd", "is\nempty"); }),

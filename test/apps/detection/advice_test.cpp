@@ -15,12 +15,12 @@ namespace {
 bool
 isHardlyCoveredBy (int covered)
 {
-  constexpr int kReadings = 100;
-  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  constexpr int readings = 100;
+  constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
   pcl::PointCloud<pcl::PointXYZ> cloud;
-  for (int i = 0; i < kReadings; ++i) {
+  for (int i = 0; i < readings; ++i) {
     cloud.push_back ({static_cast<float> (i), 0, 0});
-    cloud.push_back ({kNaN, kNaN, kNaN});
+    cloud.push_back ({not_a_number, not_a_number, not_a_number});
   }
   PlaneSegment plane;
   for (int i = 0; i < covered; ++i)

@@ -19,15 +19,6 @@ evaluate (const std::string& arguments)
   return runProgram (PCL_OPS_EVALUATE_PROGRAM, arguments);
 }
 
-/** The program ends with this code after one line that names the culprit. */
-void
-expectError (const ProgramRun& run, int exit_code, const std::string& culprit)
-{
-  EXPECT_EQ (run.exit_code, exit_code) << run.text;
-  EXPECT_EQ (run.text.rfind ("pcl_ops_evaluate: " + culprit + ": ", 0), 0u) << run.text;
-  EXPECT_EQ (std::count (run.text.begin(), run.text.end(), '\n'), 1) << run.text;
-}
-
 std::string
 pcd (const std::string& fields, int points, const std::string& rows)
 {

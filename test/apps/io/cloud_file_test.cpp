@@ -20,7 +20,7 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 /** \brief Two readings and a missing one between them, with intensity. */
 pcl::PointCloud<pcl::PointXYZI>
@@ -28,7 +28,7 @@ threePoints ()
 {
   pcl::PointCloud<pcl::PointXYZI> cloud;
   cloud.push_back ({1.0f, 2.0f, 3.0f, 0.5f});
-  cloud.push_back ({kNaN, kNaN, kNaN, 0.25f});
+  cloud.push_back ({not_a_number, not_a_number, not_a_number, 0.25f});
   cloud.push_back ({4.0f, 5.0f, 6.0f, 0.75f});
   cloud.is_dense = false;
   cloud.sensor_origin_ = Eigen::Vector4f (0.5f, -1.0f, 1.5f, 0.0f);
@@ -55,7 +55,7 @@ plyWith (const std::string& elements, const std::string& body)
   return "ply\nformat ascii 1.0\n" + elements + "end_header\n" + body;
 }
 
-const std::string kTwoVertices =
+const std::string two_vertices =
     "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n";
 
 /** \return what loading a file complains about, without the file's name */
@@ -95,11 +95,11 @@ TEST_F (CloudFile, KeepsPointsFieldsAndPoseInEveryFormat)
   for (const auto& [name, save] : formats) {
     SCOPED_TRACE (name);
     save (folder_ / name);
-    const Cloud loaded = loadCloud (folder_ / name);
-    const Positions positions = positionsOf (loaded);
-    ASSERT_EQ (positions.cloud->size(), 3u);
-    EXPECT_TRUE (std::isnan ((*positions.cloud)[1].x));
-    EXPECT_EQ ((*positions.cloud)[2].getVector3fMap(), Eigen::Vector3f (4, 5, 6));
+    const FileCloud loaded = loadCloud (folder_ / name);
+    const ShiftedCloud shifted = shiftedCloudOf (loaded);
+    ASSERT_EQ (shifted.cloud->size(), 3u);
+    EXPECT_TRUE (std::isnan ((*shifted.cloud)[1].x));
+    EXPECT_EQ ((*shifted.cloud)[2].getVector3fMap(), Eigen::Vector3f (4, 5, 6));
     EXPECT_TRUE (hasField (loaded, "intensity"));
     if (name.find (".pcd") == std::string::npos)
       continue; // PCL's reader drops the pose of a PLY
@@ -118,7 +118,7 @@ TEST_F (CloudFile, SavesWhatItLoadedAndNoByteMore)
 TEST_F (CloudFile, AddsLabelsAndColorsBesideTheOtherFields)
 {
   pcl::io::savePCDFileBinary (folder_ / "in.pcd", threePoints());
-  Cloud cloud = loadCloud (folder_ / "in.pcd");
+  FileCloud cloud = loadCloud (folder_ / "in.pcd");
   setLabels (cloud, {2, 0, 1});
   setColors (cloud, {{255, 0, 0}, {128, 128, 128}, {0, 0, 255}});
   savePcd (folder_ / "out.pcd", cloud);
@@ -141,7 +141,7 @@ TEST_F (CloudFile, ReplacesLabelsAndColorsTheInputHad)
       folder_.write ("in.pcd",
                      "FIELDS x y label rgba z\nSIZE 4 4 1 4 4\nTYPE F F U U F\n"
                      "WIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n1 2 7 255 3\n");
-  Cloud cloud = loadCloud (file);
+  FileCloud cloud = loadCloud (file);
   setLabels (cloud, {70000});
   setColors (cloud, {{9, 8, 7}});
   pcl::PointCloud<pcl::PointXYZRGBL> colored;
@@ -160,9 +160,9 @@ TEST_F (CloudFile, KeepsMillimetresOfDoublePrecisionFarFromZero)
       plyWith ("element vertex 2\nproperty double x\nproperty double y\n"
                "property double z\n",
                "512345.001 5412345.002 99.003\n512346.002 5412345.002 99.003\n"));
-  const Positions positions = positionsOf (loadCloud (file));
-  EXPECT_NEAR ((*positions.cloud)[1].x - (*positions.cloud)[0].x, 1.001, 1e-6);
-  EXPECT_NEAR ((*positions.cloud)[1].x + positions.shift.x(), 512346.002, 1e-6);
+  const ShiftedCloud shifted = shiftedCloudOf (loadCloud (file));
+  EXPECT_NEAR ((*shifted.cloud)[1].x - (*shifted.cloud)[0].x, 1.001, 1e-6);
+  EXPECT_NEAR ((*shifted.cloud)[1].x + shifted.shift.x(), 512346.002, 1e-6);
 }
 
 TEST_F (CloudFile, ReadsTheVerticesOfAMesh)
@@ -231,8 +231,9 @@ TEST_F (CloudFile, NamesTheHeaderLineAtFault)
 
 TEST_F (CloudFile, NoticesTruncatedData)
 {
-  const std::string truncated = "is truncated: its header promises more points than "
-                                "follow; copy or write it again";
+  const std::string truncated =
+      "is truncated: its header promises more points than follow; "
+      "copy or write it again";
   const std::string damaged =
       "cannot be read: its data does not match its header; is it "
       "truncated or damaged?";
@@ -267,6 +268,6 @@ TEST_F (CloudFile, NamesWhatIsNoPly)
   EXPECT_EQ (complaint (plyWith ("", "")), invalid ("it has no element vertex"));
   EXPECT_EQ (complaint (plyWith ("element vertex 2\nproperty quad x\n", "")),
              invalid ("the property type quad does not exist"));
-  EXPECT_NE (complaint (plyWith (kTwoVertices, "1 2 3\n")), "");
-  EXPECT_EQ (complaint (plyWith (kTwoVertices, "1 2 3\n4 5 6\n")), "");
+  EXPECT_NE (complaint (plyWith (two_vertices, "1 2 3\n")), "");
+  EXPECT_EQ (complaint (plyWith (two_vertices, "1 2 3\n4 5 6\n")), "");
 }

@@ -15,14 +15,12 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-
-constexpr int kWidth = 200;
-constexpr int kHeight = 150;
-const Eigen::Vector3f kUp = Eigen::Vector3f::UnitZ();
+constexpr int image_width = 200;
+constexpr int image_height = 150;
+const Eigen::Vector3f z_axis = Eigen::Vector3f::UnitZ();
 
 void
-add (Cloud& cloud, const Eigen::Vector3f& point)
+add (XyzCloud& cloud, const Eigen::Vector3f& point)
 {
   cloud.emplace_back (point.x(), point.y(), point.z());
 }
@@ -30,7 +28,7 @@ add (Cloud& cloud, const Eigen::Vector3f& point)
 /** \brief A square of 2 m around a point, spanned by two unit vectors, and its plane.
  */
 PlaneSegment
-addSquare (Cloud& cloud,
+addSquare (XyzCloud& cloud,
            const Eigen::Vector3f& center,
            const Eigen::Vector3f& u,
            const Eigen::Vector3f& v)
@@ -49,9 +47,9 @@ addSquare (Cloud& cloud,
 }
 
 View
-viewOf (const Cloud& cloud, const std::vector<PlaneSegment>& planes = {})
+viewOf (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes = {})
 {
-  return chooseView (cloud, planes, kUp, kWidth, kHeight);
+  return chooseView (cloud, planes, z_axis, image_width, image_height);
 }
 
 /** \brief Whether the image has the first point right of, or below, the second. */
@@ -72,7 +70,7 @@ isBelow (const View& view, const Eigen::Vector3f& first, const Eigen::Vector3f& 
 
 TEST (View, ShowsACameraFrameAsTheCameraSawIt)
 {
-  Cloud wall;
+  XyzCloud wall;
   addSquare (wall, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
   const View view = viewOf (wall);
   EXPECT_TRUE (isRightOf (view, {1, 0, 3}, {0, 0, 3}));
@@ -81,7 +79,7 @@ TEST (View, ShowsACameraFrameAsTheCameraSawIt)
 
 TEST (View, FollowsTheSensorsOrientation)
 {
-  Cloud wall;
+  XyzCloud wall;
   addSquare (wall, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
   wall.sensor_orientation_ =
       Eigen::AngleAxisf (static_cast<float> (M_PI), Eigen::Vector3f::UnitZ());
@@ -92,7 +90,7 @@ TEST (View, FollowsTheSensorsOrientation)
 
 TEST (View, KeepsGravityDownWhereTheSensorLooksSideways)
 {
-  Cloud wall;
+  XyzCloud wall;
   addSquare (wall, {5, 0, 1}, {0, 1, 0}, {0, 0, 1});
   wall.sensor_origin_ = Eigen::Vector4f (0, 0, 1, 0);
   const View view = viewOf (wall);
@@ -102,7 +100,7 @@ TEST (View, KeepsGravityDownWhereTheSensorLooksSideways)
 
 TEST (View, LooksFromAboveIntoARoomAroundTheSensor)
 {
-  Cloud room;
+  XyzCloud room;
   const std::vector<PlaneSegment> planes = {
       addSquare (room, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}),
       addSquare (room, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}),
@@ -115,21 +113,21 @@ TEST (View, LooksFromAboveIntoARoomAroundTheSensor)
 
 TEST (View, FillsTheImage)
 {
-  Cloud wall;
+  XyzCloud wall;
   addSquare (wall, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
   const View view = viewOf (wall);
   const Eigen::Vector3f low = view.project ({-1, -1, 3}),
                         high = view.project ({1, 1, 3});
   EXPECT_GT (low.x(), 0.0f);
   EXPECT_GT (low.y(), 0.0f);
-  EXPECT_LT (high.x(), kWidth);
-  EXPECT_LT (high.y(), kHeight);
-  EXPECT_GT (high.y() - low.y(), 0.9f * kHeight);
+  EXPECT_LT (high.x(), image_width);
+  EXPECT_LT (high.y(), image_height);
+  EXPECT_GT (high.y() - low.y(), 0.9f * image_height);
 }
 
 TEST (View, ExistsForACloudOfNothingOrOfOnePoint)
 {
-  Cloud cloud;
+  XyzCloud cloud;
   viewOf (cloud);
   add (cloud, {1, 2, 3});
   const Eigen::Vector3f pixel = viewOf (cloud).project ({1, 2, 3});
@@ -138,15 +136,15 @@ TEST (View, ExistsForACloudOfNothingOrOfOnePoint)
 
 TEST (Raster, ShowsTheNearestOfAllPointsWithoutGaps)
 {
-  Cloud cloud;
+  XyzCloud cloud;
   addSquare (cloud, {0, 0, 4}, {1, 0, 0}, {0, 1, 0});
   const std::size_t far = cloud.size();
   addSquare (cloud, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
   const View view = viewOf (cloud);
-  const Raster raster =
-      drawPoints (cloud, view, kWidth, kHeight, [] (pcl::index_t) { return true; });
-  for (int row = kHeight / 3; row < 2 * kHeight / 3; ++row)
-    for (int column = kWidth / 3; column < 2 * kWidth / 3; ++column)
+  const Raster raster = drawPoints (
+      cloud, view, image_width, image_height, [] (pcl::index_t) { return true; });
+  for (int row = image_height / 3; row < 2 * image_height / 3; ++row)
+    for (int column = image_width / 3; column < 2 * image_width / 3; ++column)
       ASSERT_GE (raster.points[raster.at (column, row)],
                  static_cast<pcl::index_t> (far))
           << "at " << column << ", " << row;
@@ -154,12 +152,14 @@ TEST (Raster, ShowsTheNearestOfAllPointsWithoutGaps)
 
 TEST (Raster, LeavesOutWhatIsNotShown)
 {
-  Cloud cloud;
+  XyzCloud cloud;
   addSquare (cloud, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
-  const Raster raster = drawPoints (
-      cloud, viewOf (cloud), kWidth, kHeight, [] (pcl::index_t) { return false; });
+  const Raster raster =
+      drawPoints (cloud, viewOf (cloud), image_width, image_height, [] (pcl::index_t) {
+        return false;
+      });
   for (const pcl::index_t point : raster.points)
-    ASSERT_EQ (point, Raster::kNothing);
+    ASSERT_EQ (point, Raster::nothing);
 }
 
 TEST (Colors, TellNeighbouringLabelsAndNoPlaneApart)

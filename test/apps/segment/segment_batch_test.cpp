@@ -225,9 +225,9 @@ TEST_F (SegmentBatch, SaysWhatToDoWithSeveralCloudsWithoutAFolderForThem)
 
 TEST_F (SegmentBatch, LeavesNothingHalfDoneWhenInterrupted)
 {
-  constexpr int kScans = 40, kDenseSide = 200;
-  pcl::io::savePCDFileBinary (folder_ / "dense.pcd", floorAndWall (kDenseSide));
-  for (int i = 0; i < kScans; ++i)
+  constexpr int scans = 40, dense_side = 200;
+  pcl::io::savePCDFileBinary (folder_ / "dense.pcd", floorAndWall (dense_side));
+  for (int i = 0; i < scans; ++i)
     fs::create_hard_link (folder_ / "dense.pcd",
                           folder_ / ("scans/s" + std::to_string (i) + ".pcd"));
   const Outcome done = runAndTerminate (
@@ -248,7 +248,7 @@ TEST_F (SegmentBatch, LeavesNothingHalfDoneWhenInterrupted)
         fs::exists (folder_ / ("out/" + fs::path (name).stem().string() + ".json")))
         << name;
   }
-  EXPECT_LT (clouds, kScans + 2u) << "it ended before its work was done";
+  EXPECT_LT (clouds, scans + 2u) << "it ended before its work was done";
   EXPECT_TRUE (contains (said, " " + std::to_string (clouds) + " of 42 inputs"))
       << said;
 }

@@ -12,23 +12,23 @@
 TEST_F (Segment, GivesEachPlaneOneLabelAndColor)
 {
   const LabelledCloud cloud = label ("in.pcd");
-  ASSERT_EQ (cloud.size(), 2u * kPlane + 1u);
-  const auto floor = distinct (cloud, 0, kPlane);
-  const auto wall = distinct (cloud, kMissing + 1, 2 * kPlane + 1);
+  ASSERT_EQ (cloud.size(), 2u * points_of_plane + 1u);
+  const auto floor = distinct (cloud, 0, points_of_plane);
+  const auto wall = distinct (cloud, missing_reading + 1, 2 * points_of_plane + 1);
   ASSERT_EQ (floor.size(), 1u);
   ASSERT_EQ (wall.size(), 1u);
   EXPECT_EQ (*floor.begin() + *wall.begin(), 3u) << "the labels are 1 and 2";
-  EXPECT_NE (cloud[0].rgba, cloud[kMissing + 1].rgba);
-  EXPECT_EQ (cloud[0].rgba, cloud[kPlane - 1].rgba);
+  EXPECT_NE (cloud[0].rgba, cloud[missing_reading + 1].rgba);
+  EXPECT_EQ (cloud[0].rgba, cloud[points_of_plane - 1].rgba);
 }
 
 TEST_F (Segment, KeepsMissingReadingsInTheirPlaceAndGrey)
 {
   const LabelledCloud cloud = label ("in.pcd");
-  EXPECT_TRUE (std::isnan (cloud[kMissing].x));
-  EXPECT_EQ (cloud[kMissing].label, 0u);
-  EXPECT_EQ (cloud[kMissing].r, 128);
-  EXPECT_EQ (cloud[kMissing].b, 128);
+  EXPECT_TRUE (std::isnan (cloud[missing_reading].x));
+  EXPECT_EQ (cloud[missing_reading].label, 0u);
+  EXPECT_EQ (cloud[missing_reading].r, 128);
+  EXPECT_EQ (cloud[missing_reading].b, 128);
 }
 
 TEST_F (Segment, KeepsFieldsOrderAndSensorPose)
@@ -40,7 +40,8 @@ TEST_F (Segment, KeepsFieldsOrderAndSensorPose)
   ASSERT_EQ (kept.size(), input.size());
   for (std::size_t i = 0; i < input.size(); ++i)
     ASSERT_EQ (kept[i].intensity, input[i].intensity);
-  EXPECT_EQ (kept[kPlane - 1].getVector3fMap(), input[kPlane - 1].getVector3fMap());
+  EXPECT_EQ (kept[points_of_plane - 1].getVector3fMap(),
+             input[points_of_plane - 1].getVector3fMap());
   EXPECT_EQ (kept.sensor_origin_, input.sensor_origin_);
 }
 
@@ -74,7 +75,7 @@ TEST_F (Segment, WritesPlanesAsJson)
 {
   ASSERT_EQ (run ("in.pcd --planes p.json -threshold 0.02 --up 0,0,2").exit_code, 0);
   const auto json = nlohmann::json::parse (contentOf (folder_ / "p.json"));
-  EXPECT_EQ (json["points"], 2 * kPlane + 1);
+  EXPECT_EQ (json["points"], 2 * points_of_plane + 1);
   EXPECT_EQ (json["method"], "ops");
   EXPECT_EQ (json["parameters"]["threshold"], 0.02);
   for (const char* stage :
@@ -84,7 +85,7 @@ TEST_F (Segment, WritesPlanesAsJson)
   const auto& floor = json["planes"][0]["orientation"] == "horizontal"
                           ? json["planes"][0]
                           : json["planes"][1];
-  EXPECT_EQ (floor["points"], kPlane);
+  EXPECT_EQ (floor["points"], points_of_plane);
   EXPECT_NEAR (floor["coefficients"][2].get<double>(), 1.0, 1e-6)
       << "towards the sensor";
   EXPECT_NEAR (floor["coefficients"][3].get<double>(), 0.0, 1e-6);

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kLastPoint = 2.0 * (kSide - 1) / kSide;
+constexpr double last_point = 2.0 * (points_of_side - 1) / points_of_side;
 
 Eigen::Vector3d
 toVector (const Json& array)
@@ -67,9 +67,9 @@ TEST_F (Segment, SaysWhereEachPlaneEnds)
   ASSERT_EQ (json["planes"].size(), 2u);
   for (const Json& plane : json["planes"]) {
     const Json& extent = plane["extent"];
-    EXPECT_NEAR (plane["area"].get<double>(), kLastPoint * kLastPoint, 1e-5);
-    EXPECT_NEAR (extent["length"].get<double>(), kLastPoint, 1e-5);
-    EXPECT_NEAR (extent["width"].get<double>(), kLastPoint, 1e-5);
+    EXPECT_NEAR (plane["area"].get<double>(), last_point * last_point, 1e-5);
+    EXPECT_NEAR (extent["length"].get<double>(), last_point, 1e-5);
+    EXPECT_NEAR (extent["width"].get<double>(), last_point, 1e-5);
     EXPECT_TRUE (
         toVector (extent["center"]).isApprox (toVector (plane["centroid"]), 1e-5));
     EXPECT_TRUE (toVector (extent["axes"][0])
@@ -79,7 +79,7 @@ TEST_F (Segment, SaysWhereEachPlaneEnds)
     for (const Json& corner : plane["hull"])
       EXPECT_NEAR (
           (toVector (corner) - toVector (plane["centroid"])).lpNorm<Eigen::Infinity>(),
-          0.5 * kLastPoint,
+          0.5 * last_point,
           1e-5);
   }
 }

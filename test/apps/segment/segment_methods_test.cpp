@@ -12,11 +12,11 @@ namespace {
 /** \brief The program with a cloud dense enough for every method, room.pcd. */
 class SegmentRoom : public Segment {
 protected:
-  static constexpr int kDenseSide = 100;
+  static constexpr int dense_side = 100;
 
   SegmentRoom()
   {
-    pcl::io::savePCDFileBinary (folder_ / "room.pcd", floorAndWall (kDenseSide));
+    pcl::io::savePCDFileBinary (folder_ / "room.pcd", floorAndWall (dense_side));
   }
 
   /** \brief The JSON file of a run. */
@@ -69,8 +69,8 @@ TEST_P (SegmentMethods, FindsFloorAndWall)
   const auto json = nlohmann::json::parse (contentOf (folder_ / "p.json"));
   ASSERT_EQ (json["planes"].size(), 2u);
   EXPECT_NE (json["planes"][0]["orientation"], json["planes"][1]["orientation"]);
-  const int missing = kDenseSide * kDenseSide;
-  const int wall_top = missing + kDenseSide;
+  const int missing = dense_side * dense_side;
+  const int wall_top = missing + dense_side;
   const std::set<std::uint32_t> labels{cloud[0].label, cloud[wall_top].label};
   EXPECT_EQ (labels, (std::set<std::uint32_t>{1, 2}));
   EXPECT_EQ (cloud[missing].label, 0u);
@@ -129,7 +129,7 @@ TEST_P (SegmentMethods, LabelsACloudWithoutASingleReading)
   pcl::io::savePCDFileBinary (folder_ / "blind.pcd", blind);
   const LabelledCloud cloud =
       label ("blind.pcd", method() + "--image p.png --planes p.json");
-  EXPECT_EQ (distinct (cloud, 0, 2 * kPlane + 1), std::set<std::uint32_t>{0});
+  EXPECT_EQ (distinct (cloud, 0, 2 * points_of_plane + 1), std::set<std::uint32_t>{0});
 }
 
 TEST_F (SegmentRoom, TakesTheBestRowsOfThePaperFromItsPreset)

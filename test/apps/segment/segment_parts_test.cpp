@@ -13,7 +13,7 @@ namespace {
 /** \brief The program with scene.pcd: floor and wall, and three points in the air. */
 class SegmentParts : public Segment {
 protected:
-  static constexpr int kAir = 2 * kPlane + 1;
+  static constexpr int air = 2 * points_of_plane + 1;
 
   SegmentParts()
   {
@@ -60,7 +60,7 @@ using Names = std::set<std::string>;
 TEST_F (SegmentParts, TheRestIsThePointsOnNoPlaneButNotTheMissingReading)
 {
   ASSERT_EQ (run ("scene.pcd --rest rest.pcd --quiet").exit_code, 0);
-  EXPECT_EQ (indicesIn ("rest.pcd"), (std::vector<int>{kAir, kAir + 1, kAir + 2}));
+  EXPECT_EQ (indicesIn ("rest.pcd"), (std::vector<int>{air, air + 1, air + 2}));
   InputCloud rest;
   ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "rest.pcd", rest), 0);
   EXPECT_EQ (rest[1].z, 1.0f);
@@ -82,11 +82,11 @@ TEST_F (SegmentParts, EachPlaneIsACloudWithTheFieldsOfTheInput)
   ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "labelled.pcd", labelled), 0);
   for (const std::string& name : names) {
     const std::vector<int> indices = indicesIn ("planes/" + name);
-    EXPECT_EQ (indices.size(), static_cast<std::size_t> (kPlane)) << name;
+    EXPECT_EQ (indices.size(), static_cast<std::size_t> (points_of_plane)) << name;
     const bool is_floor = contains (name, "horizontal");
     for (const int index : indices) {
       ASSERT_EQ (labelled[index].label, name[8] - '0') << "plane_001_... has label 1";
-      ASSERT_EQ (index < kPlane, is_floor) << name;
+      ASSERT_EQ (index < points_of_plane, is_floor) << name;
     }
   }
 }
@@ -132,9 +132,10 @@ TEST_F (SegmentParts, PlanesThatAreLeftOutCountAsNone)
   EXPECT_EQ (planes[0]["id"], 1) << "numbered as the labels are";
   LabelledCloud cloud;
   ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "labelled.pcd", cloud), 0);
-  EXPECT_EQ (distinct (cloud, 0, kMissing + 1), std::set<std::uint32_t>{0});
-  EXPECT_EQ (distinct (cloud, kMissing + 1, kAir), std::set<std::uint32_t>{1});
-  EXPECT_EQ (indicesIn ("rest.pcd").size(), static_cast<std::size_t> (kPlane + 3));
+  EXPECT_EQ (distinct (cloud, 0, missing_reading + 1), std::set<std::uint32_t>{0});
+  EXPECT_EQ (distinct (cloud, missing_reading + 1, air), std::set<std::uint32_t>{1});
+  EXPECT_EQ (indicesIn ("rest.pcd").size(),
+             static_cast<std::size_t> (points_of_plane + 3));
 }
 
 TEST_F (SegmentParts, OnlyTheLargestIsTheFirstOfAll)

@@ -113,7 +113,7 @@ TEST_F (SegmentPipe, PrintsTheJsonOfAFileWhereAskedTo)
 {
   const Outcome done = run ("in.pcd --planes -");
   EXPECT_EQ (done.exit_code, 0) << done.err;
-  EXPECT_EQ (withoutTimes (done.out)["points"], 2 * kPlane + 1);
+  EXPECT_EQ (withoutTimes (done.out)["points"], 2 * points_of_plane + 1);
 }
 
 TEST_F (SegmentPipe, PutsAdviceIntoTheJsonWhereNothingIsFound)

@@ -21,18 +21,18 @@
 using InputCloud = pcl::PointCloud<pcl::PointXYZI>;
 using LabelledCloud = pcl::PointCloud<pcl::PointXYZRGBL>;
 
-inline constexpr int kSide = 50;
-inline constexpr int kPlane = kSide * kSide;
+inline constexpr int points_of_side = 50;
+inline constexpr int points_of_plane = points_of_side * points_of_side;
 /** \brief The reading without coordinates between floor and wall. */
-inline constexpr int kMissing = kPlane;
+inline constexpr int missing_reading = points_of_plane;
 
 /** \brief A floor of 2 m by 2 m, one missing reading, and a wall at x = 3 m; the
  * intensity of each point is its index.
  * \param[in] side how many points there are along each edge */
 inline InputCloud
-floorAndWall (int side = kSide)
+floorAndWall (int side = points_of_side)
 {
-  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
   const float step = 2.0f / static_cast<float> (side);
   InputCloud cloud;
   const auto add = [&] (float x, float y, float z) {
@@ -41,7 +41,7 @@ floorAndWall (int side = kSide)
   for (int x = 0; x < side; ++x)
     for (int y = 0; y < side; ++y)
       add (step * static_cast<float> (x), step * static_cast<float> (y), 0);
-  add (kNaN, kNaN, kNaN);
+  add (not_a_number, not_a_number, not_a_number);
   for (int y = 0; y < side; ++y)
     for (int z = 0; z < side; ++z)
       add (3, step * static_cast<float> (y), step * static_cast<float> (z));

@@ -19,15 +19,15 @@ roomLyingOnItsSide ()
     // What was up, z, is x now.
     cloud.push_back ({z, x, y, static_cast<float> (cloud.size())});
   };
-  constexpr float kStep = 0.04f;
-  for (float x = 0; x < 4; x += kStep)
-    for (float y = 0; y < 2; y += kStep)
+  constexpr float step = 0.04f;
+  for (float x = 0; x < 4; x += step)
+    for (float y = 0; y < 2; y += step)
       add (x, y, 0);
-  for (float x = 0; x < 4; x += kStep)
-    for (float z = kStep; z < 1.6f; z += kStep)
+  for (float x = 0; x < 4; x += step)
+    for (float z = step; z < 1.6f; z += step)
       add (x, 2, z);
-  for (float y = 0; y < 2; y += kStep)
-    for (float z = kStep; z < 1.6f; z += kStep)
+  for (float y = 0; y < 2; y += step)
+    for (float z = step; z < 1.6f; z += step)
       add (4, y, z);
   cloud.sensor_origin_ = Eigen::Vector4f (1.3f, -1.0f, 0.8f, 0.0f);
   return cloud;

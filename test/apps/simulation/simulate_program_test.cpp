@@ -21,15 +21,6 @@ simulate (const std::string& arguments)
   return runProgram (PCL_OPS_SIMULATE_PROGRAM, arguments);
 }
 
-/** \brief The program ends with this code after one line that names the culprit. */
-void
-expectError (const ProgramRun& run, int exit_code, const std::string& culprit)
-{
-  EXPECT_EQ (run.exit_code, exit_code) << run.text;
-  EXPECT_EQ (run.text.rfind ("pcl_ops_simulate: " + culprit + ": ", 0), 0u) << run.text;
-  EXPECT_EQ (std::count (run.text.begin(), run.text.end(), '\n'), 1) << run.text;
-}
-
 pcl::PointCloud<pcl::PointXYZL>
 loaded (const std::string& file)
 {

@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 /** \brief A folder with a floor and a wall, to run the viewer in. */
 class View : public testing::Test {
@@ -28,7 +28,7 @@ protected:
         cloud.emplace_back (x, y, 0.0f);
         cloud.emplace_back (2.0f, y, x);
       }
-    cloud.emplace_back (kNaN, kNaN, kNaN);
+    cloud.emplace_back (not_a_number, not_a_number, not_a_number);
     pcl::io::savePCDFileBinary (folder_ / "in.pcd", cloud);
   }
 
@@ -109,7 +109,8 @@ TEST_F (View, SaysThatThereIsNoDisplay)
 
 TEST_F (View, RefusesCloudsItCannotShow)
 {
-  pcl::PointCloud<pcl::PointXYZ> nowhere (3, 1, {kNaN, kNaN, kNaN});
+  pcl::PointCloud<pcl::PointXYZ> nowhere (
+      3, 1, {not_a_number, not_a_number, not_a_number});
   pcl::io::savePCDFileBinary (folder_ / "nan.pcd", nowhere);
   const std::string whole = contentOf (folder_ / "in.pcd");
   folder_.write ("cut.pcd", whole.substr (0, whole.size() / 2));

@@ -25,7 +25,7 @@ afterKeys (ViewState state, const std::string& keys)
 
 TEST (ViewState, EveryListedKeyButThoseOfPclChangesIt)
 {
-  const std::set<std::string> by_pcl = {kResetKey, "o", "q"};
+  const std::set<std::string> by_pcl = {reset_key, "o", "q"};
   for (const Key& key : allKeys())
     EXPECT_EQ (afterKey ({}, key.name).has_value(), by_pcl.count (key.name) == 0)
         << key.name;

@@ -20,8 +20,6 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-using Positions3 = pcl::PointCloud<pcl::PointXYZ>;
-
 bool
 isSame (const pcl::RGB& first, const pcl::RGB& second)
 {
@@ -29,10 +27,10 @@ isSame (const pcl::RGB& first, const pcl::RGB& second)
 }
 
 /** \brief A square of 2 m at z = 0 and a point off it, 0.5 m higher. */
-PositionsPtr
+XyzCloud::ConstPtr
 tableAndPoint ()
 {
-  const auto cloud = pcl::make_shared<Positions3>();
+  const auto cloud = pcl::make_shared<XyzCloud>();
   for (int x = 0; x <= 100; ++x)
     for (int y = 0; y <= 100; ++y)
       cloud->emplace_back (
@@ -87,7 +85,7 @@ TEST (PlaneFinder, WorksOnlyForAnotherMethodPresetOrMerging)
 
 TEST (PlaneFinder, FindsTheTableByEveryMethod)
 {
-  const PositionsPtr cloud = tableAndPoint();
+  const XyzCloud::ConstPtr cloud = tableAndPoint();
   for (const Method& method : allMethods()) {
     PlaneFinder finder ({}, cloud);
     DetectionRun run;
@@ -116,7 +114,7 @@ TEST (PlaneFinder, KeepsWhatItFoundIfTheNextRunFails)
 TEST (BeforeMerging, ThereAreAtLeastAsManyPlanes)
 {
   // Two halves of a table, one 2 cm higher: one plane once merged.
-  const auto cloud = pcl::make_shared<Positions3>();
+  const auto cloud = pcl::make_shared<XyzCloud>();
   for (int x = 0; x < 100; ++x)
     for (int y = 0; y < 100; ++y)
       cloud->emplace_back (0.03f * static_cast<float> (x),
@@ -181,14 +179,14 @@ TEST (PointColors, OnlyTheSelectedPlaneDoesNotFade)
 
 TEST (InputColors, AreTheHeightWhereTheFileHasNone)
 {
-  Positions3 positions;
+  XyzCloud coordinates;
   for (int i = 0; i < 5; ++i)
-    positions.emplace_back (0.0f, 0.0f, static_cast<float> (i));
+    coordinates.emplace_back (0.0f, 0.0f, static_cast<float> (i));
   const float missing = std::numeric_limits<float>::quiet_NaN();
-  positions.emplace_back (missing, missing, missing);
+  coordinates.emplace_back (missing, missing, missing);
   const std::vector<pcl::RGB> colors =
-      inputColors ({}, positions, Eigen::Vector3f::UnitZ());
-  ASSERT_EQ (colors.size(), positions.size());
+      inputColors ({}, coordinates, Eigen::Vector3f::UnitZ());
+  ASSERT_EQ (colors.size(), coordinates.size());
   EXPECT_GT (colors[4].r, colors[0].r); // from blue to yellow
   EXPECT_GT (colors[4].g, colors[0].g);
 }
@@ -197,7 +195,7 @@ TEST (Picking, TakesTheNearestPointUnderTheCursor)
 {
   Projection projection; // a cube of 2 m, seen along z
   projection.size = {200, 100};
-  Positions3 cloud;
+  XyzCloud cloud;
   cloud.emplace_back (0.0f, 0.0f, 0.5f);
   cloud.emplace_back (0.01f, 0.0f, -0.5f);
   cloud.emplace_back (0.5f, 0.5f, 0.0f);
@@ -212,7 +210,7 @@ TEST (Picking, LeavesOutWhatIsBehindTheEyeOrHasNoCoordinates)
   projection.size = {200, 100};
   projection.to_cube (3, 3) = 0.0;
   projection.to_cube (3, 2) = 1.0; // a pinhole at the origin
-  Positions3 cloud;
+  XyzCloud cloud;
   const float missing = std::numeric_limits<float>::quiet_NaN();
   cloud.emplace_back (0.0f, 0.0f, -1.0f);
   cloud.emplace_back (missing, missing, missing);
@@ -221,7 +219,7 @@ TEST (Picking, LeavesOutWhatIsBehindTheEyeOrHasNoCoordinates)
 
 TEST (Camera, LooksAtTheCloudAsItsSensorDid)
 {
-  Positions3 wall; // 3 m in front of a camera, whose y axis points down
+  XyzCloud wall; // 3 m in front of a camera, whose y axis points down
   for (int x = -10; x <= 10; ++x)
     for (int y = -10; y <= 10; ++y)
       wall.emplace_back (

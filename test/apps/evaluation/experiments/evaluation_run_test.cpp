@@ -25,10 +25,10 @@ rowOfPoints (const std::string& name)
 {
   return {name, [] {
             EvaluationCloud cloud;
-            cloud.cloud.reset (new Cloud (10, 1));
+            cloud.cloud.reset (new XyzCloud (10, 1));
             for (int i = 0; i < 10; ++i)
               (*cloud.cloud)[i] = pcl::PointXYZ (float (i), 0, 0);
-            cloud.truth = Labels (10, 1);
+            cloud.truth = PlaneLabels (10, 1);
             return cloud;
           }};
 }
@@ -232,7 +232,8 @@ TEST_F (EvaluationRunTest, AReportHasTablesAndPlots)
 TEST (Detectors, NamesAndGroupsSelectEachConfigurationOnce)
 {
   EXPECT_EQ (selectConfigurations ("ops").size(), 1u);
-  EXPECT_EQ (selectConfigurations ("table3").size(), 18u); // 15 rows, 3 of strategy 1
+  EXPECT_EQ (selectConfigurations ("table3").size(),
+             18u); // 15 rows, 3 of strategy 1
   EXPECT_EQ (selectConfigurations ("table3,ops-3-30").size(), 18u);
   EXPECT_EQ (selectConfigurations ("all,ablation").size(), allConfigurations().size());
   EXPECT_THROW (selectConfigurations ("ops,opps"), pcl_ops::apps::UsageError);
@@ -240,7 +241,7 @@ TEST (Detectors, NamesAndGroupsSelectEachConfigurationOnce)
 
 TEST (Detectors, EveryOneFindsAFloorAndSaysHowLongItTook)
 {
-  Cloud::Ptr cloud (new Cloud);
+  XyzCloud::Ptr cloud (new XyzCloud);
   for (int i = 0; i < 60; ++i)
     for (int j = 0; j < 60; ++j)
       cloud->push_back (pcl::PointXYZ (0.02f * i, 0.02f * j, 0.001f * (i * j % 3)));

@@ -22,7 +22,7 @@ EvaluationCloud
 furnishedRoom ()
 {
   EvaluationCloud room;
-  room.cloud.reset (new Cloud);
+  room.cloud.reset (new XyzCloud);
   const auto add = [&room] (float x, float y, float z) {
     room.cloud->push_back ({x, y, z});
   };

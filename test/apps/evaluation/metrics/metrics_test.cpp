@@ -11,10 +11,10 @@ namespace {
 using namespace pcl_ops::evaluation;
 
 /** A floor of ten points (the first five near x = 0) and a wall of ten. */
-Cloud
+XyzCloud
 floorAndWall ()
 {
-  Cloud cloud;
+  XyzCloud cloud;
   for (int i = 0; i < 10; ++i)
     cloud.push_back (pcl::PointXYZ (i / 5, i % 5, 0));
   for (int i = 0; i < 10; ++i)
@@ -23,16 +23,16 @@ floorAndWall ()
 }
 
 /** {{10, 1}, {10, 2}}: ten points labelled 1, then ten labelled 2. */
-Labels
+PlaneLabels
 runs (std::initializer_list<std::pair<std::size_t, std::uint32_t>> counts)
 {
-  Labels labels;
+  PlaneLabels labels;
   for (const auto& [count, label] : counts)
     labels.insert (labels.end(), count, label);
   return labels;
 }
 
-const Labels floor_and_wall = runs ({{10, 1}, {10, 2}});
+const PlaneLabels floor_and_wall = runs ({{10, 1}, {10, 2}});
 
 TEST (Metrics, TheTruthItselfIsPerfect)
 {
@@ -49,7 +49,7 @@ TEST (Metrics, TheTruthItselfIsPerfect)
 
 TEST (Metrics, NamesOfPlanesDoNotMatter)
 {
-  const Labels renamed = runs ({{10, 900}, {10, 7}});
+  const PlaneLabels renamed = runs ({{10, 900}, {10, 7}});
   const Metrics metrics = compareLabels (floorAndWall(), floor_and_wall, renamed);
   EXPECT_EQ (metrics.segmentation_accuracy, 1.0);
   EXPECT_EQ (metrics.at_75.f_score, 1.0);
@@ -57,9 +57,10 @@ TEST (Metrics, NamesOfPlanesDoNotMatter)
 
 TEST (Metrics, NothingFoundLeavesOnlyNothingRight)
 {
-  const Labels truth = runs ({{10, 1}, {10, 0}});
-  const Metrics metrics = compareLabels (floorAndWall(), truth, Labels (20, 0));
-  EXPECT_EQ (metrics.classification_accuracy, 0.5); // the ten of no plane are "other"
+  const PlaneLabels truth = runs ({{10, 1}, {10, 0}});
+  const Metrics metrics = compareLabels (floorAndWall(), truth, PlaneLabels (20, 0));
+  EXPECT_EQ (metrics.classification_accuracy,
+             0.5); // the ten of no plane are "other"
   EXPECT_EQ (metrics.segmentation_accuracy, 0.0);
   EXPECT_EQ (metrics.segmentation_accuracy_all, 0.5);
   EXPECT_EQ (metrics.at_50.precision, 0.0);
@@ -70,7 +71,7 @@ TEST (Metrics, NothingFoundLeavesOnlyNothingRight)
 TEST (Metrics, APlaneWhereThereIsNoneIsNoise)
 {
   const Metrics metrics =
-      compareLabels (floorAndWall(), Labels (20, 0), runs ({{10, 1}, {10, 0}}));
+      compareLabels (floorAndWall(), PlaneLabels (20, 0), runs ({{10, 1}, {10, 0}}));
   EXPECT_EQ (metrics.segmentation_accuracy, 0.0);
   EXPECT_EQ (metrics.segmentation_accuracy_all, 0.5);
   EXPECT_EQ (metrics.at_50.precision, 0.0);
@@ -80,7 +81,7 @@ TEST (Metrics, APlaneWhereThereIsNoneIsNoise)
 TEST (Metrics, NothingToFindAndNothingFoundIsPerfect)
 {
   const Metrics metrics =
-      compareLabels (floorAndWall(), Labels (20, 0), Labels (20, 0));
+      compareLabels (floorAndWall(), PlaneLabels (20, 0), PlaneLabels (20, 0));
   EXPECT_EQ (metrics.segmentation_accuracy, 1.0);
   EXPECT_EQ (metrics.at_50.f_score, 1.0);
 }
@@ -95,7 +96,7 @@ TEST (Metrics, AOnePlaneTruthIsComparedAsAnyOther)
 
 TEST (SegmentationAccuracy, CountsThePointsOfTheAssignedPlanes)
 {
-  const Labels result = runs ({{8, 1}, {2, 2}, {9, 2}, {1, 0}});
+  const PlaneLabels result = runs ({{8, 1}, {2, 2}, {9, 2}, {1, 0}});
   const Metrics metrics = compareLabels (floorAndWall(), floor_and_wall, result);
   EXPECT_DOUBLE_EQ (metrics.segmentation_accuracy, 17.0 / 20.0);
 }
@@ -103,14 +104,14 @@ TEST (SegmentationAccuracy, CountsThePointsOfTheAssignedPlanes)
 TEST (SegmentationAccuracy, AssignsAFoundPlaneOnlyOnce)
 {
   const Metrics metrics =
-      compareLabels (floorAndWall(), floor_and_wall, Labels (20, 1));
+      compareLabels (floorAndWall(), floor_and_wall, PlaneLabels (20, 1));
   EXPECT_EQ (metrics.segmentation_accuracy, 0.5);
 }
 
 TEST (SegmentationAccuracy, OverAllPointsCountsCorrectlyUnassignedOnes)
 {
-  const Labels truth = runs ({{10, 1}, {10, 0}});
-  const Labels result = runs ({{8, 1}, {8, 0}, {4, 2}});
+  const PlaneLabels truth = runs ({{10, 1}, {10, 0}});
+  const PlaneLabels result = runs ({{8, 1}, {8, 0}, {4, 2}});
   const Metrics metrics = compareLabels (floorAndWall(), truth, result);
   EXPECT_DOUBLE_EQ (metrics.segmentation_accuracy, 8.0 / 10.0);
   EXPECT_DOUBLE_EQ (metrics.segmentation_accuracy_all, (8.0 + 6.0) / 20.0);
@@ -118,7 +119,7 @@ TEST (SegmentationAccuracy, OverAllPointsCountsCorrectlyUnassignedOnes)
 
 TEST (ClassificationAccuracy, IsThatOfThePlanesNotOfTheirNames)
 {
-  const Labels one_of_four_strips = runs ({{5, 1}, {5, 3}, {10, 0}});
+  const PlaneLabels one_of_four_strips = runs ({{5, 1}, {5, 3}, {10, 0}});
   const Metrics metrics =
       compareLabels (floorAndWall(), floor_and_wall, one_of_four_strips);
   // Five collinear points span no plane: "other", as are the ten wall points.
@@ -127,7 +128,7 @@ TEST (ClassificationAccuracy, IsThatOfThePlanesNotOfTheirNames)
 
 TEST (ClassificationAccuracy, FollowsTheUpAxis)
 {
-  const Cloud cloud = floorAndWall();
+  const XyzCloud cloud = floorAndWall();
   const auto first = [&] (const Eigen::Vector3d& up) {
     ClassParameters parameters;
     parameters.up = up;
@@ -142,7 +143,7 @@ TEST (ClassificationAccuracy, FollowsTheUpAxis)
 TEST (InstanceMetrics, ThresholdDecidesWhatMatches)
 {
   // Floor 6 of 10 points: IoU 0.6. Wall 9 of 10: IoU 0.9.
-  const Labels result = runs ({{6, 1}, {4, 0}, {9, 2}, {1, 0}});
+  const PlaneLabels result = runs ({{6, 1}, {4, 0}, {9, 2}, {1, 0}});
   const Confusion confusion = confusionOf (floor_and_wall, result);
   const InstanceMetrics at_50 = instanceMetrics (confusion, 0.5);
   EXPECT_EQ (at_50.recall, 1.0);
@@ -158,8 +159,8 @@ TEST (InstanceMetrics, ThresholdDecidesWhatMatches)
 
 TEST (InstanceMetrics, PrecisionAndRecallHaveTheirOwnDenominators)
 {
-  const Labels truth = runs ({{10, 1}, {10, 2}, {10, 3}, {10, 0}});
-  const Labels result = runs ({{10, 1}, {10, 2}, {10, 0}, {5, 4}, {5, 5}});
+  const PlaneLabels truth = runs ({{10, 1}, {10, 2}, {10, 3}, {10, 0}});
+  const PlaneLabels result = runs ({{10, 1}, {10, 2}, {10, 0}, {5, 4}, {5, 5}});
   const InstanceMetrics metrics = instanceMetrics (confusionOf (truth, result), 0.5);
   EXPECT_DOUBLE_EQ (metrics.precision, 2.0 / 4.0);
   EXPECT_DOUBLE_EQ (metrics.recall, 2.0 / 3.0);
@@ -170,7 +171,7 @@ TEST (InstanceMetrics, PrecisionAndRecallHaveTheirOwnDenominators)
 
 TEST (InstanceMetrics, ATruePlaneInThreePiecesIsOverSegmented)
 {
-  const Labels result = runs ({{4, 1}, {3, 2}, {3, 3}, {10, 4}});
+  const PlaneLabels result = runs ({{4, 1}, {3, 2}, {3, 3}, {10, 4}});
   const InstanceMetrics metrics =
       instanceMetrics (confusionOf (floor_and_wall, result), 0.5);
   EXPECT_EQ (metrics.over_segmentation, 0.5); // one of two true planes
@@ -182,7 +183,7 @@ TEST (InstanceMetrics, ATruePlaneInThreePiecesIsOverSegmented)
 TEST (InstanceMetrics, AFoundPlaneOverTwoTrueOnesIsUnderSegmented)
 {
   const InstanceMetrics metrics =
-      instanceMetrics (confusionOf (floor_and_wall, Labels (20, 1)), 0.75);
+      instanceMetrics (confusionOf (floor_and_wall, PlaneLabels (20, 1)), 0.75);
   EXPECT_EQ (metrics.under_segmentation, 1.0);
   EXPECT_EQ (metrics.over_segmentation, 0.0);
   EXPECT_EQ (metrics.missed, 0.0);
@@ -191,8 +192,8 @@ TEST (InstanceMetrics, AFoundPlaneOverTwoTrueOnesIsUnderSegmented)
 
 TEST (InstanceMetrics, PiecesThatLeaveMostOfThePlaneOpenAreNoise)
 {
-  const Labels truth (20, 1);
-  const Labels result = runs ({{4, 1}, {4, 2}, {12, 0}});
+  const PlaneLabels truth (20, 1);
+  const PlaneLabels result = runs ({{4, 1}, {4, 2}, {12, 0}});
   const InstanceMetrics metrics = instanceMetrics (confusionOf (truth, result), 0.5);
   EXPECT_EQ (metrics.over_segmentation, 0.0);
   EXPECT_EQ (metrics.noise, 1.0);
@@ -202,7 +203,7 @@ TEST (InstanceMetrics, PiecesThatLeaveMostOfThePlaneOpenAreNoise)
 TEST (InstanceMetrics, HalvesOfOnePlaneMatchItOnlyOnce)
 {
   const InstanceMetrics metrics =
-      instanceMetrics (confusionOf (Labels (20, 1), floor_and_wall), 0.5);
+      instanceMetrics (confusionOf (PlaneLabels (20, 1), floor_and_wall), 0.5);
   EXPECT_EQ (metrics.recall, 1.0);
   EXPECT_EQ (metrics.precision, 0.5);
 }
@@ -220,10 +221,10 @@ TEST (Confusion, CountsEveryPairThatMeets)
 
 TEST (Metrics, PointsWithoutCoordinatesDoNotCount)
 {
-  Cloud cloud = floorAndWall();
+  XyzCloud cloud = floorAndWall();
   for (std::size_t i = 0; i < 5; ++i)
     cloud[i].x = std::numeric_limits<float>::quiet_NaN();
-  const Labels result = runs ({{5, 0}, {5, 1}, {10, 2}});
+  const PlaneLabels result = runs ({{5, 0}, {5, 1}, {10, 2}});
   const Metrics metrics = compareLabels (cloud, floor_and_wall, result);
   EXPECT_EQ (metrics.points, 15u);
   EXPECT_EQ (metrics.segmentation_accuracy, 1.0);
@@ -231,13 +232,14 @@ TEST (Metrics, PointsWithoutCoordinatesDoNotCount)
 
 TEST (Metrics, LabelsOfAnotherSizeAreRefused)
 {
-  EXPECT_THROW (compareLabels (floorAndWall(), Labels (20, 1), Labels (19, 1)),
-                std::invalid_argument);
+  EXPECT_THROW (
+      compareLabels (floorAndWall(), PlaneLabels (20, 1), PlaneLabels (19, 1)),
+      std::invalid_argument);
 }
 
 TEST (Metrics, ALabelForEveryPointIsRefusedBeforeMemoryIs)
 {
-  Labels labels (20'000);
+  PlaneLabels labels (20'000);
   for (std::size_t i = 0; i < labels.size(); ++i)
     labels[i] = static_cast<std::uint32_t> (i + 1);
   EXPECT_THROW (assignPlanes (confusionOf (labels, labels)), std::length_error);
@@ -245,7 +247,7 @@ TEST (Metrics, ALabelForEveryPointIsRefusedBeforeMemoryIs)
 
 TEST (DropSmallPlanes, LeavesPlanesOfTheSizeAsked)
 {
-  Labels labels = runs ({{50, 1}, {49, 2}, {3, 0}});
+  PlaneLabels labels = runs ({{50, 1}, {49, 2}, {3, 0}});
   dropSmallPlanes (labels, 50);
   EXPECT_EQ (labels, runs ({{50, 1}, {52, 0}}));
 }

@@ -21,7 +21,7 @@ constexpr float spacing = 0.02f; // [m]
 
 /** A square of n x n points spanned by two unit vectors from a corner. */
 void
-addSquare (Cloud& cloud,
+addSquare (XyzCloud& cloud,
            int n,
            const Eigen::Vector3f& corner,
            const Eigen::Vector3f& u,
@@ -39,10 +39,10 @@ const Eigen::Vector3f x = Eigen::Vector3f::UnitX(), y = Eigen::Vector3f::UnitY()
                       z = Eigen::Vector3f::UnitZ();
 
 /** A floor of 900 points and a wall of 400 that stands in its middle. */
-Cloud
+XyzCloud
 floorAndWall ()
 {
-  Cloud cloud;
+  XyzCloud cloud;
   addSquare (cloud, 30, {0, 0, 0}, x, y);
   addSquare (cloud, 20, {0.1f, 0.31f, 0.02f}, x, z);
   return cloud;
@@ -57,14 +57,14 @@ nineNeighbors ()
 }
 
 std::size_t
-pointsWith (const Labels& labels, std::uint32_t label)
+pointsWith (const PlaneLabels& labels, std::uint32_t label)
 {
   return static_cast<std::size_t> (std::count (labels.begin(), labels.end(), label));
 }
 
 TEST (RegionGrowing, SeparatesAFloorFromTheWallOnIt)
 {
-  const Labels labels = growRegions (floorAndWall(), nineNeighbors());
+  const PlaneLabels labels = growRegions (floorAndWall(), nineNeighbors());
   EXPECT_EQ (planeIds (labels).size(), 2u);
   EXPECT_EQ (labels[0], 1u);         // the larger one first
   EXPECT_EQ (labels[900 + 399], 2u); // the wall's upper corner
@@ -74,10 +74,10 @@ TEST (RegionGrowing, SeparatesAFloorFromTheWallOnIt)
 
 TEST (RegionGrowing, DoesNotReachAcrossAGap)
 {
-  Cloud cloud;
+  XyzCloud cloud;
   addSquare (cloud, 20, {0, 0, 0}, x, y);
   addSquare (cloud, 20, {1, 0, 0}, x, y);
-  const Labels labels = growRegions (cloud, nineNeighbors());
+  const PlaneLabels labels = growRegions (cloud, nineNeighbors());
   EXPECT_EQ (pointsWith (labels, 1), 400u);
   EXPECT_EQ (pointsWith (labels, 2), 400u);
 }
@@ -85,37 +85,37 @@ TEST (RegionGrowing, DoesNotReachAcrossAGap)
 TEST (RegionGrowing, EndsWhereASurfaceLeavesItsPlane)
 {
   // A cylinder of radius 1 m: 5 cm off the plane through its top at 0.31 m.
-  Cloud cloud;
+  XyzCloud cloud;
   for (int i = -60; i <= 60; ++i)
     for (int j = 0; j < 20; ++j)
       cloud.push_back (
           pcl::PointXYZ (std::sin (0.01f * i), spacing * j, std::cos (0.01f * i)));
-  const Labels labels = growRegions (cloud, nineNeighbors());
+  const PlaneLabels labels = growRegions (cloud, nineNeighbors());
   EXPECT_GT (planeIds (labels).size(), 1u);
 }
 
 TEST (RegionGrowing, RegionsOfUnderFiftyPointsAreOnNoPlane)
 {
-  Cloud cloud;
+  XyzCloud cloud;
   addSquare (cloud, 7, {0, 0, 0}, x, y); // 49 points
   addSquare (cloud, 8, {2, 0, 0}, x, y); // 64 points
-  const Labels labels = growRegions (cloud, nineNeighbors());
+  const PlaneLabels labels = growRegions (cloud, nineNeighbors());
   EXPECT_EQ (pointsWith (labels, 0), 49u);
   EXPECT_EQ (pointsWith (labels, 1), 64u);
 }
 
 TEST (RegionGrowing, PointsWithoutCoordinatesAreOnNoPlane)
 {
-  Cloud cloud = floorAndWall();
+  XyzCloud cloud = floorAndWall();
   cloud[450].y = std::numeric_limits<float>::quiet_NaN();
-  const Labels labels = growRegions (cloud, nineNeighbors());
+  const PlaneLabels labels = growRegions (cloud, nineNeighbors());
   EXPECT_EQ (labels[450], 0u);
   EXPECT_EQ (planeIds (labels).size(), 2u);
 }
 
 TEST (RegionGrowing, DoesNotDependOnThreads)
 {
-  const Cloud cloud = floorAndWall();
+  const XyzCloud cloud = floorAndWall();
   EXPECT_EQ (growRegions (cloud, nineNeighbors(), 1),
              growRegions (cloud, nineNeighbors(), 4));
 }
@@ -123,7 +123,8 @@ TEST (RegionGrowing, DoesNotDependOnThreads)
 TEST (RegionGrowing, EmptyTinyAndCollapsedCloudsHaveNoPlane)
 {
   for (const std::size_t size : {0u, 1u, 2u, 3u, 200u})
-    EXPECT_EQ (growRegions (Cloud (size, 1), nineNeighbors()), Labels (size, 0));
+    EXPECT_EQ (growRegions (XyzCloud (size, 1), nineNeighbors()),
+               PlaneLabels (size, 0));
 }
 
 TEST (RegionGrowing, FindsTheExactPlanesOfARenderedRoom)
@@ -139,7 +140,7 @@ TEST (RegionGrowing, FindsTheExactPlanesOfARenderedRoom)
   const EvaluationCloud cloud = icl->load();
   RegionGrowingParameters parameters;
   parameters.neighbors = 30;
-  const Labels grown = growRegions (*cloud.cloud, parameters, 0);
+  const PlaneLabels grown = growRegions (*cloud.cloud, parameters, 0);
   const Metrics metrics = compareLabels (*cloud.cloud, *cloud.truth, grown);
   EXPECT_GT (metrics.segmentation_accuracy, 0.9);
 }
@@ -151,7 +152,7 @@ protected:
 
   TruthCache()
   {
-    cloud.cloud.reset (new Cloud (floorAndWall()));
+    cloud.cloud.reset (new XyzCloud (floorAndWall()));
     parameters.growing = nineNeighbors();
     parameters.cache_folder =
         (fs::temp_directory_path() /
@@ -172,7 +173,7 @@ protected:
 
 TEST_F (TruthCache, GivesWhatWasGrown)
 {
-  const Labels grown = growRegions (*cloud.cloud, parameters.growing);
+  const PlaneLabels grown = growRegions (*cloud.cloud, parameters.growing);
   EXPECT_EQ (truthOf (cloud, parameters), grown);
   EXPECT_TRUE (fs::exists (cacheFile()));
   EXPECT_EQ (truthOf (cloud, parameters), grown);
@@ -198,7 +199,7 @@ TEST_F (TruthCache, TellsCloudsAndParametersApart)
 
 TEST_F (TruthCache, ADamagedFileIsReplaced)
 {
-  const Labels grown = truthOf (cloud, parameters);
+  const PlaneLabels grown = truthOf (cloud, parameters);
   std::ofstream (cacheFile()) << "no cloud at all";
   EXPECT_EQ (truthOf (cloud, parameters), grown);
 }
@@ -211,9 +212,9 @@ TEST_F (TruthCache, AnUnwritableFolderIsNamed)
 
 TEST_F (TruthCache, ExactTruthIsTakenAsItIsButForSmallPlanes)
 {
-  cloud.truth = Labels (cloud.cloud->size(), 3);
+  cloud.truth = PlaneLabels (cloud.cloud->size(), 3);
   std::fill_n (cloud.truth->begin(), 49, 8);
-  const Labels truth = truthOf (cloud, parameters);
+  const PlaneLabels truth = truthOf (cloud, parameters);
   EXPECT_EQ (pointsWith (truth, 0), 49u);
   EXPECT_EQ (truthName (cloud, parameters), "exact");
   EXPECT_FALSE (fs::exists (parameters.cache_folder));

@@ -28,43 +28,24 @@ struct SharedFigures {
 constexpr std::size_t few_points = 300'000;
 constexpr std::size_t many_points = 10'000'000;
 
-/** \brief How fast or small the library is to be. */
-struct Target {
+/** \brief One measured thing over another. */
+struct Ratio {
   /** \brief Its name in JSON. */
   std::string id;
   std::string text;
-  /** \brief "" for a ratio. */
+  /** \brief "" where there is none. */
   std::string unit;
-  bool less_is_better = true;
-  double target = 0.0;
-  /** \brief NaN: nothing more is hoped for. */
-  double hoped_for = std::numeric_limits<double>::quiet_NaN();
-};
-
-/** \brief A target with what was measured. */
-struct TargetRow {
-  Target target;
   /** \brief NaN: not measured. */
   double value = std::numeric_limits<double>::quiet_NaN();
 };
 
-enum class Reached { Unknown, Neither, Target, HopedFor };
+/** \brief Every ratio on a cloud. Where two real cores were not to be had, the
+ * speed-up by two threads counts as not measured. */
+std::vector<Ratio>
+ratiosOf (const CloudFigures& figures, const SharedFigures& shared);
 
-/** \brief What a value reaches; Unknown where it was not measured. */
-Reached
-reachedBy (const TargetRow& row);
-
-/** \brief "hoped for", "target", "no" or "-". */
-std::string
-toString (Reached reached);
-
-/** \brief Every target with its value on a cloud. Where two real cores were not to be
- * had, the speed-up by two threads counts as not measured. */
-std::vector<TargetRow>
-rowsOf (const CloudFigures& figures, const SharedFigures& shared);
-
-/** \brief The rows' medians over several clouds. */
-std::vector<TargetRow>
-mediansOf (const std::vector<std::vector<TargetRow>>& rows_of_clouds);
+/** \brief The ratios' medians over several clouds. */
+std::vector<Ratio>
+mediansOf (const std::vector<std::vector<Ratio>>& ratios_of_clouds);
 
 } // namespace pcl_ops::benchmark

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace pcl_ops::evaluation {
+namespace pcl_ops::apps {
 
 /** \brief part / whole, or \p of_nothing where the whole is 0. */
 inline double
@@ -14,4 +14,4 @@ fraction (std::size_t part, std::size_t whole, double of_nothing)
                     : static_cast<double> (part) / static_cast<double> (whole);
 }
 
-} // namespace pcl_ops::evaluation
+} // namespace pcl_ops::apps

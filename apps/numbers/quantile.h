@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief The value that a share of all values does not exceed: 0.5 for the
+ * median. NaN for none. */
+template <typename Number>
+Number
+quantile (std::vector<Number> values, double share)
+{
+  if (values.empty())
+    return std::numeric_limits<Number>::quiet_NaN();
+  const double rank = std::ceil (share * static_cast<double> (values.size()));
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t> (std::max (rank, 1.0)) - 1;
+  std::nth_element (values.begin(), place, values.end());
+  return *place;
+}
+
+} // namespace pcl_ops::apps
