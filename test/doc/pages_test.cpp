@@ -93,8 +93,7 @@ run (const std::string& command, const fs::path& folder)
   ADD_FAILURE() << command << "\n" << said;
 }
 
-/** \brief The clouds the pages speak of: room.pcd, its planes, and a folder of scans.
- */
+/** \brief The clouds the pages speak of: room.pcd and a folder of scans. */
 void
 makeClouds (const fs::path& folder)
 {
