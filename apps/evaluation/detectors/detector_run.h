@@ -3,11 +3,7 @@
 #pragma once
 
 #include "detectors.h"
-<<<<<<< HEAD
-#include <evaluation/detectors/timed.h>
-=======
 #include "timed.h"
->>>>>>> apps
 
 namespace pcl_ops::evaluation {
 

@@ -8,11 +8,7 @@
 #include <pcl/segmentation/region_growing.h>
 #include <pcl/segmentation/sac_segmentation.h>
 
-<<<<<<< HEAD
-#include <evaluation/detectors/timed.h>
-=======
 #include "timed.h"
->>>>>>> apps
 
 #include <algorithm>
 #include <iterator>
