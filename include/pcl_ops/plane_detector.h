@@ -83,6 +83,22 @@ struct DetectorInput {
   std::function<NeighbourSearch (const pcl::Indices& finite)> search_over;
 };
 
+/** \brief What is wrong with an input, as a sentence; empty if nothing is: a cloud or
+ * indices without points, or an index outside the cloud. */
+PCL_OPS_EXPORT std::string
+problemOf (const DetectorInput& input);
+
+/** \brief Planes as PCL has them.
+ * \param[in,out] planes their inliers are moved out
+ * \param[in] header of the cloud
+ * \param[out] coefficients a b c d of each
+ * \param[out] inliers of each */
+PCL_OPS_EXPORT void
+toModels (std::vector<PlaneSegment>& planes,
+          const pcl::PCLHeader& header,
+          std::vector<pcl::ModelCoefficients>& coefficients,
+          std::vector<pcl::PointIndices>& inliers);
+
 /** \brief What a detector found. */
 struct Detection {
   /** \brief By falling size, in the frame of the input cloud. */
@@ -267,8 +283,6 @@ protected:
 private:
   bool
   isReady ();
-  bool
-  hasIndicesInRange () const;
   DetectorInput
   input () const;
   NeighbourSearch

@@ -3,6 +3,7 @@
 #include "geometry/angles.h"
 #include <pcl_ops/plane_detector.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_ops {
@@ -39,6 +40,40 @@ problemOf (const PlaneDetectorParameters& parameters)
   if (!(parameters.angle_tolerance >= 0.0 && parameters.angle_tolerance <= right_angle))
     return "the angle tolerance must be between 0 and pi/2 (radians)";
   return problemOf (parameters.merging);
+}
+
+std::string
+problemOf (const DetectorInput& input)
+{
+  const auto is_outside = [size = input.cloud.size] (pcl::index_t index) {
+    return index < 0 || static_cast<std::size_t> (index) >= size;
+  };
+  if (input.cloud.size == 0)
+    return "the input cloud is empty";
+  if (input.indices.empty())
+    return "the indices are empty; leave them out to use the whole cloud";
+  if (std::any_of (input.indices.begin(), input.indices.end(), is_outside))
+    return "an index lies outside the input cloud";
+  return {};
+}
+
+void
+toModels (std::vector<PlaneSegment>& planes,
+          const pcl::PCLHeader& header,
+          std::vector<pcl::ModelCoefficients>& coefficients,
+          std::vector<pcl::PointIndices>& inliers)
+{
+  coefficients.assign (planes.size(), pcl::ModelCoefficients());
+  inliers.assign (planes.size(), pcl::PointIndices());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const Plane plane = planes[i].plane();
+    coefficients[i].header = inliers[i].header = header;
+    coefficients[i].values = {static_cast<float> (plane.normal.x()),
+                              static_cast<float> (plane.normal.y()),
+                              static_cast<float> (plane.normal.z()),
+                              static_cast<float> (plane.offset)};
+    inliers[i].indices.swap (planes[i].inliers);
+  }
 }
 
 } // namespace pcl_ops

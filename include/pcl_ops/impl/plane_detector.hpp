@@ -3,13 +3,10 @@
 #pragma once
 
 #include <pcl/console/print.h>
-#include <pcl/search/kdtree.h>
 
-#include <pcl_ops/grid_search.h>
 #include <pcl_ops/plane_detector.h>
 #include <pcl_ops/plane_extent.h>
 
-#include <algorithm>
 #include <exception>
 
 namespace pcl_ops {
@@ -66,17 +63,10 @@ PlaneDetector<PointT, Detector, ParametersT>::segment (
 {
   std::vector<PlaneSegment> planes;
   const bool success = segment (planes);
-  coefficients.assign (planes.size(), pcl::ModelCoefficients());
-  inliers.assign (planes.size(), pcl::PointIndices());
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    const Plane plane = planes[i].plane();
-    coefficients[i].header = inliers[i].header = this->input_->header;
-    coefficients[i].values = {static_cast<float> (plane.normal.x()),
-                              static_cast<float> (plane.normal.y()),
-                              static_cast<float> (plane.normal.z()),
-                              static_cast<float> (plane.offset)};
-    inliers[i].indices.swap (planes[i].inliers);
-  }
+  toModels (planes,
+            this->input_ ? this->input_->header : pcl::PCLHeader(),
+            coefficients,
+            inliers);
   return success;
 }
 
@@ -121,32 +111,14 @@ template <typename PointT, typename Detector, typename ParametersT>
 bool
 PlaneDetector<PointT, Detector, ParametersT>::isReady()
 {
-  std::string problem;
-  if (!this->initCompute())
-    problem = "no input cloud; call setInputCloud";
-  else if (this->input_->empty())
-    problem = "the input cloud is empty";
-  else if (this->indices_->empty())
-    problem = "the indices are empty; leave them out to use the whole cloud";
-  else if (!hasIndicesInRange())
-    problem = "an index lies outside the input cloud";
-  else
+  std::string problem = "no input cloud; call setInputCloud";
+  if (this->initCompute())
+    problem = problemOf (input());
+  if (problem.empty())
     problem = problemOf (parameters_);
   if (!problem.empty())
     PCL_ERROR ("[pcl_ops::%s::segment] %s\n", getClassName().c_str(), problem.c_str());
   return problem.empty();
-}
-
-template <typename PointT, typename Detector, typename ParametersT>
-bool
-PlaneDetector<PointT, Detector, ParametersT>::hasIndicesInRange() const
-{
-  const std::size_t size = this->input_->size();
-  return this->fake_indices_ ||
-         std::all_of (
-             this->indices_->begin(), this->indices_->end(), [size] (pcl::index_t i) {
-               return i >= 0 && static_cast<std::size_t> (i) < size;
-             });
 }
 
 template <typename PointT, typename Detector, typename ParametersT>
@@ -187,10 +159,10 @@ PlaneDetector<PointT, Detector, ParametersT>::searchOver (
     search_->radiusSearch (
         (*this->input_)[point], radius, neighbours, squared_distances);
   };
-  // Only these are known to be safe to ask from several threads at once.
-  const Search* const asked = search_.get();
-  const bool is_safe = dynamic_cast<const GridSearch<PointT>*> (asked) ||
-                       dynamic_cast<const pcl::search::KdTree<PointT>*> (asked);
+  // Only GridSearch and kd-trees are known to be safe to ask from several threads at
+  // once.
+  const std::string& name = search_->getName();
+  const bool is_safe = name == "GridSearch" || name == "KdTree";
   search.threads = is_safe ? parameters_.threads : 1;
   return search;
 }
