@@ -3,7 +3,7 @@
 #include <pcl/surface/concave_hull.h>
 #include <pcl/point_types.h>
 
-#include "../planar_ring.h"
+#include "extent/planar_ring.h"
 #include "thinning.h"
 #include <pcl_ops/surface/concave_hull.h>
 
@@ -11,6 +11,8 @@
 #include <cmath>
 
 namespace pcl_ops {
+
+using namespace internal;
 
 namespace {
 
@@ -93,7 +95,7 @@ concaveHull (const PlanarPoints& points, double alpha)
   constexpr double least_inside = 0.99;
   constexpr double most_outside_convex = 0.005;
   constexpr double spacings_per_alpha = 6.0;
-  constexpr double voxels_per_alpha = 2.0;
+  constexpr double cells_per_alpha = 2.0;
   constexpr double growth = 1.5;
   constexpr int most_attempts = 8;
   const PlanarPoints convex = convexHull (points, most_outside_convex);
@@ -106,7 +108,7 @@ concaveHull (const PlanarPoints& points, double alpha)
   const double spacing = std::sqrt (geometry::area (toRing (convex)) / number);
   double radius = alpha > 0.0 ? alpha : spacings_per_alpha * spacing;
   const WeightedPoints thinned =
-      thinInside (pointsWithin (convex, points), radius / voxels_per_alpha);
+      thinInside (pointsWithin (convex, points), radius / cells_per_alpha);
   constexpr std::size_t fewest_for_qhull = 4;
   if (thinned.points.size() < fewest_for_qhull)
     return convex;

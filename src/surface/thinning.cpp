@@ -11,15 +11,15 @@ namespace pcl_ops {
 
 namespace {
 
-using Voxel = std::pair<std::int64_t, std::int64_t>;
-using Voxels = std::map<Voxel, std::vector<std::size_t>>;
+using Cell = std::pair<std::int64_t, std::int64_t>;
+using Cells = std::map<Cell, std::vector<std::size_t>>;
 
 bool
-isSurrounded (const Voxels& voxels, const Voxel& voxel)
+isSurrounded (const Cells& cells, const Cell& cell)
 {
   for (const std::int64_t x : {-1, 0, 1})
     for (const std::int64_t y : {-1, 0, 1})
-      if (voxels.count ({voxel.first + x, voxel.second + y}) == 0)
+      if (cells.count ({cell.first + x, cell.second + y}) == 0)
         return false;
   return true;
 }
@@ -27,15 +27,15 @@ isSurrounded (const Voxels& voxels, const Voxel& voxel)
 } // namespace
 
 WeightedPoints
-thinInside (const PlanarPoints& points, double voxel)
+thinInside (const PlanarPoints& points, double cell)
 {
-  Voxels voxels;
+  Cells cells;
   for (std::size_t i = 0; i < points.size(); ++i)
-    voxels[{std::llround (points[i].x() / voxel), std::llround (points[i].y() / voxel)}]
+    cells[{std::llround (points[i].x() / cell), std::llround (points[i].y() / cell)}]
         .push_back (i);
   WeightedPoints thinned;
-  for (const auto& [place, members] : voxels) {
-    const bool is_inside = isSurrounded (voxels, place);
+  for (const auto& [place, members] : cells) {
+    const bool is_inside = isSurrounded (cells, place);
     for (std::size_t m = 0; m < (is_inside ? 1 : members.size()); ++m) {
       thinned.points.push_back (points[members[m]]);
       thinned.weights.push_back (is_inside ? members.size() : 1);

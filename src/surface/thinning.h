@@ -12,9 +12,9 @@ struct WeightedPoints {
   std::vector<std::size_t> weights;
 };
 
-/** \brief All points near the rim, and one for each square voxel that has points in all
- * voxels around it. \param[in] voxel side of a voxel [m] */
+/** \brief All points near the rim, and one for each square cell that has points in all
+ * cells around it. \param[in] cell side of a cell [m] */
 WeightedPoints
-thinInside (const PlanarPoints& points, double voxel);
+thinInside (const PlanarPoints& points, double cell);
 
 } // namespace pcl_ops

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_ops/surface/triangulation.h>
+#include <vtkCellArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTriangleFilter.h>
-#include <vtkVoxelArray.h>
 
 #include <cmath>
 
@@ -40,10 +40,10 @@ setOutline (vtkPolyData& mesh, const PlanarPoints& outline)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkVoxelArray> polygons;
-  polygons->InsertNextVoxel (static_cast<int> (outline.size()));
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell (static_cast<int> (outline.size()));
   for (const Eigen::Vector2d& corner : outline)
-    polygons->InsertVoxelPoint (points->InsertNextPoint (corner.x(), corner.y(), 0.0));
+    polygons->InsertCellPoint (points->InsertNextPoint (corner.x(), corner.y(), 0.0));
   mesh.SetPoints (points);
   mesh.SetPolys (polygons);
 }
@@ -63,8 +63,8 @@ triangulate (const PlanarPoints& outline)
   filter->Update();
   std::vector<Triangle> triangles;
   vtkNew<vtkIdList> ids;
-  vtkVoxelArray* const polygons = filter->GetOutput()->GetPolys();
-  for (polygons->InitTraversal(); polygons->GetNextVoxel (ids) != 0;) {
+  vtkCellArray* const polygons = filter->GetOutput()->GetPolys();
+  for (polygons->InitTraversal(); polygons->GetNextCell (ids) != 0;) {
     if (ids->GetNumberOfIds() != corners)
       return {};
     Triangle triangle{};
