@@ -5,6 +5,8 @@
 #include <pcl/kdtree/kdtree_flann.h>
 
 #include <evaluation/detectors/timed.h>
+#include <fspf/local_plane_sampling.h>
+#include <geometry/points.h>
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <search/fixed_radius_search.h>
@@ -17,6 +19,7 @@ namespace pcl_ops::benchmark {
 
 namespace {
 
+using evaluation::timed;
 using evaluation::XyzCloud;
 using KdTree = pcl::KdTreeFLANN<pcl::PointXYZ>;
 

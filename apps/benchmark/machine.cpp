@@ -64,7 +64,7 @@ arithmeticTime (unsigned threads, std::size_t runs)
   std::atomic<std::uint64_t> result{0};
   for (std::size_t run = 0; run < runs; ++run) {
     double time = 0.0;
-    timed (time, [&] {
+    evaluation::timed (time, [&] {
       std::vector<std::thread> workers;
       for (unsigned i = 0; i < threads; ++i)
         workers.emplace_back ([&] { result += plainArithmetic(); });

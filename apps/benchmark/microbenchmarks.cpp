@@ -63,7 +63,8 @@ extractedFrom (const Scan& scan)
 {
   internal::RandomGenerator generator (seed);
   BoundedPlanes planes;
-  extractBoundedPlanes (scan.voxelized.grid, scan.normals, {}, generator, planes);
+  extractSurfelPlanes (
+      scan.voxelized.grid, scan.surfels, ransacParameters(), generator, planes);
   return planes;
 }
 

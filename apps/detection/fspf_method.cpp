@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "detector_run.h"
-#include <cli/errors.h>
+#include "fspf_method.h"
+
+#include "method_table.h"
+#include <pcl_ops/fast_sampling_plane_filtering.h>
 
 namespace pcl_ops::apps {
 
@@ -9,107 +11,54 @@ namespace {
 
 using Fspf = FastSamplingPlaneFiltering<pcl::PointXYZ>;
 
-/** \brief r2 / r1 where the paper finds FSPF most accurate (Table I). */
-constexpr double radii_ratio = 2.0;
-
-void
-declareRadii (CommandLine& line, FspfOptions& options)
+OptionTable<Fspf::Parameters>
+options ()
 {
-  const LocalSamplingParameters usual;
-  const LocalSamplingParameters paper = Fspf::Parameters::paper().local;
-  line.addNumber ("inner-radius",
-                  "M",
-                  Range::above (0),
-                  options.inner_radius,
-                  withPresets ("three points this near make a hypothesis",
-                               usual.inner_radius,
-                               paper.inner_radius));
-  line.addNumber ("outer-radius",
-                  "M",
-                  Range::above (0),
-                  options.outer_radius,
-                  withPresets ("it is tested on points this near",
-                               usual.outer_radius,
-                               paper.outer_radius));
-}
-
-void
-declareOptions (CommandLine& line, DetectorOptions& detector)
-{
+  using P = Fspf::Parameters;
   constexpr double points_of_a_plane = 3;
-  const LocalSamplingParameters usual;
-  const LocalSamplingParameters paper = Fspf::Parameters::paper().local;
-  FspfOptions& options = detector.fspf;
-  declareRadii (line, options);
-  line.addNumber ("local-samples",
-                  "N",
-                  Range::from (points_of_a_plane),
-                  options.local_samples,
-                  withPresets ("it is tested on so many of them",
-                               usual.local_samples,
-                               paper.local_samples));
-  line.addNumber ("min-inlier-share",
-                  "R",
-                  Range::from (0).below (1),
-                  options.min_inlier_share,
-                  withPresets ("a larger share of these must be inliers",
-                               usual.min_inlier_fraction,
-                               paper.min_inlier_fraction));
-  line.addNumber ("inliers-per-point",
-                  "R",
-                  Range::above (0),
-                  options.inliers_per_point,
-                  withPresets ("sampling ends at so many inliers",
-                               usual.max_inliers_per_point,
-                               paper.max_inliers_per_point));
+  return {{"inner-radius",
+           "M",
+           Range::above (0),
+           [] (P& p) -> double& { return p.local.inner_radius; },
+           "three points this near make a hypothesis"},
+          {"outer-radius",
+           "M",
+           Range::above (0),
+           [] (P& p) -> double& { return p.local.outer_radius; },
+           "it is tested on points this near"},
+          {"local-samples",
+           "N",
+           Range::from (points_of_a_plane),
+           [] (P& p) -> unsigned& { return p.local.local_samples; },
+           "it is tested on so many of them"},
+          {"min-inlier-share",
+           "R",
+           Range::from (0).below (1),
+           [] (P& p) -> double& { return p.local.min_inlier_fraction; },
+           "a larger share of these must be inliers"},
+          {"inliers-per-point",
+           "R",
+           Range::above (0),
+           [] (P& p) -> double& { return p.local.max_inliers_per_point; },
+           "sampling ends at so many inliers"}};
 }
 
+/** \brief Where one radius is given the other follows: r2 = 2 r1, where the paper finds
+ * FSPF most accurate (Table I). */
 void
-overrideRadii (const FspfOptions& options, LocalSamplingParameters& local)
+relateRadii (const GivenNumbers& given, Fspf::Parameters& parameters)
 {
-  if (options.inner_radius)
-    local.outer_radius = radii_ratio * *options.inner_radius;
-  if (options.outer_radius)
-    local.inner_radius = *options.outer_radius / radii_ratio;
-  override (options.inner_radius, local.inner_radius);
-  override (options.outer_radius, local.outer_radius);
+  constexpr double ratio = 2.0;
+  LocalSamplingParameters& local = parameters.local;
+  const bool has_inner = given.count ("inner-radius") > 0;
+  const bool has_outer = given.count ("outer-radius") > 0;
+  if (has_inner && !has_outer)
+    local.outer_radius = ratio * local.inner_radius;
+  if (has_outer && !has_inner)
+    local.inner_radius = local.outer_radius / ratio;
   if (local.outer_radius < local.inner_radius)
     throw UsageError ("--outer-radius",
                       "is below --inner-radius; leave one of them out or raise it");
-}
-
-Fspf::Parameters
-parametersOf (const DetectorOptions& options)
-{
-  auto parameters = presetOf<Fspf::Parameters> (options);
-  LocalSamplingParameters& local = parameters.local;
-  overrideRadii (options.fspf, local);
-  override (options.fspf.local_samples, local.local_samples);
-  override (options.fspf.min_inlier_share, local.min_inlier_fraction);
-  override (options.fspf.inliers_per_point, local.max_inliers_per_point);
-  return parameters;
-}
-
-nlohmann::ordered_json
-describeOwn (const LocalSamplingParameters& local)
-{
-  nlohmann::ordered_json json;
-  json["inner_radius"] = local.inner_radius;
-  json["outer_radius"] = local.outer_radius;
-  json["local_samples"] = local.local_samples;
-  json["min_inlier_share"] = local.min_inlier_fraction;
-  json["inliers_per_point"] = local.max_inliers_per_point;
-  return json;
-}
-
-Detected
-detect (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
-{
-  const Fspf::Parameters parameters = parametersOf (options);
-  return detectBy<Fspf> (
-      parameters,
-      describe (options.preset, describeOwn (parameters.local), parameters),
-      cloud);
 }
 
 } // namespace
@@ -117,7 +66,10 @@ detect (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 Method
 fspfMethod ()
 {
-  return {"fspf", "Fast Sampling Plane Filtering", declareOptions, detect};
+  MethodTable<Fspf> table{"fspf", "Fast Sampling Plane Filtering"};
+  table.options = options();
+  table.relate = relateRadii;
+  return methodOf (table);
 }
 
 } // namespace pcl_ops::apps

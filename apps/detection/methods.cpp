@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods.h"
 
+#include "fspf_method.h"
+#include "kht_method.h"
+#include "ops_method.h"
+
 #include <algorithm>
 
 namespace pcl_ops::apps {

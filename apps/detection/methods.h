@@ -4,45 +4,25 @@
 
 #include <Eigen/Core>
 
-#include <cli/command_line.h>
+#include "settings.h"
 #include <io/xyz_cloud.h>
-#include <nlohmann/json.hpp>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
 
-/** \brief The options of OPS alone. */
-struct OpsOptions {
-  std::optional<double> sampling_rate;
-  std::optional<int> k;
-  std::optional<std::uint32_t> min_inliers;
-  std::optional<double> probability;
-};
+class CommandLine;
 
-/** \brief The options of FSPF alone. */
-struct FspfOptions {
-  /** \brief r1 and r2 [m]; where one is given the other follows as r2 = 2 r1. */
-  std::optional<double> inner_radius, outer_radius;
-  std::optional<std::uint32_t> local_samples;
-  std::optional<double> min_inlier_share;
-  std::optional<double> inliers_per_point;
-};
-
-/** \brief The options of 3D-KHT alone. */
-struct KhtOptions {
-  std::optional<int> phi_num, rho_num;
-  std::optional<std::size_t> min_samples;
-  std::optional<int> s_level;
-  std::optional<double> s_alpha, s_beta;
-};
+/** \brief The texts of numbers that were given, by the names of their options. */
+using GivenNumbers = std::map<std::string, std::string>;
 
 /** \brief The options of all detectors; those not given keep the preset's value. */
 struct DetectorOptions {
@@ -57,9 +37,8 @@ struct DetectorOptions {
   std::optional<std::uint32_t> threads;
   /** \brief Off: planes stay as they are before the merging process. */
   bool merging = true;
-  OpsOptions ops;
-  FspfOptions fspf;
-  KhtOptions kht;
+  /** \brief Those of one method alone. */
+  GivenNumbers own;
 };
 
 /** \brief What a detector found and how. */
@@ -68,7 +47,7 @@ struct Detected {
   std::vector<PlaneSegment> planes;
   StageDurations timing;
   /** \brief The parameters used, under the names of their options. */
-  nlohmann::ordered_json parameters;
+  Settings settings;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   /** \brief A line on the up axis where it was looked for. */
   std::string up_note;
@@ -88,21 +67,9 @@ struct Method {
   /** \brief The method in a few words, over its options in the help. */
   std::string title;
   /** \brief Declares the options no other method has. */
-  std::function<void (CommandLine&, DetectorOptions&)> declare_options;
+  std::function<void (CommandLine&, GivenNumbers&)> declare_options;
   std::function<Detected (const DetectorOptions&, const XyzCloud::ConstPtr&)> detect;
 };
-
-/** \brief Oriented Point Sampling. */
-Method
-opsMethod ();
-
-/** \brief Fast Sampling Plane Filtering. */
-Method
-fspfMethod ();
-
-/** \brief The 3D Kernel-based Hough Transform. */
-Method
-khtMethod ();
 
 /** \brief Every method of --method; the first is the default. */
 const std::vector<Method>&

@@ -1,88 +1,43 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "detector_run.h"
+#include "ops_method.h"
+
+#include "method_table.h"
+#include <pcl_ops/oriented_point_sampling.h>
 
 namespace pcl_ops::apps {
-
-namespace {
-
-using Ops = OrientedPointSampling<pcl::PointXYZ>;
-
-void
-declareOptions (CommandLine& line, DetectorOptions& detector)
-{
-  const Ops::Parameters usual;
-  const Ops::Parameters paper = Ops::Parameters::paper();
-  OpsOptions& options = detector.ops;
-  line.addNumber ("sampling-rate",
-                  "R",
-                  Range::above (0).upTo (1),
-                  options.sampling_rate,
-                  withPresets ("share of the points that get a normal",
-                               usual.sampling_rate,
-                               paper.sampling_rate));
-  line.addNumber ("k",
-                  "K",
-                  Range::from (2),
-                  options.k,
-                  withPresets ("neighbours of a normal; on surfels the fewest points",
-                               usual.k,
-                               paper.k));
-  line.addNumber ("min-inliers",
-                  "N",
-                  Range::from (1),
-                  options.min_inliers,
-                  withPresets ("a plane has more sampled points than this",
-                               usual.min_inliers,
-                               paper.min_inliers));
-  line.addNumber ("probability",
-                  "P",
-                  Range::above (0).below (1),
-                  options.probability,
-                  withPresets ("of drawing a point of the largest plane",
-                               usual.probability,
-                               paper.probability));
-}
-
-Ops::Parameters
-parametersOf (const DetectorOptions& options)
-{
-  auto parameters = presetOf<Ops::Parameters> (options);
-  override (options.ops.sampling_rate, parameters.sampling_rate);
-  override (options.ops.k, parameters.k);
-  override (options.ops.min_inliers, parameters.min_inliers);
-  override (options.ops.probability, parameters.probability);
-  return parameters;
-}
-
-nlohmann::ordered_json
-describeOwn (const Ops::Parameters& parameters)
-{
-  const bool on_surfels = parameters.sampling == Sampling::Surfels;
-  nlohmann::ordered_json json;
-  json["sampling"] = on_surfels ? "surfels" : "points";
-  json["sampling_rate"] = parameters.sampling_rate;
-  json["k"] = parameters.k;
-  json["min_inliers"] = parameters.min_inliers;
-  json["probability"] = parameters.probability;
-  return json;
-}
-
-Detected
-detect (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
-{
-  const Ops::Parameters parameters = parametersOf (options);
-  return detectBy<Ops> (parameters,
-                        describe (options.preset, describeOwn (parameters), parameters),
-                        cloud);
-}
-
-} // namespace
 
 Method
 opsMethod ()
 {
-  return {"ops", "Oriented Point Sampling", declareOptions, detect};
+  using Ops = OrientedPointSampling<pcl::PointXYZ>;
+  using P = Ops::Parameters;
+  MethodTable<Ops> table{"ops", "Oriented Point Sampling"};
+  table.options = {{"sampling-rate",
+                    "R",
+                    Range::above (0).upTo (1),
+                    [] (P& p) -> double& { return p.sampling_rate; },
+                    "share of the points that get a normal"},
+                   {"k",
+                    "K",
+                    Range::from (2),
+                    [] (P& p) -> int& { return p.k; },
+                    "neighbours of a normal; on surfels the fewest points"},
+                   {"min-inliers",
+                    "N",
+                    Range::from (1),
+                    [] (P& p) -> unsigned& { return p.min_inliers; },
+                    "a plane has more sampled points than this"},
+                   {"probability",
+                    "P",
+                    Range::above (0).below (1),
+                    [] (P& p) -> double& { return p.probability; },
+                    "of drawing a point of the largest plane"}};
+  table.first_settings = [] (const P& p) -> Settings {
+    const bool on_surfels = p.sampling == Sampling::Surfels;
+    return {{"sampling", std::string (on_surfels ? "surfels" : "points")}};
+  };
+  return methodOf (table);
 }
 
 } // namespace pcl_ops::apps

@@ -61,9 +61,8 @@ runMethod (const Method& method,
     known.up = found->direction.cast<float>();
   Detected detected = method.detect (known, cloud);
   detected.up_note = noteOn (found, detected.up);
-  nlohmann::ordered_json& confidence = detected.parameters["up_confidence"];
-  if (found)
-    confidence = found->confidence;
+  detected.settings.emplace_back (
+      "up_confidence", found ? SettingValue (found->confidence) : SettingValue());
   return detected;
 }
 

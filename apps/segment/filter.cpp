@@ -13,7 +13,7 @@ keepOnly (const std::string& only, Detected& detected)
 {
   if (only.empty())
     return;
-  detected.parameters["only"] = only;
+  detected.settings.emplace_back ("only", only);
   std::vector<PlaneSegment>& planes = detected.planes;
   const std::size_t found = planes.size();
   if (only == "largest")

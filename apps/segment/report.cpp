@@ -3,6 +3,8 @@
 #include "report.h"
 
 #include <detection/stages.h>
+#include <nlohmann/json.hpp>
+#include <numbers/fraction.h>
 #include <pcl_ops/orientation.h>
 
 #include <array>
@@ -10,7 +12,9 @@
 #include <limits>
 #include <ostream>
 #include <sstream>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 namespace pcl_ops::apps {
 
@@ -20,9 +24,7 @@ double
 share (std::size_t part, std::size_t whole)
 {
   constexpr double per_cent = 100.0;
-  return whole == 0
-             ? 0.0
-             : per_cent * static_cast<double> (part) / static_cast<double> (whole);
+  return per_cent * fraction (part, whole, 0.0);
 }
 
 void
@@ -81,6 +83,20 @@ toObject (const PlaneExtent& extent)
   object["width"] = extent.width;
   object["center"] = toArray (extent.center);
   object["axes"] = {toArray (extent.long_axis), toArray (extent.short_axis)};
+  return object;
+}
+
+nlohmann::ordered_json
+toObject (const Settings& settings)
+{
+  nlohmann::ordered_json object;
+  for (const auto& [name, value] : settings)
+    std::visit (
+        [&json = object[name]] (const auto& known) {
+          if constexpr (!std::is_same_v<decltype (known), const std::monostate&>)
+            json = known;
+        },
+        value);
   return object;
 }
 
@@ -159,7 +175,7 @@ toJson (const Report& report)
   nlohmann::ordered_json json;
   json["points"] = report.points;
   json["method"] = report.method;
-  json["parameters"] = report.detected.parameters;
+  json["parameters"] = toObject (report.detected.settings);
   for (const auto& [name, duration] : detection_stages)
     json["timing_ms"][name] = report.detected.timing.*duration;
   if (!report.detected.advice.empty())

@@ -101,8 +101,8 @@ TEST (PlaneFinder, FindsTheTableByEveryMethod)
 TEST (PlaneFinder, KeepsWhatItFoundIfTheNextRunFails)
 {
   DetectorOptions options;
-  options.fspf.inner_radius = 0.2;
-  options.fspf.outer_radius = 0.1; // refused: smaller than the inner one
+  // Refused: the outer one is smaller than the inner one.
+  options.own = {{"inner-radius", "0.2"}, {"outer-radius", "0.1"}};
   PlaneFinder finder (options, tableAndPoint());
   const FoundPlanes& found = finder.find ({});
   DetectionRun refused;
