@@ -8,15 +8,15 @@
 /** \brief Adds steps x steps points of a surface, evenly spread and without its rim.
  * \param[in] noise each point is moved by up to this much along the normal [m] */
 inline void
-addGrid (pcl_ops::Coordinates& points,
+addGrid (pcl_ops::internal::Coordinates& points,
          const Surface& surface,
          int steps,
          double noise = 0.0)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   for (int i = 0; i < steps; ++i)
     for (int j = 0; j < steps; ++j) {
-      const double height = noise * (2.0 * pcl_ops::drawUnit (generator) - 1.0);
+      const double height = noise * (2.0 * drawUnit (generator) - 1.0);
       const Eigen::Vector3d point =
           surface.at ((i + 0.5) / steps, (j + 0.5) / steps) + height * surface.normal();
       points.add (static_cast<float> (point.x()),

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "base/random.h"
+#include "geometry/angles.h"
 #include <pcl_ops/plane.h>
 
 #include <algorithm>
@@ -18,7 +19,10 @@
 #include <string>
 #include <vector>
 
-constexpr double pi = 3.14159265358979323846;
+using pcl_ops::internal::drawBelow;
+using pcl_ops::internal::drawUnit;
+using pcl_ops::internal::pi;
+using pcl_ops::internal::RandomGenerator;
 
 // clang-format off
 constexpr double operator"" _m (long double metres) { return static_cast<double> (metres); }
@@ -32,24 +36,12 @@ constexpr double operator"" _deg (unsigned long long degrees) { return static_ca
 
 /** \brief A seed from the running test's name (FNV-1a): no two tests share random
  * numbers, and adding a test changes those of no other. */
-inline std::uint32_t
-seedOfTest ()
-{
-  const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
-  std::uint32_t hash = 2166136261u;
-  for (const char letter : std::string (test->test_suite_name()) + "." + test->name())
-    hash = (hash ^ static_cast<unsigned char> (letter)) * 16777619u;
-  return hash;
-}
+std::uint32_t
+seedOfTest ();
 
 /** \brief Standard normal draw (Box & Muller). */
-inline double
-drawNormal (pcl_ops::RandomGenerator& generator)
-{
-  const double radius =
-      std::sqrt (-2.0 * std::log (1.0 - pcl_ops::drawUnit (generator)));
-  return radius * std::cos (2.0 * pi * pcl_ops::drawUnit (generator));
-}
+double
+drawNormal (RandomGenerator& generator);
 
 /** \brief A parallelogram: corner + s first + t second with s and t in 0 .. 1. */
 struct Surface {
@@ -155,7 +147,7 @@ private:
   void
   addClutter (LabelledScene& scene);
 
-  pcl_ops::RandomGenerator generator_;
+  RandomGenerator generator_;
   std::vector<Surface> surfaces_;
   double spacing_ = 4_cm;
   double noise_ = 0.0;
@@ -163,128 +155,35 @@ private:
   Eigen::Vector3d shift_ = Eigen::Vector3d::Zero();
 };
 
-inline LabelledScene
-Scene::build()
-{
-  LabelledScene scene{
-      pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(), {}, surfaces_};
-  for (std::size_t i = 0; i < surfaces_.size(); ++i)
-    addSurface (scene, surfaces_[i], static_cast<int> (i));
-  addClutter (scene);
-  for (Surface& surface : scene.surfaces)
-    surface.corner += shift_;
-  return scene;
-}
-
-inline void
-Scene::addSurface (LabelledScene& scene, const Surface& surface, int label)
-{
-  const auto count = std::lround (surface.area() / (spacing_ * spacing_));
-  for (long i = 0; i < count; ++i) {
-    const double s = pcl_ops::drawUnit (generator_);
-    const double t = pcl_ops::drawUnit (generator_);
-    const double height = noise_ > 0.0 ? noise_ * drawNormal (generator_) : 0.0;
-    add (scene, surface.at (s, t) + height * surface.normal(), label);
-  }
-}
-
-inline void
-Scene::addClutter (LabelledScene& scene)
-{
-  Eigen::AlignedBox3d box;
-  for (const Surface& surface : surfaces_)
-    for (const int corner : {0, 1, 2, 3})
-      box.extend (surface.at (corner & 1, corner >> 1));
-  const auto count = std::lround (clutter_ / (1.0 - clutter_) *
-                                  static_cast<double> (scene.cloud->size()));
-  for (long i = 0; i < count; ++i) {
-    const Eigen::Vector3d share (pcl_ops::drawUnit (generator_),
-                                 pcl_ops::drawUnit (generator_),
-                                 pcl_ops::drawUnit (generator_));
-    add (scene, box.min() + share.cwiseProduct (box.sizes()), -1);
-  }
-}
-
 /** \brief A floor of 4 m x 3 m with two walls of 2.5 m, some 18,000 points, and a
  * little clutter. With a millimetre of noise the normal of any one point is good enough
  * for a whole surface: nobody has to be lucky. */
-inline Scene
-room ()
-{
-  return Scene()
-      .floor (4_m, 3_m)
-      .wall ({0, 0}, {4, 0}, 2.5_m)
-      .wall ({0, 0}, {0, 3}, 2.5_m)
-      .noise (1_mm)
-      .clutter (2_percent);
-}
+Scene
+room ();
 
 /** \brief What a depth camera at the origin, looking along z, sees of a floor 1 m below
  * it (y down) and a wall 3 m ahead: organized, with pixels that saw nothing as NaN. */
-inline pcl::PointCloud<pcl::PointXYZ>::Ptr
-roomSeenByCamera (std::uint32_t width, std::uint32_t height)
-{
-  constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (width, height);
-  cloud->is_dense = false;
-  const float focal = 0.8f * static_cast<float> (width);
-  for (std::uint32_t row = 0; row < height; ++row)
-    for (std::uint32_t column = 0; column < width; ++column) {
-      const float x = (static_cast<float> (column) - 0.5f * width) / focal;
-      const float y = (static_cast<float> (row) - 0.5f * height) / focal;
-      const float depth = y > 0.0f ? std::min (3.0f, 1.0f / y) : 3.0f;
-      const bool lost = (row + column) % 10 == 0;
-      cloud->at (column, row) = lost ? pcl::PointXYZ (nothing, nothing, nothing)
-                                     : pcl::PointXYZ (x * depth, y * depth, depth);
-    }
-  return cloud;
-}
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+roomSeenByCamera (std::uint32_t width, std::uint32_t height);
 
 /** \brief Angle between two directions, whatever their signs [rad]. */
-inline double
-angleBetween (const Eigen::Vector3d& first, const Eigen::Vector3d& second)
-{
-  return std::atan2 (first.cross (second).norm(), std::abs (first.dot (second)));
-}
+double
+angleBetween (const Eigen::Vector3d& first, const Eigen::Vector3d& second);
 
 /** \brief The plane's normal is within \p angle of the truth's, and the plane passes
  * within \p offset of the truth's centre. */
-inline void
+void
 expectPlaneNear (const pcl_ops::Plane& plane,
                  const Surface& truth,
                  double angle,
-                 double offset)
-{
-  EXPECT_LE (angleBetween (plane.normal, truth.normal()), angle) << "normal [rad]";
-  EXPECT_LE (std::abs (plane.distance (truth.centre())), offset) << "offset [m]";
-}
+                 double offset);
 
 /** \brief True if the plane is near enough to the surface to be it. */
-inline bool
-isNear (const pcl_ops::Plane& plane, const Surface& truth, double angle, double offset)
-{
-  return angleBetween (plane.normal, truth.normal()) <= angle &&
-         std::abs (plane.distance (truth.centre())) <= offset;
-}
+bool
+isNear (const pcl_ops::Plane& plane, const Surface& truth, double angle, double offset);
 
 /** \brief Every surface of the scene is one of the planes, with nine tenths of its
  * points, and there is no plane besides. */
-inline void
+void
 expectFindsEverySurface (const std::vector<pcl_ops::PlaneSegment>& planes,
-                         const LabelledScene& scene)
-{
-  EXPECT_EQ (planes.size(), scene.surfaces.size());
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    const auto found =
-        std::find_if (planes.begin(), planes.end(), [&] (const auto& plane) {
-          return isNear (plane.plane(), scene.surfaces[s], 1_deg, 1_cm);
-        });
-    ASSERT_NE (found, planes.end()) << "surface " << s << " was not found";
-    const auto label = static_cast<int> (s);
-    const auto on_it = std::count_if (found->inliers.begin(),
-                                      found->inliers.end(),
-                                      [&] (int i) { return scene.labels[i] == label; });
-    const auto all = std::count (scene.labels.begin(), scene.labels.end(), label);
-    EXPECT_GE (on_it, 0.9 * all) << "points of surface " << s;
-  }
-}
+                         const LabelledScene& scene);

@@ -19,10 +19,9 @@ using pcl::PointXYZ;
 using Cloud = pcl::PointCloud<PointXYZ>;
 
 inline Cloud::Ptr
-randomCloud (std::size_t size,
-             const std::function<PointXYZ (pcl_ops::RandomGenerator&)>& draw)
+randomCloud (std::size_t size, const std::function<PointXYZ (RandomGenerator&)>& draw)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   auto cloud = pcl::make_shared<Cloud>();
   for (std::size_t i = 0; i < size; ++i)
     cloud->push_back (draw (generator));
@@ -30,10 +29,10 @@ randomCloud (std::size_t size,
 }
 
 inline PointXYZ
-drawInCube (pcl_ops::RandomGenerator& generator, double edge)
+drawInCube (RandomGenerator& generator, double edge)
 {
   const auto draw = [&] {
-    return static_cast<float> (edge * (pcl_ops::drawUnit (generator) - 0.5));
+    return static_cast<float> (edge * (drawUnit (generator) - 0.5));
   };
   const float x = draw(), y = draw(), z = draw();
   return {x, y, z};
@@ -56,7 +55,7 @@ inline Cloud::Ptr
 clusters ()
 {
   return randomCloud (4000, [] (auto& g) {
-    return drawInCube (g, pcl_ops::drawUnit (g) < 0.9 ? 1_mm : 1000_m);
+    return drawInCube (g, drawUnit (g) < 0.9 ? 1_mm : 1000_m);
   });
 }
 
@@ -64,7 +63,7 @@ inline Cloud::Ptr
 duplicates ()
 {
   return randomCloud (2000, [] (auto& g) {
-    const auto i = static_cast<float> (pcl_ops::drawBelow (g, 7));
+    const auto i = static_cast<float> (drawBelow (g, 7));
     return PointXYZ (i, 2.0f * i, -i);
   });
 }
@@ -79,7 +78,7 @@ inline Cloud::Ptr
 line ()
 {
   return randomCloud (2000, [] (auto& g) {
-    const auto t = static_cast<float> (pcl_ops::drawUnit (g));
+    const auto t = static_cast<float> (drawUnit (g));
     return PointXYZ (t, 2.0f * t, 3.0f * t);
   });
 }
@@ -89,7 +88,7 @@ inline Cloud::Ptr
 everySmallerSteps ()
 {
   return randomCloud (2000, [] (auto& g) {
-    return drawInCube (g, std::pow (10.0, 12.0 * pcl_ops::drawUnit (g) - 9.0));
+    return drawInCube (g, std::pow (10.0, 12.0 * drawUnit (g) - 9.0));
   });
 }
 

@@ -8,6 +8,8 @@
 
 #include <limits>
 
+using namespace pcl_ops::internal;
+
 using Eigen::Vector3d;
 using pcl_ops::estimateUpAxis;
 using pcl_ops::Orientation;
@@ -78,7 +80,7 @@ turned (const Eigen::Isometry3d& pose, PlaneSegment plane)
 }
 
 Eigen::Quaterniond
-drawTurn (pcl_ops::RandomGenerator& generator)
+drawTurn (RandomGenerator& generator)
 {
   const Eigen::Quaterniond turn (drawNormal (generator),
                                  drawNormal (generator),
@@ -109,7 +111,7 @@ TEST (UpAxis, TurnsWithTheRoom)
 {
   const auto upright = estimateUpAxis (furnishedRoom(), eye);
   ASSERT_TRUE (upright.has_value());
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   for (int i = 0; i < 50; ++i) {
     Eigen::Isometry3d pose (drawTurn (generator));
     pose.translation() << 10, -20, 30;
@@ -141,7 +143,7 @@ TEST (UpAxis, DoesNotDependOnTheUnit)
 
 TEST (UpAxis, IsFoundInACloudThatWasTurned)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   const LabelledScene scene =
       room().floor (1.5_m, 1_m, 75_cm).clutter (2_percent).build();
   const Eigen::Quaternionf turn = drawTurn (generator).cast<float>();

@@ -27,11 +27,9 @@ isInlier (const SurfelSamples& samples,
   return is_near & is_parallel;
 }
 
-} // namespace
-
 PCL_OPS_VECTORIZED
 Vote
-voteOf (const SurfelSamples& samples, const SurfelBand& band)
+countOn (const SurfelSamples& samples, const SurfelBand& band)
 {
   const std::int32_t* const weights = samples.weights.data();
   std::int32_t weight = 0, inliers = 0;
@@ -45,7 +43,7 @@ voteOf (const SurfelSamples& samples, const SurfelBand& band)
 
 PCL_OPS_VECTORIZED
 Indices
-surfelsOn (const SurfelSamples& samples, const SurfelBand& band)
+listOn (const SurfelSamples& samples, const SurfelBand& band)
 {
   constexpr std::size_t batch = 64;
   std::array<std::uint8_t, batch> is_on;
@@ -66,6 +64,20 @@ surfelsOn (const SurfelSamples& samples, const SurfelBand& band)
         voxels.push_back (samples.voxels[i]);
   }
   return voxels;
+}
+
+} // namespace
+
+Vote
+voteOf (const SurfelSamples& samples, const SurfelBand& band)
+{
+  return countOn (samples, band);
+}
+
+Indices
+surfelsOn (const SurfelSamples& samples, const SurfelBand& band)
+{
+  return listOn (samples, band);
 }
 
 void

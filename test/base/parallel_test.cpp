@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-using pcl_ops::parallelFor;
+using namespace pcl_ops::internal;
 
 namespace {
 
@@ -65,7 +65,7 @@ TEST (ParallelFor, HandsOnWhatABodyThrows)
 TEST (ParallelPieces, ComeInTheOrderOfThePiecesForAnyNumberOfThreads)
 {
   for (const unsigned threads : {1u, 2u, 8u}) {
-    const auto ends = pcl_ops::parallelPieces (
+    const auto ends = parallelPieces (
         threads, 10, 4, [] (std::size_t, std::size_t end) { return end; });
     EXPECT_EQ (ends, (std::vector<std::size_t>{4, 8, 10}));
   }

@@ -7,9 +7,7 @@
 
 #include <array>
 
-using pcl_ops::drawBelow;
-using pcl_ops::drawUnit;
-using pcl_ops::RandomGenerator;
+using namespace pcl_ops::internal;
 
 TEST (RandomGenerator, IsTheOneTheStandardDefines)
 {

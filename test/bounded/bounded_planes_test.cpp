@@ -1,211 +1,209 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bounded/bounded_planes.h"
-#include "grid_scene.h"
+#include "bounded/noise_floors.h"
+#include "voxel_scene.h"
 
-using pcl_ops::BoundedPlanes;
-using pcl_ops::Coordinates;
-using pcl_ops::SurfelRansacParameters;
-using pcl_ops::VoxelGrid;
-using pcl_ops::VoxelizedPoints;
+using pcl_ops::Labels;
+using pcl_ops::Moments;
+using pcl_ops::no_plane;
+using pcl_ops::Plane;
+using namespace pcl_ops::internal;
 
 namespace {
 
-const Surface ground = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
-const Surface wall = {{0, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+// In the middle of voxels of 10 cm; 20 x 20 of them each.
+const Surface ground = {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
+const Surface wall = {{0.05, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+const Surface step = {{2, 0, 0.15}, {2, 0, 0}, {0, 2, 0}};
 
-BoundedPlanes
-planesOf (const VoxelGrid& grid,
-          const SurfelRansacParameters& parameters = SurfelRansacParameters())
+const Plane tilted =
+    pcl_ops::planeThrough (ground.centre(), Eigen::Vector3d (0.1, 0, 1).normalized());
+
+Plane
+atHeight (double z)
 {
-  const auto normals =
-      pcl_ops::findSurfels (grid, pcl_ops::SurfelNormalParameters(), 1);
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  return {Eigen::Vector3d::UnitZ(), -z};
+}
+
+/** \brief Three points in three voxels side by side, at x = 5, 15 and 25 cm. */
+VoxelizedPoints
+threeVoxels ()
+{
+  Coordinates points;
+  for (const float x : {0.05f, 0.15f, 0.25f})
+    points.add (x, 0.05f, 0.05f);
+  return voxelize (points, 10_cm, 1);
+}
+
+/** \brief Voxels of \ref threeVoxels on planes. */
+BoundedPlanes
+planesOf (const VoxelizedPoints& voxelized, const Labels& plane_of_point)
+{
   BoundedPlanes planes;
-  pcl_ops::extractBoundedPlanes (grid, normals, parameters, generator, planes);
+  planes.planes.resize (2);
+  planes.plane_of_voxel.resize (3);
+  for (std::size_t i = 0; i < 3; ++i)
+    planes.plane_of_voxel[voxelized.voxel_of_point[i]] = plane_of_point[i];
   return planes;
 }
 
-VoxelizedPoints
-gridOf (const std::vector<Surface>& surfaces, double noise = 0.0)
-{
-  Coordinates points;
-  for (const Surface& surface : surfaces)
-    addGrid (points, surface, 120, noise);
-  return pcl_ops::voxelize (points, 0.1, 1);
-}
-
-// Voxels on no plane.
-std::size_t
-voxelsLeft (const BoundedPlanes& planes)
-{
-  return static_cast<std::size_t> (std::count (
-      planes.plane_of_voxel.begin(), planes.plane_of_voxel.end(), pcl_ops::no_plane));
-}
-
 } // namespace
-
-TEST (VoxelExtraction, FindsGroundAndWall)
-{
-  const BoundedPlanes planes = planesOf (gridOf ({ground, wall}, 5_mm).grid);
-  ASSERT_EQ (planes.planes.size(), 2u);
-  EXPECT_LT (std::abs (planes.planes[0].normal.dot (planes.planes[1].normal)), 0.02);
-}
-
-TEST (VoxelExtraction, AsksForThetaNConnectedVoxels)
-{
-  const Surface tile = {{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}};
-  const VoxelGrid grid = gridOf ({tile}).grid;
-  SurfelRansacParameters parameters;
-  parameters.min_inliers = grid.size();
-  EXPECT_EQ (planesOf (grid, parameters).planes.size(), 1u);
-  parameters.min_inliers = grid.size() + 1;
-  EXPECT_TRUE (planesOf (grid, parameters).planes.empty());
-}
-
-TEST (VoxelExtraction, LeavesMostOfACylinderAlone)
-{
-  Coordinates points;
-  for (int i = 0; i < 400; ++i)
-    for (int j = 0; j < 200; ++j) {
-      const double angle = 2.0 * pi * i / 400;
-      points.add (static_cast<float> (0.4 * std::cos (angle)),
-                  static_cast<float> (0.4 * std::sin (angle)),
-                  static_cast<float> (0.01 * j));
-    }
-  const VoxelGrid grid = pcl_ops::voxelize (points, 0.1, 1).grid;
-  EXPECT_GT (voxelsLeft (planesOf (grid)), grid.size() / 2);
-}
-
-TEST (Growing, ReachesTheVoxelsAtTheEdgeOfAPlane)
-{
-  const VoxelGrid grid = gridOf ({ground, wall}, 5_mm).grid;
-  BoundedPlanes planes = planesOf (grid);
-  const std::size_t before = voxelsLeft (planes);
-  pcl_ops::growPlanes (grid, pcl_ops::GrowingParameters(), 1, planes);
-  EXPECT_LE (voxelsLeft (planes), before);
-  // A row of voxels where ground and wall meet belongs to neither alone.
-  EXPECT_LE (voxelsLeft (planes), 21u);
-}
-
-TEST (Absorption, GivesASplinterToThePlaneAroundIt)
-{
-  const VoxelGrid grid = gridOf ({ground}, 5_mm).grid;
-  BoundedPlanes planes = planesOf (grid);
-  planes.planes.push_back (planes.planes[0]);
-  for (std::size_t voxel = 0; voxel < grid.size() / 10; ++voxel)
-    planes.plane_of_voxel[voxel] = 1;
-  pcl_ops::absorbPlanes (grid, 1.8, planes);
-  EXPECT_EQ (planes.planes.size(), 1u);
-}
-
-TEST (Absorption, LeavesAStepOfManyTimesTheNoise)
-{
-  const Surface step = {{2, 0, 0.08}, {2, 0, 0}, {0, 2, 0}};
-  const VoxelGrid grid = gridOf ({ground, step}, 5_mm).grid;
-  BoundedPlanes planes = planesOf (grid);
-  const std::size_t before = planes.planes.size();
-  pcl_ops::absorbPlanes (grid, 1.8, planes);
-  EXPECT_EQ (before, 2u);
-  EXPECT_EQ (planes.planes.size(), before);
-}
 
 TEST (Noise, IsTheRmsDistanceToThePlane)
 {
-  const VoxelGrid grid = gridOf ({ground}, 1_cm).grid;
-  BoundedPlanes planes = planesOf (grid);
-  pcl_ops::measureNoise (grid, 1, planes);
-  for (std::size_t voxel = 0; voxel < grid.size(); ++voxel)
-    EXPECT_TRUE (planes.plane_of_voxel[voxel] == pcl_ops::no_plane ||
-                 std::abs (planes.noise[voxel] - 1_cm / std::sqrt (3.0)) < 1_mm);
+  VoxelScene scene ({{ground}}, 1_cm);
+  scene.planes.noise.assign (scene.grid().size(), 0.0);
+  measureNoise (scene.grid(), 1, scene.planes);
+  for (const double noise : scene.planes.noise)
+    EXPECT_NEAR (noise, 1_cm / std::sqrt (3.0), 1_mm);
 }
 
-TEST (BoundedAssignment, LabelsNoPointBeyondTheEndOfItsPlane)
+TEST (Noise, IsThatOfTheOwnPlanesVoxelsAlone)
 {
-  Coordinates points;
-  addGrid (points, ground, 120);
-  const std::size_t on_the_ground = points.size();
-  // A chair leg's worth of points at the height of the ground, a metre beyond its end.
-  addGrid (points, {{3, 0, 0}, {0.05, 0, 0}, {0, 0.05, 0}}, 10);
-  const VoxelizedPoints voxelized = pcl_ops::voxelize (points, 0.1, 1);
-  const auto assigned = pcl_ops::assignToBoundedPlanes (
-      points, voxelized, planesOf (voxelized.grid), {}, 1);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    EXPECT_EQ (assigned.labels[i], i < on_the_ground ? 0 : pcl_ops::no_plane);
+  VoxelScene scene ({{ground}, {step}});
+  scene.planes.planes[1] = atHeight (0.18); // 3 cm off its points
+  measureNoise (scene.grid(), 1, scene.planes);
+  for (std::size_t i = 0; i < scene.grid().size(); ++i)
+    EXPECT_NEAR (
+        scene.planes.noise[i], scene.planes.plane_of_voxel[i] == 1 ? 3_cm : 6_mm, 1e-6);
 }
 
-TEST (BoundedAssignment, GivesTheMomentsOfThePointsItLabels)
+TEST (Noise, IsNotMeasuredMoreFinelyThanAShareOfAVoxel)
 {
-  Coordinates points;
-  addGrid (points, ground, 120, 5_mm);
-  addGrid (points, wall, 120, 5_mm);
-  const VoxelizedPoints voxelized = pcl_ops::voxelize (points, 0.1, 1);
-  const BoundedPlanes planes = planesOf (voxelized.grid);
-  const auto assigned =
-      pcl_ops::assignToBoundedPlanes (points, voxelized, planes, {}, 1);
-  const auto expected =
-      pcl_ops::momentsOfLabels (points, assigned.labels, planes.planes.size(), 1);
-  for (std::size_t p = 0; p < expected.size(); ++p) {
-    EXPECT_EQ (assigned.moments[p].count, expected[p].count);
-    EXPECT_LT ((assigned.moments[p].sum - expected[p].sum).norm(), 1e-6);
-  }
+  VoxelScene scene ({{ground}});
+  scene.planes.noise.assign (scene.grid().size(), 0.0);
+  measureNoise (scene.grid(), 1, scene.planes);
+  EXPECT_EQ (scene.planes.noise, std::vector<double> (400, 6_mm));
 }
 
-TEST (BoundedAssignment, IsTheSameForAnyNumberOfThreads)
+TEST (Noise, FloorsFollowTheVoxelSize)
 {
-  Coordinates points;
-  addGrid (points, ground, 300, 5_mm);
-  addGrid (points, wall, 300, 5_mm);
-  const VoxelizedPoints voxelized = pcl_ops::voxelize (points, 0.1, 1);
-  const BoundedPlanes planes = planesOf (voxelized.grid);
-  const auto one = pcl_ops::assignToBoundedPlanes (points, voxelized, planes, {}, 1);
-  const auto four = pcl_ops::assignToBoundedPlanes (points, voxelized, planes, {}, 4);
-  EXPECT_EQ (one.labels, four.labels);
+  VoxelGrid grid;
+  grid.voxel_size = 10_cm;
+  EXPECT_DOUBLE_EQ (smallestNoise (grid), 6_mm);
+  EXPECT_DOUBLE_EQ (distanceLimit (grid, std::nullopt), 20_cm) << "two voxels";
+  EXPECT_DOUBLE_EQ (distanceLimit (grid, 3_cm), 3_cm) << "theta_h";
+  EXPECT_DOUBLE_EQ (smallestBand (grid, 1_m), 2_cm);
+  EXPECT_DOUBLE_EQ (smallestBand (grid, 1_cm), 1_cm) << "never above theta_h";
 }
 
-namespace {
-
-// Two table tops of one height with the floor below, seen from above.
-const Surface left_top = {{-1.2, -0.4, 1}, {0.9, 0, 0}, {0, 0.9, 0}};
-const Surface right_top = {{0.3, -0.4, 1}, {0.9, 0, 0}, {0, 0.9, 0}};
-const Surface wide_floor = {{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}};
-const Surface lamp = {{-0.4, -0.5, 2}, {0.8, 0, 0}, {0, 1, 0}};
-const Eigen::Vector3d above (0, 0, 3);
-
-std::size_t
-planesAtHeight (double height, const BoundedPlanes& planes)
+TEST (Reassignment, GivesAVoxelBackToTheNearerPlaneNextToIt)
 {
-  return static_cast<std::size_t> (
-      std::count_if (planes.planes.begin(),
-                     planes.planes.end(),
-                     [height] (const pcl_ops::Plane& plane) {
-                       return std::abs (std::abs (plane.offset) - height) < 0.05;
-                     }));
+  VoxelScene scene ({{ground}, {wall}});
+  const Labels truth = scene.planes.plane_of_voxel;
+  scene.label (1, [] (const auto& at) { return at.x() < 0.2 && at.z() < 0.1; });
+  EXPECT_NE (scene.planes.plane_of_voxel, truth);
+  reassignVoxels (scene.grid(), 1, scene.planes);
+  // The row where they meet may go either way.
+  scene.label (0, [] (const auto& at) { return at.x() < 0.1 && at.z() < 0.1; });
+  EXPECT_EQ (scene.planes.plane_of_voxel, truth);
 }
 
-std::size_t
-tableTopsFoundAmong (const std::vector<Surface>& surfaces)
+TEST (Reassignment, LeavesVoxelsOffPlanesAlone)
 {
-  const VoxelGrid grid = gridOf (surfaces).grid;
-  BoundedPlanes planes = planesOf (grid);
-  EXPECT_EQ (planesAtHeight (1.0, planes), 1u) << "one plane before";
-  pcl_ops::separateSurfaces (grid, above, 20, planes);
-  return planesAtHeight (1.0, planes);
+  VoxelScene scene ({{ground}});
+  scene.label (no_plane, [] (const auto& at) { return at.x() < 0.2; });
+  reassignVoxels (scene.grid(), 1, scene.planes);
+  EXPECT_EQ (scene.voxelsOn (no_plane), 40u);
 }
 
-} // namespace
-
-TEST (SeparateSurfaces, KeepsTableTopsApartWhereTheFloorIsSeenBetween)
+TEST (Reassignment, RefitsThePlanes)
 {
-  EXPECT_EQ (tableTopsFoundAmong ({left_top, right_top, wide_floor}), 2u);
+  VoxelScene scene ({{ground}});
+  scene.planes.planes[0] = tilted;
+  reassignVoxels (scene.grid(), 1, scene.planes);
+  expectPlaneNear (scene.planes.planes[0], ground, 1e-6, 1e-6);
 }
 
-TEST (SeparateSurfaces, TakesATableTopForOneWhereALampHidesItsMiddle)
+TEST (Reassignment, IsTheSameForAnyNumberOfThreads)
 {
-  EXPECT_EQ (tableTopsFoundAmong ({left_top, right_top, wide_floor, lamp}), 1u);
+  VoxelScene one ({{ground}, {wall}}), four ({{ground}, {wall}});
+  for (VoxelScene* const scene : {&one, &four})
+    scene->label (1, [] (const auto& at) { return at.x() < 0.5; });
+  reassignVoxels (one.grid(), 1, one.planes);
+  reassignVoxels (four.grid(), 4, four.planes);
+  EXPECT_EQ (one.planes.plane_of_voxel, four.planes.plane_of_voxel);
 }
 
-TEST (SeparateSurfaces, TakesATableTopForOneWhereNothingIsSeenBetween)
+TEST (Refitting, FitsEachPlaneToItsVoxels)
 {
-  EXPECT_EQ (tableTopsFoundAmong ({left_top, right_top}), 1u);
+  VoxelScene scene ({{ground}, {wall}});
+  scene.planes.planes = {tilted, tilted};
+  scene.label (no_plane, [] (const auto& at) { return at.x() < 0.1 && at.z() < 0.1; });
+  refitPlanes (scene.grid(), scene.planes);
+  expectPlaneNear (scene.planes.planes[0], ground, 1e-6, 1e-6);
+  expectPlaneNear (scene.planes.planes[1], wall, 1e-6, 1e-6);
+}
+
+TEST (Refitting, LeavesAPlaneWithoutVoxelsAsItIs)
+{
+  VoxelScene scene ({{ground}});
+  scene.planes.planes = {tilted, tilted};
+  refitPlanes (scene.grid(), scene.planes);
+  EXPECT_EQ (scene.planes.planes[1].normal, tilted.normal);
+}
+
+TEST (MomentsOfPlanes, AddUpThePointsOfTheirVoxels)
+{
+  const VoxelizedPoints three = threeVoxels();
+  const auto moments = momentsOfPlanes (three.grid, planesOf (three, {1, no_plane, 1}));
+  ASSERT_EQ (moments.size(), 2u);
+  EXPECT_EQ (moments[0].count, 0.0);
+  EXPECT_EQ (moments[1].count, 2.0);
+  EXPECT_NEAR (moments[1].sum.x(), 0.05 + 0.25, 1e-6);
+}
+
+TEST (MomentsOf, SomeVoxelsAreThoseOfTheirPoints)
+{
+  const VoxelizedPoints three = threeVoxels();
+  const Moments moments =
+      momentsOf (three.grid, {three.voxel_of_point[0], three.voxel_of_point[1]});
+  EXPECT_EQ (moments.count, 2.0);
+  EXPECT_NEAR (moments.centroid().x(), 0.10, 1e-6);
+}
+
+TEST (ForNeighboursOnPlanes, VisitsTheVoxelItselfAndThoseAround)
+{
+  const VoxelizedPoints three = threeVoxels();
+  const BoundedPlanes planes = planesOf (three, {0, 1, no_plane});
+  std::vector<std::size_t> visited;
+  const auto note = [&] (std::size_t plane, std::size_t) { visited.push_back (plane); };
+  forNeighboursOnPlanes (
+      three.grid, planes.plane_of_voxel, three.voxel_of_point[0], note);
+  std::sort (visited.begin(), visited.end());
+  EXPECT_EQ (visited, (std::vector<std::size_t>{0, 1}));
+  visited.clear();
+  forNeighboursOnPlanes (
+      three.grid, planes.plane_of_voxel, three.voxel_of_point[2], note);
+  EXPECT_EQ (visited, (std::vector<std::size_t>{1})) << "on no plane itself";
+}
+
+TEST (Renumbering, HandsVoxelsToThePlanesTheirsWereMergedInto)
+{
+  BoundedPlanes planes;
+  planes.planes = {atHeight (0), atHeight (1), atHeight (2)};
+  planes.plane_of_voxel = {0, 1, 2, no_plane, 1};
+  pcl_ops::MergedPlanes merged;
+  merged.merged_into = {1, 0, 1};
+  merged.fits.resize (2);
+  merged.fits[0].plane = atHeight (5);
+  merged.fits[1].plane = atHeight (6);
+  renumberPlanes (merged, planes);
+  EXPECT_EQ (planes.plane_of_voxel, (Labels{1, 0, 1, no_plane, 0}));
+  ASSERT_EQ (planes.size(), 2u);
+  EXPECT_EQ (planes.planes[0].offset, -5.0);
+  EXPECT_EQ (planes.planes[1].offset, -6.0);
+}
+
+TEST (Renumbering, TakesVoxelsOffPlanesThatWereDropped)
+{
+  BoundedPlanes planes;
+  planes.planes = {atHeight (0)};
+  planes.plane_of_voxel = {0, no_plane, 0};
+  pcl_ops::MergedPlanes merged;
+  merged.merged_into = {no_plane};
+  renumberPlanes (merged, planes);
+  EXPECT_EQ (planes.plane_of_voxel, Labels (3, no_plane));
+  EXPECT_EQ (planes.size(), 0u);
 }

@@ -221,7 +221,7 @@ TEST_P (Contract, IsAPclBase)
 TEST_P (Contract, FindsNoPlaneInClutterAndCallsThatSuccess)
 {
   const auto cloud = pcl::make_shared<Cloud>();
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   for (int i = 0; i < 2000; ++i)
     cloud->push_back (pcl::PointXYZ (static_cast<float> (10 * drawNormal (generator)),
                                      static_cast<float> (10 * drawNormal (generator)),

@@ -5,12 +5,11 @@
 #include "detection/plane_assignment.h"
 #include "scene.h"
 
+using namespace pcl_ops::internal;
+
 using pcl_ops::AssignmentRule;
-using pcl_ops::assignPoints;
-using pcl_ops::Coordinates;
 using pcl_ops::Labels;
 using pcl_ops::Moments;
-using pcl_ops::momentsOfLabels;
 using pcl_ops::no_plane;
 using pcl_ops::Plane;
 
@@ -35,9 +34,9 @@ pointsAtHeights (const std::vector<float>& heights)
 Coordinates
 randomPoints (std::size_t count)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   const auto draw = [&] {
-    return static_cast<float> (2.0 * pcl_ops::drawUnit (generator) - 1.0);
+    return static_cast<float> (2.0 * drawUnit (generator) - 1.0);
   };
   Coordinates points;
   for (std::size_t i = 0; i < count; ++i) {
@@ -50,12 +49,12 @@ randomPoints (std::size_t count)
 std::vector<Plane>
 randomPlanes (std::size_t count)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest() + 1);
+  RandomGenerator generator (seedOfTest() + 1);
   std::vector<Plane> planes;
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Vector3d normal (
         drawNormal (generator), drawNormal (generator), drawNormal (generator));
-    planes.push_back ({normal.normalized(), pcl_ops::drawUnit (generator) - 0.5});
+    planes.push_back ({normal.normalized(), drawUnit (generator) - 0.5});
   }
   return planes;
 }

@@ -5,6 +5,8 @@
 #include "scene.h"
 #include <pcl_ops/plane_merging.h>
 
+using namespace pcl_ops::internal;
+
 using pcl_ops::areCoplanar;
 using pcl_ops::Labels;
 using pcl_ops::mergePlanes;
@@ -126,6 +128,7 @@ TEST (Merge, AllowsNoisyPlanesTheDistanceTheirNoiseExplains)
   noisy += momentsOf (square ({0, 0, -3_cm}));
   const std::vector<Moments> apart = {noisy, momentsOf (square ({2, 0, 5_cm}))};
   MergingParameters parameters;
+  parameters.distance_threshold = 0.0;
   parameters.noise_factor = 1.0;
   EXPECT_EQ (mergePlanes (apart, parameters).fits.size(), 2u);
   parameters.noise_factor = 2.0;
@@ -163,12 +166,12 @@ TEST (Merge, ChainsThroughPlanesThatPassOnlyPairwise)
 
 TEST (Merge, GoesOnUntilNoPairPassesTheTest)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   std::vector<Moments> planes;
   for (int i = 0; i < 60; ++i)
-    planes.push_back (momentsOf (
-        square ({5 * pcl_ops::drawUnit (generator), 0, drawNormal (generator)},
-                10_deg * drawNormal (generator))));
+    planes.push_back (
+        momentsOf (square ({5 * drawUnit (generator), 0, drawNormal (generator)},
+                           10_deg * drawNormal (generator))));
   const auto merged = mergePlanes (planes, usual);
   EXPECT_LT (merged.fits.size(), planes.size());
   for (std::size_t i = 0; i < merged.fits.size(); ++i)
@@ -223,25 +226,4 @@ TEST (Merge, HasNothingToDoWithoutPlanes)
   const auto merged = mergePlanes ({}, usual);
   EXPECT_TRUE (merged.fits.empty());
   EXPECT_TRUE (merged.merged_into.empty());
-}
-
-TEST (MergeLabelled, RelabelsThePoints)
-{
-  // Plane 0 is a line, 1 and 2 are two halves of one floor.
-  pcl_ops::Coordinates points;
-  Labels labels;
-  for (int i = 0; i < 10; ++i) {
-    points.add (static_cast<float> (i), 7.0f, 7.0f);
-    labels.push_back (0);
-  }
-  for (int i = 0; i < 100; ++i) {
-    points.add (static_cast<float> (i % 10), static_cast<float> (i / 10), 0.0f);
-    labels.push_back (i < 50 ? 1 : 2);
-  }
-  labels.back() = no_plane;
-  mergeLabelled (points, labels, 3, usual, 2);
-  Labels expected (109, 0);
-  std::fill_n (expected.begin(), 10, no_plane);
-  expected.push_back (no_plane);
-  EXPECT_EQ (labels, expected);
 }

@@ -4,6 +4,7 @@
 #include "scene.h"
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/kernel_hough_transform.h>
+#include <pcl_ops/plane_extent.h>
 
 namespace {
 

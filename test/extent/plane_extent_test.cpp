@@ -5,6 +5,8 @@
 
 #include <numeric>
 
+using namespace pcl_ops::internal;
+
 using pcl_ops::PlanarPoints;
 using pcl_ops::PlaneExtent;
 using pcl_ops::PlaneFrame;
@@ -57,11 +59,11 @@ gridOf (double length, double width, double height = 0.0)
 Cloud
 scatteredBoard (int points, double noise)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   Cloud cloud;
   for (int i = 0; i < points; ++i) {
-    const double x = board_length * pcl_ops::drawUnit (generator);
-    const double y = board_width * pcl_ops::drawUnit (generator);
+    const double x = board_length * drawUnit (generator);
+    const double y = board_width * drawUnit (generator);
     const Eigen::Vector3d off (
         drawNormal (generator), drawNormal (generator), drawNormal (generator));
     const Eigen::Vector3f p = (Eigen::Vector3d (x, y, 0.0) + noise * off).cast<float>();

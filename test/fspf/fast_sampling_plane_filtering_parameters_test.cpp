@@ -8,6 +8,7 @@
 #include <functional>
 
 using namespace pcl_ops;
+using namespace pcl_ops::internal;
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include <numeric>
 
 using namespace pcl_ops;
+using namespace pcl_ops::internal;
 
 namespace {
 

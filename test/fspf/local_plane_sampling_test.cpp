@@ -8,6 +8,7 @@
 #include <numeric>
 
 using namespace pcl_ops;
+using namespace pcl_ops::internal;
 
 namespace {
 
@@ -22,10 +23,10 @@ pointsAt (const std::vector<Eigen::Vector3f>& positions)
   return points;
 }
 
-Positions
+Indices
 allOf (const Coordinates& points)
 {
-  Positions all (points.size());
+  Indices all (points.size());
   std::iota (all.begin(), all.end(), 0);
   return all;
 }
@@ -60,10 +61,10 @@ addHermits (std::size_t size, Coordinates& points)
 LocalPlanes
 sample (const Coordinates& points, const LocalSamplingParameters& parameters)
 {
-  const Positions all = allOf (points);
+  const Indices all = allOf (points);
   return sampleLocalPlanes (
       points,
-      [&] (std::uint32_t, Positions& sphere) { sphere = all; },
+      [&] (std::uint32_t, Indices& sphere) { sphere = all; },
       parameters,
       theta_h,
       seedOfTest());
@@ -242,7 +243,7 @@ TEST (SampleLocalPlanes, DrawsWhatTheSeedSays)
   Coordinates points;
   addPatch (600, points);
   addHermits (150, points);
-  const auto find_all = [&] (std::uint32_t, Positions& sphere) {
+  const auto find_all = [&] (std::uint32_t, Indices& sphere) {
     sphere = allOf (points);
   };
   const auto hypotheses = [&] (std::uint32_t seed) {

@@ -7,6 +7,8 @@
 #include "scene.h"
 #include <pcl_ops/plane.h>
 
+using namespace pcl_ops::internal;
+
 using pcl_ops::fitPlane;
 using pcl_ops::Moments;
 using pcl_ops::Plane;
@@ -34,11 +36,11 @@ PointList
 noisyPatch (const Eigen::Vector3d& centre)
 {
   const Surface patch{centre, {3, 0.2, 1}, {-0.1, 1, 0.4}};
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   PointList points;
   for (int i = 0; i < 200; ++i) {
-    const double s = pcl_ops::drawUnit (generator);
-    const double t = pcl_ops::drawUnit (generator);
+    const double s = drawUnit (generator);
+    const double t = drawUnit (generator);
     points.push_back (patch.at (s, t) + 1_cm * drawNormal (generator) * patch.normal());
   }
   return points;

@@ -9,8 +9,8 @@
 #include <limits>
 #include <numeric>
 
-using pcl_ops::finitePoints;
-using pcl_ops::Points;
+using pcl_ops::CloudView;
+using namespace pcl_ops::internal;
 
 namespace {
 
@@ -40,7 +40,7 @@ TEST (FinitePoints, DropsNanAndInfinityWhateverIsDenseSays)
       {{nan_value, 0, 0}, {1, 2, 3}, {0, infinite, 0}, {4, 5, 6}, {0, 0, -infinite}});
   for (const bool dense : {true, false}) {
     cloud.is_dense = dense;
-    const Points points = finitePoints (cloud, {0, 1, 2, 3, 4});
+    const Points points = finitePoints (CloudView (cloud), {0, 1, 2, 3, 4}, 1);
     EXPECT_EQ (points.index, (pcl::Indices{1, 3}));
     EXPECT_EQ (points.size(), 2u);
   }
@@ -49,7 +49,7 @@ TEST (FinitePoints, DropsNanAndInfinityWhateverIsDenseSays)
 TEST (FinitePoints, KnowsWherePointsCameFrom)
 {
   const auto cloud = cloudOf ({{1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
-  const Points points = finitePoints (cloud, {1, 2});
+  const Points points = finitePoints (CloudView (cloud), {1, 2}, 1);
   ASSERT_EQ (points.index, (pcl::Indices{1, 2}));
   EXPECT_EQ (inInputFrame (points, 0), Eigen::Vector3d (4, 5, 6));
   EXPECT_EQ (inInputFrame (points, 1), Eigen::Vector3d (7, 8, 9));
@@ -59,7 +59,7 @@ TEST (FinitePoints, NeedNoIndexWhereTheyAreTheWholeCloud)
 {
   const auto cloud = cloudOf ({{1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
   for (const pcl::Indices& all : {pcl::Indices{0, 1, 2}, pcl::Indices{2, 0, 1, 1}}) {
-    const Points points = finitePoints (cloud, all);
+    const Points points = finitePoints (CloudView (cloud), all, 1);
     EXPECT_TRUE (points.index.empty());
     ASSERT_EQ (points.size(), 3u);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -76,8 +76,8 @@ TEST (FinitePoints, AreTheSameForAnyNumberOfThreads)
     cloud.push_back ({static_cast<float> (i), i % 30000 == 7 ? nan_value : 1.0f, 0.0f});
   pcl::Indices all (cloud.size());
   std::iota (all.begin(), all.end(), 0);
-  const Points one = finitePoints (cloud, all, 1);
-  const Points three = finitePoints (cloud, all, 3);
+  const Points one = finitePoints (CloudView (cloud), all, 1);
+  const Points three = finitePoints (CloudView (cloud), all, 3);
   EXPECT_EQ (one.size(), cloud.size() - 4);
   EXPECT_EQ (one.index, three.index);
   EXPECT_EQ (one.x, three.x);
@@ -86,7 +86,7 @@ TEST (FinitePoints, AreTheSameForAnyNumberOfThreads)
 TEST (FinitePoints, AreSmallNumbersInACloudFarFromItsZero)
 {
   const auto cloud = cloudOf ({{1e6f, -1e6f, 0}, {1e6f + 1, -1e6f, 2}});
-  const Points points = finitePoints (cloud, {0, 1});
+  const Points points = finitePoints (CloudView (cloud), {0, 1}, 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
     EXPECT_LE (points[i].norm(), 3.0);
     EXPECT_EQ (inInputFrame (points, i).cast<float>(), cloud[i].getVector3fMap());
@@ -98,7 +98,8 @@ TEST (FinitePoints, KeepTheirDigitsBesideOneStrayPoint)
   auto cloud = cloudOf ({{1e7f, 1e7f, 1e7f}});
   for (int i = 0; i < 20; ++i)
     cloud.push_back ({0.1f * static_cast<float> (i), 0.3f, 0.7f});
-  const Points points = finitePoints (cloud, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  const Points points =
+      finitePoints (CloudView (cloud), {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, 1);
   for (std::size_t i = 1; i < points.size(); ++i)
     EXPECT_NEAR (
         (inInputFrame (points, i) - cloud[i].getVector3fMap().cast<double>()).norm(),
@@ -108,6 +109,7 @@ TEST (FinitePoints, KeepTheirDigitsBesideOneStrayPoint)
 
 TEST (FinitePoints, AreNoneInAnEmptyCloudAndInOneOfNan)
 {
-  EXPECT_EQ (finitePoints (cloudOf ({}), {}).size(), 0u);
-  EXPECT_EQ (finitePoints (cloudOf ({{nan_value, 0, 0}}), {0}).size(), 0u);
+  EXPECT_EQ (finitePoints (CloudView (cloudOf ({})), {}, 1).size(), 0u);
+  EXPECT_EQ (finitePoints (CloudView (cloudOf ({{nan_value, 0, 0}})), {0}, 1).size(),
+             0u);
 }

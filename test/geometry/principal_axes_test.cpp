@@ -4,17 +4,16 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "../src/principal_axes.h"
+#include "geometry/principal_axes.h"
 #include "scene.h"
 
-using pcl_ops::principalAxes;
-using pcl_ops::PrincipalAxes;
+using namespace pcl_ops::internal;
 
 namespace {
 
 /** \brief A matrix with these eigenvalues along random axes. */
 Eigen::Matrix3d
-turned (const Eigen::Vector3d& values, pcl_ops::RandomGenerator& generator)
+turned (const Eigen::Vector3d& values, RandomGenerator& generator)
 {
   const Eigen::Quaterniond turn = Eigen::Quaterniond (drawNormal (generator),
                                                       drawNormal (generator),
@@ -28,10 +27,10 @@ turned (const Eigen::Vector3d& values, pcl_ops::RandomGenerator& generator)
 
 TEST (PrincipalAxes, AgreeWithEigensIterativeSolver)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   for (int i = 0; i < 200; ++i) {
-    const double width = std::pow (10.0, -3.0 * pcl_ops::drawUnit (generator));
-    const double noise = 0.9 * width * pcl_ops::drawUnit (generator);
+    const double width = std::pow (10.0, -3.0 * drawUnit (generator));
+    const double noise = 0.9 * width * drawUnit (generator);
     const Eigen::Matrix3d matrix = turned ({noise, width, 1.0}, generator);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> oracle (matrix);
     const PrincipalAxes axes = principalAxes (matrix);
@@ -42,7 +41,7 @@ TEST (PrincipalAxes, AgreeWithEigensIterativeSolver)
 
 TEST (PrincipalAxes, FindTheNormalOfAnExactPlane)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   const Eigen::Matrix3d matrix = turned ({0.0, 0.3, 1.0}, generator);
   const PrincipalAxes axes = principalAxes (matrix);
   EXPECT_LT ((matrix * axes.normal).norm(), 1e-14);
@@ -52,7 +51,7 @@ TEST (PrincipalAxes, FindTheNormalOfAnExactPlane)
 
 TEST (PrincipalAxes, DoNotDependOnTheUnitOfLength)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   const Eigen::Matrix3d matrix = turned ({0.01, 0.3, 1.0}, generator);
   for (const double scale : {1e-12, 1e12}) {
     const PrincipalAxes axes = principalAxes (scale * matrix);
@@ -63,7 +62,7 @@ TEST (PrincipalAxes, DoNotDependOnTheUnitOfLength)
 
 TEST (PrincipalAxes, HaveTwoValuesOfZeroForALine)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   for (int i = 0; i < 200; ++i) {
     const Eigen::Matrix3d line = turned ({0.0, 0.0, 1e12}, generator);
     const Eigen::Vector3d values = principalAxes (line).values;

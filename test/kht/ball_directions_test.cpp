@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace {
+using namespace pcl_ops::internal;
 
-using pcl_ops::BallDirections;
+namespace {
 
 /** Even and odd numbers of rows. */
 const int sizes[] = {4, 7, 30, 80};

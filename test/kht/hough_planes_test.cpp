@@ -8,6 +8,7 @@
 namespace {
 
 using namespace pcl_ops;
+using namespace pcl_ops::internal;
 
 constexpr double theta_h = 5_cm;
 

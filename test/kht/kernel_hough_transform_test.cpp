@@ -11,6 +11,7 @@
 namespace {
 
 using namespace pcl_ops;
+using namespace pcl_ops::internal;
 using Detector = KernelHoughTransform<pcl::PointXYZ>;
 using Parameters = KernelHoughTransformParameters;
 

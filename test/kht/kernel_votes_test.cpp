@@ -12,13 +12,9 @@
 #include <limits>
 #include <map>
 
-namespace {
+using namespace pcl_ops::internal;
 
-using pcl_ops::BallDirections;
-using pcl_ops::HoughSpace;
-using pcl_ops::KernelVotes;
-using pcl_ops::PlaneKernel;
-using pcl_ops::VoteRay;
+namespace {
 
 /** 1 degree by 1 degree by 1 cm. */
 const HoughSpace space{BallDirections (180), 200, 0.01};

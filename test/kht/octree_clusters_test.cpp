@@ -8,12 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace {
+using namespace pcl_ops::internal;
 
-using pcl_ops::Coordinates;
-using pcl_ops::CoplanarCluster;
-using pcl_ops::OctreeClusterParameters;
-using pcl_ops::OctreeClusters;
+namespace {
 
 const Surface tilted{{0.0, 0.0, 0.0}, {2.0, 0.0, 1.0}, {0.0, 2.0, 0.5}};
 const Surface ground{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
@@ -32,7 +29,7 @@ cellCentreOf (const OctreeClusters& found, const CoplanarCluster& cluster)
 OctreeClusters
 clustersOf (const Coordinates& points, int first_level)
 {
-  OctreeClusterParameters parameters;
+  pcl_ops::OctreeClusterParameters parameters;
   parameters.first_level = first_level;
   return findCoplanarClusters (points, parameters);
 }

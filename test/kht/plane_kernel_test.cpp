@@ -8,9 +8,10 @@
 
 #include <cmath>
 
+using namespace pcl_ops::internal;
+
 namespace {
 
-using pcl_ops::PlaneKernel;
 using pcl_ops::planeThrough;
 
 /** rho, phi and theta of the plane whose point nearest to the centre is p. */

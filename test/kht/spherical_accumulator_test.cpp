@@ -9,14 +9,9 @@
 #include <set>
 #include <tuple>
 
-namespace {
+using namespace pcl_ops::internal;
 
-using pcl_ops::BallDirections;
-using pcl_ops::HoughPeak;
-using pcl_ops::HoughSpace;
-using pcl_ops::KernelVotes;
-using pcl_ops::PlaneKernel;
-using pcl_ops::SphericalAccumulator;
+namespace {
 
 using Bin = std::pair<std::uint32_t, int>;
 
@@ -139,13 +134,13 @@ TEST (SphericalAccumulator, PeaksOnceForAKernelAcrossAPole)
 
 TEST (SphericalAccumulator, PeaksWhereAWalkOverSortedBinsDoes)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   const auto directions = static_cast<std::uint32_t> (space.directions.size());
   SphericalAccumulator accumulator (space);
   for (std::uint32_t voter = 0; voter < 2000; ++voter) {
-    const auto vote = static_cast<float> (pcl_ops::drawUnit (generator));
-    const std::uint32_t direction = pcl_ops::drawBelow (generator, directions);
-    const int bin = 4 + static_cast<int> (pcl_ops::drawBelow (generator, 34));
+    const auto vote = static_cast<float> (drawUnit (generator));
+    const std::uint32_t direction = drawBelow (generator, directions);
+    const int bin = 4 + static_cast<int> (drawBelow (generator, 34));
     accumulator.add (votesFor ({direction, bin}, {vote, vote}), voter);
   }
   const std::set<Bin> expected = peaksByWalking (accumulator);

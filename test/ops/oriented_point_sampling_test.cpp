@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "ops/drawn_points.h"
 #include "presets.h"
 #include "scene.h"
+
+using namespace pcl_ops::internal;
 
 using pcl_ops::MergingParameters;
 using pcl_ops::OrientedPointSamplingParameters;
@@ -21,6 +24,16 @@ noMerging ()
   MergingParameters merging;
   merging.enabled = false;
   return merging;
+}
+
+/** \brief The planes of samples whose cloud does not matter. */
+std::vector<pcl_ops::Plane>
+extractedFrom (const OrientedSamples& samples,
+               const OrientedPointSamplingParameters& parameters)
+{
+  const pcl::Indices none;
+  const pcl_ops::DetectorInput input{{}, none, Eigen::Vector3d::Zero(), nullptr};
+  return DrawnPoints (input, parameters).extract (Points(), {}, samples);
 }
 
 class EachVariant
@@ -51,7 +64,7 @@ TEST (PaperPreset, IsTheBestRowOfThePaper)
 {
   const auto paper = OrientedPointSamplingParameters::paper();
   EXPECT_EQ (paper.sampling_rate, 0.03) << "Table III, 3 %";
-  EXPECT_EQ (paper.normals.k, 30) << "Table III, 30 neighbours";
+  EXPECT_EQ (paper.k, 30) << "Table III, 30 neighbours";
   EXPECT_EQ (paper.distance_threshold, 0.05) << "section IV-A";
   EXPECT_EQ (paper.min_inliers, 20u) << "section IV-A";
   EXPECT_EQ (paper.probability, 0.99) << "section IV-A";
@@ -64,11 +77,11 @@ TEST (PaperPreset, IsTheBestRowOfThePaper)
 TEST (PaperPreset, LeavesOpenWhatThePaperDoes)
 {
   const auto paper = OrientedPointSamplingParameters::paper();
-  EXPECT_EQ (paper.normals.sigma, 0.0) << "adaptive";
+  EXPECT_FALSE (paper.normal_sigma) << "adaptive";
   EXPECT_TRUE (paper.merging.enabled);
   EXPECT_DOUBLE_EQ (paper.merging.angle_threshold, 7_deg);
-  EXPECT_EQ (paper.merging.noise_factor, 0.0) << "not in the paper";
-  EXPECT_EQ (paper.merging.distance_threshold, 0.0) << "theta_h";
+  EXPECT_EQ (paper.merging.noise_factor.value_or (0.0), 0.0) << "not in the paper";
+  EXPECT_FALSE (paper.merging.distance_threshold) << "theta_h";
 }
 
 TEST (Strategy, NumbersAreThoseOfThePaper)
@@ -105,12 +118,11 @@ TEST (Strategy, TwoDetectsPerGroupOfSamples)
   // flat.
   const auto scene =
       Scene().floor (3, 3).surface ({0, 1, -0.5}, {3, 0, 1}, {0, 1, 0}).build();
-  pcl_ops::OrientedSamples samples;
+  OrientedSamples samples;
   for (std::size_t i = 0; i < scene.cloud->size(); ++i)
     samples.add ((*scene.cloud)[i].getVector3fMap().cast<double>(),
                  scene.surfaces[static_cast<std::size_t> (scene.labels[i])].normal());
-  const auto planes = extractPlanes (
-      samples, pcl_ops::Points(), OrientedPointSamplingParameters::paper());
+  const auto planes = extractedFrom (samples, OrientedPointSamplingParameters::paper());
   ASSERT_EQ (planes.size(), 2u);
   expectPlaneNear (planes[0], scene.surfaces[0], 1e-5, 1e-5);
   expectPlaneNear (planes[1], scene.surfaces[1], 1e-5, 1e-5);
@@ -131,7 +143,12 @@ TEST (MinInliers, OfZeroStillAsksForThreeSamples)
 {
   auto parameters = OrientedPointSamplingParameters::paper();
   parameters.min_inliers = 0;
-  EXPECT_EQ (ransacParameters (parameters).min_inliers, 2u);
+  OrientedSamples samples;
+  samples.add ({0, 0, 0}, Eigen::Vector3d::UnitZ());
+  samples.add ({1, 0, 0}, Eigen::Vector3d::UnitZ());
+  EXPECT_TRUE (extractedFrom (samples, parameters).empty());
+  samples.add ({0, 1, 0}, Eigen::Vector3d::UnitZ());
+  EXPECT_EQ (extractedFrom (samples, parameters).size(), 1u);
 }
 
 TEST (LocalOptimisation, HoldsWholeSurfacesWhereNormalsAreNoisy)
@@ -225,6 +242,6 @@ TEST (Setters, WriteIntoTheParameters)
   Ops ops;
   ops.setParameters (OrientedPointSamplingParameters::paper());
   ops.setKSearch (17);
-  EXPECT_EQ (ops.getParameters().normals.k, 17);
+  EXPECT_EQ (ops.getParameters().k, 17);
   EXPECT_EQ (ops.getParameters().strategy, Strategy::DivideThenDetect);
 }

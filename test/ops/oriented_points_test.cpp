@@ -7,14 +7,12 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "ops/oriented_samples.h"
+#include "ops/oriented_points.h"
 #include "scene.h"
 
 #include <numeric>
 
-using pcl_ops::drawSample;
-using pcl_ops::OrientedSamples;
-using pcl_ops::Positions;
+using namespace pcl_ops::internal;
 
 namespace {
 
@@ -31,24 +29,28 @@ allIndices (const Cloud& cloud)
 /** \brief Weighted normals of some points of a cloud, with a kd-tree over all of it. */
 OrientedSamples
 orient (const Cloud::ConstPtr& cloud,
-        const Positions& sample,
-        const pcl_ops::NormalParameters& parameters,
+        const Indices& sample,
+        int k = 30,
+        std::optional<double> sigma = std::nullopt,
         unsigned threads = 1)
 {
-  pcl::search::KdTree<pcl::PointXYZ> search;
-  search.setInputCloud (cloud);
-  return pcl_ops::orientSamples (*cloud,
-                                 pcl_ops::finitePoints (*cloud, allIndices (*cloud)),
-                                 sample,
-                                 search,
-                                 parameters,
-                                 threads);
+  pcl::search::KdTree<pcl::PointXYZ> tree;
+  tree.setInputCloud (cloud);
+  pcl_ops::NeighbourSearch search;
+  search.nearest =
+      [&] (pcl::index_t point, int number, auto& neighbours, auto& distances) {
+        tree.nearestKSearch ((*cloud)[point], number, neighbours, distances);
+      };
+  search.threads = threads;
+  const pcl_ops::CloudView view (*cloud);
+  const Points points = finitePoints (view, allIndices (*cloud), threads);
+  return orientSamples (view, points, sample, search, k, sigma);
 }
 
-Positions
+Indices
 everyTenth (const Cloud& cloud)
 {
-  Positions sample;
+  Indices sample;
   for (std::size_t i = 0; i < cloud.size(); i += 10)
     sample.push_back (static_cast<std::uint32_t> (i));
   return sample;
@@ -83,7 +85,7 @@ smallestEigenvector (const Eigen::Matrix3d& matrix)
 
 /** \brief The unweighted normals of PCL from the sample and its k nearest. */
 std::vector<Eigen::Vector3d>
-normalsByPcl (const Cloud::ConstPtr& cloud, const Positions& sample, int k)
+normalsByPcl (const Cloud::ConstPtr& cloud, const Indices& sample, int k)
 {
   pcl::search::KdTree<pcl::PointXYZ> search;
   search.setInputCloud (cloud);
@@ -122,7 +124,7 @@ lineBesideAPlane ()
 TEST (DrawSample, DrawsTheRateAscendingAndDistinct)
 {
   for (const double rate : {0.001, 0.03, 0.5, 1.0}) {
-    const Positions sample = drawSample (10000, rate, seedOfTest());
+    const Indices sample = drawSample (10000, rate, seedOfTest());
     EXPECT_EQ (sample.size(), static_cast<std::size_t> (10000 * rate));
     EXPECT_TRUE (std::is_sorted (
         sample.begin(), sample.end(), std::less_equal<std::uint32_t>()));
@@ -134,8 +136,8 @@ TEST (DrawSample, DrawsNothingFromNothingAndAllFromAll)
 {
   EXPECT_TRUE (drawSample (0, 0.5, 1).empty());
   EXPECT_TRUE (drawSample (10, 0.01, 1).empty()) << "a tenth of a point";
-  EXPECT_EQ (drawSample (3, 1.0, 1), (Positions{0, 1, 2}));
-  EXPECT_EQ (drawSample (3, 2.0, 1), (Positions{0, 1, 2})) << "a rate above 1";
+  EXPECT_EQ (drawSample (3, 1.0, 1), (Indices{0, 1, 2}));
+  EXPECT_EQ (drawSample (3, 2.0, 1), (Indices{0, 1, 2})) << "a rate above 1";
 }
 
 TEST (DrawSample, GivesEveryPointTheSameChance)
@@ -152,7 +154,7 @@ TEST (DrawSample, GivesEveryPointTheSameChance)
 
 TEST (DrawSample, SameSeedSamePoints)
 {
-  const Positions sample = drawSample (10000, 0.03, 7);
+  const Indices sample = drawSample (10000, 0.03, 7);
   EXPECT_EQ (sample, drawSample (10000, 0.03, 7));
   EXPECT_NE (sample, drawSample (10000, 0.03, 8));
 }
@@ -160,7 +162,7 @@ TEST (DrawSample, SameSeedSamePoints)
 TEST (OrientSamples, FindsTheNormalOfAnExactPlane)
 {
   const auto scene = Scene().surface ({1, 2, 3}, {2, 0.1, 0.5}, {-0.3, 2, 1}).build();
-  const auto samples = orient (scene.cloud, everyTenth (*scene.cloud), {});
+  const auto samples = orient (scene.cloud, everyTenth (*scene.cloud));
   ASSERT_EQ (samples.size(), everyTenth (*scene.cloud).size());
   for (std::size_t i = 0; i < samples.size(); ++i)
     EXPECT_LT (angleBetween (samples.normals[i], scene.surfaces[0].normal()), 1e-5);
@@ -170,8 +172,8 @@ TEST (OrientSamples, ComputesTheMatrixOfThePaper)
 {
   const auto scene = Scene().floor (1_m, 1_m).noise (1_cm).build();
   constexpr double sigma = 10_cm;
-  const Positions sample = everyTenth (*scene.cloud);
-  const auto samples = orient (scene.cloud, sample, {20, sigma});
+  const Indices sample = everyTenth (*scene.cloud);
+  const auto samples = orient (scene.cloud, sample, 20, sigma);
   ASSERT_EQ (samples.size(), sample.size());
   for (std::size_t i = 0; i < sample.size(); ++i) {
     const auto m = scatterByBruteForce (*scene.cloud, sample[i], 20, sigma);
@@ -190,7 +192,7 @@ TEST (OrientSamples, TakesTheNeighbourhoodsRadiusForSigmaUnlessToldOtherwise)
     return all;
   }();
   const auto m = scatterByBruteForce (*cloud, 0, 20, distances[20]);
-  const auto samples = orient (cloud, {0}, {20, 0.0});
+  const auto samples = orient (cloud, {0}, 20);
   EXPECT_LT (angleBetween (samples.normals[0], smallestEigenvector (m)), 1e-5);
 }
 
@@ -198,8 +200,8 @@ TEST (OrientSamples, AreAsGoodAsPclsNormalsOnANoisyPlane)
 {
   const auto scene = Scene().floor (3_m, 3_m).noise (5_mm).build();
   const Eigen::Vector3d truth = scene.surfaces[0].normal();
-  const Positions sample = everyTenth (*scene.cloud);
-  const auto samples = orient (scene.cloud, sample, {30, 0.0});
+  const Indices sample = everyTenth (*scene.cloud);
+  const auto samples = orient (scene.cloud, sample, 30);
   const auto pcl_normals = normalsByPcl (scene.cloud, sample, 30);
   std::vector<double> difference, our_error, pcl_error;
   for (std::size_t i = 0; i < sample.size(); ++i) {
@@ -219,7 +221,7 @@ TEST (OrientSamples, SkipsDuplicatesOfTheSample)
   const pcl::PointXYZ repeated = scene.cloud->front();
   for (int i = 0; i < 5; ++i)
     scene.cloud->push_back (repeated);
-  const auto samples = orient (scene.cloud, {0}, {});
+  const auto samples = orient (scene.cloud, {0});
   ASSERT_EQ (samples.size(), 1u);
   EXPECT_LT (angleBetween (samples.normals[0], Eigen::Vector3d::UnitZ()), 1e-5);
 }
@@ -229,14 +231,14 @@ TEST (OrientSamples, LeavesOutSamplesWhoseNeighboursAreAllDuplicatesOfThem)
   const auto cloud = pcl::make_shared<Cloud>();
   for (int i = 0; i < 50; ++i)
     cloud->push_back ({1, 2, 3});
-  EXPECT_EQ (orient (cloud, {0, 10, 20}, {}).size(), 0u);
+  EXPECT_EQ (orient (cloud, {0, 10, 20}).size(), 0u);
 }
 
 TEST (OrientSamples, LeavesOutSamplesOnALine)
 {
   const auto cloud = lineBesideAPlane();
   const auto on_line = static_cast<std::uint32_t> (cloud->size() - 50);
-  const auto samples = orient (cloud, {0, on_line}, {20, 0.0});
+  const auto samples = orient (cloud, {0, on_line}, 20);
   ASSERT_EQ (samples.size(), 1u) << "the one on the plane";
   EXPECT_LT (angleBetween (samples.normals[0], Eigen::Vector3d::UnitZ()), 1e-5);
 }
@@ -248,7 +250,7 @@ TEST (OrientSamples, MakesDoWithFewerPointsThanK)
     for (const float y : {0.0f, 1.0f})
       cloud->push_back ({x, y, 5});
   for (const int k : {30, std::numeric_limits<int>::max()}) {
-    const auto samples = orient (cloud, {0, 1, 2, 3}, {k, 0.0});
+    const auto samples = orient (cloud, {0, 1, 2, 3}, k);
     ASSERT_EQ (samples.size(), 4u);
     EXPECT_LT (angleBetween (samples.normals[0], Eigen::Vector3d::UnitZ()), 1e-5);
   }
@@ -257,9 +259,9 @@ TEST (OrientSamples, MakesDoWithFewerPointsThanK)
 TEST (OrientSamples, DoesNotDependOnTheNumberOfThreads)
 {
   const auto cloud = room().build().cloud;
-  const auto one = orient (cloud, everyTenth (*cloud), {}, 1);
+  const auto one = orient (cloud, everyTenth (*cloud), 30, std::nullopt, 1);
   for (const unsigned threads : {2u, 4u, 0u}) {
-    const auto many = orient (cloud, everyTenth (*cloud), {}, threads);
+    const auto many = orient (cloud, everyTenth (*cloud), 30, std::nullopt, threads);
     EXPECT_EQ (many.normals.x, one.normals.x);
     EXPECT_EQ (many.normals.y, one.normals.y);
     EXPECT_EQ (many.normals.z, one.normals.z);
@@ -269,9 +271,9 @@ TEST (OrientSamples, DoesNotDependOnTheNumberOfThreads)
 TEST (NormalOfScatter, IsNothingForAMatrixOfRankOneOrNone)
 {
   const Eigen::Vector3d line (1.0 / 3.0, -0.7, 0.2);
-  EXPECT_TRUE (pcl_ops::normalOfScatter (Eigen::Matrix3d::Zero()).isZero());
-  EXPECT_TRUE (pcl_ops::normalOfScatter (line * line.transpose()).isZero());
-  EXPECT_TRUE (pcl_ops::normalOfScatter (1e12 * line * line.transpose()).isZero());
+  EXPECT_TRUE (normalOfScatter (Eigen::Matrix3d::Zero()).isZero());
+  EXPECT_TRUE (normalOfScatter (line * line.transpose()).isZero());
+  EXPECT_TRUE (normalOfScatter (1e12 * line * line.transpose()).isZero());
 }
 
 TEST (NormalOfScatter, IsThePreciseDirectionOfLeastSpread)
@@ -279,7 +281,7 @@ TEST (NormalOfScatter, IsThePreciseDirectionOfLeastSpread)
   const Surface patch{{0, 0, 0}, {1, 0.3, 0.2}, {0.1, -1, 0.4}};
   const Eigen::Matrix3d m = patch.first * patch.first.transpose() +
                             1e-4 * patch.second * patch.second.transpose();
-  EXPECT_LT (angleBetween (pcl_ops::normalOfScatter (m), patch.normal()), 1e-5);
+  EXPECT_LT (angleBetween (normalOfScatter (m), patch.normal()), 1e-5);
 }
 
 TEST (GroupByOrientation, PutsEverySampleIntoOneGroup)
@@ -291,7 +293,7 @@ TEST (GroupByOrientation, PutsEverySampleIntoOneGroup)
                                         Eigen::Vector3d (0, 0, -1)})
     samples.add ({0, 0, 0}, normal);
   const auto groups = groupByOrientation (samples, Eigen::Vector3d::UnitZ(), 7_deg);
-  EXPECT_EQ (groups[0], (Positions{0, 3})) << "horizontal";
-  EXPECT_EQ (groups[1], (Positions{1})) << "vertical";
-  EXPECT_EQ (groups[2], (Positions{2})) << "other";
+  EXPECT_EQ (groups[0], (Indices{0, 3})) << "horizontal";
+  EXPECT_EQ (groups[1], (Indices{1})) << "vertical";
+  EXPECT_EQ (groups[2], (Indices{2})) << "other";
 }

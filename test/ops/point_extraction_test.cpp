@@ -2,26 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "ops/plane_extraction.h"
+#include "ops/point_extraction.h"
 #include "scene.h"
 
 #include <numeric>
 
-using pcl_ops::Coordinates;
-using pcl_ops::ExtractedPlane;
-using pcl_ops::OrientedSamples;
+using namespace pcl_ops::internal;
+
 using pcl_ops::Plane;
-using pcl_ops::Positions;
-using pcl_ops::RandomGenerator;
-using pcl_ops::RansacParameters;
-using pcl_ops::requiredDraws;
 
 namespace {
 
-Positions
+Indices
 upTo (std::size_t size)
 {
-  Positions positions (size);
+  Indices positions (size);
   std::iota (positions.begin(), positions.end(), 0);
   return positions;
 }
@@ -60,6 +55,47 @@ floorAndWall ()
 
 const Plane horizontal{Eigen::Vector3d::UnitZ(), 0.0};
 
+std::optional<Plane>
+ransac (const OrientedSamples& samples,
+        const Indices& candidates,
+        RandomGenerator& generator,
+        const RansacParameters& parameters = {},
+        std::optional<Coordinates> verified = std::nullopt)
+{
+  PointCandidates points (samples, candidates, parameters);
+  if (verified)
+    points.verifyOn (*verified);
+  return onePointRansac (points, parameters.probability, generator);
+}
+
+std::optional<Peel>
+largest (const OrientedSamples& samples,
+         const Indices& candidates,
+         const RansacParameters& parameters,
+         RandomGenerator& generator)
+{
+  return largestPlane (
+      PointCandidates (samples, candidates, parameters), parameters, generator);
+}
+
+/** \brief All that the peel loop wants to know of samples. */
+struct Numbers {
+  Indices left;
+
+  std::size_t
+  size () const
+  {
+    return left.size();
+  }
+
+  void
+  remove (const Peel& peel)
+  {
+    for (const std::uint32_t taken : peel.taken)
+      left.erase (std::remove (left.begin(), left.end(), taken), left.end());
+  }
+};
+
 } // namespace
 
 TEST (RequiredDraws, MatchesTheFormula)
@@ -92,7 +128,7 @@ TEST (WithinDistance, CountsAndSelectsTheSamePoints)
     positions.add (1.0f, 2.0f, z);
   EXPECT_EQ (countWithinDistance (positions, horizontal, 5_cm), 3u);
   EXPECT_EQ (selectWithinDistance (positions, upTo (5), horizontal, 5_cm),
-             (Positions{1, 2, 3}));
+             (Indices{1, 2, 3}));
 }
 
 TEST (WithinDistance, SelectsAmongTheCandidatesOnly)
@@ -101,7 +137,7 @@ TEST (WithinDistance, SelectsAmongTheCandidatesOnly)
   for (int i = 0; i < 5; ++i)
     positions.add (1.0f, 2.0f, 0.0f);
   EXPECT_EQ (selectWithinDistance (positions, {0, 3}, horizontal, 5_cm),
-             (Positions{0, 3}));
+             (Indices{0, 3}));
 }
 
 TEST (WithinDistance, AgreesWithBruteForce)
@@ -121,48 +157,67 @@ TEST (WithinDistance, AgreesWithBruteForce)
 TEST (ExtractAll, StopsWhenNothingIsFound)
 {
   int calls = 0;
-  const auto planes = pcl_ops::extractAll (
-      {0, 1, 2, 3}, [&] (const Positions&) -> std::optional<ExtractedPlane> {
-        ++calls;
-        return std::nullopt;
-      });
+  Numbers numbers{{0, 1, 2, 3}};
+  const auto planes = extractAll (numbers, [&] (const Numbers&) -> std::optional<Peel> {
+    ++calls;
+    return std::nullopt;
+  });
   EXPECT_TRUE (planes.empty());
   EXPECT_EQ (calls, 1);
 }
 
 TEST (ExtractAll, NeverReusesAPoint)
 {
-  const auto take_two = [] (const Positions& left) -> std::optional<ExtractedPlane> {
-    if (left.size() < 2)
+  const auto take_two = [] (const Numbers& numbers) -> std::optional<Peel> {
+    if (numbers.size() < 2)
       return std::nullopt;
-    return ExtractedPlane{Plane(), {left.front(), left.back()}};
+    return Peel{{numbers.left.front(), numbers.left.back()}, Plane()};
   };
-  const auto planes = pcl_ops::extractAll ({1, 3, 5, 7, 9}, take_two);
+  Numbers numbers{{1, 3, 5, 7, 9}};
+  const auto planes = extractAll (numbers, take_two);
   ASSERT_EQ (planes.size(), 2u);
-  EXPECT_EQ (planes[0].inliers, (Positions{1, 9}));
-  EXPECT_EQ (planes[1].inliers, (Positions{3, 7}));
+  EXPECT_EQ (planes[0].inliers, (Indices{1, 9}));
+  EXPECT_EQ (planes[1].inliers, (Indices{3, 7}));
+  EXPECT_EQ (numbers.left, (Indices{5}));
 }
 
 TEST (ExtractAll, StopsIfAPlaneTakesNoCandidate)
 {
   int calls = 0;
-  const auto endless = [&] (const Positions&) {
+  Numbers numbers{{1, 2, 3}};
+  const auto endless = [&] (const Numbers&) {
     ++calls;
-    return std::optional<ExtractedPlane> (ExtractedPlane{Plane(), {}});
+    return std::optional<Peel> (Peel{{}, Plane()});
   };
-  EXPECT_TRUE (pcl_ops::extractAll ({1, 2, 3}, endless).empty());
+  EXPECT_TRUE (extractAll (numbers, endless).empty());
   EXPECT_EQ (calls, 1);
+}
+
+TEST (ExtractAll, TakesAwayWhatIsNoPlaneAndGoesOn)
+{
+  Numbers numbers{{1, 2, 3}};
+  const auto planes =
+      extractAll (numbers, [] (const Numbers& left) -> std::optional<Peel> {
+        if (left.size() == 0)
+          return std::nullopt;
+        const std::uint32_t next = left.left.front();
+        return Peel{{next}, next == 2 ? std::optional<Plane>() : Plane()};
+      });
+  ASSERT_EQ (planes.size(), 2u);
+  EXPECT_EQ (planes[0].inliers, (Indices{1}));
+  EXPECT_EQ (planes[1].inliers, (Indices{3}));
 }
 
 TEST (ExtractAll, FindsEveryPlaneOfAScene)
 {
   const auto scene = floorAndWall().build();
   const auto samples = samplesOf (scene);
+  const RansacParameters parameters;
   RandomGenerator generator (seedOfTest());
-  const auto planes =
-      pcl_ops::extractAll (upTo (samples.size()), [&] (const Positions& candidates) {
-        return largestPlane (samples, candidates, RansacParameters(), generator);
-      });
+  PointCandidates candidates (samples, upTo (samples.size()), parameters);
+  const auto planes = extractAll (candidates, [&] (const PointCandidates& left) {
+    return largestPlane (left, parameters, generator);
+  });
   ASSERT_GE (planes.size(), 2u);
   expectPlaneNear (planes[0].plane, scene.surfaces[0], 1_deg, 1_cm);
   expectPlaneNear (planes[1].plane, scene.surfaces[1], 1_deg, 1_cm);
@@ -174,8 +229,7 @@ TEST (OnePointRansac, FindsThePlaneWithMostInliers)
   const auto samples = samplesOf (scene);
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     RandomGenerator generator (seed);
-    const auto plane =
-        onePointRansac (samples, upTo (samples.size()), samples, {}, generator);
+    const auto plane = ransac (samples, upTo (samples.size()), generator);
     ASSERT_TRUE (plane);
     expectPlaneNear (*plane, scene.surfaces[0], 1e-6, 1e-6);
   }
@@ -185,12 +239,12 @@ TEST (OnePointRansac, DrawsFromTheCandidatesOnly)
 {
   const auto scene = floorAndWall().build();
   const auto samples = samplesOf (scene);
-  Positions on_wall;
+  Indices on_wall;
   for (std::uint32_t i = 0; i < samples.size(); ++i)
     if (scene.labels[i] == 1)
       on_wall.push_back (i);
   RandomGenerator generator (seedOfTest());
-  const auto plane = onePointRansac (samples, on_wall, samples, {}, generator);
+  const auto plane = ransac (samples, on_wall, generator);
   ASSERT_TRUE (plane);
   expectPlaneNear (*plane, scene.surfaces[1], 1e-6, 1e-6);
 }
@@ -203,9 +257,9 @@ TEST (OnePointRansac, WantsMoreInliersThanThetaN)
   RansacParameters parameters;
   RandomGenerator generator (seedOfTest());
   parameters.min_inliers = 20;
-  EXPECT_FALSE (onePointRansac (samples, upTo (20), samples, parameters, generator));
+  EXPECT_FALSE (ransac (samples, upTo (20), generator, parameters));
   parameters.min_inliers = 19;
-  EXPECT_TRUE (onePointRansac (samples, upTo (20), samples, parameters, generator));
+  EXPECT_TRUE (ransac (samples, upTo (20), generator, parameters));
 }
 
 TEST (OnePointRansac, CountsThetaNOnTheCandidatesWhateverItVerifiesOn)
@@ -216,9 +270,9 @@ TEST (OnePointRansac, CountsThetaNOnTheCandidatesWhateverItVerifiesOn)
   RansacParameters parameters;
   RandomGenerator generator (seedOfTest());
   parameters.min_inliers = 10;
-  EXPECT_FALSE (onePointRansac (samples, upTo (10), samples, parameters, generator));
+  EXPECT_FALSE (ransac (samples, upTo (10), generator, parameters, samples));
   parameters.min_inliers = 9;
-  EXPECT_TRUE (onePointRansac (samples, upTo (10), samples, parameters, generator));
+  EXPECT_TRUE (ransac (samples, upTo (10), generator, parameters, samples));
 }
 
 TEST (OnePointRansac, FindsNothingAmongNoCandidatesOrPointsOnNoPlane)
@@ -226,11 +280,11 @@ TEST (OnePointRansac, FindsNothingAmongNoCandidatesOrPointsOnNoPlane)
   const auto scene = floorAndWall().build();
   const auto samples = samplesOf (scene);
   RandomGenerator generator (seedOfTest());
-  EXPECT_FALSE (onePointRansac (samples, {}, samples, {}, generator));
+  EXPECT_FALSE (ransac (samples, {}, generator));
   OrientedSamples scattered;
   for (int i = 0; i < 100; ++i)
     scattered.add (Eigen::Vector3d::Constant (i), Eigen::Vector3d::Ones().normalized());
-  EXPECT_FALSE (onePointRansac (scattered, upTo (100), scattered, {}, generator));
+  EXPECT_FALSE (ransac (scattered, upTo (100), generator));
 }
 
 TEST (LargestPlane, IsRefittedToItsInliers)
@@ -240,16 +294,15 @@ TEST (LargestPlane, IsRefittedToItsInliers)
   RansacParameters parameters;
   parameters.local_optimisation = false;
   RandomGenerator generator (seedOfTest());
-  const auto found =
-      largestPlane (samples, upTo (samples.size()), parameters, generator);
+  const auto found = largest (samples, upTo (samples.size()), parameters, generator);
   ASSERT_TRUE (found);
   pcl_ops::Moments moments;
-  for (const std::uint32_t i : found->inliers)
+  for (const std::uint32_t i : found->taken)
     moments.add (samples.x[i], samples.y[i], samples.z[i]);
   const auto fit = fitPlane (moments);
   ASSERT_TRUE (fit);
-  EXPECT_LT (angleBetween (found->plane.normal, fit->plane.normal), 1e-9);
-  EXPECT_NEAR (found->plane.distance (fit->centroid), 0.0, 1e-9);
+  EXPECT_LT (angleBetween (found->plane->normal, fit->plane.normal), 1e-9);
+  EXPECT_NEAR (found->plane->distance (fit->centroid), 0.0, 1e-9);
 }
 
 TEST (LargestPlane, GrowsItsSupportByLocalOptimisation)
@@ -259,14 +312,12 @@ TEST (LargestPlane, GrowsItsSupportByLocalOptimisation)
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
     RandomGenerator generator (seed), same_draws (seed);
     RansacParameters parameters;
-    const auto grown =
-        largestPlane (samples, upTo (samples.size()), parameters, generator);
+    const auto grown = largest (samples, upTo (samples.size()), parameters, generator);
     parameters.local_optimisation = false;
-    const auto plain =
-        largestPlane (samples, upTo (samples.size()), parameters, same_draws);
+    const auto plain = largest (samples, upTo (samples.size()), parameters, same_draws);
     ASSERT_TRUE (grown && plain);
-    EXPECT_GE (grown->inliers.size(), plain->inliers.size());
-    expectPlaneNear (grown->plane, scene.surfaces[0], 1_deg, 1_cm);
+    EXPECT_GE (grown->taken.size(), plain->taken.size());
+    expectPlaneNear (*grown->plane, scene.surfaces[0], 1_deg, 1_cm);
   }
 }
 
@@ -274,24 +325,27 @@ TEST (LargestPlane, TakesItsInliersOutOfTheRemainingPoints)
 {
   const auto scene = floorAndWall().build();
   const auto samples = samplesOf (scene);
+  const RansacParameters parameters;
   Coordinates remaining = samples;
   RandomGenerator generator (seedOfTest());
-  const auto found =
-      largestPlane (samples, upTo (samples.size()), remaining, {}, generator);
+  PointCandidates candidates (samples, upTo (samples.size()), parameters);
+  candidates.verifyOn (remaining);
+  const auto found = largestPlane (candidates, parameters, generator);
   ASSERT_TRUE (found);
-  EXPECT_EQ (remaining.size(), samples.size() - found->inliers.size());
-  EXPECT_EQ (countWithinDistance (remaining, found->plane, 5_cm), 0u);
+  candidates.remove (*found);
+  EXPECT_EQ (remaining.size(), samples.size() - found->taken.size());
+  EXPECT_EQ (countWithinDistance (remaining, *found->plane, 5_cm), 0u);
 }
 
 TEST (LargestPlane, GivesAscendingInliersAmongTheCandidates)
 {
   const auto samples = samplesOf (floorAndWall().build());
-  Positions even;
+  Indices even;
   for (std::uint32_t i = 0; i < samples.size(); i += 2)
     even.push_back (i);
   RandomGenerator generator (seedOfTest());
-  const auto found = largestPlane (samples, even, RansacParameters(), generator);
+  const auto found = largest (samples, even, RansacParameters(), generator);
   ASSERT_TRUE (found);
   EXPECT_TRUE (std::includes (
-      even.begin(), even.end(), found->inliers.begin(), found->inliers.end()));
+      even.begin(), even.end(), found->taken.begin(), found->taken.end()));
 }

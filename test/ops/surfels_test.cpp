@@ -1,32 +1,45 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bounded/bounded_planes.h"
 #include "grid_scene.h"
 #include "ops/surfels.h"
 
-using pcl_ops::Coordinates;
-using pcl_ops::SurfelNormalParameters;
-using pcl_ops::VoxelGrid;
+using namespace pcl_ops::internal;
 
 namespace {
 
 const Surface floor_of_the_scene = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
 const Surface wall_of_the_scene = {{0, 0, 0}, {0, 2, 0}, {0, 0, 2}};
 
-double
-angleOf (const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+/** \brief With the default resolutions, and neighbourhoods of 30 points or of as many
+ * as eight voxels hold on average. */
+std::vector<std::optional<Surfel>>
+surfelsOf (const VoxelGrid& grid, unsigned threads = 1)
 {
-  return std::acos (std::min (1.0, std::abs (a.dot (b))));
+  double points = 0.0;
+  for (const pcl_ops::Moments& voxel : grid.moments)
+    points += voxel.count;
+  return findSurfels (grid,
+                      3,
+                      std::max (30.0, 8.0 * points / static_cast<double> (grid.size())),
+                      threads);
 }
 
-// The least angle of a voxel's normal to one of the directions.
-double
-angleToNearest (const pcl_ops::Surfel& normal,
-                const std::vector<Eigen::Vector3d>& directions)
+VoxelGrid
+edge ()
 {
-  double least = pi;
-  for (const Eigen::Vector3d& direction : directions)
-    least = std::min (least, angleOf (normal.plane.normal, direction));
-  return least;
+  Coordinates points;
+  addGrid (points, floor_of_the_scene, 120);
+  addGrid (points, wall_of_the_scene, 120);
+  return voxelize (points, 0.1, 1).grid;
+}
+
+/** \brief Whether a normal at the edge is neither the floor's nor the wall's. */
+bool
+isBent (const Eigen::Vector3d& normal)
+{
+  return angleBetween (normal, floor_of_the_scene.normal()) > 5_deg &&
+         angleBetween (normal, wall_of_the_scene.normal()) > 5_deg;
 }
 
 } // namespace
@@ -36,10 +49,10 @@ TEST (OrientedVoxels, HaveTheNormalOfAnExactPlane)
   Coordinates points;
   const Surface board = {{0, 0, 1}, {2, 0, 0.4}, {0, 2, 0.8}};
   addGrid (points, board, 100);
-  const VoxelGrid grid = pcl_ops::voxelize (points, 0.1, 1).grid;
-  for (const auto& normal : pcl_ops::findSurfels (grid, SurfelNormalParameters(), 1)) {
+  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
+  for (const auto& normal : surfelsOf (grid)) {
     ASSERT_TRUE (normal.has_value());
-    EXPECT_LT (angleOf (normal->plane.normal, board.normal()), 1e-3);
+    EXPECT_LT (angleBetween (normal->plane.normal, board.normal()), 1e-3);
     EXPECT_LT (normal->noise, 1e-5);
   }
 }
@@ -49,8 +62,8 @@ TEST (OrientedVoxels, MeasureTheNoiseAroundThem)
   Coordinates points;
   // Evenly spread within +-2 cm: a standard deviation of 2 cm / sqrt (3).
   addGrid (points, floor_of_the_scene, 200, 2_cm);
-  const VoxelGrid grid = pcl_ops::voxelize (points, 0.1, 1).grid;
-  for (const auto& normal : pcl_ops::findSurfels (grid, SurfelNormalParameters(), 1)) {
+  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
+  for (const auto& normal : surfelsOf (grid)) {
     ASSERT_TRUE (normal.has_value());
     EXPECT_NEAR (normal->noise, 2_cm / std::sqrt (3.0), 2_mm);
   }
@@ -58,48 +71,36 @@ TEST (OrientedVoxels, MeasureTheNoiseAroundThem)
 
 TEST (OrientedVoxels, KeepTheirOwnSurfacesNormalNextToAnEdge)
 {
-  Coordinates points;
-  addGrid (points, floor_of_the_scene, 120);
-  addGrid (points, wall_of_the_scene, 120);
-  const VoxelGrid grid = pcl_ops::voxelize (points, 0.1, 1).grid;
-  const auto normals = pcl_ops::findSurfels (grid, SurfelNormalParameters(), 1);
   std::size_t bent = 0;
-  for (const auto& normal : normals)
-    bent += !normal ||
-            angleToNearest (
-                *normal, {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ()}) > 5_deg;
+  for (const auto& surfel : surfelsOf (edge()))
+    bent += !surfel || isBent (surfel->plane.normal);
   // Only the voxels that hold points of both surfaces, one row of twenty, may bend.
   EXPECT_LE (bent, 20u);
 }
 
 TEST (OrientedVoxels, OfAnEdgeBendWithoutTheirNeighboursHelp)
 {
-  Coordinates points;
-  addGrid (points, floor_of_the_scene, 120);
-  addGrid (points, wall_of_the_scene, 120);
-  const VoxelGrid grid = pcl_ops::voxelize (points, 0.1, 1).grid;
-  SurfelNormalParameters alone;
-  alone.noise_factor = 1e6;
-  alone.flat_enough = 1.0;
+  const VoxelGrid grid = edge();
   std::size_t bent = 0;
-  for (const auto& normal : pcl_ops::findSurfels (grid, alone, 1))
-    bent += !normal ||
-            angleToNearest (
-                *normal, {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ()}) > 5_deg;
+  for (std::size_t voxel = 0; voxel < grid.size(); ++voxel) {
+    const Indices around (grid.neighbours[voxel].begin(), grid.neighbours[voxel].end());
+    const auto fit = fitPlane (momentsOf (grid, around));
+    bent += !fit || isBent (fit->plane.normal);
+  }
   EXPECT_GT (bent, 20u);
 }
 
 TEST (OrientedVoxels, OfABallAreThick)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   Coordinates points;
   for (int i = 0; i < 2000; ++i) {
     const auto draw = [&] { return static_cast<float> (drawNormal (generator)); };
     const float x = draw(), y = draw(), z = draw();
     points.add (x, y, z);
   }
-  const VoxelGrid grid = pcl_ops::voxelize (points, 20.0, 1).grid;
-  for (const auto& normal : pcl_ops::findSurfels (grid, SurfelNormalParameters(), 1))
+  const VoxelGrid grid = voxelize (points, 20.0, 1).grid;
+  for (const auto& normal : surfelsOf (grid))
     EXPECT_TRUE (!normal || normal->thickness > 0.8);
 }
 
@@ -107,9 +108,9 @@ TEST (OrientedVoxels, AreTheSameForAnyNumberOfThreads)
 {
   Coordinates points;
   addGrid (points, floor_of_the_scene, 200, 1_cm);
-  const VoxelGrid grid = pcl_ops::voxelize (points, 0.05, 1).grid;
-  const auto one = pcl_ops::findSurfels (grid, SurfelNormalParameters(), 1);
-  const auto four = pcl_ops::findSurfels (grid, SurfelNormalParameters(), 4);
+  const VoxelGrid grid = voxelize (points, 0.05, 1).grid;
+  const auto one = surfelsOf (grid);
+  const auto four = surfelsOf (grid, 4);
   for (std::size_t c = 0; c < grid.size(); ++c) {
     ASSERT_EQ (one[c].has_value(), four[c].has_value());
     EXPECT_TRUE (!one[c] || one[c]->plane.normal == four[c]->plane.normal);

@@ -8,18 +8,16 @@
 #include <set>
 #include <tuple>
 
-using pcl_ops::Coordinates;
-using pcl_ops::FixedRadiusSearch;
-using pcl_ops::Positions;
+using namespace pcl_ops::internal;
 
 namespace {
 
 Coordinates
 cube (std::size_t size, double edge)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   const auto draw = [&] {
-    return static_cast<float> (edge * (pcl_ops::drawUnit (generator) - 0.5));
+    return static_cast<float> (edge * (drawUnit (generator) - 0.5));
   };
   Coordinates points;
   for (std::size_t i = 0; i < size; ++i) {
@@ -29,10 +27,10 @@ cube (std::size_t size, double edge)
   return points;
 }
 
-Positions
+Indices
 bruteForce (const Coordinates& points, std::uint32_t centre, double radius)
 {
-  Positions neighbours;
+  Indices neighbours;
   for (std::uint32_t i = 0; i < points.size(); ++i)
     if ((points[i] - points[centre]).norm() <= radius)
       neighbours.push_back (i);
@@ -40,7 +38,7 @@ bruteForce (const Coordinates& points, std::uint32_t centre, double radius)
 }
 
 bool
-isSubset (const Positions& part, const Positions& all)
+isSubset (const Indices& part, const Indices& all)
 {
   return std::includes (all.begin(), all.end(), part.begin(), part.end());
 }
@@ -52,7 +50,7 @@ expectFindsAll (const Coordinates& points, double radius)
 {
   const double rounding = 1e-5 * radius;
   const FixedRadiusSearch search (points, radius, 1);
-  Positions neighbours{99, 98, 97};
+  Indices neighbours{99, 98, 97};
   const auto all_within = [&] (std::uint32_t i, double distance) {
     return bruteForce (search.points(), i, distance);
   };

@@ -54,11 +54,11 @@ constexpr double area_of_l = 1.75;
 PlanarPoints
 scatteredL (int points, double noise)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   PlanarPoints l;
   while (l.size() < static_cast<std::size_t> (points)) {
-    const double x = 2.0 * pcl_ops::drawUnit (generator);
-    const double y = 2.0 * pcl_ops::drawUnit (generator);
+    const double x = 2.0 * drawUnit (generator);
+    const double y = 2.0 * drawUnit (generator);
     if (isInL ({x, y}))
       l.emplace_back (x + noise * drawNormal (generator),
                       y + noise * drawNormal (generator));

@@ -5,19 +5,16 @@
 
 #include <numeric>
 
-using pcl_ops::Coordinates;
-using pcl_ops::VoxelGrid;
-using pcl_ops::VoxelizedPoints;
-using pcl_ops::VoxelKey;
+using namespace pcl_ops::internal;
 
 namespace {
 
 Coordinates
 pointsInACube (std::size_t number, double edge)
 {
-  pcl_ops::RandomGenerator generator (seedOfTest());
+  RandomGenerator generator (seedOfTest());
   const auto draw = [&] {
-    return static_cast<float> (edge * (pcl_ops::drawUnit (generator) - 0.5));
+    return static_cast<float> (edge * (drawUnit (generator) - 0.5));
   };
   Coordinates points;
   for (std::size_t i = 0; i < number; ++i) {
@@ -51,7 +48,7 @@ TEST (VoxelGrid, SharesAVoxelBetweenPointsOfTheSameCubeOnly)
   points.add (0.2f, 0.2f, 0.2f);
   points.add (0.8f, 0.8f, 0.8f);
   points.add (-0.2f, 0.2f, 0.2f);
-  const VoxelizedPoints voxelized = pcl_ops::voxelize (points, 1.0, 1);
+  const VoxelizedPoints voxelized = voxelize (points, 1.0, 1);
   EXPECT_EQ (voxelized.grid.size(), 2u);
   EXPECT_EQ (voxelized.voxel_of_point[0], voxelized.voxel_of_point[1]);
   EXPECT_NE (voxelized.voxel_of_point[0], voxelized.voxel_of_point[2]);
@@ -60,7 +57,7 @@ TEST (VoxelGrid, SharesAVoxelBetweenPointsOfTheSameCubeOnly)
 TEST (VoxelGrid, AddsUpTheMomentsOfTheVoxelsPoints)
 {
   const Coordinates points = pointsInACube (5000, 4.0);
-  const VoxelizedPoints voxelized = pcl_ops::voxelize (points, 0.5, 1);
+  const VoxelizedPoints voxelized = voxelize (points, 0.5, 1);
   std::vector<pcl_ops::Moments> expected (voxelized.grid.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     expected[voxelized.voxel_of_point[i]].add (points.x[i], points.y[i], points.z[i]);
@@ -72,7 +69,7 @@ TEST (VoxelGrid, AddsUpTheMomentsOfTheVoxelsPoints)
 
 TEST (VoxelGrid, KnowsEveryOccupiedNeighbourAsBruteForceDoes)
 {
-  const VoxelGrid grid = pcl_ops::voxelize (pointsInACube (400, 9.0), 0.5, 1).grid;
+  const VoxelGrid grid = voxelize (pointsInACube (400, 9.0), 0.5, 1).grid;
   for (std::size_t a = 0; a < grid.size(); ++a) {
     std::vector<std::uint32_t> expected;
     for (std::size_t b = 0; b < grid.size(); ++b)
@@ -91,8 +88,8 @@ TEST (VoxelGrid, DoesNotDependOnTheOrderOfThePoints)
   Coordinates reversed;
   for (std::size_t i = points.size(); i-- > 0;)
     reversed.add (points.x[i], points.y[i], points.z[i]);
-  const VoxelGrid first = pcl_ops::voxelize (points, 0.5, 1).grid;
-  const VoxelGrid second = pcl_ops::voxelize (reversed, 0.5, 1).grid;
+  const VoxelGrid first = voxelize (points, 0.5, 1).grid;
+  const VoxelGrid second = voxelize (reversed, 0.5, 1).grid;
   ASSERT_EQ (first.size(), second.size());
   for (std::size_t c = 0; c < first.size(); ++c) {
     EXPECT_EQ (first.keys[c].x, second.keys[c].x);
@@ -103,9 +100,9 @@ TEST (VoxelGrid, DoesNotDependOnTheOrderOfThePoints)
 TEST (VoxelGrid, IsTheSameForAnyNumberOfThreads)
 {
   const Coordinates points = pointsInACube (400000, 4.0);
-  const VoxelizedPoints one = pcl_ops::voxelize (points, 0.2, 1);
+  const VoxelizedPoints one = voxelize (points, 0.2, 1);
   for (const unsigned threads : {2u, 3u, 4u, 8u}) {
-    const VoxelizedPoints many = pcl_ops::voxelize (points, 0.2, threads);
+    const VoxelizedPoints many = voxelize (points, 0.2, threads);
     EXPECT_EQ (one.voxel_of_point, many.voxel_of_point);
     for (std::size_t c = 0; c < one.grid.size(); ++c)
       ASSERT_EQ (one.grid.moments[c].sum, many.grid.moments[c].sum);
@@ -116,14 +113,14 @@ TEST (VoxelGrid, KeepsStrayPointsFarAway)
 {
   Coordinates points = pointsInACube (100, 1.0);
   points.add (1e9f, -1e9f, 1e9f);
-  const VoxelizedPoints voxelized = pcl_ops::voxelize (points, 0.1, 1);
+  const VoxelizedPoints voxelized = voxelize (points, 0.1, 1);
   EXPECT_EQ (countOf (voxelized.grid), 101.0);
 }
 
 TEST (CoarserGrid, HoldsEightVoxelsEachAndLosesNoPoint)
 {
-  const VoxelGrid fine = pcl_ops::voxelize (pointsInACube (3000, 4.0), 0.25, 1).grid;
-  const pcl_ops::CoarserGrid coarser = pcl_ops::coarsen (fine, 1);
+  const VoxelGrid fine = voxelize (pointsInACube (3000, 4.0), 0.25, 1).grid;
+  const CoarserGrid coarser = coarsen (fine, 1);
   EXPECT_EQ (coarser.grid.voxel_size, 0.5);
   EXPECT_EQ (countOf (coarser.grid), countOf (fine));
   for (std::size_t c = 0; c < fine.size(); ++c) {
@@ -138,9 +135,8 @@ TEST (VoxelSize, FillsAboutAsManyVoxelsAsWanted)
   Coordinates points;
   addGrid (points, {{0, 0, 0}, {5, 0, 0}, {0, 4, 0}}, 400);
   for (const double wanted : {300.0, 2000.0, 10000.0}) {
-    const double size = pcl_ops::voxelSizeFor (points, wanted);
-    const auto voxels =
-        static_cast<double> (pcl_ops::voxelize (points, size, 1).grid.size());
+    const double size = voxelSizeFor (points, wanted);
+    const auto voxels = static_cast<double> (voxelize (points, size, 1).grid.size());
     EXPECT_NEAR (voxels / wanted, 1.0, 0.35) << wanted;
   }
 }
@@ -150,8 +146,7 @@ TEST (VoxelSize, GrowsWithTheUnitOfTheCloud)
   Coordinates metres, millimetres;
   addGrid (metres, {{0, 0, 0}, {5, 0, 0}, {0, 4, 0}}, 200);
   addGrid (millimetres, {{0, 0, 0}, {5000, 0, 0}, {0, 4000, 0}}, 200);
-  EXPECT_NEAR (pcl_ops::voxelSizeFor (millimetres, 1000.0) /
-                   pcl_ops::voxelSizeFor (metres, 1000.0),
+  EXPECT_NEAR (voxelSizeFor (millimetres, 1000.0) / voxelSizeFor (metres, 1000.0),
                1000.0,
                100.0);
 }
@@ -159,8 +154,8 @@ TEST (VoxelSize, GrowsWithTheUnitOfTheCloud)
 TEST (VoxelSize, IsZeroForPointsThatSpanNothing)
 {
   Coordinates equal;
-  EXPECT_EQ (pcl_ops::voxelSizeFor (equal, 100.0), 0.0);
+  EXPECT_EQ (voxelSizeFor (equal, 100.0), 0.0);
   equal.add (1.0f, 2.0f, 3.0f);
   equal.add (1.0f, 2.0f, 3.0f);
-  EXPECT_EQ (pcl_ops::voxelSizeFor (equal, 100.0), 0.0);
+  EXPECT_EQ (voxelSizeFor (equal, 100.0), 0.0);
 }

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bounded/bounded_assignment.h"
+#include "voxel_scene.h"
+
+using pcl_ops::Labels;
+using pcl_ops::no_plane;
+using pcl_ops::Plane;
+using namespace pcl_ops::internal;
+
+namespace {
+
+const Surface ground = {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
+const Surface wall = {{0.05, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+
+AssignedPoints
+assign (const VoxelScene& scene,
+        std::optional<double> theta_h = std::nullopt,
+        unsigned threads = 1)
+{
+  return assignToBoundedPlanes (
+      scene.points, scene.voxelized, scene.planes, theta_h, 4.0, threads);
+}
+
+} // namespace
+
+TEST (BoundedAssignment, LabelsNoPointBeyondTheEndOfItsPlane)
+{
+  // A chair leg's worth of points at the height of the ground, a metre beyond its end.
+  VoxelScene scene ({{ground}, {{{3, 0, 0.05}, {0.05, 0, 0}, {0, 0.05, 0}}}});
+  scene.label (no_plane, [] (const auto& at) { return at.x() > 2.5; });
+  const Labels labels = assign (scene).labels;
+  for (std::size_t i = 0; i < scene.points.size(); ++i)
+    EXPECT_EQ (labels[i], scene.points.x[i] < 2.5f ? 0 : no_plane);
+}
+
+TEST (BoundedAssignment, GivesTheMomentsOfThePointsItLabels)
+{
+  const VoxelScene scene ({{ground}, {wall}}, 5_mm);
+  const auto assigned = assign (scene);
+  const auto expected = momentsOfLabels (scene.points, assigned.labels, 2, 1);
+  ASSERT_EQ (assigned.moments.size(), 2u);
+  for (std::size_t p = 0; p < 2; ++p) {
+    EXPECT_GT (assigned.moments[p].count, 14000.0);
+    EXPECT_EQ (assigned.moments[p].count, expected[p].count);
+    EXPECT_LT ((assigned.moments[p].sum - expected[p].sum).norm(), 1e-6);
+  }
+}
+
+TEST (BoundedAssignment, IsTheSameForAnyNumberOfThreads)
+{
+  const VoxelScene scene ({{ground}, {wall}, {{{2, 0, 0.15}, {2, 0, 0}, {0, 2, 0}}}},
+                          5_mm);
+  EXPECT_GT (scene.points.size(), 32768u) << "more than a thread takes at once";
+  EXPECT_EQ (assign (scene, std::nullopt, 1).labels,
+             assign (scene, std::nullopt, 4).labels);
+}
+
+TEST (BoundedAssignment, GivesAPointBetweenTwoPlanesToTheNoisierOne)
+{
+  // Points at 5 cm; left of x = 1 a plane 3 cm below them, right of it one 3 cm above.
+  VoxelScene scene ({{ground}});
+  scene.planes.planes = {Plane{Eigen::Vector3d::UnitZ(), -0.02},
+                         Plane{Eigen::Vector3d::UnitZ(), -0.08}};
+  scene.label (1, [] (const auto& at) { return at.x() > 1.0; });
+  for (const std::int32_t noisier : {0, 1}) {
+    for (std::size_t i = 0; i < scene.grid().size(); ++i)
+      scene.planes.noise[i] = scene.planes.plane_of_voxel[i] == noisier ? 4_cm : 1_cm;
+    const Labels labels = assign (scene).labels;
+    for (std::size_t i = 0; i < scene.points.size(); ++i)
+      EXPECT_TRUE (std::abs (scene.points.x[i] - 1.0f) > 0.1f || labels[i] == noisier);
+  }
+}
+
+TEST (BoundedAssignment, TakesPointsUpToAMultipleOfTheNoise)
+{
+  // Four times 6 mm; each point in a voxel of its own, above the ground's.
+  VoxelScene scene ({{{{0, 0, 0.09}, {2, 0, 0}, {0, 2, 0}}}});
+  const std::size_t on_the_ground = scene.points.size();
+  scene.points.add (0.55f, 0.55f, 0.105f);
+  scene.points.add (1.55f, 0.55f, 0.120f);
+  scene.voxelized = voxelize (scene.points, 10_cm, 1);
+  scene.planes.noise.assign (scene.grid().size(), 6_mm);
+  scene.planes.plane_of_voxel.assign (scene.grid().size(), 0);
+  scene.label (no_plane, [] (const auto& at) { return at.z() > 0.1; });
+  const Labels labels = assign (scene).labels;
+  EXPECT_EQ (labels[on_the_ground], 0) << "15 mm off";
+  EXPECT_EQ (labels[on_the_ground + 1], no_plane) << "30 mm off";
+}
+
+TEST (BoundedAssignment, KeepsEveryPointToAThresholdThatWasAskedFor)
+{
+  VoxelScene scene ({{ground}}, 2_cm);
+  scene.planes.noise.assign (scene.grid().size(), 1_cm);
+  const Labels free = assign (scene).labels, held = assign (scene, 1_cm).labels;
+  EXPECT_EQ (std::count (free.begin(), free.end(), 0), 14400);
+  for (std::size_t i = 0; i < scene.points.size(); ++i)
+    EXPECT_EQ (held[i], std::abs (scene.points.z[i] - 0.05f) < 0.01f ? 0 : no_plane);
+}

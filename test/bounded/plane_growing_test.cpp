@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bounded/plane_growing.h"
+#include "voxel_scene.h"
+
+using pcl_ops::no_plane;
+using namespace pcl_ops::internal;
+
+namespace {
+
+// In the middle of voxels of 10 cm; 20 x 20 of them each.
+const Surface ground = {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
+const Surface wall = {{0.05, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+
+/** \brief The surface of the ground that goes on 2 m farther, some way up. */
+Surface
+higherBy (double height)
+{
+  return {{2, 0, 0.05 + height}, {2, 0, 0}, {0, 2, 0}};
+}
+
+void
+grow (VoxelScene& scene, int rounds, std::optional<double> theta_h = std::nullopt)
+{
+  growPlanes (scene.grid(), theta_h, rounds, 1, scene.planes);
+}
+
+} // namespace
+
+TEST (Growing, ReachesTheVoxelsAtTheEdgeOfAPlane)
+{
+  VoxelScene scene ({{ground}, {wall}}, 5_mm);
+  scene.label (no_plane, [] (const auto& at) { return at.x() < 0.4 && at.z() < 0.4; });
+  EXPECT_GT (scene.voxelsOn (no_plane), 100u);
+  grow (scene, 10);
+  // A row of voxels where ground and wall meet belongs to neither alone.
+  EXPECT_LE (scene.voxelsOn (no_plane), 21u);
+}
+
+TEST (Growing, TakesAVoxelARound)
+{
+  VoxelScene scene ({{ground}});
+  scene.label (no_plane, [] (const auto& at) { return at.x() > 1.5; });
+  EXPECT_EQ (scene.voxelsOn (no_plane), 5u * 20u);
+  grow (scene, 2);
+  EXPECT_EQ (scene.voxelsOn (no_plane), 3u * 20u);
+}
+
+TEST (Growing, StopsAtAStepOfManyTimesTheNoise)
+{
+  VoxelScene scene ({{ground}, {higherBy (10_cm)}});
+  scene.label (no_plane, [] (const auto& at) { return at.x() > 1.5; });
+  grow (scene, 20);
+  EXPECT_EQ (scene.voxelsOn (0), 400u) << "all of the ground";
+  EXPECT_EQ (scene.voxelsOn (no_plane), 400u) << "nothing of the step";
+}
+
+TEST (Growing, GivesAVoxelToTheNearerOfThePlanesNextToIt)
+{
+  // Next to the step of 1 cm either plane could take it, at 1.67 times the noise.
+  for (const double row : {1.9, 2.0}) {
+    VoxelScene scene ({{ground}, {higherBy (1_cm)}});
+    scene.label (no_plane,
+                 [row] (const auto& at) { return at.x() > row && at.x() < row + 0.1; });
+    EXPECT_EQ (scene.voxelsOn (no_plane), 20u);
+    grow (scene, 1);
+    EXPECT_EQ (scene.voxelsOn (0), 400u);
+    EXPECT_EQ (scene.voxelsOn (1), 400u);
+  }
+}
+
+TEST (Growing, KeepsToTheThreshold)
+{
+  for (const double theta_h : {5_mm, 1_cm}) {
+    VoxelScene scene ({{ground}, {higherBy (8_mm)}});
+    scene.label (no_plane, [] (const auto& at) { return at.x() > 2.0; });
+    grow (scene, 1, theta_h);
+    EXPECT_EQ (scene.voxelsOn (0), theta_h < 8_mm ? 400u : 420u);
+  }
+}
+
+TEST (Growing, RefitsThePlanes)
+{
+  VoxelScene scene ({{ground}});
+  scene.planes.planes[0].normal = Eigen::Vector3d (0.1, 0, 1).normalized();
+  grow (scene, 1);
+  expectPlaneNear (scene.planes.planes[0], ground, 1e-6, 1e-6);
+}
+
+TEST (Growing, NotesTheNoiseOfWhatItTook)
+{
+  VoxelScene scene ({{ground}});
+  scene.label (no_plane, [] (const auto& at) { return at.x() > 1.9; });
+  for (std::size_t i = 0; i < scene.grid().size(); ++i)
+    scene.planes.noise[i] = scene.planes.plane_of_voxel[i] == 0 ? 8_mm : 0.0;
+  grow (scene, 1);
+  EXPECT_EQ (scene.planes.noise, std::vector<double> (400, 8_mm));
+}
+
+TEST (Growing, IsTheSameForAnyNumberOfThreads)
+{
+  VoxelScene one ({{ground}, {wall}}, 5_mm), four ({{ground}, {wall}}, 5_mm);
+  for (VoxelScene* const scene : {&one, &four})
+    scene->label (no_plane, [] (const auto& at) { return at.y() > 1.0; });
+  growPlanes (one.grid(), std::nullopt, 20, 1, one.planes);
+  growPlanes (four.grid(), std::nullopt, 20, 4, four.planes);
+  EXPECT_EQ (one.planes.plane_of_voxel, four.planes.plane_of_voxel);
+}

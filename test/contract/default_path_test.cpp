@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "presets.h"
+#include "scene.h"
+
+#include <set>
+
+using pcl_ops::MergingParameters;
+using pcl_ops::PlaneSegment;
+
+// The stages of OPS on surfels, seen from outside.
+
+namespace {
+
+/** \brief The right half of a floor is 3 cm higher: two planes to surfels that are held
+ * to their noise of 2 cm, but no two surfaces to merging, which allows 2.25 times that.
+ */
+Ops
+onTwoHalves ()
+{
+  Ops ops = defaultsOn (Scene()
+                            .floor (2, 3)
+                            .surface ({2, 0, 3_cm}, {2, 0, 0}, {0, 3, 0})
+                            .noise (2_cm)
+                            .build()
+                            .cloud);
+  auto parameters = ops.getParameters();
+  parameters.surfels.noise_factor = 1.0;
+  ops.setParameters (parameters);
+  return ops;
+}
+
+MergingParameters
+noMerging ()
+{
+  MergingParameters merging;
+  merging.enabled = false;
+  return merging;
+}
+
+/** \brief Two table tops of one height with the floor below, seen from above. */
+LabelledScene
+twoTables ()
+{
+  LabelledScene scene = Scene()
+                            .surface ({-1.2, -0.4, 1}, {0.9, 0, 0}, {0, 0.9, 0})
+                            .surface ({0.3, -0.4, 1}, {0.9, 0, 0}, {0, 0.9, 0})
+                            .surface ({-2, -2, 0}, {4, 0, 0}, {0, 4, 0})
+                            .build();
+  scene.cloud->sensor_origin_ << 0, 0, 3, 0;
+  return scene;
+}
+
+/** \brief The parts of a scene that have points on a plane. */
+std::set<int>
+partsOf (const PlaneSegment& plane, const LabelledScene& scene)
+{
+  std::set<int> parts;
+  for (const pcl::index_t i : plane.inliers)
+    parts.insert (scene.labels[static_cast<std::size_t> (i)]);
+  return parts;
+}
+
+} // namespace
+
+TEST (DefaultPath, MergesHalvesOfOneFloor)
+{
+  Ops ops = onTwoHalves();
+  EXPECT_EQ (planesOf (ops).size(), 1u);
+  ops.setMergingParameters (noMerging());
+  EXPECT_EQ (planesOf (ops).size(), 2u);
+}
+
+TEST (DefaultPath, TellsTheNumberOfPlanesBeforeAnyWereMerged)
+{
+  Ops ops = onTwoHalves();
+  EXPECT_EQ (planesOf (ops).size(), 1u);
+  EXPECT_EQ (ops.getNumberOfPlanesBeforeMerging(), 2u);
+}
+
+TEST (DefaultPath, IsAsItWasWithMergingParametersNobodyChanged)
+{
+  Ops ops = onTwoHalves(), other = onTwoHalves();
+  other.setMergingParameters (MergingParameters());
+  const auto planes = inliersOf (ops);
+  EXPECT_EQ (planes.size(), 1u);
+  EXPECT_EQ (inliersOf (other), planes);
+}
+
+TEST (DefaultPath, MergesByADistanceThatIsGiven)
+{
+  Ops ops = onTwoHalves();
+  MergingParameters merging;
+  merging.noise_factor = 0.0;
+  merging.distance_threshold = 1_mm;
+  ops.setMergingParameters (merging);
+  EXPECT_EQ (planesOf (ops).size(), 2u);
+  merging.distance_threshold = 10_cm;
+  ops.setMergingParameters (merging);
+  EXPECT_EQ (planesOf (ops).size(), 1u);
+}
+
+TEST (DefaultPath, TakesTimeForEachStageAndNoMoreThanTheDetection)
+{
+  Ops ops = defaultsOn (room().build().cloud);
+  planesOf (ops);
+  const auto& t = ops.getStageDurations();
+  for (const double stage :
+       {t.search, t.normals, t.extraction, t.assignment, t.merging, t.detection})
+    EXPECT_GT (stage, 0.0);
+  EXPECT_LE (t.search + t.normals + t.extraction + t.assignment + t.merging,
+             t.detection);
+}
+
+TEST (DefaultPath, SettlesWherePlanesEndBeforePointsAreAssigned)
+{
+  // Points of either table top would be on one plane were they assigned before.
+  const LabelledScene scene = twoTables();
+  Ops ops = defaultsOn (scene.cloud);
+  std::set<std::set<int>> parts;
+  for (const PlaneSegment& plane : planesOf (ops))
+    parts.insert (partsOf (plane, scene));
+  EXPECT_EQ (parts, (std::set<std::set<int>>{{0}, {1}, {2}}));
+}
+
+TEST (DefaultPath, TakesSurfacesInOnePlaneForOneWhereToldTo)
+{
+  const LabelledScene scene = twoTables();
+  Ops ops = defaultsOn (scene.cloud);
+  auto parameters = ops.getParameters();
+  parameters.surfels.separates_surfaces = false;
+  ops.setParameters (parameters);
+  EXPECT_EQ (planesOf (ops).size(), 2u);
+}
+
+TEST (DefaultPath, AssignsPointsAfterPlanesAreMerged)
+{
+  // Each half has its points on the one plane, which lies between them.
+  Ops ops = onTwoHalves();
+  const auto planes = planesOf (ops);
+  ASSERT_EQ (planes.size(), 1u);
+  EXPECT_GE (planes[0].inliers.size(), 0.9 * ops.getInputCloud()->size());
+  EXPECT_NEAR (planes[0].centroid.z(), 15_mm, 5_mm);
+}
+
+TEST (DefaultPath, EndsAPlaneWhereItsPointsEnd)
+{
+  // A chair leg ends at the floor's height, a metre beyond the floor.
+  const auto scene =
+      Scene().floor (2, 2).surface ({3, 0, -0.4}, {0.04, 0, 0}, {0, 0, 0.8}).build();
+  Ops ops = defaultsOn (scene.cloud);
+  const auto planes = planesOf (ops);
+  ASSERT_GE (planes.size(), 1u);
+  EXPECT_EQ (partsOf (planes[0], scene), std::set<int>{0});
+}
+
+TEST (DefaultPath, FollowsAThresholdForEveryPoint)
+{
+  const auto scene = Scene().floor (3, 3).noise (1_cm).build();
+  Ops ops = defaultsOn (scene.cloud);
+  const std::size_t without = planesOf (ops).at (0).inliers.size();
+  ops.setDistanceThreshold (1_cm);
+  const PlaneSegment held = planesOf (ops).at (0);
+  EXPECT_LT (held.inliers.size(), without);
+  for (const pcl::index_t i : held.inliers)
+    EXPECT_LT (std::abs ((*scene.cloud)[i].z), 12_mm);
+}

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene.h"
+
+std::uint32_t
+seedOfTest ()
+{
+  const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
+  std::uint32_t hash = 2166136261u;
+  for (const char letter : std::string (test->test_suite_name()) + "." + test->name())
+    hash = (hash ^ static_cast<unsigned char> (letter)) * 16777619u;
+  return hash;
+}
+
+double
+drawNormal (RandomGenerator& generator)
+{
+  const double radius = std::sqrt (-2.0 * std::log (1.0 - drawUnit (generator)));
+  return radius * std::cos (2.0 * pi * drawUnit (generator));
+}
+
+LabelledScene
+Scene::build()
+{
+  LabelledScene scene{
+      pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(), {}, surfaces_};
+  for (std::size_t i = 0; i < surfaces_.size(); ++i)
+    addSurface (scene, surfaces_[i], static_cast<int> (i));
+  addClutter (scene);
+  for (Surface& surface : scene.surfaces)
+    surface.corner += shift_;
+  return scene;
+}
+
+void
+Scene::addSurface (LabelledScene& scene, const Surface& surface, int label)
+{
+  const auto count = std::lround (surface.area() / (spacing_ * spacing_));
+  for (long i = 0; i < count; ++i) {
+    const double s = drawUnit (generator_);
+    const double t = drawUnit (generator_);
+    const double height = noise_ > 0.0 ? noise_ * drawNormal (generator_) : 0.0;
+    add (scene, surface.at (s, t) + height * surface.normal(), label);
+  }
+}
+
+void
+Scene::addClutter (LabelledScene& scene)
+{
+  Eigen::AlignedBox3d box;
+  for (const Surface& surface : surfaces_)
+    for (const int corner : {0, 1, 2, 3})
+      box.extend (surface.at (corner & 1, corner >> 1));
+  const auto count = std::lround (clutter_ / (1.0 - clutter_) *
+                                  static_cast<double> (scene.cloud->size()));
+  for (long i = 0; i < count; ++i) {
+    const Eigen::Vector3d share (
+        drawUnit (generator_), drawUnit (generator_), drawUnit (generator_));
+    add (scene, box.min() + share.cwiseProduct (box.sizes()), -1);
+  }
+}
+
+Scene
+room ()
+{
+  return Scene()
+      .floor (4_m, 3_m)
+      .wall ({0, 0}, {4, 0}, 2.5_m)
+      .wall ({0, 0}, {0, 3}, 2.5_m)
+      .noise (1_mm)
+      .clutter (2_percent);
+}
+
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+roomSeenByCamera (std::uint32_t width, std::uint32_t height)
+{
+  constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (width, height);
+  cloud->is_dense = false;
+  const float focal = 0.8f * static_cast<float> (width);
+  for (std::uint32_t row = 0; row < height; ++row)
+    for (std::uint32_t column = 0; column < width; ++column) {
+      const float x = (static_cast<float> (column) - 0.5f * width) / focal;
+      const float y = (static_cast<float> (row) - 0.5f * height) / focal;
+      const float depth = y > 0.0f ? std::min (3.0f, 1.0f / y) : 3.0f;
+      const bool lost = (row + column) % 10 == 0;
+      cloud->at (column, row) = lost ? pcl::PointXYZ (nothing, nothing, nothing)
+                                     : pcl::PointXYZ (x * depth, y * depth, depth);
+    }
+  return cloud;
+}
+
+double
+angleBetween (const Eigen::Vector3d& first, const Eigen::Vector3d& second)
+{
+  return std::atan2 (first.cross (second).norm(), std::abs (first.dot (second)));
+}
+
+void
+expectPlaneNear (const pcl_ops::Plane& plane,
+                 const Surface& truth,
+                 double angle,
+                 double offset)
+{
+  EXPECT_LE (angleBetween (plane.normal, truth.normal()), angle) << "normal [rad]";
+  EXPECT_LE (std::abs (plane.distance (truth.centre())), offset) << "offset [m]";
+}
+
+bool
+isNear (const pcl_ops::Plane& plane, const Surface& truth, double angle, double offset)
+{
+  return angleBetween (plane.normal, truth.normal()) <= angle &&
+         std::abs (plane.distance (truth.centre())) <= offset;
+}
+
+void
+expectFindsEverySurface (const std::vector<pcl_ops::PlaneSegment>& planes,
+                         const LabelledScene& scene)
+{
+  EXPECT_EQ (planes.size(), scene.surfaces.size());
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const auto found =
+        std::find_if (planes.begin(), planes.end(), [&] (const auto& plane) {
+          return isNear (plane.plane(), scene.surfaces[s], 1_deg, 1_cm);
+        });
+    ASSERT_NE (found, planes.end()) << "surface " << s << " was not found";
+    const auto label = static_cast<int> (s);
+    const auto on_it = std::count_if (found->inliers.begin(),
+                                      found->inliers.end(),
+                                      [&] (int i) { return scene.labels[i] == label; });
+    const auto all = std::count (scene.labels.begin(), scene.labels.end(), label);
+    EXPECT_GE (on_it, 0.9 * all) << "points of surface " << s;
+  }
+}

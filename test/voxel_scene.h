@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bounded/bounded_planes.h"
+#include "grid_scene.h"
+
+/** \brief Points in voxels of 10 cm, each voxel on the plane it was made for. */
+struct VoxelScene {
+  /** \param[in] surfaces of each plane
+   * \param[in] noise each point is moved by up to this much along the normal [m] */
+  explicit VoxelScene (const std::vector<std::vector<Surface>>& surfaces,
+                       double noise = 0.0)
+  {
+    constexpr double smallest_noise = 6_mm;
+    std::vector<std::int32_t> plane_of_point;
+    for (const std::vector<Surface>& plane : surfaces) {
+      for (const Surface& surface : plane)
+        addGrid (points, surface, 120, noise);
+      plane_of_point.resize (points.size(), static_cast<std::int32_t> (planes.size()));
+      planes.planes.push_back (
+          pcl_ops::planeThrough (plane[0].centre(), plane[0].normal()));
+    }
+    voxelized = pcl_ops::internal::voxelize (points, 10_cm, 1);
+    planes.plane_of_voxel.assign (grid().size(), pcl_ops::no_plane);
+    planes.noise.assign (grid().size(), smallest_noise);
+    for (std::size_t i = points.size(); i-- > 0;)
+      planes.plane_of_voxel[voxelized.voxel_of_point[i]] = plane_of_point[i];
+  }
+
+  const pcl_ops::internal::VoxelGrid&
+  grid () const
+  {
+    return voxelized.grid;
+  }
+
+  Eigen::Vector3d
+  centroid (std::size_t voxel) const
+  {
+    return grid().moments[voxel].centroid();
+  }
+
+  /** \brief Hands the voxels with such a centroid to a plane, or to no_plane. */
+  template <typename IsSuch>
+  void
+  label (std::int32_t plane, IsSuch&& isSuch)
+  {
+    for (std::size_t voxel = 0; voxel < grid().size(); ++voxel)
+      if (isSuch (centroid (voxel)))
+        planes.plane_of_voxel[voxel] = plane;
+  }
+
+  /** \brief Number of voxels on a plane, or on no_plane. */
+  std::size_t
+  voxelsOn (std::int32_t plane) const
+  {
+    return static_cast<std::size_t> (
+        std::count (planes.plane_of_voxel.begin(), planes.plane_of_voxel.end(), plane));
+  }
+
+  pcl_ops::internal::Coordinates points;
+  pcl_ops::internal::VoxelizedPoints voxelized;
+  pcl_ops::internal::BoundedPlanes planes;
+};
