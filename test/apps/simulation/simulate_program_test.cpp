@@ -90,10 +90,11 @@ TEST (SimulateProgram, AFullDiskLeavesTheOldFile)
 {
   const TemporaryFolder folder;
   const std::string file = folder.write ("room.pcd", "precious");
-  const ProgramRun run =
+  ProgramRun run =
       runProgram ("/bin/sh",
                   "-c 'trap \"\" XFSZ; ulimit -f 8; " PCL_OPS_SIMULATE_PROGRAM " " +
                       file + small_image + "'");
+  run.program = "pcl_ops_simulate"; // and not the shell
   expectError (run, 1, file);
   EXPECT_EQ (contentOf (file), "precious");
   EXPECT_EQ (folder.fileCount(), 1u);
