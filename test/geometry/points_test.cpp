@@ -113,3 +113,11 @@ TEST (FinitePoints, AreNoneInAnEmptyCloudAndInOneOfNan)
   EXPECT_EQ (finitePoints (CloudView (cloudOf ({{nan_value, 0, 0}})), {0}, 1).size(),
              0u);
 }
+
+TEST (MedianOf, IsTheMiddleOrTheUpperOfTheTwo)
+{
+  std::vector<float> odd{3, 1, 2}, even{4, 1, 2, 3}, none;
+  EXPECT_EQ (medianOf (odd), 2.0);
+  EXPECT_EQ (medianOf (even), 3.0);
+  EXPECT_EQ (medianOf (none), 0.0);
+}

@@ -116,3 +116,28 @@ TEST (OrientedVoxels, AreTheSameForAnyNumberOfThreads)
     EXPECT_TRUE (!one[c] || one[c]->plane.normal == four[c]->plane.normal);
   }
 }
+
+TEST (OrientedVoxels, TakeACoarserNeighbourhoodWhereNoiseHidesTheFinest)
+{
+  // Noise of 3 cm in voxels of 5 cm: thick at one resolution, flat at three.
+  Coordinates points;
+  addGrid (points, floor_of_the_scene, 200, 5_cm);
+  const VoxelGrid grid = voxelize (points, 0.05, 1).grid;
+  const auto thickness = [&grid] (int resolutions) {
+    double sum = 0.0;
+    for (const auto& surfel : findSurfels (grid, resolutions, 30.0, 1))
+      sum += surfel ? surfel->thickness : 1.0;
+    return sum / static_cast<double> (grid.size());
+  };
+  EXPECT_GT (thickness (1), 0.4);
+  EXPECT_LT (thickness (3), 0.2);
+}
+
+TEST (OrientedVoxels, HaveNoSurfelOfFewerPointsThanAsked)
+{
+  Coordinates points;
+  addGrid (points, floor_of_the_scene, 120); // 36 in a voxel, 324 in nine
+  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
+  for (const auto& surfel : findSurfels (grid, 1, 325.0, 1))
+    EXPECT_FALSE (surfel);
+}

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid_scene.h"
+#include "kht/cluster_assignment.h"
+
+using namespace pcl_ops;
+using namespace pcl_ops::internal;
+
+namespace {
+
+const Surface ground = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
+const Surface step = {{2, 0, 0.2}, {2, 0, 0}, {0, 2, 0}};
+
+/** \brief A floor with a step of 20 cm, its clusters, and both planes. */
+struct Step {
+  Step()
+  {
+    addGrid (points, ground, 150, 5_mm);
+    addGrid (points, step, 150, 5_mm);
+    clusters = findCoplanarClusters (points, parameters.clusters);
+    planes = refitPlanes (voteForPlanes (clusters, 30, 300), clusters, 0.01, 5_cm);
+  }
+
+  LabelledPlanes
+  outlined ()
+  {
+    StageDurations durations;
+    return assignToOutlinedPlanes (points, clusters, planes, parameters, durations);
+  }
+
+  LabelledPlanes
+  endless ()
+  {
+    StageDurations durations;
+    return assignToEndlessPlanes (points, clusters, planes, parameters, durations);
+  }
+
+  Points points;
+  KernelHoughTransformParameters parameters;
+  OctreeClusters clusters;
+  std::vector<HoughPlane> planes;
+};
+
+/** \brief Whether all points of the ground have one label and those of the step
+ * another.
+ */
+double
+shareOfOneLabelEach (const Labels& labels)
+{
+  const auto count = [&] (std::ptrdiff_t begin, std::int32_t label) {
+    return std::count (labels.begin() + begin, labels.begin() + begin + 22500, label);
+  };
+  const std::int32_t of_ground = labels[11000], of_step = labels[22500 + 11000];
+  return of_ground == of_step
+             ? 0.0
+             : static_cast<double> (count (0, of_ground) + count (22500, of_step)) /
+                   45000.0;
+}
+
+Plane
+atHeight (double z)
+{
+  return {Eigen::Vector3d::UnitZ(), -z};
+}
+
+} // namespace
+
+TEST (ClusterAssignment, GivesEachPointToItsOutlinedPlane)
+{
+  Step scene;
+  EXPECT_GT (shareOfOneLabelEach (scene.outlined().labels), 99_percent);
+}
+
+TEST (ClusterAssignment, GivesEachPointToItsEndlessPlane)
+{
+  Step scene;
+  EXPECT_GT (shareOfOneLabelEach (scene.endless().labels), 99_percent);
+}
+
+TEST (ClusterAssignment, MergesPlanesThatAreOne)
+{
+  for (const bool merges : {true, false}) {
+    Step scene;
+    scene.parameters.merging.enabled = merges;
+    scene.parameters.merging.distance_threshold = 30_cm;
+    EXPECT_EQ (scene.outlined().planes.fits.size(), merges ? 1u : 2u);
+    EXPECT_EQ (scene.endless().planes.fits.size(), merges ? 1u : 2u);
+  }
+}
+
+TEST (ClusterAssignment, LetsAPlaneEndWhereItsClustersEnd)
+{
+  // The clusters of the step are not looked at: nothing there is on the ground.
+  Step scene;
+  scene.planes.resize (1);
+  const std::int32_t other = scene.planes[0].plane.distance ({3, 1, 0.2}) < 0.1 ? 0 : 1;
+  const Labels labels = scene.outlined().labels;
+  const auto begin = labels.begin() + (other == 0 ? 0 : 22500);
+  EXPECT_LT (std::count (begin, begin + 22500, 0), 225);
+}
+
+TEST (ClusterAssignment, GrowsPlanesOverVoxelsWithoutAClusterOfTheirs)
+{
+  Step scene;
+  for (HoughPlane& plane : scene.planes)
+    plane.clusters.resize (plane.clusters.size() * 9 / 10);
+  EXPECT_GT (shareOfOneLabelEach (scene.outlined().labels), 99_percent);
+}
+
+TEST (ClusterAssignment, OfNoPlanesIsNoLabel)
+{
+  Step scene;
+  scene.planes.clear();
+  EXPECT_EQ (scene.outlined().labels, Labels (45000, no_plane));
+}
+
+TEST (RestorePlanes, PutsBackThePlanePointsWereAssignedTo)
+{
+  MergedPlanes merged;
+  merged.merged_into = {1, no_plane, 0, 1};
+  merged.fits.resize (2);
+  for (PlaneFit& fit : merged.fits) {
+    fit.plane = atHeight (0);
+    fit.centroid << 7, 8, 0;
+  }
+  restorePlanes (merged, {atHeight (1), atHeight (2), atHeight (3), atHeight (4)});
+  EXPECT_EQ (merged.fits[0].plane.offset, -3.0);
+  EXPECT_EQ (merged.fits[1].plane.offset, -1.0) << "the first of those merged";
+  EXPECT_EQ (merged.fits[0].centroid, Eigen::Vector3d (7, 8, 3)) << "moved onto it";
+}
