@@ -109,7 +109,7 @@ TEST (ClusterAssignment, GrowsPlanesOverVoxelsWithoutAClusterOfTheirs)
 {
   Step scene;
   for (HoughPlane& plane : scene.planes)
-    plane.clusters.resize (plane.clusters.size() / 2);
+    plane.clusters.resize (plane.clusters.size() * 9 / 10);
   EXPECT_GT (shareOfOneLabelEach (scene.outlined().labels), 95_percent);
 }
 
