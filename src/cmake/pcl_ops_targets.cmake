@@ -42,11 +42,18 @@ function(pcl_ops_add_program name)
   pcl_ops_add_manual_page(${name} "${ARG_SUMMARY}" ${ARG_COMPONENT})
 endfunction()
 
+# Tests are compiled more often than they are run: half the time for half the optimisation.
+function(pcl_ops_compile_quickly target)
+  set(is_known "$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>")
+  target_compile_options(${target} PRIVATE "$<$<AND:$<CONFIG:Release>,${is_known}>:-O1>")
+endfunction()
+
 # A GoogleTest program and its CTest entry: pcl_ops_add_test(name sources... LINK libraries...)
 function(pcl_ops_add_test name)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
   add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
   pcl_ops_target_defaults(${name})
+  pcl_ops_compile_quickly(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main)
   # What PCL_ADD_POINT4D and TYPED_TEST_SUITE expand to is not standard to the letter.
   set(macros -Wno-gnu-anonymous-struct -Wno-nested-anon-types

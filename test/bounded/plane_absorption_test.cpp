@@ -40,6 +40,17 @@ TEST (Absorption, GivesASplinterOfASplinterToThePlaneAroundThem)
   EXPECT_EQ (scene.voxelsOn (0), 400u);
 }
 
+TEST (Absorption, GoesOnWhereAnAbsorbedPlaneWasInBetween)
+{
+  // Three strips: the first and the last touch when one of them has the middle one.
+  VoxelScene scene ({{ground}}, 5_mm);
+  splitOff (1.2_m, scene);
+  splitOff (80_cm, scene);
+  absorbPlanes (scene.grid(), 1.8, scene.planes);
+  EXPECT_EQ (scene.planes.size(), 1u);
+  EXPECT_EQ (scene.voxelsOn (0), 400u);
+}
+
 TEST (Absorption, LeavesAStepOfManyTimesTheNoise)
 {
   VoxelScene scene ({{ground}, {{{2, 0, 0.13}, {2, 0, 0}, {0, 2, 0}}}}, 5_mm);

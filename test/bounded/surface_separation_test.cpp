@@ -79,6 +79,9 @@ TEST (SeparateSurfaces, FitsEachTableTopByItself)
   // The right one is 4 cm higher, which one plane hides by leaning.
   const Surface raised = {{0.3, -0.4, 1.04}, {0.9, 0, 0}, {0, 0.9, 0}};
   VoxelScene scene ({{left_top, raised}, {wide_floor}});
+  refitPlanes (scene.grid(), scene.planes);
+  EXPECT_GT (angleBetween (scene.planes.planes[0].normal, Eigen::Vector3d::UnitZ()),
+             1_deg);
   separateSurfaces (scene.grid(), above, 20, scene.planes);
   ASSERT_EQ (scene.planes.size(), 3u);
   for (const pcl_ops::Plane& plane : scene.planes.planes)

@@ -123,25 +123,45 @@ TEST (VoxelSurfels, ExtractAndGrowPlanesOverTheirEdges)
   EXPECT_LE (voxelsOn (no_plane, planes), 21u) << "where they meet";
 }
 
-TEST (VoxelSurfels, ExtractNoPlaneBeyondTheGrownRounds)
+TEST (VoxelSurfels, ExtractGrowsPlanesByTheGivenRounds)
 {
-  // Normals at the rim of the wall lean: what RANSAC leaves there, growing takes.
-  Stages stages (pointsOf ({ground, wall}, 5_mm));
+  // Where there are no surfels there still are points of the ground.
+  Stages stages (pointsOf ({ground}));
   const VoxelizedPoints voxelized = stages.sample();
-  const std::size_t grown = voxelsOn (no_plane, stages.extract (voxelized));
-  stages.parameters.surfels.growing_rounds = 0;
-  EXPECT_GT (voxelsOn (no_plane, stages.extract (voxelized)), grown);
+  auto surfels = stages.policy.orient (stages.points, voxelized);
+  for (std::size_t i = 0; i < surfels.size(); ++i)
+    if (voxelized.grid.moments[i].centroid().x() > 1.5)
+      surfels[i].reset();
+  for (const int rounds : {0, 5}) {
+    stages.parameters.surfels.growing_rounds = rounds;
+    const auto planes = stages.policy.extract (stages.points, voxelized, surfels);
+    EXPECT_EQ (voxelsOn (no_plane, planes), rounds == 0 ? 100u : 0u);
+  }
 }
 
-TEST (VoxelSurfels, ExtractPlanesOfThickSurfelsToo)
+TEST (VoxelSurfels, ExtractPlanesOfThickSurfelsAfterThoseOfSureOnes)
 {
-  // A noise of 4 cm: surfels of a thickness between 0.2 and 0.3.
-  Stages stages (pointsOf ({ground}, 7_cm));
-  stages.parameters.surfels.resolutions = 1;
+  // The wall is twice as large, but its surfels are thick.
+  const Surface large_wall = {{0.05, 0, 0}, {0, 4, 0}, {0, 0, 2}};
+  Stages stages (pointsOf ({ground, large_wall}));
   const VoxelizedPoints voxelized = stages.sample();
-  EXPECT_EQ (stages.extract (voxelized).size(), 1u);
-  stages.parameters.surfels.largest_thickness = 0.2;
-  EXPECT_EQ (stages.extract (voxelized).size(), 0u);
+  auto surfels = stages.policy.orient (stages.points, voxelized);
+  for (auto& surfel : surfels)
+    surfel->thickness = std::abs (surfel->plane.normal.x()) > 0.5 ? 0.25 : 0.0;
+  const auto planes = stages.policy.extract (stages.points, voxelized, surfels);
+  ASSERT_EQ (planes.size(), 2u);
+  EXPECT_GT (std::abs (planes.planes[0].normal.z()), 0.9);
+  EXPECT_GT (std::abs (planes.planes[1].normal.x()), 0.9);
+}
+
+TEST (VoxelSurfels, ExtractNoPlaneOfSurfelsThatAreTooThick)
+{
+  Stages stages (pointsOf ({ground}));
+  const VoxelizedPoints voxelized = stages.sample();
+  auto surfels = stages.policy.orient (stages.points, voxelized);
+  for (auto& surfel : surfels)
+    surfel->thickness = 0.31;
+  EXPECT_EQ (stages.policy.extract (stages.points, voxelized, surfels).size(), 0u);
 }
 
 TEST (VoxelSurfels, BoundAbsorbsASplinter)
@@ -158,7 +178,7 @@ TEST (VoxelSurfels, BoundAbsorbsASplinter)
 TEST (VoxelSurfels, BoundMergesPlanesThatDoNotTouch)
 {
   VoxelScene scene ({{ground}, {{{3, 0, 0.05}, {1, 0, 0}, {0, 2, 0}}}});
-  const Stages stages (scene.points.size() > 0 ? pointsOf ({ground}) : Points());
+  const Stages stages (pointsOf ({ground}));
   const BoundedPlanes planes = stages.bound (scene.voxelized, scene.planes);
   EXPECT_EQ (planes.size(), 1u);
   EXPECT_EQ (voxelsOn (0, planes), scene.grid().size());
@@ -171,7 +191,10 @@ TEST (VoxelSurfels, BoundHandsVoxelsToTheNearerPlane)
   const Stages stages (pointsOf ({ground}));
   const BoundedPlanes planes = stages.bound (scene.voxelized, scene.planes);
   for (std::size_t i = 0; i < scene.grid().size(); ++i)
-    EXPECT_TRUE (scene.centroid (i).x() < 0.1 || planes.plane_of_voxel[i] == 0);
+    if (scene.centroid (i).x() > 0.1) {
+      const auto plane = static_cast<std::size_t> (planes.plane_of_voxel[i]);
+      EXPECT_GT (std::abs (planes.planes[plane].normal.z()), 0.9);
+    }
 }
 
 TEST (VoxelSurfels, BoundMeasuresTheNoiseOfWhatItSettled)
