@@ -125,6 +125,20 @@ TEST (Fspf, LeavesPlanesAsFoundWhereMergingIsOff)
   EXPECT_GT (planesOf (fspf).size(), 3u);
 }
 
+TEST (Fspf, LeavesNoPairOfPlanesThatAreOne)
+{
+  // With 3 cm of noise some planes are only found to be one when they have their
+  // points.
+  const auto cloud = denseRoom().noise (3_cm).build().cloud;
+  Fspf fspf = fspfOn (cloud);
+  const auto planes = planesOf (fspf);
+  EXPECT_GT (planes.size(), 3u);
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_FALSE (areCoplanar (
+          *fitPlane (planes[i].moments), *fitPlane (planes[j].moments), 7_deg, 5_cm));
+}
+
 TEST (Fspf, NamesOrientationsOfTheFittedPlanes)
 {
   Fspf fspf = fspfOn (Scene().floor (2, 2).spacing (2_cm).noise (1_cm).build().cloud);

@@ -23,11 +23,19 @@ struct Step {
   {
     addGrid (points, ground, 150, 5_mm);
     addGrid (points, step, 150, 5_mm);
+    findClusters (
+        [] (double height, std::uint32_t /*cluster*/) { return height < 0.1 ? 0 : 1; });
+  }
+
+  /** \param[in] planeOf (height, cluster) */
+  template <typename PlaneOf>
+  void
+  findClusters (PlaneOf&& planeOf)
+  {
     clusters = findCoplanarClusters (points, parameters.clusters);
     planes = {{atHeight (0), {}}, {atHeight (0.2), {}}};
     for (std::uint32_t c = 0; c < clusters.clusters.size(); ++c)
-      planes[clusters.clusters[c].fit.centroid.z() < 0.1 ? 0 : 1].clusters.push_back (
-          c);
+      planes[planeOf (clusters.clusters[c].fit.centroid.z(), c)].clusters.push_back (c);
   }
 
   LabelledPlanes
@@ -111,6 +119,19 @@ TEST (ClusterAssignment, GrowsPlanesOverVoxelsWithoutAClusterOfTheirs)
   for (HoughPlane& plane : scene.planes)
     plane.clusters.resize (plane.clusters.size() * 9 / 10);
   EXPECT_GT (shareOfOneLabelEach (scene.outlined().labels), 95_percent);
+}
+
+TEST (ClusterAssignment, HandsVoxelsOfWrongClustersToTheNearerPlane)
+{
+  // Every sixth cluster of the ground, each 6 cm wide, is said to be the step's.
+  Step scene;
+  scene.parameters.clusters.first_level = 6;
+  scene.parameters.clusters.min_samples = 10;
+  scene.parameters.merging.enabled = false;
+  scene.findClusters ([] (double height, std::uint32_t c) {
+    return height < 0.1 && c % 6 != 0 ? 0 : 1;
+  });
+  EXPECT_GT (shareOfOneLabelEach (scene.outlined().labels), 99_percent);
 }
 
 TEST (ClusterAssignment, OfNoPlanesIsNoLabel)

@@ -154,6 +154,20 @@ TEST (KernelHoughTransform, CountsPlanesBeforeMerging)
   EXPECT_GE (kht.getNumberOfPlanesBeforeMerging(), planes.size());
 }
 
+TEST (KernelHoughTransform, CountsPlanesBeforeAnyWereMerged)
+{
+  Detector kht;
+  const LabelledScene scene = box();
+  kht.setInputCloud (scene.cloud);
+  MergingParameters merging;
+  merging.distance_threshold = 1.6_m; // top and bottom are 1.5 m apart
+  kht.setMergingParameters (merging);
+  std::vector<PlaneSegment> planes;
+  ASSERT_TRUE (kht.segment (planes));
+  EXPECT_LT (planes.size(), 6u);
+  EXPECT_GE (kht.getNumberOfPlanesBeforeMerging(), 6u);
+}
+
 TEST (KernelHoughTransform, LeavesPublishedPlanesAtBinCentres)
 {
   const BallDirections directions (30);

@@ -29,11 +29,12 @@ noMerging ()
 /** \brief The planes of samples whose cloud does not matter. */
 std::vector<pcl_ops::Plane>
 extractedFrom (const OrientedSamples& samples,
-               const OrientedPointSamplingParameters& parameters)
+               const OrientedPointSamplingParameters& parameters,
+               const Points& points = {})
 {
   const pcl::Indices none;
   const pcl_ops::DetectorInput input{{}, none, Eigen::Vector3d::Zero(), nullptr};
-  return DrawnPoints (input, parameters).extract (Points(), {}, samples);
+  return DrawnPoints (input, parameters).extract (points, {}, samples);
 }
 
 class EachVariant
@@ -149,6 +150,26 @@ TEST (MinInliers, OfZeroStillAsksForThreeSamples)
   EXPECT_TRUE (extractedFrom (samples, parameters).empty());
   samples.add ({0, 1, 0}, Eigen::Vector3d::UnitZ());
   EXPECT_EQ (extractedFrom (samples, parameters).size(), 1u);
+}
+
+TEST (Verification, CountsOnAllPointsWhereToldTo)
+{
+  // More samples are on the floor, more points on the table.
+  OrientedSamples samples;
+  Points points;
+  for (int i = 0; i < 60; ++i)
+    samples.add (Eigen::Vector3d (i % 7, i % 5, i < 40 ? 0 : 1),
+                 Eigen::Vector3d::UnitZ());
+  for (int i = 0; i < 1000; ++i)
+    points.add (static_cast<float> (i % 7), static_cast<float> (i % 5), i < 40 ? 0 : 1);
+  auto parameters = OrientedPointSamplingParameters::paper();
+  parameters.min_inliers = 10;
+  const auto height_of_first = [&] {
+    return -extractedFrom (samples, parameters, points).at (0).offset;
+  };
+  EXPECT_NEAR (std::abs (height_of_first()), 0.0, 1e-6);
+  parameters.verification = Verification::AllPoints;
+  EXPECT_NEAR (std::abs (height_of_first()), 1.0, 1e-6);
 }
 
 TEST (LocalOptimisation, HoldsWholeSurfacesWhereNormalsAreNoisy)

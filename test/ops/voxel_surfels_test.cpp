@@ -184,6 +184,14 @@ TEST (VoxelSurfels, BoundMergesPlanesThatDoNotTouch)
   EXPECT_EQ (voxelsOn (0, planes), scene.grid().size());
 }
 
+TEST (VoxelSurfels, BoundKeepsApartWhatNoiseDoesNotExplain)
+{
+  // 4 cm higher, and without any noise: nearer than theta_h of the paper all the same.
+  VoxelScene scene ({{ground}, {{{3, 0, 0.09}, {1, 0, 0}, {0, 2, 0}}}});
+  const Stages stages (pointsOf ({ground}));
+  EXPECT_EQ (stages.bound (scene.voxelized, scene.planes).size(), 2u);
+}
+
 TEST (VoxelSurfels, BoundHandsVoxelsToTheNearerPlane)
 {
   VoxelScene scene ({{ground}, {wall}});
