@@ -51,7 +51,7 @@ install_packages() {
 
 # What every build needs.
 # shellcheck disable=SC2034
-build_packages=(g++ cmake make libpcl-dev libboost-program-options-dev nlohmann-json3-dev)
+build_packages=(g++ cmake make libpcl-dev libboost-program-options-dev nlohmann-json3-dev libpng-dev)
 
 # How many compilers fit, at 1.5 GB each.
 jobs() {
