@@ -14,7 +14,7 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Indices in space as a structure of arrays, in single precision. */
+/** \brief Positions in space as a structure of arrays, in single precision. */
 struct Coordinates {
   std::vector<float> x, y, z;
 
