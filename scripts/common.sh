@@ -59,10 +59,12 @@ jobs() {
     END { print fit < 1 ? 1 : fit < cores ? fit : cores }' /proc/meminfo 2>/dev/null || nproc
 }
 
-# configure FOLDER OPTION...: a build below build/ with these CMake options.
+# configure FOLDER OPTION...: a build below build/ with these CMake options. Built once,
+# sources compile in half the time many at once.
 configure() {
   local folder=$root/build/$1
   shift
+  set -- -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 "$@"
   if command -v ccache >/dev/null; then
     set -- "$@" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
   fi

@@ -12,7 +12,7 @@ namespace {
 using Fspf = FastSamplingPlaneFiltering<pcl::PointXYZ>;
 
 OptionTable<Fspf::Parameters>
-options ()
+fspfOptions ()
 {
   using P = Fspf::Parameters;
   constexpr double points_of_a_plane = 3;
@@ -67,7 +67,7 @@ Method
 fspfMethod ()
 {
   MethodTable<Fspf> table{"fspf", "Fast Sampling Plane Filtering"};
-  table.options = options();
+  table.options = fspfOptions();
   table.relate = relateRadii;
   return methodOf (table);
 }

@@ -12,7 +12,7 @@ namespace {
 using Kht = KernelHoughTransform<pcl::PointXYZ>;
 
 OptionTable<Kht::Parameters>
-options ()
+khtOptions ()
 {
   using P = Kht::Parameters;
   constexpr double most_phi = 1000, most_rho = 10000;
@@ -55,7 +55,7 @@ Method
 khtMethod ()
 {
   MethodTable<Kht> table{"kht", "3D Kernel-based Hough Transform"};
-  table.options = options();
+  table.options = khtOptions();
   table.last_settings = [] (const Kht::Parameters& p) -> Settings {
     return {{"refit", p.refit.enabled},
             {"bounded", p.bounded},

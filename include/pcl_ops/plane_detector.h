@@ -99,6 +99,14 @@ toModels (std::vector<PlaneSegment>& planes,
           std::vector<pcl::ModelCoefficients>& coefficients,
           std::vector<pcl::PointIndices>& inliers);
 
+/** \brief The largest plane as PCL has it; without planes only the headers.
+ * \param[in,out] planes their inliers are moved out */
+PCL_OPS_EXPORT void
+toLargestModel (std::vector<PlaneSegment>& planes,
+                const pcl::PCLHeader& header,
+                pcl::PointIndices& inliers,
+                pcl::ModelCoefficients& coefficients);
+
 /** \brief What a detector found. */
 struct Detection {
   /** \brief By falling size, in the frame of the input cloud. */
@@ -106,6 +114,34 @@ struct Detection {
   StageDurations durations;
   std::size_t planes_before_merging = 0;
 };
+
+/** \brief Does it, and says by PCL_ERROR in the name of the detector what it threw.
+ * \return whether it threw nothing */
+PCL_OPS_EXPORT bool
+runAndReport (const std::string& class_name, const std::function<void ()>& detect);
+
+/** \brief For misuse. \throw std::invalid_argument if there is a problem */
+PCL_OPS_EXPORT void
+throwOn (const std::string& problem);
+
+/** \brief What a detector works on, from what PCL hands in; no search, none used. */
+template <typename PointT>
+DetectorInput
+detectorInput (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
+               const pcl::Indices& indices,
+               const typename pcl::search::Search<PointT>::Ptr& search,
+               unsigned threads);
+
+template <typename PointT>
+using PlanarRegions = std::vector<pcl::PlanarRegion<PointT>,
+                                  Eigen::aligned_allocator<pcl::PlanarRegion<PointT>>>;
+
+/** \brief Where planes end, as pcl::OrganizedMultiPlaneSegmentation says it. */
+template <typename PointT>
+void
+toRegions (const pcl::PointCloud<PointT>& cloud,
+           const std::vector<PlaneSegment>& planes,
+           PlanarRegions<PointT>& regions);
 
 /** \brief The calls all detectors share: PCL's ways to hand in a cloud and to take
  * planes out. A detector derives from it and gives a \c className (); for its
@@ -119,16 +155,29 @@ public:
   using Parameters = ParametersT;
   using Search = pcl::search::Search<PointT>;
   using SearchPtr = typename Search::Ptr;
-  using PlanarRegions =
-      std::vector<pcl::PlanarRegion<PointT>,
-                  Eigen::aligned_allocator<pcl::PlanarRegion<PointT>>>;
+  using PlanarRegions = pcl_ops::PlanarRegions<PointT>;
 
   /** \brief Finds the planes of the input cloud.
    * \param[out] planes by falling size; cleared first
    * \return false for misuse (no input, empty input, wrong indices or parameters), said
    * by PCL_ERROR. No plane found is success with empty output. */
   bool
-  segment (std::vector<PlaneSegment>& planes);
+  segment (std::vector<PlaneSegment>& planes)
+  {
+    last_ = Detection();
+    const bool success = runAndReport (Detector::className(), [this] {
+      throwOn (this->initCompute() ? "" : "no input cloud; call setInputCloud");
+      const DetectorInput input = detectorInput<PointT> (
+          this->input_, *this->indices_, search_, parameters_.threads);
+      throwOn (problemOf (input));
+      throwOn (problemOf (parameters_));
+      last_ = detectPlanes (input, parameters_);
+      this->deinitCompute();
+    });
+    planes = std::move (last_.planes);
+    last_.planes.clear();
+    return success;
+  }
 
   /** \brief As above, in the order of pcl::OrganizedMultiPlaneSegmentation.
    * \param[out] coefficients a b c d of a x + b y + c z + d = 0 with a unit normal
@@ -136,23 +185,47 @@ public:
    * ascending, disjoint indices into the input cloud */
   bool
   segment (std::vector<pcl::ModelCoefficients>& coefficients,
-           std::vector<pcl::PointIndices>& inliers);
+           std::vector<pcl::PointIndices>& inliers)
+  {
+    std::vector<PlaneSegment> planes;
+    const bool success = segment (planes);
+    toModels (planes, header(), coefficients, inliers);
+    return success;
+  }
 
   /** \brief The largest plane alone, in the order of pcl::SACSegmentation. */
   bool
-  segment (pcl::PointIndices& inliers, pcl::ModelCoefficients& coefficients);
+  segment (pcl::PointIndices& inliers, pcl::ModelCoefficients& coefficients)
+  {
+    std::vector<PlaneSegment> planes;
+    const bool success = segment (planes);
+    toLargestModel (planes, success ? header() : pcl::PCLHeader(), inliers, coefficients);
+    return success;
+  }
 
   /** \brief Where each plane ends, as pcl::OrganizedMultiPlaneSegmentation says it.
    * \param[out] regions centroid, covariance and number of the inliers, coefficients,
    * and as contour the convex hull (\ref planeExtent), counter-clockwise seen from the
    * side the normal points to; of a contour's points only x, y and z are set */
   bool
-  segment (PlanarRegions& regions);
+  segment (PlanarRegions& regions)
+  {
+    std::vector<PlaneSegment> planes;
+    const bool success = segment (planes);
+    regions.clear();
+    if (success)
+      toRegions (*this->input_, planes, regions);
+    return success;
+  }
 
   /** \brief The points of each plane, as pcl::RegionGrowing and
    * pcl::EuclideanClusterExtraction give their clusters. */
   bool
-  extract (std::vector<pcl::PointIndices>& clusters);
+  extract (std::vector<pcl::PointIndices>& clusters)
+  {
+    std::vector<pcl::ModelCoefficients> coefficients;
+    return segment (coefficients, clusters);
+  }
 
   /** \brief All parameters at once, for example a preset. */
   void
@@ -272,21 +345,14 @@ protected:
   PlaneDetector() = default;
   ~PlaneDetector() = default;
 
-  std::string
-  getClassName () const
-  {
-    return Detector::className();
-  }
-
   Parameters parameters_;
 
 private:
-  bool
-  isReady ();
-  DetectorInput
-  input () const;
-  NeighbourSearch
-  searchOver (const pcl::Indices& finite) const;
+  pcl::PCLHeader
+  header () const
+  {
+    return this->input_ ? this->input_->header : pcl::PCLHeader();
+  }
 
   SearchPtr search_;
   /** \brief The last call's durations and numbers, its planes given out. */

@@ -10,6 +10,11 @@ function(pcl_ops_target_defaults target)
     target_compile_options(${target} PRIVATE
       $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-Werror>)
   endif()
+  if(CMAKE_UNITY_BUILD)
+    # An unnamed namespace of a source looks like one of a header there.
+    target_compile_options(${target} PRIVATE
+      $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
+  endif()
   if(PCL_OPS_SANITIZE)
     target_compile_options(${target} PRIVATE
       -fsanitize=${PCL_OPS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

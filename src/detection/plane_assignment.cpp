@@ -17,7 +17,7 @@ namespace {
 // So few that they lie close together where neighbours in the list are neighbours in
 // space, and most planes can be left out; so many that leaving out costs little.
 constexpr std::size_t block_size = 256;
-constexpr std::size_t points_per_piece = 64 * block_size;
+constexpr std::size_t points_of_a_task = 64 * block_size;
 
 struct Box {
   Eigen::Vector3d centre, half_size;
@@ -94,7 +94,7 @@ assignPoints (const Coordinates& points,
   Labels labels (points.size(), no_plane);
   parallelFor (threads,
                points.size(),
-               points_per_piece,
+               points_of_a_task,
                [&] (std::size_t begin, std::size_t end) {
                  for (std::size_t i = begin; i < end; i += block_size)
                    assignBlock (points,
@@ -118,7 +118,7 @@ momentsOfLabels (const Coordinates& points,
   const auto partial = parallelPieces (
       threads,
       points.size(),
-      points_per_piece,
+      points_of_a_task,
       [&] (std::size_t begin, std::size_t end) {
         std::vector<Moments> moments (number);
         for (std::size_t i = begin; i < end; ++i)

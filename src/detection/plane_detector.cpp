@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/angles.h"
+#include <pcl/console/print.h>
+
 #include <pcl_ops/plane_detector.h>
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <stdexcept>
 
 namespace pcl_ops {
 
@@ -74,6 +78,41 @@ toModels (std::vector<PlaneSegment>& planes,
                               static_cast<float> (plane.offset)};
     inliers[i].indices.swap (planes[i].inliers);
   }
+}
+
+void
+toLargestModel (std::vector<PlaneSegment>& planes,
+                const pcl::PCLHeader& header,
+                pcl::PointIndices& inliers,
+                pcl::ModelCoefficients& coefficients)
+{
+  planes.resize (std::min<std::size_t> (planes.size(), 1));
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> clusters;
+  toModels (planes, header, models, clusters);
+  inliers = clusters.empty() ? pcl::PointIndices() : clusters.front();
+  coefficients = models.empty() ? pcl::ModelCoefficients() : models.front();
+  inliers.header = coefficients.header = header;
+}
+
+bool
+runAndReport (const std::string& class_name, const std::function<void ()>& detect)
+{
+  try {
+    detect();
+    return true;
+  }
+  catch (const std::exception& error) {
+    PCL_ERROR ("[pcl_ops::%s::segment] %s\n", class_name.c_str(), error.what());
+    return false;
+  }
+}
+
+void
+throwOn (const std::string& problem)
+{
+  if (!problem.empty())
+    throw std::invalid_argument (problem);
 }
 
 } // namespace pcl_ops

@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/impl/instantiate.hpp>
-#include <pcl/sample_consensus/impl/sac_model_plane.hpp>
 #include <pcl/point_types.h>
 
 #include <pcl_ops/impl/sac_model_oriented_point.hpp>
+// PCL then comes with plane models of no points with normals.
+#ifdef PCL_ONLY_CORE_POINT_TYPES
+#include <pcl/sample_consensus/impl/sac_model_plane.hpp>
+#endif
 
 #ifndef PCL_NO_PRECOMPILE
 PCL_INSTANTIATE (SampleConsensusModelOrientedPoint,

@@ -42,7 +42,7 @@ integersOf (const pcl::PCLPointCloud2& cloud,
 }
 
 PlaneLabels
-labelsOf (const pcl::PCLPointCloud2& cloud, const std::string& file)
+labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
 {
   const int index = pcl::getFieldIndex (cloud, "label");
   if (index < 0)
@@ -83,7 +83,7 @@ loadLabelledCloud (const std::string& file, LabelField field)
   const apps::FileCloud cloud = apps::loadCloud (file);
   LabelledCloud labelled;
   if (field == LabelField::Required || apps::hasField (cloud, "label"))
-    labelled.labels = labelsOf (cloud.points, file);
+    labelled.labels = labelsIn (cloud.points, file);
   const apps::ShiftedCloud shifted = apps::shiftedCloudOf (cloud);
   labelled.cloud = shifted.cloud;
   labelled.shift = shifted.shift;

@@ -2,182 +2,100 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/console/print.h>
-
 #include <pcl_ops/plane_detector.h>
 #include <pcl_ops/plane_extent.h>
 
-#include <exception>
-
 namespace pcl_ops {
 
+/** \brief A search over some points of a cloud, both of which must outlive what is
+ * returned. \param[in] finite empty: the whole cloud */
 template <typename PointT>
-pcl::PlanarRegion<PointT>
-toRegion (const pcl::PointCloud<PointT>& cloud, const PlaneSegment& segment)
+NeighbourSearch
+neighbourSearch (pcl::search::Search<PointT>& search,
+                 const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
+                 const pcl::Indices& finite,
+                 unsigned threads)
 {
-  typename pcl::PointCloud<PointT>::VectorType contour;
-  for (const Eigen::Vector3d& corner : planeExtent (cloud, segment).hull) {
-    PointT point{};
-    point.x = static_cast<float> (corner.x());
-    point.y = static_cast<float> (corner.y());
-    point.z = static_cast<float> (corner.z());
-    contour.push_back (point);
-  }
-  const Plane plane = segment.plane();
-  Eigen::Vector4f coefficients;
-  coefficients << plane.normal.cast<float>(), static_cast<float> (plane.offset);
-  return {segment.centroid.cast<float>(),
-          segment.moments.covariance().template cast<float>(),
-          static_cast<unsigned> (segment.inliers.size()),
-          contour,
-          coefficients};
+  search.setInputCloud (
+      cloud, finite.empty() ? nullptr : pcl::make_shared<const pcl::Indices> (finite));
+  const pcl::PointCloud<PointT>& points = *cloud;
+  NeighbourSearch neighbours;
+  neighbours.nearest = [&search, &points] (pcl::index_t point,
+                                           int k,
+                                           pcl::Indices& nearest,
+                                           std::vector<float>& squared_distances) {
+    search.nearestKSearch (points[point], k, nearest, squared_distances);
+  };
+  neighbours.within = [&search, &points] (pcl::index_t point,
+                                          double radius,
+                                          pcl::Indices& within,
+                                          std::vector<float>& squared_distances) {
+    search.radiusSearch (points[point], radius, within, squared_distances);
+  };
+  // Only GridSearch and kd-trees are known to be safe to ask from several threads at
+  // once.
+  const std::string& name = search.getName();
+  const bool is_safe = name == "GridSearch" || name == "KdTree";
+  neighbours.threads = is_safe ? threads : 1;
+  return neighbours;
 }
 
-template <typename PointT, typename Detector, typename ParametersT>
-bool
-PlaneDetector<PointT, Detector, ParametersT>::segment (
-    std::vector<PlaneSegment>& planes)
-{
-  planes.clear();
-  last_ = Detection();
-  try {
-    if (!isReady())
-      return false;
-    last_ = detectPlanes (input(), parameters_);
-    planes.swap (last_.planes);
-  }
-  catch (const std::exception& error) {
-    PCL_ERROR ("[pcl_ops::%s::segment] %s\n", getClassName().c_str(), error.what());
-    last_ = Detection();
-    return false;
-  }
-  this->deinitCompute();
-  return true;
-}
-
-template <typename PointT, typename Detector, typename ParametersT>
-bool
-PlaneDetector<PointT, Detector, ParametersT>::segment (
-    std::vector<pcl::ModelCoefficients>& coefficients,
-    std::vector<pcl::PointIndices>& inliers)
-{
-  std::vector<PlaneSegment> planes;
-  const bool success = segment (planes);
-  toModels (planes,
-            this->input_ ? this->input_->header : pcl::PCLHeader(),
-            coefficients,
-            inliers);
-  return success;
-}
-
-template <typename PointT, typename Detector, typename ParametersT>
-bool
-PlaneDetector<PointT, Detector, ParametersT>::segment (
-    pcl::PointIndices& inliers, pcl::ModelCoefficients& coefficients)
-{
-  std::vector<pcl::PointIndices> all_inliers;
-  std::vector<pcl::ModelCoefficients> all_coefficients;
-  const bool success = segment (all_coefficients, all_inliers);
-  inliers = all_inliers.empty() ? pcl::PointIndices() : all_inliers.front();
-  coefficients =
-      all_coefficients.empty() ? pcl::ModelCoefficients() : all_coefficients.front();
-  if (success && all_inliers.empty())
-    inliers.header = coefficients.header = this->input_->header;
-  return success;
-}
-
-template <typename PointT, typename Detector, typename ParametersT>
-bool
-PlaneDetector<PointT, Detector, ParametersT>::segment (PlanarRegions& regions)
-{
-  std::vector<PlaneSegment> planes;
-  const bool success = segment (planes);
-  regions.clear();
-  for (const PlaneSegment& plane : planes)
-    regions.push_back (toRegion (*this->input_, plane));
-  return success;
-}
-
-template <typename PointT, typename Detector, typename ParametersT>
-bool
-PlaneDetector<PointT, Detector, ParametersT>::extract (
-    std::vector<pcl::PointIndices>& clusters)
-{
-  std::vector<pcl::ModelCoefficients> coefficients;
-  return segment (coefficients, clusters);
-}
-
-template <typename PointT, typename Detector, typename ParametersT>
-bool
-PlaneDetector<PointT, Detector, ParametersT>::isReady()
-{
-  std::string problem = "no input cloud; call setInputCloud";
-  if (this->initCompute())
-    problem = problemOf (input());
-  if (problem.empty())
-    problem = problemOf (parameters_);
-  if (!problem.empty())
-    PCL_ERROR ("[pcl_ops::%s::segment] %s\n", getClassName().c_str(), problem.c_str());
-  return problem.empty();
-}
-
-template <typename PointT, typename Detector, typename ParametersT>
+template <typename PointT>
 DetectorInput
-PlaneDetector<PointT, Detector, ParametersT>::input() const
+detectorInput (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
+               const pcl::Indices& indices,
+               const typename pcl::search::Search<PointT>::Ptr& search,
+               unsigned threads)
 {
-  DetectorInput input{
-      CloudView (*this->input_),
-      *this->indices_,
-      this->input_->sensor_origin_.template head<3>().template cast<double>(),
-      nullptr};
-  if (search_)
-    input.search_over = [this] (const pcl::Indices& finite) {
-      return searchOver (finite);
+  DetectorInput input{CloudView (*cloud),
+                      indices,
+                      cloud->sensor_origin_.template head<3>().template cast<double>(),
+                      nullptr};
+  if (search)
+    input.search_over = [cloud, search, threads] (const pcl::Indices& finite) {
+      return neighbourSearch<PointT> (*search, cloud, finite, threads);
     };
   return input;
 }
 
-template <typename PointT, typename Detector, typename ParametersT>
-NeighbourSearch
-PlaneDetector<PointT, Detector, ParametersT>::searchOver (
-    const pcl::Indices& finite) const
+template <typename PointT>
+void
+toRegions (const pcl::PointCloud<PointT>& cloud,
+           const std::vector<PlaneSegment>& planes,
+           PlanarRegions<PointT>& regions)
 {
-  const bool are_all = finite.empty();
-  search_->setInputCloud (
-      this->input_, are_all ? nullptr : pcl::make_shared<const pcl::Indices> (finite));
-  NeighbourSearch search;
-  search.nearest = [this] (pcl::index_t point,
-                           int k,
-                           pcl::Indices& neighbours,
-                           std::vector<float>& squared_distances) {
-    search_->nearestKSearch ((*this->input_)[point], k, neighbours, squared_distances);
-  };
-  search.within = [this] (pcl::index_t point,
-                          double radius,
-                          pcl::Indices& neighbours,
-                          std::vector<float>& squared_distances) {
-    search_->radiusSearch (
-        (*this->input_)[point], radius, neighbours, squared_distances);
-  };
-  // Only GridSearch and kd-trees are known to be safe to ask from several threads at
-  // once.
-  const std::string& name = search_->getName();
-  const bool is_safe = name == "GridSearch" || name == "KdTree";
-  search.threads = is_safe ? parameters_.threads : 1;
-  return search;
+  regions.clear();
+  for (const PlaneSegment& segment : planes) {
+    typename pcl::PointCloud<PointT>::VectorType contour;
+    for (const Eigen::Vector3d& corner : planeExtent (cloud, segment).hull) {
+      PointT point{};
+      point.x = static_cast<float> (corner.x());
+      point.y = static_cast<float> (corner.y());
+      point.z = static_cast<float> (corner.z());
+      contour.push_back (point);
+    }
+    const Plane plane = segment.plane();
+    Eigen::Vector4f coefficients;
+    coefficients << plane.normal.cast<float>(), static_cast<float> (plane.offset);
+    regions.emplace_back (segment.centroid.cast<float>(),
+                          segment.moments.covariance().template cast<float>(),
+                          static_cast<unsigned> (segment.inliers.size()),
+                          contour,
+                          coefficients);
+  }
 }
 
 } // namespace pcl_ops
 
-/** The calls are those of the base, instantiated with each detector. */
-#define PCL_OPS_INSTANTIATE_DETECTOR(Detector, T)                                      \
-  template class PCL_OPS_EXPORT                                                        \
-      pcl_ops::PlaneDetector<T, pcl_ops::Detector<T>, pcl_ops::Detector##Parameters>;  \
-  template class PCL_OPS_EXPORT pcl_ops::Detector<T>;
-
-#define PCL_INSTANTIATE_OrientedPointSampling(T)                                       \
-  PCL_OPS_INSTANTIATE_DETECTOR (OrientedPointSampling, T)
-#define PCL_INSTANTIATE_FastSamplingPlaneFiltering(T)                                  \
-  PCL_OPS_INSTANTIATE_DETECTOR (FastSamplingPlaneFiltering, T)
-#define PCL_INSTANTIATE_KernelHoughTransform(T)                                        \
-  PCL_OPS_INSTANTIATE_DETECTOR (KernelHoughTransform, T)
+// What depends on the point type alone. The detectors' classes, 54 with 18 point types and
+// some 40 one-line calls each, compile where they are used.
+#define PCL_INSTANTIATE_PlaneDetector(T)                                               \
+  template PCL_OPS_EXPORT pcl_ops::DetectorInput pcl_ops::detectorInput<T> (           \
+      const pcl::PointCloud<T>::ConstPtr&,                                             \
+      const pcl::Indices&,                                                             \
+      const pcl::search::Search<T>::Ptr&,                                              \
+      unsigned);                                                                       \
+  template PCL_OPS_EXPORT void pcl_ops::toRegions (                                    \
+      const pcl::PointCloud<T>&,                                                       \
+      const std::vector<pcl_ops::PlaneSegment>&,                                       \
+      pcl_ops::PlanarRegions<T>&);

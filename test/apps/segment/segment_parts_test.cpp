@@ -53,7 +53,7 @@ protected:
   }
 };
 
-using Names = std::set<std::string>;
+using NameSet = std::set<std::string>;
 
 } // namespace
 
@@ -76,7 +76,7 @@ TEST_F (SegmentParts, TheRestMayBeEmpty)
 TEST_F (SegmentParts, EachPlaneIsACloudWithTheFieldsOfTheInput)
 {
   ASSERT_EQ (run ("scene.pcd labelled.pcd --planes-dir planes --quiet").exit_code, 0);
-  const Names names = namesIn ("planes");
+  const NameSet names = namesIn ("planes");
   ASSERT_EQ (names.size(), 2u);
   LabelledCloud labelled;
   ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "labelled.pcd", labelled), 0);
@@ -100,7 +100,7 @@ TEST_F (SegmentParts, PlanesOfAnEarlierRunAreGoneAndOtherFilesStay)
   ASSERT_EQ (run ("scene.pcd --planes-dir planes --only horizontal --quiet").exit_code,
              0);
   EXPECT_EQ (namesIn ("planes"),
-             (Names{"notes.txt", "plane_001_horizontal.pcd", "plane_of_mine.pcd"}));
+             (NameSet{"notes.txt", "plane_001_horizontal.pcd", "plane_of_mine.pcd"}));
 }
 
 TEST_F (SegmentParts, AFailedRunLeavesTheFolderOfPlanesAlone)
@@ -109,7 +109,7 @@ TEST_F (SegmentParts, AFailedRunLeavesTheFolderOfPlanesAlone)
   folder_.write ("planes/plane_017_other.pcd", "precious");
   folder_.write ("broken.pcd", "no cloud");
   EXPECT_EQ (run ("broken.pcd --planes-dir planes --quiet").exit_code, 1);
-  EXPECT_EQ (namesIn ("planes"), Names{"plane_017_other.pcd"});
+  EXPECT_EQ (namesIn ("planes"), NameSet{"plane_017_other.pcd"});
 }
 
 TEST_F (SegmentParts, AnInputInTheFolderOfPlanesIsRefused)

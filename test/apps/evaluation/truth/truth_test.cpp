@@ -40,7 +40,7 @@ const Eigen::Vector3f x = Eigen::Vector3f::UnitX(), y = Eigen::Vector3f::UnitY()
 
 /** A floor of 900 points and a wall of 400 that stands in its middle. */
 XyzCloud
-floorAndWall ()
+squareFloorAndWall ()
 {
   XyzCloud cloud;
   addSquare (cloud, 30, {0, 0, 0}, x, y);
@@ -64,7 +64,7 @@ pointsWith (const PlaneLabels& labels, std::uint32_t label)
 
 TEST (RegionGrowing, SeparatesAFloorFromTheWallOnIt)
 {
-  const PlaneLabels labels = growRegions (floorAndWall(), nineNeighbors());
+  const PlaneLabels labels = growRegions (squareFloorAndWall(), nineNeighbors());
   EXPECT_EQ (planeIds (labels).size(), 2u);
   EXPECT_EQ (labels[0], 1u);         // the larger one first
   EXPECT_EQ (labels[900 + 399], 2u); // the wall's upper corner
@@ -106,7 +106,7 @@ TEST (RegionGrowing, RegionsOfUnderFiftyPointsAreOnNoPlane)
 
 TEST (RegionGrowing, PointsWithoutCoordinatesAreOnNoPlane)
 {
-  XyzCloud cloud = floorAndWall();
+  XyzCloud cloud = squareFloorAndWall();
   cloud[450].y = std::numeric_limits<float>::quiet_NaN();
   const PlaneLabels labels = growRegions (cloud, nineNeighbors());
   EXPECT_EQ (labels[450], 0u);
@@ -115,7 +115,7 @@ TEST (RegionGrowing, PointsWithoutCoordinatesAreOnNoPlane)
 
 TEST (RegionGrowing, DoesNotDependOnThreads)
 {
-  const XyzCloud cloud = floorAndWall();
+  const XyzCloud cloud = squareFloorAndWall();
   EXPECT_EQ (growRegions (cloud, nineNeighbors(), 1),
              growRegions (cloud, nineNeighbors(), 4));
 }
@@ -152,7 +152,7 @@ protected:
 
   TruthCache()
   {
-    cloud.cloud.reset (new XyzCloud (floorAndWall()));
+    cloud.cloud.reset (new XyzCloud (squareFloorAndWall()));
     parameters.growing = nineNeighbors();
     parameters.cache_folder =
         (fs::temp_directory_path() /

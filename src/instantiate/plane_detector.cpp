@@ -3,10 +3,7 @@
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/point_types.h>
 
-#include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/impl/plane_detector.hpp>
-#include <pcl_ops/kernel_hough_transform.h>
-#include <pcl_ops/oriented_point_sampling.h>
 
 #ifndef PCL_NO_PRECOMPILE
 #ifdef PCL_ONLY_CORE_POINT_TYPES
@@ -15,7 +12,5 @@
 #else
 #define PCL_OPS_POINT_TYPES PCL_XYZ_POINT_TYPES
 #endif
-PCL_INSTANTIATE (OrientedPointSampling, PCL_OPS_POINT_TYPES)
-PCL_INSTANTIATE (FastSamplingPlaneFiltering, PCL_OPS_POINT_TYPES)
-PCL_INSTANTIATE (KernelHoughTransform, PCL_OPS_POINT_TYPES)
+PCL_INSTANTIATE (PlaneDetector, PCL_OPS_POINT_TYPES)
 #endif
