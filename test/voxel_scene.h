@@ -12,7 +12,7 @@ struct VoxelScene {
   explicit VoxelScene (const std::vector<std::vector<Surface>>& surfaces,
                        double noise = 0.0)
   {
-    constexpr double smallest_noise = 6_mm;
+    constexpr double usual_noise = 6_mm;
     std::vector<std::int32_t> plane_of_point;
     for (const std::vector<Surface>& plane : surfaces) {
       for (const Surface& surface : plane)
@@ -23,7 +23,7 @@ struct VoxelScene {
     }
     voxelized = pcl_ops::internal::voxelize (points, 10_cm, 1);
     planes.plane_of_voxel.assign (grid().size(), pcl_ops::no_plane);
-    planes.noise.assign (grid().size(), smallest_noise);
+    planes.noise.assign (grid().size(), usual_noise);
     for (std::size_t i = points.size(); i-- > 0;)
       planes.plane_of_voxel[voxelized.voxel_of_point[i]] = plane_of_point[i];
   }

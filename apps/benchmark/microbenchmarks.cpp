@@ -9,7 +9,9 @@
 #include <benchmark/benchmark.h>
 #include <bounded/bounded_assignment.h>
 #include <bounded/bounded_planes.h>
+#include <bounded/noise_measurement.h>
 #include <bounded/plane_growing.h>
+#include <bounded/refinement.h>
 #include <kht/octree_clusters.h>
 #include <ops/oriented_points.h>
 #include <ops/surfel_extraction.h>
@@ -35,17 +37,15 @@ constexpr double voxel_size = 0.1;
 constexpr int resolutions = 3;
 constexpr double least_points = 200.0;
 
-SurfelRansacParameters
-ransacParameters ()
+SurfelExtractionParameters
+extractionParameters ()
 {
   const SurfelParameters usual;
-  SurfelRansacParameters ransac;
-  ransac.distance_limit = 2.0 * voxel_size;
-  ransac.noise_factor = usual.noise_factor;
-  ransac.angle_threshold = usual.angle_threshold;
-  ransac.largest_normal_spread = usual.largest_normal_spread;
-  ransac.largest_thickness = usual.largest_thickness;
-  return ransac;
+  SurfelExtractionParameters extraction;
+  extraction.noise_factor = usual.noise_factor;
+  extraction.angle_threshold = usual.angle_threshold;
+  extraction.largest_thickness = usual.sure_thickness;
+  return extraction;
 }
 
 /** \brief What the stages make of a scan, in their order. */
@@ -61,10 +61,9 @@ struct Scan {
 BoundedPlanes
 extractedFrom (const Scan& scan)
 {
-  internal::RandomGenerator generator (seed);
   BoundedPlanes planes;
   extractSurfelPlanes (
-      scan.voxelized.grid, scan.surfels, ransacParameters(), generator, planes);
+      scan.voxelized.grid, scan.surfels, extractionParameters(), planes);
   return planes;
 }
 
@@ -83,7 +82,7 @@ makeScan (std::size_t size)
   scan.voxelized = voxelize (scan.points, voxel_size, threads);
   scan.surfels = findSurfels (scan.voxelized.grid, resolutions, least_points, threads);
   scan.planes = extractedFrom (scan);
-  measureNoise (scan.voxelized.grid, 1, scan.planes);
+  measureNoise (scan.voxelized.grid, threads, scan.planes);
   return scan;
 }
 
@@ -146,12 +145,31 @@ extractingPlanesOfSurfels (State& state)
 }
 
 void
+measuringNoise (State& state)
+{
+  const Scan& scan = scanFor (state);
+  measure (state, [&] {
+    BoundedPlanes planes = scan.planes;
+    measureNoise (scan.voxelized.grid, threads, planes);
+    return planes;
+  });
+}
+
+void
+refining (State& state)
+{
+  const Scan& scan = scanFor (state);
+  measure (state,
+           [&] { return refine (scan.points, scan.voxelized, scan.planes, threads); });
+}
+
+void
 growingPlanes (State& state)
 {
   const Scan& scan = scanFor (state);
   measure (state, [&] {
     BoundedPlanes planes = scan.planes;
-    growPlanes (scan.voxelized.grid, std::nullopt, 10, 1, planes);
+    growPlanes (scan.voxelized.grid, std::nullopt, threads, planes);
     return planes;
   });
 }
@@ -188,7 +206,7 @@ assigningToBoundedPlanes (State& state)
 }
 
 void
-assigningToEndlessPlanes (State& state)
+assigningToUnboundedPlanes (State& state)
 {
   const Scan& scan = scanFor (state);
   measure (state, [&] {
@@ -254,11 +272,13 @@ PCL_OPS_STAGE (voxelSizeOfACloud);
 PCL_OPS_STAGE (voxelizing);
 PCL_OPS_STAGE (findingSurfels);
 PCL_OPS_STAGE (extractingPlanesOfSurfels);
+PCL_OPS_STAGE (measuringNoise);
+PCL_OPS_STAGE (refining);
 PCL_OPS_STAGE (growingPlanes);
 PCL_OPS_STAGE (reassigningVoxels);
 PCL_OPS_STAGE (mergingPlanes);
 PCL_OPS_STAGE (assigningToBoundedPlanes);
-PCL_OPS_STAGE (assigningToEndlessPlanes);
+PCL_OPS_STAGE (assigningToUnboundedPlanes);
 PCL_OPS_STAGE (orientingSamples);
 PCL_OPS_STAGE (buildingFixedRadiusSearch);
 PCL_OPS_STAGE (buildingKdTree);

@@ -46,9 +46,9 @@ struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
   PlaneRefitParameters refit;
   /** \brief Planes end where their clusters end, as far as they grow from there over
    * the occupied voxels of a grid. Off, or where planes are not refitted: planes are
-   * endless. */
+   * unbounded. */
   bool bounded = true;
-  /** \brief Which of the endless planes within theta_h gets a point. */
+  /** \brief Which of the unbounded planes within theta_h gets a point. */
   AssignmentRule assignment = AssignmentRule::Nearest;
 
   KernelHoughTransformParameters();
@@ -172,7 +172,7 @@ public:
     return parameters_.bounded;
   }
 
-  /** \brief Which of the endless planes within theta_h gets a point. */
+  /** \brief Which of the unbounded planes within theta_h gets a point. */
   void
   setAssignmentRule (AssignmentRule rule)
   {

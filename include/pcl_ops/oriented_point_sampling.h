@@ -39,7 +39,8 @@ enum class Verification {
 
 /** \brief Expert knobs of Sampling::Surfels. */
 struct SurfelParameters {
-  /** \brief Edge of a voxel [m]. Not given: from the number of points and the surface
+  /** \brief Edge of a voxel [m]; where no plane explains the points, they are looked at
+   * in voxels of half the edge. Not given: from the number of points and the surface
    * they are spread over. */
   std::optional<double> voxel_size;
   /** \brief Grids to choose a normal's neighbourhood from, each of twice the voxel size
@@ -49,29 +50,20 @@ struct SurfelParameters {
    * average: where points are sparse, as they are far from a camera and noisy there,
    * the neighbourhoods are larger. */
   double least_average_voxels = 8.0;
-  /** \brief Largest distance of a surfel to its plane in units of the noise measured
-   * around it. */
-  double noise_factor = 3.0;
+  /** \brief Largest rms distance of a surfel's points to its plane in units of the
+   * noise around it. */
+  double noise_factor = 2.0;
   /** \brief Largest angle between a surfel's normal and its plane's [rad]; 30 degrees.
    */
   double angle_threshold = 0.52359877559829882;
-  /** \brief Largest rms angle between the normals of a plane's surfels and its own
-   * [rad]; more, and the surface is curved. */
-  double largest_normal_spread = 0.13;
-  /** \brief Planes are looked for among surfels up to this thickness first: the noise
-   * over the spread in the surfel's narrow direction, 0 for an exact plane, 1 for a
-   * ball. */
-  double sure_thickness = 0.2;
-  /** \brief And then among all up to this one that are left. */
+  /** \brief Planes are looked for among surfels up to this thickness: the noise over
+   * the spread in the surfel's narrow direction, 0 for an exact plane, 1 for a ball. */
+  double sure_thickness = 0.25;
+  /** \brief The same of the voxels of half the edge, the last to be looked at. */
   double largest_thickness = 0.3;
-  /** \brief Voxels a plane may grow by. */
-  int growing_rounds = 10;
-  /** \brief A plane goes into a larger neighbour that its points are no farther from
-   * than this, in units of the noise on the neighbour's side of their border. */
-  double absorption_noise_factor = 1.8;
-  /** \brief Connected parts of a plane become planes of their own where the sensor
-   * looked through between them; off: surfaces in one plane are one. */
-  bool separates_surfaces = true;
+  /** \brief A plane goes into a larger neighbour if one plane for both is no farther
+   * from the points of either than this, in units of the noise there. */
+  double absorption_noise_factor = 2.0;
   /** \brief Largest distance of a point to its plane in units of the noise there. */
   double assignment_noise_factor = 4.0;
 };
@@ -96,7 +88,8 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
   /** \brief theta_N: a plane needs more inliers than this among the samples, and three
    * in any case; of surfels at least as many. */
   unsigned min_inliers = 20;
-  /** \brief p: probability that RANSAC draws an inlier of the largest plane. */
+  /** \brief p: probability that RANSAC draws an inlier of the largest plane, with
+   * Sampling::Points; surfels are not drawn. */
   double probability = 0.99;
   /** \brief With Sampling::Points; surfels are not divided. */
   Strategy strategy = Strategy::DetectThenDivide;
@@ -107,7 +100,7 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
    */
   AssignmentRule assignment_rule = AssignmentRule::First;
   /** \brief Refit and select again while the support of a plane grows, with
-   * Sampling::Points; on surfels that is always done. */
+   * Sampling::Points; on surfels planes are always refitted. */
   bool local_optimisation = true;
   SurfelParameters surfels;
 

@@ -143,7 +143,7 @@ using Labels = std::vector<std::int32_t>;
 
 constexpr std::int32_t no_plane = -1;
 
-/** \brief Which of the endless planes within theta_h gets a point. */
+/** \brief Which of the unbounded planes within theta_h gets a point. */
 enum class AssignmentRule {
   /** \brief The nearest; of two equally near ones the first. */
   Nearest,

@@ -118,7 +118,7 @@ struct Detection {
 /** \brief Does it, and says by PCL_ERROR in the name of the detector what it threw.
  * \return whether it threw nothing */
 PCL_OPS_EXPORT bool
-runAndReport (const std::string& class_name, const std::function<void ()>& detect);
+runAndReport (const std::string& class_name, const std::function<void()>& detect);
 
 /** \brief For misuse. \throw std::invalid_argument if there is a problem */
 PCL_OPS_EXPORT void
@@ -199,7 +199,8 @@ public:
   {
     std::vector<PlaneSegment> planes;
     const bool success = segment (planes);
-    toLargestModel (planes, success ? header() : pcl::PCLHeader(), inliers, coefficients);
+    toLargestModel (
+        planes, success ? header() : pcl::PCLHeader(), inliers, coefficients);
     return success;
   }
 

@@ -82,6 +82,7 @@ CandidateLists
 candidatesOf (const VoxelGrid& grid,
               const BoundedPlanes& planes,
               const Bands& bands,
+              const std::vector<char>& is_left_out,
               std::size_t begin,
               std::size_t end)
 {
@@ -93,6 +94,8 @@ candidatesOf (const VoxelGrid& grid,
   for (std::size_t i = begin; i < end; ++i) {
     lists.begin.push_back (static_cast<std::uint32_t> (lists.candidates.size()));
     lists.plane_of_all.push_back (no_plane);
+    if (!is_left_out.empty() && is_left_out[i])
+      continue;
     findNearbyPlanes (grid, planes, i, nearby);
     for (const NearbyPlane& n : nearby) {
       const Plane& plane = planes.planes[static_cast<std::size_t> (n.plane)];
@@ -112,6 +115,7 @@ CandidateLists
 candidatesOfVoxels (const VoxelGrid& grid,
                     const BoundedPlanes& planes,
                     const Bands& bands,
+                    const std::vector<char>& is_left_out,
                     unsigned threads)
 {
   CandidateLists all;
@@ -119,7 +123,7 @@ candidatesOfVoxels (const VoxelGrid& grid,
   all.plane_of_all.reserve (grid.size());
   for (const CandidateLists& piece : parallelPieces (
            threads, grid.size(), voxels_per_piece, [&] (auto begin, auto end) {
-             return candidatesOf (grid, planes, bands, begin, end);
+             return candidatesOf (grid, planes, bands, is_left_out, begin, end);
            })) {
     const auto before = static_cast<std::uint32_t> (all.candidates.size());
     for (const std::uint32_t begin : piece.begin)
@@ -187,10 +191,11 @@ assignToBoundedPlanes (const Coordinates& points,
                        const BoundedPlanes& planes,
                        std::optional<double> distance_threshold,
                        double noise_factor,
-                       unsigned threads)
+                       unsigned threads,
+                       const std::vector<char>& is_left_out)
 {
   const CandidateLists lists = candidatesOfVoxels (
-      voxelized.grid, planes, {distance_threshold, noise_factor}, threads);
+      voxelized.grid, planes, {distance_threshold, noise_factor}, is_left_out, threads);
   AssignedPoints assigned;
   assigned.labels.resize (points.size());
   const auto partial = parallelPieces (

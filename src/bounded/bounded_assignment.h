@@ -15,13 +15,14 @@ namespace pcl_ops::internal {
  * planes on these voxels \param[in] distance_threshold theta_h: largest distance [m];
  * none: two voxels \param[in] noise_factor largest distance in units of the noise
  * measured there \param[in] threads number of threads; 0: all. The result does not
- * depend on it */
+ * depend on it \param[in] is_left_out voxels whose points get no plane; empty: none */
 AssignedPoints
 assignToBoundedPlanes (const Coordinates& points,
                        const VoxelizedPoints& voxelized,
                        const BoundedPlanes& planes,
                        std::optional<double> distance_threshold,
                        double noise_factor,
-                       unsigned threads);
+                       unsigned threads,
+                       const std::vector<char>& is_left_out = {});
 
 } // namespace pcl_ops::internal

@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bounded/bounded_planes.h"
 
-#include "bounded/noise_floors.h"
 #include "detection/plane_assignment.h"
 #include "voxels/voxel_traversal.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
 
 namespace pcl_ops::internal {
@@ -20,33 +16,6 @@ refitPlanes (const VoxelGrid& grid, BoundedPlanes& planes)
   for (std::size_t p = 0; p < moments.size(); ++p)
     if (const std::optional<PlaneFit> fit = fitPlane (moments[p]))
       planes.planes[p] = fit->plane;
-}
-
-void
-measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes)
-{
-  // Of each voxel's points: the sum of squared distances, and how many they are.
-  std::vector<std::array<double, 2>> distances (grid.size());
-  forVoxels (grid, threads, [&] (std::size_t i) {
-    if (planes.plane_of_voxel[i] == no_plane)
-      return;
-    const Moments& voxel = grid.moments[i];
-    const auto own = static_cast<std::size_t> (planes.plane_of_voxel[i]);
-    distances[i] = {voxel.count * meanSquaredDistance (voxel, planes.planes[own]),
-                    voxel.count};
-  });
-  forVoxels (grid, threads, [&] (std::size_t i) {
-    if (planes.plane_of_voxel[i] == no_plane)
-      return;
-    double sum = 0.0;
-    double count = 0.0;
-    for (const std::uint32_t neighbour : grid.neighbours[i])
-      if (planes.plane_of_voxel[neighbour] == planes.plane_of_voxel[i]) {
-        sum += distances[neighbour][0];
-        count += distances[neighbour][1];
-      }
-    planes.noise[i] = std::max (std::sqrt (sum / count), smallestNoise (grid));
-  });
 }
 
 void
@@ -80,7 +49,8 @@ reassignVoxels (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes)
 std::vector<Moments>
 momentsOfPlanes (const VoxelGrid& grid, const BoundedPlanes& planes)
 {
-  std::vector<Moments> moments (planes.planes.size());
+  std::vector<Moments> moments = planes.beyond;
+  moments.resize (planes.planes.size());
   for (std::size_t i = 0; i < grid.size(); ++i)
     if (planes.plane_of_voxel[i] != no_plane)
       moments[static_cast<std::size_t> (planes.plane_of_voxel[i])].addAligned (
@@ -89,9 +59,21 @@ momentsOfPlanes (const VoxelGrid& grid, const BoundedPlanes& planes)
 }
 
 void
+relabelPlanes (const Labels& became, std::size_t number, BoundedPlanes& planes)
+{
+  relabel (planes.plane_of_voxel, became, 1);
+  relabel (planes.became, became, 1);
+  std::vector<Moments> beyond (planes.beyond.empty() ? 0 : number);
+  for (std::size_t p = 0; p < planes.beyond.size(); ++p)
+    if (became[p] != no_plane)
+      beyond[static_cast<std::size_t> (became[p])].addAligned (planes.beyond[p]);
+  planes.beyond = beyond;
+}
+
+void
 renumberPlanes (const MergedPlanes& merged, BoundedPlanes& planes)
 {
-  relabel (planes.plane_of_voxel, merged.merged_into, 1);
+  relabelPlanes (merged.merged_into, merged.fits.size(), planes);
   planes.planes.clear();
   for (const PlaneFit& fit : merged.fits)
     planes.planes.push_back (fit.plane);

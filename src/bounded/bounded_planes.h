@@ -19,6 +19,11 @@ struct BoundedPlanes {
   Labels plane_of_voxel;
   /** \brief Noise around each voxel of a plane [m]. */
   std::vector<double> noise;
+  /** \brief Moments of what each plane has outside of these voxels, for the first so
+   * many planes. */
+  std::vector<Moments> beyond;
+  /** \brief Of the planes these voxels were given at first, what each has become. */
+  Labels became;
 
   /** \brief Number of planes. */
   std::size_t
@@ -28,13 +33,6 @@ struct BoundedPlanes {
   }
 };
 
-/** \brief Measures the noise around each voxel of a plane: the rms distance to the
- * plane of the points of the voxels around that are on it. \param[in] grid the voxels
- * \param[in] threads number of threads; 0: all. The result does not depend on it
- * \param[in,out] planes whose noise is set */
-void
-measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes);
-
 /** \brief Hands every voxel to the nearest of its own plane and those of its
  * neighbours, and refits all planes. */
 void
@@ -43,6 +41,11 @@ reassignVoxels (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes);
 /** \brief Moments of each plane's voxels. */
 std::vector<Moments>
 momentsOfPlanes (const VoxelGrid& grid, const BoundedPlanes& planes);
+
+/** \brief Replaces the numbers of planes by those of what they became.
+ * \param[in] became for each plane a number below \p number, or no_plane */
+void
+relabelPlanes (const Labels& became, std::size_t number, BoundedPlanes& planes);
 
 /** \brief Replaces planes by those they were merged into. */
 void

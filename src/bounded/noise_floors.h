@@ -13,7 +13,7 @@ namespace pcl_ops::internal {
 inline double
 smallestNoise (const VoxelGrid& grid)
 {
-  constexpr double share_of_a_voxel = 0.06;
+  constexpr double share_of_a_voxel = 0.03;
   return share_of_a_voxel * grid.voxel_size;
 }
 

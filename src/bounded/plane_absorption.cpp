@@ -5,6 +5,7 @@
 #include "detection/plane_assignment.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -50,6 +51,8 @@ territoriesOf (const VoxelGrid& grid, const BoundedPlanes& planes)
   std::vector<Territory> territories;
   for (const Plane& plane : planes.planes)
     territories.push_back ({plane, Moments(), {}});
+  for (std::size_t p = 0; p < planes.beyond.size(); ++p)
+    territories[p].moments = planes.beyond[p];
   for (std::size_t i = 0; i < grid.size(); ++i) {
     if (planes.plane_of_voxel[i] == no_plane)
       continue;
@@ -63,6 +66,27 @@ territoriesOf (const VoxelGrid& grid, const BoundedPlanes& planes)
         });
   }
   return territories;
+}
+
+// How much worse than its own plane one plane for both explains either, as a ratio of
+// mean squared distances; the smaller may be as noisy as the border is on the other's
+// side.
+double
+misfitOfBoth (const Territory& own, const Territory& other, double squared_noise)
+{
+  Moments both = other.moments;
+  both.addAligned (own.moments);
+  const std::optional<PlaneFit> fit = fitPlane (both);
+  if (!fit)
+    return std::numeric_limits<double>::infinity();
+  const auto misfit = [&fit] (const Moments& moments, double least) {
+    return meanSquaredDistance (moments, fit->plane) /
+           std::max (least, std::numeric_limits<double>::min());
+  };
+  return std::max (
+      misfit (own.moments,
+              std::max (squared_noise, meanSquaredDistance (own.moments, own.plane))),
+      misfit (other.moments, meanSquaredDistance (other.moments, other.plane)));
 }
 
 // The plane each goes into: a larger neighbour that explains it best, or itself.
@@ -81,8 +105,8 @@ absorbers (const std::vector<Territory>& territories, double noise_factor)
           (other.moments.count == own.moments.count && border.other < p);
       if (!is_larger)
         continue;
-      const double ratio = meanSquaredDistance (own.moments, other.plane) /
-                           (border.squared_noise / border.voxels);
+      const double ratio =
+          misfitOfBoth (own, other, border.squared_noise / border.voxels);
       if (ratio >= best)
         continue;
       best = ratio;
@@ -144,7 +168,7 @@ absorbPlanes (const VoxelGrid& grid, double noise_factor, BoundedPlanes& planes)
     if (number == territories.size())
       break;
     territories = joined (territories, merged_into, number);
-    relabel (planes.plane_of_voxel, merged_into, 1);
+    relabelPlanes (merged_into, number, planes);
   }
   planes.planes.clear();
   for (const Territory& territory : territories)

@@ -103,13 +103,12 @@ voxelsNextTo (const VoxelGrid& grid,
 void
 growPlanes (const VoxelGrid& grid,
             std::optional<double> distance_threshold,
-            int rounds,
             unsigned threads,
             BoundedPlanes& planes)
 {
   const double limit = distanceLimit (grid, distance_threshold);
   std::vector<std::size_t> border = voxelsOffPlanes (planes.plane_of_voxel);
-  for (int round = 0; round < rounds && !border.empty(); ++round) {
+  while (!border.empty()) {
     const std::vector<Adoption> adoptions =
         adoptionsOf (border, grid, limit, planes, threads);
     for (const Adoption& adoption : adoptions) {

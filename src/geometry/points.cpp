@@ -58,10 +58,31 @@ positionOf (const CloudView& cloud, pcl::index_t index)
   return cloud[static_cast<std::size_t> (index)];
 }
 
-// The median of some of the points: near most of them, wherever a few stray to; zero
-// for no points.
+// Near the median, at a multiple of many times the deviation from it: nearly always the
+// same for other points of the same surroundings.
 Eigen::Vector3d
-medianPosition (const CloudView& cloud, const pcl::Indices& indices)
+roundedMedian (std::array<std::vector<float>, 3>& values)
+{
+  constexpr double deviations = 16.0;
+  Eigen::Vector3d median;
+  double deviation = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    median[static_cast<Eigen::Index> (axis)] = medianOf (values[axis]);
+    for (float& value : values[axis])
+      value = std::abs (value -
+                        static_cast<float> (median[static_cast<Eigen::Index> (axis)]));
+    deviation = std::max (deviation, medianOf (values[axis]));
+  }
+  if (!(deviation > 0.0 && std::isfinite (deviation)))
+    return median;
+  const double step = std::exp2 (std::ceil (std::log2 (deviations * deviation)));
+  return (median / step).array().round() * step;
+}
+
+// Near the median of some of the points: near most of them, wherever a few stray to,
+// and whatever their order; zero for no points.
+Eigen::Vector3d
+usualPosition (const CloudView& cloud, const pcl::Indices& indices)
 {
   constexpr std::size_t looked_at = 100;
   const std::size_t stride = indices.size() / looked_at + 1;
@@ -79,7 +100,7 @@ medianPosition (const CloudView& cloud, const pcl::Indices& indices)
     for (std::size_t axis = 0; axis < 3; ++axis)
       values[axis].push_back (positionOf (cloud, *finite)[axis]);
   }
-  return {medianOf (values[0]), medianOf (values[1]), medianOf (values[2])};
+  return roundedMedian (values);
 }
 
 // Copies points that follow each other in the cloud. The stride of the usual point
@@ -191,7 +212,7 @@ finitePoints (const CloudView& cloud, const pcl::Indices& indices, unsigned thre
     return finitePoints (cloud, sorted, threads);
   }
   Points points;
-  points.origin = medianPosition (cloud, indices);
+  points.origin = usualPosition (cloud, indices);
   const bool are_finite = copyPoints (cloud, indices, threads, points);
   const bool are_all = are_consecutive && indices.size() == cloud.size;
   if (!(are_finite && are_all))

@@ -5,6 +5,7 @@
 #include "base/stage_clock.h"
 #include "bounded/bounded_assignment.h"
 #include "bounded/noise_floors.h"
+#include "bounded/noise_measurement.h"
 #include "bounded/plane_growing.h"
 #include "detection/merging_defaults.h"
 
@@ -80,9 +81,7 @@ settleVoxels (const VoxelGrid& grid,
               const KernelHoughTransformParameters& parameters,
               BoundedPlanes& planes)
 {
-  constexpr int growing_rounds = 10;
-  growPlanes (
-      grid, parameters.distance_threshold, growing_rounds, parameters.threads, planes);
+  growPlanes (grid, parameters.distance_threshold, parameters.threads, planes);
   renumberPlanes (mergePlanes (momentsOfPlanes (grid, planes), mergingOf (parameters)),
                   planes);
   reassignVoxels (grid, parameters.threads, planes);
@@ -108,11 +107,11 @@ restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
 }
 
 LabelledPlanes
-assignToEndlessPlanes (const Points& points,
-                       const OctreeClusters& found,
-                       const std::vector<HoughPlane>& hough_planes,
-                       const KernelHoughTransformParameters& parameters,
-                       StageDurations& durations)
+assignToUnboundedPlanes (const Points& points,
+                         const OctreeClusters& found,
+                         const std::vector<HoughPlane>& hough_planes,
+                         const KernelHoughTransformParameters& parameters,
+                         StageDurations& durations)
 {
   StageClock clock;
   const std::vector<Plane> planes = withoutClusters (hough_planes);

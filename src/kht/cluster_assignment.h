@@ -19,11 +19,11 @@ namespace pcl_ops::internal {
  * \param[in] parameters thresholds, the rule and the number of threads
  * \param[in,out] durations of assignment and merging */
 LabelledPlanes
-assignToEndlessPlanes (const Points& points,
-                       const OctreeClusters& found,
-                       const std::vector<HoughPlane>& planes,
-                       const KernelHoughTransformParameters& parameters,
-                       StageDurations& durations);
+assignToUnboundedPlanes (const Points& points,
+                         const OctreeClusters& found,
+                         const std::vector<HoughPlane>& planes,
+                         const KernelHoughTransformParameters& parameters,
+                         StageDurations& durations);
 
 /** \brief The same with planes that support what their clusters cover and what they
  * grow into: merging first, on the voxels of a grid, and then \ref

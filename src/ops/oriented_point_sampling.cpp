@@ -109,13 +109,9 @@ problemOf (const SurfelParameters& surfels)
   if (!(surfels.angle_threshold >= 0.0 &&
         surfels.angle_threshold <= internal::right_angle))
     return "the angle threshold of surfels must be between 0 and pi/2 (radians)";
-  if (!isAtLeastZero (surfels.largest_normal_spread))
-    return "the largest spread of normals must be 0 or more (radians)";
   if (!isAtLeastZero (surfels.sure_thickness) ||
       !isAtLeastZero (surfels.largest_thickness))
     return "the thickness of surfels must be 0 or more";
-  if (surfels.growing_rounds < 0)
-    return "the number of growing rounds must be 0 or more";
   if (!isAtLeastZero (surfels.absorption_noise_factor))
     return "the noise factor of absorption must be 0 or more";
   if (!isAtLeastZero (surfels.assignment_noise_factor))

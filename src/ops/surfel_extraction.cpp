@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/surfel_extraction.h"
 
+#include "bounded/bending.h"
 #include "bounded/noise_floors.h"
-#include "ops/one_point_ransac.h"
-#include "ops/surfel_samples.h"
-#include "voxels/voxel_traversal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,193 +13,203 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief Surfels no plane has yet. */
-class SurfelCandidates {
+using Surfels = std::vector<std::optional<Surfel>>;
+
+/** \brief Connected voxels on one plane, in the order it reached them. */
+struct Patch {
+  Indices voxels;
+  Moments moments;
+};
+
+/** \brief Spreads a plane from a surfel to those around it. */
+class SurfelSpread {
 public:
-  SurfelCandidates (const VoxelGrid& grid,
-                    const std::vector<std::optional<Surfel>>& surfels,
-                    const Indices& candidates,
-                    const SurfelRansacParameters& parameters)
+  SurfelSpread (const VoxelGrid& grid,
+                const Surfels& surfels,
+                const SurfelExtractionParameters& parameters,
+                const Labels& plane_of_voxel)
   : grid_ (grid)
   , surfels_ (surfels)
-  , parameters_ (parameters)
-  , is_open_ (grid.size(), 1)
+  , squared_factor_ (parameters.noise_factor * parameters.noise_factor)
+  , smallest_cosine_ (std::cos (parameters.angle_threshold))
+  , is_open_ (grid.size(), 0)
+  , reached_in_ (grid.size(), 0)
+  , noise_ (grid.size(), 0.0)
   {
-    for (const std::uint32_t voxel : candidates)
-      samples_.add (
-          voxel, grid.moments[voxel], *surfels[voxel], band (*surfels[voxel]));
-  }
-
-  std::size_t
-  size () const
-  {
-    return samples_.size();
+    for (std::size_t i = 0; i < grid.size(); ++i)
+      is_open_[i] = plane_of_voxel[i] == no_plane && surfels[i] &&
+                    surfels[i]->thickness < parameters.largest_thickness;
   }
 
   bool
-  mayHoldPlane () const
+  isOpen (std::uint32_t voxel) const
   {
-    return size() >= parameters_.min_inliers;
-  }
-
-  const Plane&
-  planeOf (std::uint32_t candidate) const
-  {
-    return surfels_[samples_.voxels[candidate]]->plane;
-  }
-
-  Vote
-  leastVote () const
-  {
-    return {0, static_cast<std::int32_t> (parameters_.min_inliers), size()};
-  }
-
-  Vote
-  vote (const Plane& hypothesis) const
-  {
-    return voteOf (samples_, surfelBand (hypothesis));
-  }
-
-  bool
-  suffices (const Plane& /*hypothesis*/, const Vote& vote) const
-  {
-    return vote.inliers >= static_cast<std::int32_t> (parameters_.min_inliers);
-  }
-
-  Support
-  select (const Plane& plane) const
-  {
-    Support support{plane, surfelsOn (samples_, surfelBand (plane)), Moments()};
-    support.moments = momentsOf (grid_, support.inliers);
-    return support;
+    return is_open_[voxel] != 0;
   }
 
   void
-  remove (const Peel& peel)
+  close (std::uint32_t voxel)
   {
-    for (const std::uint32_t voxel : peel.taken)
-      is_open_[voxel] = 0;
-    keepOnly (is_open_, samples_);
+    is_open_[voxel] = 0;
+  }
+
+  void
+  close (const Patch& patch)
+  {
+    for (const std::uint32_t voxel : patch.voxels)
+      close (voxel);
+  }
+
+  /** \brief Noise a voxel was judged by when it was last reached [m]. */
+  double
+  noise (std::uint32_t voxel) const
+  {
+    return noise_[voxel];
+  }
+
+  /** \brief The plane refitted to what it reaches, each time that has grown by half. */
+  Patch
+  fitting (std::uint32_t seed)
+  {
+    constexpr std::size_t first_fit = 4;
+    std::size_t next_fit = first_fit;
+    return from (seed, surfels_[seed]->plane, [&next_fit] (const Patch& patch) {
+      if (patch.voxels.size() < next_fit)
+        return std::optional<PlaneFit>();
+      next_fit = patch.voxels.size() * 3 / 2 + 1;
+      return fitPlane (patch.moments);
+    });
+  }
+
+  /** \brief What a plane reaches as it is. */
+  Patch
+  along (std::uint32_t seed, const Plane& plane)
+  {
+    return from (seed, plane, [] (const Patch&) { return std::optional<PlaneFit>(); });
   }
 
 private:
-  double
-  band (const Surfel& surfel) const
+  template <typename Refit>
+  Patch
+  from (std::uint32_t seed, Plane plane, Refit&& refit)
   {
-    return std::clamp (parameters_.noise_factor * surfel.noise,
-                       smallestBand (grid_, parameters_.distance_limit),
-                       parameters_.distance_limit);
+    ++round_;
+    Patch patch;
+    take (seed, plane, surfels_[seed]->noise, patch);
+    for (std::size_t i = 0; i < patch.voxels.size(); ++i) {
+      const std::uint32_t voxel = patch.voxels[i];
+      for (const std::uint32_t neighbour : grid_.neighbours[voxel])
+        take (neighbour, plane, noise_[voxel], patch);
+      if (const auto fit = refit (patch))
+        plane = fit->plane;
+    }
+    return patch;
   }
 
-  SurfelBand
-  surfelBand (const Plane& plane) const
+  // What lies on two planes seems noisier than either: the noise of a voxel is at most
+  // a little more than that of the voxel the plane comes from.
+  void
+  take (std::uint32_t voxel, const Plane& plane, double handed_on, Patch& patch)
   {
-    return {FloatPlane (plane),
-            static_cast<float> (std::cos (parameters_.angle_threshold))};
+    constexpr double largest_rise = 1.5;
+    if (reached_in_[voxel] == round_ || !is_open_[voxel] ||
+        std::abs (plane.normal.dot (surfels_[voxel]->plane.normal)) < smallest_cosine_)
+      return;
+    const double noise =
+        std::max (std::min (surfels_[voxel]->noise, largest_rise * handed_on),
+                  smallestNoise (grid_));
+    if (meanSquaredDistance (grid_.moments[voxel], plane) >
+        squared_factor_ * noise * noise)
+      return;
+    reached_in_[voxel] = round_;
+    noise_[voxel] = noise;
+    patch.voxels.push_back (voxel);
+    patch.moments.addAligned (grid_.moments[voxel]);
   }
 
   const VoxelGrid& grid_;
-  const std::vector<std::optional<Surfel>>& surfels_;
-  const SurfelRansacParameters& parameters_;
-  SurfelSamples samples_;
+  const Surfels& surfels_;
+  double squared_factor_;
+  double smallest_cosine_;
   std::vector<char> is_open_;
+  std::vector<std::uint32_t> reached_in_;
+  std::uint32_t round_ = 0;
+  std::vector<double> noise_;
 };
 
-// Whether the surfels' normals spread more about the plane's than noise explains, which
-// turns the normal of a thick neighbourhood by about its thickness [rad].
-bool
-isCurved (const Indices& voxels,
-          const std::vector<std::optional<Surfel>>& surfels,
-          const Plane& plane,
-          double largest_normal_spread)
+// The largest patch around a seed: of the plane fitted on the way, and of those fitted
+// to the whole of what the plane before reached.
+Patch
+largestPatch (std::uint32_t seed, std::size_t min_inliers, SurfelSpread& spread)
 {
-  constexpr double spread_of_thickness = 0.6;
-  double squared_sines = 0.0;
-  double thickness = 0.0;
-  for (const std::uint32_t voxel : voxels) {
-    const double cosine = plane.normal.dot (surfels[voxel]->plane.normal);
-    squared_sines += 1.0 - cosine * cosine;
-    thickness += surfels[voxel]->thickness;
+  constexpr std::size_t hopeless_share = 3;
+  Patch patch = spread.fitting (seed);
+  if (patch.voxels.size() * hopeless_share < min_inliers)
+    return {};
+  constexpr int most_fits = 2;
+  for (int fits = 0; fits < most_fits; ++fits) {
+    const std::optional<PlaneFit> fit = fitPlane (patch.moments);
+    if (!fit)
+      return {};
+    Patch again = spread.along (seed, fit->plane);
+    const bool grew = again.moments.count > patch.moments.count;
+    if (grew || fits == 0)
+      patch = std::move (again);
+    if (!grew)
+      break;
   }
-  const auto number = static_cast<double> (voxels.size());
-  return std::sqrt (squared_sines / number) >
-         largest_normal_spread + spread_of_thickness * thickness / number;
-}
-
-// The connected parts of a support with theta_N surfels or more.
-Indices
-largeParts (const VoxelGrid& grid,
-            const Indices& support,
-            std::size_t min_inliers,
-            std::vector<char>& mark)
-{
-  for (const std::uint32_t voxel : support)
-    mark[voxel] = 1;
-  Indices large;
-  for (const std::uint32_t voxel : support) {
-    const Indices part = connectedVoxels (grid, voxel, [&mark] (std::uint32_t other) {
-      return std::exchange (mark[other], 0) != 0;
-    });
-    if (part.size() >= min_inliers)
-      large.insert (large.end(), part.begin(), part.end());
-  }
-  if (large.size() == support.size())
-    return support;
-  std::sort (large.begin(), large.end());
-  return large;
+  return patch;
 }
 
 Indices
-candidatesOf (const std::vector<std::optional<Surfel>>& surfels,
-              const Labels& plane_of_voxel,
-              double largest_thickness)
+byThickness (const Surfels& surfels)
 {
-  Indices candidates;
+  Indices order;
   for (std::size_t i = 0; i < surfels.size(); ++i)
-    if (plane_of_voxel[i] == no_plane && surfels[i] &&
-        surfels[i]->thickness < largest_thickness)
-      candidates.push_back (static_cast<std::uint32_t> (i));
-  return candidates;
+    if (surfels[i])
+      order.push_back (static_cast<std::uint32_t> (i));
+  std::stable_sort (
+      order.begin(), order.end(), [&surfels] (std::uint32_t a, std::uint32_t b) {
+        return surfels[a]->thickness < surfels[b]->thickness;
+      });
+  return order;
+}
+
+void
+addPlane (const Plane& plane,
+          const Patch& patch,
+          const SurfelSpread& spread,
+          BoundedPlanes& planes)
+{
+  for (const std::uint32_t voxel : patch.voxels) {
+    planes.plane_of_voxel[voxel] = static_cast<std::int32_t> (planes.size());
+    planes.noise[voxel] = spread.noise (voxel);
+  }
+  planes.planes.push_back (plane);
 }
 
 } // namespace
 
 void
 extractSurfelPlanes (const VoxelGrid& grid,
-                     const std::vector<std::optional<Surfel>>& surfels,
-                     const SurfelRansacParameters& parameters,
-                     RandomGenerator& generator,
+                     const Surfels& surfels,
+                     const SurfelExtractionParameters& parameters,
                      BoundedPlanes& planes)
 {
   planes.plane_of_voxel.resize (grid.size(), no_plane);
   planes.noise.resize (grid.size(), 0.0);
-  SurfelCandidates samples (
-      grid,
-      surfels,
-      candidatesOf (surfels, planes.plane_of_voxel, parameters.largest_thickness),
-      parameters);
-  std::vector<char> mark (grid.size(), 0);
-  const auto largest_plane =
-      [&] (const SurfelCandidates& candidates) -> std::optional<Peel> {
-    const std::optional<Plane> hypothesis =
-        onePointRansac (candidates, parameters.probability, generator);
-    if (!hypothesis)
-      return std::nullopt;
-    Support support = growSupport (*hypothesis, [&candidates] (const Plane& plane) {
-      return candidates.select (plane);
-    });
-    Indices parts = largeParts (grid, support.inliers, parameters.min_inliers, mark);
-    const std::optional<PlaneFit> fit = fitPlane (momentsOf (grid, parts));
-    if (fit && !isCurved (parts, surfels, fit->plane, parameters.largest_normal_spread))
-      return Peel{std::move (parts), fit->plane};
-    return Peel{std::move (support.inliers), std::nullopt};
-  };
-  for (const ExtractedPlane& found : extractAll (samples, largest_plane)) {
-    for (const std::uint32_t voxel : found.inliers) {
-      planes.plane_of_voxel[voxel] = static_cast<std::int32_t> (planes.planes.size());
-      planes.noise[voxel] = std::max (surfels[voxel]->noise, smallestNoise (grid));
-    }
-    planes.planes.push_back (found.plane);
+  SurfelSpread spread (grid, surfels, parameters, planes.plane_of_voxel);
+  for (const std::uint32_t seed : byThickness (surfels)) {
+    if (!spread.isOpen (seed))
+      continue;
+    const Patch patch = largestPatch (seed, parameters.min_inliers, spread);
+    spread.close (seed);
+    const std::optional<PlaneFit> fit = fitPlane (patch.moments);
+    if (!fit || patch.voxels.size() < parameters.min_inliers)
+      continue;
+    spread.close (patch);
+    if (!isCurved (bendingOf (grid.moments, patch.voxels, *fit)))
+      addPlane (fit->plane, patch, spread, planes);
   }
 }
 

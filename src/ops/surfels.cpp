@@ -209,13 +209,29 @@ coarserLevel (const VoxelGrid& finest, const Level& last, unsigned threads)
   return level;
 }
 
+// Whether a voxel's surroundings are far noisier than its own points: not noise, then,
+// but surfaces finer than the voxels, say the two slopes of a roof.
+bool
+hidesSurfaces (const Surfel& surfel, const Moments& voxel, double smallest_noise)
+{
+  constexpr double fewest_points = 16.0;
+  constexpr double noises = 6.0;
+  if (voxel.count < fewest_points || surfel.noise <= noises * smallest_noise)
+    return false;
+  // Of a plane through the voxel's points, which takes three of them to fit.
+  const double own =
+      principalAxes (voxel.covariance()).values[0] * voxel.count / (voxel.count - 3.0);
+  return surfel.noise * surfel.noise > noises * noises * own;
+}
+
 } // namespace
 
 std::vector<std::optional<Surfel>>
 findSurfels (const VoxelGrid& grid,
              int resolutions,
              double least_points,
-             unsigned threads)
+             unsigned threads,
+             const Labels& plane_of_voxel)
 {
   std::vector<Level> levels;
   for (int l = 0; l < resolutions; ++l) {
@@ -223,8 +239,14 @@ findSurfels (const VoxelGrid& grid,
     findNormals (levels.back().gridOr (grid), least_points, threads, levels.back());
   }
   std::vector<std::optional<Surfel>> normals (grid.size());
-  forVoxels (
-      grid, threads, [&] (std::size_t i) { normals[i] = surfelOf (i, grid, levels); });
+  forVoxels (grid, threads, [&] (std::size_t i) {
+    if (!plane_of_voxel.empty() && plane_of_voxel[i] != no_plane)
+      return;
+    normals[i] = surfelOf (i, grid, levels);
+    if (normals[i] &&
+        hidesSurfaces (*normals[i], grid.moments[i], smallestNoise (grid)))
+      normals[i].reset();
+  });
   return normals;
 }
 

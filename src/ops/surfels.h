@@ -31,11 +31,13 @@ struct Surfel {
  * \param[in] grid the voxels
  * \param[in] resolutions grids, each of twice the voxel size of the one before
  * \param[in] least_points fewest points of a neighbourhood
- * \param[in] threads number of threads; 0: all. The result does not depend on it */
+ * \param[in] threads number of threads; 0: all. The result does not depend on it
+ * \param[in] plane_of_voxel voxels on planes need no surfel; empty: none has one */
 std::vector<std::optional<Surfel>>
 findSurfels (const VoxelGrid& grid,
              int resolutions,
              double least_points,
-             unsigned threads);
+             unsigned threads,
+             const Labels& plane_of_voxel = {});
 
 } // namespace pcl_ops::internal

@@ -3,10 +3,10 @@
 #include "ops/voxel_surfels.h"
 
 #include "bounded/bounded_assignment.h"
-#include "bounded/noise_floors.h"
+#include "bounded/hole_filling.h"
+#include "bounded/noise_measurement.h"
 #include "bounded/plane_absorption.h"
 #include "bounded/plane_growing.h"
-#include "bounded/surface_separation.h"
 #include "ops/surfel_extraction.h"
 
 #include <algorithm>
@@ -17,13 +17,15 @@ namespace pcl_ops::internal {
 
 namespace {
 
+using Surfels = std::vector<std::optional<Surfel>>;
+
 // How many voxels to divide a cloud into. Measured on rooms of 50 k to 3 M points:
 // smaller planes need more voxels, but noise does not shrink with their size, so that
 // their number grows much more slowly than that of the points.
 double
 wantedVoxels (std::size_t points, double sampling_rate)
 {
-  constexpr double voxels_per_sample = 4.0 / 3.0;
+  constexpr double voxels_per_sample = 2.0 / 3.0;
   constexpr double reference_points = 300000.0;
   constexpr double fewest_points_per_voxel = 5.0;
   const auto number = static_cast<double> (points);
@@ -41,20 +43,29 @@ meanPointsPerVoxel (const VoxelGrid& grid)
   return points / static_cast<double> (grid.size());
 }
 
-SurfelRansacParameters
-ransacParameters (const VoxelGrid& grid,
-                  const OrientedPointSamplingParameters& parameters)
+Surfels
+surfelsOf (const VoxelGrid& grid,
+           const OrientedPointSamplingParameters& parameters,
+           const Labels& plane_of_voxel = {})
 {
   const SurfelParameters& surfels = parameters.surfels;
-  SurfelRansacParameters ransac;
-  ransac.distance_limit = distanceLimit (grid, parameters.distance_threshold);
-  ransac.noise_factor = surfels.noise_factor;
-  ransac.angle_threshold = surfels.angle_threshold;
-  ransac.largest_normal_spread = surfels.largest_normal_spread;
-  ransac.largest_thickness = surfels.largest_thickness;
-  ransac.min_inliers = std::max (1u, parameters.min_inliers);
-  ransac.probability = parameters.probability;
-  return ransac;
+  const double least_points =
+      std::max (static_cast<double> (parameters.k),
+                surfels.least_average_voxels * meanPointsPerVoxel (grid));
+  return findSurfels (
+      grid, surfels.resolutions, least_points, parameters.threads, plane_of_voxel);
+}
+
+SurfelExtractionParameters
+extractionParameters (const OrientedPointSamplingParameters& parameters,
+                      double largest_thickness)
+{
+  SurfelExtractionParameters extraction;
+  extraction.noise_factor = parameters.surfels.noise_factor;
+  extraction.angle_threshold = parameters.surfels.angle_threshold;
+  extraction.largest_thickness = largest_thickness;
+  extraction.min_inliers = std::max (1u, parameters.min_inliers);
+  return extraction;
 }
 
 // Real walls are not flat: whether two planes are one follows their noise.
@@ -65,6 +76,18 @@ mergingByNoise (MergingParameters merging)
   merging.distance_threshold = merging.distance_threshold.value_or (0.0);
   merging.noise_factor = merging.noise_factor.value_or (usual_noise_factor);
   return merging;
+}
+
+// Makes one plane of those that noise tore apart, and of those that a gap did.
+void
+joinPlanes (const VoxelGrid& grid,
+            const OrientedPointSamplingParameters& parameters,
+            BoundedPlanes& planes)
+{
+  absorbPlanes (grid, parameters.surfels.absorption_noise_factor, planes);
+  renumberPlanes (
+      mergePlanes (momentsOfPlanes (grid, planes), mergingByNoise (parameters.merging)),
+      planes);
 }
 
 } // namespace
@@ -85,66 +108,83 @@ VoxelSurfels::sample (const Points& points) const
 std::vector<std::optional<Surfel>>
 VoxelSurfels::orient (const Points& /*points*/, const VoxelizedPoints& voxelized) const
 {
-  const SurfelParameters& surfels = parameters_.surfels;
-  const VoxelGrid& grid = voxelized.grid;
-  const double least_points =
-      std::max (static_cast<double> (parameters_.k),
-                surfels.least_average_voxels * meanPointsPerVoxel (grid));
-  return findSurfels (grid, surfels.resolutions, least_points, parameters_.threads);
+  return surfelsOf (voxelized.grid, parameters_);
 }
 
-BoundedPlanes
-VoxelSurfels::extract (const Points& /*points*/,
+RefinedPlanes
+VoxelSurfels::extract (const Points& points,
                        const VoxelizedPoints& voxelized,
                        const std::vector<std::optional<Surfel>>& surfels) const
 {
+  const unsigned threads = parameters_.threads;
+  RefinedPlanes planes;
+  const auto extract_among =
+      [&] (const VoxelGrid& grid, const Surfels& own, double thickness, auto& among) {
+        const std::size_t before = among.size();
+        extractSurfelPlanes (
+            grid, own, extractionParameters (parameters_, thickness), among);
+        planes.found += among.size() - before;
+        fillHoles (grid, among);
+      };
   const VoxelGrid& grid = voxelized.grid;
-  RandomGenerator generator (parameters_.seed);
-  BoundedPlanes planes;
-  SurfelRansacParameters ransac = ransacParameters (grid, parameters_);
-  for (const double thickness :
-       {parameters_.surfels.sure_thickness, parameters_.surfels.largest_thickness}) {
-    ransac.largest_thickness = thickness;
-    extractSurfelPlanes (grid, surfels, ransac, generator, planes);
-    growPlanes (grid,
-                parameters_.distance_threshold,
-                parameters_.surfels.growing_rounds,
-                parameters_.threads,
-                planes);
-  }
+  planes.coarse.plane_of_voxel.assign (grid.size(), no_plane);
+  planes.coarse.noise.assign (grid.size(), 0.0);
+  extract_among (grid, surfels, parameters_.surfels.sure_thickness, planes.coarse);
+  measureNoise (grid, threads, planes.coarse);
+  joinPlanes (grid, parameters_, planes.coarse);
+  measureNoise (grid, threads, planes.coarse);
+  planes.finer = refine (points, voxelized, planes.coarse, threads);
+  const VoxelGrid& finer = planes.finer.voxelized.grid;
+  extract_among (finer,
+                 surfelsOf (finer, parameters_, planes.finer.planes.plane_of_voxel),
+                 parameters_.surfels.largest_thickness,
+                 planes.finer.planes);
   return planes;
 }
 
 void
-VoxelSurfels::bound (const Points& points,
-                     const VoxelizedPoints& voxelized,
-                     BoundedPlanes& planes) const
+VoxelSurfels::bound (const Points& /*points*/,
+                     const VoxelizedPoints& /*voxelized*/,
+                     RefinedPlanes& planes) const
 {
-  const VoxelGrid& grid = voxelized.grid;
-  absorbPlanes (grid, parameters_.surfels.absorption_noise_factor, planes);
-  renumberPlanes (mergePlanes (momentsOfPlanes (grid, planes),
-                               mergingByNoise (parameters_.merging)),
-                  planes);
-  reassignVoxels (grid, parameters_.threads, planes);
-  if (parameters_.surfels.separates_surfaces)
-    separateSurfaces (
-        grid, input_.viewpoint - points.origin, parameters_.min_inliers, planes);
-  measureNoise (grid, parameters_.threads, planes);
+  const VoxelGrid& grid = planes.finer.voxelized.grid;
+  BoundedPlanes& bounded = planes.finer.planes;
+  growPlanes (grid, parameters_.distance_threshold, parameters_.threads, bounded);
+  joinPlanes (grid, parameters_, bounded);
+  reassignVoxels (grid, parameters_.threads, bounded);
+  measureNoise (grid, parameters_.threads, bounded);
+  relabel (planes.coarse.plane_of_voxel, bounded.became, parameters_.threads);
+  planes.coarse.planes = bounded.planes;
 }
 
 AssignedPoints
 VoxelSurfels::assign (const Points& points,
                       const VoxelizedPoints& voxelized,
-                      const BoundedPlanes& planes) const
+                      const RefinedPlanes& planes) const
 {
   if (voxelized.grid.size() == 0)
     return {Labels (points.size(), no_plane), {}};
-  return assignToBoundedPlanes (points,
-                                voxelized,
-                                planes,
-                                parameters_.distance_threshold,
-                                parameters_.surfels.assignment_noise_factor,
-                                parameters_.threads);
+  const auto assigned = [&] (const Coordinates& positions,
+                             const VoxelizedPoints& voxels,
+                             const BoundedPlanes& bounded,
+                             const std::vector<char>& is_left_out) {
+    return assignToBoundedPlanes (positions,
+                                  voxels,
+                                  bounded,
+                                  parameters_.distance_threshold,
+                                  parameters_.surfels.assignment_noise_factor,
+                                  parameters_.threads,
+                                  is_left_out);
+  };
+  const Refinement& finer = planes.finer;
+  AssignedPoints all = assigned (points, voxelized, planes.coarse, finer.is_refined);
+  const AssignedPoints refined =
+      assigned (finer.positions, finer.voxelized, finer.planes, {});
+  for (std::size_t i = 0; i < finer.points.size(); ++i)
+    all.labels[finer.points[i]] = refined.labels[i];
+  for (std::size_t p = 0; p < all.moments.size(); ++p)
+    all.moments[p].addAligned (refined.moments[p]);
+  return all;
 }
 
 LabelledPlanes

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "bounded/bounded_planes.h"
+#include "bounded/refinement.h"
 #include "detection/labelled_planes.h"
 #include "ops/surfels.h"
 #include "voxels/voxel_grid.h"
@@ -13,8 +13,25 @@
 
 namespace pcl_ops::internal {
 
+/** \brief Planes with the voxels they are on, coarse ones and, where those were not
+ * enough, finer ones. */
+struct RefinedPlanes {
+  BoundedPlanes coarse;
+  /** \brief With all planes. */
+  Refinement finer;
+  /** \brief How many planes were found, those since joined counted one by one. */
+  std::size_t found = 0;
+
+  std::size_t
+  size () const
+  {
+    return found;
+  }
+};
+
 /** \brief The recommended sampling: the flat voxels of a grid, with the normals of the
- * moments around; planes end where their voxels end. */
+ * moments around; planes end where their voxels end. Coarse first: only points that no
+ * plane explains are looked at more closely. */
 class VoxelSurfels {
 public:
   /** \param[in] input, parameters used as long as this is */
@@ -30,8 +47,8 @@ public:
   std::vector<std::optional<Surfel>>
   orient (const Points& points, const VoxelizedPoints& voxelized) const;
 
-  /** \brief Planes of sure surfels first, then of all that are left. */
-  BoundedPlanes
+  /** \brief Planes in coarse voxels first, then in finer ones of the points left. */
+  RefinedPlanes
   extract (const Points& points,
            const VoxelizedPoints& voxelized,
            const std::vector<std::optional<Surfel>>& surfels) const;
@@ -40,12 +57,12 @@ public:
   void
   bound (const Points& points,
          const VoxelizedPoints& voxelized,
-         BoundedPlanes& planes) const;
+         RefinedPlanes& planes) const;
 
   AssignedPoints
   assign (const Points& points,
           const VoxelizedPoints& voxelized,
-          const BoundedPlanes& planes) const;
+          const RefinedPlanes& planes) const;
 
   /** \brief Fits the planes to their points; their bounds have been settled. */
   LabelledPlanes

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <numeric>
 
 namespace pcl_ops::internal {
@@ -118,14 +120,33 @@ finish (VoxelTable& table,
   return order;
 }
 
-// Some of the points, evenly spread over their order.
+// A number as good as drawn, but the same for a position wherever it stands, and in any
+// unit that is a power of two: exponents are left out.
+std::uint32_t
+hashOf (float x, float y, float z)
+{
+  const auto bits = [] (float value) {
+    constexpr std::uint32_t sign_and_mantissa = 0x807fffff;
+    std::uint32_t same;
+    std::memcpy (&same, &value, sizeof same);
+    return same & sign_and_mantissa;
+  };
+  std::uint32_t hash =
+      bits (x) * 0x9e3779b1u ^ bits (y) * 0x85ebca6bu ^ bits (z) * 0xc2b2ae35u;
+  hash = (hash ^ hash >> 16) * 0x7feb352du;
+  return hash ^ hash >> 15;
+}
+
+// Some of the points, the same ones whatever their order.
 Coordinates
 someOf (const Coordinates& positions, std::size_t wanted)
 {
-  const std::size_t stride = positions.size() / wanted + 1;
+  const auto share = static_cast<std::uint32_t> (positions.size() / wanted + 1);
+  const std::uint32_t last_taken = std::numeric_limits<std::uint32_t>::max() / share;
   Coordinates some;
-  for (std::size_t i = 0; i < positions.size(); i += stride)
-    some.add (positions.x[i], positions.y[i], positions.z[i]);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (hashOf (positions.x[i], positions.y[i], positions.z[i]) <= last_taken)
+      some.add (positions.x[i], positions.y[i], positions.z[i]);
   return some;
 }
 
@@ -164,6 +185,8 @@ voxelSizeFor (const Coordinates& positions, double wanted_voxels)
   if (positions.size() == 0)
     return 0.0;
   const Coordinates some = someOf (positions, looked_at);
+  if (some.size() == 0)
+    return 0.0;
   double voxel_size = diagonal (some) / 25.0;
   if (!(voxel_size > 0.0 && std::isfinite (voxel_size)))
     return 0.0;

@@ -22,22 +22,4 @@ forVoxels (const VoxelGrid& grid, unsigned threads, Visit&& visit)
       });
 }
 
-/** \brief A voxel and all that are connected to it.
- * \param[in] take (voxel): whether the voxel belongs to it; asked again of a voxel that
- * was taken, it says no */
-template <typename Take>
-Indices
-connectedVoxels (const VoxelGrid& grid, std::uint32_t start, Take&& take)
-{
-  Indices connected;
-  if (!take (start))
-    return connected;
-  connected.push_back (start);
-  for (std::size_t i = 0; i < connected.size(); ++i)
-    for (const std::uint32_t neighbour : grid.neighbours[connected[i]])
-      if (take (neighbour))
-        connected.push_back (neighbour);
-  return connected;
-}
-
 } // namespace pcl_ops::internal

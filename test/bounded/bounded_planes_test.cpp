@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bounded/bounded_planes.h"
-#include "bounded/noise_floors.h"
 #include "voxel_scene.h"
 
 using pcl_ops::Labels;
@@ -15,7 +14,6 @@ namespace {
 // In the middle of voxels of 10 cm; 20 x 20 of them each.
 const Surface ground = {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
 const Surface wall = {{0.05, 0, 0}, {0, 2, 0}, {0, 0, 2}};
-const Surface step = {{2, 0, 0.15}, {2, 0, 0}, {0, 2, 0}};
 
 const Plane tilted =
     pcl_ops::planeThrough (ground.centre(), Eigen::Vector3d (0.1, 0, 1).normalized());
@@ -49,44 +47,6 @@ planesOf (const VoxelizedPoints& voxelized, const Labels& plane_of_point)
 }
 
 } // namespace
-
-TEST (Noise, IsTheRmsDistanceToThePlane)
-{
-  VoxelScene scene ({{ground}}, 1_cm);
-  scene.planes.noise.assign (scene.grid().size(), 0.0);
-  measureNoise (scene.grid(), 1, scene.planes);
-  for (const double noise : scene.planes.noise)
-    EXPECT_NEAR (noise, 1_cm / std::sqrt (3.0), 1_mm);
-}
-
-TEST (Noise, IsThatOfTheOwnPlanesVoxelsAlone)
-{
-  VoxelScene scene ({{ground}, {step}});
-  scene.planes.planes[1] = atHeight (0.18); // 3 cm off its points
-  measureNoise (scene.grid(), 1, scene.planes);
-  for (std::size_t i = 0; i < scene.grid().size(); ++i)
-    EXPECT_NEAR (
-        scene.planes.noise[i], scene.planes.plane_of_voxel[i] == 1 ? 3_cm : 6_mm, 1e-6);
-}
-
-TEST (Noise, IsNotMeasuredMoreFinelyThanAShareOfAVoxel)
-{
-  VoxelScene scene ({{ground}});
-  scene.planes.noise.assign (scene.grid().size(), 0.0);
-  measureNoise (scene.grid(), 1, scene.planes);
-  EXPECT_EQ (scene.planes.noise, std::vector<double> (400, 6_mm));
-}
-
-TEST (Noise, FloorsFollowTheVoxelSize)
-{
-  VoxelGrid grid;
-  grid.voxel_size = 10_cm;
-  EXPECT_DOUBLE_EQ (smallestNoise (grid), 6_mm);
-  EXPECT_DOUBLE_EQ (distanceLimit (grid, std::nullopt), 20_cm) << "two voxels";
-  EXPECT_DOUBLE_EQ (distanceLimit (grid, 3_cm), 3_cm) << "theta_h";
-  EXPECT_DOUBLE_EQ (smallestBand (grid, 1_m), 2_cm);
-  EXPECT_DOUBLE_EQ (smallestBand (grid, 1_cm), 1_cm) << "never above theta_h";
-}
 
 TEST (Reassignment, GivesAVoxelBackToTheNearerPlaneNextToIt)
 {
@@ -154,6 +114,18 @@ TEST (MomentsOfPlanes, AddUpThePointsOfTheirVoxels)
   EXPECT_NEAR (moments[1].sum.x(), 0.05 + 0.25, 1e-6);
 }
 
+TEST (MomentsOfPlanes, HoldWhatPlanesHaveBeyondTheirVoxels)
+{
+  const VoxelizedPoints three = threeVoxels();
+  BoundedPlanes planes = planesOf (three, {0, 0, 1});
+  planes.beyond.resize (1);
+  planes.beyond[0].add (1, 2, 3);
+  const auto moments = momentsOfPlanes (three.grid, planes);
+  ASSERT_EQ (moments.size(), 2u);
+  EXPECT_EQ (moments[0].count, 3.0);
+  EXPECT_EQ (moments[1].count, 1.0);
+}
+
 TEST (MomentsOf, SomeVoxelsAreThoseOfTheirPoints)
 {
   const VoxelizedPoints three = threeVoxels();
@@ -206,4 +178,29 @@ TEST (Renumbering, TakesVoxelsOffPlanesThatWereDropped)
   renumberPlanes (merged, planes);
   EXPECT_EQ (planes.plane_of_voxel, Labels (3, no_plane));
   EXPECT_EQ (planes.size(), 0u);
+}
+
+TEST (Relabelling, AddsUpWhatPlanesHaveBeyondTheirVoxels)
+{
+  BoundedPlanes planes;
+  planes.planes.resize (3);
+  planes.beyond.resize (3);
+  planes.beyond[0].add (1, 0, 0);
+  planes.beyond[1].add (2, 0, 0);
+  planes.beyond[2].add (4, 0, 0);
+  relabelPlanes ({1, no_plane, 1}, 2, planes);
+  ASSERT_EQ (planes.beyond.size(), 2u);
+  EXPECT_EQ (planes.beyond[0].count, 0.0);
+  EXPECT_EQ (planes.beyond[1].count, 2.0);
+  EXPECT_EQ (planes.beyond[1].sum.x(), 5.0);
+}
+
+TEST (Relabelling, RemembersWhatThePlanesOfTheBeginningBecame)
+{
+  // Planes 0, 1 and 2 of the beginning; 1 went into 0 before, so that 2 is called 1.
+  BoundedPlanes planes;
+  planes.planes.resize (2);
+  planes.became = {0, 0, 1};
+  relabelPlanes ({1, 0}, 2, planes);
+  EXPECT_EQ (planes.became, (Labels{1, 1, 0}));
 }

@@ -25,7 +25,7 @@ TEST (Absorption, GivesASplinterToThePlaneAroundIt)
 {
   VoxelScene scene ({{ground}}, 5_mm);
   splitOff (20_cm, scene);
-  absorbPlanes (scene.grid(), 1.8, scene.planes);
+  absorbPlanes (scene.grid(), 2.0, scene.planes);
   EXPECT_EQ (scene.planes.size(), 1u);
   EXPECT_EQ (scene.voxelsOn (0), 400u);
 }
@@ -35,7 +35,7 @@ TEST (Absorption, GivesASplinterOfASplinterToThePlaneAroundThem)
   VoxelScene scene ({{ground}}, 5_mm);
   splitOff (40_cm, scene);
   splitOff (10_cm, scene); // touches the first alone
-  absorbPlanes (scene.grid(), 1.8, scene.planes);
+  absorbPlanes (scene.grid(), 2.0, scene.planes);
   EXPECT_EQ (scene.planes.size(), 1u);
   EXPECT_EQ (scene.voxelsOn (0), 400u);
 }
@@ -46,7 +46,7 @@ TEST (Absorption, GoesOnWhereAnAbsorbedPlaneWasInBetween)
   VoxelScene scene ({{ground}}, 5_mm);
   splitOff (1.2_m, scene);
   splitOff (80_cm, scene);
-  absorbPlanes (scene.grid(), 1.8, scene.planes);
+  absorbPlanes (scene.grid(), 2.0, scene.planes);
   EXPECT_EQ (scene.planes.size(), 1u);
   EXPECT_EQ (scene.voxelsOn (0), 400u);
 }
@@ -54,33 +54,72 @@ TEST (Absorption, GoesOnWhereAnAbsorbedPlaneWasInBetween)
 TEST (Absorption, LeavesAStepOfManyTimesTheNoise)
 {
   VoxelScene scene ({{ground}, {{{2, 0, 0.13}, {2, 0, 0}, {0, 2, 0}}}}, 5_mm);
-  absorbPlanes (scene.grid(), 1.8, scene.planes);
+  absorbPlanes (scene.grid(), 2.0, scene.planes);
   EXPECT_EQ (scene.planes.size(), 2u);
 }
 
-TEST (Absorption, TakesAStepThatTheNoiseOfTheLargerExplains)
+TEST (Absorption, TakesAStepThatTheNoiseOfBothExplains)
 {
-  // 3 cm up: five times the smallest noise, once a noise of 3 cm.
-  for (const double noise : {6_mm, 3_cm}) {
-    VoxelScene scene ({{ground}, {{{2, 0, 0.08}, {1, 0, 0}, {0, 2, 0}}}});
-    scene.planes.noise.assign (scene.grid().size(), noise);
-    absorbPlanes (scene.grid(), 1.8, scene.planes);
+  // 3 cm up, with points within 3 mm and within 3 cm of their surface.
+  for (const double noise : {3_mm, 3_cm}) {
+    VoxelScene scene ({{ground}, {{{2, 0, 0.08}, {1, 0, 0}, {0, 2, 0}}}}, noise);
+    absorbPlanes (scene.grid(), 2.0, scene.planes);
     EXPECT_EQ (scene.planes.size(), noise < 1_cm ? 2u : 1u);
   }
+}
+
+TEST (Absorption, GoesByTheNoiseOnTheOthersSideOfTheBorder)
+{
+  // A strip without noise 8 mm above the ground: with a noise of 1 cm there it fits.
+  const Surface strip = {{2, 0, 0.058}, {0.1, 0, 0}, {0, 2, 0}};
+  for (const double noise : {1_mm, 1_cm}) {
+    VoxelScene scene ({{ground}}, 1_cm);
+    addGrid (scene.points, strip, 12);
+    scene.voxelized = voxelize (scene.points, 10_cm, 1);
+    scene.planes.planes.push_back (
+        pcl_ops::planeThrough (strip.centre(), strip.normal()));
+    scene.planes.plane_of_voxel.assign (scene.grid().size(), 0);
+    scene.planes.noise.assign (scene.grid().size(), noise);
+    scene.label (1, [] (const auto& at) { return at.x() > 2.0; });
+    absorbPlanes (scene.grid(), 2.0, scene.planes);
+    EXPECT_EQ (scene.planes.size(), noise < 5_mm ? 2u : 1u);
+  }
+}
+
+TEST (Absorption, TakesNothingThatTheLargerWouldSufferFrom)
+{
+  // The smaller could be that noisy, but the points of the larger lie within 3 mm.
+  VoxelScene scene ({{ground}, {{{2, 0, 0.08}, {1, 0, 0}, {0, 2, 0}}}}, 3_mm);
+  scene.planes.noise.assign (scene.grid().size(), 5_cm);
+  absorbPlanes (scene.grid(), 2.0, scene.planes);
+  EXPECT_EQ (scene.planes.size(), 2u);
+}
+
+TEST (Absorption, WeighsWhatAPlaneHasElsewhere)
+{
+  // The ground is larger than these voxels show: it gives way less to what it takes.
+  VoxelScene scene ({{ground}, {{{2, 0, 0.056}, {1.9, 0, 0}, {0, 2, 0}}}}, 1_cm);
+  const VoxelScene elsewhere ({{{{-50, -50, 0.05}, {40, 0, 0}, {0, 100, 0}},
+                                {{10, -50, 0.05}, {40, 0, 0}, {0, 100, 0}}}});
+  scene.planes.beyond = momentsOfPlanes (elsewhere.grid(), elsewhere.planes);
+  absorbPlanes (scene.grid(), 2.0, scene.planes);
+  ASSERT_EQ (scene.planes.size(), 1u);
+  EXPECT_LT (std::abs (scene.planes.planes[0].distance ({2, 1, 0.05})), 2_mm)
+      << "3 mm were there no more than the two";
 }
 
 TEST (Absorption, LeavesCoplanarPlanesThatDoNotTouch)
 {
   VoxelScene scene ({{ground}, {{{3, 0, 0.05}, {1, 0, 0}, {0, 2, 0}}}});
-  absorbPlanes (scene.grid(), 1.8, scene.planes);
+  absorbPlanes (scene.grid(), 2.0, scene.planes);
   EXPECT_EQ (scene.planes.size(), 2u);
 }
 
 TEST (Absorption, RefitsThePlaneThatTookAnother)
 {
   // Half of the ground at 5 cm, a smaller half at 6 cm: together in between.
-  VoxelScene scene ({{ground}, {{{2, 0, 0.06}, {1.9, 0, 0}, {0, 2, 0}}}});
-  absorbPlanes (scene.grid(), 1.8, scene.planes);
+  VoxelScene scene ({{ground}, {{{2, 0, 0.06}, {1.9, 0, 0}, {0, 2, 0}}}}, 1_cm);
+  absorbPlanes (scene.grid(), 2.0, scene.planes);
   ASSERT_EQ (scene.planes.size(), 1u);
   EXPECT_NEAR (std::abs (scene.planes.planes[0].distance ({2, 1, 0.05})), 5_mm, 1_mm);
 }

@@ -127,10 +127,8 @@ Mistakes<OpsParameters>
 mistakesOfSurfels ()
 {
   using P = OpsParameters;
-  Mistakes<P> mistakes{
-      {"resolutions", [] (P& p) { p.surfels.resolutions = 0; }},
-      {"resolutions", [] (P& p) { p.surfels.resolutions = 11; }},
-      {"growing rounds", [] (P& p) { p.surfels.growing_rounds = -1; }}};
+  Mistakes<P> mistakes{{"resolutions", [] (P& p) { p.surfels.resolutions = 0; }},
+                       {"resolutions", [] (P& p) { p.surfels.resolutions = 11; }}};
   const auto add = [&mistakes] (const std::string& words,
                                 auto pcl_ops::SurfelParameters::*field,
                                 const std::vector<double>& others = {}) {
@@ -142,7 +140,6 @@ mistakesOfSurfels ()
   add ("least average voxels", &Surfels::least_average_voxels);
   add ("noise factor of surfels", &Surfels::noise_factor);
   add ("angle threshold of surfels", &Surfels::angle_threshold, {91_deg});
-  add ("spread of normals", &Surfels::largest_normal_spread);
   add ("thickness of surfels", &Surfels::sure_thickness);
   add ("thickness of surfels", &Surfels::largest_thickness);
   add ("noise factor of absorption", &Surfels::absorption_noise_factor);
@@ -242,7 +239,6 @@ TEST (ProblemOf, ValuesAtTheEndsOfTheirRangesIsEmpty)
                                   [] (auto& p) { p.merging.noise_factor = 0.0; },
                                   [] (auto& p) { p.surfels.resolutions = 1; },
                                   [] (auto& p) { p.surfels.resolutions = 10; },
-                                  [] (auto& p) { p.surfels.growing_rounds = 0; },
                                   [] (auto& p) { p.surfels.voxel_size = 1e-6; },
                                   [] (auto& p) { p.surfels.sure_thickness = 0.0; }});
 }

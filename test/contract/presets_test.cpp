@@ -31,14 +31,11 @@ expectDefaults (const SurfelParameters& surfels)
   EXPECT_EQ (surfels.voxel_size, std::nullopt);
   EXPECT_EQ (surfels.resolutions, 3);
   EXPECT_EQ (surfels.least_average_voxels, 8.0);
-  EXPECT_EQ (surfels.noise_factor, 3.0);
+  EXPECT_EQ (surfels.noise_factor, 2.0);
   EXPECT_DOUBLE_EQ (surfels.angle_threshold, 30_deg);
-  EXPECT_EQ (surfels.largest_normal_spread, 0.13);
-  EXPECT_EQ (surfels.sure_thickness, 0.2);
+  EXPECT_EQ (surfels.sure_thickness, 0.25);
   EXPECT_EQ (surfels.largest_thickness, 0.3);
-  EXPECT_EQ (surfels.growing_rounds, 10);
-  EXPECT_EQ (surfels.absorption_noise_factor, 1.8);
-  EXPECT_TRUE (surfels.separates_surfaces);
+  EXPECT_EQ (surfels.absorption_noise_factor, 2.0);
   EXPECT_EQ (surfels.assignment_noise_factor, 4.0);
 }
 

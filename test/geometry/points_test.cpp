@@ -46,6 +46,21 @@ TEST (FinitePoints, DropsNanAndInfinityWhateverIsDenseSays)
   }
 }
 
+TEST (FinitePoints, ShareAFrameWithOthersOfTheirSurroundings)
+{
+  // The corners of a square of two metres, a thousand kilometres out, and the middles
+  // of its sides.
+  const float far = 1e6f;
+  const auto corners =
+      cloudOf ({{far, 0, 0}, {far + 2, 0, 0}, {far, 2, 0}, {far + 2, 2, 0}});
+  const auto middles =
+      cloudOf ({{far + 1, 0, 0}, {far + 1, 2, 0}, {far, 1, 0}, {far + 2, 1, 0}});
+  const pcl::Indices all{0, 1, 2, 3};
+  const Eigen::Vector3d origin = finitePoints (CloudView (corners), all, 1).origin;
+  EXPECT_EQ (finitePoints (CloudView (middles), all, 1).origin, origin);
+  EXPECT_NEAR (origin.x(), far, 32.0) << "near enough for single precision";
+}
+
 TEST (FinitePoints, KnowsWherePointsCameFrom)
 {
   const auto cloud = cloudOf ({{1, 2, 3}, {4, 5, 6}, {7, 8, 9}});

@@ -49,7 +49,7 @@ struct Step {
   endless ()
   {
     StageDurations durations;
-    return assignToEndlessPlanes (points, clusters, planes, parameters, durations);
+    return assignToUnboundedPlanes (points, clusters, planes, parameters, durations);
   }
 
   Points points;
@@ -82,7 +82,7 @@ TEST (ClusterAssignment, GivesEachPointToItsOutlinedPlane)
   EXPECT_GT (shareOfOneLabelEach (scene.outlined().labels), 99_percent);
 }
 
-TEST (ClusterAssignment, GivesEachPointToItsEndlessPlane)
+TEST (ClusterAssignment, GivesEachPointToItsUnboundedPlane)
 {
   Step scene;
   EXPECT_GT (shareOfOneLabelEach (scene.endless().labels), 99_percent);

@@ -141,3 +141,39 @@ TEST (OrientedVoxels, HaveNoSurfelOfFewerPointsThanAsked)
   for (const auto& surfel : findSurfels (grid, 1, 325.0, 1))
     EXPECT_FALSE (surfel);
 }
+
+TEST (OrientedVoxels, HaveNoSurfelWhereSurfacesAreFinerThanTheirNeighbourhoods)
+{
+  // A roof of many slopes, each as long as a voxel: flat in every voxel, but not
+  // around.
+  Coordinates points;
+  addGrid (points, floor_of_the_scene, 200);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points.z[i] = 0.01f + 0.8f * std::abs (std::remainder (points.x[i], 0.2f));
+  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
+  EXPECT_EQ (grid.size(), 400u);
+  for (const auto& surfel : surfelsOf (grid))
+    EXPECT_FALSE (surfel);
+}
+
+TEST (OrientedVoxels, HaveASurfelWhereTheVoxelItselfIsAsNoisyAsItsNeighbourhood)
+{
+  // As much unevenness as on that roof, but of every point by itself.
+  Coordinates points;
+  addGrid (points, floor_of_the_scene, 200, 2_cm);
+  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
+  for (const auto& surfel : surfelsOf (grid))
+    EXPECT_TRUE (surfel);
+}
+
+TEST (OrientedVoxels, HaveNoSurfelWhereTheyAreOnAPlaneAlready)
+{
+  Coordinates points;
+  addGrid (points, floor_of_the_scene, 120);
+  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
+  pcl_ops::Labels plane_of_voxel (grid.size(), pcl_ops::no_plane);
+  std::fill_n (plane_of_voxel.begin(), 100, 0);
+  const auto surfels = findSurfels (grid, 3, 30.0, 1, plane_of_voxel);
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    EXPECT_EQ (surfels[i].has_value(), i >= 100);
+}

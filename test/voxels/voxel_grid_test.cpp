@@ -151,6 +151,15 @@ TEST (VoxelSize, GrowsWithTheUnitOfTheCloud)
                100.0);
 }
 
+TEST (VoxelSize, DoesNotDependOnTheOrderOfThePoints)
+{
+  const Coordinates points = pointsInACube (50000, 4.0);
+  Coordinates reversed;
+  for (std::size_t i = points.size(); i-- > 0;)
+    reversed.add (points.x[i], points.y[i], points.z[i]);
+  EXPECT_EQ (voxelSizeFor (reversed, 1000.0), voxelSizeFor (points, 1000.0));
+}
+
 TEST (VoxelSize, IsZeroForPointsThatSpanNothing)
 {
   Coordinates equal;

@@ -28,22 +28,3 @@ TEST (ForVoxels, VisitsEachOnceForAnyNumberOfThreads)
     EXPECT_EQ (visits, std::vector<int> (50, 1));
   }
 }
-
-TEST (ConnectedVoxels, AreAllThatCanBeReached)
-{
-  const VoxelGrid grid = twoTiles();
-  std::vector<char> is_open (grid.size(), 1);
-  const Indices tile = connectedVoxels (grid, 0, [&] (std::uint32_t voxel) {
-    return std::exchange (is_open[voxel], 0) != 0;
-  });
-  EXPECT_EQ (tile.size(), 25u);
-  const bool is_left = grid.moments[0].centroid().x() < 1.0;
-  for (const std::uint32_t voxel : tile)
-    EXPECT_EQ (grid.moments[voxel].centroid().x() < 1.0, is_left);
-}
-
-TEST (ConnectedVoxels, AreNoneWhereTheFirstIsNotTaken)
-{
-  EXPECT_TRUE (
-      connectedVoxels (twoTiles(), 0, [] (std::uint32_t) { return false; }).empty());
-}

@@ -87,8 +87,8 @@ toRegions (const pcl::PointCloud<PointT>& cloud,
 
 } // namespace pcl_ops
 
-// What depends on the point type alone. The detectors' classes, 54 with 18 point types and
-// some 40 one-line calls each, compile where they are used.
+// What depends on the point type alone. The detectors' classes, 54 with 18 point types
+// and some 40 one-line calls each, compile where they are used.
 #define PCL_INSTANTIATE_PlaneDetector(T)                                               \
   template PCL_OPS_EXPORT pcl_ops::DetectorInput pcl_ops::detectorInput<T> (           \
       const pcl::PointCloud<T>::ConstPtr&,                                             \

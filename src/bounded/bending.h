@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "geometry/points.h"
+#include <pcl_ops/plane.h>
+
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief How far a patch bends away from its plane. */
+struct Bending {
+  /** \brief Share of the unevenness that second order terms explain, adjusted for their
+   * number (R^2), up to 1. */
+  double explained = 0.0;
+  /** \brief Largest deviation from the plane by the second order terms [m]. */
+  double amplitude = 0.0;
+  /** \brief Half the extent of the patch in the direction it bends in [m]. */
+  double half_extent = 0.0;
+  /** \brief Rms distance of the points from their voxel's mean height [m]. */
+  double noise = 0.0;
+};
+
+/** \brief Least squares of the mean heights of voxels above a plane by 1, u, v, u^2, u
+ * v and v^2, u and v along the plane, each voxel weighing as much as its points.
+ * \param[in] moments of all voxels \param[in] voxels those of the patch; a bending of 0
+ * for fewer than eight \param[in] fit the plane of the patch */
+Bending
+bendingOf (const std::vector<Moments>& moments,
+           const Indices& voxels,
+           const PlaneFit& fit);
+
+/** \brief Whether a patch is part of a curved surface: the bending explains it, and is
+ * more than a sensor bends a wall by and than noise makes up. */
+bool
+isCurved (const Bending& bending);
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bounded/bounded_planes.h"
+
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief The part of a cloud that no plane explains in coarse voxels, in voxels of
+ * half their edge. */
+struct Refinement {
+  /** \brief Whether a coarse voxel's points are looked at here. */
+  std::vector<char> is_refined;
+  /** \brief Which of all points these are. */
+  Indices points;
+  Coordinates positions;
+  VoxelizedPoints voxelized;
+  /** \brief The coarse planes with the voxels here that they explain. */
+  BoundedPlanes planes;
+};
+
+/** \brief Takes the points of coarse voxels without a plane, and of those next to them,
+ * to voxels of half the edge. A voxel there is on the plane of a coarse one it touches
+ * if its points lie on it.
+ * \param[in] points all points
+ * \param[in] coarse their voxels
+ * \param[in] planes those found in coarse voxels, with their noise
+ * \param[in] threads number of threads; 0: all. The result does not depend on it */
+Refinement
+refine (const Coordinates& points,
+        const VoxelizedPoints& coarse,
+        const BoundedPlanes& planes,
+        unsigned threads);
+
+} // namespace pcl_ops::internal
