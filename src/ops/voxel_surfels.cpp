@@ -34,6 +34,16 @@ wantedVoxels (std::size_t points, double sampling_rate)
   return std::min (voxels_per_sample * samples, number / fewest_points_per_voxel);
 }
 
+// Single precision rounds coordinates far from zero to steps, which are planes to
+// voxels no larger than they.
+double
+smallestVoxel (const Points& points)
+{
+  constexpr double steps = 8.0;
+  const auto largest = static_cast<float> (points.origin.cwiseAbs().maxCoeff());
+  return steps * (std::nextafter (largest, 2.0f * largest + 1.0f) - largest);
+}
+
 double
 meanPointsPerVoxel (const VoxelGrid& grid)
 {
@@ -95,11 +105,14 @@ joinPlanes (const VoxelGrid& grid,
 VoxelizedPoints
 VoxelSurfels::sample (const Points& points) const
 {
+  const auto automatic = [&] {
+    const double size =
+        voxelSizeFor (points, wantedVoxels (points.size(), parameters_.sampling_rate));
+    // Of twice the edge, as they are halved where needed.
+    return size > 0.0 ? std::max (size, 2.0 * smallestVoxel (points)) : 0.0;
+  };
   const std::optional<double> given = parameters_.surfels.voxel_size;
-  const double voxel_size =
-      given ? *given
-            : voxelSizeFor (points,
-                            wantedVoxels (points.size(), parameters_.sampling_rate));
+  const double voxel_size = given ? *given : automatic();
   if (!(voxel_size > 0.0))
     return {};
   return voxelize (points, voxel_size, parameters_.threads);
