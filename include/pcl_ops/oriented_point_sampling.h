@@ -58,7 +58,7 @@ struct SurfelParameters {
   double angle_threshold = 0.52359877559829882;
   /** \brief Planes are looked for among surfels up to this thickness: the noise over
    * the spread in the surfel's narrow direction, 0 for an exact plane, 1 for a ball. */
-  double sure_thickness = 0.25;
+  double sure_thickness = 0.265;
   /** \brief The same of the voxels of half the edge, the last to be looked at. */
   double largest_thickness = 0.3;
   /** \brief A plane goes into a larger neighbour if one plane for both is no farther

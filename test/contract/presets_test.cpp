@@ -33,7 +33,7 @@ expectDefaults (const SurfelParameters& surfels)
   EXPECT_EQ (surfels.least_average_voxels, 8.0);
   EXPECT_EQ (surfels.noise_factor, 2.0);
   EXPECT_DOUBLE_EQ (surfels.angle_threshold, 30_deg);
-  EXPECT_EQ (surfels.sure_thickness, 0.25);
+  EXPECT_EQ (surfels.sure_thickness, 0.265);
   EXPECT_EQ (surfels.largest_thickness, 0.3);
   EXPECT_EQ (surfels.absorption_noise_factor, 2.0);
   EXPECT_EQ (surfels.assignment_noise_factor, 4.0);
