@@ -33,7 +33,7 @@ public:
   , squared_factor_ (parameters.noise_factor * parameters.noise_factor)
   , smallest_cosine_ (std::cos (parameters.angle_threshold))
   , is_open_ (grid.size(), 0)
-  , reached_in_ (grid.size(), 0)
+  , asked_in_ (grid.size(), 0)
   , noise_ (grid.size(), 0.0)
   {
     for (std::size_t i = 0; i < grid.size(); ++i)
@@ -106,22 +106,23 @@ private:
     return patch;
   }
 
-  // What lies on two planes seems noisier than either: the noise of a voxel is at most
-  // a little more than that of the voxel the plane comes from.
+  // Asks a voxel, once while the plane spreads. What lies on two planes seems noisier
+  // than either: the noise of a voxel is at most a little more than that of the voxel
+  // the plane comes from.
   void
   take (std::uint32_t voxel, const Plane& plane, double handed_on, Patch& patch)
   {
     constexpr double largest_rise = 1.5;
-    if (reached_in_[voxel] == round_ || !is_open_[voxel] ||
+    if (asked_in_[voxel] == round_ || !is_open_[voxel] ||
         std::abs (plane.normal.dot (surfels_[voxel]->plane.normal)) < smallest_cosine_)
       return;
+    asked_in_[voxel] = round_;
     const double noise =
         std::max (std::min (surfels_[voxel]->noise, largest_rise * handed_on),
                   smallestNoise (grid_));
     if (meanSquaredDistance (grid_.moments[voxel], plane) >
         squared_factor_ * noise * noise)
       return;
-    reached_in_[voxel] = round_;
     noise_[voxel] = noise;
     patch.voxels.push_back (voxel);
     patch.moments.addAligned (grid_.moments[voxel]);
@@ -132,7 +133,7 @@ private:
   double squared_factor_;
   double smallest_cosine_;
   std::vector<char> is_open_;
-  std::vector<std::uint32_t> reached_in_;
+  std::vector<std::uint32_t> asked_in_;
   std::uint32_t round_ = 0;
   std::vector<double> noise_;
 };
