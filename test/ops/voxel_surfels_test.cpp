@@ -129,11 +129,11 @@ TEST (VoxelSurfels, ExtractNoPlaneOfCoarseSurfelsThatAreNotSure)
   Stages stages (pointsOf ({ground}));
   const VoxelizedPoints voxelized = stages.sample();
   auto surfels = stages.policy.orient (stages.points, voxelized);
-  for (const double thickness : {0.24, 0.26}) {
+  for (const double times_sure : {0.9, 1.1}) {
     for (auto& surfel : surfels)
-      surfel->thickness = thickness;
+      surfel->thickness = times_sure * stages.parameters.surfels.sure_thickness;
     const auto planes = stages.policy.extract (stages.points, voxelized, surfels);
-    EXPECT_EQ (planes.coarse.size(), thickness < 0.25 ? 1u : 0u);
+    EXPECT_EQ (planes.coarse.size(), times_sure < 1.0 ? 1u : 0u);
     EXPECT_EQ (planes.size(), 1u) << "finer voxels find it all the same";
   }
 }
