@@ -12,8 +12,17 @@ namespace pcl_ops::simulation {
 constexpr double pi = 3.141592653589793;
 
 /** \brief What a stream of random numbers is for. Each purpose has its own stream, so
- * that the same seed gives the same room whatever the camera and the noise. */
-enum class Purpose : std::uint32_t { Room = 1, CameraPose, DepthNoise, DenseScan };
+ * that the same seed gives the same scene whatever the camera and the noise. */
+enum class Purpose : std::uint32_t {
+  Room = 1,
+  CameraPose,
+  DepthNoise,
+  DenseScan,
+  Survey,
+  SurveyScan,
+  Shapes,
+  ShapesScan
+};
 
 inline internal::RandomGenerator
 makeGenerator (std::uint32_t seed, Purpose purpose)

@@ -5,6 +5,8 @@
 
 #include "dense_scan.h"
 #include "depth_noise.h"
+#include "shapes.h"
+#include "survey.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
@@ -33,6 +35,7 @@ constexpr double largest_image = 4096;
 
 struct Options {
   std::string output;
+  std::string scene = "room";
   std::uint32_t seed = 1;
   DepthCamera camera;
   std::string profile = "correlated";
@@ -48,13 +51,19 @@ readOptions (int argc, const char* const* argv, Options& options)
   const Range image_size = Range::from (smallest_image).upTo (largest_image);
   pcl_ops::apps::CommandLine line (
       program_name,
-      "Simulates a furnished room as a depth camera sees it, with the true plane of "
-      "each\n"
-      "point in the field label (0 no plane, 1..P planes by falling size).",
+      "Simulates a furnished room as a depth camera sees it, or another scene. The\n"
+      "field label is the true plane of each point: 0 none, 1..P by falling size.",
       PCL_OPS_VERSION);
   line.addArgument ("OUTPUT.pcd", options.output, "the cloud to write (binary)");
-  line.addNumber (
-      "seed", "S", Range::from (0).upTo (most_seed), options.seed, "which room (1)");
+  line.addChoice ("scene",
+                  {"room", "survey", "shapes"},
+                  options.scene,
+                  "a room, 36 houses on a ground, round shapes beside a ground (room)");
+  line.addNumber ("seed",
+                  "S",
+                  Range::from (0).upTo (most_seed),
+                  options.seed,
+                  "which room, houses or shapes (1)");
   line.addNumber ("width", "W", image_size, options.camera.width, "columns (640)");
   line.addNumber ("height", "H", image_size, options.camera.height, "rows (480)");
   line.addNumber ("noise",
@@ -70,7 +79,8 @@ readOptions (int argc, const char* const* argv, Options& options)
                   "N",
                   Range::from (1).upTo (most_points),
                   options.points,
-                  "scan the whole room with N points instead of one camera image");
+                  "scan the whole room with N points instead of one camera image; "
+                  "points of survey (600000), shapes (200000)");
   line.addFlag ("organized", options.organized, "keep pixels without a reading as NaN");
   line.addFlag ("quiet", options.quiet, "print nothing");
   if (!line.parse (argc, argv))
@@ -78,8 +88,11 @@ readOptions (int argc, const char* const* argv, Options& options)
   if (pcl_ops::apps::extensionOf (options.output) != ".pcd")
     throw pcl_ops::apps::UsageError (options.output,
                                      "has an unknown extension; give a .pcd file");
-  for (const char* of_camera : {"width", "height", "profile", "organized"})
+  for (const char* of_camera : {"width", "height", "profile", "organized"}) {
     line.forbidTogether ("points", of_camera);
+    if (options.scene != "room")
+      line.forbidTogether ("scene", of_camera);
+  }
   return true;
 }
 
@@ -96,7 +109,7 @@ noiseOf (const Options& options)
 }
 
 SimulatedCloud
-simulate (const Options& options)
+simulateRoom (const Options& options)
 {
   const Room room = makeRoom (options.seed);
   if (options.points)
@@ -109,6 +122,22 @@ simulate (const Options& options)
                   camera,
                   room.scene,
                   options.organized ? CloudLayout::Organized : CloudLayout::Readings);
+}
+
+SimulatedCloud
+simulate (const Options& options)
+{
+  if (options.scene == "survey")
+    return scanSurvey (makeSurvey (options.seed),
+                       options.points.value_or (points_of_survey),
+                       options.noise,
+                       options.seed);
+  if (options.scene == "shapes")
+    return scanShapes (makeShapes (options.seed),
+                       options.points.value_or (points_of_shapes),
+                       options.noise,
+                       options.seed);
+  return simulateRoom (options);
 }
 
 /** \brief The cloud without the padding of pcl::PointXYZL. */

@@ -42,6 +42,23 @@ readOptions (int argc, const char* const* argv, CompareOptions& options)
   return line.parse (argc, argv);
 }
 
+nlohmann::ordered_json
+jsonOf (const std::vector<SizeClass>& classes)
+{
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const SizeClass& size : classes) {
+    nlohmann::ordered_json entry{{"fewest_points", size.fewest_points},
+                                 {"below", nullptr},
+                                 {"planes", size.planes},
+                                 {"found", size.found_50},
+                                 {"found_75", size.found_75}};
+    if (size.below)
+      entry["below"] = *size.below;
+    json.push_back (entry);
+  }
+  return json;
+}
+
 void
 printJson (const Metrics& metrics)
 {
@@ -50,6 +67,8 @@ printJson (const Metrics& metrics)
                               {"result_planes", metrics.result_planes}};
   for (const auto& [name, value] : namedMetrics (metrics))
     json[name] = value;
+  json[off_planes_name] = metrics.points_off_planes_called_planes;
+  json["by_size"] = jsonOf (metrics.by_size);
   std::cout << json.dump (2) << '\n';
 }
 
@@ -58,6 +77,18 @@ printRow (const char* name, double at_50, double at_75)
 {
   std::cout << "  " << std::left << std::setw (20) << name << std::right
             << std::setw (8) << at_50 << std::setw (8) << at_75 << '\n';
+}
+
+void
+printSizes (const std::vector<SizeClass>& classes)
+{
+  std::cout << "true planes by points     number  found at 0.50    0.75\n";
+  for (const SizeClass& size : classes)
+    std::cout << "  " << std::left << std::setw (20)
+              << (size.below ? "below " + std::to_string (*size.below)
+                             : "from " + std::to_string (size.fewest_points))
+              << std::right << std::setw (10) << size.planes << std::setw (15)
+              << size.found_50 << std::setw (8) << size.found_75 << '\n';
 }
 
 void
@@ -72,6 +103,9 @@ printTable (const Metrics& metrics)
             << 100.0 * metrics.segmentation_accuracy << " %  of points on true planes\n"
             << "                        " << std::setw (9)
             << 100.0 * metrics.segmentation_accuracy_all << " %  of all points\n"
+            << "called planes           " << std::setw (9)
+            << 100.0 * metrics.points_off_planes_called_planes
+            << " %  of points off true planes\n"
             << std::setprecision (3) << "planes at an overlap of    0.50    0.75\n";
   printRow ("precision", at_50.precision, at_75.precision);
   printRow ("recall", at_50.recall, at_75.recall);
@@ -82,6 +116,7 @@ printTable (const Metrics& metrics)
   printRow ("under-segmentation", at_50.under_segmentation, at_75.under_segmentation);
   printRow ("noise", at_50.noise, at_75.noise);
   printRow ("missed", at_50.missed, at_75.missed);
+  printSizes (metrics.by_size);
 }
 
 } // namespace

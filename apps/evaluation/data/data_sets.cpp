@@ -11,7 +11,9 @@
 #include <io/output_file.h>
 #include <simulation/dense_scan.h>
 #include <simulation/depth_noise.h>
+#include <simulation/shapes.h>
 #include <simulation/simulated_cloud.h>
+#include <simulation/survey.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -24,6 +26,8 @@ const char* const data_set_help =
     "sunrgbd:FOLDER or sunrgbd-raw:FOLDER (refined or raw depth), "
     "rooms:FIRST-LAST or rooms-raw:FIRST-LAST (simulated, by seed), "
     "simulated:N,N,... (scans of a whole room with N points), "
+    "survey:FIRST-LAST (36 houses on a ground, by seed), "
+    "shapes:FIRST-LAST (round shapes beside a ground, by seed), "
     "clouds:PATH (.pcd and .ply, field label as truth)";
 
 namespace {
@@ -31,8 +35,8 @@ namespace {
 namespace fs = std::filesystem;
 using simulation::NoiseProfile;
 
-/** More rooms than anybody waits for; keeps a typing error from filling the memory. */
-constexpr std::uint32_t most_rooms = 100'000;
+/** More scenes than anybody waits for; keeps a typing error from filling the memory. */
+constexpr std::uint32_t most_scenes = 100'000;
 /** A point takes 16 bytes, and 36 more while it is simulated. */
 constexpr double most_points = 1e8;
 
@@ -67,36 +71,64 @@ simulateRoom (std::uint32_t seed, NoiseProfile profile)
                            simulation::CloudLayout::Readings));
 }
 
-/** "3-20", or "7" for one room. */
+EvaluationCloud
+simulateSurvey (std::uint32_t seed)
+{
+  return withExactTruth (simulation::scanSurvey (
+      simulation::makeSurvey (seed), simulation::points_of_survey, 1.0, seed));
+}
+
+EvaluationCloud
+simulateShapes (std::uint32_t seed)
+{
+  return withExactTruth (simulation::scanShapes (
+      simulation::makeShapes (seed), simulation::points_of_shapes, 1.0, seed));
+}
+
+/** "3-20", or "7" for one scene. */
 std::pair<std::uint32_t, std::uint32_t>
-seedRange (const std::string& text)
+seedRange (const std::string& kind, const std::string& text)
 {
   const std::size_t dash = text.find ('-');
   const apps::Range any = apps::Range::from (0);
   const auto first =
-      apps::parseNumber<std::uint32_t> ("rooms", text.substr (0, dash), any);
+      apps::parseNumber<std::uint32_t> (kind, text.substr (0, dash), any);
   const auto last =
       dash == std::string::npos
           ? first
-          : apps::parseNumber<std::uint32_t> ("rooms", text.substr (dash + 1), any);
-  if (last < first || last - first >= most_rooms)
-    throw apps::UsageError ("rooms:" + text, "is no range of seeds such as 1-20");
+          : apps::parseNumber<std::uint32_t> (kind, text.substr (dash + 1), any);
+  if (last < first || last - first >= most_scenes)
+    throw apps::UsageError (kind + ':' + text, "is no range of seeds such as 1-20");
   return {first, last};
+}
+
+/** Scenes by seed.
+ * \param[in] scene what the name of a cloud begins with
+ * \param[in] simulate the cloud of a seed */
+DataSet
+scenesDataSet (const std::string& name,
+               const std::string& scene,
+               const std::string& seeds,
+               const std::function<EvaluationCloud (std::uint32_t)>& simulate)
+{
+  const auto [first, last] = seedRange (name, seeds);
+  DataSet data_set{name, {}};
+  for (std::uint32_t i = 0; i <= last - first; ++i) {
+    const std::uint32_t seed = first + i;
+    std::ostringstream cloud;
+    cloud << scene << '-' << std::setfill ('0') << std::setw (4) << seed;
+    data_set.clouds.push_back (
+        {cloud.str(), [seed, simulate] { return simulate (seed); }});
+  }
+  return data_set;
 }
 
 DataSet
 roomsDataSet (const std::string& name, const std::string& seeds, NoiseProfile profile)
 {
-  const auto [first, last] = seedRange (seeds);
-  DataSet data_set{name, {}};
-  for (std::uint32_t i = 0; i <= last - first; ++i) {
-    const std::uint32_t seed = first + i;
-    std::ostringstream room;
-    room << "room-" << std::setfill ('0') << std::setw (4) << seed;
-    data_set.clouds.push_back (
-        {room.str(), [seed, profile] { return simulateRoom (seed, profile); }});
-  }
-  return data_set;
+  return scenesDataSet (name, "room", seeds, [profile] (std::uint32_t seed) {
+    return simulateRoom (seed, profile);
+  });
 }
 
 DataSet
@@ -197,6 +229,10 @@ dataSetOf (const std::string& text, const Eigen::Vector3d& up)
       return roomsDataSet (kind, rest, NoiseProfile::Raw);
     if (kind == "simulated")
       return scansDataSet (kind, rest);
+    if (kind == "survey")
+      return scenesDataSet (kind, kind, rest, simulateSurvey);
+    if (kind == "shapes")
+      return scenesDataSet (kind, kind, rest, simulateShapes);
     if (kind == "clouds")
       return cloudsDataSet (rest, up);
   }

@@ -20,10 +20,11 @@ constexpr std::size_t max_plane_pairs = 100'000'000;
 Confusion
 confusionOf (const PlaneLabels& truth, const PlaneLabels& result)
 {
-  Confusion confusion{planeIds (truth), planeIds (result), {}, truth.size(), 0};
+  Confusion confusion{planeIds (truth), planeIds (result), {}, truth.size(), 0, 0};
   const std::uint64_t columns = confusion.result.size();
   std::unordered_map<std::uint64_t, std::size_t> points_of_pair;
   for (std::size_t i = 0; i < truth.size(); ++i) {
+    confusion.points_off_planes += truth[i] == 0;
     if (truth[i] == 0 && result[i] == 0)
       ++confusion.points_on_no_plane_in_both;
     else if (truth[i] != 0 && result[i] != 0)

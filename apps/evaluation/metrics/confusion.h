@@ -29,6 +29,8 @@ struct Confusion {
   std::vector<Overlap> overlaps;
   std::size_t points = 0;
   std::size_t points_on_no_plane_in_both = 0;
+  /** \brief Points on no true plane. */
+  std::size_t points_off_planes = 0;
 
   const PlaneIds&
   planes (Side side) const

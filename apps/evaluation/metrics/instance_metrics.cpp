@@ -130,4 +130,12 @@ instanceMetrics (const Confusion& confusion, double threshold)
   return metrics;
 }
 
+std::vector<bool>
+foundTruePlanes (const Confusion& confusion, double threshold)
+{
+  Verdicts truth (confusion.truth.size()), result (confusion.result.size());
+  matchPlanes (confusion, threshold, truth, result);
+  return truth.matched;
+}
+
 } // namespace pcl_ops::evaluation

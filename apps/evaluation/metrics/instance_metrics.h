@@ -40,4 +40,8 @@ struct InstanceMetrics {
 InstanceMetrics
 instanceMetrics (const Confusion& confusion, double threshold);
 
+/** \brief Which true planes that matching finds, by their ids. */
+std::vector<bool>
+foundTruePlanes (const Confusion& confusion, double threshold);
+
 } // namespace pcl_ops::evaluation

@@ -96,6 +96,11 @@ compareLabels (const XyzCloud& cloud,
   metrics.result_planes = confusion.result.size();
   metrics.classification_accuracy = classificationAccuracy (points, parameters);
   setSegmentationAccuracies (confusion, metrics);
+  metrics.points_off_planes_called_planes = apps::fraction (
+      confusion.points_off_planes - confusion.points_on_no_plane_in_both,
+      confusion.points_off_planes,
+      0.0);
+  metrics.by_size = sizeClasses (confusion);
   metrics.at_50 = instanceMetrics (confusion, 0.50);
   metrics.at_75 = instanceMetrics (confusion, 0.75);
   return metrics;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "instance_metrics.h"
+#include "size_classes.h"
 #include <evaluation/labels/plane_classes.h>
 
 #include <string>
@@ -18,12 +19,20 @@ struct Metrics {
   double segmentation_accuracy = 0.0;
   /** \brief The same over all points; on no plane in both is right, too. */
   double segmentation_accuracy_all = 0.0;
+  /** \brief Points on no true plane that the result has on one / such points. */
+  double points_off_planes_called_planes = 0.0;
   InstanceMetrics at_50;
   InstanceMetrics at_75;
   std::size_t points = 0;
   std::size_t truth_planes = 0;
   std::size_t result_planes = 0;
+  /** \brief How many of the true planes are found, by size. */
+  std::vector<SizeClass> by_size;
 };
+
+/** \brief Published name of \ref Metrics::points_off_planes_called_planes; as a column
+ * of results it is the last, so that the others stay where they were. */
+constexpr const char* off_planes_name = "points_off_planes_called_planes";
 
 /** \brief Compares two labellings of a cloud. Points without finite coordinates are on
  * no surface and do not count.
@@ -37,8 +46,9 @@ compareLabels (const XyzCloud& cloud,
                const PlaneLabels& result,
                const ClassParameters& parameters = {});
 
-/** \brief The fractions of a comparison under their published names, in order: the
- * three accuracies, then the instance metrics at 0.5 and, with suffix _75, at 0.75. */
+/** \brief The fractions of a comparison but \ref off_planes_name under their published
+ * names, in order: the three accuracies, then the instance metrics at 0.5 and, with
+ * suffix _75, at 0.75. */
 std::vector<std::pair<std::string, double>>
 namedMetrics (const Metrics& metrics);
 

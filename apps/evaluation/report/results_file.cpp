@@ -122,6 +122,7 @@ valueColumns ()
     for (const char* stage :
          {"search", "normals", "extraction", "assignment", "merging", "detection"})
       names.push_back (stage + std::string ("_ms"));
+    names.push_back (off_planes_name);
     return names;
   }();
   return columns;
@@ -144,6 +145,7 @@ valuesOf (const Metrics& metrics, const DetectorRun& run)
                                 stages.merging,
                                 stages.detection})
     values.push_back (duration);
+  values.push_back (metrics.points_off_planes_called_planes);
   return values;
 }
 

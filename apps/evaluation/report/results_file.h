@@ -41,8 +41,8 @@ struct ResultRow {
   value (const std::string& column) const;
 };
 
-/** \brief Names of a row's numbers: points, numbers of planes, \ref namedMetrics and
- * the stages' times [ms]. */
+/** \brief Names of a row's numbers: points, numbers of planes, \ref namedMetrics, the
+ * stages' times [ms] and \ref off_planes_name. */
 const std::vector<std::string>&
 valueColumns ();
 

@@ -153,7 +153,8 @@ metricsTable ()
            numberColumn ("under", "under_segmentation", 3),
            numberColumn ("noise", "noise", 3),
            numberColumn ("missed", "missed", 3),
-           secondsColumn ("total s", "detection_ms")}};
+           secondsColumn ("total s", "detection_ms"),
+           fractionColumn ("off planes %", off_planes_name)}};
 }
 
 TableKind

@@ -62,6 +62,25 @@ TEST (EvaluateProgram, ComparesTwoLabelledClouds)
   EXPECT_EQ (json["over_segmentation"], 1.0);
   EXPECT_EQ (json["precision_75"], 0.0);
   EXPECT_EQ (json["missed_75"], 0.0); // over-segmented, so not missed
+  EXPECT_EQ (json["points_off_planes_called_planes"], 0.0);
+}
+
+TEST (EvaluateProgram, CountsTruePlanesBySize)
+{
+  const TemporaryFolder folder;
+  const std::string truth = folder.write ("truth.pcd", one_plane),
+                    result = folder.write ("result.pcd", two_halves);
+  const ProgramRun run = evaluate ("compare " + truth + " " + result + " --json");
+  const auto sizes = nlohmann::json::parse (run.text)["by_size"];
+  ASSERT_EQ (sizes.size(), 6u);
+  EXPECT_EQ (sizes[0],
+             (nlohmann::json{{"fewest_points", 0},
+                             {"below", 200},
+                             {"planes", 1},
+                             {"found", 1},
+                             {"found_75", 0}}));
+  EXPECT_EQ (sizes[5]["planes"], 0);
+  EXPECT_TRUE (sizes[5]["below"].is_null());
 }
 
 TEST (EvaluateProgram, TheUpAxisDecidesTheClasses)
@@ -86,6 +105,8 @@ TEST (EvaluateProgram, PrintsATableForPeople)
   EXPECT_EQ (run.exit_code, 0);
   EXPECT_NE (run.text.find ("segmentation accuracy"), std::string::npos);
   EXPECT_NE (run.text.find ("100.00 %"), std::string::npos);
+  EXPECT_NE (run.text.find ("0.00 %  of points off true planes"), std::string::npos);
+  EXPECT_NE (run.text.find ("true planes by points"), std::string::npos);
 }
 
 TEST (EvaluateProgram, AnEmptyTruthIsSaidButCompared)
@@ -121,6 +142,7 @@ TEST (EvaluateProgram, WrongUsageEndsWithTwo)
   expectError (evaluate (""), 2, "command");
   expectError (evaluate ("compute"), 2, "compute");
   expectError (evaluate ("run /tmp/x planets:9"), 2, "planets:9");
+  expectError (evaluate ("run /tmp/x survey:x"), 2, "survey");
   expectError (evaluate ("run /tmp/x rooms:1 --detectors magic"), 2, "magic");
   expectError (evaluate ("run /tmp/x rooms:1 --jobs 0"), 2, "--jobs");
   EXPECT_EQ (evaluate ("compare only-one.pcd").exit_code, 2);

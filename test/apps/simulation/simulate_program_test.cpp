@@ -61,6 +61,39 @@ TEST (SimulateProgram, ScansWithTheNumberOfPointsAskedFor)
   EXPECT_EQ (loaded (folder / "scan.pcd").size(), 1234u);
 }
 
+TEST (SimulateProgram, SimulatesOtherScenes)
+{
+  const TemporaryFolder folder;
+  for (const std::string scene : {"survey", "shapes"}) {
+    const std::string file = folder / scene + ".pcd";
+    const ProgramRun run =
+        simulate (file + " --scene " + scene + " --points 4321 --seed 5");
+    ASSERT_EQ (run.exit_code, 0) << run.text;
+    EXPECT_EQ (loaded (file).size(), 4321u);
+    EXPECT_TRUE (loaded (file).sensor_origin_.isZero());
+  }
+}
+
+TEST (SimulateProgram, OtherScenesSameSeedSameBytes)
+{
+  const TemporaryFolder folder;
+  for (const std::string scene : {"survey", "shapes"}) {
+    for (const char* name : {"a.pcd", "b.pcd"})
+      simulate (folder / name + " --scene " + scene + " --points 999 --seed 3");
+    simulate (folder / "c.pcd" + " --scene " + scene + " --points 999 --seed 4");
+    EXPECT_EQ (contentOf (folder / "a.pcd"), contentOf (folder / "b.pcd")) << scene;
+    EXPECT_NE (contentOf (folder / "a.pcd"), contentOf (folder / "c.pcd")) << scene;
+  }
+}
+
+TEST (SimulateProgram, ARoomIsTheSceneUnlessAskedFor)
+{
+  const TemporaryFolder folder;
+  simulate (folder / "a.pcd" + small_image);
+  simulate (folder / "b.pcd" + small_image + " --scene room");
+  EXPECT_EQ (contentOf (folder / "a.pcd"), contentOf (folder / "b.pcd"));
+}
+
 TEST (SimulateProgram, RefusesWrongUsage)
 {
   const TemporaryFolder folder;
@@ -74,6 +107,8 @@ TEST (SimulateProgram, RefusesWrongUsage)
   expectError (simulate (output + " --height 100000"), 2, "--height");
   expectError (simulate (output + " --noise nan"), 2, "--noise");
   expectError (simulate (output + " --points 9 --organized"), 2, "--points");
+  expectError (simulate (output + " --scene garden"), 2, "--scene");
+  expectError (simulate (output + " --scene survey --organized"), 2, "--scene");
   expectError (simulate (output + " --colour"), 2, "--colour");
   EXPECT_EQ (folder.fileCount(), 0u);
 }

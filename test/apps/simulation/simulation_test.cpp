@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_checks.h"
 #include "simulated_scene.h"
 #include <simulation/dense_scan.h>
 #include <simulation/simulated_cloud.h>
@@ -21,35 +22,6 @@ roomCloud (std::uint32_t seed, const NoiseParameters& noise, CloudLayout layout)
   return toCloud (
       measureDepth (room.scene, camera, noise, seed), camera, room.scene, layout);
 }
-
-bool
-haveSamePoints (const SimulatedCloud& a, const SimulatedCloud& b)
-{
-  return std::equal (a.cloud.begin(),
-                     a.cloud.end(),
-                     b.cloud.begin(),
-                     b.cloud.end(),
-                     [] (const auto& p, const auto& q) {
-                       return p.getVector3fMap() == q.getVector3fMap() &&
-                              p.label == q.label;
-                     });
-}
-
-double
-largestDistanceToTruth (const SimulatedCloud& simulated)
-{
-  double largest = 0.0;
-  for (const auto& point : simulated.cloud)
-    if (point.label > 0) {
-      const auto& plane = simulated.planes.at (point.label - 1).plane;
-      const Eigen::Vector3d position = point.getVector3fMap().cast<double>();
-      largest = std::max (largest, std::abs (plane.distance (position)));
-    }
-  return largest;
-}
-
-/** \brief A few ulp of single precision at room size [m]. */
-constexpr double rounding = 2e-6;
 
 } // namespace
 

@@ -99,6 +99,19 @@ TEST_F (EvaluationRunTest, WritesARowForEachCloudAndConfiguration)
   EXPECT_EQ (rows()[2].cloud, "b, \"c\"");
 }
 
+TEST_F (EvaluationRunTest, SaysHowMuchOffPlanesIsCalledAPlane)
+{
+  plan.data_sets[0].clouds = {rowOfPoints ("a")};
+  plan.truth.min_points = 11; // its ten points are too few for a plane
+  run();
+  EXPECT_EQ (rows()[0].value ("points_off_planes_called_planes"), 1.0);
+  EXPECT_EQ (rows()[1].value ("points_off_planes_called_planes"), 0.5);
+  std::ostringstream text;
+  for (const TextTable& table : tablesOf (summarize (rows())[0]))
+    text << table;
+  EXPECT_NE (text.str().find ("off planes %"), std::string::npos);
+}
+
 TEST_F (EvaluationRunTest, ComputesNoRowTwice)
 {
   run();
@@ -181,6 +194,16 @@ TEST_F (EvaluationRunTest, AResultsFileOfAnotherKindIsLeftAlone)
   folder.write ("results.csv", "name,value\nx,1\n");
   EXPECT_THROW (run(), pcl_ops::apps::WorkError);
   EXPECT_EQ (contentOf (file), "name,value\nx,1\n");
+}
+
+TEST_F (EvaluationRunTest, ResultsOfAnOlderVersionAreLeftAlone)
+{
+  run();
+  std::string header = contentOf (file);
+  header.resize (header.find (",points_off_planes_called_planes\n"));
+  folder.write ("results.csv", header + '\n');
+  EXPECT_THROW (run(), pcl_ops::apps::WorkError);
+  EXPECT_EQ (contentOf (file), header + '\n');
 }
 
 TEST_F (EvaluationRunTest, AnUnwritableFileIsAnError)

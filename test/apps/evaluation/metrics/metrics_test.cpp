@@ -117,6 +117,28 @@ TEST (SegmentationAccuracy, OverAllPointsCountsCorrectlyUnassignedOnes)
   EXPECT_DOUBLE_EQ (metrics.segmentation_accuracy_all, (8.0 + 6.0) / 20.0);
 }
 
+TEST (PointsOffPlanes, AreTheShareThatTheResultCallsPlanes)
+{
+  const PlaneLabels found = runs ({{6, 1}, {4, 2}, {10, 0}});
+  const Metrics metrics = compareLabels (floorAndWall(), PlaneLabels (20, 0), found);
+  EXPECT_EQ (metrics.points_off_planes_called_planes, 0.5);
+}
+
+TEST (PointsOffPlanes, ArePointsOnNoTruePlaneOnly)
+{
+  const PlaneLabels truth = runs ({{10, 1}, {10, 0}});
+  const PlaneLabels found = runs ({{14, 1}, {6, 0}});
+  const Metrics metrics = compareLabels (floorAndWall(), truth, found);
+  EXPECT_EQ (metrics.points_off_planes_called_planes, 0.4);
+}
+
+TEST (PointsOffPlanes, WhereThereAreNoneNoneIsCalledAPlane)
+{
+  const Metrics metrics =
+      compareLabels (floorAndWall(), PlaneLabels (20, 1), PlaneLabels (20, 1));
+  EXPECT_EQ (metrics.points_off_planes_called_planes, 0.0);
+}
+
 TEST (ClassificationAccuracy, IsThatOfThePlanesNotOfTheirNames)
 {
   const PlaneLabels one_of_four_strips = runs ({{5, 1}, {5, 3}, {10, 0}});

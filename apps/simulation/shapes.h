@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "simulated_cloud.h"
+#include "surface_points.h"
+
+namespace pcl_ops::simulation {
+
+/** \brief Four round shapes in a row, apart from each other and from a ground and a
+ * board on it: what is no plane beside what is one. z is up, z = 0 the ground. */
+struct Shapes {
+  Sphere sphere;
+  Cylinder cylinder;
+  Cone cone;
+  Torus torus;
+  Rectangle ground;
+  Rectangle board;
+};
+
+/** \brief Standard deviation of the points of shapes [m]. */
+constexpr double shapes_sigma = 0.002;
+
+/** \brief About 5000 points on a square metre. */
+constexpr std::size_t points_of_shapes = 200'000;
+
+/** \brief Draws sizes, and how the board stands.
+ * \param[in] seed the same seed gives the same shapes */
+Shapes
+makeShapes (std::uint32_t seed);
+
+/** \brief Scans all surfaces evenly, whatever hides them, from no known position: the
+ * sensor's origin is 0 0 0. The points follow the shapes one after the other.
+ * \param[in] shapes what is scanned
+ * \param[in] points exact number of points
+ * \param[in] noise_scale factor on \ref shapes_sigma, the noise along the normal
+ * \param[in] seed the same seed gives the same cloud */
+SimulatedCloud
+scanShapes (const Shapes& shapes,
+            std::size_t points,
+            double noise_scale,
+            std::uint32_t seed);
+
+} // namespace pcl_ops::simulation

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "simulated_cloud.h"
+
+namespace pcl_ops::simulation {
+
+/** \brief Four walls and a gable roof; the ridge is along the length. */
+struct House {
+  /** \brief The middle of the house on the ground [m]. */
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  /** \brief Of the length against the x axis [rad]. */
+  double yaw = 0.0;
+  double length = 15.0;
+  double width = 11.0;
+  /** \brief Heights of the roof's lower and upper edges [m]. */
+  double eaves = 5.0;
+  double ridge = 8.0;
+};
+
+/** \brief Surfaces of a house: walls and slopes. */
+constexpr std::size_t planes_of_house = 6;
+
+/** \brief Houses on a square of ground; z is up, z = 0 the ground, the origin its
+ * middle. */
+struct Survey {
+  std::vector<House> houses;
+  /** \brief Edge of the ground [m]. */
+  double width = 0.0;
+};
+
+/** \brief Standard deviation of a surveyed point along each axis [m]. */
+constexpr double survey_sigma = 0.015;
+
+constexpr std::size_t houses_of_survey = 36;
+constexpr std::size_t points_of_survey = 600'000;
+
+/** \brief Draws houses in rows, each on 30 m x 30 m: 180 m x 180 m for 36 of them.
+ * \param[in] seed the same seed gives the same houses
+ * \param[in] houses how many */
+Survey
+makeSurvey (std::uint32_t seed, std::size_t houses = houses_of_survey);
+
+/** \brief Surveys all walls, roofs and the ground around them evenly, the ground at
+ * half the density, from no known position: the sensor's origin is 0 0 0. The points
+ * come in no order.
+ * \param[in] survey what is surveyed
+ * \param[in] points exact number of points; none if there is no house
+ * \param[in] noise_scale factor on \ref survey_sigma
+ * \param[in] seed the same seed gives the same cloud */
+SimulatedCloud
+scanSurvey (const Survey& survey,
+            std::size_t points,
+            double noise_scale,
+            std::uint32_t seed);
+
+} // namespace pcl_ops::simulation
