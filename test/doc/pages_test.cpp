@@ -56,6 +56,16 @@ codeOf (const fs::path& page, const std::string& language)
   return code;
 }
 
+/** \brief Options that keep a simulation short. */
+std::string
+smallerScene (const std::string& command)
+{
+  if (command.find ("--points") != std::string::npos)
+    return "";
+  return command.find ("--scene") != std::string::npos ? " --points 5000"
+                                                       : " --width 160 --height 120";
+}
+
 /** \brief The commands of a page that need no display, no data of others and no
  * minutes; rooms are made small. */
 Lines
@@ -67,9 +77,7 @@ commandsOf (const fs::path& page)
       return line.rfind (text, 0) == 0;
     };
     if (startsWith ("pcl_ops_simulate "))
-      commands.push_back (line + (line.find ("--points") == std::string::npos
-                                      ? " --width 160 --height 120"
-                                      : ""));
+      commands.push_back (line + smallerScene (line));
     else if (startsWith ("pcl_ops_segment ") || startsWith ("cat room.pcd | ") ||
              startsWith ("pcl_ops_evaluate compare "))
       commands.push_back (line);
