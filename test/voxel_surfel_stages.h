@@ -58,10 +58,8 @@ struct Stages {
   }
 
   pcl_ops::internal::Points points;
-  pcl::Indices none;
-  pcl_ops::DetectorInput input{{}, none, Eigen::Vector3d::Zero(), nullptr};
   pcl_ops::OrientedPointSamplingParameters parameters;
-  pcl_ops::internal::VoxelSurfels policy{input, parameters};
+  pcl_ops::internal::VoxelSurfels policy{parameters};
 };
 
 inline std::size_t

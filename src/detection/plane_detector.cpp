@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/angles.h"
 #include <pcl/console/print.h>
 
+#include "geometry/angles.h"
 #include <pcl_ops/plane_detector.h>
 
 #include <algorithm>
@@ -96,7 +96,7 @@ toLargestModel (std::vector<PlaneSegment>& planes,
 }
 
 bool
-runAndReport (const std::string& class_name, const std::function<void ()>& detect)
+runAndReport (const std::string& class_name, const std::function<void()>& detect)
 {
   try {
     detect();

@@ -56,7 +56,7 @@ detectPlanes (const DetectorInput& input,
   return detectInFinitePoints (
       input, parameters, [&] (const auto& points, auto& durations) {
         return parameters.sampling == Sampling::Surfels
-                   ? detectBy (VoxelSurfels (input, parameters), points, durations)
+                   ? detectBy (VoxelSurfels (parameters), points, durations)
                    : detectBy (DrawnPoints (input, parameters), points, durations);
       });
 }

@@ -34,10 +34,9 @@ struct RefinedPlanes {
  * plane explains are looked at more closely. */
 class VoxelSurfels {
 public:
-  /** \param[in] input, parameters used as long as this is */
-  VoxelSurfels (const DetectorInput& input,
-                const OrientedPointSamplingParameters& parameters)
-  : input_ (input), parameters_ (parameters)
+  /** \param[in] parameters used as long as this is */
+  explicit VoxelSurfels (const OrientedPointSamplingParameters& parameters)
+  : parameters_ (parameters)
   {}
 
   /** \return an empty grid where the points span no voxels */
@@ -69,7 +68,6 @@ public:
   merge (AssignedPoints assigned) const;
 
 private:
-  const DetectorInput& input_;
   const OrientedPointSamplingParameters& parameters_;
 };
 
