@@ -123,7 +123,7 @@ detectPlanes (const DetectorInput& input,
               const OrientedPointSamplingParameters& parameters);
 
 /** \brief OPS: finds all planes of an unorganized point cloud from the normals of a few
- * per cent of its points, by one-point RANSAC.
+ * per cent of its points, each of which is a hypothesis by itself.
  *
  * Sun & Mordohai, "Oriented Point Sampling for Plane Detection in Unorganized Point
  * Clouds", ICRA 2019.

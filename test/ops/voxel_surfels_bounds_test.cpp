@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxel_surfel_stages.h"
+#include "surfel_scene.h"
 
 using pcl_ops::no_plane;
 using namespace pcl_ops::internal;
@@ -16,7 +16,7 @@ TEST (VoxelSurfels, BoundGrowsPlanes)
 {
   VoxelScene scene ({{ground}});
   scene.label (no_plane, [] (const auto& at) { return at.x() > 1.5; });
-  EXPECT_EQ (voxelsOn (0, Stages (pointsOf ({ground})).bound (scene)), 400u);
+  EXPECT_EQ (voxelsOn (0, SurfelScene (pointsOf ({ground})).bound (scene)), 400u);
 }
 
 TEST (VoxelSurfels, BoundAbsorbsASplinter)
@@ -25,7 +25,7 @@ TEST (VoxelSurfels, BoundAbsorbsASplinter)
   VoxelScene scene ({{ground}}, 5_mm);
   scene.planes.planes.push_back (scene.planes.planes[0]);
   scene.label (1, [] (const auto& at) { return at.x() < 0.3 && at.y() < 0.3; });
-  Stages stages (pointsOf ({ground}, 5_mm));
+  SurfelScene stages (pointsOf ({ground}, 5_mm));
   stages.parameters.merging.enabled = false;
   EXPECT_EQ (stages.bound (scene).size(), 1u);
 }
@@ -37,7 +37,7 @@ TEST (VoxelSurfels, BoundTellsCoarseVoxelsWhatTheirPlanesBecame)
                      {{{1, 0, 0.05}, {1, 0, 0}, {0, 2, 0}}},
                      {{{0, 0, 1.05}, {2, 0, 0}, {0, 2, 0}}}},
                     5_mm);
-  const RefinedPlanes planes = Stages (pointsOf ({ground})).boundAll (scene);
+  const RefinedPlanes planes = SurfelScene (pointsOf ({ground})).boundAll (scene);
   ASSERT_EQ (planes.finer.planes.size(), 2u);
   const pcl_ops::Labels& became = planes.coarse.plane_of_voxel;
   EXPECT_EQ (became[0], became[1]);
@@ -49,7 +49,7 @@ TEST (VoxelSurfels, BoundTellsCoarseVoxelsWhatTheirPlanesBecame)
 TEST (VoxelSurfels, BoundMergesPlanesThatDoNotTouch)
 {
   VoxelScene scene ({{ground}, {{{3, 0, 0.05}, {1, 0, 0}, {0, 2, 0}}}});
-  const Stages stages (pointsOf ({ground}));
+  const SurfelScene stages (pointsOf ({ground}));
   const BoundedPlanes planes = stages.bound (scene);
   EXPECT_EQ (planes.size(), 1u);
   EXPECT_EQ (voxelsOn (0, planes), scene.grid().size());
@@ -59,7 +59,7 @@ TEST (VoxelSurfels, BoundKeepsApartWhatNoiseDoesNotExplain)
 {
   // 4 cm higher, and without any noise: nearer than theta_h of the paper all the same.
   VoxelScene scene ({{ground}, {{{3, 0, 0.09}, {1, 0, 0}, {0, 2, 0}}}});
-  const Stages stages (pointsOf ({ground}));
+  const SurfelScene stages (pointsOf ({ground}));
   EXPECT_EQ (stages.bound (scene).size(), 2u);
 }
 
@@ -67,7 +67,7 @@ TEST (VoxelSurfels, BoundHandsVoxelsToTheNearerPlane)
 {
   VoxelScene scene ({{ground}, {wall}});
   scene.label (1, [] (const auto& at) { return at.x() < 0.2 && at.z() < 0.1; });
-  const Stages stages (pointsOf ({ground}));
+  const SurfelScene stages (pointsOf ({ground}));
   const BoundedPlanes planes = stages.bound (scene);
   for (std::size_t i = 0; i < scene.grid().size(); ++i)
     if (scene.centroid (i).x() > 0.1) {
@@ -79,14 +79,14 @@ TEST (VoxelSurfels, BoundHandsVoxelsToTheNearerPlane)
 TEST (VoxelSurfels, BoundMeasuresTheNoiseOfWhatItSettled)
 {
   VoxelScene scene ({{ground}}, 3_cm);
-  const Stages stages (pointsOf ({ground}));
+  const SurfelScene stages (pointsOf ({ground}));
   for (const double noise : stages.bound (scene).noise)
     EXPECT_NEAR (noise, 3_cm / std::sqrt (3.0), 3_mm);
 }
 
 TEST (VoxelSurfels, AssignNoPointWhereThereAreNoVoxels)
 {
-  const Stages stages (pointsOf ({ground}));
+  const SurfelScene stages (pointsOf ({ground}));
   EXPECT_EQ (
       stages.policy.assign (stages.points, VoxelizedPoints(), RefinedPlanes()).labels,
       pcl_ops::Labels (stages.points.size(), no_plane));
@@ -96,7 +96,7 @@ TEST (VoxelSurfels, AssignPointsOfCoarseAndOfFinerVoxels)
 {
   // Ground in coarse voxels, a narrow board in finer ones; both get all their points.
   const Surface board = {{0, 0, 1.01}, {1.5, 0, 0}, {0, 0.1, 0}};
-  const Stages stages (pointsOf ({ground, board}));
+  const SurfelScene stages (pointsOf ({ground, board}));
   const VoxelizedPoints voxelized = stages.sample();
   RefinedPlanes planes = stages.extract();
   stages.policy.bound (stages.points, voxelized, planes);
@@ -116,7 +116,8 @@ TEST (VoxelSurfels, AssignCountsEachPointOnce)
 {
   // A board stands on the ground: the ground below it is looked at in finer voxels,
   // too.
-  const Stages stages (pointsOf ({ground, {{0, 1.05, 0.1}, {1.5, 0, 0}, {0, 0, 0.1}}}));
+  const SurfelScene stages (
+      pointsOf ({ground, {{0, 1.05, 0.1}, {1.5, 0, 0}, {0, 0, 0.1}}}));
   const VoxelizedPoints voxelized = stages.sample();
   RefinedPlanes planes = stages.extract();
   stages.policy.bound (stages.points, voxelized, planes);
@@ -133,7 +134,7 @@ TEST (VoxelSurfels, MergeNothingThatBoundsKeptApart)
   const Points points = pointsOf ({ground, ground});
   pcl_ops::Labels labels (points.size(), 0);
   std::fill (labels.begin() + 14400, labels.end(), 1);
-  const Stages stages (points);
+  const SurfelScene stages (points);
   const LabelledPlanes found =
       stages.policy.merge ({labels, momentsOfLabels (points, labels, 2, 1)});
   EXPECT_EQ (found.planes.fits.size(), 2u) << "of one and the same ground";

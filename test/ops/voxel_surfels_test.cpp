@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxel_surfel_stages.h"
+#include "surfel_scene.h"
 
 using pcl_ops::no_plane;
 using namespace pcl_ops::internal;
@@ -14,14 +14,14 @@ const Surface wall = {{0.05, 0, 0}, {0, 2, 0}, {0, 0, 2}};
 
 TEST (VoxelSurfels, SampleVoxelsOfTheGivenSize)
 {
-  Stages stages (pointsOf ({ground}));
+  SurfelScene stages (pointsOf ({ground}));
   EXPECT_EQ (stages.sample().grid.voxel_size, 10_cm);
   EXPECT_EQ (stages.sample().grid.size(), 400u);
 }
 
 TEST (VoxelSurfels, SampleMoreVoxelsAtALargerRate)
 {
-  Stages stages (pointsOf ({ground}));
+  SurfelScene stages (pointsOf ({ground}));
   stages.parameters.surfels.voxel_size.reset();
   stages.parameters.sampling_rate = 0.003;
   const std::size_t few = stages.sample().grid.size();
@@ -33,7 +33,7 @@ TEST (VoxelSurfels, SampleNothingOfPointsThatSpanNothing)
 {
   Points point;
   point.add (1, 2, 3);
-  Stages stages (point);
+  SurfelScene stages (point);
   stages.parameters.surfels.voxel_size.reset();
   EXPECT_EQ (stages.sample().grid.size(), 0u);
 }
@@ -41,7 +41,7 @@ TEST (VoxelSurfels, SampleNothingOfPointsThatSpanNothing)
 TEST (VoxelSurfels, OrientVoxelsWithPointsEnough)
 {
   // 36 points in each voxel, 9 voxels around: 324 points, at the corners 144.
-  Stages stages (pointsOf ({ground}));
+  SurfelScene stages (pointsOf ({ground}));
   const VoxelizedPoints voxelized = stages.sample();
   const auto with_k = [&] (int k) {
     stages.parameters.k = k;
@@ -56,7 +56,7 @@ TEST (VoxelSurfels, OrientVoxelsWithPointsEnough)
 
 TEST (VoxelSurfels, AskForAsManyPointsAsSomeAverageVoxelsHold)
 {
-  Stages stages (pointsOf ({ground}));
+  SurfelScene stages (pointsOf ({ground}));
   stages.parameters.surfels.resolutions = 1;
   stages.parameters.surfels.least_average_voxels = 9.1;
   for (const auto& surfel : stages.policy.orient (stages.points, stages.sample()))
@@ -65,7 +65,7 @@ TEST (VoxelSurfels, AskForAsManyPointsAsSomeAverageVoxelsHold)
 
 TEST (VoxelSurfels, ExtractGroundAndWallInCoarseVoxels)
 {
-  const RefinedPlanes planes = Stages (pointsOf ({ground, wall}, 5_mm)).extract();
+  const RefinedPlanes planes = SurfelScene (pointsOf ({ground, wall}, 5_mm)).extract();
   EXPECT_EQ (planes.size(), 2u);
   EXPECT_EQ (planes.coarse.size(), 2u);
   EXPECT_LE (voxelsOn (no_plane, planes.coarse), 60u) << "where they meet";
@@ -74,7 +74,7 @@ TEST (VoxelSurfels, ExtractGroundAndWallInCoarseVoxels)
 TEST (VoxelSurfels, ExtractFillsHolesInPlanes)
 {
   // A voxel of the ground without a surfel, as if things lay there.
-  const Stages stages (pointsOf ({ground}));
+  const SurfelScene stages (pointsOf ({ground}));
   const VoxelizedPoints voxelized = stages.sample();
   auto surfels = stages.policy.orient (stages.points, voxelized);
   surfels[210].reset();
@@ -85,7 +85,7 @@ TEST (VoxelSurfels, ExtractFillsHolesInPlanes)
 TEST (VoxelSurfels, ExtractMeasuresTheNoiseOfCoarsePlanes)
 {
   // What the surfels say of it is ten times too much.
-  const Stages stages (pointsOf ({ground}, 1_cm));
+  const SurfelScene stages (pointsOf ({ground}, 1_cm));
   const VoxelizedPoints voxelized = stages.sample();
   auto surfels = stages.policy.orient (stages.points, voxelized);
   for (auto& surfel : surfels)
@@ -99,7 +99,8 @@ TEST (VoxelSurfels, ExtractJoinsCoarsePlanesThatAreOne)
 {
   // A ground with a gap in it.
   const Surface beyond = {{3, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
-  const RefinedPlanes planes = Stages (pointsOf ({ground, beyond}, 5_mm)).extract();
+  const RefinedPlanes planes =
+      SurfelScene (pointsOf ({ground, beyond}, 5_mm)).extract();
   EXPECT_EQ (planes.size(), 2u) << "found, before they were one";
   EXPECT_EQ (planes.coarse.size(), 1u);
   EXPECT_EQ (voxelsOn (0, planes.coarse), 800u);
@@ -107,7 +108,7 @@ TEST (VoxelSurfels, ExtractJoinsCoarsePlanesThatAreOne)
 
 TEST (VoxelSurfels, ExtractLooksAtNothingTwice)
 {
-  const RefinedPlanes planes = Stages (pointsOf ({ground})).extract();
+  const RefinedPlanes planes = SurfelScene (pointsOf ({ground})).extract();
   EXPECT_EQ (planes.size(), 1u);
   EXPECT_TRUE (planes.finer.points.empty()) << "all of it is on the coarse plane";
 }
@@ -116,7 +117,7 @@ TEST (VoxelSurfels, ExtractFindsANarrowBoardInFinerVoxelsOnly)
 {
   // 15 voxels of 10 cm are fewer than the 20 a plane needs; of 5 cm there are 60.
   const Surface board = {{0, 0, 1.01}, {1.5, 0, 0}, {0, 0.1, 0}};
-  const RefinedPlanes planes = Stages (pointsOf ({ground, board})).extract();
+  const RefinedPlanes planes = SurfelScene (pointsOf ({ground, board})).extract();
   EXPECT_EQ (planes.coarse.size(), 1u);
   ASSERT_EQ (planes.finer.planes.size(), 2u);
   EXPECT_EQ (planes.size(), 2u) << "found";
@@ -126,7 +127,7 @@ TEST (VoxelSurfels, ExtractFindsANarrowBoardInFinerVoxelsOnly)
 
 TEST (VoxelSurfels, ExtractNoPlaneOfCoarseSurfelsThatAreNotSure)
 {
-  Stages stages (pointsOf ({ground}));
+  SurfelScene stages (pointsOf ({ground}));
   const VoxelizedPoints voxelized = stages.sample();
   auto surfels = stages.policy.orient (stages.points, voxelized);
   for (const double times_sure : {0.9, 1.1}) {
@@ -141,7 +142,7 @@ TEST (VoxelSurfels, ExtractNoPlaneOfCoarseSurfelsThatAreNotSure)
 TEST (VoxelSurfels, ExtractThickerSurfelsInFinerVoxels)
 {
   // Points up to 5 cm off: thick at any resolution there is.
-  Stages stages (pointsOf ({ground}, 4_cm));
+  SurfelScene stages (pointsOf ({ground}, 4_cm));
   stages.parameters.surfels.resolutions = 1;
   stages.parameters.surfels.sure_thickness = 0.0;
   stages.parameters.surfels.largest_thickness = 0.0;

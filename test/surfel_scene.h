@@ -15,9 +15,9 @@ pointsOf (const std::vector<Surface>& surfaces, double noise = 0.0)
   return points;
 }
 
-/** \brief The stages, with voxels of 10 cm. */
-struct Stages {
-  explicit Stages (pcl_ops::internal::Points some_points)
+/** \brief Points, and the stages of OPS on their surfels, with voxels of 10 cm. */
+struct SurfelScene {
+  explicit SurfelScene (pcl_ops::internal::Points some_points)
   : points (std::move (some_points))
   {
     parameters.surfels.voxel_size = 10_cm;
