@@ -6,6 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "bounded/bounded_planes.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -66,17 +68,15 @@ axesOf (const Moments& moments, const Plane& plane)
 } // namespace
 
 Bending
-bendingOf (const std::vector<Moments>& moments,
-           const Indices& voxels,
-           const PlaneFit& fit)
+bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit)
 {
   Bending bending;
   constexpr std::size_t fewest = 8;
+  constexpr double smallest_voxels_of_noise = 0.01;
   if (voxels.size() < fewest)
     return bending;
-  Moments all;
-  for (const std::uint32_t voxel : voxels)
-    all.addAligned (moments[voxel]);
+  const std::vector<Moments>& moments = grid.moments;
+  const Moments all = momentsOf (grid, voxels);
   const PatchAxes axes = axesOf (all, fit.plane);
   Equations equations;
   double within = 0.0;
@@ -107,7 +107,8 @@ bendingOf (const std::vector<Moments>& moments,
   bending.amplitude = std::abs (bends.eigenvalues()[largest]);
   bending.half_extent =
       1.0 / std::hypot (direction[0] / axes.half_u, direction[1] / axes.half_v);
-  bending.noise = std::sqrt (within / all.count);
+  bending.noise = std::max (std::sqrt (within / all.count),
+                            smallest_voxels_of_noise * grid.voxel_size);
   return bending;
 }
 
@@ -115,11 +116,10 @@ bool
 isCurved (const Bending& bending)
 {
   constexpr double smallest_share = 0.4;
-  constexpr double smallest_slope = 0.025;
-  constexpr double smallest_noises = 0.4;
+  constexpr double smallest_excess = 0.08;
   return bending.explained > smallest_share &&
-         bending.amplitude > smallest_slope * bending.half_extent &&
-         bending.amplitude > smallest_noises * bending.noise;
+         bending.amplitude * bending.amplitude >
+             smallest_excess * bending.half_extent * bending.noise;
 }
 
 } // namespace pcl_ops::internal

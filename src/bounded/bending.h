@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "geometry/points.h"
+#include "voxels/voxel_grid.h"
 #include <pcl_ops/plane.h>
 
 #include <vector>
@@ -18,21 +18,21 @@ struct Bending {
   double amplitude = 0.0;
   /** \brief Half the extent of the patch in the direction it bends in [m]. */
   double half_extent = 0.0;
-  /** \brief Rms distance of the points from their voxel's mean height [m]. */
+  /** \brief Rms distance of the points from their voxel's mean height, at least a
+   * hundredth of a voxel [m]. */
   double noise = 0.0;
 };
 
 /** \brief Least squares of the mean heights of voxels above a plane by 1, u, v, u^2, u
  * v and v^2, u and v along the plane, each voxel weighing as much as its points.
- * \param[in] moments of all voxels \param[in] voxels those of the patch; a bending of 0
+ * \param[in] grid \param[in] voxels those of the patch; a bending of 0
  * for fewer than eight \param[in] fit the plane of the patch */
 Bending
-bendingOf (const std::vector<Moments>& moments,
-           const Indices& voxels,
-           const PlaneFit& fit);
+bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit);
 
-/** \brief Whether a patch is part of a curved surface: the bending explains it, and is
- * more than a sensor bends a wall by and than noise makes up. */
+/** \brief Whether a patch is part of a curved surface: the bending explains it, and its
+ * slope (amplitude over half extent) times its noises (amplitude over noise) is more
+ * than a sensor bends a wall by. */
 bool
 isCurved (const Bending& bending);
 

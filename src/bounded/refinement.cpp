@@ -53,14 +53,7 @@ takePoints (const Coordinates& points,
   for (std::size_t i = 0; i < points.size(); ++i)
     if (refinement.is_refined[coarse.voxel_of_point[i]])
       refinement.points.push_back (static_cast<std::uint32_t> (i));
-  Coordinates& positions = refinement.positions;
-  positions.resize (refinement.points.size());
-  for (std::size_t i = 0; i < refinement.points.size(); ++i) {
-    const std::uint32_t point = refinement.points[i];
-    positions.x[i] = points.x[point];
-    positions.y[i] = points.y[point];
-    positions.z[i] = points.z[point];
-  }
+  refinement.positions = selected (points, refinement.points);
 }
 
 // Of each finer voxel the coarse one that holds it.

@@ -191,6 +191,19 @@ keepFinite (Points& points)
 
 } // namespace
 
+Coordinates
+selected (const Coordinates& points, const Indices& numbers)
+{
+  Coordinates some;
+  some.resize (numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    some.x[i] = points.x[numbers[i]];
+    some.y[i] = points.y[numbers[i]];
+    some.z[i] = points.z[numbers[i]];
+  }
+  return some;
+}
+
 double
 medianOf (std::vector<float>& values)
 {

@@ -69,6 +69,10 @@ struct Points : Coordinates {
  * Of the input cloud's points pcl::Indices speak. */
 using Indices = std::vector<std::uint32_t>;
 
+/** \brief Some of the points, in the order of their numbers. */
+Coordinates
+selected (const Coordinates& points, const Indices& numbers);
+
 /** \brief The median, or the upper of the two middle ones; 0 for no values.
  * \param[in,out] values reordered */
 double

@@ -138,6 +138,53 @@ private:
   std::vector<double> noise_;
 };
 
+/** \brief The patches that are no planes. */
+class CurvedSurfaces {
+public:
+  CurvedSurfaces (const VoxelGrid& grid, const Surfels& surfels, double angle_threshold)
+  : grid_ (grid)
+  , surfels_ (surfels)
+  , smallest_cosine_ (std::cos (angle_threshold))
+  , is_curved_ (grid.size(), 0)
+  {}
+
+  /** \brief Adds a patch if it is curved together with the curved surfaces it
+   * continues: the narrow strip that those leave of a cylinder is flat by itself.
+   * \return whether it was */
+  bool
+  take (const Indices& patch, const PlaneFit& fit)
+  {
+    if (!isCurved (bendingOf (grid_, continued (patch, fit.plane), fit)))
+      return false;
+    for (const std::uint32_t voxel : patch)
+      is_curved_[voxel] = 1;
+    return true;
+  }
+
+private:
+  Indices
+  continued (Indices patch, const Plane& plane)
+  {
+    const std::size_t own = patch.size();
+    for (std::size_t i = 0; i < own; ++i)
+      for (const std::uint32_t neighbour : grid_.neighbours[patch[i]])
+        if (is_curved_[neighbour] != 0 &&
+            std::abs (plane.normal.dot (surfels_[neighbour]->plane.normal)) >
+                smallest_cosine_) {
+          is_curved_[neighbour] = 0;
+          patch.push_back (neighbour);
+        }
+    for (std::size_t i = own; i < patch.size(); ++i)
+      is_curved_[patch[i]] = 1;
+    return patch;
+  }
+
+  const VoxelGrid& grid_;
+  const Surfels& surfels_;
+  double smallest_cosine_;
+  std::vector<char> is_curved_;
+};
+
 // The largest patch around a seed: of the plane fitted on the way, and of those fitted
 // to the whole of what the plane before reached.
 Patch
@@ -200,6 +247,7 @@ extractSurfelPlanes (const VoxelGrid& grid,
   planes.plane_of_voxel.resize (grid.size(), no_plane);
   planes.noise.resize (grid.size(), 0.0);
   SurfelSpread spread (grid, surfels, parameters, planes.plane_of_voxel);
+  CurvedSurfaces curved (grid, surfels, parameters.angle_threshold);
   for (const std::uint32_t seed : byThickness (surfels)) {
     if (!spread.isOpen (seed))
       continue;
@@ -209,7 +257,7 @@ extractSurfelPlanes (const VoxelGrid& grid,
     if (!fit || patch.voxels.size() < parameters.min_inliers)
       continue;
     spread.close (patch);
-    if (!isCurved (bendingOf (grid.moments, patch.voxels, *fit)))
+    if (!curved.take (patch.voxels, *fit))
       addPlane (fit->plane, patch, spread, planes);
   }
 }

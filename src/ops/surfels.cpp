@@ -66,6 +66,16 @@ momentsAround (const VoxelGrid& grid, std::size_t voxel)
   return surroundings;
 }
 
+// Whether points cover a surface: what is much narrower than a voxel is a line, and has
+// a plane along any direction.
+bool
+isSurface (const PrincipalAxes& axes, double voxel_size)
+{
+  constexpr double least_voxels_wide = 0.75;
+  const double least_deviation = least_voxels_wide * voxel_size / std::sqrt (12.0);
+  return axes.values[1] >= least_deviation * least_deviation;
+}
+
 // The normals of a range of voxels.
 void
 findNormals (const VoxelGrid& grid,
@@ -91,7 +101,7 @@ findNormals (const VoxelGrid& grid,
   std::vector<PrincipalAxes> axes (voxels.size());
   principalAxes (covariances.data(), voxels.size(), axes.data());
   for (std::size_t i = 0; i < voxels.size(); ++i) {
-    if (axes[i].normal.isZero())
+    if (axes[i].normal.isZero() || !isSurface (axes[i], grid.voxel_size))
       continue;
     const Surfel normal = normalOf (surroundings[i], axes[i]);
     level.normals[voxels[i]] = normal;

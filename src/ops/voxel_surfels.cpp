@@ -7,6 +7,7 @@
 #include "bounded/noise_measurement.h"
 #include "bounded/plane_absorption.h"
 #include "bounded/plane_growing.h"
+#include "ops/sparse_points.h"
 #include "ops/surfel_extraction.h"
 
 #include <algorithm>
@@ -44,13 +45,19 @@ smallestVoxel (const Points& points)
   return steps * (std::nextafter (largest, 2.0f * largest + 1.0f) - largest);
 }
 
+// Not the mean, as a few dense places say nothing of the others.
 double
-meanPointsPerVoxel (const VoxelGrid& grid)
+medianPointsPerVoxel (const VoxelGrid& grid)
 {
-  double points = 0.0;
+  if (grid.size() == 0)
+    return 0.0;
+  std::vector<double> points;
+  points.reserve (grid.size());
   for (const Moments& voxel : grid.moments)
-    points += voxel.count;
-  return points / static_cast<double> (grid.size());
+    points.push_back (voxel.count);
+  const auto middle = points.begin() + static_cast<std::ptrdiff_t> (points.size() / 2);
+  std::nth_element (points.begin(), middle, points.end());
+  return *middle;
 }
 
 Surfels
@@ -61,7 +68,7 @@ surfelsOf (const VoxelGrid& grid,
   const SurfelParameters& surfels = parameters.surfels;
   const double least_points =
       std::max (static_cast<double> (parameters.k),
-                surfels.least_average_voxels * meanPointsPerVoxel (grid));
+                surfels.least_average_voxels * medianPointsPerVoxel (grid));
   return findSurfels (
       grid, surfels.resolutions, least_points, parameters.threads, plane_of_voxel);
 }
@@ -177,6 +184,39 @@ VoxelSurfels::assign (const Points& points,
 {
   if (voxelized.grid.size() == 0)
     return {Labels (points.size(), no_plane), {}};
+  AssignedPoints assigned = assignInVoxels (points, voxelized, planes);
+  addSparse (points, voxelized, assigned);
+  return assigned;
+}
+
+void
+VoxelSurfels::addSparse (const Points& points,
+                         const VoxelizedPoints& voxelized,
+                         AssignedPoints& assigned) const
+{
+  const Indices numbers = sparsePoints (voxelized, assigned.labels, parameters_.k);
+  if (numbers.empty())
+    return;
+  Points sparse;
+  static_cast<Coordinates&> (sparse) = selected (points, numbers);
+  sparse.origin = points.origin;
+  const VoxelizedPoints voxels = sample (sparse);
+  RefinedPlanes planes = extract (sparse, voxels, orient (sparse, voxels));
+  bound (sparse, voxels, planes);
+  const AssignedPoints more = assign (sparse, voxels, planes);
+  const auto before = static_cast<std::int32_t> (assigned.moments.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (more.labels[i] != no_plane)
+      assigned.labels[numbers[i]] = before + more.labels[i];
+  assigned.moments.insert (
+      assigned.moments.end(), more.moments.begin(), more.moments.end());
+}
+
+AssignedPoints
+VoxelSurfels::assignInVoxels (const Points& points,
+                              const VoxelizedPoints& voxelized,
+                              const RefinedPlanes& planes) const
+{
   const auto assigned = [&] (const Coordinates& positions,
                              const VoxelizedPoints& voxels,
                              const BoundedPlanes& bounded,

@@ -68,6 +68,18 @@ public:
   merge (AssignedPoints assigned) const;
 
 private:
+  /** \brief Labels the points of the voxels' planes. */
+  AssignedPoints
+  assignInVoxels (const Points& points,
+                  const VoxelizedPoints& voxelized,
+                  const RefinedPlanes& planes) const;
+
+  /** \brief Looks for planes among points too sparse for the voxels of the others. */
+  void
+  addSparse (const Points& points,
+             const VoxelizedPoints& voxelized,
+             AssignedPoints& assigned) const;
+
   const OrientedPointSamplingParameters& parameters_;
 };
 

@@ -163,6 +163,24 @@ countOccupied (const Coordinates& positions, double voxel_size)
   return table.size();
 }
 
+// Without what lies many times farther from the origin, which is near most points, than
+// half of them do: outliers would fill a voxel each, however large.
+Coordinates
+withoutOutliers (const Coordinates& positions)
+{
+  constexpr double medians = 32.0;
+  std::vector<float> distances;
+  distances.reserve (positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    distances.push_back (static_cast<float> (positions[i].norm()));
+  const double limit = medians * medianOf (distances);
+  Coordinates kept;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (!(positions[i].norm() > limit))
+      kept.add (positions.x[i], positions.y[i], positions.z[i]);
+  return kept;
+}
+
 double
 diagonal (const Coordinates& positions)
 {
@@ -184,7 +202,7 @@ voxelSizeFor (const Coordinates& positions, double wanted_voxels)
   constexpr double counted_voxels = 800.0;
   if (positions.size() == 0)
     return 0.0;
-  const Coordinates some = someOf (positions, looked_at);
+  const Coordinates some = withoutOutliers (someOf (positions, looked_at));
   if (some.size() == 0)
     return 0.0;
   double voxel_size = diagonal (some) / 25.0;

@@ -162,10 +162,9 @@ TEST (VoxelExtraction, LeavesAnIslandOfFewerThanThetaNVoxels)
 
 TEST (VoxelExtraction, LeavesMostOfABarrelAlone)
 {
-  for (const double radius : {40_cm, 1_m}) {
-    const VoxelGrid grid = barrel (radius);
-    EXPECT_GT (voxelsOn (no_plane, planesOf (grid)), grid.size() / 2) << radius;
-  }
+  const VoxelGrid slender = barrel (40_cm), wide = barrel (1_m);
+  EXPECT_GT (voxelsOn (no_plane, planesOf (slender)), 70_percent * slender.size());
+  EXPECT_GT (voxelsOn (no_plane, planesOf (wide)), 90_percent * wide.size());
 }
 
 TEST (VoxelExtraction, BeginsWithTheFlattestSurfels)

@@ -177,3 +177,12 @@ TEST (OrientedVoxels, HaveNoSurfelWhereTheyAreOnAPlaneAlready)
   for (std::size_t i = 0; i < grid.size(); ++i)
     EXPECT_EQ (surfels[i].has_value(), i >= 100);
 }
+
+TEST (OrientedVoxels, HaveNoSurfelOnAWire)
+{
+  // A millimetre wide in voxels of ten centimetres.
+  Coordinates points;
+  addGrid (points, {{0, 0, 0}, {2, 0, 0}, {0, 1_mm, 0}}, 120);
+  for (const auto& surfel : surfelsOf (voxelize (points, 0.1, 1).grid))
+    EXPECT_FALSE (surfel.has_value());
+}

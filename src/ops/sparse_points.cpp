@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/sparse_points.h"
+
+#include <numeric>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+std::vector<char>
+sparseVoxels (const VoxelGrid& grid, double least_points)
+{
+  std::vector<char> is_sparse (grid.size());
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const VoxelRange& around = grid.neighbours[i];
+    is_sparse[i] = std::accumulate (around.begin(),
+                                    around.end(),
+                                    0.0,
+                                    [&grid] (double points, std::uint32_t voxel) {
+                                      return points + grid.moments[voxel].count;
+                                    }) < least_points;
+  }
+  return is_sparse;
+}
+
+} // namespace
+
+Indices
+sparsePoints (const VoxelizedPoints& voxelized,
+              const Labels& labels,
+              double least_points)
+{
+  constexpr std::size_t least_share = 100;
+  constexpr std::size_t most_share = 2;
+  const std::vector<char> is_sparse = sparseVoxels (voxelized.grid, least_points);
+  Indices sparse;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] == no_plane && is_sparse[voxelized.voxel_of_point[i]])
+      sparse.push_back (static_cast<std::uint32_t> (i));
+  const bool is_cloud = sparse.size() >= labels.size() / least_share &&
+                        sparse.size() <= labels.size() / most_share;
+  return is_cloud ? sparse : Indices();
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid_scene.h"
+#include "ops/sparse_points.h"
+
+#include <numeric>
+
+using pcl_ops::no_plane;
+using namespace pcl_ops::internal;
+
+namespace {
+
+constexpr double least_points = 30.0;
+
+/** \brief A dense square of 14,400 points, and a sparse one in another place, of so
+ * many points a metre from each other, in voxels of 10 cm. */
+VoxelizedPoints
+denseAndSparse (int sparse_steps)
+{
+  Coordinates points;
+  addGrid (points, {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, 120);
+  const double edge = sparse_steps * 1_m;
+  addGrid (points, {{10, 0, 0}, {edge, 0, 0}, {0, edge, 0}}, sparse_steps);
+  return voxelize (points, 10_cm, 1);
+}
+
+Indices
+sparseAmong (const VoxelizedPoints& voxelized, std::int32_t label = no_plane)
+{
+  const std::vector<std::int32_t> labels (voxelized.voxel_of_point.size(), label);
+  return sparsePoints (voxelized, labels, least_points);
+}
+
+} // namespace
+
+TEST (SparsePoints, AreThoseWithFewAround)
+{
+  Indices sparse (400);
+  std::iota (sparse.begin(), sparse.end(), 14400u);
+  EXPECT_EQ (sparseAmong (denseAndSparse (20)), sparse);
+}
+
+TEST (SparsePoints, AreOnNoPlane)
+{
+  EXPECT_TRUE (sparseAmong (denseAndSparse (20), 0).empty());
+}
+
+TEST (SparsePoints, OfLessThanAHundredthOfTheCloudAreLeftAlone)
+{
+  EXPECT_TRUE (sparseAmong (denseAndSparse (12)).empty());
+}
+
+TEST (SparsePoints, OfMoreThanHalfOfTheCloudHaveVoxelsOfTheirOwnAlready)
+{
+  EXPECT_TRUE (sparseAmong (denseAndSparse (121)).empty());
+}
