@@ -24,6 +24,16 @@ sparseVoxels (const VoxelGrid& grid, double least_points)
   return is_sparse;
 }
 
+std::size_t
+pointsIn (const std::vector<char>& is_sparse, const VoxelGrid& grid)
+{
+  double points = 0.0;
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    if (is_sparse[i] != 0)
+      points += grid.moments[i].count;
+  return static_cast<std::size_t> (points);
+}
+
 } // namespace
 
 Indices
@@ -35,11 +45,13 @@ sparsePoints (const VoxelizedPoints& voxelized,
   constexpr std::size_t most_share = 2;
   const std::vector<char> is_sparse = sparseVoxels (voxelized.grid, least_points);
   Indices sparse;
+  if (pointsIn (is_sparse, voxelized.grid) * least_share < labels.size())
+    return sparse;
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (labels[i] == no_plane && is_sparse[voxelized.voxel_of_point[i]])
       sparse.push_back (static_cast<std::uint32_t> (i));
-  const bool is_cloud = sparse.size() >= labels.size() / least_share &&
-                        sparse.size() <= labels.size() / most_share;
+  const bool is_cloud = sparse.size() * least_share >= labels.size() &&
+                        sparse.size() * most_share <= labels.size();
   return is_cloud ? sparse : Indices();
 }
 

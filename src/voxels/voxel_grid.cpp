@@ -3,6 +3,7 @@
 #include "voxels/voxel_grid.h"
 
 #include "base/parallel.h"
+#include "base/vectorized.h"
 #include "voxels/voxel_keys.h"
 #include "voxels/voxel_table.h"
 
@@ -122,7 +123,7 @@ finish (VoxelTable& table,
 
 // A number as good as drawn, but the same for a position wherever it stands, and in any
 // unit that is a power of two: exponents are left out.
-std::uint32_t
+inline std::uint32_t
 hashOf (float x, float y, float z)
 {
   const auto bits = [] (float value) {
@@ -137,16 +138,38 @@ hashOf (float x, float y, float z)
   return hash ^ hash >> 15;
 }
 
+PCL_OPS_VECTORIZED void
+hashAll (const float* x,
+         const float* y,
+         const float* z,
+         std::size_t number,
+         std::uint32_t* hashes)
+{
+  for (std::size_t i = 0; i < number; ++i)
+    hashes[i] = hashOf (x[i], y[i], z[i]);
+}
+
 // Some of the points, the same ones whatever their order.
 Coordinates
 someOf (const Coordinates& positions, std::size_t wanted)
 {
+  constexpr std::size_t at_once = 1024;
   const auto share = static_cast<std::uint32_t> (positions.size() / wanted + 1);
   const std::uint32_t last_taken = std::numeric_limits<std::uint32_t>::max() / share;
+  std::array<std::uint32_t, at_once> hashes;
   Coordinates some;
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    if (hashOf (positions.x[i], positions.y[i], positions.z[i]) <= last_taken)
-      some.add (positions.x[i], positions.y[i], positions.z[i]);
+  for (std::size_t begin = 0; begin < positions.size(); begin += at_once) {
+    const std::size_t number = std::min (at_once, positions.size() - begin);
+    hashAll (&positions.x[begin],
+             &positions.y[begin],
+             &positions.z[begin],
+             number,
+             hashes.data());
+    for (std::size_t i = 0; i < number; ++i)
+      if (hashes[i] <= last_taken)
+        some.add (
+            positions.x[begin + i], positions.y[begin + i], positions.z[begin + i]);
+  }
   return some;
 }
 
