@@ -4,6 +4,7 @@
 
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/up_axis.h>
+#include <pcl_ops/visibility.h>
 
 #include <iomanip>
 #include <sstream>
@@ -12,16 +13,25 @@ namespace pcl_ops::apps {
 
 namespace {
 
-std::optional<UpAxis>
+/** \brief The axis, or why there is none. */
+struct UpSearch {
+  std::optional<UpAxis> found;
+  std::string problem;
+};
+
+UpSearch
 findUp (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 {
+  if (!isSeenFromItsOrigin (*cloud))
+    return {std::nullopt, "the cloud was not seen from its VIEWPOINT"};
   OrientedPointSampling<pcl::PointXYZ> ops;
   ops.setSeed (options.seed.value_or (ops.getSeed()));
   ops.setNumberOfThreads (options.threads.value_or (ops.getNumberOfThreads()));
   ops.setInputCloud (cloud);
   std::vector<PlaneSegment> planes;
   ops.segment (planes);
-  return estimateUpAxis (planes, cloud->sensor_origin_.head<3>().cast<double>());
+  return {estimateUpAxis (planes, cloud->sensor_origin_.head<3>().cast<double>()),
+          "the planes cannot tell"};
 }
 
 std::string
@@ -34,14 +44,14 @@ textOf (const Eigen::Vector3f& vector)
 }
 
 std::string
-noteOn (const std::optional<UpAxis>& found, const Eigen::Vector3f& used)
+noteOn (const UpSearch& search, const Eigen::Vector3f& used)
 {
   std::ostringstream note;
-  if (found)
+  if (search.found)
     note << "Up axis: " << textOf (used) << ", confidence " << std::fixed
-         << std::setprecision (2) << found->confidence;
+         << std::setprecision (2) << search.found->confidence;
   else
-    note << "Up axis: the planes cannot tell, " << textOf (used)
+    note << "Up axis: " << search.problem << ", " << textOf (used)
          << " is used; give --up x,y,z";
   return note.str();
 }
@@ -55,12 +65,13 @@ runMethod (const Method& method,
 {
   if (!options.finds_up)
     return method.detect (options, cloud);
-  const std::optional<UpAxis> found = findUp (options, cloud);
+  const UpSearch search = findUp (options, cloud);
+  const std::optional<UpAxis>& found = search.found;
   DetectorOptions known = options;
   if (found)
     known.up = found->direction.cast<float>();
   Detected detected = method.detect (known, cloud);
-  detected.up_note = noteOn (found, detected.up);
+  detected.up_note = noteOn (search, detected.up);
   detected.settings.emplace_back (
       "up_confidence", found ? SettingValue (found->confidence) : SettingValue());
   return detected;

@@ -8,6 +8,7 @@
 #include <numbers/fraction.h>
 #include <numbers/quantile.h>
 #include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/visibility.h>
 
 #include <algorithm>
 #include <array>
@@ -58,6 +59,8 @@ guessUp (const EvaluationCloud& cloud, internal::RandomGenerator& generator)
 {
   const Eigen::Quaterniond rotation = drawRotation (generator);
   const XyzCloud::Ptr turned_cloud = turned (*cloud.cloud, rotation);
+  if (!isSeenFromItsOrigin (*turned_cloud))
+    return std::nullopt;
   OrientedPointSampling<pcl::PointXYZ> ops;
   ops.setInputCloud (turned_cloud);
   std::vector<PlaneSegment> planes;

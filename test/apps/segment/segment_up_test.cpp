@@ -96,6 +96,18 @@ TEST_F (SegmentUp, SaysWhenThePlanesCannotTell)
       << run.outcome.out;
 }
 
+TEST_F (SegmentUp, IsNotGuessedWhereTheViewpointIsNotTheSensors)
+{
+  // From below the floor, which then stands before all the rest.
+  InputCloud cloud = roomLyingOnItsSide();
+  cloud.sensor_origin_ = Eigen::Vector4f (-2.0f, 2.0f, 1.0f, 0.0f);
+  const UpRun run = findUp (cloud);
+  EXPECT_EQ (run.up(), Eigen::Vector3d::UnitZ());
+  EXPECT_TRUE (run.json["parameters"]["up_confidence"].is_null());
+  EXPECT_TRUE (contains (run.outcome.out, "not seen from its VIEWPOINT"))
+      << run.outcome.out;
+}
+
 TEST_F (SegmentUp, IsNotLookedForUnlessAsked)
 {
   ASSERT_EQ (run ("in.pcd --planes planes.json").exit_code, 0);

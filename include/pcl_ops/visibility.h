@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <pcl_ops/cloud_view.h>
+#include <pcl_ops/export.h>
+
+namespace pcl_ops {
+
+/** \brief Share of a cloud's points that share their direction, as seen from a place,
+ * with points much nearer or farther: about 0.03 at the edges of things where a cloud
+ * was taken from that place, 0.1 to 0.3 where it was not, say because it is in the
+ * frame of a world and VIEWPOINT says 0 0 0 all the same. \param[in] cloud of any size;
+ * some 60,000 of its points are looked at, the same ones in any order; NaN and infinite
+ * ones are left out \param[in] viewpoint the place, in the frame of the cloud \return 0
+ * to 1; 0 where no direction has points enough to tell, or the place is not finite */
+PCL_OPS_EXPORT double
+hiddenShare (const CloudView& cloud, const Eigen::Vector3d& viewpoint);
+
+/** \brief Whether a cloud may have been taken from a place: one surface in each
+ * direction, nothing behind anything (\ref hiddenShare up to 0.05). A cloud of several
+ * scans was taken from no one place. */
+PCL_OPS_EXPORT bool
+isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud);
+
+/** \brief \ref isSeenFrom for the sensor_origin_ of a cloud. */
+template <typename PointT>
+bool
+isSeenFromItsOrigin (const pcl::PointCloud<PointT>& cloud)
+{
+  const Eigen::Vector3f origin = cloud.sensor_origin_.template head<3>();
+  return isSeenFrom (origin.template cast<double>(), CloudView (cloud));
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/angles.h"
+#include "geometry/point_sample.h"
+#include <pcl_ops/visibility.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+namespace pcl_ops {
+
+namespace {
+
+using namespace internal;
+
+/** \brief A point as seen from the place: in a cell of the cube of directions, so far
+ * away. */
+struct Sighting {
+  std::uint32_t cell;
+  float range;
+
+  friend bool
+  operator<(const Sighting& a, const Sighting& b)
+  {
+    return std::tie (a.cell, a.range) < std::tie (b.cell, b.range);
+  }
+};
+
+std::uint32_t
+cellOf (const Eigen::Vector3d& offset)
+{
+  constexpr double cells_per_radian = 80.0;
+  constexpr std::uint32_t face_cells = 256;
+  Eigen::Index axis = 0;
+  const double depth = offset.cwiseAbs().maxCoeff (&axis);
+  const auto along = [&] (Eigen::Index other) {
+    const double angle = std::atan2 (offset[other % 3], depth) + 0.5 * right_angle;
+    return static_cast<std::uint32_t> (angle * cells_per_radian);
+  };
+  const auto face =
+      2 * static_cast<std::uint32_t> (axis) + (offset[axis] < 0.0 ? 1u : 0u);
+  return (face * face_cells + along (axis + 1)) * face_cells + along (axis + 2);
+}
+
+std::vector<Sighting>
+sightingsFrom (const Eigen::Vector3d& place, const Coordinates& points)
+{
+  std::vector<Sighting> sightings;
+  sightings.reserve (points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d offset = points[i] - place;
+    if (const double range = offset.norm(); range > 0.0)
+      sightings.push_back ({cellOf (offset), static_cast<float> (range)});
+  }
+  std::sort (sightings.begin(), sightings.end());
+  return sightings;
+}
+
+/** \brief Whether sorted ranges leave a gap with a fifth or more of them on either
+ * side: a surface behind another, and not one seen at a low angle. */
+bool
+areOfTwoSurfaces (const Sighting* first, std::size_t number)
+{
+  constexpr float smallest_ratio = 1.15f;
+  constexpr std::size_t least_share = 5;
+  const std::size_t least = (number + least_share - 1) / least_share;
+  for (std::size_t i = least; i <= number - least; ++i)
+    if (first[i].range > smallest_ratio * first[i - 1].range)
+      return true;
+  return false;
+}
+
+} // namespace
+
+double
+hiddenShare (const CloudView& cloud, const Eigen::Vector3d& viewpoint)
+{
+  constexpr std::size_t looked_at = 60000;
+  constexpr std::size_t fewest = 5;
+  if (!viewpoint.allFinite())
+    return 0.0;
+  pcl::Indices all (cloud.size);
+  std::iota (all.begin(), all.end(), 0);
+  const Points points = finitePoints (cloud, all, 1);
+  const std::vector<Sighting> sightings =
+      sightingsFrom (viewpoint - points.origin, samplePoints (points, looked_at));
+  std::size_t hidden = 0, told = 0;
+  for (std::size_t first = 0, last = 0; first < sightings.size(); first = last) {
+    while (last < sightings.size() && sightings[last].cell == sightings[first].cell)
+      ++last;
+    const std::size_t number = last - first;
+    if (number < fewest)
+      continue;
+    told += number;
+    if (areOfTwoSurfaces (&sightings[first], number))
+      hidden += number;
+  }
+  return told > 0 ? static_cast<double> (hidden) / static_cast<double> (told) : 0.0;
+}
+
+bool
+isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud)
+{
+  constexpr double largest_share = 0.05;
+  return hiddenShare (cloud, viewpoint) <= largest_share;
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "scene.h"
+#include <pcl_ops/visibility.h>
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Eigen::Vector3d;
+using pcl_ops::CloudView;
+using pcl_ops::hiddenShare;
+using pcl_ops::isSeenFrom;
+using pcl_ops::isSeenFromItsOrigin;
+
+namespace {
+
+const Vector3d eye (1, 2, 1.5);
+
+/** \brief What is seen from the eye, a ray every 0.3 degrees: a wall 4 m ahead, and a
+ * board of 1 m x 1 m half way that hides some of it. */
+Cloud
+wallBehindABoard ()
+{
+  Cloud cloud;
+  for (int row = -100; row < 100; ++row)
+    for (int column = -100; column < 100; ++column) {
+      const Vector3d ray (std::tan (0.3_deg * column), std::tan (0.3_deg * row), 1.0);
+      const Vector3d on_board = 2.0 * ray;
+      const bool hits_board =
+          std::abs (on_board.x()) < 0.5 && std::abs (on_board.y()) < 0.5;
+      const Vector3d point = eye + (hits_board ? 2.0 : 4.0) * ray;
+      cloud.push_back (pcl::PointXYZ (static_cast<float> (point.x()),
+                                      static_cast<float> (point.y()),
+                                      static_cast<float> (point.z())));
+    }
+  return cloud;
+}
+
+} // namespace
+
+TEST (Visibility, IsGivenWhereTheCloudWasSeenFrom)
+{
+  const Cloud cloud = wallBehindABoard();
+  EXPECT_LT (hiddenShare (CloudView (cloud), eye), 5_percent);
+  EXPECT_TRUE (isSeenFrom (eye, CloudView (cloud)));
+}
+
+TEST (Visibility, IsNotGivenWhereTheBoardHidesWallThatIsThere)
+{
+  // From 2 m beside, the board stands before another part of the wall.
+  const Cloud cloud = wallBehindABoard();
+  const Vector3d beside = eye + Vector3d (2, 0, 0);
+  EXPECT_GT (hiddenShare (CloudView (cloud), beside), 5_percent);
+  EXPECT_FALSE (isSeenFrom (beside, CloudView (cloud)));
+}
+
+TEST (Visibility, OfACloudIsAskedForItsSensorOrigin)
+{
+  Cloud cloud = wallBehindABoard();
+  cloud.sensor_origin_.head<3>() = eye.cast<float>();
+  EXPECT_TRUE (isSeenFromItsOrigin (cloud));
+  cloud.sensor_origin_.x() += 2.0f;
+  EXPECT_FALSE (isSeenFromItsOrigin (cloud));
+}
+
+TEST (Visibility, IsTheSameInAnyOrderOfPoints)
+{
+  const Cloud cloud = wallBehindABoard();
+  Cloud reversed;
+  std::for_each (cloud.rbegin(), cloud.rend(), [&] (const pcl::PointXYZ& point) {
+    reversed.push_back (point);
+  });
+  const Vector3d beside = eye + Vector3d (2, 0, 0);
+  EXPECT_EQ (hiddenShare (CloudView (cloud), beside),
+             hiddenShare (CloudView (reversed), beside));
+}
+
+TEST (Visibility, OfTooFewPointsIsAsGiven)
+{
+  Cloud few;
+  EXPECT_TRUE (isSeenFrom (eye, CloudView (few)));
+  few.push_back ({1, 2, 3});
+  few.push_back ({1, 2, 6});
+  EXPECT_TRUE (isSeenFrom (eye, CloudView (few)));
+}
+
+TEST (Visibility, LeavesOutWhatIsNotFinite)
+{
+  Cloud cloud = wallBehindABoard();
+  const double before = hiddenShare (CloudView (cloud), eye);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (int i = 0; i < 1000; ++i)
+    cloud.push_back ({nan, nan, nan});
+  EXPECT_EQ (hiddenShare (CloudView (cloud), eye), before);
+  EXPECT_EQ (hiddenShare (CloudView (cloud), Vector3d::Constant (nan)), 0.0);
+}
