@@ -23,8 +23,18 @@ furnishedRoom ()
 {
   EvaluationCloud room;
   room.cloud.reset (new XyzCloud);
-  const auto add = [&room] (float x, float y, float z) {
-    room.cloud->push_back ({x, y, z});
+  const Eigen::Vector3f eye (0.5f, 2.0f, 1.4f);
+  constexpr float table_height = 0.75f;
+  const auto is_above_table = [] (float x, float y) {
+    return x > 3.0f && x < 4.5f && y > 1.0f && y < 2.0f;
+  };
+  const auto add = [&] (float x, float y, float z) {
+    const Eigen::Vector3f ray = Eigen::Vector3f (x, y, z) - eye;
+    const Eigen::Vector3f above = eye + (table_height - eye.z()) / ray.z() * ray;
+    const bool is_below_table =
+        z < table_height && is_above_table (above.x(), above.y());
+    if (!is_below_table)
+      room.cloud->push_back ({x, y, z});
   };
   constexpr float step = 0.05f;
   for (float s = step; s < 6.0f; s += step)
@@ -34,10 +44,10 @@ furnishedRoom ()
         add (s, 0, t);
       if (s < 2.4f)
         add (6, t, s);
-      if (s > 3.0f && s < 4.5f && t > 1.0f && t < 2.0f)
-        add (s, t, 0.75f);
+      if (is_above_table (s, t))
+        add (s, t, table_height);
     }
-  room.cloud->sensor_origin_ = Eigen::Vector4f (0.5f, 2.0f, 1.4f, 0.0f);
+  room.cloud->sensor_origin_.head<3>() = eye;
   return room;
 }
 
@@ -73,6 +83,14 @@ TEST (UpAccuracy, ARightGuessStaysRightHoweverTheCloudIsTurned)
     ASSERT_TRUE (guess.has_value());
     EXPECT_LE (guess->error, 1.0);
   }
+}
+
+TEST (UpAccuracy, NothingIsGuessedFromAPlaceThatIsNotTheSensors)
+{
+  EvaluationCloud room = furnishedRoom();
+  room.cloud->sensor_origin_.head<3>() = Eigen::Vector3f (3, 2, -2);
+  pcl_ops::internal::RandomGenerator generator (3);
+  EXPECT_FALSE (guessUp (room, generator).has_value());
 }
 
 TEST (UpAccuracy, TheErrorIsMeasuredWithItsSign)
