@@ -47,9 +47,9 @@ struct SurfelParameters {
    * of the one before, 1 to 10. */
   int resolutions = 3;
   /** \brief A normal comes from at least as many points as this many voxels hold on
-   * average (the median): where points are sparse, as they are far from a camera and
-   * noisy there, the neighbourhoods are larger. */
-  double least_average_voxels = 8.0;
+   * average: where points are sparse, as they are far from a camera and noisy there,
+   * the neighbourhoods are larger. */
+  double least_average_voxels = 6.0;
   /** \brief Largest rms distance of a surfel's points to its plane in units of the
    * noise around it. */
   double noise_factor = 2.0;

@@ -45,19 +45,13 @@ smallestVoxel (const Points& points)
   return steps * (std::nextafter (largest, 2.0f * largest + 1.0f) - largest);
 }
 
-// Not the mean, as a few dense places say nothing of the others.
 double
-medianPointsPerVoxel (const VoxelGrid& grid)
+meanPointsPerVoxel (const VoxelGrid& grid)
 {
-  if (grid.size() == 0)
-    return 0.0;
-  std::vector<double> points;
-  points.reserve (grid.size());
+  double points = 0.0;
   for (const Moments& voxel : grid.moments)
-    points.push_back (voxel.count);
-  const auto middle = points.begin() + static_cast<std::ptrdiff_t> (points.size() / 2);
-  std::nth_element (points.begin(), middle, points.end());
-  return *middle;
+    points += voxel.count;
+  return points / static_cast<double> (grid.size());
 }
 
 Surfels
@@ -68,7 +62,7 @@ surfelsOf (const VoxelGrid& grid,
   const SurfelParameters& surfels = parameters.surfels;
   const double least_points =
       std::max (static_cast<double> (parameters.k),
-                surfels.least_average_voxels * medianPointsPerVoxel (grid));
+                surfels.least_average_voxels * meanPointsPerVoxel (grid));
   return findSurfels (
       grid, surfels.resolutions, least_points, parameters.threads, plane_of_voxel);
 }

@@ -30,7 +30,7 @@ expectDefaults (const SurfelParameters& surfels)
 {
   EXPECT_EQ (surfels.voxel_size, std::nullopt);
   EXPECT_EQ (surfels.resolutions, 3);
-  EXPECT_EQ (surfels.least_average_voxels, 8.0);
+  EXPECT_EQ (surfels.least_average_voxels, 6.0);
   EXPECT_EQ (surfels.noise_factor, 2.0);
   EXPECT_DOUBLE_EQ (surfels.angle_threshold, 30_deg);
   EXPECT_EQ (surfels.sure_thickness, 0.265);
