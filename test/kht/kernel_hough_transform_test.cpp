@@ -331,6 +331,9 @@ TEST_P (WrongHoughParameters, AreRefused)
     parameters.clusters.s_alpha = 0.0;
     break;
   case 5:
+    parameters.clusters.deepest_level = 61;
+    break;
+  case 6:
     parameters.refit.min_share = 2.0;
     break;
   default:
@@ -339,4 +342,4 @@ TEST_P (WrongHoughParameters, AreRefused)
   EXPECT_FALSE (problemOf (parameters).empty());
 }
 
-INSTANTIATE_TEST_SUITE_P (One, WrongHoughParameters, testing::Range (0, 7));
+INSTANTIATE_TEST_SUITE_P (One, WrongHoughParameters, testing::Range (0, 8));
