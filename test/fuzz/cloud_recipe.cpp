@@ -13,8 +13,8 @@ namespace pcl_ops::fuzz {
 
 namespace {
 
-constexpr std::size_t most_points = 4000;
-constexpr std::size_t most_points_of_a_shape = 1500;
+constexpr std::size_t most_points = 1200;
+constexpr std::size_t most_points_of_a_shape = 400;
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
