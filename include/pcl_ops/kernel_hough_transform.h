@@ -20,8 +20,8 @@ struct OctreeClusterParameters {
   double s_alpha = 25.0;
   /** \brief s_beta: the elongation l2 / l3 of a coplanar node is above 1 / s_beta. */
   double s_beta = 6.0;
-  /** \brief Nodes of this level are not split any more, so that many equal points end.
-   */
+  /** \brief Nodes of this level, up to 60, are not split any more, so that many equal
+   * points end. */
   int deepest_level = 20;
 };
 

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/parallel.h"
 
+#ifdef PCL_OPS_STANDARD_THREADS
+#include "base/standard_threads.h"
+#endif
+
 #ifdef _OPENMP
 #include <omp.h>
 #endif
@@ -9,6 +13,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <mutex>
 
 namespace pcl_ops::internal {
 
@@ -28,6 +33,29 @@ usefulThreads (unsigned wanted, std::int64_t pieces)
 
 } // namespace
 
+namespace {
+
+/** \brief Calls work with each piece; it must not throw. */
+template <typename Work>
+void
+forPieces (unsigned threads, std::int64_t pieces, const Work& work)
+{
+#ifdef PCL_OPS_STANDARD_THREADS
+  forPiecesByStandardThreads (threads, pieces, work);
+#else
+#ifdef _OPENMP
+  const int used = usefulThreads (threads, pieces);
+#pragma omp parallel for schedule(dynamic) num_threads(used) if (used > 1)
+#else
+  (void)threads;
+#endif
+  for (std::int64_t piece = 0; piece < pieces; ++piece)
+    work (piece);
+#endif
+}
+
+} // namespace
+
 void
 parallelFor (unsigned threads,
              std::size_t size,
@@ -35,24 +63,19 @@ parallelFor (unsigned threads,
              const std::function<void (std::size_t, std::size_t)>& body)
 {
   const auto pieces = static_cast<std::int64_t> ((size + grain - 1) / grain);
-  // An exception must not leave a parallel region: it waits for the end of it.
+  // An exception must not leave a thread: it waits for the end of all pieces.
   std::exception_ptr thrown;
-#ifdef _OPENMP
-  const int used = usefulThreads (threads, pieces);
-#pragma omp parallel for schedule(dynamic) num_threads(used) if (used > 1)
-#else
-  (void)threads;
-#endif
-  for (std::int64_t piece = 0; piece < pieces; ++piece) {
+  std::mutex guard;
+  forPieces (threads, pieces, [&] (std::int64_t piece) {
     const std::size_t begin = static_cast<std::size_t> (piece) * grain;
     try {
       body (begin, std::min (size, begin + grain));
     }
     catch (...) {
-#pragma omp critical(pcl_ops_parallel_for)
+      const std::lock_guard<std::mutex> lock (guard);
       thrown = std::current_exception();
     }
-  }
+  });
   if (thrown)
     std::rethrow_exception (thrown);
 }

@@ -27,13 +27,7 @@ castAllVotes (const OctreeClusters& found, HoughSpace space)
   SphericalAccumulator accumulator (std::move (space));
   KernelVotes votes;
   for (std::uint32_t c = 0; c < found.clusters.size(); ++c) {
-    const CoplanarCluster& cluster = found.clusters[c];
-    const PlaneKernel kernel = planeKernel (cluster.fit.plane,
-                                            cluster.fit.centroid,
-                                            cluster.moments.covariance(),
-                                            found.root.centre,
-                                            clusterWeight (cluster, found));
-    castVotes (kernel, accumulator.space(), votes);
+    castVotes (kernelOf (found.clusters[c], found), accumulator.space(), votes);
     accumulator.add (votes, c);
   }
   return accumulator;
@@ -129,6 +123,16 @@ clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& found)
   const double count_share =
       static_cast<double> (cluster.size()) / static_cast<double> (found.points.size());
   return edge_weight * cluster.edge / found.root.edge + count_weight * count_share;
+}
+
+PlaneKernel
+kernelOf (const CoplanarCluster& cluster, const OctreeClusters& found)
+{
+  return planeKernel (cluster.fit.plane,
+                      cluster.fit.centroid,
+                      cluster.moments.covariance(),
+                      found.root.centre,
+                      clusterWeight (cluster, found));
 }
 
 std::vector<HoughPlane>

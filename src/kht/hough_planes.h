@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kht/octree_clusters.h"
+#include "kht/plane_kernel.h"
 #include <pcl_ops/plane.h>
 
 #include <cstdint>
@@ -21,6 +22,10 @@ struct HoughPlane {
  * 0.25 of its points' share of all points. */
 double
 clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& found);
+
+/** \brief The kernel a cluster votes with, in a ball around the root's centre. */
+PlaneKernel
+kernelOf (const CoplanarCluster& cluster, const OctreeClusters& found);
 
 /** \brief The planes that clusters agree on: each votes in an accumulator ball around
  * the cloud's centroid, and peaks are planes (Limberger & Oliveira 2015, sections 3.2

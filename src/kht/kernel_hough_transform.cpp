@@ -60,6 +60,9 @@ namespace {
 
 constexpr int most_phi = 1000;
 constexpr int most_rho = 10000;
+// Each level of an octree is a call within a call; nodes are below any noise long
+// before.
+constexpr int most_levels = 60;
 
 } // namespace
 
@@ -96,6 +99,8 @@ problemOf (const KernelHoughTransformParameters& parameters)
     return "a cluster needs at least three samples";
   if (clusters.first_level < 0 || clusters.deepest_level < clusters.first_level)
     return "s_level must be 0 or more and no more than the deepest level";
+  if (clusters.deepest_level > most_levels)
+    return "the deepest level must be no more than " + std::to_string (most_levels);
   if (!(clusters.s_alpha > 0.0 && clusters.s_beta > 0.0))
     return "s_alpha and s_beta must be above 0";
   if (!(parameters.refit.min_share >= 0.0 && parameters.refit.min_share <= 1.0))

@@ -13,6 +13,13 @@ namespace {
 // Squared Mahalanobis distance of two standard deviations, where votes end.
 constexpr double largest_squared_distance = 4.0;
 
+// Votes go no farther than this from the middle of a row and a ray [bins]. Without
+// noise to speak of a plane through the centre has kernels that reach all directions,
+// and votes everywhere are votes for nothing: to end them here finds a little more,
+// too.
+constexpr double most_directions = 8.0;
+constexpr double most_bins = 32.0;
+
 /** ceil and floor to int, bounded so that no double overflows it. */
 int
 firstAtLeast (double value, int low, int high)
@@ -124,8 +131,9 @@ VoteCaster::VoteCaster (const PlaneKernel& kernel,
 void
 VoteCaster::castAll()
 {
-  const double reach = std::sqrt (largest_squared_distance) * phi_deviation_;
   const double step = space_.directions.phiStep();
+  const double reach = std::min (std::sqrt (largest_squared_distance) * phi_deviation_,
+                                 most_directions * step);
   const int phi_num = space_.directions.phiNum();
   const int first = firstAtLeast ((mean_phi_ - reach) / step, -phi_num, 2 * phi_num);
   const int last = lastAtMost ((mean_phi_ + reach) / step, -phi_num, 2 * phi_num);
@@ -157,7 +165,8 @@ VoteCaster::castRow (int row)
   const double start = mean_theta_ + (beyond_pole ? pi : 0.0);
   const double step = 2.0 * pi / patches;
   const double middle_patch = (start + middle) / step - 0.5;
-  const double reach = std::min (std::sqrt (room / tt_) / step, 0.5 * patches);
+  const double reach =
+      std::min ({std::sqrt (room / tt_) / step, 0.5 * patches, most_directions});
   const int first = static_cast<int> (std::ceil (middle_patch - reach));
   const int last = std::min (static_cast<int> (std::floor (middle_patch + reach)),
                              first + patches - 1);
@@ -172,8 +181,8 @@ VoteCaster::castRay (std::uint32_t direction, const Offset& offset)
   const double distance = squaredDistance (offset);
   const double room = std::max (0.0, largest_squared_distance - distance);
   const double middle = likeliestRho (offset);
-  const double reach = std::sqrt (room * rho_variance_);
   const double step = space_.rho_step;
+  const double reach = std::min (std::sqrt (room * rho_variance_), most_bins * step);
   const int bins = space_.rho_num;
   const int first = firstAtLeast ((middle - reach) / step - 0.5, -bins, bins);
   const int last = lastAtMost ((middle + reach) / step - 0.5, -bins - 1, bins - 1);

@@ -27,7 +27,9 @@ struct KernelVotes {
 };
 
 /** \brief Votes for the bins whose centre lies within two standard deviations of a
- * kernel: within the ellipsoid on which its density is g_min = exp (-2) of its peak.
+ * kernel, within the ellipsoid on which its density is g_min = exp (-2) of its peak,
+ * and within 8 directions and 32 bins of rho, so that no kernel costs more than some
+ * 20,000.
  *
  * The vote is weight times the density at the bin's centre. The kernel's own bin gets
  * at least the vote weight g_min, so that a kernel that lies between bin centres is not

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kht/sorted_octree.h"
 
+#include <Eigen/Geometry>
+
 #include "search/counting_sort.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace pcl_ops::internal {
@@ -16,31 +19,57 @@ namespace {
 // Cubes below it are points: their leaves could not be counted in single precision [m].
 constexpr double smallest_edge = 1e-30;
 
-struct AxisRange {
-  float low = std::numeric_limits<float>::infinity();
-  float high = -std::numeric_limits<float>::infinity();
-  double mean = 0.0;
+// How many points tell where the others are.
+constexpr std::size_t looked_at = 10000;
 
-  /** Largest |value - mean|. */
-  double
-  reach () const
+// Points beyond this share of all, at either end of a coordinate, may be stray ones.
+constexpr double stray_share = 0.02;
+
+/** Where all points are that are not far from the others. */
+struct Fence {
+  Eigen::Vector3d low, high;
+
+  bool
+  holds (const Eigen::Vector3d& point) const
   {
-    return std::max (high - mean, mean - low);
+    return (point.array() >= low.array()).all() &&
+           (point.array() <= high.array()).all();
   }
 };
 
-AxisRange
-rangeOf (const std::vector<float>& values)
+/** From where to where values are, stray ones left out; some of them stand for all. */
+std::pair<double, double>
+middleOf (const std::vector<float>& values)
 {
-  AxisRange range;
-  double sum = 0.0;
-  for (const float value : values) {
-    range.low = std::min (range.low, value);
-    range.high = std::max (range.high, value);
-    sum += value;
+  const std::size_t stride = values.size() / looked_at + 1;
+  std::vector<float> some;
+  for (std::size_t i = 0; i < values.size(); i += stride)
+    some.push_back (values[i]);
+  const auto stray =
+      static_cast<std::ptrdiff_t> (std::ceil (stray_share * (some.size() - 1)));
+  const auto low = some.begin() + stray, high = some.end() - 1 - stray;
+  std::nth_element (some.begin(), low, some.end());
+  const double lowest = *low;
+  std::nth_element (some.begin(), high, some.end());
+  return {lowest, *high};
+}
+
+Fence
+fenceOf (const Coordinates& points)
+{
+  Fence fence;
+  Eigen::Index axis = 0;
+  for (const auto* values : {&points.x, &points.y, &points.z}) {
+    std::tie (fence.low[axis], fence.high[axis]) = middleOf (*values);
+    ++axis;
   }
-  range.mean = sum / static_cast<double> (values.size());
-  return range;
+  double width = (fence.high - fence.low).maxCoeff();
+  // Where nearly all points are equal nothing tells how far the others may be.
+  if (!(width > 0.0))
+    width = std::numeric_limits<double>::infinity();
+  fence.low.array() -= width;
+  fence.high.array() += width;
+  return fence;
 }
 
 /** The bits of a leaf's coordinate moved three places apart. */
@@ -64,6 +93,7 @@ gatherBits (std::size_t code, unsigned axis)
   return value;
 }
 
+/** Points outside the cube get the code after that of the last leaf. */
 std::vector<std::uint16_t>
 mortonCodes (const Coordinates& points, const RootCube& root, int level)
 {
@@ -76,12 +106,14 @@ mortonCodes (const Coordinates& points, const RootCube& root, int level)
   const auto leaf = [last, scale, half] (float value, float middle) {
     return static_cast<int> (std::clamp ((value - middle) * scale + half, 0.0f, last));
   };
-  std::vector<std::uint16_t> codes (points.size());
+  const auto outside = static_cast<std::uint16_t> (1 << (3 * level));
+  std::vector<std::uint16_t> codes (points.size(), outside);
   for (std::size_t i = 0; i < codes.size(); ++i)
-    codes[i] =
-        static_cast<std::uint16_t> (spread[leaf (points.x[i], centre.x())] |
-                                    (spread[leaf (points.y[i], centre.y())] << 1) |
-                                    (spread[leaf (points.z[i], centre.z())] << 2));
+    if (root.holds (points[i]))
+      codes[i] =
+          static_cast<std::uint16_t> (spread[leaf (points.x[i], centre.x())] |
+                                      (spread[leaf (points.y[i], centre.y())] << 1) |
+                                      (spread[leaf (points.z[i], centre.z())] << 2));
   return codes;
 }
 
@@ -111,19 +143,24 @@ rootCubeOf (const Coordinates& points)
   RootCube root;
   if (points.size() == 0)
     return root;
-  const AxisRange x = rangeOf (points.x), y = rangeOf (points.y),
-                  z = rangeOf (points.z);
-  root.centre = Eigen::Vector3d (x.mean, y.mean, z.mean);
-  const double edge = 2.0 * std::max ({x.reach(), y.reach(), z.reach()});
-  const bool all_equal = x.low == x.high && y.low == y.high && z.low == z.high;
-  root.edge = all_equal || edge < smallest_edge ? 0.0 : edge;
+  const Fence fence = fenceOf (points);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::AlignedBox3d box;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (const Eigen::Vector3d point = points[i]; fence.holds (point)) {
+      sum += point;
+      box.extend (point);
+      ++count;
+    }
+  root.centre = sum / static_cast<double> (count);
+  const double edge =
+      2.0 * (box.max() - root.centre).cwiseMax (root.centre - box.min()).maxCoeff();
+  root.edge = box.max() == box.min() || edge < smallest_edge ? 0.0 : edge;
   double squared_radius = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double dx = points.x[i] - x.mean;
-    const double dy = points.y[i] - y.mean;
-    const double dz = points.z[i] - z.mean;
-    squared_radius = std::max (squared_radius, dx * dx + dy * dy + dz * dz);
-  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (const Eigen::Vector3d point = points[i]; root.holds (point))
+      squared_radius = std::max (squared_radius, (point - root.centre).squaredNorm());
   root.radius = std::sqrt (squared_radius);
   return root;
 }
@@ -147,7 +184,7 @@ sortIntoOctree (const Coordinates& points, const RootCube& root, int level)
 {
   const std::vector<std::uint16_t> codes = mortonCodes (points, root, level);
   const std::size_t leaves = std::size_t (1) << (3 * level);
-  std::vector<std::uint32_t> begins (leaves + 1);
+  std::vector<std::uint32_t> begins (leaves + 2);
   findBegins (codes, begins);
   PermutedPoints sorted;
   sorted.resize (points.size());
@@ -157,6 +194,7 @@ sortIntoOctree (const Coordinates& points, const RootCube& root, int level)
     sorted.z[place] = points.z[i];
     sorted.order[place] = static_cast<std::uint32_t> (i);
   });
+  begins.pop_back();
   return SortedOctree{root, level, std::move (sorted), std::move (begins)};
 }
 

@@ -12,16 +12,25 @@ namespace pcl_ops::internal {
 
 /** \brief The cube an octree starts from. */
 struct RootCube {
-  /** \brief Centroid of all points. */
+  /** \brief Centroid of the points that are not far from all others. */
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  /** \brief 2 max |coordinate about the centre| [m]; 0 for points that are all equal.
-   */
+  /** \brief 2 max |coordinate about the centre| of these points [m]; 0 for points that
+   * are all equal. */
   double edge = 0.0;
-  /** \brief Largest distance of a point to the centre [m]. */
+  /** \brief Largest distance to the centre of a point in the cube [m]. */
   double radius = 0.0;
+
+  bool
+  holds (const Eigen::Vector3d& point) const
+  {
+    return (point - centre).cwiseAbs().maxCoeff() <= edge / 2.0;
+  }
 };
 
-/** \brief The cube around the centroid that holds all points; edge 0 for no points. */
+/** \brief The cube around the centroid that holds the points, but for those far from
+ * all others: farther from the middle 96 per cent of a coordinate than those of the
+ * widest coordinate spread. One stray return would else make the nodes as coarse
+ * as its distance. \return edge 0 for no points */
 RootCube
 rootCubeOf (const Coordinates& points);
 
@@ -70,9 +79,10 @@ struct SortedOctree {
   RootCube root;
   /** \brief The deepest level. */
   int level = 0;
-  /** \brief The points, each node's together. */
+  /** \brief The points, each node's together, and after them those outside the root. */
   PermutedPoints points;
-  /** \brief Where each node of the deepest level begins in \ref points, and the end. */
+  /** \brief Where each node of the deepest level begins in \ref points, and where the
+   * last one ends. */
   std::vector<std::uint32_t> begins;
 
   /** \brief A node of the deepest level or above. */
@@ -85,7 +95,7 @@ struct SortedOctree {
 constexpr int deepest_sorted_level = 5;
 
 /** \brief Sorts the points into the octree's nodes of a level at once, by counting.
- * \param[in] points positions within the cube
+ * \param[in] points positions; those outside the cube go into no node
  * \param[in] root the cube, with an edge above 0
  * \param[in] level 0 .. deepest_sorted_level */
 SortedOctree

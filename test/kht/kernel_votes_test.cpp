@@ -217,15 +217,19 @@ TEST (KernelVotes, EndAtTheLastRho)
 
 TEST (KernelVotes, CountOncePerBin)
 {
-  KernelVotes votes;
-  castVotes (kernelAt (0.01, 0.02, 1.0), space, votes);
-  std::map<Bin, int> voted;
-  for (const VoteRay& ray : votes.rays)
-    for (std::uint32_t i = 0; i < ray.length; ++i)
-      if (votes.values[ray.first_value + i] > 0.0f)
-        ++voted[{ray.direction, ray.first_bin + static_cast<int> (i)}];
-  for (const auto& [bin, times] : voted)
-    EXPECT_EQ (times, 1);
+  PlaneKernel endless = kernelAt (0.01, 0.02, 1.0);
+  endless.covariance = Eigen::Vector3d (0.0001, 1e4, 1e4).asDiagonal();
+  for (const PlaneKernel& kernel : {kernelAt (0.01, 0.02, 1.0), endless}) {
+    KernelVotes votes;
+    castVotes (kernel, space, votes);
+    std::map<Bin, int> voted;
+    for (const VoteRay& ray : votes.rays)
+      for (std::uint32_t i = 0; i < ray.length; ++i)
+        if (votes.values[ray.first_value + i] > 0.0f)
+          ++voted[{ray.direction, ray.first_bin + static_cast<int> (i)}];
+    for (const auto& [bin, times] : voted)
+      EXPECT_EQ (times, 1);
+  }
 }
 
 TEST (KernelVotes, OfAKernelBetweenBinCentresGoToItsOwnBin)
@@ -239,15 +243,22 @@ TEST (KernelVotes, OfAKernelBetweenBinCentresGoToItsOwnBin)
   EXPECT_NEAR (votes.begin()->second / leastVote (kernel), 1.0, 1e-5);
 }
 
-TEST (KernelVotes, CoverAnyDirectionOnceForAnEndlessSpread)
+TEST (KernelVotes, StayAroundTheKernelForAnEndlessSpread)
 {
-  PlaneKernel kernel = kernelAt (1.0, 1.2, 2.0);
-  kernel.covariance = Eigen::Vector3d (0.0001, 1e4, 1e4).asDiagonal();
-  const std::map<Bin, double> votes = votesOf (kernel);
-  std::map<std::uint32_t, int> directions;
-  for (const auto& [bin, vote] : votes)
-    ++directions[bin.first];
-  EXPECT_EQ (directions.size(), space.directions.size());
+  for (const double phi : {0.02, 1.2, 3.1}) {
+    PlaneKernel kernel = kernelAt (1.0, phi, 2.0);
+    kernel.covariance = Eigen::Vector3d (1e4, 1e4, 1e4).asDiagonal();
+    const std::map<Bin, double> votes = votesOf (kernel);
+    EXPECT_GT (votes.size(), 100u);
+    for (const auto& [bin, vote] : votes) {
+      const Eigen::Vector3d direction = space.directions.vectorOf (bin.first);
+      const Eigen::Vector3d normal (std::sin (phi) * std::cos (2.0),
+                                    std::sin (phi) * std::sin (2.0),
+                                    std::cos (phi));
+      ASSERT_LT (angleBetween (direction, normal), 20_deg);
+      ASSERT_NEAR (space.rhoOf (bin.second), 1.0, 33_cm);
+    }
+  }
 }
 
 TEST (KernelVotes, AreNoneWithoutACovariance)

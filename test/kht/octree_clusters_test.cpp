@@ -154,6 +154,19 @@ TEST (OctreeClusters, EndAtManyEqualPointsAmongOthers)
     EXPECT_LT (cluster.fit.variances[0], 1e-10);
 }
 
+TEST (OctreeClusters, EndAtManyEqualPointsOnTheDeepestLevelThereMayBe)
+{
+  Coordinates points;
+  addGrid (points, ground, 10);
+  for (int i = 0; i < 1000; ++i)
+    points.add (1.0f, 1.0f, 1.0f);
+  pcl_ops::OctreeClusterParameters parameters;
+  parameters.deepest_level = 60;
+  for (const CoplanarCluster& cluster :
+       findCoplanarClusters (points, parameters).clusters)
+    EXPECT_LE (cluster.level, 60);
+}
+
 TEST (OctreeClusters, AreNoneOnALine)
 {
   Coordinates points;

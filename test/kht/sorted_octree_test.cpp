@@ -28,6 +28,35 @@ TEST (RootCube, HoldsAllPointsAroundTheirCentroid)
   EXPECT_NEAR (root.radius, std::sqrt (3.0), 1e-6);
 }
 
+TEST (RootCube, IsThatOfAllOthersWhereOnePointIsFarAway)
+{
+  const RootCube alone = rootCubeOf (cornersOfACube());
+  for (const float far : {20.0f, 1e6f, -1e38f}) {
+    Coordinates points = cornersOfACube();
+    points.add (far, far, far);
+    const RootCube root = rootCubeOf (points);
+    EXPECT_EQ (root.centre, alone.centre) << far;
+    EXPECT_EQ (root.edge, alone.edge) << far;
+    EXPECT_EQ (root.radius, alone.radius) << far;
+  }
+}
+
+TEST (RootCube, HoldsAStepAsWideAsTheRest)
+{
+  Coordinates points = cornersOfACube();
+  points.add (4.5f, 2.0f, 2.0f);
+  EXPECT_TRUE (rootCubeOf (points).holds ({4.5, 2.0, 2.0}));
+}
+
+TEST (RootCube, HoldsAllPointsWhereNearlyAllAreEqual)
+{
+  Coordinates points;
+  for (int i = 0; i < 1000; ++i)
+    points.add (0.0f, 0.0f, 0.0f);
+  points.add (3.0f, 4.0f, 0.0f);
+  EXPECT_NEAR (rootCubeOf (points).radius, 5.0, 0.01);
+}
+
 TEST (RootCube, HasNoEdgeForNoPoints)
 {
   EXPECT_EQ (rootCubeOf (Coordinates()).edge, 0.0);
@@ -53,6 +82,19 @@ TEST (SortedOctree, HasNodesWithTheirPoints)
   EXPECT_EQ (octree.node (1, 1).size(), 1u);
   EXPECT_EQ (octree.node (1, 1).edge, 1.0);
   EXPECT_TRUE (octree.node (1, 1).centre.isApprox (Eigen::Vector3d (2.5, 1.5, 1.5)));
+}
+
+TEST (SortedOctree, HasNoNodeForAPointOutsideItsRoot)
+{
+  Coordinates points;
+  points.add (1e6f, 1e6f, 1e6f);
+  const Coordinates corners = cornersOfACube();
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    points.add (corners.x[i], corners.y[i], corners.z[i]);
+  const SortedOctree octree = sortIntoOctree (points, rootCubeOf (points), 1);
+  EXPECT_EQ (octree.node (0, 0).size(), 8u);
+  EXPECT_EQ (octree.points.size(), 9u) << "but it is still there";
+  EXPECT_EQ (octree.points.order.back(), 0u);
 }
 
 TEST (PermutedPoints, SwapWithTheirPlacesBefore)

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/console/print.h>
+
+#include "fuzz_targets.h"
+
+// What libFuzzer calls; PCL_OPS_FUZZ_TARGET is the name of the target it is built for.
+
+extern "C" int
+LLVMFuzzerInitialize (int*, char***)
+{
+  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);
+  return 0;
+}
+
+extern "C" int
+LLVMFuzzerTestOneInput (const std::uint8_t* data, std::size_t size)
+{
+  static const pcl_ops::fuzz::FuzzTarget& target =
+      pcl_ops::fuzz::targetCalled (PCL_OPS_FUZZ_TARGET);
+  target.run (pcl_ops::fuzz::Bytes (data, data + size));
+  return 0;
+}

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "byte_reader.h"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace pcl_ops::fuzz {
+
+/** \brief Something that holds for whatever comes in did not. */
+struct BrokenPromise : std::logic_error {
+  using std::logic_error::logic_error;
+};
+
+/** \brief \throws BrokenPromise unless it holds */
+inline void
+promise (bool holds, const std::string& what)
+{
+  if (!holds)
+    throw BrokenPromise ("broken promise: " + what);
+}
+
+/** \brief Loads bytes as a file: a cloud whose sizes agree, or an error of one line. */
+void
+loadPcd (const Bytes& bytes);
+void
+loadPly (const Bytes& bytes);
+
+/** \brief Takes lines for what stands on a command line, and detects planes in a small
+ * cloud by it: planes, or an error of one line. */
+void
+readOptions (const Bytes& bytes);
+
+/** \brief Detects planes with parameters and in a cloud made up from bytes: see
+ * promiseOrderedPlanes. */
+void
+detectByOps (const Bytes& bytes);
+void
+detectByPublishedOps (const Bytes& bytes);
+void
+detectByFspf (const Bytes& bytes);
+void
+detectByKht (const Bytes& bytes);
+void
+detectByPublishedKht (const Bytes& bytes);
+
+struct FuzzTarget {
+  /** \brief Its corpus is the folder of that name. */
+  std::string name;
+  void (*run) (const Bytes&);
+};
+
+const std::vector<FuzzTarget>&
+allTargets ();
+
+/** \throw std::out_of_range if there is none of that name */
+const FuzzTarget&
+targetCalled (const std::string& name);
+
+} // namespace pcl_ops::fuzz
