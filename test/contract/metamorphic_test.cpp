@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/common/transforms.h>
+
+#include "presets.h"
+#include "scene.h"
+#include <pcl_ops/fast_sampling_plane_filtering.h>
+#include <pcl_ops/kernel_hough_transform.h>
+
+#include <functional>
+#include <map>
+#include <numeric>
+
+// A cloud that is only written down in another way has the same planes. The share of
+// points that must stay on the same one is the table of the page on accuracy.
+
+namespace {
+
+using Fspf = pcl_ops::FastSamplingPlaneFiltering<pcl::PointXYZ>;
+using Kht = pcl_ops::KernelHoughTransform<pcl::PointXYZ>;
+using Planes = std::vector<pcl_ops::PlaneSegment>;
+
+/** \brief A cloud written down in another way. */
+struct Variant {
+  Cloud::Ptr cloud = pcl::make_shared<Cloud>();
+  /** \brief For each point its index in the cloud it was made from, or -1. */
+  std::vector<int> original;
+  /** \brief Lengths in the cloud's unit for one of its original. */
+  double unit = 1.0;
+};
+
+void
+add (const pcl::PointXYZ& point, int original, Variant& variant)
+{
+  variant.cloud->push_back (point);
+  variant.original.push_back (original);
+}
+
+Variant
+asItIs (const Cloud& cloud)
+{
+  Variant variant;
+  *variant.cloud = cloud;
+  variant.original.resize (cloud.size());
+  std::iota (variant.original.begin(), variant.original.end(), 0);
+  return variant;
+}
+
+template <typename Move>
+Variant
+moved (const Cloud& cloud, Move&& move)
+{
+  Variant variant = asItIs (cloud);
+  for (pcl::PointXYZ& point : *variant.cloud)
+    point.getVector3fMap() =
+        move (point.getVector3fMap().cast<double>()).template cast<float>();
+  return variant;
+}
+
+Variant
+scaled (const Cloud& cloud, double unit)
+{
+  Variant variant =
+      moved (cloud, [&] (const Eigen::Vector3d& p) { return (unit * p).eval(); });
+  variant.unit = unit;
+  return variant;
+}
+
+Variant
+turned (const Cloud& cloud, const Eigen::Vector3d& axis)
+{
+  const Eigen::AngleAxisd turn (0.7, axis.normalized());
+  return moved (cloud, [&] (const Eigen::Vector3d& p) { return (turn * p).eval(); });
+}
+
+Variant
+reordered (const Cloud& cloud, const std::vector<int>& order)
+{
+  Variant variant;
+  for (const int i : order)
+    add (cloud[static_cast<std::size_t> (i)], i, variant);
+  return variant;
+}
+
+std::vector<int>
+indicesOf (const Cloud& cloud)
+{
+  return asItIs (cloud).original;
+}
+
+Variant
+permuted (const Cloud& cloud)
+{
+  std::vector<int> order = indicesOf (cloud);
+  RandomGenerator generator (seedOfTest());
+  for (std::size_t i = order.size(); i > 1; --i)
+    std::swap (order[i - 1],
+               order[drawBelow (generator, static_cast<std::uint32_t> (i))]);
+  return reordered (cloud, order);
+}
+
+Variant
+reversed (const Cloud& cloud)
+{
+  std::vector<int> order = indicesOf (cloud);
+  std::reverse (order.begin(), order.end());
+  return reordered (cloud, order);
+}
+
+Variant
+doubled (const Cloud& cloud)
+{
+  Variant variant = asItIs (cloud);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    add (cloud[i], static_cast<int> (i), variant);
+  return variant;
+}
+
+/** \brief With a hundredth more points anywhere in a cube of so many metres. */
+Variant
+withOutliers (const Cloud& cloud, double half_edge)
+{
+  Variant variant = asItIs (cloud);
+  RandomGenerator generator (seedOfTest());
+  const auto draw = [&] {
+    return static_cast<float> (half_edge * (2.0 * drawUnit (generator) - 1.0));
+  };
+  for (std::size_t i = cloud.size() / 100; i > 0; --i) {
+    const float x = draw(), y = draw(), z = draw();
+    add ({x, y, z}, -1, variant);
+  }
+  return variant;
+}
+
+Variant
+withAPointAt (const Cloud& cloud, float distance)
+{
+  Variant variant;
+  add ({distance, -distance, distance}, -1, variant);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    add (cloud[i], static_cast<int> (i), variant);
+  return variant;
+}
+
+Variant
+seenFromElsewhere (const Cloud& cloud)
+{
+  Variant variant = asItIs (cloud);
+  variant.cloud->sensor_origin_ = Eigen::Vector4f (-30.0f, 50.0f, -20.0f, 0.0f);
+  return variant;
+}
+
+const std::map<std::string, std::function<Variant (const Cloud&)>> changes = {
+    {"shifted_by_1_km",
+     [] (const Cloud& c) {
+       return moved (c, [] (const Eigen::Vector3d& p) {
+         return (p + Eigen::Vector3d (1000, -1000, 100)).eval();
+       });
+     }},
+    {"in_millimetres", [] (const Cloud& c) { return scaled (c, 1000.0); }},
+    {"in_kilometres", [] (const Cloud& c) { return scaled (c, 0.001); }},
+    {"turned_about_z",
+     [] (const Cloud& c) { return turned (c, Eigen::Vector3d::UnitZ()); }},
+    {"turned",
+     [] (const Cloud& c) {
+       return turned (c, {1, 2, 3});
+     }},
+    {"permuted", permuted},
+    {"reversed", reversed},
+    {"every_point_twice", doubled},
+    {"outliers_30_m", [] (const Cloud& c) { return withOutliers (c, 30); }},
+    {"outliers_10_km", [] (const Cloud& c) { return withOutliers (c, 1e4); }},
+    {"outliers_1000_km", [] (const Cloud& c) { return withOutliers (c, 1e6); }},
+    {"a_point_at_a_million_km", [] (const Cloud& c) { return withAPointAt (c, 1e9f); }},
+    {"viewpoint_elsewhere", seenFromElsewhere}};
+
+template <typename Detector>
+Planes
+planesBy (Detector detector, const Variant& variant)
+{
+  auto parameters = detector.getParameters();
+  if (parameters.distance_threshold)
+    *parameters.distance_threshold *= variant.unit;
+  detector.setParameters (parameters);
+  detector.setInputCloud (variant.cloud);
+  Planes planes;
+  EXPECT_TRUE (detector.segment (planes));
+  return planes;
+}
+
+Planes
+opsPlanes (const Variant& variant)
+{
+  return planesBy (Ops(), variant);
+}
+
+Planes
+paperPlanes (const Variant& variant)
+{
+  return planesBy (paperOn (variant.cloud), variant);
+}
+
+Planes
+fspfPlanes (const Variant& variant)
+{
+  Fspf fspf;
+  auto parameters = fspf.getParameters();
+  parameters.local.inner_radius *= variant.unit;
+  parameters.local.outer_radius *= variant.unit;
+  fspf.setParameters (parameters);
+  return planesBy (fspf, variant);
+}
+
+Planes
+khtPlanes (const Variant& variant)
+{
+  return planesBy (Kht(), variant);
+}
+
+struct Method {
+  const char* name;
+  std::function<Planes (const Variant&)> planesOf;
+  double least_agreement;
+};
+
+const std::vector<Method> methods = {{"ops", opsPlanes, 99_percent},
+                                     {"ops as in the paper", paperPlanes, 95_percent},
+                                     {"fspf", fspfPlanes, 99_percent},
+                                     {"kht", khtPlanes, 98_percent}};
+
+/** \brief For each point of the original cloud its plane, or -1. */
+std::vector<int>
+labelsOf (const Planes& planes, const Variant& variant, std::size_t points)
+{
+  std::vector<int> labels (points, -1);
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    for (const pcl::index_t i : planes[p].inliers)
+      if (const int original = variant.original[static_cast<std::size_t> (i)];
+          original >= 0)
+        labels[static_cast<std::size_t> (original)] = static_cast<int> (p);
+  return labels;
+}
+
+/** \brief Share of the points of planes that are on the plane that has most points of
+ * theirs. */
+double
+agreement (const std::vector<int>& before, const std::vector<int>& after)
+{
+  std::map<std::pair<int, int>, std::size_t> overlaps;
+  std::size_t on_planes = 0, kept = 0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (before[i] >= 0) {
+      ++on_planes;
+      ++overlaps[{before[i], after[i]}];
+    }
+  std::map<int, std::pair<std::size_t, int>> best;
+  for (const auto& [planes, points] : overlaps)
+    if (planes.second >= 0)
+      best[planes.first] = std::max (best[planes.first], {points, planes.second});
+  for (const auto& [plane, most] : best)
+    kept += most.first;
+  return on_planes > 0 ? static_cast<double> (kept) / static_cast<double> (on_planes)
+                       : 0.0;
+}
+
+/** \brief A room with a table, and the noise of a good laser scanner. */
+Cloud
+furnishedRoom ()
+{
+  return *Scene (7)
+              .floor (4_m, 3_m)
+              .wall ({0, 0}, {4, 0}, 2.5_m)
+              .wall ({0, 0}, {0, 3}, 2.5_m)
+              .surface ({1.5, 1, 0.75}, {1.2, 0, 0}, {0, 0.8, 0})
+              .noise (3_mm)
+              .spacing (2_cm)
+              .build()
+              .cloud;
+}
+
+class Metamorphic : public ::testing::TestWithParam<std::string> {};
+
+std::string
+nameOf (const ::testing::TestParamInfo<std::string>& info)
+{
+  return info.param;
+}
+
+std::vector<std::string>
+namesOfChanges ()
+{
+  std::vector<std::string> names;
+  for (const auto& [name, change] : changes)
+    names.push_back (name);
+  return names;
+}
+
+} // namespace
+
+TEST_P (Metamorphic, PlanesStayTheSame)
+{
+  const Cloud cloud = furnishedRoom();
+  const Variant same = asItIs (cloud), changed = changes.at (GetParam()) (cloud);
+  for (const Method& method : methods) {
+    const Planes before = method.planesOf (same), after = method.planesOf (changed);
+    const double agreed = agreement (labelsOf (before, same, cloud.size()),
+                                     labelsOf (after, changed, cloud.size()));
+    EXPECT_GE (agreed, method.least_agreement) << method.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P (Cloud,
+                          Metamorphic,
+                          ::testing::ValuesIn (namesOfChanges()),
+                          nameOf);
