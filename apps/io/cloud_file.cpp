@@ -13,7 +13,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -117,14 +116,10 @@ savePcd (const std::string& file, const FileCloud& cloud)
   // over.
   const std::string header = pcl::PCDWriter().generateHeaderBinary (
       cloud.points, cloud.origin, cloud.orientation);
-  writeFile (file, [&] (const std::string& path) {
-    std::ofstream stream (path, std::ios::binary);
+  writeFile (file, [&] (std::ostream& stream) {
     stream << header << "DATA binary\n";
     stream.write (reinterpret_cast<const char*> (cloud.points.data.data()),
                   static_cast<std::streamsize> (cloud.points.data.size()));
-    stream.close();
-    if (!stream)
-      throw WorkError (file, "cannot be written; is the disk full?");
   });
 }
 
