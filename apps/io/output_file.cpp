@@ -43,9 +43,9 @@ resolved (const std::string& file)
 [[noreturn]] void
 failToWrite (const std::string& file)
 {
-  throw WorkError (file,
-                   std::string ("cannot be written (") + std::strerror (errno) +
-                       "); make room or give another name");
+  throw OutputError (file,
+                     std::string ("cannot be written (") + std::strerror (errno) +
+                         "); make room or give another name");
 }
 
 /** \brief A new file in a folder that has a short name of its own, among all programs

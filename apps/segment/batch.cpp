@@ -10,7 +10,6 @@
 #include <cli/progress.h>
 
 #include <mutex>
-#include <new>
 #include <optional>
 #include <vector>
 
@@ -71,9 +70,6 @@ private:
     }
     catch (const Interrupted&) {
       return {};
-    }
-    catch (const std::bad_alloc&) {
-      return Status{false, task.input + ": not enough memory; give fewer --jobs"};
     }
     catch (const std::exception& error) {
       return Status{false, error.what()};

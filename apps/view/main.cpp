@@ -7,6 +7,7 @@
 #include "point_colors.h"
 #include "window.h"
 #include <cli/errors.h>
+#include <cli/memory.h>
 #include <cli/program.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
@@ -38,10 +39,12 @@ view (int argc, const char* const* argv)
   ViewOptions options;
   if (!readOptions (argc, argv, options))
     return ExitCode::done;
-  const ViewedCloud cloud = loadViewed (
-      options.input, options.detector.up.value_or (Eigen::Vector3f::UnitZ()));
-  checkDisplay (options.screenshot.empty());
-  showCloud (options, cloud);
+  inMemory (options.input, "give a smaller cloud", [&] {
+    const ViewedCloud cloud = loadViewed (
+        options.input, options.detector.up.value_or (Eigen::Vector3f::UnitZ()));
+    checkDisplay (options.screenshot.empty());
+    showCloud (options, cloud);
+  });
   return ExitCode::done;
 }
 

@@ -7,6 +7,7 @@
 #include <pcl/common/point_tests.h>
 
 #include <cli/errors.h>
+#include <cli/memory.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 
@@ -75,10 +76,8 @@ diagonalOf (const XyzCloud& cloud)
   return (highest.getVector3fMap() - lowest.getVector3fMap()).cast<double>().norm();
 }
 
-} // namespace
-
 LabelledCloud
-loadLabelledCloud (const std::string& file, LabelField field)
+readLabelledCloud (const std::string& file, LabelField field)
 {
   const apps::FileCloud cloud = apps::loadCloud (file);
   LabelledCloud labelled;
@@ -88,6 +87,15 @@ loadLabelledCloud (const std::string& file, LabelField field)
   labelled.cloud = shifted.cloud;
   labelled.shift = shifted.shift;
   return labelled;
+}
+
+} // namespace
+
+LabelledCloud
+loadLabelledCloud (const std::string& file, LabelField field)
+{
+  return apps::inMemory (
+      file, "give a smaller cloud", [&] { return readLabelledCloud (file, field); });
 }
 
 void

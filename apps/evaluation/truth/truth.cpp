@@ -83,9 +83,9 @@ writeLabels (const std::string& file, const PlaneLabels& labels)
   }
   pcl::PCLPointCloud2 points;
   pcl::toPCLPointCloud2 (cloud, points);
-  apps::writeFile (file, [&] (std::ostream& stream) {
-    pcl::PCDWriter().writeBinaryCompressed (stream, points);
-  });
+  std::ostringstream stream; // PCL's writer throws what it likes where one is full
+  pcl::PCDWriter().writeBinaryCompressed (stream, points);
+  apps::writeTextFile (file, stream.str());
 }
 
 PlaneLabels

@@ -38,6 +38,7 @@ allOutputs ()
   const std::string on_clouds = "OUT clouds:clouds --detectors ops";
   return {
       {"Cloud", segment, "in.pcd OUT", "out/a.pcd", "out/a.pcd"},
+      {"Threads", segment, "in.pcd OUT --threads 4", "out/a.pcd", "out/a.pcd"},
       {"Rest", segment, "in.pcd --rest OUT", "out/a.pcd", "out/a.pcd"},
       {"Json", segment, "in.pcd --planes OUT", "out/a.json", "out/a.json"},
       {"Csv", segment, "in.pcd --planes OUT", "out/a.csv", "out/a.csv"},
@@ -45,12 +46,12 @@ allOutputs ()
       {"PlyMesh", segment, "in.pcd --mesh OUT", "out/a.ply", "out/a.ply"},
       {"VtkMesh", segment, "in.pcd --mesh OUT", "out/a.vtk", "out/a.vtk"},
       {"Planes", segment, "in.pcd --planes-dir OUT", "out", "out/plane_017_other.pcd"},
-      {"Batch", segment, "in.pcd --output-dir OUT", "out", "out/in.pcd"},
+      {"Batch", segment, "in.pcd --output-dir OUT", "out", "out/in.json"},
       {"Simulated", simulate, "OUT --points 500", "out/a.pcd", "out/a.pcd"},
       {"Results", evaluate, "run " + on_clouds, "out", "out/tables.md"},
       {"Pictures", evaluate, "pictures " + on_clouds, "out", "out/pictures.md"},
       {"Numbers", benchmark, measured + "--json OUT", "out/a.json", "out/a.json"},
-      {"Scaling", benchmark, measured + "--scaling OUT", "out", "out/scaling.csv"}};
+      {"Scaling", benchmark, measured + "--scaling OUT", "out", "out/time_over_planes.gp"}};
 }
 
 /** \brief A folder with a scene, a folder for the output, and the program. */
