@@ -11,8 +11,10 @@
 #include "ply_header.h"
 #include <cli/errors.h>
 
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
+#include <new>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -41,8 +43,11 @@ readWith (pcl::FileReader&& reader, const std::string& file, FileCloud& cloud)
   std::string reason;
   try {
     int version = 0;
+    errno = 0;
     if (reader.read (file, cloud.points, cloud.origin, cloud.orientation, version) >= 0)
       return;
+    if (errno == ENOMEM) // it could not map the file
+      throw std::bad_alloc();
     reason = "its data does not match its header";
   }
   catch (const std::bad_alloc&) {
@@ -63,6 +68,8 @@ makeSizeValid (const std::string& file, pcl::PCLPointCloud2& points)
       points.point_step == 0 ? 0 : points.data.size() / points.point_step;
   if (size * points.point_step != points.data.size())
     throw WorkError (file, "is damaged: it ends within a point; write it again");
+  if (size == 0)
+    throw WorkError (file, "has no points; give a cloud that has");
   if (static_cast<std::size_t> (points.width) * points.height == size)
     return;
   points.width = static_cast<pcl::uindex_t> (size);

@@ -6,6 +6,7 @@
 #include <pcl/common/point_tests.h>
 
 #include <cli/errors.h>
+#include <cli/interruption.h>
 #include <fcntl.h>
 #include <io/output_file.h>
 #include <io/temporary_path.h>
@@ -87,14 +88,20 @@ class FolderLock {
 public:
   explicit FolderLock (const std::string& folder)
   : folder_ (::open (folder.c_str(), O_RDONLY | O_CLOEXEC))
-  {
-    // Where the file system knows no locks, it is as if this were the only run.
-    ::flock (folder_, LOCK_EX);
-  }
+  {}
   FolderLock (const FolderLock&) = delete;
   FolderLock&
   operator= (const FolderLock&) = delete;
   ~FolderLock() { ::close (folder_); }
+
+  /** \throws Interrupted while it waits */
+  void
+  wait () const
+  {
+    // Where the file system knows no locks, it is as if this were the only run.
+    while (::flock (folder_, LOCK_EX) != 0 && errno == EINTR)
+      stopIfInterrupted();
+  }
 
 private:
   int folder_;
@@ -105,6 +112,7 @@ void
 exchangePlanes (const fs::path& folder, const fs::path& with)
 {
   const FolderLock lock (folder);
+  lock.wait();
   std::vector<fs::path> stale = planeFilesIn (folder);
   for (const fs::path& file : planeFilesIn (with)) {
     const fs::path target = folder / file.filename();

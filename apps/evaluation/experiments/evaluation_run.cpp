@@ -117,7 +117,7 @@ private:
     if (results_.has (row.key()))
       return;
     try {
-      row.values = apps::inMemory (task.source->name, fewer_at_a_time, [&] {
+      row.values = apps::inMemory (configuration.name, fewer_at_a_time, [&] {
         const DetectorRun run = configuration.run (cloud.cloud, cloud.up, plan_.seed);
         ClassParameters classes;
         classes.up = cloud.up;

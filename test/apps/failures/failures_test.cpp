@@ -51,8 +51,14 @@ allOutputs ()
       {"Results", evaluate, "run " + on_clouds, "out", "out/tables.md"},
       {"Pictures", evaluate, "pictures " + on_clouds, "out", "out/pictures.md"},
       {"Numbers", benchmark, measured + "--json OUT", "out/a.json", "out/a.json"},
-      {"Scaling", benchmark, measured + "--scaling OUT", "out", "out/time_over_planes.gp"}};
+      {"Scaling",
+       benchmark,
+       measured + "--scaling OUT",
+       "out",
+       "out/time_over_planes.gp"}};
 }
+
+constexpr int most_writes = 100;
 
 /** \brief A folder with a scene, a folder for the output, and the program. */
 class Failures : public testing::TestWithParam<Output> {
@@ -87,7 +93,6 @@ INSTANTIATE_TEST_SUITE_P (All, Failures, testing::ValuesIn (allOutputs()), nameO
 
 TEST_P (Failures, ADiskThatIsFullAtAnyWriteIsSaidAndHarmsNothing)
 {
-  constexpr int most_writes = 100;
   int write = 1;
   for (; write < most_writes; ++write) {
     SCOPED_TRACE ("full at write " + std::to_string (write));
@@ -97,7 +102,7 @@ TEST_P (Failures, ADiskThatIsFullAtAnyWriteIsSaidAndHarmsNothing)
     program_.expectPromise (ending, GetParam().file);
     if (HasFailure())
       return;
-    fs::remove_all (program_.folder() / "out");
+    fs::remove_all (program_.folder() / "out"); // or a run of many files goes on
     fs::create_directories (program_.folder() / "out");
     program_.protect();
   }
@@ -105,13 +110,19 @@ TEST_P (Failures, ADiskThatIsFullAtAnyWriteIsSaidAndHarmsNothing)
   EXPECT_LT (write, most_writes);
 }
 
-TEST_P (Failures, ARunKilledAtAnyWriteLeavesAWholeFileAndIsRunAgain)
+TEST_P (Failures, ARunKilledAtAnyWriteLeavesTheOldFileAndIsRunAgain)
 {
-  const Ending ending = program_.run ("KILLED_AT_WRITE=1");
-  EXPECT_EQ (ending.exit_code, killed) << ending.errors;
-  EXPECT_TRUE (program_.isAsBefore());
-  const Ending again = program_.run ("");
-  EXPECT_EQ (again.exit_code, 0) << again.errors;
+  int write = 1;
+  for (; write < most_writes; ++write) {
+    SCOPED_TRACE ("killed at write " + std::to_string (write));
+    const Ending ending = program_.run ("KILLED_AT_WRITE=" + std::to_string (write));
+    if (ending.exit_code == 0)
+      break;
+    EXPECT_EQ (ending.exit_code, killed) << ending.errors;
+    ASSERT_TRUE (program_.isAsBefore());
+  }
+  EXPECT_GT (write, 1) << "nothing was written";
+  EXPECT_FALSE (program_.isAsBefore()) << "the last run was not hindered";
 }
 
 TEST_P (Failures, AFolderThatCannotBeWrittenToIsNamed)
@@ -144,8 +155,51 @@ TEST_P (Failures, AnEmptyNameIsWrongUsage)
   program_.expectPromise (program_.run ("", "", ""), "", 2);
 }
 
+TEST_P (Failures, TooLittleMemoryIsSaidAndHarmsNothing)
+{
+  constexpr int step = 4'000, most = 1'000'000; // [kB]
+  int limit = step;
+  const auto run = [&] {
+    return program_.run ("", "ulimit -v " + std::to_string (limit));
+  };
+  // Until there is room for the program itself.
+  constexpr int not_loaded = 127;
+  while (run().exit_code == not_loaded && limit < most)
+    limit += step;
+  for (; limit < most; limit += step) {
+    SCOPED_TRACE (std::to_string (limit) + " kB");
+    const Ending ending = run();
+    if (ending.exit_code == 0)
+      break;
+    program_.expectPromise (ending, "memory");
+    if (HasFailure())
+      return;
+  }
+  EXPECT_LT (limit, most);
+}
+
 TEST_P (Failures, NoThreadIsNoFailure)
 {
   const Ending ending = program_.run ("THREADS_TO_START=0");
   EXPECT_EQ (ending.exit_code, 0) << ending.errors;
+}
+
+TEST (FailingThreads, DoNotKeepABatchFromItsClouds)
+{
+  const FailingProgram program (
+      {"", segment, "a.pcd b.pcd --output-dir OUT --jobs 4", "out", ""});
+  saveScene (program.folder() / "a.pcd");
+  saveScene (program.folder() / "b.pcd");
+  const Ending ending = program.run ("THREADS_TO_START=0");
+  EXPECT_EQ (ending.exit_code, 0) << ending.errors;
+  EXPECT_TRUE (fs::exists (program.folder() / "out/b.json"));
+}
+
+TEST (FailingPipe, IsSaidToNeedRoomForTemporaryFiles)
+{
+  const FailingProgram program ({"", segment, "- OUT <in.pcd", "a.pcd", "a.pcd"});
+  saveScene (program.folder() / "in.pcd");
+  program.protect();
+  program.expectPromise (program.run ("FULL_AT_WRITE=1", "export TMPDIR=."),
+                         "standard input");
 }
