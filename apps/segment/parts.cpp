@@ -143,6 +143,7 @@ savePlaneClouds (const std::string& folder,
                  const FileCloud& cloud,
                  const std::vector<PlaneSegment>& planes)
 {
+  makeFolder (folder);
   try {
     const TemporaryPath written (temporaryFolderIn (folder));
     std::size_t id = 0;
