@@ -53,7 +53,7 @@ HeaderReader::nextLine (const std::string& last)
     words.push_back (word);
   // PCL's readers take such a line for the end of the header.
   if (words.empty() && !line.empty())
-    fail ("line " + std::to_string (lines_) + " has nothing but white space");
+    failAtLine ("has nothing but white space");
   return words;
 }
 

@@ -9,6 +9,7 @@
 #include <cli/interruption.h>
 #include <cli/memory.h>
 #include <detection/up_search.h>
+#include <io/cloud_damage.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/output_file.h>
@@ -111,6 +112,7 @@ segmentInMemory (const SegmentOptions& options, const Task& task)
                 options.method,
                 cloud.size(),
                 detectPlanes (options, shifted),
+                damageOf (*shifted.cloud),
                 {}};
   if (!task.outputs.planes.empty() || !task.outputs.mesh.empty())
     report.extents = extentsOf (shifted, report.detected.planes, options.hull);

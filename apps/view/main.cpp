@@ -9,10 +9,12 @@
 #include <cli/errors.h>
 #include <cli/memory.h>
 #include <cli/program.h>
+#include <io/cloud_damage.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 
 #include <algorithm>
+#include <string>
 
 namespace pcl_ops::apps {
 
@@ -24,6 +26,9 @@ loadViewed (const std::string& file, const Eigen::Vector3f& up)
   const FileCloud cloud = loadCloud (file);
   const ShiftedCloud shifted = shiftedCloudOf (cloud);
   const auto& points = *shifted.cloud;
+  const std::string damage = damageOf (points);
+  if (!damage.empty())
+    warn (file + ": " + damage);
   if (std::none_of (points.begin(), points.end(), [] (const pcl::PointXYZ& point) {
         return pcl::isXYZFinite (point);
       }))

@@ -8,6 +8,8 @@
 
 #include <cli/errors.h>
 #include <cli/memory.h>
+#include <cli/program.h>
+#include <io/cloud_damage.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 
@@ -84,6 +86,9 @@ readLabelledCloud (const std::string& file, LabelField field)
   if (field == LabelField::Required || apps::hasField (cloud, "label"))
     labelled.labels = labelsIn (cloud.points, file);
   const apps::ShiftedCloud shifted = apps::shiftedCloudOf (cloud);
+  const std::string damage = apps::damageOf (*shifted.cloud);
+  if (!damage.empty())
+    apps::warn (file + ": " + damage);
   labelled.cloud = shifted.cloud;
   labelled.shift = shifted.shift;
   return labelled;

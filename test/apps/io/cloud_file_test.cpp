@@ -249,16 +249,17 @@ TEST_F (CloudFile, NoticesTruncatedData)
   }
 }
 
-TEST_F (CloudFile, NamesTheLineOfABlankOneInAHeader)
+TEST_F (CloudFile, NamesTheLineOfAHeaderThatHasNothingButWhiteSpace)
 {
   for (const std::string blank : {" ", "\t", "\r", "\v"}) {
     const std::string pcd = asciiPcd ("VERSION 0.7\n" + blank);
     EXPECT_EQ (
         complaintAbout (folder_.write ("blank.pcd", pcd)),
-        "is no valid PCD file: line 2 has nothing but white space; write it again");
+        "is damaged: line 2 has nothing but white space; mend it or write the file "
+        "again");
   }
-  EXPECT_EQ (complaintAbout (folder_.write ("empty.pcd", asciiPcd ("VERSION 0.7\n"))),
-             "");
+  const std::string empty = asciiPcd ("VERSION 0.7\n");
+  EXPECT_EQ (complaintAbout (folder_.write ("empty.pcd", empty)), "");
 }
 
 TEST_F (CloudFile, NamesTheDamagedLineOfAnAsciiPcd)
