@@ -28,6 +28,8 @@ checkReadable (const std::string& file)
 {
   std::error_code error;
   const fs::file_status status = fs::status (file, error);
+  if (error == std::errc::filename_too_long)
+    throw WorkError (file, "has a name that is too long; check it");
   if (!fs::exists (status))
     throw WorkError (file, "does not exist; check the name");
   if (fs::is_directory (status))

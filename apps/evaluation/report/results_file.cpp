@@ -200,6 +200,7 @@ ResultsFile::add (const ResultRow& row)
   const std::lock_guard<std::mutex> lock (mutex_);
   const std::uintmax_t size = fs::file_size (file_);
   if (!(stream_ << lineOf (row) + '\n') || !stream_.flush()) {
+    stream_.close();
     std::error_code ignored;
     fs::resize_file (file_, size, ignored); // without the part of a row that had room
     throw apps::OutputError (

@@ -195,6 +195,14 @@ TEST (FailingThreads, DoNotKeepABatchFromItsClouds)
   EXPECT_TRUE (fs::exists (program.folder() / "out/b.json"));
 }
 
+TEST (FailingFile, ThatOutgrowsTheLimitOfTheUserIsNotTheProgramsEnd)
+{
+  const FailingProgram program ({"", segment, "in.pcd OUT", "a.pcd", "a.pcd"});
+  saveScene (program.folder() / "in.pcd");
+  program.protect();
+  program.expectPromise (program.run ("", "ulimit -f 1"), "a.pcd");
+}
+
 TEST (FailingPipe, IsSaidToNeedRoomForTemporaryFiles)
 {
   const FailingProgram program ({"", segment, "- OUT <in.pcd", "a.pcd", "a.pcd"});

@@ -180,6 +180,8 @@ TEST_F (CloudFile, NamesWhatIsNoCloud)
 {
   EXPECT_EQ (complaintAbout (folder_ / "missing.pcd"),
              "does not exist; check the name");
+  EXPECT_EQ (complaintAbout (folder_ / std::string (256, 'n') + ".pcd"),
+             "has a name that is too long; check it");
   EXPECT_EQ (complaintAbout (folder_.write ("a.xyz", "1 2 3")),
              "has an unknown extension; give a .pcd or .ply file");
   EXPECT_EQ (complaintAbout (folder_.write ("empty.pcd", "")),

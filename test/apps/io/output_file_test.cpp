@@ -4,10 +4,9 @@
 
 #include <cli/errors.h>
 #include <io/output_file.h>
+#include <support/file_size_limit.h>
 #include <support/temporary_folder.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -16,25 +15,6 @@ namespace fs = std::filesystem;
 using namespace pcl_ops::apps;
 
 namespace {
-
-/** \brief Files cannot get longer than this, as on a full disk. */
-class FileSizeLimit {
-public:
-  explicit FileSizeLimit (rlim_t bytes)
-  {
-    std::signal (SIGXFSZ, SIG_IGN);
-    ::getrlimit (RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit (RLIMIT_FSIZE, &limit);
-  }
-  FileSizeLimit (const FileSizeLimit&) = delete;
-  FileSizeLimit&
-  operator= (const FileSizeLimit&) = delete;
-  ~FileSizeLimit() { ::setrlimit (RLIMIT_FSIZE, &before_); }
-
-private:
-  rlimit before_{};
-};
 
 /** \brief What some work ends with; empty where it succeeds. */
 std::string
