@@ -4,6 +4,7 @@
 
 #include <io/cloud_damage.h>
 
+#include <cstdlib>
 #include <limits>
 #include <string>
 
@@ -69,6 +70,29 @@ TEST (CloudDamage, IsNoneWhereMostReadingsAreMissing)
   XyzCloud cloud = floorOfPoints();
   for (std::size_t i = 0; i < 9000; ++i)
     cloud[i] = {not_a_number, not_a_number, not_a_number};
+  EXPECT_EQ (damageOf (cloud), "");
+}
+
+TEST (CloudDamage, IsSeenAmongThePointsThatHaveCoordinates)
+{
+  constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+  XyzCloud cloud = floorOfPoints();
+  for (std::size_t i = 0; i < 9000; ++i)
+    cloud[i] = i % 3 == 0 ? pcl::PointXYZ (0.0f, 0.0f, 0.0f)
+                          : pcl::PointXYZ (not_a_number, not_a_number, not_a_number);
+  EXPECT_NE (damageOf (cloud).find ("75 % of its points are at (0, 0, 0)"),
+             std::string::npos)
+      << damageOf (cloud);
+}
+
+TEST (CloudDamage, IsNoneWhereMostPointsAreFarFromADenseSpot)
+{
+  XyzCloud cloud;
+  for (int i = -5000; i <= 5000; ++i) {
+    const auto place = static_cast<float> (i);
+    const bool is_in_spot = std::abs (i) < 1000;
+    cloud.emplace_back (is_in_spot ? 1e-6f * place : place, 0.0f, 0.0f);
+  }
   EXPECT_EQ (damageOf (cloud), "");
 }
 

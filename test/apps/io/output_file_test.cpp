@@ -86,6 +86,18 @@ TEST_F (OutputFile, WritesManyFilesOfAFolderAtOnce)
   EXPECT_EQ (contentOf (folder_ / "a.json"), "outer");
 }
 
+TEST_F (OutputFile, LeavesTemporaryFilesOfOthersAlone)
+{
+  // Of a program of the same number, as in another container.
+  constexpr int many = 500;
+  const std::string start = ".pcl_ops." + std::to_string (::getpid()) + ".";
+  for (int i = 0; i < many; ++i)
+    folder_.write (start + std::to_string (i), "precious");
+  writeTextFile (folder_ / "a.json", "new");
+  for (int i = 0; i < many; ++i)
+    EXPECT_EQ (contentOf (folder_ / (start + std::to_string (i))), "precious");
+}
+
 TEST_F (OutputFile, FollowsALinkToAFileThatDoesNotExistYet)
 {
   fs::create_symlink ("second.csv", folder_ / "first.csv");
