@@ -112,6 +112,8 @@ public:
     EXPECT_NE (ending.errors.find (culprit), std::string::npos) << ending.errors;
     EXPECT_NE (ending.errors.find (';'), std::string::npos)
         << "no mend: " << ending.errors;
+    EXPECT_EQ (ending.errors.find (".pcl_ops"), std::string::npos)
+        << "a temporary name: " << ending.errors;
     EXPECT_TRUE (isAsBefore()) << output_.kept;
     EXPECT_EQ (remains(), std::vector<std::string>());
   }

@@ -9,17 +9,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** \brief A floor and a wall of 2 m by 2 m. */
+/** \brief A floor and a wall of 2 m by 2 m.
+ * \param[in] side how many points there are along each edge */
 void
-saveScene (const std::string& file)
+saveScene (const std::string& file, int side = 50)
 {
+  const float step = 2.0f / static_cast<float> (side);
   pcl::PointCloud<pcl::PointXYZ> cloud;
-  for (int i = 0; i < 50; ++i)
-    for (int j = 0; j < 50; ++j) {
-      const float x = 0.04f * static_cast<float> (i);
-      const float y = 0.04f * static_cast<float> (j);
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const float x = step * static_cast<float> (i);
+      const float y = step * static_cast<float> (j);
       cloud.emplace_back (x, y, 0.0f);
-      cloud.emplace_back (2.0f, y, x + 0.02f);
+      cloud.emplace_back (2.0f, y, x + step / 2.0f);
     }
   pcl::io::savePCDFileBinary (file, cloud);
 }
@@ -80,6 +82,32 @@ protected:
 
   FailingProgram program_{GetParam()};
 };
+
+/** \brief Gives a program more and more memory until it has enough; before, it says
+ * that it has not. */
+void
+expectMemoryIsMissed (const FailingProgram& program)
+{
+  constexpr int step = 4'000, most = 1'000'000; // [kB]
+  int limit = step;
+  const auto run = [&] {
+    return program.run ("", "ulimit -v " + std::to_string (limit));
+  };
+  // Until there is room for the program itself.
+  constexpr int not_loaded = 127;
+  while (run().exit_code == not_loaded && limit < most)
+    limit += step;
+  for (; limit < most; limit += step) {
+    SCOPED_TRACE (std::to_string (limit) + " kB");
+    const Ending ending = run();
+    if (ending.exit_code == 0)
+      break;
+    program.expectPromise (ending, "memory");
+    if (testing::Test::HasFailure())
+      return;
+  }
+  EXPECT_LT (limit, most);
+}
 
 std::string
 nameOf (const testing::TestParamInfo<Output>& info)
@@ -157,25 +185,7 @@ TEST_P (Failures, AnEmptyNameIsWrongUsage)
 
 TEST_P (Failures, TooLittleMemoryIsSaidAndHarmsNothing)
 {
-  constexpr int step = 4'000, most = 1'000'000; // [kB]
-  int limit = step;
-  const auto run = [&] {
-    return program_.run ("", "ulimit -v " + std::to_string (limit));
-  };
-  // Until there is room for the program itself.
-  constexpr int not_loaded = 127;
-  while (run().exit_code == not_loaded && limit < most)
-    limit += step;
-  for (; limit < most; limit += step) {
-    SCOPED_TRACE (std::to_string (limit) + " kB");
-    const Ending ending = run();
-    if (ending.exit_code == 0)
-      break;
-    program_.expectPromise (ending, "memory");
-    if (HasFailure())
-      return;
-  }
-  EXPECT_LT (limit, most);
+  expectMemoryIsMissed (program_);
 }
 
 TEST_P (Failures, NoThreadIsNoFailure)
@@ -193,6 +203,14 @@ TEST (FailingThreads, DoNotKeepABatchFromItsClouds)
   const Ending ending = program.run ("THREADS_TO_START=0");
   EXPECT_EQ (ending.exit_code, 0) << ending.errors;
   EXPECT_TRUE (fs::exists (program.folder() / "out/b.json"));
+}
+
+TEST (FailingMemory, IsNotTakenForADamagedCloud)
+{
+  const FailingProgram program ({"", segment, "in.pcd OUT --quiet", "a.pcd", "a.pcd"});
+  saveScene (program.folder() / "in.pcd", 500);
+  program.protect();
+  expectMemoryIsMissed (program);
 }
 
 TEST (FailingFile, ThatOutgrowsTheLimitOfTheUserIsNotTheProgramsEnd)

@@ -363,21 +363,22 @@ TEST_F (CloudFile, RefusesAGridOfVerticesThatAreNotThere)
 TEST_F (CloudFile, RefusesABinaryGridOfVerticesThatAreNotThere)
 {
   const std::string header =
-      "obj_info num_cols 1\nobj_info num_rows 1\nelement vertex 1\n"
-      "property float x\nproperty float y\nproperty float z\n"
-      "element range_grid 1\nproperty list uchar int vertex_indices\n";
-  for (const std::string format : {"binary_little_endian", "binary_big_endian"})
-    for (const bool is_valid : {true, false}) {
-      std::string ply = plyWith (header, "");
-      ply.replace (ply.find ("ascii"), 5, format);
-      ply += std::string (12, '\0') + '\1' + std::string (4, is_valid ? '\0' : '\xff');
-      EXPECT_EQ (complaintAbout (folder_.write ("grid.ply", ply)),
-                 is_valid
-                     ? ""
-                     : "is no valid PLY file: its range_grid names a vertex that does "
-                       "not exist; write it again")
-          << format;
-    }
+      "obj_info num_cols 2\nobj_info num_rows 1\n" + two_vertices +
+      "element range_grid 2\nproperty list uchar int vertex_indices\n";
+  const auto complaint = [&] (const std::string& format, const std::string& index) {
+    std::string ply = plyWith (header, "");
+    ply.replace (ply.find ("ascii"), 5, format);
+    return complaintAbout (
+        folder_.write ("grid.ply", ply + std::string (24, '\0') + '\1' + index + '\0'));
+  };
+  const std::string negative (4, '\xff');
+  EXPECT_EQ (complaint ("binary_little_endian", {'\1', '\0', '\0', '\0'}), "");
+  EXPECT_EQ (complaint ("binary_big_endian", {'\0', '\0', '\0', '\1'}), "");
+  for (const char* format : {"binary_little_endian", "binary_big_endian"})
+    EXPECT_EQ (
+        complaint (format, negative),
+        "is no valid PLY file: its range_grid names a vertex that does not exist; "
+        "write it again");
 }
 
 TEST_F (CloudFile, RefusesHeadersThatPromiseMoreThanTheirDataCanHold)
