@@ -4,6 +4,7 @@
 
 #include <pcl/pcl_config.h>
 
+#include <cli/parallel.h>
 #include <evaluation/detectors/timed.h>
 
 #include <algorithm>
@@ -14,7 +15,6 @@
 #include <limits>
 #include <numeric>
 #include <thread>
-#include <vector>
 
 namespace pcl_ops::benchmark {
 
@@ -65,11 +65,8 @@ arithmeticTime (unsigned threads, std::size_t runs)
   for (std::size_t run = 0; run < runs; ++run) {
     double time = 0.0;
     evaluation::timed (time, [&] {
-      std::vector<std::thread> workers;
-      for (unsigned i = 0; i < threads; ++i)
-        workers.emplace_back ([&] { result += plainArithmetic(); });
-      for (std::thread& worker : workers)
-        worker.join();
+      apps::runInParallel (
+          threads, threads, [&] (std::size_t) { result += plainArithmetic(); });
     });
     best = std::min (best, time);
   }

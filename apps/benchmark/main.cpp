@@ -5,6 +5,7 @@
 #include "scaling_report.h"
 #include "time_table.h"
 #include <cli/errors.h>
+#include <cli/memory.h>
 #include <cli/program.h>
 #include <cli/progress.h>
 #include <evaluation/commands/data_options.h>
@@ -91,7 +92,9 @@ figuresOfAll (const DataSet& clouds,
   std::vector<CloudFigures> all;
   for (const evaluation::CloudSource& source : clouds.clouds)
     try {
-      all.push_back (figuresOf (source, parameters));
+      all.push_back (apps::inMemory (source.name, "give a smaller cloud", [&] {
+        return figuresOf (source, parameters);
+      }));
     }
     catch (const apps::WorkError& error) {
       if (++left_out == clouds.clouds.size())

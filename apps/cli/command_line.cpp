@@ -29,6 +29,14 @@ struct Argument {
   std::function<void (const std::string&)> store;
 };
 
+/** \brief Refuses what a variable of the shell that is not set leaves of a name. */
+void
+requireText (const std::string& subject, const std::string& text)
+{
+  if (text.empty())
+    throw UsageError (subject, "is empty; give a value or leave it out");
+}
+
 void
 storeArguments (const std::vector<Argument>& arguments,
                 const std::vector<std::string>& given)
@@ -36,8 +44,10 @@ storeArguments (const std::vector<Argument>& arguments,
   std::size_t next = 0;
   for (const Argument& argument : arguments) {
     std::size_t taken = 0;
-    for (; taken < argument.most && next < given.size(); ++taken, ++next)
+    for (; taken < argument.most && next < given.size(); ++taken, ++next) {
+      requireText (argument.name, given[next]);
       argument.store (given[next]);
+    }
     if (taken < argument.fewest)
       throw UsageError (argument.name, "is missing; see --help");
   }
@@ -158,8 +168,10 @@ CommandLine::addText (const std::string& name,
                       std::string& target,
                       const std::string& help)
 {
-  addValue (
-      name, placeholder, help, [&target] (const std::string& text) { target = text; });
+  addValue (name, placeholder, help, [name, &target] (const std::string& text) {
+    requireText (dashed (name), text);
+    target = text;
+  });
 }
 
 void

@@ -68,7 +68,8 @@ public:
   void
   addFlag (const std::string& name, bool& target, const std::string& help);
 
-  /** \brief Declares an option whose value is any text, such as a file name. */
+  /** \brief Declares an option whose value is any text but an empty one, such as a file
+   * name. */
   void
   addText (const std::string& name,
            const std::string& placeholder,

@@ -29,4 +29,9 @@ struct WorkError : ProgramError {
   using ProgramError::ProgramError;
 };
 
+/** \brief An output could not be written: there is no use in going on with others. */
+struct OutputError : WorkError {
+  using WorkError::WorkError;
+};
+
 } // namespace pcl_ops::apps

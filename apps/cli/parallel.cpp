@@ -30,8 +30,15 @@ runInParallel (std::size_t count,
   };
   const unsigned wanted = jobs == 0 ? std::thread::hardware_concurrency() : jobs;
   std::vector<std::thread> threads;
-  for (std::size_t i = 0; i < std::min<std::size_t> (std::max (1U, wanted), count); ++i)
-    threads.emplace_back (take_turns);
+  try {
+    for (std::size_t i = 1; i < std::min<std::size_t> (wanted, count); ++i)
+      threads.emplace_back (take_turns);
+  }
+  catch (const std::exception&) {
+    // No memory or no right for one more: those there are do the work, this one at
+    // least.
+  }
+  take_turns();
   for (std::thread& thread : threads)
     thread.join();
   if (failure)

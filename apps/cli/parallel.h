@@ -10,7 +10,8 @@ namespace pcl_ops::apps {
 /** \brief Calls \p work with 0, 1, ... \p count - 1, begun in this order, several at a
  * time. What it throws ends the run once the calls under way have returned, and is
  * thrown again.
- * \param[in] jobs calls at a time; 0: as many as there are processors */
+ * \param[in] jobs calls at a time; 0: as many as there are processors; fewer where the
+ * system starts no more threads */
 void
 runInParallel (std::size_t count,
                unsigned jobs,

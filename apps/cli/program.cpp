@@ -7,12 +7,20 @@
 #include "errors.h"
 
 #include <algorithm>
+#include <csignal>
 #include <iostream>
 #include <new>
 
 namespace pcl_ops::apps {
 
 namespace {
+
+std::string&
+runningProgram ()
+{
+  static std::string name;
+  return name;
+}
 
 int
 fail (const std::string& name, const std::string& message, ExitCode code)
@@ -31,9 +39,23 @@ errorLine (const std::string& program, std::string message)
   return program + ": " + message;
 }
 
+std::string
+errorLine (const std::string& message)
+{
+  return errorLine (runningProgram(), message);
+}
+
+void
+warn (const std::string& message)
+{
+  std::cerr << errorLine (message) + "\n" << std::flush;
+}
+
 int
 runProgram (const std::string& name, const std::function<int()>& body)
 {
+  runningProgram() = name;
+  std::signal (SIGXFSZ, SIG_IGN);
   pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);
   try {
     const int code = body();

@@ -9,6 +9,7 @@
 #include <cli/errors.h>
 
 #include <functional>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -68,8 +69,7 @@ settingsOf (const MethodTable<Detector>& table,
 }
 
 /** \brief The planes of a cloud.
- * \throws UsageError as \ref parametersOf, WorkError if the detector could not do its
- * work */
+ * \throws UsageError as \ref parametersOf, std::bad_alloc */
 template <typename Detector>
 Detected
 detectBy (const MethodTable<Detector>& table,
@@ -81,9 +81,9 @@ detectBy (const MethodTable<Detector>& table,
   detector.setParameters (parameters);
   detector.setInputCloud (cloud);
   Detected detected;
+  // Cloud and parameters are valid: nothing but the memory is left to fail.
   if (!detector.segment (detected.planes))
-    throw WorkError (Detector::className(),
-                     "gave up, most likely for lack of memory; try a smaller cloud");
+    throw std::bad_alloc();
   detected.timing = detector.getStageDurations();
   detected.settings = settingsOf (table, options.preset, parameters);
   detected.up = parameters.up_axis;

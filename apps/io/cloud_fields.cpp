@@ -4,10 +4,11 @@
 
 #include <pcl/common/io.h>
 
+#include "typed_number.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 #include <type_traits>
 
@@ -24,43 +25,6 @@ fieldOf (const FileCloud& cloud, const std::string& name)
   if (index < 0)
     throw std::invalid_argument ("the cloud has no field " + name);
   return cloud.points.fields[static_cast<std::size_t> (index)];
-}
-
-template <typename Number>
-double
-numberAt (const std::uint8_t* bytes)
-{
-  Number number;
-  std::memcpy (&number, bytes, sizeof (number));
-  return static_cast<double> (number);
-}
-
-using NumberReader = double (*) (const std::uint8_t*);
-
-NumberReader
-readerOf (std::uint8_t datatype)
-{
-  switch (datatype) {
-  case PCLPointField::INT8:
-    return numberAt<std::int8_t>;
-  case PCLPointField::UINT8:
-    return numberAt<std::uint8_t>;
-  case PCLPointField::INT16:
-    return numberAt<std::int16_t>;
-  case PCLPointField::UINT16:
-    return numberAt<std::uint16_t>;
-  case PCLPointField::INT32:
-    return numberAt<std::int32_t>;
-  case PCLPointField::UINT32:
-    return numberAt<std::uint32_t>;
-  case PCLPointField::FLOAT32:
-    return numberAt<float>;
-  case PCLPointField::FLOAT64:
-    return numberAt<double>;
-  default:
-    // 8-byte integers, which PCL writes and reads but has no name for before 1.15.
-    return numberAt<std::int64_t>;
-  }
 }
 
 /** \brief The three coordinates of each point, whatever their type. */

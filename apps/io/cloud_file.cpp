@@ -11,9 +11,10 @@
 #include "ply_header.h"
 #include <cli/errors.h>
 
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
+#include <new>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -27,6 +28,8 @@ checkReadable (const std::string& file)
 {
   std::error_code error;
   const fs::file_status status = fs::status (file, error);
+  if (error == std::errc::filename_too_long)
+    throw WorkError (file, "has a name that is too long; check it");
   if (!fs::exists (status))
     throw WorkError (file, "does not exist; check the name");
   if (fs::is_directory (status))
@@ -42,8 +45,11 @@ readWith (pcl::FileReader&& reader, const std::string& file, FileCloud& cloud)
   std::string reason;
   try {
     int version = 0;
+    errno = 0;
     if (reader.read (file, cloud.points, cloud.origin, cloud.orientation, version) >= 0)
       return;
+    if (errno == ENOMEM) // it could not map the file
+      throw std::bad_alloc();
     reason = "its data does not match its header";
   }
   catch (const std::bad_alloc&) {
@@ -64,6 +70,8 @@ makeSizeValid (const std::string& file, pcl::PCLPointCloud2& points)
       points.point_step == 0 ? 0 : points.data.size() / points.point_step;
   if (size * points.point_step != points.data.size())
     throw WorkError (file, "is damaged: it ends within a point; write it again");
+  if (size == 0)
+    throw WorkError (file, "has no points; give a cloud that has");
   if (static_cast<std::size_t> (points.width) * points.height == size)
     return;
   points.width = static_cast<pcl::uindex_t> (size);
@@ -117,14 +125,10 @@ savePcd (const std::string& file, const FileCloud& cloud)
   // over.
   const std::string header = pcl::PCDWriter().generateHeaderBinary (
       cloud.points, cloud.origin, cloud.orientation);
-  writeFile (file, [&] (const std::string& path) {
-    std::ofstream stream (path, std::ios::binary);
+  writeFile (file, [&] (std::ostream& stream) {
     stream << header << "DATA binary\n";
     stream.write (reinterpret_cast<const char*> (cloud.points.data.data()),
                   static_cast<std::streamsize> (cloud.points.data.size()));
-    stream.close();
-    if (!stream)
-      throw WorkError (file, "cannot be written; is the disk full?");
   });
 }
 

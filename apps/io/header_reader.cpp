@@ -12,6 +12,21 @@
 
 namespace pcl_ops::apps {
 
+namespace {
+
+/** \brief What a file says may be anything; a message is one short line. */
+std::string
+printable (const std::string& text)
+{
+  constexpr std::size_t longest = 200;
+  std::string shown = text.substr (0, longest);
+  for (char& c : shown)
+    c = std::isprint (static_cast<unsigned char> (c)) != 0 ? c : '?';
+  return shown;
+}
+
+} // namespace
+
 HeaderReader::HeaderReader (const std::string& file, std::string format)
 : file_ (file), format_ (std::move (format)), stream_ (file, std::ios::binary)
 {
@@ -30,13 +45,23 @@ HeaderReader::nextLine (const std::string& last)
 {
   constexpr std::uint64_t longest_header = 1U << 20U;
   std::string line;
-  if (position() > longest_header || !std::getline (stream_, line) || stream_.eof())
+  if (position() > longest_header || !readLine (line) || stream_.eof())
     fail ("its header has no line " + last);
   std::istringstream parts (line);
   Words words;
   for (std::string word; parts >> word;)
     words.push_back (word);
+  // PCL's readers take such a line for the end of the header.
+  if (words.empty() && !line.empty())
+    failAtLine ("has nothing but white space");
   return words;
+}
+
+bool
+HeaderReader::readLine (std::string& line)
+{
+  ++lines_;
+  return static_cast<bool> (std::getline (stream_, line));
 }
 
 std::uint64_t
@@ -75,12 +100,17 @@ HeaderReader::count (const std::string& what, const std::string& text) const
 void
 HeaderReader::fail (const std::string& reason) const
 {
-  constexpr std::size_t longest_reason = 200;
-  std::string printable = reason.substr (0, longest_reason);
-  for (char& c : printable)
-    c = std::isprint (static_cast<unsigned char> (c)) != 0 ? c : '?';
-  throw WorkError (
-      file_, "is no valid " + format_ + " file: " + printable + "; write it again");
+  throw WorkError (file_,
+                   "is no valid " + format_ + " file: " + printable (reason) +
+                       "; write it again");
+}
+
+void
+HeaderReader::failAtLine (const std::string& reason) const
+{
+  throw WorkError (file_,
+                   "is damaged: line " + std::to_string (lines_) + " " +
+                       printable (reason) + "; mend it or write the file again");
 }
 
 void

@@ -11,8 +11,8 @@ namespace pcl_ops::apps {
 
 using Words = std::vector<std::string>;
 
-/** \brief Reads the text header in front of a cloud file's data and words the
- * complaints about it. */
+/** \brief Reads the text header in front of a cloud file's data, and data that is text
+ * itself, and words the complaints about them. */
 class HeaderReader {
 public:
   /** \param[in] format e.g. "PCD", for the complaints */
@@ -37,6 +37,11 @@ public:
   void
   read (char* bytes, std::size_t count);
 
+  /** \brief The next line as it is, without its end. \return false where there is none
+   */
+  bool
+  readLine (std::string& line);
+
   /** \brief A whole number from 0 on. */
   std::uint64_t
   number (const std::string& what, const std::string& text) const;
@@ -48,6 +53,10 @@ public:
   [[noreturn]] void
   fail (const std::string& reason) const;
 
+  /** \param[in] reason what is wrong with the line that was read last */
+  [[noreturn]] void
+  failAtLine (const std::string& reason) const;
+
   [[noreturn]] void
   failTruncated () const;
 
@@ -58,7 +67,7 @@ public:
 private:
   std::string file_, format_;
   std::ifstream stream_;
-  std::uint64_t file_size_ = 0;
+  std::uint64_t file_size_ = 0, lines_ = 0;
 };
 
 } // namespace pcl_ops::apps

@@ -4,10 +4,16 @@
 
 #include "temporary_path.h"
 #include <cli/errors.h>
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -24,17 +30,61 @@ fs::path
 resolved (const std::string& file)
 {
   std::error_code error;
-  const fs::path path = fs::weakly_canonical (fs::absolute (file, error), error);
-  return error ? fs::path (file) : path;
+  fs::path path = fs::absolute (file, error);
+  // weakly_canonical stops in front of a link to a file that does not exist yet.
+  constexpr int most_links = 40;
+  for (int i = 0; i < most_links && fs::is_symlink (path, error); ++i)
+    path = path.parent_path() / fs::read_symlink (path, error);
+  const fs::path canonical = fs::weakly_canonical (path, error);
+  return error ? path : canonical;
 }
 
-/** \brief Where a file is written before it takes its name: in the same folder. */
-fs::path
-temporaryName (const fs::path& target)
+/** \brief Says what the last call of the system failed for. */
+[[noreturn]] void
+failToWrite (const std::string& file)
 {
-  return target.parent_path() /
-         ("." + target.stem().string() + "." + std::to_string (::getpid()) +
-          target.extension().string());
+  throw OutputError (file,
+                     std::string ("cannot be written (") + std::strerror (errno) +
+                         "); make room or give another name");
+}
+
+/** \brief A new file in a folder that has a short name of its own, among all programs
+ * that write there. */
+fs::path
+newFileIn (const fs::path& folder, const std::string& file)
+{
+  static std::atomic<unsigned> number{0};
+  constexpr mode_t permissions = 0666; // less what the user's mask takes
+  for (;;) {
+    fs::path path = folder / (".pcl_ops." + std::to_string (::getpid()) + "." +
+                              std::to_string (++number));
+    const int descriptor =
+        ::open (path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
+    if (descriptor >= 0) {
+      ::close (descriptor);
+      return path;
+    }
+    if (errno != EEXIST)
+      failToWrite (file);
+  }
+}
+
+/** \brief Refuses what is there under the name of a file to write. */
+void
+checkTarget (const std::string& file, const fs::path& target)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status (target, error);
+  if (error == std::errc::filename_too_long)
+    throw WorkError (file, "has a name that is too long; give a shorter one");
+  if (error == std::errc::too_many_symbolic_link_levels)
+    throw WorkError (file, "is a link that leads nowhere; give another name");
+  if (fs::is_directory (status))
+    throw WorkError (file, "is a folder; give the name of a file in it");
+  if (fs::exists (status) && !fs::is_regular_file (status))
+    throw WorkError (file, "is no regular file; give another name");
+  if (fs::exists (status) && ::access (target.c_str(), W_OK) != 0)
+    throw WorkError (file, "is write-protected; give another name");
 }
 
 } // namespace
@@ -47,47 +97,38 @@ checkWritable (const std::string& file)
   std::error_code error;
   if (file.empty() || !target.has_filename())
     throw WorkError ("'" + file + "'", "is no file name; give one to write to");
-  const fs::file_status status = fs::status (target, error);
-  if (fs::is_directory (status))
-    throw WorkError (file, "is a folder; give the name of a file in it");
-  if (fs::exists (status) && !fs::is_regular_file (status))
-    throw WorkError (file, "is no regular file; give another name");
+  checkTarget (file, target);
   if (!fs::is_directory (folder, error))
     throw WorkError (file, "its folder does not exist; create it or give another name");
   if (::access (folder.c_str(), W_OK | X_OK) != 0)
     throw WorkError (file, "its folder cannot be written to; choose another one");
-  if (fs::exists (status) && ::access (target.c_str(), W_OK) != 0)
-    throw WorkError (file, "is write-protected; give another name");
 }
 
 void
 writeFile (const std::string& file,
-           const std::function<void (const std::string& path)>& write)
+           const std::function<void (std::ostream& stream)>& write)
 {
   checkWritable (file);
   const fs::path target = resolved (file);
-  const TemporaryPath temporary (temporaryName (target));
-  write (temporary.path().string());
-
+  const TemporaryPath temporary (newFileIn (target.parent_path(), file));
+  std::ofstream stream (temporary.path(), std::ios::binary);
+  write (stream);
+  const std::streamoff size = stream.tellp();
+  stream.close();
   std::error_code error;
-  if (fs::exists (target))
+  if (!stream ||
+      size != static_cast<std::streamoff> (fs::file_size (temporary.path(), error)))
+    failToWrite (file);
+  if (fs::exists (target, error))
     fs::permissions (temporary.path(), fs::status (target).permissions(), error);
-  fs::rename (temporary.path(), target, error);
-  if (error)
-    throw WorkError (file,
-                     "cannot be written (" + error.message() + "); give another name");
+  if (std::rename (temporary.path().c_str(), target.c_str()) != 0)
+    failToWrite (file);
 }
 
 void
 writeTextFile (const std::string& file, const std::string& text)
 {
-  writeFile (file, [&] (const std::string& path) {
-    std::ofstream stream (path, std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream)
-      throw WorkError (file, "cannot be written; is the disk full?");
-  });
+  writeFile (file, [&] (std::ostream& stream) { stream << text; });
 }
 
 void

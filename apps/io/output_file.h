@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <ostream>
 #include <string>
 
 namespace pcl_ops::apps {
@@ -14,14 +15,15 @@ namespace pcl_ops::apps {
 void
 checkWritable (const std::string& file);
 
-/** \brief Writes a file in one step: \p write fills a temporary file in the same folder
- * (with the same extension), which then takes the name \p file. If \p write or the
- * renaming fails, the temporary file is removed and an existing \p file stays as it
- * was. \param[in] write gets the path to write to and throws on failure \throws
- * WorkError as \ref checkWritable, and whatever \p write throws */
+/** \brief Writes a file in one step: \p write fills a temporary file in the same
+ * folder, which takes the name \p file once every byte is known to be there. If
+ * anything fails, the temporary file is removed and an existing \p file stays as it
+ * was. All outputs go this way: \p write gets no name, so that it cannot write past the
+ * check. \param[in] write need not look at the state of the stream \throws WorkError as
+ * \ref checkWritable or if the disk is full, and whatever \p write throws */
 void
 writeFile (const std::string& file,
-           const std::function<void (const std::string& path)>& write);
+           const std::function<void (std::ostream& stream)>& write);
 
 /** \brief \ref writeFile with a text. */
 void

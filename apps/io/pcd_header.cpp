@@ -3,6 +3,7 @@
 #include "pcd_header.h"
 
 #include "header_reader.h"
+#include "number_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -51,8 +52,13 @@ readPcdHeader (HeaderReader& reader)
   return header;
 }
 
-/** \brief Bytes of one point: SIZE times COUNT summed over the fields. */
-std::uint64_t
+/** \brief What a point takes, summed over the fields. */
+struct PointSize {
+  std::uint64_t bytes = 0;
+  std::uint64_t numbers = 0;
+};
+
+PointSize
 pointSize (const HeaderReader& reader, const PcdHeader& header)
 {
   const auto line = [&] (const std::string& key) {
@@ -73,7 +79,7 @@ pointSize (const HeaderReader& reader, const PcdHeader& header)
   static const std::array<std::string, 10> known_types = {
       "I1", "I2", "I4", "I8", "U1", "U2", "U4", "U8", "F4", "F8"};
   constexpr std::uint64_t most_per_field = 1U << 20U;
-  std::uint64_t bytes = 0;
+  PointSize size;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (std::find (known_types.begin(), known_types.end(), types[i] + sizes[i]) ==
         known_types.end())
@@ -81,9 +87,10 @@ pointSize (const HeaderReader& reader, const PcdHeader& header)
     const std::uint64_t count = reader.number ("COUNT", counts[i]);
     if (count == 0 || count > most_per_field)
       reader.fail ("COUNT " + counts[i] + " is out of range");
-    bytes += count * reader.number ("SIZE", sizes[i]);
+    size.numbers += count;
+    size.bytes += count * reader.number ("SIZE", sizes[i]);
   }
-  return bytes;
+  return size;
 }
 
 /** \brief POINTS, which has to agree with WIDTH and HEIGHT where they are given. */
@@ -118,6 +125,23 @@ checkCompressed (HeaderReader& reader, std::uint64_t rest, std::uint64_t expecte
     reader.failTruncated();
   if (sizes[1] != expected)
     reader.fail ("the size of its compressed data is not that of its points");
+  // LZF makes 264 bytes of three at best.
+  constexpr std::uint64_t most_expansion = 100;
+  if (expected > most_expansion * sizes[0])
+    reader.failTruncated();
+}
+
+void
+checkAscii (HeaderReader& reader, std::uint64_t points, std::uint64_t numbers)
+{
+  NumberLines lines (reader);
+  for (std::uint64_t point = 0; point < points;) {
+    if (!lines.next())
+      continue; // PCL's reader skips it, too
+    lines.expectNumbers (numbers);
+    ++point;
+  }
+  lines.expectEnd();
 }
 
 } // namespace
@@ -127,7 +151,7 @@ checkPcdFile (const std::string& file)
 {
   HeaderReader reader (file, "PCD");
   const PcdHeader header = readPcdHeader (reader);
-  const std::uint64_t point_size = pointSize (reader, header);
+  const PointSize size = pointSize (reader, header);
   const std::uint64_t points = pointCount (reader, header);
   if (points == 0)
     reader.failEmpty();
@@ -138,14 +162,16 @@ checkPcdFile (const std::string& file)
   const std::uint64_t rest = reader.fileSize() - header.data_offset;
   const Words& data = header.lines.at ("DATA");
   const std::string kind = data.size() == 1 ? data[0] : "";
-  // The shortest ascii point is a digit and a separator for each field.
-  const std::uint64_t ascii_size = 2 * header.lines.at ("FIELDS").size();
+  // The shortest ascii number is a digit and a separator.
+  const std::uint64_t ascii_size = 2 * size.numbers;
   if (kind == "binary_compressed")
-    checkCompressed (reader, rest, points * point_size);
+    checkCompressed (reader, rest, points * size.bytes);
   else if (kind != "ascii" && kind != "binary")
     reader.fail ("DATA is not ascii, binary or binary_compressed");
-  else if (rest + 1 < points * (kind == "binary" ? point_size : ascii_size))
+  else if (rest + 1 < points * (kind == "binary" ? size.bytes : ascii_size))
     reader.failTruncated();
+  else if (kind == "ascii")
+    checkAscii (reader, points, size.numbers);
 }
 
 } // namespace pcl_ops::apps

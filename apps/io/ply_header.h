@@ -7,8 +7,9 @@
 namespace pcl_ops::apps {
 
 /** \brief Checks that a PLY file's header makes sense and that its data is as long as
- * the header says, so that PCL's reader can be given the file. \throws WorkError naming
- * the line at fault */
+ * the header says and, where it is text, all numbers, and that a grid of its vertices
+ * names those there are, so that PCL's reader can be given the file. \throws WorkError
+ * naming the line at fault */
 void
 checkPlyFile (const std::string& file);
 

@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture.h"
 
-#include <pcl/io/png_io.h>
-
 #include "colors.h"
 #include "raster.h"
 #include "view.h"
 #include <cli/errors.h>
 #include <io/output_file.h>
+#include <png.h>
 
 #include <cmath>
-#include <filesystem>
 #include <functional>
-#include <system_error>
+#include <string>
 
 namespace pcl_ops::apps {
 
@@ -75,12 +73,19 @@ paintHalf (const Raster& raster,
 void
 savePng (const std::string& file, const Image& image)
 {
-  writeFile (file, [&] (const std::string& path) {
-    pcl::io::saveRgbPNGFile (path, image.bytes.data(), image_width, image_height);
-    std::error_code error;
-    if (std::filesystem::file_size (path, error) == 0 || error)
-      throw WorkError (file, "cannot be written; is the disk full?");
-  });
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = image_width;
+  header.height = image_height;
+  header.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX (header);
+  std::string png (size, '\0');
+  if (png_image_write_to_memory (
+          &header, png.data(), &size, 0, image.bytes.data(), 0, nullptr) == 0)
+    throw WorkError (
+        file, std::string ("cannot be drawn (") + header.message + "); leave it out");
+  png.resize (size);
+  writeTextFile (file, png);
 }
 
 } // namespace

@@ -10,7 +10,6 @@
 #include <cli/progress.h>
 
 #include <mutex>
-#include <new>
 #include <optional>
 #include <vector>
 
@@ -22,6 +21,8 @@ namespace {
 struct Status {
   bool is_done;
   std::string line;
+  /** \brief What is likely wrong with its input; empty for nothing. */
+  std::string warning = {};
 };
 
 /** \brief What the threads of a batch share. */
@@ -65,15 +66,14 @@ private:
   {
     try {
       stopIfInterrupted();
+      const Report report = segmentCloud (options_, task);
       return Status{true,
                     task.input + " -> " + task.outputs.cloud + ": " +
-                        summaryOf (segmentCloud (options_, task))};
+                        summaryOf (report),
+                    report.damage.empty() ? "" : task.input + ": " + report.damage};
     }
     catch (const Interrupted&) {
       return {};
-    }
-    catch (const std::bad_alloc&) {
-      return Status{false, task.input + ": not enough memory; give fewer --jobs"};
     }
     catch (const std::exception& error) {
       return Status{false, error.what()};
@@ -100,6 +100,8 @@ private:
     }
     else {
       ++done_;
+      if (!status.warning.empty())
+        progress_.note (errorLine (program_name, status.warning), messages_);
       if (!options_.quiet)
         progress_.note (status.line, out_);
     }

@@ -21,6 +21,8 @@ segmentOne (const SegmentOptions& options)
 {
   const Task task = taskOf (options);
   const Report report = segmentCloud (options, task);
+  if (!report.damage.empty())
+    warn (report.input + ": " + report.damage);
   const bool prints_json = task.outputs.planes == standard_stream;
   if (options.quiet || prints_json)
     return ExitCode::done;

@@ -2,11 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh.h"
 
-#include <pcl/io/ply_io.h>
-#include <pcl/io/vtk_io.h>
-#include <pcl/conversions.h>
-
-#include <cli/errors.h>
 #include <io/output_file.h>
 #include <picture/colors.h>
 
@@ -14,7 +9,10 @@
 #include <pcl_ops/surface/triangulation.h>
 #endif
 
+#include <cstdint>
 #include <limits>
+#include <locale>
+#include <ostream>
 
 namespace pcl_ops::apps {
 
@@ -41,42 +39,95 @@ facesOf ([[maybe_unused]] const PlaneSegment& plane, const PlaneExtent& extent)
   return faces;
 }
 
-pcl::PolygonMesh
+/** \brief A corner of an outline. */
+struct Corner {
+  Eigen::Vector3f place;
+  pcl::RGB color;
+};
+
+struct Mesh {
+  std::vector<Corner> corners;
+  std::vector<pcl::Indices> faces;
+};
+
+Mesh
 toMesh (const Eigen::Isometry3d& pose,
         const std::vector<PlaneSegment>& planes,
         const std::vector<PlaneExtent>& extents)
 {
-  pcl::PointCloud<pcl::PointXYZRGB> corners;
-  pcl::PolygonMesh mesh;
+  Mesh mesh;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     if (extents[p].hull.empty())
       continue;
-    const auto first = static_cast<pcl::index_t> (corners.size());
+    const auto first = static_cast<pcl::index_t> (mesh.corners.size());
     for (pcl::Indices& face : facesOf (planes[p], extents[p])) {
-      pcl::Vertices polygon;
-      for (const pcl::index_t corner : face)
-        polygon.vertices.push_back (first + corner);
-      mesh.polygons.push_back (polygon);
+      for (pcl::index_t& corner : face)
+        corner += first;
+      mesh.faces.push_back (face);
     }
     const pcl::RGB color = colorOfLabel (static_cast<std::uint32_t> (p + 1));
-    for (const Eigen::Vector3d& corner : extents[p].hull) {
-      pcl::PointXYZRGB point (color.r, color.g, color.b);
-      point.getVector3fMap() = (pose * corner).cast<float>();
-      corners.push_back (point);
-    }
+    for (const Eigen::Vector3d& corner : extents[p].hull)
+      mesh.corners.push_back ({(pose * corner).cast<float>(), color});
   }
-  pcl::toPCLPointCloud2 (corners, mesh.cloud);
   return mesh;
 }
 
-// PCL refuses to write a mesh without points.
-constexpr const char* empty_vtk =
-    "# vtk DataFile Version 3.0\nno planes\nASCII\nDATASET POLYDATA\n"
-    "POINTS 0 float\n";
-constexpr const char* empty_ply =
-    "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\n"
-    "property float y\nproperty float z\nelement face 0\n"
-    "property list uchar int vertex_indices\nend_header\n";
+void
+writePlace (const Corner& corner, std::ostream& stream)
+{
+  stream << corner.place.x() << ' ' << corner.place.y() << ' ' << corner.place.z();
+}
+
+void
+writeFaces (const Mesh& mesh, std::ostream& stream)
+{
+  for (const pcl::Indices& face : mesh.faces) {
+    stream << face.size();
+    for (const pcl::index_t corner : face)
+      stream << ' ' << corner;
+    stream << '\n';
+  }
+}
+
+void
+writePly (const Mesh& mesh, std::ostream& stream)
+{
+  stream << "ply\nformat ascii 1.0\nelement vertex " << mesh.corners.size()
+         << "\nproperty float x\nproperty float y\nproperty float z\n"
+            "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+            "element face "
+         << mesh.faces.size()
+         << "\nproperty list uint int vertex_indices\nend_header\n";
+  for (const Corner& corner : mesh.corners) {
+    writePlace (corner, stream);
+    for (const int part : {corner.color.r, corner.color.g, corner.color.b})
+      stream << ' ' << part;
+    stream << '\n';
+  }
+  writeFaces (mesh, stream);
+}
+
+void
+writeVtk (const Mesh& mesh, std::ostream& stream)
+{
+  constexpr float brightest = 255.0f;
+  std::size_t numbers = mesh.faces.size();
+  for (const pcl::Indices& face : mesh.faces)
+    numbers += face.size();
+  stream << "# vtk DataFile Version 3.0\noutlines of planes\nASCII\nDATASET POLYDATA\n"
+            "POINTS "
+         << mesh.corners.size() << " float\n";
+  for (const Corner& corner : mesh.corners) {
+    writePlace (corner, stream);
+    stream << '\n';
+  }
+  stream << "POLYGONS " << mesh.faces.size() << ' ' << numbers << '\n';
+  writeFaces (mesh, stream);
+  stream << "POINT_DATA " << mesh.corners.size() << "\nCOLOR_SCALARS colors 3\n";
+  for (const Corner& corner : mesh.corners)
+    stream << corner.color.r / brightest << ' ' << corner.color.g / brightest << ' '
+           << corner.color.b / brightest << '\n';
+}
 
 } // namespace
 
@@ -88,15 +139,12 @@ saveMesh (const std::string& file,
 {
   const bool is_vtk = extensionOf (file) == ".vtk";
   const Eigen::Isometry3d pose = is_vtk ? sensor_pose : Eigen::Isometry3d::Identity();
-  const pcl::PolygonMesh mesh = toMesh (pose, planes, extents);
-  if (mesh.polygons.empty())
-    return writeTextFile (file, is_vtk ? empty_vtk : empty_ply);
-  writeFile (file, [&] (const std::string& path) {
-    constexpr unsigned digits = std::numeric_limits<float>::max_digits10;
-    const int result = is_vtk ? pcl::io::saveVTKFile (path, mesh, digits)
-                              : pcl::io::savePLYFileBinary (path, mesh);
-    if (result < 0)
-      throw WorkError (file, "cannot be written; is the disk full?");
+  const Mesh mesh = toMesh (pose, planes, extents);
+  // PCL's and VTK's writers want a name and do not tell of a full disk.
+  writeFile (file, [&] (std::ostream& stream) {
+    stream.imbue (std::locale::classic());
+    stream.precision (std::numeric_limits<float>::max_digits10);
+    is_vtk ? writeVtk (mesh, stream) : writePly (mesh, stream);
   });
 }
 

@@ -13,7 +13,7 @@ namespace pcl_ops::apps {
 
 /** \brief Writes the outlines of planes as a mesh in one step (\ref writeFile), each in
  * the colour its points have in the labelled cloud. Outlines without area are left out.
- * \param[in] file a .ply (binary) in the file's frame, or a .vtk for pcl_viewer
+ * \param[in] file a .ply in the file's frame, or a .vtk for pcl_viewer
  * \param[in] sensor_pose where pcl_viewer moves the labelled cloud to; it does not know
  * of meshes' poses, so that a .vtk is written moved
  * \param[in] planes by falling size

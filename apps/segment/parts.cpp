@@ -6,11 +6,17 @@
 #include <pcl/common/point_tests.h>
 
 #include <cli/errors.h>
+#include <cli/interruption.h>
+#include <fcntl.h>
 #include <io/output_file.h>
 #include <io/temporary_path.h>
 #include <pcl_ops/orientation.h>
+#include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
@@ -67,6 +73,56 @@ planeFilesIn (const fs::path& folder)
   return files;
 }
 
+fs::path
+temporaryFolderIn (const std::string& folder)
+{
+  std::string name = (fs::path (folder) / ".pcl_ops.XXXXXX").string();
+  if (::mkdtemp (name.data()) == nullptr)
+    throw fs::filesystem_error (folder,
+                                std::error_code (errno, std::generic_category()));
+  return name;
+}
+
+/** \brief Other runs that exchange the planes of a folder wait for this one. */
+class FolderLock {
+public:
+  explicit FolderLock (const std::string& folder)
+  : folder_ (::open (folder.c_str(), O_RDONLY | O_CLOEXEC))
+  {}
+  FolderLock (const FolderLock&) = delete;
+  FolderLock&
+  operator= (const FolderLock&) = delete;
+  ~FolderLock() { ::close (folder_); }
+
+  /** \throws Interrupted while it waits */
+  void
+  wait () const
+  {
+    // Where the file system knows no locks, it is as if this were the only run.
+    while (::flock (folder_, LOCK_EX) != 0 && errno == EINTR)
+      stopIfInterrupted();
+  }
+
+private:
+  int folder_;
+};
+
+/** \brief Puts new planes in place of those that are there. */
+void
+exchangePlanes (const fs::path& folder, const fs::path& with)
+{
+  const FolderLock lock (folder);
+  lock.wait();
+  std::vector<fs::path> stale = planeFilesIn (folder);
+  for (const fs::path& file : planeFilesIn (with)) {
+    const fs::path target = folder / file.filename();
+    fs::rename (file, target);
+    stale.erase (std::remove (stale.begin(), stale.end(), target), stale.end());
+  }
+  for (const fs::path& file : stale)
+    fs::remove (file);
+}
+
 } // namespace
 
 void
@@ -88,23 +144,21 @@ savePlaneClouds (const std::string& folder,
                  const std::vector<PlaneSegment>& planes)
 {
   makeFolder (folder);
-  const TemporaryPath written (fs::path (folder) /
-                               (".planes." + std::to_string (::getpid())));
-  makeFolder (written.path().string());
-  std::size_t id = 0;
-  for (const PlaneSegment& plane : planes)
-    savePcd ((written.path() / planeFile (++id, plane)).string(),
-             pointsOf (cloud, plane.inliers));
   try {
-    for (const fs::path& stale : planeFilesIn (folder))
-      fs::remove (stale);
-    for (const fs::path& file : planeFilesIn (written.path()))
-      fs::rename (file, folder / file.filename());
+    const TemporaryPath written (temporaryFolderIn (folder));
+    std::size_t id = 0;
+    for (const PlaneSegment& plane : planes)
+      savePcd ((written.path() / planeFile (++id, plane)).string(),
+               pointsOf (cloud, plane.inliers));
+    exchangePlanes (folder, written.path());
   }
   catch (const fs::filesystem_error& error) {
-    throw WorkError (folder,
-                     "cannot be written to (" + error.code().message() +
-                         "); choose another folder");
+    throw OutputError (folder,
+                       "cannot be written to (" + error.code().message() +
+                           "); choose another folder");
+  }
+  catch (const OutputError& error) {
+    throw OutputError (folder, error.problem); // the file's name is a temporary one
   }
 }
 

@@ -19,6 +19,8 @@ struct Report {
   /** \brief Points of the cloud, those without coordinates included. */
   std::size_t points = 0;
   Detected detected;
+  /** \brief What makes the cloud look damaged; empty where nothing does. */
+  std::string damage;
   /** \brief One for each plane, if an output says where planes end; else none. */
   std::vector<PlaneExtent> extents;
 };

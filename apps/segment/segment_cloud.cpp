@@ -7,7 +7,9 @@
 #include "mesh.h"
 #include "parts.h"
 #include <cli/interruption.h>
+#include <cli/memory.h>
 #include <detection/up_search.h>
+#include <io/cloud_damage.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/output_file.h>
@@ -92,25 +94,41 @@ saveOutputs (const SegmentOptions& options,
     savePlanes (outputs.planes, report);
 }
 
-} // namespace
+/** \brief How the input is called in messages. */
+std::string
+nameOfInput (const Task& task)
+{
+  return task.input == standard_stream ? standard_input : task.input;
+}
 
 Report
-segmentCloud (const SegmentOptions& options, const Task& task)
+segmentInMemory (const SegmentOptions& options, const Task& task)
 {
   const bool is_piped = task.input == standard_stream;
   const FileCloud cloud = is_piped ? loadStandardInput() : loadCloud (task.input);
   stopIfInterrupted();
   const ShiftedCloud shifted = shiftedCloudOf (cloud);
-  Report report{is_piped ? standard_input : task.input,
+  Report report{nameOfInput (task),
                 options.method,
                 cloud.size(),
                 detectPlanes (options, shifted),
+                damageOf (*shifted.cloud),
                 {}};
   if (!task.outputs.planes.empty() || !task.outputs.mesh.empty())
     report.extents = extentsOf (shifted, report.detected.planes, options.hull);
   stopIfInterrupted();
   saveOutputs (options, task.outputs, cloud, shifted, report);
   return report;
+}
+
+} // namespace
+
+Report
+segmentCloud (const SegmentOptions& options, const Task& task)
+{
+  return inMemory (nameOfInput (task),
+                   options.jobs == 1 ? "give a smaller cloud" : "give fewer --jobs",
+                   [&] { return segmentInMemory (options, task); });
 }
 
 } // namespace pcl_ops::apps

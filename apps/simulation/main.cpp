@@ -9,6 +9,7 @@
 #include "survey.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
+#include <cli/memory.h>
 #include <cli/program.h>
 #include <io/cloud_file.h>
 #include <io/output_file.h>
@@ -173,8 +174,12 @@ run (int argc, const char* const* argv)
   if (!readOptions (argc, argv, options))
     return pcl_ops::apps::ExitCode::done;
   pcl_ops::apps::checkWritable (options.output);
-  const SimulatedCloud simulated = simulate (options);
-  pcl_ops::apps::savePcd (options.output, packed (simulated.cloud));
+  const SimulatedCloud simulated =
+      pcl_ops::apps::inMemory (options.output, "give fewer --points", [&] {
+        SimulatedCloud cloud = simulate (options);
+        pcl_ops::apps::savePcd (options.output, packed (cloud.cloud));
+        return cloud;
+      });
   if (!options.quiet)
     std::cout << options.output << ": " << simulated.cloud.size() << " points, "
               << simulated.planes.size() << " planes\n";

@@ -7,11 +7,14 @@
 #include "point_colors.h"
 #include "window.h"
 #include <cli/errors.h>
+#include <cli/memory.h>
 #include <cli/program.h>
+#include <io/cloud_damage.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 
 #include <algorithm>
+#include <string>
 
 namespace pcl_ops::apps {
 
@@ -23,6 +26,9 @@ loadViewed (const std::string& file, const Eigen::Vector3f& up)
   const FileCloud cloud = loadCloud (file);
   const ShiftedCloud shifted = shiftedCloudOf (cloud);
   const auto& points = *shifted.cloud;
+  const std::string damage = damageOf (points);
+  if (!damage.empty())
+    warn (file + ": " + damage);
   if (std::none_of (points.begin(), points.end(), [] (const pcl::PointXYZ& point) {
         return pcl::isXYZFinite (point);
       }))
@@ -38,10 +44,12 @@ view (int argc, const char* const* argv)
   ViewOptions options;
   if (!readOptions (argc, argv, options))
     return ExitCode::done;
-  const ViewedCloud cloud = loadViewed (
-      options.input, options.detector.up.value_or (Eigen::Vector3f::UnitZ()));
-  checkDisplay (options.screenshot.empty());
-  showCloud (options, cloud);
+  inMemory (options.input, "give a smaller cloud", [&] {
+    const ViewedCloud cloud = loadViewed (
+        options.input, options.detector.up.value_or (Eigen::Vector3f::UnitZ()));
+    checkDisplay (options.screenshot.empty());
+    showCloud (options, cloud);
+  });
   return ExitCode::done;
 }
 

@@ -20,14 +20,13 @@
 #include <vtkPNGWriter.h>
 #include <vtkRenderer.h>
 #include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <cmath>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <system_error>
 
 namespace pcl_ops::apps {
 
@@ -246,15 +245,14 @@ Window::savePicture (const std::string& file)
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput (window_);
   image->ReadFrontBufferOff();
-  writeFile (file, [&] (const std::string& path) {
-    vtkNew<vtkPNGWriter> writer;
-    writer->SetInputConnection (image->GetOutputPort());
-    writer->SetFileName (path.c_str());
-    writer->Write();
-    std::error_code error;
-    if (writer->GetErrorCode() != 0 || std::filesystem::file_size (path, error) == 0 ||
-        error)
-      throw WorkError (file, "cannot be written; is the disk full?");
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection (image->GetOutputPort());
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* const png = writer->GetResult();
+  writeFile (file, [&] (std::ostream& stream) {
+    stream.write (reinterpret_cast<const char*> (png->GetPointer (0)),
+                  png->GetNumberOfValues());
   });
 }
 

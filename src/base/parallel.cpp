@@ -13,21 +13,57 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <future>
 #include <mutex>
+#include <thread>
+#include <vector>
 
 namespace pcl_ops::internal {
 
 namespace {
 
 #ifdef _OPENMP
+/** \brief How many threads the system starts at a time, this one included. */
+int
+startableThreads (int wanted)
+{
+  std::vector<std::thread> threads;
+  std::promise<void> all_tried;
+  const std::shared_future<void> end = all_tried.get_future().share();
+  try {
+    threads.reserve (static_cast<std::size_t> (wanted));
+    while (static_cast<int> (threads.size()) + 1 < wanted)
+      threads.emplace_back ([end] { end.wait(); });
+  }
+  catch (const std::exception&) {
+    // As many as there are will do.
+  }
+  all_tried.set_value();
+  for (std::thread& thread : threads)
+    thread.join();
+  return static_cast<int> (threads.size()) + 1;
+}
+
+/** \brief No more than can be started: where OpenMP's runtime cannot start a thread, it
+ * ends the program. */
+int
+safeThreads (int wanted)
+{
+  // OpenMP keeps the threads it has started, for each thread that asked for them.
+  thread_local int started = 1;
+  if (wanted > started)
+    started = startableThreads (wanted);
+  return std::min (wanted, started);
+}
+
 int
 usefulThreads (unsigned wanted, std::int64_t pieces)
 {
-  // More than these only cost; a runtime that cannot start them ends the program.
+  // More than these only cost.
   constexpr std::int64_t most = 256;
   const std::int64_t threads = wanted ? wanted : omp_get_num_procs();
-  return static_cast<int> (
-      std::max<std::int64_t> (1, std::min ({threads, pieces, most})));
+  return safeThreads (static_cast<int> (
+      std::max<std::int64_t> (1, std::min ({threads, pieces, most}))));
 }
 #endif
 

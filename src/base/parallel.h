@@ -11,7 +11,8 @@ namespace pcl_ops::internal {
 /** \brief Calls \p body (begin, end) for pieces of 0 .. size - 1 that cover it once:
  * the only place of the library that knows threads. The pieces depend on \p size and \p
  * grain alone, so what a body computes per piece is the same for any thread count.
- * \param[in] threads number of threads; 0: as many as the machine has
+ * \param[in] threads number of threads; 0: as many as the machine has; fewer where the
+ * system starts no more
  * \param[in] size number of items
  * \param[in] grain items per piece, 1 or more
  * \param[in] body called once a piece, concurrently; what it throws is thrown on after

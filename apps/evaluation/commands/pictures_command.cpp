@@ -4,6 +4,7 @@
 
 #include "data_options.h"
 #include <cli/errors.h>
+#include <cli/memory.h>
 #include <cli/program.h>
 #include <evaluation/experiments/pictures.h>
 #include <io/output_file.h>
@@ -64,13 +65,15 @@ picturesCommand (int argc, const char* const* argv)
     for (const CloudSource& source : data_set.clouds) {
       if (source.name.find (options.clouds) == std::string::npos)
         continue;
-      const EvaluationCloud cloud = source.load();
-      page << writePictures (cloud,
-                             data_set.name + " " + source.name,
-                             truthOf (cloud, options.data.truth),
-                             configurations,
-                             options.seed,
-                             options.folder);
+      page << apps::inMemory (source.name, "give a smaller cloud", [&] {
+        const EvaluationCloud cloud = source.load();
+        return writePictures (cloud,
+                              data_set.name + " " + source.name,
+                              truthOf (cloud, options.data.truth),
+                              configurations,
+                              options.seed,
+                              options.folder);
+      });
       std::cout << data_set.name << ' ' << source.name << '\n' << std::flush;
     }
   if (page.str().empty())

@@ -7,6 +7,9 @@
 #include <pcl/common/point_tests.h>
 
 #include <cli/errors.h>
+#include <cli/memory.h>
+#include <cli/program.h>
+#include <io/cloud_damage.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 
@@ -75,19 +78,29 @@ diagonalOf (const XyzCloud& cloud)
   return (highest.getVector3fMap() - lowest.getVector3fMap()).cast<double>().norm();
 }
 
-} // namespace
-
 LabelledCloud
-loadLabelledCloud (const std::string& file, LabelField field)
+readLabelledCloud (const std::string& file, LabelField field)
 {
   const apps::FileCloud cloud = apps::loadCloud (file);
   LabelledCloud labelled;
   if (field == LabelField::Required || apps::hasField (cloud, "label"))
     labelled.labels = labelsIn (cloud.points, file);
   const apps::ShiftedCloud shifted = apps::shiftedCloudOf (cloud);
+  const std::string damage = apps::damageOf (*shifted.cloud);
+  if (!damage.empty())
+    apps::warn (file + ": " + damage);
   labelled.cloud = shifted.cloud;
   labelled.shift = shifted.shift;
   return labelled;
+}
+
+} // namespace
+
+LabelledCloud
+loadLabelledCloud (const std::string& file, LabelField field)
+{
+  return apps::inMemory (
+      file, "give a smaller cloud", [&] { return readLabelledCloud (file, field); });
 }
 
 void

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_run.h"
 
+#include <cli/errors.h>
+#include <cli/memory.h>
 #include <cli/parallel.h>
+#include <cli/program.h>
 
 #include <atomic>
 #include <exception>
@@ -10,6 +13,8 @@
 namespace pcl_ops::evaluation {
 
 namespace {
+
+constexpr const char* fewer_at_a_time = "give a smaller cloud or fewer --jobs";
 
 struct CloudTask {
   std::string data_set;
@@ -62,12 +67,17 @@ private:
     EvaluationCloud cloud;
     PlaneLabels truth;
     try {
-      cloud = task.source->load();
-      truth = truthOf (cloud, plan_.truth);
+      apps::inMemory (task.source->name, fewer_at_a_time, [&] {
+        cloud = task.source->load();
+        truth = truthOf (cloud, plan_.truth);
+      });
+    }
+    catch (const apps::OutputError&) {
+      throw;
     }
     catch (const std::exception& error) {
       ++broken_clouds_;
-      progress_.note (std::string ("left out: ") + error.what());
+      progress_.note (apps::errorLine (std::string ("left out: ") + error.what()));
       return;
     }
     for (const Configuration& configuration : plan_.configurations)
@@ -107,16 +117,17 @@ private:
     if (results_.has (row.key()))
       return;
     try {
-      const DetectorRun run = configuration.run (cloud.cloud, cloud.up, plan_.seed);
-      ClassParameters classes;
-      classes.up = cloud.up;
-      row.values =
-          valuesOf (compareLabels (*cloud.cloud, truth, run.labels, classes), run);
+      row.values = apps::inMemory (configuration.name, fewer_at_a_time, [&] {
+        const DetectorRun run = configuration.run (cloud.cloud, cloud.up, plan_.seed);
+        ClassParameters classes;
+        classes.up = cloud.up;
+        return valuesOf (compareLabels (*cloud.cloud, truth, run.labels, classes), run);
+      });
     }
     catch (const std::exception& error) {
       ++failed_runs_;
-      progress_.note (configuration.name + " failed on " + task.source->name + ": " +
-                      error.what());
+      progress_.note (apps::errorLine (configuration.name + " failed on " +
+                                       task.source->name + ": " + error.what()));
       return;
     }
     results_.add (row);

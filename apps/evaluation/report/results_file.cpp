@@ -161,7 +161,7 @@ ResultsFile::ResultsFile (const std::string& file) : file_ (file)
   if (is_new || fs::file_size (file, ignored) == 0)
     stream_ << headerLine() << '\n';
   if (!stream_.flush())
-    throw apps::WorkError (file, "cannot be written; give another output folder");
+    throw apps::OutputError (file, "cannot be written; give another output folder");
 }
 
 void
@@ -198,8 +198,16 @@ void
 ResultsFile::add (const ResultRow& row)
 {
   const std::lock_guard<std::mutex> lock (mutex_);
-  if (!(stream_ << lineOf (row) + '\n') || !stream_.flush())
-    throw apps::WorkError (file_, "cannot be written; is the disk full?");
+  const std::uintmax_t size = fs::file_size (file_);
+  if (!(stream_ << lineOf (row) + '\n') || !stream_.flush()) {
+    stream_.close();
+    std::error_code ignored;
+    fs::resize_file (file_, size, ignored); // without the part of a row that had room
+    throw apps::OutputError (
+        file_,
+        "cannot be written; make room and run it again, which goes "
+        "on from here");
+  }
   rows_.push_back (row);
   keys_.insert (row.key());
 }

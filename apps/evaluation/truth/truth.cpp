@@ -3,10 +3,10 @@
 #include "truth.h"
 
 #include <pcl/io/pcd_io.h>
+#include <pcl/conversions.h>
 #include <pcl/point_types.h>
 #include <pcl/type_traits.h>
 
-#include <cli/errors.h>
 #include <io/output_file.h>
 #include <io/pcd_header.h>
 
@@ -81,10 +81,11 @@ writeLabels (const std::string& file, const PlaneLabels& labels)
     point.label = label;
     cloud.push_back (point);
   }
-  apps::writeFile (file, [&] (const std::string& path) {
-    if (pcl::PCDWriter().writeBinaryCompressed (path, cloud) < 0)
-      throw apps::WorkError (file, "cannot be written; is the disk full?");
-  });
+  pcl::PCLPointCloud2 points;
+  pcl::toPCLPointCloud2 (cloud, points);
+  std::ostringstream stream; // PCL's writer throws what it likes where one is full
+  pcl::PCDWriter().writeBinaryCompressed (stream, points);
+  apps::writeTextFile (file, stream.str());
 }
 
 PlaneLabels

@@ -1,4 +1,6 @@
-// SPDX-FileCopyrightText: 2026 The pcl_ops authors#include <gtest/gtest.h>
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
 
 #include <cli/command_line.h>
 #include <cli/errors.h>
@@ -6,24 +8,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
-#include <vector>
-
-// SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <cli/command_line.h>
-#include <cli/help_page.h>
-#include <cli/program.h>
-#include <io/output_file.h>
-#include <support/temporary_folder.h>
-
-#include <array>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -127,6 +111,17 @@ TEST (CommandLine, NamesWhatIsWrongAndTheMend)
              "--method: 'hough' is unknown; give ops|fspf");
   EXPECT_EQ (complaint ({"a", "--quiet", "--image", "x.png"}),
              "--quiet: contradicts --image; give only one of them");
+}
+
+TEST (CommandLine, RefusesWhatAVariableOfTheShellThatIsNotSetLeaves)
+{
+  const auto complaint = [] (const std::vector<std::string>& arguments) {
+    return Detector().parse (arguments);
+  };
+  EXPECT_EQ (complaint ({""}), "INPUT: is empty; give a value or leave it out");
+  EXPECT_EQ (complaint ({"a", ""}), "OUTPUT: is empty; give a value or leave it out");
+  EXPECT_EQ (complaint ({"a", "--image", ""}),
+             "--image: is empty; give a value or leave it out");
 }
 
 TEST (CommandLine, RefusesUnknownAmbiguousDoubledAndUnfinishedOptions)

@@ -180,6 +180,8 @@ TEST_F (CloudFile, NamesWhatIsNoCloud)
 {
   EXPECT_EQ (complaintAbout (folder_ / "missing.pcd"),
              "does not exist; check the name");
+  EXPECT_EQ (complaintAbout (folder_ / std::string (256, 'n') + ".pcd"),
+             "has a name that is too long; check it");
   EXPECT_EQ (complaintAbout (folder_.write ("a.xyz", "1 2 3")),
              "has an unknown extension; give a .pcd or .ply file");
   EXPECT_EQ (complaintAbout (folder_.write ("empty.pcd", "")),
@@ -234,14 +236,11 @@ TEST_F (CloudFile, NoticesTruncatedData)
   const std::string truncated =
       "is truncated: its header promises more points than follow; "
       "copy or write it again";
-  const std::string damaged =
-      "cannot be read: its data does not match its header; is it "
-      "truncated or damaged?";
   EXPECT_EQ (complaintAbout (folder_.write ("header.pcd", asciiPcd ("", ""))),
              truncated);
   EXPECT_EQ (
       complaintAbout (folder_.write ("line.pcd", asciiPcd ("", "1.5 2.5 3.5\n"))),
-      damaged);
+      truncated);
   pcl::io::savePCDFileBinary (folder_ / "binary.pcd", threePoints());
   pcl::io::savePCDFileBinaryCompressed (folder_ / "compressed.pcd", threePoints());
   pcl::io::savePLYFileBinary (folder_ / "binary.ply", threePoints());
@@ -250,6 +249,160 @@ TEST_F (CloudFile, NoticesTruncatedData)
     folder_.write (name, whole.substr (0, whole.size() - 20));
     EXPECT_EQ (complaintAbout (folder_ / name), truncated) << name;
   }
+}
+
+TEST_F (CloudFile, NamesTheLineOfAHeaderThatHasNothingButWhiteSpace)
+{
+  for (const std::string blank : {" ", "\t", "\r", "\v"}) {
+    const std::string pcd = asciiPcd ("VERSION 0.7\n" + blank);
+    EXPECT_EQ (
+        complaintAbout (folder_.write ("blank.pcd", pcd)),
+        "is damaged: line 2 has nothing but white space; mend it or write the file "
+        "again");
+  }
+  const std::string empty = asciiPcd ("VERSION 0.7\n");
+  EXPECT_EQ (complaintAbout (folder_.write ("empty.pcd", empty)), "");
+}
+
+TEST_F (CloudFile, NamesTheDamagedLineOfAnAsciiPcd)
+{
+  const auto complaint = [&] (const std::string& line) {
+    return complaintAbout (
+        folder_.write ("bad.pcd", asciiPcd ("", "1.00 2.00 3.00\n" + line + "\n")));
+  };
+  const auto at_line_12 = [] (const std::string& reason) {
+    return "is damaged: line 12 " + reason + "; mend it or write the file again";
+  };
+  EXPECT_EQ (complaint ("4 5"), at_line_12 ("has 2 numbers instead of 3"));
+  EXPECT_EQ (complaint ("4 5 6 7"), at_line_12 ("has 4 numbers instead of 3"));
+  EXPECT_EQ (complaint (" "), at_line_12 ("has 0 numbers instead of 3"));
+  EXPECT_EQ (complaint ("x y z"), at_line_12 ("has 'x', which is no number"));
+  EXPECT_EQ (complaint ("4 5abc 6"), at_line_12 ("has '5abc', which is no number"));
+  EXPECT_EQ (complaint ("4 5 6 # 7"), at_line_12 ("has '#', which is no number"));
+  EXPECT_EQ (complaint ("4,5 5,5 6,5"), at_line_12 ("has '4,5', which is no number"));
+  EXPECT_EQ (complaint ("4 5 +-6"), at_line_12 ("has '+-6', which is no number"));
+}
+
+TEST_F (CloudFile, NamesTheLineThatIsTooMuch)
+{
+  const std::string complaint = complaintAbout (
+      folder_.write ("more.pcd", asciiPcd ("", "1 2 3\n4 5 6\n\n7 8 9\n")));
+  EXPECT_EQ (
+      complaint,
+      "is damaged: line 14 is more than its header promises; mend it or write the "
+      "file again");
+  const std::string ply = plyWith (two_vertices, "1 2 3\n4 5 6\n7 8 9\n");
+  EXPECT_EQ (
+      complaintAbout (folder_.write ("more.ply", ply)),
+      "is damaged: line 10 is more than its header promises; mend it or write the "
+      "file again");
+}
+
+TEST_F (CloudFile, ReadsEverySpellingOfNumbersAndLineEnds)
+{
+  const std::string file = folder_.write (
+      "fine.pcd", asciiPcd ("", "\n +1.  .5\t-1e2 \r\n\nNaN -inf INFINITY\n\r\n"));
+  const ShiftedCloud shifted = shiftedCloudOf (loadCloud (file));
+  EXPECT_EQ ((*shifted.cloud)[0].getVector3fMap(), Eigen::Vector3f (1, 0.5f, -100));
+  EXPECT_TRUE (std::isnan ((*shifted.cloud)[1].x));
+  EXPECT_TRUE (std::isinf ((*shifted.cloud)[1].z));
+}
+
+TEST_F (CloudFile, NamesTheDamagedLineOfAnAsciiPly)
+{
+  const auto complaint = [&] (const std::string& body) {
+    return complaintAbout (folder_.write ("bad.ply", plyWith (two_vertices, body)));
+  };
+  const auto at_line = [] (const std::string& reason) {
+    return "is damaged: line " + reason + "; mend it or write the file again";
+  };
+  EXPECT_EQ (complaint ("1 2 word\n4 5 6\n"),
+             at_line ("8 has 'word', which is no number"));
+  EXPECT_EQ (complaint ("1 2 3\n4 5 6,5\n"),
+             at_line ("9 has '6,5', which is no number"));
+  EXPECT_EQ (complaint ("1.0 2.0 3.0\n4 5\n"),
+             at_line ("9 has 2 numbers instead of 3"));
+  EXPECT_EQ (complaint ("1 2 3\n4 5 6 7\n"), at_line ("9 has 4 numbers instead of 3"));
+}
+
+TEST_F (CloudFile, NamesTheDamagedListOfAnAsciiPly)
+{
+  const std::string triangle =
+      two_vertices + "element face 1\nproperty list uchar int vertex_indices\n";
+  const auto complaint = [&] (const std::string& face) {
+    return complaintAbout (
+        folder_.write ("bad.ply", plyWith (triangle, "1 2 3\n4 5 6\n" + face + "\n")));
+  };
+  EXPECT_EQ (complaint ("2 0 1"), "");
+  for (const std::string list : {"3 0 1", "2 0 1 2", "-1", "1e30", "nan"})
+    EXPECT_EQ (
+        complaint (list),
+        "is damaged: line 12 has a list of another length than it says; mend it or "
+        "write the file again")
+        << list;
+}
+
+TEST_F (CloudFile, RefusesAGridOfVerticesThatAreNotThere)
+{
+  const std::string grid =
+      "obj_info num_cols 2\nobj_info num_rows 1\n" + two_vertices +
+      "element range_grid 2\nproperty list uchar int vertex_indices\n";
+  const auto complaint = [&] (const std::string& cells) {
+    return complaintAbout (
+        folder_.write ("grid.ply", plyWith (grid, "1 2 3\n4 5 6\n" + cells)));
+  };
+  EXPECT_EQ (complaint ("1 1\n0\n"), "");
+  for (const std::string cell : {"-1", "2", "nan", "1e30"})
+    EXPECT_EQ (
+        complaint ("1 1\n1 " + cell + "\n"),
+        "is no valid PLY file: its range_grid names a vertex that does not exist; "
+        "write it again")
+        << cell;
+}
+
+TEST_F (CloudFile, RefusesABinaryGridOfVerticesThatAreNotThere)
+{
+  const std::string header =
+      "obj_info num_cols 2\nobj_info num_rows 1\n" + two_vertices +
+      "element range_grid 2\nproperty list uchar int vertex_indices\n";
+  const auto complaint = [&] (const std::string& format, const std::string& index) {
+    std::string ply = plyWith (header, "");
+    ply.replace (ply.find ("ascii"), 5, format);
+    return complaintAbout (
+        folder_.write ("grid.ply", ply + std::string (24, '\0') + '\1' + index + '\0'));
+  };
+  const std::string negative (4, '\xff');
+  EXPECT_EQ (complaint ("binary_little_endian", {'\1', '\0', '\0', '\0'}), "");
+  EXPECT_EQ (complaint ("binary_big_endian", {'\0', '\0', '\0', '\1'}), "");
+  for (const char* format : {"binary_little_endian", "binary_big_endian"})
+    EXPECT_EQ (
+        complaint (format, negative),
+        "is no valid PLY file: its range_grid names a vertex that does not exist; "
+        "write it again");
+}
+
+TEST_F (CloudFile, RefusesHeadersThatPromiseMoreThanTheirDataCanHold)
+{
+  const std::string truncated =
+      "is truncated: its header promises more points than follow; "
+      "copy or write it again";
+  const std::uint32_t sizes[] = {50, 3'600'000'000};
+  std::string bomb = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 300000000\nHEIGHT 1\n"
+                     "POINTS 300000000\nDATA binary_compressed\n";
+  bomb += std::string (reinterpret_cast<const char*> (sizes), sizeof (sizes)) +
+          std::string (50, '\0');
+  EXPECT_EQ (complaintAbout (folder_.write ("bomb.pcd", bomb)), truncated);
+  EXPECT_EQ (complaintAbout (folder_.write (
+                 "count.pcd", asciiPcd ("COUNT 1 1 1048576", "1 2 3\n4 5 6\n"))),
+             truncated);
+  std::string cells = "obj_info num_cols 3000\nobj_info num_rows 1\nelement vertex 1\n"
+                      "property float x\nproperty float y\nproperty float z\n";
+  for (int i = 0; i < 1000; ++i)
+    cells += "property double d" + std::to_string (i) + "\n";
+  cells += "element range_grid 3000\nproperty list uchar int vertex_indices\n";
+  std::string grid = plyWith (cells, std::string (12 + 8000 + 3000, '\0'));
+  grid.replace (grid.find ("ascii"), 5, "binary_little_endian");
+  EXPECT_EQ (complaintAbout (folder_.write ("grid.ply", grid)), truncated);
 }
 
 TEST_F (CloudFile, NamesWhatIsNoPly)

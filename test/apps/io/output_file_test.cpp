@@ -4,16 +4,30 @@
 
 #include <cli/errors.h>
 #include <io/output_file.h>
+#include <support/file_size_limit.h>
 #include <support/temporary_folder.h>
 
 #include <filesystem>
-#include <fstream>
+#include <functional>
 #include <string>
 
 namespace fs = std::filesystem;
 using namespace pcl_ops::apps;
 
 namespace {
+
+/** \brief What some work ends with; empty where it succeeds. */
+std::string
+complaintOf (const std::function<void()>& work)
+{
+  try {
+    work();
+  }
+  catch (const WorkError& error) {
+    return error.what();
+  }
+  return "";
+}
 
 class OutputFile : public testing::Test {
 protected:
@@ -25,10 +39,9 @@ protected:
 TEST_F (OutputFile, ReplacesTheTargetInOneStep)
 {
   writeTextFile (folder_ / "a.json", "old");
-  writeFile (folder_ / "a.json", [&] (const std::string& temporary) {
-    EXPECT_EQ (fs::path (temporary).parent_path(), folder_.path());
-    EXPECT_EQ (fs::path (temporary).extension(), ".json");
-    std::ofstream (temporary) << "new";
+  writeFile (folder_ / "a.json", [&] (std::ostream& stream) {
+    stream << "new" << std::flush;
+    EXPECT_EQ (folder_.fileCount(), 2u) << "the new one is beside it";
     EXPECT_EQ (contentOf (folder_ / "a.json"), "old");
   });
   EXPECT_EQ (contentOf (folder_ / "a.json"), "new");
@@ -38,13 +51,60 @@ TEST_F (OutputFile, ReplacesTheTargetInOneStep)
 TEST_F (OutputFile, KeepsTheTargetWhenWritingFails)
 {
   writeTextFile (folder_ / "a.json", "old");
-  const auto fail_half_way = [] (const std::string& temporary) {
-    std::ofstream (temporary) << "ne";
+  const auto fail_half_way = [] (std::ostream& stream) {
+    stream << "ne";
     throw WorkError ("a.json", "broke");
   };
   EXPECT_THROW (writeFile (folder_ / "a.json", fail_half_way), WorkError);
   EXPECT_EQ (contentOf (folder_ / "a.json"), "old");
   EXPECT_EQ (folder_.fileCount(), 1u);
+}
+
+TEST_F (OutputFile, KeepsTheTargetWhenTheDiskIsFullThoughTheWriterDoesNotLook)
+{
+  constexpr std::size_t room = 1000;
+  writeTextFile (folder_ / "a.json", "old");
+  const FileSizeLimit limit (room);
+  EXPECT_EQ (
+      complaintOf ([&] {
+        writeFile (folder_ / "a.json", [] (std::ostream& stream) {
+          stream << std::string (2 * room, 'n') << std::flush << 'n';
+        });
+      }),
+      folder_ / "a.json" +
+          ": cannot be written (File too large); make room or give another name");
+  EXPECT_EQ (contentOf (folder_ / "a.json"), "old");
+  EXPECT_EQ (folder_.fileCount(), 1u);
+}
+
+TEST_F (OutputFile, WritesManyFilesOfAFolderAtOnce)
+{
+  writeFile (folder_ / "a.json", [&] (std::ostream& outer) {
+    writeFile (folder_ / "a.json", [] (std::ostream& inner) { inner << "inner"; });
+    outer << "outer";
+  });
+  EXPECT_EQ (contentOf (folder_ / "a.json"), "outer");
+}
+
+TEST_F (OutputFile, LeavesTemporaryFilesOfOthersAlone)
+{
+  // Of a program of the same number, as in another container.
+  constexpr int many = 500;
+  const std::string start = ".pcl_ops." + std::to_string (::getpid()) + ".";
+  for (int i = 0; i < many; ++i)
+    folder_.write (start + std::to_string (i), "precious");
+  writeTextFile (folder_ / "a.json", "new");
+  for (int i = 0; i < many; ++i)
+    EXPECT_EQ (contentOf (folder_ / (start + std::to_string (i))), "precious");
+}
+
+TEST_F (OutputFile, FollowsALinkToAFileThatDoesNotExistYet)
+{
+  fs::create_symlink ("second.csv", folder_ / "first.csv");
+  fs::create_symlink ("real.csv", folder_ / "second.csv");
+  writeTextFile (folder_ / "first.csv", "new");
+  EXPECT_TRUE (fs::is_symlink (folder_ / "first.csv"));
+  EXPECT_EQ (contentOf (folder_ / "real.csv"), "new");
 }
 
 TEST_F (OutputFile, WritesThroughALinkAndKeepsPermissions)
@@ -60,14 +120,8 @@ TEST_F (OutputFile, WritesThroughALinkAndKeepsPermissions)
 
 TEST_F (OutputFile, NamesWhatIsInTheWay)
 {
-  const auto complaint = [] (const std::string& name) -> std::string {
-    try {
-      checkWritable (name);
-    }
-    catch (const WorkError& error) {
-      return error.what();
-    }
-    return "";
+  const auto complaint = [] (const std::string& name) {
+    return complaintOf ([&] { checkWritable (name); });
   };
   EXPECT_EQ (complaint (folder_ / "fine.pcd"), "");
   EXPECT_EQ (complaint (folder_.path()),
@@ -78,6 +132,14 @@ TEST_F (OutputFile, NamesWhatIsInTheWay)
   EXPECT_EQ (complaint ("/dev/null"),
              "/dev/null: is no regular file; give another name");
   EXPECT_EQ (complaint (""), "'': is no file name; give one to write to");
+  const std::string longest = folder_ / std::string (255, 'n');
+  EXPECT_EQ (complaint (longest), "");
+  EXPECT_EQ (complaint (longest + "n"),
+             longest + "n: has a name that is too long; give a shorter one");
+  fs::create_symlink ("itself.csv", folder_ / "itself.csv");
+  EXPECT_EQ (complaint (folder_ / "itself.csv"),
+             folder_ / "itself.csv" +
+                 ": is a link that leads nowhere; give another name");
 }
 
 TEST_F (OutputFile, KnowsAFileByAnyName)

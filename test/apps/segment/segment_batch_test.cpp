@@ -101,6 +101,23 @@ TEST_F (SegmentBatch, GoesOnAfterABadFile)
   EXPECT_EQ (namesIn ("out"), (Names{"a.json", "a.pcd", "b.json", "b.pcd"}));
 }
 
+TEST_F (SegmentBatch, SaysWhichCloudLooksDamagedAndDoesItAnyway)
+{
+  InputCloud damaged = floorAndWall();
+  for (std::size_t i = points_of_plane; i < damaged.size(); ++i)
+    damaged[i].getVector3fMap().setZero();
+  pcl::io::savePCDFileBinary (folder_ / "scans/b.pcd", damaged);
+  const std::string warning = "pcl_ops_segment: scans/b.pcd: looks damaged: 50 % of "
+                              "its points are at (0, 0, 0); "
+                              "leave missing readings out or write them as NaN\n";
+  for (const char* inputs : {"scans --output-dir out --quiet", "scans/b.pcd b.pcd"}) {
+    const Outcome done = run (inputs);
+    EXPECT_EQ (done.exit_code, 0);
+    EXPECT_EQ (done.err, warning);
+  }
+  EXPECT_EQ (namesIn ("out"), (Names{"a.json", "a.pcd", "b.json", "b.pcd"}));
+}
+
 TEST_F (SegmentBatch, SaysWhichNamesStandForNoCloudAndDoesTheOthers)
 {
   fs::create_directory (folder_ / "empty");

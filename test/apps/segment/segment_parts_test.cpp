@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_program.h"
+#include <fcntl.h>
 #include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <set>
@@ -110,6 +113,21 @@ TEST_F (SegmentParts, AFailedRunLeavesTheFolderOfPlanesAlone)
   folder_.write ("broken.pcd", "no cloud");
   EXPECT_EQ (run ("broken.pcd --planes-dir planes --quiet").exit_code, 1);
   EXPECT_EQ (namesIn ("planes"), NameSet{"plane_017_other.pcd"});
+}
+
+TEST_F (SegmentParts, TwoRunsDoNotExchangeThePlanesOfAFolderAtTheSameTime)
+{
+  fs::create_directory (folder_ / "planes");
+  folder_.write ("planes/plane_017_other.pcd", "of another run");
+  const int other_run = ::open ((folder_ / "planes").c_str(), O_RDONLY);
+  ASSERT_EQ (::flock (other_run, LOCK_EX), 0);
+  constexpr int timed_out = 124;
+  EXPECT_EQ (run ("scene.pcd --planes-dir planes --quiet", "timeout 2").exit_code,
+             timed_out);
+  EXPECT_EQ (namesIn ("planes"), NameSet{"plane_017_other.pcd"});
+  ::close (other_run);
+  EXPECT_EQ (run ("scene.pcd --planes-dir planes --quiet").exit_code, 0);
+  EXPECT_FALSE (fs::exists (folder_ / "planes/plane_017_other.pcd"));
 }
 
 TEST_F (SegmentParts, AnInputInTheFolderOfPlanesIsRefused)

@@ -8,6 +8,7 @@
 #include <evaluation/report/report.h>
 #include <evaluation/report/summary.h>
 #include <evaluation/report/tables.h>
+#include <support/file_size_limit.h>
 #include <support/temporary_folder.h>
 
 #include <algorithm>
@@ -210,6 +211,19 @@ TEST_F (EvaluationRunTest, AnUnwritableFileIsAnError)
 {
   EXPECT_THROW (ResultsFile ((folder / "missing") + "/results.csv"),
                 pcl_ops::apps::WorkError);
+}
+
+TEST_F (EvaluationRunTest, AFullDiskLeavesTheRowsThatHadRoom)
+{
+  run();
+  const std::string before = contentOf (file);
+  plan.data_sets[0].clouds.push_back (rowOfPoints ("c"));
+  {
+    const FileSizeLimit limit (before.size() + 20);
+    EXPECT_THROW (run(), pcl_ops::apps::OutputError);
+  }
+  EXPECT_EQ (contentOf (file), before);
+  EXPECT_EQ (run().new_rows, 2u);
 }
 
 TEST_F (EvaluationRunTest, SummaryIsTheMeanOverClouds)

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_damage.h"
+
+#include <pcl/common/point_tests.h>
+
+#include <Eigen/Geometry>
+
+#include <numbers/quantile.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+using Places = std::vector<Eigen::Vector3d>;
+
+/** \brief Points spread over a cloud, those without coordinates left out. */
+Places
+someOf (const XyzCloud& cloud)
+{
+  constexpr std::size_t most = 4096;
+  const std::size_t step = std::max<std::size_t> (1, cloud.size() / most);
+  Places places;
+  for (std::size_t i = 0; i < cloud.size(); i += step)
+    if (pcl::isXYZFinite (cloud[i]))
+      places.push_back (cloud[i].getVector3fMap().cast<double>());
+  return places;
+}
+
+/** \brief The place that most points share, and how many do. */
+std::pair<Eigen::Vector3d, std::size_t>
+mostSharedPlace (Places places)
+{
+  std::sort (places.begin(), places.end(), [] (const auto& first, const auto& second) {
+    return std::lexicographical_compare (
+        first.data(), first.data() + 3, second.data(), second.data() + 3);
+  });
+  std::pair<Eigen::Vector3d, std::size_t> shared (Eigen::Vector3d::Zero(), 0);
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i] != places[begin])
+      begin = i;
+    if (i - begin + 1 > shared.second)
+      shared = {places[i], i - begin + 1};
+  }
+  return shared;
+}
+
+Eigen::Vector3d
+medianOf (const Places& places)
+{
+  Eigen::Vector3d median;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    std::vector<double> coordinates;
+    for (const Eigen::Vector3d& place : places)
+      coordinates.push_back (place[axis]);
+    median[axis] = quantile (std::move (coordinates), 0.5);
+  }
+  return median;
+}
+
+/** \brief How many are beyond a thousand diagonals of all that are nearer to the
+ * middle, if these are the larger half. */
+std::size_t
+countFar (Places places)
+{
+  constexpr double most_diagonals = 1000.0;
+  const Eigen::Vector3d middle = medianOf (places);
+  std::sort (places.begin(), places.end(), [&] (const auto& first, const auto& second) {
+    return (first - middle).squaredNorm() < (second - middle).squaredNorm();
+  });
+  Eigen::AlignedBox3d rest;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool is_beyond =
+        2 * i > places.size() && rest.diagonal().norm() > 0.0 &&
+        (places[i] - middle).norm() > most_diagonals * rest.diagonal().norm();
+    if (is_beyond)
+      return places.size() - i;
+    rest.extend (places[i]);
+  }
+  return 0;
+}
+
+} // namespace
+
+std::string
+damageOf (const XyzCloud& cloud)
+{
+  // Of fewer, a share says nothing.
+  constexpr std::size_t fewest = 10;
+  // One per cent, and room for what a sample may miss of it.
+  constexpr double far_share = 0.005;
+  const Places places = someOf (cloud);
+  if (places.size() < fewest)
+    return "";
+  const auto share = [&] (std::size_t count) {
+    constexpr double per_cent = 100.0;
+    return per_cent * static_cast<double> (count) / static_cast<double> (places.size());
+  };
+  std::ostringstream text;
+  text.precision (2);
+  const auto [place, shared] = mostSharedPlace (places);
+  const std::size_t far = countFar (places);
+  if (2 * shared > places.size())
+    text << "looks damaged: " << share (shared) << " % of its points are at ("
+         << place.x() << ", " << place.y() << ", " << place.z()
+         << "); leave missing readings out or write them as NaN";
+  else if (static_cast<double> (far) > far_share * static_cast<double> (places.size()))
+    text
+        << "looks damaged: " << share (far)
+        << " % of its points are more than 1000 times as far away as the rest is wide; "
+           "leave them out";
+  return text.str();
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <io/cloud_damage.h>
+
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+using namespace pcl_ops::apps;
+
+namespace {
+
+constexpr int side = 100;
+
+/** \brief A floor of 2 m by 2 m. */
+XyzCloud
+floorOfPoints ()
+{
+  XyzCloud cloud;
+  for (int x = 0; x < side; ++x)
+    for (int y = 0; y < side; ++y)
+      cloud.emplace_back (
+          0.02f * static_cast<float> (x), 0.02f * static_cast<float> (y), 0.0f);
+  return cloud;
+}
+
+/** \brief Moves a share of a cloud's points, spread over it.
+ * \param[in] one_of how many points there are for each that is moved */
+XyzCloud
+withMoved (XyzCloud cloud, int one_of, const pcl::PointXYZ& place, float step)
+{
+  float moved = 0.0f;
+  for (std::size_t i = 0; i < cloud.size(); i += static_cast<std::size_t> (one_of)) {
+    cloud[i] = place;
+    cloud[i].x += step * moved++;
+  }
+  return cloud;
+}
+
+} // namespace
+
+TEST (CloudDamage, IsNoneOfAFloorNorOfAHandfulOfPoints)
+{
+  EXPECT_EQ (damageOf (floorOfPoints()), "");
+  EXPECT_EQ (damageOf (XyzCloud (3, 1, {1.0f, 2.0f, 3.0f})), "");
+  EXPECT_EQ (damageOf (XyzCloud()), "");
+}
+
+TEST (CloudDamage, IsSeenWhereMostPointsAreAtOnePlace)
+{
+  XyzCloud cloud = floorOfPoints();
+  for (std::size_t i = 0; i < 6000; ++i)
+    cloud[i] = {1.0f, 0.0f, 0.0f};
+  EXPECT_EQ (
+      damageOf (cloud),
+      "looks damaged: 60 % of its points are at (1, 0, 0); leave missing readings "
+      "out or write them as NaN");
+}
+
+TEST (CloudDamage, IsNoneWhereSomePointsAreAtOnePlace)
+{
+  EXPECT_EQ (damageOf (withMoved (floorOfPoints(), 3, {0.0f, 0.0f, 0.0f}, 0.0f)), "");
+}
+
+TEST (CloudDamage, IsNoneWhereMostReadingsAreMissing)
+{
+  constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+  XyzCloud cloud = floorOfPoints();
+  for (std::size_t i = 0; i < 9000; ++i)
+    cloud[i] = {not_a_number, not_a_number, not_a_number};
+  EXPECT_EQ (damageOf (cloud), "");
+}
+
+TEST (CloudDamage, IsSeenAmongThePointsThatHaveCoordinates)
+{
+  constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+  XyzCloud cloud = floorOfPoints();
+  for (std::size_t i = 0; i < 9000; ++i)
+    cloud[i] = i % 3 == 0 ? pcl::PointXYZ (0.0f, 0.0f, 0.0f)
+                          : pcl::PointXYZ (not_a_number, not_a_number, not_a_number);
+  EXPECT_NE (damageOf (cloud).find ("75 % of its points are at (0, 0, 0)"),
+             std::string::npos)
+      << damageOf (cloud);
+}
+
+TEST (CloudDamage, IsNoneWhereMostPointsAreFarFromADenseSpot)
+{
+  XyzCloud cloud;
+  for (int i = -5000; i <= 5000; ++i) {
+    const auto place = static_cast<float> (i);
+    const bool is_in_spot = std::abs (i) < 1000;
+    cloud.emplace_back (is_in_spot ? 1e-6f * place : place, 0.0f, 0.0f);
+  }
+  EXPECT_EQ (damageOf (cloud), "");
+}
+
+TEST (CloudDamage, IsSeenWhereOnePerCentIsVeryFarAway)
+{
+  // Each in a kilometre of its own, 1,000 km away.
+  const std::string text =
+      damageOf (withMoved (floorOfPoints(), 97, {1e6f, 0, 0}, 1e3f));
+  EXPECT_NE (text.find ("1000 times as far away as the rest is wide"),
+             std::string::npos)
+      << text;
+}
+
+TEST (CloudDamage, IsNoneWhereFewerAreOrTheyAreNearer)
+{
+  EXPECT_EQ (damageOf (withMoved (floorOfPoints(), 1000, {1e6f, 0, 0}, 1e3f)), "");
+  EXPECT_EQ (damageOf (withMoved (floorOfPoints(), 97, {1e3f, 0, 0}, 1.0f)), "");
+}
