@@ -21,8 +21,9 @@ keysOf (const float* coordinates,
   constexpr std::int32_t key_range = 1 << 20;
   constexpr auto limit = static_cast<float> (key_range - 1);
   for (std::size_t i = 0; i < number; ++i) {
+    // In this order NaN, of 0 in voxels too small for their inverse, becomes a limit.
     const float scaled =
-        std::min (std::max (coordinates[i] * voxels_per_metre, -limit), limit);
+        std::min (limit, std::max (-limit, coordinates[i] * voxels_per_metre));
     const auto truncated = static_cast<std::int32_t> (scaled);
     keys[i] = truncated - (scaled < static_cast<float> (truncated)) + key_range;
   }

@@ -61,6 +61,13 @@ TEST (VoxelKeys, EndWhereTheirRangeEnds)
   EXPECT_EQ (keyOf (-1e9f), 1);
 }
 
+TEST (VoxelKeys, OfVoxelsTooSmallForTheirInverseAreInTheirRange)
+{
+  // 0 times infinity is no number.
+  const float infinite = std::numeric_limits<float>::infinity();
+  EXPECT_EQ (keyOf (0.0f, infinite), keyOf (-1.0f, infinite));
+}
+
 TEST (VoxelKeys, ComeInRunsOfPointsOfTheSameVoxel)
 {
   EXPECT_EQ (runsOf ({0.1f, 0.9f, 5.5f, 0.2f}, 0, 4),
