@@ -28,6 +28,21 @@ widthOf (const Rectangle& rectangle)
   return 2.0 * std::min (rectangle.half_u, rectangle.half_v);
 }
 
+/** \brief Of what is turned by that angle about the vertical before. */
+Eigen::AlignedBox3d
+boxAround (const Body& body, double turn = 0.0)
+{
+  const Eigen::AngleAxisd turned (turn, Eigen::Vector3d::UnitZ());
+  Eigen::AlignedBox3d box;
+  for (const Rectangle& face : body.rectangles)
+    for (const double side_u : {-1.0, 1.0})
+      for (const double side_v : {-1.0, 1.0})
+        box.extend (turned *
+                    Eigen::Vector3d (face.center + side_u * face.half_u * face.axis_u +
+                                     side_v * face.half_v * face.axis_v));
+  return box;
+}
+
 bool
 areInOnePlane (const Rectangle& a, const Rectangle& b)
 {
@@ -90,15 +105,29 @@ TEST (BoardFurniture, NoTwoFacesAreInOnePlane)
 TEST (BoardFurniture, StandsOnTheFloorWithinItsFootprint)
 {
   for (const Furniture& piece : onePieceOfEachKind()) {
-    Eigen::AlignedBox3d box;
-    for (const Rectangle& face : piece.body.rectangles)
-      for (const double side_u : {-1.0, 1.0})
-        for (const double side_v : {-1.0, 1.0})
-          box.extend (face.center + side_u * face.half_u * face.axis_u +
-                      side_v * face.half_v * face.axis_v);
+    const Eigen::AlignedBox3d box = boxAround (piece.body);
     EXPECT_NEAR (box.min().z(), 0.0, 1e-9);
-    EXPECT_TRUE (
-        box.sizes().head<2>().isApprox (Eigen::Vector2d (piece.footprint), 1e-9));
+    EXPECT_TRUE (box.sizes().head<2>().isApprox (piece.footprint, 1e-9));
+  }
+}
+
+TEST (Furnisher, PlacesPiecesApartFromEachOtherWithinTheWalls)
+{
+  for (std::uint32_t seed = seedOfTest(), last = seed + 20; seed != last; ++seed) {
+    const Room corner = makeFurnishedCorner (seed);
+    const Eigen::AlignedBox3d room (
+        Eigen::Vector3d (-0.5 * corner.size.x(), -0.5 * corner.size.y(), 0.0),
+        Eigen::Vector3d (0.5 * corner.size.x(), 0.5 * corner.size.y(), 1e9));
+    std::vector<Eigen::AlignedBox3d> placed;
+    for (std::size_t i = 1; i < corner.scene.bodies.size(); ++i) {
+      const Eigen::AlignedBox3d piece = boxAround (corner.scene.bodies[i], -corner.yaw);
+      EXPECT_LT (room.exteriorDistance (piece.center()), 1e-9) << seed;
+      EXPECT_TRUE (room.intersection (piece).sizes().isApprox (piece.sizes(), 1e-6))
+          << seed;
+      for (const Eigen::AlignedBox3d& other : placed)
+        EXPECT_GT (other.exteriorDistance (piece), 0.05) << seed;
+      placed.push_back (piece);
+    }
   }
 }
 
