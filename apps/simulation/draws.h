@@ -21,7 +21,8 @@ enum class Purpose : std::uint32_t {
   Survey,
   SurveyScan,
   Shapes,
-  ShapesScan
+  ShapesScan,
+  Corner
 };
 
 inline internal::RandomGenerator

@@ -3,6 +3,7 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/exceptions.h>
 
+#include "corner.h"
 #include "dense_scan.h"
 #include "depth_noise.h"
 #include "shapes.h"
@@ -46,6 +47,13 @@ struct Options {
   bool quiet = false;
 };
 
+/** \brief Whether the scene is a room; the others are scanned from everywhere. */
+bool
+isSeenByCamera (const std::string& scene)
+{
+  return scene == "room" || scene == "furniture";
+}
+
 bool
 readOptions (int argc, const char* const* argv, Options& options)
 {
@@ -56,15 +64,17 @@ readOptions (int argc, const char* const* argv, Options& options)
       "field label is the true plane of each point: 0 none, 1..P by falling size.",
       PCL_OPS_VERSION);
   line.addArgument ("OUTPUT.pcd", options.output, "the cloud to write (binary)");
-  line.addChoice ("scene",
-                  {"room", "survey", "shapes"},
-                  options.scene,
-                  "a room, 36 houses on a ground, round shapes beside a ground (room)");
+  line.addChoice (
+      "scene",
+      {"room", "furniture", "survey", "shapes"},
+      options.scene,
+      "a room, a corner of one with boards on posts, 36 houses on a ground, "
+      "round shapes beside a ground (room)");
   line.addNumber ("seed",
                   "S",
                   Range::from (0).upTo (most_seed),
                   options.seed,
-                  "which room, houses or shapes (1)");
+                  "which room, furniture, houses or shapes (1)");
   line.addNumber ("width", "W", image_size, options.camera.width, "columns (640)");
   line.addNumber ("height", "H", image_size, options.camera.height, "rows (480)");
   line.addNumber ("noise",
@@ -81,7 +91,7 @@ readOptions (int argc, const char* const* argv, Options& options)
                   Range::from (1).upTo (most_points),
                   options.points,
                   "scan the whole room with N points instead of one camera image; "
-                  "points of survey (600000), shapes (200000)");
+                  "points of survey (600000), shapes (250000)");
   line.addFlag ("organized", options.organized, "keep pixels without a reading as NaN");
   line.addFlag ("quiet", options.quiet, "print nothing");
   if (!line.parse (argc, argv))
@@ -91,7 +101,7 @@ readOptions (int argc, const char* const* argv, Options& options)
                                      "has an unknown extension; give a .pcd file");
   for (const char* of_camera : {"width", "height", "profile", "organized"}) {
     line.forbidTogether ("points", of_camera);
-    if (options.scene != "room")
+    if (!isSeenByCamera (options.scene))
       line.forbidTogether ("scene", of_camera);
   }
   return true;
@@ -110,9 +120,8 @@ noiseOf (const Options& options)
 }
 
 SimulatedCloud
-simulateRoom (const Options& options)
+simulateRoom (const Room& room, const Options& options)
 {
-  const Room room = makeRoom (options.seed);
   if (options.points)
     return scanDensely (room.scene, *options.points, options.noise, options.seed);
   DepthCamera camera = options.camera;
@@ -138,7 +147,9 @@ simulate (const Options& options)
                        options.points.value_or (points_of_shapes),
                        options.noise,
                        options.seed);
-  return simulateRoom (options);
+  return simulateRoom (options.scene == "furniture" ? makeFurnishedCorner (options.seed)
+                                                    : makeRoom (options.seed),
+                       options);
 }
 
 /** \brief The cloud without the padding of pcl::PointXYZL. */

@@ -29,6 +29,17 @@ upright (double left, double right, double bottom, double top, double y)
           0.5 * (top - bottom)};
 }
 
+/** \brief Floor or ceiling. */
+Rectangle
+level (const Vector3d& size, double z)
+{
+  return {z * Vector3d::UnitZ(),
+          Vector3d::UnitX(),
+          Vector3d::UnitY(),
+          0.5 * size.x(),
+          0.5 * size.y()};
+}
+
 void
 addWallAround (Body& body, const Opening& hole, double length, double height)
 {
@@ -115,16 +126,25 @@ makeRoomShell (const Vector3d& size, internal::RandomGenerator& generator)
 {
   Body shell;
   for (const double z : {0.0, size.z()})
-    addSurface (shell,
-                {z * Vector3d::UnitZ(),
-                 Vector3d::UnitX(),
-                 Vector3d::UnitY(),
-                 0.5 * size.x(),
-                 0.5 * size.y()});
+    addSurface (shell, level (size, z));
   for (int wall = 0; wall < 4; ++wall)
     addPart (shell,
              makeWall (wallLength (size, wall), size.z(), generator),
              poseAtWall (size, wall, 0.0, 0.0));
+  return shell;
+}
+
+Body
+makeCornerShell (const Vector3d& size)
+{
+  Body shell;
+  addSurface (shell, level (size, 0.0));
+  for (int wall = 0; wall < corner_walls; ++wall) {
+    const double half_length = 0.5 * wallLength (size, wall);
+    Body plain;
+    addSurface (plain, upright (-half_length, half_length, 0.0, size.z(), 0.0));
+    addPart (shell, plain, poseAtWall (size, wall, 0.0, 0.0));
+  }
   return shell;
 }
 

@@ -15,6 +15,13 @@ namespace pcl_ops::simulation {
 Body
 makeRoomShell (const Eigen::Vector3d& size, internal::RandomGenerator& generator);
 
+constexpr int corner_walls = 2;
+
+/** \brief The floor and the first \ref corner_walls of such a room, without openings.
+ */
+Body
+makeCornerShell (const Eigen::Vector3d& size);
+
 /** \brief Puts what stands at the origin with its back towards -y against a wall.
  * \param[in] size of the room [m]
  * \param[in] wall 0 to 3

@@ -11,9 +11,6 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-/** \brief Narrowest surface that counts as a plane [m]. */
-constexpr double smallest_surface_width = 0.05;
-
 /** \brief Closer hits are the ray's own start [multiples of the direction]. */
 constexpr double smallest_distance = 1e-9;
 
@@ -128,6 +125,13 @@ keepCloser (Hit& closest, double distance, SurfaceId surface)
     closest = Hit{distance, surface};
 }
 
+bool
+isHidden (bool is_bottom, HiddenFace hidden)
+{
+  return hidden == HiddenFace::BottomAndTop ||
+         (hidden == HiddenFace::Bottom && is_bottom);
+}
+
 Rectangle
 moved (Rectangle rectangle, const Eigen::Isometry3d& pose)
 {
@@ -145,7 +149,7 @@ addSurface (Body& body, const Rectangle& rectangle)
   body.rectangles.push_back (rectangle);
   const double width = 2.0 * std::min (rectangle.half_u, rectangle.half_v);
   body.rectangles.back().surface =
-      width < smallest_surface_width ? no_surface : ++body.surface_count;
+      width < body.narrowest_surface ? no_surface : ++body.surface_count;
 }
 
 void
@@ -156,7 +160,7 @@ addBox (Body& body,
 {
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-0.5, 0.5}) {
-      if (hidden == HiddenFace::Bottom && axis == 2 && side < 0.0)
+      if (axis == 2 && isHidden (side < 0.0, hidden))
         continue;
       const int u = (axis + 1) % 3;
       const int v = (axis + 2) % 3;

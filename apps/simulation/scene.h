@@ -61,16 +61,18 @@ struct Body {
   std::vector<Sphere> spheres;
   std::vector<Cylinder> cylinders;
   SurfaceId surface_count = 0;
+  /** \brief What is narrower is not called a plane [m]: in most scenes the edges of
+   * boards, below the distance threshold of the paper. */
+  double narrowest_surface = 0.05;
 };
 
 /** \brief Adds a rectangle with a surface of its own, or \ref no_surface if it is
- * narrower than 5 cm: below any detector's distance threshold an edge is not a plane.
- */
+ * narrower than \ref Body::narrowest_surface. */
 void
 addSurface (Body& body, const Rectangle& rectangle);
 
 /** \brief The faces of a box that are left out because nothing can see them. */
-enum class HiddenFace { None, Bottom };
+enum class HiddenFace { None, Bottom, BottomAndTop };
 
 /** \brief Adds the faces of a box.
  * \param[in,out] body takes the faces

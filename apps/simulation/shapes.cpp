@@ -15,11 +15,23 @@ constexpr double row_of_shapes = -1.2;
 constexpr double length_of_ground = 6.0;
 constexpr double width_of_ground = 4.0;
 
-/** \brief Where the shape of that position in the row, from 0 to 3, touches z = 0. */
+/** \brief The same of the parts of larger ones, behind the others. */
+constexpr double distance_of_large_shapes = 3.0;
+constexpr double row_of_large_shapes = -3.8;
+constexpr double smallest_large_radius = 0.6;
+constexpr double largest_radius = 5.5;
+
+/** \brief Where the shape of that position in its row, from 0 to 3, touches z = 0. */
 Eigen::Vector3d
 placeInRow (int position)
 {
   return {(position - 1.5) * distance_of_shapes, row_of_shapes, 0.0};
+}
+
+Eigen::Vector3d
+placeOfLarge (int position)
+{
+  return {(position - 1.5) * distance_of_large_shapes, row_of_large_shapes, 0.0};
 }
 
 Eigen::Vector3d
@@ -58,6 +70,59 @@ makeBoard (const Rectangle& ground, internal::RandomGenerator& generator)
   return board;
 }
 
+/** \brief Of equal chance for each octave. */
+double
+drawLargeRadius (internal::RandomGenerator& generator)
+{
+  return smallest_large_radius * std::pow (largest_radius / smallest_large_radius,
+                                           internal::drawUnit (generator));
+}
+
+/** \brief The axis of a sector whose middle is at that position of its row, at z = 0.
+ */
+Eigen::Vector3d
+axisBehind (int position, double radius)
+{
+  return placeOfLarge (position) - radius * Eigen::Vector3d::UnitY();
+}
+
+/** \brief The share of a turn that is 2 to 2.4 m long, so that it bends by far more
+ * than the noise however large the radius; of small ones about a third of a turn. */
+double
+drawShare (double radius, internal::RandomGenerator& generator)
+{
+  const double length = std::min (drawBetween (generator, 2.0, 2.4), 2.0 * radius);
+  return length / (2.0 * pi * radius);
+}
+
+void
+addLargeShapes (Shapes& shapes, internal::RandomGenerator& generator)
+{
+  Dome& dome = shapes.large_sphere;
+  dome.radius = drawLargeRadius (generator);
+  dome.height =
+      dome.radius * (1.0 - std::cos (pi * drawShare (dome.radius, generator)));
+  dome.center = placeOfLarge (0) + up (dome.height - dome.radius);
+
+  Cylinder& cylinder = shapes.large_cylinder.shape;
+  cylinder.radius = drawLargeRadius (generator);
+  cylinder.half_length = drawBetween (generator, 0.5, 0.8);
+  cylinder.center = axisBehind (1, cylinder.radius) + up (cylinder.half_length);
+  shapes.large_cylinder.share = drawShare (cylinder.radius, generator);
+
+  Cone& cone = shapes.large_cone.shape;
+  cone.radius = drawLargeRadius (generator);
+  cone.height = drawBetween (generator, 0.7, 1.0) * cone.radius;
+  cone.apex = axisBehind (2, cone.radius) + up (cone.height);
+  shapes.large_cone.share = drawShare (cone.radius, generator);
+
+  Torus& torus = shapes.large_torus.shape;
+  torus.radius = drawLargeRadius (generator);
+  torus.tube_radius = drawBetween (generator, 0.3, 0.5) * smallest_large_radius;
+  torus.center = axisBehind (3, torus.radius) + up (torus.tube_radius);
+  shapes.large_torus.share = drawShare (torus.radius, generator);
+}
+
 } // namespace
 
 Shapes
@@ -78,6 +143,7 @@ makeShapes (std::uint32_t seed)
   shapes.torus.center = placeInRow (3) + up (shapes.torus.tube_radius);
   shapes.ground = makeGround();
   shapes.board = makeBoard (shapes.ground, generator);
+  addLargeShapes (shapes, generator);
   return shapes;
 }
 
@@ -92,6 +158,10 @@ scanShapes (const Shapes& shapes,
     visit (shapes.cylinder);
     visit (shapes.cone);
     visit (shapes.torus);
+    visit (shapes.large_sphere);
+    visit (shapes.large_cylinder);
+    visit (shapes.large_cone);
+    visit (shapes.large_torus);
     visit (shapes.ground);
     visit (shapes.board);
   };

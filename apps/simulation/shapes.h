@@ -7,13 +7,19 @@
 
 namespace pcl_ops::simulation {
 
-/** \brief Four round shapes in a row, apart from each other and from a ground and a
- * board on it: what is no plane beside what is one. z is up, z = 0 the ground. */
+/** \brief Four round shapes in a row, behind them parts of four larger ones, apart from
+ * each other and from a ground and a board on it: what is no plane beside what is one.
+ * The radii are from 0.1 to 5.5 m: at \ref points_of_shapes up to some 100 of the finer
+ * voxels that the default detector looks for planes in. z is up, z = 0 the ground. */
 struct Shapes {
   Sphere sphere;
   Cylinder cylinder;
   Cone cone;
   Torus torus;
+  Dome large_sphere;
+  Sector<Cylinder> large_cylinder;
+  Sector<Cone> large_cone;
+  Sector<Torus> large_torus;
   Rectangle ground;
   Rectangle board;
 };
@@ -22,7 +28,7 @@ struct Shapes {
 constexpr double shapes_sigma = 0.002;
 
 /** \brief About 5000 points on a square metre. */
-constexpr std::size_t points_of_shapes = 200'000;
+constexpr std::size_t points_of_shapes = 250'000;
 
 /** \brief Draws sizes, and how the board stands.
  * \param[in] seed the same seed gives the same shapes */

@@ -16,6 +16,21 @@ drawAcross (internal::RandomGenerator& generator)
   return {std::cos (around), std::sin (around), 0.0};
 }
 
+/** \brief A point of a sphere above some height, in multiples of the radius. Slices of
+ * equal height have equal area (Archimedes). */
+SurfacePoint
+drawAbove (double lowest,
+           const Vector3d& center,
+           double radius,
+           internal::RandomGenerator& generator)
+{
+  const double z = drawBetween (generator, lowest, 1);
+  const double around = drawBetween (generator, 0, 2.0 * pi);
+  const double across = std::sqrt (1.0 - z * z);
+  const Vector3d normal (across * std::cos (around), across * std::sin (around), z);
+  return {center + radius * normal, normal};
+}
+
 } // namespace
 
 SurfacePoint
@@ -27,15 +42,17 @@ drawPoint (const Rectangle& rectangle, internal::RandomGenerator& generator)
           rectangle.normal()};
 }
 
-// Slices of a sphere of equal height have equal area (Archimedes).
 SurfacePoint
 drawPoint (const Sphere& sphere, internal::RandomGenerator& generator)
 {
-  const double z = drawBetween (generator, -1, 1);
-  const double around = drawBetween (generator, 0, 2.0 * pi);
-  const double across = std::sqrt (1.0 - z * z);
-  const Vector3d normal (across * std::cos (around), across * std::sin (around), z);
-  return {sphere.center + sphere.radius * normal, normal};
+  return drawAbove (-1.0, sphere.center, sphere.radius, generator);
+}
+
+SurfacePoint
+drawPoint (const Dome& dome, internal::RandomGenerator& generator)
+{
+  return drawAbove (
+      1.0 - dome.height / dome.radius, dome.center, dome.radius, generator);
 }
 
 SurfacePoint
@@ -78,6 +95,15 @@ drawPoint (const Torus& torus, internal::RandomGenerator& generator)
   }
 }
 
+SurfacePoint
+foldIntoSector (const SurfacePoint& whole, const Vector3d& on_axis, double share)
+{
+  const Vector3d local = whole.position - on_axis;
+  const double around = std::atan2 (-local.x(), local.y());
+  const Eigen::AngleAxisd turn ((share - 1.0) * around, Vector3d::UnitZ());
+  return {on_axis + turn * local, turn * whole.normal};
+}
+
 double
 area (const Rectangle& rectangle)
 {
@@ -88,6 +114,12 @@ double
 area (const Sphere& sphere)
 {
   return 4.0 * pi * sphere.radius * sphere.radius;
+}
+
+double
+area (const Dome& dome)
+{
+  return 2.0 * pi * dome.radius * dome.height;
 }
 
 double

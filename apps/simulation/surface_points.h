@@ -30,6 +30,24 @@ struct Torus {
   double tube_radius = 0.15;
 };
 
+/** \brief The top of a sphere: what is seen of one far larger than the scene. */
+struct Dome {
+  /** \brief Of the sphere. */
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double radius = 1.0;
+  /** \brief From the lowest point to the highest [m]. */
+  double height = 0.1;
+};
+
+/** \brief The part of a round shape within an angle about its upright axis, around the
+ * direction +y from there. */
+template <typename Shape>
+struct Sector {
+  Shape shape;
+  /** \brief Of a full turn. */
+  double share = 1.0;
+};
+
 /** \brief A point of a surface and the direction its distance errs in. */
 struct SurfacePoint {
   Eigen::Vector3d position;
@@ -43,11 +61,45 @@ drawPoint (const Rectangle& rectangle, internal::RandomGenerator& generator);
 SurfacePoint
 drawPoint (const Sphere& sphere, internal::RandomGenerator& generator);
 SurfacePoint
+drawPoint (const Dome& dome, internal::RandomGenerator& generator);
+SurfacePoint
 drawPoint (const Cylinder& cylinder, internal::RandomGenerator& generator);
 SurfacePoint
 drawPoint (const Cone& cone, internal::RandomGenerator& generator);
 SurfacePoint
 drawPoint (const Torus& torus, internal::RandomGenerator& generator);
+
+/** \brief Of a whole shape, turned about its axis into the sector. */
+SurfacePoint
+foldIntoSector (const SurfacePoint& whole,
+                const Eigen::Vector3d& on_axis,
+                double share);
+
+inline Eigen::Vector3d
+pointOnAxis (const Cylinder& cylinder)
+{
+  return cylinder.center;
+}
+
+inline Eigen::Vector3d
+pointOnAxis (const Cone& cone)
+{
+  return cone.apex;
+}
+
+inline Eigen::Vector3d
+pointOnAxis (const Torus& torus)
+{
+  return torus.center;
+}
+
+template <typename Shape>
+SurfacePoint
+drawPoint (const Sector<Shape>& sector, internal::RandomGenerator& generator)
+{
+  return foldIntoSector (
+      drawPoint (sector.shape, generator), pointOnAxis (sector.shape), sector.share);
+}
 
 /** \brief The area that points are drawn from [m^2]. */
 double
@@ -55,11 +107,20 @@ area (const Rectangle& rectangle);
 double
 area (const Sphere& sphere);
 double
+area (const Dome& dome);
+double
 area (const Cylinder& cylinder);
 double
 area (const Cone& cone);
 double
 area (const Torus& torus);
+
+template <typename Shape>
+double
+area (const Sector<Shape>& sector)
+{
+  return sector.share * area (sector.shape);
+}
 
 inline SurfaceId
 surfaceOf (const Rectangle& rectangle)

@@ -42,12 +42,13 @@ readOptions (int argc, const char* const* argv, CompareOptions& options)
   return line.parse (argc, argv);
 }
 
+template <typename Size>
 nlohmann::ordered_json
-jsonOf (const std::vector<SizeClass>& classes)
+jsonOf (const std::vector<SizeClass<Size>>& classes, const char* from)
 {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const SizeClass& size : classes) {
-    nlohmann::ordered_json entry{{"fewest_points", size.fewest_points},
+  for (const SizeClass<Size>& size : classes) {
+    nlohmann::ordered_json entry{{from, size.from},
                                  {"below", nullptr},
                                  {"planes", size.planes},
                                  {"found", size.found_50},
@@ -68,7 +69,8 @@ printJson (const Metrics& metrics)
   for (const auto& [name, value] : namedMetrics (metrics))
     json[name] = value;
   json[off_planes_name] = metrics.points_off_planes_called_planes;
-  json["by_size"] = jsonOf (metrics.by_size);
+  json["by_size"] = jsonOf (metrics.by_size, "fewest_points");
+  json["by_width"] = jsonOf (metrics.by_width, "narrowest");
   std::cout << json.dump (2) << '\n';
 }
 
@@ -79,16 +81,16 @@ printRow (const char* name, double at_50, double at_75)
             << std::setw (8) << at_50 << std::setw (8) << at_75 << '\n';
 }
 
+template <typename Size>
 void
-printSizes (const std::vector<SizeClass>& classes)
+printClasses (const char* title, const std::vector<SizeClass<Size>>& classes)
 {
-  std::cout << "true planes by points     number  found at 0.50    0.75\n";
-  for (const SizeClass& size : classes)
-    std::cout << "  " << std::left << std::setw (20)
-              << (size.below ? "below " + std::to_string (*size.below)
-                             : "from " + std::to_string (size.fewest_points))
-              << std::right << std::setw (10) << size.planes << std::setw (15)
-              << size.found_50 << std::setw (8) << size.found_75 << '\n';
+  std::cout << std::left << std::setw (25) << title
+            << " number  found at 0.50    0.75\n";
+  for (const SizeClass<Size>& size : classes)
+    std::cout << "  " << std::left << std::setw (20) << rangeName (size) << std::right
+              << std::setw (10) << size.planes << std::setw (15) << size.found_50
+              << std::setw (8) << size.found_75 << '\n';
 }
 
 void
@@ -116,7 +118,8 @@ printTable (const Metrics& metrics)
   printRow ("under-segmentation", at_50.under_segmentation, at_75.under_segmentation);
   printRow ("noise", at_50.noise, at_75.noise);
   printRow ("missed", at_50.missed, at_75.missed);
-  printSizes (metrics.by_size);
+  printClasses ("true planes by points", metrics.by_size);
+  printClasses ("true planes by width [m]", metrics.by_width);
 }
 
 } // namespace

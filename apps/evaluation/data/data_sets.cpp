@@ -9,6 +9,7 @@
 #include <cli/errors.h>
 #include <cli/option_value.h>
 #include <io/output_file.h>
+#include <simulation/corner.h>
 #include <simulation/dense_scan.h>
 #include <simulation/depth_noise.h>
 #include <simulation/shapes.h>
@@ -26,6 +27,7 @@ const char* const data_set_help =
     "sunrgbd:FOLDER or sunrgbd-raw:FOLDER (refined or raw depth), "
     "rooms:FIRST-LAST or rooms-raw:FIRST-LAST (simulated, by seed), "
     "simulated:N,N,... (scans of a whole room with N points), "
+    "furniture:FIRST-LAST (boards on posts in a corner, by seed), "
     "survey:FIRST-LAST (36 houses on a ground, by seed), "
     "shapes:FIRST-LAST (round shapes beside a ground, by seed), "
     "clouds:PATH (.pcd and .ply, field label as truth)";
@@ -57,9 +59,8 @@ withExactTruth (const simulation::SimulatedCloud& simulated)
 }
 
 EvaluationCloud
-simulateRoom (std::uint32_t seed, NoiseProfile profile)
+imageOf (const simulation::Room& room, std::uint32_t seed, NoiseProfile profile)
 {
-  const simulation::Room room = simulation::makeRoom (seed);
   simulation::DepthCamera camera;
   camera.pose = simulation::drawCameraPose (room, camera, seed);
   simulation::NoiseParameters noise;
@@ -69,6 +70,13 @@ simulateRoom (std::uint32_t seed, NoiseProfile profile)
                            camera,
                            room.scene,
                            simulation::CloudLayout::Readings));
+}
+
+EvaluationCloud
+simulateFurniture (std::uint32_t seed)
+{
+  return imageOf (
+      simulation::makeFurnishedCorner (seed), seed, NoiseProfile::Correlated);
 }
 
 EvaluationCloud
@@ -127,7 +135,7 @@ DataSet
 roomsDataSet (const std::string& name, const std::string& seeds, NoiseProfile profile)
 {
   return scenesDataSet (name, "room", seeds, [profile] (std::uint32_t seed) {
-    return simulateRoom (seed, profile);
+    return imageOf (simulation::makeRoom (seed), seed, profile);
   });
 }
 
@@ -229,6 +237,8 @@ dataSetOf (const std::string& text, const Eigen::Vector3d& up)
       return roomsDataSet (kind, rest, NoiseProfile::Raw);
     if (kind == "simulated")
       return scansDataSet (kind, rest);
+    if (kind == "furniture")
+      return scenesDataSet (kind, kind, rest, simulateFurniture);
     if (kind == "survey")
       return scenesDataSet (kind, kind, rest, simulateSurvey);
     if (kind == "shapes")

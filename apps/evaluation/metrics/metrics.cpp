@@ -74,6 +74,20 @@ appendNamed (const InstanceMetrics& metrics,
   named.emplace_back ("missed" + suffix, metrics.missed);
 }
 
+template <typename Size>
+void
+appendNamed (const std::string& by,
+             const std::vector<SizeClass<Size>>& classes,
+             std::vector<std::pair<std::string, double>>& named)
+{
+  for (const SizeClass<Size>& size : classes) {
+    const CountNames names = countNames (by, size);
+    named.emplace_back (names.planes, double (size.planes));
+    named.emplace_back (names.found_50, double (size.found_50));
+    named.emplace_back (names.found_75, double (size.found_75));
+  }
+}
+
 } // namespace
 
 Metrics
@@ -101,6 +115,7 @@ compareLabels (const XyzCloud& cloud,
       confusion.points_off_planes,
       0.0);
   metrics.by_size = sizeClasses (confusion);
+  metrics.by_width = widthClasses (confusion, widthsOf (points.cloud, confusion.truth));
   metrics.at_50 = instanceMetrics (confusion, 0.50);
   metrics.at_75 = instanceMetrics (confusion, 0.75);
   return metrics;
@@ -115,6 +130,15 @@ namedMetrics (const Metrics& metrics)
       {"segmentation_accuracy_all", metrics.segmentation_accuracy_all}};
   appendNamed (metrics.at_50, "", named);
   appendNamed (metrics.at_75, "_75", named);
+  return named;
+}
+
+std::vector<std::pair<std::string, double>>
+namedCounts (const Metrics& metrics)
+{
+  std::vector<std::pair<std::string, double>> named;
+  appendNamed (by_points, metrics.by_size, named);
+  appendNamed (by_width, metrics.by_width, named);
   return named;
 }
 

@@ -26,12 +26,18 @@ struct Metrics {
   std::size_t points = 0;
   std::size_t truth_planes = 0;
   std::size_t result_planes = 0;
-  /** \brief How many of the true planes are found, by size. */
-  std::vector<SizeClass> by_size;
+  /** \brief How many of the true planes are found, by number of points. */
+  std::vector<PointsClass> by_size = sizeClasses ({});
+  /** \brief The same by width, see \ref widthsOf. */
+  std::vector<WidthClass> by_width = widthClasses ({}, {});
 };
 
+/** \brief What true planes are divided by, as in \ref countNames. */
+constexpr const char* by_points = "points";
+constexpr const char* by_width = "width";
+
 /** \brief Published name of \ref Metrics::points_off_planes_called_planes; as a column
- * of results it is the last, so that the others stay where they were. */
+ * of results it is behind the times, so that the others stay where they were. */
 constexpr const char* off_planes_name = "points_off_planes_called_planes";
 
 /** \brief Compares two labellings of a cloud. Points without finite coordinates are on
@@ -51,5 +57,10 @@ compareLabels (const XyzCloud& cloud,
  * suffix _75, at 0.75. */
 std::vector<std::pair<std::string, double>>
 namedMetrics (const Metrics& metrics);
+
+/** \brief The numbers of true planes, and of those found, by number of points and by
+ * width, under their published names, see \ref countNames. */
+std::vector<std::pair<std::string, double>>
+namedCounts (const Metrics& metrics);
 
 } // namespace pcl_ops::evaluation

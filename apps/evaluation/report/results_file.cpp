@@ -123,6 +123,8 @@ valueColumns ()
          {"search", "normals", "extraction", "assignment", "merging", "detection"})
       names.push_back (stage + std::string ("_ms"));
     names.push_back (off_planes_name);
+    for (const auto& named : namedCounts ({}))
+      names.push_back (named.first);
     return names;
   }();
   return columns;
@@ -146,6 +148,8 @@ valuesOf (const Metrics& metrics, const DetectorRun& run)
                                 stages.detection})
     values.push_back (duration);
   values.push_back (metrics.points_off_planes_called_planes);
+  for (const auto& named : namedCounts (metrics))
+    values.push_back (named.second);
   return values;
 }
 

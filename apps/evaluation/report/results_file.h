@@ -42,7 +42,7 @@ struct ResultRow {
 };
 
 /** \brief Names of a row's numbers: points, numbers of planes, \ref namedMetrics, the
- * stages' times [ms] and \ref off_planes_name. */
+ * stages' times [ms], \ref off_planes_name and \ref namedCounts. */
 const std::vector<std::string>&
 valueColumns ();
 

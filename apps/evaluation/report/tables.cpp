@@ -23,6 +23,13 @@ struct TableRow {
     return ours.mean.at (column) / milliseconds_per_second;
   }
 
+  /** Over all clouds, of what is a whole number for each. */
+  std::string
+  total (const std::string& column) const
+  {
+    return decimal (ours.mean.at (column) * double (ours.clouds), 0);
+  }
+
   double
   secondsWithoutMerging () const
   {
@@ -157,6 +164,22 @@ metricsTable ()
            fractionColumn ("off planes %", off_planes_name)}};
 }
 
+template <typename Size>
+TableKind
+classesTable (const std::string& title,
+              const char* by,
+              const std::vector<SizeClass<Size>>& classes)
+{
+  TableKind table{title + ", found at 0.5 / at 0.75 / all", "", {}};
+  for (const SizeClass<Size>& size : classes)
+    table.columns.push_back (
+        {rangeName (size), [names = countNames (by, size)] (const TableRow& row) {
+           return row.total (names.found_50) + " / " + row.total (names.found_75) +
+                  " / " + row.total (names.planes);
+         }});
+  return table;
+}
+
 TableKind
 stagesTable ()
 {
@@ -204,6 +227,9 @@ tablesOf (const DataSetSummary& summary)
   std::vector<TableKind> kinds = paperTables();
   kinds.push_back (planesTable());
   kinds.push_back (metricsTable());
+  kinds.push_back (classesTable ("True planes by points", by_points, sizeClasses ({})));
+  kinds.push_back (
+      classesTable ("True planes by width [m]", by_width, widthClasses ({}, {})));
   kinds.push_back (stagesTable());
   std::vector<TextTable> tables;
   for (const TableKind& kind : kinds) {

@@ -8,8 +8,8 @@
 namespace pcl_ops::evaluation {
 
 /** \brief The tables of a data set: Tables I to IV of the paper, numbers of planes, all
- * metrics and all stages' times, each with the paper's figures where it has them.
- * Tables without a row are left out. */
+ * metrics, true planes found by size and by width, and all stages' times, each with the
+ * paper's figures where it has them. Tables without a row are left out. */
 std::vector<TextTable>
 tablesOf (const DataSetSummary& summary);
 

@@ -83,6 +83,22 @@ TEST (EvaluateProgram, CountsTruePlanesBySize)
   EXPECT_TRUE (sizes[5]["below"].is_null());
 }
 
+TEST (EvaluateProgram, CountsTruePlanesByWidth)
+{
+  const TemporaryFolder folder;
+  const std::string truth = folder.write ("truth.pcd", one_plane), // 20 cm wide
+      result = folder.write ("result.pcd", two_halves);
+  const ProgramRun run = evaluate ("compare " + truth + " " + result + " --json");
+  const auto widths = nlohmann::json::parse (run.text)["by_width"];
+  ASSERT_EQ (widths.size(), 6u);
+  EXPECT_EQ (widths[3],
+             (nlohmann::json{{"narrowest", 0.12},
+                             {"below", 0.25},
+                             {"planes", 1},
+                             {"found", 1},
+                             {"found_75", 0}}));
+}
+
 TEST (EvaluateProgram, TheUpAxisDecidesTheClasses)
 {
   const TemporaryFolder folder;
@@ -106,7 +122,8 @@ TEST (EvaluateProgram, PrintsATableForPeople)
   EXPECT_NE (run.text.find ("segmentation accuracy"), std::string::npos);
   EXPECT_NE (run.text.find ("100.00 %"), std::string::npos);
   EXPECT_NE (run.text.find ("0.00 %  of points off true planes"), std::string::npos);
-  EXPECT_NE (run.text.find ("true planes by points"), std::string::npos);
+  for (const char* title : {"true planes by points", "true planes by width"})
+    EXPECT_NE (run.text.find (title), std::string::npos) << title;
 }
 
 TEST (EvaluateProgram, AnEmptyTruthIsSaidButCompared)

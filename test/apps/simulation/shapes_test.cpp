@@ -4,6 +4,8 @@
 #include "simulated_scene.h"
 #include <simulation/shapes.h>
 
+#include <limits>
+
 using namespace pcl_ops::simulation;
 
 namespace {
@@ -24,6 +26,14 @@ double
 distance (const Sphere& sphere, const Vector3d& point)
 {
   return std::abs ((point - sphere.center).norm() - sphere.radius);
+}
+
+double
+distance (const Dome& dome, const Vector3d& point)
+{
+  const double lowest = dome.center.z() + dome.radius - dome.height;
+  return std::hypot (distance (Sphere{dome.center, dome.radius}, point),
+                     std::max (0.0, lowest - point.z()));
 }
 
 double
@@ -49,13 +59,29 @@ distance (const Torus& torus, const Vector3d& point)
   return std::abs (std::hypot (across - torus.radius, height) - torus.tube_radius);
 }
 
+/** \brief That from the whole shape where a point is in the sector, else infinite. */
+template <typename Shape>
+double
+distance (const Sector<Shape>& sector, const Vector3d& point)
+{
+  const Vector3d local = point - pointOnAxis (sector.shape);
+  const double share = std::abs (std::atan2 (local.x(), local.y())) / pi;
+  return share < sector.share + 1e-4 || local.head<2>().norm() < 0.01
+             ? distance (sector.shape, point)
+             : std::numeric_limits<double>::infinity();
+}
+
 double
 distanceToRoundShapes (const Shapes& shapes, const Vector3d& point)
 {
   return std::min ({distance (shapes.sphere, point),
                     distance (shapes.cylinder, point),
                     distance (shapes.cone, point),
-                    distance (shapes.torus, point)});
+                    distance (shapes.torus, point),
+                    distance (shapes.large_sphere, point),
+                    distance (shapes.large_cylinder, point),
+                    distance (shapes.large_cone, point),
+                    distance (shapes.large_torus, point)});
 }
 
 double
@@ -132,6 +158,40 @@ TEST (Shapes, RoundOnesStandApartFromEachOther)
   }
 }
 
+TEST (Shapes, LargeOnesStandBehindTheOthersApartFromEachOther)
+{
+  for (std::uint32_t seed = seedOfTest(), last = seed + 20; seed != last; ++seed) {
+    Eigen::AlignedBox1d of_shape[4];
+    for (const auto& point :
+         scanShapes (makeShapes (seed), few_points, 0.0, seed).cloud) {
+      EXPECT_FALSE (point.y > -2.5f && point.y < -2.1f) << seed;
+      if (point.y < -2.5f)
+        of_shape[std::clamp (int (point.x / 3.0 + 2.0), 0, 3)].extend (
+            Eigen::AlignedBox1d::VectorType (point.x));
+    }
+    for (int i = 1; i < 4; ++i)
+      EXPECT_GT (of_shape[i].min()[0] - of_shape[i - 1].max()[0], 0.2) << seed;
+  }
+}
+
+TEST (Shapes, RadiiOfLargeOnesReachFromThoseOfTheOthersToThoseOfVaults)
+{
+  double smallest = 10.0, largest = 0.0;
+  for (std::uint32_t seed = seedOfTest(), last = seed + 20; seed != last; ++seed) {
+    const Shapes shapes = makeShapes (seed);
+    for (const double radius : {shapes.large_sphere.radius,
+                                shapes.large_cylinder.shape.radius,
+                                shapes.large_cone.shape.radius,
+                                shapes.large_torus.shape.radius}) {
+      smallest = std::min (smallest, radius);
+      largest = std::max (largest, radius);
+    }
+  }
+  EXPECT_GT (smallest, 0.5);
+  EXPECT_LT (smallest, 1.0);
+  EXPECT_GT (largest, 4.0);
+}
+
 TEST (Shapes, SameSeedSameCloud)
 {
   const std::uint32_t seed = seedOfTest();
@@ -150,6 +210,33 @@ TEST (SurfacePoints, AConeIsDenseEvenlyFromTheApexDown)
   for (int i = 0; i < 10000; ++i)
     in_upper_half += drawPoint (cone, generator).position.z() > -0.5 * cone.height;
   EXPECT_NEAR (in_upper_half, 2500, 150);
+}
+
+TEST (SurfacePoints, ADomeIsDenseEvenlyFromTheTopDown)
+{
+  Dome dome;
+  dome.height = 0.2;
+  pcl_ops::internal::RandomGenerator generator (seedOfTest());
+  int in_upper_half = 0;
+  for (int i = 0; i < 10000; ++i)
+    in_upper_half += drawPoint (dome, generator).position.z() > 0.9;
+  EXPECT_NEAR (in_upper_half, 5000, 200); // Archimedes
+}
+
+TEST (SurfacePoints, ASectorIsDenseEvenlyAboutItsMiddle)
+{
+  Sector<Cylinder> quarter;
+  quarter.share = 0.25;
+  pcl_ops::internal::RandomGenerator generator (seedOfTest());
+  int in_middle_half = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const SurfacePoint point = drawPoint (quarter, generator);
+    const double around = std::atan2 (point.position.x(), point.position.y());
+    EXPECT_LE (std::abs (around), 0.25 * pi + 1e-9);
+    EXPECT_GT (point.normal.dot (point.position), 0.0);
+    in_middle_half += std::abs (around) < 0.125 * pi;
+  }
+  EXPECT_NEAR (in_middle_half, 5000, 200);
 }
 
 TEST (SurfacePoints, ATorusIsDenseEvenlyInsideAndOutside)

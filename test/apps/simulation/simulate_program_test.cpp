@@ -74,10 +74,21 @@ TEST (SimulateProgram, SimulatesOtherScenes)
   }
 }
 
+TEST (SimulateProgram, SeesFurnitureAsItSeesARoom)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder / "furniture.pcd";
+  const ProgramRun run =
+      simulate (file + " --scene furniture --profile raw --organized" + small_image);
+  ASSERT_EQ (run.exit_code, 0) << run.text;
+  EXPECT_EQ (loaded (file).width, 64u);
+  EXPECT_GT (loaded (file).sensor_origin_.z(), 1.0f);
+}
+
 TEST (SimulateProgram, OtherScenesSameSeedSameBytes)
 {
   const TemporaryFolder folder;
-  for (const std::string scene : {"survey", "shapes"}) {
+  for (const std::string scene : {"furniture", "survey", "shapes"}) {
     for (const char* name : {"a.pcd", "b.pcd"})
       simulate (folder / name + " --scene " + scene + " --points 999 --seed 3");
     simulate (folder / "c.pcd" + " --scene " + scene + " --points 999 --seed 4");

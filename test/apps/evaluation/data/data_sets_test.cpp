@@ -20,7 +20,7 @@ dataSet (const std::string& text)
 
 TEST (DataSets, ScenesAreACloudForEachSeed)
 {
-  for (const std::string kind : {"survey", "shapes"}) {
+  for (const std::string kind : {"furniture", "survey", "shapes"}) {
     const DataSet scenes = dataSet (kind + ":9-11");
     EXPECT_EQ (scenes.name, kind);
     ASSERT_EQ (scenes.clouds.size(), 3u);
@@ -37,6 +37,17 @@ TEST (DataSets, ShapesComeWithTheirTruth)
   EXPECT_EQ (shapes.truth->size(), shapes.cloud->size());
   EXPECT_EQ (std::set<std::uint32_t> (shapes.truth->begin(), shapes.truth->end()),
              (std::set<std::uint32_t>{0, 1, 2}));
+}
+
+TEST (DataSets, FurnitureComesWithItsTruthAndCamera)
+{
+  const EvaluationCloud furniture = dataSet ("furniture:1").clouds.at (0).load();
+  ASSERT_TRUE (furniture.truth);
+  EXPECT_EQ (furniture.truth->size(), furniture.cloud->size());
+  EXPECT_GT (
+      std::set<std::uint32_t> (furniture.truth->begin(), furniture.truth->end()).size(),
+      10u);
+  EXPECT_GT (furniture.cloud->sensor_origin_.z(), 1.0f);
 }
 
 TEST (DataSets, AWrongRangeOfSeedsIsNamed)

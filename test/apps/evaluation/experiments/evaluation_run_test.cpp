@@ -113,6 +113,28 @@ TEST_F (EvaluationRunTest, SaysHowMuchOffPlanesIsCalledAPlane)
   EXPECT_NE (text.str().find ("off planes %"), std::string::npos);
 }
 
+TEST_F (EvaluationRunTest, CountsTruePlanesBySizeAndWidth)
+{
+  run();
+  for (const char* planes :
+       {"planes_by_points_below_200", "planes_by_width_below_0.03"})
+    EXPECT_EQ (rows()[0].value (planes), 1.0) << planes;
+  EXPECT_EQ (rows()[0].value ("found_75_by_width_below_0.03"), 1.0);
+  EXPECT_EQ (rows()[1].value ("found_75_by_width_below_0.03"), 0.0);
+}
+
+TEST_F (EvaluationRunTest, TablesAddUpTheTruePlanesOfAllClouds)
+{
+  plan.configurations = {labelling ("half-right", 5, calls)};
+  run();
+  std::ostringstream text;
+  for (const TextTable& table : tablesOf (summarize (rows())[0]))
+    if (table.title.find ("by width") != std::string::npos)
+      text << table;
+  EXPECT_NE (text.str().find ("2 / 0 / 2"), std::string::npos) << text.str();
+  EXPECT_NE (text.str().find ("below 0.03"), std::string::npos);
+}
+
 TEST_F (EvaluationRunTest, ComputesNoRowTwice)
 {
   run();
@@ -201,7 +223,7 @@ TEST_F (EvaluationRunTest, ResultsOfAnOlderVersionAreLeftAlone)
 {
   run();
   std::string header = contentOf (file);
-  header.resize (header.find (",points_off_planes_called_planes\n"));
+  header.resize (header.find (",points_off_planes_called_planes"));
   folder.write ("results.csv", header + '\n');
   EXPECT_THROW (run(), pcl_ops::apps::WorkError);
   EXPECT_EQ (contentOf (file), header + '\n');
