@@ -405,6 +405,19 @@ TEST_F (CloudFile, RefusesHeadersThatPromiseMoreThanTheirDataCanHold)
   EXPECT_EQ (complaintAbout (folder_.write ("grid.ply", grid)), truncated);
 }
 
+TEST_F (CloudFile, RefusesLinesOfAHeaderAmongTheData)
+{
+  // PCL's reader takes them for the header's, and their fields for those of the points.
+  std::string data = "FIELDS x y z\nSIZE 4 t 4\nTYPE \n";
+  data.resize (72, '\0');
+  const std::string file = folder_.write ("behind.pcd",
+                                          "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nWIDTH "
+                                          "3\nHEIGHT 1\nPOINTS 3\nDATA binary\n" +
+                                              data);
+  const std::string complaint = complaintAbout (file);
+  EXPECT_NE (complaint.find ("damaged"), std::string::npos) << complaint;
+}
+
 TEST_F (CloudFile, NamesWhatIsNoPly)
 {
   const auto complaint = [&] (const std::string& content) {
