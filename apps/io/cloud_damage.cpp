@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include <numbers/quantile.h>
+#include "median_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,26 +52,13 @@ mostSharedPlace (Places places)
   return shared;
 }
 
-Eigen::Vector3d
-medianOf (const Places& places)
-{
-  Eigen::Vector3d median;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    std::vector<double> coordinates;
-    for (const Eigen::Vector3d& place : places)
-      coordinates.push_back (place[axis]);
-    median[axis] = quantile (std::move (coordinates), 0.5);
-  }
-  return median;
-}
-
 /** \brief How many are beyond a thousand diagonals of all that are nearer to the
  * middle, if these are the larger half. */
 std::size_t
 countFar (Places places)
 {
   constexpr double most_diagonals = 1000.0;
-  const Eigen::Vector3d middle = medianOf (places);
+  const Eigen::Vector3d middle = medianPlace (places);
   std::sort (places.begin(), places.end(), [&] (const auto& first, const auto& second) {
     return (first - middle).squaredNorm() < (second - middle).squaredNorm();
   });

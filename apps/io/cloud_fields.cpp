@@ -4,6 +4,7 @@
 
 #include <pcl/common/io.h>
 
+#include "median_place.h"
 #include "typed_number.h"
 
 #include <algorithm>
@@ -138,6 +139,23 @@ setField (pcl::PCLPointCloud2& cloud,
   cloud.row_step = step * cloud.width;
 }
 
+/** \brief Near most points: one outlier must not leave the others without digits. */
+Eigen::Vector3d
+usualPlace (const CoordinateReader& reader, std::size_t size)
+{
+  constexpr std::size_t looked_at = 1000;
+  const std::size_t stride = size / looked_at + 1;
+  std::vector<Eigen::Vector3d> places;
+  for (std::size_t begin = 0; begin < size; begin += stride)
+    for (std::size_t i = begin; i < std::min (size, begin + stride); ++i)
+      if (const Eigen::Vector3d place = reader (i); place.allFinite()) {
+        places.push_back (place);
+        break;
+      }
+  return places.empty() ? Eigen::Vector3d (Eigen::Vector3d::Zero())
+                        : medianPlace (places);
+}
+
 } // namespace
 
 ShiftedCloud
@@ -146,11 +164,8 @@ shiftedCloudOf (const FileCloud& cloud)
   const CoordinateReader reader (cloud);
   ShiftedCloud shifted;
   const std::size_t size = cloud.size();
-  if (!reader.isSinglePrecision()) {
-    for (std::size_t i = 0; i < size && shifted.shift.isZero (0.0); ++i)
-      if (reader (i).allFinite())
-        shifted.shift = reader (i);
-  }
+  if (!reader.isSinglePrecision())
+    shifted.shift = usualPlace (reader, size);
   shifted.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   shifted.cloud->points.reserve (size);
   for (std::size_t i = 0; i < size; ++i) {

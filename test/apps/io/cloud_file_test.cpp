@@ -165,6 +165,18 @@ TEST_F (CloudFile, KeepsMillimetresOfDoublePrecisionFarFromZero)
   EXPECT_NEAR ((*shifted.cloud)[1].x + shifted.shift.x(), 512346.002, 1e-6);
 }
 
+TEST_F (CloudFile, KeepsMillimetresBesideAPointFarFromAllOthers)
+{
+  const std::string far = folder_.write (
+      "far.ply",
+      plyWith ("element vertex 5\nproperty double x\nproperty double y\n"
+               "property double z\n",
+               "1e8 1e8 0\n0 0 0\n512345.001 5412345.002 99.003\n"
+               "512346.002 5412345.002 99.003\n512347.003 5412345.002 99.003\n"));
+  const ShiftedCloud shifted = shiftedCloudOf (loadCloud (far));
+  EXPECT_NEAR ((*shifted.cloud)[4].x - (*shifted.cloud)[3].x, 1.001, 1e-6);
+}
+
 TEST_F (CloudFile, ReadsTheVerticesOfAMesh)
 {
   const std::string file = folder_.write (
