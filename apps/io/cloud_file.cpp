@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_file.h"
 
-#include <pcl/common/io.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 
@@ -14,7 +13,6 @@
 
 #include <cerrno>
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <new>
 #include <system_error>
@@ -63,20 +61,6 @@ readWith (pcl::FileReader&& reader, const std::string& file, FileCloud& cloud)
   throw WorkError (file, "cannot be read: " + reason + "; is it truncated or damaged?");
 }
 
-/** \brief PCL's reader takes lines of a header behind DATA for the header's: what it
- * makes of them need not fit together. */
-void
-checkFields (const std::string& file, const pcl::PCLPointCloud2& points)
-{
-  for (const pcl::PCLPointField& field : points.fields) {
-    const auto size = static_cast<std::uint64_t> (pcl::getFieldSize (field.datatype));
-    if (size == 0 || field.offset + size * field.count > points.point_step)
-      throw WorkError (file,
-                       "has a field " + field.name +
-                           " that is not within its points; is it damaged?");
-  }
-}
-
 /** \brief A PLY's camera may claim a size of the image that is not that of the cloud.
  */
 void
@@ -117,14 +101,15 @@ loadCloud (const std::string& file)
   checkReadable (file);
   FileCloud cloud;
   if (extension == ".pcd") {
-    checkPcdFile (file);
+    const Viewpoint viewpoint = checkPcdFile (file);
     readWith (pcl::PCDReader(), file, cloud);
+    cloud.origin << viewpoint.origin, 0.0f;
+    cloud.orientation = viewpoint.orientation;
   }
   else {
     checkPlyFile (file);
     readWith (pcl::PLYReader(), file, cloud);
   }
-  checkFields (file, cloud.points);
   makeSizeValid (file, cloud.points);
   for (const char* axis : {"x", "y", "z"})
     if (!hasField (cloud, axis))

@@ -71,6 +71,13 @@ HeaderReader::position()
 }
 
 void
+HeaderReader::goTo (std::uint64_t position)
+{
+  stream_.clear();
+  stream_.seekg (static_cast<std::streamoff> (position));
+}
+
+void
 HeaderReader::read (char* bytes, std::size_t count)
 {
   if (!stream_.read (bytes, static_cast<std::streamsize> (count)))

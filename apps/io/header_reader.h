@@ -28,6 +28,9 @@ public:
   std::uint64_t
   position ();
 
+  void
+  goTo (std::uint64_t position);
+
   std::uint64_t
   fileSize () const
   {

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <map>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -113,6 +115,49 @@ pointCount (const HeaderReader& reader, const PcdHeader& header)
   return points;
 }
 
+Viewpoint
+viewpointOf (const HeaderReader& reader, const PcdHeader& header)
+{
+  const auto line = header.lines.find ("VIEWPOINT");
+  if (line == header.lines.end())
+    return {};
+  std::array<float, 7> numbers{};
+  bool are_numbers = line->second.size() == numbers.size();
+  for (std::size_t i = 0; are_numbers && i < numbers.size(); ++i) {
+    char* end = nullptr;
+    numbers[i] = std::strtof (line->second[i].c_str(), &end);
+    are_numbers = *end == '\0';
+  }
+  if (!are_numbers)
+    reader.fail ("VIEWPOINT is not seven numbers");
+  return {{numbers[0], numbers[1], numbers[2]},
+          {numbers[3], numbers[4], numbers[5], numbers[6]}};
+}
+
+/** \brief Data that begins like a line of a header, behind empty lines and comments:
+ * PCL's reader takes it for one, and what it makes of that is not defined. */
+void
+checkDataIsNoHeader (HeaderReader& reader, const PcdHeader& header)
+{
+  constexpr std::uint64_t looked_at = 1U << 16U;
+  std::string head (std::min (reader.fileSize() - header.data_offset, looked_at), '\0');
+  reader.read (head.data(), head.size());
+  reader.goTo (header.data_offset);
+  std::istringstream lines (head);
+  for (std::string line; std::getline (lines, line);) {
+    const std::size_t word = line.find_first_not_of (" \t\r\v\f");
+    if (word == std::string::npos || line[word] == '#')
+      continue;
+    const auto begins_with = [&] (std::string_view key) {
+      return line.compare (word, key.size(), key) == 0;
+    };
+    if (begins_with ("COLUMNS") ||
+        std::any_of (known_keys.begin(), known_keys.end(), begins_with))
+      reader.fail ("there are lines of a header behind DATA");
+    return;
+  }
+}
+
 /** \brief A compressed body starts with its compressed and uncompressed size. */
 void
 checkCompressed (HeaderReader& reader, std::uint64_t rest, std::uint64_t expected)
@@ -146,7 +191,7 @@ checkAscii (HeaderReader& reader, std::uint64_t points, std::uint64_t numbers)
 
 } // namespace
 
-void
+Viewpoint
 checkPcdFile (const std::string& file)
 {
   HeaderReader reader (file, "PCD");
@@ -155,13 +200,12 @@ checkPcdFile (const std::string& file)
   const std::uint64_t points = pointCount (reader, header);
   if (points == 0)
     reader.failEmpty();
-  const auto viewpoint = header.lines.find ("VIEWPOINT");
-  if (viewpoint != header.lines.end() && viewpoint->second.size() != 7)
-    reader.fail ("VIEWPOINT is not seven numbers");
-
+  const Viewpoint viewpoint = viewpointOf (reader, header);
   const std::uint64_t rest = reader.fileSize() - header.data_offset;
   const Words& data = header.lines.at ("DATA");
   const std::string kind = data.size() == 1 ? data[0] : "";
+  if (kind != "ascii")
+    checkDataIsNoHeader (reader, header);
   // The shortest ascii number is a digit and a separator.
   const std::uint64_t ascii_size = 2 * size.numbers;
   if (kind == "binary_compressed")
@@ -172,6 +216,7 @@ checkPcdFile (const std::string& file)
     reader.failTruncated();
   else if (kind == "ascii")
     checkAscii (reader, points, size.numbers);
+  return viewpoint;
 }
 
 } // namespace pcl_ops::apps

@@ -177,6 +177,16 @@ TEST_F (CloudFile, KeepsMillimetresBesideAPointFarFromAllOthers)
   EXPECT_NEAR ((*shifted.cloud)[4].x - (*shifted.cloud)[3].x, 1.001, 1e-6);
 }
 
+TEST_F (CloudFile, HasNoPoseWhereItsViewpointIsNotFinite)
+{
+  std::string pcd = asciiPcd ("", "1 2 3\n4 5 6\n");
+  const std::string usual = "VIEWPOINT 0 0 0 1 0 0 0";
+  pcd.replace (pcd.find (usual), usual.size(), "VIEWPOINT nan 2 3 nan 0 0 0");
+  const FileCloud cloud = loadCloud (folder_.write ("nowhere.pcd", pcd));
+  EXPECT_EQ (cloud.origin, Eigen::Vector4f (Eigen::Vector4f::Zero()));
+  EXPECT_EQ (cloud.orientation.w(), 1.0f);
+}
+
 TEST_F (CloudFile, ReadsTheVerticesOfAMesh)
 {
   const std::string file = folder_.write (
@@ -237,6 +247,8 @@ TEST_F (CloudFile, NamesTheHeaderLineAtFault)
              invalid ("FIELDS, SIZE, TYPE and COUNT differ in length"));
   EXPECT_EQ (complaint ("FIELDS"), invalid ("FIELDS names none"));
   EXPECT_EQ (complaint ("VIEWPOINT 0 0 0"), invalid ("VIEWPOINT is not seven numbers"));
+  EXPECT_EQ (complaint ("VIEWPOINT 0 0 0 1 0 0 west"),
+             invalid ("VIEWPOINT is not seven numbers"));
   EXPECT_EQ (complaint ("DATA morse"),
              invalid ("DATA is not ascii, binary or binary_compressed"));
   EXPECT_EQ (complaintAbout (folder_.write ("junk.pcd", std::string (5000, '\xfe'))),
@@ -427,7 +439,8 @@ TEST_F (CloudFile, RefusesLinesOfAHeaderAmongTheData)
                                           "3\nHEIGHT 1\nPOINTS 3\nDATA binary\n" +
                                               data);
   const std::string complaint = complaintAbout (file);
-  EXPECT_NE (complaint.find ("damaged"), std::string::npos) << complaint;
+  EXPECT_NE (complaint.find ("lines of a header behind DATA"), std::string::npos)
+      << complaint;
 }
 
 TEST_F (CloudFile, NamesWhatIsNoPly)
