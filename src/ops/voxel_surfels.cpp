@@ -204,6 +204,11 @@ VoxelSurfels::addSparse (const Points& points,
       assigned.labels[numbers[i]] = before + more.labels[i];
   assigned.moments.insert (
       assigned.moments.end(), more.moments.begin(), more.moments.end());
+  // A ground goes on where it becomes sparse.
+  MergedPlanes merged =
+      mergePlanes (assigned.moments, mergingByNoise (parameters_.merging));
+  relabel (assigned.labels, merged.merged_into, parameters_.threads);
+  assigned.moments = std::move (merged.moments);
 }
 
 AssignedPoints
