@@ -14,10 +14,10 @@ using pcl_ops::isSeenFromItsOrigin;
 
 namespace {
 
-const Vector3d eye (1, 2, 1.5);
+const Vector3d camera (1, 2, 1.5);
 
-/** \brief What is seen from the eye, a ray every 0.3 degrees: a wall 4 m ahead, and a
- * board of 1 m x 1 m half way that hides some of it. */
+/** \brief What is seen from the camera, a ray every 0.3 degrees: a wall 4 m ahead, and
+ * a board of 1 m x 1 m half way that hides some of it. */
 Cloud
 wallBehindABoard ()
 {
@@ -28,7 +28,7 @@ wallBehindABoard ()
       const Vector3d on_board = 2.0 * ray;
       const bool hits_board =
           std::abs (on_board.x()) < 0.5 && std::abs (on_board.y()) < 0.5;
-      const Vector3d point = eye + (hits_board ? 2.0 : 4.0) * ray;
+      const Vector3d point = camera + (hits_board ? 2.0 : 4.0) * ray;
       cloud.push_back (pcl::PointXYZ (static_cast<float> (point.x()),
                                       static_cast<float> (point.y()),
                                       static_cast<float> (point.z())));
@@ -41,15 +41,15 @@ wallBehindABoard ()
 TEST (Visibility, IsGivenWhereTheCloudWasSeenFrom)
 {
   const Cloud cloud = wallBehindABoard();
-  EXPECT_LT (hiddenShare (CloudView (cloud), eye), 5_percent);
-  EXPECT_TRUE (isSeenFrom (eye, CloudView (cloud)));
+  EXPECT_LT (hiddenShare (CloudView (cloud), camera), 5_percent);
+  EXPECT_TRUE (isSeenFrom (camera, CloudView (cloud)));
 }
 
 TEST (Visibility, IsNotGivenWhereTheBoardHidesWallThatIsThere)
 {
   // From 2 m beside, the board stands before another part of the wall.
   const Cloud cloud = wallBehindABoard();
-  const Vector3d beside = eye + Vector3d (2, 0, 0);
+  const Vector3d beside = camera + Vector3d (2, 0, 0);
   EXPECT_GT (hiddenShare (CloudView (cloud), beside), 5_percent);
   EXPECT_FALSE (isSeenFrom (beside, CloudView (cloud)));
 }
@@ -57,7 +57,7 @@ TEST (Visibility, IsNotGivenWhereTheBoardHidesWallThatIsThere)
 TEST (Visibility, OfACloudIsAskedForItsSensorOrigin)
 {
   Cloud cloud = wallBehindABoard();
-  cloud.sensor_origin_.head<3>() = eye.cast<float>();
+  cloud.sensor_origin_.head<3>() = camera.cast<float>();
   EXPECT_TRUE (isSeenFromItsOrigin (cloud));
   cloud.sensor_origin_.x() += 2.0f;
   EXPECT_FALSE (isSeenFromItsOrigin (cloud));
@@ -70,7 +70,7 @@ TEST (Visibility, IsTheSameInAnyOrderOfPoints)
   std::for_each (cloud.rbegin(), cloud.rend(), [&] (const pcl::PointXYZ& point) {
     reversed.push_back (point);
   });
-  const Vector3d beside = eye + Vector3d (2, 0, 0);
+  const Vector3d beside = camera + Vector3d (2, 0, 0);
   EXPECT_EQ (hiddenShare (CloudView (cloud), beside),
              hiddenShare (CloudView (reversed), beside));
 }
@@ -78,19 +78,19 @@ TEST (Visibility, IsTheSameInAnyOrderOfPoints)
 TEST (Visibility, OfTooFewPointsIsAsGiven)
 {
   Cloud few;
-  EXPECT_TRUE (isSeenFrom (eye, CloudView (few)));
+  EXPECT_TRUE (isSeenFrom (camera, CloudView (few)));
   few.push_back ({1, 2, 3});
   few.push_back ({1, 2, 6});
-  EXPECT_TRUE (isSeenFrom (eye, CloudView (few)));
+  EXPECT_TRUE (isSeenFrom (camera, CloudView (few)));
 }
 
 TEST (Visibility, LeavesOutWhatIsNotFinite)
 {
   Cloud cloud = wallBehindABoard();
-  const double before = hiddenShare (CloudView (cloud), eye);
+  const double before = hiddenShare (CloudView (cloud), camera);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (int i = 0; i < 1000; ++i)
     cloud.push_back ({nan, nan, nan});
-  EXPECT_EQ (hiddenShare (CloudView (cloud), eye), before);
+  EXPECT_EQ (hiddenShare (CloudView (cloud), camera), before);
   EXPECT_EQ (hiddenShare (CloudView (cloud), Vector3d::Constant (nan)), 0.0);
 }
