@@ -72,18 +72,14 @@ makeBoardOnPosts (const Vector3d& size, internal::RandomGenerator& generator)
 Furniture
 makeBoardTable (internal::RandomGenerator& generator)
 {
-  const Vector3d size (drawBetween (generator, 0.7, 1.4),
-                       drawBetween (generator, 0.5, 0.8),
-                       drawBetween (generator, 0.6, 0.8));
+  const Vector3d size = drawInBox (generator, {0.7, 0.5, 0.6}, {1.4, 0.8, 0.8});
   return makeBoardOnPosts (size, generator);
 }
 
 Furniture
 makeBoardBench (internal::RandomGenerator& generator)
 {
-  const Vector3d size (drawBetween (generator, 0.8, 1.4),
-                       drawBetween (generator, 0.38, 0.45),
-                       drawBetween (generator, 0.4, 0.5));
+  const Vector3d size = drawInBox (generator, {0.8, 0.38, 0.4}, {1.4, 0.45, 0.5});
   return makeBoardOnPosts (size, generator);
 }
 
@@ -93,7 +89,7 @@ makeBoardRack (internal::RandomGenerator& generator)
   const int boards = 3 + int (internal::drawBelow (generator, 2));
   const double pitch = drawBetween (generator, 0.3, 0.45);
   const double thickness = drawThickness (generator);
-  Vector2d size (drawBetween (generator, 0.7, 1.1), drawBetween (generator, 0.5, 0.6));
+  Vector2d size = drawInBox (generator, {0.7, 0.5, 0.0}, {1.1, 0.6, 0.0}).head<2>();
   Furniture rack = emptyPiece (size);
   for (int i = 1; i <= boards; ++i) {
     addBoard (rack.body, size, i * pitch, thickness);

@@ -33,19 +33,18 @@ drawPose (const Room& room, internal::RandomGenerator& generator)
 {
   const double wall_distance = 0.4; // [m]
   const Vector3d reach = 0.5 * room.size - Vector3d::Constant (wall_distance);
-  const Vector3d eye (drawBetween (generator, -1, 1) * reach.x(),
-                      drawBetween (generator, -1, 1) * reach.y(),
-                      drawBetween (generator, 1.1, 1.8));
-  const Vector3d target (drawBetween (generator, -0.4, 0.4) * reach.x(),
-                         drawBetween (generator, -0.4, 0.4) * reach.y(),
-                         eye.z());
+  const Vector3d eye = drawInBox (generator, {-1, -1, 1.1}, {1, 1, 1.8})
+                           .cwiseProduct (Vector3d (reach.x(), reach.y(), 1.0));
+  Vector3d target = drawInBox (generator, {-0.4, -0.4, 0.0}, {0.4, 0.4, 0.0});
+  target = target.cwiseProduct (reach) + eye.z() * Vector3d::UnitZ();
   const Vector3d level = (target - eye).normalized();
   const Vector3d right = level.cross (Vector3d::UnitZ());
   Eigen::Isometry3d pose = at (eye.x(), eye.y(), eye.z());
   pose.linear() << right, -Vector3d::UnitZ(), level;
+  const double roll = drawAngle (generator, -4, 4);
+  const double pitch = drawAngle (generator, -20, -5);
   return turned (room.yaw, Vector3d::UnitZ()) * pose *
-         turned (drawAngle (generator, -20, -5), Vector3d::UnitX()) *
-         turned (drawAngle (generator, -4, 4), Vector3d::UnitZ());
+         turned (pitch, Vector3d::UnitX()) * turned (roll, Vector3d::UnitZ());
 }
 
 /** \brief Number of surfaces well in view, none if something stands before the camera.

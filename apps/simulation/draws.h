@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
+
 #include <base/random.h>
 
 #include <cmath>
@@ -37,6 +39,20 @@ inline double
 drawBetween (internal::RandomGenerator& generator, double lower, double upper)
 {
   return lower + (upper - lower) * internal::drawUnit (generator);
+}
+
+/** \brief Uniform draw from a box, z first: arguments of one call would be drawn in
+ * whatever order the compiler likes. Takes no random number for an edge of length 0. */
+inline Eigen::Vector3d
+drawInBox (internal::RandomGenerator& generator,
+           const Eigen::Vector3d& lower,
+           const Eigen::Vector3d& upper)
+{
+  Eigen::Vector3d drawn = lower;
+  for (const int axis : {2, 1, 0})
+    if (lower[axis] < upper[axis])
+      drawn[axis] = drawBetween (generator, lower[axis], upper[axis]);
+  return drawn;
 }
 
 /** \brief True with the given probability. */

@@ -48,9 +48,7 @@ addBooks (Body& body,
 {
   double x = 0.0;
   while (x < width) {
-    const Vector3d size (drawBetween (generator, 0.02, 0.045),
-                         drawBetween (generator, 0.14, 0.2),
-                         drawBetween (generator, 0.18, 0.26));
+    const Vector3d size = drawInBox (generator, {0.02, 0.14, 0.18}, {0.045, 0.2, 0.26});
     x += size.x();
     addBox (body,
             at (start.x() + x - 0.5 * size.x(), start.y(), start.z() + 0.5 * size.z()),
@@ -65,10 +63,11 @@ addMonitor (Body& body, const Vector3d& foot, internal::RandomGenerator& generat
   const Vector3d size (drawBetween (generator, 0.45, 0.7), 0.04, 0.36);
   addUprightCylinder (body, foot, 0.2, 0.03);
   addUprightCylinder (body, foot, 0.015, 0.12);
+  const double tilt = drawAngle (generator, 0, 12);
+  const double yaw = drawAngle (generator, -25, 25);
   addBox (body,
           at (foot.x(), foot.y() + 0.05, foot.z() + 0.1 + 0.5 * size.z()) *
-              turned (drawAngle (generator, -25, 25), Vector3d::UnitZ()) *
-              turned (drawAngle (generator, 0, 12), Vector3d::UnitX()),
+              turned (yaw, Vector3d::UnitZ()) * turned (tilt, Vector3d::UnitX()),
           size);
 }
 
@@ -96,9 +95,7 @@ addLaptop (Body& body, const Vector3d& hinge, internal::RandomGenerator& generat
 Furniture
 makeTable (internal::RandomGenerator& generator)
 {
-  const Vector3d size (drawBetween (generator, 0.8, 1.8),
-                       drawBetween (generator, 0.6, 0.95),
-                       drawBetween (generator, 0.42, 0.78));
+  const Vector3d size = drawInBox (generator, {0.8, 0.6, 0.42}, {1.8, 0.95, 0.78});
   Furniture table{{}, size.head<2>()};
   addSlabOnLegs (table.body, size, 0.035, 0.03);
   const Vector3d mug (drawBetween (generator, -0.3, 0.3), 0.1, size.z());
@@ -110,9 +107,7 @@ makeTable (internal::RandomGenerator& generator)
 Furniture
 makeDesk (internal::RandomGenerator& generator)
 {
-  const Vector3d size (drawBetween (generator, 1.2, 1.8),
-                       drawBetween (generator, 0.65, 0.85),
-                       drawBetween (generator, 0.7, 0.76));
+  const Vector3d size = drawInBox (generator, {1.2, 0.65, 0.7}, {1.8, 0.85, 0.76});
   Furniture desk{{}, size.head<2>()};
   addSlabOnLegs (desk.body, size, 0.03, 0.03);
   const double drawers_width = 0.42;
@@ -130,9 +125,7 @@ makeDesk (internal::RandomGenerator& generator)
 Furniture
 makeCupboard (internal::RandomGenerator& generator)
 {
-  const Vector3d size (drawBetween (generator, 0.5, 1.4),
-                       drawBetween (generator, 0.35, 0.6),
-                       drawBetween (generator, 0.7, 2.1));
+  const Vector3d size = drawInBox (generator, {0.5, 0.35, 0.7}, {1.4, 0.6, 2.1});
   Furniture cupboard{{}, size.head<2>()};
   addStandingBox (cupboard.body, 0.0, 0.0, size);
   return cupboard;
@@ -162,8 +155,7 @@ makeShelf (internal::RandomGenerator& generator)
 Furniture
 makeBed (internal::RandomGenerator& generator)
 {
-  const Vector3d size (
-      drawBetween (generator, 0.9, 1.6), 2.0, drawBetween (generator, 0.4, 0.6));
+  const Vector3d size = drawInBox (generator, {0.9, 2.0, 0.4}, {1.6, 2.0, 0.6});
   const double headboard = 0.06;
   Furniture bed{{}, size.head<2>()};
   addStandingBox (
@@ -199,9 +191,7 @@ makeSofa (internal::RandomGenerator& generator)
 Furniture
 makeChair (internal::RandomGenerator& generator)
 {
-  const Vector3d size (drawBetween (generator, 0.4, 0.5),
-                       drawBetween (generator, 0.4, 0.5),
-                       drawBetween (generator, 0.42, 0.48));
+  const Vector3d size = drawInBox (generator, {0.4, 0.4, 0.42}, {0.5, 0.5, 0.48});
   Furniture chair{{}, size.head<2>()};
   addSlabOnLegs (chair.body, size, 0.04, 0.018);
   addBox (chair.body,
@@ -214,9 +204,7 @@ makeChair (internal::RandomGenerator& generator)
 Furniture
 makeCartons (internal::RandomGenerator& generator)
 {
-  const Vector3d lower (drawBetween (generator, 0.35, 0.7),
-                        drawBetween (generator, 0.35, 0.6),
-                        drawBetween (generator, 0.25, 0.5));
+  const Vector3d lower = drawInBox (generator, {0.35, 0.35, 0.25}, {0.7, 0.6, 0.5});
   Furniture cartons{{}, lower.head<2>()};
   addStandingBox (cartons.body, 0.0, 0.0, lower);
   if (drawChance (generator, 0.5)) {

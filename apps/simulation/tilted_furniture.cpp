@@ -13,8 +13,7 @@ using Eigen::Vector3d;
 Furniture
 makeLeaningBoard (internal::RandomGenerator& generator)
 {
-  const Vector3d size (
-      drawBetween (generator, 0.5, 1.3), 0.03, drawBetween (generator, 0.8, 1.9));
+  const Vector3d size = drawInBox (generator, {0.5, 0.03, 0.8}, {1.3, 0.03, 1.9});
   const double lean = drawAngle (generator, 10, 35);
   const double roll = drawAngle (generator, -8, 8);
   const double depth = size.z() * std::sin (lean) + 0.1;
@@ -30,8 +29,7 @@ makeLeaningBoard (internal::RandomGenerator& generator)
 Furniture
 makeRamp (internal::RandomGenerator& generator)
 {
-  const Vector3d size (
-      drawBetween (generator, 0.7, 1.2), drawBetween (generator, 1.0, 1.9), 0.03);
+  const Vector3d size = drawInBox (generator, {0.7, 1.0, 0.03}, {1.2, 1.9, 0.03});
   const double slope = drawAngle (generator, 15, 40);
   const double run = size.y() * std::cos (slope);
   const double rise = size.y() * std::sin (slope);
@@ -50,15 +48,15 @@ makeRamp (internal::RandomGenerator& generator)
 Furniture
 makeTiltedPanel (internal::RandomGenerator& generator)
 {
-  const Vector3d size (
-      drawBetween (generator, 0.7, 1.3), drawBetween (generator, 0.5, 0.95), 0.025);
+  const Vector3d size = drawInBox (generator, {0.7, 0.5, 0.025}, {1.3, 0.95, 0.025});
   const double height = drawBetween (generator, 0.8, 1.3);
   const double diagonal = size.head<2>().norm();
   Furniture panel{{}, {diagonal, diagonal}};
+  const double yaw = drawAngle (generator, -25, 25);
+  const double tilt = drawAngle (generator, 25, 75);
   addBox (panel.body,
-          at (0.0, 0.0, height) *
-              turned (drawAngle (generator, 25, 75), Vector3d::UnitX()) *
-              turned (drawAngle (generator, -25, 25), Vector3d::UnitZ()),
+          at (0.0, 0.0, height) * turned (tilt, Vector3d::UnitX()) *
+              turned (yaw, Vector3d::UnitZ()),
           size);
   panel.body.cylinders.push_back (
       {{0.0, 0.0, 0.5 * height - 0.03}, Vector3d::UnitZ(), 0.5 * height - 0.03, 0.03});

@@ -36,10 +36,10 @@ struct LocalSamplingParameters {
    * hypotheses. */
   double max_hypotheses_per_point = 1.0;
   /** \brief Points looked at in all spheres together, as a multiple of the number of
-   * points, before sampling gives up: where radii are far too large for the distance
-   * threshold, K_max would take hours. Not in the paper; clouds of rooms come to some
-   * 10, with LocalInliers::Samples to 100. */
-  double max_visits_per_point = 300.0;
+   * points, before sampling gives up: in dense noise, or where radii are far too large
+   * for the distance threshold, K_max would take hours. Not in the paper; clouds of
+   * rooms come to some 10, with LocalInliers::Samples to 100. */
+  double max_visits_per_point = 100.0;
 };
 
 /** \brief Parameters of FastSamplingPlaneFiltering; the defaults are the recommended

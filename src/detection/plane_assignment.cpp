@@ -18,6 +18,7 @@ namespace {
 // space, and most planes can be left out; so many that leaving out costs little.
 constexpr std::size_t block_size = 256;
 constexpr std::size_t points_of_a_task = 64 * block_size;
+constexpr std::size_t planes_between_looks = 32;
 
 struct Box {
   Eigen::Vector3d centre, half_size;
@@ -48,6 +49,12 @@ reaches (const Plane& plane, const Box& box, double threshold)
   return std::abs (plane.distance (box.centre)) <= threshold + reach + rounding;
 }
 
+bool
+isZero (float distance)
+{
+  return distance == 0.0f;
+}
+
 // Points begin .. end - 1, at most block_size.
 void
 assignBlock (const Coordinates& points,
@@ -61,9 +68,16 @@ assignBlock (const Coordinates& points,
   const Box box = boxOf (points, begin, end);
   std::array<float, block_size> best;
   best.fill (threshold);
+  std::size_t compared = 0;
   for (std::size_t p = 0; p < planes.size(); ++p) {
     if (!reaches (planes[p], box, threshold))
       continue;
+    // Of thousands of planes the first hundreds have all points.
+    if (rule == AssignmentRule::First && ++compared % planes_between_looks == 0 &&
+        std::all_of (best.begin(),
+                     best.begin() + static_cast<std::ptrdiff_t> (end - begin),
+                     isZero))
+      return;
     const auto label = static_cast<std::int32_t> (p);
     std::int32_t* const label_of = labels.data();
     // A distance no later plane can beat makes the first plane final.
@@ -114,11 +128,13 @@ momentsOfLabels (const Coordinates& points,
                  std::size_t number,
                  unsigned threads)
 {
+  // Of thousands of planes the sums of a piece take more memory than its points.
+  constexpr std::size_t points_per_plane = 8;
   // Sums per piece, added up in order: the same digits for any number of threads.
   const auto partial = parallelPieces (
       threads,
       points.size(),
-      points_of_a_task,
+      std::max (points_of_a_task, points_per_plane * number),
       [&] (std::size_t begin, std::size_t end) {
         std::vector<Moments> moments (number);
         for (std::size_t i = begin; i < end; ++i)

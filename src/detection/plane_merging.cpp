@@ -58,6 +58,16 @@ absorb (Group& larger, const Group& smaller)
   return true;
 }
 
+// Every pair of planes whose normals are too far apart is left out by this alone: of
+// thousands of planes there are millions of pairs. Rounding included.
+double
+leastCosine (double angle_threshold)
+{
+  constexpr double right_angle = 1.5707963267948966;
+  constexpr double rounding = 1e-9;
+  return std::cos (std::min (angle_threshold, right_angle)) - rounding;
+}
+
 // One sweep over all pairs; true if any was merged.
 bool
 mergeOnce (std::vector<Group>& groups,
@@ -65,24 +75,35 @@ mergeOnce (std::vector<Group>& groups,
            double distance_threshold,
            double noise_factor)
 {
-  const std::size_t before = groups.size();
+  const double least_cosine = leastCosine (angle_threshold);
+  std::vector<Eigen::Vector3d> normals;
+  for (const Group& group : groups)
+    normals.push_back (group.fit.plane.normal);
+  std::vector<bool> is_absorbed (groups.size(), false);
+  const auto absorbs = [&] (Group& larger, const Group& other) {
+    return areCoplanar (larger.fit,
+                        other.fit,
+                        angle_threshold,
+                        std::max (distance_threshold,
+                                  noise_factor * noiseOf (larger.fit, other.fit))) &&
+           absorb (larger, other);
+  };
+  std::vector<Group> kept;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    auto absorbed = [&] (const Group& other) {
-      return areCoplanar (
-                 groups[i].fit,
-                 other.fit,
-                 angle_threshold,
-                 std::max (distance_threshold,
-                           noise_factor * noiseOf (groups[i].fit, other.fit))) &&
-             absorb (groups[i], other);
-    };
-    groups.erase (std::remove_if (groups.begin() + static_cast<std::ptrdiff_t> (i) + 1,
-                                  groups.end(),
-                                  absorbed),
-                  groups.end());
+    if (is_absorbed[i])
+      continue;
+    for (std::size_t j = i + 1; j < groups.size(); ++j)
+      if (std::abs (normals[i].dot (normals[j])) > least_cosine && !is_absorbed[j] &&
+          absorbs (groups[i], groups[j])) {
+        is_absorbed[j] = true;
+        normals[i] = groups[i].fit.plane.normal;
+      }
+    kept.push_back (std::move (groups[i]));
   }
+  const bool has_merged = kept.size() < groups.size();
+  groups = std::move (kept);
   sortByFallingCount (groups);
-  return groups.size() < before;
+  return has_merged;
 }
 
 } // namespace

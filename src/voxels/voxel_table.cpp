@@ -31,11 +31,32 @@ VoxelTable::findOrAddBlock (BlockKey key)
     return slots_[slot] - 1;
   blocks_.emplace_back();
   blocks_.back().key = key;
-  blocks_.back().voxels.fill (-1);
+  blocks_.back().layers.fill (-1);
   slots_[slot] = static_cast<std::uint32_t> (blocks_.size());
   if (2 * blocks_.size() > slots_.size())
     grow();
   return static_cast<std::uint32_t> (blocks_.size() - 1);
+}
+
+std::uint32_t
+VoxelTable::add (const VoxelKey& key)
+{
+  Block& block = blocks_[last_block_];
+  std::int32_t& layer = block.layers[static_cast<std::size_t> (key.z & mask)];
+  if (layer < 0) {
+    layer = static_cast<std::int32_t> (layers_.size());
+    layers_.emplace_back().fill (-1);
+  }
+  const std::array<std::int32_t, 3> in_block{key.x & mask, key.y & mask, key.z & mask};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    block.touches[axis][0] |= in_block[axis] == 0;
+    block.touches[axis][1] |= in_block[axis] == mask;
+  }
+  const auto number = static_cast<std::uint32_t> (keys_.size());
+  layers_[static_cast<std::size_t> (layer)][positionInLayer (key)] =
+      static_cast<std::int32_t> (number);
+  keys_.push_back (key);
+  return number;
 }
 
 void
@@ -59,13 +80,12 @@ VoxelTable::sort()
   std::vector<VoxelKey> sorted;
   sorted.reserve (keys_.size());
   for (const std::uint32_t block : order_)
-    for (std::int32_t& voxel : blocks_[block].voxels)
-      if (voxel >= 0) {
-        const auto number = static_cast<std::uint32_t> (sorted.size());
-        new_number[static_cast<std::size_t> (voxel)] = number;
-        sorted.push_back (keys_[static_cast<std::size_t> (voxel)]);
-        voxel = static_cast<std::int32_t> (number);
-      }
+    forVoxelsOf (blocks_[block], layers_, [&] (std::int32_t& voxel) {
+      const auto number = static_cast<std::uint32_t> (sorted.size());
+      new_number[static_cast<std::size_t> (voxel)] = number;
+      sorted.push_back (keys_[static_cast<std::size_t> (voxel)]);
+      voxel = static_cast<std::int32_t> (number);
+    });
   keys_ = std::move (sorted);
   return new_number;
 }
@@ -93,29 +113,55 @@ overlapOf (int block_offset, int edge)
 } // namespace
 
 void
+VoxelTable::copyInto (
+    PaddedBlock& padded, const Block& block, int dx, int dy, int dz) const
+{
+  const Overlap x = overlapOf (dx, block_edge), y = overlapOf (dy, block_edge),
+                z = overlapOf (dz, block_edge);
+  for (int k = 0; k < z.size; ++k) {
+    const std::int32_t layer = block.layers[static_cast<std::size_t> (z.from + k)];
+    if (layer < 0)
+      continue;
+    const std::int32_t* const voxels = layers_[static_cast<std::size_t> (layer)].data();
+    for (int j = 0; j < y.size; ++j)
+      std::copy_n (voxels + (y.from + j) * block_edge + x.from,
+                   x.size,
+                   padded.data() + ((z.to + k) * padded_edge + y.to + j) * padded_edge +
+                       x.to);
+  }
+}
+
+void
+VoxelTable::clearAround (const Block& block, PaddedBlock& padded)
+{
+  constexpr int layer_size = padded_edge * padded_edge;
+  for (int z = 0; z < padded_edge; ++z)
+    for (int k = std::max (0, z - 2); k <= std::min (mask, z); ++k)
+      if (block.layers[static_cast<std::size_t> (k)] >= 0) {
+        std::fill_n (padded.data() + z * layer_size, layer_size, -1);
+        break;
+      }
+}
+
+void
 VoxelTable::pad (const Block& block, PaddedBlock& padded) const
 {
-  padded.fill (-1);
+  clearAround (block, padded);
   const VoxelKey corner = cornerOf (block.key);
+  const auto is_touched = [&block] (std::size_t axis, int offset) {
+    return offset == 0 || block.touches[axis][offset > 0];
+  };
   for (int dz = -1; dz <= 1; ++dz)
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
+        if (!is_touched (0, dx) || !is_touched (1, dy) || !is_touched (2, dz))
+          continue;
         const std::uint32_t found =
             slots_[findSlot (blockKey ({corner.x + dx * block_edge,
                                         corner.y + dy * block_edge,
                                         corner.z + dz * block_edge}))];
-        if (found == 0)
-          continue;
-        const std::int32_t* const voxels = blocks_[found - 1].voxels.data();
-        const Overlap x = overlapOf (dx, block_edge), y = overlapOf (dy, block_edge),
-                      z = overlapOf (dz, block_edge);
-        for (int k = 0; k < z.size; ++k)
-          for (int j = 0; j < y.size; ++j)
-            std::copy_n (
-                voxels + ((z.from + k) * block_edge + y.from + j) * block_edge + x.from,
-                x.size,
-                padded.data() + ((z.to + k) * padded_edge + y.to + j) * padded_edge +
-                    x.to);
+        if (found != 0)
+          copyInto (padded, blocks_[found - 1], dx, dy, dz);
       }
 }
 
@@ -136,16 +182,13 @@ VoxelTable::neighbours (unsigned threads) const
 VoxelNeighbours
 VoxelTable::neighboursIn (std::size_t first_block, std::size_t last_block) const
 {
-  constexpr std::int32_t mask = block_edge - 1;
   VoxelNeighbours neighbours;
   PaddedBlock padded;
   std::array<std::uint32_t, 27> found{};
   for (std::size_t b = first_block; b < last_block; ++b) {
     const Block& block = blocks_[order_[b]];
     pad (block, padded);
-    for (const std::int32_t voxel : block.voxels) {
-      if (voxel < 0)
-        continue;
+    forVoxelsOf (block, layers_, [&] (std::int32_t voxel) {
       const VoxelKey& key = keys_[static_cast<std::size_t> (voxel)];
       const std::int32_t* const corner =
           padded.data() +
@@ -162,7 +205,7 @@ VoxelTable::neighboursIn (std::size_t first_block, std::size_t last_block) const
             number += neighbour >= 0;
           }
       neighbours.add (found.data(), number);
-    }
+    });
   }
   return neighbours;
 }

@@ -14,7 +14,9 @@ namespace pcl_ops::internal {
  *
  * Voxels are kept in blocks of 8 x 8 x 8 that are looked up by a hash; points that
  * follow each other mostly share a block, and a surface fills a good share of the
- * blocks it crosses. */
+ * blocks it crosses. Where points are so far apart that each has a block of its own,
+ * that holds the one layer of 8 x 8 which is occupied, and nothing is looked up around
+ * it but what a voxel of it touches. */
 class VoxelTable {
 public:
   VoxelTable();
@@ -28,12 +30,12 @@ public:
       last_block_ = findOrAddBlock (block_key);
       last_key_ = block_key;
     }
-    std::int32_t& voxel = blocks_[last_block_].voxels[positionInBlock (key)];
-    if (voxel < 0) {
-      voxel = static_cast<std::int32_t> (keys_.size());
-      keys_.push_back (key);
-    }
-    return static_cast<std::uint32_t> (voxel);
+    const std::int32_t layer =
+        blocks_[last_block_].layers[static_cast<std::size_t> (key.z & mask)];
+    const std::int32_t voxel =
+        layer < 0 ? -1
+                  : layers_[static_cast<std::size_t> (layer)][positionInLayer (key)];
+    return voxel < 0 ? add (key) : static_cast<std::uint32_t> (voxel);
   }
 
   std::size_t
@@ -62,11 +64,18 @@ private:
   using BlockKey = std::uint64_t;
   static constexpr int block_bits = 3;
   static constexpr int block_edge = 1 << block_bits;
+  static constexpr int mask = block_edge - 1;
   static constexpr int coordinate_bits = 21;
+
+  /** \brief Voxels of a block that share their z; -1 where there is none. */
+  using Layer = std::array<std::int32_t, block_edge * block_edge>;
 
   struct Block {
     BlockKey key = 0;
-    std::array<std::int32_t, block_edge * block_edge * block_edge> voxels;
+    /** \brief By z; -1 where there is none. */
+    std::array<std::int32_t, block_edge> layers;
+    /** \brief Whether a voxel touches the block before and the one after, by axis. */
+    std::array<std::array<bool, 2>, 3> touches{};
   };
 
   static BlockKey
@@ -78,12 +87,24 @@ private:
   }
 
   static std::size_t
-  positionInBlock (const VoxelKey& key)
+  positionInLayer (const VoxelKey& key)
   {
-    constexpr int mask = block_edge - 1;
-    return static_cast<std::size_t> (
-        ((((key.z & mask) << block_bits) | (key.y & mask)) << block_bits) |
-        (key.x & mask));
+    return static_cast<std::size_t> (((key.y & mask) << block_bits) | (key.x & mask));
+  }
+
+  /** \brief Number of a new voxel of the block looked up last. */
+  std::uint32_t
+  add (const VoxelKey& key);
+  /** \brief Visits the voxels of a block by z, y and x. */
+  template <typename Layers, typename Visit>
+  static void
+  forVoxelsOf (const Block& block, Layers& layers, Visit&& visit)
+  {
+    for (const std::int32_t layer : block.layers)
+      if (layer >= 0)
+        for (auto& voxel : layers[static_cast<std::size_t> (layer)])
+          if (voxel >= 0)
+            visit (voxel);
   }
 
   std::size_t
@@ -99,6 +120,11 @@ private:
   using PaddedBlock = std::array<std::int32_t, padded_edge * padded_edge * padded_edge>;
   void
   pad (const Block& block, PaddedBlock& padded) const;
+  /** \brief Of a padded block the layers that are next to one of the block. */
+  static void
+  clearAround (const Block& block, PaddedBlock& padded);
+  void
+  copyInto (PaddedBlock& padded, const Block& block, int dx, int dy, int dz) const;
 
   /** \brief Neighbours of the voxels of some of the blocks, in their order. */
   VoxelNeighbours
@@ -107,9 +133,10 @@ private:
   static VoxelKey
   cornerOf (BlockKey key)
   {
-    constexpr BlockKey mask = (BlockKey (1) << coordinate_bits) - 1;
+    constexpr BlockKey coordinate_mask = (BlockKey (1) << coordinate_bits) - 1;
     const auto coordinate = [key] (int axis) {
-      return static_cast<std::int32_t> ((key >> (axis * coordinate_bits)) & mask)
+      return static_cast<std::int32_t> ((key >> (axis * coordinate_bits)) &
+                                        coordinate_mask)
              << block_bits;
     };
     return {coordinate (0), coordinate (1), coordinate (2)};
@@ -117,6 +144,7 @@ private:
 
   std::vector<VoxelKey> keys_;
   std::vector<Block> blocks_;
+  std::vector<Layer> layers_;
   /** \brief The blocks by their coordinates, once sorted. */
   std::vector<std::uint32_t> order_;
   /** \brief Open addressing: block number + 1, 0 for a free slot. */

@@ -92,7 +92,7 @@ TEST (FspfPreset, DefaultHasTheRadiiOfTableOne)
   EXPECT_EQ (preset.local.inliers, LocalInliers::Sphere);
   EXPECT_EQ (preset.local.max_inliers_per_point, 2.0);
   EXPECT_EQ (preset.local.max_hypotheses_per_point, 1.0);
-  EXPECT_EQ (preset.local.max_visits_per_point, 300.0);
+  EXPECT_EQ (preset.local.max_visits_per_point, 100.0);
 }
 
 TEST (FspfPreset, PaperHasTheRadiiOfTableFour)
@@ -108,7 +108,7 @@ TEST (FspfPreset, PaperHasTheRadiiOfTableFour)
   EXPECT_EQ (preset.local.inliers, LocalInliers::Sphere);
   EXPECT_EQ (preset.local.max_inliers_per_point, 2.0);
   EXPECT_EQ (preset.local.max_hypotheses_per_point, 1.0);
-  EXPECT_EQ (preset.local.max_visits_per_point, 300.0);
+  EXPECT_EQ (preset.local.max_visits_per_point, 100.0);
 }
 
 TEST (KhtPreset, DefaultIsTheRecommendedOne)
