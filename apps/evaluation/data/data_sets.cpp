@@ -8,7 +8,7 @@
 #include "sun_rgbd.h"
 #include <cli/errors.h>
 #include <cli/option_value.h>
-#include <io/output_file.h>
+#include <io/cloud_file.h>
 #include <simulation/corner.h>
 #include <simulation/dense_scan.h>
 #include <simulation/depth_noise.h>
