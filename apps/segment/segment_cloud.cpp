@@ -121,7 +121,11 @@ saveOutputs (const SegmentOptions& options,
   if (!outputs.image.empty())
     savePicture (outputs.image, *shifted.cloud, labels, planes, report.detected.up);
   if (!outputs.mesh.empty())
-    saveMesh (outputs.mesh, poseOf (cloud), planes, report.extents);
+    saveMesh (outputs.mesh,
+              poseOf (cloud),
+              planes,
+              report.extents,
+              shifted.shift.isZero (0.0) ? Precision::Single : Precision::Double);
   if (!outputs.rest.empty())
     saveRest (outputs.rest, cloud, shifted, labels);
   if (!outputs.planes_dir.empty())

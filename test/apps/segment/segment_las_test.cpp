@@ -6,7 +6,9 @@
 #include <support/las_bytes.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
+#include <sstream>
 
 namespace {
 
@@ -117,6 +119,22 @@ TEST_F (SegmentLas, HasUtmCoordinatesInEveryOutput)
                    recipe_.points[first + i].at (axis) * recipe_.scale +
                        recipe_.offset.at (axis));
     }
+  }
+}
+
+TEST_F (SegmentLas, HasMillimetresInItsMesh)
+{
+  for (auto& point : recipe_.points)
+    point[1] += 1;
+  folder_.write ("in.las", lasBytes (recipe_));
+  for (const char* mesh : {"m.ply", "m.vtk"}) {
+    ASSERT_EQ (run (std::string ("in.las --mesh ") + mesh).exit_code, 0);
+    double southmost = std::numeric_limits<double>::infinity();
+    std::istringstream words (contentOf (folder_ / mesh));
+    for (std::string word; words >> word;)
+      if (const double number = std::strtod (word.c_str(), nullptr); number > 5e6)
+        southmost = std::min (southmost, number);
+    EXPECT_NEAR (southmost, 5400000.001, 1e-4) << mesh;
   }
 }
 
