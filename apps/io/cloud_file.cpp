@@ -6,6 +6,7 @@
 #include <pcl/io/ply_io.h>
 
 #include "cloud_fields.h"
+#include "las_file.h"
 #include "output_file.h"
 #include "pcd_header.h"
 #include "ply_header.h"
@@ -33,9 +34,11 @@ checkReadable (const std::string& file)
   if (!fs::exists (status))
     throw WorkError (file, "does not exist; check the name");
   if (fs::is_directory (status))
-    throw WorkError (file, "is a folder; give a .pcd or .ply file");
+    throw WorkError (file,
+                     std::string ("is a folder; give a ") + cloud_extensions + " file");
   if (!fs::is_regular_file (status))
-    throw WorkError (file, "is no regular file; give a .pcd or .ply file");
+    throw WorkError (
+        file, std::string ("is no regular file; give a ") + cloud_extensions + " file");
 }
 
 /** \brief PCL's reader; what it throws or returns on failure becomes one error. */
@@ -92,12 +95,23 @@ makePoseValid (FileCloud& cloud)
 
 } // namespace
 
+bool
+isCloudFile (const std::string& file)
+{
+  const std::string extension = extensionOf (file);
+  return extension == ".pcd" || extension == ".ply" || extension == ".las";
+}
+
 FileCloud
 loadCloud (const std::string& file)
 {
   const std::string extension = extensionOf (file);
-  if (extension != ".pcd" && extension != ".ply")
-    throw UsageError (file, "has an unknown extension; give a .pcd or .ply file");
+  if (extension == ".laz")
+    failCompressed (file);
+  if (!isCloudFile (file))
+    throw UsageError (file,
+                      std::string ("has an unknown extension; give a ") +
+                          cloud_extensions + " file");
   checkReadable (file);
   FileCloud cloud;
   if (extension == ".pcd") {
@@ -105,6 +119,10 @@ loadCloud (const std::string& file)
     readWith (pcl::PCDReader(), file, cloud);
     cloud.origin << viewpoint.origin, 0.0f;
     cloud.orientation = viewpoint.orientation;
+  }
+  else if (extension == ".las") {
+    cloud.las = std::make_shared<LasFile> (file);
+    cloud.points = cloud.las->readPoints();
   }
   else {
     checkPlyFile (file);

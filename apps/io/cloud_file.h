@@ -6,9 +6,15 @@
 
 #include <Eigen/Geometry>
 
+#include <memory>
 #include <string>
 
 namespace pcl_ops::apps {
+
+class LasFile;
+
+/** \brief The extensions of \ref loadCloud, for messages. */
+inline constexpr const char* cloud_extensions = ".pcd, .ply or .las";
 
 /** \brief A cloud as its file has it: every field, and where the sensor stood. */
 struct FileCloud {
@@ -17,6 +23,8 @@ struct FileCloud {
    * file has none or an invalid one, and for PLY, whose camera PCL's reader drops. */
   Eigen::Vector4f origin = Eigen::Vector4f::Zero();
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+  /** \brief Where the cloud is from a LAS: what has all its other bytes, too. */
+  std::shared_ptr<LasFile> las = {};
 
   std::size_t
   size () const
@@ -25,7 +33,11 @@ struct FileCloud {
   }
 };
 
-/** \brief Reads a .pcd (ascii, binary, binary_compressed) or .ply file.
+/** \brief Whether a file has one of \ref cloud_extensions. */
+bool
+isCloudFile (const std::string& file);
+
+/** \brief Reads a .pcd (ascii, binary, binary_compressed), .ply or .las file.
  *
  * The file's header is checked before PCL's readers see it: they crash on broken ones.
  * \throws UsageError for another extension, WorkError if the file is missing, a folder,

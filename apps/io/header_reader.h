@@ -11,8 +11,8 @@ namespace pcl_ops::apps {
 
 using Words = std::vector<std::string>;
 
-/** \brief Reads the text header in front of a cloud file's data, and data that is text
- * itself, and words the complaints about them. */
+/** \brief Reads the header in front of a cloud file's data, text in most formats, and
+ * the data that is looked at here, and words the complaints about them. */
 class HeaderReader {
 public:
   /** \param[in] format e.g. "PCD", for the complaints */

@@ -6,6 +6,7 @@
 #include <cli/interruption.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -102,6 +103,17 @@ readInput (std::vector<char>& buffer)
   return filled;
 }
 
+constexpr std::size_t start_length = 4;
+
+/** \param[in] start the first bytes of a cloud */
+std::string
+extensionOfContent (const std::string& start)
+{
+  if (start == "LASF")
+    return ".las";
+  return start.compare (0, 3, "ply") == 0 ? ".ply" : ".pcd";
+}
+
 } // namespace
 
 FileCloud
@@ -112,8 +124,8 @@ loadStandardInput ()
     throw UsageError (standard_input, "is the terminal; pipe a PCD into the program");
   std::vector<char> buffer (buffer_size);
   std::size_t count = readInput (buffer);
-  const bool is_ply = count > 3 && std::string (buffer.data(), 3) == "ply";
-  Spool spool (is_ply ? ".ply" : ".pcd");
+  Spool spool (
+      extensionOfContent (std::string (buffer.data(), std::min (count, start_length))));
   for (; count > 0; count = readInput (buffer))
     spool.write (buffer.data(), count);
   try {

@@ -4,7 +4,7 @@
 
 #include <cli/errors.h>
 #include <glob.h>
-#include <io/output_file.h>
+#include <io/cloud_file.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -74,17 +74,16 @@ private:
     for (fs::directory_iterator entry (folder, error), end; entry != end && !error;
          entry.increment (error)) {
       const fs::path& path = entry->path();
-      const std::string extension = extensionOf (path.string());
       const bool is_hidden = path.filename().string().front() == '.';
-      if (!is_hidden && (extension == ".pcd" || extension == ".ply"))
+      if (!is_hidden && isCloudFile (path.string()))
         clouds.push_back (path.string());
     }
     if (error)
       fail (folder, "cannot be read (" + error.message() + "); check its permissions");
     else if (clouds.empty())
       fail (folder,
-            "has no .pcd or .ply file; give a folder with clouds (subfolders are not "
-            "searched)");
+            std::string ("has no ") + cloud_extensions +
+                " file; give a folder with clouds (subfolders are not searched)");
     std::sort (clouds.begin(), clouds.end());
     for (const std::string& cloud : clouds)
       addFile (cloud);

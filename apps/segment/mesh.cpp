@@ -41,13 +41,15 @@ facesOf ([[maybe_unused]] const PlaneSegment& plane, const PlaneExtent& extent)
 
 /** \brief A corner of an outline. */
 struct Corner {
-  Eigen::Vector3f place;
+  Eigen::Vector3d place;
   pcl::RGB color;
 };
 
 struct Mesh {
   std::vector<Corner> corners;
   std::vector<pcl::Indices> faces;
+  /** \brief Of coordinates, as PLY and VTK call it. */
+  const char* type;
 };
 
 Mesh
@@ -55,7 +57,7 @@ toMesh (const Eigen::Isometry3d& pose,
         const std::vector<PlaneSegment>& planes,
         const std::vector<PlaneExtent>& extents)
 {
-  Mesh mesh;
+  Mesh mesh{{}, {}, "float"};
   for (std::size_t p = 0; p < planes.size(); ++p) {
     if (extents[p].hull.empty())
       continue;
@@ -67,7 +69,7 @@ toMesh (const Eigen::Isometry3d& pose,
     }
     const pcl::RGB color = colorOfLabel (static_cast<std::uint32_t> (p + 1));
     for (const Eigen::Vector3d& corner : extents[p].hull)
-      mesh.corners.push_back ({(pose * corner).cast<float>(), color});
+      mesh.corners.push_back ({pose * corner, color});
   }
   return mesh;
 }
@@ -92,9 +94,10 @@ writeFaces (const Mesh& mesh, std::ostream& stream)
 void
 writePly (const Mesh& mesh, std::ostream& stream)
 {
-  stream << "ply\nformat ascii 1.0\nelement vertex " << mesh.corners.size()
-         << "\nproperty float x\nproperty float y\nproperty float z\n"
-            "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+  stream << "ply\nformat ascii 1.0\nelement vertex " << mesh.corners.size() << '\n';
+  for (const char axis : {'x', 'y', 'z'})
+    stream << "property " << mesh.type << ' ' << axis << '\n';
+  stream << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
             "element face "
          << mesh.faces.size()
          << "\nproperty list uint int vertex_indices\nend_header\n";
@@ -116,7 +119,7 @@ writeVtk (const Mesh& mesh, std::ostream& stream)
     numbers += face.size();
   stream << "# vtk DataFile Version 3.0\noutlines of planes\nASCII\nDATASET POLYDATA\n"
             "POINTS "
-         << mesh.corners.size() << " float\n";
+         << mesh.corners.size() << ' ' << mesh.type << '\n';
   for (const Corner& corner : mesh.corners) {
     writePlace (corner, stream);
     stream << '\n';
@@ -135,15 +138,20 @@ void
 saveMesh (const std::string& file,
           const Eigen::Isometry3d& sensor_pose,
           const std::vector<PlaneSegment>& planes,
-          const std::vector<PlaneExtent>& extents)
+          const std::vector<PlaneExtent>& extents,
+          Precision precision)
 {
   const bool is_vtk = extensionOf (file) == ".vtk";
   const Eigen::Isometry3d pose = is_vtk ? sensor_pose : Eigen::Isometry3d::Identity();
-  const Mesh mesh = toMesh (pose, planes, extents);
+  const bool is_double = precision == Precision::Double;
+  Mesh mesh = toMesh (pose, planes, extents);
+  if (is_double)
+    mesh.type = "double";
   // PCL's and VTK's writers want a name and do not tell of a full disk.
   writeFile (file, [&] (std::ostream& stream) {
     stream.imbue (std::locale::classic());
-    stream.precision (std::numeric_limits<float>::max_digits10);
+    stream.precision (is_double ? std::numeric_limits<double>::max_digits10
+                                : std::numeric_limits<float>::max_digits10);
     is_vtk ? writeVtk (mesh, stream) : writePly (mesh, stream);
   });
 }

@@ -11,6 +11,10 @@
 
 namespace pcl_ops::apps {
 
+/** \brief Of a mesh's coordinates: PCL's point types cannot read doubles, and single
+ * precision loses places far from zero. */
+enum class Precision { Single, Double };
+
 /** \brief Writes the outlines of planes as a mesh in one step (\ref writeFile), each in
  * the colour its points have in the labelled cloud. Outlines without area are left out.
  * \param[in] file a .ply in the file's frame, or a .vtk for pcl_viewer
@@ -23,6 +27,7 @@ void
 saveMesh (const std::string& file,
           const Eigen::Isometry3d& sensor_pose,
           const std::vector<PlaneSegment>& planes,
-          const std::vector<PlaneExtent>& extents);
+          const std::vector<PlaneExtent>& extents,
+          Precision precision);
 
 } // namespace pcl_ops::apps

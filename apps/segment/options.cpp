@@ -25,9 +25,10 @@ constexpr const char* summary =
     "Finds the planes of point clouds and labels every point with its plane.";
 
 constexpr const char* in_and_out =
-    "  INPUT       .pcd or .ply; - for one that is piped in. With --output-dir also\n"
+    "  INPUT       .pcd, .ply or .las; - for one piped in. With --output-dir also\n"
     "              several, folders (without subfolders), patterns as 'scans/*.pcd'\n"
-    "  OUTPUT.pcd  the cloud with label (0: no plane, 1: the largest, ...) and rgb\n"
+    "  OUTPUT.pcd  the cloud with label (0: no plane, 1: the largest, ...) and rgb;\n"
+    "              .las of a .las: all as it was, and the label as extra bytes plane\n"
     "  prints      a table of the planes; with INPUT - their JSON; with --output-dir\n"
     "              a line for each input, and goes on where one is bad\n"
     "  no plane    is no failure: all labels 0, and a hint which option to change\n"
@@ -123,7 +124,7 @@ void
 checkOutputs (const SegmentOptions& options)
 {
   const Outputs& outputs = options.outputs;
-  checkExtension ("OUTPUT", outputs.cloud, {".pcd"});
+  checkExtension ("OUTPUT", outputs.cloud, {".pcd", ".las"});
   if (outputs.planes != standard_stream)
     checkExtension ("--planes", outputs.planes, {".json", ".csv"});
   checkExtension ("--image", outputs.image, {".png"});

@@ -6,12 +6,14 @@
 #include "filter.h"
 #include "mesh.h"
 #include "parts.h"
+#include <cli/errors.h>
 #include <cli/interruption.h>
 #include <cli/memory.h>
 #include <detection/up_search.h>
 #include <io/cloud_damage.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
+#include <io/las_file.h>
 #include <io/output_file.h>
 #include <io/standard_input.h>
 #include <picture/colors.h>
@@ -36,11 +38,34 @@ detectPlanes (const SegmentOptions& options, const ShiftedCloud& shifted)
   return detected;
 }
 
+/** \brief How the input is called in messages. */
+std::string
+nameOfInput (const Task& task)
+{
+  return task.input == standard_stream ? standard_input : task.input;
+}
+
+constexpr const char* las_extension = ".las";
+
+/** \brief Refuses an output that cannot have all of the input and labels. */
 void
-saveLabelled (const std::string& file,
-              FileCloud cloud,
-              const std::vector<std::uint32_t>& labels,
-              bool keeps_color)
+checkTakesLabels (const Task& task, const FileCloud& cloud)
+{
+  const std::string& output = task.outputs.cloud;
+  if (extensionOf (output) != las_extension)
+    return;
+  if (cloud.las == nullptr)
+    throw UsageError (output, "is LAS, which the input is not; give a file .pcd");
+  const std::string problem = cloud.las->problemOfLabels();
+  if (!problem.empty())
+    throw WorkError (nameOfInput (task), problem);
+}
+
+void
+saveLabelledPcd (const std::string& file,
+                 FileCloud cloud,
+                 const std::vector<std::uint32_t>& labels,
+                 bool keeps_color)
 {
   setLabels (cloud, labels);
   if (!keeps_color || !(hasField (cloud, "rgb") || hasField (cloud, "rgba"))) {
@@ -51,6 +76,18 @@ saveLabelled (const std::string& file,
     setColors (cloud, colors);
   }
   savePcd (file, cloud);
+}
+
+void
+saveLabelled (const std::string& file,
+              const FileCloud& cloud,
+              const std::vector<std::uint32_t>& labels,
+              bool keeps_color)
+{
+  if (extensionOf (file) == las_extension)
+    saveLabelledLas (file, *cloud.las, labels);
+  else
+    saveLabelledPcd (file, cloud, labels, keeps_color);
 }
 
 Eigen::Isometry3d
@@ -84,7 +121,11 @@ saveOutputs (const SegmentOptions& options,
   if (!outputs.image.empty())
     savePicture (outputs.image, *shifted.cloud, labels, planes, report.detected.up);
   if (!outputs.mesh.empty())
-    saveMesh (outputs.mesh, poseOf (cloud), planes, report.extents);
+    saveMesh (outputs.mesh,
+              poseOf (cloud),
+              planes,
+              report.extents,
+              shifted.shift.isZero (0.0) ? Precision::Single : Precision::Double);
   if (!outputs.rest.empty())
     saveRest (outputs.rest, cloud, shifted, labels);
   if (!outputs.planes_dir.empty())
@@ -94,18 +135,12 @@ saveOutputs (const SegmentOptions& options,
     savePlanes (outputs.planes, report);
 }
 
-/** \brief How the input is called in messages. */
-std::string
-nameOfInput (const Task& task)
-{
-  return task.input == standard_stream ? standard_input : task.input;
-}
-
 Report
 segmentInMemory (const SegmentOptions& options, const Task& task)
 {
   const bool is_piped = task.input == standard_stream;
   const FileCloud cloud = is_piped ? loadStandardInput() : loadCloud (task.input);
+  checkTakesLabels (task, cloud);
   stopIfInterrupted();
   const ShiftedCloud shifted = shiftedCloudOf (cloud);
   Report report{nameOfInput (task),

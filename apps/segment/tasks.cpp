@@ -83,7 +83,8 @@ batchTask (const SegmentOptions& options, const std::string& input)
   };
   const Outputs& given = options.outputs;
   Task task{input, {}};
-  task.outputs.cloud = output ("{}.pcd");
+  const std::string extension = extensionOf (input) == ".las" ? ".las" : ".pcd";
+  task.outputs.cloud = output ("{}" + extension);
   task.outputs.planes = output (given.planes.empty() ? "{}.json" : given.planes);
   task.outputs.image = output (given.image);
   task.outputs.mesh = output (given.mesh);

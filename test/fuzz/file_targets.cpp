@@ -4,11 +4,14 @@
 #include <cli/errors.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
+#include <io/las_file.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <new>
+#include <numeric>
+#include <vector>
 
 namespace pcl_ops::fuzz {
 
@@ -47,8 +50,14 @@ private:
   std::filesystem::path path_;
 };
 
+/** Does nothing with the cloud. */
 void
-load (const Bytes& bytes, const TemporaryFile& file)
+leave (const apps::FileCloud&)
+{}
+
+template <typename Use>
+void
+load (const Bytes& bytes, const TemporaryFile& file, Use&& use)
 {
   try {
     const apps::FileCloud cloud = apps::loadCloud (file.write (bytes));
@@ -57,6 +66,7 @@ load (const Bytes& bytes, const TemporaryFile& file)
              "a cloud has as many bytes as its size says");
     promise (apps::shiftedCloudOf (cloud).cloud->size() == cloud.size(),
              "every point has coordinates");
+    use (cloud);
   }
   catch (const apps::ProgramError& error) {
     promise (std::string (error.what()).find ('\n') == std::string::npos,
@@ -73,14 +83,32 @@ void
 loadPcd (const Bytes& bytes)
 {
   static const TemporaryFile file (".pcd");
-  load (bytes, file);
+  load (bytes, file, leave);
 }
 
 void
 loadPly (const Bytes& bytes)
 {
   static const TemporaryFile file (".ply");
-  load (bytes, file);
+  load (bytes, file, leave);
+}
+
+void
+loadLas (const Bytes& bytes)
+{
+  static const TemporaryFile file (".las"), labelled_file ("_labelled.las");
+  load (bytes, file, [] (const apps::FileCloud& cloud) {
+    if (!cloud.las->problemOfLabels().empty())
+      return;
+    std::vector<std::uint32_t> labels (cloud.size());
+    std::iota (labels.begin(), labels.end(), 1U);
+    const std::string name = labelled_file.write ({});
+    apps::saveLabelledLas (name, *cloud.las, labels);
+    apps::FileCloud labelled = apps::loadCloud (name), expected = cloud;
+    apps::setLabels (expected, labels);
+    promise (labelled.points.data == expected.points.data,
+             "labels and points are read as they were written");
+  });
 }
 
 } // namespace pcl_ops::fuzz

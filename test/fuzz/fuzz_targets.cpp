@@ -11,6 +11,7 @@ allTargets ()
 {
   static const std::vector<FuzzTarget> targets = {{"pcd", loadPcd},
                                                   {"ply", loadPly},
+                                                  {"las", loadLas},
                                                   {"options", readOptions},
                                                   {"ops", detectByOps},
                                                   {"ops_paper", detectByPublishedOps},

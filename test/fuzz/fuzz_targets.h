@@ -29,6 +29,10 @@ loadPcd (const Bytes& bytes);
 void
 loadPly (const Bytes& bytes);
 
+/** \brief And labels it, where it takes labels: they and the points are read back. */
+void
+loadLas (const Bytes& bytes);
+
 /** \brief Takes lines for what stands on a command line, and detects planes in a small
  * cloud by it: planes, or an error of one line. */
 void

@@ -8,7 +8,7 @@
 #include "sun_rgbd.h"
 #include <cli/errors.h>
 #include <cli/option_value.h>
-#include <io/output_file.h>
+#include <io/cloud_file.h>
 #include <simulation/corner.h>
 #include <simulation/dense_scan.h>
 #include <simulation/depth_noise.h>
@@ -30,7 +30,7 @@ const char* const data_set_help =
     "furniture:FIRST-LAST (boards on posts in a corner, by seed), "
     "survey:FIRST-LAST (36 houses on a ground, by seed), "
     "shapes:FIRST-LAST (round shapes beside a ground, by seed), "
-    "clouds:PATH (.pcd and .ply, field label as truth)";
+    "clouds:PATH (.pcd, .ply and .las, field label as truth)";
 
 namespace {
 
@@ -190,13 +190,13 @@ cloudFilesIn (const std::string& folder)
   std::error_code error;
   for (fs::recursive_directory_iterator entry (folder, error), end; entry != end;
        entry.increment (error)) {
-    const std::string extension = apps::extensionOf (entry->path().string());
-    if (extension == ".pcd" || extension == ".ply")
+    if (apps::isCloudFile (entry->path().string()))
       files.push_back (entry->path());
   }
   if (files.empty())
     throw apps::WorkError (folder,
-                           "has no .pcd or .ply file; give a folder with clouds");
+                           std::string ("has no ") + apps::cloud_extensions +
+                               " file; give a folder with clouds");
   std::sort (files.begin(), files.end());
   return files;
 }

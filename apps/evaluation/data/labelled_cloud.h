@@ -19,9 +19,9 @@ struct LabelledCloud {
 
 enum class LabelField { Required, Optional };
 
-/** \brief Reads a .pcd or .ply file whose points have an integer field `label`; none
- * leaves the labels empty where the field is optional.
- * \throw apps::WorkError if that fails or the field is required and missing */
+/** \brief Reads a .pcd, .ply or .las file whose points have an integer field `label`;
+ * none leaves the labels empty where the field is optional. \throw apps::WorkError if
+ * that fails or the field is required and missing */
 LabelledCloud
 loadLabelledCloud (const std::string& file, LabelField field = LabelField::Required);
 

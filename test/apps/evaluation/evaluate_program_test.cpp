@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <support/las_bytes.h>
 #include <support/run_program.h>
 #include <support/temporary_folder.h>
 
@@ -41,6 +42,23 @@ floorOf (int side, LabelOf label)
   return pcd ("x y z label", side * side, rows.str());
 }
 
+/** The same as LAS, in UTM coordinates. */
+template <typename LabelOf>
+std::string
+lasFloorOf (int side, LabelOf label)
+{
+  constexpr std::uint8_t uint32 = 5;
+  LasRecipe recipe;
+  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("plane", uint32))};
+  recipe.points.clear();
+  for (int i = 0; i < side * side; ++i) {
+    recipe.points.push_back ({20 * (i % side), 20 * (i / side), 0});
+    recipe.extra.push_back (
+        pcl_ops::apps::littleEndian (static_cast<std::uint32_t> (label (i))));
+  }
+  return lasBytes (recipe);
+}
+
 const std::string one_plane = floorOf (10, [] (int) { return 1; });
 const std::string two_halves = floorOf (10, [] (int i) { return i < 60 ? 4 : 9; });
 const std::string no_plane = floorOf (10, [] (int) { return 0; });
@@ -63,6 +81,19 @@ TEST (EvaluateProgram, ComparesTwoLabelledClouds)
   EXPECT_EQ (json["precision_75"], 0.0);
   EXPECT_EQ (json["missed_75"], 0.0); // over-segmented, so not missed
   EXPECT_EQ (json["points_off_planes_called_planes"], 0.0);
+}
+
+TEST (EvaluateProgram, ComparesThePlanesInTheExtraBytesOfTwoLasFiles)
+{
+  const TemporaryFolder folder;
+  const std::string truth =
+                        folder.write ("t.las", lasFloorOf (10, [] (int) { return 1; })),
+                    result = folder.write ("r.las", lasFloorOf (10, [] (int i) {
+                                             return i < 60 ? 4 : 9;
+                                           }));
+  const ProgramRun run = evaluate ("compare " + truth + " " + result + " --json");
+  ASSERT_EQ (run.exit_code, 0) << run.text;
+  EXPECT_EQ (nlohmann::json::parse (run.text)["segmentation_accuracy"], 0.6);
 }
 
 TEST (EvaluateProgram, CountsTruePlanesBySize)

@@ -4,6 +4,9 @@
 #include <pcl/point_types.h>
 
 #include "failing_program.h"
+#include <support/las_bytes.h>
+
+#include <fstream>
 
 namespace fs = std::filesystem;
 
@@ -26,6 +29,19 @@ saveScene (const std::string& file, int side = 50)
   pcl::io::savePCDFileBinary (file, cloud);
 }
 
+void
+saveLas (const std::string& file)
+{
+  LasRecipe recipe;
+  recipe.points.clear();
+  for (std::int32_t i = 0; i < 50; ++i)
+    for (std::int32_t j = 0; j < 50; ++j) {
+      recipe.points.push_back ({40 * i, 40 * j, 0});
+      recipe.points.push_back ({2000, 40 * j, 40 * i + 20});
+    }
+  std::ofstream (file, std::ios::binary) << lasBytes (recipe);
+}
+
 const std::string segment = PCL_OPS_SEGMENT_PROGRAM,
                   simulate = PCL_OPS_SIMULATE_PROGRAM,
                   evaluate = PCL_OPS_EVALUATE_PROGRAM,
@@ -40,6 +56,7 @@ allOutputs ()
   const std::string on_clouds = "OUT clouds:clouds --detectors ops";
   return {
       {"Cloud", segment, "in.pcd OUT", "out/a.pcd", "out/a.pcd"},
+      {"Las", segment, "in.las OUT", "out/a.las", "out/a.las"},
       {"Threads", segment, "in.pcd OUT --threads 4", "out/a.pcd", "out/a.pcd"},
       {"Rest", segment, "in.pcd --rest OUT", "out/a.pcd", "out/a.pcd"},
       {"Json", segment, "in.pcd --planes OUT", "out/a.json", "out/a.json"},
@@ -70,6 +87,7 @@ protected:
     fs::create_directories (program_.folder() / "clouds");
     fs::create_directories (program_.folder() / "out");
     saveScene (program_.folder() / "in.pcd");
+    saveLas (program_.folder() / "in.las");
     saveScene (program_.folder() / "clouds/scene.pcd");
     program_.protect();
   }

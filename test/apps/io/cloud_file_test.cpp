@@ -205,12 +205,12 @@ TEST_F (CloudFile, NamesWhatIsNoCloud)
   EXPECT_EQ (complaintAbout (folder_ / std::string (256, 'n') + ".pcd"),
              "has a name that is too long; check it");
   EXPECT_EQ (complaintAbout (folder_.write ("a.xyz", "1 2 3")),
-             "has an unknown extension; give a .pcd or .ply file");
+             "has an unknown extension; give a .pcd, .ply or .las file");
   EXPECT_EQ (complaintAbout (folder_.write ("empty.pcd", "")),
              "is empty; write it again");
   std::filesystem::create_directory (folder_ / "folder.pcd");
   EXPECT_EQ (complaintAbout (folder_ / "folder.pcd"),
-             "is a folder; give a .pcd or .ply file");
+             "is a folder; give a .pcd, .ply or .las file");
   const std::string none = asciiPcd ("POINTS 0", "");
   EXPECT_EQ (complaintAbout (folder_.write (
                  "none.pcd",

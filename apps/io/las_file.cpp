@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "las_file.h"
+
+#include "little_endian.h"
+#include "output_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+#include <ostream>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+using pcl::PCLPointField;
+
+constexpr std::uint64_t label_length = sizeof (std::uint32_t);
+
+/** \brief Bytes that a copy has in place of some of the file. */
+struct LasEdit {
+  std::uint64_t begin, replaced;
+  std::string bytes;
+};
+
+/** \brief Copies a part of the file.
+ * \param[in] edits in the order of the file, none of which reaches beyond the part */
+void
+copyEdited (HeaderReader& reader,
+            std::uint64_t begin,
+            std::uint64_t end,
+            std::vector<LasEdit> edits,
+            std::ostream& stream)
+{
+  constexpr std::uint64_t block = 1U << 20U;
+  std::vector<char> bytes (std::min (block, end - begin));
+  edits.push_back ({end, 0, ""});
+  for (const LasEdit& edit : edits) {
+    reader.goTo (begin);
+    while (begin < edit.begin) {
+      const std::uint64_t count = std::min<std::uint64_t> (block, edit.begin - begin);
+      reader.read (bytes.data(), count);
+      stream.write (bytes.data(), static_cast<std::streamsize> (count));
+      begin += count;
+    }
+    stream << edit.bytes;
+    begin += edit.replaced;
+  }
+}
+
+/** \brief Calls \p visit (index, bytes) for each record; it may change the bytes. */
+template <typename Visit>
+void
+forRecords (HeaderReader& reader, const LasHeader& header, Visit&& visit)
+{
+  constexpr std::uint64_t block = 1U << 14U;
+  std::vector<char> bytes (std::min (block, header.points) * header.record_length);
+  reader.goTo (header.points_offset);
+  for (std::uint64_t first = 0; first < header.points; first += block) {
+    const std::uint64_t count = std::min (block, header.points - first);
+    reader.read (bytes.data(), count * header.record_length);
+    for (std::uint64_t i = 0; i < count; ++i)
+      visit (first + i, bytes.data() + i * header.record_length);
+  }
+}
+
+/** \brief What a file has elsewhere where its records have a label more. */
+std::vector<LasEdit>
+editsForLabels (const HeaderReader& reader,
+                const LasHeader& header,
+                const LasExtraBytes& extra)
+{
+  const std::string description = labelDescription (header, extra);
+  const std::string added = extra.vlr ? description : extraBytesVlr (description);
+  const auto moved = [&] (std::uint64_t offset) {
+    const bool is_behind = offset >= header.pointsEnd() && offset <= reader.fileSize();
+    return littleEndian (
+        is_behind ? offset + added.size() + label_length * header.points : offset);
+  };
+  const auto points_offset =
+      static_cast<std::uint32_t> (header.points_offset + added.size());
+  std::vector<LasEdit> edits = {
+      {las_field::points_offset, 4, littleEndian (points_offset)},
+      {las_field::vlr_count, 4, littleEndian (header.vlr_count + (extra.vlr ? 0 : 1))},
+      {las_field::record_length,
+       2,
+       littleEndian (
+           static_cast<std::uint16_t> (header.record_length + label_length))}};
+  if (header.minor_version >= 3)
+    edits.push_back ({las_field::waveform_offset, 8, moved (header.waveform_offset)});
+  if (header.minor_version >= 4)
+    edits.push_back ({las_field::evlr_offset, 8, moved (header.evlr_offset)});
+  if (extra.vlr)
+    edits.push_back ({extra.vlr->begin + vlr_length_field,
+                      2,
+                      littleEndian (static_cast<std::uint16_t> (
+                          extra.vlr->end - extra.vlr->content + added.size()))});
+  edits.push_back ({extra.vlr ? extra.vlr->end : extra.vlrs_end, 0, added});
+  return edits;
+}
+
+void
+addField (const std::string& name, std::uint8_t datatype, pcl::PCLPointCloud2& cloud)
+{
+  PCLPointField field;
+  field.name = name;
+  field.offset = cloud.point_step;
+  field.datatype = datatype;
+  field.count = 1;
+  cloud.fields.push_back (field);
+  cloud.point_step += datatype == PCLPointField::FLOAT64 ? 8 : 4;
+}
+
+/** \brief Puts a number of any type into the bytes of a point. */
+template <typename Number>
+void
+append (Number number, std::uint8_t*& point)
+{
+  std::memcpy (point, &number, sizeof (number));
+  point += sizeof (number);
+}
+
+} // namespace
+
+LasFile::LasFile (const std::string& file)
+: reader_ (file, "LAS")
+, header_ (readLasHeader (reader_, file))
+, extra_ (readLasVlrs (reader_, header_, file))
+{
+  checkLasPoints (reader_, header_, file);
+  checkLasEvlrs (reader_, header_);
+}
+
+pcl::PCLPointCloud2
+LasFile::readPoints()
+{
+  constexpr std::size_t intensity = 12;
+  pcl::PCLPointCloud2 cloud;
+  cloud.point_step = 0;
+  for (const char* axis : {"x", "y", "z"})
+    addField (axis, PCLPointField::FLOAT64, cloud);
+  addField ("intensity", PCLPointField::FLOAT32, cloud);
+  if (extra_.label)
+    addField ("label", PCLPointField::UINT32, cloud);
+  cloud.width = static_cast<pcl::uindex_t> (header_.points);
+  cloud.height = 1;
+  cloud.row_step = cloud.point_step * cloud.width;
+  cloud.data.resize (header_.points * cloud.point_step);
+  std::uint8_t* point = cloud.data.data();
+  forRecords (reader_, header_, [&] (std::uint64_t, const char* record) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const auto raw = fromLittleEndian<std::int32_t> (record + 4 * axis);
+      append (raw * header_.scale[axis] + header_.offset[axis], point);
+    }
+    append (static_cast<float> (fromLittleEndian<std::uint16_t> (record + intensity)),
+            point);
+    if (extra_.label)
+      append (fromLittleEndian<std::uint32_t> (record + *extra_.label), point);
+  });
+  return cloud;
+}
+
+std::string
+LasFile::problemOfLabels() const
+{
+  if (extra_.label)
+    return "";
+  if (extra_.has_other_label)
+    return "has an extra-bytes field plane that is no uint32; rename it or give an "
+           "OUTPUT.pcd";
+  constexpr std::uint64_t most_short = std::numeric_limits<std::uint16_t>::max();
+  const std::uint64_t described =
+      extra_.vlr ? extra_.vlr->end - extra_.vlr->content : 0;
+  const std::uint64_t added = labelDescription (header_, extra_).size();
+  const std::uint64_t with_vlr = extraBytesVlr ("").size() + added;
+  if (described + added > most_short ||
+      header_.record_length + label_length > most_short ||
+      header_.points_offset + with_vlr > std::numeric_limits<std::uint32_t>::max())
+    return "has no room for a further extra-bytes field; give an OUTPUT.pcd";
+  return "";
+}
+
+void
+LasFile::writeLabelled (std::ostream& stream, const std::vector<std::uint32_t>& labels)
+{
+  std::vector<LasEdit> edits;
+  if (!extra_.label)
+    edits = editsForLabels (reader_, header_, extra_);
+  copyEdited (reader_, 0, header_.points_offset, edits, stream);
+  std::string labelled;
+  forRecords (reader_, header_, [&] (std::uint64_t i, const char* record) {
+    labelled.assign (record, header_.record_length);
+    labelled.replace (extra_.label.value_or (labelled.size()),
+                      label_length,
+                      littleEndian (labels[i]));
+    stream << labelled;
+  });
+  copyEdited (reader_, header_.pointsEnd(), reader_.fileSize(), {}, stream);
+}
+
+void
+saveLabelledLas (const std::string& file,
+                 LasFile& las,
+                 const std::vector<std::uint32_t>& labels)
+{
+  writeFile (file, [&] (std::ostream& stream) { las.writeLabelled (stream, labels); });
+}
+
+} // namespace pcl_ops::apps

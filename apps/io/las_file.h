@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/PCLPointCloud2.h>
+
+#include "header_reader.h"
+#include "las_header.h"
+#include "las_vlrs.h"
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief A LAS file, versions 1.2 to 1.4. It stays open, so that all that is no
+ * coordinate need not be in memory to be written again, and may be removed meanwhile.
+ */
+class LasFile {
+public:
+  /** \brief Checks all but the points.
+   * \throws WorkError if it is none, compressed, or does not hold what it promises */
+  explicit LasFile (const std::string& file);
+
+  /** \brief The points with x, y and z in double precision, intensity, and label where
+   * there is one. */
+  pcl::PCLPointCloud2
+  readPoints ();
+
+  /** \brief Why there can be no labels beside all else, with the mend; empty where
+   * there can. */
+  std::string
+  problemOfLabels () const;
+
+  /** \brief Writes every byte of the file with a label for each point, in place of the
+   * one it has.
+   * \throws WorkError if the file was cut meanwhile */
+  void
+  writeLabelled (std::ostream& stream, const std::vector<std::uint32_t>& labels);
+
+private:
+  HeaderReader reader_;
+  LasHeader header_;
+  LasExtraBytes extra_;
+};
+
+/** \brief Writes it labelled in one step (\ref writeFile).
+ * \throws WorkError if it cannot be written */
+void
+saveLabelledLas (const std::string& file,
+                 LasFile& las,
+                 const std::vector<std::uint32_t>& labels);
+
+} // namespace pcl_ops::apps

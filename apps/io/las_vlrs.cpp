@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "las_vlrs.h"
+
+#include "little_endian.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+constexpr std::uint64_t vlr_header = 54, evlr_header = 60;
+constexpr std::uint64_t id_length = 16, description_size = 192, name_length = 32;
+constexpr std::uint16_t extra_bytes_id = 4;
+constexpr std::uint8_t undocumented_type = 0, uint32_type = 5;
+constexpr const char* specification = "LASF_Spec";
+constexpr const char* label_name = "plane";
+
+/** \brief Text up to the first zero. */
+std::string
+textIn (const char* bytes, std::size_t length)
+{
+  return {bytes, std::find (bytes, bytes + length, '\0')};
+}
+
+std::string
+padded (std::string text, std::size_t length)
+{
+  text.resize (length, '\0');
+  return text;
+}
+
+/** \brief Calls \p visit (user id, record id, vlr) for each of a number of records.
+ * \return the end of the last */
+template <typename Visit>
+std::uint64_t
+forVlrs (HeaderReader& reader,
+         std::uint64_t begin,
+         std::uint64_t end,
+         std::uint32_t count,
+         std::uint64_t header_size,
+         Visit&& visit)
+{
+  const auto check = [&] (std::uint64_t size) {
+    if (size > end - begin)
+      reader.fail ("a variable length record reaches beyond its place");
+  };
+  std::array<char, evlr_header> bytes{};
+  for (; count > 0; --count) {
+    check (header_size);
+    reader.goTo (begin);
+    reader.read (bytes.data(), header_size);
+    const char* const length = &bytes[vlr_length_field];
+    const std::uint64_t size = header_size == vlr_header
+                                   ? fromLittleEndian<std::uint16_t> (length)
+                                   : fromLittleEndian<std::uint64_t> (length);
+    const std::uint64_t content = begin + header_size;
+    begin = content;
+    check (size);
+    begin += size;
+    visit (textIn (&bytes[2], id_length),
+           fromLittleEndian<std::uint16_t> (&bytes[2 + id_length]),
+           LasVlr{content - header_size, content, begin});
+  }
+  return begin;
+}
+
+/** \brief How long the extra bytes of a type are; 0 for one that does not exist. */
+std::uint64_t
+extraBytesLength (std::uint8_t type, std::uint8_t options)
+{
+  constexpr std::array<std::uint8_t, 10> lengths = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  if (type == undocumented_type)
+    return options;
+  // Behind the single numbers are pairs and triples of them.
+  const std::size_t count = 1 + (type - 1U) / lengths.size();
+  return count > 3 ? 0 : count * lengths.at ((type - 1U) % lengths.size());
+}
+
+void
+readDescriptions (HeaderReader& reader, const LasHeader& header, LasExtraBytes& extra)
+{
+  std::array<char, description_size> bytes{};
+  if ((extra.vlr->end - extra.vlr->content) % description_size != 0)
+    reader.fail ("its Extra Bytes VLR ends within a description");
+  reader.goTo (extra.vlr->content);
+  for (auto at = extra.vlr->content; at < extra.vlr->end; at += description_size) {
+    reader.read (bytes.data(), bytes.size());
+    const auto type = fromLittleEndian<std::uint8_t> (&bytes[2]);
+    const std::uint64_t length =
+        extraBytesLength (type, fromLittleEndian<std::uint8_t> (&bytes[3]));
+    if (length == 0)
+      reader.fail ("its Extra Bytes VLR has an unknown type, " + std::to_string (type));
+    const bool is_label = textIn (&bytes[4], name_length) == label_name;
+    if (is_label && type == uint32_type && !extra.label)
+      extra.label = extra.described_end;
+    else if (is_label)
+      extra.has_other_label = true;
+    extra.described_end += length;
+  }
+  if (extra.described_end > header.record_length)
+    reader.fail ("its Extra Bytes VLR describes more bytes than its records have");
+}
+
+std::string
+descriptionOf (std::uint8_t type,
+               std::uint8_t options,
+               const std::string& name,
+               const std::string& text)
+{
+  std::string bytes = littleEndian<std::uint16_t> (0) + littleEndian (type) +
+                      littleEndian (options) + padded (name, name_length);
+  bytes.resize (description_size - name_length, '\0');
+  return bytes + padded (text, name_length);
+}
+
+} // namespace
+
+LasExtraBytes
+readLasVlrs (HeaderReader& reader, const LasHeader& header, const std::string& file)
+{
+  LasExtraBytes extra;
+  extra.described_end = header.format_length;
+  const auto is_extra_bytes = [] (const std::string& user, std::uint16_t id) {
+    return user == specification && id == extra_bytes_id;
+  };
+  extra.vlrs_end =
+      forVlrs (reader,
+               header.size,
+               header.points_offset,
+               header.vlr_count,
+               vlr_header,
+               [&] (const std::string& user, std::uint16_t id, const LasVlr& vlr) {
+                 constexpr std::uint16_t laszip_id = 22204;
+                 if (user == "laszip encoded" && id == laszip_id)
+                   failCompressed (file);
+                 if (is_extra_bytes (user, id) && extra.vlr)
+                   reader.fail ("it has two Extra Bytes VLRs");
+                 if (is_extra_bytes (user, id))
+                   extra.vlr = vlr;
+               });
+  if (extra.vlr)
+    readDescriptions (reader, header, extra);
+  return extra;
+}
+
+void
+checkLasEvlrs (HeaderReader& reader, const LasHeader& header)
+{
+  if (header.evlr_count == 0)
+    return;
+  if (header.evlr_offset < header.pointsEnd() || header.evlr_offset > reader.fileSize())
+    reader.fail ("its offset to extended variable length records is within its points "
+                 "or behind its end");
+  forVlrs (reader,
+           header.evlr_offset,
+           reader.fileSize(),
+           header.evlr_count,
+           evlr_header,
+           [&] (const std::string& user, std::uint16_t id, const LasVlr&) {
+             if (user == specification && id == extra_bytes_id)
+               reader.fail ("its Extra Bytes are described behind its points");
+           });
+}
+
+std::string
+labelDescription (const LasHeader& header, const LasExtraBytes& extra)
+{
+  constexpr std::uint64_t most = 255;
+  std::string bytes;
+  for (std::uint64_t left = header.record_length - extra.described_end; left > 0;) {
+    const std::uint64_t length = std::min (left, most);
+    bytes +=
+        descriptionOf (undocumented_type, static_cast<std::uint8_t> (length), "", "");
+    left -= length;
+  }
+  return bytes + descriptionOf (uint32_type, 0, label_name, "0: on no plane");
+}
+
+std::string
+extraBytesVlr (const std::string& content)
+{
+  return littleEndian<std::uint16_t> (0) + padded (specification, id_length) +
+         littleEndian (extra_bytes_id) +
+         littleEndian (static_cast<std::uint16_t> (content.size())) +
+         padded ("Extra Bytes", name_length) + content;
+}
+
+} // namespace pcl_ops::apps

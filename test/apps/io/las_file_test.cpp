@@ -1,0 +1,395 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cli/errors.h>
+#include <io/cloud_fields.h>
+#include <io/cloud_file.h>
+#include <io/las_file.h>
+#include <support/las_bytes.h>
+#include <support/temporary_folder.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace pcl_ops::apps;
+
+namespace {
+
+template <typename Number>
+Number
+valueOf (const FileCloud& cloud, std::size_t point, const std::string& field)
+{
+  Number value{};
+  for (const pcl::PCLPointField& known : cloud.points.fields)
+    if (known.name == field)
+      std::memcpy (&value,
+                   &cloud.points.data[point * cloud.points.point_step + known.offset],
+                   sizeof (value));
+  return value;
+}
+
+class LasFileTest : public testing::Test {
+protected:
+  FileCloud
+  load (const std::string& bytes) const
+  {
+    return loadCloud (folder_.write ("cloud.las", bytes));
+  }
+
+  FileCloud
+  load (const LasRecipe& recipe) const
+  {
+    return load (lasBytes (recipe));
+  }
+
+  /** \brief What loading complains about, without the file's name. */
+  std::string
+  complaintAbout (const std::string& bytes) const
+  {
+    try {
+      load (bytes);
+    }
+    catch (const WorkError& error) {
+      return error.problem;
+    }
+    return "";
+  }
+
+  /** \brief The file with these labels. */
+  std::string
+  labelled (const LasRecipe& recipe, const std::vector<std::uint32_t>& labels) const
+  {
+    saveLabelledLas (folder_ / "labelled.las", *load (recipe).las, labels);
+    return contentOf (folder_ / "labelled.las");
+  }
+
+  TemporaryFolder folder_;
+};
+
+/** \brief A record with its label. */
+std::string
+labelledRecord (const LasRecipe& recipe, std::size_t i, std::uint32_t label)
+{
+  return lasRecord (recipe, i) + littleEndian (label);
+}
+
+std::string
+invalid (const std::string& reason)
+{
+  return "is no valid LAS file: " + reason + "; write it again";
+}
+
+std::string
+changed (std::size_t place, const std::string& bytes, const LasRecipe& recipe = {})
+{
+  std::string las = lasBytes (recipe);
+  put (las, place, bytes);
+  return las;
+}
+
+} // namespace
+
+TEST_F (LasFileTest, HasTheCoordinatesOfEveryPointFormat)
+{
+  for (unsigned minor = 2; minor <= 4; ++minor)
+    for (unsigned format = 0; format <= 10; ++format) {
+      SCOPED_TRACE (std::to_string (minor) + ", format " + std::to_string (format));
+      const FileCloud cloud = load (LasRecipe{minor, format});
+      ASSERT_EQ (cloud.size(), 2u);
+      EXPECT_EQ (valueOf<double> (cloud, 1, "x"), 500000.004);
+      EXPECT_EQ (valueOf<double> (cloud, 1, "y"), 5400000.005);
+      EXPECT_EQ (valueOf<double> (cloud, 1, "z"), 0.006);
+      EXPECT_EQ (valueOf<float> (cloud, 0, "intensity"), 0x0d0c);
+    }
+}
+
+TEST_F (LasFileTest, KeepsEveryIntegerOfUtmCoordinates)
+{
+  LasRecipe recipe;
+  recipe.points.clear();
+  constexpr std::int32_t step = 2000003, half = 1000;
+  for (std::int32_t i = -half; i < half; ++i)
+    recipe.points.push_back ({step * i, 7 * i, -i});
+  const FileCloud cloud = load (recipe);
+  for (std::size_t i = 0; i < recipe.points.size(); ++i)
+    EXPECT_EQ (std::lround ((valueOf<double> (cloud, i, "x") - 500000) / 0.001),
+               recipe.points[i][0]);
+}
+
+TEST_F (LasFileTest, ReadsMorePointsThanABlockHas)
+{
+  LasRecipe recipe;
+  constexpr std::int32_t size = 40000;
+  recipe.points.clear();
+  for (std::int32_t i = 0; i < size; ++i)
+    recipe.points.push_back ({i, 0, 0});
+  const FileCloud cloud = load (recipe);
+  ASSERT_EQ (cloud.size(), static_cast<std::size_t> (size));
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    ASSERT_EQ (valueOf<double> (cloud, i, "x"),
+               500000 + static_cast<double> (i) * 0.001);
+}
+
+TEST_F (LasFileTest, IsLabelledWithEveryOtherByteKept)
+{
+  for (unsigned minor = 2; minor <= 4; ++minor) {
+    SCOPED_TRACE (minor);
+    LasRecipe recipe{minor, 3};
+    recipe.vlrs = {lasVlr ("someone", 7, "content"),
+                   lasVlr ("LASF_Projection", 1, "p")};
+    recipe.gap = "between";
+    if (minor == 4)
+      recipe.evlrs = {lasVlr<std::uint64_t> ("someone", 9, "behind the points")};
+    const std::string before = lasBytes (recipe), after = labelled (recipe, {70000, 0});
+    const std::size_t header = lasHeaderSize (minor);
+    const std::size_t vlrs = header + recipe.vlrs[0].size() + recipe.vlrs[1].size();
+    EXPECT_EQ (after.substr (header, vlrs - header),
+               before.substr (header, vlrs - header));
+    const auto points = lasNumber<std::uint32_t> (after, las_at::points_offset);
+    EXPECT_EQ (after.substr (points - recipe.gap.size()),
+               recipe.gap + labelledRecord (recipe, 0, 70000) +
+                   labelledRecord (recipe, 1, 0) +
+                   (recipe.evlrs.empty() ? "" : recipe.evlrs[0]));
+  }
+}
+
+TEST_F (LasFileTest, ChangesOnlyOffsetsAndCountsOfTheHeader)
+{
+  LasRecipe recipe;
+  recipe.evlrs = {lasVlr<std::uint64_t> ("someone", 9, "behind the points")};
+  const std::string before = lasBytes (recipe);
+  std::string after = labelled (recipe, {1, 2}).substr (0, lasHeaderSize (4));
+  const std::uint64_t added = 54 + 192;
+  EXPECT_EQ (lasNumber<std::uint32_t> (after, las_at::points_offset), 375 + added);
+  EXPECT_EQ (lasNumber<std::uint32_t> (after, las_at::vlr_count), 1u);
+  EXPECT_EQ (lasNumber<std::uint16_t> (after, las_at::record_length), 34u);
+  EXPECT_EQ (lasNumber<std::uint64_t> (after, las_at::evlr_offset),
+             lasNumber<std::uint64_t> (before, las_at::evlr_offset) + added + 2 * 4);
+  for (const auto& [place, size] : {std::pair (las_at::points_offset, 4),
+                                    std::pair (las_at::vlr_count, 4),
+                                    std::pair (las_at::record_length, 2),
+                                    std::pair (las_at::evlr_offset, 8)})
+    put (after, place, before.substr (place, static_cast<std::size_t> (size)));
+  EXPECT_TRUE (after == before.substr (0, lasHeaderSize (4)));
+}
+
+TEST_F (LasFileTest, MovesTheWaveformsBehindThePoints)
+{
+  constexpr std::size_t waveform_offset = 227;
+  const LasRecipe recipe{3, 4};
+  const std::uint64_t end = lasBytes (recipe).size();
+  const std::string las = changed (waveform_offset, littleEndian (end), recipe);
+  saveLabelledLas (folder_ / "out.las", *load (las + "waveforms").las, {1, 2});
+  const std::string after = contentOf (folder_ / "out.las");
+  EXPECT_EQ (after.substr (lasNumber<std::uint64_t> (after, waveform_offset)),
+             "waveforms");
+}
+
+TEST_F (LasFileTest, DescribesTheLabelAsExtraBytes)
+{
+  const std::string after = labelled (LasRecipe{}, {1, 2});
+  const std::size_t vlr = lasHeaderSize (4);
+  EXPECT_STREQ (&after[vlr + 2], "LASF_Spec");
+  EXPECT_EQ (lasNumber<std::uint16_t> (after, vlr + 18), 4u);
+  EXPECT_EQ (lasNumber<std::uint16_t> (after, vlr + 20), 192u);
+  EXPECT_EQ (after[vlr + 54 + 2], 5) << "unsigned long";
+  EXPECT_STREQ (&after[vlr + 54 + 4], "plane");
+}
+
+TEST_F (LasFileTest, AddsTheLabelToTheExtraBytesThereAre)
+{
+  LasRecipe recipe;
+  recipe.extra = {"ab1", "cd2"};
+  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("range", 3)),
+                 lasVlr ("someone", 7, "content")};
+  const std::string after = labelled (recipe, {5, 6});
+  const std::size_t vlr = lasHeaderSize (4);
+  EXPECT_EQ (lasNumber<std::uint32_t> (after, las_at::vlr_count), 2u);
+  ASSERT_EQ (lasNumber<std::uint16_t> (after, vlr + 20), 3 * 192u);
+  EXPECT_EQ (after.substr (vlr + 54, 192), extraBytesField ("range", 3));
+  EXPECT_EQ (after.substr (vlr + 54 + 192, 192), extraBytesField ("", 0, 1))
+      << "the byte that nobody had described";
+  EXPECT_STREQ (&after[vlr + 54 + 2 * 192 + 4], "plane");
+  EXPECT_EQ (after.substr (vlr + 54 + 3 * 192, recipe.vlrs[1].size()), recipe.vlrs[1]);
+  EXPECT_EQ (after.substr (lasNumber<std::uint32_t> (after, las_at::points_offset)),
+             labelledRecord (recipe, 0, 5) + labelledRecord (recipe, 1, 6));
+}
+
+TEST_F (LasFileTest, ReadsTheLabelsItWrote)
+{
+  const FileCloud cloud = load (labelled (LasRecipe{}, {70000, 3}));
+  EXPECT_EQ (valueOf<std::uint32_t> (cloud, 0, "label"), 70000u);
+  EXPECT_EQ (valueOf<std::uint32_t> (cloud, 1, "label"), 3u);
+  EXPECT_FALSE (hasField (load (LasRecipe{}), "label"));
+}
+
+TEST_F (LasFileTest, ReplacesTheLabelsItHad)
+{
+  const std::string first = labelled (LasRecipe{}, {1, 2});
+  saveLabelledLas (folder_ / "again.las", *load (first).las, {3, 4});
+  EXPECT_TRUE (contentOf (folder_ / "again.las") == labelled (LasRecipe{}, {3, 4}));
+}
+
+TEST_F (LasFileTest, SaysWhyItCannotBeLabelled)
+{
+  LasRecipe other;
+  other.extra = {"12", "34"};
+  other.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("plane", 3))};
+  EXPECT_EQ (load (other).las->problemOfLabels(),
+             "has an extra-bytes field plane that is no uint32; rename it or give an "
+             "OUTPUT.pcd");
+  LasRecipe full;
+  full.extra.assign (2, std::string (65535 - lasFormatLength (6), 'e'));
+  EXPECT_EQ (load (full).las->problemOfLabels(),
+             "has no room for a further extra-bytes field; give an OUTPUT.pcd");
+  EXPECT_EQ (load (LasRecipe{}).las->problemOfLabels(), "");
+}
+
+TEST_F (LasFileTest, IsWrittenAgainAfterItWasRemoved)
+{
+  const FileCloud cloud = load (LasRecipe{});
+  std::filesystem::remove (folder_ / "cloud.las");
+  saveLabelledLas (folder_ / "out.las", *cloud.las, {1, 2});
+  EXPECT_EQ (loadCloud (folder_ / "out.las").size(), 2u);
+}
+
+TEST_F (LasFileTest, NamesWhatIsWrongWithItsHeader)
+{
+  const auto complaint = [&] (std::size_t place, const std::string& bytes) {
+    return complaintAbout (changed (place, bytes));
+  };
+  const std::string not_finite = doubleBytes (std::numeric_limits<double>::infinity());
+  const std::string nan = doubleBytes (std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ (complaint (las_at::signature, "FSAL"),
+             invalid ("its first bytes are not LASF"));
+  EXPECT_EQ (complaint (las_at::minor, "\5"),
+             invalid ("its version 1.5 is not 1.2, 1.3 or 1.4"));
+  EXPECT_EQ (complaint (las_at::major, "\2"),
+             invalid ("its version 2.4 is not 1.2, 1.3 or 1.4"));
+  EXPECT_EQ (complaint (las_at::header_size, littleEndian (std::uint16_t{374})),
+             invalid ("its header size 374 is too small for its version"));
+  EXPECT_EQ (
+      complaint (las_at::points_offset, littleEndian (std::uint32_t{100})),
+      invalid ("its offset to point data 100 is within its header or behind its end"));
+  EXPECT_EQ (
+      complaint (las_at::points_offset, littleEndian (std::uint32_t{4000000000})),
+      invalid ("its offset to point data 4000000000 is within its header or "
+               "behind its end"));
+  EXPECT_EQ (complaint (las_at::format, "\13"),
+             invalid ("its point data record format 11 is not 0 to 10"));
+  EXPECT_EQ (complaint (las_at::record_length, littleEndian (std::uint16_t{29})),
+             invalid ("its point data record length 29 is too small for the format 6"));
+  for (const std::string& bytes : {doubleBytes (0), nan, not_finite})
+    EXPECT_EQ (complaint (las_at::scale + 8, bytes),
+               invalid ("a scale factor of its coordinates is zero or no number"));
+  for (const std::string& bytes : {nan, not_finite})
+    EXPECT_EQ (complaint (las_at::offset + 16, bytes),
+               invalid ("an offset of its coordinates is no number"));
+  EXPECT_EQ (complaint (las_at::legacy_points, littleEndian (std::uint32_t{1})),
+             invalid ("its numbers of points 2 and 1 (legacy) differ"));
+}
+
+TEST_F (LasFileTest, RefusesMorePointsThanItHolds)
+{
+  const std::string truncated =
+      "is truncated: its header promises more points than follow; copy or write it "
+      "again";
+  for (const std::uint64_t count : {std::uint64_t{3},
+                                    std::uint64_t{1000000000000000000},
+                                    std::numeric_limits<std::uint64_t>::max()})
+    EXPECT_EQ (complaintAbout (changed (las_at::points, littleEndian (count))),
+               truncated);
+  const LasRecipe legacy{2, 0};
+  EXPECT_EQ (complaintAbout (changed (
+                 las_at::legacy_points, littleEndian (std::uint32_t{3}), legacy)),
+             truncated);
+  EXPECT_EQ (complaintAbout (changed (las_at::points, littleEndian (std::uint64_t{0}))),
+             "has no points; give a cloud that has");
+}
+
+TEST_F (LasFileTest, IsRefusedWhereverItIsCut)
+{
+  LasRecipe recipe;
+  recipe.vlrs = {lasVlr ("someone", 7, "content")};
+  recipe.evlrs = {lasVlr<std::uint64_t> ("someone", 9, "behind the points")};
+  const std::string whole = lasBytes (recipe);
+  EXPECT_EQ (complaintAbout (whole), "");
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_NE (complaintAbout (whole.substr (0, size)), "") << size;
+}
+
+TEST_F (LasFileTest, RefusesRecordsThatReachBeyondTheirPlace)
+{
+  const std::string beyond =
+      invalid ("a variable length record reaches beyond its place");
+  EXPECT_EQ (
+      complaintAbout (changed (las_at::vlr_count, littleEndian (std::uint32_t{1}))),
+      beyond);
+  LasRecipe recipe;
+  recipe.vlrs = {lasVlr ("someone", 7, "content")};
+  EXPECT_EQ (
+      complaintAbout (changed (375 + 20, littleEndian (std::uint16_t{8}), recipe)),
+      beyond);
+  recipe.evlrs = {lasVlr<std::uint64_t> ("someone", 9, "content")};
+  const std::size_t evlr = lasBytes (recipe).size() - recipe.evlrs[0].size();
+  EXPECT_EQ (
+      complaintAbout (changed (
+          evlr + 20, littleEndian (std::numeric_limits<std::uint64_t>::max()), recipe)),
+      beyond);
+  EXPECT_EQ (complaintAbout (changed (
+                 las_at::evlr_count, littleEndian (std::uint32_t{4000000000}), recipe)),
+             beyond);
+  EXPECT_EQ (complaintAbout (changed (
+                 las_at::evlr_offset, littleEndian (std::uint64_t{400}), recipe)),
+             invalid ("its offset to extended variable length records is within its "
+                      "points or behind its end"));
+}
+
+TEST_F (LasFileTest, RefusesExtraBytesThatDoNotAddUp)
+{
+  const auto complaint = [&] (const std::string& descriptions) {
+    LasRecipe recipe;
+    recipe.extra = {"1234", "5678"};
+    recipe.vlrs = {lasVlr ("LASF_Spec", 4, descriptions)};
+    return complaintAbout (lasBytes (recipe));
+  };
+  EXPECT_EQ (complaint (extraBytesField ("a", 9)), "");
+  EXPECT_EQ (complaint (extraBytesField ("a", 0, 4)), "");
+  EXPECT_EQ (complaint (extraBytesField ("a", 13)), "") << "a pair of 16 bits";
+  EXPECT_EQ (
+      complaint (extraBytesField ("a", 10)),
+      invalid ("its Extra Bytes VLR describes more bytes than its records have"));
+  EXPECT_EQ (complaint (extraBytesField ("a", 31)),
+             invalid ("its Extra Bytes VLR has an unknown type, 31"));
+  EXPECT_EQ (complaint (extraBytesField ("a", 9) + "b"),
+             invalid ("its Extra Bytes VLR ends within a description"));
+  LasRecipe twice;
+  twice.vlrs.assign (2, lasVlr ("LASF_Spec", 4, ""));
+  EXPECT_EQ (complaintAbout (lasBytes (twice)),
+             invalid ("it has two Extra Bytes VLRs"));
+  LasRecipe behind;
+  behind.evlrs = {lasVlr<std::uint64_t> ("LASF_Spec", 4, "")};
+  EXPECT_EQ (complaintAbout (lasBytes (behind)),
+             invalid ("its Extra Bytes are described behind its points"));
+}
+
+TEST_F (LasFileTest, SaysHowToDecompressLaz)
+{
+  const std::string mend = "is compressed (LAZ); decompress it, e.g. by laszip or pdal";
+  EXPECT_EQ (complaintAbout (changed (las_at::format, "\x86")), mend);
+  EXPECT_EQ (complaintAbout (changed (las_at::format, "\x46")), mend);
+  LasRecipe recipe;
+  recipe.vlrs = {lasVlr ("laszip encoded", 22204, "content")};
+  EXPECT_EQ (complaintAbout (lasBytes (recipe)), mend);
+  try {
+    loadCloud (folder_ / "cloud.laz");
+    ADD_FAILURE();
+  }
+  catch (const WorkError& error) {
+    EXPECT_EQ (error.problem, mend);
+  }
+}

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment_program.h"
+#include <io/cloud_file.h>
+#include <nlohmann/json.hpp>
+#include <support/las_bytes.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+
+namespace {
+
+/** \brief A floor of 2 m by 2 m and a wall at x = 3 m, in UTM coordinates and whole
+ * millimetres. */
+LasRecipe
+floorAndWallInLas ()
+{
+  constexpr float millimetres = 1000.0f;
+  LasRecipe recipe;
+  recipe.points.clear();
+  for (const pcl::PointXYZI& point : floorAndWall())
+    if (std::isfinite (point.x))
+      recipe.points.push_back (
+          {static_cast<int> (std::lround (point.x * millimetres)),
+           static_cast<int> (std::lround (point.y * millimetres)),
+           static_cast<int> (std::lround (point.z * millimetres))});
+  return recipe;
+}
+
+class SegmentLas : public Segment {
+protected:
+  /** \brief What each record of a labelled file ends with. */
+  std::vector<std::uint32_t>
+  labelsIn (const std::string& file) const
+  {
+    const std::string las = contentOf (folder_ / file);
+    const std::size_t points = lasNumber<std::uint32_t> (las, las_at::points_offset);
+    const std::size_t length = lasNumber<std::uint16_t> (las, las_at::record_length);
+    std::vector<std::uint32_t> labels;
+    for (std::size_t i = 0; i < recipe_.points.size(); ++i) {
+      const std::size_t record = points + i * length;
+      EXPECT_EQ (las.substr (record, length - 4), lasRecord (recipe_, i));
+      labels.push_back (lasNumber<std::uint32_t> (las, record + length - 4));
+    }
+    return labels;
+  }
+
+  /** \brief Whether floor and wall are a plane each. */
+  static void
+  expectFloorAndWall (const std::vector<std::uint32_t>& labels)
+  {
+    const auto wall = labels.begin() + points_of_plane;
+    const std::set<std::uint32_t> on_floor (labels.begin(), wall);
+    const std::set<std::uint32_t> on_wall (wall, labels.end());
+    EXPECT_EQ (on_floor.size(), 1u);
+    EXPECT_EQ (on_wall.size(), 1u);
+    EXPECT_EQ (*on_floor.begin() + *on_wall.begin(), 3u) << "1 and 2, either way";
+  }
+
+  LasRecipe recipe_ = floorAndWallInLas();
+  std::string input_ = folder_.write ("in.las", lasBytes (recipe_));
+};
+
+} // namespace
+
+TEST_F (SegmentLas, LabelsEveryRecordAndKeepsItsOtherBytes)
+{
+  const Outcome done = run ("in.las out.las");
+  ASSERT_EQ (done.exit_code, 0) << done.err;
+  expectFloorAndWall (labelsIn ("out.las"));
+}
+
+TEST_F (SegmentLas, LabelsOneThatIsPipedIn)
+{
+  const Outcome done = run ("- out.las < in.las");
+  ASSERT_EQ (done.exit_code, 0) << done.err;
+  expectFloorAndWall (labelsIn ("out.las"));
+}
+
+TEST_F (SegmentLas, BecomesALasOfABatch)
+{
+  const Outcome done = run ("in.las --output-dir out");
+  ASSERT_EQ (done.exit_code, 0) << done.err;
+  expectFloorAndWall (labelsIn ("out/in.las"));
+}
+
+TEST_F (SegmentLas, FindsThoseOfAFolder)
+{
+  std::filesystem::create_directory (folder_ / "scans");
+  std::filesystem::rename (input_, folder_ / "scans/in.las");
+  ASSERT_EQ (run ("scans --output-dir out").exit_code, 0);
+  expectFloorAndWall (labelsIn ("out/in.las"));
+}
+
+TEST_F (SegmentLas, HasUtmCoordinatesInEveryOutput)
+{
+  const Outcome done = run ("in.las out.pcd --planes p.json --rest rest.pcd --only "
+                            "horizontal --up 0,0,1 --planes-dir planes");
+  ASSERT_EQ (done.exit_code, 0) << done.err;
+  const auto json = nlohmann::json::parse (contentOf (folder_ / "p.json"));
+  EXPECT_NEAR (json.at ("planes").at (0).at ("centroid").at (0), 500000.98, 1e-6);
+  EXPECT_NEAR (json.at ("planes").at (0).at ("centroid").at (1), 5400000.98, 1e-6);
+  const std::vector<std::pair<std::string, std::size_t>> clouds = {
+      {"out.pcd", 0},
+      {"planes/plane_001_horizontal.pcd", 0},
+      {"rest.pcd", points_of_plane}};
+  for (const auto& [file, first] : clouds) {
+    SCOPED_TRACE (file);
+    const pcl_ops::apps::FileCloud cloud = pcl_ops::apps::loadCloud (folder_ / file);
+    for (std::size_t i = 0; i < points_of_plane; ++i) {
+      std::array<double, 3> place{};
+      std::memcpy (place.data(),
+                   &cloud.points.data[i * cloud.points.point_step],
+                   sizeof (place));
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        ASSERT_EQ (place.at (axis),
+                   recipe_.points[first + i].at (axis) * recipe_.scale +
+                       recipe_.offset.at (axis));
+    }
+  }
+}
+
+TEST_F (SegmentLas, HasMillimetresInItsMesh)
+{
+  for (auto& point : recipe_.points)
+    point[1] += 1;
+  folder_.write ("in.las", lasBytes (recipe_));
+  for (const char* mesh : {"m.ply", "m.vtk"}) {
+    ASSERT_EQ (run (std::string ("in.las --mesh ") + mesh).exit_code, 0);
+    double southmost = std::numeric_limits<double>::infinity();
+    std::istringstream words (contentOf (folder_ / mesh));
+    for (std::string word; words >> word;)
+      if (const double number = std::strtod (word.c_str(), nullptr); number > 5e6)
+        southmost = std::min (southmost, number);
+    EXPECT_NEAR (southmost, 5400000.001, 1e-4) << mesh;
+  }
+}
+
+TEST_F (SegmentLas, IsWrittenOfALasOnly)
+{
+  const Outcome done = run ("in.pcd out.las");
+  EXPECT_EQ (done.exit_code, 2);
+  EXPECT_EQ (done.err,
+             "pcl_ops_segment: out.las: is LAS, which the input is not; give a file "
+             ".pcd\n");
+  EXPECT_FALSE (std::filesystem::exists (folder_ / "out.las"));
+}
+
+TEST_F (SegmentLas, SaysInOneLineWhyItCannotBeReadOrLabelled)
+{
+  LasRecipe other = recipe_;
+  other.extra.assign (recipe_.points.size(), "12");
+  other.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("plane", 3))};
+  folder_.write ("other.las", lasBytes (other));
+  std::string compressed = lasBytes (recipe_);
+  put (compressed, las_at::format, "\x86");
+  folder_.write ("compressed.las", compressed);
+  folder_.write ("half.las", lasBytes (recipe_).substr (0, 5000));
+  const std::vector<std::pair<std::string, std::string>> failures = {
+      {"other.las out.las", "other.las: has an extra-bytes field plane"},
+      {"- out.las < other.las", "standard input: has an extra-bytes field plane"},
+      {"compressed.las out.las", "compressed.las: is compressed (LAZ); decompress it"},
+      {"half.las out.las", "half.las: is truncated"}};
+  for (const auto& [arguments, complaint] : failures) {
+    const Outcome done = run (arguments);
+    EXPECT_EQ (done.exit_code, 1) << arguments;
+    EXPECT_EQ (done.err.find ("pcl_ops_segment: " + complaint), 0u) << done.err;
+    EXPECT_EQ (lines (done.err), 1u) << done.err;
+    EXPECT_FALSE (std::filesystem::exists (folder_ / "out.las"));
+  }
+}
