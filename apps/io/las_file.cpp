@@ -168,7 +168,7 @@ LasFile::problemOfLabels() const
   if (extra_.label)
     return "";
   if (extra_.has_other_label)
-    return "has an extra-bytes field plane that is no uint32; rename it or give an "
+    return "has an extra-bytes field label that is no uint32; rename it or give an "
            "OUTPUT.pcd";
   constexpr std::uint64_t most_short = std::numeric_limits<std::uint16_t>::max();
   const std::uint64_t described =

@@ -16,7 +16,7 @@ constexpr std::uint64_t id_length = 16, description_size = 192, name_length = 32
 constexpr std::uint16_t extra_bytes_id = 4;
 constexpr std::uint8_t undocumented_type = 0, uint32_type = 5;
 constexpr const char* specification = "LASF_Spec";
-constexpr const char* label_name = "plane";
+constexpr const char* label_name = "label";
 
 /** \brief Text up to the first zero. */
 std::string

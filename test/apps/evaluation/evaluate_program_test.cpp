@@ -49,7 +49,7 @@ lasFloorOf (int side, LabelOf label)
 {
   constexpr std::uint8_t uint32 = 5;
   LasRecipe recipe;
-  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("plane", uint32))};
+  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("label", uint32))};
   recipe.points.clear();
   for (int i = 0; i < side * side; ++i) {
     recipe.points.push_back ({20 * (i % side), 20 * (i / side), 0});

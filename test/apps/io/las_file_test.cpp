@@ -197,7 +197,7 @@ TEST_F (LasFileTest, DescribesTheLabelAsExtraBytes)
   EXPECT_EQ (lasNumber<std::uint16_t> (after, vlr + 18), 4u);
   EXPECT_EQ (lasNumber<std::uint16_t> (after, vlr + 20), 192u);
   EXPECT_EQ (after[vlr + 54 + 2], 5) << "unsigned long";
-  EXPECT_STREQ (&after[vlr + 54 + 4], "plane");
+  EXPECT_STREQ (&after[vlr + 54 + 4], "label");
 }
 
 TEST_F (LasFileTest, AddsTheLabelToTheExtraBytesThereAre)
@@ -213,7 +213,7 @@ TEST_F (LasFileTest, AddsTheLabelToTheExtraBytesThereAre)
   EXPECT_EQ (after.substr (vlr + 54, 192), extraBytesField ("range", 3));
   EXPECT_EQ (after.substr (vlr + 54 + 192, 192), extraBytesField ("", 0, 1))
       << "the byte that nobody had described";
-  EXPECT_STREQ (&after[vlr + 54 + 2 * 192 + 4], "plane");
+  EXPECT_STREQ (&after[vlr + 54 + 2 * 192 + 4], "label");
   EXPECT_EQ (after.substr (vlr + 54 + 3 * 192, recipe.vlrs[1].size()), recipe.vlrs[1]);
   EXPECT_EQ (after.substr (lasNumber<std::uint32_t> (after, las_at::points_offset)),
              labelledRecord (recipe, 0, 5) + labelledRecord (recipe, 1, 6));
@@ -238,9 +238,9 @@ TEST_F (LasFileTest, SaysWhyItCannotBeLabelled)
 {
   LasRecipe other;
   other.extra = {"12", "34"};
-  other.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("plane", 3))};
+  other.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("label", 3))};
   EXPECT_EQ (load (other).las->problemOfLabels(),
-             "has an extra-bytes field plane that is no uint32; rename it or give an "
+             "has an extra-bytes field label that is no uint32; rename it or give an "
              "OUTPUT.pcd");
   LasRecipe full;
   full.extra.assign (2, std::string (65535 - lasFormatLength (6), 'e'));

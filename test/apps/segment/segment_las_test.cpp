@@ -152,7 +152,7 @@ TEST_F (SegmentLas, SaysInOneLineWhyItCannotBeReadOrLabelled)
 {
   LasRecipe other = recipe_;
   other.extra.assign (recipe_.points.size(), "12");
-  other.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("plane", 3))};
+  other.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("label", 3))};
   folder_.write ("other.las", lasBytes (other));
   std::string compressed = lasBytes (recipe_);
   put (compressed, las_at::format, "\x86");
