@@ -159,8 +159,8 @@ TEST_F (SegmentLas, SaysInOneLineWhyItCannotBeReadOrLabelled)
   folder_.write ("compressed.las", compressed);
   folder_.write ("half.las", lasBytes (recipe_).substr (0, 5000));
   const std::vector<std::pair<std::string, std::string>> failures = {
-      {"other.las out.las", "other.las: has an extra-bytes field plane"},
-      {"- out.las < other.las", "standard input: has an extra-bytes field plane"},
+      {"other.las out.las", "other.las: has an extra-bytes field label"},
+      {"- out.las < other.las", "standard input: has an extra-bytes field label"},
       {"compressed.las out.las", "compressed.las: is compressed (LAZ); decompress it"},
       {"half.las out.las", "half.las: is truncated"}};
   for (const auto& [arguments, complaint] : failures) {
