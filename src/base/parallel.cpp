@@ -2,118 +2,104 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/parallel.h"
 
-#ifdef PCL_OPS_STANDARD_THREADS
-#include "base/standard_threads.h"
-#endif
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include "base/worker_threads.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <atomic>
+#include <condition_variable>
 #include <exception>
-#include <future>
+#include <memory>
 #include <mutex>
-#include <thread>
-#include <vector>
 
 namespace pcl_ops::internal {
 
 namespace {
 
-#ifdef _OPENMP
-/** \brief How many threads the system starts at a time, this one included. */
-int
-startableThreads (int wanted)
-{
-  std::vector<std::thread> threads;
-  std::promise<void> all_tried;
-  const std::shared_future<void> end = all_tried.get_future().share();
-  try {
-    threads.reserve (static_cast<std::size_t> (wanted));
-    while (static_cast<int> (threads.size()) + 1 < wanted)
-      threads.emplace_back ([end] { end.wait(); });
+using Body = std::function<void (std::size_t, std::size_t)>;
+
+/** \brief The pieces of one call, which whoever has time takes in turn. */
+class Pieces {
+public:
+  /** \param[in] body used until all pieces are done */
+  Pieces (std::size_t size, std::size_t grain, const Body& body)
+  : size_ (size), grain_ (grain), number_ ((size + grain - 1) / grain), body_ (body)
+  {}
+
+  std::size_t
+  number () const
+  {
+    return number_;
   }
-  catch (const std::exception&) {
-    // As many as there are will do.
+
+  /** \brief Does pieces until all have been taken. */
+  void
+  takeTurns ()
+  {
+    for (std::size_t piece; (piece = next_++) < number_;)
+      work (piece);
   }
-  all_tried.set_value();
-  for (std::thread& thread : threads)
-    thread.join();
-  return static_cast<int> (threads.size()) + 1;
-}
 
-/** \brief No more than can be started: where OpenMP's runtime cannot start a thread, it
- * ends the program. */
-int
-safeThreads (int wanted)
-{
-  // OpenMP keeps the threads it has started, for each thread that asked for them.
-  thread_local int started = 1;
-  if (wanted > started)
-    started = startableThreads (wanted);
-  return std::min (wanted, started);
-}
+  /** \brief Waits for those that others have taken, and throws what one has thrown. */
+  void
+  waitForOthers ()
+  {
+    std::unique_lock<std::mutex> lock (guard_);
+    all_done_.wait (lock, [this] { return done_ == number_; });
+    if (thrown_)
+      std::rethrow_exception (thrown_);
+  }
 
-int
-usefulThreads (unsigned wanted, std::int64_t pieces)
-{
-  // More than these only cost.
-  constexpr std::int64_t most = 256;
-  const std::int64_t threads = wanted ? wanted : omp_get_num_procs();
-  return safeThreads (static_cast<int> (
-      std::max<std::int64_t> (1, std::min ({threads, pieces, most}))));
-}
-#endif
-
-} // namespace
-
-namespace {
-
-/** \brief Calls work with each piece; it must not throw. */
-template <typename Work>
-void
-forPieces (unsigned threads, std::int64_t pieces, const Work& work)
-{
-#ifdef PCL_OPS_STANDARD_THREADS
-  forPiecesByStandardThreads (threads, pieces, work);
-#else
-#ifdef _OPENMP
-  const int used = usefulThreads (threads, pieces);
-#pragma omp parallel for schedule(dynamic) num_threads(used) if (used > 1)
-#else
-  (void)threads;
-#endif
-  for (std::int64_t piece = 0; piece < pieces; ++piece)
-    work (piece);
-#endif
-}
-
-} // namespace
-
-void
-parallelFor (unsigned threads,
-             std::size_t size,
-             std::size_t grain,
-             const std::function<void (std::size_t, std::size_t)>& body)
-{
-  const auto pieces = static_cast<std::int64_t> ((size + grain - 1) / grain);
-  // An exception must not leave a thread: it waits for the end of all pieces.
-  std::exception_ptr thrown;
-  std::mutex guard;
-  forPieces (threads, pieces, [&] (std::int64_t piece) {
-    const std::size_t begin = static_cast<std::size_t> (piece) * grain;
+private:
+  void
+  work (std::size_t piece)
+  {
+    std::exception_ptr thrown;
     try {
-      body (begin, std::min (size, begin + grain));
+      body_ (piece * grain_, std::min (size_, (piece + 1) * grain_));
     }
     catch (...) {
-      const std::lock_guard<std::mutex> lock (guard);
       thrown = std::current_exception();
     }
-  });
-  if (thrown)
-    std::rethrow_exception (thrown);
+    const std::lock_guard<std::mutex> lock (guard_);
+    if (thrown)
+      thrown_ = thrown;
+    if (++done_ == number_)
+      all_done_.notify_one();
+  }
+
+  std::size_t size_, grain_, number_;
+  const Body& body_;
+  std::atomic<std::size_t> next_{0};
+  std::mutex guard_;
+  std::condition_variable all_done_;
+  std::size_t done_ = 0;
+  std::exception_ptr thrown_;
+};
+
+/** \brief How many other threads to call. */
+std::size_t
+helpersFor (unsigned threads, std::size_t pieces)
+{
+  // More than these only cost.
+  constexpr std::size_t most = 256;
+  const std::size_t wanted = threads ? threads : availableProcessors();
+  return std::min ({wanted, pieces, most}) - 1;
+}
+
+} // namespace
+
+void
+parallelFor (unsigned threads, std::size_t size, std::size_t grain, const Body& body)
+{
+  if (size == 0)
+    return;
+  // Shared with helpers that come when all is done: nobody waits for a thread that the
+  // system has no processor for.
+  const auto pieces = std::make_shared<Pieces> (size, grain, body);
+  if (const std::size_t helpers = helpersFor (threads, pieces->number()))
+    callOnWorkers (helpers, [pieces] { pieces->takeTurns(); });
+  pieces->takeTurns();
+  pieces->waitForOthers();
 }
 
 } // namespace pcl_ops::internal

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bounded/hole_filling.h"
 
+#include "voxels/voxel_traversal.h"
+
 #include <optional>
 #include <vector>
 
@@ -43,11 +45,14 @@ planeAround (const VoxelGrid& grid, const BoundedPlanes& planes, std::size_t vox
 }
 
 std::vector<Filling>
-fillingsOf (const VoxelGrid& grid, const BoundedPlanes& planes)
+fillingsOf (const VoxelGrid& grid,
+            const BoundedPlanes& planes,
+            std::size_t begin,
+            std::size_t end)
 {
   constexpr double noises = 3.5;
   std::vector<Filling> fillings;
-  for (std::size_t i = 0; i < grid.size(); ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     if (planes.plane_of_voxel[i] != no_plane)
       continue;
     const std::optional<Filling> filling = planeAround (grid, planes, i);
@@ -64,14 +69,18 @@ fillingsOf (const VoxelGrid& grid, const BoundedPlanes& planes)
 } // namespace
 
 void
-fillHoles (const VoxelGrid& grid, BoundedPlanes& planes)
+fillHoles (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes)
 {
   constexpr int widest_hole = 2;
   for (int round = 0; round < widest_hole; ++round)
-    for (const Filling& filling : fillingsOf (grid, planes)) {
-      planes.plane_of_voxel[filling.voxel] = filling.plane;
-      planes.noise[filling.voxel] = filling.noise;
-    }
+    for (const std::vector<Filling>&piece : parallelPieces (
+             threads, grid.size(), voxels_per_piece, [&] (auto begin, auto end) {
+               return fillingsOf (grid, planes, begin, end);
+             }))
+      for (const Filling& filling : piece) {
+        planes.plane_of_voxel[filling.voxel] = filling.plane;
+        planes.noise[filling.voxel] = filling.noise;
+      }
 }
 
 } // namespace pcl_ops::internal

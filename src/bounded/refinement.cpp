@@ -40,20 +40,32 @@ voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_
   return is_refined;
 }
 
-void
-takePoints (const Coordinates& points,
-            const VoxelizedPoints& coarse,
-            Refinement& refinement)
+Indices
+pointsToRefine (const VoxelizedPoints& coarse,
+                const std::vector<char>& is_refined,
+                unsigned threads)
 {
-  double number = 0.0;
-  for (std::size_t i = 0; i < coarse.grid.size(); ++i)
-    if (refinement.is_refined[i])
-      number += coarse.grid.moments[i].count;
-  refinement.points.reserve (static_cast<std::size_t> (number));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (refinement.is_refined[coarse.voxel_of_point[i]])
-      refinement.points.push_back (static_cast<std::uint32_t> (i));
-  refinement.positions = selected (points, refinement.points);
+  constexpr std::size_t points_per_piece = 32768;
+  Indices all;
+  for (const Indices& piece :
+       parallelPieces (threads,
+                       coarse.voxel_of_point.size(),
+                       points_per_piece,
+                       [&] (std::size_t begin, std::size_t end) {
+                         Indices points (end - begin);
+                         std::size_t number = 0;
+                         for (std::size_t i = begin; i < end; ++i) {
+                           // Written always, counted if refined: no branch to
+                           // mispredict.
+                           points[number] = static_cast<std::uint32_t> (i);
+                           number += static_cast<std::size_t> (
+                               is_refined[coarse.voxel_of_point[i]]);
+                         }
+                         points.resize (number);
+                         return points;
+                       }))
+    all.insert (all.end(), piece.begin(), piece.end());
+  return all;
 }
 
 // Of each finer voxel the coarse one that holds it.
@@ -135,7 +147,8 @@ refine (const Coordinates& points,
   if (coarse.grid.size() == 0)
     return refinement;
   refinement.is_refined = voxelsToRefine (coarse.grid, threads, planes.plane_of_voxel);
-  takePoints (points, coarse, refinement);
+  refinement.points = pointsToRefine (coarse, refinement.is_refined, threads);
+  refinement.positions = selected (points, refinement.points);
   if (!refinement.points.empty())
     refinement.voxelized =
         voxelize (refinement.positions, 0.5 * coarse.grid.voxel_size, threads);

@@ -21,10 +21,10 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pcl_ops
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev
   FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "surface" EXCLUDE)
 
-# A static library hands OpenMP on to whoever links it.
-set(pcl_ops_hands_on_openmp OFF)
-if(OpenMP_CXX_FOUND AND NOT BUILD_SHARED_LIBS)
-  set(pcl_ops_hands_on_openmp ON)
+# A static library hands threads on to whoever links it.
+set(pcl_ops_hands_on_threads ON)
+if(BUILD_SHARED_LIBS)
+  set(pcl_ops_hands_on_threads OFF)
 endif()
 
 set(pcl_ops_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_ops)
@@ -58,10 +58,7 @@ if(PCL_VERSION VERSION_LESS 1.13)
 endif()
 list(TRANSFORM pcl_ops_pcl_targets APPEND "${pcl_pc_suffix}" OUTPUT_VARIABLE pcl_pc_names)
 list(JOIN pcl_pc_names " " PCL_OPS_PC_REQUIRES)
-set(PCL_OPS_PC_LIBS_PRIVATE "")
-if(OpenMP_CXX_FOUND)
-  list(JOIN OpenMP_CXX_FLAGS " " PCL_OPS_PC_LIBS_PRIVATE)
-endif()
+set(PCL_OPS_PC_LIBS_PRIVATE ${CMAKE_THREAD_LIBS_INIT})
 foreach(dir LIBDIR INCLUDEDIR)
   file(RELATIVE_PATH PCL_OPS_PC_${dir} ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FULL_${dir}})
 endforeach()

@@ -162,10 +162,25 @@ assignToUnboundedPlanes (const Coordinates& points,
   return assigned;
 }
 
+namespace {
+
+bool
+changesNothing (const Labels& merged_into)
+{
+  for (std::size_t p = 0; p < merged_into.size(); ++p)
+    if (merged_into[p] != static_cast<std::int32_t> (p))
+      return false;
+  return true;
+}
+
+} // namespace
+
 void
 relabel (Labels& labels, const Labels& merged_into, unsigned threads)
 {
   constexpr std::size_t labels_per_piece = 65536;
+  if (changesNothing (merged_into))
+    return;
   parallelFor (threads,
                labels.size(),
                labels_per_piece,

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <exception>
 #include <stdexcept>
+#include <type_traits>
 
 namespace pcl_ops {
 
@@ -30,6 +31,18 @@ problemOf (const MergingParameters& merging)
   return {};
 }
 
+// Negative ones are the largest. Without a way out of the loop, so that it is
+// vectorized.
+std::size_t
+largestOf (const pcl::Indices& indices)
+{
+  using Number = std::make_unsigned_t<pcl::index_t>;
+  Number largest = 0;
+  for (const pcl::index_t index : indices)
+    largest = std::max (largest, static_cast<Number> (index));
+  return largest;
+}
+
 } // namespace
 
 std::string
@@ -49,14 +62,11 @@ problemOf (const PlaneDetectorParameters& parameters)
 std::string
 problemOf (const DetectorInput& input)
 {
-  const auto is_outside = [size = input.cloud.size] (pcl::index_t index) {
-    return index < 0 || static_cast<std::size_t> (index) >= size;
-  };
   if (input.cloud.size == 0)
     return "the input cloud is empty";
   if (input.indices.empty())
     return "the indices are empty; leave them out to use the whole cloud";
-  if (std::any_of (input.indices.begin(), input.indices.end(), is_outside))
+  if (largestOf (input.indices) >= input.cloud.size)
     return "an index lies outside the input cloud";
   return {};
 }

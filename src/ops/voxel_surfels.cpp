@@ -138,7 +138,7 @@ VoxelSurfels::extract (const Points& points,
         extractSurfelPlanes (
             grid, own, extractionParameters (parameters_, thickness), among);
         planes.found += among.size() - before;
-        fillHoles (grid, among);
+        fillHoles (grid, threads, among);
       };
   const VoxelGrid& grid = voxelized.grid;
   planes.coarse.plane_of_voxel.assign (grid.size(), no_plane);

@@ -191,7 +191,7 @@ voxelSizeFor (const Coordinates& positions, double wanted_voxels)
 VoxelizedPoints
 voxelize (const Coordinates& positions, double voxel_size, unsigned threads)
 {
-  constexpr std::size_t points_per_piece = 131072;
+  constexpr std::size_t points_per_piece = 49152;
   constexpr std::size_t most_pieces = 4;
   const std::size_t number =
       std::clamp (positions.size() / points_per_piece, std::size_t (1), most_pieces);

@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "base/parallel.h"
+#include "base/worker_threads.h"
 
 #include <algorithm>
 #include <atomic>
+#include <future>
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -50,6 +53,29 @@ TEST (ParallelFor, TakesAnyNumberOfThreads)
   constexpr unsigned absurd = std::numeric_limits<unsigned>::max();
   EXPECT_EQ (piecesOf (absurd, 1000, 1).size(), 1000u);
   EXPECT_EQ (piecesOf (1000000, 10000, 1).size(), 10000u);
+}
+
+// As on a machine that has other things to do.
+TEST (ParallelFor, DoesNotWaitForThreadsThatHaveNoTime)
+{
+  constexpr unsigned threads = 4;
+  std::promise<void> all_done;
+  const std::shared_future<void> until = all_done.get_future().share();
+  callOnWorkers (threads, [until] { until.wait(); });
+  EXPECT_EQ (piecesOf (threads, 1000, 1).size(), 1000u);
+  all_done.set_value();
+}
+
+TEST (ParallelFor, IsDoneBySeveralThreadsWhereTheyHaveTime)
+{
+  constexpr unsigned threads = 3;
+  std::atomic<unsigned> arrived{0};
+  parallelFor (threads, threads, 1, [&] (std::size_t, std::size_t) {
+    // Nobody leaves before all are there.
+    for (++arrived; arrived < threads;)
+      std::this_thread::yield();
+  });
+  EXPECT_EQ (arrived, threads);
 }
 
 TEST (ParallelFor, HandsOnWhatABodyThrows)

@@ -27,7 +27,7 @@ TEST (HoleFilling, FillsAHoleOfAVoxel)
   VoxelScene scene ({{ground}});
   scene.label (no_plane, isInTheMiddle<1>);
   ASSERT_EQ (scene.voxelsOn (no_plane), 1u);
-  fillHoles (scene.grid(), scene.planes);
+  fillHoles (scene.grid(), 1, scene.planes);
   EXPECT_EQ (scene.voxelsOn (no_plane), 0u);
 }
 
@@ -36,10 +36,10 @@ TEST (HoleFilling, FillsAHoleOfThreeVoxelsAcrossButNoneMuchWider)
   VoxelScene scene ({{ground}});
   scene.label (no_plane, isInTheMiddle<3>);
   ASSERT_EQ (scene.voxelsOn (no_plane), 9u);
-  fillHoles (scene.grid(), scene.planes);
+  fillHoles (scene.grid(), 1, scene.planes);
   EXPECT_EQ (scene.voxelsOn (no_plane), 0u);
   scene.label (no_plane, isInTheMiddle<8>);
-  fillHoles (scene.grid(), scene.planes);
+  fillHoles (scene.grid(), 1, scene.planes);
   EXPECT_GE (scene.voxelsOn (no_plane), 4u * 4u) << "two rows from each side at most";
 }
 
@@ -49,7 +49,7 @@ TEST (HoleFilling, LeavesPointsThatThePlaneDoesNotExplain)
   VoxelScene scene ({{ground}, {{{0.5, 0.5, 0.09}, {0.1, 0, 0}, {0, 0.1, 0}}}});
   scene.label (no_plane, isInTheMiddle<1>);
   ASSERT_EQ (scene.voxelsOn (no_plane), 1u);
-  fillHoles (scene.grid(), scene.planes);
+  fillHoles (scene.grid(), 1, scene.planes);
   EXPECT_EQ (scene.voxelsOn (no_plane), 1u);
 }
 
@@ -58,7 +58,7 @@ TEST (HoleFilling, AllowsForTheNoiseAround)
   VoxelScene scene ({{ground}, {{{0.5, 0.5, 0.09}, {0.1, 0, 0}, {0, 0.1, 0}}}});
   scene.label (no_plane, isInTheMiddle<1>);
   scene.planes.noise.assign (scene.grid().size(), 2_cm);
-  fillHoles (scene.grid(), scene.planes);
+  fillHoles (scene.grid(), 1, scene.planes);
   EXPECT_EQ (scene.voxelsOn (no_plane), 0u);
 }
 
@@ -68,7 +68,7 @@ TEST (HoleFilling, AsksForHalfOfTheNeighbours)
   VoxelScene scene ({{ground}});
   scene.label (no_plane, [] (const auto& at) { return at.x() > 0.7; });
   const std::size_t before = scene.voxelsOn (no_plane);
-  fillHoles (scene.grid(), scene.planes);
+  fillHoles (scene.grid(), 1, scene.planes);
   EXPECT_EQ (scene.voxelsOn (no_plane), before);
 }
 
@@ -78,7 +78,7 @@ TEST (HoleFilling, TakesTheNoiseOfTheVoxelsAround)
   scene.label (no_plane, isInTheMiddle<1>);
   for (std::size_t i = 0; i < scene.grid().size(); ++i)
     scene.planes.noise[i] = scene.planes.plane_of_voxel[i] == no_plane ? 1_m : 2_cm;
-  fillHoles (scene.grid(), scene.planes);
+  fillHoles (scene.grid(), 1, scene.planes);
   for (const double noise : scene.planes.noise)
     EXPECT_NEAR (noise, 2_cm, 1e-9);
 }
