@@ -88,17 +88,19 @@ insertAll (const std::vector<VoxelKey>& keys,
   return voxel_of;
 }
 
-// Adds the voxels of all pieces to the first; returns for each piece where its voxels
-// are.
+// Adds the voxels of all pieces to the first, and empties the others, as large together
+// where each point has a voxel of its own; returns for each piece where its voxels are.
 std::vector<std::vector<std::uint32_t>>
 joinIntoFirst (std::vector<Piece>& pieces)
 {
   std::vector<std::vector<std::uint32_t>> voxel_of (pieces.size());
   voxel_of[0].resize (pieces[0].moments.size());
   std::iota (voxel_of[0].begin(), voxel_of[0].end(), 0u);
-  for (std::size_t p = 1; p < pieces.size(); ++p)
+  for (std::size_t p = 1; p < pieces.size(); ++p) {
     voxel_of[p] = insertAll (
         pieces[p].table.keys(), pieces[p].moments, pieces[0].table, pieces[0].moments);
+    pieces[p] = Piece();
+  }
   return voxel_of;
 }
 

@@ -147,6 +147,7 @@ void
 VoxelTable::pad (const Block& block, PaddedBlock& padded) const
 {
   clearAround (block, padded);
+  copyInto (padded, block, 0, 0, 0);
   const VoxelKey corner = cornerOf (block.key);
   const auto is_touched = [&block] (std::size_t axis, int offset) {
     return offset == 0 || block.touches[axis][offset > 0];
@@ -154,7 +155,9 @@ VoxelTable::pad (const Block& block, PaddedBlock& padded) const
   for (int dz = -1; dz <= 1; ++dz)
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
-        if (!is_touched (0, dx) || !is_touched (1, dy) || !is_touched (2, dz))
+        const bool is_itself = dx == 0 && dy == 0 && dz == 0;
+        if (is_itself || !is_touched (0, dx) || !is_touched (1, dy) ||
+            !is_touched (2, dz))
           continue;
         const std::uint32_t found =
             slots_[findSlot (blockKey ({corner.x + dx * block_edge,
