@@ -104,7 +104,8 @@ joinIntoFirst (std::vector<Piece>& pieces)
   return voxel_of;
 }
 
-// Puts the voxels in the table's order; returns the new position of each.
+// Puts the voxels in the table's order, their moments into the grid; returns the new
+// position of each.
 std::vector<std::uint32_t>
 finish (VoxelTable& table,
         std::vector<Moments>& moments,
@@ -116,6 +117,7 @@ finish (VoxelTable& table,
   grid.moments.resize (moments.size());
   for (std::size_t i = 0; i < moments.size(); ++i)
     grid.moments[order[i]] = moments[i];
+  std::vector<Moments>().swap (moments);
   grid.neighbours = table.neighbours (threads);
   return order;
 }

@@ -42,19 +42,18 @@ std::uint32_t
 VoxelTable::add (const VoxelKey& key)
 {
   Block& block = blocks_[last_block_];
-  std::int32_t& layer = block.layers[static_cast<std::size_t> (key.z & mask)];
-  if (layer < 0) {
-    layer = static_cast<std::int32_t> (layers_.size());
-    layers_.emplace_back().fill (-1);
-  }
+  const auto z = static_cast<std::size_t> (key.z & mask);
+  std::int32_t& layer = block.layers[z];
+  if (layer < 0)
+    layer = layers_.add();
+  block.rows[z] = static_cast<std::uint8_t> (block.rows[z] | 1 << (key.y & mask));
   const std::array<std::int32_t, 3> in_block{key.x & mask, key.y & mask, key.z & mask};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     block.touches[axis][0] |= in_block[axis] == 0;
     block.touches[axis][1] |= in_block[axis] == mask;
   }
   const auto number = static_cast<std::uint32_t> (keys_.size());
-  layers_[static_cast<std::size_t> (layer)][positionInLayer (key)] =
-      static_cast<std::int32_t> (number);
+  layers_[layer][positionInLayer (key)] = static_cast<std::int32_t> (number);
   keys_.push_back (key);
   return number;
 }
@@ -122,7 +121,7 @@ VoxelTable::copyInto (
     const std::int32_t layer = block.layers[static_cast<std::size_t> (z.from + k)];
     if (layer < 0)
       continue;
-    const std::int32_t* const voxels = layers_[static_cast<std::size_t> (layer)].data();
+    const std::int32_t* const voxels = layers_[layer].data();
     for (int j = 0; j < y.size; ++j)
       std::copy_n (voxels + (y.from + j) * block_edge + x.from,
                    x.size,
