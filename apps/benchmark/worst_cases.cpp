@@ -81,18 +81,52 @@ measureAt (const XyzCloud::ConstPtr& room,
   return all;
 }
 
-void
-printLargest (const std::vector<WorstCase>& all, std::ostream& stream)
-{
-  double time = 0.0, memory = 0.0;
-  for (const WorstCase& worst : all) {
+/** The largest ratios of those given. */
+struct Largest {
+  double time = 0.0;
+  double memory = 0.0;
+
+  void
+  add (const WorstCase& worst)
+  {
     time = std::fmax (time, worst.timeRatio());
     memory = std::fmax (memory, worst.memoryRatio());
   }
-  stream << "- Time per point is at most " << decimal (time, 1)
-         << " times a room's (meant to stay below " << time_bound
-         << "), peak memory without the cloud " << decimal (memory, 1)
-         << " times (below " << memory_bound << ")." << std::endl;
+};
+
+/** A row for each cloud, a column for each detector: the largest over all sizes. */
+evaluation::TextTable
+largestByDetector (const std::vector<WorstCase>& all)
+{
+  evaluation::TextTable table{"Largest ratios to a room: time / memory", {"cloud"}, {}};
+  const auto detectors = evaluation::selectConfigurations (bounded_detectors);
+  for (const Configuration& detector : detectors)
+    table.header.push_back (detector.name);
+  for (const WorstCloud& cloud : worstClouds()) {
+    table.rows.push_back ({cloud.name});
+    for (const Configuration& detector : detectors) {
+      Largest largest;
+      for (const WorstCase& worst : all)
+        if (worst.cloud == cloud.name && worst.detector == detector.name)
+          largest.add (worst);
+      table.rows.back().push_back (decimal (largest.time, 1) + " / " +
+                                   decimal (largest.memory, 1));
+    }
+  }
+  return table;
+}
+
+void
+printLargest (const std::vector<WorstCase>& all, std::ostream& stream)
+{
+  Largest largest;
+  for (const WorstCase& worst : all)
+    largest.add (worst);
+  stream << largestByDetector (all) << "- Time per point is at most "
+         << decimal (largest.time, 1) << " times a room's (meant to stay below "
+         << time_bound << "), peak memory without the cloud "
+         << decimal (largest.memory, 1) << " times (below " << memory_bound << ")."
+         << std::endl;
 }
 
 } // namespace

@@ -135,9 +135,10 @@ TEST (BenchmarkProgram, WorstCasesHaveARowForEachDetectorAndSize)
   for (const char* part : {"**Worst cases, 500 points**\n\n| ",
                            "**Worst cases, 1000 points**\n\n| ",
                            "| noise in a cube ",
+                           "**Largest ratios to a room: time / memory**",
                            "| equal points ",
-                           "| fspf-0.07-0.14 ",
-                           "| kht-80-800 ",
+                           " fspf-0.07-0.14 |",
+                           " kht-80-800 |",
                            "\n- Time per point is at most "})
     EXPECT_NE (run.text.find (part), std::string::npos) << part << run.text;
 }
