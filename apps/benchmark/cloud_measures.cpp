@@ -52,7 +52,7 @@ sphereCentres (const XyzCloud& cloud,
     const Eigen::Vector3f position =
         (search.points()[centre] + points.origin).cast<float>();
     centres.emplace_back (position.x(), position.y(), position.z());
-    search.find (centre, sphere);
+    return search.find (centre, sphere);
   };
   sampleLocalPlanes (search.points(),
                      find_sphere,

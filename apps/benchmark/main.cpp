@@ -4,6 +4,7 @@
 #include "options.h"
 #include "scaling_report.h"
 #include "time_table.h"
+#include "worst_cases.h"
 #include <cli/errors.h>
 #include <cli/memory.h>
 #include <cli/program.h>
@@ -138,13 +139,13 @@ measure (const Options& options,
 }
 
 DataSet
-growingScans (const std::string& sizes)
+growingScans (const std::string& option, const std::string& sizes)
 {
   try {
     return evaluation::dataSetOf ("simulated:" + sizes, Eigen::Vector3d::UnitZ());
   }
   catch (const apps::UsageError&) {
-    throw apps::UsageError ("--scaling-points",
+    throw apps::UsageError (option,
                             sizes + " is no list of sizes; give some as 30000,300000");
   }
 }
@@ -155,9 +156,17 @@ run (int argc, const char* const* argv)
   Options options;
   if (!readOptions (argc, argv, options))
     return apps::ExitCode::done;
+  if (options.worst_cases) {
+    printWorstCases (
+        growingScans ("--worst-case-points", options.worst_case_points).clouds,
+        options.measures,
+        notify,
+        std::cout);
+    return apps::ExitCode::done;
+  }
   const DataSet clouds =
       evaluation::dataSetOf (options.clouds, Eigen::Vector3d::UnitZ());
-  const DataSet growing = growingScans (options.scaling_points);
+  const DataSet growing = growingScans ("--scaling-points", options.scaling_points);
   if (!options.json_file.empty())
     apps::checkWritable (options.json_file);
   if (!options.scaling_folder.empty())

@@ -3,6 +3,7 @@
 #include "options.h"
 
 #include <cli/command_line.h>
+#include <cli/errors.h>
 
 #include <algorithm>
 #include <array>
@@ -59,6 +60,35 @@ declareScaling (apps::CommandLine& line, Options& options)
                 "sizes for that (" + options.scaling_points + ")");
 }
 
+void
+declareWorstCases (apps::CommandLine& line, Options& options)
+{
+  line.addFlag ("worst-cases",
+                options.worst_cases,
+                "without INPUT: time and memory on noise, exact planes and others that "
+                "are hard, against a room's");
+  line.addText ("worst-case-points",
+                "N,N,...",
+                options.worst_case_points,
+                "sizes for that (" + options.worst_case_points + ")");
+}
+
+/** \throw apps::UsageError unless there is either an input or nothing to do with one */
+void
+checkInput (const apps::CommandLine& line, const Options& options)
+{
+  if (options.worst_cases == !options.clouds.empty())
+    throw apps::UsageError ("INPUT",
+                            options.worst_cases
+                                ? "is not for --worst-cases; leave one of them out"
+                                : "is missing; see --help");
+  if (!options.worst_cases)
+    return;
+  for (const char* other :
+       {"json", "scaling", "scaling-points", "memory-points", "no-peers", "peer-runs"})
+    line.forbidTogether ("worst-cases", other);
+}
+
 } // namespace
 
 bool
@@ -73,7 +103,7 @@ readOptions (int argc, const char* const* argv, Options& options)
   std::string input;
   std::size_t memory_points = 3'000'000;
   bool no_peers = false;
-  line.addArgument (
+  line.addOptionalArgument (
       "INPUT",
       input,
       "a .pcd, .ply or .las file, a folder of them, simulated:N,N,... (scans of "
@@ -87,12 +117,14 @@ readOptions (int argc, const char* const* argv, Options& options)
                   memory_points,
                   "size of the simulated scan peak memory is measured on (3000000)");
   declareScaling (line, options);
+  declareWorstCases (line, options);
   if (!line.parse (argc, argv))
     return false;
   line.forbidTogether ("no-peers", "peer-runs");
   if (no_peers)
     options.measures.peer_runs = 0;
-  options.clouds = dataSetText (input);
+  options.clouds = input.empty() ? "" : dataSetText (input);
+  checkInput (line, options);
   options.memory_cloud = "simulated:" + std::to_string (memory_points);
   return true;
 }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "peak_memory.h"
 
-#include <evaluation/detectors/detector_run.h>
-#include <pcl_ops/oriented_point_sampling.h>
+#include "cloud_measures.h"
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -40,12 +39,6 @@ giveBackFreedMemory ()
 #ifdef __GLIBC__
   malloc_trim (0);
 #endif
-}
-
-void
-detect (const XyzCloud::ConstPtr& cloud)
-{
-  evaluation::runDetector<OrientedPointSampling<pcl::PointXYZ>> ({}, cloud);
 }
 
 double
@@ -91,7 +84,8 @@ inChildProcess (const std::function<double()>& compute)
 } // namespace
 
 PeakMemory
-peakMemoryOn (const XyzCloud::ConstPtr& cloud)
+peakMemoryOn (const XyzCloud::ConstPtr& cloud,
+              const evaluation::Configuration& detector)
 {
   // The pages of the program itself are resident once a small cloud has used them.
   constexpr std::size_t small = 5000;
@@ -104,11 +98,21 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud)
   peak.points = cloud->size();
   peak.cloud_bytes = static_cast<double> (cloud->size() * sizeof (pcl::PointXYZ));
   giveBackFreedMemory();
+  const auto detect = [&] (const XyzCloud::ConstPtr& any) {
+    detector.run (any, Eigen::Vector3d::UnitZ(), MeasureParameters().seed);
+  };
   peak.extra_bytes = inChildProcess ([&] {
     detect (few);
     return growthOf ([&] { detect (cloud); });
   });
   return peak;
+}
+
+PeakMemory
+peakMemoryOn (const XyzCloud::ConstPtr& cloud)
+{
+  return peakMemoryOn (cloud,
+                       evaluation::selectConfigurations (default_preset).front());
 }
 
 } // namespace pcl_ops::benchmark

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <evaluation/labels/plane_classes.h>
+#include <evaluation/detectors/detectors.h>
 
 #include <limits>
 
@@ -24,9 +24,14 @@ struct PeakMemory {
   }
 };
 
-/** \brief Runs the default preset on one thread in a child process and takes by how
- * much its resident memory grows at the peak, labels of all points included.
+/** \brief Runs a detector on one thread in a child process and takes by how much its
+ * resident memory grows at the peak, labels of all points included.
  * \param[in] cloud finite points */
+PeakMemory
+peakMemoryOn (const evaluation::XyzCloud::ConstPtr& cloud,
+              const evaluation::Configuration& detector);
+
+/** \brief The same of the default preset. */
 PeakMemory
 peakMemoryOn (const evaluation::XyzCloud::ConstPtr& cloud);
 

@@ -35,10 +35,11 @@ struct LocalSamplingParameters {
   /** \brief K_max, as a multiple of the number of points: sampling ends after so many
    * hypotheses. */
   double max_hypotheses_per_point = 1.0;
-  /** \brief Points looked at in all spheres together, as a multiple of the number of
-   * points, before sampling gives up: in dense noise, or where radii are far too large
-   * for the distance threshold, K_max would take hours. Not in the paper; clouds of
-   * rooms come to some 10, with LocalInliers::Samples to 100. */
+  /** \brief Points looked at in all spheres together, and 100 for each sphere, as a
+   * multiple of the number of points, before sampling gives up: in dense noise, among
+   * equal points, or where radii are far too large for the distance threshold or far
+   * too small, K_max would take hours. Not in the paper; clouds of rooms come to some
+   * 10, with LocalInliers::Samples to 100. */
   double max_visits_per_point = 100.0;
 };
 

@@ -25,6 +25,13 @@ function(pcl_ops_target_defaults target)
   endif()
 endfunction()
 
+# Rounds each product and each sum: where processors can fuse the two, one compiler does so
+# and another does not, and points at the edge of a plane change sides.
+function(pcl_ops_round_alike target)
+  target_compile_options(${target} PRIVATE
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-ffp-contract=off>)
+endfunction()
+
 # A program of the project and its manual page, installed as part of a component:
 # pcl_ops_add_program(name sources... SUMMARY line LINK libraries... [COMPONENT tools])
 function(pcl_ops_add_program name)

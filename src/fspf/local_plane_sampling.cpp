@@ -11,6 +11,9 @@ namespace pcl_ops::internal {
 
 namespace {
 
+/** Before a hypothesis is given up. */
+constexpr int most_draws = 1000;
+
 /** A plane with the test for its inliers, in the points' own precision. */
 struct Hypothesis {
   const Coordinates& points;
@@ -81,7 +84,6 @@ drawHypothesis (const Coordinates& points,
                 double inner_radius,
                 RandomGenerator& generator)
 {
-  constexpr int most_draws = 1000;
   // Narrower than a thousandth of its length a triangle is a line.
   constexpr double smallest_sine = 1e-3;
   const Eigen::Vector3d p0 = points[origin];
@@ -112,22 +114,36 @@ localVerdict (unsigned drawn,
 
 namespace {
 
+/** What a sphere costs, in points visited: the search looks at three times as many as
+ * there are in a sphere on a surface, at more in noise; an empty sphere costs, too. */
+double
+visitsOf (const Indices& sphere, std::size_t looked_at)
+{
+  constexpr double usually_looked_at = 3.0, visits_of_any_sphere = 100.0;
+  return visits_of_any_sphere +
+         std::max (static_cast<double> (sphere.size()),
+                   static_cast<double> (looked_at) / usually_looked_at);
+}
+
 /** One turn of the paper's loop: the inliers of a plane around p_r0, if there is one.
- */
+ * \param[in,out] visits what it costs beyond the sphere is added */
 std::optional<Moments>
 planeAround (const Coordinates& points,
              std::uint32_t origin,
              const Indices& sphere,
              const LocalSamplingParameters& parameters,
              double distance_threshold,
-             RandomGenerator& generator)
+             RandomGenerator& generator,
+             double& visits)
 {
   if (sphere.size() < parameters.local_samples)
     return std::nullopt;
   const std::optional<Plane> plane =
       drawHypothesis (points, origin, sphere, parameters.inner_radius, generator);
-  if (!plane)
+  if (!plane) {
+    visits += most_draws;
     return std::nullopt;
+  }
   const Hypothesis hypothesis (points, *plane, distance_threshold);
   const Indices samples = passTest (hypothesis, sphere, parameters, generator);
   if (samples.empty())
@@ -155,10 +171,9 @@ sampleLocalPlanes (const Coordinates& points,
   Indices sphere;
   for (; n < n_max && k < k_max && visits < most_visits; ++k) {
     const std::uint32_t origin = drawBelow (generator, size);
-    find_sphere (origin, sphere);
-    visits += static_cast<double> (sphere.size());
-    const std::optional<Moments> inliers =
-        planeAround (points, origin, sphere, parameters, distance_threshold, generator);
+    visits += visitsOf (sphere, find_sphere (origin, sphere));
+    const std::optional<Moments> inliers = planeAround (
+        points, origin, sphere, parameters, distance_threshold, generator, visits);
     if (!inliers)
       continue;
     n += inliers->count;

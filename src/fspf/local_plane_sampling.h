@@ -15,8 +15,10 @@
 namespace pcl_ops::internal {
 
 /** \brief Gives the points within r2 of the point at a position, itself included: their
- * positions, in any order, replace what the vector held. */
-using SphereFinder = std::function<void (std::uint32_t centre, Indices& sphere)>;
+ * positions, in any order, replace what the vector held.
+ * \return how many points were looked at for that; more than there are in the sphere,
+ * if it is nearly empty in a crowd */
+using SphereFinder = std::function<std::size_t (std::uint32_t centre, Indices& sphere)>;
 
 /** \brief A point and the plane through it and two others near it.
  * \param[in] points the points

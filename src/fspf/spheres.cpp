@@ -19,7 +19,7 @@ spheresInVoxels (const Points& points, double radius, unsigned threads)
   const auto search =
       std::make_shared<const FixedRadiusSearch> (points, radius, threads);
   return {search->points(), [search] (std::uint32_t centre, Indices& sphere) {
-            search->find (centre, sphere);
+            return search->find (centre, sphere);
           }};
 }
 
@@ -44,6 +44,7 @@ spheresByUsersSearch (const DetectorInput& input, const Points& points, double r
             for (const pcl::index_t neighbour : neighbours)
               if (place_of[static_cast<std::size_t> (neighbour)] != none)
                 sphere.push_back (place_of[static_cast<std::size_t> (neighbour)]);
+            return sphere.size();
           }};
 }
 

@@ -40,7 +40,7 @@ FixedRadiusSearch::FixedRadiusSearch (const Coordinates& points,
       });
 }
 
-void
+std::size_t
 FixedRadiusSearch::find (std::uint32_t point, Indices& neighbours) const
 {
   const float x = points_.x[point], y = points_.y[point], z = points_.z[point];
@@ -48,9 +48,10 @@ FixedRadiusSearch::find (std::uint32_t point, Indices& neighbours) const
       std::upper_bound (voxel_begin_.begin(), voxel_begin_.end(), point);
   const auto own_voxel =
       static_cast<std::size_t> (next_voxel - voxel_begin_.begin()) - 1;
-  std::size_t number = 0;
+  std::size_t number = 0, looked_at = 0;
   for (const std::uint32_t neighbour : neighbours_of_voxel_[own_voxel]) {
     const std::uint32_t* const voxel = &voxel_begin_[neighbour];
+    looked_at += voxel[1] - voxel[0];
     neighbours.resize (number + (voxel[1] - voxel[0]));
     for (std::uint32_t i = voxel[0]; i < voxel[1]; ++i) {
       const float dx = points_.x[i] - x, dy = points_.y[i] - y, dz = points_.z[i] - z;
@@ -60,6 +61,7 @@ FixedRadiusSearch::find (std::uint32_t point, Indices& neighbours) const
     }
   }
   neighbours.resize (number);
+  return looked_at;
 }
 
 } // namespace pcl_ops::internal

@@ -31,8 +31,9 @@ public:
   /** \brief Finds the points at most the radius away, the point itself included.
    * \param[in] point position of the centre in \ref points
    * \param[out] neighbours their positions in \ref points, in an order that depends on
-   * the points alone; what it held is replaced */
-  void
+   * the points alone; what it held is replaced
+   * \return how many points it looked at for that */
+  std::size_t
   find (std::uint32_t point, Indices& neighbours) const;
 
 private:

@@ -88,21 +88,24 @@ insertAll (const std::vector<VoxelKey>& keys,
   return voxel_of;
 }
 
-// Adds the voxels of all pieces to the first; returns for each piece where its voxels
-// are.
+// Adds the voxels of all pieces to the first, and empties the others, as large together
+// where each point has a voxel of its own; returns for each piece where its voxels are.
 std::vector<std::vector<std::uint32_t>>
 joinIntoFirst (std::vector<Piece>& pieces)
 {
   std::vector<std::vector<std::uint32_t>> voxel_of (pieces.size());
   voxel_of[0].resize (pieces[0].moments.size());
   std::iota (voxel_of[0].begin(), voxel_of[0].end(), 0u);
-  for (std::size_t p = 1; p < pieces.size(); ++p)
+  for (std::size_t p = 1; p < pieces.size(); ++p) {
     voxel_of[p] = insertAll (
         pieces[p].table.keys(), pieces[p].moments, pieces[0].table, pieces[0].moments);
+    pieces[p] = Piece();
+  }
   return voxel_of;
 }
 
-// Puts the voxels in the table's order; returns the new position of each.
+// Puts the voxels in the table's order, their moments into the grid; returns the new
+// position of each.
 std::vector<std::uint32_t>
 finish (VoxelTable& table,
         std::vector<Moments>& moments,
@@ -114,6 +117,7 @@ finish (VoxelTable& table,
   grid.moments.resize (moments.size());
   for (std::size_t i = 0; i < moments.size(); ++i)
     grid.moments[order[i]] = moments[i];
+  std::vector<Moments>().swap (moments);
   grid.neighbours = table.neighbours (threads);
   return order;
 }

@@ -42,19 +42,18 @@ std::uint32_t
 VoxelTable::add (const VoxelKey& key)
 {
   Block& block = blocks_[last_block_];
-  std::int32_t& layer = block.layers[static_cast<std::size_t> (key.z & mask)];
-  if (layer < 0) {
-    layer = static_cast<std::int32_t> (layers_.size());
-    layers_.emplace_back().fill (-1);
-  }
+  const auto z = static_cast<std::size_t> (key.z & mask);
+  std::int32_t& layer = block.layers[z];
+  if (layer < 0)
+    layer = layers_.add();
+  block.rows[z] = static_cast<std::uint8_t> (block.rows[z] | 1 << (key.y & mask));
   const std::array<std::int32_t, 3> in_block{key.x & mask, key.y & mask, key.z & mask};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     block.touches[axis][0] |= in_block[axis] == 0;
     block.touches[axis][1] |= in_block[axis] == mask;
   }
   const auto number = static_cast<std::uint32_t> (keys_.size());
-  layers_[static_cast<std::size_t> (layer)][positionInLayer (key)] =
-      static_cast<std::int32_t> (number);
+  layers_[layer][positionInLayer (key)] = static_cast<std::int32_t> (number);
   keys_.push_back (key);
   return number;
 }
@@ -122,7 +121,7 @@ VoxelTable::copyInto (
     const std::int32_t layer = block.layers[static_cast<std::size_t> (z.from + k)];
     if (layer < 0)
       continue;
-    const std::int32_t* const voxels = layers_[static_cast<std::size_t> (layer)].data();
+    const std::int32_t* const voxels = layers_[layer].data();
     for (int j = 0; j < y.size; ++j)
       std::copy_n (voxels + (y.from + j) * block_edge + x.from,
                    x.size,
@@ -147,6 +146,7 @@ void
 VoxelTable::pad (const Block& block, PaddedBlock& padded) const
 {
   clearAround (block, padded);
+  copyInto (padded, block, 0, 0, 0);
   const VoxelKey corner = cornerOf (block.key);
   const auto is_touched = [&block] (std::size_t axis, int offset) {
     return offset == 0 || block.touches[axis][offset > 0];
@@ -154,7 +154,9 @@ VoxelTable::pad (const Block& block, PaddedBlock& padded) const
   for (int dz = -1; dz <= 1; ++dz)
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
-        if (!is_touched (0, dx) || !is_touched (1, dy) || !is_touched (2, dz))
+        const bool is_itself = dx == 0 && dy == 0 && dz == 0;
+        if (is_itself || !is_touched (0, dx) || !is_touched (1, dy) ||
+            !is_touched (2, dz))
           continue;
         const std::uint32_t found =
             slots_[findSlot (blockKey ({corner.x + dx * block_edge,

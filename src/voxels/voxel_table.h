@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace pcl_ops::internal {
@@ -32,9 +33,7 @@ public:
     }
     const std::int32_t layer =
         blocks_[last_block_].layers[static_cast<std::size_t> (key.z & mask)];
-    const std::int32_t voxel =
-        layer < 0 ? -1
-                  : layers_[static_cast<std::size_t> (layer)][positionInLayer (key)];
+    const std::int32_t voxel = layer < 0 ? -1 : layers_[layer][positionInLayer (key)];
     return voxel < 0 ? add (key) : static_cast<std::uint32_t> (voxel);
   }
 
@@ -70,10 +69,53 @@ private:
   /** \brief Voxels of a block that share their z; -1 where there is none. */
   using Layer = std::array<std::int32_t, block_edge * block_edge>;
 
+  /** \brief Layers by number, which stay where they are when there are more: a copy of
+   * all would cost as much memory again. */
+  class Layers {
+  public:
+    /** \return the number of a new layer without voxels */
+    std::int32_t
+    add ()
+    {
+      if (size_ % piece_size == 0)
+        pieces_.emplace_back (new Piece);
+      at (pieces_, size_).fill (-1);
+      return static_cast<std::int32_t> (size_++);
+    }
+
+    Layer&
+    operator[] (std::int32_t number)
+    {
+      return at (pieces_, static_cast<std::size_t> (number));
+    }
+    const Layer&
+    operator[] (std::int32_t number) const
+    {
+      return at (pieces_, static_cast<std::size_t> (number));
+    }
+
+  private:
+    static constexpr std::size_t piece_size = 64;
+    using Piece = std::array<Layer, piece_size>;
+    using Pieces = std::vector<std::unique_ptr<Piece>>;
+
+    static Layer&
+    at (const Pieces& pieces, std::size_t number)
+    {
+      return (*pieces[number / piece_size])[number % piece_size];
+    }
+
+    Pieces pieces_;
+    std::size_t size_ = 0;
+  };
+
   struct Block {
     BlockKey key = 0;
     /** \brief By z; -1 where there is none. */
     std::array<std::int32_t, block_edge> layers;
+    /** \brief By z, a bit for each y that has voxels: most have none where points are
+     * far apart. */
+    std::array<std::uint8_t, block_edge> rows{};
     /** \brief Whether a voxel touches the block before and the one after, by axis. */
     std::array<std::array<bool, 2>, 3> touches{};
   };
@@ -96,15 +138,18 @@ private:
   std::uint32_t
   add (const VoxelKey& key);
   /** \brief Visits the voxels of a block by z, y and x. */
-  template <typename Layers, typename Visit>
+  template <typename AnyLayers, typename Visit>
   static void
-  forVoxelsOf (const Block& block, Layers& layers, Visit&& visit)
+  forVoxelsOf (const Block& block, AnyLayers& layers, Visit&& visit)
   {
-    for (const std::int32_t layer : block.layers)
-      if (layer >= 0)
-        for (auto& voxel : layers[static_cast<std::size_t> (layer)])
-          if (voxel >= 0)
-            visit (voxel);
+    for (std::size_t z = 0; z < block_edge; ++z)
+      for (std::size_t y = 0; block.rows[z] >> y != 0; ++y)
+        if ((block.rows[z] >> y & 1) != 0) {
+          auto* const row = &layers[block.layers[z]][y << block_bits];
+          for (std::size_t x = 0; x < block_edge; ++x)
+            if (row[x] >= 0)
+              visit (row[x]);
+        }
   }
 
   std::size_t
@@ -144,7 +189,7 @@ private:
 
   std::vector<VoxelKey> keys_;
   std::vector<Block> blocks_;
-  std::vector<Layer> layers_;
+  Layers layers_;
   /** \brief The blocks by their coordinates, once sorted. */
   std::vector<std::uint32_t> order_;
   /** \brief Open addressing: block number + 1, 0 for a free slot. */

@@ -64,7 +64,10 @@ sample (const Coordinates& points, const LocalSamplingParameters& parameters)
   const Indices all = allOf (points);
   return sampleLocalPlanes (
       points,
-      [&] (std::uint32_t, Indices& sphere) { sphere = all; },
+      [&] (std::uint32_t, Indices& sphere) {
+        sphere = all;
+        return all.size();
+      },
       parameters,
       theta_h,
       seedOfTest());
@@ -200,7 +203,7 @@ TEST (SampleLocalPlanes, EndsAtTheNumberOfInliers)
 TEST (SampleLocalPlanes, EndsAtTheNumberOfHypotheses)
 {
   LocalSamplingParameters parameters;
-  parameters.max_inliers_per_point = 1e9;
+  parameters.max_inliers_per_point = parameters.max_visits_per_point = 1e9;
   parameters.max_hypotheses_per_point = 0.5;
   EXPECT_EQ (samplePatch (200, parameters).hypotheses, 100u);
 }
@@ -209,14 +212,46 @@ TEST (SampleLocalPlanes, EndsAtTheNumberOfVisits)
 {
   LocalSamplingParameters parameters;
   parameters.max_inliers_per_point = 1e9;
-  parameters.max_visits_per_point = 7.0;
+  // Each costs its 200 points and a hundred.
+  parameters.max_visits_per_point = 7 * 1.5;
   EXPECT_EQ (samplePatch (200, parameters).hypotheses, 7u);
+}
+
+TEST (SampleLocalPlanes, CountsWhatEmptySpheresCostInACrowd)
+{
+  constexpr std::size_t size = 200;
+  Coordinates points;
+  addHermits (size, points);
+  // As a search does whose voxels hold everything.
+  const auto find_itself = [] (std::uint32_t centre, Indices& sphere) {
+    sphere = {centre};
+    return std::size_t (3 * 300);
+  };
+  LocalSamplingParameters parameters;
+  parameters.max_visits_per_point = 200.0;
+  EXPECT_EQ (sampleLocalPlanes (points, find_itself, parameters, theta_h, seedOfTest())
+                 .hypotheses,
+             size / 2);
+}
+
+TEST (SampleLocalPlanes, CountsDrawsThatGiveNoTriangle)
+{
+  // A sphere costs its 200 points, a hundred, and a thousand draws of equal points.
+  constexpr std::size_t size = 200;
+  Coordinates points;
+  for (std::size_t i = 0; i < size; ++i)
+    points.add (1, 2, 3);
+  LocalSamplingParameters parameters;
+  parameters.max_visits_per_point = 65.0;
+  EXPECT_EQ (sample (points, parameters).hypotheses, 10u);
 }
 
 TEST (SampleLocalPlanes, SkipsSpheresWithFewerPointsThanSamples)
 {
   EXPECT_FALSE (samplePatch (80, {}).moments.empty());
-  const LocalPlanes skipped = samplePatch (79, {});
+  LocalSamplingParameters patient;
+  patient.max_visits_per_point = 1e9;
+  const LocalPlanes skipped = samplePatch (79, patient);
   EXPECT_TRUE (skipped.moments.empty());
   EXPECT_EQ (skipped.hypotheses, 79u) << "K_max";
 }
@@ -245,6 +280,7 @@ TEST (SampleLocalPlanes, DrawsWhatTheSeedSays)
   addHermits (150, points);
   const auto find_all = [&] (std::uint32_t, Indices& sphere) {
     sphere = allOf (points);
+    return points.size();
   };
   const auto hypotheses = [&] (std::uint32_t seed) {
     return sampleLocalPlanes (points, find_all, {}, theta_h, seed).hypotheses;

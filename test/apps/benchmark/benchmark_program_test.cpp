@@ -127,9 +127,29 @@ TEST (BenchmarkProgram, ScalingWritesEverySeriesAndItsPlot)
                std::string::npos);
 }
 
+TEST (BenchmarkProgram, WorstCasesHaveARowForEachDetectorAndSize)
+{
+  const ProgramRun run =
+      measure ("--worst-cases --worst-case-points 500,1000 --runs 1");
+  EXPECT_EQ (run.exit_code, 0) << run.text;
+  for (const char* part : {"**Worst cases, 500 points**\n\n| ",
+                           "**Worst cases, 1000 points**\n\n| ",
+                           "| noise in a cube ",
+                           "**Largest ratios to a room: time / memory**",
+                           "| equal points ",
+                           " fspf-0.07-0.14 |",
+                           " kht-80-800 |",
+                           "\n- Time per point is at most "})
+    EXPECT_NE (run.text.find (part), std::string::npos) << part << run.text;
+}
+
 TEST (BenchmarkProgram, RefusesWrongUsage)
 {
   expectError (measure (""), 2, "INPUT");
+  expectError (measure ("simulated:100 --worst-cases"), 2, "INPUT");
+  expectError (measure ("--worst-cases --json out.json"), 2, "--worst-cases");
+  expectError (
+      measure ("--worst-cases --worst-case-points 3,x"), 2, "--worst-case-points");
   expectError (measure ("simulated:100 --runs 0"), 2, "--runs");
   expectError (measure ("simulated:many"), 2, "simulated");
   expectError (measure ("simulated:,"), 2, "simulated");

@@ -1,12 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/common/point_tests.h>
+
 #include <gtest/gtest.h>
 
 #include <benchmark/boards.h>
 #include <benchmark/machine.h>
 #include <benchmark/ratios.h>
+#include <benchmark/worst_cases.h>
+#include <evaluation/data/data_sets.h>
 #include <simulation/dense_scan.h>
 
+#include <cctype>
 #include <cmath>
 
 namespace {
@@ -102,6 +107,52 @@ TEST (PeakMemory, HoldsAtLeastALabelForEveryPoint)
   const PeakMemory peak = peakMemoryOn (cloud);
   EXPECT_EQ (peak.cloud_bytes, 16.0 * points);
   EXPECT_GT (peak.extra_bytes, 4.0 * points);
+}
+
+/** Of a detector, by its name in the evaluation. */
+class WorstCases : public ::testing::TestWithParam<std::string> {};
+
+TEST_P (WorstCases, KeepTheBounds)
+{
+  // Bounds of time get three times what is promised: other programs run beside tests.
+  constexpr double disturbance = 3.0;
+  constexpr std::size_t points = 10'000;
+  const auto detector = pcl_ops::evaluation::selectConfigurations (GetParam()).front();
+  const auto room =
+      pcl_ops::evaluation::dataSetOf ("simulated:" + std::to_string (points),
+                                      Eigen::Vector3d::UnitZ())
+          .clouds.front()
+          .load()
+          .cloud;
+  const double room_bytes = peakMemoryOn (room, detector).extra_bytes;
+  for (const WorstCloud& worst : worstClouds()) {
+    const WorstCase measured = measureWorstCase (
+        detector, worst.name, worst.make (points), room, room_bytes, {});
+    EXPECT_LT (measured.timeRatio(), disturbance * time_bound) << worst.name;
+    EXPECT_LT (measured.memoryRatio(), memory_bound) << worst.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P (
+    Of,
+    WorstCases,
+    ::testing::Values (
+        "ops", "ops-3-30", "fspf", "fspf-0.07-0.14", "kht", "kht-80-800"),
+    [] (const auto& info) {
+      std::string name = info.param;
+      for (char& letter : name)
+        letter = std::isalnum (static_cast<unsigned char> (letter)) ? letter : '_';
+      return name;
+    });
+
+TEST (WorstClouds, HaveTheirNumberOfFinitePoints)
+{
+  for (const WorstCloud& worst : worstClouds()) {
+    const auto cloud = worst.make (1000);
+    EXPECT_EQ (cloud->size(), 1000u) << worst.name;
+    for (const pcl::PointXYZ& point : *cloud)
+      EXPECT_TRUE (pcl::isFinite (point)) << worst.name;
+  }
 }
 
 TEST (Boards, EachIsAPlaneOfItsOwn)
