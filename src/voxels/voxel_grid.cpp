@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace pcl_ops::internal {
 
@@ -104,6 +105,18 @@ joinIntoFirst (std::vector<Piece>& pieces)
   return voxel_of;
 }
 
+// In place: a second copy would be the peak of memory where points are far apart.
+void
+moveTo (std::vector<std::uint32_t> position, std::vector<Moments>& moments)
+{
+  for (std::uint32_t i = 0; i < position.size(); ++i)
+    while (position[i] != i) {
+      const std::uint32_t to = position[i];
+      std::swap (moments[i], moments[to]);
+      std::swap (position[i], position[to]);
+    }
+}
+
 // Puts the voxels in the table's order, their moments into the grid; returns the new
 // position of each.
 std::vector<std::uint32_t>
@@ -114,10 +127,8 @@ finish (VoxelTable& table,
 {
   std::vector<std::uint32_t> order = table.sort();
   grid.keys = table.keys();
-  grid.moments.resize (moments.size());
-  for (std::size_t i = 0; i < moments.size(); ++i)
-    grid.moments[order[i]] = moments[i];
-  std::vector<Moments>().swap (moments);
+  moveTo (order, moments);
+  grid.moments = std::move (moments);
   grid.neighbours = table.neighbours (threads);
   return order;
 }
