@@ -151,8 +151,7 @@ joinTiles (const Plan& plan, const RunFolder& folder, const SortedPoints& points
   const JoinedPlanes joined = joinPlanes (tiles, [&folder] (const TileKey& tile) {
     return loadTilePlanes (folder.planes (tile));
   });
-  writeTextFile (folder.output ("planes.json"),
-                 toJson (plan, tiles.size(), joined.planes));
+  writeTextFile (folder.list(), toJson (plan, tiles.size(), joined.planes));
   savePlaneNumbers (folder.numbers(), joined.numbers);
 }
 
@@ -165,6 +164,14 @@ labelInput (const Plan& plan, const RunFolder& folder, std::size_t input)
       outputOf (plan, folder, input),
       [&labels] (const Eigen::Vector3d& place) { return labels.next (place); });
   writeTextFile (folder.mark (input), "");
+}
+
+void
+listPlanes (const RunFolder& folder)
+{
+  std::ifstream list = openBinary (folder.list());
+  writeFile (folder.output (planes_file),
+             [&list] (std::ostream& stream) { stream << list.rdbuf(); });
 }
 
 std::string

@@ -11,6 +11,9 @@
 
 namespace pcl_ops::apps {
 
+/** \brief The name of the list of all planes. */
+inline constexpr const char* planes_file = "planes.json";
+
 /** \brief Sorts the points of an input into the cells of tiles. */
 void
 partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input);
@@ -51,13 +54,17 @@ detectTile (const Plan& plan,
             const SortedPoints& points,
             const TileKey& tile);
 
-/** \brief Makes one plane of those on both sides of borders, and writes planes.json. */
+/** \brief Makes one plane of those on both sides of borders. */
 void
 joinTiles (const Plan& plan, const RunFolder& folder, const SortedPoints& points);
 
 /** \brief Writes an input with its labels. */
 void
 labelInput (const Plan& plan, const RunFolder& folder, std::size_t input);
+
+/** \brief Writes planes.json: all else is done. */
+void
+listPlanes (const RunFolder& folder);
 
 /** \brief Where an input's labelled points go. */
 std::string

@@ -72,6 +72,12 @@ RunFolder::numbers() const
 }
 
 std::string
+RunFolder::list() const
+{
+  return inWork ("planes/planes.json");
+}
+
+std::string
 RunFolder::mark (std::size_t input) const
 {
   return inWork ("labelled/" + std::to_string (input));

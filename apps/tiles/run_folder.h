@@ -29,6 +29,9 @@ public:
   labels (const TileKey& tile) const;
   std::string
   numbers () const;
+  /** \brief What planes.json becomes once all else is done. */
+  std::string
+  list () const;
   /** \brief Says that an input has its labels. */
   std::string
   mark (std::size_t input) const;

@@ -18,12 +18,21 @@
 #include <map>
 #include <ostream>
 #include <set>
+#include <sstream>
+#include <system_error>
 
 namespace fs = std::filesystem;
 
 namespace pcl_ops::apps {
 
 namespace {
+
+bool
+isThere (const std::string& file)
+{
+  std::error_code error;
+  return fs::exists (file, error);
+}
 
 std::vector<std::string>
 inputsOf (const TilesOptions& options)
@@ -42,6 +51,7 @@ checkClashes (const Plan& plan, const RunFolder& folder)
   std::set<std::string> inputs;
   for (const PlannedInput& input : plan.inputs)
     inputs.insert (resolvedName (input.file));
+  checkWritable (folder.output (planes_file));
   for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
     const std::string output = outputOf (plan, folder, i);
     const std::string resolved = resolvedName (output);
@@ -85,8 +95,7 @@ public:
                                                                : ProgressStyle::None)
   {}
 
-  /** \return the number of tiles */
-  std::size_t
+  void
   run ()
   {
     const std::size_t inputs = plan_.inputs.size();
@@ -109,7 +118,7 @@ public:
             detectTile (plan_, folder_, points, points.tiles()[i].tile);
           });
         });
-    if (ranks_.rank() == 0 && !fs::exists (folder_.numbers()))
+    if (ranks_.rank() == 0 && !isThere (folder_.numbers()))
       joinTiles (plan_, folder_, points);
     ranks_.meet();
     share (
@@ -121,7 +130,6 @@ public:
             labelInput (plan_, folder_, i);
           });
         });
-    return points.tiles().size();
   }
 
 private:
@@ -136,7 +144,7 @@ private:
     std::vector<std::size_t> own;
     const auto step = static_cast<std::size_t> (ranks_.size());
     for (auto i = static_cast<std::size_t> (ranks_.rank()); i < parts; i += step)
-      if (!fs::exists (result (i)))
+      if (!isThere (result (i)))
         own.push_back (i);
     Progress progress (own.size(), messages_, style_, noun);
     try {
@@ -166,18 +174,18 @@ private:
   ProgressStyle style_;
 };
 
-/** \brief The plan that is there, or a new one. */
+/** \brief Writes a plan unless there is one that fits. */
 void
 preparePlan (const TilesOptions& options,
              const std::string& file,
              const RunFolder& folder)
 {
+  folder.make();
   const std::vector<std::string> inputs = inputsOf (options);
-  const bool is_there = fs::exists (file);
+  const bool is_there = isThere (file);
   const Plan plan = is_there ? loadPlan (file) : makePlan (inputs, options.plan);
   if (is_there)
     checkIsFor (plan, file, inputs, options.plan);
-  folder.make();
   checkClashes (plan, folder);
   if (!is_there)
     savePlan (file, plan);
@@ -207,9 +215,10 @@ runTiles (const TilesOptions& options,
   const Plan plan = loadPlan (file);
   if (speaks)
     out << textOf (plan) << "\n";
-  if (!fs::exists (folder.end())) {
+  if (!isThere (folder.end())) {
     TileRun (plan, folder, options, ranks, messages, is_terminal).run();
     if (ranks.rank() == 0) {
+      listPlanes (folder);
       writeTextFile (folder.end(), "");
       folder.clean();
     }
