@@ -215,14 +215,20 @@ LasFile::writeLabelled (std::ostream& stream, const LabelOfPlace& label)
   if (!extra_.label)
     edits = editsForLabels (reader_, header_, extra_);
   copyEdited (reader_, 0, header_.points_offset, edits, stream);
+  constexpr std::size_t block = 1U << 16U;
   std::string labelled;
   forRecords (reader_, header_, [&] (std::uint64_t, const char* record) {
-    labelled.assign (record, header_.record_length);
-    labelled.replace (extra_.label.value_or (labelled.size()),
+    const std::size_t begin = labelled.size();
+    labelled.append (record, header_.record_length);
+    labelled.replace (begin + extra_.label.value_or (header_.record_length),
                       label_length,
                       littleEndian (label (placeOf (record, header_))));
+    if (labelled.size() < block)
+      return;
     stream << labelled;
+    labelled.clear();
   });
+  stream << labelled;
   copyEdited (reader_, header_.pointsEnd(), reader_.fileSize(), {}, stream);
 }
 

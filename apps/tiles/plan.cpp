@@ -57,13 +57,14 @@ sorted (std::vector<std::string> files)
   return files;
 }
 
-/** \brief Adds what an input says of itself. \return where the points of it are usually
- */
-Eigen::Vector3d
+/** \brief Adds what an input says of itself.
+ * \param[in,out] usual where the points of the first input are usually */
+void
 lookAt (const std::string& file,
         std::size_t samples,
         Plan& plan,
-        std::vector<std::vector<Eigen::Vector3d>>& places)
+        std::vector<std::vector<Eigen::Vector3d>>& places,
+        std::optional<Eigen::Vector3d>& usual)
 {
   PointFile points (file);
   const std::string problem = points.problemOfLabels();
@@ -74,7 +75,8 @@ lookAt (const std::string& file,
   input.points = points.size();
   plan.inputs.push_back (input);
   places.push_back (somePlaces (place, input.points, samples));
-  return usualPlace (place, input.points);
+  if (!usual)
+    usual = usualPlace (place, input.points);
 }
 
 std::int64_t
@@ -119,7 +121,7 @@ Plan::points() const
 Plan
 makePlan (std::vector<std::string> files, const PlanOptions& options)
 {
-  constexpr std::size_t most_samples = 65536, fewest_samples = 64;
+  constexpr std::size_t most_samples = 16384, fewest_samples = 64;
   const std::size_t samples =
       std::max (fewest_samples, most_samples / std::max<std::size_t> (1, files.size()));
   Plan plan;
@@ -130,8 +132,7 @@ makePlan (std::vector<std::string> files, const PlanOptions& options)
       warn (file + ": has no points; it is left out");
       continue;
     }
-    const Eigen::Vector3d place = lookAt (file, samples, plan, places);
-    usual = usual.value_or (place);
+    lookAt (file, samples, plan, places, usual);
   }
   if (!usual)
     throw WorkError ("INPUT", "has no points in any file; give clouds that have");

@@ -51,13 +51,16 @@ momentsOf (const TilePoints& points, const PlaneSegment& plane, std::size_t own)
   return moments;
 }
 
+/** \brief Of so many points that the outline no longer depends on their number. */
 std::vector<Eigen::Vector3d>
 outlineOf (const TilePoints& points, const PlaneSegment& plane, std::size_t own)
 {
+  constexpr std::size_t enough = 10000;
+  const std::size_t stride = own / enough + 1;
   const PlaneFrame frame (plane.centroid, plane.normal);
   PlanarPoints projected;
-  projected.reserve (own);
-  for (std::size_t i = 0; i < own; ++i)
+  projected.reserve (own / stride + 1);
+  for (std::size_t i = 0; i < own; i += stride)
     projected.push_back (
         frame.toPlane (pointOf (points, static_cast<std::size_t> (plane.inliers[i]))));
   std::vector<Eigen::Vector3d> corners;
@@ -113,18 +116,17 @@ addClaims (const TileGrid& grid,
            std::vector<Claim>& claims)
 {
   const CellKey frame = grid.frameOf (points.tile);
+  const auto first = static_cast<std::ptrdiff_t> (claims.size());
   for (const pcl::index_t index : plane.inliers) {
     CellKey cell = grid.cellOf (pointOf (points, static_cast<std::size_t> (index)));
     Claim claim{{}, piece};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      claim.cell[axis] = static_cast<std::int32_t> (cell[axis] + frame[axis]);
-      cell[axis] += frame[axis];
-    }
-    bool is_shared = grid.tileOf (cell) != points.tile;
-    grid.forTilesAround (cell, [&is_shared] (const TileKey&) { is_shared = true; });
-    if (is_shared && (claims.empty() || !(claims.back() == claim)))
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      claim.cell[axis] = static_cast<std::int32_t> (cell[axis] += frame[axis]);
+    if (!grid.isInside (points.tile, cell))
       claims.push_back (claim);
   }
+  std::sort (claims.begin() + first, claims.end());
+  claims.erase (std::unique (claims.begin() + first, claims.end()), claims.end());
 }
 
 std::vector<LabelsOfInput>
@@ -174,9 +176,7 @@ detectInTile (const TileGrid& grid, const TilePoints& points)
       labels[static_cast<std::size_t> (plane.inliers[i])] =
           static_cast<std::uint32_t> (found.planes.pieces.size());
   }
-  std::vector<Claim>& claims = found.planes.claims;
-  std::sort (claims.begin(), claims.end());
-  claims.erase (std::unique (claims.begin(), claims.end()), claims.end());
+  std::sort (found.planes.claims.begin(), found.planes.claims.end());
   found.labels = splitByInput (points, labels);
   return found;
 }

@@ -82,6 +82,17 @@ public:
     return {tileAlong (cell[0]), tileAlong (cell[1])};
   }
 
+  /** \brief Whether a cell is a tile's and no other looks at it. */
+  bool
+  isInside (const TileKey& tile, const CellKey& cell) const
+  {
+    const auto along = [this] (std::int64_t number, std::int64_t place) {
+      const std::int64_t inside = place - number * cells_of_tile_;
+      return inside >= halo && inside < cells_of_tile_ - halo;
+    };
+    return along (tile.x, cell[0]) && along (tile.y, cell[1]);
+  }
+
   /** \brief Where zero of a tile's frame is: of what is in the tile the nearest to the
    * place all tiles share, in whole coarsest voxels. */
   CellKey

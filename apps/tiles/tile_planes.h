@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace pcl_ops::apps {
@@ -32,7 +33,8 @@ struct Claim {
   friend bool
   operator<(const Claim& a, const Claim& b)
   {
-    return a.cell != b.cell ? a.cell < b.cell : a.piece < b.piece;
+    return std::tie (a.cell[0], a.cell[1], a.cell[2], a.piece) <
+           std::tie (b.cell[0], b.cell[1], b.cell[2], b.piece);
   }
   friend bool
   operator== (const Claim& a, const Claim& b)

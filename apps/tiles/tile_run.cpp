@@ -13,8 +13,10 @@
 #include <io/output_file.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <functional>
+#include <iomanip>
 #include <map>
 #include <ostream>
 #include <set>
@@ -95,44 +97,80 @@ public:
                                                                : ProgressStyle::None)
   {}
 
-  void
+  /** \return how long each phase took, in words */
+  std::string
   run ()
   {
-    const std::size_t inputs = plan_.inputs.size();
-    share (
-        inputs,
-        "inputs sorted",
-        [this] (std::size_t i) { return folder_.cells (i); },
-        [this] (std::size_t i) {
-          inMemory (plan_.inputs[i].file, "give fewer --jobs", [&] {
-            partitionInput (plan_, folder_, i);
-          });
-        });
+    sortPoints();
     const SortedPoints points (plan_, folder_);
-    share (
-        points.tiles().size(),
-        "tiles",
-        [&] (std::size_t i) { return folder_.planes (points.tiles()[i].tile); },
-        [&] (std::size_t i) {
-          inMemory ("--tile", "give a smaller one or fewer --jobs", [&] {
-            detectTile (plan_, folder_, points, points.tiles()[i].tile);
-          });
-        });
+    detectPlanes (points);
     if (ranks_.rank() == 0 && !isThere (folder_.numbers()))
       joinTiles (plan_, folder_, points);
-    ranks_.meet();
-    share (
-        inputs,
-        "inputs labelled",
-        [this] (std::size_t i) { return folder_.mark (i); },
-        [this] (std::size_t i) {
-          inMemory (plan_.inputs[i].file, "give fewer --jobs", [&] {
-            labelInput (plan_, folder_, i);
-          });
-        });
+    finish ("joined");
+    labelPoints();
+    return times_;
   }
 
 private:
+  void
+  sortPoints ()
+  {
+    share (
+        plan_.inputs.size(),
+        "inputs sorted",
+        [this] (std::size_t i) { return folder_.cells (i); },
+        [this] (std::size_t i) {
+          inMemory (plan_.inputs[i].file, fewer_jobs, [&] {
+            partitionInput (plan_, folder_, i);
+          });
+        });
+    finish ("sorted");
+  }
+
+  void
+  detectPlanes (const SortedPoints& points)
+  {
+    const std::vector<TileSize>& tiles = points.tiles();
+    share (
+        tiles.size(),
+        "tiles",
+        [&] (std::size_t i) { return folder_.planes (tiles[i].tile); },
+        [&] (std::size_t i) {
+          inMemory ("--tile", "give a smaller one or fewer --jobs", [&] {
+            detectTile (plan_, folder_, points, tiles[i].tile);
+          });
+        });
+    finish ("planes found");
+  }
+
+  void
+  labelPoints ()
+  {
+    share (
+        plan_.inputs.size(),
+        "inputs labelled",
+        [this] (std::size_t i) { return folder_.mark (i); },
+        [this] (std::size_t i) {
+          inMemory (plan_.inputs[i].file, fewer_jobs, [&] {
+            labelInput (plan_, folder_, i);
+          });
+        });
+    finish ("labelled");
+  }
+
+  /** \brief Waits until all ranks are through a phase. */
+  void
+  finish (const std::string& phase)
+  {
+    ranks_.meet();
+    const auto now = std::chrono::steady_clock::now();
+    std::ostringstream text;
+    text << std::fixed << std::setprecision (1) << (times_.empty() ? "" : ", ") << phase
+         << " in " << std::chrono::duration<double> (now - start_).count() << " s";
+    times_ += text.str();
+    start_ = now;
+  }
+
   /** \brief Does this rank's share of the parts of a phase, and waits for the others.
    * \param[in] result the file that is there once a part is done */
   void
@@ -163,8 +201,9 @@ private:
       progress.erase();
       throw;
     }
-    ranks_.meet();
   }
+
+  static constexpr const char* fewer_jobs = "give fewer --jobs";
 
   const Plan& plan_;
   const RunFolder& folder_;
@@ -172,6 +211,8 @@ private:
   const Ranks& ranks_;
   std::ostream& messages_;
   ProgressStyle style_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::string times_;
 };
 
 /** \brief Writes a plan unless there is one that fits. */
@@ -216,7 +257,10 @@ runTiles (const TilesOptions& options,
   if (speaks)
     out << textOf (plan) << "\n";
   if (!isThere (folder.end())) {
-    TileRun (plan, folder, options, ranks, messages, is_terminal).run();
+    const std::string times =
+        TileRun (plan, folder, options, ranks, messages, is_terminal).run();
+    if (speaks)
+      out << times << "\n";
     if (ranks.rank() == 0) {
       listPlanes (folder);
       writeTextFile (folder.end(), "");

@@ -52,11 +52,13 @@ TEST (TileGrid, ShowsAPointToTilesWhoseHaloItIsIn)
   // 12 cells are 6 m: half a tile.
   EXPECT_EQ (tilesAround (5.9, 5.9), (std::set<TileKey>{{-1, 0}, {0, -1}, {-1, -1}}));
   EXPECT_EQ (tilesAround (6.1, 5.9), (std::set<TileKey>{{1, 0}, {0, -1}, {1, -1}}));
-  EXPECT_EQ (TileGrid (0.5, 240, {}).tileOf ({0, 0, 0}), (TileKey{0, 0}));
   const TileGrid wide (0.5, 240, {0, 0, 0});
   int others = 0;
   wide.forTilesAround ({120, 120, 0}, [&others] (const TileKey&) { ++others; });
   EXPECT_EQ (others, 0) << "far from all borders";
+  EXPECT_TRUE (wide.isInside ({0, 0}, {120, 120, 0}));
+  EXPECT_FALSE (wide.isInside ({0, 0}, {120, 11, 0}));
+  EXPECT_FALSE (wide.isInside ({0, 1}, {120, 120, 0}));
 }
 
 TEST (TileGrid, HasFramesInWholeCoarsestVoxelsNearThePlaceOfAllTiles)
