@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 namespace pcl_ops::apps {
 
@@ -16,8 +17,11 @@ constexpr const char* erase_line = "\r\033[K";
 
 } // namespace
 
-Progress::Progress (std::size_t steps, std::ostream& stream, ProgressStyle style)
-: steps_ (steps), stream_ (stream), style_ (style)
+Progress::Progress (std::size_t steps,
+                    std::ostream& stream,
+                    ProgressStyle style,
+                    std::string noun)
+: steps_ (steps), stream_ (stream), style_ (style), noun_ (std::move (noun))
 {}
 
 void
@@ -68,7 +72,7 @@ Progress::draw()
                               static_cast<double> (done_);
   if (style_ == ProgressStyle::Bar)
     drawBar();
-  stream_ << done_ << " of " << steps_ << " clouds, " << percent << " %, "
+  stream_ << done_ << " of " << steps_ << " " << noun_ << ", " << percent << " %, "
           << (done_ < steps_ ? durationText (seconds_left) + " left"
                              : "took " + durationText (elapsed.count()));
   if (style_ == ProgressStyle::Bar && done_ < steps_)

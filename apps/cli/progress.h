@@ -22,8 +22,12 @@ enum class ProgressStyle {
 class Progress {
 public:
   /** \param[in] steps number of calls of \ref step to come
-   * \param[in] stream where to write */
-  Progress (std::size_t steps, std::ostream& stream, ProgressStyle style);
+   * \param[in] stream where to write
+   * \param[in] noun what a step is about, in the plural */
+  Progress (std::size_t steps,
+            std::ostream& stream,
+            ProgressStyle style,
+            std::string noun = "clouds");
 
   /** \brief Counts one piece of work as done. */
   void
@@ -53,6 +57,7 @@ private:
   std::size_t percent_drawn_ = 0;
   std::ostream& stream_;
   ProgressStyle style_;
+  std::string noun_;
   Clock::time_point start_ = Clock::now();
   std::mutex mutex_;
 };

@@ -3,9 +3,39 @@
 #include "ops_method.h"
 
 #include "method_table.h"
+#include <cli/errors.h>
+#include <cli/option_value.h>
 #include <pcl_ops/oriented_point_sampling.h>
 
+#include <cmath>
+#include <optional>
+
 namespace pcl_ops::apps {
+
+namespace {
+
+constexpr const char* voxel_edge = "cell";
+
+double&
+givenOrZero (std::optional<double>& length)
+{
+  if (!length)
+    length = 0.0;
+  return *length;
+}
+
+} // namespace
+
+double
+voxelStepOf (const DetectorOptions& options)
+{
+  OrientedPointSamplingParameters parameters;
+  const auto text = options.own.find (voxel_edge);
+  if (text == options.own.end())
+    return 0.0;
+  const auto edge = parseNumber<double> (text->first, text->second, Range::from (0));
+  return std::ldexp (edge, parameters.surfels.resolutions - 1);
+}
 
 Method
 opsMethod ()
@@ -32,7 +62,18 @@ opsMethod ()
                     "P",
                     Range::above (0).below (1),
                     [] (P& p) -> double& { return p.probability; },
-                    "of drawing a point of the largest plane"}};
+                    "of drawing a point of the largest plane"},
+                   {voxel_edge,
+                    "M",
+                    Range::from (0),
+                    [] (P& p) -> double& { return givenOrZero (p.surfels.voxel_size); },
+                    "edge of a voxel; 0: by the number of points"}};
+  table.relate = [] (const GivenNumbers& given, P& p) {
+    if (p.surfels.voxel_size == 0.0)
+      p.surfels.voxel_size.reset();
+    if (given.count (voxel_edge) > 0 && p.sampling != Sampling::Surfels)
+      throw UsageError ("--cell", "has no meaning to --preset paper; leave it out");
+  };
   table.first_settings = [] (const P& p) -> Settings {
     const bool on_surfels = p.sampling == Sampling::Surfels;
     return {{"sampling", std::string (on_surfels ? "surfels" : "points")}};

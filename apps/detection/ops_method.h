@@ -10,4 +10,9 @@ namespace pcl_ops::apps {
 Method
 opsMethod ();
 
+/** \brief Of what voxels of a given size begin at whole multiples; 0 where their size
+ * is not given. */
+double
+voxelStepOf (const DetectorOptions& options);
+
 } // namespace pcl_ops::apps

@@ -4,64 +4,15 @@
 
 #include <pcl/common/io.h>
 
-#include "median_place.h"
-#include "typed_number.h"
+#include "coordinate_reader.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <stdexcept>
-#include <type_traits>
 
 namespace pcl_ops::apps {
 
 namespace {
 
 using pcl::PCLPointField;
-
-const PCLPointField&
-fieldOf (const FileCloud& cloud, const std::string& name)
-{
-  const int index = pcl::getFieldIndex (cloud.points, name);
-  if (index < 0)
-    throw std::invalid_argument ("the cloud has no field " + name);
-  return cloud.points.fields[static_cast<std::size_t> (index)];
-}
-
-/** \brief The three coordinates of each point, whatever their type. */
-class CoordinateReader {
-public:
-  explicit CoordinateReader (const FileCloud& cloud) : cloud_ (cloud.points)
-  {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const PCLPointField field = fieldOf (cloud, std::string (1, "xyz"[i]));
-      offsets_[i] = field.offset;
-      readers_[i] = readerOf (field.datatype);
-      is_single_ = is_single_ && field.datatype == PCLPointField::FLOAT32;
-    }
-  }
-
-  bool
-  isSinglePrecision () const
-  {
-    return is_single_;
-  }
-
-  Eigen::Vector3d
-  operator() (std::size_t i) const
-  {
-    const std::uint8_t* const point = cloud_.data.data() + i * cloud_.point_step;
-    return Eigen::Vector3d (readers_[0](point + offsets_[0]),
-                            readers_[1](point + offsets_[1]),
-                            readers_[2](point + offsets_[2]));
-  }
-
-private:
-  const pcl::PCLPointCloud2& cloud_;
-  std::array<pcl::uindex_t, 3> offsets_{};
-  std::array<NumberReader, 3> readers_{};
-  bool is_single_ = true;
-};
 
 /** \brief A field of the output and where its bytes come from in the input. */
 struct Column {
@@ -139,32 +90,17 @@ setField (pcl::PCLPointCloud2& cloud,
   cloud.row_step = step * cloud.width;
 }
 
-/** \brief Near most points: one outlier must not leave the others without digits. */
-Eigen::Vector3d
-usualPlace (const CoordinateReader& reader, std::size_t size)
-{
-  constexpr std::size_t looked_at = 1000;
-  const std::size_t stride = size / looked_at + 1;
-  std::vector<Eigen::Vector3d> places;
-  for (std::size_t begin = 0; begin < size; begin += stride)
-    for (std::size_t i = begin; i < std::min (size, begin + stride); ++i)
-      if (const Eigen::Vector3d place = reader (i); place.allFinite()) {
-        places.push_back (place);
-        break;
-      }
-  return places.empty() ? Eigen::Vector3d (Eigen::Vector3d::Zero())
-                        : medianPlace (places);
-}
-
 } // namespace
 
 ShiftedCloud
-shiftedCloudOf (const FileCloud& cloud)
+shiftedCloudOf (const FileCloud& cloud, double step)
 {
   const CoordinateReader reader (cloud);
   ShiftedCloud shifted;
   const std::size_t size = cloud.size();
-  if (!reader.isSinglePrecision())
+  if (step > 0.0)
+    shifted.shift = nearestMultiple (usualPlace (reader, size), step);
+  else if (!reader.isSinglePrecision())
     shifted.shift = usualPlace (reader, size);
   shifted.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   shifted.cloud->points.reserve (size);

@@ -18,14 +18,16 @@ struct ShiftedCloud {
   /** \brief Every point in the file's order, NaN too, relative to \ref shift; with the
    * sensor's pose in that frame. */
   XyzCloud::Ptr cloud;
-  /** \brief Zero of that frame in the file's frame: the first finite point where the
-   * file has double precision, which single would lose far from zero; else zero. */
+  /** \brief Zero of that frame in the file's frame: near most points where the file has
+   * double precision, which single would lose far from zero; else zero. */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
 };
 
-/** \brief The coordinates of a cloud whose x, y and z may be of any number type. */
+/** \brief The coordinates of a cloud whose x, y and z may be of any number type.
+ * \param[in] step the shift is near most points, at a whole multiple of it along each
+ * axis, whatever the precision; 0: not asked for */
 ShiftedCloud
-shiftedCloudOf (const FileCloud& cloud);
+shiftedCloudOf (const FileCloud& cloud, double step = 0.0);
 
 /** \brief Whether the cloud has a field of that name. */
 bool

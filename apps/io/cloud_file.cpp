@@ -121,7 +121,7 @@ loadCloud (const std::string& file)
     cloud.orientation = viewpoint.orientation;
   }
   else if (extension == ".las") {
-    cloud.las = std::make_shared<LasFile> (file);
+    cloud.las = openLas (file);
     cloud.points = cloud.las->readPoints();
   }
   else {
@@ -136,6 +136,13 @@ loadCloud (const std::string& file)
                            "; give a cloud with x, y and z");
   makePoseValid (cloud);
   return cloud;
+}
+
+std::shared_ptr<LasFile>
+openLas (const std::string& file)
+{
+  checkReadable (file);
+  return std::make_shared<LasFile> (file);
 }
 
 void

@@ -45,6 +45,11 @@ isCloudFile (const std::string& file);
 FileCloud
 loadCloud (const std::string& file);
 
+/** \brief Opens a .las file, whose points are read later.
+ * \throws WorkError as \ref loadCloud */
+std::shared_ptr<LasFile>
+openLas (const std::string& file);
+
 /** \brief Writes a binary PCD in one step (\ref writeFile).
  * \throws WorkError if it cannot be written */
 void

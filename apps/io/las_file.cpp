@@ -66,6 +66,16 @@ forRecords (HeaderReader& reader, const LasHeader& header, Visit&& visit)
   }
 }
 
+Eigen::Vector3d
+placeOf (const char* record, const LasHeader& header)
+{
+  constexpr std::size_t length = sizeof (std::int32_t);
+  const Eigen::Vector3d raw (fromLittleEndian<std::int32_t> (record),
+                             fromLittleEndian<std::int32_t> (record + length),
+                             fromLittleEndian<std::int32_t> (record + 2 * length));
+  return raw.cwiseProduct (header.scale) + header.offset;
+}
+
 /** \brief What a file has elsewhere where its records have a label more. */
 std::vector<LasEdit>
 editsForLabels (const HeaderReader& reader,
@@ -150,16 +160,32 @@ LasFile::readPoints()
   cloud.data.resize (header_.points * cloud.point_step);
   std::uint8_t* point = cloud.data.data();
   forRecords (reader_, header_, [&] (std::uint64_t, const char* record) {
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      const auto raw = fromLittleEndian<std::int32_t> (record + 4 * axis);
-      append (raw * header_.scale[axis] + header_.offset[axis], point);
-    }
+    const Eigen::Vector3d place = placeOf (record, header_);
+    for (const double coordinate : place)
+      append (coordinate, point);
     append (static_cast<float> (fromLittleEndian<std::uint16_t> (record + intensity)),
             point);
     if (extra_.label)
       append (fromLittleEndian<std::uint32_t> (record + *extra_.label), point);
   });
   return cloud;
+}
+
+Eigen::Vector3d
+LasFile::place (std::uint64_t point)
+{
+  std::array<char, 3 * sizeof (std::int32_t)> record{};
+  reader_.goTo (header_.points_offset + point * header_.record_length);
+  reader_.read (record.data(), record.size());
+  return placeOf (record.data(), header_);
+}
+
+void
+LasFile::forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit)
+{
+  forRecords (reader_, header_, [&] (std::uint64_t, const char* record) {
+    visit (placeOf (record, header_));
+  });
 }
 
 std::string
@@ -183,21 +209,33 @@ LasFile::problemOfLabels() const
 }
 
 void
-LasFile::writeLabelled (std::ostream& stream, const std::vector<std::uint32_t>& labels)
+LasFile::writeLabelled (std::ostream& stream, const LabelOfPlace& label)
 {
   std::vector<LasEdit> edits;
   if (!extra_.label)
     edits = editsForLabels (reader_, header_, extra_);
   copyEdited (reader_, 0, header_.points_offset, edits, stream);
+  constexpr std::size_t block = 1U << 16U;
   std::string labelled;
-  forRecords (reader_, header_, [&] (std::uint64_t i, const char* record) {
-    labelled.assign (record, header_.record_length);
-    labelled.replace (extra_.label.value_or (labelled.size()),
+  forRecords (reader_, header_, [&] (std::uint64_t, const char* record) {
+    const std::size_t begin = labelled.size();
+    labelled.append (record, header_.record_length);
+    labelled.replace (begin + extra_.label.value_or (header_.record_length),
                       label_length,
-                      littleEndian (labels[i]));
+                      littleEndian (label (placeOf (record, header_))));
+    if (labelled.size() < block)
+      return;
     stream << labelled;
+    labelled.clear();
   });
+  stream << labelled;
   copyEdited (reader_, header_.pointsEnd(), reader_.fileSize(), {}, stream);
+}
+
+void
+saveLabelledLas (const std::string& file, LasFile& las, const LabelOfPlace& label)
+{
+  writeFile (file, [&] (std::ostream& stream) { las.writeLabelled (stream, label); });
 }
 
 void
@@ -205,7 +243,8 @@ saveLabelledLas (const std::string& file,
                  LasFile& las,
                  const std::vector<std::uint32_t>& labels)
 {
-  writeFile (file, [&] (std::ostream& stream) { las.writeLabelled (stream, labels); });
+  std::size_t next = 0;
+  saveLabelledLas (file, las, [&] (const Eigen::Vector3d&) { return labels[next++]; });
 }
 
 } // namespace pcl_ops::apps

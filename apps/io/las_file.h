@@ -9,11 +9,15 @@
 #include "las_vlrs.h"
 
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
+
+/** \brief The label of the next point, given where that is. */
+using LabelOfPlace = std::function<std::uint32_t (const Eigen::Vector3d&)>;
 
 /** \brief A LAS file, versions 1.2 to 1.4. It stays open, so that all that is no
  * coordinate need not be in memory to be written again, and may be removed meanwhile.
@@ -29,6 +33,21 @@ public:
   pcl::PCLPointCloud2
   readPoints ();
 
+  std::uint64_t
+  size () const
+  {
+    return header_.points;
+  }
+
+  /** \brief Where a point is. */
+  Eigen::Vector3d
+  place (std::uint64_t point);
+
+  /** \brief Calls \p visit with the place of each point, in their order, with a block
+   * of them in memory. */
+  void
+  forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit);
+
   /** \brief Why there can be no labels beside all else, with the mend; empty where
    * there can. */
   std::string
@@ -36,9 +55,10 @@ public:
 
   /** \brief Writes every byte of the file with a label for each point, in place of the
    * one it has.
+   * \param[in] label asked for each point, in their order
    * \throws WorkError if the file was cut meanwhile */
   void
-  writeLabelled (std::ostream& stream, const std::vector<std::uint32_t>& labels);
+  writeLabelled (std::ostream& stream, const LabelOfPlace& label);
 
 private:
   HeaderReader reader_;
@@ -48,6 +68,10 @@ private:
 
 /** \brief Writes it labelled in one step (\ref writeFile).
  * \throws WorkError if it cannot be written */
+void
+saveLabelledLas (const std::string& file, LasFile& las, const LabelOfPlace& label);
+
+/** \brief The same with a label for each point. */
 void
 saveLabelledLas (const std::string& file,
                  LasFile& las,

@@ -3,11 +3,11 @@
 #include "options.h"
 
 #include "extents.h"
-#include "inputs.h"
 #include "tasks.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <detection/method_options.h>
+#include <io/inputs.h>
 #include <io/output_file.h>
 #include <io/standard_input.h>
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
+#include <detection/plane_json.h>
 #include <detection/stages.h>
 #include <nlohmann/json.hpp>
 #include <numbers/fraction.h>
@@ -70,23 +71,6 @@ printPlanes (const std::vector<PlaneSegment>& planes,
 }
 
 nlohmann::ordered_json
-toArray (const Eigen::Vector3d& vector)
-{
-  return {vector.x(), vector.y(), vector.z()};
-}
-
-nlohmann::ordered_json
-toObject (const PlaneExtent& extent)
-{
-  nlohmann::ordered_json object;
-  object["length"] = extent.length;
-  object["width"] = extent.width;
-  object["center"] = toArray (extent.center);
-  object["axes"] = {toArray (extent.long_axis), toArray (extent.short_axis)};
-  return object;
-}
-
-nlohmann::ordered_json
 toObject (const Settings& settings)
 {
   nlohmann::ordered_json object;
@@ -97,27 +81,6 @@ toObject (const Settings& settings)
             json = known;
         },
         value);
-  return object;
-}
-
-nlohmann::ordered_json
-toObject (std::size_t id, const PlaneSegment& segment, const PlaneExtent& extent)
-{
-  const Plane plane = segment.plane();
-  nlohmann::ordered_json object;
-  object["id"] = id;
-  object["orientation"] = toString (segment.orientation);
-  object["points"] = segment.inliers.size();
-  object["coefficients"] = {
-      plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset};
-  object["centroid"] = toArray (segment.centroid);
-  object["normal"] = toArray (segment.normal);
-  object["rms"] = segment.rms();
-  object["area"] = extent.area;
-  object["extent"] = toObject (extent);
-  object["hull"] = nlohmann::ordered_json::array();
-  for (const Eigen::Vector3d& corner : extent.hull)
-    object["hull"].push_back (toArray (corner));
   return object;
 }
 
@@ -183,7 +146,7 @@ toJson (const Report& report)
   json["planes"] = nlohmann::ordered_json::array();
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   for (std::size_t i = 0; i < planes.size(); ++i)
-    json["planes"].push_back (toObject (i + 1, planes[i], report.extents[i]));
+    json["planes"].push_back (planeObject (i + 1, planes[i], report.extents[i]));
   constexpr int indent = 2;
   return json.dump (indent) + "\n";
 }

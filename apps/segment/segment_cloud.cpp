@@ -9,6 +9,7 @@
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <cli/memory.h>
+#include <detection/ops_method.h>
 #include <detection/up_search.h>
 #include <io/cloud_damage.h>
 #include <io/cloud_fields.h>
@@ -16,7 +17,7 @@
 #include <io/las_file.h>
 #include <io/output_file.h>
 #include <io/standard_input.h>
-#include <picture/colors.h>
+#include <picture/labelled_cloud.h>
 #include <picture/picture.h>
 
 #include <cstdint>
@@ -59,23 +60,6 @@ checkTakesLabels (const Task& task, const FileCloud& cloud)
   const std::string problem = cloud.las->problemOfLabels();
   if (!problem.empty())
     throw WorkError (nameOfInput (task), problem);
-}
-
-void
-saveLabelledPcd (const std::string& file,
-                 FileCloud cloud,
-                 const std::vector<std::uint32_t>& labels,
-                 bool keeps_color)
-{
-  setLabels (cloud, labels);
-  if (!keeps_color || !(hasField (cloud, "rgb") || hasField (cloud, "rgba"))) {
-    std::vector<pcl::RGB> colors;
-    colors.reserve (labels.size());
-    for (const std::uint32_t label : labels)
-      colors.push_back (colorOfLabel (label));
-    setColors (cloud, colors);
-  }
-  savePcd (file, cloud);
 }
 
 void
@@ -142,7 +126,7 @@ segmentInMemory (const SegmentOptions& options, const Task& task)
   const FileCloud cloud = is_piped ? loadStandardInput() : loadCloud (task.input);
   checkTakesLabels (task, cloud);
   stopIfInterrupted();
-  const ShiftedCloud shifted = shiftedCloudOf (cloud);
+  const ShiftedCloud shifted = shiftedCloudOf (cloud, voxelStepOf (options.detector));
   Report report{nameOfInput (task),
                 options.method,
                 cloud.size(),

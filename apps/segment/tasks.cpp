@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tasks.h"
 
-#include "inputs.h"
 #include <cli/errors.h>
+#include <io/inputs.h>
 #include <io/output_file.h>
 
 #include <filesystem>

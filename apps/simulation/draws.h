@@ -24,7 +24,8 @@ enum class Purpose : std::uint32_t {
   SurveyScan,
   Shapes,
   ShapesScan,
-  Corner
+  Corner,
+  Town
 };
 
 inline internal::RandomGenerator

@@ -8,6 +8,7 @@
 #include "depth_noise.h"
 #include "shapes.h"
 #include "survey.h"
+#include "town_files.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/memory.h>
@@ -30,10 +31,14 @@ constexpr const char* program_name = "pcl_ops_simulate";
 constexpr double most_seed = std::numeric_limits<std::uint32_t>::max();
 /** \brief A point takes 32 bytes, and 16 more while it is written. */
 constexpr double most_points = 1e7;
+/** \brief Those of a town are never all in memory. */
+constexpr double most_points_of_town = 1e12, most_tiles_of_town = 1e6;
 /** \brief Image sizes for which a neighbourhood of pixels still means something [px].
  */
 constexpr double smallest_image = 16;
 constexpr double largest_image = 4096;
+
+constexpr double usual_points_of_town = 1e6, usual_tiles = 4;
 
 struct Options {
   std::string output;
@@ -42,7 +47,8 @@ struct Options {
   DepthCamera camera;
   std::string profile = "correlated";
   double noise = 1.0;
-  std::optional<std::size_t> points;
+  std::optional<double> points;
+  std::optional<double> tiles;
   bool organized = false;
   bool quiet = false;
 };
@@ -63,13 +69,15 @@ readOptions (int argc, const char* const* argv, Options& options)
       "Simulates a furnished room as a depth camera sees it, or another scene. The\n"
       "field label is the true plane of each point: 0 none, 1..P by falling size.",
       PCL_OPS_VERSION);
-  line.addArgument ("OUTPUT.pcd", options.output, "the cloud to write (binary)");
+  line.addArgument ("OUTPUT.pcd",
+                    options.output,
+                    "the cloud to write (binary); of a town the folder");
   line.addChoice (
       "scene",
-      {"room", "furniture", "survey", "shapes"},
+      {"room", "furniture", "survey", "shapes", "town"},
       options.scene,
       "a room, a corner of one with boards on posts, 36 houses on a ground, "
-      "round shapes beside a ground (room)");
+      "round shapes beside a ground, terraces of houses in tiles of .las (room)");
   line.addNumber ("seed",
                   "S",
                   Range::from (0).upTo (most_seed),
@@ -88,15 +96,27 @@ readOptions (int argc, const char* const* argv, Options& options)
                   "the noise: smoothed depth, raw depth, none (correlated)");
   line.addNumber ("points",
                   "N",
-                  Range::from (1).upTo (most_points),
+                  Range::from (1).upTo (most_points_of_town),
                   options.points,
                   "scan the whole room with N points instead of one camera image; "
-                  "points of survey (600000), shapes (250000)");
+                  "points of survey (600000), shapes (250000), about those of town "
+                  "(1000000)");
+  line.addNumber ("tiles",
+                  "N",
+                  Range::from (1).upTo (most_tiles_of_town),
+                  options.tiles,
+                  "tiles of town, rounded up to a square number (4)");
   line.addFlag ("organized", options.organized, "keep pixels without a reading as NaN");
   line.addFlag ("quiet", options.quiet, "print nothing");
   if (!line.parse (argc, argv))
     return false;
-  if (pcl_ops::apps::extensionOf (options.output) != ".pcd")
+  const bool is_town = options.scene == "town";
+  if (options.tiles && !is_town)
+    throw pcl_ops::apps::UsageError ("--tiles", "is about --scene town; leave it out");
+  if (!is_town && options.points.value_or (1) > most_points)
+    throw pcl_ops::apps::UsageError (
+        "--points", "is more than 10000000, which only --scene town takes");
+  if (!is_town && pcl_ops::apps::extensionOf (options.output) != ".pcd")
     throw pcl_ops::apps::UsageError (options.output,
                                      "has an unknown extension; give a .pcd file");
   for (const char* of_camera : {"width", "height", "profile", "organized"}) {
@@ -119,11 +139,17 @@ noiseOf (const Options& options)
   return noise;
 }
 
+std::size_t
+pointsOf (const Options& options, std::size_t usual)
+{
+  return options.points ? std::size_t (*options.points) : usual;
+}
+
 SimulatedCloud
 simulateRoom (const Room& room, const Options& options)
 {
   if (options.points)
-    return scanDensely (room.scene, *options.points, options.noise, options.seed);
+    return scanDensely (room.scene, pointsOf (options, 1), options.noise, options.seed);
   DepthCamera camera = options.camera;
   camera.pose = drawCameraPose (room, camera, options.seed);
   const DepthImage image =
@@ -139,12 +165,12 @@ simulate (const Options& options)
 {
   if (options.scene == "survey")
     return scanSurvey (makeSurvey (options.seed),
-                       options.points.value_or (points_of_survey),
+                       pointsOf (options, points_of_survey),
                        options.noise,
                        options.seed);
   if (options.scene == "shapes")
     return scanShapes (makeShapes (options.seed),
-                       options.points.value_or (points_of_shapes),
+                       pointsOf (options, points_of_shapes),
                        options.noise,
                        options.seed);
   return simulateRoom (options.scene == "furniture" ? makeFurnishedCorner (options.seed)
@@ -184,6 +210,18 @@ run (int argc, const char* const* argv)
   Options options;
   if (!readOptions (argc, argv, options))
     return pcl_ops::apps::ExitCode::done;
+  if (options.scene == "town") {
+    const TownFiles written =
+        saveTown (options.output,
+                  makeTown (options.seed,
+                            options.points.value_or (usual_points_of_town),
+                            tilesAlongASide (options.tiles.value_or (usual_tiles))),
+                  options.noise);
+    if (!options.quiet)
+      std::cout << options.output << ": " << written.points << " points in "
+                << written.files << " files\n";
+    return pcl_ops::apps::ExitCode::done;
+  }
   pcl_ops::apps::checkWritable (options.output);
   const SimulatedCloud simulated =
       pcl_ops::apps::inMemory (options.output, "give fewer --points", [&] {

@@ -40,8 +40,9 @@ enum class Verification {
 /** \brief Expert knobs of Sampling::Surfels. */
 struct SurfelParameters {
   /** \brief Edge of a voxel [m]; where no plane explains the points, they are looked at
-   * in voxels of half the edge. Not given: from the number of points and the surface
-   * they are spread over. */
+   * in voxels of half the edge. Voxels then begin at whole multiples of it from the
+   * cloud's zero, and tiles of a cloud have the voxels of the whole. Not given: from
+   * the number of points and the surface they are spread over. */
   std::optional<double> voxel_size;
   /** \brief Grids to choose a normal's neighbourhood from, each of twice the voxel size
    * of the one before, 1 to 10. */

@@ -40,17 +40,19 @@ toSegments (const Points& points,
 
 /** \brief What all detectors begin and end with: the finite points, and the planes
  * among them in the frame of the input cloud. \param[in] detect (points, durations) ->
- * LabelledPlanes */
+ * LabelledPlanes \param[in] step of the local frame's zero, \ref finitePoints */
 template <typename Detect>
 Detection
 detectInFinitePoints (const DetectorInput& input,
                       const PlaneDetectorParameters& parameters,
-                      Detect&& detect)
+                      Detect&& detect,
+                      double step = 0.0)
 {
   Detection found;
   const StageClock clock;
   // P: drop NaN and Inf once; nothing later checks again
-  const Points points = finitePoints (input.cloud, input.indices, parameters.threads);
+  const Points points =
+      finitePoints (input.cloud, input.indices, parameters.threads, step);
   const LabelledPlanes planes =
       points.size() > 0 ? detect (points, found.durations) : LabelledPlanes();
   found.planes = toSegments (points, planes, input.viewpoint);

@@ -215,17 +215,26 @@ medianOf (std::vector<float>& values)
 }
 
 Points
-finitePoints (const CloudView& cloud, const pcl::Indices& indices, unsigned threads)
+finitePoints (const CloudView& cloud,
+              const pcl::Indices& indices,
+              unsigned threads,
+              double step)
 {
   const bool are_consecutive = areConsecutive (indices.data(), indices.size());
   if (!are_consecutive && !areAscending (indices.data(), indices.size())) {
     pcl::Indices sorted = indices;
     std::sort (sorted.begin(), sorted.end());
     sorted.erase (std::unique (sorted.begin(), sorted.end()), sorted.end());
-    return finitePoints (cloud, sorted, threads);
+    return finitePoints (cloud, sorted, threads, step);
   }
   Points points;
   points.origin = usualPosition (cloud, indices);
+  // Points are moved in single precision: by as much as it can tell.
+  if (step > 0.0)
+    points.origin = ((points.origin / step).array().round() * step)
+                        .matrix()
+                        .cast<float>()
+                        .cast<double>();
   const bool are_finite = copyPoints (cloud, indices, threads, points);
   const bool are_all = are_consecutive && indices.size() == cloud.size;
   if (!(are_finite && are_all))

@@ -84,8 +84,13 @@ medianOf (std::vector<float>& values);
  * \param[in] indices the points of it to use; each within the cloud, in any order,
  * given twice or not
  * \param[in] threads number of threads; 0: all. The result does not depend on it
+ * \param[in] step the origin is a whole multiple of it along each axis; 0: of whatever
+ * suits the points
  * \return the finite ones, each once; their origin is near most of them */
 Points
-finitePoints (const CloudView& cloud, const pcl::Indices& indices, unsigned threads);
+finitePoints (const CloudView& cloud,
+              const pcl::Indices& indices,
+              unsigned threads,
+              double step = 0.0);
 
 } // namespace pcl_ops::internal

@@ -54,11 +54,14 @@ detectPlanes (const DetectorInput& input,
 {
   using namespace internal;
   return detectInFinitePoints (
-      input, parameters, [&] (const auto& points, auto& durations) {
+      input,
+      parameters,
+      [&] (const auto& points, auto& durations) {
         return parameters.sampling == Sampling::Surfels
                    ? detectBy (VoxelSurfels (parameters), points, durations)
                    : detectBy (DrawnPoints (input, parameters), points, durations);
-      });
+      },
+      coarsestVoxel (parameters.surfels));
 }
 
 OrientedPointSamplingParameters

@@ -79,16 +79,6 @@ extractionParameters (const OrientedPointSamplingParameters& parameters,
   return extraction;
 }
 
-// Real walls are not flat: whether two planes are one follows their noise.
-MergingParameters
-mergingByNoise (MergingParameters merging)
-{
-  constexpr double usual_noise_factor = 2.25;
-  merging.distance_threshold = merging.distance_threshold.value_or (0.0);
-  merging.noise_factor = merging.noise_factor.value_or (usual_noise_factor);
-  return merging;
-}
-
 // Makes one plane of those that noise tore apart, and of those that a gap did.
 void
 joinPlanes (const VoxelGrid& grid,
@@ -102,6 +92,21 @@ joinPlanes (const VoxelGrid& grid,
 }
 
 } // namespace
+
+MergingParameters
+mergingByNoise (MergingParameters merging)
+{
+  constexpr double usual_noise_factor = 2.25;
+  merging.distance_threshold = merging.distance_threshold.value_or (0.0);
+  merging.noise_factor = merging.noise_factor.value_or (usual_noise_factor);
+  return merging;
+}
+
+double
+coarsestVoxel (const SurfelParameters& surfels)
+{
+  return std::ldexp (surfels.voxel_size.value_or (0.0), surfels.resolutions - 1);
+}
 
 VoxelizedPoints
 VoxelSurfels::sample (const Points& points) const
@@ -188,6 +193,9 @@ VoxelSurfels::addSparse (const Points& points,
                          const VoxelizedPoints& voxelized,
                          AssignedPoints& assigned) const
 {
+  // Voxels of a given size do not change with the points.
+  if (parameters_.surfels.voxel_size)
+    return;
   const Indices numbers = sparsePoints (voxelized, assigned.labels, parameters_.k);
   if (numbers.empty())
     return;

@@ -29,6 +29,16 @@ struct RefinedPlanes {
   }
 };
 
+/** \brief Edge of the largest voxels where their size is given; else 0. Voxels of a
+ * given size begin at whole multiples of it in the frame of the input cloud, so that
+ * parts of a cloud have the voxels of the whole. */
+double
+coarsestVoxel (const SurfelParameters& surfels);
+
+/** \brief Real walls are not flat: whether two planes are one follows their noise. */
+MergingParameters
+mergingByNoise (MergingParameters merging);
+
 /** \brief The recommended sampling: the flat voxels of a grid, with the normals of the
  * moments around; planes end where their voxels end. Coarse first: only points that no
  * plane explains are looked at more closely. */

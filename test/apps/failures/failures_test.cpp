@@ -42,7 +42,7 @@ saveLas (const std::string& file)
   std::ofstream (file, std::ios::binary) << lasBytes (recipe);
 }
 
-const std::string segment = PCL_OPS_SEGMENT_PROGRAM,
+const std::string segment = PCL_OPS_SEGMENT_PROGRAM, tiles = PCL_OPS_TILES_PROGRAM,
                   simulate = PCL_OPS_SIMULATE_PROGRAM,
                   evaluate = PCL_OPS_EVALUATE_PROGRAM,
                   benchmark = PCL_OPS_BENCHMARK_PROGRAM;
@@ -66,6 +66,12 @@ allOutputs ()
       {"VtkMesh", segment, "in.pcd --mesh OUT", "out/a.vtk", "out/a.vtk"},
       {"Planes", segment, "in.pcd --planes-dir OUT", "out", "out/plane_017_other.pcd"},
       {"Batch", segment, "in.pcd --output-dir OUT", "out", "out/in.json"},
+      {"Tiles", tiles, "in.las --output-dir OUT", "out", "out/planes.json"},
+      {"Town",
+       simulate,
+       "OUT --scene town --points 500",
+       "out",
+       "out/town_001_001.las"},
       {"Simulated", simulate, "OUT --points 500", "out/a.pcd", "out/a.pcd"},
       {"Results", evaluate, "run " + on_clouds, "out", "out/tables.md"},
       {"Pictures", evaluate, "pictures " + on_clouds, "out", "out/pictures.md"},

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "inputs.h"
 
+#include "cloud_file.h"
 #include <cli/errors.h>
 #include <glob.h>
-#include <io/cloud_file.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "town.h"
+
+#include "poses.h"
+#include "surface_points.h"
+#include "survey.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl_ops::simulation {
+
+namespace {
+
+using Eigen::Vector3d;
+
+/** \brief Streets are so far apart, and terraces begin so far apart along them [m]. */
+constexpr double street_pitch = 44.0, terrace_pitch = 170.0;
+constexpr double width_of_house = 15.0;
+/** \brief Of a terrace and all it may be shifted by, from its middle [m]. */
+constexpr double reach_of_terrace = 90.0;
+/** \brief Of what is surveyed of a square metre of ground, walls and roofs included. */
+constexpr double surface_of_square_metre = 1.65;
+constexpr double edge_of_patch = 8.0;
+/** \brief Of streets against the borders of tiles [degree]. */
+constexpr double direction_of_streets = 12.0;
+
+/** \brief A place on the lattice of terraces or of patches of the ground. */
+struct Place {
+  std::int32_t column, row;
+};
+
+/** \brief A rectangle from a corner along two sides that are at right angles. */
+struct Side {
+  Vector3d corner, along, up;
+};
+
+internal::RandomGenerator
+generatorAt (std::uint32_t seed, const Place& place, std::uint32_t what)
+{
+  std::seed_seq sequence{seed,
+                         std::uint32_t (Purpose::Town),
+                         std::uint32_t (place.column),
+                         std::uint32_t (place.row),
+                         what};
+  return internal::RandomGenerator (sequence);
+}
+
+/** \brief Outer walls, slopes of the roof, the floor above the ground, and the walls
+ * between houses, in the frame of the streets. */
+std::vector<Side>
+terraceAt (std::uint32_t seed, const Place& place)
+{
+  internal::RandomGenerator generator = generatorAt (seed, place, 0);
+  const double houses = std::floor (drawBetween (generator, 7, 11));
+  const double length = houses * width_of_house;
+  const double depth = drawBetween (generator, 9, 12);
+  const double eaves = drawBetween (generator, 5, 8);
+  const double ridge = eaves + drawBetween (generator, 2, 4);
+  const double x = terrace_pitch * place.column + drawBetween (generator, -4, 4);
+  const double y = street_pitch * place.row + drawBetween (generator, -4, 4);
+  const Eigen::Isometry3d pose =
+      Eigen::Translation3d (x, y, 0) *
+      turned (drawAngle (generator, -3, 3), Vector3d::UnitZ());
+  const auto at = [&] (double u, double v, double z) -> Vector3d {
+    return pose * Vector3d (u - 0.5 * length, v - 0.5 * depth, z);
+  };
+  const Vector3d along = pose.linear() * Vector3d (length, 0, 0);
+  const Vector3d across = pose.linear() * Vector3d (0, depth, 0);
+  const Vector3d up (0, 0, eaves);
+  std::vector<Side> sides = {
+      {at (0, 0, 0), along, up},
+      {at (0, depth, 0), along, up},
+      {at (0, 0, eaves), along, at (0, 0.5 * depth, ridge) - at (0, 0, eaves)},
+      {at (0, depth, eaves), along, at (0, 0.5 * depth, ridge) - at (0, depth, eaves)},
+      {at (0, 0, 0.5 * eaves), along, across}};
+  for (double wall = 0.0; wall <= houses; ++wall)
+    sides.push_back ({at (wall * width_of_house, 0, 0), across, up});
+  return sides;
+}
+
+/** \brief More than any terrace has. */
+constexpr std::uint32_t sides_of_terrace = 20;
+/** \brief Beside the number of a side, for the draws of the ground. */
+constexpr std::uint32_t of_ground = sides_of_terrace + 1;
+
+/** \brief What of the lattices may reach into some area, in the frame of the streets.
+ */
+struct Reach {
+  Place first, last;
+};
+
+Reach
+reachOf (const Eigen::AlignedBox2d& area, const Eigen::Vector2d& pitch, double margin)
+{
+  const Eigen::Vector2d room (margin, margin);
+  const Eigen::Vector2d low = (area.min() - room).cwiseQuotient (pitch);
+  const Eigen::Vector2d high = (area.max() + room).cwiseQuotient (pitch);
+  return {{std::int32_t (std::floor (low.x())), std::int32_t (std::floor (low.y()))},
+          {std::int32_t (std::ceil (high.x())), std::int32_t (std::ceil (high.y()))}};
+}
+
+/** \brief Takes the points of a tile out of the patches that reach into it. */
+class TileSurvey {
+public:
+  TileSurvey (const Town& town, std::uint32_t column, std::uint32_t row, double sigma)
+  : town_ (town)
+  , sigma_ (sigma)
+  , turn_ (turned (direction_of_streets * pi / 180.0, Vector3d::UnitZ()).linear())
+  {
+    const Eigen::Vector2d low (column * town.tile, row * town.tile);
+    tile_ = {low, low + Eigen::Vector2d (town.tile, town.tile)};
+  }
+
+  std::vector<TownPoint>
+  points ()
+  {
+    constexpr double square = edge_of_patch;
+    const Reach ground = reachOf (areaOf (tile_), {square, square}, square);
+    forPlaces (ground, [&] (const Place& place) {
+      const Side patch{{square * place.column, square * place.row, 0},
+                       {square, 0, 0},
+                       {0, square, 0}};
+      addPatch (patch, generatorAt (town_.seed, place, of_ground), 1);
+    });
+    const Eigen::AlignedBox2d town (
+        Eigen::Vector2d::Zero(), Eigen::Vector2d::Constant (town_.tiles * town_.tile));
+    const Eigen::Vector2d pitch (terrace_pitch, street_pitch);
+    const Reach all = reachOf (areaOf (town), pitch, reach_of_terrace);
+    forPlaces (reachOf (areaOf (tile_), pitch, reach_of_terrace),
+               [&] (const Place& place) { addTerrace (all, place); });
+    return std::move (points_);
+  }
+
+private:
+  /** \brief What is around an area of tiles in the frame of the streets. */
+  Eigen::AlignedBox2d
+  areaOf (const Eigen::AlignedBox2d& area) const
+  {
+    Eigen::AlignedBox2d around;
+    using Box = Eigen::AlignedBox2d;
+    for (const auto corner :
+         {Box::BottomLeft, Box::BottomRight, Box::TopLeft, Box::TopRight}) {
+      const Eigen::Vector2d place = area.corner (corner);
+      around.extend (
+          (turn_.transpose() * Vector3d (place.x(), place.y(), 0)).head<2>().eval());
+    }
+    return around;
+  }
+
+  template <typename Visit>
+  static void
+  forPlaces (const Reach& reach, Visit&& visit)
+  {
+    for (std::int32_t row = reach.first.row; row <= reach.last.row; ++row)
+      for (std::int32_t column = reach.first.column; column <= reach.last.column;
+           ++column)
+        visit (Place{column, row});
+  }
+
+  void
+  addTerrace (const Reach& all, const Place& place)
+  {
+    const auto columns = std::uint32_t (all.last.column - all.first.column + 1);
+    const std::uint32_t number = std::uint32_t (place.row - all.first.row) * columns +
+                                 std::uint32_t (place.column - all.first.column);
+    std::uint32_t side_number = 0;
+    for (const Side& side : terraceAt (town_.seed, place)) {
+      ++side_number;
+      internal::RandomGenerator seeds = generatorAt (town_.seed, place, side_number);
+      addSide (side, seeds, 1 + number * sides_of_terrace + side_number);
+    }
+  }
+
+  void
+  addSide (const Side& side, internal::RandomGenerator& seeds, std::uint32_t label)
+  {
+    const double columns = std::ceil (side.along.norm() / edge_of_patch);
+    const double rows = std::ceil (side.up.norm() / edge_of_patch);
+    for (double row = 0.0; row < rows; ++row)
+      for (double column = 0.0; column < columns; ++column) {
+        const Side patch{side.corner + column / columns * side.along +
+                             row / rows * side.up,
+                         side.along / columns,
+                         side.up / rows};
+        addPatch (patch, internal::RandomGenerator (seeds()), label);
+      }
+  }
+
+  void
+  addPatch (const Side& patch, internal::RandomGenerator generator, std::uint32_t label)
+  {
+    const double margin = 10.0 * sigma_;
+    Eigen::AlignedBox2d around;
+    for (const Vector3d& corner : {patch.corner,
+                                   Vector3d (patch.corner + patch.along),
+                                   Vector3d (patch.corner + patch.up),
+                                   Vector3d (patch.corner + patch.along + patch.up)})
+      around.extend ((turn_ * corner).head<2>().eval());
+    around.min().array() -= margin;
+    around.max().array() += margin;
+    if (!around.intersects (tile_))
+      return;
+    const double wanted = town_density * patch.along.norm() * patch.up.norm() +
+                          internal::drawUnit (generator);
+    for (double i = 1.0; i <= wanted; ++i) {
+      const double u = internal::drawUnit (generator),
+                   v = internal::drawUnit (generator);
+      Vector3d point = turn_ * (patch.corner + u * patch.along + v * patch.up);
+      for (double& coordinate : point)
+        coordinate += sigma_ * drawGaussian (generator);
+      const bool is_inside = (point.head<2>().array() >= tile_.min().array()).all() &&
+                             (point.head<2>().array() < tile_.max().array()).all();
+      if (is_inside)
+        points_.push_back ({town_.corner + point, label});
+    }
+  }
+
+  const Town& town_;
+  double sigma_;
+  Eigen::Matrix3d turn_;
+  Eigen::AlignedBox2d tile_;
+  std::vector<TownPoint> points_;
+};
+
+} // namespace
+
+Town
+makeTown (std::uint32_t seed, double points, std::uint32_t tiles_along_a_side)
+{
+  Town town;
+  town.seed = seed;
+  town.tiles = tiles_along_a_side;
+  const double area = points / (town_density * surface_of_square_metre);
+  town.tile = std::sqrt (area) / tiles_along_a_side;
+  return town;
+}
+
+std::vector<TownPoint>
+surveyTile (const Town& town,
+            std::uint32_t column,
+            std::uint32_t row,
+            double noise_scale)
+{
+  return TileSurvey (town, column, row, noise_scale * survey_sigma).points();
+}
+
+} // namespace pcl_ops::simulation

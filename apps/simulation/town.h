@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl_ops::simulation {
+
+/** \brief Terraces of houses along streets, on a level ground, surveyed in square
+ * tiles.
+ *
+ * Each surface is divided into patches with points of their own, so that the points of
+ * a place are the same however large the town is and wherever borders of tiles are. */
+struct Town {
+  /** \brief The same seed gives the same houses and points. */
+  std::uint32_t seed = 1;
+  /** \brief Along each side. */
+  std::uint32_t tiles = 1;
+  /** \brief Edge of a tile [m]. */
+  double tile = 100.0;
+  /** \brief South-western corner: far from zero, as such coordinates are [m]. */
+  Eigen::Vector3d corner = {691'000.0, 5'334'000.0, 519.0};
+};
+
+/** \brief A point and its true plane, from 1 on: the ground is 1. */
+struct TownPoint {
+  Eigen::Vector3d position;
+  std::uint32_t label = 0;
+};
+
+/** \brief Points of a square metre of surface. */
+constexpr double town_density = 30.0;
+
+/** \brief A town of so many tiles with about so many points. */
+Town
+makeTown (std::uint32_t seed, double points, std::uint32_t tiles_along_a_side);
+
+/** \brief The points of a tile.
+ * \param[in] noise_scale factor on \ref survey_sigma */
+std::vector<TownPoint>
+surveyTile (const Town& town,
+            std::uint32_t column,
+            std::uint32_t row,
+            double noise_scale);
+
+} // namespace pcl_ops::simulation

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_ops/plane.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief Numbers as this machine has them, for files that only a run and its
+ * continuation read. */
+template <typename Number>
+void
+put (std::ostream& stream, const Number& number)
+{
+  static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
+  stream.write (reinterpret_cast<const char*> (&number), sizeof (number));
+}
+
+template <typename Number>
+Number
+get (std::istream& stream)
+{
+  static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
+  Number number{};
+  stream.read (reinterpret_cast<char*> (&number), sizeof (number));
+  return number;
+}
+
+template <typename Number>
+void
+putBytes (std::ostream& stream, const Number* numbers, std::size_t count)
+{
+  static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
+  stream.write (reinterpret_cast<const char*> (numbers),
+                static_cast<std::streamsize> (count * sizeof (Number)));
+}
+
+template <typename Number>
+void
+getBytes (std::istream& stream, Number* numbers, std::size_t count)
+{
+  static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
+  stream.read (reinterpret_cast<char*> (numbers),
+               static_cast<std::streamsize> (count * sizeof (Number)));
+}
+
+/** \brief How many, then each. */
+template <typename Number>
+void
+putAll (std::ostream& stream, const std::vector<Number>& numbers)
+{
+  put (stream, std::uint64_t (numbers.size()));
+  putBytes (stream, numbers.data(), numbers.size());
+}
+
+template <typename Number>
+std::vector<Number>
+getAll (std::istream& stream)
+{
+  std::vector<Number> numbers (get<std::uint64_t> (stream));
+  getBytes (stream, numbers.data(), numbers.size());
+  return numbers;
+}
+
+void
+putMoments (std::ostream& stream, const Moments& moments);
+
+Moments
+getMoments (std::istream& stream);
+
+/** \brief Opens a file of a run.
+ * \throws WorkError that names it if that fails */
+std::ifstream
+openBinary (const std::string& file);
+
+/** \throws WorkError that names the file if it ended before what was read from it */
+void
+checkWasRead (const std::istream& stream, const std::string& file);
+
+} // namespace pcl_ops::apps

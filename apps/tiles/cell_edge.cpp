@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cell_edge.h"
+
+#include <cli/errors.h>
+#include <voxels/voxel_grid.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_ops::apps {
+
+std::vector<Eigen::Vector3d>
+evenSample (const std::vector<std::vector<Eigen::Vector3d>>& places, const Plan& plan)
+{
+  // What the densest input has to say limits all.
+  double per_point = 1.0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    per_point = std::min (per_point,
+                          static_cast<double> (places[i].size()) /
+                              static_cast<double> (plan.inputs[i].points));
+  std::vector<Eigen::Vector3d> even;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double wanted = per_point * static_cast<double> (plan.inputs[i].points);
+    const double stride =
+        std::max (1.0, static_cast<double> (places[i].size()) / wanted);
+    for (double next = 0.0; next < static_cast<double> (places[i].size());
+         next += stride)
+      even.push_back (places[i][static_cast<std::size_t> (next)]);
+  }
+  return even;
+}
+
+double
+cellEdgeFor (const std::vector<Eigen::Vector3d>& places,
+             const Eigen::Vector3d& zero,
+             std::uint64_t points)
+{
+  constexpr double points_of_cell = 50.0;
+  internal::Coordinates near_zero;
+  for (const Eigen::Vector3d& place : places) {
+    const Eigen::Vector3f local = (place - zero).cast<float>();
+    near_zero.add (local.x(), local.y(), local.z());
+  }
+  const double edge = internal::voxelSizeFor (
+      near_zero, std::max (1.0, static_cast<double> (points) / points_of_cell));
+  if (!(edge > 0.0))
+    throw WorkError ("INPUT", "has its points at one place; give --cell");
+  const double digit = std::pow (10.0, std::floor (std::log10 (edge)) - 1.0);
+  return std::round (edge / digit) * digit;
+}
+
+} // namespace pcl_ops::apps

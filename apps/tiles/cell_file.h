@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include "tile_grid.h"
+
+#include <cstdint>
+#include <map>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief Whose points a block has: a tile's own, or of its halo. */
+struct BlockKey {
+  TileKey tile;
+  bool is_halo = false;
+
+  friend bool
+  operator<(const BlockKey& a, const BlockKey& b)
+  {
+    return std::tie (a.tile, a.is_halo) < std::tie (b.tile, b.is_halo);
+  }
+};
+
+/** \brief Some of the points of an input, those of one key in their order. */
+struct Block {
+  BlockKey key;
+  std::uint64_t offset = 0;
+  std::uint64_t points = 0;
+};
+
+/** \brief Writes the points of an input sorted into blocks, with little of it in
+ * memory.
+ */
+class CellFileWriter {
+public:
+  explicit CellFileWriter (std::ostream& stream) : stream_ (stream) {}
+
+  /** \param[in] point in the frame of the tile */
+  void
+  add (const BlockKey& key, const Eigen::Vector3f& point);
+
+  /** \brief Writes what is left, and where all is. */
+  void
+  finish ();
+
+private:
+  void
+  flush (const BlockKey& key, std::vector<float>& numbers);
+  void
+  flushAll ();
+
+  std::ostream& stream_;
+  std::map<BlockKey, std::vector<float>> waiting_;
+  /** \brief That of the last point, as the next one mostly has it, too. */
+  std::pair<const BlockKey, std::vector<float>>* last_ = nullptr;
+  std::size_t numbers_waiting_ = 0;
+  std::uint64_t offset_ = 0;
+  std::vector<Block> blocks_;
+};
+
+/** \brief What such a file has. */
+class CellFile {
+public:
+  /** \throws WorkError if it cannot be read */
+  explicit CellFile (const std::string& file);
+
+  /** \brief By key, those of one key in the order of their points. */
+  const std::vector<Block>&
+  blocks () const
+  {
+    return blocks_;
+  }
+
+  /** \brief How many points a key has. */
+  std::uint64_t
+  count (const BlockKey& key) const;
+
+  /** \brief Appends the coordinates of all points of a key, in their order. */
+  void
+  read (const BlockKey& key, std::vector<float>& coordinates) const;
+
+private:
+  using Range =
+      std::pair<std::vector<Block>::const_iterator, std::vector<Block>::const_iterator>;
+
+  Range
+  blocksOf (const BlockKey& key) const;
+
+  std::string file_;
+  std::vector<Block> blocks_;
+};
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "options.h"
+
+#include <cli/command_line.h>
+#include <cli/errors.h>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+constexpr const char* summary =
+    "Finds the planes of a survey that is larger than the memory, in tiles, and "
+    "labels\n"
+    "every point with its plane, the same ones for any number of jobs and ranks.";
+
+constexpr const char* in_and_out =
+    "  INPUT       .las (1.2 to 1.4), .pcd or .ply tiles in one frame, folders, "
+    "patterns;\n"
+    "              a .las is never whole in memory; they may overlap\n"
+    "  DIR/NAME    each input with its labels (0: no plane, 1: the largest, ...)\n"
+    "  DIR/planes.json  all planes\n"
+    "  DIR/work    what a run that was stopped goes on from; at the end the plan is "
+    "left\n"
+    "  mpirun -n 4 pcl_ops_tiles ...  shares the work among processes, all of which "
+    "see\n"
+    "              the same files\n"
+    "  exit code   0 done; 1 failed; 2 wrong usage\n"
+    "Lengths are in the unit of the inputs, metres by default.\n";
+
+} // namespace
+
+bool
+readOptions (int argc, const char* const* argv, TilesOptions& options)
+{
+  constexpr double most_jobs = 256;
+  CommandLine line (program_name, summary, PCL_OPS_VERSION);
+  line.setUsage ({"INPUT... --output-dir DIR [options]"}, in_and_out);
+  line.addArguments ("INPUT", options.inputs, 1, "");
+  line.addText ("output-dir", "DIR", options.output_dir, "where the outputs go");
+  line.addNumber ("cell",
+                  "M",
+                  Range::above (0),
+                  options.plan.cell,
+                  "edge of a cell (by the density: some 50 points in one)");
+  line.addNumber ("tile",
+                  "M",
+                  Range::above (0),
+                  options.plan.tile,
+                  "edge of a tile, rounded to 4 cells (192 cells)");
+  line.addNumber ("jobs",
+                  "N",
+                  Range::from (0).upTo (most_jobs),
+                  options.jobs,
+                  "tiles at a time; 0: one for each processor (1)");
+  line.addText ("plan",
+                "FILE",
+                options.plan_file,
+                "the plan to follow; written if there is none (DIR/work/plan.json)");
+  line.addFlag ("dry-run", options.dry_run, "print the plan, and do nothing");
+  line.addFlag ("quiet", options.quiet, "print nothing");
+  if (!line.parse (argc, argv))
+    return false;
+  if (options.output_dir.empty())
+    throw UsageError ("--output-dir", "is missing; give a folder for the outputs");
+  return true;
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plan.h"
+
+#include <string>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+inline constexpr const char* program_name = "pcl_ops_tiles";
+
+/** \brief What the command line asks for. */
+struct TilesOptions {
+  /** \brief As given: files, folders, patterns. */
+  std::vector<std::string> inputs;
+  std::string output_dir;
+  PlanOptions plan;
+  /** \brief Where the plan is; empty for the folder of outputs. */
+  std::string plan_file;
+  /** \brief Tiles at a time; 0: as many as there are processors. */
+  unsigned jobs = 1;
+  bool dry_run = false;
+  bool quiet = false;
+};
+
+/** \brief \return false if --help or --version was answered and nothing is left to do
+ * \throws UsageError */
+bool
+readOptions (int argc, const char* const* argv, TilesOptions& options);
+
+} // namespace pcl_ops::apps

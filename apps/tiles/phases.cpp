@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "phases.h"
+
+#include "planes_json.h"
+#include "point_file.h"
+#include "tile_detection.h"
+#include <cli/errors.h>
+#include <io/output_file.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+namespace fs = std::filesystem;
+
+namespace pcl_ops::apps {
+
+namespace {
+
+TilePoints
+pointsOf (const SortedPoints& points, const TileKey& tile)
+{
+  TilePoints all{tile, {}, {}};
+  std::uint64_t count = 0;
+  const std::vector<CellFile>& files = points.files();
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::uint64_t own = files[i].count ({tile, false});
+    count += own + files[i].count ({tile, true});
+    if (own > 0)
+      all.own_of_input.emplace_back (static_cast<std::uint32_t> (i), own);
+  }
+  all.coordinates.reserve (3 * count);
+  for (const bool is_halo : {false, true})
+    for (const CellFile& file : files)
+      file.read ({tile, is_halo}, all.coordinates);
+  return all;
+}
+
+/** \brief The labels of an input's points, asked for in their order. */
+class LabelsInOrder {
+public:
+  LabelsInOrder (const Plan& plan, const RunFolder& folder, std::size_t input)
+  : grid_ (plan.grid())
+  , folder_ (folder)
+  , input_ (static_cast<std::uint32_t> (input))
+  , numbers_ (loadPlaneNumbers (folder.numbers()))
+  {}
+
+  std::uint32_t
+  next (const Eigen::Vector3d& place)
+  {
+    if (!grid_.reaches (place))
+      return 0;
+    const TileKey tile = grid_.tileOf (grid_.cellOf (place));
+    if (last_ == nullptr || last_->tile != tile)
+      last_ = &readerOf (tile);
+    const std::uint32_t piece = last_->labels.next();
+    return piece == 0 ? 0 : last_->numbers->at (piece - 1);
+  }
+
+private:
+  struct Tile {
+    TileKey tile;
+    LabelReader labels;
+    const std::vector<std::uint32_t>* numbers;
+  };
+
+  Tile&
+  readerOf (const TileKey& tile)
+  {
+    std::unique_ptr<Tile>& known = tiles_[tile];
+    if (!known)
+      known.reset (new Tile{
+          tile, LabelReader (folder_.labels (tile), input_), &numbers_.at (tile)});
+    return *known;
+  }
+
+  TileGrid grid_;
+  const RunFolder& folder_;
+  std::uint32_t input_;
+  PlaneNumbers numbers_;
+  std::map<TileKey, std::unique_ptr<Tile>> tiles_;
+  Tile* last_ = nullptr;
+};
+
+} // namespace
+
+void
+partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input)
+{
+  const TileGrid grid = plan.grid();
+  PointFile points (plan.inputs[input].file);
+  writeFile (folder.cells (input), [&] (std::ostream& stream) {
+    CellFileWriter writer (stream);
+    TileKey last{};
+    Eigen::Vector3d corner = grid.cornerOf (grid.frameOf (last));
+    points.forPlaces ([&] (const Eigen::Vector3d& place) {
+      if (!grid.reaches (place))
+        return;
+      const CellKey cell = grid.cellOf (place);
+      const TileKey tile = grid.tileOf (cell);
+      if (tile != last)
+        corner = grid.cornerOf (grid.frameOf (tile));
+      last = tile;
+      writer.add ({tile, false}, (place - corner).cast<float>());
+      grid.forTilesAround (cell, [&] (const TileKey& other) {
+        const Eigen::Vector3d of_other = grid.cornerOf (grid.frameOf (other));
+        writer.add ({other, true}, (place - of_other).cast<float>());
+      });
+    });
+    writer.finish();
+  });
+}
+
+SortedPoints::SortedPoints (const Plan& plan, const RunFolder& folder)
+{
+  std::map<TileKey, std::uint64_t> points;
+  for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+    files_.emplace_back (folder.cells (i));
+    for (const Block& block : files_.back().blocks())
+      if (!block.key.is_halo)
+        points[block.key.tile] += block.points;
+  }
+  for (const auto& [tile, count] : points)
+    tiles_.push_back ({tile, count});
+  std::stable_sort (tiles_.begin(), tiles_.end(), [] (const auto& a, const auto& b) {
+    return a.points > b.points;
+  });
+}
+
+void
+detectTile (const Plan& plan,
+            const RunFolder& folder,
+            const SortedPoints& points,
+            const TileKey& tile)
+{
+  const TileDetection found = detectInTile (plan.grid(), pointsOf (points, tile));
+  saveTileLabels (folder.labels (tile), found.labels);
+  saveTilePlanes (folder.planes (tile), found.planes);
+}
+
+void
+joinTiles (const Plan& plan, const RunFolder& folder, const SortedPoints& points)
+{
+  std::vector<TileKey> tiles;
+  for (const TileSize& size : points.tiles())
+    tiles.push_back (size.tile);
+  std::sort (tiles.begin(), tiles.end());
+  const JoinedPlanes joined = joinPlanes (tiles, [&folder] (const TileKey& tile) {
+    return loadTilePlanes (folder.planes (tile));
+  });
+  writeTextFile (folder.list(), toJson (plan, tiles.size(), joined.planes));
+  savePlaneNumbers (folder.numbers(), joined.numbers);
+}
+
+void
+labelInput (const Plan& plan, const RunFolder& folder, std::size_t input)
+{
+  LabelsInOrder labels (plan, folder, input);
+  PointFile points (plan.inputs[input].file);
+  points.saveLabelled (
+      outputOf (plan, folder, input),
+      [&labels] (const Eigen::Vector3d& place) { return labels.next (place); });
+  writeTextFile (folder.mark (input), "");
+}
+
+void
+listPlanes (const RunFolder& folder)
+{
+  std::ifstream list = openBinary (folder.list());
+  writeFile (folder.output (planes_file),
+             [&list] (std::ostream& stream) { stream << list.rdbuf(); });
+}
+
+std::string
+outputOf (const Plan& plan, const RunFolder& folder, std::size_t input)
+{
+  const std::string& file = plan.inputs[input].file;
+  const std::string extension = extensionOf (file) == ".las" ? ".las" : ".pcd";
+  return folder.output (fs::path (file).stem().string() + extension);
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plan.h"
+
+#include "cell_edge.h"
+#include "point_file.h"
+#include <cli/errors.h>
+#include <cli/program.h>
+#include <io/coordinate_reader.h>
+#include <io/las_header.h>
+#include <io/output_file.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <set>
+
+namespace fs = std::filesystem;
+
+namespace pcl_ops::apps {
+
+namespace {
+
+PlannedInput
+stateOf (const std::string& file)
+{
+  PlannedInput input;
+  std::error_code error;
+  input.file = fs::absolute (file).lexically_normal().string();
+  input.bytes = fs::file_size (file, error);
+  if (!error)
+    input.written = fs::last_write_time (file, error).time_since_epoch().count();
+  return input;
+}
+
+bool
+isEmptyLas (const std::string& file)
+{
+  if (extensionOf (file) != ".las" || !fs::is_regular_file (file))
+    return false;
+  HeaderReader reader (file, "LAS");
+  return readLasHeader (reader, file).points == 0;
+}
+
+std::vector<std::string>
+sorted (std::vector<std::string> files)
+{
+  const auto name = [] (const std::string& file) {
+    return std::make_pair (fs::path (file).filename().string(), file);
+  };
+  std::sort (files.begin(), files.end(), [&] (const auto& a, const auto& b) {
+    return name (a) < name (b);
+  });
+  return files;
+}
+
+/** \brief Adds what an input says of itself.
+ * \param[in,out] usual where the points of the first input are usually */
+void
+lookAt (const std::string& file,
+        std::size_t samples,
+        Plan& plan,
+        std::vector<std::vector<Eigen::Vector3d>>& places,
+        std::optional<Eigen::Vector3d>& usual)
+{
+  PointFile points (file);
+  const std::string problem = points.problemOfLabels();
+  if (!problem.empty())
+    throw WorkError (file, problem);
+  const auto place = [&points] (std::uint64_t i) { return points.place (i); };
+  PlannedInput input = stateOf (file);
+  input.points = points.size();
+  plan.inputs.push_back (input);
+  places.push_back (somePlaces (place, input.points, samples));
+  if (!usual)
+    usual = usualPlace (place, input.points);
+}
+
+std::int64_t
+cellsOfTile (const PlanOptions& options, double cell)
+{
+  // Of points at the usual density some 3 million, in a few hundred megabytes.
+  constexpr std::int64_t usual = 192;
+  if (!options.tile)
+    return usual;
+  constexpr auto step = TileGrid::cells_of_coarsest;
+  const auto steps =
+      static_cast<std::int64_t> (std::llround (*options.tile / (step * cell)));
+  if (steps * step < TileGrid::halo)
+    throw UsageError ("--tile",
+                      "is less than " + std::to_string (TileGrid::halo) +
+                          " cells wide; give a larger one or a smaller --cell");
+  return steps * step;
+}
+
+std::uint64_t
+tilesOf (const TileGrid& grid, const std::vector<Eigen::Vector3d>& places)
+{
+  std::set<TileKey> tiles;
+  for (const Eigen::Vector3d& place : places)
+    if (grid.reaches (place))
+      tiles.insert (grid.tileOf (grid.cellOf (place)));
+  return tiles.size();
+}
+
+} // namespace
+
+std::uint64_t
+Plan::points() const
+{
+  return std::accumulate (
+      inputs.begin(),
+      inputs.end(),
+      std::uint64_t (0),
+      [] (std::uint64_t sum, const PlannedInput& input) { return sum + input.points; });
+}
+
+Plan
+makePlan (std::vector<std::string> files, const PlanOptions& options)
+{
+  constexpr std::size_t most_samples = 16384, fewest_samples = 64;
+  const std::size_t samples =
+      std::max (fewest_samples, most_samples / std::max<std::size_t> (1, files.size()));
+  Plan plan;
+  std::vector<std::vector<Eigen::Vector3d>> places;
+  std::optional<Eigen::Vector3d> usual;
+  for (const std::string& file : sorted (std::move (files))) {
+    if (isEmptyLas (file)) {
+      warn (file + ": has no points; it is left out");
+      continue;
+    }
+    lookAt (file, samples, plan, places, usual);
+  }
+  if (!usual)
+    throw WorkError ("INPUT", "has no points in any file; give clouds that have");
+  const std::vector<Eigen::Vector3d> some = evenSample (places, plan);
+  plan.cell = options.cell ? *options.cell : cellEdgeFor (some, *usual, plan.points());
+  plan.cells_of_tile = cellsOfTile (options, plan.cell);
+  constexpr auto step = TileGrid::cells_of_coarsest;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    plan.place[axis] = step * static_cast<std::int64_t> (std::llround (
+                                  (*usual)[static_cast<Eigen::Index> (axis)] /
+                                  (static_cast<double> (step) * plan.cell)));
+  plan.likely_tiles = tilesOf (plan.grid(), some);
+  return plan;
+}
+
+void
+savePlan (const std::string& file, const Plan& plan)
+{
+  nlohmann::ordered_json json;
+  json["cell"] = plan.cell;
+  json["cells_of_tile"] = plan.cells_of_tile;
+  json["place"] = plan.place;
+  json["likely_tiles"] = plan.likely_tiles;
+  for (const PlannedInput& input : plan.inputs)
+    json["inputs"].push_back ({{"file", input.file},
+                               {"bytes", input.bytes},
+                               {"written", input.written},
+                               {"points", input.points}});
+  constexpr int indent = 2;
+  writeTextFile (file, json.dump (indent) + "\n");
+}
+
+Plan
+loadPlan (const std::string& file)
+{
+  std::ifstream stream (file);
+  try {
+    const auto json = nlohmann::json::parse (stream);
+    Plan plan;
+    json.at ("cell").get_to (plan.cell);
+    json.at ("cells_of_tile").get_to (plan.cells_of_tile);
+    json.at ("place").get_to (plan.place);
+    json.at ("likely_tiles").get_to (plan.likely_tiles);
+    for (const auto& input : json.at ("inputs"))
+      plan.inputs.push_back ({input.at ("file"),
+                              input.at ("bytes"),
+                              input.at ("written"),
+                              input.at ("points")});
+    return plan;
+  }
+  catch (const nlohmann::json::exception&) {
+    throw WorkError (file, "is no plan; remove it or give another name");
+  }
+}
+
+void
+checkIsFor (const Plan& plan,
+            const std::string& file,
+            std::vector<std::string> inputs,
+            const PlanOptions& options)
+{
+  const auto refuse = [&] (const std::string& reason) {
+    throw WorkError (file,
+                     "is the plan of another run (" + reason +
+                         "); remove its folder or give another --output-dir");
+  };
+  std::size_t known = 0;
+  for (const std::string& input : sorted (std::move (inputs))) {
+    const PlannedInput now = stateOf (input);
+    const auto planned = std::find_if (
+        plan.inputs.begin(), plan.inputs.end(), [&] (const PlannedInput& other) {
+          return other.file == now.file;
+        });
+    if (planned == plan.inputs.end() && isEmptyLas (input))
+      continue;
+    if (planned == plan.inputs.end())
+      refuse (input + " is not in it");
+    if (planned->bytes != now.bytes || planned->written != now.written)
+      refuse (input + " has changed");
+    ++known;
+  }
+  if (known < plan.inputs.size())
+    refuse ("it has " + std::to_string (plan.inputs.size()) + " inputs, not " +
+            std::to_string (known));
+  if (options.cell && *options.cell != plan.cell)
+    refuse ("--cell was another one");
+  if (options.tile && cellsOfTile (options, plan.cell) != plan.cells_of_tile)
+    refuse ("--tile was another one");
+}
+
+} // namespace pcl_ops::apps

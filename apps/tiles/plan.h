@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tile_grid.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief A file of points as it was when the plan was made. */
+struct PlannedInput {
+  std::string file;
+  std::uint64_t bytes = 0;
+  /** \brief When it was last written [ns]. */
+  std::int64_t written = 0;
+  std::uint64_t points = 0;
+};
+
+/** \brief What all parts of a run have to agree on. */
+struct Plan {
+  /** \brief By name. */
+  std::vector<PlannedInput> inputs;
+  /** \brief Edge of a cell [m]. */
+  double cell = 0.0;
+  /** \brief Cells along the edge of a tile. */
+  std::int64_t cells_of_tile = 0;
+  /** \brief A cell near the points of the first input. */
+  CellKey place{};
+  /** \brief About how many tiles have points. */
+  std::uint64_t likely_tiles = 0;
+
+  TileGrid
+  grid () const
+  {
+    return {cell, cells_of_tile, place};
+  }
+
+  std::uint64_t
+  points () const;
+};
+
+/** \brief What of a plan the user decides. */
+struct PlanOptions {
+  /** \brief Edges [m]; by the density of the points where not given. */
+  std::optional<double> cell, tile;
+};
+
+/** \brief Looks at the headers of all inputs and at some of their points.
+ * \param[in] files in any order
+ * \throws WorkError if any cannot be read or takes no labels */
+Plan
+makePlan (std::vector<std::string> files, const PlanOptions& options);
+
+/** \brief Writes it in one step. \throws WorkError if it cannot be written */
+void
+savePlan (const std::string& file, const Plan& plan);
+
+/** \brief \throws WorkError if it cannot be read */
+Plan
+loadPlan (const std::string& file);
+
+/** \brief \throws WorkError if a plan that was made earlier is for other inputs, or
+ * other lengths than those given now */
+void
+checkIsFor (const Plan& plan,
+            const std::string& file,
+            std::vector<std::string> inputs,
+            const PlanOptions& options);
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tile_grid.h"
+#include "tile_planes.h"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief A plane of all tiles. */
+struct JoinedPlane {
+  /** \brief Of all points on it. */
+  Moments moments;
+  PlaneFit fit;
+  /** \brief Corners of the outlines of its pieces. */
+  std::vector<Eigen::Vector3d> corners;
+  std::vector<TileKey> tiles;
+  /** \brief By their position in the plan. */
+  std::vector<std::uint32_t> inputs;
+};
+
+/** \brief For each piece of each tile the number of its plane, from 1 on. */
+using PlaneNumbers = std::map<TileKey, std::vector<std::uint32_t>>;
+
+struct JoinedPlanes {
+  /** \brief By falling size. */
+  std::vector<JoinedPlane> planes;
+  PlaneNumbers numbers;
+};
+
+/** \brief Makes one plane of pieces on both sides of a border.
+ *
+ * Tiles look at points beyond their borders. Where pieces of two tiles are on points of
+ * the same cells there, each such cell is a vote for the pair; pairs with enough votes
+ * are one plane if the library's merging says so of all that has been joined with
+ * either before, pairs with most votes first.
+ * \param[in] tiles sorted
+ * \param[in] load the planes of a tile; asked several times, so that not all claims are
+ * in memory */
+JoinedPlanes
+joinPlanes (const std::vector<TileKey>& tiles,
+            const std::function<TilePlanes (const TileKey&)>& load);
+
+/** \brief Writes the numbers in one step. \throws WorkError if they cannot be written
+ */
+void
+savePlaneNumbers (const std::string& file, const PlaneNumbers& numbers);
+
+/** \throws WorkError if they cannot be read */
+PlaneNumbers
+loadPlaneNumbers (const std::string& file);
+
+} // namespace pcl_ops::apps

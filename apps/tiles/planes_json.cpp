@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planes_json.h"
+
+#include <detection/plane_json.h>
+#include <pcl_ops/plane_extent.h>
+
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace pcl_ops::apps {
+
+namespace {
+
+/** \brief As one of the library; a survey has no single sensor, so that the normal is
+ * towards the zero of its frame. */
+PlaneSegment
+segmentOf (const JoinedPlane& plane)
+{
+  PlaneSegment segment;
+  const bool faces_zero = plane.fit.plane.distance (Eigen::Vector3d::Zero()) >= 0.0;
+  segment.normal = faces_zero ? plane.fit.plane.normal : -plane.fit.plane.normal;
+  segment.centroid = plane.moments.centroid();
+  segment.moments = plane.moments.about (segment.centroid);
+  return segment;
+}
+
+PlaneExtent
+extentIn (const PlaneSegment& segment, const JoinedPlane& plane)
+{
+  const PlaneFrame frame (segment.centroid, segment.normal);
+  PlanarPoints corners;
+  for (const Eigen::Vector3d& corner : plane.corners)
+    corners.push_back (frame.toPlane (corner));
+  return extentOf (convexHull (corners, 0.0), corners, frame);
+}
+
+nlohmann::ordered_json
+toObject (const Moments& moments)
+{
+  nlohmann::ordered_json object;
+  object["origin"] = toArray (moments.origin);
+  object["count"] = moments.count;
+  object["sum"] = toArray (moments.sum);
+  object["products"] = moments.products;
+  return object;
+}
+
+nlohmann::ordered_json
+toObject (const Plan& plan,
+          std::size_t id,
+          const JoinedPlane& plane,
+          const PlaneSegment& segment)
+{
+  nlohmann::ordered_json object = planeObject (id, segment, extentIn (segment, plane));
+  object["moments"] = toObject (segment.moments);
+  for (const TileKey& tile : plane.tiles)
+    object["tiles"].push_back ({tile.x, tile.y});
+  for (const std::uint32_t input : plane.inputs)
+    object["inputs"].push_back (fs::path (plan.inputs[input].file).filename().string());
+  return object;
+}
+
+} // namespace
+
+std::string
+toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& planes)
+{
+  std::vector<PlaneSegment> segments;
+  segments.reserve (planes.size());
+  for (const JoinedPlane& plane : planes)
+    segments.push_back (segmentOf (plane));
+  constexpr double tolerance = paper_angle_tolerance;
+  nameOrientations (segments, Eigen::Vector3d::UnitZ(), tolerance);
+  nlohmann::ordered_json json;
+  json["points"] = plan.points();
+  json["cell"] = plan.cell;
+  json["tile"] = plan.cell * static_cast<double> (plan.cells_of_tile);
+  json["tiles"] = tiles;
+  json["planes"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    json["planes"].push_back (toObject (plan, i + 1, planes[i], segments[i]));
+  constexpr int indent = 2;
+  return json.dump (indent) + "\n";
+}
+
+} // namespace pcl_ops::apps

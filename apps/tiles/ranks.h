@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace pcl_ops::apps {
+
+/** \brief The processes that mpirun started to do one run together; one, rank 0, where
+ * nobody did or this build is without MPI. */
+class Ranks {
+public:
+  Ranks();
+  Ranks (const Ranks&) = delete;
+  Ranks&
+  operator= (const Ranks&) = delete;
+  ~Ranks();
+
+  int
+  rank () const;
+
+  int
+  size () const;
+
+  /** \brief Waits for all. */
+  void
+  meet () const;
+
+  /** \brief Ends all with an exit code other than zero, at once; returns where there is
+   * only this one. */
+  void
+  endAll (int exit_code) const;
+
+private:
+  struct State;
+
+  std::unique_ptr<State> state_;
+};
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tile_detection.h"
+
+#include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/plane_extent.h>
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <numeric>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+Eigen::Vector3d
+pointOf (const TilePoints& points, std::size_t i)
+{
+  return Eigen::Vector3f (points.coordinates.data() + 3 * i).cast<double>();
+}
+
+Detection
+detectIn (const TileGrid& grid, const TilePoints& points)
+{
+  OrientedPointSamplingParameters parameters;
+  parameters.surfels.voxel_size = grid.cell();
+  CloudView view;
+  view.first = points.coordinates.data();
+  view.stride = 3;
+  view.size = points.size();
+  if (view.size > std::size_t (std::numeric_limits<pcl::index_t>::max()))
+    throw std::bad_alloc();
+  pcl::Indices all (view.size);
+  std::iota (all.begin(), all.end(), 0);
+  return detectPlanes ({view, all, Eigen::Vector3d::Zero(), nullptr}, parameters);
+}
+
+/** \brief Moments of the first inliers of a plane, those the tile owns, about the
+ * plane's centroid. */
+Moments
+momentsOf (const TilePoints& points, const PlaneSegment& plane, std::size_t own)
+{
+  Moments moments;
+  moments.origin = plane.centroid;
+  for (std::size_t i = 0; i < own; ++i) {
+    const Eigen::Vector3d local =
+        pointOf (points, static_cast<std::size_t> (plane.inliers[i])) - plane.centroid;
+    moments.add (local.x(), local.y(), local.z());
+  }
+  return moments;
+}
+
+/** \brief Of so many points that the outline no longer depends on their number. */
+std::vector<Eigen::Vector3d>
+outlineOf (const TilePoints& points, const PlaneSegment& plane, std::size_t own)
+{
+  constexpr std::size_t enough = 10000;
+  const std::size_t stride = own / enough + 1;
+  const PlaneFrame frame (plane.centroid, plane.normal);
+  PlanarPoints projected;
+  projected.reserve (own / stride + 1);
+  for (std::size_t i = 0; i < own; i += stride)
+    projected.push_back (
+        frame.toPlane (pointOf (points, static_cast<std::size_t> (plane.inliers[i]))));
+  std::vector<Eigen::Vector3d> corners;
+  for (const Eigen::Vector2d& corner : convexHull (projected))
+    corners.push_back (frame.toSpace (corner));
+  return corners;
+}
+
+/** \brief The inputs that own points are from. */
+std::vector<std::uint32_t>
+inputsOf (const TilePoints& points, const PlaneSegment& plane, std::size_t own)
+{
+  std::vector<std::uint32_t> inputs;
+  auto inlier = plane.inliers.begin();
+  const auto last = inlier + static_cast<std::ptrdiff_t> (own);
+  std::uint64_t end = 0;
+  for (const auto& [input, count] : points.own_of_input) {
+    end += count;
+    const auto next =
+        std::lower_bound (inlier, last, end, [] (pcl::index_t index, std::uint64_t e) {
+          return static_cast<std::uint64_t> (index) < e;
+        });
+    if (next != inlier)
+      inputs.push_back (input);
+    inlier = next;
+  }
+  return inputs;
+}
+
+Piece
+pieceOf (const TilePoints& points,
+         const PlaneSegment& plane,
+         std::size_t own,
+         const Eigen::Vector3d& corner)
+{
+  Piece piece{momentsOf (points, plane, own),
+              plane.moments,
+              outlineOf (points, plane, own),
+              inputsOf (points, plane, own)};
+  piece.own.origin += corner;
+  piece.all.origin += corner;
+  for (Eigen::Vector3d& place : piece.outline)
+    place += corner;
+  return piece;
+}
+
+/** \brief Adds the cells of a plane that other tiles look at, too. */
+void
+addClaims (const TileGrid& grid,
+           const TilePoints& points,
+           const PlaneSegment& plane,
+           std::uint32_t piece,
+           std::vector<Claim>& claims)
+{
+  const CellKey frame = grid.frameOf (points.tile);
+  const auto first = static_cast<std::ptrdiff_t> (claims.size());
+  for (const pcl::index_t index : plane.inliers) {
+    CellKey cell = grid.cellOf (pointOf (points, static_cast<std::size_t> (index)));
+    Claim claim{{}, piece};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      claim.cell[axis] = static_cast<std::int32_t> (cell[axis] += frame[axis]);
+    if (!grid.isInside (points.tile, cell))
+      claims.push_back (claim);
+  }
+  std::sort (claims.begin() + first, claims.end());
+  claims.erase (std::unique (claims.begin() + first, claims.end()), claims.end());
+}
+
+std::vector<LabelsOfInput>
+splitByInput (const TilePoints& points, const std::vector<std::uint32_t>& labels)
+{
+  std::vector<LabelsOfInput> split;
+  auto first = labels.begin();
+  for (const auto& [input, count] : points.own_of_input) {
+    const auto last = first + static_cast<std::ptrdiff_t> (count);
+    split.push_back ({input, std::vector<std::uint32_t> (first, last)});
+    first = last;
+  }
+  return split;
+}
+
+} // namespace
+
+std::size_t
+TilePoints::own() const
+{
+  std::size_t sum = 0;
+  for (const auto& [input, count] : own_of_input)
+    sum += count;
+  return sum;
+}
+
+TileDetection
+detectInTile (const TileGrid& grid, const TilePoints& points)
+{
+  const Eigen::Vector3d corner = grid.cornerOf (grid.frameOf (points.tile));
+  const auto own_end = static_cast<pcl::index_t> (points.own());
+  TileDetection found;
+  std::vector<std::uint32_t> labels (points.own(), 0);
+  for (const PlaneSegment& plane : detectIn (grid, points).planes) {
+    const auto end =
+        std::lower_bound (plane.inliers.begin(), plane.inliers.end(), own_end);
+    const auto own = static_cast<std::size_t> (end - plane.inliers.begin());
+    if (own == 0)
+      continue;
+    addClaims (grid,
+               points,
+               plane,
+               static_cast<std::uint32_t> (found.planes.pieces.size()),
+               found.planes.claims);
+    found.planes.pieces.push_back (pieceOf (points, plane, own, corner));
+    for (std::size_t i = 0; i < own; ++i)
+      labels[static_cast<std::size_t> (plane.inliers[i])] =
+          static_cast<std::uint32_t> (found.planes.pieces.size());
+  }
+  std::sort (found.planes.claims.begin(), found.planes.claims.end());
+  found.labels = splitByInput (points, labels);
+  return found;
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <tuple>
+
+namespace pcl_ops::apps {
+
+/** \brief Integer coordinates of a cell. */
+using CellKey = std::array<std::int64_t, 3>;
+
+/** \brief Which tile: its cells begin at so many times the cells of a tile. */
+struct TileKey {
+  std::int64_t x = 0, y = 0;
+
+  friend bool
+  operator== (const TileKey& a, const TileKey& b)
+  {
+    return a.x == b.x && a.y == b.y;
+  }
+  friend bool
+  operator!= (const TileKey& a, const TileKey& b)
+  {
+    return !(a == b);
+  }
+  friend bool
+  operator<(const TileKey& a, const TileKey& b)
+  {
+    return std::tie (a.x, a.y) < std::tie (b.x, b.y);
+  }
+};
+
+/** \brief Cells on a lattice from absolute zero, and square tiles of whole columns of
+ * them. Cells and tiles are half-open: a point is in exactly one. */
+class TileGrid {
+public:
+  /** \brief Voxels of the coarsest resolution of normals are so many cells wide. */
+  static constexpr std::int64_t cells_of_coarsest = 4;
+  /** \brief How far around a tile points are looked at: normals come from the nearest
+   * three of the coarsest voxels, and planes grow and are joined voxel by voxel. */
+  static constexpr std::int64_t halo = 12;
+
+  /** \param[in] cell edge [m]
+   * \param[in] cells_of_tile along an edge, a multiple of \ref cells_of_coarsest and at
+   * least \ref halo
+   * \param[in] place near the points, in whole coarsest voxels */
+  TileGrid (double cell, std::int64_t cells_of_tile, const CellKey& place)
+  : cell_ (cell), cells_of_tile_ (cells_of_tile), place_ (place)
+  {}
+
+  double
+  cell () const
+  {
+    return cell_;
+  }
+
+  /** \brief Whether a point has coordinates, and such that cells can be counted. */
+  bool
+  reaches (const Eigen::Vector3d& point) const
+  {
+    constexpr double most_cells = 1e9;
+    return (point.array().abs() < most_cells * cell_).all();
+  }
+
+  CellKey
+  cellOf (const Eigen::Vector3d& point) const
+  {
+    const auto along = [this] (double coordinate) {
+      return static_cast<std::int64_t> (std::floor (coordinate / cell_));
+    };
+    return {along (point.x()), along (point.y()), along (point.z())};
+  }
+
+  TileKey
+  tileOf (const CellKey& cell) const
+  {
+    return {tileAlong (cell[0]), tileAlong (cell[1])};
+  }
+
+  /** \brief Whether a cell is a tile's and no other looks at it. */
+  bool
+  isInside (const TileKey& tile, const CellKey& cell) const
+  {
+    const auto along = [this] (std::int64_t number, std::int64_t place) {
+      const std::int64_t inside = place - number * cells_of_tile_;
+      return inside >= halo && inside < cells_of_tile_ - halo;
+    };
+    return along (tile.x, cell[0]) && along (tile.y, cell[1]);
+  }
+
+  /** \brief Where zero of a tile's frame is: of what is in the tile the nearest to the
+   * place all tiles share, in whole coarsest voxels. */
+  CellKey
+  frameOf (const TileKey& tile) const;
+
+  Eigen::Vector3d
+  cornerOf (const CellKey& cell) const
+  {
+    return {static_cast<double> (cell[0]) * cell_,
+            static_cast<double> (cell[1]) * cell_,
+            static_cast<double> (cell[2]) * cell_};
+  }
+
+  /** \brief Calls visit (tile) for each other tile that looks at a point of this cell.
+   */
+  template <typename Visit>
+  void
+  forTilesAround (const CellKey& cell, Visit&& visit) const
+  {
+    const TileKey own = tileOf (cell);
+    const Reach x = reachAlong (cell[0], own.x), y = reachAlong (cell[1], own.y);
+    for (std::int64_t dx = x.first; dx <= x.last; ++dx)
+      for (std::int64_t dy = y.first; dy <= y.last; ++dy)
+        if (dx != 0 || dy != 0)
+          visit (TileKey{own.x + dx, own.y + dy});
+  }
+
+private:
+  struct Reach {
+    std::int64_t first, last;
+  };
+
+  std::int64_t
+  tileAlong (std::int64_t cell) const
+  {
+    const std::int64_t tile = cell / cells_of_tile_;
+    return tile * cells_of_tile_ > cell ? tile - 1 : tile;
+  }
+
+  Reach
+  reachAlong (std::int64_t cell, std::int64_t tile) const
+  {
+    const std::int64_t inside = cell - tile * cells_of_tile_;
+    return {inside < halo ? -1 : 0, inside >= cells_of_tile_ - halo ? 1 : 0};
+  }
+
+  double cell_;
+  std::int64_t cells_of_tile_;
+  CellKey place_;
+};
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tile_run.h"
+
+#include "phases.h"
+#include "run_folder.h"
+#include <cli/errors.h>
+#include <cli/interruption.h>
+#include <cli/memory.h>
+#include <cli/parallel.h>
+#include <cli/progress.h>
+#include <io/inputs.h>
+#include <io/output_file.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <iomanip>
+#include <map>
+#include <ostream>
+#include <set>
+#include <sstream>
+#include <system_error>
+
+namespace fs = std::filesystem;
+
+namespace pcl_ops::apps {
+
+namespace {
+
+bool
+isThere (const std::string& file)
+{
+  std::error_code error;
+  return fs::exists (file, error);
+}
+
+std::vector<std::string>
+inputsOf (const TilesOptions& options)
+{
+  InputFiles found = findInputs (options.inputs);
+  if (!found.problems.empty())
+    throw WorkError ("INPUT", found.problems.front());
+  return std::move (found.files);
+}
+
+/** \brief Refuses outputs that would be written over each other or over an input. */
+void
+checkClashes (const Plan& plan, const RunFolder& folder)
+{
+  std::map<std::string, std::string> input_of;
+  std::set<std::string> inputs;
+  for (const PlannedInput& input : plan.inputs)
+    inputs.insert (resolvedName (input.file));
+  checkWritable (folder.output (planes_file));
+  for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+    const std::string output = outputOf (plan, folder, i);
+    const std::string resolved = resolvedName (output);
+    if (inputs.count (resolved) > 0)
+      throw UsageError (output, "is an input, too; give another --output-dir");
+    const auto [first, is_new] = input_of.emplace (resolved, plan.inputs[i].file);
+    if (!is_new)
+      throw UsageError (first->second + " and " + plan.inputs[i].file,
+                        "would both be written to " + output + "; rename one");
+    checkWritable (output);
+  }
+}
+
+std::string
+textOf (const Plan& plan)
+{
+  std::ostringstream text;
+  text << plan.points() << " points of " << plan.inputs.size()
+       << (plan.inputs.size() == 1 ? " input" : " inputs") << ", cells of " << plan.cell
+       << ", about " << plan.likely_tiles
+       << (plan.likely_tiles == 1 ? " tile of " : " tiles of ")
+       << plan.cell * static_cast<double> (plan.cells_of_tile);
+  return text.str();
+}
+
+/** \brief A run of all phases, as one of the ranks has it. */
+class TileRun {
+public:
+  TileRun (const Plan& plan,
+           const RunFolder& folder,
+           const TilesOptions& options,
+           const Ranks& ranks,
+           std::ostream& messages,
+           bool is_terminal)
+  : plan_ (plan)
+  , folder_ (folder)
+  , jobs_ (options.jobs)
+  , ranks_ (ranks)
+  , messages_ (messages)
+  , style_ (is_terminal && ranks.rank() == 0 && !options.quiet ? ProgressStyle::Bar
+                                                               : ProgressStyle::None)
+  {}
+
+  /** \return how long each phase took, in words */
+  std::string
+  run ()
+  {
+    sortPoints();
+    const SortedPoints points (plan_, folder_);
+    detectPlanes (points);
+    if (ranks_.rank() == 0 && !isThere (folder_.numbers()))
+      joinTiles (plan_, folder_, points);
+    finish ("joined");
+    labelPoints();
+    return times_;
+  }
+
+private:
+  void
+  sortPoints ()
+  {
+    share (
+        plan_.inputs.size(),
+        "inputs sorted",
+        [this] (std::size_t i) { return folder_.cells (i); },
+        [this] (std::size_t i) {
+          inMemory (plan_.inputs[i].file, fewer_jobs, [&] {
+            partitionInput (plan_, folder_, i);
+          });
+        });
+    finish ("sorted");
+  }
+
+  void
+  detectPlanes (const SortedPoints& points)
+  {
+    const std::vector<TileSize>& tiles = points.tiles();
+    share (
+        tiles.size(),
+        "tiles",
+        [&] (std::size_t i) { return folder_.planes (tiles[i].tile); },
+        [&] (std::size_t i) {
+          inMemory ("--tile", "give a smaller one or fewer --jobs", [&] {
+            detectTile (plan_, folder_, points, tiles[i].tile);
+          });
+        });
+    finish ("planes found");
+  }
+
+  void
+  labelPoints ()
+  {
+    share (
+        plan_.inputs.size(),
+        "inputs labelled",
+        [this] (std::size_t i) { return folder_.mark (i); },
+        [this] (std::size_t i) {
+          inMemory (plan_.inputs[i].file, fewer_jobs, [&] {
+            labelInput (plan_, folder_, i);
+          });
+        });
+    finish ("labelled");
+  }
+
+  /** \brief Waits until all ranks are through a phase. */
+  void
+  finish (const std::string& phase)
+  {
+    ranks_.meet();
+    const auto now = std::chrono::steady_clock::now();
+    std::ostringstream text;
+    text << std::fixed << std::setprecision (1) << (times_.empty() ? "" : ", ") << phase
+         << " in " << std::chrono::duration<double> (now - start_).count() << " s";
+    times_ += text.str();
+    start_ = now;
+  }
+
+  /** \brief Does this rank's share of the parts of a phase, and waits for the others.
+   * \param[in] result the file that is there once a part is done */
+  void
+  share (std::size_t parts,
+         const std::string& noun,
+         const std::function<std::string (std::size_t)>& result,
+         const std::function<void (std::size_t)>& work)
+  {
+    std::vector<std::size_t> own;
+    const auto step = static_cast<std::size_t> (ranks_.size());
+    for (auto i = static_cast<std::size_t> (ranks_.rank()); i < parts; i += step)
+      if (!isThere (result (i)))
+        own.push_back (i);
+    Progress progress (own.size(), messages_, style_, noun);
+    try {
+      runInParallel (own.size(), jobs_, [&] (std::size_t i) {
+        stopIfInterrupted();
+        work (own[i]);
+        progress.step();
+      });
+    }
+    catch (const Interrupted&) {
+      progress.erase();
+      throw WorkError ("interrupted",
+                       "no output is half-written; run it again to go on");
+    }
+    catch (...) {
+      progress.erase();
+      throw;
+    }
+  }
+
+  static constexpr const char* fewer_jobs = "give fewer --jobs";
+
+  const Plan& plan_;
+  const RunFolder& folder_;
+  unsigned jobs_;
+  const Ranks& ranks_;
+  std::ostream& messages_;
+  ProgressStyle style_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::string times_;
+};
+
+/** \brief Writes a plan unless there is one that fits. */
+void
+preparePlan (const TilesOptions& options,
+             const std::string& file,
+             const RunFolder& folder)
+{
+  folder.make();
+  const std::vector<std::string> inputs = inputsOf (options);
+  const bool is_there = isThere (file);
+  const Plan plan = is_there ? loadPlan (file) : makePlan (inputs, options.plan);
+  if (is_there)
+    checkIsFor (plan, file, inputs, options.plan);
+  checkClashes (plan, folder);
+  if (!is_there)
+    savePlan (file, plan);
+}
+
+} // namespace
+
+void
+runTiles (const TilesOptions& options,
+          const Ranks& ranks,
+          std::ostream& out,
+          std::ostream& messages,
+          bool is_terminal)
+{
+  const RunFolder folder (options.output_dir);
+  const std::string file =
+      options.plan_file.empty() ? folder.plan() : options.plan_file;
+  const bool speaks = ranks.rank() == 0 && !options.quiet;
+  if (options.dry_run) {
+    if (ranks.rank() == 0)
+      out << textOf (makePlan (inputsOf (options), options.plan)) << "\n";
+    return;
+  }
+  if (ranks.rank() == 0)
+    preparePlan (options, file, folder);
+  ranks.meet();
+  const Plan plan = loadPlan (file);
+  if (speaks)
+    out << textOf (plan) << "\n";
+  if (!isThere (folder.end())) {
+    const std::string times =
+        TileRun (plan, folder, options, ranks, messages, is_terminal).run();
+    if (speaks)
+      out << times << "\n";
+    if (ranks.rank() == 0) {
+      listPlanes (folder);
+      writeTextFile (folder.end(), "");
+      folder.clean();
+    }
+  }
+  if (speaks)
+    out << options.output_dir << ": the labelled inputs and planes.json\n";
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <base/random.h>
+#include <tiles/plane_joining.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace pcl_ops;
+using namespace pcl_ops::apps;
+
+/** \brief A wall along x with 2 cm of noise, and what a tile sees of it. */
+Piece
+wall (double first, double last, double y, const Eigen::Vector3d& far = {0, 0, 0})
+{
+  internal::RandomGenerator generator (static_cast<std::uint32_t> (first));
+  Piece piece;
+  piece.own.origin = far;
+  for (double x = first; x < last; x += 0.1)
+    for (double z = 0.0; z < 3.0; z += 0.1)
+      piece.own.add (x, y + 0.04 * internal::drawUnit (generator) - 0.02, z);
+  piece.all = piece.own;
+  return piece;
+}
+
+/** \brief The cells that a wall is in around x, between two tiles. */
+std::vector<Claim>
+claimsAround (int x, int height, std::uint32_t piece)
+{
+  std::vector<Claim> claims;
+  for (int i = x - 2; i < x + 2; ++i)
+    for (int z = 0; z < height; ++z)
+      claims.push_back ({{i, 0, z}, piece});
+  return claims;
+}
+
+/** \brief Tiles in a row along x, each with its planes. */
+using Row = std::vector<TilePlanes>;
+
+JoinedPlanes
+joined (const Row& row)
+{
+  std::vector<TileKey> tiles;
+  for (std::size_t i = 0; i < row.size(); ++i)
+    tiles.push_back ({static_cast<std::int64_t> (i), 0});
+  return joinPlanes (tiles, [&row] (const TileKey& tile) {
+    TilePlanes planes = row[static_cast<std::size_t> (tile.x)];
+    std::sort (planes.claims.begin(), planes.claims.end());
+    return planes;
+  });
+}
+
+/** \brief Two tiles with a wall each, 10 m long, that share cells around x = 10. */
+Row
+twoTiles (double y_of_first, double y_of_second, int height = 3)
+{
+  return {{{wall (0, 10, y_of_first)}, claimsAround (10, height, 0)},
+          {{wall (10, 20, y_of_second)}, claimsAround (10, height, 0)}};
+}
+
+} // namespace
+
+TEST (PlaneJoining, MakesOneOfAWallOnBothSidesOfABorder)
+{
+  const JoinedPlanes found = joined (twoTiles (5.0, 5.0));
+  ASSERT_EQ (found.planes.size(), 1u);
+  EXPECT_EQ (found.planes[0].tiles, (std::vector<TileKey>{{0, 0}, {1, 0}}));
+  EXPECT_EQ (found.numbers.at ({0, 0}), std::vector<std::uint32_t>{1});
+  EXPECT_EQ (found.numbers.at ({1, 0}), std::vector<std::uint32_t>{1});
+}
+
+TEST (PlaneJoining, AddsTheMomentsOfOwnPointsOnly)
+{
+  Row row = twoTiles (5.0, 5.0);
+  row[1].pieces[0].all = wall (8, 20, 5.0).own; // with the halo
+  Moments sum = row[0].pieces[0].own;
+  sum += row[1].pieces[0].own;
+  const Moments found = joined (row).planes.at (0).moments;
+  EXPECT_EQ (found.count, sum.count);
+  EXPECT_EQ (found.sum, sum.sum);
+  EXPECT_EQ (found.products, sum.products);
+}
+
+TEST (PlaneJoining, LeavesTwoWallsTenCentimetresApart)
+{
+  EXPECT_EQ (joined (twoTiles (5.0, 5.1)).planes.size(), 2u);
+}
+
+TEST (PlaneJoining, LeavesWallsThatShareHardlyACell)
+{
+  Row row = twoTiles (5.0, 5.0);
+  row[1].claims.resize (2);
+  EXPECT_EQ (joined (row).planes.size(), 2u);
+  row[1].claims.clear();
+  EXPECT_EQ (joined (row).planes.size(), 2u);
+}
+
+TEST (PlaneJoining, LeavesAWallAndTheFloorAtItsFoot)
+{
+  Row row = twoTiles (5.0, 5.0);
+  Moments floor;
+  for (int x = 0; x < 100; ++x)
+    for (int y = 0; y < 100; ++y)
+      floor.add (10.0 + 0.1 * x, 0.1 * y, 0.0);
+  row[1].pieces[0].own = row[1].pieces[0].all = floor;
+  EXPECT_EQ (joined (row).planes.size(), 2u);
+}
+
+TEST (PlaneJoining, FollowsAWallThroughTwentyTilesFarFromZero)
+{
+  const Eigen::Vector3d far (691'000, 5'334'000, 519);
+  Row row;
+  for (int i = 0; i < 20; ++i) {
+    TilePlanes planes{{wall (10 * i, 10 * i + 10, 5.0, far)},
+                      claimsAround (10 * i, 3, 0)};
+    for (const Claim& claim : claimsAround (10 * i + 10, 3, 0))
+      planes.claims.push_back (claim);
+    row.push_back (planes);
+  }
+  const JoinedPlanes found = joined (row);
+  ASSERT_EQ (found.planes.size(), 1u);
+  EXPECT_EQ (found.planes[0].tiles.size(), 20u);
+  EXPECT_NEAR (std::abs (found.planes[0].fit.plane.normal.y()), 1.0, 1e-6);
+}
+
+TEST (PlaneJoining, NumbersPlanesByFallingSize)
+{
+  Row row = twoTiles (5.0, 7.0);
+  row[1].pieces[0] = wall (10, 40, 7.0);
+  const JoinedPlanes found = joined (row);
+  EXPECT_EQ (found.numbers.at ({0, 0}), std::vector<std::uint32_t>{2});
+  EXPECT_EQ (found.numbers.at ({1, 0}), std::vector<std::uint32_t>{1});
+  EXPECT_GT (found.planes[0].moments.count, found.planes[1].moments.count);
+}

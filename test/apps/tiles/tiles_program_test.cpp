@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tiles_program.h"
+#include <base/random.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using namespace pcl_ops;
+using apps::LasPoint;
+
+const Eigen::Vector3d far_away (691'000, 5'334'000, 519);
+
+/** \brief A wall along x from 0, 3 m high, with 1.5 cm of noise, in millimetres. */
+void
+addWall (double length, double y, std::vector<LasPoint>& points)
+{
+  internal::RandomGenerator generator (42);
+  const auto millimetres = [] (double metres) {
+    return static_cast<std::int32_t> (std::lround (1000.0 * metres));
+  };
+  for (double i = 0.0; i < 100.0 * length; ++i) {
+    const double x = length * internal::drawUnit (generator);
+    const double z = 3.0 * internal::drawUnit (generator);
+    double noise = -0.09;
+    for (int k = 0; k < 12; ++k)
+      noise += 0.015 * internal::drawUnit (generator);
+    points.push_back ({{millimetres (x), millimetres (y + noise), millimetres (z)}, 0});
+  }
+}
+
+class TilesProgram : public Tiles {
+protected:
+  void
+  save (const std::string& name, const std::vector<LasPoint>& points) const
+  {
+    apps::saveLas (folder_ / name, points, 0.001, far_away);
+  }
+};
+
+/** \brief How many points have one label here and another there. */
+std::map<std::pair<std::uint32_t, std::uint32_t>, double>
+overlaps (const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b)
+{
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> counts;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    ++counts[{a[i], b[i]}];
+  return counts;
+}
+
+Eigen::Vector3d
+vectorIn (const nlohmann::json& plane, const char* key)
+{
+  const auto numbers = plane.at (key).get<std::array<double, 3>>();
+  return Eigen::Vector3d (numbers[0], numbers[1], numbers[2]);
+}
+
+} // namespace
+
+TEST_F (TilesProgram, MakesOnePlaneOfAWallThroughTwentyTiles)
+{
+  std::vector<LasPoint> wall;
+  addWall (200.0, 0.0, wall);
+  save ("wall.las", wall);
+  expectDone ("wall.las --output-dir out --cell 0.5 --tile 10");
+  const nlohmann::json list = listIn ("out");
+  ASSERT_EQ (list.at ("planes").size(), 1u);
+  EXPECT_GE (list.at ("tiles"), 20);
+  EXPECT_EQ (list.at ("planes").at (0).at ("tiles").size(), list.at ("tiles"));
+  const Eigen::Vector3d centroid = vectorIn (list.at ("planes").at (0), "centroid");
+  EXPECT_NEAR (centroid.y(), far_away.y(), 0.001);
+  EXPECT_NEAR (list.at ("planes").at (0).at ("extent").at ("length"), 200.0, 1.0);
+  EXPECT_EQ (list.at ("planes").at (0).at ("points"), wall.size());
+}
+
+TEST_F (TilesProgram, KeepsTwoWallsTenCentimetresApartAtABorder)
+{
+  // The first ends where the second begins, in the middle of a tile's halo.
+  std::vector<LasPoint> walls;
+  addWall (20.0, 0.0, walls);
+  const auto first = walls.size();
+  addWall (20.0, 0.1, walls);
+  for (std::size_t i = first; i < walls.size(); ++i)
+    walls[i].raw[0] += 20'000;
+  save ("walls.las", walls);
+  expectDone ("walls.las --output-dir out --cell 0.5 --tile 10");
+  EXPECT_EQ (listIn ("out").at ("planes").size(), 2u);
+}
+
+TEST_F (TilesProgram, IsPclOpsSegmentWhereThereIsOneTile)
+{
+  makeTown ("--points 60000 --tiles 1");
+  expectDone ("town --output-dir out --cell 1.2 --tile 100000");
+  ASSERT_EQ (listIn ("out").at ("tiles"), 1);
+  const Outcome segmented =
+      shell ("'" PCL_OPS_SEGMENT_PROGRAM "' town/town_000_000.las one.las --cell 1.2");
+  ASSERT_EQ (segmented.exit_code, 0) << segmented.err;
+  EXPECT_EQ (contentOf (folder_ / "out/town_000_000.las"),
+             contentOf (folder_ / "one.las"));
+  const std::vector<std::uint32_t> labels = labelsIn ("one.las");
+  EXPECT_GT (std::set<std::uint32_t> (labels.begin(), labels.end()).size(), 5u);
+}
+
+TEST_F (TilesProgram, FindsInManyTilesThePlanesOfOne)
+{
+  constexpr double fewest_points = 50 * 20; // 50 cells and more
+  makeTown ("--points 200000 --tiles 1");
+  expectDone ("town --output-dir one --cell 1 --tile 100000");
+  expectDone ("town --output-dir many --cell 1 --tile 24");
+  const nlohmann::json one = listIn ("one"), many = listIn ("many");
+  ASSERT_GT (many.at ("tiles"), 9);
+  const auto counts =
+      overlaps (labelsIn ("one/town_000_000.las"), labelsIn ("many/town_000_000.las"));
+  std::size_t large = 0;
+  for (std::uint32_t p = 1; p <= one.at ("planes").size(); ++p) {
+    const nlohmann::json& plane = one.at ("planes").at (p - 1);
+    if (plane.at ("points") < fewest_points)
+      continue;
+    ++large;
+    std::uint32_t match = 0;
+    double shared = 0.0;
+    for (const auto& [labels, count] : counts)
+      if (labels.first == p && labels.second > 0 && count > shared) {
+        shared = count;
+        match = labels.second;
+      }
+    ASSERT_GT (match, 0u) << "plane " << p;
+    const nlohmann::json& other = many.at ("planes").at (match - 1);
+    const double both =
+        plane.at ("points").get<double>() + other.at ("points").get<double>() - shared;
+    EXPECT_GE (shared / both, 0.99) << "plane " << p;
+    const double sine =
+        vectorIn (plane, "normal").cross (vectorIn (other, "normal")).norm();
+    EXPECT_LE (sine, std::sin (0.05 * 3.14159 / 180)) << "plane " << p;
+    const double offset =
+        vectorIn (other, "normal")
+            .dot (vectorIn (plane, "centroid") - vectorIn (other, "centroid"));
+    EXPECT_LE (std::abs (offset), 0.001) << "plane " << p;
+  }
+  EXPECT_GT (large, 10u);
+}
+
+TEST_F (TilesProgram, GivesTheSameBytesForAnyNumberOfJobsAndOrderOfInputs)
+{
+  makeTown();
+  expectDone ("town --output-dir one --tile 30");
+  const auto expected = outputsIn ("one");
+  ASSERT_EQ (expected.size(), 5u);
+  expectDone ("town --output-dir two --tile 30 --jobs 2");
+  EXPECT_EQ (outputsIn ("two"), expected);
+  expectDone ("town --output-dir three --tile 30 --jobs 3");
+  EXPECT_EQ (outputsIn ("three"), expected);
+  expectDone ("town/town_001_001.las town/town_000_000.las town/town_001_000.las "
+              "town/town_000_001.las --output-dir four --tile 30");
+  EXPECT_EQ (outputsIn ("four"), expected);
+}
+
+TEST_F (TilesProgram, LabelsPcdAndPlyWithColours)
+{
+  makeTown ("--points 20000 --tiles 1");
+  ASSERT_EQ (shell ("'" PCL_OPS_SEGMENT_PROGRAM "' town/town_000_000.las town/a.pcd")
+                 .exit_code,
+             0);
+  fs::remove (folder_ / "town/town_000_000.las");
+  expectDone ("town --output-dir out");
+  const apps::FileCloud cloud = apps::loadCloud (folder_ / "out/a.pcd");
+  EXPECT_TRUE (std::any_of (cloud.points.fields.begin(),
+                            cloud.points.fields.end(),
+                            [] (const auto& field) { return field.name == "rgb"; }));
+  const std::vector<std::uint32_t> labels = labelsIn ("out/a.pcd");
+  EXPECT_GT (*std::max_element (labels.begin(), labels.end()), 3u);
+}
+
+TEST_F (TilesProgram, CountsEveryPointOnce)
+{
+  makeTown();
+  expectDone ("town --output-dir out --tile 30");
+  std::map<std::uint32_t, std::size_t> points_of;
+  std::size_t all = 0;
+  for (const char* name : {"000_000", "000_001", "001_000", "001_001"})
+    for (const std::uint32_t label :
+         labelsIn (std::string ("out/town_") + name + ".las")) {
+      ++points_of[label];
+      ++all;
+    }
+  const nlohmann::json list = listIn ("out");
+  EXPECT_EQ (list.at ("points"), all);
+  for (const auto& plane : list.at ("planes"))
+    EXPECT_EQ (plane.at ("points"), points_of[plane.at ("id")]);
+}
+
+TEST_F (TilesProgram, SaysWhatItWouldDo)
+{
+  makeTown();
+  const Outcome plan = tiles ("town --output-dir out --tile 30 --dry-run");
+  EXPECT_EQ (plan.exit_code, 0) << plan.err;
+  EXPECT_NE (plan.out.find ("points of 4 inputs"), std::string::npos) << plan.out;
+  EXPECT_FALSE (fs::exists (folder_ / "out"));
+}
+
+TEST_F (TilesProgram, LeavesOutATileWithoutPoints)
+{
+  makeTown();
+  save ("town/zero.las", {});
+  const Outcome done = tiles ("town --output-dir out");
+  EXPECT_EQ (done.exit_code, 0) << done.err;
+  EXPECT_EQ (done.err, "pcl_ops_tiles: town/zero.las: has no points; it is left out\n");
+}
+
+TEST_F (TilesProgram, SaysInOneLineWhatItCannotWorkOn)
+{
+  makeTown();
+  folder_.write ("half.las",
+                 contentOf (folder_ / "town/town_000_000.las").substr (0, 5000));
+  fs::create_directory (folder_ / "other");
+  fs::copy_file (folder_ / "town/town_000_000.las", folder_ / "other/town_000_000.las");
+  fs::create_directory (folder_ / "empty");
+  const std::string out = " --output-dir out";
+  const std::vector<std::pair<std::string, std::string>> failures = {
+      {"town half.las" + out, "half.las: is truncated"},
+      {"town missing.las" + out, "missing.las: does not exist; check the name"},
+      {"empty" + out, "INPUT: empty: has no .pcd, .ply or .las file"},
+      {"town other/town_000_000.las" + out, "would both be written to"},
+      {"town --output-dir town", "is an input, too; give another --output-dir"},
+      {"town" + out + " --cell 1 --tile 2", "--tile: is less than 12 cells wide"},
+      {"town", "--output-dir: is missing; give a folder"}};
+  for (const auto& [arguments, complaint] : failures) {
+    const Outcome done = tiles (arguments);
+    EXPECT_NE (done.exit_code, 0) << arguments;
+    EXPECT_NE (done.err.find (complaint), std::string::npos) << done.err;
+    EXPECT_EQ (done.err.rfind ("pcl_ops_tiles: ", 0), 0u) << done.err;
+    EXPECT_NE (done.err.find (';'), std::string::npos) << "no mend: " << done.err;
+    EXPECT_EQ (lines (done.err), 1u) << done.err;
+    EXPECT_FALSE (fs::exists (folder_ / "out/planes.json"));
+  }
+}
+
+TEST_F (TilesProgram, RefusesThePlanOfAnotherRun)
+{
+  makeTown();
+  expectDone ("town --output-dir out");
+  for (const char* arguments :
+       {"town --output-dir out --cell 3", "town/town_000_000.las --output-dir out"}) {
+    const Outcome done = tiles (arguments);
+    EXPECT_EQ (done.exit_code, 1);
+    EXPECT_NE (done.err.find ("out/work/plan.json: is the plan of another run"),
+               std::string::npos)
+        << done.err;
+    EXPECT_EQ (lines (done.err), 1u) << done.err;
+  }
+  EXPECT_EQ (tiles ("town --output-dir out").exit_code, 0) << "nothing is left to do";
+}

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tiles_program.h"
+
+#include <chrono>
+
+namespace {
+
+/** \brief Ends a program at one of its writes. */
+std::string
+killedAt (int write)
+{
+  return "env LD_PRELOAD='" PCL_OPS_FAILING_CALLS "' KILLED_AT_WRITE=" +
+         std::to_string (write);
+}
+
+class TilesRestart : public Tiles {
+protected:
+  /** \brief What a run that nobody stopped writes. */
+  std::map<std::string, std::size_t>
+  undisturbed () const
+  {
+    makeTown ("--points 20000 --tiles 4");
+    expectDone ("town --output-dir whole --tile 40");
+    return outputsIn ("whole");
+  }
+};
+
+} // namespace
+
+TEST_F (TilesRestart, AfterBeingKilledAgainAndAgainGivesTheSameBytes)
+{
+  const auto expected = undisturbed();
+  int kills = 0;
+  // Each time a little farther: in every phase, before and behind its first file.
+  for (int write = 1;
+       tiles ("town --output-dir out --tile 40", killedAt (write)).exit_code != 0;
+       write += 2)
+    ASSERT_LT (++kills, 200);
+  EXPECT_GT (kills, 10);
+  EXPECT_EQ (outputsIn ("out"), expected);
+}
+
+TEST_F (TilesRestart, DoesNotDoAgainWhatIsDone)
+{
+  const auto expected = undisturbed();
+  int write = 1;
+  while (!std::filesystem::exists (folder_ / "out/work/planes/numbers"))
+    ASSERT_NE (tiles ("town --output-dir out --tile 40", killedAt (++write)).exit_code,
+               0);
+  const std::string cells = folder_ / "out/work/cells/0.cells";
+  const auto before = std::filesystem::last_write_time (cells);
+  ASSERT_NE (tiles ("town --output-dir out --tile 40", killedAt (1)).exit_code, 0);
+  EXPECT_EQ (std::filesystem::last_write_time (cells), before);
+  expectDone ("town --output-dir out --tile 40");
+  EXPECT_EQ (outputsIn ("out"), expected);
+  EXPECT_FALSE (std::filesystem::exists (cells)) << "no longer needed";
+}
+
+#ifdef PCL_OPS_MPIEXEC
+
+namespace {
+
+std::string
+ranks (int number)
+{
+  return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+         "'" PCL_OPS_MPIEXEC "' --oversubscribe -n " +
+         std::to_string (number);
+}
+
+} // namespace
+
+TEST_F (TilesRestart, GivesTheSameBytesForAnyNumberOfRanks)
+{
+  const auto expected = undisturbed();
+  for (int number = 1; number <= 3; ++number) {
+    const std::string out = "out" + std::to_string (number);
+    expectDone ("town --tile 40 --output-dir " + out, ranks (number));
+    EXPECT_EQ (outputsIn (out), expected) << number << " ranks";
+  }
+}
+
+TEST_F (TilesRestart, ARankThatIsLostEndsTheRunSoonAndTheNextOneGoesOn)
+{
+  const auto expected = undisturbed();
+  const auto start = std::chrono::steady_clock::now();
+  const std::string program =
+      "'" PCL_OPS_TILES_PROGRAM "' town --tile 40 --output-dir out";
+  const Outcome lost =
+      shell (ranks (1) + " " + program + " : -n 1 " + killedAt (3) + " " + program);
+  EXPECT_NE (lost.exit_code, 0);
+  EXPECT_FALSE (std::filesystem::exists (folder_ / "out/planes.json"));
+  EXPECT_LT (std::chrono::steady_clock::now() - start, std::chrono::seconds (20));
+  expectDone ("town --tile 40 --output-dir out", ranks (2));
+  EXPECT_EQ (outputsIn ("out"), expected);
+}
+
+TEST_F (TilesRestart, OneRankOfSeveralSaysWhatIsWrong)
+{
+  const Outcome done = tiles ("missing.las --output-dir out", ranks (2));
+  EXPECT_NE (done.exit_code, 0);
+  const std::string complaint = "pcl_ops_tiles: missing.las: does not exist";
+  const auto first = done.err.find (complaint);
+  EXPECT_NE (first, std::string::npos) << done.err;
+  EXPECT_EQ (done.err.find (complaint, first + 1), std::string::npos) << "said twice";
+}
+
+#endif
