@@ -27,6 +27,8 @@ struct MethodTable {
   std::function<Settings (const Parameters&)> first_settings = {}, last_settings = {};
   /** \brief Sets what follows from options that were given; may refuse them. */
   std::function<void (const GivenNumbers&, Parameters&)> relate = {};
+  /** \brief May refuse parameters for so many points. */
+  std::function<void (const Parameters&, std::size_t points)> check_points = {};
 };
 
 /** \brief The preset with the options that were given.
@@ -77,6 +79,8 @@ detectBy (const MethodTable<Detector>& table,
           const XyzCloud::ConstPtr& cloud)
 {
   const auto parameters = parametersOf (table, options);
+  if (table.check_points)
+    table.check_points (parameters, cloud->size());
   Detector detector;
   detector.setParameters (parameters);
   detector.setInputCloud (cloud);

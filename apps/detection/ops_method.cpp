@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 
 namespace pcl_ops::apps {
 
@@ -22,6 +23,19 @@ givenOrZero (std::optional<double>& length)
   if (!length)
     length = 0.0;
   return *length;
+}
+
+// They take as long as if there were so many. The usual number is fine for any cloud.
+void
+refuseMoreNeighboursThanPoints (const OrientedPointSamplingParameters& parameters,
+                                std::size_t points)
+{
+  const int usual = OrientedPointSamplingParameters().k;
+  if (parameters.k > usual && static_cast<std::size_t> (parameters.k) > points)
+    throw UsageError ("--k",
+                      std::to_string (parameters.k) +
+                          " is more than the points of the cloud, " +
+                          std::to_string (points) + "; give a smaller number");
 }
 
 } // namespace
@@ -78,6 +92,7 @@ opsMethod ()
     const bool on_surfels = p.sampling == Sampling::Surfels;
     return {{"sampling", std::string (on_surfels ? "surfels" : "points")}};
   };
+  table.check_points = refuseMoreNeighboursThanPoints;
   return methodOf (table);
 }
 

@@ -169,6 +169,8 @@ TEST_F (Segment, RefusesWrongUsageInOneLine)
       {"in.pcd --sampling-rate 1.5",
        "--sampling-rate: 1.5 is out of range; give a number above 0 and up to 1"},
       {"in.pcd --k 1", "--k: 1 is out of range"},
+      {"in.pcd --k 1000000",
+       "--k: 1000000 is more than the points of the cloud"},
       {"in.pcd --threshold -0.05", "--threshold: -0.05 is out of range"},
       {"in.pcd --threshold nan", "--threshold: nan is out of range"},
       {"in.pcd --min-inliers many", "--min-inliers: 'many' is no number"},
