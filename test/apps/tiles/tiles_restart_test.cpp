@@ -35,7 +35,7 @@ TEST_F (TilesRestart, AfterBeingKilledAgainAndAgainGivesTheSameBytes)
   // Each time a little farther: in every phase, before and behind its first file.
   for (int write = 1;
        tiles ("town --output-dir out --tile 40", killedAt (write)).exit_code != 0;
-       write += 2)
+       ++write)
     ASSERT_LT (++kills, 200);
   EXPECT_GT (kills, 10);
   EXPECT_EQ (outputsIn ("out"), expected);
