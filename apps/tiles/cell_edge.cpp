@@ -36,7 +36,7 @@ cellEdgeFor (const std::vector<Eigen::Vector3d>& places,
              const Eigen::Vector3d& zero,
              std::uint64_t points)
 {
-  constexpr double points_of_cell = 50.0;
+  constexpr double points_of_cell = 20.0;
   internal::Coordinates near_zero;
   for (const Eigen::Vector3d& place : places) {
     const Eigen::Vector3f local = (place - zero).cast<float>();

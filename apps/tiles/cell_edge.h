@@ -15,10 +15,12 @@ namespace pcl_ops::apps {
 std::vector<Eigen::Vector3d>
 evenSample (const std::vector<std::vector<Eigen::Vector3d>>& places, const Plan& plan);
 
-/** \brief Edge of cells that hold about 50 points where a surface is, as those have
- * that the library chooses for a cloud of 300,000 points: by the density of the points
- * and not by their number. Rounded to two digits. \param[in] places spread evenly over
- * the points \param[in] zero near most of them \param[in] points of the whole */
+/** \brief Edge of cells that hold about 20 points where a surface is: by the density of
+ * the points and not by their number. Measured on simulated surveys: larger cells miss
+ * planes, smaller ones cost more. Rounded to two digits.
+ * \param[in] places spread evenly over the points
+ * \param[in] zero near most of them
+ * \param[in] points of the whole */
 double
 cellEdgeFor (const std::vector<Eigen::Vector3d>& places,
              const Eigen::Vector3d& zero,

@@ -42,12 +42,12 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
                   "M",
                   Range::above (0),
                   options.plan.cell,
-                  "edge of a cell (by the density: some 50 points in one)");
+                  "edge of a cell (by the density: some 20 points in one)");
   line.addNumber ("tile",
                   "M",
                   Range::above (0),
                   options.plan.tile,
-                  "edge of a tile, rounded to 4 cells (192 cells)");
+                  "edge of a tile, rounded to 4 cells (256 cells)");
   line.addNumber ("jobs",
                   "N",
                   Range::from (0).upTo (most_jobs),

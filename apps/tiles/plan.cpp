@@ -82,8 +82,8 @@ lookAt (const std::string& file,
 std::int64_t
 cellsOfTile (const PlanOptions& options, double cell)
 {
-  // Of points at the usual density some 3 million, in a few hundred megabytes.
-  constexpr std::int64_t usual = 192;
+  // Of points at the usual density some 2 million, in a few hundred megabytes.
+  constexpr std::int64_t usual = 256;
   if (!options.tile)
     return usual;
   constexpr auto step = TileGrid::cells_of_coarsest;

@@ -6,8 +6,13 @@
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>
 
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 #endif
+
+#include <algorithm>
+#include <numeric>
 
 namespace pcl_ops::apps {
 
@@ -49,8 +54,16 @@ Ranks::size() const
 void
 Ranks::meet() const
 {
-  if (state_)
-    state_->world.barrier();
+  if (!state_)
+    return;
+  // A plain barrier would keep a processor busy that others could use.
+  constexpr std::chrono::milliseconds nap (1);
+  MPI_Request request;
+  MPI_Ibarrier (state_->world, &request);
+  int all_are_here = 0;
+  while (MPI_Test (&request, &all_are_here, MPI_STATUS_IGNORE) == MPI_SUCCESS &&
+         all_are_here == 0)
+    std::this_thread::sleep_for (nap);
 }
 
 void
@@ -89,5 +102,24 @@ Ranks::endAll (int) const
 #endif
 
 Ranks::~Ranks() = default;
+
+std::vector<std::size_t>
+shareOf (std::size_t rank, std::size_t ranks, const std::vector<std::uint64_t>& parts)
+{
+  std::vector<std::size_t> order (parts.size()), own;
+  std::iota (order.begin(), order.end(), std::size_t (0));
+  std::stable_sort (
+      order.begin(), order.end(), [&parts] (std::size_t a, std::size_t b) {
+        return parts[a] > parts[b];
+      });
+  std::vector<std::uint64_t> load (ranks, 0);
+  for (const std::size_t part : order) {
+    const auto idlest = std::min_element (load.begin(), load.end());
+    *idlest += parts[part];
+    if (static_cast<std::size_t> (idlest - load.begin()) == rank)
+      own.push_back (part);
+  }
+  return own;
+}
 
 } // namespace pcl_ops::apps

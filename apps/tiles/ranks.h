@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
-#include <string>
+#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -37,5 +39,10 @@ private:
 
   std::unique_ptr<State> state_;
 };
+
+/** \brief Which parts of some work are a rank's, so that all have about as much to do;
+ * the largest first. \param[in] parts how much work each is */
+std::vector<std::size_t>
+shareOf (std::size_t rank, std::size_t ranks, const std::vector<std::uint64_t>& parts);
 
 } // namespace pcl_ops::apps

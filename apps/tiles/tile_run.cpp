@@ -116,7 +116,7 @@ private:
   sortPoints ()
   {
     share (
-        plan_.inputs.size(),
+        pointsOfInputs(),
         "inputs sorted",
         [this] (std::size_t i) { return folder_.cells (i); },
         [this] (std::size_t i) {
@@ -131,8 +131,11 @@ private:
   detectPlanes (const SortedPoints& points)
   {
     const std::vector<TileSize>& tiles = points.tiles();
+    std::vector<std::uint64_t> parts;
+    for (const TileSize& tile : tiles)
+      parts.push_back (tile.points);
     share (
-        tiles.size(),
+        parts,
         "tiles",
         [&] (std::size_t i) { return folder_.planes (tiles[i].tile); },
         [&] (std::size_t i) {
@@ -147,7 +150,7 @@ private:
   labelPoints ()
   {
     share (
-        plan_.inputs.size(),
+        pointsOfInputs(),
         "inputs labelled",
         [this] (std::size_t i) { return folder_.mark (i); },
         [this] (std::size_t i) {
@@ -171,19 +174,30 @@ private:
     start_ = now;
   }
 
-  /** \brief Does this rank's share of the parts of a phase, and waits for the others.
+  std::vector<std::uint64_t>
+  pointsOfInputs () const
+  {
+    std::vector<std::uint64_t> points;
+    for (const PlannedInput& input : plan_.inputs)
+      points.push_back (input.points);
+    return points;
+  }
+
+  /** \brief Does this rank's share of the parts of a phase.
+   * \param[in] parts how much work each is
    * \param[in] result the file that is there once a part is done */
   void
-  share (std::size_t parts,
+  share (const std::vector<std::uint64_t>& parts,
          const std::string& noun,
          const std::function<std::string (std::size_t)>& result,
          const std::function<void (std::size_t)>& work)
   {
     std::vector<std::size_t> own;
-    const auto step = static_cast<std::size_t> (ranks_.size());
-    for (auto i = static_cast<std::size_t> (ranks_.rank()); i < parts; i += step)
-      if (!isThere (result (i)))
-        own.push_back (i);
+    for (const std::size_t part : shareOf (static_cast<std::size_t> (ranks_.rank()),
+                                           static_cast<std::size_t> (ranks_.size()),
+                                           parts))
+      if (!isThere (result (part)))
+        own.push_back (part);
     Progress progress (own.size(), messages_, style_, noun);
     try {
       runInParallel (own.size(), jobs_, [&] (std::size_t i) {

@@ -61,6 +61,15 @@ TEST (FinitePoints, ShareAFrameWithOthersOfTheirSurroundings)
   EXPECT_NEAR (origin.x(), far, 32.0) << "near enough for single precision";
 }
 
+TEST (FinitePoints, HaveTheirOriginAtAMultipleOfAStep)
+{
+  const auto cloud = cloudOf ({{17, 2, -9}, {18, 3, -8}, {18, 2, -7}});
+  const Points points = finitePoints (CloudView (cloud), {0, 1, 2}, 1, 1.25);
+  for (const double coordinate : points.origin)
+    EXPECT_EQ (std::remainder (coordinate, 1.25), 0.0);
+  EXPECT_EQ (inInputFrame (points, 0), Eigen::Vector3d (17, 2, -9));
+}
+
 TEST (FinitePoints, KnowsWherePointsCameFrom)
 {
   const auto cloud = cloudOf ({{1, 2, 3}, {4, 5, 6}, {7, 8, 9}});

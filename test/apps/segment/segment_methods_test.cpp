@@ -216,3 +216,17 @@ TEST_F (SegmentRoom, SuspectsMillimetres)
       run ("large.pcd --method fspf --threshold 50 --inner-radius 200");
   EXPECT_TRUE (contains (mended.out, "2 planes")) << mended.out;
 }
+
+TEST_F (SegmentRoom, HasVoxelsOfTheEdgeAskedFor)
+{
+  const nlohmann::json usual = planesOf (""), given = planesOf ("--cell 0.1");
+  EXPECT_EQ (usual.at ("parameters").at ("cell"), 0.0);
+  EXPECT_EQ (given.at ("parameters").at ("cell"), 0.1);
+  EXPECT_EQ (given.at ("planes").size(), 2u);
+  EXPECT_EQ (planesOf ("--cell 1").at ("planes").size(), 0u) << "too few voxels";
+  const Outcome refused = run ("room.pcd --preset paper --cell 0.1");
+  EXPECT_EQ (refused.exit_code, 2);
+  EXPECT_EQ (
+      refused.err,
+      "pcl_ops_segment: --cell: has no meaning to --preset paper; leave it out\n");
+}
