@@ -139,23 +139,6 @@ setField (pcl::PCLPointCloud2& cloud,
   cloud.row_step = step * cloud.width;
 }
 
-/** \brief Near most points: one outlier must not leave the others without digits. */
-Eigen::Vector3d
-usualPlace (const CoordinateReader& reader, std::size_t size)
-{
-  constexpr std::size_t looked_at = 1000;
-  const std::size_t stride = size / looked_at + 1;
-  std::vector<Eigen::Vector3d> places;
-  for (std::size_t begin = 0; begin < size; begin += stride)
-    for (std::size_t i = begin; i < std::min (size, begin + stride); ++i)
-      if (const Eigen::Vector3d place = reader (i); place.allFinite()) {
-        places.push_back (place);
-        break;
-      }
-  return places.empty() ? Eigen::Vector3d (Eigen::Vector3d::Zero())
-                        : medianPlace (places);
-}
-
 } // namespace
 
 ShiftedCloud
@@ -165,7 +148,7 @@ shiftedCloudOf (const FileCloud& cloud)
   ShiftedCloud shifted;
   const std::size_t size = cloud.size();
   if (!reader.isSinglePrecision())
-    shifted.shift = usualPlace (reader, size);
+    shifted.shift = usualPlace (size, [&] (std::size_t i) { return reader (i); });
   shifted.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   shifted.cloud->points.reserve (size);
   for (std::size_t i = 0; i < size; ++i) {
