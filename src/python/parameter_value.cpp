@@ -128,6 +128,16 @@ setValue (const std::string& name, Eigen::Vector3d& value, const py::handle& giv
     setValue (name, value[axis], numbers[static_cast<std::size_t> (axis)]);
 }
 
+Eigen::Vector3d
+placeOf (const std::string& name, const py::handle& given)
+{
+  Eigen::Vector3d place;
+  setValue (name, place, given);
+  if (!place.allFinite())
+    throw py::value_error (name + ": has to be finite");
+  return place;
+}
+
 void
 setValue (const std::string& name, Eigen::Vector3f& value, const py::handle& given)
 {

@@ -62,6 +62,10 @@ setValue (const std::string& name,
           std::optional<double>& value,
           const py::handle& given);
 
+/** \brief A finite place. */
+Eigen::Vector3d
+placeOf (const std::string& name, const py::handle& given);
+
 template <typename Number>
 std::enable_if_t<std::is_integral_v<Number>>
 setValue (const std::string& name, Number& value, const py::handle& given)

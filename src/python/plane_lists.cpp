@@ -115,8 +115,7 @@ upAxisOf (const py::list& planes,
   std::vector<PlaneSegment> segments;
   for (const PlaneObject* object : objectsOf (planes))
     segments.push_back (object->segment);
-  Eigen::Vector3d sensor;
-  setValue ("viewpoint", sensor, viewpoint);
+  const Eigen::Vector3d sensor = placeOf ("viewpoint", viewpoint);
   const UpAxisParameters decided = withGiven (
       upAxisFields(), UpAxisParameters(), parameters, [] (const UpAxisParameters&) {
         return std::string();

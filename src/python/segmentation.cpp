@@ -67,8 +67,7 @@ segment (const py::array& points,
          const py::dict& parameters)
 {
   const Detect detector = detectorOf (method, preset, parameters);
-  Eigen::Vector3d sensor;
-  setValue ("viewpoint", sensor, viewpoint);
+  const Eigen::Vector3d sensor = placeOf ("viewpoint", viewpoint);
   std::vector<PlaneSegment> planes = detect (detector, PointArray (points), sensor);
   // Ctrl-C while others could have had the interpreter, but nobody asked for signals.
   if (PyErr_CheckSignals() != 0)
