@@ -98,10 +98,13 @@ shiftedCloudOf (const FileCloud& cloud, double step)
   const CoordinateReader reader (cloud);
   ShiftedCloud shifted;
   const std::size_t size = cloud.size();
+  const auto usual = [&] {
+    return usualPlace (size, [&] (std::size_t i) { return reader (i); });
+  };
   if (step > 0.0)
-    shifted.shift = nearestMultiple (usualPlace (reader, size), step);
+    shifted.shift = nearestMultiple (usual(), step);
   else if (!reader.isSinglePrecision())
-    shifted.shift = usualPlace (reader, size);
+    shifted.shift = usual();
   shifted.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   shifted.cloud->points.reserve (size);
   for (std::size_t i = 0; i < size; ++i) {

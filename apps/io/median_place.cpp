@@ -4,6 +4,7 @@
 
 #include <numbers/quantile.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace pcl_ops::apps {
@@ -20,6 +21,22 @@ medianPlace (const std::vector<Eigen::Vector3d>& places)
     median[axis] = quantile (std::move (coordinates), 0.5);
   }
   return median;
+}
+
+Eigen::Vector3d
+usualPlace (std::size_t size, const std::function<Eigen::Vector3d (std::size_t)>& place)
+{
+  constexpr std::size_t looked_at = 1000;
+  const std::size_t stride = size / looked_at + 1;
+  std::vector<Eigen::Vector3d> places;
+  for (std::size_t begin = 0; begin < size; begin += stride)
+    for (std::size_t i = begin; i < std::min (size, begin + stride); ++i)
+      if (const Eigen::Vector3d found = place (i); found.allFinite()) {
+        places.push_back (found);
+        break;
+      }
+  return places.empty() ? Eigen::Vector3d (Eigen::Vector3d::Zero())
+                        : medianPlace (places);
 }
 
 } // namespace pcl_ops::apps

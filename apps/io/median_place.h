@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace pcl_ops::apps {
@@ -12,5 +14,14 @@ namespace pcl_ops::apps {
  * to; NaN for none. */
 Eigen::Vector3d
 medianPlace (const std::vector<Eigen::Vector3d>& places);
+
+/** \brief A place near most points of a cloud: one outlier must not leave the others
+ * without digits. Zero where no point is finite.
+ * \param[in] size of the cloud
+ * \param[in] place of a point; some thousand are looked at, or as many as it takes to
+ * find a finite one */
+Eigen::Vector3d
+usualPlace (std::size_t size,
+            const std::function<Eigen::Vector3d (std::size_t)>& place);
 
 } // namespace pcl_ops::apps

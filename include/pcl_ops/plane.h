@@ -174,6 +174,31 @@ struct PCL_OPS_EXPORT PlaneSegment {
   rms () const;
 };
 
+/** \brief How far the fit of a plane may be from the surface it is of. */
+struct PlaneCovariance {
+  /** \brief u and v, as columns: unit vectors in the plane with u x v = normal, those
+   * of PlaneFrame. They depend on the normal alone. */
+  Eigen::Matrix<double, 3, 2> axes;
+  /** \brief Covariance of the errors of (tilt along u [rad], tilt along v [rad], offset
+   * [m]). With errors (a, b, c) the surface has the height c + a s + b t over the plane
+   * at centroid + s u + t v: its normal is that of the plane - a u - b v, and c is how
+   * far it lies before the centroid, along the normal. */
+  Eigen::Matrix3d matrix;
+};
+
+/** \brief Covariance of the parameters of a plane, from the moments of its inliers and
+ * their noise.
+ *
+ * The normal equations of heights over the plane, A with a row (s, t, 1) for each
+ * inlier: matrix = v (A^T A)^-1 with the residual variance v = rms^2 n / (n - 3). It is
+ * right for noise along the normal that is independent from point to point; where
+ * neighbours err alike, as in images of depth cameras, or a surface is not flat, errors
+ * are larger.
+ * \return nothing for fewer than four inliers, or if they are on one line or all equal
+ */
+PCL_OPS_EXPORT std::optional<PlaneCovariance>
+planeCovariance (const PlaneSegment& plane);
+
 /** \brief Names the orientation of planes anew, for another up axis.
  * \param[in,out] planes only their orientation changes
  * \param[in] up against gravity, any length but 0

@@ -4,6 +4,7 @@
 
 #include "extent/planar_hull.h"
 #include "extent/rim.h"
+#include "geometry/plane_axes.h"
 #include <pcl_ops/plane_extent.h>
 
 #include <algorithm>
@@ -116,12 +117,8 @@ finiteOf (const PlanarPoints& points)
 } // namespace
 
 PlaneFrame::PlaneFrame (const Eigen::Vector3d& origin, const Eigen::Vector3d& normal)
-: origin_ (origin)
-{
-  const Eigen::Vector3d u = normal.unitOrthogonal();
-  axes_.col (0) = u;
-  axes_.col (1) = normal.cross (u);
-}
+: origin_ (origin), axes_ (planeAxes (normal))
+{}
 
 PlanarPoints
 convexHull (const PlanarPoints& points, double most_outside)

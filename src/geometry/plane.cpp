@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include "geometry/angles.h"
+#include "geometry/plane_axes.h"
 #include <pcl_ops/plane.h>
 
 #include <algorithm>
@@ -65,6 +67,30 @@ double
 PlaneSegment::rms() const
 {
   return std::sqrt (std::max (0.0, normal.dot (moments.covariance() * normal)));
+}
+
+std::optional<PlaneCovariance>
+planeCovariance (const PlaneSegment& plane)
+{
+  const double n = plane.moments.count;
+  if (n < 4.0 || !fitPlane (plane.moments))
+    return std::nullopt;
+  PlaneCovariance covariance;
+  covariance.axes = planeAxes (plane.normal);
+  const Moments about_centroid = plane.moments.about (plane.centroid);
+  const Eigen::Vector2d sum = covariance.axes.transpose() * about_centroid.sum;
+  const Eigen::Vector2d mean = sum / n;
+  // A^T A / n: products of s and t, their means, 1.
+  Eigen::Matrix3d normal_equations;
+  normal_equations.topLeftCorner<2, 2>() =
+      covariance.axes.transpose() * about_centroid.covariance() * covariance.axes +
+      mean * mean.transpose();
+  normal_equations.topRightCorner<2, 1>() = mean;
+  normal_equations.bottomLeftCorner<1, 2>() = mean.transpose();
+  normal_equations (2, 2) = 1.0;
+  const double rms = plane.rms();
+  covariance.matrix = rms * rms / (n - 3.0) * normal_equations.inverse();
+  return covariance;
 }
 
 bool

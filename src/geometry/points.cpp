@@ -103,8 +103,8 @@ usualPosition (const CloudView& cloud, const pcl::Indices& indices)
   return roundedMedian (values);
 }
 
-// Copies points that follow each other in the cloud. The stride of the usual point
-// types is known when this is compiled, so that loads are vectors.
+// Copies points that follow each other in the cloud. The stride of arrays and of
+// the usual point types is known when this is compiled, so that loads are vectors.
 template <std::size_t known_stride>
 void
 copyConsecutive (const float* first,
@@ -135,6 +135,8 @@ copyConsecutive (const CloudView& cloud,
 {
   const float* const first = positionOf (cloud, first_index);
   switch (cloud.stride) {
+  case 3:
+    return copyConsecutive<3> (first, cloud.stride, begin, end, points);
   case 4:
     return copyConsecutive<4> (first, cloud.stride, begin, end, points);
   case 8:

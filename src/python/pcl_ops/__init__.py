@@ -1,0 +1,135 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""All planes of an unorganized point cloud: numpy in, labels and planes out.
+
+    labels, planes = pcl_ops.segment(points)
+
+Lengths are in the unit of the points, angles in radians.
+"""
+
+import numpy as _np
+
+from . import _pcl_ops
+from ._pcl_ops import Plane, __version__
+
+__all__ = [
+    "Plane",
+    "estimate_up_axis",
+    "evaluate",
+    "merge_planes",
+    "parameters",
+    "segment",
+    "__version__",
+]
+
+_UP = (0.0, 0.0, 1.0)
+_ANGLE_TOLERANCE = 0.12217304763960307
+
+
+def segment(points, method="ops", preset="default", *, viewpoint=(0.0, 0.0, 0.0), **parameters):
+    """Find all planes of a point cloud.
+
+    points: array of float32 or float64 of shape (N, 3), with any strides; rows with NaN or
+        infinite numbers are on no plane. float32 with its rows in order is read where it
+        is, all else is copied as float32; float64 relative to a place among the points
+        where float32 could not hold it, so that coordinates in the millions keep their
+        millimetres. Other threads run meanwhile; they must not change the array.
+    method: "ops" (Oriented Point Sampling), "fspf" (Fast Sampling Plane Filtering) or
+        "kht" (3D Kernel-based Hough Transform).
+    preset: "default" or "paper", what the other parameters are by default.
+    viewpoint: where the sensor was; normals point towards it.
+    parameters: see pcl_ops.parameters(method), with the values of the preset.
+        distance_threshold, up=(x, y, z), angle_tolerance, seed and threads (0: all) are
+        those of all methods.
+
+    Returns (labels, planes): an int32 array of shape (N,) with the position in planes of
+    the plane each point is on, -1 on none; and a list of Plane by falling number of
+    points, in the frame of the array.
+
+    Raises ValueError or TypeError, which name the argument at fault.
+    """
+    return _pcl_ops.segment(_checked_points(points), method, preset, viewpoint, parameters)
+
+
+def parameters(method="ops", preset="default"):
+    """The parameters of a method by name, with the values of a preset, as a dict.
+
+    None stands for: follows the cloud. What each means is on the page of parameters, and
+    in the headers, whose structs' fields these are; those of a struct within another have
+    its name before their own, as in merging_angle_threshold.
+    """
+    return _pcl_ops.parameters(method, preset)
+
+
+def merge_planes(planes, *, up=_UP, angle_tolerance=_ANGLE_TOLERANCE, **parameters):
+    """Merge coplanar planes until no pair passes the test.
+
+    planes: list of Plane of one array, as segment gives them; with merging_enabled=False
+        it leaves them as they were found.
+    up, angle_tolerance: which planes are horizontal and vertical [rad].
+    parameters: angle_threshold [rad], distance_threshold and noise_factor, how far the
+        normals and the centroids of two planes may be apart.
+
+    Returns (merged, merged_into): a list of Plane by falling number of points, and an
+    int32 array with the position in it of the plane that each of planes went into, -1
+    where its points span no plane.
+    """
+    orientation = {"up": up, "angle_tolerance": angle_tolerance}
+    return _pcl_ops.merge_planes(list(planes), orientation, parameters)
+
+
+def estimate_up_axis(planes, viewpoint=(0.0, 0.0, 0.0), **parameters):
+    """Which way is up in a room, by its planes alone.
+
+    planes: list of Plane as segment gives them, with normals towards the viewpoint.
+    viewpoint: where the sensor was, in the frame of the planes.
+    parameters: angle_tolerance [rad], least_share and least_confidence.
+
+    Returns (direction, confidence): a unit vector against gravity, and how sure it is, 0
+    to 1; or None where the planes cannot tell.
+    """
+    return _pcl_ops.estimate_up_axis(list(planes), viewpoint, parameters)
+
+
+def evaluate(truth, result, points, *, up=_UP, angle_tolerance=_ANGLE_TOLERANCE):
+    """Compare the planes found in a point cloud with the true ones.
+
+    truth, result: arrays of whole numbers of shape (N,), the plane of each point, negative
+        on none, as segment gives them.
+    points: array of shape (N, 3), as for segment; rows that are not finite do not count.
+    up, angle_tolerance: which planes are horizontal and vertical [rad].
+
+    Returns a dict of fractions: classification_accuracy, segmentation_accuracy,
+    segmentation_accuracy_all, and precision, recall, f_score, mean_iou, panoptic_quality,
+    over_segmentation, under_segmentation, noise and missed at an intersection over union
+    of 0.5 and, ending in _75, of 0.75; points_off_planes_called_planes; and the numbers
+    points, truth_planes and result_planes.
+    """
+    points = _checked_points(points)
+    truth = _checked_labels("truth", truth, len(points))
+    result = _checked_labels("result", result, len(points))
+    orientation = {"up": up, "angle_tolerance": angle_tolerance}
+    return _pcl_ops.evaluate(truth, result, points, orientation)
+
+
+def _checked_points(points):
+    """The points as an array the extension can read, the same one where it can."""
+    if isinstance(points, _np.ma.MaskedArray):
+        raise TypeError("points: a masked array; use points.filled(numpy.nan)")
+    array = _np.asarray(points)
+    if array.dtype.kind != "f" or array.dtype.itemsize not in (4, 8):
+        raise TypeError(f"points: dtype {array.dtype} is neither float32 nor float64")
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"points: shape {array.shape} is not (N, 3)")
+    if not 0 < len(array) <= _np.iinfo(_np.int32).max:
+        raise ValueError(f"points: shape {array.shape} has no points, or more than 2^31 - 1")
+    return _np.require(array, array.dtype.newbyteorder("="), "A")
+
+
+def _checked_labels(name, labels, number):
+    array = _np.asarray(labels)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"{name}: dtype {array.dtype} is not one of whole numbers")
+    if array.shape != (number,):
+        raise ValueError(f"{name}: shape {array.shape} is not ({number},), that of the points")
+    return array

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "scene.h"
+#include <pcl_ops/plane.h>
+#include <pcl_ops/plane_extent.h>
+
+using pcl_ops::PlaneCovariance;
+using pcl_ops::planeCovariance;
+using pcl_ops::PlaneSegment;
+
+namespace {
+
+/** \brief A long, tilted board whose sides are those of no axis, 10 m away. */
+const Surface board{{10, 2, 1}, {2.4, 0.9, 0.3}, {-0.2, 0.5, 0.4}};
+
+/** \brief The plane fitted to points of a surface with noise along its normal. */
+PlaneSegment
+fitted (const Surface& surface, int points, double noise, RandomGenerator& generator)
+{
+  PlaneSegment plane;
+  plane.moments.origin = surface.centre();
+  for (int i = 0; i < points; ++i) {
+    const double s = drawUnit (generator);
+    const double t = drawUnit (generator);
+    const Eigen::Vector3d local = surface.at (s, t) - surface.centre() +
+                                  noise * drawNormal (generator) * surface.normal();
+    plane.moments.add (local.x(), local.y(), local.z());
+  }
+  const auto fit = pcl_ops::fitPlane (plane.moments);
+  plane.centroid = fit->centroid;
+  plane.normal = fit->plane.normal;
+  return plane;
+}
+
+/** \brief (tilt along u, tilt along v, offset) of the true surface over the plane. */
+Eigen::Vector3d
+errorsOf (const PlaneSegment& plane,
+          const PlaneCovariance& covariance,
+          const Surface& surface)
+{
+  Eigen::Vector3d normal = surface.normal();
+  if (normal.dot (plane.normal) < 0.0)
+    normal = -normal;
+  const double along = normal.dot (plane.normal);
+  Eigen::Vector3d errors;
+  errors.head<2>() = -covariance.axes.transpose() * normal / along;
+  errors[2] = normal.dot (surface.centre() - plane.centroid) / along;
+  return errors;
+}
+
+/** \brief Means over many draws of what the covariance promises to be 1. */
+struct Promise {
+  Eigen::Vector3d squared_errors = Eigen::Vector3d::Zero();
+  double squared_distance = 0.0;
+};
+
+Promise
+promiseKeptBy (int points, double noise)
+{
+  constexpr int draws = 1000;
+  RandomGenerator generator (seedOfTest());
+  Promise kept;
+  for (int i = 0; i < draws; ++i) {
+    const PlaneSegment plane = fitted (board, points, noise, generator);
+    const auto covariance = planeCovariance (plane);
+    const Eigen::Vector3d errors = errorsOf (plane, *covariance, board);
+    const Eigen::Vector3d variances = covariance->matrix.diagonal();
+    kept.squared_errors += errors.cwiseAbs2().cwiseQuotient (variances) / draws;
+    kept.squared_distance +=
+        errors.dot (covariance->matrix.inverse() * errors) / 3.0 / draws;
+  }
+  return kept;
+}
+
+void
+expectKept (const Promise& kept)
+{
+  for (Eigen::Index i = 0; i < 3; ++i)
+    EXPECT_NEAR (1.0, std::sqrt (kept.squared_errors[i]), 10_percent) << i;
+  EXPECT_NEAR (1.0, std::sqrt (kept.squared_distance), 10_percent);
+}
+
+} // namespace
+
+TEST (PlaneCovariance, SaysHowFarFitsOfManyPointsAreOff)
+{
+  expectKept (promiseKeptBy (300, 1_cm));
+}
+
+TEST (PlaneCovariance, SaysHowFarFitsOfFewPointsAreOff)
+{
+  expectKept (promiseKeptBy (30, 5_mm));
+}
+
+TEST (PlaneCovariance, IsThatOfHeightsAboutTheAxes)
+{
+  // Four corners of 4 x 2 m, heights +-0.1 m by turns: s^2 = 0.01 * 4 / 1.
+  PlaneSegment plane;
+  plane.moments.add (2, 1, 0.1);
+  plane.moments.add (-2, 1, -0.1);
+  plane.moments.add (-2, -1, 0.1);
+  plane.moments.add (2, -1, -0.1);
+  const auto covariance = planeCovariance (plane);
+  const Eigen::Matrix3d axes =
+      (Eigen::Matrix3d() << covariance->axes, plane.normal).finished();
+  EXPECT_NEAR (1.0, axes.determinant(), 1e-12);
+  const Eigen::Matrix2d tilts = covariance->matrix.topLeftCorner<2, 2>();
+  const Eigen::Matrix3d in_space =
+      covariance->axes * tilts * covariance->axes.transpose();
+  EXPECT_NEAR (0.04 / (4 * 4.0), in_space (0, 0), 1e-12);
+  EXPECT_NEAR (0.04 / (4 * 1.0), in_space (1, 1), 1e-12);
+  EXPECT_NEAR (0.04 / 4, covariance->matrix (2, 2), 1e-12);
+}
+
+TEST (PlaneCovariance, HasTheAxesOfThePlanesFrame)
+{
+  RandomGenerator generator (seedOfTest());
+  const PlaneSegment plane = fitted (board, 50, 1_mm, generator);
+  const pcl_ops::PlaneFrame frame (plane.centroid, plane.normal);
+  const auto covariance = planeCovariance (plane);
+  EXPECT_EQ (frame.directionInSpace ({1, 0}), covariance->axes.col (0));
+  EXPECT_EQ (frame.directionInSpace ({0, 1}), covariance->axes.col (1));
+}
+
+TEST (PlaneCovariance, IsNoneWithoutAPlane)
+{
+  PlaneSegment plane;
+  EXPECT_FALSE (planeCovariance (plane)) << "no points";
+  for (const double x : {0.0, 1.0, 2.0, 3.0, 4.0})
+    plane.moments.add (x, x, 0.0);
+  EXPECT_FALSE (planeCovariance (plane)) << "a line";
+  plane = PlaneSegment();
+  plane.moments.add (0, 0, 0);
+  plane.moments.add (1, 0, 0);
+  plane.moments.add (0, 1, 0);
+  EXPECT_FALSE (planeCovariance (plane)) << "three points have no residual";
+}

@@ -1,0 +1,26 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clouds of the tests."""
+
+import numpy as np
+
+
+def surface(corner, first, second, number, noise=0.002, seed=1):
+    """Points of a parallelogram with noise along its normal."""
+    draws = np.random.default_rng(seed)
+    normal = np.cross(first, second)
+    normal = normal / np.linalg.norm(normal)
+    s, t = draws.uniform(size=(2, number, 1))
+    heights = draws.normal(0.0, noise, (number, 1))
+    return np.asarray(corner) + s * np.asarray(first) + t * np.asarray(second) + heights * normal
+
+
+def room():
+    """A floor of 4 m x 3 m, two walls of 2.5 m, and points that saw nothing."""
+    cloud = np.vstack([
+        surface((0, 0, 0), (4, 0, 0), (0, 3, 0), 12000, seed=1),
+        surface((0, 3, 0), (4, 0, 0), (0, 0, 2.5), 10000, seed=2),
+        surface((0, 0, 0), (0, 3, 0), (0, 0, 2.5), 7500, seed=3),
+        np.full((100, 3), np.nan),
+    ])
+    return np.random.default_rng(4).permutation(cloud).astype(np.float32)

@@ -1,0 +1,77 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""While planes are looked for, Python goes on."""
+
+import concurrent.futures
+import os
+import signal
+import threading
+import time
+import unittest
+
+import numpy as np
+import pcl_ops
+from scene import room
+
+
+def large(kind):
+    """Points enough for some tenths of a second."""
+    points = np.tile(room(), (20, 1)).astype(kind)
+    return points + np.random.default_rng(1).normal(0, 0.002, points.shape).astype(kind)
+
+
+class Threads(unittest.TestCase):
+    def ticks_during(self, call):
+        """How often another thread had its turn while a call was at work."""
+        ticks = []
+        done = threading.Event()
+
+        def tick():
+            while not done.wait(0.001):
+                ticks.append(time.perf_counter())
+
+        other = threading.Thread(target=tick)
+        other.start()
+        try:
+            begin = time.perf_counter()
+            call()
+            end = time.perf_counter()
+        finally:
+            done.set()
+            other.join()
+        return sum(begin < tick < end for tick in ticks)
+
+    def assertLetsOthersWork(self, call):
+        # With the interpreter held there are none, but for one as it begins and ends.
+        self.assertGreater(max(self.ticks_during(call) for _ in range(3)), 5)
+
+    def test_others_work_during_segment(self):
+        for kind in (np.float32, np.float64):
+            points = large(kind)
+            for method in ("ops", "fspf", "kht"):
+                self.assertLetsOthersWork(lambda: pcl_ops.segment(points, method))
+
+    def test_others_work_during_evaluate(self):
+        points = large(np.float32)
+        labels = pcl_ops.segment(points)[0]
+        self.assertLetsOthersWork(lambda: pcl_ops.evaluate(labels, labels, points))
+
+    def test_calls_at_once_find_the_same(self):
+        points = room()
+        expected = pcl_ops.segment(points)[0]
+        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+            for labels, _ in pool.map(lambda _: pcl_ops.segment(points), range(20)):
+                np.testing.assert_array_equal(labels, expected)
+
+
+class Interruption(unittest.TestCase):
+    def test_is_not_lost(self):
+        points = large(np.float32)
+        with self.assertRaises(KeyboardInterrupt):
+            threading.Timer(0.02, os.kill, (os.getpid(), signal.SIGINT)).start()
+            pcl_ops.segment(points)
+            time.sleep(10)
+
+
+if __name__ == "__main__":
+    unittest.main()
