@@ -5,6 +5,7 @@
 #include <pcl/common/io.h>
 
 #include "coordinate_reader.h"
+#include "median_place.h"
 
 #include <algorithm>
 

@@ -5,13 +5,10 @@
 #include <Eigen/Core>
 
 #include "cloud_file.h"
-#include "median_place.h"
 #include "typed_number.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -42,41 +39,5 @@ private:
   std::array<NumberReader, 3> readers_{};
   bool is_single_ = true;
 };
-
-/** \brief Places of some of the points, evenly spread over their order, without those
- * that are not finite.
- * \param[in] place of a point, by its index */
-template <typename Place>
-std::vector<Eigen::Vector3d>
-somePlaces (Place&& place, std::size_t size, std::size_t looked_at)
-{
-  const std::size_t stride = size / looked_at + 1;
-  std::vector<Eigen::Vector3d> places;
-  for (std::size_t begin = 0; begin < size; begin += stride)
-    for (std::size_t i = begin; i < std::min (size, begin + stride); ++i)
-      if (const Eigen::Vector3d found = place (i); found.allFinite()) {
-        places.push_back (found);
-        break;
-      }
-  return places;
-}
-
-/** \brief Near most points: one outlier must not leave the others without digits. */
-template <typename Place>
-Eigen::Vector3d
-usualPlace (Place&& place, std::size_t size)
-{
-  constexpr std::size_t looked_at = 1000;
-  const std::vector<Eigen::Vector3d> places = somePlaces (place, size, looked_at);
-  return places.empty() ? Eigen::Vector3d (Eigen::Vector3d::Zero())
-                        : medianPlace (places);
-}
-
-/** \brief Of the whole multiples of a step along each axis the nearest to a place. */
-inline Eigen::Vector3d
-nearestMultiple (const Eigen::Vector3d& place, double step)
-{
-  return (place / step).array().round() * step;
-}
 
 } // namespace pcl_ops::apps

@@ -23,10 +23,9 @@ medianPlace (const std::vector<Eigen::Vector3d>& places)
   return median;
 }
 
-Eigen::Vector3d
-usualPlace (std::size_t size, const std::function<Eigen::Vector3d (std::size_t)>& place)
+std::vector<Eigen::Vector3d>
+somePlaces (std::size_t size, const PlaceOf& place, std::size_t looked_at)
 {
-  constexpr std::size_t looked_at = 1000;
   const std::size_t stride = size / looked_at + 1;
   std::vector<Eigen::Vector3d> places;
   for (std::size_t begin = 0; begin < size; begin += stride)
@@ -35,8 +34,22 @@ usualPlace (std::size_t size, const std::function<Eigen::Vector3d (std::size_t)>
         places.push_back (found);
         break;
       }
+  return places;
+}
+
+Eigen::Vector3d
+usualPlace (std::size_t size, const PlaceOf& place)
+{
+  constexpr std::size_t looked_at = 1000;
+  const std::vector<Eigen::Vector3d> places = somePlaces (size, place, looked_at);
   return places.empty() ? Eigen::Vector3d (Eigen::Vector3d::Zero())
                         : medianPlace (places);
+}
+
+Eigen::Vector3d
+nearestMultiple (const Eigen::Vector3d& place, double step)
+{
+  return (place / step).array().round() * step;
 }
 
 } // namespace pcl_ops::apps

@@ -6,8 +6,8 @@
 #include "point_file.h"
 #include <cli/errors.h>
 #include <cli/program.h>
-#include <io/coordinate_reader.h>
 #include <io/las_header.h>
+#include <io/median_place.h>
 #include <io/output_file.h>
 #include <nlohmann/json.hpp>
 
@@ -74,9 +74,9 @@ lookAt (const std::string& file,
   PlannedInput input = stateOf (file);
   input.points = points.size();
   plan.inputs.push_back (input);
-  places.push_back (somePlaces (place, input.points, samples));
+  places.push_back (somePlaces (input.points, place, samples));
   if (!usual)
-    usual = usualPlace (place, input.points);
+    usual = usualPlace (input.points, place);
 }
 
 std::int64_t
