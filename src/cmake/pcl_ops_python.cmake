@@ -9,6 +9,10 @@ function(pcl_ops_choose_python)
   endif()
   set(found "")
   find_program(pcl_ops_python_on_path NAMES python3 NO_CACHE)
+  # A package is for the Python of the system.
+  if(PCL_OPS_DEBIAN_PACKAGES)
+    unset(pcl_ops_python_on_path)
+  endif()
   foreach(python ${Python3_EXECUTABLE} ${pcl_ops_python_on_path} /usr/bin/python3)
     execute_process(COMMAND ${python} -c "import numpy"
       RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
@@ -31,7 +35,9 @@ function(pcl_ops_choose_python_install_dir)
   if(CMAKE_INSTALL_PREFIX STREQUAL "/usr" AND packages STREQUAL "dist-packages")
     set(version ${Python3_VERSION_MAJOR})
   endif()
-  set(PCL_OPS_PYTHON_INSTALL_DIR lib/python${version}/${packages} CACHE PATH
+  # For the Debian package, which is of this version only.
+  set(PCL_OPS_PYTHON_VERSION ${Python3_VERSION} CACHE INTERNAL "")
+  set(PCL_OPS_PYTHON_INSTALL_DIR lib/python${version}/${packages} CACHE STRING
     "Where the Python module is installed, below the prefix")
 endfunction()
 
