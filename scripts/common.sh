@@ -52,6 +52,9 @@ install_packages() {
 # What every build needs.
 # shellcheck disable=SC2034
 build_packages=(g++ cmake make libpcl-dev libboost-program-options-dev nlohmann-json3-dev libpng-dev)
+# What the Python module needs besides; where one is missing it is left out.
+# shellcheck disable=SC2034
+python_packages=(python3-dev python3-numpy pybind11-dev)
 
 # How many compilers fit, at 1.5 GB each.
 jobs() {

@@ -77,19 +77,14 @@ planeCovariance (const PlaneSegment& plane)
     return std::nullopt;
   PlaneCovariance covariance;
   covariance.axes = planeAxes (plane.normal);
-  const Moments about_centroid = plane.moments.about (plane.centroid);
-  const Eigen::Vector2d sum = covariance.axes.transpose() * about_centroid.sum;
-  const Eigen::Vector2d mean = sum / n;
-  // A^T A / n: products of s and t, their means, 1.
-  Eigen::Matrix3d normal_equations;
-  normal_equations.topLeftCorner<2, 2>() =
-      covariance.axes.transpose() * about_centroid.covariance() * covariance.axes +
-      mean * mean.transpose();
-  normal_equations.topRightCorner<2, 1>() = mean;
-  normal_equations.bottomLeftCorner<1, 2>() = mean.transpose();
-  normal_equations (2, 2) = 1.0;
+  // A^T A / n; s and t are taken from the centroid, so that their means are 0.
+  const Eigen::Matrix2d spread =
+      covariance.axes.transpose() * plane.moments.covariance() * covariance.axes;
   const double rms = plane.rms();
-  covariance.matrix = rms * rms / (n - 3.0) * normal_equations.inverse();
+  const double residual_variance = rms * rms * n / (n - 3.0);
+  covariance.matrix.setZero();
+  covariance.matrix.topLeftCorner<2, 2>() = residual_variance / n * spread.inverse();
+  covariance.matrix (2, 2) = residual_variance / n;
   return covariance;
 }
 

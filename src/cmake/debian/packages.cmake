@@ -48,3 +48,18 @@ if(TARGET pcl_ops_view)
     DESCRIPTION "pcl_ops_view shows a point cloud by its planes, in a window. It has a package
 of its own because it needs VTK.")
 endif()
+
+if(TARGET pcl_ops_python)
+  string(REGEX MATCH "([0-9]+)\\.([0-9]+)" version ${PCL_OPS_PYTHON_VERSION})
+  math(EXPR next_minor "${CMAKE_MATCH_2} + 1")
+  set(next_version ${CMAKE_MATCH_1}.${next_minor})
+  pcl_ops_add_package(python NAME python3-pcl-ops SECTION python
+    DEPENDS "python3 (>= ${version}), python3 (<< ${next_version}), python3-numpy"
+    COMPONENTS library
+    SUMMARY "fast plane detection in point clouds (Python 3 module)"
+    DESCRIPTION "pcl_ops finds all planes of a point cloud in one call: floors, walls, table
+tops and boards, each with the points that lie on it.
+.
+This package has the module for Python: numpy arrays in, labels and planes
+out.")
+endif()
