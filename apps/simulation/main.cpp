@@ -60,15 +60,9 @@ isSeenByCamera (const std::string& scene)
   return scene == "room" || scene == "furniture";
 }
 
-bool
-readOptions (int argc, const char* const* argv, Options& options)
+void
+declareScene (pcl_ops::apps::CommandLine& line, Options& options)
 {
-  const Range image_size = Range::from (smallest_image).upTo (largest_image);
-  pcl_ops::apps::CommandLine line (
-      program_name,
-      "Simulates a furnished room as a depth camera sees it, or another scene. The\n"
-      "field label is the true plane of each point: 0 none, 1..P by falling size.",
-      PCL_OPS_VERSION);
   line.addArgument ("OUTPUT.pcd",
                     options.output,
                     "the cloud to write (binary); of a town the folder");
@@ -83,6 +77,12 @@ readOptions (int argc, const char* const* argv, Options& options)
                   Range::from (0).upTo (most_seed),
                   options.seed,
                   "which room, furniture, houses or shapes (1)");
+}
+
+void
+declareScan (pcl_ops::apps::CommandLine& line, Options& options)
+{
+  const Range image_size = Range::from (smallest_image).upTo (largest_image);
   line.addNumber ("width", "W", image_size, options.camera.width, "columns (640)");
   line.addNumber ("height", "H", image_size, options.camera.height, "rows (480)");
   line.addNumber ("noise",
@@ -108,8 +108,12 @@ readOptions (int argc, const char* const* argv, Options& options)
                   "tiles of town, rounded up to a square number (4)");
   line.addFlag ("organized", options.organized, "keep pixels without a reading as NaN");
   line.addFlag ("quiet", options.quiet, "print nothing");
-  if (!line.parse (argc, argv))
-    return false;
+}
+
+/** \brief Refuses options that the scene has no use for. */
+void
+checkOptions (const pcl_ops::apps::CommandLine& line, const Options& options)
+{
   const bool is_town = options.scene == "town";
   if (options.tiles && !is_town)
     throw pcl_ops::apps::UsageError ("--tiles", "is about --scene town; leave it out");
@@ -124,6 +128,21 @@ readOptions (int argc, const char* const* argv, Options& options)
     if (!isSeenByCamera (options.scene))
       line.forbidTogether ("scene", of_camera);
   }
+}
+
+bool
+readOptions (int argc, const char* const* argv, Options& options)
+{
+  pcl_ops::apps::CommandLine line (
+      program_name,
+      "Simulates a furnished room as a depth camera sees it, or another scene. The\n"
+      "field label is the true plane of each point: 0 none, 1..P by falling size.",
+      PCL_OPS_VERSION);
+  declareScene (line, options);
+  declareScan (line, options);
+  if (!line.parse (argc, argv))
+    return false;
+  checkOptions (line, options);
   return true;
 }
 

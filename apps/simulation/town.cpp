@@ -54,7 +54,7 @@ std::vector<Side>
 terraceAt (std::uint32_t seed, const Place& place)
 {
   internal::RandomGenerator generator = generatorAt (seed, place, 0);
-  const double houses = std::floor (drawBetween (generator, 7, 11));
+  const auto houses = int (drawBetween (generator, 7, 11));
   const double length = houses * width_of_house;
   const double depth = drawBetween (generator, 9, 12);
   const double eaves = drawBetween (generator, 5, 8);
@@ -76,7 +76,7 @@ terraceAt (std::uint32_t seed, const Place& place)
       {at (0, 0, eaves), along, at (0, 0.5 * depth, ridge) - at (0, 0, eaves)},
       {at (0, depth, eaves), along, at (0, 0.5 * depth, ridge) - at (0, depth, eaves)},
       {at (0, 0, 0.5 * eaves), along, across}};
-  for (double wall = 0.0; wall <= houses; ++wall)
+  for (int wall = 0; wall <= houses; ++wall)
     sides.push_back ({at (wall * width_of_house, 0, 0), across, up});
   return sides;
 }
@@ -177,16 +177,14 @@ private:
   void
   addSide (const Side& side, internal::RandomGenerator& seeds, std::uint32_t label)
   {
-    const double columns = std::ceil (side.along.norm() / edge_of_patch);
-    const double rows = std::ceil (side.up.norm() / edge_of_patch);
-    for (double row = 0.0; row < rows; ++row)
-      for (double column = 0.0; column < columns; ++column) {
-        const Side patch{side.corner + column / columns * side.along +
-                             row / rows * side.up,
-                         side.along / columns,
-                         side.up / rows};
-        addPatch (patch, internal::RandomGenerator (seeds()), label);
-      }
+    const auto columns = int (std::ceil (side.along.norm() / edge_of_patch));
+    const auto rows = int (std::ceil (side.up.norm() / edge_of_patch));
+    const Vector3d along = side.along / columns, up = side.up / rows;
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column)
+        addPatch ({side.corner + column * along + row * up, along, up},
+                  internal::RandomGenerator (seeds()),
+                  label);
   }
 
   void
@@ -203,9 +201,10 @@ private:
     around.max().array() += margin;
     if (!around.intersects (tile_))
       return;
-    const double wanted = town_density * patch.along.norm() * patch.up.norm() +
-                          internal::drawUnit (generator);
-    for (double i = 1.0; i <= wanted; ++i) {
+    const auto wanted =
+        std::size_t (town_density * patch.along.norm() * patch.up.norm() +
+                     internal::drawUnit (generator));
+    for (std::size_t i = 0; i < wanted; ++i) {
       const double u = internal::drawUnit (generator),
                    v = internal::drawUnit (generator);
       Vector3d point = turn_ * (patch.corner + u * patch.along + v * patch.up);

@@ -21,12 +21,11 @@ evenSample (const std::vector<std::vector<Eigen::Vector3d>>& places, const Plan&
                               static_cast<double> (plan.inputs[i].points));
   std::vector<Eigen::Vector3d> even;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const double wanted = per_point * static_cast<double> (plan.inputs[i].points);
-    const double stride =
-        std::max (1.0, static_cast<double> (places[i].size()) / wanted);
-    for (double next = 0.0; next < static_cast<double> (places[i].size());
-         next += stride)
-      even.push_back (places[i][static_cast<std::size_t> (next)]);
+    const auto wanted = static_cast<std::size_t> (
+        std::ceil (per_point * static_cast<double> (plan.inputs[i].points)));
+    const std::size_t count = std::min (wanted, places[i].size());
+    for (std::size_t k = 0; k < count; ++k)
+      even.push_back (places[i][k * places[i].size() / count]);
   }
   return even;
 }

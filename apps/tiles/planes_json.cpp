@@ -31,6 +31,7 @@ extentIn (const PlaneSegment& segment, const JoinedPlane& plane)
 {
   const PlaneFrame frame (segment.centroid, segment.normal);
   PlanarPoints corners;
+  corners.reserve (plane.corners.size());
   for (const Eigen::Vector3d& corner : plane.corners)
     corners.push_back (frame.toPlane (corner));
   return extentOf (convexHull (corners, 0.0), corners, frame);

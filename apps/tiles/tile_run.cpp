@@ -132,6 +132,7 @@ private:
   {
     const std::vector<TileSize>& tiles = points.tiles();
     std::vector<std::uint64_t> parts;
+    parts.reserve (tiles.size());
     for (const TileSize& tile : tiles)
       parts.push_back (tile.points);
     share (
@@ -178,6 +179,7 @@ private:
   pointsOfInputs () const
   {
     std::vector<std::uint64_t> points;
+    points.reserve (plan_.inputs.size());
     for (const PlannedInput& input : plan_.inputs)
       points.push_back (input.points);
     return points;

@@ -14,14 +14,15 @@ using namespace pcl_ops::apps;
 
 /** \brief A wall along x with 2 cm of noise, and what a tile sees of it. */
 Piece
-wall (double first, double last, double y, const Eigen::Vector3d& far = {0, 0, 0})
+wall (int first, int last, double y, const Eigen::Vector3d& far = {0, 0, 0})
 {
   internal::RandomGenerator generator (static_cast<std::uint32_t> (first));
   Piece piece;
   piece.own.origin = far;
-  for (double x = first; x < last; x += 0.1)
-    for (double z = 0.0; z < 3.0; z += 0.1)
-      piece.own.add (x, y + 0.04 * internal::drawUnit (generator) - 0.02, z);
+  for (int x = 10 * first; x < 10 * last; ++x)
+    for (int z = 0; z < 30; ++z)
+      piece.own.add (
+          0.1 * x, y + 0.04 * internal::drawUnit (generator) - 0.02, 0.1 * z);
   piece.all = piece.own;
   return piece;
 }

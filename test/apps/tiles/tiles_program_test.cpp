@@ -18,13 +18,14 @@ const Eigen::Vector3d far_away (691'000, 5'334'000, 519);
 
 /** \brief A wall along x from 0, 3 m high, with 1.5 cm of noise, in millimetres. */
 void
-addWall (double length, double y, std::vector<LasPoint>& points)
+addWall (int length, double y, std::vector<LasPoint>& points)
 {
   internal::RandomGenerator generator (42);
   const auto millimetres = [] (double metres) {
     return static_cast<std::int32_t> (std::lround (1000.0 * metres));
   };
-  for (double i = 0.0; i < 100.0 * length; ++i) {
+  constexpr int points_of_metre = 100;
+  for (int i = 0; i < points_of_metre * length; ++i) {
     const double x = length * internal::drawUnit (generator);
     const double z = 3.0 * internal::drawUnit (generator);
     double noise = -0.09;
@@ -65,7 +66,7 @@ vectorIn (const nlohmann::json& plane, const char* key)
 TEST_F (TilesProgram, MakesOnePlaneOfAWallThroughTwentyTiles)
 {
   std::vector<LasPoint> wall;
-  addWall (200.0, 0.0, wall);
+  addWall (200, 0.0, wall);
   save ("wall.las", wall);
   expectDone ("wall.las --output-dir out --cell 0.5 --tile 10");
   const nlohmann::json list = listIn ("out");
@@ -82,9 +83,9 @@ TEST_F (TilesProgram, KeepsTwoWallsTenCentimetresApartAtABorder)
 {
   // The first ends where the second begins, in the middle of a tile's halo.
   std::vector<LasPoint> walls;
-  addWall (20.0, 0.0, walls);
+  addWall (20, 0.0, walls);
   const auto first = walls.size();
-  addWall (20.0, 0.1, walls);
+  addWall (20, 0.1, walls);
   for (std::size_t i = first; i < walls.size(); ++i)
     walls[i].raw[0] += 20'000;
   save ("walls.las", walls);
