@@ -3,6 +3,7 @@
 #include "truth_command.h"
 
 #include "data_options.h"
+#include <cli/memory.h>
 #include <cli/program.h>
 #include <evaluation/metrics/metrics.h>
 #include <evaluation/report/text_table.h>
@@ -104,14 +105,17 @@ qualityOf (const DataSet& data_set, const TruthOptions& options)
 {
   std::map<int, GrownQuality> qualities;
   for (const CloudSource& source : data_set.clouds) {
-    const EvaluationCloud cloud = source.load();
-    for (const int neighbors : options.neighbors) {
-      RegionGrowingParameters parameters = options.data.truth.growing;
-      parameters.neighbors = neighbors;
-      qualities[neighbors].add (cloud,
-                                growRegions (*cloud.cloud, parameters, options.threads),
-                                options.data.truth);
-    }
+    apps::inMemory (source.name, "give a smaller cloud", [&] {
+      const EvaluationCloud cloud = source.load();
+      for (const int neighbors : options.neighbors) {
+        RegionGrowingParameters parameters = options.data.truth.growing;
+        parameters.neighbors = neighbors;
+        qualities[neighbors].add (
+            cloud,
+            growRegions (*cloud.cloud, parameters, options.threads),
+            options.data.truth);
+      }
+    });
     std::cerr << data_set.name << ' ' << source.name << std::endl;
   }
   TextTable table{"Truth by region growing: " + data_set.name,

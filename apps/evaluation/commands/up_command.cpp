@@ -3,6 +3,7 @@
 #include "up_command.h"
 
 #include <cli/command_line.h>
+#include <cli/memory.h>
 #include <cli/program.h>
 #include <evaluation/data/data_sets.h>
 #include <evaluation/experiments/up_accuracy.h>
@@ -54,12 +55,14 @@ guessesOn (const DataSet& data_set, const UpOptions& options)
   UpGuesses result{data_set.name, 0, {}};
   internal::RandomGenerator generator (options.seed);
   for (const CloudSource& source : data_set.clouds) {
-    const EvaluationCloud cloud = source.load();
-    for (unsigned i = 0; i < options.rotations; ++i) {
-      ++result.tries;
-      if (const auto guess = guessUp (cloud, generator))
-        result.guesses.push_back (*guess);
-    }
+    apps::inMemory (source.name, "give a smaller cloud", [&] {
+      const EvaluationCloud cloud = source.load();
+      for (unsigned i = 0; i < options.rotations; ++i) {
+        ++result.tries;
+        if (const auto guess = guessUp (cloud, generator))
+          result.guesses.push_back (*guess);
+      }
+    });
     std::cerr << data_set.name << ' ' << source.name << std::endl;
   }
   return result;
