@@ -231,6 +231,16 @@ private:
   std::string times_;
 };
 
+/** \brief Whether a run has come to its end, and nobody has removed what it wrote. */
+bool
+isDone (const Plan& plan, const RunFolder& folder)
+{
+  bool all_are_there = isThere (folder.end()) && isThere (folder.output (planes_file));
+  for (std::size_t i = 0; i < plan.inputs.size(); ++i)
+    all_are_there = all_are_there && isThere (outputOf (plan, folder, i));
+  return all_are_there;
+}
+
 /** \brief Writes a plan unless there is one that fits. */
 void
 preparePlan (const TilesOptions& options,
@@ -272,7 +282,7 @@ runTiles (const TilesOptions& options,
   const Plan plan = loadPlan (file);
   if (speaks)
     out << textOf (plan) << "\n";
-  if (!isThere (folder.end())) {
+  if (!isDone (plan, folder)) {
     const std::string times =
         TileRun (plan, folder, options, ranks, messages, is_terminal).run();
     if (speaks)
@@ -280,9 +290,10 @@ runTiles (const TilesOptions& options,
     if (ranks.rank() == 0) {
       listPlanes (folder);
       writeTextFile (folder.end(), "");
-      folder.clean();
     }
   }
+  if (ranks.rank() == 0)
+    folder.clean();
   if (speaks)
     out << options.output_dir << ": the labelled inputs and planes.json\n";
 }

@@ -56,6 +56,9 @@ TEST_F (TilesRestart, DoesNotDoAgainWhatIsDone)
   expectDone ("town --output-dir out --tile 40");
   EXPECT_EQ (outputsIn ("out"), expected);
   EXPECT_FALSE (std::filesystem::exists (cells)) << "no longer needed";
+  std::filesystem::remove (folder_ / "out/town_000_000.las");
+  expectDone ("town --output-dir out --tile 40");
+  EXPECT_EQ (outputsIn ("out"), expected) << "an output was removed";
 }
 
 #ifdef PCL_OPS_MPIEXEC
