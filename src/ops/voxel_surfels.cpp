@@ -9,9 +9,9 @@
 #include "bounded/plane_growing.h"
 #include "ops/sparse_points.h"
 #include "ops/surfel_extraction.h"
+#include "ops/voxel_choice.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace pcl_ops::internal {
@@ -19,40 +19,6 @@ namespace pcl_ops::internal {
 namespace {
 
 using Surfels = std::vector<std::optional<Surfel>>;
-
-// How many voxels to divide a cloud into. Measured on rooms of 50 k to 3 M points:
-// smaller planes need more voxels, but noise does not shrink with their size, so that
-// their number grows much more slowly than that of the points.
-double
-wantedVoxels (std::size_t points, double sampling_rate)
-{
-  constexpr double voxels_per_sample = 2.0 / 3.0;
-  constexpr double reference_points = 300000.0;
-  constexpr double fewest_points_per_voxel = 5.0;
-  const auto number = static_cast<double> (points);
-  const double samples =
-      sampling_rate * reference_points * std::cbrt (number / reference_points);
-  return std::min (voxels_per_sample * samples, number / fewest_points_per_voxel);
-}
-
-// Single precision rounds coordinates far from zero to steps, which are planes to
-// voxels no larger than they.
-double
-smallestVoxel (const Points& points)
-{
-  constexpr double steps = 8.0;
-  const auto largest = static_cast<float> (points.origin.cwiseAbs().maxCoeff());
-  return steps * (std::nextafter (largest, 2.0f * largest + 1.0f) - largest);
-}
-
-double
-meanPointsPerVoxel (const VoxelGrid& grid)
-{
-  double points = 0.0;
-  for (const Moments& voxel : grid.moments)
-    points += voxel.count;
-  return points / static_cast<double> (grid.size());
-}
 
 Surfels
 surfelsOf (const VoxelGrid& grid,
@@ -111,17 +77,10 @@ coarsestVoxel (const SurfelParameters& surfels)
 VoxelizedPoints
 VoxelSurfels::sample (const Points& points) const
 {
-  const auto automatic = [&] {
-    const double size =
-        voxelSizeFor (points, wantedVoxels (points.size(), parameters_.sampling_rate));
-    // Of twice the edge, as they are halved where needed.
-    return size > 0.0 ? std::max (size, 2.0 * smallestVoxel (points)) : 0.0;
-  };
   const std::optional<double> given = parameters_.surfels.voxel_size;
-  const double voxel_size = given ? *given : automatic();
-  if (!(voxel_size > 0.0))
-    return {};
-  return voxelize (points, voxel_size, parameters_.threads);
+  return given
+             ? voxelize (points, *given, parameters_.threads)
+             : voxelizeByNoise (points, parameters_.sampling_rate, parameters_.threads);
 }
 
 std::vector<std::optional<Surfel>>

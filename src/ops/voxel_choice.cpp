@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/voxel_choice.h"
+
+#include "geometry/principal_axes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+// How many voxels to divide a cloud into. Measured on rooms of 50 k to 3 M points:
+// smaller planes need more voxels, but noise does not shrink with their size, so that
+// their number grows much more slowly than that of the points.
+double
+wantedVoxels (std::size_t points, double sampling_rate)
+{
+  constexpr double voxels_per_sample = 2.0 / 3.0;
+  constexpr double reference_points = 300000.0;
+  constexpr double fewest_points_per_voxel = 5.0;
+  const auto number = static_cast<double> (points);
+  const double samples =
+      sampling_rate * reference_points * std::cbrt (number / reference_points);
+  return std::min (voxels_per_sample * samples, number / fewest_points_per_voxel);
+}
+
+// Single precision rounds coordinates far from zero to steps, which are planes to
+// voxels no larger than they.
+double
+smallestVoxel (const Points& points)
+{
+  constexpr double steps = 8.0;
+  const auto largest = static_cast<float> (points.origin.cwiseAbs().maxCoeff());
+  return steps * (std::nextafter (largest, 2.0f * largest + 1.0f) - largest);
+}
+
+// Of the points of a voxel about their plane [m], in voxels as flat as a quarter of
+// all.
+double
+noiseOfFlatVoxels (const VoxelGrid& grid)
+{
+  constexpr double fewest_points = 16.0;
+  std::vector<float> noise;
+  for (const Moments& voxel : grid.moments)
+    if (voxel.count >= fewest_points)
+      noise.push_back (static_cast<float> (
+          std::sqrt (principalAxes (voxel.covariance()).values[0])));
+  const auto quarter = noise.begin() + static_cast<std::ptrdiff_t> (noise.size() / 4);
+  std::nth_element (noise.begin(), quarter, noise.end());
+  return noise.empty() ? grid.voxel_size : *quarter;
+}
+
+// Voxels hold the more points the more there are, as noise does not shrink with them.
+// Where there is next to none, as in a survey, smaller ones tell more.
+double
+voxelSizeByNoise (const VoxelGrid& grid)
+{
+  constexpr double enough_points = 32.0;
+  constexpr double usual_share = 0.02;
+  const double points = meanPointsPerVoxel (grid);
+  if (points < 4.0 * enough_points)
+    return grid.voxel_size;
+  const double by_points = grid.voxel_size * std::sqrt (enough_points / points);
+  return std::clamp (
+      noiseOfFlatVoxels (grid) / usual_share, by_points, grid.voxel_size);
+}
+
+} // namespace
+
+double
+meanPointsPerVoxel (const VoxelGrid& grid)
+{
+  double points = 0.0;
+  for (const Moments& voxel : grid.moments)
+    points += voxel.count;
+  return points / static_cast<double> (grid.size());
+}
+
+VoxelizedPoints
+voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
+{
+  const double size =
+      voxelSizeFor (points, wantedVoxels (points.size(), sampling_rate));
+  if (!(size > 0.0))
+    return {};
+  // Of twice the edge, as they are halved where needed.
+  const double smallest = 2.0 * smallestVoxel (points);
+  VoxelizedPoints voxelized = voxelize (points, std::max (size, smallest), threads);
+  const double finer = std::max (voxelSizeByNoise (voxelized.grid), smallest);
+  return finer < voxelized.grid.voxel_size ? voxelize (points, finer, threads)
+                                           : voxelized;
+}
+
+} // namespace pcl_ops::internal

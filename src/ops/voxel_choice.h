@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "geometry/points.h"
+#include "voxels/voxel_grid.h"
+
+namespace pcl_ops::internal {
+
+/** \brief Divides a cloud into voxels as large as its noise asks for and as its points
+ * allow.
+ * \param[in] sampling_rate alpha_s, which the number of voxels grows with
+ * \param[in] threads number of threads; 0: all. The result does not depend on it
+ * \return an empty grid for fewer than two different points */
+VoxelizedPoints
+voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads);
+
+double
+meanPointsPerVoxel (const VoxelGrid& grid);
+
+} // namespace pcl_ops::internal

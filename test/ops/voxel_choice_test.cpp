@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid_scene.h"
+#include "ops/voxel_choice.h"
+
+using namespace pcl_ops::internal;
+
+namespace {
+
+/** \brief Of two floors of 4 m, so far above each other. */
+VoxelGrid
+gridOfFloors (double apart, int steps, double sampling_rate)
+{
+  Points points;
+  for (const double height : {0.0, apart})
+    addGrid (points, {{-2, -2, height}, {4, 0, 0}, {0, 4, 0}}, steps);
+  return voxelizeByNoise (points, sampling_rate, 1).grid;
+}
+
+// 100,000 points in some 420 voxels, of 20 cm.
+constexpr int many = 224;
+constexpr double few_voxels = 0.003;
+
+} // namespace
+
+TEST (VoxelChoice, TakesSmallVoxelsOfManyPointsWithoutNoise)
+{
+  const VoxelGrid noisy = gridOfFloors (4_cm, many, few_voxels);
+  const VoxelGrid exact = gridOfFloors (0.0, many, few_voxels);
+  EXPECT_LT (exact.voxel_size, 0.6 * noisy.voxel_size);
+}
+
+TEST (VoxelChoice, LeavesPointsEnoughInAVoxel)
+{
+  EXPECT_GT (meanPointsPerVoxel (gridOfFloors (0.0, many, few_voxels)), 20.0);
+}
+
+TEST (VoxelChoice, TakesLargerVoxelsForFewerSamples)
+{
+  EXPECT_GT (gridOfFloors (4_cm, many, few_voxels).voxel_size,
+             1.5 * gridOfFloors (4_cm, many, 3.0 * few_voxels).voxel_size);
+}
