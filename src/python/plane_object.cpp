@@ -79,6 +79,74 @@ textOf (const PlaneObject& plane)
       orientationOf (plane), plane.segment.inliers.size(), rmsOf (plane));
 }
 
+using PlaneClass = py::class_<PlaneObject>;
+
+void
+defineFit (PlaneClass& plane)
+{
+  const auto get = [] (auto member) {
+    return [member] (const PlaneObject& object) { return object.segment.*member; };
+  };
+  plane
+      .def_property_readonly ("normal",
+                              get (&PlaneSegment::normal),
+                              "(3,) float64: unit normal, towards the viewpoint.")
+      .def_property_readonly ("centroid",
+                              get (&PlaneSegment::centroid),
+                              "(3,) float64: mean of the inliers.")
+      .def_property_readonly ("coefficients",
+                              &coefficientsOf,
+                              "(4,) float64: normal and d of a x + b y + c z + d = 0.")
+      .def_property_readonly (
+          "rms", &rmsOf, "Root mean square distance of the inliers to the plane.")
+      .def_property_readonly (
+          "orientation", &orientationOf, "'horizontal', 'vertical' or 'other'.")
+      .def_property_readonly (
+          "inliers",
+          &inliersOf,
+          "(n,) int32, read-only: rows of the array that are on the plane, ascending.");
+}
+
+void
+defineExtent (PlaneClass& plane)
+{
+  const auto get = [] (auto member) {
+    return [member] (PlaneObject& object) { return object.extent().*member; };
+  };
+  plane
+      .def_property_readonly ("hull",
+                              &hullOf,
+                              "(m, 3) float64: corners of the convex outline, on the "
+                              "plane, counter-clockwise\nseen from the side the normal "
+                              "points to, the first not repeated.")
+      .def_property_readonly ("area", get (&PlaneExtent::area), "Area of the hull.")
+      .def_property_readonly ("length",
+                              get (&PlaneExtent::length),
+                              "Longer side of the smallest rectangle around the hull.")
+      .def_property_readonly (
+          "width", get (&PlaneExtent::width), "Shorter side of that rectangle.");
+}
+
+void
+defineCovariance (PlaneClass& plane)
+{
+  plane
+      .def_property_readonly (
+          "axes",
+          &axesOf,
+          "(2, 3) float64: unit vectors u and v in the plane, u x v "
+          "= normal, those of\ncovariance. They depend on the "
+          "normal alone.")
+      .def_property_readonly (
+          "covariance",
+          &covarianceOf,
+          "(3, 3) float64: covariance of the errors of (tilt along u [rad], tilt along "
+          "v\n[rad], offset). With errors (a, b, c) the surface has the height c + a s "
+          "+ "
+          "b t\nover the plane at centroid + s u + t v. Right for noise that is "
+          "independent from\npoint to point. None for fewer than four inliers.");
+}
+
 } // namespace
 
 const PlaneExtent&
@@ -102,66 +170,18 @@ PlaneObject::extent()
 void
 definePlane (py::module_& module)
 {
-  const auto ofSegment = [] (auto member) {
-    return [member] (const PlaneObject& plane) { return plane.segment.*member; };
-  };
-  const auto ofExtent = [] (auto member) {
-    return [member] (PlaneObject& plane) { return plane.extent().*member; };
-  };
-  py::class_<PlaneObject> (
+  PlaneClass plane (
       module,
       "Plane",
       "A plane and the points on it, in the frame and the unit of their array. Hull, "
       "area,\nlength and width are found out when first asked for, from the array as "
       "it "
-      "is then.")
-      .def_property_readonly ("normal",
-                              ofSegment (&PlaneSegment::normal),
-                              "(3,) float64: unit normal, towards the viewpoint.")
-      .def_property_readonly ("centroid",
-                              ofSegment (&PlaneSegment::centroid),
-                              "(3,) float64: mean of the inliers.")
-      .def_property_readonly ("coefficients",
-                              &coefficientsOf,
-                              "(4,) float64: a, b, c, d of a x + b y + c z + d = 0; a, "
-                              "b, c is the normal.")
-      .def_property_readonly (
-          "rms", &rmsOf, "Root mean square distance of the inliers to the plane.")
-      .def_property_readonly (
-          "orientation", &orientationOf, "'horizontal', 'vertical' or 'other'.")
-      .def_property_readonly (
-          "inliers",
-          &inliersOf,
-          "(n,) int32, read-only: rows of the array that are on the plane, ascending.")
-      .def_property_readonly (
-          "hull",
-          &hullOf,
-          "(m, 3) float64: corners of the convex outline, on the plane, "
-          "counter-clockwise seen\nfrom the side the normal points to, the first not "
-          "repeated.")
-      .def_property_readonly (
-          "area", ofExtent (&PlaneExtent::area), "Area inside the hull.")
-      .def_property_readonly ("length",
-                              ofExtent (&PlaneExtent::length),
-                              "Longer side of the smallest rectangle around the hull.")
-      .def_property_readonly (
-          "width", ofExtent (&PlaneExtent::width), "Shorter side of that rectangle.")
-      .def_property_readonly ("axes",
-                              &axesOf,
-                              "(2, 3) float64: unit vectors u and v in the plane with "
-                              "u x v = normal, those "
-                              "of\ncovariance. They depend on the normal alone.")
-      .def_property_readonly (
-          "covariance",
-          &covarianceOf,
-          "(3, 3) float64: covariance of the errors of (tilt along u [rad], tilt along "
-          "v "
-          "[rad],\noffset). With errors (a, b, c) the surface has the height c + a s + "
-          "b "
-          "t over the plane\nat centroid + s u + t v. Right for noise that is "
-          "independent from point to point.\nNone for fewer than four inliers.")
-      .def ("__repr__", &textOf)
-      .attr ("__module__") = "pcl_ops";
+      "is then.");
+  defineFit (plane);
+  defineExtent (plane);
+  defineCovariance (plane);
+  plane.def ("__repr__", &textOf);
+  plane.attr ("__module__") = "pcl_ops";
 }
 
 } // namespace pcl_ops::python

@@ -69,9 +69,6 @@ segment (const py::array& points,
   const Detect detector = detectorOf (method, preset, parameters);
   const Eigen::Vector3d sensor = placeOf ("viewpoint", viewpoint);
   std::vector<PlaneSegment> planes = detect (detector, PointArray (points), sensor);
-  // Ctrl-C while others could have had the interpreter, but nobody asked for signals.
-  if (PyErr_CheckSignals() != 0)
-    throw py::error_already_set();
   const py::array labels = labelsOf (planes, points.shape (0));
   return py::make_tuple (labels, objectsOf (std::move (planes), points));
 }
