@@ -63,7 +63,7 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
                 "write each plane: plane_001_horizontal.pcd, ...");
   line.addChoice ("only",
                   {"horizontal", "vertical", "other", "largest"},
-                  options.only,
+                  options.choice.only,
                   "find horizontal, vertical, other or largest only",
                   "WHICH");
   line.addFlag ("keep-color", options.keep_color, "keep the input's rgb in OUTPUT");
@@ -192,11 +192,13 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
   line.addArguments ("INPUT", arguments, 1, "");
   declareOutputs (line, options);
   declareMethodOptions (line, options.method, options.detector);
+  declareChoice (line, options.choice);
   if (!line.parse (argc, argv))
     return false;
   checkMethodOptions (line, methodCalled (options.method));
   storeArguments (arguments, options);
   checkHull (line, options);
+  checkChoice (line);
   checkOutputs (options);
   checkBatch (line, options);
   return true;

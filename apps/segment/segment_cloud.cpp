@@ -35,7 +35,6 @@ detectPlanes (const SegmentOptions& options, const ShiftedCloud& shifted)
       runMethod (methodCalled (options.method), options.detector, shifted.cloud);
   for (PlaneSegment& plane : detected.planes)
     plane.centroid += shifted.shift;
-  keepOnly (options.only, detected);
   return detected;
 }
 
@@ -131,8 +130,15 @@ segmentInMemory (const SegmentOptions& options, const Task& task)
                 options.method,
                 cloud.size(),
                 detectPlanes (options, shifted),
+                {},
                 damageOf (*shifted.cloud),
                 {}};
+  report.dropped = keepChosen (
+      options.choice,
+      [&] (const PlaneSegment& plane) {
+        return extentInFile (shifted, plane, options.hull);
+      },
+      report.detected);
   if (!task.outputs.planes.empty() || !task.outputs.mesh.empty())
     report.extents = extentsOf (shifted, report.detected.planes, options.hull);
   stopIfInterrupted();
