@@ -28,7 +28,7 @@ constexpr const char* in_and_out =
     "  INPUT       .pcd, .ply or .las; - for one piped in. With --output-dir also\n"
     "              several, folders (without subfolders), patterns as 'scans/*.pcd'\n"
     "  OUTPUT.pcd  the cloud with label (0: no plane, 1: the largest, ...) and rgb;\n"
-    "              .las of a .las: all as it was, and the label as extra bytes, too\n"
+    "              .ply the same; .las of a .las: all as it was, and the label, too\n"
     "  prints      a table of the planes; with INPUT - their JSON; with --output-dir\n"
     "              a line for each input, and goes on where one is bad\n"
     "  no plane    is no failure: all labels 0, and a hint which option to change\n"
@@ -124,7 +124,7 @@ void
 checkOutputs (const SegmentOptions& options)
 {
   const Outputs& outputs = options.outputs;
-  checkExtension ("OUTPUT", outputs.cloud, {".pcd", ".las"});
+  checkExtension ("OUTPUT", outputs.cloud, {".pcd", ".ply", ".las"});
   if (outputs.planes != standard_stream)
     checkExtension ("--planes", outputs.planes, {".json", ".csv"});
   checkExtension ("--image", outputs.image, {".png"});

@@ -70,7 +70,7 @@ saveLabelled (const std::string& file,
   if (extensionOf (file) == las_extension)
     saveLabelledLas (file, *cloud.las, labels);
   else
-    saveLabelledPcd (file, cloud, labels, keeps_color);
+    saveLabelledCloud (file, cloud, labels, keeps_color);
 }
 
 Eigen::Isometry3d

@@ -156,7 +156,8 @@ TEST_F (Segment, RefusesWrongUsageInOneLine)
   const std::vector<std::pair<std::string, std::string>> wrong = {
       {"", "INPUT: is missing"},
       {"in.xyz", "in.xyz: has an unknown extension"},
-      {"in.pcd out.ply", "OUTPUT: out.ply has an unknown extension"},
+      {"in.pcd out.xyz",
+       "OUTPUT: out.xyz has an unknown extension; give a file .pcd or .ply or .las"},
       {"in.pcd in.pcd", "in.pcd: is the input, too"},
       {"in.pcd ./in.pcd", "./in.pcd: is the input, too"},
       {"in.pcd --planes p.txt", "--planes: p.txt has an unknown extension"},
