@@ -4,14 +4,16 @@
 
 #include "colors.h"
 #include <io/cloud_fields.h>
+#include <io/output_file.h>
+#include <io/ply_writer.h>
 
 namespace pcl_ops::apps {
 
 void
-saveLabelledPcd (const std::string& file,
-                 FileCloud cloud,
-                 const std::vector<std::uint32_t>& labels,
-                 bool keeps_color)
+saveLabelledCloud (const std::string& file,
+                   FileCloud cloud,
+                   const std::vector<std::uint32_t>& labels,
+                   bool keeps_color)
 {
   setLabels (cloud, labels);
   if (!keeps_color || !(hasField (cloud, "rgb") || hasField (cloud, "rgba"))) {
@@ -21,7 +23,10 @@ saveLabelledPcd (const std::string& file,
       colors.push_back (colorOfLabel (label));
     setColors (cloud, colors);
   }
-  savePcd (file, cloud);
+  if (extensionOf (file) == ".ply")
+    savePly (file, cloud);
+  else
+    savePcd (file, cloud);
 }
 
 } // namespace pcl_ops::apps

@@ -10,14 +10,14 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Writes a cloud as a .pcd with a label and a colour for each point.
+/** \brief Writes a cloud as a .pcd or .ply with a label and a colour for each point.
  * \param[in] labels per point, 0 for no plane
  * \param[in] keeps_color whether the input's colours stay, where it has any
  * \throws WorkError if it cannot be written */
 void
-saveLabelledPcd (const std::string& file,
-                 FileCloud cloud,
-                 const std::vector<std::uint32_t>& labels,
-                 bool keeps_color);
+saveLabelledCloud (const std::string& file,
+                   FileCloud cloud,
+                   const std::vector<std::uint32_t>& labels,
+                   bool keeps_color);
 
 } // namespace pcl_ops::apps

@@ -34,6 +34,17 @@ hasHull ([[maybe_unused]] const std::string& hull)
 #endif
 }
 
+PlaneExtent
+extentInFile (const ShiftedCloud& shifted,
+              const PlaneSegment& plane,
+              const std::string& hull)
+{
+  const PlaneFrame in_cloud (plane.centroid - shifted.shift, plane.normal);
+  const PlaneFrame in_file (plane.centroid, plane.normal);
+  const PlanarPoints points = pointsOnPlane (*shifted.cloud, plane, in_cloud);
+  return extentOf (outlineOf (points, hull), points, in_file);
+}
+
 std::vector<PlaneExtent>
 extentsOf (const ShiftedCloud& shifted,
            const std::vector<PlaneSegment>& planes,
@@ -41,12 +52,8 @@ extentsOf (const ShiftedCloud& shifted,
 {
   std::vector<PlaneExtent> extents;
   extents.reserve (planes.size());
-  for (const PlaneSegment& plane : planes) {
-    const PlaneFrame in_cloud (plane.centroid - shifted.shift, plane.normal);
-    const PlaneFrame in_file (plane.centroid, plane.normal);
-    const PlanarPoints points = pointsOnPlane (*shifted.cloud, plane, in_cloud);
-    extents.push_back (extentOf (outlineOf (points, hull), points, in_file));
-  }
+  for (const PlaneSegment& plane : planes)
+    extents.push_back (extentInFile (shifted, plane, hull));
   return extents;
 }
 

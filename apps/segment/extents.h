@@ -17,6 +17,12 @@ extern const std::vector<std::string> hulls;
 bool
 hasHull (const std::string& hull);
 
+/** \brief Where a plane ends, in the file's frame; parameters as below. */
+PlaneExtent
+extentInFile (const ShiftedCloud& shifted,
+              const PlaneSegment& plane,
+              const std::string& hull);
+
 /** \brief Where each plane ends, in the file's frame.
  * \param[in] shifted the cloud the planes were found in
  * \param[in] planes in the file's frame

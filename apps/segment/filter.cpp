@@ -2,32 +2,143 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "filter.h"
 
+#include <pcl/common/angles.h>
+
+#include <cli/command_line.h>
+#include <cli/errors.h>
 #include <pcl_ops/orientation.h>
 
-#include <algorithm>
+#include <cstdint>
 
 namespace pcl_ops::apps {
 
-void
-keepOnly (const std::string& only, Detected& detected)
+namespace {
+
+PlaneFilter
+filterOf (const PlaneChoice& choice)
 {
-  if (only.empty())
-    return;
-  detected.settings.emplace_back ("only", only);
-  std::vector<PlaneSegment>& planes = detected.planes;
-  const std::size_t found = planes.size();
-  if (only == "largest")
-    planes.resize (std::min<std::size_t> (found, 1));
-  else
-    planes.erase (std::remove_if (planes.begin(),
-                                  planes.end(),
-                                  [&] (const PlaneSegment& plane) {
-                                    return toString (plane.orientation) != only;
-                                  }),
-                  planes.end());
-  if (planes.empty() && found > 0)
-    detected.advice = "none of the " + std::to_string (found) + " planes found is " +
-                      only + ": leave out --only, or mend --up or --angle-tolerance";
+  PlaneFilter filter;
+  for (const Orientation orientation :
+       {Orientation::Horizontal, Orientation::Vertical, Orientation::Other})
+    if (choice.only == toString (orientation))
+      filter.orientation = orientation;
+  if (choice.only == "largest")
+    filter.max_planes = 1;
+  if (choice.direction)
+    filter.direction = choice.direction->cast<double>();
+  filter.direction_tolerance = pcl::deg2rad (choice.within);
+  filter.min_points = choice.min_points.value_or (filter.min_points);
+  filter.min_area = choice.min_area.value_or (filter.min_area);
+  filter.min_width = choice.min_width.value_or (filter.min_width);
+  return filter;
+}
+
+/** \brief Adds what the planes were chosen by. */
+void
+addSettings (const PlaneChoice& choice, const PlaneFilter& filter, Settings& settings)
+{
+  if (!choice.only.empty())
+    settings.emplace_back ("only", choice.only);
+  if (filter.direction) {
+    const Eigen::Vector3d& axis = *filter.direction;
+    settings.emplace_back ("direction",
+                           std::vector<double>{axis.x(), axis.y(), axis.z()});
+    settings.emplace_back ("within", choice.within);
+  }
+  if (choice.min_points)
+    settings.emplace_back ("min_points", static_cast<std::int64_t> (filter.min_points));
+  if (choice.min_area)
+    settings.emplace_back ("min_area", filter.min_area);
+  if (choice.min_width)
+    settings.emplace_back ("min_width", filter.min_width);
+}
+
+Dropped
+droppedOf (std::size_t found, const DroppedPlanes& dropped)
+{
+  Dropped result{found, {}};
+  const std::vector<std::pair<std::string, std::size_t>> counts = {
+      {"only", dropped.by_orientation + dropped.by_number},
+      {"direction", dropped.by_direction},
+      {"min-points", dropped.by_points},
+      {"min-area", dropped.by_area},
+      {"min-width", dropped.by_width}};
+  for (const auto& [option, count] : counts)
+    if (count > 0)
+      result.by_option.emplace_back (option, count);
+  return result;
+}
+
+std::string
+adviceOn (const PlaneChoice& choice, const Dropped& dropped)
+{
+  const std::string found = std::to_string (dropped.found);
+  const auto& [option, count] = dropped.by_option.front();
+  if (option == "only" && count == dropped.found)
+    return "none of the " + found + " planes found is " + choice.only +
+           ": leave out --only, or mend --up or --angle-tolerance";
+  return "all " + found + " planes found are dropped, " + dropped.reasons() +
+         ": leave an option out or ask for less";
+}
+
+} // namespace
+
+std::string
+Dropped::reasons() const
+{
+  std::string text;
+  for (const auto& [option, count] : by_option)
+    text += (text.empty() ? "" : ", ") + std::to_string (count) + " by --" + option;
+  return text;
+}
+
+void
+declareChoice (CommandLine& line, PlaneChoice& choice)
+{
+  constexpr double right_angle = 90;
+  line.beginBriefGroup ("Planes to keep, beside --only");
+  line.addDirection ("direction",
+                     choice.direction,
+                     "planes whose normal points along it, or against it");
+  line.addNumber ("within",
+                  "DEG",
+                  Range::from (0).upTo (right_angle),
+                  choice.within,
+                  "largest angle of a normal to --direction (10)");
+  line.addNumber (
+      "min-points", "N", Range::from (0), choice.min_points, "fewest points");
+  line.addNumber ("min-area",
+                  "M2",
+                  Range::from (0),
+                  choice.min_area,
+                  "smallest area inside the outline");
+  line.addNumber ("min-width",
+                  "M",
+                  Range::from (0),
+                  choice.min_width,
+                  "smallest width of the rectangle around it");
+}
+
+void
+checkChoice (const CommandLine& line)
+{
+  if (line.isGiven ("within") && !line.isGiven ("direction"))
+    throw UsageError ("--within", "is about --direction x,y,z; give it, too");
+}
+
+Dropped
+keepChosen (const PlaneChoice& choice,
+            const ExtentOfPlane& extent_of,
+            Detected& detected)
+{
+  const PlaneFilter filter = filterOf (choice);
+  addSettings (choice, filter, detected.settings);
+  const std::size_t found = detected.planes.size();
+  const Dropped dropped =
+      droppedOf (found, filterPlanes (detected.planes, filter, extent_of));
+  if (detected.planes.empty() && found > 0)
+    detected.advice = adviceOn (choice, dropped);
+  return dropped;
 }
 
 } // namespace pcl_ops::apps

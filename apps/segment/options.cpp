@@ -28,7 +28,7 @@ constexpr const char* in_and_out =
     "  INPUT       .pcd, .ply or .las; - for one piped in. With --output-dir also\n"
     "              several, folders (without subfolders), patterns as 'scans/*.pcd'\n"
     "  OUTPUT.pcd  the cloud with label (0: no plane, 1: the largest, ...) and rgb;\n"
-    "              .las of a .las: all as it was, and the label as extra bytes, too\n"
+    "              .ply the same; .las of a .las: all as it was, and the label, too\n"
     "  prints      a table of the planes; with INPUT - their JSON; with --output-dir\n"
     "              a line for each input, and goes on where one is bad\n"
     "  no plane    is no failure: all labels 0, and a hint which option to change\n"
@@ -63,10 +63,13 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
                 "write each plane: plane_001_horizontal.pcd, ...");
   line.addChoice ("only",
                   {"horizontal", "vertical", "other", "largest"},
-                  options.only,
+                  options.choice.only,
                   "find horizontal, vertical, other or largest only",
                   "WHICH");
   line.addFlag ("keep-color", options.keep_color, "keep the input's rgb in OUTPUT");
+  line.addFlag ("distances",
+                options.distances,
+                "add each point's signed distance to its plane to OUTPUT");
   line.addFlag ("quiet", options.quiet, "print no table");
 }
 
@@ -124,7 +127,7 @@ void
 checkOutputs (const SegmentOptions& options)
 {
   const Outputs& outputs = options.outputs;
-  checkExtension ("OUTPUT", outputs.cloud, {".pcd", ".las"});
+  checkExtension ("OUTPUT", outputs.cloud, {".pcd", ".ply", ".las"});
   if (outputs.planes != standard_stream)
     checkExtension ("--planes", outputs.planes, {".json", ".csv"});
   checkExtension ("--image", outputs.image, {".png"});
@@ -136,8 +139,16 @@ checkOutputs (const SegmentOptions& options)
     throw UsageError (
         "--quiet",
         "leaves nothing to do; give OUTPUT.pcd, --planes, --image or --mesh, too");
-  if (options.keep_color && !options.isBatch() && outputs.cloud.empty())
+  if (options.isBatch())
+    return;
+  if (options.keep_color && outputs.cloud.empty())
     throw UsageError ("--keep-color", "is about OUTPUT.pcd; give one");
+  if (options.distances && outputs.cloud.empty())
+    throw UsageError ("--distances", "is about OUTPUT.pcd or OUTPUT.ply; give one");
+  if (options.distances && extensionOf (outputs.cloud) == ".las")
+    throw UsageError ("--distances",
+                      "has no place in " + outputs.cloud +
+                          "; give an OUTPUT.pcd or OUTPUT.ply");
 }
 
 /** \brief Refuses names that all inputs would share. */
@@ -192,11 +203,13 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
   line.addArguments ("INPUT", arguments, 1, "");
   declareOutputs (line, options);
   declareMethodOptions (line, options.method, options.detector);
+  declareChoice (line, options.choice);
   if (!line.parse (argc, argv))
     return false;
   checkMethodOptions (line, methodCalled (options.method));
   storeArguments (arguments, options);
   checkHull (line, options);
+  checkChoice (line);
   checkOutputs (options);
   checkBatch (line, options);
   return true;

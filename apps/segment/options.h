@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "filter.h"
 #include <detection/methods.h>
 
 #include <string>
@@ -39,12 +40,14 @@ struct SegmentOptions {
   std::string method = "ops";
   /** \brief What outlines are drawn by: "convex" or "concave". */
   std::string hull = "convex";
-  /** \brief Which planes count: an orientation, "largest", or empty for all. */
-  std::string only;
+  /** \brief Which planes count. */
+  PlaneChoice choice;
   DetectorOptions detector;
   /** \brief Inputs at a time; 0: as many as there are processors. */
   unsigned jobs = 1;
   bool keep_color = false;
+  /** \brief Whether OUTPUT tells how far each point is from its plane. */
+  bool distances = false;
   bool quiet = false;
 
   bool

@@ -8,6 +8,7 @@
 #include <numbers/fraction.h>
 #include <pcl_ops/orientation.h>
 
+#include <algorithm>
 #include <array>
 #include <iomanip>
 #include <limits>
@@ -104,6 +105,30 @@ adviceOf (const Report& report)
              : "Hardly any point is on a plane: " + detected.advice + ".";
 }
 
+/** \brief How many planes were not chosen beside those that were; empty for none. */
+std::string
+droppedBeside (const Report& report)
+{
+  const Dropped& dropped = report.dropped;
+  if (report.detected.planes.empty() || dropped.by_option.empty())
+    return "";
+  return "Dropped " + std::to_string (dropped.found - report.detected.planes.size()) +
+         " of " + std::to_string (dropped.found) + " planes: " + dropped.reasons() +
+         ".";
+}
+
+nlohmann::ordered_json
+toObject (const Dropped& dropped)
+{
+  nlohmann::ordered_json object;
+  object["of"] = dropped.found;
+  for (auto [option, count] : dropped.by_option) {
+    std::replace (option.begin(), option.end(), '-', '_');
+    object["by"][option] = count;
+  }
+  return object;
+}
+
 } // namespace
 
 void
@@ -116,9 +141,9 @@ printTable (const Report& report, std::ostream& stream)
     printPlanes (planes, report.points, stream);
   if (!report.detected.up_note.empty())
     stream << report.detected.up_note << "\n";
-  const std::string advice = adviceOf (report);
-  if (!advice.empty())
-    stream << advice << "\n";
+  for (const std::string& line : {droppedBeside (report), adviceOf (report)})
+    if (!line.empty())
+      stream << line << "\n";
   stream << "Times [ms]:" << std::setprecision (1);
   for (const auto& [name, duration] : detection_stages)
     stream << " " << name << " " << report.detected.timing.*duration;
@@ -128,8 +153,11 @@ printTable (const Report& report, std::ostream& stream)
 std::string
 summaryOf (const Report& report)
 {
-  const std::string advice = adviceOf (report);
-  return countsOf (report) + (advice.empty() ? "" : ". " + advice);
+  std::string summary = countsOf (report);
+  for (const std::string& line : {droppedBeside (report), adviceOf (report)})
+    if (!line.empty())
+      summary += (summary.back() == '.' ? " " : ". ") + line;
+  return summary;
 }
 
 std::string
@@ -143,6 +171,8 @@ toJson (const Report& report)
     json["timing_ms"][name] = report.detected.timing.*duration;
   if (!report.detected.advice.empty())
     json["advice"] = report.detected.advice;
+  if (!report.dropped.by_option.empty())
+    json["dropped"] = toObject (report.dropped);
   json["planes"] = nlohmann::ordered_json::array();
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   for (std::size_t i = 0; i < planes.size(); ++i)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "filter.h"
 #include <detection/methods.h>
 #include <pcl_ops/plane_extent.h>
 
@@ -19,6 +20,7 @@ struct Report {
   /** \brief Points of the cloud, those without coordinates included. */
   std::size_t points = 0;
   Detected detected;
+  Dropped dropped;
   /** \brief What makes the cloud look damaged; empty where nothing does. */
   std::string damage;
   /** \brief One for each plane, if an output says where planes end; else none. */

@@ -56,6 +56,7 @@ allOutputs ()
   const std::string on_clouds = "OUT clouds:clouds --detectors ops";
   return {
       {"Cloud", segment, "in.pcd OUT", "out/a.pcd", "out/a.pcd"},
+      {"Ply", segment, "in.pcd OUT", "out/a.ply", "out/a.ply"},
       {"Las", segment, "in.las OUT", "out/a.las", "out/a.las"},
       {"Threads", segment, "in.pcd OUT --threads 4", "out/a.pcd", "out/a.pcd"},
       {"Rest", segment, "in.pcd --rest OUT", "out/a.pcd", "out/a.pcd"},

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <pcl_ops/cloud_view.h>
+#include <pcl_ops/export.h>
+#include <pcl_ops/orientation.h>
+#include <pcl_ops/plane.h>
+#include <pcl_ops/plane_extent.h>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl_ops {
+
+/** \brief Which planes to keep; by default all. */
+struct PlaneFilter {
+  std::optional<Orientation> orientation;
+  /** \brief Where normals of planes point to, or away from: a vector of any length but
+   * 0, in the frame of the planes. */
+  std::optional<Eigen::Vector3d> direction;
+  /** \brief Largest angle between a normal and \ref direction [rad]; default 10
+   * degrees. */
+  double direction_tolerance = 0.17453292519943295;
+  /** \brief Fewest inliers. */
+  std::size_t min_points = 0;
+  /** \brief Smallest area inside the outline [m^2]. */
+  double min_area = 0.0;
+  /** \brief Smallest width of the rectangle around the outline [m]. */
+  double min_width = 0.0;
+  /** \brief Keep so many of those that are left, the first ones. */
+  std::optional<std::size_t> max_planes;
+};
+
+/** \brief What is wrong with a filter, as a sentence; empty if nothing is. */
+PCL_OPS_EXPORT std::string
+problemOf (const PlaneFilter& filter);
+
+/** \brief How many planes a filter dropped. A plane counts once, for the first of these
+ * it fails. */
+struct DroppedPlanes {
+  std::size_t by_orientation = 0;
+  std::size_t by_direction = 0;
+  std::size_t by_points = 0;
+  std::size_t by_area = 0;
+  std::size_t by_width = 0;
+  std::size_t by_number = 0;
+
+  std::size_t
+  total () const
+  {
+    return by_orientation + by_direction + by_points + by_area + by_width + by_number;
+  }
+};
+
+/** \brief Where a plane ends. */
+using ExtentOfPlane = std::function<PlaneExtent (const PlaneSegment&)>;
+
+/** \brief Drops the planes that a filter does not keep; the others stay in their order.
+ * \param[in] filter one \ref problemOf finds nothing wrong with
+ * \param[in] extent_of asked only for planes whose area or width decides
+ * \throw std::invalid_argument if there is a problem, with the planes as they were */
+PCL_OPS_EXPORT DroppedPlanes
+filterPlanes (std::vector<PlaneSegment>& planes,
+              const PlaneFilter& filter,
+              const ExtentOfPlane& extent_of);
+
+/** \brief The same with the extents of \ref planeExtent.
+ * \param[in] cloud the input cloud the planes were found in */
+PCL_OPS_EXPORT DroppedPlanes
+filterPlanes (std::vector<PlaneSegment>& planes,
+              const PlaneFilter& filter,
+              const CloudView& cloud);
+
+template <typename PointT>
+DroppedPlanes
+filterPlanes (std::vector<PlaneSegment>& planes,
+              const PlaneFilter& filter,
+              const pcl::PointCloud<PointT>& cloud)
+{
+  return filterPlanes (planes, filter, CloudView (cloud));
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment_program.h"
+#include <nlohmann/json.hpp>
+
+namespace {
+
+/** \brief The program with floor.pcd: a floor of 2 m by 2 m, and a board of 0.3 m by
+ * 1 m that leans by 30 degrees, two metres above. */
+class SegmentChoice : public Segment {
+protected:
+  SegmentChoice()
+  {
+    InputCloud scene = floorAndWall();
+    scene.resize (points_of_plane);
+    for (int i = 0; i < 30; ++i)
+      for (int j = 0; j < 50; ++j)
+        scene.push_back ({0.02f * static_cast<float> (j),
+                          0.01f * static_cast<float> (i),
+                          2.0f + 0.02f * 0.57735f * static_cast<float> (j),
+                          static_cast<float> (scene.size())});
+    pcl::io::savePCDFileBinary (folder_ / "floor.pcd", scene);
+  }
+
+  /** \brief The JSON, in which one plane is left, whose number of points is given. */
+  nlohmann::json
+  expectLeft (const std::string& options, int points) const
+  {
+    const Outcome done = run ("floor.pcd labelled.pcd --planes - " + options);
+    EXPECT_EQ (done.exit_code, 0) << done.err;
+    const auto json = nlohmann::json::parse (done.out);
+    EXPECT_EQ (json["planes"].size(), 1u) << options;
+    EXPECT_EQ (json["planes"][0]["points"], points) << options;
+    LabelledCloud cloud;
+    EXPECT_EQ (pcl::io::loadPCDFile (folder_ / "labelled.pcd", cloud), 0);
+    const bool is_floor = points == points_of_plane;
+    EXPECT_EQ (cloud.front().label, is_floor ? 1u : 0u) << options;
+    EXPECT_EQ (cloud.back().label, is_floor ? 0u : 1u) << options;
+    return json;
+  }
+
+  static constexpr int points_of_board = 1500;
+};
+
+} // namespace
+
+TEST_F (SegmentChoice, KeepsPlanesByDirectionAndSizeAndSaysWhatWasDropped)
+{
+  const auto dropped = [&] (const std::string& options, int points) {
+    return expectLeft (options, points)["dropped"].dump();
+  };
+  EXPECT_EQ (dropped ("--direction 0,0,2", points_of_plane),
+             R"({"by":{"direction":1},"of":2})");
+  EXPECT_EQ (dropped ("--direction 1,0,0 --within 70", points_of_board),
+             R"({"by":{"direction":1},"of":2})");
+  EXPECT_EQ (dropped ("--min-area 2", points_of_plane),
+             R"({"by":{"min_area":1},"of":2})");
+  EXPECT_EQ (dropped ("--min-width 0.5", points_of_plane),
+             R"({"by":{"min_width":1},"of":2})");
+  EXPECT_EQ (dropped ("--min-points 2000", points_of_plane),
+             R"({"by":{"min_points":1},"of":2})");
+  EXPECT_EQ (dropped ("--only other", points_of_board), R"({"by":{"only":1},"of":2})");
+}
+
+TEST_F (SegmentChoice, IsAmongTheParameters)
+{
+  const auto json = expectLeft ("--direction 0,0,2 --min-area 1.5", points_of_plane);
+  const auto& parameters = json["parameters"];
+  EXPECT_EQ (parameters["direction"], (std::vector<double>{0, 0, 2}));
+  EXPECT_NEAR (parameters["within"].get<double>(), 10.0, 1e-9);
+  EXPECT_EQ (parameters["min_area"], 1.5);
+  EXPECT_FALSE (parameters.contains ("min_width"));
+}
+
+TEST_F (SegmentChoice, SaysInALineHowManyPlanesWereDroppedAndWhy)
+{
+  const Outcome some = run ("floor.pcd --min-width 0.5");
+  EXPECT_TRUE (contains (some.out, "\nDropped 1 of 2 planes: 1 by --min-width.\n"))
+      << some.out;
+  const Outcome all = run ("floor.pcd --min-points 2000 --direction 1,0,0");
+  EXPECT_TRUE (contains (all.out,
+                         "\nNo plane found: all 2 planes found are dropped, 2 by "
+                         "--direction: leave an option out or ask for less.\n"))
+      << all.out;
+  EXPECT_FALSE (contains (run ("floor.pcd --min-width 0.1").out, "ropped"));
+  const Outcome batch = run ("floor.pcd --output-dir planes --min-area 2");
+  EXPECT_TRUE (contains (batch.out,
+                         "4000 points, 1 plane. Dropped 1 of 2 planes: 1 by "
+                         "--min-area."))
+      << batch.out;
+}
+
+TEST_F (SegmentChoice, MeasuresTheOutlineThatIsWritten)
+{
+  const auto planes = expectLeft ("--min-area 3.8", points_of_plane)["planes"];
+  const double area = planes[0]["area"].get<double>();
+  EXPECT_GE (area, 3.8);
+  const std::string more = std::to_string (area + 0.001);
+  EXPECT_TRUE (contains (run ("floor.pcd --min-area " + more).out, "all 2 planes"));
+}

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/common/io.h>
+
+#include "segment_program.h"
+#include <io/cloud_file.h>
+#include <support/las_bytes.h>
+
+#include <cmath>
+#include <cstring>
+
+using pcl_ops::apps::FileCloud;
+using pcl_ops::apps::loadCloud;
+
+namespace {
+
+class SegmentPly : public Segment {
+protected:
+  /** \brief Labels a cloud as .pcd and as .ply. */
+  void
+  writeBoth (const std::string& input) const
+  {
+    for (const char* output : {" out.pcd", " out.ply"}) {
+      const Outcome done = run (input + output);
+      ASSERT_EQ (done.exit_code, 0) << done.err;
+    }
+  }
+
+  /** \brief Whether the .ply is read with these fields of the .pcd, to the bit. */
+  void
+  expectSameFields (const std::vector<std::string>& names) const
+  {
+    const FileCloud pcd = loadCloud (folder_ / "out.pcd");
+    const FileCloud ply = loadCloud (folder_ / "out.ply");
+    ASSERT_EQ (ply.points.width, pcd.points.width);
+    ASSERT_EQ (ply.points.height, pcd.points.height);
+    for (const std::string& name : names) {
+      EXPECT_EQ (typeOf (ply, name), typeOf (pcd, name)) << name;
+      EXPECT_TRUE (bytesOf (ply, name) == bytesOf (pcd, name)) << name;
+    }
+  }
+
+  static pcl::PCLPointField
+  fieldOf (const FileCloud& cloud, const std::string& name)
+  {
+    const int field = pcl::getFieldIndex (cloud.points, name);
+    EXPECT_GE (field, 0) << name;
+    return field < 0 ? pcl::PCLPointField() : cloud.points.fields[std::size_t (field)];
+  }
+
+  static int
+  typeOf (const FileCloud& cloud, const std::string& name)
+  {
+    return fieldOf (cloud, name).datatype;
+  }
+
+  static std::vector<std::uint8_t>
+  bytesOf (const FileCloud& cloud, const std::string& name)
+  {
+    const pcl::PCLPointField field = fieldOf (cloud, name);
+    const int size = pcl::getFieldSize (field.datatype);
+    std::vector<std::uint8_t> bytes;
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const auto number = cloud.points.data.begin() +
+                          std::ptrdiff_t (i * cloud.points.point_step + field.offset);
+      bytes.insert (bytes.end(), number, number + size);
+    }
+    return bytes;
+  }
+};
+
+} // namespace
+
+TEST_F (SegmentPly, HasEveryFieldOfTheInputToTheBit)
+{
+  writeBoth ("in.pcd");
+  expectSameFields ({"x", "y", "z", "intensity", "label"});
+  const FileCloud ply = loadCloud (folder_ / "out.ply");
+  EXPECT_TRUE (contains (contentOf (folder_ / "out.ply"),
+                         "ply\nformat binary_little_endian 1.0\n"));
+  // PCL's reader leaves the fourth byte of a colour as it is.
+  const FileCloud pcd = loadCloud (folder_ / "out.pcd");
+  const auto read = bytesOf (ply, "rgb"), written = bytesOf (pcd, "rgb");
+  ASSERT_EQ (read.size(), written.size());
+  for (std::size_t i = 0; i < read.size(); ++i)
+    if (i % 4 != 3) {
+      ASSERT_EQ (read[i], written[i]) << i;
+    }
+}
+
+TEST_F (SegmentPly, KeepsUtmCoordinatesInDoublePrecision)
+{
+  LasRecipe recipe;
+  recipe.points.clear();
+  for (const pcl::PointXYZI& point : floorAndWall())
+    if (std::isfinite (point.x))
+      recipe.points.push_back ({static_cast<int> (std::lround (point.x * 1000.0f)),
+                                static_cast<int> (std::lround (point.y * 1000.0f)),
+                                static_cast<int> (std::lround (point.z * 1000.0f))});
+  folder_.write ("in.las", lasBytes (recipe));
+  writeBoth ("in.las");
+  expectSameFields ({"x", "y", "z", "intensity", "label"});
+  EXPECT_EQ (typeOf (loadCloud (folder_ / "out.ply"), "x"),
+             pcl::PCLPointField::FLOAT64);
+  EXPECT_TRUE (contains (contentOf (folder_ / "out.ply"), "\nproperty double x\n"));
+}
+
+TEST_F (SegmentPly, IsAnInputAgain)
+{
+  writeBoth ("in.pcd");
+  EXPECT_EQ (labelsOf (label ("out.ply")), labelsOf (label ("in.pcd")));
+}
+
+TEST_F (SegmentPly, HasTheFieldsOtherProgramsLookFor)
+{
+  std::string points;
+  for (int i = 0; i < 4; ++i)
+    points += std::to_string (i) + " 0 1.5 0 0 1 7 8 4294967297 9\n";
+  folder_.write ("odd.pcd",
+                 "FIELDS x y z normal_x normal_y normal_z shape stamp red\n"
+                 "SIZE 4 8 4 4 4 4 2 8 4\nTYPE F F F F F F I I F\n"
+                 "COUNT 1 1 1 1 1 1 2 1 1\nWIDTH 2\nHEIGHT 2\nPOINTS 4\nDATA ascii\n" +
+                     points);
+  const Outcome done = run ("odd.pcd out.ply");
+  ASSERT_EQ (done.exit_code, 0) << done.err;
+  const std::string ply = contentOf (folder_ / "out.ply");
+  EXPECT_EQ (ply.substr (0, ply.find ("end_header")),
+             "ply\nformat binary_little_endian 1.0\nobj_info num_cols 2\n"
+             "obj_info num_rows 2\nelement vertex 4\nproperty float x\n"
+             "property double y\nproperty float z\nproperty float nx\n"
+             "property float ny\nproperty float nz\nproperty short shape_0\n"
+             "property short shape_1\nproperty double stamp\nproperty uint label\n"
+             "property uchar red\nproperty uchar green\nproperty uchar blue\n");
+  const FileCloud read = loadCloud (folder_ / "out.ply");
+  EXPECT_EQ (read.points.width, 2u);
+  double stamp = 0.0;
+  std::memcpy (&stamp, bytesOf (read, "stamp").data(), sizeof (stamp));
+  EXPECT_EQ (stamp, 4294967297.0);
+}
