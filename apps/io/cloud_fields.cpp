@@ -7,6 +7,7 @@
 #include "coordinate_reader.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace pcl_ops::apps {
 
@@ -130,6 +131,15 @@ void
 setLabels (FileCloud& cloud, const std::vector<std::uint32_t>& labels)
 {
   setField (cloud.points, "label", PCLPointField::UINT32, "", labels);
+}
+
+void
+setDistances (FileCloud& cloud, const std::vector<float>& distances)
+{
+  std::vector<std::uint32_t> bits (distances.size());
+  static_assert (sizeof (bits[0]) == sizeof (distances[0]));
+  std::memcpy (bits.data(), distances.data(), bits.size() * sizeof (bits[0]));
+  setField (cloud.points, "distance", PCLPointField::FLOAT32, "", bits);
 }
 
 void

@@ -37,6 +37,10 @@ hasField (const FileCloud& cloud, const std::string& name);
 void
 setLabels (FileCloud& cloud, const std::vector<std::uint32_t>& labels);
 
+/** \brief Gives every point a field `distance` (float), in place of one it had. */
+void
+setDistances (FileCloud& cloud, const std::vector<float>& distances);
+
 /** \brief Gives every point a field `rgb` (PCL's packed float), in place of one it had.
  * A field `rgba` stays, and `rgb` comes before it, where PCL's point types look first.
  */

@@ -67,6 +67,9 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
                   "find horizontal, vertical, other or largest only",
                   "WHICH");
   line.addFlag ("keep-color", options.keep_color, "keep the input's rgb in OUTPUT");
+  line.addFlag ("distances",
+                options.distances,
+                "add each point's signed distance to its plane to OUTPUT");
   line.addFlag ("quiet", options.quiet, "print no table");
 }
 
@@ -136,8 +139,16 @@ checkOutputs (const SegmentOptions& options)
     throw UsageError (
         "--quiet",
         "leaves nothing to do; give OUTPUT.pcd, --planes, --image or --mesh, too");
-  if (options.keep_color && !options.isBatch() && outputs.cloud.empty())
+  if (options.isBatch())
+    return;
+  if (options.keep_color && outputs.cloud.empty())
     throw UsageError ("--keep-color", "is about OUTPUT.pcd; give one");
+  if (options.distances && outputs.cloud.empty())
+    throw UsageError ("--distances", "is about OUTPUT.pcd or OUTPUT.ply; give one");
+  if (options.distances && extensionOf (outputs.cloud) == ".las")
+    throw UsageError ("--distances",
+                      "has no place in " + outputs.cloud +
+                          "; give an OUTPUT.pcd or OUTPUT.ply");
 }
 
 /** \brief Refuses names that all inputs would share. */

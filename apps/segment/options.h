@@ -46,6 +46,8 @@ struct SegmentOptions {
   /** \brief Inputs at a time; 0: as many as there are processors. */
   unsigned jobs = 1;
   bool keep_color = false;
+  /** \brief Whether OUTPUT tells how far each point is from its plane. */
+  bool distances = false;
   bool quiet = false;
 
   bool

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_cloud.h"
 
+#include "distances.h"
 #include "extents.h"
 #include "filter.h"
 #include "mesh.h"
@@ -22,6 +23,7 @@
 
 #include <cstdint>
 #include <iostream>
+#include <utility>
 #include <vector>
 
 namespace pcl_ops::apps {
@@ -64,13 +66,16 @@ checkTakesLabels (const Task& task, const FileCloud& cloud)
 void
 saveLabelled (const std::string& file,
               const FileCloud& cloud,
+              const std::vector<PlaneSegment>& planes,
               const std::vector<std::uint32_t>& labels,
-              bool keeps_color)
+              const SegmentOptions& options)
 {
   if (extensionOf (file) == las_extension)
-    saveLabelledLas (file, *cloud.las, labels);
-  else
-    saveLabelledCloud (file, cloud, labels, keeps_color);
+    return saveLabelledLas (file, *cloud.las, labels);
+  FileCloud labelled = cloud;
+  if (options.distances)
+    setDistances (labelled, distancesOf (cloud, planes));
+  saveLabelledCloud (file, std::move (labelled), labels, options.keep_color);
 }
 
 Eigen::Isometry3d
@@ -100,7 +105,7 @@ saveOutputs (const SegmentOptions& options,
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   const std::vector<std::uint32_t> labels = labelsOf (planes, cloud.size());
   if (!outputs.cloud.empty())
-    saveLabelled (outputs.cloud, cloud, labels, options.keep_color);
+    saveLabelled (outputs.cloud, cloud, planes, labels, options);
   if (!outputs.image.empty())
     savePicture (outputs.image, *shifted.cloud, labels, planes, report.detected.up);
   if (!outputs.mesh.empty())

@@ -189,6 +189,9 @@ TEST_F (Segment, RefusesWrongUsageInOneLine)
       {"in.pcd --min-points 1.5", "--min-points: "},
       {"in.pcd --quiet", "--quiet: leaves nothing to do"},
       {"in.pcd --keep-color", "--keep-color: is about OUTPUT.pcd"},
+      {"in.pcd --distances", "--distances: is about OUTPUT.pcd or OUTPUT.ply"},
+      {"in.pcd out.las --distances",
+       "--distances: has no place in out.las; give an OUTPUT.pcd or OUTPUT.ply"},
       {"in.pcd out.pcd extra", "extra: is one argument too many"}};
   for (const auto& [arguments, complaint] : wrong) {
     const Outcome done = run (arguments);

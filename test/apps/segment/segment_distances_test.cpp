@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/common/io.h>
+
+#include "segment_program.h"
+#include <io/cloud_file.h>
+#include <support/las_bytes.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace {
+
+constexpr int millimetres_off = 4;
+
+class SegmentDistances : public Segment {
+protected:
+  /** \brief The field of a cloud that was written. */
+  std::vector<float>
+  distancesIn (const std::string& file) const
+  {
+    const pcl_ops::apps::FileCloud cloud = pcl_ops::apps::loadCloud (folder_ / file);
+    const int field = pcl::getFieldIndex (cloud.points, "distance");
+    EXPECT_GE (field, 0);
+    std::vector<float> distances (cloud.size());
+    for (std::size_t i = 0; field >= 0 && i < distances.size(); ++i)
+      std::memcpy (&distances[i],
+                   &cloud.points.data[i * cloud.points.point_step +
+                                      cloud.points.fields[std::size_t (field)].offset],
+                   sizeof (float));
+    return distances;
+  }
+
+  /** \brief in.las: a wall alone, at an x that single precision has no millimetres of,
+   * with every second point 4 mm farther. */
+  void
+  writeLas () const
+  {
+    LasRecipe recipe;
+    recipe.points.clear();
+    for (int i = 0; i < points_of_plane; ++i)
+      recipe.points.push_back ({i % 2 == 0 ? millimetres_off : 0,
+                                40 * (i / points_of_side),
+                                40 * (i % points_of_side)});
+    folder_.write ("in.las", lasBytes (recipe));
+  }
+
+  /** \brief Whether points are 2 mm before and behind the plane between them, turn by
+   * turn. */
+  void
+  expectTurns (const std::string& file) const
+  {
+    const std::vector<float> distances = distancesIn (file);
+    ASSERT_EQ (distances.size(), std::size_t (points_of_plane));
+    const float before = distances[0] > 0.0f ? 0.002f : -0.002f;
+    for (std::size_t i = 0; i < distances.size(); ++i)
+      ASSERT_NEAR (distances[i], i % 2 == 0 ? before : -before, 2e-4f) << i;
+  }
+};
+
+} // namespace
+
+TEST_F (SegmentDistances, AreSignedAndNoneOnNoPlane)
+{
+  InputCloud cloud = floorAndWall();
+  for (int i = 0; i < points_of_plane; ++i)
+    cloud[i].z = i % 2 == 0 ? 0.004f : 0.0f;
+  pcl::io::savePCDFileBinary (folder_ / "rough.pcd", cloud);
+  for (const char* output : {"out.pcd", "out.ply"}) {
+    const Outcome done = run (std::string ("rough.pcd --distances ") + output);
+    ASSERT_EQ (done.exit_code, 0) << done.err;
+    const std::vector<float> distances = distancesIn (output);
+    for (int i = 0; i < points_of_plane; ++i)
+      ASSERT_NEAR (distances[i], i % 2 == 0 ? 0.002f : -0.002f, 2e-4f)
+          << "the sensor is above the floor";
+    EXPECT_TRUE (std::isnan (distances[missing_reading]));
+    EXPECT_NEAR (distances.back(), 0.0f, 1e-4f);
+  }
+  ASSERT_EQ (run ("rough.pcd out.pcd --distances --only vertical").exit_code, 0);
+  EXPECT_TRUE (std::isnan (distancesIn ("out.pcd").front())) << "of a plane left out";
+}
+
+TEST_F (SegmentDistances, AreThoseOfUtmCoordinates)
+{
+  writeLas();
+  for (const char* output : {"out.pcd", "out.ply"}) {
+    const Outcome done = run (std::string ("in.las --distances ") + output);
+    ASSERT_EQ (done.exit_code, 0) << done.err;
+    expectTurns (output);
+  }
+}
+
+TEST_F (SegmentDistances, MakeAPcdOfALasInABatch)
+{
+  writeLas();
+  const Outcome done = run ("in.las --output-dir out --distances");
+  ASSERT_EQ (done.exit_code, 0) << done.err;
+  expectTurns ("out/in.pcd");
+  EXPECT_FALSE (std::filesystem::exists (folder_ / "out/in.las"));
+}
