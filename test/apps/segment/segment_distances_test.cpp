@@ -11,7 +11,7 @@
 
 namespace {
 
-constexpr int millimetres_up = 4;
+constexpr int millimetres_off = 4;
 
 class SegmentDistances : public Segment {
 protected:
@@ -31,30 +31,30 @@ protected:
     return distances;
   }
 
-  /** \brief in.las: the floor alone, at the offset of UTM coordinates, with every
-   * second point 4 mm higher. */
+  /** \brief in.las: a wall alone, at an x that single precision has no millimetres of,
+   * with every second point 4 mm farther. */
   void
   writeLas () const
   {
     LasRecipe recipe;
     recipe.points.clear();
     for (int i = 0; i < points_of_plane; ++i)
-      recipe.points.push_back ({40 * (i / points_of_side),
-                                40 * (i % points_of_side),
-                                i % 2 == 0 ? millimetres_up : 0});
+      recipe.points.push_back ({i % 2 == 0 ? millimetres_off : 0,
+                                40 * (i / points_of_side),
+                                40 * (i % points_of_side)});
     folder_.write ("in.las", lasBytes (recipe));
   }
 
-  /** \brief Whether points are 2 mm above and below the plane between them, turn by
+  /** \brief Whether points are 2 mm before and behind the plane between them, turn by
    * turn. */
   void
   expectTurns (const std::string& file) const
   {
     const std::vector<float> distances = distancesIn (file);
     ASSERT_EQ (distances.size(), std::size_t (points_of_plane));
-    const float above = distances[0] > 0.0f ? 0.002f : -0.002f;
+    const float before = distances[0] > 0.0f ? 0.002f : -0.002f;
     for (std::size_t i = 0; i < distances.size(); ++i)
-      ASSERT_NEAR (distances[i], i % 2 == 0 ? above : -above, 2e-4f) << i;
+      ASSERT_NEAR (distances[i], i % 2 == 0 ? before : -before, 2e-4f) << i;
   }
 };
 
