@@ -12,6 +12,7 @@
 #include "ops/voxel_choice.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace pcl_ops::internal {
