@@ -6,12 +6,10 @@
 #include <pcl/common/point_tests.h>
 
 #include <cli/errors.h>
-#include <cli/interruption.h>
-#include <fcntl.h>
+#include <io/folder_lock.h>
 #include <io/output_file.h>
 #include <io/temporary_path.h>
 #include <pcl_ops/orientation.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -83,34 +81,11 @@ temporaryFolderIn (const std::string& folder)
   return name;
 }
 
-/** \brief Other runs that exchange the planes of a folder wait for this one. */
-class FolderLock {
-public:
-  explicit FolderLock (const std::string& folder)
-  : folder_ (::open (folder.c_str(), O_RDONLY | O_CLOEXEC))
-  {}
-  FolderLock (const FolderLock&) = delete;
-  FolderLock&
-  operator= (const FolderLock&) = delete;
-  ~FolderLock() { ::close (folder_); }
-
-  /** \throws Interrupted while it waits */
-  void
-  wait () const
-  {
-    // Where the file system knows no locks, it is as if this were the only run.
-    while (::flock (folder_, LOCK_EX) != 0 && errno == EINTR)
-      stopIfInterrupted();
-  }
-
-private:
-  int folder_;
-};
-
 /** \brief Puts new planes in place of those that are there. */
 void
 exchangePlanes (const fs::path& folder, const fs::path& with)
 {
+  // Other runs that exchange the planes of the folder wait for this one.
   const FolderLock lock (folder);
   lock.wait();
   std::vector<fs::path> stale = planeFilesIn (folder);

@@ -182,7 +182,7 @@ joinPlanes (const std::vector<TileKey>& tiles,
   JoinedPlanes joined;
   std::vector<std::uint32_t> number (planes.size());
   for (const std::size_t p : bySize (planes)) {
-    if (const auto fit = fitPlane (planes[p].moments))
+    if (const auto fit = fitPlane (planes[p].moments.toMoments()))
       planes[p].fit = *fit;
     joined.planes.push_back (std::move (planes[p]));
     number[p] = static_cast<std::uint32_t> (joined.planes.size());

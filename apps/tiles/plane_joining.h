@@ -17,7 +17,7 @@ namespace pcl_ops::apps {
 /** \brief A plane of all tiles. */
 struct JoinedPlane {
   /** \brief Of all points on it. */
-  Moments moments;
+  ExactMoments moments;
   PlaneFit fit;
   /** \brief Corners of the outlines of its pieces. */
   std::vector<Eigen::Vector3d> corners;

@@ -21,8 +21,9 @@ segmentOf (const JoinedPlane& plane)
   PlaneSegment segment;
   const bool faces_zero = plane.fit.plane.distance (Eigen::Vector3d::Zero()) >= 0.0;
   segment.normal = faces_zero ? plane.fit.plane.normal : -plane.fit.plane.normal;
-  segment.centroid = plane.moments.centroid();
-  segment.moments = plane.moments.about (segment.centroid);
+  const Moments moments = plane.moments.toMoments();
+  segment.centroid = moments.centroid();
+  segment.moments = moments.about (segment.centroid);
   return segment;
 }
 

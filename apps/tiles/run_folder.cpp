@@ -103,4 +103,11 @@ RunFolder::clean() const
     fs::remove_all (inWork (folder), ignored);
 }
 
+bool
+isThere (const std::string& file)
+{
+  std::error_code error;
+  return fs::exists (file, error);
+}
+
 } // namespace pcl_ops::apps

@@ -52,4 +52,8 @@ private:
   std::string folder_;
 };
 
+/** \brief Whether a phase has left this file. */
+bool
+isThere (const std::string& file);
+
 } // namespace pcl_ops::apps

@@ -36,18 +36,20 @@ detectIn (const TileGrid& grid, const TilePoints& points)
   return detectPlanes ({view, all, Eigen::Vector3d::Zero(), nullptr}, parameters);
 }
 
-/** \brief Moments of the first inliers of a plane, those the tile owns, about the
- * plane's centroid. */
-Moments
-momentsOf (const TilePoints& points, const PlaneSegment& plane, std::size_t own)
+/** \brief Moments of the first inliers of a plane, those the tile owns.
+ * \param[in] corner zero of the tile's frame */
+ExactMoments
+momentsOf (const TilePoints& points,
+           const PlaneSegment& plane,
+           std::size_t own,
+           const Eigen::Vector3d& corner,
+           double unit)
 {
-  Moments moments;
-  moments.origin = plane.centroid;
-  for (std::size_t i = 0; i < own; ++i) {
-    const Eigen::Vector3d local =
-        pointOf (points, static_cast<std::size_t> (plane.inliers[i])) - plane.centroid;
-    moments.add (local.x(), local.y(), local.z());
-  }
+  ExactMoments moments;
+  moments.unit = unit;
+  for (std::size_t i = 0; i < own; ++i)
+    moments.add (corner +
+                 pointOf (points, static_cast<std::size_t> (plane.inliers[i])));
   return moments;
 }
 
@@ -94,13 +96,13 @@ Piece
 pieceOf (const TilePoints& points,
          const PlaneSegment& plane,
          std::size_t own,
-         const Eigen::Vector3d& corner)
+         const Eigen::Vector3d& corner,
+         double unit)
 {
-  Piece piece{momentsOf (points, plane, own),
+  Piece piece{momentsOf (points, plane, own, corner, unit),
               plane.moments,
               outlineOf (points, plane, own),
               inputsOf (points, plane, own)};
-  piece.own.origin += corner;
   piece.all.origin += corner;
   for (Eigen::Vector3d& place : piece.outline)
     place += corner;
@@ -157,6 +159,7 @@ TileDetection
 detectInTile (const TileGrid& grid, const TilePoints& points)
 {
   const Eigen::Vector3d corner = grid.cornerOf (grid.frameOf (points.tile));
+  const double unit = latticeFor (grid.cell());
   const auto own_end = static_cast<pcl::index_t> (points.own());
   TileDetection found;
   std::vector<std::uint32_t> labels (points.own(), 0);
@@ -171,7 +174,7 @@ detectInTile (const TileGrid& grid, const TilePoints& points)
                plane,
                static_cast<std::uint32_t> (found.planes.pieces.size()),
                found.planes.claims);
-    found.planes.pieces.push_back (pieceOf (points, plane, own, corner));
+    found.planes.pieces.push_back (pieceOf (points, plane, own, corner, unit));
     for (std::size_t i = 0; i < own; ++i)
       labels[static_cast<std::size_t> (plane.inliers[i])] =
           static_cast<std::uint32_t> (found.planes.pieces.size());

@@ -15,7 +15,7 @@ saveTilePlanes (const std::string& file, const TilePlanes& planes)
   writeFile (file, [&] (std::ostream& stream) {
     put (stream, std::uint64_t (planes.pieces.size()));
     for (const Piece& piece : planes.pieces) {
-      putMoments (stream, piece.own);
+      put (stream, piece.own);
       putMoments (stream, piece.all);
       put (stream, std::uint64_t (piece.outline.size()));
       for (const Eigen::Vector3d& corner : piece.outline)
@@ -33,7 +33,7 @@ loadTilePlanes (const std::string& file)
   TilePlanes planes;
   planes.pieces.resize (get<std::uint64_t> (stream));
   for (Piece& piece : planes.pieces) {
-    piece.own = getMoments (stream);
+    piece.own = get<ExactMoments> (stream);
     piece.all = getMoments (stream);
     piece.outline.resize (get<std::uint64_t> (stream));
     for (Eigen::Vector3d& corner : piece.outline)

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "binary_file.h"
+#include "exact_moments.h"
 
 #include <array>
 #include <cstdint>
@@ -16,9 +17,10 @@ namespace pcl_ops::apps {
 
 /** \brief What a tile has of a plane. */
 struct Piece {
-  /** \brief Moments of the tile's own points on it, and of those of the halo, too, in
-   * the frame of the inputs. */
-  Moments own, all;
+  /** \brief Of the tile's own points on it, in the frame of the inputs. */
+  ExactMoments own;
+  /** \brief Of those of the halo, too. */
+  Moments all;
   /** \brief Corners of the outline of its own points. */
   std::vector<Eigen::Vector3d> outline;
   /** \brief The inputs that its own points are from, by their position in the plan. */

@@ -3,69 +3,27 @@
 #include "tile_run.h"
 
 #include "phases.h"
+#include "planning.h"
 #include "run_folder.h"
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <cli/memory.h>
 #include <cli/parallel.h>
 #include <cli/progress.h>
-#include <io/inputs.h>
+#include <io/folder_lock.h>
 #include <io/output_file.h>
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <functional>
 #include <iomanip>
-#include <map>
+#include <optional>
 #include <ostream>
-#include <set>
 #include <sstream>
-#include <system_error>
-
-namespace fs = std::filesystem;
 
 namespace pcl_ops::apps {
 
 namespace {
-
-bool
-isThere (const std::string& file)
-{
-  std::error_code error;
-  return fs::exists (file, error);
-}
-
-std::vector<std::string>
-inputsOf (const TilesOptions& options)
-{
-  InputFiles found = findInputs (options.inputs);
-  if (!found.problems.empty())
-    throw WorkError ("INPUT", found.problems.front());
-  return std::move (found.files);
-}
-
-/** \brief Refuses outputs that would be written over each other or over an input. */
-void
-checkClashes (const Plan& plan, const RunFolder& folder)
-{
-  std::map<std::string, std::string> input_of;
-  std::set<std::string> inputs;
-  for (const PlannedInput& input : plan.inputs)
-    inputs.insert (resolvedName (input.file));
-  checkWritable (folder.output (planes_file));
-  for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
-    const std::string output = outputOf (plan, folder, i);
-    const std::string resolved = resolvedName (output);
-    if (inputs.count (resolved) > 0)
-      throw UsageError (output, "is an input, too; give another --output-dir");
-    const auto [first, is_new] = input_of.emplace (resolved, plan.inputs[i].file);
-    if (!is_new)
-      throw UsageError (first->second + " and " + plan.inputs[i].file,
-                        "would both be written to " + output + "; rename one");
-    checkWritable (output);
-  }
-}
 
 std::string
 textOf (const Plan& plan)
@@ -241,23 +199,6 @@ isDone (const Plan& plan, const RunFolder& folder)
   return all_are_there;
 }
 
-/** \brief Writes a plan unless there is one that fits. */
-void
-preparePlan (const TilesOptions& options,
-             const std::string& file,
-             const RunFolder& folder)
-{
-  folder.make();
-  const std::vector<std::string> inputs = inputsOf (options);
-  const bool is_there = isThere (file);
-  const Plan plan = is_there ? loadPlan (file) : makePlan (inputs, options.plan);
-  if (is_there)
-    checkIsFor (plan, file, inputs, options.plan);
-  checkClashes (plan, folder);
-  if (!is_there)
-    savePlan (file, plan);
-}
-
 } // namespace
 
 void
@@ -273,11 +214,19 @@ runTiles (const TilesOptions& options,
   const bool speaks = ranks.rank() == 0 && !options.quiet;
   if (options.dry_run) {
     if (ranks.rank() == 0)
-      out << textOf (makePlan (inputsOf (options), options.plan)) << "\n";
+      out << textOf (newPlan (options)) << "\n";
     return;
   }
-  if (ranks.rank() == 0)
+  std::optional<FolderLock> lock;
+  if (ranks.rank() == 0) {
+    folder.make();
+    lock.emplace (options.output_dir);
+    if (!lock->take())
+      throw WorkError (options.output_dir,
+                       "another run works in it; wait until it has ended, or give "
+                       "another --output-dir");
     preparePlan (options, file, folder);
+  }
   ranks.meet();
   const Plan plan = loadPlan (file);
   if (speaks)

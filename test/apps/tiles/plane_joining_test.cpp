@@ -18,12 +18,14 @@ wall (int first, int last, double y, const Eigen::Vector3d& far = {0, 0, 0})
 {
   internal::RandomGenerator generator (static_cast<std::uint32_t> (first));
   Piece piece;
-  piece.own.origin = far;
+  piece.own.unit = latticeFor (1.0);
   for (int x = 10 * first; x < 10 * last; ++x)
     for (int z = 0; z < 30; ++z)
-      piece.own.add (
-          0.1 * x, y + 0.04 * internal::drawUnit (generator) - 0.02, 0.1 * z);
-  piece.all = piece.own;
+      piece.own.add (far +
+                     Eigen::Vector3d (0.1 * x,
+                                      y + 0.04 * internal::drawUnit (generator) - 0.02,
+                                      0.1 * z));
+  piece.all = piece.own.toMoments();
   return piece;
 }
 
@@ -76,10 +78,10 @@ TEST (PlaneJoining, MakesOneOfAWallOnBothSidesOfABorder)
 TEST (PlaneJoining, AddsTheMomentsOfOwnPointsOnly)
 {
   Row row = twoTiles (5.0, 5.0);
-  row[1].pieces[0].all = wall (8, 20, 5.0).own; // with the halo
-  Moments sum = row[0].pieces[0].own;
+  row[1].pieces[0].all = wall (8, 20, 5.0).all; // with the halo
+  ExactMoments sum = row[0].pieces[0].own;
   sum += row[1].pieces[0].own;
-  const Moments found = joined (row).planes.at (0).moments;
+  const ExactMoments found = joined (row).planes.at (0).moments;
   EXPECT_EQ (found.count, sum.count);
   EXPECT_EQ (found.sum, sum.sum);
   EXPECT_EQ (found.products, sum.products);
@@ -102,11 +104,13 @@ TEST (PlaneJoining, LeavesWallsThatShareHardlyACell)
 TEST (PlaneJoining, LeavesAWallAndTheFloorAtItsFoot)
 {
   Row row = twoTiles (5.0, 5.0);
-  Moments floor;
+  ExactMoments floor;
+  floor.unit = latticeFor (1.0);
   for (int x = 0; x < 100; ++x)
     for (int y = 0; y < 100; ++y)
-      floor.add (10.0 + 0.1 * x, 0.1 * y, 0.0);
-  row[1].pieces[0].own = row[1].pieces[0].all = floor;
+      floor.add ({10.0 + 0.1 * x, 0.1 * y, 0.0});
+  row[1].pieces[0].own = floor;
+  row[1].pieces[0].all = floor.toMoments();
   EXPECT_EQ (joined (row).planes.size(), 2u);
 }
 

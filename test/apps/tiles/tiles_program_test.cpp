@@ -42,6 +42,18 @@ protected:
   {
     apps::saveLas (folder_ / name, points, 0.001, far_away);
   }
+
+  /** \brief Saves points in metres from far away, in centimetres from 5 km farther. */
+  void
+  saveInCentimetres (const std::string& name, std::vector<LasPoint> points) const
+  {
+    const Eigen::Vector3d farther = far_away + Eigen::Vector3d (5000.0, -5000.0, 0.0);
+    for (LasPoint& point : points)
+      for (int axis = 0; axis < 3; ++axis)
+        point.raw[axis] = static_cast<std::int32_t> (
+            std::lround (0.1 * point.raw[axis] - 100.0 * (farther - far_away)[axis]));
+    apps::saveLas (folder_ / name, points, 0.01, farther);
+  }
 };
 
 /** \brief How many points have one label here and another there. */
@@ -193,6 +205,41 @@ TEST_F (TilesProgram, CountsEveryPointOnce)
   EXPECT_EQ (list.at ("points"), all);
   for (const auto& plane : list.at ("planes"))
     EXPECT_EQ (plane.at ("points"), points_of[plane.at ("id")]);
+}
+
+TEST_F (TilesProgram, JoinsAWallOfTilesWithTheirOwnScaleAndOffset)
+{
+  std::vector<LasPoint> west, east;
+  addWall (20, 0.0, west);
+  addWall (20, 0.0, east);
+  for (LasPoint& point : east)
+    point.raw[0] += 20'000;
+  save ("west.las", west);
+  saveInCentimetres ("east.las", east);
+  expectDone ("west.las east.las --output-dir out --cell 0.5 --tile 10");
+  const nlohmann::json planes = listIn ("out").at ("planes");
+  ASSERT_EQ (planes.size(), 1u);
+  EXPECT_EQ (planes.at (0).at ("points"), west.size() + east.size());
+  EXPECT_NEAR (planes.at (0).at ("extent").at ("length"), 40.0, 0.5);
+  EXPECT_NEAR (vectorIn (planes.at (0), "centroid").x(), far_away.x() + 20.0, 0.1);
+}
+
+TEST_F (TilesProgram, LabelsInputsThatOverlapEachWithAllItsPoints)
+{
+  std::vector<LasPoint> wall;
+  addWall (20, 0.0, wall);
+  const auto third = static_cast<std::ptrdiff_t> (wall.size() / 3);
+  save ("one.las", {wall.begin(), wall.end() - third});
+  save ("two.las", {wall.begin() + third, wall.end()});
+  expectDone ("one.las two.las --output-dir out --cell 0.5 --tile 10");
+  const nlohmann::json list = listIn ("out");
+  ASSERT_EQ (list.at ("planes").size(), 1u);
+  const auto all = 2 * (wall.size() - wall.size() / 3);
+  EXPECT_EQ (list.at ("points"), all);
+  EXPECT_EQ (list.at ("planes").at (0).at ("points"), all);
+  for (const char* name : {"out/one.las", "out/two.las"})
+    EXPECT_EQ (labelsIn (name),
+               std::vector<std::uint32_t> (wall.size() - wall.size() / 3, 1u));
 }
 
 TEST_F (TilesProgram, SaysWhatItWouldDo)

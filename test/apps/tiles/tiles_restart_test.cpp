@@ -61,6 +61,19 @@ TEST_F (TilesRestart, DoesNotDoAgainWhatIsDone)
   EXPECT_EQ (outputsIn ("out"), expected) << "an output was removed";
 }
 
+TEST_F (TilesRestart, LeavesTheFolderToTheRunThatWorksInIt)
+{
+  const auto expected = undisturbed();
+  std::filesystem::create_directory (folder_ / "out");
+  const Outcome second = tiles ("town --output-dir out --tile 40", "flock out");
+  EXPECT_EQ (second.exit_code, 1);
+  EXPECT_EQ (second.err,
+             "pcl_ops_tiles: out: another run works in it; wait until it has ended, or "
+             "give another --output-dir\n");
+  expectDone ("town --output-dir out --tile 40");
+  EXPECT_EQ (outputsIn ("out"), expected);
+}
+
 #ifdef PCL_OPS_MPIEXEC
 
 namespace {
