@@ -20,8 +20,13 @@ constexpr const char* erase_line = "\r\033[K";
 Progress::Progress (std::size_t steps,
                     std::ostream& stream,
                     ProgressStyle style,
-                    std::string noun)
-: steps_ (steps), stream_ (stream), style_ (style), noun_ (std::move (noun))
+                    std::string noun,
+                    std::chrono::milliseconds between)
+: steps_ (steps)
+, stream_ (stream)
+, style_ (style)
+, noun_ (std::move (noun))
+, between_ (between)
 {}
 
 void
@@ -61,20 +66,26 @@ Progress::erase()
 void
 Progress::draw()
 {
-  const std::size_t percent = 100 * done_ / std::max<std::size_t> (1, steps_);
-  const bool is_drawn = style_ == ProgressStyle::Lines && percent == percent_drawn_;
-  if (is_drawn || style_ == ProgressStyle::None)
+  const Clock::time_point now = Clock::now();
+  if (style_ == ProgressStyle::None ||
+      (style_ == ProgressStyle::Lines && now - last_line_ < between_))
     return;
-  percent_drawn_ = percent;
-  const std::chrono::duration<double> elapsed = Clock::now() - start_;
-  const double seconds_left = elapsed.count() *
-                              static_cast<double> (steps_ - std::min (done_, steps_)) /
-                              static_cast<double> (done_);
+  last_line_ = now;
   if (style_ == ProgressStyle::Bar)
     drawBar();
+  write (now, 100 * done_ / std::max<std::size_t> (1, steps_));
+}
+
+void
+Progress::write (Clock::time_point now, std::size_t percent)
+{
+  const double elapsed = std::chrono::duration<double> (now - start_).count();
+  const double left = elapsed *
+                      static_cast<double> (steps_ - std::min (done_, steps_)) /
+                      static_cast<double> (done_);
   stream_ << done_ << " of " << steps_ << " " << noun_ << ", " << percent << " %, "
-          << (done_ < steps_ ? durationText (seconds_left) + " left"
-                             : "took " + durationText (elapsed.count()));
+          << (done_ < steps_ ? durationText (left) + " left"
+                             : "took " + durationText (elapsed));
   if (style_ == ProgressStyle::Bar && done_ < steps_)
     stream_ << std::flush;
   else

@@ -13,21 +13,31 @@ namespace pcl_ops::apps {
 enum class ProgressStyle {
   /** \brief A bar with the time left, for terminals: it overwrites itself. */
   Bar,
-  /** \brief A plain line for each whole per cent. */
+  /** \brief Plain lines, one in ten seconds at most and none where all is done before:
+   * for files, in which somebody looks whether a long run goes on. */
   Lines,
   None
 };
+
+/** \brief Bars for terminals, lines for anything else. */
+inline ProgressStyle
+progressStyleOf (bool is_terminal)
+{
+  return is_terminal ? ProgressStyle::Bar : ProgressStyle::Lines;
+}
 
 /** \brief Tells how far a long run is. May be used by several threads. */
 class Progress {
 public:
   /** \param[in] steps number of calls of \ref step to come
    * \param[in] stream where to write
-   * \param[in] noun what a step is about, in the plural */
+   * \param[in] noun what a step is about, in the plural
+   * \param[in] between time from one line to the next */
   Progress (std::size_t steps,
             std::ostream& stream,
             ProgressStyle style,
-            std::string noun = "clouds");
+            std::string noun = "clouds",
+            std::chrono::milliseconds between = std::chrono::seconds (10));
 
   /** \brief Counts one piece of work as done. */
   void
@@ -45,20 +55,22 @@ public:
   erase ();
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   void
   draw ();
   void
   drawBar ();
-
-  using Clock = std::chrono::steady_clock;
+  void
+  write (Clock::time_point now, std::size_t percent);
 
   std::size_t steps_;
   std::size_t done_ = 0;
-  std::size_t percent_drawn_ = 0;
   std::ostream& stream_;
   ProgressStyle style_;
   std::string noun_;
-  Clock::time_point start_ = Clock::now();
+  std::chrono::milliseconds between_;
+  Clock::time_point start_ = Clock::now(), last_line_ = start_;
   std::mutex mutex_;
 };
 

@@ -15,6 +15,7 @@
 #include <cli/program.h>
 #include <io/cloud_file.h>
 #include <io/output_file.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <iostream>
@@ -224,23 +225,33 @@ packed (const pcl::PointCloud<pcl::PointXYZL>& cloud)
 }
 
 int
+simulateTown (const Options& options)
+{
+  using pcl_ops::apps::ProgressStyle;
+  const Town town = makeTown (options.seed,
+                              options.points.value_or (usual_points_of_town),
+                              tilesAlongASide (options.tiles.value_or (usual_tiles)));
+  pcl_ops::apps::Progress progress (
+      std::size_t (town.tiles) * town.tiles,
+      std::cerr,
+      options.quiet ? ProgressStyle::None
+                    : pcl_ops::apps::progressStyleOf (::isatty (STDERR_FILENO) == 1),
+      "tiles");
+  const TownFiles written = saveTown (options.output, town, options.noise, progress);
+  if (!options.quiet)
+    std::cout << options.output << ": " << written.points << " points in "
+              << written.files << " files\n";
+  return pcl_ops::apps::ExitCode::done;
+}
+
+int
 run (int argc, const char* const* argv)
 {
   Options options;
   if (!readOptions (argc, argv, options))
     return pcl_ops::apps::ExitCode::done;
-  if (options.scene == "town") {
-    const TownFiles written =
-        saveTown (options.output,
-                  makeTown (options.seed,
-                            options.points.value_or (usual_points_of_town),
-                            tilesAlongASide (options.tiles.value_or (usual_tiles))),
-                  options.noise);
-    if (!options.quiet)
-      std::cout << options.output << ": " << written.points << " points in "
-                << written.files << " files\n";
-    return pcl_ops::apps::ExitCode::done;
-  }
+  if (options.scene == "town")
+    return simulateTown (options);
   pcl_ops::apps::checkWritable (options.output);
   const SimulatedCloud simulated =
       pcl_ops::apps::inMemory (options.output, "give fewer --points", [&] {

@@ -50,7 +50,10 @@ tilesAlongASide (double tiles)
 }
 
 TownFiles
-saveTown (const std::string& folder, const Town& town, double noise_scale)
+saveTown (const std::string& folder,
+          const Town& town,
+          double noise_scale,
+          apps::Progress& progress)
 {
   apps::makeFolder (folder);
   TownFiles written;
@@ -68,6 +71,7 @@ saveTown (const std::string& folder, const Town& town, double noise_scale)
         ++written.files;
         written.points += points.size();
       });
+      progress.step();
     }
   return written;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "town.h"
+#include <cli/progress.h>
 
 #include <cstdint>
 #include <string>
@@ -20,9 +21,13 @@ std::uint32_t
 tilesAlongASide (double tiles);
 
 /** \brief Writes each tile as FOLDER/town_000_000.las and so on, column and row, with
- * one tile in memory. Tiles without points have no file. \throws WorkError if one
- * cannot be written */
+ * one tile in memory. Tiles without points have no file.
+ * \param[in,out] progress of all tiles
+ * \throws WorkError if one cannot be written */
 TownFiles
-saveTown (const std::string& folder, const Town& town, double noise_scale);
+saveTown (const std::string& folder,
+          const Town& town,
+          double noise_scale,
+          apps::Progress& progress);
 
 } // namespace pcl_ops::simulation

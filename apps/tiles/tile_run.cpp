@@ -51,8 +51,8 @@ public:
   , jobs_ (options.jobs)
   , ranks_ (ranks)
   , messages_ (messages)
-  , style_ (is_terminal && ranks.rank() == 0 && !options.quiet ? ProgressStyle::Bar
-                                                               : ProgressStyle::None)
+  , style_ (ranks.rank() == 0 && !options.quiet ? progressStyleOf (is_terminal)
+                                                : ProgressStyle::None)
   {}
 
   /** \return how long each phase took, in words */

@@ -20,6 +20,10 @@ constexpr double largest_squared_distance = 4.0;
 constexpr double most_directions = 8.0;
 constexpr double most_bins = 32.0;
 
+// Patches of a row as counted through all turns: where a kernel hardly knows its
+// azimuth, the likeliest one of another row may be any number of turns away.
+constexpr int most_patches = 1 << 30;
+
 /** ceil and floor to int, bounded so that no double overflows it. */
 int
 firstAtLeast (double value, int low, int high)
@@ -167,9 +171,10 @@ VoteCaster::castRow (int row)
   const double middle_patch = (start + middle) / step - 0.5;
   const double reach =
       std::min ({std::sqrt (room / tt_) / step, 0.5 * patches, most_directions});
-  const int first = static_cast<int> (std::ceil (middle_patch - reach));
-  const int last = std::min (static_cast<int> (std::floor (middle_patch + reach)),
-                             first + patches - 1);
+  const int first = firstAtLeast (middle_patch - reach, -most_patches, most_patches);
+  const int last =
+      std::min (lastAtMost (middle_patch + reach, -most_patches, most_patches),
+                first + patches - 1);
   for (int patch = first; patch <= last; ++patch)
     castRay (directions.patchOfRow (reflected, patch),
              {phi_offset, (patch + 0.5) * step - start});

@@ -261,6 +261,17 @@ TEST (KernelVotes, StayAroundTheKernelForAnEndlessSpread)
   }
 }
 
+TEST (KernelVotes, EndWhereTheLikeliestAzimuthIsManyTurnsAway)
+{
+  PlaneKernel kernel = kernelAt (1.0, 1.2, 2.0);
+  kernel.covariance = Eigen::Vector3d (1e-4, 1e-4, 1e24).asDiagonal();
+  kernel.covariance (1, 2) = kernel.covariance (2, 1) = 0.999e10;
+  for (const auto& [bin, vote] : votesOf (kernel)) {
+    EXPECT_LT (bin.first, space.directions.size());
+    EXPECT_TRUE (std::isfinite (vote));
+  }
+}
+
 TEST (KernelVotes, AreNoneWithoutACovariance)
 {
   PlaneKernel kernel = kernelAt (1.0, 1.2, 2.0);

@@ -31,9 +31,7 @@ public:
   : plan_ (plan)
   , results_ (results)
   , tasks_ (tasksOf (plan))
-  , progress_ (tasks_.size(),
-               messages,
-               is_terminal ? apps::ProgressStyle::Bar : apps::ProgressStyle::Lines)
+  , progress_ (tasks_.size(), messages, apps::progressStyleOf (is_terminal))
   {}
 
   EvaluationSummary

@@ -42,6 +42,26 @@ TEST (Progress, SaysNothingWhereNoneIsAskedFor)
   EXPECT_EQ (stream.str(), "");
 }
 
+TEST (Progress, WritesALineOnceInAWhile)
+{
+  std::ostringstream file;
+  Progress progress (
+      2, file, ProgressStyle::Lines, "tiles", std::chrono::milliseconds (0));
+  progress.step();
+  progress.step();
+  EXPECT_EQ (file.str(),
+             "1 of 2 tiles, 50 %, 0 s left\n2 of 2 tiles, 100 %, took 0 s\n");
+}
+
+TEST (Progress, WritesNoLineOfWhatIsDoneSoon)
+{
+  std::ostringstream file;
+  Progress progress (2, file, ProgressStyle::Lines);
+  progress.step();
+  progress.step();
+  EXPECT_EQ (file.str(), "");
+}
+
 TEST (Progress, SaysDurationsAsAPersonDoes)
 {
   EXPECT_EQ (durationText (42.4), "42 s");
