@@ -123,7 +123,7 @@ TEST_F (SegmentBatch, SaysWhichNamesStandForNoCloudAndDoesTheOthers)
   fs::create_directory (folder_ / "empty");
   const Outcome done = run ("empty 'no*.pcd' gone.pcd in.pcd --output-dir out");
   EXPECT_EQ (done.exit_code, 1);
-  EXPECT_TRUE (contains (done.err, "empty: has no .pcd, .ply or .las file"))
+  EXPECT_TRUE (contains (done.err, "empty: has no .pcd, .ply, .las, .xyz or .pts file"))
       << done.err;
   EXPECT_TRUE (contains (done.err, "no*.pcd: matches no file")) << done.err;
   EXPECT_TRUE (contains (done.err, "gone.pcd: does not exist")) << done.err;

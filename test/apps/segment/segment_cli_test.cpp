@@ -155,7 +155,7 @@ TEST_F (Segment, RefusesWrongUsageInOneLine)
 {
   const std::vector<std::pair<std::string, std::string>> wrong = {
       {"", "INPUT: is missing"},
-      {"in.xyz", "in.xyz: has an unknown extension"},
+      {"in.abc", "in.abc: has an unknown extension"},
       {"in.pcd out.xyz",
        "OUTPUT: out.xyz has an unknown extension; give a file .pcd or .ply or .las"},
       {"in.pcd in.pcd", "in.pcd: is the input, too"},
