@@ -69,6 +69,13 @@ TEST_F (SegmentBatch, LabelsEveryCloudOfAFolderAndListsItsPlanes)
   EXPECT_EQ (json["planes"].size(), 2u);
 }
 
+TEST_F (SegmentBatch, WritesTheFormatAskedFor)
+{
+  const Outcome done = run ("scans --output-dir out --format ply --quiet");
+  EXPECT_EQ (done.exit_code, 0) << done.err;
+  EXPECT_EQ (namesIn ("out"), (Names{"a.json", "a.ply", "b.json", "b.ply"}));
+}
+
 TEST_F (SegmentBatch, LooksIntoNoSubfolderNorAtOtherOrHiddenFiles)
 {
   fs::create_directory (folder_ / "scans/deeper");
