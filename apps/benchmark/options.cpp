@@ -106,7 +106,7 @@ readOptions (int argc, const char* const* argv, Options& options)
   line.addOptionalArgument (
       "INPUT",
       input,
-      "a .pcd, .ply or .las file, a folder of them, simulated:N,N,... (scans of "
+      "a .pcd, .ply, .las or text file, a folder of them, simulated:N,N,... (scans of "
       "a whole room with N points) or rooms:FIRST-LAST (depth images by "
       "seed)");
   line.addText ("json", "FILE", options.json_file, "write every number as JSON");

@@ -10,11 +10,14 @@
 #include "output_file.h"
 #include "pcd_header.h"
 #include "ply_header.h"
+#include "ply_writer.h"
+#include "text_file.h"
 #include <cli/errors.h>
 
 #include <cerrno>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <new>
 #include <system_error>
 
@@ -39,6 +42,21 @@ checkReadable (const std::string& file)
   if (!fs::is_regular_file (status))
     throw WorkError (
         file, std::string ("is no regular file; give a ") + cloud_extensions + " file");
+}
+
+[[noreturn]] void
+failGzip (const std::string& file)
+{
+  throw WorkError (file, "is compressed (gzip); decompress it, e.g. by gunzip");
+}
+
+/** \brief Finds it by its first bytes, whatever the extension. */
+void
+refuseGzip (const std::string& file)
+{
+  std::ifstream stream (file, std::ios::binary);
+  if (stream.get() == 0x1f && stream.get() == 0x8b)
+    failGzip (file);
 }
 
 /** \brief PCL's reader; what it throws or returns on failure becomes one error. */
@@ -99,7 +117,8 @@ bool
 isCloudFile (const std::string& file)
 {
   const std::string extension = extensionOf (file);
-  return extension == ".pcd" || extension == ".ply" || extension == ".las";
+  return extension == ".pcd" || extension == ".ply" || extension == ".las" ||
+         extension == ".xyz" || extension == ".pts";
 }
 
 FileCloud
@@ -108,11 +127,14 @@ loadCloud (const std::string& file)
   const std::string extension = extensionOf (file);
   if (extension == ".laz")
     failCompressed (file);
-  if (!isCloudFile (file))
+  if (extension == ".gz")
+    failGzip (file);
+  if (!isCloudFile (file) && !isTextFile (file))
     throw UsageError (file,
                       std::string ("has an unknown extension; give a ") +
                           cloud_extensions + " file");
   checkReadable (file);
+  refuseGzip (file);
   FileCloud cloud;
   if (extension == ".pcd") {
     const Viewpoint viewpoint = checkPcdFile (file);
@@ -124,6 +146,8 @@ loadCloud (const std::string& file)
     cloud.las = openLas (file);
     cloud.points = cloud.las->readPoints();
   }
+  else if (isTextFile (file))
+    cloud.points = readTextCloud (file);
   else {
     checkPlyFile (file);
     readWith (pcl::PLYReader(), file, cloud);
@@ -157,6 +181,15 @@ savePcd (const std::string& file, const FileCloud& cloud)
     stream.write (reinterpret_cast<const char*> (cloud.points.data.data()),
                   static_cast<std::streamsize> (cloud.points.data.size()));
   });
+}
+
+void
+saveCloud (const std::string& file, const FileCloud& cloud)
+{
+  if (extensionOf (file) == ".ply")
+    savePly (file, cloud);
+  else
+    savePcd (file, cloud);
 }
 
 } // namespace pcl_ops::apps

@@ -14,7 +14,8 @@ namespace pcl_ops::apps {
 class LasFile;
 
 /** \brief The extensions of \ref loadCloud, for messages. */
-inline constexpr const char* cloud_extensions = ".pcd, .ply or .las";
+inline constexpr const char* cloud_extensions =
+    ".pcd, .ply, .las, .xyz, .txt, .pts or .csv";
 
 /** \brief A cloud as its file has it: every field, and where the sensor stood. */
 struct FileCloud {
@@ -33,15 +34,21 @@ struct FileCloud {
   }
 };
 
-/** \brief Whether a file has one of \ref cloud_extensions. */
+/** \brief Whether a file is taken for a cloud because it lies in a folder of them: it
+ * has one of \ref cloud_extensions, but not .txt or .csv, which mostly are something
+ * else there. */
 bool
 isCloudFile (const std::string& file);
 
-/** \brief Reads a .pcd (ascii, binary, binary_compressed), .ply or .las file.
+/** \brief Those of \ref isCloudFile, for messages. */
+inline constexpr const char* folder_extensions = ".pcd, .ply, .las, .xyz or .pts";
+
+/** \brief Reads a .pcd (ascii, binary, binary_compressed), .ply, .las or text file.
  *
  * The file's header is checked before PCL's readers see it: they crash on broken ones.
  * \throws UsageError for another extension, WorkError if the file is missing, a folder,
- * malformed, truncated or without points, or has no x, y and z */
+ * compressed as a whole, malformed, truncated or without points, or has no x, y and z
+ */
 FileCloud
 loadCloud (const std::string& file);
 
@@ -54,5 +61,9 @@ openLas (const std::string& file);
  * \throws WorkError if it cannot be written */
 void
 savePcd (const std::string& file, const FileCloud& cloud);
+
+/** \brief Writes a .ply (\ref savePly), or a binary PCD. */
+void
+saveCloud (const std::string& file, const FileCloud& cloud);
 
 } // namespace pcl_ops::apps

@@ -82,8 +82,9 @@ private:
       fail (folder, "cannot be read (" + error.message() + "); check its permissions");
     else if (clouds.empty())
       fail (folder,
-            std::string ("has no ") + cloud_extensions +
-                " file; give a folder with clouds (subfolders are not searched)");
+            std::string ("has no ") + folder_extensions +
+                " file; give a folder with clouds (subfolders are not searched), or a "
+                "pattern");
     std::sort (clouds.begin(), clouds.end());
     for (const std::string& cloud : clouds)
       addFile (cloud);

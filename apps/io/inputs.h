@@ -16,8 +16,8 @@ struct InputFiles {
   std::vector<std::string> problems;
 };
 
-/** \brief Looks up names of files, folders and patterns. A folder stands for the .pcd,
- * .ply and .las files in it, but not in its subfolders; a pattern with *, ? or [ for
+/** \brief Looks up names of files, folders and patterns. A folder stands for the clouds
+ * in it (\ref isCloudFile), but not in its subfolders; a pattern with *, ? or [ for
  * what it stands for in a shell. A file is taken as it is, even one that does not
  * exist. */
 InputFiles

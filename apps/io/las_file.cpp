@@ -9,6 +9,7 @@
 #include <array>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <ostream>
 
 namespace pcl_ops::apps {
@@ -17,7 +18,7 @@ namespace {
 
 using pcl::PCLPointField;
 
-constexpr std::uint64_t label_length = sizeof (std::uint32_t);
+constexpr std::uint64_t field_length = sizeof (std::uint32_t);
 
 /** \brief Bytes that a copy has in place of some of the file. */
 struct LasEdit {
@@ -76,18 +77,34 @@ placeOf (const char* record, const LasHeader& header)
   return raw.cwiseProduct (header.scale) + header.offset;
 }
 
-/** \brief What a file has elsewhere where its records have a label more. */
-std::vector<LasEdit>
-editsForLabels (const HeaderReader& reader,
-                const LasHeader& header,
-                const LasExtraBytes& extra)
+/** \brief Those of the fields that the file has not. */
+std::vector<LasField>
+missingOf (std::vector<LasField> fields, const LasExtraBytes& extra)
 {
-  const std::string description = labelDescription (header, extra);
+  fields.erase (
+      std::remove_if (fields.begin(),
+                      fields.end(),
+                      [&] (const LasField& field) { return extra.placeOf (field); }),
+      fields.end());
+  return fields;
+}
+
+/** \brief What a file has elsewhere where its records have further fields. */
+std::vector<LasEdit>
+editsFor (const std::vector<LasField>& fields,
+          const HeaderReader& reader,
+          const LasHeader& header,
+          const LasExtraBytes& extra)
+{
+  if (fields.empty())
+    return {};
+  const std::uint64_t length = fields.size() * field_length;
+  const std::string description = descriptionsOf (fields, header, extra);
   const std::string added = extra.vlr ? description : extraBytesVlr (description);
   const auto moved = [&] (std::uint64_t offset) {
     const bool is_behind = offset >= header.pointsEnd() && offset <= reader.fileSize();
-    return littleEndian (
-        is_behind ? offset + added.size() + label_length * header.points : offset);
+    return littleEndian (is_behind ? offset + added.size() + length * header.points
+                                   : offset);
   };
   const auto points_offset =
       static_cast<std::uint32_t> (header.points_offset + added.size());
@@ -96,8 +113,7 @@ editsForLabels (const HeaderReader& reader,
       {las_field::vlr_count, 4, littleEndian (header.vlr_count + (extra.vlr ? 0 : 1))},
       {las_field::record_length,
        2,
-       littleEndian (
-           static_cast<std::uint16_t> (header.record_length + label_length))}};
+       littleEndian (static_cast<std::uint16_t> (header.record_length + length))}};
   if (header.minor_version >= 3)
     edits.push_back ({las_field::waveform_offset, 8, moved (header.waveform_offset)});
   if (header.minor_version >= 4)
@@ -152,7 +168,8 @@ LasFile::readPoints()
   for (const char* axis : {"x", "y", "z"})
     addField (axis, PCLPointField::FLOAT64, cloud);
   addField ("intensity", PCLPointField::FLOAT32, cloud);
-  if (extra_.label)
+  const std::optional<std::uint64_t> label = extra_.placeOf (label_field);
+  if (label)
     addField ("label", PCLPointField::UINT32, cloud);
   cloud.width = static_cast<pcl::uindex_t> (header_.points);
   cloud.height = 1;
@@ -165,8 +182,8 @@ LasFile::readPoints()
       append (coordinate, point);
     append (static_cast<float> (fromLittleEndian<std::uint16_t> (record + intensity)),
             point);
-    if (extra_.label)
-      append (fromLittleEndian<std::uint32_t> (record + *extra_.label), point);
+    if (label)
+      append (fromLittleEndian<std::uint32_t> (record + *label), point);
   });
   return cloud;
 }
@@ -189,62 +206,89 @@ LasFile::forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit)
 }
 
 std::string
-LasFile::problemOfLabels() const
+LasFile::problemOf (const std::vector<LasField>& fields) const
 {
-  if (extra_.label)
+  const std::vector<LasField> added = missingOf (fields, extra_);
+  if (added.empty())
     return "";
-  if (extra_.has_other_label)
-    return "has an extra-bytes field label that is no uint32; rename it or give an "
-           "OUTPUT.pcd";
+  for (const LasField& field : added)
+    if (extra_.hasNamed (field))
+      return "has an extra-bytes field " + field.name + " that is no " +
+             field.type_name + "; rename it or give an OUTPUT.pcd";
   constexpr std::uint64_t most_short = std::numeric_limits<std::uint16_t>::max();
   const std::uint64_t described =
       extra_.vlr ? extra_.vlr->end - extra_.vlr->content : 0;
-  const std::uint64_t added = labelDescription (header_, extra_).size();
-  const std::uint64_t with_vlr = extraBytesVlr ("").size() + added;
-  if (described + added > most_short ||
-      header_.record_length + label_length > most_short ||
+  const std::uint64_t description = descriptionsOf (added, header_, extra_).size();
+  const std::uint64_t with_vlr = extraBytesVlr ("").size() + description;
+  if (described + description > most_short ||
+      header_.record_length + added.size() * field_length > most_short ||
       header_.points_offset + with_vlr > std::numeric_limits<std::uint32_t>::max())
     return "has no room for a further extra-bytes field; give an OUTPUT.pcd";
   return "";
 }
 
 void
-LasFile::writeLabelled (std::ostream& stream, const LabelOfPlace& label)
+LasFile::writeWith (const std::vector<LasColumn>& columns, std::ostream& stream)
 {
-  std::vector<LasEdit> edits;
-  if (!extra_.label)
-    edits = editsForLabels (reader_, header_, extra_);
-  copyEdited (reader_, 0, header_.points_offset, edits, stream);
+  std::vector<LasField> fields;
+  std::vector<std::uint64_t> places;
+  std::uint64_t length = header_.record_length;
+  for (const LasColumn& column : columns) {
+    fields.push_back (column.field);
+    const std::optional<std::uint64_t> place = extra_.placeOf (column.field);
+    places.push_back (place.value_or (length));
+    length += place ? 0 : field_length;
+  }
+  const std::vector<LasField> added = missingOf (fields, extra_);
+  copyEdited (reader_,
+              0,
+              header_.points_offset,
+              editsFor (added, reader_, header_, extra_),
+              stream);
   constexpr std::size_t block = 1U << 16U;
-  std::string labelled;
+  std::string records;
   forRecords (reader_, header_, [&] (std::uint64_t, const char* record) {
-    const std::size_t begin = labelled.size();
-    labelled.append (record, header_.record_length);
-    labelled.replace (begin + extra_.label.value_or (header_.record_length),
-                      label_length,
-                      littleEndian (label (placeOf (record, header_))));
-    if (labelled.size() < block)
+    const std::size_t begin = records.size();
+    records.append (record, header_.record_length);
+    records.resize (begin + length);
+    const Eigen::Vector3d place = placeOf (record, header_);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      records.replace (
+          begin + places[i], field_length, littleEndian (columns[i].bits (place)));
+    if (records.size() < block)
       return;
-    stream << labelled;
-    labelled.clear();
+    stream << records;
+    records.clear();
   });
-  stream << labelled;
+  stream << records;
   copyEdited (reader_, header_.pointsEnd(), reader_.fileSize(), {}, stream);
 }
 
 void
 saveLabelledLas (const std::string& file, LasFile& las, const LabelOfPlace& label)
 {
-  writeFile (file, [&] (std::ostream& stream) { las.writeLabelled (stream, label); });
+  writeFile (file, [&] (std::ostream& stream) {
+    las.writeWith ({{label_field, label}}, stream);
+  });
 }
 
 void
 saveLabelledLas (const std::string& file,
                  LasFile& las,
-                 const std::vector<std::uint32_t>& labels)
+                 const std::vector<std::uint32_t>& labels,
+                 const std::vector<float>& distances)
 {
-  std::size_t next = 0;
-  saveLabelledLas (file, las, [&] (const Eigen::Vector3d&) { return labels[next++]; });
+  std::size_t label = 0, distance = 0;
+  std::vector<LasColumn> columns = {
+      {label_field, [&] (const Eigen::Vector3d&) { return labels[label++]; }}};
+  if (!distances.empty())
+    columns.push_back ({distance_field, [&] (const Eigen::Vector3d&) {
+                          std::uint32_t bits;
+                          static_assert (sizeof (bits) == sizeof (distances[0]));
+                          std::memcpy (&bits, &distances[distance++], sizeof (bits));
+                          return bits;
+                        }});
+  writeFile (file, [&] (std::ostream& stream) { las.writeWith (columns, stream); });
 }
 
 } // namespace pcl_ops::apps

@@ -19,6 +19,13 @@ namespace pcl_ops::apps {
 /** \brief The label of the next point, given where that is. */
 using LabelOfPlace = std::function<std::uint32_t (const Eigen::Vector3d&)>;
 
+/** \brief A field that a copy has in its extra bytes. */
+struct LasColumn {
+  LasField field;
+  /** \brief Its four bytes of the next point, given where that is. */
+  std::function<std::uint32_t (const Eigen::Vector3d&)> bits;
+};
+
 /** \brief A LAS file, versions 1.2 to 1.4. It stays open, so that all that is no
  * coordinate need not be in memory to be written again, and may be removed meanwhile.
  */
@@ -48,17 +55,24 @@ public:
   void
   forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit);
 
-  /** \brief Why there can be no labels beside all else, with the mend; empty where
+  /** \brief Why there can be no such fields beside all else, with the mend; empty where
    * there can. */
   std::string
-  problemOfLabels () const;
+  problemOf (const std::vector<LasField>& fields) const;
 
-  /** \brief Writes every byte of the file with a label for each point, in place of the
-   * one it has.
-   * \param[in] label asked for each point, in their order
+  /** \brief \ref problemOf of a label. */
+  std::string
+  problemOfLabels () const
+  {
+    return problemOf ({label_field});
+  }
+
+  /** \brief Writes every byte of the file with further fields, each in place of the one
+   * of its name that the file has.
+   * \param[in] columns are asked for each point, in their order
    * \throws WorkError if the file was cut meanwhile */
   void
-  writeLabelled (std::ostream& stream, const LabelOfPlace& label);
+  writeWith (const std::vector<LasColumn>& columns, std::ostream& stream);
 
 private:
   HeaderReader reader_;
@@ -71,10 +85,12 @@ private:
 void
 saveLabelledLas (const std::string& file, LasFile& las, const LabelOfPlace& label);
 
-/** \brief The same with a label for each point. */
+/** \brief The same with a label for each point and, unless there are none, its distance
+ * to its plane. */
 void
 saveLabelledLas (const std::string& file,
                  LasFile& las,
-                 const std::vector<std::uint32_t>& labels);
+                 const std::vector<std::uint32_t>& labels,
+                 const std::vector<float>& distances = {});
 
 } // namespace pcl_ops::apps

@@ -14,9 +14,8 @@ namespace {
 constexpr std::uint64_t vlr_header = 54, evlr_header = 60;
 constexpr std::uint64_t id_length = 16, description_size = 192, name_length = 32;
 constexpr std::uint16_t extra_bytes_id = 4;
-constexpr std::uint8_t undocumented_type = 0, uint32_type = 5;
+constexpr std::uint8_t undocumented_type = 0;
 constexpr const char* specification = "LASF_Spec";
-constexpr const char* label_name = "label";
 
 /** \brief Text up to the first zero. */
 std::string
@@ -93,11 +92,8 @@ readDescriptions (HeaderReader& reader, const LasHeader& header, LasExtraBytes& 
         extraBytesLength (type, fromLittleEndian<std::uint8_t> (&bytes[3]));
     if (length == 0)
       reader.fail ("its Extra Bytes VLR has an unknown type, " + std::to_string (type));
-    const bool is_label = textIn (&bytes[4], name_length) == label_name;
-    if (is_label && type == uint32_type && !extra.label)
-      extra.label = extra.described_end;
-    else if (is_label)
-      extra.has_other_label = true;
+    extra.fields.push_back (
+        {textIn (&bytes[4], name_length), type, extra.described_end});
     extra.described_end += length;
   }
   if (extra.described_end > header.record_length)
@@ -165,18 +161,44 @@ checkLasEvlrs (HeaderReader& reader, const LasHeader& header)
            });
 }
 
-std::string
-labelDescription (const LasHeader& header, const LasExtraBytes& extra)
+std::optional<std::uint64_t>
+LasExtraBytes::placeOf (const LasField& field) const
 {
-  constexpr std::uint64_t most = 255;
+  for (const LasDescribedField& described : fields)
+    if (described.name == field.name && described.type == field.type)
+      return described.place;
+  return {};
+}
+
+bool
+LasExtraBytes::hasNamed (const LasField& field) const
+{
+  return std::any_of (
+      fields.begin(), fields.end(), [&] (const LasDescribedField& described) {
+        return described.name == field.name;
+      });
+}
+
+std::string
+descriptionsOf (const std::vector<LasField>& added,
+                const LasHeader& header,
+                const LasExtraBytes& extra)
+{
+  const std::uint64_t unknown = header.record_length - extra.described_end;
+  // Byte by byte: CloudCompare takes any number of undocumented bytes for one
+  // (LasExtraScalarField::elementSize) and looks for what follows in the wrong place.
+  constexpr std::uint64_t most_single = 64, longest = 255;
   std::string bytes;
-  for (std::uint64_t left = header.record_length - extra.described_end; left > 0;) {
-    const std::uint64_t length = std::min (left, most);
+  for (std::uint64_t left = unknown; left > 0;) {
+    const std::uint64_t length =
+        unknown > most_single ? std::min (left, longest) : std::uint64_t (1);
     bytes +=
         descriptionOf (undocumented_type, static_cast<std::uint8_t> (length), "", "");
     left -= length;
   }
-  return bytes + descriptionOf (uint32_type, 0, label_name, "0: on no plane");
+  for (const LasField& field : added)
+    bytes += descriptionOf (field.type, 0, field.name, field.text);
+  return bytes;
 }
 
 std::string

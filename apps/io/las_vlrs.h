@@ -7,12 +7,34 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl_ops::apps {
 
 /** \brief A variable length record: where it begins, its content, and its end. */
 struct LasVlr {
   std::uint64_t begin = 0, content = 0, end = 0;
+};
+
+/** \brief A field of four bytes among the extra bytes of a record. */
+struct LasField {
+  std::string name;
+  /** \brief As Extra Bytes VLRs number it. */
+  std::uint8_t type;
+  const char* type_name;
+  std::string text;
+};
+
+inline const LasField label_field = {"label", 5, "uint32", "0: on no plane"};
+inline const LasField distance_field = {
+    "distance", 9, "float", "to its plane; NaN: on none"};
+
+/** \brief A field that a file has. */
+struct LasDescribedField {
+  std::string name;
+  std::uint8_t type;
+  /** \brief Where it is in a record. */
+  std::uint64_t place;
 };
 
 /** \brief What the variable length records say about the extra bytes of a record. */
@@ -23,10 +45,15 @@ struct LasExtraBytes {
   std::optional<LasVlr> vlr;
   /** \brief Where the extra bytes end that it describes, in a record. */
   std::uint64_t described_end = 0;
-  /** \brief Where the label is in a record, if there is one. */
-  std::optional<std::uint64_t> label;
-  /** \brief Whether there is a field with the label's name that is no uint32. */
-  bool has_other_label = false;
+  std::vector<LasDescribedField> fields;
+
+  /** \brief Where a field of that name and type is in a record, if there is one. */
+  std::optional<std::uint64_t>
+  placeOf (const LasField& field) const;
+
+  /** \brief Whether there is a field of that name, of whatever type. */
+  bool
+  hasNamed (const LasField& field) const;
 };
 
 /** \brief Walks through the variable length records in front of the points.
@@ -41,10 +68,12 @@ readLasVlrs (HeaderReader& reader, const LasHeader& header, const std::string& f
 void
 checkLasEvlrs (HeaderReader& reader, const LasHeader& header);
 
-/** \brief The description of a label behind all bytes of a record, for the end of the
- * content of \ref LasExtraBytes::vlr: bytes not described yet come before it. */
+/** \brief The descriptions of fields behind all bytes of a record, for the end of the
+ * content of \ref LasExtraBytes::vlr: bytes not described yet come before them. */
 std::string
-labelDescription (const LasHeader& header, const LasExtraBytes& extra);
+descriptionsOf (const std::vector<LasField>& added,
+                const LasHeader& header,
+                const LasExtraBytes& extra);
 
 /** \brief A whole variable length record with that content. */
 std::string

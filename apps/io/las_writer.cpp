@@ -94,7 +94,7 @@ saveLas (const std::string& file,
   plain.format_length = plain.record_length = record_format_size;
   LasExtraBytes none;
   none.described_end = record_format_size;
-  const std::string vlr = extraBytesVlr (labelDescription (plain, none));
+  const std::string vlr = extraBytesVlr (descriptionsOf ({label_field}, plain, none));
   writeFile (file, [&] (std::ostream& stream) {
     stream << headerOf (points, scale, offset, vlr.size()) << vlr;
     std::string record (record_format_size + sizeof (std::uint32_t), '\0');

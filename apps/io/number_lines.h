@@ -9,6 +9,17 @@
 
 namespace pcl_ops::apps {
 
+/** \brief Reads the numbers of a line. `nan`, `inf` and `infinity` are numbers.
+ * \param[in] reader whose last line it is, for complaints
+ * \param[in] separator a comma or semicolon between numbers, where nothing is NaN; a
+ * space: blanks alone are between them
+ * \throws WorkError for words */
+void
+readNumbers (const HeaderReader& reader,
+             const std::string& line,
+             char separator,
+             std::vector<double>& numbers);
+
 /** \brief The lines of a cloud's data that is text. PCL's readers make points at zero
  * or without coordinates of what they do not understand; here it is refused. */
 class NumberLines {

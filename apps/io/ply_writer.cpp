@@ -52,10 +52,12 @@ nameOfType (std::uint8_t type)
   }
 }
 
+/** \brief Whether it is PCL's packed colour, which a column of a text is not. */
 bool
 isColor (const PCLPointField& field)
 {
-  return field.name == "rgb" || field.name == "rgba";
+  return (field.name == "rgb" || field.name == "rgba") &&
+         pcl::getFieldSize (field.datatype) == sizeof (std::uint32_t);
 }
 
 /** \brief The properties of PCL's packed colour, whose lowest byte is blue. */

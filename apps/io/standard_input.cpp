@@ -103,15 +103,25 @@ readInput (std::vector<char>& buffer)
   return filled;
 }
 
-constexpr std::size_t start_length = 4;
+constexpr std::size_t start_length = 64;
 
 /** \param[in] start the first bytes of a cloud */
 std::string
 extensionOfContent (const std::string& start)
 {
-  if (start == "LASF")
+  const auto begins_with = [&] (const std::string& text) {
+    return start.compare (0, text.size(), text) == 0;
+  };
+  if (begins_with ("LASF"))
     return ".las";
-  return start.compare (0, 3, "ply") == 0 ? ".ply" : ".pcd";
+  if (begins_with ("ply"))
+    return ".ply";
+  // A PCD begins with a word or a comment, which a text may, too.
+  const std::size_t first = start.find_first_not_of (" \t\r\n");
+  const bool is_number =
+      first != std::string::npos &&
+      std::string ("+-.0123456789").find (start[first]) != std::string::npos;
+  return is_number || begins_with ("//") ? ".xyz" : ".pcd";
 }
 
 } // namespace

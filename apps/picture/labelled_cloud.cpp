@@ -4,8 +4,6 @@
 
 #include "colors.h"
 #include <io/cloud_fields.h>
-#include <io/output_file.h>
-#include <io/ply_writer.h>
 
 namespace pcl_ops::apps {
 
@@ -23,10 +21,7 @@ saveLabelledCloud (const std::string& file,
       colors.push_back (colorOfLabel (label));
     setColors (cloud, colors);
   }
-  if (extensionOf (file) == ".ply")
-    savePly (file, cloud);
-  else
-    savePcd (file, cloud);
+  saveCloud (file, cloud);
 }
 
 } // namespace pcl_ops::apps

@@ -25,8 +25,9 @@ constexpr const char* summary =
     "Finds the planes of point clouds and labels every point with its plane.";
 
 constexpr const char* in_and_out =
-    "  INPUT       .pcd, .ply or .las; - for one piped in. With --output-dir also\n"
-    "              several, folders (without subfolders), patterns as 'scans/*.pcd'\n"
+    "  INPUT       .pcd, .ply, .las, .xyz, .txt, .pts or .csv; - for one piped in. "
+    "With\n"
+    "              --output-dir also several, folders, patterns as 'scans/*.pcd'\n"
     "  OUTPUT.pcd  the cloud with label (0: no plane, 1: the largest, ...) and rgb;\n"
     "              .ply the same; .las of a .las: all as it was, and the label, too\n"
     "  prints      a table of the planes; with INPUT - their JSON; with --output-dir\n"
@@ -50,26 +51,32 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
                   Range::from (0).upTo (most_jobs),
                   options.jobs,
                   "INPUTs at a time; 0: one for each processor (1)");
-  line.addText (
-      "planes", "FILE", outputs.planes, "write the planes: .json, .csv or - (printed)");
+  line.addText ("planes",
+                "FILE",
+                outputs.planes,
+                "write the planes: .json, .csv, .geojson or - (printed)");
   line.addText ("image", "FILE.png", outputs.image, "write a picture of the planes");
   line.addText ("mesh", "FILE", outputs.mesh, "write the hulls as a .ply or .vtk mesh");
   line.addChoice (
       "hull", hulls, options.hull, "outline of a plane in --planes, --mesh (convex)");
-  line.addText ("rest", "FILE.pcd", outputs.rest, "write the points on no plane");
+  line.addText (
+      "rest", "FILE", outputs.rest, "write the points on no plane: .pcd or .ply");
   line.addText ("planes-dir",
                 "DIR",
                 outputs.planes_dir,
                 "write each plane: plane_001_horizontal.pcd, ...");
+  line.addChoice ("format",
+                  {"pcd", "ply"},
+                  options.format,
+                  "of clouds in --output-dir and --planes-dir (pcd)");
   line.addChoice ("only",
                   {"horizontal", "vertical", "other", "largest"},
                   options.choice.only,
                   "find horizontal, vertical, other or largest only",
                   "WHICH");
   line.addFlag ("keep-color", options.keep_color, "keep the input's rgb in OUTPUT");
-  line.addFlag ("distances",
-                options.distances,
-                "add each point's signed distance to its plane to OUTPUT");
+  line.addFlag (
+      "distances", options.distances, "add each point's signed distance to its plane");
   line.addFlag ("quiet", options.quiet, "print no table");
 }
 
@@ -129,10 +136,10 @@ checkOutputs (const SegmentOptions& options)
   const Outputs& outputs = options.outputs;
   checkExtension ("OUTPUT", outputs.cloud, {".pcd", ".ply", ".las"});
   if (outputs.planes != standard_stream)
-    checkExtension ("--planes", outputs.planes, {".json", ".csv"});
+    checkExtension ("--planes", outputs.planes, {".json", ".csv", ".geojson"});
   checkExtension ("--image", outputs.image, {".png"});
   checkExtension ("--mesh", outputs.mesh, {".ply", ".vtk"});
-  checkExtension ("--rest", outputs.rest, {".pcd"});
+  checkExtension ("--rest", outputs.rest, {".pcd", ".ply"});
   const bool has_output = options.isBatch() || !outputs.planes.empty() ||
                           !outputs.files().empty() || !outputs.planes_dir.empty();
   if (options.quiet && !has_output)
@@ -144,11 +151,11 @@ checkOutputs (const SegmentOptions& options)
   if (options.keep_color && outputs.cloud.empty())
     throw UsageError ("--keep-color", "is about OUTPUT.pcd; give one");
   if (options.distances && outputs.cloud.empty())
-    throw UsageError ("--distances", "is about OUTPUT.pcd or OUTPUT.ply; give one");
-  if (options.distances && extensionOf (outputs.cloud) == ".las")
-    throw UsageError ("--distances",
-                      "has no place in " + outputs.cloud +
-                          "; give an OUTPUT.pcd or OUTPUT.ply");
+    throw UsageError ("--distances", "is about OUTPUT; give one");
+  if (!options.format.empty() && outputs.planes_dir.empty())
+    throw UsageError ("--format",
+                      "is about --output-dir and --planes-dir; give one, or name "
+                      "OUTPUT and --rest by their extension");
 }
 
 /** \brief Refuses names that all inputs would share. */

@@ -14,7 +14,8 @@ namespace pcl_ops::apps {
 struct Outputs {
   /** \brief The labelled cloud. */
   std::string cloud;
-  /** \brief The list of planes, .json or .csv; "-" for JSON on the standard output. */
+  /** \brief The list of planes, .json, .csv or .geojson; "-" for JSON on the standard
+   * output. */
   std::string planes;
   std::string image;
   /** \brief The outlines of the planes, .ply or .vtk. */
@@ -49,6 +50,16 @@ struct SegmentOptions {
   /** \brief Whether OUTPUT tells how far each point is from its plane. */
   bool distances = false;
   bool quiet = false;
+  /** \brief Of files that are not named one by one: "pcd", "ply", or empty where
+   * --format is not given. */
+  std::string format;
+
+  /** \brief The same as an extension. */
+  std::string
+  fileFormat () const
+  {
+    return format.empty() ? ".pcd" : "." + format;
+  }
 
   bool
   isBatch () const

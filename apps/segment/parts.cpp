@@ -38,11 +38,11 @@ constexpr const char* start_of_name = "plane_";
 constexpr std::size_t fewest_digits = 3;
 
 std::string
-planeFile (std::size_t id, const PlaneSegment& plane)
+planeFile (std::size_t id, const PlaneSegment& plane, const std::string& extension)
 {
   std::ostringstream name;
   name << start_of_name << std::setfill ('0') << std::setw (int (fewest_digits)) << id
-       << "_" << toString (plane.orientation) << ".pcd";
+       << "_" << toString (plane.orientation) << extension;
   return name.str();
 }
 
@@ -55,8 +55,11 @@ isPlaneFile (const std::string& name)
   const std::size_t end = name.find_first_not_of ("0123456789", start.size());
   if (end == std::string::npos || end - start.size() < fewest_digits)
     return false;
-  for (const char* rest : {"_horizontal.pcd", "_vertical.pcd", "_other.pcd"})
-    if (name.compare (end, std::string::npos, rest) == 0)
+  const std::string extension = extensionOf (name);
+  if (extension != ".pcd" && extension != ".ply")
+    return false;
+  for (const char* orientation : {"_horizontal", "_vertical", "_other"})
+    if (name.compare (end, std::string::npos, orientation + extension) == 0)
       return true;
   return false;
 }
@@ -110,21 +113,22 @@ saveRest (const std::string& file,
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (labels[i] == 0 && pcl::isFinite ((*shifted.cloud)[i]))
       rest.push_back (static_cast<pcl::index_t> (i));
-  savePcd (file, pointsOf (cloud, rest));
+  saveCloud (file, pointsOf (cloud, rest));
 }
 
 void
 savePlaneClouds (const std::string& folder,
                  const FileCloud& cloud,
-                 const std::vector<PlaneSegment>& planes)
+                 const std::vector<PlaneSegment>& planes,
+                 const std::string& extension)
 {
   makeFolder (folder);
   try {
     const TemporaryPath written (temporaryFolderIn (folder));
     std::size_t id = 0;
     for (const PlaneSegment& plane : planes)
-      savePcd ((written.path() / planeFile (++id, plane)).string(),
-               pointsOf (cloud, plane.inliers));
+      saveCloud ((written.path() / planeFile (++id, plane, extension)).string(),
+                 pointsOf (cloud, plane.inliers));
     exchangePlanes (folder, written.path());
   }
   catch (const fs::filesystem_error& error) {

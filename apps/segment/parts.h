@@ -12,7 +12,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Writes the points on no plane, with all fields of the input, as a PCD; points
+/** \brief Writes the points on no plane, with all fields of the input, as a .pcd
+ * or .ply; points
  * without coordinates are left out.
  * \param[in] shifted of the cloud's points
  * \param[in] labels per point, 0 for no plane
@@ -26,12 +27,14 @@ saveRest (const std::string& file,
 /** \brief Writes the points of each plane, with all fields of the input, as
  * plane_001_horizontal.pcd, plane_002_vertical.pcd and so on, numbered as \p planes
  * are. Files of such names that an earlier run has left are removed, so that the folder
- * has the planes of one cloud. Nothing changes there until all are written. \param[in]
- * folder is created where it is missing \throws WorkError if the folder cannot be
- * written to */
+ * has the planes of one cloud. Nothing changes there until all are written.
+ * \param[in] folder is created where it is missing
+ * \param[in] extension of the files, .pcd or .ply
+ * \throws WorkError if the folder cannot be written to */
 void
 savePlaneClouds (const std::string& folder,
                  const FileCloud& cloud,
-                 const std::vector<PlaneSegment>& planes);
+                 const std::vector<PlaneSegment>& planes,
+                 const std::string& extension);
 
 } // namespace pcl_ops::apps

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
+#include <detection/outlines.h>
 #include <detection/plane_json.h>
 #include <detection/stages.h>
 #include <nlohmann/json.hpp>
@@ -188,7 +189,8 @@ toCsv (const Report& report)
   csv.imbue (std::locale::classic());
   csv << std::setprecision (std::numeric_limits<double>::max_digits10)
       << "id,orientation,points,a,b,c,d,centroid_x,centroid_y,centroid_z,normal_x,"
-         "normal_y,normal_z,rms,area,length,width\n";
+         "normal_y,normal_z,rms,area,length,width,wkt\n";
+  const int decimals = decimalsFor (report.extents);
   for (std::size_t i = 0; i < report.detected.planes.size(); ++i) {
     const PlaneSegment& segment = report.detected.planes[i];
     const PlaneExtent& extent = report.extents[i];
@@ -210,9 +212,38 @@ toCsv (const Report& report)
                                 extent.length,
                                 extent.width})
       csv << "," << number;
-    csv << "\n";
+    csv << ",\"" << toWkt (seenFromAbove (ringsOf (extent)), decimals) << "\"\n";
   }
   return csv.str();
+}
+
+std::string
+toGeoJson (const Report& report)
+{
+  const int decimals = decimalsFor (report.extents);
+  std::string text = "{\"type\":\"FeatureCollection\",\"features\":[";
+  for (std::size_t i = 0; i < report.detected.planes.size(); ++i) {
+    const PlaneExtent& extent = report.extents[i];
+    const nlohmann::ordered_json plane =
+        planeObject (i + 1, report.detected.planes[i], extent);
+    nlohmann::ordered_json properties;
+    for (const char* key : {"id",
+                            "orientation",
+                            "points",
+                            "coefficients",
+                            "centroid",
+                            "normal",
+                            "rms",
+                            "area"})
+      properties[key] = plane[key];
+    properties["length"] = extent.length;
+    properties["width"] = extent.width;
+    text += (i == 0 ? "\n" : ",\n") + std::string ("{\"type\":\"Feature\",\"id\":") +
+            std::to_string (i + 1) + ",\"geometry\":" +
+            toGeoJsonGeometry (seenFromAbove (ringsOf (extent)), decimals) +
+            ",\"properties\":" + properties.dump() + "}";
+  }
+  return text + "\n]}\n";
 }
 
 } // namespace pcl_ops::apps

@@ -40,8 +40,14 @@ summaryOf (const Report& report);
 std::string
 toJson (const Report& report);
 
-/** \brief The text of --planes FILE.csv: one line per plane under a line of names. */
+/** \brief The text of --planes FILE.csv: one line per plane under a line of names, the
+ * last of which is `wkt`, its outline: programs that know the columns before it, or all
+ * by name, need not know it, and those for maps draw it. */
 std::string
 toCsv (const Report& report);
+
+/** \brief The text of --planes FILE.geojson: a feature for each plane, in a line. */
+std::string
+toGeoJson (const Report& report);
 
 } // namespace pcl_ops::apps

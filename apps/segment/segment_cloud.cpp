@@ -51,14 +51,19 @@ constexpr const char* las_extension = ".las";
 
 /** \brief Refuses an output that cannot have all of the input and labels. */
 void
-checkTakesLabels (const Task& task, const FileCloud& cloud)
+checkTakesLabels (const SegmentOptions& options,
+                  const Task& task,
+                  const FileCloud& cloud)
 {
   const std::string& output = task.outputs.cloud;
   if (extensionOf (output) != las_extension)
     return;
   if (cloud.las == nullptr)
     throw UsageError (output, "is LAS, which the input is not; give a file .pcd");
-  const std::string problem = cloud.las->problemOfLabels();
+  std::vector<LasField> fields = {label_field};
+  if (options.distances)
+    fields.push_back (distance_field);
+  const std::string problem = cloud.las->problemOf (fields);
   if (!problem.empty())
     throw WorkError (nameOfInput (task), problem);
 }
@@ -70,11 +75,13 @@ saveLabelled (const std::string& file,
               const std::vector<std::uint32_t>& labels,
               const SegmentOptions& options)
 {
+  const std::vector<float> distances =
+      options.distances ? distancesOf (cloud, planes) : std::vector<float>();
   if (extensionOf (file) == las_extension)
-    return saveLabelledLas (file, *cloud.las, labels);
+    return saveLabelledLas (file, *cloud.las, labels, distances);
   FileCloud labelled = cloud;
   if (options.distances)
-    setDistances (labelled, distancesOf (cloud, planes));
+    setDistances (labelled, distances);
   saveLabelledCloud (file, std::move (labelled), labels, options.keep_color);
 }
 
@@ -88,11 +95,15 @@ poseOf (const FileCloud& cloud)
 void
 savePlanes (const std::string& file, const Report& report)
 {
-  if (file == standard_stream)
+  if (file == standard_stream) {
     std::cout << toJson (report);
-  else
-    writeTextFile (file,
-                   extensionOf (file) == ".csv" ? toCsv (report) : toJson (report));
+    return;
+  }
+  const std::string extension = extensionOf (file);
+  writeTextFile (file,
+                 extension == ".csv"       ? toCsv (report)
+                 : extension == ".geojson" ? toGeoJson (report)
+                                           : toJson (report));
 }
 
 void
@@ -117,7 +128,7 @@ saveOutputs (const SegmentOptions& options,
   if (!outputs.rest.empty())
     saveRest (outputs.rest, cloud, shifted, labels);
   if (!outputs.planes_dir.empty())
-    savePlaneClouds (outputs.planes_dir, cloud, planes);
+    savePlaneClouds (outputs.planes_dir, cloud, planes, options.fileFormat());
   // Last: a pipe gets its JSON when the files are there.
   if (!outputs.planes.empty())
     savePlanes (outputs.planes, report);
@@ -128,7 +139,7 @@ segmentInMemory (const SegmentOptions& options, const Task& task)
 {
   const bool is_piped = task.input == standard_stream;
   const FileCloud cloud = is_piped ? loadStandardInput() : loadCloud (task.input);
-  checkTakesLabels (task, cloud);
+  checkTakesLabels (options, task, cloud);
   stopIfInterrupted();
   const ShiftedCloud shifted = shiftedCloudOf (cloud, voxelStepOf (options.detector));
   Report report{nameOfInput (task),

@@ -83,8 +83,8 @@ batchTask (const SegmentOptions& options, const std::string& input)
   };
   const Outputs& given = options.outputs;
   Task task{input, {}};
-  const bool stays_las = extensionOf (input) == ".las" && !options.distances;
-  task.outputs.cloud = output (stays_las ? "{}.las" : "{}.pcd");
+  const bool stays_las = extensionOf (input) == ".las" && options.format.empty();
+  task.outputs.cloud = output ("{}" + (stays_las ? ".las" : options.fileFormat()));
   task.outputs.planes = output (given.planes.empty() ? "{}.json" : given.planes);
   task.outputs.image = output (given.image);
   task.outputs.mesh = output (given.mesh);

@@ -36,8 +36,7 @@ taskOf (const SegmentOptions& options);
 
 /** \brief The tasks of a command line with --output-dir, which is created. Of each
  * input NAME.pcd, the labelled cloud becomes NAME.pcd and the planes NAME.json in there
- * unless
- * --planes says otherwise.
+ * unless --format or --planes say otherwise.
  * \throws UsageError if two inputs would be written to one file or an input would be
  * written over, WorkError if nothing can be written to the folder */
 Batch

@@ -85,7 +85,8 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
   std::string coloring = "planes";
   bool before = false;
   CommandLine line ("pcl_ops_view", summary(), PCL_OPS_VERSION);
-  line.addArgument ("CLOUD", options.input, "the cloud, a .pcd, .ply or .las file");
+  line.addArgument (
+      "CLOUD", options.input, "the cloud, a .pcd, .ply, .las or text file");
   declareView (line, options, coloring, before);
   declareMethodOptions (line, options.state.run.method, options.detector);
   if (!line.parse (argc, argv))

@@ -79,7 +79,8 @@ commandsOf (const fs::path& page)
     if (startsWith ("pcl_ops_simulate "))
       commands.push_back (line + smallerScene (line));
     else if (startsWith ("pcl_ops_segment ") || startsWith ("cat room.pcd | ") ||
-             startsWith ("pcl_ops_evaluate compare ") || startsWith ("pcl_ops_tiles "))
+             startsWith ("pcl_ops_evaluate compare ") ||
+             startsWith ("pcl_ops_tiles ") || startsWith ("printf "))
       commands.push_back (line);
   }
   return commands;

@@ -94,6 +94,21 @@ loadPly (const Bytes& bytes)
 }
 
 void
+loadText (const Bytes& bytes)
+{
+  static const TemporaryFile file (".xyz"), copy ("_copy.pcd");
+  load (bytes, file, [] (const apps::FileCloud& cloud) {
+    for (const pcl::PCLPointField& field : cloud.points.fields)
+      promise (field.datatype == pcl::PCLPointField::FLOAT64,
+               "a column keeps the digits it has");
+    const std::string name = copy.write ({});
+    apps::savePcd (name, cloud);
+    promise (apps::loadCloud (name).points.data == cloud.points.data,
+             "the names of columns are those of fields");
+  });
+}
+
+void
 loadLas (const Bytes& bytes)
 {
   static const TemporaryFile file (".las"), labelled_file ("_labelled.las");

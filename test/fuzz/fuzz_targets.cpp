@@ -12,6 +12,7 @@ allTargets ()
   static const std::vector<FuzzTarget> targets = {{"pcd", loadPcd},
                                                   {"ply", loadPly},
                                                   {"las", loadLas},
+                                                  {"ascii", loadText},
                                                   {"options", readOptions},
                                                   {"ops", detectByOps},
                                                   {"ops_paper", detectByPublishedOps},

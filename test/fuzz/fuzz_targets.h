@@ -29,6 +29,10 @@ loadPcd (const Bytes& bytes);
 void
 loadPly (const Bytes& bytes);
 
+/** \brief And writes it as a PCD, which has every number again. */
+void
+loadText (const Bytes& bytes);
+
 /** \brief And labels it, where it takes labels: they and the points are read back. */
 void
 loadLas (const Bytes& bytes);

@@ -30,9 +30,10 @@ readOptions (int argc, const char* const* argv, CompareOptions& options)
                           "Compares the planes of two labelled clouds of the same "
                           "points (field label, 0: no plane).",
                           PCL_OPS_VERSION);
-  line.addArgument ("TRUTH", options.truth_file, "the true planes, .pcd, .ply or .las");
   line.addArgument (
-      "RESULT", options.result_file, "the planes found, .pcd, .ply or .las");
+      "TRUTH", options.truth_file, "the true planes, .pcd, .ply, .las or text");
+  line.addArgument (
+      "RESULT", options.result_file, "the planes found, .pcd, .ply, .las or text");
   line.addDirection ("up", options.up, "direction against gravity (0,0,1)");
   line.addNumber ("min-plane-points",
                   "N",

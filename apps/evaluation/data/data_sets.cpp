@@ -30,7 +30,7 @@ const char* const data_set_help =
     "furniture:FIRST-LAST (boards on posts in a corner, by seed), "
     "survey:FIRST-LAST (36 houses on a ground, by seed), "
     "shapes:FIRST-LAST (round shapes beside a ground, by seed), "
-    "clouds:PATH (.pcd, .ply and .las, field label as truth)";
+    "clouds:PATH (.pcd, .ply, .las and text, field label as truth)";
 
 namespace {
 
@@ -195,7 +195,7 @@ cloudFilesIn (const std::string& folder)
   }
   if (files.empty())
     throw apps::WorkError (folder,
-                           std::string ("has no ") + apps::cloud_extensions +
+                           std::string ("has no ") + apps::folder_extensions +
                                " file; give a folder with clouds");
   std::sort (files.begin(), files.end());
   return files;

@@ -13,6 +13,7 @@
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -44,6 +45,29 @@ integersOf (const pcl::PCLPointCloud2& cloud,
   return labels;
 }
 
+/** Of a text, whose columns are all in double precision. */
+PlaneLabels
+wholeNumbersOf (const pcl::PCLPointCloud2& cloud,
+                pcl::uindex_t offset,
+                const std::string& file)
+{
+  const std::size_t size = static_cast<std::size_t> (cloud.width) * cloud.height;
+  constexpr double largest = std::numeric_limits<std::uint32_t>::max();
+  PlaneLabels labels;
+  labels.reserve (size);
+  for (std::size_t i = 0; i < size; ++i) {
+    double label;
+    std::memcpy (&label, &cloud.data[i * cloud.point_step + offset], sizeof (label));
+    if (!(label >= 0.0 && label <= largest && label == std::floor (label)))
+      throw apps::WorkError (file,
+                             "point " + std::to_string (i) +
+                                 " has a label that is no whole number from 0 on; 0 "
+                                 "means no plane");
+    labels.push_back (static_cast<std::uint32_t> (label));
+  }
+  return labels;
+}
+
 PlaneLabels
 labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
 {
@@ -64,6 +88,8 @@ labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
     return integersOf<std::int32_t> (cloud, field.offset, file);
   case pcl::PCLPointField::UINT32:
     return integersOf<std::uint32_t> (cloud, field.offset, file);
+  case pcl::PCLPointField::FLOAT64:
+    return wholeNumbersOf (cloud, field.offset, file);
   default:
     throw apps::WorkError (file,
                            "its label is no integer of up to 4 bytes; convert it");

@@ -19,9 +19,10 @@ struct LabelledCloud {
 
 enum class LabelField { Required, Optional };
 
-/** \brief Reads a .pcd, .ply or .las file whose points have an integer field `label`;
- * none leaves the labels empty where the field is optional. \throw apps::WorkError if
- * that fails or the field is required and missing */
+/** \brief Reads a file of \ref apps::loadCloud whose points have an integer field
+ * `label`, or a text whose column of that name has whole numbers; none leaves the
+ * labels empty where the field is optional. \throw apps::WorkError if that fails or the
+ * field is required and missing */
 LabelledCloud
 loadLabelledCloud (const std::string& file, LabelField field = LabelField::Required);
 

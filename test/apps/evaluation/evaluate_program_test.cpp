@@ -167,6 +167,22 @@ TEST (EvaluateProgram, AnEmptyTruthIsSaidButCompared)
   EXPECT_NE (run.text.find ("truth.pcd: has no plane"), std::string::npos);
 }
 
+TEST (EvaluateProgram, ComparesATextByItsColumnOfLabels)
+{
+  const TemporaryFolder folder;
+  std::string rows = "x,y,z,label\n";
+  for (int i = 0; i < 100; ++i)
+    rows += std::to_string (0.02 * (i % 10)) + "," + std::to_string (0.02 * (i / 10)) +
+            ",0," + (i < 60 ? "4" : "9") + "\n";
+  const std::string truth = folder.write ("truth.pcd", one_plane),
+                    result = folder.write ("result.csv", rows),
+                    half = folder.write ("half.csv", "x,y,z,label\n1,2,3,1.5\n");
+  const ProgramRun run = evaluate ("compare " + truth + " " + result + " --json");
+  ASSERT_EQ (run.exit_code, 0) << run.text;
+  EXPECT_EQ (nlohmann::json::parse (run.text)["segmentation_accuracy"], 0.6);
+  expectError (evaluate ("compare " + half + " " + half), 1, half);
+}
+
 TEST (EvaluateProgram, CloudsThatDoNotBelongTogetherAreErrors)
 {
   const TemporaryFolder folder;

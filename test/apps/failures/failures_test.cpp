@@ -42,6 +42,14 @@ saveLas (const std::string& file)
   std::ofstream (file, std::ios::binary) << lasBytes (recipe);
 }
 
+void
+saveText (const std::string& file)
+{
+  std::ofstream text (file);
+  for (int i = 0; i < 2500; ++i)
+    text << 500000 + i / 50 << ' ' << 5400000 + i % 50 << " 100\n";
+}
+
 const std::string segment = PCL_OPS_SEGMENT_PROGRAM, tiles = PCL_OPS_TILES_PROGRAM,
                   simulate = PCL_OPS_SIMULATE_PROGRAM,
                   evaluate = PCL_OPS_EVALUATE_PROGRAM,
@@ -58,14 +66,28 @@ allOutputs ()
       {"Cloud", segment, "in.pcd OUT", "out/a.pcd", "out/a.pcd"},
       {"Ply", segment, "in.pcd OUT", "out/a.ply", "out/a.ply"},
       {"Las", segment, "in.las OUT", "out/a.las", "out/a.las"},
+      {"LasDistances", segment, "in.las OUT --distances", "out/a.las", "out/a.las"},
+      {"OfText", segment, "in.xyz OUT", "out/a.pcd", "out/a.pcd"},
       {"Threads", segment, "in.pcd OUT --threads 4", "out/a.pcd", "out/a.pcd"},
       {"Rest", segment, "in.pcd --rest OUT", "out/a.pcd", "out/a.pcd"},
+      {"PlyRest", segment, "in.pcd --rest OUT", "out/a.ply", "out/a.ply"},
       {"Json", segment, "in.pcd --planes OUT", "out/a.json", "out/a.json"},
+      {"GeoJson", segment, "in.pcd --planes OUT", "out/a.geojson", "out/a.geojson"},
       {"Csv", segment, "in.pcd --planes OUT", "out/a.csv", "out/a.csv"},
       {"Picture", segment, "in.pcd --image OUT", "out/a.png", "out/a.png"},
       {"PlyMesh", segment, "in.pcd --mesh OUT", "out/a.ply", "out/a.ply"},
       {"VtkMesh", segment, "in.pcd --mesh OUT", "out/a.vtk", "out/a.vtk"},
       {"Planes", segment, "in.pcd --planes-dir OUT", "out", "out/plane_017_other.pcd"},
+      {"PlyPlanes",
+       segment,
+       "in.pcd --format ply --planes-dir OUT",
+       "out",
+       "out/plane_017_other.pcd"},
+      {"PlyBatch",
+       segment,
+       "in.pcd --format ply --output-dir OUT",
+       "out",
+       "out/in.json"},
       {"Batch", segment, "in.pcd --output-dir OUT", "out", "out/in.json"},
       {"Tiles", tiles, "in.las --output-dir OUT", "out", "out/planes.json"},
       {"Town",
@@ -95,6 +117,7 @@ protected:
     fs::create_directories (program_.folder() / "out");
     saveScene (program_.folder() / "in.pcd");
     saveLas (program_.folder() / "in.las");
+    saveText (program_.folder() / "in.xyz");
     saveScene (program_.folder() / "clouds/scene.pcd");
     program_.protect();
   }

@@ -204,13 +204,14 @@ TEST_F (CloudFile, NamesWhatIsNoCloud)
              "does not exist; check the name");
   EXPECT_EQ (complaintAbout (folder_ / std::string (256, 'n') + ".pcd"),
              "has a name that is too long; check it");
-  EXPECT_EQ (complaintAbout (folder_.write ("a.xyz", "1 2 3")),
-             "has an unknown extension; give a .pcd, .ply or .las file");
+  EXPECT_EQ (complaintAbout (folder_.write ("a.abc", "1 2 3")),
+             "has an unknown extension; give a .pcd, .ply, .las, .xyz, .txt, .pts or "
+             ".csv file");
   EXPECT_EQ (complaintAbout (folder_.write ("empty.pcd", "")),
              "is empty; write it again");
   std::filesystem::create_directory (folder_ / "folder.pcd");
   EXPECT_EQ (complaintAbout (folder_ / "folder.pcd"),
-             "is a folder; give a .pcd, .ply or .las file");
+             "is a folder; give a .pcd, .ply, .las, .xyz, .txt, .pts or .csv file");
   const std::string none = asciiPcd ("POINTS 0", "");
   EXPECT_EQ (complaintAbout (folder_.write (
                  "none.pcd",

@@ -69,6 +69,13 @@ TEST_F (SegmentBatch, LabelsEveryCloudOfAFolderAndListsItsPlanes)
   EXPECT_EQ (json["planes"].size(), 2u);
 }
 
+TEST_F (SegmentBatch, WritesTheFormatAskedFor)
+{
+  const Outcome done = run ("scans --output-dir out --format ply --quiet");
+  EXPECT_EQ (done.exit_code, 0) << done.err;
+  EXPECT_EQ (namesIn ("out"), (Names{"a.json", "a.ply", "b.json", "b.ply"}));
+}
+
 TEST_F (SegmentBatch, LooksIntoNoSubfolderNorAtOtherOrHiddenFiles)
 {
   fs::create_directory (folder_ / "scans/deeper");
@@ -123,7 +130,7 @@ TEST_F (SegmentBatch, SaysWhichNamesStandForNoCloudAndDoesTheOthers)
   fs::create_directory (folder_ / "empty");
   const Outcome done = run ("empty 'no*.pcd' gone.pcd in.pcd --output-dir out");
   EXPECT_EQ (done.exit_code, 1);
-  EXPECT_TRUE (contains (done.err, "empty: has no .pcd, .ply or .las file"))
+  EXPECT_TRUE (contains (done.err, "empty: has no .pcd, .ply, .las, .xyz or .pts file"))
       << done.err;
   EXPECT_TRUE (contains (done.err, "no*.pcd: matches no file")) << done.err;
   EXPECT_TRUE (contains (done.err, "gone.pcd: does not exist")) << done.err;

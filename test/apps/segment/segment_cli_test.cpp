@@ -101,7 +101,7 @@ TEST_F (Segment, WritesPlanesAsCsv)
   const std::string csv = contentOf (folder_ / "p.csv");
   EXPECT_EQ (csv.substr (0, csv.find ('\n')),
              "id,orientation,points,a,b,c,d,centroid_x,centroid_y,centroid_z,"
-             "normal_x,normal_y,normal_z,rms,area,length,width");
+             "normal_x,normal_y,normal_z,rms,area,length,width,wkt");
   EXPECT_EQ (lines (csv), 3u);
   EXPECT_TRUE (contains (csv, "\n1,"));
   EXPECT_TRUE (contains (csv, "\n2,"));
@@ -155,12 +155,19 @@ TEST_F (Segment, RefusesWrongUsageInOneLine)
 {
   const std::vector<std::pair<std::string, std::string>> wrong = {
       {"", "INPUT: is missing"},
-      {"in.xyz", "in.xyz: has an unknown extension"},
+      {"in.abc", "in.abc: has an unknown extension; give a .pcd, .ply, .las, .xyz, "},
       {"in.pcd out.xyz",
        "OUTPUT: out.xyz has an unknown extension; give a file .pcd or .ply or .las"},
       {"in.pcd in.pcd", "in.pcd: is the input, too"},
       {"in.pcd ./in.pcd", "./in.pcd: is the input, too"},
-      {"in.pcd --planes p.txt", "--planes: p.txt has an unknown extension"},
+      {"in.pcd --planes p.txt",
+       "--planes: p.txt has an unknown extension; give a file .json or .csv or "
+       ".geojson"},
+      {"in.pcd --rest r.xyz",
+       "--rest: r.xyz has an unknown extension; give a file .pcd or .ply"},
+      {"in.pcd out.pcd --format ply",
+       "--format: is about --output-dir and --planes-dir"},
+      {"in.pcd --planes-dir p --format las", "--format: 'las' is unknown"},
       {"in.pcd --image p.jpg", "--image: p.jpg has an unknown extension"},
       {"in.pcd --colour", "--colour: is no option"},
       {"in.pcd --th 1", "--th: is ambiguous"},
@@ -189,9 +196,8 @@ TEST_F (Segment, RefusesWrongUsageInOneLine)
       {"in.pcd --min-points 1.5", "--min-points: "},
       {"in.pcd --quiet", "--quiet: leaves nothing to do"},
       {"in.pcd --keep-color", "--keep-color: is about OUTPUT.pcd"},
-      {"in.pcd --distances", "--distances: is about OUTPUT.pcd or OUTPUT.ply"},
-      {"in.pcd out.las --distances",
-       "--distances: has no place in out.las; give an OUTPUT.pcd or OUTPUT.ply"},
+      {"in.pcd --distances", "--distances: is about OUTPUT; give one"},
+      {"in.pcd out.las --distances", "out.las: is LAS, which the input is not"},
       {"in.pcd out.pcd extra", "extra: is one argument too many"}};
   for (const auto& [arguments, complaint] : wrong) {
     const Outcome done = run (arguments);

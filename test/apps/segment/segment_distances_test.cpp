@@ -19,6 +19,8 @@ protected:
   std::vector<float>
   distancesIn (const std::string& file) const
   {
+    if (file.find (".las") != std::string::npos)
+      return distancesInLas (contentOf (folder_ / file));
     const pcl_ops::apps::FileCloud cloud = pcl_ops::apps::loadCloud (folder_ / file);
     const int field = pcl::getFieldIndex (cloud.points, "distance");
     EXPECT_GE (field, 0);
@@ -28,6 +30,22 @@ protected:
                    &cloud.points.data[i * cloud.points.point_step +
                                       cloud.points.fields[std::size_t (field)].offset],
                    sizeof (float));
+    return distances;
+  }
+
+  /** \brief The last four of the extra bytes, by the header alone. */
+  static std::vector<float>
+  distancesInLas (const std::string& las)
+  {
+    const auto length = lasNumber<std::uint16_t> (las, las_at::record_length);
+    std::vector<float> distances;
+    for (std::size_t end =
+             lasNumber<std::uint32_t> (las, las_at::points_offset) + length;
+         end <= las.size();
+         end += length) {
+      distances.emplace_back();
+      std::memcpy (&distances.back(), &las[end - sizeof (float)], sizeof (float));
+    }
     return distances;
   }
 
@@ -83,18 +101,50 @@ TEST_F (SegmentDistances, AreSignedAndNoneOnNoPlane)
 TEST_F (SegmentDistances, AreThoseOfUtmCoordinates)
 {
   writeLas();
-  for (const char* output : {"out.pcd", "out.ply"}) {
+  for (const char* output : {"out.pcd", "out.ply", "out.las"}) {
     const Outcome done = run (std::string ("in.las --distances ") + output);
     ASSERT_EQ (done.exit_code, 0) << done.err;
     expectTurns (output);
   }
 }
 
-TEST_F (SegmentDistances, MakeAPcdOfALasInABatch)
+TEST_F (SegmentDistances, StayInALasInABatch)
 {
   writeLas();
-  const Outcome done = run ("in.las --output-dir out --distances");
-  ASSERT_EQ (done.exit_code, 0) << done.err;
-  expectTurns ("out/in.pcd");
-  EXPECT_FALSE (std::filesystem::exists (folder_ / "out/in.las"));
+  ASSERT_EQ (run ("in.las --output-dir out --distances").exit_code, 0);
+  expectTurns ("out/in.las");
+  ASSERT_EQ (run ("in.las --output-dir out --distances --format ply").exit_code, 0);
+  expectTurns ("out/in.ply");
+}
+
+TEST_F (SegmentDistances, AreDescribedBesideTheLabelInALas)
+{
+  writeLas();
+  ASSERT_EQ (run ("in.las out.las --distances").exit_code, 0);
+  // LAS 1.4 R15, table 24: type 5 is an unsigned long, 9 a float, at 2; the name at 4.
+  const std::string las = contentOf (folder_ / "out.las");
+  constexpr std::size_t vlr_header = 54, description = 192;
+  const std::size_t label = lasHeaderSize (4) + vlr_header,
+                    distance = label + description;
+  EXPECT_EQ (las.substr (label + 2, 1), "\5");
+  EXPECT_EQ (las.substr (label + 4, 6), std::string ("label\0", 6));
+  EXPECT_EQ (las.substr (distance + 2, 1), "\x9");
+  EXPECT_EQ (las.substr (distance + 4, 9), std::string ("distance\0", 9));
+  // Once more, in their own place.
+  ASSERT_EQ (run ("out.las again.las --distances").exit_code, 0);
+  EXPECT_TRUE (contentOf (folder_ / "again.las") == las);
+}
+
+TEST_F (SegmentDistances, AreRefusedByALasThatHasOthersOfThatName)
+{
+  LasRecipe recipe;
+  recipe.extra = {std::string (2, 'a'), std::string (2, 'b')};
+  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("distance", 3))};
+  folder_.write ("in.las", lasBytes (recipe));
+  const Outcome refused = run ("in.las out.las --distances");
+  EXPECT_EQ (refused.exit_code, 1);
+  EXPECT_EQ (lines (refused.err), 1u) << refused.err;
+  EXPECT_TRUE (contains (refused.err, "extra-bytes field distance that is no float"))
+      << refused.err;
+  EXPECT_EQ (run ("in.las out.las").exit_code, 0);
 }

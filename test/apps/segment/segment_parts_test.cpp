@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/io/ply_io.h>
+
 #include "segment_program.h"
 #include <fcntl.h>
 #include <nlohmann/json.hpp>
@@ -94,6 +96,25 @@ TEST_F (SegmentParts, EachPlaneIsACloudWithTheFieldsOfTheInput)
   }
 }
 
+TEST_F (SegmentParts, ArePlysWhereAskedFor)
+{
+  ASSERT_EQ (run ("scene.pcd --rest rest.ply --planes-dir planes --quiet").exit_code,
+             0);
+  InputCloud rest;
+  ASSERT_EQ (pcl::io::loadPLYFile (folder_ / "rest.ply", rest), 0);
+  ASSERT_EQ (rest.size(), 3u);
+  EXPECT_EQ (rest[1].z, 1.0f);
+  const std::size_t planes = namesIn ("planes").size();
+  ASSERT_EQ (run ("scene.pcd --planes-dir planes --format ply --quiet").exit_code, 0);
+  EXPECT_EQ (namesIn ("planes").size(), planes) << "none of the other format is left";
+  for (const std::string& name : namesIn ("planes")) {
+    InputCloud plane;
+    EXPECT_TRUE (contains (name, ".ply")) << name;
+    ASSERT_EQ (pcl::io::loadPLYFile (folder_ / ("planes/" + name), plane), 0);
+    EXPECT_EQ (plane.size(), static_cast<std::size_t> (points_of_plane));
+  }
+}
+
 TEST_F (SegmentParts, PlanesOfAnEarlierRunAreGoneAndOtherFilesStay)
 {
   fs::create_directory (folder_ / "planes");
@@ -182,6 +203,5 @@ TEST_F (SegmentParts, RefusesOneNameForTwoOutputs)
   const Outcome input = run ("scene.pcd --rest scene.pcd");
   EXPECT_EQ (input.exit_code, 2);
   EXPECT_TRUE (contains (input.err, "scene.pcd: is the input, too")) << input.err;
-  EXPECT_EQ (run ("scene.pcd --rest rest.ply").exit_code, 2);
   EXPECT_EQ (run ("scene.pcd --only walls").exit_code, 2);
 }

@@ -272,7 +272,7 @@ TEST_F (TilesProgram, SaysInOneLineWhatItCannotWorkOn)
   const std::vector<std::pair<std::string, std::string>> failures = {
       {"town half.las" + out, "half.las: is truncated"},
       {"town missing.las" + out, "missing.las: does not exist; check the name"},
-      {"empty" + out, "INPUT: empty: has no .pcd, .ply or .las file"},
+      {"empty" + out, "INPUT: empty: has no .pcd, .ply, .las, .xyz or .pts file"},
       {"town other/town_000_000.las" + out, "would both be written to"},
       {"town --output-dir town", "is an input, too; give another --output-dir"},
       {"town" + out + " --cell 1 --tile 2", "--tile: is less than 12 cells wide"},

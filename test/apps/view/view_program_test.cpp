@@ -117,7 +117,7 @@ TEST_F (View, RefusesCloudsItCannotShow)
   folder_.write ("text.pcd", "no cloud\n");
   for (const char* file : {"nan.pcd", "cut.pcd", "text.pcd", "missing.pcd"})
     expectOneLine (run (file), 1, file);
-  expectOneLine (run ("in.txt"), 2, "in.txt");
+  expectOneLine (run ("in.abc"), 2, "in.abc");
 }
 
 TEST_F (View, RefusesWrongUsage)

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "outlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+/** \brief Twice the area within a ring as seen from above, negative for a clockwise
+ * one.
+ */
+double
+signedArea (const Ring& ring)
+{
+  double area = 0.0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    // From the first corner: areas far from zero have few digits left.
+    const Eigen::Vector3d a = ring[i] - ring[0];
+    const Eigen::Vector3d b = ring[(i + 1) % ring.size()] - ring[0];
+    area += a.x() * b.y() - b.x() * a.y();
+  }
+  return area;
+}
+
+/** \brief How a format writes rings. */
+struct Notation {
+  const char *begin_rings, *begin_ring, *begin_corner, *between_numbers, *end_corner,
+      *end_ring, *end_rings;
+};
+
+constexpr Notation wkt = {"(", "(", "", " ", "", ")", ")"};
+constexpr Notation json = {"[", "[", "[", ",", "]", "]", "]"};
+
+void
+writeCorner (const Eigen::Vector3d& corner,
+             const Notation& notation,
+             int decimals,
+             std::ostream& stream)
+{
+  // A coordinate that is rounded to zero has no sign.
+  const double smallest = 0.5 * std::pow (10.0, -decimals);
+  stream << notation.begin_corner;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    stream << (axis > 0 ? notation.between_numbers : "")
+           << (std::abs (corner[axis]) <= smallest ? 0.0 : corner[axis]);
+  stream << notation.end_corner;
+}
+
+std::string
+written (const Rings& rings, const Notation& notation, int decimals)
+{
+  std::ostringstream text;
+  text.imbue (std::locale::classic());
+  text << std::fixed << std::setprecision (decimals) << notation.begin_rings;
+  for (const Ring& ring : rings) {
+    text << (&ring == &rings.front() ? "" : ",") << notation.begin_ring;
+    for (const Eigen::Vector3d& corner : ring) {
+      writeCorner (corner, notation, decimals, text);
+      text << ",";
+    }
+    writeCorner (ring.front(), notation, decimals, text);
+    text << notation.end_ring;
+  }
+  text << notation.end_rings;
+  return text.str();
+}
+
+} // namespace
+
+Rings
+ringsOf (const PlaneExtent& extent)
+{
+  return extent.hull.empty() ? Rings() : Rings{extent.hull};
+}
+
+Rings
+seenFromAbove (Rings rings)
+{
+  for (Ring& ring : rings) {
+    const bool is_hole = &ring != &rings.front();
+    const double area = signedArea (ring);
+    if (is_hole ? area > 0.0 : area < 0.0)
+      std::reverse (ring.begin(), ring.end());
+  }
+  return rings;
+}
+
+int
+decimalsFor (const std::vector<PlaneExtent>& extents)
+{
+  constexpr int fewest = 3, most = 12;
+  int decimals = fewest;
+  for (const PlaneExtent& extent : extents)
+    if (extent.width > 0.0)
+      decimals = std::max (
+          decimals, static_cast<int> (std::ceil (fewest - std::log10 (extent.width))));
+  return std::min (decimals, most);
+}
+
+std::string
+toWkt (const Rings& rings, int decimals)
+{
+  return "POLYGON Z " + (rings.empty() ? "EMPTY" : written (rings, wkt, decimals));
+}
+
+std::string
+toGeoJsonGeometry (const Rings& rings, int decimals)
+{
+  return rings.empty() ? "null"
+                       : R"({"type":"Polygon","coordinates":)" +
+                             written (rings, json, decimals) + "}";
+}
+
+} // namespace pcl_ops::apps

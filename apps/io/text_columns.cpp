@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "text_columns.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <set>
+#include <sstream>
+#include <system_error>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
+
+/** \brief Without these characters around it. */
+std::string
+trimmed (const std::string& text, const char* around)
+{
+  const std::size_t begin = text.find_first_not_of (around);
+  return begin == std::string::npos
+             ? ""
+             : text.substr (begin, text.find_last_not_of (around) - begin + 1);
+}
+
+bool
+isNumber (const std::string& word)
+{
+  double number = 0.0;
+  const char* const end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars (word.data(), end, number);
+  return error != std::errc::invalid_argument && rest == end;
+}
+
+/** \brief Also one with letters beyond ASCII. */
+bool
+isName (const std::string& word)
+{
+  const auto first = static_cast<unsigned char> (word[0]);
+  return (std::isalpha (first) != 0 || first == '_' || first > 127) && !isNumber (word);
+}
+
+/** \brief Where an axis is among the names: the small letter before the capital. */
+Words::const_iterator
+findAxis (const Words& names, const std::string& axis)
+{
+  const std::string capital (1, static_cast<char> (std::toupper (axis[0])));
+  const auto small = std::find (names.begin(), names.end(), axis);
+  return small != names.end() ? small : std::find (names.begin(), names.end(), capital);
+}
+
+/** \brief A name as headers of clouds can have it: without blanks, and short. */
+std::string
+fieldName (std::string name)
+{
+  constexpr std::size_t longest = 100;
+  name.resize (std::min (name.size(), longest));
+  for (char& c : name)
+    c = std::isspace (static_cast<unsigned char> (c)) != 0 ||
+                std::iscntrl (static_cast<unsigned char> (c)) != 0
+            ? '_'
+            : c;
+  return name == "_" ? "" : name; // PCD's name of bytes that are nothing
+}
+
+} // namespace
+
+char
+separatorOf (const std::string& line)
+{
+  for (const char separator : {';', ','})
+    if (line.find (separator) != std::string::npos)
+      return separator;
+  return ' ';
+}
+
+Words
+wordsOf (const std::string& line)
+{
+  const char separator = separatorOf (line);
+  std::istringstream stream (line);
+  Words words;
+  if (separator == ' ')
+    for (std::string word; stream >> word;)
+      words.push_back (trimmed (word, "\"'"));
+  else
+    for (std::string word; std::getline (stream, word, separator);)
+      words.push_back (trimmed (trimmed (word, " \t\r"), "\"'"));
+  if (separator != ' ' && line.back() == separator)
+    words.emplace_back();
+  return words;
+}
+
+bool
+areNames (const Words& words)
+{
+  const auto is_empty = [] (const std::string& word) { return word.empty(); };
+  return !std::all_of (words.begin(), words.end(), is_empty) &&
+         std::all_of (words.begin(), words.end(), [&] (const std::string& word) {
+           return is_empty (word) || isName (word);
+         });
+}
+
+bool
+nameCoordinates (const Words& words)
+{
+  return std::all_of (axes.begin(), axes.end(), [&] (const char* axis) {
+    return findAxis (words, axis) != words.end();
+  });
+}
+
+Words
+fieldNames (const HeaderReader& reader, const Words& names, std::size_t count)
+{
+  Words fields (count);
+  std::set<std::string> taken (axes.begin(), axes.end());
+  const bool are_first =
+      std::none_of (axes.begin(), axes.end(), [&] (const char* axis) {
+        return findAxis (names, axis) != names.end();
+      });
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const auto found = findAxis (names, axes[i]);
+    if (!are_first && found == names.end())
+      reader.fail (std::string ("its columns have names, but none is ") + axes[i]);
+    fields[are_first ? i : std::size_t (found - names.begin())] = axes[i];
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!fields[i].empty())
+      continue;
+    std::string name = names.empty() ? "" : fieldName (names[i]);
+    if (name.empty() || taken.count (name) > 0)
+      name = "field_" + std::to_string (i + 1);
+    while (!taken.insert (name).second)
+      name += "_";
+    fields[i] = name;
+  }
+  return fields;
+}
+
+} // namespace pcl_ops::apps

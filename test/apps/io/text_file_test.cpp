@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/common/io.h>
+
+#include <gtest/gtest.h>
+
+#include <cli/errors.h>
+#include <io/cloud_fields.h>
+#include <io/cloud_file.h>
+#include <io/coordinate_reader.h>
+#include <support/temporary_folder.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace pcl_ops::apps;
+
+namespace {
+
+std::vector<std::string>
+fieldsOf (const FileCloud& cloud)
+{
+  std::vector<std::string> names;
+  for (const pcl::PCLPointField& field : cloud.points.fields)
+    names.push_back (field.name);
+  return names;
+}
+
+double
+valueOf (const FileCloud& cloud, std::size_t point, const std::string& name)
+{
+  const int field = pcl::getFieldIndex (cloud.points, name);
+  EXPECT_GE (field, 0) << name;
+  if (field < 0)
+    return 0.0;
+  double value;
+  std::memcpy (&value,
+               &cloud.points.data[point * cloud.points.point_step +
+                                  cloud.points.fields[std::size_t (field)].offset],
+               sizeof (value));
+  return value;
+}
+
+Eigen::Vector3d
+placeOf (const FileCloud& cloud, std::size_t point)
+{
+  return CoordinateReader (cloud) (point);
+}
+
+class TextFile : public testing::Test {
+protected:
+  FileCloud
+  load (const std::string& text, const std::string& name = "in.xyz") const
+  {
+    return loadCloud (folder_.write (name, text));
+  }
+
+  /** \return what loading a text complains about, without the name of the file */
+  std::string
+  complaintAbout (const std::string& text, const std::string& name = "in.xyz") const
+  {
+    const std::string file = folder_.write (name, text);
+    try {
+      loadCloud (file);
+    }
+    catch (const ProgramError& error) {
+      EXPECT_EQ (std::string (error.what()).find ('\n'), std::string::npos);
+      return std::string (error.what()).substr (file.size() + 2);
+    }
+    return "";
+  }
+
+  TemporaryFolder folder_;
+};
+
+} // namespace
+
+TEST_F (TextFile, KeepsMillimetresOfUtmWhateverTheSeparator)
+{
+  const Eigen::Vector3d first (500000.123, 5400000.456, 120.789);
+  const Eigen::Vector3d second (-500001.001, 5400000.457, -0.001);
+  for (const std::string text :
+       {"500000.123 5400000.456 120.789\n-500001.001 5400000.457 -0.001\n",
+        "500000.123\t5400000.456\t120.789\n-500001.001\t5400000.457\t-0.001",
+        "500000.123,5400000.456,120.789\r\n-500001.001,5400000.457,-0.001\r\n",
+        "  500000.123 ; 5400000.456 ; 120.789\n\n\n-500001.001;5400000.457;-1e-3\n",
+        "500000.123, 5400000.456,\t120.789 \n-500001.001, 5400000.457,\t-0.001\n"}) {
+    SCOPED_TRACE (text);
+    const FileCloud cloud = load (text);
+    ASSERT_EQ (cloud.size(), 2u);
+    EXPECT_EQ (fieldsOf (cloud), (std::vector<std::string>{"x", "y", "z"}));
+    EXPECT_EQ (placeOf (cloud, 0), first);
+    EXPECT_EQ (placeOf (cloud, 1), second);
+  }
+}
+
+TEST_F (TextFile, IsReadByEachOfItsExtensions)
+{
+  for (const char* name : {"a.xyz", "a.txt", "a.pts", "a.csv", "a.XYZ"})
+    EXPECT_EQ (load ("1 2 3\n", name).size(), 1u) << name;
+}
+
+TEST_F (TextFile, TakesNamesFromAHeader)
+{
+  // As pandas, CloudCompare, and numpy's savetxt write it.
+  const std::vector<std::pair<std::string, std::vector<std::string>>> headers = {
+      {"x,y,z,intensity\n1,2,3,4\n", {"x", "y", "z", "intensity"}},
+      {"\"X\",\"Y\",\"Z\",\"gps time\"\n1,2,3,4\n", {"x", "y", "z", "gps_time"}},
+      {"//X Y Z R\n1 2 3 4\n", {"x", "y", "z", "R"}},
+      {"# x y z i\n1,2,3,4\n", {"x", "y", "z", "i"}},
+      {"\xef\xbb\xbfX;Y;Z;I\n1;2;3;4\n", {"x", "y", "z", "I"}}};
+  for (const auto& [text, names] : headers) {
+    SCOPED_TRACE (text);
+    const FileCloud cloud = load (text);
+    ASSERT_EQ (cloud.size(), 1u);
+    EXPECT_EQ (fieldsOf (cloud), names);
+    EXPECT_EQ (placeOf (cloud, 0), Eigen::Vector3d (1, 2, 3));
+    EXPECT_EQ (valueOf (cloud, 0, names.back()), 4.0);
+  }
+}
+
+TEST_F (TextFile, FindsCoordinatesByNameWhereverTheyAre)
+{
+  const FileCloud cloud = load (",z,y,x\n0,3,2,1\n1,6,5,4\n", "index.csv");
+  EXPECT_EQ (fieldsOf (cloud), (std::vector<std::string>{"field_1", "z", "y", "x"}));
+  EXPECT_EQ (placeOf (cloud, 1), Eigen::Vector3d (4, 5, 6));
+  EXPECT_NE (complaintAbout ("x,y,height\n1,2,3\n").find ("none is z"),
+             std::string::npos);
+}
+
+TEST_F (TextFile, TakesTheFirstThreeColumnsWhereNoneIsCalledXYZ)
+{
+  const FileCloud cloud = load ("East North Height Height\n1 2 3 4\n");
+  EXPECT_EQ (fieldsOf (cloud), (std::vector<std::string>{"x", "y", "z", "Height"}));
+  EXPECT_EQ (placeOf (cloud, 0), Eigen::Vector3d (1, 2, 3));
+}
+
+TEST_F (TextFile, NumbersColumnsThatHaveNoNameOfTheirOwn)
+{
+  EXPECT_EQ (fieldsOf (load ("1 2 3 4 5\n")),
+             (std::vector<std::string>{"x", "y", "z", "field_4", "field_5"}));
+  EXPECT_EQ (
+      fieldsOf (load ("x,y,z,a,a,_,\n1,2,3,4,5,6,7\n")),
+      (std::vector<std::string>{"x", "y", "z", "a", "field_5", "field_6", "field_7"}));
+}
+
+TEST_F (TextFile, LeavesCommentsAndEmptyLinesOut)
+{
+  const FileCloud cloud =
+      load ("# a scan\n#\n// of today\n\n1 2 3\n \t\n# more\n4 5 6");
+  ASSERT_EQ (cloud.size(), 2u);
+  EXPECT_EQ (placeOf (cloud, 1), Eigen::Vector3d (4, 5, 6));
+}
+
+TEST_F (TextFile, TakesItsNumberOfPointsAtItsWord)
+{
+  EXPECT_EQ (load ("2\n1 2 3 -100\n4 5 6 -99\n", "leica.pts").size(), 2u);
+  EXPECT_EQ (load ("//X Y Z\n2\n1 2 3\n4 5 6\n").size(), 2u);
+  EXPECT_NE (complaintAbout ("3\n1 2 3\n4 5 6\n").find ("is truncated"),
+             std::string::npos);
+  EXPECT_NE (complaintAbout ("1\n1 2 3\n4 5 6\n").find ("line 3 is more than"),
+             std::string::npos);
+  EXPECT_NE (complaintAbout ("1.5\n1 2 3\n").find ("number of points"),
+             std::string::npos);
+}
+
+TEST_F (TextFile, HasPointsWithoutCoordinates)
+{
+  const FileCloud cloud = load ("nan nan nan\n1 2 inf\n");
+  ASSERT_EQ (cloud.size(), 2u);
+  EXPECT_TRUE (std::isnan (placeOf (cloud, 0).x()));
+  EXPECT_TRUE (std::isinf (placeOf (cloud, 1).z()));
+  // pandas leaves out what is missing.
+  const FileCloud missing = load ("x,y,z,i\n,,,5\n1,2,3,\n");
+  ASSERT_EQ (missing.size(), 2u);
+  EXPECT_TRUE (std::isnan (placeOf (missing, 0).y()));
+  EXPECT_TRUE (std::isnan (valueOf (missing, 1, "i")));
+}
+
+TEST_F (TextFile, RoundsNumbersBeyondTheirTypeAsTheCLibraryDoes)
+{
+  const Eigen::Vector3d place = placeOf (load ("1e999 -1e999 1e-999\n"), 0);
+  EXPECT_EQ (place.x(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ (place.y(), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ (place.z(), 0.0);
+}
+
+TEST_F (TextFile, NamesTheLineAtFault)
+{
+  const std::vector<std::pair<std::string, std::string>> damaged = {
+      {"1 2 3\n4 5\n", "line 2 has 2 numbers instead of 3"},
+      {"1 2 3\n4 5 6 7\n", "line 2 has 4 numbers instead of 3"},
+      {"1,5 2,5 3,5\n", "line 1 has '5 2', which is no number"},
+      {"1.5 2.5 3,5\n", "line 1 has '1.5 2.5 3', which is no number"},
+      {"1.5 2.5 3.5\n1,5 2.5 3.5\n", "line 2 has '1,5', which is no number"},
+      {"1,5;2,5;3,5\n", "line 1 has '1,5', which is no number"},
+      {"1.5\t2,5\t3\n", "has '"},
+      {"x y z\n\n1 2 3\n1 2 5abc\n", "line 4 has '5abc', which is no number"},
+      {"x y z\nx y z\n1 2 3\n", "line 2 has 'x', which is no number"},
+      {"1 2 3 tree\n", "line 1 has 'tree', which is no number"},
+      {"1,2,3\n1,2,3abc\n", "line 2 has '3abc', which is no number"},
+      {"x,y,z,i\n1,2,3\n", "line 2 has 3 numbers for 4 names of columns"},
+      {"1,2\n", "line 1 has 2 numbers, and a point has x, y and z"},
+      {"2\n1\n2\n", "line 2 has 1 number, and a point has x, y and z"},
+      {"1 2 3\r4 5 6\r", "line 1 has a carriage return within"}};
+  for (const auto& [text, complaint] : damaged) {
+    const std::string said = complaintAbout (text);
+    EXPECT_NE (said.find (complaint), std::string::npos) << text << said;
+    EXPECT_NE (said.find (';'), std::string::npos) << "no mend: " << said;
+  }
+}
+
+TEST_F (TextFile, IsRefusedWithoutPoints)
+{
+  EXPECT_EQ (complaintAbout (""), "is empty; write it again");
+  for (const char* text : {"\n\n", "x y z\n", "# nothing\n", "//X Y Z\n5\n"})
+    EXPECT_EQ (complaintAbout (text), "has no points; give a cloud that has") << text;
+}
+
+TEST_F (TextFile, IsRefusedAsWhatItIsNot)
+{
+  EXPECT_NE (complaintAbout (std::string ("\xff\xfe"
+                                          "1\0 \0",
+                                          6))
+                 .find ("UTF-16"),
+             std::string::npos);
+  EXPECT_NE (
+      complaintAbout ("Dear reader,\nthis is no cloud.\n", "a.txt").find ("line"),
+      std::string::npos);
+  std::filesystem::create_directory (folder_ / "folder.csv");
+  EXPECT_THROW (loadCloud (folder_ / "folder.csv"), WorkError);
+  const std::string wide = "1" + std::string (2000, ',') + "\n";
+  EXPECT_NE (complaintAbout (wide).find ("more than 1000 numbers"), std::string::npos);
+}
+
+TEST_F (TextFile, ThatCannotBeReadSaysSo)
+{
+  if (::geteuid() == 0)
+    GTEST_SKIP() << "root may read everything";
+  const std::string file = folder_.write ("in.xyz", "1 2 3\n");
+  std::filesystem::permissions (file, std::filesystem::perms::none);
+  EXPECT_THROW (loadCloud (file), WorkError);
+}
+
+TEST_F (TextFile, ThatIsCompressedIsSaidToBe)
+{
+  const std::string gzip = "\x1f\x8b\x08 and so on";
+  for (const char* name :
+       {"in.xyz.gz", "in.xyz", "in.csv", "in.pcd", "in.ply", "in.las"})
+    EXPECT_EQ (complaintAbout (gzip, name),
+               "is compressed (gzip); decompress it, e.g. by gunzip")
+        << name;
+}
+
+TEST_F (TextFile, TakesNoMoreMemoryThanItHasPointsFor)
+{
+  // A million empty lines are no million points.
+  std::string text = "1 2 3\n" + std::string (1000000, '\n');
+  EXPECT_LT (load (text).points.data.capacity(), 10u * text.size());
+  text = "1 2 3\n4 5 6\n" + std::string (1000000, '#');
+  EXPECT_LT (load (text).points.data.capacity(), 200u);
+}
+
+TEST_F (TextFile, IsTakenFromAFolderOnlyWhereItsExtensionIsThatOfClouds)
+{
+  for (const char* name : {"a.xyz", "a.pts"})
+    EXPECT_TRUE (isCloudFile (name)) << name;
+  for (const char* name : {"README.txt", "planes.csv"})
+    EXPECT_FALSE (isCloudFile (name)) << name;
+}

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment_program.h"
+#include <nlohmann/json.hpp>
+
+#include <iomanip>
+#include <sstream>
+
+namespace {
+
+using Json = nlohmann::json;
+
+/** \brief Twice the area of a closed ring as seen from above. */
+double
+signedArea (const Json& ring)
+{
+  double area = 0.0;
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+    area += (ring[i][0].get<double>() - ring[0][0].get<double>()) *
+                (ring[i + 1][1].get<double>() - ring[0][1].get<double>()) -
+            (ring[i + 1][0].get<double>() - ring[0][0].get<double>()) *
+                (ring[i][1].get<double>() - ring[0][1].get<double>());
+  return area;
+}
+
+/** \brief A ceiling of 2 m by 2 m, 100 m above the sensor, at UTM coordinates. */
+std::string
+ceilingText ()
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision (3);
+  for (int i = 0; i < points_of_plane; ++i)
+    text << 500000 + 0.04 * (i / points_of_side) << " "
+         << 5400000 + 0.04 * (i % points_of_side) << " 100\n";
+  return text.str();
+}
+
+} // namespace
+
+TEST_F (Segment, WritesOutlinesAsGeoJson)
+{
+  ASSERT_EQ (run ("in.pcd --planes p.geojson").exit_code, 0);
+  ASSERT_EQ (run ("in.pcd --planes p.json").exit_code, 0);
+  const Json map = Json::parse (contentOf (folder_ / "p.geojson"));
+  const Json planes = Json::parse (contentOf (folder_ / "p.json"))["planes"];
+  EXPECT_EQ (map["type"], "FeatureCollection");
+  ASSERT_EQ (map["features"].size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Json& feature = map["features"][i];
+    EXPECT_EQ (feature["type"], "Feature");
+    EXPECT_EQ (feature["id"], i + 1);
+    EXPECT_EQ (feature["geometry"]["type"], "Polygon");
+    const Json& rings = feature["geometry"]["coordinates"];
+    ASSERT_EQ (rings.size(), 1u);
+    EXPECT_EQ (rings[0].size(), planes[i]["hull"].size() + 1);
+    EXPECT_EQ (rings[0].front(), rings[0].back()) << "RFC 7946, 3.1.6: closed";
+    EXPECT_GE (signedArea (rings[0]), -1e-9) << "RFC 7946, 3.1.6: counterclockwise";
+    for (const Json& corner : rings[0])
+      EXPECT_EQ (corner.size(), 3u);
+    for (const char* key :
+         {"id", "orientation", "points", "coefficients", "rms", "area"})
+      EXPECT_EQ (feature["properties"][key], planes[i][key]) << key;
+    EXPECT_EQ (feature["properties"]["width"], planes[i]["extent"]["width"]);
+  }
+}
+
+TEST_F (Segment, WritesOutlinesOfCeilingsCounterClockwiseFromAboveToo)
+{
+  folder_.write ("in.xyz", ceilingText());
+  ASSERT_EQ (run ("in.xyz --planes p.geojson").exit_code, 0);
+  const Json map = Json::parse (contentOf (folder_ / "p.geojson"));
+  ASSERT_EQ (map["features"].size(), 1u);
+  const Json& feature = map["features"][0];
+  EXPECT_LT (feature["properties"]["normal"][2].get<double>(), 0.0);
+  EXPECT_NEAR (signedArea (feature["geometry"]["coordinates"][0]),
+               2 * feature["properties"]["area"].get<double>(),
+               1e-2);
+}
+
+TEST_F (Segment, WritesMillimetresOfUtmInPlainDecimals)
+{
+  folder_.write ("in.xyz", ceilingText());
+  ASSERT_EQ (run ("in.xyz --planes p.geojson").exit_code, 0);
+  ASSERT_EQ (run ("in.xyz --planes p.csv").exit_code, 0);
+  EXPECT_TRUE (
+      contains (contentOf (folder_ / "p.geojson"), "[500000.000,5400000.000,100.000]"));
+  EXPECT_TRUE (
+      contains (contentOf (folder_ / "p.csv"), "500000.000 5400000.000 100.000,"));
+}
+
+TEST_F (Segment, WritesOutlinesInTheCsvAsWkt)
+{
+  ASSERT_EQ (run ("in.pcd --planes p.csv").exit_code, 0);
+  std::istringstream csv (contentOf (folder_ / "p.csv"));
+  std::string line;
+  std::getline (csv, line);
+  for (int plane = 0; plane < 2; ++plane) {
+    std::getline (csv, line);
+    const std::size_t begin = line.find (",\"POLYGON Z ((");
+    ASSERT_NE (begin, std::string::npos) << line;
+    EXPECT_EQ (std::count (line.begin(), line.begin() + long (begin), ','), 16);
+    const std::string outline = line.substr (begin + 14, line.size() - begin - 17);
+    EXPECT_EQ (line.substr (line.size() - 3), "))\"");
+    EXPECT_EQ (outline.substr (0, outline.find (',')),
+               outline.substr (outline.rfind (',') + 1))
+        << "closed";
+  }
+}
+
+TEST_F (Segment, WritesAnEmptyMapOfNoPlanes)
+{
+  folder_.write ("few.xyz", "1 2 3\n4 5 6\n");
+  ASSERT_EQ (run ("few.xyz --planes p.geojson").exit_code, 0);
+  const Json map = Json::parse (contentOf (folder_ / "p.geojson"));
+  EXPECT_EQ (map["features"], Json::array());
+}
