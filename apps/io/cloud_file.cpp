@@ -7,9 +7,11 @@
 
 #include "cloud_fields.h"
 #include "las_file.h"
+#include "laz_file.h"
 #include "output_file.h"
 #include "pcd_header.h"
 #include "ply_header.h"
+#include "spool.h"
 #include <cli/errors.h>
 
 #include <cerrno>
@@ -99,16 +101,15 @@ bool
 isCloudFile (const std::string& file)
 {
   const std::string extension = extensionOf (file);
-  return extension == ".pcd" || extension == ".ply" || extension == ".las";
+  return extension == ".pcd" || extension == ".ply" || extension == ".las" ||
+         (extension == ".laz" && hasLaszip());
 }
 
 FileCloud
 loadCloud (const std::string& file)
 {
   const std::string extension = extensionOf (file);
-  if (extension == ".laz")
-    failCompressed (file);
-  if (!isCloudFile (file))
+  if (!isCloudFile (file) && !isLasName (file))
     throw UsageError (file,
                       std::string ("has an unknown extension; give a ") +
                           cloud_extensions + " file");
@@ -120,7 +121,7 @@ loadCloud (const std::string& file)
     cloud.origin << viewpoint.origin, 0.0f;
     cloud.orientation = viewpoint.orientation;
   }
-  else if (extension == ".las") {
+  else if (isLasName (file)) {
     cloud.las = openLas (file);
     cloud.points = cloud.las->readPoints();
   }
@@ -142,7 +143,16 @@ std::shared_ptr<LasFile>
 openLas (const std::string& file)
 {
   checkReadable (file);
-  return std::make_shared<LasFile> (file);
+  if (!isCompressedLas (file))
+    return std::make_shared<LasFile> (file);
+  const Spool las (".las", file);
+  las.fill ([&] (std::ostream& stream) { decompressLaz (file, stream); });
+  try {
+    return std::make_shared<LasFile> (las.name());
+  }
+  catch (const WorkError& error) {
+    throw WorkError (file, error.problem);
+  }
 }
 
 void

@@ -33,11 +33,12 @@ struct FileCloud {
   }
 };
 
-/** \brief Whether a file has one of \ref cloud_extensions. */
+/** \brief Whether a file has one of \ref cloud_extensions, or .laz where LASzip is. */
 bool
 isCloudFile (const std::string& file);
 
-/** \brief Reads a .pcd (ascii, binary, binary_compressed), .ply or .las file.
+/** \brief Reads a .pcd (ascii, binary, binary_compressed), .ply or .las file, and .laz
+ * where LASzip is.
  *
  * The file's header is checked before PCL's readers see it: they crash on broken ones.
  * \throws UsageError for another extension, WorkError if the file is missing, a folder,
@@ -45,7 +46,8 @@ isCloudFile (const std::string& file);
 FileCloud
 loadCloud (const std::string& file);
 
-/** \brief Opens a .las file, whose points are read later.
+/** \brief Opens a .las file, whose points are read later. Those of a .laz are put into
+ * a file for temporary ones ($TMPDIR) first, which has no name while it is open.
  * \throws WorkError as \ref loadCloud */
 std::shared_ptr<LasFile>
 openLas (const std::string& file);

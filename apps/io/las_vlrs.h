@@ -27,13 +27,15 @@ struct LasExtraBytes {
   std::optional<std::uint64_t> label;
   /** \brief Whether there is a field with the label's name that is no uint32. */
   bool has_other_label = false;
+  /** \brief What LASzip needs to decompress the points, if they are compressed. */
+  std::optional<LasVlr> laszip;
 };
 
 /** \brief Walks through the variable length records in front of the points.
  * \throws WorkError if one does not fit in there, or if they describe more extra bytes
- * than there are, or compression */
+ * than there are */
 LasExtraBytes
-readLasVlrs (HeaderReader& reader, const LasHeader& header, const std::string& file);
+readLasVlrs (HeaderReader& reader, const LasHeader& header);
 
 /** \brief Walks through the extended variable length records, which are behind the
  * points.
