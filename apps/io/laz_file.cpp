@@ -35,15 +35,13 @@ endOfCompressed (const HeaderReader& reader, const LasHeader& header)
 
 template <typename Integer>
 Integer
-numberAt (HeaderReader& reader, std::uint64_t place)
+integerAt (HeaderReader& reader, std::uint64_t place)
 {
   std::array<char, sizeof (Integer)> bytes{};
   reader.goTo (place);
   reader.read (bytes.data(), bytes.size());
   return fromLittleEndian<Integer> (bytes.data());
 }
-
-constexpr std::uint64_t vlr_header = 54;
 
 /** \brief The LASzip VLR's content.
  * \throws WorkError if it does not describe such points: LASzip believes it, and would
@@ -57,7 +55,8 @@ checkedDescription (HeaderReader& reader,
   constexpr std::size_t free_begin = 4, free_end = 32, items = 34, item_size = 6,
                         version_at = 4, version_size = 2;
   constexpr unsigned newest_in_one_chunk = 5;
-  std::string expected = laszipVlr (file, header).substr (vlr_header);
+  std::string expected =
+      laszipVlr (file, header).substr (laszip.content - laszip.begin);
   std::string content (laszip.end - laszip.content, '\0');
   if (content.size() != expected.size())
     failDamagedPoints (file);
@@ -93,13 +92,13 @@ checkChunkTable (HeaderReader& reader,
   };
   const std::uint64_t begin = header.points_offset + head, end = reader.fileSize();
   check (begin + head <= end && size > 0);
-  auto table = numberAt<std::uint64_t> (reader, header.points_offset);
+  auto table = integerAt<std::uint64_t> (reader, header.points_offset);
   if (table == at_end)
-    table = numberAt<std::uint64_t> (reader, end - head);
+    table = integerAt<std::uint64_t> (reader, end - head);
   check (begin <= table && table <= end - head);
-  const std::uint64_t chunks = numberAt<std::uint32_t> (reader, table + 4);
+  const std::uint64_t chunks = integerAt<std::uint32_t> (reader, table + 4);
   // Each begins with a point that is not compressed.
-  check (numberAt<std::uint32_t> (reader, table) == 0 && chunks > 0 &&
+  check (integerAt<std::uint32_t> (reader, table) == 0 && chunks > 0 &&
          chunks <= (end - begin) / header.record_length);
   check (size == of_any_size || chunks == (header.points + size - 1) / size);
 }
