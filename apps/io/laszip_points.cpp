@@ -49,8 +49,14 @@ public:
   void
   check (laszip_I32 failed) const
   {
-    if (failed != 0)
-      failDamagedPoints (file_);
+    if (failed == 0)
+      return;
+    laszip_CHAR* reason = nullptr;
+    laszip_get_error (handle_, &reason);
+    // So it calls what it catches and did not throw: that there is no memory.
+    if (reason != nullptr && std::string (reason).rfind ("internal error", 0) == 0)
+      throw std::bad_alloc();
+    failDamagedPoints (file_);
   }
 
   laszip_POINTER

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <fstream>
 #include <functional>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -115,6 +116,9 @@ protected:
     }
     catch (const WorkError& error) {
       return error.problem;
+    }
+    catch (const std::bad_alloc&) {
+      return "needs too much memory";
     }
   }
 
