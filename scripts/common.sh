@@ -24,17 +24,27 @@ quietly() {
   fi
 }
 
-# install_packages PACKAGE...: those Debian or Ubuntu packages that are missing.
+# missing_packages PACKAGE...: those that are not installed, and of ?PACKAGE those that this
+# Debian or Ubuntu has.
+missing_packages() {
+  local package name
+  for package in "$@"; do
+    name=${package#\?}
+    dpkg-query --show --showformat='${db:Status-Status}\n' "$name" 2>/dev/null |
+      grep --quiet --line-regexp installed && continue
+    [ "$package" = "$name" ] || apt-cache show "$name" >/dev/null 2>&1 || continue
+    printf '%s\n' "$name"
+  done
+}
+
+# install_packages PACKAGE...: the missing_packages.
 install_packages() {
-  local missing=() as_root=() package
+  local missing=() as_root=()
   if ! command -v apt-get >/dev/null; then
-    say "no apt-get here; what is needed, by its names in Debian: $*"
+    say "no apt-get here; what is needed, by its names in Debian: ${*#\?}"
     return
   fi
-  for package in "$@"; do
-    dpkg-query --show --showformat='${db:Status-Status}\n' "$package" 2>/dev/null |
-      grep --quiet --line-regexp installed || missing+=("$package")
-  done
+  mapfile -t missing < <(missing_packages "$@")
   if [ ${#missing[@]} -eq 0 ]; then
     say "nothing to install"
     return
@@ -46,12 +56,14 @@ install_packages() {
   say "installing ${missing[*]}"
   as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get --quiet --yes)
   quietly "$root/build/apt-update.log" "${as_root[@]}" update
+  mapfile -t missing < <(missing_packages "$@") # more names are known now
   quietly "$root/build/apt-install.log" "${as_root[@]}" install --no-install-recommends "${missing[@]}"
 }
 
 # What every build needs.
 # shellcheck disable=SC2034
-build_packages=(g++ cmake make libpcl-dev libboost-program-options-dev nlohmann-json3-dev libpng-dev)
+build_packages=(g++ cmake make libpcl-dev libboost-program-options-dev nlohmann-json3-dev libpng-dev
+  '?liblaszip-dev')
 # What the Python module needs besides; where one is missing it is left out.
 # shellcheck disable=SC2034
 python_packages=(python3-dev python3-numpy pybind11-dev)

@@ -7,10 +7,12 @@
 
 #include "cloud_fields.h"
 #include "las_file.h"
+#include "laz_file.h"
 #include "output_file.h"
 #include "pcd_header.h"
 #include "ply_header.h"
 #include "ply_writer.h"
+#include "spool.h"
 #include "text_file.h"
 #include <cli/errors.h>
 
@@ -118,18 +120,17 @@ isCloudFile (const std::string& file)
 {
   const std::string extension = extensionOf (file);
   return extension == ".pcd" || extension == ".ply" || extension == ".las" ||
-         extension == ".xyz" || extension == ".pts";
+         (extension == ".laz" && hasLaszip()) || extension == ".xyz" ||
+         extension == ".pts";
 }
 
 FileCloud
 loadCloud (const std::string& file)
 {
   const std::string extension = extensionOf (file);
-  if (extension == ".laz")
-    failCompressed (file);
   if (extension == ".gz")
     failGzip (file);
-  if (!isCloudFile (file) && !isTextFile (file))
+  if (!isCloudFile (file) && !isTextFile (file) && !isLasName (file))
     throw UsageError (file,
                       std::string ("has an unknown extension; give a ") +
                           cloud_extensions + " file");
@@ -142,7 +143,7 @@ loadCloud (const std::string& file)
     cloud.origin << viewpoint.origin, 0.0f;
     cloud.orientation = viewpoint.orientation;
   }
-  else if (extension == ".las") {
+  else if (isLasName (file)) {
     cloud.las = openLas (file);
     cloud.points = cloud.las->readPoints();
   }
@@ -166,7 +167,16 @@ std::shared_ptr<LasFile>
 openLas (const std::string& file)
 {
   checkReadable (file);
-  return std::make_shared<LasFile> (file);
+  if (!isCompressedLas (file))
+    return std::make_shared<LasFile> (file);
+  const Spool las (".las", file);
+  las.fill ([&] (std::ostream& stream) { decompressLaz (file, stream); });
+  try {
+    return std::make_shared<LasFile> (las.name());
+  }
+  catch (const WorkError& error) {
+    throw WorkError (file, error.problem);
+  }
 }
 
 void

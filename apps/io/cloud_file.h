@@ -35,15 +35,16 @@ struct FileCloud {
 };
 
 /** \brief Whether a file is taken for a cloud because it lies in a folder of them: it
- * has one of \ref cloud_extensions, but not .txt or .csv, which mostly are something
- * else there. */
+ * has one of \ref cloud_extensions, or .laz where LASzip is, but not .txt or .csv,
+ * which mostly are something else there. */
 bool
 isCloudFile (const std::string& file);
 
 /** \brief Those of \ref isCloudFile, for messages. */
 inline constexpr const char* folder_extensions = ".pcd, .ply, .las, .xyz or .pts";
 
-/** \brief Reads a .pcd (ascii, binary, binary_compressed), .ply, .las or text file.
+/** \brief Reads a .pcd (ascii, binary, binary_compressed), .ply, .las or text file, and
+ * .laz where LASzip is.
  *
  * The file's header is checked before PCL's readers see it: they crash on broken ones.
  * \throws UsageError for another extension, WorkError if the file is missing, a folder,
@@ -52,7 +53,8 @@ inline constexpr const char* folder_extensions = ".pcd, .ply, .las, .xyz or .pts
 FileCloud
 loadCloud (const std::string& file);
 
-/** \brief Opens a .las file, whose points are read later.
+/** \brief Opens a .las file, whose points are read later. Those of a .laz are put into
+ * a file for temporary ones ($TMPDIR) first, which has no name while it is open.
  * \throws WorkError as \ref loadCloud */
 std::shared_ptr<LasFile>
 openLas (const std::string& file);

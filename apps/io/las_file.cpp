@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "las_file.h"
 
+#include "las_copy.h"
+#include "laz_file.h"
 #include "little_endian.h"
 #include "output_file.h"
+#include "spool.h"
 
 #include <algorithm>
 #include <array>
@@ -19,37 +22,6 @@ namespace {
 using pcl::PCLPointField;
 
 constexpr std::uint64_t field_length = sizeof (std::uint32_t);
-
-/** \brief Bytes that a copy has in place of some of the file. */
-struct LasEdit {
-  std::uint64_t begin, replaced;
-  std::string bytes;
-};
-
-/** \brief Copies a part of the file.
- * \param[in] edits in the order of the file, none of which reaches beyond the part */
-void
-copyEdited (HeaderReader& reader,
-            std::uint64_t begin,
-            std::uint64_t end,
-            std::vector<LasEdit> edits,
-            std::ostream& stream)
-{
-  constexpr std::uint64_t block = 1U << 20U;
-  std::vector<char> bytes (std::min (block, end - begin));
-  edits.push_back ({end, 0, ""});
-  for (const LasEdit& edit : edits) {
-    reader.goTo (begin);
-    while (begin < edit.begin) {
-      const std::uint64_t count = std::min<std::uint64_t> (block, edit.begin - begin);
-      reader.read (bytes.data(), count);
-      stream.write (bytes.data(), static_cast<std::streamsize> (count));
-      begin += count;
-    }
-    stream << edit.bytes;
-    begin += edit.replaced;
-  }
-}
 
 /** \brief Calls \p visit (index, bytes) for each record; it may change the bytes. */
 template <typename Visit>
@@ -101,23 +73,18 @@ editsFor (const std::vector<LasField>& fields,
   const std::uint64_t length = fields.size() * field_length;
   const std::string description = descriptionsOf (fields, header, extra);
   const std::string added = extra.vlr ? description : extraBytesVlr (description);
-  const auto moved = [&] (std::uint64_t offset) {
-    const bool is_behind = offset >= header.pointsEnd() && offset <= reader.fileSize();
-    return littleEndian (is_behind ? offset + added.size() + length * header.points
-                                   : offset);
-  };
-  const auto points_offset =
-      static_cast<std::uint32_t> (header.points_offset + added.size());
-  std::vector<LasEdit> edits = {
-      {las_field::points_offset, 4, littleEndian (points_offset)},
-      {las_field::vlr_count, 4, littleEndian (header.vlr_count + (extra.vlr ? 0 : 1))},
+  const auto front = static_cast<std::int64_t> (added.size());
+  std::vector<LasEdit> edits =
+      editsForGrowth (reader,
+                      header,
+                      {extra.vlr ? 0 : 1,
+                       front,
+                       header.pointsEnd(),
+                       front + static_cast<std::int64_t> (length * header.points)});
+  edits.push_back (
       {las_field::record_length,
        2,
-       littleEndian (static_cast<std::uint16_t> (header.record_length + length))}};
-  if (header.minor_version >= 3)
-    edits.push_back ({las_field::waveform_offset, 8, moved (header.waveform_offset)});
-  if (header.minor_version >= 4)
-    edits.push_back ({las_field::evlr_offset, 8, moved (header.evlr_offset)});
+       littleEndian (static_cast<std::uint16_t> (header.record_length + length))});
   if (extra.vlr)
     edits.push_back ({extra.vlr->begin + vlr_length_field,
                       2,
@@ -148,12 +115,23 @@ append (Number number, std::uint8_t*& point)
   point += sizeof (number);
 }
 
+void
+saveWith (const std::string& file, LasFile& las, const std::vector<LasColumn>& columns)
+{
+  const auto write = [&] (std::ostream& stream) { las.writeWith (columns, stream); };
+  if (!isLazName (file))
+    return writeFile (file, write);
+  const Spool spool (".las", file);
+  spool.fill (write);
+  writeFile (file, [&] (std::ostream& stream) { compressLas (spool.name(), stream); });
+}
+
 } // namespace
 
 LasFile::LasFile (const std::string& file)
 : reader_ (file, "LAS")
-, header_ (readLasHeader (reader_, file))
-, extra_ (readLasVlrs (reader_, header_, file))
+, header_ (readLasHeader (reader_))
+, extra_ (readLasVlrs (reader_, header_))
 {
   checkLasPoints (reader_, header_, file);
   checkLasEvlrs (reader_, header_);
@@ -267,9 +245,7 @@ LasFile::writeWith (const std::vector<LasColumn>& columns, std::ostream& stream)
 void
 saveLabelledLas (const std::string& file, LasFile& las, const LabelOfPlace& label)
 {
-  writeFile (file, [&] (std::ostream& stream) {
-    las.writeWith ({{label_field, label}}, stream);
-  });
+  saveWith (file, las, {{label_field, label}});
 }
 
 void
@@ -288,7 +264,7 @@ saveLabelledLas (const std::string& file,
                           std::memcpy (&bits, &distances[distance++], sizeof (bits));
                           return bits;
                         }});
-  writeFile (file, [&] (std::ostream& stream) { las.writeWith (columns, stream); });
+  saveWith (file, las, columns);
 }
 
 } // namespace pcl_ops::apps

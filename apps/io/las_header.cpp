@@ -61,24 +61,23 @@ readVersion (const HeaderReader& reader, const LasHeaderBytes& bytes, LasHeader&
 
 void
 readRecordFormat (const HeaderReader& reader,
-                  const std::string& file,
                   const LasHeaderBytes& bytes,
                   LasHeader& header)
 {
   constexpr unsigned compressed = 0xc0;
-  const auto format = fromLittleEndian<std::uint8_t> (&bytes[104]);
-  if ((format & compressed) != 0)
-    failCompressed (file);
-  if (format >= format_lengths.size())
-    reader.fail ("its point data record format " + std::to_string (format) +
+  const auto format = fromLittleEndian<std::uint8_t> (&bytes[las_field::format]);
+  header.says_laz = (format & compressed) != 0;
+  header.format = static_cast<std::uint8_t> (format & ~compressed);
+  if (header.format >= format_lengths.size())
+    reader.fail ("its point data record format " + std::to_string (header.format) +
                  " is not 0 to 10");
-  header.format_length = format_lengths.at (format);
+  header.format_length = format_lengths.at (header.format);
   header.record_length =
       fromLittleEndian<std::uint16_t> (&bytes[las_field::record_length]);
   if (header.record_length < header.format_length)
     reader.fail ("its point data record length " +
                  std::to_string (header.record_length) +
-                 " is too small for the format " + std::to_string (format));
+                 " is too small for the format " + std::to_string (header.format));
 }
 
 void
@@ -118,22 +117,30 @@ readCounts (const HeaderReader& reader, const LasHeaderBytes& bytes, LasHeader& 
 
 } // namespace
 
-void
-failCompressed (const std::string& file)
-{
-  throw WorkError (file, "is compressed (LAZ); decompress it, e.g. by laszip or pdal");
-}
-
 LasHeader
-readLasHeader (HeaderReader& reader, const std::string& file)
+readLasHeader (HeaderReader& reader)
 {
   const LasHeaderBytes bytes = headerBytesOf (reader);
   LasHeader header;
   readVersion (reader, bytes, header);
-  readRecordFormat (reader, file, bytes, header);
+  readRecordFormat (reader, bytes, header);
   readTransform (reader, bytes, header);
   readCounts (reader, bytes, header);
   return header;
+}
+
+void
+checkLasCount (const HeaderReader& reader,
+               const LasHeader& header,
+               const std::string& file)
+{
+  constexpr auto most = std::numeric_limits<pcl::index_t>::max();
+  if (header.points == 0)
+    reader.failEmpty();
+  if (header.points > static_cast<std::uint64_t> (most))
+    throw WorkError (file,
+                     "has " + std::to_string (header.points) + " points, more than " +
+                         std::to_string (most) + "; split it into tiles");
 }
 
 void
@@ -141,15 +148,9 @@ checkLasPoints (const HeaderReader& reader,
                 const LasHeader& header,
                 const std::string& file)
 {
-  constexpr auto most = std::numeric_limits<pcl::index_t>::max();
-  if (header.points == 0)
-    reader.failEmpty();
   if (header.points > (reader.fileSize() - header.points_offset) / header.record_length)
     reader.failTruncated();
-  if (header.points > static_cast<std::uint64_t> (most))
-    throw WorkError (file,
-                     "has " + std::to_string (header.points) + " points, more than " +
-                         std::to_string (most) + "; split it into tiles");
+  checkLasCount (reader, header, file);
 }
 
 } // namespace pcl_ops::apps

@@ -14,8 +14,9 @@ namespace pcl_ops::apps {
 /** \brief Where the fields of a public header block begin that change as records grow.
  */
 namespace las_field {
-inline constexpr std::uint64_t points_offset = 96, vlr_count = 100, record_length = 105,
-                               waveform_offset = 227, evlr_offset = 235;
+inline constexpr std::uint64_t points_offset = 96, vlr_count = 100, format = 104,
+                               record_length = 105, waveform_offset = 227,
+                               evlr_offset = 235;
 } // namespace las_field
 
 /** \brief The public header block of a LAS file, as far as its points need it. */
@@ -25,6 +26,9 @@ struct LasHeader {
   std::uint16_t size = 0;
   std::uint32_t points_offset = 0;
   std::uint32_t vlr_count = 0;
+  /** \brief Point data record format, 0 to 10, without the bits that say LAZ. */
+  std::uint8_t format = 0;
+  bool says_laz = false;
   std::uint16_t record_length = 0;
   /** \brief Bytes of a record that its point format has a meaning for. */
   std::uint16_t format_length = 0;
@@ -41,18 +45,21 @@ struct LasHeader {
   }
 };
 
-/** \brief Refuses a LAZ file. \throws WorkError */
-[[noreturn]] void
-failCompressed (const std::string& file);
-
 /** \brief Reads the public header block, without the variable length records and
  * without a look at whether the file holds its points.
- * \throws WorkError if it makes no sense or if the points are compressed */
+ * \throws WorkError if it makes no sense */
 LasHeader
-readLasHeader (HeaderReader& reader, const std::string& file);
+readLasHeader (HeaderReader& reader);
 
-/** \brief \throws WorkError if the file does not hold its points, has none, or more
- * than PCL's indices can tell apart */
+/** \brief \throws WorkError if the file has no points, or more than PCL's indices can
+ * tell apart */
+void
+checkLasCount (const HeaderReader& reader,
+               const LasHeader& header,
+               const std::string& file);
+
+/** \brief The same of points that are not compressed.
+ * \throws WorkError also if the file does not hold them */
 void
 checkLasPoints (const HeaderReader& reader,
                 const LasHeader& header,

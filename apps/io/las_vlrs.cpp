@@ -115,7 +115,7 @@ descriptionOf (std::uint8_t type,
 } // namespace
 
 LasExtraBytes
-readLasVlrs (HeaderReader& reader, const LasHeader& header, const std::string& file)
+readLasVlrs (HeaderReader& reader, const LasHeader& header)
 {
   LasExtraBytes extra;
   extra.described_end = header.format_length;
@@ -130,8 +130,11 @@ readLasVlrs (HeaderReader& reader, const LasHeader& header, const std::string& f
                vlr_header,
                [&] (const std::string& user, std::uint16_t id, const LasVlr& vlr) {
                  constexpr std::uint16_t laszip_id = 22204;
-                 if (user == "laszip encoded" && id == laszip_id)
-                   failCompressed (file);
+                 const bool is_laszip = user == "laszip encoded" && id == laszip_id;
+                 if (is_laszip && extra.laszip)
+                   reader.fail ("it has two LASzip VLRs");
+                 if (is_laszip)
+                   extra.laszip = vlr;
                  if (is_extra_bytes (user, id) && extra.vlr)
                    reader.fail ("it has two Extra Bytes VLRs");
                  if (is_extra_bytes (user, id))

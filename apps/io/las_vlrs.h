@@ -46,6 +46,8 @@ struct LasExtraBytes {
   /** \brief Where the extra bytes end that it describes, in a record. */
   std::uint64_t described_end = 0;
   std::vector<LasDescribedField> fields;
+  /** \brief What LASzip needs to decompress the points, if they are compressed. */
+  std::optional<LasVlr> laszip;
 
   /** \brief Where a field of that name and type is in a record, if there is one. */
   std::optional<std::uint64_t>
@@ -58,9 +60,9 @@ struct LasExtraBytes {
 
 /** \brief Walks through the variable length records in front of the points.
  * \throws WorkError if one does not fit in there, or if they describe more extra bytes
- * than there are, or compression */
+ * than there are */
 LasExtraBytes
-readLasVlrs (HeaderReader& reader, const LasHeader& header, const std::string& file);
+readLasVlrs (HeaderReader& reader, const LasHeader& header);
 
 /** \brief Walks through the extended variable length records, which are behind the
  * points.

@@ -2,84 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "standard_input.h"
 
+#include "spool.h"
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
+#include <ostream>
 #include <string>
-#include <system_error>
 #include <vector>
-
-namespace fs = std::filesystem;
 
 namespace pcl_ops::apps {
 
 namespace {
-
-/** \brief A new file in the folder for temporary files, removed at the end. */
-class Spool {
-public:
-  /** \param[in] extension of the file, with its dot */
-  explicit Spool (const std::string& extension)
-  {
-    std::error_code error;
-    const fs::path folder = fs::temp_directory_path (error);
-    if (error)
-      throw WorkError ("TMPDIR", "is no folder; set it to one for temporary files");
-    name_ = (folder / ("pcl_ops_XXXXXX" + extension)).string();
-    file_ = ::mkstemps (name_.data(), static_cast<int> (extension.size()));
-    if (file_ < 0)
-      fail();
-  }
-  Spool (const Spool&) = delete;
-  Spool&
-  operator= (const Spool&) = delete;
-  ~Spool()
-  {
-    if (file_ >= 0) {
-      ::close (file_);
-      ::unlink (name_.c_str());
-    }
-  }
-
-  void
-  write (const char* bytes, std::size_t count)
-  {
-    while (count > 0) {
-      const ssize_t written = ::write (file_, bytes, count);
-      stopIfInterrupted();
-      if (written < 0 && errno == EINTR)
-        continue;
-      if (written < 0)
-        fail();
-      bytes += written;
-      count -= static_cast<std::size_t> (written);
-    }
-  }
-
-  const std::string&
-  name () const
-  {
-    return name_;
-  }
-
-private:
-  [[noreturn]] void
-  fail () const
-  {
-    throw WorkError (standard_input,
-                     "cannot be copied to " + name_ + " (" + std::strerror (errno) +
-                         "); set TMPDIR to a folder with more space");
-  }
-
-  std::string name_;
-  int file_ = -1;
-};
 
 /** \brief Fills the buffer as far as the input reaches. \return bytes read */
 std::size_t
@@ -134,10 +71,13 @@ loadStandardInput ()
     throw UsageError (standard_input, "is the terminal; pipe a PCD into the program");
   std::vector<char> buffer (buffer_size);
   std::size_t count = readInput (buffer);
-  Spool spool (
-      extensionOfContent (std::string (buffer.data(), std::min (count, start_length))));
-  for (; count > 0; count = readInput (buffer))
-    spool.write (buffer.data(), count);
+  const Spool spool (
+      extensionOfContent (std::string (buffer.data(), std::min (count, start_length))),
+      standard_input);
+  spool.fill ([&] (std::ostream& stream) {
+    for (; count > 0 && stream; count = readInput (buffer))
+      stream.write (buffer.data(), static_cast<std::streamsize> (count));
+  });
   try {
     return loadCloud (spool.name());
   }

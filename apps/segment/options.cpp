@@ -8,6 +8,7 @@
 #include <cli/errors.h>
 #include <detection/method_options.h>
 #include <io/inputs.h>
+#include <io/laz_file.h>
 #include <io/output_file.h>
 #include <io/standard_input.h>
 
@@ -30,6 +31,7 @@ constexpr const char* in_and_out =
     "              --output-dir also several, folders, patterns as 'scans/*.pcd'\n"
     "  OUTPUT.pcd  the cloud with label (0: no plane, 1: the largest, ...) and rgb;\n"
     "              .ply the same; .las of a .las: all as it was, and the label, too\n"
+    "  .laz        as .las, in and out, where the program was built with LASzip\n"
     "  prints      a table of the planes; with INPUT - their JSON; with --output-dir\n"
     "              a line for each input, and goes on where one is bad\n"
     "  no plane    is no failure: all labels 0, and a hint which option to change\n"
@@ -134,7 +136,10 @@ void
 checkOutputs (const SegmentOptions& options)
 {
   const Outputs& outputs = options.outputs;
-  checkExtension ("OUTPUT", outputs.cloud, {".pcd", ".ply", ".las"});
+  std::vector<std::string> of_clouds = {".pcd", ".ply", ".las"};
+  if (hasLaszip())
+    of_clouds.emplace_back (".laz");
+  checkExtension ("OUTPUT", outputs.cloud, of_clouds);
   if (outputs.planes != standard_stream)
     checkExtension ("--planes", outputs.planes, {".json", ".csv", ".geojson"});
   checkExtension ("--image", outputs.image, {".png"});

@@ -16,6 +16,7 @@
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/las_file.h>
+#include <io/laz_file.h>
 #include <io/output_file.h>
 #include <io/standard_input.h>
 #include <picture/labelled_cloud.h>
@@ -47,8 +48,6 @@ nameOfInput (const Task& task)
   return task.input == standard_stream ? standard_input : task.input;
 }
 
-constexpr const char* las_extension = ".las";
-
 /** \brief Refuses an output that cannot have all of the input and labels. */
 void
 checkTakesLabels (const SegmentOptions& options,
@@ -56,7 +55,7 @@ checkTakesLabels (const SegmentOptions& options,
                   const FileCloud& cloud)
 {
   const std::string& output = task.outputs.cloud;
-  if (extensionOf (output) != las_extension)
+  if (!isLasName (output))
     return;
   if (cloud.las == nullptr)
     throw UsageError (output, "is LAS, which the input is not; give a file .pcd");
@@ -77,7 +76,7 @@ saveLabelled (const std::string& file,
 {
   const std::vector<float> distances =
       options.distances ? distancesOf (cloud, planes) : std::vector<float>();
-  if (extensionOf (file) == las_extension)
+  if (isLasName (file))
     return saveLabelledLas (file, *cloud.las, labels, distances);
   FileCloud labelled = cloud;
   if (options.distances)

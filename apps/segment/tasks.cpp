@@ -4,6 +4,7 @@
 
 #include <cli/errors.h>
 #include <io/inputs.h>
+#include <io/laz_file.h>
 #include <io/output_file.h>
 
 #include <filesystem>
@@ -83,8 +84,9 @@ batchTask (const SegmentOptions& options, const std::string& input)
   };
   const Outputs& given = options.outputs;
   Task task{input, {}};
-  const bool stays_las = extensionOf (input) == ".las" && options.format.empty();
-  task.outputs.cloud = output ("{}" + (stays_las ? ".las" : options.fileFormat()));
+  const bool stays_las = isLasName (input) && options.format.empty();
+  task.outputs.cloud =
+      output ("{}" + (stays_las ? extensionOf (input) : options.fileFormat()));
   task.outputs.planes = output (given.planes.empty() ? "{}.json" : given.planes);
   task.outputs.image = output (given.image);
   task.outputs.mesh = output (given.mesh);

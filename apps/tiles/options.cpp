@@ -15,7 +15,7 @@ constexpr const char* summary =
     "every point with its plane, the same ones for any number of jobs and ranks.";
 
 constexpr const char* in_and_out =
-    "  INPUT       .las (1.2 to 1.4), .pcd or .ply tiles in one frame, folders, "
+    "  INPUT       .las (1.2 to 1.4), .laz, .pcd or .ply tiles in one frame, folders, "
     "patterns;\n"
     "              a .las is never whole in memory; they may overlap\n"
     "  DIR/NAME    each input with its labels (0: no plane, 1: the largest, ...)\n"

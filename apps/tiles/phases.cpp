@@ -6,6 +6,7 @@
 #include "point_file.h"
 #include "tile_detection.h"
 #include <cli/errors.h>
+#include <io/laz_file.h>
 #include <io/output_file.h>
 
 #include <algorithm>
@@ -178,7 +179,7 @@ std::string
 outputOf (const Plan& plan, const RunFolder& folder, std::size_t input)
 {
   const std::string& file = plan.inputs[input].file;
-  const std::string extension = extensionOf (file) == ".las" ? ".las" : ".pcd";
+  const std::string extension = isLasName (file) ? extensionOf (file) : ".pcd";
   return folder.output (fs::path (file).stem().string() + extension);
 }
 

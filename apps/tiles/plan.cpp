@@ -7,6 +7,7 @@
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <io/las_header.h>
+#include <io/laz_file.h>
 #include <io/median_place.h>
 #include <io/output_file.h>
 #include <nlohmann/json.hpp>
@@ -39,10 +40,10 @@ stateOf (const std::string& file)
 bool
 isEmptyLas (const std::string& file)
 {
-  if (extensionOf (file) != ".las" || !fs::is_regular_file (file))
+  if (!isLasName (file) || !fs::is_regular_file (file))
     return false;
   HeaderReader reader (file, "LAS");
-  return readLasHeader (reader, file).points == 0;
+  return readLasHeader (reader).points == 0;
 }
 
 std::vector<std::string>

@@ -3,7 +3,7 @@
 #include "point_file.h"
 
 #include <io/coordinate_reader.h>
-#include <io/output_file.h>
+#include <io/laz_file.h>
 #include <picture/labelled_cloud.h>
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace pcl_ops::apps {
 
 PointFile::PointFile (const std::string& file)
 {
-  if (extensionOf (file) == ".las")
+  if (isLasName (file))
     las_ = openLas (file);
   else
     cloud_ = loadCloud (file);

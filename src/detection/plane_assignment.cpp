@@ -30,7 +30,7 @@ boxOf (const Coordinates& points, std::size_t begin, std::size_t end)
   const auto size = static_cast<Eigen::Index> (end - begin);
   Eigen::Vector3f low, high;
   for (const auto& [axis, values] :
-       {std::make_pair (0, &points.x), {1, &points.y}, {2, &points.z}}) {
+       {std::pair (0, &points.x), {1, &points.y}, {2, &points.z}}) {
     const Eigen::Map<const Eigen::ArrayXf> coordinates (values->data() + begin, size);
     low[axis] = coordinates.minCoeff();
     high[axis] = coordinates.maxCoeff();

@@ -4,6 +4,7 @@
 #include <pcl/point_types.h>
 
 #include "failing_program.h"
+#include <io/laz_file.h>
 #include <support/las_bytes.h>
 
 #include <fstream>
@@ -62,7 +63,7 @@ allOutputs ()
   const std::string measured = "simulated:500 --no-peers --runs 1 --memory-points 500 "
                                "--scaling-points 500,1000 ";
   const std::string on_clouds = "OUT clouds:clouds --detectors ops";
-  return {
+  std::vector<Output> outputs = {
       {"Cloud", segment, "in.pcd OUT", "out/a.pcd", "out/a.pcd"},
       {"Ply", segment, "in.pcd OUT", "out/a.ply", "out/a.ply"},
       {"Las", segment, "in.las OUT", "out/a.las", "out/a.las"},
@@ -104,6 +105,9 @@ allOutputs ()
        measured + "--scaling OUT",
        "out",
        "out/time_over_planes.gp"}};
+  if (pcl_ops::apps::hasLaszip())
+    outputs.push_back ({"Laz", segment, "in.las OUT", "out/a.laz", "out/a.laz"});
+  return outputs;
 }
 
 constexpr int most_writes = 100;

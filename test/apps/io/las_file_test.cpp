@@ -6,6 +6,7 @@
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/las_file.h>
+#include <io/laz_file.h>
 #include <support/las_bytes.h>
 #include <support/temporary_folder.h>
 
@@ -379,6 +380,8 @@ TEST_F (LasFileTest, RefusesExtraBytesThatDoNotAddUp)
 
 TEST_F (LasFileTest, SaysHowToDecompressLaz)
 {
+  if (hasLaszip())
+    GTEST_SKIP() << "LASzip does it";
   const std::string mend = "is compressed (LAZ); decompress it, e.g. by laszip or pdal";
   EXPECT_EQ (complaintAbout (changed (las_at::format, "\x86")), mend);
   EXPECT_EQ (complaintAbout (changed (las_at::format, "\x46")), mend);
@@ -386,7 +389,7 @@ TEST_F (LasFileTest, SaysHowToDecompressLaz)
   recipe.vlrs = {lasVlr ("laszip encoded", 22204, "content")};
   EXPECT_EQ (complaintAbout (lasBytes (recipe)), mend);
   try {
-    loadCloud (folder_ / "cloud.laz");
+    loadCloud (folder_.write ("cloud.laz", changed (las_at::format, "\x86")));
     ADD_FAILURE();
   }
   catch (const WorkError& error) {

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles_program.h"
 #include <base/random.h>
+#include <io/laz_file.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
 
 namespace fs = std::filesystem;
@@ -103,6 +105,28 @@ TEST_F (TilesProgram, KeepsTwoWallsTenCentimetresApartAtABorder)
   save ("walls.las", walls);
   expectDone ("walls.las --output-dir out --cell 0.5 --tile 10");
   EXPECT_EQ (listIn ("out").at ("planes").size(), 2u);
+}
+
+TEST_F (TilesProgram, TakesALazForALas)
+{
+  if (!apps::hasLaszip())
+    GTEST_SKIP() << "LASzip is missing";
+  std::vector<LasPoint> wall;
+  addWall (20, 0.0, wall);
+  save ("wall.las", wall);
+  fs::create_directory (folder_ / "packed");
+  {
+    std::ofstream stream (folder_ / "packed/wall.laz", std::ios::binary);
+    apps::compressLas (folder_ / "wall.las", stream);
+  }
+  expectDone ("wall.las --output-dir plain --cell 0.5 --tile 10");
+  expectDone ("packed --output-dir out --cell 0.5 --tile 10");
+  {
+    std::ofstream stream (folder_ / "out/wall.las", std::ios::binary);
+    apps::decompressLaz (folder_ / "out/wall.laz", stream);
+  }
+  EXPECT_TRUE (contentOf (folder_ / "out/wall.las") ==
+               contentOf (folder_ / "plain/wall.las"));
 }
 
 TEST_F (TilesProgram, IsPclOpsSegmentWhereThereIsOneTile)

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+namespace pcl_ops::apps {
+
+/** \brief Whether LASzip was there when this was built. */
+bool
+hasLaszip ();
+
+/** \brief Whether a file is called .laz. */
+bool
+isLazName (const std::string& file);
+
+/** \brief Whether a file is called .las or .laz. */
+bool
+isLasName (const std::string& file);
+
+/** \brief Whether the points of a LAS file are compressed, whatever it is called.
+ * \throws WorkError if it is none */
+bool
+isCompressedLas (const std::string& file);
+
+/** \brief Writes the LAS that was compressed, to the byte.
+ * \throws WorkError if the file is damaged or LASzip is missing, and Interrupted */
+void
+decompressLaz (const std::string& file, std::ostream& stream);
+
+/** \brief Writes a LAS file with compressed points and every other byte kept.
+ * \throws WorkError if the file is damaged or LASzip is missing, and Interrupted */
+void
+compressLas (const std::string& file, std::ostream& stream);
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cli/errors.h>
+#include <io/cloud_file.h>
+#include <io/las_file.h>
+#include <io/laz_file.h>
+#include <laszip/laszip_api.h>
+#include <support/las_bytes.h>
+#include <support/temporary_folder.h>
+
+#include <cstdint>
+#include <fstream>
+#include <functional>
+#include <new>
+#include <string>
+#include <vector>
+
+using namespace pcl_ops::apps;
+
+namespace {
+
+/** \brief Calls \p visit for each point of a LAS or LAZ file as LASzip reads it. */
+void
+forPointsByLaszip (
+    const std::string& file,
+    const std::function<void (const laszip_header&, const laszip_point&)>& visit)
+{
+  laszip_POINTER reader = nullptr;
+  laszip_BOOL is_compressed = 0;
+  laszip_header* header = nullptr;
+  laszip_point* point = nullptr;
+  ASSERT_EQ (laszip_create (&reader), 0);
+  ASSERT_EQ (laszip_open_reader (reader, file.c_str(), &is_compressed), 0);
+  laszip_get_header_pointer (reader, &header);
+  laszip_get_point_pointer (reader, &point);
+  const std::uint64_t points = header->number_of_point_records != 0
+                                   ? header->number_of_point_records
+                                   : header->extended_number_of_point_records;
+  for (std::uint64_t i = 0; i < points; ++i) {
+    ASSERT_EQ (laszip_read_point (reader), 0);
+    visit (*header, *point);
+  }
+  laszip_close_reader (reader);
+  laszip_destroy (reader);
+}
+
+/** \brief Compresses a LAS as any program does that uses LASzip. */
+void
+compressByLaszip (const std::string& las, const std::string& laz)
+{
+  laszip_POINTER writer = nullptr;
+  ASSERT_EQ (laszip_create (&writer), 0);
+  bool is_open = false;
+  forPointsByLaszip (las, [&] (const laszip_header& header, const laszip_point& point) {
+    if (!is_open) {
+      ASSERT_EQ (laszip_set_header (writer, &header), 0);
+      ASSERT_EQ (laszip_open_writer (writer, laz.c_str(), 1), 0);
+      is_open = true;
+    }
+    ASSERT_EQ (laszip_set_point (writer, &point), 0);
+    ASSERT_EQ (laszip_write_point (writer), 0);
+  });
+  ASSERT_EQ (laszip_close_writer (writer), 0);
+  laszip_destroy (writer);
+}
+
+/** \brief One with all that a LAS can have beside its points. */
+LasRecipe
+recipeWithAll (unsigned minor, unsigned format)
+{
+  LasRecipe recipe{minor, format};
+  recipe.extra = {"ab1", "cd2"};
+  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("range", 3)),
+                 lasVlr ("someone", 7, "content")};
+  recipe.gap = "between";
+  if (minor == 4)
+    recipe.evlrs = {lasVlr<std::uint64_t> ("someone", 9, "behind the points")};
+  return recipe;
+}
+
+class LazFileTest : public testing::Test {
+protected:
+  std::string
+  write (const LasRecipe& recipe) const
+  {
+    return folder_.write ("in.las", lasBytes (recipe));
+  }
+
+  std::string
+  compressed (const LasRecipe& recipe) const
+  {
+    std::ofstream stream (folder_ / "our.laz", std::ios::binary);
+    compressLas (write (recipe), stream);
+    return folder_ / "our.laz";
+  }
+
+  std::string
+  decompressed (const std::string& laz) const
+  {
+    {
+      std::ofstream stream (folder_ / "again.las", std::ios::binary);
+      decompressLaz (laz, stream);
+    }
+    return contentOf (folder_ / "again.las");
+  }
+
+  /** \brief What loading complains about, without the file's name. */
+  std::string
+  complaintAbout (const std::string& bytes) const
+  {
+    try {
+      const FileCloud cloud = loadCloud (folder_.write ("bad.laz", bytes));
+      return cloud.size() == 2 ? "" : "has other points";
+    }
+    catch (const WorkError& error) {
+      return error.problem;
+    }
+    catch (const std::bad_alloc&) {
+      return "needs too much memory";
+    }
+  }
+
+  TemporaryFolder folder_;
+};
+
+} // namespace
+
+TEST_F (LazFileTest, HasThePointsThatLaszipCompressedOfEveryPointFormat)
+{
+  for (unsigned format = 0; format <= 10; ++format) {
+    SCOPED_TRACE (format);
+    LasRecipe recipe{4, format};
+    recipe.extra = {"ab1", "cd2"};
+    recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("range", 3))};
+    const std::string las = write (recipe);
+    compressByLaszip (las, folder_ / "laszip.laz");
+    ASSERT_TRUE (isCompressedLas (folder_ / "laszip.laz"));
+    EXPECT_TRUE (loadCloud (folder_ / "laszip.laz").points.data ==
+                 loadCloud (las).points.data);
+    const std::string again = decompressed (folder_ / "laszip.laz");
+    EXPECT_EQ (again.substr (lasNumber<std::uint32_t> (again, las_at::points_offset)),
+               lasRecord (recipe, 0) + lasRecord (recipe, 1));
+  }
+}
+
+TEST_F (LazFileTest, DecompressesToEveryByteThereWas)
+{
+  for (unsigned minor = 2; minor <= 4; ++minor)
+    for (unsigned format = 0; format <= 10; ++format) {
+      SCOPED_TRACE (std::to_string (minor) + ", format " + std::to_string (format));
+      const LasRecipe recipe = recipeWithAll (minor, format);
+      EXPECT_TRUE (decompressed (compressed (recipe)) == lasBytes (recipe));
+    }
+}
+
+TEST_F (LazFileTest, IsSmallerThanTheLasOfManyPoints)
+{
+  LasRecipe recipe;
+  constexpr std::int32_t size = 60000; // a chunk of LASzip has 50,000
+  recipe.points.clear();
+  for (std::int32_t i = 0; i < size; ++i)
+    recipe.points.push_back ({i, 7 * i, -i});
+  const std::string laz = compressed (recipe), las = lasBytes (recipe);
+  EXPECT_LT (contentOf (laz).size(), las.size() / 2);
+  EXPECT_TRUE (decompressed (laz) == las);
+}
+
+TEST_F (LazFileTest, IsReadByLaszipWithItsLabels)
+{
+  const FileCloud cloud = loadCloud (compressed (recipeWithAll (4, 7)));
+  saveLabelledLas (folder_ / "labelled.laz", *cloud.las, {70000, 3});
+  std::vector<std::string> extra;
+  std::vector<std::int32_t> x;
+  forPointsByLaszip (folder_ / "labelled.laz",
+                     [&] (const laszip_header& header, const laszip_point& point) {
+                       EXPECT_EQ (header.number_of_variable_length_records, 2u);
+                       x.push_back (point.X);
+                       extra.emplace_back (
+                           reinterpret_cast<const char*> (point.extra_bytes),
+                           static_cast<std::size_t> (point.num_extra_bytes));
+                     });
+  EXPECT_EQ (x, (std::vector<std::int32_t>{1, 4}));
+  using pcl_ops::apps::littleEndian;
+  EXPECT_EQ (extra,
+             (std::vector<std::string>{"ab1" + littleEndian (std::uint32_t{70000}),
+                                       "cd2" + littleEndian (std::uint32_t{3})}));
+}
+
+TEST_F (LazFileTest, IsLabelledAsTheLasIs)
+{
+  const LasRecipe recipe = recipeWithAll (4, 6);
+  saveLabelledLas (folder_ / "a.las", *loadCloud (write (recipe)).las, {1, 2});
+  saveLabelledLas (folder_ / "b.laz", *loadCloud (write (recipe)).las, {1, 2});
+  saveLabelledLas (folder_ / "c.las", *loadCloud (compressed (recipe)).las, {1, 2});
+  EXPECT_TRUE (decompressed (folder_ / "b.laz") == contentOf (folder_ / "a.las"));
+  EXPECT_TRUE (contentOf (folder_ / "c.las") == contentOf (folder_ / "a.las"));
+}
+
+TEST_F (LazFileTest, IsKnownByItsContentNotByItsName)
+{
+  const std::string laz = compressed (LasRecipe{});
+  EXPECT_EQ (loadCloud (folder_.write ("laz.las", contentOf (laz))).size(), 2u);
+  EXPECT_EQ (loadCloud (folder_.write ("las.laz", lasBytes (LasRecipe{}))).size(), 2u);
+}
+
+TEST_F (LazFileTest, IsRefusedWhereverItsPointsAreCut)
+{
+  const std::string whole = contentOf (compressed (recipeWithAll (4, 6)));
+  EXPECT_EQ (complaintAbout (whole), "");
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_NE (complaintAbout (whole.substr (0, size)), "") << size;
+}
+
+TEST_F (LazFileTest, IsRefusedOrReadWhateverByteIsDamaged)
+{
+  for (const unsigned format : {3U, 7U}) {
+    const std::string whole = contentOf (compressed (recipeWithAll (4, format)));
+    const auto points = lasNumber<std::uint32_t> (whole, las_at::points_offset);
+    for (std::size_t i = 0; i < whole.size(); ++i)
+      for (const char flipped : {'\x01', '\x80', '\xff'}) {
+        std::string damaged = whole;
+        damaged[i] = static_cast<char> (damaged[i] ^ flipped);
+        const std::string complaint = complaintAbout (damaged);
+        EXPECT_TRUE (i < points || complaint != "has other points") << i;
+      }
+  }
+}
