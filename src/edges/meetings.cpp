@@ -97,13 +97,22 @@ sharedStretches (const Body& first,
                  double min_length)
 {
   const auto stretchesBeside = [&] (const Body& body) {
-    return stretchesOf (body.raster.placesBeside (body.inPlane (line), reach),
-                        bridged_gap);
+    Stretches stretches = stretchesOf (
+        body.raster.placesBeside (body.inPlane (line), reach), bridged_gap);
+    const auto is_short = [&] (const Stretch& stretch) {
+      return stretch.length() < min_length;
+    };
+    stretches.erase (std::remove_if (stretches.begin(), stretches.end(), is_short),
+                     stretches.end());
+    return stretches;
   };
-  const Stretches of_first = stretchesBeside (first);
-  if (of_first.empty())
+  // The smaller plane first: mostly it is not there, and the larger need not be asked.
+  const bool is_first_smaller = first.raster.size() < second.raster.size();
+  const Stretches of_smaller = stretchesBeside (is_first_smaller ? first : second);
+  if (of_smaller.empty())
     return {};
-  return inCommon (of_first, stretchesBeside (second), min_length);
+  return inCommon (
+      of_smaller, stretchesBeside (is_first_smaller ? second : first), min_length);
 }
 
 /** \brief What findPlaneEdges is asked for. */
@@ -118,7 +127,7 @@ struct Question {
     constexpr double reaches_of_gap = 2.0;
     constexpr double reaches_of_length = 3.0;
     const double angle = angleBetween (planes[first], planes[second]);
-    if (!bodies[first] || !bodies[second] || !(angle >= parameters.min_angle))
+    if (!bodies[first] || !bodies[second])
       return {};
     const double reach = parameters.reach.value_or (
         reachOf (*bodies[first], *bodies[second], std::sin (angle)));

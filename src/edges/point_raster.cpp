@@ -42,6 +42,7 @@ PointRaster::PointRaster (PlanarPoints points)
   }
   size_ = high - low_;
   cell_ = cellEdge (size_, points.size());
+  cells_per_metre_ = 1.0 / cell_;
   columns_ = static_cast<std::size_t> (size_.x() / cell_) + 1;
   rows_ = static_cast<std::size_t> (size_.y() / cell_) + 1;
   std::vector<std::uint32_t> cells (points.size());
@@ -61,23 +62,25 @@ std::size_t
 PointRaster::cellOf (double offset, std::size_t cells) const
 {
   const double last = static_cast<double> (cells) - 1.0;
-  return static_cast<std::size_t> (std::clamp (offset / cell_, 0.0, last));
+  return static_cast<std::size_t> (std::clamp (offset * cells_per_metre_, 0.0, last));
 }
 
 PointRaster::Run
 PointRaster::cellsBeside (const PlanarLine& line, double reach, std::size_t row) const
 {
+  constexpr double rounding = 1e-9;
   // Distances to the left side of the row at its lower and its upper edge.
   const Eigen::Vector2d lower =
       low_ + Eigen::Vector2d (0.0, cell_ * static_cast<double> (row));
   const double at_lower = line.distance (lower);
   const double at_upper = line.distance (lower + Eigen::Vector2d (0.0, cell_));
-  const double least = std::min (at_lower, at_upper) - reach;
-  const double most = std::max (at_lower, at_upper) + reach;
+  const double slack = reach + rounding * cell_;
+  const double least = std::min (at_lower, at_upper) - slack;
+  const double most = std::max (at_lower, at_upper) + slack;
   // They fall by the direction's y for each metre to the right.
   const double fall = line.direction.y();
   const double width = static_cast<double> (columns_) * cell_;
-  if (std::abs (fall) * width < 1e-9 * cell_)
+  if (std::abs (fall) * width < rounding * cell_)
     return least <= 0.0 && most >= 0.0 ? Run{0, columns_} : Run{0, 0};
   const double left = std::min (least / fall, most / fall);
   const double right = std::max (least / fall, most / fall);
@@ -89,16 +92,25 @@ PointRaster::cellsBeside (const PlanarLine& line, double reach, std::size_t row)
 std::vector<double>
 PointRaster::placesBeside (const PlanarLine& line, double reach) const
 {
-  std::vector<double> places;
   if (points_.empty() || std::abs (line.distance (centre())) > radius() + reach)
-    return places;
+    return {};
+  std::vector<Run> runs; // of points
+  std::size_t most = 0;
   for (std::size_t row = 0; row < rows_; ++row) {
-    const Run run = cellsBeside (line, reach, row);
-    const std::size_t end = begins_[row * columns_ + run.end];
-    for (std::size_t i = begins_[row * columns_ + run.begin]; i < end; ++i)
-      if (std::abs (line.distance (points_[i])) <= reach)
-        places.push_back (line.direction.dot (points_[i] - line.origin));
+    const Run cells = cellsBeside (line, reach, row);
+    const std::size_t* const begins = &begins_[row * columns_];
+    runs.push_back ({begins[cells.begin], begins[cells.end]});
+    most += runs.back().end - runs.back().begin;
   }
+  std::vector<double> places (most);
+  std::size_t number = 0;
+  for (const Run& run : runs)
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      // Written in any case, counted if beside: a jump would be guessed wrongly.
+      places[number] = line.direction.dot (points_[i] - line.origin);
+      number += std::abs (line.distance (points_[i])) <= reach ? 1 : 0;
+    }
+  places.resize (number);
   return places;
 }
 

@@ -34,6 +34,13 @@ public:
   std::vector<double>
   placesBeside (const PlanarLine& line, double reach) const;
 
+  /** \brief Number of finite points. */
+  std::size_t
+  size () const
+  {
+    return points_.size();
+  }
+
   /** \brief A circle around all points. */
   Eigen::Vector2d
   centre () const
@@ -47,7 +54,7 @@ public:
   }
 
 private:
-  /** \brief Cells of a row, the last not among them. */
+  /** \brief From one to another, the last not among them. */
   struct Run {
     std::size_t begin, end;
   };
@@ -60,6 +67,7 @@ private:
   Eigen::Vector2d low_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d size_ = Eigen::Vector2d::Zero();
   double cell_ = 1.0;
+  double cells_per_metre_ = 1.0;
   std::size_t columns_ = 1, rows_ = 1;
   /** \brief Row after row. */
   PlanarPoints points_;

@@ -22,10 +22,9 @@ main (int argc, char** argv)
   if (!ops.segment (planes))
     return 1;
 
-  // Distances follow the noise and the density of the planes; what a floor plan has no
-  // use for can be left out.
+  // Distances follow the noise and the density of the planes, unless they are given.
   pcl_ops::PlaneEdgeParameters parameters;
-  parameters.min_length = 0.5;
+  parameters.min_length = 0.2;
   const pcl_ops::PlaneEdges found =
       pcl_ops::findPlaneEdges (*cloud, planes, parameters);
   std::printf ("%zu edges, %zu corners\n", found.edges.size(), found.corners.size());
