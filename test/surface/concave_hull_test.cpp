@@ -186,6 +186,22 @@ TEST (ConcaveOutline, HasTheWindowOfAWallAsAHole)
   EXPECT_EQ (concaveHull (wallWithWindow()), outline[0]) << "the hull fills it";
 }
 
+TEST (ConcaveOutline, HasTheWindowOfScatteredNoisyPoints)
+{
+  RandomGenerator generator (seedOfTest());
+  PlanarPoints wall;
+  while (wall.size() < 30000) {
+    const double x = 3.0 * drawUnit (generator);
+    const double y = 2.5 * drawUnit (generator);
+    if (!(x > 1.0 && x < 2.0 && y > 1.0 && y < 1.8))
+      wall.emplace_back (x + 5_mm * drawNormal (generator),
+                         y + 5_mm * drawNormal (generator));
+  }
+  const pcl_ops::PlanarRings outline = concaveOutline (wall);
+  ASSERT_EQ (outline.size(), 2u);
+  EXPECT_NEAR (areaOf (outline[1]), -0.8, 10_percent);
+}
+
 TEST (ConcaveOutline, OfAFullSurfaceHasNoHole)
 {
   EXPECT_EQ (concaveOutline (gridOfL()).size(), 1u);
