@@ -74,12 +74,6 @@ written (const Rings& rings, const Notation& notation, int decimals)
 } // namespace
 
 Rings
-ringsOf (const PlaneExtent& extent)
-{
-  return extent.hull.empty() ? Rings() : Rings{extent.hull};
-}
-
-Rings
 seenFromAbove (Rings rings)
 {
   for (Ring& ring : rings) {

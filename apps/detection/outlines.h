@@ -18,9 +18,6 @@ using Ring = std::vector<Eigen::Vector3d>;
  */
 using Rings = std::vector<Ring>;
 
-Rings
-ringsOf (const PlaneExtent& extent);
-
 /** \brief The same with the outline counter-clockwise and holes clockwise as seen from
  * above, as maps want it. Vertical rings, which are lines from there, stay as they are.
  */

@@ -19,6 +19,15 @@ toObject (const PlaneExtent& extent)
   return object;
 }
 
+nlohmann::ordered_json
+toArray (const std::vector<Eigen::Vector3d>& ring)
+{
+  nlohmann::ordered_json corners = nlohmann::ordered_json::array();
+  for (const Eigen::Vector3d& corner : ring)
+    corners.push_back (apps::toArray (corner));
+  return corners;
+}
+
 } // namespace
 
 nlohmann::ordered_json
@@ -42,9 +51,10 @@ planeObject (std::size_t id, const PlaneSegment& segment, const PlaneExtent& ext
   object["rms"] = segment.rms();
   object["area"] = extent.area;
   object["extent"] = toObject (extent);
-  object["hull"] = nlohmann::ordered_json::array();
-  for (const Eigen::Vector3d& corner : extent.hull)
-    object["hull"].push_back (toArray (corner));
+  object["hull"] = toArray (extent.hull);
+  object["holes"] = nlohmann::ordered_json::array();
+  for (const std::vector<Eigen::Vector3d>& hole : extent.holes)
+    object["holes"].push_back (toArray (hole));
   return object;
 }
 

@@ -4,6 +4,7 @@
 #include <cli/program.h>
 #include <evaluation/commands/compare_command.h>
 #include <evaluation/commands/detectors_command.h>
+#include <evaluation/commands/edges_command.h>
 #include <evaluation/commands/pictures_command.h>
 #include <evaluation/commands/report_command.h>
 #include <evaluation/commands/run_command.h>
@@ -31,6 +32,7 @@ constexpr const char* help =
     "  pictures OUTPUT DATASET...   what they find, as pictures\n"
     "  truth DATASET...             how good a truth region growing makes\n"
     "  up DATASET...                how well the up axis is found\n"
+    "  edges DATASET...             how well it is found where planes meet\n"
     "  detectors                    the detectors a run can have\n"
     "\n"
     "Options:\n"
@@ -48,6 +50,7 @@ dispatch (int argc, const char* const* argv)
       {"pictures", evaluation::picturesCommand},
       {"truth", evaluation::truthCommand},
       {"up", evaluation::upCommand},
+      {"edges", evaluation::edgesCommand},
       {"detectors", evaluation::detectorsCommand},
   };
   const std::string name = argc > 1 ? argv[1] : "";

@@ -12,14 +12,14 @@ const std::vector<std::string> hulls = {"convex", "concave"};
 
 namespace {
 
-PlanarPoints
+PlanarRings
 outlineOf (const PlanarPoints& points, [[maybe_unused]] const std::string& hull)
 {
 #ifdef PCL_OPS_WITH_SURFACE
   if (hull == "concave")
-    return concaveHull (points);
+    return concaveOutline (points);
 #endif
-  return convexHull (points);
+  return {convexHull (points)};
 }
 
 } // namespace
@@ -42,7 +42,7 @@ extentInFile (const ShiftedCloud& shifted,
   const PlaneFrame in_cloud (plane.centroid - shifted.shift, plane.normal);
   const PlaneFrame in_file (plane.centroid, plane.normal);
   const PlanarPoints points = pointsOnPlane (*shifted.cloud, plane, in_cloud);
-  return extentOf (outlineOf (points, hull), points, in_file);
+  return extentOfRings (outlineOf (points, hull), points, in_file);
 }
 
 std::vector<PlaneExtent>

@@ -18,22 +18,30 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief The faces of an outline, by its corners: triangles, or itself. */
+using Rings = std::vector<std::vector<Eigen::Vector3d>>;
+
+/** \brief The faces of an outline, by its corners, ring after ring: triangles, or the
+ * outer ring itself. */
 std::vector<pcl::Indices>
-facesOf ([[maybe_unused]] const PlaneSegment& plane, const PlaneExtent& extent)
+facesOf ([[maybe_unused]] const PlaneSegment& plane,
+         [[maybe_unused]] const Eigen::Vector3d& center,
+         const Rings& rings)
 {
   std::vector<pcl::Indices> faces;
 #ifdef PCL_OPS_WITH_SURFACE
-  const PlaneFrame frame (extent.center, plane.normal);
-  PlanarPoints outline;
-  for (const Eigen::Vector3d& corner : extent.hull)
-    outline.push_back (frame.toPlane (corner));
-  for (const Triangle& triangle : triangulate (outline))
+  const PlaneFrame frame (center, plane.normal);
+  PlanarRings outline;
+  for (const std::vector<Eigen::Vector3d>& ring : rings) {
+    outline.emplace_back();
+    for (const Eigen::Vector3d& corner : ring)
+      outline.back().push_back (frame.toPlane (corner));
+  }
+  for (const Triangle& triangle : triangulateRings (outline))
     faces.push_back (pcl::Indices (triangle.begin(), triangle.end()));
 #endif
   if (faces.empty()) {
     faces.emplace_back();
-    for (std::size_t corner = 0; corner < extent.hull.size(); ++corner)
+    for (std::size_t corner = 0; corner < rings.front().size(); ++corner)
       faces.back().push_back (static_cast<pcl::index_t> (corner));
   }
   return faces;
@@ -59,17 +67,19 @@ toMesh (const Eigen::Isometry3d& pose,
 {
   Mesh mesh{{}, {}, "float"};
   for (std::size_t p = 0; p < planes.size(); ++p) {
-    if (extents[p].hull.empty())
+    const Rings rings = extents[p].rings();
+    if (rings.empty())
       continue;
     const auto first = static_cast<pcl::index_t> (mesh.corners.size());
-    for (pcl::Indices& face : facesOf (planes[p], extents[p])) {
+    for (pcl::Indices& face : facesOf (planes[p], extents[p].center, rings)) {
       for (pcl::index_t& corner : face)
         corner += first;
       mesh.faces.push_back (face);
     }
     const pcl::RGB color = colorOfLabel (static_cast<std::uint32_t> (p + 1));
-    for (const Eigen::Vector3d& corner : extents[p].hull)
-      mesh.corners.push_back ({pose * corner, color});
+    for (const std::vector<Eigen::Vector3d>& ring : rings)
+      for (const Eigen::Vector3d& corner : ring)
+        mesh.corners.push_back ({pose * corner, color});
   }
   return mesh;
 }

@@ -62,6 +62,8 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
   line.addChoice (
       "hull", hulls, options.hull, "outline of a plane in --planes, --mesh (convex)");
   line.addText (
+      "edges", "FILE", outputs.edges, "write where planes meet: .ply, .vtk or .json");
+  line.addText (
       "rest", "FILE", outputs.rest, "write the points on no plane: .pcd or .ply");
   line.addText ("planes-dir",
                 "DIR",
@@ -144,6 +146,7 @@ checkOutputs (const SegmentOptions& options)
     checkExtension ("--planes", outputs.planes, {".json", ".csv", ".geojson"});
   checkExtension ("--image", outputs.image, {".png"});
   checkExtension ("--mesh", outputs.mesh, {".ply", ".vtk"});
+  checkExtension ("--edges", outputs.edges, {".ply", ".vtk", ".json"});
   checkExtension ("--rest", outputs.rest, {".pcd", ".ply"});
   const bool has_output = options.isBatch() || !outputs.planes.empty() ||
                           !outputs.files().empty() || !outputs.planes_dir.empty();
@@ -181,6 +184,7 @@ checkBatch (const CommandLine& line, const SegmentOptions& options)
       {"--planes", outputs.planes},
       {"--image", outputs.image},
       {"--mesh", outputs.mesh},
+      {"--edges", outputs.edges},
       {"--rest", outputs.rest},
       {"--planes-dir", outputs.planes_dir}};
   for (const auto& [option, pattern] : patterns)
@@ -198,7 +202,7 @@ std::vector<std::string>
 Outputs::files() const
 {
   std::vector<std::string> named;
-  for (const std::string& file : {cloud, planes, image, mesh, rest})
+  for (const std::string& file : {cloud, planes, image, mesh, edges, rest})
     if (!file.empty() && file != standard_stream)
       named.push_back (file);
   return named;

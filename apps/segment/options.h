@@ -20,6 +20,8 @@ struct Outputs {
   std::string image;
   /** \brief The outlines of the planes, .ply or .vtk. */
   std::string mesh;
+  /** \brief Where planes meet, .ply, .vtk or .json. */
+  std::string edges;
   /** \brief The points on no plane. */
   std::string rest;
   /** \brief The folder of one cloud for each plane. */

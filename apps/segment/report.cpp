@@ -212,7 +212,7 @@ toCsv (const Report& report)
                                 extent.length,
                                 extent.width})
       csv << "," << number;
-    csv << ",\"" << toWkt (seenFromAbove (ringsOf (extent)), decimals) << "\"\n";
+    csv << ",\"" << toWkt (seenFromAbove (extent.rings()), decimals) << "\"\n";
   }
   return csv.str();
 }
@@ -240,7 +240,7 @@ toGeoJson (const Report& report)
     properties["width"] = extent.width;
     text += (i == 0 ? "\n" : ",\n") + std::string ("{\"type\":\"Feature\",\"id\":") +
             std::to_string (i + 1) + ",\"geometry\":" +
-            toGeoJsonGeometry (seenFromAbove (ringsOf (extent)), decimals) +
+            toGeoJsonGeometry (seenFromAbove (extent.rings()), decimals) +
             ",\"properties\":" + properties.dump() + "}";
   }
   return text + "\n]}\n";

@@ -3,6 +3,7 @@
 #include "segment_cloud.h"
 
 #include "distances.h"
+#include "edges.h"
 #include "extents.h"
 #include "filter.h"
 #include "mesh.h"
@@ -124,6 +125,10 @@ saveOutputs (const SegmentOptions& options,
               planes,
               report.extents,
               shifted.shift.isZero (0.0) ? Precision::Single : Precision::Double);
+  if (!outputs.edges.empty())
+    saveEdges (outputs.edges,
+               poseOf (cloud),
+               findPlaneEdges (*shifted.cloud, planes, {}, shifted.shift));
   if (!outputs.rest.empty())
     saveRest (outputs.rest, cloud, shifted, labels);
   if (!outputs.planes_dir.empty())

@@ -90,6 +90,7 @@ batchTask (const SegmentOptions& options, const std::string& input)
   task.outputs.planes = output (given.planes.empty() ? "{}.json" : given.planes);
   task.outputs.image = output (given.image);
   task.outputs.mesh = output (given.mesh);
+  task.outputs.edges = output (given.edges);
   task.outputs.rest = output (given.rest);
   task.outputs.planes_dir = output (given.planes_dir);
   return task;

@@ -73,6 +73,22 @@ diagonalOf (const std::vector<PlaneExtent>& extents)
   return box.isEmpty() ? 1.0 : box.diagonal().norm();
 }
 
+/** \brief Lines or points that those of the cloud do not hide. */
+vtkSmartPointer<vtkActor>
+beforePoints (const vtkSmartPointer<vtkPolyData>& data)
+{
+  constexpr double towards_eye = -8.0;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData (data);
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters (towards_eye, towards_eye);
+  mapper->SetRelativeCoincidentTopologyPointOffsetParameter (towards_eye);
+  const auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper (mapper);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
 double
 arrowLength (const PlaneExtent& extent, double diagonal)
 {
@@ -89,7 +105,6 @@ vtkSmartPointer<vtkActor>
 outlinesOf (const FoundPlanes& found, const std::vector<pcl::RGB>& colors)
 {
   constexpr float line_width = 2.5f;
-  constexpr double towards_eye = -8.0;
   ColoredPoints corners;
   vtkNew<vtkCellArray> lines;
   for (std::size_t i = 0; i < found.extents.size(); ++i) {
@@ -106,14 +121,46 @@ outlinesOf (const FoundPlanes& found, const std::vector<pcl::RGB>& colors)
   }
   const vtkSmartPointer<vtkPolyData> data = corners.toPolyData();
   data->SetLines (lines);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData (data);
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters (towards_eye, towards_eye);
-  const auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper (mapper);
+  const vtkSmartPointer<vtkActor> actor = beforePoints (data);
   actor->GetProperty()->SetLineWidth (line_width);
-  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+vtkSmartPointer<vtkActor>
+edgesOf (const FoundPlanes& found)
+{
+  constexpr float line_width = 4.0f;
+  const pcl::RGB black (0, 0, 0);
+  ColoredPoints ends;
+  vtkNew<vtkCellArray> lines;
+  for (const PlaneEdge& edge : found.edges.edges) {
+    lines->InsertNextCell (2);
+    lines->InsertCellPoint (ends.add (edge.from, black));
+    lines->InsertCellPoint (ends.add (edge.to, black));
+  }
+  const vtkSmartPointer<vtkPolyData> data = ends.toPolyData();
+  data->SetLines (lines);
+  const vtkSmartPointer<vtkActor> actor = beforePoints (data);
+  actor->GetProperty()->SetLineWidth (line_width);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor>
+cornersOf (const FoundPlanes& found)
+{
+  constexpr float point_size = 14.0f;
+  const pcl::RGB red (220, 0, 0);
+  ColoredPoints corners;
+  vtkNew<vtkCellArray> points;
+  for (const PlaneCorner& corner : found.edges.corners) {
+    points->InsertNextCell (1);
+    points->InsertCellPoint (corners.add (corner.position, red));
+  }
+  const vtkSmartPointer<vtkPolyData> data = corners.toPolyData();
+  data->SetVerts (points);
+  const vtkSmartPointer<vtkActor> actor = beforePoints (data);
+  actor->GetProperty()->SetPointSize (point_size);
+  actor->GetProperty()->RenderPointsAsSpheresOn();
   return actor;
 }
 

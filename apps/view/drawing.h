@@ -18,6 +18,14 @@ namespace pcl_ops::apps {
 vtkSmartPointer<vtkActor>
 outlinesOf (const FoundPlanes& found, const std::vector<pcl::RGB>& colors);
 
+/** \brief Where two planes meet, as lines. */
+vtkSmartPointer<vtkActor>
+edgesOf (const FoundPlanes& found);
+
+/** \brief Where three planes meet, as points. */
+vtkSmartPointer<vtkActor>
+cornersOf (const FoundPlanes& found);
+
 /** \brief An arrow along the normal of every plane, from its centroid; longer for
  * larger planes. \param[in] colors one per plane */
 vtkSmartPointer<vtkActor>

@@ -46,6 +46,7 @@ findPlanes (const DetectionRun& run,
   found.labels = labelsOf (found.planes, cloud->size());
   for (const PlaneSegment& plane : found.planes)
     found.extents.push_back (planeExtent (*cloud, plane));
+  found.edges = findPlaneEdges (*cloud, found.planes);
   found.colors.resize (found.planes.size());
   std::iota (found.colors.begin(), found.colors.end(), 1);
   return found;

@@ -4,6 +4,7 @@
 
 #include "view_state.h"
 #include <detection/methods.h>
+#include <pcl_ops/plane_edges.h>
 #include <pcl_ops/plane_extent.h>
 
 #include <cstdint>
@@ -14,12 +15,13 @@
 namespace pcl_ops::apps {
 
 /** \brief The planes of one run with what is needed to show them. All vectors but
- * \ref labels have one entry per plane. */
+ * \ref labels and \ref edges have one entry per plane. */
 struct FoundPlanes {
   /** \brief Direction against gravity, as given or found. */
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   std::vector<PlaneSegment> planes;
   std::vector<PlaneExtent> extents;
+  PlaneEdges edges;
   /** \brief Which colour each has, as a label (\ref colorOfLabel). */
   std::vector<std::uint32_t> colors;
   /** \brief Per point: 0 for no plane, else its position in \ref planes plus 1. */

@@ -54,6 +54,7 @@ declareView (CommandLine& line,
                   coloring,
                   "what colours tell (planes)");
   line.addFlag ("hulls", options.state.hulls, "draw the outline of each plane");
+  line.addFlag ("edges", options.state.edges, "draw edges and corners where they meet");
   line.addFlag ("normals", options.state.normals, "draw the normal of each plane");
   line.addFlag ("before-merging", before, "show the planes before they are merged");
   line.addText ("screenshot",

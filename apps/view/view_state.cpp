@@ -54,6 +54,8 @@ bindings ()
        }},
       {{"l", "outlines on or off"},
        [] (ViewState& state) { state.hulls = !state.hulls; }},
+      {{"e", "edges where planes meet on or off"},
+       [] (ViewState& state) { state.edges = !state.edges; }},
       {{"n", "normals on or off"},
        [] (ViewState& state) { state.normals = !state.normals; }},
       {{"+", "larger points"}, [] (ViewState& state) { resizePoints (state, 1); }},

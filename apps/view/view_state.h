@@ -38,6 +38,8 @@ struct ViewState {
   DetectionRun run;
   Coloring coloring = Coloring::Planes;
   bool hulls = false;
+  /** \brief Whether edges and corners are drawn. */
+  bool edges = false;
   bool normals = false;
   /** \brief Edge of the square that a point is drawn as [pixel]. */
   int point_size = 2;

@@ -75,7 +75,7 @@ private:
   vtkNew<vtkRenderWindow> window_;
   vtkNew<Interaction> interaction_;
   std::unique_ptr<PCLVisualizer> viewer_;
-  vtkSmartPointer<vtkActor> outlines_, normals_;
+  vtkSmartPointer<vtkActor> outlines_, edges_, corners_, normals_;
   vtkSmartPointer<vtkTextActor> status_ = textIn ({false, true});
   vtkSmartPointer<vtkTextActor> keys_ = textIn ({false, false});
   vtkSmartPointer<vtkTextActor> plane_ = textIn ({true, true});
@@ -207,8 +207,8 @@ Window::drawPlanes()
                              cloud_id);
   viewer_->setPointCloudRenderingProperties (
       pcl::visualization::PCL_VISUALIZER_POINT_SIZE, state_.point_size, cloud_id);
-  renderer_->RemoveActor (outlines_);
-  renderer_->RemoveActor (normals_);
+  for (const auto& actor : {outlines_, edges_, corners_, normals_})
+    renderer_->RemoveActor (actor);
   const std::vector<pcl::RGB> plane_colors = planeColors (*found_, state_);
   outlines_ = outlinesOf (*found_, plane_colors);
   normals_ = normalsOf (*found_, plane_colors);
@@ -216,6 +216,12 @@ Window::drawPlanes()
     renderer_->AddActor (outlines_);
   if (state_.normals)
     renderer_->AddActor (normals_);
+  if (!state_.edges)
+    return;
+  edges_ = edgesOf (*found_);
+  corners_ = cornersOf (*found_);
+  renderer_->AddActor (edges_);
+  renderer_->AddActor (corners_);
 }
 
 void

@@ -47,13 +47,20 @@ private:
 /** \brief Points or a polygon in a plane, in the coordinates of a PlaneFrame [m]. */
 using PlanarPoints = std::vector<Eigen::Vector2d>;
 
+/** \brief An outline with holes: the ring around it, counter-clockwise, then those
+ * around its holes, clockwise; no ring repeats its first corner. Empty where there is
+ * no outline. */
+using PlanarRings = std::vector<PlanarPoints>;
+
 /** \brief Where a plane ends, in the frame of the input cloud. */
 struct PlaneExtent {
   /** \brief Corners of the outline, on the plane, counter-clockwise seen from the side
    * the normal points to, the first not repeated. Empty where the points span no area:
    * fewer than three, all on one line, or all equal. */
   std::vector<Eigen::Vector3d> hull;
-  /** \brief Area inside the outline [m^2]. */
+  /** \brief Outlines of holes inside of it, clockwise; of a convex outline none. */
+  std::vector<std::vector<Eigen::Vector3d>> holes;
+  /** \brief Area inside the outline, less the holes [m^2]. */
   double area = 0.0;
   /** \brief The smallest rectangle around the outline: its centre, its sides as unit
    * vectors with long_axis x short_axis = normal, and how long they are [m]. Of points
@@ -63,6 +70,17 @@ struct PlaneExtent {
   Eigen::Vector3d short_axis = Eigen::Vector3d::UnitY();
   double length = 0.0;
   double width = 0.0;
+
+  /** \brief \ref hull, then the \ref holes; nothing where there is no hull. */
+  std::vector<std::vector<Eigen::Vector3d>>
+  rings () const
+  {
+    std::vector<std::vector<Eigen::Vector3d>> all;
+    if (!hull.empty())
+      all.push_back (hull);
+    all.insert (all.end(), holes.begin(), holes.end());
+    return all;
+  }
 };
 
 /** \brief The convex outline of points in a plane, without the fringe that noise gives
@@ -87,6 +105,12 @@ PCL_OPS_EXPORT PlaneExtent
 extentOf (const PlanarPoints& outline,
           const PlanarPoints& points,
           const PlaneFrame& frame);
+
+/** \brief As \ref extentOf, of an outline with holes. */
+PCL_OPS_EXPORT PlaneExtent
+extentOfRings (const PlanarRings& rings,
+               const PlanarPoints& points,
+               const PlaneFrame& frame);
 
 /** \brief The inliers of a plane, projected onto it.
  * \param[in] cloud the input cloud the plane was found in

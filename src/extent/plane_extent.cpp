@@ -170,6 +170,22 @@ extentOf (const PlanarPoints& outline,
   return extent;
 }
 
+PlaneExtent
+extentOfRings (const PlanarRings& rings,
+               const PlanarPoints& points,
+               const PlaneFrame& frame)
+{
+  PlaneExtent extent =
+      extentOf (rings.empty() ? PlanarPoints() : rings.front(), points, frame);
+  for (std::size_t hole = 1; hole < rings.size(); ++hole) {
+    extent.area += areaOf (rings[hole]); // below 0
+    extent.holes.emplace_back();
+    for (const Eigen::Vector2d& corner : rings[hole])
+      extent.holes.back().push_back (frame.toSpace (corner));
+  }
+  return extent;
+}
+
 PlanarPoints
 pointsOnPlane (const CloudView& cloud,
                const PlaneSegment& plane,

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace pcl_ops {
 
@@ -56,9 +57,9 @@ weightWithin (const Ring& ring, const WeightedPoints& points)
   return weight;
 }
 
-/** \brief The largest of the outlines, counter-clockwise; empty if there is none. */
-Ring
-largestOutline (const PlanarPoints& points, double alpha)
+/** \brief All rings of the alpha shape, counter-clockwise, by falling area. */
+std::vector<Ring>
+ringsOf (const PlanarPoints& points, double alpha)
 {
   const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   for (const Eigen::Vector2d& point : points)
@@ -74,23 +75,64 @@ largestOutline (const PlanarPoints& points, double alpha)
   concave.reconstruct (corners, polygons);
   pcl::PointIndices indices;
   concave.getHullPointIndices (indices);
-  Ring largest;
+  std::vector<Ring> rings;
   for (const pcl::Vertices& polygon : polygons) {
-    Ring ring;
+    rings.emplace_back();
     for (const auto vertex : polygon.vertices)
-      ring.push_back (
+      rings.back().push_back (
           toPoint (points[static_cast<std::size_t> (indices.indices[vertex])]));
-    if (std::abs (geometry::area (ring)) > std::abs (geometry::area (largest)))
-      largest = ring;
+    geometry::correct (rings.back());
   }
-  geometry::correct (largest);
-  return largest;
+  std::stable_sort (rings.begin(), rings.end(), [] (const Ring& a, const Ring& b) {
+    return geometry::area (a) > geometry::area (b);
+  });
+  return rings;
+}
+
+PlanarPoints
+cornersOf (const Ring& ring, double tolerance)
+{
+  Ring corners;
+  geometry::simplify (ring, corners, tolerance);
+  geometry::correct (corners);
+  PlanarPoints outline;
+  for (const RingPoint& corner : corners)
+    outline.emplace_back (corner.x(), corner.y());
+  return outline;
+}
+
+/** \brief The first ring as an outline, and those within it, not within each other, as
+ * its holes. \param[in] least area of a hole [m^2] */
+PlanarRings
+withHoles (const std::vector<Ring>& rings, double least, double tolerance)
+{
+  std::vector<Ring> holes;
+  for (auto ring = rings.begin() + 1; ring != rings.end(); ++ring) {
+    const auto holds = [&] (const Ring& other) {
+      return geometry::covered_by (*ring, other);
+    };
+    if (geometry::area (*ring) >= least && geometry::is_valid (*ring) &&
+        holds (rings.front()) && std::none_of (holes.begin(), holes.end(), holds))
+      holes.push_back (*ring);
+  }
+  PlanarRings outline = {cornersOf (rings.front(), tolerance)};
+  for (const Ring& hole : holes) {
+    outline.push_back (cornersOf (hole, tolerance));
+    std::reverse (outline.back().begin(), outline.back().end());
+  }
+  return outline;
+}
+
+PlanarRings
+onlyOuter (const PlanarPoints& outline)
+{
+  return outline.empty() ? PlanarRings() : PlanarRings{outline};
 }
 
 } // namespace
 
-PlanarPoints
-concaveHull (const PlanarPoints& points, double alpha)
+PlanarRings
+concaveOutline (const PlanarPoints& points, double alpha)
 {
   constexpr double least_inside = 0.99;
   constexpr double most_outside_convex = 0.005;
@@ -111,23 +153,25 @@ concaveHull (const PlanarPoints& points, double alpha)
       thinInside (pointsWithin (convex, points), radius / cells_per_alpha);
   constexpr std::size_t fewest_for_qhull = 4;
   if (thinned.points.size() < fewest_for_qhull)
-    return convex;
+    return onlyOuter (convex);
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
-    const Ring ring = largestOutline (thinned.points, radius);
-    if (geometry::is_valid (ring) &&
-        static_cast<double> (weightWithin (ring, thinned)) >= least_inside * number) {
-      Ring corners;
+    const std::vector<Ring> rings = ringsOf (thinned.points, radius);
+    if (!rings.empty() && geometry::is_valid (rings.front()) &&
+        static_cast<double> (weightWithin (rings.front(), thinned)) >=
+            least_inside * number) {
       constexpr double straight = 1e-3;
-      geometry::simplify (ring, corners, straight * spacing);
-      geometry::correct (corners);
-      PlanarPoints outline;
-      for (const RingPoint& corner : corners)
-        outline.emplace_back (corner.x(), corner.y());
-      return outline;
+      return withHoles (rings, radius * radius, straight * spacing);
     }
     radius *= growth;
   }
-  return convex;
+  return onlyOuter (convex);
+}
+
+PlanarPoints
+concaveHull (const PlanarPoints& points, double alpha)
+{
+  const PlanarRings outline = concaveOutline (points, alpha);
+  return outline.empty() ? PlanarPoints() : outline.front();
 }
 
 } // namespace pcl_ops

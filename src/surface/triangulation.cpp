@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ear_clipping.h"
+#include "keyholes.h"
+#include "planar_sides.h"
 #include <pcl_ops/surface/triangulation.h>
 #include <vtkCellArray.h>
 #include <vtkIdList.h>
@@ -9,30 +12,39 @@
 #include <vtkTriangleFilter.h>
 
 #include <cmath>
+#include <utility>
 
 namespace pcl_ops {
 
 namespace {
 
 double
-twiceTheArea (const PlanarPoints& outline, const Triangle& triangle)
+areaOf (const Triangle& triangle, const PlanarPoints& corners)
 {
-  const Eigen::Vector2d first = outline[triangle[1]] - outline[triangle[0]];
-  const Eigen::Vector2d second = outline[triangle[2]] - outline[triangle[0]];
-  return first.x() * second.y() - first.y() * second.x();
+  const auto& [a, b, c] = triangle;
+  return 0.5 * twiceTheArea (corners[a], corners[b], corners[c]);
 }
 
-bool
-coverTheOutline (const std::vector<Triangle>& triangles, const PlanarPoints& outline)
+double
+areaOf (const PlanarPoints& ring)
 {
+  double area = 0.0;
+  for (std::size_t i = 2; i < ring.size(); ++i)
+    area += areaOf (Triangle{0, i - 1, i}, ring);
+  return area;
+}
+
+/** \brief The triangles if they cover an area; else none. */
+std::vector<Triangle>
+unlessParted (std::vector<Triangle> triangles, const PlanarPoints& corners, double area)
+{
+  constexpr double tolerance = 1e-6;
   double covered = 0.0;
   for (const Triangle& triangle : triangles)
-    covered += std::abs (twiceTheArea (outline, triangle));
-  double whole = 0.0;
-  for (std::size_t i = 2; i < outline.size(); ++i)
-    whole += twiceTheArea (outline, {0, i - 1, i});
-  constexpr double tolerance = 1e-6;
-  return std::abs (covered - whole) < tolerance * whole;
+    covered += areaOf (triangle, corners);
+  if (!(std::abs (covered - area) < tolerance * area))
+    triangles.clear();
+  return triangles;
 }
 
 void
@@ -71,11 +83,26 @@ triangulate (const PlanarPoints& outline)
     for (vtkIdType corner = 0; corner < corners; ++corner)
       triangle[static_cast<std::size_t> (corner)] =
           static_cast<std::size_t> (ids->GetId (corner));
-    if (twiceTheArea (outline, triangle) < 0.0)
+    if (areaOf (triangle, outline) < 0.0)
       std::swap (triangle[1], triangle[2]);
     triangles.push_back (triangle);
   }
-  return coverTheOutline (triangles, outline) ? triangles : std::vector<Triangle>();
+  return unlessParted (std::move (triangles), outline, areaOf (outline));
+}
+
+std::vector<Triangle>
+triangulateRings (const PlanarRings& rings)
+{
+  if (rings.size() < 2)
+    return rings.empty() ? std::vector<Triangle>() : triangulate (rings.front());
+  PlanarPoints corners;
+  double area = 0.0;
+  for (const PlanarPoints& ring : rings) {
+    corners.insert (corners.end(), ring.begin(), ring.end());
+    area += areaOf (ring);
+  }
+  return unlessParted (
+      clipEars (throughKeyholes (rings, corners), corners), corners, area);
 }
 
 } // namespace pcl_ops

@@ -6,6 +6,7 @@
 #include <pcl_ops/surface/concave_hull.h>
 
 using pcl_ops::concaveHull;
+using pcl_ops::concaveOutline;
 using pcl_ops::PlanarPoints;
 
 namespace {
@@ -47,6 +48,18 @@ bool
 isInL (const Eigen::Vector2d& point)
 {
   return point.x() <= 0.5 || point.y() <= 0.5;
+}
+
+/** \brief A wall of 3 m x 2.5 m with a window of 1 m x 0.8 m, in a grid of 2 cm. */
+PlanarPoints
+wallWithWindow ()
+{
+  PlanarPoints wall;
+  for (int x = 0; x <= 150; ++x)
+    for (int y = 0; y <= 125; ++y)
+      if (!(x > 50 && x < 100 && y > 50 && y < 90))
+        wall.emplace_back (0.02 * x, 0.02 * y);
+  return wall;
 }
 
 constexpr double area_of_l = 1.75;
@@ -158,4 +171,69 @@ TEST (ConcaveHull, OfPointsThatSpanNoAreaIsEmpty)
 TEST (ConcaveHull, OfThreePointsIsTheirTriangle)
 {
   EXPECT_NEAR (areaOf (concaveHull ({{0, 0}, {1, 0}, {0, 1}})), 0.5, 1e-9);
+}
+
+TEST (ConcaveOutline, HasTheWindowOfAWallAsAHole)
+{
+  const pcl_ops::PlanarRings outline = concaveOutline (wallWithWindow());
+  ASSERT_EQ (outline.size(), 2u);
+  EXPECT_NEAR (areaOf (outline[0]), 7.5, 1_percent * 7.5);
+  EXPECT_NEAR (areaOf (outline[1]), -0.8, 5_percent) << "clockwise";
+  for (const Eigen::Vector2d& corner : outline[1]) {
+    EXPECT_NEAR (corner.x(), 1.5, 0.5 + 1e-9);
+    EXPECT_NEAR (corner.y(), 1.4, 0.4 + 1e-9);
+  }
+  EXPECT_EQ (concaveHull (wallWithWindow()), outline[0]) << "the hull fills it";
+}
+
+TEST (ConcaveOutline, HasTheWindowOfScatteredNoisyPoints)
+{
+  RandomGenerator generator (seedOfTest());
+  PlanarPoints wall;
+  while (wall.size() < 30000) {
+    const double x = 3.0 * drawUnit (generator);
+    const double y = 2.5 * drawUnit (generator);
+    if (!(x > 1.0 && x < 2.0 && y > 1.0 && y < 1.8))
+      wall.emplace_back (x + 5_mm * drawNormal (generator),
+                         y + 5_mm * drawNormal (generator));
+  }
+  const pcl_ops::PlanarRings outline = concaveOutline (wall);
+  ASSERT_EQ (outline.size(), 2u);
+  EXPECT_NEAR (areaOf (outline[1]), -0.8, 10_percent);
+}
+
+TEST (ConcaveOutline, OfAFullSurfaceHasNoHole)
+{
+  EXPECT_EQ (concaveOutline (gridOfL()).size(), 1u);
+  EXPECT_EQ (concaveOutline (scatteredL (30000, 5_mm)).size(), 1u);
+}
+
+TEST (ConcaveOutline, HasHolesByFallingArea)
+{
+  PlanarPoints wall = wallWithWindow();
+  const auto is_vent = [] (const Eigen::Vector2d& point) {
+    return (point - Eigen::Vector2d (2.5, 2.0)).lpNorm<Eigen::Infinity>() < 0.2;
+  };
+  wall.erase (std::remove_if (wall.begin(), wall.end(), is_vent), wall.end());
+  const pcl_ops::PlanarRings outline = concaveOutline (wall);
+  ASSERT_EQ (outline.size(), 3u);
+  EXPECT_LT (areaOf (outline[1]), areaOf (outline[2]));
+}
+
+TEST (ConcaveOutline, TakesItsHolesOffTheArea)
+{
+  const PlanarPoints wall = wallWithWindow();
+  const pcl_ops::PlaneExtent extent =
+      pcl_ops::extentOfRings (concaveOutline (wall), wall, ground);
+  EXPECT_NEAR (extent.area, 7.5 - 0.8, 1_percent * 7.5);
+  ASSERT_EQ (extent.holes.size(), 1u);
+  ASSERT_EQ (extent.rings().size(), 2u);
+  EXPECT_EQ (extent.rings()[0], extent.hull);
+  EXPECT_NEAR (extent.length, 3.0, 1e-6) << "of the outer ring";
+}
+
+TEST (ConcaveOutline, OfPointsThatSpanNoAreaIsEmpty)
+{
+  EXPECT_TRUE (concaveOutline ({}).empty());
+  EXPECT_TRUE (pcl_ops::extentOfRings ({}, {}, ground).rings().empty());
 }

@@ -12,18 +12,36 @@ namespace {
 
 /** \brief The areas of the triangles, each of which runs counter-clockwise. */
 double
-areaOfTriangles (const PlanarPoints& outline)
+areaOfTriangles (const std::vector<pcl_ops::Triangle>& triangles,
+                 const PlanarPoints& corners)
 {
   double area = 0.0;
-  for (const pcl_ops::Triangle& triangle : pcl_ops::triangulate (outline)) {
-    const Eigen::Vector2d first = outline[triangle[1]] - outline[triangle[0]];
-    const Eigen::Vector2d second = outline[triangle[2]] - outline[triangle[0]];
+  for (const pcl_ops::Triangle& triangle : triangles) {
+    const Eigen::Vector2d first = corners[triangle[1]] - corners[triangle[0]];
+    const Eigen::Vector2d second = corners[triangle[2]] - corners[triangle[0]];
     const double twice = first.x() * second.y() - first.y() * second.x();
     EXPECT_GE (twice, 0.0);
     area += 0.5 * twice;
   }
   return area;
 }
+
+double
+areaOfTriangles (const PlanarPoints& outline)
+{
+  return areaOfTriangles (pcl_ops::triangulate (outline), outline);
+}
+
+double
+areaOfTriangles (const pcl_ops::PlanarRings& rings)
+{
+  PlanarPoints corners;
+  for (const PlanarPoints& ring : rings)
+    corners.insert (corners.end(), ring.begin(), ring.end());
+  return areaOfTriangles (pcl_ops::triangulateRings (rings), corners);
+}
+
+const PlanarPoints square_of_three = {{0, 0}, {3, 0}, {3, 3}, {0, 3}};
 
 } // namespace
 
@@ -36,8 +54,8 @@ TEST (Triangulation, OfASquareIsTwoTriangles)
 
 TEST (Triangulation, OfAnLLeavesItsNotchFree)
 {
-  EXPECT_NEAR (
-      areaOfTriangles ({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), 3.0, 1e-9);
+  const PlanarPoints l = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  EXPECT_NEAR (areaOfTriangles (l), 3.0, 1e-9);
 }
 
 TEST (Triangulation, OfACombWithAHundredTeethCoversEveryTooth)
@@ -56,4 +74,30 @@ TEST (Triangulation, OfNoAreaIsNone)
   EXPECT_TRUE (pcl_ops::triangulate ({}).empty());
   EXPECT_TRUE (pcl_ops::triangulate ({{0, 0}, {1, 1}}).empty());
   EXPECT_TRUE (pcl_ops::triangulate ({{0, 0}, {1, 1}, {2, 2}}).empty());
+}
+
+TEST (Triangulation, LeavesHolesFree)
+{
+  const pcl_ops::PlanarRings frame = {square_of_three,
+                                      {{1, 1}, {1, 2}, {2, 2}, {2, 1}}};
+  EXPECT_NEAR (areaOfTriangles (frame), 8.0, 1e-9);
+}
+
+TEST (Triangulation, LeavesEachOfManyHolesFree)
+{
+  pcl_ops::PlanarRings sieve = {square_of_three};
+  for (int x = 0; x < 5; ++x)
+    for (int y = 0; y < 5; ++y) {
+      const double left = 0.2 + 0.6 * x, low = 0.2 + 0.6 * y;
+      sieve.push_back (
+          {{left, low}, {left, low + 0.2}, {left + 0.2, low + 0.2}, {left + 0.2, low}});
+    }
+  EXPECT_NEAR (areaOfTriangles (sieve), 9.0 - 25 * 0.04, 1e-9);
+}
+
+TEST (Triangulation, OfOneRingIsThatOfItsOutline)
+{
+  EXPECT_EQ (pcl_ops::triangulateRings ({square_of_three}),
+             pcl_ops::triangulate (square_of_three));
+  EXPECT_TRUE (pcl_ops::triangulateRings ({}).empty());
 }

@@ -6,25 +6,32 @@
 
 namespace pcl_ops {
 
-/** \brief The concave outline of points in a plane, by pcl::ConcaveHull: the outer edge
- * of the triangles between neighbouring points that have a circumscribed circle of
- * radius alpha at most.
+/** \brief The concave outline of points in a plane and its holes, by pcl::ConcaveHull:
+ * the edges of the triangles between neighbouring points that have a circumscribed
+ * circle of radius alpha at most (alpha shape of Edelsbrunner, Kirkpatrick & Seidel, On
+ * the shape of a set of points in the plane, 1983).
  *
  * The radius grows until the outline is a single one with at least 99 % of the points
- * inside; the convex hull is what it ends in. Holes are not cut out. Points clearly
- * inside are thinned first.
+ * inside; the convex hull is what it ends in. Holes are windows as well as shadows: a
+ * place without points wide enough for a circle of that radius. Points in the middle of
+ * a hole are no hole in it. Points clearly inside are thinned first.
  * \param[in] points in any order; those with a NaN or infinite coordinate are left out
  * \param[in] alpha the radius to begin with [m]; 0: six times the mean distance between
  * neighbouring points
+ * \return the holes by falling area; empty where the points span no area */
+PCL_OPS_EXPORT PlanarRings
+concaveOutline (const PlanarPoints& points, double alpha = 0.0);
+
+/** \brief The outer ring of \ref concaveOutline alone, its holes filled.
  * \return counter-clockwise, the first corner not repeated; empty where the points span
  * no area */
 PCL_OPS_EXPORT PlanarPoints
 concaveHull (const PlanarPoints& points, double alpha = 0.0);
 
-/** \brief As \ref planeExtent, with the concave outline as its hull.
+/** \brief As \ref planeExtent, with the concave outline as its hull, and its holes.
  * \param[in] cloud the input cloud the plane was found in
  * \param[in] plane as a detector gives it
- * \param[in] alpha as for \ref concaveHull */
+ * \param[in] alpha as for \ref concaveOutline */
 template <typename PointT>
 PlaneExtent
 concavePlaneExtent (const pcl::PointCloud<PointT>& cloud,
@@ -33,7 +40,7 @@ concavePlaneExtent (const pcl::PointCloud<PointT>& cloud,
 {
   const PlaneFrame frame (plane.centroid, plane.normal);
   const PlanarPoints points = pointsOnPlane (cloud, plane, frame);
-  return extentOf (concaveHull (points, alpha), points, frame);
+  return extentOfRings (concaveOutline (points, alpha), points, frame);
 }
 
 } // namespace pcl_ops

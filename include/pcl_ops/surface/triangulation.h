@@ -21,4 +21,10 @@ using Triangle = std::array<std::size_t, 3>;
 PCL_OPS_EXPORT std::vector<Triangle>
 triangulate (const PlanarPoints& outline);
 
+/** \brief As \ref triangulate, of an outline with holes, by ears off a ring through
+ * keyholes.
+ * \return triangles of the corners of all rings, numbered ring after ring */
+PCL_OPS_EXPORT std::vector<Triangle>
+triangulateRings (const PlanarRings& rings);
+
 } // namespace pcl_ops

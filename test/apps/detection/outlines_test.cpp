@@ -48,7 +48,7 @@ TEST (Outlines, AreWrittenClosedWithTheirHoles)
 
 TEST (Outlines, OfNoAreaAreEmpty)
 {
-  const Rings none = ringsOf (PlaneExtent{});
+  const Rings none = PlaneExtent{}.rings();
   EXPECT_EQ (toWkt (none, 3), "POLYGON Z EMPTY");
   EXPECT_EQ (toGeoJsonGeometry (none, 3), "null");
 }

@@ -170,6 +170,45 @@ TEST_F (Segment, DrawsConcaveHullsOrSaysHowToGetThem)
 #endif
 }
 
+#ifdef PCL_OPS_WITH_SURFACE
+TEST_F (Segment, CutsWindowsOutOfConcaveHulls)
+{
+  InputCloud wall; // 3 m by 2 m, with a window of 1 m by 0.8 m
+  for (int x = 0; x <= 150; ++x)
+    for (int z = 0; z <= 100; ++z)
+      if (!(x > 50 && x < 100 && z > 40 && z < 80))
+        wall.push_back (
+            {0.02f * static_cast<float> (x), 2, 0.02f * static_cast<float> (z), 0});
+  pcl::io::savePCDFileBinary (folder_ / "wall.pcd", wall);
+  const Outcome done = run ("wall.pcd --planes p.json --mesh m.ply --hull concave");
+  ASSERT_EQ (done.exit_code, 0) << done.err;
+  const auto plane = Json::parse (contentOf (folder_ / "p.json"))["planes"][0];
+  EXPECT_NEAR (plane["area"].get<double>(), 6.0 - 0.8, 0.06);
+  ASSERT_EQ (plane["holes"].size(), 1u);
+  for (const Json& corner : plane["holes"][0])
+    EXPECT_LT ((toVector (corner) - Eigen::Vector3d (1.5, 2, 1.2)).cwiseAbs().x(),
+               0.51);
+  pcl::PolygonMesh mesh;
+  ASSERT_EQ (pcl::io::loadPLYFile (folder_ / "m.ply", mesh), 0);
+  pcl::PointCloud<pcl::PointXYZ> corners;
+  pcl::fromPCLPointCloud2 (mesh.cloud, corners);
+  EXPECT_EQ (corners.size(), plane["hull"].size() + plane["holes"][0].size());
+  double area = 0.0;
+  for (const pcl::Vertices& face : mesh.polygons) {
+    const auto place = [&] (std::size_t corner) {
+      return corners[static_cast<std::size_t> (face.vertices[corner])].getVector3fMap();
+    };
+    area += 0.5 * (place (1) - place (0)).cross (place (2) - place (0)).norm();
+  }
+  EXPECT_NEAR (area, plane["area"].get<double>(), 1e-3) << "no face in the window";
+
+  ASSERT_EQ (run ("wall.pcd --planes p.json").exit_code, 0);
+  const auto convex = Json::parse (contentOf (folder_ / "p.json"))["planes"][0];
+  EXPECT_TRUE (convex["holes"].empty());
+  EXPECT_NEAR (convex["area"].get<double>(), 6.0, 0.06);
+}
+#endif
+
 TEST_F (Segment, WritesAnEmptyMeshWhereThereIsNoPlane)
 {
   InputCloud line;

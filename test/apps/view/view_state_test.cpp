@@ -49,6 +49,8 @@ TEST (ViewState, KeysSwitchOnAndOff)
 {
   EXPECT_TRUE (afterKeys ({}, "l").hulls);
   EXPECT_FALSE (afterKeys ({}, "ll").hulls);
+  EXPECT_TRUE (afterKeys ({}, "e").edges);
+  EXPECT_FALSE (afterKeys ({}, "ee").edges);
   EXPECT_TRUE (afterKeys ({}, "n").normals);
   EXPECT_FALSE (afterKeys ({}, "nn").normals);
   EXPECT_FALSE (afterKeys ({}, "h").help);

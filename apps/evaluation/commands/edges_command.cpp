@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edges_command.h"
+
+#include <cli/command_line.h>
+#include <cli/errors.h>
+#include <cli/memory.h>
+#include <cli/program.h>
+#include <evaluation/data/data_sets.h>
+#include <evaluation/experiments/edge_accuracy.h>
+
+#include <iostream>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+EdgeScores
+scoresOn (const DataSet& data_set)
+{
+  EdgeScores result{data_set.name, {}};
+  for (const CloudSource& source : data_set.clouds) {
+    apps::inMemory (source.name, "give a smaller cloud", [&] {
+      const EvaluationCloud cloud = source.load();
+      if (!cloud.truth)
+        throw apps::WorkError (source.name, "has no true labels; give another cloud");
+      result.score += scoreOf (findBothEdges (cloud));
+    });
+    std::cerr << data_set.name << ' ' << source.name << std::endl;
+  }
+  return result;
+}
+
+} // namespace
+
+int
+edgesCommand (int argc, const char* const* argv)
+{
+  std::vector<std::string> texts;
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  apps::CommandLine line (
+      "pcl_ops_evaluate edges",
+      "Tells how well it is found where planes meet: compares the edges and corners\n"
+      "of planes found by the default preset with those of the true planes, by "
+      "length.\n"
+      "The same are those within 5 cm. Wall edges are of a horizontal and a vertical\n"
+      "plane, 1 m and longer.",
+      PCL_OPS_VERSION);
+  line.addArguments ("DATASET", texts, 1, data_set_help);
+  line.addDirection ("up", up, "direction against gravity of clouds: (0,0,1)");
+  if (!line.parse (argc, argv))
+    return apps::ExitCode::done;
+  std::vector<DataSet> data_sets;
+  for (const std::string& text : texts)
+    data_sets.push_back (dataSetOf (text, up.cast<double>().normalized()));
+  std::vector<EdgeScores> all;
+  for (const DataSet& data_set : data_sets)
+    all.push_back (scoresOn (data_set));
+  std::cout << edgeTable (all);
+  return apps::ExitCode::done;
+}
+
+} // namespace pcl_ops::evaluation

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edge_accuracy.h"
+
+#include <numbers/fraction.h>
+#include <numbers/quantile.h>
+#include <pcl_ops/oriented_point_sampling.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+constexpr double farthest = 0.05; // [m]
+constexpr double sample_step = 0.01;
+constexpr double wall_length = 1.0;
+
+std::vector<PlaneSegment>
+truePlanes (const EvaluationCloud& cloud)
+{
+  const PlaneIds ids = planeIds (*cloud.truth);
+  std::vector<PlaneSegment> planes = planesOf (*cloud.cloud, ids, {cloud.up});
+  for (std::size_t i = 0; i < ids.of_point.size(); ++i)
+    if (ids.of_point[i] != PlaneIds::none)
+      planes[ids.of_point[i]].inliers.push_back (static_cast<pcl::index_t> (i));
+  return planes;
+}
+
+Eigen::Vector3d
+directionOf (const PlaneEdge& edge)
+{
+  return (edge.to - edge.from).normalized();
+}
+
+double
+distanceTo (const PlaneEdge& edge, const Eigen::Vector3d& point)
+{
+  const Eigen::Vector3d along = edge.to - edge.from;
+  const double place = along.dot (point - edge.from) / along.squaredNorm();
+  return (edge.from + std::clamp (place, 0.0, 1.0) * along - point).norm();
+}
+
+/** \brief For each centimetre of an edge the distance to the nearest of the others that
+ * runs alike; infinite where there is none near. */
+std::vector<double>
+distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
+{
+  std::vector<double> distances;
+  const auto samples = static_cast<int> (edge.length() / sample_step) + 1;
+  for (int sample = 0; sample < samples; ++sample) {
+    const double place = (sample + 0.5) / samples;
+    const Eigen::Vector3d point = edge.from + place * (edge.to - edge.from);
+    double least = std::numeric_limits<double>::infinity();
+    for (const PlaneEdge& other : others)
+      if (std::abs (directionOf (edge).dot (directionOf (other))) >=
+          std::cos (paper_angle))
+        least = std::min (least, distanceTo (other, point));
+    distances.push_back (least);
+  }
+  return distances;
+}
+
+double
+shareNear (const std::vector<double>& distances)
+{
+  const auto near = std::count_if (
+      distances.begin(), distances.end(), [] (double d) { return d <= farthest; });
+  return static_cast<double> (near) / static_cast<double> (distances.size());
+}
+
+/** \brief Pairs corners off, the nearest first found for each true one. */
+void
+matchCorners (const EdgePair& edges, EdgeScore& score)
+{
+  std::vector<bool> is_taken (edges.found.corners.size(), false);
+  for (const PlaneCorner& corner : edges.truth.corners) {
+    double least = farthest;
+    std::size_t nearest = is_taken.size();
+    for (std::size_t i = 0; i < is_taken.size(); ++i) {
+      const double distance =
+          (edges.found.corners[i].position - corner.position).norm();
+      if (!is_taken[i] && distance <= least) {
+        least = distance;
+        nearest = i;
+      }
+    }
+    if (nearest == is_taken.size())
+      continue;
+    is_taken[nearest] = true;
+    ++score.corners_matched;
+    score.corner_errors.push_back (least);
+  }
+  score.true_corners = edges.truth.corners.size();
+  score.found_corners = edges.found.corners.size();
+}
+
+} // namespace
+
+EdgePair
+findBothEdges (const EvaluationCloud& cloud)
+{
+  const std::vector<PlaneSegment> truth = truePlanes (cloud);
+  OrientedPointSampling<pcl::PointXYZ> ops;
+  ops.setInputCloud (cloud.cloud);
+  std::vector<PlaneSegment> planes;
+  ops.segment (planes);
+  EdgePair edges{
+      findPlaneEdges (*cloud.cloud, truth), findPlaneEdges (*cloud.cloud, planes), {}};
+  for (const PlaneEdge& edge : edges.truth.edges) {
+    const auto has = [&] (Orientation orientation) {
+      return truth[edge.planes[0]].orientation == orientation ||
+             truth[edge.planes[1]].orientation == orientation;
+    };
+    edges.is_of_wall.push_back (edge.length() >= wall_length &&
+                                has (Orientation::Horizontal) &&
+                                has (Orientation::Vertical));
+  }
+  return edges;
+}
+
+EdgeScore&
+EdgeScore::operator+= (const EdgeScore& other)
+{
+  for (auto length : {&EdgeScore::true_length,
+                      &EdgeScore::true_length_found,
+                      &EdgeScore::wall_length,
+                      &EdgeScore::wall_length_found,
+                      &EdgeScore::found_length,
+                      &EdgeScore::found_length_true})
+    this->*length += other.*length;
+  for (auto number : {&EdgeScore::true_corners,
+                      &EdgeScore::found_corners,
+                      &EdgeScore::corners_matched})
+    this->*number += other.*number;
+  for (auto errors : {&EdgeScore::edge_errors, &EdgeScore::corner_errors})
+    (this->*errors)
+        .insert ((this->*errors).end(), (other.*errors).begin(), (other.*errors).end());
+  return *this;
+}
+
+EdgeScore
+scoreOf (const EdgePair& edges)
+{
+  EdgeScore score;
+  for (std::size_t i = 0; i < edges.truth.edges.size(); ++i) {
+    const PlaneEdge& edge = edges.truth.edges[i];
+    const std::vector<double> distances = distancesAlong (edge, edges.found.edges);
+    const double found = shareNear (distances) * edge.length();
+    score.true_length += edge.length();
+    score.true_length_found += found;
+    if (edges.is_of_wall[i]) {
+      score.wall_length += edge.length();
+      score.wall_length_found += found;
+    }
+    std::copy_if (distances.begin(),
+                  distances.end(),
+                  std::back_inserter (score.edge_errors),
+                  [] (double distance) { return distance <= farthest; });
+  }
+  for (const PlaneEdge& edge : edges.found.edges) {
+    score.found_length += edge.length();
+    score.found_length_true +=
+        shareNear (distancesAlong (edge, edges.truth.edges)) * edge.length();
+  }
+  matchCorners (edges, score);
+  return score;
+}
+
+TextTable
+edgeTable (const std::vector<EdgeScores>& data_sets)
+{
+  constexpr double millimetres = 1e3;
+  TextTable table{"Where planes meet",
+                  {"data set",
+                   "wall edges found %",
+                   "edges found %",
+                   "edges true %",
+                   "median [mm]",
+                   "95 % [mm]",
+                   "corners found %",
+                   "corners true %",
+                   "median [mm]"},
+                  {}};
+  const auto share = [] (double part, double whole) {
+    return percent (whole > 0.0 ? part / whole : NAN);
+  };
+  for (const auto& [data_set, score] : data_sets)
+    table.rows.push_back (
+        {data_set,
+         share (score.wall_length_found, score.wall_length),
+         share (score.true_length_found, score.true_length),
+         share (score.found_length_true, score.found_length),
+         decimal (millimetres * apps::quantile (score.edge_errors, 0.5), 1),
+         decimal (millimetres * apps::quantile (score.edge_errors, 0.95), 1),
+         percent (apps::fraction (score.corners_matched, score.true_corners, NAN)),
+         percent (apps::fraction (score.corners_matched, score.found_corners, NAN)),
+         decimal (millimetres * apps::quantile (score.corner_errors, 0.5), 1)});
+  return table;
+}
+
+} // namespace pcl_ops::evaluation

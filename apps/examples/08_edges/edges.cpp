@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Where planes meet: the wires of a floor plan, with the planes they join.
+#include <pcl/common/angles.h>
+#include <pcl/io/pcd_io.h>
+
+#include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/plane_edges.h>
+
+#include <cstdio>
+
+int
+main (int argc, char** argv)
+{
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud (new pcl::PointCloud<pcl::PointXYZ>);
+  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0)
+    return std::fprintf (stderr, "Usage: edges CLOUD.pcd\n"), 2;
+  pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;
+  ops.setInputCloud (cloud);
+  std::vector<pcl_ops::PlaneSegment> planes;
+  if (!ops.segment (planes))
+    return 1;
+
+  // Distances follow the noise and the density of the planes, unless they are given.
+  pcl_ops::PlaneEdgeParameters parameters;
+  parameters.min_length = 0.2;
+  const pcl_ops::PlaneEdges found =
+      pcl_ops::findPlaneEdges (*cloud, planes, parameters);
+  std::printf ("%zu edges, %zu corners\n", found.edges.size(), found.corners.size());
+  for (const pcl_ops::PlaneEdge& edge : found.edges)
+    std::printf ("%5.2f m of planes %zu and %zu, at %.0f degrees\n",
+                 edge.length(),
+                 edge.planes[0],
+                 edge.planes[1],
+                 pcl::rad2deg (edge.angle));
+  for (const pcl_ops::PlaneCorner& corner : found.corners)
+    std::printf ("corner of planes %zu, %zu and %zu: (%.2f, %.2f, %.2f)\n",
+                 corner.planes[0],
+                 corner.planes[1],
+                 corner.planes[2],
+                 corner.position.x(),
+                 corner.position.y(),
+                 corner.position.z());
+}

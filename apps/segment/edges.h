@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <pcl_ops/plane_edges.h>
+
+#include <string>
+
+namespace pcl_ops::apps {
+
+/** \brief Writes where planes meet in one step (\ref writeFile), in double precision;
+ * planes go by their labels, 1 and up.
+ * \param[in] file a .json or .ply in the file's frame, or a .vtk for pcl_viewer
+ * \param[in] sensor_pose as for saveMesh: a .vtk is written moved
+ * \throws WorkError if it cannot be written */
+void
+saveEdges (const std::string& file,
+           const Eigen::Isometry3d& sensor_pose,
+           const PlaneEdges& edges);
+
+} // namespace pcl_ops::apps

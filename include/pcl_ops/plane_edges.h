@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <pcl_ops/cloud_view.h>
+#include <pcl_ops/export.h>
+#include <pcl_ops/plane.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl_ops {
+
+/** \brief When two planes meet. */
+struct PlaneEdgeParameters {
+  /** \brief How near to the line that two planes have in common both must have points
+   * [m]; automatic: three times their noise, over the sine of the angle between them,
+   * and four times the mean distance between neighbouring points. */
+  std::optional<double> reach;
+  /** \brief Along the line, gaps between points up to so long are bridged, and ends up
+   * to so far from a corner are drawn to it [m]; automatic: twice the reach. */
+  std::optional<double> bridged_gap;
+  /** \brief Shorter edges are left out [m]; automatic: three times the reach. */
+  std::optional<double> min_length;
+  /** \brief Planes at a smaller angle have no edge, for noise moves their line far, and
+   * nor have three of which one is at a smaller angle to the edge of the others a
+   * corner [rad]; default 15 degrees. */
+  double min_angle = 0.2617993877991494;
+};
+
+/** \brief What is wrong with parameters, as a sentence; empty if nothing is. */
+PCL_OPS_EXPORT std::string
+problemOf (const PlaneEdgeParameters& parameters);
+
+/** \brief A stretch of the line that two planes have in common, with points of both
+ * beside it. */
+struct PlaneEdge {
+  /** \brief Positions in the list of planes, ascending. */
+  std::array<std::size_t, 2> planes{};
+  /** \brief Its ends, in the direction of normal x normal, in the order of \ref planes.
+   */
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();
+  /** \brief Between the planes, 0 to pi/2 [rad]. */
+  double angle = 0.0;
+
+  double
+  length () const
+  {
+    return (to - from).norm();
+  }
+};
+
+/** \brief The point that three planes have in common, where each two have an edge. */
+struct PlaneCorner {
+  /** \brief Positions in the list of planes, ascending. */
+  std::array<std::size_t, 3> planes{};
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+};
+
+/** \brief Where planes meet, in the frame of the planes; both lists in ascending order
+ * of their planes, edges of the same two planes along their line. */
+struct PlaneEdges {
+  std::vector<PlaneEdge> edges;
+  std::vector<PlaneCorner> corners;
+};
+
+/** \brief Where planes meet: edges of two, corners of three.
+ *
+ * Two planes n . x + d = 0 have the line along n1 x n2 through p, the point nearest to
+ * the middle of their centroids: p = a n1 + b n2 with [1 c; c 1] [a b]^T = -[d1 d2]^T,
+ * c = n1 . n2 (Goldman, Intersection of two lines in three-space and of three planes,
+ * Graphics Gems, 1990). An edge is a stretch of it along which each of the two has
+ * inliers within reach; hulls are not asked, for that of an L covers what is no floor.
+ * So planes whose equations cross far from their points have no edge, a wall with a
+ * door has two on the floor, and a plane may end on the middle of another.
+ * Three planes meet where [n1 n2 n3]^T x = -[d1 d2 d3]^T. That is a corner where each
+ * two of them have an edge that comes so near that the gap is bridged; ends of edges
+ * there are drawn to it.
+ * Distances are taken from an origin between the planes, so that places are exact
+ * 10^6 m from zero, too. There are no threads and no draws: the same planes give the
+ * same edges, in whatever order their inliers are.
+ * \param[in] cloud the input cloud the planes were found in
+ * \param[in] planes as a detector gives them; those with a normal or centroid that is
+ * not finite meet none
+ * \param[in] parameters ones \ref problemOf finds nothing wrong with
+ * \param[in] shift zero of the cloud's frame in that of the planes: for planes that
+ * were moved back to where single precision could not follow
+ * \throw std::invalid_argument if there is a problem, or an inlier that is no point of
+ * the cloud */
+PCL_OPS_EXPORT PlaneEdges
+findPlaneEdges (const CloudView& cloud,
+                const std::vector<PlaneSegment>& planes,
+                const PlaneEdgeParameters& parameters = PlaneEdgeParameters(),
+                const Eigen::Vector3d& shift = Eigen::Vector3d::Zero());
+
+template <typename PointT>
+PlaneEdges
+findPlaneEdges (const pcl::PointCloud<PointT>& cloud,
+                const std::vector<PlaneSegment>& planes,
+                const PlaneEdgeParameters& parameters = PlaneEdgeParameters(),
+                const Eigen::Vector3d& shift = Eigen::Vector3d::Zero())
+{
+  return findPlaneEdges (CloudView (cloud), planes, parameters, shift);
+}
+
+} // namespace pcl_ops

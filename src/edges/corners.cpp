@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edges/corners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+const Meeting*
+meetingOf (const std::vector<Meeting>& meetings, std::size_t first, std::size_t second)
+{
+  const auto found =
+      std::lower_bound (meetings.begin(),
+                        meetings.end(),
+                        std::tie (first, second),
+                        [] (const Meeting& meeting, const auto& wanted) {
+                          return std::tie (meeting.first, meeting.second) < wanted;
+                        });
+  const bool is_there =
+      found != meetings.end() && found->first == first && found->second == second;
+  return is_there ? &*found : nullptr;
+}
+
+bool
+comesTo (const Meeting& meeting, const Eigen::Vector3d& point)
+{
+  const double place = meeting.line.placeOf (point);
+  return std::any_of (
+      meeting.stretches.begin(), meeting.stretches.end(), [&] (const Stretch& stretch) {
+        return place >= stretch.from - meeting.bridged_gap &&
+               place <= stretch.to + meeting.bridged_gap;
+      });
+}
+
+/** \brief The corners that lie on a meeting's line. */
+std::vector<Eigen::Vector3d>
+cornersOn (const Meeting& meeting, const std::vector<PlaneCorner>& corners)
+{
+  std::vector<Eigen::Vector3d> positions;
+  for (const PlaneCorner& corner : corners) {
+    const auto has = [&] (std::size_t plane) {
+      return std::find (corner.planes.begin(), corner.planes.end(), plane) !=
+             corner.planes.end();
+    };
+    if (has (meeting.first) && has (meeting.second))
+      positions.push_back (corner.position);
+  }
+  return positions;
+}
+
+/** \brief The nearest of some positions; the end itself where none is near enough. */
+Eigen::Vector3d
+drawn (const Eigen::Vector3d& end,
+       const std::vector<Eigen::Vector3d>& positions,
+       double bridged_gap)
+{
+  Eigen::Vector3d nearest = end;
+  double least = bridged_gap;
+  for (const Eigen::Vector3d& position : positions)
+    if ((position - end).norm() <= least) {
+      least = (position - end).norm();
+      nearest = position;
+    }
+  return nearest;
+}
+
+} // namespace
+
+std::vector<PlaneCorner>
+cornersOf (const std::vector<Meeting>& meetings,
+           const std::vector<PlaneSegment>& planes,
+           double min_sine)
+{
+  std::vector<PlaneCorner> corners;
+  for (auto first = meetings.begin(); first != meetings.end(); ++first)
+    for (auto next = first + 1; next != meetings.end() && next->first == first->first;
+         ++next) {
+      const auto [i, j, k] = std::tie (first->first, first->second, next->second);
+      const Meeting* const last = meetingOf (meetings, j, k);
+      const std::optional<Eigen::Vector3d> point =
+          last == nullptr ? std::nullopt
+                          : meetingPoint (planes[i], planes[j], planes[k], min_sine);
+      if (point && comesTo (*first, *point) && comesTo (*next, *point) &&
+          comesTo (*last, *point))
+        corners.push_back ({{i, j, k}, *point});
+    }
+  return corners;
+}
+
+std::vector<PlaneEdge>
+edgesOf (const Meeting& meeting, const std::vector<PlaneCorner>& corners)
+{
+  const std::vector<Eigen::Vector3d> positions = cornersOn (meeting, corners);
+  std::vector<PlaneEdge> edges;
+  for (const Stretch& stretch : meeting.stretches) {
+    PlaneEdge edge;
+    edge.planes = {meeting.first, meeting.second};
+    edge.angle = meeting.angle;
+    edge.from = meeting.line.at (stretch.from);
+    edge.to = meeting.line.at (stretch.to);
+    const Eigen::Vector3d from = drawn (edge.from, positions, meeting.bridged_gap);
+    const Eigen::Vector3d to = drawn (edge.to, positions, meeting.bridged_gap);
+    if (meeting.line.direction.dot (to - from) > 0.0) {
+      edge.from = from;
+      edge.to = to;
+    }
+    edges.push_back (edge);
+  }
+  return edges;
+}
+
+} // namespace pcl_ops::internal

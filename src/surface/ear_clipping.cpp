@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ear_clipping.h"
+
+#include "planar_sides.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace pcl_ops {
+
+namespace {
+
+using Numbers = std::vector<std::size_t>;
+
+Triangle
+triangleAt (const Numbers& ring, std::size_t place)
+{
+  const std::size_t size = ring.size();
+  return {ring[(place + size - 1) % size], ring[place], ring[(place + 1) % size]};
+}
+
+bool
+isEar (const Triangle& triangle, const Numbers& ring, const PlanarPoints& corners)
+{
+  const auto& [a, b, c] = triangle;
+  if (!(twiceTheArea (corners[a], corners[b], corners[c]) > 0.0))
+    return false;
+  return std::none_of (ring.begin(), ring.end(), [&] (std::size_t other) {
+    const Eigen::Vector2d& corner = corners[other];
+    // The other end of a bridge is at the same place.
+    return corner != corners[a] && corner != corners[b] && corner != corners[c] &&
+           isWithin (corner, corners[a], corners[b], corners[c]);
+  });
+}
+
+/** \brief The next place, from one on, that a test holds for. */
+template <typename Test>
+std::optional<std::size_t>
+nextPlace (const Numbers& ring, std::size_t from, Test&& holds)
+{
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const std::size_t place = (from + i) % ring.size();
+    if (holds (triangleAt (ring, place)))
+      return place;
+  }
+  return {};
+}
+
+} // namespace
+
+std::vector<Triangle>
+clipEars (std::vector<std::size_t> ring, const PlanarPoints& corners)
+{
+  constexpr std::size_t corners_of_triangle = 3;
+  std::vector<Triangle> triangles;
+  std::size_t place = 0;
+  while (ring.size() >= corners_of_triangle) {
+    const auto ear = nextPlace (ring, place, [&] (const Triangle& triangle) {
+      return isEar (triangle, ring, corners);
+    });
+    // What is on one line covers nothing, but may be in the way of ears.
+    const auto clipped =
+        ear ? ear : nextPlace (ring, place, [&] (const Triangle& triangle) {
+          const auto& [a, b, c] = triangle;
+          return twiceTheArea (corners[a], corners[b], corners[c]) == 0.0;
+        });
+    if (!clipped)
+      break;
+    if (ear)
+      triangles.push_back (triangleAt (ring, *ear));
+    ring.erase (ring.begin() + static_cast<std::ptrdiff_t> (*clipped));
+    place = *clipped + 1; // every other ear: no fans of slivers
+  }
+  return triangles;
+}
+
+} // namespace pcl_ops

@@ -1,0 +1,310 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene.h"
+#include <pcl_ops/plane_edges.h>
+
+#include <numeric>
+#include <stdexcept>
+
+using Eigen::Vector3d;
+using pcl_ops::findPlaneEdges;
+using pcl_ops::PlaneCorner;
+using pcl_ops::PlaneEdge;
+using pcl_ops::PlaneEdgeParameters;
+using pcl_ops::PlaneEdges;
+using pcl_ops::PlaneSegment;
+
+namespace {
+
+/** \brief The planes of a scene as a detector would give them that makes no mistake: in
+ * the order of the surfaces. */
+std::vector<PlaneSegment>
+planesOf (const LabelledScene& scene)
+{
+  std::vector<PlaneSegment> planes (scene.surfaces.size());
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    planes[p].moments.origin = scene.surfaces[p].centre();
+    planes[p].normal = scene.surfaces[p].normal();
+  }
+  for (std::size_t i = 0; i < scene.labels.size(); ++i) {
+    PlaneSegment& plane = planes[static_cast<std::size_t> (scene.labels[i])];
+    const Vector3d offset =
+        (*scene.cloud)[i].getVector3fMap().cast<double>() - plane.moments.origin;
+    plane.moments.add (offset.x(), offset.y(), offset.z());
+    plane.inliers.push_back (static_cast<pcl::index_t> (i));
+  }
+  for (PlaneSegment& plane : planes)
+    plane.centroid = plane.moments.centroid();
+  return planes;
+}
+
+PlaneEdges
+edgesOf (Scene& scene, const PlaneEdgeParameters& parameters = {})
+{
+  const LabelledScene built = scene.build();
+  return findPlaneEdges (*built.cloud, planesOf (built), parameters);
+}
+
+/** \brief A floor and two walls of 4 m, 3 m and 2.5 m that meet at zero. */
+Scene
+corner ()
+{
+  Scene scene;
+  scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m).wall ({0, 0}, {0, 3}, 2.5_m);
+  return scene;
+}
+
+/** \brief The edge of two planes; fails unless there is one. */
+PlaneEdge
+edgeBetween (const PlaneEdges& found, std::size_t first, std::size_t second)
+{
+  PlaneEdge edge;
+  int number = 0;
+  for (const PlaneEdge& candidate : found.edges)
+    if (candidate.planes == std::array<std::size_t, 2>{first, second}) {
+      edge = candidate;
+      ++number;
+    }
+  EXPECT_EQ (number, 1) << "edges of planes " << first << " and " << second;
+  return edge;
+}
+
+/** \brief The ends are near these, in any order. */
+void
+expectRuns (const PlaneEdge& edge, Vector3d from, Vector3d to, double tolerance)
+{
+  if ((edge.from - from).norm() > (edge.from - to).norm())
+    std::swap (from, to);
+  EXPECT_LT ((edge.from - from).norm(), tolerance) << edge.from.transpose();
+  EXPECT_LT ((edge.to - to).norm(), tolerance) << edge.to.transpose();
+}
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+} // namespace
+
+TEST (PlaneEdges, OfTheCornerOfARoomAreThreeThatMeetThere)
+{
+  Scene scene = corner();
+  const PlaneEdges found = edgesOf (scene);
+  EXPECT_EQ (found.edges.size(), 3u);
+  expectRuns (edgeBetween (found, 0, 1), {0, 0, 0}, {4, 0, 0}, 5_cm);
+  expectRuns (edgeBetween (found, 0, 2), {0, 0, 0}, {0, 3, 0}, 5_cm);
+  expectRuns (edgeBetween (found, 1, 2), {0, 0, 0}, {0, 0, 2.5}, 5_cm);
+  ASSERT_EQ (found.corners.size(), 1u);
+  EXPECT_EQ (found.corners[0].planes, (std::array<std::size_t, 3>{0, 1, 2}));
+  EXPECT_LT (found.corners[0].position.norm(), 1e-6);
+  for (const PlaneEdge& edge : found.edges)
+    EXPECT_LT (std::min (edge.from.norm(), edge.to.norm()), 1e-6) << "drawn to it";
+}
+
+TEST (PlaneEdges, OfParallelWallsAreNone)
+{
+  Scene scene;
+  scene.wall ({0, 0}, {4, 0}, 2_m).wall ({0, 1}, {4, 1}, 2_m);
+  EXPECT_TRUE (edgesOf (scene).edges.empty());
+}
+
+TEST (PlaneEdges, NeedTheAngleAskedFor)
+{
+  const auto edgesAt = [] (double angle, double min_angle) {
+    Scene roof;
+    roof.floor (2_m, 2_m).surface (
+        {2, 0, 0}, {2 * std::cos (angle), 0, 2 * std::sin (angle)}, {0, 2, 0});
+    PlaneEdgeParameters parameters;
+    parameters.min_angle = min_angle;
+    return edgesOf (roof, parameters).edges;
+  };
+  EXPECT_TRUE (edgesAt (10_deg, 15_deg).empty());
+  const auto edges = edgesAt (20_deg, 15_deg);
+  ASSERT_EQ (edges.size(), 1u);
+  EXPECT_NEAR (edges[0].angle, 20_deg, 1e-9);
+  EXPECT_NEAR (edges[0].length(), 2_m, 10_cm);
+}
+
+TEST (PlaneEdges, NeedPointsOfBothPlanesBesideTheLine)
+{
+  Scene table;
+  table.floor (4_m, 4_m).surface ({1, 1, 0.7}, {1, 0, 0}, {0, 1, 0}); // its top
+  table.surface ({1, 1, 0.4}, {1, 0, 0}, {0, 0, 0.3}); // an apron that ends above
+  const PlaneEdges found = edgesOf (table);
+  ASSERT_EQ (found.edges.size(), 1u) << "of apron and top";
+  expectRuns (edgeBetween (found, 1, 2), {1, 1, 0.7}, {2, 1, 0.7}, 5_cm);
+  EXPECT_TRUE (found.corners.empty());
+}
+
+TEST (PlaneEdges, NeedPointsOfBothPlanesAtTheSamePlace)
+{
+  Scene hall; // one line, a floor along its beginning, a wall along its end
+  hall.floor (2_m, 2_m).surface ({3, 0, 0}, {2, 0, 0}, {0, 0, 2});
+  EXPECT_TRUE (edgesOf (hall).edges.empty());
+}
+
+TEST (PlaneEdges, DoNotBelieveTheHullOfAnL)
+{
+  Scene scene; // the wall stands where the floor is not, but its hull is
+  scene.surface ({0, 0, 0}, {4, 0, 0}, {0, 1, 0}).wall ({3, 2}, {4, 2}, 2_m);
+  scene.surface ({0, 1, 0}, {1, 0, 0}, {0, 3, 0});
+  LabelledScene built = scene.build();
+  std::replace (built.labels.begin(), built.labels.end(), 2, 0);
+  built.surfaces.pop_back();
+  EXPECT_TRUE (findPlaneEdges (*built.cloud, planesOf (built)).edges.empty());
+}
+
+TEST (PlaneEdges, AreTwoWhereADoorOpens)
+{
+  Scene scene;
+  scene.floor (4_m, 3_m).wall ({0, 1}, {1, 1}, 2.5_m).wall ({2, 1}, {4, 1}, 2.5_m);
+  LabelledScene built = scene.build();
+  std::replace (built.labels.begin(), built.labels.end(), 2, 1);
+  built.surfaces.pop_back();
+  const PlaneEdges found = findPlaneEdges (*built.cloud, planesOf (built));
+  ASSERT_EQ (found.edges.size(), 2u);
+  const bool is_upwards = found.edges[0].from.x() < found.edges[1].from.x();
+  expectRuns (found.edges[is_upwards ? 0 : 1], {0, 1, 0}, {1, 1, 0}, 10_cm);
+  expectRuns (found.edges[is_upwards ? 1 : 0], {2, 1, 0}, {4, 1, 0}, 10_cm);
+
+  PlaneEdgeParameters closed;
+  closed.bridged_gap = 1.2_m;
+  EXPECT_EQ (findPlaneEdges (*built.cloud, planesOf (built), closed).edges.size(), 1u);
+}
+
+TEST (PlaneEdges, GoOnWhereAWallStandsOnTheMiddleOfAnother)
+{
+  Scene scene;
+  scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m).wall ({2, 0}, {2, 3}, 2.5_m);
+  const PlaneEdges found = edgesOf (scene);
+  EXPECT_EQ (found.edges.size(), 3u);
+  expectRuns (edgeBetween (found, 0, 1), {0, 0, 0}, {4, 0, 0}, 10_cm);
+  expectRuns (edgeBetween (found, 1, 2), {2, 0, 0}, {2, 0, 2.5}, 10_cm);
+  ASSERT_EQ (found.corners.size(), 1u);
+  EXPECT_LT ((found.corners[0].position - Vector3d (2, 0, 0)).norm(), 1e-6);
+}
+
+TEST (PlaneEdges, HaveNoCornerWhereOneEndsEarlier)
+{
+  Scene scene; // the second wall is one metre short of the first, where they'd meet
+  scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m).wall ({0, 1}, {0, 3}, 2.5_m);
+  scene.surface ({0, 0, 1.5}, {0, 1, 0}, {0, 0, 1}); // but for its upper end
+  LabelledScene built = scene.build();
+  std::replace (built.labels.begin(), built.labels.end(), 3, 2);
+  built.surfaces.pop_back();
+  const PlaneEdges found = findPlaneEdges (*built.cloud, planesOf (built));
+  EXPECT_EQ (found.edges.size(), 3u);
+  EXPECT_TRUE (found.corners.empty()) << "edges of each two, at no common place";
+}
+
+TEST (PlaneEdges, ShorterThanTheLeastLengthAreLeftOut)
+{
+  Scene scene = corner();
+  PlaneEdgeParameters parameters;
+  parameters.min_length = 2.8_m;
+  const PlaneEdges found = edgesOf (scene, parameters);
+  EXPECT_EQ (found.edges.size(), 2u);
+  EXPECT_TRUE (found.corners.empty()) << "a corner has three edges";
+}
+
+TEST (PlaneEdges, LieWhereNoisyPlanesHaveThem)
+{
+  Scene scene = corner();
+  const PlaneEdges found = edgesOf (scene.noise (1_cm));
+  EXPECT_EQ (found.edges.size(), 3u);
+  expectRuns (edgeBetween (found, 0, 1), {0, 0, 0}, {4, 0, 0}, 10_cm);
+  ASSERT_EQ (found.corners.size(), 1u);
+  EXPECT_LT (found.corners[0].position.norm(), 5_mm);
+}
+
+TEST (PlaneEdges, ReachFartherWhereNoiseIsStronger)
+{
+  const auto edgesWith = [] (double noise) {
+    Scene scene; // the wall's lowest points are 7 cm above the floor
+    scene.floor (2_m, 1_m).surface ({0, 0, 0.07}, {2, 0, 0}, {0, 0, 1});
+    return edgesOf (scene.spacing (1_cm).noise (noise)).edges;
+  };
+  EXPECT_TRUE (edgesWith (1_mm).empty()) << "it ends above";
+  EXPECT_EQ (edgesWith (2_cm).size(), 1u) << "which noise may do as well";
+}
+
+TEST (PlaneEdges, ReachAsFarAsAsked)
+{
+  Scene scene;
+  scene.floor (2_m, 2_m).surface ({0, 0, 0.3}, {2, 0, 0}, {0, 0, 2}); // 0.3 m above
+  EXPECT_TRUE (edgesOf (scene).edges.empty());
+  PlaneEdgeParameters far;
+  far.reach = 0.4_m;
+  EXPECT_EQ (edgesOf (scene, far).edges.size(), 1u);
+}
+
+TEST (PlaneEdges, AreExactAThousandKilometresFromZero)
+{
+  Scene scene = corner();
+  const LabelledScene built = scene.build();
+  std::vector<PlaneSegment> planes = planesOf (built);
+  const Vector3d shift (4.5e5, 5.4e6, 1e3);
+  for (PlaneSegment& plane : planes)
+    plane.centroid += shift;
+  const PlaneEdges found = findPlaneEdges (*built.cloud, planes, {}, shift);
+  EXPECT_EQ (found.edges.size(), 3u);
+  ASSERT_EQ (found.corners.size(), 1u);
+  EXPECT_LT ((found.corners[0].position - shift).norm(), 1e-6);
+}
+
+TEST (PlaneEdges, AreTheSameInWhateverOrderThePointsAre)
+{
+  Scene scene = corner();
+  const LabelledScene built = scene.noise (1_cm).build();
+  std::vector<PlaneSegment> planes = planesOf (built);
+  const PlaneEdges found = findPlaneEdges (*built.cloud, planes);
+  for (PlaneSegment& plane : planes)
+    std::reverse (plane.inliers.begin(), plane.inliers.end());
+  const PlaneEdges again = findPlaneEdges (*built.cloud, planes);
+  ASSERT_EQ (again.edges.size(), found.edges.size());
+  for (std::size_t e = 0; e < found.edges.size(); ++e) {
+    EXPECT_EQ (again.edges[e].from, found.edges[e].from);
+    EXPECT_EQ (again.edges[e].to, found.edges[e].to);
+  }
+}
+
+TEST (PlaneEdges, OfNothingAreNone)
+{
+  const pcl::PointCloud<pcl::PointXYZ> empty;
+  EXPECT_TRUE (findPlaneEdges (empty, {}).edges.empty());
+  EXPECT_TRUE (findPlaneEdges (empty, std::vector<PlaneSegment> (3)).edges.empty());
+}
+
+TEST (PlaneEdges, OfAPlaneThatIsNotFiniteAreNone)
+{
+  Scene scene = corner();
+  const LabelledScene built = scene.build();
+  std::vector<PlaneSegment> planes = planesOf (built);
+  planes[1].normal.setConstant (not_a_number);
+  EXPECT_EQ (findPlaneEdges (*built.cloud, planes).edges.size(), 1u);
+  planes[0].centroid.setConstant (not_a_number);
+  EXPECT_TRUE (findPlaneEdges (*built.cloud, planes).edges.empty());
+}
+
+TEST (PlaneEdges, SayWhatIsWrong)
+{
+  Scene scene = corner();
+  const LabelledScene built = scene.build();
+  PlaneEdgeParameters parameters;
+  EXPECT_EQ (problemOf (parameters), "");
+  for (auto length : {&PlaneEdgeParameters::reach,
+                      &PlaneEdgeParameters::bridged_gap,
+                      &PlaneEdgeParameters::min_length})
+    for (const double wrong : {-1.0, not_a_number, 1.0 / 0.0}) {
+      parameters = {};
+      parameters.*length = wrong;
+      EXPECT_NE (problemOf (parameters), "") << wrong;
+      EXPECT_THROW (findPlaneEdges (*built.cloud, planesOf (built), parameters),
+                    std::invalid_argument);
+    }
+  for (const double wrong : {0.0, -1.0, 2.0, not_a_number}) {
+    parameters = {};
+    parameters.min_angle = wrong;
+    EXPECT_NE (problemOf (parameters), "") << wrong;
+  }
+  EXPECT_THROW (findPlaneEdges (pcl::PointCloud<pcl::PointXYZ>(), planesOf (built)),
+                std::invalid_argument)
+      << "inliers of another cloud";
+}
