@@ -26,9 +26,8 @@ constexpr const char* summary =
     "Finds the planes of point clouds and labels every point with its plane.";
 
 constexpr const char* in_and_out =
-    "  INPUT       .pcd, .ply, .las, .xyz, .txt, .pts or .csv; - for one piped in. "
-    "With\n"
-    "              --output-dir also several, folders, patterns as 'scans/*.pcd'\n"
+    "  INPUT       .pcd, .ply, .las, .xyz, .txt, .pts or .csv; - for one piped in;\n"
+    "              with --output-dir also several, folders, patterns as 'scans/*.pcd'\n"
     "  OUTPUT.pcd  the cloud with label (0: no plane, 1: the largest, ...) and rgb;\n"
     "              .ply the same; .las of a .las: all as it was, and the label, too\n"
     "  .laz        as .las, in and out, where the program was built with LASzip\n"
