@@ -76,7 +76,9 @@ checkedDescription (HeaderReader& reader,
 }
 
 /** \brief Refuses points in chunks whose table is not where it is said to be or has
- * another length: LASzip would crash, or allocate what the table says. */
+ * another length: LASzip would crash, or allocate what the table says. On chunks see
+ * M. Isenburg, LASzip: lossless compression of lidar data, Photogrammetric Engineering
+ * and Remote Sensing 79 (2), 2013. */
 void
 checkChunkTable (HeaderReader& reader,
                  const LasHeader& header,
