@@ -141,15 +141,15 @@ saveRest (const std::string& file,
 void
 savePlaneClouds (const std::string& folder,
                  const FileCloud& cloud,
-                 const std::vector<PlaneSegment>& planes)
+                 const std::vector<PlaneSegment>& planes,
+                 const std::vector<std::uint32_t>& ids)
 {
   makeFolder (folder);
   try {
     const TemporaryPath written (temporaryFolderIn (folder));
-    std::size_t id = 0;
-    for (const PlaneSegment& plane : planes)
-      savePcd ((written.path() / planeFile (++id, plane)).string(),
-               pointsOf (cloud, plane.inliers));
+    for (std::size_t i = 0; i < planes.size(); ++i)
+      savePcd ((written.path() / planeFile (ids[i], planes[i])).string(),
+               pointsOf (cloud, planes[i].inliers));
     exchangePlanes (folder, written.path());
   }
   catch (const fs::filesystem_error& error) {

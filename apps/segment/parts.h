@@ -32,6 +32,7 @@ saveRest (const std::string& file,
 void
 savePlaneClouds (const std::string& folder,
                  const FileCloud& cloud,
-                 const std::vector<PlaneSegment>& planes);
+                 const std::vector<PlaneSegment>& planes,
+                 const std::vector<std::uint32_t>& ids);
 
 } // namespace pcl_ops::apps

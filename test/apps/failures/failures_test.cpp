@@ -67,6 +67,16 @@ allOutputs ()
       {"VtkMesh", segment, "in.pcd --mesh OUT", "out/a.vtk", "out/a.vtk"},
       {"Planes", segment, "in.pcd --planes-dir OUT", "out", "out/plane_017_other.pcd"},
       {"Batch", segment, "in.pcd --output-dir OUT", "out", "out/in.json"},
+      {"Track",
+       segment,
+       "clouds --output-dir OUT --track --poses poses.txt --jobs 2",
+       "out",
+       "out/scene.json"},
+      {"Walk",
+       simulate,
+       "OUT --scene walk --frames 2 --width 16 --height 16",
+       "out",
+       "out/poses.txt"},
       {"Tiles", tiles, "in.las --output-dir OUT", "out", "out/planes.json"},
       {"Town",
        simulate,
@@ -96,6 +106,7 @@ protected:
     saveScene (program_.folder() / "in.pcd");
     saveLas (program_.folder() / "in.las");
     saveScene (program_.folder() / "clouds/scene.pcd");
+    std::ofstream (program_.folder() / "poses.txt") << "0 0 0 0 0 0 0 1\n";
     program_.protect();
   }
 
