@@ -7,19 +7,27 @@
 #include "ops_method.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace pcl_ops::apps {
 
 std::vector<std::uint32_t>
 labelsOf (const std::vector<PlaneSegment>& planes, std::size_t points)
 {
+  std::vector<std::uint32_t> ids (planes.size());
+  std::iota (ids.begin(), ids.end(), 1U);
+  return labelsOf (planes, ids, points);
+}
+
+std::vector<std::uint32_t>
+labelsOf (const std::vector<PlaneSegment>& planes,
+          const std::vector<std::uint32_t>& ids,
+          std::size_t points)
+{
   std::vector<std::uint32_t> labels (points, 0);
-  std::uint32_t id = 0;
-  for (const PlaneSegment& plane : planes) {
-    ++id;
-    for (const pcl::index_t index : plane.inliers)
-      labels[static_cast<std::size_t> (index)] = id;
-  }
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    for (const pcl::index_t index : planes[i].inliers)
+      labels[static_cast<std::size_t> (index)] = ids[i];
   return labels;
 }
 

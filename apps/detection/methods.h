@@ -61,6 +61,12 @@ struct Detected {
 std::vector<std::uint32_t>
 labelsOf (const std::vector<PlaneSegment>& planes, std::size_t points);
 
+/** \brief The same with ids of one's own. */
+std::vector<std::uint32_t>
+labelsOf (const std::vector<PlaneSegment>& planes,
+          const std::vector<std::uint32_t>& ids,
+          std::size_t points);
+
 /** \brief A detector as the command line offers it. */
 struct Method {
   std::string name;

@@ -6,8 +6,10 @@
 #include <evaluation/commands/detectors_command.h>
 #include <evaluation/commands/edges_command.h>
 #include <evaluation/commands/pictures_command.h>
+#include <evaluation/commands/planes_command.h>
 #include <evaluation/commands/report_command.h>
 #include <evaluation/commands/run_command.h>
+#include <evaluation/commands/track_command.h>
 #include <evaluation/commands/truth_command.h>
 #include <evaluation/commands/up_command.h>
 
@@ -27,6 +29,9 @@ constexpr const char* help =
     "\n"
     "Commands:\n"
     "  compare TRUTH RESULT         every metric for two labelled clouds\n"
+    "  planes A B                   which planes of two results are one, how far "
+    "apart\n"
+    "  track TRUTH RESULT           how many planes keep their number in a sequence\n"
     "  run OUTPUT DATASET...        detectors over data sets\n"
     "  report OUTPUT                tables and plots of a run's results\n"
     "  pictures OUTPUT DATASET...   what they find, as pictures\n"
@@ -45,6 +50,8 @@ dispatch (int argc, const char* const* argv)
   using Command = std::function<int (int, const char* const*)>;
   const std::map<std::string, Command> commands{
       {"compare", evaluation::compareCommand},
+      {"planes", evaluation::planesCommand},
+      {"track", evaluation::trackCommand},
       {"run", evaluation::runCommand},
       {"report", evaluation::reportCommand},
       {"pictures", evaluation::picturesCommand},

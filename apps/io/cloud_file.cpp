@@ -6,6 +6,7 @@
 #include <pcl/io/ply_io.h>
 
 #include "cloud_fields.h"
+#include "input_file.h"
 #include "las_file.h"
 #include "laz_file.h"
 #include "output_file.h"
@@ -28,23 +29,6 @@ namespace fs = std::filesystem;
 namespace pcl_ops::apps {
 
 namespace {
-
-void
-checkReadable (const std::string& file)
-{
-  std::error_code error;
-  const fs::file_status status = fs::status (file, error);
-  if (error == std::errc::filename_too_long)
-    throw WorkError (file, "has a name that is too long; check it");
-  if (!fs::exists (status))
-    throw WorkError (file, "does not exist; check the name");
-  if (fs::is_directory (status))
-    throw WorkError (file,
-                     std::string ("is a folder; give a ") + cloud_extensions + " file");
-  if (!fs::is_regular_file (status))
-    throw WorkError (
-        file, std::string ("is no regular file; give a ") + cloud_extensions + " file");
-}
 
 [[noreturn]] void
 failGzip (const std::string& file)
@@ -134,7 +118,7 @@ loadCloud (const std::string& file)
     throw UsageError (file,
                       std::string ("has an unknown extension; give a ") +
                           cloud_extensions + " file");
-  checkReadable (file);
+  checkReadable (file, std::string ("a ") + cloud_extensions + " file");
   refuseGzip (file);
   FileCloud cloud;
   if (extension == ".pcd") {
@@ -166,7 +150,7 @@ loadCloud (const std::string& file)
 std::shared_ptr<LasFile>
 openLas (const std::string& file)
 {
-  checkReadable (file);
+  checkReadable (file, std::string ("a ") + cloud_extensions + " file");
   if (!isCompressedLas (file))
     return std::make_shared<LasFile> (file);
   const Spool las (".las", file);

@@ -95,7 +95,8 @@ savePicture (const std::string& file,
              const XyzCloud& cloud,
              const std::vector<std::uint32_t>& labels,
              const std::vector<PlaneSegment>& planes,
-             const Eigen::Vector3f& up)
+             const Eigen::Vector3f& up,
+             const std::vector<std::uint32_t>& ids)
 {
   const View view = chooseView (cloud, planes, up, half_image_width, image_height);
   const auto label = [&] (pcl::index_t point) {
@@ -118,7 +119,8 @@ savePicture (const std::string& file,
 
   Image image;
   const auto plane_color = [&] (pcl::index_t point) {
-    return colorOfLabel (label (point));
+    const std::uint32_t position = label (point);
+    return colorOfLabel (position == 0 || ids.empty() ? position : ids[position - 1]);
   };
   const auto class_color = [&] (pcl::index_t point) {
     return label (point) == 0 ? colorOfLabel (0)

@@ -19,12 +19,14 @@ namespace pcl_ops::apps {
  * \param[in] cloud with the sensor's pose, from whose side it is seen (\ref chooseView)
  * \param[in] labels per point: 0 for no plane, else its position in \p planes plus 1
  * \param[in] up direction against gravity
+ * \param[in] ids of the planes, which have their colours by them; empty: 1, 2, ...
  * \throws WorkError if the file cannot be written */
 void
 savePicture (const std::string& file,
              const XyzCloud& cloud,
              const std::vector<std::uint32_t>& labels,
              const std::vector<PlaneSegment>& planes,
-             const Eigen::Vector3f& up);
+             const Eigen::Vector3f& up,
+             const std::vector<std::uint32_t>& ids = {});
 
 } // namespace pcl_ops::apps

@@ -3,6 +3,7 @@
 #include "batch.h"
 
 #include "segment_cloud.h"
+#include "tracking.h"
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <cli/parallel.h>
@@ -39,7 +40,10 @@ public:
   , messages_ (messages)
   , progress_ (batch.tasks.size(), messages, style)
   , statuses_ (batch.tasks.size())
-  {}
+  {
+    if (options.track.is_on)
+      tracker_.emplace (options.track, batch.tasks.size());
+  }
 
   int
   run ()
@@ -47,7 +51,9 @@ public:
     for (const std::string& problem : batch_.problems)
       print ({false, problem});
     runInParallel (statuses_.size(), options_.jobs, [this] (std::size_t i) {
-      std::optional<Status> status = statusOf (batch_.tasks[i]);
+      std::optional<Status> status = statusOf (i);
+      if (tracker_)
+        tracker_->finish (i);
       if (status)
         store (i, std::move (*status));
     });
@@ -62,11 +68,17 @@ public:
 private:
   /** \brief Segments a cloud. \return nothing if the user interrupted it */
   std::optional<Status>
-  statusOf (const Task& task) const
+  statusOf (std::size_t i)
   {
+    const Task& task = batch_.tasks[i];
+    const auto tracked = [&] (const std::vector<PlaneSegment>& planes,
+                              const Eigen::Vector3d& sensor) {
+      return tracker_->idsOf (i, planes, sensor);
+    };
     try {
       stopIfInterrupted();
-      const Report report = segmentCloud (options_, task);
+      const Report report = tracker_ ? segmentCloud (options_, task, tracked)
+                                     : segmentCloud (options_, task);
       return Status{true,
                     task.input + " -> " + task.outputs.cloud + ": " +
                         summaryOf (report),
@@ -125,6 +137,7 @@ private:
   std::ostream& out_;
   std::ostream& messages_;
   Progress progress_;
+  std::optional<SequenceTracker> tracker_;
   std::mutex mutex_;
   std::vector<std::optional<Status>> statuses_;
   std::size_t printed_ = 0, done_ = 0, failed_ = 0;

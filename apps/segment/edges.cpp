@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <locale>
 #include <ostream>
@@ -51,13 +52,19 @@ wiresOf (const PlaneEdges& found)
   return wires;
 }
 
-template <std::size_t number>
-std::array<std::size_t, number>
-labelsOf (std::array<std::size_t, number> planes)
+/** \brief The same with the numbers of planes in place of their positions. */
+PlaneEdges
+numbered (PlaneEdges found, const std::vector<std::uint32_t>& ids)
 {
-  for (std::size_t& plane : planes)
-    ++plane;
-  return planes;
+  const auto number = [&ids] (auto& planes) {
+    for (std::size_t& plane : planes)
+      plane = ids[plane];
+  };
+  for (PlaneEdge& edge : found.edges)
+    number (edge.planes);
+  for (PlaneCorner& corner : found.corners)
+    number (corner.planes);
+  return found;
 }
 
 std::string
@@ -66,14 +73,14 @@ toJson (const PlaneEdges& found)
   nlohmann::ordered_json json;
   json["edges"] = json["corners"] = nlohmann::ordered_json::array();
   for (const PlaneEdge& edge : found.edges)
-    json["edges"].push_back ({{"planes", labelsOf (edge.planes)},
+    json["edges"].push_back ({{"planes", edge.planes},
                               {"from", toArray (edge.from)},
                               {"to", toArray (edge.to)},
                               {"length", edge.length()},
                               {"angle", pcl::rad2deg (edge.angle)}});
   for (const PlaneCorner& corner : found.corners)
-    json["corners"].push_back ({{"planes", labelsOf (corner.planes)},
-                                {"position", toArray (corner.position)}});
+    json["corners"].push_back (
+        {{"planes", corner.planes}, {"position", toArray (corner.position)}});
   constexpr int indent = 2;
   return json.dump (indent) + "\n";
 }
@@ -126,8 +133,10 @@ writeVtk (const PlaneEdges& found, const Eigen::Isometry3d& pose, std::ostream& 
 void
 saveEdges (const std::string& file,
            const Eigen::Isometry3d& sensor_pose,
-           const PlaneEdges& edges)
+           const PlaneEdges& found,
+           const std::vector<std::uint32_t>& ids)
 {
+  const PlaneEdges edges = numbered (found, ids);
   const std::string extension = extensionOf (file);
   if (extension == ".json")
     return writeTextFile (file, toJson (edges));

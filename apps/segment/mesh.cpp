@@ -63,6 +63,7 @@ struct Mesh {
 Mesh
 toMesh (const Eigen::Isometry3d& pose,
         const std::vector<PlaneSegment>& planes,
+        const std::vector<std::uint32_t>& ids,
         const std::vector<PlaneExtent>& extents)
 {
   Mesh mesh{{}, {}, "float"};
@@ -76,7 +77,7 @@ toMesh (const Eigen::Isometry3d& pose,
         corner += first;
       mesh.faces.push_back (face);
     }
-    const pcl::RGB color = colorOfLabel (static_cast<std::uint32_t> (p + 1));
+    const pcl::RGB color = colorOfLabel (ids[p]);
     for (const std::vector<Eigen::Vector3d>& ring : rings)
       for (const Eigen::Vector3d& corner : ring)
         mesh.corners.push_back ({pose * corner, color});
@@ -148,13 +149,14 @@ void
 saveMesh (const std::string& file,
           const Eigen::Isometry3d& sensor_pose,
           const std::vector<PlaneSegment>& planes,
+          const std::vector<std::uint32_t>& ids,
           const std::vector<PlaneExtent>& extents,
           Precision precision)
 {
   const bool is_vtk = extensionOf (file) == ".vtk";
   const Eigen::Isometry3d pose = is_vtk ? sensor_pose : Eigen::Isometry3d::Identity();
   const bool is_double = precision == Precision::Double;
-  Mesh mesh = toMesh (pose, planes, extents);
+  Mesh mesh = toMesh (pose, planes, ids, extents);
   if (is_double)
     mesh.type = "double";
   // PCL's and VTK's writers want a name and do not tell of a full disk.

@@ -6,6 +6,7 @@
 
 #include <pcl_ops/plane_extent.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,12 +22,14 @@ enum class Precision { Single, Double };
  * \param[in] sensor_pose where pcl_viewer moves the labelled cloud to; it does not know
  * of meshes' poses, so that a .vtk is written moved
  * \param[in] planes by falling size
+ * \param[in] ids of the planes, their labels in the cloud
  * \param[in] extents one for each plane
  * \throws WorkError if it cannot be written */
 void
 saveMesh (const std::string& file,
           const Eigen::Isometry3d& sensor_pose,
           const std::vector<PlaneSegment>& planes,
+          const std::vector<std::uint32_t>& ids,
           const std::vector<PlaneExtent>& extents,
           Precision precision);
 

@@ -99,6 +99,40 @@ checkExtension (const std::string& subject,
   }
 }
 
+void
+declareTracking (CommandLine& line, TrackOptions& options)
+{
+  constexpr double right_angle = 90;
+  line.beginBriefGroup ("Clouds in sequence, with --output-dir");
+  line.addFlag (
+      "track", options.is_on, "label and id of a plane are the same in all INPUTs");
+  line.addText ("poses",
+                "FILE",
+                options.poses,
+                "where the sensor was: a line \"timestamp tx ty tz qx qy qz qw\" for "
+                "each INPUT (it hardly moves)");
+  line.addNumber ("rotation-error",
+                  "DEG",
+                  Range::from (0).upTo (right_angle),
+                  options.rotation_error,
+                  "how far a turn from INPUT to INPUT is off (3)");
+  line.addNumber ("translation-error",
+                  "M",
+                  Range::from (0),
+                  options.translation_error,
+                  "how far a move from INPUT to INPUT is off (0.05)");
+}
+
+void
+checkTracking (const CommandLine& line, const SegmentOptions& options)
+{
+  for (const char* option : {"poses", "rotation-error", "translation-error"})
+    if (line.isGiven (option) && !options.track.is_on)
+      throw UsageError (std::string ("--") + option, "is about --track; give it, too");
+  if (options.track.is_on && !options.isBatch())
+    throw UsageError ("--track", "is about several inputs; give --output-dir, too");
+}
+
 /** \brief Sorts out what the arguments are: INPUT and OUTPUT, or all inputs. */
 void
 storeArguments (const std::vector<std::string>& arguments, SegmentOptions& options)
@@ -219,12 +253,14 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
   declareOutputs (line, options);
   declareMethodOptions (line, options.method, options.detector);
   declareChoice (line, options.choice);
+  declareTracking (line, options.track);
   if (!line.parse (argc, argv))
     return false;
   checkMethodOptions (line, methodCalled (options.method));
   storeArguments (arguments, options);
   checkHull (line, options);
   checkChoice (line);
+  checkTracking (line, options);
   checkOutputs (options);
   checkBatch (line, options);
   return true;

@@ -5,6 +5,7 @@
 #include "filter.h"
 #include <detection/methods.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,15 @@ struct Outputs {
   files () const;
 };
 
+/** \brief How planes keep their numbers over the clouds of a sequence. */
+struct TrackOptions {
+  bool is_on = false;
+  /** \brief A file of poses; empty where the sensor hardly moves. */
+  std::string poses;
+  /** \brief How far poses are off from one to the next, [degree] and [m]. */
+  std::optional<double> rotation_error, translation_error;
+};
+
 /** \brief What the command line asks for. */
 struct SegmentOptions {
   /** \brief As given: a file or "-"; with \ref output_dir files, folders, patterns. */
@@ -46,6 +56,7 @@ struct SegmentOptions {
   /** \brief Which planes count. */
   PlaneChoice choice;
   DetectorOptions detector;
+  TrackOptions track;
   /** \brief Inputs at a time; 0: as many as there are processors. */
   unsigned jobs = 1;
   bool keep_color = false;

@@ -120,15 +120,15 @@ void
 savePlaneClouds (const std::string& folder,
                  const FileCloud& cloud,
                  const std::vector<PlaneSegment>& planes,
+                 const std::vector<std::uint32_t>& ids,
                  const std::string& extension)
 {
   makeFolder (folder);
   try {
     const TemporaryPath written (temporaryFolderIn (folder));
-    std::size_t id = 0;
-    for (const PlaneSegment& plane : planes)
-      saveCloud ((written.path() / planeFile (++id, plane, extension)).string(),
-                 pointsOf (cloud, plane.inliers));
+    for (std::size_t i = 0; i < planes.size(); ++i)
+      saveCloud ((written.path() / planeFile (ids[i], planes[i], extension)).string(),
+                 pointsOf (cloud, planes[i].inliers));
     exchangePlanes (folder, written.path());
   }
   catch (const fs::filesystem_error& error) {

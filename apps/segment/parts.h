@@ -35,6 +35,7 @@ void
 savePlaneClouds (const std::string& folder,
                  const FileCloud& cloud,
                  const std::vector<PlaneSegment>& planes,
+                 const std::vector<std::uint32_t>& ids,
                  const std::string& extension);
 
 } // namespace pcl_ops::apps

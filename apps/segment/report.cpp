@@ -51,10 +51,10 @@ printPlane (std::size_t id,
 }
 
 void
-printPlanes (const std::vector<PlaneSegment>& planes,
-             std::size_t points,
-             std::ostream& stream)
+printPlanes (const Report& report, std::ostream& stream)
 {
+  const std::vector<PlaneSegment>& planes = report.detected.planes;
+  const std::size_t points = report.points;
   constexpr std::size_t most_rows = 20;
   stream << "  id  orientation   points      %       rms         a         b         c"
             "         d\n";
@@ -62,7 +62,7 @@ printPlanes (const std::vector<PlaneSegment>& planes,
   for (std::size_t i = 0; i < planes.size(); ++i) {
     covered += planes[i].inliers.size();
     if (i < most_rows)
-      printPlane (i + 1, planes[i], points, stream);
+      printPlane (report.ids[i], planes[i], points, stream);
   }
   if (planes.size() > most_rows)
     stream << "      and " << planes.size() - most_rows
@@ -135,11 +135,10 @@ toObject (const Dropped& dropped)
 void
 printTable (const Report& report, std::ostream& stream)
 {
-  const std::vector<PlaneSegment>& planes = report.detected.planes;
   stream << std::fixed << report.input << ": " << countsOf (report) << " ("
          << report.method << ")\n";
-  if (!planes.empty())
-    printPlanes (planes, report.points, stream);
+  if (!report.detected.planes.empty())
+    printPlanes (report, stream);
   if (!report.detected.up_note.empty())
     stream << report.detected.up_note << "\n";
   for (const std::string& line : {droppedBeside (report), adviceOf (report)})
@@ -177,7 +176,8 @@ toJson (const Report& report)
   json["planes"] = nlohmann::ordered_json::array();
   const std::vector<PlaneSegment>& planes = report.detected.planes;
   for (std::size_t i = 0; i < planes.size(); ++i)
-    json["planes"].push_back (planeObject (i + 1, planes[i], report.extents[i]));
+    json["planes"].push_back (
+        planeObject (report.ids[i], planes[i], report.extents[i]));
   constexpr int indent = 2;
   return json.dump (indent) + "\n";
 }
@@ -195,7 +195,7 @@ toCsv (const Report& report)
     const PlaneSegment& segment = report.detected.planes[i];
     const PlaneExtent& extent = report.extents[i];
     const Plane plane = segment.plane();
-    csv << i + 1 << "," << toString (segment.orientation) << ","
+    csv << report.ids[i] << "," << toString (segment.orientation) << ","
         << segment.inliers.size();
     for (const double number : {plane.normal.x(),
                                 plane.normal.y(),

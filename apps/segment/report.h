@@ -7,6 +7,7 @@
 #include <pcl_ops/plane_extent.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ struct Report {
   /** \brief Points of the cloud, those without coordinates included. */
   std::size_t points = 0;
   Detected detected;
+  /** \brief Of each plane: its label in the cloud. */
+  std::vector<std::uint32_t> ids;
   Dropped dropped;
   /** \brief What makes the cloud look damaged; empty where nothing does. */
   std::string damage;

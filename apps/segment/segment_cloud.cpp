@@ -25,6 +25,7 @@
 
 #include <cstdint>
 #include <iostream>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -114,32 +115,42 @@ saveOutputs (const SegmentOptions& options,
              const Report& report)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
-  const std::vector<std::uint32_t> labels = labelsOf (planes, cloud.size());
+  const std::vector<std::uint32_t> labels = labelsOf (planes, report.ids, cloud.size());
   if (!outputs.cloud.empty())
     saveLabelled (outputs.cloud, cloud, planes, labels, options);
   if (!outputs.image.empty())
-    savePicture (outputs.image, *shifted.cloud, labels, planes, report.detected.up);
+    savePicture (outputs.image,
+                 *shifted.cloud,
+                 labelsOf (planes, cloud.size()),
+                 planes,
+                 report.detected.up,
+                 report.ids);
   if (!outputs.mesh.empty())
     saveMesh (outputs.mesh,
               poseOf (cloud),
               planes,
+              report.ids,
               report.extents,
               shifted.shift.isZero (0.0) ? Precision::Single : Precision::Double);
   if (!outputs.edges.empty())
     saveEdges (outputs.edges,
                poseOf (cloud),
-               findPlaneEdges (*shifted.cloud, planes, {}, shifted.shift));
+               findPlaneEdges (*shifted.cloud, planes, {}, shifted.shift),
+               report.ids);
   if (!outputs.rest.empty())
     saveRest (outputs.rest, cloud, shifted, labels);
   if (!outputs.planes_dir.empty())
-    savePlaneClouds (outputs.planes_dir, cloud, planes, options.fileFormat());
+    savePlaneClouds (
+        outputs.planes_dir, cloud, planes, report.ids, options.fileFormat());
   // Last: a pipe gets its JSON when the files are there.
   if (!outputs.planes.empty())
     savePlanes (outputs.planes, report);
 }
 
 Report
-segmentInMemory (const SegmentOptions& options, const Task& task)
+segmentInMemory (const SegmentOptions& options,
+                 const Task& task,
+                 const IdsOfPlanes& ids_of)
 {
   const bool is_piped = task.input == standard_stream;
   const FileCloud cloud = is_piped ? loadStandardInput() : loadCloud (task.input);
@@ -151,6 +162,7 @@ segmentInMemory (const SegmentOptions& options, const Task& task)
                 cloud.size(),
                 detectPlanes (options, shifted),
                 {},
+                {},
                 damageOf (*shifted.cloud),
                 {}};
   report.dropped = keepChosen (
@@ -159,6 +171,9 @@ segmentInMemory (const SegmentOptions& options, const Task& task)
         return extentInFile (shifted, plane, options.hull);
       },
       report.detected);
+  const Eigen::Vector3d sensor = cloud.origin.head<3>().cast<double>();
+  report.ids =
+      ids_of (report.detected.planes, sensor.isZero (0.0) ? shifted.shift : sensor);
   if (!task.outputs.planes.empty() || !task.outputs.mesh.empty())
     report.extents = extentsOf (shifted, report.detected.planes, options.hull);
   stopIfInterrupted();
@@ -168,12 +183,22 @@ segmentInMemory (const SegmentOptions& options, const Task& task)
 
 } // namespace
 
+std::vector<std::uint32_t>
+idsBySize (const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& /*sensor*/)
+{
+  std::vector<std::uint32_t> ids (planes.size());
+  std::iota (ids.begin(), ids.end(), 1U);
+  return ids;
+}
+
 Report
-segmentCloud (const SegmentOptions& options, const Task& task)
+segmentCloud (const SegmentOptions& options,
+              const Task& task,
+              const IdsOfPlanes& ids_of)
 {
   return inMemory (nameOfInput (task),
                    options.jobs == 1 ? "give a smaller cloud" : "give fewer --jobs",
-                   [&] { return segmentInMemory (options, task); });
+                   [&] { return segmentInMemory (options, task, ids_of); });
 }
 
 } // namespace pcl_ops::apps

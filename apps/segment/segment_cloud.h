@@ -5,12 +5,28 @@
 #include "report.h"
 #include "tasks.h"
 
+#include <cstdint>
+#include <functional>
+#include <vector>
+
 namespace pcl_ops::apps {
+
+/** \brief What gives the planes of a cloud their ids, which are in the cloud's frame,
+ * and gets to know where the sensor was or, where that is not known, a place among the
+ * points. */
+using IdsOfPlanes = std::function<std::vector<std::uint32_t> (
+    const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& sensor)>;
+
+/** \brief The ids 1, 2, ... */
+std::vector<std::uint32_t>
+idsBySize (const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& sensor);
 
 /** \brief Reads a cloud, finds its planes and writes its outputs.
  * \throws UsageError or WorkError if the cloud cannot be read or an output cannot be
  * written, Interrupted before anything is written */
 Report
-segmentCloud (const SegmentOptions& options, const Task& task);
+segmentCloud (const SegmentOptions& options,
+              const Task& task,
+              const IdsOfPlanes& ids_of = idsBySize);
 
 } // namespace pcl_ops::apps

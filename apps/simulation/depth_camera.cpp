@@ -47,26 +47,6 @@ drawPose (const Room& room, internal::RandomGenerator& generator)
          turned (pitch, Vector3d::UnitX()) * turned (roll, Vector3d::UnitZ());
 }
 
-/** \brief Number of surfaces well in view, none if something stands before the camera.
- */
-int
-countVisibleSurfaces (const Scene& scene, DepthCamera camera)
-{
-  camera.width = glance_width;
-  camera.height = glance_height;
-  const DepthImage glance = castDepthImage (scene, camera);
-  const double closest = *std::min_element (glance.depth.begin(), glance.depth.end());
-  if (closest < closest_object)
-    return 0;
-  std::map<SurfaceId, int> pixels;
-  for (const SurfaceId surface : glance.surface)
-    ++pixels[surface];
-  pixels.erase (no_surface);
-  return int (std::count_if (pixels.begin(), pixels.end(), [] (const auto& surface) {
-    return surface.second >= glance_pixels_of_surface;
-  }));
-}
-
 Vector3d
 rayOfPixel (const DepthCamera& camera,
             std::size_t pixel,
@@ -118,6 +98,24 @@ castDepthImage (const Scene& scene,
     image.surface[i] = hit.surface;
   }
   return image;
+}
+
+int
+countVisibleSurfaces (const Scene& scene, DepthCamera camera)
+{
+  camera.width = glance_width;
+  camera.height = glance_height;
+  const DepthImage glance = castDepthImage (scene, camera);
+  const double closest = *std::min_element (glance.depth.begin(), glance.depth.end());
+  if (closest < closest_object)
+    return 0;
+  std::map<SurfaceId, int> pixels;
+  for (const SurfaceId surface : glance.surface)
+    ++pixels[surface];
+  pixels.erase (no_surface);
+  return int (std::count_if (pixels.begin(), pixels.end(), [] (const auto& surface) {
+    return surface.second >= glance_pixels_of_surface;
+  }));
 }
 
 Eigen::Isometry3d

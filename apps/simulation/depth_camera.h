@@ -61,6 +61,11 @@ castDepthImage (const Scene& scene,
                 const DepthCamera& camera,
                 const PixelOffsets& offsets = {});
 
+/** \brief Number of surfaces well in view, none if something stands before the camera.
+ */
+int
+countVisibleSurfaces (const Scene& scene, DepthCamera camera);
+
 /** \brief Draws a pose at a person's height in the room, upright to a few degrees, that
  * sees many surfaces and has nothing just in front of it.
  * \param[in] room the room

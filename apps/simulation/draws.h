@@ -25,7 +25,9 @@ enum class Purpose : std::uint32_t {
   Shapes,
   ShapesScan,
   Corner,
-  Town
+  Town,
+  Walk,
+  PoseError
 };
 
 inline internal::RandomGenerator

@@ -1,23 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/io/pcd_io.h>
 #include <pcl/exceptions.h>
 
 #include "corner.h"
 #include "dense_scan.h"
 #include "depth_noise.h"
+#include "packed_cloud.h"
 #include "shapes.h"
 #include "survey.h"
 #include "town_files.h"
+#include "walk_files.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/memory.h>
 #include <cli/program.h>
 #include <io/cloud_file.h>
 #include <io/output_file.h>
+#include <io/pose_file.h>
 #include <unistd.h>
 
-#include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -40,6 +42,9 @@ constexpr double smallest_image = 16;
 constexpr double largest_image = 4096;
 
 constexpr double usual_points_of_town = 1e6, usual_tiles = 4;
+constexpr double most_frames = 1000;
+/** \brief Beyond, an error is no small motion [degree, cm]. */
+constexpr double largest_pose_error = 30;
 
 struct Options {
   std::string output;
@@ -50,6 +55,8 @@ struct Options {
   double noise = 1.0;
   std::optional<double> points;
   std::optional<double> tiles;
+  std::uint32_t frames = 50;
+  PoseErrors pose_errors;
   bool organized = false;
   bool quiet = false;
 };
@@ -58,7 +65,7 @@ struct Options {
 bool
 isSeenByCamera (const std::string& scene)
 {
-  return scene == "room" || scene == "furniture";
+  return scene == "room" || scene == "furniture" || scene == "walk";
 }
 
 void
@@ -66,13 +73,14 @@ declareScene (pcl_ops::apps::CommandLine& line, Options& options)
 {
   line.addArgument ("OUTPUT.pcd",
                     options.output,
-                    "the cloud to write (binary); of a town the folder");
+                    "the cloud to write (binary); of town and walk the folder");
   line.addChoice (
       "scene",
-      {"room", "furniture", "survey", "shapes", "town"},
+      {"room", "furniture", "survey", "shapes", "town", "walk"},
       options.scene,
       "a room, a corner of one with boards on posts, 36 houses on a ground, "
-      "round shapes beside a ground, terraces of houses in tiles of .las (room)");
+      "round shapes beside a ground, terraces of houses in tiles of .las, "
+      "a camera's way through a room (room)");
   line.addNumber ("seed",
                   "S",
                   Range::from (0).upTo (most_seed),
@@ -107,6 +115,21 @@ declareScan (pcl_ops::apps::CommandLine& line, Options& options)
                   Range::from (1).upTo (most_tiles_of_town),
                   options.tiles,
                   "tiles of town, rounded up to a square number (4)");
+  line.addNumber ("frames",
+                  "N",
+                  Range::from (1).upTo (most_frames),
+                  options.frames,
+                  "clouds of walk (50)");
+  line.addNumber ("pose-error",
+                  "X",
+                  Range::from (0).upTo (largest_pose_error),
+                  options.pose_errors.each,
+                  "degrees and cm each pose of walk is off in poses.txt (0)");
+  line.addNumber ("drift",
+                  "X",
+                  Range::from (0).upTo (largest_pose_error),
+                  options.pose_errors.drift,
+                  "degrees and cm its way is off from pose to pose (0)");
   line.addFlag ("organized", options.organized, "keep pixels without a reading as NaN");
   line.addFlag ("quiet", options.quiet, "print nothing");
 }
@@ -115,13 +138,20 @@ declareScan (pcl_ops::apps::CommandLine& line, Options& options)
 void
 checkOptions (const pcl_ops::apps::CommandLine& line, const Options& options)
 {
-  const bool is_town = options.scene == "town";
+  const bool is_town = options.scene == "town", is_walk = options.scene == "walk";
+  for (const char* of_walk : {"frames", "pose-error", "drift"})
+    if (line.isGiven (of_walk) && !is_walk)
+      throw pcl_ops::apps::UsageError (std::string ("--") + of_walk,
+                                       "is about --scene walk; leave it out");
+  if (is_walk && options.points)
+    throw pcl_ops::apps::UsageError ("--points",
+                                     "is not for --scene walk; give --width, --height");
   if (options.tiles && !is_town)
     throw pcl_ops::apps::UsageError ("--tiles", "is about --scene town; leave it out");
   if (!is_town && options.points.value_or (1) > most_points)
     throw pcl_ops::apps::UsageError (
         "--points", "is more than 10000000, which only --scene town takes");
-  if (!is_town && pcl_ops::apps::extensionOf (options.output) != ".pcd")
+  if (!is_town && !is_walk && pcl_ops::apps::extensionOf (options.output) != ".pcd")
     throw pcl_ops::apps::UsageError (options.output,
                                      "has an unknown extension; give a .pcd file");
   for (const char* of_camera : {"width", "height", "profile", "organized"}) {
@@ -198,34 +228,8 @@ simulate (const Options& options)
                        options);
 }
 
-/** \brief The cloud without the padding of pcl::PointXYZL. */
-pcl_ops::apps::FileCloud
-packed (const pcl::PointCloud<pcl::PointXYZL>& cloud)
-{
-  constexpr pcl::uindex_t bytes_of_number = 4; // float and std::uint32_t
-  pcl_ops::apps::FileCloud result{{}, cloud.sensor_origin_, cloud.sensor_orientation_};
-  pcl::PCLPointCloud2& points = result.points;
-  points.width = cloud.width;
-  points.height = cloud.height;
-  points.is_dense = cloud.is_dense;
-  points.fields = pcl::getFields<pcl::PointXYZL>();
-  for (auto& field : points.fields) {
-    field.offset = points.point_step;
-    points.point_step += bytes_of_number;
-  }
-  points.row_step = points.point_step * points.width;
-  points.data.resize (std::size_t (points.point_step) * cloud.size());
-  std::uint8_t* bytes = points.data.data();
-  for (const pcl::PointXYZL& point : cloud) {
-    std::memcpy (bytes, point.data, 3 * bytes_of_number);
-    std::memcpy (bytes + 3 * bytes_of_number, &point.label, bytes_of_number);
-    bytes += points.point_step;
-  }
-  return result;
-}
-
-int
-simulateTown (const Options& options)
+void
+runTown (const Options& options)
 {
   using pcl_ops::apps::ProgressStyle;
   const Town town = makeTown (options.seed,
@@ -241,7 +245,40 @@ simulateTown (const Options& options)
   if (!options.quiet)
     std::cout << options.output << ": " << written.points << " points in "
               << written.files << " files\n";
-  return pcl_ops::apps::ExitCode::done;
+}
+
+void
+runWalk (const Options& options)
+{
+  WalkRecording walk;
+  walk.room = makeRoom (options.seed);
+  walk.camera = options.camera;
+  walk.poses = drawWalk (walk.room, walk.camera, options.frames, options.seed);
+  walk.noise = noiseOf (options);
+  walk.organized = options.organized;
+  const std::uint64_t points = saveWalk (options.output, walk, options.seed);
+  const std::string file =
+      (std::filesystem::path (options.output) / "poses.txt").string();
+  pcl_ops::apps::savePoses (file,
+                            measured (walk.poses, options.pose_errors, options.seed));
+  if (!options.quiet)
+    std::cout << options.output << ": " << points << " points in " << options.frames
+              << " frames, " << file << "\n";
+}
+
+void
+runCloud (const Options& options)
+{
+  pcl_ops::apps::checkWritable (options.output);
+  const SimulatedCloud simulated =
+      pcl_ops::apps::inMemory (options.output, "give fewer --points", [&] {
+        SimulatedCloud cloud = simulate (options);
+        pcl_ops::apps::savePcd (options.output, packedCloud (cloud.cloud));
+        return cloud;
+      });
+  if (!options.quiet)
+    std::cout << options.output << ": " << simulated.cloud.size() << " points, "
+              << simulated.planes.size() << " planes\n";
 }
 
 int
@@ -251,17 +288,11 @@ run (int argc, const char* const* argv)
   if (!readOptions (argc, argv, options))
     return pcl_ops::apps::ExitCode::done;
   if (options.scene == "town")
-    return simulateTown (options);
-  pcl_ops::apps::checkWritable (options.output);
-  const SimulatedCloud simulated =
-      pcl_ops::apps::inMemory (options.output, "give fewer --points", [&] {
-        SimulatedCloud cloud = simulate (options);
-        pcl_ops::apps::savePcd (options.output, packed (cloud.cloud));
-        return cloud;
-      });
-  if (!options.quiet)
-    std::cout << options.output << ": " << simulated.cloud.size() << " points, "
-              << simulated.planes.size() << " planes\n";
+    runTown (options);
+  else if (options.scene == "walk")
+    runWalk (options);
+  else
+    runCloud (options);
   return pcl_ops::apps::ExitCode::done;
 }
 

@@ -46,14 +46,10 @@ countPoints (const pcl::PointCloud<pcl::PointXYZL>& cloud, std::size_t surfaces)
 
 } // namespace
 
-SimulatedCloud
-toCloud (const DepthImage& image,
-         const DepthCamera& camera,
-         const Scene& scene,
-         CloudLayout layout)
+pcl::PointCloud<pcl::PointXYZL>
+toSurfaceCloud (const DepthImage& image, const DepthCamera& camera, CloudLayout layout)
 {
-  SimulatedCloud simulated;
-  auto& cloud = simulated.cloud;
+  pcl::PointCloud<pcl::PointXYZL> cloud;
   cloud.reserve (image.depth.size());
   for (std::size_t i = 0; i < image.depth.size(); ++i) {
     const std::size_t row = i / image.width;
@@ -70,7 +66,17 @@ toCloud (const DepthImage& image,
     cloud.is_dense = false;
   }
   setSensorPose (cloud, camera.pose);
-  simulated.planes = labelBySize (cloud, surfacePlanes (scene));
+  return cloud;
+}
+
+SimulatedCloud
+toCloud (const DepthImage& image,
+         const DepthCamera& camera,
+         const Scene& scene,
+         CloudLayout layout)
+{
+  SimulatedCloud simulated{toSurfaceCloud (image, camera, layout), {}};
+  simulated.planes = labelBySize (simulated.cloud, surfacePlanes (scene));
   return simulated;
 }
 

@@ -36,6 +36,12 @@ enum class CloudLayout {
   Organized
 };
 
+/** \brief The points of a depth image, each with the surface it was taken from.
+ * \param[in] camera its pose, which becomes the sensor's, is from its frame to that of
+ * the points */
+pcl::PointCloud<pcl::PointXYZL>
+toSurfaceCloud (const DepthImage& image, const DepthCamera& camera, CloudLayout layout);
+
 /** \brief The points of a depth image in the frame of the room, with the camera's pose
  * as sensor origin and orientation. */
 SimulatedCloud

@@ -13,6 +13,8 @@ PYBIND11_MODULE (_pcl_ops, module)
   // What is documented, has defaults and checks its arrays is in pcl_ops/__init__.py.
   module.def ("segment", &segment);
   module.def ("parameters", &parametersOf);
+  module.def ("filter_planes", &filteredPlanes);
+  module.def ("match_planes", &matchedPlanes);
   module.def ("merge_planes", &mergedPlanes);
   module.def ("estimate_up_axis", &upAxisOf);
   module.def ("evaluate", &evaluate);

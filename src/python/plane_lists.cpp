@@ -3,6 +3,8 @@
 #include "plane_lists.h"
 
 #include "detectors.h"
+#include <pcl_ops/plane_filter.h>
+#include <pcl_ops/plane_matching.h>
 #include <pcl_ops/up_axis.h>
 #include <pybind11/eigen.h>
 
@@ -81,7 +83,140 @@ upAxisFields ()
           field<P> ("least_confidence", &P::least_confidence)};
 }
 
+std::vector<PlaneSegment>
+segmentsOf (const PlaneObjects& objects)
+{
+  std::vector<PlaneSegment> segments;
+  for (const PlaneObject* object : objects)
+    segments.push_back (object->segment);
+  return segments;
+}
+
+py::array_t<std::int32_t>
+arrayOf (const Labels& labels)
+{
+  return py::array_t<std::int32_t> (static_cast<py::ssize_t> (labels.size()),
+                                    labels.data());
+}
+
+Fields<PlaneMatchingParameters>
+matchingFields ()
+{
+  using P = PlaneMatchingParameters;
+  return {field<P> ("rotation_error", &P::rotation_error),
+          field<P> ("translation_error", &P::translation_error),
+          field<P> ("min_overlap", &P::min_overlap)};
+}
+
+/** \brief A rigid motion.
+ * \throw py::value_error for any other matrix */
+Eigen::Isometry3d
+motionOf (const Eigen::Matrix4d& matrix)
+{
+  constexpr double rounding = 1e-4; // of single precision, multiplied a few times
+  const Eigen::Matrix3d turn = matrix.topLeftCorner<3, 3>();
+  if (!matrix.allFinite() || !(turn * turn.transpose()).isIdentity (rounding) ||
+      turn.determinant() < 0.0 ||
+      !matrix.row (3).isApprox (Eigen::RowVector4d (0, 0, 0, 1)))
+    throw py::value_error ("pose: is no 4 x 4 matrix of a rotation and a translation");
+  return Eigen::Isometry3d (matrix);
+}
+
+void
+add (const DroppedPlanes& more, DroppedPlanes& sum)
+{
+  sum.by_orientation += more.by_orientation;
+  sum.by_direction += more.by_direction;
+  sum.by_points += more.by_points;
+  sum.by_area += more.by_area;
+  sum.by_width += more.by_width;
+}
+
+PlaneFilter
+filterOf (const py::dict& given)
+{
+  PlaneFilter filter;
+  for (const auto& [key, value] : given) {
+    const auto name = key.cast<std::string>();
+    if (value.is_none())
+      continue;
+    if (name == "orientation")
+      filter.orientation = static_cast<Orientation> (
+          oneOf (name, {"horizontal", "vertical", "other"}, value));
+    else if (name == "direction")
+      setValue (name, filter.direction.emplace(), value);
+    else if (name == "direction_tolerance")
+      setValue (name, filter.direction_tolerance, value);
+    else if (name == "min_points")
+      setValue (name, filter.min_points, value);
+    else if (name == "min_area")
+      setValue (name, filter.min_area, value);
+    else if (name == "min_width")
+      setValue (name, filter.min_width, value);
+    else
+      setValue (name, filter.max_planes.emplace(), value);
+    const std::string problem = problemOf (filter);
+    if (!problem.empty())
+      throw py::value_error (name + ": " + problem);
+  }
+  return filter;
+}
+
 } // namespace
+
+py::tuple
+filteredPlanes (const py::list& planes, const py::dict& given)
+{
+  const PlaneFilter filter = filterOf (given);
+  const PlaneObjects objects = objectsOf (planes);
+  // One at a time: it is for the objects of Python to be kept or dropped, not for
+  // copies.
+  PlaneFilter of_each = filter;
+  of_each.max_planes.reset();
+  DroppedPlanes dropped;
+  py::list kept;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    std::vector<PlaneSegment> one = {objects[i]->segment};
+    const auto extent = [&] (const PlaneSegment& /*plane*/) {
+      return planes[i].cast<PlaneObject&>().extent();
+    };
+    add (filterPlanes (one, of_each, extent), dropped);
+    if (one.empty())
+      continue;
+    if (filter.max_planes && kept.size() >= *filter.max_planes)
+      ++dropped.by_number;
+    else
+      kept.append (planes[i]);
+  }
+  py::dict counts;
+  counts["orientation"] = dropped.by_orientation;
+  counts["direction"] = dropped.by_direction;
+  counts["min_points"] = dropped.by_points;
+  counts["min_area"] = dropped.by_area;
+  counts["min_width"] = dropped.by_width;
+  counts["max_planes"] = dropped.by_number;
+  return py::make_tuple (kept, counts);
+}
+
+py::tuple
+matchedPlanes (const py::list& previous,
+               const py::list& current,
+               const Eigen::Matrix4d& pose,
+               const py::dict& parameters)
+{
+  const PlaneMatches matches =
+      matchPlanes (segmentsOf (objectsOf (previous)),
+                   segmentsOf (objectsOf (current)),
+                   motionOf (pose),
+                   withGiven (matchingFields(),
+                              PlaneMatchingParameters(),
+                              parameters,
+                              [] (const PlaneMatchingParameters& given) {
+                                return problemOf (given);
+                              }));
+  return py::make_tuple (arrayOf (matches.previous),
+                         Eigen::Matrix4d (matches.pose.matrix()));
+}
 
 py::tuple
 mergedPlanes (const py::list& planes,
@@ -102,9 +237,7 @@ mergedPlanes (const py::list& planes,
   for (PlaneSegment& segment : segments)
     found.append (
         PlaneObject{std::move (segment), objects.front()->points, std::nullopt});
-  const py::array_t<std::int32_t> merged_into (
-      static_cast<py::ssize_t> (merged.merged_into.size()), merged.merged_into.data());
-  return py::make_tuple (found, merged_into);
+  return py::make_tuple (found, arrayOf (merged.merged_into));
 }
 
 py::object
@@ -112,9 +245,7 @@ upAxisOf (const py::list& planes,
           const py::object& viewpoint,
           const py::dict& parameters)
 {
-  std::vector<PlaneSegment> segments;
-  for (const PlaneObject* object : objectsOf (planes))
-    segments.push_back (object->segment);
+  const std::vector<PlaneSegment> segments = segmentsOf (objectsOf (planes));
   const Eigen::Vector3d sensor = placeOf ("viewpoint", viewpoint);
   const UpAxisParameters decided = withGiven (
       upAxisFields(), UpAxisParameters(), parameters, [] (const UpAxisParameters&) {

@@ -24,4 +24,18 @@ upAxisOf (const py::list& planes,
           const py::object& viewpoint,
           const py::dict& parameters);
 
+/** \brief The planes that are kept, and how many were dropped by what.
+ * \throw as \ref mergedPlanes */
+py::tuple
+filteredPlanes (const py::list& planes, const py::dict& filter);
+
+/** \brief For each of \p current the position in \p previous, -1 for none; and the pose
+ * as mended.
+ * \throw as \ref mergedPlanes */
+py::tuple
+matchedPlanes (const py::list& previous,
+               const py::list& current,
+               const Eigen::Matrix4d& pose,
+               const py::dict& parameters);
+
 } // namespace pcl_ops::python

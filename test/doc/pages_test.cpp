@@ -62,6 +62,8 @@ smallerScene (const std::string& command)
 {
   if (command.find ("--points") != std::string::npos)
     return "";
+  if (command.find ("--scene walk") != std::string::npos)
+    return " --frames 5 --width 80 --height 60";
   return command.find ("--scene") != std::string::npos ? " --points 5000"
                                                        : " --width 160 --height 120";
 }
@@ -80,7 +82,9 @@ commandsOf (const fs::path& page)
       commands.push_back (line + smallerScene (line));
     else if (startsWith ("pcl_ops_segment ") || startsWith ("cat room.pcd | ") ||
              startsWith ("pcl_ops_evaluate compare ") ||
-             startsWith ("pcl_ops_tiles ") || startsWith ("printf "))
+             startsWith ("pcl_ops_evaluate planes ") ||
+             startsWith ("pcl_ops_evaluate track ") || startsWith ("pcl_ops_tiles ") ||
+             startsWith ("printf "))
       commands.push_back (line);
   }
   return commands;

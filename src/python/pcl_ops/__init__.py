@@ -16,6 +16,8 @@ __all__ = [
     "Plane",
     "estimate_up_axis",
     "evaluate",
+    "filter_planes",
+    "match_planes",
     "merge_planes",
     "parameters",
     "segment",
@@ -24,6 +26,7 @@ __all__ = [
 
 _UP = (0.0, 0.0, 1.0)
 _ANGLE_TOLERANCE = 0.12217304763960307
+_DIRECTION_TOLERANCE = 0.17453292519943295
 
 
 def segment(points, method="ops", preset="default", *, viewpoint=(0.0, 0.0, 0.0), **parameters):
@@ -76,6 +79,61 @@ def merge_planes(planes, *, up=_UP, angle_tolerance=_ANGLE_TOLERANCE, **paramete
     """
     orientation = {"up": up, "angle_tolerance": angle_tolerance}
     return _pcl_ops.merge_planes(list(planes), orientation, parameters)
+
+
+def filter_planes(
+    planes,
+    *,
+    orientation=None,
+    direction=None,
+    direction_tolerance=_DIRECTION_TOLERANCE,
+    min_points=0,
+    min_area=0.0,
+    min_width=0.0,
+    max_planes=None,
+):
+    """Keep the planes that are wanted.
+
+    planes: list of Plane, in an order that stays.
+    orientation: "horizontal", "vertical" or "other".
+    direction: vector (x, y, z) of any length that normals point along, or against, to
+        within direction_tolerance [rad].
+    min_points, min_area, min_width: fewest inliers, smallest area of the hull and smallest
+        width of the rectangle around it.
+    max_planes: how many to keep of those that are left, the first ones.
+
+    Returns (kept, dropped): the list of Plane, and a dict with how many each of these
+    arguments dropped; a plane counts once, for the first it fails.
+    """
+    return _pcl_ops.filter_planes(list(planes), {
+        "orientation": orientation,
+        "direction": direction,
+        "direction_tolerance": direction_tolerance,
+        "min_points": min_points,
+        "min_area": min_area,
+        "min_width": min_width,
+        "max_planes": max_planes,
+    })
+
+
+def match_planes(previous, current, pose=None, **parameters):
+    """Find the planes of a frame again in the next.
+
+    previous, current: lists of Plane, each in the frame of its own array.
+    pose: array of shape (4, 4), the current frame in the previous one: a point p of the
+        current frame is pose[:3, :3] @ p + pose[:3, 3] there. None: they are the same.
+    parameters: rotation_error [rad] and translation_error, how far the pose may be off,
+        one standard deviation about and along any axis, where rotations are about the zero
+        of the current frame; and min_overlap, the smallest share of the smaller of two
+        planes that lies over the other.
+
+    Returns (matches, pose): an int32 array with the position in previous of the plane that
+    each of current continues, -1 for none; and the pose as the matched planes mend it.
+    """
+    pose = _np.eye(4) if pose is None else _np.asarray(pose, dtype=float)
+    if pose.shape != (4, 4):
+        raise ValueError(f"pose: shape {pose.shape} is not (4, 4)")
+    return _pcl_ops.match_planes(list(previous), list(current), pose, parameters)
 
 
 def estimate_up_axis(planes, viewpoint=(0.0, 0.0, 0.0), **parameters):

@@ -58,6 +58,26 @@ def merge_planes(
     distance_threshold: Optional[float] = None,
     noise_factor: Optional[float] = None,
 ) -> Tuple[List[Plane], NDArray[np.int32]]: ...
+def filter_planes(
+    planes: Sequence[Plane],
+    *,
+    orientation: Optional[Orientation] = None,
+    direction: Optional[Vector] = None,
+    direction_tolerance: float = ...,
+    min_points: int = 0,
+    min_area: float = 0.0,
+    min_width: float = 0.0,
+    max_planes: Optional[int] = None,
+) -> Tuple[List[Plane], Dict[str, int]]: ...
+def match_planes(
+    previous: Sequence[Plane],
+    current: Sequence[Plane],
+    pose: Optional[NDArray[Any]] = None,
+    *,
+    rotation_error: float = ...,
+    translation_error: float = ...,
+    min_overlap: float = ...,
+) -> Tuple[NDArray[np.int32], NDArray[np.float64]]: ...
 def estimate_up_axis(
     planes: Sequence[Plane],
     viewpoint: Vector = (0.0, 0.0, 0.0),

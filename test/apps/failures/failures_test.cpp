@@ -93,6 +93,16 @@ allOutputs ()
        "out",
        "out/in.json"},
       {"Batch", segment, "in.pcd --output-dir OUT", "out", "out/in.json"},
+      {"Track",
+       segment,
+       "clouds --output-dir OUT --track --poses poses.txt --jobs 2",
+       "out",
+       "out/scene.json"},
+      {"Walk",
+       simulate,
+       "OUT --scene walk --frames 2 --width 16 --height 16",
+       "out",
+       "out/poses.txt"},
       {"Tiles", tiles, "in.las --output-dir OUT", "out", "out/planes.json"},
       {"Town",
        simulate,
@@ -126,6 +136,7 @@ protected:
     saveLas (program_.folder() / "in.las");
     saveText (program_.folder() / "in.xyz");
     saveScene (program_.folder() / "clouds/scene.pcd");
+    std::ofstream (program_.folder() / "poses.txt") << "0 0 0 0 0 0 0 1\n";
     program_.protect();
   }
 

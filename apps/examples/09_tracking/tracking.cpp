@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Planes keep their numbers while a sensor moves, though its odometry is off.
+#include <pcl/common/transforms.h>
+#include <pcl/io/pcd_io.h>
+
+#include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/plane_tracker.h>
+
+#include <cstdio>
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+int
+main (int argc, char** argv)
+{
+  const Cloud::Ptr room (new Cloud);
+  if (argc != 2 || pcl::io::loadPCDFile (argv[1], *room) < 0)
+    return std::fprintf (stderr, "Usage: tracking CLOUD.pcd\n"), 2;
+
+  pcl_ops::PlaneTracker tracker;
+  // A frame of the sensor in the room: where it is, and where odometry says it is.
+  Eigen::Isometry3d truth = Eigen::Isometry3d::Identity(), odometry = truth;
+  for (int i = 0; i < 5; ++i) {
+    const Cloud::Ptr frame (new Cloud);
+    pcl::transformPointCloud (*room, *frame, truth.inverse().matrix().cast<float>());
+    pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;
+    ops.setInputCloud (frame);
+    std::vector<pcl_ops::PlaneSegment> planes;
+    if (!ops.segment (planes))
+      return 1;
+
+    const std::vector<std::uint32_t> numbers = tracker.track (planes, odometry);
+    std::printf ("frame %d, planes", i);
+    for (const std::uint32_t number : numbers)
+      std::printf (" %u", number);
+    const Eigen::AngleAxisd before (truth.linear().transpose() * odometry.linear());
+    const Eigen::AngleAxisd after (truth.linear().transpose() *
+                                   tracker.pose().linear());
+    std::printf ("\n  odometry is off by %.1f degrees, the planes say by %.1f\n",
+                 before.angle() * 180.0 / M_PI,
+                 after.angle() * 180.0 / M_PI);
+
+    // Forward and to the left; odometry misses a fifth of each turn.
+    truth.translate (Eigen::Vector3d (0.05, 0.02, 0.0));
+    truth.rotate (Eigen::AngleAxisd (0.1, Eigen::Vector3d::UnitZ()));
+    odometry.translate (Eigen::Vector3d (0.05, 0.02, 0.0));
+    odometry.rotate (Eigen::AngleAxisd (0.08, Eigen::Vector3d::UnitZ()));
+  }
+}

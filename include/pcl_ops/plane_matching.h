@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <pcl_ops/export.h>
+#include <pcl_ops/plane.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl_ops {
+
+/** \brief What planes of two frames have to share to be one, and what the pose between
+ * the frames is worth. */
+struct PlaneMatchingParameters {
+  /** \brief How far the rotation of the pose is off about any axis, one standard
+   * deviation [rad]; default 3 degrees. */
+  double rotation_error = 0.05235987755982989;
+  /** \brief How far its translation is off along any axis, one standard deviation [m].
+   */
+  double translation_error = 0.05;
+  /** \brief Smallest share of the smaller of two planes that lies over the other, 0 to
+   * 1. */
+  double min_overlap = 0.3;
+};
+
+/** \brief What is wrong with parameters, as a sentence; empty if nothing is. */
+PCL_OPS_EXPORT std::string
+problemOf (const PlaneMatchingParameters& parameters);
+
+/** \brief Which planes of two frames are one. */
+struct PlaneMatches {
+  /** \brief For each current plane the position of the previous one that it continues,
+   * or \ref no_plane. No previous plane is continued twice. */
+  Labels previous;
+  /** \brief The pose that was given, moved as little as makes these planes agree. */
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+};
+
+/** \brief Finds the planes of a frame again in the next.
+ *
+ * Two planes are one if their equations agree and they overlap. Equations agree if what
+ * differs, two slopes and a height, lies within three standard deviations of what the
+ * pose and both fits may be off; for a fit, that is \ref planeCovariance without its
+ * division by the number of points, as neighbouring points err alike. There is no
+ * threshold in degrees or metres. Where a plane ends is known by its moments, as the
+ * rectangle that has the same.
+ *
+ * The larger planes mend the pose first, each by an update of a Kalman filter; then all
+ * pairs are looked at with the pose that came of it, the best first: those with the
+ * largest product of intersection over union and the root of the likelihood. The sides
+ * of a plane are not told apart, as normals of a floor at the height of the viewpoint
+ * go either way.
+ *
+ * The result does not depend on the order of the planes but for ties.
+ * \param[in] previous planes of one frame; of their moments and normals alone
+ * \param[in] current planes of the other frame
+ * \param[in] pose the current frame in the previous: a point p of the current frame is
+ * pose * p in the previous one. The error of its rotation is about the current frame's
+ * zero, which should be the sensor or near it
+ * \param[in] parameters of which \ref problemOf finds nothing wrong
+ * \return a match for each current plane; planes whose points span no plane have none
+ * \throw std::invalid_argument if there is a problem with the parameters, or the pose
+ * is not finite */
+PCL_OPS_EXPORT PlaneMatches
+matchPlanes (const std::vector<PlaneSegment>& previous,
+             const std::vector<PlaneSegment>& current,
+             const Eigen::Isometry3d& pose = Eigen::Isometry3d::Identity(),
+             const PlaneMatchingParameters& parameters = PlaneMatchingParameters());
+
+} // namespace pcl_ops

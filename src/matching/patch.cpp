@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "matching/patch.h"
+
+#include <cmath>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+using Eigen::Vector2d;
+using Corners = std::vector<Vector2d>;
+
+/** \brief The part of a convex polygon where sign * coordinate <= bound (Sutherland &
+ * Hodgman, "Reentrant polygon clipping", 1974). */
+Corners
+clipped (const Corners& polygon, Eigen::Index axis, double sign, double bound)
+{
+  Corners inside;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2d& from = polygon[i];
+    const Vector2d& to = polygon[(i + 1) % polygon.size()];
+    const double start = bound - sign * from[axis], end = bound - sign * to[axis];
+    if (start >= 0.0)
+      inside.push_back (from);
+    if ((start >= 0.0) != (end >= 0.0))
+      inside.push_back (from + start / (start - end) * (to - from));
+  }
+  return inside;
+}
+
+/** \brief Whichever way round its corners come. */
+double
+areaOf (const Corners& polygon)
+{
+  double twice = 0.0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const Vector2d one = polygon[i] - polygon[0], other = polygon[i + 1] - polygon[0];
+    twice += one.x() * other.y() - one.y() * other.x();
+  }
+  return 0.5 * std::abs (twice);
+}
+
+} // namespace
+
+std::optional<Patch>
+patchOf (const PlaneSegment& plane)
+{
+  const std::optional<PlaneFit> fit = fitPlane (plane.moments);
+  if (!fit)
+    return std::nullopt;
+  const Eigen::Matrix3d covariance = plane.moments.covariance();
+  // Its own normal rather than the fit's: nothing else would be the plane of the user.
+  const Eigen::Vector3d some = plane.normal.unitOrthogonal();
+  Eigen::Matrix<double, 3, 2> in_plane;
+  in_plane << some, plane.normal.cross (some);
+  const Eigen::Matrix2d spread = in_plane.transpose() * covariance * in_plane;
+  // The direction of the larger variance, in closed form.
+  const double angle =
+      0.5 * std::atan2 (2.0 * spread (0, 1), spread (0, 0) - spread (1, 1));
+  const Vector2d along (std::cos (angle), std::sin (angle));
+  const Vector2d across (-along.y(), along.x());
+  Patch patch;
+  patch.center = plane.centroid;
+  patch.axes << in_plane * along, in_plane * across, plane.normal;
+  // A side 2 h has the variance h^2 / 3.
+  patch.half = {std::sqrt (std::max (0.0, 3.0 * along.dot (spread * along))),
+                std::sqrt (std::max (0.0, 3.0 * across.dot (spread * across)))};
+  const double rms = plane.rms();
+  patch.noise = rms * rms;
+  return patch;
+}
+
+Patch
+moved (const Eigen::Isometry3d& motion, Patch patch)
+{
+  patch.center = motion * patch.center;
+  patch.axes = motion.linear() * patch.axes;
+  return patch;
+}
+
+double
+commonArea (const Patch& first, const Patch& second)
+{
+  const Eigen::Matrix<double, 3, 2> axes = first.axes.leftCols<2>();
+  Corners corners;
+  for (const Vector2d& sign :
+       {Vector2d (1, 1), Vector2d (-1, 1), Vector2d (-1, -1), Vector2d (1, -1)}) {
+    const Eigen::Vector3d corner =
+        second.center + second.axes.leftCols<2>() * second.half.cwiseProduct (sign);
+    corners.push_back (axes.transpose() * (corner - first.center));
+  }
+  for (const Eigen::Index axis : {0, 1})
+    for (const double sign : {1.0, -1.0})
+      corners = clipped (corners, axis, sign, first.half[axis]);
+  return areaOf (corners);
+}
+
+} // namespace pcl_ops::internal

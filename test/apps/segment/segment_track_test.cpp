@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segment_program.h"
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace {
+
+constexpr const char* track = "scans --output-dir out --track ";
+
+/** \brief A floor, a wall, and the larger wall of the second scan and the third, whose
+ * planes would be numbered otherwise; of the third the sensor has moved by 1 m in x. */
+class SegmentTrack : public Segment {
+protected:
+  SegmentTrack()
+  {
+    std::filesystem::create_directory (folder_ / "scans");
+    const InputCloud first = floorAndWall();
+    pcl::io::savePCDFileBinary (folder_ / "scans/a.pcd", first);
+    const InputCloud second = withLargerWall();
+    pcl::io::savePCDFileBinary (folder_ / "scans/b.pcd", second);
+    InputCloud third = second;
+    for (auto& point : third)
+      point.x -= 1.0f;
+    pcl::io::savePCDFileBinary (folder_ / "scans/c.pcd", third);
+    folder_.write ("poses.txt",
+                   "# timestamp tx ty tz qx qy qz qw\n"
+                   "0.0 0 0 0 0 0 0 1\n"
+                   "\n"
+                   "0.1 0 0 0 0 0 0 1\n"
+                   "0.2 1 0 0 0 0 0 1\n");
+  }
+
+  static InputCloud
+  withLargerWall ()
+  {
+    InputCloud cloud = floorAndWall();
+    constexpr float step = 0.04f;
+    for (int y = 0; y < points_of_side; ++y)
+      for (int z = points_of_side; z < points_of_side + 20; ++z)
+        cloud.push_back (
+            {3.0f, step * static_cast<float> (y), step * static_cast<float> (z), 0.0f});
+    return cloud;
+  }
+
+  /** \brief The number of the floor in a labelled scan. */
+  std::uint32_t
+  floorIn (const std::string& file) const
+  {
+    LabelledCloud cloud;
+    EXPECT_EQ (pcl::io::loadPCDFile (folder_ / ("out/" + file), cloud), 0);
+    const auto labels = distinct (cloud, 0, points_of_plane);
+    return labels.size() == 1 ? *labels.begin() : 0;
+  }
+
+  void
+  expectRefused (const std::string& arguments,
+                 const std::string& complaint,
+                 int exit_code) const
+  {
+    const Outcome done = run (arguments);
+    EXPECT_EQ (done.exit_code, exit_code) << arguments;
+    EXPECT_TRUE (contains (done.err, "pcl_ops_segment: " + complaint)) << done.err;
+    EXPECT_EQ (lines (done.err), 1u) << done.err;
+    EXPECT_FALSE (std::filesystem::exists (folder_ / "out/a.pcd"));
+  }
+};
+
+} // namespace
+
+TEST_F (SegmentTrack, GivesAPlaneTheSameLabelAndIdInAllClouds)
+{
+  ASSERT_EQ (run ("scans --output-dir out").exit_code, 0);
+  const std::uint32_t before = floorIn ("a.pcd");
+  EXPECT_NE (floorIn ("b.pcd"), before) << "by size";
+  ASSERT_EQ (run (std::string (track) + "--poses poses.txt").exit_code, 0);
+  for (const char* scan : {"a", "b", "c"}) {
+    EXPECT_EQ (floorIn (std::string (scan) + ".pcd"), before) << scan;
+    const auto json = nlohmann::json::parse (
+        contentOf (folder_ / ("out/" + std::string (scan) + ".json")));
+    for (const auto& plane : json["planes"])
+      EXPECT_EQ (plane["id"] == before, plane["orientation"] == "horizontal") << scan;
+  }
+}
+
+TEST_F (SegmentTrack, GivesAPlaneTheSameColorAndFileInAllClouds)
+{
+  ASSERT_EQ (run (std::string (track) + "--poses poses.txt --planes-dir {}").exit_code,
+             0);
+  LabelledCloud first, third;
+  pcl::io::loadPCDFile (folder_ / "out/a.pcd", first);
+  pcl::io::loadPCDFile (folder_ / "out/c.pcd", third);
+  EXPECT_EQ (first[0].rgba, third[0].rgba);
+  const std::string floor =
+      "/plane_00" + std::to_string (floorIn ("a.pcd")) + "_horizontal.pcd";
+  for (const char* scan : {"a", "b", "c"})
+    EXPECT_TRUE (std::filesystem::exists (folder_ / ("out/" + (scan + floor)))) << scan;
+}
+
+TEST_F (SegmentTrack, TakesTheSensorToStandStillWithoutPoses)
+{
+  ASSERT_EQ (run (track).exit_code, 0);
+  EXPECT_EQ (floorIn ("b.pcd"), floorIn ("a.pcd"));
+  const auto json = nlohmann::json::parse (contentOf (folder_ / "out/c.json"));
+  for (const auto& plane : json["planes"])
+    if (plane["orientation"] == "vertical") {
+      EXPECT_EQ (plane["id"], 3) << "a wall 1 m nearer is another";
+    }
+}
+
+TEST_F (SegmentTrack, GivesTheSameBytesForAnyNumberOfJobs)
+{
+  const std::string options = std::string (track) + "--poses poses.txt";
+  ASSERT_EQ (run (options).exit_code, 0);
+  const std::string alone = contentOf (folder_ / "out/c.pcd");
+  std::filesystem::remove_all (folder_ / "out");
+  ASSERT_EQ (run (options + " --jobs 3").exit_code, 0);
+  EXPECT_EQ (contentOf (folder_ / "out/c.pcd"), alone);
+}
+
+TEST_F (SegmentTrack, GoesOnAfterABadCloud)
+{
+  folder_.write ("scans/b.pcd", "no cloud");
+  const Outcome done = run (std::string (track) + "--poses poses.txt --jobs 3");
+  EXPECT_EQ (done.exit_code, 1);
+  EXPECT_EQ (floorIn ("c.pcd"), floorIn ("a.pcd"));
+}
+
+TEST_F (SegmentTrack, NamesTheLineThatIsNoPose)
+{
+  const std::string options = std::string (track) + "--poses bad.txt";
+  const std::string good = "0 0 0 0 0 0 0 1\n";
+  for (const auto& [line, complaint] : std::vector<std::pair<std::string, std::string>>{
+           {"1 2 3", "has 3 numbers"},
+           {"0 0 0 0 0 0 0 1 5", "has more than 8 numbers"},
+           {"0 0 x 0 0 0 0 1", "has something that is no number in place 3"},
+           {"0 0 nan 0 0 0 0 1", "has something that is no number in place 3"},
+           {"0 0 0 0 0 0 0 0",
+            "has a quaternion qx qy qz qw that is not of length 1"}}) {
+    folder_.write ("bad.txt", "# a comment\n" + good + line + "\n" + good);
+    expectRefused (options, "bad.txt: line 3 " + complaint, 1);
+  }
+  folder_.write ("bad.txt", good + good);
+  expectRefused (options, "bad.txt: has 2 poses for 3 clouds", 1);
+  expectRefused (std::string (track) + "--poses none.txt",
+                 "none.txt: does not exist; check the name",
+                 1);
+  expectRefused (std::string (track) + "--poses scans", "scans: is a folder", 1);
+}
+
+TEST_F (SegmentTrack, RefusesWhatDoesNotGoTogether)
+{
+  expectRefused ("in.pcd --track --quiet", "--track: is about several inputs", 2);
+  expectRefused ("scans --output-dir out --poses poses.txt",
+                 "--poses: is about --track; give it, too",
+                 2);
+  expectRefused ("scans --output-dir out --rotation-error 2",
+                 "--rotation-error: is about --track; give it, too",
+                 2);
+}

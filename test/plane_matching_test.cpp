@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "plane_board.h"
+#include "scene.h"
+#include <pcl_ops/plane_matching.h>
+#include <pcl_ops/plane_tracker.h>
+
+#include <limits>
+#include <stdexcept>
+
+using namespace pcl_ops;
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+namespace {
+
+using Planes = std::vector<PlaneSegment>;
+
+/** \brief A corner of a room 3 m ahead, and two shelves 0.3 m above each other. */
+Planes
+corner ()
+{
+  return {board ({0, 3, -1}, Vector3d::UnitZ(), {4, 4}),
+          board ({0, 5, 0}, -Vector3d::UnitY(), {4, 2}),
+          board ({2, 3, 0}, -Vector3d::UnitX(), {4, 2}),
+          board ({-1, 4.7, 0.0}, Vector3d::UnitZ(), {1, 0.4}),
+          board ({-1, 4.7, 0.3}, Vector3d::UnitZ(), {1, 0.4})};
+}
+
+/** \brief The same as seen from elsewhere. */
+Planes
+seenFrom (const Isometry3d& pose, Planes planes)
+{
+  const Isometry3d inverse = pose.inverse();
+  for (PlaneSegment& plane : planes) {
+    const Eigen::Matrix3d turn = inverse.linear();
+    const Eigen::Matrix3d spread =
+        plane.moments.count * turn * plane.moments.covariance() * turn.transpose();
+    plane.centroid = inverse * plane.centroid;
+    plane.normal = turn * plane.normal;
+    plane.moments.origin = plane.centroid;
+    plane.moments.sum.setZero();
+    plane.moments.products = {spread (0, 0),
+                              spread (0, 1),
+                              spread (0, 2),
+                              spread (1, 1),
+                              spread (1, 2),
+                              spread (2, 2)};
+  }
+  return planes;
+}
+
+Isometry3d
+motion (double degrees, const Vector3d& axis, const Vector3d& shift)
+{
+  return Eigen::Translation3d (shift) *
+         Eigen::AngleAxisd (degrees * 1_deg, axis.normalized());
+}
+
+const Isometry3d stays = Isometry3d::Identity();
+
+} // namespace
+
+TEST (MatchPlanes, FindsEachPlaneOfAFrameInItself)
+{
+  EXPECT_EQ (matchPlanes (corner(), corner()).previous, (Labels{0, 1, 2, 3, 4}));
+}
+
+TEST (MatchPlanes, FollowsThePlanesToOtherPositionsInTheList)
+{
+  const Planes all = corner();
+  EXPECT_EQ (matchPlanes (all, {all[4], all[1]}).previous, (Labels{4, 1}));
+}
+
+TEST (MatchPlanes, TakesThePoseAsThatOfTheCurrentFrameInThePrevious)
+{
+  const Isometry3d pose = motion (40, {0, 0.2, 1}, {1, 0.5, 0});
+  const Planes current = seenFrom (pose, corner());
+  PlaneMatchingParameters exact;
+  exact.rotation_error = exact.translation_error = 0.001;
+  EXPECT_EQ (matchPlanes (corner(), current, pose, exact).previous,
+             (Labels{0, 1, 2, 3, 4}));
+  const Labels inverted =
+      matchPlanes (corner(), current, pose.inverse(), exact).previous;
+  EXPECT_EQ (std::count (inverted.begin(), inverted.end(), no_plane), 5);
+}
+
+TEST (MatchPlanes, MendsAPoseThatIsOffUntilShelvesAreTheRightOnes)
+{
+  // 4 degrees are 0.33 m at the shelves: more than from one to the next.
+  const Isometry3d error = motion (4, Vector3d::UnitX(), {0.03, 0, 0.02});
+  const PlaneMatches matches = matchPlanes (corner(), seenFrom (error, corner()));
+  EXPECT_EQ (matches.previous, (Labels{0, 1, 2, 3, 4}));
+  EXPECT_TRUE (matches.pose.isApprox (error, 0.005)) << matches.pose.matrix();
+}
+
+TEST (MatchPlanes, DoesNotMatchWhatThePoseCannotExplain)
+{
+  const Planes floor = {board ({0, 0, 0}, Vector3d::UnitZ(), {1, 1})};
+  const Planes table = {board ({0, 0, 0.3}, Vector3d::UnitZ(), {1, 1})};
+  EXPECT_EQ (matchPlanes (floor, table).previous, (Labels{no_plane}));
+  PlaneMatchingParameters loose;
+  loose.translation_error = 0.2;
+  EXPECT_EQ (matchPlanes (floor, table, stays, loose).previous, (Labels{0}));
+}
+
+TEST (MatchPlanes, TellsPlanesOfOneEquationApartByWhereTheyEnd)
+{
+  const Planes doors = {board ({0, 0, 0}, Vector3d::UnitY(), {1, 2}),
+                        board ({1.5, 0, 0}, Vector3d::UnitY(), {1, 2})};
+  EXPECT_EQ (matchPlanes (doors, {doors[1], doors[0]}).previous, (Labels{1, 0}));
+  EXPECT_EQ (matchPlanes ({doors[0]}, {doors[1]}).previous, (Labels{no_plane}));
+}
+
+TEST (MatchPlanes, AsksForTheOverlapGiven)
+{
+  const Planes before = {board ({0, 0, 0}, Vector3d::UnitZ(), {2, 1})};
+  const Planes now = {board ({1, 0, 0}, Vector3d::UnitZ(), {2, 1})}; // half over it
+  PlaneMatchingParameters parameters;
+  parameters.min_overlap = 0.4;
+  EXPECT_EQ (matchPlanes (before, now, stays, parameters).previous, (Labels{0}));
+  parameters.min_overlap = 0.6;
+  EXPECT_EQ (matchPlanes (before, now, stays, parameters).previous, (Labels{no_plane}));
+}
+
+TEST (MatchPlanes, GivesAPreviousPlaneToTheOneThatOverlapsItMost)
+{
+  const Planes wall = {board ({0, 0, 0}, Vector3d::UnitY(), {4, 2})};
+  const Planes pieces = {board ({-1.5, 0, 0}, Vector3d::UnitY(), {0.8, 2}),
+                         board ({0.5, 0, 0}, Vector3d::UnitY(), {3, 2})};
+  EXPECT_EQ (matchPlanes (wall, pieces).previous, (Labels{no_plane, 0}));
+}
+
+TEST (MatchPlanes, NeedsNoThresholdOfItsOwnForNoisyPlanes)
+{
+  PlaneMatchingParameters exact;
+  exact.rotation_error = exact.translation_error = 0.0;
+  const auto isMatched = [&] (double noise) {
+    const Planes before = {board ({0, 0, 0}, Vector3d::UnitZ(), {2, 2}, noise)};
+    const Planes now = {board ({0, 0, 0.05}, Vector3d::UnitZ(), {2, 2}, noise)};
+    return matchPlanes (before, now, stays, exact).previous[0] == 0;
+  };
+  EXPECT_FALSE (isMatched (0.002));
+  EXPECT_TRUE (isMatched (0.03));
+}
+
+TEST (MatchPlanes, HasNoMatchForWhatIsNoPlane)
+{
+  const Planes all = corner();
+  EXPECT_EQ (matchPlanes ({PlaneSegment(), all[0]}, {all[0], PlaneSegment()}).previous,
+             (Labels{1, no_plane}));
+  EXPECT_TRUE (matchPlanes (all, {}).previous.empty());
+  EXPECT_EQ (matchPlanes ({}, {all[0]}).previous, (Labels{no_plane}));
+}
+
+TEST (MatchPlanes, RefusesWrongArguments)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto problem = [] (double rotation, double translation, double overlap) {
+    PlaneMatchingParameters parameters;
+    parameters.rotation_error = rotation;
+    parameters.translation_error = translation;
+    parameters.min_overlap = overlap;
+    if (!problemOf (parameters).empty()) {
+      EXPECT_THROW (matchPlanes ({}, {}, stays, parameters), std::invalid_argument);
+      EXPECT_THROW (PlaneTracker{parameters}, std::invalid_argument);
+    }
+    return problemOf (parameters);
+  };
+  EXPECT_EQ (problem (0, 0, 0), "");
+  EXPECT_NE (problem (nan, 0, 0), "");
+  EXPECT_NE (problem (-1, 0, 0), "");
+  EXPECT_NE (problem (0, -1, 0), "");
+  EXPECT_NE (problem (0, 0, 1.1), "");
+  Isometry3d nowhere = stays;
+  nowhere.translation().x() = nan;
+  EXPECT_THROW (matchPlanes ({}, {}, nowhere), std::invalid_argument);
+}
+
+namespace {
+
+using Numbers = std::vector<std::uint32_t>;
+
+} // namespace
+
+TEST (PlaneTracker, NumbersPlanesFromOneAndKeepsTheNumbers)
+{
+  PlaneTracker tracker;
+  const Planes all = corner();
+  EXPECT_EQ (tracker.track (all, stays), (Numbers{1, 2, 3, 4, 5}));
+  EXPECT_EQ (tracker.track ({all[2], all[0]}, stays), (Numbers{3, 1}));
+}
+
+TEST (PlaneTracker, KnowsAPlaneAgainThatWasOutOfSight)
+{
+  PlaneTracker tracker;
+  const Planes all = corner();
+  tracker.track (all, stays);
+  for (int i = 0; i < 20; ++i)
+    tracker.track ({all[0], all[1], all[2]}, stays);
+  EXPECT_EQ (tracker.track (all, stays), (Numbers{1, 2, 3, 4, 5}));
+}
+
+TEST (PlaneTracker, ForgetsPlanesAfterSoManyFramesIfToldTo)
+{
+  PlaneTracker tracker (PlaneMatchingParameters(), 2);
+  const Planes all = corner();
+  const Planes without_shelf = {all[0], all[1], all[2], all[3]};
+  tracker.track (all, stays);
+  for (int i = 0; i < 2; ++i)
+    tracker.track (without_shelf, stays);
+  EXPECT_EQ (tracker.planes().size(), 5U);
+  EXPECT_EQ (tracker.track (all, stays), (Numbers{1, 2, 3, 4, 5}));
+  for (int i = 0; i < 3; ++i)
+    tracker.track (without_shelf, stays);
+  EXPECT_EQ (tracker.planes().size(), 4U);
+  EXPECT_EQ (tracker.track (all, stays), (Numbers{1, 2, 3, 4, 6}));
+}
+
+TEST (PlaneTracker, FollowsASensorThatDrifts)
+{
+  PlaneTracker tracker;
+  Isometry3d truth = stays, told = stays;
+  for (int i = 0; i < 30; ++i) {
+    EXPECT_EQ (tracker.track (seenFrom (truth, corner()), told),
+               (Numbers{1, 2, 3, 4, 5}))
+        << i;
+    truth = truth * motion (1, Vector3d::UnitZ(), {0.01, 0.02, 0});
+    told = told * motion (2, Vector3d::UnitZ(), {0.02, 0.02, 0.01});
+  }
+  const Isometry3d last =
+      truth * motion (1, Vector3d::UnitZ(), {0.01, 0.02, 0}).inverse();
+  EXPECT_TRUE (tracker.pose().isApprox (last, 0.015)) << tracker.pose().matrix();
+}
+
+TEST (PlaneTracker, HasPlanesInTheCommonFrame)
+{
+  const Isometry3d pose = motion (30, Vector3d::UnitZ(), {1, 2, 0.5});
+  PlaneTracker tracker;
+  tracker.track (seenFrom (pose, corner()), pose);
+  ASSERT_EQ (tracker.planes().size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_TRUE (
+        tracker.planes()[i].plane.centroid.isApprox (corner()[i].centroid, 1e-9));
+    EXPECT_TRUE (tracker.planes()[i].plane.normal.isApprox (corner()[i].normal, 1e-9));
+  }
+}
