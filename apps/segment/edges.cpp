@@ -105,7 +105,7 @@ writePly (const PlaneEdges& found, std::ostream& stream)
             "property int plane2\nend_header\n";
   writePlaces (wires, Eigen::Isometry3d::Identity(), stream);
   for (std::size_t e = 0; e < wires.ends.size(); ++e) {
-    const auto planes = labelsOf (found.edges[e].planes);
+    const auto& planes = found.edges[e].planes;
     stream << wires.ends[e][0] << ' ' << wires.ends[e][1] << ' ' << planes[0] << ' '
            << planes[1] << '\n';
   }
