@@ -23,14 +23,15 @@ triangleAt (const Numbers& ring, std::size_t place)
 bool
 isEar (const Triangle& triangle, const Numbers& ring, const PlanarPoints& corners)
 {
-  const auto& [a, b, c] = triangle;
-  if (!(twiceTheArea (corners[a], corners[b], corners[c]) > 0.0))
+  const Eigen::Vector2d& a = corners[triangle[0]];
+  const Eigen::Vector2d& b = corners[triangle[1]];
+  const Eigen::Vector2d& c = corners[triangle[2]];
+  if (!(twiceTheArea (a, b, c) > 0.0))
     return false;
   return std::none_of (ring.begin(), ring.end(), [&] (std::size_t other) {
     const Eigen::Vector2d& corner = corners[other];
     // The other end of a bridge is at the same place.
-    return corner != corners[a] && corner != corners[b] && corner != corners[c] &&
-           isWithin (corner, corners[a], corners[b], corners[c]);
+    return corner != a && corner != b && corner != c && isWithin (corner, a, b, c);
   });
 }
 
