@@ -111,8 +111,13 @@ matchingFields ()
 /** \brief A rigid motion.
  * \throw py::value_error for any other matrix */
 Eigen::Isometry3d
-motionOf (const Eigen::Matrix4d& matrix)
+motionOf (const py::object& pose)
 {
+  const auto rows = pose.cast<py::array_t<double>>();
+  Eigen::Matrix4d matrix;
+  for (Eigen::Index row = 0; row < 4; ++row)
+    for (Eigen::Index column = 0; column < 4; ++column)
+      matrix (row, column) = rows.at (row, column);
   constexpr double rounding = 1e-4; // of single precision, multiplied a few times
   const Eigen::Matrix3d turn = matrix.topLeftCorner<3, 3>();
   if (!matrix.allFinite() || !(turn * turn.transpose()).isIdentity (rounding) ||
@@ -201,7 +206,7 @@ filteredPlanes (const py::list& planes, const py::dict& given)
 py::tuple
 matchedPlanes (const py::list& previous,
                const py::list& current,
-               const Eigen::Matrix4d& pose,
+               const py::object& pose,
                const py::dict& parameters)
 {
   const PlaneMatches matches =

@@ -35,7 +35,7 @@ filteredPlanes (const py::list& planes, const py::dict& filter);
 py::tuple
 matchedPlanes (const py::list& previous,
                const py::list& current,
-               const Eigen::Matrix4d& pose,
+               const py::object& pose,
                const py::dict& parameters);
 
 } // namespace pcl_ops::python
