@@ -17,10 +17,10 @@ py::array
 inliersOf (const py::object& owner)
 {
   const auto& inliers = owner.cast<const PlaneObject&>().segment.inliers;
-  py::array_t<pcl::index_t> array (
+  py::array array = py::array_t<pcl::index_t> (
       static_cast<py::ssize_t> (inliers.size()), inliers.data(), owner);
   array.attr ("setflags") (py::arg ("write") = false);
-  return std::move (array);
+  return array;
 }
 
 Eigen::Vector4d
