@@ -39,6 +39,8 @@ public:
   operator= (const Laszip&) = delete;
   ~Laszip()
   {
+    if (handle_ == nullptr)
+      return;
     // Whichever is open; it does not go by itself.
     laszip_close_reader (handle_);
     laszip_close_writer (handle_);
@@ -57,6 +59,14 @@ public:
     if (reason != nullptr && std::string (reason).rfind ("internal error", 0) == 0)
       throw std::bad_alloc();
     failDamagedPoints (file_);
+  }
+
+  /** \brief Leaves a writer as it is that could not write: LASzip crashes where it is
+   * to end what failed. */
+  void
+  abandon ()
+  {
+    handle_ = nullptr;
   }
 
   laszip_POINTER
@@ -105,7 +115,8 @@ convertPoints (const std::string& file,
                std::ostream& stream)
 {
   constexpr std::uint64_t block = 1U << 14U;
-  const Laszip reader (file), writer (file);
+  const Laszip reader (file);
+  Laszip writer (file);
   laszip_BOOL is_compressed = 0;
   reader.check (laszip_open_reader (reader.handle(), file.c_str(), &is_compressed));
   writer.setForm (header);
@@ -117,13 +128,15 @@ convertPoints (const std::string& file,
       stopIfInterrupted();
     reader.check (laszip_read_point (reader.handle()));
     writer.check (laszip_set_point (writer.handle(), from));
-    if (laszip_write_point (writer.handle()) != 0 && stream)
-      writer.check (1);
+    const laszip_I32 failed = laszip_write_point (writer.handle());
     if (!stream)
-      return; // whose it is finds out
+      return writer.abandon(); // whose stream it is finds out
+    writer.check (failed);
   }
-  if (laszip_close_writer (writer.handle()) != 0 && stream)
-    writer.check (1);
+  if (laszip_close_writer (writer.handle()) != 0)
+    writer.abandon();
+  if (stream && writer.handle() == nullptr)
+    throw std::bad_alloc();
 }
 
 void

@@ -182,6 +182,9 @@ TEST_F (Segment, CutsWindowsOutOfConcaveHulls)
   pcl::io::savePCDFileBinary (folder_ / "wall.pcd", wall);
   const Outcome done = run ("wall.pcd --planes p.json --mesh m.ply --hull concave");
   ASSERT_EQ (done.exit_code, 0) << done.err;
+  ASSERT_EQ (run ("wall.pcd --planes p.geojson --hull concave").exit_code, 0);
+  const auto map = Json::parse (contentOf (folder_ / "p.geojson"));
+  EXPECT_EQ (map["features"][0]["geometry"]["coordinates"].size(), 2u);
   const auto plane = Json::parse (contentOf (folder_ / "p.json"))["planes"][0];
   EXPECT_NEAR (plane["area"].get<double>(), 6.0 - 0.8, 0.06);
   ASSERT_EQ (plane["holes"].size(), 1u);
