@@ -16,7 +16,7 @@ namespace {
 using Surfels = std::vector<std::optional<Surfel>>;
 
 /** \brief Connected voxels on one plane, in the order it reached them. */
-struct Patch {
+struct SurfelPatch {
   Indices voxels;
   Moments moments;
 };
@@ -54,7 +54,7 @@ public:
   }
 
   void
-  close (const Patch& patch)
+  close (const SurfelPatch& patch)
   {
     for (const std::uint32_t voxel : patch.voxels)
       close (voxel);
@@ -68,12 +68,12 @@ public:
   }
 
   /** \brief The plane refitted to what it reaches, each time that has grown by half. */
-  Patch
+  SurfelPatch
   fitting (std::uint32_t seed)
   {
     constexpr std::size_t first_fit = 4;
     std::size_t next_fit = first_fit;
-    return from (seed, surfels_[seed]->plane, [&next_fit] (const Patch& patch) {
+    return from (seed, surfels_[seed]->plane, [&next_fit] (const SurfelPatch& patch) {
       if (patch.voxels.size() < next_fit)
         return std::optional<PlaneFit>();
       next_fit = patch.voxels.size() * 3 / 2 + 1;
@@ -82,19 +82,20 @@ public:
   }
 
   /** \brief What a plane reaches as it is. */
-  Patch
+  SurfelPatch
   along (std::uint32_t seed, const Plane& plane)
   {
-    return from (seed, plane, [] (const Patch&) { return std::optional<PlaneFit>(); });
+    return from (
+        seed, plane, [] (const SurfelPatch&) { return std::optional<PlaneFit>(); });
   }
 
 private:
   template <typename Refit>
-  Patch
+  SurfelPatch
   from (std::uint32_t seed, Plane plane, Refit&& refit)
   {
     ++round_;
-    Patch patch;
+    SurfelPatch patch;
     take (seed, plane, surfels_[seed]->noise, patch);
     for (std::size_t i = 0; i < patch.voxels.size(); ++i) {
       const std::uint32_t voxel = patch.voxels[i];
@@ -110,7 +111,7 @@ private:
   // than either: the noise of a voxel is at most a little more than that of the voxel
   // the plane comes from.
   void
-  take (std::uint32_t voxel, const Plane& plane, double handed_on, Patch& patch)
+  take (std::uint32_t voxel, const Plane& plane, double handed_on, SurfelPatch& patch)
   {
     constexpr double largest_rise = 1.5;
     if (asked_in_[voxel] == round_ || !is_open_[voxel] ||
@@ -187,11 +188,11 @@ private:
 
 // The largest patch around a seed: of the plane fitted on the way, and of those fitted
 // to the whole of what the plane before reached.
-Patch
+SurfelPatch
 largestPatch (std::uint32_t seed, std::size_t min_inliers, SurfelSpread& spread)
 {
   constexpr std::size_t hopeless_share = 3;
-  Patch patch = spread.fitting (seed);
+  SurfelPatch patch = spread.fitting (seed);
   if (patch.voxels.size() * hopeless_share < min_inliers)
     return {};
   constexpr int most_fits = 2;
@@ -199,7 +200,7 @@ largestPatch (std::uint32_t seed, std::size_t min_inliers, SurfelSpread& spread)
     const std::optional<PlaneFit> fit = fitPlane (patch.moments);
     if (!fit)
       return {};
-    Patch again = spread.along (seed, fit->plane);
+    SurfelPatch again = spread.along (seed, fit->plane);
     const bool grew = again.moments.count > patch.moments.count;
     if (grew || fits == 0)
       patch = std::move (again);
@@ -225,7 +226,7 @@ byThickness (const Surfels& surfels)
 
 void
 addPlane (const Plane& plane,
-          const Patch& patch,
+          const SurfelPatch& patch,
           const SurfelSpread& spread,
           BoundedPlanes& planes)
 {
@@ -251,7 +252,7 @@ extractSurfelPlanes (const VoxelGrid& grid,
   for (const std::uint32_t seed : byThickness (surfels)) {
     if (!spread.isOpen (seed))
       continue;
-    const Patch patch = largestPatch (seed, parameters.min_inliers, spread);
+    const SurfelPatch patch = largestPatch (seed, parameters.min_inliers, spread);
     spread.close (seed);
     const std::optional<PlaneFit> fit = fitPlane (patch.moments);
     if (!fit || patch.voxels.size() < parameters.min_inliers)
