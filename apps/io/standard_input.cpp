@@ -49,6 +49,9 @@ extensionOfContent (const std::string& start)
   const auto begins_with = [&] (const std::string& text) {
     return start.compare (0, text.size(), text) == 0;
   };
+  const std::string utf8_mark = "\xef\xbb\xbf";
+  if (begins_with (utf8_mark))
+    return extensionOfContent (start.substr (utf8_mark.size()));
   if (begins_with ("LASF"))
     return ".las";
   if (begins_with ("ply"))

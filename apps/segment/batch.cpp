@@ -52,8 +52,6 @@ public:
       print ({false, problem});
     runInParallel (statuses_.size(), options_.jobs, [this] (std::size_t i) {
       std::optional<Status> status = statusOf (i);
-      if (tracker_)
-        tracker_->finish (i);
       if (status)
         store (i, std::move (*status));
     });
@@ -66,11 +64,32 @@ public:
   }
 
 private:
+  /** \brief A frame's, which ends however its work ends: the next ones wait for it. */
+  class Turn {
+  public:
+    Turn (SequenceTracker* tracker, std::size_t frame)
+    : tracker_ (tracker), frame_ (frame)
+    {}
+    Turn (const Turn&) = delete;
+    Turn&
+    operator= (const Turn&) = delete;
+    ~Turn()
+    {
+      if (tracker_ != nullptr)
+        tracker_->finish (frame_);
+    }
+
+  private:
+    SequenceTracker* tracker_;
+    std::size_t frame_;
+  };
+
   /** \brief Segments a cloud. \return nothing if the user interrupted it */
   std::optional<Status>
   statusOf (std::size_t i)
   {
     const Task& task = batch_.tasks[i];
+    const Turn turn (tracker_ ? &*tracker_ : nullptr, i);
     const auto tracked = [&] (const std::vector<PlaneSegment>& planes,
                               const Eigen::Vector3d& sensor) {
       return tracker_->idsOf (i, planes, sensor);

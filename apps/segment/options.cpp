@@ -26,11 +26,12 @@ constexpr const char* summary =
     "Finds the planes of point clouds and labels every point with its plane.";
 
 constexpr const char* in_and_out =
-    "  INPUT       .pcd, .ply, .las, .xyz, .txt, .pts or .csv; - for one piped in;\n"
-    "              with --output-dir also several, folders, patterns as 'scans/*.pcd'\n"
+    "  INPUT       .pcd, .ply, .las (.laz by LASzip), .xyz, .txt, .pts, .csv; - for "
+    "one\n"
+    "              piped in; with --output-dir several, folders, patterns "
+    "'scans/*.pcd'\n"
     "  OUTPUT.pcd  the cloud with label (0: no plane, 1: the largest, ...) and rgb;\n"
     "              .ply the same; .las of a .las: all as it was, and the label, too\n"
-    "  .laz        as .las, in and out, where the program was built with LASzip\n"
     "  prints      a table of the planes; with INPUT - their JSON; with --output-dir\n"
     "              a line for each input, and goes on where one is bad\n"
     "  no plane    is no failure: all labels 0, and a hint which option to change\n"
@@ -60,6 +61,22 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
   line.addText ("mesh", "FILE", outputs.mesh, "write the hulls as a .ply or .vtk mesh");
   line.addChoice (
       "hull", hulls, options.hull, "outline of a plane in --planes, --mesh (convex)");
+  line.addChoice ("only",
+                  {"horizontal", "vertical", "other", "largest"},
+                  options.choice.only,
+                  "find horizontal, vertical, other or largest only",
+                  "WHICH");
+  line.addFlag ("keep-color", options.keep_color, "keep the input's rgb in OUTPUT");
+  line.addFlag (
+      "distances", options.distances, "add each point's signed distance to its plane");
+  line.addFlag ("quiet", options.quiet, "print no table");
+}
+
+void
+declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
+{
+  Outputs& outputs = options.outputs;
+  line.beginBriefGroup ("Further outputs");
   line.addText (
       "edges", "FILE", outputs.edges, "write where planes meet: .ply, .vtk or .json");
   line.addText (
@@ -72,15 +89,6 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
                   {"pcd", "ply"},
                   options.format,
                   "of clouds in --output-dir and --planes-dir (pcd)");
-  line.addChoice ("only",
-                  {"horizontal", "vertical", "other", "largest"},
-                  options.choice.only,
-                  "find horizontal, vertical, other or largest only",
-                  "WHICH");
-  line.addFlag ("keep-color", options.keep_color, "keep the input's rgb in OUTPUT");
-  line.addFlag (
-      "distances", options.distances, "add each point's signed distance to its plane");
-  line.addFlag ("quiet", options.quiet, "print no table");
 }
 
 void
@@ -186,7 +194,7 @@ checkOutputs (const SegmentOptions& options)
   if (options.quiet && !has_output)
     throw UsageError (
         "--quiet",
-        "leaves nothing to do; give OUTPUT.pcd, --planes, --image or --mesh, too");
+        "leaves nothing to do; give OUTPUT.pcd, --planes or another output, too");
   if (options.isBatch())
     return;
   if (options.keep_color && outputs.cloud.empty())
@@ -253,6 +261,7 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
   declareOutputs (line, options);
   declareMethodOptions (line, options.method, options.detector);
   declareChoice (line, options.choice);
+  declareFurtherOutputs (line, options);
   declareTracking (line, options.track);
   if (!line.parse (argc, argv))
     return false;

@@ -225,7 +225,7 @@ toGeoJson (const Report& report)
   for (std::size_t i = 0; i < report.detected.planes.size(); ++i) {
     const PlaneExtent& extent = report.extents[i];
     const nlohmann::ordered_json plane =
-        planeObject (i + 1, report.detected.planes[i], extent);
+        planeObject (report.ids[i], report.detected.planes[i], extent);
     nlohmann::ordered_json properties;
     for (const char* key : {"id",
                             "orientation",
@@ -239,7 +239,7 @@ toGeoJson (const Report& report)
     properties["length"] = extent.length;
     properties["width"] = extent.width;
     text += (i == 0 ? "\n" : ",\n") + std::string ("{\"type\":\"Feature\",\"id\":") +
-            std::to_string (i + 1) + ",\"geometry\":" +
+            std::to_string (report.ids[i]) + ",\"geometry\":" +
             toGeoJsonGeometry (seenFromAbove (extent.rings()), decimals) +
             ",\"properties\":" + properties.dump() + "}";
   }

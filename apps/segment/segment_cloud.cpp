@@ -38,8 +38,10 @@ detectPlanes (const SegmentOptions& options, const ShiftedCloud& shifted)
 {
   Detected detected =
       runMethod (methodCalled (options.method), options.detector, shifted.cloud);
-  for (PlaneSegment& plane : detected.planes)
+  for (PlaneSegment& plane : detected.planes) {
     plane.centroid += shifted.shift;
+    plane.moments.origin += shifted.shift;
+  }
   return detected;
 }
 

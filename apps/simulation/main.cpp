@@ -12,6 +12,7 @@
 #include "walk_files.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
+#include <cli/interruption.h>
 #include <cli/memory.h>
 #include <cli/program.h>
 #include <io/cloud_file.h>
@@ -301,5 +302,10 @@ run (int argc, const char* const* argv)
 int
 main (int argc, char** argv)
 {
-  return pcl_ops::apps::runProgram (program_name, [&] { return run (argc, argv); });
+  using namespace pcl_ops::apps;
+  noteInterruptions();
+  const int code = runProgram (program_name, [&] { return run (argc, argv); });
+  if (code != ExitCode::done)
+    endAsInterrupted();
+  return code;
 }

@@ -49,6 +49,10 @@ saveWalk (const std::string& folder, const WalkRecording& walk, std::uint32_t se
       points += cloud.size();
     });
   }
+  // Those of a longer walk before it would be taken for frames of this one.
+  const std::filesystem::path path = folder;
+  for (std::size_t i = walk.poses.size(); std::filesystem::remove (path / nameOf (i));)
+    ++i;
   return points;
 }
 

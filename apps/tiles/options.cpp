@@ -15,9 +15,11 @@ constexpr const char* summary =
     "every point with its plane, the same ones for any number of jobs and ranks.";
 
 constexpr const char* in_and_out =
-    "  INPUT       .las (1.2 to 1.4), .laz, .pcd or .ply tiles in one frame, folders, "
-    "patterns;\n"
-    "              a .las is never whole in memory; they may overlap\n"
+    "  INPUT       tiles in one frame, folders, patterns: .las (.laz by LASzip), "
+    "which\n"
+    "              are never whole in memory, .pcd, .ply, .xyz, .txt, .pts or .csv; "
+    "they\n"
+    "              may overlap\n"
     "  DIR/NAME    each input with its labels (0: no plane, 1: the largest, ...)\n"
     "  DIR/planes.json  all planes\n"
     "  DIR/work    what a run that was stopped goes on from; at the end the plan is "

@@ -25,6 +25,10 @@ namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief Of what the phases of a run leave for each other: one more with each change.
+ */
+constexpr int format_of_files = 2;
+
 PlannedInput
 stateOf (const std::string& file)
 {
@@ -153,6 +157,7 @@ void
 savePlan (const std::string& file, const Plan& plan)
 {
   nlohmann::ordered_json json;
+  json["format"] = format_of_files;
   json["cell"] = plan.cell;
   json["cells_of_tile"] = plan.cells_of_tile;
   json["place"] = plan.place;
@@ -173,6 +178,10 @@ loadPlan (const std::string& file)
   try {
     const auto json = nlohmann::json::parse (stream);
     Plan plan;
+    if (json.value ("format", 1) != format_of_files)
+      throw WorkError (file,
+                       "is the plan of another version of this program; remove its "
+                       "folder or give another --output-dir");
     json.at ("cell").get_to (plan.cell);
     json.at ("cells_of_tile").get_to (plan.cells_of_tile);
     json.at ("place").get_to (plan.place);

@@ -61,7 +61,9 @@ patchOf (const PlaneSegment& plane)
   const Vector2d along (std::cos (angle), std::sin (angle));
   const Vector2d across (-along.y(), along.x());
   Patch patch;
-  patch.center = plane.centroid;
+  // Of a plane seen in several frames the moments are of all, the centroid of the last.
+  const Eigen::Vector3d middle = plane.moments.centroid();
+  patch.center = middle - plane.normal.dot (middle - plane.centroid) * plane.normal;
   patch.axes << in_plane * along, in_plane * across, plane.normal;
   // A side 2 h has the variance h^2 / 3.
   patch.half = {std::sqrt (std::max (0.0, 3.0 * along.dot (spread * along))),

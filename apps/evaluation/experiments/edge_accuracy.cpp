@@ -49,7 +49,9 @@ std::vector<double>
 distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
 {
   std::vector<double> distances;
-  const auto samples = static_cast<int> (edge.length() / sample_step) + 1;
+  constexpr double most_samples = 1e5;
+  const auto samples =
+      static_cast<int> (std::min (most_samples, edge.length() / sample_step)) + 1;
   for (int sample = 0; sample < samples; ++sample) {
     const double place = (sample + 0.5) / samples;
     const Eigen::Vector3d point = edge.from + place * (edge.to - edge.from);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
 
+#include "json_vector.h"
 #include "segment_program.h"
 #include <nlohmann/json.hpp>
 
@@ -15,12 +16,6 @@ namespace {
 using SegmentEdges = Segment;
 using Json = nlohmann::json;
 using Eigen::Vector3d;
-
-Vector3d
-toVector (const Json& array)
-{
-  return {array[0].get<double>(), array[1].get<double>(), array[2].get<double>()};
-}
 
 /** \brief Floor and two walls of 2 m by 2 m, which meet at \p corner, in text with
  * double precision. */

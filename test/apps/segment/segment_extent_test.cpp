@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "json_vector.h"
 #include "segment_program.h"
 #include <nlohmann/json.hpp>
 
@@ -17,12 +18,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double last_point = 2.0 * (points_of_side - 1) / points_of_side;
-
-Eigen::Vector3d
-toVector (const Json& array)
-{
-  return {array[0].get<double>(), array[1].get<double>(), array[2].get<double>()};
-}
 
 /** \brief The corners and faces of a legacy VTK file in text. */
 std::pair<std::vector<Eigen::Vector3d>, std::size_t>

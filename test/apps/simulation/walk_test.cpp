@@ -10,7 +10,7 @@ using namespace pcl_ops::simulation;
 namespace {
 
 DepthCamera
-smallCamera ()
+cameraOfAWalk ()
 {
   DepthCamera camera;
   camera.width = 64;
@@ -30,7 +30,7 @@ degreesBetween (const Eigen::Isometry3d& one, const Eigen::Isometry3d& other)
 TEST (Walk, StaysInTheRoomAndSeesSurfacesAllTheWay)
 {
   const Room room = makeRoom (1);
-  DepthCamera camera = smallCamera();
+  DepthCamera camera = cameraOfAWalk();
   for (const Eigen::Isometry3d& pose : drawWalk (room, camera, 20, 1)) {
     const Eigen::Vector3d inside =
         Eigen::AngleAxisd (-room.yaw, Eigen::Vector3d::UnitZ()) * pose.translation();
@@ -43,7 +43,7 @@ TEST (Walk, StaysInTheRoomAndSeesSurfacesAllTheWay)
 
 TEST (Walk, GoesInSmallStepsAndLooksMostWaysInTheEnd)
 {
-  const Poses poses = drawWalk (makeRoom (2), smallCamera(), 50, 2);
+  const Poses poses = drawWalk (makeRoom (2), cameraOfAWalk(), 50, 2);
   double turned = 0.0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     EXPECT_LT ((poses[i].translation() - poses[i - 1].translation()).norm(), 0.4);
