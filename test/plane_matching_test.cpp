@@ -203,6 +203,17 @@ TEST (PlaneTracker, KnowsAPlaneAgainThatWasOutOfSight)
   EXPECT_EQ (tracker.track (all, stays), (Numbers{1, 2, 3, 4, 5}));
 }
 
+TEST (PlaneTracker, KnowsAPlaneWhereEarlierFramesSawIt)
+{
+  const auto floor = [] (double from, double to) -> Planes {
+    return {board ({0.5 * (from + to), 3, -1}, Vector3d::UnitZ(), {to - from, 2})};
+  };
+  PlaneTracker tracker;
+  EXPECT_EQ (tracker.track (floor (0.0, 4.0), stays), Numbers{1});
+  EXPECT_EQ (tracker.track (floor (3.0, 5.0), stays), Numbers{1});
+  EXPECT_EQ (tracker.track (floor (0.0, 1.4), stays), Numbers{1});
+}
+
 TEST (PlaneTracker, ForgetsPlanesAfterSoManyFramesIfToldTo)
 {
   PlaneTracker tracker (PlaneMatchingParameters(), 2);

@@ -91,6 +91,9 @@ TEST_F (Segment, TakesTextsByNameByPatternAndFromAPipe)
   const Outcome piped = run ("- <scans/a.txt");
   EXPECT_EQ (piped.exit_code, 0) << piped.err;
   EXPECT_TRUE (contains (piped.out, "\"horizontal\""));
+  folder_.write ("marked.txt", "\xef\xbb\xbf" + contentOf (folder_ / "scans/a.txt"));
+  const Outcome marked = run ("- <marked.txt");
+  EXPECT_EQ (marked.exit_code, 0) << "the mark of UTF-8: " << marked.err;
 }
 
 TEST_F (Segment, KeepsAColumnCalledRgb)

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <iomanip>
+#include <sstream>
 
 namespace {
 
@@ -107,6 +109,42 @@ TEST_F (SegmentTrack, TakesTheSensorToStandStillWithoutPoses)
     if (plane["orientation"] == "vertical") {
       EXPECT_EQ (plane["id"], 3) << "a wall 1 m nearer is another";
     }
+}
+
+TEST_F (SegmentTrack, GivesAPlaneTheSameIdOnMaps)
+{
+  ASSERT_EQ (
+      run (std::string (track) + "--poses poses.txt --planes {}.geojson").exit_code, 0);
+  const auto map = nlohmann::json::parse (contentOf (folder_ / "out/b.geojson"));
+  for (const auto& feature : map["features"]) {
+    EXPECT_EQ (feature["id"], feature["properties"]["id"]);
+    EXPECT_EQ (feature["id"] == floorIn ("b.pcd"),
+               feature["properties"]["orientation"] == "horizontal");
+  }
+}
+
+/** \brief A square of 2 m or 3 m in text, at UTM coordinates. */
+std::string
+squareText (int points, double z)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision (2);
+  for (int x = 0; x < points; ++x)
+    for (int y = 0; y < points; ++y)
+      text << 500'000 + 0.04 * x << " " << 5'400'000 + 0.04 * y << " " << z << "\n";
+  return text.str();
+}
+
+TEST_F (SegmentTrack, TellsPlanesApartInDoublePrecisionWhateverElseACloudHas)
+{
+  // The second square draws the middle of the cloud away from the floor.
+  folder_.write ("a.xyz", squareText (50, 0.0));
+  folder_.write ("b.xyz", squareText (50, 0.0) + squareText (75, 2.0));
+  folder_.write ("c.xyz", squareText (50, 0.5));
+  ASSERT_EQ (run ("a.xyz b.xyz c.xyz --output-dir out --track").exit_code, 0);
+  const auto json = nlohmann::json::parse (contentOf (folder_ / "out/c.json"));
+  ASSERT_EQ (json["planes"].size(), 1u);
+  EXPECT_EQ (json["planes"][0]["id"], 3) << "half a metre above the floor";
 }
 
 TEST_F (SegmentTrack, GivesTheSameBytesForAnyNumberOfJobs)
