@@ -100,7 +100,10 @@ toModels (std::vector<PlaneSegment>& planes,
           std::vector<pcl::PointIndices>& inliers);
 
 /** \brief The largest plane as PCL has it; without planes only the headers.
- * \param[in,out] planes their inliers are moved out */
+ * \param[in,out] planes their inliers are moved out
+ * \param[in] header of the cloud
+ * \param[out] inliers of the largest plane
+ * \param[out] coefficients a b c d of the largest plane */
 PCL_OPS_EXPORT void
 toLargestModel (std::vector<PlaneSegment>& planes,
                 const pcl::PCLHeader& header,

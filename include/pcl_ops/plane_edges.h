@@ -42,13 +42,14 @@ problemOf (const PlaneEdgeParameters& parameters);
 struct PlaneEdge {
   /** \brief Positions in the list of planes, ascending. */
   std::array<std::size_t, 2> planes{};
-  /** \brief Its ends, in the direction of normal x normal, in the order of \ref planes.
-   */
+  /** \brief Its ends in the frame of the planes [m], in the direction of normal x
+   * normal, in the order of \ref planes. */
   Eigen::Vector3d from = Eigen::Vector3d::Zero();
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
   /** \brief Between the planes, 0 to pi/2 [rad]. */
   double angle = 0.0;
 
+  /** \brief From end to end [m]. */
   double
   length () const
   {
@@ -60,6 +61,7 @@ struct PlaneEdge {
 struct PlaneCorner {
   /** \brief Positions in the list of planes, ascending. */
   std::array<std::size_t, 3> planes{};
+  /** \brief In the frame of the planes [m]. */
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 

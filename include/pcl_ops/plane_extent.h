@@ -106,7 +106,11 @@ extentOf (const PlanarPoints& outline,
           const PlanarPoints& points,
           const PlaneFrame& frame);
 
-/** \brief As \ref extentOf, of an outline with holes. */
+/** \brief As \ref extentOf, of an outline with holes.
+ * \param[in] rings in the coordinates of the frame [m]
+ * \param[in] points what the rectangle is put around where there is no outline
+ * \param[in] frame the plane of the rings
+ * \return in the frame of the cloud, with the area less that of the holes [m^2] */
 PCL_OPS_EXPORT PlaneExtent
 extentOfRings (const PlanarRings& rings,
                const PlanarPoints& points,

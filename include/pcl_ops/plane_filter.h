@@ -62,8 +62,10 @@ struct DroppedPlanes {
 using ExtentOfPlane = std::function<PlaneExtent (const PlaneSegment&)>;
 
 /** \brief Drops the planes that a filter does not keep; the others stay in their order.
+ * \param[in,out] planes in any frame
  * \param[in] filter one \ref problemOf finds nothing wrong with
  * \param[in] extent_of asked only for planes whose area or width decides
+ * \return how many were dropped, and why
  * \throw std::invalid_argument if there is a problem, with the planes as they were */
 PCL_OPS_EXPORT DroppedPlanes
 filterPlanes (std::vector<PlaneSegment>& planes,
@@ -71,7 +73,10 @@ filterPlanes (std::vector<PlaneSegment>& planes,
               const ExtentOfPlane& extent_of);
 
 /** \brief The same with the extents of \ref planeExtent.
- * \param[in] cloud the input cloud the planes were found in */
+ * \param[in,out] planes in the frame of the cloud
+ * \param[in] filter one \ref problemOf finds nothing wrong with
+ * \param[in] cloud the input cloud the planes were found in
+ * \return how many were dropped, and why */
 PCL_OPS_EXPORT DroppedPlanes
 filterPlanes (std::vector<PlaneSegment>& planes,
               const PlaneFilter& filter,
