@@ -24,7 +24,7 @@ triangulate (const PlanarPoints& outline);
 /** \brief As \ref triangulate, of an outline with holes, by ears off a ring through
  * keyholes: bridges to the nearest corners in sight make one ring of all, whose ears
  * are cut off (Meisters, *Polygons have ears*, American Mathematical Monthly 82, 1975;
- * Eberly, *Triangulation by ear clipping*, Geometric Tools, 2008).
+ * Eberly, *Triangulation by ear clipping*, Geometric Tools, 2002).
  * \param[in] rings the outline counter-clockwise, then holes clockwise, none of which
  * crosses or touches another
  * \return triangles of the corners of all rings, numbered ring after ring; none where
