@@ -70,7 +70,16 @@ runProgram (const std::string& name, const std::function<int()>& body)
     return fail (name, "not enough memory; try a smaller cloud", ExitCode::work_failed);
   }
   catch (const std::exception& error) {
-    return fail (name, error.what(), ExitCode::work_failed);
+    const std::string reason = error.what();
+    // What libstdc++ says where a locale of the user's finds no room, or does not
+    // exist.
+    const bool is_about_language =
+        reason.find ("_S_create_c_locale") != std::string::npos;
+    return fail (name,
+                 is_about_language ? "LANG cannot be set up: not enough memory, or it "
+                                     "is none; try a smaller cloud or LANG=C"
+                                   : reason,
+                 ExitCode::work_failed);
   }
 }
 

@@ -41,7 +41,7 @@ public:
   , progress_ (batch.tasks.size(), messages, style)
   , statuses_ (batch.tasks.size())
   {
-    if (options.track.is_on)
+    if (options.track.is_on && !batch.tasks.empty())
       tracker_.emplace (options.track, batch.tasks.size());
   }
 

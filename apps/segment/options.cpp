@@ -26,10 +26,8 @@ constexpr const char* summary =
     "Finds the planes of point clouds and labels every point with its plane.";
 
 constexpr const char* in_and_out =
-    "  INPUT       .pcd, .ply, .las (.laz by LASzip), .xyz, .txt, .pts, .csv; - for "
-    "one\n"
-    "              piped in; with --output-dir several, folders, patterns "
-    "'scans/*.pcd'\n"
+    "  INPUT       .pcd, .ply, .las (.laz by LASzip), .xyz, .txt, .pts, .csv; - for\n"
+    "              one piped in; with --output-dir several, folders, 'scans/*.pcd'\n"
     "  OUTPUT.pcd  the cloud with label (0: no plane, 1: the largest, ...) and rgb;\n"
     "              .ply the same; .las of a .las: all as it was, and the label, too\n"
     "  prints      a table of the planes; with INPUT - their JSON; with --output-dir\n"
