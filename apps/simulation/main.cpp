@@ -5,12 +5,12 @@
 #include "corner.h"
 #include "dense_scan.h"
 #include "depth_noise.h"
+#include "options.h"
 #include "packed_cloud.h"
 #include "shapes.h"
 #include "survey.h"
 #include "town_files.h"
 #include "walk_files.h"
-#include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <cli/memory.h>
@@ -22,164 +22,15 @@
 
 #include <filesystem>
 #include <iostream>
-#include <limits>
-#include <optional>
 
 namespace {
 
 using namespace pcl_ops::simulation;
-using pcl_ops::apps::Range;
-
-constexpr const char* program_name = "pcl_ops_simulate";
-
-constexpr double most_seed = std::numeric_limits<std::uint32_t>::max();
-/** \brief A point takes 32 bytes, and 16 more while it is written. */
-constexpr double most_points = 1e7;
-/** \brief Those of a town are never all in memory. */
-constexpr double most_points_of_town = 1e12, most_tiles_of_town = 1e6;
-/** \brief Image sizes for which a neighbourhood of pixels still means something [px].
- */
-constexpr double smallest_image = 16;
-constexpr double largest_image = 4096;
 
 constexpr double usual_points_of_town = 1e6, usual_tiles = 4;
-constexpr double most_frames = 1000;
-/** \brief Beyond, an error is no small motion [degree, cm]. */
-constexpr double largest_pose_error = 30;
-
-struct Options {
-  std::string output;
-  std::string scene = "room";
-  std::uint32_t seed = 1;
-  DepthCamera camera;
-  std::string profile = "correlated";
-  double noise = 1.0;
-  std::optional<double> points;
-  std::optional<double> tiles;
-  std::uint32_t frames = 50;
-  PoseErrors pose_errors;
-  bool organized = false;
-  bool quiet = false;
-};
-
-/** \brief Whether the scene is a room; the others are scanned from everywhere. */
-bool
-isSeenByCamera (const std::string& scene)
-{
-  return scene == "room" || scene == "furniture" || scene == "walk";
-}
-
-void
-declareScene (pcl_ops::apps::CommandLine& line, Options& options)
-{
-  line.addArgument ("OUTPUT.pcd",
-                    options.output,
-                    "the cloud to write (binary); of town and walk the folder");
-  line.addChoice (
-      "scene",
-      {"room", "furniture", "survey", "shapes", "town", "walk"},
-      options.scene,
-      "a room, a corner of one with boards on posts, 36 houses on a ground, "
-      "round shapes beside a ground, terraces of houses in tiles of .las, "
-      "a camera's way through a room (room)");
-  line.addNumber ("seed",
-                  "S",
-                  Range::from (0).upTo (most_seed),
-                  options.seed,
-                  "which room, furniture, houses or shapes (1)");
-}
-
-void
-declareScan (pcl_ops::apps::CommandLine& line, Options& options)
-{
-  const Range image_size = Range::from (smallest_image).upTo (largest_image);
-  line.addNumber ("width", "W", image_size, options.camera.width, "columns (640)");
-  line.addNumber ("height", "H", image_size, options.camera.height, "rows (480)");
-  line.addNumber ("noise",
-                  "X",
-                  Range::from (0).upTo (10),
-                  options.noise,
-                  "factor on the noise (1)");
-  line.addChoice ("profile",
-                  {"correlated", "raw", "none"},
-                  options.profile,
-                  "the noise: smoothed depth, raw depth, none (correlated)");
-  line.addNumber ("points",
-                  "N",
-                  Range::from (1).upTo (most_points_of_town),
-                  options.points,
-                  "scan the whole room with N points instead of one camera image; "
-                  "points of survey (600000), shapes (250000), about those of town "
-                  "(1000000)");
-  line.addNumber ("tiles",
-                  "N",
-                  Range::from (1).upTo (most_tiles_of_town),
-                  options.tiles,
-                  "tiles of town, rounded up to a square number (4)");
-  line.addNumber ("frames",
-                  "N",
-                  Range::from (1).upTo (most_frames),
-                  options.frames,
-                  "clouds of walk (50)");
-  line.addNumber ("pose-error",
-                  "X",
-                  Range::from (0).upTo (largest_pose_error),
-                  options.pose_errors.each,
-                  "degrees and cm each pose of walk is off in poses.txt (0)");
-  line.addNumber ("drift",
-                  "X",
-                  Range::from (0).upTo (largest_pose_error),
-                  options.pose_errors.drift,
-                  "degrees and cm its way is off from pose to pose (0)");
-  line.addFlag ("organized", options.organized, "keep pixels without a reading as NaN");
-  line.addFlag ("quiet", options.quiet, "print nothing");
-}
-
-/** \brief Refuses options that the scene has no use for. */
-void
-checkOptions (const pcl_ops::apps::CommandLine& line, const Options& options)
-{
-  const bool is_town = options.scene == "town", is_walk = options.scene == "walk";
-  for (const char* of_walk : {"frames", "pose-error", "drift"})
-    if (line.isGiven (of_walk) && !is_walk)
-      throw pcl_ops::apps::UsageError (std::string ("--") + of_walk,
-                                       "is about --scene walk; leave it out");
-  if (is_walk && options.points)
-    throw pcl_ops::apps::UsageError ("--points",
-                                     "is not for --scene walk; give --width, --height");
-  if (options.tiles && !is_town)
-    throw pcl_ops::apps::UsageError ("--tiles", "is about --scene town; leave it out");
-  if (!is_town && options.points.value_or (1) > most_points)
-    throw pcl_ops::apps::UsageError (
-        "--points", "is more than 10000000, which only --scene town takes");
-  if (!is_town && !is_walk && pcl_ops::apps::extensionOf (options.output) != ".pcd")
-    throw pcl_ops::apps::UsageError (options.output,
-                                     "has an unknown extension; give a .pcd file");
-  for (const char* of_camera : {"width", "height", "profile", "organized"}) {
-    line.forbidTogether ("points", of_camera);
-    if (!isSeenByCamera (options.scene))
-      line.forbidTogether ("scene", of_camera);
-  }
-}
-
-bool
-readOptions (int argc, const char* const* argv, Options& options)
-{
-  pcl_ops::apps::CommandLine line (
-      program_name,
-      "Simulates a furnished room as a depth camera sees it, or another scene. The\n"
-      "field label is the true plane of each point: 0 none, 1..P by falling size.",
-      PCL_OPS_VERSION);
-  declareScene (line, options);
-  declareScan (line, options);
-  if (!line.parse (argc, argv))
-    return false;
-  checkOptions (line, options);
-  return true;
-}
 
 NoiseParameters
-noiseOf (const Options& options)
+noiseOf (const SimulationOptions& options)
 {
   const NoiseProfile profile = options.profile == "raw"    ? NoiseProfile::Raw
                                : options.profile == "none" ? NoiseProfile::None
@@ -191,13 +42,13 @@ noiseOf (const Options& options)
 }
 
 std::size_t
-pointsOf (const Options& options, std::size_t usual)
+pointsOf (const SimulationOptions& options, std::size_t usual)
 {
   return options.points ? std::size_t (*options.points) : usual;
 }
 
 SimulatedCloud
-simulateRoom (const Room& room, const Options& options)
+simulateRoom (const Room& room, const SimulationOptions& options)
 {
   if (options.points)
     return scanDensely (room.scene, pointsOf (options, 1), options.noise, options.seed);
@@ -212,7 +63,7 @@ simulateRoom (const Room& room, const Options& options)
 }
 
 SimulatedCloud
-simulate (const Options& options)
+simulate (const SimulationOptions& options)
 {
   if (options.scene == "survey")
     return scanSurvey (makeSurvey (options.seed),
@@ -230,7 +81,7 @@ simulate (const Options& options)
 }
 
 void
-runTown (const Options& options)
+runTown (const SimulationOptions& options)
 {
   using pcl_ops::apps::ProgressStyle;
   const Town town = makeTown (options.seed,
@@ -249,7 +100,7 @@ runTown (const Options& options)
 }
 
 void
-runWalk (const Options& options)
+runWalk (const SimulationOptions& options)
 {
   WalkRecording walk;
   walk.room = makeRoom (options.seed);
@@ -267,8 +118,22 @@ runWalk (const Options& options)
               << " frames, " << file << "\n";
 }
 
+/** \brief Writes files one after the other, and ends behind one of them on Ctrl-C. */
 void
-runCloud (const Options& options)
+runFiles (const SimulationOptions& options, void (*write) (const SimulationOptions&))
+{
+  pcl_ops::apps::noteInterruptions();
+  try {
+    write (options);
+  }
+  catch (const pcl_ops::apps::Interrupted&) {
+    throw pcl_ops::apps::WorkError (
+        options.output, "interrupted: its files are whole, but not all; run it again");
+  }
+}
+
+void
+runCloud (const SimulationOptions& options)
 {
   pcl_ops::apps::checkWritable (options.output);
   const SimulatedCloud simulated =
@@ -285,13 +150,13 @@ runCloud (const Options& options)
 int
 run (int argc, const char* const* argv)
 {
-  Options options;
+  SimulationOptions options;
   if (!readOptions (argc, argv, options))
     return pcl_ops::apps::ExitCode::done;
   if (options.scene == "town")
-    runTown (options);
+    runFiles (options, runTown);
   else if (options.scene == "walk")
-    runWalk (options);
+    runFiles (options, runWalk);
   else
     runCloud (options);
   return pcl_ops::apps::ExitCode::done;
@@ -303,7 +168,6 @@ int
 main (int argc, char** argv)
 {
   using namespace pcl_ops::apps;
-  noteInterruptions();
   const int code = runProgram (program_name, [&] { return run (argc, argv); });
   if (code != ExitCode::done)
     endAsInterrupted();

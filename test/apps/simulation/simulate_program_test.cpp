@@ -54,6 +54,16 @@ TEST (SimulateProgram, SameSeedSameBytes)
   EXPECT_NE (contentOf (folder / "a.pcd"), contentOf (folder / "c.pcd"));
 }
 
+TEST (SimulateProgram, LeavesNoFramesOfALongerWalk)
+{
+  const TemporaryFolder folder;
+  const std::string walk = folder / "walk" + " --scene walk" + small_image;
+  ASSERT_EQ (simulate (walk + " --frames 3").exit_code, 0);
+  ASSERT_EQ (simulate (walk + " --frames 2").exit_code, 0);
+  EXPECT_NE (contentOf (folder / "walk/frame_001.pcd"), "");
+  EXPECT_EQ (contentOf (folder / "walk/frame_002.pcd"), "");
+}
+
 TEST (SimulateProgram, ScansWithTheNumberOfPointsAskedFor)
 {
   const TemporaryFolder folder;

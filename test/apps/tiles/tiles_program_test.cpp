@@ -312,6 +312,24 @@ TEST_F (TilesProgram, SaysInOneLineWhatItCannotWorkOn)
   }
 }
 
+TEST_F (TilesProgram, RefusesThePlanOfAnotherVersion)
+{
+  makeTown();
+  expectDone ("town --output-dir out");
+  const std::string plan = contentOf (folder_ / "out/work/plan.json");
+  const std::string format = "\"format\": 2";
+  ASSERT_NE (plan.find (format), std::string::npos) << plan;
+  folder_.write (
+      "out/work/plan.json",
+      std::string (plan).replace (plan.find (format), format.size(), "\"format\": 1"));
+  const Outcome done = tiles ("town --output-dir out");
+  EXPECT_EQ (done.exit_code, 1);
+  EXPECT_EQ (
+      done.err,
+      "pcl_ops_tiles: out/work/plan.json: is the plan of another version of this "
+      "program; remove its folder or give another --output-dir\n");
+}
+
 TEST_F (TilesProgram, RefusesThePlanOfAnotherRun)
 {
   makeTown();

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "options.h"
+
+#include <cli/command_line.h>
+#include <cli/errors.h>
+#include <io/output_file.h>
+
+#include <limits>
+
+namespace pcl_ops::simulation {
+
+namespace {
+
+using apps::CommandLine;
+using apps::Range;
+using apps::UsageError;
+
+constexpr double most_seed = std::numeric_limits<std::uint32_t>::max();
+/** \brief A point takes 32 bytes, and 16 more while it is written. */
+constexpr double most_points = 1e7;
+/** \brief Those of a town are never all in memory. */
+constexpr double most_points_of_town = 1e12, most_tiles_of_town = 1e6;
+/** \brief Image sizes for which a neighbourhood of pixels still means something [px].
+ */
+constexpr double smallest_image = 16;
+constexpr double largest_image = 4096;
+
+constexpr double most_frames = 1000;
+/** \brief Beyond, an error is no small motion [degree, cm]. */
+constexpr double largest_pose_error = 30;
+
+/** \brief Whether the scene is a room; the others are scanned from everywhere. */
+bool
+isSeenByCamera (const std::string& scene)
+{
+  return scene == "room" || scene == "furniture" || scene == "walk";
+}
+
+void
+declareScene (CommandLine& line, SimulationOptions& options)
+{
+  line.addArgument ("OUTPUT.pcd",
+                    options.output,
+                    "the cloud to write (binary); of town and walk the folder");
+  line.addChoice (
+      "scene",
+      {"room", "furniture", "survey", "shapes", "town", "walk"},
+      options.scene,
+      "a room, a corner of one with boards on posts, 36 houses on a ground, "
+      "round shapes beside a ground, terraces of houses in tiles of .las, "
+      "a camera's way through a room (room)");
+  line.addNumber ("seed",
+                  "S",
+                  Range::from (0).upTo (most_seed),
+                  options.seed,
+                  "which room, furniture, houses or shapes (1)");
+}
+
+void
+declareScan (CommandLine& line, SimulationOptions& options)
+{
+  const Range image_size = Range::from (smallest_image).upTo (largest_image);
+  line.addNumber ("width", "W", image_size, options.camera.width, "columns (640)");
+  line.addNumber ("height", "H", image_size, options.camera.height, "rows (480)");
+  line.addNumber ("noise",
+                  "X",
+                  Range::from (0).upTo (10),
+                  options.noise,
+                  "factor on the noise (1)");
+  line.addChoice ("profile",
+                  {"correlated", "raw", "none"},
+                  options.profile,
+                  "the noise: smoothed depth, raw depth, none (correlated)");
+  line.addNumber ("points",
+                  "N",
+                  Range::from (1).upTo (most_points_of_town),
+                  options.points,
+                  "scan the whole room with N points instead of one camera image; "
+                  "points of survey (600000), shapes (250000), about those of town "
+                  "(1000000)");
+  line.addFlag ("organized", options.organized, "keep pixels without a reading as NaN");
+  line.addFlag ("quiet", options.quiet, "print nothing");
+}
+
+void
+declareTownAndWalk (CommandLine& line, SimulationOptions& options)
+{
+  line.addNumber ("tiles",
+                  "N",
+                  Range::from (1).upTo (most_tiles_of_town),
+                  options.tiles,
+                  "tiles of town, rounded up to a square number (4)");
+  line.addNumber ("frames",
+                  "N",
+                  Range::from (1).upTo (most_frames),
+                  options.frames,
+                  "clouds of walk (50)");
+  line.addNumber ("pose-error",
+                  "X",
+                  Range::from (0).upTo (largest_pose_error),
+                  options.pose_errors.each,
+                  "degrees and cm each pose of walk is off in poses.txt (0)");
+  line.addNumber ("drift",
+                  "X",
+                  Range::from (0).upTo (largest_pose_error),
+                  options.pose_errors.drift,
+                  "degrees and cm its way is off from pose to pose (0)");
+}
+
+/** \brief Refuses options that the scene has no use for. */
+void
+checkOptions (const CommandLine& line, const SimulationOptions& options)
+{
+  const bool is_town = options.scene == "town", is_walk = options.scene == "walk";
+  for (const char* of_walk : {"frames", "pose-error", "drift"})
+    if (line.isGiven (of_walk) && !is_walk)
+      throw UsageError (std::string ("--") + of_walk,
+                        "is about --scene walk; leave it out");
+  if (is_walk && options.points)
+    throw UsageError ("--points", "is not for --scene walk; give --width, --height");
+  if (options.tiles && !is_town)
+    throw UsageError ("--tiles", "is about --scene town; leave it out");
+  if (!is_town && options.points.value_or (1) > most_points)
+    throw UsageError ("--points",
+                      "is more than 10000000, which only --scene town takes");
+  if (!is_town && !is_walk && apps::extensionOf (options.output) != ".pcd")
+    throw UsageError (options.output, "has an unknown extension; give a .pcd file");
+  for (const char* of_camera : {"width", "height", "profile", "organized"}) {
+    line.forbidTogether ("points", of_camera);
+    if (!isSeenByCamera (options.scene))
+      line.forbidTogether ("scene", of_camera);
+  }
+}
+
+} // namespace
+
+bool
+readOptions (int argc, const char* const* argv, SimulationOptions& options)
+{
+  CommandLine line (
+      program_name,
+      "Simulates a furnished room as a depth camera sees it, or another scene. The\n"
+      "field label is the true plane of each point: 0 none, 1..P by falling size.",
+      PCL_OPS_VERSION);
+  declareScene (line, options);
+  declareScan (line, options);
+  declareTownAndWalk (line, options);
+  if (!line.parse (argc, argv))
+    return false;
+  checkOptions (line, options);
+  return true;
+}
+
+} // namespace pcl_ops::simulation
