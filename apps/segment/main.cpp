@@ -7,6 +7,7 @@
 #include "tasks.h"
 #include <cli/interruption.h>
 #include <cli/program.h>
+#include <cli/stage_lines.h>
 #include <io/standard_input.h>
 #include <unistd.h>
 
@@ -16,11 +17,23 @@ namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief Says where it is while that takes long. */
+Report
+segmentTold (const SegmentOptions& options, const Task& task)
+{
+  if (options.quiet)
+    return segmentCloud (options, task);
+  StageLines lines (std::cerr);
+  return segmentCloud (options, task, idsBySize, [&] (const std::string& stage) {
+    lines.begin (stage);
+  });
+}
+
 int
 segmentOne (const SegmentOptions& options)
 {
   const Task task = taskOf (options);
-  const Report report = segmentCloud (options, task);
+  const Report report = segmentTold (options, task);
   if (!report.damage.empty())
     warn (report.input + ": " + report.damage);
   const bool prints_json = task.outputs.planes == standard_stream;

@@ -38,10 +38,8 @@ detectPlanes (const SegmentOptions& options, const ShiftedCloud& shifted)
 {
   Detected detected =
       runMethod (methodCalled (options.method), options.detector, shifted.cloud);
-  for (PlaneSegment& plane : detected.planes) {
-    plane.centroid += shifted.shift;
-    plane.moments.origin += shifted.shift;
-  }
+  for (PlaneSegment& plane : detected.planes)
+    plane.moveBy (shifted.shift);
   return detected;
 }
 
@@ -152,14 +150,19 @@ saveOutputs (const SegmentOptions& options,
 Report
 segmentInMemory (const SegmentOptions& options,
                  const Task& task,
-                 const IdsOfPlanes& ids_of)
+                 const IdsOfPlanes& ids_of,
+                 const StageListener& begin_stage)
 {
+  const std::string name = nameOfInput (task);
+  begin_stage (name + ": reading");
   const bool is_piped = task.input == standard_stream;
   const FileCloud cloud = is_piped ? loadStandardInput() : loadCloud (task.input);
   checkTakesLabels (options, task, cloud);
   stopIfInterrupted();
+  begin_stage (name + ": finding planes in " + std::to_string (cloud.size()) +
+               " points");
   const ShiftedCloud shifted = shiftedCloudOf (cloud, voxelStepOf (options.detector));
-  Report report{nameOfInput (task),
+  Report report{name,
                 options.method,
                 cloud.size(),
                 detectPlanes (options, shifted),
@@ -179,6 +182,7 @@ segmentInMemory (const SegmentOptions& options,
   if (!task.outputs.planes.empty() || !task.outputs.mesh.empty())
     report.extents = extentsOf (shifted, report.detected.planes, options.hull);
   stopIfInterrupted();
+  begin_stage (name + ": writing");
   saveOutputs (options, task.outputs, cloud, shifted, report);
   return report;
 }
@@ -196,11 +200,13 @@ idsBySize (const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& /*sen
 Report
 segmentCloud (const SegmentOptions& options,
               const Task& task,
-              const IdsOfPlanes& ids_of)
+              const IdsOfPlanes& ids_of,
+              const StageListener& begin_stage)
 {
-  return inMemory (nameOfInput (task),
-                   options.jobs == 1 ? "give a smaller cloud" : "give fewer --jobs",
-                   [&] { return segmentInMemory (options, task, ids_of); });
+  return inMemory (
+      nameOfInput (task),
+      options.jobs == 1 ? "give a smaller cloud" : "give fewer --jobs",
+      [&] { return segmentInMemory (options, task, ids_of, begin_stage); });
 }
 
 } // namespace pcl_ops::apps

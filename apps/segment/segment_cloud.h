@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
@@ -21,12 +22,17 @@ using IdsOfPlanes = std::function<std::vector<std::uint32_t> (
 std::vector<std::uint32_t>
 idsBySize (const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& sensor);
 
+/** \brief What is told of each stage of the work on a cloud, when it begins. */
+using StageListener = std::function<void (const std::string& stage)>;
+
 /** \brief Reads a cloud, finds its planes and writes its outputs.
  * \throws UsageError or WorkError if the cloud cannot be read or an output cannot be
  * written, Interrupted before anything is written */
 Report
-segmentCloud (const SegmentOptions& options,
-              const Task& task,
-              const IdsOfPlanes& ids_of = idsBySize);
+segmentCloud (
+    const SegmentOptions& options,
+    const Task& task,
+    const IdsOfPlanes& ids_of = idsBySize,
+    const StageListener& begin_stage = [] (const std::string&) {});
 
 } // namespace pcl_ops::apps

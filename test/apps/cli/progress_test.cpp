@@ -4,10 +4,12 @@
 
 #include <cli/parallel.h>
 #include <cli/progress.h>
+#include <cli/stage_lines.h>
 
 #include <atomic>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 using namespace pcl_ops::apps;
@@ -40,6 +42,27 @@ TEST (Progress, SaysNothingWhereNoneIsAskedFor)
   progress.step();
   progress.erase();
   EXPECT_EQ (stream.str(), "");
+}
+
+TEST (StageLines, TellTheStageOnceInAWhile)
+{
+  std::ostringstream terminal;
+  StageLines lines (terminal, std::chrono::milliseconds (1));
+  lines.begin ("a.pcd: finding planes");
+  std::this_thread::sleep_for (std::chrono::milliseconds (200));
+  lines.end();
+  EXPECT_NE (terminal.str().find ("a.pcd: finding planes, 0 s so far\n"),
+             std::string::npos)
+      << terminal.str();
+}
+
+TEST (StageLines, AreSilentWhereAllIsDoneBefore)
+{
+  std::ostringstream terminal;
+  StageLines lines (terminal);
+  lines.begin ("a.pcd: reading");
+  lines.end();
+  EXPECT_EQ (terminal.str(), "");
 }
 
 TEST (Progress, WritesALineOnceInAWhile)

@@ -124,3 +124,12 @@ TEST_F (SegmentPipe, PutsAdviceIntoTheJsonWhereNothingIsFound)
   EXPECT_EQ (json["planes"].size(), 0u);
   EXPECT_TRUE (contains (json["advice"], "--sampling-rate")) << json["advice"];
 }
+
+TEST_F (SegmentPipe, SaysThatItStillReadsAfterTenSeconds)
+{
+  const Outcome slow = pipe ("(sleep 11; cat in.pcd)", "-");
+  EXPECT_EQ (slow.exit_code, 0);
+  EXPECT_EQ (slow.err, "standard input: reading, 10 s so far\n");
+  const Outcome quiet = pipe ("(sleep 11; cat in.pcd)", "- --quiet");
+  EXPECT_EQ (quiet.err, "");
+}
