@@ -49,10 +49,8 @@ SequenceTracker::idsOf (std::size_t frame,
                         std::vector<PlaneSegment> planes,
                         const Eigen::Vector3d& sensor)
 {
-  for (PlaneSegment& plane : planes) {
-    plane.centroid -= sensor;
-    plane.moments.origin -= sensor;
-  }
+  for (PlaneSegment& plane : planes)
+    plane.moveBy (-sensor);
   std::unique_lock<std::mutex> lock (mutex_);
   is_next_.wait (lock, [&] { return next_ == frame; });
   return tracker_.track (planes, poses_[frame] * Eigen::Translation3d (sensor));

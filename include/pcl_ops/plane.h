@@ -172,7 +172,26 @@ struct PCL_OPS_EXPORT PlaneSegment {
   /** \brief Root mean square distance of the inliers to the plane [m]. */
   double
   rms () const;
+
+  /** \brief Takes the plane into a frame whose origin lies at -shift: the points of its
+   * cloud have \p shift added there. */
+  void
+  moveBy (const Eigen::Vector3d& shift)
+  {
+    centroid += shift;
+    moments.origin += shift;
+  }
 };
+
+/** \brief The angle at which two planes meet, 0 to pi/2 [rad]; exact where they are
+ * nearly parallel, too. */
+inline double
+angleBetween (const PlaneSegment& first, const PlaneSegment& second)
+{
+  // By sine and cosine, for either alone is coarse somewhere.
+  return std::atan2 (first.normal.cross (second.normal).norm(),
+                     std::abs (first.normal.dot (second.normal)));
+}
 
 /** \brief How far the fit of a plane may be from the surface it is of. */
 struct PlaneCovariance {

@@ -73,10 +73,8 @@ toSegments (const Points& points,
     segments.push_back (toSegment (
         found.planes.moments[p], found.planes.fits[p], viewpoint - points.origin));
   addInliers (points, found.labels, segments);
-  for (PlaneSegment& segment : segments) {
-    segment.centroid += points.origin;
-    segment.moments.origin += points.origin;
-  }
+  for (PlaneSegment& segment : segments)
+    segment.moveBy (points.origin);
   return segments;
 }
 

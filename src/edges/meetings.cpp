@@ -70,14 +70,6 @@ reachOf (const Body& first, const Body& second, double sine)
          spacings * std::max (first.spacing, second.spacing);
 }
 
-double
-angleBetween (const PlaneSegment& first, const PlaneSegment& second)
-{
-  // By sine and cosine, for either alone is coarse somewhere.
-  return std::atan2 (first.normal.cross (second.normal).norm(),
-                     std::abs (first.normal.dot (second.normal)));
-}
-
 bool
 areNear (const Body& first, const Body& second, double reach)
 {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matching/patch.h"
 
+#include "geometry/plane_axes.h"
+
 #include <cmath>
 
 namespace pcl_ops::internal {
@@ -51,9 +53,7 @@ patchOf (const PlaneSegment& plane)
     return std::nullopt;
   const Eigen::Matrix3d covariance = plane.moments.covariance();
   // Its own normal rather than the fit's: nothing else would be the plane of the user.
-  const Eigen::Vector3d some = plane.normal.unitOrthogonal();
-  Eigen::Matrix<double, 3, 2> in_plane;
-  in_plane << some, plane.normal.cross (some);
+  const Eigen::Matrix<double, 3, 2> in_plane = planeAxes (plane.normal);
   const Eigen::Matrix2d spread = in_plane.transpose() * covariance * in_plane;
   // The direction of the larger variance, in closed form.
   const double angle =

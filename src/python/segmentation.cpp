@@ -12,16 +12,6 @@ namespace pcl_ops::python {
 
 namespace {
 
-/** \brief Moves planes into the frame of an array. */
-void
-moveBy (const Eigen::Vector3d& origin, std::vector<PlaneSegment>& planes)
-{
-  for (PlaneSegment& plane : planes) {
-    plane.centroid += origin;
-    plane.moments.origin += origin;
-  }
-}
-
 std::vector<PlaneSegment>
 detect (const Detect& detector,
         const PointArray& points,
@@ -32,7 +22,8 @@ detect (const Detect& detector,
   std::iota (all.begin(), all.end(), 0);
   const DetectorInput input{points.view(), all, viewpoint - points.origin(), nullptr};
   std::vector<PlaneSegment> planes = detector (input).planes;
-  moveBy (points.origin(), planes);
+  for (PlaneSegment& plane : planes)
+    plane.moveBy (points.origin());
   return planes;
 }
 

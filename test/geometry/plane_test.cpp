@@ -7,6 +7,8 @@
 #include "scene.h"
 #include <pcl_ops/plane.h>
 
+#include <cmath>
+
 using namespace pcl_ops::internal;
 
 using pcl_ops::fitPlane;
@@ -228,4 +230,25 @@ TEST (PlaneSegment, MeasuresTheRmsDistanceOfItsInliers)
         segment.moments.add (x, y, z);
   EXPECT_NEAR (segment.rms(), 1_cm, 1e-12);
   EXPECT_EQ (segment.plane().distance ({3, 4, 2.5}), 0.5);
+}
+
+TEST (PlaneSegment, MovesWithItsPoints)
+{
+  pcl_ops::PlaneSegment segment;
+  segment.moments.add (1, 0, 0);
+  segment.moments.add (0, 1, 0);
+  segment.centroid = segment.moments.centroid();
+  segment.moveBy ({10, 20, 30});
+  EXPECT_EQ (segment.centroid, Eigen::Vector3d (10.5, 20.5, 30));
+  EXPECT_EQ (segment.moments.centroid(), segment.centroid);
+}
+
+TEST (AngleBetween, IsExactForPlanesThatAreNearlyParallel)
+{
+  // The cosine of a millionth of a radian is 1 but for the last digits.
+  for (const double angle : {1e-9, 1e-6, 0.5}) {
+    pcl_ops::PlaneSegment level, tilted;
+    tilted.normal = {std::sin (angle), 0, -std::cos (angle)};
+    EXPECT_NEAR (angleBetween (level, tilted), angle, 1e-6 * angle);
+  }
 }

@@ -25,10 +25,8 @@ middleOf (const std::vector<PlaneSegment>& planes)
 std::vector<PlaneSegment>
 seenFrom (const Eigen::Vector3d& zero, std::vector<PlaneSegment> planes)
 {
-  for (PlaneSegment& plane : planes) {
-    plane.centroid -= zero;
-    plane.moments.origin -= zero;
-  }
+  for (PlaneSegment& plane : planes)
+    plane.moveBy (-zero);
   return planes;
 }
 
@@ -38,10 +36,10 @@ matched (std::size_t first,
          const PlaneSegment& one,
          const PlaneSegment& other)
 {
-  // Exact for small angles, where the cosine is not.
-  const double angle = std::atan2 (one.normal.cross (other.normal).norm(),
-                                   std::abs (one.normal.dot (other.normal)));
-  return {first, second, pcl::rad2deg (angle), one.plane().distance (other.centroid)};
+  return {first,
+          second,
+          pcl::rad2deg (angleBetween (one, other)),
+          one.plane().distance (other.centroid)};
 }
 
 } // namespace
