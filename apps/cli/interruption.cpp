@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 
 namespace pcl_ops::apps {
 
@@ -13,10 +15,31 @@ namespace {
 std::atomic<int> noted_signal{0};
 static_assert (std::atomic<int>::is_always_lock_free);
 
+std::atomic<std::int64_t> noted_at{0};
+static_assert (std::atomic<std::int64_t>::is_always_lock_free);
+
+/** \brief [ms]; of the clocks that signal handlers may ask. */
+std::int64_t
+milliseconds ()
+{
+  timespec now{};
+  ::clock_gettime (CLOCK_MONOTONIC, &now);
+  return std::int64_t (1000) * now.tv_sec + now.tv_nsec / 1000000;
+}
+
 void
 noteSignal (int signal)
 {
-  noted_signal = signal;
+  // What ends programs often signals twice: timeout the program and its group.
+  constexpr std::int64_t same_wish = 500;
+  if (noted_signal == 0) {
+    noted_at = milliseconds();
+    noted_signal = signal;
+  }
+  else if (milliseconds() - noted_at > same_wish) {
+    std::signal (signal, SIG_DFL);
+    std::raise (signal);
+  }
 }
 
 } // namespace
@@ -30,7 +53,7 @@ noteInterruptions ()
       continue;
     action.sa_handler = noteSignal;
     // Without SA_RESTART: a read that waits for input returns.
-    action.sa_flags = static_cast<int> (SA_RESETHAND);
+    action.sa_flags = 0;
     sigaction (signal, &action, nullptr);
   }
 }

@@ -13,8 +13,9 @@ struct Interrupted : std::runtime_error {
 };
 
 /** \brief Lets the program end tidily on Ctrl-C, a termination or a closed terminal:
- * from now on the first of these signals is noted for \ref isInterrupted, and the next
- * one ends the program as ever. Signals that are ignored stay so. */
+ * from now on the first of these signals is noted for \ref isInterrupted, and one that
+ * comes more than half a second later ends the program as ever. Signals that are
+ * ignored stay so. */
 void
 noteInterruptions ();
 

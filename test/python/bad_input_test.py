@@ -82,7 +82,7 @@ table = [
     (evaluate(labels[:-1]), ValueError, "truth: shape (29599,) is not (29600,)"),
     (evaluate(result=labels[None]), ValueError, "result: shape (1, 29600)"),
     (evaluate(result=labels.astype(float)), TypeError, "result: dtype float64"),
-    (evaluate(labels + 2**32), ValueError, "truth: the label 4294967296 is too large"),
+    (evaluate(labels.astype(np.int64) + 2**32), ValueError, "truth: the label 4294967296 is too large"),
     (evaluate(up=(0, 0, np.inf)), ValueError, "up: the up axis must be"),
 ]
 

@@ -192,7 +192,9 @@ TEST_F (SunRgbdTest, EveryTruncationOfAnImageIsAnError)
 
 TEST_F (SunRgbdTest, EveryDamagedByteOfAnImageIsAnError)
 {
-  for (std::size_t i = 0; i < two_pixels.size(); ++i) {
+  // But for the checksum of its end, which some versions of libpng pass over.
+  constexpr std::size_t checksum = 4;
+  for (std::size_t i = 0; i < two_pixels.size() - checksum; ++i) {
     std::string damaged = two_pixels;
     damaged[i] ^= 0x20;
     write (frame / "depth" / "0001.png", damaged);
