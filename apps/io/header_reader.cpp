@@ -44,15 +44,14 @@ Words
 HeaderReader::nextLine (const std::string& last)
 {
   constexpr std::uint64_t longest_header = 1U << 20U;
-  std::string line;
-  if (position() > longest_header || !readLine (line) || stream_.eof())
+  if (position() > longest_header || !readLine (line_) || stream_.eof())
     fail ("its header has no line " + last);
-  std::istringstream parts (line);
+  std::istringstream parts (line_);
   Words words;
   for (std::string word; parts >> word;)
     words.push_back (word);
   // PCL's readers take such a line for the end of the header.
-  if (words.empty() && !line.empty())
+  if (words.empty() && !line_.empty())
     failAtLine ("has nothing but white space");
   return words;
 }

@@ -24,6 +24,13 @@ public:
   Words
   nextLine (const std::string& last);
 
+  /** \brief The line those words are from, as it is, without its end. */
+  const std::string&
+  line () const
+  {
+    return line_;
+  }
+
   /** \brief Offset of the next byte. */
   std::uint64_t
   position ();
@@ -68,7 +75,7 @@ public:
   failEmpty () const;
 
 private:
-  std::string file_, format_;
+  std::string file_, format_, line_;
   std::ifstream stream_;
   std::uint64_t file_size_ = 0, lines_ = 0;
 };

@@ -4,6 +4,9 @@
 
 #include <pcl/common/io.h>
 
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/split.hpp>
+
 #include "header_reader.h"
 #include "ply_body.h"
 
@@ -74,6 +77,25 @@ readProperty (const HeaderReader& reader, const Words& words, PlyLayout& layout)
   layout.elements.back().properties.push_back (property);
 }
 
+/** \brief The words of a line as PCL's reader takes them. */
+Words
+wordsBetweenBlanks (std::string line)
+{
+  line.erase (line.find_last_not_of (" \t\r") + 1);
+  Words words;
+  return boost::split (words, line, boost::is_any_of (" \t"), boost::token_compress_on);
+}
+
+void
+readGrid (const HeaderReader& reader, const Words& words, PlyHeader& header)
+{
+  // PCL's reader ends the program at a line that is indented.
+  if (wordsBetweenBlanks (reader.line()) != words)
+    reader.failAtLine ("has white space in front of obj_info or other than blanks");
+  if (words.size() > 2 && (words[1] == "num_cols" || words[1] == "num_rows"))
+    header.grid[words[1]] = reader.count (words[1], words[2]);
+}
+
 PlyHeader
 readPlyHeader (HeaderReader& reader)
 {
@@ -89,10 +111,8 @@ readPlyHeader (HeaderReader& reader)
       readElement (reader, words, header.layout);
     else if (key == "property")
       readProperty (reader, words, header.layout);
-    else if (key == "obj_info") {
-      if (words.size() > 2 && (words[1] == "num_cols" || words[1] == "num_rows"))
-        header.grid[words[1]] = reader.count (words[1], words[2]);
-    }
+    else if (key == "obj_info")
+      readGrid (reader, words, header);
     else if (key != "comment" && key != "end_header")
       reader.fail ("its line '" + key + "' is unknown or incomplete");
   }

@@ -367,6 +367,20 @@ TEST_F (CloudFile, NamesTheDamagedListOfAnAsciiPly)
         << list;
 }
 
+TEST_F (CloudFile, RefusesAnIndentedObjInfoThatWouldEndPclsReader)
+{
+  const auto complaint = [&] (const std::string& line) {
+    return complaintAbout (folder_.write (
+        "info.ply", plyWith (line + "\n" + two_vertices, "1 2 3\n4 5 6\n")));
+  };
+  EXPECT_EQ (complaint ("obj_info\tnum_cols  2 \r\nobj_info num_rows 1"), "");
+  for (const std::string line : {" obj_info x", "\robj_info x", "obj_info num_cols\v2"})
+    EXPECT_EQ (complaint (line),
+               "is damaged: line 3 has white space in front of obj_info or other than "
+               "blanks; mend it or write the file again")
+        << line;
+}
+
 TEST_F (CloudFile, RefusesAGridOfVerticesThatAreNotThere)
 {
   const std::string grid =
