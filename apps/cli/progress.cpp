@@ -29,6 +29,8 @@ Progress::Progress (std::size_t steps,
 , between_ (between)
 {}
 
+Progress::~Progress() { erase(); }
+
 void
 Progress::step()
 {
@@ -47,11 +49,10 @@ void
 Progress::note (const std::string& line, std::ostream& stream)
 {
   const std::lock_guard<std::mutex> lock (mutex_);
-  const bool has_bar = style_ == ProgressStyle::Bar;
-  if (has_bar)
+  if (has_bar_)
     stream_ << erase_line << std::flush;
   stream << line << std::endl;
-  if (has_bar && 0 < done_ && done_ < steps_)
+  if (has_bar_)
     draw();
 }
 
@@ -59,8 +60,9 @@ void
 Progress::erase()
 {
   const std::lock_guard<std::mutex> lock (mutex_);
-  if (style_ == ProgressStyle::Bar && done_ < steps_)
+  if (has_bar_)
     stream_ << erase_line << std::flush;
+  has_bar_ = false;
 }
 
 void
@@ -86,7 +88,8 @@ Progress::write (Clock::time_point now, std::size_t percent)
   stream_ << done_ << " of " << steps_ << " " << noun_ << ", " << percent << " %, "
           << (done_ < steps_ ? durationText (left) + " left"
                              : "took " + durationText (elapsed));
-  if (style_ == ProgressStyle::Bar && done_ < steps_)
+  has_bar_ = style_ == ProgressStyle::Bar && done_ < steps_;
+  if (has_bar_)
     stream_ << std::flush;
   else
     stream_ << std::endl;

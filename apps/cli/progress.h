@@ -38,6 +38,11 @@ public:
             ProgressStyle style,
             std::string noun = "clouds",
             std::chrono::milliseconds between = std::chrono::seconds (10));
+  Progress (const Progress&) = delete;
+  Progress&
+  operator= (const Progress&) = delete;
+  /** \brief Takes the bar away where the run ended before its last step. */
+  ~Progress();
 
   /** \brief Counts one piece of work as done. */
   void
@@ -50,7 +55,7 @@ public:
   void
   note (const std::string& line, std::ostream& stream);
 
-  /** \brief Takes the bar away where the run ends before its last step. */
+  /** \brief Takes the bar away, if there is one. */
   void
   erase ();
 
@@ -70,6 +75,7 @@ private:
   ProgressStyle style_;
   std::string noun_;
   std::chrono::milliseconds between_;
+  bool has_bar_ = false;
   Clock::time_point start_ = Clock::now(), last_line_ = start_;
   std::mutex mutex_;
 };

@@ -15,6 +15,8 @@
 #include <cli/interruption.h>
 #include <cli/memory.h>
 #include <cli/program.h>
+#include <cli/progress.h>
+#include <cli/stage_lines.h>
 #include <io/cloud_file.h>
 #include <io/output_file.h>
 #include <io/pose_file.h>
@@ -22,6 +24,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 namespace {
 
@@ -80,19 +83,21 @@ simulate (const SimulationOptions& options)
                        options);
 }
 
+pcl_ops::apps::ProgressStyle
+progressOf (const SimulationOptions& options)
+{
+  return options.quiet ? pcl_ops::apps::ProgressStyle::None
+                       : pcl_ops::apps::progressStyleOf (::isatty (STDERR_FILENO) == 1);
+}
+
 void
 runTown (const SimulationOptions& options)
 {
-  using pcl_ops::apps::ProgressStyle;
   const Town town = makeTown (options.seed,
                               options.points.value_or (usual_points_of_town),
                               tilesAlongASide (options.tiles.value_or (usual_tiles)));
   pcl_ops::apps::Progress progress (
-      std::size_t (town.tiles) * town.tiles,
-      std::cerr,
-      options.quiet ? ProgressStyle::None
-                    : pcl_ops::apps::progressStyleOf (::isatty (STDERR_FILENO) == 1),
-      "tiles");
+      std::size_t (town.tiles) * town.tiles, std::cerr, progressOf (options), "tiles");
   const TownFiles written = saveTown (options.output, town, options.noise, progress);
   if (!options.quiet)
     std::cout << options.output << ": " << written.points << " points in "
@@ -108,7 +113,9 @@ runWalk (const SimulationOptions& options)
   walk.poses = drawWalk (walk.room, walk.camera, options.frames, options.seed);
   walk.noise = noiseOf (options);
   walk.organized = options.organized;
-  const std::uint64_t points = saveWalk (options.output, walk, options.seed);
+  pcl_ops::apps::Progress progress (
+      walk.poses.size(), std::cerr, progressOf (options), "frames");
+  const std::uint64_t points = saveWalk (options.output, walk, options.seed, progress);
   const std::string file =
       (std::filesystem::path (options.output) / "poses.txt").string();
   pcl_ops::apps::savePoses (file,
@@ -136,12 +143,16 @@ void
 runCloud (const SimulationOptions& options)
 {
   pcl_ops::apps::checkWritable (options.output);
+  std::optional<pcl_ops::apps::StageLines> lines;
+  if (!options.quiet)
+    lines.emplace (std::cerr).begin (options.output + ": simulating");
   const SimulatedCloud simulated =
       pcl_ops::apps::inMemory (options.output, "give fewer --points", [&] {
         SimulatedCloud cloud = simulate (options);
         pcl_ops::apps::savePcd (options.output, packedCloud (cloud.cloud));
         return cloud;
       });
+  lines.reset();
   if (!options.quiet)
     std::cout << options.output << ": " << simulated.cloud.size() << " points, "
               << simulated.planes.size() << " planes\n";

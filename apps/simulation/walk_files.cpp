@@ -27,7 +27,10 @@ nameOf (std::size_t frame)
 } // namespace
 
 std::uint64_t
-saveWalk (const std::string& folder, const WalkRecording& walk, std::uint32_t seed)
+saveWalk (const std::string& folder,
+          const WalkRecording& walk,
+          std::uint32_t seed,
+          apps::Progress& progress)
 {
   apps::makeFolder (folder);
   std::uint64_t points = 0;
@@ -48,6 +51,7 @@ saveWalk (const std::string& folder, const WalkRecording& walk, std::uint32_t se
       apps::savePcd (file, packedCloud (cloud));
       points += cloud.size();
     });
+    progress.step();
   }
   // Those of a longer walk before it would be taken for frames of this one.
   const std::filesystem::path path = folder;

@@ -4,6 +4,7 @@
 
 #include "depth_noise.h"
 #include "walk.h"
+#include <cli/progress.h>
 
 #include <cstdint>
 #include <string>
@@ -21,9 +22,13 @@ struct WalkRecording {
 
 /** \brief Writes what the camera sees as FOLDER/frame_000.pcd and so on, in its own
  * frame: x right, y down, z forward. The label of a surface is the same in all frames.
+ * \param[in,out] progress of all frames
  * \return points in all of them
  * \throw WorkError if one cannot be written */
 std::uint64_t
-saveWalk (const std::string& folder, const WalkRecording& walk, std::uint32_t seed);
+saveWalk (const std::string& folder,
+          const WalkRecording& walk,
+          std::uint32_t seed,
+          apps::Progress& progress);
 
 } // namespace pcl_ops::simulation

@@ -34,6 +34,17 @@ TEST (Progress, DrawsTheBarAnewBelowALine)
   EXPECT_NE (text.find ("1 of 2 clouds", line), std::string::npos) << text;
 }
 
+TEST (Progress, LeavesNoBarWhereTheRunEndsBefore)
+{
+  std::ostringstream terminal;
+  {
+    Progress progress (2, terminal, ProgressStyle::Bar);
+    progress.step();
+  }
+  const std::string text = terminal.str(), erased = "\r\033[K";
+  EXPECT_EQ (text.substr (text.size() - erased.size()), erased);
+}
+
 TEST (Progress, SaysNothingWhereNoneIsAskedFor)
 {
   std::ostringstream stream;
