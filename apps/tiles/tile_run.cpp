@@ -167,13 +167,8 @@ private:
       });
     }
     catch (const Interrupted&) {
-      progress.erase();
       throw WorkError ("interrupted",
                        "no output is half-written; run it again to go on");
-    }
-    catch (...) {
-      progress.erase();
-      throw;
     }
   }
 
