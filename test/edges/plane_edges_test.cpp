@@ -136,7 +136,7 @@ TEST (PlaneEdges, NeedPointsOfBothPlanesBesideTheLine)
 TEST (PlaneEdges, NeedPointsOfBothPlanesAtTheSamePlace)
 {
   Scene hall; // one line, a floor along its beginning, a wall along its end
-  hall.floor (2_m, 2_m).surface ({3, 0, 0}, {2, 0, 0}, {0, 0, 2});
+  hall.floor (2_m, 2_m).surface ({2.5, 0, 0}, {2, 0, 0}, {0, 0, 2});
   EXPECT_TRUE (edgesOf (hall).edges.empty());
 }
 
