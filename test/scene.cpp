@@ -54,8 +54,10 @@ Scene::addClutter (LabelledScene& scene)
   const auto count = std::lround (clutter_ / (1.0 - clutter_) *
                                   static_cast<double> (scene.cloud->size()));
   for (long i = 0; i < count; ++i) {
-    const Eigen::Vector3d share (
-        drawUnit (generator_), drawUnit (generator_), drawUnit (generator_));
+    // One by one: compilers differ in the order of arguments, and scenes would, too.
+    Eigen::Vector3d share;
+    for (double* axis : {&share.z(), &share.y(), &share.x()})
+      *axis = drawUnit (generator_);
     add (scene, box.min() + share.cwiseProduct (box.sizes()), -1);
   }
 }
