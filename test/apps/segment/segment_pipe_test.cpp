@@ -129,7 +129,8 @@ TEST_F (SegmentPipe, SaysThatItStillReadsAfterTenSeconds)
 {
   const Outcome slow = pipe ("(sleep 11; cat in.pcd)", "-");
   EXPECT_EQ (slow.exit_code, 0);
-  EXPECT_EQ (slow.err, "standard input: reading, 10 s so far\n");
+  // 10 s or, where the machine is busy, a little more.
+  EXPECT_EQ (slow.err.find ("standard input: reading, 1"), 0u) << slow.err;
   const Outcome quiet = pipe ("(sleep 11; cat in.pcd)", "- --quiet");
   EXPECT_EQ (quiet.err, "");
 }
