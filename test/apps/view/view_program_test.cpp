@@ -39,13 +39,21 @@ protected:
     return runInFolder ("unset DISPLAY; '" PCL_OPS_VIEW_PROGRAM "' " + arguments);
   }
 
-  /** \brief Runs the viewer on a display of its own.
+  /** \brief Runs the viewer on a display of its own. What xvfb-run says and how it ends
+   * is left out: it may fail to tidy up after a viewer that did its work.
    * \param[in] environment variables for it, as env takes them */
   ProgramRun
   runOnDisplay (const std::string& arguments, const std::string& environment = "") const
   {
-    return runInFolder ("xvfb-run -a -s '-screen 0 1024x768x24' env " + environment +
-                        " '" PCL_OPS_VIEW_PROGRAM "' " + arguments);
+    const std::string viewer =
+        folder_.write ("viewer.sh",
+                       "env " + environment + " '" PCL_OPS_VIEW_PROGRAM "' " +
+                           arguments + " >said 2>&1\necho $? >code\n");
+    return runInFolder ("rm -f said code\nxvfb-run -a -s '-screen 0 1024x768x24' sh '" +
+                        viewer +
+                        "' >display.log 2>&1\n"
+                        "[ -e code ] || { cat display.log; exit 1; }\n"
+                        "cat said\nexit $(cat code)");
   }
 
   /** \brief Why nothing can be drawn on this machine; empty if it can. */
@@ -55,8 +63,10 @@ protected:
 #ifdef PCL_OPS_SANITIZED
     return "graphics drivers are not made for sanitizers";
 #else
-    const char* const probe = "'command -v xauth >/dev/null && xvfb-run -a true'";
-    return runProgram ("sh", std::string ("-c ") + probe).exit_code == 0
+    const char* const probe =
+        "'command -v xauth >/dev/null && xvfb-run -a echo a display'";
+    return runProgram ("sh", std::string ("-c ") + probe).text.find ("a display") !=
+                   std::string::npos
                ? ""
                : "xvfb-run is not installed or cannot start";
 #endif
