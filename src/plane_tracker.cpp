@@ -17,18 +17,10 @@ constexpr double kept_share = 0.7;
 Moments
 moved (const Eigen::Isometry3d& motion, const Moments& moments)
 {
-  const Eigen::Matrix3d spread = moments.count * motion.linear() *
-                                 moments.covariance() * motion.linear().transpose();
-  Moments result;
-  result.origin = motion * moments.centroid();
-  result.count = moments.count;
-  result.products = {spread (0, 0),
-                     spread (0, 1),
-                     spread (0, 2),
-                     spread (1, 1),
-                     spread (1, 2),
-                     spread (2, 2)};
-  return result;
+  return Moments::of (moments.count,
+                      motion * moments.centroid(),
+                      motion.linear() * moments.covariance() *
+                          motion.linear().transpose());
 }
 
 /** \brief A plane in the common frame. */

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "outlines.h"
 
+#include <geometry/planar_area.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -12,20 +14,14 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Twice the area within a ring as seen from above, negative for a clockwise
- * one.
- */
+/** \brief The area within a ring as seen from above, negative for a clockwise one. */
 double
-signedArea (const Ring& ring)
+areaFromAbove (const Ring& ring)
 {
-  double area = 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    // From the first corner: areas far from zero have few digits left.
-    const Eigen::Vector3d a = ring[i] - ring[0];
-    const Eigen::Vector3d b = ring[(i + 1) % ring.size()] - ring[0];
-    area += a.x() * b.y() - b.x() * a.y();
-  }
-  return area;
+  PlanarPoints corners;
+  for (const Eigen::Vector3d& corner : ring)
+    corners.push_back (corner.head<2>());
+  return internal::areaOf (corners);
 }
 
 /** \brief How a format writes rings. */
@@ -78,7 +74,7 @@ seenFromAbove (Rings rings)
 {
   for (Ring& ring : rings) {
     const bool is_hole = &ring != &rings.front();
-    const double area = signedArea (ring);
+    const double area = areaFromAbove (ring);
     if (is_hole ? area > 0.0 : area < 0.0)
       std::reverse (ring.begin(), ring.end());
   }

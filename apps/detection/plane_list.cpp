@@ -114,10 +114,9 @@ addTriangle (const std::array<Eigen::Vector2d, 3>& corners,
              Eigen::Vector2d& sum,
              Eigen::Matrix2d& products)
 {
-  const Eigen::Vector2d one = corners[1] - corners[0], other = corners[2] - corners[0];
   // Signed, so that the triangles of a hollow outline take away what they have too
   // much.
-  const double part = 0.5 * (one.x() * other.y() - one.y() * other.x());
+  const double part = 0.5 * internal::twiceTheArea (corners[0], corners[1], corners[2]);
   const Eigen::Vector2d total = corners[0] + corners[1] + corners[2];
   area += part;
   sum += part / 3.0 * total;
@@ -125,21 +124,6 @@ addTriangle (const std::array<Eigen::Vector2d, 3>& corners,
   for (const Eigen::Vector2d& corner : corners)
     outer += corner * corner.transpose();
   products += part / 12.0 * outer;
-}
-
-Moments
-momentsOf (const Vector3d& mean, const Eigen::Matrix3d& covariance, double count)
-{
-  Moments moments;
-  moments.origin = mean;
-  moments.count = count;
-  moments.products = {count * covariance (0, 0),
-                      count * covariance (0, 1),
-                      count * covariance (0, 2),
-                      count * covariance (1, 1),
-                      count * covariance (1, 2),
-                      count * covariance (2, 2)};
-  return moments;
 }
 
 /** \brief Lets a plane end where its hull ends. */
@@ -169,10 +153,10 @@ setExtent (const std::vector<Vector3d>& hull,
     spread = products / area - mean * mean.transpose();
     plane.centroid = frame.toSpace (mean);
   }
-  plane.moments = momentsOf (plane.centroid,
-                             axes * spread * axes.transpose() +
-                                 rms * rms * plane.normal * plane.normal.transpose(),
-                             count);
+  plane.moments = Moments::of (count,
+                               plane.centroid,
+                               axes * spread * axes.transpose() +
+                                   rms * rms * plane.normal * plane.normal.transpose());
 }
 
 PlaneSegment

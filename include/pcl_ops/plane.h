@@ -30,6 +30,11 @@ struct PCL_OPS_EXPORT Moments {
   /** \brief xx xy xz yy yz zz */
   std::array<double, 6> products{};
 
+  /** \brief The moments of \p count points of which only the mean and the population
+   * covariance are known. */
+  static Moments
+  of (double count, const Eigen::Vector3d& mean, const Eigen::Matrix3d& covariance);
+
   /** \brief Adds a point given relative to \ref origin. */
   void
   add (double x, double y, double z)

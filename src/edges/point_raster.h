@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "geometry/planar_area.h"
 #include <pcl_ops/plane_extent.h>
 
 #include <cstddef>
@@ -18,8 +19,7 @@ struct PlanarLine {
   double
   distance (const Eigen::Vector2d& point) const
   {
-    const Eigen::Vector2d offset = point - origin;
-    return direction.x() * offset.y() - direction.y() * offset.x();
+    return cross (direction, point - origin);
   }
 };
 

@@ -3,6 +3,7 @@
 #include "extent/planar_hull.h"
 
 #include "extent/planar_ring.h"
+#include "geometry/planar_area.h"
 
 #include <algorithm>
 
@@ -38,15 +39,6 @@ hullOfAll (const PlanarPoints& points)
       !(areaOf (hull) > smallest_width * longest * longest))
     return {};
   return hull;
-}
-
-double
-areaOf (const PlanarPoints& outline)
-{
-  Ring ring;
-  for (const Eigen::Vector2d& corner : outline)
-    ring.emplace_back (corner.x(), corner.y());
-  return geometry::area (ring);
 }
 
 } // namespace pcl_ops::internal

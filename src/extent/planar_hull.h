@@ -13,8 +13,4 @@ namespace pcl_ops::internal {
 PlanarPoints
 hullOfAll (const PlanarPoints& points);
 
-/** \brief Area of a polygon; above 0 for counter-clockwise ones. */
-double
-areaOf (const PlanarPoints& outline);
-
 } // namespace pcl_ops::internal

@@ -4,6 +4,7 @@
 
 #include "extent/planar_hull.h"
 #include "extent/rim.h"
+#include "geometry/planar_area.h"
 #include "geometry/plane_axes.h"
 #include <pcl_ops/plane_extent.h>
 

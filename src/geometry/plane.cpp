@@ -15,6 +15,20 @@ namespace pcl_ops {
 
 using namespace internal;
 
+namespace {
+
+/** \brief Adds a symmetric matrix to products in the order of Moments. */
+void
+addUpper (const Eigen::Matrix3d& matrix, std::array<double, 6>& products)
+{
+  std::size_t product = 0;
+  for (Eigen::Index row = 0; row < 3; ++row)
+    for (Eigen::Index column = row; column < 3; ++column)
+      products[product++] += matrix (row, column);
+}
+
+} // namespace
+
 Moments&
 Moments::operator+= (const Moments& other)
 {
@@ -27,6 +41,18 @@ Moments::operator+= (const Moments& other)
 }
 
 Moments
+Moments::of (double count,
+             const Eigen::Vector3d& mean,
+             const Eigen::Matrix3d& covariance)
+{
+  Moments moments;
+  moments.origin = mean;
+  moments.count = count;
+  addUpper (count * covariance, moments.products);
+  return moments;
+}
+
+Moments
 Moments::about (const Eigen::Vector3d& new_origin) const
 {
   const Eigen::Vector3d shift = origin - new_origin;
@@ -35,12 +61,7 @@ Moments::about (const Eigen::Vector3d& new_origin) const
   Moments moved = *this;
   moved.origin = new_origin;
   moved.sum += count * shift;
-  moved.products[0] += added (0, 0);
-  moved.products[1] += added (0, 1);
-  moved.products[2] += added (0, 2);
-  moved.products[3] += added (1, 1);
-  moved.products[4] += added (1, 2);
-  moved.products[5] += added (2, 2);
+  addUpper (added, moved.products);
   return moved;
 }
 

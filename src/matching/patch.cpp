@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matching/patch.h"
 
+#include "geometry/planar_area.h"
 #include "geometry/plane_axes.h"
 
 #include <cmath>
@@ -29,18 +30,6 @@ clipped (const Corners& polygon, Eigen::Index axis, double sign, double bound)
       inside.push_back (from + start / (start - end) * (to - from));
   }
   return inside;
-}
-
-/** \brief Whichever way round its corners come. */
-double
-areaOf (const Corners& polygon)
-{
-  double twice = 0.0;
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-    const Vector2d one = polygon[i] - polygon[0], other = polygon[i + 1] - polygon[0];
-    twice += one.x() * other.y() - one.y() * other.x();
-  }
-  return 0.5 * std::abs (twice);
 }
 
 } // namespace
@@ -95,7 +84,8 @@ commonArea (const Patch& first, const Patch& second)
   for (const Eigen::Index axis : {0, 1})
     for (const double sign : {1.0, -1.0})
       corners = clipped (corners, axis, sign, first.half[axis]);
-  return areaOf (corners);
+  // Planes that face each other see their corners the other way round.
+  return std::abs (areaOf (corners));
 }
 
 } // namespace pcl_ops::internal

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ear_clipping.h"
 
-#include "planar_sides.h"
+#include "geometry/planar_area.h"
 
 #include <algorithm>
 #include <optional>
@@ -10,6 +10,8 @@
 namespace pcl_ops {
 
 namespace {
+
+using namespace internal;
 
 using Numbers = std::vector<std::size_t>;
 

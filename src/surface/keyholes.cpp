@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "keyholes.h"
 
-#include "planar_sides.h"
+#include "geometry/planar_area.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,8 @@
 namespace pcl_ops {
 
 namespace {
+
+using namespace internal;
 
 using Numbers = std::vector<std::size_t>;
 

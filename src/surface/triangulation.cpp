@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ear_clipping.h"
+#include "geometry/planar_area.h"
 #include "keyholes.h"
-#include "planar_sides.h"
 #include <pcl_ops/surface/triangulation.h>
 #include <vtkCellArray.h>
 #include <vtkIdList.h>
@@ -18,20 +18,13 @@ namespace pcl_ops {
 
 namespace {
 
+using namespace internal;
+
 double
-areaOf (const Triangle& triangle, const PlanarPoints& corners)
+signedArea (const Triangle& triangle, const PlanarPoints& corners)
 {
   const auto& [a, b, c] = triangle;
   return 0.5 * twiceTheArea (corners[a], corners[b], corners[c]);
-}
-
-double
-areaOf (const PlanarPoints& ring)
-{
-  double area = 0.0;
-  for (std::size_t i = 2; i < ring.size(); ++i)
-    area += areaOf (Triangle{0, i - 1, i}, ring);
-  return area;
 }
 
 /** \brief The triangles if they cover an area; else none. */
@@ -41,7 +34,7 @@ unlessParted (std::vector<Triangle> triangles, const PlanarPoints& corners, doub
   constexpr double tolerance = 1e-6;
   double covered = 0.0;
   for (const Triangle& triangle : triangles)
-    covered += areaOf (triangle, corners);
+    covered += signedArea (triangle, corners);
   if (!(std::abs (covered - area) < tolerance * area))
     triangles.clear();
   return triangles;
@@ -83,7 +76,7 @@ triangulate (const PlanarPoints& outline)
     for (vtkIdType corner = 0; corner < corners; ++corner)
       triangle[static_cast<std::size_t> (corner)] =
           static_cast<std::size_t> (ids->GetId (corner));
-    if (areaOf (triangle, outline) < 0.0)
+    if (signedArea (triangle, outline) < 0.0)
       std::swap (triangle[1], triangle[2]);
     triangles.push_back (triangle);
   }

@@ -4,6 +4,7 @@
 
 #include "extent/planar_hull.h"
 #include "extent/rim.h"
+#include "geometry/planar_area.h"
 
 using namespace pcl_ops;
 using namespace pcl_ops::internal;

@@ -200,6 +200,17 @@ TEST (Moments, KeepTheirCentroidAndCovarianceWhenTheOriginMoves)
   EXPECT_TRUE (here.covariance().isApprox (there.covariance(), 1e-9));
 }
 
+TEST (Moments, OfAMeanAndACovarianceHaveBoth)
+{
+  Eigen::Matrix3d covariance;
+  covariance << 4, 1, 2, 1, 5, 3, 2, 3, 6;
+  const Eigen::Vector3d mean (1e6, -2e6, 3);
+  const Moments moments = Moments::of (10.0, mean, covariance);
+  EXPECT_EQ (moments.count, 10.0);
+  EXPECT_EQ (moments.centroid(), mean);
+  EXPECT_TRUE (moments.covariance().isApprox (covariance, 1e-15));
+}
+
 TEST (Moments, DoNotMindBeingAddedToThemselves)
 {
   Moments twice = momentsOf (noisyPatch ({1, 2, 3}), Eigen::Vector3d::Zero());

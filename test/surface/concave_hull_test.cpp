@@ -208,6 +208,26 @@ TEST (ConcaveOutline, OfAFullSurfaceHasNoHole)
   EXPECT_EQ (concaveOutline (scatteredL (30000, 5_mm)).size(), 1u);
 }
 
+TEST (ConcaveOutline, HasNoHolesThatAreNextToNothing)
+{
+  // Through the first three goes a circle of radius 1.001 without points in it, and
+  // none as large through others: a hole 2 long and 0.2 wide.
+  const PlanarPoints points = {{-0.9985, 0.1},
+                               {-0.9985, -0.1},
+                               {0.9985, 0.0},
+                               {0.0, 1.05},
+                               {0.0, -1.05},
+                               {-1.0, 1.0},
+                               {-1.0, -1.0},
+                               {1.0, 1.0},
+                               {1.0, -1.0},
+                               {-1.9, 0.5},
+                               {-1.9, -0.5},
+                               {1.9, 0.5},
+                               {1.9, -0.5}};
+  EXPECT_EQ (concaveOutline (points, 1.0).size(), 1u);
+}
+
 TEST (ConcaveOutline, HasHolesByFallingArea)
 {
   PlanarPoints wall = wallWithWindow();

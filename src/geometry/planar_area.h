@@ -4,7 +4,17 @@
 
 #include <Eigen/Core>
 
-namespace pcl_ops {
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief Twice the area between two directions; above 0 where the second is to the
+ * left of the first. */
+inline double
+cross (const Eigen::Vector2d& first, const Eigen::Vector2d& second)
+{
+  return first.x() * second.y() - first.y() * second.x();
+}
 
 /** \brief Twice the area of a triangle; above 0 where it runs counter-clockwise. */
 inline double
@@ -12,9 +22,18 @@ twiceTheArea (const Eigen::Vector2d& a,
               const Eigen::Vector2d& b,
               const Eigen::Vector2d& c)
 {
-  const Eigen::Vector2d first = b - a;
-  const Eigen::Vector2d second = c - a;
-  return first.x() * second.y() - first.y() * second.x();
+  return cross (b - a, c - a);
+}
+
+/** \brief Area of a polygon; above 0 where it runs counter-clockwise. */
+inline double
+areaOf (const std::vector<Eigen::Vector2d>& polygon)
+{
+  double twice = 0.0;
+  // From the first corner: areas far from zero would have few digits left.
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    twice += twiceTheArea (polygon[0], polygon[i - 1], polygon[i]);
+  return 0.5 * twice;
 }
 
 /** \brief Whether a point lies in a triangle that runs either way, or on its sides. */
@@ -31,4 +50,4 @@ isWithin (const Eigen::Vector2d& point,
          (first <= 0.0 && second <= 0.0 && third <= 0.0);
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::internal
