@@ -194,6 +194,7 @@ TEST_F (LazFileTest, IsLabelledAsTheLasIs)
   saveLabelledLas (folder_ / "a.las", *loadCloud (write (recipe)).las, {1, 2});
   saveLabelledLas (folder_ / "b.laz", *loadCloud (write (recipe)).las, {1, 2});
   saveLabelledLas (folder_ / "c.las", *loadCloud (compressed (recipe)).las, {1, 2});
+  ASSERT_TRUE (isCompressedLas (folder_ / "b.laz"));
   EXPECT_TRUE (decompressed (folder_ / "b.laz") == contentOf (folder_ / "a.las"));
   EXPECT_TRUE (contentOf (folder_ / "c.las") == contentOf (folder_ / "a.las"));
 }
