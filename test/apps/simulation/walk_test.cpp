@@ -5,6 +5,8 @@
 #include <simulation/draws.h>
 #include <simulation/walk.h>
 
+#include <algorithm>
+
 using namespace pcl_ops::simulation;
 
 namespace {
@@ -27,17 +29,28 @@ degreesBetween (const Eigen::Isometry3d& one, const Eigen::Isometry3d& other)
 
 } // namespace
 
-TEST (Walk, StaysInTheRoomAndSeesSurfacesAllTheWay)
+TEST (Walk, StaysInTheRoom)
 {
   const Room room = makeRoom (1);
-  DepthCamera camera = cameraOfAWalk();
-  for (const Eigen::Isometry3d& pose : drawWalk (room, camera, 20, 1)) {
+  for (const Eigen::Isometry3d& pose : drawWalk (room, cameraOfAWalk(), 20, 1)) {
     const Eigen::Vector3d inside =
         Eigen::AngleAxisd (-room.yaw, Eigen::Vector3d::UnitZ()) * pose.translation();
     EXPECT_LT (std::abs (inside.x()), 0.5 * room.size.x());
     EXPECT_LT (std::abs (inside.y()), 0.5 * room.size.y());
-    camera.pose = pose;
-    EXPECT_GE (countVisibleSurfaces (room.scene, camera), 3);
+  }
+}
+
+TEST (Walk, SeesSurfacesAllTheWay)
+{
+  DepthCamera camera = cameraOfAWalk();
+  for (std::uint32_t seed = 16; seed <= 25; ++seed) {
+    const Room room = makeRoom (seed);
+    int fewest = 100;
+    for (const Eigen::Isometry3d& pose : drawWalk (room, camera, 12, seed)) {
+      camera.pose = pose;
+      fewest = std::min (fewest, countVisibleSurfaces (room.scene, camera));
+    }
+    EXPECT_GE (fewest, 3) << seed;
   }
 }
 
