@@ -3,6 +3,7 @@
 #include "plane_list.h"
 
 #include <cli/errors.h>
+#include <geometry/planar_area.h>
 #include <io/input_file.h>
 #include <nlohmann/json.hpp>
 #include <pcl_ops/plane_extent.h>

@@ -8,6 +8,7 @@
 #include <pcl_ops/plane.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
