@@ -59,8 +59,11 @@ pairOf (const Patches& previous,
   const Patch over = moved (belief.pose(), seen);
   if (std::abs (over.normal().dot (fixed.normal())) < least_cosine)
     return std::nullopt;
+  constexpr double but_for_rounding = 1.0 - 1e-9;
   const double common = commonArea (fixed, over);
-  if (!(common >= min_overlap * std::min (fixed.area(), seen.area()) && common > 0.0))
+  const double least =
+      but_for_rounding * min_overlap * std::min (fixed.area(), seen.area());
+  if (!(common >= least && common > 0.0))
     return std::nullopt;
   const Mismatch mismatch = belief.mismatchOf (fixed, seen);
   const double distance = belief.squaredDistance (mismatch);

@@ -35,6 +35,15 @@ moved (const Eigen::Isometry3d& motion, const PlaneSegment& plane)
   return result;
 }
 
+/** \brief Without what rounding has made of a rotation: over frames it would add up. */
+Eigen::Isometry3d
+rigid (Eigen::Isometry3d motion)
+{
+  const Eigen::Quaterniond rotation (motion.linear());
+  motion.linear() = rotation.normalized().toRotationMatrix();
+  return motion;
+}
+
 Moments
 scaled (double factor, Moments moments)
 {
@@ -69,7 +78,7 @@ PlaneTracker::track (const std::vector<PlaneSegment>& planes,
                      const Eigen::Isometry3d& pose)
 {
   const Eigen::Isometry3d expected =
-      frames_ == 0 ? pose : pose_ * given_pose_.inverse() * pose;
+      rigid (frames_ == 0 ? pose : pose_ * given_pose_.inverse() * pose);
   std::vector<PlaneSegment> known;
   for (const TrackedPlane& tracked : remembered_)
     known.push_back (tracked.plane);

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "geometry/angles.h"
 #include <pcl_ops/up_axis.h>
 
 #include <algorithm>
@@ -203,13 +204,27 @@ evidenceFor (const Vector3d& up,
 
 } // namespace
 
+std::string
+problemOf (const UpAxisParameters& parameters)
+{
+  const auto is_share = [] (double number) { return number >= 0.0 && number <= 1.0; };
+  if (!(parameters.angle_tolerance > 0.0 &&
+        parameters.angle_tolerance <= internal::right_angle))
+    return "the angle tolerance must be above 0 and at most pi/2 (radians)";
+  if (!is_share (parameters.least_share))
+    return "the least share must be a number from 0 to 1";
+  if (!is_share (parameters.least_confidence))
+    return "the least confidence must be a number from 0 to 1";
+  return {};
+}
+
 std::optional<UpAxis>
 estimateUpAxis (const std::vector<PlaneSegment>& planes,
                 const Eigen::Vector3d& viewpoint,
                 const UpAxisParameters& parameters)
 {
   const Faces faces = facesOf (planes);
-  if (faces.each.empty() || !viewpoint.allFinite())
+  if (faces.each.empty() || !viewpoint.allFinite() || !problemOf (parameters).empty())
     return std::nullopt;
   struct Direction {
     Vector3d up;

@@ -68,6 +68,16 @@ TEST (MatchPlanes, FindsEachPlaneOfAFrameInItself)
   EXPECT_EQ (matchPlanes (corner(), corner()).previous, (Labels{0, 1, 2, 3, 4}));
 }
 
+TEST (MatchPlanes, FindsEachPlaneOverItselfWhereAllOfItHasToBe)
+{
+  PlaneMatchingParameters all_of_it;
+  all_of_it.min_overlap = 1.0;
+  const Isometry3d somewhere = motion (40, {0, 0.2, 1}, {1, 0.5, 0});
+  const Planes turned = seenFrom (somewhere, corner());
+  EXPECT_EQ (matchPlanes (turned, turned, Isometry3d::Identity(), all_of_it).previous,
+             (Labels{0, 1, 2, 3, 4}));
+}
+
 TEST (MatchPlanes, FollowsThePlanesToOtherPositionsInTheList)
 {
   const Planes all = corner();
@@ -228,6 +238,18 @@ TEST (PlaneTracker, ForgetsPlanesAfterSoManyFramesIfToldTo)
     tracker.track (without_shelf, stays);
   EXPECT_EQ (tracker.planes().size(), 4U);
   EXPECT_EQ (tracker.track (all, stays), (Numbers{1, 2, 3, 4, 6}));
+}
+
+TEST (PlaneTracker, StaysRigidWhereGivenPosesAreRounded)
+{
+  Isometry3d rounded = motion (40, {0, 0.2, 1}, {1, 0.5, 0});
+  constexpr double decimals = 1e4;
+  rounded.matrix() = (decimals * rounded.matrix()).array().round() / decimals;
+  PlaneTracker tracker;
+  for (int i = 0; i < 1000; ++i)
+    tracker.track ({}, rounded);
+  const Eigen::Matrix3d turn = tracker.pose().linear();
+  EXPECT_TRUE ((turn * turn.transpose()).isIdentity (1e-12)) << turn;
 }
 
 TEST (PlaneTracker, FollowsASensorThatDrifts)

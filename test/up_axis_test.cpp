@@ -233,6 +233,20 @@ TEST (UpAxis, RefusesWhatIsNotFinite)
   EXPECT_FALSE (estimateUpAxis (furnishedRoom(), eye, parameters).has_value());
 }
 
+TEST (UpAxis, RefusesParametersOutOfTheirRange)
+{
+  const pcl_ops::UpAxisParameters good;
+  EXPECT_EQ (problemOf (good), "");
+  pcl_ops::UpAxisParameters in_degrees = good, above_one = good, negative = good;
+  in_degrees.angle_tolerance = 7.0;
+  above_one.least_share = 2.0;
+  negative.least_confidence = -1.0;
+  for (const pcl_ops::UpAxisParameters& bad : {in_degrees, above_one, negative}) {
+    EXPECT_NE (problemOf (bad), "");
+    EXPECT_FALSE (estimateUpAxis (furnishedRoom(), eye, bad).has_value());
+  }
+}
+
 TEST (UpAxis, LeavesOutBrokenPlanes)
 {
   std::vector<PlaneSegment> planes = furnishedRoom();

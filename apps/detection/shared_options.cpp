@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shared_options.h"
 
-#include <pcl/common/angles.h>
-
 #include <cli/command_line.h>
+#include <numbers/angles.h>
 
 namespace pcl_ops::apps {
 
@@ -66,7 +65,7 @@ applyShared (const DetectorOptions& options, PlaneDetectorParameters& parameters
   set (parameters.threads, options.threads);
   parameters.merging.enabled = parameters.merging.enabled && options.merging;
   if (options.angle_tolerance)
-    parameters.angle_tolerance = pcl::deg2rad (*options.angle_tolerance);
+    parameters.angle_tolerance = toRadians (*options.angle_tolerance);
 }
 
 Settings
@@ -77,7 +76,7 @@ sharedSettings (const PlaneDetectorParameters& parameters)
   if (parameters.distance_threshold)
     threshold = *parameters.distance_threshold;
   return {{"threshold", threshold},
-          {"angle_tolerance", pcl::rad2deg (parameters.angle_tolerance)},
+          {"angle_tolerance", toDegrees (parameters.angle_tolerance)},
           {"up", std::vector<double>{up.x(), up.y(), up.z()}},
           {"seed", std::int64_t (parameters.seed)},
           {"threads", std::int64_t (parameters.threads)}};

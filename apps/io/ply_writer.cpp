@@ -95,11 +95,12 @@ numberProperties (const PCLPointField& field)
   return properties;
 }
 
-/** \brief Those of a cloud; of two of one name the first, but colours before all. */
+/** \brief Those of a cloud. A name that another has, colours before all, gets a _ more.
+ */
 std::vector<VertexProperty>
 propertiesOf (const pcl::PCLPointCloud2& points)
 {
-  std::set<std::string> taken = {"_"}; // PCD's name of bytes that are nothing
+  std::set<std::string> taken;
   const PCLPointField* color = nullptr;
   for (const PCLPointField& field : points.fields)
     if (color == nullptr && isColor (field)) {
@@ -112,10 +113,12 @@ propertiesOf (const pcl::PCLPointCloud2& points)
     if (&field == color)
       for (const VertexProperty& property : colorProperties (field))
         properties.push_back (property);
-    else if (!isColor (field) && taken.count (field.name) == 0)
-      for (const VertexProperty& property : numberProperties (field))
-        if (taken.insert (property.name).second)
-          properties.push_back (property);
+    else if (!isColor (field) && field.name != "_") // bytes that are nothing in PCD
+      for (VertexProperty& property : numberProperties (field)) {
+        while (!taken.insert (property.name).second)
+          property.name += "_";
+        properties.push_back (property);
+      }
   }
   return properties;
 }

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edges.h"
 
-#include <pcl/common/angles.h>
-
 #include <detection/plane_json.h>
 #include <io/output_file.h>
 #include <nlohmann/json.hpp>
+#include <numbers/angles.h>
 
 #include <algorithm>
 #include <array>
@@ -77,7 +76,7 @@ toJson (const PlaneEdges& found)
                               {"from", toArray (edge.from)},
                               {"to", toArray (edge.to)},
                               {"length", edge.length()},
-                              {"angle", pcl::rad2deg (edge.angle)}});
+                              {"angle", toDegrees (edge.angle)}});
   for (const PlaneCorner& corner : found.corners)
     json["corners"].push_back (
         {{"planes", corner.planes}, {"position", toArray (corner.position)}});

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "filter.h"
 
-#include <pcl/common/angles.h>
-
 #include <cli/command_line.h>
 #include <cli/errors.h>
+#include <numbers/angles.h>
 #include <pcl_ops/orientation.h>
 
 #include <cstdint>
@@ -26,7 +25,7 @@ filterOf (const PlaneChoice& choice)
     filter.max_planes = 1;
   if (choice.direction)
     filter.direction = choice.direction->cast<double>();
-  filter.direction_tolerance = pcl::deg2rad (choice.within);
+  filter.direction_tolerance = toRadians (choice.within);
   filter.min_points = choice.min_points.value_or (filter.min_points);
   filter.min_area = choice.min_area.value_or (filter.min_area);
   filter.min_width = choice.min_width.value_or (filter.min_width);

@@ -168,9 +168,9 @@ checkHull (const CommandLine& line, const SegmentOptions& options)
                       options.hull + " is not in this build, which was made without "
                                      "PCL's surface module; give convex");
   const bool has_hulls = options.isBatch() || !options.outputs.planes.empty() ||
-                         !options.outputs.mesh.empty();
+                         !options.outputs.mesh.empty() || options.choice.min_area;
   if (line.isGiven ("hull") && !has_hulls)
-    throw UsageError ("--hull", "is about --planes and --mesh; give one");
+    throw UsageError ("--hull", "is about --planes, --mesh and --min-area; give one");
 }
 
 void

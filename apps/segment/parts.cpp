@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parts.h"
 
-#include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
 
 #include <cli/errors.h>
@@ -26,11 +25,26 @@ namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief Some points of a cloud. PCL's copyPointCloud counts bytes in 32 bits. */
 FileCloud
 pointsOf (const FileCloud& cloud, const pcl::Indices& indices)
 {
+  const std::size_t step = cloud.points.point_step;
   FileCloud part{{}, cloud.origin, cloud.orientation};
-  pcl::copyPointCloud (cloud.points, indices, part.points);
+  part.points.header = cloud.points.header;
+  part.points.fields = cloud.points.fields;
+  part.points.is_bigendian = cloud.points.is_bigendian;
+  part.points.is_dense = cloud.points.is_dense;
+  part.points.point_step = cloud.points.point_step;
+  part.points.width = static_cast<pcl::uindex_t> (indices.size());
+  part.points.height = 1;
+  part.points.row_step = part.points.width * part.points.point_step;
+  part.points.data.reserve (indices.size() * step);
+  for (const pcl::index_t index : indices) {
+    const std::uint8_t* const point =
+        cloud.points.data.data() + static_cast<std::size_t> (index) * step;
+    part.points.data.insert (part.points.data.end(), point, point + step);
+  }
   return part;
 }
 
@@ -46,30 +60,12 @@ planeFile (std::size_t id, const PlaneSegment& plane, const std::string& extensi
   return name.str();
 }
 
-bool
-isPlaneFile (const std::string& name)
-{
-  const std::string start = start_of_name;
-  if (name.compare (0, start.size(), start) != 0)
-    return false;
-  const std::size_t end = name.find_first_not_of ("0123456789", start.size());
-  if (end == std::string::npos || end - start.size() < fewest_digits)
-    return false;
-  const std::string extension = extensionOf (name);
-  if (extension != ".pcd" && extension != ".ply")
-    return false;
-  for (const char* orientation : {"_horizontal", "_vertical", "_other"})
-    if (name.compare (end, std::string::npos, orientation + extension) == 0)
-      return true;
-  return false;
-}
-
 std::vector<fs::path>
 planeFilesIn (const fs::path& folder)
 {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator (folder))
-    if (isPlaneFile (entry.path().filename().string()))
+    if (entry.is_regular_file() && isPlaneFile (entry.path().filename().string()))
       files.push_back (entry.path());
   return files;
 }
@@ -92,7 +88,12 @@ exchangePlanes (const fs::path& folder, const fs::path& with)
   const FolderLock lock (folder);
   lock.wait();
   std::vector<fs::path> stale = planeFilesIn (folder);
-  for (const fs::path& file : planeFilesIn (with)) {
+  const std::vector<fs::path> written = planeFilesIn (with);
+  for (const fs::path& file : written)
+    if (const fs::path target = folder / file.filename(); fs::is_directory (target))
+      throw fs::filesystem_error (target.string(),
+                                  std::make_error_code (std::errc::is_a_directory));
+  for (const fs::path& file : written) {
     const fs::path target = folder / file.filename();
     fs::rename (file, target);
     stale.erase (std::remove (stale.begin(), stale.end(), target), stale.end());
@@ -102,6 +103,24 @@ exchangePlanes (const fs::path& folder, const fs::path& with)
 }
 
 } // namespace
+
+bool
+isPlaneFile (const std::string& name)
+{
+  const std::string start = start_of_name;
+  if (name.compare (0, start.size(), start) != 0)
+    return false;
+  const std::size_t end = name.find_first_not_of ("0123456789", start.size());
+  if (end == std::string::npos || end - start.size() < fewest_digits)
+    return false;
+  const std::string extension = extensionOf (name);
+  if (extension != ".pcd" && extension != ".ply")
+    return false;
+  for (const char* orientation : {"_horizontal", "_vertical", "_other"})
+    if (name.compare (end, std::string::npos, orientation + extension) == 0)
+      return true;
+  return false;
+}
 
 void
 saveRest (const std::string& file,

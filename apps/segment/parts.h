@@ -24,6 +24,11 @@ saveRest (const std::string& file,
           const ShiftedCloud& shifted,
           const std::vector<std::uint32_t>& labels);
 
+/** \brief Whether \ref savePlaneClouds gives such a name, of a file without its folder.
+ */
+bool
+isPlaneFile (const std::string& name);
+
 /** \brief Writes the points of each plane, with all fields of the input, as
  * plane_001_horizontal.pcd, plane_002_vertical.pcd and so on, numbered as \p planes
  * are. Files of such names that an earlier run has left are removed, so that the folder

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tasks.h"
 
+#include "parts.h"
 #include <cli/errors.h>
 #include <io/inputs.h>
 #include <io/laz_file.h>
@@ -40,9 +41,26 @@ claim (const std::string& output, const Task& task, Claims& claims)
                         "; rename one or give them in two runs");
 }
 
-/** \brief Refuses outputs that would be written over each other or over an input. */
+/** \brief Refuses outputs that would be taken for planes of an earlier run. */
 void
-checkClashes (const std::vector<Task>& tasks, const std::string& mend)
+checkPlaneNames (const Claims& files, const Claims& folders)
+{
+  for (const auto& [name, output] : files) {
+    const fs::path path = name;
+    if (folders.count (path.parent_path().string()) > 0 &&
+        isPlaneFile (path.filename().string()))
+      throw UsageError (output.name,
+                        "has the name of a plane in --planes-dir; give it another name "
+                        "or folder");
+  }
+}
+
+/** \brief Refuses outputs that would be written over each other or over an input.
+ * \param[in] poses an input, too; empty for none */
+void
+checkClashes (const std::vector<Task>& tasks,
+              const std::string& poses,
+              const std::string& mend)
 {
   Claims files, folders;
   for (const Task& task : tasks) {
@@ -54,6 +72,9 @@ checkClashes (const std::vector<Task>& tasks, const std::string& mend)
     if (!task.outputs.planes_dir.empty())
       claim (task.outputs.planes_dir, task, folders);
   }
+  checkPlaneNames (files, folders);
+  if (const auto file = files.find (resolvedName (poses)); file != files.end())
+    throw UsageError (file->second.name, "is the file of --poses, too; " + mend);
   for (const Task& task : tasks) {
     const fs::path input = resolvedName (task.input);
     const auto file = files.find (input.string());
@@ -102,7 +123,7 @@ Task
 taskOf (const SegmentOptions& options)
 {
   Task task{options.inputs[0], options.outputs};
-  checkClashes ({task}, "give the output another name");
+  checkClashes ({task}, "", "give the output another name");
   if (!task.outputs.planes_dir.empty())
     makeFolder (task.outputs.planes_dir);
   for (const std::string& file : task.outputs.files())
@@ -118,7 +139,7 @@ batchOf (const SegmentOptions& options)
   batch.problems = std::move (inputs.problems);
   for (const std::string& input : inputs.files)
     batch.tasks.push_back (batchTask (options, input));
-  checkClashes (batch.tasks, "give another --output-dir");
+  checkClashes (batch.tasks, options.track.poses, "give another --output-dir");
   if (!batch.tasks.empty())
     makeFolder (options.output_dir);
   return batch;

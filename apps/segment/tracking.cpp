@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracking.h"
 
-#include <pcl/common/angles.h>
-
 #include <cli/errors.h>
 #include <io/pose_file.h>
+#include <numbers/angles.h>
 
 namespace pcl_ops::apps {
 
@@ -16,7 +15,7 @@ parametersOf (const TrackOptions& options)
 {
   PlaneMatchingParameters parameters;
   if (options.rotation_error)
-    parameters.rotation_error = pcl::deg2rad (*options.rotation_error);
+    parameters.rotation_error = toRadians (*options.rotation_error);
   if (options.translation_error)
     parameters.translation_error = *options.translation_error;
   return parameters;

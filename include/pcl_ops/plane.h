@@ -158,11 +158,13 @@ enum class AssignmentRule {
 
 /** \brief A detected plane with the points on it, in the frame of the input cloud. */
 struct PCL_OPS_EXPORT PlaneSegment {
+  /** \brief Mean of the inliers; of a plane that is not fitted to them, as of 3D-KHT's
+   * paper preset, taken onto it along the normal. */
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   /** \brief Unit normal towards the sensor's origin. */
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   Orientation orientation = Orientation::Other;
-  /** \brief Moments of the inliers about \ref centroid. */
+  /** \brief Moments of the inliers, taken about \ref centroid. */
   Moments moments;
   /** \brief Ascending indices into the input cloud. */
   pcl::Indices inliers;

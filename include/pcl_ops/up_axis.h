@@ -6,6 +6,7 @@
 #include <pcl_ops/plane.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace pcl_ops {
@@ -30,6 +31,10 @@ struct UpAxisParameters {
   double least_confidence = 0.7;
 };
 
+/** \brief What is wrong with these parameters, as a sentence; empty if nothing is. */
+PCL_OPS_EXPORT std::string
+problemOf (const UpAxisParameters& parameters);
+
 /** \brief Which way is up in a room, by its planes alone.
  *
  * Directions that floor and walls can agree on are the normals of the larger planes and
@@ -48,7 +53,8 @@ struct UpAxisParameters {
  * \param[in] viewpoint origin of the sensor, in the frame of the planes
  * \param[in] parameters tolerance, and how sure an answer has to be
  * \return nothing where the planes cannot tell: there are none, or none across the
- * others, or two directions are about as likely; or where an argument is not finite */
+ * others, or two directions are about as likely; or where an argument is not finite
+ * or a parameter out of its range */
 PCL_OPS_EXPORT std::optional<UpAxis>
 estimateUpAxis (const std::vector<PlaneSegment>& planes,
                 const Eigen::Vector3d& viewpoint,

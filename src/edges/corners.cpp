@@ -69,6 +69,29 @@ drawn (const Eigen::Vector3d& end,
   return nearest;
 }
 
+/** \brief Draws the ends to the corners near them; where both are near one corner, the
+ * nearer end. */
+void
+drawToCorners (const Meeting& meeting,
+               const std::vector<Eigen::Vector3d>& positions,
+               PlaneEdge& edge)
+{
+  const Eigen::Vector3d from = drawn (edge.from, positions, meeting.bridged_gap);
+  const Eigen::Vector3d to = drawn (edge.to, positions, meeting.bridged_gap);
+  const auto is_edge = [&] (const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
+    return meeting.line.direction.dot (end - begin) > 0.0;
+  };
+  const bool is_begin_nearer = (from - edge.from).norm() <= (to - edge.to).norm();
+  if (is_edge (from, to)) {
+    edge.from = from;
+    edge.to = to;
+  }
+  else if (is_begin_nearer && is_edge (from, edge.to))
+    edge.from = from;
+  else if (!is_begin_nearer && is_edge (edge.from, to))
+    edge.to = to;
+}
+
 } // namespace
 
 std::vector<PlaneCorner>
@@ -103,12 +126,7 @@ edgesOf (const Meeting& meeting, const std::vector<PlaneCorner>& corners)
     edge.angle = meeting.angle;
     edge.from = meeting.line.at (stretch.from);
     edge.to = meeting.line.at (stretch.to);
-    const Eigen::Vector3d from = drawn (edge.from, positions, meeting.bridged_gap);
-    const Eigen::Vector3d to = drawn (edge.to, positions, meeting.bridged_gap);
-    if (meeting.line.direction.dot (to - from) > 0.0) {
-      edge.from = from;
-      edge.to = to;
-    }
+    drawToCorners (meeting, positions, edge);
     edges.push_back (edge);
   }
   return edges;

@@ -21,16 +21,17 @@ hullOfAll (const PlanarPoints& points)
   constexpr std::size_t corners_of_an_area = 3;
   if (points.size() < corners_of_an_area)
     return {};
+  const double scale = unitScale (points);
   geometry::model::multi_point<RingPoint> cloud;
   cloud.reserve (points.size());
   for (const Eigen::Vector2d& point : points)
-    cloud.emplace_back (point.x(), point.y());
+    cloud.emplace_back (scale * point.x(), scale * point.y());
   Ring ring;
   geometry::convex_hull (cloud, ring);
   PlanarPoints hull;
   double longest = 0.0;
   for (const RingPoint& point : ring) {
-    hull.emplace_back (point.x(), point.y());
+    hull.emplace_back (point.x() / scale, point.y() / scale);
     longest = std::max (longest, (hull.back() - hull.front()).norm());
   }
   // Rounding of the inputs (single precision) alone can give a line this much width.

@@ -7,11 +7,28 @@
 #include <boost/geometry.hpp>
 #undef BOOST_ALLOW_DEPRECATED_HEADERS
 
+#include <pcl_ops/plane_extent.h>
+
+#include <algorithm>
+#include <cmath>
+
 namespace pcl_ops::internal {
 
 /** \brief A polygon as Boost.Geometry takes it, in the order our outlines have:
  * counter-clockwise, the first corner not repeated. */
 using RingPoint = boost::geometry::model::d2::point_xy<double>;
 using Ring = boost::geometry::model::ring<RingPoint, false, false>;
+
+/** \brief The power of two that takes coordinates below 1 to about 1, where Boost's
+ * predicates have an absolute tolerance; else 1. */
+inline double
+unitScale (const PlanarPoints& points)
+{
+  double largest = 0.0;
+  for (const Eigen::Vector2d& point : points)
+    if (point.allFinite())
+      largest = std::max (largest, point.lpNorm<Eigen::Infinity>());
+  return largest > 0.0 && largest < 1.0 ? std::ldexp (1.0, -std::ilogb (largest)) : 1.0;
+}
 
 } // namespace pcl_ops::internal

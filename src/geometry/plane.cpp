@@ -88,7 +88,9 @@ fitPlane (const Moments& moments)
 double
 PlaneSegment::rms() const
 {
-  return std::sqrt (std::max (0.0, normal.dot (moments.covariance() * normal)));
+  const double variance = normal.dot (moments.covariance() * normal);
+  const double beside = normal.dot (moments.centroid() - centroid);
+  return std::sqrt (std::max (0.0, variance) + beside * beside);
 }
 
 std::optional<PlaneCovariance>

@@ -3,6 +3,7 @@
 #include "evaluation.h"
 
 #include "detectors.h"
+#include "interpreter.h"
 #include "point_array.h"
 #include <evaluation/metrics/metrics.h>
 
@@ -59,11 +60,10 @@ evaluate (const py::array& truth,
   const evaluation::PlaneLabels found_labels = planeLabels ("result", result);
   const PointArray array (points);
   evaluation::Metrics metrics;
-  {
-    const py::gil_scoped_release others_may_work;
+  whileOthersRun ([&] {
     metrics = evaluation::compareLabels (
         cloudOf (array.view()), true_labels, found_labels, classes);
-  }
+  });
   py::dict named;
   for (const auto& [name, value] : evaluation::namedMetrics (metrics))
     named[py::str (name)] = value;

@@ -86,15 +86,15 @@ withGiven (const Fields<P>& fields,
 {
   P parameters = preset;
   for (const auto& [name, value] : given)
-    setField (fields, name.template cast<std::string>(), value, parameters);
+    setField (fields, utf8Of (name), value, parameters);
   const std::string problem = problem_of (parameters);
   if (problem.empty())
     return parameters;
   for (const auto& [name, value] : given) {
     P alone = preset;
-    setField (fields, name.template cast<std::string>(), value, alone);
+    setField (fields, utf8Of (name), value, alone);
     if (problem_of (alone) == problem)
-      throw py::value_error (name.template cast<std::string>() + ": " + problem);
+      throw py::value_error (utf8Of (name) + ": " + problem);
   }
   throw py::value_error (problem);
 }

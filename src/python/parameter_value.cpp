@@ -2,9 +2,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parameter_value.h"
 
-#include <cstring>
+#include <string_view>
 
 namespace pcl_ops::python {
+
+namespace {
+
+/** \brief Whether it is of one of numpy's types whose name begins so: its booleans and
+ * complex numbers pass for numbers. */
+bool
+isNumpys (std::string_view kind, const py::handle& given)
+{
+  const std::string_view type = Py_TYPE (given.ptr())->tp_name;
+  constexpr std::string_view numpy = "numpy.";
+  return type.substr (0, numpy.size()) == numpy &&
+         type.substr (numpy.size(), kind.size()) == kind;
+}
+
+bool
+isBoolean (const py::handle& given)
+{
+  return PyBool_Check (given.ptr()) || isNumpys ("bool", given);
+}
+
+/** \brief Forgets that a value has the wrong type or is too large; passes on all else
+ * that Python raised. */
+void
+clearWrongType ()
+{
+  for (PyObject* known :
+       {PyExc_TypeError, PyExc_ValueError, PyExc_OverflowError, PyExc_LookupError})
+    if (PyErr_ExceptionMatches (known) != 0)
+      return PyErr_Clear();
+  throw py::error_already_set();
+}
+
+} // namespace
 
 const Names<Sampling>&
 namesOf (Sampling)
@@ -47,14 +80,21 @@ namesOf (LocalInliers)
   return names;
 }
 
+std::string
+utf8Of (const py::handle& text)
+{
+  return py::bytes (text.attr ("encode") ("utf-8", "backslashreplace"));
+}
+
 void
 throwWrongType (const std::string& name, const char* expected, const py::handle& given)
 {
-  constexpr std::size_t longest = 80;
-  std::string text = py::str (py::repr (given));
-  if (text.size() > longest)
-    text = text.substr (0, longest) + "...";
-  throw py::type_error (name + ": not " + expected + ": " + text);
+  constexpr py::ssize_t longest = 80;
+  const py::str whole = py::repr (given);
+  const auto begin =
+      py::reinterpret_steal<py::str> (PyUnicode_Substring (whole.ptr(), 0, longest));
+  throw py::type_error (name + ": not " + expected + ": " + utf8Of (begin) +
+                        (py::len (whole) > py::len (begin) ? "..." : ""));
 }
 
 long long
@@ -63,12 +103,14 @@ wholeNumber (const std::string& name,
              long long least,
              long long most)
 {
-  if (PyIndex_Check (given.ptr()) == 0 || PyBool_Check (given.ptr()))
+  if (PyIndex_Check (given.ptr()) == 0 || isBoolean (given))
     throwWrongType (name, "a whole number", given);
   int overflow = 0;
   const auto index = py::reinterpret_steal<py::object> (PyNumber_Index (given.ptr()));
-  if (!index)
-    throw py::error_already_set();
+  if (!index) {
+    clearWrongType();
+    throwWrongType (name, "a whole number", given);
+  }
   const long long value = PyLong_AsLongLongAndOverflow (index.ptr(), &overflow);
   if (overflow != 0 || value < least || value > most)
     throw py::value_error (name + ": " + std::string (py::str (index)) +
@@ -87,7 +129,7 @@ oneOf (const std::string& name,
     all += (all.empty() ? "'" : " or '") + std::string (word) + "'";
   if (!py::isinstance<py::str> (given))
     throwWrongType (name, all.c_str(), given);
-  const auto word = given.cast<std::string>();
+  const std::string word = utf8Of (given);
   for (std::size_t i = 0; i < words.size(); ++i)
     if (word == words[i])
       return i;
@@ -97,11 +139,12 @@ oneOf (const std::string& name,
 void
 setValue (const std::string& name, double& value, const py::handle& given)
 {
-  if (PyNumber_Check (given.ptr()) == 0 || PyBool_Check (given.ptr()))
+  if (PyNumber_Check (given.ptr()) == 0 || isBoolean (given) ||
+      isNumpys ("complex", given))
     throwWrongType (name, "a number", given);
   value = PyFloat_AsDouble (given.ptr());
   if (PyErr_Occurred() != nullptr) {
-    PyErr_Clear();
+    clearWrongType();
     throwWrongType (name, "a number", given);
   }
 }
@@ -109,9 +152,7 @@ setValue (const std::string& name, double& value, const py::handle& given)
 void
 setValue (const std::string& name, bool& value, const py::handle& given)
 {
-  const bool is_numpys =
-      std::strcmp (Py_TYPE (given.ptr())->tp_name, "numpy.bool_") == 0;
-  if (!PyBool_Check (given.ptr()) && !is_numpys)
+  if (!isBoolean (given))
     throwWrongType (name, "True or False", given);
   value = PyObject_IsTrue (given.ptr()) == 1;
 }
@@ -121,11 +162,14 @@ setValue (const std::string& name, Eigen::Vector3d& value, const py::handle& giv
 {
   const bool is_sequence =
       PySequence_Check (given.ptr()) == 1 && !py::isinstance<py::str> (given);
-  if (!is_sequence || py::len (given) != 3)
+  const auto numbers = py::reinterpret_steal<py::object> (
+      is_sequence ? PySequence_Tuple (given.ptr()) : PyTuple_New (0));
+  if (!numbers)
+    clearWrongType();
+  if (!numbers || py::len (numbers) != 3)
     throwWrongType (name, "three numbers (x, y, z)", given);
-  const auto numbers = py::reinterpret_borrow<py::sequence> (given);
   for (Eigen::Index axis = 0; axis < 3; ++axis)
-    setValue (name, value[axis], numbers[static_cast<std::size_t> (axis)]);
+    setValue (name, value[axis], numbers[py::int_ (axis)]);
 }
 
 Eigen::Vector3d

@@ -29,6 +29,10 @@ const Names<Verification>& namesOf (Verification);
 const Names<AssignmentRule>& namesOf (AssignmentRule);
 const Names<LocalInliers>& namesOf (LocalInliers);
 
+/** \brief A Python string; what UTF-8 cannot hold of it as numbers. */
+std::string
+utf8Of (const py::handle& text);
+
 /** \brief Says of a parameter that it is not what it has to be, and what was given. */
 [[noreturn]] void
 throwWrongType (const std::string& name, const char* expected, const py::handle& given);

@@ -18,12 +18,12 @@ namespace {
 using PlaneObjects = std::vector<const PlaneObject*>;
 
 PlaneObjects
-objectsOf (const py::list& planes)
+objectsOf (const py::list& planes, const char* name = "planes")
 {
   PlaneObjects objects;
   for (const py::handle& plane : planes) {
     if (!py::isinstance<PlaneObject> (plane))
-      throwWrongType ("planes", "a list of pcl_ops.Plane", plane);
+      throwWrongType (name, "a list of pcl_ops.Plane", plane);
     objects.push_back (plane.cast<const PlaneObject*>());
   }
   return objects;
@@ -36,6 +36,21 @@ checkAreOfOneArray (const PlaneObjects& planes)
     if (!plane->points.is (planes.front()->points))
       throw py::value_error ("planes: they are of different arrays, whose rows cannot "
                              "be told apart");
+}
+
+void
+checkShareNoPoints (const PlaneObjects& planes)
+{
+  std::vector<bool> is_taken;
+  for (const PlaneObject* plane : planes)
+    for (const pcl::index_t inlier : plane->segment.inliers) {
+      const auto row = static_cast<std::size_t> (inlier);
+      is_taken.resize (std::max (is_taken.size(), row + 1));
+      if (is_taken[row])
+        throw py::value_error ("planes: some share points, which would count twice; "
+                               "give those of one segment");
+      is_taken[row] = true;
+    }
 }
 
 /** \brief The plane that some planes went into.
@@ -143,7 +158,9 @@ filterOf (const py::dict& given)
   PlaneFilter filter;
   for (const auto& [key, value] : given) {
     const auto name = key.cast<std::string>();
-    if (value.is_none())
+    const bool may_be_none =
+        name == "orientation" || name == "direction" || name == "max_planes";
+    if (may_be_none && value.is_none())
       continue;
     if (name == "orientation")
       filter.orientation = static_cast<Orientation> (
@@ -210,8 +227,8 @@ matchedPlanes (const py::list& previous,
                const py::dict& parameters)
 {
   const PlaneMatches matches =
-      matchPlanes (segmentsOf (objectsOf (previous)),
-                   segmentsOf (objectsOf (current)),
+      matchPlanes (segmentsOf (objectsOf (previous, "previous")),
+                   segmentsOf (objectsOf (current, "current")),
                    motionOf (pose),
                    withGiven (matchingFields(),
                               PlaneMatchingParameters(),
@@ -231,6 +248,7 @@ mergedPlanes (const py::list& planes,
   const PlaneDetectorParameters named_by = orientationParameters (orientation);
   const PlaneObjects objects = objectsOf (planes);
   checkAreOfOneArray (objects);
+  checkShareNoPoints (objects);
   std::vector<Moments> moments;
   for (const PlaneObject* object : objects)
     moments.push_back (object->segment.moments);
@@ -253,8 +271,8 @@ upAxisOf (const py::list& planes,
   const std::vector<PlaneSegment> segments = segmentsOf (objectsOf (planes));
   const Eigen::Vector3d sensor = placeOf ("viewpoint", viewpoint);
   const UpAxisParameters decided = withGiven (
-      upAxisFields(), UpAxisParameters(), parameters, [] (const UpAxisParameters&) {
-        return std::string();
+      upAxisFields(), UpAxisParameters(), parameters, [] (const UpAxisParameters& all) {
+        return problemOf (all);
       });
   const std::optional<UpAxis> found = estimateUpAxis (segments, sensor, decided);
   if (!found)

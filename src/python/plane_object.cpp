@@ -93,7 +93,7 @@ defineFit (PlaneClass& plane)
                               "(3,) float64: unit normal, towards the viewpoint.")
       .def_property_readonly ("centroid",
                               get (&PlaneSegment::centroid),
-                              "(3,) float64: mean of the inliers.")
+                              "(3,) float64: mean of the inliers, on the plane.")
       .def_property_readonly ("coefficients",
                               &coefficientsOf,
                               "(4,) float64: normal and d of a x + b y + c z + d = 0.")
@@ -175,12 +175,15 @@ definePlane (py::module_& module)
       "Plane",
       "A plane and the points on it, in the frame and the unit of their array. Hull, "
       "area,\nlength and width are found out when first asked for, from the array as "
-      "it "
-      "is then.");
+      "it is then;\nof one in another order of bytes from its copy.");
   defineFit (plane);
   defineExtent (plane);
   defineCovariance (plane);
   plane.def ("__repr__", &textOf);
+  // Else protocols 0 and 1 of pickle end the program in pybind11.
+  plane.def ("__reduce_ex__", [] (const PlaneObject&, int /*protocol*/) -> py::object {
+    throw py::type_error ("cannot pickle or copy 'pcl_ops.Plane' objects");
+  });
   plane.attr ("__module__") = "pcl_ops";
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "point_array.h"
 
+#include "interpreter.h"
 #include <io/median_place.h>
 
 #include <cmath>
@@ -54,7 +55,7 @@ void
 PointArray::readFloats()
 {
   if (!hasRowsInOrder (array_))
-    array_ = py::array_t<float, py::array::c_style>::ensure (array_);
+    array_ = py::array_t<float, py::array::c_style | py::array::forcecast> (array_);
   view_.first = static_cast<const float*> (array_.data());
   view_.stride = static_cast<std::size_t> (array_.strides (0)) / sizeof (float);
 }
@@ -63,15 +64,16 @@ void
 PointArray::readDoubles()
 {
   const Rows rows = py::array_t<double> (array_).unchecked<2>();
-  const py::gil_scoped_release others_may_work;
-  copied_.resize (3 * view_.size);
-  if (!copyRelativeTo (origin_, rows, copied_)) {
+  whileOthersRun ([&] {
+    copied_.resize (3 * view_.size);
+    if (copyRelativeTo (origin_, rows, copied_))
+      return;
     origin_ = apps::usualPlace (view_.size, [&] (std::size_t i) {
       const auto row = static_cast<py::ssize_t> (i);
       return Eigen::Vector3d (rows (row, 0), rows (row, 1), rows (row, 2));
     });
     copyRelativeTo (origin_, rows, copied_);
-  }
+  });
   view_.first = copied_.data();
   view_.stride = 3;
 }

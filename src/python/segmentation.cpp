@@ -3,6 +3,7 @@
 #include "segmentation.h"
 
 #include "detectors.h"
+#include "interpreter.h"
 #include "point_array.h"
 #include <pybind11/eigen.h>
 
@@ -17,7 +18,6 @@ detect (const Detect& detector,
         const PointArray& points,
         const Eigen::Vector3d& viewpoint)
 {
-  const py::gil_scoped_release others_may_work;
   pcl::Indices all (points.view().size);
   std::iota (all.begin(), all.end(), 0);
   const DetectorInput input{points.view(), all, viewpoint - points.origin(), nullptr};
@@ -59,7 +59,9 @@ segment (const py::array& points,
 {
   const Detect detector = detectorOf (method, preset, parameters);
   const Eigen::Vector3d sensor = placeOf ("viewpoint", viewpoint);
-  std::vector<PlaneSegment> planes = detect (detector, PointArray (points), sensor);
+  const PointArray array (points);
+  std::vector<PlaneSegment> planes;
+  whileOthersRun ([&] { planes = detect (detector, array, sensor); });
   const py::array labels = labelsOf (planes, points.shape (0));
   return py::make_tuple (labels, objectsOf (std::move (planes), points));
 }

@@ -4,12 +4,14 @@
 #include <pcl/point_types.h>
 
 #include "extent/planar_ring.h"
+#include "geometry/planar_area.h"
 #include "thinning.h"
 #include <pcl_ops/surface/concave_hull.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace pcl_ops {
 
@@ -129,10 +131,28 @@ onlyOuter (const PlanarPoints& outline)
   return outline.empty() ? PlanarRings() : PlanarRings{outline};
 }
 
-} // namespace
+/** \brief Repeated ones, as of rounded coordinates, say nothing of the spacing. */
+std::size_t
+numberOfPlaces (PlanarPoints points)
+{
+  std::sort (points.begin(), points.end(), [] (const auto& a, const auto& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
+  return static_cast<std::size_t> (std::unique (points.begin(), points.end()) -
+                                   points.begin());
+}
 
+PlanarPoints
+scaled (double factor, PlanarPoints points)
+{
+  for (Eigen::Vector2d& point : points)
+    point *= factor;
+  return points;
+}
+
+/** \brief The outline of points whose coordinates are not all far below 1. */
 PlanarRings
-concaveOutline (const PlanarPoints& points, double alpha)
+outlineAround (const PlanarPoints& points, double alpha)
 {
   constexpr double least_inside = 0.99;
   constexpr double most_outside_convex = 0.005;
@@ -143,14 +163,12 @@ concaveOutline (const PlanarPoints& points, double alpha)
   const PlanarPoints convex = convexHull (points, most_outside_convex);
   if (convex.empty())
     return {};
-  const auto number = static_cast<double> (
-      std::count_if (points.begin(), points.end(), [] (const Eigen::Vector2d& point) {
-        return point.allFinite();
-      }));
-  const double spacing = std::sqrt (geometry::area (toRing (convex)) / number);
+  const auto number = static_cast<double> (points.size());
+  const PlanarPoints inside = pointsWithin (convex, points);
+  const double spacing =
+      std::sqrt (areaOf (convex) / static_cast<double> (numberOfPlaces (inside)));
   double radius = alpha > 0.0 ? alpha : spacings_per_alpha * spacing;
-  const WeightedPoints thinned =
-      thinInside (pointsWithin (convex, points), radius / cells_per_alpha);
+  const WeightedPoints thinned = thinInside (inside, radius / cells_per_alpha);
   constexpr std::size_t fewest_for_qhull = 4;
   if (thinned.points.size() < fewest_for_qhull)
     return onlyOuter (convex);
@@ -165,6 +183,23 @@ concaveOutline (const PlanarPoints& points, double alpha)
     radius *= growth;
   }
   return onlyOuter (convex);
+}
+
+} // namespace
+
+PlanarRings
+concaveOutline (const PlanarPoints& points, double alpha)
+{
+  PlanarPoints finite;
+  std::copy_if (points.begin(),
+                points.end(),
+                std::back_inserter (finite),
+                [] (const Eigen::Vector2d& point) { return point.allFinite(); });
+  const double scale = unitScale (finite);
+  PlanarRings rings = outlineAround (scaled (scale, std::move (finite)), scale * alpha);
+  for (PlanarPoints& ring : rings)
+    ring = scaled (1.0 / scale, std::move (ring));
+  return rings;
 }
 
 PlanarPoints

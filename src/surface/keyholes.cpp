@@ -73,7 +73,7 @@ visibleFrom (const Eigen::Vector2d& from,
   const std::size_t next = (landing.side + 1) % ring.size();
   std::size_t visible =
       corners[ring[landing.side]].x() > corners[ring[next]].x() ? landing.side : next;
-  const Eigen::Vector2d end = corners[ring[visible]];
+  const Eigen::Vector2d& end = corners[ring[visible]];
   double steepest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Eigen::Vector2d& corner = corners[ring[i]];

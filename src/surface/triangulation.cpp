@@ -11,7 +11,9 @@
 #include <vtkPolyData.h>
 #include <vtkTriangleFilter.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace pcl_ops {
@@ -86,8 +88,15 @@ triangulate (const PlanarPoints& outline)
 std::vector<Triangle>
 triangulateRings (const PlanarRings& rings)
 {
-  if (rings.size() < 2)
-    return rings.empty() ? std::vector<Triangle>() : triangulate (rings.front());
+  if (rings.empty() || rings.front().empty())
+    return {};
+  PlanarRings filled;
+  std::copy_if (rings.begin(),
+                rings.end(),
+                std::back_inserter (filled),
+                [] (const PlanarPoints& ring) { return !ring.empty(); });
+  if (filled.size() < 2)
+    return triangulate (filled.front());
   PlanarPoints corners;
   double area = 0.0;
   for (const PlanarPoints& ring : rings) {
@@ -95,7 +104,7 @@ triangulateRings (const PlanarRings& rings)
     area += areaOf (ring);
   }
   return unlessParted (
-      clipEars (throughKeyholes (rings, corners), corners), corners, area);
+      clipEars (throughKeyholes (filled, corners), corners), corners, area);
 }
 
 } // namespace pcl_ops

@@ -265,6 +265,21 @@ TEST (PlaneEdges, AreTheSameInWhateverOrderThePointsAre)
   }
 }
 
+TEST (PlaneEdges, BeginInTheCornerThatIsNearBothEnds)
+{
+  Scene scene = corner();
+  const LabelledScene built = scene.build();
+  PlaneEdgeParameters far_reaching;
+  far_reaching.bridged_gap = 100.0;
+  const PlaneEdges found =
+      findPlaneEdges (*built.cloud, planesOf (built), far_reaching);
+  ASSERT_EQ (found.corners.size(), 1u);
+  const Eigen::Vector3d at = found.corners[0].position;
+  EXPECT_EQ (found.edges.size(), 3u);
+  for (const PlaneEdge& edge : found.edges)
+    EXPECT_EQ (std::min ((edge.from - at).norm(), (edge.to - at).norm()), 0.0);
+}
+
 TEST (PlaneEdges, OfNothingAreNone)
 {
   const pcl::PointCloud<pcl::PointXYZ> empty;

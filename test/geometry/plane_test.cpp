@@ -243,6 +243,18 @@ TEST (PlaneSegment, MeasuresTheRmsDistanceOfItsInliers)
   EXPECT_EQ (segment.plane().distance ({3, 4, 2.5}), 0.5);
 }
 
+TEST (PlaneSegment, MeasuresDistancesToItselfNotToThePlaneOfItsInliers)
+{
+  // A plane of a coarse method, 4 cm beside points 3 cm to either side of theirs.
+  pcl_ops::PlaneSegment segment;
+  segment.normal = Eigen::Vector3d::UnitX();
+  for (const double x : {4_cm - 3_cm, 4_cm + 3_cm})
+    for (const double y : {-1.0, 1.0})
+      for (const double z : {-1.0, 1.0})
+        segment.moments.add (x, y, z);
+  EXPECT_NEAR (segment.rms(), 5_cm, 1e-12);
+}
+
 TEST (PlaneSegment, MovesWithItsPoints)
 {
   pcl_ops::PlaneSegment segment;

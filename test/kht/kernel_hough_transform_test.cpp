@@ -197,6 +197,22 @@ TEST (KernelHoughTransform, PutsTheCentroidOnThePublishedPlane)
                  5_cm + 1e-5);
 }
 
+TEST (KernelHoughTransform, MeasuresDistancesToThePublishedPlane)
+{
+  const LabelledScene scene = box (5_mm);
+  double farthest = 0.0;
+  for (const PlaneSegment& plane : planesOf (scene, published (30, 300))) {
+    double squares = 0.0;
+    for (const pcl::index_t inlier : plane.inliers) {
+      const auto point = (*scene.cloud)[inlier].getVector3fMap().cast<double>();
+      squares += std::pow (plane.plane().distance (point), 2);
+    }
+    EXPECT_NEAR (plane.rms(), std::sqrt (squares / plane.moments.count), 1e-6);
+    farthest = std::max (farthest, plane.rms());
+  }
+  EXPECT_GT (farthest, 1_cm) << "of surfaces that lie beside the centre of their bin";
+}
+
 TEST (KernelHoughTransform, HasThePapersBestRowAsPreset)
 {
   const Parameters paper = Parameters::paper();

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is wrong is said by name, and nothing crashes."""
 
+import pickle
 import unittest
 
 import numpy as np
@@ -39,6 +40,8 @@ table = [
     (segment(None), TypeError, "points: dtype object"),
     (segment(np.ma.masked_invalid(points)), TypeError, "points: a masked array"),
     (segment(method="ransac"), ValueError, "method: 'ransac'"),
+    (segment(method="\ud800"), ValueError, "method: '\\ud800' is not 'ops'"),
+    (segment(**{"\ud800": 1}), ValueError, "\\ud800: unknown parameter"),
     (segment(method=3), TypeError, "method: not 'ops' or 'fspf' or 'kht': 3"),
     (segment(preset="fast"), ValueError, "preset: 'fast'"),
     (segment(preset=None), TypeError, "preset: "),
@@ -52,6 +55,8 @@ table = [
     (segment(k=2.5), TypeError, "k: not a whole number: 2.5"),
     (segment(k="30"), TypeError, "k: not a whole number: '30'"),
     (segment(k=True), TypeError, "k: not a whole number"),
+    (segment(k=np.True_), TypeError, "k: not a whole number"),
+    (segment(k=np.array([30])), TypeError, "k: not a whole number: array([30])"),
     (segment(k=10**30), ValueError, "k: 1000000000000000000000000000000 is not between"),
     (segment(seed=-1), ValueError, "seed: -1 is not between 0 and 4294967295"),
     (segment(threads=-1), ValueError, "threads: -1"),
@@ -60,12 +65,16 @@ table = [
     (segment(sampling_rate=None), TypeError, "sampling_rate: not a number: None"),
     (segment(sampling_rate=1j), TypeError, "sampling_rate: not a number: 1j"),
     (segment(sampling_rate=np.ones(2)), TypeError, "sampling_rate: not a number"),
+    (segment(sampling_rate=np.complex64(1)), TypeError, "sampling_rate: not a number"),
+    (segment(sampling_rate=np.True_), TypeError, "sampling_rate: not a number"),
+    (segment(sampling_rate="ä" * 100), TypeError, "sampling_rate: not a number: '" + "ä" * 79 + "..."),
     (segment(sampling="point"), ValueError, "sampling: 'point' is not 'points' or 'surfels'"),
     (segment(sampling="points"), ValueError, "sampling: the distance threshold must be"),
     (segment(distance_threshold=-1), ValueError, "distance_threshold: the distance"),
     (segment(k=30, probability=1), ValueError, "probability: "),
     (segment(up=(0, 0, 0)), ValueError, "up: the up axis must be"),
     (segment(up=1), TypeError, "up: not three numbers"),
+    (segment(up=np.array(5.0)), TypeError, "up: not three numbers (x, y, z): array(5.)"),
     (segment(up=(1, 2, "z")), TypeError, "up: not a number: 'z'"),
     (segment(local_optimisation=1), TypeError, "local_optimisation: not True or False: 1"),
     (segment(merging_angle_threshold=9), ValueError, "merging_angle_threshold: the merging"),
@@ -74,15 +83,26 @@ table = [
     (segment(method="kht", clusters_min_samples=-1), ValueError, "clusters_min_samples: -1"),
     (lambda: pcl_ops.parameters("ransac"), ValueError, "method: 'ransac'"),
     (lambda: pcl_ops.merge_planes([1]), TypeError, "planes: not a list of pcl_ops.Plane: 1"),
+    (lambda: pcl_ops.merge_planes(None), TypeError, "planes: not a list of pcl_ops.Plane: None"),
     (lambda: pcl_ops.merge_planes([], angle_threshold=9), ValueError, "angle_threshold: "),
     (lambda: pcl_ops.merge_planes([], up=(0, 0, 0)), ValueError, "up: the up axis must be"),
     (lambda: pcl_ops.merge_planes([], angle=1), ValueError, "angle: unknown parameter"),
     (lambda: pcl_ops.estimate_up_axis([None]), TypeError, "planes: not a list"),
     (lambda: pcl_ops.estimate_up_axis([], least_share="x"), TypeError, "least_share: "),
+    (lambda: pcl_ops.estimate_up_axis([], least_share=2), ValueError, "least_share: the least"),
+    (lambda: pcl_ops.estimate_up_axis([], angle_tolerance=7), ValueError, "angle_tolerance: the"),
+    (lambda: pcl_ops.estimate_up_axis([], least_confidence=np.nan), ValueError, "least_confidence: "),
+    (lambda: pcl_ops.match_planes([1], []), TypeError, "previous: not a list of pcl_ops.Plane: 1"),
+    (lambda: pcl_ops.match_planes([], None), TypeError, "current: not a list of pcl_ops.Plane: None"),
+    (lambda: pcl_ops.match_planes([], [], "a"), TypeError, "pose: dtype <U1"),
+    (lambda: pcl_ops.match_planes([], [], 1j * np.eye(4)), TypeError, "pose: dtype complex128"),
+    (lambda: pcl_ops.filter_planes([], min_area=None), TypeError, "min_area: not a number: None"),
     (evaluate(labels[:-1]), ValueError, "truth: shape (29599,) is not (29600,)"),
     (evaluate(result=labels[None]), ValueError, "result: shape (1, 29600)"),
     (evaluate(result=labels.astype(float)), TypeError, "result: dtype float64"),
     (evaluate(labels.astype(np.int64) + 2**32), ValueError, "truth: the label 4294967296 is too large"),
+    (evaluate(labels.astype(np.uint64) + np.uint64(2**63)), ValueError, "truth: the label "),
+    (evaluate(np.ma.masked_equal(labels, 1)), TypeError, "truth: a masked array"),
     (evaluate(up=(0, 0, np.inf)), ValueError, "up: the up axis must be"),
 ]
 
@@ -100,6 +120,25 @@ class BadInput(unittest.TestCase):
         second = pcl_ops.segment(points.copy())[1]
         with self.assertRaisesRegex(ValueError, "planes: .*different arrays"):
             pcl_ops.merge_planes(first + second)
+
+    def test_planes_that_share_points_do_not_merge(self):
+        planes = pcl_ops.segment(points)[1]
+        with self.assertRaisesRegex(ValueError, "planes: some share points"):
+            pcl_ops.merge_planes(planes + planes[:1])
+
+    def test_what_another_value_raises_is_not_lost(self):
+        class Interrupted:
+            def __float__(self):
+                raise KeyboardInterrupt
+
+        with self.assertRaises(KeyboardInterrupt):
+            pcl_ops.segment(points, sampling_rate=Interrupted())
+
+    def test_planes_are_not_pickled(self):
+        plane = pcl_ops.segment(points)[1][0]
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+            with self.assertRaisesRegex(TypeError, "pcl_ops.Plane"):
+                pickle.dumps(plane, protocol)
 
 
 class NothingToFind(unittest.TestCase):

@@ -5,6 +5,8 @@
 import concurrent.futures
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 import unittest
@@ -62,6 +64,28 @@ class Threads(unittest.TestCase):
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
             for labels, _ in pool.map(lambda _: pcl_ops.segment(points), range(20)):
                 np.testing.assert_array_equal(labels, expected)
+
+
+class End(unittest.TestCase):
+    def test_of_python_during_a_call_is_quiet(self):
+        script = """
+import threading, time
+import pcl_ops
+from scene import room
+points = room()
+def work():
+    while True:
+        pcl_ops.segment(points.astype("f8") + 0.1, "fspf")
+        pcl_ops.evaluate(labels, labels, points)
+labels = pcl_ops.segment(points)[0]
+for _ in range(2):
+    threading.Thread(target=work, daemon=True).start()
+time.sleep(0.2)
+"""
+        here = os.path.dirname(os.path.abspath(__file__))
+        for _ in range(5):
+            run = subprocess.run([sys.executable, "-B", "-c", script], cwd=here, capture_output=True)
+            self.assertEqual((run.returncode, run.stderr), (0, b""))
 
 
 class Interruption(unittest.TestCase):

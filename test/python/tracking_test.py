@@ -113,7 +113,7 @@ class MatchPlanes(unittest.TestCase):
         ]:
             with self.subTest(name), self.assertRaisesRegex(ValueError, name):
                 pcl_ops.match_planes(self.previous, self.previous, **arguments)
-        with self.assertRaisesRegex(TypeError, "planes"):
+        with self.assertRaisesRegex(TypeError, "current"):
             pcl_ops.match_planes(self.previous, [1])
 
 

@@ -228,6 +228,36 @@ TEST (ConcaveOutline, HasNoHolesThatAreNextToNothing)
   EXPECT_EQ (concaveOutline (points, 1.0).size(), 1u);
 }
 
+TEST (ConcaveOutline, OfAWallOfAnySizeIsTheSame)
+{
+  const pcl_ops::PlanarRings expected = concaveOutline (wallWithWindow());
+  for (const double size : {1e-40, 1e-9, 1e-6, 1e-3, 1e6}) {
+    PlanarPoints wall = wallWithWindow();
+    for (Eigen::Vector2d& point : wall)
+      point *= size;
+    const pcl_ops::PlanarRings outline = concaveOutline (wall);
+    ASSERT_EQ (outline.size(), 2u) << size;
+    for (const std::size_t ring : {0, 1})
+      EXPECT_NEAR (
+          areaOf (outline[ring]) / (size * size), areaOf (expected[ring]), 1_percent)
+          << size;
+  }
+}
+
+TEST (ConcaveOutline, OfRoundedCoordinatesHasNoHoles)
+{
+  RandomGenerator generator (seedOfTest());
+  for (const double step : {0.1, 0.2, 0.5}) {
+    PlanarPoints wall;
+    while (wall.size() < 20000)
+      wall.emplace_back (step * std::round (2.0 * drawUnit (generator) / step),
+                         step * std::round (1.0 * drawUnit (generator) / step));
+    const pcl_ops::PlanarRings outline = concaveOutline (wall);
+    ASSERT_EQ (outline.size(), 1u) << step;
+    EXPECT_NEAR (areaOf (outline[0]), 2.0, 1e-9) << step;
+  }
+}
+
 TEST (ConcaveOutline, HasHolesByFallingArea)
 {
   PlanarPoints wall = wallWithWindow();

@@ -95,6 +95,13 @@ TEST (Triangulation, LeavesEachOfManyHolesFree)
   EXPECT_NEAR (areaOfTriangles (sieve), 9.0 - 25 * 0.04, 1e-9);
 }
 
+TEST (Triangulation, LeavesOutRingsWithoutCorners)
+{
+  const auto alone = pcl_ops::triangulateRings ({square_of_three});
+  EXPECT_EQ (pcl_ops::triangulateRings ({square_of_three, {}}), alone);
+  EXPECT_TRUE (pcl_ops::triangulateRings ({{}, square_of_three}).empty());
+}
+
 TEST (Triangulation, OfOneRingIsThatOfItsOutline)
 {
   EXPECT_EQ (pcl_ops::triangulateRings ({square_of_three}),

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planes_command.h"
 
-#include <pcl/common/angles.h>
-
 #include <cli/command_line.h>
 #include <cli/program.h>
 #include <detection/plane_list.h>
 #include <evaluation/metrics/plane_comparison.h>
 #include <evaluation/report/text_table.h>
 #include <nlohmann/json.hpp>
+#include <numbers/angles.h>
 
 #include <iostream>
 
@@ -20,7 +19,7 @@ namespace {
 struct PlanesOptions {
   std::string first_file, second_file;
   /** \brief [degree] */
-  double rotation_error = pcl::rad2deg (PlaneMatchingParameters().rotation_error);
+  double rotation_error = apps::toDegrees (PlaneMatchingParameters().rotation_error);
   PlaneMatchingParameters matching;
   bool json = false;
 };
@@ -58,7 +57,7 @@ readOptions (int argc, const char* const* argv, PlanesOptions& options)
                       decimal (options.matching.min_overlap, 1) + ")");
   line.addFlag ("json", options.json, "print JSON instead of a table");
   const bool is_read = line.parse (argc, argv);
-  options.matching.rotation_error = pcl::deg2rad (options.rotation_error);
+  options.matching.rotation_error = apps::toRadians (options.rotation_error);
   return is_read;
 }
 

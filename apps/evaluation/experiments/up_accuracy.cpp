@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "up_accuracy.h"
 
-#include <pcl/common/angles.h>
 #include <pcl/common/transforms.h>
 
+#include <numbers/angles.h>
 #include <numbers/fraction.h>
 #include <numbers/quantile.h>
 #include <pcl_ops/oriented_point_sampling.h>
@@ -75,7 +75,7 @@ guessUp (const EvaluationCloud& cloud, internal::RandomGenerator& generator)
   const Eigen::Vector3d truth = rotation * cloud.up;
   const double angle =
       std::atan2 (found->direction.cross (truth).norm(), found->direction.dot (truth));
-  return UpGuess{found->confidence, pcl::rad2deg (angle)};
+  return UpGuess{found->confidence, apps::toDegrees (angle)};
 }
 
 TextTable

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_comparison.h"
 
-#include <pcl/common/angles.h>
+#include <numbers/angles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ matched (std::size_t first,
 {
   return {first,
           second,
-          pcl::rad2deg (angleBetween (one, other)),
+          apps::toDegrees (angleBetween (one, other)),
           one.plane().distance (other.centroid)};
 }
 
@@ -72,7 +72,8 @@ comparePlanes (const std::vector<PlaneSegment>& first,
   for (std::size_t i = 0; i < first.size(); ++i)
     if (!is_matched[i])
       comparison.only_first.push_back (i);
-  comparison.angle = pcl::rad2deg (Eigen::AngleAxisd (matches.pose.linear()).angle());
+  comparison.angle =
+      apps::toDegrees (Eigen::AngleAxisd (matches.pose.linear()).angle());
   comparison.shift = matches.pose.translation().norm();
   return comparison;
 }

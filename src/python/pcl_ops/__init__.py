@@ -67,8 +67,8 @@ def parameters(method="ops", preset="default"):
 def merge_planes(planes, *, up=_UP, angle_tolerance=_ANGLE_TOLERANCE, **parameters):
     """Merge coplanar planes until no pair passes the test.
 
-    planes: list of Plane of one array, as segment gives them; with merging_enabled=False
-        it leaves them as they were found.
+    planes: list of Plane of one array that share no points, as segment gives them; with
+        merging_enabled=False it leaves them as they were found.
     up, angle_tolerance: which planes are horizontal and vertical [rad].
     parameters: angle_threshold [rad], distance_threshold and noise_factor, how far the
         normals and the centroids of two planes may be apart.
@@ -78,7 +78,7 @@ def merge_planes(planes, *, up=_UP, angle_tolerance=_ANGLE_TOLERANCE, **paramete
     where its points span no plane.
     """
     orientation = {"up": up, "angle_tolerance": angle_tolerance}
-    return _pcl_ops.merge_planes(list(planes), orientation, parameters)
+    return _pcl_ops.merge_planes(_checked_planes("planes", planes), orientation, parameters)
 
 
 def filter_planes(
@@ -105,7 +105,7 @@ def filter_planes(
     Returns (kept, dropped): the list of Plane, and a dict with how many each of these
     arguments dropped; a plane counts once, for the first it fails.
     """
-    return _pcl_ops.filter_planes(list(planes), {
+    return _pcl_ops.filter_planes(_checked_planes("planes", planes), {
         "orientation": orientation,
         "direction": direction,
         "direction_tolerance": direction_tolerance,
@@ -130,10 +130,9 @@ def match_planes(previous, current, pose=None, **parameters):
     Returns (matches, pose): an int32 array with the position in previous of the plane that
     each of current continues, -1 for none; and the pose as the matched planes mend it.
     """
-    pose = _np.eye(4) if pose is None else _np.asarray(pose, dtype=float)
-    if pose.shape != (4, 4):
-        raise ValueError(f"pose: shape {pose.shape} is not (4, 4)")
-    return _pcl_ops.match_planes(list(previous), list(current), pose, parameters)
+    previous = _checked_planes("previous", previous)
+    current = _checked_planes("current", current)
+    return _pcl_ops.match_planes(previous, current, _checked_pose(pose), parameters)
 
 
 def estimate_up_axis(planes, viewpoint=(0.0, 0.0, 0.0), **parameters):
@@ -146,7 +145,7 @@ def estimate_up_axis(planes, viewpoint=(0.0, 0.0, 0.0), **parameters):
     Returns (direction, confidence): a unit vector against gravity, and how sure it is, 0
     to 1; or None where the planes cannot tell.
     """
-    return _pcl_ops.estimate_up_axis(list(planes), viewpoint, parameters)
+    return _pcl_ops.estimate_up_axis(_checked_planes("planes", planes), viewpoint, parameters)
 
 
 def evaluate(truth, result, points, *, up=_UP, angle_tolerance=_ANGLE_TOLERANCE):
@@ -181,13 +180,35 @@ def _checked_points(points):
         raise ValueError(f"points: shape {array.shape} is not (N, 3)")
     if not 0 < len(array) <= _np.iinfo(_np.int32).max:
         raise ValueError(f"points: shape {array.shape} has no points, or more than 2^31 - 1")
+    if array.dtype.isnative and array.flags.aligned:
+        return array  # the very object: by it planes are known to be of one array
     return _np.require(array, array.dtype.newbyteorder("="), "A")
 
 
+def _checked_planes(name, planes):
+    try:
+        return list(planes)
+    except TypeError:
+        raise TypeError(f"{name}: not a list of pcl_ops.Plane: {planes!r:.80}") from None
+
+
+def _checked_pose(pose):
+    array = _np.eye(4) if pose is None else _np.asarray(pose)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"pose: dtype {array.dtype} is not one of real numbers")
+    if array.shape != (4, 4):
+        raise ValueError(f"pose: shape {array.shape} is not (4, 4)")
+    return array.astype(float)
+
+
 def _checked_labels(name, labels, number):
+    if isinstance(labels, _np.ma.MaskedArray):
+        raise TypeError(f"{name}: a masked array; use {name}.filled(-1)")
     array = _np.asarray(labels)
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name}: dtype {array.dtype} is not one of whole numbers")
     if array.shape != (number,):
         raise ValueError(f"{name}: shape {array.shape} is not ({number},), that of the points")
+    if array.dtype.kind == "u":  # the largest must not become negative
+        array = _np.minimum(array.astype(_np.uint64), _np.uint64(2**63 - 1))
     return array

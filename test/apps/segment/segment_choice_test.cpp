@@ -62,6 +62,21 @@ TEST_F (SegmentChoice, KeepsPlanesByDirectionAndSizeAndSaysWhatWasDropped)
   EXPECT_EQ (dropped ("--only other", points_of_board), R"({"by":{"only":1},"of":2})");
 }
 
+#ifdef PCL_OPS_WITH_SURFACE
+TEST_F (SegmentChoice, TakesTheAreaOfTheHullAskedFor)
+{
+  EXPECT_EQ (run ("floor.pcd out.pcd --hull concave --min-area 2").exit_code, 0);
+}
+#endif
+
+TEST_F (SegmentChoice, TakesAnglesUpToARightOne)
+{
+  for (const char* angle : {"--direction 0,0,1 --within 90", "--angle-tolerance 90"}) {
+    const Outcome done = run (std::string ("floor.pcd ") + angle);
+    EXPECT_EQ (done.exit_code, 0) << done.err;
+  }
+}
+
 TEST_F (SegmentChoice, IsAmongTheParameters)
 {
   const auto json = expectLeft ("--direction 0,0,2 --min-area 1.5", points_of_plane);

@@ -163,6 +163,35 @@ TEST_F (SegmentParts, AnInputInTheFolderOfPlanesIsRefused)
   EXPECT_TRUE (fs::exists (folder_ / input));
 }
 
+TEST_F (SegmentParts, AnOutputWithTheNameOfAPlaneInTheFolderOfPlanesIsRefused)
+{
+  fs::create_directory (folder_ / "planes");
+  for (const char* arguments : {"planes/plane_050_other.pcd",
+                                "planes/plane_001_horizontal.pcd",
+                                "--rest planes/../planes/plane_999_other.pcd"}) {
+    const Outcome done =
+        run (std::string ("scene.pcd --planes-dir planes ") + arguments);
+    EXPECT_EQ (done.exit_code, 2) << arguments;
+    EXPECT_TRUE (contains (done.err, "has the name of a plane in --planes-dir; give"))
+        << done.err;
+  }
+  const Outcome beside = run ("scene.pcd planes/all.pcd --planes-dir planes");
+  EXPECT_EQ (beside.exit_code, 0) << beside.err;
+  EXPECT_TRUE (fs::exists (folder_ / "planes/all.pcd"));
+}
+
+TEST_F (SegmentParts, AFolderWithTheNameOfAPlaneChangesNothing)
+{
+  ASSERT_EQ (run ("scene.pcd --planes-dir planes --quiet").exit_code, 0);
+  const NameSet before = namesIn ("planes");
+  fs::remove (folder_ / "planes/plane_001_horizontal.pcd");
+  fs::create_directory (folder_ / "planes/plane_001_horizontal.pcd");
+  const Outcome done = run ("scene.pcd --planes-dir planes --only horizontal --quiet");
+  EXPECT_EQ (done.exit_code, 1);
+  EXPECT_TRUE (contains (done.err, "planes: cannot be written to")) << done.err;
+  EXPECT_EQ (namesIn ("planes"), before) << "the wall, too";
+}
+
 TEST_F (SegmentParts, PlanesThatAreLeftOutCountAsNone)
 {
   const auto planes = planesOf ("labelled.pcd --only vertical --rest rest.pcd");

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <sstream>
 
 using pcl_ops::apps::FileCloud;
 using pcl_ops::apps::loadCloud;
@@ -105,6 +106,22 @@ TEST_F (SegmentPly, KeepsUtmCoordinatesInDoublePrecision)
   EXPECT_TRUE (contains (contentOf (folder_ / "out.ply"), "\nproperty double x\n"));
 }
 
+TEST_F (SegmentPly, KeepsFieldsWithTheNamesOfItsColors)
+{
+  std::ostringstream text;
+  text << "x,y,z,red,nx,normal_x\n";
+  for (int i = 0; i < 2000; ++i)
+    text << 0.05 * (i % 50) << "," << 0.05 * (i / 50) << ",0," << i << ",2,3\n";
+  folder_.write ("in.csv", text.str());
+  const Outcome done = run ("in.csv out.ply");
+  ASSERT_EQ (done.exit_code, 0) << done.err;
+  EXPECT_TRUE (contains (contentOf (folder_ / "out.ply"), "property uchar red\n"));
+  const FileCloud in = loadCloud (folder_ / "in.csv");
+  const FileCloud ply = loadCloud (folder_ / "out.ply");
+  EXPECT_TRUE (bytesOf (ply, "red_") == bytesOf (in, "red"));
+  EXPECT_TRUE (bytesOf (ply, "nx_") == bytesOf (in, "normal_x"));
+}
+
 TEST_F (SegmentPly, IsAnInputAgain)
 {
   writeBoth ("in.pcd");
@@ -129,8 +146,9 @@ TEST_F (SegmentPly, HasTheFieldsOtherProgramsLookFor)
              "obj_info num_rows 2\nelement vertex 4\nproperty float x\n"
              "property double y\nproperty float z\nproperty float nx\n"
              "property float ny\nproperty float nz\nproperty short shape_0\n"
-             "property short shape_1\nproperty double stamp\nproperty uint label\n"
-             "property uchar red\nproperty uchar green\nproperty uchar blue\n");
+             "property short shape_1\nproperty double stamp\nproperty float red_\n"
+             "property uint label\nproperty uchar red\nproperty uchar green\nproperty "
+             "uchar blue\n");
   const FileCloud read = loadCloud (folder_ / "out.ply");
   EXPECT_EQ (read.points.width, 2u);
   double stamp = 0.0;

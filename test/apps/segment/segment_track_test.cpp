@@ -100,6 +100,17 @@ TEST_F (SegmentTrack, GivesAPlaneTheSameColorAndFileInAllClouds)
     EXPECT_TRUE (std::filesystem::exists (folder_ / ("out/" + (scan + floor)))) << scan;
 }
 
+TEST_F (SegmentTrack, DoesNotWriteOverItsPoses)
+{
+  std::filesystem::create_directory (folder_ / "out");
+  const std::string poses = contentOf (folder_ / "poses.txt");
+  folder_.write ("out/b.csv", poses);
+  expectRefused (std::string (track) + "--poses out/b.csv --planes {}.csv",
+                 "out/b.csv: is the file of --poses, too",
+                 2);
+  EXPECT_EQ (contentOf (folder_ / "out/b.csv"), poses);
+}
+
 TEST_F (SegmentTrack, TakesTheSensorToStandStillWithoutPoses)
 {
   ASSERT_EQ (run (track).exit_code, 0);

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace pcl_ops::apps {
+
+/** \brief Not PCL's deg2rad: with its factor of eight digits 90 degrees are more than a
+ * right angle. */
+constexpr double
+toRadians (double degrees)
+{
+  return degrees * (3.14159265358979323846 / 180.0);
+}
+
+constexpr double
+toDegrees (double radians)
+{
+  return radians * (180.0 / 3.14159265358979323846);
+}
+
+} // namespace pcl_ops::apps
