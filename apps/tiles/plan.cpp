@@ -111,7 +111,31 @@ tilesOf (const TileGrid& grid, const std::vector<Eigen::Vector3d>& places)
   return tiles.size();
 }
 
+std::string
+jsonOf (const Plan& plan)
+{
+  nlohmann::ordered_json json;
+  json["format"] = format_of_files;
+  json["cell"] = plan.cell;
+  json["cells_of_tile"] = plan.cells_of_tile;
+  json["place"] = plan.place;
+  json["likely_tiles"] = plan.likely_tiles;
+  for (const PlannedInput& input : plan.inputs)
+    json["inputs"].push_back ({{"file", input.file},
+                               {"bytes", input.bytes},
+                               {"written", input.written},
+                               {"points", input.points}});
+  constexpr int indent = 2;
+  return json.dump (indent) + "\n";
+}
+
 } // namespace
+
+bool
+isSame (const Plan& a, const Plan& b)
+{
+  return jsonOf (a) == jsonOf (b);
+}
 
 std::uint64_t
 Plan::points() const
@@ -156,32 +180,19 @@ makePlan (std::vector<std::string> files, const PlanOptions& options)
 void
 savePlan (const std::string& file, const Plan& plan)
 {
-  nlohmann::ordered_json json;
-  json["format"] = format_of_files;
-  json["cell"] = plan.cell;
-  json["cells_of_tile"] = plan.cells_of_tile;
-  json["place"] = plan.place;
-  json["likely_tiles"] = plan.likely_tiles;
-  for (const PlannedInput& input : plan.inputs)
-    json["inputs"].push_back ({{"file", input.file},
-                               {"bytes", input.bytes},
-                               {"written", input.written},
-                               {"points", input.points}});
-  constexpr int indent = 2;
-  writeTextFile (file, json.dump (indent) + "\n");
+  writeTextFile (file, jsonOf (plan));
 }
 
 Plan
-loadPlan (const std::string& file)
+loadPlan (const PlanFile& file)
 {
-  std::ifstream stream (file);
+  std::ifstream stream (file.name);
   try {
     const auto json = nlohmann::json::parse (stream);
     Plan plan;
     if (json.value ("format", 1) != format_of_files)
-      throw WorkError (file,
-                       "is the plan of another version of this program; remove its "
-                       "folder or give another --output-dir");
+      throw WorkError (file.name,
+                       "is the plan of another version of this program; " + file.mend);
     json.at ("cell").get_to (plan.cell);
     json.at ("cells_of_tile").get_to (plan.cells_of_tile);
     json.at ("place").get_to (plan.place);
@@ -194,20 +205,19 @@ loadPlan (const std::string& file)
     return plan;
   }
   catch (const nlohmann::json::exception&) {
-    throw WorkError (file, "is no plan; remove it or give another name");
+    throw WorkError (file.name, "is no plan; " + file.mend);
   }
 }
 
 void
 checkIsFor (const Plan& plan,
-            const std::string& file,
+            const PlanFile& file,
             std::vector<std::string> inputs,
             const PlanOptions& options)
 {
   const auto refuse = [&] (const std::string& reason) {
-    throw WorkError (file,
-                     "is the plan of another run (" + reason +
-                         "); remove its folder or give another --output-dir");
+    throw WorkError (file.name,
+                     "is the plan of another run (" + reason + "); " + file.mend);
   };
   std::size_t known = 0;
   for (const std::string& input : sorted (std::move (inputs))) {

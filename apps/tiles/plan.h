@@ -43,6 +43,17 @@ struct Plan {
   points () const;
 };
 
+/** \brief Whether the files that a run with one leaves are those of the other. */
+bool
+isSame (const Plan& a, const Plan& b);
+
+/** \brief A file that has a plan, or will have. */
+struct PlanFile {
+  std::string name;
+  /** \brief What to do where it has another one than it should. */
+  std::string mend;
+};
+
 /** \brief What of a plan the user decides. */
 struct PlanOptions {
   /** \brief Edges [m]; by the density of the points where not given. */
@@ -61,13 +72,13 @@ savePlan (const std::string& file, const Plan& plan);
 
 /** \brief \throws WorkError if it cannot be read */
 Plan
-loadPlan (const std::string& file);
+loadPlan (const PlanFile& file);
 
 /** \brief \throws WorkError if a plan that was made earlier is for other inputs, or
  * other lengths than those given now */
 void
 checkIsFor (const Plan& plan,
-            const std::string& file,
+            const PlanFile& file,
             std::vector<std::string> inputs,
             const PlanOptions& options);
 

@@ -24,6 +24,20 @@ inputsOf (const TilesOptions& options)
   return std::move (found.files);
 }
 
+PlanFile
+namedBy (const TilesOptions& options)
+{
+  return {options.plan_file, "remove it or give another --plan"};
+}
+
+Plan
+earlierPlan (const PlanFile& file, const TilesOptions& options)
+{
+  Plan plan = loadPlan (file);
+  checkIsFor (plan, file, inputsOf (options), options.plan);
+  return plan;
+}
+
 /** \brief Refuses outputs that would be written over each other or over an input. */
 void
 checkClashes (const Plan& plan, const RunFolder& folder)
@@ -54,19 +68,29 @@ newPlan (const TilesOptions& options)
   return makePlan (inputsOf (options), options.plan);
 }
 
-void
-preparePlan (const TilesOptions& options,
-             const std::string& file,
-             const RunFolder& folder)
+PlanFile
+planFileOf (const RunFolder& folder)
 {
-  const std::vector<std::string> inputs = inputsOf (options);
-  const bool is_there = isThere (file);
-  const Plan plan = is_there ? loadPlan (file) : makePlan (inputs, options.plan);
-  if (is_there)
-    checkIsFor (plan, file, inputs, options.plan);
+  return {folder.plan(), "remove its folder or give another --output-dir"};
+}
+
+void
+preparePlan (const TilesOptions& options, const RunFolder& folder)
+{
+  const PlanFile own = planFileOf (folder);
+  const PlanFile named = options.plan_file.empty() ? own : namedBy (options);
+  const bool has_own = isThere (own.name);
+  const Plan plan = isThere (named.name) ? earlierPlan (named, options)
+                    : has_own            ? earlierPlan (own, options)
+                                         : newPlan (options);
+  if (has_own && !isSame (loadPlan (own), plan))
+    throw WorkError (own.name, "is another plan than " + named.name + "; " + own.mend);
   checkClashes (plan, folder);
-  if (!is_there)
-    savePlan (file, plan);
+  if (!has_own)
+    folder.startAnew();
+  for (const PlanFile& file : {named, own})
+    if (!isThere (file.name))
+      savePlan (file.name, plan);
 }
 
 } // namespace pcl_ops::apps

@@ -13,11 +13,15 @@ namespace pcl_ops::apps {
 Plan
 newPlan (const TilesOptions& options);
 
-/** \brief Writes a plan unless there is one that fits.
- * \throws UsageError or WorkError unless all of the run's outputs could be written */
+/** \brief Where a folder has the plan of the files in it. */
+PlanFile
+planFileOf (const RunFolder& folder);
+
+/** \brief Gives a folder its plan, the one named or a new one, unless it has one. What
+ * is in a folder without a plan is removed.
+ * \throws UsageError or WorkError if the folder has another one, or unless all of the
+ * run's outputs could be written */
 void
-preparePlan (const TilesOptions& options,
-             const std::string& file,
-             const RunFolder& folder);
+preparePlan (const TilesOptions& options, const RunFolder& folder);
 
 } // namespace pcl_ops::apps

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder.h"
 
+#include <cli/errors.h>
 #include <io/output_file.h>
 
 #include <filesystem>
@@ -93,6 +94,21 @@ std::string
 RunFolder::output (const std::string& name) const
 {
   return (fs::path (folder_) / name).string();
+}
+
+void
+RunFolder::startAnew() const
+{
+  std::error_code error;
+  fs::remove (end(), error);
+  for (const char* folder : folders)
+    if (!error)
+      fs::remove_all (inWork (folder), error);
+  if (error)
+    throw WorkError ((fs::path (folder_) / "work").string(),
+                     "cannot be emptied (" + error.message() +
+                         "); remove it or give another --output-dir");
+  make();
 }
 
 void

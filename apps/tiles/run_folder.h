@@ -18,7 +18,7 @@ public:
   void
   make () const;
 
-  /** \brief Where a plan is unless it is somewhere else. */
+  /** \brief Where the plan is that all other files are of. */
   std::string
   plan () const;
   std::string
@@ -40,6 +40,10 @@ public:
   end () const;
   std::string
   output (const std::string& name) const;
+
+  /** \brief Removes all but the plan, and makes the folders again. \throws WorkError */
+  void
+  startAnew () const;
 
   /** \brief Removes all but the plan and \ref end. */
   void

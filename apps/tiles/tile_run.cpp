@@ -204,8 +204,6 @@ runTiles (const TilesOptions& options,
           bool is_terminal)
 {
   const RunFolder folder (options.output_dir);
-  const std::string file =
-      options.plan_file.empty() ? folder.plan() : options.plan_file;
   const bool speaks = ranks.rank() == 0 && !options.quiet;
   if (options.dry_run) {
     if (ranks.rank() == 0)
@@ -220,10 +218,10 @@ runTiles (const TilesOptions& options,
       throw WorkError (options.output_dir,
                        "another run works in it; wait until it has ended, or give "
                        "another --output-dir");
-    preparePlan (options, file, folder);
+    preparePlan (options, folder);
   }
   ranks.meet();
-  const Plan plan = loadPlan (file);
+  const Plan plan = loadPlan (planFileOf (folder));
   if (speaks)
     out << textOf (plan) << "\n";
   if (!isDone (plan, folder)) {

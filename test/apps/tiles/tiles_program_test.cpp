@@ -345,3 +345,39 @@ TEST_F (TilesProgram, RefusesThePlanOfAnotherRun)
   }
   EXPECT_EQ (tiles ("town --output-dir out").exit_code, 0) << "nothing is left to do";
 }
+
+TEST_F (TilesProgram, RefusesAFolderOfAnotherRunWhateverThePlanIsCalled)
+{
+  makeTown ("--points 20000 --tiles 1");
+  fs::copy (folder_ / "town", folder_ / "other");
+  expectDone ("town --output-dir out --plan a.json");
+  const auto expected = outputsIn ("out");
+  const Outcome done = tiles ("other --output-dir out --plan b.json --cell 3");
+  EXPECT_EQ (done.exit_code, 1) << done.out;
+  EXPECT_EQ (done.err,
+             "pcl_ops_tiles: out/work/plan.json: is the plan of another run "
+             "(other/town_000_000.las is not in it); remove its folder or give another "
+             "--output-dir\n");
+  EXPECT_EQ (outputsIn ("out"), expected);
+  EXPECT_FALSE (fs::exists (folder_ / "b.json"));
+  expectDone ("town --output-dir out --plan c.json");
+  EXPECT_EQ (contentOf (folder_ / "c.json"), contentOf (folder_ / "a.json"));
+}
+
+TEST_F (TilesProgram, RefusesANamedPlanThatIsNotTheOneOfTheFolder)
+{
+  makeTown ("--points 20000 --tiles 1");
+  expectDone ("town --output-dir out --plan a.json");
+  expectDone ("town --output-dir other --plan b.json --cell 3");
+  const Outcome both = tiles ("town --output-dir out --plan b.json");
+  EXPECT_EQ (both.exit_code, 1) << both.out;
+  EXPECT_EQ (
+      both.err,
+      "pcl_ops_tiles: out/work/plan.json: is another plan than b.json; remove its "
+      "folder or give another --output-dir\n");
+  const Outcome named = tiles ("town --output-dir third --plan b.json --cell 2");
+  EXPECT_EQ (named.exit_code, 1) << named.out;
+  EXPECT_EQ (named.err,
+             "pcl_ops_tiles: b.json: is the plan of another run (--cell was another "
+             "one); remove it or give another --plan\n");
+}

@@ -25,6 +25,16 @@ protected:
     return outputsIn ("whole");
   }
 
+  /** \brief Leaves a run in the folder out that was stopped when all was sorted. */
+  void
+  stopOnceSorted (const std::string& options) const
+  {
+    int write = 0;
+    while (!std::filesystem::exists (folder_ / "out/work/cells/3.cells"))
+      ASSERT_NE (
+          tiles ("town --output-dir out " + options, killedAt (++write)).exit_code, 0);
+  }
+
   /** \brief When each file of a folder was written, by its name. */
   std::map<std::string, std::filesystem::file_time_type>
   timesIn (const std::string& folder) const
@@ -71,6 +81,35 @@ TEST_F (TilesRestart, DoesNotDoAgainWhatIsDone)
   std::filesystem::remove (folder_ / "out/town_000_000.las");
   expectDone ("town --output-dir out --tile 40");
   EXPECT_EQ (outputsIn ("out"), expected) << "an output was removed";
+}
+
+TEST_F (TilesRestart, GoesOnWithItsOwnPlanOnly)
+{
+  const auto expected = undisturbed();
+  stopOnceSorted ("--tile 40 --plan a.json");
+  const Outcome other = tiles ("town --output-dir out --tile 30 --plan b.json");
+  EXPECT_EQ (other.exit_code, 1) << other.out;
+  EXPECT_EQ (
+      other.err,
+      "pcl_ops_tiles: out/work/plan.json: is the plan of another run (--tile was "
+      "another one); remove its folder or give another --output-dir\n");
+  const auto before = timesIn ("out/work/cells");
+  ASSERT_NE (tiles ("town --output-dir out --plan a.json", killedAt (2)).exit_code, 0);
+  EXPECT_EQ (timesIn ("out/work/cells"), before);
+  expectDone ("town --output-dir out --tile 40 --plan a.json");
+  EXPECT_EQ (outputsIn ("out"), expected);
+}
+
+TEST_F (TilesRestart, StartsAnewOnceThePlanWasRemoved)
+{
+  const auto expected = undisturbed();
+  stopOnceSorted ("--tile 30");
+  std::filesystem::remove (folder_ / "out/work/plan.json");
+  expectDone ("town --output-dir out --tile 40");
+  EXPECT_EQ (outputsIn ("out"), expected) << "what a stopped run left was taken";
+  std::filesystem::remove (folder_ / "out/work/plan.json");
+  expectDone ("town --output-dir out --cell 3 --plan a.json");
+  EXPECT_EQ (listIn ("out").at ("cell"), 3) << "the end of another run was taken";
 }
 
 TEST_F (TilesRestart, LeavesTheFolderToTheRunThatWorksInIt)
