@@ -18,6 +18,7 @@
 #include <fstream>
 #include <numeric>
 #include <set>
+#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -92,13 +93,48 @@ cellsOfTile (const PlanOptions& options, double cell)
   if (!options.tile)
     return usual;
   constexpr auto step = TileGrid::cells_of_coarsest;
-  const auto steps =
-      static_cast<std::int64_t> (std::llround (*options.tile / (step * cell)));
-  if (steps * step < TileGrid::halo)
+  const double cells = step * std::round (*options.tile / (step * cell));
+  if (cells < static_cast<double> (TileGrid::halo))
     throw UsageError ("--tile",
                       "is less than " + std::to_string (TileGrid::halo) +
                           " cells wide; give a larger one or a smaller --cell");
-  return steps * step;
+  if (cells > static_cast<double> (TileGrid::most_cells))
+    throw UsageError ("--tile",
+                      "is more than " + std::to_string (TileGrid::most_cells) +
+                          " cells wide; give a smaller one or a larger --cell");
+  return static_cast<std::int64_t> (cells);
+}
+
+/** \brief Refuses cells so small that they do not reach most places of an input. */
+void
+checkReach (const TileGrid& grid,
+            const std::string& file,
+            const std::vector<Eigen::Vector3d>& places)
+{
+  constexpr double fewest_reached = 0.9;
+  const auto reached =
+      std::count_if (places.begin(), places.end(), [&grid] (const auto& place) {
+        return grid.reaches (place);
+      });
+  if (static_cast<double> (reached) >=
+      fewest_reached * static_cast<double> (places.size()))
+    return;
+  std::ostringstream text;
+  text << "cells of " << grid.cell() << " reach " << grid.reach() << " from zero, and "
+       << file << " has points farther away; give a larger one";
+  throw UsageError ("--cell", text.str());
+}
+
+CellKey
+cellNear (const Eigen::Vector3d& place, double cell)
+{
+  constexpr auto step = TileGrid::cells_of_coarsest;
+  CellKey key{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    key[axis] = step * static_cast<std::int64_t> (
+                           std::llround (place[static_cast<Eigen::Index> (axis)] /
+                                         (static_cast<double> (step) * cell)));
+  return key;
 }
 
 std::uint64_t
@@ -168,11 +204,10 @@ makePlan (std::vector<std::string> files, const PlanOptions& options)
   const std::vector<Eigen::Vector3d> some = evenSample (places, plan);
   plan.cell = options.cell ? *options.cell : cellEdgeFor (some, *usual, plan.points());
   plan.cells_of_tile = cellsOfTile (options, plan.cell);
-  constexpr auto step = TileGrid::cells_of_coarsest;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    plan.place[axis] = step * static_cast<std::int64_t> (std::llround (
-                                  (*usual)[static_cast<Eigen::Index> (axis)] /
-                                  (static_cast<double> (step) * plan.cell)));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    checkReach (plan.grid(), plan.inputs[i].file, places[i]);
+  checkReach (plan.grid(), plan.inputs.front().file, {*usual});
+  plan.place = cellNear (*usual, plan.cell);
   plan.likely_tiles = tilesOf (plan.grid(), some);
   return plan;
 }

@@ -44,6 +44,8 @@ public:
   /** \brief How far around a tile points are looked at: normals come from the nearest
    * three of the coarsest voxels, and planes grow and are joined voxel by voxel. */
   static constexpr std::int64_t halo = 12;
+  /** \brief How many cells are counted from zero. */
+  static constexpr std::int64_t most_cells = 1'000'000'000;
 
   /** \param[in] cell edge [m]
    * \param[in] cells_of_tile along an edge, a multiple of \ref cells_of_coarsest and at
@@ -59,12 +61,18 @@ public:
     return cell_;
   }
 
+  /** \brief How far from zero cells can be counted [m]. */
+  double
+  reach () const
+  {
+    return static_cast<double> (most_cells) * cell_;
+  }
+
   /** \brief Whether a point has coordinates, and such that cells can be counted. */
   bool
   reaches (const Eigen::Vector3d& point) const
   {
-    constexpr double most_cells = 1e9;
-    return (point.array().abs() < most_cells * cell_).all();
+    return (point.array().abs() < reach()).all();
   }
 
   CellKey

@@ -312,6 +312,49 @@ TEST_F (TilesProgram, SaysInOneLineWhatItCannotWorkOn)
   }
 }
 
+TEST_F (TilesProgram, RefusesLengthsCellsCannotBeCountedIn)
+{
+  makeTown ("--points 20000 --tiles 1");
+  const std::string too_wide = "--tile: is more than 1000000000 cells wide; give a "
+                               "smaller one or a larger --cell\n";
+  const std::string too_far = " from zero, and " + (folder_ / "town/town_000_000.las") +
+                              " has points farther away; give a larger one\n";
+  const std::vector<std::pair<std::string, std::string>> failures = {
+      {"--tile 1e30", too_wide},
+      {"--tile 1e18 --cell 0.05", too_wide},
+      {"--tile 1e300 --cell 1e-300", too_wide},
+      {"--cell 1e-12", "--cell: cells of 1e-12 reach 0.001" + too_far},
+      {"--cell 0.001", "--cell: cells of 0.001 reach 1e+06" + too_far}};
+  for (const auto& [lengths, complaint] : failures) {
+    const Outcome done = tiles ("town --output-dir out " + lengths);
+    EXPECT_EQ (done.exit_code, 2) << lengths << done.out;
+    EXPECT_EQ (done.err, "pcl_ops_tiles: " + complaint);
+    EXPECT_FALSE (fs::exists (folder_ / "out/work/plan.json"));
+  }
+}
+
+TEST_F (TilesProgram, NamesTheInputThatIsTooFarAwayAndLeavesOutStrayPoints)
+{
+  std::vector<LasPoint> wall;
+  addWall (20, 0.0, wall);
+  save ("wall.las", wall);
+  apps::saveLas (folder_ / "far.las", wall, 0.001, Eigen::Vector3d (0, 1e12, 0));
+  const Outcome far = tiles ("wall.las far.las --output-dir out --cell 0.5");
+  EXPECT_EQ (far.exit_code, 2) << far.out;
+  EXPECT_EQ (far.err,
+             "pcl_ops_tiles: --cell: cells of 0.5 reach 5e+08 from zero, and " +
+                 (folder_ / "far.las") +
+                 " has points farther away; give a larger one\n");
+  std::string text;
+  for (const LasPoint& point : wall)
+    text += std::to_string (0.001 * point.raw[0]) + " " +
+            std::to_string (0.001 * point.raw[1]) + " " +
+            std::to_string (0.001 * point.raw[2]) + "\n";
+  folder_.write ("stray.xyz", text + "1 1e300 1\n");
+  expectDone ("stray.xyz --output-dir out --cell 0.5");
+  EXPECT_EQ (listIn ("out").at ("planes").at (0).at ("points"), wall.size());
+}
+
 TEST_F (TilesProgram, RefusesThePlanOfAnotherVersion)
 {
   makeTown();
