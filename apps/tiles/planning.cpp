@@ -6,14 +6,40 @@
 #include <cli/errors.h>
 #include <io/inputs.h>
 #include <io/output_file.h>
+#include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <map>
 #include <set>
 #include <vector>
 
+namespace fs = std::filesystem;
+
 namespace pcl_ops::apps {
 
 namespace {
+
+bool
+isUtf8 (const std::string& text)
+{
+  try {
+    return !nlohmann::json (text).dump().empty();
+  }
+  catch (const nlohmann::json::type_error&) {
+    return false;
+  }
+}
+
+/** \brief Refuses a name that the lists of inputs and of planes could not have. */
+void
+checkName (const std::string& file)
+{
+  const fs::path path = fs::absolute (file);
+  if (!isUtf8 (path.filename().string()))
+    throw WorkError (file, "its name is not UTF-8; rename it");
+  if (!isUtf8 (path.lexically_normal().string()))
+    throw WorkError (file, "the name of a folder it is in is not UTF-8; rename it");
+}
 
 std::vector<std::string>
 inputsOf (const TilesOptions& options)
@@ -21,6 +47,8 @@ inputsOf (const TilesOptions& options)
   InputFiles found = findInputs (options.inputs);
   if (!found.problems.empty())
     throw WorkError ("INPUT", found.problems.front());
+  for (const std::string& file : found.files)
+    checkName (file);
   return std::move (found.files);
 }
 

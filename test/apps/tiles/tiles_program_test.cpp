@@ -355,6 +355,29 @@ TEST_F (TilesProgram, NamesTheInputThatIsTooFarAwayAndLeavesOutStrayPoints)
   EXPECT_EQ (listIn ("out").at ("planes").at (0).at ("points"), wall.size());
 }
 
+TEST_F (TilesProgram, AsksToRenameWhatIsNoUtf8)
+{
+  std::vector<LasPoint> wall;
+  addWall (20, 0.0, wall);
+  const std::string latin = "W\xe4nde";
+  fs::create_directory (folder_ / latin);
+  save ("wall.las", wall);
+  save (latin + "/wall.las", wall);
+  save (latin + ".las", wall);
+  save ("W\xc3\xa4nde.las", wall);
+  for (const std::string& subject :
+       {latin + ".las: its name", latin + "/wall.las: the name of a folder it is in"}) {
+    const std::string file = subject.substr (0, subject.find (':'));
+    const Outcome done = tiles (file + " --output-dir out");
+    EXPECT_EQ (done.exit_code, 1) << done.out;
+    EXPECT_EQ (done.err, "pcl_ops_tiles: " + subject + " is not UTF-8; rename it\n");
+    EXPECT_FALSE (fs::exists (folder_ / "out/work/plan.json"));
+  }
+  expectDone ("W\xc3\xa4nde.las --output-dir " + latin + "/out --cell 0.5");
+  EXPECT_EQ (listIn (latin + "/out").at ("planes").at (0).at ("inputs").at (0),
+             "W\xc3\xa4nde.las");
+}
+
 TEST_F (TilesProgram, RefusesThePlanOfAnotherVersion)
 {
   makeTown();
