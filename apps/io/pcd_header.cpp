@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
@@ -54,6 +55,20 @@ readPcdHeader (HeaderReader& reader)
   return header;
 }
 
+/** \brief Bytes of a number. */
+std::uint64_t
+numberSize (const HeaderReader& reader,
+            const std::string& type,
+            const std::string& size)
+{
+  static const std::array<std::string, 10> known_types = {
+      "I1", "I2", "I4", "I8", "U1", "U2", "U4", "U8", "F4", "F8"};
+  if (std::find (known_types.begin(), known_types.end(), type + size) ==
+      known_types.end())
+    reader.fail ("TYPE " + type + " with SIZE " + size + " does not exist");
+  return reader.number ("SIZE", size);
+}
+
 /** \brief What a point takes, summed over the fields. */
 struct PointSize {
   std::uint64_t bytes = 0;
@@ -78,20 +93,21 @@ pointSize (const HeaderReader& reader, const PcdHeader& header)
       counts.size() != fields.size())
     reader.fail ("FIELDS, SIZE, TYPE and COUNT differ in length");
 
-  static const std::array<std::string, 10> known_types = {
-      "I1", "I2", "I4", "I8", "U1", "U2", "U4", "U8", "F4", "F8"};
   constexpr std::uint64_t most_per_field = 1U << 20U;
+  // PCL's reader sums them up in an int.
+  constexpr std::uint64_t most_bytes = std::numeric_limits<std::int32_t>::max();
   PointSize size;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (std::find (known_types.begin(), known_types.end(), types[i] + sizes[i]) ==
-        known_types.end())
-      reader.fail ("TYPE " + types[i] + " with SIZE " + sizes[i] + " does not exist");
+    const std::uint64_t number_size = numberSize (reader, types[i], sizes[i]);
     const std::uint64_t count = reader.number ("COUNT", counts[i]);
     if (count == 0 || count > most_per_field)
       reader.fail ("COUNT " + counts[i] + " is out of range");
     size.numbers += count;
-    size.bytes += count * reader.number ("SIZE", sizes[i]);
+    size.bytes += count * number_size;
   }
+  if (size.bytes > most_bytes)
+    reader.fail ("its points have more than " + std::to_string (most_bytes) +
+                 " bytes each");
   return size;
 }
 
@@ -160,7 +176,10 @@ checkDataIsNoHeader (HeaderReader& reader, const PcdHeader& header)
 
 /** \brief A compressed body starts with its compressed and uncompressed size. */
 void
-checkCompressed (HeaderReader& reader, std::uint64_t rest, std::uint64_t expected)
+checkCompressed (HeaderReader& reader,
+                 std::uint64_t rest,
+                 std::uint64_t points,
+                 std::uint64_t point_size)
 {
   std::array<std::uint32_t, 2> sizes{};
   if (rest < sizeof (sizes))
@@ -168,11 +187,11 @@ checkCompressed (HeaderReader& reader, std::uint64_t rest, std::uint64_t expecte
   reader.read (reinterpret_cast<char*> (sizes.data()), sizeof (sizes));
   if (rest - sizeof (sizes) < sizes[0])
     reader.failTruncated();
-  if (sizes[1] != expected)
+  if (sizes[1] % point_size != 0 || sizes[1] / point_size != points)
     reader.fail ("the size of its compressed data is not that of its points");
   // LZF makes 264 bytes of three at best.
   constexpr std::uint64_t most_expansion = 100;
-  if (expected > most_expansion * sizes[0])
+  if (sizes[1] > most_expansion * sizes[0])
     reader.failTruncated();
 }
 
@@ -209,10 +228,10 @@ checkPcdFile (const std::string& file)
   // The shortest ascii number is a digit and a separator.
   const std::uint64_t ascii_size = 2 * size.numbers;
   if (kind == "binary_compressed")
-    checkCompressed (reader, rest, points * size.bytes);
+    checkCompressed (reader, rest, points, size.bytes);
   else if (kind != "ascii" && kind != "binary")
     reader.fail ("DATA is not ascii, binary or binary_compressed");
-  else if (rest + 1 < points * (kind == "binary" ? size.bytes : ascii_size))
+  else if (points > (rest + 1) / (kind == "binary" ? size.bytes : ascii_size))
     reader.failTruncated();
   else if (kind == "ascii")
     checkAscii (reader, points, size.numbers);

@@ -444,6 +444,26 @@ TEST_F (CloudFile, RefusesHeadersThatPromiseMoreThanTheirDataCanHold)
   EXPECT_EQ (complaintAbout (folder_.write ("grid.ply", grid)), truncated);
 }
 
+TEST_F (CloudFile, RefusesPointsWhoseBytesPclCannotCount)
+{
+  // 2^16 fields of 2^23 bytes: those of 2^25 points are 2^64, which wraps to nothing.
+  constexpr int fields = 1 << 16;
+  const auto line = [] (std::string text, const std::string& word) {
+    for (int i = 0; i < fields; ++i)
+      text += " " + word;
+    return text + "\n";
+  };
+  const std::string header = line ("FIELDS", "x") + line ("SIZE", "8") +
+                             line ("TYPE", "F") + line ("COUNT", "1048576") +
+                             "WIDTH 33554432\nHEIGHT 1\nPOINTS 33554432\nDATA ";
+  for (const std::string kind : {"ascii", "binary", "binary_compressed"})
+    EXPECT_EQ (complaintAbout (folder_.write (
+                   "wraps.pcd", header + kind + "\n" + std::string (16, '\0'))),
+               "is no valid PCD file: its points have more than 2147483647 bytes each; "
+               "write it again")
+        << kind;
+}
+
 TEST_F (CloudFile, RefusesLinesOfAHeaderAmongTheData)
 {
   // PCL's reader takes them for the header's, and their fields for those of the points.
