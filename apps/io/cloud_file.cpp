@@ -108,13 +108,19 @@ isCloudFile (const std::string& file)
          extension == ".pts";
 }
 
+bool
+hasCloudExtension (const std::string& file)
+{
+  return isCloudFile (file) || isTextFile (file) || isLasName (file);
+}
+
 FileCloud
 loadCloud (const std::string& file)
 {
   const std::string extension = extensionOf (file);
   if (extension == ".gz")
     failGzip (file);
-  if (!isCloudFile (file) && !isTextFile (file) && !isLasName (file))
+  if (!hasCloudExtension (file))
     throw UsageError (file,
                       std::string ("has an unknown extension; give a ") +
                           cloud_extensions + " file");

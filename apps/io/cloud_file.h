@@ -40,6 +40,10 @@ struct FileCloud {
 bool
 isCloudFile (const std::string& file);
 
+/** \brief Whether a file has one of \ref cloud_extensions or .laz. */
+bool
+hasCloudExtension (const std::string& file);
+
 /** \brief Those of \ref isCloudFile, for messages. */
 inline constexpr const char* folder_extensions = ".pcd, .ply, .las, .xyz or .pts";
 

@@ -47,6 +47,8 @@ public:
       addFolder (name);
     else if (!fs::exists (status) && isPattern (name))
       addPattern (name);
+    else if (!fs::exists (status) && !hasCloudExtension (name))
+      fail (name, "does not exist; check the name");
     else
       addFile (name);
   }
@@ -90,6 +92,18 @@ private:
       addFile (cloud);
   }
 
+  /** \brief A match is no pattern, whatever its name and even if it is a link to
+   * nowhere. */
+  void
+  addMatch (const std::string& name)
+  {
+    std::error_code error;
+    if (fs::is_directory (name, error))
+      addFolder (name);
+    else
+      addFile (name);
+  }
+
   void
   addPattern (const std::string& pattern)
   {
@@ -97,7 +111,7 @@ private:
     if (matches.empty())
       fail (pattern, "matches no file; check the pattern");
     for (const std::string& match : matches)
-      add (match);
+      addMatch (match);
   }
 
   void

@@ -19,7 +19,7 @@ struct InputFiles {
 /** \brief Looks up names of files, folders and patterns. A folder stands for the clouds
  * in it (\ref isCloudFile), but not in its subfolders; a pattern with *, ? or [ for
  * what it stands for in a shell. A file is taken as it is, even one that does not
- * exist. */
+ * exist if it has the extension of a cloud. */
 InputFiles
 findInputs (const std::vector<std::string>& names);
 
