@@ -74,36 +74,56 @@ countFar (Places places)
   return 0;
 }
 
+std::string
+rounded (double number, int digits)
+{
+  std::ostringstream text;
+  text.precision (digits);
+  text << number;
+  return text.str();
+}
+
+std::string
+coordinate (double number)
+{
+  constexpr int digits = 10; // millimetres of UTM
+  return rounded (number, digits);
+}
+
+std::string
+perCent (std::size_t count, std::size_t all)
+{
+  constexpr double hundred = 100.0, nearly_all = 99.5;
+  const double share =
+      hundred * static_cast<double> (count) / static_cast<double> (all);
+  return rounded (share, share < nearly_all ? 2 : 3);
+}
+
 } // namespace
 
 std::string
-damageOf (const XyzCloud& cloud)
+damageOf (const ShiftedCloud& shifted)
 {
   // Of fewer, a share says nothing.
   constexpr std::size_t fewest = 10;
   // One per cent, and room for what a sample may miss of it.
   constexpr double far_share = 0.005;
-  const Places places = someOf (cloud);
+  const Places places = someOf (*shifted.cloud);
   if (places.size() < fewest)
     return "";
-  const auto share = [&] (std::size_t count) {
-    constexpr double per_cent = 100.0;
-    return per_cent * static_cast<double> (count) / static_cast<double> (places.size());
-  };
-  std::ostringstream text;
-  text.precision (2);
-  const auto [place, shared] = mostSharedPlace (places);
+  const auto [shared_place, shared] = mostSharedPlace (places);
+  const Eigen::Vector3d place = shared_place + shifted.shift;
   const std::size_t far = countFar (places);
   if (2 * shared > places.size())
-    text << "looks damaged: " << share (shared) << " % of its points are at ("
-         << place.x() << ", " << place.y() << ", " << place.z()
-         << "); leave missing readings out or write them as NaN";
-  else if (static_cast<double> (far) > far_share * static_cast<double> (places.size()))
-    text
-        << "looks damaged: " << share (far)
-        << " % of its points are more than 1000 times as far away as the rest is wide; "
+    return "looks damaged: " + perCent (shared, places.size()) +
+           " % of its points are at (" + coordinate (place.x()) + ", " +
+           coordinate (place.y()) + ", " + coordinate (place.z()) +
+           "); leave missing readings out or write them as NaN";
+  if (static_cast<double> (far) > far_share * static_cast<double> (places.size()))
+    return "looks damaged: " + perCent (far, places.size()) +
+           " % of its points are more than 1000 times as far away as the rest is wide; "
            "leave them out";
-  return text.str();
+  return "";
 }
 
 } // namespace pcl_ops::apps

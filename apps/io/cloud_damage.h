@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "xyz_cloud.h"
+#include "cloud_fields.h"
 
 #include <string>
 
@@ -10,8 +10,9 @@ namespace pcl_ops::apps {
 
 /** \brief What makes a cloud look damaged though it can be read, with the mend: most of
  * its points are at one place, or some are a thousand times as far away as the rest is
- * wide. Empty where nothing does. Some thousand of the points tell. */
+ * wide. Empty where nothing does. Places are those of the file. Some thousand of the
+ * points tell. */
 std::string
-damageOf (const XyzCloud& cloud);
+damageOf (const ShiftedCloud& shifted);
 
 } // namespace pcl_ops::apps

@@ -168,7 +168,7 @@ segmentInMemory (const SegmentOptions& options,
                 detectPlanes (options, shifted),
                 {},
                 {},
-                damageOf (*shifted.cloud),
+                damageOf (shifted),
                 {}};
   report.dropped = keepChosen (
       options.choice,

@@ -26,7 +26,7 @@ loadViewed (const std::string& file, const Eigen::Vector3f& up)
   const FileCloud cloud = loadCloud (file);
   const ShiftedCloud shifted = shiftedCloudOf (cloud);
   const auto& points = *shifted.cloud;
-  const std::string damage = damageOf (points);
+  const std::string damage = damageOf (shifted);
   if (!damage.empty())
     warn (file + ": " + damage);
   if (std::none_of (points.begin(), points.end(), [] (const pcl::PointXYZ& point) {

@@ -112,7 +112,7 @@ readLabelledCloud (const std::string& file, LabelField field)
   if (field == LabelField::Required || apps::hasField (cloud, "label"))
     labelled.labels = labelsIn (cloud.points, file);
   const apps::ShiftedCloud shifted = apps::shiftedCloudOf (cloud);
-  const std::string damage = apps::damageOf (*shifted.cloud);
+  const std::string damage = apps::damageOf (shifted);
   if (!damage.empty())
     apps::warn (file + ": " + damage);
   labelled.cloud = shifted.cloud;

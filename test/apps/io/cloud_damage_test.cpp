@@ -26,6 +26,12 @@ floorOfPoints ()
   return cloud;
 }
 
+std::string
+damageOf (const XyzCloud& cloud, const Eigen::Vector3d& shift = Eigen::Vector3d::Zero())
+{
+  return pcl_ops::apps::damageOf (ShiftedCloud{cloud.makeShared(), shift});
+}
+
 /** \brief Moves a share of a cloud's points, spread over it.
  * \param[in] one_of how many points there are for each that is moved */
 XyzCloud
@@ -57,6 +63,30 @@ TEST (CloudDamage, IsSeenWhereMostPointsAreAtOnePlace)
       damageOf (cloud),
       "looks damaged: 60 % of its points are at (1, 0, 0); leave missing readings "
       "out or write them as NaN");
+}
+
+TEST (CloudDamage, IsAtThePlaceOfTheFileToTheMillimetre)
+{
+  XyzCloud cloud = floorOfPoints();
+  for (std::size_t i = 0; i < 6000; ++i)
+    cloud[i] = {1.0f, 0.0f, -0.5f};
+  const std::string text =
+      damageOf (cloud, Eigen::Vector3d (512345.001, 5412345.002, 99.003));
+  EXPECT_NE (text.find ("are at (512346.001, 5412345.002, 98.503);"), std::string::npos)
+      << text;
+}
+
+TEST (CloudDamage, IsOfAHundredPerCentWhereAllPointsAreAtOnePlace)
+{
+  const std::string text = damageOf (XyzCloud (100, 1, {1.0f, 2.0f, 3.0f}));
+  EXPECT_NE (text.find ("looks damaged: 100 % of its points are at (1, 2, 3);"),
+             std::string::npos)
+      << text;
+  XyzCloud but_few = XyzCloud (1000, 1, {1.0f, 2.0f, 3.0f});
+  for (std::size_t i = 0; i < 4; ++i)
+    but_few[i].x += static_cast<float> (i);
+  EXPECT_NE (damageOf (but_few).find ("looks damaged: 99.7 % of"), std::string::npos)
+      << damageOf (but_few);
 }
 
 TEST (CloudDamage, IsNoneWhereSomePointsAreAtOnePlace)
