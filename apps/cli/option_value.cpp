@@ -29,8 +29,12 @@ template <typename Number>
 bool
 fits (double number)
 {
-  return number >= static_cast<double> (std::numeric_limits<Number>::lowest()) &&
-         number <= static_cast<double> (std::numeric_limits<Number>::max());
+  using Limits = std::numeric_limits<Number>;
+  if (number < static_cast<double> (Limits::lowest()))
+    return false;
+  // The largest integer may be no double, the one behind it always is.
+  return Limits::is_integer ? number < std::ldexp (1.0, Limits::digits)
+                            : number <= static_cast<double> (Limits::max());
 }
 
 } // namespace

@@ -5,8 +5,11 @@
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/help_page.h>
+#include <cli/option_value.h>
 
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -111,6 +114,33 @@ TEST (CommandLine, NamesWhatIsWrongAndTheMend)
              "--method: 'hough' is unknown; give ops|fspf");
   EXPECT_EQ (complaint ({"a", "--quiet", "--image", "x.png"}),
              "--quiet: contradicts --image; give only one of them");
+}
+
+TEST (CommandLine, RefusesWholeNumbersThatAreTooLargeForTheirType)
+{
+  const auto complaint = [] (auto type, const std::string& text) -> std::string {
+    try {
+      parseNumber<decltype (type)> ("n", text, Range::from (1));
+    }
+    catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto too_large = [] (const std::string& text) {
+    return "n: " + text + " is out of range; give a whole number from 1 on";
+  };
+  // The largest of 64 bits is no double: the next one is 2^64.
+  for (const std::string text : {"18446744073709551615", "18446744073709551616"})
+    EXPECT_EQ (complaint (std::size_t{}, text), too_large (text));
+  EXPECT_EQ (complaint (std::uint32_t{}, "4294967296"), too_large ("4294967296"));
+  EXPECT_EQ (complaint (int{}, "2147483648"), too_large ("2147483648"));
+  EXPECT_EQ (parseNumber<std::size_t> ("n", "9223372036854775808", Range::from (1)),
+             9223372036854775808U);
+  EXPECT_EQ (parseNumber<std::uint32_t> ("n", "4294967295", Range::from (1)),
+             std::numeric_limits<std::uint32_t>::max());
+  EXPECT_EQ (parseNumber<int> ("n", "-2147483648", Range::any()),
+             std::numeric_limits<int>::lowest());
 }
 
 TEST (CommandLine, RefusesWhatAVariableOfTheShellThatIsNotSetLeaves)
