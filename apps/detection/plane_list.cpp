@@ -20,6 +20,9 @@ using Eigen::Vector3d;
 constexpr const char* mend =
     "; give planes as pcl_ops_segment --planes FILE.json and pcl_ops_tiles write them";
 
+/** \brief Beyond any cloud in single precision, and its fourth power is finite. */
+constexpr double largest = 1e40;
+
 /** \brief A value of a file, with its place in it for complaints. */
 class Entry {
 public:
@@ -66,6 +69,8 @@ public:
     const double number = value_.is_number() ? value_.get<double>() : NAN;
     if (!std::isfinite (number))
       fail ("is no number");
+    if (std::abs (number) > largest)
+      fail ("is too large");
     if (number < least)
       fail ("is too small");
     return number;
@@ -80,8 +85,7 @@ public:
       fail ("has not " + std::to_string (size) + " numbers");
     Eigen::Matrix<double, size, 1> result;
     for (int i = 0; i < size; ++i)
-      result[i] = entries[static_cast<std::size_t> (i)].number (
-          -std::numeric_limits<double>::max());
+      result[i] = entries[static_cast<std::size_t> (i)].number (-largest);
     return result;
   }
 

@@ -164,6 +164,45 @@ TEST_F (PlaneCommands, NameFileAndKeyOfWhatIsWrong)
   with ("hull", {{1, 2, 3}, 4}, "hull[1] is no list");
 }
 
+TEST_F (PlaneCommands, RefuseNumbersThatCannotBeSquared)
+{
+  const auto complaintAbout = [&] (const char* key, const Json& value) {
+    Json plane = square (1, true, 0, 0, 0);
+    plane[key] = value;
+    write ("bad.json", {plane});
+    const ProgramRun run = compare ("", "bad.json");
+    EXPECT_EQ (run.exit_code, 1) << run.text;
+    return run.text.substr (std::min (run.text.find ("planes[0]"), run.text.size()));
+  };
+  const auto too_large = [] (const std::string& entry) {
+    return "planes[0]." + entry +
+           " is too large; give planes as pcl_ops_segment --planes FILE.json and "
+           "pcl_ops_tiles write them\n";
+  };
+  EXPECT_EQ (complaintAbout ("points", 1e200), too_large ("points"));
+  EXPECT_EQ (complaintAbout ("rms", 1e200), too_large ("rms"));
+  EXPECT_EQ (complaintAbout ("centroid", {1e308, 0, 0}), too_large ("centroid[0]"));
+  EXPECT_EQ (complaintAbout ("coefficients", {1e308, 1e308, 1e308, 1}),
+             too_large ("coefficients[0]"));
+  EXPECT_EQ (complaintAbout ("hull", {{0, 0, 0}, {1, 0, 0}, {1, -1e200, 0}}),
+             too_large ("hull[2][1]"));
+}
+
+TEST_F (PlaneCommands, MatchInTheLargestUnitACloudCanHave)
+{
+  constexpr double unit = 1e38;
+  Json far = square (1, true, 0, 0, 0);
+  far["rms"] = 0.002 * unit;
+  for (Json& corner : far["hull"])
+    for (Json& number : corner)
+      number = number.get<double>() * unit;
+  write ("a.json", {far});
+  write ("b.json", {far});
+  const ProgramRun run = compare ("--json");
+  ASSERT_EQ (run.exit_code, 0) << run.text;
+  EXPECT_EQ (Json::parse (run.text)["matched"].size(), 1U) << run.text;
+}
+
 TEST_F (PlaneCommands, CountPlanesThatKeepTheirNumber)
 {
   const auto cloud = [] (const std::string& labels) {
