@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <system_error>
@@ -22,7 +23,7 @@ isBlank (char c)
 }
 
 /** \brief Reads the number at the start of a text that a zero ends.
- * \return where it ends; \p begin where there is none */
+ * \return where it ends; \p begin where there is none or it is too large */
 const char*
 readNumber (const char* begin, const char* end, double& number)
 {
@@ -34,7 +35,9 @@ readNumber (const char* begin, const char* end, double& number)
     return begin;
   if (error == std::errc::result_out_of_range)
     number = std::strtod (digits, nullptr); // zero or infinity; the above leaves it
-  return rest;
+  const bool is_too_large =
+      error == std::errc::result_out_of_range && std::isinf (number);
+  return is_too_large ? begin : rest;
 }
 
 void

@@ -9,11 +9,12 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Reads the numbers of a line. `nan`, `inf` and `infinity` are numbers.
+/** \brief Reads the numbers of a line: `nan`, `inf` and `infinity`, too, but none that
+ * is too large.
  * \param[in] reader whose last line it is, for complaints
  * \param[in] separator a comma or semicolon between numbers, where nothing is NaN; a
  * space: blanks alone are between them
- * \throws WorkError for words */
+ * \throws WorkError for words and numbers beyond their type */
 void
 readNumbers (const HeaderReader& reader,
              const std::string& line,

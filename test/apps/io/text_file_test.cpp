@@ -182,12 +182,21 @@ TEST_F (TextFile, HasPointsWithoutCoordinates)
   EXPECT_TRUE (std::isnan (valueOf (missing, 1, "i")));
 }
 
-TEST_F (TextFile, RoundsNumbersBeyondTheirTypeAsTheCLibraryDoes)
+TEST_F (TextFile, HasZeroForNumbersThatAreTooSmallForTheirType)
 {
-  const Eigen::Vector3d place = placeOf (load ("1e999 -1e999 1e-999\n"), 0);
-  EXPECT_EQ (place.x(), std::numeric_limits<double>::infinity());
-  EXPECT_EQ (place.y(), -std::numeric_limits<double>::infinity());
-  EXPECT_EQ (place.z(), 0.0);
+  EXPECT_EQ (placeOf (load ("1 2 3\n1e-999 -1e-999 +1e-999\n"), 1),
+             Eigen::Vector3d (0, 0, 0));
+}
+
+TEST_F (TextFile, RefusesNumbersThatAreTooLargeForTheirType)
+{
+  for (const std::string number : {"1e400", "-1e400", "+1e999"}) {
+    const std::string complaint = "is damaged: line 2 has '" + number +
+                                  "', which is no number; mend it or write the file "
+                                  "again";
+    EXPECT_EQ (complaintAbout ("1 2 3\n1 2 " + number + "\n"), complaint);
+    EXPECT_EQ (complaintAbout ("1,2,3\n1," + number + ",3\n"), complaint);
+  }
 }
 
 TEST_F (TextFile, NamesTheLineAtFault)
