@@ -54,11 +54,16 @@ typeOf (const HeaderReader& reader, const std::string& name)
   return type->second;
 }
 
+constexpr std::size_t most_elements = 1000;
+constexpr std::size_t most_properties = 10000;
+
 void
 readElement (const HeaderReader& reader, const Words& words, PlyLayout& layout)
 {
   if (words.size() != 3)
     reader.fail ("its line element is incomplete");
+  if (layout.elements.size() == most_elements)
+    reader.fail ("it has more than " + std::to_string (most_elements) + " elements");
   if (layout.find (words[1]) != nullptr)
     reader.fail ("it has the element " + words[1] + " twice");
   layout.elements.push_back (
@@ -74,7 +79,11 @@ readProperty (const HeaderReader& reader, const Words& words, PlyLayout& layout)
   PlyProperty property{words.back(), typeOf (reader, words[words.size() - 2]), is_list};
   if (is_list)
     property.length_type = typeOf (reader, words[2]);
-  layout.elements.back().properties.push_back (property);
+  PlyElement& element = layout.elements.back();
+  if (element.properties.size() == most_properties)
+    reader.fail ("its element " + element.name + " has more than " +
+                 std::to_string (most_properties) + " properties");
+  element.properties.push_back (property);
 }
 
 /** \brief The words of a line as PCL's reader takes them. */

@@ -464,6 +464,25 @@ TEST_F (CloudFile, RefusesPointsWhoseBytesPclCannotCount)
         << kind;
 }
 
+TEST_F (CloudFile, RefusesAPlyOfMoreElementsAndPropertiesThanAnyHas)
+{
+  const auto many = [] (int count, const std::string& line, const std::string& rest) {
+    std::string lines;
+    for (int i = 0; i < count; ++i)
+      lines += line + std::to_string (i) + rest + "\n";
+    return lines;
+  };
+  const auto complaint = [&] (const std::string& lines) {
+    return complaintAbout (
+        folder_.write ("many.ply", plyWith (two_vertices + lines, "")));
+  };
+  EXPECT_EQ (complaint (many (1000, "element e", " 0")),
+             "is no valid PLY file: it has more than 1000 elements; write it again");
+  EXPECT_EQ (complaint (many (9998, "property float f", "")),
+             "is no valid PLY file: its element vertex has more than 10000 properties; "
+             "write it again");
+}
+
 TEST_F (CloudFile, RefusesLinesOfAHeaderAmongTheData)
 {
   // PCL's reader takes them for the header's, and their fields for those of the points.
