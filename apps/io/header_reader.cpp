@@ -43,8 +43,7 @@ HeaderReader::HeaderReader (const std::string& file, std::string format)
 Words
 HeaderReader::nextLine (const std::string& last)
 {
-  constexpr std::uint64_t longest_header = 1U << 20U;
-  if (position() > longest_header || !readLine (line_) || stream_.eof())
+  if (!readHeaderLine())
     fail ("its header has no line " + last);
   std::istringstream parts (line_);
   Words words;
@@ -54,6 +53,21 @@ HeaderReader::nextLine (const std::string& last)
   if (words.empty() && !line_.empty())
     failAtLine ("has nothing but white space");
   return words;
+}
+
+bool
+HeaderReader::readHeaderLine()
+{
+  constexpr std::uint64_t longest_header = 1U << 20U;
+  ++lines_;
+  line_.clear();
+  char c = '\0';
+  for (std::uint64_t end = position(); end < longest_header && stream_.get (c); ++end) {
+    if (c == '\n')
+      return true;
+    line_ += c;
+  }
+  return false;
 }
 
 bool

@@ -19,8 +19,8 @@ public:
   HeaderReader (const std::string& file, std::string format);
 
   /** \brief The words of the next line.
-   * \throws WorkError if the file ends before the line \p last, which ends the header
-   */
+   * \throws WorkError if the file or the first MiB of it ends before the line \p last,
+   * which ends the header */
   Words
   nextLine (const std::string& last);
 
@@ -75,6 +75,10 @@ public:
   failEmpty () const;
 
 private:
+  /** \return false where it does not end within what a header may have */
+  bool
+  readHeaderLine ();
+
   std::string file_, format_, line_;
   std::ifstream stream_;
   std::uint64_t file_size_ = 0, lines_ = 0;

@@ -464,6 +464,17 @@ TEST_F (CloudFile, RefusesPointsWhoseBytesPclCannotCount)
         << kind;
 }
 
+TEST_F (CloudFile, RefusesAHeaderThatGoesOnAndOn)
+{
+  const std::string endless (2'000'000, ' ');
+  EXPECT_EQ (
+      complaintAbout (folder_.write ("long.pcd", asciiPcd ("DATA ascii" + endless))),
+      "is no valid PCD file: its header has no line DATA; write it again");
+  EXPECT_EQ (complaintAbout (folder_.write (
+                 "long.ply", plyWith ("comment" + endless + "\n" + two_vertices, ""))),
+             "is no valid PLY file: its header has no line end_header; write it again");
+}
+
 TEST_F (CloudFile, RefusesAPlyOfMoreElementsAndPropertiesThanAnyHas)
 {
   const auto many = [] (int count, const std::string& line, const std::string& rest) {
