@@ -231,7 +231,8 @@ TEST_F (Segment, RefusesWrongMeshesAndHullsInOneLine)
       {"in.pcd --mesh m.stl", "--mesh: m.stl has an unknown extension"},
       {"in.ply --mesh in.ply", "in.ply: is the input, too"},
       {"in.pcd --planes p.json --hull round", "--hull: 'round' is unknown"},
-      {"in.pcd --hull convex", "--hull: is about --planes and --mesh; give one"}};
+      {"in.pcd --hull convex",
+       "--hull: is about --planes, --mesh and --min-area; give one"}};
   for (const auto& [arguments, complaint] : wrong) {
     const Outcome done = run (arguments);
     EXPECT_EQ (done.exit_code, 2) << arguments;
