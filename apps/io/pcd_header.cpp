@@ -105,8 +105,8 @@ pointSize (const HeaderReader& reader, const PcdHeader& header)
     size.numbers += count;
     size.bytes += count * number_size;
   }
-  if (size.bytes > most_bytes)
-    reader.fail ("its points have more than " + std::to_string (most_bytes) +
+  if (size.bytes < 1 || size.bytes > most_bytes)
+    reader.fail ("its points do not have 1 to " + std::to_string (most_bytes) +
                  " bytes each");
   return size;
 }

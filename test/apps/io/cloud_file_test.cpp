@@ -457,10 +457,11 @@ TEST_F (CloudFile, RefusesPointsWhoseBytesPclCannotCount)
                              line ("TYPE", "F") + line ("COUNT", "1048576") +
                              "WIDTH 33554432\nHEIGHT 1\nPOINTS 33554432\nDATA ";
   for (const std::string kind : {"ascii", "binary", "binary_compressed"})
-    EXPECT_EQ (complaintAbout (folder_.write (
-                   "wraps.pcd", header + kind + "\n" + std::string (16, '\0'))),
-               "is no valid PCD file: its points have more than 2147483647 bytes each; "
-               "write it again")
+    EXPECT_EQ (
+        complaintAbout (
+            folder_.write ("wraps.pcd", header + kind + "\n" + std::string (16, '\0'))),
+        "is no valid PCD file: its points do not have 1 to 2147483647 bytes each; "
+        "write it again")
         << kind;
 }
 
@@ -480,7 +481,7 @@ TEST_F (CloudFile, RefusesAPlyOfMoreElementsAndPropertiesThanAnyHas)
   const auto many = [] (int count, const std::string& line, const std::string& rest) {
     std::string lines;
     for (int i = 0; i < count; ++i)
-      lines += line + std::to_string (i) + rest + "\n";
+      lines.append (line).append (std::to_string (i)).append (rest).append ("\n");
     return lines;
   };
   const auto complaint = [&] (const std::string& lines) {
