@@ -338,12 +338,12 @@ TEST_F (TilesProgram, NamesTheInputThatIsTooFarAwayAndLeavesOutStrayPoints)
   std::vector<LasPoint> wall;
   addWall (20, 0.0, wall);
   save ("wall.las", wall);
-  apps::saveLas (folder_ / "far.las", wall, 0.001, Eigen::Vector3d (0, 1e12, 0));
-  const Outcome far = tiles ("wall.las far.las --output-dir out --cell 0.5");
+  apps::saveLas (folder_ / "yonder.las", wall, 0.001, Eigen::Vector3d (0, 1e12, 0));
+  const Outcome far = tiles ("wall.las yonder.las --output-dir out --cell 0.5");
   EXPECT_EQ (far.exit_code, 2) << far.out;
   EXPECT_EQ (far.err,
              "pcl_ops_tiles: --cell: cells of 0.5 reach 5e+08 from zero, and " +
-                 (folder_ / "far.las") +
+                 (folder_ / "yonder.las") +
                  " has points farther away; give a larger one\n");
   std::string text;
   for (const LasPoint& point : wall)
