@@ -218,6 +218,19 @@ savePlan (const std::string& file, const Plan& plan)
   writeTextFile (file, jsonOf (plan));
 }
 
+namespace {
+
+bool
+hasLengths (const Plan& plan)
+{
+  return plan.cell > 0.0 && std::isfinite (plan.cell) &&
+         plan.cells_of_tile % TileGrid::cells_of_coarsest == 0 &&
+         plan.cells_of_tile >= TileGrid::halo &&
+         plan.cells_of_tile <= TileGrid::most_cells;
+}
+
+} // namespace
+
 Plan
 loadPlan (const PlanFile& file)
 {
@@ -237,11 +250,13 @@ loadPlan (const PlanFile& file)
                               input.at ("bytes"),
                               input.at ("written"),
                               input.at ("points")});
-    return plan;
+    if (hasLengths (plan))
+      return plan;
   }
   catch (const nlohmann::json::exception&) {
-    throw WorkError (file.name, "is no plan; " + file.mend);
+    // said below
   }
+  throw WorkError (file.name, "is no plan; " + file.mend);
 }
 
 void

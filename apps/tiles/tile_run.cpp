@@ -76,7 +76,7 @@ private:
     share (
         pointsOfInputs(),
         "inputs sorted",
-        [this] (std::size_t i) { return folder_.cells (i); },
+        [this] (std::size_t i) { return isThere (folder_.cells (i)); },
         [this] (std::size_t i) {
           inMemory (plan_.inputs[i].file, fewer_jobs, [&] {
             partitionInput (plan_, folder_, i);
@@ -96,7 +96,7 @@ private:
     share (
         parts,
         "tiles",
-        [&] (std::size_t i) { return folder_.planes (tiles[i].tile); },
+        [&] (std::size_t i) { return isThere (folder_.planes (tiles[i].tile)); },
         [&] (std::size_t i) {
           inMemory ("--tile", "give a smaller one or fewer --jobs", [&] {
             detectTile (plan_, folder_, points, tiles[i].tile);
@@ -111,7 +111,9 @@ private:
     share (
         pointsOfInputs(),
         "inputs labelled",
-        [this] (std::size_t i) { return folder_.mark (i); },
+        [this] (std::size_t i) {
+          return isThere (folder_.mark (i)) && isThere (outputOf (plan_, folder_, i));
+        },
         [this] (std::size_t i) {
           inMemory (plan_.inputs[i].file, fewer_jobs, [&] {
             labelInput (plan_, folder_, i);
@@ -145,18 +147,18 @@ private:
 
   /** \brief Does this rank's share of the parts of a phase.
    * \param[in] parts how much work each is
-   * \param[in] result the file that is there once a part is done */
+   * \param[in] is_done whether a part is */
   void
   share (const std::vector<std::uint64_t>& parts,
          const std::string& noun,
-         const std::function<std::string (std::size_t)>& result,
+         const std::function<bool (std::size_t)>& is_done,
          const std::function<void (std::size_t)>& work)
   {
     std::vector<std::size_t> own;
     for (const std::size_t part : shareOf (static_cast<std::size_t> (ranks_.rank()),
                                            static_cast<std::size_t> (ranks_.size()),
                                            parts))
-      if (!isThere (result (part)))
+      if (!is_done (part))
         own.push_back (part);
     Progress progress (own.size(), messages_, style_, noun);
     try {

@@ -355,6 +355,26 @@ TEST_F (TilesProgram, NamesTheInputThatIsTooFarAwayAndLeavesOutStrayPoints)
   EXPECT_EQ (listIn ("out").at ("planes").at (0).at ("points"), wall.size());
 }
 
+TEST_F (TilesProgram, RefusesAPlanWithoutLengths)
+{
+  makeTown ("--points 2000 --tiles 1");
+  for (const char* number : {"0", "-40", "13", "4000000000"}) {
+    ASSERT_EQ (tiles ("town --output-dir " + std::string ("out") + number +
+                      " --plan plan.json")
+                   .exit_code,
+               0);
+    auto plan = nlohmann::json::parse (contentOf (folder_ / "plan.json"));
+    plan["cells_of_tile"] = std::stoll (number);
+    folder_.write ("plan.json", plan.dump());
+    const Outcome done = tiles ("town --output-dir other --plan plan.json");
+    EXPECT_EQ (done.exit_code, 1) << number;
+    EXPECT_EQ (done.err,
+               "pcl_ops_tiles: plan.json: is no plan; remove it or give another "
+               "--plan\n");
+    std::filesystem::remove (folder_ / "plan.json");
+  }
+}
+
 TEST_F (TilesProgram, AsksToRenameWhatIsNoUtf8)
 {
   std::vector<LasPoint> wall;

@@ -83,6 +83,19 @@ TEST_F (TilesRestart, DoesNotDoAgainWhatIsDone)
   EXPECT_EQ (outputsIn ("out"), expected) << "an output was removed";
 }
 
+TEST_F (TilesRestart, LabelsAgainWhatWasRemoved)
+{
+  const auto expected = undisturbed();
+  for (int write = 1; !std::filesystem::exists (folder_ / "out/work/labelled/0");
+       ++write)
+    ASSERT_NE (tiles ("town --output-dir out --tile 40", killedAt (write)).exit_code,
+               0);
+  for (const auto& [name, content] : outputsIn ("out"))
+    std::filesystem::remove (folder_ / ("out/" + name));
+  expectDone ("town --output-dir out --tile 40");
+  EXPECT_EQ (outputsIn ("out"), expected);
+}
+
 TEST_F (TilesRestart, GoesOnWithItsOwnPlanOnly)
 {
   const auto expected = undisturbed();
