@@ -52,6 +52,9 @@ HeaderReader::nextLine (const std::string& last)
   // PCL's readers take such a line for the end of the header.
   if (words.empty() && !line_.empty())
     failAtLine ("has nothing but white space");
+  // PCL's reader of PCD takes these for parts of words.
+  if (format_ == "PCD" && line_.find_first_of ("\f\v") != std::string::npos)
+    fail ("its header has a form feed or a vertical tab");
   return words;
 }
 

@@ -444,6 +444,16 @@ TEST_F (CloudFile, RefusesHeadersThatPromiseMoreThanTheirDataCanHold)
   EXPECT_EQ (complaintAbout (folder_.write ("grid.ply", grid)), truncated);
 }
 
+TEST_F (CloudFile, RefusesFormFeedsThatPclTakesForPartsOfWords)
+{
+  EXPECT_EQ (complaintAbout (folder_.write (
+                 "feeds.pcd",
+                 "FIELDS x y z\nSIZE 8 4 4\nTYPE \fF\f F \fF\nWIDTH 1\nHEIGHT 1\n"
+                 "POINTS 1\nDATA ascii\n1 2 3\n")),
+             "is no valid PCD file: its header has a form feed or a vertical tab; "
+             "write it again");
+}
+
 TEST_F (CloudFile, RefusesPointsWhoseBytesPclCannotCount)
 {
   // 2^16 fields of 2^23 bytes: those of 2^25 points are 2^64, which wraps to nothing.
