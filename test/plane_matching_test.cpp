@@ -36,18 +36,11 @@ seenFrom (const Isometry3d& pose, Planes planes)
   const Isometry3d inverse = pose.inverse();
   for (PlaneSegment& plane : planes) {
     const Eigen::Matrix3d turn = inverse.linear();
-    const Eigen::Matrix3d spread =
-        plane.moments.count * turn * plane.moments.covariance() * turn.transpose();
     plane.centroid = inverse * plane.centroid;
     plane.normal = turn * plane.normal;
-    plane.moments.origin = plane.centroid;
-    plane.moments.sum.setZero();
-    plane.moments.products = {spread (0, 0),
-                              spread (0, 1),
-                              spread (0, 2),
-                              spread (1, 1),
-                              spread (1, 2),
-                              spread (2, 2)};
+    plane.moments = Moments::of (plane.moments.count,
+                                 plane.centroid,
+                                 turn * plane.moments.covariance() * turn.transpose());
   }
   return planes;
 }

@@ -63,19 +63,10 @@ turned (const Eigen::Isometry3d& pose, PlaneSegment plane)
 {
   plane.normal = pose.linear() * plane.normal;
   plane.centroid = pose * plane.centroid;
-  const Eigen::Matrix3d second =
-      pose.linear() * plane.moments.covariance() * pose.linear().transpose();
-  pcl_ops::Moments& moments = plane.moments;
-  moments.origin = plane.centroid;
-  moments.sum.setZero();
-  moments.products = {second (0, 0),
-                      second (0, 1),
-                      second (0, 2),
-                      second (1, 1),
-                      second (1, 2),
-                      second (2, 2)};
-  for (double& product : moments.products)
-    product *= moments.count;
+  plane.moments = pcl_ops::Moments::of (plane.moments.count,
+                                        plane.centroid,
+                                        pose.linear() * plane.moments.covariance() *
+                                            pose.linear().transpose());
   return plane;
 }
 

@@ -90,7 +90,7 @@ PlaneSegment::rms() const
 {
   const double variance = normal.dot (moments.covariance() * normal);
   const double beside = normal.dot (moments.centroid() - centroid);
-  return std::sqrt (std::max (0.0, variance) + beside * beside);
+  return std::sqrt (std::max (0.0, variance + beside * beside));
 }
 
 std::optional<PlaneCovariance>
