@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room_shell.h"
 
+#include "openings.h"
 #include "poses.h"
 
 namespace pcl_ops::simulation {
@@ -13,22 +14,6 @@ using Eigen::Vector3d;
 /** \brief Of a door [m]. */
 constexpr double threshold_height = 0.02;
 
-/** \brief A hole in a wall, in the wall's frame: x along it, z up. */
-struct Opening {
-  double left, right, bottom, top, depth;
-};
-
-/** \brief A rectangle in the wall's plane or, for y < 0, behind it. */
-Rectangle
-upright (double left, double right, double bottom, double top, double y)
-{
-  return {{0.5 * (left + right), y, 0.5 * (bottom + top)},
-          Vector3d::UnitX(),
-          Vector3d::UnitZ(),
-          0.5 * (right - left),
-          0.5 * (top - bottom)};
-}
-
 /** \brief Floor or ceiling. */
 Rectangle
 level (const Vector3d& size, double z)
@@ -38,44 +23,6 @@ level (const Vector3d& size, double z)
           Vector3d::UnitY(),
           0.5 * size.x(),
           0.5 * size.y()};
-}
-
-void
-addWallAround (Body& body, const Opening& hole, double length, double height)
-{
-  const SurfaceId wall = ++body.surface_count;
-  for (Rectangle piece : {upright (-0.5 * length, hole.left, 0.0, height, 0.0),
-                          upright (hole.right, 0.5 * length, 0.0, height, 0.0),
-                          upright (hole.left, hole.right, hole.top, height, 0.0),
-                          upright (hole.left, hole.right, 0.0, hole.bottom, 0.0)}) {
-    piece.surface = wall;
-    if (piece.area() > 0.0)
-      body.rectangles.push_back (piece);
-  }
-}
-
-void
-addRecess (Body& body, const Opening& hole)
-{
-  addSurface (body,
-              upright (hole.left, hole.right, hole.bottom, hole.top, -hole.depth));
-  const double half_depth = 0.5 * hole.depth;
-  const double middle_x = 0.5 * (hole.left + hole.right);
-  const double middle_z = 0.5 * (hole.bottom + hole.top);
-  for (const double x : {hole.left, hole.right})
-    addSurface (body,
-                {{x, -half_depth, middle_z},
-                 Vector3d::UnitY(),
-                 Vector3d::UnitZ(),
-                 half_depth,
-                 0.5 * (hole.top - hole.bottom)});
-  for (const double z : {hole.bottom, hole.top})
-    addSurface (body,
-                {{middle_x, -half_depth, z},
-                 Vector3d::UnitX(),
-                 Vector3d::UnitY(),
-                 0.5 * (hole.right - hole.left),
-                 half_depth});
 }
 
 Opening
@@ -98,7 +45,8 @@ makeWall (double length, double height, internal::RandomGenerator& generator)
   Body wall;
   if (drawChance (generator, 0.6)) {
     const Opening opening = drawOpening (length, generator);
-    addWallAround (wall, opening, length, height);
+    addWallAround (
+        wall, opening, upright (-0.5 * length, 0.5 * length, 0.0, height, 0.0));
     addRecess (wall, opening);
   }
   else
