@@ -27,7 +27,11 @@ enum class Purpose : std::uint32_t {
   Corner,
   Town,
   Walk,
-  PoseError
+  PoseError,
+  Street,
+  SensorPose,
+  LidarNoise,
+  Drive
 };
 
 inline internal::RandomGenerator

@@ -8,6 +8,7 @@
 #include "options.h"
 #include "packed_cloud.h"
 #include "shapes.h"
+#include "street.h"
 #include "survey.h"
 #include "town_files.h"
 #include "walk_files.h"
@@ -50,6 +51,12 @@ pointsOf (const SimulationOptions& options, std::size_t usual)
   return options.points ? std::size_t (*options.points) : usual;
 }
 
+CloudLayout
+layoutOf (const SimulationOptions& options)
+{
+  return options.organized ? CloudLayout::Organized : CloudLayout::Readings;
+}
+
 SimulatedCloud
 simulateRoom (const Room& room, const SimulationOptions& options)
 {
@@ -59,10 +66,19 @@ simulateRoom (const Room& room, const SimulationOptions& options)
   camera.pose = drawCameraPose (room, camera, options.seed);
   const DepthImage image =
       measureDepth (room.scene, camera, noiseOf (options), options.seed);
-  return toCloud (image,
-                  camera,
-                  room.scene,
-                  options.organized ? CloudLayout::Organized : CloudLayout::Readings);
+  return toCloud (image, camera, room.scene, layoutOf (options));
+}
+
+SimulatedCloud
+simulateStreet (const SimulationOptions& options)
+{
+  const Street street = makeStreet (options.seed);
+  Lidar lidar = lidarOf (options.sensor);
+  lidar.pose = drawSensorPose (street, options.seed);
+  return toCloud (scanAround (street.scene, lidar, options.noise, options.seed),
+                  lidar,
+                  street.scene,
+                  layoutOf (options));
 }
 
 SimulatedCloud
@@ -78,6 +94,8 @@ simulate (const SimulationOptions& options)
                        pointsOf (options, points_of_shapes),
                        options.noise,
                        options.seed);
+  if (options.scene == "street")
+    return simulateStreet (options);
   return simulateRoom (options.scene == "furniture" ? makeFurnishedCorner (options.seed)
                                                     : makeRoom (options.seed),
                        options);
@@ -104,25 +122,51 @@ runTown (const SimulationOptions& options)
               << written.files << " files\n";
 }
 
+/** \brief Writes frames and poses. */
 void
-runWalk (const SimulationOptions& options)
+saveFrames (const SimulationOptions& options,
+            const Poses& poses,
+            const WalkRecording& walk)
 {
-  WalkRecording walk;
-  walk.room = makeRoom (options.seed);
-  walk.camera = options.camera;
-  walk.poses = drawWalk (walk.room, walk.camera, options.frames, options.seed);
-  walk.noise = noiseOf (options);
-  walk.organized = options.organized;
   pcl_ops::apps::Progress progress (
-      walk.poses.size(), std::cerr, progressOf (options), "frames");
-  const std::uint64_t points = saveWalk (options.output, walk, options.seed, progress);
+      poses.size(), std::cerr, progressOf (options), "frames");
+  const std::uint64_t points = saveWalk (options.output, walk, progress);
   const std::string file =
       (std::filesystem::path (options.output) / "poses.txt").string();
-  pcl_ops::apps::savePoses (file,
-                            measured (walk.poses, options.pose_errors, options.seed));
+  pcl_ops::apps::savePoses (file, measured (poses, options.pose_errors, options.seed));
   if (!options.quiet)
     std::cout << options.output << ": " << points << " points in " << options.frames
               << " frames, " << file << "\n";
+}
+
+void
+runWalk (const SimulationOptions& options)
+{
+  const Room room = makeRoom (options.seed);
+  const Poses poses = drawWalk (room, options.camera, options.frames, options.seed);
+  saveFrames (options,
+              poses,
+              recorded (room.scene,
+                        options.camera,
+                        poses,
+                        noiseOf (options),
+                        layoutOf (options),
+                        options.seed));
+}
+
+void
+runDrive (const SimulationOptions& options)
+{
+  const Street street = makeStreet (options.seed);
+  const Poses poses = drawDrive (street, options.frames, options.seed);
+  saveFrames (options,
+              poses,
+              recorded (street.scene,
+                        lidarOf (options.sensor),
+                        poses,
+                        options.noise,
+                        layoutOf (options),
+                        options.seed));
 }
 
 /** \brief Writes files one after the other, and ends behind one of them on Ctrl-C. */
@@ -168,6 +212,8 @@ run (int argc, const char* const* argv)
     runFiles (options, runTown);
   else if (options.scene == "walk")
     runFiles (options, runWalk);
+  else if (options.scene == "drive")
+    runFiles (options, runDrive);
   else
     runCloud (options);
   return pcl_ops::apps::ExitCode::done;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
+#include "lidar.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <io/output_file.h>
@@ -30,11 +31,25 @@ constexpr double most_frames = 1000;
 /** \brief Beyond, an error is no small motion [degree, cm]. */
 constexpr double largest_pose_error = 30;
 
-/** \brief Whether the scene is a room; the others are scanned from everywhere. */
+/** \brief Whether the scene is a room; the others are scanned by a lidar or from
+ * everywhere. */
 bool
 isSeenByCamera (const std::string& scene)
 {
   return scene == "room" || scene == "furniture" || scene == "walk";
+}
+
+bool
+isSeenByLidar (const std::string& scene)
+{
+  return scene == "street" || scene == "drive";
+}
+
+/** \brief Whether the scene is seen in many frames. */
+bool
+isOnTheWay (const std::string& scene)
+{
+  return scene == "walk" || scene == "drive";
 }
 
 void
@@ -42,19 +57,20 @@ declareScene (CommandLine& line, SimulationOptions& options)
 {
   line.addArgument ("OUTPUT.pcd",
                     options.output,
-                    "the cloud to write (binary); of town and walk the folder");
+                    "the cloud to write (binary); of town, walk and drive the folder");
   line.addChoice (
       "scene",
-      {"room", "furniture", "survey", "shapes", "town", "walk"},
+      {"room", "furniture", "survey", "shapes", "town", "walk", "street", "drive"},
       options.scene,
       "a room, a corner of one with boards on posts, 36 houses on a ground, "
       "round shapes beside a ground, terraces of houses in tiles of .las, "
-      "a camera's way through a room (room)");
+      "a camera's way through a room, a street around a lidar, "
+      "a lidar's way along a street (room)");
   line.addNumber ("seed",
                   "S",
                   Range::from (0).upTo (most_seed),
                   options.seed,
-                  "which room, furniture, houses or shapes (1)");
+                  "which room, furniture, houses, shapes or street (1)");
 }
 
 void
@@ -79,56 +95,79 @@ declareScan (CommandLine& line, SimulationOptions& options)
                   "scan the whole room with N points instead of one camera image; "
                   "points of survey (600000), shapes (250000), about those of town "
                   "(1000000)");
-  line.addFlag ("organized", options.organized, "keep pixels without a reading as NaN");
+  line.addFlag (
+      "organized", options.organized, "keep pixels or rays without a reading as NaN");
   line.addFlag ("quiet", options.quiet, "print nothing");
 }
 
 void
-declareTownAndWalk (CommandLine& line, SimulationOptions& options)
+declareOtherScenes (CommandLine& line, SimulationOptions& options)
 {
   line.addNumber ("tiles",
                   "N",
                   Range::from (1).upTo (most_tiles_of_town),
                   options.tiles,
                   "tiles of town, rounded up to a square number (4)");
+  line.addChoice ("sensor",
+                  lidarNames(),
+                  options.sensor,
+                  "lidar of street and drive: rotating with that many beams, or one "
+                  "beam along a rosette (lidar-64)");
   line.addNumber ("frames",
                   "N",
                   Range::from (1).upTo (most_frames),
                   options.frames,
-                  "clouds of walk (50)");
+                  "clouds of walk and drive (50)");
   line.addNumber ("pose-error",
                   "X",
                   Range::from (0).upTo (largest_pose_error),
                   options.pose_errors.each,
-                  "degrees and cm each pose of walk is off in poses.txt (0)");
+                  "degrees and cm each pose of these is off in poses.txt (0)");
   line.addNumber ("drift",
                   "X",
                   Range::from (0).upTo (largest_pose_error),
                   options.pose_errors.drift,
-                  "degrees and cm its way is off from pose to pose (0)");
+                  "degrees and cm their way is off from pose to pose (0)");
+}
+
+/** \brief Refuses options about frames and lidars for the other scenes. */
+void
+checkSensor (const CommandLine& line, const SimulationOptions& options)
+{
+  for (const char* of_frames : {"frames", "pose-error", "drift"})
+    if (line.isGiven (of_frames) && !isOnTheWay (options.scene))
+      throw UsageError (std::string ("--") + of_frames,
+                        "is about --scene walk and drive; leave it out");
+  const bool is_lidar = isSeenByLidar (options.scene);
+  if (line.isGiven ("sensor") && !is_lidar)
+    throw UsageError ("--sensor", "is about --scene street and drive; leave it out");
+  if (is_lidar && options.organized && lidarOf (options.sensor).isRosette())
+    throw UsageError ("--organized",
+                      "is not for --sensor " + options.sensor + ", which has no rows");
 }
 
 /** \brief Refuses options that the scene has no use for. */
 void
 checkOptions (const CommandLine& line, const SimulationOptions& options)
 {
-  const bool is_town = options.scene == "town", is_walk = options.scene == "walk";
-  for (const char* of_walk : {"frames", "pose-error", "drift"})
-    if (line.isGiven (of_walk) && !is_walk)
-      throw UsageError (std::string ("--") + of_walk,
-                        "is about --scene walk; leave it out");
-  if (is_walk && options.points)
+  checkSensor (line, options);
+  const std::string& scene = options.scene;
+  const bool is_town = scene == "town", is_lidar = isSeenByLidar (scene);
+  if (scene == "walk" && options.points)
     throw UsageError ("--points", "is not for --scene walk; give --width, --height");
+  if (is_lidar && options.points)
+    throw UsageError ("--points", "is not for --scene " + scene + "; give --sensor");
   if (options.tiles && !is_town)
     throw UsageError ("--tiles", "is about --scene town; leave it out");
   if (!is_town && options.points.value_or (1) > most_points)
     throw UsageError ("--points",
                       "is more than 10000000, which only --scene town takes");
-  if (!is_town && !is_walk && apps::extensionOf (options.output) != ".pcd")
+  if (!is_town && !isOnTheWay (scene) && apps::extensionOf (options.output) != ".pcd")
     throw UsageError (options.output, "has an unknown extension; give a .pcd file");
   for (const char* of_camera : {"width", "height", "profile", "organized"}) {
     line.forbidTogether ("points", of_camera);
-    if (!isSeenByCamera (options.scene))
+    const bool is_of_lidar = is_lidar && std::string (of_camera) == "organized";
+    if (!isSeenByCamera (scene) && !is_of_lidar)
       line.forbidTogether ("scene", of_camera);
   }
 }
@@ -145,7 +184,7 @@ readOptions (int argc, const char* const* argv, SimulationOptions& options)
       PCL_OPS_VERSION);
   declareScene (line, options);
   declareScan (line, options);
-  declareTownAndWalk (line, options);
+  declareOtherScenes (line, options);
   if (!line.parse (argc, argv))
     return false;
   checkOptions (line, options);

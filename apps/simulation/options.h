@@ -19,6 +19,7 @@ struct SimulationOptions {
   std::string scene = "room";
   std::uint32_t seed = 1;
   DepthCamera camera;
+  std::string sensor = "lidar-64";
   std::string profile = "correlated";
   double noise = 1.0;
   std::optional<double> points;

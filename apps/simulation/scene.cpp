@@ -3,7 +3,9 @@
 #include "scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -52,8 +54,11 @@ rayMayMeet (const BoundingSphere& bound,
             const Eigen::Vector3d& direction)
 {
   const Eigen::Vector3d to_center = bound.center - origin;
-  return to_center.cross (direction).squaredNorm() <=
-         bound.radius * bound.radius * direction.squaredNorm();
+  const double squared_radius = bound.radius * bound.radius;
+  const bool is_behind =
+      to_center.dot (direction) < 0.0 && to_center.squaredNorm() > squared_radius;
+  return !is_behind && to_center.cross (direction).squaredNorm() <=
+                           squared_radius * direction.squaredNorm();
 }
 
 double
@@ -125,6 +130,28 @@ keepCloser (Hit& closest, double distance, SurfaceId surface)
     closest = Hit{distance, surface};
 }
 
+/** \brief Whether they are so but for rounding. */
+bool
+areCoplanar (const Rectangle& a, const Rectangle& b)
+{
+  constexpr double rounding = 1e-9;
+  const Eigen::Vector3d normal = a.normal();
+  return normal.cross (b.normal()).norm() < rounding &&
+         std::abs (normal.dot (b.center - a.center)) < rounding;
+}
+
+/** \brief The cube of the given edge that holds a point. */
+using Cell = std::array<std::int64_t, 3>;
+
+Cell
+cellOf (const Eigen::Vector3d& point, double edge)
+{
+  Cell cell{};
+  for (int axis = 0; axis < 3; ++axis)
+    cell[axis] = std::int64_t (std::floor (point[axis] / edge));
+  return cell;
+}
+
 bool
 isHidden (bool is_bottom, HiddenFace hidden)
 {
@@ -174,6 +201,24 @@ addBox (Body& body,
 }
 
 void
+joinCoplanar (Body& body)
+{
+  std::vector<Rectangle> firsts;
+  for (Rectangle& rectangle : body.rectangles) {
+    if (rectangle.surface == no_surface)
+      continue;
+    const auto first =
+        std::find_if (firsts.begin(), firsts.end(), [&rectangle] (const auto& other) {
+          return areCoplanar (other, rectangle);
+        });
+    if (first == firsts.end())
+      firsts.push_back (rectangle);
+    else
+      rectangle.surface = first->surface;
+  }
+}
+
+void
 addPart (Body& body, const Body& part, const Eigen::Isometry3d& pose)
 {
   for (const Rectangle& rectangle : part.rectangles) {
@@ -200,6 +245,35 @@ addBody (Scene& scene, const Body& body, const Eigen::Isometry3d& pose)
   scene.surface_count = placed.surface_count;
   scene.bounds.push_back (boundingSphere (placed));
   scene.bodies.push_back (std::move (placed));
+}
+
+Scene
+divided (const Scene& scene, double edge)
+{
+  std::map<Cell, Body> parts;
+  Scene result;
+  result.surface_count = scene.surface_count;
+  const auto keep = [&result] (const Body& body) {
+    result.bounds.push_back (boundingSphere (body));
+    result.bodies.push_back (body);
+  };
+  for (const Body& body : scene.bodies) {
+    for (const Rectangle& rectangle : body.rectangles)
+      if (std::max (rectangle.half_u, rectangle.half_v) > edge) {
+        Body alone;
+        alone.rectangles.push_back (rectangle);
+        keep (alone);
+      }
+      else
+        parts[cellOf (rectangle.center, edge)].rectangles.push_back (rectangle);
+    for (const Sphere& sphere : body.spheres)
+      parts[cellOf (sphere.center, edge)].spheres.push_back (sphere);
+    for (const Cylinder& cylinder : body.cylinders)
+      parts[cellOf (cylinder.center, edge)].cylinders.push_back (cylinder);
+  }
+  for (const auto& part : parts)
+    keep (part.second);
+  return result;
 }
 
 std::vector<Plane>

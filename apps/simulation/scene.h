@@ -85,6 +85,11 @@ addBox (Body& body,
         const Eigen::Vector3d& size,
         HiddenFace hidden = HiddenFace::None);
 
+/** \brief Gives rectangles of a body that are in one plane the surface of the first of
+ * them. */
+void
+joinCoplanar (Body& body);
+
 /** \brief Adds all shapes of \p part, moved by \p pose, with surfaces of their own. */
 void
 addPart (Body& body, const Body& part, const Eigen::Isometry3d& pose);
@@ -106,6 +111,11 @@ struct Scene {
 /** \brief Adds a body; its surfaces get the scene's next identities. */
 void
 addBody (Scene& scene, const Body& body, const Eigen::Isometry3d& pose);
+
+/** \brief The same shapes and surfaces in bodies about as small as cubes of the given
+ * edge [m], of which \ref castRay soon skips most. */
+Scene
+divided (const Scene& scene, double edge);
 
 /** \brief The plane of each surface, surface 1 first. */
 std::vector<Plane>

@@ -80,6 +80,43 @@ toCloud (const DepthImage& image,
   return simulated;
 }
 
+pcl::PointCloud<pcl::PointXYZL>
+toSurfaceCloud (const LidarScan& scan,
+                const Eigen::Isometry3d& pose,
+                CloudLayout layout)
+{
+  const bool organized = layout == CloudLayout::Organized;
+  const std::size_t rays = scan.points.size();
+  const std::size_t steps = rays / std::size_t (scan.beams);
+  pcl::PointCloud<pcl::PointXYZL> cloud;
+  cloud.reserve (rays);
+  for (std::size_t i = 0; i < rays; ++i) {
+    const std::size_t ray = organized ? i % steps * scan.beams + i / steps : i;
+    if (std::isfinite (scan.points[ray].x()))
+      cloud.push_back (pointAt (pose * scan.points[ray], scan.surface[ray]));
+    else if (organized)
+      cloud.push_back (missingPoint());
+  }
+  if (organized) {
+    cloud.width = std::uint32_t (steps);
+    cloud.height = std::uint32_t (scan.beams);
+    cloud.is_dense = false;
+  }
+  setSensorPose (cloud, pose);
+  return cloud;
+}
+
+SimulatedCloud
+toCloud (const LidarScan& scan,
+         const Lidar& lidar,
+         const Scene& scene,
+         CloudLayout layout)
+{
+  SimulatedCloud simulated{toSurfaceCloud (scan, lidar.pose, layout), {}};
+  simulated.planes = labelBySize (simulated.cloud, surfacePlanes (scene));
+  return simulated;
+}
+
 std::vector<LabeledPlane>
 labelBySize (pcl::PointCloud<pcl::PointXYZL>& cloud, const std::vector<Plane>& surfaces)
 {

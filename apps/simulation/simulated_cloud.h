@@ -6,6 +6,7 @@
 #include <pcl/point_types.h>
 
 #include "depth_camera.h"
+#include "lidar.h"
 
 #include <vector>
 
@@ -32,7 +33,8 @@ constexpr std::size_t fewest_points_of_plane = 50;
 enum class CloudLayout {
   /** \brief One point for each reading. */
   Readings,
-  /** \brief One point for each pixel, NaN without a reading. */
+  /** \brief One point for each pixel or, in rows of beams, for each ray, NaN without a
+   * reading. */
   Organized
 };
 
@@ -47,6 +49,22 @@ toSurfaceCloud (const DepthImage& image, const DepthCamera& camera, CloudLayout 
 SimulatedCloud
 toCloud (const DepthImage& image,
          const DepthCamera& camera,
+         const Scene& scene,
+         CloudLayout layout);
+
+/** \brief The points of a scan, each with the surface it was taken from.
+ * \param[in] pose from the lidar's frame to that of the points; it becomes the sensor's
+ */
+pcl::PointCloud<pcl::PointXYZL>
+toSurfaceCloud (const LidarScan& scan,
+                const Eigen::Isometry3d& pose,
+                CloudLayout layout);
+
+/** \brief The points of a scan in the frame of the scene, with the lidar's pose as
+ * sensor origin and orientation. */
+SimulatedCloud
+toCloud (const LidarScan& scan,
+         const Lidar& lidar,
          const Scene& scene,
          CloudLayout layout);
 

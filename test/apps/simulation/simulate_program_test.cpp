@@ -95,6 +95,42 @@ TEST (SimulateProgram, SeesFurnitureAsItSeesARoom)
   EXPECT_GT (loaded (file).sensor_origin_.z(), 1.0f);
 }
 
+TEST (SimulateProgram, SeesAStreetByALidar)
+{
+  const TemporaryFolder folder;
+  const std::string street = " --scene street --sensor lidar-16 --seed 2";
+  for (const char* name : {"a.pcd", "b.pcd"})
+    ASSERT_EQ (simulate (folder / name + street).exit_code, 0);
+  simulate (folder / "rows.pcd" + street + " --organized");
+  EXPECT_EQ (contentOf (folder / "a.pcd"), contentOf (folder / "b.pcd"));
+  EXPECT_EQ (loaded (folder / "rows.pcd").height, 16u);
+}
+
+TEST (SimulateProgram, DrivesAlongAStreet)
+{
+  const TemporaryFolder folder;
+  const ProgramRun run =
+      simulate (folder / "drive" + " --scene drive --sensor lidar-16 --frames 2");
+  ASSERT_EQ (run.exit_code, 0) << run.text;
+  EXPECT_GT (loaded (folder / "drive/frame_001.pcd").size(), 10'000u);
+  EXPECT_NE (contentOf (folder / "drive/poses.txt"), "");
+}
+
+TEST (SimulateProgram, RefusesWhatNoLidarOrOnlyALidarHas)
+{
+  const TemporaryFolder folder;
+  const std::string output = folder / "street.pcd";
+  const std::string street = output + " --scene street";
+  expectError (simulate (output + " --sensor livox"), 2, "--sensor");
+  expectError (simulate (street + " --sensor sonar"), 2, "--sensor");
+  expectError (simulate (street + " --points 9"), 2, "--points");
+  expectError (simulate (street + " --width 64"), 2, "--scene");
+  expectError (simulate (street + " --profile raw"), 2, "--scene");
+  expectError (simulate (street + " --frames 9"), 2, "--frames");
+  expectError (simulate (street + " --sensor livox --organized"), 2, "--organized");
+  EXPECT_EQ (folder.fileCount(), 0u);
+}
+
 TEST (SimulateProgram, OtherScenesSameSeedSameBytes)
 {
   const TemporaryFolder folder;

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scene.h"
+
+#include <string>
+#include <vector>
+
+namespace pcl_ops::simulation {
+
+/** \brief Standard deviation of a lidar's distances [m]. */
+constexpr double lidar_sigma = 0.02;
+
+/** \brief A lidar in its axes: x forward, y left, z up. It sends some beams at once,
+ * one above the other, highest first, and so around clockwise; or with \ref beams 1 a
+ * single one along a rosette that never repeats. */
+struct Lidar {
+  int beams = 64;
+  /** \brief How often they are sent in a scan. */
+  int steps = 1900;
+  /** \brief Elevations of the outer beams; of a rosette those of its edge [degree]. */
+  double highest = 2.0, lowest = -24.8;
+  /** \brief Readings beyond are lost [m]. */
+  double farthest = 120.0;
+  /** \brief From the lidar's frame to the scene's. */
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+
+  bool
+  isRosette () const
+  {
+    return beams == 1;
+  }
+};
+
+/** \brief The names that \ref lidarOf knows. */
+std::vector<std::string>
+lidarNames ();
+
+/** \brief A lidar like a Velodyne HDL-64E, HDL-32E or VLP-16 ("lidar-64", "lidar-32",
+ * "lidar-16") or a Livox Avia ("livox").
+ * \param[in] name one of \ref lidarNames */
+Lidar
+lidarOf (const std::string& name);
+
+/** \brief What a lidar reads, ray by ray in the order they are sent. */
+struct LidarScan {
+  int beams = 0;
+  /** \brief In the lidar's frame [m]; NaN: no reading. */
+  std::vector<Eigen::Vector3d> points;
+  std::vector<SurfaceId> surface;
+};
+
+/** \brief Casts all rays of a scan from where the lidar is; distances are noisy.
+ * \param[in] scene best \ref divided
+ * \param[in] lidar from where
+ * \param[in] noise_scale factor on \ref lidar_sigma, the noise along the rays
+ * \param[in] seed the same seed gives the same scan
+ * \param[in] number of the scan in a row of them: a rosette goes on where the last
+ * scan ended */
+LidarScan
+scanAround (const Scene& scene,
+            const Lidar& lidar,
+            double noise_scale,
+            std::uint32_t seed,
+            std::size_t number = 0);
+
+} // namespace pcl_ops::simulation
