@@ -14,6 +14,7 @@
 #include <simulation/depth_noise.h>
 #include <simulation/shapes.h>
 #include <simulation/simulated_cloud.h>
+#include <simulation/street.h>
 #include <simulation/survey.h>
 
 #include <algorithm>
@@ -30,6 +31,9 @@ const char* const data_set_help =
     "furniture:FIRST-LAST (boards on posts in a corner, by seed), "
     "survey:FIRST-LAST (36 houses on a ground, by seed), "
     "shapes:FIRST-LAST (round shapes beside a ground, by seed), "
+    "streets:FIRST-LAST, streets-32:FIRST-LAST, streets-16:FIRST-LAST or "
+    "streets-livox:FIRST-LAST (a street around a lidar with 64, 32 or 16 beams or a "
+    "rosette, by seed), "
     "clouds:PATH (.pcd, .ply, .las and text, field label as truth)";
 
 namespace {
@@ -139,6 +143,24 @@ roomsDataSet (const std::string& name, const std::string& seeds, NoiseProfile pr
   });
 }
 
+/** \param[in] sensor one of simulation::lidarNames */
+DataSet
+streetsDataSet (const std::string& name,
+                const std::string& seeds,
+                const std::string& sensor)
+{
+  return scenesDataSet (name, "street", seeds, [sensor] (std::uint32_t seed) {
+    const simulation::Street street = simulation::makeStreet (seed);
+    simulation::Lidar lidar = simulation::lidarOf (sensor);
+    lidar.pose = simulation::drawSensorPose (street, seed);
+    return withExactTruth (
+        simulation::toCloud (simulation::scanAround (street.scene, lidar, 1.0, seed),
+                             lidar,
+                             street.scene,
+                             simulation::CloudLayout::Readings));
+  });
+}
+
 DataSet
 scansDataSet (const std::string& name, const std::string& sizes)
 {
@@ -243,6 +265,14 @@ dataSetOf (const std::string& text, const Eigen::Vector3d& up)
       return scenesDataSet (kind, kind, rest, simulateSurvey);
     if (kind == "shapes")
       return scenesDataSet (kind, kind, rest, simulateShapes);
+    if (kind == "streets")
+      return streetsDataSet (kind, rest, "lidar-64");
+    if (kind == "streets-32")
+      return streetsDataSet (kind, rest, "lidar-32");
+    if (kind == "streets-16")
+      return streetsDataSet (kind, rest, "lidar-16");
+    if (kind == "streets-livox")
+      return streetsDataSet (kind, rest, "livox");
     if (kind == "clouds")
       return cloudsDataSet (rest, up);
   }

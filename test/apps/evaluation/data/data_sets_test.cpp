@@ -50,6 +50,21 @@ TEST (DataSets, FurnitureComesWithItsTruthAndCamera)
   EXPECT_GT (furniture.cloud->sensor_origin_.z(), 1.0f);
 }
 
+TEST (DataSets, StreetsAreAStreetForEachSeedAndSensor)
+{
+  for (const std::string kind :
+       {"streets", "streets-32", "streets-16", "streets-livox"}) {
+    const DataSet streets = dataSet (kind + ":9-11");
+    EXPECT_EQ (streets.name, kind);
+    ASSERT_EQ (streets.clouds.size(), 3u);
+    EXPECT_EQ (streets.clouds[2].name, "street-0011");
+  }
+  const EvaluationCloud street = dataSet ("streets-16:1").clouds.at (0).load();
+  ASSERT_TRUE (street.truth);
+  EXPECT_EQ (street.truth->size(), street.cloud->size());
+  EXPECT_GT (street.cloud->sensor_origin_.z(), 1.0f);
+}
+
 TEST (DataSets, AWrongRangeOfSeedsIsNamed)
 {
   for (const std::string text : {"rooms:9-1", "survey:9-1", "shapes:1-9999999"})
