@@ -121,7 +121,7 @@ addCar (Scene& scene,
 {
   const double half_turns = drawChance (generator, 0.5) ? 1.0 : 0.0;
   const double yaw = drawAngle (generator, -2, 2) + half_turns * pi;
-  const double y = drawBetween (generator, 1.1, 1.3);
+  const double y = drawBetween (generator, 1.0, 1.5);
   addBody (scene,
            makeCar (generator),
            side.pose * at (x, y, 0.0) * turned (yaw, Vector3d::UnitZ()));
