@@ -41,7 +41,7 @@ rotatingRay (const Lidar& lidar, int step, int beam)
 Vector3d
 rosetteRay (const Lidar& lidar, std::size_t ray)
 {
-  // Of a Livox Mid-40; their ratio is such that the rosette is not closed for minutes.
+  // Of a Livox Mid-40: the rosette is closed after half a minute.
   constexpr double turns_of_first = 7294.0 / 60.0, turns_of_second = -4664.0 / 60.0;
   constexpr double rays_a_second = 1e5;
   const double time = double (ray) / rays_a_second;

@@ -14,7 +14,7 @@ constexpr double lidar_sigma = 0.02;
 
 /** \brief A lidar in its axes: x forward, y left, z up. It sends some beams at once,
  * one above the other, highest first, and so around clockwise; or with \ref beams 1 a
- * single one along a rosette that never repeats. */
+ * single one along a rosette whose gaps the next scans fill. */
 struct Lidar {
   int beams = 64;
   /** \brief How often they are sent in a scan. */

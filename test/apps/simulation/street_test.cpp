@@ -30,13 +30,13 @@ streetCloud (std::uint32_t seed, const std::string& sensor, double noise = 1.0)
 
 /** \brief A lidar inside of a box, which all rays meet. */
 LidarScan
-scanInABox (const Lidar& lidar, std::size_t number = 0)
+scanInABox (const Lidar& lidar, std::size_t number = 0, double noise = 0.0)
 {
   Body box;
   addBox (box, Eigen::Isometry3d::Identity(), {9.0, 8.0, 7.0});
   Scene scene;
   addBody (scene, box, Eigen::Isometry3d::Identity());
-  return scanAround (scene, lidar, 0.0, 1, number);
+  return scanAround (scene, lidar, noise, 1, number);
 }
 
 } // namespace
@@ -62,6 +62,19 @@ TEST (Lidar, RosetteIsAConeThatIsDrawnAnewByEachScan)
     widest = std::max (widest, std::acos (point.x() / point.norm()));
   EXPECT_NEAR (widest, 35.0 * degree, 0.01 * degree);
   EXPECT_FALSE (first.points[0].isApprox (second.points[0], 1e-3));
+}
+
+TEST (Lidar, NoiseIsAlongTheRays)
+{
+  const Lidar lidar = lidarOf ("lidar-16");
+  const LidarScan exact = scanInABox (lidar), noisy = scanInABox (lidar, 0, 2.0);
+  double squares = 0.0;
+  for (std::size_t i = 0; i < exact.points.size(); ++i) {
+    const Eigen::Vector3d error = noisy.points[i] - exact.points[i];
+    EXPECT_LT (error.cross (exact.points[i]).norm(), 1e-9);
+    squares += error.squaredNorm();
+  }
+  EXPECT_NEAR (std::sqrt (squares / double (exact.points.size())), 0.04, 0.001);
 }
 
 TEST (Lidar, ReadsNothingBeyondItsRange)
@@ -93,7 +106,7 @@ TEST (Lidar, OrganizedRowsAreBeams)
 
 TEST (Street, SameSeedSameCloud)
 {
-  for (const std::string& sensor : lidarNames()) {
+  for (const char* sensor : {"lidar-16", "livox"}) {
     const std::uint32_t seed = seedOfTest();
     const auto first = streetCloud (seed, sensor);
     EXPECT_TRUE (haveSamePoints (first, streetCloud (seed, sensor)));
@@ -105,16 +118,16 @@ TEST (Street, PointsLieOnThePlaneOfTheirLabel)
 {
   constexpr double rounding_of_street = 50.0 * rounding;
   for (std::uint32_t seed = seedOfTest(), last = seed + 3; seed != last; ++seed) {
-    EXPECT_LT (largestDistanceToTruth (streetCloud (seed, "lidar-64", 0.0)),
+    EXPECT_LT (largestDistanceToTruth (streetCloud (seed, "lidar-32", 0.0)),
                rounding_of_street);
-    EXPECT_LT (largestDistanceToTruth (streetCloud (seed, "lidar-64")),
+    EXPECT_LT (largestDistanceToTruth (streetCloud (seed, "lidar-32")),
                largest_gaussian * lidar_sigma + rounding_of_street);
   }
 }
 
 TEST (Street, HasManyPlanesOfWhichTheRoadIsOne)
 {
-  for (std::uint32_t seed = seedOfTest(), last = seed + 5; seed != last; ++seed) {
+  for (std::uint32_t seed = seedOfTest(), last = seed + 3; seed != last; ++seed) {
     const auto planes = streetCloud (seed, "lidar-64").planes;
     ASSERT_GE (planes.size(), 30u) << seed;
     EXPECT_GT (std::abs (planes[0].plane.normal.z()), 1.0 - rounding) << seed;
