@@ -60,8 +60,9 @@ codeOf (const fs::path& page, const std::string& language)
 std::string
 smallerScene (const std::string& command)
 {
-  if (command.find ("--points") != std::string::npos)
-    return "";
+  for (const char* sized : {"--points", "--scene street", "--scene drive"})
+    if (command.find (sized) != std::string::npos)
+      return "";
   if (command.find ("--scene walk") != std::string::npos)
     return " --frames 5 --width 80 --height 60";
   return command.find ("--scene") != std::string::npos ? " --points 5000"

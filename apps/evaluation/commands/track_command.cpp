@@ -34,7 +34,7 @@ readOptions (int argc, const char* const* argv, TrackOptions& options)
       "Tells how many planes keep their number in a sequence of labelled clouds, as\n"
       "pcl_ops_segment --track writes it. The true label of a plane has to be the "
       "same\n"
-      "in all clouds, as in those of pcl_ops_simulate --scene walk.",
+      "in all clouds, as in those of pcl_ops_simulate --scene walk or drive.",
       PCL_OPS_VERSION);
   line.addArgument ("TRUTH", options.truth_folder, "folder of the true planes");
   line.addArgument (

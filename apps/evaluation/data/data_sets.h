@@ -19,8 +19,8 @@ extern const char* const data_set_help;
  * "clouds:FOLDER" or "clouds:FILE" (.pcd, .ply and .las files; the field label, where
  * there is one, is the truth).
  * \param[in] up direction against gravity in the files of "clouds"
- * \throw apps::UsageError for any other text, apps::WorkError if the folder has no cloud
- */
+ * \throw apps::UsageError for any other text, apps::WorkError if the folder has no
+ * cloud */
 DataSet
 dataSetOf (const std::string& text, const Eigen::Vector3d& up);
 
