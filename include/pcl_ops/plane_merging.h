@@ -21,9 +21,11 @@ struct MergingParameters {
    * detector's theta_h; with Sampling::Surfels the noise decides alone. Without a
    * detector: 0.05 m. */
   std::optional<double> distance_threshold;
-  /** \brief That distance in units of the noise, if more: the rms distance of the
-   * points to their plane. Not in the paper. Not given: 2.25 with Sampling::Surfels,
-   * whose surfaces, as real walls, are not flat; 0 elsewhere. */
+  /** \brief Planes within the angle are one, too, if the rms distance of the smaller
+   * one's points to the larger plane is below this many times the noise of the noisier
+   * one, and neither is more than 4 times as noisy as the other; the noise of a plane
+   * is the rms distance of its points to it. Not in the paper. Not given: 1.5 with
+   * Sampling::Surfels, whose surfaces, as real walls, are not flat; 0 elsewhere. */
   std::optional<double> noise_factor;
 };
 

@@ -36,11 +36,30 @@ groupsWithAPlane (const std::vector<Moments>& planes)
   return groups;
 }
 
-// The rms distance of the noisier plane's points to it.
-double
-noiseOf (const PlaneFit& first, const PlaneFit& second)
+// Whether two planes are as noisy as each other, and the smaller one's points are no
+// farther from the larger plane than the noise explains. Asked of the points that are
+// there, and not of either plane carried on to the other's centroid. A thick plane
+// through a bush takes no clean ground by this.
+bool
+agreeWithinNoise (const Group& larger, const Group& smaller, double noise_factor)
 {
-  return std::sqrt (std::max (first.variances[0], second.variances[0]));
+  constexpr double squared_ratio = 4.0 * 4.0;
+  // Of the rounding of coordinates, where there is no noise.
+  constexpr double squared_rounding = 1e-12;
+  const double rounding = squared_rounding * larger.fit.variances[2];
+  const double first = larger.fit.variances[0] + rounding;
+  const double second = smaller.fit.variances[0] + rounding;
+  const double noisier = std::max (first, second);
+  return noisier <= squared_ratio * std::min (first, second) &&
+         meanSquaredDistance (smaller.moments, larger.fit.plane) <
+             noise_factor * noise_factor * noisier;
+}
+
+bool
+areWithinAngle (const PlaneFit& first, const PlaneFit& second, double angle_threshold)
+{
+  const double cosine = std::abs (first.plane.normal.dot (second.plane.normal));
+  return std::acos (std::min (1.0, cosine)) < angle_threshold;
 }
 
 bool
@@ -81,12 +100,11 @@ mergeOnce (std::vector<Group>& groups,
     normals.push_back (group.fit.plane.normal);
   std::vector<bool> is_absorbed (groups.size(), false);
   const auto absorbs = [&] (Group& larger, const Group& other) {
-    return areCoplanar (larger.fit,
-                        other.fit,
-                        angle_threshold,
-                        std::max (distance_threshold,
-                                  noise_factor * noiseOf (larger.fit, other.fit))) &&
-           absorb (larger, other);
+    const bool are_one =
+        areCoplanar (larger.fit, other.fit, angle_threshold, distance_threshold) ||
+        (areWithinAngle (larger.fit, other.fit, angle_threshold) &&
+         agreeWithinNoise (larger, other, noise_factor));
+    return are_one && absorb (larger, other);
   };
   std::vector<Group> kept;
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -114,8 +132,7 @@ areCoplanar (const PlaneFit& first,
              double angle_threshold,
              double distance_threshold)
 {
-  const double cosine = std::abs (first.plane.normal.dot (second.plane.normal));
-  return std::acos (std::min (1.0, cosine)) < angle_threshold &&
+  return areWithinAngle (first, second, angle_threshold) &&
          std::abs (first.plane.distance (second.centroid)) < distance_threshold &&
          std::abs (second.plane.distance (first.centroid)) < distance_threshold;
 }

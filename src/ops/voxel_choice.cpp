@@ -38,34 +38,56 @@ smallestVoxel (const Points& points)
 }
 
 // Of the points of a voxel about their plane [m], in voxels as flat as a quarter of
-// all.
+// those that have any: the steps of a quantized depth have none.
 double
 noiseOfFlatVoxels (const VoxelGrid& grid)
 {
   constexpr double fewest_points = 16.0;
+  constexpr double smallest_share = 1e-4;
   std::vector<float> noise;
   for (const Moments& voxel : grid.moments)
-    if (voxel.count >= fewest_points)
-      noise.push_back (static_cast<float> (
-          std::sqrt (principalAxes (voxel.covariance()).values[0])));
+    if (voxel.count >= fewest_points) {
+      const double own = std::sqrt (principalAxes (voxel.covariance()).values[0]);
+      if (own > smallest_share * grid.voxel_size)
+        noise.push_back (static_cast<float> (own));
+    }
   const auto quarter = noise.begin() + static_cast<std::ptrdiff_t> (noise.size() / 4);
   std::nth_element (noise.begin(), quarter, noise.end());
-  return noise.empty() ? grid.voxel_size : *quarter;
+  return noise.empty() ? 0.0 : *quarter;
+}
+
+// Points in the voxel of a point, on average over all points: many more than in a voxel
+// on average where a cloud is far denser in some places than in others.
+double
+meanPointsAroundPoints (const VoxelGrid& grid)
+{
+  double points = 0.0;
+  double squares = 0.0;
+  for (const Moments& voxel : grid.moments) {
+    points += voxel.count;
+    squares += voxel.count * voxel.count;
+  }
+  return squares / points;
 }
 
 // Voxels hold the more points the more there are, as noise does not shrink with them.
-// Where there is next to none, as in a survey, smaller ones tell more.
+// Where there is next to none, smaller ones tell more. And one size is too large near a
+// lidar and too small far from it: a cloud of uneven density gets the voxels that suit
+// its dense places; sparse places are looked at by themselves, see \ref sparsePoints.
 double
 voxelSizeByNoise (const VoxelGrid& grid)
 {
-  constexpr double enough_points = 32.0;
-  constexpr double usual_share = 0.02;
-  const double points = meanPointsPerVoxel (grid);
-  if (points < 4.0 * enough_points)
+  constexpr double enough_points = 12.0;
+  constexpr double many_points = 128.0;
+  constexpr double least_contrast = 1.7;
+  constexpr double largest_noise_share = 0.014;
+  const double points = meanPointsAroundPoints (grid);
+  const bool is_uneven = points > least_contrast * meanPointsPerVoxel (grid);
+  if (points < (is_uneven ? enough_points : many_points))
     return grid.voxel_size;
   const double by_points = grid.voxel_size * std::sqrt (enough_points / points);
   return std::clamp (
-      noiseOfFlatVoxels (grid) / usual_share, by_points, grid.voxel_size);
+      noiseOfFlatVoxels (grid) / largest_noise_share, by_points, grid.voxel_size);
 }
 
 } // namespace

@@ -63,7 +63,7 @@ joinPlanes (const VoxelGrid& grid,
 MergingParameters
 mergingByNoise (MergingParameters merging)
 {
-  constexpr double usual_noise_factor = 2.25;
+  constexpr double usual_noise_factor = 1.5;
   merging.distance_threshold = merging.distance_threshold.value_or (0.0);
   merging.noise_factor = merging.noise_factor.value_or (usual_noise_factor);
   return merging;

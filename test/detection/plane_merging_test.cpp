@@ -51,6 +51,29 @@ momentsOf (const Surface& surface, int steps = 10)
   return moments;
 }
 
+/** \brief Moments of points so far off either side of a square. */
+Moments
+noisySquare (const Eigen::Vector3d& centre,
+             double noise,
+             double edge = 1_m,
+             double tilt = 0.0)
+{
+  const Eigen::Vector3d off (noise * std::sin (tilt), 0, noise * std::cos (tilt));
+  Moments moments = momentsOf (square (centre + off, tilt, edge));
+  moments += momentsOf (square (centre - off, tilt, edge));
+  return moments;
+}
+
+/** \brief The noise decides alone. */
+MergingParameters
+byNoise (double noise_factor)
+{
+  MergingParameters parameters;
+  parameters.distance_threshold = 0.0;
+  parameters.noise_factor = noise_factor;
+  return parameters;
+}
+
 PlaneFit
 fitOf (const Surface& surface)
 {
@@ -123,16 +146,39 @@ TEST (Merge, JoinsTwoPartsOfOneFloor)
 
 TEST (Merge, AllowsNoisyPlanesTheDistanceTheirNoiseExplains)
 {
-  // Two layers 3 cm off either side: planes with an rms distance of 3 cm.
-  Moments noisy = momentsOf (square ({0, 0, 3_cm}));
-  noisy += momentsOf (square ({0, 0, -3_cm}));
-  const std::vector<Moments> apart = {noisy, momentsOf (square ({2, 0, 5_cm}))};
-  MergingParameters parameters;
-  parameters.distance_threshold = 0.0;
-  parameters.noise_factor = 1.0;
-  EXPECT_EQ (mergePlanes (apart, parameters).fits.size(), 2u);
-  parameters.noise_factor = 2.0;
-  EXPECT_EQ (mergePlanes (apart, parameters).fits.size(), 1u);
+  // Points 3 cm off either side of each: 5 cm apart they are 5.8 cm from the other.
+  const std::vector<Moments> apart = {noisySquare ({0, 0, 0}, 3_cm),
+                                      noisySquare ({2, 0, 5_cm}, 3_cm)};
+  EXPECT_EQ (mergePlanes (apart, byNoise (1.8)).fits.size(), 2u);
+  EXPECT_EQ (mergePlanes (apart, byNoise (2.1)).fits.size(), 1u);
+}
+
+TEST (Merge, ByNoiseKeepsAThickPlaneFromTakingACleanOne)
+{
+  const Moments clean = noisySquare ({2, 0, 0}, 1_cm);
+  EXPECT_EQ (
+      mergePlanes ({noisySquare ({0, 0, 0}, 5_cm), clean}, byNoise (2.0)).fits.size(),
+      2u);
+  EXPECT_EQ (
+      mergePlanes ({noisySquare ({0, 0, 0}, 3_cm), clean}, byNoise (2.0)).fits.size(),
+      1u);
+}
+
+TEST (Merge, ByNoiseCarriesNoSmallPlaneOnToTheCentroidOfALargeOne)
+{
+  // A piece of a wall: its noise tilts it by 2 degrees, 35 cm over the 10 m between
+  // them.
+  Moments wall = noisySquare ({0, 0, 0}, 1_cm, 8_m);
+  const Moments piece = noisySquare ({10, 0, 0}, 1_cm, 30_cm, 2_deg);
+  EXPECT_FALSE (areCoplanar (*fitPlane (wall), *fitPlane (piece), 7_deg, 5_cm));
+  EXPECT_EQ (mergePlanes ({wall, piece}, byNoise (1.5)).fits.size(), 1u);
+}
+
+TEST (Merge, ByNoiseStillAsksForTheAngle)
+{
+  const Moments first = noisySquare ({0, 0, 0}, 3_cm);
+  const Moments second = noisySquare ({0.5, 0, 0}, 3_cm, 30_cm, 8_deg);
+  EXPECT_EQ (mergePlanes ({first, second}, byNoise (2.0)).fits.size(), 2u);
 }
 
 TEST (Merge, KeepsParallelPlanesApart)
