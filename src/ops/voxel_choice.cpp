@@ -81,13 +81,17 @@ voxelSizeByNoise (const VoxelGrid& grid)
   constexpr double many_points = 128.0;
   constexpr double least_contrast = 1.7;
   constexpr double largest_noise_share = 0.014;
+  // However many points are at one place, the whole cloud has to have voxels.
+  constexpr double smallest_share = 1.0 / 16.0;
   const double points = meanPointsAroundPoints (grid);
   const bool is_uneven = points > least_contrast * meanPointsPerVoxel (grid);
   if (points < (is_uneven ? enough_points : many_points))
     return grid.voxel_size;
-  const double by_points = grid.voxel_size * std::sqrt (enough_points / points);
-  return std::clamp (
-      noiseOfFlatVoxels (grid) / largest_noise_share, by_points, grid.voxel_size);
+  const double by_points =
+      std::max (smallest_share, std::sqrt (enough_points / points));
+  return std::clamp (noiseOfFlatVoxels (grid) / largest_noise_share,
+                     by_points * grid.voxel_size,
+                     grid.voxel_size);
 }
 
 } // namespace

@@ -67,3 +67,14 @@ TEST (VoxelChoice, LeavesNoisyDensePlacesTheVoxelsTheyNeed)
   EXPECT_GT (gridOfUnevenFloor (5_cm).voxel_size,
              2.0 * gridOfUnevenFloor (0.0).voxel_size);
 }
+
+TEST (VoxelChoice, HasVoxelsForAllOfACloudThatIsMostlyAtOnePlace)
+{
+  // A floor of 40 m, in voxels of some 2 m, and half as many points on a square
+  // millimetre of it.
+  Points points;
+  addGrid (points, {{-20, -20, 0}, {40, 0, 0}, {0, 40, 0}}, 300);
+  addGrid (points, {{0, 0, 0}, {1_mm, 0, 0}, {0, 1_mm, 0}}, 200);
+  const VoxelGrid grid = voxelizeByNoise (points, few_voxels, 1).grid;
+  EXPECT_GT (grid.voxel_size, 10_cm);
+}
