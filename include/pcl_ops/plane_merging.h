@@ -23,7 +23,7 @@ struct MergingParameters {
   std::optional<double> distance_threshold;
   /** \brief Planes within the angle are one, too, if the rms distance of the smaller
    * one's points to the larger plane is below this many times the noise of the noisier
-   * one, and neither is more than 4 times as noisy as the other; the noise of a plane
+   * one, and neither is more than 6 times as noisy as the other; the noise of a plane
    * is the rms distance of its points to it. Not in the paper. Not given: 1.5 with
    * Sampling::Surfels, whose surfaces, as real walls, are not flat; 0 elsewhere. */
   std::optional<double> noise_factor;

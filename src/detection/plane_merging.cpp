@@ -43,7 +43,7 @@ groupsWithAPlane (const std::vector<Moments>& planes)
 bool
 agreeWithinNoise (const Group& larger, const Group& smaller, double noise_factor)
 {
-  constexpr double squared_ratio = 4.0 * 4.0;
+  constexpr double squared_ratio = 6.0 * 6.0;
   // Of the rounding of coordinates, where there is no noise.
   constexpr double squared_rounding = 1e-12;
   const double rounding = squared_rounding * larger.fit.variances[2];

@@ -157,10 +157,10 @@ TEST (Merge, ByNoiseKeepsAThickPlaneFromTakingACleanOne)
 {
   const Moments clean = noisySquare ({2, 0, 0}, 1_cm);
   EXPECT_EQ (
-      mergePlanes ({noisySquare ({0, 0, 0}, 5_cm), clean}, byNoise (2.0)).fits.size(),
+      mergePlanes ({noisySquare ({0, 0, 0}, 8_cm), clean}, byNoise (2.0)).fits.size(),
       2u);
   EXPECT_EQ (
-      mergePlanes ({noisySquare ({0, 0, 0}, 3_cm), clean}, byNoise (2.0)).fits.size(),
+      mergePlanes ({noisySquare ({0, 0, 0}, 4_cm), clean}, byNoise (2.0)).fits.size(),
       1u);
 }
 
