@@ -42,8 +42,8 @@ struct SurfelParameters {
   /** \brief Edge of a voxel [m]; where no plane explains the points, they are looked at
    * in voxels of half the edge. Voxels then begin at whole multiples of it from the
    * cloud's zero, and tiles of a cloud have the voxels of the whole. Not given: from
-   * the number of points, the surface they are spread over, and, where a voxel has
-   * points enough, their noise. */
+   * the number of points, the surface they are spread over, and, where voxels have many
+   * points or a cloud is far denser in some places than in others, their noise. */
   std::optional<double> voxel_size;
   /** \brief Grids to choose a normal's neighbourhood from, each of twice the voxel size
    * of the one before, 1 to 10. */

@@ -36,10 +36,10 @@ groupsWithAPlane (const std::vector<Moments>& planes)
   return groups;
 }
 
-// Whether two planes are as noisy as each other, and the smaller one's points are no
-// farther from the larger plane than the noise explains. Asked of the points that are
-// there, and not of either plane carried on to the other's centroid. A thick plane
-// through a bush takes no clean ground by this.
+// Whether two planes are about as noisy as each other, and the noise explains how far
+// the smaller one's points are from the larger plane. Neither plane is extrapolated to
+// the other's centroid. The ratio keeps a thick plane through a bush from taking a
+// clean ground.
 bool
 agreeWithinNoise (const Group& larger, const Group& smaller, double noise_factor)
 {

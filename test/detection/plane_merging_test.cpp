@@ -168,10 +168,17 @@ TEST (Merge, ByNoiseCarriesNoSmallPlaneOnToTheCentroidOfALargeOne)
 {
   // A piece of a wall: its noise tilts it by 2 degrees, 35 cm over the 10 m between
   // them.
-  Moments wall = noisySquare ({0, 0, 0}, 1_cm, 8_m);
+  const Moments wall = noisySquare ({0, 0, 0}, 1_cm, 8_m);
   const Moments piece = noisySquare ({10, 0, 0}, 1_cm, 30_cm, 2_deg);
   EXPECT_FALSE (areCoplanar (*fitPlane (wall), *fitPlane (piece), 7_deg, 5_cm));
   EXPECT_EQ (mergePlanes ({wall, piece}, byNoise (1.5)).fits.size(), 1u);
+}
+
+TEST (Merge, ByNoiseJoinsPartsWithoutAnyNoise)
+{
+  const std::vector<Moments> parts = {momentsOf (square ({0, 0, 0})),
+                                      momentsOf (square ({5, 3, 0}))};
+  EXPECT_EQ (mergePlanes (parts, byNoise (1.5)).fits.size(), 1u);
 }
 
 TEST (Merge, ByNoiseStillAsksForTheAngle)

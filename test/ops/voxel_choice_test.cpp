@@ -11,16 +11,31 @@ namespace {
 constexpr int many = 224;
 constexpr double few_voxels = 0.003;
 
-/** \brief Of a floor of 40 m, 10,000 points, with a patch of 2 m in it, as many, with
- * so much noise; in some 270 voxels of 2.5 m if both were as dense. */
+/** \brief Of a floor of 40 m, 40,000 points and 13 in a voxel, with 10,000 more on a
+ * patch of it; half of the points are \p noise above the floor and half below. */
 VoxelGrid
-gridOfUnevenFloor (double noise)
+gridOfFloorWithPatch (double patch_edge, double noise)
+{
+  constexpr double usual_samples = 0.03;
+  const double corner = -0.5 * patch_edge;
+  Points points;
+  // Not about zero, where voxels begin.
+  for (const double height : {15_cm - noise, 15_cm + noise}) {
+    addGrid (points, {{-20, -20, height}, {40, 0, 0}, {0, 40, 0}}, 141);
+    addGrid (
+        points, {{corner, corner, height}, {patch_edge, 0, 0}, {0, patch_edge, 0}}, 70);
+  }
+  return voxelizeByNoise (points, usual_samples, 1).grid;
+}
+
+/** \brief Of a floor of 4 m, one half of which is two layers so far apart. */
+VoxelGrid
+gridOfHalfALayer (double apart)
 {
   Points points;
-  for (const double height : {-noise, noise}) {
-    addGrid (points, {{-20, -20, height}, {40, 0, 0}, {0, 40, 0}}, 71);
-    addGrid (points, {{-1, -1, height}, {2, 0, 0}, {0, 2, 0}}, 71);
-  }
+  addGrid (points, {{-2, -2, 0}, {2, 0, 0}, {0, 4, 0}}, many);
+  for (const double height : {0.0, apart})
+    addGrid (points, {{0, -2, height}, {2, 0, 0}, {0, 4, 0}}, many);
   return voxelizeByNoise (points, few_voxels, 1).grid;
 }
 
@@ -58,14 +73,21 @@ TEST (VoxelChoice, TakesLargerVoxelsForFewerSamples)
 
 TEST (VoxelChoice, SuitsTheDensePlacesOfACloud)
 {
-  // Half of the points are on a patch of 2 m, as in a scan of a lidar.
-  EXPECT_LT (gridOfUnevenFloor (0.0).voxel_size, 50_cm);
+  // As in a scan of a lidar; spread over the whole floor the patch changes nothing.
+  EXPECT_LT (gridOfFloorWithPatch (4_m, 0.0).voxel_size,
+             0.6 * gridOfFloorWithPatch (40_m, 0.0).voxel_size);
 }
 
 TEST (VoxelChoice, LeavesNoisyDensePlacesTheVoxelsTheyNeed)
 {
-  EXPECT_GT (gridOfUnevenFloor (5_cm).voxel_size,
-             2.0 * gridOfUnevenFloor (0.0).voxel_size);
+  EXPECT_GT (gridOfFloorWithPatch (4_m, 5_cm).voxel_size,
+             1.5 * gridOfFloorWithPatch (4_m, 0.0).voxel_size);
+}
+
+TEST (VoxelChoice, TakesTheStepsOfAQuantizedDepthForNoLackOfNoise)
+{
+  EXPECT_GT (gridOfHalfALayer (4_cm).voxel_size,
+             1.5 * gridOfHalfALayer (0.0).voxel_size);
 }
 
 TEST (VoxelChoice, HasVoxelsForAllOfACloudThatIsMostlyAtOnePlace)
