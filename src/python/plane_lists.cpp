@@ -2,282 +2,184 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_lists.h"
 
-#include "detectors.h"
-#include <pcl_ops/plane_filter.h>
-#include <pcl_ops/plane_matching.h>
-#include <pcl_ops/up_axis.h>
-#include <pybind11/eigen.h>
+#include "given_parameters.h"
+#include "point_rows.h"
+#include <pcl_ops/plane_tracker.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl_ops::python {
 
 namespace {
 
-using PlaneObjects = std::vector<const PlaneObject*>;
-
-PlaneObjects
-objectsOf (const py::list& planes, const char* name = "planes")
-{
-  PlaneObjects objects;
-  for (const py::handle& plane : planes) {
-    if (!py::isinstance<PlaneObject> (plane))
-      throwWrongType (name, "a list of pcl_ops.Plane", plane);
-    objects.push_back (plane.cast<const PlaneObject*>());
-  }
-  return objects;
-}
-
-void
-checkAreOfOneArray (const PlaneObjects& planes)
-{
-  for (const PlaneObject* plane : planes)
-    if (!plane->points.is (planes.front()->points))
-      throw py::value_error ("planes: they are of different arrays, whose rows cannot "
-                             "be told apart");
-}
-
-void
-checkShareNoPoints (const PlaneObjects& planes)
-{
-  std::vector<bool> is_taken;
-  for (const PlaneObject* plane : planes)
-    for (const pcl::index_t inlier : plane->segment.inliers) {
-      const auto row = static_cast<std::size_t> (inlier);
-      is_taken.resize (std::max (is_taken.size(), row + 1));
-      if (is_taken[row])
-        throw py::value_error ("planes: some share points, which would count twice; "
-                               "give those of one segment");
-      is_taken[row] = true;
-    }
-}
+using PlaneSegments = std::vector<PlaneSegment>;
 
 /** \brief The plane that some planes went into.
  * \param[in] members by falling size */
 PlaneSegment
-joined (const PlaneObjects& members, const Moments& moments, const PlaneFit& fit)
+joined (const std::vector<const PlaneSegment*>& members,
+        const Moments& moments,
+        const PlaneFit& fit)
 {
   PlaneSegment plane;
   plane.centroid = fit.centroid;
   const Eigen::Vector3d& normal = fit.plane.normal;
-  const bool is_turned = normal.dot (members.front()->segment.normal) < 0.0;
-  plane.normal = is_turned ? -normal : normal;
+  plane.normal = normal.dot (members.front()->normal) < 0.0 ? -normal : normal;
   plane.moments = moments.about (fit.centroid);
-  for (const PlaneObject* member : members) {
-    const pcl::Indices& inliers = member->segment.inliers;
-    plane.inliers.insert (plane.inliers.end(), inliers.begin(), inliers.end());
-  }
+  for (const PlaneSegment* member : members)
+    plane.inliers.insert (
+        plane.inliers.end(), member->inliers.begin(), member->inliers.end());
   std::sort (plane.inliers.begin(), plane.inliers.end());
   return plane;
 }
 
-std::vector<PlaneSegment>
-joinedPlanes (const PlaneObjects& planes, const MergedPlanes& merged)
+PlaneSegments
+joinedPlanes (const PlaneSegments& planes, const MergedPlanes& merged)
 {
-  std::vector<PlaneObjects> members (merged.fits.size());
+  std::vector<std::vector<const PlaneSegment*>> members (merged.fits.size());
   for (std::size_t i = 0; i < planes.size(); ++i)
     if (const std::int32_t into = merged.merged_into[i]; into != no_plane)
-      members[static_cast<std::size_t> (into)].push_back (planes[i]);
-  std::vector<PlaneSegment> all;
+      members[static_cast<std::size_t> (into)].push_back (&planes[i]);
+  PlaneSegments all;
   for (std::size_t i = 0; i < members.size(); ++i) {
     std::stable_sort (members[i].begin(), members[i].end(), [] (auto one, auto other) {
-      return one->segment.moments.count > other->segment.moments.count;
+      return one->moments.count > other->moments.count;
     });
     all.push_back (joined (members[i], merged.moments[i], merged.fits[i]));
   }
   return all;
 }
 
-Fields<UpAxisParameters>
-upAxisFields ()
+/** \return the planes after merging, and into which of them each plane went */
+std::pair<PlaneSegments, Labels>
+merge (const PlaneSegments& planes, const py::dict& given)
 {
-  using P = UpAxisParameters;
-  return {field<P> ("angle_tolerance", &P::angle_tolerance),
-          field<P> ("least_share", &P::least_share),
-          field<P> ("least_confidence", &P::least_confidence)};
+  const auto parameters = withGiven (MergePlanesParameters(), given);
+  std::vector<Moments> moments;
+  for (const PlaneSegment& plane : planes)
+    moments.push_back (plane.moments);
+  const MergedPlanes merged = mergePlanes (moments, parameters.merging);
+  PlaneSegments found = joinedPlanes (planes, merged);
+  nameOrientations (
+      found, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
+  return {std::move (found), merged.merged_into};
 }
 
-std::vector<PlaneSegment>
-segmentsOf (const PlaneObjects& objects)
+/** \brief Filters one plane after the other, so that Python keeps its own objects.
+ * \param[in] extent_of says (area, width) of the plane at a position
+ * \return for each plane the argument that drops it, empty if none does */
+std::vector<std::string>
+filter (const PlaneSegments& planes,
+        const py::dict& given,
+        const py::function& extent_of)
 {
-  std::vector<PlaneSegment> segments;
-  for (const PlaneObject* object : objects)
-    segments.push_back (object->segment);
-  return segments;
+  PlaneFilter filter = withGiven (PlaneFilter(), given);
+  const auto most = std::exchange (filter.max_planes, std::nullopt);
+  std::vector<std::string> reasons;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    PlaneSegments one = {planes[i]};
+    const DroppedPlanes by = filterPlanes (one, filter, [&] (const PlaneSegment&) {
+      PlaneExtent extent;
+      std::tie (extent.area, extent.width) =
+          extent_of (i).cast<std::tuple<double, double>>();
+      return extent;
+    });
+    reasons.emplace_back (by.by_orientation != 0  ? "orientation"
+                          : by.by_direction != 0  ? "direction"
+                          : by.by_points != 0     ? "min_points"
+                          : by.by_area != 0       ? "min_area"
+                          : by.by_width != 0      ? "min_width"
+                          : most && kept >= *most ? "max_planes"
+                                                  : "");
+    kept += reasons.back().empty() ? 1 : 0;
+  }
+  return reasons;
 }
 
-py::array_t<std::int32_t>
-arrayOf (const Labels& labels)
+std::pair<Labels, Eigen::Matrix4d>
+match (const PlaneSegments& previous,
+       const PlaneSegments& current,
+       const Eigen::Matrix4d& pose,
+       const py::dict& given)
 {
-  return py::array_t<std::int32_t> (static_cast<py::ssize_t> (labels.size()),
-                                    labels.data());
+  const auto parameters = withGiven (PlaneMatchingParameters(), given);
+  const PlaneMatches matches =
+      matchPlanes (previous, current, Eigen::Isometry3d (pose), parameters);
+  return {matches.previous, matches.pose.matrix()};
 }
 
-Fields<PlaneMatchingParameters>
-matchingFields ()
+/** \return direction and confidence, or nothing */
+std::optional<std::pair<Eigen::Vector3d, double>>
+upAxis (const PlaneSegments& planes,
+        const Eigen::Vector3d& viewpoint,
+        const py::dict& given)
 {
-  using P = PlaneMatchingParameters;
-  return {field<P> ("rotation_error", &P::rotation_error),
-          field<P> ("translation_error", &P::translation_error),
-          field<P> ("min_overlap", &P::min_overlap)};
+  const auto parameters = withGiven (UpAxisParameters(), given);
+  const std::optional<UpAxis> found = estimateUpAxis (planes, viewpoint, parameters);
+  if (!found)
+    return std::nullopt;
+  return std::make_pair (found->direction, found->confidence);
 }
 
-/** \brief A rigid motion.
- * \throw py::value_error for any other matrix */
-Eigen::Isometry3d
-motionOf (const py::object& pose)
+/** \return (planes, start, end, angle) of each edge, (planes, position) of each corner
+ */
+py::tuple
+edges (const PointRows& points,
+       const Eigen::Vector3d& origin,
+       const PlaneSegments& planes,
+       const py::dict& given)
 {
-  const auto rows = pose.cast<py::array_t<double>>();
-  Eigen::Matrix4d matrix;
-  for (Eigen::Index row = 0; row < 4; ++row)
-    for (Eigen::Index column = 0; column < 4; ++column)
-      matrix (row, column) = rows.at (row, column);
-  constexpr double rounding = 1e-4; // of single precision, multiplied a few times
-  const Eigen::Matrix3d turn = matrix.topLeftCorner<3, 3>();
-  if (!matrix.allFinite() || !(turn * turn.transpose()).isIdentity (rounding) ||
-      turn.determinant() < 0.0 ||
-      !matrix.row (3).isApprox (Eigen::RowVector4d (0, 0, 0, 1)))
-    throw py::value_error ("pose: is no 4 x 4 matrix of a rotation and a translation");
-  return Eigen::Isometry3d (matrix);
+  const auto parameters = withGiven (PlaneEdgeParameters(), given);
+  const PlaneEdges found = findPlaneEdges (viewOf (points), planes, parameters, origin);
+  py::list edges, corners;
+  for (const PlaneEdge& edge : found.edges)
+    edges.append (py::make_tuple (
+        py::tuple (py::cast (edge.planes)), edge.from, edge.to, edge.angle));
+  for (const PlaneCorner& corner : found.corners)
+    corners.append (
+        py::make_tuple (py::tuple (py::cast (corner.planes)), corner.position));
+  return py::make_tuple (edges, corners);
 }
 
 void
-add (const DroppedPlanes& more, DroppedPlanes& sum)
+defineTracker (py::module_& module)
 {
-  sum.by_orientation += more.by_orientation;
-  sum.by_direction += more.by_direction;
-  sum.by_points += more.by_points;
-  sum.by_area += more.by_area;
-  sum.by_width += more.by_width;
-}
-
-PlaneFilter
-filterOf (const py::dict& given)
-{
-  PlaneFilter filter;
-  for (const auto& [key, value] : given) {
-    const auto name = key.cast<std::string>();
-    const bool may_be_none =
-        name == "orientation" || name == "direction" || name == "max_planes";
-    if (may_be_none && value.is_none())
-      continue;
-    if (name == "orientation")
-      filter.orientation = static_cast<Orientation> (
-          oneOf (name, {"horizontal", "vertical", "other"}, value));
-    else if (name == "direction")
-      setValue (name, filter.direction.emplace(), value);
-    else if (name == "direction_tolerance")
-      setValue (name, filter.direction_tolerance, value);
-    else if (name == "min_points")
-      setValue (name, filter.min_points, value);
-    else if (name == "min_area")
-      setValue (name, filter.min_area, value);
-    else if (name == "min_width")
-      setValue (name, filter.min_width, value);
-    else
-      setValue (name, filter.max_planes.emplace(), value);
-    const std::string problem = problemOf (filter);
-    if (!problem.empty())
-      throw py::value_error (name + ": " + problem);
-  }
-  return filter;
+  py::class_<TrackedPlane> (module, "TrackedPlane")
+      .def_readonly ("number", &TrackedPlane::number)
+      .def_readonly ("plane", &TrackedPlane::plane)
+      .def_readonly ("last_seen", &TrackedPlane::last_seen);
+  py::class_<PlaneTracker> (module, "Tracker")
+      .def (py::init ([] (std::optional<std::size_t> memory, const py::dict& given) {
+        return PlaneTracker (withGiven (PlaneMatchingParameters(), given), memory);
+      }))
+      .def ("track",
+            [] (PlaneTracker& tracker,
+                const PlaneSegments& planes,
+                const Eigen::Matrix4d& pose) {
+              return tracker.track (planes, Eigen::Isometry3d (pose));
+            })
+      .def_property_readonly ("planes", &PlaneTracker::planes)
+      .def_property_readonly (
+          "pose", [] (const PlaneTracker& tracker) { return tracker.pose().matrix(); })
+      .def ("copy", [] (const PlaneTracker& tracker) { return tracker; })
+      // Without it protocols 0 and 1 of pickle end the program in pybind11.
+      .def ("__reduce_ex__", [] (const PlaneTracker&, int /*protocol*/) -> py::object {
+        throw py::type_error ("cannot pickle 'pcl_ops.PlaneTracker' objects");
+      });
 }
 
 } // namespace
 
-py::tuple
-filteredPlanes (const py::list& planes, const py::dict& given)
+void
+defineListFunctions (py::module_& module)
 {
-  const PlaneFilter filter = filterOf (given);
-  const PlaneObjects objects = objectsOf (planes);
-  // One at a time: it is for the objects of Python to be kept or dropped, not for
-  // copies.
-  PlaneFilter of_each = filter;
-  of_each.max_planes.reset();
-  DroppedPlanes dropped;
-  py::list kept;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    std::vector<PlaneSegment> one = {objects[i]->segment};
-    const auto extent = [&] (const PlaneSegment& /*plane*/) {
-      return planes[i].cast<PlaneObject&>().extent();
-    };
-    add (filterPlanes (one, of_each, extent), dropped);
-    if (one.empty())
-      continue;
-    if (filter.max_planes && kept.size() >= *filter.max_planes)
-      ++dropped.by_number;
-    else
-      kept.append (planes[i]);
-  }
-  py::dict counts;
-  counts["orientation"] = dropped.by_orientation;
-  counts["direction"] = dropped.by_direction;
-  counts["min_points"] = dropped.by_points;
-  counts["min_area"] = dropped.by_area;
-  counts["min_width"] = dropped.by_width;
-  counts["max_planes"] = dropped.by_number;
-  return py::make_tuple (kept, counts);
-}
-
-py::tuple
-matchedPlanes (const py::list& previous,
-               const py::list& current,
-               const py::object& pose,
-               const py::dict& parameters)
-{
-  const PlaneMatches matches =
-      matchPlanes (segmentsOf (objectsOf (previous, "previous")),
-                   segmentsOf (objectsOf (current, "current")),
-                   motionOf (pose),
-                   withGiven (matchingFields(),
-                              PlaneMatchingParameters(),
-                              parameters,
-                              [] (const PlaneMatchingParameters& given) {
-                                return problemOf (given);
-                              }));
-  return py::make_tuple (arrayOf (matches.previous),
-                         Eigen::Matrix4d (matches.pose.matrix()));
-}
-
-py::tuple
-mergedPlanes (const py::list& planes,
-              const py::dict& orientation,
-              const py::dict& merging)
-{
-  const PlaneDetectorParameters named_by = orientationParameters (orientation);
-  const PlaneObjects objects = objectsOf (planes);
-  checkAreOfOneArray (objects);
-  checkShareNoPoints (objects);
-  std::vector<Moments> moments;
-  for (const PlaneObject* object : objects)
-    moments.push_back (object->segment.moments);
-  const MergedPlanes merged = mergePlanes (moments, mergingParameters (merging));
-  std::vector<PlaneSegment> segments = joinedPlanes (objects, merged);
-  nameOrientations (
-      segments, named_by.up_axis.cast<double>(), named_by.angle_tolerance);
-  py::list found;
-  for (PlaneSegment& segment : segments)
-    found.append (
-        PlaneObject{std::move (segment), objects.front()->points, std::nullopt});
-  return py::make_tuple (found, arrayOf (merged.merged_into));
-}
-
-py::object
-upAxisOf (const py::list& planes,
-          const py::object& viewpoint,
-          const py::dict& parameters)
-{
-  const std::vector<PlaneSegment> segments = segmentsOf (objectsOf (planes));
-  const Eigen::Vector3d sensor = placeOf ("viewpoint", viewpoint);
-  const UpAxisParameters decided = withGiven (
-      upAxisFields(), UpAxisParameters(), parameters, [] (const UpAxisParameters& all) {
-        return problemOf (all);
-      });
-  const std::optional<UpAxis> found = estimateUpAxis (segments, sensor, decided);
-  if (!found)
-    return py::none();
-  return py::make_tuple (found->direction, found->confidence);
+  module.def ("merge", &merge);
+  module.def ("filter", &filter);
+  module.def ("match", &match);
+  module.def ("up_axis", &upAxis);
+  module.def ("edges", &edges);
+  defineTracker (module);
 }
 
 } // namespace pcl_ops::python

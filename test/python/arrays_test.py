@@ -9,25 +9,45 @@ import pcl_ops
 from scene import room
 
 
+def unaligned(points, kind):
+    record = np.zeros(len(points), [("intensity", "u1"), ("xyz", kind, 3)])
+    record["xyz"] = points
+    return record["xyz"]
+
+
+def read_only(points):
+    points = points.copy()
+    points.flags.writeable = False
+    return points
+
+
+layouts = {
+    "Fortran order": np.asfortranarray,
+    "columns of a wider array": lambda points: np.tile(points, 3)[:, 3:6],
+    "every other row": lambda points: np.repeat(points, 2, axis=0)[::2],
+    "rows backwards": lambda points: points[::-1].copy()[::-1],
+    "columns backwards": lambda points: points[:, ::-1].copy()[:, ::-1],
+    "read-only": read_only,
+    "other order of bytes": lambda points: points.astype(">f4"),
+    "other order of bytes, double": lambda points: points.astype(">f8"),
+    "unaligned": lambda points: unaligned(points, "<f4"),
+    "unaligned double": lambda points: unaligned(points, "<f8"),
+    "double": lambda points: points.astype(np.float64),
+    "double, Fortran order": lambda points: np.asfortranarray(points, np.float64),
+    "a list": np.ndarray.tolist,
+}
+
+
 class Arrays(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.points = room()
         cls.labels, cls.planes = pcl_ops.segment(cls.points)
 
-    def assertSameLabels(self, points):
-        labels, planes = pcl_ops.segment(points)
-        np.testing.assert_array_equal(labels, self.labels)
-        for plane, expected in zip(planes, self.planes):
-            np.testing.assert_allclose(plane.hull, expected.hull, atol=1e-6)
-
-    def test_has_floor_and_walls(self):
+    def test_labels_are_the_planes_inliers(self):
         names = sorted(plane.orientation for plane in self.planes)
         self.assertEqual(names, ["horizontal", "vertical", "vertical"])
-        self.assertEqual(self.labels.dtype, np.int32)
-        self.assertEqual(self.labels.shape, (len(self.points),))
-
-    def test_labels_are_the_planes_inliers(self):
+        self.assertEqual((self.labels.dtype, self.labels.shape), (np.int32, (len(self.points),)))
         for number, plane in enumerate(self.planes):
             np.testing.assert_array_equal(np.flatnonzero(self.labels == number), plane.inliers)
 
@@ -36,48 +56,13 @@ class Arrays(unittest.TestCase):
         self.assertEqual(blind.sum(), 100)
         self.assertTrue((self.labels[blind] == -1).all())
 
-    def test_fortran_order(self):
-        self.assertSameLabels(np.asfortranarray(self.points))
-
-    def test_columns_of_a_wider_array(self):
-        wide = np.zeros((len(self.points), 7), np.float32)
-        wide[:, 2:5] = self.points
-        self.assertSameLabels(wide[:, 2:5])
-
-    def test_every_other_row(self):
-        self.assertSameLabels(np.repeat(self.points, 2, axis=0)[::2])
-
-    def test_negative_strides(self):
-        self.assertSameLabels(self.points[::-1].copy()[::-1])
-        self.assertSameLabels(self.points[:, ::-1].copy()[:, ::-1])
-
-    def test_read_only(self):
-        points = self.points.copy()
-        points.flags.writeable = False
-        self.assertSameLabels(points)
-
-    def test_the_other_order_of_bytes(self):
-        self.assertSameLabels(self.points.astype(">f4"))
-        self.assertSameLabels(self.points.astype(">f8"))
-
-    def test_unaligned(self):
-        for kind in ("<f4", "<f8"):
-            record = np.zeros(len(self.points), [("intensity", "u1"), ("xyz", kind, 3)])
-            record["xyz"] = self.points
-            self.assertSameLabels(record["xyz"])
-
-    def test_float64(self):
-        self.assertSameLabels(self.points.astype(np.float64))
-        self.assertSameLabels(np.asfortranarray(self.points, np.float64)[::-1][::-1])
-
-    def test_a_list(self):
-        self.assertSameLabels(self.points.tolist())
-
-    def test_an_array_that_is_gone(self):
-        points = self.points.copy()
-        _, planes = pcl_ops.segment(points)
-        del points
-        np.testing.assert_array_equal(planes[0].hull, self.planes[0].hull)
+    def test_any_layout_has_the_same_labels_and_hulls(self):
+        for name, laid_out in layouts.items():
+            with self.subTest(name):
+                labels, planes = pcl_ops.segment(laid_out(self.points))
+                np.testing.assert_array_equal(labels, self.labels)
+                for plane, expected in zip(planes, self.planes):
+                    np.testing.assert_allclose(plane.hull, expected.hull, atol=1e-6)
 
 
 class FarAway(unittest.TestCase):
@@ -116,9 +101,15 @@ class FarAway(unittest.TestCase):
         points = self.near + self.place
         points[0] = 1e9, -1e9, 1e9
         labels, planes = pcl_ops.segment(points, viewpoint=self.place)
-        self.assertEqual(labels[0], -1)
-        self.assertEqual(len(planes), 3)
+        self.assertEqual((labels[0], len(planes)), (-1, 3))
         self.assertLess(planes[0].rms, 0.003)
+
+    def test_merged_planes_keep_the_frame(self):
+        found = pcl_ops.segment(
+            self.near + self.place, viewpoint=self.place, merging_enabled=False)[1]
+        for plane, near in zip(pcl_ops.merge_planes(found)[0], self.near_planes):
+            np.testing.assert_allclose(plane.centroid - self.place, near.centroid, atol=0.01)
+            self.assertAlmostEqual(plane.area, near.area, delta=0.01 * near.area)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is wrong is said by name, and nothing crashes."""
 
-import pickle
 import unittest
 
 import numpy as np
@@ -10,7 +9,7 @@ import pcl_ops
 from scene import room
 
 points = room()
-labels = np.zeros(len(points), np.int32)
+labels = np.arange(len(points), dtype=np.int32) - 1
 
 
 def segment(array=points, **arguments):
@@ -21,148 +20,115 @@ def evaluate(truth=labels, result=labels, **arguments):
     return lambda: pcl_ops.evaluate(truth, result, points, **arguments)
 
 
+def call(function, *given, **arguments):
+    return lambda: getattr(pcl_ops, function)(*given, **arguments)
+
+
 # What is called, what it raises, and what that begins with.
 table = [
     (segment(np.zeros((5, 4), np.float32)), ValueError, "points: shape (5, 4) is not (N, 3)"),
-    (segment(np.zeros((3, 5), np.float32)), ValueError, "points: shape (3, 5)"),
-    (segment(np.zeros(9, np.float32)), ValueError, "points: shape (9,)"),
     (segment(np.zeros((2, 2, 3), np.float32)), ValueError, "points: shape (2, 2, 3)"),
-    (segment(np.float32(1)), ValueError, "points: shape ()"),
     (segment(np.zeros((0, 3), np.float32)), ValueError, "points: shape (0, 3)"),
     (segment([]), ValueError, "points: shape (0,)"),
     (segment(np.zeros((5, 3), int)), TypeError, "points: dtype int64"),
-    (segment(np.zeros((5, 3), np.float16)), TypeError, "points: dtype float16"),
     (segment(np.zeros((5, 3), np.longdouble)), TypeError, "points: dtype float128"),
-    (segment(np.zeros((5, 3), complex)), TypeError, "points: dtype complex128"),
-    (segment(np.zeros((5, 3), object)), TypeError, "points: dtype object"),
     (segment(np.zeros(5, [("x", "f4")])), TypeError, "points: dtype [('x'"),
     (segment("room.pcd"), TypeError, "points: dtype <U8"),
-    (segment(None), TypeError, "points: dtype object"),
     (segment(np.ma.masked_invalid(points)), TypeError, "points: a masked array"),
-    (segment(method="ransac"), ValueError, "method: 'ransac'"),
-    (segment(method="\ud800"), ValueError, "method: '\\ud800' is not 'ops'"),
-    (segment(**{"\ud800": 1}), ValueError, "\\ud800: unknown parameter"),
-    (segment(method=3), TypeError, "method: not 'ops' or 'fspf' or 'kht': 3"),
-    (segment(preset="fast"), ValueError, "preset: 'fast'"),
-    (segment(preset=None), TypeError, "preset: "),
-    (segment(viewpoint=(0, 0)), TypeError, "viewpoint: not three numbers (x, y, z)"),
-    (segment(viewpoint="xyz"), TypeError, "viewpoint: "),
-    (segment(viewpoint=(0, 0, np.nan)), ValueError, "viewpoint: "),
-    (segment(smapling_rate=0.1), ValueError, "smapling_rate: unknown parameter"),
-    (segment(phi_num=30), ValueError, "phi_num: unknown parameter"),
+    (segment(method="ransac"), ValueError, "method: has to be one of ('ops', 'fspf', 'kht')"),
+    (segment(method=3), TypeError, "method: has to be one of"),
+    (segment(preset="fast"), ValueError, "preset: has to be one of ('default', 'paper'), not 'fast'"),
+    (segment(viewpoint=(0, 0)), TypeError, "viewpoint: has to be three numbers (x, y, z)"),
+    (segment(viewpoint=(0, 0, np.nan)), ValueError, "viewpoint: has to be finite"),
+    (segment(smapling_rate=0.1), ValueError, "smapling_rate: unknown parameter; there are sampling, "),
     (segment(method="kht", k=30), ValueError, "k: unknown parameter"),
     (segment(k=1), ValueError, "k: k must be 2 or more"),
-    (segment(k=2.5), TypeError, "k: not a whole number: 2.5"),
-    (segment(k="30"), TypeError, "k: not a whole number: '30'"),
-    (segment(k=True), TypeError, "k: not a whole number"),
-    (segment(k=np.True_), TypeError, "k: not a whole number"),
-    (segment(k=np.array([30])), TypeError, "k: not a whole number: array([30])"),
-    (segment(k=10**30), ValueError, "k: 1000000000000000000000000000000 is not between"),
-    (segment(seed=-1), ValueError, "seed: -1 is not between 0 and 4294967295"),
-    (segment(threads=-1), ValueError, "threads: -1"),
+    (segment(k=2.5), TypeError, "k: has to be a whole number from -2147483648 to 2147483647, not 2.5"),
+    (segment(k=10**30), ValueError, "k: has to be a whole number"),
+    (segment(seed=-1), ValueError, "seed: has to be a whole number from 0 to 4294967295, not -1"),
     (segment(sampling_rate=0), ValueError, "sampling_rate: the sampling rate must be"),
     (segment(sampling_rate=np.nan), ValueError, "sampling_rate: the sampling rate must be"),
-    (segment(sampling_rate=None), TypeError, "sampling_rate: not a number: None"),
-    (segment(sampling_rate=1j), TypeError, "sampling_rate: not a number: 1j"),
-    (segment(sampling_rate=np.ones(2)), TypeError, "sampling_rate: not a number"),
-    (segment(sampling_rate=np.complex64(1)), TypeError, "sampling_rate: not a number"),
-    (segment(sampling_rate=np.True_), TypeError, "sampling_rate: not a number"),
-    (segment(sampling_rate="ä" * 100), TypeError, "sampling_rate: not a number: '" + "ä" * 79 + "..."),
-    (segment(sampling="point"), ValueError, "sampling: 'point' is not 'points' or 'surfels'"),
+    (segment(sampling_rate=None), TypeError, "sampling_rate: has to be a number, not None"),
+    (segment(sampling_rate=1j), TypeError, "sampling_rate: has to be a number, not 1j"),
+    (segment(sampling_rate="ä" * 100), TypeError, "sampling_rate: has to be a number, not 'äää"),
+    (segment(sampling="point"), ValueError, "sampling: has to be one of 'points', 'surfels', not 'point'"),
+    (segment(sampling=1.5), TypeError, "sampling: has to be one of"),
     (segment(sampling="points"), ValueError, "sampling: the distance threshold must be"),
-    (segment(distance_threshold=-1), ValueError, "distance_threshold: the distance"),
+    (segment(distance_threshold="x"), TypeError, "distance_threshold: has to be a number or None"),
     (segment(k=30, probability=1), ValueError, "probability: "),
     (segment(up=(0, 0, 0)), ValueError, "up: the up axis must be"),
-    (segment(up=1), TypeError, "up: not three numbers"),
-    (segment(up=np.array(5.0)), TypeError, "up: not three numbers (x, y, z): array(5.)"),
-    (segment(up=(1, 2, "z")), TypeError, "up: not a number: 'z'"),
-    (segment(local_optimisation=1), TypeError, "local_optimisation: not True or False: 1"),
+    (segment(up=1.0), TypeError, "up: has to be three numbers (x, y, z), not 1.0"),
+    (segment(up=(1, 2, "z")), TypeError, "up: has to be three numbers"),
+    (segment(local_optimisation=1.0), TypeError, "local_optimisation: has to be True or False, not 1.0"),
     (segment(merging_angle_threshold=9), ValueError, "merging_angle_threshold: the merging"),
-    (segment(method="fspf", outer_radius=0.01), ValueError, "outer_radius: "),
-    (segment(method="fspf", local_samples=2), ValueError, "local_samples: "),
-    (segment(method="kht", clusters_min_samples=-1), ValueError, "clusters_min_samples: -1"),
-    (lambda: pcl_ops.parameters("ransac"), ValueError, "method: 'ransac'"),
-    (lambda: pcl_ops.merge_planes([1]), TypeError, "planes: not a list of pcl_ops.Plane: 1"),
-    (lambda: pcl_ops.merge_planes(None), TypeError, "planes: not a list of pcl_ops.Plane: None"),
-    (lambda: pcl_ops.merge_planes([], angle_threshold=9), ValueError, "angle_threshold: "),
-    (lambda: pcl_ops.merge_planes([], up=(0, 0, 0)), ValueError, "up: the up axis must be"),
-    (lambda: pcl_ops.merge_planes([], angle=1), ValueError, "angle: unknown parameter"),
-    (lambda: pcl_ops.estimate_up_axis([None]), TypeError, "planes: not a list"),
-    (lambda: pcl_ops.estimate_up_axis([], least_share="x"), TypeError, "least_share: "),
-    (lambda: pcl_ops.estimate_up_axis([], least_share=2), ValueError, "least_share: the least"),
-    (lambda: pcl_ops.estimate_up_axis([], angle_tolerance=7), ValueError, "angle_tolerance: the"),
-    (lambda: pcl_ops.estimate_up_axis([], least_confidence=np.nan), ValueError, "least_confidence: "),
-    (lambda: pcl_ops.match_planes([1], []), TypeError, "previous: not a list of pcl_ops.Plane: 1"),
-    (lambda: pcl_ops.match_planes([], None), TypeError, "current: not a list of pcl_ops.Plane: None"),
-    (lambda: pcl_ops.match_planes([], [], "a"), TypeError, "pose: dtype <U1"),
-    (lambda: pcl_ops.match_planes([], [], 1j * np.eye(4)), TypeError, "pose: dtype complex128"),
-    (lambda: pcl_ops.filter_planes([], min_area=None), TypeError, "min_area: not a number: None"),
+    (segment(method="kht", clusters_min_samples=-1), ValueError, "clusters_min_samples: "),
+    (call("merge_planes", [1]), TypeError, "planes: not a list of pcl_ops.Plane: 1"),
+    (call("merge_planes", None), TypeError, "planes: not a list of pcl_ops.Plane: None"),
+    (call("merge_planes", [], angle_threshold=9), ValueError, "angle_threshold: "),
+    (call("merge_planes", [], up=(0, 0, 0)), ValueError, "up: the up axis must be"),
+    (call("estimate_up_axis", [None]), TypeError, "planes: not a list"),
+    (call("estimate_up_axis", [], least_share="x"), TypeError, "least_share: "),
+    (call("estimate_up_axis", [], least_share=2), ValueError, "least_share: the least"),
+    (call("match_planes", [1], []), TypeError, "previous: not a list of pcl_ops.Plane: 1"),
+    (call("match_planes", [], [], "a"), ValueError, "pose: is no 4 x 4 matrix"),
+    (call("match_planes", [], [], np.eye(3)), ValueError, "pose: is no"),
+    (call("match_planes", [], [], 2 * np.eye(4)), ValueError, "pose: is no 4 x 4 matrix"),
+    (call("match_planes", [], [], np.full((4, 4), np.nan)), ValueError, "pose: is no"),
+    (call("match_planes", [], [], np.diag([1, 1, -1, 1])), ValueError, "pose: is no"),
+    (call("match_planes", [], [], rotation_error=-1.0), ValueError, "rotation_error: "),
+    (call("match_planes", [], [], min_overlap=2.0), ValueError, "min_overlap: "),
+    (call("PlaneTracker", memory=-1), ValueError, "memory: "),
+    (lambda: pcl_ops.PlaneTracker().track([1]), TypeError, "planes: not a list"),
+    (call("find_plane_edges", [], min_angle=9), ValueError, "min_angle: "),
+    (call("find_plane_edges", [], reach="x"), TypeError, "reach: has to be a number or None"),
+    (call("filter_planes", [], orientation="steep"), ValueError, "orientation: "),
+    (call("filter_planes", [], direction=(0, 0, 0)), ValueError, "direction: "),
+    (call("filter_planes", [], direction_tolerance=4.0), ValueError, "direction_tolerance: "),
+    (call("filter_planes", [], min_points=-1), ValueError, "min_points: "),
+    (call("filter_planes", [], min_area=np.nan), ValueError, "min_area: "),
+    (call("filter_planes", [], max_planes=-1), ValueError, "max_planes: "),
     (evaluate(labels[:-1]), ValueError, "truth: shape (29599,) is not (29600,)"),
-    (evaluate(result=labels[None]), ValueError, "result: shape (1, 29600)"),
     (evaluate(result=labels.astype(float)), TypeError, "result: dtype float64"),
-    (evaluate(labels.astype(np.int64) + 2**32), ValueError, "truth: the label 4294967296 is too large"),
     (evaluate(labels.astype(np.uint64) + np.uint64(2**63)), ValueError, "truth: the label "),
     (evaluate(np.ma.masked_equal(labels, 1)), TypeError, "truth: a masked array"),
+    (evaluate(labels + 1), ValueError, "truth: has the label 0 and no negative one; give none=0"),
     (evaluate(up=(0, 0, np.inf)), ValueError, "up: the up axis must be"),
 ]
 
 
 class BadInput(unittest.TestCase):
     def test_is_said_by_name(self):
-        for call, error, beginning in table:
+        for bad_call, error, beginning in table:
             with self.subTest(beginning):
                 with self.assertRaises(error) as raised:
-                    call()
+                    bad_call()
                 self.assertTrue(str(raised.exception).startswith(beginning), raised.exception)
 
-    def test_planes_of_different_arrays_do_not_merge(self):
-        first = pcl_ops.segment(points)[1]
-        second = pcl_ops.segment(points.copy())[1]
-        with self.assertRaisesRegex(ValueError, "planes: .*different arrays"):
-            pcl_ops.merge_planes(first + second)
+    def test_planes_of_different_arrays_do_not_merge_or_meet(self):
+        planes = pcl_ops.segment(points)[1] + pcl_ops.segment(points.copy())[1]
+        for function in (pcl_ops.merge_planes, pcl_ops.find_plane_edges):
+            with self.assertRaisesRegex(ValueError, "planes: .*different arrays"):
+                function(planes)
 
     def test_planes_that_share_points_do_not_merge(self):
         planes = pcl_ops.segment(points)[1]
         with self.assertRaisesRegex(ValueError, "planes: some share points"):
             pcl_ops.merge_planes(planes + planes[:1])
 
-    def test_what_another_value_raises_is_not_lost(self):
-        class Interrupted:
-            def __float__(self):
-                raise KeyboardInterrupt
-
-        with self.assertRaises(KeyboardInterrupt):
-            pcl_ops.segment(points, sampling_rate=Interrupted())
-
-    def test_planes_are_not_pickled(self):
-        plane = pcl_ops.segment(points)[1][0]
-        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
-            with self.assertRaisesRegex(TypeError, "pcl_ops.Plane"):
-                pickle.dumps(plane, protocol)
-
 
 class NothingToFind(unittest.TestCase):
     """As in C++ no plane is an answer, not an error."""
 
-    def test_without_a_finite_point(self):
-        for nothing in (np.nan, np.inf, -np.inf):
-            for kind in (np.float32, np.float64):
-                labels, planes = pcl_ops.segment(np.full((1000, 3), nothing, kind))
-                self.assertEqual(planes, [])
-                self.assertTrue((labels == -1).all())
-
-    def test_with_a_single_point(self):
-        for method in ("ops", "fspf", "kht"):
-            labels, planes = pcl_ops.segment(np.zeros((1, 3), np.float32), method)
-            self.assertEqual((labels.tolist(), planes), ([-1], []))
-
-    def test_numbers_beyond_single_precision(self):
-        labels, planes = pcl_ops.segment(np.random.default_rng(1).normal(0, 1e300, (500, 3)))
-        self.assertTrue((labels == -1).all())
-
-    def test_equal_points(self):
-        labels, planes = pcl_ops.segment(np.ones((5000, 3)))
-        self.assertEqual(planes, [])
+    def test_has_no_planes(self):
+        for nothing in (
+            *(np.full((1000, 3), bad, kind) for bad in (np.nan, np.inf, -np.inf) for kind in "fd"),
+            np.zeros((1, 3), np.float32),
+            np.ones((5000, 3)),
+            np.random.default_rng(1).normal(0, 1e300, (500, 3)),
+        ):
+            for method in ("ops", "fspf", "kht"):
+                labels, planes = pcl_ops.segment(nothing, method)
+                self.assertEqual((planes, set(labels.tolist())), ([], {-1}))
 
 
 if __name__ == "__main__":

@@ -1,20 +1,23 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What planes say of themselves, and what is made of lists of them."""
+"""What planes say of themselves, which way is up by them, and where they meet."""
 
+import pickle
 import unittest
 
 import numpy as np
 import pcl_ops
 from scene import room, surface
 
+viewpoint = (2, 1.5, 1)
+
 
 class Planes(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.points = room()
-        cls.labels, cls.planes = pcl_ops.segment(cls.points, viewpoint=(2, 1.5, 1))
-        cls.floor = next(plane for plane in cls.planes if plane.orientation == "horizontal")
+        cls.planes = pcl_ops.segment(cls.points, viewpoint=viewpoint)[1]
+        cls.floor = cls.planes[0]
 
     def test_come_by_falling_size(self):
         sizes = [len(plane.inliers) for plane in self.planes]
@@ -23,8 +26,7 @@ class Planes(unittest.TestCase):
     def test_have_normals_towards_the_viewpoint(self):
         np.testing.assert_allclose(self.floor.normal, (0, 0, 1), atol=0.01)
         below = pcl_ops.segment(self.points, viewpoint=(2, 1.5, -9))[1]
-        floor = next(plane for plane in below if plane.orientation == "horizontal")
-        np.testing.assert_allclose(floor.normal, (0, 0, -1), atol=0.01)
+        np.testing.assert_allclose(below[0].normal, (0, 0, -1), atol=0.01)
 
     def test_fit_their_inliers(self):
         for plane in self.planes:
@@ -50,24 +52,32 @@ class Planes(unittest.TestCase):
             np.testing.assert_allclose(plane.covariance, expected, rtol=1e-3, atol=1e-15)
             np.testing.assert_allclose(np.cross(*plane.axes), plane.normal, atol=1e-12)
 
-    def test_inliers_cannot_be_written(self):
-        with self.assertRaises(ValueError):
-            self.floor.inliers[0] = 10**6
-
-    def test_inliers_outlive_their_plane(self):
+    def test_inliers_are_read_only_and_outlive_their_plane(self):
         inliers = pcl_ops.segment(self.points)[1][0].inliers
-        np.testing.assert_array_equal(inliers, self.planes[0].inliers)
+        np.testing.assert_array_equal(inliers, self.floor.inliers)
+        with self.assertRaises(ValueError):
+            inliers[0] = 10**6
 
     def test_are_printed_in_a_line(self):
         self.assertRegex(repr(self.floor), r"<pcl_ops.Plane: horizontal, \d+ points, rms 0.00\d+>")
+
+    def test_pickle_with_one_array_for_all(self):
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+            planes = pickle.loads(pickle.dumps(self.planes, protocol))
+            for plane, original in zip(planes, self.planes):
+                for name in ("coefficients", "inliers", "hull", "covariance"):
+                    np.testing.assert_array_equal(getattr(plane, name), getattr(original, name))
+                self.assertEqual(repr(plane), repr(original))
+        self.assertEqual(len(pcl_ops.merge_planes(planes)[0]), 3)
+        self.assertLess(len(pickle.dumps(self.planes)), 2 * self.points.nbytes)
 
 
 class UpAxis(unittest.TestCase):
     def test_of_a_room_is_found_in_any_frame(self):
         tilt = np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]], np.float32)
-        viewpoint = tilt @ (3.5, 0.3, 1.5)
-        planes = pcl_ops.segment(room() @ tilt.T, viewpoint=viewpoint)[1]
-        direction, confidence = pcl_ops.estimate_up_axis(planes, viewpoint)
+        sensor = tilt @ (3.5, 0.3, 1.5)
+        planes = pcl_ops.segment(room() @ tilt.T, viewpoint=sensor)[1]
+        direction, confidence = pcl_ops.estimate_up_axis(planes, sensor)
         np.testing.assert_allclose(direction, tilt @ (0, 0, 1), atol=0.01)
         self.assertTrue(0.7 <= confidence <= 1.0)
 
@@ -75,6 +85,41 @@ class UpAxis(unittest.TestCase):
         self.assertIsNone(pcl_ops.estimate_up_axis([]))
         planes = pcl_ops.segment(room())[1]
         self.assertIsNone(pcl_ops.estimate_up_axis(planes, least_confidence=1.0))
+
+    def test_is_none_where_the_points_were_not_seen_from_the_viewpoint(self):
+        sensor = (3.5, 0.3, 1.5)
+        hidden = surface((0, 6, 0), (4, 0, 0), (0, 0, 2.5), 10000)
+        points = np.vstack([room(), hidden]).astype(np.float32)
+        self.assertTrue(pcl_ops.is_seen_from(room(), sensor))
+        self.assertFalse(pcl_ops.is_seen_from(points, sensor))
+        self.assertFalse(pcl_ops.is_seen_from(points + 5e6, np.add(sensor, 5e6)))
+        planes = pcl_ops.segment(points, viewpoint=sensor)[1]
+        self.assertIsNone(pcl_ops.estimate_up_axis(planes, sensor))
+
+
+class Edges(unittest.TestCase):
+    place = np.array([5e5, 5.4e6, 300.0])
+
+    def assertMeet(self, planes, place):
+        edges, corners = pcl_ops.find_plane_edges(planes)
+        self.assertEqual([edge.planes for edge in edges], [(0, 1), (0, 2), (1, 2)])
+        for edge, length in zip(edges, (4.0, 3.0, 2.5)):
+            self.assertAlmostEqual(np.linalg.norm(edge.end - edge.start), length, delta=0.1)
+            self.assertAlmostEqual(edge.angle, np.pi / 2, delta=0.01)
+        self.assertEqual([corner.planes for corner in corners], [(0, 1, 2)])
+        np.testing.assert_allclose(corners[0].position - place, (0, 3, 0), atol=0.01)
+
+    def test_of_a_room_are_found(self):
+        self.assertMeet(pcl_ops.segment(room(), viewpoint=viewpoint)[1], np.zeros(3))
+
+    def test_are_in_the_frame_of_coordinates_in_the_millions(self):
+        far = room() + self.place
+        self.assertMeet(pcl_ops.segment(far, viewpoint=self.place + viewpoint)[1], self.place)
+
+    def test_shorter_than_asked_for_are_left_out(self):
+        planes = pcl_ops.segment(room(), viewpoint=viewpoint)[1]
+        self.assertEqual(len(pcl_ops.find_plane_edges(planes, min_length=2.8)[0]), 2)
+        self.assertEqual(pcl_ops.find_plane_edges([]), ([], []))
 
 
 class Merging(unittest.TestCase):
@@ -87,40 +132,27 @@ class Merging(unittest.TestCase):
             surface((0, 3, 0.12), (5, 0, 0), (0, 0.5, 0), 5000, seed=3),
         ]).astype(np.float32)
         self.planes = pcl_ops.segment(self.points, viewpoint=(0, 0, 2), merging_enabled=False)[1]
-        self.sizes = [len(plane.inliers) for plane in self.planes]
 
     def test_joins_what_is_one_plane(self):
         merged, into = pcl_ops.merge_planes(self.planes)
         self.assertEqual(len(self.planes), 3)
         self.assertEqual(into.tolist(), [0, 0, 1])
-        self.assertEqual(len(merged[0].inliers), self.sizes[0] + self.sizes[1])
         np.testing.assert_array_equal(
             merged[0].inliers, np.union1d(self.planes[0].inliers, self.planes[1].inliers))
         self.assertAlmostEqual(merged[0].area, 10.0, delta=0.2)
         self.assertEqual(merged[0].orientation, "horizontal")
         self.assertGreater(merged[0].normal[2], 0.99)
 
-    def test_takes_thresholds(self):
-        self.assertEqual(len(pcl_ops.merge_planes(self.planes, distance_threshold=0.001)[0]), 3)
-        self.assertEqual(len(pcl_ops.merge_planes(self.planes, distance_threshold=0.2)[0]), 1)
-        self.assertEqual(len(pcl_ops.merge_planes(self.planes, enabled=False)[0]), 3)
-
-    def test_names_orientations_by_the_given_axis(self):
+    def test_takes_parameters(self):
+        for number, given in ((3, {"distance_threshold": 0.001}), (1, {"distance_threshold": 0.2}),
+                              (3, {"enabled": False})):
+            self.assertEqual(len(pcl_ops.merge_planes(self.planes, **given)[0]), number)
         merged, _ = pcl_ops.merge_planes(self.planes, up=(1, 0, 0))
         self.assertEqual(merged[0].orientation, "vertical")
 
     def test_of_nothing_is_nothing(self):
         merged, into = pcl_ops.merge_planes([])
         self.assertEqual((merged, into.tolist()), ([], []))
-
-    def test_keeps_the_frame_of_coordinates_in_the_millions(self):
-        place = np.array([5e5, 5.4e6, 300.0])
-        far = pcl_ops.segment(
-            self.points + place, viewpoint=place + (0, 0, 2), merging_enabled=False)[1]
-        merged, _ = pcl_ops.merge_planes(far)
-        np.testing.assert_allclose(
-            merged[0].centroid - place, pcl_ops.merge_planes(self.planes)[0][0].centroid, atol=0.01)
-        self.assertAlmostEqual(merged[0].area, 10.0, delta=0.2)
 
 
 if __name__ == "__main__":

@@ -3,30 +3,16 @@
 """The module finds what the C++ classes find: pcl_ops_segment runs them on a file."""
 
 import json
+import os
 import pathlib
 import shutil
+import struct
 import subprocess
 import tempfile
 import unittest
 
 import numpy as np
 import pcl_ops
-
-types = {"F": "f", "U": "u", "I": "i"}
-
-
-def read_pcd(file):
-    """The points of a binary PCD, as a structured array, and where they were seen from."""
-    header, data = file.read_bytes().split(b"DATA binary\n", 1)
-    lines = dict(line.split(" ", 1) for line in header.decode().splitlines() if " " in line)
-    fields = zip(lines["FIELDS"].split(), lines["TYPE"].split(), lines["SIZE"].split())
-    layout = [(name, types[kind] + size) for name, kind, size in fields]
-    viewpoint = [float(number) for number in lines["VIEWPOINT"].split()[:3]]
-    return np.frombuffer(data, layout, int(lines["POINTS"])), viewpoint
-
-
-def xyz(cloud):
-    return np.stack([cloud["x"], cloud["y"], cloud["z"]], axis=1)
 
 
 @unittest.skipUnless(shutil.which("pcl_ops_segment"), "the programs are not built")
@@ -37,70 +23,119 @@ class SameLabels(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.folder = pathlib.Path(folder.name)
         cls.run_program("pcl_ops_simulate", "room.pcd", "--width", "320", "--height", "240")
-        room, cls.viewpoint = read_pcd(cls.folder / "room.pcd")
-        cls.points = xyz(room)
-        cls.true_labels = room["label"].astype(np.int64) - 1
+        cls.room = pcl_ops.read(cls.folder / "room.pcd")
 
     @classmethod
     def run_program(cls, *command):
         subprocess.run([*command, "--quiet"], cwd=cls.folder, check=True)
 
     def by_program(self, *options):
-        """Labels and planes of pcl_ops_segment; 0 stands for no plane there."""
+        """Labels and planes of pcl_ops_segment."""
         self.run_program("pcl_ops_segment", "room.pcd", "out.pcd", "--planes", "out.json", *options)
-        labels = read_pcd(self.folder / "out.pcd")[0]["label"].astype(np.int64) - 1
+        labels = pcl_ops.read(self.folder / "out.pcd").labels
         return labels, json.loads((self.folder / "out.json").read_text())["planes"]
 
-    def assertSame(self, options, **arguments):
+    def assertSame(self, *options, **arguments):
         expected_labels, expected_planes = self.by_program(*options)
-        labels, planes = pcl_ops.segment(self.points, viewpoint=self.viewpoint, **arguments)
+        points, viewpoint, _ = self.room
+        labels, planes = pcl_ops.segment(points, viewpoint=viewpoint, **arguments)
         self.assertGreater(len(planes), 2)
         np.testing.assert_array_equal(labels, expected_labels)
         self.assertEqual(len(planes), len(expected_planes))
         for plane, expected in zip(planes, expected_planes):
             self.assertEqual(plane.orientation, expected["orientation"])
             self.assertEqual(len(plane.inliers), expected["points"])
-            near = dict(rtol=1e-5, atol=1e-5)
-            np.testing.assert_allclose(plane.coefficients, expected["coefficients"], **near)
-            np.testing.assert_allclose(plane.centroid, expected["centroid"], **near)
-            np.testing.assert_allclose(plane.rms, expected["rms"], **near)
-            np.testing.assert_allclose(plane.area, expected["area"], **near)
-            np.testing.assert_allclose(plane.hull, expected["hull"], **near)
+            for name in ("coefficients", "centroid", "rms", "area", "hull"):
+                np.testing.assert_allclose(
+                    getattr(plane, name), expected[name], rtol=1e-5, atol=1e-5)
 
     def test_by_each_method_and_preset(self):
         for method in ("ops", "fspf", "kht"):
             for preset in ("default", "paper"):
                 with self.subTest(method=method, preset=preset):
-                    options = ("--method", method, "--preset", preset)
-                    self.assertSame(options, method=method, preset=preset)
+                    self.assertSame(
+                        "--method", method, "--preset", preset, method=method, preset=preset)
 
     def test_with_parameters(self):
-        self.assertSame(("--sampling-rate", "0.01", "--min-inliers", "40"),
+        self.assertSame("--sampling-rate", "0.01", "--min-inliers", "40",
                         sampling_rate=0.01, min_inliers=40)
-        self.assertSame(("--method", "kht", "--threshold", "0.03"),
+        self.assertSame("--method", "kht", "--threshold", "0.03",
                         method="kht", distance_threshold=0.03)
-        self.assertSame(("--preset", "paper", "--seed", "7"), preset="paper", seed=7)
-        self.assertSame(("--up", "0,1,0"), up=(0, 1, 0))
+        self.assertSame("--preset", "paper", "--seed", "7", preset="paper", seed=7)
+        self.assertSame("--up", "0,1,0", up=(0, 1, 0))
 
     def test_by_any_number_of_threads(self):
-        self.assertSame((), threads=3)
-        self.assertSame((), threads=0)
+        self.assertSame(threads=3)
+        self.assertSame(threads=0)
 
     def test_without_merging_there_are_more_planes(self):
-        merged = pcl_ops.segment(self.points, "fspf")[1]
-        apart = pcl_ops.segment(self.points, "fspf", merging_enabled=False)[1]
+        merged = pcl_ops.segment(self.room.points, "fspf")[1]
+        apart = pcl_ops.segment(self.room.points, "fspf", merging_enabled=False)[1]
         self.assertGreater(len(apart), 2 * len(merged))
 
     def test_the_programs_metrics(self):
         self.by_program()
-        said = subprocess.run(
+        said = json.loads(subprocess.run(
             ["pcl_ops_evaluate", "compare", "room.pcd", "out.pcd", "--json"],
-            cwd=self.folder, check=True, capture_output=True).stdout
-        result = pcl_ops.segment(self.points)[0]
-        metrics = pcl_ops.evaluate(self.true_labels, result, self.points)
-        self.assertGreater(metrics["f_score"], 0.2)
-        for name, value in metrics.items():
-            self.assertAlmostEqual(json.loads(said)[name], value, places=9, msg=name)
+            cwd=self.folder, check=True, capture_output=True).stdout)
+        points = self.room.points
+        result = pcl_ops.segment(points)[0]
+        by_labels = pcl_ops.evaluate(self.room.labels, result, points)
+        self.assertGreater(by_labels["f_score"], 0.2)
+        for name, value in by_labels.items():
+            self.assertAlmostEqual(said[name], value, places=9, msg=name)
+        label = self.room.fields["label"]
+        self.assertEqual(pcl_ops.evaluate(label, result, points, none=0), by_labels)
+        self.assertNotEqual(pcl_ops.evaluate(label, result, points, none=-1), by_labels)
+
+
+class Reader(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def file(self, name, text):
+        (self.folder / name).write_text(text)
+        return self.folder / name
+
+    def test_reads_what_a_pcd_says(self):
+        cloud = pcl_ops.read(self.file("é.pcd", (
+            "VERSION .7\nFIELDS x y z label\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\n"
+            "WIDTH 2\nHEIGHT 1\nVIEWPOINT 1 2 3 1 0 0 0\nPOINTS 2\nDATA ascii\n"
+            "0.5 nan 2 0\n3 4 5 7\n")))
+        np.testing.assert_array_equal(cloud.points, np.float32([[0.5, np.nan, 2], [3, 4, 5]]))
+        self.assertEqual(cloud.points.dtype, np.float32)
+        self.assertEqual(cloud.viewpoint.tolist(), [1, 2, 3])
+        self.assertEqual(cloud.fields["label"].tolist(), [0, 7])
+        self.assertEqual(cloud.labels.tolist(), [-1, 6])
+
+    def test_reads_other_formats(self):
+        ply = ("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+               "property float z\nend_header\n1 2 3\n")
+        for name, text in (("a.ply", ply), ("a.xyz", "1 2 3\n"), ("a.csv", "x,y,z\n1,2,3\n")):
+            cloud = pcl_ops.read(os.fspath(self.file(name, text)))
+            self.assertEqual((cloud.points.tolist(), cloud.labels), ([[1, 2, 3]], None))
+
+    def test_keeps_the_digits_of_a_las(self):
+        millimetres = np.random.default_rng(1).integers(0, 10**6, (500, 3), np.int32)
+        record = np.zeros(500, [("place", "<i4", 3), ("rest", "u1", 8)])
+        record["place"] = millimetres
+        zero = np.array([5e5, 5.4e6, 300.0])
+        header = struct.pack("<4s20xBB68xHIIBHI20x12d", b"LASF", 1, 2, 227, 227, 0, 0, 20, 500,
+                             *[0.001] * 3, *zero, *[1e7, 0.0] * 3)
+        (self.folder / "a.las").write_bytes(header + record.tobytes())
+        points = pcl_ops.read(self.folder / "a.las").points
+        np.testing.assert_allclose(points, zero + millimetres * 0.001, rtol=0, atol=1e-6)
+
+    def test_says_what_is_wrong(self):
+        with self.assertRaises(FileNotFoundError):
+            pcl_ops.read(self.folder / "none.pcd")
+        with self.assertRaises(IsADirectoryError):
+            pcl_ops.read(self.folder)
+        for name in ("a.pcd", "a.ply", "a.xyz", "a.las", "a.png"):
+            with self.assertRaisesRegex(ValueError, name):
+                pcl_ops.read(self.file(name, "broken\n"))
 
 
 class Parameters(unittest.TestCase):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clouds of the tests."""
+"""Clouds of the tests, and poses they are seen from."""
 
 import numpy as np
 
@@ -24,3 +24,16 @@ def room():
         np.full((100, 3), np.nan),
     ])
     return np.random.default_rng(4).permutation(cloud).astype(np.float32)
+
+
+def turn(degrees):
+    """About z, as a 4 x 4 matrix."""
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    pose = np.eye(4)
+    pose[:2, :2] = [[c, -s], [s, c]]
+    return pose
+
+
+def seen_from(pose, points):
+    """The points in the frame that has this pose."""
+    return ((points - pose[:3, 3]) @ pose[:3, :3]).astype(np.float32)

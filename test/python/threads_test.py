@@ -32,15 +32,14 @@ class Threads(unittest.TestCase):
             while not done.wait(0.001):
                 ticks.append(time.perf_counter())
 
-        other = threading.Thread(target=tick)
-        other.start()
-        try:
+        with concurrent.futures.ThreadPoolExecutor() as pool:
+            pool.submit(tick)
             begin = time.perf_counter()
-            call()
+            try:
+                call()
+            finally:
+                done.set()
             end = time.perf_counter()
-        finally:
-            done.set()
-            other.join()
         return sum(begin < tick < end for tick in ticks)
 
     def assertLetsOthersWork(self, call):

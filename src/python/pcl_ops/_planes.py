@@ -1,0 +1,320 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Planes, and what is done with lists of them."""
+
+from typing import Any, Dict, List, Literal, NamedTuple, Optional, Sequence, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _pcl_ops
+from ._arguments import Vector, named_parameters, place, plane_list, pose_matrix, single_precision
+
+
+class Plane:
+    """A plane and the points on it, in the frame and the unit of their array.
+
+    Hull, area, length and width are found out when first asked for, from the array as it
+    is then; of one in another order of bytes from its copy. A pickled plane has its array
+    with it, planes of one list the same.
+    """
+
+    def __init__(self, segment: Any, points: NDArray[Any]) -> None:
+        """As segment makes them."""
+        self._segment = segment
+        self._points = points
+        self._known_extent = None
+
+    def __repr__(self) -> str:
+        return (f"<pcl_ops.Plane: {self.orientation}, {len(self.inliers)} points, "
+                f"rms {self.rms:.3g}>")
+
+    def __reduce__(self) -> Any:
+        return _plane_of_state, (self._segment.state, self._points)
+
+    @property
+    def normal(self) -> NDArray[np.float64]:
+        """(3,): unit normal, towards the viewpoint."""
+        return self._segment.normal
+
+    @property
+    def centroid(self) -> NDArray[np.float64]:
+        """(3,): mean of the inliers, on the plane."""
+        return self._segment.centroid
+
+    @property
+    def coefficients(self) -> NDArray[np.float64]:
+        """(4,): normal and d of a x + b y + c z + d = 0."""
+        return np.append(self.normal, -self.normal @ self.centroid)
+
+    @property
+    def rms(self) -> float:
+        """Root mean square distance of the inliers to the plane."""
+        return self._segment.rms
+
+    @property
+    def orientation(self) -> Literal["horizontal", "vertical", "other"]:
+        """By up and angle_tolerance."""
+        return self._segment.orientation
+
+    @property
+    def inliers(self) -> NDArray[np.int32]:
+        """(n,), read-only: rows of the array that are on the plane, ascending."""
+        return self._segment.inliers
+
+    @property
+    def hull(self) -> NDArray[np.float64]:
+        """(m, 3): corners of the convex outline, on the plane, counter-clockwise seen from
+        the side the normal points to, the first not repeated."""
+        return self._extent()[0]
+
+    @property
+    def area(self) -> float:
+        """Area of the hull."""
+        return self._extent()[1]
+
+    @property
+    def length(self) -> float:
+        """Longer side of the smallest rectangle around the hull."""
+        return self._extent()[2]
+
+    @property
+    def width(self) -> float:
+        """Shorter side of that rectangle."""
+        return self._extent()[3]
+
+    @property
+    def axes(self) -> NDArray[np.float64]:
+        """(2, 3): unit vectors u and v in the plane, u x v = normal, those of covariance.
+        They depend on the normal alone."""
+        return self._segment.axes
+
+    @property
+    def covariance(self) -> Optional[NDArray[np.float64]]:
+        """(3, 3): covariance of the errors of (tilt along u [rad], tilt along v [rad],
+        offset). With errors (a, b, c) the surface has the height c + a s + b t over the
+        plane at centroid + s u + t v. Right for noise that is independent from point to
+        point. None for fewer than four inliers."""
+        return self._segment.covariance
+
+    def _extent(self) -> Tuple[NDArray[np.float64], float, float, float]:
+        if self._known_extent is None:  # it takes longer than finding the plane
+            inliers, origin = single_precision(self._points.take(self.inliers, axis=0))
+            self._known_extent = _pcl_ops.extent(inliers, origin, self._segment)
+        return self._known_extent
+
+
+def _plane_of_state(state: Any, points: NDArray[Any]) -> Plane:
+    return Plane(_pcl_ops.Segment(state), points)
+
+
+class PlaneEdge(NamedTuple):
+    """A stretch of the line that two planes have in common, with points of both beside it."""
+
+    planes: Tuple[int, int]
+    """Positions in the list of planes, ascending."""
+    start: NDArray[np.float64]
+    """(3,): one end; the other lies from it along the cross product of the normals."""
+    end: NDArray[np.float64]
+    angle: float
+    """Between the planes, 0 to pi / 2 [rad]."""
+
+
+class PlaneCorner(NamedTuple):
+    """The point that three planes have in common, where each two have an edge."""
+
+    planes: Tuple[int, int, int]
+    """Positions in the list of planes, ascending."""
+    position: NDArray[np.float64]
+
+
+class TrackedPlane(NamedTuple):
+    """A plane with the number it has in all frames."""
+
+    number: int
+    """From 1, in the order of appearance."""
+    plane: Plane
+    """In the common frame, without inliers."""
+    last_seen: int
+    """The last frame it was seen in, from 0."""
+
+
+def _segments(name: str, planes: Any) -> List[Any]:
+    return [plane._segment for plane in plane_list(name, planes, Plane)]
+
+
+def _array_of(planes: List[Plane]) -> NDArray[Any]:
+    if any(plane._points is not planes[0]._points for plane in planes):
+        raise ValueError("planes: they are of different arrays, whose rows cannot be told apart")
+    return planes[0]._points if planes else np.empty((0, 3), np.float32)
+
+
+@named_parameters("merge_planes")
+def merge_planes(
+    planes: Sequence[Plane], **parameters: Any
+) -> Tuple[List[Plane], NDArray[np.int32]]:
+    """Merge coplanar planes until no pair passes the test.
+
+    planes: list of Plane of one array that share no points, as segment gives them; with
+        merging_enabled=False it leaves them as they were found.
+    up, angle_tolerance: which planes are horizontal and vertical [rad].
+    angle_threshold [rad], distance_threshold, noise_factor: how far the normals and the
+        centroids of two planes may be apart.
+
+    Returns (merged, merged_into): a list of Plane by falling number of points, and an
+    int32 array with the position in it of the plane that each of planes went into, -1
+    where its points span no plane.
+    """
+    planes = plane_list("planes", planes, Plane)
+    points = _array_of(planes)
+    taken = np.concatenate([plane.inliers for plane in planes]) if planes else np.empty(0)
+    if len(np.unique(taken)) < len(taken):
+        raise ValueError("planes: some share points, which would count twice; give those of one "
+                         "segment")
+    segments, merged_into = _pcl_ops.merge(_segments("planes", planes), parameters)
+    return [Plane(one, points) for one in segments], np.array(merged_into, np.int32)
+
+
+@named_parameters("filter_planes")
+def filter_planes(
+    planes: Sequence[Plane], **parameters: Any
+) -> Tuple[List[Plane], Dict[str, int]]:
+    """Keep the planes that are wanted.
+
+    planes: list of Plane, in an order that stays.
+    orientation: "horizontal", "vertical" or "other".
+    direction: vector (x, y, z) of any length that normals point along, or against, to
+        within direction_tolerance [rad].
+    min_points, min_area, min_width: fewest inliers, smallest area of the hull and smallest
+        width of the rectangle around it.
+    max_planes: how many to keep of those that are left, the first ones.
+
+    Returns (kept, dropped): the list of Plane, and a dict with how many each of these
+    arguments dropped; a plane counts once, for the first it fails.
+    """
+    planes = plane_list("planes", planes, Plane)
+    reasons = _pcl_ops.filter(
+        _segments("planes", planes), parameters, lambda i: (planes[i].area, planes[i].width))
+    names = ("orientation", "direction", "min_points", "min_area", "min_width", "max_planes")
+    kept = [plane for plane, reason in zip(planes, reasons) if not reason]
+    return kept, {name: reasons.count(name) for name in names}
+
+
+@named_parameters("match_planes")
+def match_planes(
+    previous: Sequence[Plane],
+    current: Sequence[Plane],
+    pose: Optional[NDArray[Any]] = None,
+    **parameters: Any,
+) -> Tuple[NDArray[np.int32], NDArray[np.float64]]:
+    """Find the planes of a frame again in the next.
+
+    previous, current: lists of Plane, each in the frame of its own array.
+    pose: array of shape (4, 4), the current frame in the previous one: a point p of the
+        current frame is pose[:3, :3] @ p + pose[:3, 3] there. None: they are the same.
+    rotation_error [rad], translation_error: how far the pose may be off, one standard
+        deviation about and along any axis; rotations are about the zero of the current
+        frame.
+    min_overlap: the smallest share of the smaller of two planes that lies over the other.
+
+    Returns (matches, pose): an int32 array with the position in previous of the plane that
+    each of current continues, -1 for none; and the pose as the matched planes correct it.
+    """
+    matches, corrected = _pcl_ops.match(
+        _segments("previous", previous), _segments("current", current), pose_matrix(pose),
+        parameters)
+    return np.array(matches, np.int32), corrected
+
+
+class PlaneTracker:
+    """Numbers for planes that they keep from frame to frame, also where they are out of
+    sight for a while. copy.copy it to try what a frame would do."""
+
+    @named_parameters("match_planes")
+    def __init__(self, memory: Optional[int] = None, **parameters: Any) -> None:
+        """memory: frames a plane is remembered after it was last seen; None: for ever.
+
+        The others are those of match_planes; errors are from one frame to the next.
+        """
+        if memory is not None and not (isinstance(memory, int) and memory >= 0):
+            raise ValueError(f"memory: has to be a number of frames or None, not {memory!r:.80}")
+        self._tracker = _pcl_ops.Tracker(memory, parameters)
+
+    def __copy__(self) -> "PlaneTracker":
+        copied = PlaneTracker.__new__(PlaneTracker)
+        copied._tracker = self._tracker.copy()
+        return copied
+
+    def __deepcopy__(self, _: Any) -> "PlaneTracker":
+        return self.__copy__()
+
+    def track(
+        self, planes: Sequence[Plane], pose: Optional[NDArray[Any]] = None
+    ) -> NDArray[np.uint32]:
+        """Number the planes of the next frame.
+
+        planes: list of Plane as segment gives them, in the frame's own coordinates.
+        pose: array of shape (4, 4), the frame in a common one, as for match_planes. Only
+            how it moved since the frame before counts, so that poses may drift.
+
+        Returns the number of each plane, all different; planes that were not seen before
+        get new ones.
+        """
+        numbers = self._tracker.track(_segments("planes", planes), pose_matrix(pose))
+        return np.array(numbers, np.uint32)
+
+    @property
+    def planes(self) -> List[TrackedPlane]:
+        """All planes that are remembered, by their numbers."""
+        nowhere = np.empty((0, 3), np.float32)
+        return [TrackedPlane(one.number, Plane(one.plane, nowhere), one.last_seen)
+                for one in self._tracker.planes]
+
+    @property
+    def pose(self) -> NDArray[np.float64]:
+        """(4, 4): the last frame in the common one, as its planes say."""
+        return self._tracker.pose
+
+
+@named_parameters("find_plane_edges")
+def find_plane_edges(
+    planes: Sequence[Plane], **parameters: Any
+) -> Tuple[List[PlaneEdge], List[PlaneCorner]]:
+    """Where planes meet: edges of two, corners of three.
+
+    planes: list of Plane of one array.
+    reach: how near to the line that two planes have in common both must have points;
+        bridged_gap: how long a gap along it may be; min_length: shorter edges are left
+        out. None: follows the noise and the distance of neighbouring points.
+    min_angle: planes at a smaller angle have no edge [rad].
+
+    Returns (edges, corners), in ascending order of their planes.
+    """
+    planes = plane_list("planes", planes, Plane)
+    single, origin = single_precision(_array_of(planes))
+    edges, corners = _pcl_ops.edges(single, origin, _segments("planes", planes), parameters)
+    return [PlaneEdge(*edge) for edge in edges], [PlaneCorner(*corner) for corner in corners]
+
+
+@named_parameters("estimate_up_axis")
+def estimate_up_axis(
+    planes: Sequence[Plane], viewpoint: Vector = (0.0, 0.0, 0.0), **parameters: Any
+) -> Optional[Tuple[NDArray[np.float64], float]]:
+    """Which way is up in a room, by its planes alone.
+
+    planes: list of Plane of one array as segment gives them, with normals towards the
+        viewpoint.
+    viewpoint: where the sensor was, in the frame of the planes.
+    angle_tolerance [rad]: of a plane to the direction it speaks for.
+    least_share, least_confidence: of the planes that must be horizontal and that must be
+        vertical; below which there is no answer.
+
+    Returns (direction, confidence): a unit vector against gravity, and how sure it is, 0
+    to 1; or None where the planes cannot tell, or where the points were not seen from the
+    viewpoint (is_seen_from), as then floors are taken for ceilings.
+    """
+    planes = plane_list("planes", planes, Plane)
+    sensor = place("viewpoint", viewpoint)
+    found = _pcl_ops.up_axis(_segments("planes", planes), sensor, parameters)
+    single, origin = single_precision(_array_of(planes))
+    return found if found and _pcl_ops.is_seen_from(single, sensor - origin) else None

@@ -1,0 +1,121 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The planes of an array, and how right they are."""
+
+from typing import Any, Dict, List, Literal, Tuple, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _arguments as _given
+from . import _pcl_ops
+from ._arguments import Vector, named_parameters
+from ._planes import Plane
+
+Method = Literal["ops", "fspf", "kht"]
+Preset = Literal["default", "paper"]
+Points = Union[NDArray[np.float32], NDArray[np.float64]]
+
+
+def _check_names(method: Any, preset: Any) -> None:
+    _given.check_is_one_of("method", method, ("ops", "fspf", "kht"))
+    _given.check_is_one_of("preset", preset, ("default", "paper"))
+
+
+@named_parameters("ops", "fspf", "kht")
+def segment(
+    points: Points,
+    method: Method = "ops",
+    preset: Preset = "default",
+    *,
+    viewpoint: Vector = (0.0, 0.0, 0.0),
+    **parameters: Any,
+) -> Tuple[NDArray[np.int32], List[Plane]]:
+    """Find all planes of a point cloud.
+
+    points: array of float32 or float64 of shape (N, 3), with any strides; rows with NaN or
+        infinite numbers are on no plane. float32 with its rows in order is read where it
+        is, all else is copied as float32; float64 relative to a place among the points
+        where float32 could not hold it. Other threads must not change it meanwhile.
+    method: "ops" (Oriented Point Sampling), "fspf" (Fast Sampling Plane Filtering) or
+        "kht" (3D Kernel-based Hough Transform).
+    preset: "default" or "paper", what the other parameters are by default.
+    viewpoint: where the sensor was; normals point towards it.
+    parameters: see pcl_ops.parameters(method), with the values of the preset.
+        distance_threshold, up=(x, y, z), angle_tolerance, seed and threads (0: all) are
+        those of all methods.
+
+    Returns (labels, planes): an int32 array of shape (N,) with the position in planes of
+    the plane each point is on, -1 on none; and a list of Plane by falling number of
+    points, in the frame of the array.
+
+    Raises ValueError or TypeError, which name the argument at fault.
+    """
+    _check_names(method, preset)
+    sensor = _given.place("viewpoint", viewpoint)
+    array = _given.points_array(points)
+    single, origin = _given.single_precision(array)
+    segments = _pcl_ops.segment(single, origin, sensor, method, preset, parameters)
+    labels = np.full(len(array), -1, np.int32)
+    for number, plane in enumerate(segments):
+        labels[plane.inliers] = number
+    return labels, [Plane(plane, array) for plane in segments]
+
+
+def parameters(method: Method = "ops", preset: Preset = "default") -> Dict[str, Any]:
+    """The parameters of a method by name, with the values of a preset, as a dict.
+
+    None stands for: follows the cloud. What each means is on the page of parameters, and
+    in the headers, whose structs' fields these are; those of a struct within another have
+    its name before their own, as in merging_angle_threshold.
+    """
+    _check_names(method, preset)
+    return {name: value for name, value, _ in _pcl_ops.parameters(method, preset)}
+
+
+def is_seen_from(points: Points, viewpoint: Vector = (0.0, 0.0, 0.0)) -> bool:
+    """Whether a point cloud may have been taken from a place.
+
+    One surface in each direction, nothing behind anything: so is a depth image or a scan
+    in the frame of its sensor, but not a cloud of several, or one in the frame of a world.
+    """
+    sensor = _given.place("viewpoint", viewpoint)
+    single, origin = _given.single_precision(_given.points_array(points))
+    return _pcl_ops.is_seen_from(single, sensor - origin)
+
+
+@named_parameters("evaluate")
+def evaluate(
+    truth: NDArray[Any],
+    result: NDArray[Any],
+    points: Points,
+    *,
+    none: Union[int, None] = None,
+    **parameters: Any,
+) -> Dict[str, float]:
+    """Compare the planes found in a point cloud with the true ones.
+
+    truth, result: arrays of whole numbers of shape (N,), the plane of each point, negative
+        on none, as segment gives them.
+    points: array of shape (N, 3), as for segment; rows that are not finite do not count.
+    none: the label of truth that stands for no plane, besides negative ones: 0 for labels
+        as files have them, -1 where 0 is a plane. Needed where truth has the label 0 but
+        no negative one, while result has negative ones.
+    up, angle_tolerance: which planes are horizontal and vertical [rad].
+
+    Returns a dict of fractions: classification_accuracy, segmentation_accuracy,
+    segmentation_accuracy_all, and precision, recall, f_score, mean_iou, panoptic_quality,
+    over_segmentation, under_segmentation, noise and missed at an intersection over union
+    of 0.5 and, ending in _75, of 0.75; points_off_planes_called_planes; and the numbers
+    points, truth_planes and result_planes.
+    """
+    array = _given.points_array(points)
+    true_planes = _given.plane_numbers("truth", truth, len(array), -1 if none is None else none)
+    found_planes = _given.plane_numbers("result", result, len(array), -1)
+    # 1 was the label 0, 0 a negative one.
+    if none is None and true_planes.min() == 1 and found_planes.min() == 0:
+        raise ValueError(
+            "truth: has the label 0 and no negative one; give none=0 if 0 stands for no plane, "
+            "as in files, or none=-1 if it is a plane")
+    single, _ = _given.single_precision(array)
+    return _pcl_ops.evaluate(true_planes, found_planes, single, parameters)
