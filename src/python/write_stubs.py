@@ -18,7 +18,7 @@ def is_private(node):
 
 def name_parameters(function, parameters):
     """In place of **parameters, those of the lists that the decorator names."""
-    for decorator in function.decorator_list:
+    for decorator in list(function.decorator_list):
         if isinstance(decorator, ast.Call) and decorator.func.id == "named_parameters":
             known = {name: annotation for one in decorator.args
                      for name, _, annotation in parameters(one.value, "default")}
@@ -51,6 +51,7 @@ def main():
     for module in map(pathlib.Path, sys.argv[2:]):
         stub = stub_of(module.read_text(encoding="utf-8"), _pcl_ops.parameters)
         (folder / module.with_suffix(".pyi").name).write_text(stub, encoding="utf-8")
+    (folder / "_pcl_ops.pyi").write_text("__version__: str\n")
 
 
 main()

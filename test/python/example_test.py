@@ -45,8 +45,8 @@ class Example(unittest.TestCase):
             array, text = pathlib.Path(folder, "room.npy"), pathlib.Path(folder, "room.xyz")
             np.save(array, room())
             np.savetxt(text, room())
-            self.assertIn("\n3 planes\n", self.picture_of(array)[0])
-            self.assertIn("\n3 planes\n", self.picture_of(text)[0])
+            for file in (array, text):
+                self.assertIn("\n3 planes\n", self.picture_of(file)[0])
 
 
 if __name__ == "__main__":

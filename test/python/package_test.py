@@ -83,13 +83,6 @@ class Pages(unittest.TestCase):
                 with contextlib.redirect_stdout(io.StringIO()):
                     exec(compile("".join(code), str(page), "exec"), known)
 
-    def test_parameters_of_the_page_are_those_there_are(self):
-        page = (source / "src/doc/python.md").read_text()
-        rows = re.findall(r"^\| `(ops|fspf|kht|all)` \| (.*) \|$", page, re.MULTILINE)
-        said = {method: set(re.findall(r"`(\w+)`", row)) for method, row in rows}
-        for method in methods:
-            self.assertEqual(said[method] | said["all"], set(pcl_ops.parameters(method)))
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -22,7 +22,7 @@ def box_room(points_per_side=15000):
 
 
 def load(file):
-    return np.load(file) if file.endswith(".npy") else np.loadtxt(file, usecols=(0, 1, 2))
+    return np.load(file) if file.endswith(".npy") else pcl_ops.read(file).points
 
 
 def draw(axes, points, labels, planes):
@@ -38,7 +38,7 @@ def draw(axes, points, labels, planes):
 
 def main():
     if not 2 <= len(sys.argv) <= 3:
-        sys.exit("Usage: plane_picture.py PICTURE.png [CLOUD.npy|CLOUD.xyz]")
+        sys.exit("Usage: plane_picture.py PICTURE.png [CLOUD.npy|CLOUD.pcd|...]")
     points = load(sys.argv[2]) if len(sys.argv) == 3 else box_room()
 
     labels, planes = pcl_ops.segment(points, viewpoint=(2.5, 1, 1.6))

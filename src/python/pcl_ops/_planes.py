@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Planes, and what is done with lists of them."""
+"""Planes of one array, and what is done with lists of them."""
 
 from typing import Any, Dict, List, Literal, NamedTuple, Optional, Sequence, Tuple
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _pcl_ops
-from ._arguments import Vector, named_parameters, place, plane_list, pose_matrix, single_precision
+from ._arguments import Vector, named_parameters, place, plane_list, single_precision
 
 
 class Plane:
@@ -128,18 +128,7 @@ class PlaneCorner(NamedTuple):
     position: NDArray[np.float64]
 
 
-class TrackedPlane(NamedTuple):
-    """A plane with the number it has in all frames."""
-
-    number: int
-    """From 1, in the order of appearance."""
-    plane: Plane
-    """In the common frame, without inliers."""
-    last_seen: int
-    """The last frame it was seen in, from 0."""
-
-
-def _segments(name: str, planes: Any) -> List[Any]:
+def segments_of(name: str, planes: Any) -> List[Any]:
     return [plane._segment for plane in plane_list(name, planes, Plane)]
 
 
@@ -171,7 +160,7 @@ def merge_planes(
     if len(np.unique(taken)) < len(taken):
         raise ValueError("planes: some share points, which would count twice; give those of one "
                          "segment")
-    segments, merged_into = _pcl_ops.merge(_segments("planes", planes), parameters)
+    segments, merged_into = _pcl_ops.merge(segments_of("planes", planes), parameters)
     return [Plane(one, points) for one in segments], np.array(merged_into, np.int32)
 
 
@@ -194,86 +183,10 @@ def filter_planes(
     """
     planes = plane_list("planes", planes, Plane)
     reasons = _pcl_ops.filter(
-        _segments("planes", planes), parameters, lambda i: (planes[i].area, planes[i].width))
+        segments_of("planes", planes), parameters, lambda i: (planes[i].area, planes[i].width))
     names = ("orientation", "direction", "min_points", "min_area", "min_width", "max_planes")
     kept = [plane for plane, reason in zip(planes, reasons) if not reason]
     return kept, {name: reasons.count(name) for name in names}
-
-
-@named_parameters("match_planes")
-def match_planes(
-    previous: Sequence[Plane],
-    current: Sequence[Plane],
-    pose: Optional[NDArray[Any]] = None,
-    **parameters: Any,
-) -> Tuple[NDArray[np.int32], NDArray[np.float64]]:
-    """Find the planes of a frame again in the next.
-
-    previous, current: lists of Plane, each in the frame of its own array.
-    pose: array of shape (4, 4), the current frame in the previous one: a point p of the
-        current frame is pose[:3, :3] @ p + pose[:3, 3] there. None: they are the same.
-    rotation_error [rad], translation_error: how far the pose may be off, one standard
-        deviation about and along any axis; rotations are about the zero of the current
-        frame.
-    min_overlap: the smallest share of the smaller of two planes that lies over the other.
-
-    Returns (matches, pose): an int32 array with the position in previous of the plane that
-    each of current continues, -1 for none; and the pose as the matched planes correct it.
-    """
-    matches, corrected = _pcl_ops.match(
-        _segments("previous", previous), _segments("current", current), pose_matrix(pose),
-        parameters)
-    return np.array(matches, np.int32), corrected
-
-
-class PlaneTracker:
-    """Numbers for planes that they keep from frame to frame, also where they are out of
-    sight for a while. copy.copy it to try what a frame would do."""
-
-    @named_parameters("match_planes")
-    def __init__(self, memory: Optional[int] = None, **parameters: Any) -> None:
-        """memory: frames a plane is remembered after it was last seen; None: for ever.
-
-        The others are those of match_planes; errors are from one frame to the next.
-        """
-        if memory is not None and not (isinstance(memory, int) and memory >= 0):
-            raise ValueError(f"memory: has to be a number of frames or None, not {memory!r:.80}")
-        self._tracker = _pcl_ops.Tracker(memory, parameters)
-
-    def __copy__(self) -> "PlaneTracker":
-        copied = PlaneTracker.__new__(PlaneTracker)
-        copied._tracker = self._tracker.copy()
-        return copied
-
-    def __deepcopy__(self, _: Any) -> "PlaneTracker":
-        return self.__copy__()
-
-    def track(
-        self, planes: Sequence[Plane], pose: Optional[NDArray[Any]] = None
-    ) -> NDArray[np.uint32]:
-        """Number the planes of the next frame.
-
-        planes: list of Plane as segment gives them, in the frame's own coordinates.
-        pose: array of shape (4, 4), the frame in a common one, as for match_planes. Only
-            how it moved since the frame before counts, so that poses may drift.
-
-        Returns the number of each plane, all different; planes that were not seen before
-        get new ones.
-        """
-        numbers = self._tracker.track(_segments("planes", planes), pose_matrix(pose))
-        return np.array(numbers, np.uint32)
-
-    @property
-    def planes(self) -> List[TrackedPlane]:
-        """All planes that are remembered, by their numbers."""
-        nowhere = np.empty((0, 3), np.float32)
-        return [TrackedPlane(one.number, Plane(one.plane, nowhere), one.last_seen)
-                for one in self._tracker.planes]
-
-    @property
-    def pose(self) -> NDArray[np.float64]:
-        """(4, 4): the last frame in the common one, as its planes say."""
-        return self._tracker.pose
 
 
 @named_parameters("find_plane_edges")
@@ -292,7 +205,7 @@ def find_plane_edges(
     """
     planes = plane_list("planes", planes, Plane)
     single, origin = single_precision(_array_of(planes))
-    edges, corners = _pcl_ops.edges(single, origin, _segments("planes", planes), parameters)
+    edges, corners = _pcl_ops.edges(single, origin, segments_of("planes", planes), parameters)
     return [PlaneEdge(*edge) for edge in edges], [PlaneCorner(*corner) for corner in corners]
 
 
@@ -315,6 +228,6 @@ def estimate_up_axis(
     """
     planes = plane_list("planes", planes, Plane)
     sensor = place("viewpoint", viewpoint)
-    found = _pcl_ops.up_axis(_segments("planes", planes), sensor, parameters)
+    found = _pcl_ops.up_axis(segments_of("planes", planes), sensor, parameters)
     single, origin = single_precision(_array_of(planes))
     return found if found and _pcl_ops.is_seen_from(single, sensor - origin) else None
