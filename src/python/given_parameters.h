@@ -160,7 +160,7 @@ listOf (Parameters parameters)
     const auto annotation = typeName<std::decay_t<decltype (value)>>().annotation;
     py::object shown = py::cast (value);
     if (annotation == "Vector")
-      shown = py::tuple (shown.attr ("tolist") ());
+      shown = py::tuple (shown.attr ("tolist")());
     all.append (py::make_tuple (name, shown, annotation));
   });
   return all;
