@@ -5,6 +5,10 @@
 #include "bounded/bounded_planes.h"
 #include "grid_scene.h"
 
+// In the middle of voxels of 10 cm; 20 x 20 of them each.
+inline const Surface ground = {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
+inline const Surface wall = {{0.05, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+
 /** \brief Points in voxels of 10 cm, each voxel on the plane it was made for. */
 struct VoxelScene {
   /** \param[in] surfaces of each plane
@@ -12,20 +16,25 @@ struct VoxelScene {
   explicit VoxelScene (const std::vector<std::vector<Surface>>& surfaces,
                        double noise = 0.0)
   {
-    constexpr double usual_noise = 6_mm;
     std::vector<std::int32_t> plane_of_point;
     for (const std::vector<Surface>& plane : surfaces) {
       for (const Surface& surface : plane)
         addGrid (points, surface, 120, noise);
       plane_of_point.resize (points.size(), static_cast<std::int32_t> (planes.size()));
-      planes.planes.push_back (
-          pcl_ops::planeThrough (plane[0].centre(), plane[0].normal()));
+      addPlane (pcl_ops::planeThrough (plane[0].centre(), plane[0].normal()));
     }
     voxelized = pcl_ops::internal::voxelize (points, 10_cm, 1);
     planes.plane_of_voxel.assign (grid().size(), pcl_ops::no_plane);
-    planes.noise.assign (grid().size(), usual_noise);
     for (std::size_t i = points.size(); i-- > 0;)
       planes.plane_of_voxel[voxelized.voxel_of_point[i]] = plane_of_point[i];
+  }
+
+  /** \brief A plane without voxels and with a noise of 6 mm. */
+  void
+  addPlane (const pcl_ops::Plane& plane)
+  {
+    planes.planes.push_back (plane);
+    planes.noise.push_back (6_mm);
   }
 
   const pcl_ops::internal::VoxelGrid&
@@ -40,7 +49,7 @@ struct VoxelScene {
     return grid().moments[voxel].centroid();
   }
 
-  /** \brief Hands the voxels with such a centroid to a plane, or to no_plane. */
+  /** \brief Puts the voxels with such a centroid on a plane, or on no_plane. */
   template <typename IsSuch>
   void
   label (std::int32_t plane, IsSuch&& isSuch)

@@ -65,9 +65,9 @@ struct SurfelParameters {
   double largest_thickness = 0.3;
   /** \brief A plane goes into a larger neighbour if one plane for both is no farther
    * from the points of either than this, in units of the noise there. */
-  double absorption_noise_factor = 2.0;
+  double absorption_noise_factor = 2.2;
   /** \brief Largest distance of a point to its plane in units of the noise there. */
-  double assignment_noise_factor = 4.0;
+  double assignment_noise_factor = 5.0;
 };
 
 /** \brief Parameters of OrientedPointSampling; the defaults are the recommended ones.

@@ -15,13 +15,13 @@ namespace pcl_ops::internal {
 
 namespace {
 
-using Body = std::function<void (std::size_t, std::size_t)>;
+using PieceBody = std::function<void (std::size_t, std::size_t)>;
 
 /** \brief The pieces of one call, which whoever has time takes in turn. */
 class Pieces {
 public:
   /** \param[in] body used until all pieces are done */
-  Pieces (std::size_t size, std::size_t grain, const Body& body)
+  Pieces (std::size_t size, std::size_t grain, const PieceBody& body)
   : size_ (size), grain_ (grain), number_ ((size + grain - 1) / grain), body_ (body)
   {}
 
@@ -68,7 +68,7 @@ private:
   }
 
   std::size_t size_, grain_, number_;
-  const Body& body_;
+  const PieceBody& body_;
   std::atomic<std::size_t> next_{0};
   std::mutex guard_;
   std::condition_variable all_done_;
@@ -89,7 +89,7 @@ helpersFor (unsigned threads, std::size_t pieces)
 } // namespace
 
 void
-parallelFor (unsigned threads, std::size_t size, std::size_t grain, const Body& body)
+parallelFor (unsigned threads, std::size_t size, std::size_t grain, const PieceBody& body)
 {
   if (size == 0)
     return;

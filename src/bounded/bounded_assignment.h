@@ -9,13 +9,15 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Assigns points to bounded planes: to the nearest, in units of the noise
- * measured there, of the planes whose support has a voxel within one voxel of the
- * point. \param[in] points the points \param[in] voxelized their voxels \param[in]
- * planes on these voxels \param[in] distance_threshold theta_h: largest distance [m];
- * none: two voxels \param[in] noise_factor largest distance in units of the noise
- * measured there \param[in] threads number of threads; 0: all. The result does not
- * depend on it \param[in] is_left_out voxels whose points get no plane; empty: none */
+/** \brief Assigns points to bounded planes: to the nearest, in units of the plane's
+ * noise, of the planes whose support has a voxel within one voxel of the point.
+ * \param[in] points the points
+ * \param[in] voxelized their voxels
+ * \param[in] planes on these voxels, with their noise
+ * \param[in] distance_threshold theta_h: largest distance [m]; none: two voxels
+ * \param[in] noise_factor largest distance in units of the plane's noise
+ * \param[in] threads number of threads; 0: all. The result does not depend on it
+ * \param[in] is_left_out voxels whose points get no plane; empty: none */
 AssignedPoints
 assignToBoundedPlanes (const Coordinates& points,
                        const VoxelizedPoints& voxelized,

@@ -15,15 +15,13 @@ namespace pcl_ops::internal {
 /** \brief Planes with the voxels that support them: what bounds each to its surface. */
 struct BoundedPlanes {
   std::vector<Plane> planes;
+  /** \brief Of each plane, the rms distance of the points it is alone with [m]. */
+  std::vector<double> noise;
   /** \brief Plane of each voxel, or no_plane. */
   Labels plane_of_voxel;
-  /** \brief Noise around each voxel of a plane [m]. */
-  std::vector<double> noise;
   /** \brief Moments of what each plane has outside of these voxels, for the first so
    * many planes. */
-  std::vector<Moments> beyond;
-  /** \brief Of the planes these voxels were given at first, what each has become. */
-  Labels became;
+  std::vector<Moments> moments_elsewhere;
 
   /** \brief Number of planes. */
   std::size_t
@@ -33,41 +31,18 @@ struct BoundedPlanes {
   }
 };
 
-/** \brief Hands every voxel to the nearest of its own plane and those of its
- * neighbours, and refits all planes. */
-void
-reassignVoxels (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes);
-
-/** \brief Moments of each plane's voxels. */
+/** \brief Moments of each plane's points, those elsewhere included. */
 std::vector<Moments>
 momentsOfPlanes (const VoxelGrid& grid, const BoundedPlanes& planes);
-
-/** \brief Replaces the numbers of planes by those of what they became.
- * \param[in] became for each plane a number below \p number, or no_plane */
-void
-relabelPlanes (const Labels& became, std::size_t number, BoundedPlanes& planes);
-
-/** \brief Replaces planes by those they were merged into. */
-void
-renumberPlanes (const MergedPlanes& merged, BoundedPlanes& planes);
-
-/** \brief Calls visit (plane, neighbour) for each neighbour of a voxel that is on a
- * plane, and for the voxel itself if it is. */
-template <typename Visit>
-void
-forNeighboursOnPlanes (const VoxelGrid& grid,
-                       const Labels& plane_of_voxel,
-                       std::size_t voxel,
-                       Visit&& visit)
-{
-  for (const std::uint32_t neighbour : grid.neighbours[voxel])
-    if (const std::int32_t plane = plane_of_voxel[neighbour]; plane != no_plane)
-      visit (static_cast<std::size_t> (plane), std::size_t (neighbour));
-}
 
 /** \brief Fits each plane to its voxels. */
 void
 refitPlanes (const VoxelGrid& grid, BoundedPlanes& planes);
+
+/** \brief Replaces planes by those they were merged into; the noise of a merged plane
+ * has to be measured anew. */
+void
+renumberPlanes (const MergedPlanes& merged, BoundedPlanes& planes);
 
 /** \brief Moments of some voxels' points. */
 Moments

@@ -6,12 +6,14 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Measures the noise of each plane where it is alone, voxels all around which
- * are its own: the rms distance to the plane of the points there. Voxels at its
- * borders, whose points other surfaces reach into, get it from those next to them.
+/** \brief Measures the noise of planes where each is alone: of its voxels with none but
+ * its own around, the median of the rms distances of their points to the plane. Voxels
+ * at its border hold points of other surfaces, too; they count where there are no
+ * others. At least \ref smallestNoise.
  * \param[in] grid the voxels
  * \param[in] threads number of threads; 0: all. The result does not depend on it
- * \param[in,out] planes whose noise is set */
+ * \param[in,out] planes whose noise is set; a plane without voxels here keeps its noise
+ */
 void
 measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes);
 

@@ -2,177 +2,150 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bounded/plane_absorption.h"
 
-#include "detection/plane_assignment.h"
-
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <utility>
 
 namespace pcl_ops::internal {
 
 namespace {
 
-// Where a plane touches another one: the noise on that one's side, summed over voxels.
-struct Border {
-  std::size_t other;
-  double squared_noise;
-  double voxels;
+/** \brief A plane with what decides over its absorption. */
+struct Region {
+  Plane plane;
+  Moments moments;
+  /** \brief Of the points that the plane is alone with [m^2]. */
+  double squared_noise = 0.0;
+  /** \brief Planes that it touches, ascending. */
+  std::vector<std::size_t> neighbors;
 };
 
 void
-addBorder (const Border& added, std::vector<Border>& borders)
+sortNeighbors (Region& region)
 {
-  const auto place = std::lower_bound (
-      borders.begin(),
-      borders.end(),
-      added.other,
-      [] (const Border& border, std::size_t other) { return border.other < other; });
-  if (place == borders.end() || place->other != added.other) {
-    borders.insert (place, added);
-    return;
-  }
-  place->squared_noise += added.squared_noise;
-  place->voxels += added.voxels;
+  std::vector<std::size_t>& all = region.neighbors;
+  std::sort (all.begin(), all.end());
+  all.erase (std::unique (all.begin(), all.end()), all.end());
 }
 
-// A plane with what decides over its absorption.
-struct Territory {
-  Plane plane;
-  Moments moments;
-  /** \brief By the other plane. */
-  std::vector<Border> borders;
-};
-
-std::vector<Territory>
-territoriesOf (const VoxelGrid& grid, const BoundedPlanes& planes)
+std::vector<Region>
+regionsOf (const VoxelGrid& grid, const BoundedPlanes& planes)
 {
-  std::vector<Territory> territories;
-  for (const Plane& plane : planes.planes)
-    territories.push_back ({plane, Moments(), {}});
-  for (std::size_t p = 0; p < planes.beyond.size(); ++p)
-    territories[p].moments = planes.beyond[p];
+  const std::vector<Moments> moments = momentsOfPlanes (grid, planes);
+  std::vector<Region> regions;
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    regions.push_back (
+        {planes.planes[p], moments[p], planes.noise[p] * planes.noise[p], {}});
   for (std::size_t i = 0; i < grid.size(); ++i) {
-    if (planes.plane_of_voxel[i] == no_plane)
+    const std::int32_t own = planes.plane_of_voxel[i];
+    if (own == no_plane)
       continue;
-    const auto own = static_cast<std::size_t> (planes.plane_of_voxel[i]);
-    territories[own].moments.addAligned (grid.moments[i]);
-    forNeighboursOnPlanes (
-        grid, planes.plane_of_voxel, i, [&] (std::size_t other, std::size_t neighbour) {
-          const double noise = planes.noise[neighbour];
-          if (other != own)
-            addBorder ({other, noise * noise, 1.0}, territories[own].borders);
-        });
+    std::int32_t last = own;
+    for (const std::uint32_t neighbour : grid.neighbours[i]) {
+      const std::int32_t other = planes.plane_of_voxel[neighbour];
+      if (other != no_plane && other != own && other != last)
+        regions[static_cast<std::size_t> (own)].neighbors.push_back (
+            static_cast<std::size_t> (other));
+      last = other;
+    }
   }
-  return territories;
+  std::for_each (regions.begin(), regions.end(), sortNeighbors);
+  return regions;
 }
 
 // How much worse than its own plane one plane for both explains either, as a ratio of
-// mean squared distances; the smaller may be as noisy as the border is on the other's
-// side.
+// mean squared distances; the smaller may be as noisy as the larger is.
 double
-misfitOfBoth (const Territory& own, const Territory& other, double squared_noise)
+misfitOfBoth (const Region& smaller, const Region& larger)
 {
-  Moments both = other.moments;
-  both.addAligned (own.moments);
+  Moments both = larger.moments;
+  both.addAligned (smaller.moments);
   const std::optional<PlaneFit> fit = fitPlane (both);
   if (!fit)
     return std::numeric_limits<double>::infinity();
-  const auto misfit = [&fit] (const Moments& moments, double least) {
-    return meanSquaredDistance (moments, fit->plane) /
-           std::max (least, std::numeric_limits<double>::min());
+  const auto misfit = [&fit] (const Region& region, double least) {
+    const double own = meanSquaredDistance (region.moments, region.plane);
+    return meanSquaredDistance (region.moments, fit->plane) /
+           std::max ({own, least, std::numeric_limits<double>::min()});
   };
-  return std::max (
-      misfit (own.moments,
-              std::max (squared_noise, meanSquaredDistance (own.moments, own.plane))),
-      misfit (other.moments, meanSquaredDistance (other.moments, other.plane)));
+  return std::max (misfit (smaller, larger.squared_noise), misfit (larger, 0.0));
 }
 
-// The plane each goes into: a larger neighbour that explains it best, or itself.
-std::vector<std::size_t>
-absorbers (const std::vector<Territory>& territories, double noise_factor)
+// Of the larger neighbors of a plane the one that explains it best, or itself.
+std::size_t
+absorberOf (const std::vector<Region>& regions, std::size_t p, double noise_factor)
 {
-  std::vector<std::size_t> goes_into (territories.size());
-  std::iota (goes_into.begin(), goes_into.end(), std::size_t (0));
-  for (std::size_t p = 0; p < territories.size(); ++p) {
-    const Territory& own = territories[p];
-    double best = noise_factor * noise_factor;
-    for (const Border& border : own.borders) {
-      const Territory& other = territories[border.other];
-      const bool is_larger =
-          other.moments.count > own.moments.count ||
-          (other.moments.count == own.moments.count && border.other < p);
-      if (!is_larger)
-        continue;
-      const double ratio =
-          misfitOfBoth (own, other, border.squared_noise / border.voxels);
-      if (ratio >= best)
-        continue;
-      best = ratio;
-      goes_into[p] = border.other;
-    }
+  const Region& own = regions[p];
+  std::size_t absorber = p;
+  double best = noise_factor * noise_factor;
+  for (const std::size_t other : own.neighbors) {
+    const double count = regions[other].moments.count;
+    const bool is_larger =
+        count > own.moments.count || (count == own.moments.count && other < p);
+    if (!is_larger)
+      continue;
+    const double ratio = misfitOfBoth (own, regions[other]);
+    if (ratio >= best)
+      continue;
+    best = ratio;
+    absorber = other;
   }
-  return goes_into;
+  return absorber;
 }
 
-// Follows a chain of absorptions to its end and closes the gaps it leaves.
-std::pair<Labels, std::size_t>
-closeGaps (const std::vector<std::size_t>& goes_into)
+// Moves regions into those they go to; what is left behind is empty.
+void
+join (const std::vector<std::size_t>& goes_into, std::vector<Region>& regions)
 {
-  Labels merged_into (goes_into.size(), no_plane);
-  std::size_t number = 0;
-  for (std::size_t p = 0; p < goes_into.size(); ++p)
+  for (std::size_t p = 0; p < regions.size(); ++p) {
     if (goes_into[p] == p)
-      merged_into[p] = static_cast<std::int32_t> (number++);
-  for (std::size_t p = 0; p < goes_into.size(); ++p) {
-    std::size_t last = p;
-    while (goes_into[last] != last)
-      last = goes_into[last];
-    merged_into[p] = merged_into[last];
+      continue;
+    Region& to = regions[goes_into[p]];
+    to.moments.addAligned (regions[p].moments);
+    to.neighbors.insert (
+        to.neighbors.end(), regions[p].neighbors.begin(), regions[p].neighbors.end());
+    regions[p] = Region();
   }
-  return {merged_into, number};
-}
-
-// The territories left when all have gone where they go.
-std::vector<Territory>
-joined (const std::vector<Territory>& territories,
-        const Labels& merged_into,
-        std::size_t number)
-{
-  std::vector<Territory> left (number);
-  for (std::size_t p = 0; p < territories.size(); ++p) {
-    const auto to = static_cast<std::size_t> (merged_into[p]);
-    left[to].moments.addAligned (territories[p].moments);
-    for (Border border : territories[p].borders) {
-      border.other = static_cast<std::size_t> (merged_into[border.other]);
-      if (border.other != to)
-        addBorder (border, left[to].borders);
-    }
+  for (std::size_t p = 0; p < regions.size(); ++p) {
+    Region& region = regions[p];
+    for (std::size_t& neighbor : region.neighbors)
+      neighbor = goes_into[neighbor];
+    sortNeighbors (region);
+    region.neighbors.erase (
+        std::remove (region.neighbors.begin(), region.neighbors.end(), p),
+        region.neighbors.end());
+    if (const std::optional<PlaneFit> fit = fitPlane (region.moments))
+      region.plane = fit->plane;
   }
-  for (Territory& territory : left)
-    if (const std::optional<PlaneFit> fit = fitPlane (territory.moments))
-      territory.plane = fit->plane;
-  return left;
 }
 
 } // namespace
 
-void
-absorbPlanes (const VoxelGrid& grid, double noise_factor, BoundedPlanes& planes)
+Labels
+absorbPlanes (const VoxelGrid& grid, double noise_factor, const BoundedPlanes& planes)
 {
-  std::vector<Territory> territories = territoriesOf (grid, planes);
-  while (true) {
-    const auto [merged_into, number] =
-        closeGaps (absorbers (territories, noise_factor));
-    if (number == territories.size())
-      break;
-    territories = joined (territories, merged_into, number);
-    relabelPlanes (merged_into, number, planes);
+  std::vector<Region> regions = regionsOf (grid, planes);
+  Labels absorbed (planes.size());
+  std::iota (absorbed.begin(), absorbed.end(), 0);
+  std::vector<std::size_t> goes_into (planes.size());
+  bool has_changed = true;
+  while (has_changed) {
+    for (std::size_t p = 0; p < regions.size(); ++p)
+      goes_into[p] = absorberOf (regions, p, noise_factor);
+    // A chain of absorptions ends: each goes to a larger one.
+    for (std::size_t& to : goes_into)
+      while (goes_into[to] != to)
+        to = goes_into[to];
+    has_changed = false;
+    for (std::int32_t& to : absorbed) {
+      const std::size_t next = goes_into[static_cast<std::size_t> (to)];
+      has_changed |= next != static_cast<std::size_t> (to);
+      to = static_cast<std::int32_t> (next);
+    }
+    join (goes_into, regions);
   }
-  planes.planes.clear();
-  for (const Territory& territory : territories)
-    planes.planes.push_back (territory.plane);
+  return absorbed;
 }
 
 } // namespace pcl_ops::internal

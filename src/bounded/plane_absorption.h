@@ -6,9 +6,13 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Gives planes to a larger neighbour that explains them: whose plane their
- * points are no farther from than a multiple of the noise on its side of the border. */
-void
-absorbPlanes (const VoxelGrid& grid, double noise_factor, BoundedPlanes& planes);
+/** \brief Finds planes that go into a larger neighbor: one plane for both is no farther
+ * from the points of either than a multiple of the noise there.
+ * \param[in] grid the voxels
+ * \param[in] noise_factor that multiple
+ * \param[in] planes with their noise
+ * \return for each plane the one that it ends in, itself if it stays */
+Labels
+absorbPlanes (const VoxelGrid& grid, double noise_factor, const BoundedPlanes& planes);
 
 } // namespace pcl_ops::internal

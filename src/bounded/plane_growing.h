@@ -8,11 +8,17 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Lets planes grow into voxels without a plane that touch their support, as
- * long as the rms distance of the voxel's points is below a multiple of the noise next
- * to it. \param[in] grid the voxels \param[in] distance_threshold theta_h: largest rms
- * distance [m]; none: two voxels \param[in] threads number of threads; 0: all. The
- * result does not depend on it \param[in,out] planes refitted to their voxels */
+/** \brief Largest rms distance of a voxel's points to the plane the voxel goes to, in
+ * units of that plane's noise: surfaces meet in voxels at its border. */
+constexpr double noises_of_a_voxel = 3.0;
+
+/** \brief Lets planes grow, voxel by voxel: of the voxels without a plane, each goes to
+ * that of the planes next to it which its points are nearest to, in units of the
+ * plane's noise; up to \ref noises_of_a_voxel.
+ * \param[in] grid the voxels
+ * \param[in] distance_threshold theta_h: largest rms distance [m]; none: two voxels
+ * \param[in] threads number of threads; 0: all. The result does not depend on it
+ * \param[in,out] planes with their noise; refitted to their voxels */
 void
 growPlanes (const VoxelGrid& grid,
             std::optional<double> distance_threshold,

@@ -22,8 +22,8 @@ struct Refinement {
 };
 
 /** \brief Takes the points of coarse voxels without a plane, and of those next to them,
- * to voxels of half the edge. A voxel there is on the plane of a coarse one it touches
- * if its points lie on it.
+ * to voxels of half the edge. A voxel there keeps the plane of the coarse one that
+ * holds it if its points lie on it.
  * \param[in] points all points
  * \param[in] coarse their voxels
  * \param[in] planes those found in coarse voxels, with their noise

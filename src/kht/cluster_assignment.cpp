@@ -4,7 +4,6 @@
 
 #include "base/stage_clock.h"
 #include "bounded/bounded_assignment.h"
-#include "bounded/noise_floors.h"
 #include "bounded/noise_measurement.h"
 #include "bounded/plane_growing.h"
 #include "detection/merging_defaults.h"
@@ -55,36 +54,46 @@ voxelsOfClusters (const std::vector<HoughPlane>& planes,
 {
   BoundedPlanes voxels;
   voxels.plane_of_voxel.assign (voxelized.grid.size(), no_plane);
-  voxels.noise.assign (voxelized.grid.size(), 0.0);
   for (const HoughPlane& plane : planes) {
     const auto label = static_cast<std::int32_t> (voxels.planes.size());
     voxels.planes.push_back (plane.plane);
     for (const std::uint32_t c : plane.clusters) {
       const CoplanarCluster& cluster = found.clusters[c];
-      const double noise =
-          std::sqrt (meanSquaredDistance (cluster.moments, plane.plane));
       for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
         const std::uint32_t voxel = voxelized.voxel_of_point[found.points.order[i]];
-        if (voxels.plane_of_voxel[voxel] != no_plane)
-          continue;
-        voxels.plane_of_voxel[voxel] = label;
-        voxels.noise[voxel] = std::max (noise, smallestNoise (voxelized.grid));
+        if (voxels.plane_of_voxel[voxel] == no_plane)
+          voxels.plane_of_voxel[voxel] = label;
       }
     }
   }
   return voxels;
 }
 
-/** Grows, merges and refits planes on their voxels. */
+/** Takes voxels off planes that their points are not on. */
+void
+releaseVoxels (const VoxelGrid& grid, BoundedPlanes& planes)
+{
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    if (std::int32_t& plane = planes.plane_of_voxel[i]; plane != no_plane) {
+      const auto p = static_cast<std::size_t> (plane);
+      const double limit = noises_of_a_voxel * planes.noise[p];
+      if (meanSquaredDistance (grid.moments[i], planes.planes[p]) > limit * limit)
+        plane = no_plane;
+    }
+}
+
+/** Grows and merges planes on their voxels. */
 void
 settleVoxels (const VoxelGrid& grid,
               const KernelHoughTransformParameters& parameters,
               BoundedPlanes& planes)
 {
+  measureNoise (grid, parameters.threads, planes);
+  releaseVoxels (grid, planes);
   growPlanes (grid, parameters.distance_threshold, parameters.threads, planes);
   renumberPlanes (mergePlanes (momentsOfPlanes (grid, planes), mergingOf (parameters)),
                   planes);
-  reassignVoxels (grid, parameters.threads, planes);
+  measureNoise (grid, parameters.threads, planes);
 }
 
 } // namespace

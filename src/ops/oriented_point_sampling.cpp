@@ -1,52 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/stage_clock.h"
-#include "detection/labelled_planes.h"
 #include "geometry/angles.h"
-#include "ops/drawn_points.h"
-#include "ops/voxel_surfels.h"
+#include "ops/detect_as_in_paper.h"
+#include "ops/detect_on_voxels.h"
 #include <pcl_ops/oriented_point_sampling.h>
 
 #include <cmath>
-#include <utility>
 
 namespace pcl_ops {
-
-namespace internal {
-namespace {
-
-// The straight line of OPS. What an oriented sample is, a point drawn at random (the
-// paper) or a flat voxel, the policy decides.
-template <typename Policy>
-LabelledPlanes
-detectBy (const Policy& policy, const Points& points, StageDurations& durations)
-{
-  StageClock clock;
-  // P_s: alpha_s N of the points, or the voxels of a grid
-  const auto samples = policy.sample (points);
-  clock.lap (durations.search);
-  // n_i: from the k nearest points, or from the moments around
-  const auto oriented = policy.orient (points, samples);
-  clock.lap (durations.normals);
-  // Pi: one-point RANSAC and peeling, with theta_h, theta_N and p
-  auto planes = policy.extract (points, samples, oriented);
-  const std::size_t planes_before_merging = planes.size();
-  clock.lap (durations.extraction);
-  // where planes end, for samples that tell
-  policy.bound (points, samples, planes);
-  clock.lap (durations.merging);
-  // every point of P, not of P_s alone, to a plane
-  AssignedPoints assigned = policy.assign (points, samples, planes);
-  clock.lap (durations.assignment);
-  // section III-C: the coplanarity test on each pair, where bounds have not settled it
-  LabelledPlanes found = policy.merge (std::move (assigned));
-  found.planes_before_merging = planes_before_merging;
-  clock.lap (durations.merging);
-  return found;
-}
-
-} // namespace
-} // namespace internal
 
 Detection
 detectPlanes (const DetectorInput& input,
@@ -58,8 +19,8 @@ detectPlanes (const DetectorInput& input,
       parameters,
       [&] (const auto& points, auto& durations) {
         return parameters.sampling == Sampling::Surfels
-                   ? detectBy (VoxelSurfels (parameters), points, durations)
-                   : detectBy (DrawnPoints (input, parameters), points, durations);
+                   ? detectOnVoxels (points, parameters, durations)
+                   : detectAsInPaper (input, points, parameters, durations);
       },
       coarsestVoxel (parameters.surfels));
 }

@@ -53,65 +53,39 @@ public:
     is_open_[voxel] = 0;
   }
 
-  void
-  close (const SurfelPatch& patch)
-  {
-    for (const std::uint32_t voxel : patch.voxels)
-      close (voxel);
-  }
-
-  /** \brief Noise a voxel was judged by when it was last reached [m]. */
-  double
-  noise (std::uint32_t voxel) const
-  {
-    return noise_[voxel];
-  }
-
-  /** \brief The plane refitted to what it reaches, each time that has grown by half. */
+  /** \brief What a plane reaches from a seed, refitted each time that has grown by
+   * half. */
   SurfelPatch
-  fitting (std::uint32_t seed)
+  from (std::uint32_t seed)
   {
     constexpr std::size_t first_fit = 4;
     std::size_t next_fit = first_fit;
-    return from (seed, surfels_[seed]->plane, [&next_fit] (const SurfelPatch& patch) {
-      if (patch.voxels.size() < next_fit)
-        return std::optional<PlaneFit>();
-      next_fit = patch.voxels.size() * 3 / 2 + 1;
-      return fitPlane (patch.moments);
-    });
-  }
-
-  /** \brief What a plane reaches as it is. */
-  SurfelPatch
-  along (std::uint32_t seed, const Plane& plane)
-  {
-    return from (
-        seed, plane, [] (const SurfelPatch&) { return std::optional<PlaneFit>(); });
-  }
-
-private:
-  template <typename Refit>
-  SurfelPatch
-  from (std::uint32_t seed, Plane plane, Refit&& refit)
-  {
     ++round_;
+    Plane plane = surfels_[seed]->plane;
     SurfelPatch patch;
     take (seed, plane, surfels_[seed]->noise, patch);
     for (std::size_t i = 0; i < patch.voxels.size(); ++i) {
       const std::uint32_t voxel = patch.voxels[i];
       for (const std::uint32_t neighbour : grid_.neighbours[voxel])
         take (neighbour, plane, noise_[voxel], patch);
-      if (const auto fit = refit (patch))
+      if (patch.voxels.size() < next_fit)
+        continue;
+      next_fit = patch.voxels.size() * 3 / 2 + 1;
+      if (const std::optional<PlaneFit> fit = fitPlane (patch.moments))
         plane = fit->plane;
     }
     return patch;
   }
 
+private:
   // Asks a voxel, once while the plane spreads. What lies on two planes seems noisier
   // than either: the noise of a voxel is at most a little more than that of the voxel
   // the plane comes from.
   void
-  take (std::uint32_t voxel, const Plane& plane, double handed_on, SurfelPatch& patch)
+  take (std::uint32_t voxel,
+        const Plane& plane,
+        double noise_next_to_it,
+        SurfelPatch& patch)
   {
     constexpr double largest_rise = 1.5;
     if (asked_in_[voxel] == round_ || !is_open_[voxel] ||
@@ -119,7 +93,7 @@ private:
       return;
     asked_in_[voxel] = round_;
     const double noise =
-        std::max (std::min (surfels_[voxel]->noise, largest_rise * handed_on),
+        std::max (std::min (surfels_[voxel]->noise, largest_rise * noise_next_to_it),
                   smallestNoise (grid_));
     if (meanSquaredDistance (grid_.moments[voxel], plane) >
         squared_factor_ * noise * noise)
@@ -186,30 +160,6 @@ private:
   std::vector<char> is_curved_;
 };
 
-// The largest patch around a seed: of the plane fitted on the way, and of those fitted
-// to the whole of what the plane before reached.
-SurfelPatch
-largestPatch (std::uint32_t seed, std::size_t min_inliers, SurfelSpread& spread)
-{
-  constexpr std::size_t hopeless_share = 3;
-  SurfelPatch patch = spread.fitting (seed);
-  if (patch.voxels.size() * hopeless_share < min_inliers)
-    return {};
-  constexpr int most_fits = 2;
-  for (int fits = 0; fits < most_fits; ++fits) {
-    const std::optional<PlaneFit> fit = fitPlane (patch.moments);
-    if (!fit)
-      return {};
-    SurfelPatch again = spread.along (seed, fit->plane);
-    const bool grew = again.moments.count > patch.moments.count;
-    if (grew || fits == 0)
-      patch = std::move (again);
-    if (!grew)
-      break;
-  }
-  return patch;
-}
-
 Indices
 byThickness (const Surfels& surfels)
 {
@@ -224,19 +174,6 @@ byThickness (const Surfels& surfels)
   return order;
 }
 
-void
-addPlane (const Plane& plane,
-          const SurfelPatch& patch,
-          const SurfelSpread& spread,
-          BoundedPlanes& planes)
-{
-  for (const std::uint32_t voxel : patch.voxels) {
-    planes.plane_of_voxel[voxel] = static_cast<std::int32_t> (planes.size());
-    planes.noise[voxel] = spread.noise (voxel);
-  }
-  planes.planes.push_back (plane);
-}
-
 } // namespace
 
 void
@@ -246,20 +183,23 @@ extractSurfelPlanes (const VoxelGrid& grid,
                      BoundedPlanes& planes)
 {
   planes.plane_of_voxel.resize (grid.size(), no_plane);
-  planes.noise.resize (grid.size(), 0.0);
   SurfelSpread spread (grid, surfels, parameters, planes.plane_of_voxel);
   CurvedSurfaces curved (grid, surfels, parameters.angle_threshold);
   for (const std::uint32_t seed : byThickness (surfels)) {
     if (!spread.isOpen (seed))
       continue;
-    const SurfelPatch patch = largestPatch (seed, parameters.min_inliers, spread);
+    const SurfelPatch patch = spread.from (seed);
     spread.close (seed);
     const std::optional<PlaneFit> fit = fitPlane (patch.moments);
     if (!fit || patch.voxels.size() < parameters.min_inliers)
       continue;
-    spread.close (patch);
-    if (!curved.take (patch.voxels, *fit))
-      addPlane (fit->plane, patch, spread, planes);
+    for (const std::uint32_t voxel : patch.voxels)
+      spread.close (voxel);
+    if (curved.take (patch.voxels, *fit))
+      continue;
+    for (const std::uint32_t voxel : patch.voxels)
+      planes.plane_of_voxel[voxel] = static_cast<std::int32_t> (planes.size());
+    planes.planes.push_back (fit->plane);
   }
 }
 

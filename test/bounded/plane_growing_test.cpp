@@ -8,10 +8,6 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-// In the middle of voxels of 10 cm; 20 x 20 of them each.
-const Surface ground = {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
-const Surface wall = {{0.05, 0, 0}, {0, 2, 0}, {0, 0, 2}};
-
 /** \brief The surface of the ground that goes on 2 m farther, some way up. */
 Surface
 higherBy (double height)
@@ -88,21 +84,23 @@ TEST (Growing, RefitsThePlanes)
   expectPlaneNear (scene.planes.planes[0], ground, 1e-6, 1e-6);
 }
 
-TEST (Growing, NotesTheNoiseOfWhatItTook)
+TEST (Growing, TakesVoxelsUpToThreeTimesTheNoise)
 {
-  VoxelScene scene ({{ground}});
-  scene.label (no_plane, [] (const auto& at) { return at.x() > 1.9; });
-  for (std::size_t i = 0; i < scene.grid().size(); ++i)
-    scene.planes.noise[i] = scene.planes.plane_of_voxel[i] == 0 ? 8_mm : 0.0;
-  grow (scene);
-  EXPECT_EQ (scene.planes.noise, std::vector<double> (400, 8_mm));
+  // The voxels beyond the ground lie 1 cm higher.
+  for (const double noise : {3_mm, 4_mm}) {
+    VoxelScene scene ({{ground}, {higherBy (1_cm)}});
+    scene.label (no_plane, [] (const auto& at) { return at.x() > 2.0; });
+    scene.planes.noise[0] = noise;
+    grow (scene);
+    EXPECT_EQ (scene.voxelsOn (0), noise < 0.0035 ? 400u : 800u);
+  }
 }
 
 TEST (Growing, IsTheSameForAnyNumberOfThreads)
 {
-  VoxelScene one ({{ground}, {wall}}, 5_mm), four ({{ground}, {wall}}, 5_mm);
-  for (VoxelScene* const scene : {&one, &four})
-    scene->label (no_plane, [] (const auto& at) { return at.y() > 1.0; });
+  VoxelScene one ({{ground}, {wall}}, 5_mm);
+  one.label (no_plane, [] (const auto& at) { return at.y() > 0.3; });
+  VoxelScene four = one;
   growPlanes (one.grid(), std::nullopt, 1, one.planes);
   growPlanes (four.grid(), std::nullopt, 4, four.planes);
   EXPECT_EQ (one.planes.plane_of_voxel, four.planes.plane_of_voxel);

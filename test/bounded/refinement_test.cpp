@@ -9,9 +9,6 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-// In the middle of voxels of 10 cm; 20 x 20 of them.
-const Surface ground = {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
-
 bool
 isRight (const Eigen::Vector3d& at)
 {
@@ -42,21 +39,6 @@ TEST (Refinement, IsOfVoxelsWithoutAPlaneAndOfThoseNextToThem)
   ASSERT_EQ (refinement.is_refined.size(), 400u);
   for (std::size_t i = 0; i < scene.grid().size(); ++i)
     EXPECT_EQ (refinement.is_refined[i] != 0, scene.centroid (i).x() > 0.9);
-}
-
-TEST (Refinement, LeavesVoxelsThatShareNoFaceWithAnOpenOne)
-{
-  // A hole of one voxel and the four of the ground beside it.
-  VoxelScene scene ({{ground}});
-  scene.label (no_plane, [] (const auto& at) {
-    return (at - Eigen::Vector3d (1.05, 1.05, 0.05)).norm() < 0.05;
-  });
-  const Refinement refinement = refined (scene);
-  for (std::size_t i = 0; i < scene.grid().size(); ++i) {
-    const double away =
-        (scene.centroid (i) - Eigen::Vector3d (1.05, 1.05, 0.05)).norm();
-    EXPECT_EQ (refinement.is_refined[i] != 0, away < 12_cm);
-  }
 }
 
 TEST (Refinement, HasThePointsOfThoseVoxels)
@@ -91,44 +73,9 @@ TEST (Refinement, LeavesVoxelsOfTooFewPointsForAPlane)
       scene.points.add (0.55f, 0.55f, 1.01f + 0.01f * static_cast<float> (i));
     scene.voxelized = voxelize (scene.points, 10_cm, 1);
     scene.planes.plane_of_voxel.assign (scene.grid().size(), 0);
-    scene.planes.noise.assign (scene.grid().size(), 6_mm);
     scene.label (no_plane, [] (const auto& at) { return at.z() > 0.5; });
     EXPECT_EQ (refined (scene).points.size(), number < 8 ? 0u : 8u);
   }
-}
-
-TEST (Refinement, GivesFinerVoxelsThePlaneThatTheyTouch)
-{
-  // The tenth row is on the plane; the eleventh, without one, touches it with half of
-  // its finer voxels.
-  const Refinement refinement = refined (halfExplained());
-  const VoxelGrid& grid = refinement.voxelized.grid;
-  for (std::size_t i = 0; i < grid.size(); ++i)
-    EXPECT_EQ (refinement.planes.plane_of_voxel[i],
-               grid.moments[i].centroid().x() < 1.05 ? 0 : no_plane);
-}
-
-TEST (Refinement, GivesFinerVoxelsTheNoiseOfThatPlane)
-{
-  VoxelScene scene = halfExplained();
-  scene.planes.noise.assign (scene.grid().size(), 2_cm);
-  const Refinement refinement = refined (scene);
-  for (std::size_t i = 0; i < refinement.planes.plane_of_voxel.size(); ++i)
-    EXPECT_EQ (refinement.planes.noise[i],
-               refinement.planes.plane_of_voxel[i] == 0 ? 2_cm : 0.0);
-}
-
-TEST (Refinement, GivesNoPlaneToPointsOffIt)
-{
-  // The right half lies 4 cm higher, and so does what touches the left one.
-  VoxelScene scene (
-      {{{{0, 0, 0.05}, {1, 0, 0}, {0, 2, 0}}}, {{{1, 0, 0.09}, {1, 0, 0}, {0, 2, 0}}}});
-  scene.label (no_plane, isRight);
-  const Refinement refinement = refined (scene);
-  const VoxelGrid& grid = refinement.voxelized.grid;
-  for (std::size_t i = 0; i < grid.size(); ++i)
-    EXPECT_EQ (refinement.planes.plane_of_voxel[i],
-               grid.moments[i].centroid().x() < 1.0 ? 0 : no_plane);
 }
 
 TEST (Refinement, LosesNoPointOfAPlane)
@@ -140,7 +87,7 @@ TEST (Refinement, LosesNoPointOfAPlane)
   refinement.planes.plane_of_voxel.assign (refinement.voxelized.grid.size(), 0);
   const Moments all =
       momentsOfPlanes (refinement.voxelized.grid, refinement.planes).at (0);
-  EXPECT_LT (refinement.planes.beyond.at (0).count, 0.5 * all.count);
+  EXPECT_LT (refinement.planes.moments_elsewhere.at (0).count, 0.5 * all.count);
   EXPECT_EQ (all.count, 14400.0);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < scene.points.size(); ++i)
@@ -154,7 +101,6 @@ TEST (Refinement, BeginsWithTheCoarsePlanes)
   const Refinement refinement = refined (scene);
   ASSERT_EQ (refinement.planes.size(), 1u);
   EXPECT_EQ (refinement.planes.planes[0].offset, scene.planes.planes[0].offset);
-  EXPECT_EQ (refinement.planes.became, pcl_ops::Labels{0});
 }
 
 TEST (Refinement, OfWhatIsAllExplainedIsEmpty)
@@ -163,13 +109,31 @@ TEST (Refinement, OfWhatIsAllExplainedIsEmpty)
   EXPECT_TRUE (refinement.points.empty());
   EXPECT_EQ (refinement.voxelized.grid.size(), 0u);
   EXPECT_EQ (refinement.is_refined, std::vector<char> (400, 0));
-  EXPECT_EQ (refinement.planes.beyond.at (0).count, 14400.0);
+  EXPECT_EQ (refinement.planes.moments_elsewhere.at (0).count, 14400.0);
 }
 
-TEST (Refinement, IsTheSameForAnyNumberOfThreads)
+TEST (Refinement, KeepsThePlaneOfTheVoxelThatHoldsAFinerOne)
 {
-  const VoxelScene scene = halfExplained();
-  const Refinement one = refined (scene, 1), four = refined (scene, 4);
-  EXPECT_EQ (one.points, four.points);
-  EXPECT_EQ (one.planes.plane_of_voxel, four.planes.plane_of_voxel);
+  const Refinement refinement = refined (halfExplained());
+  const VoxelGrid& grid = refinement.voxelized.grid;
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    EXPECT_EQ (refinement.planes.plane_of_voxel[i],
+               isRight (grid.moments[i].centroid()) ? no_plane : 0);
+}
+
+TEST (Refinement, KeepsNoPlaneThatTheFinerPointsAreNotOn)
+{
+  // A thing of 5 x 5 cm lies 4 cm above the ground, within a voxel of the tenth row.
+  VoxelScene scene ({{ground}});
+  addGrid (scene.points, {{0.95, 0.5, 0.09}, {0.05, 0, 0}, {0, 0.05, 0}}, 12);
+  scene.voxelized = voxelize (scene.points, 10_cm, 1);
+  scene.planes.plane_of_voxel.assign (scene.grid().size(), 0);
+  scene.label (no_plane, isRight);
+  const Refinement refinement = refined (scene);
+  const VoxelGrid& grid = refinement.voxelized.grid;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const Eigen::Vector3d at = grid.moments[i].centroid();
+    EXPECT_EQ (refinement.planes.plane_of_voxel[i],
+               isRight (at) || at.z() > 8_cm ? no_plane : 0);
+  }
 }

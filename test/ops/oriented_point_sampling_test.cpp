@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ops/drawn_points.h"
+#include "ops/detect_as_in_paper.h"
 #include "presets.h"
 #include "scene.h"
 
@@ -32,9 +32,7 @@ extractedFrom (const OrientedSamples& samples,
                const OrientedPointSamplingParameters& parameters,
                const Points& points = {})
 {
-  const pcl::Indices none;
-  const pcl_ops::DetectorInput input{{}, none, Eigen::Vector3d::Zero(), nullptr};
-  return DrawnPoints (input, parameters).extract (points, {}, samples);
+  return extractPlanes (points, samples, parameters);
 }
 
 class EachVariant
@@ -60,30 +58,6 @@ INSTANTIATE_TEST_SUITE_P (
         ::testing::Values (Strategy::DetectThenDivide, Strategy::DivideThenDetect),
         ::testing::Values (Verification::Samples, Verification::AllPoints),
         ::testing::Bool()));
-
-TEST (PaperPreset, IsTheBestRowOfThePaper)
-{
-  const auto paper = OrientedPointSamplingParameters::paper();
-  EXPECT_EQ (paper.sampling_rate, 0.03) << "Table III, 3 %";
-  EXPECT_EQ (paper.k, 30) << "Table III, 30 neighbours";
-  EXPECT_EQ (paper.distance_threshold, 0.05) << "section IV-A";
-  EXPECT_EQ (paper.min_inliers, 20u) << "section IV-A";
-  EXPECT_EQ (paper.probability, 0.99) << "section IV-A";
-  EXPECT_DOUBLE_EQ (paper.angle_tolerance, 7_deg) << "section IV-A";
-  EXPECT_EQ (paper.strategy, Strategy::DivideThenDetect) << "section III-A";
-  EXPECT_EQ (paper.verification, Verification::Samples) << "Algorithm 1";
-  EXPECT_FALSE (paper.local_optimisation) << "Algorithm 1";
-}
-
-TEST (PaperPreset, LeavesOpenWhatThePaperDoes)
-{
-  const auto paper = OrientedPointSamplingParameters::paper();
-  EXPECT_FALSE (paper.normal_sigma) << "adaptive";
-  EXPECT_TRUE (paper.merging.enabled);
-  EXPECT_DOUBLE_EQ (paper.merging.angle_threshold, 7_deg);
-  EXPECT_EQ (paper.merging.noise_factor.value_or (0.0), 0.0) << "not in the paper";
-  EXPECT_FALSE (paper.merging.distance_threshold) << "theta_h";
-}
 
 TEST (Strategy, NumbersAreThoseOfThePaper)
 {
@@ -203,18 +177,6 @@ TEST (Merging, IsReportedInNumbersBeforeAndAfter)
   EXPECT_GE (before, merged);
   ops.setMergingParameters (noMerging());
   EXPECT_EQ (planesOf (ops).size(), before);
-}
-
-TEST (StageDurations, AddUpToNoMoreThanTheDetection)
-{
-  Ops ops = paperOn (room().build().cloud);
-  planesOf (ops);
-  const auto& t = ops.getStageDurations();
-  for (const double stage :
-       {t.search, t.normals, t.extraction, t.assignment, t.merging, t.detection})
-    EXPECT_GT (stage, 0.0);
-  EXPECT_LE (t.search + t.normals + t.extraction + t.assignment + t.merging,
-             t.detection);
 }
 
 TEST (Setters, AreReadByTheirGetters)

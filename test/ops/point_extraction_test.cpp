@@ -121,16 +121,6 @@ TEST (RequiredDraws, IsVeryLargeButFiniteWhereNoneIs)
   }
 }
 
-TEST (WithinDistance, CountsAndSelectsTheSamePoints)
-{
-  Coordinates positions;
-  for (const float z : {-0.2f, -0.04f, 0.0f, 0.04f, 0.2f})
-    positions.add (1.0f, 2.0f, z);
-  EXPECT_EQ (countWithinDistance (positions, horizontal, 5_cm), 3u);
-  EXPECT_EQ (selectWithinDistance (positions, upTo (5), horizontal, 5_cm),
-             (Indices{1, 2, 3}));
-}
-
 TEST (WithinDistance, SelectsAmongTheCandidatesOnly)
 {
   Coordinates positions;
@@ -206,21 +196,6 @@ TEST (ExtractAll, TakesAwayWhatIsNoPlaneAndGoesOn)
   ASSERT_EQ (planes.size(), 2u);
   EXPECT_EQ (planes[0].inliers, (Indices{1}));
   EXPECT_EQ (planes[1].inliers, (Indices{3}));
-}
-
-TEST (ExtractAll, FindsEveryPlaneOfAScene)
-{
-  const auto scene = floorAndWall().build();
-  const auto samples = samplesOf (scene);
-  const RansacParameters parameters;
-  RandomGenerator generator (seedOfTest());
-  PointCandidates candidates (samples, upTo (samples.size()), parameters);
-  const auto planes = extractAll (candidates, [&] (const PointCandidates& left) {
-    return largestPlane (left, parameters, generator);
-  });
-  ASSERT_GE (planes.size(), 2u);
-  expectPlaneNear (planes[0].plane, scene.surfaces[0], 1_deg, 1_cm);
-  expectPlaneNear (planes[1].plane, scene.surfaces[1], 1_deg, 1_cm);
 }
 
 TEST (OnePointRansac, FindsThePlaneWithMostInliers)
@@ -337,17 +312,4 @@ TEST (LargestPlane, TakesItsInliersOutOfTheRemainingPoints)
   candidates.remove (*found);
   EXPECT_EQ (remaining.size(), samples.size() - found->taken.size());
   EXPECT_EQ (countWithinDistance (remaining, *found->plane, 5_cm), 0u);
-}
-
-TEST (LargestPlane, GivesAscendingInliersAmongTheCandidates)
-{
-  const auto samples = samplesOf (floorAndWall().build());
-  Indices even;
-  for (std::uint32_t i = 0; i < samples.size(); i += 2)
-    even.push_back (i);
-  RandomGenerator generator (seedOfTest());
-  const auto found = largest (samples, even, RansacParameters(), generator);
-  ASSERT_TRUE (found);
-  EXPECT_TRUE (std::includes (
-      even.begin(), even.end(), found->taken.begin(), found->taken.end()));
 }

@@ -12,9 +12,6 @@ namespace {
 
 using Surfels = std::vector<std::optional<Surfel>>;
 
-// In the middle of voxels of 10 cm; 20 x 20 of them each, the tile 5 x 5.
-const Surface ground = {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
-const Surface wall = {{0.05, 0, 0}, {0, 2, 0}, {0, 0, 2}};
 const Surface tile = {{3, 0, 0.05}, {0.5, 0, 0}, {0, 0.5, 0}};
 
 /** \brief Thresholds for voxels of 10 cm. */
@@ -94,13 +91,6 @@ voxelsOn (std::int32_t plane, const BoundedPlanes& planes)
 }
 
 } // namespace
-
-TEST (VoxelExtraction, FindsGroundAndWall)
-{
-  const BoundedPlanes planes = planesOf (gridOf ({ground, wall}, 5_mm));
-  ASSERT_EQ (planes.size(), 2u);
-  EXPECT_LT (std::abs (planes.planes[0].normal.dot (planes.planes[1].normal)), 0.02);
-}
 
 TEST (VoxelExtraction, DoesNotGoRoundACorner)
 {
@@ -187,7 +177,6 @@ TEST (VoxelExtraction, AddsToPlanesFoundBefore)
   const VoxelGrid grid = gridOf ({ground});
   BoundedPlanes planes;
   planes.planes.push_back ({Eigen::Vector3d::UnitX(), 7.0});
-  planes.noise.assign (grid.size(), 1_m);
   for (const pcl_ops::Moments& voxel : grid.moments)
     planes.plane_of_voxel.push_back (voxel.centroid().x() < 1.0 ? 0 : no_plane);
   extractSurfelPlanes (grid, findSurfels (grid, 3, 30.0, 1), usual(), planes);
@@ -196,7 +185,6 @@ TEST (VoxelExtraction, AddsToPlanesFoundBefore)
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const bool was_found_before = grid.moments[i].centroid().x() < 1.0;
     EXPECT_EQ (planes.plane_of_voxel[i], was_found_before ? 0 : 1);
-    EXPECT_EQ (planes.noise[i] == 1_m, was_found_before);
   }
 }
 
@@ -249,40 +237,19 @@ TEST (VoxelExtraction, RefitsAPlaneOnItsWay)
   expectPlaneNear (planes.planes[0], ground, 1e-3, 1e-3);
 }
 
-TEST (VoxelExtraction, ReachesTheEndOfASlightlyBowedWall)
-{
-  // By 6 mm over 4 m, begun at one end: what was fitted on the way stops before the
-  // other end, but what is fitted to the whole of that gets there.
-  Coordinates points;
-  addGrid (points, {{0, 0, 0.05}, {4, 0, 0}, {0, 1, 0}}, 200);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    points.z[i] += 0.0015f * points.x[i] * points.x[i];
-  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
-  const auto surfels = surfelsWith (
-      grid, [] (Surfel& surfel, const auto& at) { surfel.thickness = 1e-3 * at.x(); });
-  const BoundedPlanes planes = planesAmong (grid, surfels);
-  ASSERT_EQ (planes.size(), 1u);
-  EXPECT_EQ (voxelsOn (0, planes), grid.size());
-}
-
-TEST (VoxelExtraction, NotesTheNoiseOfSurfels)
-{
-  const VoxelGrid grid = gridOf ({ground});
-  const auto surfels =
-      surfelsWith (grid, [] (Surfel& surfel, const auto&) { surfel.noise = 3_cm; });
-  EXPECT_EQ (planesAmong (grid, surfels).noise, std::vector<double> (400, 3_cm));
-}
-
 TEST (VoxelExtraction, TakesNoMoreThanHalfAgainTheNoiseOfTheVoxelBefore)
 {
-  // A row of surfels far noisier than the others, as next to another surface.
-  const VoxelGrid grid = gridOf ({ground});
-  const auto surfels = surfelsWith (grid, [] (Surfel& surfel, const auto& at) {
-    surfel.noise = at.x() > 1.9 ? 10_cm : 1_cm;
-    surfel.thickness = at.x() > 1.9 ? 0.1 : 0.0;
-  });
-  const BoundedPlanes planes = planesAmong (grid, surfels);
-  for (std::size_t i = 0; i < grid.size(); ++i)
-    EXPECT_NEAR (
-        planes.noise[i], grid.moments[i].centroid().x() > 1.9 ? 15_mm : 10_mm, 1e-9);
+  // The last of 80 rows has surfels of 10 cm of noise, as next to another surface, and
+  // lies off the plane by less or more than twice 1.5 times the noise of 1 cm before
+  // it.
+  for (const double off : {2_cm, 4_cm}) {
+    const VoxelGrid grid = gridOf ({{{0, 0, 0.05}, {7.9, 0, 0}, {0, 2, 0}},
+                                    {{7.9, 0, 0.05 + off}, {0.1, 0, 0}, {0, 2, 0}}},
+                                   5_mm);
+    const auto surfels = surfelsWith (grid, [] (Surfel& surfel, const auto& at) {
+      surfel.noise = at.x() > 7.9 ? 10_cm : 1_cm;
+      surfel.thickness = at.x() > 7.9 ? 0.1 : 0.0;
+    });
+    EXPECT_EQ (voxelsOn (0, planesAmong (grid, surfels)), off < 3_cm ? 1600u : 1580u);
+  }
 }

@@ -104,19 +104,6 @@ TEST (OrientedVoxels, OfABallAreThick)
     EXPECT_TRUE (!normal || normal->thickness > 0.8);
 }
 
-TEST (OrientedVoxels, AreTheSameForAnyNumberOfThreads)
-{
-  Coordinates points;
-  addGrid (points, floor_of_the_scene, 200, 1_cm);
-  const VoxelGrid grid = voxelize (points, 0.05, 1).grid;
-  const auto one = surfelsOf (grid);
-  const auto four = surfelsOf (grid, 4);
-  for (std::size_t c = 0; c < grid.size(); ++c) {
-    ASSERT_EQ (one[c].has_value(), four[c].has_value());
-    EXPECT_TRUE (!one[c] || one[c]->plane.normal == four[c]->plane.normal);
-  }
-}
-
 TEST (OrientedVoxels, TakeACoarserNeighbourhoodWhereNoiseHidesTheFinest)
 {
   // Noise of 3 cm in voxels of 5 cm: thick at one resolution, flat at three.

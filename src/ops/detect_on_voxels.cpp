@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/detect_on_voxels.h"
+
+#include "bounded/bounded_assignment.h"
+#include "bounded/noise_measurement.h"
+#include "bounded/plane_absorption.h"
+#include "bounded/plane_growing.h"
+#include "bounded/refinement.h"
+#include "ops/sparse_points.h"
+#include "ops/surfel_extraction.h"
+#include "ops/voxel_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+using Parameters = OrientedPointSamplingParameters;
+
+VoxelizedPoints
+divide (const Points& points, const Parameters& parameters)
+{
+  const std::optional<double> given = parameters.surfels.voxel_size;
+  return given ? voxelize (points, *given, parameters.threads)
+               : voxelizeByNoise (points, parameters.sampling_rate, parameters.threads);
+}
+
+std::vector<std::optional<Surfel>>
+orient (const VoxelGrid& grid,
+        const Parameters& parameters,
+        const Labels& plane_of_voxel)
+{
+  const SurfelParameters& surfels = parameters.surfels;
+  const double least_points =
+      std::max (static_cast<double> (parameters.k),
+                surfels.least_average_voxels * meanPointsPerVoxel (grid));
+  return findSurfels (
+      grid, surfels.resolutions, least_points, parameters.threads, plane_of_voxel);
+}
+
+void
+spread (const VoxelGrid& grid,
+        const std::vector<std::optional<Surfel>>& surfels,
+        const Parameters& parameters,
+        double largest_thickness,
+        BoundedPlanes& planes)
+{
+  SurfelExtractionParameters extraction;
+  extraction.noise_factor = parameters.surfels.noise_factor;
+  extraction.angle_threshold = parameters.surfels.angle_threshold;
+  extraction.largest_thickness = largest_thickness;
+  extraction.min_inliers = std::max (1u, parameters.min_inliers);
+  extractSurfelPlanes (grid, surfels, extraction, planes);
+  measureNoise (grid, parameters.threads, planes);
+}
+
+// Finds planes in voxels that have none, and lets all planes grow.
+void
+findPlanes (const VoxelGrid& grid,
+            const Parameters& parameters,
+            double largest_thickness,
+            BoundedPlanes& planes,
+            StageDurations& durations)
+{
+  StageClock clock;
+  const std::vector<std::optional<Surfel>> surfels =
+      orient (grid, parameters, planes.plane_of_voxel);
+  clock.lap (durations.normals);
+  spread (grid, surfels, parameters, largest_thickness, planes);
+  growPlanes (grid, parameters.distance_threshold, parameters.threads, planes);
+  clock.lap (durations.extraction);
+}
+
+// Makes one plane of those that noise divided, and of those that a gap did.
+MergedPlanes
+joinPlanes (const VoxelGrid& grid,
+            const Parameters& parameters,
+            const BoundedPlanes& planes)
+{
+  const Labels absorbed =
+      absorbPlanes (grid, parameters.surfels.absorption_noise_factor, planes);
+  const std::vector<Moments> parts = momentsOfPlanes (grid, planes);
+  std::vector<Moments> moments (parts.size());
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    moments[static_cast<std::size_t> (absorbed[p])].addAligned (parts[p]);
+  MergedPlanes merged = mergePlanes (moments, mergingByNoise (parameters.merging));
+  const Labels of_absorbers = merged.merged_into;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    merged.merged_into[p] = of_absorbers[static_cast<std::size_t> (absorbed[p])];
+  return merged;
+}
+
+// The points of coarse voxels that are not refined, and those of the finer ones.
+AssignedPoints
+assign (const Points& points,
+        const VoxelizedPoints& voxels,
+        const BoundedPlanes& planes,
+        const Refinement& finer,
+        const Parameters& parameters)
+{
+  const auto assigned = [&] (const Coordinates& positions,
+                             const VoxelizedPoints& voxelized,
+                             const BoundedPlanes& bounded,
+                             const std::vector<char>& is_left_out) {
+    return assignToBoundedPlanes (positions,
+                                  voxelized,
+                                  bounded,
+                                  parameters.distance_threshold,
+                                  parameters.surfels.assignment_noise_factor,
+                                  parameters.threads,
+                                  is_left_out);
+  };
+  AssignedPoints all = assigned (points, voxels, planes, finer.is_refined);
+  const AssignedPoints refined =
+      assigned (finer.positions, finer.voxelized, finer.planes, {});
+  for (std::size_t i = 0; i < finer.points.size(); ++i)
+    all.labels[finer.points[i]] = refined.labels[i];
+  for (std::size_t p = 0; p < all.moments.size(); ++p)
+    all.moments[p].addAligned (refined.moments[p]);
+  return all;
+}
+
+AssignedPoints
+labelPoints (const Points& points,
+             const Parameters& parameters,
+             StageDurations& durations,
+             std::size_t& found);
+
+// Looks for planes among points too sparse for the voxels of the others.
+void
+labelSparsePoints (const Points& points,
+                   const VoxelizedPoints& voxels,
+                   const Parameters& parameters,
+                   StageDurations& durations,
+                   AssignedPoints& assigned)
+{
+  // Voxels of a given size do not change with the points.
+  if (parameters.surfels.voxel_size)
+    return;
+  const Indices numbers = sparsePoints (voxels, assigned.labels, parameters.k);
+  if (numbers.empty())
+    return;
+  Points sparse;
+  static_cast<Coordinates&> (sparse) = selected (points, numbers);
+  sparse.origin = points.origin;
+  std::size_t found = 0;
+  const AssignedPoints more = labelPoints (sparse, parameters, durations, found);
+  const auto before = static_cast<std::int32_t> (assigned.moments.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (more.labels[i] != no_plane)
+      assigned.labels[numbers[i]] = before + more.labels[i];
+  assigned.moments.insert (
+      assigned.moments.end(), more.moments.begin(), more.moments.end());
+  // A ground goes on where it becomes sparse.
+  MergedPlanes merged =
+      mergePlanes (assigned.moments, mergingByNoise (parameters.merging));
+  relabel (assigned.labels, merged.merged_into, parameters.threads);
+  assigned.moments = std::move (merged.moments);
+}
+
+// The straight line of OPS on voxels. found: planes before they are joined.
+AssignedPoints
+labelPoints (const Points& points,
+             const Parameters& parameters,
+             StageDurations& durations,
+             std::size_t& found)
+{
+  const unsigned threads = parameters.threads;
+  StageClock clock;
+  // P_s: the voxels of a grid
+  const VoxelizedPoints voxels = divide (points, parameters);
+  const VoxelGrid& grid = voxels.grid;
+  if (grid.size() == 0)
+    return {Labels (points.size(), no_plane), {}};
+  BoundedPlanes planes;
+  planes.plane_of_voxel.assign (grid.size(), no_plane);
+  clock.lap (durations.search);
+  // n_i and Pi: normals from the moments around, planes spread over like neighbors
+  findPlanes (grid, parameters, parameters.surfels.sure_thickness, planes, durations);
+  clock = StageClock();
+  // what no plane explains, in voxels of half the edge
+  Refinement finer = refine (points, voxels, planes, threads);
+  const VoxelGrid& finer_grid = finer.voxelized.grid;
+  clock.lap (durations.search);
+  findPlanes (finer_grid,
+              parameters,
+              parameters.surfels.largest_thickness,
+              finer.planes,
+              durations);
+  clock = StageClock();
+  found = finer.planes.size();
+  // section III-C, by the noise of the planes instead of theta_h
+  const MergedPlanes merged = joinPlanes (finer_grid, parameters, finer.planes);
+  renumberPlanes (merged, planes);
+  renumberPlanes (merged, finer.planes);
+  measureNoise (grid, threads, planes);
+  measureNoise (finer_grid, threads, finer.planes);
+  clock.lap (durations.merging);
+  // every point of P, not of P_s alone, to a plane
+  AssignedPoints assigned = assign (points, voxels, planes, finer, parameters);
+  clock.lap (durations.assignment);
+  labelSparsePoints (points, voxels, parameters, durations, assigned);
+  return assigned;
+}
+
+} // namespace
+
+double
+coarsestVoxel (const SurfelParameters& surfels)
+{
+  return std::ldexp (surfels.voxel_size.value_or (0.0), surfels.resolutions - 1);
+}
+
+MergingParameters
+mergingByNoise (MergingParameters merging)
+{
+  constexpr double usual_noise_factor = 1.5;
+  merging.distance_threshold = merging.distance_threshold.value_or (0.0);
+  merging.noise_factor = merging.noise_factor.value_or (usual_noise_factor);
+  return merging;
+}
+
+LabelledPlanes
+detectOnVoxels (const Points& points,
+                const Parameters& parameters,
+                StageDurations& durations)
+{
+  std::size_t found_planes = 0;
+  AssignedPoints assigned = labelPoints (points, parameters, durations, found_planes);
+  // Planes are fitted to their points; which are one has been settled.
+  MergingParameters keep_apart;
+  keep_apart.enabled = false;
+  LabelledPlanes found =
+      mergeAssigned (std::move (assigned), keep_apart, parameters.threads);
+  found.planes_before_merging = found_planes;
+  return found;
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/detect_on_voxels.h"
+#include "voxel_scene.h"
+
+using pcl_ops::no_plane;
+using namespace pcl_ops::internal;
+
+namespace {
+
+// 15 voxels of 10 cm, fewer than the 20 a plane needs; of 5 cm there are 60.
+const Surface board = {{0, 0, 1.01}, {1.5, 0, 0}, {0, 0.1, 0}};
+
+/** \brief 14400 points of each surface, moved along its normal by up to a noise [m]. */
+Points
+pointsOf (const std::vector<Surface>& surfaces, double noise = 0.0)
+{
+  Points points;
+  for (const Surface& surface : surfaces)
+    addGrid (points, surface, 120, noise);
+  return points;
+}
+
+/** \brief Parameters with voxels of 10 cm. */
+pcl_ops::OrientedPointSamplingParameters
+usual ()
+{
+  pcl_ops::OrientedPointSamplingParameters parameters;
+  parameters.surfels.voxel_size = 10_cm;
+  return parameters;
+}
+
+LabelledPlanes
+detect (const Points& points,
+        const pcl_ops::OrientedPointSamplingParameters& parameters = usual())
+{
+  pcl_ops::StageDurations durations;
+  return detectOnVoxels (points, parameters, durations);
+}
+
+std::size_t
+pointsOn (std::int32_t plane, const LabelledPlanes& found)
+{
+  return static_cast<std::size_t> (
+      std::count (found.labels.begin(), found.labels.end(), plane));
+}
+
+} // namespace
+
+TEST (DetectOnVoxels, FindsNothingAmongPointsThatSpanNothing)
+{
+  Points point;
+  point.add (1, 2, 3);
+  pcl_ops::OrientedPointSamplingParameters parameters;
+  EXPECT_EQ (detect (point, parameters).labels, pcl_ops::Labels{no_plane});
+}
+
+TEST (DetectOnVoxels, GivesEachPointOfGroundAndWallToItsPlane)
+{
+  const LabelledPlanes found = detect (pointsOf ({ground, wall}, 5_mm));
+  ASSERT_EQ (found.planes.fits.size(), 2u);
+  EXPECT_EQ (found.planes_before_merging, 2u);
+  for (const std::int32_t plane : {0, 1})
+    EXPECT_NEAR (pointsOn (plane, found), 14400, 500) << "where they meet";
+}
+
+TEST (DetectOnVoxels, MakesOnePlaneOfTwoThatAGapDivides)
+{
+  const Surface beyond = {{3, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
+  const LabelledPlanes found = detect (pointsOf ({ground, beyond}, 5_mm));
+  EXPECT_EQ (found.planes_before_merging, 2u);
+  EXPECT_EQ (found.planes.fits.size(), 1u);
+  EXPECT_EQ (pointsOn (0, found), 28800u);
+}
+
+TEST (DetectOnVoxels, KeepsApartWhatNoiseDoesNotExplain)
+{
+  // 3 cm higher: nearer than theta_h of the paper.
+  for (const double noise : {0.0, 6_cm}) {
+    const Points points =
+        pointsOf ({ground, {{3, 0, 0.08}, {2, 0, 0}, {0, 2, 0}}}, noise);
+    EXPECT_EQ (detect (points).planes.fits.size(), noise == 0.0 ? 2u : 1u);
+  }
+}
+
+TEST (DetectOnVoxels, FindsANarrowBoardInVoxelsOfHalfTheEdge)
+{
+  const LabelledPlanes found = detect (pointsOf ({ground, board}));
+  ASSERT_EQ (found.planes.fits.size(), 2u);
+  for (const std::int32_t plane : {0, 1})
+    EXPECT_EQ (pointsOn (plane, found), 14400u);
+}
+
+TEST (DetectOnVoxels, CountsEachPointOnce)
+{
+  // The ground below the board on it is looked at in voxels of both sizes.
+  const LabelledPlanes found =
+      detect (pointsOf ({ground, {{0, 1.05, 0.1}, {1.5, 0, 0}, {0, 0, 0.1}}}));
+  ASSERT_EQ (found.planes.fits.size(), 2u);
+  for (const std::int32_t plane : {0, 1})
+    EXPECT_EQ (found.planes.moments[static_cast<std::size_t> (plane)].count,
+               static_cast<double> (pointsOn (plane, found)));
+}
+
+TEST (DetectOnVoxels, TakesSurfelsUpToAThicknessOfEachSizeOfVoxels)
+{
+  // Points up to 4 cm off: thick in voxels of either size.
+  const Points points = pointsOf ({ground}, 4_cm);
+  pcl_ops::OrientedPointSamplingParameters parameters = usual();
+  parameters.surfels.resolutions = 1;
+  for (const auto& [sure, largest] : {std::pair (0.0, 0.0), {1.0, 0.0}, {0.0, 1.0}}) {
+    parameters.surfels.sure_thickness = sure;
+    parameters.surfels.largest_thickness = largest;
+    EXPECT_EQ (detect (points, parameters).planes.fits.empty(), sure + largest == 0.0);
+  }
+}
+
+TEST (DetectOnVoxels, AsksForPointsEnoughForANormal)
+{
+  // 36 points in each voxel, 9 voxels around: 324 points.
+  const Points points = pointsOf ({ground});
+  pcl_ops::OrientedPointSamplingParameters parameters = usual();
+  parameters.surfels.resolutions = 1;
+  for (const int k : {30, 325}) {
+    parameters.k = k;
+    EXPECT_EQ (detect (points, parameters).planes.fits.size(), k == 30 ? 1u : 0u);
+  }
+  parameters.k = 30;
+  parameters.surfels.least_average_voxels = 9.1;
+  EXPECT_EQ (detect (points, parameters).planes.fits.size(), 0u)
+      << "nine voxels are never 9.1";
+}
+
+TEST (DetectOnVoxels, TakesASplinterToThePlaneAroundItWithoutMerging)
+{
+  // Two roofs of a degree: noise makes one plane of what touches.
+  const Points points = pointsOf (
+      {{{0, 0, 0.05}, {1, 0, 0}, {0, 2, 0}}, {{1, 0, 0.05}, {1, 0, 0.01}, {0, 2, 0}}},
+      1_cm);
+  pcl_ops::OrientedPointSamplingParameters parameters = usual();
+  parameters.merging.enabled = false;
+  EXPECT_EQ (detect (points, parameters).planes.fits.size(), 1u);
+}
