@@ -3,10 +3,14 @@
 #include "found_planes.h"
 
 #include <detection/up_search.h>
+#include <picture/colors.h>
 
 #include <algorithm>
-#include <map>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
 #include <numeric>
+#include <sstream>
 #include <utility>
 
 namespace pcl_ops::apps {
@@ -17,91 +21,145 @@ namespace {
 std::uint32_t
 mergedInto (const PlaneSegment& plane, const FoundPlanes& after)
 {
-  std::map<std::uint32_t, std::size_t> votes;
+  std::vector<std::size_t> votes (after.planes.size() + 1, 0);
   for (const pcl::index_t index : plane.inliers)
     ++votes[after.labels[static_cast<std::size_t> (index)]];
-  votes.erase (0);
-  const auto most = std::max_element (
-      votes.begin(), votes.end(), [] (const auto& first, const auto& second) {
-        return first.second < second.second;
-      });
-  return most == votes.end() ? 0 : most->first;
+  votes[0] = 0;
+  return static_cast<std::uint32_t> (std::max_element (votes.begin(), votes.end()) -
+                                     votes.begin());
+}
+
+/** \brief A color between two: 0 for the first, 1 for the second. */
+pcl::RGB
+blend (const pcl::RGB& first, const pcl::RGB& second, double share)
+{
+  const auto part = [share] (std::uint8_t from, std::uint8_t to) {
+    return static_cast<std::uint8_t> (std::lround (from + share * (to - from)));
+  };
+  return {part (first.r, second.r), part (first.g, second.g), part (first.b, second.b)};
+}
+
+pcl::RGB
+shaded (const pcl::RGB& color, const Eigen::Vector3d& normal)
+{
+  constexpr double darkest = 0.35;
+  const Eigen::Vector3d light = Eigen::Vector3d (0.3, 0.55, 0.78).normalized();
+  return blend (color, {0, 0, 0}, darkest * (1.0 - std::abs (normal.dot (light))));
 }
 
 } // namespace
 
+std::vector<std::uint32_t>
+colorsBeforeMerging (const FoundPlanes& before, const FoundPlanes& after)
+{
+  std::vector<bool> is_taken (after.planes.size() + 1, false);
+  is_taken[0] = true;
+  auto last = static_cast<std::uint32_t> (after.planes.size());
+  std::vector<std::uint32_t> colors;
+  for (const PlaneSegment& plane : before.planes) { // by falling size
+    const std::uint32_t merged = mergedInto (plane, after);
+    colors.push_back (is_taken[merged] ? ++last : merged);
+    is_taken[merged] = true;
+  }
+  return colors;
+}
+
 FoundPlanes
-findPlanes (const DetectionRun& run,
+findPlanes (const ViewState& state,
             DetectorOptions options,
             const XyzCloud::ConstPtr& cloud)
 {
-  options.preset = run.preset;
-  options.merging = run.merging;
-  Detected detected = runMethod (methodCalled (run.method), options, cloud);
+  options.preset = state.preset;
+  options.merging = state.merging;
+  Detected detected = runMethod (methodCalled (state.method), options, cloud);
   FoundPlanes found;
-  found.planes = std::move (detected.planes);
   found.up = detected.up;
-  found.advice = std::move (detected.advice);
-  found.up_note = std::move (detected.up_note);
+  found.planes = std::move (detected.planes);
   found.labels = labelsOf (found.planes, cloud->size());
   for (const PlaneSegment& plane : found.planes)
     found.extents.push_back (planeExtent (*cloud, plane));
   found.edges = findPlaneEdges (*cloud, found.planes);
   found.colors.resize (found.planes.size());
   std::iota (found.colors.begin(), found.colors.end(), 1);
+  found.notes = detected.up_note;
+  if (found.planes.empty())
+    found.notes += (found.notes.empty() ? "" : "\n") + detected.advice;
+  if (!state.merging) {
+    ViewState after = state;
+    after.merging = true;
+    found.colors = colorsBeforeMerging (found, findPlanes (after, options, cloud));
+  }
   return found;
 }
 
-std::vector<std::uint32_t>
-colorsBeforeMerging (const FoundPlanes& before, const FoundPlanes& after)
+std::vector<pcl::RGB>
+planeColors (const FoundPlanes& found, const ViewState& state)
 {
-  std::vector<bool> is_taken (after.planes.size() + 1, false);
-  // The first plane after merging has the first colour, and so on.
-  auto unused = static_cast<std::uint32_t> (after.planes.size());
-  std::vector<std::uint32_t> colors;
-  for (const PlaneSegment& plane : before.planes) { // by falling size
-    const std::uint32_t merged = mergedInto (plane, after);
-    const bool keeps = merged != 0 && !is_taken[merged];
-    is_taken[merged] = true;
-    colors.push_back (keeps ? merged : ++unused);
+  std::vector<pcl::RGB> colors;
+  for (std::size_t i = 0; i < found.planes.size(); ++i) {
+    const PlaneSegment& plane = found.planes[i];
+    colors.push_back (state.coloring == Coloring::Orientations
+                          ? shaded (colorOf (plane.orientation), plane.normal)
+                          : colorOfLabel (found.colors[i]));
   }
   return colors;
 }
 
-PlaneFinder::PlaneFinder (DetectorOptions options, XyzCloud::ConstPtr cloud)
-: options_ (std::move (options)), cloud_ (std::move (cloud))
-{}
-
-const FoundPlanes&
-PlaneFinder::detectOnce (const DetectionRun& run)
+std::vector<pcl::RGB>
+pointColors (const FoundPlanes& found,
+             const ViewState& state,
+             const std::vector<pcl::RGB>& input)
 {
-  const auto known = std::find_if (
-      entries_.begin(), entries_.end(), [&] (const Entry& e) { return e.run == run; });
-  if (known != entries_.end())
-    return known->found;
-  ++detections_;
-  entries_.push_back ({run, findPlanes (run, options_, cloud_)});
-  return entries_.back().found;
+  constexpr double faded_share = 0.75;
+  const pcl::RGB light_gray (215, 215, 215);
+  const std::vector<pcl::RGB> planes = planeColors (found, state);
+  std::vector<pcl::RGB> colors;
+  colors.reserve (found.labels.size());
+  for (std::size_t i = 0; i < found.labels.size(); ++i) {
+    const std::uint32_t label = found.labels[i];
+    const pcl::RGB color = state.coloring == Coloring::Input ? input[i]
+                           : label == 0                      ? colorOfLabel (0)
+                                                             : planes[label - 1];
+    const bool fades = state.selected != 0 && state.selected != label;
+    colors.push_back (fades ? blend (color, light_gray, faded_share) : color);
+  }
+  return colors;
 }
 
-const FoundPlanes&
-PlaneFinder::find (const DetectionRun& run)
+std::string
+planeText (const FoundPlanes& found, std::uint32_t id, const Eigen::Vector3d& shift)
 {
-  DetectionRun merged = run;
-  merged.merging = true;
-  const FoundPlanes& after = detectOnce (merged);
-  // Not before: had the detector failed, the planes of the last run would still be
-  // shown.
-  entries_.remove_if ([&] (const Entry& entry) {
-    return entry.run.method != run.method || entry.run.preset != run.preset;
-  });
-  if (run.merging)
-    return after;
-  const bool is_new = entries_.size() == 1;
-  const FoundPlanes& before = detectOnce (run);
-  if (is_new)
-    entries_.back().found.colors = colorsBeforeMerging (before, after);
-  return before;
+  PlaneSegment segment = found.planes[id - 1];
+  segment.centroid += shift;
+  const Plane plane = segment.plane();
+  std::ostringstream text;
+  text << "plane " << id << ": " << toString (segment.orientation) << ", "
+       << segment.inliers.size() << " points, area " << std::fixed
+       << std::setprecision (3) << found.extents[id - 1].area << "\n"
+       << std::setprecision (4) << std::showpos << plane.normal.x() << " x "
+       << plane.normal.y() << " y " << plane.normal.z() << " z " << plane.offset
+       << " = 0";
+  return text.str();
+}
+
+std::string
+statusText (const std::string& file,
+            const FoundPlanes& found,
+            const ViewState& state,
+            const Eigen::Vector3d& shift)
+{
+  std::ostringstream text;
+  if (state.help)
+    text << keysText() << "\n\n";
+  text << std::filesystem::path (file).filename().string() << ", "
+       << found.labels.size() << " points\n"
+       << methodCalled (state.method).title << ", " << state.preset << " preset\n"
+       << found.planes.size() << " planes" << (state.merging ? "" : " before merging");
+  if (!found.notes.empty())
+    text << "\n" << found.notes;
+  if (state.selected != 0)
+    text << "\n" << planeText (found, state.selected, shift);
+  return text.str();
 }
 
 } // namespace pcl_ops::apps

@@ -7,77 +7,65 @@
 #include <pcl_ops/plane_edges.h>
 #include <pcl_ops/plane_extent.h>
 
-#include <cstdint>
-#include <list>
 #include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
 
-/** \brief The planes of one run with what is needed to show them. All vectors but
- * \ref labels and \ref edges have one entry per plane. */
+/** \brief The planes of a cloud with what is needed to show them. */
 struct FoundPlanes {
   /** \brief Direction against gravity, as given or found. */
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   std::vector<PlaneSegment> planes;
   std::vector<PlaneExtent> extents;
   PlaneEdges edges;
-  /** \brief Which colour each has, as a label (\ref colorOfLabel). */
+  /** \brief The label each plane has the color of (\ref colorOfLabel). */
   std::vector<std::uint32_t> colors;
   /** \brief Per point: 0 for no plane, else its position in \ref planes plus 1. */
   std::vector<std::uint32_t> labels;
-  /** \brief Which parameter most likely stands in the way where nothing was found. */
-  std::string advice;
-  /** \brief What was found of the up axis, where it was looked for. */
-  std::string up_note;
+  /** \brief Which parameter to change where no plane was found, and what was found of
+   * the up axis; empty where there is nothing to say. */
+  std::string notes;
 };
 
-/** \brief Runs the detector a state asks for and adds outlines and areas.
+/** \brief Finds the planes a state asks for.
  * \throws UsageError or WorkError as the detector does */
 FoundPlanes
-findPlanes (const DetectionRun& run,
+findPlanes (const ViewState& state,
             DetectorOptions options,
             const XyzCloud::ConstPtr& cloud);
 
-/** \brief Colours for planes before merging that show what was merged: the largest part
- * of every merged plane keeps the plane's colour, the others get colours of their own.
+/** \brief The label each plane before merging has the color of: the largest part of
+ * every merged plane that of the plane, the others labels of their own.
  * \param[in] before, after of one cloud */
 std::vector<std::uint32_t>
 colorsBeforeMerging (const FoundPlanes& before, const FoundPlanes& after);
 
-/** \brief The runs of a cloud that are being looked at: a detector works again only
- * when the method or the preset changes. */
-class PlaneFinder {
-public:
-  PlaneFinder (DetectorOptions options, XyzCloud::ConstPtr cloud);
+/** \brief The color of each plane as a state asks for it. Orientations are shaded by
+ * the direction of the plane, which tells neighbors of one class apart. */
+std::vector<pcl::RGB>
+planeColors (const FoundPlanes& found, const ViewState& state);
 
-  /** \brief The planes of a run, valid until another method or preset is asked for.
-   * \throws UsageError or WorkError as the detector does; then what was found before
-   * stays valid */
-  const FoundPlanes&
-  find (const DetectionRun& run);
+/** \brief The color of each point as a state asks for it; where a plane is selected,
+ * all others fade.
+ * \param[in] input the colors of the file, one per point */
+std::vector<pcl::RGB>
+pointColors (const FoundPlanes& found,
+             const ViewState& state,
+             const std::vector<pcl::RGB>& input);
 
-  /** \brief How often a detector has worked. */
-  std::size_t
-  numberOfDetections () const
-  {
-    return detections_;
-  }
+/** \brief Number, orientation, size, area and equation of a plane.
+ * \param[in] id its position plus 1
+ * \param[in] shift zero of the frame of the planes in the frame of the file */
+std::string
+planeText (const FoundPlanes& found, std::uint32_t id, const Eigen::Vector3d& shift);
 
-private:
-  const FoundPlanes&
-  detectOnce (const DetectionRun& run);
-
-  struct Entry {
-    DetectionRun run;
-    FoundPlanes found;
-  };
-
-  DetectorOptions options_;
-  XyzCloud::ConstPtr cloud_;
-  /** \brief Of one method and preset. In a list entries stay where they are. */
-  std::list<Entry> entries_;
-  std::size_t detections_ = 0;
-};
+/** \brief What the window says: the keys, the cloud, the planes and the selected one.
+ * \param[in] file the cloud's name */
+std::string
+statusText (const std::string& file,
+            const FoundPlanes& found,
+            const ViewState& state,
+            const Eigen::Vector3d& shift);
 
 } // namespace pcl_ops::apps

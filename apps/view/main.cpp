@@ -1,55 +1,127 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/common/point_tests.h>
+#include <pcl/conversions.h>
 
-#include "display.h"
-#include "options.h"
-#include "point_colors.h"
 #include "window.h"
+#include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/memory.h>
 #include <cli/program.h>
+#include <detection/method_options.h>
 #include <io/cloud_damage.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
+#include <io/output_file.h>
+#include <picture/colors.h>
 
 #include <algorithm>
-#include <string>
 
 namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief "1280x960". */
+void
+storeSize (const std::string& text, ViewOptions& options)
+{
+  const Range range = Range::from (200).upTo (8192);
+  const std::size_t cross = text.find ('x');
+  if (cross == std::string::npos)
+    throw UsageError ("--size", text + " is no size; give one such as 1280x960");
+  options.width = parseNumber<int> ("--size", text.substr (0, cross), range);
+  options.height = parseNumber<int> ("--size", text.substr (cross + 1), range);
+}
+
+void
+checkScreenshot (const std::string& file)
+{
+  if (file.empty())
+    return;
+  if (extensionOf (file) != ".png")
+    throw UsageError ("--screenshot",
+                      file + " has an unknown extension; give a file .png");
+  checkWritable (file);
+}
+
+/** \return false if --help or --version was answered and nothing is left to do */
+bool
+readOptions (int argc, const char* const* argv, ViewOptions& options)
+{
+  const std::string summary =
+      "Shows a point cloud with its planes in a window. Lengths are in the unit of "
+      "the\ncloud, meters by default; angles in degrees. Keys in the window:\n\n" +
+      keysText();
+  ViewState& state = options.state;
+  std::string coloring = "planes";
+  bool before = false;
+  CommandLine line ("pcl_ops_view", summary, PCL_OPS_VERSION);
+  line.addArgument (
+      "CLOUD", options.input, "the cloud, a .pcd, .ply, .las or text file");
+  line.addChoice ("color",
+                  {"planes", "orientations", "input"},
+                  coloring,
+                  "what the colors show (planes)");
+  line.addFlag ("hulls", state.hulls, "draw the outline of each plane");
+  line.addFlag ("edges", state.edges, "draw edges and corners where they meet");
+  line.addFlag ("normals", state.normals, "draw the normal of each plane");
+  line.addFlag ("before-merging", before, "show the planes before they are merged");
+  line.addText ("screenshot",
+                "FILE.png",
+                options.screenshot,
+                "write the first view to a file and open no window");
+  line.addValue ("size",
+                 "WxH",
+                 "of the window in pixels (1280x960)",
+                 [&] (const std::string& text) { storeSize (text, options); });
+  declareMethodOptions (line, state.method, options.detector);
+  if (!line.parse (argc, argv))
+    return false;
+  state.preset = options.detector.preset;
+  state.merging = !before;
+  state.coloring = coloring == "planes"         ? Coloring::Planes
+                   : coloring == "orientations" ? Coloring::Orientations
+                                                : Coloring::Input;
+  state.help = options.screenshot.empty();
+  checkScreenshot (options.screenshot);
+  return true;
+}
+
+/** \brief The colors of the file; gray where it has none. */
+std::vector<pcl::RGB>
+inputColors (const FileCloud& file)
+{
+  pcl::PointCloud<pcl::RGB> colors;
+  colors.resize (file.size(), colorOfLabel (0));
+  if (hasField (file, "rgb") || hasField (file, "rgba"))
+    pcl::fromPCLPointCloud2 (file.points, colors);
+  return {colors.begin(), colors.end()};
+}
+
 ViewedCloud
-loadViewed (const std::string& file, const Eigen::Vector3f& up)
+loadViewed (const std::string& file)
 {
   const FileCloud cloud = loadCloud (file);
   const ShiftedCloud shifted = shiftedCloudOf (cloud);
-  const auto& points = *shifted.cloud;
   const std::string damage = damageOf (shifted);
   if (!damage.empty())
     warn (file + ": " + damage);
-  if (std::none_of (points.begin(), points.end(), [] (const pcl::PointXYZ& point) {
-        return pcl::isXYZFinite (point);
-      }))
+  const XyzCloud& points = *shifted.cloud;
+  if (std::none_of (points.begin(), points.end(), pcl::isXYZFinite<pcl::PointXYZ>))
     throw WorkError (file,
                      "has no point with finite coordinates, so there is nothing to "
                      "show; give another cloud");
-  return {shifted.cloud, shifted.shift, inputColors (cloud, points, up)};
+  return {shifted.cloud, shifted.shift, inputColors (cloud)};
 }
 
 int
 view (int argc, const char* const* argv)
 {
   ViewOptions options;
-  if (!readOptions (argc, argv, options))
-    return ExitCode::done;
-  inMemory (options.input, "give a smaller cloud", [&] {
-    const ViewedCloud cloud = loadViewed (
-        options.input, options.detector.up.value_or (Eigen::Vector3f::UnitZ()));
-    checkDisplay (options.screenshot.empty());
-    showCloud (options, cloud);
-  });
+  if (readOptions (argc, argv, options))
+    inMemory (options.input, "give a smaller cloud", [&] {
+      showCloud (options, loadViewed (options.input));
+    });
   return ExitCode::done;
 }
 

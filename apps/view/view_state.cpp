@@ -5,13 +5,16 @@
 #include <detection/methods.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace pcl_ops::apps {
 
 namespace {
 
-struct Binding {
-  Key key;
+struct Key {
+  std::string name;
+  std::string help;
+  /** \brief Null for keys that change the camera, or that PCLVisualizer handles. */
   void (*press) (ViewState&);
 };
 
@@ -19,79 +22,64 @@ void
 takeNextMethod (ViewState& state)
 {
   const std::vector<Method>& methods = allMethods();
-  const auto now =
-      std::find_if (methods.begin(), methods.end(), [&] (const Method& method) {
-        return method.name == state.run.method;
-      });
-  state.run.method =
-      (std::next (now) == methods.end() ? methods.front() : *std::next (now)).name;
+  auto method = std::find_if (methods.begin(), methods.end(), [&] (const Method& m) {
+    return m.name == state.method;
+  });
+  state.method = (++method == methods.end() ? methods.front() : *method).name;
 }
 
-void
-resizePoints (ViewState& state, int step)
+const std::vector<Key>&
+allKeys ()
 {
-  constexpr int smallest = 1;
-  constexpr int largest = 20;
-  state.point_size = std::clamp (state.point_size + step, smallest, largest);
-}
-
-const std::vector<Binding>&
-bindings ()
-{
-  static const std::vector<Binding> all_bindings = {
-      {{"1", "colour by plane"},
-       [] (ViewState& state) { state.coloring = Coloring::Planes; }},
-      {{"2", "colour by orientation"},
-       [] (ViewState& state) { state.coloring = Coloring::Orientations; }},
-      {{"3", "colours of the input"},
-       [] (ViewState& state) { state.coloring = Coloring::Input; }},
-      {{"b", "before or after merging"},
-       [] (ViewState& state) { state.run.merging = !state.run.merging; }},
-      {{"m", "next method: OPS, FSPF, 3D-KHT"}, takeNextMethod},
-      {{"p", "preset: default or paper"},
-       [] (ViewState& state) {
-         state.run.preset = state.run.preset == "paper" ? "default" : "paper";
-       }},
-      {{"l", "outlines on or off"},
-       [] (ViewState& state) { state.hulls = !state.hulls; }},
-      {{"e", "edges where planes meet on or off"},
-       [] (ViewState& state) { state.edges = !state.edges; }},
-      {{"n", "normals on or off"},
-       [] (ViewState& state) { state.normals = !state.normals; }},
-      {{"+", "larger points"}, [] (ViewState& state) { resizePoints (state, 1); }},
-      {{"-", "smaller points"}, [] (ViewState& state) { resizePoints (state, -1); }},
-      {{"h", "this list on or off"},
-       [] (ViewState& state) { state.help = !state.help; }}};
-  return all_bindings;
+  static const std::vector<Key> keys = {
+      {"1", "color by plane", [] (ViewState& s) { s.coloring = Coloring::Planes; }},
+      {"2",
+       "color by orientation: horizontal green, vertical blue, other orange",
+       [] (ViewState& s) { s.coloring = Coloring::Orientations; }},
+      {"3", "colors of the input", [] (ViewState& s) { s.coloring = Coloring::Input; }},
+      {"b", "before or after merging", [] (ViewState& s) { s.merging = !s.merging; }},
+      {"m", "next method: OPS, FSPF, 3D-KHT", takeNextMethod},
+      {"p",
+       "preset: default or paper",
+       [] (ViewState& s) { s.preset = s.preset == "paper" ? "default" : "paper"; }},
+      {"l", "outlines on or off", [] (ViewState& s) { s.hulls = !s.hulls; }},
+      {"e",
+       "edges where planes meet on or off",
+       [] (ViewState& s) { s.edges = !s.edges; }},
+      {"n", "normals on or off", [] (ViewState& s) { s.normals = !s.normals; }},
+      {"h", "this list on or off", [] (ViewState& s) { s.help = !s.help; }},
+      {reset_key, "view as at the start", nullptr},
+      {"+", "larger points", nullptr},
+      {"-", "smaller points", nullptr},
+      {"o", "perspective or parallel projection", nullptr},
+      {"q", "quit", nullptr}};
+  return keys;
 }
 
 } // namespace
 
-std::vector<Key>
-allKeys ()
+std::string
+keysText ()
 {
-  std::vector<Key> keys;
-  for (const Binding& binding : bindings())
-    keys.push_back (binding.key);
-  keys.push_back ({reset_key, "view as at the start"});
-  keys.push_back ({"o", "perspective or parallel projection"});
-  keys.push_back ({"q", "quit"});
-  return keys;
+  std::string text;
+  for (const Key& key : allKeys())
+    text += key.name + "  " + key.help + "\n";
+  return text + "click  say which plane this is";
 }
 
-std::optional<ViewState>
-afterKey (const ViewState& state, const std::string& key)
+bool
+pressKey (const std::string& key, ViewState& state)
 {
-  for (const Binding& binding : bindings()) {
-    if (binding.key.name != key)
+  for (const Key& own : allKeys()) {
+    if (own.name != key || own.press == nullptr)
       continue;
-    ViewState next = state;
-    binding.press (next);
-    if (!(next.run == state.run))
-      next.selected = 0;
-    return next;
+    const ViewState before = state;
+    own.press (state);
+    if (!state.hasSamePlanes (before))
+      state.selected = 0;
+    return true;
   }
-  return std::nullopt;
+  return false;
 }
 
 } // namespace pcl_ops::apps

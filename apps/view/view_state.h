@@ -3,69 +3,47 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace pcl_ops::apps {
 
-/** \brief What the colour of a point tells. */
-enum class Coloring {
-  /** \brief Its plane; grey for none. */
-  Planes,
-  /** \brief Whether its plane is horizontal, vertical or neither. */
-  Orientations,
-  /** \brief What the file says, or its height where the file has no colours. */
-  Input
-};
+/** \brief What the color of a point shows: its plane, gray for none; the orientation of
+ * its plane; or what the file says. */
+enum class Coloring { Planes, Orientations, Input };
 
-/** \brief Which run of a detector is shown. */
-struct DetectionRun {
+/** \brief Everything the keys and clicks of the viewer change but the camera. */
+struct ViewState {
   std::string method = "ops";
   std::string preset = "default";
-  /** \brief Off: the planes before the merging process. */
+  /** \brief Off: the planes before they are merged. */
   bool merging = true;
+  Coloring coloring = Coloring::Planes;
+  bool hulls = false;
+  bool edges = false;
+  bool normals = false;
+  /** \brief Whether the window lists the keys. */
+  bool help = true;
+  /** \brief The plane that was clicked, counted from 1; 0 for none. */
+  std::uint32_t selected = 0;
 
   bool
-  operator== (const DetectionRun& other) const
+  hasSamePlanes (const ViewState& other) const
   {
     return method == other.method && preset == other.preset && merging == other.merging;
   }
 };
 
-/** \brief Everything the keys and clicks of the viewer change but the camera. */
-struct ViewState {
-  DetectionRun run;
-  Coloring coloring = Coloring::Planes;
-  bool hulls = false;
-  /** \brief Whether edges and corners are drawn. */
-  bool edges = false;
-  bool normals = false;
-  /** \brief Edge of the square that a point is drawn as [pixel]. */
-  int point_size = 2;
-  /** \brief Whether the window lists the keys. */
-  bool help = true;
-  /** \brief The plane that was clicked, counted from 1; 0 for none. */
-  std::uint32_t selected = 0;
-};
-
-/** \brief A key of the viewer. */
-struct Key {
-  /** \brief The character. */
-  std::string name;
-  std::string help;
-};
-
-/** \brief The keys of the viewer, in the order they are listed. */
-std::vector<Key>
-allKeys ();
-
-/** \brief The state after a key, or nothing if the key means nothing to it. Another run
- * starts without a selected plane. */
-std::optional<ViewState>
-afterKey (const ViewState& state, const std::string& key);
-
-/** \brief The key that shows the cloud as at the start. It changes no state. */
+/** \brief Shows the cloud as at the start; it changes no state. */
 inline constexpr const char* reset_key = "r";
+
+/** \brief The keys of the viewer, one a line, for the window and --help. */
+std::string
+keysText ();
+
+/** \brief Changes a state as a key asks for. Other planes are shown without a selected
+ * one.
+ * \return false if the key changes no state */
+bool
+pressKey (const std::string& key, ViewState& state);
 
 } // namespace pcl_ops::apps

@@ -3,275 +3,286 @@
 #include "window.h"
 
 #include <pcl/common/angles.h>
+#include <pcl/common/centroid.h>
 #include <pcl/common/point_tests.h>
 #include <pcl/visualization/pcl_visualizer.h>
 
-#include "camera.h"
-#include "drawing.h"
-#include "interaction.h"
-#include "picking.h"
-#include "point_colors.h"
-#include "texts.h"
+#include "found_planes.h"
+#include "shapes.h"
 #include <cli/errors.h>
+#include <cli/program.h>
 #include <io/output_file.h>
+#include <picture/view.h>
 #include <vtkCamera.h>
-#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
-#include <vtkRenderer.h>
-#include <vtkRenderWindow.h>
+#include <vtkPointPicker.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <memory>
 
 namespace pcl_ops::apps {
 
 namespace {
 
+using pcl::visualization::MouseEvent;
 using pcl::visualization::PCLVisualizer;
+using ColoredCloud = pcl::PointCloud<pcl::PointXYZRGB>;
 
 constexpr const char* cloud_id = "cloud";
 
-/** \brief A PCLVisualizer that shows one state after the other. */
+/** \throws WorkError where there is no display: VTK would abort the program */
+void
+checkDisplay ()
+{
+#ifndef __APPLE__ // whose windows need no X11 display
+  if (std::getenv ("DISPLAY") == nullptr)
+    throw WorkError ("DISPLAY",
+                     "is not set: there is no display; start the viewer in a graphical "
+                     "session, or without one by "
+                     "xvfb-run -a pcl_ops_view CLOUD --screenshot FILE.png");
+#endif
+}
+
+/** \brief A window that shows one state after the other. */
 class Window {
 public:
-  Window (const ViewOptions& options, const ViewedCloud& cloud);
+  Window (const ViewOptions& options, const ViewedCloud& cloud)
+  : options_ (options)
+  , cloud_ (cloud)
+  , found_ (findPlanes (options.state, options.detector, cloud.coordinates))
+  , viewer_ ("pcl_ops_view " + options.input, false)
+  , window_ (*viewer_.getRenderWindow())
+  , renderer_ (*viewer_.getRendererCollection()->GetFirstRenderer())
+  {
+    for (std::size_t i = 0; i < cloud.coordinates->size(); ++i)
+      if (pcl::isXYZFinite ((*cloud.coordinates)[i]))
+        drawn_.push_back (static_cast<pcl::index_t> (i));
+    window_.SetMultiSamples (0); // without a graphics card they cost most of the time
+    window_.SetOffScreenRendering (options.screenshot.empty() ? 0 : 1);
+    viewer_.setSize (options.width, options.height);
+    viewer_.setBackgroundColor (1.0, 1.0, 1.0);
+    viewer_.setShowFPS (false);
+    viewer_.addPointCloud<pcl::PointXYZRGB> (pcl::make_shared<ColoredCloud>(),
+                                             cloud_id);
+    closeGaps();
+    draw();
+    resetCamera();
+  }
+
+  /** \brief Handles clicks, and keys before PCLVisualizer does, until the user closes
+   * the window. */
+  void
+  run ()
+  {
+    constexpr float before_others = 1.0f;
+    viewer_.createInteractor();
+    vtkRenderWindowInteractor& interactor = *window_.GetInteractor();
+    for (const auto event : {vtkCommand::KeyPressEvent, vtkCommand::CharEvent})
+      interactor.AddObserver (event, this, &Window::onKey, before_others);
+    viewer_.registerMouseCallback ([this] (const auto& event) { onMouse (event); });
+    viewer_.spin();
+  }
 
   void
-  waitUntilClosed ();
-  void
-  savePicture (const std::string& file);
+  savePicture ()
+  {
+    window_.Render();
+    vtkNew<vtkWindowToImageFilter> image;
+    image->SetInput (&window_);
+    image->ReadFrontBufferOff();
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputConnection (image->GetOutputPort());
+    writer->WriteToMemoryOn();
+    writer->Write();
+    vtkUnsignedCharArray* const png = writer->GetResult();
+    writeFile (options_.screenshot, [&] (std::ostream& stream) {
+      stream.write (reinterpret_cast<const char*> (png->GetPointer (0)),
+                    png->GetNumberOfValues());
+    });
+  }
 
 private:
-  void
-  createViewer ();
+  /** \return whether PCLVisualizer does not get the key */
   bool
-  pressKey (const std::string& key);
-  void
-  click (int x, int y);
-  void
-  show (const ViewState& state);
-  void
-  drawPlanes ();
-  void
-  resetCamera ();
-  std::uint32_t
-  labelAt (int x, int y) const;
+  onKey (vtkObject* /*caller*/, unsigned long event, void* /*data*/)
+  {
+    if (event == vtkCommand::CharEvent) // follows the same press of a key
+      return is_own_key_;
+    vtkRenderWindowInteractor& interactor = *window_.GetInteractor();
+    const std::string key (1, interactor.GetKeyCode());
+    const bool has_modifier =
+        interactor.GetControlKey() != 0 || interactor.GetAltKey() != 0;
+    ViewState next = options_.state;
+    is_own_key_ = !has_modifier && (pressKey (key, next) || key == reset_key);
+    if (key == reset_key)
+      resetCamera();
+    if (is_own_key_)
+      show (next);
+    return is_own_key_;
+  }
 
+  /** A click that does not turn the cloud asks for a plane. */
+  void
+  onMouse (const MouseEvent& event)
+  {
+    constexpr int still = 3; // [pixel]
+    if (event.getButton() != MouseEvent::LeftButton)
+      return;
+    const Eigen::Vector2i pixel (static_cast<int> (event.getX()),
+                                 static_cast<int> (event.getY()));
+    if (event.getType() == MouseEvent::MouseButtonPress)
+      pressed_at_ = pixel;
+    if (event.getType() != MouseEvent::MouseButtonRelease ||
+        (pixel - pressed_at_).lpNorm<Eigen::Infinity>() > still)
+      return;
+    ViewState next = options_.state;
+    next.selected = labelAt (pixel);
+    show (next);
+    if (next.selected != 0)
+      std::cout << planeText (found_, next.selected, cloud_.shift) << std::endl;
+  }
+
+  std::uint32_t
+  labelAt (const Eigen::Vector2i& pixel)
+  {
+    vtkNew<vtkPointPicker> picker;
+    picker->SetTolerance (0.0025); // of the diagonal of the window
+    picker->PickFromListOn();
+    picker->AddPickList (viewer_.getCloudActorMap()->at (cloud_id).actor);
+    picker->Pick (pixel.x(), pixel.y(), 0.0, &renderer_);
+    if (picker->GetPointId() < 0)
+      return 0;
+    const auto point = static_cast<std::size_t> (picker->GetPointId());
+    return found_.labels[static_cast<std::size_t> (drawn_[point])];
+  }
+
+  /** The window stays as it was where a detector refuses its parameters. */
+  void
+  show (const ViewState& state)
+  {
+    try {
+      if (!state.hasSamePlanes (options_.state))
+        found_ = findPlanes (state, options_.detector, cloud_.coordinates);
+      options_.state = state;
+      draw();
+    }
+    catch (const std::exception& error) {
+      warn (error.what());
+    }
+    window_.Render();
+  }
+
+  void
+  draw ()
+  {
+    const ViewState& state = options_.state;
+    drawPoints();
+    drawShapes (viewer_, found_, state);
+    viewer_.addText (statusText (options_.input, found_, state, cloud_.shift),
+                     12,
+                     12,
+                     15,
+                     0,
+                     0,
+                     0,
+                     "status");
+    auto& text =
+        dynamic_cast<vtkTextActor&> (*viewer_.getShapeActorMap()->at ("status"));
+    text.GetTextProperty()->SetBackgroundColor (1.0, 1.0, 1.0);
+    text.GetTextProperty()->SetBackgroundOpacity (0.75);
+    text.GetTextProperty()->BoldOff();
+  }
+
+  void
+  drawPoints ()
+  {
+    const auto points = pcl::make_shared<ColoredCloud>();
+    const std::vector<pcl::RGB> colors =
+        pointColors (found_, options_.state, cloud_.colors);
+    for (const pcl::index_t index : drawn_) {
+      const pcl::PointXYZ& point = (*cloud_.coordinates)[index];
+      const pcl::RGB& color = colors[static_cast<std::size_t> (index)];
+      points->emplace_back (point.x, point.y, point.z, color.r, color.g, color.b);
+    }
+    viewer_.updatePointCloud (ColoredCloud::ConstPtr (points), cloud_id);
+  }
+
+  /** Gives points a size just large enough to close the gaps between them. */
+  void
+  closeGaps ()
+  {
+    constexpr double filled = 1.6;
+    const double pixels = static_cast<double> (options_.width) * options_.height;
+    const double side =
+        std::sqrt (filled * pixels / static_cast<double> (drawn_.size()));
+    viewer_.setPointCloudRenderingProperties (
+        pcl::visualization::PCL_VISUALIZER_POINT_SIZE,
+        std::round (std::clamp (side, 2.0, 6.0)),
+        cloud_id);
+  }
+
+  /** Looks at the cloud as its picture does (\ref chooseView). */
+  void
+  resetCamera ()
+  {
+    const View view = chooseView (
+        *cloud_.coordinates, found_.planes, found_.up, options_.width, options_.height);
+    const Eigen::Vector2f middle (0.5f * static_cast<float> (options_.width),
+                                  0.5f * static_cast<float> (options_.height));
+    // The axis of the picture need not go through its middle; that of a window does.
+    const Eigen::Vector2f aside = (middle - view.center) / view.focal;
+    const Eigen::Vector3d ray =
+        (view.axes.transpose() * aside.homogeneous()).cast<double>();
+    Eigen::Vector4f centroid;
+    pcl::compute3DCentroid (*cloud_.coordinates, centroid);
+    const float depth = view.axes.row (2).dot (centroid.head<3>() - view.eye);
+    const Eigen::Vector3d eye = view.eye.cast<double>();
+    // What the mouse turns the cloud around.
+    const Eigen::Vector3d target = eye + (depth > 0.0f ? depth : 1.0) * ray;
+    const Eigen::Vector3d up = -view.axes.row (1).transpose().cast<double>();
+    const double angle = 2.0 * std::atan2 (middle.y(), view.focal);
+    vtkCamera& camera = *renderer_.GetActiveCamera();
+    camera.SetParallelProjection (0);
+    camera.SetPosition (eye.data());
+    camera.SetFocalPoint (target.data());
+    camera.SetViewUp (up.data());
+    camera.SetViewAngle (pcl::rad2deg (angle));
+    camera.SetParallelScale (camera.GetDistance() * std::tan (0.5 * angle));
+    renderer_.ResetCameraClippingRange();
+  }
+
+  /** With the state that is shown. */
   ViewOptions options_;
   const ViewedCloud& cloud_;
-  PlaneFinder finder_;
-  ViewState state_;
-  const FoundPlanes* found_ = nullptr;
-  Camera first_view_;
-  /** \brief The points with coordinates: VTK would stumble over the others. */
+  FoundPlanes found_;
+  /** The points with coordinates: VTK would stumble over the others. */
   pcl::Indices drawn_;
-
-  vtkNew<vtkRenderer> renderer_;
-  vtkNew<vtkRenderWindow> window_;
-  vtkNew<Interaction> interaction_;
-  std::unique_ptr<PCLVisualizer> viewer_;
-  vtkSmartPointer<vtkActor> outlines_, edges_, corners_, normals_;
-  vtkSmartPointer<vtkTextActor> status_ = textIn ({false, true});
-  vtkSmartPointer<vtkTextActor> keys_ = textIn ({false, false});
-  vtkSmartPointer<vtkTextActor> plane_ = textIn ({true, true});
+  PCLVisualizer viewer_;
+  vtkRenderWindow& window_;
+  vtkRenderer& renderer_;
+  bool is_own_key_ = false;
+  Eigen::Vector2i pressed_at_ = Eigen::Vector2i::Zero();
 };
-
-Window::Window (const ViewOptions& options, const ViewedCloud& cloud)
-: options_ (options)
-, cloud_ (cloud)
-, finder_ (options.detector, cloud.coordinates)
-, state_ (options.state)
-{
-  for (std::size_t i = 0; i < cloud.coordinates->size(); ++i)
-    if (pcl::isXYZFinite ((*cloud.coordinates)[i]))
-      drawn_.push_back (static_cast<pcl::index_t> (i));
-  state_.point_size = pointSizeFor (drawn_.size(), options.width, options.height);
-  found_ = &finder_.find (state_.run);
-  first_view_ = cameraFor (
-      *cloud.coordinates, found_->planes, found_->up, options.width, options.height);
-  createViewer();
-  for (const auto& text : {status_, keys_, plane_})
-    renderer_->AddActor2D (text);
-  keys_->SetInput (keysText().c_str());
-  viewer_->addPointCloud<pcl::PointXYZRGB> (
-      pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>(), cloud_id);
-  show (state_);
-  resetCamera();
-}
-
-void
-Window::createViewer()
-{
-  const bool has_window = options_.screenshot.empty();
-  if (has_window)
-    window_->SetMultiSamples (0); // without a graphics card they cost most of the time
-  else
-    window_->SetOffScreenRendering (1);
-  int no_arguments = 0;
-  viewer_ = std::make_unique<PCLVisualizer> (no_arguments,
-                                             nullptr,
-                                             renderer_.Get(),
-                                             window_.Get(),
-                                             "pcl_ops_view " + options_.input,
-                                             interaction_.Get(),
-                                             has_window);
-  viewer_->setBackgroundColor (1.0, 1.0, 1.0);
-  window_->SetSize (options_.width, options_.height);
-  interaction_->on_key = [this] (const std::string& key) { return pressKey (key); };
-  interaction_->on_click = [this] (int x, int y) { click (x, y); };
-}
-
-bool
-Window::pressKey (const std::string& key)
-{
-  if (key == reset_key) {
-    resetCamera();
-    window_->Render();
-    return true;
-  }
-  const std::optional<ViewState> next = afterKey (state_, key);
-  if (!next)
-    return false;
-  if (!(next->run == state_.run)) {
-    status_->SetInput ("looking for planes ...");
-    window_->Render();
-  }
-  try {
-    found_ = &finder_.find (next->run);
-    show (*next);
-  }
-  catch (const std::exception& error) { // the window stays as it was
-    status_->SetInput (wrapped (error.what()).c_str());
-  }
-  window_->Render();
-  return true;
-}
-
-void
-Window::click (int x, int y)
-{
-  ViewState next = state_;
-  next.selected = labelAt (x, y);
-  show (next);
-  if (next.selected != 0)
-    std::cout << planeText (*found_, next.selected, cloud_.shift) << std::endl;
-  window_->Render();
-}
-
-std::uint32_t
-Window::labelAt (int x, int y) const
-{
-  constexpr double radius = 4.0;
-  const int* const size = window_->GetSize();
-  Projection projection;
-  projection.size = Eigen::Vector2d (size[0], size[1]);
-  const vtkMatrix4x4* const matrix =
-      renderer_->GetActiveCamera()->GetCompositeProjectionTransformMatrix (
-          renderer_->GetTiledAspectRatio(), -1.0, 1.0);
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column)
-      projection.to_cube (row, column) = matrix->GetElement (row, column);
-  const std::optional<pcl::index_t> point =
-      pointAt (Eigen::Vector2d (x, y), radius, *cloud_.coordinates, projection);
-  return point ? found_->labels[static_cast<std::size_t> (*point)] : 0;
-}
-
-void
-Window::show (const ViewState& state)
-{
-  state_ = state;
-  drawPlanes();
-  status_->SetInput (statusText (options_.input, *found_, state).c_str());
-  keys_->SetVisibility (state.help ? 1 : 0);
-  plane_->SetInput (state.selected == 0
-                        ? ""
-                        : planeText (*found_, state.selected, cloud_.shift).c_str());
-}
-
-void
-Window::drawPlanes()
-{
-  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGB>>();
-  const std::vector<pcl::RGB> colors = pointColors (*found_, state_, cloud_.colors);
-  for (const pcl::index_t index : drawn_) {
-    const pcl::PointXYZ& point = (*cloud_.coordinates)[index];
-    const pcl::RGB& color = colors[static_cast<std::size_t> (index)];
-    cloud->emplace_back (point.x, point.y, point.z, color.r, color.g, color.b);
-  }
-  viewer_->updatePointCloud (pcl::PointCloud<pcl::PointXYZRGB>::ConstPtr (cloud),
-                             cloud_id);
-  viewer_->setPointCloudRenderingProperties (
-      pcl::visualization::PCL_VISUALIZER_POINT_SIZE, state_.point_size, cloud_id);
-  for (const auto& actor : {outlines_, edges_, corners_, normals_})
-    renderer_->RemoveActor (actor);
-  const std::vector<pcl::RGB> plane_colors = planeColors (*found_, state_);
-  outlines_ = outlinesOf (*found_, plane_colors);
-  normals_ = normalsOf (*found_, plane_colors);
-  if (state_.hulls)
-    renderer_->AddActor (outlines_);
-  if (state_.normals)
-    renderer_->AddActor (normals_);
-  if (!state_.edges)
-    return;
-  edges_ = edgesOf (*found_);
-  corners_ = cornersOf (*found_);
-  renderer_->AddActor (edges_);
-  renderer_->AddActor (corners_);
-}
-
-void
-Window::resetCamera()
-{
-  vtkCamera* const camera = renderer_->GetActiveCamera();
-  camera->SetParallelProjection (0);
-  camera->SetPosition (first_view_.eye.data());
-  camera->SetFocalPoint (first_view_.target.data());
-  camera->SetViewUp (first_view_.up.data());
-  camera->SetViewAngle (first_view_.angle);
-  camera->SetParallelScale (camera->GetDistance() *
-                            std::tan (0.5 * pcl::deg2rad (first_view_.angle)));
-  renderer_->ResetCameraClippingRange();
-}
-
-void
-Window::waitUntilClosed()
-{
-  viewer_->spin();
-}
-
-void
-Window::savePicture (const std::string& file)
-{
-  window_->Render();
-  vtkNew<vtkWindowToImageFilter> image;
-  image->SetInput (window_);
-  image->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection (image->GetOutputPort());
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* const png = writer->GetResult();
-  writeFile (file, [&] (std::ostream& stream) {
-    stream.write (reinterpret_cast<const char*> (png->GetPointer (0)),
-                  png->GetNumberOfValues());
-  });
-}
 
 } // namespace
 
 void
 showCloud (const ViewOptions& options, const ViewedCloud& cloud)
 {
+  checkDisplay();
   Window window (options, cloud);
   if (options.screenshot.empty())
-    window.waitUntilClosed();
+    window.run();
   else
-    window.savePicture (options.screenshot);
+    window.savePicture();
 }
 
 } // namespace pcl_ops::apps

@@ -6,19 +6,33 @@
 
 #include <Eigen/Core>
 
-#include "found_planes.h"
-#include "options.h"
+#include "view_state.h"
+#include <detection/methods.h>
+#include <io/xyz_cloud.h>
 
+#include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
+
+/** \brief What the command line asks for. */
+struct ViewOptions {
+  std::string input;
+  /** \brief The picture to make instead of opening a window; empty for a window. */
+  std::string screenshot;
+  DetectorOptions detector;
+  ViewState state;
+  /** \brief Size of the window [pixel]. */
+  int width = 1280;
+  int height = 960;
+};
 
 /** \brief A cloud as the viewer needs it. */
 struct ViewedCloud {
   XyzCloud::ConstPtr coordinates;
   /** \brief Zero of the frame of the coordinates in the frame of the file. */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-  /** \brief The colours it came with, one per point. */
+  /** \brief One per point. */
   std::vector<pcl::RGB> colors;
 };
 
