@@ -1,20 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ear_clipping.h"
 #include "geometry/planar_area.h"
 #include "keyholes.h"
 #include <pcl_ops/surface/triangulation.h>
-#include <vtkCellArray.h>
-#include <vtkIdList.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkTriangleFilter.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <utility>
+#include <optional>
 
 namespace pcl_ops {
 
@@ -22,37 +15,72 @@ namespace {
 
 using namespace internal;
 
-double
-signedArea (const Triangle& triangle, const PlanarPoints& corners)
+using Numbers = std::vector<std::size_t>;
+
+Triangle
+triangleAt (const Numbers& ring, std::size_t place)
 {
-  const auto& [a, b, c] = triangle;
-  return 0.5 * twiceTheArea (corners[a], corners[b], corners[c]);
+  const std::size_t size = ring.size();
+  return {ring[(place + size - 1) % size], ring[place], ring[(place + 1) % size]};
 }
 
-/** \brief The triangles if they cover an area; else none. */
+bool
+isEar (const Triangle& triangle, const Numbers& ring, const PlanarPoints& corners)
+{
+  const Eigen::Vector2d& a = corners[triangle[0]];
+  const Eigen::Vector2d& b = corners[triangle[1]];
+  const Eigen::Vector2d& c = corners[triangle[2]];
+  if (!(twiceTheArea (a, b, c) > 0.0))
+    return false;
+  return std::none_of (ring.begin(), ring.end(), [&] (std::size_t other) {
+    const Eigen::Vector2d& corner = corners[other];
+    // The other end of a bridge is at the same place.
+    return corner != a && corner != b && corner != c && isWithin (corner, a, b, c);
+  });
+}
+
+/** \brief The next place, from one on, that a test holds for. */
+template <typename Test>
+std::optional<std::size_t>
+nextPlace (const Numbers& ring, std::size_t from, Test&& holds)
+{
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const std::size_t place = (from + i) % ring.size();
+    if (holds (triangleAt (ring, place)))
+      return place;
+  }
+  return {};
+}
+
+/** \brief Cuts a ring that may touch itself, as one through keyholes does, into
+ * triangles: takes ears off, corners whose triangle has no other corner in it
+ * (Meisters, Polygons have ears, 1975). VTK's triangle filter refuses such rings, its
+ * contour triangulator and Delaunay filter lose parts of outlines with many holes.
+ * \return counter-clockwise; those up to where there was no ear */
 std::vector<Triangle>
-unlessParted (std::vector<Triangle> triangles, const PlanarPoints& corners, double area)
+clipEars (Numbers ring, const PlanarPoints& corners)
 {
-  constexpr double tolerance = 1e-6;
-  double covered = 0.0;
-  for (const Triangle& triangle : triangles)
-    covered += signedArea (triangle, corners);
-  if (!(std::abs (covered - area) < tolerance * area))
-    triangles.clear();
+  constexpr std::size_t corners_of_triangle = 3;
+  std::vector<Triangle> triangles;
+  std::size_t place = 0;
+  while (ring.size() >= corners_of_triangle) {
+    const auto ear = nextPlace (ring, place, [&] (const Triangle& triangle) {
+      return isEar (triangle, ring, corners);
+    });
+    // What is on one line covers nothing, but may be in the way of ears.
+    const auto clipped =
+        ear ? ear : nextPlace (ring, place, [&] (const Triangle& triangle) {
+          const auto& [a, b, c] = triangle;
+          return twiceTheArea (corners[a], corners[b], corners[c]) == 0.0;
+        });
+    if (!clipped)
+      break;
+    if (ear)
+      triangles.push_back (triangleAt (ring, *ear));
+    ring.erase (ring.begin() + static_cast<std::ptrdiff_t> (*clipped));
+    place = *clipped + 1; // every other ear: no fans of slivers
+  }
   return triangles;
-}
-
-void
-setOutline (vtkPolyData& mesh, const PlanarPoints& outline)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> polygons;
-  polygons->InsertNextCell (static_cast<int> (outline.size()));
-  for (const Eigen::Vector2d& corner : outline)
-    polygons->InsertCellPoint (points->InsertNextPoint (corner.x(), corner.y(), 0.0));
-  mesh.SetPoints (points);
-  mesh.SetPolys (polygons);
 }
 
 } // namespace
@@ -60,34 +88,13 @@ setOutline (vtkPolyData& mesh, const PlanarPoints& outline)
 std::vector<Triangle>
 triangulate (const PlanarPoints& outline)
 {
-  constexpr vtkIdType corners = 3;
-  if (outline.size() < corners)
-    return {};
-  vtkNew<vtkPolyData> mesh;
-  setOutline (*mesh, outline);
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData (mesh);
-  filter->Update();
-  std::vector<Triangle> triangles;
-  vtkNew<vtkIdList> ids;
-  vtkCellArray* const polygons = filter->GetOutput()->GetPolys();
-  for (polygons->InitTraversal(); polygons->GetNextCell (ids) != 0;) {
-    if (ids->GetNumberOfIds() != corners)
-      return {};
-    Triangle triangle{};
-    for (vtkIdType corner = 0; corner < corners; ++corner)
-      triangle[static_cast<std::size_t> (corner)] =
-          static_cast<std::size_t> (ids->GetId (corner));
-    if (signedArea (triangle, outline) < 0.0)
-      std::swap (triangle[1], triangle[2]);
-    triangles.push_back (triangle);
-  }
-  return unlessParted (std::move (triangles), outline, areaOf (outline));
+  return triangulateRings ({outline});
 }
 
 std::vector<Triangle>
 triangulateRings (const PlanarRings& rings)
 {
+  constexpr double tolerance = 1e-6;
   if (rings.empty() || rings.front().empty())
     return {};
   PlanarRings filled;
@@ -95,16 +102,19 @@ triangulateRings (const PlanarRings& rings)
                 rings.end(),
                 std::back_inserter (filled),
                 [] (const PlanarPoints& ring) { return !ring.empty(); });
-  if (filled.size() < 2)
-    return triangulate (filled.front());
   PlanarPoints corners;
   double area = 0.0;
-  for (const PlanarPoints& ring : rings) {
+  for (const PlanarPoints& ring : filled) {
     corners.insert (corners.end(), ring.begin(), ring.end());
     area += areaOf (ring);
   }
-  return unlessParted (
-      clipEars (throughKeyholes (filled, corners), corners), corners, area);
+  const std::vector<Triangle> triangles =
+      clipEars (throughKeyholes (filled, corners), corners);
+  double covered = 0.0;
+  for (const auto& [a, b, c] : triangles)
+    covered += 0.5 * twiceTheArea (corners[a], corners[b], corners[c]);
+  return std::abs (covered - area) < tolerance * area ? triangles
+                                                      : std::vector<Triangle>();
 }
 
 } // namespace pcl_ops

@@ -13,11 +13,10 @@ namespace pcl_ops {
 /** \brief Three corners of an outline, by their places in it. */
 using Triangle = std::array<std::size_t, 3>;
 
-/** \brief Cuts an outline, convex or not, into triangles between its corners, by VTK.
- * Most programs show meshes of triangles only.
+/** \brief Cuts an outline, convex or not, into triangles between its corners. Most
+ * programs show meshes of triangles only.
  * \param[in] outline counter-clockwise, not crossing itself
- * \return counter-clockwise, too; none for an outline without area, or one so crooked
- * that VTK does not get all of it */
+ * \return counter-clockwise, too; none for an outline without area */
 PCL_OPS_EXPORT std::vector<Triangle>
 triangulate (const PlanarPoints& outline);
 
