@@ -58,7 +58,6 @@ khtMethod ()
   table.options = khtOptions();
   table.last_settings = [] (const Kht::Parameters& p) -> Settings {
     return {{"refit", p.refit.enabled},
-            {"bounded", p.bounded},
             {"merging", p.merging.enabled}};
   };
   return methodOf (table);

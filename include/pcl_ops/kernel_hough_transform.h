@@ -27,7 +27,8 @@ struct OctreeClusterParameters {
 
 /** \brief How planes are freed from the accumulator's bins. */
 struct PlaneRefitParameters {
-  /** \brief Off: planes stay at their bins' centres, quantised as they are. */
+  /** \brief Off: planes stay at their bins' centers, quantized as they are, and are
+   * unbounded: each point goes to the first plane within theta_h. */
   bool enabled = true;
   /** \brief Smallest share of all points that the clusters of a plane hold. */
   double min_share = 0.001;
@@ -42,14 +43,9 @@ struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
   /** \brief Minimum samples, s_level, s_alpha and s_beta. The published s_level 5 and
    * s_alpha 25 lose the surfaces of noisy clouds: 3 and 15 are the defaults here. */
   OctreeClusterParameters clusters;
-  /** \brief Fits the planes to the points of their clusters. */
+  /** \brief Fits the planes to the points of their clusters; they end where their
+   * clusters end, as far as they grow from there over the occupied voxels of a grid. */
   PlaneRefitParameters refit;
-  /** \brief Planes end where their clusters end, as far as they grow from there over
-   * the occupied voxels of a grid. Off, or where planes are not refitted: planes are
-   * unbounded. */
-  bool bounded = true;
-  /** \brief Which of the unbounded planes within theta_h gets a point. */
-  AssignmentRule assignment = AssignmentRule::Nearest;
 
   KernelHoughTransformParameters();
 
@@ -158,30 +154,6 @@ public:
   getRefitParameters () const
   {
     return parameters_.refit;
-  }
-
-  /** \brief Whether planes end where their clusters end. */
-  void
-  setBounded (bool bounded)
-  {
-    parameters_.bounded = bounded;
-  }
-  bool
-  getBounded () const
-  {
-    return parameters_.bounded;
-  }
-
-  /** \brief Which of the unbounded planes within theta_h gets a point. */
-  void
-  setAssignmentRule (AssignmentRule rule)
-  {
-    parameters_.assignment = rule;
-  }
-  AssignmentRule
-  getAssignmentRule () const
-  {
-    return parameters_.assignment;
   }
 
 private:

@@ -8,7 +8,6 @@
 #include <cmath>
 
 namespace pcl_ops::internal {
-namespace {} // namespace
 
 BallDirections::BallDirections (int phi_num) : row_begins_ (1, 0)
 {

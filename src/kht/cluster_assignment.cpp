@@ -38,7 +38,7 @@ assignOctreePoints (const OctreeClusters& found,
   const Labels in_octree_order = assignPoints (found.points,
                                                planes,
                                                *parameters.distance_threshold,
-                                               parameters.assignment,
+                                               AssignmentRule::First,
                                                parameters.threads);
   Labels labels (size, no_plane);
   for (std::size_t i = 0; i < in_octree_order.size(); ++i)
@@ -131,8 +131,7 @@ assignToUnboundedPlanes (const Points& points,
       momentsOfLabels (points, assigned.labels, planes.size(), parameters.threads);
   LabelledPlanes merged =
       mergeAssigned (std::move (assigned), mergingOf (parameters), parameters.threads);
-  if (!parameters.refit.enabled)
-    restorePlanes (merged.planes, planes);
+  restorePlanes (merged.planes, planes);
   clock.lap (durations.merging);
   return merged;
 }

@@ -35,7 +35,7 @@ detectByVotes (const Points& points,
   clock.lap (durations.extraction);
   // every point to a plane, and the coplanarity test of the OPS paper on each pair
   LabelledPlanes found =
-      parameters.refit.enabled && parameters.bounded
+      parameters.refit.enabled
           ? assignToOutlinedPlanes (points, clusters, planes, parameters, durations)
           : assignToUnboundedPlanes (points, clusters, planes, parameters, durations);
   found.planes_before_merging = planes.size();
@@ -80,8 +80,6 @@ KernelHoughTransformParameters::paper()
   parameters.rho_num = 800;
   parameters.clusters = OctreeClusterParameters();
   parameters.refit.enabled = false;
-  parameters.bounded = false;
-  parameters.assignment = AssignmentRule::First;
   parameters.distance_threshold = 0.05;
   parameters.merging.enabled = false;
   return parameters;

@@ -39,7 +39,28 @@ lastAtMost (double value, int low, int high)
 
 class VoteCaster {
 public:
-  VoteCaster (const PlaneKernel& kernel, const HoughSpace& space, KernelVotes& votes);
+  VoteCaster (const PlaneKernel& kernel, const HoughSpace& space, KernelVotes& votes)
+  : space_ (space)
+  , votes_ (votes)
+  , mean_rho_ (kernel.mean[0])
+  , mean_phi_ (kernel.mean[1])
+  , mean_theta_ (kernel.mean[2])
+  {
+    const Eigen::Matrix3d& sigma = kernel.covariance;
+    const double determinant =
+        sigma (1, 1) * sigma (2, 2) - sigma (1, 2) * sigma (1, 2);
+    phi_deviation_ = std::sqrt (sigma (1, 1));
+    pp_ = sigma (2, 2) / determinant;
+    pt_ = -sigma (1, 2) / determinant;
+    tt_ = sigma (1, 1) / determinant;
+    rho_per_phi_ = pp_ * sigma (0, 1) + pt_ * sigma (0, 2);
+    rho_per_theta_ = pt_ * sigma (0, 1) + tt_ * sigma (0, 2);
+    rho_variance_ =
+        sigma (0, 0) - rho_per_phi_ * sigma (0, 1) - rho_per_theta_ * sigma (0, 2);
+    peak_ =
+        kernel.weight / std::sqrt (8.0 * pi * pi * pi * determinant * rho_variance_);
+    ratio_change_ = std::exp (-space.rho_step * space.rho_step / rho_variance_);
+  }
 
   /** False for a covariance that is not positive definite. */
   bool
@@ -49,7 +70,20 @@ public:
   }
 
   void
-  castAll ();
+  castAll ()
+  {
+    const double step = space_.directions.phiStep();
+    const double reach = std::min (
+        std::sqrt (largest_squared_distance) * phi_deviation_, most_directions * step);
+    const int phi_num = space_.directions.phiNum();
+    const int first = firstAtLeast ((mean_phi_ - reach) / step, -phi_num, 2 * phi_num);
+    const int last = lastAtMost ((mean_phi_ + reach) / step, -phi_num, 2 * phi_num);
+    for (int row = first; row <= last; ++row)
+      castRow (row);
+    castOwnBin();
+    if (has_wrapped_)
+      keepLargestVotes();
+  }
 
 private:
   /** A direction's offset from the kernel's mean. */
@@ -58,22 +92,137 @@ private:
   };
 
   void
-  castRow (int row);
+  castRow (int row)
+  {
+    const BallDirections& directions = space_.directions;
+    const int phi_num = directions.phiNum();
+    const bool beyond_pole = row < 0 || row > phi_num;
+    const int reflected = row < 0 ? -row : beyond_pole ? 2 * phi_num - row : row;
+    const double phi_offset = row * directions.phiStep() - mean_phi_;
+    const double room = largest_squared_distance -
+                        phi_offset * phi_offset / (phi_deviation_ * phi_deviation_);
+    if (room < 0.0)
+      return;
+    has_wrapped_ |= beyond_pole;
+    const double middle = likeliestTheta (phi_offset);
+    const int patches = directions.patchesOfRow (reflected);
+    if (patches == 1) // All azimuths meet at a pole.
+      return castRay (directions.patchOfRow (reflected, 0), {phi_offset, middle});
+
+    const double start = mean_theta_ + (beyond_pole ? pi : 0.0);
+    const double step = 2.0 * pi / patches;
+    const double middle_patch = (start + middle) / step - 0.5;
+    const double reach =
+        std::min ({std::sqrt (room / tt_) / step, 0.5 * patches, most_directions});
+    const int first = firstAtLeast (middle_patch - reach, -most_patches, most_patches);
+    const int last =
+        std::min (lastAtMost (middle_patch + reach, -most_patches, most_patches),
+                  first + patches - 1);
+    for (int patch = first; patch <= last; ++patch)
+      castRay (directions.patchOfRow (reflected, patch),
+               {phi_offset, (patch + 0.5) * step - start});
+  }
+
   void
-  castRay (std::uint32_t direction, const Offset& offset);
+  castRay (std::uint32_t direction, const Offset& offset)
+  {
+    const double distance = squaredDistance (offset);
+    const double room = std::max (0.0, largest_squared_distance - distance);
+    const double middle = likeliestRho (offset);
+    const double step = space_.rho_step;
+    const double reach = std::min (std::sqrt (room * rho_variance_), most_bins * step);
+    const int bins = space_.rho_num;
+    const int first = firstAtLeast ((middle - reach) / step - 0.5, -bins, bins);
+    const int last = lastAtMost ((middle + reach) / step - 0.5, -bins - 1, bins - 1);
+    const double height = peak_ * std::exp (-0.5 * distance);
+    if (last >= 0 && last >= first) {
+      const int from = std::max (first, 0);
+      const double start = space_.rhoOf (from) - middle;
+      addRay (direction, from, last - from + 1, start, step, height);
+    }
+    if (first < 0 && last >= first) {
+      has_wrapped_ = true;
+      const int from = std::min (last, -1);
+      const double start = space_.rhoOf (from) - middle;
+      const std::uint32_t opposite = space_.directions.opposite (direction);
+      addRay (opposite, -1 - from, from - first + 1, start, -step, height);
+    }
+  }
+
+  /** The density along rho at offset, offset + step, ..: the ratio of neighbors changes
+   * by a constant factor, so that no bin costs an exponential. */
   void
   addRay (std::uint32_t direction,
           int first_bin,
           int length,
           double offset,
           double step,
-          double height);
+          double height)
+  {
+    double value = height * std::exp (-0.5 * offset * offset / rho_variance_);
+    double ratio = std::exp (-step * (offset + 0.5 * step) / rho_variance_);
+    const auto first_value = static_cast<std::uint32_t> (votes_.values.size());
+    votes_.rays.push_back (
+        {direction, first_bin, static_cast<std::uint32_t> (length), first_value});
+    for (int i = 0; i < length; ++i) {
+      votes_.values.push_back (static_cast<float> (value));
+      value *= ratio;
+      ratio *= ratio_change_;
+    }
+  }
+
   void
-  castOwnBin ();
+  castOwnBin ()
+  {
+    const BallDirections& directions = space_.directions;
+    const int row = static_cast<int> (std::lround (mean_phi_ / directions.phiStep()));
+    const std::uint32_t direction = directions.at (row, mean_theta_);
+    const int bin =
+        std::min (static_cast<int> (mean_rho_ / space_.rho_step), space_.rho_num - 1);
+    Offset offset{directions.phiOf (direction) - mean_phi_, 0.0};
+    offset.theta =
+        directions.patchesOfRow (row) == 1
+            ? likeliestTheta (offset.phi)
+            : std::remainder (directions.thetaOf (direction) - mean_theta_, 2.0 * pi);
+    const double rho_offset = space_.rhoOf (bin) - likeliestRho (offset);
+    if (squaredDistance (offset) + rho_offset * rho_offset / rho_variance_ <=
+        largest_squared_distance)
+      return;
+    addRay (direction,
+            bin,
+            1,
+            0.0,
+            0.0,
+            peak_ * std::exp (-0.5 * largest_squared_distance));
+  }
+
   void
-  keepLargestVotes ();
+  keepLargestVotes ()
+  {
+    std::vector<VoteRay>& rays = votes_.rays;
+    std::sort (rays.begin(), rays.end(), [] (const VoteRay& a, const VoteRay& b) {
+      return a.direction != b.direction ? a.direction < b.direction
+                                        : a.first_value < b.first_value;
+    });
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      for (std::size_t j = i + 1; j < rays.size(); ++j) {
+        if (rays[i].direction != rays[j].direction)
+          break;
+        keepLargerVote (rays[i], rays[j]);
+      }
+  }
+
   void
-  keepLargerVote (const VoteRay& a, const VoteRay& b);
+  keepLargerVote (const VoteRay& a, const VoteRay& b)
+  {
+    const int end = std::min (a.first_bin + static_cast<int> (a.length),
+                              b.first_bin + static_cast<int> (b.length));
+    for (int bin = std::max (a.first_bin, b.first_bin); bin < end; ++bin) {
+      float& of_a = votes_.values[a.first_value + (bin - a.first_bin)];
+      float& of_b = votes_.values[b.first_value + (bin - b.first_bin)];
+      (of_a < of_b ? of_a : of_b) = 0.0f;
+    }
+  }
 
   /** Squared Mahalanobis distance of a direction, the best rho assumed. */
   double
@@ -108,174 +257,6 @@ private:
   // The votes may meet themselves.
   bool has_wrapped_ = false;
 };
-
-VoteCaster::VoteCaster (const PlaneKernel& kernel,
-                        const HoughSpace& space,
-                        KernelVotes& votes)
-: space_ (space)
-, votes_ (votes)
-, mean_rho_ (kernel.mean[0])
-, mean_phi_ (kernel.mean[1])
-, mean_theta_ (kernel.mean[2])
-{
-  const Eigen::Matrix3d& sigma = kernel.covariance;
-  const double determinant = sigma (1, 1) * sigma (2, 2) - sigma (1, 2) * sigma (1, 2);
-  phi_deviation_ = std::sqrt (sigma (1, 1));
-  pp_ = sigma (2, 2) / determinant;
-  pt_ = -sigma (1, 2) / determinant;
-  tt_ = sigma (1, 1) / determinant;
-  rho_per_phi_ = pp_ * sigma (0, 1) + pt_ * sigma (0, 2);
-  rho_per_theta_ = pt_ * sigma (0, 1) + tt_ * sigma (0, 2);
-  rho_variance_ =
-      sigma (0, 0) - rho_per_phi_ * sigma (0, 1) - rho_per_theta_ * sigma (0, 2);
-  peak_ = kernel.weight / std::sqrt (8.0 * pi * pi * pi * determinant * rho_variance_);
-  ratio_change_ = std::exp (-space.rho_step * space.rho_step / rho_variance_);
-}
-
-void
-VoteCaster::castAll()
-{
-  const double step = space_.directions.phiStep();
-  const double reach = std::min (std::sqrt (largest_squared_distance) * phi_deviation_,
-                                 most_directions * step);
-  const int phi_num = space_.directions.phiNum();
-  const int first = firstAtLeast ((mean_phi_ - reach) / step, -phi_num, 2 * phi_num);
-  const int last = lastAtMost ((mean_phi_ + reach) / step, -phi_num, 2 * phi_num);
-  for (int row = first; row <= last; ++row)
-    castRow (row);
-  castOwnBin();
-  if (has_wrapped_)
-    keepLargestVotes();
-}
-
-void
-VoteCaster::castRow (int row)
-{
-  const BallDirections& directions = space_.directions;
-  const int phi_num = directions.phiNum();
-  const bool beyond_pole = row < 0 || row > phi_num;
-  const int reflected = row < 0 ? -row : beyond_pole ? 2 * phi_num - row : row;
-  const double phi_offset = row * directions.phiStep() - mean_phi_;
-  const double room = largest_squared_distance -
-                      phi_offset * phi_offset / (phi_deviation_ * phi_deviation_);
-  if (room < 0.0)
-    return;
-  has_wrapped_ |= beyond_pole;
-  const double middle = likeliestTheta (phi_offset);
-  const int patches = directions.patchesOfRow (reflected);
-  if (patches == 1) // All azimuths meet at a pole.
-    return castRay (directions.patchOfRow (reflected, 0), {phi_offset, middle});
-
-  const double start = mean_theta_ + (beyond_pole ? pi : 0.0);
-  const double step = 2.0 * pi / patches;
-  const double middle_patch = (start + middle) / step - 0.5;
-  const double reach =
-      std::min ({std::sqrt (room / tt_) / step, 0.5 * patches, most_directions});
-  const int first = firstAtLeast (middle_patch - reach, -most_patches, most_patches);
-  const int last =
-      std::min (lastAtMost (middle_patch + reach, -most_patches, most_patches),
-                first + patches - 1);
-  for (int patch = first; patch <= last; ++patch)
-    castRay (directions.patchOfRow (reflected, patch),
-             {phi_offset, (patch + 0.5) * step - start});
-}
-
-void
-VoteCaster::castRay (std::uint32_t direction, const Offset& offset)
-{
-  const double distance = squaredDistance (offset);
-  const double room = std::max (0.0, largest_squared_distance - distance);
-  const double middle = likeliestRho (offset);
-  const double step = space_.rho_step;
-  const double reach = std::min (std::sqrt (room * rho_variance_), most_bins * step);
-  const int bins = space_.rho_num;
-  const int first = firstAtLeast ((middle - reach) / step - 0.5, -bins, bins);
-  const int last = lastAtMost ((middle + reach) / step - 0.5, -bins - 1, bins - 1);
-  const double height = peak_ * std::exp (-0.5 * distance);
-  if (last >= 0 && last >= first) {
-    const int from = std::max (first, 0);
-    const double start = space_.rhoOf (from) - middle;
-    addRay (direction, from, last - from + 1, start, step, height);
-  }
-  if (first < 0 && last >= first) {
-    has_wrapped_ = true;
-    const int from = std::min (last, -1);
-    const double start = space_.rhoOf (from) - middle;
-    const std::uint32_t opposite = space_.directions.opposite (direction);
-    addRay (opposite, -1 - from, from - first + 1, start, -step, height);
-  }
-}
-
-/** The density along rho at offset, offset + step, ..: the ratio of neighbours changes
- * by a constant factor, so that no bin costs an exponential. */
-void
-VoteCaster::addRay (std::uint32_t direction,
-                    int first_bin,
-                    int length,
-                    double offset,
-                    double step,
-                    double height)
-{
-  double value = height * std::exp (-0.5 * offset * offset / rho_variance_);
-  double ratio = std::exp (-step * (offset + 0.5 * step) / rho_variance_);
-  const auto first_value = static_cast<std::uint32_t> (votes_.values.size());
-  votes_.rays.push_back (
-      {direction, first_bin, static_cast<std::uint32_t> (length), first_value});
-  for (int i = 0; i < length; ++i) {
-    votes_.values.push_back (static_cast<float> (value));
-    value *= ratio;
-    ratio *= ratio_change_;
-  }
-}
-
-void
-VoteCaster::castOwnBin()
-{
-  const BallDirections& directions = space_.directions;
-  const int row = static_cast<int> (std::lround (mean_phi_ / directions.phiStep()));
-  const std::uint32_t direction = directions.at (row, mean_theta_);
-  const int bin =
-      std::min (static_cast<int> (mean_rho_ / space_.rho_step), space_.rho_num - 1);
-  Offset offset{directions.phiOf (direction) - mean_phi_, 0.0};
-  offset.theta =
-      directions.patchesOfRow (row) == 1
-          ? likeliestTheta (offset.phi)
-          : std::remainder (directions.thetaOf (direction) - mean_theta_, 2.0 * pi);
-  const double rho_offset = space_.rhoOf (bin) - likeliestRho (offset);
-  if (squaredDistance (offset) + rho_offset * rho_offset / rho_variance_ <=
-      largest_squared_distance)
-    return;
-  addRay (
-      direction, bin, 1, 0.0, 0.0, peak_ * std::exp (-0.5 * largest_squared_distance));
-}
-
-void
-VoteCaster::keepLargestVotes()
-{
-  std::vector<VoteRay>& rays = votes_.rays;
-  std::sort (rays.begin(), rays.end(), [] (const VoteRay& a, const VoteRay& b) {
-    return a.direction != b.direction ? a.direction < b.direction
-                                      : a.first_value < b.first_value;
-  });
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    for (std::size_t j = i + 1; j < rays.size(); ++j) {
-      if (rays[i].direction != rays[j].direction)
-        break;
-      keepLargerVote (rays[i], rays[j]);
-    }
-}
-
-void
-VoteCaster::keepLargerVote (const VoteRay& a, const VoteRay& b)
-{
-  const int end = std::min (a.first_bin + static_cast<int> (a.length),
-                            b.first_bin + static_cast<int> (b.length));
-  for (int bin = std::max (a.first_bin, b.first_bin); bin < end; ++bin) {
-    float& of_a = votes_.values[a.first_value + (bin - a.first_bin)];
-    float& of_b = votes_.values[b.first_value + (bin - b.first_bin)];
-    (of_a < of_b ? of_a : of_b) = 0.0f;
-  }
-}
 
 } // namespace
 

@@ -168,8 +168,6 @@ visit (KernelHoughTransformParameters& p, const At& at)
 {
   at ("phi_num", p.phi_num);
   at ("rho_num", p.rho_num);
-  at ("bounded", p.bounded);
-  at ("assignment", p.assignment);
   visitWithin ("clusters_", p.clusters, at);
   visitWithin ("refit_", p.refit, at);
   visitShared (p, at);

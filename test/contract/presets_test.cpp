@@ -126,8 +126,6 @@ TEST (KhtPreset, DefaultIsTheRecommendedOne)
   EXPECT_EQ (preset.clusters.deepest_level, 20);
   EXPECT_TRUE (preset.refit.enabled);
   EXPECT_EQ (preset.refit.min_share, 0.001);
-  EXPECT_TRUE (preset.bounded);
-  EXPECT_EQ (preset.assignment, AssignmentRule::Nearest);
 }
 
 TEST (KhtPreset, PaperIsTheMethodAsPublished)
@@ -145,8 +143,6 @@ TEST (KhtPreset, PaperIsTheMethodAsPublished)
   EXPECT_EQ (preset.clusters.deepest_level, 20);
   EXPECT_FALSE (preset.refit.enabled);
   EXPECT_EQ (preset.refit.min_share, 0.001);
-  EXPECT_FALSE (preset.bounded);
-  EXPECT_EQ (preset.assignment, AssignmentRule::First);
 }
 
 TEST (UpAxisPreset, DefaultAsksForSeventyPerCent)

@@ -109,8 +109,6 @@ vary (ByteReader& bytes, KernelHoughTransformParameters& parameters)
   vary (bytes, clusters.s_beta, {1e-3, 1.0, 1e9, 0.0, nan});
   vary (bytes, parameters.refit.enabled, {false, true});
   vary (bytes, parameters.refit.min_share, {0.0, 0.5, 1.0, 2.0, nan});
-  vary (bytes, parameters.bounded, {false, true});
-  vary (bytes, parameters.assignment, {AssignmentRule::First, AssignmentRule::Nearest});
 }
 
 /** Planes by falling size with ascending indices of finite points, each of one plane

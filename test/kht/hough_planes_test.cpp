@@ -99,12 +99,6 @@ TEST (HoughPlanes, ComeByFallingWeight)
   }
 }
 
-TEST (HoughPlanes, AreNoneWithoutClusters)
-{
-  EXPECT_TRUE (voteForPlanes (OctreeClusters(), 30, 300).empty());
-  EXPECT_TRUE (refitPlanes ({}, OctreeClusters(), 0.0, theta_h).empty());
-}
-
 TEST (HoughPlanes, AreExactWhenRefitted)
 {
   const OctreeClusters found = clustersOf (corner (1_mm));

@@ -129,31 +129,6 @@ TEST (OctreeClusters, NeedTheMinimumOfSamples)
   EXPECT_FALSE (clustersOf (points, 0).clusters.empty());
 }
 
-TEST (OctreeClusters, AreNoneForNoPoints)
-{
-  EXPECT_TRUE (clustersOf (Coordinates(), 5).clusters.empty());
-}
-
-TEST (OctreeClusters, AreNoneForEqualPoints)
-{
-  Coordinates points;
-  for (int i = 0; i < 1000; ++i)
-    points.add (1.0f, 2.0f, 3.0f);
-  EXPECT_TRUE (clustersOf (points, 5).clusters.empty());
-}
-
-TEST (OctreeClusters, EndAtManyEqualPointsAmongOthers)
-{
-  Coordinates points;
-  addGrid (points, ground, 100);
-  for (int i = 0; i < 1000; ++i)
-    points.add (1.0f, 1.0f, 1.0f);
-  const OctreeClusters found = clustersOf (points, 3);
-  ASSERT_FALSE (found.clusters.empty());
-  for (const CoplanarCluster& cluster : found.clusters)
-    EXPECT_LT (cluster.fit.variances[0], 1e-10);
-}
-
 TEST (OctreeClusters, EndAtManyEqualPointsOnTheDeepestLevelThereMayBe)
 {
   Coordinates points;
@@ -165,25 +140,4 @@ TEST (OctreeClusters, EndAtManyEqualPointsOnTheDeepestLevelThereMayBe)
   for (const CoplanarCluster& cluster :
        findCoplanarClusters (points, parameters).clusters)
     EXPECT_LE (cluster.level, 60);
-}
-
-TEST (OctreeClusters, AreNoneOnALine)
-{
-  Coordinates points;
-  for (int i = 0; i < 10000; ++i)
-    points.add (0.001f * i, 0.002f * i, -0.0005f * i);
-  EXPECT_TRUE (clustersOf (points, 0).clusters.empty());
-}
-
-TEST (OctreeClusters, DoNotDependOnThreads)
-{
-  Coordinates points;
-  addGrid (points, tilted, 150, 0.01);
-  addGrid (points, wall, 150, 0.01);
-  const OctreeClusters alone = findCoplanarClusters (points, {}, 1);
-  const OctreeClusters shared = findCoplanarClusters (points, {}, 4);
-  EXPECT_EQ (alone.points.order, shared.points.order);
-  ASSERT_EQ (alone.clusters.size(), shared.clusters.size());
-  for (std::size_t c = 0; c < alone.clusters.size(); ++c)
-    EXPECT_EQ (alone.clusters[c].fit.plane.offset, shared.clusters[c].fit.plane.offset);
 }

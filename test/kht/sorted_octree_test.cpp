@@ -57,11 +57,6 @@ TEST (RootCube, HoldsAllPointsWhereNearlyAllAreEqual)
   EXPECT_NEAR (rootCubeOf (points).radius, 5.0, 0.01);
 }
 
-TEST (RootCube, HasNoEdgeForNoPoints)
-{
-  EXPECT_EQ (rootCubeOf (Coordinates()).edge, 0.0);
-}
-
 TEST (SortedOctree, PutsPointsInTheOrderOfItsNodes)
 {
   const Coordinates points = cornersOfACube();

@@ -101,11 +101,6 @@ TEST (SphericalAccumulator, AddsVotesUp)
   EXPECT_EQ (accumulator.votesOf (6, 10), 0.0f);
 }
 
-TEST (SphericalAccumulator, HasNoPeakWithoutVotes)
-{
-  EXPECT_TRUE (SphericalAccumulator (space).peaks().empty());
-}
-
 TEST (SphericalAccumulator, PeaksWhereAKernelIsCentred)
 {
   SphericalAccumulator accumulator (space);
