@@ -14,8 +14,15 @@
 #include <io/cloud_file.h>
 #include <io/output_file.h>
 #include <picture/colors.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 
 namespace pcl_ops::apps {
 
@@ -98,6 +105,45 @@ inputColors (const FileCloud& file)
   return {colors.begin(), colors.end()};
 }
 
+/** \brief Whether VTK finds a display and a driver: where it does not, it aborts, so a
+ * child process tries, silently. */
+bool
+canDraw ()
+{
+#ifdef __APPLE__ // whose windows need no X11 display, and no child may draw
+  return true;
+#else
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit no_core{0, 0};
+    setrlimit (RLIMIT_CORE, &no_core);
+    if (std::freopen ("/dev/null", "w", stderr) == nullptr)
+      _exit (ExitCode::work_failed);
+    vtkNew<vtkRenderWindow> window;
+    window->SetOffScreenRendering (1);
+    _exit (window->SupportsOpenGL() != 0 ? ExitCode::done : ExitCode::work_failed);
+  }
+  int status = 0;
+  return child > 0 && waitpid (child, &status, 0) == child && WIFEXITED (status) &&
+         WEXITSTATUS (status) == ExitCode::done;
+#endif
+}
+
+/** \throws WorkError where nothing can be drawn */
+void
+checkDisplay ()
+{
+  if (canDraw())
+    return;
+  const char* const display = std::getenv ("DISPLAY");
+  throw WorkError ("DISPLAY",
+                   (display == nullptr ? std::string ("is not set")
+                                       : display + std::string (" cannot be opened or "
+                                                                "offers no OpenGL")) +
+                       "; start the viewer in a graphical session, or without one by "
+                       "xvfb-run -a pcl_ops_view CLOUD --screenshot FILE.png");
+}
+
 ViewedCloud
 loadViewed (const std::string& file)
 {
@@ -120,7 +166,9 @@ view (int argc, const char* const* argv)
   ViewOptions options;
   if (readOptions (argc, argv, options))
     inMemory (options.input, "give a smaller cloud", [&] {
-      showCloud (options, loadViewed (options.input));
+      const ViewedCloud cloud = loadViewed (options.input);
+      checkDisplay();
+      showCloud (options, cloud);
     });
   return ExitCode::done;
 }

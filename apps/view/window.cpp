@@ -9,7 +9,6 @@
 
 #include "found_planes.h"
 #include "shapes.h"
-#include <cli/errors.h>
 #include <cli/program.h>
 #include <io/output_file.h>
 #include <picture/view.h>
@@ -24,7 +23,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <exception>
 #include <iostream>
 
@@ -37,19 +35,6 @@ using pcl::visualization::PCLVisualizer;
 using ColoredCloud = pcl::PointCloud<pcl::PointXYZRGB>;
 
 constexpr const char* cloud_id = "cloud";
-
-/** \throws WorkError where there is no display: VTK would abort the program */
-void
-checkDisplay ()
-{
-#ifndef __APPLE__ // whose windows need no X11 display
-  if (std::getenv ("DISPLAY") == nullptr)
-    throw WorkError ("DISPLAY",
-                     "is not set: there is no display; start the viewer in a graphical "
-                     "session, or without one by "
-                     "xvfb-run -a pcl_ops_view CLOUD --screenshot FILE.png");
-#endif
-}
 
 /** \brief A window that shows one state after the other. */
 class Window {
@@ -277,7 +262,6 @@ private:
 void
 showCloud (const ViewOptions& options, const ViewedCloud& cloud)
 {
-  checkDisplay();
   Window window (options, cloud);
   if (options.screenshot.empty())
     window.run();

@@ -37,9 +37,10 @@ struct ViewedCloud {
 };
 
 /** \brief Opens a window until the user closes it, or writes options.screenshot.
+ * There must be a display.
  * \param[in] cloud has a finite point
- * \throws WorkError if nothing can be drawn here or the picture cannot be written, and
- * whatever the first detection throws */
+ * \throws WorkError if the picture cannot be written, and whatever the first detection
+ * throws */
 void
 showCloud (const ViewOptions& options, const ViewedCloud& cloud);
 

@@ -32,16 +32,17 @@ protected:
     pcl::io::savePCDFileBinary (folder_ / "in.pcd", cloud);
   }
 
-  /** \brief Runs the viewer without a display. */
+  /** \brief Runs the viewer without a display.
+   * \param[in] environment variables for it, as env takes them */
   ProgramRun
-  run (const std::string& arguments) const
+  run (const std::string& arguments, const std::string& environment = "") const
   {
-    return runInFolder ("unset DISPLAY; '" PCL_OPS_VIEW_PROGRAM "' " + arguments);
+    return runInFolder ("env -u DISPLAY " + environment +
+                        " '" PCL_OPS_VIEW_PROGRAM "' " + arguments);
   }
 
   /** \brief Runs the viewer on a display of its own. What xvfb-run says and how it ends
-   * is left out: it may fail to tidy up after a viewer that did its work.
-   * \param[in] environment variables for it, as env takes them */
+   * is left out: it may fail to tidy up after a viewer that did its work. */
   ProgramRun
   runOnDisplay (const std::string& arguments, const std::string& environment = "") const
   {
@@ -121,6 +122,7 @@ TEST_F (View, RefusesWrongUsageAndCloudsItCannotShow)
     expectOneLine (run (arguments), 2, "");
 #ifndef __APPLE__ // where windows need no X11 display
   expectOneLine (run ("in.pcd"), 1, "xvfb-run");
+  expectOneLine (run ("in.pcd", "DISPLAY=nowhere:99"), 1, "nowhere:99");
 #endif
 }
 
