@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace pcl_ops::apps {
@@ -15,6 +16,9 @@ namespace pcl_ops::apps {
 namespace {
 
 constexpr float far = std::numeric_limits<float>::infinity();
+
+/** \brief Side of the parts of the image that are looked at as one [pixel]. */
+constexpr int part = 16;
 
 using Offset = std::pair<int, int>;
 
@@ -48,68 +52,49 @@ projectPoints (const XyzCloud& cloud,
   return dots;
 }
 
-/** \brief Half the side of the square of a dot [pixel], from how many dots share its
- * part of the image. */
-class DotSizes {
-public:
-  DotSizes (const std::vector<Dot>& dots, int width, int height)
-  : columns_ (width / part + 1)
-  , counts_ (static_cast<std::size_t> (columns_) *
-             static_cast<std::size_t> (height / part + 1))
-  {
-    std::vector<float> nearest (counts_.size(), far);
-    for (const Dot& dot : dots)
-      nearest[partOf (dot)] = std::min (nearest[partOf (dot)], dot.depth);
-    int in_front = 0;
-    for (const Dot& dot : dots) {
-      if (dot.depth > front_layer * nearest[partOf (dot)])
-        continue;
-      ++counts_[partOf (dot)];
-      ++in_front;
-    }
-    const auto used =
-        counts_.size() -
-        static_cast<std::size_t> (std::count (counts_.begin(), counts_.end(), 0));
-    const float mean = static_cast<float> (in_front) /
-                       static_cast<float> (std::max<std::size_t> (used, 1));
-    largest_ = std::clamp (2.0f * halfSide (mean), smallest, largest);
-  }
+/** \brief Half the side of a square [pixel] such that so many in a part of the image
+ * cover it about twice. */
+float
+halfSideOf (float dots_in_part)
+{
+  constexpr float overlap = 1.4f;
+  const float pixels_per_dot = part * part / std::max (dots_in_part, 1.0f);
+  return overlap * std::sqrt (pixels_per_dot) / 2.0f;
+}
 
-  float
-  operator() (const Dot& dot) const
-  {
-    return std::clamp (
-        halfSide (static_cast<float> (counts_[partOf (dot)])), smallest, largest_);
-  }
-
-private:
-  static constexpr int part = 16;
-  /** \brief Depth, in units of the nearest, behind which dots are another layer. */
-  static constexpr float front_layer = 1.1f;
-  static constexpr float smallest = 0.5f;
-  static constexpr float largest = 5.0f;
-
-  /** \brief Squares of this size cover their part of the image about twice. */
-  static float
-  halfSide (float dots_in_part)
-  {
-    constexpr float overlap = 1.4f;
-    const float pixels_per_dot = part * part / std::max (dots_in_part, 1.0f);
-    return overlap * std::sqrt (pixels_per_dot) / 2.0f;
-  }
-
-  std::size_t
-  partOf (const Dot& dot) const
-  {
-    return static_cast<std::size_t> (dot.row) / part *
-               static_cast<std::size_t> (columns_) +
-           static_cast<std::size_t> (dot.column) / part;
-  }
-
-  int columns_;
-  std::vector<int> counts_;
-  float largest_ = smallest;
-};
+/** \brief Half the side of the square of each dot [pixel], from how many dots share its
+ * part of the image; those behind others, in another layer, do not count. */
+std::vector<float>
+halfSidesOf (const std::vector<Dot>& dots, int width, int height)
+{
+  constexpr float front_layer = 1.1f; // its depth, in units of the nearest
+  constexpr float smallest = 0.5f;
+  constexpr float largest = 5.0f;
+  const int columns = width / part + 1;
+  const auto part_of = [columns] (const Dot& dot) {
+    return static_cast<std::size_t> (static_cast<int> (dot.row) / part * columns +
+                                     static_cast<int> (dot.column) / part);
+  };
+  const auto parts = static_cast<std::size_t> (columns * (height / part + 1));
+  std::vector<float> nearest (parts, far);
+  for (const Dot& dot : dots)
+    nearest[part_of (dot)] = std::min (nearest[part_of (dot)], dot.depth);
+  std::vector<int> counts (parts, 0);
+  for (const Dot& dot : dots)
+    if (dot.depth <= front_layer * nearest[part_of (dot)])
+      ++counts[part_of (dot)];
+  const auto used =
+      parts - static_cast<std::size_t> (std::count (counts.begin(), counts.end(), 0));
+  const auto in_front = std::accumulate (counts.begin(), counts.end(), 0);
+  const float mean = static_cast<float> (in_front) /
+                     static_cast<float> (std::max<std::size_t> (used, 1));
+  const float most = std::clamp (2.0f * halfSideOf (mean), smallest, largest);
+  std::vector<float> half_sides;
+  for (const Dot& dot : dots)
+    half_sides.push_back (std::clamp (
+        halfSideOf (static_cast<float> (counts[part_of (dot)])), smallest, most));
+  return half_sides;
+}
 
 void
 drawDot (const Dot& dot, float half_side, Raster& raster)
@@ -188,9 +173,9 @@ drawPoints (const XyzCloud& cloud,
   raster.depths.assign (pixels, far);
 
   const std::vector<Dot> dots = projectPoints (cloud, view, width, height, is_shown);
-  const DotSizes half_side (dots, width, height);
-  for (const Dot& dot : dots)
-    drawDot (dot, half_side (dot), raster);
+  const std::vector<float> half_sides = halfSidesOf (dots, width, height);
+  for (std::size_t i = 0; i < dots.size(); ++i)
+    drawDot (dots[i], half_sides[i], raster);
   closeHoles (raster);
   return raster;
 }
