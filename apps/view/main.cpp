@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/common/colors.h>
 #include <pcl/common/point_tests.h>
 #include <pcl/conversions.h>
 
@@ -13,7 +14,7 @@
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/output_file.h>
-#include <picture/colors.h>
+#include <numbers/quantile.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -21,6 +22,7 @@
 #include <vtkRenderWindow.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -94,14 +96,29 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
   return true;
 }
 
-/** \brief The colors of the file; gray where it has none. */
+/** \brief The colors of the file; where it has none, the height from blue to yellow. */
 std::vector<pcl::RGB>
-inputColors (const FileCloud& file)
+inputColors (const FileCloud& file, const XyzCloud& coordinates)
 {
   pcl::PointCloud<pcl::RGB> colors;
-  colors.resize (file.size(), colorOfLabel (0));
   if (hasField (file, "rgb") || hasField (file, "rgba"))
     pcl::fromPCLPointCloud2 (file.points, colors);
+  if (!colors.empty())
+    return {colors.begin(), colors.end()};
+  constexpr double outliers = 0.01; // would leave one color to all others
+  std::vector<float> heights;
+  for (const pcl::PointXYZ& point : coordinates)
+    if (pcl::isXYZFinite (point))
+      heights.push_back (point.z);
+  const float low = quantile (heights, outliers);
+  const float high = quantile (heights, 1.0 - outliers);
+  const auto last = static_cast<float> (pcl::ViridisLUT::size() - 1);
+  for (const pcl::PointXYZ& point : coordinates) {
+    const float share = high > low ? (point.z - low) / (high - low) : 0.0f;
+    const float clamped = share > 0.0f ? std::min (share, 1.0f) : 0.0f; // 0 for NaN
+    colors.push_back (
+        pcl::ViridisLUT::at (static_cast<std::size_t> (std::lround (clamped * last))));
+  }
   return {colors.begin(), colors.end()};
 }
 
@@ -157,7 +174,7 @@ loadViewed (const std::string& file)
     throw WorkError (file,
                      "has no point with finite coordinates, so there is nothing to "
                      "show; give another cloud");
-  return {shifted.cloud, shifted.shift, inputColors (cloud)};
+  return {shifted.cloud, shifted.shift, inputColors (cloud, points)};
 }
 
 int

@@ -8,7 +8,7 @@
 namespace pcl_ops::apps {
 
 /** \brief What the color of a point shows: its plane, gray for none; the orientation of
- * its plane; or what the file says. */
+ * its plane; or the color in the file, its height where the file has no colors. */
 enum class Coloring { Planes, Orientations, Input };
 
 /** \brief Everything the keys and clicks of the viewer change but the camera. */
