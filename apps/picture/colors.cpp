@@ -11,7 +11,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief PCL's distinct colours without those that could be taken for no plane's grey.
+/** \brief PCL's distinct colors without those that could be taken for no plane's gray.
  */
 std::vector<pcl::RGB>
 palette ()
@@ -32,10 +32,10 @@ palette ()
 pcl::RGB
 colorOfLabel (std::uint32_t label)
 {
-  constexpr std::uint8_t grey = 128;
+  constexpr std::uint8_t gray = 128;
   static const std::vector<pcl::RGB> colors = palette();
   if (label == 0)
-    return {grey, grey, grey};
+    return {gray, gray, gray};
   return colors[(label - 1) % colors.size()];
 }
 

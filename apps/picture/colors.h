@@ -10,12 +10,12 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Colour of a point by its label: grey for 0, a distinct one per plane.
+/** \brief Color of a point by its label: gray for 0, a distinct one per plane.
  */
 pcl::RGB
 colorOfLabel (std::uint32_t label);
 
-/** \brief Colour of a plane's orientation class. */
+/** \brief Color of a plane's orientation class. */
 pcl::RGB
 colorOf (Orientation orientation);
 

@@ -10,9 +10,9 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Writes a cloud as a .pcd or .ply with a label and a colour for each point.
+/** \brief Writes a cloud as a .pcd or .ply with a label and a color for each point.
  * \param[in] labels per point, 0 for no plane
- * \param[in] keeps_color whether the input's colours stay, where it has any
+ * \param[in] keeps_color whether the input's colors stay, where it has any
  * \throws WorkError if it cannot be written */
 void
 saveLabelledCloud (const std::string& file,

@@ -14,12 +14,12 @@
 namespace pcl_ops::apps {
 
 /** \brief Writes a PNG with two views of a cloud side by side: left each plane in its
- * own colour, right in the colour of its orientation class; grey for no plane. Needs no
+ * own color, right in the color of its orientation class; gray for no plane. Needs no
  * display.
  * \param[in] cloud with the sensor's pose, from whose side it is seen (\ref chooseView)
  * \param[in] labels per point: 0 for no plane, else its position in \p planes plus 1
  * \param[in] up direction against gravity
- * \param[in] ids of the planes, which have their colours by them; empty: 1, 2, ...
+ * \param[in] ids of the planes, which have their colors by them; empty: 1, 2, ...
  * \throws WorkError if the file cannot be written */
 void
 savePicture (const std::string& file,

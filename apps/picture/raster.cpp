@@ -22,7 +22,7 @@ constexpr int part = 16;
 
 using Offset = std::pair<int, int>;
 
-constexpr std::array<Offset, 8> neighbours = {
+constexpr std::array<Offset, 8> neighbors = {
     {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 
 struct Dot {
@@ -124,15 +124,14 @@ forEachInnerPixel (const Raster& raster, Visit&& visit)
 {
   for (int row = 1; row + 1 < raster.height; ++row)
     for (int column = 1; column + 1 < raster.width; ++column) {
-      std::array<std::size_t, neighbours.size()> around{};
+      std::array<std::size_t, neighbors.size()> around{};
       for (std::size_t i = 0; i < around.size(); ++i)
-        around[i] =
-            raster.at (column + neighbours[i].first, row + neighbours[i].second);
+        around[i] = raster.at (column + neighbors[i].first, row + neighbors[i].second);
       visit (raster.at (column, row), around);
     }
 }
 
-/** \brief Gives empty pixels that most neighbours surround the nearest of those. */
+/** \brief Gives empty pixels that most neighbors surround the nearest of those. */
 void
 closeHoles (Raster& raster)
 {
@@ -190,10 +189,10 @@ shadeDepths (const Raster& raster)
     if (raster.points[pixel] == Raster::nothing)
       return;
     float obscurance = 0.0f;
-    for (const std::size_t neighbour : around)
-      if (raster.depths[neighbour] < raster.depths[pixel])
+    for (const std::size_t neighbor : around)
+      if (raster.depths[neighbor] < raster.depths[pixel])
         obscurance += std::min (
-            std::log (raster.depths[pixel] / raster.depths[neighbour]), largest_step);
+            std::log (raster.depths[pixel] / raster.depths[neighbor]), largest_step);
     brightness[pixel] =
         std::exp (-strength * obscurance / static_cast<float> (around.size()) * 2.0f);
   });

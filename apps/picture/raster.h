@@ -41,7 +41,7 @@ drawPoints (const XyzCloud& cloud,
             int height,
             const std::function<bool (pcl::index_t)>& is_shown);
 
-/** \brief Brightness of each pixel, 0 to 1: pixels behind a near neighbour are darker,
+/** \brief Brightness of each pixel, 0 to 1: pixels behind a near neighbor are darker,
  * which brings out edges and shape (eye-dome lighting; Boucheny, PhD thesis, Universite
  * Joseph Fourier, 2009). */
 std::vector<float>

@@ -154,7 +154,8 @@ statusText (const std::string& file,
   text << std::filesystem::path (file).filename().string() << ", "
        << found.labels.size() << " points\n"
        << methodCalled (state.method).title << ", " << state.preset << " preset\n"
-       << found.planes.size() << " planes" << (state.merging ? "" : " before merging");
+       << found.planes.size() << (found.planes.size() == 1 ? " plane" : " planes")
+       << (state.merging ? "" : " before merging");
   if (!found.notes.empty())
     text << "\n" << found.notes;
   if (state.selected != 0)

@@ -38,7 +38,7 @@ struct PlaneRefitParameters {
 struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
   /** \brief Steps of the accumulator from pole to pole. */
   int phi_num = 30;
-  /** \brief Steps of the accumulator from its centre to the farthest point. */
+  /** \brief Steps of the accumulator from its center to the farthest point. */
   int rho_num = 300;
   /** \brief Minimum samples, s_level, s_alpha and s_beta. The published s_level 5 and
    * s_alpha 25 lose the surfaces of noisy clouds: 3 and 15 are the defaults here. */
@@ -78,7 +78,7 @@ detectPlanes (const DetectorInput& input,
  * decided by the planes' order. The defaults fit the planes to their clusters, end them
  * where the clusters do and merge planes as all detectors of this library do.
  *
- * It needs no neighbour search and draws no random numbers: \c setSearchMethod and
+ * It needs no neighbor search and draws no random numbers: \c setSearchMethod and
  * \c setSeed change nothing.
  *
  * \code
@@ -120,7 +120,7 @@ public:
     return parameters_.phi_num;
   }
 
-  /** \brief rho_num: steps of the accumulator from its centre outwards, 2 .. 10000. */
+  /** \brief rho_num: steps of the accumulator from its center outwards, 2 .. 10000. */
   void
   setRhoNum (int rho_num)
   {

@@ -62,13 +62,13 @@ public:
   std::uint32_t
   at (int row, double theta) const;
 
-  /** \brief The polar angle and azimuth of a direction's centre [rad]. */
+  /** \brief The polar angle and azimuth of a direction's center [rad]. */
   double
   phiOf (std::uint32_t direction) const;
   double
   thetaOf (std::uint32_t direction) const;
 
-  /** \brief The unit vector of a direction's centre. */
+  /** \brief The unit vector of a direction's center. */
   Eigen::Vector3d
   vectorOf (std::uint32_t direction) const;
 
@@ -91,7 +91,7 @@ private:
   std::vector<std::uint16_t> rows_;
 };
 
-/** \brief Planes as (direction of the normal, distance rho from the ball's centre). */
+/** \brief Planes as (direction of the normal, distance rho from the ball's center). */
 struct HoughSpace {
   BallDirections directions;
   int rho_num = 0;

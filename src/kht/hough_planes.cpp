@@ -46,7 +46,7 @@ Moments
 momentsOf (const ClusterList& clusters, const OctreeClusters& found)
 {
   Moments moments;
-  moments.origin = found.root.centre;
+  moments.origin = found.root.center;
   for (const std::uint32_t cluster : clusters)
     moments += found.clusters[cluster].moments;
   return moments;
@@ -131,7 +131,7 @@ kernelOf (const CoplanarCluster& cluster, const OctreeClusters& found)
   return planeKernel (cluster.fit.plane,
                       cluster.fit.centroid,
                       cluster.moments.covariance(),
-                      found.root.centre,
+                      found.root.center,
                       clusterWeight (cluster, found));
 }
 
@@ -147,7 +147,7 @@ voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num)
   std::vector<HoughPlane> planes;
   for (HoughPeak& peak : accumulator.peaks()) {
     const Eigen::Vector3d normal = space.directions.vectorOf (peak.direction);
-    const Eigen::Vector3d nearest = found.root.centre + space.rhoOf (peak.bin) * normal;
+    const Eigen::Vector3d nearest = found.root.center + space.rhoOf (peak.bin) * normal;
     planes.push_back ({planeThrough (nearest, normal), std::move (peak.voters)});
   }
   std::vector<HoughPlane> sorted;

@@ -23,14 +23,14 @@ struct HoughPlane {
 double
 clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& found);
 
-/** \brief The kernel a cluster votes with, in a ball around the root's centre. */
+/** \brief The kernel a cluster votes with, in a ball around the root's center. */
 PlaneKernel
 kernelOf (const CoplanarCluster& cluster, const OctreeClusters& found);
 
 /** \brief The planes that clusters agree on: each votes in an accumulator ball around
  * the cloud's centroid, and peaks are planes (Limberger & Oliveira 2015, sections 3.2
  * to 3.4). \param[in] found the clusters \param[in] phi_num, rho_num steps of the
- * accumulator from pole to pole and outwards \return the planes at their bins' centres,
+ * accumulator from pole to pole and outwards \return the planes at their bins' centers,
  * in the frame of the points, by the falling sum of their clusters' weights; they share
  * clusters */
 std::vector<HoughPlane>

@@ -14,7 +14,7 @@ namespace {
 constexpr double largest_squared_distance = 4.0;
 
 // Votes go no farther than this from the middle of a row and a ray [bins]. Without
-// noise to speak of a plane through the centre has kernels that reach all directions,
+// noise to speak of a plane through the center has kernels that reach all directions,
 // and votes everywhere are votes for nothing: to end them here finds a little more,
 // too.
 constexpr double most_directions = 8.0;

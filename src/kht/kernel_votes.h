@@ -26,17 +26,17 @@ struct KernelVotes {
   std::vector<float> values;
 };
 
-/** \brief Votes for the bins whose centre lies within two standard deviations of a
+/** \brief Votes for the bins whose center lies within two standard deviations of a
  * kernel, within the ellipsoid on which its density is g_min = exp (-2) of its peak,
  * and within 8 directions and 32 bins of rho, so that no kernel costs more than some
  * 20,000.
  *
- * The vote is weight times the density at the bin's centre. The kernel's own bin gets
- * at least the vote weight g_min, so that a kernel that lies between bin centres is not
+ * The vote is weight times the density at the bin's center. The kernel's own bin gets
+ * at least the vote weight g_min, so that a kernel that lies between bin centers is not
  * lost. Rows beyond a pole are those of the pole's other side, half a turn on; negative
  * rho is positive rho in the opposite direction; votes beyond the last rho are dropped.
  * A kernel counts once per bin, with its largest vote: where its votes meet themselves
- * around a pole or the centre, the smaller is 0.
+ * around a pole or the center, the smaller is 0.
  * \param[in] kernel a kernel with a positive definite covariance; others have no votes
  * \param[in] space the bins
  * \param[out] votes overwritten; its memory is used again */

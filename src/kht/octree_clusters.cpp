@@ -23,16 +23,16 @@ constexpr int most_start_level = 2;
 
 using OctantBegins = std::array<std::uint32_t, 9>;
 
-/** Moments about the centre of the root, so that those of nodes can be added. */
+/** Moments about the center of the root, so that those of nodes can be added. */
 Moments
 momentsOf (const Coordinates& points, const OctreeNode& node, const RootCube& root)
 {
   Moments moments;
-  moments.origin = root.centre;
+  moments.origin = root.center;
   for (std::uint32_t i = node.begin; i < node.end; ++i)
-    moments.add (points.x[i] - root.centre.x(),
-                 points.y[i] - root.centre.y(),
-                 points.z[i] - root.centre.z());
+    moments.add (points.x[i] - root.center.x(),
+                 points.y[i] - root.center.y(),
+                 points.z[i] - root.center.z());
   return moments;
 }
 
@@ -96,7 +96,7 @@ private:
                                     octant & 4u ? quarter : -quarter);
       const OctreeNode child{begins[octant],
                              begins[octant + 1],
-                             node.centre + offset,
+                             node.center + offset,
                              node.edge / 2.0,
                              node.level + 1};
       if (child.size() >= parameters_.min_samples)
@@ -163,11 +163,11 @@ private:
   sortIntoOctants (const OctreeNode& node)
   {
     const std::size_t size = node.size();
-    const Eigen::Vector3f centre = node.centre.cast<float>();
+    const Eigen::Vector3f center = node.center.cast<float>();
     octants_.resize (size);
     sorted_.resize (size);
     for (std::size_t i = 0; i < size; ++i)
-      octants_[i] = octantOf (node.begin + i, centre);
+      octants_[i] = octantOf (node.begin + i, center);
     OctantBegins begins;
     findBegins (octants_, begins);
     forPlaces (octants_, begins, [&] (std::size_t i, std::uint32_t place) {
@@ -181,11 +181,11 @@ private:
   }
 
   std::uint8_t
-  octantOf (std::size_t i, const Eigen::Vector3f& centre) const
+  octantOf (std::size_t i, const Eigen::Vector3f& center) const
   {
-    return static_cast<std::uint8_t> ((points_.x[i] >= centre.x() ? 1u : 0u) |
-                                      (points_.y[i] >= centre.y() ? 2u : 0u) |
-                                      (points_.z[i] >= centre.z() ? 4u : 0u));
+    return static_cast<std::uint8_t> ((points_.x[i] >= center.x() ? 1u : 0u) |
+                                      (points_.y[i] >= center.y() ? 2u : 0u) |
+                                      (points_.z[i] >= center.z() ? 4u : 0u));
   }
 
   SortedOctree& octree_;

@@ -8,7 +8,7 @@
 namespace pcl_ops::internal {
 namespace {
 
-// Keeps the Jacobian finite at the poles and for planes through the centre [m^2].
+// Keeps the Jacobian finite at the poles and for planes through the center [m^2].
 constexpr double smallest_squared_distance = 1e-5;
 
 // Added to the variance of rho [m^2].
@@ -20,10 +20,10 @@ PlaneKernel
 planeKernel (const Plane& plane,
              const Eigen::Vector3d& centroid,
              const Eigen::Matrix3d& covariance,
-             const Eigen::Vector3d& centre,
+             const Eigen::Vector3d& center,
              double weight)
 {
-  const double signed_rho = (centroid - centre).dot (plane.normal);
+  const double signed_rho = (centroid - center).dot (plane.normal);
   const Eigen::Vector3d normal =
       signed_rho < 0.0 ? Eigen::Vector3d (-plane.normal) : plane.normal;
   const double rho = std::abs (signed_rho);

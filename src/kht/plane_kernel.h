@@ -22,13 +22,13 @@ struct PlaneKernel {
  * \param[in] plane the points' plane; the sign of its normal means nothing
  * \param[in] centroid the points' centroid
  * \param[in] covariance Sigma_xyz, the points' population covariance
- * \param[in] centre centre of the ball, in the same frame
+ * \param[in] center center of the ball, in the same frame
  * \param[in] weight factor of its density */
 PlaneKernel
 planeKernel (const Plane& plane,
              const Eigen::Vector3d& centroid,
              const Eigen::Matrix3d& covariance,
-             const Eigen::Vector3d& centre,
+             const Eigen::Vector3d& center,
              double weight);
 
 } // namespace pcl_ops::internal

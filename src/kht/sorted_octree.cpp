@@ -100,7 +100,7 @@ mortonCodes (const Coordinates& points, const RootCube& root, int level)
   const auto spread = spreadBits();
   const int leaves = 1 << level;
   const auto scale = static_cast<float> (leaves / root.edge);
-  const Eigen::Vector3f centre = root.centre.cast<float>();
+  const Eigen::Vector3f center = root.center.cast<float>();
   const auto half = static_cast<float> (leaves / 2.0);
   const auto last = static_cast<float> (leaves - 1);
   const auto leaf = [last, scale, half] (float value, float middle) {
@@ -111,9 +111,9 @@ mortonCodes (const Coordinates& points, const RootCube& root, int level)
   for (std::size_t i = 0; i < codes.size(); ++i)
     if (root.holds (points[i]))
       codes[i] =
-          static_cast<std::uint16_t> (spread[leaf (points.x[i], centre.x())] |
-                                      (spread[leaf (points.y[i], centre.y())] << 1) |
-                                      (spread[leaf (points.z[i], centre.z())] << 2));
+          static_cast<std::uint16_t> (spread[leaf (points.x[i], center.x())] |
+                                      (spread[leaf (points.y[i], center.y())] << 1) |
+                                      (spread[leaf (points.z[i], center.z())] << 2));
   return codes;
 }
 
@@ -153,14 +153,14 @@ rootCubeOf (const Coordinates& points)
       box.extend (point);
       ++count;
     }
-  root.centre = sum / static_cast<double> (count);
+  root.center = sum / static_cast<double> (count);
   const double edge =
-      2.0 * (box.max() - root.centre).cwiseMax (root.centre - box.min()).maxCoeff();
+      2.0 * (box.max() - root.center).cwiseMax (root.center - box.min()).maxCoeff();
   root.edge = box.max() == box.min() || edge < smallest_edge ? 0.0 : edge;
   double squared_radius = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (const Eigen::Vector3d point = points[i]; root.holds (point))
-      squared_radius = std::max (squared_radius, (point - root.centre).squaredNorm());
+      squared_radius = std::max (squared_radius, (point - root.center).squaredNorm());
   root.radius = std::sqrt (squared_radius);
   return root;
 }
@@ -173,10 +173,10 @@ SortedOctree::node (int node_level, std::size_t code) const
                                      gatherBits (code, 1) + 0.5,
                                      gatherBits (code, 2) + 0.5);
   const Eigen::Vector3d half_root = Eigen::Vector3d::Constant (root.edge / 2.0);
-  const Eigen::Vector3d centre = root.centre - half_root + edge * from_corner;
+  const Eigen::Vector3d center = root.center - half_root + edge * from_corner;
   const int shift = 3 * (level - node_level);
   return OctreeNode{
-      begins[code << shift], begins[(code + 1) << shift], centre, edge, node_level};
+      begins[code << shift], begins[(code + 1) << shift], center, edge, node_level};
 }
 
 SortedOctree

@@ -13,17 +13,17 @@ namespace pcl_ops::internal {
 /** \brief The cube an octree starts from. */
 struct RootCube {
   /** \brief Centroid of the points that are not far from all others. */
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  /** \brief 2 max |coordinate about the centre| of these points [m]; 0 for points that
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  /** \brief 2 max |coordinate about the center| of these points [m]; 0 for points that
    * are all equal. */
   double edge = 0.0;
-  /** \brief Largest distance to the centre of a point in the cube [m]. */
+  /** \brief Largest distance to the center of a point in the cube [m]. */
   double radius = 0.0;
 
   bool
   holds (const Eigen::Vector3d& point) const
   {
-    return (point - centre).cwiseAbs().maxCoeff() <= edge / 2.0;
+    return (point - center).cwiseAbs().maxCoeff() <= edge / 2.0;
   }
 };
 
@@ -58,7 +58,7 @@ struct PermutedPoints : Coordinates {
 /** \brief A range of points in a cube: a node of the octree. */
 struct OctreeNode {
   std::uint32_t begin = 0, end = 0;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
   /** \brief Length of its edge [m]. */
   double edge = 0.0;
   /** \brief 0 for the root. */

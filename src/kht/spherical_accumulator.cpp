@@ -9,7 +9,7 @@ namespace pcl_ops::internal {
 namespace {
 
 constexpr float own_weight = 0.2f;
-constexpr float neighbour_weight = 0.1333f;
+constexpr float neighbor_weight = 0.1333f;
 
 /** Whether bins are the highest within two steps, between them the seams of the ball.
  */
@@ -19,12 +19,12 @@ public:
   : heights_ (heights)
   , directions_ (directions)
   , around_ (directions.size())
-  , centred_around_ (directions.size())
+  , centered_around_ (directions.size())
   {
     for (const std::uint32_t direction : heights.directions()) {
       around_[direction] = directions.around (direction);
       for (const std::uint32_t other : around_[direction])
-        centred_around_[other].push_back (direction);
+        centered_around_[other].push_back (direction);
     }
   }
 
@@ -38,7 +38,7 @@ public:
       if (!isHighestOf (near, candidate))
         return false;
     for (const std::uint32_t near : around_[direction])
-      for (const std::uint32_t overlapping : centred_around_[near])
+      for (const std::uint32_t overlapping : centered_around_[near])
         if (!isHighestOf (overlapping, candidate))
           return false;
     return true;
@@ -75,7 +75,7 @@ private:
   const BallColumns& heights_;
   const BallDirections& directions_;
   std::vector<std::vector<std::uint32_t>> around_;
-  std::vector<std::vector<std::uint32_t>> centred_around_;
+  std::vector<std::vector<std::uint32_t>> centered_around_;
 };
 
 } // namespace
@@ -99,7 +99,7 @@ BallColumns::write (std::uint32_t direction, Range range)
 }
 
 void
-BallColumns::mirrorCentre (const BallDirections& directions)
+BallColumns::mirrorCenter (const BallDirections& directions)
 {
   const std::vector<std::uint32_t> with_column = directions_;
   for (const std::uint32_t direction : with_column) {
@@ -143,14 +143,14 @@ SphericalAccumulator::smoothedVotes() const
     const BallColumns::Range range = votes_.rangeOf (direction);
     float* result = smoothed.write (direction, range);
     for (int bin = range.begin; bin < range.end; ++bin) {
-      const float neighbours =
+      const float neighbors =
           own[bin - 1] + own[bin + 1] + north[bin] + south[bin] + west[bin] + east[bin];
-      const float sum = own_weight * own[bin] + neighbour_weight * neighbours;
+      const float sum = own_weight * own[bin] + neighbor_weight * neighbors;
       result[bin] = own[bin] > 0.0f ? sum : 0.0f;
     }
     if (own[0] > 0.0f)
       result[0] +=
-          neighbour_weight * votes_.read (space_.directions.opposite (direction))[0];
+          neighbor_weight * votes_.read (space_.directions.opposite (direction))[0];
   }
   return smoothed;
 }
@@ -159,7 +159,7 @@ std::vector<HoughPeak>
 SphericalAccumulator::peaks() const
 {
   BallColumns heights = smoothedVotes();
-  heights.mirrorCentre (space_.directions);
+  heights.mirrorCenter (space_.directions);
   const PeakTest test (heights, space_.directions);
   std::vector<HoughPeak> peaks;
   for (const std::uint32_t direction : votes_.directions()) {

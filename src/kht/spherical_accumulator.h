@@ -16,7 +16,7 @@ namespace pcl_ops::internal {
 class BallColumns {
 public:
   /** \brief Bins beyond either end of a column that may be read as well: those below 0
-   * are the opposite column's, once \ref mirrorCentre has been called. */
+   * are the opposite column's, once \ref mirrorCenter has been called. */
   static constexpr int margin = 2;
 
   /** \brief The bins of a direction that may be other than 0, margins left out. */
@@ -52,9 +52,9 @@ public:
     return directions_;
   }
 
-  /** \brief Copies what lies next to the centre into the opposite column's margin. */
+  /** \brief Copies what lies next to the center into the opposite column's margin. */
   void
-  mirrorCentre (const BallDirections& directions);
+  mirrorCenter (const BallDirections& directions);
 
 private:
   struct Column {
@@ -102,7 +102,7 @@ public:
   }
 
   /** \brief The peaks, highest first. Votes are smoothed (0.2 of a bin's own and 0.1333
-   * of each of its six neighbours'). Bins with votes are then walked from the highest
+   * of each of its six neighbors'). Bins with votes are then walked from the highest
    * down and the 3 x 3 x 3 bins around each are marked; a bin is a peak if nothing
    * around it was marked before. That is so if it is the highest of all bins whose
    * surroundings meet its own, which is how it is found here, without sorting the bins.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/planar_area.h"
-#include "keyholes.h"
+#include "hole_bridges.h"
 #include <pcl_ops/surface/triangulation.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ nextPlace (const Numbers& ring, std::size_t from, Test&& holds)
   return {};
 }
 
-/** \brief Cuts a ring that may touch itself, as one through keyholes does, into
+/** \brief Cuts a ring that may touch itself, as one with bridges does, into
  * triangles: takes ears off, corners whose triangle has no other corner in it
  * (Meisters, Polygons have ears, 1975). VTK's triangle filter refuses such rings, its
  * contour triangulator and Delaunay filter lose parts of outlines with many holes.
@@ -109,7 +109,7 @@ triangulateRings (const PlanarRings& rings)
     area += areaOf (ring);
   }
   const std::vector<Triangle> triangles =
-      clipEars (throughKeyholes (filled, corners), corners);
+      clipEars (joinByBridges (filled, corners), corners);
   double covered = 0.0;
   for (const auto& [a, b, c] : triangles)
     covered += 0.5 * twiceTheArea (corners[a], corners[b], corners[c]);

@@ -36,7 +36,7 @@ TEST (BallDirections, HaveOnePatchOnEachPole)
   EXPECT_EQ (ball.vectorOf (0), Eigen::Vector3d::UnitZ());
 }
 
-TEST (BallDirections, HoldTheirOwnCentres)
+TEST (BallDirections, HoldTheirOwnCenters)
 {
   for (const int phi_num : sizes) {
     const BallDirections ball (phi_num);

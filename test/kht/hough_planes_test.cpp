@@ -67,7 +67,7 @@ TEST (HoughPlanes, AreVotedForWithinABin)
     EXPECT_TRUE (hasPlaneOf (surface, planes, 4_deg, 3_cm));
 }
 
-// Its centroid, the ball's centre, lies on it: no distance tells its direction.
+// Its centroid, the ball's center, lies on it: no distance tells its direction.
 TEST (HoughPlanes, OfOneExactPlaneCostNoMoreThanThoseOfARoom)
 {
   Coordinates plane;

@@ -46,7 +46,7 @@ planesOf (const LabelledScene& scene, const Parameters& parameters)
   return planes;
 }
 
-/** Which surface a plane is: within an angle and a distance from its centre; or -1. */
+/** Which surface a plane is: within an angle and a distance from its center; or -1. */
 int
 surfaceOf (const PlaneSegment& plane,
            const LabelledScene& scene,
@@ -143,7 +143,7 @@ TEST (KernelHoughTransform, CountsPlanesBeforeAnyWereMerged)
   EXPECT_GE (kht.getNumberOfPlanesBeforeMerging(), 6u);
 }
 
-TEST (KernelHoughTransform, LeavesPublishedPlanesAtBinCentres)
+TEST (KernelHoughTransform, LeavesPublishedPlanesAtBinCenters)
 {
   const BallDirections directions (30);
   for (const PlaneSegment& plane : planesOf (box(), published (30, 300))) {
@@ -168,7 +168,7 @@ TEST (KernelHoughTransform, MeasuresDistancesToThePublishedPlane)
     EXPECT_NEAR (plane.rms(), std::sqrt (squares / plane.moments.count), 1e-6);
     farthest = std::max (farthest, plane.rms());
   }
-  EXPECT_GT (farthest, 1_cm) << "of surfaces that lie beside the centre of their bin";
+  EXPECT_GT (farthest, 1_cm) << "of surfaces that lie beside the center of their bin";
 }
 
 TEST (KernelHoughTransform, DoesNotMindOneStrayReturn)

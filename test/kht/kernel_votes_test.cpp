@@ -66,7 +66,7 @@ leastVote (const PlaneKernel& kernel)
 }
 
 Eigen::Vector3d
-centreOf (const Bin& bin)
+centerOf (const Bin& bin)
 {
   return Eigen::Vector3d (space.rhoOf (bin.second),
                           space.directions.phiOf (bin.first),
@@ -87,16 +87,16 @@ widthOf (const Bin& bin)
 double
 largestDensity (const PlaneKernel& kernel, const Bin& bin)
 {
-  const Eigen::Vector3d centre = centreOf (bin);
+  const Eigen::Vector3d center = centerOf (bin);
   double largest = 0.0;
   for (int turn = -2; turn <= 2; ++turn) {
-    const double theta = centre[2] + 2.0 * pi * turn;
+    const double theta = center[2] + 2.0 * pi * turn;
     for (const Eigen::Vector2d& angles :
-         {Eigen::Vector2d (centre[1], theta),
-          Eigen::Vector2d (-centre[1], theta + pi),
-          Eigen::Vector2d (2.0 * pi - centre[1], theta + pi)})
+         {Eigen::Vector2d (center[1], theta),
+          Eigen::Vector2d (-center[1], theta + pi),
+          Eigen::Vector2d (2.0 * pi - center[1], theta + pi)})
       largest = std::max (
-          largest, density (kernel, Eigen::Vector3d (centre[0], angles[0], angles[1])));
+          largest, density (kernel, Eigen::Vector3d (center[0], angles[0], angles[1])));
   }
   return largest;
 }
@@ -169,7 +169,7 @@ TEST (KernelVotes, MeetAPoleAtItsLikeliestAzimuth)
   EXPECT_NEAR (votesOf (kernel).at ({0, 100}), expected, 1e-2 * expected);
 }
 
-TEST (KernelVotes, GoOnAtTheOtherSideOfTheCentre)
+TEST (KernelVotes, GoOnAtTheOtherSideOfTheCenter)
 {
   const PlaneKernel kernel = kernelAt (0.015, 1.5, 2.0);
   const std::map<Bin, double> votes = votesOf (kernel);
@@ -200,7 +200,7 @@ TEST (KernelVotes, CountOncePerBin)
   }
 }
 
-TEST (KernelVotes, OfAKernelBetweenBinCentresGoToItsOwnBin)
+TEST (KernelVotes, OfAKernelBetweenBinCentersGoToItsOwnBin)
 {
   PlaneKernel kernel = kernelAt (1.0012, 1.2, 2.0);
   kernel.covariance *= 1e-6;

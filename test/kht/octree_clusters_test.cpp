@@ -16,12 +16,12 @@ const Surface tilted{{0.0, 0.0, 0.0}, {2.0, 0.0, 1.0}, {0.0, 2.0, 0.5}};
 const Surface ground{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
 const Surface wall{{0.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, 0.0, 2.0}};
 
-/** Centre of the octree leaf the cluster lies in. */
+/** Center of the octree leaf the cluster lies in. */
 Eigen::Vector3d
-cellCentreOf (const OctreeClusters& found, const CoplanarCluster& cluster)
+cellCenterOf (const OctreeClusters& found, const CoplanarCluster& cluster)
 {
   const Eigen::Vector3d corner =
-      found.root.centre - Eigen::Vector3d::Constant (found.root.edge / 2.0);
+      found.root.center - Eigen::Vector3d::Constant (found.root.edge / 2.0);
   const Eigen::Vector3d leaf = (cluster.fit.centroid - corner) / cluster.edge;
   return corner + cluster.edge * (leaf.array().floor() + 0.5).matrix();
 }
@@ -53,9 +53,9 @@ TEST (OctreeClusters, HoldThePointsOfOneCell)
   const OctreeClusters found = clustersOf (points, 3);
   constexpr double rounding = 1e-5;
   for (const CoplanarCluster& cluster : found.clusters) {
-    const Eigen::Vector3d centre = cellCentreOf (found, cluster);
+    const Eigen::Vector3d center = cellCenterOf (found, cluster);
     for (std::uint32_t i = cluster.begin; i < cluster.end; ++i)
-      EXPECT_LE ((found.points[i] - centre).cwiseAbs().maxCoeff(),
+      EXPECT_LE ((found.points[i] - center).cwiseAbs().maxCoeff(),
                  cluster.edge / 2.0 + rounding);
   }
 }

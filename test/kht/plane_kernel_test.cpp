@@ -14,7 +14,7 @@ namespace {
 
 using pcl_ops::planeThrough;
 
-/** rho, phi and theta of the plane whose point nearest to the centre is p. */
+/** rho, phi and theta of the plane whose point nearest to the center is p. */
 Eigen::Vector3d
 sphericalOf (const Eigen::Vector3d& p)
 {
@@ -35,9 +35,9 @@ jacobianAt (const Eigen::Vector3d& p)
   return jacobian;
 }
 
-const Eigen::Vector3d centre (1.0, 2.0, 3.0);
+const Eigen::Vector3d center (1.0, 2.0, 3.0);
 const Eigen::Vector3d normal = Eigen::Vector3d (0.3, -0.5, 0.7).normalized();
-const Eigen::Vector3d centroid = centre + Eigen::Vector3d (1.0, 0.2, 0.9);
+const Eigen::Vector3d centroid = center + Eigen::Vector3d (1.0, 0.2, 0.9);
 
 Eigen::Matrix3d
 someCovariance ()
@@ -51,14 +51,14 @@ PlaneKernel
 kernelOf (const Eigen::Vector3d& with_normal)
 {
   return planeKernel (
-      planeThrough (centroid, with_normal), centroid, someCovariance(), centre, 0.5);
+      planeThrough (centroid, with_normal), centroid, someCovariance(), center, 0.5);
 }
 
 } // namespace
 
-TEST (PlaneKernel, LiesAtThePlaneSeenFromTheCentre)
+TEST (PlaneKernel, LiesAtThePlaneSeenFromTheCenter)
 {
-  const double rho = (centroid - centre).dot (normal);
+  const double rho = (centroid - center).dot (normal);
   EXPECT_LT ((kernelOf (normal).mean - sphericalOf (rho * normal)).norm(), 1e-12);
   EXPECT_EQ (kernelOf (normal).weight, 0.5);
 }
@@ -71,22 +71,22 @@ TEST (PlaneKernel, DoesNotDependOnTheNormalsSign)
 
 TEST (PlaneKernel, CarriesThePointsCovarianceOver)
 {
-  const Eigen::Vector3d p = (centroid - centre).dot (normal) * normal;
+  const Eigen::Vector3d p = (centroid - center).dot (normal) * normal;
   const Eigen::Matrix3d jacobian = jacobianAt (p);
   Eigen::Matrix3d expected = jacobian * someCovariance() * jacobian.transpose();
   expected (0, 0) += 1e-5;
   EXPECT_LT ((kernelOf (normal).covariance - expected).norm(), 1e-6 * expected.norm());
 }
 
-TEST (PlaneKernel, IsFiniteAtThePolesAndThroughTheCentre)
+TEST (PlaneKernel, IsFiniteAtThePolesAndThroughTheCenter)
 {
   for (const Eigen::Vector3d& direction : {Eigen::Vector3d::UnitZ().eval(),
                                            Eigen::Vector3d (-Eigen::Vector3d::UnitZ()),
                                            normal})
     for (const double rho : {1.0, 0.0}) {
-      const Eigen::Vector3d point = centre + rho * direction;
+      const Eigen::Vector3d point = center + rho * direction;
       const PlaneKernel kernel = planeKernel (
-          planeThrough (point, direction), point, someCovariance(), centre, 1.0);
+          planeThrough (point, direction), point, someCovariance(), center, 1.0);
       EXPECT_TRUE (kernel.mean.allFinite());
       EXPECT_GT (kernel.covariance.determinant(), 0.0);
     }

@@ -23,7 +23,7 @@ cornersOfACube ()
 TEST (RootCube, HoldsAllPointsAroundTheirCentroid)
 {
   const RootCube root = rootCubeOf (cornersOfACube());
-  EXPECT_EQ (root.centre, Eigen::Vector3d (2, 2, 2));
+  EXPECT_EQ (root.center, Eigen::Vector3d (2, 2, 2));
   EXPECT_EQ (root.edge, 2.0);
   EXPECT_NEAR (root.radius, std::sqrt (3.0), 1e-6);
 }
@@ -35,7 +35,7 @@ TEST (RootCube, IsThatOfAllOthersWhereOnePointIsFarAway)
     Coordinates points = cornersOfACube();
     points.add (far, far, far);
     const RootCube root = rootCubeOf (points);
-    EXPECT_EQ (root.centre, alone.centre) << far;
+    EXPECT_EQ (root.center, alone.center) << far;
     EXPECT_EQ (root.edge, alone.edge) << far;
     EXPECT_EQ (root.radius, alone.radius) << far;
   }
@@ -76,7 +76,7 @@ TEST (SortedOctree, HasNodesWithTheirPoints)
   EXPECT_EQ (octree.node (0, 0).edge, 2.0);
   EXPECT_EQ (octree.node (1, 1).size(), 1u);
   EXPECT_EQ (octree.node (1, 1).edge, 1.0);
-  EXPECT_TRUE (octree.node (1, 1).centre.isApprox (Eigen::Vector3d (2.5, 1.5, 1.5)));
+  EXPECT_TRUE (octree.node (1, 1).center.isApprox (Eigen::Vector3d (2.5, 1.5, 1.5)));
 }
 
 TEST (SortedOctree, HasNoNodeForAPointOutsideItsRoot)

@@ -50,15 +50,15 @@ votesOf (const SphericalAccumulator& accumulator, std::uint32_t direction, int b
 float
 smoothed (const SphericalAccumulator& accumulator, const Bin& bin)
 {
-  float neighbours = votesOf (accumulator, bin.first, bin.second - 1) +
-                     votesOf (accumulator, bin.first, bin.second + 1);
+  float neighbors = votesOf (accumulator, bin.first, bin.second - 1) +
+                    votesOf (accumulator, bin.first, bin.second + 1);
   for (const std::uint32_t side : space.directions.beside (bin.first))
-    neighbours += votesOf (accumulator, side, bin.second);
-  return 0.2f * votesOf (accumulator, bin.first, bin.second) + 0.1333f * neighbours;
+    neighbors += votesOf (accumulator, side, bin.second);
+  return 0.2f * votesOf (accumulator, bin.first, bin.second) + 0.1333f * neighbors;
 }
 
 /** Sorts all bins and walks them, marking those around each, as the method was
- * published. Only for votes away from the centre. */
+ * published. Only for votes away from the center. */
 std::set<Bin>
 peaksByWalking (const SphericalAccumulator& accumulator)
 {
@@ -101,7 +101,7 @@ TEST (SphericalAccumulator, AddsVotesUp)
   EXPECT_EQ (accumulator.votesOf (6, 10), 0.0f);
 }
 
-TEST (SphericalAccumulator, PeaksWhereAKernelIsCentred)
+TEST (SphericalAccumulator, PeaksWhereAKernelIsCenterd)
 {
   SphericalAccumulator accumulator (space);
   const std::uint32_t direction = space.directions.at (5, 1.0);
@@ -111,7 +111,7 @@ TEST (SphericalAccumulator, PeaksWhereAKernelIsCentred)
   EXPECT_EQ (binsOf (accumulator.peaks()), (std::set<Bin>{{direction, 20}}));
 }
 
-TEST (SphericalAccumulator, PeaksOnceForAKernelAcrossTheCentre)
+TEST (SphericalAccumulator, PeaksOnceForAKernelAcrossTheCenter)
 {
   SphericalAccumulator accumulator (space);
   accumulator.add (votesOfKernelAt (0.01, 1.3, 1.0), 0);
@@ -175,7 +175,7 @@ TEST (SphericalAccumulator, RemembersWhoVotedAroundAPeak)
   EXPECT_EQ (peaks[1].voters, (std::vector<std::uint32_t>{2}));
 }
 
-TEST (SphericalAccumulator, RemembersVotersAtTheOtherSideOfTheCentre)
+TEST (SphericalAccumulator, RemembersVotersAtTheOtherSideOfTheCenter)
 {
   SphericalAccumulator accumulator (space);
   accumulator.add (votesFor ({40, 0}, {5.0f}), 0);

@@ -7,7 +7,7 @@
 namespace pcl_ops {
 
 /** \brief The concave outline of points in a plane and its holes, by pcl::ConcaveHull:
- * the edges of the triangles between neighbouring points that have a circumscribed
+ * the edges of the triangles between neighboring points that have a circumscribed
  * circle of radius alpha at most (alpha shape of Edelsbrunner, Kirkpatrick & Seidel, On
  * the shape of a set of points in the plane, 1983).
  *
@@ -17,7 +17,7 @@ namespace pcl_ops {
  * a hole are no hole in it. Points clearly inside are thinned first.
  * \param[in] points in any order; those with a NaN or infinite coordinate are left out
  * \param[in] alpha the radius to begin with [m]; 0: six times the mean distance between
- * neighbouring points
+ * neighboring points
  * \return the holes by falling area; empty where the points span no area */
 PCL_OPS_EXPORT PlanarRings
 concaveOutline (const PlanarPoints& points, double alpha = 0.0);

@@ -20,8 +20,8 @@ using Triangle = std::array<std::size_t, 3>;
 PCL_OPS_EXPORT std::vector<Triangle>
 triangulate (const PlanarPoints& outline);
 
-/** \brief As \ref triangulate, of an outline with holes, by ears off a ring through
- * keyholes: bridges to the nearest corners in sight make one ring of all, whose ears
+/** \brief As \ref triangulate, of an outline with holes, by ears off a ring with
+ * bridges: those to the nearest corners in sight make one ring of all, whose ears
  * are cut off (Meisters, *Polygons have ears*, American Mathematical Monthly 82, 1975;
  * Eberly, *Triangulation by ear clipping*, Geometric Tools, 2002).
  * \param[in] rings the outline counter-clockwise, then holes clockwise, none of which

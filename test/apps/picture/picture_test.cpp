@@ -162,7 +162,7 @@ TEST (Raster, LeavesOutWhatIsNotShown)
     ASSERT_EQ (point, Raster::nothing);
 }
 
-TEST (Colors, TellNeighbouringLabelsAndNoPlaneApart)
+TEST (Colors, TellNeighboringLabelsAndNoPlaneApart)
 {
   std::set<std::uint32_t> seen;
   for (std::uint32_t label = 0; label <= 100; ++label)

@@ -126,7 +126,7 @@ TEST (FoundPlanes, AreDescribedInTheFrameOfTheFile)
   const std::string text = statusText ("folder/room.pcd", found, state, {0, 0, 10});
   for (const char* part : {"say which plane this is",
                            "\nroom.pcd, 3 points",
-                           "1 planes",
+                           "1 plane\n",
                            "cannot tell",
                            "plane 1: horizontal, 3 points, area 1.500",
                            "+1.0000 z -10.0000 = 0"})

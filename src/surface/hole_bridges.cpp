@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "keyholes.h"
+#include "hole_bridges.h"
 
 #include "geometry/planar_area.h"
 
@@ -95,7 +95,7 @@ visibleFrom (const Eigen::Vector2d& from,
 } // namespace
 
 std::vector<std::size_t>
-throughKeyholes (const PlanarRings& rings, const PlanarPoints& corners)
+joinByBridges (const PlanarRings& rings, const PlanarPoints& corners)
 {
   Numbers ring (rings.front().size());
   std::iota (ring.begin(), ring.end(), 0);

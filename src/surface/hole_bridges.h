@@ -15,6 +15,6 @@ namespace pcl_ops {
  * \param[in] corners of all rings, ring after ring
  * \return their numbers; the ends of bridges come twice */
 std::vector<std::size_t>
-throughKeyholes (const PlanarRings& rings, const PlanarPoints& corners);
+joinByBridges (const PlanarRings& rings, const PlanarPoints& corners);
 
 } // namespace pcl_ops
