@@ -3,8 +3,8 @@
 #include "worst_clouds.h"
 
 #include "boards.h"
+#include <numbers/random.h>
 #include <simulation/dense_scan.h>
-#include <simulation/draws.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@ namespace pcl_ops::benchmark {
 
 namespace {
 
+using apps::Random;
 using evaluation::XyzCloud;
-using internal::RandomGenerator;
 
 constexpr std::uint32_t seed = 1;
 /** Of a room [m]. */
@@ -32,20 +32,19 @@ template <typename Draw>
 XyzCloud::Ptr
 cloudOf (std::size_t points, Draw&& draw)
 {
-  RandomGenerator generator (seed);
+  Random random (seed);
   const XyzCloud::Ptr cloud (new XyzCloud);
   cloud->reserve (points);
   while (cloud->size() < points)
-    cloud->push_back (toPoint (draw (generator)));
+    cloud->push_back (toPoint (draw (random)));
   return cloud;
 }
 
 Eigen::Vector3d
-drawInCube (RandomGenerator& generator, double edge)
+drawInCube (Random& random, double edge)
 {
-  return simulation::drawInBox (generator,
-                                Eigen::Vector3d::Constant (-edge / 2.0),
-                                Eigen::Vector3d::Constant (edge / 2.0));
+  return random.inBox (Eigen::Vector3d::Constant (-edge / 2.0),
+                       Eigen::Vector3d::Constant (edge / 2.0));
 }
 
 XyzCloud::Ptr
@@ -62,9 +61,7 @@ scanOf (const simulation::Scene& scene, std::size_t points, double noise_scale)
 XyzCloud::Ptr
 noiseInACube (std::size_t points)
 {
-  return cloudOf (points, [] (RandomGenerator& generator) {
-    return drawInCube (generator, width);
-  });
+  return cloudOf (points, [] (Random& random) { return drawInCube (random, width); });
 }
 
 /** Tilted, so that no voxel has a face along it. */
@@ -73,8 +70,8 @@ exactPlane (std::size_t points)
 {
   const Eigen::Quaterniond tilt (
       Eigen::AngleAxisd (0.7, Eigen::Vector3d (1.0, 2.0, 3.0).normalized()));
-  return cloudOf (points, [tilt] (RandomGenerator& generator) -> Eigen::Vector3d {
-    Eigen::Vector3d flat = drawInCube (generator, width);
+  return cloudOf (points, [tilt] (Random& random) -> Eigen::Vector3d {
+    Eigen::Vector3d flat = drawInCube (random, width);
     flat.z() = 1.0;
     return tilt * flat;
   });
@@ -93,17 +90,16 @@ lattice (std::size_t points)
   const auto edge =
       static_cast<std::size_t> (std::ceil (std::cbrt (static_cast<double> (points))));
   const double spacing = width / static_cast<double> (edge);
-  return cloudOf (points,
-                  [edge, spacing, i = std::size_t (0)] (
-                      RandomGenerator&) mutable -> Eigen::Vector3d {
-                    const Eigen::Vector3d position =
-                        spacing *
-                        Eigen::Vector3d (static_cast<double> (i % edge),
-                                         static_cast<double> (i / edge % edge),
-                                         static_cast<double> (i / edge / edge));
-                    ++i;
-                    return position;
-                  });
+  return cloudOf (
+      points,
+      [edge, spacing, i = std::size_t (0)] (Random&) mutable -> Eigen::Vector3d {
+        const Eigen::Vector3d position =
+            spacing * Eigen::Vector3d (static_cast<double> (i % edge),
+                                       static_cast<double> (i / edge % edge),
+                                       static_cast<double> (i / edge / edge));
+        ++i;
+        return position;
+      });
 }
 
 XyzCloud::Ptr
@@ -120,9 +116,9 @@ manyPlanes (std::size_t points)
 XyzCloud::Ptr
 logUniformBetween (double lowest, double highest, std::size_t points)
 {
-  return cloudOf (points, [=] (RandomGenerator& generator) -> Eigen::Vector3d {
-    const double power = simulation::drawBetween (generator, lowest, highest);
-    return std::pow (10.0, power) * drawInCube (generator, 2.0);
+  return cloudOf (points, [=] (Random& random) -> Eigen::Vector3d {
+    const double power = random.between (lowest, highest);
+    return std::pow (10.0, power) * drawInCube (random, 2.0);
   });
 }
 
@@ -144,8 +140,8 @@ XyzCloud::Ptr
 pointsInOneVoxel (std::size_t points)
 {
   constexpr double edge = 0.01, far_away = 1e6;
-  const XyzCloud::Ptr cloud = cloudOf (
-      points, [] (RandomGenerator& generator) { return drawInCube (generator, edge); });
+  const XyzCloud::Ptr cloud =
+      cloudOf (points, [] (Random& random) { return drawInCube (random, edge); });
   for (std::size_t i = 0; i < std::min<std::size_t> (8, points); ++i)
     (*cloud)[i] = toPoint (far_away * Eigen::Vector3d (i & 1, i >> 1 & 1, i >> 2 & 1));
   return cloud;
@@ -154,7 +150,7 @@ pointsInOneVoxel (std::size_t points)
 XyzCloud::Ptr
 equalPoints (std::size_t points)
 {
-  return cloudOf (points, [] (RandomGenerator&) { return Eigen::Vector3d (1, 2, 3); });
+  return cloudOf (points, [] (Random&) { return Eigen::Vector3d (1, 2, 3); });
 }
 
 /** No three of a place make a plane. */
@@ -162,7 +158,7 @@ XyzCloud::Ptr
 equalPointsByTheHundred (std::size_t points)
 {
   const XyzCloud::Ptr places = noiseInACube ((points + 99) / 100);
-  return cloudOf (points, [&places, i = std::size_t (0)] (RandomGenerator&) mutable {
+  return cloudOf (points, [&places, i = std::size_t (0)] (Random&) mutable {
     return Eigen::Vector3d ((*places)[i++ / 100].getVector3fMap().cast<double>());
   });
 }

@@ -4,18 +4,20 @@
 
 namespace pcl_ops::apps {
 
+constexpr double pi = 3.14159265358979323846;
+
 /** \brief Not PCL's deg2rad: with its factor of eight digits 90 degrees are more than a
  * right angle. */
 constexpr double
 toRadians (double degrees)
 {
-  return degrees * (3.14159265358979323846 / 180.0);
+  return degrees * (pi / 180.0);
 }
 
 constexpr double
 toDegrees (double radians)
 {
-  return radians * (180.0 / 3.14159265358979323846);
+  return radians * (180.0 / pi);
 }
 
 } // namespace pcl_ops::apps

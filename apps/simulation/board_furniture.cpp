@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "board_furniture.h"
 
-#include "poses.h"
-
 namespace pcl_ops::simulation {
 
 namespace {
@@ -11,27 +9,17 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/** \brief From the rim of a board to the posts below it [m]. */
-constexpr double overhang = 0.03;
 /** \brief Between parallel faces that would else be in one plane [m]: more than the
  * noise of a depth camera hides. */
 constexpr double offset_of_faces = 0.02;
 
 double
-drawThickness (internal::RandomGenerator& generator)
+drawThickness (Random& random)
 {
-  return drawBetween (generator, thinnest_board, thickest_board);
+  return random.between (thinnest_board, thickest_board);
 }
 
-Furniture
-emptyPiece (const Vector2d& footprint)
-{
-  Furniture piece{{}, footprint};
-  piece.body.narrowest_surface = 0.0;
-  return piece;
-}
-
-/** \brief \param[in] top height of its upper side [m] */
+/** \param[in] top height of its upper side [m] */
 void
 addBoard (Body& body, const Vector2d& size, double top, double thickness)
 {
@@ -43,10 +31,10 @@ addBoard (Body& body, const Vector2d& size, double top, double thickness)
 void
 addPosts (Body& body, const Vector2d& size, double height, double width)
 {
-  const double step = width + offset_of_faces;
+  constexpr double overhang = 0.03; // from the rim of the board to the posts [m]
+  const double step = width + offset_of_faces, inset = overhang + 0.5 * width;
   for (const double side_x : {-1.0, 1.0})
     for (const double side_y : {-1.0, 1.0}) {
-      const double inset = overhang + 0.5 * width;
       const double x = 0.5 * size.x() - inset - (side_y > 0.0 ? step : 0.0);
       const double y = 0.5 * size.y() - inset - (side_x > 0.0 ? step : 0.0);
       addBox (body,
@@ -56,48 +44,52 @@ addPosts (Body& body, const Vector2d& size, double height, double width)
     }
 }
 
+/** \param[in] size of the lowest board, each of the others is a little smaller [m]
+ * \param[in] pitch from board to board [m] */
 Furniture
-makeBoardOnPosts (const Vector3d& size, internal::RandomGenerator& generator)
+boardsOnPosts (
+    int boards, double pitch, Vector2d size, double thickness, Random& random)
 {
-  Furniture piece = emptyPiece (size.head<2>());
-  const double thickness = drawThickness (generator);
-  addBoard (piece.body, size.head<2>(), size.z(), thickness);
-  addPosts (
-      piece.body, size.head<2>(), size.z() - thickness, drawThickness (generator));
+  Furniture piece{{}, size};
+  piece.body.narrowest_surface = 0.0;
+  for (int i = 1; i <= boards; ++i) {
+    addBoard (piece.body, size, i * pitch, thickness);
+    if (i < boards)
+      size -= Vector2d::Constant (2.0 * offset_of_faces);
+  }
+  addPosts (piece.body, size, boards * pitch - thickness, drawThickness (random));
   return piece;
+}
+
+Furniture
+drawBoardOfSize (const Vector3d& smallest, const Vector3d& largest, Random& random)
+{
+  const Vector3d size = random.inBox (smallest, largest);
+  const double thickness = drawThickness (random);
+  return boardsOnPosts (1, size.z(), size.head<2>(), thickness, random);
 }
 
 } // namespace
 
 Furniture
-makeBoardTable (internal::RandomGenerator& generator)
+drawBoardTable (Random& random)
 {
-  const Vector3d size = drawInBox (generator, {0.7, 0.5, 0.6}, {1.4, 0.8, 0.8});
-  return makeBoardOnPosts (size, generator);
+  return drawBoardOfSize ({0.7, 0.5, 0.6}, {1.4, 0.8, 0.8}, random);
 }
 
 Furniture
-makeBoardBench (internal::RandomGenerator& generator)
+drawBoardBench (Random& random)
 {
-  const Vector3d size = drawInBox (generator, {0.8, 0.38, 0.4}, {1.4, 0.45, 0.5});
-  return makeBoardOnPosts (size, generator);
+  return drawBoardOfSize ({0.8, 0.38, 0.4}, {1.4, 0.45, 0.5}, random);
 }
 
 Furniture
-makeBoardRack (internal::RandomGenerator& generator)
+drawBoardRack (Random& random)
 {
-  const int boards = 3 + int (internal::drawBelow (generator, 2));
-  const double pitch = drawBetween (generator, 0.3, 0.45);
-  const double thickness = drawThickness (generator);
-  Vector2d size = drawInBox (generator, {0.7, 0.5, 0.0}, {1.1, 0.6, 0.0}).head<2>();
-  Furniture rack = emptyPiece (size);
-  for (int i = 1; i <= boards; ++i) {
-    addBoard (rack.body, size, i * pitch, thickness);
-    if (i < boards)
-      size -= Vector2d::Constant (2.0 * offset_of_faces);
-  }
-  addPosts (rack.body, size, boards * pitch - thickness, drawThickness (generator));
-  return rack;
+  const int boards = 3 + int (random.below (2));
+  const double pitch = random.between (0.3, 0.45), thickness = drawThickness (random);
+  const Vector3d size = random.inBox ({0.7, 0.5, 0.0}, {1.1, 0.6, 0.0});
+  return boardsOnPosts (boards, pitch, size.head<2>(), thickness, random);
 }
 
 } // namespace pcl_ops::simulation

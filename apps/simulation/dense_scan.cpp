@@ -2,9 +2,138 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dense_scan.h"
 
-#include "surface_points.h"
-
 namespace pcl_ops::simulation {
+
+namespace {
+
+using Eigen::Vector3d;
+
+/** \brief A direction across the z axis. */
+Vector3d
+drawAcross (Random& random)
+{
+  const double around = random.between (0, 2.0 * pi);
+  return {std::cos (around), std::sin (around), 0.0};
+}
+
+/** \brief A point of a sphere above some height, in multiples of the radius. Slices of
+ * equal height have equal area (Archimedes). */
+SurfacePoint
+drawAbove (double lowest, const Vector3d& center, double radius, Random& random)
+{
+  const double z = random.between (lowest, 1);
+  const double across = std::sqrt (1.0 - z * z);
+  const Vector3d normal = across * drawAcross (random) + z * Vector3d::UnitZ();
+  return {center + radius * normal, normal};
+}
+
+} // namespace
+
+SurfacePoint
+drawPoint (const Rectangle& rectangle, Random& random)
+{
+  const double u = random.between (-1, 1) * rectangle.half_u;
+  const double v = random.between (-1, 1) * rectangle.half_v;
+  return {rectangle.center + u * rectangle.axis_u + v * rectangle.axis_v,
+          rectangle.normal()};
+}
+
+SurfacePoint
+drawPoint (const Sphere& sphere, Random& random)
+{
+  return drawAbove (-1.0, sphere.center, sphere.radius, random);
+}
+
+SurfacePoint
+drawPoint (const Dome& dome, Random& random)
+{
+  return drawAbove (1.0 - dome.height / dome.radius, dome.center, dome.radius, random);
+}
+
+SurfacePoint
+drawPoint (const Cylinder& cylinder, Random& random)
+{
+  const Vector3d across = cylinder.axis.unitOrthogonal();
+  const double around = random.between (0, 2.0 * pi);
+  const Vector3d normal =
+      std::cos (around) * across + std::sin (around) * cylinder.axis.cross (across);
+  const double along = random.between (-1, 1) * cylinder.half_length;
+  return {cylinder.center + along * cylinder.axis + cylinder.radius * normal, normal};
+}
+
+// The share of area above grows with the square of the distance from the apex.
+SurfacePoint
+drawPoint (const Cone& cone, Random& random)
+{
+  const Vector3d across = drawAcross (random);
+  const double down = std::sqrt (random.unit());
+  const Vector3d normal = cone.height * across + cone.radius * Vector3d::UnitZ();
+  return {cone.apex + down * (cone.radius * across - cone.height * Vector3d::UnitZ()),
+          normal.normalized()};
+}
+
+// The outer side of the ring is longer than the inner one, by the distance from the
+// axis.
+SurfacePoint
+drawPoint (const Torus& torus, Random& random)
+{
+  const Vector3d across = drawAcross (random);
+  for (;;) {
+    const double around_tube = random.between (0, 2.0 * pi);
+    const double outward = std::cos (around_tube);
+    const double longest = torus.radius + torus.tube_radius;
+    if (!random.chance ((torus.radius + torus.tube_radius * outward) / longest))
+      continue;
+    const Vector3d normal =
+        outward * across + std::sin (around_tube) * Vector3d::UnitZ();
+    return {torus.center + torus.radius * across + torus.tube_radius * normal, normal};
+  }
+}
+
+SurfacePoint
+foldIntoSector (const SurfacePoint& whole, const Vector3d& on_axis, double share)
+{
+  const Vector3d local = whole.position - on_axis;
+  const double around = std::atan2 (-local.x(), local.y());
+  const Eigen::AngleAxisd turn ((share - 1.0) * around, Vector3d::UnitZ());
+  return {on_axis + turn * local, turn * whole.normal};
+}
+
+double
+area (const Rectangle& rectangle)
+{
+  return 4.0 * rectangle.half_u * rectangle.half_v;
+}
+
+double
+area (const Sphere& sphere)
+{
+  return 4.0 * pi * sphere.radius * sphere.radius;
+}
+
+double
+area (const Dome& dome)
+{
+  return 2.0 * pi * dome.radius * dome.height;
+}
+
+double
+area (const Cylinder& cylinder)
+{
+  return 4.0 * pi * cylinder.radius * cylinder.half_length;
+}
+
+double
+area (const Cone& cone)
+{
+  return pi * cone.radius * std::hypot (cone.radius, cone.height);
+}
+
+double
+area (const Torus& torus)
+{
+  return 4.0 * pi * pi * torus.radius * torus.tube_radius;
+}
 
 SimulatedCloud
 scanDensely (const Scene& scene,
@@ -12,20 +141,13 @@ scanDensely (const Scene& scene,
              double noise_scale,
              std::uint32_t seed)
 {
-  const auto forEachShape = [&scene] (const auto& visit) {
-    for (const Body& body : scene.bodies) {
-      for (const Rectangle& rectangle : body.rectangles)
-        visit (rectangle);
-      for (const Sphere& sphere : body.spheres)
-        visit (sphere);
-      for (const Cylinder& cylinder : body.cylinders)
-        visit (cylinder);
-    }
+  const auto forEach = [&scene] (const auto& visit) {
+    for (const Body& body : scene.bodies)
+      forEachShape (body, visit);
   };
-  internal::RandomGenerator generator = makeGenerator (seed, Purpose::DenseScan);
+  Random random = randomFor (Purpose::DenseScan, seed);
   SimulatedCloud simulated;
-  simulated.cloud =
-      drawPoints (forEachShape, points, noise_scale * laser_sigma, generator);
+  simulated.cloud = drawPoints (forEach, points, noise_scale * laser_sigma, random);
   if (simulated.cloud.empty())
     return simulated;
   simulated.cloud.sensor_origin_.head<3>() = scene.bounds.front().center.cast<float>();

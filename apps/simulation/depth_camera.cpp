@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "depth_camera.h"
 
-#include "poses.h"
-
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace pcl_ops::simulation {
 
@@ -14,47 +14,42 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int candidate_poses = 32;
-
-/** \brief A pose is judged by a small image [px]. */
-constexpr int glance_width = 48;
-constexpr int glance_height = 36;
-constexpr int glance_pixels_of_surface = 5;
-/** \brief Along the camera's axis [m]. */
-constexpr double closest_object = 0.7;
+constexpr double no_reading = std::numeric_limits<double>::infinity();
 
 /** \brief A surface whose depth differs more between a pixel's ray and the ray beside
  * it, relative to the depth, is seen edge-on. */
 constexpr double largest_slope = 0.1;
 
-/** \brief From anywhere in the room over its middle, somewhat downwards. */
-Eigen::Isometry3d
-drawPose (const Room& room, internal::RandomGenerator& generator)
+/** \brief Distance between a Kinect's projector and camera [m] (Khoshelham & Elberink,
+ * "Accuracy and Resolution of Kinect Depth Data", Sensors 2012). */
+constexpr double baseline = 0.075;
+
+/** \brief Steps of disparity per pixel (same source). */
+constexpr double disparity_steps = 8.0;
+
+/** \brief Neighboring depths that differ by more, relative to the depth, are an edge.
+ */
+constexpr double edge_ratio = 0.05;
+constexpr double flying_fraction = 0.3;
+constexpr double lost_fraction = 0.2;
+
+/** \brief Standard deviation of a Kinect's depth [m] at a depth [m]: Nguyen, Izadi &
+ * Lovell, "Modeling Kinect Sensor Noise for Improved 3D Reconstruction and Tracking",
+ * 3DIMPVT 2012, for surfaces seen at up to 60 degrees. */
+double
+axialSigma (double depth)
 {
-  const double wall_distance = 0.4; // [m]
-  const Vector3d reach = 0.5 * room.size - Vector3d::Constant (wall_distance);
-  const Vector3d eye = drawInBox (generator, {-1, -1, 1.1}, {1, 1, 1.8})
-                           .cwiseProduct (Vector3d (reach.x(), reach.y(), 1.0));
-  Vector3d target = drawInBox (generator, {-0.4, -0.4, 0.0}, {0.4, 0.4, 0.0});
-  target = target.cwiseProduct (reach) + eye.z() * Vector3d::UnitZ();
-  const Vector3d level = (target - eye).normalized();
-  const Vector3d right = level.cross (Vector3d::UnitZ());
-  Eigen::Isometry3d pose = at (eye.x(), eye.y(), eye.z());
-  pose.linear() << right, -Vector3d::UnitZ(), level;
-  const double roll = drawAngle (generator, -4, 4);
-  const double pitch = drawAngle (generator, -20, -5);
-  return turned (room.yaw, Vector3d::UnitZ()) * pose *
-         turned (pitch, Vector3d::UnitX()) * turned (roll, Vector3d::UnitZ());
+  return 0.0012 + 0.0019 * (depth - 0.4) * (depth - 0.4);
 }
 
+/** \brief The ray of a pixel or of a place beside it, in the frame of the scene. */
 Vector3d
 rayOfPixel (const DepthCamera& camera,
             std::size_t pixel,
-            double column_offset,
-            double row_offset)
+            double column_offset = 0.0,
+            double row_offset = 0.0)
 {
-  const std::size_t row = pixel / camera.width;
-  const std::size_t column = pixel % camera.width;
+  const std::size_t row = pixel / camera.width, column = pixel % camera.width;
   return camera.pose.linear() *
          camera.ray (double (column) + column_offset, double (row) + row_offset);
 }
@@ -75,6 +70,151 @@ depthOnSurface (const Hit& hit,
   return is_grazing ? hit.distance : depth;
 }
 
+/** \brief A standard normal value for each pixel, row by row, each by itself. */
+std::vector<double>
+drawWhiteField (int width, int height, Random& random)
+{
+  std::vector<double> field (std::size_t (width) * height);
+  for (double& value : field)
+    value = random.gaussian();
+  return field;
+}
+
+/** \brief A Gaussian whose squares sum to 1, so that filtering white noise with it
+ * keeps the variance. */
+std::vector<double>
+variancePreservingKernel (int radius, double sigma)
+{
+  std::vector<double> kernel;
+  double energy = 0.0;
+  for (int i = -radius; i <= radius; ++i) {
+    kernel.push_back (std::exp (-0.5 * i * i / (sigma * sigma)));
+    energy += kernel.back() * kernel.back();
+  }
+  for (double& weight : kernel)
+    weight /= std::sqrt (energy);
+  return kernel;
+}
+
+/** \brief Filters along the rows and transposes; the rows get shorter by the kernel. */
+std::vector<double>
+filterRowsAndTranspose (const std::vector<double>& field,
+                        std::size_t width,
+                        const std::vector<double>& kernel)
+{
+  const std::size_t height = field.size() / width;
+  const std::size_t filtered_width = width - kernel.size() + 1;
+  std::vector<double> filtered (filtered_width * height);
+  for (std::size_t row = 0; row < height; ++row)
+    for (std::size_t column = 0; column < filtered_width; ++column) {
+      const double* const window = &field[row * width + column];
+      double sum = 0.0;
+      for (std::size_t i = 0; i < kernel.size(); ++i)
+        sum += kernel[i] * window[i];
+      filtered[column * height + row] = sum;
+    }
+  return filtered;
+}
+
+/** \brief A standard normal value for each pixel; with the correlated profile alike for
+ * neighbors: white noise filtered by a Gaussian and brought back to variance 1. */
+std::vector<double>
+drawField (const DepthCamera& camera, const NoiseParameters& noise, Random& random)
+{
+  if (noise.profile != NoiseProfile::Correlated)
+    return drawWhiteField (camera.width, camera.height, random);
+  const int radius = int (std::ceil (3.0 * noise.smoothing));
+  const std::vector<double> kernel = variancePreservingKernel (radius, noise.smoothing);
+  const int wide = camera.width + 2 * radius, high = camera.height + 2 * radius;
+  const std::vector<double> white = drawWhiteField (wide, high, random);
+  const std::vector<double> columns = filterRowsAndTranspose (white, wide, kernel);
+  return filterRowsAndTranspose (columns, high, kernel);
+}
+
+PixelOffsets
+drawLateralJitter (const DepthCamera& camera,
+                   const NoiseParameters& noise,
+                   Random& random)
+{
+  PixelOffsets offsets{drawField (camera, noise, random),
+                       drawField (camera, noise, random)};
+  for (auto* axis : {&offsets.column, &offsets.row})
+    for (double& offset : *axis)
+      offset *= noise.scale * noise.lateral_sigma;
+  return offsets;
+}
+
+/** \brief The depth of a neighbor on the other side of a depth edge, if there is one.
+ */
+std::optional<double>
+depthAcrossEdge (const DepthImage& image, int column, int row)
+{
+  const auto depth_at = [&image] (int c, int r) {
+    return image.depth[std::size_t (r) * image.width + c];
+  };
+  const double depth = depth_at (column, row);
+  for (const auto& [c, r] : {std::pair (column + 1, row),
+                             std::pair (column - 1, row),
+                             std::pair (column, row + 1),
+                             std::pair (column, row - 1)})
+    if (c >= 0 && c < image.width && r >= 0 && r < image.height) {
+      const double other = depth_at (c, r);
+      if (std::abs (other - depth) > edge_ratio * std::min (other, depth))
+        return other;
+    }
+  return std::nullopt;
+}
+
+void
+disturbEdges (DepthImage& image, const NoiseParameters& noise, Random& random)
+{
+  const DepthImage exact = image;
+  const double strength = std::min (1.0, noise.scale);
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column) {
+      const auto other = depthAcrossEdge (exact, column, row);
+      if (!other)
+        continue;
+      const std::size_t i = std::size_t (row) * image.width + column;
+      const double chance = random.unit() / strength;
+      if (chance < flying_fraction) {
+        image.depth[i] += random.between (0.1, 0.9) * (*other - image.depth[i]);
+        image.surface[i] = no_surface;
+      }
+      else if (chance < flying_fraction + lost_fraction)
+        image.depth[i] = no_reading;
+    }
+}
+
+void
+addAxialNoise (DepthImage& image,
+               const DepthCamera& camera,
+               const NoiseParameters& noise,
+               Random& random)
+{
+  const std::vector<double> field = drawField (camera, noise, random);
+  for (std::size_t i = 0; i < field.size(); ++i)
+    image.depth[i] += noise.scale * axialSigma (image.depth[i]) * field[i];
+}
+
+/** \brief The steps are those of the Kinect's own image also in a smaller one. */
+void
+quantizeDisparity (DepthImage& image)
+{
+  constexpr double steps_times_depth = disparity_steps * kinect_focal_length * baseline;
+  for (double& depth : image.depth)
+    if (depth > 0.0)
+      depth = steps_times_depth / std::round (steps_times_depth / depth);
+}
+
+void
+dropOutOfRange (DepthImage& image, const DepthCamera& camera)
+{
+  for (double& depth : image.depth)
+    if (!(depth >= camera.nearest && depth <= camera.farthest))
+      depth = no_reading;
+}
+
 } // namespace
 
 DepthImage
@@ -93,47 +233,49 @@ castDepthImage (const Scene& scene,
     const double column = offsets.column.empty() ? 0.0 : offsets.column[i];
     const double row = offsets.row.empty() ? 0.0 : offsets.row[i];
     const Hit hit = castRay (scene, eye, rayOfPixel (camera, i, column, row));
-    image.depth[i] =
-        depthOnSurface (hit, planes, eye, rayOfPixel (camera, i, 0.0, 0.0));
+    image.depth[i] = depthOnSurface (hit, planes, eye, rayOfPixel (camera, i));
     image.surface[i] = hit.surface;
   }
   return image;
 }
 
-int
-countVisibleSurfaces (const Scene& scene, DepthCamera camera)
+DepthImage
+measureDepth (const Scene& scene,
+              const DepthCamera& camera,
+              const NoiseParameters& noise,
+              std::uint32_t seed)
 {
-  camera.width = glance_width;
-  camera.height = glance_height;
-  const DepthImage glance = castDepthImage (scene, camera);
-  const double closest = *std::min_element (glance.depth.begin(), glance.depth.end());
-  if (closest < closest_object)
-    return 0;
-  std::map<SurfaceId, int> pixels;
-  for (const SurfaceId surface : glance.surface)
-    ++pixels[surface];
-  pixels.erase (no_surface);
-  return int (std::count_if (pixels.begin(), pixels.end(), [] (const auto& surface) {
-    return surface.second >= glance_pixels_of_surface;
-  }));
+  Random random = randomFor (Purpose::DepthNoise, seed);
+  PixelOffsets jitter;
+  if (!noise.isNone())
+    jitter = drawLateralJitter (camera, noise, random);
+  DepthImage image = castDepthImage (scene, camera, jitter);
+  if (!noise.isNone()) {
+    disturbEdges (image, noise, random);
+    addAxialNoise (image, camera, noise, random);
+    if (noise.profile == NoiseProfile::Raw)
+      quantizeDisparity (image);
+  }
+  dropOutOfRange (image, camera);
+  return image;
 }
 
-Eigen::Isometry3d
-drawCameraPose (const Room& room, const DepthCamera& camera, std::uint32_t seed)
+Scan
+toScan (const DepthImage& image, const DepthCamera& camera)
 {
-  internal::RandomGenerator generator = makeGenerator (seed, Purpose::CameraPose);
-  Eigen::Isometry3d best = Eigen::Isometry3d::Identity();
-  int most_surfaces = -1;
-  for (int i = 0; i < candidate_poses; ++i) {
-    DepthCamera candidate = camera;
-    candidate.pose = drawPose (room, generator);
-    const int surfaces = countVisibleSurfaces (room.scene, candidate);
-    if (surfaces > most_surfaces) {
-      most_surfaces = surfaces;
-      best = candidate.pose;
-    }
+  Scan scan;
+  scan.columns = std::size_t (image.width);
+  scan.rows = std::size_t (image.height);
+  scan.points.reserve (image.depth.size());
+  scan.surfaces = image.surface;
+  for (std::size_t i = 0; i < image.depth.size(); ++i) {
+    const Vector3d ray =
+        camera.ray (double (i % scan.columns), double (i / scan.columns));
+    scan.points.push_back (std::isfinite (image.depth[i])
+                               ? Vector3d (image.depth[i] * ray)
+                               : Vector3d::Constant (std::nan ("")));
   }
-  return best;
+  return scan;
 }
 
 } // namespace pcl_ops::simulation

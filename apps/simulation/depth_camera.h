@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "room.h"
+#include "simulated_cloud.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace pcl_ops::simulation {
@@ -61,17 +60,50 @@ castDepthImage (const Scene& scene,
                 const DepthCamera& camera,
                 const PixelOffsets& offsets = {});
 
-/** \brief Number of surfaces well in view, none if something stands before the camera.
- */
-int
-countVisibleSurfaces (const Scene& scene, DepthCamera camera);
+enum class NoiseProfile {
+  /** \brief Every reading exact. */
+  None,
+  /** \brief A structured light camera's depth after smoothing: neighboring pixels err
+   * alike. */
+  Correlated,
+  /** \brief The same camera's raw depth: each pixel errs by itself and the disparity
+   * comes in steps of 1/8 px. */
+  Raw
+};
 
-/** \brief Draws a pose at a person's height in the room, upright to a few degrees, that
- * sees many surfaces and has nothing just in front of it.
- * \param[in] room the room
- * \param[in] camera its image size and range count
- * \param[in] seed the same seed and room give the same pose whatever the image size */
-Eigen::Isometry3d
-drawCameraPose (const Room& room, const DepthCamera& camera, std::uint32_t seed);
+struct NoiseParameters {
+  NoiseProfile profile = NoiseProfile::Correlated;
+  /** \brief Factor on all noise; 1 as measured on a Kinect, 0 none at all. */
+  double scale = 1.0;
+  /** \brief Standard deviation s of the Gaussian filter of the correlated profile's
+   * noise [px]: at a distance d the correlation is exp (-d^2 / (4 s^2)). */
+  double smoothing = 3.0;
+  /** \brief Standard deviation of the rays' wandering along each image axis [px]: the
+   * edge noise Nguyen et al. measured. */
+  double lateral_sigma = 0.8;
+
+  bool
+  isNone () const
+  {
+    return profile == NoiseProfile::None || scale <= 0.0;
+  }
+};
+
+/** \brief The depths a camera measures: rays wander sideways, depths are noisy, pixels
+ * at depth edges fly between the two sides or are lost, as is what is out of range.
+ * Flying pixels are on no surface.
+ * \param[in] scene what is seen
+ * \param[in] camera from where
+ * \param[in] noise profile and strength
+ * \param[in] seed the same seed gives the same image */
+DepthImage
+measureDepth (const Scene& scene,
+              const DepthCamera& camera,
+              const NoiseParameters& noise,
+              std::uint32_t seed);
+
+/** \brief The points of a depth image in the camera's frame. */
+Scan
+toScan (const DepthImage& image, const DepthCamera& camera);
 
 } // namespace pcl_ops::simulation

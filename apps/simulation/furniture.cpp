@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "furniture.h"
 
-#include "poses.h"
+#include <cmath>
 
 namespace pcl_ops::simulation {
 
@@ -10,14 +10,19 @@ namespace {
 
 using Eigen::Vector3d;
 
+/** \param[in] foot middle of its lower face [m] */
 void
-addStandingBox (Body& body, double x, double y, const Vector3d& size)
+addStandingBox (Body& body, const Vector3d& foot, const Vector3d& size)
 {
-  addBox (body, at (x, y, 0.5 * size.z()), size, HiddenFace::Bottom);
+  addBox (body,
+          at (foot.x(), foot.y(), foot.z() + 0.5 * size.z()),
+          size,
+          HiddenFace::Bottom);
 }
 
+/** \param[in] foot middle of its lower end [m] */
 void
-addUprightCylinder (Body& body, const Vector3d& foot, double height, double radius)
+addPole (Body& body, const Vector3d& foot, double height, double radius)
 {
   body.cylinders.push_back ({foot + 0.5 * height * Vector3d::UnitZ(),
                              Vector3d::UnitZ(),
@@ -26,196 +31,272 @@ addUprightCylinder (Body& body, const Vector3d& foot, double height, double radi
 }
 
 /** \brief A slab on four round legs; \p size is its outer extent. */
-void
-addSlabOnLegs (Body& body, const Vector3d& size, double thickness, double leg_radius)
+Furniture
+slabOnLegs (const Vector3d& size, double thickness, double leg_radius)
 {
-  addBox (
-      body, at (0.0, 0.0, size.z() - 0.5 * thickness), {size.x(), size.y(), thickness});
-  for (const double side_x : {-0.5, 0.5})
-    for (const double side_y : {-0.5, 0.5}) {
-      const double inset = 3.0 * leg_radius;
-      const Vector3d foot (side_x * (size.x() - inset), side_y * (size.y() - inset), 0);
-      addUprightCylinder (body, foot, size.z() - thickness, leg_radius);
-    }
+  Furniture slab{{}, size.head<2>()};
+  addBox (slab.body,
+          at (0.0, 0.0, size.z() - 0.5 * thickness),
+          {size.x(), size.y(), thickness});
+  const double inset = 3.0 * leg_radius;
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5})
+      addPole (slab.body,
+               {x * (size.x() - inset), y * (size.y() - inset), 0.0},
+               size.z() - thickness,
+               leg_radius);
+  return slab;
 }
 
 /** \brief Books standing in a row from \p start along x. */
 void
-addBooks (Body& body,
-          const Vector3d& start,
-          double width,
-          internal::RandomGenerator& generator)
+addBooks (Body& body, const Vector3d& start, double width, Random& random)
 {
   double x = 0.0;
   while (x < width) {
-    const Vector3d size = drawInBox (generator, {0.02, 0.14, 0.18}, {0.045, 0.2, 0.26});
+    const Vector3d size = random.inBox ({0.02, 0.14, 0.18}, {0.045, 0.2, 0.26});
     x += size.x();
-    addBox (body,
-            at (start.x() + x - 0.5 * size.x(), start.y(), start.z() + 0.5 * size.z()),
-            size,
-            HiddenFace::Bottom);
+    addStandingBox (body, {start.x() + x - 0.5 * size.x(), start.y(), start.z()}, size);
   }
 }
 
 void
-addMonitor (Body& body, const Vector3d& foot, internal::RandomGenerator& generator)
+addMonitor (Body& body, const Vector3d& foot, Random& random)
 {
-  const Vector3d size (drawBetween (generator, 0.45, 0.7), 0.04, 0.36);
-  addUprightCylinder (body, foot, 0.2, 0.03);
-  addUprightCylinder (body, foot, 0.015, 0.12);
-  const double tilt = drawAngle (generator, 0, 12);
-  const double yaw = drawAngle (generator, -25, 25);
+  const Vector3d size (random.between (0.45, 0.7), 0.04, 0.36);
+  addPole (body, foot, 0.2, 0.03);
+  addPole (body, foot, 0.015, 0.12);
+  const double tilt = random.angle (0, 12), yaw = random.angle (-25, 25);
   addBox (body,
           at (foot.x(), foot.y() + 0.05, foot.z() + 0.1 + 0.5 * size.z()) *
-              turned (yaw, Vector3d::UnitZ()) * turned (tilt, Vector3d::UnitX()),
+              turnZ (yaw) * turnX (tilt),
           size);
 }
 
 void
-addLaptop (Body& body, const Vector3d& hinge, internal::RandomGenerator& generator)
+addLaptop (Body& body, const Vector3d& hinge, Random& random)
 {
-  const double width = 0.34;
-  const double depth = 0.24;
-  const double thickness = 0.018;
+  constexpr double width = 0.34, depth = 0.24, thickness = 0.018;
   const Eigen::Isometry3d pose =
-      Eigen::Isometry3d (Eigen::Translation3d (hinge)) *
-      turned (drawAngle (generator, -30, 30), Vector3d::UnitZ());
+      at (hinge.x(), hinge.y(), hinge.z()) * turnZ (random.angle (-30, 30));
   addBox (body,
           pose * at (0.0, 0.5 * depth, 0.5 * thickness),
           {width, depth, thickness},
           HiddenFace::Bottom);
   addBox (body,
-          pose * turned (drawAngle (generator, 5, 35), Vector3d::UnitX()) *
-              at (0.0, 0.0, 0.5 * depth),
+          pose * turnX (random.angle (5, 35)) * at (0.0, 0.0, 0.5 * depth),
           {width, 0.008, depth});
 }
 
-} // namespace
-
 Furniture
-makeTable (internal::RandomGenerator& generator)
+drawTable (Random& random)
 {
-  const Vector3d size = drawInBox (generator, {0.8, 0.6, 0.42}, {1.8, 0.95, 0.78});
-  Furniture table{{}, size.head<2>()};
-  addSlabOnLegs (table.body, size, 0.035, 0.03);
-  const Vector3d mug (drawBetween (generator, -0.3, 0.3), 0.1, size.z());
-  addUprightCylinder (table.body, mug, 0.1, 0.04);
+  const Vector3d size = random.inBox ({0.8, 0.6, 0.42}, {1.8, 0.95, 0.78});
+  Furniture table = slabOnLegs (size, 0.035, 0.03);
+  const Vector3d mug (random.between (-0.3, 0.3), 0.1, size.z());
+  addPole (table.body, mug, 0.1, 0.04);
   table.body.spheres.push_back ({mug + Vector3d (0.2, -0.2, 0.08), 0.08});
   return table;
 }
 
+/** \brief A table with a monitor, an open laptop, books and a mug. */
 Furniture
-makeDesk (internal::RandomGenerator& generator)
+drawDesk (Random& random)
 {
-  const Vector3d size = drawInBox (generator, {1.2, 0.65, 0.7}, {1.8, 0.85, 0.76});
-  Furniture desk{{}, size.head<2>()};
-  addSlabOnLegs (desk.body, size, 0.03, 0.03);
-  const double drawers_width = 0.42;
+  const Vector3d size = random.inBox ({1.2, 0.65, 0.7}, {1.8, 0.85, 0.76});
+  const double x = size.x(), top = size.z(), drawers = 0.42;
+  Furniture desk = slabOnLegs (size, 0.03, 0.03);
   addStandingBox (desk.body,
-                  0.5 * (size.x() - drawers_width) - 0.03,
-                  0.0,
-                  {drawers_width, size.y() - 0.1, size.z() - 0.1});
-  addMonitor (desk.body, {-0.2 * size.x(), -0.15, size.z()}, generator);
-  addLaptop (desk.body, {0.25 * size.x(), -0.05, size.z()}, generator);
-  addBooks (desk.body, {0.02 * size.x(), -0.2, size.z()}, 0.12, generator);
-  addUprightCylinder (desk.body, {-0.4 * size.x(), 0.15, size.z()}, 0.1, 0.04);
+                  {0.5 * (x - drawers) - 0.03, 0.0, 0.0},
+                  {drawers, size.y() - 0.1, top - 0.1});
+  addMonitor (desk.body, {-0.2 * x, -0.15, top}, random);
+  addLaptop (desk.body, {0.25 * x, -0.05, top}, random);
+  addBooks (desk.body, {0.02 * x, -0.2, top}, 0.12, random);
+  addPole (desk.body, {-0.4 * x, 0.15, top}, 0.1, 0.04);
   return desk;
 }
 
 Furniture
-makeCupboard (internal::RandomGenerator& generator)
+drawCupboard (Random& random)
 {
-  const Vector3d size = drawInBox (generator, {0.5, 0.35, 0.7}, {1.4, 0.6, 2.1});
+  const Vector3d size = random.inBox ({0.5, 0.35, 0.7}, {1.4, 0.6, 2.1});
   Furniture cupboard{{}, size.head<2>()};
-  addStandingBox (cupboard.body, 0.0, 0.0, size);
+  addStandingBox (cupboard.body, {0, 0, 0}, size);
   return cupboard;
 }
 
+/** \brief Open shelves with books. */
 Furniture
-makeShelf (internal::RandomGenerator& generator)
+drawShelf (Random& random)
 {
-  const double thickness = 0.025;
-  const int boards = 3 + int (internal::drawBelow (generator, 3));
-  const double pitch = drawBetween (generator, 0.33, 0.4);
-  const Vector3d size (drawBetween (generator, 0.7, 1.2), 0.3, boards * pitch);
-  Furniture shelf{{}, size.head<2>()};
+  constexpr double thickness = 0.025, depth = 0.3;
+  const int boards = 3 + int (random.below (3));
+  const double pitch = random.between (0.33, 0.4), width = random.between (0.7, 1.2);
+  const double height = boards * pitch;
+  Furniture shelf{{}, {width, depth}};
   for (const double side : {-0.5, 0.5})
-    addStandingBox (shelf.body, side * size.x(), 0.0, {thickness, size.y(), size.z()});
-  addStandingBox (shelf.body, 0.0, -0.5 * size.y(), {size.x(), thickness, size.z()});
+    addStandingBox (shelf.body, {side * width, 0, 0}, {thickness, depth, height});
+  addStandingBox (shelf.body, {0, -0.5 * depth, 0}, {width, thickness, height});
   for (int i = 0; i <= boards; ++i)
-    addBox (shelf.body, at (0.0, 0.0, i * pitch), {size.x(), size.y(), thickness});
+    addBox (shelf.body, at (0.0, 0.0, i * pitch), {width, depth, thickness});
   for (int i = 1; i < boards; ++i) {
-    const Vector3d start (-0.45 * size.x(), -0.03, i * pitch + 0.5 * thickness);
-    if (drawChance (generator, 0.6))
-      addBooks (shelf.body, start, drawBetween (generator, 0.1, 0.6), generator);
+    const Vector3d start (-0.45 * width, -0.03, i * pitch + 0.5 * thickness);
+    if (random.chance (0.6))
+      addBooks (shelf.body, start, random.between (0.1, 0.6), random);
   }
   return shelf;
 }
 
 Furniture
-makeBed (internal::RandomGenerator& generator)
+drawBed (Random& random)
 {
-  const Vector3d size = drawInBox (generator, {0.9, 2.0, 0.4}, {1.6, 2.0, 0.6});
-  const double headboard = 0.06;
-  Furniture bed{{}, size.head<2>()};
-  addStandingBox (
-      bed.body, 0.0, 0.5 * headboard, {size.x(), size.y() - headboard, size.z()});
-  addStandingBox (bed.body,
-                  0.0,
-                  0.5 * (headboard - size.y()),
-                  {size.x(), headboard, size.z() + 0.4});
-  const Vector3d pillow (0.0, -0.5 * size.y() + 0.3, size.z() + 0.02);
-  bed.body.cylinders.push_back ({pillow, Vector3d::UnitX(), 0.4 * size.x(), 0.12});
+  const Vector3d size = random.inBox ({0.9, 2.0, 0.4}, {1.6, 2.0, 0.6});
+  const double x = size.x(), y = size.y(), z = size.z(), headboard = 0.06;
+  Furniture bed{{}, {x, y}};
+  addStandingBox (bed.body, {0, 0.5 * headboard, 0}, {x, y - headboard, z});
+  addStandingBox (bed.body, {0, 0.5 * (headboard - y), 0}, {x, headboard, z + 0.4});
+  const Vector3d pillow (0.0, -0.5 * y + 0.3, z + 0.02);
+  bed.body.cylinders.push_back ({pillow, Vector3d::UnitX(), 0.4 * x, 0.12});
   return bed;
 }
 
 Furniture
-makeSofa (internal::RandomGenerator& generator)
+drawSofa (Random& random)
 {
-  const double width = drawBetween (generator, 1.4, 2.2);
-  const double depth = 0.85;
-  const double arm = 0.18;
-  const double seat_height = drawBetween (generator, 0.38, 0.46);
+  constexpr double depth = 0.85, arm = 0.18;
+  const double width = random.between (1.4, 2.2), seat = random.between (0.38, 0.46);
   Furniture sofa{{}, {width, depth}};
-  addStandingBox (sofa.body, 0.0, 0.0, {width - 2.0 * arm, depth, seat_height});
+  addStandingBox (sofa.body, {0, 0, 0}, {width - 2.0 * arm, depth, seat});
   for (const double side : {-0.5, 0.5})
-    addStandingBox (
-        sofa.body, side * (width - arm), 0.0, {arm, depth, seat_height + 0.2});
+    addStandingBox (sofa.body, {side * (width - arm), 0, 0}, {arm, depth, seat + 0.2});
   addBox (sofa.body,
-          at (0.0, -0.5 * depth + 0.22, seat_height + 0.2) *
-              turned (drawAngle (generator, 8, 20), Vector3d::UnitX()),
+          at (0.0, -0.5 * depth + 0.22, seat + 0.2) * turnX (random.angle (8, 20)),
           {width - 2.0 * arm, 0.15, 0.5});
   return sofa;
 }
 
 Furniture
-makeChair (internal::RandomGenerator& generator)
+drawChair (Random& random)
 {
-  const Vector3d size = drawInBox (generator, {0.4, 0.4, 0.42}, {0.5, 0.5, 0.48});
-  Furniture chair{{}, size.head<2>()};
-  addSlabOnLegs (chair.body, size, 0.04, 0.018);
+  const Vector3d size = random.inBox ({0.4, 0.4, 0.42}, {0.5, 0.5, 0.48});
+  Furniture chair = slabOnLegs (size, 0.04, 0.018);
   addBox (chair.body,
-          at (0.0, -0.5 * size.y(), size.z() + 0.22) *
-              turned (drawAngle (generator, 3, 15), Vector3d::UnitX()),
+          at (0.0, -0.5 * size.y(), size.z() + 0.22) * turnX (random.angle (3, 15)),
           {size.x(), 0.03, 0.42});
   return chair;
 }
 
+/** \brief A cardboard box or two, one turned on the other. */
 Furniture
-makeCartons (internal::RandomGenerator& generator)
+drawCartons (Random& random)
 {
-  const Vector3d lower = drawInBox (generator, {0.35, 0.35, 0.25}, {0.7, 0.6, 0.5});
+  const Vector3d lower = random.inBox ({0.35, 0.35, 0.25}, {0.7, 0.6, 0.5});
   Furniture cartons{{}, lower.head<2>()};
-  addStandingBox (cartons.body, 0.0, 0.0, lower);
-  if (drawChance (generator, 0.5)) {
-    const Vector3d upper = drawBetween (generator, 0.5, 0.8) * lower;
+  addStandingBox (cartons.body, {0, 0, 0}, lower);
+  if (random.chance (0.5)) {
+    const Vector3d upper = random.between (0.5, 0.8) * lower;
     addBox (cartons.body,
-            at (0.0, 0.0, lower.z() + 0.5 * upper.z()) *
-                turned (drawAngle (generator, -40, 40), Vector3d::UnitZ()),
+            at (0.0, 0.0, lower.z() + 0.5 * upper.z()) * turnZ (random.angle (-40, 40)),
             upper,
             HiddenFace::Bottom);
   }
   return cartons;
+}
+
+/** \brief A panel of any tilt and roll on a round post. */
+Furniture
+drawTiltedPanel (Random& random)
+{
+  const Vector3d size = random.inBox ({0.7, 0.5, 0.025}, {1.3, 0.95, 0.025});
+  const double height = random.between (0.8, 1.3);
+  const double diagonal = size.head<2>().norm();
+  Furniture panel{{}, {diagonal, diagonal}};
+  const double yaw = random.angle (-25, 25), tilt = random.angle (25, 75);
+  addBox (panel.body, at (0.0, 0.0, height) * turnX (tilt) * turnZ (yaw), size);
+  addPole (panel.body, {0, 0, 0}, height - 0.06, 0.03);
+  addPole (panel.body, {0, 0, 0}, 0.03, 0.25);
+  return panel;
+}
+
+} // namespace
+
+Furniture
+drawLeaningBoard (Random& random)
+{
+  const Vector3d size = random.inBox ({0.5, 0.03, 0.8}, {1.3, 0.03, 1.9});
+  const double lean = random.angle (10, 35), roll = random.angle (-8, 8);
+  const double depth = size.z() * std::sin (lean) + 0.1;
+  const double lift = 0.5 * size.x() * std::abs (std::sin (roll));
+  Furniture board{{}, {size.x() + 0.2, depth}};
+  addBox (board.body,
+          at (0.0, 0.5 * depth, lift) * turnX (lean) * turnY (roll) *
+              at (0.0, 0.0, 0.5 * size.z()),
+          size);
+  return board;
+}
+
+Furniture
+drawRamp (Random& random)
+{
+  const Vector3d size = random.inBox ({0.7, 1.0, 0.03}, {1.2, 1.9, 0.03});
+  const double slope = random.angle (15, 40);
+  const double run = size.y() * std::cos (slope), rise = size.y() * std::sin (slope);
+  Furniture ramp{{}, {size.x(), run}};
+  addBox (ramp.body, at (0.0, 0.0, 0.5 * rise + 0.02) * turnX (slope), size);
+  for (const double side : {-0.4, 0.4})
+    addPole (ramp.body, {side * size.x(), 0.45 * run, 0.0}, 0.9 * rise, 0.025);
+  return ramp;
+}
+
+Furniture
+drawRoundClutter (Random& random)
+{
+  enum { Ball, Bin, Lamp, Carpet, kinds };
+  const std::uint32_t kind = random.below (kinds);
+  Furniture clutter;
+  Body& body = clutter.body;
+  if (kind == Ball) {
+    const double radius = random.between (0.1, 0.35);
+    clutter.footprint.setConstant (2.0 * radius);
+    body.spheres.push_back ({{0.0, 0.0, radius}, radius});
+  }
+  else if (kind == Bin) {
+    const double radius = random.between (0.1, 0.2);
+    clutter.footprint.setConstant (2.0 * radius);
+    addPole (body, {0, 0, 0}, random.between (0.3, 0.6), radius);
+  }
+  else if (kind == Lamp) {
+    const double height = random.between (1.2, 1.7),
+                 shade = random.between (0.12, 0.22);
+    clutter.footprint.setConstant (2.0 * shade);
+    addPole (body, {0, 0, 0}, height, 0.02);
+    addPole (body, {0, 0, 0}, 0.03, 0.15);
+    body.spheres.push_back ({{0.0, 0.0, height}, shade});
+  }
+  else {
+    const double radius = random.between (0.08, 0.15);
+    const double length = random.between (0.8, 1.6);
+    clutter.footprint = {length, 2.0 * radius};
+    body.cylinders.push_back (
+        {{0.0, 0.0, radius}, Vector3d::UnitX(), 0.5 * length, radius});
+  }
+  return clutter;
+}
+
+Furniture
+drawAtWall (Random& random)
+{
+  constexpr Furniture (*draw[]) (Random&) = {
+      drawDesk, drawCupboard, drawShelf, drawBed, drawSofa, drawLeaningBoard};
+  return draw[random.below (6)](random);
+}
+
+Furniture
+drawAnywhere (Random& random)
+{
+  constexpr Furniture (*draw[]) (Random&) = {
+      drawTable, drawChair, drawCartons, drawTiltedPanel, drawRoundClutter};
+  return draw[random.below (5)](random);
 }
 
 } // namespace pcl_ops::simulation

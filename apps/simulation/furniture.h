@@ -3,43 +3,37 @@
 #pragma once
 
 #include "scene.h"
-#include <base/random.h>
 
 namespace pcl_ops::simulation {
 
 /** \brief A piece of furniture standing on z = 0 around the origin, its back towards
- * -y. Sizes are drawn from what is common in homes and offices. */
+ * -y. */
 struct Furniture {
   Body body;
   /** \brief Extent on the floor along x and y [m]. */
   Eigen::Vector2d footprint = Eigen::Vector2d::Zero();
 };
 
+/** \brief Something with its back to a wall: a desk, a cupboard, a shelf, a bed, a sofa
+ * or a board as of \ref drawLeaningBoard. All sizes are common in homes and offices. */
 Furniture
-makeTable (internal::RandomGenerator& generator);
+drawAtWall (Random& random);
 
-/** \brief A table with a monitor, an open laptop, books and a mug. */
+/** \brief Something in the room: a table, a chair, cartons, a panel of any tilt on a
+ * post, or round things. */
 Furniture
-makeDesk (internal::RandomGenerator& generator);
+drawAnywhere (Random& random);
 
+/** \brief A board that leans on the wall behind it. */
 Furniture
-makeCupboard (internal::RandomGenerator& generator);
+drawLeaningBoard (Random& random);
 
-/** \brief Open shelves with books. */
+/** \brief A wide board with one edge on the floor, the other raised. */
 Furniture
-makeShelf (internal::RandomGenerator& generator);
+drawRamp (Random& random);
 
+/** \brief A ball, a bin, a lamp or a rolled carpet: nothing planar. */
 Furniture
-makeBed (internal::RandomGenerator& generator);
-
-Furniture
-makeSofa (internal::RandomGenerator& generator);
-
-Furniture
-makeChair (internal::RandomGenerator& generator);
-
-/** \brief A cardboard box or two, one turned on the other. */
-Furniture
-makeCartons (internal::RandomGenerator& generator);
+drawRoundClutter (Random& random);
 
 } // namespace pcl_ops::simulation

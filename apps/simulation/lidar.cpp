@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lidar.h"
 
-#include "draws.h"
-
 #include <cmath>
 
 namespace pcl_ops::simulation {
@@ -12,17 +10,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-struct NamedLidar {
-  const char* name;
-  int beams, steps;
-  double highest, lowest; // [degree]
-  double farthest;        // [m]
-};
-
-constexpr NamedLidar lidars[] = {{"lidar-64", 64, 1900, 2.0, -24.8, 120.0},
-                                 {"lidar-32", 32, 1080, 10.0, -30.0, 100.0},
-                                 {"lidar-16", 16, 1800, 15.0, -15.0, 100.0},
-                                 {"livox", 1, 100'000, 35.0, -35.0, 120.0}};
+const std::vector<Lidar>&
+knownLidars ()
+{
+  static const std::vector<Lidar> lidars = {{"lidar-64", 64, 1900, 2.0, -24.8, 120.0},
+                                            {"lidar-32", 32, 1080, 10.0, -30.0, 100.0},
+                                            {"lidar-16", 16, 1800, 15.0, -15.0, 100.0},
+                                            {"livox", 1, 100'000, 35.0, -35.0, 120.0}};
+  return lidars;
+}
 
 Vector3d
 rotatingRay (const Lidar& lidar, int step, int beam)
@@ -61,52 +57,49 @@ std::vector<std::string>
 lidarNames ()
 {
   std::vector<std::string> names;
-  for (const NamedLidar& lidar : lidars)
-    names.emplace_back (lidar.name);
+  for (const Lidar& lidar : knownLidars())
+    names.push_back (lidar.name);
   return names;
 }
 
 Lidar
 lidarOf (const std::string& name)
 {
-  Lidar lidar;
-  for (const NamedLidar& known : lidars)
-    if (name == known.name) {
-      lidar.beams = known.beams;
-      lidar.steps = known.steps;
-      lidar.highest = known.highest;
-      lidar.lowest = known.lowest;
-      lidar.farthest = known.farthest;
-    }
-  return lidar;
+  for (const Lidar& lidar : knownLidars())
+    if (lidar.name == name)
+      return lidar;
+  return {};
 }
 
-LidarScan
+Scan
 scanAround (const Scene& scene,
             const Lidar& lidar,
             double noise_scale,
             std::uint32_t seed,
             std::size_t number)
 {
-  internal::RandomGenerator generator = makeGenerator (seed, Purpose::LidarNoise);
-  const std::size_t rays = std::size_t (lidar.beams) * lidar.steps;
-  LidarScan scan{lidar.beams,
-                 std::vector<Vector3d> (rays, Vector3d::Constant (std::nan (""))),
-                 std::vector<SurfaceId> (rays, no_surface)};
+  Random random = randomFor (Purpose::LidarNoise, seed);
+  Scan scan;
+  scan.columns = std::size_t (lidar.steps);
+  scan.rows = std::size_t (lidar.beams);
+  scan.column_by_column = true;
+  const std::size_t rays = scan.columns * scan.rows;
+  scan.points.assign (rays, Vector3d::Constant (std::nan ("")));
+  scan.surfaces.assign (rays, no_surface);
   const Vector3d eye = lidar.pose.translation();
   for (std::size_t i = 0; i < rays; ++i) {
     const Vector3d ray =
         lidar.isRosette()
             ? rosetteRay (lidar, number * rays + i)
-            : rotatingRay (lidar, int (i / lidar.beams), int (i % lidar.beams));
+            : rotatingRay (lidar, int (i / scan.rows), int (i % scan.rows));
     const Hit hit = castRay (scene, eye, lidar.pose.linear() * ray);
     // Drawn for each ray, so that one reading more leaves the others as they are.
-    const double error = noise_scale * lidar_sigma * drawGaussian (generator);
+    const double error = noise_scale * lidar_sigma * random.gaussian();
     const double distance = hit.distance + error;
     if (!(distance > 0.0 && distance <= lidar.farthest))
       continue;
     scan.points[i] = distance * ray;
-    scan.surface[i] = hit.surface;
+    scan.surfaces[i] = hit.surface;
   }
   return scan;
 }

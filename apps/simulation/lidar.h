@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "scene.h"
+#include "simulated_cloud.h"
 
 #include <string>
 #include <vector>
@@ -16,6 +16,7 @@ constexpr double lidar_sigma = 0.02;
  * one above the other, highest first, and so around clockwise; or with \ref beams 1 a
  * single one along a rosette whose gaps the next scans fill. */
 struct Lidar {
+  std::string name = "lidar-64";
   int beams = 64;
   /** \brief How often they are sent in a scan. */
   int steps = 1900;
@@ -43,14 +44,6 @@ lidarNames ();
 Lidar
 lidarOf (const std::string& name);
 
-/** \brief What a lidar reads, ray by ray in the order they are sent. */
-struct LidarScan {
-  int beams = 0;
-  /** \brief In the lidar's frame [m]; NaN: no reading. */
-  std::vector<Eigen::Vector3d> points;
-  std::vector<SurfaceId> surface;
-};
-
 /** \brief Casts all rays of a scan from where the lidar is; distances are noisy.
  * \param[in] scene best \ref divided
  * \param[in] lidar from where
@@ -58,7 +51,7 @@ struct LidarScan {
  * \param[in] seed the same seed gives the same scan
  * \param[in] number of the scan in a row of them: a rosette goes on where the last
  * scan ended */
-LidarScan
+Scan
 scanAround (const Scene& scene,
             const Lidar& lidar,
             double noise_scale,

@@ -1,184 +1,175 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/exceptions.h>
-
-#include "corner.h"
-#include "dense_scan.h"
-#include "depth_noise.h"
 #include "options.h"
-#include "packed_cloud.h"
+#include "scene_files.h"
 #include "shapes.h"
 #include "street.h"
 #include "survey.h"
-#include "town_files.h"
-#include "walk_files.h"
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <cli/memory.h>
 #include <cli/program.h>
 #include <cli/progress.h>
 #include <cli/stage_lines.h>
-#include <io/cloud_file.h>
 #include <io/output_file.h>
 #include <io/pose_file.h>
 #include <unistd.h>
 
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <optional>
 
 namespace {
 
 using namespace pcl_ops::simulation;
+namespace apps = pcl_ops::apps;
 
-constexpr double usual_points_of_town = 1e6, usual_tiles = 4;
+/** \brief A scene, and where a sensor looks at it from. */
+struct View {
+  Scene scene;
+  Poses poses;
+  /** \brief Of a pose; the noise is by the seed, and a rosette by the number of the
+   * scan in a row of them. */
+  std::function<Scan (const Scene&,
+                      const Eigen::Isometry3d& pose,
+                      std::uint32_t seed,
+                      std::size_t number)>
+      scan;
+  /** \brief What to do if a scan does not fit into the memory. */
+  const char* advice;
+};
 
-NoiseParameters
-noiseOf (const SimulationOptions& options)
-{
-  const NoiseProfile profile = options.profile == "raw"    ? NoiseProfile::Raw
-                               : options.profile == "none" ? NoiseProfile::None
-                                                           : NoiseProfile::Correlated;
-  NoiseParameters noise;
-  noise.profile = profile;
-  noise.scale = options.noise;
-  return noise;
-}
-
-std::size_t
-pointsOf (const SimulationOptions& options, std::size_t usual)
-{
-  return options.points ? std::size_t (*options.points) : usual;
-}
-
-CloudLayout
-layoutOf (const SimulationOptions& options)
-{
-  return options.organized ? CloudLayout::Organized : CloudLayout::Readings;
-}
-
-SimulatedCloud
-simulateRoom (const Room& room, const SimulationOptions& options)
-{
-  if (options.points)
-    return scanDensely (room.scene, pointsOf (options, 1), options.noise, options.seed);
-  DepthCamera camera = options.camera;
-  camera.pose = drawCameraPose (room, camera, options.seed);
-  const DepthImage image =
-      measureDepth (room.scene, camera, noiseOf (options), options.seed);
-  return toCloud (image, camera, room.scene, layoutOf (options));
-}
-
-SimulatedCloud
-simulateStreet (const SimulationOptions& options)
+View
+viewOfStreet (const SimulationOptions& options)
 {
   const Street street = makeStreet (options.seed);
-  Lidar lidar = lidarOf (options.sensor);
-  lidar.pose = drawSensorPose (street, options.seed);
-  return toCloud (scanAround (street.scene, lidar, options.noise, options.seed),
-                  lidar,
-                  street.scene,
-                  layoutOf (options));
+  const auto scan = [lidar = lidarOf (options.sensor),
+                     noise = options.noise] (const Scene& scene,
+                                             const auto& pose,
+                                             std::uint32_t seed,
+                                             std::size_t number) {
+    Lidar placed = lidar;
+    placed.pose = pose;
+    return scanAround (scene, placed, noise, seed, number);
+  };
+  const Poses poses = options.scene == "drive"
+                          ? drawDrive (street, options.frames, options.seed)
+                          : Poses{drawSensorPose (street, options.seed)};
+  return {street.scene, poses, scan, "give another --sensor"};
+}
+
+Room
+roomOf (const SimulationOptions& options)
+{
+  return options.scene == "furniture" ? makeFurnishedCorner (options.seed)
+                                      : makeRoom (options.seed);
+}
+
+View
+viewOfRoom (const SimulationOptions& options)
+{
+  const Room room = roomOf (options);
+  NoiseParameters noise;
+  noise.profile = options.profile == "raw"    ? NoiseProfile::Raw
+                  : options.profile == "none" ? NoiseProfile::None
+                                              : NoiseProfile::Correlated;
+  noise.scale = options.noise;
+  const auto scan =
+      [camera = options.camera,
+       noise] (const Scene& scene, const auto& pose, std::uint32_t seed, auto) {
+        DepthCamera placed = camera;
+        placed.pose = pose;
+        return toScan (measureDepth (scene, placed, noise, seed), placed);
+      };
+  const Poses poses =
+      options.scene == "walk"
+          ? drawWalk (room, options.camera, options.frames, options.seed)
+          : Poses{drawCameraPose (room, options.camera, options.seed)};
+  return {room.scene, poses, scan, "give a smaller --width and --height"};
+}
+
+View
+viewOf (const SimulationOptions& options)
+{
+  return isSeenByLidar (options.scene) ? viewOfStreet (options) : viewOfRoom (options);
 }
 
 SimulatedCloud
 simulate (const SimulationOptions& options)
 {
+  const auto pointsOr = [&options] (std::size_t usual) {
+    return options.points ? std::size_t (*options.points) : usual;
+  };
+  const std::uint32_t seed = options.seed;
   if (options.scene == "survey")
-    return scanSurvey (makeSurvey (options.seed),
-                       pointsOf (options, points_of_survey),
-                       options.noise,
-                       options.seed);
+    return scanSurvey (
+        makeSurvey (seed), pointsOr (points_of_survey), options.noise, seed);
   if (options.scene == "shapes")
-    return scanShapes (makeShapes (options.seed),
-                       pointsOf (options, points_of_shapes),
-                       options.noise,
-                       options.seed);
-  if (options.scene == "street")
-    return simulateStreet (options);
-  return simulateRoom (options.scene == "furniture" ? makeFurnishedCorner (options.seed)
-                                                    : makeRoom (options.seed),
-                       options);
+    return scanShapes (
+        makeShapes (seed), pointsOr (points_of_shapes), options.noise, seed);
+  if (options.points)
+    return scanDensely (roomOf (options).scene, pointsOr (1), options.noise, seed);
+  const View view = viewOf (options);
+  const Eigen::Isometry3d& pose = view.poses.front();
+  return toCloud (
+      view.scan (view.scene, pose, seed, 0), pose, view.scene, options.layout());
 }
 
-pcl_ops::apps::ProgressStyle
+apps::ProgressStyle
 progressOf (const SimulationOptions& options)
 {
-  return options.quiet ? pcl_ops::apps::ProgressStyle::None
-                       : pcl_ops::apps::progressStyleOf (::isatty (STDERR_FILENO) == 1);
+  return options.quiet ? apps::ProgressStyle::None
+                       : apps::progressStyleOf (::isatty (STDERR_FILENO) == 1);
 }
 
 void
 runTown (const SimulationOptions& options)
 {
+  constexpr double usual_points = 1e6, usual_tiles = 4;
   const Town town = makeTown (options.seed,
-                              options.points.value_or (usual_points_of_town),
-                              tilesAlongASide (options.tiles.value_or (usual_tiles)));
-  pcl_ops::apps::Progress progress (
+                              options.points.value_or (usual_points),
+                              options.tiles.value_or (usual_tiles));
+  apps::Progress progress (
       std::size_t (town.tiles) * town.tiles, std::cerr, progressOf (options), "tiles");
-  const TownFiles written = saveTown (options.output, town, options.noise, progress);
+  const WrittenFiles written = saveTown (options.output, town, options.noise, progress);
   if (!options.quiet)
     std::cout << options.output << ": " << written.points << " points in "
               << written.files << " files\n";
 }
 
-/** \brief Writes frames and poses. */
+/** \brief Writes a walk or a drive: frames and poses. */
 void
-saveFrames (const SimulationOptions& options,
-            const Poses& poses,
-            const WalkRecording& walk)
+runFrames (const SimulationOptions& options)
 {
-  pcl_ops::apps::Progress progress (
-      poses.size(), std::cerr, progressOf (options), "frames");
-  const std::uint64_t points = saveWalk (options.output, walk, progress);
+  const View view = viewOf (options);
+  const auto look = [&] (std::size_t frame) {
+    const Scan scan = view.scan (
+        view.scene, view.poses[frame], options.seed + std::uint32_t (frame), frame);
+    return toSurfaceCloud (scan, Eigen::Isometry3d::Identity(), options.layout());
+  };
+  apps::Progress progress (
+      view.poses.size(), std::cerr, progressOf (options), "frames");
+  const WrittenFiles written =
+      saveFrames (options.output, view.poses.size(), look, view.advice, progress);
   const std::string file =
       (std::filesystem::path (options.output) / "poses.txt").string();
-  pcl_ops::apps::savePoses (file, measured (poses, options.pose_errors, options.seed));
+  apps::savePoses (file, measured (view.poses, options.pose_errors, options.seed));
   if (!options.quiet)
-    std::cout << options.output << ": " << points << " points in " << options.frames
-              << " frames, " << file << "\n";
-}
-
-void
-runWalk (const SimulationOptions& options)
-{
-  const Room room = makeRoom (options.seed);
-  const Poses poses = drawWalk (room, options.camera, options.frames, options.seed);
-  saveFrames (options,
-              poses,
-              recorded (room.scene,
-                        options.camera,
-                        poses,
-                        noiseOf (options),
-                        layoutOf (options),
-                        options.seed));
-}
-
-void
-runDrive (const SimulationOptions& options)
-{
-  const Street street = makeStreet (options.seed);
-  const Poses poses = drawDrive (street, options.frames, options.seed);
-  saveFrames (options,
-              poses,
-              recorded (street.scene,
-                        lidarOf (options.sensor),
-                        poses,
-                        options.noise,
-                        layoutOf (options),
-                        options.seed));
+    std::cout << options.output << ": " << written.points << " points in "
+              << written.files << " frames, " << file << "\n";
 }
 
 /** \brief Writes files one after the other, and ends behind one of them on Ctrl-C. */
 void
-runFiles (const SimulationOptions& options, void (*write) (const SimulationOptions&))
+runFiles (const SimulationOptions& options)
 {
-  pcl_ops::apps::noteInterruptions();
+  apps::noteInterruptions();
   try {
-    write (options);
+    options.scene == "town" ? runTown (options) : runFrames (options);
   }
-  catch (const pcl_ops::apps::Interrupted&) {
-    throw pcl_ops::apps::WorkError (
+  catch (const apps::Interrupted&) {
+    throw apps::WorkError (
         options.output, "interrupted: its files are whole, but not all; run it again");
   }
 }
@@ -186,14 +177,14 @@ runFiles (const SimulationOptions& options, void (*write) (const SimulationOptio
 void
 runCloud (const SimulationOptions& options)
 {
-  pcl_ops::apps::checkWritable (options.output);
-  std::optional<pcl_ops::apps::StageLines> lines;
+  apps::checkWritable (options.output);
+  std::optional<apps::StageLines> lines;
   if (!options.quiet)
     lines.emplace (std::cerr).begin (options.output + ": simulating");
   const SimulatedCloud simulated =
-      pcl_ops::apps::inMemory (options.output, "give fewer --points", [&] {
+      apps::inMemory (options.output, "give fewer --points", [&] {
         SimulatedCloud cloud = simulate (options);
-        pcl_ops::apps::savePcd (options.output, packedCloud (cloud.cloud));
+        saveLabeledPcd (options.output, cloud.cloud);
         return cloud;
       });
   lines.reset();
@@ -206,17 +197,9 @@ int
 run (int argc, const char* const* argv)
 {
   SimulationOptions options;
-  if (!readOptions (argc, argv, options))
-    return pcl_ops::apps::ExitCode::done;
-  if (options.scene == "town")
-    runFiles (options, runTown);
-  else if (options.scene == "walk")
-    runFiles (options, runWalk);
-  else if (options.scene == "drive")
-    runFiles (options, runDrive);
-  else
-    runCloud (options);
-  return pcl_ops::apps::ExitCode::done;
+  if (readOptions (argc, argv, options))
+    isOfManyFiles (options.scene) ? runFiles (options) : runCloud (options);
+  return apps::ExitCode::done;
 }
 
 } // namespace
@@ -224,9 +207,8 @@ run (int argc, const char* const* argv)
 int
 main (int argc, char** argv)
 {
-  using namespace pcl_ops::apps;
-  const int code = runProgram (program_name, [&] { return run (argc, argv); });
-  if (code != ExitCode::done)
-    endAsInterrupted();
+  const int code = apps::runProgram (program_name, [&] { return run (argc, argv); });
+  if (code != apps::ExitCode::done)
+    apps::endAsInterrupted();
   return code;
 }

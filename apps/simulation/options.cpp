@@ -17,19 +17,16 @@ using apps::CommandLine;
 using apps::Range;
 using apps::UsageError;
 
-constexpr double most_seed = std::numeric_limits<std::uint32_t>::max();
+constexpr double max_seed = std::numeric_limits<std::uint32_t>::max();
 /** \brief A point takes 32 bytes, and 16 more while it is written. */
-constexpr double most_points = 1e7;
+constexpr double max_points = 1e7;
 /** \brief Those of a town are never all in memory. */
-constexpr double most_points_of_town = 1e12, most_tiles_of_town = 1e6;
-/** \brief Image sizes for which a neighbourhood of pixels still means something [px].
- */
-constexpr double smallest_image = 16;
-constexpr double largest_image = 4096;
-
-constexpr double most_frames = 1000;
+constexpr double max_points_of_town = 1e12, max_tiles_of_town = 1e6;
+/** \brief Image sizes for which a neighborhood of pixels still means something [px]. */
+constexpr double min_image_size = 16, max_image_size = 4096;
+constexpr double max_frames = 1000;
 /** \brief Beyond, an error is no small motion [degree, cm]. */
-constexpr double largest_pose_error = 30;
+constexpr double max_pose_error = 30;
 
 /** \brief Whether the scene is a room; the others are scanned by a lidar or from
  * everywhere. */
@@ -37,19 +34,6 @@ bool
 isSeenByCamera (const std::string& scene)
 {
   return scene == "room" || scene == "furniture" || scene == "walk";
-}
-
-bool
-isSeenByLidar (const std::string& scene)
-{
-  return scene == "street" || scene == "drive";
-}
-
-/** \brief Whether the scene is seen in many frames. */
-bool
-isOnTheWay (const std::string& scene)
-{
-  return scene == "walk" || scene == "drive";
 }
 
 void
@@ -68,7 +52,7 @@ declareScene (CommandLine& line, SimulationOptions& options)
       "a lidar's way along a street (room)");
   line.addNumber ("seed",
                   "S",
-                  Range::from (0).upTo (most_seed),
+                  Range::from (0).upTo (max_seed),
                   options.seed,
                   "which room, furniture, houses, shapes or street (1)");
 }
@@ -76,7 +60,7 @@ declareScene (CommandLine& line, SimulationOptions& options)
 void
 declareScan (CommandLine& line, SimulationOptions& options)
 {
-  const Range image_size = Range::from (smallest_image).upTo (largest_image);
+  const Range image_size = Range::from (min_image_size).upTo (max_image_size);
   line.addNumber ("width", "W", image_size, options.camera.width, "columns (640)");
   line.addNumber ("height", "H", image_size, options.camera.height, "rows (480)");
   line.addNumber ("noise",
@@ -90,7 +74,7 @@ declareScan (CommandLine& line, SimulationOptions& options)
                   "the noise: smoothed depth, raw depth, none (correlated)");
   line.addNumber ("points",
                   "N",
-                  Range::from (1).upTo (most_points_of_town),
+                  Range::from (1).upTo (max_points_of_town),
                   options.points,
                   "scan the whole room with N points instead of one camera image; "
                   "points of survey (600000), shapes (250000), about those of town "
@@ -105,7 +89,7 @@ declareOtherScenes (CommandLine& line, SimulationOptions& options)
 {
   line.addNumber ("tiles",
                   "N",
-                  Range::from (1).upTo (most_tiles_of_town),
+                  Range::from (1).upTo (max_tiles_of_town),
                   options.tiles,
                   "tiles of town, rounded up to a square number (4)");
   line.addChoice ("sensor",
@@ -115,58 +99,51 @@ declareOtherScenes (CommandLine& line, SimulationOptions& options)
                   "beam along a rosette (lidar-64)");
   line.addNumber ("frames",
                   "N",
-                  Range::from (1).upTo (most_frames),
+                  Range::from (1).upTo (max_frames),
                   options.frames,
                   "clouds of walk and drive (50)");
   line.addNumber ("pose-error",
                   "X",
-                  Range::from (0).upTo (largest_pose_error),
+                  Range::from (0).upTo (max_pose_error),
                   options.pose_errors.each,
                   "degrees and cm each pose of these is off in poses.txt (0)");
   line.addNumber ("drift",
                   "X",
-                  Range::from (0).upTo (largest_pose_error),
+                  Range::from (0).upTo (max_pose_error),
                   options.pose_errors.drift,
                   "degrees and cm their way is off from pose to pose (0)");
-}
-
-/** \brief Refuses options about frames and lidars for the other scenes. */
-void
-checkSensor (const CommandLine& line, const SimulationOptions& options)
-{
-  for (const char* of_frames : {"frames", "pose-error", "drift"})
-    if (line.isGiven (of_frames) && !isOnTheWay (options.scene))
-      throw UsageError (std::string ("--") + of_frames,
-                        "is about --scene walk and drive; leave it out");
-  const bool is_lidar = isSeenByLidar (options.scene);
-  if (line.isGiven ("sensor") && !is_lidar)
-    throw UsageError ("--sensor", "is about --scene street and drive; leave it out");
-  if (is_lidar && options.organized && lidarOf (options.sensor).isRosette())
-    throw UsageError ("--organized",
-                      "is not for --sensor " + options.sensor + ", which has no rows");
 }
 
 /** \brief Refuses options that the scene has no use for. */
 void
 checkOptions (const CommandLine& line, const SimulationOptions& options)
 {
-  checkSensor (line, options);
   const std::string& scene = options.scene;
   const bool is_town = scene == "town", is_lidar = isSeenByLidar (scene);
-  if (scene == "walk" && options.points)
-    throw UsageError ("--points", "is not for --scene walk; give --width, --height");
-  if (is_lidar && options.points)
-    throw UsageError ("--points", "is not for --scene " + scene + "; give --sensor");
-  if (options.tiles && !is_town)
-    throw UsageError ("--tiles", "is about --scene town; leave it out");
-  if (!is_town && options.points.value_or (1) > most_points)
-    throw UsageError ("--points",
-                      "is more than 10000000, which only --scene town takes");
-  if (!is_town && !isOnTheWay (scene) && apps::extensionOf (options.output) != ".pcd")
+  const auto refuse =
+      [&line] (const std::string& option, bool is_wrong, const std::string& problem) {
+        if (is_wrong && line.isGiven (option))
+          throw UsageError ("--" + option, problem);
+      };
+  for (const char* of_frames : {"frames", "pose-error", "drift"})
+    refuse (of_frames,
+            !isOnTheWay (scene),
+            "is about --scene walk and drive; leave it out");
+  refuse ("sensor", !is_lidar, "is about --scene street and drive; leave it out");
+  refuse ("organized",
+          is_lidar && lidarOf (options.sensor).isRosette(),
+          "is not for --sensor " + options.sensor + ", which has no rows");
+  refuse ("points", scene == "walk", "is not for --scene walk; give --width, --height");
+  refuse ("points", is_lidar, "is not for --scene " + scene + "; give --sensor");
+  refuse ("tiles", !is_town, "is about --scene town; leave it out");
+  refuse ("points",
+          !is_town && options.points.value_or (1) > max_points,
+          "is more than 10000000, which only --scene town takes");
+  if (!isOfManyFiles (scene) && apps::extensionOf (options.output) != ".pcd")
     throw UsageError (options.output, "has an unknown extension; give a .pcd file");
-  for (const char* of_camera : {"width", "height", "profile", "organized"}) {
+  for (const std::string of_camera : {"width", "height", "profile", "organized"}) {
     line.forbidTogether ("points", of_camera);
-    const bool is_of_lidar = is_lidar && std::string (of_camera) == "organized";
+    const bool is_of_lidar = is_lidar && of_camera == "organized";
     if (!isSeenByCamera (scene) && !is_of_lidar)
       line.forbidTogether ("scene", of_camera);
   }

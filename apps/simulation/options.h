@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "depth_camera.h"
-#include "walk.h"
+#include "poses.h"
 
 #include <cstdint>
 #include <optional>
@@ -28,7 +27,33 @@ struct SimulationOptions {
   PoseErrors pose_errors;
   bool organized = false;
   bool quiet = false;
+
+  CloudLayout
+  layout () const
+  {
+    return organized ? CloudLayout::Organized : CloudLayout::Readings;
+  }
 };
+
+inline bool
+isSeenByLidar (const std::string& scene)
+{
+  return scene == "street" || scene == "drive";
+}
+
+/** \brief Whether the scene is seen in many frames. */
+inline bool
+isOnTheWay (const std::string& scene)
+{
+  return scene == "walk" || scene == "drive";
+}
+
+/** \brief Whether the output is a folder. */
+inline bool
+isOfManyFiles (const std::string& scene)
+{
+  return scene == "town" || isOnTheWay (scene);
+}
 
 /** \return false if the answer was --help or --version
  * \throws UsageError */

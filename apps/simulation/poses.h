@@ -2,31 +2,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
+#include "depth_camera.h"
+#include "room.h"
 
-#include "draws.h"
+#include <vector>
 
 namespace pcl_ops::simulation {
 
-inline Eigen::Isometry3d
-at (double x, double y, double z)
-{
-  return Eigen::Isometry3d (Eigen::Translation3d (x, y, z));
-}
+/** \brief Where the sensor is in each frame: from its own frame to that of the scene.
+ */
+using Poses = std::vector<Eigen::Isometry3d>;
 
-inline Eigen::Isometry3d
-turned (double angle, const Eigen::Vector3d& axis)
-{
-  return Eigen::Isometry3d (Eigen::AngleAxisd (angle, axis));
-}
+/** \brief Number of surfaces well in view, none if something stands before the camera.
+ */
+int
+countVisibleSurfaces (const Scene& scene, DepthCamera camera);
 
-/** \brief Uniform draw of an angle [rad] between two given in degrees. */
-inline double
-drawAngle (internal::RandomGenerator& generator,
-           double lower_degrees,
-           double upper_degrees)
-{
-  return drawBetween (generator, lower_degrees, upper_degrees) * pi / 180.0;
-}
+/** \brief Draws a pose at a person's height in the room, upright to a few degrees, that
+ * sees many surfaces and has nothing just in front of it.
+ * \param[in] room the room
+ * \param[in] camera its image size and range count
+ * \param[in] seed the same seed and room give the same pose whatever the image size */
+Eigen::Isometry3d
+drawCameraPose (const Room& room, const DepthCamera& camera, std::uint32_t seed);
+
+/** \brief Draws a walk through a room: three quarters of the way around its middle,
+ * looking across it, so that walls come and go and the first comes again; at a person's
+ * height, which rises and falls with the steps.
+ * \param[in] camera its range and field of view count
+ * \param[in] seed the same seed and room give the same walk */
+Poses
+drawWalk (const Room& room,
+          const DepthCamera& camera,
+          std::size_t frames,
+          std::uint32_t seed);
+
+/** \brief How far poses are off, as root mean square: a turn of so many degrees about
+ * the sensor, and a shift of so many centimeters. */
+struct PoseErrors {
+  /** \brief Of each pose by itself. */
+  double each = 0.0;
+  /** \brief Of each step between two, so that they add up. */
+  double drift = 0.0;
+};
+
+/** \brief Poses as a measurement would have them. */
+Poses
+measured (const Poses& poses, const PoseErrors& errors, std::uint32_t seed);
 
 } // namespace pcl_ops::simulation

@@ -2,40 +2,208 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room.h"
 
-#include "furnisher.h"
-#include "poses.h"
-#include "room_shell.h"
-#include "round_furniture.h"
-#include "tilted_furniture.h"
+#include "board_furniture.h"
+#include "walls.h"
 
 namespace pcl_ops::simulation {
 
 namespace {
 
+using Eigen::AlignedBox2d;
+using Eigen::Isometry3d;
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-using FurnitureMaker = Furniture (*) (internal::RandomGenerator&);
+constexpr int walls_of_room = 4, walls_of_corner = 2;
 
-/** \brief Floor area for each piece at a wall and each in the room [m^2]. */
-constexpr double floor_of_piece = 8.0;
+/** \brief Length of a wall, 0 to 3 [m]. */
+double
+wallLength (const Vector3d& size, int wall)
+{
+  return wall % 2 == 0 ? size.x() : size.y();
+}
+
+/** \brief Puts what stands at the origin with its back towards -y against a wall.
+ * \param[in] size of the room [m]
+ * \param[in] wall 0 to 3
+ * \param[in] along shift along the wall from its middle [m]
+ * \param[in] gap from the wall's plane [m] */
+Isometry3d
+poseAtWall (const Vector3d& size, int wall, double along, double gap)
+{
+  const double to_wall = 0.5 * wallLength (size, wall + 1);
+  return turnZ (0.5 * pi * wall) * at (along, gap - to_wall, 0.0);
+}
+
+/** \brief A wall, maybe with a window niche or a door whose leaf is set back. */
+Body
+drawWall (const WallRange& wall, Random& random)
+{
+  constexpr double threshold_height = 0.02; // of a door [m]
+  Body body;
+  if (!random.chance (0.6)) {
+    addSurface (body, wall.at (0.0));
+    return body;
+  }
+  const bool door = random.chance (0.4);
+  const double width = door ? 0.9 : random.between (0.9, 1.7);
+  const double reach = 0.5 * (wall.right - wall.left - width) - 0.2;
+  const double middle = random.between (-reach, reach);
+  const double bottom = door ? threshold_height : random.between (0.8, 1.0);
+  const double top = door ? 2.05 : random.between (1.9, 2.2);
+  const double depth = door ? random.between (0.07, 0.15) : random.between (0.12, 0.3);
+  addWallAround (body,
+                 wall.at (0.0),
+                 {middle - 0.5 * width, middle + 0.5 * width, bottom, top},
+                 depth);
+  return body;
+}
+
+/** \brief Floor, four walls and ceiling of an empty room.
+ * \param[in] size length, width and height [m] */
+Body
+drawRoomShell (const Vector3d& size, Random& random)
+{
+  Body shell;
+  for (const double z : {0.0, size.z()})
+    addSurface (shell,
+                rectangleAlong (0, 1, {0, 0, z}, 0.5 * size.x(), 0.5 * size.y()));
+  for (int wall = 0; wall < walls_of_room; ++wall) {
+    const double half_length = 0.5 * wallLength (size, wall);
+    addPart (shell,
+             drawWall ({-half_length, half_length, 0.0, size.z()}, random),
+             poseAtWall (size, wall, 0.0, 0.0));
+  }
+  return shell;
+}
+
+/** \brief The floor and the first \ref walls_of_corner, without openings. */
+Body
+makeCornerShell (const Vector3d& size)
+{
+  Body shell;
+  addSurface (shell, rectangleAlong (0, 1, {0, 0, 0}, 0.5 * size.x(), 0.5 * size.y()));
+  for (int wall = 0; wall < walls_of_corner; ++wall) {
+    const double half_length = 0.5 * wallLength (size, wall);
+    Body plain;
+    addSurface (plain, WallRange{-half_length, half_length, 0.0, size.z()}.at (0.0));
+    addPart (shell, plain, poseAtWall (size, wall, 0.0, 0.0));
+  }
+  return shell;
+}
+
+/** \brief Places pieces of furniture one by one where there is still room for them;
+ * those for which there is none are left out. */
+class Furnisher {
+public:
+  /** \param[in,out] room takes the pieces
+   * \param[in] walls that it has, the first of the four
+   * \param[in,out] random source of all places */
+  Furnisher (Room& room, int walls, Random& random)
+  : room_ (room), walls_ (walls), random_ (random)
+  {}
+
+  /** \brief With its back to some wall. */
+  void
+  placeAtWall (const Furniture& furniture)
+  {
+    const Vector2d& footprint = furniture.footprint;
+    place (furniture, [&] {
+      const int wall = int (random_.below (std::uint32_t (walls_)));
+      const double reach = 0.5 * (wallLength (room_.size, wall) - footprint.x());
+      const double along = random_.between (-reach, reach);
+      const double gap = random_.between (0.005, 0.05);
+      return poseAtWall (room_.size, wall, along, gap + 0.5 * footprint.y());
+    });
+  }
+
+  /** \brief Anywhere in the room, turned in any way. */
+  void
+  placeAnywhere (const Furniture& furniture)
+  {
+    place (furniture, [&] {
+      const double x = random_.between (-0.5, 0.5) * room_.size.x();
+      const double y = random_.between (-0.5, 0.5) * room_.size.y();
+      return at (x, y, 0.0) * turnZ (random_.angle (0, 360));
+    });
+  }
+
+private:
+  template <typename DrawPose>
+  void
+  place (const Furniture& furniture, const DrawPose& drawPose)
+  {
+    constexpr int attempts = 30;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      const Isometry3d pose = drawPose();
+      const AlignedBox2d covered = coveredFloor (furniture.footprint, pose);
+      if (!isFree (covered))
+        continue;
+      covered_.push_back (covered);
+      addBody (room_.scene, furniture.body, turnZ (room_.yaw) * pose);
+      return;
+    }
+  }
+
+  /** \brief The part of the floor, parallel to the walls, that a piece covers. */
+  static AlignedBox2d
+  coveredFloor (const Vector2d& footprint, const Isometry3d& pose)
+  {
+    AlignedBox2d covered;
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5}) {
+        const Vector3d corner (x * footprint.x(), y * footprint.y(), 0.0);
+        covered.extend (Vector2d ((pose * corner).head<2>()));
+      }
+    return covered;
+  }
+
+  bool
+  isFree (const AlignedBox2d& covered) const
+  {
+    constexpr double clearance = 0.1; // between two pieces, to walk [m]
+    const Vector2d half = 0.5 * room_.size.head<2>();
+    if (!AlignedBox2d (-half, half).contains (covered))
+      return false;
+    for (const AlignedBox2d& other : covered_)
+      if (other.exteriorDistance (covered) < clearance)
+        return false;
+    return true;
+  }
+
+  Room& room_;
+  int walls_;
+  Random& random_;
+  /** \brief The floor below the pieces. */
+  std::vector<AlignedBox2d> covered_;
+};
 
 void
-furnish (Room& room, internal::RandomGenerator& generator)
+furnish (Room& room, Random& random)
 {
-  constexpr FurnitureMaker at_walls[] = {
-      makeDesk, makeCupboard, makeShelf, makeBed, makeSofa, makeLeaningBoard};
-  constexpr FurnitureMaker anywhere[] = {
-      makeTable, makeChair, makeCartons, makeTiltedPanel, makeRoundClutter};
-  Furnisher furnisher (room, 4, generator);
-  furnisher.placeAtWall (makeLeaningBoard (generator));
-  furnisher.placeAnywhere (makeRamp (generator));
-  furnisher.placeAnywhere (makeRoundClutter (generator));
-  const double floor_area = room.size.x() * room.size.y();
-  const int rounds = int (3.0 + floor_area / floor_of_piece);
+  constexpr double floor_of_piece =
+      8.0; // for each at a wall and each in the room [m^2]
+  Furnisher furnisher (room, walls_of_room, random);
+  furnisher.placeAtWall (drawLeaningBoard (random));
+  furnisher.placeAnywhere (drawRamp (random));
+  furnisher.placeAnywhere (drawRoundClutter (random));
+  const int rounds = int (3.0 + room.size.x() * room.size.y() / floor_of_piece);
   for (int i = 0; i < rounds; ++i) {
-    furnisher.placeAtWall (at_walls[internal::drawBelow (generator, 6)](generator));
-    furnisher.placeAnywhere (anywhere[internal::drawBelow (generator, 5)](generator));
+    furnisher.placeAtWall (drawAtWall (random));
+    furnisher.placeAnywhere (drawAnywhere (random));
   }
+}
+
+/** \brief An empty scene of a drawn size and direction.
+ * \param[in] smallest, largest length, width and height [m] */
+Room
+drawRoomSize (const Vector3d& smallest, const Vector3d& largest, Random& random)
+{
+  Room room;
+  for (int axis = 0; axis < 3; ++axis)
+    room.size[axis] = random.between (smallest[axis], largest[axis]);
+  room.yaw = random.angle (0, 90);
+  return room;
 }
 
 } // namespace
@@ -43,17 +211,25 @@ furnish (Room& room, internal::RandomGenerator& generator)
 Room
 makeRoom (std::uint32_t seed)
 {
-  internal::RandomGenerator generator = makeGenerator (seed, Purpose::Room);
-  Room room;
-  room.size = {drawBetween (generator, 3.5, 8.0),
-               drawBetween (generator, 3.0, 6.0),
-               drawBetween (generator, 2.4, 3.0)};
-  room.yaw = drawAngle (generator, 0, 90);
-  addBody (room.scene,
-           makeRoomShell (room.size, generator),
-           turned (room.yaw, Vector3d::UnitZ()));
-  furnish (room, generator);
+  Random random = randomFor (Purpose::Room, seed);
+  Room room = drawRoomSize ({3.5, 3.0, 2.4}, {8.0, 6.0, 3.0}, random);
+  addBody (room.scene, drawRoomShell (room.size, random), turnZ (room.yaw));
+  furnish (room, random);
   return room;
+}
+
+Room
+makeFurnishedCorner (std::uint32_t seed)
+{
+  Random random = randomFor (Purpose::Corner, seed);
+  Room corner = drawRoomSize ({3.0, 3.0, 2.4}, {4.0, 4.0, 3.0}, random);
+  addBody (corner.scene, makeCornerShell (corner.size), turnZ (corner.yaw));
+  Furnisher furnisher (corner, walls_of_corner, random);
+  for (const auto draw : {drawBoardRack, drawBoardTable, drawBoardBench})
+    furnisher.placeAtWall (draw (random));
+  for (const auto draw : {drawBoardTable, drawBoardBench})
+    furnisher.placeAnywhere (draw (random));
+  return corner;
 }
 
 } // namespace pcl_ops::simulation

@@ -4,8 +4,6 @@
 
 #include "scene.h"
 
-#include <cstdint>
-
 namespace pcl_ops::simulation {
 
 /** \brief A furnished rectangular room; z is up, z = 0 the floor, the origin the middle
@@ -22,5 +20,11 @@ struct Room {
  * \param[in] seed the same seed gives the same room */
 Room
 makeRoom (std::uint32_t seed);
+
+/** \brief Draws the corner of a room, a floor and two walls, with tables, benches and
+ * racks of boards on posts: narrow planes beside wide ones.
+ * \param[in] seed the same seed gives the same corner */
+Room
+makeFurnishedCorner (std::uint32_t seed);
 
 } // namespace pcl_ops::simulation

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <numbers/random.h>
 #include <pcl_ops/plane.h>
 
 #include <cstdint>
@@ -11,6 +12,61 @@
 #include <vector>
 
 namespace pcl_ops::simulation {
+
+using apps::pi;
+using apps::Random;
+
+/** \brief What a stream of random numbers is for. Each purpose has its own stream, so
+ * that the same seed gives the same scene whatever the camera and the noise. */
+enum class Purpose : std::uint32_t {
+  Room = 1,
+  CameraPose,
+  DepthNoise,
+  DenseScan,
+  Survey,
+  SurveyScan,
+  Shapes,
+  ShapesScan,
+  Corner,
+  Town,
+  Walk,
+  PoseError,
+  Street,
+  SensorPose,
+  LidarNoise,
+  Drive
+};
+
+inline Random
+randomFor (Purpose purpose, std::uint32_t seed)
+{
+  return Random (std::seed_seq{seed, std::uint32_t (purpose)});
+}
+
+inline Eigen::Isometry3d
+at (double x, double y, double z)
+{
+  return Eigen::Isometry3d (Eigen::Translation3d (x, y, z));
+}
+
+/** \brief A turn about an axis by an angle [rad]. */
+inline Eigen::Isometry3d
+turnX (double angle)
+{
+  return Eigen::Isometry3d (Eigen::AngleAxisd (angle, Eigen::Vector3d::UnitX()));
+}
+
+inline Eigen::Isometry3d
+turnY (double angle)
+{
+  return Eigen::Isometry3d (Eigen::AngleAxisd (angle, Eigen::Vector3d::UnitY()));
+}
+
+inline Eigen::Isometry3d
+turnZ (double angle)
+{
+  return Eigen::Isometry3d (Eigen::AngleAxisd (angle, Eigen::Vector3d::UnitZ()));
+}
 
 /** \brief Identity of a flat surface, from 1. Rectangles that are pieces of the same
  * physical surface share it. */
@@ -34,12 +90,20 @@ struct Rectangle {
     return axis_u.cross (axis_v);
   }
 
-  double
-  area () const
+  Plane
+  plane () const
   {
-    return 4.0 * half_u * half_v;
+    return planeThrough (center, normal());
   }
 };
+
+/** \brief A rectangle along the axes \p u and \p v of its frame (0: x, 1: y, 2: z). */
+inline Rectangle
+rectangleAlong (
+    int u, int v, const Eigen::Vector3d& center, double half_u, double half_v)
+{
+  return {center, Eigen::Vector3d::Unit (u), Eigen::Vector3d::Unit (v), half_u, half_v};
+}
 
 struct Sphere {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
@@ -66,6 +130,33 @@ struct Body {
   double narrowest_surface = 0.05;
 };
 
+/** \brief Calls \p visit with each shape of a body. */
+template <typename Visit>
+void
+forEachShape (const Body& body, const Visit& visit)
+{
+  for (const Rectangle& rectangle : body.rectangles)
+    visit (rectangle);
+  for (const Sphere& sphere : body.spheres)
+    visit (sphere);
+  for (const Cylinder& cylinder : body.cylinders)
+    visit (cylinder);
+}
+
+/** \brief The surface of a shape, \ref no_surface of what is round. */
+inline SurfaceId
+surfaceOf (const Rectangle& rectangle)
+{
+  return rectangle.surface;
+}
+
+template <typename Shape>
+SurfaceId
+surfaceOf (const Shape&)
+{
+  return no_surface;
+}
+
 /** \brief Adds a rectangle with a surface of its own, or \ref no_surface if it is
  * narrower than \ref Body::narrowest_surface. */
 void
@@ -76,9 +167,9 @@ enum class HiddenFace { None, Bottom, BottomAndTop };
 
 /** \brief Adds the faces of a box.
  * \param[in,out] body takes the faces
- * \param[in] pose from the box's frame, its zero in the box's centre, to the body's
+ * \param[in] pose from the frame of the box, zero at its center, to that of the body
  * \param[in] size edge lengths [m]
- * \param[in] hidden the face to leave out */
+ * \param[in] hidden the faces to leave out */
 void
 addBox (Body& body,
         const Eigen::Isometry3d& pose,
@@ -94,17 +185,11 @@ joinCoplanar (Body& body);
 void
 addPart (Body& body, const Body& part, const Eigen::Isometry3d& pose);
 
-/** \brief A sphere around a body, to skip it quickly. */
-struct BoundingSphere {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  double radius = 0.0;
-};
-
 /** \brief Everything a sensor can see. */
 struct Scene {
   std::vector<Body> bodies;
-  /** \brief One for each body. */
-  std::vector<BoundingSphere> bounds;
+  /** \brief A sphere around each body, to skip it quickly. */
+  std::vector<Sphere> bounds;
   SurfaceId surface_count = 0;
 };
 

@@ -2,125 +2,135 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shapes.h"
 
-#include "poses.h"
+#include <algorithm>
+#include <cmath>
 
 namespace pcl_ops::simulation {
 
 namespace {
 
-/** \brief Middle to middle of neighbouring shapes [m]: room for the two largest. */
-constexpr double distance_of_shapes = 1.8;
-/** \brief The row of shapes beside the ground, which begins at y = 0 [m]. */
-constexpr double row_of_shapes = -1.2;
-constexpr double length_of_ground = 6.0;
-constexpr double width_of_ground = 4.0;
+using Eigen::Vector3d;
 
-/** \brief The same of the parts of larger ones, behind the others. */
-constexpr double distance_of_large_shapes = 3.0;
-constexpr double row_of_large_shapes = -3.8;
-constexpr double smallest_large_radius = 0.6;
-constexpr double largest_radius = 5.5;
+/** \brief Of the large shapes [m]. */
+constexpr double smallest_large_radius = 0.6, largest_radius = 5.5;
 
-/** \brief Where the shape of that position in its row, from 0 to 3, touches z = 0. */
-Eigen::Vector3d
-placeInRow (int position)
+/** \brief Where the small shape of that position in its row, from 0 to 3, touches
+ * z = 0: beside the ground, which begins at y = 0. */
+Vector3d
+placeOfSmall (int position)
 {
-  return {(position - 1.5) * distance_of_shapes, row_of_shapes, 0.0};
+  constexpr double distance = 1.8; // room for the two largest [m]
+  return {(position - 1.5) * distance, -1.2, 0.0};
 }
 
-Eigen::Vector3d
+/** \brief The same of the large shapes, behind the others. */
+Vector3d
 placeOfLarge (int position)
 {
-  return {(position - 1.5) * distance_of_large_shapes, row_of_large_shapes, 0.0};
+  constexpr double distance = 3.0; // [m]
+  return {(position - 1.5) * distance, -3.8, 0.0};
 }
 
-Eigen::Vector3d
+Vector3d
 up (double height)
 {
-  return height * Eigen::Vector3d::UnitZ();
-}
-
-Rectangle
-makeGround ()
-{
-  Rectangle ground;
-  ground.center = {0.0, 0.5 * width_of_ground, 0.0};
-  ground.half_u = 0.5 * length_of_ground;
-  ground.half_v = 0.5 * width_of_ground;
-  ground.surface = 1;
-  return ground;
+  return height * Vector3d::UnitZ();
 }
 
 /** \brief A board on the ground, turned about the vertical and leaning back a little.
  */
 Rectangle
-makeBoard (const Rectangle& ground, internal::RandomGenerator& generator)
+drawBoard (const Rectangle& ground, Random& random)
 {
-  const double turn = drawAngle (generator, 0, 360);
-  const double tilt = drawAngle (generator, 70, 90);
-  const Eigen::Isometry3d pose =
-      turned (turn, Eigen::Vector3d::UnitZ()) * turned (tilt, Eigen::Vector3d::UnitX());
+  const double turn = random.angle (0, 360), tilt = random.angle (70, 90);
+  const Eigen::Isometry3d pose = turnZ (turn) * turnX (tilt);
   Rectangle board;
-  board.half_u = 0.5 * drawBetween (generator, 0.8, 1.6);
-  board.half_v = 0.5 * drawBetween (generator, 1.2, 2.0);
+  board.half_u = 0.5 * random.between (0.8, 1.6);
+  board.half_v = 0.5 * random.between (1.2, 2.0);
   board.axis_u = pose.linear().col (0);
   board.axis_v = pose.linear().col (1);
   board.center = ground.center + board.half_v * board.axis_v;
-  board.surface = 2;
   return board;
 }
 
 /** \brief Of equal chance for each octave. */
 double
-drawLargeRadius (internal::RandomGenerator& generator)
+drawLargeRadius (Random& random)
 {
-  return smallest_large_radius * std::pow (largest_radius / smallest_large_radius,
-                                           internal::drawUnit (generator));
+  return smallest_large_radius *
+         std::pow (largest_radius / smallest_large_radius, random.unit());
 }
 
 /** \brief The axis of a sector whose middle is at that position of its row, at z = 0.
  */
-Eigen::Vector3d
+Vector3d
 axisBehind (int position, double radius)
 {
-  return placeOfLarge (position) - radius * Eigen::Vector3d::UnitY();
+  return placeOfLarge (position) - radius * Vector3d::UnitY();
 }
 
 /** \brief The share of a turn that is 2 to 2.4 m long, so that it bends by far more
  * than the noise however large the radius; of small ones about a third of a turn. */
 double
-drawShare (double radius, internal::RandomGenerator& generator)
+drawShare (double radius, Random& random)
 {
-  const double length = std::min (drawBetween (generator, 2.0, 2.4), 2.0 * radius);
+  const double length = std::min (random.between (2.0, 2.4), 2.0 * radius);
   return length / (2.0 * pi * radius);
 }
 
-void
-addLargeShapes (Shapes& shapes, internal::RandomGenerator& generator)
+RoundShapes
+drawSmallShapes (Random& random)
 {
-  Dome& dome = shapes.large_sphere;
-  dome.radius = drawLargeRadius (generator);
-  dome.height =
-      dome.radius * (1.0 - std::cos (pi * drawShare (dome.radius, generator)));
+  RoundShapes shapes;
+  Dome& sphere = shapes.dome;
+  sphere.radius = random.between (0.3, 0.6);
+  sphere.height = 2.0 * sphere.radius;
+  sphere.center = placeOfSmall (0) + up (sphere.radius);
+
+  Cylinder& cylinder = shapes.cylinder.shape;
+  cylinder.radius = random.between (0.15, 0.4);
+  cylinder.half_length = random.between (0.5, 1.0);
+  cylinder.center = placeOfSmall (1) + up (cylinder.half_length);
+
+  Cone& cone = shapes.cone.shape;
+  cone.radius = random.between (0.3, 0.6);
+  cone.height = random.between (0.8, 1.6);
+  cone.apex = placeOfSmall (2) + up (cone.height);
+
+  Torus& torus = shapes.torus.shape;
+  torus.radius = random.between (0.4, 0.6);
+  torus.tube_radius = random.between (0.1, 0.2);
+  torus.center = placeOfSmall (3) + up (torus.tube_radius);
+  return shapes;
+}
+
+RoundShapes
+drawLargeShapes (Random& random)
+{
+  RoundShapes shapes;
+  Dome& dome = shapes.dome;
+  dome.radius = drawLargeRadius (random);
+  dome.height = dome.radius * (1.0 - std::cos (pi * drawShare (dome.radius, random)));
   dome.center = placeOfLarge (0) + up (dome.height - dome.radius);
 
-  Cylinder& cylinder = shapes.large_cylinder.shape;
-  cylinder.radius = drawLargeRadius (generator);
-  cylinder.half_length = drawBetween (generator, 0.5, 0.8);
+  Cylinder& cylinder = shapes.cylinder.shape;
+  cylinder.radius = drawLargeRadius (random);
+  cylinder.half_length = random.between (0.5, 0.8);
   cylinder.center = axisBehind (1, cylinder.radius) + up (cylinder.half_length);
-  shapes.large_cylinder.share = drawShare (cylinder.radius, generator);
+  shapes.cylinder.share = drawShare (cylinder.radius, random);
 
-  Cone& cone = shapes.large_cone.shape;
-  cone.radius = drawLargeRadius (generator);
-  cone.height = drawBetween (generator, 0.7, 1.0) * cone.radius;
+  Cone& cone = shapes.cone.shape;
+  cone.radius = drawLargeRadius (random);
+  cone.height = random.between (0.7, 1.0) * cone.radius;
   cone.apex = axisBehind (2, cone.radius) + up (cone.height);
-  shapes.large_cone.share = drawShare (cone.radius, generator);
+  shapes.cone.share = drawShare (cone.radius, random);
 
-  Torus& torus = shapes.large_torus.shape;
-  torus.radius = drawLargeRadius (generator);
-  torus.tube_radius = drawBetween (generator, 0.3, 0.5) * smallest_large_radius;
+  Torus& torus = shapes.torus.shape;
+  torus.radius = drawLargeRadius (random);
+  torus.tube_radius = random.between (0.3, 0.5) * smallest_large_radius;
   torus.center = axisBehind (3, torus.radius) + up (torus.tube_radius);
-  shapes.large_torus.share = drawShare (torus.radius, generator);
+  shapes.torus.share = drawShare (torus.radius, random);
+  return shapes;
 }
 
 } // namespace
@@ -128,22 +138,14 @@ addLargeShapes (Shapes& shapes, internal::RandomGenerator& generator)
 Shapes
 makeShapes (std::uint32_t seed)
 {
-  internal::RandomGenerator generator = makeGenerator (seed, Purpose::Shapes);
+  Random random = randomFor (Purpose::Shapes, seed);
   Shapes shapes;
-  shapes.sphere.radius = drawBetween (generator, 0.3, 0.6);
-  shapes.sphere.center = placeInRow (0) + up (shapes.sphere.radius);
-  shapes.cylinder.radius = drawBetween (generator, 0.15, 0.4);
-  shapes.cylinder.half_length = drawBetween (generator, 0.5, 1.0);
-  shapes.cylinder.center = placeInRow (1) + up (shapes.cylinder.half_length);
-  shapes.cone.radius = drawBetween (generator, 0.3, 0.6);
-  shapes.cone.height = drawBetween (generator, 0.8, 1.6);
-  shapes.cone.apex = placeInRow (2) + up (shapes.cone.height);
-  shapes.torus.radius = drawBetween (generator, 0.4, 0.6);
-  shapes.torus.tube_radius = drawBetween (generator, 0.1, 0.2);
-  shapes.torus.center = placeInRow (3) + up (shapes.torus.tube_radius);
-  shapes.ground = makeGround();
-  shapes.board = makeBoard (shapes.ground, generator);
-  addLargeShapes (shapes, generator);
+  shapes.small = drawSmallShapes (random);
+  shapes.ground = rectangleAlong (0, 1, {0.0, 2.0, 0.0}, 3.0, 2.0);
+  shapes.board = drawBoard (shapes.ground, random);
+  shapes.ground.surface = 1;
+  shapes.board.surface = 2;
+  shapes.large = drawLargeShapes (random);
   return shapes;
 }
 
@@ -153,26 +155,21 @@ scanShapes (const Shapes& shapes,
             double noise_scale,
             std::uint32_t seed)
 {
-  const auto forEachShape = [&shapes] (const auto& visit) {
-    visit (shapes.sphere);
-    visit (shapes.cylinder);
-    visit (shapes.cone);
-    visit (shapes.torus);
-    visit (shapes.large_sphere);
-    visit (shapes.large_cylinder);
-    visit (shapes.large_cone);
-    visit (shapes.large_torus);
+  const auto forEach = [&shapes] (const auto& visit) {
+    for (const RoundShapes& row : {shapes.small, shapes.large}) {
+      visit (row.dome);
+      visit (row.cylinder);
+      visit (row.cone);
+      visit (row.torus);
+    }
     visit (shapes.ground);
     visit (shapes.board);
   };
-  internal::RandomGenerator generator = makeGenerator (seed, Purpose::ShapesScan);
+  Random random = randomFor (Purpose::ShapesScan, seed);
   SimulatedCloud simulated;
-  simulated.cloud =
-      drawPoints (forEachShape, points, noise_scale * shapes_sigma, generator);
-  std::vector<Plane> planes;
-  for (const Rectangle& flat : {shapes.ground, shapes.board})
-    planes.push_back (planeThrough (flat.center, flat.normal()));
-  simulated.planes = labelBySize (simulated.cloud, planes);
+  simulated.cloud = drawPoints (forEach, points, noise_scale * shapes_sigma, random);
+  simulated.planes =
+      labelBySize (simulated.cloud, {shapes.ground.plane(), shapes.board.plane()});
   return simulated;
 }
 

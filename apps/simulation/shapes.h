@@ -2,32 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "simulated_cloud.h"
-#include "surface_points.h"
+#include "dense_scan.h"
 
 namespace pcl_ops::simulation {
+
+/** \brief A row of round shapes along x: a sphere or its top, a
+ * cylinder, a cone and a torus or parts of them. */
+struct RoundShapes {
+  Dome dome;
+  Sector<Cylinder> cylinder;
+  Sector<Cone> cone;
+  Sector<Torus> torus;
+};
 
 /** \brief Four round shapes in a row, behind them parts of four larger ones, apart from
  * each other and from a ground and a board on it: what is no plane beside what is one.
  * The radii are from 0.1 to 5.5 m: at \ref points_of_shapes up to some 100 of the finer
  * voxels that the default detector looks for planes in. z is up, z = 0 the ground. */
 struct Shapes {
-  Sphere sphere;
-  Cylinder cylinder;
-  Cone cone;
-  Torus torus;
-  Dome large_sphere;
-  Sector<Cylinder> large_cylinder;
-  Sector<Cone> large_cone;
-  Sector<Torus> large_torus;
-  Rectangle ground;
-  Rectangle board;
+  RoundShapes small, large;
+  Rectangle ground, board;
 };
 
 /** \brief Standard deviation of the points of shapes [m]. */
 constexpr double shapes_sigma = 0.002;
 
-/** \brief About 5000 points on a square metre. */
+/** \brief About 5000 points on a square meter. */
 constexpr std::size_t points_of_shapes = 250'000;
 
 /** \brief Draws sizes, and how the board stands.

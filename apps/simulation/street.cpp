@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "street.h"
 
-#include "poses.h"
 #include "street_things.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace pcl_ops::simulation {
 
 namespace {
 
+using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 /** \brief Of the parts that a scene is divided into for its rays [m]. */
@@ -26,7 +28,7 @@ constexpr double depth_of_ground = 25.0;
 /** \brief One side of the street, in a frame of its own: x along it, y towards the
  * road, y = 0 the curb, z up from the road. */
 struct Roadside {
-  Eigen::Isometry3d pose;
+  Isometry3d pose;
   double length;
   /** \brief Height of the curb, and of the sidewalk from the curb to the gardens [m].
    */
@@ -34,7 +36,7 @@ struct Roadside {
   /** \brief How the sidewalk rises from the curb on. */
   double slope;
 
-  Eigen::Isometry3d
+  Isometry3d
   onGround (double x, double y) const
   {
     return pose * at (x, y, curb - slope * y);
@@ -45,129 +47,109 @@ Body
 makeGround (const Roadside& side)
 {
   Body ground;
-  addSurface (ground,
-              {{0.0, 0.0, 0.5 * side.curb},
-               Vector3d::UnitX(),
-               Vector3d::UnitZ(),
-               0.5 * side.length,
-               0.5 * side.curb});
+  const double half_length = 0.5 * side.length, half_curb = 0.5 * side.curb;
+  addSurface (ground, rectangleAlong (0, 2, {0, 0, half_curb}, half_length, half_curb));
   const Vector3d back (0.0, -depth_of_ground, side.slope * depth_of_ground);
   addSurface (ground,
               {side.curb * Vector3d::UnitZ() + 0.5 * back,
                Vector3d::UnitX(),
                back.normalized(),
-               0.5 * side.length,
+               half_length,
                0.5 * back.norm()});
   return ground;
 }
 
 /** \brief 0 .. count - 1 in some order (Fisher & Yates). */
 std::vector<int>
-drawOrder (int count, internal::RandomGenerator& generator)
+drawOrder (int count, Random& random)
 {
-  std::vector<int> order;
-  for (int i = 0; i < count; ++i)
-    order.push_back (i);
+  std::vector<int> order (static_cast<std::size_t> (count));
+  std::iota (order.begin(), order.end(), 0);
   for (int i = count - 1; i > 0; --i)
-    std::swap (order[i], order[internal::drawBelow (generator, std::uint32_t (i + 1))]);
+    std::swap (order[i], order[random.below (std::uint32_t (i + 1))]);
   return order;
 }
 
 void
-addBushes (Scene& scene,
-           const Roadside& side,
-           double x,
-           double setback,
-           internal::RandomGenerator& generator)
+addBushes (Scene& scene, const Roadside& side, double x, double setback, Random& random)
 {
-  const auto bushes = int (internal::drawBelow (generator, 4));
+  const auto bushes = int (random.below (4));
   for (int i = 0; i < bushes; ++i) {
-    const double radius = drawBetween (generator, 0.3, 0.6);
-    const double place = x + drawBetween (generator, -4, 4);
-    const double y = -side.sidewalk - drawBetween (generator, 0, setback);
+    const double radius = random.between (0.3, 0.6);
+    const double place = x + random.between (-4, 4);
+    const double y = -side.sidewalk - random.between (0, setback);
     if (setback > 2.0 * radius)
-      addBody (scene, makeBush (radius, generator), side.onGround (place, y));
+      addBody (scene, drawBush (radius, random), side.onGround (place, y));
   }
 }
 
 void
-addHouses (Scene& scene, const Roadside& side, internal::RandomGenerator& generator)
+addHouses (Scene& scene, const Roadside& side, Random& random)
 {
   constexpr double narrow = 9.0, wide = 15.0; // [m]
-  const std::vector<int> setbacks = drawOrder (int (side.length / narrow), generator);
   double x = -0.5 * side.length;
-  for (std::size_t i = 0; i < setbacks.size(); ++i) {
-    const double width = drawBetween (generator, narrow, wide);
+  for (const int row : drawOrder (int (side.length / narrow), random)) {
+    const double width = random.between (narrow, wide);
     if (x + width > 0.5 * side.length)
       break;
-    const double setback =
-        setback_step * setbacks[i] + drawBetween (generator, 0.0, 0.04);
+    const double setback = setback_step * row + random.between (0.0, 0.04);
     const double middle = x + 0.5 * width;
     addBody (scene,
-             makeTownHouse (width, generator),
+             drawTownHouse (width, random),
              side.onGround (middle, -side.sidewalk - setback));
-    addBushes (scene, side, middle, setback, generator);
-    const bool has_alley = drawChance (generator, 0.4);
-    x += width + (has_alley ? drawBetween (generator, 1.5, 4) : 0.1);
+    addBushes (scene, side, middle, setback, random);
+    const bool has_alley = random.chance (0.4);
+    x += width + (has_alley ? random.between (1.5, 4) : 0.1);
   }
 }
 
 /** \brief A car on the road beside the curb. */
 void
-addCar (Scene& scene,
-        const Roadside& side,
-        double x,
-        internal::RandomGenerator& generator)
+addCar (Scene& scene, const Roadside& side, double x, Random& random)
 {
-  const double half_turns = drawChance (generator, 0.5) ? 1.0 : 0.0;
-  const double yaw = drawAngle (generator, -2, 2) + half_turns * pi;
-  const double y = drawBetween (generator, 1.0, 1.5);
-  addBody (scene,
-           makeCar (generator),
-           side.pose * at (x, y, 0.0) * turned (yaw, Vector3d::UnitZ()));
+  const double half_turns = random.chance (0.5) ? 1.0 : 0.0;
+  const double yaw = random.angle (-2, 2) + half_turns * pi;
+  const double y = random.between (1.0, 1.5);
+  addBody (scene, drawCar (random), side.pose * at (x, y, 0.0) * turnZ (yaw));
 }
 
 /** \brief Parked cars, and trees and poles on the edge of the sidewalk. */
 void
-addRows (Scene& scene, const Roadside& side, internal::RandomGenerator& generator)
+addRows (Scene& scene, const Roadside& side, Random& random)
 {
   constexpr double spot = 6.5, gap_of_trees = 9.0; // [m]
   const double half_length = 0.5 * side.length;
   for (double x = 0.5 * spot - half_length; x < half_length; x += spot)
-    if (drawChance (generator, 0.45))
-      addCar (scene, side, x + drawBetween (generator, -0.5, 0.5), generator);
+    if (random.chance (0.45))
+      addCar (scene, side, x + random.between (-0.5, 0.5), random);
   for (double x = 2.0 - half_length; x < half_length; x += gap_of_trees) {
-    const double place = x + drawBetween (generator, -1, 1);
-    const Eigen::Isometry3d pose = side.onGround (place, -0.6);
-    if (drawChance (generator, 0.5))
-      addBody (scene, makeTree (generator), pose);
-    else if (drawChance (generator, 0.6))
-      addBody (scene, makePole (generator), pose);
+    const Isometry3d pose = side.onGround (x + random.between (-1, 1), -0.6);
+    if (random.chance (0.5))
+      addBody (scene, drawTree (random), pose);
+    else if (random.chance (0.6))
+      addBody (scene, drawPole (random), pose);
   }
 }
 
 void
-addSide (Scene& scene,
-         const Street& street,
-         const Eigen::Isometry3d& pose,
-         internal::RandomGenerator& generator)
+addSide (Scene& scene, const Street& street, const Isometry3d& pose, Random& random)
 {
   Roadside side{};
   side.pose = pose * at (0.0, -0.5 * street.width, 0.0);
   side.length = street.length;
-  side.curb = drawBetween (generator, 0.10, 0.15);
-  side.sidewalk = drawBetween (generator, 2.5, 4.0);
-  side.slope = drawBetween (generator, 0.02, 0.03);
+  side.curb = random.between (0.10, 0.15);
+  side.sidewalk = random.between (2.5, 4.0);
+  side.slope = random.between (0.02, 0.03);
   addBody (scene, makeGround (side), side.pose);
-  addHouses (scene, side, generator);
-  addRows (scene, side, generator);
+  addHouses (scene, side, random);
+  addRows (scene, side, random);
 }
 
 /** \brief A place on the right lane. */
-Eigen::Isometry3d
+Isometry3d
 onLane (const Street& street, double x)
 {
-  return turned (street.yaw, Vector3d::UnitZ()) * at (x, -0.15 * street.width, 0.0);
+  return turnZ (street.yaw) * at (x, -0.15 * street.width, 0.0);
 }
 
 } // namespace
@@ -175,38 +157,35 @@ onLane (const Street& street, double x)
 Street
 makeStreet (std::uint32_t seed)
 {
-  internal::RandomGenerator generator = makeGenerator (seed, Purpose::Street);
+  Random random = randomFor (Purpose::Street, seed);
   Street street;
-  street.length = drawBetween (generator, 120, 160);
-  street.width = drawBetween (generator, 10, 12);
-  street.yaw = drawAngle (generator, 0, 360);
-  const Eigen::Isometry3d pose = turned (street.yaw, Vector3d::UnitZ());
+  street.length = random.between (120, 160);
+  street.width = random.between (10, 12);
+  street.yaw = random.angle (0, 360);
+  const Isometry3d pose = turnZ (street.yaw);
   Scene scene;
   Body road;
-  Rectangle asphalt;
-  asphalt.half_u = 0.5 * street.length;
-  asphalt.half_v = 0.5 * street.width;
-  addSurface (road, asphalt);
+  addSurface (
+      road, rectangleAlong (0, 1, {0, 0, 0}, 0.5 * street.length, 0.5 * street.width));
   addBody (scene, road, pose);
   for (const double half_turns : {0.0, 1.0})
-    addSide (
-        scene, street, pose * turned (half_turns * pi, Vector3d::UnitZ()), generator);
+    addSide (scene, street, pose * turnZ (half_turns * pi), random);
   street.scene = divided (scene, edge_of_part);
   return street;
 }
 
-Eigen::Isometry3d
+Isometry3d
 drawSensorPose (const Street& street, std::uint32_t seed)
 {
-  internal::RandomGenerator generator = makeGenerator (seed, Purpose::SensorPose);
-  const double x = drawBetween (generator, -20, 20);
-  const double y = drawBetween (generator, -0.3, 0.3);
-  const double height = drawBetween (generator, 1.7, 1.9);
-  const double yaw = drawAngle (generator, -3, 3);
-  const double pitch = drawAngle (generator, -1, 1);
-  const double roll = drawAngle (generator, -1, 1);
-  return onLane (street, x) * at (0.0, y, height) * turned (yaw, Vector3d::UnitZ()) *
-         turned (pitch, Vector3d::UnitY()) * turned (roll, Vector3d::UnitX());
+  Random random = randomFor (Purpose::SensorPose, seed);
+  const double x = random.between (-20, 20);
+  const double y = random.between (-0.3, 0.3);
+  const double height = random.between (1.7, 1.9);
+  const double yaw = random.angle (-3, 3);
+  const double pitch = random.angle (-1, 1);
+  const double roll = random.angle (-1, 1);
+  return onLane (street, x) * at (0.0, y, height) * turnZ (yaw) * turnY (pitch) *
+         turnX (roll);
 }
 
 Poses
@@ -216,9 +195,9 @@ drawDrive (const Street& street, std::size_t frames, std::uint32_t seed)
   constexpr double sway = 0.2;         // [m]
   constexpr double wave = 25.0;        // of the sway [m]
   constexpr double tilt = 0.7 * pi / 180.0;
-  internal::RandomGenerator generator = makeGenerator (seed, Purpose::Drive);
-  const double phase = drawBetween (generator, 0.0, 2.0 * pi);
-  const double height = drawBetween (generator, 1.7, 1.9);
+  Random random = randomFor (Purpose::Drive, seed);
+  const double phase = random.between (0.0, 2.0 * pi);
+  const double height = random.between (1.7, 1.9);
   const double steps = double (std::max<std::size_t> (frames, 2) - 1);
   const double way = std::min (0.5 * street.length, longest_step * steps);
   Poses poses;
@@ -227,9 +206,8 @@ drawDrive (const Street& street, std::size_t frames, std::uint32_t seed)
     const double angle = phase + 2.0 * pi * x / wave;
     const double yaw = 2.0 * pi / wave * sway * std::cos (angle);
     poses.push_back (onLane (street, x) * at (0.0, sway * std::sin (angle), height) *
-                     turned (yaw, Vector3d::UnitZ()) *
-                     turned (tilt * std::sin (1.7 * angle), Vector3d::UnitY()) *
-                     turned (tilt * std::sin (1.3 * angle), Vector3d::UnitX()));
+                     turnZ (yaw) * turnY (tilt * std::sin (1.7 * angle)) *
+                     turnX (tilt * std::sin (1.3 * angle)));
   }
   return poses;
 }

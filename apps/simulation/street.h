@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "scene.h"
-#include "walk.h"
-
-#include <cstdint>
+#include "lidar.h"
+#include "poses.h"
 
 namespace pcl_ops::simulation {
 

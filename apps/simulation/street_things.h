@@ -3,7 +3,6 @@
 #pragma once
 
 #include "scene.h"
-#include <base/random.h>
 
 namespace pcl_ops::simulation {
 
@@ -12,23 +11,23 @@ namespace pcl_ops::simulation {
  * surface.
  * \param[in] width of the facade [m] */
 Body
-makeTownHouse (double width, internal::RandomGenerator& generator);
+drawTownHouse (double width, Random& random);
 
 /** \brief A car along x on round wheels; the triangles beside its slanted windows are
  * open. */
 Body
-makeCar (internal::RandomGenerator& generator);
+drawCar (Random& random);
 
 /** \brief A trunk and a crown of scattered leaves: no planes. */
 Body
-makeTree (internal::RandomGenerator& generator);
+drawTree (Random& random);
 
 /** \brief Scattered leaves on the ground. */
 Body
-makeBush (double radius, internal::RandomGenerator& generator);
+drawBush (double radius, Random& random);
 
 /** \brief The pole of a lamp or a sign. */
 Body
-makePole (internal::RandomGenerator& generator);
+drawPole (Random& random);
 
 } // namespace pcl_ops::simulation

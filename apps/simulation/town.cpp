@@ -2,27 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "town.h"
 
-#include "poses.h"
-#include "surface_points.h"
 #include "survey.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pcl_ops::simulation {
 
 namespace {
 
+using Eigen::AlignedBox2d;
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+/** \brief Points of a square meter of surface. */
+constexpr double density = 30.0;
 /** \brief Streets are so far apart, and terraces begin so far apart along them [m]. */
 constexpr double street_pitch = 44.0, terrace_pitch = 170.0;
 constexpr double width_of_house = 15.0;
 /** \brief Of a terrace and all it may be shifted by, from its middle [m]. */
 constexpr double reach_of_terrace = 90.0;
-/** \brief Of what is surveyed of a square metre of ground, walls and roofs included. */
-constexpr double surface_of_square_metre = 1.65;
+/** \brief Of what is surveyed of a square meter of ground, walls and roofs included. */
+constexpr double surface_of_square_meter = 1.65;
 constexpr double edge_of_patch = 8.0;
 /** \brief Of streets against the borders of tiles [degree]. */
 constexpr double direction_of_streets = 12.0;
@@ -37,15 +37,14 @@ struct Side {
   Vector3d corner, along, up;
 };
 
-internal::RandomGenerator
-generatorAt (std::uint32_t seed, const Place& place, std::uint32_t what)
+Random
+randomAt (std::uint32_t seed, const Place& place, std::uint32_t what)
 {
-  std::seed_seq sequence{seed,
-                         std::uint32_t (Purpose::Town),
-                         std::uint32_t (place.column),
-                         std::uint32_t (place.row),
-                         what};
-  return internal::RandomGenerator (sequence);
+  return Random (std::seed_seq{seed,
+                               std::uint32_t (Purpose::Town),
+                               std::uint32_t (place.column),
+                               std::uint32_t (place.row),
+                               what});
 }
 
 /** \brief Outer walls, slopes of the roof, the floor above the ground, and the walls
@@ -53,17 +52,16 @@ generatorAt (std::uint32_t seed, const Place& place, std::uint32_t what)
 std::vector<Side>
 terraceAt (std::uint32_t seed, const Place& place)
 {
-  internal::RandomGenerator generator = generatorAt (seed, place, 0);
-  const auto houses = int (drawBetween (generator, 7, 11));
+  Random random = randomAt (seed, place, 0);
+  const auto houses = int (random.between (7, 11));
   const double length = houses * width_of_house;
-  const double depth = drawBetween (generator, 9, 12);
-  const double eaves = drawBetween (generator, 5, 8);
-  const double ridge = eaves + drawBetween (generator, 2, 4);
-  const double x = terrace_pitch * place.column + drawBetween (generator, -4, 4);
-  const double y = street_pitch * place.row + drawBetween (generator, -4, 4);
+  const double depth = random.between (9, 12);
+  const double eaves = random.between (5, 8);
+  const double ridge = eaves + random.between (2, 4);
+  const double x = terrace_pitch * place.column + random.between (-4, 4);
+  const double y = street_pitch * place.row + random.between (-4, 4);
   const Eigen::Isometry3d pose =
-      Eigen::Translation3d (x, y, 0) *
-      turned (drawAngle (generator, -3, 3), Vector3d::UnitZ());
+      Eigen::Translation3d (x, y, 0) * turnZ (random.angle (-3, 3));
   const auto at = [&] (double u, double v, double z) -> Vector3d {
     return pose * Vector3d (u - 0.5 * length, v - 0.5 * depth, z);
   };
@@ -93,11 +91,11 @@ struct Reach {
 };
 
 Reach
-reachOf (const Eigen::AlignedBox2d& area, const Eigen::Vector2d& pitch, double margin)
+reachOf (const AlignedBox2d& area, const Vector2d& pitch, double margin)
 {
-  const Eigen::Vector2d room (margin, margin);
-  const Eigen::Vector2d low = (area.min() - room).cwiseQuotient (pitch);
-  const Eigen::Vector2d high = (area.max() + room).cwiseQuotient (pitch);
+  const Vector2d room (margin, margin);
+  const Vector2d low = (area.min() - room).cwiseQuotient (pitch);
+  const Vector2d high = (area.max() + room).cwiseQuotient (pitch);
   return {{std::int32_t (std::floor (low.x())), std::int32_t (std::floor (low.y()))},
           {std::int32_t (std::ceil (high.x())), std::int32_t (std::ceil (high.y()))}};
 }
@@ -108,10 +106,10 @@ public:
   TileSurvey (const Town& town, std::uint32_t column, std::uint32_t row, double sigma)
   : town_ (town)
   , sigma_ (sigma)
-  , turn_ (turned (direction_of_streets * pi / 180.0, Vector3d::UnitZ()).linear())
+  , turn_ (turnZ (direction_of_streets * pi / 180.0).linear())
   {
-    const Eigen::Vector2d low (column * town.tile, row * town.tile);
-    tile_ = {low, low + Eigen::Vector2d (town.tile, town.tile)};
+    const Vector2d low (column * town.tile, row * town.tile);
+    tile_ = {low, low + Vector2d (town.tile, town.tile)};
   }
 
   std::vector<TownPoint>
@@ -123,11 +121,11 @@ public:
       const Side patch{{square * place.column, square * place.row, 0},
                        {square, 0, 0},
                        {0, square, 0}};
-      addPatch (patch, generatorAt (town_.seed, place, of_ground), 1);
+      addPatch (patch, randomAt (town_.seed, place, of_ground), 1);
     });
-    const Eigen::AlignedBox2d town (
-        Eigen::Vector2d::Zero(), Eigen::Vector2d::Constant (town_.tiles * town_.tile));
-    const Eigen::Vector2d pitch (terrace_pitch, street_pitch);
+    const AlignedBox2d town (Vector2d::Zero(),
+                             Vector2d::Constant (town_.tiles * town_.tile));
+    const Vector2d pitch (terrace_pitch, street_pitch);
     const Reach all = reachOf (areaOf (town), pitch, reach_of_terrace);
     forPlaces (reachOf (areaOf (tile_), pitch, reach_of_terrace),
                [&] (const Place& place) { addTerrace (all, place); });
@@ -136,14 +134,14 @@ public:
 
 private:
   /** \brief What is around an area of tiles in the frame of the streets. */
-  Eigen::AlignedBox2d
-  areaOf (const Eigen::AlignedBox2d& area) const
+  AlignedBox2d
+  areaOf (const AlignedBox2d& area) const
   {
-    Eigen::AlignedBox2d around;
-    using Box = Eigen::AlignedBox2d;
+    AlignedBox2d around;
+    using Box = AlignedBox2d;
     for (const auto corner :
          {Box::BottomLeft, Box::BottomRight, Box::TopLeft, Box::TopRight}) {
-      const Eigen::Vector2d place = area.corner (corner);
+      const Vector2d place = area.corner (corner);
       around.extend (
           (turn_.transpose() * Vector3d (place.x(), place.y(), 0)).head<2>().eval());
     }
@@ -169,13 +167,13 @@ private:
     std::uint32_t side_number = 0;
     for (const Side& side : terraceAt (town_.seed, place)) {
       ++side_number;
-      internal::RandomGenerator seeds = generatorAt (town_.seed, place, side_number);
+      Random seeds = randomAt (town_.seed, place, side_number);
       addSide (side, seeds, 1 + number * sides_of_terrace + side_number);
     }
   }
 
   void
-  addSide (const Side& side, internal::RandomGenerator& seeds, std::uint32_t label)
+  addSide (const Side& side, Random& seeds, std::uint32_t label)
   {
     const auto columns = int (std::ceil (side.along.norm() / edge_of_patch));
     const auto rows = int (std::ceil (side.up.norm() / edge_of_patch));
@@ -183,15 +181,15 @@ private:
     for (int row = 0; row < rows; ++row)
       for (int column = 0; column < columns; ++column)
         addPatch ({side.corner + column * along + row * up, along, up},
-                  internal::RandomGenerator (seeds()),
+                  Random (seeds.bits()),
                   label);
   }
 
   void
-  addPatch (const Side& patch, internal::RandomGenerator generator, std::uint32_t label)
+  addPatch (const Side& patch, Random random, std::uint32_t label)
   {
     const double margin = 10.0 * sigma_;
-    Eigen::AlignedBox2d around;
+    AlignedBox2d around;
     for (const Vector3d& corner : {patch.corner,
                                    Vector3d (patch.corner + patch.along),
                                    Vector3d (patch.corner + patch.up),
@@ -202,14 +200,12 @@ private:
     if (!around.intersects (tile_))
       return;
     const auto wanted =
-        std::size_t (town_density * patch.along.norm() * patch.up.norm() +
-                     internal::drawUnit (generator));
+        std::size_t (density * patch.along.norm() * patch.up.norm() + random.unit());
     for (std::size_t i = 0; i < wanted; ++i) {
-      const double u = internal::drawUnit (generator),
-                   v = internal::drawUnit (generator);
+      const double u = random.unit(), v = random.unit();
       Vector3d point = turn_ * (patch.corner + u * patch.along + v * patch.up);
       for (double& coordinate : point)
-        coordinate += sigma_ * drawGaussian (generator);
+        coordinate += sigma_ * random.gaussian();
       const bool is_inside = (point.head<2>().array() >= tile_.min().array()).all() &&
                              (point.head<2>().array() < tile_.max().array()).all();
       if (is_inside)
@@ -220,20 +216,20 @@ private:
   const Town& town_;
   double sigma_;
   Eigen::Matrix3d turn_;
-  Eigen::AlignedBox2d tile_;
+  AlignedBox2d tile_;
   std::vector<TownPoint> points_;
 };
 
 } // namespace
 
 Town
-makeTown (std::uint32_t seed, double points, std::uint32_t tiles_along_a_side)
+makeTown (std::uint32_t seed, double points, double tiles)
 {
   Town town;
   town.seed = seed;
-  town.tiles = tiles_along_a_side;
-  const double area = points / (town_density * surface_of_square_metre);
-  town.tile = std::sqrt (area) / tiles_along_a_side;
+  town.tiles = std::uint32_t (std::ceil (std::sqrt (tiles)));
+  const double area = points / (density * surface_of_square_meter);
+  town.tile = std::sqrt (area) / town.tiles;
   return town;
 }
 

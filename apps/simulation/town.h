@@ -31,12 +31,10 @@ struct TownPoint {
   std::uint32_t label = 0;
 };
 
-/** \brief Points of a square metre of surface. */
-constexpr double town_density = 30.0;
-
-/** \brief A town of so many tiles with about so many points. */
+/** \brief A town with about so many points.
+ * \param[in] tiles all of them, rounded up to a square number */
 Town
-makeTown (std::uint32_t seed, double points, std::uint32_t tiles_along_a_side);
+makeTown (std::uint32_t seed, double points, double tiles);
 
 /** \brief The points of a tile.
  * \param[in] noise_scale factor on \ref survey_sigma */

@@ -9,11 +9,9 @@
 #include <cli/errors.h>
 #include <cli/option_value.h>
 #include <io/cloud_file.h>
-#include <simulation/corner.h>
 #include <simulation/dense_scan.h>
-#include <simulation/depth_noise.h>
+#include <simulation/poses.h>
 #include <simulation/shapes.h>
-#include <simulation/simulated_cloud.h>
 #include <simulation/street.h>
 #include <simulation/survey.h>
 
@@ -69,11 +67,12 @@ imageOf (const simulation::Room& room, std::uint32_t seed, NoiseProfile profile)
   camera.pose = simulation::drawCameraPose (room, camera, seed);
   simulation::NoiseParameters noise;
   noise.profile = profile;
-  return withExactTruth (
-      simulation::toCloud (simulation::measureDepth (room.scene, camera, noise, seed),
-                           camera,
-                           room.scene,
-                           simulation::CloudLayout::Readings));
+  return withExactTruth (simulation::toCloud (
+      simulation::toScan (simulation::measureDepth (room.scene, camera, noise, seed),
+                          camera),
+      camera.pose,
+      room.scene,
+      simulation::CloudLayout::Readings));
 }
 
 EvaluationCloud
@@ -155,7 +154,7 @@ streetsDataSet (const std::string& name,
     lidar.pose = simulation::drawSensorPose (street, seed);
     return withExactTruth (
         simulation::toCloud (simulation::scanAround (street.scene, lidar, 1.0, seed),
-                             lidar,
+                             lidar.pose,
                              street.scene,
                              simulation::CloudLayout::Readings));
   });

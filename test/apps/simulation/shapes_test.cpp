@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cloud_checks.h"
-#include "simulated_scene.h"
+#include "simulated_scenes.h"
 #include <simulation/shapes.h>
 
 #include <limits>
@@ -14,49 +13,36 @@ using Eigen::Vector3d;
 
 constexpr std::size_t few_points = 5000;
 
-/** \brief Distance of a point from a shape's axis along z and its height above it. */
-std::pair<double, double>
-aroundAxis (const Vector3d& point, const Vector3d& zero)
-{
-  const Vector3d local = point - zero;
-  return {local.head<2>().norm(), local.z()};
-}
-
-double
-distance (const Sphere& sphere, const Vector3d& point)
-{
-  return std::abs ((point - sphere.center).norm() - sphere.radius);
-}
-
 double
 distance (const Dome& dome, const Vector3d& point)
 {
   const double lowest = dome.center.z() + dome.radius - dome.height;
-  return std::hypot (distance (Sphere{dome.center, dome.radius}, point),
+  return std::hypot ((point - dome.center).norm() - dome.radius,
                      std::max (0.0, lowest - point.z()));
 }
 
 double
 distance (const Cylinder& cylinder, const Vector3d& point)
 {
-  const auto [across, height] = aroundAxis (point, cylinder.center);
-  return std::hypot (across - cylinder.radius,
-                     std::max (0.0, std::abs (height) - cylinder.half_length));
+  const Vector3d local = point - cylinder.center;
+  return std::hypot (local.head<2>().norm() - cylinder.radius,
+                     std::max (0.0, std::abs (local.z()) - cylinder.half_length));
 }
 
 double
 distance (const Cone& cone, const Vector3d& point)
 {
-  const auto [across, height] = aroundAxis (point, cone.apex);
-  return std::abs (cone.height * across + cone.radius * height) /
+  const Vector3d local = point - cone.apex;
+  return std::abs (cone.height * local.head<2>().norm() + cone.radius * local.z()) /
          std::hypot (cone.height, cone.radius);
 }
 
 double
 distance (const Torus& torus, const Vector3d& point)
 {
-  const auto [across, height] = aroundAxis (point, torus.center);
-  return std::abs (std::hypot (across - torus.radius, height) - torus.tube_radius);
+  const Vector3d local = point - torus.center;
+  return std::abs (std::hypot (local.head<2>().norm() - torus.radius, local.z()) -
+                   torus.tube_radius);
 }
 
 /** \brief That from the whole shape where a point is in the sector, else infinite. */
@@ -72,29 +58,35 @@ distance (const Sector<Shape>& sector, const Vector3d& point)
 }
 
 double
-distanceToRoundShapes (const Shapes& shapes, const Vector3d& point)
-{
-  return std::min ({distance (shapes.sphere, point),
-                    distance (shapes.cylinder, point),
-                    distance (shapes.cone, point),
-                    distance (shapes.torus, point),
-                    distance (shapes.large_sphere, point),
-                    distance (shapes.large_cylinder, point),
-                    distance (shapes.large_cone, point),
-                    distance (shapes.large_torus, point)});
-}
-
-double
 largestDistanceToRoundShapes (std::uint32_t seed, double noise_scale)
 {
   const Shapes shapes = makeShapes (seed);
   double largest = 0.0;
-  for (const auto& point : scanShapes (shapes, few_points, noise_scale, seed).cloud)
-    if (point.label == 0)
-      largest = std::max (
-          largest,
-          distanceToRoundShapes (shapes, point.getVector3fMap().cast<double>()));
+  for (const auto& found : scanShapes (shapes, few_points, noise_scale, seed).cloud) {
+    const Vector3d point = found.getVector3fMap().cast<double>();
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const RoundShapes& row : {shapes.small, shapes.large})
+      smallest = std::min ({smallest,
+                            distance (row.dome, point),
+                            distance (row.cylinder, point),
+                            distance (row.cone, point),
+                            distance (row.torus, point)});
+    if (found.label == 0)
+      largest = std::max (largest, smallest);
+  }
   return largest;
+}
+
+/** \brief How many of 10,000 points drawn from a shape \p isCounted says yes to. */
+template <typename Shape, typename IsCounted>
+int
+countDrawn (const Shape& shape, const IsCounted& isCounted)
+{
+  Random random (seedOfTest());
+  int counted = 0;
+  for (int i = 0; i < 10000; ++i)
+    counted += isCounted (drawPoint (shape, random));
+  return counted;
 }
 
 } // namespace
@@ -109,80 +101,46 @@ TEST (Shapes, AreTwoPlanesAndPointsOnNone)
              few_points / 5);
 }
 
-TEST (Shapes, ExactPointsOfNoPlaneLieOnTheRoundSurfaces)
+TEST (Shapes, PointsOfNoPlaneLieOnTheRoundSurfaces)
 {
   EXPECT_LT (largestDistanceToRoundShapes (seedOfTest(), 0.0), rounding);
+  const double noisy = largestDistanceToRoundShapes (seedOfTest(), 1.0);
+  EXPECT_LT (noisy, shapes_sigma * largest_gaussian);
+  EXPECT_GT (noisy, shapes_sigma * 2.0);
 }
 
-TEST (Shapes, NoisyPointsOfNoPlaneLieAroundTheRoundSurfaces)
+TEST (Shapes, RoundOnesStandApartFromThePlanesAndEachOther)
 {
-  const double largest = largestDistanceToRoundShapes (seedOfTest(), 1.0);
-  EXPECT_LT (largest, shapes_sigma * largest_gaussian);
-  EXPECT_GT (largest, shapes_sigma * 2.0);
-}
-
-TEST (Shapes, ExactPointsLieOnThePlaneOfTheirLabel)
-{
-  const auto simulated =
-      scanShapes (makeShapes (seedOfTest()), few_points, 0.0, seedOfTest());
-  EXPECT_LT (largestDistanceToTruth (simulated), rounding);
-}
-
-TEST (Shapes, RoundOnesStandApartFromThePlanes)
-{
-  for (std::uint32_t seed = seedOfTest(), last = seed + 20; seed != last; ++seed)
-    for (const auto& point :
-         scanShapes (makeShapes (seed), few_points, 0.0, seed).cloud) {
-      if (point.label == 0) {
-        EXPECT_LT (point.y, -0.3f) << seed;
+  struct Row {
+    float front, back, spacing, gap; // [m]
+  };
+  for (const std::uint32_t seed : seedsOfTest (20)) {
+    const auto cloud = scanShapes (makeShapes (seed), few_points, 0.0, seed).cloud;
+    for (const auto& point : cloud)
+      EXPECT_TRUE (point.label == 0 ? point.y < -0.3f : point.y >= 0.0f) << seed;
+    for (const Row& row : {Row{-0.3f, -2.1f, 1.8f, 0.3f}, {-2.5f, -99, 3.0f, 0.2f}}) {
+      Eigen::AlignedBox1d of_shape[4];
+      for (const auto& point : cloud) {
+        EXPECT_FALSE (point.y > -2.5f && point.y < -2.1f) << seed;
+        if (point.y < row.front && point.y > row.back)
+          of_shape[std::clamp (int (point.x / row.spacing + 2.0f), 0, 3)].extend (
+              Eigen::AlignedBox1d::VectorType (point.x));
       }
-      else {
-        EXPECT_GE (point.y, 0.0f) << seed;
-      }
+      for (int i = 1; i < 4; ++i)
+        EXPECT_GT (of_shape[i].min()[0] - of_shape[i - 1].max()[0], row.gap) << seed;
     }
-}
-
-TEST (Shapes, RoundOnesStandApartFromEachOther)
-{
-  for (std::uint32_t seed = seedOfTest(), last = seed + 20; seed != last; ++seed) {
-    const Shapes shapes = makeShapes (seed);
-    const double gaps[] = {shapes.cylinder.center.x() - shapes.sphere.center.x() -
-                               shapes.cylinder.radius - shapes.sphere.radius,
-                           shapes.cone.apex.x() - shapes.cylinder.center.x() -
-                               shapes.cone.radius - shapes.cylinder.radius,
-                           shapes.torus.center.x() - shapes.cone.apex.x() -
-                               shapes.torus.radius - shapes.torus.tube_radius -
-                               shapes.cone.radius};
-    for (const double gap : gaps)
-      EXPECT_GT (gap, 0.3) << seed;
-  }
-}
-
-TEST (Shapes, LargeOnesStandBehindTheOthersApartFromEachOther)
-{
-  for (std::uint32_t seed = seedOfTest(), last = seed + 20; seed != last; ++seed) {
-    Eigen::AlignedBox1d of_shape[4];
-    for (const auto& point :
-         scanShapes (makeShapes (seed), few_points, 0.0, seed).cloud) {
-      EXPECT_FALSE (point.y > -2.5f && point.y < -2.1f) << seed;
-      if (point.y < -2.5f)
-        of_shape[std::clamp (int (point.x / 3.0 + 2.0), 0, 3)].extend (
-            Eigen::AlignedBox1d::VectorType (point.x));
-    }
-    for (int i = 1; i < 4; ++i)
-      EXPECT_GT (of_shape[i].min()[0] - of_shape[i - 1].max()[0], 0.2) << seed;
   }
 }
 
 TEST (Shapes, RadiiOfLargeOnesReachFromThoseOfTheOthersToThoseOfVaults)
 {
   double smallest = 10.0, largest = 0.0;
-  for (std::uint32_t seed = seedOfTest(), last = seed + 20; seed != last; ++seed) {
-    const Shapes shapes = makeShapes (seed);
-    for (const double radius : {shapes.large_sphere.radius,
-                                shapes.large_cylinder.shape.radius,
-                                shapes.large_cone.shape.radius,
-                                shapes.large_torus.shape.radius}) {
+  for (const std::uint32_t seed : seedsOfTest (20)) {
+    const RoundShapes row = makeShapes (seed).large;
+    for (const double radius : {row.dome.radius,
+                                row.cylinder.shape.radius,
+                                row.cone.shape.radius,
+                                row.torus.shape.radius}) {
       smallest = std::min (smallest, radius);
       largest = std::max (largest, radius);
     }
@@ -192,60 +150,37 @@ TEST (Shapes, RadiiOfLargeOnesReachFromThoseOfTheOthersToThoseOfVaults)
   EXPECT_GT (largest, 4.0);
 }
 
-TEST (Shapes, SameSeedSameCloud)
+TEST (SurfacePoints, AreDenseEvenly)
 {
-  const std::uint32_t seed = seedOfTest();
-  const Shapes shapes = makeShapes (seed);
-  const auto first = scanShapes (shapes, few_points, 1.0, seed);
-  EXPECT_TRUE (haveSamePoints (first, scanShapes (shapes, few_points, 1.0, seed)));
-  EXPECT_FALSE (haveSamePoints (first, scanShapes (shapes, few_points, 1.0, seed + 1)));
-  EXPECT_NE (shapes.sphere.radius, makeShapes (seed + 1).sphere.radius);
-}
-
-TEST (SurfacePoints, AConeIsDenseEvenlyFromTheApexDown)
-{
-  Cone cone;
-  pcl_ops::internal::RandomGenerator generator (seedOfTest());
-  int in_upper_half = 0;
-  for (int i = 0; i < 10000; ++i)
-    in_upper_half += drawPoint (cone, generator).position.z() > -0.5 * cone.height;
+  const Cone cone;
+  const int in_upper_half = countDrawn (cone, [&cone] (const SurfacePoint& point) {
+    return point.position.z() > -0.5 * cone.height;
+  });
   EXPECT_NEAR (in_upper_half, 2500, 150);
-}
 
-TEST (SurfacePoints, ADomeIsDenseEvenlyFromTheTopDown)
-{
   Dome dome;
   dome.height = 0.2;
-  pcl_ops::internal::RandomGenerator generator (seedOfTest());
-  int in_upper_half = 0;
-  for (int i = 0; i < 10000; ++i)
-    in_upper_half += drawPoint (dome, generator).position.z() > 0.9;
-  EXPECT_NEAR (in_upper_half, 5000, 200); // Archimedes
+  const int above_middle = countDrawn (
+      dome, [] (const SurfacePoint& point) { return point.position.z() > 0.9; });
+  EXPECT_NEAR (above_middle, 5000, 200); // Archimedes
+
+  const Torus torus;
+  const int outside = countDrawn (torus, [&torus] (const SurfacePoint& point) {
+    return point.position.head<2>().norm() > torus.radius;
+  });
+  const double share = 0.5 + torus.tube_radius / torus.radius / pi;
+  EXPECT_NEAR (outside, 10000 * share, 150);
 }
 
 TEST (SurfacePoints, ASectorIsDenseEvenlyAboutItsMiddle)
 {
   Sector<Cylinder> quarter;
   quarter.share = 0.25;
-  pcl_ops::internal::RandomGenerator generator (seedOfTest());
-  int in_middle_half = 0;
-  for (int i = 0; i < 10000; ++i) {
-    const SurfacePoint point = drawPoint (quarter, generator);
+  const int in_middle_half = countDrawn (quarter, [] (const SurfacePoint& point) {
     const double around = std::atan2 (point.position.x(), point.position.y());
     EXPECT_LE (std::abs (around), 0.25 * pi + 1e-9);
     EXPECT_GT (point.normal.dot (point.position), 0.0);
-    in_middle_half += std::abs (around) < 0.125 * pi;
-  }
+    return std::abs (around) < 0.125 * pi;
+  });
   EXPECT_NEAR (in_middle_half, 5000, 200);
-}
-
-TEST (SurfacePoints, ATorusIsDenseEvenlyInsideAndOutside)
-{
-  Torus torus;
-  pcl_ops::internal::RandomGenerator generator (seedOfTest());
-  int outside = 0;
-  for (int i = 0; i < 10000; ++i)
-    outside += drawPoint (torus, generator).position.head<2>().norm() > torus.radius;
-  const double share = 0.5 + torus.tube_radius / torus.radius / pi;
-  EXPECT_NEAR (outside, 10000 * share, 150);
 }

@@ -50,11 +50,75 @@ TEST (SimulateProgram, WritesALabelledCloudThatPclReads)
 TEST (SimulateProgram, SameSeedSameBytes)
 {
   const TemporaryFolder folder;
-  for (const char* name : {"a.pcd", "b.pcd"})
-    simulate (folder / name + small_image + " -seed 7");
-  simulate (folder / "c.pcd" + small_image + " -seed 8");
+  for (const std::string scene :
+       {"--scene room --width 64 --height 48",
+        "--scene furniture --profile raw --organized --width 64 --height 48",
+        "--scene street --sensor lidar-16",
+        "--scene room --points 999",
+        "--scene furniture --points 999",
+        "--scene survey --points 999",
+        "--scene shapes --points 999"}) {
+    for (const char* output : {"a.pcd --seed 7 ", "b.pcd --seed 7 ", "c.pcd --seed 8 "})
+      ASSERT_EQ (simulate (folder / output + scene).exit_code, 0) << scene;
+    EXPECT_EQ (contentOf (folder / "a.pcd"), contentOf (folder / "b.pcd")) << scene;
+    EXPECT_NE (contentOf (folder / "a.pcd"), contentOf (folder / "c.pcd")) << scene;
+  }
+}
+
+TEST (SimulateProgram, HasThePointsAskedFor)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder / "cloud.pcd";
+  for (const std::string scene : {"room", "furniture", "survey", "shapes"}) {
+    const ProgramRun run = simulate (file + " --points 1234 --scene " + scene);
+    ASSERT_EQ (run.exit_code, 0) << run.text;
+    EXPECT_EQ (loaded (file).size(), 1234u);
+  }
+  simulate (file + " --scene street --sensor lidar-16 --organized");
+  EXPECT_EQ (loaded (file).height, 16u);
+}
+
+TEST (SimulateProgram, ARoomIsTheSceneUnlessAskedFor)
+{
+  const TemporaryFolder folder;
+  simulate (folder / "a.pcd" + small_image);
+  simulate (folder / "b.pcd" + small_image + " --scene room");
   EXPECT_EQ (contentOf (folder / "a.pcd"), contentOf (folder / "b.pcd"));
-  EXPECT_NE (contentOf (folder / "a.pcd"), contentOf (folder / "c.pcd"));
+}
+
+TEST (SimulateProgram, RefusesWrongUsage)
+{
+  const TemporaryFolder folder;
+  const std::string output = folder / "room.pcd";
+  const std::string street = output + " --scene street";
+  const struct {
+    std::string arguments, subject;
+  } wrong[] = {{"", "OUTPUT.pcd"},
+               {folder / "room.xyz", folder / "room.xyz"},
+               {output + " --profile pink", "--profile"},
+               {output + " --points 0", "--points"},
+               {output + " --points 10000001", "--points"},
+               {output + " --width 8", "--width"},
+               {output + " --height 100000", "--height"},
+               {output + " --noise nan", "--noise"},
+               {output + " --points 9 --organized", "--points"},
+               {output + " --scene garden", "--scene"},
+               {output + " --scene survey --organized", "--scene"},
+               {output + " --tiles 4", "--tiles"},
+               {folder / "walk --scene walk --points 9", "--points"},
+               {output + " --colour", "--colour"},
+               {output + " --sensor livox", "--sensor"},
+               {street + " --sensor sonar", "--sensor"},
+               {street + " --points 9", "--points"},
+               {street + " --width 64", "--scene"},
+               {street + " --profile raw", "--scene"},
+               {street + " --frames 9", "--frames"},
+               {street + " --sensor livox --organized", "--organized"}};
+  for (const auto& [arguments, subject] : wrong) {
+    SCOPED_TRACE (arguments);
+    expectError (simulate (arguments), 2, subject);
+  }
+  EXPECT_EQ (folder.fileCount(), 0u);
 }
 
 TEST (SimulateProgram, LeavesNoFramesOfALongerWalk)
@@ -65,48 +129,6 @@ TEST (SimulateProgram, LeavesNoFramesOfALongerWalk)
   ASSERT_EQ (simulate (walk + " --frames 2").exit_code, 0);
   EXPECT_NE (contentOf (folder / "walk/frame_001.pcd"), "");
   EXPECT_EQ (contentOf (folder / "walk/frame_002.pcd"), "");
-}
-
-TEST (SimulateProgram, ScansWithTheNumberOfPointsAskedFor)
-{
-  const TemporaryFolder folder;
-  ASSERT_EQ (simulate (folder / "scan.pcd" + " --points 1234").exit_code, 0);
-  EXPECT_EQ (loaded (folder / "scan.pcd").size(), 1234u);
-}
-
-TEST (SimulateProgram, SimulatesOtherScenes)
-{
-  const TemporaryFolder folder;
-  for (const std::string scene : {"survey", "shapes"}) {
-    const std::string file = folder / scene + ".pcd";
-    const ProgramRun run =
-        simulate (file + " --scene " + scene + " --points 4321 --seed 5");
-    ASSERT_EQ (run.exit_code, 0) << run.text;
-    EXPECT_EQ (loaded (file).size(), 4321u);
-    EXPECT_TRUE (loaded (file).sensor_origin_.isZero());
-  }
-}
-
-TEST (SimulateProgram, SeesFurnitureAsItSeesARoom)
-{
-  const TemporaryFolder folder;
-  const std::string file = folder / "furniture.pcd";
-  const ProgramRun run =
-      simulate (file + " --scene furniture --profile raw --organized" + small_image);
-  ASSERT_EQ (run.exit_code, 0) << run.text;
-  EXPECT_EQ (loaded (file).width, 64u);
-  EXPECT_GT (loaded (file).sensor_origin_.z(), 1.0f);
-}
-
-TEST (SimulateProgram, SeesAStreetByALidar)
-{
-  const TemporaryFolder folder;
-  const std::string street = " --scene street --sensor lidar-16 --seed 2";
-  for (const char* name : {"a.pcd", "b.pcd"})
-    ASSERT_EQ (simulate (folder / name + street).exit_code, 0);
-  simulate (folder / "rows.pcd" + street + " --organized");
-  EXPECT_EQ (contentOf (folder / "a.pcd"), contentOf (folder / "b.pcd"));
-  EXPECT_EQ (loaded (folder / "rows.pcd").height, 16u);
 }
 
 TEST (SimulateProgram, PosesOfADriveLeadToTheRoad)
@@ -132,60 +154,6 @@ TEST (SimulateProgram, PosesOfADriveLeadToTheRoad)
         ++on_road;
     EXPECT_GT (on_road, 1000u) << name;
   }
-}
-
-TEST (SimulateProgram, RefusesWhatNoLidarOrOnlyALidarHas)
-{
-  const TemporaryFolder folder;
-  const std::string output = folder / "street.pcd";
-  const std::string street = output + " --scene street";
-  expectError (simulate (output + " --sensor livox"), 2, "--sensor");
-  expectError (simulate (street + " --sensor sonar"), 2, "--sensor");
-  expectError (simulate (street + " --points 9"), 2, "--points");
-  expectError (simulate (street + " --width 64"), 2, "--scene");
-  expectError (simulate (street + " --profile raw"), 2, "--scene");
-  expectError (simulate (street + " --frames 9"), 2, "--frames");
-  expectError (simulate (street + " --sensor livox --organized"), 2, "--organized");
-  EXPECT_EQ (folder.fileCount(), 0u);
-}
-
-TEST (SimulateProgram, OtherScenesSameSeedSameBytes)
-{
-  const TemporaryFolder folder;
-  for (const std::string scene : {"furniture", "survey", "shapes"}) {
-    for (const char* name : {"a.pcd", "b.pcd"})
-      simulate (folder / name + " --scene " + scene + " --points 999 --seed 3");
-    simulate (folder / "c.pcd" + " --scene " + scene + " --points 999 --seed 4");
-    EXPECT_EQ (contentOf (folder / "a.pcd"), contentOf (folder / "b.pcd")) << scene;
-    EXPECT_NE (contentOf (folder / "a.pcd"), contentOf (folder / "c.pcd")) << scene;
-  }
-}
-
-TEST (SimulateProgram, ARoomIsTheSceneUnlessAskedFor)
-{
-  const TemporaryFolder folder;
-  simulate (folder / "a.pcd" + small_image);
-  simulate (folder / "b.pcd" + small_image + " --scene room");
-  EXPECT_EQ (contentOf (folder / "a.pcd"), contentOf (folder / "b.pcd"));
-}
-
-TEST (SimulateProgram, RefusesWrongUsage)
-{
-  const TemporaryFolder folder;
-  const std::string output = folder / "room.pcd";
-  expectError (simulate (""), 2, "OUTPUT.pcd");
-  expectError (simulate (folder / "room.xyz"), 2, folder / "room.xyz");
-  expectError (simulate (output + " --profile pink"), 2, "--profile");
-  expectError (simulate (output + " --points 0"), 2, "--points");
-  expectError (simulate (output + " --points 10000001"), 2, "--points");
-  expectError (simulate (output + " --width 8"), 2, "--width");
-  expectError (simulate (output + " --height 100000"), 2, "--height");
-  expectError (simulate (output + " --noise nan"), 2, "--noise");
-  expectError (simulate (output + " --points 9 --organized"), 2, "--points");
-  expectError (simulate (output + " --scene garden"), 2, "--scene");
-  expectError (simulate (output + " --scene survey --organized"), 2, "--scene");
-  expectError (simulate (output + " --colour"), 2, "--colour");
-  EXPECT_EQ (folder.fileCount(), 0u);
 }
 
 TEST (SimulateProgram, SaysWhyItCannotWrite)

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <numbers/angles.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+namespace pcl_ops::apps {
+
+/** \brief Random numbers that are the same with every compiler: the C++ standard fixes
+ * the output of std::mt19937, but not that of the std:: distributions. */
+class Random {
+public:
+  explicit Random (std::uint32_t seed) : generator_ (seed) {}
+  explicit Random (std::seed_seq&& seeds) : generator_ (seeds) {}
+
+  std::uint32_t
+  bits ()
+  {
+    return generator_();
+  }
+
+  /** \brief Unbiased draw from 0 .. bound - 1 (Lemire 2019, multiply and reject).
+   * \param[in] bound number of outcomes; 0 is treated as 1 */
+  std::uint32_t
+  below (std::uint32_t bound)
+  {
+    if (bound < 2)
+      return 0;
+    const std::uint32_t rejected_below = (0u - bound) % bound;
+    std::uint64_t product = 0;
+    do
+      product = std::uint64_t (bits()) * bound;
+    while (std::uint32_t (product) < rejected_below);
+    return std::uint32_t (product >> 32);
+  }
+
+  /** \brief Uniform draw from [0, 1) with 32 random bits. */
+  double
+  unit ()
+  {
+    return bits() * (1.0 / 4294967296.0);
+  }
+
+  /** \brief Uniform draw from [lower, upper). */
+  double
+  between (double lower, double upper)
+  {
+    return lower + (upper - lower) * unit();
+  }
+
+  /** \brief Uniform draw of an angle [rad] between two given in degrees. */
+  double
+  angle (double lower_degrees, double upper_degrees)
+  {
+    return between (lower_degrees, upper_degrees) * pi / 180.0;
+  }
+
+  /** \brief True with the given probability. */
+  bool
+  chance (double probability)
+  {
+    return unit() < probability;
+  }
+
+  /** \brief Draw from the standard normal distribution (Box & Muller 1958). */
+  double
+  gaussian ()
+  {
+    const double radius = std::sqrt (-2.0 * std::log (1.0 - unit()));
+    return radius * std::cos (2.0 * pi * unit());
+  }
+
+  /** \brief Uniform draw from a box, z first: the compiler chooses the order in which
+   * arguments of one call are drawn. Takes no random number for an edge of length 0. */
+  Eigen::Vector3d
+  inBox (const Eigen::Vector3d& lower, const Eigen::Vector3d& upper)
+  {
+    Eigen::Vector3d drawn = lower;
+    for (const int axis : {2, 1, 0})
+      if (lower[axis] < upper[axis])
+        drawn[axis] = between (lower[axis], upper[axis]);
+    return drawn;
+  }
+
+private:
+  std::mt19937 generator_;
+};
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "poses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace pcl_ops::simulation {
+
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+constexpr int candidate_poses = 32, candidate_walks = 8;
+/** \brief A walk is judged by so many of its frames. */
+constexpr std::size_t glances = 12;
+
+/** \brief A pose is judged by a small image [px]. */
+constexpr int glance_width = 48, glance_height = 36;
+constexpr int glance_pixels_of_surface = 5;
+/** \brief Along the camera's axis [m]. */
+constexpr double closest_object = 0.7;
+
+constexpr double whole_turn = 2.0 * pi;
+
+/** \brief Of a camera that looks in a level direction of length 1. */
+Isometry3d
+upright (const Vector3d& eye, const Vector3d& level)
+{
+  Isometry3d pose = at (eye.x(), eye.y(), eye.z());
+  pose.linear() << level.cross (Vector3d::UnitZ()), -Vector3d::UnitZ(), level;
+  return pose;
+}
+
+/** \brief From anywhere in the room over its middle, somewhat downwards. */
+Isometry3d
+drawPose (const Room& room, Random& random)
+{
+  const double wall_distance = 0.4; // [m]
+  const Vector3d reach = 0.5 * room.size - Vector3d::Constant (wall_distance);
+  const Vector3d eye = random.inBox ({-1, -1, 1.1}, {1, 1, 1.8})
+                           .cwiseProduct (Vector3d (reach.x(), reach.y(), 1.0));
+  Vector3d target = random.inBox ({-0.4, -0.4, 0.0}, {0.4, 0.4, 0.0});
+  target = target.cwiseProduct (reach) + eye.z() * Vector3d::UnitZ();
+  const Isometry3d pose = upright (eye, (target - eye).normalized());
+  const double roll = random.angle (-4, 4);
+  const double pitch = random.angle (-20, -5);
+  return turnZ (room.yaw) * pose * turnX (pitch) * turnZ (roll);
+}
+
+/** \brief A path around the middle of a room. */
+struct Path {
+  /** \brief Where on it the walk begins, and how far it leads, signed [rad]. */
+  double start, turn;
+  /** \brief Of the way from the middle to the walls. */
+  double radius;
+  double height; // [m]
+  /** \brief Downwards [rad]. */
+  double pitch;
+};
+
+Path
+drawPath (Random& random)
+{
+  Path path{};
+  path.start = random.between (0.0, whole_turn);
+  path.turn = (random.chance (0.5) ? 0.75 : -0.75) * whole_turn;
+  path.radius = random.between (0.35, 0.6);
+  path.height = random.between (1.4, 1.8);
+  path.pitch = random.angle (8, 18);
+  return path;
+}
+
+/** \param[in] share of the way */
+Isometry3d
+poseOn (const Path& path, const Room& room, double share)
+{
+  constexpr double steps = 16.0, rise = 0.03; // rise [m]
+  constexpr double sway = 2.0 * pi / 180.0;
+  const double angle = path.start + share * path.turn;
+  const double step = share * steps * whole_turn;
+  const Vector3d eye (0.5 * path.radius * room.size.x() * std::cos (angle),
+                      0.5 * path.radius * room.size.y() * std::sin (angle),
+                      path.height + rise * std::sin (step));
+  const Vector3d level = Vector3d (-eye.x(), -eye.y(), 0.0).normalized();
+  return turnZ (room.yaw) * upright (eye, level) * turnX (-path.pitch) *
+         turnZ (sway * std::sin (0.5 * step));
+}
+
+Poses
+posesOn (const Path& path, const Room& room, std::size_t frames)
+{
+  Poses poses;
+  for (std::size_t i = 0; i < frames; ++i)
+    poses.push_back (
+        poseOn (path, room, frames == 1 ? 0.0 : double (i) / double (frames - 1)));
+  return poses;
+}
+
+/** \brief The fewest surfaces that are well in view from any of the poses. */
+int
+minVisibleSurfaces (const Poses& poses, const Scene& scene, DepthCamera camera)
+{
+  int fewest = std::numeric_limits<int>::max();
+  for (const Isometry3d& pose : poses) {
+    camera.pose = pose;
+    fewest = std::min (fewest, countVisibleSurfaces (scene, camera));
+  }
+  return fewest;
+}
+
+/** \brief The first of those candidates that \p rate gives the most. */
+template <typename Draw, typename Rate>
+auto
+bestOf (int candidates, const Draw& draw, const Rate& rate)
+{
+  auto best = draw();
+  int best_rate = rate (best);
+  for (int i = 1; i < candidates; ++i) {
+    const auto candidate = draw();
+    const int its_rate = rate (candidate);
+    if (its_rate > best_rate) {
+      best = candidate;
+      best_rate = its_rate;
+    }
+  }
+  return best;
+}
+
+/** \brief A small motion of so many degrees and centimeters as root mean square. */
+Isometry3d
+drawError (Random& random, double size)
+{
+  const double of_each_axis = size / std::sqrt (3.0);
+  const auto draw = [&] (double unit) {
+    Vector3d drawn;
+    for (double& number : drawn)
+      number = unit * of_each_axis * random.gaussian();
+    return drawn;
+  };
+  const Vector3d rotation = draw (pi / 180.0), shift = draw (0.01);
+  const double angle = rotation.norm();
+  Isometry3d error = at (shift.x(), shift.y(), shift.z());
+  if (angle > 0.0)
+    error.rotate (Eigen::AngleAxisd (angle, rotation / angle));
+  return error;
+}
+
+} // namespace
+
+int
+countVisibleSurfaces (const Scene& scene, DepthCamera camera)
+{
+  camera.width = glance_width;
+  camera.height = glance_height;
+  const DepthImage glance = castDepthImage (scene, camera);
+  const double closest = *std::min_element (glance.depth.begin(), glance.depth.end());
+  if (closest < closest_object)
+    return 0;
+  std::map<SurfaceId, int> pixels;
+  for (const SurfaceId surface : glance.surface)
+    ++pixels[surface];
+  pixels.erase (no_surface);
+  return int (std::count_if (pixels.begin(), pixels.end(), [] (const auto& surface) {
+    return surface.second >= glance_pixels_of_surface;
+  }));
+}
+
+Isometry3d
+drawCameraPose (const Room& room, const DepthCamera& camera, std::uint32_t seed)
+{
+  Random random = randomFor (Purpose::CameraPose, seed);
+  return bestOf (
+      candidate_poses,
+      [&] { return drawPose (room, random); },
+      [&] (const Isometry3d& pose) {
+        return minVisibleSurfaces ({pose}, room.scene, camera);
+      });
+}
+
+Poses
+drawWalk (const Room& room,
+          const DepthCamera& camera,
+          std::size_t frames,
+          std::uint32_t seed)
+{
+  Random random = randomFor (Purpose::Walk, seed);
+  const Path best = bestOf (
+      candidate_walks,
+      [&] { return drawPath (random); },
+      [&] (const Path& path) {
+        return minVisibleSurfaces (posesOn (path, room, glances), room.scene, camera);
+      });
+  return posesOn (best, room, frames);
+}
+
+Poses
+measured (const Poses& poses, const PoseErrors& errors, std::uint32_t seed)
+{
+  Random random = randomFor (Purpose::PoseError, seed);
+  Poses result;
+  Isometry3d drifting = Isometry3d::Identity();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    drifting = i == 0 ? poses[0]
+                      : drifting * poses[i - 1].inverse() * poses[i] *
+                            drawError (random, errors.drift);
+    result.push_back (drifting * drawError (random, errors.each));
+  }
+  return result;
+}
+
+} // namespace pcl_ops::simulation
