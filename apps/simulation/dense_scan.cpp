@@ -99,42 +99,6 @@ foldIntoSector (const SurfacePoint& whole, const Vector3d& on_axis, double share
   return {on_axis + turn * local, turn * whole.normal};
 }
 
-double
-area (const Rectangle& rectangle)
-{
-  return 4.0 * rectangle.half_u * rectangle.half_v;
-}
-
-double
-area (const Sphere& sphere)
-{
-  return 4.0 * pi * sphere.radius * sphere.radius;
-}
-
-double
-area (const Dome& dome)
-{
-  return 2.0 * pi * dome.radius * dome.height;
-}
-
-double
-area (const Cylinder& cylinder)
-{
-  return 4.0 * pi * cylinder.radius * cylinder.half_length;
-}
-
-double
-area (const Cone& cone)
-{
-  return pi * cone.radius * std::hypot (cone.radius, cone.height);
-}
-
-double
-area (const Torus& torus)
-{
-  return 4.0 * pi * pi * torus.radius * torus.tube_radius;
-}
-
 SimulatedCloud
 scanDensely (const Scene& scene,
              std::size_t points,

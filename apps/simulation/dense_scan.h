@@ -15,6 +15,12 @@ struct Cone {
   double height = 1.0;
   /** \brief Of the base [m]. */
   double radius = 0.5;
+
+  double
+  area () const
+  {
+    return pi * radius * std::hypot (radius, height);
+  }
 };
 
 /** \brief A lying torus. */
@@ -24,6 +30,12 @@ struct Torus {
   double radius = 0.5;
   /** \brief Half the ring's thickness [m]. */
   double tube_radius = 0.15;
+
+  double
+  area () const
+  {
+    return 4.0 * pi * pi * radius * tube_radius;
+  }
 };
 
 /** \brief The top of a sphere: what is seen of one far larger than the scene. */
@@ -33,6 +45,12 @@ struct Dome {
   double radius = 1.0;
   /** \brief From the lowest point to the highest [m]. */
   double height = 0.1;
+
+  double
+  area () const
+  {
+    return 2.0 * pi * radius * height;
+  }
 };
 
 /** \brief The part of a round shape within an angle about its upright axis, around the
@@ -42,6 +60,12 @@ struct Sector {
   Shape shape;
   /** \brief Of a full turn. */
   double share = 1.0;
+
+  double
+  area () const
+  {
+    return share * shape.area();
+  }
 };
 
 /** \brief A point of a surface and the direction its distance errs in. */
@@ -94,27 +118,6 @@ drawPoint (const Sector<Shape>& sector, Random& random)
              : whole;
 }
 
-/** \brief The area that points are drawn from [m^2]. */
-double
-area (const Rectangle& rectangle);
-double
-area (const Sphere& sphere);
-double
-area (const Dome& dome);
-double
-area (const Cylinder& cylinder);
-double
-area (const Cone& cone);
-double
-area (const Torus& torus);
-
-template <typename Shape>
-double
-area (const Sector<Shape>& sector)
-{
-  return sector.share * area (sector.shape);
-}
-
 /** \brief Points spread over shapes by area, one shape after the other, with the
  * identity of their surface as label.
  * \param[in] forEach calls what it is given with every shape
@@ -127,13 +130,13 @@ drawPoints (const ForEach& forEach, std::size_t points, double sigma, Random& ra
 {
   pcl::PointCloud<pcl::PointXYZL> cloud;
   double whole_area = 0.0;
-  forEach ([&] (const auto& shape) { whole_area += area (shape); });
+  forEach ([&] (const auto& shape) { whole_area += shape.area(); });
   if (!(whole_area > 0.0))
     return cloud;
   cloud.reserve (points);
   double area_so_far = 0.0;
   forEach ([&] (const auto& shape) {
-    area_so_far += area (shape);
+    area_so_far += shape.area();
     // Rounding the running total gives every shape its share and all of them \p points.
     const double share = std::min (1.0, area_so_far / whole_area);
     const auto end = std::size_t (std::llround (share * double (points)));
@@ -153,10 +156,8 @@ constexpr double laser_sigma = 0.003;
 /** \brief Scans all surfaces of a scene evenly, whatever hides them: a registered scan
  * from everywhere. The points follow the surfaces one after the other. The sensor's
  * origin is the middle of the first body, the room's shell.
- * \param[in] scene what is scanned
  * \param[in] points exact number of points; none if the scene is empty
- * \param[in] noise_scale factor on \ref laser_sigma, the noise along the normal
- * \param[in] seed the same seed gives the same cloud */
+ * \param[in] noise_scale factor on \ref laser_sigma, the noise along the normal */
 SimulatedCloud
 scanDensely (const Scene& scene,
              std::size_t points,

@@ -42,18 +42,6 @@ axialSigma (double depth)
   return 0.0012 + 0.0019 * (depth - 0.4) * (depth - 0.4);
 }
 
-/** \brief The ray of a pixel or of a place beside it, in the frame of the scene. */
-Vector3d
-rayOfPixel (const DepthCamera& camera,
-            std::size_t pixel,
-            double column_offset = 0.0,
-            double row_offset = 0.0)
-{
-  const std::size_t row = pixel / camera.width, column = pixel % camera.width;
-  return camera.pose.linear() *
-         camera.ray (double (column) + column_offset, double (row) + row_offset);
-}
-
 /** \brief Where a pixel's own ray meets the plane that a ray beside it has hit. */
 double
 depthOnSurface (const Hit& hit,
@@ -131,16 +119,17 @@ drawField (const DepthCamera& camera, const NoiseParameters& noise, Random& rand
   return filterRowsAndTranspose (columns, high, kernel);
 }
 
-PixelOffsets
+std::vector<Eigen::Vector2d>
 drawLateralJitter (const DepthCamera& camera,
                    const NoiseParameters& noise,
                    Random& random)
 {
-  PixelOffsets offsets{drawField (camera, noise, random),
-                       drawField (camera, noise, random)};
-  for (auto* axis : {&offsets.column, &offsets.row})
-    for (double& offset : *axis)
-      offset *= noise.scale * noise.lateral_sigma;
+  const std::vector<double> columns = drawField (camera, noise, random);
+  const std::vector<double> rows = drawField (camera, noise, random);
+  std::vector<Eigen::Vector2d> offsets;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    offsets.push_back (noise.scale * noise.lateral_sigma *
+                       Eigen::Vector2d (columns[i], rows[i]));
   return offsets;
 }
 
@@ -207,67 +196,69 @@ quantizeDisparity (DepthImage& image)
       depth = steps_times_depth / std::round (steps_times_depth / depth);
 }
 
-void
-dropOutOfRange (DepthImage& image, const DepthCamera& camera)
-{
-  for (double& depth : image.depth)
-    if (!(depth >= camera.nearest && depth <= camera.farthest))
-      depth = no_reading;
-}
-
 } // namespace
 
 DepthImage
 castDepthImage (const Scene& scene,
                 const DepthCamera& camera,
-                const PixelOffsets& offsets)
+                const Eigen::Isometry3d& pose,
+                const std::vector<Eigen::Vector2d>& offsets)
 {
-  const std::size_t pixels = std::size_t (camera.width) * camera.height;
-  DepthImage image{camera.width,
-                   camera.height,
-                   std::vector<double> (pixels),
-                   std::vector<SurfaceId> (pixels)};
+  DepthImage image{camera.width, camera.height, {}, {}};
   const std::vector<Plane> planes = surfacePlanes (scene);
-  const Vector3d eye = camera.pose.translation();
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const double column = offsets.column.empty() ? 0.0 : offsets.column[i];
-    const double row = offsets.row.empty() ? 0.0 : offsets.row[i];
-    const Hit hit = castRay (scene, eye, rayOfPixel (camera, i, column, row));
-    image.depth[i] = depthOnSurface (hit, planes, eye, rayOfPixel (camera, i));
-    image.surface[i] = hit.surface;
-  }
+  const Vector3d eye = pose.translation();
+  for (int row = 0; row < camera.height; ++row)
+    for (int column = 0; column < camera.width; ++column) {
+      const Vector3d ray = pose.linear() * camera.ray (column, row);
+      Vector3d jittered = ray;
+      if (!offsets.empty()) {
+        const Eigen::Vector2d& offset = offsets[image.depth.size()];
+        jittered = pose.linear() * camera.ray (column + offset.x(), row + offset.y());
+      }
+      const Hit hit = castRay (scene, eye, jittered);
+      image.depth.push_back (depthOnSurface (hit, planes, eye, ray));
+      image.surface.push_back (hit.surface);
+    }
   return image;
 }
 
 DepthImage
 measureDepth (const Scene& scene,
               const DepthCamera& camera,
+              const Eigen::Isometry3d& pose,
               const NoiseParameters& noise,
               std::uint32_t seed)
 {
   Random random = randomFor (Purpose::DepthNoise, seed);
-  PixelOffsets jitter;
+  std::vector<Eigen::Vector2d> jitter;
   if (!noise.isNone())
     jitter = drawLateralJitter (camera, noise, random);
-  DepthImage image = castDepthImage (scene, camera, jitter);
+  DepthImage image = castDepthImage (scene, camera, pose, jitter);
   if (!noise.isNone()) {
     disturbEdges (image, noise, random);
     addAxialNoise (image, camera, noise, random);
     if (noise.profile == NoiseProfile::Raw)
       quantizeDisparity (image);
   }
-  dropOutOfRange (image, camera);
+  for (double& depth : image.depth)
+    if (!(depth >= camera.nearest && depth <= camera.farthest))
+      depth = no_reading;
   return image;
 }
 
 Scan
-toScan (const DepthImage& image, const DepthCamera& camera)
+scanByCamera (const Scene& scene,
+              const DepthCamera& camera,
+              const Eigen::Isometry3d& pose,
+              const NoiseParameters& noise,
+              std::uint32_t seed)
 {
+  DepthImage image = measureDepth (scene, camera, pose, noise, seed);
   Scan scan;
   scan.columns = std::size_t (image.width);
   scan.rows = std::size_t (image.height);
+  scan.surfaces = std::move (image.surface);
   scan.points.reserve (image.depth.size());
-  scan.surfaces = image.surface;
   for (std::size_t i = 0; i < image.depth.size(); ++i) {
     const Vector3d ray =
         camera.ray (double (i % scan.columns), double (i / scan.columns));

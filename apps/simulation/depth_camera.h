@@ -18,22 +18,15 @@ struct DepthCamera {
   /** \brief Readings outside are lost [m]. */
   double nearest = 0.5;
   double farthest = 8.0;
-  /** \brief From the camera's frame to the room's. */
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-
-  /** \brief Focal length [px]: the field of view is a Kinect's whatever the width. */
-  double
-  focalLength () const
-  {
-    return kinect_focal_length * width / 640.0;
-  }
 
   /** \brief The ray of a pixel in the camera's frame, of length 1 along z. */
   Eigen::Vector3d
   ray (double column, double row) const
   {
-    return {(column - 0.5 * (width - 1)) / focalLength(),
-            (row - 0.5 * (height - 1)) / focalLength(),
+    // [px]: the field of view is a Kinect's whatever the width.
+    const double focal_length = kinect_focal_length * width / 640.0;
+    return {(column - 0.5 * (width - 1)) / focal_length,
+            (row - 0.5 * (height - 1)) / focal_length,
             1.0};
   }
 };
@@ -47,18 +40,15 @@ struct DepthImage {
   std::vector<SurfaceId> surface;
 };
 
-/** \brief How far beside its place each pixel looks [px]: this frays the edges, while
- * the depth is that of the surface it sees at the pixel's place. Empty: edges are
- * exact. */
-struct PixelOffsets {
-  std::vector<double> column, row;
-};
-
-/** \brief Casts a ray through every pixel. */
+/** \brief Casts a ray through every pixel.
+ * \param[in] offsets how far beside its place each pixel looks along the row and the
+ * column [px]: this frays the edges, while the depth is that of the surface it sees at
+ * the pixel's place; empty: edges are exact */
 DepthImage
 castDepthImage (const Scene& scene,
                 const DepthCamera& camera,
-                const PixelOffsets& offsets = {});
+                const Eigen::Isometry3d& pose,
+                const std::vector<Eigen::Vector2d>& offsets = {});
 
 enum class NoiseProfile {
   /** \brief Every reading exact. */
@@ -92,18 +82,20 @@ struct NoiseParameters {
 /** \brief The depths a camera measures: rays wander sideways, depths are noisy, pixels
  * at depth edges fly between the two sides or are lost, as is what is out of range.
  * Flying pixels are on no surface.
- * \param[in] scene what is seen
- * \param[in] camera from where
- * \param[in] noise profile and strength
- * \param[in] seed the same seed gives the same image */
+ * \param[in] pose from the camera's frame to that of the scene */
 DepthImage
 measureDepth (const Scene& scene,
               const DepthCamera& camera,
+              const Eigen::Isometry3d& pose,
               const NoiseParameters& noise,
               std::uint32_t seed);
 
-/** \brief The points of a depth image in the camera's frame. */
+/** \brief What \ref measureDepth gives as points in the camera's frame. */
 Scan
-toScan (const DepthImage& image, const DepthCamera& camera);
+scanByCamera (const Scene& scene,
+              const DepthCamera& camera,
+              const Eigen::Isometry3d& pose,
+              const NoiseParameters& noise,
+              std::uint32_t seed);
 
 } // namespace pcl_ops::simulation

@@ -74,6 +74,7 @@ lidarOf (const std::string& name)
 Scan
 scanAround (const Scene& scene,
             const Lidar& lidar,
+            const Eigen::Isometry3d& pose,
             double noise_scale,
             std::uint32_t seed,
             std::size_t number)
@@ -86,13 +87,13 @@ scanAround (const Scene& scene,
   const std::size_t rays = scan.columns * scan.rows;
   scan.points.assign (rays, Vector3d::Constant (std::nan ("")));
   scan.surfaces.assign (rays, no_surface);
-  const Vector3d eye = lidar.pose.translation();
+  const Vector3d eye = pose.translation();
   for (std::size_t i = 0; i < rays; ++i) {
     const Vector3d ray =
         lidar.isRosette()
             ? rosetteRay (lidar, number * rays + i)
             : rotatingRay (lidar, int (i / scan.rows), int (i % scan.rows));
-    const Hit hit = castRay (scene, eye, lidar.pose.linear() * ray);
+    const Hit hit = castRay (scene, eye, pose.linear() * ray);
     // Drawn for each ray, so that one reading more leaves the others as they are.
     const double error = noise_scale * lidar_sigma * random.gaussian();
     const double distance = hit.distance + error;

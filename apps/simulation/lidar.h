@@ -24,8 +24,6 @@ struct Lidar {
   double highest = 2.0, lowest = -24.8;
   /** \brief Readings beyond are lost [m]. */
   double farthest = 120.0;
-  /** \brief From the lidar's frame to the scene's. */
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
 
   bool
   isRosette () const
@@ -46,14 +44,14 @@ lidarOf (const std::string& name);
 
 /** \brief Casts all rays of a scan from where the lidar is; distances are noisy.
  * \param[in] scene best \ref divided
- * \param[in] lidar from where
+ * \param[in] pose from the lidar's frame to that of the scene
  * \param[in] noise_scale factor on \ref lidar_sigma, the noise along the rays
- * \param[in] seed the same seed gives the same scan
  * \param[in] number of the scan in a row of them: a rosette goes on where the last
  * scan ended */
 Scan
 scanAround (const Scene& scene,
             const Lidar& lidar,
+            const Eigen::Isometry3d& pose,
             double noise_scale,
             std::uint32_t seed,
             std::size_t number = 0);

@@ -44,14 +44,9 @@ View
 viewOfStreet (const SimulationOptions& options)
 {
   const Street street = makeStreet (options.seed);
-  const auto scan = [lidar = lidarOf (options.sensor),
-                     noise = options.noise] (const Scene& scene,
-                                             const auto& pose,
-                                             std::uint32_t seed,
-                                             std::size_t number) {
-    Lidar placed = lidar;
-    placed.pose = pose;
-    return scanAround (scene, placed, noise, seed, number);
+  const auto scan = [lidar = lidarOf (options.sensor), noise = options.noise] (
+                        const auto& scene, const auto& pose, auto seed, auto number) {
+    return scanAround (scene, lidar, pose, noise, seed, number);
   };
   const Poses poses = options.scene == "drive"
                           ? drawDrive (street, options.frames, options.seed)
@@ -75,17 +70,13 @@ viewOfRoom (const SimulationOptions& options)
                   : options.profile == "none" ? NoiseProfile::None
                                               : NoiseProfile::Correlated;
   noise.scale = options.noise;
-  const auto scan =
-      [camera = options.camera,
-       noise] (const Scene& scene, const auto& pose, std::uint32_t seed, auto) {
-        DepthCamera placed = camera;
-        placed.pose = pose;
-        return toScan (measureDepth (scene, placed, noise, seed), placed);
-      };
-  const Poses poses =
-      options.scene == "walk"
-          ? drawWalk (room, options.camera, options.frames, options.seed)
-          : Poses{drawCameraPose (room, options.camera, options.seed)};
+  const auto scan = [camera = options.camera,
+                     noise] (const auto& scene, const auto& pose, auto seed, auto) {
+    return scanByCamera (scene, camera, pose, noise, seed);
+  };
+  const Poses poses = options.scene == "walk"
+                          ? drawWalk (room, options.frames, options.seed)
+                          : Poses{drawCameraPose (room, options.seed)};
   return {room.scene, poses, scan, "give a smaller --width and --height"};
 }
 

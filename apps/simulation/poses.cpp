@@ -101,13 +101,11 @@ posesOn (const Path& path, const Room& room, std::size_t frames)
 
 /** \brief The fewest surfaces that are well in view from any of the poses. */
 int
-minVisibleSurfaces (const Poses& poses, const Scene& scene, DepthCamera camera)
+minVisibleSurfaces (const Poses& poses, const Scene& scene)
 {
   int fewest = std::numeric_limits<int>::max();
-  for (const Isometry3d& pose : poses) {
-    camera.pose = pose;
-    fewest = std::min (fewest, countVisibleSurfaces (scene, camera));
-  }
+  for (const Isometry3d& pose : poses)
+    fewest = std::min (fewest, countVisibleSurfaces (scene, pose));
   return fewest;
 }
 
@@ -151,11 +149,12 @@ drawError (Random& random, double size)
 } // namespace
 
 int
-countVisibleSurfaces (const Scene& scene, DepthCamera camera)
+countVisibleSurfaces (const Scene& scene, const Isometry3d& pose)
 {
+  DepthCamera camera;
   camera.width = glance_width;
   camera.height = glance_height;
-  const DepthImage glance = castDepthImage (scene, camera);
+  const DepthImage glance = castDepthImage (scene, camera, pose);
   const double closest = *std::min_element (glance.depth.begin(), glance.depth.end());
   if (closest < closest_object)
     return 0;
@@ -169,29 +168,24 @@ countVisibleSurfaces (const Scene& scene, DepthCamera camera)
 }
 
 Isometry3d
-drawCameraPose (const Room& room, const DepthCamera& camera, std::uint32_t seed)
+drawCameraPose (const Room& room, std::uint32_t seed)
 {
   Random random = randomFor (Purpose::CameraPose, seed);
   return bestOf (
       candidate_poses,
       [&] { return drawPose (room, random); },
-      [&] (const Isometry3d& pose) {
-        return minVisibleSurfaces ({pose}, room.scene, camera);
-      });
+      [&] (const Isometry3d& pose) { return countVisibleSurfaces (room.scene, pose); });
 }
 
 Poses
-drawWalk (const Room& room,
-          const DepthCamera& camera,
-          std::size_t frames,
-          std::uint32_t seed)
+drawWalk (const Room& room, std::size_t frames, std::uint32_t seed)
 {
   Random random = randomFor (Purpose::Walk, seed);
   const Path best = bestOf (
       candidate_walks,
       [&] { return drawPath (random); },
       [&] (const Path& path) {
-        return minVisibleSurfaces (posesOn (path, room, glances), room.scene, camera);
+        return minVisibleSurfaces (posesOn (path, room, glances), room.scene);
       });
   return posesOn (best, room, frames);
 }

@@ -13,29 +13,21 @@ namespace pcl_ops::simulation {
  */
 using Poses = std::vector<Eigen::Isometry3d>;
 
-/** \brief Number of surfaces well in view, none if something stands before the camera.
- */
+/** \brief Number of surfaces well in view of a depth camera, none if something stands
+ * just before it. */
 int
-countVisibleSurfaces (const Scene& scene, DepthCamera camera);
+countVisibleSurfaces (const Scene& scene, const Eigen::Isometry3d& pose);
 
 /** \brief Draws a pose at a person's height in the room, upright to a few degrees, that
- * sees many surfaces and has nothing just in front of it.
- * \param[in] room the room
- * \param[in] camera its image size and range count
- * \param[in] seed the same seed and room give the same pose whatever the image size */
+ * sees many surfaces and has nothing just in front of it. */
 Eigen::Isometry3d
-drawCameraPose (const Room& room, const DepthCamera& camera, std::uint32_t seed);
+drawCameraPose (const Room& room, std::uint32_t seed);
 
 /** \brief Draws a walk through a room: three quarters of the way around its middle,
  * looking across it, so that walls come and go and the first comes again; at a person's
- * height, which rises and falls with the steps.
- * \param[in] camera its range and field of view count
- * \param[in] seed the same seed and room give the same walk */
+ * height, which rises and falls with the steps. */
 Poses
-drawWalk (const Room& room,
-          const DepthCamera& camera,
-          std::size_t frames,
-          std::uint32_t seed);
+drawWalk (const Room& room, std::size_t frames, std::uint32_t seed);
 
 /** \brief How far poses are off, as root mean square: a turn of so many degrees about
  * the sensor, and a shift of so many centimeters. */

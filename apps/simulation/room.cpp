@@ -37,11 +37,11 @@ poseAtWall (const Vector3d& size, int wall, double along, double gap)
 
 /** \brief A wall, maybe with a window niche or a door whose leaf is set back. */
 Body
-drawWall (const WallRange& wall, Random& random)
+drawWall (const WallRange& wall, double chance_of_opening, Random& random)
 {
   constexpr double threshold_height = 0.02; // of a door [m]
   Body body;
-  if (!random.chance (0.6)) {
+  if (chance_of_opening <= 0.0 || !random.chance (chance_of_opening)) {
     addSurface (body, wall.at (0.0));
     return body;
   }
@@ -59,35 +59,25 @@ drawWall (const WallRange& wall, Random& random)
   return body;
 }
 
-/** \brief Floor, four walls and ceiling of an empty room.
+/** \brief The floor, the ceiling and the walls of an empty room.
  * \param[in] size length, width and height [m] */
 Body
-drawRoomShell (const Vector3d& size, Random& random)
+drawShell (const Vector3d& size,
+           const std::vector<double>& levels,
+           int walls,
+           double chance_of_opening,
+           Random& random)
 {
   Body shell;
-  for (const double z : {0.0, size.z()})
-    addSurface (shell,
-                rectangleAlong (0, 1, {0, 0, z}, 0.5 * size.x(), 0.5 * size.y()));
-  for (int wall = 0; wall < walls_of_room; ++wall) {
+  const double half_x = 0.5 * size.x(), half_y = 0.5 * size.y();
+  for (const double z : levels)
+    addSurface (shell, rectangleAlong (0, 1, {0, 0, z}, half_x, half_y));
+  for (int wall = 0; wall < walls; ++wall) {
     const double half_length = 0.5 * wallLength (size, wall);
+    const WallRange range{-half_length, half_length, 0.0, size.z()};
     addPart (shell,
-             drawWall ({-half_length, half_length, 0.0, size.z()}, random),
+             drawWall (range, chance_of_opening, random),
              poseAtWall (size, wall, 0.0, 0.0));
-  }
-  return shell;
-}
-
-/** \brief The floor and the first \ref walls_of_corner, without openings. */
-Body
-makeCornerShell (const Vector3d& size)
-{
-  Body shell;
-  addSurface (shell, rectangleAlong (0, 1, {0, 0, 0}, 0.5 * size.x(), 0.5 * size.y()));
-  for (int wall = 0; wall < walls_of_corner; ++wall) {
-    const double half_length = 0.5 * wallLength (size, wall);
-    Body plain;
-    addSurface (plain, WallRange{-half_length, half_length, 0.0, size.z()}.at (0.0));
-    addPart (shell, plain, poseAtWall (size, wall, 0.0, 0.0));
   }
   return shell;
 }
@@ -213,7 +203,9 @@ makeRoom (std::uint32_t seed)
 {
   Random random = randomFor (Purpose::Room, seed);
   Room room = drawRoomSize ({3.5, 3.0, 2.4}, {8.0, 6.0, 3.0}, random);
-  addBody (room.scene, drawRoomShell (room.size, random), turnZ (room.yaw));
+  const Body shell =
+      drawShell (room.size, {0.0, room.size.z()}, walls_of_room, 0.6, random);
+  addBody (room.scene, shell, turnZ (room.yaw));
   furnish (room, random);
   return room;
 }
@@ -223,7 +215,8 @@ makeFurnishedCorner (std::uint32_t seed)
 {
   Random random = randomFor (Purpose::Corner, seed);
   Room corner = drawRoomSize ({3.0, 3.0, 2.4}, {4.0, 4.0, 3.0}, random);
-  addBody (corner.scene, makeCornerShell (corner.size), turnZ (corner.yaw));
+  const Body shell = drawShell (corner.size, {0.0}, walls_of_corner, 0.0, random);
+  addBody (corner.scene, shell, turnZ (corner.yaw));
   Furnisher furnisher (corner, walls_of_corner, random);
   for (const auto draw : {drawBoardRack, drawBoardTable, drawBoardBench})
     furnisher.placeAtWall (draw (random));

@@ -17,13 +17,12 @@ struct Room {
 };
 
 /** \brief Draws a room with doors, niches, furniture, tilted boards and round clutter.
- * \param[in] seed the same seed gives the same room */
+ */
 Room
 makeRoom (std::uint32_t seed);
 
 /** \brief Draws the corner of a room, a floor and two walls, with tables, benches and
- * racks of boards on posts: narrow planes beside wide ones.
- * \param[in] seed the same seed gives the same corner */
+ * racks of boards on posts: narrow planes beside wide ones. */
 Room
 makeFurnishedCorner (std::uint32_t seed);
 

@@ -17,7 +17,8 @@ using apps::pi;
 using apps::Random;
 
 /** \brief What a stream of random numbers is for. Each purpose has its own stream, so
- * that the same seed gives the same scene whatever the camera and the noise. */
+ * that the same seed gives the same scene whatever the camera and the noise. All that
+ * takes a seed gives the same again for the same seed. */
 enum class Purpose : std::uint32_t {
   Room = 1,
   CameraPose,
@@ -90,6 +91,12 @@ struct Rectangle {
     return axis_u.cross (axis_v);
   }
 
+  double
+  area () const
+  {
+    return 4.0 * half_u * half_v;
+  }
+
   Plane
   plane () const
   {
@@ -108,6 +115,12 @@ rectangleAlong (
 struct Sphere {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double radius = 0.1;
+
+  double
+  area () const
+  {
+    return 4.0 * pi * radius * radius;
+  }
 };
 
 /** \brief A closed cylinder. */
@@ -116,6 +129,13 @@ struct Cylinder {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   double half_length = 0.5;
   double radius = 0.1;
+
+  /** \brief Of its side. */
+  double
+  area () const
+  {
+    return 4.0 * pi * radius * half_length;
+  }
 };
 
 /** \brief A piece of furniture or the shell of a room: shapes that are placed together.
@@ -214,7 +234,6 @@ struct Hit {
 };
 
 /** \brief The first point of the scene on a ray.
- * \param[in] scene the scene
  * \param[in] origin start of the ray [m]
  * \param[in] direction of any length; the hit's distance is in multiples of it */
 Hit

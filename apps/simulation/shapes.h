@@ -30,17 +30,14 @@ constexpr double shapes_sigma = 0.002;
 /** \brief About 5000 points on a square meter. */
 constexpr std::size_t points_of_shapes = 250'000;
 
-/** \brief Draws sizes, and how the board stands.
- * \param[in] seed the same seed gives the same shapes */
+/** \brief Draws sizes, and how the board stands. */
 Shapes
 makeShapes (std::uint32_t seed);
 
 /** \brief Scans all surfaces evenly, whatever hides them, from no known position: the
  * sensor's origin is 0 0 0. The points follow the shapes one after the other.
- * \param[in] shapes what is scanned
  * \param[in] points exact number of points
- * \param[in] noise_scale factor on \ref shapes_sigma, the noise along the normal
- * \param[in] seed the same seed gives the same cloud */
+ * \param[in] noise_scale factor on \ref shapes_sigma, the noise along the normal */
 SimulatedCloud
 scanShapes (const Shapes& shapes,
             std::size_t points,

@@ -19,20 +19,18 @@ struct Street {
 };
 
 /** \brief Draws a road between curbs and sloping sidewalks, with houses, parked cars,
- * trees, bushes and poles on both sides.
- * \param[in] seed the same seed gives the same street */
+ * trees, bushes and poles on both sides. */
 Street
 makeStreet (std::uint32_t seed);
 
 /** \brief Draws where a car in the right lane near the middle carries a sensor, in its
  * axes x forward, y left, z up: 1.7 to 1.9 m above the road, tilted by up to a degree.
- * \param[in] seed the same seed and street give the same pose */
+ */
 Eigen::Isometry3d
 drawSensorPose (const Street& street, std::uint32_t seed);
 
 /** \brief Draws a drive along the right lane through the middle of a street, in equal
- * steps of up to 1 m and over at most half of it; the car sways a little.
- * \param[in] seed the same seed and street give the same drive */
+ * steps of up to 1 m and over at most half of it; the car sways a little. */
 Poses
 drawDrive (const Street& street, std::size_t frames, std::uint32_t seed);
 

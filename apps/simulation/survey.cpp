@@ -149,7 +149,7 @@ scanSurvey (const Survey& survey,
   for (const Facade& facade : facades) {
     planes.push_back (facade.rectangle.plane());
     weights.push_back ((weights.empty() ? 0.0 : weights.back()) +
-                       area (facade.rectangle) * facade.density);
+                       facade.rectangle.area() * facade.density);
   }
   Random random = randomFor (Purpose::SurveyScan, seed);
   simulated.cloud.reserve (points);

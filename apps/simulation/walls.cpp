@@ -19,7 +19,7 @@ addWallAround (Body& body, const Rectangle& wall, const WallRange& hole, double 
         WallRange{hole.left, hole.right, bottom, hole.bottom}}) {
     Rectangle piece = range.at (0.0);
     piece.surface = surface;
-    if (piece.half_u * piece.half_v > 0.0)
+    if (piece.area() > 0.0)
       body.rectangles.push_back (piece);
   }
   const Rectangle back = hole.at (-depth);

@@ -25,7 +25,6 @@ struct WallRange {
  * sill and its lintel.
  * \param[in,out] body takes its pieces
  * \param[in] wall the whole wall, as if it had no hole
- * \param[in] hole where it is
  * \param[in] depth of the hole [m] */
 void
 addWallAround (Body& body, const Rectangle& wall, const WallRange& hole, double depth);

@@ -63,16 +63,14 @@ withExactTruth (const simulation::SimulatedCloud& simulated)
 EvaluationCloud
 imageOf (const simulation::Room& room, std::uint32_t seed, NoiseProfile profile)
 {
-  simulation::DepthCamera camera;
-  camera.pose = simulation::drawCameraPose (room, camera, seed);
+  const Eigen::Isometry3d pose = simulation::drawCameraPose (room, seed);
   simulation::NoiseParameters noise;
   noise.profile = profile;
-  return withExactTruth (simulation::toCloud (
-      simulation::toScan (simulation::measureDepth (room.scene, camera, noise, seed),
-                          camera),
-      camera.pose,
-      room.scene,
-      simulation::CloudLayout::Readings));
+  return withExactTruth (
+      simulation::toCloud (simulation::scanByCamera (room.scene, {}, pose, noise, seed),
+                           pose,
+                           room.scene,
+                           simulation::CloudLayout::Readings));
 }
 
 EvaluationCloud
@@ -150,13 +148,13 @@ streetsDataSet (const std::string& name,
 {
   return scenesDataSet (name, "street", seeds, [sensor] (std::uint32_t seed) {
     const simulation::Street street = simulation::makeStreet (seed);
-    simulation::Lidar lidar = simulation::lidarOf (sensor);
-    lidar.pose = simulation::drawSensorPose (street, seed);
-    return withExactTruth (
-        simulation::toCloud (simulation::scanAround (street.scene, lidar, 1.0, seed),
-                             lidar.pose,
-                             street.scene,
-                             simulation::CloudLayout::Readings));
+    const simulation::Lidar lidar = simulation::lidarOf (sensor);
+    const Eigen::Isometry3d pose = simulation::drawSensorPose (street, seed);
+    return withExactTruth (simulation::toCloud (
+        simulation::scanAround (street.scene, lidar, pose, 1.0, seed),
+        pose,
+        street.scene,
+        simulation::CloudLayout::Readings));
   });
 }
 

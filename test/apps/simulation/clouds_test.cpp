@@ -14,13 +14,11 @@ namespace {
 SimulatedCloud
 imageOf (const Room& room, std::uint32_t seed, double noise, CloudLayout layout)
 {
-  DepthCamera camera = cameraOf (160, 120);
-  camera.pose = drawCameraPose (room, camera, seed);
+  const Eigen::Isometry3d pose = drawCameraPose (room, seed);
   const NoiseParameters parameters = noiseOf (NoiseProfile::Correlated, noise);
-  return toCloud (toScan (measureDepth (room.scene, camera, parameters, seed), camera),
-                  camera.pose,
-                  room.scene,
-                  layout);
+  const Scan scan =
+      scanByCamera (room.scene, cameraOf (160, 120), pose, parameters, seed);
+  return toCloud (scan, pose, room.scene, layout);
 }
 
 SimulatedCloud
@@ -33,12 +31,9 @@ SimulatedCloud
 scanOfStreet (std::uint32_t seed, double noise, const std::string& sensor)
 {
   const Street street = makeStreet (seed);
-  Lidar lidar = lidarOf (sensor);
-  lidar.pose = drawSensorPose (street, seed);
-  return toCloud (scanAround (street.scene, lidar, noise, seed),
-                  lidar.pose,
-                  street.scene,
-                  CloudLayout::Readings);
+  const Eigen::Isometry3d pose = drawSensorPose (street, seed);
+  const Scan scan = scanAround (street.scene, lidarOf (sensor), pose, noise, seed);
+  return toCloud (scan, pose, street.scene, CloudLayout::Readings);
 }
 
 /** \brief What the program makes of a seed, smaller. */

@@ -180,11 +180,9 @@ TEST (Corner, IsSeenWithNarrowPlanesThatHavePointsEnough)
 {
   const std::uint32_t seed = seedOfTest();
   const Room corner = makeFurnishedCorner (seed);
-  DepthCamera camera = cameraOf (320, 240);
-  camera.pose = drawCameraPose (corner, camera, seed);
-  const Scan scan = toScan (measureDepth (corner.scene, camera, {}, seed), camera);
-  const SimulatedCloud image =
-      toCloud (scan, camera.pose, corner.scene, CloudLayout::Readings);
+  const Eigen::Isometry3d pose = drawCameraPose (corner, seed);
+  const Scan scan = scanByCamera (corner.scene, cameraOf (320, 240), pose, {}, seed);
+  const auto planes = toCloud (scan, pose, corner.scene, CloudLayout::Readings).planes;
   const auto isNarrow = [&corner] (const LabeledPlane& seen) {
     for (const Body& body : corner.scene.bodies)
       for (const Rectangle& face : body.rectangles)
@@ -193,5 +191,5 @@ TEST (Corner, IsSeenWithNarrowPlanesThatHavePointsEnough)
           return true;
     return false;
   };
-  EXPECT_GE (std::count_if (image.planes.begin(), image.planes.end(), isNarrow), 5);
+  EXPECT_GE (std::count_if (planes.begin(), planes.end(), isNarrow), 5);
 }

@@ -9,10 +9,13 @@ using namespace pcl_ops::simulation;
 
 namespace {
 
+const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+
 DepthImage
 measuredWall (double depth, const NoiseParameters& noise)
 {
-  return measureDepth (wallAt (depth), cameraOf (160, 120), noise, seedOfTest());
+  return measureDepth (
+      wallAt (depth), cameraOf (160, 120), origin, noise, seedOfTest());
 }
 
 double
@@ -43,10 +46,10 @@ Scan
 scanInABox (const Lidar& lidar, std::size_t number = 0, double noise = 0.0)
 {
   Body box;
-  addBox (box, Eigen::Isometry3d::Identity(), {9.0, 8.0, 7.0});
+  addBox (box, origin, {9.0, 8.0, 7.0});
   Scene scene;
-  addBody (scene, box, Eigen::Isometry3d::Identity());
-  return scanAround (scene, lidar, noise, 1, number);
+  addBody (scene, box, origin);
+  return scanAround (scene, lidar, origin, noise, 1, number);
 }
 
 } // namespace
@@ -95,8 +98,8 @@ TEST (DepthNoise, RawErrorsAreIndependentInEighthsOfAPixelOfDisparity)
 
 TEST (DepthNoise, FlyingPixelsAreBetweenTheEdgesSidesAndOnNoSurface)
 {
-  const DepthImage image =
-      measureDepth (stepScene (2.0, 4.0), cameraOf (160, 120), {}, seedOfTest());
+  const DepthImage image = measureDepth (
+      stepScene (2.0, 4.0), cameraOf (160, 120), origin, {}, seedOfTest());
   int flying = 0;
   for (std::size_t i = 0; i < image.depth.size(); ++i)
     if (image.depth[i] > 2.1 && image.depth[i] < 3.85) {
@@ -111,7 +114,7 @@ TEST (DepthNoise, NoneHasSharpEdges)
 {
   const NoiseParameters none = noiseOf (NoiseProfile::None);
   for (const double depth :
-       measureDepth (stepScene (2.0, 4.0), cameraOf (160, 120), none, 1).depth)
+       measureDepth (stepScene (2.0, 4.0), cameraOf (160, 120), origin, none, 1).depth)
     EXPECT_TRUE (depth == 2.0 || depth == 4.0) << depth;
 }
 
@@ -178,7 +181,7 @@ TEST (Lidar, OrganizedRowsAreBeams)
 {
   const Lidar lidar = lidarOf ("lidar-16");
   const auto cloud =
-      toSurfaceCloud (scanInABox (lidar), lidar.pose, CloudLayout::Organized);
+      toSurfaceCloud (scanInABox (lidar), origin, CloudLayout::Organized);
   ASSERT_EQ (cloud.width, std::uint32_t (lidar.steps));
   for (std::size_t i = 0; i < cloud.width; i += 100)
     EXPECT_NEAR (std::asin (cloud[i].z / cloud[i].getVector3fMap().norm()),
