@@ -27,7 +27,68 @@ drawAbove (double lowest, const Vector3d& center, double radius, Random& random)
   return {center + radius * normal, normal};
 }
 
+// The share of area above grows with the square of the distance from the apex.
+SurfacePoint
+drawOfCone (const RoundShape& cone, Random& random)
+{
+  const Vector3d across = drawAcross (random);
+  const double down = std::sqrt (random.unit());
+  const Vector3d normal = cone.height * across + cone.radius * Vector3d::UnitZ();
+  return {cone.center + down * (cone.radius * across - cone.height * Vector3d::UnitZ()),
+          normal.normalized()};
+}
+
+// The outer side of the ring is longer than the inner one, by the distance from the
+// axis.
+SurfacePoint
+drawOfTorus (const RoundShape& torus, Random& random)
+{
+  const Vector3d across = drawAcross (random);
+  for (;;) {
+    const double around_tube = random.between (0, 2.0 * pi);
+    const double outward = std::cos (around_tube);
+    const double longest = torus.radius + torus.height;
+    if (!random.chance ((torus.radius + torus.height * outward) / longest))
+      continue;
+    const Vector3d normal =
+        outward * across + std::sin (around_tube) * Vector3d::UnitZ();
+    return {torus.center + torus.radius * across + torus.height * normal, normal};
+  }
+}
+
+SurfacePoint
+drawOfWhole (const RoundShape& shape, Random& random)
+{
+  switch (shape.kind) {
+  case RoundShape::Kind::Cylinder:
+    return drawPoint (
+        Cylinder{shape.center, Vector3d::UnitZ(), shape.height, shape.radius}, random);
+  case RoundShape::Kind::Cone:
+    return drawOfCone (shape, random);
+  case RoundShape::Kind::Torus:
+    return drawOfTorus (shape, random);
+  default:
+    return drawAbove (
+        1.0 - shape.height / shape.radius, shape.center, shape.radius, random);
+  }
+}
+
 } // namespace
+
+double
+RoundShape::area() const
+{
+  switch (kind) {
+  case Kind::Cylinder:
+    return share * (4.0 * pi * radius * height);
+  case Kind::Cone:
+    return share * (pi * radius * std::hypot (radius, height));
+  case Kind::Torus:
+    return share * (4.0 * pi * pi * radius * height);
+  default:
+    return 2.0 * pi * radius * height;
+  }
+}
 
 SurfacePoint
 drawPoint (const Rectangle& rectangle, Random& random)
@@ -45,12 +106,6 @@ drawPoint (const Sphere& sphere, Random& random)
 }
 
 SurfacePoint
-drawPoint (const Dome& dome, Random& random)
-{
-  return drawAbove (1.0 - dome.height / dome.radius, dome.center, dome.radius, random);
-}
-
-SurfacePoint
 drawPoint (const Cylinder& cylinder, Random& random)
 {
   const Vector3d across = cylinder.axis.unitOrthogonal();
@@ -61,42 +116,17 @@ drawPoint (const Cylinder& cylinder, Random& random)
   return {cylinder.center + along * cylinder.axis + cylinder.radius * normal, normal};
 }
 
-// The share of area above grows with the square of the distance from the apex.
 SurfacePoint
-drawPoint (const Cone& cone, Random& random)
+drawPoint (const RoundShape& shape, Random& random)
 {
-  const Vector3d across = drawAcross (random);
-  const double down = std::sqrt (random.unit());
-  const Vector3d normal = cone.height * across + cone.radius * Vector3d::UnitZ();
-  return {cone.apex + down * (cone.radius * across - cone.height * Vector3d::UnitZ()),
-          normal.normalized()};
-}
-
-// The outer side of the ring is longer than the inner one, by the distance from the
-// axis.
-SurfacePoint
-drawPoint (const Torus& torus, Random& random)
-{
-  const Vector3d across = drawAcross (random);
-  for (;;) {
-    const double around_tube = random.between (0, 2.0 * pi);
-    const double outward = std::cos (around_tube);
-    const double longest = torus.radius + torus.tube_radius;
-    if (!random.chance ((torus.radius + torus.tube_radius * outward) / longest))
-      continue;
-    const Vector3d normal =
-        outward * across + std::sin (around_tube) * Vector3d::UnitZ();
-    return {torus.center + torus.radius * across + torus.tube_radius * normal, normal};
-  }
-}
-
-SurfacePoint
-foldIntoSector (const SurfacePoint& whole, const Vector3d& on_axis, double share)
-{
-  const Vector3d local = whole.position - on_axis;
+  const SurfacePoint whole = drawOfWhole (shape, random);
+  if (!(shape.share < 1.0))
+    return whole;
+  // Turned about the axis into the part.
+  const Vector3d local = whole.position - shape.center;
   const double around = std::atan2 (-local.x(), local.y());
-  const Eigen::AngleAxisd turn ((share - 1.0) * around, Vector3d::UnitZ());
-  return {on_axis + turn * local, turn * whole.normal};
+  const Eigen::AngleAxisd turn ((shape.share - 1.0) * around, Vector3d::UnitZ());
+  return {shape.center + turn * local, turn * whole.normal};
 }
 
 SimulatedCloud

@@ -9,63 +9,31 @@
 
 namespace pcl_ops::simulation {
 
-/** \brief An upright cone without its base. */
-struct Cone {
-  Eigen::Vector3d apex = Eigen::Vector3d::Zero();
-  double height = 1.0;
-  /** \brief Of the base [m]. */
-  double radius = 0.5;
-
-  double
-  area () const
-  {
-    return pi * radius * std::hypot (radius, height);
-  }
-};
-
-/** \brief A lying torus. */
-struct Torus {
+/** \brief A round surface about an upright axis, or a part of one. */
+struct RoundShape {
+  enum class Kind {
+    /** \brief The top of a sphere: what is seen of one far larger than the scene. */
+    Dome,
+    /** \brief Without its ends. */
+    Cylinder,
+    /** \brief Without its base. */
+    Cone,
+    Torus
+  };
+  Kind kind = Kind::Dome;
+  /** \brief Of the dome its sphere's; of the cone its apex. */
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  /** \brief From the center to the middle of the ring [m]. */
-  double radius = 0.5;
-  /** \brief Half the ring's thickness [m]. */
-  double tube_radius = 0.15;
-
-  double
-  area () const
-  {
-    return 4.0 * pi * pi * radius * tube_radius;
-  }
-};
-
-/** \brief The top of a sphere: what is seen of one far larger than the scene. */
-struct Dome {
-  /** \brief Of the sphere. */
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  /** \brief Of the sphere, the cylinder, the cone's base or the middle of the torus's
+   * ring [m]. */
   double radius = 1.0;
-  /** \brief From the lowest point to the highest [m]. */
+  /** \brief Height of the dome or the cone, half that of the cylinder or the torus [m].
+   */
   double height = 0.1;
-
-  double
-  area () const
-  {
-    return 2.0 * pi * radius * height;
-  }
-};
-
-/** \brief The part of a round shape within an angle about its upright axis, around the
- * direction +y from there. */
-template <typename Shape>
-struct Sector {
-  Shape shape;
-  /** \brief Of a full turn. */
+  /** \brief Of a full turn, around the direction +y from the axis; 1 of a dome. */
   double share = 1.0;
 
   double
-  area () const
-  {
-    return share * shape.area();
-  }
+  area () const;
 };
 
 /** \brief A point of a surface and the direction its distance errs in. */
@@ -81,42 +49,9 @@ drawPoint (const Rectangle& rectangle, Random& random);
 SurfacePoint
 drawPoint (const Sphere& sphere, Random& random);
 SurfacePoint
-drawPoint (const Dome& dome, Random& random);
-SurfacePoint
 drawPoint (const Cylinder& cylinder, Random& random);
 SurfacePoint
-drawPoint (const Cone& cone, Random& random);
-SurfacePoint
-drawPoint (const Torus& torus, Random& random);
-
-/** \brief A point of a whole shape, turned about its axis into the sector. */
-SurfacePoint
-foldIntoSector (const SurfacePoint& whole,
-                const Eigen::Vector3d& on_axis,
-                double share);
-
-template <typename Shape>
-Eigen::Vector3d
-pointOnAxis (const Shape& shape)
-{
-  return shape.center;
-}
-
-inline Eigen::Vector3d
-pointOnAxis (const Cone& cone)
-{
-  return cone.apex;
-}
-
-template <typename Shape>
-SurfacePoint
-drawPoint (const Sector<Shape>& sector, Random& random)
-{
-  const SurfacePoint whole = drawPoint (sector.shape, random);
-  return sector.share < 1.0
-             ? foldIntoSector (whole, pointOnAxis (sector.shape), sector.share)
-             : whole;
-}
+drawPoint (const RoundShape& shape, Random& random);
 
 /** \brief Points spread over shapes by area, one shape after the other, with the
  * identity of their surface as label.

@@ -14,20 +14,16 @@ using Eigen::Vector3d;
 void
 addStandingBox (Body& body, const Vector3d& foot, const Vector3d& size)
 {
-  addBox (body,
-          at (foot.x(), foot.y(), foot.z() + 0.5 * size.z()),
-          size,
-          HiddenFace::Bottom);
+  const Eigen::Isometry3d pose = at (foot.x(), foot.y(), foot.z() + 0.5 * size.z());
+  addBox (body, pose, size, HiddenFace::Bottom);
 }
 
 /** \param[in] foot middle of its lower end [m] */
 void
 addPole (Body& body, const Vector3d& foot, double height, double radius)
 {
-  body.cylinders.push_back ({foot + 0.5 * height * Vector3d::UnitZ(),
-                             Vector3d::UnitZ(),
-                             0.5 * height,
-                             radius});
+  const Vector3d up = Vector3d::UnitZ();
+  body.cylinders.push_back ({foot + 0.5 * height * up, up, 0.5 * height, radius});
 }
 
 /** \brief A slab on four round legs; \p size is its outer extent. */
@@ -266,8 +262,8 @@ drawRoundClutter (Random& random)
     addPole (body, {0, 0, 0}, random.between (0.3, 0.6), radius);
   }
   else if (kind == Lamp) {
-    const double height = random.between (1.2, 1.7),
-                 shade = random.between (0.12, 0.22);
+    const double height = random.between (1.2, 1.7);
+    const double shade = random.between (0.12, 0.22);
     clutter.footprint.setConstant (2.0 * shade);
     addPole (body, {0, 0, 0}, height, 0.02);
     addPole (body, {0, 0, 0}, 0.03, 0.15);

@@ -11,30 +11,79 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** \brief Of the large shapes [m]. */
-constexpr double smallest_large_radius = 0.6, largest_radius = 5.5;
+using Kind = RoundShape::Kind;
 
-/** \brief Where the small shape of that position in its row, from 0 to 3, touches
- * z = 0: beside the ground, which begins at y = 0. */
-Vector3d
-placeOfSmall (int position)
+/** \brief From which a size is drawn [m]. */
+struct Range {
+  double lower, upper;
+};
+
+/** \brief Sizes of a small shape and of a large one beside it. */
+struct ShapeSizes {
+  Kind kind;
+  Range small_radius, small_height;
+  /** \brief Of a cone in multiples of its radius, of a torus of the smallest one. */
+  Range large_height;
+};
+
+/** \brief Heights of domes follow from their radii. */
+constexpr ShapeSizes sizes_of_shapes[] = {
+    {Kind::Dome, {0.3, 0.6}, {0.0, 0.0}, {0.0, 0.0}},
+    {Kind::Cylinder, {0.15, 0.4}, {0.5, 1.0}, {0.5, 0.8}},
+    {Kind::Cone, {0.3, 0.6}, {0.8, 1.6}, {0.7, 1.0}},
+    {Kind::Torus, {0.4, 0.6}, {0.1, 0.2}, {0.3, 0.5}}};
+
+double
+draw (const Range& range, Random& random)
 {
-  constexpr double distance = 1.8; // room for the two largest [m]
-  return {(position - 1.5) * distance, -1.2, 0.0};
+  return random.between (range.lower, range.upper);
 }
 
-/** \brief The same of the large shapes, behind the others. */
-Vector3d
-placeOfLarge (int position)
+/** \brief Beside the ground, which begins at y = 0.
+ * \param[in] position in the row, from 0 to 3 */
+RoundShape
+drawSmall (const ShapeSizes& sizes, int position, Random& random)
 {
-  constexpr double distance = 3.0; // [m]
-  return {(position - 1.5) * distance, -3.8, 0.0};
+  constexpr double distance = 1.8, row = -1.2; // room for the two largest [m]
+  RoundShape shape;
+  shape.kind = sizes.kind;
+  shape.radius = draw (sizes.small_radius, random);
+  const bool is_sphere = sizes.kind == Kind::Dome;
+  shape.height = is_sphere ? 2.0 * shape.radius : draw (sizes.small_height, random);
+  shape.center = {
+      (position - 1.5) * distance, row, is_sphere ? shape.radius : shape.height};
+  return shape;
 }
 
-Vector3d
-up (double height)
+/** \brief Behind the small ones. */
+RoundShape
+drawLarge (const ShapeSizes& sizes, int position, Random& random)
 {
-  return height * Vector3d::UnitZ();
+  constexpr double distance = 3.0, row = -3.8; // [m]
+  constexpr double smallest = 0.6,
+                   largest = 5.5; // radii [m], of equal chance for each octave
+  RoundShape shape;
+  shape.kind = sizes.kind;
+  shape.radius = smallest * std::pow (largest / smallest, random.unit());
+  const double unit = sizes.kind == Kind::Cone    ? shape.radius
+                      : sizes.kind == Kind::Torus ? smallest
+                                                  : 1.0;
+  if (sizes.kind != Kind::Dome)
+    shape.height = unit * draw (sizes.large_height, random);
+  // 2 to 2.4 m long, so that it bends by far more than the noise however large the
+  // radius; of small ones about a third of a turn.
+  const double length = std::min (random.between (2.0, 2.4), 2.0 * shape.radius);
+  const double share = length / (2.0 * pi * shape.radius);
+  const double x = (position - 1.5) * distance;
+  if (sizes.kind == Kind::Dome) {
+    shape.height = shape.radius * (1.0 - std::cos (pi * share));
+    shape.center = {x, row, shape.height - shape.radius};
+  }
+  else {
+    shape.share = share;
+    shape.center = {x, row - shape.radius, shape.height};
+  }
+  return shape;
 }
 
 /** \brief A board on the ground, turned about the vertical and leaning back a little.
@@ -53,86 +102,6 @@ drawBoard (const Rectangle& ground, Random& random)
   return board;
 }
 
-/** \brief Of equal chance for each octave. */
-double
-drawLargeRadius (Random& random)
-{
-  return smallest_large_radius *
-         std::pow (largest_radius / smallest_large_radius, random.unit());
-}
-
-/** \brief The axis of a sector whose middle is at that position of its row, at z = 0.
- */
-Vector3d
-axisBehind (int position, double radius)
-{
-  return placeOfLarge (position) - radius * Vector3d::UnitY();
-}
-
-/** \brief The share of a turn that is 2 to 2.4 m long, so that it bends by far more
- * than the noise however large the radius; of small ones about a third of a turn. */
-double
-drawShare (double radius, Random& random)
-{
-  const double length = std::min (random.between (2.0, 2.4), 2.0 * radius);
-  return length / (2.0 * pi * radius);
-}
-
-RoundShapes
-drawSmallShapes (Random& random)
-{
-  RoundShapes shapes;
-  Dome& sphere = shapes.dome;
-  sphere.radius = random.between (0.3, 0.6);
-  sphere.height = 2.0 * sphere.radius;
-  sphere.center = placeOfSmall (0) + up (sphere.radius);
-
-  Cylinder& cylinder = shapes.cylinder.shape;
-  cylinder.radius = random.between (0.15, 0.4);
-  cylinder.half_length = random.between (0.5, 1.0);
-  cylinder.center = placeOfSmall (1) + up (cylinder.half_length);
-
-  Cone& cone = shapes.cone.shape;
-  cone.radius = random.between (0.3, 0.6);
-  cone.height = random.between (0.8, 1.6);
-  cone.apex = placeOfSmall (2) + up (cone.height);
-
-  Torus& torus = shapes.torus.shape;
-  torus.radius = random.between (0.4, 0.6);
-  torus.tube_radius = random.between (0.1, 0.2);
-  torus.center = placeOfSmall (3) + up (torus.tube_radius);
-  return shapes;
-}
-
-RoundShapes
-drawLargeShapes (Random& random)
-{
-  RoundShapes shapes;
-  Dome& dome = shapes.dome;
-  dome.radius = drawLargeRadius (random);
-  dome.height = dome.radius * (1.0 - std::cos (pi * drawShare (dome.radius, random)));
-  dome.center = placeOfLarge (0) + up (dome.height - dome.radius);
-
-  Cylinder& cylinder = shapes.cylinder.shape;
-  cylinder.radius = drawLargeRadius (random);
-  cylinder.half_length = random.between (0.5, 0.8);
-  cylinder.center = axisBehind (1, cylinder.radius) + up (cylinder.half_length);
-  shapes.cylinder.share = drawShare (cylinder.radius, random);
-
-  Cone& cone = shapes.cone.shape;
-  cone.radius = drawLargeRadius (random);
-  cone.height = random.between (0.7, 1.0) * cone.radius;
-  cone.apex = axisBehind (2, cone.radius) + up (cone.height);
-  shapes.cone.share = drawShare (cone.radius, random);
-
-  Torus& torus = shapes.torus.shape;
-  torus.radius = drawLargeRadius (random);
-  torus.tube_radius = random.between (0.3, 0.5) * smallest_large_radius;
-  torus.center = axisBehind (3, torus.radius) + up (torus.tube_radius);
-  shapes.torus.share = drawShare (torus.radius, random);
-  return shapes;
-}
-
 } // namespace
 
 Shapes
@@ -140,12 +109,14 @@ makeShapes (std::uint32_t seed)
 {
   Random random = randomFor (Purpose::Shapes, seed);
   Shapes shapes;
-  shapes.small = drawSmallShapes (random);
+  for (int i = 0; i < 4; ++i)
+    shapes.round.push_back (drawSmall (sizes_of_shapes[i], i, random));
   shapes.ground = rectangleAlong (0, 1, {0.0, 2.0, 0.0}, 3.0, 2.0);
   shapes.board = drawBoard (shapes.ground, random);
   shapes.ground.surface = 1;
   shapes.board.surface = 2;
-  shapes.large = drawLargeShapes (random);
+  for (int i = 0; i < 4; ++i)
+    shapes.round.push_back (drawLarge (sizes_of_shapes[i], i, random));
   return shapes;
 }
 
@@ -156,12 +127,8 @@ scanShapes (const Shapes& shapes,
             std::uint32_t seed)
 {
   const auto forEach = [&shapes] (const auto& visit) {
-    for (const RoundShapes& row : {shapes.small, shapes.large}) {
-      visit (row.dome);
-      visit (row.cylinder);
-      visit (row.cone);
-      visit (row.torus);
-    }
+    for (const RoundShape& shape : shapes.round)
+      visit (shape);
     visit (shapes.ground);
     visit (shapes.board);
   };

@@ -6,21 +6,14 @@
 
 namespace pcl_ops::simulation {
 
-/** \brief A row of round shapes along x: a sphere or its top, a
- * cylinder, a cone and a torus or parts of them. */
-struct RoundShapes {
-  Dome dome;
-  Sector<Cylinder> cylinder;
-  Sector<Cone> cone;
-  Sector<Torus> torus;
-};
-
-/** \brief Four round shapes in a row, behind them parts of four larger ones, apart from
- * each other and from a ground and a board on it: what is no plane beside what is one.
- * The radii are from 0.1 to 5.5 m: at \ref points_of_shapes up to some 100 of the finer
- * voxels that the default detector looks for planes in. z is up, z = 0 the ground. */
+/** \brief A sphere, a cylinder, a cone and a torus in a row, behind them parts of four
+ * larger ones, apart from each other and from a ground and a board on it: what is no
+ * plane beside what is one. The radii are from 0.1 to 5.5 m: at \ref points_of_shapes
+ * up to some 100 of the finer voxels that the default detector looks for planes in. z
+ * is up, z = 0 the ground. */
 struct Shapes {
-  RoundShapes small, large;
+  /** \brief The smaller four first. */
+  std::vector<RoundShape> round;
   Rectangle ground, board;
 };
 

@@ -28,9 +28,7 @@ constexpr double edge_of_patch = 8.0;
 constexpr double direction_of_streets = 12.0;
 
 /** \brief A place on the lattice of terraces or of patches of the ground. */
-struct Place {
-  std::int32_t column, row;
-};
+using Place = Eigen::Vector2i;
 
 /** \brief A rectangle from a corner along two sides that are at right angles. */
 struct Side {
@@ -42,8 +40,8 @@ randomAt (std::uint32_t seed, const Place& place, std::uint32_t what)
 {
   return Random (std::seed_seq{seed,
                                std::uint32_t (Purpose::Town),
-                               std::uint32_t (place.column),
-                               std::uint32_t (place.row),
+                               std::uint32_t (place.x()),
+                               std::uint32_t (place.y()),
                                what});
 }
 
@@ -58,8 +56,8 @@ terraceAt (std::uint32_t seed, const Place& place)
   const double depth = random.between (9, 12);
   const double eaves = random.between (5, 8);
   const double ridge = eaves + random.between (2, 4);
-  const double x = terrace_pitch * place.column + random.between (-4, 4);
-  const double y = street_pitch * place.row + random.between (-4, 4);
+  const double x = terrace_pitch * place.x() + random.between (-4, 4);
+  const double y = street_pitch * place.y() + random.between (-4, 4);
   const Eigen::Isometry3d pose =
       Eigen::Translation3d (x, y, 0) * turnZ (random.angle (-3, 3));
   const auto at = [&] (double u, double v, double z) -> Vector3d {
@@ -84,20 +82,27 @@ constexpr std::uint32_t sides_of_terrace = 20;
 /** \brief Beside the number of a side, for the draws of the ground. */
 constexpr std::uint32_t of_ground = sides_of_terrace + 1;
 
-/** \brief What of the lattices may reach into some area, in the frame of the streets.
- */
-struct Reach {
-  Place first, last;
-};
-
-Reach
+/** \brief The places of a lattice that may reach into some area, in the frame of the
+ * streets. */
+Eigen::AlignedBox2i
 reachOf (const AlignedBox2d& area, const Vector2d& pitch, double margin)
 {
   const Vector2d room (margin, margin);
   const Vector2d low = (area.min() - room).cwiseQuotient (pitch);
   const Vector2d high = (area.max() + room).cwiseQuotient (pitch);
-  return {{std::int32_t (std::floor (low.x())), std::int32_t (std::floor (low.y()))},
-          {std::int32_t (std::ceil (high.x())), std::int32_t (std::ceil (high.y()))}};
+  return {low.array().floor().cast<int>().matrix(),
+          high.array().ceil().cast<int>().matrix()};
+}
+
+/** \brief Row by row. */
+std::vector<Place>
+placesIn (const Eigen::AlignedBox2i& reach)
+{
+  std::vector<Place> places;
+  for (int row = reach.min().y(); row <= reach.max().y(); ++row)
+    for (int column = reach.min().x(); column <= reach.max().x(); ++column)
+      places.emplace_back (column, row);
+  return places;
 }
 
 /** \brief Takes the points of a tile out of the patches that reach into it. */
@@ -116,19 +121,19 @@ public:
   points ()
   {
     constexpr double square = edge_of_patch;
-    const Reach ground = reachOf (areaOf (tile_), {square, square}, square);
-    forPlaces (ground, [&] (const Place& place) {
-      const Side patch{{square * place.column, square * place.row, 0},
-                       {square, 0, 0},
-                       {0, square, 0}};
-      addPatch (patch, randomAt (town_.seed, place, of_ground), 1);
-    });
+    for (const Place& place :
+         placesIn (reachOf (areaOf (tile_), {square, square}, square)))
+      addPatch (
+          {{square * place.x(), square * place.y(), 0}, {square, 0, 0}, {0, square, 0}},
+          randomAt (town_.seed, place, of_ground),
+          1);
     const AlignedBox2d town (Vector2d::Zero(),
                              Vector2d::Constant (town_.tiles * town_.tile));
     const Vector2d pitch (terrace_pitch, street_pitch);
-    const Reach all = reachOf (areaOf (town), pitch, reach_of_terrace);
-    forPlaces (reachOf (areaOf (tile_), pitch, reach_of_terrace),
-               [&] (const Place& place) { addTerrace (all, place); });
+    const Eigen::AlignedBox2i all = reachOf (areaOf (town), pitch, reach_of_terrace);
+    for (const Place& place :
+         placesIn (reachOf (areaOf (tile_), pitch, reach_of_terrace)))
+      addTerrace (all, place);
     return std::move (points_);
   }
 
@@ -148,22 +153,13 @@ private:
     return around;
   }
 
-  template <typename Visit>
-  static void
-  forPlaces (const Reach& reach, Visit&& visit)
-  {
-    for (std::int32_t row = reach.first.row; row <= reach.last.row; ++row)
-      for (std::int32_t column = reach.first.column; column <= reach.last.column;
-           ++column)
-        visit (Place{column, row});
-  }
-
   void
-  addTerrace (const Reach& all, const Place& place)
+  addTerrace (const Eigen::AlignedBox2i& all, const Place& place)
   {
-    const auto columns = std::uint32_t (all.last.column - all.first.column + 1);
-    const std::uint32_t number = std::uint32_t (place.row - all.first.row) * columns +
-                                 std::uint32_t (place.column - all.first.column);
+    const Place from_first = place - all.min();
+    const auto columns = std::uint32_t (all.sizes().x() + 1);
+    const auto number =
+        std::uint32_t (from_first.y()) * columns + std::uint32_t (from_first.x());
     std::uint32_t side_number = 0;
     for (const Side& side : terraceAt (town_.seed, place)) {
       ++side_number;

@@ -14,46 +14,32 @@ using Eigen::Vector3d;
 constexpr std::size_t few_points = 5000;
 
 double
-distance (const Dome& dome, const Vector3d& point)
+distanceToWhole (const RoundShape& shape, const Vector3d& local)
 {
-  const double lowest = dome.center.z() + dome.radius - dome.height;
-  return std::hypot ((point - dome.center).norm() - dome.radius,
-                     std::max (0.0, lowest - point.z()));
+  const double across = local.head<2>().norm(), z = local.z();
+  switch (shape.kind) {
+  case RoundShape::Kind::Cylinder:
+    return std::hypot (across - shape.radius,
+                       std::max (0.0, std::abs (z) - shape.height));
+  case RoundShape::Kind::Cone:
+    return std::abs (shape.height * across + shape.radius * z) /
+           std::hypot (shape.height, shape.radius);
+  case RoundShape::Kind::Torus:
+    return std::abs (std::hypot (across - shape.radius, z) - shape.height);
+  default:
+    return std::hypot (local.norm() - shape.radius,
+                       std::max (0.0, shape.radius - shape.height - z));
+  }
 }
 
+/** \brief Infinite beside the part of a turn that there is. */
 double
-distance (const Cylinder& cylinder, const Vector3d& point)
+distance (const RoundShape& shape, const Vector3d& point)
 {
-  const Vector3d local = point - cylinder.center;
-  return std::hypot (local.head<2>().norm() - cylinder.radius,
-                     std::max (0.0, std::abs (local.z()) - cylinder.half_length));
-}
-
-double
-distance (const Cone& cone, const Vector3d& point)
-{
-  const Vector3d local = point - cone.apex;
-  return std::abs (cone.height * local.head<2>().norm() + cone.radius * local.z()) /
-         std::hypot (cone.height, cone.radius);
-}
-
-double
-distance (const Torus& torus, const Vector3d& point)
-{
-  const Vector3d local = point - torus.center;
-  return std::abs (std::hypot (local.head<2>().norm() - torus.radius, local.z()) -
-                   torus.tube_radius);
-}
-
-/** \brief That from the whole shape where a point is in the sector, else infinite. */
-template <typename Shape>
-double
-distance (const Sector<Shape>& sector, const Vector3d& point)
-{
-  const Vector3d local = point - pointOnAxis (sector.shape);
+  const Vector3d local = point - shape.center;
   const double share = std::abs (std::atan2 (local.x(), local.y())) / pi;
-  return share < sector.share + 1e-4 || local.head<2>().norm() < 0.01
-             ? distance (sector.shape, point)
+  return share < shape.share + 1e-4 || local.head<2>().norm() < 0.01
+             ? distanceToWhole (shape, local)
              : std::numeric_limits<double>::infinity();
 }
 
@@ -65,12 +51,8 @@ largestDistanceToRoundShapes (std::uint32_t seed, double noise_scale)
   for (const auto& found : scanShapes (shapes, few_points, noise_scale, seed).cloud) {
     const Vector3d point = found.getVector3fMap().cast<double>();
     double smallest = std::numeric_limits<double>::infinity();
-    for (const RoundShapes& row : {shapes.small, shapes.large})
-      smallest = std::min ({smallest,
-                            distance (row.dome, point),
-                            distance (row.cylinder, point),
-                            distance (row.cone, point),
-                            distance (row.torus, point)});
+    for (const RoundShape& shape : shapes.round)
+      smallest = std::min (smallest, distance (shape, point));
     if (found.label == 0)
       largest = std::max (largest, smallest);
   }
@@ -78,9 +60,9 @@ largestDistanceToRoundShapes (std::uint32_t seed, double noise_scale)
 }
 
 /** \brief How many of 10,000 points drawn from a shape \p isCounted says yes to. */
-template <typename Shape, typename IsCounted>
+template <typename IsCounted>
 int
-countDrawn (const Shape& shape, const IsCounted& isCounted)
+countDrawn (const RoundShape& shape, const IsCounted& isCounted)
 {
   Random random (seedOfTest());
   int counted = 0;
@@ -136,13 +118,11 @@ TEST (Shapes, RadiiOfLargeOnesReachFromThoseOfTheOthersToThoseOfVaults)
 {
   double smallest = 10.0, largest = 0.0;
   for (const std::uint32_t seed : seedsOfTest (20)) {
-    const RoundShapes row = makeShapes (seed).large;
-    for (const double radius : {row.dome.radius,
-                                row.cylinder.shape.radius,
-                                row.cone.shape.radius,
-                                row.torus.shape.radius}) {
-      smallest = std::min (smallest, radius);
-      largest = std::max (largest, radius);
+    const std::vector<RoundShape> round = makeShapes (seed).round;
+    ASSERT_EQ (round.size(), 8u);
+    for (std::size_t i = 4; i < round.size(); ++i) {
+      smallest = std::min (smallest, round[i].radius);
+      largest = std::max (largest, round[i].radius);
     }
   }
   EXPECT_GT (smallest, 0.5);
@@ -152,30 +132,26 @@ TEST (Shapes, RadiiOfLargeOnesReachFromThoseOfTheOthersToThoseOfVaults)
 
 TEST (SurfacePoints, AreDenseEvenly)
 {
-  const Cone cone;
-  const int in_upper_half = countDrawn (cone, [&cone] (const SurfacePoint& point) {
-    return point.position.z() > -0.5 * cone.height;
-  });
-  EXPECT_NEAR (in_upper_half, 2500, 150);
-
-  Dome dome;
-  dome.height = 0.2;
-  const int above_middle = countDrawn (
-      dome, [] (const SurfacePoint& point) { return point.position.z() > 0.9; });
-  EXPECT_NEAR (above_middle, 5000, 200); // Archimedes
-
-  const Torus torus;
-  const int outside = countDrawn (torus, [&torus] (const SurfacePoint& point) {
-    return point.position.head<2>().norm() > torus.radius;
-  });
-  const double share = 0.5 + torus.tube_radius / torus.radius / pi;
-  EXPECT_NEAR (outside, 10000 * share, 150);
+  using Kind = RoundShape::Kind;
+  const RoundShape cone{Kind::Cone, Vector3d::Zero(), 0.5, 1.0};
+  EXPECT_NEAR (countDrawn (cone, [] (const auto& p) { return p.position.z() > -0.5; }),
+               2500,
+               150);
+  const RoundShape dome{Kind::Dome, Vector3d::Zero(), 1.0, 0.2};
+  EXPECT_NEAR (countDrawn (dome, [] (const auto& p) { return p.position.z() > 0.9; }),
+               5000, // Archimedes
+               200);
+  const RoundShape torus{Kind::Torus, Vector3d::Zero(), 0.5, 0.15};
+  const auto isOutside = [] (const auto& p) {
+    return p.position.template head<2>().norm() > 0.5;
+  };
+  EXPECT_NEAR (countDrawn (torus, isOutside), 10000 * (0.5 + 0.3 / pi), 150);
 }
 
-TEST (SurfacePoints, ASectorIsDenseEvenlyAboutItsMiddle)
+TEST (SurfacePoints, APartOfATurnIsDenseEvenlyAboutItsMiddle)
 {
-  Sector<Cylinder> quarter;
-  quarter.share = 0.25;
+  const RoundShape quarter{
+      RoundShape::Kind::Cylinder, Vector3d::Zero(), 0.1, 0.5, 0.25};
   const int in_middle_half = countDrawn (quarter, [] (const SurfacePoint& point) {
     const double around = std::atan2 (point.position.x(), point.position.y());
     EXPECT_LE (std::abs (around), 0.25 * pi + 1e-9);
