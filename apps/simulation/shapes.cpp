@@ -59,11 +59,11 @@ drawSmall (const ShapeSizes& sizes, int position, Random& random)
 RoundShape
 drawLarge (const ShapeSizes& sizes, int position, Random& random)
 {
-  constexpr double distance = 3.0, row = -3.8; // [m]
-  constexpr double smallest = 0.6,
-                   largest = 5.5; // radii [m], of equal chance for each octave
+  constexpr double distance = 3.0, row = -3.8;    // [m]
+  constexpr double smallest = 0.6, largest = 5.5; // radii [m]
   RoundShape shape;
   shape.kind = sizes.kind;
+  // Of equal chance for each octave.
   shape.radius = smallest * std::pow (largest / smallest, random.unit());
   const double unit = sizes.kind == Kind::Cone    ? shape.radius
                       : sizes.kind == Kind::Torus ? smallest

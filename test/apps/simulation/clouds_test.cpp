@@ -187,16 +187,6 @@ TEST (Clouds, SensorPoseLeadsBackToThePixels)
   }
 }
 
-TEST (Clouds, DenseScansHaveExactlyThePointsAskedFor)
-{
-  const Room room = makeRoom (seedOfTest());
-  const Survey survey = makeSurvey (seedOfTest(), 2);
-  for (const std::size_t points : {1u, 999u, 10003u}) {
-    EXPECT_EQ (scanDensely (room.scene, points, 1.0, 1).cloud.size(), points);
-    EXPECT_EQ (scanSurvey (survey, points, 1.0, 1).cloud.size(), points);
-  }
-}
-
 TEST (Clouds, DenseScansCoverSurfacesByArea)
 {
   Scene scene = wallAt (1.0); // 40 m x 40 m

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <numbers/random.h>
+
+#include <array>
+
+using pcl_ops::apps::Random;
+
+TEST (Random, IsTheGeneratorOfTheStandard)
+{
+  Random random (std::mt19937::default_seed);
+  for (int i = 1; i < 10000; ++i)
+    random.bits();
+  EXPECT_EQ (random.bits(), 4123659995u); // [rand.predef]
+}
+
+TEST (Random, DrawsEveryNumberBelowABoundEquallyOften)
+{
+  constexpr std::uint32_t bound = 3u << 30; // a quarter of all bits is rejected
+  Random random (1);
+  // Taking the remainder favors the first third, multiplying alone every third number.
+  std::array<int, 3> thirds{}, residues{};
+  for (int i = 0; i < 30000; ++i) {
+    const std::uint32_t drawn = random.below (bound);
+    ++thirds.at (drawn >> 30);
+    ++residues.at (drawn % 3);
+  }
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR (thirds[i], 10000, 400);
+    EXPECT_NEAR (residues[i], 10000, 400);
+  }
+  EXPECT_EQ (random.below (1), 0u);
+}
+
+TEST (Random, GaussiansHaveMeanZeroAndVarianceOne)
+{
+  Random random (1);
+  double sum = 0.0, squares = 0.0;
+  for (int i = 0; i < 10000; ++i) {
+    const double drawn = random.gaussian();
+    sum += drawn;
+    squares += drawn * drawn;
+  }
+  EXPECT_NEAR (sum / 10000, 0.0, 0.05);
+  EXPECT_NEAR (squares / 10000, 1.0, 0.05);
+}
+
+TEST (Random, BoxesTakeANumberForEachEdgeThatHasALength)
+{
+  Random random (1), other (1);
+  const Eigen::Vector3d drawn = random.inBox ({1, 2, 3}, {5, 2, 4});
+  EXPECT_EQ (drawn.z(), other.between (3, 4));
+  EXPECT_EQ (drawn.y(), 2.0);
+  EXPECT_EQ (drawn.x(), other.between (1, 5));
+  EXPECT_EQ (random.bits(), other.bits());
+}
