@@ -53,13 +53,13 @@ UpGuesses
 guessesOn (const DataSet& data_set, const UpOptions& options)
 {
   UpGuesses result{data_set.name, 0, {}};
-  internal::RandomGenerator generator (options.seed);
+  apps::Random random (options.seed);
   for (const CloudSource& source : data_set.clouds) {
     apps::inMemory (source.name, "give a smaller cloud", [&] {
       const EvaluationCloud cloud = source.load();
       for (unsigned i = 0; i < options.rotations; ++i) {
         ++result.tries;
-        if (const auto guess = guessUp (cloud, generator))
+        if (const auto guess = guessUp (cloud, random))
           result.guesses.push_back (*guess);
       }
     });

@@ -22,12 +22,12 @@ constexpr double largest_right_error = 10.0; // [degree]
 
 /** Even among all rotations (Shoemake 1992). */
 Eigen::Quaterniond
-drawRotation (internal::RandomGenerator& generator)
+drawRotation (apps::Random& random)
 {
   constexpr double two_pi = 2.0 * M_PI;
-  const double share = internal::drawUnit (generator);
-  const double first = two_pi * internal::drawUnit (generator);
-  const double second = two_pi * internal::drawUnit (generator);
+  const double share = random.unit();
+  const double first = two_pi * random.unit();
+  const double second = two_pi * random.unit();
   const double a = std::sqrt (1.0 - share), b = std::sqrt (share);
   return {b * std::cos (second),
           a * std::sin (first),
@@ -55,9 +55,9 @@ isRight (const UpGuess& guess)
 } // namespace
 
 std::optional<UpGuess>
-guessUp (const EvaluationCloud& cloud, internal::RandomGenerator& generator)
+guessUp (const EvaluationCloud& cloud, apps::Random& random)
 {
-  const Eigen::Quaterniond rotation = drawRotation (generator);
+  const Eigen::Quaterniond rotation = drawRotation (random);
   const XyzCloud::Ptr turned_cloud = turned (*cloud.cloud, rotation);
   if (!isSeenFromItsOrigin (*turned_cloud))
     return std::nullopt;

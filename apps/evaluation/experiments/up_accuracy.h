@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <base/random.h>
 #include <evaluation/data/cloud_source.h>
 #include <evaluation/report/text_table.h>
+#include <numbers/random.h>
 #include <pcl_ops/up_axis.h>
 
 #include <string>
@@ -22,10 +22,10 @@ struct UpGuess {
 /** \brief Turns a cloud at random, finds its planes by the default preset and from them
  * its up axis, however unsure.
  * \param[in] cloud with its true up axis and the sensor's origin
- * \param[in,out] generator draws the rotation, evenly among all
+ * \param[in,out] random draws the rotation, evenly among all
  * \return nothing where no direction can be up at all */
 std::optional<UpGuess>
-guessUp (const EvaluationCloud& cloud, internal::RandomGenerator& generator);
+guessUp (const EvaluationCloud& cloud, apps::Random& random);
 
 /** \brief The guesses on a data set. */
 struct UpGuesses {

@@ -77,9 +77,9 @@ TEST (UpAccuracy, TellsHowOftenAConfidenceIsRight)
 
 TEST (UpAccuracy, ARightGuessStaysRightHoweverTheCloudIsTurned)
 {
-  pcl_ops::internal::RandomGenerator generator (3);
+  pcl_ops::apps::Random random (3);
   for (int i = 0; i < 5; ++i) {
-    const auto guess = guessUp (furnishedRoom(), generator);
+    const auto guess = guessUp (furnishedRoom(), random);
     ASSERT_TRUE (guess.has_value());
     EXPECT_LE (guess->error, 1.0);
   }
@@ -89,16 +89,16 @@ TEST (UpAccuracy, NothingIsGuessedFromAPlaceThatIsNotTheSensors)
 {
   EvaluationCloud room = furnishedRoom();
   room.cloud->sensor_origin_.head<3>() = Eigen::Vector3f (3, 2, -2);
-  pcl_ops::internal::RandomGenerator generator (3);
-  EXPECT_FALSE (guessUp (room, generator).has_value());
+  pcl_ops::apps::Random random (3);
+  EXPECT_FALSE (guessUp (room, random).has_value());
 }
 
 TEST (UpAccuracy, TheErrorIsMeasuredWithItsSign)
 {
   EvaluationCloud upside_down = furnishedRoom();
   upside_down.up *= -1.0;
-  pcl_ops::internal::RandomGenerator generator (3);
-  const auto guess = guessUp (upside_down, generator);
+  pcl_ops::apps::Random random (3);
+  const auto guess = guessUp (upside_down, random);
   ASSERT_TRUE (guess.has_value());
   EXPECT_GE (guess->error, 179.0);
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <base/random.h>
 #include <evaluation/metrics/hungarian.h>
+#include <numbers/random.h>
 
 #include <algorithm>
 #include <numeric>
@@ -16,10 +16,9 @@ using pcl_ops::evaluation::maximumAssignment;
 Eigen::MatrixXd
 randomBenefit (Eigen::Index rows, Eigen::Index columns, std::uint32_t seed)
 {
-  pcl_ops::internal::RandomGenerator generator (seed);
-  return Eigen::MatrixXd::NullaryExpr (rows, columns, [&] {
-    return double (pcl_ops::internal::drawBelow (generator, 20)) - 5.0;
-  });
+  pcl_ops::apps::Random random (seed);
+  return Eigen::MatrixXd::NullaryExpr (
+      rows, columns, [&] { return double (random.below (20)) - 5.0; });
 }
 
 double
