@@ -19,6 +19,8 @@ struct Region {
   double squared_noise = 0.0;
   /** \brief Planes that it touches, ascending. */
   std::vector<std::size_t> neighbors;
+  /** \brief Since its plane was fitted. */
+  bool has_grown = false;
 };
 
 void
@@ -36,7 +38,7 @@ regionsOf (const VoxelGrid& grid, const BoundedPlanes& planes)
   std::vector<Region> regions;
   for (std::size_t p = 0; p < planes.size(); ++p)
     regions.push_back (
-        {planes.planes[p], moments[p], planes.noise[p] * planes.noise[p], {}});
+        {planes.planes[p], moments[p], planes.noise[p] * planes.noise[p], {}, false});
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const std::int32_t own = planes.plane_of_voxel[i];
     if (own == no_plane)
@@ -102,6 +104,7 @@ join (const std::vector<std::size_t>& goes_into, std::vector<Region>& regions)
     if (goes_into[p] == p)
       continue;
     Region& to = regions[goes_into[p]];
+    to.has_grown = true;
     to.moments.addAligned (regions[p].moments);
     to.neighbors.insert (
         to.neighbors.end(), regions[p].neighbors.begin(), regions[p].neighbors.end());
@@ -115,8 +118,9 @@ join (const std::vector<std::size_t>& goes_into, std::vector<Region>& regions)
     region.neighbors.erase (
         std::remove (region.neighbors.begin(), region.neighbors.end(), p),
         region.neighbors.end());
-    if (const std::optional<PlaneFit> fit = fitPlane (region.moments))
+    if (const auto fit = region.has_grown ? fitPlane (region.moments) : std::nullopt)
       region.plane = fit->plane;
+    region.has_grown = false;
   }
 }
 

@@ -7,7 +7,6 @@
 #include "voxels/voxel_traversal.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace pcl_ops::internal {
 
@@ -41,19 +40,30 @@ nearestPlaneAround (const VoxelGrid& grid,
   return nearest;
 }
 
-// The voxels without a plane that touch one of some voxels, ascending.
+Indices
+openVoxels (const Labels& plane_of_voxel)
+{
+  Indices open;
+  for (std::size_t i = 0; i < plane_of_voxel.size(); ++i)
+    if (plane_of_voxel[i] == no_plane)
+      open.push_back (static_cast<std::uint32_t> (i));
+  return open;
+}
+
+// The voxels without a plane that touch one of some voxels, each once.
 Indices
 openVoxelsNextTo (const VoxelGrid& grid,
                   const Indices& voxels,
                   const Labels& plane_of_voxel)
 {
   Indices open;
+  std::vector<char> is_listed (grid.size(), 0);
   for (const std::uint32_t voxel : voxels)
     for (const std::uint32_t neighbour : grid.neighbours[voxel])
-      if (plane_of_voxel[neighbour] == no_plane)
+      if (plane_of_voxel[neighbour] == no_plane && is_listed[neighbour] == 0) {
+        is_listed[neighbour] = 1;
         open.push_back (neighbour);
-  std::sort (open.begin(), open.end());
-  open.erase (std::unique (open.begin(), open.end()), open.end());
+      }
   return open;
 }
 
@@ -69,21 +79,20 @@ growPlanes (const VoxelGrid& grid,
   std::vector<double> limits;
   for (const double noise : planes.noise)
     limits.push_back (std::min (noises_of_a_voxel * noise, limit));
-  Indices taken (grid.size());
-  std::iota (taken.begin(), taken.end(), 0u);
-  while (!taken.empty()) {
-    const Indices open = openVoxelsNextTo (grid, taken, planes.plane_of_voxel);
+  Indices open = openVoxels (planes.plane_of_voxel);
+  while (!open.empty()) {
     Labels nearest (open.size());
     parallelFor (threads, open.size(), voxels_per_piece, [&] (auto begin, auto end) {
       for (std::size_t i = begin; i < end; ++i)
         nearest[i] = nearestPlaneAround (grid, planes, limits, open[i]);
     });
-    taken.clear();
+    Indices taken;
     for (std::size_t i = 0; i < open.size(); ++i)
       if (nearest[i] != no_plane) {
         planes.plane_of_voxel[open[i]] = nearest[i];
         taken.push_back (open[i]);
       }
+    open = openVoxelsNextTo (grid, taken, planes.plane_of_voxel);
   }
   refitPlanes (grid, planes);
 }
