@@ -76,26 +76,70 @@ imageOf (const simulation::Room& room, std::uint32_t seed, NoiseProfile profile)
                            simulation::CloudLayout::Readings));
 }
 
+/** \param[in] sensor one of simulation::lidarNames */
 EvaluationCloud
-simulateFurniture (std::uint32_t seed)
+streetBy (const std::string& sensor, std::uint32_t seed)
 {
-  return imageOf (
-      simulation::makeFurnishedCorner (seed), seed, NoiseProfile::Correlated);
+  const simulation::Street street = simulation::makeStreet (seed);
+  simulation::Lidar lidar = simulation::lidarOf (sensor);
+  lidar.pose = simulation::drawSensorPose (street, seed);
+  return withExactTruth (
+      simulation::toCloud (simulation::scanAround (street.scene, lidar, 1.0, seed),
+                           lidar,
+                           street.scene,
+                           simulation::CloudLayout::Readings));
 }
 
-EvaluationCloud
-simulateSurvey (std::uint32_t seed)
-{
-  return withExactTruth (simulation::scanSurvey (
-      simulation::makeSurvey (seed), simulation::points_of_survey, 1.0, seed));
-}
+/** Scenes by seed. */
+struct Scenes {
+  /** Of the data set. */
+  const char* name;
+  /** What the name of a cloud begins with. */
+  const char* scene;
+  EvaluationCloud (*simulate) (std::uint32_t seed);
+};
 
-EvaluationCloud
-simulateShapes (std::uint32_t seed)
-{
-  return withExactTruth (simulation::scanShapes (
-      simulation::makeShapes (seed), simulation::points_of_shapes, 1.0, seed));
-}
+constexpr Scenes all_scenes[] = {
+    {"rooms",
+     "room",
+     [] (std::uint32_t seed) {
+       return imageOf (simulation::makeRoom (seed), seed, NoiseProfile::Correlated);
+     }},
+    {"rooms-raw",
+     "room",
+     [] (std::uint32_t seed) {
+       return imageOf (simulation::makeRoom (seed), seed, NoiseProfile::Raw);
+     }},
+    {"furniture",
+     "furniture",
+     [] (std::uint32_t seed) {
+       return imageOf (
+           simulation::makeFurnishedCorner (seed), seed, NoiseProfile::Correlated);
+     }},
+    {"survey",
+     "survey",
+     [] (std::uint32_t seed) {
+       return withExactTruth (simulation::scanSurvey (
+           simulation::makeSurvey (seed), simulation::points_of_survey, 1.0, seed));
+     }},
+    {"shapes",
+     "shapes",
+     [] (std::uint32_t seed) {
+       return withExactTruth (simulation::scanShapes (
+           simulation::makeShapes (seed), simulation::points_of_shapes, 1.0, seed));
+     }},
+    {"streets",
+     "street",
+     [] (std::uint32_t seed) { return streetBy ("lidar-64", seed); }},
+    {"streets-32",
+     "street",
+     [] (std::uint32_t seed) { return streetBy ("lidar-32", seed); }},
+    {"streets-16",
+     "street",
+     [] (std::uint32_t seed) { return streetBy ("lidar-16", seed); }},
+    {"streets-livox", "street", [] (std::uint32_t seed) {
+       return streetBy ("livox", seed);
+     }}};
 
 /** "3-20", or "7" for one scene. */
 std::pair<std::uint32_t, std::uint32_t>
@@ -114,51 +158,19 @@ seedRange (const std::string& kind, const std::string& text)
   return {first, last};
 }
 
-/** Scenes by seed.
- * \param[in] scene what the name of a cloud begins with
- * \param[in] simulate the cloud of a seed */
 DataSet
-scenesDataSet (const std::string& name,
-               const std::string& scene,
-               const std::string& seeds,
-               const std::function<EvaluationCloud (std::uint32_t)>& simulate)
+scenesDataSet (const Scenes& scenes, const std::string& seeds)
 {
-  const auto [first, last] = seedRange (name, seeds);
-  DataSet data_set{name, {}};
+  const auto [first, last] = seedRange (scenes.name, seeds);
+  DataSet data_set{scenes.name, {}};
   for (std::uint32_t i = 0; i <= last - first; ++i) {
     const std::uint32_t seed = first + i;
     std::ostringstream cloud;
-    cloud << scene << '-' << std::setfill ('0') << std::setw (4) << seed;
+    cloud << scenes.scene << '-' << std::setfill ('0') << std::setw (4) << seed;
     data_set.clouds.push_back (
-        {cloud.str(), [seed, simulate] { return simulate (seed); }});
+        {cloud.str(), [seed, simulate = scenes.simulate] { return simulate (seed); }});
   }
   return data_set;
-}
-
-DataSet
-roomsDataSet (const std::string& name, const std::string& seeds, NoiseProfile profile)
-{
-  return scenesDataSet (name, "room", seeds, [profile] (std::uint32_t seed) {
-    return imageOf (simulation::makeRoom (seed), seed, profile);
-  });
-}
-
-/** \param[in] sensor one of simulation::lidarNames */
-DataSet
-streetsDataSet (const std::string& name,
-                const std::string& seeds,
-                const std::string& sensor)
-{
-  return scenesDataSet (name, "street", seeds, [sensor] (std::uint32_t seed) {
-    const simulation::Street street = simulation::makeStreet (seed);
-    simulation::Lidar lidar = simulation::lidarOf (sensor);
-    lidar.pose = simulation::drawSensorPose (street, seed);
-    return withExactTruth (
-        simulation::toCloud (simulation::scanAround (street.scene, lidar, 1.0, seed),
-                             lidar,
-                             street.scene,
-                             simulation::CloudLayout::Readings));
-  });
 }
 
 DataSet
@@ -253,30 +265,24 @@ dataSetOf (const std::string& text, const Eigen::Vector3d& up)
       return sunRgbdDataSet (rest, SunRgbdDepth::Refined);
     if (kind == "sunrgbd-raw")
       return sunRgbdDataSet (rest, SunRgbdDepth::Raw);
-    if (kind == "rooms")
-      return roomsDataSet (kind, rest, NoiseProfile::Correlated);
-    if (kind == "rooms-raw")
-      return roomsDataSet (kind, rest, NoiseProfile::Raw);
     if (kind == "simulated")
       return scansDataSet (kind, rest);
-    if (kind == "furniture")
-      return scenesDataSet (kind, kind, rest, simulateFurniture);
-    if (kind == "survey")
-      return scenesDataSet (kind, kind, rest, simulateSurvey);
-    if (kind == "shapes")
-      return scenesDataSet (kind, kind, rest, simulateShapes);
-    if (kind == "streets")
-      return streetsDataSet (kind, rest, "lidar-64");
-    if (kind == "streets-32")
-      return streetsDataSet (kind, rest, "lidar-32");
-    if (kind == "streets-16")
-      return streetsDataSet (kind, rest, "lidar-16");
-    if (kind == "streets-livox")
-      return streetsDataSet (kind, rest, "livox");
     if (kind == "clouds")
       return cloudsDataSet (rest, up);
+    for (const Scenes& scenes : all_scenes)
+      if (kind == scenes.name)
+        return scenesDataSet (scenes, rest);
   }
   throw apps::UsageError (text, std::string ("is no data set; give ") + data_set_help);
+}
+
+std::vector<DataSet>
+dataSetsOf (const std::vector<std::string>& texts, const Eigen::Vector3f& up)
+{
+  std::vector<DataSet> data_sets;
+  for (const std::string& text : texts)
+    data_sets.push_back (dataSetOf (text, up.cast<double>().normalized()));
+  return data_sets;
 }
 
 } // namespace pcl_ops::evaluation

@@ -24,48 +24,40 @@ namespace {
 /** Share of the cloud's diagonal by which rounding in a text file may move a point. */
 constexpr double largest_rounding = 1e-3;
 
-template <typename Integer>
-PlaneLabels
-integersOf (const pcl::PCLPointCloud2& cloud,
-            pcl::uindex_t offset,
-            const std::string& file)
+template <typename Number>
+double
+numberAt (const std::uint8_t* bytes)
 {
-  const std::size_t size = static_cast<std::size_t> (cloud.width) * cloud.height;
-  PlaneLabels labels;
-  labels.reserve (size);
-  for (std::size_t i = 0; i < size; ++i) {
-    Integer label; // PCL 1.12 has no cloud.at
-    std::memcpy (&label, &cloud.data[i * cloud.point_step + offset], sizeof (label));
-    if (label < 0)
-      throw apps::WorkError (file,
-                             "point " + std::to_string (i) +
-                                 " has a negative label; 0 means no plane");
-    labels.push_back (static_cast<std::uint32_t> (label));
-  }
-  return labels;
+  Number number;
+  std::memcpy (&number, bytes, sizeof (number));
+  return static_cast<double> (number);
 }
 
-/** Of a text, whose columns are all in double precision. */
-PlaneLabels
-wholeNumbersOf (const pcl::PCLPointCloud2& cloud,
-                pcl::uindex_t offset,
-                const std::string& file)
+using Read = double (*) (const std::uint8_t* bytes);
+
+/** How a field of a number type is read. Double precision is that of texts, which have
+ * no other; null for what is no integer of a file. */
+Read
+readerOf (std::uint8_t datatype)
 {
-  const std::size_t size = static_cast<std::size_t> (cloud.width) * cloud.height;
-  constexpr double largest = std::numeric_limits<std::uint32_t>::max();
-  PlaneLabels labels;
-  labels.reserve (size);
-  for (std::size_t i = 0; i < size; ++i) {
-    double label;
-    std::memcpy (&label, &cloud.data[i * cloud.point_step + offset], sizeof (label));
-    if (!(label >= 0.0 && label <= largest && label == std::floor (label)))
-      throw apps::WorkError (file,
-                             "point " + std::to_string (i) +
-                                 " has a label that is no whole number from 0 on; 0 "
-                                 "means no plane");
-    labels.push_back (static_cast<std::uint32_t> (label));
+  switch (datatype) {
+  case pcl::PCLPointField::INT8:
+    return numberAt<std::int8_t>;
+  case pcl::PCLPointField::UINT8:
+    return numberAt<std::uint8_t>;
+  case pcl::PCLPointField::INT16:
+    return numberAt<std::int16_t>;
+  case pcl::PCLPointField::UINT16:
+    return numberAt<std::uint16_t>;
+  case pcl::PCLPointField::INT32:
+    return numberAt<std::int32_t>;
+  case pcl::PCLPointField::UINT32:
+    return numberAt<std::uint32_t>;
+  case pcl::PCLPointField::FLOAT64:
+    return numberAt<double>;
+  default:
+    return nullptr;
   }
-  return labels;
 }
 
 PlaneLabels
@@ -75,25 +67,22 @@ labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
   if (index < 0)
     throw apps::WorkError (file, "has no field label; give a cloud with labels");
   const pcl::PCLPointField& field = cloud.fields[static_cast<std::size_t> (index)];
-  switch (field.datatype) {
-  case pcl::PCLPointField::INT8:
-    return integersOf<std::int8_t> (cloud, field.offset, file);
-  case pcl::PCLPointField::UINT8:
-    return integersOf<std::uint8_t> (cloud, field.offset, file);
-  case pcl::PCLPointField::INT16:
-    return integersOf<std::int16_t> (cloud, field.offset, file);
-  case pcl::PCLPointField::UINT16:
-    return integersOf<std::uint16_t> (cloud, field.offset, file);
-  case pcl::PCLPointField::INT32:
-    return integersOf<std::int32_t> (cloud, field.offset, file);
-  case pcl::PCLPointField::UINT32:
-    return integersOf<std::uint32_t> (cloud, field.offset, file);
-  case pcl::PCLPointField::FLOAT64:
-    return wholeNumbersOf (cloud, field.offset, file);
-  default:
+  const Read read = readerOf (field.datatype);
+  if (read == nullptr)
     throw apps::WorkError (file,
                            "its label is no integer of up to 4 bytes; convert it");
+  constexpr double largest = std::numeric_limits<std::uint32_t>::max();
+  PlaneLabels labels (static_cast<std::size_t> (cloud.width) * cloud.height);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const double label = read (&cloud.data[i * cloud.point_step + field.offset]);
+    if (!(label >= 0.0 && label <= largest && label == std::floor (label)))
+      throw apps::WorkError (file,
+                             "point " + std::to_string (i) +
+                                 " has a label that is no whole number from 0 on; 0 "
+                                 "means no plane");
+    labels[i] = static_cast<std::uint32_t> (label);
   }
+  return labels;
 }
 
 double

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <evaluation/labels/plane_classes.h>
+#include <evaluation/labels/labels.h>
 
 #include <string>
 

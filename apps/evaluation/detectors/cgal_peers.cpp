@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cgal_peers.h"
-
 #include <pcl/common/angles.h>
 
-#include "timed.h"
+#include "detector_run.h"
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
@@ -129,17 +127,12 @@ planesByRegionGrowing (const OrientedPoints& points)
 /** Both detectors as PCL would be given them: cloud to normals to labels. */
 template <typename Detect>
 DetectorRun
-runCgal (const XyzCloud& cloud, Detect detect)
+runCgal (const XyzCloud& cloud, const Detect& detect)
 {
-  DetectorRun run;
-  timed (run.durations.detection, [&] {
-    OrientedPoints points =
-        timed (run.durations.normals, [&] { return orientedPointsOf (cloud); });
-    const std::vector<pcl::PointIndices> planes = detect (points);
-    run.planes_before_merging = planes.size();
-    run.labels = labelsOf (planes, cloud.size());
+  return runPeer (cloud, [&] (double& normals) {
+    OrientedPoints points = timed (normals, [&] { return orientedPointsOf (cloud); });
+    return detect (points);
   });
-  return run;
 }
 
 } // namespace

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pcl_peers.h"
-
 #include <pcl/common/angles.h>
 #include <pcl/features/normal_3d.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/region_growing.h>
 #include <pcl/segmentation/sac_segmentation.h>
 
-#include "timed.h"
+#include "detector_run.h"
 
 #include <algorithm>
 #include <iterator>
@@ -64,18 +62,6 @@ planesByRansac (const XyzCloud::ConstPtr& cloud)
   return planes;
 }
 
-DetectorRun
-runSacLoop (const XyzCloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t)
-{
-  DetectorRun run;
-  timed (run.durations.detection, [&] {
-    const std::vector<pcl::PointIndices> planes = planesByRansac (cloud);
-    run.planes_before_merging = planes.size();
-    run.labels = labelsOf (planes, cloud->size());
-  });
-  return run;
-}
-
 pcl::PointCloud<pcl::Normal>::Ptr
 normalsOf (const XyzCloud::ConstPtr& cloud,
            const pcl::search::KdTree<pcl::PointXYZ>::Ptr& tree)
@@ -108,27 +94,24 @@ regionsOf (const XyzCloud::ConstPtr& cloud, double& normals_duration)
   return regions;
 }
 
-DetectorRun
-runRegionGrowing (const XyzCloud::ConstPtr& cloud,
-                  const Eigen::Vector3d&,
-                  std::uint32_t)
-{
-  DetectorRun run;
-  timed (run.durations.detection, [&] {
-    const auto regions = regionsOf (cloud, run.durations.normals);
-    run.planes_before_merging = regions.size();
-    run.labels = labelsOf (regions, cloud->size());
-  });
-  return run;
-}
-
 } // namespace
 
 void
 addPclPeers (std::vector<Configuration>& configurations)
 {
-  configurations.push_back ({"pcl-sac", {"peers"}, runSacLoop});
-  configurations.push_back ({"pcl-region-growing", {"peers"}, runRegionGrowing});
+  configurations.push_back (
+      {"pcl-sac",
+       {"peers"},
+       [] (const XyzCloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t) {
+         return runPeer (*cloud, [&] (double&) { return planesByRansac (cloud); });
+       }});
+  configurations.push_back (
+      {"pcl-region-growing",
+       {"peers"},
+       [] (const XyzCloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t) {
+         return runPeer (*cloud,
+                         [&] (double& normals) { return regionsOf (cloud, normals); });
+       }});
 }
 
 } // namespace pcl_ops::evaluation

@@ -29,12 +29,6 @@ truePlanes (const EvaluationCloud& cloud)
   return planes;
 }
 
-Eigen::Vector3d
-directionOf (const PlaneEdge& edge)
-{
-  return (edge.to - edge.from).normalized();
-}
-
 double
 distanceTo (const PlaneEdge& edge, const Eigen::Vector3d& point)
 {
@@ -49,6 +43,7 @@ std::vector<double>
 distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
 {
   std::vector<double> distances;
+  const Eigen::Vector3d direction = (edge.to - edge.from).normalized();
   constexpr double most_samples = 1e5;
   const auto samples =
       static_cast<int> (std::min (most_samples, edge.length() / sample_step)) + 1;
@@ -57,7 +52,7 @@ distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
     const Eigen::Vector3d point = edge.from + place * (edge.to - edge.from);
     double least = std::numeric_limits<double>::infinity();
     for (const PlaneEdge& other : others)
-      if (std::abs (directionOf (edge).dot (directionOf (other))) >=
+      if (std::abs (direction.dot ((other.to - other.from).normalized())) >=
           std::cos (paper_angle))
         least = std::min (least, distanceTo (other, point));
     distances.push_back (least);

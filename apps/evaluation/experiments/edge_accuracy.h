@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <evaluation/data/cloud_source.h>
+#include <evaluation/data/data_sets.h>
 #include <evaluation/report/text_table.h>
 #include <pcl_ops/plane_edges.h>
 

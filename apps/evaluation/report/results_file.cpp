@@ -3,6 +3,7 @@
 #include "results_file.h"
 
 #include <cli/errors.h>
+#include <detection/stages.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -50,6 +51,25 @@ cellsOf (const std::string& line)
       cells.back() += character;
   }
   return cells;
+}
+
+/** The columns behind the texts and the seed, in order. */
+std::vector<std::pair<std::string, double>>
+namedValues (const Metrics& metrics, const DetectorRun& run)
+{
+  std::vector<std::pair<std::string, double>> values{
+      {"points", double (metrics.points)},
+      {"truth_planes", double (metrics.truth_planes)},
+      {"result_planes", double (metrics.result_planes)},
+      {"planes_before_merging", double (run.planes_before_merging)}};
+  for (const auto& named : namedMetrics (metrics))
+    values.push_back (named);
+  for (const auto& [stage, duration] : apps::detection_stages)
+    values.emplace_back (std::string (stage) + "_ms", run.durations.*duration);
+  values.emplace_back (off_planes_name, metrics.points_off_planes_called_planes);
+  for (const auto& named : namedCounts (metrics))
+    values.push_back (named);
+  return values;
 }
 
 std::string
@@ -115,15 +135,8 @@ const std::vector<std::string>&
 valueColumns ()
 {
   static const std::vector<std::string> columns = [] {
-    std::vector<std::string> names{
-        "points", "truth_planes", "result_planes", "planes_before_merging"};
-    for (const auto& named : namedMetrics ({}))
-      names.push_back (named.first);
-    for (const char* stage :
-         {"search", "normals", "extraction", "assignment", "merging", "detection"})
-      names.push_back (stage + std::string ("_ms"));
-    names.push_back (off_planes_name);
-    for (const auto& named : namedCounts ({}))
+    std::vector<std::string> names;
+    for (const auto& named : namedValues ({}, {}))
       names.push_back (named.first);
     return names;
   }();
@@ -133,22 +146,8 @@ valueColumns ()
 std::vector<double>
 valuesOf (const Metrics& metrics, const DetectorRun& run)
 {
-  std::vector<double> values{static_cast<double> (metrics.points),
-                             static_cast<double> (metrics.truth_planes),
-                             static_cast<double> (metrics.result_planes),
-                             static_cast<double> (run.planes_before_merging)};
-  for (const auto& named : namedMetrics (metrics))
-    values.push_back (named.second);
-  const StageDurations& stages = run.durations;
-  for (const double duration : {stages.search,
-                                stages.normals,
-                                stages.extraction,
-                                stages.assignment,
-                                stages.merging,
-                                stages.detection})
-    values.push_back (duration);
-  values.push_back (metrics.points_off_planes_called_planes);
-  for (const auto& named : namedCounts (metrics))
+  std::vector<double> values;
+  for (const auto& named : namedValues (metrics, run))
     values.push_back (named.second);
   return values;
 }

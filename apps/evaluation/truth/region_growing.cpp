@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "region_growing.h"
 
+#include <pcl/common/point_tests.h>
 #include <pcl/search/kdtree.h>
 
-#include <base/parallel.h>
-#include <geometry/points.h>
 #include <pcl_ops/plane.h>
 
 #include <algorithm>
@@ -16,7 +15,6 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-constexpr std::size_t points_per_piece = 1024;
 /** The region's plane is fitted again each time its points have grown by this factor.
  */
 constexpr double refit_growth = 1.3;
@@ -64,18 +62,15 @@ orient (Surfels& surfels, std::size_t i)
 }
 
 Surfels
-surfelsOf (const XyzCloud& cloud, int neighbors, unsigned threads)
+surfelsOf (const XyzCloud& cloud, int neighbors)
 {
-  pcl::Indices all (cloud.size());
-  std::iota (all.begin(), all.end(), 0);
   Surfels surfels;
-  const internal::Points points =
-      internal::finitePoints (CloudView (cloud), all, threads);
-  surfels.index = points.index.empty() ? all : points.index;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (pcl::isXYZFinite (cloud[i]))
+      surfels.index.push_back (static_cast<pcl::index_t> (i));
   surfels.cloud.reset (new XyzCloud (cloud, surfels.index));
   surfels.neighbors_per_point =
       std::min (surfels.size(), static_cast<std::size_t> (std::max (1, neighbors)));
-  surfels.neighbors.resize (surfels.size() * surfels.neighbors_per_point);
   surfels.normal.resize (surfels.size(), Eigen::Vector3f::Zero());
   surfels.curvature.resize (surfels.size());
   if (surfels.size() == 0)
@@ -83,19 +78,14 @@ surfelsOf (const XyzCloud& cloud, int neighbors, unsigned threads)
 
   pcl::search::KdTree<pcl::PointXYZ> tree;
   tree.setInputCloud (surfels.cloud);
-  const auto orientAll = [&] (std::size_t begin, std::size_t end) {
-    pcl::Indices found;
-    std::vector<float> ignored;
-    for (std::size_t i = begin; i < end; ++i) {
-      tree.nearestKSearch (
-          (*surfels.cloud)[i], int (surfels.neighbors_per_point), found, ignored);
-      std::copy (found.begin(),
-                 found.end(),
-                 surfels.neighbors.begin() + i * surfels.neighbors_per_point);
-      orient (surfels, i);
-    }
-  };
-  internal::parallelFor (threads, surfels.size(), points_per_piece, orientAll);
+  pcl::Indices found;
+  std::vector<float> ignored;
+  for (std::size_t i = 0; i < surfels.size(); ++i) {
+    tree.nearestKSearch (
+        (*surfels.cloud)[i], int (surfels.neighbors_per_point), found, ignored);
+    surfels.neighbors.insert (surfels.neighbors.end(), found.begin(), found.end());
+    orient (surfels, i);
+  }
   return surfels;
 }
 
@@ -155,11 +145,9 @@ growFrom (std::size_t seed,
 } // namespace
 
 PlaneLabels
-growRegions (const XyzCloud& cloud,
-             const RegionGrowingParameters& parameters,
-             unsigned threads)
+growRegions (const XyzCloud& cloud, const RegionGrowingParameters& parameters)
 {
-  const Surfels surfels = surfelsOf (cloud, parameters.neighbors, threads);
+  const Surfels surfels = surfelsOf (cloud, parameters.neighbors);
   std::vector<std::size_t> flattest_first (surfels.size());
   std::iota (flattest_first.begin(), flattest_first.end(), 0);
   std::stable_sort (

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <evaluation/labels/plane_classes.h>
+#include <evaluation/labels/labels.h>
 
 namespace pcl_ops::evaluation {
 
@@ -23,11 +23,8 @@ struct RegionGrowingParameters {
  * joins its region if it is near the region's plane and both normals agree.
  * \param[in] cloud points without finite coordinates are on no plane
  * \param[in] parameters thresholds and neighbourhood
- * \param[in] threads 0: all; the result does not depend on it
  * \return labels 1 .. P by falling size */
 PlaneLabels
-growRegions (const XyzCloud& cloud,
-             const RegionGrowingParameters& parameters,
-             unsigned threads = 1);
+growRegions (const XyzCloud& cloud, const RegionGrowingParameters& parameters);
 
 } // namespace pcl_ops::evaluation

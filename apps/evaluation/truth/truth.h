@@ -3,7 +3,7 @@
 #pragma once
 
 #include "region_growing.h"
-#include <evaluation/data/cloud_source.h>
+#include <evaluation/data/data_sets.h>
 
 namespace pcl_ops::evaluation {
 
