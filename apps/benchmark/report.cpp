@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 namespace pcl_ops::benchmark {
 
@@ -78,53 +77,30 @@ bandwidthText (const CloudFigures& figures)
          " GB/s";
 }
 
-/** An item of a Markdown list, broken into lines. */
-void
-printItem (const std::string& text, std::ostream& stream)
-{
-  constexpr std::size_t width = 88;
-  std::istringstream words (text);
-  std::string line = "-";
-  for (std::string word; words >> word;) {
-    if (line.size() + 1 + word.size() > width) {
-      stream << line << '\n';
-      line = " ";
-    }
-    line += " " + word;
-  }
-  stream << line << '\n';
-}
-
+/** How all this was measured, as a list. */
 void
 printMethod (const Benchmark& benchmark, std::ostream& stream)
 {
   const MeasureParameters& parameters = benchmark.parameters;
   const unsigned cores = benchmark.shared.cores;
-  const std::string peers = parameters.peer_runs == 0
-                                ? ""
-                                : " (of PCL's and CGAL's detectors " +
-                                      std::to_string (parameters.peer_runs) + ")";
-  printItem ("Machine: " + cpuModel() + ", " + std::to_string (cores) +
-                 (cores == 1 ? " core; " : " cores; ") + compilerAndFlags() +
-                 "; PCL " PCL_VERSION_PRETTY ".",
-             stream);
-  printItem (
-      "Times are of everything from a loaded cloud to a label for every point, the "
-      "search structure's construction and what lies between the stages included: "
-      "the shortest of " +
-          std::to_string (parameters.runs) + " runs" + peers +
-          ", in turns in one process, on one thread where nothing else is said.",
-      stream);
-  printItem ("Names are those of `pcl_ops_evaluate detectors`: ops is the default "
-             "preset, ops-3-30 the paper's, with 3 % of the points and 30 neighbours.",
-             stream);
-  printItem ("Peak memory is the growth of a child process's resident memory: " +
-                 peakText (benchmark.shared.peak) + ".",
-             stream);
+  stream << "- Machine: " << cpuModel() << ", " << cores
+         << (cores == 1 ? " core; " : " cores; ") << compilerAndFlags()
+         << "; PCL " PCL_VERSION_PRETTY ".\n"
+            "- Times are of everything from a loaded cloud to a label for every point, "
+            "the search\n  structure's construction and what lies between the stages "
+            "included: the shortest of "
+         << parameters.runs << "\n  runs";
+  if (parameters.peer_runs > 0)
+    stream << " (of PCL's and CGAL's detectors " << parameters.peer_runs << ')';
+  stream << ", in turns in one process, on one thread where\n  nothing else is said.\n"
+            "- Names are those of `pcl_ops_evaluate detectors`: ops is the default "
+            "preset, ops-3-30\n  the paper's, with 3 % of the points and 30 "
+            "neighbours.\n"
+            "- Peak memory is the growth of a child process's resident memory:\n  "
+         << peakText (benchmark.shared.peak) << ".\n";
   for (const CloudFigures& figures : benchmark.clouds)
-    printItem (figures.name + ": " + peakText (figures.peak) +
-                   "; a copy of it reads and writes " + bandwidthText (figures) + ".",
-               stream);
+    stream << "- " << figures.name << ": " << peakText (figures.peak)
+           << ";\n  a copy of it reads and writes " << bandwidthText (figures) << ".\n";
 }
 
 Json

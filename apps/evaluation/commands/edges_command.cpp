@@ -36,7 +36,7 @@ edgesCommand (int argc, const char* const* argv)
         const EvaluationCloud cloud = source.load();
         if (!cloud.truth)
           throw apps::WorkError (source.name, "has no true labels; give another cloud");
-        of_set.score += scoreOf (findBothEdges (cloud));
+        addScore (findBothEdges (cloud), of_set.score);
       });
       std::cerr << data_set.name << ' ' << source.name << std::endl;
     }

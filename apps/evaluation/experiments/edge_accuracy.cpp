@@ -90,8 +90,8 @@ matchCorners (const EdgePair& edges, EdgeScore& score)
     ++score.corners_matched;
     score.corner_errors.push_back (least);
   }
-  score.true_corners = edges.truth.corners.size();
-  score.found_corners = edges.found.corners.size();
+  score.true_corners += edges.truth.corners.size();
+  score.found_corners += edges.found.corners.size();
 }
 
 } // namespace
@@ -118,30 +118,9 @@ findBothEdges (const EvaluationCloud& cloud)
   return edges;
 }
 
-EdgeScore&
-EdgeScore::operator+= (const EdgeScore& other)
+void
+addScore (const EdgePair& edges, EdgeScore& score)
 {
-  for (auto length : {&EdgeScore::true_length,
-                      &EdgeScore::true_length_found,
-                      &EdgeScore::wall_length,
-                      &EdgeScore::wall_length_found,
-                      &EdgeScore::found_length,
-                      &EdgeScore::found_length_true})
-    this->*length += other.*length;
-  for (auto number : {&EdgeScore::true_corners,
-                      &EdgeScore::found_corners,
-                      &EdgeScore::corners_matched})
-    this->*number += other.*number;
-  for (auto errors : {&EdgeScore::edge_errors, &EdgeScore::corner_errors})
-    (this->*errors)
-        .insert ((this->*errors).end(), (other.*errors).begin(), (other.*errors).end());
-  return *this;
-}
-
-EdgeScore
-scoreOf (const EdgePair& edges)
-{
-  EdgeScore score;
   for (std::size_t i = 0; i < edges.truth.edges.size(); ++i) {
     const PlaneEdge& edge = edges.truth.edges[i];
     const std::vector<double> distances = distancesAlong (edge, edges.found.edges);
@@ -163,7 +142,6 @@ scoreOf (const EdgePair& edges)
         shareNear (distancesAlong (edge, edges.truth.edges)) * edge.length();
   }
   matchCorners (edges, score);
-  return score;
 }
 
 TextTable

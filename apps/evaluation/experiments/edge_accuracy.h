@@ -33,15 +33,13 @@ struct EdgeScore {
   /** \brief How far the found edges are off, at each centimetre of the true ones that
    * were found, and the corners [m]. */
   std::vector<double> edge_errors, corner_errors;
-
-  EdgeScore&
-  operator+= (const EdgeScore& other);
 };
 
 /** \brief Compares edges and corners: those nearer than 5 cm, edges also within 7
- * degrees, are the same. */
-EdgeScore
-scoreOf (const EdgePair& edges);
+ * degrees, are the same.
+ * \param[in,out] score takes the lengths, numbers and errors in */
+void
+addScore (const EdgePair& edges, EdgeScore& score);
 
 /** \brief The scores on a data set. */
 struct EdgeScores {

@@ -107,18 +107,6 @@ rowOf (const std::string& line)
   return row;
 }
 
-/** Cuts off what follows the last line break. */
-void
-removeIncompleteLine (const std::string& file)
-{
-  std::ifstream stream (file, std::ios::binary);
-  const std::string text (std::istreambuf_iterator<char> (stream), {});
-  const std::size_t end = text.rfind ('\n');
-  const std::size_t complete = end == std::string::npos ? 0 : end + 1;
-  if (complete < text.size())
-    fs::resize_file (file, complete);
-}
-
 } // namespace
 
 double
@@ -154,27 +142,25 @@ valuesOf (const Metrics& metrics, const DetectorRun& run)
 
 ResultsFile::ResultsFile (const std::string& file) : file_ (file)
 {
-  std::error_code ignored;
-  const bool is_new = !fs::exists (file, ignored);
-  if (!is_new) {
-    removeIncompleteLine (file);
-    readRows();
-  }
+  std::ifstream before (file, std::ios::binary);
+  const std::string text (std::istreambuf_iterator<char> (before), {});
+  const std::size_t complete = text.rfind ('\n') + 1; // 0 where there is no line
+  if (complete < text.size())
+    fs::resize_file (file, complete);
+  readRows (text.substr (0, complete));
   stream_.open (file, std::ios::app);
-  if (is_new || fs::file_size (file, ignored) == 0)
+  if (complete == 0)
     stream_ << headerLine() << '\n';
   if (!stream_.flush())
     throw apps::OutputError (file, "cannot be written; give another output folder");
 }
 
 void
-ResultsFile::readRows()
+ResultsFile::readRows (const std::string& text)
 {
-  std::ifstream stream (file_);
+  std::istringstream stream (text);
   std::string line;
-  if (!std::getline (stream, line))
-    return;
-  if (line != headerLine())
+  if (std::getline (stream, line) && line != headerLine())
     throw apps::WorkError (file_,
                            "has other columns than this version writes; give another "
                            "output folder");

@@ -226,6 +226,33 @@ TEST (EvaluateProgram, ARunWritesRowsAndTablesAndLeavesOutBrokenClouds)
       << broken.text;
 }
 
+TEST (EvaluateProgram, CountsPlanesThatKeepTheirNumber)
+{
+  const TemporaryFolder folder;
+  const auto writeCloud = [&] (const std::string& name, const std::string& labels) {
+    std::string rows;
+    for (const char label : labels)
+      rows += std::to_string (rows.size()) + " 0 0 " + label + '\n';
+    folder.write (name, pcd ("x y z label", static_cast<int> (labels.size()), rows));
+  };
+  std::filesystem::create_directories (folder / "truth");
+  std::filesystem::create_directories (folder / "result");
+  for (const auto& [name, result] :
+       {std::pair ("/0.pcd", "44556"), {"/1.pcd", "44550"}, {"/2.pcd", "44770"}}) {
+    writeCloud (std::string ("truth") + name, "11223");
+    writeCloud (std::string ("result") + name, result);
+  }
+  const ProgramRun run =
+      evaluate ("track " + folder / "truth" + " " + folder / "result" + " --json");
+  ASSERT_EQ (run.exit_code, 0) << run.text;
+  const auto json = nlohmann::json::parse (run.text);
+  EXPECT_EQ (json["planes"], 2) << "the third is found once only";
+  EXPECT_EQ (json["planes_kept"], 1);
+  EXPECT_EQ (json["sightings"], 4);
+  EXPECT_EQ (json["sightings_kept"], 3);
+  EXPECT_EQ (json["numbers"], 4);
+}
+
 TEST (EvaluateProgram, TellsHowWellEdgesAreFound)
 {
   const ProgramRun run = evaluate ("edges furniture:1");
