@@ -56,7 +56,7 @@ readOptions (int argc, const char* const* argv, Options& options)
       "prints it in Markdown.",
       PCL_OPS_VERSION);
   using apps::Range;
-  constexpr double most_runs = 1000, most_points = 1e8;
+  constexpr double max_runs = 1000, max_points = 1e8;
   MeasureParameters& measures = options.measures;
   std::string input;
   std::size_t memory_points = 3'000'000;
@@ -70,19 +70,19 @@ readOptions (int argc, const char* const* argv, Options& options)
   line.addText ("json", "FILE", options.json_file, "write every number as JSON");
   line.addNumber ("runs",
                   "N",
-                  Range::from (1).upTo (most_runs),
+                  Range::from (1).upTo (max_runs),
                   measures.runs,
                   "take the best of N; what has taken 20 s is not repeated (5)");
   line.addNumber ("peer-runs",
                   "N",
-                  Range::from (1).upTo (most_runs),
+                  Range::from (1).upTo (max_runs),
                   measures.peer_runs,
                   "of PCL's and CGAL's detectors, which take seconds (1)");
   line.addFlag ("no-peers", no_peers, "leave these out");
   line.addNumber ("seed", "S", Range::from (0), measures.seed, "of detectors (42)");
   line.addNumber ("memory-points",
                   "N",
-                  Range::from (1).upTo (most_points),
+                  Range::from (1).upTo (max_points),
                   memory_points,
                   "size of the simulated scan peak memory is measured on (3000000)");
   line.addText ("scaling",

@@ -95,7 +95,7 @@ printMethod (const Benchmark& benchmark, std::ostream& stream)
   stream << ", in turns in one process, on one thread where\n  nothing else is said.\n"
             "- Names are those of `pcl_ops_evaluate detectors`: ops is the default "
             "preset, ops-3-30\n  the paper's, with 3 % of the points and 30 "
-            "neighbours.\n"
+            "neighbors.\n"
             "- Peak memory is the growth of a child process's resident memory:\n  "
          << peakText (benchmark.shared.peak) << ".\n";
   for (const CloudFigures& figures : benchmark.clouds)

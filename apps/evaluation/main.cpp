@@ -18,7 +18,7 @@ constexpr const char* help =
     "Compares plane detectors as the paper of OPS does (Sun & Mordohai, ICRA 2019).\n"
     "\n"
     "Commands:\n"
-    "  compare TRUTH RESULT         every metric for two labelled clouds\n"
+    "  compare TRUTH RESULT         every metric for two labeled clouds\n"
     "  planes A B                   which planes of two results are one, how far "
     "apart\n"
     "  track TRUTH RESULT           how many planes keep their number in a sequence\n"

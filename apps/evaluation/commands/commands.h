@@ -9,7 +9,7 @@ namespace pcl_ops::evaluation {
  * \return the exit code */
 using Command = int (int argc, const char* const* argv);
 
-/** \brief Every metric for two labelled clouds. */
+/** \brief Every metric for two labeled clouds. */
 Command compareCommand;
 /** \brief Which planes of two results are one, and how far apart they are. */
 Command planesCommand;

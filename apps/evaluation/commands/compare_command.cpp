@@ -3,7 +3,7 @@
 #include "commands.h"
 #include <cli/command_line.h>
 #include <cli/program.h>
-#include <evaluation/data/labelled_cloud.h>
+#include <evaluation/data/labeled_cloud.h>
 #include <evaluation/metrics/metrics.h>
 #include <nlohmann/json.hpp>
 
@@ -27,7 +27,7 @@ bool
 readOptions (int argc, const char* const* argv, CompareOptions& options)
 {
   apps::CommandLine line ("pcl_ops_evaluate compare",
-                          "Compares the planes of two labelled clouds of the same "
+                          "Compares the planes of two labeled clouds of the same "
                           "points (field label, 0: no plane).",
                           PCL_OPS_VERSION);
   line.addArgument (
@@ -132,8 +132,8 @@ compareCommand (int argc, const char* const* argv)
   CompareOptions options;
   if (!readOptions (argc, argv, options))
     return apps::ExitCode::done;
-  LabelledCloud truth = loadLabelledCloud (options.truth_file);
-  const LabelledCloud result = loadLabelledCloud (options.result_file);
+  LabeledCloud truth = loadLabeledCloud (options.truth_file);
+  const LabeledCloud result = loadLabeledCloud (options.result_file);
   requireSamePoints (truth, result, options.result_file);
   dropSmallPlanes (truth.labels, options.min_plane_points);
 

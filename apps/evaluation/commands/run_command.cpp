@@ -19,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /** More clouds at a time than any machine this runs on has cores. */
-constexpr double most_jobs = 256;
-constexpr double most_neighbors = 10'000;
+constexpr double max_jobs = 256;
+constexpr double max_neighbors = 10'000;
 
 struct RunOptions {
   std::string folder;
@@ -48,9 +48,9 @@ readOptions (int argc, const char* const* argv, RunOptions& options)
                 "where grown truth is kept (folder truth of the output)");
   line.addNumber ("truth-neighbors",
                   "K",
-                  apps::Range::from (3).upTo (most_neighbors),
+                  apps::Range::from (3).upTo (max_neighbors),
                   truth.growing.neighbors,
-                  "neighbourhood of grown truth (100)");
+                  "neighborhood of grown truth (100)");
   line.addNumber ("min-plane-points",
                   "N",
                   apps::Range::from (0),
@@ -62,7 +62,7 @@ readOptions (int argc, const char* const* argv, RunOptions& options)
                 "names and groups, see pcl_ops_evaluate detectors (all)");
   line.addNumber ("jobs",
                   "N",
-                  apps::Range::from (1).upTo (most_jobs),
+                  apps::Range::from (1).upTo (max_jobs),
                   options.plan.jobs,
                   "clouds at a time; only 1 leaves times undisturbed (1)");
   line.addNumber (

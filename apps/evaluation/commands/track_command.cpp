@@ -5,7 +5,7 @@
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <cli/program.h>
-#include <evaluation/data/labelled_cloud.h>
+#include <evaluation/data/labeled_cloud.h>
 #include <evaluation/metrics/confusion.h>
 #include <evaluation/report/text_table.h>
 #include <io/inputs.h>
@@ -73,7 +73,7 @@ readOptions (int argc, const char* const* argv, TrackOptions& options)
 {
   apps::CommandLine line (
       "pcl_ops_evaluate track",
-      "Tells how many planes keep their number in a sequence of labelled clouds, as\n"
+      "Tells how many planes keep their number in a sequence of labeled clouds, as\n"
       "pcl_ops_segment --track writes it. The true label of a plane has to be the "
       "same\n"
       "in all clouds, as in those of pcl_ops_simulate --scene walk or drive.",
@@ -102,8 +102,8 @@ keptIn (const TrackOptions& options)
     const std::string result_file = (std::filesystem::path (options.result_folder) /
                                      std::filesystem::path (file).filename())
                                         .string();
-    LabelledCloud truth = loadLabelledCloud (file);
-    const LabelledCloud result = loadLabelledCloud (result_file);
+    LabeledCloud truth = loadLabeledCloud (file);
+    const LabeledCloud result = loadLabeledCloud (result_file);
     requireSamePoints (truth, result, result_file);
     dropSmallPlanes (truth.labels, options.min_plane_points);
     kept.add (truth.labels, result.labels);

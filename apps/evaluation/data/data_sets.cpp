@@ -4,7 +4,7 @@
 
 #include <pcl/common/point_tests.h>
 
-#include "labelled_cloud.h"
+#include "labeled_cloud.h"
 #include "sun_rgbd.h"
 #include <cli/errors.h>
 #include <cli/option_value.h>
@@ -42,9 +42,9 @@ namespace fs = std::filesystem;
 using simulation::NoiseProfile;
 
 /** More scenes than anybody waits for; keeps a typing error from filling the memory. */
-constexpr std::uint32_t most_scenes = 100'000;
+constexpr std::uint32_t max_scenes = 100'000;
 /** A point takes 16 bytes, and 36 more while it is simulated. */
-constexpr double most_points = 1e8;
+constexpr double max_points = 1e8;
 
 EvaluationCloud
 withExactTruth (const simulation::SimulatedCloud& simulated)
@@ -153,7 +153,7 @@ seedRange (const std::string& kind, const std::string& text)
       dash == std::string::npos
           ? first
           : apps::parseNumber<std::uint32_t> (kind, text.substr (dash + 1), any);
-  if (last < first || last - first >= most_scenes)
+  if (last < first || last - first >= max_scenes)
     throw apps::UsageError (kind + ':' + text, "is no range of seeds such as 1-20");
   return {first, last};
 }
@@ -177,7 +177,7 @@ DataSet
 scansDataSet (const std::string& name, const std::string& sizes)
 {
   constexpr std::uint32_t seed = 1;
-  const apps::Range of_points = apps::Range::from (1).upTo (most_points);
+  const apps::Range of_points = apps::Range::from (1).upTo (max_points);
   DataSet data_set{name, {}};
   std::istringstream list (sizes);
   for (std::string size; std::getline (list, size, ',');) {
@@ -197,7 +197,7 @@ scansDataSet (const std::string& name, const std::string& sizes)
 EvaluationCloud
 readCloud (const std::string& file, const Eigen::Vector3d& up)
 {
-  const LabelledCloud all = loadLabelledCloud (file, LabelField::Optional);
+  const LabeledCloud all = loadLabeledCloud (file, LabelField::Optional);
   EvaluationCloud finite;
   finite.up = up;
   finite.cloud.reset (new XyzCloud);

@@ -24,9 +24,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double metres_per_unit = 0.001;
-constexpr double farthest_depth = 8.0; // [m]
-constexpr double largest_rotation_error = 1e-3;
+constexpr double meters_per_unit = 0.001;
+constexpr double max_depth = 8.0; // [m]
+constexpr double max_rotation_error = 1e-3;
 
 const char*
 folderOf (SunRgbdDepth depth)
@@ -96,8 +96,7 @@ readExtrinsics (const fs::path& file)
   const Eigen::Matrix3d rotation = readMatrix<3, 4> (file).leftCols<3>();
   const Eigen::Matrix3d error =
       rotation * rotation.transpose() - Eigen::Matrix3d::Identity();
-  if (error.cwiseAbs().maxCoeff() > largest_rotation_error ||
-      rotation.determinant() < 0.0)
+  if (error.cwiseAbs().maxCoeff() > max_rotation_error || rotation.determinant() < 0.0)
     throw apps::WorkError (file.string(), "holds no rotation; get the file again");
   return rotation;
 }
@@ -158,15 +157,15 @@ emptyImageOf (const PngFile& file)
   if (bits != 16 || color_type != PNG_COLOR_TYPE_GRAY)
     throw PngError{"is no depth image: " + std::to_string (bits) +
                    " bits per channel, color type " + std::to_string (color_type) +
-                   ", not 16-bit grey"};
+                   ", not 16-bit gray"};
   if (png_get_interlace_type (file.png, file.info) != PNG_INTERLACE_NONE)
     throw PngError{"is interlaced, which depth images are not"};
   const DepthImage image{png_get_image_width (file.png, file.info),
                          png_get_image_height (file.png, file.info),
                          {}};
   /** Far above any depth camera, far below what would exhaust the memory. */
-  constexpr std::size_t most_pixels = 100'000'000;
-  if (image.width > most_pixels / image.height)
+  constexpr std::size_t max_pixels = 100'000'000;
+  if (image.width > max_pixels / image.height)
     throw PngError{"has an impossible size of " + std::to_string (image.width) + " x " +
                    std::to_string (image.height) + " pixels"};
   return image;
@@ -198,7 +197,7 @@ read (PngFile& file)
   return image;
 }
 
-/** A 16-bit greyscale PNG file (ISO/IEC 15948). By libpng itself because VTK's reader,
+/** A 16-bit grayscale PNG file (ISO/IEC 15948). By libpng itself because VTK's reader,
  * the one PCL brings, crashes on a truncated file. */
 DepthImage
 readDepthPng (const std::string& file)
@@ -254,8 +253,8 @@ sunRgbdCloud (const DepthImage& image,
       const std::uint16_t stored = image.values[row * image.width + column];
       if (stored == 0)
         continue;
-      const auto millimetres = static_cast<std::uint16_t> (stored >> 3 | stored << 13);
-      const double depth = std::min (millimetres * metres_per_unit, farthest_depth);
+      const auto millimeters = static_cast<std::uint16_t> (stored >> 3 | stored << 13);
+      const double depth = std::min (millimeters * meters_per_unit, max_depth);
       const Eigen::Vector3d point (
           (static_cast<double> (column) - center_x) / focal_x * depth,
           (static_cast<double> (row) - center_y) / focal_y * depth,

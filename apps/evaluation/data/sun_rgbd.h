@@ -31,7 +31,7 @@ struct DepthImage {
  * in a frame with its origin at the camera, x to the right and z against gravity [m].
  * Pixels without a reading give no point; as in the data set's toolbox, depths beyond 8
  * m are set to 8 m.
- * \param[in] image pixel values as stored, millimetres rotated right by 3 bits
+ * \param[in] image pixel values as stored, millimeters rotated right by 3 bits
  * \param[in] intrinsics pinhole camera matrix [pixel]
  * \param[in] extrinsics takes the camera's axes (x right, y down, z forward) to the
  * same axes with y along gravity */

@@ -37,7 +37,7 @@ struct Configuration {
 
 /** \brief Every row of the paper's tables, the product's presets, and the detectors
  * people use today:
- * - table1: fspf-R1-R2, with the radii in metres
+ * - table1: fspf-R1-R2, with the radii in meters
  * - table2: kht-PHI-RHO, with the numbers of bins
  * - table3: ops-RATE-K and ops-s1-RATE-K (strategy 1), with the sampling rate in per
  * cent

@@ -17,16 +17,16 @@ namespace pcl_ops::evaluation {
 namespace {
 
 constexpr double distance_threshold = 0.05; // [m]
-constexpr int most_planes = 40;
-constexpr std::size_t fewest_inliers = 500;
+constexpr int max_planes = 40;
+constexpr std::size_t min_inliers = 500;
 /** The loop ends when less than this share of the points is left. */
 constexpr double share_left = 0.02;
-constexpr int most_iterations = 1000;
+constexpr int max_iterations = 1000;
 
 constexpr int neighbors = 30;
 /** As in PCL's tutorial: the normals alone decide. */
 constexpr float curvature_threshold = 1.0f;
-constexpr int fewest_points_of_region = 50;
+constexpr int min_points_of_region = 50;
 
 std::vector<pcl::PointIndices>
 planesByRansac (const XyzCloud::ConstPtr& cloud)
@@ -35,19 +35,19 @@ planesByRansac (const XyzCloud::ConstPtr& cloud)
   segmentation.setOptimizeCoefficients (true);
   segmentation.setModelType (pcl::SACMODEL_PLANE);
   segmentation.setMethodType (pcl::SAC_RANSAC);
-  segmentation.setMaxIterations (most_iterations);
+  segmentation.setMaxIterations (max_iterations);
   segmentation.setDistanceThreshold (distance_threshold);
   segmentation.setInputCloud (cloud);
 
   std::vector<pcl::PointIndices> planes;
   pcl::IndicesPtr rest (new pcl::Indices (cloud->size()));
   std::iota (rest->begin(), rest->end(), 0);
-  while (rest->size() > share_left * cloud->size() && planes.size() < most_planes) {
+  while (rest->size() > share_left * cloud->size() && planes.size() < max_planes) {
     pcl::PointIndices inliers;
     pcl::ModelCoefficients coefficients;
     segmentation.setIndices (rest);
     segmentation.segment (inliers, coefficients);
-    if (inliers.indices.size() < fewest_inliers)
+    if (inliers.indices.size() < min_inliers)
       break;
     std::sort (inliers.indices.begin(), inliers.indices.end());
     pcl::IndicesPtr without (new pcl::Indices);
@@ -88,7 +88,7 @@ regionsOf (const XyzCloud::ConstPtr& cloud, double& normals_duration)
   growing.setNumberOfNeighbours (neighbors);
   growing.setSmoothnessThreshold (static_cast<float> (paper_angle));
   growing.setCurvatureThreshold (curvature_threshold);
-  growing.setMinClusterSize (fewest_points_of_region);
+  growing.setMinClusterSize (min_points_of_region);
   std::vector<pcl::PointIndices> regions;
   growing.extract (regions);
   return regions;

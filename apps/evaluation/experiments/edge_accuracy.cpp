@@ -37,16 +37,16 @@ distanceTo (const PlaneEdge& edge, const Eigen::Vector3d& point)
   return (edge.from + std::clamp (place, 0.0, 1.0) * along - point).norm();
 }
 
-/** \brief For each centimetre of an edge the distance to the nearest of the others that
+/** \brief For each centimeter of an edge the distance to the nearest of the others that
  * runs alike; infinite where there is none near. */
 std::vector<double>
 distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
 {
   std::vector<double> distances;
   const Eigen::Vector3d direction = (edge.to - edge.from).normalized();
-  constexpr double most_samples = 1e5;
+  constexpr double max_samples = 1e5;
   const auto samples =
-      static_cast<int> (std::min (most_samples, edge.length() / sample_step)) + 1;
+      static_cast<int> (std::min (max_samples, edge.length() / sample_step)) + 1;
   for (int sample = 0; sample < samples; ++sample) {
     const double place = (sample + 0.5) / samples;
     const Eigen::Vector3d point = edge.from + place * (edge.to - edge.from);
@@ -147,7 +147,7 @@ addScore (const EdgePair& edges, EdgeScore& score)
 TextTable
 edgeTable (const std::vector<EdgeScores>& data_sets)
 {
-  constexpr double millimetres = 1e3;
+  constexpr double millimeters = 1e3;
   TextTable table{"Where planes meet",
                   {"data set",
                    "wall edges found %",
@@ -168,11 +168,11 @@ edgeTable (const std::vector<EdgeScores>& data_sets)
          share (score.wall_length_found, score.wall_length),
          share (score.true_length_found, score.true_length),
          share (score.found_length_true, score.found_length),
-         decimal (millimetres * apps::quantile (score.edge_errors, 0.5), 1),
-         decimal (millimetres * apps::quantile (score.edge_errors, 0.95), 1),
+         decimal (millimeters * apps::quantile (score.edge_errors, 0.5), 1),
+         decimal (millimeters * apps::quantile (score.edge_errors, 0.95), 1),
          percent (apps::fraction (score.corners_matched, score.true_corners, NAN)),
          percent (apps::fraction (score.corners_matched, score.found_corners, NAN)),
-         decimal (millimetres * apps::quantile (score.corner_errors, 0.5), 1)});
+         decimal (millimeters * apps::quantile (score.corner_errors, 0.5), 1)});
   return table;
 }
 

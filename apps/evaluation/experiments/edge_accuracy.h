@@ -30,7 +30,7 @@ struct EdgeScore {
   double wall_length = 0.0, wall_length_found = 0.0;
   double found_length = 0.0, found_length_true = 0.0;
   std::size_t true_corners = 0, found_corners = 0, corners_matched = 0;
-  /** \brief How far the found edges are off, at each centimetre of the true ones that
+  /** \brief How far the found edges are off, at each centimeter of the true ones that
    * were found, and the corners [m]. */
   std::vector<double> edge_errors, corner_errors;
 };

@@ -65,7 +65,7 @@ struct ClassParameters {
   double tolerance = paper_angle;
 };
 
-/** \brief The planes of labelled points: least squares through all points of a label,
+/** \brief The planes of labeled points: least squares through all points of a label,
  * normals to the sensor's side, without \ref PlaneSegment::inliers.
  * \param[in] cloud finite points with the sensor's origin
  * \param[in] planes ids of their labels

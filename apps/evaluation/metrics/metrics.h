@@ -36,7 +36,7 @@ struct Metrics {
  * of results it is behind the times, so that the others stay where they were. */
 constexpr const char* off_planes_name = "points_off_planes_called_planes";
 
-/** \brief Compares two labellings of a cloud. Points without finite coordinates are on
+/** \brief Compares two labelings of a cloud. Points without finite coordinates are on
  * no surface and do not count.
  * \param[in] cloud the points
  * \param[in] truth, result their labels, each of the cloud's size

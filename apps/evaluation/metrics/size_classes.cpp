@@ -11,7 +11,7 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-/** \param[in] confusion of labellings
+/** \param[in] confusion of labelings
  * \param[in] sizes of its true planes
  * \param[in] limits between classes, ascending */
 SizeClasses

@@ -36,7 +36,7 @@ sizeClasses (const Confusion& confusion);
 
 /** \brief True planes by width, narrowest first: below 0.03, 0.06, 0.12, 0.25, 1 m, and
  * wider.
- * \param[in] confusion of labellings
+ * \param[in] confusion of labelings
  * \param[in] widths of its true planes [m] */
 SizeClasses
 widthClasses (const Confusion& confusion, const std::vector<double>& widths);

@@ -20,7 +20,7 @@ namespace {
 constexpr double refit_growth = 1.3;
 constexpr double points_of_first_fit = 10.0;
 
-/** The finite points of a cloud with what their neighbourhoods tell. */
+/** The finite points of a cloud with what their neighborhoods tell. */
 struct Surfels {
   XyzCloud::Ptr cloud;
   pcl::Indices index;
@@ -121,7 +121,7 @@ growFrom (std::size_t seed,
           const RegionGrowingParameters& parameters,
           PlaneLabels& labels)
 {
-  const auto least_cosine = static_cast<float> (std::cos (parameters.angle_threshold));
+  const auto min_cosine = static_cast<float> (std::cos (parameters.angle_threshold));
   Region region ((*surfels.cloud)[seed], surfels.normal[seed]);
   std::vector<std::size_t> members{seed};
   labels[seed] = label;
@@ -131,7 +131,7 @@ growFrom (std::size_t seed,
     for (const auto* j = first; j != first + surfels.neighbors_per_point; ++j) {
       const pcl::PointXYZ& point = (*surfels.cloud)[*j];
       if (labels[*j] != 0 ||
-          std::abs (surfels.normal[*j].dot (surfels.normal[member])) < least_cosine ||
+          std::abs (surfels.normal[*j].dot (surfels.normal[member])) < min_cosine ||
           std::abs (region.plane.distance (point.getVector3fMap().cast<double>())) >
               parameters.distance_threshold)
         continue;

@@ -133,7 +133,7 @@ TEST (BenchmarkProgram, RefusesWrongUsage)
   expectError (measure ("simulated:,"), 2, "simulated");
   expectError (measure ("simulated:9 --scaling-points 3,x"), 2, "--scaling-points");
   expectError (measure ("simulated:100 --no-peers --peer-runs 2"), 2, "--no-peers");
-  expectError (measure ("simulated:100 --colour"), 2, "--colour");
+  expectError (measure ("simulated:100 --color"), 2, "--color");
 }
 
 TEST (BenchmarkProgram, SaysWhatIsMissingOrInTheWay)

@@ -63,7 +63,7 @@ const std::string one_plane = floorOf (10, [] (int) { return 1; });
 const std::string two_halves = floorOf (10, [] (int i) { return i < 60 ? 4 : 9; });
 const std::string no_plane = floorOf (10, [] (int) { return 0; });
 
-TEST (EvaluateProgram, ComparesTwoLabelledClouds)
+TEST (EvaluateProgram, ComparesTwoLabeledClouds)
 {
   const TemporaryFolder folder;
   const std::string truth = folder.write ("truth.pcd", one_plane),

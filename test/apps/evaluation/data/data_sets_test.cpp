@@ -39,9 +39,9 @@ TEST (DataSets, ScenesAreACloudForEachSeed)
 
 TEST (DataSets, SimulatedCloudsComeWithTheirTruthAndAreRepeatable)
 {
-  const std::pair<const char*, std::size_t> fewest_planes[] = {
+  const std::pair<const char*, std::size_t> min_planes[] = {
       {"shapes:1", 2}, {"furniture:1", 10}, {"streets-16:1", 10}, {"rooms:2", 10}};
-  for (const auto& [text, planes] : fewest_planes) {
+  for (const auto& [text, planes] : min_planes) {
     const CloudSource source = dataSet (text).clouds.at (0);
     const EvaluationCloud cloud = source.load(), again = source.load();
     ASSERT_TRUE (cloud.truth) << text;

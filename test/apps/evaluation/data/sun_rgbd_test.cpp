@@ -66,7 +66,7 @@ write (const fs::path& file, const std::string& text)
 /** Two pixels, 0x0010 and 0x0018: 2 mm and 3 mm as SUN RGB-D stores them. */
 const std::string two_pixels = png (2, 1, 16, std::string ("\0\0\x10\0\x18", 5));
 
-/** A data set of one frame: focal length 1 pixel, centre (0, 0), camera level. */
+/** A data set of one frame: focal length 1 pixel, center (0, 0), camera level. */
 class SunRgbdTest : public testing::Test {
 protected:
   TemporaryFolder folder;

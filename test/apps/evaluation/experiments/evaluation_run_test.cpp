@@ -32,15 +32,15 @@ rowOfPoints (const std::string& name)
           }};
 }
 
-/** Gives the first \p labelled of ten points a label; counts its calls. */
+/** Gives the first \p labeled of ten points a label; counts its calls. */
 Configuration
-labelling (const std::string& name, std::size_t labelled, std::atomic<int>& calls)
+labeling (const std::string& name, std::size_t labeled, std::atomic<int>& calls)
 {
   return {name, {}, [=, &calls] (const auto& cloud, const auto&, std::uint32_t) {
             ++calls;
             DetectorRun run;
             run.labels.assign (cloud->size(), 0);
-            std::fill_n (run.labels.begin(), labelled, 1);
+            std::fill_n (run.labels.begin(), labeled, 1);
             run.planes_before_merging = 7;
             run.durations.detection = 1500.0;
             return run;
@@ -59,8 +59,8 @@ protected:
   {
     plan.truth.min_points = 1;
     plan.data_sets = {{"rows", {rowOfPoints ("a"), rowOfPoints ("b, \"c\"")}}};
-    plan.configurations = {labelling ("all-right", 10, calls),
-                           labelling ("half-right", 5, calls)};
+    plan.configurations = {labeling ("all-right", 10, calls),
+                           labeling ("half-right", 5, calls)};
   }
 
   EvaluationSummary
@@ -124,7 +124,7 @@ TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)
 TEST_F (EvaluationRunTest, AddsConfigurationsToEarlierOnes)
 {
   run();
-  plan.configurations.push_back (labelling ("new", 3, calls));
+  plan.configurations.push_back (labeling ("new", 3, calls));
   EXPECT_EQ (run().new_rows, 2u);
   EXPECT_EQ (rows().size(), 6u);
 }
@@ -186,8 +186,8 @@ TEST_F (EvaluationRunTest, AFullDiskLeavesTheRowsThatHadRoom)
 
 TEST_F (EvaluationRunTest, TablesHaveTheMeansOverClouds)
 {
-  plan.configurations = {labelling ("unknown", 10, calls),
-                         labelling ("ops-3-30", 5, calls)};
+  plan.configurations = {labeling ("unknown", 10, calls),
+                         labeling ("ops-3-30", 5, calls)};
   run();
   const std::vector<TextTable> tables = metricsTables (rows());
   ASSERT_EQ (tables.size(), 1u);

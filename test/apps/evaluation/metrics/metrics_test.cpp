@@ -25,7 +25,7 @@ floorAndWall ()
   return cloud;
 }
 
-/** {{10, 1}, {10, 2}}: ten points labelled 1, then ten labelled 2. */
+/** {{10, 1}, {10, 2}}: ten points labeled 1, then ten labeled 2. */
 PlaneLabels
 runs (std::initializer_list<std::pair<std::size_t, std::uint32_t>> counts)
 {

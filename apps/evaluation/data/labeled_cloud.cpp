@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "labelled_cloud.h"
+#include "labeled_cloud.h"
 
 #include <pcl/common/common.h>
 #include <pcl/common/io.h>
@@ -22,7 +22,7 @@ namespace pcl_ops::evaluation {
 namespace {
 
 /** Share of the cloud's diagonal by which rounding in a text file may move a point. */
-constexpr double largest_rounding = 1e-3;
+constexpr double max_rounding = 1e-3;
 
 template <typename Number>
 double
@@ -93,34 +93,34 @@ diagonalOf (const XyzCloud& cloud)
   return (highest.getVector3fMap() - lowest.getVector3fMap()).cast<double>().norm();
 }
 
-LabelledCloud
-readLabelledCloud (const std::string& file, LabelField field)
+LabeledCloud
+readLabeledCloud (const std::string& file, LabelField field)
 {
   const apps::FileCloud cloud = apps::loadCloud (file);
-  LabelledCloud labelled;
+  LabeledCloud labeled;
   if (field == LabelField::Required || apps::hasField (cloud, "label"))
-    labelled.labels = labelsIn (cloud.points, file);
+    labeled.labels = labelsIn (cloud.points, file);
   const apps::ShiftedCloud shifted = apps::shiftedCloudOf (cloud);
   const std::string damage = apps::damageOf (shifted);
   if (!damage.empty())
     apps::warn (file + ": " + damage);
-  labelled.cloud = shifted.cloud;
-  labelled.shift = shifted.shift;
-  return labelled;
+  labeled.cloud = shifted.cloud;
+  labeled.shift = shifted.shift;
+  return labeled;
 }
 
 } // namespace
 
-LabelledCloud
-loadLabelledCloud (const std::string& file, LabelField field)
+LabeledCloud
+loadLabeledCloud (const std::string& file, LabelField field)
 {
   return apps::inMemory (
-      file, "give a smaller cloud", [&] { return readLabelledCloud (file, field); });
+      file, "give a smaller cloud", [&] { return readLabeledCloud (file, field); });
 }
 
 void
-requireSamePoints (const LabelledCloud& truth,
-                   const LabelledCloud& result,
+requireSamePoints (const LabeledCloud& truth,
+                   const LabeledCloud& result,
                    const std::string& result_file)
 {
   if (truth.cloud->size() != result.cloud->size())
@@ -128,9 +128,9 @@ requireSamePoints (const LabelledCloud& truth,
                            "has " + std::to_string (result.cloud->size()) +
                                " points, the truth " +
                                std::to_string (truth.cloud->size()) +
-                               "; give two labellings of the same cloud");
+                               "; give two labelings of the same cloud");
   const Eigen::Vector3d shift = result.shift - truth.shift;
-  const double tolerance = largest_rounding * diagonalOf (*truth.cloud);
+  const double tolerance = max_rounding * diagonalOf (*truth.cloud);
   for (std::size_t i = 0; i < truth.cloud->size(); ++i) {
     const pcl::PointXYZ &expected = (*truth.cloud)[i], &found = (*result.cloud)[i];
     const Eigen::Vector3d offset =
@@ -140,7 +140,7 @@ requireSamePoints (const LabelledCloud& truth,
       throw apps::WorkError (result_file,
                              "point " + std::to_string (i) +
                                  " lies elsewhere than in the truth; give two "
-                                 "labellings of the same cloud");
+                                 "labelings of the same cloud");
   }
 }
 
