@@ -11,6 +11,7 @@
 #include <benchmark/peak_memory.h>
 #include <benchmark/scaling.h>
 #include <simulation/dense_scan.h>
+#include <simulation/room.h>
 
 #include <cctype>
 #include <cmath>
