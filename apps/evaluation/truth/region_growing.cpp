@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "region_growing.h"
 
-#include <pcl/common/point_tests.h>
 #include <pcl/search/kdtree.h>
 
 #include <pcl_ops/plane.h>
@@ -20,10 +19,9 @@ namespace {
 constexpr double refit_growth = 1.3;
 constexpr double points_of_first_fit = 10.0;
 
-/** The finite points of a cloud with what their neighborhoods tell. */
+/** The points of a cloud with what their neighborhoods tell. */
 struct Surfels {
   XyzCloud::Ptr cloud;
-  pcl::Indices index;
   std::size_t neighbors_per_point = 0;
   /** \ref neighbors_per_point of each point in turn. */
   pcl::Indices neighbors;
@@ -65,10 +63,7 @@ Surfels
 surfelsOf (const XyzCloud& cloud, int neighbors)
 {
   Surfels surfels;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    if (pcl::isXYZFinite (cloud[i]))
-      surfels.index.push_back (static_cast<pcl::index_t> (i));
-  surfels.cloud.reset (new XyzCloud (cloud, surfels.index));
+  surfels.cloud = cloud.makeShared();
   surfels.neighbors_per_point =
       std::min (surfels.size(), static_cast<std::size_t> (std::max (1, neighbors)));
   surfels.normal.resize (surfels.size(), Eigen::Vector3f::Zero());
@@ -161,11 +156,7 @@ growRegions (const XyzCloud& cloud, const RegionGrowingParameters& parameters)
       growFrom (seed, ++regions, surfels, parameters, labels);
   dropSmallPlanes (labels, parameters.min_points);
   sortBySize (labels);
-
-  PlaneLabels labels_of_cloud (cloud.size(), 0);
-  for (std::size_t i = 0; i < surfels.size(); ++i)
-    labels_of_cloud[static_cast<std::size_t> (surfels.index[i])] = labels[i];
-  return labels_of_cloud;
+  return labels;
 }
 
 } // namespace pcl_ops::evaluation

@@ -21,7 +21,7 @@ struct RegionGrowingParameters {
 
 /** \brief Planes by region growing from the flattest points on: a neighbor of a point
  * joins its region if it is near the region's plane and both normals agree.
- * \param[in] cloud points without finite coordinates are on no plane
+ * \param[in] cloud finite points
  * \param[in] parameters thresholds and neighborhood
  * \return labels 1 .. P by falling size */
 PlaneLabels

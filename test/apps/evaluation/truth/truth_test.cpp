@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 
 namespace {
 
@@ -65,11 +64,8 @@ pointsWith (const PlaneLabels& labels, std::uint32_t label)
 
 TEST (RegionGrowing, SeparatesAFloorFromTheWallOnIt)
 {
-  XyzCloud cloud = squareFloorAndWall();
-  cloud[450].y = std::numeric_limits<float>::quiet_NaN(); // is on no plane
-  const PlaneLabels labels = growRegions (cloud, nineNeighbors());
+  const PlaneLabels labels = growRegions (squareFloorAndWall(), nineNeighbors());
   EXPECT_EQ (planeIds (labels).size(), 2u);
-  EXPECT_EQ (labels[450], 0u);
   EXPECT_EQ (labels[0], 1u);         // the larger one first
   EXPECT_EQ (labels[900 + 399], 2u); // the wall's upper corner
   EXPECT_GT (pointsWith (labels, 1), 800u);
