@@ -3,17 +3,12 @@
 #include "cloud_measures.h"
 
 #include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/search/kdtree.h>
 
-#include <evaluation/detectors/timed.h>
-#include <fspf/local_plane_sampling.h>
-#include <geometry/points.h>
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/oriented_point_sampling.h>
-#include <search/fixed_radius_search.h>
 
 #include <algorithm>
-#include <map>
-#include <numeric>
 
 namespace pcl_ops::benchmark {
 
@@ -37,29 +32,36 @@ copyMeasure (const XyzCloud::ConstPtr& cloud, std::size_t runs)
           }};
 }
 
-/** The centres of all spheres FSPF asks for. */
+/** A search that remembers which spheres it was asked for. */
+class RememberingTree : public pcl::search::KdTree<pcl::PointXYZ> {
+public:
+  int
+  radiusSearch (const pcl::PointXYZ& center,
+                double radius,
+                pcl::Indices& neighbors,
+                std::vector<float>& squared_distances,
+                unsigned most = 0) const override
+  {
+    centers.push_back (center);
+    return pcl::search::KdTree<pcl::PointXYZ>::radiusSearch (
+        center, radius, neighbors, squared_distances, most);
+  }
+
+  mutable std::vector<pcl::PointXYZ> centers;
+};
+
 std::vector<pcl::PointXYZ>
-sphereCentres (const XyzCloud& cloud,
+sphereCenters (const XyzCloud::ConstPtr& cloud,
                const FastSamplingPlaneFilteringParameters& parameters)
 {
-  pcl::Indices all (cloud.size());
-  std::iota (all.begin(), all.end(), 0);
-  using namespace internal;
-  const Points points = finitePoints (CloudView (cloud), all, 1);
-  const FixedRadiusSearch search (points, parameters.local.outer_radius, 1);
-  std::vector<pcl::PointXYZ> centres;
-  const auto find_sphere = [&] (std::uint32_t centre, Indices& sphere) {
-    const Eigen::Vector3f position =
-        (search.points()[centre] + points.origin).cast<float>();
-    centres.emplace_back (position.x(), position.y(), position.z());
-    return search.find (centre, sphere);
-  };
-  sampleLocalPlanes (search.points(),
-                     find_sphere,
-                     parameters.local,
-                     *parameters.distance_threshold,
-                     parameters.seed);
-  return centres;
+  const pcl::shared_ptr<RememberingTree> tree (new RememberingTree);
+  FastSamplingPlaneFiltering<pcl::PointXYZ> fspf;
+  fspf.setParameters (parameters);
+  fspf.setSearchMethod (tree);
+  fspf.setInputCloud (cloud);
+  std::vector<pcl::PointIndices> planes;
+  fspf.extract (planes);
+  return tree->centers;
 }
 
 /** The part of FSPF that a kd-tree would do. */
@@ -69,17 +71,17 @@ sphereSearchMeasure (const XyzCloud::ConstPtr& cloud,
 {
   auto fspf = FastSamplingPlaneFilteringParameters::paper();
   fspf.seed = parameters.seed;
-  const auto search_all = [cloud, centres = sphereCentres (*cloud, fspf), fspf] {
+  const auto search_all = [cloud, centers = sphereCenters (cloud, fspf), fspf] {
     StageDurations durations;
     const bool sorted = false;
     KdTree tree (sorted);
     timed (durations.search, [&] { tree.setInputCloud (cloud); });
     timed (durations.extraction, [&] {
-      pcl::Indices neighbours;
+      pcl::Indices neighbors;
       std::vector<float> squared_distances;
-      for (const pcl::PointXYZ& centre : centres)
+      for (const pcl::PointXYZ& center : centers)
         tree.radiusSearch (
-            centre, fspf.local.outer_radius, neighbours, squared_distances);
+            center, fspf.local.outer_radius, neighbors, squared_distances);
     });
     durations.detection = durations.search + durations.extraction;
     return durations;
@@ -97,23 +99,6 @@ twoThreadsMeasure (const XyzCloud::ConstPtr& cloud, const MeasureParameters& par
   return detectorMeasure<Ops> (default_on_two_threads, parameters.runs, ops, cloud);
 }
 
-/** About how long a foreign detector takes on a machine of the year 2026 [ms].
- */
-double
-expectedTime (const std::string& peer, std::size_t points)
-{
-  // In microseconds per point, as measured on some hundred thousand points.
-  static const std::map<std::string, double> time_per_point{
-      {sac_loop, 20.0},
-      {"pcl-region-growing", 7.0},
-      {efficient_ransac, 4.0},
-      {"cgal-region-growing", 25.0}};
-  const auto found = time_per_point.find (peer);
-  return found == time_per_point.end()
-             ? 0.0
-             : 1e-3 * found->second * static_cast<double> (points);
-}
-
 void
 addDetectors (const std::string& names,
               std::size_t runs,
@@ -124,12 +109,9 @@ addDetectors (const std::string& names,
   for (const evaluation::Configuration& detector :
        evaluation::selectConfigurations (names))
     measures.push_back (
-        {detector.name,
-         runs,
-         [detector, cloud, seed] {
+        {detector.name, runs, [detector, cloud, seed] {
            return detector.run (cloud, Eigen::Vector3d::UnitZ(), seed).durations;
-         },
-         expectedTime (detector.name, cloud->size())});
+         }});
 }
 
 } // namespace

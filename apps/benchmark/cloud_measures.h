@@ -3,6 +3,7 @@
 #pragma once
 
 #include "measure.h"
+#include <evaluation/detectors/detector_run.h>
 
 #include <cstdint>
 
@@ -32,6 +33,19 @@ struct MeasureParameters {
   std::size_t peer_runs = 1;
   std::uint32_t seed = 42;
 };
+
+/** \brief A detector of this project with all its parameters, threads too. */
+template <typename Detector>
+Measure
+detectorMeasure (const std::string& name,
+                 std::size_t runs,
+                 const typename Detector::Parameters& parameters,
+                 const evaluation::XyzCloud::ConstPtr& cloud)
+{
+  return {name, runs, [parameters, cloud] {
+            return evaluation::runDetector<Detector> (parameters, cloud).durations;
+          }};
+}
 
 /** \brief Building pcl::KdTreeFLANN. */
 Measure

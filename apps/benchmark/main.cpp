@@ -1,21 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "json_report.h"
-#include "options.h"
-#include "scaling_report.h"
-#include "time_table.h"
-#include "worst_cases.h"
+#include "report.h"
+#include "scaling.h"
+#include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/memory.h>
 #include <cli/program.h>
-#include <cli/progress.h>
-#include <evaluation/commands/data_options.h>
 #include <evaluation/data/data_sets.h>
 #include <io/output_file.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <iostream>
 #include <map>
+#include <thread>
 
 namespace {
 
@@ -23,18 +21,96 @@ using namespace pcl_ops;
 using namespace pcl_ops::benchmark;
 using evaluation::DataSet;
 
-/** Says on a terminal what is being done, and anywhere what takes minutes. */
+constexpr const char* program_name = "pcl_ops_benchmark";
+
+/** \brief What the command line says. */
+struct Options {
+  /** \brief As evaluation::dataSetOf takes them. */
+  std::string clouds;
+  std::string memory_cloud;
+  std::string json_file;
+  /** \brief Empty: nothing is measured for it. */
+  std::string scaling_folder;
+  std::string scaling_points = "30000,100000,300000,1000000,3000000,10000000";
+  MeasureParameters measures;
+};
+
+/** Simulated clouds are said as data sets; anything else is a path. */
+std::string
+dataSetText (const std::string& input)
+{
+  for (const char* kind : {"simulated:", "rooms:", "rooms-raw:"})
+    if (input.rfind (kind, 0) == 0)
+      return input;
+  return "clouds:" + input;
+}
+
+/** \return false if help or version was printed */
+bool
+readOptions (int argc, const char* const* argv, Options& options)
+{
+  apps::CommandLine line (
+      program_name,
+      "Measures how fast planes are found and how much memory that takes, against\n"
+      "pcl::KdTreeFLANN's construction and other plane detectors, in one process, and\n"
+      "prints it in Markdown.",
+      PCL_OPS_VERSION);
+  using apps::Range;
+  constexpr double max_runs = 1000, max_points = 1e8;
+  MeasureParameters& measures = options.measures;
+  std::string input;
+  std::size_t memory_points = 3'000'000;
+  bool no_peers = false;
+  line.addArgument (
+      "INPUT",
+      input,
+      "a .pcd, .ply, .las or text file, a folder of them, simulated:N,N,... (scans of "
+      "a whole room with N points) or rooms:FIRST-LAST (depth images by "
+      "seed)");
+  line.addText ("json", "FILE", options.json_file, "write every number as JSON");
+  line.addNumber ("runs",
+                  "N",
+                  Range::from (1).upTo (max_runs),
+                  measures.runs,
+                  "take the best of N; what has taken 20 s is not repeated (5)");
+  line.addNumber ("peer-runs",
+                  "N",
+                  Range::from (1).upTo (max_runs),
+                  measures.peer_runs,
+                  "of PCL's and CGAL's detectors, which take seconds (1)");
+  line.addFlag ("no-peers", no_peers, "leave these out");
+  line.addNumber ("seed", "S", Range::from (0), measures.seed, "of detectors (42)");
+  line.addNumber ("memory-points",
+                  "N",
+                  Range::from (1).upTo (max_points),
+                  memory_points,
+                  "size of the simulated scan peak memory is measured on (3000000)");
+  line.addText ("scaling",
+                "FOLDER",
+                options.scaling_folder,
+                "write times over points, threads, sampling rate and planes: "
+                "scaling.csv");
+  line.addText ("scaling-points",
+                "N,N,...",
+                options.scaling_points,
+                "sizes for that (" + options.scaling_points + ")");
+  if (!line.parse (argc, argv))
+    return false;
+  line.forbidTogether ("no-peers", "peer-runs");
+  if (no_peers)
+    measures.peer_runs = 0;
+  options.clouds = dataSetText (input);
+  options.memory_cloud = "simulated:" + std::to_string (memory_points);
+  return true;
+}
+
+/** Says on a terminal what is being done. */
 void
-notify (const std::string& what, double expected = 0.0)
+notify (const std::string& what)
 {
   constexpr const char* erase_line = "\r\033[K";
-  constexpr double minute = 60'000.0;
-  const bool is_terminal = isatty (STDERR_FILENO) == 1;
-  if (is_terminal)
+  if (isatty (STDERR_FILENO) == 1)
     std::cerr << erase_line << what << std::flush;
-  if (expected >= minute)
-    std::cerr << (is_terminal ? "" : what) << " takes about "
-              << apps::durationText (1e-3 * expected) << std::endl;
 }
 
 CloudFigures
@@ -42,46 +118,14 @@ figuresOf (const evaluation::CloudSource& source, const MeasureParameters& param
 {
   notify ("loading " + source.name);
   const evaluation::XyzCloud::ConstPtr cloud = source.load().cloud;
-  const std::vector<Measure> measures = measuresOf (cloud, parameters);
-  TimeTable table (std::cout, source.name, cloud->size(), measures);
-  const BestTimes times = measureInTurns (
-      measures,
-      [&] (const std::string& what, double expected) {
-        notify (source.name + ": " + what, expected);
-      },
-      [&] (const BestTime& time) {
-        notify ("");
-        table.add (time);
+  const BestTimes times =
+      measureInTurns (measuresOf (cloud, parameters), [&] (const std::string& what) {
+        notify (source.name + ": " + what);
       });
-  table.end();
-  return {source.name, cloud->size(), times, peakMemoryOn (cloud)};
-}
-
-/** The default preset's times by the number of points. */
-using TimesBySize = std::map<std::size_t, double>;
-
-double
-growthIn (const TimesBySize& times)
-{
-  const auto few = times.find (few_points), many = times.find (many_points);
-  if (few == times.end() || many == times.end())
-    return std::numeric_limits<double>::quiet_NaN();
-  return (many->second / many_points) / (few->second / few_points);
-}
-
-TimesBySize
-scale (const Options& options, const DataSet& clouds, const DataSet& growing)
-{
-  const std::vector<ScalingRow> rows = measureScaling (
-      clouds.clouds.front().load().cloud, growing.clouds, options.measures, notify);
-  if (!writeScaling (rows, options.scaling_folder))
-    std::cerr << program_name << ": " << options.scaling_folder
-              << ": no plots were drawn; install gnuplot and run it on the .gp files\n";
-  TimesBySize times;
-  for (const ScalingRow& row : rows)
-    if (row.series == over_points && row.time.name == default_preset)
-      times[row.points] = row.time.durations.detection;
-  return times;
+  const CloudFigures figures{source.name, cloud->size(), times, peakMemoryOn (cloud)};
+  notify ("");
+  printTimes (figures, std::cout);
+  return figures;
 }
 
 /** \param[out] left_out how many of several clouds could not be read */
@@ -106,14 +150,37 @@ figuresOfAll (const DataSet& clouds,
   return all;
 }
 
-PeakMemory
-peakMemoryOnScan (const std::string& scan)
+/** The default preset's times by the number of points. */
+using TimesBySize = std::map<std::size_t, double>;
+
+/** Writes scaling.csv. */
+TimesBySize
+scale (const Options& options, const DataSet& clouds, const DataSet& growing)
 {
-  notify ("memory");
-  return peakMemoryOn (evaluation::dataSetOf (scan, Eigen::Vector3d::UnitZ())
-                           .clouds.front()
-                           .load()
-                           .cloud);
+  const std::vector<ScalingRow> rows = measureScaling (
+      clouds.clouds.front().load().cloud, growing.clouds, options.measures, notify);
+  const auto file = std::filesystem::path (options.scaling_folder) / "scaling.csv";
+  apps::writeTextFile (file.string(), csvOf (rows));
+  TimesBySize times;
+  for (const ScalingRow& row : rows)
+    if (row.series == "points" && row.time.name == default_preset)
+      times[row.points] = row.time.durations.detection;
+  return times;
+}
+
+double
+growthIn (const TimesBySize& times)
+{
+  const auto few = times.find (few_points), many = times.find (many_points);
+  if (few == times.end() || many == times.end())
+    return std::numeric_limits<double>::quiet_NaN();
+  return (many->second / many_points) / (few->second / few_points);
+}
+
+DataSet
+dataSet (const std::string& text)
+{
+  return evaluation::dataSetOf (text, Eigen::Vector3d::UnitZ());
 }
 
 Benchmark
@@ -122,12 +189,13 @@ measure (const Options& options,
          const DataSet& growing,
          std::size_t& left_out)
 {
-  Benchmark benchmark{describeMachine(), options.measures, {}, {}};
+  Benchmark benchmark{options.measures, {}, {}};
   SharedFigures& shared = benchmark.shared;
-  notify ("plain arithmetic");
-  shared.arithmetic_speedup = arithmeticSpeedup (options.measures.runs);
+  shared.cores = std::thread::hardware_concurrency();
   benchmark.clouds = figuresOfAll (clouds, options.measures, left_out);
-  shared.peak = peakMemoryOnScan (options.memory_cloud);
+  notify ("memory");
+  shared.peak =
+      peakMemoryOn (dataSet (options.memory_cloud).clouds.front().load().cloud);
   TimesBySize times;
   for (const CloudFigures& figures : benchmark.clouds)
     times[figures.points] = bestOf (figures.times, default_preset);
@@ -139,13 +207,13 @@ measure (const Options& options,
 }
 
 DataSet
-growingScans (const std::string& option, const std::string& sizes)
+growingScans (const std::string& sizes)
 {
   try {
-    return evaluation::dataSetOf ("simulated:" + sizes, Eigen::Vector3d::UnitZ());
+    return dataSet ("simulated:" + sizes);
   }
   catch (const apps::UsageError&) {
-    throw apps::UsageError (option,
+    throw apps::UsageError ("--scaling-points",
                             sizes + " is no list of sizes; give some as 30000,300000");
   }
 }
@@ -156,17 +224,8 @@ run (int argc, const char* const* argv)
   Options options;
   if (!readOptions (argc, argv, options))
     return apps::ExitCode::done;
-  if (options.worst_cases) {
-    printWorstCases (
-        growingScans ("--worst-case-points", options.worst_case_points).clouds,
-        options.measures,
-        notify,
-        std::cout);
-    return apps::ExitCode::done;
-  }
-  const DataSet clouds =
-      evaluation::dataSetOf (options.clouds, Eigen::Vector3d::UnitZ());
-  const DataSet growing = growingScans ("--scaling-points", options.scaling_points);
+  const DataSet clouds = dataSet (options.clouds);
+  const DataSet growing = growingScans (options.scaling_points);
   if (!options.json_file.empty())
     apps::checkWritable (options.json_file);
   if (!options.scaling_folder.empty())

@@ -3,6 +3,7 @@
 #include "peak_memory.h"
 
 #include "cloud_measures.h"
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
+#include <new>
 
 namespace pcl_ops::benchmark {
 
@@ -20,7 +22,7 @@ namespace {
 
 using evaluation::XyzCloud;
 
-/** A line of /proc/self/status in bytes; NaN if there is none. */
+/** A line of /proc/self/status [byte]; NaN if there is none. */
 double
 statusBytes (const std::string& name)
 {
@@ -32,19 +34,13 @@ statusBytes (const std::string& name)
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/** Freed memory that the process keeps would hide what is allocated next. */
-void
-giveBackFreedMemory ()
-{
-#ifdef __GLIBC__
-  malloc_trim (0);
-#endif
-}
-
+/** By how much the resident memory grows at its peak while something is done [byte]. */
 double
 growthOf (const std::function<void()>& work)
 {
-  giveBackFreedMemory();
+#ifdef __GLIBC__
+  malloc_trim (0); // freed memory that is kept would hide what is allocated next
+#endif
   // "5" sets the peak back to what is resident now (proc(5)).
   std::ofstream ("/proc/self/clear_refs") << "5";
   const double before = statusBytes ("VmRSS");
@@ -56,29 +52,30 @@ growthOf (const std::function<void()>& work)
 double
 inChildProcess (const std::function<double()>& compute)
 {
-  double result = std::numeric_limits<double>::quiet_NaN();
-  int ends[2];
-  if (pipe (ends) != 0)
-    return result;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  void* const shared = mmap (nullptr,
+                             sizeof (double),
+                             PROT_READ | PROT_WRITE,
+                             MAP_SHARED | MAP_ANONYMOUS,
+                             -1,
+                             0);
+  if (shared == MAP_FAILED)
+    return none;
+  auto* const result = new (shared) double (none);
   const pid_t child = fork();
   if (child == 0) {
     try {
-      const double number = compute();
-      _exit (write (ends[1], &number, sizeof (number)) == sizeof (number) ? 0 : 1);
+      *result = compute();
     }
-    catch (...) {
-      _exit (1);
+    catch (...) { // the number stays NaN
     }
+    _exit (0);
   }
-  close (ends[1]);
-  if (child > 0) {
-    double number = 0.0;
-    if (read (ends[0], &number, sizeof (number)) == sizeof (number))
-      result = number;
+  if (child > 0)
     waitpid (child, nullptr, 0);
-  }
-  close (ends[0]);
-  return result;
+  const double number = *result;
+  munmap (shared, sizeof (double));
+  return number;
 }
 
 } // namespace
@@ -93,19 +90,15 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud,
   const std::size_t stride = std::max<std::size_t> (1, cloud->size() / small);
   for (std::size_t i = 0; i < cloud->size(); i += stride)
     few->push_back ((*cloud)[i]);
-
-  PeakMemory peak;
-  peak.points = cloud->size();
-  peak.cloud_bytes = static_cast<double> (cloud->size() * sizeof (pcl::PointXYZ));
-  giveBackFreedMemory();
   const auto detect = [&] (const XyzCloud::ConstPtr& any) {
     detector.run (any, Eigen::Vector3d::UnitZ(), MeasureParameters().seed);
   };
-  peak.extra_bytes = inChildProcess ([&] {
-    detect (few);
-    return growthOf ([&] { detect (cloud); });
-  });
-  return peak;
+  return {cloud->size(),
+          static_cast<double> (cloud->size() * sizeof (pcl::PointXYZ)),
+          inChildProcess ([&] {
+            detect (few);
+            return growthOf ([&] { detect (cloud); });
+          })};
 }
 
 PeakMemory

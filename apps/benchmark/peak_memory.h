@@ -15,13 +15,6 @@ struct PeakMemory {
   /** \brief What the detection needs on top of the cloud; NaN where the system does not
    * tell. */
   double extra_bytes = std::numeric_limits<double>::quiet_NaN();
-
-  /** \brief Cloud and detection together over the cloud alone. */
-  double
-  overCloud () const
-  {
-    return (cloud_bytes + extra_bytes) / cloud_bytes;
-  }
 };
 
 /** \brief Runs a detector on one thread in a child process and takes by how much its

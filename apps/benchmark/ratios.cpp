@@ -2,82 +2,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ratios.h"
 
-#include "machine.h"
 #include <numbers/quantile.h>
 
 #include <cmath>
 
 namespace pcl_ops::benchmark {
 
-namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-double
-ratio (const CloudFigures& figures, const char* numerator, const char* denominator)
-{
-  return bestOf (figures.times, numerator) / bestOf (figures.times, denominator);
-}
-
-double
-threadSpeedup (const CloudFigures& figures, const SharedFigures& shared)
-{
-  return shared.arithmetic_speedup >= speedup_of_two_cores
-             ? ratio (figures, default_preset, default_on_two_threads)
-             : nan;
-}
-
-double
-microsecondsPerPoint (const CloudFigures& figures, const char* detector)
-{
-  constexpr double microseconds_per_millisecond = 1000.0;
-  return microseconds_per_millisecond * bestOf (figures.times, detector) /
-         static_cast<double> (figures.points);
-}
-
-} // namespace
-
 std::vector<Ratio>
 ratiosOf (const CloudFigures& figures, const SharedFigures& shared)
 {
-  const auto over = [&] (const char* numerator, const char* denominator) {
-    return ratio (figures, numerator, denominator);
-  };
+  constexpr double microseconds_per_millisecond = 1000.0;
+  const auto time = [&] (const char* name) { return bestOf (figures.times, name); };
+  const double default_time = time (default_preset);
+  const double two_threads = shared.cores > 1
+                                 ? default_time / time (default_on_two_threads)
+                                 : std::numeric_limits<double>::quiet_NaN();
+  const double over_cloud =
+      (shared.peak.cloud_bytes + shared.peak.extra_bytes) / shared.peak.cloud_bytes;
   return {
       {"default_over_kdtree",
        "default preset over KdTreeFLANN's construction",
        "",
-       over (default_preset, kdtree_construction)},
+       default_time / time (kdtree_construction)},
       {"sac_loop_over_default",
        "SACSegmentation loop over default preset",
        "",
-       over (sac_loop, default_preset)},
+       time (sac_loop) / default_time},
       {"efficient_ransac_over_default",
        "CGAL Efficient RANSAC with its normals over default preset",
        "",
-       over (efficient_ransac, default_preset)},
+       time (efficient_ransac) / default_time},
       {"sparse_over_dense_paper",
        "paper preset at 0.3 % / 10 NN over 3 % / 30 NN",
        "",
-       over (sparse_paper_preset, paper_preset)},
+       time (sparse_paper_preset) / time (paper_preset)},
       {"growth", "time per point at 10 M points over that at 300 k", "", shared.growth},
-      {"two_threads",
-       "speed-up of default preset by two threads",
-       "",
-       threadSpeedup (figures, shared)},
+      {"two_threads", "speed-up of default preset by two threads", "", two_threads},
       {"peak_memory",
        "peak memory over the cloud's own size, " + std::to_string (shared.peak.points) +
            " points",
        "",
-       shared.peak.overCloud()},
+       over_cloud},
       {"hough_time_per_point",
        "3D-KHT, per point",
        "us",
-       microsecondsPerPoint (figures, hough_preset)},
+       microseconds_per_millisecond * time (hough_preset) /
+           static_cast<double> (figures.points)},
       {"fspf_over_kdtree",
        "FSPF 0.07/0.14 over KdTreeFLANN's construction and radius searches",
        "",
-       over (sphere_preset, kdtree_with_searches)}};
+       time (sphere_preset) / time (kdtree_with_searches)}};
 }
 
 std::vector<Ratio>

@@ -17,8 +17,8 @@ struct CloudFigures {
 
 /** \brief What was measured once. */
 struct SharedFigures {
-  /** \brief See \ref arithmeticSpeedup. */
-  double arithmetic_speedup = std::numeric_limits<double>::quiet_NaN();
+  /** \brief Threads that may run at a time, by what the system says. */
+  unsigned cores = 0;
   /** \brief On a large simulated scan. */
   PeakMemory peak;
   /** \brief Time per point at \ref many_points over that at \ref few_points. */
@@ -39,8 +39,8 @@ struct Ratio {
   double value = std::numeric_limits<double>::quiet_NaN();
 };
 
-/** \brief Every ratio on a cloud. Where two real cores were not to be had, the
- * speed-up by two threads counts as not measured. */
+/** \brief Every ratio on a cloud. Where there is one core, the speed-up by two threads
+ * counts as not measured. */
 std::vector<Ratio>
 ratiosOf (const CloudFigures& figures, const SharedFigures& shared);
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "machine.h"
 #include "ratios.h"
 
 #include <iosfwd>
@@ -11,15 +10,22 @@ namespace pcl_ops::benchmark {
 
 /** \brief Everything that was measured. */
 struct Benchmark {
-  Machine machine;
   MeasureParameters parameters;
   std::vector<CloudFigures> clouds;
   SharedFigures shared;
 };
 
+/** \brief Prints Markdown: the times on a cloud. */
+void
+printTimes (const CloudFigures& figures, std::ostream& stream);
+
 /** \brief Prints Markdown: for each cloud a table of ratios, their medians
  * where there are several clouds, and how all this was measured. */
 void
 printReport (const Benchmark& benchmark, std::ostream& stream);
+
+/** \brief The JSON of a report, every number; null for what was not measured. */
+std::string
+jsonOf (const Benchmark& benchmark);
 
 } // namespace pcl_ops::benchmark

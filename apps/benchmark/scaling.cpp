@@ -4,13 +4,15 @@
 
 #include <pcl/common/io.h>
 
-#include "boards.h"
-#include "machine.h"
+#include <detection/stages.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <simulation/dense_scan.h>
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <thread>
 
 namespace pcl_ops::benchmark {
 
@@ -20,74 +22,37 @@ using evaluation::XyzCloud;
 using Ops = OrientedPointSampling<pcl::PointXYZ>;
 using Kht = KernelHoughTransform<pcl::PointXYZ>;
 
+/** What the default and the paper preset have beside their own parameters. */
+struct Setting {
+  unsigned threads = 1;
+  std::optional<double> sampling_rate = std::nullopt;
+};
+
 class Scaling {
 public:
   Scaling (const MeasureParameters& parameters, const Notify& notify)
-  : runs_ (parameters.runs), notify_ (notify)
-  {
-    default_.seed = paper_.seed = parameters.seed;
-  }
+  : parameters_ (parameters), notify_ (notify)
+  {}
 
-  void
-  overThreads (const XyzCloud::ConstPtr& cloud, unsigned most)
-  {
-    for (unsigned threads = 1; threads <= most; ++threads) {
-      default_.threads = paper_.threads = threads;
-      add (over_threads, threads, cloud, presetsOn (cloud));
-    }
-    default_.threads = paper_.threads = 1;
-  }
-
-  void
-  overSamplingRate (const XyzCloud::ConstPtr& cloud)
-  {
-    constexpr double per_cent = 100.0;
-    const double usual = default_.sampling_rate;
-    for (const double rate : {0.003, 0.005, 0.01, 0.03, 0.05, 0.1}) {
-      default_.sampling_rate = paper_.sampling_rate = rate;
-      add (over_sampling_rate, per_cent * rate, cloud, presetsOn (cloud));
-    }
-    default_.sampling_rate = paper_.sampling_rate = usual;
-  }
-
-  void
-  overPoints (const std::vector<evaluation::CloudSource>& growing)
-  {
-    for (const evaluation::CloudSource& source : growing) {
-      notify_ ("simulating " + source.name, 0.0);
-      const XyzCloud::ConstPtr cloud = source.load().cloud;
-      add (over_points, static_cast<double> (cloud->size()), cloud, allOn (cloud));
-    }
-  }
-
-  void
-  overPlanes (std::size_t points)
-  {
-    for (const unsigned planes : {1u, 3u, 10u, 30u, 100u, 300u}) {
-      const auto scan =
-          simulation::scanDensely (makeBoards (planes), points, 1.0, default_.seed);
-      const XyzCloud::Ptr cloud (new XyzCloud);
-      pcl::copyPointCloud (scan.cloud, *cloud);
-      add (over_planes, planes, cloud, allOn (cloud));
-    }
-  }
-
-  std::vector<ScalingRow> rows;
-
-private:
   std::vector<Measure>
-  presetsOn (const XyzCloud::ConstPtr& cloud) const
+  presetsOn (const XyzCloud::ConstPtr& cloud, const Setting& setting = {}) const
   {
-    return {detectorMeasure<Ops> ("ops", runs_, default_, cloud),
-            detectorMeasure<Ops> ("ops paper", runs_, paper_, cloud)};
+    const auto measure = [&] (const char* name, Ops::Parameters parameters) {
+      parameters.seed = parameters_.seed;
+      parameters.threads = setting.threads;
+      parameters.sampling_rate =
+          setting.sampling_rate.value_or (parameters.sampling_rate);
+      return detectorMeasure<Ops> (name, parameters_.runs, parameters, cloud);
+    };
+    return {measure ("ops", {}), measure ("ops paper", Ops::Parameters::paper())};
   }
 
   std::vector<Measure>
   allOn (const XyzCloud::ConstPtr& cloud) const
   {
     std::vector<Measure> measures = presetsOn (cloud);
-    measures.push_back (detectorMeasure<Kht> ("kht", runs_, {}, cloud));
-    measures.push_back (kdTreeMeasure (cloud, runs_));
+    measures.push_back (detectorMeasure<Kht> ("kht", parameters_.runs, {}, cloud));
+    measures.push_back (kdTreeMeasure (cloud, parameters_.runs));
     return measures;
   }
 
@@ -97,18 +62,41 @@ private:
        const XyzCloud::ConstPtr& cloud,
        const std::vector<Measure>& measures)
   {
-    measureInTurns (measures, notify_, [&] (const BestTime& time) {
+    for (const BestTime& time : measureInTurns (measures, notify_))
       rows.push_back ({series, x, cloud->size(), time});
-    });
   }
 
-  std::size_t runs_;
+  std::vector<ScalingRow> rows;
+
+private:
+  const MeasureParameters& parameters_;
   const Notify& notify_;
-  OrientedPointSamplingParameters default_;
-  OrientedPointSamplingParameters paper_ = OrientedPointSamplingParameters::paper();
 };
 
 } // namespace
+
+simulation::Scene
+makeBoards (unsigned number)
+{
+  constexpr double spacing = 2.0; // [m]; a board is 1 m wide
+  // No two of its multiples are near each other on the circle [rad].
+  constexpr double golden_angle = 2.399963229728653;
+  constexpr double steepest = 0.5; // [rad]
+  const auto columns =
+      static_cast<unsigned> (std::ceil (std::sqrt (static_cast<double> (number))));
+  simulation::Scene scene;
+  for (unsigned i = 0; i < number; ++i) {
+    simulation::Body board;
+    simulation::addSurface (board, {});
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translate (Eigen::Vector3d (
+        spacing * (i % columns), spacing * std::floor (i / columns), 0.0));
+    pose.rotate (Eigen::AngleAxisd (golden_angle * i, Eigen::Vector3d::UnitZ()));
+    pose.rotate (Eigen::AngleAxisd (steepest * i / number, Eigen::Vector3d::UnitX()));
+    simulation::addBody (scene, board, pose);
+  }
+  return scene;
+}
 
 std::vector<ScalingRow>
 measureScaling (const XyzCloud::ConstPtr& cloud,
@@ -116,12 +104,46 @@ measureScaling (const XyzCloud::ConstPtr& cloud,
                 const MeasureParameters& parameters,
                 const Notify& notify)
 {
+  constexpr double per_cent = 100.0;
   Scaling scaling (parameters, notify);
-  scaling.overThreads (cloud, std::max (2u, describeMachine().cores));
-  scaling.overSamplingRate (cloud);
-  scaling.overPlanes (cloud->size());
-  scaling.overPoints (growing);
+  const unsigned most = std::max (2u, std::thread::hardware_concurrency());
+  for (unsigned threads = 1; threads <= most; ++threads)
+    scaling.add ("threads", threads, cloud, scaling.presetsOn (cloud, {threads, {}}));
+  for (const double rate : {0.003, 0.005, 0.01, 0.03, 0.05, 0.1})
+    scaling.add (
+        "sampling_rate", per_cent * rate, cloud, scaling.presetsOn (cloud, {1, rate}));
+  for (const unsigned planes : {1u, 3u, 10u, 30u, 100u, 300u}) {
+    const auto scan = simulation::scanDensely (
+        makeBoards (planes), cloud->size(), 1.0, parameters.seed);
+    const XyzCloud::Ptr boards (new XyzCloud);
+    pcl::copyPointCloud (scan.cloud, *boards);
+    scaling.add ("planes", planes, boards, scaling.allOn (boards));
+  }
+  for (const evaluation::CloudSource& source : growing) {
+    notify ("simulating " + source.name);
+    const XyzCloud::ConstPtr scan = source.load().cloud;
+    const auto points = static_cast<double> (scan->size());
+    scaling.add ("points", points, scan, scaling.allOn (scan));
+  }
   return scaling.rows;
+}
+
+std::string
+csvOf (const std::vector<ScalingRow>& rows)
+{
+  std::ostringstream csv;
+  csv << "series,x,points,measure,runs";
+  for (const auto& stage : apps::detection_stages)
+    csv << ',' << stage.first << "_ms";
+  csv << '\n';
+  for (const ScalingRow& row : rows) {
+    csv << row.series << ',' << row.x << ',' << row.points << ',' << row.time.name
+        << ',' << row.time.runs;
+    for (const auto& [stage, duration] : apps::detection_stages)
+      csv << ',' << row.time.durations.*duration;
+    csv << '\n';
+  }
+  return csv.str();
 }
 
 } // namespace pcl_ops::benchmark

@@ -3,7 +3,8 @@
 #pragma once
 
 #include "cloud_measures.h"
-#include <evaluation/data/cloud_source.h>
+#include <evaluation/data/data_sets.h>
+#include <simulation/scene.h>
 
 namespace pcl_ops::benchmark {
 
@@ -16,12 +17,10 @@ struct ScalingRow {
   BestTime time;
 };
 
-/** \brief Names of the series. @{ */
-constexpr const char* over_points = "points";
-constexpr const char* over_threads = "threads";
-constexpr const char* over_sampling_rate = "sampling_rate";
-constexpr const char* over_planes = "planes";
-/** @} */
+/** \brief A scene with a known number of planes: square boards, each turned another
+ * way, too far apart for two to be taken for one. */
+simulation::Scene
+makeBoards (unsigned number);
 
 /** \brief OPS, default and paper preset, where one thing grows at a time; over points
  * and planes 3D-KHT and the construction of KdTreeFLANN too.
@@ -33,5 +32,9 @@ measureScaling (const evaluation::XyzCloud::ConstPtr& cloud,
                 const std::vector<evaluation::CloudSource>& growing,
                 const MeasureParameters& parameters,
                 const Notify& notify);
+
+/** \brief The CSV of these rows. */
+std::string
+csvOf (const std::vector<ScalingRow>& rows);
 
 } // namespace pcl_ops::benchmark

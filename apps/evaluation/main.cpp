@@ -2,18 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cli/errors.h>
 #include <cli/program.h>
-#include <evaluation/commands/compare_command.h>
-#include <evaluation/commands/detectors_command.h>
-#include <evaluation/commands/edges_command.h>
-#include <evaluation/commands/pictures_command.h>
-#include <evaluation/commands/planes_command.h>
-#include <evaluation/commands/report_command.h>
-#include <evaluation/commands/run_command.h>
-#include <evaluation/commands/track_command.h>
-#include <evaluation/commands/truth_command.h>
-#include <evaluation/commands/up_command.h>
+#include <evaluation/commands/commands.h>
 
-#include <functional>
 #include <iostream>
 #include <map>
 
@@ -28,15 +18,12 @@ constexpr const char* help =
     "Compares plane detectors as the paper of OPS does (Sun & Mordohai, ICRA 2019).\n"
     "\n"
     "Commands:\n"
-    "  compare TRUTH RESULT         every metric for two labelled clouds\n"
+    "  compare TRUTH RESULT         every metric for two labeled clouds\n"
     "  planes A B                   which planes of two results are one, how far "
     "apart\n"
     "  track TRUTH RESULT           how many planes keep their number in a sequence\n"
     "  run OUTPUT DATASET...        detectors over data sets\n"
-    "  report OUTPUT                tables and plots of a run's results\n"
-    "  pictures OUTPUT DATASET...   what they find, as pictures\n"
-    "  truth DATASET...             how good a truth region growing makes\n"
-    "  up DATASET...                how well the up axis is found\n"
+    "  report OUTPUT                the table of a run's results\n"
     "  edges DATASET...             how well it is found where planes meet\n"
     "  detectors                    the detectors a run can have\n"
     "\n"
@@ -47,16 +34,12 @@ constexpr const char* help =
 int
 dispatch (int argc, const char* const* argv)
 {
-  using Command = std::function<int (int, const char* const*)>;
-  const std::map<std::string, Command> commands{
+  const std::map<std::string, evaluation::Command*> commands{
       {"compare", evaluation::compareCommand},
       {"planes", evaluation::planesCommand},
       {"track", evaluation::trackCommand},
       {"run", evaluation::runCommand},
       {"report", evaluation::reportCommand},
-      {"pictures", evaluation::picturesCommand},
-      {"truth", evaluation::truthCommand},
-      {"up", evaluation::upCommand},
       {"edges", evaluation::edgesCommand},
       {"detectors", evaluation::detectorsCommand},
   };

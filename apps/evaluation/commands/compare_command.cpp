@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare_command.h"
-
+#include "commands.h"
 #include <cli/command_line.h>
 #include <cli/program.h>
-#include <evaluation/data/labelled_cloud.h>
+#include <evaluation/data/labeled_cloud.h>
 #include <evaluation/metrics/metrics.h>
 #include <nlohmann/json.hpp>
 
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 
 namespace pcl_ops::evaluation {
 
@@ -27,7 +27,7 @@ bool
 readOptions (int argc, const char* const* argv, CompareOptions& options)
 {
   apps::CommandLine line ("pcl_ops_evaluate compare",
-                          "Compares the planes of two labelled clouds of the same "
+                          "Compares the planes of two labeled clouds of the same "
                           "points (field label, 0: no plane).",
                           PCL_OPS_VERSION);
   line.addArgument (
@@ -44,19 +44,20 @@ readOptions (int argc, const char* const* argv, CompareOptions& options)
   return line.parse (argc, argv);
 }
 
+/** \tparam Size a whole number of points, or a width */
 template <typename Size>
 nlohmann::ordered_json
-jsonOf (const std::vector<SizeClass<Size>>& classes, const char* from)
+jsonOf (const SizeClasses& classes, const char* from)
 {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const SizeClass<Size>& size : classes) {
-    nlohmann::ordered_json entry{{from, size.from},
+  for (const SizeClass& size : classes) {
+    nlohmann::ordered_json entry{{from, static_cast<Size> (size.from)},
                                  {"below", nullptr},
                                  {"planes", size.planes},
                                  {"found", size.found_50},
                                  {"found_75", size.found_75}};
     if (size.below)
-      entry["below"] = *size.below;
+      entry["below"] = static_cast<Size> (*size.below);
     json.push_back (entry);
   }
   return json;
@@ -71,34 +72,36 @@ printJson (const Metrics& metrics)
   for (const auto& [name, value] : namedMetrics (metrics))
     json[name] = value;
   json[off_planes_name] = metrics.points_off_planes_called_planes;
-  json["by_size"] = jsonOf (metrics.by_size, "fewest_points");
-  json["by_width"] = jsonOf (metrics.by_width, "narrowest");
+  json["by_size"] = jsonOf<std::size_t> (metrics.by_size, "fewest_points");
+  json["by_width"] = jsonOf<double> (metrics.by_width, "narrowest");
   std::cout << json.dump (2) << '\n';
 }
 
 void
-printRow (const char* name, double at_50, double at_75)
-{
-  std::cout << "  " << std::left << std::setw (20) << name << std::right
-            << std::setw (8) << at_50 << std::setw (8) << at_75 << '\n';
-}
-
-template <typename Size>
-void
-printClasses (const char* title, const std::vector<SizeClass<Size>>& classes)
+printClasses (const char* title, const SizeClasses& classes)
 {
   std::cout << std::left << std::setw (25) << title
             << " number  found at 0.50    0.75\n";
-  for (const SizeClass<Size>& size : classes)
-    std::cout << "  " << std::left << std::setw (20) << rangeName (size) << std::right
+  for (const SizeClass& size : classes)
+    std::cout << "  " << std::left << std::setw (20) << size.name() << std::right
               << std::setw (10) << size.planes << std::setw (15) << size.found_50
               << std::setw (8) << size.found_75 << '\n';
 }
 
+/** Of the metrics at 0.50 and 0.75, in the order of \ref instance_metrics. */
+constexpr const char* titles[] = {"precision",
+                                  "recall",
+                                  "F-score",
+                                  "mean IoU of matched",
+                                  "panoptic quality",
+                                  "over-segmentation",
+                                  "under-segmentation",
+                                  "noise",
+                                  "missed"};
+
 void
 printTable (const Metrics& metrics)
 {
-  const InstanceMetrics &at_50 = metrics.at_50, &at_75 = metrics.at_75;
   std::cout << metrics.points << " points, " << metrics.truth_planes << " true planes, "
             << metrics.result_planes << " found\n"
             << std::fixed << std::setprecision (2) << "classification accuracy "
@@ -111,15 +114,12 @@ printTable (const Metrics& metrics)
             << 100.0 * metrics.points_off_planes_called_planes
             << " %  of points off true planes\n"
             << std::setprecision (3) << "planes at an overlap of    0.50    0.75\n";
-  printRow ("precision", at_50.precision, at_75.precision);
-  printRow ("recall", at_50.recall, at_75.recall);
-  printRow ("F-score", at_50.f_score, at_75.f_score);
-  printRow ("mean IoU of matched", at_50.mean_iou, at_75.mean_iou);
-  printRow ("panoptic quality", at_50.panoptic_quality, at_75.panoptic_quality);
-  printRow ("over-segmentation", at_50.over_segmentation, at_75.over_segmentation);
-  printRow ("under-segmentation", at_50.under_segmentation, at_75.under_segmentation);
-  printRow ("noise", at_50.noise, at_75.noise);
-  printRow ("missed", at_50.missed, at_75.missed);
+  for (std::size_t i = 0; i < std::size (titles); ++i) {
+    const auto value = instance_metrics[i].second;
+    std::cout << "  " << std::left << std::setw (20) << titles[i] << std::right
+              << std::setw (8) << metrics.at_50.*value << std::setw (8)
+              << metrics.at_75.*value << '\n';
+  }
   printClasses ("true planes by points", metrics.by_size);
   printClasses ("true planes by width [m]", metrics.by_width);
 }
@@ -132,8 +132,8 @@ compareCommand (int argc, const char* const* argv)
   CompareOptions options;
   if (!readOptions (argc, argv, options))
     return apps::ExitCode::done;
-  LabelledCloud truth = loadLabelledCloud (options.truth_file);
-  const LabelledCloud result = loadLabelledCloud (options.result_file);
+  LabeledCloud truth = loadLabeledCloud (options.truth_file);
+  const LabeledCloud result = loadLabeledCloud (options.result_file);
   requireSamePoints (truth, result, options.result_file);
   dropSmallPlanes (truth.labels, options.min_plane_points);
 

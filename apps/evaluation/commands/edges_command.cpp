@@ -1,37 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edges_command.h"
-
+#include "commands.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/memory.h>
 #include <cli/program.h>
-#include <evaluation/data/data_sets.h>
 #include <evaluation/experiments/edge_accuracy.h>
 
 #include <iostream>
 
 namespace pcl_ops::evaluation {
-
-namespace {
-
-EdgeScores
-scoresOn (const DataSet& data_set)
-{
-  EdgeScores result{data_set.name, {}};
-  for (const CloudSource& source : data_set.clouds) {
-    apps::inMemory (source.name, "give a smaller cloud", [&] {
-      const EvaluationCloud cloud = source.load();
-      if (!cloud.truth)
-        throw apps::WorkError (source.name, "has no true labels; give another cloud");
-      result.score += scoreOf (findBothEdges (cloud));
-    });
-    std::cerr << data_set.name << ' ' << source.name << std::endl;
-  }
-  return result;
-}
-
-} // namespace
 
 int
 edgesCommand (int argc, const char* const* argv)
@@ -50,12 +28,20 @@ edgesCommand (int argc, const char* const* argv)
   line.addDirection ("up", up, "direction against gravity of clouds: (0,0,1)");
   if (!line.parse (argc, argv))
     return apps::ExitCode::done;
-  std::vector<DataSet> data_sets;
-  for (const std::string& text : texts)
-    data_sets.push_back (dataSetOf (text, up.cast<double>().normalized()));
   std::vector<EdgeScores> all;
-  for (const DataSet& data_set : data_sets)
-    all.push_back (scoresOn (data_set));
+  for (const DataSet& data_set : dataSetsOf (texts, up)) {
+    EdgeScores of_set{data_set.name, {}};
+    for (const CloudSource& source : data_set.clouds) {
+      apps::inMemory (source.name, "give a smaller cloud", [&] {
+        const EvaluationCloud cloud = source.load();
+        if (!cloud.truth)
+          throw apps::WorkError (source.name, "has no true labels; give another cloud");
+        addScore (findBothEdges (cloud), of_set.score);
+      });
+      std::cerr << data_set.name << ' ' << source.name << std::endl;
+    }
+    all.push_back (of_set);
+  }
   std::cout << edgeTable (all);
   return apps::ExitCode::done;
 }

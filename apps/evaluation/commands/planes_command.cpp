@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planes_command.h"
-
+#include "commands.h"
 #include <cli/command_line.h>
 #include <cli/program.h>
 #include <detection/plane_list.h>
-#include <evaluation/metrics/plane_comparison.h>
 #include <evaluation/report/text_table.h>
 #include <nlohmann/json.hpp>
 #include <numbers/angles.h>
+#include <pcl_ops/plane_matching.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace pcl_ops::evaluation {
@@ -22,6 +22,30 @@ struct PlanesOptions {
   double rotation_error = apps::toDegrees (PlaneMatchingParameters().rotation_error);
   PlaneMatchingParameters matching;
   bool json = false;
+};
+
+/** A plane of one result and the plane of the other that is the same. */
+struct MatchedPlanes {
+  /** Positions in the two results. */
+  std::size_t first, second;
+  /** Between the normals, whichever way they point [degree]. */
+  double angle;
+  /** Height of the second's middle over the first, along the first's normal [m]. */
+  double offset;
+};
+
+using Ids = std::vector<std::uint64_t>;
+
+/** What two results have in common. Angles and offsets are those of the planes as they
+ * are. */
+struct PlaneComparison {
+  /** In the order of the first result. */
+  std::vector<MatchedPlanes> matched;
+  /** Planes without a partner. */
+  Ids only_first, only_second;
+  /** The motion of the second result after which matched planes agree best: its angle
+   * [degree], and how far it moves the middle of the first result [m]. */
+  double angle = 0.0, shift = 0.0;
 };
 
 bool
@@ -61,13 +85,56 @@ readOptions (int argc, const char* const* argv, PlanesOptions& options)
   return is_read;
 }
 
-std::vector<std::uint64_t>
-idsAt (const std::vector<std::size_t>& positions, const apps::PlaneList& list)
+/** Matched about the middle of the first result: the error of a rotation is about
+ * zero. */
+PlaneMatches
+matchAboutMiddle (std::vector<PlaneSegment> first,
+                  std::vector<PlaneSegment> second,
+                  const PlaneMatchingParameters& parameters)
 {
-  std::vector<std::uint64_t> ids;
-  for (const std::size_t position : positions)
-    ids.push_back (list.ids[position]);
-  return ids;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const PlaneSegment& plane : first)
+    middle += plane.centroid;
+  if (!first.empty())
+    middle /= static_cast<double> (first.size());
+  for (auto* planes : {&first, &second})
+    for (PlaneSegment& plane : *planes)
+      plane.moveBy (-middle);
+  return matchPlanes (first, second, Eigen::Isometry3d::Identity(), parameters);
+}
+
+PlaneComparison
+comparePlanes (const apps::PlaneList& first,
+               const apps::PlaneList& second,
+               const PlaneMatchingParameters& parameters)
+{
+  const PlaneMatches matches =
+      matchAboutMiddle (first.planes, second.planes, parameters);
+  PlaneComparison comparison;
+  std::vector<std::int32_t> partners (first.planes.size(), no_plane);
+  for (std::size_t i = 0; i < second.planes.size(); ++i) {
+    if (matches.previous[i] == no_plane)
+      comparison.only_second.push_back (second.ids[i]);
+    else
+      partners[static_cast<std::size_t> (matches.previous[i])] =
+          static_cast<std::int32_t> (i);
+  }
+  for (std::size_t i = 0; i < partners.size(); ++i) {
+    if (partners[i] == no_plane) {
+      comparison.only_first.push_back (first.ids[i]);
+      continue;
+    }
+    const auto j = static_cast<std::size_t> (partners[i]);
+    const PlaneSegment &one = first.planes[i], &other = second.planes[j];
+    comparison.matched.push_back ({i,
+                                   j,
+                                   apps::toDegrees (angleBetween (one, other)),
+                                   one.plane().distance (other.centroid)});
+  }
+  comparison.angle =
+      apps::toDegrees (Eigen::AngleAxisd (matches.pose.linear()).angle());
+  comparison.shift = matches.pose.translation().norm();
+  return comparison;
 }
 
 void
@@ -78,8 +145,8 @@ printJson (const apps::PlaneList& first,
   nlohmann::ordered_json json{{"planes_a", first.planes.size()},
                               {"planes_b", second.planes.size()},
                               {"matched", nlohmann::ordered_json::array()},
-                              {"only_a", idsAt (comparison.only_first, first)},
-                              {"only_b", idsAt (comparison.only_second, second)},
+                              {"only_a", comparison.only_first},
+                              {"only_b", comparison.only_second},
                               {"angle_of_b", comparison.angle},
                               {"shift_of_b", comparison.shift}};
   for (const MatchedPlanes& pair : comparison.matched)
@@ -91,20 +158,12 @@ printJson (const apps::PlaneList& first,
 }
 
 void
-printRest (const std::string& file,
-           const std::vector<std::size_t>& positions,
-           const apps::PlaneList& list)
+printRest (const std::string& file, const Ids& ids)
 {
   std::cout << "only in " << file << ':';
-  for (const std::uint64_t id : idsAt (positions, list))
+  for (const std::uint64_t id : ids)
     std::cout << ' ' << id;
-  std::cout << (positions.empty() ? " none\n" : "\n");
-}
-
-std::string
-pointsOf (const PlaneSegment& plane)
-{
-  return decimal (plane.moments.count, 0);
+  std::cout << (ids.empty() ? " none\n" : "\n");
 }
 
 void
@@ -119,17 +178,18 @@ printTable (const PlanesOptions& options,
       {}};
   for (const MatchedPlanes& pair : comparison.matched) {
     const PlaneSegment& one = first.planes[pair.first];
+    const PlaneSegment& other = second.planes[pair.second];
     table.rows.push_back ({std::to_string (first.ids[pair.first]),
                            std::to_string (second.ids[pair.second]),
                            toString (one.orientation),
                            decimal (pair.angle, 3),
                            decimal (pair.offset, 4),
-                           pointsOf (one),
-                           pointsOf (second.planes[pair.second])});
+                           decimal (one.moments.count, 0),
+                           decimal (other.moments.count, 0)});
   }
   std::cout << table;
-  printRest (options.first_file, comparison.only_first, first);
-  printRest (options.second_file, comparison.only_second, second);
+  printRest (options.first_file, comparison.only_first);
+  printRest (options.second_file, comparison.only_second);
   std::cout << "planes agree best with B turned by " << decimal (comparison.angle, 3)
             << " degrees and moved by " << decimal (comparison.shift, 4) << " m\n";
 }
@@ -144,8 +204,7 @@ planesCommand (int argc, const char* const* argv)
     return apps::ExitCode::done;
   const apps::PlaneList first = apps::loadPlaneList (options.first_file);
   const apps::PlaneList second = apps::loadPlaneList (options.second_file);
-  const PlaneComparison comparison =
-      comparePlanes (first.planes, second.planes, options.matching);
+  const PlaneComparison comparison = comparePlanes (first, second, options.matching);
   options.json ? printJson (first, second, comparison)
                : printTable (options, first, second, comparison);
   return apps::ExitCode::done;

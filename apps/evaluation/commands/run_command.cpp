@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run_command.h"
-
-#include "data_options.h"
+#include "commands.h"
 #include <cli/command_line.h>
+#include <cli/errors.h>
 #include <cli/program.h>
 #include <evaluation/experiments/evaluation_run.h>
-#include <evaluation/report/report.h>
+#include <evaluation/report/metrics_table.h>
 #include <io/output_file.h>
 #include <unistd.h>
 
@@ -20,12 +19,14 @@ namespace {
 namespace fs = std::filesystem;
 
 /** More clouds at a time than any machine this runs on has cores. */
-constexpr double most_jobs = 256;
+constexpr double max_jobs = 256;
+constexpr double max_neighbors = 10'000;
 
 struct RunOptions {
   std::string folder;
+  std::vector<std::string> data_sets;
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   std::string detectors = "all";
-  DataOptions data;
   EvaluationPlan plan;
 };
 
@@ -34,18 +35,34 @@ readOptions (int argc, const char* const* argv, RunOptions& options)
 {
   apps::CommandLine line (
       "pcl_ops_evaluate run",
-      "Runs detectors over data sets and writes results.csv, tables and plots. Run it "
+      "Runs detectors over data sets and writes results.csv and tables.md. Run it "
       "again\nto go on after a stop: rows in results.csv are not computed again.",
       PCL_OPS_VERSION);
   line.addArgument ("OUTPUT", options.folder, "folder of the results");
-  addDataOptions (line, options.data);
+  line.addArguments ("DATASET", options.data_sets, 1, data_set_help);
+  line.addDirection ("up", options.up, "direction against gravity of clouds: (0,0,1)");
+  TruthParameters& truth = options.plan.truth;
+  line.addText ("cache",
+                "FOLDER",
+                truth.cache_folder,
+                "where grown truth is kept (folder truth of the output)");
+  line.addNumber ("truth-neighbors",
+                  "K",
+                  apps::Range::from (3).upTo (max_neighbors),
+                  truth.growing.neighbors,
+                  "neighborhood of grown truth (100)");
+  line.addNumber ("min-plane-points",
+                  "N",
+                  apps::Range::from (0),
+                  truth.min_points,
+                  "true planes with fewer points are none (50)");
   line.addText ("detectors",
                 "LIST",
                 options.detectors,
                 "names and groups, see pcl_ops_evaluate detectors (all)");
   line.addNumber ("jobs",
                   "N",
-                  apps::Range::from (1).upTo (most_jobs),
+                  apps::Range::from (1).upTo (max_jobs),
                   options.plan.jobs,
                   "clouds at a time; only 1 leaves times undisturbed (1)");
   line.addNumber (
@@ -59,13 +76,18 @@ planOf (const RunOptions& options)
 {
   EvaluationPlan plan = options.plan;
   plan.configurations = selectConfigurations (options.detectors);
-  plan.data_sets = dataSetsOf (options.data);
-  plan.truth = options.data.truth;
+  plan.data_sets = dataSetsOf (options.data_sets, options.up);
   if (plan.truth.cache_folder.empty())
     plan.truth.cache_folder = (fs::path (options.folder) / "truth").string();
   apps::makeFolder (options.folder);
   apps::makeFolder (plan.truth.cache_folder);
   return plan;
+}
+
+std::string
+resultsIn (const std::string& folder)
+{
+  return (fs::path (folder) / "results.csv").string();
 }
 
 } // namespace
@@ -77,16 +99,53 @@ runCommand (int argc, const char* const* argv)
   if (!readOptions (argc, argv, options))
     return apps::ExitCode::done;
   const EvaluationPlan plan = planOf (options);
-  ResultsFile results ((fs::path (options.folder) / "results.csv").string());
+  ResultsFile results (resultsIn (options.folder));
   const EvaluationSummary summary =
       evaluate (plan, results, std::cerr, isatty (STDERR_FILENO) == 1);
   if (!results.rows().empty())
-    writeReport (results.rows(), options.folder, std::cout);
+    writeMetricsTables (results.rows(), options.folder);
   std::cout << summary.clouds << " clouds evaluated, " << summary.new_rows
             << " new rows; " << summary.broken_clouds << " clouds left out, "
             << summary.failed_runs << " runs failed\n";
   const bool is_complete = summary.broken_clouds == 0 && summary.failed_runs == 0;
   return is_complete ? apps::ExitCode::done : apps::ExitCode::work_failed;
+}
+
+int
+reportCommand (int argc, const char* const* argv)
+{
+  std::string folder;
+  apps::CommandLine line ("pcl_ops_evaluate report",
+                          "Makes tables.md anew from a folder's results.csv.",
+                          PCL_OPS_VERSION);
+  line.addArgument ("OUTPUT", folder, "folder that pcl_ops_evaluate run wrote");
+  if (!line.parse (argc, argv))
+    return apps::ExitCode::done;
+  const std::string file = resultsIn (folder);
+  if (!fs::exists (file))
+    throw apps::WorkError (file, "is not there; give the OUTPUT of a run");
+  const ResultsFile results (file);
+  if (results.rows().empty())
+    throw apps::WorkError (file, "has no row yet; run an evaluation first");
+  writeMetricsTables (results.rows(), folder);
+  return apps::ExitCode::done;
+}
+
+int
+detectorsCommand (int argc, const char* const* argv)
+{
+  apps::CommandLine line ("pcl_ops_evaluate detectors",
+                          "Lists the configurations a run can have and their groups.",
+                          PCL_OPS_VERSION);
+  if (!line.parse (argc, argv))
+    return apps::ExitCode::done;
+  for (const Configuration& configuration : allConfigurations()) {
+    std::cout << configuration.name;
+    for (const std::string& group : configuration.groups)
+      std::cout << ' ' << group;
+    std::cout << '\n';
+  }
+  return apps::ExitCode::done;
 }
 
 } // namespace pcl_ops::evaluation

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "track_command.h"
-
+#include "commands.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <cli/program.h>
-#include <evaluation/data/labelled_cloud.h>
-#include <evaluation/metrics/kept_numbers.h>
+#include <evaluation/data/labeled_cloud.h>
+#include <evaluation/metrics/confusion.h>
 #include <evaluation/report/text_table.h>
 #include <io/inputs.h>
 #include <nlohmann/json.hpp>
@@ -15,6 +14,8 @@
 
 #include <filesystem>
 #include <iostream>
+#include <map>
+#include <set>
 
 namespace pcl_ops::evaluation {
 
@@ -26,12 +27,53 @@ struct TrackOptions {
   bool json = false;
 };
 
+/** How well the planes of a sequence of clouds keep their numbers. Of true planes those
+ * count that are found in two clouds and more: by one plane with more than half of
+ * their common points in common. */
+struct KeptNumbers {
+  struct History {
+    std::set<std::uint32_t> numbers;
+    std::uint32_t last = 0;
+    std::size_t sightings = 0;
+  };
+
+  /** By the label of the true plane, which is the same in all clouds. */
+  std::map<std::uint32_t, History> histories;
+  /** Also of planes that are no true ones. */
+  std::set<std::uint32_t> numbers;
+  /** Times a true plane is found after the first; times it has the number it had when
+   * it was found before. */
+  std::size_t sightings = 0, sightings_kept = 0;
+
+  /** Adds the next cloud. */
+  void
+  add (const PlaneLabels& truth, const PlaneLabels& result)
+  {
+    const Confusion confusion = confusionOf (truth, result);
+    numbers.insert (confusion.result.label.begin(), confusion.result.label.end());
+    for (const Overlap& overlap : confusion.overlaps) {
+      constexpr double half = 0.5; // above, there is one partner at most
+      if (confusion.iou (overlap) <= half)
+        continue;
+      History& history = histories[confusion.truth.label[overlap.truth]];
+      const std::uint32_t number = confusion.result.label[overlap.result];
+      if (history.sightings > 0) {
+        ++sightings;
+        sightings_kept += number == history.last ? 1 : 0;
+      }
+      ++history.sightings;
+      history.last = number;
+      history.numbers.insert (number);
+    }
+  }
+};
+
 bool
 readOptions (int argc, const char* const* argv, TrackOptions& options)
 {
   apps::CommandLine line (
       "pcl_ops_evaluate track",
-      "Tells how many planes keep their number in a sequence of labelled clouds, as\n"
+      "Tells how many planes keep their number in a sequence of labeled clouds, as\n"
       "pcl_ops_segment --track writes it. The true label of a plane has to be the "
       "same\n"
       "in all clouds, as in those of pcl_ops_simulate --scene walk or drive.",
@@ -48,31 +90,32 @@ readOptions (int argc, const char* const* argv, TrackOptions& options)
   return line.parse (argc, argv);
 }
 
-std::vector<std::string>
-cloudsIn (const std::string& folder)
-{
-  const apps::InputFiles inputs = apps::findInputs ({folder});
-  if (!inputs.problems.empty())
-    throw apps::WorkError ("TRUTH", inputs.problems.front());
-  return inputs.files;
-}
-
 KeptNumbers
 keptIn (const TrackOptions& options)
 {
+  const apps::InputFiles truth_files = apps::findInputs ({options.truth_folder});
+  if (!truth_files.problems.empty())
+    throw apps::WorkError ("TRUTH", truth_files.problems.front());
   KeptNumbers kept;
-  for (const std::string& file : cloudsIn (options.truth_folder)) {
+  for (const std::string& file : truth_files.files) {
     apps::stopIfInterrupted();
     const std::string result_file = (std::filesystem::path (options.result_folder) /
                                      std::filesystem::path (file).filename())
                                         .string();
-    LabelledCloud truth = loadLabelledCloud (file);
-    const LabelledCloud result = loadLabelledCloud (result_file);
+    LabeledCloud truth = loadLabeledCloud (file);
+    const LabeledCloud result = loadLabeledCloud (result_file);
     requireSamePoints (truth, result, result_file);
     dropSmallPlanes (truth.labels, options.min_plane_points);
     kept.add (truth.labels, result.labels);
   }
   return kept;
+}
+
+std::string
+partOf (std::size_t part, std::size_t whole)
+{
+  return std::to_string (part) + " of " + std::to_string (whole) + ", " +
+         percent (apps::fraction (part, whole, 1.0)) + " %";
 }
 
 } // namespace
@@ -84,24 +127,26 @@ trackCommand (int argc, const char* const* argv)
   if (!readOptions (argc, argv, options))
     return apps::ExitCode::done;
   const KeptNumbers kept = keptIn (options);
-  const nlohmann::ordered_json json{{"planes", kept.planes()},
-                                    {"planes_kept", kept.planesKept()},
-                                    {"sightings", kept.sightings()},
-                                    {"sightings_kept", kept.sightingsKept()},
-                                    {"numbers", kept.numbers()}};
-  if (options.json) {
-    std::cout << json.dump (2) << '\n';
-    return apps::ExitCode::done;
-  }
-  const auto line = [] (std::size_t part, std::size_t whole) {
-    return std::to_string (part) + " of " + std::to_string (whole) + ", " +
-           percent (apps::fraction (part, whole, 1.0)) + " %";
-  };
-  std::cout << "true planes that keep their number   "
-            << line (kept.planesKept(), kept.planes())
-            << "\ntimes one has the number it had last "
-            << line (kept.sightingsKept(), kept.sightings())
-            << "\nnumbers given                        " << kept.numbers() << '\n';
+  std::size_t planes = 0, planes_kept = 0; // found in two clouds and more
+  for (const auto& [label, history] : kept.histories)
+    if (history.sightings > 1) {
+      ++planes;
+      planes_kept += history.numbers.size() == 1 ? 1 : 0;
+    }
+  if (options.json)
+    std::cout << nlohmann::ordered_json{{"planes", planes},
+                                        {"planes_kept", planes_kept},
+                                        {"sightings", kept.sightings},
+                                        {"sightings_kept", kept.sightings_kept},
+                                        {"numbers", kept.numbers.size()}}
+                     .dump (2)
+              << '\n';
+  else
+    std::cout << "true planes that keep their number   " << partOf (planes_kept, planes)
+              << "\ntimes one has the number it had last "
+              << partOf (kept.sightings_kept, kept.sightings)
+              << "\nnumbers given                        " << kept.numbers.size()
+              << '\n';
   return apps::ExitCode::done;
 }
 

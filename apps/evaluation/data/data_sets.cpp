@@ -4,7 +4,7 @@
 
 #include <pcl/common/point_tests.h>
 
-#include "labelled_cloud.h"
+#include "labeled_cloud.h"
 #include "sun_rgbd.h"
 #include <cli/errors.h>
 #include <cli/option_value.h>
@@ -40,9 +40,9 @@ namespace fs = std::filesystem;
 using simulation::NoiseProfile;
 
 /** More scenes than anybody waits for; keeps a typing error from filling the memory. */
-constexpr std::uint32_t most_scenes = 100'000;
+constexpr std::uint32_t max_scenes = 100'000;
 /** A point takes 16 bytes, and 36 more while it is simulated. */
-constexpr double most_points = 1e8;
+constexpr double max_points = 1e8;
 
 EvaluationCloud
 withExactTruth (const simulation::SimulatedCloud& simulated)
@@ -73,26 +73,70 @@ imageOf (const simulation::Room& room, std::uint32_t seed, NoiseProfile profile)
                            simulation::CloudLayout::Readings));
 }
 
+/** \param[in] sensor one of simulation::lidarNames */
 EvaluationCloud
-simulateFurniture (std::uint32_t seed)
+streetBy (const std::string& sensor, std::uint32_t seed)
 {
-  return imageOf (
-      simulation::makeFurnishedCorner (seed), seed, NoiseProfile::Correlated);
+  const simulation::Street street = simulation::makeStreet (seed);
+  const Eigen::Isometry3d pose = simulation::drawSensorPose (street, seed);
+  return withExactTruth (simulation::toCloud (
+      simulation::scanAround (
+          street.scene, simulation::lidarOf (sensor), pose, 1.0, seed),
+      pose,
+      street.scene,
+      simulation::CloudLayout::Readings));
 }
 
-EvaluationCloud
-simulateSurvey (std::uint32_t seed)
-{
-  return withExactTruth (simulation::scanSurvey (
-      simulation::makeSurvey (seed), simulation::points_of_survey, 1.0, seed));
-}
+/** Scenes by seed. */
+struct Scenes {
+  /** Of the data set. */
+  const char* name;
+  /** What the name of a cloud begins with. */
+  const char* scene;
+  EvaluationCloud (*simulate) (std::uint32_t seed);
+};
 
-EvaluationCloud
-simulateShapes (std::uint32_t seed)
-{
-  return withExactTruth (simulation::scanShapes (
-      simulation::makeShapes (seed), simulation::points_of_shapes, 1.0, seed));
-}
+constexpr Scenes all_scenes[] = {
+    {"rooms",
+     "room",
+     [] (std::uint32_t seed) {
+       return imageOf (simulation::makeRoom (seed), seed, NoiseProfile::Correlated);
+     }},
+    {"rooms-raw",
+     "room",
+     [] (std::uint32_t seed) {
+       return imageOf (simulation::makeRoom (seed), seed, NoiseProfile::Raw);
+     }},
+    {"furniture",
+     "furniture",
+     [] (std::uint32_t seed) {
+       return imageOf (
+           simulation::makeFurnishedCorner (seed), seed, NoiseProfile::Correlated);
+     }},
+    {"survey",
+     "survey",
+     [] (std::uint32_t seed) {
+       return withExactTruth (simulation::scanSurvey (
+           simulation::makeSurvey (seed), simulation::points_of_survey, 1.0, seed));
+     }},
+    {"shapes",
+     "shapes",
+     [] (std::uint32_t seed) {
+       return withExactTruth (simulation::scanShapes (
+           simulation::makeShapes (seed), simulation::points_of_shapes, 1.0, seed));
+     }},
+    {"streets",
+     "street",
+     [] (std::uint32_t seed) { return streetBy ("lidar-64", seed); }},
+    {"streets-32",
+     "street",
+     [] (std::uint32_t seed) { return streetBy ("lidar-32", seed); }},
+    {"streets-16",
+     "street",
+     [] (std::uint32_t seed) { return streetBy ("lidar-16", seed); }},
+    {"streets-livox", "street", [] (std::uint32_t seed) {
+       return streetBy ("livox", seed);
+     }}};
 
 /** "3-20", or "7" for one scene. */
 std::pair<std::uint32_t, std::uint32_t>
@@ -106,63 +150,31 @@ seedRange (const std::string& kind, const std::string& text)
       dash == std::string::npos
           ? first
           : apps::parseNumber<std::uint32_t> (kind, text.substr (dash + 1), any);
-  if (last < first || last - first >= most_scenes)
+  if (last < first || last - first >= max_scenes)
     throw apps::UsageError (kind + ':' + text, "is no range of seeds such as 1-20");
   return {first, last};
 }
 
-/** Scenes by seed.
- * \param[in] scene what the name of a cloud begins with
- * \param[in] simulate the cloud of a seed */
 DataSet
-scenesDataSet (const std::string& name,
-               const std::string& scene,
-               const std::string& seeds,
-               const std::function<EvaluationCloud (std::uint32_t)>& simulate)
+scenesDataSet (const Scenes& scenes, const std::string& seeds)
 {
-  const auto [first, last] = seedRange (name, seeds);
-  DataSet data_set{name, {}};
+  const auto [first, last] = seedRange (scenes.name, seeds);
+  DataSet data_set{scenes.name, {}};
   for (std::uint32_t i = 0; i <= last - first; ++i) {
     const std::uint32_t seed = first + i;
     std::ostringstream cloud;
-    cloud << scene << '-' << std::setfill ('0') << std::setw (4) << seed;
+    cloud << scenes.scene << '-' << std::setfill ('0') << std::setw (4) << seed;
     data_set.clouds.push_back (
-        {cloud.str(), [seed, simulate] { return simulate (seed); }});
+        {cloud.str(), [seed, simulate = scenes.simulate] { return simulate (seed); }});
   }
   return data_set;
-}
-
-DataSet
-roomsDataSet (const std::string& name, const std::string& seeds, NoiseProfile profile)
-{
-  return scenesDataSet (name, "room", seeds, [profile] (std::uint32_t seed) {
-    return imageOf (simulation::makeRoom (seed), seed, profile);
-  });
-}
-
-/** \param[in] sensor one of simulation::lidarNames */
-DataSet
-streetsDataSet (const std::string& name,
-                const std::string& seeds,
-                const std::string& sensor)
-{
-  return scenesDataSet (name, "street", seeds, [sensor] (std::uint32_t seed) {
-    const simulation::Street street = simulation::makeStreet (seed);
-    const simulation::Lidar lidar = simulation::lidarOf (sensor);
-    const Eigen::Isometry3d pose = simulation::drawSensorPose (street, seed);
-    return withExactTruth (simulation::toCloud (
-        simulation::scanAround (street.scene, lidar, pose, 1.0, seed),
-        pose,
-        street.scene,
-        simulation::CloudLayout::Readings));
-  });
 }
 
 DataSet
 scansDataSet (const std::string& name, const std::string& sizes)
 {
   constexpr std::uint32_t seed = 1;
-  const apps::Range of_points = apps::Range::from (1).upTo (most_points);
+  const apps::Range of_points = apps::Range::from (1).upTo (max_points);
   DataSet data_set{name, {}};
   std::istringstream list (sizes);
   for (std::string size; std::getline (list, size, ',');) {
@@ -182,7 +194,7 @@ scansDataSet (const std::string& name, const std::string& sizes)
 EvaluationCloud
 readCloud (const std::string& file, const Eigen::Vector3d& up)
 {
-  const LabelledCloud all = loadLabelledCloud (file, LabelField::Optional);
+  const LabeledCloud all = loadLabeledCloud (file, LabelField::Optional);
   EvaluationCloud finite;
   finite.up = up;
   finite.cloud.reset (new XyzCloud);
@@ -250,30 +262,24 @@ dataSetOf (const std::string& text, const Eigen::Vector3d& up)
       return sunRgbdDataSet (rest, SunRgbdDepth::Refined);
     if (kind == "sunrgbd-raw")
       return sunRgbdDataSet (rest, SunRgbdDepth::Raw);
-    if (kind == "rooms")
-      return roomsDataSet (kind, rest, NoiseProfile::Correlated);
-    if (kind == "rooms-raw")
-      return roomsDataSet (kind, rest, NoiseProfile::Raw);
     if (kind == "simulated")
       return scansDataSet (kind, rest);
-    if (kind == "furniture")
-      return scenesDataSet (kind, kind, rest, simulateFurniture);
-    if (kind == "survey")
-      return scenesDataSet (kind, kind, rest, simulateSurvey);
-    if (kind == "shapes")
-      return scenesDataSet (kind, kind, rest, simulateShapes);
-    if (kind == "streets")
-      return streetsDataSet (kind, rest, "lidar-64");
-    if (kind == "streets-32")
-      return streetsDataSet (kind, rest, "lidar-32");
-    if (kind == "streets-16")
-      return streetsDataSet (kind, rest, "lidar-16");
-    if (kind == "streets-livox")
-      return streetsDataSet (kind, rest, "livox");
     if (kind == "clouds")
       return cloudsDataSet (rest, up);
+    for (const Scenes& scenes : all_scenes)
+      if (kind == scenes.name)
+        return scenesDataSet (scenes, rest);
   }
   throw apps::UsageError (text, std::string ("is no data set; give ") + data_set_help);
+}
+
+std::vector<DataSet>
+dataSetsOf (const std::vector<std::string>& texts, const Eigen::Vector3f& up)
+{
+  std::vector<DataSet> data_sets;
+  for (const std::string& text : texts)
+    data_sets.push_back (dataSetOf (text, up.cast<double>().normalized()));
+  return data_sets;
 }
 
 } // namespace pcl_ops::evaluation

@@ -2,26 +2,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cloud_source.h"
+#include <evaluation/labels/labels.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace pcl_ops::evaluation {
+
+/** \brief A cloud to evaluate detectors on. */
+struct EvaluationCloud {
+  XyzCloud::Ptr cloud;
+  /** \brief Exact truth where there is one; otherwise it is made by region growing. */
+  std::optional<PlaneLabels> truth;
+  /** \brief Unit vector against gravity in the cloud's frame. */
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+};
+
+/** \brief A cloud that is loaded when its turn comes, so that memory is bounded by the
+ * clouds in flight. */
+struct CloudSource {
+  /** \brief Unique within its data set. */
+  std::string name;
+  /** \brief Throws apps::WorkError that names the file if the cloud cannot be had. */
+  std::function<EvaluationCloud()> load;
+};
+
+/** \brief What an evaluation runs over. */
+struct DataSet {
+  std::string name;
+  std::vector<CloudSource> clouds;
+};
 
 /** \brief How the data sets of \ref dataSetOf are written, for --help. */
 extern const char* const data_set_help;
 
-/** \brief The data set a text stands for:
- * "sunrgbd:FOLDER" (refined depth), "sunrgbd-raw:FOLDER", "rooms:FIRST-LAST" and
- * "rooms-raw:FIRST-LAST" (simulated rooms by seed, exact truth), "simulated:N,N,..."
- * (scans of a whole simulated room with so many points), "furniture:FIRST-LAST" (boards
- * on posts in a corner by seed), "survey:FIRST-LAST" (houses by seed),
- * "shapes:FIRST-LAST" (round shapes by seed), "streets:FIRST-LAST" and the same of
- * "streets-32", "streets-16" and "streets-livox" (lidars in streets by seed),
- * "clouds:FOLDER" or "clouds:FILE" (.pcd, .ply and .las files; the field label, where
- * there is one, is the truth).
+/** \brief The data set a text as in \ref data_set_help stands for. Simulated ones have
+ * exact truth; of files their field label is the truth where there is one.
  * \param[in] up direction against gravity in the files of "clouds"
  * \throw apps::UsageError for any other text, apps::WorkError if the folder has no
  * cloud */
 DataSet
 dataSetOf (const std::string& text, const Eigen::Vector3d& up);
+
+/** \brief The same of several, for a direction of any length. */
+std::vector<DataSet>
+dataSetsOf (const std::vector<std::string>& texts, const Eigen::Vector3f& up);
 
 } // namespace pcl_ops::evaluation

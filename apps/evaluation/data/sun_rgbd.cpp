@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sun_rgbd.h"
 
+#include <boost/endian/conversion.hpp>
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <cli/errors.h>
+#include <png.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csetjmp>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <new>
 
 namespace pcl_ops::evaluation {
 
@@ -18,9 +24,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double metres_per_unit = 0.001;
-constexpr double farthest_depth = 8.0; // [m]
-constexpr double largest_rotation_error = 1e-3;
+constexpr double meters_per_unit = 0.001;
+constexpr double max_depth = 8.0; // [m]
+constexpr double max_rotation_error = 1e-3;
 
 const char*
 folderOf (SunRgbdDepth depth)
@@ -90,10 +96,119 @@ readExtrinsics (const fs::path& file)
   const Eigen::Matrix3d rotation = readMatrix<3, 4> (file).leftCols<3>();
   const Eigen::Matrix3d error =
       rotation * rotation.transpose() - Eigen::Matrix3d::Identity();
-  if (error.cwiseAbs().maxCoeff() > largest_rotation_error ||
-      rotation.determinant() < 0.0)
+  if (error.cwiseAbs().maxCoeff() > max_rotation_error || rotation.determinant() < 0.0)
     throw apps::WorkError (file.string(), "holds no rotation; get the file again");
   return rotation;
+}
+
+struct PngError {
+  std::string what;
+};
+
+[[noreturn]] void
+leave (png_structp png, png_const_charp message)
+{
+  *static_cast<std::string*> (png_get_error_ptr (png)) = message;
+  png_longjmp (png, 1);
+}
+
+void
+ignoreWarning (png_structp, png_const_charp)
+{}
+
+/** A PNG file in the hands of libpng. */
+struct PngFile {
+  std::string reason;
+  std::FILE* stream;
+  png_structp png =
+      png_create_read_struct (PNG_LIBPNG_VER_STRING, &reason, leave, ignoreWarning);
+  png_infop info = png_create_info_struct (png);
+
+  explicit PngFile (const std::string& file) : stream (std::fopen (file.c_str(), "rb"))
+  {}
+  PngFile (const PngFile&) = delete;
+  PngFile&
+  operator= (const PngFile&) = delete;
+  ~PngFile()
+  {
+    png_destroy_read_struct (&png, &info, nullptr);
+    if (stream != nullptr)
+      std::fclose (stream);
+  }
+
+  /** Where libpng finds an error it leaves \p read by longjmp: what that calls
+   * must have nothing to destroy. */
+  template <typename Read>
+  void
+  attempt (const char* problem, const Read& read)
+  {
+    if (setjmp (png_jmpbuf (png)) != 0)
+      throw PngError{std::string (problem) + " (" + reason + ")"};
+    read();
+  }
+};
+
+/** The size of an image that is one of depths. */
+DepthImage
+emptyImageOf (const PngFile& file)
+{
+  const int bits = png_get_bit_depth (file.png, file.info);
+  const int color_type = png_get_color_type (file.png, file.info);
+  if (bits != 16 || color_type != PNG_COLOR_TYPE_GRAY)
+    throw PngError{"is no depth image: " + std::to_string (bits) +
+                   " bits per channel, color type " + std::to_string (color_type) +
+                   ", not 16-bit gray"};
+  if (png_get_interlace_type (file.png, file.info) != PNG_INTERLACE_NONE)
+    throw PngError{"is interlaced, which depth images are not"};
+  const DepthImage image{png_get_image_width (file.png, file.info),
+                         png_get_image_height (file.png, file.info),
+                         {}};
+  /** Far above any depth camera, far below what would exhaust the memory. */
+  constexpr std::size_t max_pixels = 100'000'000;
+  if (image.width > max_pixels / image.height)
+    throw PngError{"has an impossible size of " + std::to_string (image.width) + " x " +
+                   std::to_string (image.height) + " pixels"};
+  return image;
+}
+
+DepthImage
+read (PngFile& file)
+{
+  if (file.info == nullptr)
+    throw std::bad_alloc();
+  if (file.stream == nullptr)
+    throw PngError{"cannot be read"};
+  file.attempt ("is no whole PNG file", [&] {
+    png_init_io (file.png, file.stream);
+    png_set_user_limits (file.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_read_info (file.png, file.info);
+  });
+  DepthImage image = emptyImageOf (file);
+  image.values.resize (image.width * image.height);
+  file.attempt ("is damaged: it holds less than its size says", [&] {
+    for (std::size_t row = 0; row < image.height; ++row)
+      png_read_row (file.png,
+                    reinterpret_cast<png_bytep> (&image.values[row * image.width]),
+                    nullptr);
+    png_read_end (file.png, nullptr);
+  });
+  for (std::uint16_t& value : image.values)
+    boost::endian::big_to_native_inplace (value);
+  return image;
+}
+
+/** A 16-bit grayscale PNG file (ISO/IEC 15948). By libpng itself because VTK's reader,
+ * the one PCL brings, crashes on a truncated file. */
+DepthImage
+readDepthPng (const std::string& file)
+{
+  try {
+    PngFile png (file);
+    return read (png);
+  }
+  catch (const PngError& error) {
+    throw apps::WorkError (file, error.what + "; get the file again");
+  }
 }
 
 bool
@@ -138,8 +253,8 @@ sunRgbdCloud (const DepthImage& image,
       const std::uint16_t stored = image.values[row * image.width + column];
       if (stored == 0)
         continue;
-      const auto millimetres = static_cast<std::uint16_t> (stored >> 3 | stored << 13);
-      const double depth = std::min (millimetres * metres_per_unit, farthest_depth);
+      const auto millimeters = static_cast<std::uint16_t> (stored >> 3 | stored << 13);
+      const double depth = std::min (millimeters * meters_per_unit, max_depth);
       const Eigen::Vector3d point (
           (static_cast<double> (column) - center_x) / focal_x * depth,
           (static_cast<double> (row) - center_y) / focal_y * depth,

@@ -4,8 +4,11 @@
 
 #include <Eigen/Core>
 
-#include "cloud_source.h"
-#include "depth_png.h"
+#include "data_sets.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace pcl_ops::evaluation {
 
@@ -17,16 +20,21 @@ enum class SunRgbdDepth {
   Refined
 };
 
+/** \brief An image of one 16-bit value per pixel, row by row from the top. */
+struct DepthImage {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::vector<std::uint16_t> values;
+};
+
 /** \brief The points of a SUN RGB-D depth image (Song, Lichtenberg & Xiao, CVPR 2015)
  * in a frame with its origin at the camera, x to the right and z against gravity [m].
  * Pixels without a reading give no point; as in the data set's toolbox, depths beyond 8
  * m are set to 8 m.
- * \param[in] image pixel values as stored, millimetres rotated right
- * by 3 bits
+ * \param[in] image pixel values as stored, millimeters rotated right by 3 bits
  * \param[in] intrinsics pinhole camera matrix [pixel]
- * \param[in] extrinsics
- * takes the camera's axes (x right, y down, z forward) to the same axes with y along
- * gravity */
+ * \param[in] extrinsics takes the camera's axes (x right, y down, z forward) to the
+ * same axes with y along gravity */
 XyzCloud::Ptr
 sunRgbdCloud (const DepthImage& image,
               const Eigen::Matrix3d& intrinsics,

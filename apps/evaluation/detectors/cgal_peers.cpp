@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cgal_peers.h"
-
 #include <pcl/common/angles.h>
 
-#include "timed.h"
+#include "detector_run.h"
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
@@ -29,7 +27,7 @@ using NormalMap = CGAL::Nth_of_tuple_property_map<1, OrientedPoint>;
 constexpr unsigned neighbors = 24;
 /** CGAL grows smaller regions in vain again from each of their points: at 0.2 per cent
  * of the points, as for Efficient RANSAC, that takes minutes. */
-constexpr std::size_t fewest_points_of_region = 50;
+constexpr std::size_t min_points_of_region = 50;
 constexpr float distance_threshold = 0.05f; // [m]
 /** Gaps up to this do not divide a surface [m]. */
 constexpr float cluster_distance = 0.1f;
@@ -37,7 +35,7 @@ constexpr float cluster_distance = 0.1f;
 constexpr float normal_degrees = 25.0f;
 /** Probability to miss the largest plane: CGAL's default. */
 constexpr float miss_probability = 0.05f;
-constexpr double smallest_share = 0.002;
+constexpr double min_share = 0.002;
 
 OrientedPoints
 orientedPointsOf (const XyzCloud& cloud)
@@ -56,11 +54,9 @@ orientedPointsOf (const XyzCloud& cloud)
 }
 
 std::size_t
-fewestPoints (const OrientedPoints& points)
+minPoints (const OrientedPoints& points)
 {
-  return static_cast<std::size_t> (smallest_share *
-                                   static_cast<double> (points.size())) +
-         1;
+  return static_cast<std::size_t> (min_share * static_cast<double> (points.size())) + 1;
 }
 
 pcl::PointIndices
@@ -84,7 +80,7 @@ planesByEfficientRansac (OrientedPoints& points, std::uint32_t seed)
   ransac.add_shape_factory<CGAL::Shape_detection::Plane<Traits>>();
   Ransac::Parameters parameters;
   parameters.probability = miss_probability;
-  parameters.min_points = fewestPoints (points);
+  parameters.min_points = minPoints (points);
   parameters.epsilon = distance_threshold;
   parameters.cluster_epsilon = cluster_distance;
   parameters.normal_threshold = std::cos (pcl::deg2rad (normal_degrees));
@@ -109,7 +105,7 @@ planesByRegionGrowing (const OrientedPoints& points)
   Region region (points,
                  distance_threshold,
                  normal_degrees,
-                 fewest_points_of_region,
+                 min_points_of_region,
                  PointMap(),
                  NormalMap());
   Sorting sorting (points, query, PointMap());
@@ -129,17 +125,12 @@ planesByRegionGrowing (const OrientedPoints& points)
 /** Both detectors as PCL would be given them: cloud to normals to labels. */
 template <typename Detect>
 DetectorRun
-runCgal (const XyzCloud& cloud, Detect detect)
+runCgal (const XyzCloud& cloud, const Detect& detect)
 {
-  DetectorRun run;
-  timed (run.durations.detection, [&] {
-    OrientedPoints points =
-        timed (run.durations.normals, [&] { return orientedPointsOf (cloud); });
-    const std::vector<pcl::PointIndices> planes = detect (points);
-    run.planes_before_merging = planes.size();
-    run.labels = labelsOf (planes, cloud.size());
+  return runPeer (cloud, [&] (double& normals) {
+    OrientedPoints points = timed (normals, [&] { return orientedPointsOf (cloud); });
+    return detect (points);
   });
-  return run;
 }
 
 } // namespace

@@ -2,10 +2,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/common/time.h>
+
 #include "detectors.h"
-#include "timed.h"
 
 namespace pcl_ops::evaluation {
+
+/** \brief Runs something and adds its wall time to a duration [ms]. */
+template <typename Work>
+auto
+timed (double& duration, Work&& work)
+{
+  struct Watch {
+    double& duration;
+    pcl::StopWatch watch;
+    ~Watch() { duration += watch.getTime(); }
+  } const watch{duration, {}};
+  return work();
+}
+
+/** \brief Runs any other detector.
+ * \param[in] cloud finite points
+ * \param[in] detect gives the planes of the cloud and adds the time [ms] of their
+ * normals to its argument */
+template <typename Detect>
+DetectorRun
+runPeer (const XyzCloud& cloud, const Detect& detect)
+{
+  DetectorRun run;
+  timed (run.durations.detection, [&] {
+    const std::vector<pcl::PointIndices> planes = detect (run.durations.normals);
+    run.planes_before_merging = planes.size();
+    run.labels = labelsOf (planes, cloud.size());
+  });
+  return run;
+}
 
 /** \brief Runs a detector of this project.
  * \param[in] parameters all of them: up axis, seed and threads too

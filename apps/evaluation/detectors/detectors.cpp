@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detectors.h"
 
-#include "ablation.h"
-#include "cgal_peers.h"
 #include "detector_run.h"
-#include "pcl_peers.h"
 #include <cli/errors.h>
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/kernel_hough_transform.h>
@@ -88,6 +85,30 @@ addTable3 (Configurations& all)
     addRow ("ops-s1-", 3.0, k);
 }
 
+/** The default preset with one ingredient off at a time. */
+void
+addAblation (Configurations& all)
+{
+  using Parameters = OrientedPointSamplingParameters;
+  constexpr double no_limit = 1e6;
+  const std::pair<const char*, void (*) (Parameters&)> ingredients[] = {
+      {"resolutions", [] (Parameters& p) { p.surfels.resolutions = 1; }},
+      {"least-cells", [] (Parameters& p) { p.surfels.least_average_voxels = 0.0; }},
+      {"normal-test", [] (Parameters& p) { p.surfels.angle_threshold = M_PI_2; }},
+      {"noise-bands", [] (Parameters& p) { p.surfels.noise_factor = no_limit; }},
+      {"absorption", [] (Parameters& p) { p.surfels.absorption_noise_factor = 0.0; }},
+      {"merging", [] (Parameters& p) { p.merging.enabled = false; }},
+      {"noise-in-assignment",
+       [] (Parameters& p) { p.surfels.assignment_noise_factor = no_limit; }},
+      {"measured-threshold", [] (Parameters& p) { p.distance_threshold = 0.05; }}};
+  for (const auto& [name, switch_off] : ingredients) {
+    Parameters parameters;
+    switch_off (parameters);
+    all.push_back (configurationOf<OrientedPointSampling<pcl::PointXYZ>> (
+        std::string ("ops-without-") + name, {"ablation"}, parameters));
+  }
+}
+
 bool
 isCalled (const Configuration& configuration, const std::string& name)
 {
@@ -117,15 +138,6 @@ allConfigurations ()
     return configurations;
   }();
   return all;
-}
-
-bool
-isInGroup (const std::string& configuration, const std::string& group)
-{
-  const std::vector<Configuration>& all = allConfigurations();
-  return std::any_of (all.begin(), all.end(), [&] (const Configuration& known) {
-    return known.name == configuration && isCalled (known, group);
-  });
 }
 
 std::vector<Configuration>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <evaluation/labels/plane_classes.h>
+#include <evaluation/labels/labels.h>
 #include <pcl_ops/plane_detector.h>
 
 #include <functional>
@@ -37,7 +37,7 @@ struct Configuration {
 
 /** \brief Every row of the paper's tables, the product's presets, and the detectors
  * people use today:
- * - table1: fspf-R1-R2, with the radii in metres
+ * - table1: fspf-R1-R2, with the radii in meters
  * - table2: kht-PHI-RHO, with the numbers of bins
  * - table3: ops-RATE-K and ops-s1-RATE-K (strategy 1), with the sampling rate in per
  * cent
@@ -48,14 +48,20 @@ struct Configuration {
 const std::vector<Configuration>&
 allConfigurations ();
 
-/** \brief Whether a configuration of that name is known and one of the group. */
-bool
-isInGroup (const std::string& configuration, const std::string& group);
-
 /** \brief The configurations of a list of names and groups, "ops,table4"; "all" for all
  * but the ablation. None comes twice.
  * \throw apps::UsageError for an unknown name */
 std::vector<Configuration>
 selectConfigurations (const std::string& list);
+
+/** \brief pcl-sac, the loop of PCL's tutorial around SACSegmentation, and
+ * pcl-region-growing, normals of all points and RegionGrowing. */
+void
+addPclPeers (std::vector<Configuration>& configurations);
+
+/** \brief cgal-ransac, Efficient RANSAC (Schnabel et al. 2007), and
+ * cgal-region-growing, both with the normals they need. */
+void
+addCgalPeers (std::vector<Configuration>& configurations);
 
 } // namespace pcl_ops::evaluation

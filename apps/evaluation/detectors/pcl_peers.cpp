@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pcl_peers.h"
-
 #include <pcl/common/angles.h>
 #include <pcl/features/normal_3d.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/region_growing.h>
 #include <pcl/segmentation/sac_segmentation.h>
 
-#include "timed.h"
+#include "detector_run.h"
 
 #include <algorithm>
 #include <iterator>
@@ -19,16 +17,16 @@ namespace pcl_ops::evaluation {
 namespace {
 
 constexpr double distance_threshold = 0.05; // [m]
-constexpr int most_planes = 40;
-constexpr std::size_t fewest_inliers = 500;
+constexpr int max_planes = 40;
+constexpr std::size_t min_inliers = 500;
 /** The loop ends when less than this share of the points is left. */
 constexpr double share_left = 0.02;
-constexpr int most_iterations = 1000;
+constexpr int max_iterations = 1000;
 
 constexpr int neighbors = 30;
 /** As in PCL's tutorial: the normals alone decide. */
 constexpr float curvature_threshold = 1.0f;
-constexpr int fewest_points_of_region = 50;
+constexpr int min_points_of_region = 50;
 
 std::vector<pcl::PointIndices>
 planesByRansac (const XyzCloud::ConstPtr& cloud)
@@ -37,19 +35,19 @@ planesByRansac (const XyzCloud::ConstPtr& cloud)
   segmentation.setOptimizeCoefficients (true);
   segmentation.setModelType (pcl::SACMODEL_PLANE);
   segmentation.setMethodType (pcl::SAC_RANSAC);
-  segmentation.setMaxIterations (most_iterations);
+  segmentation.setMaxIterations (max_iterations);
   segmentation.setDistanceThreshold (distance_threshold);
   segmentation.setInputCloud (cloud);
 
   std::vector<pcl::PointIndices> planes;
   pcl::IndicesPtr rest (new pcl::Indices (cloud->size()));
   std::iota (rest->begin(), rest->end(), 0);
-  while (rest->size() > share_left * cloud->size() && planes.size() < most_planes) {
+  while (rest->size() > share_left * cloud->size() && planes.size() < max_planes) {
     pcl::PointIndices inliers;
     pcl::ModelCoefficients coefficients;
     segmentation.setIndices (rest);
     segmentation.segment (inliers, coefficients);
-    if (inliers.indices.size() < fewest_inliers)
+    if (inliers.indices.size() < min_inliers)
       break;
     std::sort (inliers.indices.begin(), inliers.indices.end());
     pcl::IndicesPtr without (new pcl::Indices);
@@ -62,18 +60,6 @@ planesByRansac (const XyzCloud::ConstPtr& cloud)
     planes.push_back (inliers);
   }
   return planes;
-}
-
-DetectorRun
-runSacLoop (const XyzCloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t)
-{
-  DetectorRun run;
-  timed (run.durations.detection, [&] {
-    const std::vector<pcl::PointIndices> planes = planesByRansac (cloud);
-    run.planes_before_merging = planes.size();
-    run.labels = labelsOf (planes, cloud->size());
-  });
-  return run;
 }
 
 pcl::PointCloud<pcl::Normal>::Ptr
@@ -102,24 +88,10 @@ regionsOf (const XyzCloud::ConstPtr& cloud, double& normals_duration)
   growing.setNumberOfNeighbours (neighbors);
   growing.setSmoothnessThreshold (static_cast<float> (paper_angle));
   growing.setCurvatureThreshold (curvature_threshold);
-  growing.setMinClusterSize (fewest_points_of_region);
+  growing.setMinClusterSize (min_points_of_region);
   std::vector<pcl::PointIndices> regions;
   growing.extract (regions);
   return regions;
-}
-
-DetectorRun
-runRegionGrowing (const XyzCloud::ConstPtr& cloud,
-                  const Eigen::Vector3d&,
-                  std::uint32_t)
-{
-  DetectorRun run;
-  timed (run.durations.detection, [&] {
-    const auto regions = regionsOf (cloud, run.durations.normals);
-    run.planes_before_merging = regions.size();
-    run.labels = labelsOf (regions, cloud->size());
-  });
-  return run;
 }
 
 } // namespace
@@ -127,8 +99,19 @@ runRegionGrowing (const XyzCloud::ConstPtr& cloud,
 void
 addPclPeers (std::vector<Configuration>& configurations)
 {
-  configurations.push_back ({"pcl-sac", {"peers"}, runSacLoop});
-  configurations.push_back ({"pcl-region-growing", {"peers"}, runRegionGrowing});
+  configurations.push_back (
+      {"pcl-sac",
+       {"peers"},
+       [] (const XyzCloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t) {
+         return runPeer (*cloud, [&] (double&) { return planesByRansac (cloud); });
+       }});
+  configurations.push_back (
+      {"pcl-region-growing",
+       {"peers"},
+       [] (const XyzCloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t) {
+         return runPeer (*cloud,
+                         [&] (double& normals) { return regionsOf (cloud, normals); });
+       }});
 }
 
 } // namespace pcl_ops::evaluation

@@ -29,12 +29,6 @@ truePlanes (const EvaluationCloud& cloud)
   return planes;
 }
 
-Eigen::Vector3d
-directionOf (const PlaneEdge& edge)
-{
-  return (edge.to - edge.from).normalized();
-}
-
 double
 distanceTo (const PlaneEdge& edge, const Eigen::Vector3d& point)
 {
@@ -43,21 +37,22 @@ distanceTo (const PlaneEdge& edge, const Eigen::Vector3d& point)
   return (edge.from + std::clamp (place, 0.0, 1.0) * along - point).norm();
 }
 
-/** \brief For each centimetre of an edge the distance to the nearest of the others that
+/** \brief For each centimeter of an edge the distance to the nearest of the others that
  * runs alike; infinite where there is none near. */
 std::vector<double>
 distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
 {
   std::vector<double> distances;
-  constexpr double most_samples = 1e5;
+  const Eigen::Vector3d direction = (edge.to - edge.from).normalized();
+  constexpr double max_samples = 1e5;
   const auto samples =
-      static_cast<int> (std::min (most_samples, edge.length() / sample_step)) + 1;
+      static_cast<int> (std::min (max_samples, edge.length() / sample_step)) + 1;
   for (int sample = 0; sample < samples; ++sample) {
     const double place = (sample + 0.5) / samples;
     const Eigen::Vector3d point = edge.from + place * (edge.to - edge.from);
     double least = std::numeric_limits<double>::infinity();
     for (const PlaneEdge& other : others)
-      if (std::abs (directionOf (edge).dot (directionOf (other))) >=
+      if (std::abs (direction.dot ((other.to - other.from).normalized())) >=
           std::cos (paper_angle))
         least = std::min (least, distanceTo (other, point));
     distances.push_back (least);
@@ -95,8 +90,8 @@ matchCorners (const EdgePair& edges, EdgeScore& score)
     ++score.corners_matched;
     score.corner_errors.push_back (least);
   }
-  score.true_corners = edges.truth.corners.size();
-  score.found_corners = edges.found.corners.size();
+  score.true_corners += edges.truth.corners.size();
+  score.found_corners += edges.found.corners.size();
 }
 
 } // namespace
@@ -123,30 +118,9 @@ findBothEdges (const EvaluationCloud& cloud)
   return edges;
 }
 
-EdgeScore&
-EdgeScore::operator+= (const EdgeScore& other)
+void
+addScore (const EdgePair& edges, EdgeScore& score)
 {
-  for (auto length : {&EdgeScore::true_length,
-                      &EdgeScore::true_length_found,
-                      &EdgeScore::wall_length,
-                      &EdgeScore::wall_length_found,
-                      &EdgeScore::found_length,
-                      &EdgeScore::found_length_true})
-    this->*length += other.*length;
-  for (auto number : {&EdgeScore::true_corners,
-                      &EdgeScore::found_corners,
-                      &EdgeScore::corners_matched})
-    this->*number += other.*number;
-  for (auto errors : {&EdgeScore::edge_errors, &EdgeScore::corner_errors})
-    (this->*errors)
-        .insert ((this->*errors).end(), (other.*errors).begin(), (other.*errors).end());
-  return *this;
-}
-
-EdgeScore
-scoreOf (const EdgePair& edges)
-{
-  EdgeScore score;
   for (std::size_t i = 0; i < edges.truth.edges.size(); ++i) {
     const PlaneEdge& edge = edges.truth.edges[i];
     const std::vector<double> distances = distancesAlong (edge, edges.found.edges);
@@ -168,13 +142,12 @@ scoreOf (const EdgePair& edges)
         shareNear (distancesAlong (edge, edges.truth.edges)) * edge.length();
   }
   matchCorners (edges, score);
-  return score;
 }
 
 TextTable
 edgeTable (const std::vector<EdgeScores>& data_sets)
 {
-  constexpr double millimetres = 1e3;
+  constexpr double millimeters = 1e3;
   TextTable table{"Where planes meet",
                   {"data set",
                    "wall edges found %",
@@ -195,11 +168,11 @@ edgeTable (const std::vector<EdgeScores>& data_sets)
          share (score.wall_length_found, score.wall_length),
          share (score.true_length_found, score.true_length),
          share (score.found_length_true, score.found_length),
-         decimal (millimetres * apps::quantile (score.edge_errors, 0.5), 1),
-         decimal (millimetres * apps::quantile (score.edge_errors, 0.95), 1),
+         decimal (millimeters * apps::quantile (score.edge_errors, 0.5), 1),
+         decimal (millimeters * apps::quantile (score.edge_errors, 0.95), 1),
          percent (apps::fraction (score.corners_matched, score.true_corners, NAN)),
          percent (apps::fraction (score.corners_matched, score.found_corners, NAN)),
-         decimal (millimetres * apps::quantile (score.corner_errors, 0.5), 1)});
+         decimal (millimeters * apps::quantile (score.corner_errors, 0.5), 1)});
   return table;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <evaluation/data/cloud_source.h>
+#include <evaluation/data/data_sets.h>
 #include <evaluation/report/text_table.h>
 #include <pcl_ops/plane_edges.h>
 
@@ -30,18 +30,16 @@ struct EdgeScore {
   double wall_length = 0.0, wall_length_found = 0.0;
   double found_length = 0.0, found_length_true = 0.0;
   std::size_t true_corners = 0, found_corners = 0, corners_matched = 0;
-  /** \brief How far the found edges are off, at each centimetre of the true ones that
+  /** \brief How far the found edges are off, at each centimeter of the true ones that
    * were found, and the corners [m]. */
   std::vector<double> edge_errors, corner_errors;
-
-  EdgeScore&
-  operator+= (const EdgeScore& other);
 };
 
 /** \brief Compares edges and corners: those nearer than 5 cm, edges also within 7
- * degrees, are the same. */
-EdgeScore
-scoreOf (const EdgePair& edges);
+ * degrees, are the same.
+ * \param[in,out] score takes the lengths, numbers and errors in */
+void
+addScore (const EdgePair& edges, EdgeScore& score);
 
 /** \brief The scores on a data set. */
 struct EdgeScores {

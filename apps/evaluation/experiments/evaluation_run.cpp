@@ -117,9 +117,8 @@ private:
     try {
       row.values = apps::inMemory (configuration.name, fewer_at_a_time, [&] {
         const DetectorRun run = configuration.run (cloud.cloud, cloud.up, plan_.seed);
-        ClassParameters classes;
-        classes.up = cloud.up;
-        return valuesOf (compareLabels (*cloud.cloud, truth, run.labels, classes), run);
+        return valuesOf (compareLabels (*cloud.cloud, truth, run.labels, {cloud.up}),
+                         run);
       });
     }
     catch (const std::exception& error) {

@@ -21,7 +21,7 @@ struct Overlap {
   }
 };
 
-/** \brief How two labellings of the same points meet: only pairs that do are stored. */
+/** \brief How two labelings of the same points meet: only pairs that do are stored. */
 struct Confusion {
   PlaneIds truth;
   PlaneIds result;

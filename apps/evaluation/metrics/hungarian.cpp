@@ -9,92 +9,56 @@ namespace pcl_ops::evaluation {
 namespace {
 
 using Index = Eigen::Index;
-constexpr Index unassigned = -1;
+constexpr Index none = -1;
 
 /** Dual variables and the pairing they prove optimal for the rows added so far. */
 struct Assignment {
   const Eigen::MatrixXd& cost;
   Eigen::VectorXd row_price = Eigen::VectorXd::Zero (cost.rows());
   Eigen::VectorXd column_price = Eigen::VectorXd::Zero (cost.cols());
-  std::vector<Index> row_of = std::vector<Index> (cost.cols(), unassigned);
+  std::vector<Index> row_of = std::vector<Index> (cost.cols(), none);
 
-  double
-  reducedCost (Index row, Index column) const
+  void
+  addRow (Index start)
   {
-    return cost (row, column) - row_price[row] - column_price[column];
-  }
-};
-
-/** The tree of cheapest alternating paths from one unassigned row (Dijkstra). */
-struct PathTree {
-  Eigen::VectorXd length;
-  std::vector<Index> previous_column;
-  std::vector<Index> settled;
-  std::vector<bool> is_settled;
-
-  explicit PathTree (Index columns)
-  : length (
-        Eigen::VectorXd::Constant (columns, std::numeric_limits<double>::infinity()))
-  , previous_column (columns, unassigned)
-  , is_settled (columns, false)
-  {}
-
-  Index
-  nearestOpenColumn () const
-  {
-    Index nearest = unassigned;
-    for (Index column = 0; column < length.size(); ++column)
-      if (!is_settled[column] &&
-          (nearest == unassigned || length[column] < length[nearest]))
-        nearest = column;
-    return nearest;
-  }
-};
-
-/** Grows the tree until it reaches a free column, which ends the path. */
-Index
-findFreeColumn (const Assignment& assignment, Index start_row, PathTree& tree)
-{
-  Index row = start_row, last_column = unassigned;
-  double length_so_far = 0.0;
-  while (true) {
-    for (Index column = 0; column < tree.length.size(); ++column) {
-      const double length = length_so_far + assignment.reducedCost (row, column);
-      if (!tree.is_settled[column] && length < tree.length[column]) {
-        tree.length[column] = length;
-        tree.previous_column[column] = last_column;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd length = Eigen::VectorXd::Constant (cost.cols(), infinity);
+    std::vector<Index> previous (cost.cols(), none), settled;
+    std::vector<bool> is_settled (cost.cols(), false);
+    Index row = start, last = none;
+    double so_far = 0.0;
+    // The cheapest alternating path from the row to a free column (Dijkstra).
+    while (row != none) {
+      Index nearest = none;
+      for (Index column = 0; column < cost.cols(); ++column) {
+        if (is_settled[column])
+          continue;
+        const double through =
+            so_far + cost (row, column) - row_price[row] - column_price[column];
+        if (through < length[column]) {
+          length[column] = through;
+          previous[column] = last;
+        }
+        if (nearest == none || length[column] < length[nearest])
+          nearest = column;
       }
+      last = nearest;
+      row = row_of[last];
+      so_far = length[last];
+      is_settled[last] = true;
+      if (row != none)
+        settled.push_back (last);
     }
-    last_column = tree.nearestOpenColumn();
-    if (assignment.row_of[last_column] == unassigned)
-      return last_column;
-    tree.is_settled[last_column] = true;
-    tree.settled.push_back (last_column);
-    length_so_far = tree.length[last_column];
-    row = assignment.row_of[last_column];
+    // New prices keep every reduced cost non-negative and those of pairs at zero.
+    row_price[start] += so_far;
+    for (const Index column : settled) {
+      row_price[row_of[column]] += so_far - length[column];
+      column_price[column] -= so_far - length[column];
+    }
+    for (Index column = last; column != none; column = previous[column])
+      row_of[column] = previous[column] == none ? start : row_of[previous[column]];
   }
-}
-
-void
-addRow (Assignment& assignment, Index row)
-{
-  PathTree tree (assignment.cost.cols());
-  const Index free_column = findFreeColumn (assignment, row, tree);
-  const double path_length = tree.length[free_column];
-  // New prices keep every reduced cost non-negative and those of pairs at zero.
-  assignment.row_price[row] += path_length;
-  for (const Index column : tree.settled) {
-    const double slack = path_length - tree.length[column];
-    assignment.row_price[assignment.row_of[column]] += slack;
-    assignment.column_price[column] -= slack;
-  }
-  for (Index column = free_column; column != unassigned;) {
-    const Index previous = tree.previous_column[column];
-    assignment.row_of[column] =
-        previous == unassigned ? row : assignment.row_of[previous];
-    column = previous;
-  }
-}
+};
 
 } // namespace
 
@@ -106,13 +70,13 @@ maximumAssignment (const Eigen::MatrixXd& benefit)
       wide ? Eigen::MatrixXd (-benefit) : Eigen::MatrixXd (-benefit.transpose());
   Assignment assignment{cost};
   for (Index row = 0; row < cost.rows(); ++row)
-    addRow (assignment, row);
+    assignment.addRow (row);
 
   if (!wide)
     return {assignment.row_of.begin(), assignment.row_of.end()};
-  std::vector<std::ptrdiff_t> column_of (benefit.rows(), unassigned);
+  std::vector<std::ptrdiff_t> column_of (benefit.rows(), none);
   for (Index column = 0; column < cost.cols(); ++column)
-    if (assignment.row_of[column] != unassigned)
+    if (assignment.row_of[column] != none)
       column_of[assignment.row_of[column]] = column;
   return column_of;
 }

@@ -4,6 +4,8 @@
 
 #include "confusion.h"
 
+#include <utility>
+
 namespace pcl_ops::evaluation {
 
 /** \brief Planes as instances, at one overlap threshold. All are fractions; where both
@@ -34,6 +36,18 @@ struct InstanceMetrics {
   /** \brief True planes that neither match nor have a part in them / true planes. */
   double missed = 0.0;
 };
+
+/** \brief All of them by their published names, in order. */
+constexpr std::pair<const char*, double InstanceMetrics::*> instance_metrics[] = {
+    {"precision", &InstanceMetrics::precision},
+    {"recall", &InstanceMetrics::recall},
+    {"f_score", &InstanceMetrics::f_score},
+    {"mean_iou", &InstanceMetrics::mean_iou},
+    {"panoptic_quality", &InstanceMetrics::panoptic_quality},
+    {"over_segmentation", &InstanceMetrics::over_segmentation},
+    {"under_segmentation", &InstanceMetrics::under_segmentation},
+    {"noise", &InstanceMetrics::noise},
+    {"missed", &InstanceMetrics::missed}};
 
 /** \brief Matches planes one to one by falling intersection over union, from \p
  * threshold on (at more than one half no plane has two candidates). */

@@ -58,33 +58,24 @@ setSegmentationAccuracies (const Confusion& confusion, Metrics& metrics)
       right + confusion.points_on_no_plane_in_both, confusion.points, 1.0);
 }
 
+using Named = std::vector<std::pair<std::string, double>>;
+
 void
-appendNamed (const InstanceMetrics& metrics,
-             const std::string& suffix,
-             std::vector<std::pair<std::string, double>>& named)
+appendNamed (const InstanceMetrics& metrics, const std::string& suffix, Named& named)
 {
-  named.emplace_back ("precision" + suffix, metrics.precision);
-  named.emplace_back ("recall" + suffix, metrics.recall);
-  named.emplace_back ("f_score" + suffix, metrics.f_score);
-  named.emplace_back ("mean_iou" + suffix, metrics.mean_iou);
-  named.emplace_back ("panoptic_quality" + suffix, metrics.panoptic_quality);
-  named.emplace_back ("over_segmentation" + suffix, metrics.over_segmentation);
-  named.emplace_back ("under_segmentation" + suffix, metrics.under_segmentation);
-  named.emplace_back ("noise" + suffix, metrics.noise);
-  named.emplace_back ("missed" + suffix, metrics.missed);
+  for (const auto& [name, value] : instance_metrics)
+    named.emplace_back (name + suffix, metrics.*value);
 }
 
-template <typename Size>
+/** As in "found_75_by_width_below_0.03". */
 void
-appendNamed (const std::string& by,
-             const std::vector<SizeClass<Size>>& classes,
-             std::vector<std::pair<std::string, double>>& named)
+appendNamed (const std::string& by, const SizeClasses& classes, Named& named)
 {
-  for (const SizeClass<Size>& size : classes) {
-    const CountNames names = countNames (by, size);
-    named.emplace_back (names.planes, double (size.planes));
-    named.emplace_back (names.found_50, double (size.found_50));
-    named.emplace_back (names.found_75, double (size.found_75));
+  for (const SizeClass& size : classes) {
+    const std::string suffix = "_by_" + by + '_' + size.name ('_');
+    named.emplace_back ("planes" + suffix, double (size.planes));
+    named.emplace_back ("found" + suffix, double (size.found_50));
+    named.emplace_back ("found_75" + suffix, double (size.found_75));
   }
 }
 
@@ -124,10 +115,9 @@ compareLabels (const XyzCloud& cloud,
 std::vector<std::pair<std::string, double>>
 namedMetrics (const Metrics& metrics)
 {
-  std::vector<std::pair<std::string, double>> named{
-      {"classification_accuracy", metrics.classification_accuracy},
-      {"segmentation_accuracy", metrics.segmentation_accuracy},
-      {"segmentation_accuracy_all", metrics.segmentation_accuracy_all}};
+  Named named{{"classification_accuracy", metrics.classification_accuracy},
+              {"segmentation_accuracy", metrics.segmentation_accuracy},
+              {"segmentation_accuracy_all", metrics.segmentation_accuracy_all}};
   appendNamed (metrics.at_50, "", named);
   appendNamed (metrics.at_75, "_75", named);
   return named;
@@ -136,9 +126,9 @@ namedMetrics (const Metrics& metrics)
 std::vector<std::pair<std::string, double>>
 namedCounts (const Metrics& metrics)
 {
-  std::vector<std::pair<std::string, double>> named;
-  appendNamed (by_points, metrics.by_size, named);
-  appendNamed (by_width, metrics.by_width, named);
+  Named named;
+  appendNamed ("points", metrics.by_size, named);
+  appendNamed ("width", metrics.by_width, named);
   return named;
 }
 

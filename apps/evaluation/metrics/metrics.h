@@ -4,7 +4,7 @@
 
 #include "instance_metrics.h"
 #include "size_classes.h"
-#include <evaluation/labels/plane_classes.h>
+#include <evaluation/labels/labels.h>
 
 #include <string>
 #include <utility>
@@ -27,20 +27,16 @@ struct Metrics {
   std::size_t truth_planes = 0;
   std::size_t result_planes = 0;
   /** \brief How many of the true planes are found, by number of points. */
-  std::vector<PointsClass> by_size = sizeClasses ({});
+  SizeClasses by_size = sizeClasses ({});
   /** \brief The same by width, see \ref widthsOf. */
-  std::vector<WidthClass> by_width = widthClasses ({}, {});
+  SizeClasses by_width = widthClasses ({}, {});
 };
-
-/** \brief What true planes are divided by, as in \ref countNames. */
-constexpr const char* by_points = "points";
-constexpr const char* by_width = "width";
 
 /** \brief Published name of \ref Metrics::points_off_planes_called_planes; as a column
  * of results it is behind the times, so that the others stay where they were. */
 constexpr const char* off_planes_name = "points_off_planes_called_planes";
 
-/** \brief Compares two labellings of a cloud. Points without finite coordinates are on
+/** \brief Compares two labelings of a cloud. Points without finite coordinates are on
  * no surface and do not count.
  * \param[in] cloud the points
  * \param[in] truth, result their labels, each of the cloud's size
@@ -59,7 +55,7 @@ std::vector<std::pair<std::string, double>>
 namedMetrics (const Metrics& metrics);
 
 /** \brief The numbers of true planes, and of those found, by number of points and by
- * width, under their published names, see \ref countNames. */
+ * width, under their published names: "found_75_by_width_below_0.03". */
 std::vector<std::pair<std::string, double>>
 namedCounts (const Metrics& metrics);
 

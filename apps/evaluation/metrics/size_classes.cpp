@@ -5,36 +5,27 @@
 #include "instance_metrics.h"
 
 #include <cmath>
+#include <sstream>
 
 namespace pcl_ops::evaluation {
 
 namespace {
 
-template <typename Size>
-std::vector<SizeClass<Size>>
-emptyClasses (const std::vector<Size>& limits)
-{
-  std::vector<SizeClass<Size>> classes (1);
-  for (const Size limit : limits) {
-    classes.back().below = limit;
-    classes.emplace_back();
-    classes.back().from = limit;
-  }
-  return classes;
-}
-
-/** \param[in] confusion of labellings
+/** \param[in] confusion of labelings
  * \param[in] sizes of its true planes
  * \param[in] limits between classes, ascending */
-template <typename Size>
-std::vector<SizeClass<Size>>
+SizeClasses
 classesOf (const Confusion& confusion,
-           const std::vector<Size>& sizes,
-           const std::vector<Size>& limits)
+           const std::vector<double>& sizes,
+           const std::vector<double>& limits)
 {
+  SizeClasses classes (limits.size() + 1);
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    classes[i].below = limits[i];
+    classes[i + 1].from = limits[i];
+  }
   const std::vector<bool> found_50 = foundTruePlanes (confusion, 0.50);
   const std::vector<bool> found_75 = foundTruePlanes (confusion, 0.75);
-  std::vector<SizeClass<Size>> classes = emptyClasses (limits);
   for (std::size_t plane = 0; plane < sizes.size(); ++plane) {
     auto of_plane = classes.begin();
     while (of_plane->below && sizes[plane] >= *of_plane->below)
@@ -48,17 +39,26 @@ classesOf (const Confusion& confusion,
 
 } // namespace
 
-std::vector<PointsClass>
-sizeClasses (const Confusion& confusion)
+std::string
+SizeClass::name (char between) const
 {
-  return classesOf<std::size_t> (
-      confusion, confusion.truth.points, {200, 500, 1000, 3000, 10'000});
+  std::ostringstream text;
+  text << (below ? "below" : "from") << between << below.value_or (from);
+  return text.str();
 }
 
-std::vector<WidthClass>
+SizeClasses
+sizeClasses (const Confusion& confusion)
+{
+  const std::vector<std::size_t>& points = confusion.truth.points;
+  return classesOf (
+      confusion, {points.begin(), points.end()}, {200, 500, 1000, 3000, 10'000});
+}
+
+SizeClasses
 widthClasses (const Confusion& confusion, const std::vector<double>& widths)
 {
-  return classesOf<double> (confusion, widths, {0.03, 0.06, 0.12, 0.25, 1.0});
+  return classesOf (confusion, widths, {0.03, 0.06, 0.12, 0.25, 1.0});
 }
 
 std::vector<double>

@@ -3,6 +3,7 @@
 #include "results_file.h"
 
 #include <cli/errors.h>
+#include <detection/stages.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -52,6 +53,25 @@ cellsOf (const std::string& line)
   return cells;
 }
 
+/** The columns behind the texts and the seed, in order. */
+std::vector<std::pair<std::string, double>>
+namedValues (const Metrics& metrics, const DetectorRun& run)
+{
+  std::vector<std::pair<std::string, double>> values{
+      {"points", double (metrics.points)},
+      {"truth_planes", double (metrics.truth_planes)},
+      {"result_planes", double (metrics.result_planes)},
+      {"planes_before_merging", double (run.planes_before_merging)}};
+  for (const auto& named : namedMetrics (metrics))
+    values.push_back (named);
+  for (const auto& [stage, duration] : apps::detection_stages)
+    values.emplace_back (std::string (stage) + "_ms", run.durations.*duration);
+  values.emplace_back (off_planes_name, metrics.points_off_planes_called_planes);
+  for (const auto& named : namedCounts (metrics))
+    values.push_back (named);
+  return values;
+}
+
 std::string
 headerLine ()
 {
@@ -87,18 +107,6 @@ rowOf (const std::string& line)
   return row;
 }
 
-/** Cuts off what follows the last line break. */
-void
-removeIncompleteLine (const std::string& file)
-{
-  std::ifstream stream (file, std::ios::binary);
-  const std::string text (std::istreambuf_iterator<char> (stream), {});
-  const std::size_t end = text.rfind ('\n');
-  const std::size_t complete = end == std::string::npos ? 0 : end + 1;
-  if (complete < text.size())
-    fs::resize_file (file, complete);
-}
-
 } // namespace
 
 double
@@ -115,15 +123,8 @@ const std::vector<std::string>&
 valueColumns ()
 {
   static const std::vector<std::string> columns = [] {
-    std::vector<std::string> names{
-        "points", "truth_planes", "result_planes", "planes_before_merging"};
-    for (const auto& named : namedMetrics ({}))
-      names.push_back (named.first);
-    for (const char* stage :
-         {"search", "normals", "extraction", "assignment", "merging", "detection"})
-      names.push_back (stage + std::string ("_ms"));
-    names.push_back (off_planes_name);
-    for (const auto& named : namedCounts ({}))
+    std::vector<std::string> names;
+    for (const auto& named : namedValues ({}, {}))
       names.push_back (named.first);
     return names;
   }();
@@ -133,49 +134,33 @@ valueColumns ()
 std::vector<double>
 valuesOf (const Metrics& metrics, const DetectorRun& run)
 {
-  std::vector<double> values{static_cast<double> (metrics.points),
-                             static_cast<double> (metrics.truth_planes),
-                             static_cast<double> (metrics.result_planes),
-                             static_cast<double> (run.planes_before_merging)};
-  for (const auto& named : namedMetrics (metrics))
-    values.push_back (named.second);
-  const StageDurations& stages = run.durations;
-  for (const double duration : {stages.search,
-                                stages.normals,
-                                stages.extraction,
-                                stages.assignment,
-                                stages.merging,
-                                stages.detection})
-    values.push_back (duration);
-  values.push_back (metrics.points_off_planes_called_planes);
-  for (const auto& named : namedCounts (metrics))
+  std::vector<double> values;
+  for (const auto& named : namedValues (metrics, run))
     values.push_back (named.second);
   return values;
 }
 
 ResultsFile::ResultsFile (const std::string& file) : file_ (file)
 {
-  std::error_code ignored;
-  const bool is_new = !fs::exists (file, ignored);
-  if (!is_new) {
-    removeIncompleteLine (file);
-    readRows();
-  }
+  std::ifstream before (file, std::ios::binary);
+  const std::string text (std::istreambuf_iterator<char> (before), {});
+  const std::size_t complete = text.rfind ('\n') + 1; // 0 where there is no line
+  if (complete < text.size())
+    fs::resize_file (file, complete);
+  readRows (text.substr (0, complete));
   stream_.open (file, std::ios::app);
-  if (is_new || fs::file_size (file, ignored) == 0)
+  if (complete == 0)
     stream_ << headerLine() << '\n';
   if (!stream_.flush())
     throw apps::OutputError (file, "cannot be written; give another output folder");
 }
 
 void
-ResultsFile::readRows()
+ResultsFile::readRows (const std::string& text)
 {
-  std::ifstream stream (file_);
+  std::istringstream stream (text);
   std::string line;
-  if (!std::getline (stream, line))
-    return;
-  if (line != headerLine())
+  if (std::getline (stream, line) && line != headerLine())
     throw apps::WorkError (file_,
                            "has other columns than this version writes; give another "
                            "output folder");

@@ -74,7 +74,7 @@ public:
 
 private:
   void
-  readRows ();
+  readRows (const std::string& text);
 
   std::string file_;
   std::ofstream stream_;

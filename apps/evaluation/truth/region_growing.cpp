@@ -4,8 +4,6 @@
 
 #include <pcl/search/kdtree.h>
 
-#include <base/parallel.h>
-#include <geometry/points.h>
 #include <pcl_ops/plane.h>
 
 #include <algorithm>
@@ -16,16 +14,14 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-constexpr std::size_t points_per_piece = 1024;
 /** The region's plane is fitted again each time its points have grown by this factor.
  */
 constexpr double refit_growth = 1.3;
 constexpr double points_of_first_fit = 10.0;
 
-/** The finite points of a cloud with what their neighbourhoods tell. */
+/** The points of a cloud with what their neighborhoods tell. */
 struct Surfels {
   XyzCloud::Ptr cloud;
-  pcl::Indices index;
   std::size_t neighbors_per_point = 0;
   /** \ref neighbors_per_point of each point in turn. */
   pcl::Indices neighbors;
@@ -64,18 +60,12 @@ orient (Surfels& surfels, std::size_t i)
 }
 
 Surfels
-surfelsOf (const XyzCloud& cloud, int neighbors, unsigned threads)
+surfelsOf (const XyzCloud& cloud, int neighbors)
 {
-  pcl::Indices all (cloud.size());
-  std::iota (all.begin(), all.end(), 0);
   Surfels surfels;
-  const internal::Points points =
-      internal::finitePoints (CloudView (cloud), all, threads);
-  surfels.index = points.index.empty() ? all : points.index;
-  surfels.cloud.reset (new XyzCloud (cloud, surfels.index));
+  surfels.cloud = cloud.makeShared();
   surfels.neighbors_per_point =
       std::min (surfels.size(), static_cast<std::size_t> (std::max (1, neighbors)));
-  surfels.neighbors.resize (surfels.size() * surfels.neighbors_per_point);
   surfels.normal.resize (surfels.size(), Eigen::Vector3f::Zero());
   surfels.curvature.resize (surfels.size());
   if (surfels.size() == 0)
@@ -83,19 +73,14 @@ surfelsOf (const XyzCloud& cloud, int neighbors, unsigned threads)
 
   pcl::search::KdTree<pcl::PointXYZ> tree;
   tree.setInputCloud (surfels.cloud);
-  const auto orientAll = [&] (std::size_t begin, std::size_t end) {
-    pcl::Indices found;
-    std::vector<float> ignored;
-    for (std::size_t i = begin; i < end; ++i) {
-      tree.nearestKSearch (
-          (*surfels.cloud)[i], int (surfels.neighbors_per_point), found, ignored);
-      std::copy (found.begin(),
-                 found.end(),
-                 surfels.neighbors.begin() + i * surfels.neighbors_per_point);
-      orient (surfels, i);
-    }
-  };
-  internal::parallelFor (threads, surfels.size(), points_per_piece, orientAll);
+  pcl::Indices found;
+  std::vector<float> ignored;
+  for (std::size_t i = 0; i < surfels.size(); ++i) {
+    tree.nearestKSearch (
+        (*surfels.cloud)[i], int (surfels.neighbors_per_point), found, ignored);
+    surfels.neighbors.insert (surfels.neighbors.end(), found.begin(), found.end());
+    orient (surfels, i);
+  }
   return surfels;
 }
 
@@ -131,7 +116,7 @@ growFrom (std::size_t seed,
           const RegionGrowingParameters& parameters,
           PlaneLabels& labels)
 {
-  const auto least_cosine = static_cast<float> (std::cos (parameters.angle_threshold));
+  const auto min_cosine = static_cast<float> (std::cos (parameters.angle_threshold));
   Region region ((*surfels.cloud)[seed], surfels.normal[seed]);
   std::vector<std::size_t> members{seed};
   labels[seed] = label;
@@ -141,7 +126,7 @@ growFrom (std::size_t seed,
     for (const auto* j = first; j != first + surfels.neighbors_per_point; ++j) {
       const pcl::PointXYZ& point = (*surfels.cloud)[*j];
       if (labels[*j] != 0 ||
-          std::abs (surfels.normal[*j].dot (surfels.normal[member])) < least_cosine ||
+          std::abs (surfels.normal[*j].dot (surfels.normal[member])) < min_cosine ||
           std::abs (region.plane.distance (point.getVector3fMap().cast<double>())) >
               parameters.distance_threshold)
         continue;
@@ -155,11 +140,9 @@ growFrom (std::size_t seed,
 } // namespace
 
 PlaneLabels
-growRegions (const XyzCloud& cloud,
-             const RegionGrowingParameters& parameters,
-             unsigned threads)
+growRegions (const XyzCloud& cloud, const RegionGrowingParameters& parameters)
 {
-  const Surfels surfels = surfelsOf (cloud, parameters.neighbors, threads);
+  const Surfels surfels = surfelsOf (cloud, parameters.neighbors);
   std::vector<std::size_t> flattest_first (surfels.size());
   std::iota (flattest_first.begin(), flattest_first.end(), 0);
   std::stable_sort (
@@ -173,11 +156,7 @@ growRegions (const XyzCloud& cloud,
       growFrom (seed, ++regions, surfels, parameters, labels);
   dropSmallPlanes (labels, parameters.min_points);
   sortBySize (labels);
-
-  PlaneLabels labels_of_cloud (cloud.size(), 0);
-  for (std::size_t i = 0; i < surfels.size(); ++i)
-    labels_of_cloud[static_cast<std::size_t> (surfels.index[i])] = labels[i];
-  return labels_of_cloud;
+  return labels;
 }
 
 } // namespace pcl_ops::evaluation

@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "truth.h"
 
-#include <pcl/io/pcd_io.h>
-#include <pcl/conversions.h>
-#include <pcl/point_types.h>
-#include <pcl/type_traits.h>
-
 #include <io/output_file.h>
-#include <io/pcd_header.h>
 
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <iomanip>
+#include <iterator>
 #include <sstream>
 
 namespace pcl_ops::evaluation {
@@ -47,45 +44,25 @@ private:
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-/** Nothing if there is no such file or it is damaged. */
+/** Nothing if there is no such file or it is not one of so many points. */
 std::optional<PlaneLabels>
 readLabels (const std::string& file, std::size_t points)
 {
-  std::error_code ignored;
-  if (!fs::exists (file, ignored))
+  std::ifstream stream (file, std::ios::binary);
+  const std::string bytes (std::istreambuf_iterator<char> (stream), {});
+  PlaneLabels labels (points);
+  if (bytes.size() != points * sizeof (labels[0]))
     return std::nullopt;
-  pcl::PointCloud<pcl::Label> cloud;
-  try {
-    apps::checkPcdFile (file);
-    pcl::io::loadPCDFile (file, cloud);
-  }
-  catch (const std::exception&) {
-    return std::nullopt;
-  }
-  if (cloud.size() != points)
-    return std::nullopt;
-  PlaneLabels labels;
-  labels.reserve (points);
-  for (const pcl::Label& point : cloud)
-    labels.push_back (point.label);
+  std::memcpy (labels.data(), bytes.data(), bytes.size());
   return labels;
 }
 
 void
 writeLabels (const std::string& file, const PlaneLabels& labels)
 {
-  pcl::PointCloud<pcl::Label> cloud;
-  cloud.reserve (labels.size());
-  for (const std::uint32_t label : labels) {
-    pcl::Label point;
-    point.label = label;
-    cloud.push_back (point);
-  }
-  pcl::PCLPointCloud2 points;
-  pcl::toPCLPointCloud2 (cloud, points);
-  std::ostringstream stream; // PCL's writer throws what it likes where one is full
-  pcl::PCDWriter().writeBinaryCompressed (stream, points);
-  apps::writeTextFile (file, stream.str());
+  apps::writeTextFile (file,
+                       {reinterpret_cast<const char*> (labels.data()),
+                        labels.size() * sizeof (labels[0])});
 }
 
 PlaneLabels
@@ -96,7 +73,7 @@ grownTruth (const XyzCloud& cloud, const TruthParameters& parameters)
   std::error_code ignored;
   fs::create_directories (parameters.cache_folder, ignored);
   const std::string file = (fs::path (parameters.cache_folder) /
-                            (truthKey (cloud, parameters.growing) + ".pcd"))
+                            (truthKey (cloud, parameters.growing) + ".labels"))
                                .string();
   if (const std::optional<PlaneLabels> cached = readLabels (file, cloud.size()))
     return *cached;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "region_growing.h"
-#include <evaluation/data/cloud_source.h>
+#include <evaluation/data/data_sets.h>
 
 namespace pcl_ops::evaluation {
 
@@ -32,7 +32,7 @@ truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters);
 constexpr const char* exact_truth = "exact";
 
 /** \brief How the truth of a cloud was had: \ref exact_truth, or "grown-k100" with its
- * number of neighbours. */
+ * number of neighbors. */
 std::string
 truthName (const EvaluationCloud& cloud, const TruthParameters& parameters);
 

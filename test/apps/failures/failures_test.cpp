@@ -53,15 +53,12 @@ saveText (const std::string& file)
 
 const std::string segment = PCL_OPS_SEGMENT_PROGRAM, tiles = PCL_OPS_TILES_PROGRAM,
                   simulate = PCL_OPS_SIMULATE_PROGRAM,
-                  evaluate = PCL_OPS_EVALUATE_PROGRAM,
-                  benchmark = PCL_OPS_BENCHMARK_PROGRAM;
+                  evaluate = PCL_OPS_EVALUATE_PROGRAM;
 
 /** \brief Every output of every program that needs no display. */
 std::vector<Output>
 allOutputs ()
 {
-  const std::string measured = "simulated:500 --no-peers --runs 1 --memory-points 500 "
-                               "--scaling-points 500,1000 ";
   const std::string on_clouds = "OUT clouds:clouds --detectors ops";
   std::vector<Output> outputs = {
       {"Cloud", segment, "in.pcd OUT", "out/a.pcd", "out/a.pcd"},
@@ -110,14 +107,16 @@ allOutputs ()
        "out",
        "out/town_001_001.las"},
       {"Simulated", simulate, "OUT --points 500", "out/a.pcd", "out/a.pcd"},
-      {"Results", evaluate, "run " + on_clouds, "out", "out/tables.md"},
-      {"Pictures", evaluate, "pictures " + on_clouds, "out", "out/pictures.md"},
-      {"Numbers", benchmark, measured + "--json OUT", "out/a.json", "out/a.json"},
-      {"Scaling",
-       benchmark,
-       measured + "--scaling OUT",
-       "out",
-       "out/time_over_planes.gp"}};
+      {"Results", evaluate, "run " + on_clouds, "out", "out/tables.md"}};
+#ifdef PCL_OPS_BENCHMARK_PROGRAM
+  const std::string benchmark = PCL_OPS_BENCHMARK_PROGRAM,
+                    measured = "simulated:500 --no-peers --runs 1 --memory-points 500 "
+                               "--scaling-points 500,1000 ";
+  outputs.push_back (
+      {"Numbers", benchmark, measured + "--json OUT", "out/a.json", "out/a.json"});
+  outputs.push_back (
+      {"Scaling", benchmark, measured + "--scaling OUT", "out", "out/scaling.csv"});
+#endif
   if (pcl_ops::apps::hasLaszip())
     outputs.push_back ({"Laz", segment, "in.las OUT", "out/a.laz", "out/a.laz"});
   return outputs;

@@ -5,7 +5,6 @@
 #include <cli/errors.h>
 #include <evaluation/data/data_sets.h>
 
-#include <algorithm>
 #include <set>
 
 namespace {
@@ -20,61 +19,61 @@ dataSet (const std::string& text)
 
 TEST (DataSets, ScenesAreACloudForEachSeed)
 {
-  for (const std::string kind : {"furniture", "survey", "shapes"}) {
+  const std::pair<std::string, std::string> kinds[] = {
+      {"rooms", "room-0011"},
+      {"rooms-raw", "room-0011"},
+      {"furniture", "furniture-0011"},
+      {"survey", "survey-0011"},
+      {"shapes", "shapes-0011"},
+      {"streets", "street-0011"},
+      {"streets-32", "street-0011"},
+      {"streets-16", "street-0011"},
+      {"streets-livox", "street-0011"}};
+  for (const auto& [kind, last] : kinds) {
     const DataSet scenes = dataSet (kind + ":9-11");
     EXPECT_EQ (scenes.name, kind);
     ASSERT_EQ (scenes.clouds.size(), 3u);
-    EXPECT_EQ (scenes.clouds[0].name, kind + "-0009");
-    EXPECT_EQ (scenes.clouds[2].name, kind + "-0011");
+    EXPECT_EQ (scenes.clouds[2].name, last);
   }
-  EXPECT_EQ (dataSet ("rooms-raw:7").clouds.at (0).name, "room-0007");
 }
 
-TEST (DataSets, ShapesComeWithTheirTruth)
+TEST (DataSets, SimulatedCloudsComeWithTheirTruthAndAreRepeatable)
 {
-  const EvaluationCloud shapes = dataSet ("shapes:1").clouds.at (0).load();
-  ASSERT_TRUE (shapes.truth);
-  EXPECT_EQ (shapes.truth->size(), shapes.cloud->size());
-  EXPECT_EQ (std::set<std::uint32_t> (shapes.truth->begin(), shapes.truth->end()),
-             (std::set<std::uint32_t>{0, 1, 2}));
-}
-
-TEST (DataSets, FurnitureComesWithItsTruthAndCamera)
-{
-  const EvaluationCloud furniture = dataSet ("furniture:1").clouds.at (0).load();
-  ASSERT_TRUE (furniture.truth);
-  EXPECT_EQ (furniture.truth->size(), furniture.cloud->size());
-  EXPECT_GT (
-      std::set<std::uint32_t> (furniture.truth->begin(), furniture.truth->end()).size(),
-      10u);
-  EXPECT_GT (furniture.cloud->sensor_origin_.z(), 1.0f);
-}
-
-TEST (DataSets, StreetsAreAStreetForEachSeedAndSensor)
-{
-  for (const std::string kind :
-       {"streets", "streets-32", "streets-16", "streets-livox"}) {
-    const DataSet streets = dataSet (kind + ":9-11");
-    EXPECT_EQ (streets.name, kind);
-    ASSERT_EQ (streets.clouds.size(), 3u);
-    EXPECT_EQ (streets.clouds[2].name, "street-0011");
+  const std::pair<const char*, std::size_t> min_planes[] = {
+      {"shapes:1", 2}, {"furniture:1", 10}, {"streets-16:1", 10}, {"rooms:2", 10}};
+  for (const auto& [text, planes] : min_planes) {
+    const CloudSource source = dataSet (text).clouds.at (0);
+    const EvaluationCloud cloud = source.load(), again = source.load();
+    ASSERT_TRUE (cloud.truth) << text;
+    EXPECT_EQ (cloud.truth->size(), cloud.cloud->size()) << text;
+    EXPECT_GE (planeIds (*cloud.truth).size(), planes) << text;
+    EXPECT_EQ (cloud.truth, again.truth) << text;
+    if (text != std::string ("shapes:1")) {
+      EXPECT_GT (cloud.cloud->sensor_origin_.z(), 0.5f) << text;
+    }
   }
-  const EvaluationCloud street = dataSet ("streets-16:1").clouds.at (0).load();
-  ASSERT_TRUE (street.truth);
-  EXPECT_EQ (street.truth->size(), street.cloud->size());
-  EXPECT_GT (street.cloud->sensor_origin_.z(), 1.0f);
 }
 
-TEST (DataSets, AWrongRangeOfSeedsIsNamed)
+TEST (DataSets, NonsenseIsAUsageError)
 {
-  for (const std::string text : {"rooms:9-1", "survey:9-1", "shapes:1-9999999"})
-    try {
-      dataSet (text);
-      FAIL() << text;
-    }
-    catch (const pcl_ops::apps::UsageError& error) {
-      EXPECT_NE (std::string (error.what()).find (text), std::string::npos);
-    }
+  for (const char* text : {"",
+                           "rooms",
+                           "rooms:",
+                           "rooms:3-1",
+                           "rooms:a",
+                           "rooms:1-2-3",
+                           "sunrgbd:",
+                           "what:ever",
+                           "shapes:1-9999999",
+                           "rooms:0-4000000000"})
+    EXPECT_THROW (dataSet (text), pcl_ops::apps::UsageError) << text;
+}
+
+TEST (DataSets, AFolderWithoutCloudsIsAnError)
+{
+  for (const char* kind : {"clouds:", "sunrgbd:", "sunrgbd-raw:"})
+    EXPECT_THROW (dataSet (kind + std::string ("/no/such/folder")),
+                  pcl_ops::apps::WorkError);
 }
 
 } // namespace

@@ -53,6 +53,14 @@ corner ()
   return cloud;
 }
 
+EdgeScore
+scoreOf (const EdgePair& edges)
+{
+  EdgeScore score;
+  addScore (edges, score);
+  return score;
+}
+
 } // namespace
 
 TEST (EdgeAccuracy, CountsLengthsThatAreFoundAndTrue)
@@ -73,7 +81,7 @@ TEST (EdgeAccuracy, CountsLengthsThatAreFoundAndTrue)
 TEST (EdgeAccuracy, AddsUpOverClouds)
 {
   EdgeScore sum = scoreOf (somePair());
-  sum += scoreOf (somePair());
+  addScore (somePair(), sum);
   const TextTable once = edgeTable ({{"set", scoreOf (somePair())}});
   EXPECT_EQ (edgeTable ({{"set", sum}}).rows, once.rows) << "shares stay";
   EXPECT_NEAR (sum.true_length, 6.0, 1e-9);

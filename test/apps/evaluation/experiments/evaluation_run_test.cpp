@@ -5,9 +5,7 @@
 #include <cli/errors.h>
 #include <evaluation/detectors/detectors.h>
 #include <evaluation/experiments/evaluation_run.h>
-#include <evaluation/report/report.h>
-#include <evaluation/report/summary.h>
-#include <evaluation/report/tables.h>
+#include <evaluation/report/metrics_table.h>
 #include <support/file_size_limit.h>
 #include <support/temporary_folder.h>
 
@@ -34,23 +32,15 @@ rowOfPoints (const std::string& name)
           }};
 }
 
-CloudSource
-brokenCloud (const std::string& name)
-{
-  return {name, [name] () -> EvaluationCloud {
-            throw pcl_ops::apps::WorkError (name, "is broken");
-          }};
-}
-
-/** Gives the first \p labelled of ten points a label; counts its calls. */
+/** Gives the first \p labeled of ten points a label; counts its calls. */
 Configuration
-labelling (const std::string& name, std::size_t labelled, std::atomic<int>& calls)
+labeling (const std::string& name, std::size_t labeled, std::atomic<int>& calls)
 {
   return {name, {}, [=, &calls] (const auto& cloud, const auto&, std::uint32_t) {
             ++calls;
             DetectorRun run;
             run.labels.assign (cloud->size(), 0);
-            std::fill_n (run.labels.begin(), labelled, 1);
+            std::fill_n (run.labels.begin(), labeled, 1);
             run.planes_before_merging = 7;
             run.durations.detection = 1500.0;
             return run;
@@ -69,8 +59,8 @@ protected:
   {
     plan.truth.min_points = 1;
     plan.data_sets = {{"rows", {rowOfPoints ("a"), rowOfPoints ("b, \"c\"")}}};
-    plan.configurations = {labelling ("all-right", 10, calls),
-                           labelling ("half-right", 5, calls)};
+    plan.configurations = {labeling ("all-right", 10, calls),
+                           labeling ("half-right", 5, calls)};
   }
 
   EvaluationSummary
@@ -107,10 +97,6 @@ TEST_F (EvaluationRunTest, SaysHowMuchOffPlanesIsCalledAPlane)
   run();
   EXPECT_EQ (rows()[0].value ("points_off_planes_called_planes"), 1.0);
   EXPECT_EQ (rows()[1].value ("points_off_planes_called_planes"), 0.5);
-  std::ostringstream text;
-  for (const TextTable& table : tablesOf (summarize (rows())[0]))
-    text << table;
-  EXPECT_NE (text.str().find ("off planes %"), std::string::npos);
 }
 
 TEST_F (EvaluationRunTest, CountsTruePlanesBySizeAndWidth)
@@ -123,28 +109,11 @@ TEST_F (EvaluationRunTest, CountsTruePlanesBySizeAndWidth)
   EXPECT_EQ (rows()[1].value ("found_75_by_width_below_0.03"), 0.0);
 }
 
-TEST_F (EvaluationRunTest, TablesAddUpTheTruePlanesOfAllClouds)
-{
-  plan.configurations = {labelling ("half-right", 5, calls)};
-  run();
-  std::ostringstream text;
-  for (const TextTable& table : tablesOf (summarize (rows())[0]))
-    if (table.title.find ("by width") != std::string::npos)
-      text << table;
-  EXPECT_NE (text.str().find ("2 / 0 / 2"), std::string::npos) << text.str();
-  EXPECT_NE (text.str().find ("below 0.03"), std::string::npos);
-}
-
-TEST_F (EvaluationRunTest, ComputesNoRowTwice)
-{
-  run();
-  EXPECT_EQ (run().new_rows, 0u);
-  EXPECT_EQ (calls, 4);
-}
-
 TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)
 {
   run();
+  EXPECT_EQ (run().new_rows, 0u);
+  EXPECT_EQ (calls, 4) << "no row is computed twice";
   const std::string complete = contentOf (file);
   // Cut in the middle of the last row, as a power failure does.
   std::filesystem::resize_file (file, complete.size() - 20);
@@ -155,7 +124,7 @@ TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)
 TEST_F (EvaluationRunTest, AddsConfigurationsToEarlierOnes)
 {
   run();
-  plan.configurations.push_back (labelling ("new", 3, calls));
+  plan.configurations.push_back (labeling ("new", 3, calls));
   EXPECT_EQ (run().new_rows, 2u);
   EXPECT_EQ (rows().size(), 6u);
 }
@@ -172,17 +141,6 @@ TEST_F (EvaluationRunTest, ManyThreadsGiveTheSameRows)
   EXPECT_EQ (keys.size(), 44u);
 }
 
-TEST_F (EvaluationRunTest, ABrokenCloudIsSaidCountedAndLeftOut)
-{
-  plan.data_sets[0].clouds.insert (plan.data_sets[0].clouds.begin(),
-                                   brokenCloud ("frame-17"));
-  const EvaluationSummary summary = run();
-  EXPECT_EQ (summary.broken_clouds, 1u);
-  EXPECT_EQ (summary.new_rows, 4u);
-  EXPECT_NE (messages.str().find ("left out: frame-17: is broken\n"),
-             std::string::npos);
-}
-
 TEST_F (EvaluationRunTest, AFailingDetectorIsSaidAndCounted)
 {
   const auto fail = [] (const auto&, const auto&, std::uint32_t) -> DetectorRun {
@@ -195,35 +153,16 @@ TEST_F (EvaluationRunTest, AFailingDetectorIsSaidAndCounted)
   EXPECT_NE (messages.str().find ("failing failed on a: no memory"), std::string::npos);
 }
 
-TEST_F (EvaluationRunTest, NoPlaneFoundIsAResult)
-{
-  plan.configurations = {labelling ("blind", 0, calls)};
-  run();
-  EXPECT_EQ (rows()[0].value ("segmentation_accuracy"), 0.0);
-  EXPECT_EQ (rows()[0].value ("f_score"), 0.0);
-}
-
-TEST_F (EvaluationRunTest, AShortRunHasNoProgressWithoutATerminal)
+TEST_F (EvaluationRunTest, AResultsFileOfAnotherKindOrVersionIsLeftAlone)
 {
   run();
-  EXPECT_EQ (messages.str(), "");
-}
-
-TEST_F (EvaluationRunTest, AResultsFileOfAnotherKindIsLeftAlone)
-{
-  folder.write ("results.csv", "name,value\nx,1\n");
-  EXPECT_THROW (run(), pcl_ops::apps::WorkError);
-  EXPECT_EQ (contentOf (file), "name,value\nx,1\n");
-}
-
-TEST_F (EvaluationRunTest, ResultsOfAnOlderVersionAreLeftAlone)
-{
-  run();
-  std::string header = contentOf (file);
-  header.resize (header.find (",points_off_planes_called_planes"));
-  folder.write ("results.csv", header + '\n');
-  EXPECT_THROW (run(), pcl_ops::apps::WorkError);
-  EXPECT_EQ (contentOf (file), header + '\n');
+  std::string older = contentOf (file);
+  older.resize (older.find (",points_off_planes_called_planes"));
+  for (const std::string& text : {std::string ("name,value\nx,1\n"), older + '\n'}) {
+    folder.write ("results.csv", text);
+    EXPECT_THROW (run(), pcl_ops::apps::WorkError);
+    EXPECT_EQ (contentOf (file), text);
+  }
 }
 
 TEST_F (EvaluationRunTest, AnUnwritableFileIsAnError)
@@ -245,44 +184,20 @@ TEST_F (EvaluationRunTest, AFullDiskLeavesTheRowsThatHadRoom)
   EXPECT_EQ (run().new_rows, 2u);
 }
 
-TEST_F (EvaluationRunTest, SummaryIsTheMeanOverClouds)
+TEST_F (EvaluationRunTest, TablesHaveTheMeansOverClouds)
 {
+  plan.configurations = {labeling ("unknown", 10, calls),
+                         labeling ("ops-3-30", 5, calls)};
   run();
-  const std::vector<DataSetSummary> summaries = summarize (rows());
-  ASSERT_EQ (summaries.size(), 1u);
-  const ConfigurationSummary* half = summaries[0].find ("half-right");
-  ASSERT_NE (half, nullptr);
-  EXPECT_EQ (half->clouds, 2u);
-  EXPECT_EQ (half->mean.at ("segmentation_accuracy"), 0.5);
-  EXPECT_EQ (summaries[0].find ("other"), nullptr);
-}
-
-TEST_F (EvaluationRunTest, TablesShowThePapersFiguresBesideOurs)
-{
-  plan.configurations = {labelling ("ops-3-30", 5, calls)};
-  run();
-  std::ostringstream text;
-  for (const TextTable& table : tablesOf (summarize (rows())[0]))
-    text << table;
-  EXPECT_NE (text.str().find ("Table III"), std::string::npos);
-  EXPECT_NE (text.str().find ("87.39"), std::string::npos);  // accuracy
-  EXPECT_NE (text.str().find ("0.6455"), std::string::npos); // total time
-  EXPECT_NE (text.str().find ("1.5000"), std::string::npos); // our 1500 ms
-  EXPECT_EQ (text.str().find ("Table II,"), std::string::npos);
-}
-
-TEST_F (EvaluationRunTest, AReportHasTablesAndPlots)
-{
-  plan.configurations = {labelling ("ops-3-30", 5, calls)};
-  run();
-  std::ostringstream printed;
-  writeReport (rows(), folder.path(), printed);
-  EXPECT_NE (contentOf (folder / "tables.md").find ("Table IV"), std::string::npos);
-  const std::string plots = folder / "rows-exact/";
-  EXPECT_NE (contentOf (plots + "accuracy_over_time.dat").find ("1.5 "),
-             std::string::npos);
-  EXPECT_NE (contentOf (plots + "accuracy_over_sampling_rate.gp").find ("plot "),
-             std::string::npos);
+  const std::vector<TextTable> tables = metricsTables (rows());
+  ASSERT_EQ (tables.size(), 1u);
+  EXPECT_EQ (tables[0].title, "rows, truth exact");
+  ASSERT_EQ (tables[0].rows.size(), 2u);
+  const std::vector<std::string>& row = tables[0].rows[0];
+  EXPECT_EQ (row[0], "ops-3-30") << "known ones first";
+  EXPECT_EQ (row[1], "2");
+  EXPECT_EQ (row[3], "50.00") << tables[0].header[3];
+  EXPECT_EQ (row[15], "1.5000") << tables[0].header[15];
 }
 
 TEST (Detectors, NamesAndGroupsSelectEachConfigurationOnce)

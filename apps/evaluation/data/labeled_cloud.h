@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <evaluation/labels/plane_classes.h>
+#include <evaluation/labels/labels.h>
 
 #include <string>
 
 namespace pcl_ops::evaluation {
 
 /** \brief A cloud file with its field `label`. */
-struct LabelledCloud {
+struct LabeledCloud {
   /** \brief Every point in the file's order; zero of the file's frame is at -\ref
    * shift. */
   XyzCloud::Ptr cloud;
@@ -23,14 +23,14 @@ enum class LabelField { Required, Optional };
  * `label`, or a text whose column of that name has whole numbers; none leaves the
  * labels empty where the field is optional. \throw apps::WorkError if that fails or the
  * field is required and missing */
-LabelledCloud
-loadLabelledCloud (const std::string& file, LabelField field = LabelField::Required);
+LabeledCloud
+loadLabeledCloud (const std::string& file, LabelField field = LabelField::Required);
 
 /** \brief Makes sure that two files label the same points in the same order.
  * \throw apps::WorkError naming \p result_file if their number or coordinates differ */
 void
-requireSamePoints (const LabelledCloud& truth,
-                   const LabelledCloud& result,
+requireSamePoints (const LabeledCloud& truth,
+                   const LabeledCloud& result,
                    const std::string& result_file);
 
 } // namespace pcl_ops::evaluation

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "labeled_cloud.h"
+
+#include <pcl/common/common.h>
+#include <pcl/common/io.h>
+#include <pcl/common/point_tests.h>
+
+#include <cli/errors.h>
+#include <cli/memory.h>
+#include <cli/program.h>
+#include <io/cloud_damage.h>
+#include <io/cloud_fields.h>
+#include <io/cloud_file.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+/** Share of the cloud's diagonal by which rounding in a text file may move a point. */
+constexpr double max_rounding = 1e-3;
+
+template <typename Number>
+double
+numberAt (const std::uint8_t* bytes)
+{
+  Number number;
+  std::memcpy (&number, bytes, sizeof (number));
+  return static_cast<double> (number);
+}
+
+using Read = double (*) (const std::uint8_t* bytes);
+
+/** How a field of a number type is read. Double precision is that of texts, which have
+ * no other; null for what is no integer of a file. */
+Read
+readerOf (std::uint8_t datatype)
+{
+  switch (datatype) {
+  case pcl::PCLPointField::INT8:
+    return numberAt<std::int8_t>;
+  case pcl::PCLPointField::UINT8:
+    return numberAt<std::uint8_t>;
+  case pcl::PCLPointField::INT16:
+    return numberAt<std::int16_t>;
+  case pcl::PCLPointField::UINT16:
+    return numberAt<std::uint16_t>;
+  case pcl::PCLPointField::INT32:
+    return numberAt<std::int32_t>;
+  case pcl::PCLPointField::UINT32:
+    return numberAt<std::uint32_t>;
+  case pcl::PCLPointField::FLOAT64:
+    return numberAt<double>;
+  default:
+    return nullptr;
+  }
+}
+
+PlaneLabels
+labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
+{
+  const int index = pcl::getFieldIndex (cloud, "label");
+  if (index < 0)
+    throw apps::WorkError (file, "has no field label; give a cloud with labels");
+  const pcl::PCLPointField& field = cloud.fields[static_cast<std::size_t> (index)];
+  const Read read = readerOf (field.datatype);
+  if (read == nullptr)
+    throw apps::WorkError (file,
+                           "its label is no integer of up to 4 bytes; convert it");
+  constexpr double largest = std::numeric_limits<std::uint32_t>::max();
+  PlaneLabels labels (static_cast<std::size_t> (cloud.width) * cloud.height);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const double label = read (&cloud.data[i * cloud.point_step + field.offset]);
+    if (!(label >= 0.0 && label <= largest && label == std::floor (label)))
+      throw apps::WorkError (file,
+                             "point " + std::to_string (i) +
+                                 " has a label that is no whole number from 0 on; 0 "
+                                 "means no plane");
+    labels[i] = static_cast<std::uint32_t> (label);
+  }
+  return labels;
+}
+
+double
+diagonalOf (const XyzCloud& cloud)
+{
+  pcl::PointXYZ lowest, highest;
+  pcl::getMinMax3D (cloud, lowest, highest);
+  return (highest.getVector3fMap() - lowest.getVector3fMap()).cast<double>().norm();
+}
+
+LabeledCloud
+readLabeledCloud (const std::string& file, LabelField field)
+{
+  const apps::FileCloud cloud = apps::loadCloud (file);
+  LabeledCloud labeled;
+  if (field == LabelField::Required || apps::hasField (cloud, "label"))
+    labeled.labels = labelsIn (cloud.points, file);
+  const apps::ShiftedCloud shifted = apps::shiftedCloudOf (cloud);
+  const std::string damage = apps::damageOf (shifted);
+  if (!damage.empty())
+    apps::warn (file + ": " + damage);
+  labeled.cloud = shifted.cloud;
+  labeled.shift = shifted.shift;
+  return labeled;
+}
+
+} // namespace
+
+LabeledCloud
+loadLabeledCloud (const std::string& file, LabelField field)
+{
+  return apps::inMemory (
+      file, "give a smaller cloud", [&] { return readLabeledCloud (file, field); });
+}
+
+void
+requireSamePoints (const LabeledCloud& truth,
+                   const LabeledCloud& result,
+                   const std::string& result_file)
+{
+  if (truth.cloud->size() != result.cloud->size())
+    throw apps::WorkError (result_file,
+                           "has " + std::to_string (result.cloud->size()) +
+                               " points, the truth " +
+                               std::to_string (truth.cloud->size()) +
+                               "; give two labelings of the same cloud");
+  const Eigen::Vector3d shift = result.shift - truth.shift;
+  const double tolerance = max_rounding * diagonalOf (*truth.cloud);
+  for (std::size_t i = 0; i < truth.cloud->size(); ++i) {
+    const pcl::PointXYZ &expected = (*truth.cloud)[i], &found = (*result.cloud)[i];
+    const Eigen::Vector3d offset =
+        (found.getVector3fMap() - expected.getVector3fMap()).cast<double>() + shift;
+    const bool both_finite = pcl::isXYZFinite (expected) && pcl::isXYZFinite (found);
+    if (both_finite && offset.norm() > tolerance)
+      throw apps::WorkError (result_file,
+                             "point " + std::to_string (i) +
+                                 " lies elsewhere than in the truth; give two "
+                                 "labelings of the same cloud");
+  }
+}
+
+} // namespace pcl_ops::evaluation

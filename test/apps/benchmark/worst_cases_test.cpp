@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// No cloud costs a detector more than so many times the time per point, or the memory,
+// of a simulated room of as many points: noise, planes without noise, as many planes as
+// there can be, points on all scales, points in one place.
+#include <pcl/common/io.h>
+
+#include <gtest/gtest.h>
+
+#include <benchmark/peak_memory.h>
+#include <benchmark/scaling.h>
+#include <simulation/dense_scan.h>
+#include <simulation/room.h>
+
+#include <cctype>
+#include <cmath>
+#include <ctime>
+#include <random>
+
+namespace {
+
+using namespace pcl_ops::benchmark;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+constexpr double time_bound = 20.0, memory_bound = 10.0;
+/** \brief Bounds of time get three times what is promised: other programs run beside
+ * tests. */
+constexpr double disturbance = 3.0;
+constexpr std::size_t points = 10'000;
+/** \brief Of a room [m]. */
+constexpr float width = 4.0f;
+
+struct Random {
+  std::mt19937 generator{1};
+
+  float
+  between (float lower, float upper)
+  {
+    return std::uniform_real_distribution<float> (lower, upper) (generator);
+  }
+
+  Eigen::Vector3f
+  inCube (float edge)
+  {
+    const float half = 0.5f * edge;
+    return {between (-half, half), between (-half, half), between (-half, half)};
+  }
+};
+
+template <typename Draw>
+Cloud::Ptr
+cloudOf (Draw&& draw)
+{
+  Random random;
+  const Cloud::Ptr cloud (new Cloud);
+  for (std::size_t i = 0; i < points; ++i) {
+    const Eigen::Vector3f p = draw (random, i);
+    cloud->push_back ({p.x(), p.y(), p.z()});
+  }
+  return cloud;
+}
+
+Cloud::Ptr
+scanOf (const pcl_ops::simulation::Scene& scene, double noise_scale)
+{
+  const Cloud::Ptr cloud (new Cloud);
+  pcl::copyPointCloud (
+      pcl_ops::simulation::scanDensely (scene, points, noise_scale, 1).cloud, *cloud);
+  return cloud;
+}
+
+/** \brief Points at distances of so many powers of ten [m]. */
+Cloud::Ptr
+logUniform (float lowest, float highest)
+{
+  return cloudOf ([=] (Random& random, std::size_t) -> Eigen::Vector3f {
+    return std::pow (10.0f, random.between (lowest, highest)) * random.inCube (2.0f);
+  });
+}
+
+std::vector<std::pair<const char*, Cloud::Ptr>>
+worstClouds ()
+{
+  const auto noise =
+      cloudOf ([] (Random& random, std::size_t) { return random.inCube (width); });
+  return {{"noise in a cube", noise},
+          {"exact plane", // tilted, so that no voxel has a face along it
+           cloudOf ([] (Random& random, std::size_t) -> Eigen::Vector3f {
+             const Eigen::Vector3f p = random.inCube (width);
+             return {p.x(), p.y(), 0.3f * p.x() + 0.2f * p.y() + 1.0f};
+           })},
+          {"10 exact planes", scanOf (makeBoards (10), 0.0)},
+          {"lattice", cloudOf ([] (Random&, std::size_t i) -> Eigen::Vector3f {
+             constexpr std::size_t edge = 22;
+             return width / edge *
+                    Eigen::Vector3f (float (i % edge),
+                                     float (i / edge % edge),
+                                     float (i / edge / edge));
+           })},
+          {"1000 planes", scanOf (makeBoards (1000), 1.0)},
+          {"log-uniform points", logUniform (-6.0f, 6.0f)},
+          {"log-uniform, apart", logUniform (1.0f, 12.0f)},
+          {"points in one voxel", // voxels are as wide as eight points are far
+           cloudOf ([] (Random& random, std::size_t i) -> Eigen::Vector3f {
+             return i < 8 ? 1e6f * Eigen::Vector3f (i & 1, i >> 1 & 1, i >> 2 & 1)
+                          : random.inCube (0.01f);
+           })},
+          {"equal points",
+           cloudOf ([] (Random&, std::size_t) { return Eigen::Vector3f (1, 2, 3); })},
+          {"equal by the hundred", cloudOf ([&] (Random&, std::size_t i) {
+             return Eigen::Vector3f ((*noise)[i / 100].getVector3fMap());
+           })}};
+}
+
+/** \brief Of a detector, by its name in the evaluation. */
+class WorstCases : public ::testing::TestWithParam<std::string> {};
+
+TEST_P (WorstCases, KeepTheBounds)
+{
+  const auto detector = pcl_ops::evaluation::selectConfigurations (GetParam()).front();
+  const auto measureOn = [&] (const Cloud::Ptr& cloud) {
+    return Measure{"", 3, [&detector, cloud] {
+                     const std::clock_t begin = std::clock(); // of the processor
+                     detector.run (cloud, Eigen::Vector3d::UnitZ(), 42);
+                     pcl_ops::StageDurations durations;
+                     durations.detection = double (std::clock() - begin);
+                     return durations;
+                   }};
+  };
+  const Cloud::Ptr room = scanOf (pcl_ops::simulation::makeRoom (1).scene, 1.0);
+  const double room_bytes = peakMemoryOn (room, detector).extra_bytes;
+  for (const auto& [name, cloud] : worstClouds()) {
+    const BestTimes times = measureInTurns ({measureOn (room), measureOn (cloud)},
+                                            [] (const std::string&) {});
+    EXPECT_LT (times[1].durations.detection,
+               disturbance * time_bound * times[0].durations.detection)
+        << name;
+    EXPECT_LT (peakMemoryOn (cloud, detector).extra_bytes, memory_bound * room_bytes)
+        << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P (
+    Of,
+    WorstCases,
+    ::testing::Values (
+        "ops", "ops-3-30", "fspf", "fspf-0.07-0.14", "kht", "kht-80-800"),
+    [] (const auto& info) {
+      std::string name = info.param;
+      for (char& letter : name)
+        letter = std::isalnum (static_cast<unsigned char> (letter)) ? letter : '_';
+      return name;
+    });
+
+} // namespace
