@@ -122,6 +122,21 @@ shiftedCloudOf (const FileCloud& cloud, double step)
   return shifted;
 }
 
+void
+addField (const std::string& name,
+          const NumberType& type,
+          pcl::uindex_t count,
+          pcl::PCLPointCloud2& points)
+{
+  PCLPointField field;
+  field.name = name;
+  field.offset = points.point_step;
+  field.datatype = type.id;
+  field.count = count;
+  points.fields.push_back (field);
+  points.point_step += static_cast<pcl::uindex_t> (count * type.size);
+}
+
 bool
 hasField (const FileCloud& cloud, const std::string& name)
 {

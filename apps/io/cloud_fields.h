@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "cloud_file.h"
+#include "number_types.h"
 #include "xyz_cloud.h"
 
 #include <cstdint>
@@ -28,6 +29,20 @@ struct ShiftedCloud {
  * axis, whatever the precision; 0: not asked for */
 ShiftedCloud
 shiftedCloudOf (const FileCloud& cloud, double step = 0.0);
+
+/** \brief The number of points. */
+inline std::size_t
+sizeOf (const pcl::PCLPointCloud2& points)
+{
+  return static_cast<std::size_t> (points.width) * points.height;
+}
+
+/** \brief Declares a field behind those that a point has. */
+void
+addField (const std::string& name,
+          const NumberType& type,
+          pcl::uindex_t count,
+          pcl::PCLPointCloud2& points);
 
 /** \brief Whether the cloud has a field of that name. */
 bool

@@ -21,7 +21,7 @@ inline constexpr const char* cloud_extensions =
 struct FileCloud {
   pcl::PCLPointCloud2 points;
   /** \brief The sensor's pose in the frame of the points: zero and identity where the
-   * file has none or an invalid one, and for PLY, whose camera PCL's reader drops. */
+   * file has none or an invalid one, and for PLY. */
   Eigen::Vector4f origin = Eigen::Vector4f::Zero();
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
   /** \brief Where the cloud is from a LAS: what has all its other bytes, too. */
@@ -48,9 +48,8 @@ hasCloudExtension (const std::string& file);
 inline constexpr const char* folder_extensions = ".pcd, .ply, .las, .xyz or .pts";
 
 /** \brief Reads a .pcd (ascii, binary, binary_compressed), .ply, .las or text file, and
- * .laz where LASzip is.
- *
- * The file's header is checked before PCL's readers see it: they crash on broken ones.
+ * .laz where LASzip is. The readers are
+ * our own: PCL's crash on broken headers, and are in a library that loads VTK and more.
  * \throws UsageError for another extension, WorkError if the file is missing, a folder,
  * compressed as a whole, malformed, truncated or without points, or has no x, y and z
  */
@@ -68,7 +67,7 @@ openLas (const std::string& file);
 void
 savePcd (const std::string& file, const FileCloud& cloud);
 
-/** \brief Writes a .ply (\ref savePly), or a binary PCD. */
+/** \brief Writes a .ply (\ref writePly), or a binary PCD. */
 void
 saveCloud (const std::string& file, const FileCloud& cloud);
 

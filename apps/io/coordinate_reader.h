@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "cloud_file.h"
-#include "typed_number.h"
+#include "number_types.h"
 
 #include <array>
 #include <cstddef>

@@ -49,12 +49,6 @@ HeaderReader::nextLine (const std::string& last)
   Words words;
   for (std::string word; parts >> word;)
     words.push_back (word);
-  // PCL's readers take such a line for the end of the header.
-  if (words.empty() && !line_.empty())
-    failAtLine ("has nothing but white space");
-  // PCL's reader of PCD takes these for parts of words.
-  if (format_ == "PCD" && line_.find_first_of ("\f\v") != std::string::npos)
-    fail ("its header has a form feed or a vertical tab");
   return words;
 }
 
@@ -133,7 +127,7 @@ HeaderReader::failAtLine (const std::string& reason) const
 {
   throw WorkError (file_,
                    "is damaged: line " + std::to_string (lines_) + " " +
-                       printable (reason) + "; mend it or write the file again");
+                       printable (reason) + "; fix it or write the file again");
 }
 
 void

@@ -24,13 +24,6 @@ public:
   Words
   nextLine (const std::string& last);
 
-  /** \brief The line those words are from, as it is, without its end. */
-  const std::string&
-  line () const
-  {
-    return line_;
-  }
-
   /** \brief Offset of the next byte. */
   std::uint64_t
   position ();
@@ -70,7 +63,6 @@ public:
   [[noreturn]] void
   failTruncated () const;
 
-  /** \brief Before PCL sees the file: its versions differ in what they make of it. */
   [[noreturn]] void
   failEmpty () const;
 

@@ -2,115 +2,79 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "number_lines.h"
 
+#include <pcl/PCLPointField.h>
+
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <system_error>
+#include <utility>
 
 namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief What PCL's readers separate numbers by. */
-constexpr const char* blanks = " \t\r";
+constexpr std::string_view blanks = " \t\r";
 
-bool
-isBlank (char c)
+std::string_view
+trimmed (std::string_view text)
 {
-  return c == ' ' || c == '\t' || c == '\r';
-}
-
-/** \brief Reads the number at the start of a text that a zero ends.
- * \return where it ends; \p begin where there is none or it is too large */
-const char*
-readNumber (const char* begin, const char* end, double& number)
-{
-  // A plus is the only difference to what the standard library reads.
-  const bool has_plus = *begin == '+' && begin + 1 != end && begin[1] != '-';
-  const char* const digits = has_plus ? begin + 1 : begin;
-  const auto [rest, error] = std::from_chars (digits, end, number);
-  if (error == std::errc::invalid_argument)
-    return begin;
-  if (error == std::errc::result_out_of_range)
-    number = std::strtod (digits, nullptr); // zero or infinity; the above leaves it
-  const bool is_too_large =
-      error == std::errc::result_out_of_range && std::isinf (number);
-  return is_too_large ? begin : rest;
-}
-
-void
-readBetweenBlanks (const HeaderReader& reader,
-                   const char* at,
-                   const char* end,
-                   std::vector<double>& numbers)
-{
-  while ((at = std::find_if_not (at, end, isBlank)) != end) {
-    double number = 0.0;
-    const char* const rest = readNumber (at, end, number);
-    if (rest == at || (rest != end && !isBlank (*rest)))
-      reader.failAtLine ("has '" + std::string (at, std::find_if (at, end, isBlank)) +
-                         "', which is no number");
-    numbers.push_back (number);
-    at = rest;
-  }
-}
-
-void
-readBetween (const HeaderReader& reader,
-             char separator,
-             const char* at,
-             const char* end,
-             std::vector<double>& numbers)
-{
-  for (;; ++at) {
-    const char* const next = std::find (at, end, separator);
-    at = std::find_if_not (at, next, isBlank);
-    double number = std::numeric_limits<double>::quiet_NaN();
-    if (at != next) {
-      const char* const rest = readNumber (at, next, number);
-      if (rest == at || std::find_if_not (rest, next, isBlank) != next)
-        reader.failAtLine ("has '" + std::string (at, next) + "', which is no number");
-    }
-    numbers.push_back (number);
-    at = next;
-    if (at == end)
-      return;
-  }
+  text.remove_prefix (std::min (text.find_first_not_of (blanks), text.size()));
+  return text.substr (0, text.find_last_not_of (blanks) + 1);
 }
 
 } // namespace
-
-void
-readNumbers (const HeaderReader& reader,
-             const std::string& line,
-             char separator,
-             std::vector<double>& numbers)
-{
-  numbers.clear();
-  const char* const end = line.data() + line.size();
-  if (separator == ' ')
-    readBetweenBlanks (reader, line.data(), end, numbers);
-  else
-    readBetween (reader, separator, line.data(), end, numbers);
-}
 
 bool
 NumberLines::next()
 {
   if (!reader_.readLine (line_))
     reader_.failTruncated();
-  readNumbers (reader_, line_, ' ', numbers_);
+  take (std::move (line_), ' ');
   return !line_.empty();
+}
+
+void
+NumberLines::take (std::string line, char separator)
+{
+  line_ = std::move (line);
+  words_.clear();
+  const bool is_between_blanks = separator == ' ';
+  const std::string_view ends =
+      is_between_blanks ? blanks : std::string_view (&separator, 1);
+  const std::string_view all = line_;
+  for (std::size_t begin = 0; begin <= all.size();) {
+    const std::size_t end = std::min (all.find_first_of (ends, begin), all.size());
+    const std::string_view word = trimmed (all.substr (begin, end - begin));
+    if (!word.empty() || !is_between_blanks)
+      words_.push_back (word);
+    begin = end + 1;
+  }
+}
+
+void
+NumberLines::read (std::size_t word, const NumberType& type, std::uint8_t* bytes) const
+{
+  const std::string_view text = words_[word];
+  if (!type.parse (text.empty() ? "nan" : text, bytes))
+    reader_.failAtLine ("has '" + std::string (text) + "', which is no number");
+}
+
+double
+NumberLines::number (std::size_t word) const
+{
+  const NumberType& type = numberType (pcl::PCLPointField::FLOAT64);
+  std::uint8_t bytes[sizeof (double)];
+  read (word, type, bytes);
+  return type.read (bytes);
 }
 
 void
 NumberLines::expectNumbers (std::size_t count) const
 {
-  if (numbers_.size() != count)
-    reader_.failAtLine ("has " + std::to_string (numbers_.size()) +
-                        " numbers instead of " + std::to_string (count));
+  if (words_.size() == count)
+    return;
+  for (std::size_t i = 0; i < words_.size(); ++i)
+    number (i); // what is no number is the better reason
+  reader_.failAtLine ("has " + std::to_string (words_.size()) + " numbers instead of " +
+                      std::to_string (count));
 }
 
 void

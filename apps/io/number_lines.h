@@ -3,43 +3,46 @@
 #pragma once
 
 #include "header_reader.h"
+#include "number_types.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pcl_ops::apps {
 
-/** \brief Reads the numbers of a line: `nan`, `inf` and `infinity`, too, but none that
- * is too large.
- * \param[in] reader whose last line it is, for complaints
- * \param[in] separator a comma or semicolon between numbers, where nothing is NaN; a
- * space: blanks alone are between them
- * \throws WorkError for words and numbers beyond their type */
-void
-readNumbers (const HeaderReader& reader,
-             const std::string& line,
-             char separator,
-             std::vector<double>& numbers);
-
-/** \brief The lines of a cloud's data that is text. PCL's readers make points at zero
- * or without coordinates of what they do not understand; here it is refused. */
+/** \brief The lines of a cloud's data that is text. What is no number is refused;
+ * PCL's readers make points at zero or without coordinates of it. */
 class NumberLines {
 public:
   /** \param[in] reader at the end of the header */
   explicit NumberLines (HeaderReader& reader) : reader_ (reader) {}
 
-  /** \brief Reads the numbers of the next line.
+  /** \brief Goes on to the next line, which has words between blanks.
    * \return false where the line has not a single character
-   * \throws WorkError for words, or if there is no further line */
+   * \throws WorkError if there is no further line */
   bool
   next ();
 
-  /** \brief Those of the line that was read last. */
-  const std::vector<double>&
-  numbers () const
+  /** \brief Takes the line that the reader read last.
+   * \param[in] separator a comma or semicolon between words, of which some may be
+   * empty; a space: blanks alone are between them */
+  void
+  take (std::string line, char separator);
+
+  std::size_t
+  size () const
   {
-    return numbers_;
+    return words_.size();
   }
+
+  /** \brief Puts a number of the line into bytes, NaN for an empty word.
+   * \throws WorkError if it is none or too large for its type */
+  void
+  read (std::size_t word, const NumberType& type, std::uint8_t* bytes) const;
+
+  double
+  number (std::size_t word) const;
 
   /** \throws WorkError unless the line has so many numbers */
   void
@@ -52,7 +55,7 @@ public:
 private:
   HeaderReader& reader_;
   std::string line_;
-  std::vector<double> numbers_;
+  std::vector<std::string_view> words_;
 };
 
 } // namespace pcl_ops::apps

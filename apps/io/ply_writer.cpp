@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ply_writer.h"
 
-#include <pcl/common/io.h>
-
-#include "output_file.h"
-#include "typed_number.h"
+#include "cloud_fields.h"
+#include "number_types.h"
 
 #include <array>
-#include <cstring>
 #include <ostream>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
@@ -22,82 +20,50 @@ using pcl::PCLPointField;
 /** \brief A property of the vertices and where it is in a point. */
 struct VertexProperty {
   std::string name;
-  std::uint8_t type;
+  const NumberType* type;
   pcl::uindex_t offset;
 };
+using VertexProperties = std::vector<VertexProperty>;
 
-/** \return nullptr for 64-bit integers, which PLY has none of */
-const char*
-nameOfType (std::uint8_t type)
-{
-  switch (type) {
-  case PCLPointField::INT8:
-    return "char";
-  case PCLPointField::UINT8:
-    return "uchar";
-  case PCLPointField::INT16:
-    return "short";
-  case PCLPointField::UINT16:
-    return "ushort";
-  case PCLPointField::INT32:
-    return "int";
-  case PCLPointField::UINT32:
-    return "uint";
-  case PCLPointField::FLOAT32:
-    return "float";
-  case PCLPointField::FLOAT64:
-    return "double";
-  default:
-    return nullptr;
-  }
-}
-
-/** \brief Whether it is PCL's packed colour, which a column of a text is not. */
+/** \brief Whether it is PCL's packed color, which a column of a text is not. */
 bool
 isColor (const PCLPointField& field)
 {
   return (field.name == "rgb" || field.name == "rgba") &&
-         pcl::getFieldSize (field.datatype) == sizeof (std::uint32_t);
+         numberType (field.datatype).size == sizeof (std::uint32_t);
 }
 
-/** \brief The properties of PCL's packed colour, whose lowest byte is blue. */
-std::vector<VertexProperty>
+/** \brief The properties of PCL's packed color, whose lowest byte is blue. */
+VertexProperties
 colorProperties (const PCLPointField& field)
 {
-  std::vector<VertexProperty> properties;
+  VertexProperties properties;
   const std::array<const char*, 4> names = {"red", "green", "blue", "alpha"};
   const std::array<pcl::uindex_t, 4> places = {2, 1, 0, 3};
   for (std::size_t i = 0; i < field.name.size(); ++i)
-    properties.push_back ({names[i], PCLPointField::UINT8, field.offset + places[i]});
+    properties.push_back (
+        {names[i], &numberType (PCLPointField::UINT8), field.offset + places[i]});
   return properties;
 }
 
-std::string
-nameInPly (const std::string& field)
-{
-  const std::string normal = "normal_";
-  return field.compare (0, normal.size(), normal) == 0 &&
-                 field.size() == normal.size() + 1
-             ? "n" + field.substr (normal.size())
-             : field;
-}
-
-std::vector<VertexProperty>
+VertexProperties
 numberProperties (const PCLPointField& field)
 {
-  std::vector<VertexProperty> properties;
-  const std::string name = nameInPly (field.name);
-  const auto size = static_cast<pcl::uindex_t> (pcl::getFieldSize (field.datatype));
+  VertexProperties properties;
+  const NumberType& type = numberType (field.datatype);
+  const bool is_normal =
+      field.name == "normal_x" || field.name == "normal_y" || field.name == "normal_z";
+  const std::string name = is_normal ? "n" + field.name.substr (7) : field.name;
   for (pcl::uindex_t i = 0; i < field.count; ++i)
     properties.push_back ({field.count == 1 ? name : name + "_" + std::to_string (i),
-                           field.datatype,
-                           field.offset + i * size});
+                           &type,
+                           field.offset + static_cast<pcl::uindex_t> (i * type.size)});
   return properties;
 }
 
-/** \brief Those of a cloud. A name that another has, colours before all, gets a _ more.
+/** \brief Those of a cloud. A name that another has, colors before all, gets a _ more.
  */
-std::vector<VertexProperty>
+VertexProperties
 propertiesOf (const pcl::PCLPointCloud2& points)
 {
   std::set<std::string> taken;
@@ -108,7 +74,7 @@ propertiesOf (const pcl::PCLPointCloud2& points)
       for (const VertexProperty& property : colorProperties (field))
         taken.insert (property.name);
     }
-  std::vector<VertexProperty> properties;
+  VertexProperties properties;
   for (const PCLPointField& field : points.fields) {
     if (&field == color)
       for (const VertexProperty& property : colorProperties (field))
@@ -124,19 +90,16 @@ propertiesOf (const pcl::PCLPointCloud2& points)
 }
 
 std::string
-plyHeader (const pcl::PCLPointCloud2& points,
-           const std::vector<VertexProperty>& properties)
+plyHeader (const pcl::PCLPointCloud2& points, const VertexProperties& properties)
 {
   std::string header = "ply\nformat binary_little_endian 1.0\n";
   if (points.height > 1)
     header += "obj_info num_cols " + std::to_string (points.width) +
               "\nobj_info num_rows " + std::to_string (points.height) + "\n";
-  header += "element vertex " +
-            std::to_string (static_cast<std::uint64_t> (points.width) * points.height) +
-            "\n";
+  header += "element vertex " + std::to_string (sizeOf (points)) + "\n";
   for (const VertexProperty& property : properties) {
-    const char* const type = nameOfType (property.type);
-    header += std::string ("property ") + (type == nullptr ? "double" : type) + " " +
+    const std::string_view type = property.type->ply_name;
+    header += "property " + std::string (type.empty() ? "double" : type) + " " +
               property.name + "\n";
   }
   return header + "end_header\n";
@@ -147,36 +110,33 @@ appendNumber (const std::uint8_t* point,
               const VertexProperty& property,
               std::string& bytes)
 {
+  const NumberType& type = *property.type;
   const std::uint8_t* const number = point + property.offset;
-  if (nameOfType (property.type) != nullptr) {
-    bytes.append (reinterpret_cast<const char*> (number),
-                  static_cast<std::size_t> (pcl::getFieldSize (property.type)));
+  if (!type.ply_name.empty()) {
+    bytes.append (reinterpret_cast<const char*> (number), type.size);
     return;
   }
-  const double converted = readerOf (property.type) (number);
+  const double converted = type.read (number);
   bytes.append (reinterpret_cast<const char*> (&converted), sizeof (converted));
 }
 
 } // namespace
 
 void
-savePly (const std::string& file, const FileCloud& cloud)
+writePly (const pcl::PCLPointCloud2& points, std::ostream& stream)
 {
   constexpr std::size_t block = 1U << 16U;
-  const std::vector<VertexProperty> properties = propertiesOf (cloud.points);
-  writeFile (file, [&] (std::ostream& stream) {
-    std::string bytes = plyHeader (cloud.points, properties);
-    for (std::size_t i = 0; i < cloud.size(); ++i) {
-      for (const VertexProperty& property : properties)
-        appendNumber (
-            cloud.points.data.data() + i * cloud.points.point_step, property, bytes);
-      if (bytes.size() < block)
-        continue;
-      stream << bytes;
-      bytes.clear();
-    }
+  const VertexProperties properties = propertiesOf (points);
+  std::string bytes = plyHeader (points, properties);
+  for (std::size_t i = 0; i < sizeOf (points); ++i) {
+    for (const VertexProperty& property : properties)
+      appendNumber (points.data.data() + i * points.point_step, property, bytes);
+    if (bytes.size() < block)
+      continue;
     stream << bytes;
-  });
+    bytes.clear();
+  }
+  stream << bytes;
 }
 
 } // namespace pcl_ops::apps

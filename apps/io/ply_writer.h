@@ -2,21 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cloud_file.h"
+#include <pcl/PCLPointCloud2.h>
 
-#include <string>
+#include <iosfwd>
 
 namespace pcl_ops::apps {
 
-/** \brief Writes a binary little endian PLY in one step (\ref writeFile): every field
- * with its type, except that of `rgb` and `rgba` the first becomes red, green, blue
- * (and alpha), 64-bit integers, which PLY has none of, become doubles, and the numbers
- * of a field of several become properties NAME_0, NAME_1, ...
- *
- * Normals get the names other programs know them by: nx, ny, nz. PCL's own writer takes
- * a name and so writes past the check, and puts a camera behind the points.
- * \throws WorkError if it cannot be written */
+/** \brief Writes a binary little endian PLY: every field with its type, except that of
+ * `rgb` and `rgba` the first becomes red, green, blue (and alpha), 64-bit integers,
+ * which PLY lacks, become doubles, the numbers of a field of several become properties
+ * NAME_0, NAME_1, ..., and normals get the names other programs know: nx, ny, nz. */
 void
-savePly (const std::string& file, const FileCloud& cloud);
+writePly (const pcl::PCLPointCloud2& points, std::ostream& stream);
 
 } // namespace pcl_ops::apps

@@ -4,6 +4,7 @@
 
 #include <pcl/types.h>
 
+#include "cloud_fields.h"
 #include "header_reader.h"
 #include "number_lines.h"
 #include "output_file.h"
@@ -113,7 +114,7 @@ private:
         continue;
       }
       separator_ = separatorOf (line_);
-      readNumbers (reader_, line_, separator_, numbers_);
+      readNumbers();
       if (is_number_of_points) {
         promised_ = reader_.count ("its number of points", words[0]);
         continue;
@@ -161,15 +162,9 @@ private:
   setFields (pcl::PCLPointCloud2& cloud) const
   {
     cloud.point_step = 0;
-    for (const std::string& name : fieldNames (reader_, names_, numbers_.size())) {
-      pcl::PCLPointField field;
-      field.name = name;
-      field.offset = cloud.point_step;
-      field.datatype = pcl::PCLPointField::FLOAT64;
-      field.count = 1;
-      cloud.fields.push_back (field);
-      cloud.point_step += sizeof (double);
-    }
+    const NumberType& type = numberType (pcl::PCLPointField::FLOAT64);
+    for (const std::string& name : fieldNames (reader_, names_, numbers_.size()))
+      addField (name, type, 1, cloud);
   }
 
   /** \brief As many as there can be of them in the file, at most: no memory is taken
@@ -191,13 +186,22 @@ private:
       reader_.fail ("it has more points than an index can tell apart");
   }
 
+  void
+  readNumbers ()
+  {
+    words_.take (line_, separator_);
+    numbers_.resize (words_.size());
+    for (std::size_t i = 0; i < numbers_.size(); ++i)
+      numbers_[i] = words_.number (i);
+  }
+
   bool
   readPoint ()
   {
     const std::size_t count = numbers_.size();
     if (!nextLine())
       return false;
-    readNumbers (reader_, line_, separator_, numbers_);
+    readNumbers();
     if (numbers_.size() != count)
       reader_.failAtLine ("has " + std::to_string (numbers_.size()) +
                           " numbers instead of " + std::to_string (count));
@@ -205,6 +209,7 @@ private:
   }
 
   HeaderReader reader_;
+  NumberLines words_{reader_};
   std::uint64_t lines_;
   std::string line_;
   Words names_, comment_names_;

@@ -192,7 +192,7 @@ TEST_F (TextFile, RefusesNumbersThatAreTooLargeForTheirType)
 {
   for (const std::string number : {"1e400", "-1e400", "+1e999"}) {
     const std::string complaint = "is damaged: line 2 has '" + number +
-                                  "', which is no number; mend it or write the file "
+                                  "', which is no number; fix it or write the file "
                                   "again";
     EXPECT_EQ (complaintAbout ("1 2 3\n1 2 " + number + "\n"), complaint);
     EXPECT_EQ (complaintAbout ("1,2,3\n1," + number + ",3\n"), complaint);

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "number_types.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+#include <type_traits>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+template <typename Number>
+double
+read (const std::uint8_t* bytes)
+{
+  Number number;
+  std::memcpy (&number, bytes, sizeof (number));
+  return static_cast<double> (number);
+}
+
+/** \brief \return false unless all of the text is a number */
+template <typename Float>
+bool
+readFloat (std::string_view text, Float& number)
+{
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars (text.data(), end, number);
+  if (error != std::errc::result_out_of_range)
+    return error == std::errc() && rest == end;
+  // from_chars leaves the number as it is; these give zero or infinity.
+  number = static_cast<Float> (std::is_same_v<Float, float>
+                                   ? std::strtof (text.data(), nullptr)
+                                   : std::strtod (text.data(), nullptr));
+  return rest == end && !std::isinf (std::strtod (text.data(), nullptr));
+}
+
+template <typename Integer>
+bool
+readInteger (std::string_view text, Integer& number)
+{
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars (text.data(), end, number);
+  if (error == std::errc() && rest == end)
+    return true;
+  double real = 0.0;
+  if (!readFloat (text, real))
+    return false;
+  const bool fits = std::abs (real) < std::ldexp (1.0, 63);
+  number = fits ? static_cast<Integer> (static_cast<std::int64_t> (real)) : Integer (0);
+  return true;
+}
+
+template <typename Number>
+bool
+parse (std::string_view text, std::uint8_t* bytes)
+{
+  // A plus is the only difference to what the standard library reads.
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-')
+    text.remove_prefix (1);
+  Number number{};
+  bool is_number = false;
+  if constexpr (std::is_integral_v<Number>)
+    is_number = readInteger (text, number);
+  else
+    is_number = readFloat (text, number);
+  std::memcpy (bytes, &number, sizeof (number));
+  return is_number;
+}
+
+template <typename Number>
+constexpr NumberType
+typeOf (std::uint8_t id,
+        char kind,
+        std::string_view ply_name = {},
+        std::string_view ply_name_with_bits = {})
+{
+  return {id,
+          kind,
+          sizeof (Number),
+          ply_name,
+          ply_name_with_bits,
+          read<Number>,
+          parse<Number>};
+}
+
+constexpr std::array<NumberType, 10> types = {
+    {typeOf<std::int8_t> (1, 'I', "char", "int8"),
+     typeOf<std::uint8_t> (2, 'U', "uchar", "uint8"),
+     typeOf<std::int16_t> (3, 'I', "short", "int16"),
+     typeOf<std::uint16_t> (4, 'U', "ushort", "uint16"),
+     typeOf<std::int32_t> (5, 'I', "int", "int32"),
+     typeOf<std::uint32_t> (6, 'U', "uint", "uint32"),
+     typeOf<float> (7, 'F', "float", "float32"),
+     typeOf<double> (8, 'F', "double", "float64"),
+     typeOf<std::int64_t> (9, 'I'),
+     typeOf<std::uint64_t> (10, 'U')}};
+
+template <typename Is>
+const NumberType*
+find (Is&& is)
+{
+  const auto* const found = std::find_if (types.begin(), types.end(), is);
+  return found == types.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+const NumberType&
+numberType (std::uint8_t id)
+{
+  return types.at (id - 1U);
+}
+
+const NumberType*
+findPcdType (const std::string& kind, const std::string& size)
+{
+  return find ([&] (const NumberType& type) {
+    return kind == std::string (1, type.kind) && size == std::to_string (type.size);
+  });
+}
+
+const NumberType*
+findPlyType (std::string_view name)
+{
+  return find ([&] (const NumberType& type) {
+    return !name.empty() && (name == type.ply_name || name == type.ply_name_with_bits);
+  });
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace pcl_ops::apps {
+
+/** \brief Reads a number from its bytes. */
+using NumberReader = double (*) (const std::uint8_t* bytes);
+
+/** \brief A type of the numbers in a cloud's fields. */
+struct NumberType {
+  /** \brief As in pcl::PCLPointField, which lacks 64-bit integers before PCL 1.13. */
+  std::uint8_t id;
+  /** \brief I, U or F, as PCD says. */
+  char kind;
+  std::size_t size;
+  /** \brief In PLY, in both spellings; empty for 64-bit integers. */
+  std::string_view ply_name, ply_name_with_bits;
+  NumberReader read;
+  /** \brief Puts the number that a text says into bytes: also `nan`, `inf` and
+   * `infinity`, but none that is too large for double precision. An integer ends at its
+   * decimals, as in PCL.
+   * \param[in] text is followed by a character that is no part of it
+   * \return false for anything else */
+  bool (*parse) (std::string_view text, std::uint8_t* bytes);
+};
+
+/** \param[in] id one of \ref NumberType::id */
+const NumberType&
+numberType (std::uint8_t id);
+
+/** \return nullptr if there is none of that kind and size */
+const NumberType*
+findPcdType (const std::string& kind, const std::string& size);
+
+/** \return nullptr if there is none of that name */
+const NumberType*
+findPlyType (std::string_view name);
+
+} // namespace pcl_ops::apps

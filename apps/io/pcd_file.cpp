@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pcd_file.h"
+
+#include "cloud_fields.h"
+#include "header_reader.h"
+#include "lzf.h"
+#include "number_lines.h"
+#include "number_types.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <locale>
+#include <map>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+/** \brief The lines of a header by their first words. */
+using PcdHeader = std::map<std::string, Words>;
+
+PcdHeader
+readHeader (HeaderReader& reader)
+{
+  constexpr std::array<std::string_view, 10> known_keys = {"VERSION",
+                                                           "FIELDS",
+                                                           "SIZE",
+                                                           "TYPE",
+                                                           "COUNT",
+                                                           "WIDTH",
+                                                           "HEIGHT",
+                                                           "VIEWPOINT",
+                                                           "POINTS",
+                                                           "DATA"};
+  PcdHeader header;
+  while (header.count ("DATA") == 0) {
+    Words words = reader.nextLine ("DATA");
+    if (words.empty() || words[0][0] == '#')
+      continue;
+    const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
+    if (std::find (known_keys.begin(), known_keys.end(), key) == known_keys.end())
+      reader.fail ("its line " + key + " is unknown");
+    if (!header.emplace (key, Words (words.begin() + 1, words.end())).second)
+      reader.fail ("its line " + key + " is there twice");
+  }
+  return header;
+}
+
+const Words&
+lineOf (const HeaderReader& reader, const PcdHeader& header, const std::string& key)
+{
+  const auto line = header.find (key);
+  if (line == header.end())
+    reader.fail ("it has no line " + key);
+  return line->second;
+}
+
+void
+readFields (const HeaderReader& reader,
+            const PcdHeader& header,
+            pcl::PCLPointCloud2& points)
+{
+  const Words& names = lineOf (reader, header, "FIELDS");
+  const Words& sizes = lineOf (reader, header, "SIZE");
+  const Words& types = lineOf (reader, header, "TYPE");
+  const Words counts =
+      header.count ("COUNT") > 0 ? header.at ("COUNT") : Words (names.size(), "1");
+  if (names.empty())
+    reader.fail ("FIELDS names none");
+  if (sizes.size() != names.size() || types.size() != names.size() ||
+      counts.size() != names.size())
+    reader.fail ("FIELDS, SIZE, TYPE and COUNT differ in length");
+
+  constexpr std::uint64_t max_count = 1U << 20U;
+  // As many as PCL's readers take.
+  constexpr std::uint64_t max_bytes = std::numeric_limits<std::int32_t>::max();
+  std::uint64_t bytes = 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const NumberType* const type = findPcdType (types[i], sizes[i]);
+    if (type == nullptr)
+      reader.fail ("TYPE " + types[i] + " with SIZE " + sizes[i] + " does not exist");
+    const std::uint64_t count = reader.number ("COUNT", counts[i]);
+    if (count == 0 || count > max_count)
+      reader.fail ("COUNT " + counts[i] + " is out of range");
+    addField (names[i], *type, static_cast<pcl::uindex_t> (count), points);
+    bytes += count * type->size;
+    if (bytes > max_bytes)
+      reader.fail ("its points do not have 1 to " + std::to_string (max_bytes) +
+                   " bytes each");
+  }
+}
+
+/** \brief POINTS, which has to agree with WIDTH and HEIGHT where they are given. */
+void
+readSize (const HeaderReader& reader,
+          const PcdHeader& header,
+          pcl::PCLPointCloud2& points)
+{
+  const auto value = [&] (const std::string& key) {
+    const Words& line = lineOf (reader, header, key);
+    if (line.size() != 1)
+      reader.fail (key + " is not one number");
+    return reader.count (key, line[0]);
+  };
+  const std::uint64_t size = value ("POINTS"), width = value ("WIDTH");
+  const std::uint64_t height = header.count ("HEIGHT") > 0 ? value ("HEIGHT") : 1;
+  if (width * height != size)
+    reader.fail ("WIDTH times HEIGHT is not POINTS");
+  if (size == 0)
+    reader.failEmpty();
+  points.width = static_cast<pcl::uindex_t> (width);
+  points.height = static_cast<pcl::uindex_t> (height);
+}
+
+void
+readViewpoint (const HeaderReader& reader, const PcdHeader& header, FileCloud& cloud)
+{
+  const auto line = header.find ("VIEWPOINT");
+  if (line == header.end())
+    return;
+  std::array<float, 7> numbers{};
+  bool are_numbers = line->second.size() == numbers.size();
+  for (std::size_t i = 0; are_numbers && i < numbers.size(); ++i) {
+    char* end = nullptr;
+    numbers[i] = std::strtof (line->second[i].c_str(), &end);
+    are_numbers = *end == '\0';
+  }
+  if (!are_numbers)
+    reader.fail ("VIEWPOINT is not seven numbers");
+  cloud.origin << numbers[0], numbers[1], numbers[2], 0.0f;
+  cloud.orientation = {numbers[3], numbers[4], numbers[5], numbers[6]};
+}
+
+void
+readText (HeaderReader& reader, pcl::PCLPointCloud2& points)
+{
+  std::size_t numbers = 0;
+  for (const pcl::PCLPointField& field : points.fields)
+    numbers += field.count;
+  // The shortest number is a digit and a separator.
+  const std::uint64_t rest = reader.fileSize() - reader.position();
+  if (sizeOf (points) > (rest + 1) / (2 * numbers))
+    reader.failTruncated();
+  points.data.resize (sizeOf (points) * points.point_step);
+  NumberLines lines (reader);
+  std::uint8_t* number = points.data.data();
+  while (number != points.data.data() + points.data.size()) {
+    if (!lines.next())
+      continue; // PCL's reader skips it, too
+    lines.expectNumbers (numbers);
+    std::size_t word = 0;
+    for (const pcl::PCLPointField& field : points.fields) {
+      const NumberType& type = numberType (field.datatype);
+      for (pcl::uindex_t i = 0; i < field.count; ++i, number += type.size)
+        lines.read (word++, type, number);
+    }
+  }
+  lines.expectEnd();
+}
+
+/** \brief The data have a field of all points after the other. */
+void
+readCompressed (HeaderReader& reader, pcl::PCLPointCloud2& points)
+{
+  // LZF makes 264 bytes of three at best.
+  constexpr std::uint64_t max_expansion = 100;
+  const std::size_t size = sizeOf (points);
+  std::array<std::uint32_t, 2> sizes{};
+  reader.read (reinterpret_cast<char*> (sizes.data()), sizeof (sizes));
+  if (sizes[1] != size * points.point_step)
+    reader.fail ("the size of its compressed data is not that of its points");
+  if (sizes[0] > reader.fileSize() - reader.position() ||
+      sizes[1] > max_expansion * sizes[0])
+    reader.failTruncated();
+  std::vector<std::uint8_t> compressed (sizes[0]), by_field (sizes[1]);
+  reader.read (reinterpret_cast<char*> (compressed.data()), compressed.size());
+  if (!decompressLzf (compressed, by_field))
+    reader.fail ("its compressed data are damaged");
+  points.data.resize (by_field.size());
+  const std::uint8_t* from = by_field.data();
+  for (const pcl::PCLPointField& field : points.fields) {
+    const std::size_t length = field.count * numberType (field.datatype).size;
+    for (std::size_t i = 0; i < size; ++i, from += length)
+      std::copy_n (from, length, &points.data[i * points.point_step + field.offset]);
+  }
+}
+
+void
+readBinary (HeaderReader& reader, pcl::PCLPointCloud2& points)
+{
+  const std::uint64_t rest = reader.fileSize() - reader.position();
+  if (sizeOf (points) > rest / points.point_step)
+    reader.failTruncated();
+  points.data.resize (sizeOf (points) * points.point_step);
+  reader.read (reinterpret_cast<char*> (points.data.data()), points.data.size());
+}
+
+} // namespace
+
+FileCloud
+readPcd (const std::string& file)
+{
+  HeaderReader reader (file, "PCD");
+  const PcdHeader header = readHeader (reader);
+  FileCloud cloud;
+  readFields (reader, header, cloud.points);
+  readSize (reader, header, cloud.points);
+  readViewpoint (reader, header, cloud);
+  const Words& kind = header.at ("DATA");
+  if (kind == Words{"ascii"})
+    readText (reader, cloud.points);
+  else if (kind == Words{"binary"})
+    readBinary (reader, cloud.points);
+  else if (kind == Words{"binary_compressed"})
+    readCompressed (reader, cloud.points);
+  else
+    reader.fail ("DATA is not ascii, binary or binary_compressed");
+  cloud.points.row_step = cloud.points.point_step * cloud.points.width;
+  return cloud;
+}
+
+std::string
+pcdHeader (const FileCloud& cloud)
+{
+  std::ostringstream names, sizes, types, counts, header;
+  counts.imbue (std::locale::classic());
+  header.imbue (std::locale::classic());
+  const pcl::PCLPointCloud2& points = cloud.points;
+  const auto add = [&] (const std::string& name, const NumberType& type, auto count) {
+    names << ' ' << name;
+    sizes << ' ' << type.size;
+    types << ' ' << type.kind;
+    counts << ' ' << count;
+  };
+  pcl::uindex_t end = 0;
+  const auto pad = [&] (pcl::uindex_t to) {
+    if (to > end) // bytes of no field are called so
+      add ("_", numberType (pcl::PCLPointField::UINT8), to - end);
+  };
+  for (const pcl::PCLPointField& field : points.fields) {
+    const NumberType& type = numberType (field.datatype);
+    pad (field.offset);
+    add (field.name, type, field.count);
+    end = field.offset + static_cast<pcl::uindex_t> (field.count * type.size);
+  }
+  pad (points.point_step);
+  const Eigen::Quaternionf& q = cloud.orientation;
+  header << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS"
+         << names.str() << "\nSIZE" << sizes.str() << "\nTYPE" << types.str()
+         << "\nCOUNT" << counts.str() << "\nWIDTH " << points.width << "\nHEIGHT "
+         << points.height << "\nVIEWPOINT " << cloud.origin[0] << ' ' << cloud.origin[1]
+         << ' ' << cloud.origin[2] << ' ' << q.w() << ' ' << q.x() << ' ' << q.y()
+         << ' ' << q.z() << "\nPOINTS " << sizeOf (points) << "\nDATA binary\n";
+  return header.str();
+}
+
+} // namespace pcl_ops::apps
