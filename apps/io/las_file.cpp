@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "las_file.h"
 
-#include "las_copy.h"
+#include "cloud_fields.h"
 #include "laz_file.h"
 #include "little_endian.h"
 #include "output_file.h"
@@ -61,49 +61,38 @@ missingOf (std::vector<LasField> fields, const LasExtraBytes& extra)
   return fields;
 }
 
-/** \brief What a file has elsewhere where its records have further fields. */
-std::vector<LasEdit>
-editsFor (const std::vector<LasField>& fields,
-          const HeaderReader& reader,
-          const LasHeader& header,
-          const LasExtraBytes& extra)
+/** \brief What is in front of the points where their records have further fields. */
+std::string
+frontWith (const std::vector<LasField>& fields,
+           HeaderReader& reader,
+           const LasHeader& header,
+           const LasExtraBytes& extra)
 {
+  std::string front = readLasFront (reader, header);
   if (fields.empty())
-    return {};
+    return front;
   const std::uint64_t length = fields.size() * field_length;
   const std::string description = descriptionsOf (fields, header, extra);
-  const std::string added = extra.vlr ? description : extraBytesVlr (description);
-  const auto front = static_cast<std::int64_t> (added.size());
-  std::vector<LasEdit> edits =
-      editsForGrowth (reader,
-                      header,
-                      {extra.vlr ? 0 : 1,
-                       front,
-                       header.pointsEnd(),
-                       front + static_cast<std::int64_t> (length * header.points)});
-  edits.push_back (
-      {las_field::record_length,
-       2,
-       littleEndian (static_cast<std::uint16_t> (header.record_length + length))});
-  if (extra.vlr)
-    edits.push_back ({extra.vlr->begin + vlr_length_field,
-                      2,
-                      littleEndian (static_cast<std::uint16_t> (
-                          extra.vlr->end - extra.vlr->content + added.size()))});
-  edits.push_back ({extra.vlr ? extra.vlr->end : extra.vlrs_end, 0, added});
-  return edits;
-}
-
-void
-addField (const std::string& name, std::uint8_t datatype, pcl::PCLPointCloud2& cloud)
-{
-  PCLPointField field;
-  field.name = name;
-  field.offset = cloud.point_step;
-  field.datatype = datatype;
-  field.count = 1;
-  cloud.fields.push_back (field);
-  cloud.point_step += datatype == PCLPointField::FLOAT64 ? 8 : 4;
+  setNumber (front,
+             las_field::record_length,
+             static_cast<std::uint16_t> (header.record_length + length));
+  if (extra.vlr) {
+    const std::uint64_t size = extra.vlr->end - extra.vlr->content;
+    setNumber (front,
+               extra.vlr->begin + vlr_length_field,
+               static_cast<std::uint16_t> (size + description.size()));
+    front.insert (extra.vlr->end, description);
+  }
+  else {
+    setNumber (front, las_field::vlr_count, header.vlr_count + 1);
+    front.insert (extra.vlrs_end, extraBytesVlr (description));
+  }
+  relocateLas (reader,
+               header,
+               header.pointsEnd(),
+               static_cast<std::int64_t> (length * header.points),
+               front);
+  return front;
 }
 
 /** \brief Puts a number of any type into the bytes of a point. */
@@ -133,7 +122,10 @@ LasFile::LasFile (const std::string& file)
 , header_ (readLasHeader (reader_))
 , extra_ (readLasVlrs (reader_, header_))
 {
-  checkLasPoints (reader_, header_, file);
+  if (header_.points >
+      (reader_.fileSize() - header_.points_offset) / header_.record_length)
+    reader_.failTruncated();
+  checkLasCount (reader_, header_, file);
   checkLasEvlrs (reader_, header_);
 }
 
@@ -142,13 +134,15 @@ LasFile::readPoints()
 {
   constexpr std::size_t intensity = 12;
   pcl::PCLPointCloud2 cloud;
-  cloud.point_step = 0;
+  const auto add = [&] (const char* name, std::uint8_t type) {
+    addField (name, numberType (type), 1, cloud);
+  };
   for (const char* axis : {"x", "y", "z"})
-    addField (axis, PCLPointField::FLOAT64, cloud);
-  addField ("intensity", PCLPointField::FLOAT32, cloud);
+    add (axis, PCLPointField::FLOAT64);
+  add ("intensity", PCLPointField::FLOAT32);
   const std::optional<std::uint64_t> label = extra_.placeOf (label_field);
   if (label)
-    addField ("label", PCLPointField::UINT32, cloud);
+    add ("label", PCLPointField::UINT32);
   cloud.width = static_cast<pcl::uindex_t> (header_.points);
   cloud.height = 1;
   cloud.row_step = cloud.point_step * cloud.width;
@@ -218,11 +212,7 @@ LasFile::writeWith (const std::vector<LasColumn>& columns, std::ostream& stream)
     length += place ? 0 : field_length;
   }
   const std::vector<LasField> added = missingOf (fields, extra_);
-  copyEdited (reader_,
-              0,
-              header_.points_offset,
-              editsFor (added, reader_, header_, extra_),
-              stream);
+  stream << frontWith (added, reader_, header_, extra_);
   constexpr std::size_t block = 1U << 16U;
   std::string records;
   forRecords (reader_, header_, [&] (std::uint64_t, const char* record) {
@@ -239,7 +229,7 @@ LasFile::writeWith (const std::vector<LasColumn>& columns, std::ostream& stream)
     records.clear();
   });
   stream << records;
-  copyEdited (reader_, header_.pointsEnd(), reader_.fileSize(), {}, stream);
+  copyRest (reader_, header_.pointsEnd(), stream);
 }
 
 void

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <ostream>
+#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -22,38 +24,47 @@ constexpr std::array<std::uint16_t, 3> header_lengths = {227, 235, 375};
 constexpr std::array<std::uint16_t, 11> format_lengths = {
     20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
 
-using LasHeaderBytes = std::array<char, header_lengths.back()>;
+/** \brief The bytes of a header, zero behind the end of the file. */
+struct HeaderBytes {
+  std::array<char, header_lengths.back()> bytes{};
 
-/** \brief Zero behind the end of the file. */
-LasHeaderBytes
+  template <typename Number>
+  void
+  get (std::size_t place, Number& number) const
+  {
+    number = fromLittleEndian<Number> (&bytes[place]);
+  }
+};
+
+HeaderBytes
 headerBytesOf (HeaderReader& reader)
 {
-  LasHeaderBytes bytes{};
+  HeaderBytes header;
+  auto& bytes = header.bytes;
   reader.read (bytes.data(), std::min<std::size_t> (bytes.size(), reader.fileSize()));
-  const std::string signature = "LASF";
-  if (std::string (bytes.data(), signature.size()) != signature)
+  if (std::string (bytes.data(), 4) != "LASF")
     reader.fail ("its first bytes are not LASF");
   if (reader.fileSize() < header_lengths.front())
     reader.fail ("it ends within its header");
-  return bytes;
+  return header;
 }
 
 void
-readVersion (const HeaderReader& reader, const LasHeaderBytes& bytes, LasHeader& header)
+readVersion (const HeaderReader& reader, const HeaderBytes& bytes, LasHeader& header)
 {
-  const auto major = fromLittleEndian<std::uint8_t> (&bytes[24]);
-  header.minor_version = fromLittleEndian<std::uint8_t> (&bytes[25]);
+  std::uint8_t major = 0;
+  bytes.get (24, major);
+  bytes.get (25, header.minor_version);
   if (major != 1 || header.minor_version < oldest_minor ||
       header.minor_version > newest_minor)
     reader.fail ("its version " + std::to_string (major) + "." +
                  std::to_string (header.minor_version) + " is not 1.2, 1.3 or 1.4");
-  header.size = fromLittleEndian<std::uint16_t> (&bytes[94]);
+  bytes.get (las_field::header_size, header.size);
   if (header.size < header_lengths.at (header.minor_version - oldest_minor))
     reader.fail ("its header size " + std::to_string (header.size) +
                  " is too small for its version");
-  header.points_offset =
-      fromLittleEndian<std::uint32_t> (&bytes[las_field::points_offset]);
-  header.vlr_count = fromLittleEndian<std::uint32_t> (&bytes[las_field::vlr_count]);
+  bytes.get (las_field::points_offset, header.points_offset);
+  bytes.get (las_field::vlr_count, header.vlr_count);
   if (header.points_offset < header.size || header.points_offset > reader.fileSize())
     reader.fail ("its offset to point data " + std::to_string (header.points_offset) +
                  " is within its header or behind its end");
@@ -61,19 +72,18 @@ readVersion (const HeaderReader& reader, const LasHeaderBytes& bytes, LasHeader&
 
 void
 readRecordFormat (const HeaderReader& reader,
-                  const LasHeaderBytes& bytes,
+                  const HeaderBytes& bytes,
                   LasHeader& header)
 {
   constexpr unsigned compressed = 0xc0;
-  const auto format = fromLittleEndian<std::uint8_t> (&bytes[las_field::format]);
-  header.says_laz = (format & compressed) != 0;
-  header.format = static_cast<std::uint8_t> (format & ~compressed);
+  bytes.get (las_field::format, header.format);
+  header.says_laz = (header.format & compressed) != 0;
+  header.format = static_cast<std::uint8_t> (header.format & ~compressed);
   if (header.format >= format_lengths.size())
     reader.fail ("its point data record format " + std::to_string (header.format) +
                  " is not 0 to 10");
   header.format_length = format_lengths.at (header.format);
-  header.record_length =
-      fromLittleEndian<std::uint16_t> (&bytes[las_field::record_length]);
+  bytes.get (las_field::record_length, header.record_length);
   if (header.record_length < header.format_length)
     reader.fail ("its point data record length " +
                  std::to_string (header.record_length) +
@@ -81,14 +91,12 @@ readRecordFormat (const HeaderReader& reader,
 }
 
 void
-readTransform (const HeaderReader& reader,
-               const LasHeaderBytes& bytes,
-               LasHeader& header)
+readTransform (const HeaderReader& reader, const HeaderBytes& bytes, LasHeader& header)
 {
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const auto place = 131 + 8 * static_cast<std::size_t> (axis);
-    header.scale[axis] = doubleFromLittleEndian (&bytes[place]);
-    header.offset[axis] = doubleFromLittleEndian (&bytes[place + 24]);
+    const std::size_t place = sizeof (double) * static_cast<std::size_t> (axis);
+    bytes.get (las_field::scale + place, header.scale[axis]);
+    bytes.get (las_field::offset + place, header.offset[axis]);
   }
   if (!header.scale.allFinite() || (header.scale.array() == 0.0).any())
     reader.fail ("a scale factor of its coordinates is zero or no number");
@@ -97,22 +105,22 @@ readTransform (const HeaderReader& reader,
 }
 
 void
-readCounts (const HeaderReader& reader, const LasHeaderBytes& bytes, LasHeader& header)
+readCounts (const HeaderReader& reader, const HeaderBytes& bytes, LasHeader& header)
 {
-  const auto legacy_points = fromLittleEndian<std::uint32_t> (&bytes[107]);
+  std::uint32_t legacy_points = 0;
+  bytes.get (las_field::legacy_points, legacy_points);
   header.points = legacy_points;
   if (header.minor_version >= 3)
-    header.waveform_offset =
-        fromLittleEndian<std::uint64_t> (&bytes[las_field::waveform_offset]);
+    bytes.get (las_field::waveform_offset, header.waveform_offset);
   if (header.minor_version < 4)
     return;
-  header.evlr_offset = fromLittleEndian<std::uint64_t> (&bytes[las_field::evlr_offset]);
-  header.evlr_count = fromLittleEndian<std::uint32_t> (&bytes[243]);
-  const auto points = fromLittleEndian<std::uint64_t> (&bytes[247]);
-  if (points != 0 && legacy_points != 0 && points != legacy_points)
-    reader.fail ("its numbers of points " + std::to_string (points) + " and " +
+  bytes.get (las_field::evlr_offset, header.evlr_offset);
+  bytes.get (las_field::evlr_count, header.evlr_count);
+  bytes.get (las_field::points, header.points);
+  if (header.points != 0 && legacy_points != 0 && header.points != legacy_points)
+    reader.fail ("its numbers of points " + std::to_string (header.points) + " and " +
                  std::to_string (legacy_points) + " (legacy) differ");
-  header.points = std::max (points, header.points);
+  header.points = std::max<std::uint64_t> (header.points, legacy_points);
 }
 
 } // namespace
@@ -120,7 +128,7 @@ readCounts (const HeaderReader& reader, const LasHeaderBytes& bytes, LasHeader& 
 LasHeader
 readLasHeader (HeaderReader& reader)
 {
-  const LasHeaderBytes bytes = headerBytesOf (reader);
+  const HeaderBytes bytes = headerBytesOf (reader);
   LasHeader header;
   readVersion (reader, bytes, header);
   readRecordFormat (reader, bytes, header);
@@ -143,14 +151,49 @@ checkLasCount (const HeaderReader& reader,
                          std::to_string (most) + "; split it into tiles");
 }
 
-void
-checkLasPoints (const HeaderReader& reader,
-                const LasHeader& header,
-                const std::string& file)
+std::string
+readLasFront (HeaderReader& reader, const LasHeader& header)
 {
-  if (header.points > (reader.fileSize() - header.points_offset) / header.record_length)
-    reader.failTruncated();
-  checkLasCount (reader, header, file);
+  std::string front (header.points_offset, '\0');
+  reader.goTo (0);
+  reader.read (front.data(), front.size());
+  return front;
+}
+
+void
+relocateLas (const HeaderReader& reader,
+             const LasHeader& header,
+             std::uint64_t points_end,
+             std::int64_t points_growth,
+             std::string& front)
+{
+  setNumber (
+      front, las_field::points_offset, static_cast<std::uint32_t> (front.size()));
+  const auto move = [&] (std::size_t place, std::uint64_t offset) {
+    // Unsigned sums wrap to what is meant where a copy is shorter.
+    const bool is_behind = offset >= points_end && offset <= reader.fileSize();
+    if (is_behind)
+      offset += front.size() - header.points_offset +
+                static_cast<std::uint64_t> (points_growth);
+    setNumber (front, place, offset);
+  };
+  if (header.minor_version >= 3)
+    move (las_field::waveform_offset, header.waveform_offset);
+  if (header.minor_version >= 4)
+    move (las_field::evlr_offset, header.evlr_offset);
+}
+
+void
+copyRest (HeaderReader& reader, std::uint64_t begin, std::ostream& stream)
+{
+  constexpr std::uint64_t block = 1U << 20U;
+  std::vector<char> bytes;
+  reader.goTo (begin);
+  for (std::uint64_t left = reader.fileSize() - begin; left > 0; left -= bytes.size()) {
+    bytes.resize (std::min (block, left));
+    reader.read (bytes.data(), bytes.size());
+    stream.write (bytes.data(), static_cast<std::streamsize> (bytes.size()));
+  }
 }
 
 } // namespace pcl_ops::apps

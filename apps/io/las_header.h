@@ -7,16 +7,18 @@
 #include "header_reader.h"
 
 #include <cstdint>
+#include <iosfwd>
 #include <string>
 
 namespace pcl_ops::apps {
 
-/** \brief Where the fields of a public header block begin that change as records grow.
- */
+/** \brief Where fields of a public header block begin. */
 namespace las_field {
-inline constexpr std::uint64_t points_offset = 96, vlr_count = 100, format = 104,
-                               record_length = 105, waveform_offset = 227,
-                               evlr_offset = 235;
+inline constexpr std::size_t header_size = 94, points_offset = 96, vlr_count = 100,
+                             format = 104, record_length = 105, legacy_points = 107,
+                             scale = 131, offset = 155, bounds = 179,
+                             waveform_offset = 227, evlr_offset = 235, evlr_count = 243,
+                             points = 247;
 } // namespace las_field
 
 /** \brief The public header block of a LAS file, as far as its points need it. */
@@ -58,11 +60,23 @@ checkLasCount (const HeaderReader& reader,
                const LasHeader& header,
                const std::string& file);
 
-/** \brief The same of points that are not compressed.
- * \throws WorkError also if the file does not hold them */
+/** \brief All that is in front of the points, for a copy to change. */
+std::string
+readLasFront (HeaderReader& reader, const LasHeader& header);
+
+/** \brief Lets the front of a copy say where its points begin and where all is that is
+ * behind them.
+ * \param[in] points_end where the points end in the file
+ * \param[in] points_growth how many bytes more the points have in the copy */
 void
-checkLasPoints (const HeaderReader& reader,
-                const LasHeader& header,
-                const std::string& file);
+relocateLas (const HeaderReader& reader,
+             const LasHeader& header,
+             std::uint64_t points_end,
+             std::int64_t points_growth,
+             std::string& front);
+
+/** \brief Copies the file from \p begin to its end. */
+void
+copyRest (HeaderReader& reader, std::uint64_t begin, std::ostream& stream);
 
 } // namespace pcl_ops::apps

@@ -8,7 +8,6 @@
 #include "output_file.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <ostream>
 
@@ -16,22 +15,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr std::uint16_t header_size = 227, record_format_size = 20;
-
-/** \brief Puts bytes in place of some. */
-void
-replace (std::string& bytes, std::size_t place, const std::string& changed)
-{
-  bytes.replace (place, changed.size(), changed);
-}
-
-std::string
-bytesOf (double number)
-{
-  std::uint64_t bits;
-  std::memcpy (&bits, &number, sizeof (bits));
-  return littleEndian (bits);
-}
+constexpr std::uint16_t header_size = 227, record_size = 20, labelled_size = 24;
 
 /** \brief Lowest and highest place along an axis. */
 std::array<double, 2>
@@ -55,29 +39,27 @@ headerOf (const std::vector<LasPoint>& points,
           const Eigen::Vector3d& offset,
           std::size_t vlr_size)
 {
-  constexpr std::size_t software = 58, header_size_at = 94, points_at = 107,
-                        scale_at = 131, offset_at = 155, bounds_at = 179;
-  std::string bytes (header_size, '\0');
-  replace (bytes, 0, "LASF");
-  replace (bytes, 24, "\1\2");
-  replace (bytes, software, "pcl_ops");
-  replace (bytes, header_size_at, littleEndian (header_size));
-  replace (bytes,
-           las_field::points_offset,
-           littleEndian (static_cast<std::uint32_t> (header_size + vlr_size)));
-  replace (bytes, las_field::vlr_count, littleEndian (std::uint32_t (1)));
-  replace (bytes,
-           las_field::record_length,
-           littleEndian (static_cast<std::uint16_t> (record_format_size +
-                                                     sizeof (std::uint32_t))));
-  const std::string count = littleEndian (static_cast<std::uint32_t> (points.size()));
-  replace (bytes, points_at, count + count);
+  constexpr std::size_t version = 24, software = 58;
+  std::string bytes = "LASF";
+  bytes.resize (header_size, '\0');
+  bytes.replace (version, 2, "\1\2");
+  bytes.replace (software, 7, "pcl_ops");
+  const auto count = static_cast<std::uint32_t> (points.size());
+  setNumber (bytes, las_field::header_size, header_size);
+  setNumber (bytes,
+             las_field::points_offset,
+             static_cast<std::uint32_t> (header_size + vlr_size));
+  setNumber (bytes, las_field::vlr_count, std::uint32_t (1));
+  setNumber (bytes, las_field::record_length, labelled_size);
+  setNumber (bytes, las_field::legacy_points, count);
+  setNumber (bytes, las_field::legacy_points + sizeof (count), count); // first returns
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double zero = offset[static_cast<Eigen::Index> (axis)];
     const auto [low, high] = boundsOf (points, axis, scale, zero);
-    replace (bytes, scale_at + 8 * axis, bytesOf (scale));
-    replace (bytes, offset_at + 8 * axis, bytesOf (zero));
-    replace (bytes, bounds_at + 16 * axis, bytesOf (high) + bytesOf (low));
+    setNumber (bytes, las_field::scale + 8 * axis, scale);
+    setNumber (bytes, las_field::offset + 8 * axis, zero);
+    setNumber (bytes, las_field::bounds + 16 * axis, high);
+    setNumber (bytes, las_field::bounds + 16 * axis + 8, low);
   }
   return bytes;
 }
@@ -91,19 +73,17 @@ saveLas (const std::string& file,
          const Eigen::Vector3d& offset)
 {
   LasHeader plain;
-  plain.format_length = plain.record_length = record_format_size;
+  plain.format_length = plain.record_length = record_size;
   LasExtraBytes none;
-  none.described_end = record_format_size;
+  none.described_end = record_size;
   const std::string vlr = extraBytesVlr (descriptionsOf ({label_field}, plain, none));
   writeFile (file, [&] (std::ostream& stream) {
     stream << headerOf (points, scale, offset, vlr.size()) << vlr;
-    std::string record (record_format_size + sizeof (std::uint32_t), '\0');
+    std::string record (labelled_size, '\0');
     for (const LasPoint& point : points) {
       for (std::size_t axis = 0; axis < 3; ++axis)
-        replace (record,
-                 axis * sizeof (std::int32_t),
-                 littleEndian (static_cast<std::uint32_t> (point.raw[axis])));
-      replace (record, record_format_size, littleEndian (point.label));
+        setNumber (record, axis * sizeof (std::int32_t), point.raw[axis]);
+      setNumber (record, record_size, point.label);
       stream << record;
     }
   });

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "laz_file.h"
 
-#include "las_copy.h"
 #include "las_vlrs.h"
 #include "laszip_points.h"
 #include "little_endian.h"
@@ -12,7 +11,6 @@
 #include <array>
 #include <limits>
 #include <ostream>
-#include <utility>
 
 namespace pcl_ops::apps {
 
@@ -120,12 +118,6 @@ checkCompression (HeaderReader& reader,
                      file);
 }
 
-std::int64_t
-difference (std::uint64_t to, std::uint64_t from)
-{
-  return static_cast<std::int64_t> (to - from);
-}
-
 } // namespace
 
 bool
@@ -166,23 +158,20 @@ decompressLaz (const std::string& file, std::ostream& stream)
   const LasHeader header = readLasHeader (reader);
   const LasExtraBytes extra = readLasVlrs (reader, header);
   checkLasCount (reader, header, file);
-  const std::uint64_t end = endOfCompressed (reader, header);
-  LasGrowth growth{0, 0, end, difference (header.pointsEnd(), end)};
-  std::vector<LasEdit> edits;
+  std::string front = readLasFront (reader, header);
+  setNumber (front, las_field::format, header.format);
   if (extra.laszip) {
-    checkCompression (reader, header, *extra.laszip, file);
-    const std::uint64_t size = extra.laszip->end - extra.laszip->begin;
-    growth.vlrs = -1;
-    growth.front = -static_cast<std::int64_t> (size);
-    growth.all += growth.front;
-    edits.push_back ({extra.laszip->begin, size, ""});
+    const LasVlr& laszip = *extra.laszip;
+    checkCompression (reader, header, laszip, file);
+    setNumber (front, las_field::vlr_count, header.vlr_count - 1);
+    front.erase (laszip.begin, laszip.end - laszip.begin);
   }
-  for (LasEdit& edit : editsForGrowth (reader, header, growth))
-    edits.push_back (std::move (edit));
-  edits.push_back ({las_field::format, 1, littleEndian (header.format)});
-  copyEdited (reader, 0, header.points_offset, edits, stream);
+  const std::uint64_t end = endOfCompressed (reader, header);
+  relocateLas (
+      reader, header, end, static_cast<std::int64_t> (header.pointsEnd() - end), front);
+  stream << front;
   convertPoints (file, header, PointsAs::Plain, stream);
-  copyEdited (reader, end, reader.fileSize(), {}, stream);
+  copyRest (reader, end, stream);
 }
 
 void
@@ -191,23 +180,20 @@ compressLas (const std::string& file, std::ostream& stream)
   HeaderReader reader (file, "LAS");
   const LasHeader header = readLasHeader (reader);
   const LasExtraBytes extra = readLasVlrs (reader, header);
-  const std::string vlr = laszipVlr (file, header);
-  const auto copyFront = [&] (std::int64_t growth) {
-    std::vector<LasEdit> edits = editsForGrowth (
-        reader, header, {1, difference (vlr.size(), 0), header.pointsEnd(), growth});
-    edits.push_back ({las_field::format,
-                      1,
-                      littleEndian (std::uint8_t (header.format | compressed))});
-    edits.push_back ({extra.vlrs_end, 0, vlr});
-    copyEdited (reader, 0, header.points_offset, edits, stream);
-  };
-  copyFront (0);
+  std::string front = readLasFront (reader, header);
+  setNumber (front, las_field::format, std::uint8_t (header.format | compressed));
+  setNumber (front, las_field::vlr_count, header.vlr_count + 1);
+  front.insert (extra.vlrs_end, laszipVlr (file, header));
+  stream << front;
   convertPoints (file, header, PointsAs::Compressed, stream);
-  const auto end = static_cast<std::uint64_t> (std::streamoff (stream.tellp()));
-  copyEdited (reader, header.pointsEnd(), reader.fileSize(), {}, stream);
+  const auto end = static_cast<std::int64_t> (std::streamoff (stream.tellp()));
+  copyRest (reader, header.pointsEnd(), stream);
   // How much shorter the points are is known only now.
+  const auto size = static_cast<std::int64_t> (front.size());
+  const auto plain = static_cast<std::int64_t> (header.points * header.record_length);
+  relocateLas (reader, header, header.pointsEnd(), end - size - plain, front);
   stream.seekp (0);
-  copyFront (difference (end, header.pointsEnd()));
+  stream << front;
   stream.seekp (0, std::ios::end);
 }
 

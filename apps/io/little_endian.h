@@ -2,46 +2,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <boost/endian/conversion.hpp>
+
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <string>
-#include <type_traits>
 
 namespace pcl_ops::apps {
 
-/** \brief An integer from its bytes, the lowest first, on any host. */
-template <typename Integer>
-Integer
+/** \brief A number from its bytes, the lowest first, on any host. */
+template <typename Number>
+Number
 fromLittleEndian (const char* bytes)
 {
-  std::uint64_t bits = 0;
-  for (std::size_t i = sizeof (Integer); i-- > 0;)
-    bits = bits << 8U | static_cast<unsigned char> (bytes[i]);
-  return static_cast<Integer> (static_cast<std::make_unsigned_t<Integer>> (bits));
+  using namespace boost::endian;
+  return endian_load<Number, sizeof (Number), order::little> (
+      reinterpret_cast<const unsigned char*> (bytes));
 }
 
-inline double
-doubleFromLittleEndian (const char* bytes)
-{
-  const auto bits = fromLittleEndian<std::uint64_t> (bytes);
-  double number;
-  std::memcpy (&number, &bits, sizeof (number));
-  return number;
-}
-
-/** \brief The bytes of an unsigned integer, the lowest first. */
-template <typename Unsigned>
+/** \brief The bytes of a number, the lowest first. */
+template <typename Number>
 std::string
-littleEndian (Unsigned number)
+littleEndian (Number number)
 {
+  using namespace boost::endian;
   std::string bytes (sizeof (number), '\0');
-  auto bits = static_cast<std::uint64_t> (number);
-  for (char& byte : bytes) {
-    byte = static_cast<char> (static_cast<unsigned char> (bits & 0xffU));
-    bits >>= 8U;
-  }
+  endian_store<Number, sizeof (Number), order::little> (
+      reinterpret_cast<unsigned char*> (bytes.data()), number);
   return bytes;
+}
+
+/** \brief Puts the bytes of a number in place of some. */
+template <typename Number>
+void
+setNumber (std::string& bytes, std::size_t place, Number number)
+{
+  bytes.replace (place, sizeof (number), littleEndian (number));
 }
 
 } // namespace pcl_ops::apps
