@@ -4,44 +4,29 @@
 
 #include <pcl/common/point_tests.h>
 
-#include <kht/octree_clusters.h>
+#include <Eigen/Geometry>
+
 #include <numbers/quantile.h>
-#include <search/fixed_radius_search.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace pcl_ops::apps {
 
-using namespace internal;
-
 namespace {
 
-Points
-finitePointsOf (const pcl::PointCloud<pcl::PointXYZ>& cloud)
-{
-  pcl::Indices all (cloud.size());
-  std::iota (all.begin(), all.end(), 0);
-  constexpr unsigned one_thread = 1;
-  return finitePoints (CloudView (cloud), all, one_thread);
-}
+using Points = std::vector<Eigen::Vector3f>;
 
-/** \brief Diagonal of the box around points. */
-double
-extentOf (const Coordinates& points)
+Points
+finitePointsOf (const XyzCloud& cloud)
 {
-  double squared = 0.0;
-  for (const std::vector<float>* axis : {&points.x, &points.y, &points.z}) {
-    const auto [least, most] = std::minmax_element (axis->begin(), axis->end());
-    const double edge = static_cast<double> (*most) - *least;
-    squared += edge * edge;
-  }
-  return std::sqrt (squared);
+  Points points;
+  for (const pcl::PointXYZ& point : cloud)
+    if (pcl::isFinite (point))
+      points.emplace_back (point.getVector3fMap());
+  return points;
 }
 
 /** \brief What no method could cope with; empty if there is nothing.
@@ -52,12 +37,15 @@ adviceOnCloud (const Points& points,
                const std::string& lengths,
                std::optional<double> threshold)
 {
-  // A room of 10 m in millimetres; no scene in metres is that large for 5 cm.
-  constexpr double largest_extent_in_thresholds = 40000.0;
-  if (points.size() == 0)
+  // A room of 10 m in millimeters; no scene in meters is that large for 5 cm.
+  constexpr double max_extent_in_thresholds = 40000.0;
+  if (points.empty())
     return "every point is NaN or infinite";
-  const double extent = extentOf (points);
-  if (!(threshold && extent > largest_extent_in_thresholds * *threshold))
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& point : points)
+    box.extend (point.cast<double>());
+  const double extent = box.diagonal().norm();
+  if (!(threshold && extent > max_extent_in_thresholds * *threshold))
     return "";
   std::ostringstream advice;
   advice << "the cloud is " << extent << " wide: if its unit is the millimetre, give "
@@ -67,15 +55,18 @@ adviceOnCloud (const Points& points,
 
 /** \brief How many points there typically are in the spheres around points. */
 double
-medianSphereSize (const Points& points, double radius, unsigned threads)
+medianSphereSize (const Points& points, double radius)
 {
   constexpr std::size_t spheres = 101;
-  const FixedRadiusSearch search (points, radius, threads);
+  const auto squared = static_cast<float> (radius * radius);
   std::vector<double> sizes;
-  Indices sphere;
   for (std::size_t i = 0; i < spheres; ++i) {
-    search.find (static_cast<std::uint32_t> (i * points.size() / spheres), sphere);
-    sizes.push_back (static_cast<double> (sphere.size()));
+    const Eigen::Vector3f& center = points[i * points.size() / spheres];
+    const auto size = std::count_if (
+        points.begin(), points.end(), [&] (const Eigen::Vector3f& point) {
+          return (point - center).squaredNorm() <= squared;
+        });
+    sizes.push_back (static_cast<double> (size));
   }
   return quantile (sizes, 0.5);
 }
@@ -83,10 +74,9 @@ medianSphereSize (const Points& points, double radius, unsigned threads)
 } // namespace
 
 bool
-isHardlyCovered (const pcl::PointCloud<pcl::PointXYZ>& cloud,
-                 const std::vector<PlaneSegment>& planes)
+isHardlyCovered (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes)
 {
-  constexpr double least_share = 0.05;
+  constexpr double min_share = 0.05;
   const auto points =
       std::count_if (cloud.begin(), cloud.end(), [] (const pcl::PointXYZ& point) {
         return pcl::isFinite (point);
@@ -95,12 +85,13 @@ isHardlyCovered (const pcl::PointCloud<pcl::PointXYZ>& cloud,
   for (const PlaneSegment& plane : planes)
     covered += plane.inliers.size();
   return covered == 0 ||
-         static_cast<double> (covered) < least_share * static_cast<double> (points);
+         static_cast<double> (covered) < min_share * static_cast<double> (points);
 }
 
 std::string
 adviceFor (const OrientedPointSamplingParameters& parameters,
-           const pcl::PointCloud<pcl::PointXYZ>& cloud)
+           const XyzCloud& cloud,
+           bool /* found_none */)
 {
   const Points points = finitePointsOf (cloud);
   const double samples =
@@ -108,8 +99,7 @@ adviceFor (const OrientedPointSamplingParameters& parameters,
   // On surfels the noise sets the distance unless the user does.
   const std::optional<double> threshold = parameters.distance_threshold;
   const std::string on_cloud = adviceOnCloud (points, "--threshold", threshold);
-  const bool few_samples = points.size() > 0 &&
-                           parameters.sampling == Sampling::Points &&
+  const bool few_samples = !points.empty() && parameters.sampling == Sampling::Points &&
                            samples <= parameters.min_inliers;
   std::ostringstream advice;
   if (few_samples)
@@ -130,7 +120,8 @@ adviceFor (const OrientedPointSamplingParameters& parameters,
 
 std::string
 adviceFor (const FastSamplingPlaneFilteringParameters& parameters,
-           const pcl::PointCloud<pcl::PointXYZ>& cloud)
+           const XyzCloud& cloud,
+           bool /* found_none */)
 {
   const LocalSamplingParameters& local = parameters.local;
   const Points points = finitePointsOf (cloud);
@@ -138,7 +129,7 @@ adviceFor (const FastSamplingPlaneFilteringParameters& parameters,
       points, "--threshold and --inner-radius", parameters.distance_threshold);
   if (!on_cloud.empty())
     return on_cloud;
-  const double held = medianSphereSize (points, local.outer_radius, parameters.threads);
+  const double held = medianSphereSize (points, local.outer_radius);
   std::ostringstream advice;
   if (held < local.local_samples)
     advice << "half of the spheres of --outer-radius " << local.outer_radius << " hold "
@@ -154,25 +145,22 @@ adviceFor (const FastSamplingPlaneFilteringParameters& parameters,
 
 std::string
 adviceFor (const KernelHoughTransformParameters& parameters,
-           const pcl::PointCloud<pcl::PointXYZ>& cloud)
+           const XyzCloud& cloud,
+           bool found_none)
 {
-  const OctreeClusterParameters& clusters = parameters.clusters;
-  const Points points = finitePointsOf (cloud);
-  std::string on_cloud =
-      adviceOnCloud (points, "--threshold", parameters.distance_threshold);
+  const auto& clusters = parameters.clusters;
+  std::string on_cloud = adviceOnCloud (
+      finitePointsOf (cloud), "--threshold", parameters.distance_threshold);
   if (!on_cloud.empty())
     return on_cloud;
-  const std::size_t flat =
-      findCoplanarClusters (points, clusters, parameters.threads).clusters.size();
   std::ostringstream advice;
-  if (flat == 0)
+  if (found_none)
     advice << "no octree node from --s-level " << clusters.first_level
            << " on is flat and has --min-samples " << clusters.min_samples
            << " points: lower either, or --s-alpha (" << clusters.s_alpha
            << ") if the points are noisy";
   else
-    advice << "hardly a plane is left of " << flat
-           << " flat octree nodes: raise --threshold ("
+    advice << "few octree nodes are flat: raise --threshold ("
            << *parameters.distance_threshold << "), or lower --min-samples ("
            << clusters.min_samples << ") for more of them";
   return advice.str();

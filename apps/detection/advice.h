@@ -21,17 +21,22 @@ isHardlyCovered (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes)
 /** \brief Which parameter to change where OPS found no plane or, as \ref
  * isHardlyCovered says, next to none, as the end of a sentence. Looks at how many
  * points are sampled and at how the threshold relates to the cloud's extent, which
- * tells millimetres from metres. */
+ * tells millimeters from meters. */
 std::string
-adviceFor (const OrientedPointSamplingParameters& parameters, const XyzCloud& cloud);
+adviceFor (const OrientedPointSamplingParameters& parameters,
+           const XyzCloud& cloud,
+           bool found_none);
 
 /** \brief The same for FSPF. Looks at how many points its spheres hold. */
 std::string
 adviceFor (const FastSamplingPlaneFilteringParameters& parameters,
-           const XyzCloud& cloud);
+           const XyzCloud& cloud,
+           bool found_none);
 
-/** \brief The same for 3D-KHT. Looks for nodes of its octree that are flat. */
+/** \brief The same for 3D-KHT. */
 std::string
-adviceFor (const KernelHoughTransformParameters& parameters, const XyzCloud& cloud);
+adviceFor (const KernelHoughTransformParameters& parameters,
+           const XyzCloud& cloud,
+           bool found_none);
 
 } // namespace pcl_ops::apps

@@ -2,24 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "method_options.h"
 
-#include "shared_options.h"
-#include <cli/command_line.h>
+#include "number_options.h"
 #include <cli/errors.h>
 
+#include <cmath>
 #include <vector>
 
 namespace pcl_ops::apps {
 
 namespace {
-
-std::vector<std::string>
-methodNames ()
-{
-  std::vector<std::string> names;
-  for (const Method& method : allMethods())
-    names.push_back (method.name);
-  return names;
-}
 
 std::string
 groupOf (const Method& method)
@@ -27,16 +18,37 @@ groupOf (const Method& method)
   return "Options of --method " + method.name + ", " + method.title;
 }
 
+void
+declareShared (CommandLine& line, DetectorOptions& options)
+{
+  line.addChoice ("preset",
+                  {"default", "paper"},
+                  options.preset,
+                  "recommended parameters, or the paper's best ones");
+  line.addValue ("up",
+                 "x,y,z",
+                 "direction against gravity, or auto to find it (0,0,1)",
+                 [&options] (const std::string& text) {
+                   options.finds_up = text == "auto";
+                   if (!options.finds_up)
+                     options.up = parseDirection ("--up", text);
+                 });
+  declare (shared_numbers, PlaneDetectorParameters(), {}, line, options.numbers);
+}
+
 } // namespace
 
 void
 declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& options)
 {
-  line.addChoice ("method", methodNames(), method, "the detector (ops)");
-  declareSharedOptions (line, options);
+  std::vector<std::string> names;
+  for (const Method& known : allMethods())
+    names.push_back (known.name);
+  line.addChoice ("method", names, method, "the detector (ops)");
+  declareShared (line, options);
   for (const Method& known : allMethods()) {
     line.beginBriefGroup (groupOf (known));
-    known.declare_options (line, options.own);
+    known.declare_options (line, options.numbers);
   }
 }
 
@@ -50,6 +62,16 @@ checkMethodOptions (const CommandLine& line, const Method& chosen)
                         "is an option of --method " + method.name + ", not of " +
                             chosen.name + "; leave it out");
   }
+}
+
+double
+voxelStepOf (const DetectorOptions& options)
+{
+  OrientedPointSamplingParameters parameters;
+  apply (
+      [] (auto& p, auto&& visit) { visitOwn (p, visit); }, options.numbers, parameters);
+  const double edge = parameters.surfels.voxel_size.value_or (0.0);
+  return std::ldexp (edge, parameters.surfels.resolutions - 1);
 }
 
 } // namespace pcl_ops::apps

@@ -18,4 +18,9 @@ declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& o
 void
 checkMethodOptions (const CommandLine& line, const Method& chosen);
 
+/** \brief Of what voxels of a given size begin at whole multiples; 0 where their size
+ * is not given. */
+double
+voxelStepOf (const DetectorOptions& options);
+
 } // namespace pcl_ops::apps

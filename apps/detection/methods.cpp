@@ -2,14 +2,173 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods.h"
 
-#include "fspf_method.h"
-#include "kht_method.h"
-#include "ops_method.h"
+#include "advice.h"
+#include "number_options.h"
+#include <cli/errors.h>
 
 #include <algorithm>
+#include <new>
 #include <numeric>
 
 namespace pcl_ops::apps {
+
+namespace {
+
+using OpsParameters = OrientedPointSamplingParameters;
+using FspfParameters = FastSamplingPlaneFilteringParameters;
+using KhtParameters = KernelHoughTransformParameters;
+
+// What follows from options that were given, and what is refused.
+
+void
+relate (const GivenNumbers& given, std::size_t points, OpsParameters& parameters)
+{
+  if (given.count ("cell") > 0 && parameters.sampling != Sampling::Surfels)
+    throw UsageError ("--cell", "has no meaning to --preset paper; leave it out");
+  // More neighbors than points take as long as if there were so many points. The
+  // default is fine for any cloud.
+  const int k = parameters.k;
+  if (k > OpsParameters().k && static_cast<std::size_t> (k) > points)
+    throw UsageError ("--k",
+                      std::to_string (k) + " is more than the points of the cloud, " +
+                          std::to_string (points) + "; give a smaller number");
+}
+
+/** \brief Where one radius is given the other follows: r2 = 2 r1, where the paper finds
+ * FSPF most accurate (Table I). */
+void
+relate (const GivenNumbers& given, std::size_t, FspfParameters& parameters)
+{
+  constexpr double ratio = 2.0;
+  LocalSamplingParameters& local = parameters.local;
+  const bool has_inner = given.count ("inner-radius") > 0;
+  const bool has_outer = given.count ("outer-radius") > 0;
+  if (has_inner && !has_outer)
+    local.outer_radius = ratio * local.inner_radius;
+  if (has_outer && !has_inner)
+    local.inner_radius = local.outer_radius / ratio;
+  if (local.outer_radius < local.inner_radius)
+    throw UsageError ("--outer-radius",
+                      "is below --inner-radius; leave one of them out or raise it");
+}
+
+void
+relate (const GivenNumbers&, std::size_t, KhtParameters&)
+{}
+
+// Settings that no option changes.
+
+Settings
+fixedSettings (const OpsParameters& p)
+{
+  const bool on_surfels = p.sampling == Sampling::Surfels;
+  return {{"sampling", std::string (on_surfels ? "surfels" : "points")}};
+}
+
+Settings
+fixedSettings (const FspfParameters&)
+{
+  return {};
+}
+
+Settings
+fixedSettings (const KhtParameters& p)
+{
+  return {{"refit", p.refit.enabled}, {"merging", p.merging.enabled}};
+}
+
+/** \brief The preset with the options that were given. */
+template <typename Parameters>
+Parameters
+parametersOf (const DetectorOptions& options, std::size_t points)
+{
+  Parameters parameters =
+      options.preset == "paper" ? Parameters::paper() : Parameters();
+  parameters.up_axis = options.up.value_or (parameters.up_axis);
+  parameters.merging.enabled = parameters.merging.enabled && options.merging;
+  apply (shared_numbers, options.numbers, parameters);
+  apply (own_numbers, options.numbers, parameters);
+  relate (options.numbers, points, parameters);
+  return parameters;
+}
+
+/** \brief All parameters for a report, under the names of their options. */
+template <typename Parameters>
+Settings
+reportOf (const std::string& preset, const Parameters& parameters)
+{
+  const Eigen::Vector3d up = parameters.up_axis.template cast<double>();
+  Settings settings{{"preset", preset},
+                    {"up", std::vector<double>{up.x(), up.y(), up.z()}}};
+  for (const Settings& more : {fixedSettings (parameters),
+                               settingsOf (own_numbers, parameters),
+                               settingsOf (shared_numbers, parameters)})
+    settings.insert (settings.end(), more.begin(), more.end());
+  return settings;
+}
+
+template <typename Detector>
+Detected
+detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
+{
+  using Parameters = typename Detector::Parameters;
+  const auto parameters = parametersOf<Parameters> (options, cloud->size());
+  const std::string problem = problemOf (parameters);
+  if (!problem.empty())
+    throw UsageError (Detector::className(), problem + "; see --help");
+  Detector detector;
+  detector.setParameters (parameters);
+  detector.setInputCloud (cloud);
+  Detected detected;
+  // Cloud and parameters are valid: nothing but the memory is left to fail.
+  if (!detector.segment (detected.planes))
+    throw std::bad_alloc();
+  detected.timing = detector.getStageDurations();
+  detected.settings = reportOf (options.preset, parameters);
+  detected.up = parameters.up_axis;
+  if (isHardlyCovered (*cloud, detected.planes))
+    detected.advice = adviceFor (parameters, *cloud, detected.planes.empty());
+  return detected;
+}
+
+/** \brief The values of an option in both presets, by its name. */
+template <typename Parameters>
+std::map<std::string, std::string>
+presetNotes ()
+{
+  const auto text = [] (const SettingValue& value) {
+    std::ostringstream stream;
+    if (const auto* const whole = std::get_if<std::int64_t> (&value))
+      stream << *whole;
+    else
+      stream << std::get<double> (value);
+    return stream.str();
+  };
+  std::map<std::string, std::string> notes;
+  Parameters usual, paper = Parameters::paper();
+  visitOwn (usual, [&] (const NumberOption& option, const auto& number) {
+    notes[option.name] = text (settingOf (number));
+  });
+  visitOwn (paper, [&] (const NumberOption& option, const auto& number) {
+    std::string& note = notes[option.name];
+    if (note != text (settingOf (number)))
+      note += "; paper " + text (settingOf (number));
+  });
+  return notes;
+}
+
+template <typename Detector>
+Method
+methodOf (const std::string& name, const std::string& title)
+{
+  using Parameters = typename Detector::Parameters;
+  const auto declare_options = [] (CommandLine& line, GivenNumbers& given) {
+    declare (own_numbers, Parameters(), presetNotes<Parameters>(), line, given);
+  };
+  return {name, title, declare_options, detectBy<Detector>};
+}
+
+} // namespace
 
 std::vector<std::uint32_t>
 labelsOf (const std::vector<PlaneSegment>& planes, std::size_t points)
@@ -34,7 +193,13 @@ labelsOf (const std::vector<PlaneSegment>& planes,
 const std::vector<Method>&
 allMethods ()
 {
-  static const std::vector<Method> methods = {opsMethod(), fspfMethod(), khtMethod()};
+  using pcl::PointXYZ;
+  static const std::vector<Method> methods = {
+      methodOf<OrientedPointSampling<PointXYZ>> ("ops", "Oriented Point Sampling"),
+      methodOf<FastSamplingPlaneFiltering<PointXYZ>> ("fspf",
+                                                      "Fast Sampling Plane Filtering"),
+      methodOf<KernelHoughTransform<PointXYZ>> ("kht",
+                                                "3D Kernel-based Hough Transform")};
   return methods;
 }
 

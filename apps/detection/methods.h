@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 
-#include "settings.h"
 #include <io/xyz_cloud.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>
@@ -15,11 +14,24 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace pcl_ops::apps {
 
 class CommandLine;
+
+/** \brief Nothing, where a value is not known, or what a parameter is set to. */
+using SettingValue = std::variant<std::monostate,
+                                  bool,
+                                  std::int64_t,
+                                  double,
+                                  std::string,
+                                  std::vector<double>>;
+
+/** \brief What a detector was run with, in the order of a report. */
+using Settings = std::vector<std::pair<std::string, SettingValue>>;
 
 /** \brief The texts of numbers that were given, by the names of their options. */
 using GivenNumbers = std::map<std::string, std::string>;
@@ -27,18 +39,12 @@ using GivenNumbers = std::map<std::string, std::string>;
 /** \brief The options of all detectors; those not given keep the preset's value. */
 struct DetectorOptions {
   std::string preset = "default";
-  std::optional<double> threshold;
-  /** \brief [degree] */
-  std::optional<double> angle_tolerance;
   std::optional<Eigen::Vector3f> up;
   /** \brief Look for the up axis in the cloud; see runMethod. */
   bool finds_up = false;
-  std::optional<std::uint32_t> seed;
-  std::optional<std::uint32_t> threads;
   /** \brief Off: planes stay as they are before the merging process. */
   bool merging = true;
-  /** \brief Those of one method alone. */
-  GivenNumbers own;
+  GivenNumbers numbers;
 };
 
 /** \brief What a detector found and how. */
@@ -74,6 +80,7 @@ struct Method {
   std::string title;
   /** \brief Declares the options no other method has. */
   std::function<void (CommandLine&, GivenNumbers&)> declare_options;
+  /** \throws UsageError if options contradict each other, std::bad_alloc */
   std::function<Detected (const DetectorOptions&, const XyzCloud::ConstPtr&)> detect;
 };
 

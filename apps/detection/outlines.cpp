@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "outlines.h"
 
-#include <geometry/planar_area.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -14,14 +12,16 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief The area within a ring as seen from above, negative for a clockwise one. */
+/** \brief Twice the area within a ring as seen from above, negative for a clockwise
+ * one. */
 double
 areaFromAbove (const Ring& ring)
 {
-  PlanarPoints corners;
-  for (const Eigen::Vector3d& corner : ring)
-    corners.push_back (corner.head<2>());
-  return internal::areaOf (corners);
+  double area = 0.0;
+  // From the first corner: areas far from zero would have few digits left.
+  for (std::size_t i = 2; i < ring.size(); ++i)
+    area += (ring[i - 1] - ring[0]).cross (ring[i] - ring[0]).z();
+  return area;
 }
 
 /** \brief How a format writes rings. */

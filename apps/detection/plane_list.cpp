@@ -3,7 +3,6 @@
 #include "plane_list.h"
 
 #include <cli/errors.h>
-#include <geometry/planar_area.h>
 #include <io/input_file.h>
 #include <nlohmann/json.hpp>
 #include <pcl_ops/plane_extent.h>
@@ -17,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 using Eigen::Vector3d;
 
-constexpr const char* mend =
+constexpr const char* fix =
     "; give planes as pcl_ops_segment --planes FILE.json and pcl_ops_tiles write them";
 
 /** \brief Beyond any cloud in single precision, and its fourth power is finite. */
@@ -33,7 +32,7 @@ public:
   [[noreturn]] void
   fail (const std::string& problem) const
   {
-    throw WorkError (file_, name_ + " " + problem + mend);
+    throw WorkError (file_, name_ + " " + problem + fix);
   }
 
   bool
@@ -121,7 +120,9 @@ addTriangle (const std::array<Eigen::Vector2d, 3>& corners,
 {
   // Signed, so that the triangles of a hollow outline take away what they have too
   // much.
-  const double part = 0.5 * internal::twiceTheArea (corners[0], corners[1], corners[2]);
+  Eigen::Matrix2d edges;
+  edges << corners[1] - corners[0], corners[2] - corners[0];
+  const double part = 0.5 * edges.determinant();
   const Eigen::Vector2d total = corners[0] + corners[1] + corners[2];
   area += part;
   sum += part / 3.0 * total;
@@ -193,7 +194,7 @@ loadPlaneList (const std::string& file)
   const std::string text = readTextFile (file, "a .json file of planes");
   const Json json = Json::parse (text, nullptr, false);
   if (json.is_discarded())
-    throw WorkError (file, std::string ("is no JSON") + mend);
+    throw WorkError (file, std::string ("is no JSON") + fix);
   PlaneList list;
   for (const Entry& entry : Entry (file, "", json).at ("planes").list()) {
     list.ids.push_back (entry.at ("id").id());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "up_search.h"
 
+#include "number_options.h"
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/up_axis.h>
 #include <pcl_ops/visibility.h>
@@ -24,9 +25,11 @@ findUp (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 {
   if (!isSeenFromItsOrigin (*cloud))
     return {std::nullopt, "the cloud was not seen from its VIEWPOINT"};
+  PlaneDetectorParameters given;
+  apply (shared_numbers, options.numbers, given);
   OrientedPointSampling<pcl::PointXYZ> ops;
-  ops.setSeed (options.seed.value_or (ops.getSeed()));
-  ops.setNumberOfThreads (options.threads.value_or (ops.getNumberOfThreads()));
+  ops.setSeed (given.seed);
+  ops.setNumberOfThreads (given.threads);
   ops.setInputCloud (cloud);
   std::vector<PlaneSegment> planes;
   ops.segment (planes);

@@ -11,7 +11,7 @@
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <cli/memory.h>
-#include <detection/ops_method.h>
+#include <detection/method_options.h>
 #include <detection/up_search.h>
 #include <io/cloud_damage.h>
 #include <io/cloud_fields.h>
