@@ -24,8 +24,8 @@ namespace {
 struct Argument {
   std::string name;
   std::string help;
-  std::size_t fewest;
-  std::size_t most;
+  std::size_t min_count;
+  std::size_t max_count;
   std::function<void (const std::string&)> store;
 };
 
@@ -44,11 +44,11 @@ storeArguments (const std::vector<Argument>& arguments,
   std::size_t next = 0;
   for (const Argument& argument : arguments) {
     std::size_t taken = 0;
-    for (; taken < argument.most && next < given.size(); ++taken, ++next) {
+    for (; taken < argument.max_count && next < given.size(); ++taken, ++next) {
       requireText (argument.name, given[next]);
       argument.store (given[next]);
     }
-    if (taken < argument.fewest)
+    if (taken < argument.min_count)
       throw UsageError (argument.name, "is missing; see --help");
   }
   if (next < given.size())
@@ -61,8 +61,8 @@ wayToCall (const std::vector<Argument>& arguments)
 {
   std::string way;
   for (const Argument& argument : arguments) {
-    const std::string name = argument.name + (argument.most > 1 ? "..." : "");
-    way += (argument.fewest == 0 ? "[" + name + "]" : name) + " ";
+    const std::string name = argument.name + (argument.max_count > 1 ? "..." : "");
+    way += (argument.min_count == 0 ? "[" + name + "]" : name) + " ";
   }
   return way + "[options]";
 }
@@ -70,23 +70,26 @@ wayToCall (const std::vector<Argument>& arguments)
 } // namespace
 
 struct CommandLine::State {
-  std::string program, summary, version;
-  /** \brief Of \ref setUsage. */
-  std::vector<std::string> ways;
-  std::string explanation;
-  std::vector<Argument> arguments;
-  /** \brief New options go to the last. */
-  std::vector<OptionGroup> groups;
-  po::variables_map values;
+  HelpPage page;
+  std::string version;
+  std::vector<Argument> arguments = {};
+  po::variables_map values = {};
+
+  /** \brief Where the next option goes to. */
+  po::options_description&
+  options ()
+  {
+    return page.groups.back().options;
+  }
 };
 
 CommandLine::CommandLine (const std::string& program,
                           const std::string& summary,
                           const std::string& version)
-: state_ (new State{program, summary, version, {}, {}, {}, {}, {}})
+: state_ (new State{{program, summary}, version})
 {
   beginGroup ("Options");
-  state_->groups.back().options.add_options() ("help", "print this and exit") (
+  state_->options().add_options() ("help", "print this and exit") (
       "version", "print the version and exit");
 }
 
@@ -107,19 +110,19 @@ CommandLine::addOptionalArgument (const std::string& name,
                                   const std::string& help)
 {
   addArgument (name, target, help);
-  state_->arguments.back().fewest = 0;
+  state_->arguments.back().min_count = 0;
 }
 
 void
 CommandLine::addArguments (const std::string& name,
                            std::vector<std::string>& targets,
-                           std::size_t fewest,
+                           std::size_t min_count,
                            const std::string& help)
 {
   state_->arguments.push_back (
       {name,
        help,
-       fewest,
+       min_count,
        std::numeric_limits<std::size_t>::max(),
        [&targets] (const std::string& text) { targets.push_back (text); }});
 }
@@ -128,38 +131,38 @@ void
 CommandLine::setUsage (const std::vector<std::string>& ways,
                        const std::string& explanation)
 {
-  state_->ways = ways;
-  state_->explanation = explanation;
+  state_->page.ways = ways;
+  state_->page.explanation = explanation;
 }
 
 void
 CommandLine::beginGroup (const std::string& title)
 {
-  state_->groups.emplace_back (title);
+  state_->page.groups.emplace_back (title);
 }
 
 void
 CommandLine::beginBriefGroup (const std::string& title)
 {
   const bool is_first =
-      std::none_of (state_->groups.begin(),
-                    state_->groups.end(),
+      std::none_of (state_->page.groups.begin(),
+                    state_->page.groups.end(),
                     [] (const OptionGroup& group) { return group.is_brief; });
   if (is_first)
-    state_->groups.front().options.add_options() (
+    state_->page.groups.front().options.add_options() (
         "help-all", "explain the options of the groups below, too");
   beginGroup (title);
-  state_->groups.back().is_brief = true;
+  state_->page.groups.back().is_brief = true;
 }
 
 void
 CommandLine::addFlag (const std::string& name, bool& target, const std::string& help)
 {
-  state_->groups.back().options.add_options() (
-      name.c_str(),
-      po::bool_switch()->notifier (
-          [&target] (bool given) { target = target || given; }),
-      help.c_str());
+  state_->options().add_options() (name.c_str(),
+                                   po::bool_switch()->notifier ([&target] (bool given) {
+                                     target = target || given;
+                                   }),
+                                   help.c_str());
 }
 
 void
@@ -198,7 +201,7 @@ CommandLine::addValue (const std::string& name,
                        const std::string& help,
                        const std::function<void (const std::string&)>& store)
 {
-  state_->groups.back().options.add_options() (
+  state_->options().add_options() (
       name.c_str(),
       po::value<std::string>()->value_name (placeholder)->notifier (store),
       help.c_str());
@@ -207,7 +210,7 @@ CommandLine::addValue (const std::string& name,
 bool
 CommandLine::parse (int argc, const char* const* argv)
 {
-  po::options_description all = joined (state_->groups);
+  po::options_description all = joined (state_->page.groups);
   all.add_options() (positional_arguments, po::value<std::vector<std::string>>());
   const std::vector<std::string> tokens (argv + std::min (argc, 1), argv + argc);
   const po::parsed_options parsed = parseTokens (tokens, all);
@@ -222,7 +225,7 @@ CommandLine::parse (int argc, const char* const* argv)
   else if (state_->values.count ("help-all") > 0)
     std::cout << help().full();
   else if (state_->values.count ("version") > 0)
-    std::cout << state_->program << " " << state_->version << "\n";
+    std::cout << state_->page.program << " " << state_->version << "\n";
   else {
     po::notify (state_->values);
     const po::variable_value& given = state_->values[positional_arguments];
@@ -244,7 +247,7 @@ std::vector<std::string>
 CommandLine::givenOf (const std::string& title) const
 {
   std::vector<std::string> given;
-  for (const OptionGroup& group : state_->groups)
+  for (const OptionGroup& group : state_->page.groups)
     if (group.title == title)
       for (const auto& option : group.options.options())
         if (isGiven (option->long_name()))
@@ -263,13 +266,8 @@ CommandLine::forbidTogether (const std::string& first, const std::string& second
 HelpPage
 CommandLine::help() const
 {
-  HelpPage page{state_->program,
-                state_->ways,
-                state_->summary,
-                state_->explanation,
-                {},
-                state_->groups};
-  if (state_->ways.empty())
+  HelpPage page = state_->page;
+  if (page.ways.empty())
     page.ways = {wayToCall (state_->arguments)};
   for (const Argument& argument : state_->arguments)
     if (!argument.help.empty())

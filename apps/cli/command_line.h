@@ -43,11 +43,11 @@ public:
                        const std::string& help);
 
   /** \brief Declares that any number of positional arguments, but at least
-   * \p fewest, may follow. */
+   * \p min_count, may follow. */
   void
   addArguments (const std::string& name,
                 std::vector<std::string>& targets,
-                std::size_t fewest,
+                std::size_t min_count,
                 const std::string& help);
 
   /** \brief Replaces what --help derives from the arguments after "Usage: program".

@@ -11,9 +11,9 @@ namespace pcl_ops::apps {
 /** \brief What a program ends with where it cannot go on. Its text reads "subject: what
  * is wrong; what to do", where the subject is the option or file it is about. */
 struct ProgramError : std::runtime_error {
-  ProgramError (const std::string& subject, std::string what_and_mend)
-  : std::runtime_error (subject + ": " + what_and_mend)
-  , problem (std::move (what_and_mend))
+  ProgramError (const std::string& subject, std::string what_and_fix)
+  : std::runtime_error (subject + ": " + what_and_fix)
+  , problem (std::move (what_and_fix))
   {}
   /** \brief The text without its subject. */
   std::string problem;

@@ -30,13 +30,13 @@ using Entries = std::vector<std::pair<std::string, std::string>>;
 
 /** \brief What --help and --help-all print. */
 struct HelpPage {
-  std::string program;
+  std::string program, summary;
   /** \brief To call the program, one a line: what follows its name. */
-  std::vector<std::string> ways;
-  std::string summary;
-  std::string explanation;
-  Entries arguments;
-  const std::vector<OptionGroup>& groups;
+  std::vector<std::string> ways = {};
+  std::string explanation = {};
+  Entries arguments = {};
+  /** \brief New options go to the last. */
+  std::vector<OptionGroup> groups = {};
 
   /** \brief The text of --help. */
   std::string

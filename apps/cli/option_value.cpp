@@ -39,39 +39,6 @@ fits (double number)
 
 } // namespace
 
-Range
-Range::above (double bound)
-{
-  Range range;
-  range.lowest = bound;
-  return range;
-}
-
-Range
-Range::from (double bound)
-{
-  Range range = above (bound);
-  range.lowest_included = true;
-  return range;
-}
-
-Range
-Range::upTo (double bound) const
-{
-  Range range = below (bound);
-  range.highest_included = true;
-  return range;
-}
-
-Range
-Range::below (double bound) const
-{
-  Range range = *this;
-  range.highest = bound;
-  range.highest_included = false;
-  return range;
-}
-
 bool
 Range::contains (double number) const
 {
@@ -102,18 +69,18 @@ Number
 parseNumber (const std::string& option, const std::string& text, const Range& range)
 {
   const bool whole = std::is_integral_v<Number>;
-  const std::string mend =
+  const std::string fix =
       std::string ("; give a ") + (whole ? "whole " : "") + "number " + range.text();
   double number = 0.0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars (text.data(), end, number);
   const bool overflows = error == std::errc::result_out_of_range;
   if (rest != end || error == std::errc::invalid_argument)
-    throw UsageError (option, "'" + text + "' is no number" + mend);
+    throw UsageError (option, "'" + text + "' is no number" + fix);
   if (overflows || !range.contains (number) || !fits<Number> (number))
-    throw UsageError (option, text + " is out of range" + mend);
+    throw UsageError (option, text + " is out of range" + fix);
   if (whole && number != std::floor (number))
-    throw UsageError (option, text + " is not whole" + mend);
+    throw UsageError (option, text + " is not whole" + fix);
   return static_cast<Number> (number);
 }
 

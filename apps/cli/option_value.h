@@ -23,15 +23,27 @@ struct Range {
     return {};
   }
   static Range
-  above (double bound);
+  above (double bound)
+  {
+    return {bound, false};
+  }
   static Range
-  from (double bound);
+  from (double bound)
+  {
+    return {bound, true};
+  }
   /** \brief This range ending with \p bound. */
   Range
-  upTo (double bound) const;
+  upTo (double bound) const
+  {
+    return {lowest, lowest_included, bound, true};
+  }
   /** \brief This range ending before \p bound. */
   Range
-  below (double bound) const;
+  below (double bound) const
+  {
+    return {lowest, lowest_included, bound, false};
+  }
 
   /** \brief False for NaN and the infinities, whatever the bounds. */
   bool
