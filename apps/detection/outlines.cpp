@@ -84,13 +84,13 @@ seenFromAbove (Rings rings)
 int
 decimalsFor (const std::vector<PlaneExtent>& extents)
 {
-  constexpr int fewest = 3, most = 12;
-  int decimals = fewest;
+  constexpr int min_decimals = 3, max_decimals = 12;
+  int decimals = min_decimals;
   for (const PlaneExtent& extent : extents)
     if (extent.width > 0.0)
       decimals = std::max (
-          decimals, static_cast<int> (std::ceil (fewest - std::log10 (extent.width))));
-  return std::min (decimals, most);
+          decimals, static_cast<int> (std::ceil (min_decimals - std::log10 (extent.width))));
+  return std::min (decimals, max_decimals);
 }
 
 std::string

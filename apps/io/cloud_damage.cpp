@@ -57,7 +57,7 @@ mostSharedPlace (Places places)
 std::size_t
 countFar (Places places)
 {
-  constexpr double most_diagonals = 1000.0;
+  constexpr double max_diagonals = 1000.0;
   const Eigen::Vector3d middle = medianPlace (places);
   std::sort (places.begin(), places.end(), [&] (const auto& first, const auto& second) {
     return (first - middle).squaredNorm() < (second - middle).squaredNorm();
@@ -66,7 +66,7 @@ countFar (Places places)
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool is_beyond =
         2 * i > places.size() && rest.diagonal().norm() > 0.0 &&
-        (places[i] - middle).norm() > most_diagonals * rest.diagonal().norm();
+        (places[i] - middle).norm() > max_diagonals * rest.diagonal().norm();
     if (is_beyond)
       return places.size() - i;
     rest.extend (places[i]);
@@ -105,11 +105,11 @@ std::string
 damageOf (const ShiftedCloud& shifted)
 {
   // Of fewer, a share says nothing.
-  constexpr std::size_t fewest = 10;
+  constexpr std::size_t min_places = 10;
   // One per cent, and room for what a sample may miss of it.
   constexpr double far_share = 0.005;
   const Places places = someOf (*shifted.cloud);
-  if (places.size() < fewest)
+  if (places.size() < min_places)
     return "";
   const auto [shared_place, shared] = mostSharedPlace (places);
   const Eigen::Vector3d place = shared_place + shifted.shift;

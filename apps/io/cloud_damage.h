@@ -8,7 +8,7 @@
 
 namespace pcl_ops::apps {
 
-/** \brief What makes a cloud look damaged though it can be read, with the mend: most of
+/** \brief What makes a cloud look damaged though it can be read, with the fix: most of
  * its points are at one place, or some are a thousand times as far away as the rest is
  * wide. Empty where nothing does. Places are those of the file. Some thousand of the
  * points tell. */

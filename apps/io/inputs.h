@@ -12,7 +12,7 @@ struct InputFiles {
   /** \brief In the order of the names; those of a folder or pattern sorted. Each once.
    */
   std::vector<std::string> files;
-  /** \brief What is wrong with names that stand for no cloud, "name: what; mend". */
+  /** \brief What is wrong with names that stand for no cloud, "name: what; fix". */
   std::vector<std::string> problems;
 };
 

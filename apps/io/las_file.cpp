@@ -187,13 +187,13 @@ LasFile::problemOf (const std::vector<LasField>& fields) const
     if (extra_.hasNamed (field))
       return "has an extra-bytes field " + field.name + " that is no " +
              field.type_name + "; rename it or give an OUTPUT.pcd";
-  constexpr std::uint64_t most_short = std::numeric_limits<std::uint16_t>::max();
+  constexpr std::uint64_t max_short = std::numeric_limits<std::uint16_t>::max();
   const std::uint64_t described =
       extra_.vlr ? extra_.vlr->end - extra_.vlr->content : 0;
   const std::uint64_t description = descriptionsOf (added, header_, extra_).size();
   const std::uint64_t with_vlr = extraBytesVlr ("").size() + description;
-  if (described + description > most_short ||
-      header_.record_length + added.size() * field_length > most_short ||
+  if (described + description > max_short ||
+      header_.record_length + added.size() * field_length > max_short ||
       header_.points_offset + with_vlr > std::numeric_limits<std::uint32_t>::max())
     return "has no room for a further extra-bytes field; give an OUTPUT.pcd";
   return "";

@@ -55,7 +55,7 @@ public:
   void
   forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit);
 
-  /** \brief Why there can be no such fields beside all else, with the mend; empty where
+  /** \brief Why there can be no such fields beside all else, with the fix; empty where
    * there can. */
   std::string
   problemOf (const std::vector<LasField>& fields) const;

@@ -190,11 +190,11 @@ descriptionsOf (const std::vector<LasField>& added,
   const std::uint64_t unknown = header.record_length - extra.described_end;
   // Byte by byte: CloudCompare takes any number of undocumented bytes for one
   // (LasExtraScalarField::elementSize) and looks for what follows in the wrong place.
-  constexpr std::uint64_t most_single = 64, longest = 255;
+  constexpr std::uint64_t max_single = 64, longest = 255;
   std::string bytes;
   for (std::uint64_t left = unknown; left > 0;) {
     const std::uint64_t length =
-        unknown > most_single ? std::min (left, longest) : std::uint64_t (1);
+        unknown > max_single ? std::min (left, longest) : std::uint64_t (1);
     bytes +=
         descriptionOf (undocumented_type, static_cast<std::uint8_t> (length), "", "");
     left -= length;

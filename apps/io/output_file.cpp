@@ -32,8 +32,8 @@ resolved (const std::string& file)
   std::error_code error;
   fs::path path = fs::absolute (file, error);
   // weakly_canonical stops in front of a link to a file that does not exist yet.
-  constexpr int most_links = 40;
-  for (int i = 0; i < most_links && fs::is_symlink (path, error); ++i)
+  constexpr int max_links = 40;
+  for (int i = 0; i < max_links && fs::is_symlink (path, error); ++i)
     path = path.parent_path() / fs::read_symlink (path, error);
   const fs::path canonical = fs::weakly_canonical (path, error);
   return error ? path : canonical;

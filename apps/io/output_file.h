@@ -9,7 +9,7 @@
 namespace pcl_ops::apps {
 
 /** \brief Finds out before the work whether \ref writeFile can succeed later.
- * \throws WorkError that names the file, what is in the way and the mend, e.g. if its
+ * \throws WorkError that names the file, what is in the way and the fix, e.g. if its
  * folder does not exist or the name is that of a folder, a device or a protected file
  */
 void

@@ -21,30 +21,12 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr std::size_t most_columns = 1000;
-
-/** \brief Counts the lines of the whole file and goes back to its start. */
-std::uint64_t
-countLines (HeaderReader& reader)
-{
-  constexpr std::uint64_t block = 1U << 16U;
-  std::string bytes;
-  std::uint64_t lines = 1;
-  for (std::uint64_t left = reader.fileSize(); left > 0; left -= bytes.size()) {
-    bytes.resize (std::min (left, block));
-    reader.read (bytes.data(), bytes.size());
-    lines += static_cast<std::uint64_t> (std::count (bytes.begin(), bytes.end(), '\n'));
-  }
-  reader.goTo (0);
-  return lines;
-}
+constexpr std::size_t max_columns = 1000;
 
 /** \brief A text, line by line. */
 class TextReader {
 public:
-  explicit TextReader (const std::string& file)
-  : reader_ (file, "text"), lines_ (countLines (reader_))
-  {}
+  explicit TextReader (const std::string& file) : reader_ (file, "text") {}
 
   pcl::PCLPointCloud2
   read ()
@@ -52,7 +34,10 @@ public:
     readHead();
     pcl::PCLPointCloud2 cloud;
     setFields (cloud);
-    cloud.data.reserve (mostPoints() * cloud.point_step);
+    // Lines are about as long as the first.
+    const std::uint64_t expected = reader_.fileSize() / (line_.size() + 1) + 1;
+    cloud.data.reserve (std::min (expected, promised_.value_or (expected)) *
+                        cloud.point_step);
     std::uint64_t points = 0;
     do {
       const auto* const bytes = reinterpret_cast<const std::uint8_t*> (numbers_.data());
@@ -147,9 +132,8 @@ private:
       reader_.failAtLine ("has " + std::to_string (count) +
                           (count == 1 ? " number" : " numbers") +
                           ", and a point has x, y and z");
-    if (count > most_columns)
-      reader_.failAtLine ("has more than " + std::to_string (most_columns) +
-                          " numbers");
+    if (count > max_columns)
+      reader_.failAtLine ("has more than " + std::to_string (max_columns) + " numbers");
     if (!names_.empty() && names_.size() != count)
       reader_.failAtLine ("has " + std::to_string (count) + " numbers for " +
                           std::to_string (names_.size()) + " names of columns");
@@ -165,16 +149,6 @@ private:
     const NumberType& type = numberType (pcl::PCLPointField::FLOAT64);
     for (const std::string& name : fieldNames (reader_, names_, numbers_.size()))
       addField (name, type, 1, cloud);
-  }
-
-  /** \brief As many as there can be of them in the file, at most: no memory is taken
-   * that it is not worth. */
-  std::uint64_t
-  mostPoints () const
-  {
-    return std::min ({lines_,
-                      reader_.fileSize() / numbers_.size() + 1,
-                      promised_.value_or (lines_)});
   }
 
   void
@@ -202,15 +176,12 @@ private:
     if (!nextLine())
       return false;
     readNumbers();
-    if (numbers_.size() != count)
-      reader_.failAtLine ("has " + std::to_string (numbers_.size()) +
-                          " numbers instead of " + std::to_string (count));
+    words_.expectNumbers (count);
     return true;
   }
 
   HeaderReader reader_;
   NumberLines words_{reader_};
-  std::uint64_t lines_;
   std::string line_;
   Words names_, comment_names_;
   std::optional<std::uint64_t> promised_;

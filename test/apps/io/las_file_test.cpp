@@ -78,6 +78,10 @@ labelledRecord (const LasRecipe& recipe, std::size_t i, std::uint32_t label)
   return lasRecord (recipe, i) + littleEndian (label);
 }
 
+const std::string beyond = "a variable length record reaches beyond its place";
+const std::string beyond_end = "its offset to extended variable length records is "
+                               "within its points or behind its end";
+
 std::string
 invalid (const std::string& reason)
 {
@@ -108,31 +112,18 @@ TEST_F (LasFileTest, HasTheCoordinatesOfEveryPointFormat)
     }
 }
 
-TEST_F (LasFileTest, KeepsEveryIntegerOfUtmCoordinates)
+TEST_F (LasFileTest, KeepsEveryIntegerOfMorePointsThanABlockHas)
 {
   LasRecipe recipe;
+  constexpr std::int32_t size = 40000, step = 100003;
   recipe.points.clear();
-  constexpr std::int32_t step = 2000003, half = 1000;
-  for (std::int32_t i = -half; i < half; ++i)
+  for (std::int32_t i = -size / 2; i < size / 2; ++i)
     recipe.points.push_back ({step * i, 7 * i, -i});
-  const FileCloud cloud = load (recipe);
-  for (std::size_t i = 0; i < recipe.points.size(); ++i)
-    EXPECT_EQ (std::lround ((valueOf<double> (cloud, i, "x") - 500000) / 0.001),
-               recipe.points[i][0]);
-}
-
-TEST_F (LasFileTest, ReadsMorePointsThanABlockHas)
-{
-  LasRecipe recipe;
-  constexpr std::int32_t size = 40000;
-  recipe.points.clear();
-  for (std::int32_t i = 0; i < size; ++i)
-    recipe.points.push_back ({i, 0, 0});
   const FileCloud cloud = load (recipe);
   ASSERT_EQ (cloud.size(), static_cast<std::size_t> (size));
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    ASSERT_EQ (valueOf<double> (cloud, i, "x"),
-               500000 + static_cast<double> (i) * 0.001);
+    ASSERT_EQ (std::lround ((valueOf<double> (cloud, i, "x") - 500000) / 0.001),
+               recipe.points[i][0]);
 }
 
 TEST_F (LasFileTest, IsLabelledWithEveryOtherByteKept)
@@ -220,17 +211,13 @@ TEST_F (LasFileTest, AddsTheLabelToTheExtraBytesThereAre)
              labelledRecord (recipe, 0, 5) + labelledRecord (recipe, 1, 6));
 }
 
-TEST_F (LasFileTest, ReadsTheLabelsItWrote)
+TEST_F (LasFileTest, ReadsAndReplacesTheLabelsItWrote)
 {
-  const FileCloud cloud = load (labelled (LasRecipe{}, {70000, 3}));
+  const std::string first = labelled (LasRecipe{}, {70000, 3});
+  const FileCloud cloud = load (first);
   EXPECT_EQ (valueOf<std::uint32_t> (cloud, 0, "label"), 70000u);
   EXPECT_EQ (valueOf<std::uint32_t> (cloud, 1, "label"), 3u);
   EXPECT_FALSE (hasField (load (LasRecipe{}), "label"));
-}
-
-TEST_F (LasFileTest, ReplacesTheLabelsItHad)
-{
-  const std::string first = labelled (LasRecipe{}, {1, 2});
   saveLabelledLas (folder_ / "again.las", *load (first).las, {3, 4});
   EXPECT_TRUE (contentOf (folder_ / "again.las") == labelled (LasRecipe{}, {3, 4}));
 }
@@ -260,56 +247,60 @@ TEST_F (LasFileTest, IsWrittenAgainAfterItWasRemoved)
 
 TEST_F (LasFileTest, NamesWhatIsWrongWithItsHeader)
 {
-  const auto complaint = [&] (std::size_t place, const std::string& bytes) {
-    return complaintAbout (changed (place, bytes));
-  };
-  const std::string not_finite = doubleBytes (std::numeric_limits<double>::infinity());
+  const auto u16 = [] (std::uint16_t number) { return littleEndian (number); };
+  const auto u32 = [] (std::uint32_t number) { return littleEndian (number); };
+  const std::string infinite = doubleBytes (std::numeric_limits<double>::infinity());
   const std::string nan = doubleBytes (std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ (complaint (las_at::signature, "FSAL"),
-             invalid ("its first bytes are not LASF"));
-  EXPECT_EQ (complaint (las_at::minor, "\5"),
-             invalid ("its version 1.5 is not 1.2, 1.3 or 1.4"));
-  EXPECT_EQ (complaint (las_at::major, "\2"),
-             invalid ("its version 2.4 is not 1.2, 1.3 or 1.4"));
-  EXPECT_EQ (complaint (las_at::header_size, littleEndian (std::uint16_t{374})),
-             invalid ("its header size 374 is too small for its version"));
-  EXPECT_EQ (
-      complaint (las_at::points_offset, littleEndian (std::uint32_t{100})),
-      invalid ("its offset to point data 100 is within its header or behind its end"));
-  EXPECT_EQ (
-      complaint (las_at::points_offset, littleEndian (std::uint32_t{4000000000})),
-      invalid ("its offset to point data 4000000000 is within its header or "
-               "behind its end"));
-  EXPECT_EQ (complaint (las_at::format, "\13"),
-             invalid ("its point data record format 11 is not 0 to 10"));
-  EXPECT_EQ (complaint (las_at::record_length, littleEndian (std::uint16_t{29})),
-             invalid ("its point data record length 29 is too small for the format 6"));
-  for (const std::string& bytes : {doubleBytes (0), nan, not_finite})
-    EXPECT_EQ (complaint (las_at::scale + 8, bytes),
-               invalid ("a scale factor of its coordinates is zero or no number"));
-  for (const std::string& bytes : {nan, not_finite})
-    EXPECT_EQ (complaint (las_at::offset + 16, bytes),
-               invalid ("an offset of its coordinates is no number"));
-  EXPECT_EQ (complaint (las_at::legacy_points, littleEndian (std::uint32_t{1})),
-             invalid ("its numbers of points 2 and 1 (legacy) differ"));
+  const std::string bad_scale =
+      "a scale factor of its coordinates is zero or no number";
+  const std::string bad_offset = "an offset of its coordinates is no number";
+  const struct {
+    std::size_t place;
+    std::string bytes, reason;
+  } rows[] = {
+      {las_at::signature, "FSAL", "its first bytes are not LASF"},
+      {las_at::minor, "\5", "its version 1.5 is not 1.2, 1.3 or 1.4"},
+      {las_at::major, "\2", "its version 2.4 is not 1.2, 1.3 or 1.4"},
+      {las_at::header_size,
+       u16 (374),
+       "its header size 374 is too small for its version"},
+      {las_at::points_offset,
+       u32 (100),
+       "its offset to point data 100 is within its header or behind its end"},
+      {las_at::points_offset,
+       u32 (4000000000),
+       "its offset to point data 4000000000 is within its header or behind its end"},
+      {las_at::format, "\13", "its point data record format 11 is not 0 to 10"},
+      {las_at::record_length,
+       u16 (29),
+       "its point data record length 29 is too small for the format 6"},
+      {las_at::scale + 8, doubleBytes (0), bad_scale},
+      {las_at::scale + 8, nan, bad_scale},
+      {las_at::scale + 8, infinite, bad_scale},
+      {las_at::offset + 16, nan, bad_offset},
+      {las_at::offset + 16, infinite, bad_offset},
+      {las_at::legacy_points, u32 (1), "its numbers of points 2 and 1 (legacy) differ"},
+      {las_at::vlr_count, u32 (1), beyond},
+      {las_at::evlr_count, u32 (4000000000), beyond_end}};
+  for (const auto& row : rows)
+    EXPECT_EQ (complaintAbout (changed (row.place, row.bytes)), invalid (row.reason));
 }
 
 TEST_F (LasFileTest, RefusesMorePointsThanItHolds)
 {
+  const auto complaint = [&] (std::uint64_t count) {
+    return complaintAbout (changed (las_at::points, littleEndian (count)));
+  };
   const std::string truncated =
       "is truncated: its header promises more points than follow; copy or write it "
       "again";
-  for (const std::uint64_t count : {std::uint64_t{3},
-                                    std::uint64_t{1000000000000000000},
-                                    std::numeric_limits<std::uint64_t>::max()})
-    EXPECT_EQ (complaintAbout (changed (las_at::points, littleEndian (count))),
-               truncated);
-  const LasRecipe legacy{2, 0};
+  EXPECT_EQ (complaint (3), truncated);
+  EXPECT_EQ (complaint (1000000000000000000), truncated);
+  EXPECT_EQ (complaint (std::numeric_limits<std::uint64_t>::max()), truncated);
+  EXPECT_EQ (complaint (0), "has no points; give a cloud that has");
   EXPECT_EQ (complaintAbout (changed (
-                 las_at::legacy_points, littleEndian (std::uint32_t{3}), legacy)),
+                 las_at::legacy_points, littleEndian (std::uint32_t{3}), {2, 0})),
              truncated);
-  EXPECT_EQ (complaintAbout (changed (las_at::points, littleEndian (std::uint64_t{0}))),
-             "has no points; give a cloud that has");
 }
 
 TEST_F (LasFileTest, IsRefusedWhereverItIsCut)
@@ -325,29 +316,20 @@ TEST_F (LasFileTest, IsRefusedWhereverItIsCut)
 
 TEST_F (LasFileTest, RefusesRecordsThatReachBeyondTheirPlace)
 {
-  const std::string beyond =
-      invalid ("a variable length record reaches beyond its place");
-  EXPECT_EQ (
-      complaintAbout (changed (las_at::vlr_count, littleEndian (std::uint32_t{1}))),
-      beyond);
   LasRecipe recipe;
   recipe.vlrs = {lasVlr ("someone", 7, "content")};
   EXPECT_EQ (
       complaintAbout (changed (375 + 20, littleEndian (std::uint16_t{8}), recipe)),
-      beyond);
+      invalid (beyond));
   recipe.evlrs = {lasVlr<std::uint64_t> ("someone", 9, "content")};
   const std::size_t evlr = lasBytes (recipe).size() - recipe.evlrs[0].size();
   EXPECT_EQ (
       complaintAbout (changed (
           evlr + 20, littleEndian (std::numeric_limits<std::uint64_t>::max()), recipe)),
-      beyond);
-  EXPECT_EQ (complaintAbout (changed (
-                 las_at::evlr_count, littleEndian (std::uint32_t{4000000000}), recipe)),
-             beyond);
+      invalid (beyond));
   EXPECT_EQ (complaintAbout (changed (
                  las_at::evlr_offset, littleEndian (std::uint64_t{400}), recipe)),
-             invalid ("its offset to extended variable length records is within its "
-                      "points or behind its end"));
+             invalid (beyond_end));
 }
 
 TEST_F (LasFileTest, RefusesExtraBytesThatDoNotAddUp)
@@ -382,17 +364,10 @@ TEST_F (LasFileTest, SaysHowToDecompressLaz)
 {
   if (hasLaszip())
     GTEST_SKIP() << "LASzip does it";
-  const std::string mend = "is compressed (LAZ); decompress it, e.g. by laszip or pdal";
-  EXPECT_EQ (complaintAbout (changed (las_at::format, "\x86")), mend);
-  EXPECT_EQ (complaintAbout (changed (las_at::format, "\x46")), mend);
+  const std::string fix = "is compressed (LAZ); decompress it, e.g. by laszip or pdal";
+  EXPECT_EQ (complaintAbout (changed (las_at::format, "\x86")), fix);
+  EXPECT_EQ (complaintAbout (changed (las_at::format, "\x46")), fix);
   LasRecipe recipe;
   recipe.vlrs = {lasVlr ("laszip encoded", 22204, "content")};
-  EXPECT_EQ (complaintAbout (lasBytes (recipe)), mend);
-  try {
-    loadCloud (folder_.write ("cloud.laz", changed (las_at::format, "\x86")));
-    ADD_FAILURE();
-  }
-  catch (const WorkError& error) {
-    EXPECT_EQ (error.problem, mend);
-  }
+  EXPECT_EQ (complaintAbout (lasBytes (recipe)), fix);
 }
