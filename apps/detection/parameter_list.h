@@ -70,7 +70,7 @@ visitOwn (OrientedPointSamplingParameters& p, Visit&& visit)
   visit (Option{"k",
                 "K",
                 Range::from (2),
-                "neighbours of a normal; on surfels the fewest points"},
+                "neighbors of a normal; on surfels the fewest points"},
          p.k);
   visit (Option{"min-inliers",
                 "N",

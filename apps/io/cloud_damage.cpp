@@ -86,7 +86,7 @@ rounded (double number, int digits)
 std::string
 coordinate (double number)
 {
-  constexpr int digits = 10; // millimetres of UTM
+  constexpr int digits = 10; // millimeters of UTM
   return rounded (number, digits);
 }
 

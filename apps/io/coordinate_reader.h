@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/common/io.h>
+
 #include <Eigen/Core>
 
 #include "cloud_file.h"
@@ -9,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 
 namespace pcl_ops::apps {
 
@@ -16,7 +19,16 @@ namespace pcl_ops::apps {
 class CoordinateReader {
 public:
   /** \param[in] cloud has x, y and z, and is used as long as this is */
-  explicit CoordinateReader (const FileCloud& cloud);
+  explicit CoordinateReader (const FileCloud& cloud) : cloud_ (cloud.points)
+  {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int index = pcl::getFieldIndex (cloud_, std::string (1, "xyz"[i]));
+      const pcl::PCLPointField& field = cloud_.fields.at (std::size_t (index));
+      offsets_[i] = field.offset;
+      readers_[i] = numberType (field.datatype).read;
+      is_single_ = is_single_ && field.datatype == pcl::PCLPointField::FLOAT32;
+    }
+  }
 
   bool
   isSinglePrecision () const

@@ -80,7 +80,7 @@ private:
   LasExtraBytes extra_;
 };
 
-/** \brief Writes it labelled in one step (\ref writeFile).
+/** \brief Writes it labeled in one step (\ref writeFile).
  * \throws WorkError if it cannot be written */
 void
 saveLabelledLas (const std::string& file, LasFile& las, const LabelOfPlace& label);

@@ -15,7 +15,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr std::uint16_t header_size = 227, record_size = 20, labelled_size = 24;
+constexpr std::uint16_t header_size = 227, record_size = 20, labeled_size = 24;
 
 /** \brief Lowest and highest place along an axis. */
 std::array<double, 2>
@@ -50,7 +50,7 @@ headerOf (const std::vector<LasPoint>& points,
              las_field::points_offset,
              static_cast<std::uint32_t> (header_size + vlr_size));
   setNumber (bytes, las_field::vlr_count, std::uint32_t (1));
-  setNumber (bytes, las_field::record_length, labelled_size);
+  setNumber (bytes, las_field::record_length, labeled_size);
   setNumber (bytes, las_field::legacy_points, count);
   setNumber (bytes, las_field::legacy_points + sizeof (count), count); // first returns
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -79,7 +79,7 @@ saveLas (const std::string& file,
   const std::string vlr = extraBytesVlr (descriptionsOf ({label_field}, plain, none));
   writeFile (file, [&] (std::ostream& stream) {
     stream << headerOf (points, scale, offset, vlr.size()) << vlr;
-    std::string record (labelled_size, '\0');
+    std::string record (labeled_size, '\0');
     for (const LasPoint& point : points) {
       for (std::size_t axis = 0; axis < 3; ++axis)
         setNumber (record, axis * sizeof (std::int32_t), point.raw[axis]);

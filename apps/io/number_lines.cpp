@@ -22,6 +22,22 @@ trimmed (std::string_view text)
 
 } // namespace
 
+void
+splitWords (std::string_view line, char separator, std::vector<std::string_view>& words)
+{
+  words.clear();
+  const bool is_between_blanks = separator == ' ';
+  const std::string_view ends =
+      is_between_blanks ? blanks : std::string_view (&separator, 1);
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min (line.find_first_of (ends, begin), line.size());
+    const std::string_view word = trimmed (line.substr (begin, end - begin));
+    if (!word.empty() || !is_between_blanks)
+      words.push_back (word);
+    begin = end + 1;
+  }
+}
+
 bool
 NumberLines::next()
 {
@@ -35,18 +51,7 @@ void
 NumberLines::take (std::string line, char separator)
 {
   line_ = std::move (line);
-  words_.clear();
-  const bool is_between_blanks = separator == ' ';
-  const std::string_view ends =
-      is_between_blanks ? blanks : std::string_view (&separator, 1);
-  const std::string_view all = line_;
-  for (std::size_t begin = 0; begin <= all.size();) {
-    const std::size_t end = std::min (all.find_first_of (ends, begin), all.size());
-    const std::string_view word = trimmed (all.substr (begin, end - begin));
-    if (!word.empty() || !is_between_blanks)
-      words_.push_back (word);
-    begin = end + 1;
-  }
+  splitWords (line_, separator, words_);
 }
 
 void

@@ -11,6 +11,14 @@
 
 namespace pcl_ops::apps {
 
+/** \brief The words of a line, without blanks around them.
+ * \param[in] separator a comma or semicolon between words, of which some may be empty;
+ * a space: blanks alone are between them */
+void
+splitWords (std::string_view line,
+            char separator,
+            std::vector<std::string_view>& words);
+
 /** \brief The lines of a cloud's data that is text. What is no number is refused;
  * PCL's readers make points at zero or without coordinates of it. */
 class NumberLines {
@@ -24,9 +32,7 @@ public:
   bool
   next ();
 
-  /** \brief Takes the line that the reader read last.
-   * \param[in] separator a comma or semicolon between words, of which some may be
-   * empty; a space: blanks alone are between them */
+  /** \brief Takes the line that the reader read last; see \ref splitWords. */
   void
   take (std::string line, char separator);
 

@@ -97,7 +97,7 @@ readPlyHeader (HeaderReader& reader)
       readProperty (reader, words, header);
     else if (key == "obj_info" && words.size() > 2 &&
              (words[1] == "num_cols" || words[1] == "num_rows"))
-      header.grid[words[1]] = reader.count (words[1], words[2]);
+      header.grid[words[1]] = static_cast<double> (reader.count (words[1], words[2]));
     else if (key != "obj_info" && key != "comment" && key != "end_header")
       reader.fail ("its line '" + key + "' is unknown or incomplete");
   }

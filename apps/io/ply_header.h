@@ -31,7 +31,7 @@ struct PlyHeader {
   /** \brief In the order of the data. */
   std::vector<PlyElement> elements;
   /** \brief "obj_info num_cols N" and "num_rows N". */
-  std::map<std::string, std::uint64_t> grid;
+  std::map<std::string, double> grid;
 
   /** \return nullptr if there is none of that name */
   const PlyElement*

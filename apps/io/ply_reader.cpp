@@ -13,7 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
+#include <map>
 #include <vector>
 
 namespace pcl_ops::apps {
@@ -186,7 +186,7 @@ readVertices (PlyData& data, const PlyElement& vertex, pcl::PCLPointCloud2& poin
 {
   const std::vector<Target> targets = addFields (vertex, points);
   points.data.resize (vertex.count * points.point_step);
-  for (std::uint64_t i = 0; i < vertex.count; ++i) {
+  for (std::uint64_t i = 0; i < vertex.count && !targets.empty(); ++i) {
     std::uint8_t* const point = points.data.data() + i * points.point_step;
     data.beginRow (vertex);
     for (const Target& target : targets)
@@ -199,83 +199,38 @@ readVertices (PlyData& data, const PlyElement& vertex, pcl::PCLPointCloud2& poin
   }
 }
 
-/** \brief What other elements say about the order of the vertices. */
-struct Order {
-  /** \brief Of each cell of a range_grid a vertex or, where it has none, -1. */
-  std::vector<std::int64_t> cells;
-  /** \brief As PCL writes it with a camera. */
-  double width = 0.0, height = 0.0;
-};
-
+/** \brief Skips an element, except for what PCL's camera says about the cloud. */
 void
 readOther (PlyData& data,
            const PlyElement& element,
-           const PlyHeader& header,
-           const HeaderReader& reader,
-           Order& order)
+           std::map<std::string, double>& grid)
 {
-  const auto vertices = static_cast<double> (header.find ("vertex")->count);
-  const bool is_grid = element.name == "range_grid",
-             is_camera = element.name == "camera";
+  const std::map<std::string, std::string> sizes = {{"viewportx", "num_cols"},
+                                                    {"viewporty", "num_rows"}};
   std::vector<double> numbers;
   for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
     data.beginRow (element);
-    if (is_grid)
-      order.cells.push_back (-1);
     for (const PlyProperty& property : element.properties) {
       data.readProperty (property, numbers);
-      const bool is_cell = is_grid && property.length_type != nullptr;
-      for (const double vertex : numbers)
-        if (is_cell && !(vertex >= 0.0 && vertex < vertices))
-          reader.fail ("its range_grid names a vertex that does not exist");
-      if (is_cell && !numbers.empty())
-        order.cells.back() = static_cast<std::int64_t> (numbers[0]);
-      if (is_camera && property.name == "viewportx" && !numbers.empty())
-        order.width = numbers[0];
-      if (is_camera && property.name == "viewporty" && !numbers.empty())
-        order.height = numbers[0];
+      const auto size = sizes.find (property.name);
+      if (element.name == "camera" && size != sizes.end() && !numbers.empty())
+        grid[size->second] = numbers[0];
     }
     data.endRow();
   }
 }
 
-/** \brief A point without coordinates. */
-std::vector<std::uint8_t>
-emptyPoint (const pcl::PCLPointCloud2& points)
-{
-  std::vector<std::uint8_t> bytes (points.point_step);
-  for (const PCLPointField& field : points.fields)
-    if (field.datatype == PCLPointField::FLOAT32 ||
-        field.datatype == PCLPointField::FLOAT64)
-      numberType (field.datatype).parse ("nan", &bytes[field.offset]);
-  return bytes;
-}
-
 void
-organize (const PlyHeader& header, const Order& order, pcl::PCLPointCloud2& points)
+organize (std::uint64_t size,
+          std::map<std::string, double>& grid,
+          pcl::PCLPointCloud2& points)
 {
-  const std::uint64_t vertices = header.find ("vertex")->count;
-  if (!order.cells.empty() && order.cells.size() != vertices) {
-    const std::vector<std::uint8_t> empty = emptyPoint (points), data = points.data;
-    points.data.clear();
-    for (const std::int64_t cell : order.cells) {
-      const std::uint8_t* const from =
-          cell < 0 ? empty.data() : &data[std::size_t (cell) * points.point_step];
-      points.data.insert (points.data.end(), from, from + points.point_step);
-    }
-  }
-  const std::uint64_t size = points.data.size() / points.point_step;
-  points.width = static_cast<pcl::uindex_t> (size);
-  points.height = 1;
-  if (!header.grid.empty()) {
-    points.width = static_cast<pcl::uindex_t> (header.grid.at ("num_cols"));
-    points.height = static_cast<pcl::uindex_t> (header.grid.at ("num_rows"));
-  }
-  else if (order.width >= 1.0 && order.height >= 1.0 &&
-           order.width * order.height == static_cast<double> (size)) {
-    points.width = static_cast<pcl::uindex_t> (order.width);
-    points.height = static_cast<pcl::uindex_t> (order.height);
-  }
+  const double width = grid["num_cols"], height = grid["num_rows"];
+  const bool fits = width * height == static_cast<double> (size) && width >= 1.0 &&
+                    width == std::floor (width) && height == std::floor (height);
+  points.width = static_cast<pcl::uindex_t> (fits ? width : static_cast<double> (size));
+  points.height = static_cast<pcl::uindex_t> (fits ? height : 1.0);
+  points.row_step = points.point_step * points.width;
 }
 
 /** \brief Fewest bytes of a row: lists may be empty, a number that is text is a digit
@@ -291,46 +246,27 @@ minSize (const PlyElement& element, bool is_text)
   return bytes;
 }
 
-/** \brief Refuses what would take more memory than such a file is worth. */
-void
-checkSize (HeaderReader& reader, const PlyHeader& header)
-{
-  constexpr std::uint64_t max_expansion = 100;
-  const PlyElement& vertex = *header.find ("vertex");
-  const PlyElement* const range_grid = header.find ("range_grid");
-  const std::uint64_t cells = range_grid == nullptr ? vertex.count : range_grid->count;
-  std::uint64_t bytes = 0;
-  for (const PlyElement& element : header.elements)
-    bytes += element.count * minSize (element, header.format == "ascii");
-  if (reader.fileSize() - reader.position() + 1 < bytes ||
-      cells * minSize (vertex, false) > max_expansion * reader.fileSize())
-    reader.failTruncated();
-  if (!header.grid.empty() &&
-      (header.grid.size() != 2 || vertex.count > cells ||
-       header.grid.at ("num_cols") * header.grid.at ("num_rows") != cells))
-    reader.fail ("num_cols times num_rows is not its number of points");
-}
-
 } // namespace
 
 FileCloud
 readPly (const std::string& file)
 {
   HeaderReader reader (file, "PLY");
-  const PlyHeader header = readPlyHeader (reader);
-  checkSize (reader, header);
+  PlyHeader header = readPlyHeader (reader);
+  std::uint64_t bytes = 0;
+  for (const PlyElement& element : header.elements)
+    bytes += element.count * minSize (element, header.format == "ascii");
+  if (reader.fileSize() - reader.position() + 1 < bytes)
+    reader.failTruncated();
   FileCloud cloud;
   PlyData data (reader, header);
-  Order order;
   for (const PlyElement& element : header.elements)
     if (element.name == "vertex")
       readVertices (data, element, cloud.points);
     else
-      readOther (data, element, header, reader, order);
+      readOther (data, element, header.grid);
   data.end();
-  if (cloud.points.point_step > 0)
-    organize (header, order, cloud.points);
-  cloud.points.row_step = cloud.points.point_step * cloud.points.width;
+  organize (header.find ("vertex")->count, header.grid, cloud.points);
   return cloud;
 }
 

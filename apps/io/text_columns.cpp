@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text_columns.h"
 
+#include "number_lines.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
 #include <set>
-#include <sstream>
+#include <string_view>
 #include <system_error>
 
 namespace pcl_ops::apps {
@@ -15,16 +17,6 @@ namespace pcl_ops::apps {
 namespace {
 
 constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
-
-/** \brief Without these characters around it. */
-std::string
-trimmed (const std::string& text, const char* around)
-{
-  const std::size_t begin = text.find_first_not_of (around);
-  return begin == std::string::npos
-             ? ""
-             : text.substr (begin, text.find_last_not_of (around) - begin + 1);
-}
 
 bool
 isNumber (const std::string& word)
@@ -80,17 +72,14 @@ separatorOf (const std::string& line)
 Words
 wordsOf (const std::string& line)
 {
-  const char separator = separatorOf (line);
-  std::istringstream stream (line);
+  std::vector<std::string_view> parts;
+  splitWords (line, separatorOf (line), parts);
   Words words;
-  if (separator == ' ')
-    for (std::string word; stream >> word;)
-      words.push_back (trimmed (word, "\"'"));
-  else
-    for (std::string word; std::getline (stream, word, separator);)
-      words.push_back (trimmed (trimmed (word, " \t\r"), "\"'"));
-  if (separator != ' ' && line.back() == separator)
-    words.emplace_back();
+  for (std::string_view part : parts) {
+    constexpr std::string_view quotes = "\"'";
+    part.remove_prefix (std::min (part.find_first_not_of (quotes), part.size()));
+    words.emplace_back (part.substr (0, part.find_last_not_of (quotes) + 1));
+  }
   return words;
 }
 

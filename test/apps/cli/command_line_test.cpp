@@ -33,11 +33,11 @@ struct Detector {
   {
     CommandLine line ("detect", "Detects.", "1.2.3");
     line.addArgument ("INPUT", input, "a cloud");
-    line.addOptionalArgument ("OUTPUT", output, "a labelled cloud");
+    line.addOptionalArgument ("OUTPUT", output, "a labeled cloud");
     line.addChoice ("method", {"ops", "fspf"}, method, "the algorithm");
     line.addText ("image", "FILE", image, "a picture");
     line.addNumber ("threshold", "M", Range::above (0), threshold, "distance");
-    line.addNumber ("k", "K", Range::from (3).upTo (100), k, "neighbours");
+    line.addNumber ("k", "K", Range::from (3).upTo (100), k, "neighbors");
     line.addDirection ("up", up, "axis");
     line.addFlag ("quiet", quiet, "no table");
     std::vector<const char*> argv{"detect"};
@@ -157,7 +157,7 @@ TEST (CommandLine, TellsTheOptionsOfAGroupThatWereGiven)
 {
   CommandLine line ("detect", "Detects.", "1.0");
   std::optional<int> k, bins, samples;
-  line.addNumber ("k", "K", Range::any(), k, "neighbours");
+  line.addNumber ("k", "K", Range::any(), k, "neighbors");
   line.beginGroup ("Hough");
   line.addNumber ("bins", "N", Range::any(), bins, "of the accumulator");
   line.addNumber ("samples", "N", Range::any(), samples, "of a cluster");

@@ -63,7 +63,7 @@ TEST (Outlines, GoRoundPlanesToTheLeftAndRoundHolesToTheRight)
   EXPECT_EQ (seenFromAbove (wall), wall);
 }
 
-TEST (Outlines, HaveMillimetresFarFromZeroAndNoExponents)
+TEST (Outlines, HaveMillimetersFarFromZeroAndNoExponents)
 {
   EXPECT_EQ (toWkt ({{{5400000.1234, 1e-7, -1e-7}}}, 3),
              "POLYGON Z ((5400000.123 0.000 0.000,5400000.123 0.000 0.000))");

@@ -83,7 +83,7 @@ TEST (CloudDamage, IsSeenWhereMostPointsAreAtOnePlace)
       "out or write them as NaN");
 }
 
-TEST (CloudDamage, IsAtThePlaceOfTheFileToTheMillimetre)
+TEST (CloudDamage, IsAtThePlaceOfTheFileToTheMillimeter)
 {
   XyzCloud cloud = floorOfPoints();
   for (std::size_t i = 0; i < 6000; ++i)
@@ -121,7 +121,7 @@ TEST (CloudDamage, IsSeenAmongThePointsThatHaveCoordinates)
 
 TEST (CloudDamage, IsSeenWhereOnePerCentIsVeryFarAway)
 {
-  // Each in a kilometre of its own, 1,000 km away.
+  // Each in a kilometer of its own, 1,000 km away.
   const std::string text =
       damageOf (withMoved (floorOfPoints(), 97, {1e6f, 0, 0}, 1e3f));
   EXPECT_NE (text.find ("1000 times as far away as the rest is wide"),

@@ -52,10 +52,6 @@ const std::string two_vertices =
     "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string triangle =
     two_vertices + "element face 1\nproperty list uchar int vertex_indices\n";
-const std::string grid =
-    "obj_info num_cols 2\nobj_info num_rows 1\n" + two_vertices +
-    "element range_grid 2\nproperty list uchar int vertex_indices\n";
-
 std::string
 plyWith (const std::string& elements,
          const std::string& body,
@@ -263,18 +259,15 @@ TEST_F (CloudFile, ReadsColorsAndNormalsOfAPly)
   EXPECT_TRUE (hasField (cloud, "normal_x"));
 }
 
-TEST_F (CloudFile, OrdersVerticesAsTheirGridDoes)
+TEST_F (CloudFile, IsOrganizedAsAPlySays)
 {
-  const FileCloud cloud = load (
-      "grid.ply",
-      plyWith ("obj_info num_cols 3\nobj_info num_rows 1\n" + two_vertices +
-                   "element range_grid 3\nproperty list uchar int vertex_indices\n",
-               "1 2 3\n4 5 6\n1 1\n0\n1 0\n"));
-  const ShiftedCloud shifted = shiftedCloudOf (cloud);
-  ASSERT_EQ (shifted.cloud->size(), 3u);
-  EXPECT_EQ ((*shifted.cloud)[0].x, 4.0f);
-  EXPECT_TRUE (std::isnan ((*shifted.cloud)[1].x));
-  EXPECT_EQ ((*shifted.cloud)[2].x, 1.0f);
+  const std::string camera = two_vertices + "element camera 1\nproperty int viewportx\n"
+                                            "property int viewporty\n";
+  const std::string rows = "obj_info num_cols 1\nobj_info num_rows 2\n" + two_vertices;
+  const std::string body = "1 2 3\n4 5 6\n";
+  EXPECT_EQ (load ("camera.ply", plyWith (camera, body + "1 2\n")).points.height, 2u);
+  EXPECT_EQ (load ("wrong.ply", plyWith (camera, body + "3 2\n")).points.height, 1u);
+  EXPECT_EQ (load ("rows.ply", plyWith (rows, body)).points.height, 2u);
 }
 
 TEST_F (CloudFile, ReadsEverySpellingOfNumbersAndLineEnds)
@@ -411,23 +404,25 @@ TEST_F (CloudFile, NamesTheDamagedListOfAPly)
                    {{face (list), "12 has a list of another length than it says"}});
 }
 
-TEST_F (CloudFile, RefusesAGridOfVerticesThatAreNotThere)
+TEST_F (CloudFile, ReadsBinaryOfEitherOrderAndListsOfAnyLength)
 {
-  const std::string reason = "its range_grid names a vertex that does not exist";
-  for (const std::string cell : {"-1", "2", "nan", "1e30"})
-    expectInvalid ("ply",
-                   {{plyWith (grid, "1 2 3\n4 5 6\n1 1\n1 " + cell + "\n"), reason}});
-  const auto binary = [] (const std::string& format, const std::string& index) {
-    return plyWith (grid, std::string (24, '\0') + '\1' + index + '\0', format);
+  const auto binary = [] (const std::string& format, std::string bytes) {
+    return plyWith (
+        triangle, bytes + std::string ("\3", 1) + std::string (12, '1'), format);
   };
-  const std::string little = "binary_little_endian", big = "binary_big_endian";
-  const std::string minus_one (4, '\xff');
-  EXPECT_EQ (complaintAbout ("a.ply", binary (little, {'\1', '\0', '\0', '\0'})), "");
-  EXPECT_EQ (complaintAbout ("a.ply", binary (big, {'\0', '\0', '\0', '\1'})), "");
-  expectInvalid ("ply",
-                 {{binary (little, minus_one), reason},
-                  {binary (big, minus_one), reason},
-                  {binary (big, {'\1', '\0', '\0', '\0'}), reason}});
+  const std::string zeros (20, '\0');
+  const std::string one_little = std::string ("\0\0\x80\x3f", 4);
+  const std::string one_big = std::string ("\x3f\x80\0\0", 4);
+  for (const auto& [format, one] :
+       {std::pair<std::string, std::string> ("binary_little_endian", one_little),
+        std::pair<std::string, std::string> ("binary_big_endian", one_big)}) {
+    const ShiftedCloud shifted =
+        shiftedCloudOf (load ("a.ply", binary (format, one + zeros)));
+    EXPECT_EQ ((*shifted.cloud)[0].x, 1.0f);
+    EXPECT_EQ ((*shifted.cloud)[1].x, 0.0f);
+    const std::string whole = binary (format, one + zeros);
+    EXPECT_EQ (complaintAbout ("a.ply", whole.substr (0, whole.size() - 1)), truncated);
+  }
 }
 
 TEST_F (CloudFile, NoticesTruncatedData)
@@ -454,14 +449,4 @@ TEST_F (CloudFile, RefusesHeadersThatPromiseMoreThanTheirDataCanHold)
           std::string (50, '\0');
   EXPECT_EQ (complaintAbout ("bomb.pcd", bomb), truncated);
   EXPECT_EQ (complaintAbout ("count.pcd", pcdWith ("COUNT 1 1 1048576")), truncated);
-  const std::string cells =
-      "obj_info num_cols 3000\nobj_info num_rows 1\nelement vertex 1\n"
-      "property float x\nproperty float y\nproperty float z\n" +
-      repeated (1000, "property double d") +
-      "element range_grid 3000\nproperty list uchar int vertex_indices\n";
-  EXPECT_EQ (complaintAbout ("grid.ply",
-                             plyWith (cells,
-                                      std::string (12 + 8000 + 3000, '\0'),
-                                      "binary_little_endian")),
-             truncated);
 }

@@ -80,7 +80,7 @@ protected:
 
 } // namespace
 
-TEST_F (TextFile, KeepsMillimetresOfUtmWhateverTheSeparator)
+TEST_F (TextFile, KeepsMillimetersOfUtmWhateverTheSeparator)
 {
   const Eigen::Vector3d first (500000.123, 5400000.456, 120.789);
   const Eigen::Vector3d second (-500001.001, 5400000.457, -0.001);
