@@ -134,16 +134,6 @@ TEST (AssignPoints, AgreesWithBruteForce)
   }
 }
 
-TEST (AssignPoints, DoesNotDependOnTheNumberOfThreads)
-{
-  const Coordinates points = randomPoints (100000);
-  const auto planes = randomPlanes (5);
-  const Labels one = assignPoints (points, planes, 10_cm, AssignmentRule::Nearest, 1);
-  for (const unsigned threads : {0u, 2u, 4u})
-    EXPECT_EQ (assignPoints (points, planes, 10_cm, AssignmentRule::Nearest, threads),
-               one);
-}
-
 TEST (MomentsOfLabels, AreThoseOfThePointsOfEachLabel)
 {
   const Coordinates points = randomPoints (40000);

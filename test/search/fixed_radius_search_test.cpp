@@ -101,14 +101,6 @@ TEST (FixedRadiusSearch, HoldsThePointsInAnotherOrder)
   EXPECT_EQ (setOf (FixedRadiusSearch (points, 10_cm, 1).points()), setOf (points));
 }
 
-TEST (FixedRadiusSearch, OrderDoesNotDependOnThreads)
-{
-  const Coordinates points = cube (300000, 1_m); // more than a thread takes at once
-  const FixedRadiusSearch one (points, 10_cm, 1), four (points, 10_cm, 4);
-  EXPECT_EQ (one.points().x, four.points().x);
-  EXPECT_EQ (one.points().y, four.points().y);
-}
-
 TEST (FixedRadiusSearch, OfNoPointsHoldsNone)
 {
   EXPECT_EQ (FixedRadiusSearch (Coordinates(), 10_cm, 1).points().size(), 0u);
