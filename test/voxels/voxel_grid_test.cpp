@@ -9,21 +9,6 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-Coordinates
-pointsInACube (std::size_t number, double edge)
-{
-  RandomGenerator generator (seedOfTest());
-  const auto draw = [&] {
-    return static_cast<float> (edge * (drawUnit (generator) - 0.5));
-  };
-  Coordinates points;
-  for (std::size_t i = 0; i < number; ++i) {
-    const float x = draw(), y = draw(), z = draw();
-    points.add (x, y, z);
-  }
-  return points;
-}
-
 bool
 isNeighbour (const VoxelKey& a, const VoxelKey& b)
 {
@@ -79,21 +64,6 @@ TEST (VoxelGrid, KnowsEveryOccupiedNeighbourAsBruteForceDoes)
                                       grid.neighbours[a].end());
     std::sort (found.begin(), found.end());
     ASSERT_EQ (found, expected);
-  }
-}
-
-TEST (VoxelGrid, DoesNotDependOnTheOrderOfThePoints)
-{
-  const Coordinates points = pointsInACube (3000, 4.0);
-  Coordinates reversed;
-  for (std::size_t i = points.size(); i-- > 0;)
-    reversed.add (points.x[i], points.y[i], points.z[i]);
-  const VoxelGrid first = voxelize (points, 0.5, 1).grid;
-  const VoxelGrid second = voxelize (reversed, 0.5, 1).grid;
-  ASSERT_EQ (first.size(), second.size());
-  for (std::size_t c = 0; c < first.size(); ++c) {
-    EXPECT_EQ (first.keys[c].x, second.keys[c].x);
-    EXPECT_EQ (first.moments[c].count, second.moments[c].count);
   }
 }
 
