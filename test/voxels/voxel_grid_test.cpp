@@ -102,13 +102,16 @@ TEST (CoarserGrid, HoldsEightVoxelsEachAndLosesNoPoint)
 
 TEST (VoxelSize, FillsAboutAsManyVoxelsAsWanted)
 {
-  Coordinates points;
-  addGrid (points, {{0, 0, 0}, {5, 0, 0}, {0, 4, 0}}, 400);
-  for (const double wanted : {300.0, 2000.0, 10000.0}) {
-    const double size = voxelSizeFor (points, wanted);
-    const auto voxels = static_cast<double> (voxelize (points, size, 1).grid.size());
-    EXPECT_NEAR (voxels / wanted, 1.0, 0.35) << wanted;
-  }
+  Coordinates board, boards_far_apart;
+  addGrid (board, {{0, 0, 0}, {5, 0, 0}, {0, 4, 0}}, 400);
+  for (const double x : {0.0, 1000.0})
+    addGrid (boards_far_apart, {{x, 0, 0}, {5, 0, 0}, {0, 4, 0}}, 400);
+  for (const Coordinates& points : {board, boards_far_apart})
+    for (const double wanted : {300.0, 2000.0, 10000.0}) {
+      const double size = voxelSizeFor (points, wanted);
+      const auto voxels = static_cast<double> (voxelize (points, size, 1).grid.size());
+      EXPECT_NEAR (voxels / wanted, 1.0, 0.35) << wanted;
+    }
 }
 
 TEST (VoxelSize, GrowsWithTheUnitOfTheCloud)
