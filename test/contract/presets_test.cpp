@@ -35,8 +35,8 @@ expectDefaults (const SurfelParameters& surfels)
   EXPECT_DOUBLE_EQ (surfels.angle_threshold, 30_deg);
   EXPECT_EQ (surfels.sure_thickness, 0.265);
   EXPECT_EQ (surfels.largest_thickness, 0.3);
-  EXPECT_EQ (surfels.absorption_noise_factor, 2.0);
-  EXPECT_EQ (surfels.assignment_noise_factor, 4.0);
+  EXPECT_EQ (surfels.absorption_noise_factor, 2.2);
+  EXPECT_EQ (surfels.assignment_noise_factor, 5.0);
 }
 
 } // namespace
