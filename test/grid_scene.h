@@ -5,6 +5,22 @@
 #include "geometry/points.h"
 #include "scene.h"
 
+/** \brief Points anywhere in a cube about zero. */
+inline pcl_ops::internal::Coordinates
+pointsInACube (std::size_t number, double edge)
+{
+  RandomGenerator generator (seedOfTest());
+  const auto draw = [&] {
+    return static_cast<float> (edge * (drawUnit (generator) - 0.5));
+  };
+  pcl_ops::internal::Coordinates points;
+  for (std::size_t i = 0; i < number; ++i) {
+    const float x = draw(), y = draw(), z = draw();
+    points.add (x, y, z);
+  }
+  return points;
+}
+
 /** \brief Adds steps x steps points of a surface, evenly spread and without its rim.
  * \param[in] noise each point is moved by up to this much along the normal [m] */
 inline void

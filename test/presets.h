@@ -49,20 +49,22 @@ presetName (const ::testing::TestParamInfo<std::string>& info)
   return info.param;
 }
 
-inline std::vector<pcl_ops::PlaneSegment>
-planesOf (Ops& ops)
+template <typename Detector>
+std::vector<pcl_ops::PlaneSegment>
+planesOf (Detector& detector)
 {
   std::vector<pcl_ops::PlaneSegment> planes;
-  EXPECT_TRUE (ops.segment (planes));
+  EXPECT_TRUE (detector.segment (planes));
   return planes;
 }
 
 /** \brief The points of each plane. */
-inline std::vector<pcl::Indices>
-inliersOf (Ops& ops)
+template <typename Detector>
+std::vector<pcl::Indices>
+inliersOf (Detector& detector)
 {
   std::vector<pcl::Indices> inliers;
-  for (const pcl_ops::PlaneSegment& plane : planesOf (ops))
+  for (const pcl_ops::PlaneSegment& plane : planesOf (detector))
     inliers.push_back (plane.inliers);
   return inliers;
 }

@@ -164,21 +164,13 @@ TEST (UpAxis, FollowsThePlanesNotOneTiltedOne)
   EXPECT_LE (angleOf (found->direction, up), 0.5_deg);
 }
 
-TEST (UpAxis, CannotBeToldWithoutPlanes)
+TEST (UpAxis, CannotBeToldWithoutAFloorAndAWall)
 {
-  EXPECT_FALSE (estimateUpAxis ({}, eye).has_value());
-}
-
-TEST (UpAxis, CannotBeToldFromASingleWall)
-{
-  EXPECT_FALSE (estimateUpAxis ({seenFrom (eye, wall_ahead)}, eye).has_value());
-}
-
-TEST (UpAxis, CannotBeToldFromParallelPlanes)
-{
-  const std::vector<PlaneSegment> planes{seenFrom (eye, ground),
-                                         seenFrom (eye, table_top)};
-  EXPECT_FALSE (estimateUpAxis (planes, eye).has_value());
+  const PlaneSegment floor = seenFrom (eye, ground), table = seenFrom (eye, table_top),
+                     wall = seenFrom (eye, wall_ahead);
+  for (const std::vector<PlaneSegment>& planes :
+       {std::vector<PlaneSegment>{}, {wall}, {floor, table}})
+    EXPECT_FALSE (estimateUpAxis (planes, eye).has_value());
 }
 
 TEST (UpAxis, CannotBeToldInTheCornerOfACube)

@@ -62,19 +62,3 @@ function(pcl_ops_compile_quickly target)
   target_compile_options(${target} PRIVATE
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-maybe-uninitialized>)
 endfunction()
-
-# A GoogleTest program and its CTest entry: pcl_ops_add_test(name sources... LINK libraries...)
-function(pcl_ops_add_test name)
-  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
-  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
-  pcl_ops_target_defaults(${name})
-  pcl_ops_compile_quickly(${name})
-  target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main)
-  # What PCL_ADD_POINT4D and TYPED_TEST_SUITE expand to is not standard to the letter.
-  set(macros -Wno-gnu-anonymous-struct -Wno-nested-anon-types
-    -Wno-gnu-zero-variadic-macro-arguments)
-  target_compile_options(${name} PRIVATE
-    "$<$<COMPILE_LANG_AND_ID:CXX,Clang,AppleClang>:${macros}>")
-  target_compile_definitions(${name} PRIVATE PCL_OPS_DATA_DIR="${PCL_OPS_DATA_DIR}")
-  add_test(NAME ${name} COMMAND ${name})
-endfunction()

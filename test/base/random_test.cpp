@@ -41,15 +41,20 @@ TEST (DrawBelow, GivesEachOutcomeItsShare)
     EXPECT_NEAR (count, 10000, 5 * 92); // five standard deviations
 }
 
-TEST (DrawBelow, IsUnbiasedWhereAModuloWouldNotBe)
+TEST (DrawBelow, IsUnbiasedWhereAModuloOrAProductAloneWouldNotBe)
 {
-  // generator () % bound would fall into the first third half of the time.
+  // generator () % bound would fall into the first third half of the time, and
+  // generator () * bound / 2^32 would be a multiple of three half of the time.
   constexpr std::uint32_t third = 1u << 30;
   RandomGenerator generator (seedOfTest());
-  int in_first_third = 0;
-  for (int i = 0; i < 30000; ++i)
-    in_first_third += drawBelow (generator, 3 * third) < third;
+  int in_first_third = 0, multiples_of_three = 0;
+  for (int i = 0; i < 30000; ++i) {
+    const std::uint32_t drawn = drawBelow (generator, 3 * third);
+    in_first_third += drawn < third;
+    multiples_of_three += drawn % 3 == 0;
+  }
   EXPECT_NEAR (in_first_third, 10000, 5 * 82);
+  EXPECT_NEAR (multiples_of_three, 10000, 5 * 82);
 }
 
 TEST (DrawBelow, SameSeedSameDraws)

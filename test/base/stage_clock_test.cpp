@@ -4,17 +4,16 @@
 
 #include "base/stage_clock.h"
 
-#include <chrono>
-#include <thread>
-
 using pcl_ops::internal::StageClock;
 
 namespace {
 
+/** \brief For two milliseconds. */
 void
 work ()
 {
-  std::this_thread::sleep_for (std::chrono::milliseconds (2));
+  for (const StageClock clock; clock.total() < 2.0;)
+    continue;
 }
 
 } // namespace

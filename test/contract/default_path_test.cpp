@@ -94,18 +94,6 @@ TEST (DefaultPath, MergesByADistanceThatIsGiven)
   EXPECT_EQ (planesOf (ops).size(), 1u);
 }
 
-TEST (DefaultPath, TakesTimeForEachStageAndNoMoreThanTheDetection)
-{
-  Ops ops = defaultsOn (room().build().cloud);
-  planesOf (ops);
-  const auto& t = ops.getStageDurations();
-  for (const double stage :
-       {t.search, t.normals, t.extraction, t.assignment, t.merging, t.detection})
-    EXPECT_GT (stage, 0.0);
-  EXPECT_LE (t.search + t.normals + t.extraction + t.assignment + t.merging,
-             t.detection);
-}
-
 TEST (DefaultPath, TakesSurfacesInOnePlaneForOne)
 {
   const LabelledScene scene = twoTables();

@@ -295,6 +295,13 @@ namesOfChanges ()
   return names;
 }
 
+/** \brief What a filter, or several scans, make of the order in a scanner's cloud. */
+bool
+isOtherOrder (const std::string& change)
+{
+  return change == "permuted" || change == "reversed";
+}
+
 } // namespace
 
 TEST_P (Metamorphic, PlanesStayTheSame)
@@ -305,7 +312,9 @@ TEST_P (Metamorphic, PlanesStayTheSame)
     const Planes before = method.planesOf (same), after = method.planesOf (changed);
     const double agreed = agreement (labelsOf (before, same, cloud.size()),
                                      labelsOf (after, changed, cloud.size()));
-    EXPECT_GE (agreed, method.least_agreement) << method.name;
+    const bool is_exact =
+        isOtherOrder (GetParam()) && method.name == std::string ("ops");
+    EXPECT_GE (agreed, is_exact ? 1.0 : method.least_agreement) << method.name;
   }
 }
 

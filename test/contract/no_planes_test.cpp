@@ -74,9 +74,3 @@ TEST (NoPlanes, AreOnAWire)
   };
   EXPECT_TRUE (planesAmong (cloudFrom (60000, on_helix)).empty());
 }
-
-TEST (NoPlanes, AreInACubeOfNoise)
-{
-  const auto anywhere = [] (const Eigen::Vector3d& p) { return p; };
-  EXPECT_TRUE (planesAmong (cloudFrom (60000, anywhere)).empty());
-}

@@ -179,6 +179,7 @@ const Mistakes<KhtParameters> mistakes_of_kht{
     {"three samples", [] (KhtParameters& p) { p.clusters.min_samples = 2; }},
     {"s_level", [] (KhtParameters& p) { p.clusters.first_level = -1; }},
     {"s_level", [] (KhtParameters& p) { p.clusters.deepest_level = 2; }},
+    {"deepest level", [] (KhtParameters& p) { p.clusters.deepest_level = 61; }},
     {"s_alpha", [] (KhtParameters& p) { p.clusters.s_alpha = 0.0; }},
     {"s_alpha", [] (KhtParameters& p) { p.clusters.s_alpha = std::nan (""); }},
     {"s_beta", [] (KhtParameters& p) { p.clusters.s_beta = 0.0; }},

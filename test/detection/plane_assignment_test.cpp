@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "detection/plane_assignment.h"
-#include "scene.h"
+#include "grid_scene.h"
 
 using namespace pcl_ops::internal;
 
@@ -27,22 +27,6 @@ pointsAtHeights (const std::vector<float>& heights)
   Coordinates points;
   for (const float z : heights)
     points.add (0.0f, 0.0f, z);
-  return points;
-}
-
-/** \brief Points of a cube of 2 m: more than a few pieces of the parallel loop. */
-Coordinates
-randomPoints (std::size_t count)
-{
-  RandomGenerator generator (seedOfTest());
-  const auto draw = [&] {
-    return static_cast<float> (2.0 * drawUnit (generator) - 1.0);
-  };
-  Coordinates points;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float x = draw(), y = draw(), z = draw();
-    points.add (x, y, z);
-  }
   return points;
 }
 
@@ -123,7 +107,7 @@ TEST (AssignPoints, HasOneLabelPerPointAndNoneWithoutPlanes)
 
 TEST (AssignPoints, AgreesWithBruteForce)
 {
-  const Coordinates points = randomPoints (40000);
+  const Coordinates points = pointsInACube (40000, 2_m);
   const auto planes = randomPlanes (12);
   for (const auto rule : {AssignmentRule::Nearest, AssignmentRule::First}) {
     const Labels labels = assignPoints (points, planes, 10_cm, rule, 1);
@@ -134,19 +118,9 @@ TEST (AssignPoints, AgreesWithBruteForce)
   }
 }
 
-TEST (AssignPoints, DoesNotDependOnTheNumberOfThreads)
-{
-  const Coordinates points = randomPoints (100000);
-  const auto planes = randomPlanes (5);
-  const Labels one = assignPoints (points, planes, 10_cm, AssignmentRule::Nearest, 1);
-  for (const unsigned threads : {0u, 2u, 4u})
-    EXPECT_EQ (assignPoints (points, planes, 10_cm, AssignmentRule::Nearest, threads),
-               one);
-}
-
 TEST (MomentsOfLabels, AreThoseOfThePointsOfEachLabel)
 {
-  const Coordinates points = randomPoints (40000);
+  const Coordinates points = pointsInACube (40000, 2_m);
   const Labels labels =
       assignPoints (points, randomPlanes (3), 10_cm, AssignmentRule::Nearest, 1);
   std::vector<Moments> expected (3);
@@ -174,7 +148,7 @@ TEST (MomentsOfLabels, LeaveOutLabelsOfNoPlane)
 
 TEST (MomentsOfLabels, AreTheSameToTheLastBitForAnyNumberOfThreads)
 {
-  const Coordinates points = randomPoints (100000);
+  const Coordinates points = pointsInACube (100000, 2_m);
   const Labels labels (points.size(), 0);
   const auto one = momentsOfLabels (points, labels, 1, 1);
   for (const unsigned threads : {0u, 2u, 4u}) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "presets.h"
 #include "scene.h"
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 
@@ -16,7 +17,6 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Fspf = FastSamplingPlaneFiltering<pcl::PointXYZ>;
 using Parameters = FastSamplingPlaneFilteringParameters;
 
@@ -36,23 +36,6 @@ fspfOn (const Cloud::ConstPtr& cloud)
   return fspf;
 }
 
-std::vector<PlaneSegment>
-planesOf (Fspf& fspf)
-{
-  std::vector<PlaneSegment> planes;
-  EXPECT_TRUE (fspf.segment (planes));
-  return planes;
-}
-
-std::vector<pcl::Indices>
-inliersOf (Fspf& fspf)
-{
-  std::vector<pcl::Indices> inliers;
-  for (const PlaneSegment& plane : planesOf (fspf))
-    inliers.push_back (plane.inliers);
-  return inliers;
-}
-
 Cloud::Ptr
 cloudOf (const std::vector<Eigen::Vector3f>& positions)
 {
@@ -62,29 +45,7 @@ cloudOf (const std::vector<Eigen::Vector3f>& positions)
   return cloud;
 }
 
-void
-expectNoPlanes (const Cloud::ConstPtr& cloud)
-{
-  Fspf fspf = fspfOn (cloud);
-  EXPECT_TRUE (planesOf (fspf).empty());
-}
-
 } // namespace
-
-TEST (Fspf, FindsTwoPlanes)
-{
-  const auto scene =
-      Scene().floor (2, 2).wall ({0, 0}, {2, 0}, 1).spacing (2_cm).build();
-  Fspf fspf = fspfOn (scene.cloud);
-  expectFindsEverySurface (planesOf (fspf), scene);
-}
-
-TEST (Fspf, FindsEverySurfaceOfARoom)
-{
-  const auto scene = denseRoom().build();
-  Fspf fspf = fspfOn (scene.cloud);
-  expectFindsEverySurface (planesOf (fspf), scene);
-}
 
 TEST (Fspf, FindsEverySurfaceAsInThePaper)
 {
@@ -139,17 +100,6 @@ TEST (Fspf, LeavesNoPairOfPlanesThatAreOne)
           *fitPlane (planes[i].moments), *fitPlane (planes[j].moments), 7_deg, 5_cm));
 }
 
-TEST (Fspf, NamesOrientationsOfTheFittedPlanes)
-{
-  Fspf fspf = fspfOn (Scene().floor (2, 2).spacing (2_cm).noise (1_cm).build().cloud);
-  auto planes = planesOf (fspf);
-  ASSERT_EQ (planes.size(), 1u);
-  EXPECT_EQ (planes[0].orientation, Orientation::Horizontal);
-  fspf.setUpAxis (Eigen::Vector3f::UnitX());
-  planes = planesOf (fspf);
-  EXPECT_EQ (planes[0].orientation, Orientation::Vertical);
-}
-
 TEST (Fspf, AssignsThePointsOfNoSphere)
 {
   // Sparse rows of points too far apart for a sphere of their own extend a dense floor.
@@ -163,18 +113,6 @@ TEST (Fspf, AssignsThePointsOfNoSphere)
   EXPECT_EQ (inliers[0].back(), dense + 4);
 }
 
-TEST (Fspf, UsesTheIndicesAlone)
-{
-  const auto scene = denseRoom().build();
-  Fspf fspf = fspfOn (scene.cloud);
-  const auto floor = pcl::make_shared<pcl::Indices>();
-  for (std::size_t i = 0; i < scene.labels.size(); ++i)
-    if (scene.labels[i] == 0)
-      floor->push_back (static_cast<pcl::index_t> (i));
-  fspf.setIndices (floor);
-  EXPECT_EQ (inliersOf (fspf), std::vector<pcl::Indices>{*floor});
-}
-
 TEST (Seed, GivesTheSamePlanesAgain)
 {
   Fspf fspf = fspfOn (denseRoom().noise (2_cm).build().cloud);
@@ -182,17 +120,6 @@ TEST (Seed, GivesTheSamePlanesAgain)
   EXPECT_EQ (inliersOf (fspf), first);
   fspf.setSeed (7);
   EXPECT_NE (inliersOf (fspf), first);
-}
-
-TEST (Threads, DoNotChangeTheResult)
-{
-  // 140,000 points: more than a thread takes at once in any stage.
-  Fspf fspf = fspfOn (room().spacing (1.45e-2).noise (2_cm).build().cloud);
-  const auto of_one = inliersOf (fspf);
-  for (const unsigned threads : {2u, 5u, 0u}) {
-    fspf.setNumberOfThreads (threads);
-    EXPECT_EQ (inliersOf (fspf), of_one) << threads << " threads";
-  }
 }
 
 class SearchMethod : public ::testing::TestWithParam<Fspf::SearchPtr> {};
@@ -216,48 +143,13 @@ INSTANTIATE_TEST_SUITE_P (
                        pcl::make_shared<pcl::search::Octree<pcl::PointXYZ>> (0.1),
                        pcl::make_shared<pcl::search::BruteForce<pcl::PointXYZ>>()));
 
-TEST (Degenerate, OneTwoOrThreePointsHaveNoPlane)
-{
-  expectNoPlanes (cloudOf ({{1, 2, 3}}));
-  expectNoPlanes (cloudOf ({{1, 2, 3}, {1, 2, 4}}));
-  expectNoPlanes (cloudOf ({{1, 2, 3}, {1, 2, 4}, {1, 3, 4}}));
-}
-
-TEST (Degenerate, EqualPointsHaveNoPlane)
-{
-  expectNoPlanes (cloudOf (std::vector<Eigen::Vector3f> (500, {1, 2, 3})));
-}
-
-TEST (Degenerate, ALineHasNoPlane)
-{
-  std::vector<Eigen::Vector3f> line;
-  for (int i = 0; i < 1000; ++i)
-    line.emplace_back (1e-3f * Eigen::Vector3f (1, 2, 3) * static_cast<float> (i));
-  expectNoPlanes (cloudOf (line));
-}
-
 TEST (Degenerate, PointsFarApartHaveNoPlane)
 {
   std::vector<Eigen::Vector3f> grid;
   for (int i = 0; i < 1000; ++i)
     grid.emplace_back (static_cast<float> (i % 30), static_cast<float> (i / 30), 0.0f);
-  expectNoPlanes (cloudOf (grid));
-}
-
-TEST (Degenerate, NothingFiniteHasNoPlane)
-{
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  expectNoPlanes (cloudOf (std::vector<Eigen::Vector3f> (500, {nan, 1, 2})));
-}
-
-TEST (Degenerate, DuplicatesAreAsGoodAsOthers)
-{
-  auto scene = Scene().floor (1, 1).spacing (2_cm).build();
-  *scene.cloud += Cloud (*scene.cloud);
-  Fspf fspf = fspfOn (scene.cloud);
-  const auto inliers = inliersOf (fspf);
-  ASSERT_EQ (inliers.size(), 1u);
-  EXPECT_EQ (inliers[0].size(), scene.cloud->size());
+  Fspf fspf = fspfOn (cloudOf (grid));
+  EXPECT_TRUE (planesOf (fspf).empty());
 }
 
 TEST (Degenerate, RadiiTooLargeForTheThresholdEndInTime)
@@ -277,12 +169,30 @@ TEST (Degenerate, RadiiTooLargeForTheThresholdEndInTime)
   EXPECT_LT (fspf.getStageDurations().detection, 5000.0) << "[ms]";
 }
 
-TEST (StageDurations, AddUpToNoMoreThanTheDetection)
+TEST (Setters, AreReadByTheirGetters)
 {
-  Fspf fspf = fspfOn (denseRoom().build().cloud);
-  planesOf (fspf);
-  const auto& t = fspf.getStageDurations();
-  for (const double stage : {t.search, t.extraction, t.assignment, t.merging})
-    EXPECT_GT (stage, 0.0);
-  EXPECT_LE (t.search + t.extraction + t.assignment + t.merging, t.detection);
+  Fspf fspf;
+  fspf.setInnerRadius (0.11);
+  fspf.setOuterRadius (0.33);
+  fspf.setLocalSamples (55);
+  fspf.setMinInlierFraction (0.66);
+  fspf.setLocalInliers (LocalInliers::Samples);
+  fspf.setMaxInliersPerPoint (4.4);
+  fspf.setMaxHypothesesPerPoint (0.5);
+  EXPECT_EQ (fspf.getInnerRadius(), 0.11);
+  EXPECT_EQ (fspf.getOuterRadius(), 0.33);
+  EXPECT_EQ (fspf.getLocalSamples(), 55u);
+  EXPECT_EQ (fspf.getMinInlierFraction(), 0.66);
+  EXPECT_EQ (fspf.getLocalInliers(), LocalInliers::Samples);
+  EXPECT_EQ (fspf.getMaxInliersPerPoint(), 4.4);
+  EXPECT_EQ (fspf.getMaxHypothesesPerPoint(), 0.5);
+}
+
+TEST (Setters, WriteIntoTheParameters)
+{
+  Fspf fspf;
+  fspf.setParameters (Parameters::paper());
+  fspf.setOuterRadius (0.33);
+  EXPECT_EQ (fspf.getParameters().local.outer_radius, 0.33);
+  EXPECT_EQ (fspf.getParameters().local.inner_radius, 0.07);
 }

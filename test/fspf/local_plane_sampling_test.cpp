@@ -152,22 +152,6 @@ TEST (LocalVerdict, IsGivenExactlyWhenTheRestCannotChangeIt)
     }
 }
 
-TEST (LocalVerdict, IsTheOneAllSamplesWouldGive)
-{
-  const LocalSamplingParameters parameters;
-  RandomGenerator generator (seedOfTest());
-  for (int test = 0; test < 1000; ++test) {
-    LocalVerdict first_certain = LocalVerdict::Open;
-    unsigned inliers = 0;
-    for (unsigned drawn = 1; drawn <= parameters.local_samples; ++drawn) {
-      inliers += drawUnit (generator) < 0.8;
-      if (first_certain == LocalVerdict::Open)
-        first_certain = localVerdict (drawn, inliers, parameters);
-    }
-    EXPECT_EQ (first_certain == LocalVerdict::Accepted, inliers > 64) << inliers;
-  }
-}
-
 class InlierShare : public ::testing::TestWithParam<double> {};
 
 TEST_P (InlierShare, DecidesHowManySpheresAreAccepted)

@@ -21,46 +21,27 @@ tilted (double angle)
 
 } // namespace
 
-TEST (OrientationOf, NamesAFloorAWallAndARoof)
+TEST (OrientationOf, IsThatOfTheAngleFromTheUpAxis)
 {
-  EXPECT_EQ (orientationOf (tilted (0_deg), up, 7_deg), Orientation::Horizontal);
-  EXPECT_EQ (orientationOf (tilted (90_deg), up, 7_deg), Orientation::Vertical);
-  EXPECT_EQ (orientationOf (tilted (45_deg), up, 7_deg), Orientation::Other);
-}
-
-TEST (OrientationOf, EndsAtTheTolerance)
-{
-  EXPECT_EQ (orientationOf (tilted (6.9_deg), up, 7_deg), Orientation::Horizontal);
-  EXPECT_EQ (orientationOf (tilted (7.1_deg), up, 7_deg), Orientation::Other);
-  EXPECT_EQ (orientationOf (tilted (82.9_deg), up, 7_deg), Orientation::Other);
-  EXPECT_EQ (orientationOf (tilted (83.1_deg), up, 7_deg), Orientation::Vertical);
-}
-
-TEST (OrientationOf, DoesNotDependOnTheSignOfTheNormal)
-{
-  for (const double angle : {3_deg, 45_deg, 88_deg})
-    EXPECT_EQ (orientationOf (tilted (angle), up, 7_deg),
-               orientationOf (-tilted (angle), up, 7_deg));
-}
-
-TEST (OrientationOf, AcceptsExactAxesWithAToleranceOfZero)
-{
-  EXPECT_EQ (orientationOf (up, up, 0.0), Orientation::Horizontal);
-  EXPECT_EQ (orientationOf (Eigen::Vector3d::UnitX(), up, 0.0), Orientation::Vertical);
-}
-
-TEST (OrientationOf, FollowsTheUpAxisOfACamera)
-{
-  const Eigen::Vector3d camera_up = -Eigen::Vector3d::UnitY();
-  EXPECT_EQ (orientationOf (Eigen::Vector3d::UnitY(), camera_up, 7_deg),
-             Orientation::Horizontal);
-  EXPECT_EQ (orientationOf (Eigen::Vector3d::UnitZ(), camera_up, 7_deg),
-             Orientation::Vertical);
-}
-
-TEST (OrientationOf, SurvivesANormalLongerThanOneByRounding)
-{
-  EXPECT_EQ (orientationOf (up * (1.0 + 1e-15), up, 7_deg), Orientation::Horizontal);
+  const struct {
+    Eigen::Vector3d normal, up;
+    double tolerance;
+    Orientation expected;
+  } rows[] = {{tilted (0_deg), up, 7_deg, Orientation::Horizontal},
+              {tilted (6.9_deg), up, 7_deg, Orientation::Horizontal},
+              {tilted (7.1_deg), up, 7_deg, Orientation::Other},
+              {tilted (45_deg), up, 7_deg, Orientation::Other},
+              {tilted (82.9_deg), up, 7_deg, Orientation::Other},
+              {tilted (83.1_deg), up, 7_deg, Orientation::Vertical},
+              {tilted (90_deg), up, 7_deg, Orientation::Vertical},
+              {up, up, 0.0, Orientation::Horizontal},
+              {Eigen::Vector3d::UnitX(), up, 0.0, Orientation::Vertical},
+              {up * (1.0 + 1e-15), up, 7_deg, Orientation::Horizontal},
+              {up, -Eigen::Vector3d::UnitY(), 7_deg, Orientation::Vertical}};
+  for (const auto& row : rows)
+    for (const double sign : {1.0, -1.0})
+      EXPECT_EQ (orientationOf (sign * row.normal, row.up, row.tolerance), row.expected)
+          << row.normal.transpose();
 }
 
 TEST (Orientation, HasTheNamesOfThePaper)

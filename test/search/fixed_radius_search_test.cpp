@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "scene.h"
+#include "grid_scene.h"
 #include "search/fixed_radius_search.h"
 
 #include <set>
@@ -11,21 +11,6 @@
 using namespace pcl_ops::internal;
 
 namespace {
-
-Coordinates
-cube (std::size_t size, double edge)
-{
-  RandomGenerator generator (seedOfTest());
-  const auto draw = [&] {
-    return static_cast<float> (edge * (drawUnit (generator) - 0.5));
-  };
-  Coordinates points;
-  for (std::size_t i = 0; i < size; ++i) {
-    const float x = draw(), y = draw(), z = draw();
-    points.add (x, y, z);
-  }
-  return points;
-}
 
 Indices
 bruteForce (const Coordinates& points, std::uint32_t centre, double radius)
@@ -76,7 +61,7 @@ setOf (const Coordinates& points)
 TEST (FixedRadiusSearch, FindsWhatLookingAtAllPointsFinds)
 {
   for (const double radius : {1_cm, 5_cm, 20_cm, 3_m})
-    expectFindsAll (cube (1000, 1_m), radius);
+    expectFindsAll (pointsInACube (1000, 1_m), radius);
 }
 
 TEST (FixedRadiusSearch, FindsThePointItselfAndItsDuplicates)
@@ -89,7 +74,7 @@ TEST (FixedRadiusSearch, FindsThePointItselfAndItsDuplicates)
 
 TEST (FixedRadiusSearch, FindsAllBesidePointsFarAway)
 {
-  Coordinates points = cube (500, 1_m);
+  Coordinates points = pointsInACube (500, 1_m);
   points.add (1e7f, 0, 0);
   points.add (-1e12f, 1e12f, 0);
   expectFindsAll (points, 10_cm);
@@ -97,16 +82,8 @@ TEST (FixedRadiusSearch, FindsAllBesidePointsFarAway)
 
 TEST (FixedRadiusSearch, HoldsThePointsInAnotherOrder)
 {
-  const Coordinates points = cube (1000, 1_m);
+  const Coordinates points = pointsInACube (1000, 1_m);
   EXPECT_EQ (setOf (FixedRadiusSearch (points, 10_cm, 1).points()), setOf (points));
-}
-
-TEST (FixedRadiusSearch, OrderDoesNotDependOnThreads)
-{
-  const Coordinates points = cube (300000, 1_m); // more than a thread takes at once
-  const FixedRadiusSearch one (points, 10_cm, 1), four (points, 10_cm, 4);
-  EXPECT_EQ (one.points().x, four.points().x);
-  EXPECT_EQ (one.points().y, four.points().y);
 }
 
 TEST (FixedRadiusSearch, OfNoPointsHoldsNone)

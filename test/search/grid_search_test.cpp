@@ -142,17 +142,6 @@ TEST_P (GridSearchOn, FindsAllWithinARadius)
     }
 }
 
-TEST_P (GridSearchOn, GivesTheDistancesOfAKdTree)
-{
-  pcl::search::KdTree<PointXYZ> tree;
-  tree.setInputCloud (cloud_);
-  for (const PointXYZ& query : queriesFor (*cloud_)) {
-    const int k = std::min (30, static_cast<int> (cloud_->size()));
-    EXPECT_EQ (nearest (search_, query, k).squared_distances,
-               nearest (tree, query, k).squared_distances);
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P (
     Clouds,
     GridSearchOn,

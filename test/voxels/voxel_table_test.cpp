@@ -72,16 +72,3 @@ TEST (VoxelTable, KnowsNeighboursAcrossBlocksAndCorners)
   EXPECT_EQ (setOf (neighbours[place[3]]),
              (std::set<std::uint32_t>{place[1], place[3]}));
 }
-
-TEST (VoxelTable, HasTheSameNeighboursForAnyNumberOfThreads)
-{
-  VoxelTable table;
-  for (int i = 0; i < 2000; ++i)
-    table.insert (at (2 * i, i % 5, 0)); // more blocks than a thread takes at once
-  table.sort();
-  const VoxelNeighbours one = table.neighbours (1), four = table.neighbours (4);
-  ASSERT_EQ (one.size(), 2000u);
-  ASSERT_EQ (four.size(), 2000u);
-  for (std::size_t i = 0; i < one.size(); ++i)
-    EXPECT_EQ (setOf (one[i]), setOf (four[i]));
-}

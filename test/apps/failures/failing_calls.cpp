@@ -59,11 +59,17 @@ diskAtNextWrite ()
   return write == last ? Disk::GetsFull : Disk::IsFull;
 }
 
+/** \brief Writes all, half of it, or nothing: bytes, or parts. */
+template <typename Call, typename What, typename Count>
 ssize_t
-noSpace ()
+writeWhereThereIsRoom (Call* call, int descriptor, const What* what, Count count)
 {
-  errno = ENOSPC;
-  return -1;
+  const Disk disk = isFile (descriptor) ? diskAtNextWrite() : Disk::HasRoom;
+  if (disk == Disk::IsFull || (disk == Disk::GetsFull && count < 2)) {
+    errno = ENOSPC;
+    return -1;
+  }
+  return call (descriptor, what, disk == Disk::GetsFull ? count / 2 : count);
 }
 
 bool
@@ -82,20 +88,14 @@ ssize_t
 write (int descriptor, const void* bytes, std::size_t count)
 {
   static auto* const call = original<decltype (write)> ("write");
-  const Disk disk = isFile (descriptor) ? diskAtNextWrite() : Disk::HasRoom;
-  if (disk == Disk::IsFull || (disk == Disk::GetsFull && count < 2))
-    return noSpace();
-  return call (descriptor, bytes, disk == Disk::GetsFull ? count / 2 : count);
+  return writeWhereThereIsRoom (call, descriptor, bytes, count);
 }
 
 ssize_t
 writev (int descriptor, const struct iovec* parts, int count)
 {
   static auto* const call = original<decltype (writev)> ("writev");
-  const Disk disk = isFile (descriptor) ? diskAtNextWrite() : Disk::HasRoom;
-  if (disk == Disk::IsFull || (disk == Disk::GetsFull && count < 2))
-    return noSpace();
-  return call (descriptor, parts, disk == Disk::GetsFull ? count / 2 : count);
+  return writeWhereThereIsRoom (call, descriptor, parts, count);
 }
 
 int

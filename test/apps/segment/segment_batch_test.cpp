@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_program.h"
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <utility>
@@ -38,14 +37,11 @@ protected:
     return names;
   }
 
-  /** \brief Whether a run is refused in one line before anything is written. */
+  /** \brief Refused before anything is written. */
   void
   expectRefused (const std::string& arguments, const std::string& complaint) const
   {
-    const Outcome done = run (arguments);
-    EXPECT_EQ (done.exit_code, 2) << arguments;
-    EXPECT_EQ (done.err.find ("pcl_ops_segment: " + complaint), 0u) << done.err;
-    EXPECT_EQ (lines (done.err), 1u) << done.err;
+    Segment::expectRefused (arguments, complaint);
     EXPECT_FALSE (fs::exists (folder_ / "out")) << arguments;
   }
 };
@@ -56,8 +52,7 @@ using Names = std::vector<std::string>;
 
 TEST_F (SegmentBatch, LabelsEveryCloudOfAFolderAndListsItsPlanes)
 {
-  const Outcome done = run ("scans --output-dir out");
-  EXPECT_EQ (done.exit_code, 0) << done.err;
+  const Outcome done = expectDone ("scans --output-dir out");
   EXPECT_EQ (done.out,
              "scans/a.pcd -> out/a.pcd: 5001 points, 2 planes\n"
              "scans/b.pcd -> out/b.pcd: 5001 points, 2 planes\n");
@@ -69,10 +64,10 @@ TEST_F (SegmentBatch, LabelsEveryCloudOfAFolderAndListsItsPlanes)
   EXPECT_EQ (json["planes"].size(), 2u);
 }
 
-TEST_F (SegmentBatch, WritesTheFormatAskedFor)
+TEST_F (SegmentBatch, WritesTheFormatAskedForAndIsSilentWhereAskedToBe)
 {
-  const Outcome done = run ("scans --output-dir out --format ply --quiet");
-  EXPECT_EQ (done.exit_code, 0) << done.err;
+  const Outcome done = expectDone ("scans --output-dir out --format ply --quiet");
+  EXPECT_EQ (done.out + done.err, "");
   EXPECT_EQ (namesIn ("out"), (Names{"a.json", "a.ply", "b.json", "b.ply"}));
 }
 
@@ -82,14 +77,14 @@ TEST_F (SegmentBatch, LooksIntoNoSubfolderNorAtOtherOrHiddenFiles)
   addScan ("deeper/c.pcd");
   addScan (".hidden.pcd");
   folder_.write ("scans/notes.txt", "no cloud");
-  EXPECT_EQ (run ("scans --output-dir out --quiet").exit_code, 0);
+  expectDone ("scans --output-dir out --quiet");
   EXPECT_EQ (namesIn ("out"), (Names{"a.json", "a.pcd", "b.json", "b.pcd"}));
 }
 
 TEST_F (SegmentBatch, TakesFilesFoldersAndPatternsAndEachCloudOnce)
 {
-  const Outcome done = run ("in.pcd scans 'scans/[ab].p?d' ./in.pcd --output-dir out");
-  EXPECT_EQ (done.exit_code, 0) << done.err;
+  const Outcome done =
+      expectDone ("in.pcd scans 'scans/[ab].p?d' ./in.pcd --output-dir out");
   EXPECT_EQ (lines (done.out), 3u) << done.out;
   EXPECT_EQ (done.out.find ("in.pcd -> out/in.pcd"), 0u) << done.out;
 }
@@ -118,8 +113,7 @@ TEST_F (SegmentBatch, SaysWhichCloudLooksDamagedAndDoesItAnyway)
                               "its points are at (0, 0, 0); "
                               "leave missing readings out or write them as NaN\n";
   for (const char* inputs : {"scans --output-dir out --quiet", "scans/b.pcd b.pcd"}) {
-    const Outcome done = run (inputs);
-    EXPECT_EQ (done.exit_code, 0);
+    const Outcome done = expectDone (inputs);
     EXPECT_EQ (done.err, warning);
   }
   EXPECT_EQ (namesIn ("out"), (Names{"a.json", "a.pcd", "b.json", "b.pcd"}));
@@ -180,9 +174,8 @@ TEST_F (SegmentBatch, RefusesToWriteOverAnInput)
 
 TEST_F (SegmentBatch, NamesFurtherOutputsAfterTheirInputs)
 {
-  const Outcome done = run ("scans --output-dir out --planes {}_list.csv --image "
-                            "{}.png --rest {}_rest.pcd --planes-dir {}");
-  EXPECT_EQ (done.exit_code, 0) << done.err;
+  expectDone ("scans --output-dir out --planes {}_list.csv --image "
+              "{}.png --rest {}_rest.pcd --planes-dir {}");
   EXPECT_EQ (namesIn ("out"),
              (Names{"a",
                     "a.pcd",
@@ -228,13 +221,6 @@ TEST_F (SegmentBatch, GivesTheSameForAnyNumberOfJobs)
   }
   EXPECT_EQ (run ("scans --output-dir three --jobs 0").exit_code, 1);
   EXPECT_EQ (namesIn ("three").size(), 10u);
-}
-
-TEST_F (SegmentBatch, IsSilentWhereAskedToBe)
-{
-  const Outcome done = run ("scans --output-dir out --quiet");
-  EXPECT_EQ (done.exit_code, 0);
-  EXPECT_EQ (done.out + done.err, "");
 }
 
 TEST_F (SegmentBatch, SaysWhatToDoWithSeveralCloudsWithoutAFolderForThem)

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_program.h"
-#include <nlohmann/json.hpp>
 
 namespace {
 
@@ -26,8 +25,7 @@ protected:
   nlohmann::json
   expectLeft (const std::string& options, int points) const
   {
-    const Outcome done = run ("floor.pcd labelled.pcd --planes - " + options);
-    EXPECT_EQ (done.exit_code, 0) << done.err;
+    const Outcome done = expectDone ("floor.pcd labelled.pcd --planes - " + options);
     const auto json = nlohmann::json::parse (done.out);
     EXPECT_EQ (json["planes"].size(), 1u) << options;
     EXPECT_EQ (json["planes"][0]["points"], points) << options;
@@ -65,15 +63,14 @@ TEST_F (SegmentChoice, KeepsPlanesByDirectionAndSizeAndSaysWhatWasDropped)
 #ifdef PCL_OPS_WITH_SURFACE
 TEST_F (SegmentChoice, TakesTheAreaOfTheHullAskedFor)
 {
-  EXPECT_EQ (run ("floor.pcd out.pcd --hull concave --min-area 2").exit_code, 0);
+  expectDone ("floor.pcd out.pcd --hull concave --min-area 2");
 }
 #endif
 
 TEST_F (SegmentChoice, TakesAnglesUpToARightOne)
 {
   for (const char* angle : {"--direction 0,0,1 --within 90", "--angle-tolerance 90"}) {
-    const Outcome done = run (std::string ("floor.pcd ") + angle);
-    EXPECT_EQ (done.exit_code, 0) << done.err;
+    expectDone (std::string ("floor.pcd ") + angle);
   }
 }
 

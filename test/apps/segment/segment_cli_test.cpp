@@ -3,7 +3,6 @@
 #include <pcl/io/ply_io.h>
 
 #include "segment_program.h"
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <sstream>
@@ -73,8 +72,7 @@ TEST_F (Segment, ReplacesColorsUnlessAskedToKeepThem)
 
 TEST_F (Segment, WritesPlanesAsJson)
 {
-  ASSERT_EQ (run ("in.pcd --planes p.json -threshold 0.02 --up 0,0,2").exit_code, 0);
-  const auto json = nlohmann::json::parse (contentOf (folder_ / "p.json"));
+  const auto json = jsonOf ("in.pcd --planes p.json -threshold 0.02 --up 0,0,2");
   EXPECT_EQ (json["points"], 2 * points_of_plane + 1);
   EXPECT_EQ (json["method"], "ops");
   EXPECT_EQ (json["parameters"]["threshold"], 0.02);
@@ -97,7 +95,7 @@ TEST_F (Segment, WritesPlanesAsJson)
 
 TEST_F (Segment, WritesPlanesAsCsv)
 {
-  ASSERT_EQ (run ("in.pcd --planes p.csv").exit_code, 0);
+  expectDone ("in.pcd --planes p.csv");
   const std::string csv = contentOf (folder_ / "p.csv");
   EXPECT_EQ (csv.substr (0, csv.find ('\n')),
              "id,orientation,points,a,b,c,d,centroid_x,centroid_y,centroid_z,"
@@ -124,16 +122,14 @@ TEST_F (Segment, PrintsATableUnlessQuiet)
   EXPECT_TRUE (contains (loud.out, "horizontal"));
   EXPECT_TRUE (contains (loud.out, "vertical"));
   EXPECT_TRUE (contains (loud.out, "detection"));
-  const Outcome quiet = run ("in.pcd out.pcd --quiet");
-  EXPECT_EQ (quiet.exit_code, 0);
+  const Outcome quiet = expectDone ("in.pcd out.pcd --quiet");
   EXPECT_EQ (quiet.out + quiet.err, "");
 }
 
 TEST_F (Segment, AnswersHelpAndVersion)
 {
   for (const char* question : {"--help", "-h", "--version", "-help"}) {
-    const Outcome done = run (question);
-    EXPECT_EQ (done.exit_code, 0);
+    const Outcome done = expectDone (question);
     EXPECT_TRUE (contains (done.out, "pcl_ops_segment"));
     EXPECT_EQ (done.err, "");
   }
@@ -153,7 +149,7 @@ TEST_F (Segment, AnswersHelpOnOneScreen)
 
 TEST_F (Segment, RefusesWrongUsageInOneLine)
 {
-  const std::vector<std::pair<std::string, std::string>> wrong = {
+  const Complaints wrong = {
       {"", "INPUT: is missing"},
       {"in.abc", "in.abc: has an unknown extension; give a .pcd, .ply, .las, .xyz, "},
       {"in.pcd out.xyz",
@@ -199,13 +195,7 @@ TEST_F (Segment, RefusesWrongUsageInOneLine)
       {"in.pcd --distances", "--distances: is about OUTPUT; give one"},
       {"in.pcd out.las --distances", "out.las: is LAS, which the input is not"},
       {"in.pcd out.pcd extra", "extra: is one argument too many"}};
-  for (const auto& [arguments, complaint] : wrong) {
-    const Outcome done = run (arguments);
-    EXPECT_EQ (done.exit_code, 2) << arguments;
-    EXPECT_EQ (done.err.find ("pcl_ops_segment: " + complaint), 0u) << done.err;
-    EXPECT_EQ (lines (done.err), 1u) << done.err;
-    EXPECT_EQ (done.out, "") << arguments;
-  }
+  expectRefused (wrong);
   EXPECT_EQ (folder_.fileCount(), 1u) << "nothing was written";
 }
 
@@ -220,7 +210,7 @@ TEST_F (Segment, SaysInOneLineWhyTheWorkFailed)
                  "DATA ascii\n1 2\n");
   folder_.write ("empty.pcd", "");
   std::filesystem::create_directory (folder_ / "folder.pcd");
-  const std::vector<std::pair<std::string, std::string>> failures = {
+  const Complaints failures = {
       {"missing.pcd", "missing.pcd: does not exist"},
       {"header.pcd", "header.pcd: is truncated"},
       {"half.pcd", "half.pcd: is truncated"},
@@ -230,12 +220,7 @@ TEST_F (Segment, SaysInOneLineWhyTheWorkFailed)
       {"in.pcd folder.pcd", "folder.pcd: is a folder"},
       {"in.pcd --planes nowhere/p.json", "nowhere/p.json: its folder does not exist"},
       {"in.pcd --image nowhere/p.png", "nowhere/p.png: its folder does not exist"}};
-  for (const auto& [arguments, complaint] : failures) {
-    const Outcome done = run (arguments);
-    EXPECT_EQ (done.exit_code, 1) << arguments;
-    EXPECT_EQ (done.err.find ("pcl_ops_segment: " + complaint), 0u) << done.err;
-    EXPECT_EQ (lines (done.err), 1u) << done.err;
-  }
+  expectRefused (failures, 1);
 }
 
 TEST_F (Segment, LeavesExistingOutputsAloneWhenItFails)

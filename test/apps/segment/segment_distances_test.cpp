@@ -85,8 +85,7 @@ TEST_F (SegmentDistances, AreSignedAndNoneOnNoPlane)
     cloud[i].z = i % 2 == 0 ? 0.004f : 0.0f;
   pcl::io::savePCDFileBinary (folder_ / "rough.pcd", cloud);
   for (const char* output : {"out.pcd", "out.ply"}) {
-    const Outcome done = run (std::string ("rough.pcd --distances ") + output);
-    ASSERT_EQ (done.exit_code, 0) << done.err;
+    expectDone (std::string ("rough.pcd --distances ") + output);
     const std::vector<float> distances = distancesIn (output);
     for (int i = 0; i < points_of_plane; ++i)
       ASSERT_NEAR (distances[i], i % 2 == 0 ? 0.002f : -0.002f, 2e-4f)
@@ -94,7 +93,7 @@ TEST_F (SegmentDistances, AreSignedAndNoneOnNoPlane)
     EXPECT_TRUE (std::isnan (distances[missing_reading]));
     EXPECT_NEAR (distances.back(), 0.0f, 1e-4f);
   }
-  ASSERT_EQ (run ("rough.pcd out.pcd --distances --only vertical").exit_code, 0);
+  expectDone ("rough.pcd out.pcd --distances --only vertical");
   EXPECT_TRUE (std::isnan (distancesIn ("out.pcd").front())) << "of a plane left out";
 }
 
@@ -102,8 +101,7 @@ TEST_F (SegmentDistances, AreThoseOfUtmCoordinates)
 {
   writeLas();
   for (const char* output : {"out.pcd", "out.ply", "out.las"}) {
-    const Outcome done = run (std::string ("in.las --distances ") + output);
-    ASSERT_EQ (done.exit_code, 0) << done.err;
+    expectDone (std::string ("in.las --distances ") + output);
     expectTurns (output);
   }
 }
@@ -111,16 +109,16 @@ TEST_F (SegmentDistances, AreThoseOfUtmCoordinates)
 TEST_F (SegmentDistances, StayInALasInABatch)
 {
   writeLas();
-  ASSERT_EQ (run ("in.las --output-dir out --distances").exit_code, 0);
+  expectDone ("in.las --output-dir out --distances");
   expectTurns ("out/in.las");
-  ASSERT_EQ (run ("in.las --output-dir out --distances --format ply").exit_code, 0);
+  expectDone ("in.las --output-dir out --distances --format ply");
   expectTurns ("out/in.ply");
 }
 
 TEST_F (SegmentDistances, AreDescribedBesideTheLabelInALas)
 {
   writeLas();
-  ASSERT_EQ (run ("in.las out.las --distances").exit_code, 0);
+  expectDone ("in.las out.las --distances");
   // LAS 1.4 R15, table 24: type 5 is an unsigned long, 9 a float, at 2; the name at 4.
   const std::string las = contentOf (folder_ / "out.las");
   constexpr std::size_t vlr_header = 54, description = 192;
@@ -131,7 +129,7 @@ TEST_F (SegmentDistances, AreDescribedBesideTheLabelInALas)
   EXPECT_EQ (las.substr (distance + 2, 1), "\x9");
   EXPECT_EQ (las.substr (distance + 4, 9), std::string ("distance\0", 9));
   // Once more, in their own place.
-  ASSERT_EQ (run ("out.las again.las --distances").exit_code, 0);
+  expectDone ("out.las again.las --distances");
   EXPECT_TRUE (contentOf (folder_ / "again.las") == las);
 }
 
@@ -146,5 +144,5 @@ TEST_F (SegmentDistances, AreRefusedByALasThatHasOthersOfThatName)
   EXPECT_EQ (lines (refused.err), 1u) << refused.err;
   EXPECT_TRUE (contains (refused.err, "extra-bytes field distance that is no float"))
       << refused.err;
-  EXPECT_EQ (run ("in.las out.las").exit_code, 0);
+  expectDone ("in.las out.las");
 }

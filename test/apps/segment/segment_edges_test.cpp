@@ -4,7 +4,6 @@
 
 #include "json_vector.h"
 #include "segment_program.h"
-#include <nlohmann/json.hpp>
 
 #include <iomanip>
 #include <map>
@@ -79,8 +78,7 @@ const Vector3d far_away (448261.25, 5411932.5, 312.125);
 TEST_F (SegmentEdges, WritesWherePlanesMeetToTheMillimetreFarFromZero)
 {
   folder_.write ("far.pcd", cornerAt (far_away));
-  const Outcome done = run ("far.pcd --edges e.json");
-  ASSERT_EQ (done.exit_code, 0) << done.err;
+  const Outcome done = expectDone ("far.pcd --edges e.json");
   EXPECT_EQ (done.err, "");
   const auto json = Json::parse (contentOf (folder_ / "e.json"));
   ASSERT_EQ (json["edges"].size(), 3u);
@@ -100,7 +98,7 @@ TEST_F (SegmentEdges, WritesWherePlanesMeetToTheMillimetreFarFromZero)
 TEST_F (SegmentEdges, WritesEdgesAsAPlyOfWiresThatShareTheirCorner)
 {
   folder_.write ("far.pcd", cornerAt (far_away));
-  ASSERT_EQ (run ("far.pcd --edges e.ply").exit_code, 0);
+  expectDone ("far.pcd --edges e.ply");
   const Wires wires = readPly (contentOf (folder_ / "e.ply"));
   ASSERT_EQ (wires.edges.size(), 3u);
   EXPECT_EQ (wires.vertices.size(), 4u);
@@ -116,7 +114,7 @@ TEST_F (SegmentEdges, WritesEdgesAsAPlyOfWiresThatShareTheirCorner)
 TEST_F (SegmentEdges, WritesEdgesThatLieOnTheCloudInPclViewer)
 {
   folder_.write ("near.pcd", cornerAt ({1, 2, 3}));
-  ASSERT_EQ (run ("near.pcd --edges e.vtk --quiet").exit_code, 0);
+  expectDone ("near.pcd --edges e.vtk --quiet");
   const std::string text = contentOf (folder_ / "e.vtk");
   EXPECT_TRUE (contains (text, "POINTS 4 double\n")) << text;
   EXPECT_TRUE (contains (text, "VERTICES 1 2\n1 0\n")) << text;
@@ -127,7 +125,7 @@ TEST_F (SegmentEdges, WritesNoEdgeWhereNoPlanesMeet)
 {
   // Floor and wall of that cloud are one metre apart.
   for (const char* file : {"e.ply", "e.vtk", "e.json"})
-    ASSERT_EQ (run (std::string ("in.pcd --edges ") + file).exit_code, 0);
+    expectDone (std::string ("in.pcd --edges ") + file);
   EXPECT_TRUE (readPly (contentOf (folder_ / "e.ply")).vertices.empty());
   const auto json = Json::parse (contentOf (folder_ / "e.json"));
   EXPECT_EQ (json, Json::parse (R"({"edges": [], "corners": []})"));
@@ -135,18 +133,11 @@ TEST_F (SegmentEdges, WritesNoEdgeWhereNoPlanesMeet)
 
 TEST_F (SegmentEdges, RefusesWrongEdgesInOneLine)
 {
-  for (const auto& [arguments, complaint] :
-       {std::pair ("in.pcd --edges e.obj", "--edges: e.obj has an unknown extension"),
-        std::pair ("in.pcd --edges in.pcd", "--edges: in.pcd has an unknown extension"),
-        std::pair ("in.pcd --mesh e.ply --edges e.ply",
-                   "e.ply: is the name of two outputs"),
-        std::pair ("in.pcd --output-dir out --edges e.ply",
-                   "--edges: e.ply would be written by every input")}) {
-    const Outcome done = run (arguments);
-    EXPECT_EQ (done.exit_code, 2) << arguments;
-    EXPECT_EQ (done.err.find (std::string ("pcl_ops_segment: ") + complaint), 0u)
-        << done.err;
-    EXPECT_EQ (lines (done.err), 1u) << done.err;
-  }
-  EXPECT_EQ (run ("in.pcd --edges nowhere/e.ply").exit_code, 1);
+  expectRefused (
+      {{"in.pcd --edges e.obj", "--edges: e.obj has an unknown extension"},
+       {"in.pcd --edges in.pcd", "--edges: in.pcd has an unknown extension"},
+       {"in.pcd --mesh e.ply --edges e.ply", "e.ply: is the name of two outputs"},
+       {"in.pcd --output-dir out --edges e.ply",
+        "--edges: e.ply would be written by every input"}});
+  expectRefused ("in.pcd --edges nowhere/e.ply", "nowhere/e.ply: its folder", 1);
 }

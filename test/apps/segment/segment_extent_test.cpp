@@ -7,7 +7,6 @@
 
 #include "json_vector.h"
 #include "segment_program.h"
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <sstream>
@@ -57,8 +56,7 @@ wallWithTower ()
 
 TEST_F (Segment, SaysWhereEachPlaneEnds)
 {
-  ASSERT_EQ (run ("in.pcd --planes p.json").exit_code, 0);
-  const auto json = Json::parse (contentOf (folder_ / "p.json"));
+  const auto json = jsonOf ("in.pcd --planes p.json");
   ASSERT_EQ (json["planes"].size(), 2u);
   for (const Json& plane : json["planes"]) {
     const Json& extent = plane["extent"];
@@ -89,8 +87,7 @@ TEST_F (Segment, SaysWherePlanesFarAwayEnd)
     for (int y = 0; y <= 50; ++y)
       text << 1e6 + 0.02 * x << " " << -1e6 + 0.01 * y << " 1e6\n";
   folder_.write ("far.pcd", text.str());
-  ASSERT_EQ (run ("far.pcd --planes p.json").exit_code, 0);
-  const auto json = Json::parse (contentOf (folder_ / "p.json"));
+  const auto json = jsonOf ("far.pcd --planes p.json");
   ASSERT_EQ (json["planes"].size(), 1u);
   EXPECT_NEAR (json["planes"][0]["area"].get<double>(), 0.5, 0.005);
   EXPECT_LT ((toVector (json["planes"][0]["extent"]["center"]) -
@@ -129,7 +126,7 @@ TEST_F (Segment, WritesAMeshThatLiesOnTheCloudInPclViewer)
   InputCloud posed = floorAndWall();
   posed.sensor_orientation_ = Eigen::AngleAxisf (0.5f, Eigen::Vector3f::UnitY());
   pcl::io::savePCDFileBinary (folder_ / "posed.pcd", posed);
-  ASSERT_EQ (run ("posed.pcd --mesh m.vtk --planes p.json").exit_code, 0);
+  expectDone ("posed.pcd --mesh m.vtk --planes p.json");
   const Eigen::Affine3d pose =
       Eigen::Translation3d (posed.sensor_origin_.head<3>().cast<double>()) *
       posed.sensor_orientation_.cast<double>();
@@ -175,10 +172,8 @@ TEST_F (Segment, CutsWindowsOutOfConcaveHulls)
         wall.push_back (
             {0.02f * static_cast<float> (x), 2, 0.02f * static_cast<float> (z), 0});
   pcl::io::savePCDFileBinary (folder_ / "wall.pcd", wall);
-  const Outcome done = run ("wall.pcd --planes p.json --mesh m.ply --hull concave");
-  ASSERT_EQ (done.exit_code, 0) << done.err;
-  ASSERT_EQ (run ("wall.pcd --planes p.geojson --hull concave").exit_code, 0);
-  const auto map = Json::parse (contentOf (folder_ / "p.geojson"));
+  expectDone ("wall.pcd --planes p.json --mesh m.ply --hull concave");
+  const auto map = jsonOf ("wall.pcd --planes p.geojson --hull concave", "p.geojson");
   EXPECT_EQ (map["features"][0]["geometry"]["coordinates"].size(), 2u);
   const auto plane = Json::parse (contentOf (folder_ / "p.json"))["planes"][0];
   EXPECT_NEAR (plane["area"].get<double>(), 6.0 - 0.8, 0.06);
@@ -200,8 +195,7 @@ TEST_F (Segment, CutsWindowsOutOfConcaveHulls)
   }
   EXPECT_NEAR (area, plane["area"].get<double>(), 1e-3) << "no face in the window";
 
-  ASSERT_EQ (run ("wall.pcd --planes p.json").exit_code, 0);
-  const auto convex = Json::parse (contentOf (folder_ / "p.json"))["planes"][0];
+  const auto convex = jsonOf ("wall.pcd --planes p.json")["planes"][0];
   EXPECT_TRUE (convex["holes"].empty());
   EXPECT_NEAR (convex["area"].get<double>(), 6.0, 0.06);
 }
@@ -214,8 +208,7 @@ TEST_F (Segment, WritesAnEmptyMeshWhereThereIsNoPlane)
     line.push_back ({static_cast<float> (i), 0, 0, 0});
   pcl::io::savePCDFileBinary (folder_ / "line.pcd", line);
   for (const char* mesh : {"m.ply", "m.vtk"}) {
-    const Outcome done = run (std::string ("line.pcd --mesh ") + mesh);
-    EXPECT_EQ (done.exit_code, 0) << done.err;
+    const Outcome done = expectDone (std::string ("line.pcd --mesh ") + mesh);
     EXPECT_EQ (done.err, "");
   }
   pcl::PolygonMesh mesh;
@@ -227,17 +220,12 @@ TEST_F (Segment, WritesAnEmptyMeshWhereThereIsNoPlane)
 TEST_F (Segment, RefusesWrongMeshesAndHullsInOneLine)
 {
   pcl::io::savePLYFileBinary (folder_ / "in.ply", floorAndWall());
-  const std::vector<std::pair<std::string, std::string>> wrong = {
+  const Complaints wrong = {
       {"in.pcd --mesh m.stl", "--mesh: m.stl has an unknown extension"},
       {"in.ply --mesh in.ply", "in.ply: is the input, too"},
       {"in.pcd --planes p.json --hull round", "--hull: 'round' is unknown"},
       {"in.pcd --hull convex",
        "--hull: is about --planes, --mesh and --min-area; give one"}};
-  for (const auto& [arguments, complaint] : wrong) {
-    const Outcome done = run (arguments);
-    EXPECT_EQ (done.exit_code, 2) << arguments;
-    EXPECT_EQ (done.err.find ("pcl_ops_segment: " + complaint), 0u) << done.err;
-    EXPECT_EQ (lines (done.err), 1u) << done.err;
-  }
+  expectRefused (wrong);
   EXPECT_EQ (run ("in.pcd --mesh nowhere/m.ply").exit_code, 1);
 }

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_program.h"
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <map>
@@ -19,21 +18,17 @@ protected:
     pcl::io::savePCDFileBinary (folder_ / "room.pcd", floorAndWall (dense_side));
   }
 
-  /** \brief The JSON file of a run. */
   nlohmann::json
   planesOf (const std::string& options) const
   {
-    const Outcome done = run ("room.pcd --planes p.json --quiet " + options);
-    EXPECT_EQ (done.exit_code, 0) << done.err;
-    return nlohmann::json::parse (contentOf (folder_ / "p.json"));
+    return jsonOf ("room.pcd --planes p.json --quiet " + options);
   }
 
   /** \brief What a run that finds nothing says about it. */
   std::string
   adviceOf (const std::string& arguments) const
   {
-    const Outcome done = run (arguments);
-    EXPECT_EQ (done.exit_code, 0) << done.err;
+    const Outcome done = expectDone (arguments);
     const std::size_t begin = done.out.find ("No plane found: ");
     EXPECT_NE (begin, std::string::npos) << done.out;
     return done.out.substr (std::min (begin, done.out.size()));
@@ -159,7 +154,7 @@ TEST_F (SegmentRoom, KeepsTheRatioOfTheRadiiWhereOneIsGiven)
 
 TEST_F (SegmentRoom, RefusesValuesOutOfRangeInOneLine)
 {
-  const std::vector<std::pair<std::string, std::string>> wrong = {
+  const Complaints wrong = {
       {"fspf --inner-radius 0", "--inner-radius: 0 is out of range"},
       {"fspf --inner-radius 0.3 --outer-radius 0.2", "--outer-radius: is below"},
       {"fspf --local-samples 2", "--local-samples: 2 is out of range"},
@@ -171,12 +166,8 @@ TEST_F (SegmentRoom, RefusesValuesOutOfRangeInOneLine)
       {"kht --s-level 21", "--s-level: 21 is out of range"},
       {"kht --s-alpha 0", "--s-alpha: 0 is out of range"},
       {"kht --s-beta nan", "--s-beta: nan is out of range"}};
-  for (const auto& [options, complaint] : wrong) {
-    const Outcome done = run ("room.pcd out.pcd --method " + options);
-    EXPECT_EQ (done.exit_code, 2) << options;
-    EXPECT_EQ (done.err.find ("pcl_ops_segment: " + complaint), 0u) << done.err;
-    EXPECT_EQ (lines (done.err), 1u) << done.err;
-  }
+  for (const auto& [options, complaint] : wrong)
+    expectRefused ("room.pcd out.pcd --method " + options, complaint);
 }
 
 TEST_F (SegmentRoom, SaysWhenOpsHasTooFewSamples)
@@ -224,9 +215,6 @@ TEST_F (SegmentRoom, HasVoxelsOfTheEdgeAskedFor)
   EXPECT_EQ (given.at ("parameters").at ("cell"), 0.1);
   EXPECT_EQ (given.at ("planes").size(), 2u);
   EXPECT_EQ (planesOf ("--cell 1").at ("planes").size(), 0u) << "too few voxels";
-  const Outcome refused = run ("room.pcd --preset paper --cell 0.1");
-  EXPECT_EQ (refused.exit_code, 2);
-  EXPECT_EQ (
-      refused.err,
-      "pcl_ops_segment: --cell: has no meaning to --preset paper; leave it out\n");
+  expectRefused ("room.pcd --preset paper --cell 0.1",
+                 "--cell: has no meaning to --preset paper; leave it out\n");
 }

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_program.h"
-#include <nlohmann/json.hpp>
 
 #include <iomanip>
 #include <sstream>
@@ -39,9 +38,8 @@ ceilingText ()
 
 TEST_F (Segment, WritesOutlinesAsGeoJson)
 {
-  ASSERT_EQ (run ("in.pcd --planes p.geojson").exit_code, 0);
-  ASSERT_EQ (run ("in.pcd --planes p.json").exit_code, 0);
-  const Json map = Json::parse (contentOf (folder_ / "p.geojson"));
+  expectDone ("in.pcd --planes p.geojson");
+  const Json map = jsonOf ("in.pcd --planes p.json", "p.geojson");
   const Json planes = Json::parse (contentOf (folder_ / "p.json"))["planes"];
   EXPECT_EQ (map["type"], "FeatureCollection");
   ASSERT_EQ (map["features"].size(), 2u);
@@ -67,8 +65,7 @@ TEST_F (Segment, WritesOutlinesAsGeoJson)
 TEST_F (Segment, WritesOutlinesOfCeilingsCounterClockwiseFromAboveToo)
 {
   folder_.write ("in.xyz", ceilingText());
-  ASSERT_EQ (run ("in.xyz --planes p.geojson").exit_code, 0);
-  const Json map = Json::parse (contentOf (folder_ / "p.geojson"));
+  const Json map = jsonOf ("in.xyz --planes p.geojson", "p.geojson");
   ASSERT_EQ (map["features"].size(), 1u);
   const Json& feature = map["features"][0];
   EXPECT_LT (feature["properties"]["normal"][2].get<double>(), 0.0);
@@ -80,8 +77,8 @@ TEST_F (Segment, WritesOutlinesOfCeilingsCounterClockwiseFromAboveToo)
 TEST_F (Segment, WritesMillimetresOfUtmInPlainDecimals)
 {
   folder_.write ("in.xyz", ceilingText());
-  ASSERT_EQ (run ("in.xyz --planes p.geojson").exit_code, 0);
-  ASSERT_EQ (run ("in.xyz --planes p.csv").exit_code, 0);
+  expectDone ("in.xyz --planes p.geojson");
+  expectDone ("in.xyz --planes p.csv");
   EXPECT_TRUE (
       contains (contentOf (folder_ / "p.geojson"), "[500000.000,5400000.000,100.000]"));
   EXPECT_TRUE (
@@ -90,7 +87,7 @@ TEST_F (Segment, WritesMillimetresOfUtmInPlainDecimals)
 
 TEST_F (Segment, WritesOutlinesInTheCsvAsWkt)
 {
-  ASSERT_EQ (run ("in.pcd --planes p.csv").exit_code, 0);
+  expectDone ("in.pcd --planes p.csv");
   std::istringstream csv (contentOf (folder_ / "p.csv"));
   std::string line;
   std::getline (csv, line);
@@ -110,7 +107,6 @@ TEST_F (Segment, WritesOutlinesInTheCsvAsWkt)
 TEST_F (Segment, WritesAnEmptyMapOfNoPlanes)
 {
   folder_.write ("few.xyz", "1 2 3\n4 5 6\n");
-  ASSERT_EQ (run ("few.xyz --planes p.geojson").exit_code, 0);
-  const Json map = Json::parse (contentOf (folder_ / "p.geojson"));
+  const Json map = jsonOf ("few.xyz --planes p.geojson", "p.geojson");
   EXPECT_EQ (map["features"], Json::array());
 }

@@ -4,7 +4,6 @@
 
 #include "segment_program.h"
 #include <fcntl.h>
-#include <nlohmann/json.hpp>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -43,8 +42,7 @@ protected:
   nlohmann::json
   planesOf (const std::string& options) const
   {
-    const Outcome done = run ("scene.pcd --planes - " + options);
-    EXPECT_EQ (done.exit_code, 0) << done.err;
+    const Outcome done = expectDone ("scene.pcd --planes - " + options);
     return nlohmann::json::parse (done.out)["planes"];
   }
 
@@ -64,7 +62,7 @@ using NameSet = std::set<std::string>;
 
 TEST_F (SegmentParts, TheRestIsThePointsOnNoPlaneButNotTheMissingReading)
 {
-  ASSERT_EQ (run ("scene.pcd --rest rest.pcd --quiet").exit_code, 0);
+  expectDone ("scene.pcd --rest rest.pcd --quiet");
   EXPECT_EQ (indicesIn ("rest.pcd"), (std::vector<int>{air, air + 1, air + 2}));
   InputCloud rest;
   ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "rest.pcd", rest), 0);
@@ -74,13 +72,13 @@ TEST_F (SegmentParts, TheRestIsThePointsOnNoPlaneButNotTheMissingReading)
 
 TEST_F (SegmentParts, TheRestMayBeEmpty)
 {
-  ASSERT_EQ (run ("in.pcd --rest rest.pcd --quiet").exit_code, 0);
+  expectDone ("in.pcd --rest rest.pcd --quiet");
   EXPECT_TRUE (contains (contentOf (folder_ / "rest.pcd"), "\nPOINTS 0\n"));
 }
 
 TEST_F (SegmentParts, EachPlaneIsACloudWithTheFieldsOfTheInput)
 {
-  ASSERT_EQ (run ("scene.pcd labelled.pcd --planes-dir planes --quiet").exit_code, 0);
+  expectDone ("scene.pcd labelled.pcd --planes-dir planes --quiet");
   const NameSet names = namesIn ("planes");
   ASSERT_EQ (names.size(), 2u);
   LabelledCloud labelled;
@@ -98,14 +96,13 @@ TEST_F (SegmentParts, EachPlaneIsACloudWithTheFieldsOfTheInput)
 
 TEST_F (SegmentParts, ArePlysWhereAskedFor)
 {
-  ASSERT_EQ (run ("scene.pcd --rest rest.ply --planes-dir planes --quiet").exit_code,
-             0);
+  expectDone ("scene.pcd --rest rest.ply --planes-dir planes --quiet");
   InputCloud rest;
   ASSERT_EQ (pcl::io::loadPLYFile (folder_ / "rest.ply", rest), 0);
   ASSERT_EQ (rest.size(), 3u);
   EXPECT_EQ (rest[1].z, 1.0f);
   const std::size_t planes = namesIn ("planes").size();
-  ASSERT_EQ (run ("scene.pcd --planes-dir planes --format ply --quiet").exit_code, 0);
+  expectDone ("scene.pcd --planes-dir planes --format ply --quiet");
   EXPECT_EQ (namesIn ("planes").size(), planes) << "none of the other format is left";
   for (const std::string& name : namesIn ("planes")) {
     InputCloud plane;
@@ -121,8 +118,7 @@ TEST_F (SegmentParts, PlanesOfAnEarlierRunAreGoneAndOtherFilesStay)
   folder_.write ("planes/plane_017_other.pcd", "of a run that found more");
   folder_.write ("planes/plane_of_mine.pcd", "precious");
   folder_.write ("planes/notes.txt", "precious");
-  ASSERT_EQ (run ("scene.pcd --planes-dir planes --only horizontal --quiet").exit_code,
-             0);
+  expectDone ("scene.pcd --planes-dir planes --only horizontal --quiet");
   EXPECT_EQ (namesIn ("planes"),
              (NameSet{"notes.txt", "plane_001_horizontal.pcd", "plane_of_mine.pcd"}));
 }
@@ -143,11 +139,11 @@ TEST_F (SegmentParts, TwoRunsDoNotExchangeThePlanesOfAFolderAtTheSameTime)
   const int other_run = ::open ((folder_ / "planes").c_str(), O_RDONLY);
   ASSERT_EQ (::flock (other_run, LOCK_EX), 0);
   constexpr int timed_out = 124;
-  EXPECT_EQ (run ("scene.pcd --planes-dir planes --quiet", "timeout 2").exit_code,
+  EXPECT_EQ (run ("scene.pcd --planes-dir planes --quiet", "timeout 0.5").exit_code,
              timed_out);
   EXPECT_EQ (namesIn ("planes"), NameSet{"plane_017_other.pcd"});
   ::close (other_run);
-  EXPECT_EQ (run ("scene.pcd --planes-dir planes --quiet").exit_code, 0);
+  expectDone ("scene.pcd --planes-dir planes --quiet");
   EXPECT_FALSE (fs::exists (folder_ / "planes/plane_017_other.pcd"));
 }
 
@@ -156,10 +152,8 @@ TEST_F (SegmentParts, AnInputInTheFolderOfPlanesIsRefused)
   fs::create_directory (folder_ / "planes");
   const std::string input = "planes/plane_001_horizontal.pcd";
   fs::copy_file (folder_ / "scene.pcd", folder_ / input);
-  const Outcome done = run (input + " --planes-dir planes");
-  EXPECT_EQ (done.exit_code, 2);
-  EXPECT_TRUE (contains (done.err, "--planes-dir: the input " + input + " lies in it"))
-      << done.err;
+  expectRefused (input + " --planes-dir planes",
+                 "--planes-dir: the input " + input + " lies in it");
   EXPECT_TRUE (fs::exists (folder_ / input));
 }
 
@@ -175,14 +169,13 @@ TEST_F (SegmentParts, AnOutputWithTheNameOfAPlaneInTheFolderOfPlanesIsRefused)
     EXPECT_TRUE (contains (done.err, "has the name of a plane in --planes-dir; give"))
         << done.err;
   }
-  const Outcome beside = run ("scene.pcd planes/all.pcd --planes-dir planes");
-  EXPECT_EQ (beside.exit_code, 0) << beside.err;
+  expectDone ("scene.pcd planes/all.pcd --planes-dir planes");
   EXPECT_TRUE (fs::exists (folder_ / "planes/all.pcd"));
 }
 
 TEST_F (SegmentParts, AFolderWithTheNameOfAPlaneChangesNothing)
 {
-  ASSERT_EQ (run ("scene.pcd --planes-dir planes --quiet").exit_code, 0);
+  expectDone ("scene.pcd --planes-dir planes --quiet");
   const NameSet names = namesIn ("planes");
   ASSERT_EQ (names.size(), 2u);
   // Whichever comes first: one of them is in the way of the other.
@@ -228,8 +221,7 @@ TEST_F (SegmentParts, OnlyTheLargestIsTheFirstOfAll)
 
 TEST_F (SegmentParts, SaysThatTheFilterLeavesNothing)
 {
-  const Outcome done = run ("scene.pcd --only other");
-  EXPECT_EQ (done.exit_code, 0);
+  const Outcome done = expectDone ("scene.pcd --only other");
   EXPECT_TRUE (
       contains (done.out, "No plane found: none of the 2 planes found is other"))
       << done.out;
@@ -237,12 +229,8 @@ TEST_F (SegmentParts, SaysThatTheFilterLeavesNothing)
 
 TEST_F (SegmentParts, RefusesOneNameForTwoOutputs)
 {
-  const Outcome same = run ("scene.pcd out.pcd --rest ./out.pcd");
-  EXPECT_EQ (same.exit_code, 2);
-  EXPECT_TRUE (contains (same.err, "./out.pcd: is the name of two outputs"))
-      << same.err;
-  const Outcome input = run ("scene.pcd --rest scene.pcd");
-  EXPECT_EQ (input.exit_code, 2);
-  EXPECT_TRUE (contains (input.err, "scene.pcd: is the input, too")) << input.err;
-  EXPECT_EQ (run ("scene.pcd --only walls").exit_code, 2);
+  expectRefused (
+      {{"scene.pcd out.pcd --rest ./out.pcd", "./out.pcd: is the name of two"},
+       {"scene.pcd --rest scene.pcd", "scene.pcd: is the input, too"},
+       {"scene.pcd --only walls", "--only: "}});
 }

@@ -22,8 +22,7 @@ protected:
   writeBoth (const std::string& input) const
   {
     for (const char* output : {" out.pcd", " out.ply"}) {
-      const Outcome done = run (input + output);
-      ASSERT_EQ (done.exit_code, 0) << done.err;
+      expectDone (input + output);
     }
   }
 
@@ -113,8 +112,7 @@ TEST_F (SegmentPly, KeepsFieldsWithTheNamesOfItsColors)
   for (int i = 0; i < 2000; ++i)
     text << 0.05 * (i % 50) << "," << 0.05 * (i / 50) << ",0," << i << ",2,3\n";
   folder_.write ("in.csv", text.str());
-  const Outcome done = run ("in.csv out.ply");
-  ASSERT_EQ (done.exit_code, 0) << done.err;
+  expectDone ("in.csv out.ply");
   EXPECT_TRUE (contains (contentOf (folder_ / "out.ply"), "property uchar red\n"));
   const FileCloud in = loadCloud (folder_ / "in.csv");
   const FileCloud ply = loadCloud (folder_ / "out.ply");
@@ -138,8 +136,7 @@ TEST_F (SegmentPly, HasTheFieldsOtherProgramsLookFor)
                  "SIZE 4 8 4 4 4 4 2 8 4\nTYPE F F F F F F I I F\n"
                  "COUNT 1 1 1 1 1 1 2 1 1\nWIDTH 2\nHEIGHT 2\nPOINTS 4\nDATA ascii\n" +
                      points);
-  const Outcome done = run ("odd.pcd out.ply");
-  ASSERT_EQ (done.exit_code, 0) << done.err;
+  expectDone ("odd.pcd out.ply");
   const std::string ply = contentOf (folder_ / "out.ply");
   EXPECT_EQ (ply.substr (0, ply.find ("end_header")),
              "ply\nformat binary_little_endian 1.0\nobj_info num_cols 2\n"

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <support/temporary_folder.h>
-#include <sys/wait.h>
+#include <nlohmann/json.hpp>
+#include <support/program_folder.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -50,13 +50,8 @@ floorAndWall (int side = points_of_side)
   return cloud;
 }
 
-struct Outcome {
-  int exit_code;
-  std::string out, err;
-};
-
 /** \brief A folder with the input cloud, to run the program in. */
-class Segment : public testing::Test {
+class Segment : public ProgramFolder {
 protected:
   Segment() { pcl::io::savePCDFileBinary (folder_ / "in.pcd", floorAndWall()); }
 
@@ -64,13 +59,43 @@ protected:
   Outcome
   run (const std::string& arguments, const std::string& environment = "") const
   {
-    const std::string command = "cd '" + folder_.path() + "' && " + environment + " '" +
-                                PCL_OPS_SEGMENT_PROGRAM "' " + arguments + " >'" +
-                                streams_ / "out" + "' 2>'" + streams_ / "err" + "'";
-    const int status = std::system (command.c_str());
-    return {WEXITSTATUS (status),
-            contentOf (streams_ / "out"),
-            contentOf (streams_ / "err")};
+    return shell (environment + " '" PCL_OPS_SEGMENT_PROGRAM "' " + arguments);
+  }
+
+  Outcome
+  expectDone (const std::string& arguments, const std::string& environment = "") const
+  {
+    const Outcome done = run (arguments, environment);
+    EXPECT_EQ (done.exit_code, 0) << arguments << done.err;
+    return done;
+  }
+
+  /** \brief A run that ends with a code after one line that begins with a complaint. */
+  void
+  expectRefused (const std::string& arguments,
+                 const std::string& complaint,
+                 int exit_code = 2) const
+  {
+    const Outcome done = run (arguments);
+    EXPECT_EQ (done.exit_code, exit_code) << arguments;
+    EXPECT_EQ (done.err.find ("pcl_ops_segment: " + complaint), 0u) << done.err;
+    EXPECT_EQ (lines (done.err), 1u) << done.err;
+    EXPECT_EQ (done.out, "") << arguments;
+  }
+
+  void
+  expectRefused (const Complaints& wrong, int exit_code = 2) const
+  {
+    for (const auto& [arguments, complaint] : wrong)
+      expectRefused (arguments, complaint, exit_code);
+  }
+
+  /** \brief The JSON file that a run writes. */
+  nlohmann::json
+  jsonOf (const std::string& arguments, const std::string& file = "p.json") const
+  {
+    expectDone (arguments);
+    return nlohmann::json::parse (contentOf (folder_ / file));
   }
 
   /** \brief Ends the program by SIGTERM as soon as a condition of the shell holds, at
@@ -90,15 +115,11 @@ protected:
   LabelledCloud
   label (const std::string& input, const std::string& options = "") const
   {
-    const Outcome done = run (input + " labelled.pcd " + options);
-    EXPECT_EQ (done.exit_code, 0) << done.err;
+    expectDone (input + " labelled.pcd " + options);
     LabelledCloud cloud;
     EXPECT_EQ (pcl::io::loadPCDFile (folder_ / "labelled.pcd", cloud), 0);
     return cloud;
   }
-
-  TemporaryFolder folder_;
-  TemporaryFolder streams_{"_streams"};
 };
 
 inline std::vector<std::uint32_t>
@@ -115,16 +136,4 @@ distinct (const LabelledCloud& cloud, int begin, int end)
 {
   const std::vector<std::uint32_t> labels = labelsOf (cloud);
   return {labels.begin() + begin, labels.begin() + end};
-}
-
-inline std::size_t
-lines (const std::string& text)
-{
-  return static_cast<std::size_t> (std::count (text.begin(), text.end(), '\n'));
-}
-
-inline bool
-contains (const std::string& text, const std::string& part)
-{
-  return text.find (part) != std::string::npos;
 }

@@ -34,8 +34,7 @@ TEST_F (Segment, LabelsATextAndKeepsItsMillimetresAndColumns)
   folder_.write ("in.csv", "x,y,z,number\n" + floorText (','));
   for (const char* output : {"out.pcd", "out.ply"}) {
     SCOPED_TRACE (output);
-    const Outcome done = run (std::string ("in.csv ") + output);
-    ASSERT_EQ (done.exit_code, 0) << done.err;
+    expectDone (std::string ("in.csv ") + output);
     const pcl_ops::apps::FileCloud cloud = pcl_ops::apps::loadCloud (folder_ / output);
     const pcl_ops::apps::CoordinateReader place (cloud);
     ASSERT_EQ (cloud.size(), std::size_t (points_of_plane));
@@ -64,9 +63,8 @@ TEST_F (Segment, HasMillimetresOfUtmInEveryFileOfPoints)
   for (const std::string format : {"pcd", "ply"}) {
     SCOPED_TRACE (format);
     const std::string rest = "rest." + format;
-    const Outcome done = run ("in.xyz --rest " + rest +
-                              " --planes-dir planes --quiet --format " + format);
-    ASSERT_EQ (done.exit_code, 0) << done.err;
+    expectDone ("in.xyz --rest " + rest + " --planes-dir planes --quiet --format " +
+                format);
     const auto first = [&] (const std::string& file) {
       const pcl_ops::apps::FileCloud cloud = pcl_ops::apps::loadCloud (folder_ / file);
       return pcl_ops::apps::CoordinateReader (cloud) (0);
@@ -83,13 +81,12 @@ TEST_F (Segment, TakesTextsByNameByPatternAndFromAPipe)
   folder_.write ("scans/a.txt", floorText());
   folder_.write ("scans/b.xyz", floorText());
   folder_.write ("scans/notes.csv", "no cloud");
-  ASSERT_EQ (run ("'scans/*.txt' --output-dir by_pattern").exit_code, 0);
+  expectDone ("'scans/*.txt' --output-dir by_pattern");
   EXPECT_TRUE (std::filesystem::exists (folder_ / "by_pattern/a.pcd"));
-  ASSERT_EQ (run ("scans --output-dir by_folder").exit_code, 0);
+  expectDone ("scans --output-dir by_folder");
   EXPECT_TRUE (std::filesystem::exists (folder_ / "by_folder/b.pcd"));
   EXPECT_FALSE (std::filesystem::exists (folder_ / "by_folder/a.pcd"));
-  const Outcome piped = run ("- <scans/a.txt");
-  EXPECT_EQ (piped.exit_code, 0) << piped.err;
+  const Outcome piped = expectDone ("- <scans/a.txt");
   EXPECT_TRUE (contains (piped.out, "\"horizontal\""));
   folder_.write ("marked.txt", "\xef\xbb\xbf" + contentOf (folder_ / "scans/a.txt"));
   const Outcome marked = run ("- <marked.txt");
@@ -99,7 +96,7 @@ TEST_F (Segment, TakesTextsByNameByPatternAndFromAPipe)
 TEST_F (Segment, KeepsAColumnCalledRgb)
 {
   folder_.write ("in.csv", "x,y,z,rgb\n" + floorText (','));
-  ASSERT_EQ (run ("in.csv out.ply --keep-color").exit_code, 0);
+  expectDone ("in.csv out.ply --keep-color");
   EXPECT_TRUE (contains (contentOf (folder_ / "out.ply"), "\nproperty double rgb\n"))
       << "it is a number, not PCL's packed colour";
 }
@@ -110,7 +107,7 @@ TEST_F (Segment, SaysInALineWhatIsWrongWithAText)
   folder_.write ("short.xyz", "1 2 3\n4 5\n");
   folder_.write ("packed.xyz", "\x1f\x8b\x08");
   folder_.write ("empty.pts", "");
-  const std::vector<std::pair<std::string, std::string>> bad = {
+  const Complaints bad = {
       {"comma.csv", "comma.csv: is damaged: line 1 has '1,5', which is no number"},
       {"short.xyz", "short.xyz: is damaged: line 2 has 2 numbers instead of 3"},
       {"packed.xyz", "packed.xyz: is compressed (gzip)"},
@@ -130,8 +127,7 @@ TEST_F (Segment, HasNoPlaneInATextOfAFewPoints)
 {
   for (const char* text : {"1 2 3\n", "1 2 3\n1 2 4\n", "1 2 3\n1 2 4\n1 3 3\n"}) {
     folder_.write ("few.xyz", text);
-    const Outcome done = run ("few.xyz out.pcd --planes p.json");
-    EXPECT_EQ (done.exit_code, 0) << done.err;
+    expectDone ("few.xyz out.pcd --planes p.json");
     EXPECT_TRUE (contains (contentOf (folder_ / "p.json"), "\"planes\": []"));
   }
 }

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_program.h"
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <iomanip>
@@ -61,10 +60,7 @@ protected:
                  const std::string& complaint,
                  int exit_code) const
   {
-    const Outcome done = run (arguments);
-    EXPECT_EQ (done.exit_code, exit_code) << arguments;
-    EXPECT_TRUE (contains (done.err, "pcl_ops_segment: " + complaint)) << done.err;
-    EXPECT_EQ (lines (done.err), 1u) << done.err;
+    Segment::expectRefused (arguments, complaint, exit_code);
     EXPECT_FALSE (std::filesystem::exists (folder_ / "out/a.pcd"));
   }
 };
@@ -73,10 +69,10 @@ protected:
 
 TEST_F (SegmentTrack, GivesAPlaneTheSameLabelAndIdInAllClouds)
 {
-  ASSERT_EQ (run ("scans --output-dir out").exit_code, 0);
+  expectDone ("scans --output-dir out");
   const std::uint32_t before = floorIn ("a.pcd");
   EXPECT_NE (floorIn ("b.pcd"), before) << "by size";
-  ASSERT_EQ (run (std::string (track) + "--poses poses.txt").exit_code, 0);
+  expectDone (std::string (track) + "--poses poses.txt");
   for (const char* scan : {"a", "b", "c"}) {
     EXPECT_EQ (floorIn (std::string (scan) + ".pcd"), before) << scan;
     const auto json = nlohmann::json::parse (
@@ -88,8 +84,7 @@ TEST_F (SegmentTrack, GivesAPlaneTheSameLabelAndIdInAllClouds)
 
 TEST_F (SegmentTrack, GivesAPlaneTheSameColorAndFileInAllClouds)
 {
-  ASSERT_EQ (run (std::string (track) + "--poses poses.txt --planes-dir {}").exit_code,
-             0);
+  expectDone (std::string (track) + "--poses poses.txt --planes-dir {}");
   LabelledCloud first, third;
   pcl::io::loadPCDFile (folder_ / "out/a.pcd", first);
   pcl::io::loadPCDFile (folder_ / "out/c.pcd", third);
@@ -113,7 +108,7 @@ TEST_F (SegmentTrack, DoesNotWriteOverItsPoses)
 
 TEST_F (SegmentTrack, TakesTheSensorToStandStillWithoutPoses)
 {
-  ASSERT_EQ (run (track).exit_code, 0);
+  expectDone (track);
   EXPECT_EQ (floorIn ("b.pcd"), floorIn ("a.pcd"));
   const auto json = nlohmann::json::parse (contentOf (folder_ / "out/c.json"));
   for (const auto& plane : json["planes"])
@@ -124,8 +119,7 @@ TEST_F (SegmentTrack, TakesTheSensorToStandStillWithoutPoses)
 
 TEST_F (SegmentTrack, GivesAPlaneTheSameIdOnMaps)
 {
-  ASSERT_EQ (
-      run (std::string (track) + "--poses poses.txt --planes {}.geojson").exit_code, 0);
+  expectDone (std::string (track) + "--poses poses.txt --planes {}.geojson");
   const auto map = nlohmann::json::parse (contentOf (folder_ / "out/b.geojson"));
   for (const auto& feature : map["features"]) {
     EXPECT_EQ (feature["id"], feature["properties"]["id"]);
@@ -152,8 +146,7 @@ TEST_F (SegmentTrack, TellsPlanesApartInDoublePrecisionWhateverElseACloudHas)
   folder_.write ("a.xyz", squareText (50, 0.0));
   folder_.write ("b.xyz", squareText (50, 0.0) + squareText (75, 2.0));
   folder_.write ("c.xyz", squareText (50, 0.5));
-  ASSERT_EQ (run ("a.xyz b.xyz c.xyz --output-dir out --track").exit_code, 0);
-  const auto json = nlohmann::json::parse (contentOf (folder_ / "out/c.json"));
+  const auto json = jsonOf ("a.xyz b.xyz c.xyz --output-dir out --track", "out/c.json");
   ASSERT_EQ (json["planes"].size(), 1u);
   EXPECT_EQ (json["planes"][0]["id"], 3) << "half a metre above the floor";
 }
@@ -163,10 +156,10 @@ TEST_F (SegmentTrack, GivesTheSameBytesForAnyNumberOfJobs)
   // The first takes so long that the others are through before it.
   pcl::io::savePCDFileBinary (folder_ / "scans/a.pcd", floorAndWall (300));
   const std::string options = std::string (track) + "--poses poses.txt";
-  ASSERT_EQ (run (options).exit_code, 0);
+  expectDone (options);
   const std::string alone = contentOf (folder_ / "out/c.pcd");
   std::filesystem::remove_all (folder_ / "out");
-  ASSERT_EQ (run (options + " --jobs 3").exit_code, 0);
+  expectDone (options + " --jobs 3");
   EXPECT_EQ (contentOf (folder_ / "out/c.pcd"), alone);
 }
 

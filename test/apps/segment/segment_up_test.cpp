@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 
 #include "segment_program.h"
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -52,8 +51,8 @@ protected:
   findUp (const InputCloud& cloud, const std::string& options = "") const
   {
     pcl::io::savePCDFileBinary (folder_ / "cloud.pcd", cloud);
-    const Outcome done = run ("cloud.pcd --up auto --planes planes.json " + options);
-    EXPECT_EQ (done.exit_code, 0) << done.err;
+    const Outcome done =
+        expectDone ("cloud.pcd --up auto --planes planes.json " + options);
     return {done, nlohmann::json::parse (contentOf (folder_ / "planes.json"))};
   }
 };
@@ -110,8 +109,7 @@ TEST_F (SegmentUp, IsNotGuessedWhereTheViewpointIsNotTheSensors)
 
 TEST_F (SegmentUp, IsNotLookedForUnlessAsked)
 {
-  ASSERT_EQ (run ("in.pcd --planes planes.json").exit_code, 0);
-  const auto json = nlohmann::json::parse (contentOf (folder_ / "planes.json"));
+  const auto json = jsonOf ("in.pcd --planes planes.json", "planes.json");
   EXPECT_FALSE (json["parameters"].contains ("up_confidence"));
   EXPECT_EQ (run ("in.pcd --up automatic").exit_code, 2);
 }

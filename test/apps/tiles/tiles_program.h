@@ -9,8 +9,7 @@
 #include <io/cloud_file.h>
 #include <io/las_writer.h>
 #include <nlohmann/json.hpp>
-#include <support/temporary_folder.h>
-#include <sys/wait.h>
+#include <support/program_folder.h>
 
 #include <cstdint>
 #include <cstdlib>
@@ -21,32 +20,9 @@
 #include <string>
 #include <vector>
 
-struct Outcome {
-  int exit_code;
-  std::string out, err;
-};
-
-inline std::size_t
-lines (const std::string& text)
-{
-  return static_cast<std::size_t> (std::count (text.begin(), text.end(), '\n'));
-}
-
-/** \brief A folder to run the programs in. */
-class Tiles : public testing::Test {
+/** \brief A folder to run pcl_ops_tiles in. */
+class Tiles : public ProgramFolder {
 protected:
-  /** \brief Runs a command of the shell in the folder. */
-  Outcome
-  shell (const std::string& command) const
-  {
-    const std::string line = "cd '" + folder_.path() + "' && " + command + " >'" +
-                             streams_ / "out" + "' 2>'" + streams_ / "err" + "'";
-    const int status = std::system (line.c_str());
-    return {WEXITSTATUS (status),
-            contentOf (streams_ / "out"),
-            contentOf (streams_ / "err")};
-  }
-
   /** \brief Runs pcl_ops_tiles. \param[in] before what is in front of the program */
   Outcome
   tiles (const std::string& arguments, const std::string& before = "") const
@@ -59,6 +35,18 @@ protected:
   {
     const Outcome done = tiles (arguments, before);
     EXPECT_EQ (done.exit_code, 0) << done.out << done.err;
+  }
+
+  /** \brief A run that ends with a code and one line. */
+  void
+  expectRefused (const std::string& arguments,
+                 const std::string& complaint,
+                 int exit_code = 1,
+                 const std::string& before = "") const
+  {
+    const Outcome done = tiles (arguments, before);
+    EXPECT_EQ (done.exit_code, exit_code) << arguments << done.out;
+    EXPECT_EQ (done.err, "pcl_ops_tiles: " + complaint + "\n") << arguments;
   }
 
   /** \brief A small town of terraces in four files, in the folder town. */
@@ -103,7 +91,4 @@ protected:
   {
     return nlohmann::json::parse (contentOf (folder_ / (name + "/planes.json")));
   }
-
-  TemporaryFolder folder_;
-  TemporaryFolder streams_{"_streams"};
 };

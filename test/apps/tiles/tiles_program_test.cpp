@@ -188,13 +188,14 @@ TEST_F (TilesProgram, GivesTheSameBytesForAnyNumberOfJobsAndOrderOfInputs)
   expectDone ("town --output-dir one --tile 30");
   const auto expected = outputsIn ("one");
   ASSERT_EQ (expected.size(), 5u);
-  expectDone ("town --output-dir two --tile 30 --jobs 2");
-  EXPECT_EQ (outputsIn ("two"), expected);
-  expectDone ("town --output-dir three --tile 30 --jobs 3");
-  EXPECT_EQ (outputsIn ("three"), expected);
-  expectDone ("town/town_001_001.las town/town_000_000.las town/town_001_000.las "
-              "town/town_000_001.las --output-dir four --tile 30");
-  EXPECT_EQ (outputsIn ("four"), expected);
+  for (const char* inputs : {"town --jobs 2",
+                             "town --jobs 3",
+                             "town/town_001_001.las town/town_000_000.las "
+                             "town/town_001_000.las town/town_000_001.las"}) {
+    fs::remove_all (folder_ / "other");
+    expectDone (inputs + std::string (" --output-dir other --tile 30"));
+    EXPECT_EQ (outputsIn ("other"), expected) << inputs;
+  }
 }
 
 TEST_F (TilesProgram, LabelsPcdAndPlyWithColours)
@@ -316,9 +317,9 @@ TEST_F (TilesProgram, RefusesLengthsCellsCannotBeCountedIn)
 {
   makeTown ("--points 20000 --tiles 1");
   const std::string too_wide = "--tile: is more than 1000000000 cells wide; give a "
-                               "smaller one or a larger --cell\n";
+                               "smaller one or a larger --cell";
   const std::string too_far = " from zero, and " + (folder_ / "town/town_000_000.las") +
-                              " has points farther away; give a larger one\n";
+                              " has points farther away; give a larger one";
   const std::vector<std::pair<std::string, std::string>> failures = {
       {"--tile 1e30", too_wide},
       {"--tile 1e18 --cell 0.05", too_wide},
@@ -326,9 +327,7 @@ TEST_F (TilesProgram, RefusesLengthsCellsCannotBeCountedIn)
       {"--cell 1e-12", "--cell: cells of 1e-12 reach 0.001" + too_far},
       {"--cell 0.001", "--cell: cells of 0.001 reach 1e+06" + too_far}};
   for (const auto& [lengths, complaint] : failures) {
-    const Outcome done = tiles ("town --output-dir out " + lengths);
-    EXPECT_EQ (done.exit_code, 2) << lengths << done.out;
-    EXPECT_EQ (done.err, "pcl_ops_tiles: " + complaint);
+    expectRefused ("town --output-dir out " + lengths, complaint, 2);
     EXPECT_FALSE (fs::exists (folder_ / "out/work/plan.json"));
   }
 }
@@ -339,12 +338,11 @@ TEST_F (TilesProgram, NamesTheInputThatIsTooFarAwayAndLeavesOutStrayPoints)
   addWall (20, 0.0, wall);
   save ("wall.las", wall);
   apps::saveLas (folder_ / "yonder.las", wall, 0.001, Eigen::Vector3d (0, 1e12, 0));
-  const Outcome far = tiles ("wall.las yonder.las --output-dir out --cell 0.5");
-  EXPECT_EQ (far.exit_code, 2) << far.out;
-  EXPECT_EQ (far.err,
-             "pcl_ops_tiles: --cell: cells of 0.5 reach 5e+08 from zero, and " +
-                 (folder_ / "yonder.las") +
-                 " has points farther away; give a larger one\n");
+  expectRefused ("wall.las yonder.las --output-dir out --cell 0.5",
+                 "--cell: cells of 0.5 reach 5e+08 from zero, and " +
+                     (folder_ / "yonder.las") +
+                     " has points farther away; give a larger one",
+                 2);
   std::string text;
   for (const LasPoint& point : wall)
     text += std::to_string (0.001 * point.raw[0]) + " " +
@@ -366,11 +364,8 @@ TEST_F (TilesProgram, RefusesAPlanWithoutLengths)
     auto plan = nlohmann::json::parse (contentOf (folder_ / "plan.json"));
     plan["cells_of_tile"] = std::stoll (number);
     folder_.write ("plan.json", plan.dump());
-    const Outcome done = tiles ("town --output-dir other --plan plan.json");
-    EXPECT_EQ (done.exit_code, 1) << number;
-    EXPECT_EQ (done.err,
-               "pcl_ops_tiles: plan.json: is no plan; remove it or give another "
-               "--plan\n");
+    expectRefused ("town --output-dir other --plan plan.json",
+                   "plan.json: is no plan; remove it or give another --plan");
     std::filesystem::remove (folder_ / "plan.json");
   }
 }
@@ -388,9 +383,7 @@ TEST_F (TilesProgram, AsksToRenameWhatIsNoUtf8)
   for (const std::string& subject :
        {latin + ".las: its name", latin + "/wall.las: the name of a folder it is in"}) {
     const std::string file = subject.substr (0, subject.find (':'));
-    const Outcome done = tiles (file + " --output-dir out");
-    EXPECT_EQ (done.exit_code, 1) << done.out;
-    EXPECT_EQ (done.err, "pcl_ops_tiles: " + subject + " is not UTF-8; rename it\n");
+    expectRefused (file + " --output-dir out", subject + " is not UTF-8; rename it");
     EXPECT_FALSE (fs::exists (folder_ / "out/work/plan.json"));
   }
   expectDone ("W\xc3\xa4nde.las --output-dir " + latin + "/out --cell 0.5");
@@ -408,12 +401,9 @@ TEST_F (TilesProgram, RefusesThePlanOfAnotherVersion)
   folder_.write (
       "out/work/plan.json",
       std::string (plan).replace (plan.find (format), format.size(), "\"format\": 1"));
-  const Outcome done = tiles ("town --output-dir out");
-  EXPECT_EQ (done.exit_code, 1);
-  EXPECT_EQ (
-      done.err,
-      "pcl_ops_tiles: out/work/plan.json: is the plan of another version of this "
-      "program; remove its folder or give another --output-dir\n");
+  expectRefused ("town --output-dir out",
+                 "out/work/plan.json: is the plan of another version of this program; "
+                 "remove its folder or give another --output-dir");
 }
 
 TEST_F (TilesProgram, RefusesThePlanOfAnotherRun)
@@ -438,12 +428,10 @@ TEST_F (TilesProgram, RefusesAFolderOfAnotherRunWhateverThePlanIsCalled)
   fs::copy (folder_ / "town", folder_ / "other");
   expectDone ("town --output-dir out --plan a.json");
   const auto expected = outputsIn ("out");
-  const Outcome done = tiles ("other --output-dir out --plan b.json --cell 3");
-  EXPECT_EQ (done.exit_code, 1) << done.out;
-  EXPECT_EQ (done.err,
-             "pcl_ops_tiles: out/work/plan.json: is the plan of another run "
-             "(other/town_000_000.las is not in it); remove its folder or give another "
-             "--output-dir\n");
+  expectRefused ("other --output-dir out --plan b.json --cell 3",
+                 "out/work/plan.json: is the plan of another run "
+                 "(other/town_000_000.las is not in it); remove its folder or give "
+                 "another --output-dir");
   EXPECT_EQ (outputsIn ("out"), expected);
   EXPECT_FALSE (fs::exists (folder_ / "b.json"));
   expectDone ("town --output-dir out --plan c.json");
@@ -455,15 +443,11 @@ TEST_F (TilesProgram, RefusesANamedPlanThatIsNotTheOneOfTheFolder)
   makeTown ("--points 20000 --tiles 1");
   expectDone ("town --output-dir out --plan a.json");
   expectDone ("town --output-dir other --plan b.json --cell 3");
-  const Outcome both = tiles ("town --output-dir out --plan b.json");
-  EXPECT_EQ (both.exit_code, 1) << both.out;
-  EXPECT_EQ (
-      both.err,
-      "pcl_ops_tiles: out/work/plan.json: is another plan than b.json; remove its "
-      "folder or give another --output-dir\n");
-  const Outcome named = tiles ("town --output-dir third --plan b.json --cell 2");
-  EXPECT_EQ (named.exit_code, 1) << named.out;
-  EXPECT_EQ (named.err,
-             "pcl_ops_tiles: b.json: is the plan of another run (--cell was another "
-             "one); remove it or give another --plan\n");
+  expectRefused (
+      "town --output-dir out --plan b.json",
+      "out/work/plan.json: is another plan than b.json; remove its folder or "
+      "give another --output-dir");
+  expectRefused ("town --output-dir third --plan b.json --cell 2",
+                 "b.json: is the plan of another run (--cell was another one); remove "
+                 "it or give another --plan");
 }

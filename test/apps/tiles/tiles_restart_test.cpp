@@ -14,6 +14,9 @@ killedAt (int write)
          std::to_string (write);
 }
 
+/** \brief There when all inputs are sorted into cells. */
+const std::string sorted = "out/work/cells/3.cells";
+
 class TilesRestart : public Tiles {
 protected:
   /** \brief What a run that nobody stopped writes. */
@@ -25,14 +28,13 @@ protected:
     return outputsIn ("whole");
   }
 
-  /** \brief Leaves a run in the folder out that was stopped when all was sorted. */
+  /** \brief Leaves a run in the folder out that was stopped once a file was there. */
   void
-  stopOnceSorted (const std::string& options) const
+  stopOnce (const std::string& file, const std::string& options) const
   {
-    int write = 0;
-    while (!std::filesystem::exists (folder_ / "out/work/cells/3.cells"))
-      ASSERT_NE (
-          tiles ("town --output-dir out " + options, killedAt (++write)).exit_code, 0);
+    for (int write = 1; !std::filesystem::exists (folder_ / file); ++write)
+      ASSERT_NE (tiles ("town --output-dir out " + options, killedAt (write)).exit_code,
+                 0);
   }
 
   /** \brief When each file of a folder was written, by its name. */
@@ -66,10 +68,7 @@ TEST_F (TilesRestart, AfterBeingKilledAgainAndAgainGivesTheSameBytes)
 TEST_F (TilesRestart, DoesNotDoAgainWhatIsDone)
 {
   const auto expected = undisturbed();
-  int write = 1;
-  while (!std::filesystem::exists (folder_ / "out/work/planes/numbers"))
-    ASSERT_NE (tiles ("town --output-dir out --tile 40", killedAt (++write)).exit_code,
-               0);
+  stopOnce ("out/work/planes/numbers", "--tile 40");
   const std::string cells = folder_ / "out/work/cells/0.cells";
   const auto before = timesIn ("out/work/cells");
   // At a write at which some inputs would be sorted, were they sorted again.
@@ -86,10 +85,7 @@ TEST_F (TilesRestart, DoesNotDoAgainWhatIsDone)
 TEST_F (TilesRestart, LabelsAgainWhatWasRemoved)
 {
   const auto expected = undisturbed();
-  for (int write = 1; !std::filesystem::exists (folder_ / "out/work/labelled/0");
-       ++write)
-    ASSERT_NE (tiles ("town --output-dir out --tile 40", killedAt (write)).exit_code,
-               0);
+  stopOnce ("out/work/labelled/0", "--tile 40");
   for (const auto& [name, content] : outputsIn ("out"))
     std::filesystem::remove (folder_ / ("out/" + name));
   expectDone ("town --output-dir out --tile 40");
@@ -99,13 +95,10 @@ TEST_F (TilesRestart, LabelsAgainWhatWasRemoved)
 TEST_F (TilesRestart, GoesOnWithItsOwnPlanOnly)
 {
   const auto expected = undisturbed();
-  stopOnceSorted ("--tile 40 --plan a.json");
-  const Outcome other = tiles ("town --output-dir out --tile 30 --plan b.json");
-  EXPECT_EQ (other.exit_code, 1) << other.out;
-  EXPECT_EQ (
-      other.err,
-      "pcl_ops_tiles: out/work/plan.json: is the plan of another run (--tile was "
-      "another one); remove its folder or give another --output-dir\n");
+  stopOnce (sorted, "--tile 40 --plan a.json");
+  expectRefused ("town --output-dir out --tile 30 --plan b.json",
+                 "out/work/plan.json: is the plan of another run (--tile was another "
+                 "one); remove its folder or give another --output-dir");
   const auto before = timesIn ("out/work/cells");
   ASSERT_NE (tiles ("town --output-dir out --plan a.json", killedAt (2)).exit_code, 0);
   EXPECT_EQ (timesIn ("out/work/cells"), before);
@@ -116,7 +109,7 @@ TEST_F (TilesRestart, GoesOnWithItsOwnPlanOnly)
 TEST_F (TilesRestart, StartsAnewOnceThePlanWasRemoved)
 {
   const auto expected = undisturbed();
-  stopOnceSorted ("--tile 30");
+  stopOnce (sorted, "--tile 30");
   std::filesystem::remove (folder_ / "out/work/plan.json");
   expectDone ("town --output-dir out --tile 40");
   EXPECT_EQ (outputsIn ("out"), expected) << "what a stopped run left was taken";
@@ -129,11 +122,11 @@ TEST_F (TilesRestart, LeavesTheFolderToTheRunThatWorksInIt)
 {
   const auto expected = undisturbed();
   std::filesystem::create_directory (folder_ / "out");
-  const Outcome second = tiles ("town --output-dir out --tile 40", "flock out");
-  EXPECT_EQ (second.exit_code, 1);
-  EXPECT_EQ (second.err,
-             "pcl_ops_tiles: out: another run works in it; wait until it has ended, or "
-             "give another --output-dir\n");
+  expectRefused ("town --output-dir out --tile 40",
+                 "out: another run works in it; wait until it has ended, or give "
+                 "another --output-dir",
+                 1,
+                 "flock out");
   expectDone ("town --output-dir out --tile 40");
   EXPECT_EQ (outputsIn ("out"), expected);
 }

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <string>
+
+/** \brief A filter for the tests of a source file; empty where it has none. */
+static std::string
+testsOf (const std::string& file)
+{
+  std::string filter;
+  const testing::UnitTest& all = *testing::UnitTest::GetInstance();
+  for (int s = 0; s < all.total_test_suite_count(); ++s) {
+    const testing::TestSuite& suite = *all.GetTestSuite (s);
+    for (int t = 0; t < suite.total_test_count(); ++t) {
+      const testing::TestInfo& test = *suite.GetTestInfo (t);
+      const std::string path = test.file();
+      if (path.substr (path.find_last_of ("/\\") + 1) == file)
+        filter += std::string (test.test_suite_name()) + "." + test.name() + ":";
+    }
+  }
+  return filter;
+}
+
+/** \brief Runs all tests, or with a file name (plane_test.cpp) those of that source. */
+int
+main (int argc, char** argv)
+{
+  testing::InitGoogleTest (&argc, argv);
+  if (argc > 1) {
+    const std::string filter = testsOf (argv[1]);
+    if (filter.empty()) {
+      std::cerr << argv[1] << ": no test of this program is in such a file\n";
+      return 2;
+    }
+    testing::GTEST_FLAG (filter) = filter;
+  }
+  return RUN_ALL_TESTS();
+}
