@@ -12,7 +12,7 @@ using pcl_ops::PlaneSegment;
 
 namespace {
 
-/** \brief Beyond a ditch of a metre a floor goes on 2 cm higher: two planes, as nothing
+/** \brief Beyond a ditch of a metre a floor goes on 1 cm higher: two planes, as nothing
  * connects them, but no two surfaces to merging, which allows 1.5 times the noise of
  * 2 cm. */
 Ops
@@ -20,7 +20,7 @@ onTwoHalves ()
 {
   return defaultsOn (Scene()
                          .floor (2, 3)
-                         .surface ({3, 0, 2_cm}, {2, 0, 0}, {0, 3, 0})
+                         .surface ({3, 0, 1_cm}, {2, 0, 0}, {0, 3, 0})
                          .noise (2_cm)
                          .build()
                          .cloud);
