@@ -39,6 +39,17 @@ pointsOf (const SortedPoints& points, const TileKey& tile)
   return all;
 }
 
+/** \brief Refuses points that are not those that the other phases saw, or will see. */
+void
+checkIsAsPlanned (const PlannedInput& input, const RunFolder& folder)
+{
+  if (hasChanged (input))
+    throw WorkError (input.file,
+                     "has changed since the run began; remove " +
+                         fs::path (folder.plan()).parent_path().string() +
+                         " and run it again");
+}
+
 /** \brief The labels of an input's points, asked for in their order. */
 class LabelsInOrder {
 public:
@@ -112,6 +123,7 @@ partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input)
       });
     });
     writer.finish();
+    checkIsAsPlanned (plan.inputs[input], folder);
   });
 }
 
@@ -160,10 +172,14 @@ void
 labelInput (const Plan& plan, const RunFolder& folder, std::size_t input)
 {
   LabelsInOrder labels (plan, folder, input);
+  checkIsAsPlanned (plan.inputs[input], folder);
   PointFile points (plan.inputs[input].file);
+  const std::string output = outputOf (plan, folder, input);
   points.saveLabelled (
-      outputOf (plan, folder, input),
-      [&labels] (const Eigen::Vector3d& place) { return labels.next (place); });
+      output, [&labels] (const Eigen::Vector3d& place) { return labels.next (place); });
+  if (hasChanged (plan.inputs[input]))
+    fs::remove (output);
+  checkIsAsPlanned (plan.inputs[input], folder);
   writeTextFile (folder.mark (input), "");
 }
 
