@@ -69,7 +69,9 @@ public:
     if (last_ == nullptr || last_->tile != tile)
       last_ = &readerOf (tile);
     const std::uint32_t piece = last_->labels.next();
-    return piece == 0 ? 0 : last_->numbers->at (piece - 1);
+    if (piece > last_->numbers->size())
+      failDamaged (folder_.labels (tile));
+    return piece == 0 ? 0 : (*last_->numbers)[piece - 1];
   }
 
 private:
@@ -82,10 +84,13 @@ private:
   Tile&
   readerOf (const TileKey& tile)
   {
+    const auto numbers = numbers_.find (tile);
+    if (numbers == numbers_.end())
+      failDamaged (folder_.numbers());
     std::unique_ptr<Tile>& known = tiles_[tile];
     if (!known)
       known.reset (new Tile{
-          tile, LabelReader (folder_.labels (tile), input_), &numbers_.at (tile)});
+          tile, LabelReader (folder_.labels (tile), input_), &numbers->second});
     return *known;
   }
 

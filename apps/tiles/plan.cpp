@@ -44,7 +44,8 @@ stateOf (const std::string& file)
 bool
 isEmptyLas (const std::string& file)
 {
-  if (!isLasName (file) || !fs::is_regular_file (file))
+  std::error_code error;
+  if (!isLasName (file) || !fs::is_regular_file (file, error))
     return false;
   HeaderReader reader (file, "LAS");
   return readLasHeader (reader).points == 0;
@@ -236,6 +237,8 @@ Plan
 loadPlan (const PlanFile& file)
 {
   std::ifstream stream (file.name);
+  if (fs::is_directory (file.name))
+    stream.close(); // to read one throws
   try {
     const auto json = nlohmann::json::parse (stream);
     Plan plan;

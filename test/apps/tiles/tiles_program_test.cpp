@@ -293,12 +293,15 @@ TEST_F (TilesProgram, SaysInOneLineWhatItCannotWorkOn)
   fs::create_directory (folder_ / "other");
   fs::copy_file (folder_ / "town/town_000_000.las", folder_ / "other/town_000_000.las");
   fs::create_directory (folder_ / "empty");
+  fs::create_symlink ("loop.las", folder_ / "loop.las");
   const std::string out = " --output-dir out";
   const std::vector<std::pair<std::string, std::string>> failures = {
       {"town half.las" + out, "half.las: is truncated"},
       {"town missing.las" + out, "missing.las: does not exist; check the name"},
       {"empty" + out, "INPUT: empty: has no .pcd, .ply, .las, .xyz or .pts file"},
       {"town other/town_000_000.las" + out, "would both be written to"},
+      {"town --plan empty" + out, "empty: is no plan; remove it or give another"},
+      {"loop.las" + out, "loop.las: "},
       {"town --output-dir town", "is an input, too; give another --output-dir"},
       {"town" + out + " --cell 1 --tile 2", "--tile: is less than 12 cells wide"},
       {"town", "--output-dir: is missing; give a folder"}};
