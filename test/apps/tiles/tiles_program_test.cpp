@@ -312,7 +312,8 @@ TEST_F (TilesProgram, SaysInOneLineWhatItCannotWorkOn)
     EXPECT_EQ (done.err.rfind ("pcl_ops_tiles: ", 0), 0u) << done.err;
     EXPECT_NE (done.err.find (';'), std::string::npos) << "no mend: " << done.err;
     EXPECT_EQ (lines (done.err), 1u) << done.err;
-    EXPECT_FALSE (fs::exists (folder_ / "out/planes.json"));
+    EXPECT_FALSE (fs::exists (folder_ / "out/work"));
+    EXPECT_FALSE (fs::exists (folder_ / "town/work"));
   }
 }
 
