@@ -317,6 +317,25 @@ TEST_F (TilesProgram, SaysInOneLineWhatItCannotWorkOn)
   }
 }
 
+TEST_F (TilesProgram, CountsAFileAndLinksToItOnce)
+{
+  makeTown ("--points 20000 --tiles 1");
+  const fs::path town = folder_ / "town/town_000_000.las";
+  fs::create_directory (folder_ / "links");
+  fs::create_symlink (town, folder_ / "links/a.las");
+  fs::create_hard_link (town, folder_ / "town/z.las");
+  expectDone ("town/town_000_000.las --output-dir once");
+  for (const char* inputs : {"links town", "town links"}) {
+    const Outcome done = tiles (inputs + std::string (" --output-dir out"));
+    EXPECT_EQ (done.exit_code, 0) << done.err;
+    EXPECT_EQ (done.err,
+               "pcl_ops_tiles: town/z.las: is the same file as town/town_000_000.las; "
+               "it is left out\npcl_ops_tiles: links/a.las: is the same file as "
+               "town/town_000_000.las; it is left out\n");
+    EXPECT_EQ (outputsIn ("out"), outputsIn ("once"));
+  }
+}
+
 TEST_F (TilesProgram, RefusesLengthsCellsCannotBeCountedIn)
 {
   makeTown ("--points 20000 --tiles 1");
