@@ -44,7 +44,8 @@ Words
 HeaderReader::nextLine (const std::string& last)
 {
   if (!readHeaderLine())
-    fail ("its header has no line " + last);
+    fail (stream_ ? "its header is longer than 1 MiB"
+                  : "its header has no line " + last);
   std::istringstream parts (line_);
   Words words;
   for (std::string word; parts >> word;)

@@ -3,6 +3,7 @@
 #include "text_columns.h"
 
 #include "number_lines.h"
+#include <cli/errors.h>
 
 #include <algorithm>
 #include <array>
@@ -16,7 +17,16 @@ namespace pcl_ops::apps {
 
 namespace {
 
-constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
+/** \brief A coordinate, and what surveyors and ParaView call it. */
+struct Axis {
+  const char* field;
+  std::array<const char*, 5> names;
+};
+
+constexpr std::array<Axis, 3> axes = {
+    {{"x", {"x", "easting", "east", "e", "points:0"}},
+     {"y", {"y", "northing", "north", "n", "points:1"}},
+     {"z", {"z", "elevation", "height", "h", "points:2"}}}};
 
 bool
 isNumber (const std::string& word)
@@ -35,13 +45,28 @@ isName (const std::string& word)
   return (std::isalpha (first) != 0 || first == '_' || first > 127) && !isNumber (word);
 }
 
-/** \brief Where an axis is among the names: the small letter before the capital. */
-Words::const_iterator
-findAxis (const Words& names, const std::string& axis)
+/** \brief A name in small letters without the unit in brackets behind it. */
+std::string
+plainName (const std::string& name)
 {
-  const std::string capital (1, static_cast<char> (std::toupper (axis[0])));
-  const auto small = std::find (names.begin(), names.end(), axis);
-  return small != names.end() ? small : std::find (names.begin(), names.end(), capital);
+  std::string plain = name.substr (0, name.find_first_of ("[("));
+  plain.resize (plain.find_last_not_of (" \t_") + 1);
+  for (char& c : plain)
+    c = static_cast<char> (std::tolower (static_cast<unsigned char> (c)));
+  return plain;
+}
+
+/** \brief Where an axis is among the names: as the field is called, or else by the
+ * first of its other names that there is. */
+Words::const_iterator
+findAxis (const Words& names, const Axis& axis)
+{
+  auto found = std::find (names.begin(), names.end(), axis.field);
+  for (std::size_t i = 0; i < axis.names.size() && found == names.end(); ++i)
+    found = std::find_if (names.begin(), names.end(), [&] (const std::string& name) {
+      return plainName (name) == axis.names[i];
+    });
+  return found;
 }
 
 /** \brief A name as headers of clouds can have it: without blanks, and short. */
@@ -96,25 +121,25 @@ areNames (const Words& words)
 bool
 nameCoordinates (const Words& words)
 {
-  return std::all_of (axes.begin(), axes.end(), [&] (const char* axis) {
+  return std::all_of (axes.begin(), axes.end(), [&] (const Axis& axis) {
     return findAxis (words, axis) != words.end();
   });
 }
 
 Words
-fieldNames (const HeaderReader& reader, const Words& names, std::size_t count)
+fieldNames (const std::string& file, const Words& names, std::size_t count)
 {
   Words fields (count);
-  std::set<std::string> taken (axes.begin(), axes.end());
-  const bool are_first =
-      std::none_of (axes.begin(), axes.end(), [&] (const char* axis) {
-        return findAxis (names, axis) != names.end();
-      });
+  std::set<std::string> taken;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const auto found = findAxis (names, axes[i]);
-    if (!are_first && found == names.end())
-      reader.fail (std::string ("its columns have names, but none is ") + axes[i]);
-    fields[are_first ? i : std::size_t (found - names.begin())] = axes[i];
+    if (!names.empty() && found == names.end())
+      throw WorkError (
+          file,
+          std::string ("has names of columns, but none is ") + axes[i].field +
+              "; call the coordinates x, y and z, or remove the line of names");
+    fields[names.empty() ? i : std::size_t (found - names.begin())] = axes[i].field;
+    taken.insert (axes[i].field);
   }
   for (std::size_t i = 0; i < count; ++i) {
     if (!fields[i].empty())

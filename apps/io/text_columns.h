@@ -22,17 +22,19 @@ wordsOf (const std::string& line);
 bool
 areNames (const Words& words);
 
-/** \brief Whether x, y and z are among them, small or capital. */
+/** \brief Whether x, y and z are among them, or what else these are called. */
 bool
 nameCoordinates (const Words& words);
 
-/** \brief The fields that the columns of a text become. Those called x, y and z, small
- * or capital, are the coordinates; where none is, the first three are. All others keep
+/** \brief The fields that the columns of a text become. Those called x, y and z are the
+ * coordinates, or easting, northing and elevation, whatever the case and the unit in
+ * brackets behind; where no column has a name, the first three are. All others keep
  * their names as far as those of a field can be so, or are field_4, field_5, ...
+ * \param[in] file of the text, for messages
  * \param[in] names of the columns; empty for none
  * \param[in] count of the columns, at least three
- * \throws WorkError where a coordinate has its name and another has not */
+ * \throws WorkError where columns have names, but a coordinate has none */
 Words
-fieldNames (const HeaderReader& reader, const Words& names, std::size_t count);
+fieldNames (const std::string& file, const Words& names, std::size_t count);
 
 } // namespace pcl_ops::apps

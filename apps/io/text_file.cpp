@@ -26,7 +26,8 @@ constexpr std::size_t max_columns = 1000;
 /** \brief A text, line by line. */
 class TextReader {
 public:
-  explicit TextReader (const std::string& file) : reader_ (file, "text") {}
+  explicit TextReader (const std::string& file) : file_ (file), reader_ (file, "text")
+  {}
 
   pcl::PCLPointCloud2
   read ()
@@ -147,7 +148,7 @@ private:
   {
     cloud.point_step = 0;
     const NumberType& type = numberType (pcl::PCLPointField::FLOAT64);
-    for (const std::string& name : fieldNames (reader_, names_, numbers_.size()))
+    for (const std::string& name : fieldNames (file_, names_, numbers_.size()))
       addField (name, type, 1, cloud);
   }
 
@@ -180,6 +181,7 @@ private:
     return true;
   }
 
+  std::string file_;
   HeaderReader reader_;
   NumberLines words_{reader_};
   std::string line_;

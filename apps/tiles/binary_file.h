@@ -54,6 +54,11 @@ getBytes (std::istream& stream, Number* numbers, std::size_t count)
                static_cast<std::streamsize> (count * sizeof (Number)));
 }
 
+/** \brief Reads how many parts follow. \return 0, and the stream has failed, where the
+ * file has not that many \param[in] part_size the fewest bytes of one */
+std::uint64_t
+getCount (std::istream& stream, std::size_t part_size);
+
 /** \brief How many, then each. */
 template <typename Number>
 void
@@ -67,7 +72,7 @@ template <typename Number>
 std::vector<Number>
 getAll (std::istream& stream)
 {
-  std::vector<Number> numbers (get<std::uint64_t> (stream));
+  std::vector<Number> numbers (getCount (stream, sizeof (Number)));
   getBytes (stream, numbers.data(), numbers.size());
   return numbers;
 }
@@ -82,6 +87,10 @@ getMoments (std::istream& stream);
  * \throws WorkError that names it if that fails */
 std::ifstream
 openBinary (const std::string& file);
+
+/** \throws WorkError that names a file of a run, whose numbers make no sense */
+[[noreturn]] void
+failDamaged (const std::string& file);
 
 /** \throws WorkError that names the file if it ended before what was read from it */
 void

@@ -39,6 +39,17 @@ pointsOf (const SortedPoints& points, const TileKey& tile)
   return all;
 }
 
+/** \brief Refuses points that are not those that the other phases saw, or will see. */
+void
+checkIsAsPlanned (const PlannedInput& input, const RunFolder& folder)
+{
+  if (hasChanged (input))
+    throw WorkError (input.file,
+                     "has changed since the run began; remove " +
+                         fs::path (folder.plan()).parent_path().string() +
+                         " and run it again");
+}
+
 /** \brief The labels of an input's points, asked for in their order. */
 class LabelsInOrder {
 public:
@@ -58,7 +69,9 @@ public:
     if (last_ == nullptr || last_->tile != tile)
       last_ = &readerOf (tile);
     const std::uint32_t piece = last_->labels.next();
-    return piece == 0 ? 0 : last_->numbers->at (piece - 1);
+    if (piece > last_->numbers->size())
+      failDamaged (folder_.labels (tile));
+    return piece == 0 ? 0 : (*last_->numbers)[piece - 1];
   }
 
 private:
@@ -71,10 +84,13 @@ private:
   Tile&
   readerOf (const TileKey& tile)
   {
+    const auto numbers = numbers_.find (tile);
+    if (numbers == numbers_.end())
+      failDamaged (folder_.numbers());
     std::unique_ptr<Tile>& known = tiles_[tile];
     if (!known)
       known.reset (new Tile{
-          tile, LabelReader (folder_.labels (tile), input_), &numbers_.at (tile)});
+          tile, LabelReader (folder_.labels (tile), input_), &numbers->second});
     return *known;
   }
 
@@ -112,6 +128,7 @@ partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input)
       });
     });
     writer.finish();
+    checkIsAsPlanned (plan.inputs[input], folder);
   });
 }
 
@@ -160,10 +177,14 @@ void
 labelInput (const Plan& plan, const RunFolder& folder, std::size_t input)
 {
   LabelsInOrder labels (plan, folder, input);
+  checkIsAsPlanned (plan.inputs[input], folder);
   PointFile points (plan.inputs[input].file);
+  const std::string output = outputOf (plan, folder, input);
   points.saveLabelled (
-      outputOf (plan, folder, input),
-      [&labels] (const Eigen::Vector3d& place) { return labels.next (place); });
+      output, [&labels] (const Eigen::Vector3d& place) { return labels.next (place); });
+  if (hasChanged (plan.inputs[input]))
+    fs::remove (output);
+  checkIsAsPlanned (plan.inputs[input], folder);
   writeTextFile (folder.mark (input), "");
 }
 

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -45,7 +44,8 @@ stateOf (const std::string& file)
 bool
 isEmptyLas (const std::string& file)
 {
-  if (!isLasName (file) || !fs::is_regular_file (file))
+  std::error_code error;
+  if (!isLasName (file) || !fs::is_regular_file (file, error))
     return false;
   HeaderReader reader (file, "LAS");
   return readLasHeader (reader).points == 0;
@@ -165,7 +165,23 @@ jsonOf (const Plan& plan)
   return json.dump (indent) + "\n";
 }
 
+bool
+hasLengths (const Plan& plan)
+{
+  return plan.cell > 0.0 && std::isfinite (plan.cell) &&
+         plan.cells_of_tile % TileGrid::cells_of_coarsest == 0 &&
+         plan.cells_of_tile >= TileGrid::halo &&
+         plan.cells_of_tile <= TileGrid::most_cells;
+}
+
 } // namespace
+
+bool
+hasChanged (const PlannedInput& input)
+{
+  const PlannedInput now = stateOf (input.file);
+  return input.bytes != now.bytes || input.written != now.written;
+}
 
 bool
 isSame (const Plan& a, const Plan& b)
@@ -176,11 +192,10 @@ isSame (const Plan& a, const Plan& b)
 std::uint64_t
 Plan::points() const
 {
-  return std::accumulate (
-      inputs.begin(),
-      inputs.end(),
-      std::uint64_t (0),
-      [] (std::uint64_t sum, const PlannedInput& input) { return sum + input.points; });
+  std::uint64_t sum = 0;
+  for (const PlannedInput& input : inputs)
+    sum += input.points;
+  return sum;
 }
 
 Plan
@@ -218,23 +233,12 @@ savePlan (const std::string& file, const Plan& plan)
   writeTextFile (file, jsonOf (plan));
 }
 
-namespace {
-
-bool
-hasLengths (const Plan& plan)
-{
-  return plan.cell > 0.0 && std::isfinite (plan.cell) &&
-         plan.cells_of_tile % TileGrid::cells_of_coarsest == 0 &&
-         plan.cells_of_tile >= TileGrid::halo &&
-         plan.cells_of_tile <= TileGrid::most_cells;
-}
-
-} // namespace
-
 Plan
 loadPlan (const PlanFile& file)
 {
   std::ifstream stream (file.name);
+  if (fs::is_directory (file.name))
+    stream.close(); // to read one throws
   try {
     const auto json = nlohmann::json::parse (stream);
     Plan plan;
@@ -271,16 +275,14 @@ checkIsFor (const Plan& plan,
   };
   std::size_t known = 0;
   for (const std::string& input : sorted (std::move (inputs))) {
-    const PlannedInput now = stateOf (input);
-    const auto planned = std::find_if (
-        plan.inputs.begin(), plan.inputs.end(), [&] (const PlannedInput& other) {
-          return other.file == now.file;
-        });
+    const std::string name = stateOf (input).file;
+    const auto is_it = [&] (const PlannedInput& other) { return other.file == name; };
+    const auto planned = std::find_if (plan.inputs.begin(), plan.inputs.end(), is_it);
     if (planned == plan.inputs.end() && isEmptyLas (input))
       continue;
     if (planned == plan.inputs.end())
       refuse (input + " is not in it");
-    if (planned->bytes != now.bytes || planned->written != now.written)
+    if (hasChanged (*planned))
       refuse (input + " has changed");
     ++known;
   }

@@ -20,6 +20,10 @@ struct PlannedInput {
   std::uint64_t points = 0;
 };
 
+/** \brief Whether its file is another one than then. */
+bool
+hasChanged (const PlannedInput& input);
+
 /** \brief What all parts of a run have to agree on. */
 struct Plan {
   /** \brief By name. */

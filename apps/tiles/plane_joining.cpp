@@ -3,7 +3,7 @@
 #include "plane_joining.h"
 
 #include <io/output_file.h>
-#include <ops/voxel_surfels.h>
+#include <ops/detect_on_voxels.h>
 #include <pcl_ops/plane_merging.h>
 
 #include <algorithm>

@@ -4,13 +4,18 @@
 
 #include "phases.h"
 #include <cli/errors.h>
+#include <cli/program.h>
 #include <io/inputs.h>
 #include <io/output_file.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -41,6 +46,31 @@ checkName (const std::string& file)
     throw WorkError (file, "the name of a folder it is in is not UTF-8; rename it");
 }
 
+/** \brief Leaves out links to files that are there already, as their points would count
+ * twice. A file goes before links to it, whatever the order of the names. */
+std::vector<std::string>
+eachFileOnce (std::vector<std::string> names)
+{
+  std::error_code ignored;
+  std::sort (names.begin(), names.end());
+  std::stable_partition (names.begin(), names.end(), [&] (const std::string& name) {
+    return !fs::is_symlink (name, ignored);
+  });
+  std::map<std::pair<dev_t, ino_t>, std::string> seen;
+  std::vector<std::string> files;
+  for (const std::string& name : names) {
+    struct stat status {};
+    const bool is_there = ::stat (name.c_str(), &status) == 0;
+    const auto [known, is_new] =
+        seen.emplace (std::pair (status.st_dev, status.st_ino), name);
+    if (is_there && !is_new)
+      warn (name + ": is the same file as " + known->second + "; it is left out");
+    else
+      files.push_back (name);
+  }
+  return files;
+}
+
 std::vector<std::string>
 inputsOf (const TilesOptions& options)
 {
@@ -49,7 +79,7 @@ inputsOf (const TilesOptions& options)
     throw WorkError ("INPUT", found.problems.front());
   for (const std::string& file : found.files)
     checkName (file);
-  return std::move (found.files);
+  return eachFileOnce (std::move (found.files));
 }
 
 PlanFile

@@ -31,11 +31,11 @@ loadTilePlanes (const std::string& file)
 {
   std::ifstream stream = openBinary (file);
   TilePlanes planes;
-  planes.pieces.resize (get<std::uint64_t> (stream));
+  planes.pieces.resize (getCount (stream, sizeof (ExactMoments)));
   for (Piece& piece : planes.pieces) {
     piece.own = get<ExactMoments> (stream);
     piece.all = getMoments (stream);
-    piece.outline.resize (get<std::uint64_t> (stream));
+    piece.outline.resize (getCount (stream, sizeof (Eigen::Vector3d)));
     for (Eigen::Vector3d& corner : piece.outline)
       getBytes (stream, corner.data(), 3);
     piece.inputs = getAll<std::uint32_t> (stream);

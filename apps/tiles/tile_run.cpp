@@ -214,13 +214,14 @@ runTiles (const TilesOptions& options,
   }
   std::optional<FolderLock> lock;
   if (ranks.rank() == 0) {
-    folder.make();
+    makeFolder (options.output_dir);
     lock.emplace (options.output_dir);
     if (!lock->take())
       throw WorkError (options.output_dir,
                        "another run works in it; wait until it has ended, or give "
                        "another --output-dir");
     preparePlan (options, folder);
+    folder.make();
   }
   ranks.meet();
   const Plan plan = loadPlan (planFileOf (folder));

@@ -19,8 +19,9 @@ namespace pcl_ops::internal {
 using RingPoint = boost::geometry::model::d2::point_xy<double>;
 using Ring = boost::geometry::model::ring<RingPoint, false, false>;
 
-/** \brief The power of two that takes coordinates below 1 to about 1, where Boost's
- * predicates have an absolute tolerance; else 1. */
+/** \brief The power of two that takes coordinates to about 1 where they are below it,
+ * as Boost's predicates have an absolute tolerance there, or beyond a thousand
+ * kilometers, as these predicates fail for points over many decades; else 1. */
 inline double
 unitScale (const PlanarPoints& points)
 {
@@ -28,7 +29,9 @@ unitScale (const PlanarPoints& points)
   for (const Eigen::Vector2d& point : points)
     if (point.allFinite())
       largest = std::max (largest, point.lpNorm<Eigen::Infinity>());
-  return largest > 0.0 && largest < 1.0 ? std::ldexp (1.0, -std::ilogb (largest)) : 1.0;
+  constexpr double farthest = 1e6;
+  const bool is_usual = largest == 0.0 || (largest >= 1.0 && largest <= farthest);
+  return is_usual ? 1.0 : std::ldexp (1.0, -std::ilogb (largest));
 }
 
 } // namespace pcl_ops::internal

@@ -293,12 +293,15 @@ TEST_F (TilesProgram, SaysInOneLineWhatItCannotWorkOn)
   fs::create_directory (folder_ / "other");
   fs::copy_file (folder_ / "town/town_000_000.las", folder_ / "other/town_000_000.las");
   fs::create_directory (folder_ / "empty");
+  fs::create_symlink ("loop.las", folder_ / "loop.las");
   const std::string out = " --output-dir out";
   const std::vector<std::pair<std::string, std::string>> failures = {
       {"town half.las" + out, "half.las: is truncated"},
       {"town missing.las" + out, "missing.las: does not exist; check the name"},
       {"empty" + out, "INPUT: empty: has no .pcd, .ply, .las, .xyz or .pts file"},
       {"town other/town_000_000.las" + out, "would both be written to"},
+      {"town --plan empty" + out, "empty: is no plan; remove it or give another"},
+      {"loop.las" + out, "loop.las: "},
       {"town --output-dir town", "is an input, too; give another --output-dir"},
       {"town" + out + " --cell 1 --tile 2", "--tile: is less than 12 cells wide"},
       {"town", "--output-dir: is missing; give a folder"}};
@@ -309,7 +312,27 @@ TEST_F (TilesProgram, SaysInOneLineWhatItCannotWorkOn)
     EXPECT_EQ (done.err.rfind ("pcl_ops_tiles: ", 0), 0u) << done.err;
     EXPECT_NE (done.err.find (';'), std::string::npos) << "no mend: " << done.err;
     EXPECT_EQ (lines (done.err), 1u) << done.err;
-    EXPECT_FALSE (fs::exists (folder_ / "out/planes.json"));
+    EXPECT_FALSE (fs::exists (folder_ / "out/work"));
+    EXPECT_FALSE (fs::exists (folder_ / "town/work"));
+  }
+}
+
+TEST_F (TilesProgram, CountsAFileAndLinksToItOnce)
+{
+  makeTown ("--points 20000 --tiles 1");
+  const fs::path town = folder_ / "town/town_000_000.las";
+  fs::create_directory (folder_ / "links");
+  fs::create_symlink (town, folder_ / "links/a.las");
+  fs::create_hard_link (town, folder_ / "town/z.las");
+  expectDone ("town/town_000_000.las --output-dir once");
+  for (const char* inputs : {"links town", "town links"}) {
+    const Outcome done = tiles (inputs + std::string (" --output-dir out"));
+    EXPECT_EQ (done.exit_code, 0) << done.err;
+    EXPECT_EQ (done.err,
+               "pcl_ops_tiles: town/z.las: is the same file as town/town_000_000.las; "
+               "it is left out\npcl_ops_tiles: links/a.las: is the same file as "
+               "town/town_000_000.las; it is left out\n");
+    EXPECT_EQ (outputsIn ("out"), outputsIn ("once"));
   }
 }
 

@@ -3,6 +3,7 @@
 #include "tiles_program.h"
 
 #include <chrono>
+#include <fstream>
 
 namespace {
 
@@ -80,6 +81,37 @@ TEST_F (TilesRestart, DoesNotDoAgainWhatIsDone)
   std::filesystem::remove (folder_ / "out/town_000_000.las");
   expectDone ("town --output-dir out --tile 40");
   EXPECT_EQ (outputsIn ("out"), expected) << "an output was removed";
+}
+
+TEST_F (TilesRestart, NamesAFileOfItsOwnThatIsDamaged)
+{
+  const auto expected = undisturbed();
+  stopOnce ("out/work/planes/numbers", "--tile 40");
+  const std::filesystem::path planes = folder_ / "out/work/planes";
+  const std::string numbers = contentOf (planes / "numbers");
+  const std::string mend = ": is damaged; remove its folder and run it again\n";
+  const std::string all_set (sizeof (std::uint64_t), '\xff');
+  // One tile fewer; one tile that is another; more numbers than there are bytes.
+  const std::pair<std::size_t, std::string> damages[] = {
+      {0, std::string (8, '\0')}, {8, all_set}, {24, all_set}};
+  for (const auto& [place, bytes] : damages) {
+    folder_.write ("out/work/planes/numbers",
+                   std::string (numbers).replace (place, bytes.size(), bytes));
+    expectRefused ("town --output-dir out --tile 40",
+                   "out/work/planes/numbers" + mend.substr (0, mend.size() - 1));
+  }
+  folder_.write ("out/work/planes/numbers", numbers);
+  for (const auto& file : std::filesystem::directory_iterator (planes)) {
+    if (file.path().extension() != ".labels")
+      continue;
+    const std::string labels = contentOf (file.path());
+    std::ofstream (file.path(), std::ios::binary)
+        << labels.substr (0, labels.size() / 2)
+        << std::string (labels.size() - labels.size() / 2, '\x7f');
+  }
+  const Outcome done = tiles ("town --output-dir out --tile 40");
+  EXPECT_EQ (done.exit_code, 1);
+  EXPECT_TRUE (contains (done.err, ".labels" + mend)) << done.err;
 }
 
 TEST_F (TilesRestart, LabelsAgainWhatWasRemoved)

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "base/random.h"
+#include "extent/planar_hull.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace pcl_ops::internal;
+using pcl_ops::PlanarPoints;
+
+namespace {
+
+/** \brief Points of a turned plane whose coordinates have any size from 1e-10 to
+ * 1e13, around their centroid. */
+PlanarPoints
+pointsOverManyDecades (std::uint32_t seed)
+{
+  RandomGenerator generator (seed);
+  const Eigen::Matrix3d frame =
+      (Eigen::AngleAxisd (6.28 * drawUnit (generator), Eigen::Vector3d::UnitZ()) *
+       Eigen::AngleAxisd (6.28 * drawUnit (generator), Eigen::Vector3d::UnitX()))
+          .toRotationMatrix();
+  PlanarPoints points (600);
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (Eigen::Vector2d& point : points) {
+    Eigen::Vector3d place;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double sign = drawUnit (generator) < 0.5 ? -1.0 : 1.0;
+      place[axis] = sign * std::pow (10.0, 23.0 * drawUnit (generator) - 10.0);
+    }
+    point = (frame * place).head<2>();
+    sum += point;
+  }
+  for (Eigen::Vector2d& point : points)
+    point -= sum / static_cast<double> (points.size());
+  return points;
+}
+
+/** \brief How far a point is behind the line from one to another, negative before. */
+double
+distanceBehind (const Eigen::Vector2d& point,
+                const Eigen::Vector2d& from,
+                const Eigen::Vector2d& to)
+{
+  const Eigen::Vector2d along = (to - from).normalized(), there = point - from;
+  return along.y() * there.x() - along.x() * there.y();
+}
+
+} // namespace
+
+TEST (PlanarHull, HasAllPointsOverManyDecadesInside)
+{
+  constexpr double rounding = 1e-9 * 1e13;
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    const PlanarPoints points = pointsOverManyDecades (seed);
+    const PlanarPoints hull = hullOfAll (points);
+    ASSERT_GE (hull.size(), 3U);
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < hull.size(); ++i)
+      for (const Eigen::Vector2d& point : points)
+        farthest = std::max (
+            farthest, distanceBehind (point, hull[i], hull[(i + 1) % hull.size()]));
+    EXPECT_LE (farthest, rounding) << "seed " << seed;
+  }
+}
