@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cell_edge.h"
 
+#include <pcl/point_types.h>
+
 #include <cli/errors.h>
-#include <voxels/voxel_grid.h>
+#include <pcl_ops/oriented_point_sampling.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,13 +38,14 @@ cellEdgeFor (const std::vector<Eigen::Vector3d>& places,
              std::uint64_t points)
 {
   constexpr double points_of_cell = 20.0;
-  internal::Coordinates near_zero;
+  pcl::PointCloud<pcl::PointXYZ> near_zero;
   for (const Eigen::Vector3d& place : places) {
     const Eigen::Vector3f local = (place - zero).cast<float>();
-    near_zero.add (local.x(), local.y(), local.z());
+    near_zero.push_back ({local.x(), local.y(), local.z()});
   }
-  const double edge = internal::voxelSizeFor (
-      near_zero, std::max (1.0, static_cast<double> (points) / points_of_cell));
+  const double edge =
+      voxelSizeFor (CloudView (near_zero),
+                    std::max (1.0, static_cast<double> (points) / points_of_cell));
   if (!(edge > 0.0))
     throw WorkError ("INPUT", "has its points at one place; give --cell");
   const double digit = std::pow (10.0, std::floor (std::log10 (edge)) - 1.0);

@@ -3,7 +3,6 @@
 #include "plane_joining.h"
 
 #include <io/output_file.h>
-#include <ops/detect_on_voxels.h>
 #include <pcl_ops/plane_merging.h>
 
 #include <algorithm>
@@ -20,6 +19,17 @@ struct Pair {
   std::size_t first, second;
   std::uint32_t votes;
 };
+
+/** \brief As Sampling::Surfels merges within a tile: the noise alone decides. */
+MergingParameters
+mergingByNoise ()
+{
+  constexpr double noise_factor_of_surfels = 1.5;
+  MergingParameters merging;
+  merging.distance_threshold = 0.0;
+  merging.noise_factor = noise_factor_of_surfels;
+  return merging;
+}
 
 /** \brief Pieces of all tiles, joined step by step. */
 class PieceGroups {
@@ -48,8 +58,7 @@ public:
     b = rootOf (b);
     if (a == b)
       return;
-    static const MergingParameters by_noise = internal::mergingByNoise ({});
-    const MergedPlanes merged = mergePlanes ({seen_[a], seen_[b]}, by_noise);
+    const MergedPlanes merged = mergePlanes ({seen_[a], seen_[b]}, mergingByNoise());
     if (merged.moments.size() != 1 || merged.merged_into[0] != merged.merged_into[1])
       return;
     root_[std::max (a, b)] = std::min (a, b);

@@ -3,6 +3,7 @@
 #include "ops/voxel_choice.h"
 
 #include "geometry/principal_axes.h"
+#include <pcl_ops/oriented_point_sampling.h>
 
 #include <algorithm>
 #include <cmath>
@@ -121,3 +122,16 @@ voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
 }
 
 } // namespace pcl_ops::internal
+
+namespace pcl_ops {
+
+double
+voxelSizeFor (const CloudView& points, double wanted_voxels)
+{
+  internal::Coordinates positions;
+  for (std::size_t i = 0; i < points.size; ++i)
+    positions.add (points[i][0], points[i][1], points[i][2]);
+  return internal::voxelSizeFor (positions, wanted_voxels);
+}
+
+} // namespace pcl_ops

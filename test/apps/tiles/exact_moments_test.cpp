@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <base/random.h>
+#include <numbers/random.h>
 #include <tiles/exact_moments.h>
 
 #include <vector>
@@ -28,13 +28,12 @@ momentsOf (const std::vector<Eigen::Vector3d>& points)
 std::vector<Eigen::Vector3d>
 floorAt (const Eigen::Vector3d& corner)
 {
-  internal::RandomGenerator generator (3);
+  Random random (3);
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < 1000; ++i) {
-    const double x = 100.0 * internal::drawUnit (generator);
-    const double y = 100.0 * internal::drawUnit (generator);
-    points.push_back (corner +
-                      Eigen::Vector3d (x, y, 0.01 * internal::drawUnit (generator)));
+    const double x = 100.0 * random.unit();
+    const double y = 100.0 * random.unit();
+    points.push_back (corner + Eigen::Vector3d (x, y, 0.01 * random.unit()));
   }
   return points;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <base/random.h>
+#include <numbers/random.h>
 #include <tiles/plane_joining.h>
 
 #include <algorithm>
@@ -16,15 +16,13 @@ using namespace pcl_ops::apps;
 Piece
 wall (int first, int last, double y, const Eigen::Vector3d& far = {0, 0, 0})
 {
-  internal::RandomGenerator generator (static_cast<std::uint32_t> (first));
+  Random random (static_cast<std::uint32_t> (first));
   Piece piece;
   piece.own.unit = latticeFor (1.0);
   for (int x = 10 * first; x < 10 * last; ++x)
     for (int z = 0; z < 30; ++z)
-      piece.own.add (far +
-                     Eigen::Vector3d (0.1 * x,
-                                      y + 0.04 * internal::drawUnit (generator) - 0.02,
-                                      0.1 * z));
+      piece.own.add (
+          far + Eigen::Vector3d (0.1 * x, y + 0.04 * random.unit() - 0.02, 0.1 * z));
   piece.all = piece.own.toMoments();
   return piece;
 }

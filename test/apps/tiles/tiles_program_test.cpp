@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tiles_program.h"
-#include <base/random.h>
 #include <io/laz_file.h>
+#include <numbers/random.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,17 +22,17 @@ const Eigen::Vector3d far_away (691'000, 5'334'000, 519);
 void
 addWall (int length, double y, std::vector<LasPoint>& points)
 {
-  internal::RandomGenerator generator (42);
+  apps::Random random (42);
   const auto millimetres = [] (double metres) {
     return static_cast<std::int32_t> (std::lround (1000.0 * metres));
   };
   constexpr int points_of_metre = 100;
   for (int i = 0; i < points_of_metre * length; ++i) {
-    const double x = length * internal::drawUnit (generator);
-    const double z = 3.0 * internal::drawUnit (generator);
+    const double x = length * random.unit();
+    const double z = 3.0 * random.unit();
     double noise = -0.09;
     for (int k = 0; k < 12; ++k)
-      noise += 0.015 * internal::drawUnit (generator);
+      noise += 0.015 * random.unit();
     points.push_back ({{millimetres (x), millimetres (y + noise), millimetres (z)}, 0});
   }
 }
