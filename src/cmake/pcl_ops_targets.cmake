@@ -15,6 +15,11 @@ function(pcl_ops_target_defaults target)
     target_compile_options(${target} PRIVATE
       $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
   endif()
+  # Of the libraries on the command line only those that are called: PCL's targets bring
+  # many more, and loading them takes longer than the detection.
+  if(UNIX AND NOT APPLE)
+    target_link_options(${target} PRIVATE LINKER:--as-needed)
+  endif()
   if(PCL_OPS_SANITIZE)
     target_compile_options(${target} PRIVATE
       -fsanitize=${PCL_OPS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
