@@ -2,53 +2,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edges.h"
 
+#include "poly_data.h"
 #include <detection/plane_json.h>
 #include <io/output_file.h>
 #include <nlohmann/json.hpp>
 #include <numbers/angles.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <locale>
-#include <ostream>
-#include <vector>
 
 namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Corners first, then the ends of edges that are at no corner. */
-struct Wires {
-  std::vector<Eigen::Vector3d> places;
-  /** \brief For each edge the places of its ends. */
-  std::vector<std::array<std::size_t, 2>> ends;
-};
-
-std::size_t
-placeOf (const Eigen::Vector3d& end, std::size_t corners, Wires& wires)
+/** \brief The point of an end of an edge, added unless it is a corner. */
+pcl::index_t
+pointOf (const Eigen::Vector3d& end, std::size_t corners, PolyData& lines)
 {
-  const auto last = wires.places.begin() + static_cast<std::ptrdiff_t> (corners);
+  const auto last = lines.points.begin() + static_cast<std::ptrdiff_t> (corners);
   // Ends that were drawn to a corner are the corner, to the last digit.
-  const auto corner = std::find (wires.places.begin(), last, end);
-  if (corner != last)
-    return static_cast<std::size_t> (corner - wires.places.begin());
-  wires.places.push_back (end);
-  return wires.places.size() - 1;
+  auto point = std::find (lines.points.begin(), last, end);
+  if (point == last)
+    point = lines.points.insert (lines.points.end(), end);
+  return static_cast<pcl::index_t> (point - lines.points.begin());
 }
 
-Wires
-wiresOf (const PlaneEdges& found)
+/** \brief Corners first, then the ends of edges that are at no corner. */
+PolyData
+toLines (const PlaneEdges& found)
 {
-  Wires wires;
+  const std::size_t corners = found.corners.size();
+  PolyData lines{"edges of planes", Precision::Double, {}, {}, {}, Wires{corners, {}}};
   for (const PlaneCorner& corner : found.corners)
-    wires.places.push_back (corner.position);
+    lines.points.push_back (corner.position);
   for (const PlaneEdge& edge : found.edges) {
-    const std::size_t from = placeOf (edge.from, found.corners.size(), wires);
-    wires.ends.push_back ({from, placeOf (edge.to, found.corners.size(), wires)});
+    const pcl::index_t from = pointOf (edge.from, corners, lines);
+    lines.cells.push_back ({from, pointOf (edge.to, corners, lines)});
+    lines.wires->planes.push_back ({edge.planes[0], edge.planes[1]});
   }
-  return wires;
+  return lines;
 }
 
 /** \brief The same with the numbers of planes in place of their positions. */
@@ -84,49 +75,6 @@ toJson (const PlaneEdges& found)
   return json.dump (indent) + "\n";
 }
 
-void
-writePlaces (const Wires& wires, const Eigen::Isometry3d& pose, std::ostream& stream)
-{
-  for (const Eigen::Vector3d& place : wires.places) {
-    const Eigen::Vector3d moved = pose * place;
-    stream << moved.x() << ' ' << moved.y() << ' ' << moved.z() << '\n';
-  }
-}
-
-void
-writePly (const PlaneEdges& found, std::ostream& stream)
-{
-  const Wires wires = wiresOf (found);
-  stream << "ply\nformat ascii 1.0\nelement vertex " << wires.places.size()
-         << "\nproperty double x\nproperty double y\nproperty double z\nelement edge "
-         << wires.ends.size()
-         << "\nproperty int vertex1\nproperty int vertex2\nproperty int plane1\n"
-            "property int plane2\nend_header\n";
-  writePlaces (wires, Eigen::Isometry3d::Identity(), stream);
-  for (std::size_t e = 0; e < wires.ends.size(); ++e) {
-    const auto& planes = found.edges[e].planes;
-    stream << wires.ends[e][0] << ' ' << wires.ends[e][1] << ' ' << planes[0] << ' '
-           << planes[1] << '\n';
-  }
-}
-
-void
-writeVtk (const PlaneEdges& found, const Eigen::Isometry3d& pose, std::ostream& stream)
-{
-  const Wires wires = wiresOf (found);
-  const std::size_t corners = found.corners.size();
-  stream << "# vtk DataFile Version 3.0\nedges of planes\nASCII\nDATASET POLYDATA\n"
-            "POINTS "
-         << wires.places.size() << " double\n";
-  writePlaces (wires, pose, stream);
-  stream << "VERTICES " << corners << ' ' << 2 * corners << '\n';
-  for (std::size_t corner = 0; corner < corners; ++corner)
-    stream << "1 " << corner << '\n';
-  stream << "LINES " << wires.ends.size() << ' ' << 3 * wires.ends.size() << '\n';
-  for (const auto& [from, to] : wires.ends)
-    stream << "2 " << from << ' ' << to << '\n';
-}
-
 } // namespace
 
 void
@@ -136,15 +84,9 @@ saveEdges (const std::string& file,
            const std::vector<std::uint32_t>& ids)
 {
   const PlaneEdges edges = numbered (found, ids);
-  const std::string extension = extensionOf (file);
-  if (extension == ".json")
+  if (extensionOf (file) == ".json")
     return writeTextFile (file, toJson (edges));
-  writeFile (file, [&] (std::ostream& stream) {
-    stream.imbue (std::locale::classic());
-    stream.precision (std::numeric_limits<double>::max_digits10);
-    extension == ".vtk" ? writeVtk (edges, sensor_pose, stream)
-                        : writePly (edges, stream);
-  });
+  savePolyData (file, sensor_pose, toLines (edges));
 }
 
 } // namespace pcl_ops::apps

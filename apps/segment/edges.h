@@ -14,7 +14,7 @@ namespace pcl_ops::apps {
 
 /** \brief Writes where planes meet in one step (\ref writeFile), in double precision.
  * \param[in] file a .json or .ply in the file's frame, or a .vtk for pcl_viewer
- * \param[in] sensor_pose as for saveMesh: a .vtk is written moved
+ * \param[in] sensor_pose as for savePolyData: a .vtk is written moved
  * \param[in] ids the number of each plane
  * \throws WorkError if it cannot be written */
 void
