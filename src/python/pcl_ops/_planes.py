@@ -209,6 +209,14 @@ def find_plane_edges(
     return [PlaneEdge(*edge) for edge in edges], [PlaneCorner(*corner) for corner in corners]
 
 
+def camera_up() -> Tuple[float, float, float]:
+    """Against gravity in the optical frame of a level camera.
+
+    There x points to the right, y down, z ahead: segment(points, up=camera_up()).
+    """
+    return 0.0, -1.0, 0.0
+
+
 @named_parameters("estimate_up_axis")
 def estimate_up_axis(
     planes: Sequence[Plane], viewpoint: Vector = (0.0, 0.0, 0.0), **parameters: Any
