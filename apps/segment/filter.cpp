@@ -21,6 +21,7 @@ filterOf (const PlaneChoice& choice)
        {Orientation::Horizontal, Orientation::Vertical, Orientation::Other})
     if (choice.only == toString (orientation))
       filter.orientation = orientation;
+  filter.max_planes = choice.max_planes;
   if (choice.only == "largest")
     filter.max_planes = 1;
   if (choice.direction)
@@ -50,18 +51,23 @@ addSettings (const PlaneChoice& choice, const PlaneFilter& filter, Settings& set
     settings.emplace_back ("min_area", filter.min_area);
   if (choice.min_width)
     settings.emplace_back ("min_width", filter.min_width);
+  if (choice.max_planes)
+    settings.emplace_back ("max_planes",
+                           static_cast<std::int64_t> (*choice.max_planes));
 }
 
 Dropped
-droppedOf (std::size_t found, const DroppedPlanes& dropped)
+droppedOf (const PlaneChoice& choice, std::size_t found, const DroppedPlanes& dropped)
 {
   Dropped result{found, {}};
+  const bool is_largest = choice.only == "largest";
   const std::vector<std::pair<std::string, std::size_t>> counts = {
-      {"only", dropped.by_orientation + dropped.by_number},
+      {"only", dropped.by_orientation + (is_largest ? dropped.by_number : 0)},
       {"direction", dropped.by_direction},
       {"min-points", dropped.by_points},
       {"min-area", dropped.by_area},
-      {"min-width", dropped.by_width}};
+      {"min-width", dropped.by_width},
+      {"max-planes", is_largest ? 0 : dropped.by_number}};
   for (const auto& [option, count] : counts)
     if (count > 0)
       result.by_option.emplace_back (option, count);
@@ -116,6 +122,11 @@ declareChoice (CommandLine& line, PlaneChoice& choice)
                   Range::from (0),
                   choice.min_width,
                   "smallest width of the rectangle around it");
+  line.addNumber ("max-planes",
+                  "N",
+                  Range::from (1),
+                  choice.max_planes,
+                  "the N largest of those the others leave");
 }
 
 void
@@ -134,7 +145,7 @@ keepChosen (const PlaneChoice& choice,
   addSettings (choice, filter, detected.settings);
   const std::size_t found = detected.planes.size();
   const Dropped dropped =
-      droppedOf (found, filterPlanes (detected.planes, filter, extent_of));
+      droppedOf (choice, found, filterPlanes (detected.planes, filter, extent_of));
   if (detected.planes.empty() && found > 0)
     detected.advice = adviceOn (choice, dropped);
   return dropped;

@@ -23,6 +23,8 @@ struct PlaneChoice {
   /** \brief Largest angle to \ref direction [degree]. */
   double within = 10.0;
   std::optional<std::size_t> min_points;
+  /** \brief Largest planes to keep of those the others leave. */
+  std::optional<std::size_t> max_planes;
   std::optional<double> min_area;
   std::optional<double> min_width;
 };

@@ -84,6 +84,20 @@ TEST_F (SegmentChoice, IsAmongTheParameters)
   EXPECT_FALSE (parameters.contains ("min_width"));
 }
 
+TEST_F (SegmentChoice, KeepsTheLargestOfThoseLeft)
+{
+  const auto largest = expectLeft ("--max-planes 1", points_of_plane);
+  EXPECT_EQ (largest["dropped"].dump(), R"({"by":{"max_planes":1},"of":2})");
+  EXPECT_EQ (largest["parameters"]["max_planes"], 1);
+  expectLeft ("--max-planes 1 --only other", points_of_board);
+  EXPECT_FALSE (contains (run ("floor.pcd --max-planes 2").out, "ropped"));
+  EXPECT_TRUE (contains (run ("floor.pcd --max-planes 1").out,
+                         "\nDropped 1 of 2 planes: 1 by --max-planes.\n"));
+  EXPECT_TRUE (contains (run ("floor.pcd --only largest --max-planes 2").out,
+                         "\nDropped 1 of 2 planes: 1 by --only.\n"));
+  expectRefused ("floor.pcd --max-planes 0", "--max-planes: 0 is out of range");
+}
+
 TEST_F (SegmentChoice, SaysInALineHowManyPlanesWereDroppedAndWhy)
 {
   const Outcome some = run ("floor.pcd --min-width 0.5");
