@@ -27,6 +27,8 @@ struct PlaneChoice {
   std::optional<std::size_t> max_planes;
   std::optional<double> min_area;
   std::optional<double> min_width;
+  std::optional<double> max_area;
+  std::optional<double> max_width;
 };
 
 /** \brief What became of the planes that were not chosen. */
@@ -46,9 +48,10 @@ struct Dropped {
 void
 declareChoice (CommandLine& line, PlaneChoice& choice);
 
-/** \throws UsageError if an option was given without the one it is about */
+/** \throws UsageError if an option was given without the one it is about, or bounds
+ * leave nothing between them */
 void
-checkChoice (const CommandLine& line);
+checkChoice (const CommandLine& line, const PlaneChoice& choice);
 
 /** \brief Keeps the chosen planes and forgets the others, whose points then count as on
  * no plane; ids follow the size of those kept. Where none is left, the advice says why.

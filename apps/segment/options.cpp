@@ -265,7 +265,7 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
   checkMethodOptions (line, methodCalled (options.method));
   storeArguments (arguments, options);
   checkHull (line, options);
-  checkChoice (line);
+  checkChoice (line, options.choice);
   checkTracking (line, options);
   checkOutputs (options);
   checkBatch (line, options);

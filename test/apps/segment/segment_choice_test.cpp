@@ -55,6 +55,10 @@ TEST_F (SegmentChoice, KeepsPlanesByDirectionAndSizeAndSaysWhatWasDropped)
              R"({"by":{"min_area":1},"of":2})");
   EXPECT_EQ (dropped ("--min-width 0.5", points_of_plane),
              R"({"by":{"min_width":1},"of":2})");
+  EXPECT_EQ (dropped ("--max-area 2", points_of_board),
+             R"({"by":{"max_area":1},"of":2})");
+  EXPECT_EQ (dropped ("--max-width 0.5", points_of_board),
+             R"({"by":{"max_width":1},"of":2})");
   EXPECT_EQ (dropped ("--min-points 2000", points_of_plane),
              R"({"by":{"min_points":1},"of":2})");
   EXPECT_EQ (dropped ("--only other", points_of_board), R"({"by":{"only":1},"of":2})");
@@ -82,6 +86,17 @@ TEST_F (SegmentChoice, IsAmongTheParameters)
   EXPECT_NEAR (parameters["within"].get<double>(), 10.0, 1e-9);
   EXPECT_EQ (parameters["min_area"], 1.5);
   EXPECT_FALSE (parameters.contains ("min_width"));
+  const auto board = expectLeft ("--max-area 1.5", points_of_board)["parameters"];
+  EXPECT_EQ (board["max_area"], 1.5);
+}
+
+TEST_F (SegmentChoice, RefusesBoundsThatLeaveNothingBetweenThem)
+{
+  expectRefused ("floor.pcd --min-area 2 --max-area 1",
+                 "--max-area: is below --min-area");
+  expectRefused ("floor.pcd --min-width 2 --max-width 1",
+                 "--max-width: is below --min-width");
+  expectRefused ("floor.pcd --max-area -1", "--max-area: -1 is out of range");
 }
 
 TEST_F (SegmentChoice, KeepsTheLargestOfThoseLeft)
