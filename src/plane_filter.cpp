@@ -43,15 +43,31 @@ public:
       return &DroppedPlanes::by_direction;
     if (plane.inliers.size() < filter_.min_points)
       return &DroppedPlanes::by_points;
-    if (filter_.min_area <= 0.0 && filter_.min_width <= 0.0)
-      return nullptr;
-    const PlaneExtent extent = extent_of_ (plane);
-    if (extent.area < filter_.min_area)
-      return &DroppedPlanes::by_area;
-    return extent.width < filter_.min_width ? &DroppedPlanes::by_width : nullptr;
+    return asksForExtent() ? failureOf (extent_of_ (plane)) : nullptr;
   }
 
 private:
+  bool
+  asksForExtent () const
+  {
+    return filter_.min_area > 0.0 || filter_.min_width > 0.0 || filter_.max_area ||
+           filter_.max_width;
+  }
+
+  Count
+  failureOf (const PlaneExtent& extent) const
+  {
+    if (extent.area < filter_.min_area)
+      return &DroppedPlanes::by_area;
+    if (extent.width < filter_.min_width)
+      return &DroppedPlanes::by_width;
+    if (filter_.max_area && extent.area > *filter_.max_area)
+      return &DroppedPlanes::by_max_area;
+    if (filter_.max_width && extent.width > *filter_.max_width)
+      return &DroppedPlanes::by_max_width;
+    return nullptr;
+  }
+
   PlaneFilter filter_;
   const ExtentOfPlane& extent_of_;
 };
@@ -70,6 +86,12 @@ problemOf (const PlaneFilter& filter)
     return "the smallest area must be a number from 0";
   if (!isSize (filter.min_width))
     return "the smallest width must be a length from 0";
+  if (filter.max_area &&
+      !(isSize (*filter.max_area) && *filter.max_area >= filter.min_area))
+    return "the largest area must be a number from the smallest area on";
+  if (filter.max_width &&
+      !(isSize (*filter.max_width) && *filter.max_width >= filter.min_width))
+    return "the largest width must be a length from the smallest width on";
   return {};
 }
 

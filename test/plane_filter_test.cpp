@@ -113,6 +113,19 @@ TEST (PlaneFilter, KeepsPlanesOfEnoughPointsAreaAndWidth)
   EXPECT_EQ (left (width, &DroppedPlanes::by_width), Sizes{400});
 }
 
+TEST (PlaneFilter, KeepsPlanesUpToAnAreaAndAWidth)
+{
+  PlaneFilter area, width;
+  area.max_area = 30.0;
+  width.max_width = 2.5;
+  EXPECT_EQ (left (area, &DroppedPlanes::by_max_area), (Sizes{300, 200}));
+  EXPECT_EQ (left (width, &DroppedPlanes::by_max_width), Sizes{200});
+  area.min_area = 30.0;
+  std::vector<PlaneSegment> planes = house();
+  EXPECT_EQ (filterPlanes (planes, area, extentByPoints).total(), 2u);
+  EXPECT_EQ (planes.front().inliers.size(), 300u);
+}
+
 TEST (PlaneFilter, KeepsTheFirstOfThoseLeft)
 {
   PlaneFilter filter;
@@ -163,7 +176,13 @@ TEST (PlaneFilter, RefusesWhatNoPlaneCanBeMeasuredBy)
         changed ([] (PlaneFilter& f) { f.direction = Vector3d (0, 0, no_number); }),
         changed ([] (PlaneFilter& f) { f.direction_tolerance = 91_deg; }),
         changed ([] (PlaneFilter& f) { f.min_area = -1.0; }),
-        changed ([] (PlaneFilter& f) { f.min_width = no_number; })}) {
+        changed ([] (PlaneFilter& f) { f.min_width = no_number; }),
+        changed ([] (PlaneFilter& f) { f.max_area = no_number; }),
+        changed ([] (PlaneFilter& f) { f.max_width = -1.0; }),
+        changed ([] (PlaneFilter& f) {
+          f.min_width = 2.0;
+          f.max_width = 1.0;
+        })}) {
     EXPECT_NE (problemOf (filter), "");
     std::vector<PlaneSegment> planes = house();
     EXPECT_THROW (filterPlanes (planes, filter, neverAsked), std::invalid_argument);

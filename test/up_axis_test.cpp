@@ -132,6 +132,19 @@ TEST (UpAxis, DoesNotDependOnTheUnit)
   EXPECT_NEAR (metres->confidence, millimetres->confidence, 1e-9);
 }
 
+TEST (UpAxis, IsTakenByADetectorInEitherPrecision)
+{
+  pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;
+  ops.setUpAxis (pcl_ops::cameraUp());
+  EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f (0, -1, 0));
+  ops.setUpAxis (pcl_ops::UpAxis().direction);
+  EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f::UnitZ());
+  ops.setUpAxis (-Eigen::Vector3f::UnitX());
+  EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f (-1, 0, 0));
+  ops.setUpAxis ({0, 2, 0});
+  EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f (0, 2, 0));
+}
+
 TEST (UpAxis, IsFoundInACloudThatWasTurned)
 {
   RandomGenerator generator (seedOfTest());

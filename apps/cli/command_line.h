@@ -114,6 +114,17 @@ public:
     });
   }
 
+  /** \brief Declares --up, a direction or "camera".
+   * \param[out] target an Eigen::Vector3f or a std::optional of one */
+  template <typename Target>
+  void
+  addUpAxis (Target& target, const std::string& help)
+  {
+    addValue ("up", "x,y,z", help, [&target] (const std::string& text) {
+      target = parseUpAxis ("--up", text);
+    });
+  }
+
   /** \brief Declares an option whose value is given to \p store, which may throw a
    * UsageError. */
   void

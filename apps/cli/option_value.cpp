@@ -121,4 +121,13 @@ parseDirection (const std::string& option, const std::string& text)
   return direction;
 }
 
+Eigen::Vector3f
+parseUpAxis (const std::string& option, const std::string& text)
+{
+  // The y axis of an optical frame points down.
+  if (text == "camera")
+    return -Eigen::Vector3f::UnitY();
+  return parseDirection (option, text);
+}
+
 } // namespace pcl_ops::apps

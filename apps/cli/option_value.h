@@ -69,4 +69,9 @@ parseVector (const std::string& option, const std::string& text);
 Eigen::Vector3f
 parseDirection (const std::string& option, const std::string& text);
 
+/** \brief The same, or "camera" for up in the optical frame of a level camera.
+ * \throws UsageError if the text is anything else */
+Eigen::Vector3f
+parseUpAxis (const std::string& option, const std::string& text);
+
 } // namespace pcl_ops::apps

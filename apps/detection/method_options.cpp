@@ -27,11 +27,11 @@ declareShared (CommandLine& line, DetectorOptions& options)
                   "recommended parameters, or the paper's best ones");
   line.addValue ("up",
                  "x,y,z",
-                 "direction against gravity, or auto to find it (0,0,1)",
+                 "direction against gravity, camera or auto (0,0,1)",
                  [&options] (const std::string& text) {
                    options.finds_up = text == "auto";
                    if (!options.finds_up)
-                     options.up = parseDirection ("--up", text);
+                     options.up = parseUpAxis ("--up", text);
                  });
   declare (shared_numbers, PlaneDetectorParameters(), {}, line, options.numbers);
 }

@@ -92,6 +92,40 @@ parametersOf (const DetectorOptions& options, std::size_t points)
   return parameters;
 }
 
+/** \brief Says that samples are counted where more than the default were asked for, as
+ * if they were points, and hardly a plane is left. */
+void
+hintOnMinInliers (const GivenNumbers& given,
+                  OrientedPointSampling<pcl::PointXYZ>& detector,
+                  Detected& detected)
+{
+  // What is few to a room, and what share of its planes: others need no second run.
+  constexpr std::size_t few = 5, least_ratio = 4;
+  OpsParameters parameters = detector.getParameters();
+  const unsigned asked = parameters.min_inliers;
+  const std::size_t left = detected.planes.size();
+  if (given.count ("min-inliers") == 0 || asked <= OpsParameters().min_inliers ||
+      left > few)
+    return;
+  parameters.min_inliers = OpsParameters().min_inliers;
+  detector.setParameters (parameters);
+  std::vector<PlaneSegment> planes;
+  if (!detector.segment (planes))
+    throw std::bad_alloc();
+  if (left == planes.size() || least_ratio * left > planes.size())
+    return;
+  const std::string number = std::to_string (asked);
+  detected.hints.push_back (
+      "--min-inliers " + number + " counts samples, not points, and leaves " +
+      std::to_string (left) + " of " + std::to_string (planes.size()) +
+      " planes: --min-points " + number + " counts points");
+}
+
+template <typename Detector>
+void
+hintOnMinInliers (const GivenNumbers&, const Detector&, const Detected&)
+{}
+
 /** \brief All parameters for a report, under the names of their options. */
 template <typename Parameters>
 Settings
@@ -126,6 +160,7 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   detected.timing = detector.getStageDurations();
   detected.settings = reportOf (options.preset, parameters);
   detected.up = parameters.up_axis;
+  hintOnMinInliers (options.numbers, detector, detected);
   if (isHardlyCovered (*cloud, detected.planes))
     detected.advice = adviceFor (parameters, *cloud, detected.planes.empty());
   return detected;

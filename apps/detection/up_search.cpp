@@ -7,6 +7,7 @@
 #include <pcl_ops/up_axis.h>
 #include <pcl_ops/visibility.h>
 
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -59,6 +60,47 @@ noteOn (const UpSearch& search, const Eigen::Vector3f& used)
   return note.str();
 }
 
+std::string
+roundedTextOf (const Eigen::Vector3d& vector)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision (2);
+  for (const double number : {vector.x(), vector.y(), vector.z()}) {
+    constexpr double hundred = 100.0;
+    // The sum turns -0 into 0.
+    text << (text.tellp() > 0 ? ", " : "")
+         << std::round (hundred * number) / hundred + 0.0;
+  }
+  return text.str();
+}
+
+/** \brief Names another axis than the one used where the planes are sure of it. Costs
+ * no second search: the planes have to be those of the default preset. */
+void
+hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detected)
+{
+  PlaneDetectorParameters given;
+  apply (shared_numbers, options.numbers, given);
+  const auto found =
+      estimateUpAxis (detected.planes, cloud.sensor_origin_.head<3>().cast<double>());
+  if (!found)
+    return;
+  // Planes have the same names upside down.
+  const double cosine =
+      std::abs (found->direction.dot (detected.up.cast<double>().normalized()));
+  if (cosine < std::cos (given.angle_tolerance) && isSeenFromItsOrigin (cloud))
+    detected.hints.push_back ("planes suggest that up is " +
+                              roundedTextOf (found->direction) + ": --up auto");
+}
+
+/** \brief Whether estimates are as sure of the planes as they say. */
+bool
+findsPlanesByDefault (const Method& method, const DetectorOptions& options)
+{
+  return method.name == allMethods().front().name && options.preset == "default" &&
+         options.merging;
+}
+
 } // namespace
 
 Detected
@@ -66,8 +108,12 @@ runMethod (const Method& method,
            const DetectorOptions& options,
            const XyzCloud::ConstPtr& cloud)
 {
-  if (!options.finds_up)
-    return method.detect (options, cloud);
+  if (!options.finds_up) {
+    Detected detected = method.detect (options, cloud);
+    if (!options.up && findsPlanesByDefault (method, options))
+      hintOnUp (options, *cloud, detected);
+    return detected;
+  }
   const UpSearch search = findUp (options, cloud);
   const std::optional<UpAxis>& found = search.found;
   DetectorOptions known = options;

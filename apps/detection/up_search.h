@@ -10,7 +10,10 @@ namespace pcl_ops::apps {
  * 2 found, with the up axis of the cloud's own planes.
  *
  * The axis is that of the default preset's planes, whatever the method: its confidence
- * was measured on those. Where they cannot tell, the default axis is used. */
+ * was measured on those. Where they cannot tell, the default axis is used.
+ *
+ * Where no axis was asked for and planes of the default preset are sure of another one
+ * than the default, a hint names it. */
 Detected
 runMethod (const Method& method,
            const DetectorOptions& options,

@@ -21,6 +21,7 @@ filterOf (const PlaneChoice& choice)
        {Orientation::Horizontal, Orientation::Vertical, Orientation::Other})
     if (choice.only == toString (orientation))
       filter.orientation = orientation;
+  filter.max_planes = choice.max_planes;
   if (choice.only == "largest")
     filter.max_planes = 1;
   if (choice.direction)
@@ -29,6 +30,8 @@ filterOf (const PlaneChoice& choice)
   filter.min_points = choice.min_points.value_or (filter.min_points);
   filter.min_area = choice.min_area.value_or (filter.min_area);
   filter.min_width = choice.min_width.value_or (filter.min_width);
+  filter.max_area = choice.max_area;
+  filter.max_width = choice.max_width;
   return filter;
 }
 
@@ -46,22 +49,33 @@ addSettings (const PlaneChoice& choice, const PlaneFilter& filter, Settings& set
   }
   if (choice.min_points)
     settings.emplace_back ("min_points", static_cast<std::int64_t> (filter.min_points));
-  if (choice.min_area)
-    settings.emplace_back ("min_area", filter.min_area);
-  if (choice.min_width)
-    settings.emplace_back ("min_width", filter.min_width);
+  const std::pair<const char*, std::optional<double>> sizes[] = {
+      {"min_area", choice.min_area},
+      {"min_width", choice.min_width},
+      {"max_area", choice.max_area},
+      {"max_width", choice.max_width}};
+  for (const auto& [name, size] : sizes)
+    if (size)
+      settings.emplace_back (name, *size);
+  if (choice.max_planes)
+    settings.emplace_back ("max_planes",
+                           static_cast<std::int64_t> (*choice.max_planes));
 }
 
 Dropped
-droppedOf (std::size_t found, const DroppedPlanes& dropped)
+droppedOf (const PlaneChoice& choice, std::size_t found, const DroppedPlanes& dropped)
 {
   Dropped result{found, {}};
+  const bool is_largest = choice.only == "largest";
   const std::vector<std::pair<std::string, std::size_t>> counts = {
-      {"only", dropped.by_orientation + dropped.by_number},
+      {"only", dropped.by_orientation + (is_largest ? dropped.by_number : 0)},
       {"direction", dropped.by_direction},
       {"min-points", dropped.by_points},
       {"min-area", dropped.by_area},
-      {"min-width", dropped.by_width}};
+      {"min-width", dropped.by_width},
+      {"max-area", dropped.by_max_area},
+      {"max-width", dropped.by_max_width},
+      {"max-planes", is_largest ? 0 : dropped.by_number}};
   for (const auto& [option, count] : counts)
     if (count > 0)
       result.by_option.emplace_back (option, count);
@@ -106,21 +120,31 @@ declareChoice (CommandLine& line, PlaneChoice& choice)
                   "largest angle of a normal to --direction (10)");
   line.addNumber (
       "min-points", "N", Range::from (0), choice.min_points, "fewest points");
-  line.addNumber ("min-area",
-                  "M2",
-                  Range::from (0),
-                  choice.min_area,
-                  "smallest area inside the outline");
-  line.addNumber ("min-width",
-                  "M",
-                  Range::from (0),
-                  choice.min_width,
-                  "smallest width of the rectangle around it");
+  const auto declare_size = [&] (const char* name,
+                                 const char* placeholder,
+                                 std::optional<double>& size,
+                                 const char* help) {
+    line.addNumber (name, placeholder, Range::from (0), size, help);
+  };
+  declare_size ("min-area", "M2", choice.min_area, "smallest area inside the outline");
+  declare_size (
+      "min-width", "M", choice.min_width, "smallest width of the rectangle around it");
+  declare_size ("max-area", "M2", choice.max_area, "largest area");
+  declare_size ("max-width", "M", choice.max_width, "largest width");
+  line.addNumber ("max-planes",
+                  "N",
+                  Range::from (1),
+                  choice.max_planes,
+                  "the N largest of those the others leave");
 }
 
 void
-checkChoice (const CommandLine& line)
+checkChoice (const CommandLine& line, const PlaneChoice& choice)
 {
+  if (choice.max_area && *choice.max_area < choice.min_area.value_or (0.0))
+    throw UsageError ("--max-area", "is below --min-area; raise it");
+  if (choice.max_width && *choice.max_width < choice.min_width.value_or (0.0))
+    throw UsageError ("--max-width", "is below --min-width; raise it");
   if (line.isGiven ("within") && !line.isGiven ("direction"))
     throw UsageError ("--within", "is about --direction x,y,z; give it, too");
 }
@@ -134,7 +158,7 @@ keepChosen (const PlaneChoice& choice,
   addSettings (choice, filter, detected.settings);
   const std::size_t found = detected.planes.size();
   const Dropped dropped =
-      droppedOf (found, filterPlanes (detected.planes, filter, extent_of));
+      droppedOf (choice, found, filterPlanes (detected.planes, filter, extent_of));
   if (detected.planes.empty() && found > 0)
     detected.advice = adviceOn (choice, dropped);
   return dropped;

@@ -23,8 +23,12 @@ struct PlaneChoice {
   /** \brief Largest angle to \ref direction [degree]. */
   double within = 10.0;
   std::optional<std::size_t> min_points;
+  /** \brief Largest planes to keep of those the others leave. */
+  std::optional<std::size_t> max_planes;
   std::optional<double> min_area;
   std::optional<double> min_width;
+  std::optional<double> max_area;
+  std::optional<double> max_width;
 };
 
 /** \brief What became of the planes that were not chosen. */
@@ -44,9 +48,10 @@ struct Dropped {
 void
 declareChoice (CommandLine& line, PlaneChoice& choice);
 
-/** \throws UsageError if an option was given without the one it is about */
+/** \throws UsageError if an option was given without the one it is about, or bounds
+ * leave nothing between them */
 void
-checkChoice (const CommandLine& line);
+checkChoice (const CommandLine& line, const PlaneChoice& choice);
 
 /** \brief Keeps the chosen planes and forgets the others, whose points then count as on
  * no plane; ids follow the size of those kept. Where none is left, the advice says why.

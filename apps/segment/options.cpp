@@ -30,8 +30,7 @@ constexpr const char* in_and_out =
     "              one piped in; with --output-dir several, folders, 'scans/*.pcd'\n"
     "  OUTPUT.pcd  the cloud with label (0: no plane, 1: the largest, ...) and rgb;\n"
     "              .ply the same; .las of a .las: all as it was, and the label, too\n"
-    "  prints      a table of the planes; with INPUT - their JSON; with --output-dir\n"
-    "              a line for each input, and goes on where one is bad\n"
+    "  prints      a table; with INPUT - JSON; with --output-dir a line per INPUT\n"
     "  no plane    is no failure: all labels 0, and a hint which option to change\n"
     "  exit code   0 done; 1 failed, with --output-dir any input; 2 wrong usage\n"
     "Lengths are in the unit of the cloud, metres by default; angles in degrees.\n";
@@ -266,7 +265,7 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
   checkMethodOptions (line, methodCalled (options.method));
   storeArguments (arguments, options);
   checkHull (line, options);
-  checkChoice (line);
+  checkChoice (line, options.choice);
   checkTracking (line, options);
   checkOutputs (options);
   checkBatch (line, options);

@@ -130,6 +130,19 @@ toObject (const Dropped& dropped)
   return object;
 }
 
+/** \brief The lines under the table, and after the counts of a summary. */
+std::vector<std::string>
+remarksOn (const Report& report)
+{
+  std::vector<std::string> remarks;
+  for (const std::string& line : {droppedBeside (report), adviceOf (report)})
+    if (!line.empty())
+      remarks.push_back (line);
+  const std::vector<std::string>& hints = report.detected.hints;
+  remarks.insert (remarks.end(), hints.begin(), hints.end());
+  return remarks;
+}
+
 } // namespace
 
 void
@@ -141,9 +154,8 @@ printTable (const Report& report, std::ostream& stream)
     printPlanes (report, stream);
   if (!report.detected.up_note.empty())
     stream << report.detected.up_note << "\n";
-  for (const std::string& line : {droppedBeside (report), adviceOf (report)})
-    if (!line.empty())
-      stream << line << "\n";
+  for (const std::string& line : remarksOn (report))
+    stream << line << "\n";
   stream << "Times [ms]:" << std::setprecision (1);
   for (const auto& [name, duration] : detection_stages)
     stream << " " << name << " " << report.detected.timing.*duration;
@@ -154,9 +166,8 @@ std::string
 summaryOf (const Report& report)
 {
   std::string summary = countsOf (report);
-  for (const std::string& line : {droppedBeside (report), adviceOf (report)})
-    if (!line.empty())
-      summary += (summary.back() == '.' ? " " : ". ") + line;
+  for (const std::string& line : remarksOn (report))
+    summary += (summary.back() == '.' ? " " : ". ") + line;
   return summary;
 }
 

@@ -82,6 +82,8 @@ findPlanes (const ViewState& state,
   found.colors.resize (found.planes.size());
   std::iota (found.colors.begin(), found.colors.end(), 1);
   found.notes = detected.up_note;
+  for (const std::string& hint : detected.hints)
+    found.notes += (found.notes.empty() ? "" : "\n") + hint;
   if (found.planes.empty())
     found.notes += (found.notes.empty() ? "" : "\n") + detected.advice;
   if (!state.merging) {

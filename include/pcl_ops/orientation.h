@@ -11,6 +11,14 @@ namespace pcl_ops {
 /** \brief 7 degrees [rad]: the paper's tolerance of orientations and of merging. */
 constexpr double paper_angle_tolerance = 0.12217304763960307;
 
+/** \brief Against gravity in the optical frame of a level camera: x points to the
+ * right, y down, z ahead. */
+inline Eigen::Vector3d
+cameraUp ()
+{
+  return -Eigen::Vector3d::UnitY();
+}
+
 /** \brief The paper's three groups of planes (section III-A). */
 enum class Orientation { Horizontal, Vertical, Other };
 

@@ -264,6 +264,14 @@ public:
   {
     parameters_.up_axis = up_axis;
   }
+  /** \brief The same in double precision, as \ref estimateUpAxis and \ref cameraUp give
+   * it. */
+  template <typename Derived>
+  void
+  setUpAxis (const Eigen::MatrixBase<Derived>& up_axis)
+  {
+    parameters_.up_axis = up_axis.template cast<float>();
+  }
   const Eigen::Vector3f&
   getUpAxis () const
   {

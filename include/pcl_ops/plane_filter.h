@@ -33,6 +33,10 @@ struct PlaneFilter {
   double min_area = 0.0;
   /** \brief Smallest width of the rectangle around the outline [m]. */
   double min_width = 0.0;
+  /** \brief Largest area inside the outline [m^2]. Not given: any. */
+  std::optional<double> max_area;
+  /** \brief Largest width of the rectangle around the outline [m]. Not given: any. */
+  std::optional<double> max_width;
   /** \brief Keep so many of those that are left, the first ones. */
   std::optional<std::size_t> max_planes;
 };
@@ -49,12 +53,15 @@ struct DroppedPlanes {
   std::size_t by_points = 0;
   std::size_t by_area = 0;
   std::size_t by_width = 0;
+  std::size_t by_max_area = 0;
+  std::size_t by_max_width = 0;
   std::size_t by_number = 0;
 
   std::size_t
   total () const
   {
-    return by_orientation + by_direction + by_points + by_area + by_width + by_number;
+    return by_orientation + by_direction + by_points + by_area + by_width +
+           by_max_area + by_max_width + by_number;
   }
 };
 

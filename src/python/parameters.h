@@ -198,6 +198,8 @@ visit (PlaneFilter& p, const At& at)
   at ("min_points", p.min_points);
   at ("min_area", p.min_area);
   at ("min_width", p.min_width);
+  at ("max_area", p.max_area);
+  at ("max_width", p.max_width);
   at ("max_planes", p.max_planes);
 }
 

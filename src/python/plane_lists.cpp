@@ -90,6 +90,8 @@ filter (const PlaneSegments& planes,
                           : by.by_points != 0     ? "min_points"
                           : by.by_area != 0       ? "min_area"
                           : by.by_width != 0      ? "min_width"
+                          : by.by_max_area != 0   ? "max_area"
+                          : by.by_max_width != 0  ? "max_width"
                           : most && kept >= *most ? "max_planes"
                                                   : "");
     kept += reasons.back().empty() ? 1 : 0;

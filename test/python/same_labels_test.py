@@ -63,6 +63,7 @@ class SameLabels(unittest.TestCase):
                         method="kht", distance_threshold=0.03)
         self.assertSame("--preset", "paper", "--seed", "7", preset="paper", seed=7)
         self.assertSame("--up", "0,1,0", up=(0, 1, 0))
+        self.assertSame("--up", "camera", up=pcl_ops.camera_up())
 
     def test_by_any_number_of_threads(self):
         self.assertSame(threads=3)

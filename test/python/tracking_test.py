@@ -27,6 +27,8 @@ class FilterPlanes(unittest.TestCase):
             ("min_points", 9000, [floor, wall]),
             ("min_area", 9.0, [floor, wall]),
             ("min_width", 2.8, [floor]),
+            ("max_area", 9.0, [side]),
+            ("max_width", 2.8, [wall, side]),
             ("max_planes", 2, [floor, wall]),
         ]:
             with self.subTest(argument):

@@ -34,7 +34,7 @@ readOptions (int argc, const char* const* argv, CompareOptions& options)
       "TRUTH", options.truth_file, "the true planes, .pcd, .ply, .las or text");
   line.addArgument (
       "RESULT", options.result_file, "the planes found, .pcd, .ply, .las or text");
-  line.addDirection ("up", options.up, "direction against gravity (0,0,1)");
+  line.addUpAxis (options.up, "direction against gravity; camera: 0,-1,0 (0,0,1)");
   line.addNumber ("min-plane-points",
                   "N",
                   apps::Range::from (0),

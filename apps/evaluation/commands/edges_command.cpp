@@ -25,7 +25,7 @@ edgesCommand (int argc, const char* const* argv)
       "plane, 1 m and longer.",
       PCL_OPS_VERSION);
   line.addArguments ("DATASET", texts, 1, data_set_help);
-  line.addDirection ("up", up, "direction against gravity of clouds: (0,0,1)");
+  line.addUpAxis (up, "against gravity in clouds; camera: 0,-1,0 (0,0,1)");
   if (!line.parse (argc, argv))
     return apps::ExitCode::done;
   std::vector<EdgeScores> all;

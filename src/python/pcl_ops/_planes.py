@@ -176,6 +176,7 @@ def filter_planes(
         within direction_tolerance [rad].
     min_points, min_area, min_width: fewest inliers, smallest area of the hull and smallest
         width of the rectangle around it.
+    max_area, max_width: the largest ones; None: any.
     max_planes: how many to keep of those that are left, the first ones.
 
     Returns (kept, dropped): the list of Plane, and a dict with how many each of these
@@ -184,7 +185,8 @@ def filter_planes(
     planes = plane_list("planes", planes, Plane)
     reasons = _pcl_ops.filter(
         segments_of("planes", planes), parameters, lambda i: (planes[i].area, planes[i].width))
-    names = ("orientation", "direction", "min_points", "min_area", "min_width", "max_planes")
+    names = ("orientation", "direction", "min_points", "min_area", "min_width", "max_area",
+             "max_width", "max_planes")
     kept = [plane for plane, reason in zip(planes, reasons) if not reason]
     return kept, {name: reasons.count(name) for name in names}
 
@@ -207,6 +209,14 @@ def find_plane_edges(
     single, origin = single_precision(_array_of(planes))
     edges, corners = _pcl_ops.edges(single, origin, segments_of("planes", planes), parameters)
     return [PlaneEdge(*edge) for edge in edges], [PlaneCorner(*corner) for corner in corners]
+
+
+def camera_up() -> Tuple[float, float, float]:
+    """Against gravity in the optical frame of a level camera.
+
+    There x points to the right, y down, z ahead: segment(points, up=camera_up()).
+    """
+    return 0.0, -1.0, 0.0
 
 
 @named_parameters("estimate_up_axis")

@@ -38,7 +38,7 @@ struct Detector {
     line.addText ("image", "FILE", image, "a picture");
     line.addNumber ("threshold", "M", Range::above (0), threshold, "distance");
     line.addNumber ("k", "K", Range::from (3).upTo (100), k, "neighbors");
-    line.addDirection ("up", up, "axis");
+    line.addUpAxis (up, "axis");
     line.addFlag ("quiet", quiet, "no table");
     std::vector<const char*> argv{"detect"};
     for (const std::string& argument : arguments)
@@ -73,6 +73,13 @@ TEST (CommandLine, TakesNegativeNumbersForValues)
   Detector detector;
   EXPECT_EQ (detector.parse ({"in.pcd", "--up", "-1,0,-0.5"}), "");
   EXPECT_EQ (detector.up, Eigen::Vector3f (-1, 0, -0.5));
+}
+
+TEST (CommandLine, TakesTheCameraForUp)
+{
+  Detector detector;
+  EXPECT_EQ (detector.parse ({"in.pcd", "--up", "camera"}), "");
+  EXPECT_EQ (detector.up, Eigen::Vector3f (0, -1, 0));
 }
 
 TEST (CommandLine, TellsGivenOptionsFromDefaults)

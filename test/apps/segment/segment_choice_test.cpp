@@ -55,6 +55,10 @@ TEST_F (SegmentChoice, KeepsPlanesByDirectionAndSizeAndSaysWhatWasDropped)
              R"({"by":{"min_area":1},"of":2})");
   EXPECT_EQ (dropped ("--min-width 0.5", points_of_plane),
              R"({"by":{"min_width":1},"of":2})");
+  EXPECT_EQ (dropped ("--max-area 2", points_of_board),
+             R"({"by":{"max_area":1},"of":2})");
+  EXPECT_EQ (dropped ("--max-width 0.5", points_of_board),
+             R"({"by":{"max_width":1},"of":2})");
   EXPECT_EQ (dropped ("--min-points 2000", points_of_plane),
              R"({"by":{"min_points":1},"of":2})");
   EXPECT_EQ (dropped ("--only other", points_of_board), R"({"by":{"only":1},"of":2})");
@@ -82,6 +86,31 @@ TEST_F (SegmentChoice, IsAmongTheParameters)
   EXPECT_NEAR (parameters["within"].get<double>(), 10.0, 1e-9);
   EXPECT_EQ (parameters["min_area"], 1.5);
   EXPECT_FALSE (parameters.contains ("min_width"));
+  const auto board = expectLeft ("--max-area 1.5", points_of_board)["parameters"];
+  EXPECT_EQ (board["max_area"], 1.5);
+}
+
+TEST_F (SegmentChoice, RefusesBoundsThatLeaveNothingBetweenThem)
+{
+  expectRefused ("floor.pcd --min-area 2 --max-area 1",
+                 "--max-area: is below --min-area");
+  expectRefused ("floor.pcd --min-width 2 --max-width 1",
+                 "--max-width: is below --min-width");
+  expectRefused ("floor.pcd --max-area -1", "--max-area: -1 is out of range");
+}
+
+TEST_F (SegmentChoice, KeepsTheLargestOfThoseLeft)
+{
+  const auto largest = expectLeft ("--max-planes 1", points_of_plane);
+  EXPECT_EQ (largest["dropped"].dump(), R"({"by":{"max_planes":1},"of":2})");
+  EXPECT_EQ (largest["parameters"]["max_planes"], 1);
+  expectLeft ("--max-planes 1 --only other", points_of_board);
+  EXPECT_FALSE (contains (run ("floor.pcd --max-planes 2").out, "ropped"));
+  EXPECT_TRUE (contains (run ("floor.pcd --max-planes 1").out,
+                         "\nDropped 1 of 2 planes: 1 by --max-planes.\n"));
+  EXPECT_TRUE (contains (run ("floor.pcd --only largest --max-planes 2").out,
+                         "\nDropped 1 of 2 planes: 1 by --only.\n"));
+  expectRefused ("floor.pcd --max-planes 0", "--max-planes: 0 is out of range");
 }
 
 TEST_F (SegmentChoice, SaysInALineHowManyPlanesWereDroppedAndWhy)

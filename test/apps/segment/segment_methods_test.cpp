@@ -179,6 +179,20 @@ TEST_F (SegmentRoom, SaysWhenOpsHasTooFewSamples)
   EXPECT_TRUE (contains (strict, "--min-inliers")) << strict;
 }
 
+TEST_F (SegmentRoom, SaysThatMinInliersCountsSamplesWhereItLeavesHardlyAPlane)
+{
+  const auto out_of = [&] (const std::string& options) {
+    return run ("in.pcd " + options).out;
+  };
+  const std::string none = out_of ("--min-inliers 2000");
+  EXPECT_TRUE (contains (none,
+                         "\n--min-inliers 2000 counts samples, not points, and leaves "
+                         "0 of 2 planes: --min-points 2000 counts points\n"))
+      << none;
+  for (const char* fitting : {"--min-inliers 21", "--min-points 2000", "--method kht"})
+    EXPECT_FALSE (contains (out_of (fitting), "counts samples")) << fitting;
+}
+
 TEST_F (SegmentRoom, SaysWhenTheSpheresOfFspfHoldTooFewPoints)
 {
   // Points 4 cm apart: of the 25 nearest on a plane only the corners are farther away.

@@ -107,6 +107,35 @@ TEST_F (SegmentUp, IsNotGuessedWhereTheViewpointIsNotTheSensors)
       << run.outcome.out;
 }
 
+TEST_F (SegmentUp, IsSuggestedWhereThePlanesAreSureOfAnother)
+{
+  const std::string hint = "planes suggest that up is 1.00, 0.00, 0.00: --up auto";
+  const auto says_so = [&] (const std::string& options) {
+    return contains (expectDone ("cloud.pcd " + options).out, hint);
+  };
+  pcl::io::savePCDFileBinary (folder_ / "cloud.pcd", roomLyingOnItsSide());
+  EXPECT_TRUE (says_so (""));
+  EXPECT_TRUE (says_so ("--output-dir planes"));
+  EXPECT_FALSE (says_so ("--up 0,0,1"));
+  EXPECT_FALSE (says_so ("--up camera"));
+  EXPECT_FALSE (says_so ("--up auto"));
+  EXPECT_FALSE (says_so ("--method kht"));
+}
+
+TEST_F (SegmentUp, IsNotSuggestedWhereItIsTheOneUsedOrNobodyKnows)
+{
+  InputCloud upright = roomLyingOnItsSide();
+  for (pcl::PointXYZI& point : upright)
+    point.getVector3fMap() = Eigen::Vector3f (point.y, point.z, point.x);
+  upright.sensor_origin_ = Eigen::Vector4f (-1.0f, 0.8f, 1.3f, 0.0f);
+  InputCloud elsewhere = roomLyingOnItsSide();
+  elsewhere.sensor_origin_ = Eigen::Vector4f (-2.0f, 2.0f, 1.0f, 0.0f);
+  for (const InputCloud& cloud : {upright, elsewhere}) {
+    pcl::io::savePCDFileBinary (folder_ / "cloud.pcd", cloud);
+    EXPECT_FALSE (contains (expectDone ("cloud.pcd").out, "suggest"));
+  }
+}
+
 TEST_F (SegmentUp, IsNotLookedForUnlessAsked)
 {
   const auto json = jsonOf ("in.pcd --planes planes.json", "planes.json");
