@@ -89,7 +89,8 @@ decimalsFor (const std::vector<PlaneExtent>& extents)
   for (const PlaneExtent& extent : extents)
     if (extent.width > 0.0)
       decimals = std::max (
-          decimals, static_cast<int> (std::ceil (min_decimals - std::log10 (extent.width))));
+          decimals,
+          static_cast<int> (std::ceil (min_decimals - std::log10 (extent.width))));
   return std::min (decimals, max_decimals);
 }
 

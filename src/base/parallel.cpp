@@ -89,7 +89,10 @@ helpersFor (unsigned threads, std::size_t pieces)
 } // namespace
 
 void
-parallelFor (unsigned threads, std::size_t size, std::size_t grain, const PieceBody& body)
+parallelFor (unsigned threads,
+             std::size_t size,
+             std::size_t grain,
+             const PieceBody& body)
 {
   if (size == 0)
     return;
