@@ -8,7 +8,7 @@ namespace pcl_ops::simulation {
 
 /** \brief Four walls and a gable roof; the ridge is along the length. */
 struct House {
-  /** \brief The middle of the house on the ground [m]. */
+  /** \brief Center of the building on the ground [m]. */
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   /** \brief Of the length against the x axis [rad]. */
   double yaw = 0.0;

@@ -39,7 +39,7 @@ public:
   void
   saveLabelled (const std::string& output, const LabelOfPlace& label);
 
-  /** \brief Why there can be no labels, with the mend; empty where there can. */
+  /** \brief Why there can be no labels, with the fix; empty where there can. */
   std::string
   problemOfLabels () const;
 

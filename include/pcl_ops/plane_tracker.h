@@ -58,7 +58,7 @@ public:
     return remembered_;
   }
 
-  /** \brief The last frame in the common one, as its planes say: drift is mended where
+  /** \brief The last frame in the common one, as its planes say: drift is corrected where
    * planes are seen again. */
   const Eigen::Isometry3d&
   pose () const

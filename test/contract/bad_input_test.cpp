@@ -27,7 +27,7 @@ cloudOf (std::size_t size, const std::function<pcl::PointXYZ (float)>& point)
   return cloud;
 }
 
-/** \brief Misuse: false, empty outputs, and one message that names the mend. */
+/** \brief Misuse: false, empty outputs, and one message that names the fix. */
 void
 expectRefused (Ops& ops, const std::string& message)
 {

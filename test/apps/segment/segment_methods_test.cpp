@@ -217,9 +217,9 @@ TEST_F (SegmentRoom, SuspectsMillimetres)
   const std::string metres = adviceOf ("large.pcd --method fspf");
   EXPECT_TRUE (contains (metres, "millimetre")) << metres;
   EXPECT_TRUE (contains (metres, "--inner-radius")) << metres;
-  const Outcome mended =
+  const Outcome fixed =
       run ("large.pcd --method fspf --threshold 50 --inner-radius 200");
-  EXPECT_TRUE (contains (mended.out, "2 planes")) << mended.out;
+  EXPECT_TRUE (contains (fixed.out, "2 planes")) << fixed.out;
 }
 
 TEST_F (SegmentRoom, HasVoxelsOfTheEdgeAskedFor)
