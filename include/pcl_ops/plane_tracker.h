@@ -58,8 +58,8 @@ public:
     return remembered_;
   }
 
-  /** \brief The last frame in the common one, as its planes say: drift is corrected where
-   * planes are seen again. */
+  /** \brief The last frame in the common one, as its planes say: drift is corrected
+   * where planes are seen again. */
   const Eigen::Isometry3d&
   pose () const
   {
