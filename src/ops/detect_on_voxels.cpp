@@ -75,11 +75,11 @@ findPlanes (const VoxelGrid& grid,
   clock.lap (durations.extraction);
 }
 
-// Makes one plane of those that noise divided, and of those that a gap did.
+// Which planes are one: those that noise divided, and those that a gap did.
 MergedPlanes
-joinPlanes (const VoxelGrid& grid,
-            const Parameters& parameters,
-            const BoundedPlanes& planes)
+mergedPlanes (const VoxelGrid& grid,
+              const Parameters& parameters,
+              const BoundedPlanes& planes)
 {
   const Labels absorbed =
       absorbPlanes (grid, parameters.surfels.absorption_noise_factor, planes);
@@ -92,6 +92,21 @@ joinPlanes (const VoxelGrid& grid,
   for (std::size_t p = 0; p < parts.size(); ++p)
     merged.merged_into[p] = of_absorbers[static_cast<std::size_t> (absorbed[p])];
   return merged;
+}
+
+// Makes one plane of those that are one, in voxels of both sizes.
+void
+joinPlanes (const VoxelGrid& grid,
+            const Parameters& parameters,
+            BoundedPlanes& planes,
+            Refinement& finer)
+{
+  const VoxelGrid& finer_grid = finer.voxelized.grid;
+  const MergedPlanes merged = mergedPlanes (finer_grid, parameters, finer.planes);
+  renumberPlanes (merged, planes);
+  renumberPlanes (merged, finer.planes);
+  measureNoise (grid, parameters.threads, planes);
+  measureNoise (finer_grid, parameters.threads, finer.planes);
 }
 
 // The points of coarse voxels that are not refined, and those of the finer ones.
@@ -169,36 +184,30 @@ labelPoints (const Points& points,
              StageDurations& durations,
              std::size_t& found)
 {
-  const unsigned threads = parameters.threads;
+  const SurfelParameters& surfels = parameters.surfels;
   StageClock clock;
   // P_s: the voxels of a grid
   const VoxelizedPoints voxels = divide (points, parameters);
-  const VoxelGrid& grid = voxels.grid;
-  if (grid.size() == 0)
+  if (voxels.grid.size() == 0)
     return {Labels (points.size(), no_plane), {}};
   BoundedPlanes planes;
-  planes.plane_of_voxel.assign (grid.size(), no_plane);
+  planes.plane_of_voxel.assign (voxels.grid.size(), no_plane);
   clock.lap (durations.search);
   // n_i and Pi: normals from the moments around, planes spread over like neighbors
-  findPlanes (grid, parameters, parameters.surfels.sure_thickness, planes, durations);
+  findPlanes (voxels.grid, parameters, surfels.sure_thickness, planes, durations);
   clock = StageClock();
   // what no plane explains, in voxels of half the edge
-  Refinement finer = refine (points, voxels, planes, threads);
-  const VoxelGrid& finer_grid = finer.voxelized.grid;
+  Refinement finer = refine (points, voxels, planes, parameters.threads);
   clock.lap (durations.search);
-  findPlanes (finer_grid,
+  findPlanes (finer.voxelized.grid,
               parameters,
-              parameters.surfels.largest_thickness,
+              surfels.largest_thickness,
               finer.planes,
               durations);
   clock = StageClock();
   found = finer.planes.size();
   // section III-C, by the noise of the planes instead of theta_h
-  const MergedPlanes merged = joinPlanes (finer_grid, parameters, finer.planes);
-  renumberPlanes (merged, planes);
-  renumberPlanes (merged, finer.planes);
-  measureNoise (grid, threads, planes);
-  measureNoise (finer_grid, threads, finer.planes);
+  joinPlanes (voxels.grid, parameters, planes, finer);
   clock.lap (durations.merging);
   // every point of P, not of P_s alone, to a plane
   AssignedPoints assigned = assign (points, voxels, planes, finer, parameters);
