@@ -107,3 +107,19 @@ TEST (Noise, IsThatOfMostOfThePlane)
   measureNoise (scene.grid(), 1, scene.planes);
   EXPECT_NEAR (scene.planes.noise[0], rmsOf (1_cm), 1_mm);
 }
+
+TEST (Noise, IsThatOfInnerVoxelsHoweverFewTheyAre)
+{
+  // A ground that is uneven by 3 cm but for its middle; over all the rest, a lid.
+  const auto ringAt = [] (double z) {
+    return std::vector<Surface>{{{0, 0, z}, {0.7, 0, 0}, {0, 2, 0}},
+                                {{1.3, 0, z}, {0.7, 0, 0}, {0, 2, 0}},
+                                {{0.7, 0, z}, {0.6, 0, 0}, {0, 0.7, 0}},
+                                {{0.7, 1.3, z}, {0.6, 0, 0}, {0, 0.7, 0}}};
+  };
+  std::vector<Surface> uneven = ringAt (0.08);
+  uneven.insert (uneven.begin(), {{0.7, 0.7, 0.05}, {0.6, 0, 0}, {0, 0.6, 0}});
+  VoxelScene scene ({uneven, ringAt (0.15)});
+  measureNoise (scene.grid(), 1, scene.planes);
+  EXPECT_NEAR (scene.planes.noise[0], smallestNoise (scene.grid()), 1e-6);
+}

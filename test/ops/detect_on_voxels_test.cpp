@@ -67,10 +67,11 @@ TEST (DetectOnVoxels, GivesEachPointOfGroundAndWallToItsPlane)
 TEST (DetectOnVoxels, MakesOnePlaneOfTwoThatAGapDivides)
 {
   const Surface beyond = {{3, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
-  const LabelledPlanes found = detect (pointsOf ({ground, beyond}, 5_mm));
-  EXPECT_EQ (found.planes_before_merging, 2u);
-  EXPECT_EQ (found.planes.fits.size(), 1u);
+  const LabelledPlanes found = detect (pointsOf ({ground, beyond, board}));
+  EXPECT_EQ (found.planes_before_merging, 3u);
+  EXPECT_EQ (found.planes.fits.size(), 2u);
   EXPECT_EQ (pointsOn (0, found), 28800u);
+  EXPECT_EQ (pointsOn (1, found), 14400u) << "found in voxels of half the edge";
 }
 
 TEST (DetectOnVoxels, KeepsApartWhatNoiseDoesNotExplain)
@@ -131,13 +132,21 @@ TEST (DetectOnVoxels, AsksForPointsEnoughForANormal)
       << "nine voxels are never 9.1";
 }
 
-TEST (DetectOnVoxels, TakesASplinterToThePlaneAroundItWithoutMerging)
+TEST (DetectOnVoxels, GrowsOverPointsTooFewForANormal)
 {
-  // Two roofs of a degree: noise makes one plane of what touches.
-  const Points points = pointsOf (
-      {{{0, 0, 0.05}, {1, 0, 0}, {0, 2, 0}}, {{1, 0, 0.05}, {1, 0, 0.01}, {0, 2, 0}}},
-      1_cm);
+  // Two halves of a ground, and in a metre between them one point a voxel.
+  Points points = pointsOf ({{{0, 0, 0.05}, {1.5, 0, 0}, {0, 2, 0}},
+                             {{2.5, 0, 0.05}, {1.5, 0, 0}, {0, 2, 0}}},
+                            5_mm);
+  for (int x = 0; x < 10; ++x)
+    for (int y = 0; y < 20; ++y)
+      points.add (1.55f + 0.1f * static_cast<float> (x),
+                  0.05f + 0.1f * static_cast<float> (y),
+                  0.05f);
   pcl_ops::OrientedPointSamplingParameters parameters = usual();
-  parameters.merging.enabled = false;
-  EXPECT_EQ (detect (points, parameters).planes.fits.size(), 1u);
+  parameters.surfels.resolutions = 1;
+  const LabelledPlanes found = detect (points, parameters);
+  EXPECT_EQ (found.planes_before_merging, 2u);
+  EXPECT_EQ (found.planes.fits.size(), 1u);
+  EXPECT_EQ (pointsOn (0, found), points.size());
 }

@@ -173,3 +173,19 @@ TEST (OrientedVoxels, HaveNoSurfelOnAWire)
   for (const auto& surfel : surfelsOf (voxelize (points, 0.1, 1).grid))
     EXPECT_FALSE (surfel.has_value());
 }
+
+TEST (OrientedVoxels, TakeNoNormalOfAPlaneThatTheyAreNotOn)
+{
+  // Four stray points above a floor: their voxel has the flat floor around it.
+  Coordinates points;
+  addGrid (points, {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}}, 120);
+  addGrid (points, {{1.0, 1.0, 0.1}, {0.1, 0, 0}, {0, 0.1, 0.1}}, 2);
+  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
+  const auto surfels = surfelsOf (grid);
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    if (surfels[i]) {
+      const double limit = 1.5 * std::max (surfels[i]->noise, 3_mm);
+      EXPECT_LT (meanSquaredDistance (grid.moments[i], surfels[i]->plane),
+                 limit * limit);
+    }
+}
