@@ -4,6 +4,7 @@
 
 #include "geometry/points.h"
 #include "scene.h"
+#include "voxels/voxel_grid.h"
 
 /** \brief Points anywhere in a cube about zero. */
 inline pcl_ops::internal::Coordinates
@@ -39,4 +40,11 @@ addGrid (pcl_ops::internal::Coordinates& points,
                   static_cast<float> (point.y()),
                   static_cast<float> (point.z()));
     }
+}
+
+/** \brief Voxels of points, with their neighbours. */
+inline pcl_ops::internal::VoxelGrid
+connectedGrid (const pcl_ops::internal::Coordinates& points, double voxel_size)
+{
+  return voxelizeTwice (points, voxel_size, 1).coarse.grid;
 }

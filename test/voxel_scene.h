@@ -23,10 +23,19 @@ struct VoxelScene {
       plane_of_point.resize (points.size(), static_cast<std::int32_t> (planes.size()));
       addPlane (pcl_ops::planeThrough (plane[0].centre(), plane[0].normal()));
     }
-    voxelized = pcl_ops::internal::voxelize (points, 10_cm, 1);
+    voxelize();
+    const pcl_ops::internal::Indices voxels =
+        voxelsOfPoints (grid(), voxelized.finest.points);
     planes.plane_of_voxel.assign (grid().size(), pcl_ops::no_plane);
     for (std::size_t i = points.size(); i-- > 0;)
-      planes.plane_of_voxel[voxelized.voxel_of_point[i]] = plane_of_point[i];
+      planes.plane_of_voxel[voxels[i]] = plane_of_point[i];
+  }
+
+  /** \brief After points were added. */
+  void
+  voxelize ()
+  {
+    voxelized = pcl_ops::internal::voxelizeTwice (points, 10_cm, 1);
   }
 
   /** \brief A plane without voxels and with a noise of 6 mm. */
@@ -40,7 +49,7 @@ struct VoxelScene {
   const pcl_ops::internal::VoxelGrid&
   grid () const
   {
-    return voxelized.grid;
+    return voxelized.coarse.grid;
   }
 
   Eigen::Vector3d
@@ -68,6 +77,6 @@ struct VoxelScene {
   }
 
   pcl_ops::internal::Coordinates points;
-  pcl_ops::internal::VoxelizedPoints voxelized;
+  pcl_ops::internal::VoxelLevels voxelized;
   pcl_ops::internal::BoundedPlanes planes;
 };

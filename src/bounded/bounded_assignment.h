@@ -11,20 +11,23 @@ namespace pcl_ops::internal {
 
 /** \brief Assigns points to bounded planes: to the nearest, in units of the plane's
  * noise, of the planes whose support has a voxel within one voxel of the point.
- * \param[in] points the points
- * \param[in] voxelized their voxels
+ * \param[in] points sorted by their voxels
+ * \param[in] grid these voxels
  * \param[in] planes on these voxels, with their noise
  * \param[in] distance_threshold theta_h: largest distance [m]; none: two voxels
  * \param[in] noise_factor largest distance in units of the plane's noise
  * \param[in] threads number of threads; 0: all. The result does not depend on it
- * \param[in] is_left_out voxels whose points get no plane; empty: none */
-AssignedPoints
-assignToBoundedPlanes (const Coordinates& points,
-                       const VoxelizedPoints& voxelized,
+ * \param[in] is_left_out voxels whose points stay as they are; empty: none
+ * \param[in,out] assigned labels of all points, and the moments of each plane's, which
+ * are added */
+void
+assignToBoundedPlanes (const SortedPoints& points,
+                       const VoxelGrid& grid,
                        const BoundedPlanes& planes,
                        std::optional<double> distance_threshold,
                        double noise_factor,
                        unsigned threads,
-                       const std::vector<char>& is_left_out = {});
+                       const std::vector<char>& is_left_out,
+                       AssignedPoints& assigned);
 
 } // namespace pcl_ops::internal

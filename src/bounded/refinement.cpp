@@ -29,42 +29,41 @@ voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_
   return is_refined;
 }
 
+// The finest voxels in coarse ones that are refined.
 Indices
-pointsToRefine (const VoxelizedPoints& coarse, const std::vector<char>& is_refined)
+voxelsIn (const Indices& coarse_of_finest, const std::vector<char>& is_refined)
 {
-  const std::size_t size = coarse.voxel_of_point.size();
-  Indices points (size);
-  std::size_t number = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    // Written always, counted if refined: no branch to mispredict.
-    points[number] = static_cast<std::uint32_t> (i);
-    number += static_cast<std::size_t> (is_refined[coarse.voxel_of_point[i]]);
-  }
-  points.resize (number);
-  return points;
+  Indices voxels;
+  for (std::size_t i = 0; i < coarse_of_finest.size(); ++i)
+    if (is_refined[coarse_of_finest[i]] != 0)
+      voxels.push_back (static_cast<std::uint32_t> (i));
+  return voxels;
 }
 
-// Of each finer voxel the coarse one that holds it.
-Indices
-parentsOf (const VoxelizedPoints& coarse, const Refinement& refinement)
+VoxelGrid
+selected (const VoxelGrid& grid, const Indices& voxels)
 {
-  Indices parents (refinement.voxelized.grid.size());
-  for (std::size_t i = 0; i < refinement.points.size(); ++i)
-    parents[refinement.voxelized.voxel_of_point[i]] =
-        coarse.voxel_of_point[refinement.points[i]];
-  return parents;
+  VoxelGrid some;
+  some.voxel_size = grid.voxel_size;
+  for (const std::uint32_t voxel : voxels) {
+    some.codes.push_back (grid.codes[voxel]);
+    some.first_point.push_back (grid.first_point[voxel]);
+    some.moments.push_back (grid.moments[voxel]);
+  }
+  return some;
 }
 
 // The plane that each finer voxel has from the coarse one that holds it.
 Labels
 inheritedPlanes (const BoundedPlanes& planes,
-                 const Indices& parents,
+                 const Indices& coarse_of_finest,
+                 const Indices& voxels,
                  const VoxelGrid& finer,
                  unsigned threads)
 {
   Labels inherited (finer.size(), no_plane);
   forVoxels (finer, threads, [&] (std::size_t i) {
-    const std::int32_t plane = planes.plane_of_voxel[parents[i]];
+    const std::int32_t plane = planes.plane_of_voxel[coarse_of_finest[voxels[i]]];
     if (plane == no_plane)
       return;
     const auto p = static_cast<std::size_t> (plane);
@@ -92,22 +91,21 @@ momentsLeft (const VoxelGrid& coarse,
 } // namespace
 
 Refinement
-refine (const Coordinates& points,
-        const VoxelizedPoints& coarse,
+refine (const VoxelGrid& finest,
+        const CoarserGrid& coarse,
         const BoundedPlanes& planes,
         unsigned threads)
 {
   Refinement finer;
   finer.is_refined = voxelsToRefine (coarse.grid, threads, planes.plane_of_voxel);
-  finer.points = pointsToRefine (coarse, finer.is_refined);
-  finer.positions = selected (points, finer.points);
-  if (!finer.points.empty())
-    finer.voxelized = voxelize (finer.positions, 0.5 * coarse.grid.voxel_size, threads);
+  const Indices voxels = voxelsIn (coarse.voxel_of_finer, finer.is_refined);
+  finer.grid = selected (finest, voxels);
+  connect (finer.grid, threads);
   finer.planes.planes = planes.planes;
   finer.planes.noise = planes.noise;
   finer.planes.moments_elsewhere = momentsLeft (coarse.grid, planes, finer.is_refined);
-  finer.planes.plane_of_voxel = inheritedPlanes (
-      planes, parentsOf (coarse, finer), finer.voxelized.grid, threads);
+  finer.planes.plane_of_voxel =
+      inheritedPlanes (planes, coarse.voxel_of_finer, voxels, finer.grid, threads);
   return finer;
 }
 

@@ -13,24 +13,20 @@ namespace pcl_ops::internal {
 struct Refinement {
   /** \brief Whether a coarse voxel's points are looked at here. */
   std::vector<char> is_refined;
-  /** \brief Which of all points these are. */
-  Indices points;
-  Coordinates positions;
-  VoxelizedPoints voxelized;
+  VoxelGrid grid;
   /** \brief The coarse planes with the voxels here that they explain. */
   BoundedPlanes planes;
 };
 
-/** \brief Takes the points of coarse voxels without a plane, and of those next to them,
- * to voxels of half the edge. A voxel there keeps the plane of the coarse one that
- * holds it if its points lie on it.
- * \param[in] points all points
- * \param[in] coarse their voxels
- * \param[in] planes those found in coarse voxels, with their noise
- * \param[in] threads number of threads; 0: all. The result does not depend on it */
+/** \brief Takes coarse voxels without a plane, and those next to them, to voxels of
+ * half the edge. A voxel there keeps the plane of the coarse one that holds it if its
+ * points lie on it. \param[in] finest voxels of half the edge of all points \param[in]
+ * coarse the voxels that hold them \param[in] planes those found in coarse voxels, with
+ * their noise \param[in] threads number of threads; 0: all. The result does not depend
+ * on it */
 Refinement
-refine (const Coordinates& points,
-        const VoxelizedPoints& coarse,
+refine (const VoxelGrid& finest,
+        const CoarserGrid& coarse,
         const BoundedPlanes& planes,
         unsigned threads);
 

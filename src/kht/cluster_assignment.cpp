@@ -7,6 +7,7 @@
 #include "bounded/noise_measurement.h"
 #include "bounded/plane_growing.h"
 #include "detection/merging_defaults.h"
+#include "voxels/voxel_size.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +53,7 @@ voxelsOfClusters (const std::vector<HoughPlane>& planes,
                   const OctreeClusters& found,
                   const VoxelizedPoints& voxelized)
 {
+  const Indices voxel_of_point = voxelsOfPoints (voxelized.grid, voxelized.points);
   BoundedPlanes voxels;
   voxels.plane_of_voxel.assign (voxelized.grid.size(), no_plane);
   for (const HoughPlane& plane : planes) {
@@ -60,7 +62,7 @@ voxelsOfClusters (const std::vector<HoughPlane>& planes,
     for (const std::uint32_t c : plane.clusters) {
       const CoplanarCluster& cluster = found.clusters[c];
       for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
-        const std::uint32_t voxel = voxelized.voxel_of_point[found.points.order[i]];
+        const std::uint32_t voxel = voxel_of_point[found.points.order[i]];
         if (voxels.plane_of_voxel[voxel] == no_plane)
           voxels.plane_of_voxel[voxel] = label;
       }
@@ -147,18 +149,22 @@ assignToOutlinedPlanes (const Points& points,
     return {Labels (points.size(), no_plane), {}, 0};
   constexpr double follows_noise_up_to = 4.0;
   StageClock clock;
-  const VoxelizedPoints voxelized =
+  VoxelizedPoints voxelized =
       voxelize (points, voxelSizeFor (points, wanted_voxels), parameters.threads);
+  connect (voxelized.grid, parameters.threads);
   clock.lap (durations.search);
   BoundedPlanes planes = voxelsOfClusters (hough_planes, found, voxelized);
   settleVoxels (voxelized.grid, parameters, planes);
   clock.lap (durations.merging);
-  AssignedPoints assigned = assignToBoundedPlanes (points,
-                                                   voxelized,
-                                                   planes,
-                                                   parameters.distance_threshold,
-                                                   follows_noise_up_to,
-                                                   parameters.threads);
+  AssignedPoints assigned{Labels (points.size(), no_plane), {}};
+  assignToBoundedPlanes (voxelized.points,
+                         voxelized.grid,
+                         planes,
+                         parameters.distance_threshold,
+                         follows_noise_up_to,
+                         parameters.threads,
+                         {},
+                         assigned);
   MergingParameters keep_apart;
   keep_apart.enabled = false;
   LabelledPlanes kept =

@@ -21,11 +21,11 @@ namespace {
 
 using Parameters = OrientedPointSamplingParameters;
 
-VoxelizedPoints
+VoxelLevels
 divide (const Points& points, const Parameters& parameters)
 {
   const std::optional<double> given = parameters.surfels.voxel_size;
-  return given ? voxelize (points, *given, parameters.threads)
+  return given ? voxelizeTwice (points, *given, parameters.threads)
                : voxelizeByNoise (points, parameters.sampling_rate, parameters.threads);
 }
 
@@ -101,42 +101,37 @@ joinPlanes (const VoxelGrid& grid,
             BoundedPlanes& planes,
             Refinement& finer)
 {
-  const VoxelGrid& finer_grid = finer.voxelized.grid;
-  const MergedPlanes merged = mergedPlanes (finer_grid, parameters, finer.planes);
+  const MergedPlanes merged = mergedPlanes (finer.grid, parameters, finer.planes);
   renumberPlanes (merged, planes);
   renumberPlanes (merged, finer.planes);
   measureNoise (grid, parameters.threads, planes);
-  measureNoise (finer_grid, parameters.threads, finer.planes);
+  measureNoise (finer.grid, parameters.threads, finer.planes);
 }
 
 // The points of coarse voxels that are not refined, and those of the finer ones.
 AssignedPoints
 assign (const Points& points,
-        const VoxelizedPoints& voxels,
+        const VoxelLevels& voxels,
         const BoundedPlanes& planes,
         const Refinement& finer,
         const Parameters& parameters)
 {
-  const auto assigned = [&] (const Coordinates& positions,
-                             const VoxelizedPoints& voxelized,
-                             const BoundedPlanes& bounded,
-                             const std::vector<char>& is_left_out) {
-    return assignToBoundedPlanes (positions,
-                                  voxelized,
-                                  bounded,
-                                  parameters.distance_threshold,
-                                  parameters.surfels.assignment_noise_factor,
-                                  parameters.threads,
-                                  is_left_out);
+  AssignedPoints assigned{Labels (points.size(), no_plane), {}};
+  const auto add = [&] (const VoxelGrid& grid,
+                        const BoundedPlanes& bounded,
+                        const std::vector<char>& is_left_out) {
+    assignToBoundedPlanes (voxels.finest.points,
+                           grid,
+                           bounded,
+                           parameters.distance_threshold,
+                           parameters.surfels.assignment_noise_factor,
+                           parameters.threads,
+                           is_left_out,
+                           assigned);
   };
-  AssignedPoints all = assigned (points, voxels, planes, finer.is_refined);
-  const AssignedPoints refined =
-      assigned (finer.positions, finer.voxelized, finer.planes, {});
-  for (std::size_t i = 0; i < finer.points.size(); ++i)
-    all.labels[finer.points[i]] = refined.labels[i];
-  for (std::size_t p = 0; p < all.moments.size(); ++p)
-    all.moments[p].addAligned (refined.moments[p]);
-  return all;
+  add (voxels.coarse.grid, planes, finer.is_refined);
+  add (finer.grid, finer.planes, {});
+  return assigned;
 }
 
 AssignedPoints
@@ -148,7 +143,7 @@ labelPoints (const Points& points,
 // Looks for planes among points too sparse for the voxels of the others.
 void
 labelSparsePoints (const Points& points,
-                   const VoxelizedPoints& voxels,
+                   const VoxelLevels& voxels,
                    const Parameters& parameters,
                    StageDurations& durations,
                    AssignedPoints& assigned)
@@ -156,7 +151,8 @@ labelSparsePoints (const Points& points,
   // Voxels of a given size do not change with the points.
   if (parameters.surfels.voxel_size)
     return;
-  const Indices numbers = sparsePoints (voxels, assigned.labels, parameters.k);
+  const Indices numbers = sparsePoints (
+      voxels.coarse.grid, voxels.finest.points, assigned.labels, parameters.k);
   if (numbers.empty())
     return;
   Points sparse;
@@ -187,27 +183,26 @@ labelPoints (const Points& points,
   const SurfelParameters& surfels = parameters.surfels;
   StageClock clock;
   // P_s: the voxels of a grid
-  const VoxelizedPoints voxels = divide (points, parameters);
-  if (voxels.grid.size() == 0)
+  const VoxelLevels voxels = divide (points, parameters);
+  const VoxelGrid& grid = voxels.coarse.grid;
+  if (grid.size() == 0)
     return {Labels (points.size(), no_plane), {}};
   BoundedPlanes planes;
-  planes.plane_of_voxel.assign (voxels.grid.size(), no_plane);
+  planes.plane_of_voxel.assign (grid.size(), no_plane);
   clock.lap (durations.search);
   // n_i and Pi: normals from the moments around, planes spread over like neighbors
-  findPlanes (voxels.grid, parameters, surfels.sure_thickness, planes, durations);
+  findPlanes (grid, parameters, surfels.sure_thickness, planes, durations);
   clock = StageClock();
   // what no plane explains, in voxels of half the edge
-  Refinement finer = refine (points, voxels, planes, parameters.threads);
+  Refinement finer =
+      refine (voxels.finest.grid, voxels.coarse, planes, parameters.threads);
   clock.lap (durations.search);
-  findPlanes (finer.voxelized.grid,
-              parameters,
-              surfels.largest_thickness,
-              finer.planes,
-              durations);
+  findPlanes (
+      finer.grid, parameters, surfels.largest_thickness, finer.planes, durations);
   clock = StageClock();
   found = finer.planes.size();
   // section III-C, by the noise of the planes instead of theta_h
-  joinPlanes (voxels.grid, parameters, planes, finer);
+  joinPlanes (grid, parameters, planes, finer);
   clock.lap (durations.merging);
   // every point of P, not of P_s alone, to a plane
   AssignedPoints assigned = assign (points, voxels, planes, finer, parameters);

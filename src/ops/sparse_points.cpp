@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/sparse_points.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace pcl_ops::internal {
@@ -37,19 +38,23 @@ pointsIn (const std::vector<char>& is_sparse, const VoxelGrid& grid)
 } // namespace
 
 Indices
-sparsePoints (const VoxelizedPoints& voxelized,
+sparsePoints (const VoxelGrid& grid,
+              const SortedPoints& points,
               const Labels& labels,
               double least_points)
 {
   constexpr std::size_t least_share = 100;
   constexpr std::size_t most_share = 2;
-  const std::vector<char> is_sparse = sparseVoxels (voxelized.grid, least_points);
+  const std::vector<char> is_sparse = sparseVoxels (grid, least_points);
   Indices sparse;
-  if (pointsIn (is_sparse, voxelized.grid) * least_share < labels.size())
+  if (pointsIn (is_sparse, grid) * least_share < labels.size())
     return sparse;
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i] == no_plane && is_sparse[voxelized.voxel_of_point[i]])
-      sparse.push_back (static_cast<std::uint32_t> (i));
+  for (std::size_t voxel = 0; voxel < grid.size(); ++voxel)
+    if (is_sparse[voxel] != 0)
+      for (std::uint32_t i = grid.first_point[voxel]; i < grid.endOfPoints (voxel); ++i)
+        if (labels[points.numbers[i]] == no_plane)
+          sparse.push_back (points.numbers[i]);
+  std::sort (sparse.begin(), sparse.end());
   const bool is_cloud = sparse.size() * least_share >= labels.size() &&
                         sparse.size() * most_share <= labels.size();
   return is_cloud ? sparse : Indices();

@@ -190,8 +190,10 @@ extractSurfelPlanes (const VoxelGrid& grid,
       continue;
     const SurfelPatch patch = spread.from (seed);
     spread.close (seed);
+    if (patch.voxels.size() < parameters.min_inliers)
+      continue;
     const std::optional<PlaneFit> fit = fitPlane (patch.moments);
-    if (!fit || patch.voxels.size() < parameters.min_inliers)
+    if (!fit)
       continue;
     for (const std::uint32_t voxel : patch.voxels)
       spread.close (voxel);

@@ -210,7 +210,8 @@ surfelOf (std::size_t voxel, const VoxelGrid& finest, const std::vector<Level>& 
 Level
 coarserLevel (const VoxelGrid& finest, const Level& last, unsigned threads)
 {
-  CoarserGrid coarser = coarsen (last.gridOr (finest), threads);
+  CoarserGrid coarser = coarsen (last.gridOr (finest));
+  connect (coarser.grid, threads);
   Level level;
   level.grid = std::move (coarser.grid);
   level.voxel_of_finest.resize (finest.size());

@@ -3,6 +3,7 @@
 #include "ops/voxel_choice.h"
 
 #include "geometry/principal_axes.h"
+#include "voxels/voxel_size.h"
 #include <pcl_ops/oriented_point_sampling.h>
 
 #include <algorithm>
@@ -106,7 +107,7 @@ meanPointsPerVoxel (const VoxelGrid& grid)
   return points / static_cast<double> (grid.size());
 }
 
-VoxelizedPoints
+VoxelLevels
 voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
 {
   const double size =
@@ -115,10 +116,12 @@ voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
     return {};
   // Of twice the edge, as they are halved where needed.
   const double smallest = 2.0 * smallestVoxel (points);
-  VoxelizedPoints voxelized = voxelize (points, std::max (size, smallest), threads);
-  const double finer = std::max (voxelSizeByNoise (voxelized.grid), smallest);
-  return finer < voxelized.grid.voxel_size ? voxelize (points, finer, threads)
-                                           : voxelized;
+  VoxelLevels voxels = voxelizeTwice (points, std::max (size, smallest), threads);
+  const VoxelGrid& grid = voxels.coarse.grid;
+  const double finer = std::max (voxelSizeByNoise (grid), smallest);
+  if (finer < grid.voxel_size)
+    voxels = voxelizeTwice (points, finer, threads);
+  return voxels;
 }
 
 } // namespace pcl_ops::internal

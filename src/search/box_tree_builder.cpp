@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "search/box_tree_builder.h"
 
-#include "search/counting_sort.h"
 #include "voxels/voxel_grid.h"
-#include "voxels/voxel_keys.h"
-#include "voxels/voxel_table.h"
+#include "voxels/voxel_size.h"
 
 #include <algorithm>
 #include <array>
@@ -26,29 +24,6 @@ voxelEdge (const Coordinates& points)
   const double wanted_voxels = static_cast<double> (points.size()) / points_per_voxel;
   const double edge = voxelSizeFor (points, std::max (1.0, wanted_voxels));
   return edge > 0.0 ? edge : 1.0;
-}
-
-struct PointVoxels {
-  VoxelTable table;
-  std::vector<std::uint32_t> voxel_of_point;
-};
-
-PointVoxels
-voxelsOf (const Coordinates& points)
-{
-  PointVoxels voxels;
-  voxels.voxel_of_point.resize (points.size());
-  forRuns (points,
-           voxelEdge (points),
-           0,
-           points.size(),
-           [&voxels] (std::size_t first, std::size_t last, const VoxelKey& key) {
-             std::fill (
-                 voxels.voxel_of_point.begin() + static_cast<std::ptrdiff_t> (first),
-                 voxels.voxel_of_point.begin() + static_cast<std::ptrdiff_t> (last),
-                 voxels.table.insert (key));
-           });
-  return voxels;
 }
 
 using Node = BoxTree::Node;
@@ -182,36 +157,29 @@ private:
 void
 BoxTreeBuilder::sortIntoVoxels (const Points& points, const CloudView& cloud)
 {
-  const PointVoxels voxels = voxelsOf (points);
-  const std::vector<VoxelKey>& keys = voxels.table.keys();
-  std::vector<std::uint32_t> begins (keys.size() + 1);
-  findBegins (voxels.voxel_of_point, begins);
-  std::vector<Item> items (keys.size());
-  for (std::uint32_t voxel = 0; voxel < keys.size(); ++voxel)
-    items[voxel] = {{static_cast<float> (keys[voxel].x),
-                     static_cast<float> (keys[voxel].y),
-                     static_cast<float> (keys[voxel].z)},
+  const VoxelizedPoints voxelized = voxelize (points, voxelEdge (points), 1);
+  const VoxelGrid& voxels = voxelized.grid;
+  std::vector<Item> items (voxels.size());
+  for (std::uint32_t voxel = 0; voxel < voxels.size(); ++voxel) {
+    const VoxelKey key = keyOf (voxels.codes[voxel]);
+    items[voxel] = {{static_cast<float> (key.x),
+                     static_cast<float> (key.y),
+                     static_cast<float> (key.z)},
                     voxel,
-                    begins[voxel + 1] - begins[voxel]};
+                    voxels.endOfPoints (voxel) - voxels.first_point[voxel]};
+  }
   const auto number = static_cast<std::uint32_t> (points.size());
   grow ({items.data(), items.data() + items.size(), number}, 0);
-  std::vector<std::uint32_t> voxel_begin (keys.size());
-  std::uint32_t begin = 0;
-  for (const Item& item : items) {
-    voxel_begin[item.id] = begin;
-    begin += item.points;
-  }
-  points_.resize (points.size());
-  index_.resize (points.size());
-  forPlaces (voxels.voxel_of_point,
-             std::move (voxel_begin),
-             [&] (std::size_t i, std::uint32_t place) {
-               const float* const position = cloud[points.indexOf (i)];
-               points_.x[place] = position[0];
-               points_.y[place] = position[1];
-               points_.z[place] = position[2];
-               index_[place] = points.indexOf (i);
-             });
+  index_.reserve (points.size());
+  for (const Item& item : items)
+    for (std::uint32_t i = voxels.first_point[item.id];
+         i < voxels.endOfPoints (item.id);
+         ++i) {
+      const pcl::index_t index = points.indexOf (voxelized.points.numbers[i]);
+      const float* const position = cloud[static_cast<std::size_t> (index)];
+      points_.add (position[0], position[1], position[2]);
+      index_.push_back (index);
+    }
 }
 
 std::uint32_t

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "search/fixed_radius_search.h"
 
-#include "search/counting_sort.h"
+#include "voxels/voxel_size.h"
 
 #include <algorithm>
 #include <utility>
@@ -28,16 +28,11 @@ FixedRadiusSearch::FixedRadiusSearch (const Coordinates& points,
 : squared_radius_ (static_cast<float> (radius * radius))
 {
   VoxelizedPoints voxelized = voxelize (points, voxelEdge (points, radius), threads);
+  connect (voxelized.grid, threads);
   neighbours_of_voxel_ = std::move (voxelized.grid.neighbours);
-  voxel_begin_.resize (neighbours_of_voxel_.size() + 1);
-  findBegins (voxelized.voxel_of_point, voxel_begin_);
-  points_.resize (points.size());
-  forPlaces (
-      voxelized.voxel_of_point, voxel_begin_, [&] (std::size_t i, std::uint32_t place) {
-        points_.x[place] = points.x[i];
-        points_.y[place] = points.y[i];
-        points_.z[place] = points.z[i];
-      });
+  voxel_begin_ = std::move (voxelized.grid.first_point);
+  voxel_begin_.push_back (static_cast<std::uint32_t> (points.size()));
+  points_ = std::move (voxelized.points.positions);
 }
 
 std::size_t

@@ -25,7 +25,7 @@ gridOver (double half_edge, double noise, HeightAt&& heightAt)
            noise);
   for (std::size_t i = 0; i < points.size(); ++i)
     points.z[i] += static_cast<float> (heightAt (points.x[i], points.y[i]));
-  return voxelize (points, 10_cm, 1).grid;
+  return connectedGrid (points, 10_cm);
 }
 
 /** \brief The bending of the first voxels of a grid, or of all of them. */

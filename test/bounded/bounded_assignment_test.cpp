@@ -15,8 +15,16 @@ assign (const VoxelScene& scene,
         std::optional<double> theta_h = std::nullopt,
         unsigned threads = 1)
 {
-  return assignToBoundedPlanes (
-      scene.points, scene.voxelized, scene.planes, theta_h, 4.0, threads);
+  AssignedPoints assigned{Labels (scene.points.size(), no_plane), {}};
+  assignToBoundedPlanes (scene.voxelized.finest.points,
+                         scene.grid(),
+                         scene.planes,
+                         theta_h,
+                         4.0,
+                         threads,
+                         {},
+                         assigned);
+  return assigned;
 }
 
 } // namespace
@@ -66,7 +74,7 @@ TEST (BoundedAssignment, TakesPointsUpToAMultipleOfTheNoise)
   const std::size_t on_the_ground = scene.points.size();
   scene.points.add (0.55f, 0.55f, 0.105f);
   scene.points.add (1.55f, 0.55f, 0.120f);
-  scene.voxelized = voxelize (scene.points, 10_cm, 1);
+  scene.voxelize();
   scene.planes.plane_of_voxel.assign (scene.grid().size(), 0);
   scene.label (no_plane, [] (const auto& at) { return at.z() > 0.1; });
   const Labels labels = assign (scene).labels;

@@ -37,8 +37,9 @@ planesOf (const VoxelizedPoints& voxelized, const Labels& plane_of_point)
   BoundedPlanes planes;
   planes.planes.resize (2);
   planes.plane_of_voxel.resize (3);
+  const Indices voxels = voxelsOfPoints (voxelized.grid, voxelized.points);
   for (std::size_t i = 0; i < 3; ++i)
-    planes.plane_of_voxel[voxelized.voxel_of_point[i]] = plane_of_point[i];
+    planes.plane_of_voxel[voxels[i]] = plane_of_point[i];
   return planes;
 }
 
@@ -87,8 +88,7 @@ TEST (MomentsOfPlanes, HoldWhatPlanesHaveElsewhere)
 TEST (MomentsOf, SomeVoxelsAreThoseOfTheirPoints)
 {
   const VoxelizedPoints three = threeVoxels();
-  const Moments moments =
-      momentsOf (three.grid, {three.voxel_of_point[0], three.voxel_of_point[1]});
+  const Moments moments = momentsOf (three.grid, {0, 1});
   EXPECT_EQ (moments.count, 2.0);
   EXPECT_NEAR (moments.centroid().x(), 0.10, 1e-6);
 }

@@ -62,7 +62,7 @@ TEST (Absorption, GoesByTheNoiseOfTheLarger)
   for (const double noise : {1_mm, 1_cm}) {
     VoxelScene scene ({{ground}}, 1_cm);
     addGrid (scene.points, strip, 12);
-    scene.voxelized = voxelize (scene.points, 10_cm, 1);
+    scene.voxelize();
     scene.addPlane (pcl_ops::planeThrough (strip.centre(), strip.normal()));
     scene.planes.plane_of_voxel.assign (scene.grid().size(), 0);
     scene.planes.noise[0] = noise;

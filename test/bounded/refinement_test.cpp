@@ -27,7 +27,8 @@ halfExplained ()
 Refinement
 refined (const VoxelScene& scene, unsigned threads = 1)
 {
-  return refine (scene.points, scene.voxelized, scene.planes, threads);
+  return refine (
+      scene.voxelized.finest.grid, scene.voxelized.coarse, scene.planes, threads);
 }
 
 } // namespace
@@ -44,24 +45,23 @@ TEST (Refinement, IsOfVoxelsWithoutAPlaneAndOfThoseNextToThem)
 TEST (Refinement, HasThePointsOfThoseVoxels)
 {
   const VoxelScene scene = halfExplained();
-  const Refinement refinement = refined (scene);
-  std::size_t wanted = 0;
-  for (const float x : scene.points.x)
-    wanted += x > 0.9f;
-  ASSERT_EQ (refinement.points.size(), wanted);
-  for (std::size_t i = 0; i < wanted; ++i) {
-    EXPECT_GT (refinement.positions.x[i], 0.9f);
-    EXPECT_EQ (refinement.positions[i], scene.points[refinement.points[i]]);
-  }
+  const VoxelGrid finer = refined (scene).grid;
+  const SortedPoints& points = scene.voxelized.finest.points;
+  std::vector<char> is_refined (scene.points.size(), 0);
+  for (std::size_t voxel = 0; voxel < finer.size(); ++voxel)
+    for (std::uint32_t i = finer.first_point[voxel]; i < finer.endOfPoints (voxel); ++i)
+      is_refined[points.numbers[i]] = 1;
+  for (std::size_t i = 0; i < scene.points.size(); ++i)
+    EXPECT_EQ (is_refined[i] != 0, scene.points.x[i] > 0.9f);
 }
 
 TEST (Refinement, HalvesTheVoxels)
 {
   const Refinement refinement = refined (halfExplained());
-  const VoxelGrid& grid = refinement.voxelized.grid;
+  const VoxelGrid& grid = refinement.grid;
   EXPECT_DOUBLE_EQ (grid.voxel_size, 5_cm);
   EXPECT_EQ (grid.size(), 22u * 40u) << "of eleven rows of twenty, four each";
-  EXPECT_EQ (refinement.voxelized.voxel_of_point.size(), refinement.points.size());
+  EXPECT_EQ (grid.neighbours.size(), grid.size());
 }
 
 TEST (Refinement, LeavesVoxelsOfTooFewPointsForAPlane)
@@ -71,10 +71,10 @@ TEST (Refinement, LeavesVoxelsOfTooFewPointsForAPlane)
     VoxelScene scene ({{ground}});
     for (int i = 0; i < number; ++i)
       scene.points.add (0.55f, 0.55f, 1.01f + 0.01f * static_cast<float> (i));
-    scene.voxelized = voxelize (scene.points, 10_cm, 1);
+    scene.voxelize();
     scene.planes.plane_of_voxel.assign (scene.grid().size(), 0);
     scene.label (no_plane, [] (const auto& at) { return at.z() > 0.5; });
-    EXPECT_EQ (refined (scene).points.size(), number < 8 ? 0u : 8u);
+    EXPECT_EQ (refined (scene).grid.size() > 0, number == 8);
   }
 }
 
@@ -84,9 +84,8 @@ TEST (Refinement, LosesNoPointOfAPlane)
   VoxelScene scene ({{ground}}, 1_cm);
   scene.label (no_plane, isRight);
   Refinement refinement = refined (scene);
-  refinement.planes.plane_of_voxel.assign (refinement.voxelized.grid.size(), 0);
-  const Moments all =
-      momentsOfPlanes (refinement.voxelized.grid, refinement.planes).at (0);
+  refinement.planes.plane_of_voxel.assign (refinement.grid.size(), 0);
+  const Moments all = momentsOfPlanes (refinement.grid, refinement.planes).at (0);
   EXPECT_LT (refinement.planes.moments_elsewhere.at (0).count, 0.5 * all.count);
   EXPECT_EQ (all.count, 14400.0);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -106,8 +105,7 @@ TEST (Refinement, BeginsWithTheCoarsePlanes)
 TEST (Refinement, OfWhatIsAllExplainedIsEmpty)
 {
   const Refinement refinement = refined (VoxelScene ({{ground}}));
-  EXPECT_TRUE (refinement.points.empty());
-  EXPECT_EQ (refinement.voxelized.grid.size(), 0u);
+  EXPECT_EQ (refinement.grid.size(), 0u);
   EXPECT_EQ (refinement.is_refined, std::vector<char> (400, 0));
   EXPECT_EQ (refinement.planes.moments_elsewhere.at (0).count, 14400.0);
 }
@@ -115,7 +113,7 @@ TEST (Refinement, OfWhatIsAllExplainedIsEmpty)
 TEST (Refinement, KeepsThePlaneOfTheVoxelThatHoldsAFinerOne)
 {
   const Refinement refinement = refined (halfExplained());
-  const VoxelGrid& grid = refinement.voxelized.grid;
+  const VoxelGrid& grid = refinement.grid;
   for (std::size_t i = 0; i < grid.size(); ++i)
     EXPECT_EQ (refinement.planes.plane_of_voxel[i],
                isRight (grid.moments[i].centroid()) ? no_plane : 0);
@@ -126,11 +124,11 @@ TEST (Refinement, KeepsNoPlaneThatTheFinerPointsAreNotOn)
   // A thing of 5 x 5 cm lies 4 cm above the ground, within a voxel of the tenth row.
   VoxelScene scene ({{ground}});
   addGrid (scene.points, {{0.95, 0.5, 0.09}, {0.05, 0, 0}, {0, 0.05, 0}}, 12);
-  scene.voxelized = voxelize (scene.points, 10_cm, 1);
+  scene.voxelize();
   scene.planes.plane_of_voxel.assign (scene.grid().size(), 0);
   scene.label (no_plane, isRight);
   const Refinement refinement = refined (scene);
-  const VoxelGrid& grid = refinement.voxelized.grid;
+  const VoxelGrid& grid = refinement.grid;
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const Eigen::Vector3d at = grid.moments[i].centroid();
     EXPECT_EQ (refinement.planes.plane_of_voxel[i],

@@ -14,21 +14,22 @@ constexpr double least_points = 30.0;
 
 /** \brief A dense square of 14,400 points, and a sparse one in another place, of so
  * many points a metre from each other, in voxels of 10 cm. */
-VoxelizedPoints
+VoxelLevels
 denseAndSparse (int sparse_steps)
 {
   Coordinates points;
   addGrid (points, {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, 120);
   const double edge = sparse_steps * 1_m;
   addGrid (points, {{10, 0, 0}, {edge, 0, 0}, {0, edge, 0}}, sparse_steps);
-  return voxelize (points, 10_cm, 1);
+  return voxelizeTwice (points, 10_cm, 1);
 }
 
 Indices
-sparseAmong (const VoxelizedPoints& voxelized, std::int32_t label = no_plane)
+sparseAmong (const VoxelLevels& voxels, std::int32_t label = no_plane)
 {
-  const std::vector<std::int32_t> labels (voxelized.voxel_of_point.size(), label);
-  return sparsePoints (voxelized, labels, least_points);
+  const SortedPoints& points = voxels.finest.points;
+  const pcl_ops::Labels labels (points.numbers.size(), label);
+  return sparsePoints (voxels.coarse.grid, points, labels, least_points);
 }
 
 } // namespace

@@ -56,7 +56,7 @@ barrel (double radius)
       points.add (static_cast<float> (radius * std::cos (pi * i / 400)),
                   static_cast<float> (radius * std::sin (pi * i / 400)),
                   static_cast<float> (0.01 * j));
-  return voxelize (points, 0.1, 1).grid;
+  return connectedGrid (points, 0.1);
 }
 
 /** \brief Every voxel with a surfel of its own, through its centroid, that a test may

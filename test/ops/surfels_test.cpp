@@ -31,7 +31,7 @@ edge ()
   Coordinates points;
   addGrid (points, floor_of_the_scene, 120);
   addGrid (points, wall_of_the_scene, 120);
-  return voxelize (points, 0.1, 1).grid;
+  return connectedGrid (points, 0.1);
 }
 
 /** \brief Whether a normal at the edge is neither the floor's nor the wall's. */
@@ -49,7 +49,7 @@ TEST (OrientedVoxels, HaveTheNormalOfAnExactPlane)
   Coordinates points;
   const Surface board = {{0, 0, 1}, {2, 0, 0.4}, {0, 2, 0.8}};
   addGrid (points, board, 100);
-  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
+  const VoxelGrid grid = connectedGrid (points, 0.1);
   for (const auto& normal : surfelsOf (grid)) {
     ASSERT_TRUE (normal.has_value());
     EXPECT_LT (angleBetween (normal->plane.normal, board.normal()), 1e-3);
@@ -62,7 +62,7 @@ TEST (OrientedVoxels, MeasureTheNoiseAroundThem)
   Coordinates points;
   // Evenly spread within +-2 cm: a standard deviation of 2 cm / sqrt (3).
   addGrid (points, floor_of_the_scene, 200, 2_cm);
-  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
+  const VoxelGrid grid = connectedGrid (points, 0.1);
   for (const auto& normal : surfelsOf (grid)) {
     ASSERT_TRUE (normal.has_value());
     EXPECT_NEAR (normal->noise, 2_cm / std::sqrt (3.0), 2_mm);
@@ -99,7 +99,7 @@ TEST (OrientedVoxels, OfABallAreThick)
     const float x = draw(), y = draw(), z = draw();
     points.add (x, y, z);
   }
-  const VoxelGrid grid = voxelize (points, 20.0, 1).grid;
+  const VoxelGrid grid = connectedGrid (points, 20.0);
   for (const auto& normal : surfelsOf (grid))
     EXPECT_TRUE (!normal || normal->thickness > 0.8);
 }
@@ -109,7 +109,7 @@ TEST (OrientedVoxels, TakeACoarserNeighbourhoodWhereNoiseHidesTheFinest)
   // Noise of 3 cm in voxels of 5 cm: thick at one resolution, flat at three.
   Coordinates points;
   addGrid (points, floor_of_the_scene, 200, 5_cm);
-  const VoxelGrid grid = voxelize (points, 0.05, 1).grid;
+  const VoxelGrid grid = connectedGrid (points, 0.05);
   const auto thickness = [&grid] (int resolutions) {
     double sum = 0.0;
     for (const auto& surfel : findSurfels (grid, resolutions, 30.0, 1))
@@ -124,7 +124,7 @@ TEST (OrientedVoxels, HaveNoSurfelOfFewerPointsThanAsked)
 {
   Coordinates points;
   addGrid (points, floor_of_the_scene, 120); // 36 in a voxel, 324 in nine
-  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
+  const VoxelGrid grid = connectedGrid (points, 0.1);
   for (const auto& surfel : findSurfels (grid, 1, 325.0, 1))
     EXPECT_FALSE (surfel);
 }
@@ -137,7 +137,7 @@ TEST (OrientedVoxels, HaveNoSurfelWhereSurfacesAreFinerThanTheirNeighbourhoods)
   addGrid (points, floor_of_the_scene, 200);
   for (std::size_t i = 0; i < points.size(); ++i)
     points.z[i] = 0.01f + 0.8f * std::abs (std::remainder (points.x[i], 0.2f));
-  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
+  const VoxelGrid grid = connectedGrid (points, 0.1);
   EXPECT_EQ (grid.size(), 400u);
   for (const auto& surfel : surfelsOf (grid))
     EXPECT_FALSE (surfel);
@@ -148,7 +148,7 @@ TEST (OrientedVoxels, HaveASurfelWhereTheVoxelItselfIsAsNoisyAsItsNeighbourhood)
   // As much unevenness as on that roof, but of every point by itself.
   Coordinates points;
   addGrid (points, floor_of_the_scene, 200, 2_cm);
-  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
+  const VoxelGrid grid = connectedGrid (points, 0.1);
   for (const auto& surfel : surfelsOf (grid))
     EXPECT_TRUE (surfel);
 }
@@ -157,7 +157,7 @@ TEST (OrientedVoxels, HaveNoSurfelWhereTheyAreOnAPlaneAlready)
 {
   Coordinates points;
   addGrid (points, floor_of_the_scene, 120);
-  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
+  const VoxelGrid grid = connectedGrid (points, 0.1);
   pcl_ops::Labels plane_of_voxel (grid.size(), pcl_ops::no_plane);
   std::fill_n (plane_of_voxel.begin(), 100, 0);
   const auto surfels = findSurfels (grid, 3, 30.0, 1, plane_of_voxel);
@@ -170,7 +170,7 @@ TEST (OrientedVoxels, HaveNoSurfelOnAWire)
   // A millimetre wide in voxels of ten centimetres.
   Coordinates points;
   addGrid (points, {{0, 0, 0}, {2, 0, 0}, {0, 1_mm, 0}}, 120);
-  for (const auto& surfel : surfelsOf (voxelize (points, 0.1, 1).grid))
+  for (const auto& surfel : surfelsOf (connectedGrid (points, 0.1)))
     EXPECT_FALSE (surfel.has_value());
 }
 
@@ -180,7 +180,7 @@ TEST (OrientedVoxels, TakeNoNormalOfAPlaneThatTheyAreNotOn)
   Coordinates points;
   addGrid (points, {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}}, 120);
   addGrid (points, {{1.0, 1.0, 0.1}, {0.1, 0, 0}, {0, 0.1, 0.1}}, 2);
-  const VoxelGrid grid = voxelize (points, 0.1, 1).grid;
+  const VoxelGrid grid = connectedGrid (points, 0.1);
   const auto surfels = surfelsOf (grid);
   for (std::size_t i = 0; i < grid.size(); ++i)
     if (surfels[i]) {

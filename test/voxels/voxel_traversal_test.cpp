@@ -14,7 +14,7 @@ twoTiles ()
   Coordinates points;
   addGrid (points, {{0, 0, 0.05}, {0.5, 0, 0}, {0, 0.5, 0}}, 20);
   addGrid (points, {{1.5, 0, 0.05}, {0.5, 0, 0}, {0, 0.5, 0}}, 20);
-  return voxelize (points, 10_cm, 1).grid;
+  return connectedGrid (points, 10_cm);
 }
 
 } // namespace

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "voxels/morton_code.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl_ops::internal {
+
+/** \brief Indices of voxels, one after the other. */
+struct VoxelRange {
+  const std::uint32_t* first;
+  const std::uint32_t* last;
+
+  const std::uint32_t*
+  begin () const
+  {
+    return first;
+  }
+
+  const std::uint32_t*
+  end () const
+  {
+    return last;
+  }
+};
+
+/** \brief For each voxel the occupied ones among its 26 neighbours and, in the middle,
+ * itself: most are empty where points are on surfaces. */
+class VoxelNeighbours {
+public:
+  VoxelRange
+  operator[] (std::size_t voxel) const
+  {
+    return {neighbours_.data() + begin_[voxel], neighbours_.data() + begin_[voxel + 1]};
+  }
+
+  /** \brief Number of voxels. */
+  std::size_t
+  size () const
+  {
+    return begin_.size() - 1;
+  }
+
+  /** \brief Appends the next voxel with its \p number neighbours. */
+  void
+  add (const std::uint32_t* neighbours, std::size_t number)
+  {
+    neighbours_.insert (neighbours_.end(), neighbours, neighbours + number);
+    begin_.push_back (static_cast<std::uint32_t> (neighbours_.size()));
+  }
+
+  /** \brief Appends the voxels of another part of the grid. */
+  void
+  append (const VoxelNeighbours& other);
+
+private:
+  std::vector<std::uint32_t> neighbours_;
+  std::vector<std::uint32_t> begin_{0};
+};
+
+/** \brief The neighbours of voxels, found among the children of their parent's
+ * neighbours, from the root of the octree down.
+ * \param[in] codes of the voxels, ascending, each once
+ * \param[in] threads number of threads; 0: all. The result does not depend on it */
+VoxelNeighbours
+neighboursOf (const std::vector<MortonCode>& codes, unsigned threads);
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxels/voxel_size.h"
+
+#include "geometry/point_sample.h"
+#include "voxels/sorted_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+std::size_t
+countOccupied (const Coordinates& positions, double voxel_size)
+{
+  const std::vector<PointRun> runs = sortedRuns (positions, voxel_size, 1);
+  std::size_t voxels = runs.empty() ? 0 : 1;
+  for (std::size_t r = 1; r < runs.size(); ++r)
+    voxels += runs[r].code != runs[r - 1].code;
+  return voxels;
+}
+
+// Without what lies many times farther from the origin, which is near most points, than
+// half of them do: outliers would fill a voxel each, however large.
+Coordinates
+withoutOutliers (const Coordinates& positions)
+{
+  constexpr double medians = 32.0;
+  std::vector<float> distances;
+  distances.reserve (positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    distances.push_back (static_cast<float> (positions[i].norm()));
+  const double limit = medians * medianOf (distances);
+  Coordinates kept;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (!(positions[i].norm() > limit))
+      kept.add (positions.x[i], positions.y[i], positions.z[i]);
+  return kept;
+}
+
+double
+diagonal (const Coordinates& positions)
+{
+  Eigen::Vector3d low = positions[0], high = positions[0];
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    low = low.cwiseMin (positions[i]);
+    high = high.cwiseMax (positions[i]);
+  }
+  return (high - low).norm();
+}
+
+} // namespace
+
+double
+voxelSizeFor (const Coordinates& positions, double wanted_voxels)
+{
+  constexpr std::size_t looked_at = 8192;
+  // Several of the points looked at share a voxel: an empty one is empty indeed.
+  constexpr double counted_voxels = 800.0;
+  if (positions.size() == 0)
+    return 0.0;
+  const Coordinates some = withoutOutliers (samplePoints (positions, looked_at));
+  if (some.size() == 0)
+    return 0.0;
+  double voxel_size = diagonal (some) / 25.0;
+  if (!(voxel_size > 0.0 && std::isfinite (voxel_size)))
+    return 0.0;
+  constexpr int most_tries = 8;
+  double counted = 0.0;
+  for (int i = 0; i < most_tries; ++i) {
+    counted = static_cast<double> (countOccupied (some, voxel_size));
+    const double ratio = counted / std::min (counted_voxels, wanted_voxels);
+    if (ratio > 0.5 && ratio < 2.0)
+      break;
+    voxel_size *= std::sqrt (ratio);
+  }
+  return voxel_size * std::sqrt (counted / wanted_voxels);
+}
+
+} // namespace pcl_ops::internal

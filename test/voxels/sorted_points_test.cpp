@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid_scene.h"
+#include "voxels/sorted_points.h"
+
+#include <numeric>
+
+using namespace pcl_ops::internal;
+
+namespace {
+
+std::vector<PointRun>
+runsAlongX (const std::vector<float>& along_x)
+{
+  Coordinates points;
+  for (const float x : along_x)
+    points.add (x, 0.0f, 0.0f);
+  return sortedRuns (points, 1.0, 1);
+}
+
+} // namespace
+
+TEST (SortedRuns, JoinPointsThatFollowEachOtherInAVoxel)
+{
+  const std::vector<PointRun> runs = runsAlongX ({5.5f, 0.1f, 0.9f, 0.2f});
+  ASSERT_EQ (runs.size(), 2u);
+  EXPECT_EQ (runs[0].first, 1u);
+  EXPECT_EQ (runs[0].size, 3u);
+  EXPECT_EQ (runs[1].first, 0u);
+  EXPECT_EQ (runs[1].code - runs[0].code, mortonCode (5, 0, 0));
+}
+
+TEST (SortedRuns, OfAVoxelStayInTheirOrder)
+{
+  const std::vector<PointRun> runs = runsAlongX ({0.1f, 5.5f, 0.9f, 5.1f, 0.2f});
+  ASSERT_EQ (runs.size(), 5u);
+  const std::vector<std::uint32_t> expected{0, 2, 4, 1, 3};
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    EXPECT_EQ (runs[i].first, expected[i]);
+}
+
+TEST (SortedRuns, AscendAndCoverEveryPointOnce)
+{
+  // Near each other and so far apart that codes need all their bits.
+  Coordinates points = pointsInACube (40000, 4.0);
+  points.add (1e9f, -1e9f, 1e9f);
+  std::vector<int> covered (points.size(), 0);
+  MortonCode last = 0;
+  for (const PointRun& run : sortedRuns (points, 0.1, 1)) {
+    EXPECT_LE (last, run.code);
+    last = run.code;
+    for (std::uint32_t i = run.first; i < run.first + run.size; ++i)
+      ++covered[i];
+  }
+  EXPECT_EQ (covered, std::vector<int> (points.size(), 1));
+}
+
+TEST (SortedRuns, OfNoPointsAreNone) { EXPECT_TRUE (sortedRuns ({}, 1.0, 1).empty()); }

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid_scene.h"
+#include "voxels/voxel_neighbours.h"
+
+using namespace pcl_ops::internal;
+
+namespace {
+
+bool
+isNeighbour (const VoxelKey& a, const VoxelKey& b)
+{
+  return std::abs (a.x - b.x) <= 1 && std::abs (a.y - b.y) <= 1 &&
+         std::abs (a.z - b.z) <= 1;
+}
+
+} // namespace
+
+TEST (VoxelNeighbours, AreThoseThatBruteForceFinds)
+{
+  // Sparse and dense: nearly every voxel alone, and nearly all occupied.
+  for (const double edge : {0.2, 0.5, 1.5}) {
+    const VoxelGrid grid = voxelize (pointsInACube (400, 9.0), edge, 1).grid;
+    const VoxelNeighbours neighbours = neighboursOf (grid.codes, 1);
+    ASSERT_EQ (neighbours.size(), grid.size());
+    for (std::size_t a = 0; a < grid.size(); ++a) {
+      Indices expected;
+      for (std::size_t b = 0; b < grid.size(); ++b)
+        if (isNeighbour (keyOf (grid.codes[a]), keyOf (grid.codes[b])))
+          expected.push_back (static_cast<std::uint32_t> (b));
+      Indices found (neighbours[a].begin(), neighbours[a].end());
+      std::sort (found.begin(), found.end());
+      ASSERT_EQ (found, expected);
+    }
+  }
+}
+
+TEST (VoxelNeighbours, ReachAcrossTheBordersOfAllLargerVoxels)
+{
+  // On both sides of the middle of the largest possible grid.
+  const std::uint32_t middle = 1u << 20;
+  const std::vector<MortonCode> codes{mortonCode (middle - 1, middle - 1, middle - 1),
+                                      mortonCode (middle, middle, middle)};
+  const VoxelNeighbours neighbours = neighboursOf (codes, 1);
+  for (const std::size_t voxel : {0, 1})
+    EXPECT_EQ (Indices (neighbours[voxel].begin(), neighbours[voxel].end()),
+               (Indices{0, 1}));
+}
+
+TEST (VoxelNeighbours, OfOneVoxelAreItself)
+{
+  for (const MortonCode code : {MortonCode (0), mortonCode (5, 6, 7)}) {
+    const VoxelNeighbours neighbours = neighboursOf ({code}, 1);
+    ASSERT_EQ (neighbours.size(), 1u);
+    EXPECT_EQ (Indices (neighbours[0].begin(), neighbours[0].end()), (Indices{0}));
+  }
+  EXPECT_EQ (neighboursOf ({}, 1).size(), 0u);
+}

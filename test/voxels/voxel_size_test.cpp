@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid_scene.h"
+#include "voxels/voxel_size.h"
+
+using namespace pcl_ops::internal;
+
+TEST (VoxelSize, FillsAboutAsManyVoxelsAsWanted)
+{
+  Coordinates board, boards_far_apart;
+  addGrid (board, {{0, 0, 0}, {5, 0, 0}, {0, 4, 0}}, 400);
+  for (const double x : {0.0, 1000.0})
+    addGrid (boards_far_apart, {{x, 0, 0}, {5, 0, 0}, {0, 4, 0}}, 400);
+  for (const Coordinates& points : {board, boards_far_apart})
+    for (const double wanted : {300.0, 2000.0, 10000.0}) {
+      const double size = voxelSizeFor (points, wanted);
+      const auto voxels = static_cast<double> (voxelize (points, size, 1).grid.size());
+      EXPECT_NEAR (voxels / wanted, 1.0, 0.35) << wanted;
+    }
+}
+
+TEST (VoxelSize, GrowsWithTheUnitOfTheCloud)
+{
+  Coordinates metres, millimetres;
+  addGrid (metres, {{0, 0, 0}, {5, 0, 0}, {0, 4, 0}}, 200);
+  addGrid (millimetres, {{0, 0, 0}, {5000, 0, 0}, {0, 4000, 0}}, 200);
+  EXPECT_NEAR (voxelSizeFor (millimetres, 1000.0) / voxelSizeFor (metres, 1000.0),
+               1000.0,
+               100.0);
+}
+
+TEST (VoxelSize, DoesNotDependOnTheOrderOfThePoints)
+{
+  const Coordinates points = pointsInACube (50000, 4.0);
+  Coordinates reversed;
+  for (std::size_t i = points.size(); i-- > 0;)
+    reversed.add (points.x[i], points.y[i], points.z[i]);
+  EXPECT_EQ (voxelSizeFor (reversed, 1000.0), voxelSizeFor (points, 1000.0));
+}
+
+TEST (VoxelSize, IsZeroForPointsThatSpanNothing)
+{
+  Coordinates equal;
+  EXPECT_EQ (voxelSizeFor (equal, 100.0), 0.0);
+  equal.add (1.0f, 2.0f, 3.0f);
+  equal.add (1.0f, 2.0f, 3.0f);
+  EXPECT_EQ (voxelSizeFor (equal, 100.0), 0.0);
+}
