@@ -35,7 +35,7 @@ struct VoxelScene {
   void
   voxelize ()
   {
-    voxelized = pcl_ops::internal::voxelizeTwice (points, 10_cm, 1);
+    voxelized = connectedVoxels (points, 10_cm);
   }
 
   /** \brief A plane without voxels and with a noise of 6 mm. */

@@ -25,8 +25,11 @@ VoxelLevels
 divide (const Points& points, const Parameters& parameters)
 {
   const std::optional<double> given = parameters.surfels.voxel_size;
-  return given ? voxelizeTwice (points, *given, parameters.threads)
-               : voxelizeByNoise (points, parameters.sampling_rate, parameters.threads);
+  VoxelLevels voxels =
+      given ? voxelizeTwice (points, *given, parameters.threads)
+            : voxelizeByNoise (points, parameters.sampling_rate, parameters.threads);
+  connect (voxels.coarse.grid, parameters.threads);
+  return voxels;
 }
 
 std::vector<std::optional<Surfel>>

@@ -134,7 +134,6 @@ voxelizeTwice (const Coordinates& positions, double voxel_size, unsigned threads
   VoxelLevels voxels;
   voxels.finest = voxelize (positions, 0.5 * voxel_size, threads);
   voxels.coarse = coarsen (voxels.finest.grid);
-  connect (voxels.coarse.grid, threads);
   return voxels;
 }
 

@@ -21,7 +21,7 @@ denseAndSparse (int sparse_steps)
   addGrid (points, {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, 120);
   const double edge = sparse_steps * 1_m;
   addGrid (points, {{10, 0, 0}, {edge, 0, 0}, {0, edge, 0}}, sparse_steps);
-  return voxelizeTwice (points, 10_cm, 1);
+  return connectedVoxels (points, 10_cm);
 }
 
 Indices
