@@ -25,7 +25,7 @@ struct VoxelScene {
     }
     voxelize();
     const pcl_ops::internal::Indices voxels =
-        voxelsOfPoints (grid(), voxelized.finest.points);
+        voxelsOfPoints (grid(), voxelized.finest.order);
     planes.plane_of_voxel.assign (grid().size(), pcl_ops::no_plane);
     for (std::size_t i = points.size(); i-- > 0;)
       planes.plane_of_voxel[voxels[i]] = plane_of_point[i];

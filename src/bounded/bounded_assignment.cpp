@@ -40,7 +40,8 @@ findPlanesAround (const VoxelGrid& grid,
 
 // Points, the planes each may be on, and where the labels go.
 struct Assignment {
-  const SortedPoints& points;
+  const Coordinates& points;
+  const Indices& order;
   const VoxelGrid& grid;
   const BoundedPlanes& planes;
   const std::vector<Candidate>& candidates;
@@ -55,9 +56,8 @@ struct Assignment {
     float best = 1.0f;
     for (const std::int32_t plane : around) {
       const Candidate& candidate = candidates[static_cast<std::size_t> (plane)];
-      const float relative = candidate.surface.distance (points.positions.x[point],
-                                                         points.positions.y[point],
-                                                         points.positions.z[point]) /
+      const float relative = candidate.surface.distance (
+                                 points.x[point], points.y[point], points.z[point]) /
                              candidate.band;
       nearest = relative < best ? plane : nearest;
       best = std::min (best, relative);
@@ -84,16 +84,17 @@ struct Assignment {
     const std::uint32_t end = grid.endOfPoints (voxel);
     if (around.size() == 1 && isAllOn (static_cast<std::size_t> (around[0]), voxel)) {
       for (std::uint32_t i = begin; i < end; ++i)
-        labels[points.numbers[i]] = around[0];
+        labels[order[i]] = around[0];
       moments[static_cast<std::size_t> (around[0])].addAligned (grid.moments[voxel]);
       return;
     }
     for (std::uint32_t i = begin; i < end; ++i) {
-      const std::int32_t plane = nearestOf (around, i);
-      labels[points.numbers[i]] = plane;
+      const std::uint32_t point = order[i];
+      const std::int32_t plane = nearestOf (around, point);
+      labels[point] = plane;
       if (plane != no_plane)
         moments[static_cast<std::size_t> (plane)].add (
-            points.positions.x[i], points.positions.y[i], points.positions.z[i]);
+            points.x[point], points.y[point], points.z[point]);
     }
   }
 };
@@ -116,7 +117,8 @@ candidatesOf (const BoundedPlanes& planes,
 } // namespace
 
 void
-assignToBoundedPlanes (const SortedPoints& points,
+assignToBoundedPlanes (const Coordinates& points,
+                       const Indices& order,
                        const VoxelGrid& grid,
                        const BoundedPlanes& planes,
                        std::optional<double> distance_threshold,
@@ -129,6 +131,7 @@ assignToBoundedPlanes (const SortedPoints& points,
   const std::vector<Candidate> candidates =
       candidatesOf (planes, smallestBand (grid, limit), limit, noise_factor);
   const Assignment assignment{points,
+                              order,
                               grid,
                               planes,
                               candidates,

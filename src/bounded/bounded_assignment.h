@@ -11,8 +11,9 @@ namespace pcl_ops::internal {
 
 /** \brief Assigns points to bounded planes: to the nearest, in units of the plane's
  * noise, of the planes whose support has a voxel within one voxel of the point.
- * \param[in] points sorted by their voxels
- * \param[in] grid these voxels
+ * \param[in] points all points
+ * \param[in] order their numbers, voxel after voxel
+ * \param[in] grid voxels
  * \param[in] planes on these voxels, with their noise
  * \param[in] distance_threshold theta_h: largest distance [m]; none: two voxels
  * \param[in] noise_factor largest distance in units of the plane's noise
@@ -21,7 +22,8 @@ namespace pcl_ops::internal {
  * \param[in,out] assigned labels of all points, and the moments of each plane's, which
  * are added */
 void
-assignToBoundedPlanes (const SortedPoints& points,
+assignToBoundedPlanes (const Coordinates& points,
+                       const Indices& order,
                        const VoxelGrid& grid,
                        const BoundedPlanes& planes,
                        std::optional<double> distance_threshold,

@@ -53,7 +53,7 @@ voxelsOfClusters (const std::vector<HoughPlane>& planes,
                   const OctreeClusters& found,
                   const VoxelizedPoints& voxelized)
 {
-  const Indices voxel_of_point = voxelsOfPoints (voxelized.grid, voxelized.points);
+  const Indices voxel_of_point = voxelsOfPoints (voxelized.grid, voxelized.order);
   BoundedPlanes voxels;
   voxels.plane_of_voxel.assign (voxelized.grid.size(), no_plane);
   for (const HoughPlane& plane : planes) {
@@ -157,7 +157,8 @@ assignToOutlinedPlanes (const Points& points,
   settleVoxels (voxelized.grid, parameters, planes);
   clock.lap (durations.merging);
   AssignedPoints assigned{Labels (points.size(), no_plane), {}};
-  assignToBoundedPlanes (voxelized.points,
+  assignToBoundedPlanes (points,
+                         voxelized.order,
                          voxelized.grid,
                          planes,
                          parameters.distance_threshold,

@@ -123,7 +123,8 @@ assign (const Points& points,
   const auto add = [&] (const VoxelGrid& grid,
                         const BoundedPlanes& bounded,
                         const std::vector<char>& is_left_out) {
-    assignToBoundedPlanes (voxels.finest.points,
+    assignToBoundedPlanes (points,
+                           voxels.finest.order,
                            grid,
                            bounded,
                            parameters.distance_threshold,
@@ -155,7 +156,7 @@ labelSparsePoints (const Points& points,
   if (parameters.surfels.voxel_size)
     return;
   const Indices numbers = sparsePoints (
-      voxels.coarse.grid, voxels.finest.points, assigned.labels, parameters.k);
+      voxels.coarse.grid, voxels.finest.order, assigned.labels, parameters.k);
   if (numbers.empty())
     return;
   Points sparse;

@@ -39,7 +39,7 @@ pointsIn (const std::vector<char>& is_sparse, const VoxelGrid& grid)
 
 Indices
 sparsePoints (const VoxelGrid& grid,
-              const SortedPoints& points,
+              const Indices& order,
               const Labels& labels,
               double least_points)
 {
@@ -52,8 +52,8 @@ sparsePoints (const VoxelGrid& grid,
   for (std::size_t voxel = 0; voxel < grid.size(); ++voxel)
     if (is_sparse[voxel] != 0)
       for (std::uint32_t i = grid.first_point[voxel]; i < grid.endOfPoints (voxel); ++i)
-        if (labels[points.numbers[i]] == no_plane)
-          sparse.push_back (points.numbers[i]);
+        if (labels[order[i]] == no_plane)
+          sparse.push_back (order[i]);
   std::sort (sparse.begin(), sparse.end());
   const bool is_cloud = sparse.size() * least_share >= labels.size() &&
                         sparse.size() * most_share <= labels.size();

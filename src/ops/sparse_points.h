@@ -12,14 +12,14 @@ namespace pcl_ops::internal {
  * to tell: where a cloud is far sparser than in most of its voxels, another voxel size
  * does it justice.
  * \param[in] grid voxels with their neighbours
- * \param[in] points all of them, sorted by these voxels
+ * \param[in] order numbers of all points, voxel after voxel
  * \param[in] labels plane of each point, or no_plane
  * \param[in] least_points fewest points of voxels that can tell
  * \return them, or none where they are not a cloud of their own: less than a hundredth
  * of all points, or more than half, whose voxels these are */
 Indices
 sparsePoints (const VoxelGrid& grid,
-              const SortedPoints& points,
+              const Indices& order,
               const Labels& labels,
               double least_points);
 

@@ -161,7 +161,7 @@ BoxTreeBuilder::sortIntoVoxels (const Points& points, const CloudView& cloud)
   const VoxelGrid& voxels = voxelized.grid;
   std::vector<Item> items (voxels.size());
   for (std::uint32_t voxel = 0; voxel < voxels.size(); ++voxel) {
-    const VoxelKey key = keyOf (voxels.codes[voxel]);
+    const VoxelKey key = numbersOf (voxels.codes[voxel]);
     items[voxel] = {{static_cast<float> (key.x),
                      static_cast<float> (key.y),
                      static_cast<float> (key.z)},
@@ -175,7 +175,7 @@ BoxTreeBuilder::sortIntoVoxels (const Points& points, const CloudView& cloud)
     for (std::uint32_t i = voxels.first_point[item.id];
          i < voxels.endOfPoints (item.id);
          ++i) {
-      const pcl::index_t index = points.indexOf (voxelized.points.numbers[i]);
+      const pcl::index_t index = points.indexOf (voxelized.order[i]);
       const float* const position = cloud[static_cast<std::size_t> (index)];
       points_.add (position[0], position[1], position[2]);
       index_.push_back (index);

@@ -32,7 +32,7 @@ FixedRadiusSearch::FixedRadiusSearch (const Coordinates& points,
   neighbours_of_voxel_ = std::move (voxelized.grid.neighbours);
   voxel_begin_ = std::move (voxelized.grid.first_point);
   voxel_begin_.push_back (static_cast<std::uint32_t> (points.size()));
-  points_ = std::move (voxelized.points.positions);
+  points_ = selected (points, voxelized.order);
 }
 
 std::size_t

@@ -18,16 +18,23 @@ struct VoxelKey {
  * the voxel of twice the edge. */
 using MortonCode = std::uint64_t;
 
-constexpr std::int32_t key_bits = 20;
+/** \brief Largest distance of a key from zero [voxels]. */
+constexpr std::int32_t key_limit = 1 << 19;
 
-/** \brief Coordinates along one axis: rounded down, in voxels, within 2^20 of zero. */
+/** \brief What makes a key a number above zero: a multiple of 16, so that voxels
+ * of up to 16 times the edge begin at zero, too. Above, its bits alternate: keys near
+ * zero share the upper ones, which then need no sorting. */
+constexpr std::int32_t key_offset = 0x155550;
+
+/** \brief Coordinates along one axis: rounded down, in voxels; those beyond \ref
+ * key_limit are taken to it. */
 inline void
 keysOf (const float* coordinates,
         std::size_t number,
         float voxels_per_metre,
         std::int32_t* keys)
 {
-  constexpr auto limit = static_cast<float> ((1 << key_bits) - 1);
+  constexpr auto limit = static_cast<float> (key_limit);
   for (std::size_t i = 0; i < number; ++i) {
     // In this order NaN, of 0 in voxels too small for their inverse, becomes a limit.
     const float scaled =
@@ -61,16 +68,19 @@ gatherBits (MortonCode code)
   return static_cast<std::uint32_t> ((code | code >> 32) & 0x1fffff);
 }
 
-/** \brief Of coordinates at least 0 and below 2^21. */
 inline MortonCode
-mortonCode (std::uint32_t x, std::uint32_t y, std::uint32_t z)
+mortonCode (std::int32_t x, std::int32_t y, std::int32_t z)
 {
-  return spreadBits (x) | spreadBits (y) << 1 | spreadBits (z) << 2;
+  const auto bits = [] (std::int32_t key) {
+    return spreadBits (static_cast<std::uint32_t> (key + key_offset));
+  };
+  return bits (x) | bits (y) << 1 | bits (z) << 2;
 }
 
-/** \brief The coordinates that a code is made of. */
+/** \brief The numbers above zero that a code is made of: a key and \ref key_offset, of
+ * a voxel of 2^n times the edge a 2^n-th of that. */
 inline VoxelKey
-keyOf (MortonCode code)
+numbersOf (MortonCode code)
 {
   return {static_cast<std::int32_t> (gatherBits (code)),
           static_cast<std::int32_t> (gatherBits (code >> 1)),

@@ -14,18 +14,12 @@ namespace {
 
 constexpr std::size_t batch = 512;
 
-// Where voxels of a cloud begin to be counted.
-struct KeyOrigin {
-  std::int32_t x, y, z;
-};
-
 PCL_OPS_VECTORIZED void
 codesOf (const float* x,
          const float* y,
          const float* z,
          std::size_t number,
          float voxels_per_metre,
-         const KeyOrigin& origin,
          MortonCode* codes)
 {
   std::array<std::int32_t, batch> key_x, key_y, key_z;
@@ -33,37 +27,20 @@ codesOf (const float* x,
   keysOf (y, number, voxels_per_metre, key_y.data());
   keysOf (z, number, voxels_per_metre, key_z.data());
   for (std::size_t i = 0; i < number; ++i)
-    codes[i] = mortonCode (static_cast<std::uint32_t> (key_x[i] - origin.x),
-                           static_cast<std::uint32_t> (key_y[i] - origin.y),
-                           static_cast<std::uint32_t> (key_z[i] - origin.z));
+    codes[i] = mortonCode (key_x[i], key_y[i], key_z[i]);
 }
 
-// The smallest key along an axis, or a little less: voxels of several times the edge
-// begin there, too, wherever the cloud does.
-std::int32_t
-firstKey (const std::vector<float>& coordinates, float voxels_per_metre)
-{
-  constexpr std::int32_t edges = 16;
-  const auto size = static_cast<Eigen::Index> (coordinates.size());
-  const float smallest =
-      Eigen::Map<const Eigen::ArrayXf> (coordinates.data(), size).minCoeff();
-  std::int32_t key = 0;
-  keysOf (&smallest, 1, voxels_per_metre, &key);
-  return key & -edges;
-}
-
-// The runs of some of the points. Where one ends is found without a branch.
-std::vector<PointRun>
-runsOf (const Coordinates& positions,
-        float voxels_per_metre,
-        const KeyOrigin& origin,
-        std::size_t begin,
-        std::size_t end)
+// Writes the runs of some of the points. Where one ends is found without a branch.
+// Returns their number.
+std::size_t
+findRuns (const Coordinates& positions,
+          float voxels_per_metre,
+          std::size_t begin,
+          std::size_t end,
+          PointRun* runs)
 {
   std::array<MortonCode, batch> codes;
-  std::array<std::uint32_t, batch + 1> run_begin;
-  std::vector<PointRun> all;
-  all.reserve (end - begin);
+  std::size_t all = 0;
   for (std::size_t first = begin; first < end; first += batch) {
     const std::size_t number = std::min (batch, end - first);
     codesOf (&positions.x[first],
@@ -71,77 +48,92 @@ runsOf (const Coordinates& positions,
              &positions.z[first],
              number,
              voxels_per_metre,
-             origin,
              codes.data());
-    std::size_t runs = 0;
-    run_begin[0] = 0;
-    for (std::size_t i = 1; i < number; ++i) {
-      run_begin[runs + 1] = static_cast<std::uint32_t> (i);
-      runs += codes[i] != codes[i - 1];
+    for (std::size_t i = 0; i < number; ++i) {
+      const bool is_new = i == 0 || codes[i] != codes[i - 1];
+      all += is_new ? 1 : 0;
+      PointRun& run = runs[all - 1];
+      run.code = codes[i];
+      run.first = is_new ? static_cast<std::uint32_t> (first + i) : run.first;
+      run.size = is_new ? 1 : run.size + 1;
     }
-    run_begin[++runs] = static_cast<std::uint32_t> (number);
-    for (std::size_t r = 0; r < runs; ++r)
-      all.push_back ({codes[run_begin[r]],
-                      static_cast<std::uint32_t> (first) + run_begin[r],
-                      run_begin[r + 1] - run_begin[r]});
   }
   return all;
 }
 
-// Sorts by some of the bits of the code; equal ones stay in their order.
-template <std::size_t digit_bits>
-void
-sortByDigit (const std::vector<PointRun>& runs,
-             int lowest_bit,
-             std::vector<PointRun>& sorted)
+bool
+isBefore (const PointRun& a, const PointRun& b)
 {
-  constexpr std::size_t digits = std::size_t (1) << digit_bits;
-  const auto digitOf = [lowest_bit] (const PointRun& run) {
-    return run.code >> lowest_bit & (digits - 1);
-  };
-  std::array<std::uint32_t, digits + 1> next{};
-  for (const PointRun& run : runs)
-    ++next[digitOf (run) + 1];
-  for (std::size_t digit = 1; digit < digits; ++digit)
-    next[digit] += next[digit - 1];
-  for (const PointRun& run : runs)
-    sorted[next[digitOf (run)]++] = run;
+  return a.code != b.code ? a.code < b.code : a.first < b.first;
 }
 
-// Radix sort, as far as codes reach.
+// Sorts runs whose codes have the same bits above lowest_bit + 8, in place (American
+// flag sort: McIlroy, Bostic & McIlroy, Computing Systems 1993).
 void
-sortByCode (std::vector<PointRun>& runs)
+sortByDigit (PointRun* begin, PointRun* end, int lowest_bit)
 {
+  constexpr std::ptrdiff_t few = 48;
   constexpr int digit_bits = 8;
-  MortonCode all_bits = 0;
-  for (const PointRun& run : runs)
-    all_bits |= run.code;
-  std::vector<PointRun> sorted (runs.size());
-  for (int bit = 0; bit < 64 && all_bits >> bit != 0; bit += digit_bits) {
-    sortByDigit<digit_bits> (runs, bit, sorted);
-    runs.swap (sorted);
+  constexpr std::size_t digits = 1 << digit_bits;
+  if (end - begin <= few || lowest_bit <= -digit_bits)
+    return std::sort (begin, end, isBefore);
+  const int bit = std::max (0, lowest_bit);
+  const auto digitOf = [bit] (const PointRun& run) {
+    return static_cast<std::size_t> (run.code >> bit & (digits - 1));
+  };
+  std::array<std::ptrdiff_t, digits> number{};
+  for (const PointRun* run = begin; run != end; ++run)
+    ++number[digitOf (*run)];
+  std::array<PointRun*, digits> next, ends;
+  PointRun* place = begin;
+  for (std::size_t digit = 0; digit < digits; ++digit) {
+    next[digit] = place;
+    place += number[digit];
+    ends[digit] = place;
   }
+  for (std::size_t digit = 0; digit < digits; ++digit)
+    while (next[digit] != ends[digit]) {
+      const std::size_t own = digitOf (*next[digit]);
+      if (own == digit)
+        ++next[digit];
+      else
+        std::swap (*next[digit], *next[own]++);
+    }
+  for (std::size_t digit = 0; digit < digits; ++digit)
+    if (number[digit] > 1)
+      sortByDigit (ends[digit] - number[digit], ends[digit], lowest_bit - digit_bits);
+}
+
+void
+sortByCode (const PointRuns& runs)
+{
+  MortonCode differing = 0;
+  for (const PointRun& run : runs)
+    differing |= run.code ^ runs[0].code;
+  int bits = 0;
+  while (differing >> bits != 0)
+    ++bits;
+  sortByDigit (runs.begin(), runs.end(), bits - 8);
 }
 
 } // namespace
 
-std::vector<PointRun>
+PointRuns
 sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads)
 {
   constexpr std::size_t points_per_piece = 32 * batch;
-  if (positions.size() == 0)
-    return {};
   const auto voxels_per_metre = static_cast<float> (1.0 / voxel_size);
-  const KeyOrigin origin{firstKey (positions.x, voxels_per_metre),
-                         firstKey (positions.y, voxels_per_metre),
-                         firstKey (positions.z, voxels_per_metre)};
-  const auto pieces = parallelPieces (
+  // Each piece where its points are; then without gaps.
+  PointRuns runs (positions.size());
+  const std::vector<std::size_t> pieces = parallelPieces (
       threads, positions.size(), points_per_piece, [&] (auto begin, auto end) {
-        return runsOf (positions, voxels_per_metre, origin, begin, end);
+        return findRuns (positions, voxels_per_metre, begin, end, runs.begin() + begin);
       });
-  std::vector<PointRun> runs;
-  for (const std::vector<PointRun>& piece : pieces)
-    runs.insert (runs.end(), piece.begin(), piece.end());
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const PointRun* const piece = runs.begin() + p * points_per_piece;
+    std::copy (piece, piece + pieces[p], runs.end());
+    runs.resize (runs.size() + pieces[p]);
+  }
   sortByCode (runs);
   return runs;
 }

@@ -5,7 +5,9 @@
 #include "geometry/points.h"
 #include "voxels/morton_code.h"
 
-#include <vector>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 
 namespace pcl_ops::internal {
 
@@ -16,14 +18,57 @@ struct PointRun {
   std::uint32_t size;
 };
 
+/** \brief Some runs. */
+class PointRuns {
+public:
+  PointRuns() = default;
+
+  /** \param[in] most runs there is room for; what is not written takes no memory */
+  explicit PointRuns (std::size_t most) : runs_ (new PointRun[most]) {}
+
+  std::size_t
+  size () const
+  {
+    return size_;
+  }
+
+  void
+  resize (std::size_t size)
+  {
+    size_ = size;
+  }
+
+  PointRun*
+  begin () const
+  {
+    return runs_.get();
+  }
+
+  PointRun*
+  end () const
+  {
+    return runs_.get() + size_;
+  }
+
+  const PointRun&
+  operator[] (std::size_t run) const
+  {
+    return runs_[run];
+  }
+
+private:
+  std::unique_ptr<PointRun[]> runs_;
+  std::size_t size_ = 0;
+};
+
 /** \brief The points as runs, sorted by the Morton code of their voxel; runs of a voxel
  * in the order of the cloud. Where points come in the order of a scan only the runs,
  * some six times fewer, have to be sorted.
- * \param[in] positions finite points; coordinates beyond 2^20 voxels from zero share
+ * \param[in] positions finite points; coordinates beyond 2^19 voxels from zero share
  * the outermost voxels
  * \param[in] voxel_size edge of a voxel, above 0
  * \param[in] threads number of threads; 0: all. The result does not depend on it */
-std::vector<PointRun>
+PointRuns
 sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads);
 
 } // namespace pcl_ops::internal

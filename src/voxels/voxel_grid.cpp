@@ -11,34 +11,42 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Sums in local variables, which stay in registers.
-void
-addPositions (const Coordinates& positions,
-              std::size_t begin,
-              std::size_t end,
-              Moments& moments)
+// Moments of the points of some runs, and their numbers. Sums in local variables, which
+// stay in registers.
+Moments
+addUp (const Coordinates& positions,
+       const PointRun* begin,
+       const PointRun* end,
+       std::uint32_t* order)
 {
-  double sx = 0, sy = 0, sz = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    const double x = positions.x[i], y = positions.y[i], z = positions.z[i];
-    sx += x;
-    sy += y;
-    sz += z;
-    xx += x * x;
-    xy += x * y;
-    xz += x * z;
-    yy += y * y;
-    yz += y * z;
-    zz += z * z;
+  double count = 0, sx = 0, sy = 0, sz = 0;
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  for (const PointRun* run = begin; run != end; ++run) {
+    for (std::uint32_t i = run->first; i < run->first + run->size; ++i) {
+      const double x = positions.x[i], y = positions.y[i], z = positions.z[i];
+      sx += x;
+      sy += y;
+      sz += z;
+      xx += x * x;
+      xy += x * y;
+      xz += x * z;
+      yy += y * y;
+      yz += y * z;
+      zz += z * z;
+      *order++ = i;
+    }
+    count += run->size;
   }
-  moments.count = static_cast<double> (end - begin);
+  Moments moments;
+  moments.count = count;
   moments.sum = {sx, sy, sz};
   moments.products = {xx, xy, xz, yy, yz, zz};
+  return moments;
 }
 
 /** \brief Where each voxel's runs begin, and where the last one's end. */
 Indices
-divide (const std::vector<PointRun>& runs, VoxelGrid& grid)
+divide (const PointRuns& runs, VoxelGrid& grid)
 {
   Indices first_run;
   std::uint32_t points = 0;
@@ -54,41 +62,23 @@ divide (const std::vector<PointRun>& runs, VoxelGrid& grid)
   return first_run;
 }
 
-void
-copyRun (const Coordinates& positions,
-         const PointRun& run,
-         std::uint32_t to,
-         SortedPoints& points)
-{
-  for (std::uint32_t i = 0; i < run.size; ++i) {
-    points.positions.x[to + i] = positions.x[run.first + i];
-    points.positions.y[to + i] = positions.y[run.first + i];
-    points.positions.z[to + i] = positions.z[run.first + i];
-    points.numbers[to + i] = run.first + i;
-  }
-}
-
 } // namespace
 
 VoxelizedPoints
 voxelize (const Coordinates& positions, double voxel_size, unsigned threads)
 {
-  const std::vector<PointRun> runs = sortedRuns (positions, voxel_size, threads);
+  const PointRuns runs = sortedRuns (positions, voxel_size, threads);
   VoxelizedPoints voxelized;
   VoxelGrid& grid = voxelized.grid;
-  SortedPoints& points = voxelized.points;
   grid.voxel_size = voxel_size;
   const Indices first_run = divide (runs, grid);
   grid.moments.resize (grid.size());
-  points.positions.resize (positions.size());
-  points.numbers.resize (positions.size());
+  voxelized.order.resize (positions.size());
   forVoxels (grid, threads, [&] (std::size_t voxel) {
-    std::uint32_t to = grid.first_point[voxel];
-    for (std::uint32_t r = first_run[voxel]; r < first_run[voxel + 1]; ++r) {
-      copyRun (positions, runs[r], to, points);
-      to += runs[r].size;
-    }
-    addPositions (points.positions, grid.first_point[voxel], to, grid.moments[voxel]);
+    grid.moments[voxel] = addUp (positions,
+                                 runs.begin() + first_run[voxel],
+                                 runs.begin() + first_run[voxel + 1],
+                                 voxelized.order.data() + grid.first_point[voxel]);
   });
   return voxelized;
 }
@@ -100,12 +90,12 @@ connect (VoxelGrid& grid, unsigned threads)
 }
 
 Indices
-voxelsOfPoints (const VoxelGrid& grid, const SortedPoints& points)
+voxelsOfPoints (const VoxelGrid& grid, const Indices& order)
 {
-  Indices voxels (points.numbers.size());
+  Indices voxels (order.size());
   for (std::size_t voxel = 0; voxel < grid.size(); ++voxel)
     for (std::uint32_t i = grid.first_point[voxel]; i < grid.endOfPoints (voxel); ++i)
-      voxels[points.numbers[i]] = static_cast<std::uint32_t> (voxel);
+      voxels[order[i]] = static_cast<std::uint32_t> (voxel);
   return voxels;
 }
 

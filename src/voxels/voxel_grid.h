@@ -19,8 +19,7 @@ struct VoxelGrid {
   /** \brief Of each occupied voxel, ascending: neighbours in space are near in memory.
    */
   std::vector<MortonCode> codes;
-  /** \brief Position of each voxel's first point among the sorted ones; the others
-   * follow it. */
+  /** \brief Where each voxel's points begin in \ref VoxelizedPoints::order. */
   Indices first_point;
   /** \brief Moments of each voxel's points about the zero of their frame. */
   std::vector<Moments> moments;
@@ -33,7 +32,7 @@ struct VoxelGrid {
     return codes.size();
   }
 
-  /** \brief Where a voxel's points end among the sorted ones. */
+  /** \brief Where a voxel's points end there. */
   std::uint32_t
   endOfPoints (std::size_t voxel) const
   {
@@ -41,21 +40,14 @@ struct VoxelGrid {
   }
 };
 
-/** \brief Points, voxel after voxel. */
-struct SortedPoints {
-  Coordinates positions;
-  /** \brief Which of the points before they were sorted. */
-  Indices numbers;
-};
-
-/** \brief Points with the voxels that they are sorted into. */
+/** \brief Voxels with the numbers of their points, voxel after voxel. */
 struct VoxelizedPoints {
   VoxelGrid grid;
-  SortedPoints points;
+  Indices order;
 };
 
 /** \brief Sorts points into voxels and adds up their moments.
- * \param[in] positions finite points; coordinates beyond 2^20 voxels from zero share
+ * \param[in] positions finite points; coordinates beyond 2^19 voxels from zero share
  * the outermost voxels
  * \param[in] voxel_size edge of a voxel, above 0
  * \param[in] threads number of threads; 0: all. The result does not depend on it
@@ -67,9 +59,11 @@ voxelize (const Coordinates& positions, double voxel_size, unsigned threads);
 void
 connect (VoxelGrid& grid, unsigned threads);
 
-/** \brief The voxel of each point, in the order before the points were sorted. */
+/** \brief The voxel of each point.
+ * \param[in] grid the voxels
+ * \param[in] order numbers of all points, voxel after voxel */
 Indices
-voxelsOfPoints (const VoxelGrid& grid, const SortedPoints& points);
+voxelsOfPoints (const VoxelGrid& grid, const Indices& order);
 
 /** \brief A grid of twice the voxel size whose voxels hold 2 x 2 x 2 voxels each. */
 struct CoarserGrid {

@@ -108,7 +108,7 @@ std::vector<Surroundings>
 surroundingsOf (const std::vector<MortonCode>& codes, unsigned threads)
 {
   std::vector<Surroundings> surroundings (codes.size());
-  if (codes.size() == 1 && codes[0] == 0) {
+  if (codes.size() == 1) {
     surroundings[0].fill (no_voxel);
     surroundings[0][13] = 0;
     return surroundings;

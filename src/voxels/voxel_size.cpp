@@ -15,8 +15,8 @@ namespace {
 std::size_t
 countOccupied (const Coordinates& positions, double voxel_size)
 {
-  const std::vector<PointRun> runs = sortedRuns (positions, voxel_size, 1);
-  std::size_t voxels = runs.empty() ? 0 : 1;
+  const PointRuns runs = sortedRuns (positions, voxel_size, 1);
+  std::size_t voxels = runs.size() == 0 ? 0 : 1;
   for (std::size_t r = 1; r < runs.size(); ++r)
     voxels += runs[r].code != runs[r - 1].code;
   return voxels;

@@ -16,7 +16,8 @@ assign (const VoxelScene& scene,
         unsigned threads = 1)
 {
   AssignedPoints assigned{Labels (scene.points.size(), no_plane), {}};
-  assignToBoundedPlanes (scene.voxelized.finest.points,
+  assignToBoundedPlanes (scene.points,
+                         scene.voxelized.finest.order,
                          scene.grid(),
                          scene.planes,
                          theta_h,

@@ -37,7 +37,7 @@ planesOf (const VoxelizedPoints& voxelized, const Labels& plane_of_point)
   BoundedPlanes planes;
   planes.planes.resize (2);
   planes.plane_of_voxel.resize (3);
-  const Indices voxels = voxelsOfPoints (voxelized.grid, voxelized.points);
+  const Indices voxels = voxelsOfPoints (voxelized.grid, voxelized.order);
   for (std::size_t i = 0; i < 3; ++i)
     planes.plane_of_voxel[voxels[i]] = plane_of_point[i];
   return planes;

@@ -46,11 +46,11 @@ TEST (Refinement, HasThePointsOfThoseVoxels)
 {
   const VoxelScene scene = halfExplained();
   const VoxelGrid finer = refined (scene).grid;
-  const SortedPoints& points = scene.voxelized.finest.points;
+  const Indices& order = scene.voxelized.finest.order;
   std::vector<char> is_refined (scene.points.size(), 0);
   for (std::size_t voxel = 0; voxel < finer.size(); ++voxel)
     for (std::uint32_t i = finer.first_point[voxel]; i < finer.endOfPoints (voxel); ++i)
-      is_refined[points.numbers[i]] = 1;
+      is_refined[order[i]] = 1;
   for (std::size_t i = 0; i < scene.points.size(); ++i)
     EXPECT_EQ (is_refined[i] != 0, scene.points.x[i] > 0.9f);
 }

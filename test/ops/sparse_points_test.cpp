@@ -27,9 +27,9 @@ denseAndSparse (int sparse_steps)
 Indices
 sparseAmong (const VoxelLevels& voxels, std::int32_t label = no_plane)
 {
-  const SortedPoints& points = voxels.finest.points;
-  const pcl_ops::Labels labels (points.numbers.size(), label);
-  return sparsePoints (voxels.coarse.grid, points, labels, least_points);
+  const Indices& order = voxels.finest.order;
+  const pcl_ops::Labels labels (order.size(), label);
+  return sparsePoints (voxels.coarse.grid, order, labels, least_points);
 }
 
 } // namespace

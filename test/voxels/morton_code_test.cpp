@@ -30,8 +30,8 @@ TEST (VoxelKeys, AreRoundedDown)
 
 TEST (VoxelKeys, EndWhereTheirRangeEnds)
 {
-  EXPECT_EQ (keyOfCoordinate (1e9f), (1 << 20) - 1);
-  EXPECT_EQ (keyOfCoordinate (-1e9f), -(1 << 20) + 1);
+  EXPECT_EQ (keyOfCoordinate (1e9f), key_limit);
+  EXPECT_EQ (keyOfCoordinate (-1e9f), -key_limit);
 }
 
 TEST (VoxelKeys, OfVoxelsTooSmallForTheirInverseAreInTheirRange)
@@ -43,24 +43,32 @@ TEST (VoxelKeys, OfVoxelsTooSmallForTheirInverseAreInTheirRange)
 
 TEST (MortonCode, InterleavesTheBitsOfCoordinates)
 {
-  EXPECT_EQ (mortonCode (1, 0, 0), 1u);
-  EXPECT_EQ (mortonCode (0, 1, 0), 2u);
-  EXPECT_EQ (mortonCode (0, 0, 1), 4u);
-  EXPECT_EQ (mortonCode (0b101, 0b010, 0b111), 0b101110101u);
+  EXPECT_EQ (mortonCode (1, 0, 0) - mortonCode (0, 0, 0), 1u);
+  EXPECT_EQ (mortonCode (0, 1, 0) - mortonCode (0, 0, 0), 2u);
+  EXPECT_EQ (mortonCode (0, 0, 1) - mortonCode (0, 0, 0), 4u);
+  EXPECT_EQ (mortonCode (0b101, 0b010, 0b111) - mortonCode (0, 0, 0), 0b101110101u);
 }
 
-TEST (MortonCode, OfTheVoxelOfTwiceTheEdgeIsAnEighth)
+TEST (MortonCode, OfAVoxelOfTwiceTheEdgeIsAnEighth)
 {
-  EXPECT_EQ (mortonCode (11, 22, 33) >> 3, mortonCode (5, 11, 16));
+  EXPECT_EQ (mortonCode (10, 22, 32) >> 3, mortonCode (11, 23, 33) >> 3);
+  EXPECT_NE (mortonCode (10, 22, 32) >> 3, mortonCode (9, 22, 32) >> 3);
+  EXPECT_EQ (mortonCode (0, 0, 0) >> 12, mortonCode (15, 15, 15) >> 12);
+  EXPECT_NE (mortonCode (0, 0, 0) >> 12, mortonCode (-1, 0, 0) >> 12);
 }
 
 TEST (MortonCode, TellsTheCoordinatesAgain)
 {
-  constexpr std::uint32_t largest = (1u << 21) - 1;
-  for (const std::uint32_t x : {0u, 1u, 0x12345u, largest}) {
-    const VoxelKey key = keyOf (mortonCode (x, largest - x, 7));
-    EXPECT_EQ (key.x, static_cast<std::int32_t> (x));
-    EXPECT_EQ (key.y, static_cast<std::int32_t> (largest - x));
-    EXPECT_EQ (key.z, 7);
+  for (const std::int32_t x : {0, 1, 0x12345, key_limit, -key_limit}) {
+    const VoxelKey key = numbersOf (mortonCode (x, -x, 7));
+    EXPECT_EQ (key.x, key_offset + x);
+    EXPECT_EQ (key.y, key_offset - x);
+    EXPECT_EQ (key.z, key_offset + 7);
   }
+}
+
+TEST (MortonCode, OfKeysNearZeroSharesItsUpperBits)
+{
+  for (const std::int32_t x : {-100, 0, 100})
+    EXPECT_EQ (mortonCode (x, -x, x) >> 27, mortonCode (0, 0, 0) >> 27);
 }

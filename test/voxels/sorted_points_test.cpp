@@ -9,7 +9,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-std::vector<PointRun>
+PointRuns
 runsAlongX (const std::vector<float>& along_x)
 {
   Coordinates points;
@@ -22,17 +22,18 @@ runsAlongX (const std::vector<float>& along_x)
 
 TEST (SortedRuns, JoinPointsThatFollowEachOtherInAVoxel)
 {
-  const std::vector<PointRun> runs = runsAlongX ({5.5f, 0.1f, 0.9f, 0.2f});
+  const PointRuns runs = runsAlongX ({5.5f, 0.1f, 0.9f, 0.2f});
   ASSERT_EQ (runs.size(), 2u);
   EXPECT_EQ (runs[0].first, 1u);
   EXPECT_EQ (runs[0].size, 3u);
   EXPECT_EQ (runs[1].first, 0u);
-  EXPECT_EQ (runs[1].code - runs[0].code, mortonCode (5, 0, 0));
+  EXPECT_EQ (runs[0].code, mortonCode (0, 0, 0));
+  EXPECT_EQ (runs[1].code, mortonCode (5, 0, 0));
 }
 
 TEST (SortedRuns, OfAVoxelStayInTheirOrder)
 {
-  const std::vector<PointRun> runs = runsAlongX ({0.1f, 5.5f, 0.9f, 5.1f, 0.2f});
+  const PointRuns runs = runsAlongX ({0.1f, 5.5f, 0.9f, 5.1f, 0.2f});
   ASSERT_EQ (runs.size(), 5u);
   const std::vector<std::uint32_t> expected{0, 2, 4, 1, 3};
   for (std::size_t i = 0; i < runs.size(); ++i)
@@ -46,7 +47,8 @@ TEST (SortedRuns, AscendAndCoverEveryPointOnce)
   points.add (1e9f, -1e9f, 1e9f);
   std::vector<int> covered (points.size(), 0);
   MortonCode last = 0;
-  for (const PointRun& run : sortedRuns (points, 0.1, 1)) {
+  const PointRuns runs = sortedRuns (points, 0.1, 1);
+  for (const PointRun& run : runs) {
     EXPECT_LE (last, run.code);
     last = run.code;
     for (std::uint32_t i = run.first; i < run.first + run.size; ++i)
@@ -55,4 +57,4 @@ TEST (SortedRuns, AscendAndCoverEveryPointOnce)
   EXPECT_EQ (covered, std::vector<int> (points.size(), 1));
 }
 
-TEST (SortedRuns, OfNoPointsAreNone) { EXPECT_TRUE (sortedRuns ({}, 1.0, 1).empty()); }
+TEST (SortedRuns, OfNoPointsAreNone) { EXPECT_EQ (sortedRuns ({}, 1.0, 1).size(), 0u); }

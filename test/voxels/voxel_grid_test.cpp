@@ -28,7 +28,7 @@ TEST (VoxelGrid, SharesAVoxelBetweenPointsOfTheSameCubeOnly)
   points.add (0.8f, 0.8f, 0.8f);
   const VoxelizedPoints voxelized = voxelize (points, 1.0, 1);
   EXPECT_EQ (voxelized.grid.size(), 2u);
-  EXPECT_EQ (voxelsOfPoints (voxelized.grid, voxelized.points), (Indices{1, 0, 1}));
+  EXPECT_EQ (voxelsOfPoints (voxelized.grid, voxelized.order), (Indices{1, 0, 1}));
 }
 
 TEST (VoxelGrid, PutsPointsVoxelAfterVoxelInTheirOrder)
@@ -36,23 +36,21 @@ TEST (VoxelGrid, PutsPointsVoxelAfterVoxelInTheirOrder)
   const Coordinates points = pointsInACube (5000, 4.0);
   const VoxelizedPoints voxelized = voxelize (points, 0.5, 1);
   const VoxelGrid& grid = voxelized.grid;
-  const Indices& numbers = voxelized.points.numbers;
+  const Indices& order = voxelized.order;
   EXPECT_EQ (grid.first_point.front(), 0u);
   for (std::size_t voxel = 0; voxel < grid.size(); ++voxel) {
     const std::uint32_t end = grid.endOfPoints (voxel);
     EXPECT_EQ (end, voxel + 1 < grid.size() ? grid.first_point[voxel + 1] : 5000u);
-    EXPECT_TRUE (std::is_sorted (numbers.begin() + grid.first_point[voxel],
-                                 numbers.begin() + end));
+    EXPECT_TRUE (
+        std::is_sorted (order.begin() + grid.first_point[voxel], order.begin() + end));
   }
-  for (std::size_t i = 0; i < points.size(); ++i)
-    EXPECT_EQ (voxelized.points.positions[i], points[numbers[i]]);
 }
 
 TEST (VoxelGrid, AddsUpTheMomentsOfTheVoxelsPoints)
 {
   const Coordinates points = pointsInACube (5000, 4.0);
   const VoxelizedPoints voxelized = voxelize (points, 0.5, 1);
-  const Indices voxels = voxelsOfPoints (voxelized.grid, voxelized.points);
+  const Indices voxels = voxelsOfPoints (voxelized.grid, voxelized.order);
   std::vector<pcl_ops::Moments> expected (voxelized.grid.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     expected[voxels[i]].add (points.x[i], points.y[i], points.z[i]);
@@ -68,7 +66,7 @@ TEST (VoxelGrid, IsTheSameForAnyNumberOfThreads)
   const VoxelizedPoints one = voxelize (points, 0.2, 1);
   for (const unsigned threads : {2u, 3u, 4u, 8u}) {
     const VoxelizedPoints many = voxelize (points, 0.2, threads);
-    EXPECT_EQ (one.points.numbers, many.points.numbers);
+    EXPECT_EQ (one.order, many.order);
     for (std::size_t c = 0; c < one.grid.size(); ++c)
       ASSERT_EQ (one.grid.moments[c].sum, many.grid.moments[c].sum);
   }
@@ -89,8 +87,8 @@ TEST (CoarserGrid, HoldsEightVoxelsEachAndLosesNoPoint)
   EXPECT_EQ (coarser.grid.voxel_size, 0.5);
   EXPECT_EQ (countOf (coarser.grid), countOf (fine));
   for (std::size_t c = 0; c < fine.size(); ++c) {
-    const VoxelKey child = keyOf (fine.codes[c]);
-    const VoxelKey parent = keyOf (coarser.grid.codes[coarser.voxel_of_finer[c]]);
+    const VoxelKey child = numbersOf (fine.codes[c]);
+    const VoxelKey parent = numbersOf (coarser.grid.codes[coarser.voxel_of_finer[c]]);
     EXPECT_EQ (parent.x, child.x >> 1);
     EXPECT_EQ (parent.z, child.z >> 1);
   }

@@ -26,7 +26,7 @@ TEST (VoxelNeighbours, AreThoseThatBruteForceFinds)
     for (std::size_t a = 0; a < grid.size(); ++a) {
       Indices expected;
       for (std::size_t b = 0; b < grid.size(); ++b)
-        if (isNeighbour (keyOf (grid.codes[a]), keyOf (grid.codes[b])))
+        if (isNeighbour (numbersOf (grid.codes[a]), numbersOf (grid.codes[b])))
           expected.push_back (static_cast<std::uint32_t> (b));
       Indices found (neighbours[a].begin(), neighbours[a].end());
       std::sort (found.begin(), found.end());
@@ -38,7 +38,7 @@ TEST (VoxelNeighbours, AreThoseThatBruteForceFinds)
 TEST (VoxelNeighbours, ReachAcrossTheBordersOfAllLargerVoxels)
 {
   // On both sides of the middle of the largest possible grid.
-  const std::uint32_t middle = 1u << 20;
+  const std::int32_t middle = (1 << 20) - key_offset;
   const std::vector<MortonCode> codes{mortonCode (middle - 1, middle - 1, middle - 1),
                                       mortonCode (middle, middle, middle)};
   const VoxelNeighbours neighbours = neighboursOf (codes, 1);
@@ -49,7 +49,7 @@ TEST (VoxelNeighbours, ReachAcrossTheBordersOfAllLargerVoxels)
 
 TEST (VoxelNeighbours, OfOneVoxelAreItself)
 {
-  for (const MortonCode code : {MortonCode (0), mortonCode (5, 6, 7)}) {
+  for (const MortonCode code : {MortonCode (0), mortonCode (5, -6, 7)}) {
     const VoxelNeighbours neighbours = neighboursOf ({code}, 1);
     ASSERT_EQ (neighbours.size(), 1u);
     EXPECT_EQ (Indices (neighbours[0].begin(), neighbours[0].end()), (Indices{0}));
