@@ -104,6 +104,8 @@ struct Plane {
   }
 };
 
+namespace detail {
+
 /** \brief Mean squared distance of a set of points to a plane in the frame of the
  * moments' origin [m^2]; undefined for count 0. */
 inline double
@@ -118,6 +120,13 @@ meanSquaredDistance (const Moments& moments, const Plane& plane)
   const double squared =
       (second + 2.0 * offset * n.dot (moments.sum)) / moments.count + offset * offset;
   return std::max (0.0, squared);
+}
+
+} // namespace detail
+
+// The library's own code knows these names without their namespace.
+namespace internal {
+using namespace detail;
 }
 
 /** \brief A least squares plane with what its fit says about the points. */

@@ -16,8 +16,9 @@ namespace pcl_ops {
  *
  * The points of the cloud carry their unit normals. Coefficients are a b c d with a
  * unit normal. Distances, inliers and counts are those of
- * pcl::SampleConsensusModelPlane. \tparam PointNT a point type with x, y, z and
- * normal_x, normal_y, normal_z \ingroup sample_consensus */
+ * pcl::SampleConsensusModelPlane.
+ * \tparam PointNT a point type with x, y, z and normal_x, normal_y, normal_z
+ * \ingroup sample_consensus */
 template <typename PointNT>
 class SampleConsensusModelOrientedPoint
 : public pcl::SampleConsensusModelPlane<PointNT> {

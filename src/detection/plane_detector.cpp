@@ -18,7 +18,7 @@ using namespace internal;
 namespace {
 
 std::string
-problemOf (const MergingParameters& merging)
+validate (const MergingParameters& merging)
 {
   if (!(merging.angle_threshold >= 0.0 && merging.angle_threshold <= right_angle))
     return "the merging angle must be between 0 and pi/2 (radians)";
@@ -46,7 +46,7 @@ largestOf (const pcl::Indices& indices)
 } // namespace
 
 std::string
-problemOf (const PlaneDetectorParameters& parameters)
+validate (const PlaneDetectorParameters& parameters)
 {
   if (parameters.distance_threshold &&
       !(*parameters.distance_threshold > 0.0 &&
@@ -56,11 +56,13 @@ problemOf (const PlaneDetectorParameters& parameters)
     return "the up axis must be a finite vector other than zero";
   if (!(parameters.angle_tolerance >= 0.0 && parameters.angle_tolerance <= right_angle))
     return "the angle tolerance must be between 0 and pi/2 (radians)";
-  return problemOf (parameters.merging);
+  return validate (parameters.merging);
 }
 
+namespace detail {
+
 std::string
-problemOf (const DetectorInput& input)
+validate (const DetectorInput& input)
 {
   if (input.cloud.size == 0)
     return "the input cloud is empty";
@@ -124,5 +126,7 @@ throwOn (const std::string& problem)
   if (!problem.empty())
     throw std::invalid_argument (problem);
 }
+
+} // namespace detail
 
 } // namespace pcl_ops
