@@ -76,7 +76,7 @@ detect (const DetectorInput& input, const KernelHoughTransformParameters& parame
  * Limberger & Oliveira, "Real-time detection of planar regions in unorganized point
  * clouds", Pattern Recognition 48(6), 2015.
  *
- * The preset \c paper () has the method's known weak points: normals quantised to the
+ * The preset \c paper () has the method's known weak points: normals quantized to the
  * accumulator's bins, no fit to the points, planes without end, and a point's plane
  * decided by the planes' order. The defaults fit the planes to their clusters, end them
  * where the clusters do and merge planes as all detectors of this library do.

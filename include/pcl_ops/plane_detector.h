@@ -252,7 +252,7 @@ public:
     return parameters_.merging;
   }
 
-  /** \brief Any neighbour search, in place of the library's own; its input cloud is set
+  /** \brief Any neighbor search, in place of the library's own; its input cloud is set
    * by the detector. OPS on surfels, its default, and 3D-KHT need none and ask none. */
   void
   setSearchMethod (const SearchPtr& search)

@@ -20,7 +20,7 @@ namespace pcl_ops {
 struct PlaneEdgeParameters {
   /** \brief How near to the line that two planes have in common both must have points
    * [m]; automatic: three times their noise, over the sine of the angle between them,
-   * and four times the mean distance between neighbouring points. */
+   * and four times the mean distance between neighboring points. */
   std::optional<double> reach;
   /** \brief Along the line, gaps between points up to so long are bridged, and ends up
    * to so far from a corner are drawn to it [m]; automatic: twice the reach. */

@@ -62,7 +62,7 @@ struct PlaneExtent {
   std::vector<std::vector<Eigen::Vector3d>> holes;
   /** \brief Area inside the outline, less the holes [m^2]. */
   double area = 0.0;
-  /** \brief The smallest rectangle around the outline: its centre, its sides as unit
+  /** \brief The smallest rectangle around the outline: its center, its sides as unit
    * vectors with long_axis x short_axis = normal, and how long they are [m]. Of points
    * on one line the width is 0, of equal points the length, too. */
   Eigen::Vector3d center = Eigen::Vector3d::Zero();

@@ -44,8 +44,8 @@ struct PlaneMatches {
  * Two planes are one if their equations agree and they overlap. Equations agree if what
  * differs, two slopes and a height, lies within three standard deviations of what the
  * pose and both fits may be off; for a fit, that is \ref planeCovariance without its
- * division by the number of points, as neighbouring points err alike. There is no
- * threshold in degrees or metres. Where a plane ends is known by its moments, as the
+ * division by the number of points, as neighboring points err alike. There is no
+ * threshold in degrees or meters. Where a plane ends is known by its moments, as the
  * rectangle that has the same.
  *
  * The larger planes mend the pose first, each by an update of a Kalman filter; then all

@@ -54,7 +54,7 @@ public:
   computeModelCoefficients (const pcl::Indices& samples,
                             Eigen::VectorXf& model_coefficients) const override;
 
-  /** \brief The centred least squares plane of the inliers.
+  /** \brief The centered least squares plane of the inliers.
    * \param[in] inliers indices of points
    * \param[in] model_coefficients kept where the inliers, fewer than three or all on a
    * line, have no plane of their own, or one that breaks the model constraints

@@ -22,6 +22,8 @@ run(${CMAKE_COMMAND} -S ${source} -B ${WORK}/build -DWITH_SURFACE=${with_surface
 run(${CMAKE_COMMAND} --build ${WORK}/build --config Release)
 find_program(consumer consumer PATHS ${WORK}/build ${WORK}/build/Release NO_DEFAULT_PATH)
 run(${consumer})
+find_program(core_consumer core_consumer PATHS ${WORK}/build ${WORK}/build/Release NO_DEFAULT_PATH)
+run(${core_consumer})
 if(with_surface)
   find_program(surface_consumer surface_consumer
     PATHS ${WORK}/build ${WORK}/build/Release NO_DEFAULT_PATH)
