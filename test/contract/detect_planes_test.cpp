@@ -4,6 +4,9 @@
 #include "scene.h"
 #include <pcl_ops/detect_planes.h>
 
+#include <cstddef>
+#include <stdexcept>
+
 using namespace pcl_ops;
 
 namespace {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_ops/detect_planes.h>
 
+#include <cstddef>
 #include <cstdio>
 #include <vector>
 
