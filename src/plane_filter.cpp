@@ -75,7 +75,7 @@ private:
 } // namespace
 
 std::string
-problemOf (const PlaneFilter& filter)
+validate (const PlaneFilter& filter)
 {
   if (filter.direction &&
       (!filter.direction->allFinite() || filter.direction->isZero (0.0)))
@@ -100,7 +100,7 @@ filterPlanes (std::vector<PlaneSegment>& planes,
               const PlaneFilter& filter,
               const ExtentOfPlane& extent_of)
 {
-  throwOn (problemOf (filter));
+  detail::throwOn (validate (filter));
   DroppedPlanes dropped;
   const PlaneTest test (filter, extent_of);
   const auto is_dropped = [&] (const PlaneSegment& plane) {

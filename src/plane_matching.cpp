@@ -145,7 +145,7 @@ oneToOne (const std::vector<Pair>& pairs, std::size_t previous, std::size_t curr
 } // namespace
 
 std::string
-problemOf (const PlaneMatchingParameters& parameters)
+validate (const PlaneMatchingParameters& parameters)
 {
   if (!(parameters.rotation_error >= 0.0 && parameters.rotation_error <= right_angle))
     return "the rotation error must be between 0 and pi/2 (radians)";
@@ -163,8 +163,8 @@ matchPlanes (const std::vector<PlaneSegment>& previous,
              const Eigen::Isometry3d& pose,
              const PlaneMatchingParameters& parameters)
 {
-  throwOn (problemOf (parameters));
-  throwOn (pose.matrix().allFinite() ? "" : "the pose must be finite");
+  detail::throwOn (validate (parameters));
+  detail::throwOn (pose.matrix().allFinite() ? "" : "the pose must be finite");
   const Patches before = patchesOf (previous), now = patchesOf (current);
   const double min_overlap = parameters.min_overlap;
   const PoseBelief given (

@@ -70,7 +70,7 @@ PlaneTracker::PlaneTracker (const PlaneMatchingParameters& parameters,
                             std::optional<std::size_t> memory)
 : parameters_ (parameters), memory_ (memory)
 {
-  throwOn (problemOf (parameters));
+  detail::throwOn (validate (parameters));
 }
 
 std::vector<std::uint32_t>

@@ -159,7 +159,7 @@ candidatesOf (const Faces& faces, const UpAxisParameters& parameters)
       horizontal += face.weight * levelness (face, axis, limit);
       vertical += face.weight * uprightness (face, axis, limit);
     }
-    if (std::min (horizontal, vertical) >= parameters.least_share)
+    if (std::min (horizontal, vertical) >= parameters.min_share)
       all.push_back ({axis, horizontal + vertical});
   }
   std::stable_sort (
@@ -205,15 +205,15 @@ evidenceFor (const Vector3d& up,
 } // namespace
 
 std::string
-problemOf (const UpAxisParameters& parameters)
+validate (const UpAxisParameters& parameters)
 {
   const auto is_share = [] (double number) { return number >= 0.0 && number <= 1.0; };
   if (!(parameters.angle_tolerance > 0.0 &&
         parameters.angle_tolerance <= internal::right_angle))
     return "the angle tolerance must be above 0 and at most pi/2 (radians)";
-  if (!is_share (parameters.least_share))
+  if (!is_share (parameters.min_share))
     return "the least share must be a number from 0 to 1";
-  if (!is_share (parameters.least_confidence))
+  if (!is_share (parameters.min_confidence))
     return "the least confidence must be a number from 0 to 1";
   return {};
 }
@@ -224,7 +224,7 @@ estimateUpAxis (const std::vector<PlaneSegment>& planes,
                 const UpAxisParameters& parameters)
 {
   const Faces faces = facesOf (planes);
-  if (faces.each.empty() || !viewpoint.allFinite() || !problemOf (parameters).empty())
+  if (faces.each.empty() || !viewpoint.allFinite() || !validate (parameters).empty())
     return std::nullopt;
   struct Direction {
     Vector3d up;
@@ -247,7 +247,7 @@ estimateUpAxis (const std::vector<PlaneSegment>& planes,
   for (const Direction& direction : directions)
     likelihoods += std::exp (direction.evidence - best.evidence);
   const UpAxis found{best.up.normalized(), 1.0 / likelihoods};
-  if (!(found.confidence >= parameters.least_confidence))
+  if (!(found.confidence >= parameters.min_confidence))
     return std::nullopt;
   return found;
 }

@@ -77,7 +77,7 @@ areOfTwoSurfaces (const Sighting* first, std::size_t number)
 } // namespace
 
 double
-hiddenShare (const CloudView& cloud, const Eigen::Vector3d& viewpoint)
+detail::occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoint)
 {
   constexpr std::size_t looked_at = 60000;
   constexpr std::size_t fewest = 5;
@@ -106,7 +106,7 @@ bool
 isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud)
 {
   constexpr double largest_share = 0.05;
-  return hiddenShare (cloud, viewpoint) <= largest_share;
+  return detail::occludedFraction (cloud, viewpoint) <= largest_share;
 }
 
 } // namespace pcl_ops

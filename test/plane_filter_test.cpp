@@ -14,7 +14,7 @@ using pcl_ops::Orientation;
 using pcl_ops::PlaneExtent;
 using pcl_ops::PlaneFilter;
 using pcl_ops::PlaneSegment;
-using pcl_ops::problemOf;
+using pcl_ops::validate;
 
 namespace {
 
@@ -170,7 +170,7 @@ TEST (PlaneFilter, RefusesWhatNoPlaneCanBeMeasuredBy)
     change (filter);
     return filter;
   };
-  EXPECT_EQ (problemOf (PlaneFilter()), "");
+  EXPECT_EQ (validate (PlaneFilter()), "");
   for (const PlaneFilter& filter :
        {changed ([] (PlaneFilter& f) { f.direction = Vector3d::Zero(); }),
         changed ([] (PlaneFilter& f) { f.direction = Vector3d (0, 0, no_number); }),
@@ -183,7 +183,7 @@ TEST (PlaneFilter, RefusesWhatNoPlaneCanBeMeasuredBy)
           f.min_width = 2.0;
           f.max_width = 1.0;
         })}) {
-    EXPECT_NE (problemOf (filter), "");
+    EXPECT_NE (validate (filter), "");
     std::vector<PlaneSegment> planes = house();
     EXPECT_THROW (filterPlanes (planes, filter, neverAsked), std::invalid_argument);
     EXPECT_EQ (planes.size(), 3u);

@@ -166,11 +166,11 @@ TEST (MatchPlanes, RefusesWrongArguments)
     parameters.rotation_error = rotation;
     parameters.translation_error = translation;
     parameters.min_overlap = overlap;
-    if (!problemOf (parameters).empty()) {
+    if (!validate (parameters).empty()) {
       EXPECT_THROW (matchPlanes ({}, {}, stays, parameters), std::invalid_argument);
       EXPECT_THROW (PlaneTracker{parameters}, std::invalid_argument);
     }
-    return problemOf (parameters);
+    return validate (parameters);
   };
   EXPECT_EQ (problem (0, 0, 0), "");
   EXPECT_NE (problem (nan, 0, 0), "");

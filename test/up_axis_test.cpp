@@ -161,7 +161,7 @@ TEST (UpAxis, IsFoundInACloudThatWasTurned)
   std::vector<PlaneSegment> planes;
   ASSERT_TRUE (ops.segment (planes));
   pcl_ops::UpAxisParameters parameters;
-  parameters.least_confidence = 0.0;
+  parameters.min_confidence = 0.0;
   const auto found = estimateUpAxis (planes, sensor, parameters);
   ASSERT_TRUE (found.has_value());
   EXPECT_LE (angleOf (found->direction, turn.cast<double>() * up), 1_deg);
@@ -196,7 +196,7 @@ TEST (UpAxis, CannotBeToldInTheCornerOfACube)
       seenFrom (diagonal, {{0, 0, 0}, {0, 0, 2}, {2, 0, 0}})};
   EXPECT_FALSE (estimateUpAxis (planes, diagonal).has_value());
   pcl_ops::UpAxisParameters parameters;
-  parameters.least_confidence = 0.0;
+  parameters.min_confidence = 0.0;
   const auto guess = estimateUpAxis (planes, diagonal, parameters);
   ASSERT_TRUE (guess.has_value());
   EXPECT_LE (guess->confidence, 0.34) << "three are alike";
@@ -216,7 +216,7 @@ TEST (UpAxis, AnswersOnlyWhenAsSureAsAsked)
   const auto found = estimateUpAxis (furnishedRoom(), eye);
   ASSERT_TRUE (found.has_value());
   pcl_ops::UpAxisParameters parameters;
-  parameters.least_confidence = found->confidence + 1e-3;
+  parameters.min_confidence = found->confidence + 1e-3;
   EXPECT_FALSE (estimateUpAxis (furnishedRoom(), eye, parameters).has_value());
 }
 
@@ -232,13 +232,13 @@ TEST (UpAxis, RefusesWhatIsNotFinite)
 TEST (UpAxis, RefusesParametersOutOfTheirRange)
 {
   const pcl_ops::UpAxisParameters good;
-  EXPECT_EQ (problemOf (good), "");
+  EXPECT_EQ (validate (good), "");
   pcl_ops::UpAxisParameters in_degrees = good, above_one = good, negative = good;
   in_degrees.angle_tolerance = 7.0;
-  above_one.least_share = 2.0;
-  negative.least_confidence = -1.0;
+  above_one.min_share = 2.0;
+  negative.min_confidence = -1.0;
   for (const pcl_ops::UpAxisParameters& bad : {in_degrees, above_one, negative}) {
-    EXPECT_NE (problemOf (bad), "");
+    EXPECT_NE (validate (bad), "");
     EXPECT_FALSE (estimateUpAxis (furnishedRoom(), eye, bad).has_value());
   }
 }

@@ -8,9 +8,9 @@
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Eigen::Vector3d;
 using pcl_ops::CloudView;
-using pcl_ops::hiddenShare;
 using pcl_ops::isSeenFrom;
 using pcl_ops::isSeenFromItsOrigin;
+using pcl_ops::detail::occludedFraction;
 
 namespace {
 
@@ -41,7 +41,7 @@ wallBehindABoard ()
 TEST (Visibility, IsGivenWhereTheCloudWasSeenFrom)
 {
   const Cloud cloud = wallBehindABoard();
-  EXPECT_LT (hiddenShare (CloudView (cloud), camera), 5_percent);
+  EXPECT_LT (occludedFraction (CloudView (cloud), camera), 5_percent);
   EXPECT_TRUE (isSeenFrom (camera, CloudView (cloud)));
 }
 
@@ -50,7 +50,7 @@ TEST (Visibility, IsNotGivenWhereTheBoardHidesWallThatIsThere)
   // From 2 m beside, the board stands before another part of the wall.
   const Cloud cloud = wallBehindABoard();
   const Vector3d beside = camera + Vector3d (2, 0, 0);
-  EXPECT_GT (hiddenShare (CloudView (cloud), beside), 5_percent);
+  EXPECT_GT (occludedFraction (CloudView (cloud), beside), 5_percent);
   EXPECT_FALSE (isSeenFrom (beside, CloudView (cloud)));
 }
 
@@ -71,8 +71,8 @@ TEST (Visibility, IsTheSameInAnyOrderOfPoints)
     reversed.push_back (point);
   });
   const Vector3d beside = camera + Vector3d (2, 0, 0);
-  EXPECT_EQ (hiddenShare (CloudView (cloud), beside),
-             hiddenShare (CloudView (reversed), beside));
+  EXPECT_EQ (occludedFraction (CloudView (cloud), beside),
+             occludedFraction (CloudView (reversed), beside));
 }
 
 TEST (Visibility, OfTooFewPointsIsAsGiven)
@@ -87,10 +87,10 @@ TEST (Visibility, OfTooFewPointsIsAsGiven)
 TEST (Visibility, LeavesOutWhatIsNotFinite)
 {
   Cloud cloud = wallBehindABoard();
-  const double before = hiddenShare (CloudView (cloud), camera);
+  const double before = occludedFraction (CloudView (cloud), camera);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (int i = 0; i < 1000; ++i)
     cloud.push_back ({nan, nan, nan});
-  EXPECT_EQ (hiddenShare (CloudView (cloud), camera), before);
-  EXPECT_EQ (hiddenShare (CloudView (cloud), Vector3d::Constant (nan)), 0.0);
+  EXPECT_EQ (occludedFraction (CloudView (cloud), camera), before);
+  EXPECT_EQ (occludedFraction (CloudView (cloud), Vector3d::Constant (nan)), 0.0);
 }

@@ -123,7 +123,7 @@ adviceFor (const FastSamplingPlaneFilteringParameters& parameters,
            const XyzCloud& cloud,
            bool /* found_none */)
 {
-  const LocalSamplingParameters& local = parameters.local;
+  const FastSamplingPlaneFilteringParameters::Local& local = parameters.local;
   const Points points = finitePointsOf (cloud);
   std::string on_cloud = adviceOnCloud (
       points, "--threshold and --inner-radius", parameters.distance_threshold);

@@ -40,7 +40,7 @@ void
 relate (const GivenNumbers& given, std::size_t, FspfParameters& parameters)
 {
   constexpr double ratio = 2.0;
-  LocalSamplingParameters& local = parameters.local;
+  FastSamplingPlaneFilteringParameters::Local& local = parameters.local;
   const bool has_inner = given.count ("inner-radius") > 0;
   const bool has_outer = given.count ("outer-radius") > 0;
   if (has_inner && !has_outer)
@@ -147,7 +147,7 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 {
   using Parameters = typename Detector::Parameters;
   const auto parameters = parametersOf<Parameters> (options, cloud->size());
-  const std::string problem = problemOf (parameters);
+  const std::string problem = validate (parameters);
   if (!problem.empty())
     throw UsageError (Detector::className(), problem + "; see --help");
   Detector detector;

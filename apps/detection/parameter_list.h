@@ -81,7 +81,7 @@ visitOwn (OrientedPointSamplingParameters& p, Visit&& visit)
                 "P",
                 Range::above (0).below (1),
                 "of drawing a point of the largest plane"},
-         p.probability);
+         p.paper_only.probability);
   visit (
       Option{
           "cell", "M", Range::from (0), "edge of a voxel; 0: by the number of points"},
@@ -125,7 +125,7 @@ visitOwn (KernelHoughTransformParameters& p, Visit&& visit)
 {
   using Option = NumberOption;
   constexpr double max_phi = 1000, max_rho = 10000;
-  constexpr double points_of_a_plane = 3, deepest_level = 20;
+  constexpr double points_of_a_plane = 3, max_level = 20;
   visit (Option{"phi-num", "N", Range::from (2).upTo (max_phi), "steps of half a turn"},
          p.phi_num);
   visit (Option{"rho-num",
@@ -140,7 +140,7 @@ visitOwn (KernelHoughTransformParameters& p, Visit&& visit)
          p.clusters.min_samples);
   visit (Option{"s-level",
                 "N",
-                Range::from (0).upTo (deepest_level),
+                Range::from (0).upTo (max_level),
                 "first level of the octree that is tested"},
          p.clusters.first_level);
   visit (Option{"s-alpha",

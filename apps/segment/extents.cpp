@@ -42,7 +42,7 @@ extentInFile (const ShiftedCloud& shifted,
   const PlaneFrame in_cloud (plane.centroid - shifted.shift, plane.normal);
   const PlaneFrame in_file (plane.centroid, plane.normal);
   const PlanarPoints points = pointsOnPlane (*shifted.cloud, plane, in_cloud);
-  return extentOfRings (outlineOf (points, hull), points, in_file);
+  return extentOf (outlineOf (points, hull), points, in_file);
 }
 
 std::vector<PlaneExtent>

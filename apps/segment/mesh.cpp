@@ -32,7 +32,7 @@ facesOf ([[maybe_unused]] const PlaneSegment& plane,
     for (const Eigen::Vector3d& corner : ring)
       outline.back().push_back (frame.toPlane (corner));
   }
-  for (const Triangle& triangle : triangulateRings (outline))
+  for (const Triangle& triangle : triangulate (outline))
     faces.push_back (pcl::Indices (triangle.begin(), triangle.end()));
 #endif
   if (faces.empty()) {

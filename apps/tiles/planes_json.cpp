@@ -35,7 +35,7 @@ extentIn (const PlaneSegment& segment, const JoinedPlane& plane)
   corners.reserve (plane.corners.size());
   for (const Eigen::Vector3d& corner : plane.corners)
     corners.push_back (frame.toPlane (corner));
-  return extentOf (convexHull (corners, 0.0), corners, frame);
+  return extentOf ({convexHull (corners, 0.0)}, corners, frame);
 }
 
 nlohmann::ordered_json

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tile_detection.h"
 
-#include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/detect_planes.h>
 #include <pcl_ops/plane_extent.h>
 
 #include <algorithm>
 #include <limits>
 #include <new>
-#include <numeric>
 
 namespace pcl_ops::apps {
 
@@ -20,7 +19,7 @@ pointOf (const TilePoints& points, std::size_t i)
   return Eigen::Vector3f (points.coordinates.data() + 3 * i).cast<double>();
 }
 
-Detection
+std::vector<PlaneSegment>
 detectIn (const TileGrid& grid, const TilePoints& points)
 {
   OrientedPointSamplingParameters parameters;
@@ -31,9 +30,7 @@ detectIn (const TileGrid& grid, const TilePoints& points)
   view.size = points.size();
   if (view.size > std::size_t (std::numeric_limits<pcl::index_t>::max()))
     throw std::bad_alloc();
-  pcl::Indices all (view.size);
-  std::iota (all.begin(), all.end(), 0);
-  return detectPlanes ({view, all, Eigen::Vector3d::Zero(), nullptr}, parameters);
+  return detectPlanes (view, parameters);
 }
 
 /** \brief Moments of the first inliers of a plane, those the tile owns.
@@ -163,7 +160,7 @@ detectInTile (const TileGrid& grid, const TilePoints& points)
   const auto own_end = static_cast<pcl::index_t> (points.own());
   TileDetection found;
   std::vector<std::uint32_t> labels (points.own(), 0);
-  for (const PlaneSegment& plane : detectIn (grid, points).planes) {
+  for (const PlaneSegment& plane : detectIn (grid, points)) {
     const auto end =
         std::lower_bound (plane.inliers.begin(), plane.inliers.end(), own_end);
     const auto own = static_cast<std::size_t> (end - plane.inliers.begin());

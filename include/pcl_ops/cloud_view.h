@@ -5,6 +5,8 @@
 #include <pcl/point_cloud.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <stdexcept>
 
 namespace pcl_ops {
 
@@ -25,6 +27,27 @@ struct CloudView {
   {
     static_assert (sizeof (PointT) % sizeof (float) == 0,
                    "a cloud's positions are a whole number of floats apart");
+  }
+
+  /** \brief Positions in a buffer of any other layout, as of a PointCloud2 message: x,
+   * y and z are floats side by side.
+   * \param[in] data the first point, aligned as floats are
+   * \param[in] x_offset bytes from the beginning of a point to its x, a multiple of 4
+   * \param[in] point_step bytes from each point to the next, a multiple of 4
+   * \param[in] points their number
+   * \throw std::invalid_argument if floats would not be aligned */
+  CloudView (const void* data,
+             std::size_t x_offset,
+             std::size_t point_step,
+             std::size_t points)
+  : first (reinterpret_cast<const float*> (static_cast<const char*> (data) + x_offset))
+  , stride (point_step / sizeof (float))
+  , size (points)
+  {
+    const auto address = reinterpret_cast<std::uintptr_t> (first);
+    if (address % alignof (float) != 0 || point_step % sizeof (float) != 0)
+      throw std::invalid_argument (
+          "the positions in the buffer must be aligned floats");
   }
 
   /** \brief x, y and z of a point. */

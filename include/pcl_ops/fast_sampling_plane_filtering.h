@@ -8,46 +8,48 @@
 
 namespace pcl_ops {
 
-/** \brief Which points of a sphere are the inliers of its plane: the paper says both.
- */
-enum class LocalInliers {
-  /** \brief All points of the sphere within theta_h of the hypothesis (its text). */
-  Sphere,
-  /** \brief Those of the N_loc tested points that are (its Algorithm 2). */
-  Samples
-};
-
-/** \brief How planes are sampled in spheres (paper section III-B, Algorithm 2). */
-struct LocalSamplingParameters {
-  /** \brief r1: p_r1 and p_r2 are drawn from the points this near to p_r0 [m]. */
-  double inner_radius = 0.1;
-  /** \brief r2: a hypothesis is tested on the points this near to p_r0 [m]. */
-  double outer_radius = 0.2;
-  /** \brief N_loc: how many of these it is tested on, drawn with repetition. */
-  unsigned local_samples = 80;
-  /** \brief alpha_min: it needs more than this share of inliers among them. */
-  double min_inlier_fraction = 0.8;
-  /** \brief Which points of an accepted sphere count, for its plane and for N_max. */
-  LocalInliers inliers = LocalInliers::Sphere;
-  /** \brief N_max, as a multiple of the number of points: sampling ends at so many
-   * inliers, a point counted as often as it is one. */
-  double max_inliers_per_point = 2.0;
-  /** \brief K_max, as a multiple of the number of points: sampling ends after so many
-   * hypotheses. */
-  double max_hypotheses_per_point = 1.0;
-  /** \brief Points looked at in all spheres together, and 100 for each sphere, as a
-   * multiple of the number of points, before sampling gives up: in dense noise, among
-   * equal points, or where radii are far too large for the distance threshold or far
-   * too small, K_max would take hours. Not in the paper; clouds of rooms come to some
-   * 10, with LocalInliers::Samples to 100. */
-  double max_visits_per_point = 100.0;
-};
-
 /** \brief Parameters of FastSamplingPlaneFiltering; the defaults are the recommended
  * ones: the paper's, with the radii it finds the most accurate (Table I). */
 struct PCL_OPS_EXPORT FastSamplingPlaneFilteringParameters : PlaneDetectorParameters {
+  /** \brief How planes are sampled in spheres (paper section III-B, Algorithm 2). */
+  struct Local {
+    /** \brief Which points of a sphere are the inliers of its plane: the paper says
+     * both.
+     */
+    enum class Inliers {
+      /** \brief All points of the sphere within theta_h of the hypothesis (its text).
+       */
+      Sphere,
+      /** \brief Those of the N_loc tested points that are (its Algorithm 2). */
+      Samples
+    };
+
+    /** \brief r1: p_r1 and p_r2 are drawn from the points this near to p_r0 [m]. */
+    double inner_radius = 0.1;
+    /** \brief r2: a hypothesis is tested on the points this near to p_r0 [m]. */
+    double outer_radius = 0.2;
+    /** \brief N_loc: how many of these it is tested on, drawn with repetition. */
+    unsigned local_samples = 80;
+    /** \brief alpha_min: it needs more than this share of inliers among them. */
+    double min_inlier_fraction = 0.8;
+    /** \brief Which points of an accepted sphere count, for its plane and for N_max. */
+    Inliers inliers = Inliers::Sphere;
+    /** \brief N_max, as a multiple of the number of points: sampling ends at so many
+     * inliers, a point counted as often as it is one. */
+    double max_inliers_per_point = 2.0;
+    /** \brief K_max, as a multiple of the number of points: sampling ends after so many
+     * hypotheses. */
+    double max_hypotheses_per_point = 1.0;
+    /** \brief Points looked at in all spheres together, and 100 for each sphere, as a
+     * multiple of the number of points, before sampling gives up: in dense noise, among
+     * equal points, or where radii are far too large for the distance threshold or far
+     * too small, K_max would take hours. Not in the paper; clouds of rooms come to some
+     * 10, with Inliers::Samples to 100. */
+    double max_visits_per_point = 100.0;
+  };
+
   /** \brief r1, r2, N_loc, alpha_min, N_max and K_max. */
-  LocalSamplingParameters local;
+  Local local;
 
   /** \brief The algorithm of the paper with the row of its Table IV: r1 0.07 m, r2
    * 0.14 m, 80 local samples, four fifths of them inliers, 0.05 m. */
@@ -58,15 +60,17 @@ struct PCL_OPS_EXPORT FastSamplingPlaneFilteringParameters : PlaneDetectorParame
 /** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is.
  */
 PCL_OPS_EXPORT std::string
-problemOf (const FastSamplingPlaneFilteringParameters& parameters);
+validate (const FastSamplingPlaneFilteringParameters& parameters);
 
-/** \brief FSPF for a cloud of any point type: the work behind
- * FastSamplingPlaneFiltering.
- * \param[in] input the cloud
- * \param[in] parameters those \ref problemOf finds nothing wrong with */
+namespace detail {
+
+/** \brief The work behind the class, for clouds of all point types.
+ * \param[in] input, parameters ones \c validate finds nothing wrong with */
 PCL_OPS_EXPORT Detection
-detectPlanes (const DetectorInput& input,
-              const FastSamplingPlaneFilteringParameters& parameters);
+detect (const DetectorInput& input,
+        const FastSamplingPlaneFilteringParameters& parameters);
+
+} // namespace detail
 
 /** \brief FSPF: finds planes by testing, all over a point cloud, whether the points in
  * a small sphere lie on the plane through three of them.
@@ -158,42 +162,6 @@ public:
   getMinInlierFraction () const
   {
     return parameters_.local.min_inlier_fraction;
-  }
-
-  /** \brief Which points of an accepted sphere are the inliers of its plane. */
-  void
-  setLocalInliers (LocalInliers inliers)
-  {
-    parameters_.local.inliers = inliers;
-  }
-  LocalInliers
-  getLocalInliers () const
-  {
-    return parameters_.local.inliers;
-  }
-
-  /** \brief N_max: sampling ends at this multiple of the number of points. */
-  void
-  setMaxInliersPerPoint (double inliers)
-  {
-    parameters_.local.max_inliers_per_point = inliers;
-  }
-  double
-  getMaxInliersPerPoint () const
-  {
-    return parameters_.local.max_inliers_per_point;
-  }
-
-  /** \brief K_max: hypotheses looked at, as a multiple of the number of points. */
-  void
-  setMaxHypothesesPerPoint (double hypotheses)
-  {
-    parameters_.local.max_hypotheses_per_point = hypotheses;
-  }
-  double
-  getMaxHypothesesPerPoint () const
-  {
-    return parameters_.local.max_hypotheses_per_point;
   }
 
 private:

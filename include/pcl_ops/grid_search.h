@@ -4,57 +4,22 @@
 
 #include <pcl/search/search.h>
 
-#include <Eigen/Core>
-
-#include <pcl_ops/cloud_view.h>
+#include <pcl_ops/detail/neighbor_query.h>
 #include <pcl_ops/export.h>
 
-#include <limits>
 #include <memory>
 #include <type_traits>
 #include <vector>
 
 namespace pcl_ops {
 
-namespace internal {
-class BoxTree;
-}
-
-/** \brief Which neighbours are asked for. */
-struct NeighbourQuery {
-  Eigen::Vector3f position = Eigen::Vector3f::Zero();
-  /** \brief k: most neighbours, the nearest ones. */
-  std::size_t most = std::numeric_limits<std::size_t>::max();
-  /** \brief Largest squared distance of a neighbour [m^2]. */
-  float squared_radius = std::numeric_limits<float>::infinity();
-  /** \brief Whether neighbours come by rising distance, equal ones by rising index. */
-  bool sorted = true;
-};
-
-/** \brief GridSearch for a cloud of any point type: sorts the finite ones of some
- * points into voxels. \param[in] cloud not needed afterwards \param[in] indices the
- * points to search among, each within the cloud */
-PCL_OPS_EXPORT std::shared_ptr<const internal::BoxTree>
-sortIntoVoxels (const CloudView& cloud, const pcl::Indices& indices);
-
-/** \brief Finds the nearest points within a radius.
- * \param[in] tree what \ref sortIntoVoxels gave; nothing is found where there is none
- * \param[in] query nothing is found where its position is not finite
- * \param[out] indices of the neighbours in the cloud
- * \param[out] squared_distances [m^2] */
-PCL_OPS_EXPORT void
-findNeighbours (const internal::BoxTree* tree,
-                const NeighbourQuery& query,
-                pcl::Indices& indices,
-                std::vector<float>& squared_distances);
-
-/** \brief Exact nearest neighbours and radius search for any user of PCL, built in
+/** \brief Exact nearest neighbors and radius search for any user of PCL, built in
  * about a third of the time of pcl::KdTreeFLANN: worth most where few of the points are
  * asked for.
  *
  * Points are sorted into the voxels of a uniform grid whose resolution follows the
  * cloud and searched by a tree of boxes. Points with a NaN or infinite coordinate are
- * left out. Distances are those of pcl::search::KdTree to the last bit; neighbours at
+ * left out. Distances are those of pcl::search::KdTree to the last bit; neighbors at
  * the same distance come by their index. Any number of threads may search at once.
  * \tparam PointT a point type with x, y, z */
 template <typename PointT>
@@ -72,7 +37,7 @@ public:
   using Base::nearestKSearch;
   using Base::radiusSearch;
 
-  /** \param[in] sorted whether neighbours come by rising distance, as setSortedResults
+  /** \param[in] sorted whether neighbors come by rising distance, as setSortedResults
    */
   explicit GridSearch (bool sorted = true);
 
@@ -86,8 +51,8 @@ public:
 
   /** \brief Finds the nearest points.
    * \param[in] point any position
-   * \param[in] k most neighbours; fewer are found where the input has fewer
-   * \param[out] k_indices of the neighbours in the input cloud
+   * \param[in] k most neighbors; fewer are found where the input has fewer
+   * \param[out] k_indices of the neighbors in the input cloud
    * \param[out] k_sqr_distances [m^2]
    * \return the number found; 0 without input or for a point that is not finite */
   int
@@ -99,9 +64,9 @@ public:
   /** \brief Finds the points at most a radius away.
    * \param[in] point any position
    * \param[in] radius [m]
-   * \param[out] k_indices of the neighbours in the input cloud
+   * \param[out] k_indices of the neighbors in the input cloud
    * \param[out] k_sqr_distances [m^2]
-   * \param[in] max_nn most neighbours, the nearest ones; 0: all
+   * \param[in] max_nn most neighbors, the nearest ones; 0: all
    * \return the number found; 0 without input, for a point that is not finite or a
    * radius below 0 */
   int
@@ -114,7 +79,7 @@ public:
 private:
   int
   find (const PointT& point,
-        NeighbourQuery query,
+        detail::NeighborQuery query,
         pcl::Indices& indices,
         std::vector<float>& squared_distances) const;
 

@@ -9,43 +9,44 @@
 
 namespace pcl_ops {
 
-/** \brief What makes an octree node a cluster of approximately coplanar points
- * (Limberger & Oliveira 2015, section 3.1). */
-struct OctreeClusterParameters {
-  /** \brief Nodes with fewer points are not used. */
-  std::size_t min_samples = 30;
-  /** \brief s_level: the first level whose nodes are tested; the root is level 0. */
-  int first_level = 5;
-  /** \brief s_alpha: the thickness l1 / l2 of a coplanar node is below 1 / s_alpha. */
-  double s_alpha = 25.0;
-  /** \brief s_beta: the elongation l2 / l3 of a coplanar node is above 1 / s_beta. */
-  double s_beta = 6.0;
-  /** \brief Nodes of this level, up to 60, are not split any more, so that many equal
-   * points end. */
-  int deepest_level = 20;
-};
-
-/** \brief How planes are freed from the accumulator's bins. */
-struct PlaneRefitParameters {
-  /** \brief Off: planes stay at their bins' centers, quantized as they are, and are
-   * unbounded: each point goes to the first plane within theta_h. */
-  bool enabled = true;
-  /** \brief Smallest share of all points that the clusters of a plane hold. */
-  double min_share = 0.001;
-};
-
 /** \brief Parameters of KernelHoughTransform; the defaults are the recommended ones. */
 struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
+  /** \brief What makes an octree node a cluster of approximately coplanar points
+   * (Limberger & Oliveira 2015, section 3.1). */
+  struct Clusters {
+    /** \brief Nodes with fewer points are not used. */
+    std::size_t min_samples = 30;
+    /** \brief s_level: the first level whose nodes are tested; the root is level 0. */
+    int first_level = 5;
+    /** \brief s_alpha: the thickness l1 / l2 of a coplanar node is below 1 / s_alpha.
+     */
+    double s_alpha = 25.0;
+    /** \brief s_beta: the elongation l2 / l3 of a coplanar node is above 1 / s_beta. */
+    double s_beta = 6.0;
+    /** \brief Nodes of this level, up to 60, are not split any more, so that many equal
+     * points end. */
+    int max_level = 20;
+  };
+
+  /** \brief How planes are freed from the accumulator's bins. */
+  struct Refit {
+    /** \brief Off: planes stay at their bins' centers, quantized as they are, and are
+     * unbounded: each point goes to the first plane within theta_h. */
+    bool enabled = true;
+    /** \brief Smallest share of all points that the clusters of a plane hold. */
+    double min_share = 0.001;
+  };
+
   /** \brief Steps of the accumulator from pole to pole. */
   int phi_num = 30;
   /** \brief Steps of the accumulator from its center to the farthest point. */
   int rho_num = 300;
   /** \brief Minimum samples, s_level, s_alpha and s_beta. The published s_level 5 and
    * s_alpha 25 lose the surfaces of noisy clouds: 3 and 15 are the defaults here. */
-  OctreeClusterParameters clusters;
+  Clusters clusters;
   /** \brief Fits the planes to the points of their clusters; they end where their
    * clusters end, as far as they grow from there over the occupied voxels of a grid. */
-  PlaneRefitParameters refit;
+  Refit refit;
 
   KernelHoughTransformParameters();
 
@@ -59,21 +60,23 @@ struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
 /** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is.
  */
 PCL_OPS_EXPORT std::string
-problemOf (const KernelHoughTransformParameters& parameters);
+validate (const KernelHoughTransformParameters& parameters);
 
-/** \brief 3D-KHT for a cloud of any point type: the work behind KernelHoughTransform.
- * \param[in] input the cloud
- * \param[in] parameters those \ref problemOf finds nothing wrong with */
+namespace detail {
+
+/** \brief The work behind the class, for clouds of all point types.
+ * \param[in] input, parameters ones \c validate finds nothing wrong with */
 PCL_OPS_EXPORT Detection
-detectPlanes (const DetectorInput& input,
-              const KernelHoughTransformParameters& parameters);
+detect (const DetectorInput& input, const KernelHoughTransformParameters& parameters);
+
+} // namespace detail
 
 /** \brief 3D-KHT: finds planes by a Hough transform that nodes of an octree vote in.
  *
  * Limberger & Oliveira, "Real-time detection of planar regions in unorganized point
  * clouds", Pattern Recognition 48(6), 2015.
  *
- * The preset \c paper () has the method's known weak points: normals quantised to the
+ * The preset \c paper () has the method's known weak points: normals quantized to the
  * accumulator's bins, no fit to the points, planes without end, and a point's plane
  * decided by the planes' order. The defaults fit the planes to their clusters, end them
  * where the clusters do and merge planes as all detectors of this library do.
@@ -134,11 +137,11 @@ public:
 
   /** \brief Minimum samples, s_level, s_alpha and s_beta of the clusters. */
   void
-  setClusterParameters (const OctreeClusterParameters& clusters)
+  setClusterParameters (const KernelHoughTransformParameters::Clusters& clusters)
   {
     parameters_.clusters = clusters;
   }
-  const OctreeClusterParameters&
+  const KernelHoughTransformParameters::Clusters&
   getClusterParameters () const
   {
     return parameters_.clusters;
@@ -146,11 +149,11 @@ public:
 
   /** \brief Whether and how planes are fitted to their clusters. */
   void
-  setRefitParameters (const PlaneRefitParameters& refit)
+  setRefitParameters (const KernelHoughTransformParameters::Refit& refit)
   {
     parameters_.refit = refit;
   }
-  const PlaneRefitParameters&
+  const KernelHoughTransformParameters::Refit&
   getRefitParameters () const
   {
     return parameters_.refit;

@@ -12,7 +12,7 @@ namespace pcl_ops {
 
 /** \brief What an oriented sample is. */
 enum class Sampling {
-  /** \brief A point drawn at random; its normal comes from its k nearest neighbours
+  /** \brief A point drawn at random; its normal comes from its k nearest neighbors
    * (the paper). */
   Points,
   /** \brief A flat voxel of a grid; its normal comes from the moments of the voxels
@@ -20,68 +20,90 @@ enum class Sampling {
   Surfels
 };
 
-/** \brief When planes are divided by orientation (paper, "Detecting planes in multiple
- * orientations"). */
-enum class Strategy {
-  /** \brief Strategy 1: planes are found among all samples and then divided. */
-  DetectThenDivide = 1,
-  /** \brief Strategy 2: samples are divided by their normals, planes found per group.
-   */
-  DivideThenDetect = 2
-};
+/** \brief What Sampling::Points, the paper's algorithm, alone reads; surfels, the
+ * default, are not drawn, divided or weighted, and are always refitted. */
+struct PaperParameters {
+  /** \brief When planes are divided by orientation (paper, "Detecting planes in
+   * multiple orientations"). */
+  enum class Strategy {
+    /** \brief Strategy 1: planes are found among all samples and then divided. */
+    DetectThenDivide = 1,
+    /** \brief Strategy 2: samples are divided by their normals, planes found per
+     * group. */
+    DivideThenDetect = 2
+  };
 
-/** \brief What hypotheses of one-point RANSAC are counted on. */
-enum class Verification {
-  /** \brief The oriented samples (the paper's Algorithm 1, and its times). */
-  Samples,
-  /** \brief All points no plane has taken yet (the paper's text). */
-  AllPoints
-};
+  /** \brief What hypotheses of one-point RANSAC are counted on. */
+  enum class Verification {
+    /** \brief The oriented samples (the paper's Algorithm 1, and its times). */
+    Samples,
+    /** \brief All points no plane has taken yet (the paper's text). */
+    AllPoints
+  };
 
-/** \brief Expert knobs of Sampling::Surfels. */
-struct SurfelParameters {
-  /** \brief Edge of a voxel [m]; where no plane explains the points, they are looked at
-   * in voxels of half the edge. Voxels then begin at whole multiples of it from the
-   * cloud's zero, and tiles of a cloud have the voxels of the whole. Not given: from
-   * the number of points, the surface they are spread over, and, where voxels have many
-   * points or a cloud is far denser in some places than in others, their noise. */
-  std::optional<double> voxel_size;
-  /** \brief Grids to choose a normal's neighbourhood from, each of twice the voxel size
-   * of the one before, 1 to 10. */
-  int resolutions = 3;
-  /** \brief A normal comes from at least as many points as this many voxels hold on
-   * average: where points are sparse, as they are far from a camera and noisy there,
-   * the neighbourhoods are larger. */
-  double least_average_voxels = 6.0;
-  /** \brief Largest rms distance of a surfel's points to its plane in units of the
-   * noise around it. */
-  double noise_factor = 2.0;
-  /** \brief Largest angle between a surfel's normal and its plane's [rad]; 30 degrees.
-   */
-  double angle_threshold = 0.52359877559829882;
-  /** \brief Planes are looked for among surfels up to this thickness: the noise over
-   * the spread in the surfel's narrow direction, 0 for an exact plane, 1 for a ball. */
-  double sure_thickness = 0.265;
-  /** \brief The same of the voxels of half the edge, the last to be looked at. */
-  double largest_thickness = 0.3;
-  /** \brief A plane goes into a larger neighbour if one plane for both is no farther
-   * from the points of either than this, in units of the noise there. */
-  double absorption_noise_factor = 2.2;
-  /** \brief Largest distance of a point to its plane in units of the noise there. */
-  double assignment_noise_factor = 5.0;
+  /** \brief sigma of the weight of a neighbor [m]. Not given: the distance to the
+   * farthest one. */
+  std::optional<double> normal_sigma;
+  /** \brief p: probability that RANSAC draws an inlier of the largest plane, above 0
+   * and below 1. */
+  double probability = 0.99;
+  Strategy strategy = Strategy::DetectThenDivide;
+  Verification verification = Verification::Samples;
+  /** \brief Which plane gets a point that several could have. The first, as found, is
+   * what "remove all its inliers from the point cloud" means. */
+  AssignmentRule assignment_rule = AssignmentRule::First;
+  /** \brief Refit and select again while the support of a plane grows. */
+  bool local_optimization = true;
 };
 
 /** \brief A voxel_size for tiles of a cloud: the edge at which all its points fill
- * about \p wanted_voxels voxels, from their density where they are. \param[in] points
- * some thousand finite ones or more, spread evenly over the cloud; zero is near most of
- * them \param[in] wanted_voxels of the whole cloud \return [m]; 0 for fewer than two
- * different points */
+ * about \p wanted_voxels voxels, from their density where they are.
+ * \param[in] points some thousand finite ones or more, spread evenly over the cloud;
+ * zero is near most of them
+ * \param[in] wanted_voxels of the whole cloud
+ * \return [m]; 0 for fewer than two different points */
 PCL_OPS_EXPORT double
 voxelSizeFor (const CloudView& points, double wanted_voxels);
 
 /** \brief Parameters of OrientedPointSampling; the defaults are the recommended ones.
  */
 struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters {
+  /** \brief Expert knobs of Sampling::Surfels. */
+  struct Surfels {
+    /** \brief Edge of a voxel [m]; where no plane explains the points, they are looked
+     * at in voxels of half the edge. Voxels then begin at whole multiples of it from
+     * the cloud's zero, and tiles of a cloud have the voxels of the whole. Not given:
+     * from the number of points, the surface they are spread over, and, where voxels
+     * have many points or a cloud is far denser in some places than in others, their
+     * noise. */
+    std::optional<double> voxel_size;
+    /** \brief Grids to choose a normal's neighborhood from, each of twice the voxel
+     * size of the one before, 1 to 10. */
+    int resolutions = 3;
+    /** \brief A normal comes from at least as many points as this many voxels hold on
+     * average: where points are sparse, as they are far from a camera and noisy there,
+     * the neighborhoods are larger. */
+    double min_average_voxels = 6.0;
+    /** \brief Largest rms distance of a surfel's points to its plane in units of the
+     * noise around it. */
+    double noise_factor = 2.0;
+    /** \brief Largest angle between a surfel's normal and its plane's [rad]; 30
+     * degrees.
+     */
+    double angle_threshold = 0.52359877559829882;
+    /** \brief Planes are looked for among surfels up to this thickness: the noise over
+     * the spread in the surfel's narrow direction, 0 for an exact plane, 1 for a ball.
+     */
+    double sure_thickness = 0.265;
+    /** \brief The same of the voxels of half the edge, the last to be looked at. */
+    double max_thickness = 0.3;
+    /** \brief A plane goes into a larger neighbor if one plane for both is no farther
+     * from the points of either than this, in units of the noise there. */
+    double absorption_noise_factor = 2.2;
+    /** \brief Largest distance of a point to its plane in units of the noise there. */
+    double assignment_noise_factor = 5.0;
+  };
+
   /** \brief theta_h is not given: what is near enough to a plane follows the measured
    * noise, up to two voxels. */
   OrientedPointSamplingParameters() { distance_threshold.reset(); }
@@ -90,33 +112,17 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
   /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1; on
    * surfels it decides how many voxels the cloud is divided into. */
   double sampling_rate = 0.03;
-  /** \brief k: neighbours of each sample its normal comes from, 2 or more; the normal
+  /** \brief k: neighbors of each sample its normal comes from, 2 or more; the normal
    * of a surfel comes from at least as many points. */
   int k = 30;
-  /** \brief sigma of the weight of a neighbour [m]. Not given: the distance to the
-   * farthest one. Surfels have no use for it. */
-  std::optional<double> normal_sigma;
   /** \brief theta_N: a plane needs more inliers than this among the samples, and three
    * in any case; of surfels at least as many. */
   unsigned min_inliers = 20;
-  /** \brief p: probability that RANSAC draws an inlier of the largest plane, with
-   * Sampling::Points; surfels are not drawn. */
-  double probability = 0.99;
-  /** \brief With Sampling::Points; surfels are not divided. */
-  Strategy strategy = Strategy::DetectThenDivide;
-  /** \brief With Sampling::Points; surfels are verified on surfels. */
-  Verification verification = Verification::Samples;
-  /** \brief Which plane gets a point that several could have, with Sampling::Points.
-   * The first, as found, is what "remove all its inliers from the point cloud" means.
-   */
-  AssignmentRule assignment_rule = AssignmentRule::First;
-  /** \brief Refit and select again while the support of a plane grows, with
-   * Sampling::Points; on surfels planes are always refitted. */
-  bool local_optimisation = true;
-  SurfelParameters surfels;
+  PaperParameters paper_only;
+  Surfels surfels;
 
   /** \brief The algorithm of the paper with its best row (Table III): 3 %, 30
-   * neighbours, 0.05 m, 20 samples, p 0.99, 7 degrees, strategy 2. */
+   * neighbors, 0.05 m, 20 samples, p 0.99, 7 degrees, strategy 2. */
   static OrientedPointSamplingParameters
   paper ();
 };
@@ -124,14 +130,16 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
 /** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is.
  */
 PCL_OPS_EXPORT std::string
-problemOf (const OrientedPointSamplingParameters& parameters);
+validate (const OrientedPointSamplingParameters& parameters);
 
-/** \brief OPS for a cloud of any point type: the work behind OrientedPointSampling.
- * \param[in] input the cloud
- * \param[in] parameters those \ref problemOf finds nothing wrong with */
+namespace detail {
+
+/** \brief The work behind the class, for clouds of all point types.
+ * \param[in] input, parameters ones \c validate finds nothing wrong with */
 PCL_OPS_EXPORT Detection
-detectPlanes (const DetectorInput& input,
-              const OrientedPointSamplingParameters& parameters);
+detect (const DetectorInput& input, const OrientedPointSamplingParameters& parameters);
+
+} // namespace detail
 
 /** \brief OPS: finds all planes of an unorganized point cloud from the normals of a few
  * per cent of its points, each of which is a hypothesis by itself.
@@ -178,7 +186,7 @@ public:
     return parameters_.sampling_rate;
   }
 
-  /** \brief k: neighbours of each sample its normal comes from, 2 or more; the normal
+  /** \brief k: neighbors of each sample its normal comes from, 2 or more; the normal
    * of a surfel comes from at least as many points. */
   void
   setKSearch (int k)
@@ -189,19 +197,6 @@ public:
   getKSearch () const
   {
     return parameters_.k;
-  }
-
-  /** \brief sigma of the weight of a neighbour [m]; 0 stands for none: the
-   * neighbourhood's radius. Surfels, the default, have no use for it. */
-  void
-  setNormalSigma (double sigma)
-  {
-    parameters_.normal_sigma = sigma == 0.0 ? std::nullopt : std::make_optional (sigma);
-  }
-  double
-  getNormalSigma () const
-  {
-    return parameters_.normal_sigma.value_or (0.0);
   }
 
   /** \brief theta_N: a plane needs more inliers than this among the samples. */
@@ -216,54 +211,17 @@ public:
     return parameters_.min_inliers;
   }
 
-  /** \brief p: probability that RANSAC draws an inlier of the largest plane, in (0, 1).
-   */
+  /** \brief p: probability that RANSAC draws an inlier of the largest plane, above 0
+   * and below 1. Belongs to the paper preset: surfels, the default, are not drawn. */
   void
   setProbability (double probability)
   {
-    parameters_.probability = probability;
+    parameters_.paper_only.probability = probability;
   }
   double
   getProbability () const
   {
-    return parameters_.probability;
-  }
-
-  /** \brief Strategy 1 or 2 of the paper; surfels, the default, are never divided. */
-  void
-  setStrategy (Strategy strategy)
-  {
-    parameters_.strategy = strategy;
-  }
-  Strategy
-  getStrategy () const
-  {
-    return parameters_.strategy;
-  }
-
-  /** \brief What hypotheses are counted on; on surfels, the default, always those. */
-  void
-  setVerification (Verification verification)
-  {
-    parameters_.verification = verification;
-  }
-  Verification
-  getVerification () const
-  {
-    return parameters_.verification;
-  }
-
-  /** \brief Refit and select again while the support of a plane grows; on surfels, the
-   * default, always on. */
-  void
-  setLocalOptimisation (bool local_optimisation)
-  {
-    parameters_.local_optimisation = local_optimisation;
-  }
-  bool
-  getLocalOptimisation () const
-  {
-    return parameters_.local_optimisation;
+    return parameters_.paper_only.probability;
   }
 
 private:

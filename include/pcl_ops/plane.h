@@ -104,6 +104,8 @@ struct Plane {
   }
 };
 
+namespace detail {
+
 /** \brief Mean squared distance of a set of points to a plane in the frame of the
  * moments' origin [m^2]; undefined for count 0. */
 inline double
@@ -120,6 +122,13 @@ meanSquaredDistance (const Moments& moments, const Plane& plane)
   return std::max (0.0, squared);
 }
 
+} // namespace detail
+
+// The library's own code knows these names without their namespace.
+namespace internal {
+using namespace detail;
+}
+
 /** \brief A least squares plane with what its fit says about the points. */
 struct PlaneFit {
   Plane plane;
@@ -129,7 +138,7 @@ struct PlaneFit {
   Eigen::Vector3d variances = Eigen::Vector3d::Zero();
 };
 
-/** \brief The plane with the smallest sum of squared distances (centred, in double).
+/** \brief The plane with the smallest sum of squared distances (centered, in double).
  * \return nothing for fewer than three points or if they are on one line or all equal
  */
 PCL_OPS_EXPORT std::optional<PlaneFit>
@@ -218,7 +227,7 @@ struct PlaneCovariance {
  * The normal equations of heights over the plane, A with a row (s, t, 1) for each
  * inlier: matrix = v (A^T A)^-1 with the residual variance v = rms^2 n / (n - 3). It is
  * right for noise along the normal that is independent from point to point; where
- * neighbours err alike, as in images of depth cameras, or a surface is not flat, errors
+ * neighbors err alike, as in images of depth cameras, or a surface is not flat, errors
  * are larger.
  * \return nothing for fewer than four inliers, or if they are on one line or all equal
  */

@@ -8,85 +8,20 @@
 #include <pcl/pcl_base.h>
 #include <pcl/PointIndices.h>
 
-#include <pcl_ops/cloud_view.h>
+#include <pcl_ops/detail/detection.h>
 #include <pcl_ops/export.h>
-#include <pcl_ops/orientation.h>
 #include <pcl_ops/plane.h>
-#include <pcl_ops/plane_merging.h>
+#include <pcl_ops/plane_detector_parameters.h>
+#include <pcl_ops/stage_durations.h>
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl_ops {
 
-/** \brief What the parameters of all detectors have in common. */
-struct PlaneDetectorParameters {
-  /** \brief theta_h: largest distance of a point to its plane [m]. Not given, which
-   * only Sampling::Surfels allows: it follows the noise of the cloud, whatever its
-   * unit. */
-  std::optional<double> distance_threshold = 0.05;
-  /** \brief Direction against gravity in the frame of the input cloud, any length but
-   * 0. It only names the orientation of a plane; detection does not depend on it,
-   * except where planes are looked for per orientation (Strategy::DivideThenDetect). */
-  Eigen::Vector3f up_axis = Eigen::Vector3f::UnitZ();
-  /** \brief Largest angle to be horizontal or vertical [rad]. */
-  double angle_tolerance = paper_angle_tolerance;
-  /** \brief Seed of every random choice. */
-  std::uint32_t seed = 42;
-  /** \brief Number of threads; 0: all. The result does not depend on it. */
-  unsigned threads = 1;
-  MergingParameters merging;
-};
-
-/** \brief What is wrong with the parameters all detectors share, as a sentence; empty
- * if nothing is. */
-PCL_OPS_EXPORT std::string
-problemOf (const PlaneDetectorParameters& parameters);
-
-/** \brief Wall time of each stage of the last call [ms]. */
-struct StageDurations {
-  double search = 0.0;
-  double normals = 0.0;
-  double extraction = 0.0;
-  double assignment = 0.0;
-  double merging = 0.0;
-  /** \brief Everything between a loaded cloud and labels for all points. */
-  double detection = 0.0;
-};
-
-/** \brief A neighbour search of the user, as the stages ask it. Neighbours come as
- * indices into the input cloud with their squared distances [m^2]. */
-struct NeighbourSearch {
-  /** \brief The k points nearest to a point of the cloud, itself included. */
-  std::function<void (pcl::index_t, int k, pcl::Indices&, std::vector<float>&)> nearest;
-  /** \brief The points at most a radius [m] from a point of the cloud, itself included.
-   */
-  std::function<void (pcl::index_t, double radius, pcl::Indices&, std::vector<float>&)>
-      within;
-  /** \brief Threads that may ask at once; 0: all. */
-  unsigned threads = 1;
-};
-
-/** \brief What a detector works on. */
-struct DetectorInput {
-  CloudView cloud;
-  /** \brief The points to use, each within the cloud, in any order, given twice or not.
-   */
-  const pcl::Indices& indices;
-  /** \brief Where the sensor was, in the frame of the cloud. */
-  Eigen::Vector3d viewpoint;
-  /** \brief Builds the user's search over the finite ones of the points, no indices
-   * standing for the whole cloud. Empty: the library searches by itself. */
-  std::function<NeighbourSearch (const pcl::Indices& finite)> search_over;
-};
-
-/** \brief What is wrong with an input, as a sentence; empty if nothing is: a cloud or
- * indices without points, or an index outside the cloud. */
-PCL_OPS_EXPORT std::string
-problemOf (const DetectorInput& input);
+namespace detail {
 
 /** \brief Planes as PCL has them.
  * \param[in,out] planes their inliers are moved out
@@ -110,22 +45,10 @@ toLargestModel (std::vector<PlaneSegment>& planes,
                 pcl::PointIndices& inliers,
                 pcl::ModelCoefficients& coefficients);
 
-/** \brief What a detector found. */
-struct Detection {
-  /** \brief By falling size, in the frame of the input cloud. */
-  std::vector<PlaneSegment> planes;
-  StageDurations durations;
-  std::size_t planes_before_merging = 0;
-};
-
 /** \brief Does it, and says by PCL_ERROR in the name of the detector what it threw.
  * \return whether it threw nothing */
 PCL_OPS_EXPORT bool
 runAndReport (const std::string& class_name, const std::function<void()>& detect);
-
-/** \brief For misuse. \throw std::invalid_argument if there is a problem */
-PCL_OPS_EXPORT void
-throwOn (const std::string& problem);
 
 /** \brief What a detector works on, from what PCL hands in; no search, none used. */
 template <typename PointT>
@@ -146,19 +69,22 @@ toRegions (const pcl::PointCloud<PointT>& cloud,
            const std::vector<PlaneSegment>& planes,
            PlanarRegions<PointT>& regions);
 
+} // namespace detail
+
 /** \brief The calls all detectors share: PCL's ways to hand in a cloud and to take
  * planes out. A detector derives from it and gives a \c className (); for its
- * parameters there are a \c problemOf (parameters) and a \c detectPlanes (input,
- * parameters), which does the work for all point types. \tparam PointT a point type
- * with x, y, z \tparam Detector the detector itself \tparam ParametersT its parameters,
- * derived from PlaneDetectorParameters */
+ * parameters there are a \c validate (parameters) and a \c detail::detect (input,
+ * parameters), which does the work for all point types.
+ * \tparam PointT a point type with x, y, z
+ * \tparam Detector the detector itself
+ * \tparam ParametersT its parameters, derived from PlaneDetectorParameters */
 template <typename PointT, typename Detector, typename ParametersT>
 class PlaneDetector : public pcl::PCLBase<PointT> {
 public:
   using Parameters = ParametersT;
   using Search = pcl::search::Search<PointT>;
   using SearchPtr = typename Search::Ptr;
-  using PlanarRegions = pcl_ops::PlanarRegions<PointT>;
+  using PlanarRegions = detail::PlanarRegions<PointT>;
 
   /** \brief Finds the planes of the input cloud.
    * \param[out] planes by falling size; cleared first
@@ -167,14 +93,13 @@ public:
   bool
   segment (std::vector<PlaneSegment>& planes)
   {
-    last_ = Detection();
-    const bool success = runAndReport (Detector::className(), [this] {
-      throwOn (this->initCompute() ? "" : "no input cloud; call setInputCloud");
-      const DetectorInput input = detectorInput<PointT> (
-          this->input_, *this->indices_, search_, parameters_.threads);
-      throwOn (problemOf (input));
-      throwOn (problemOf (parameters_));
-      last_ = detectPlanes (input, parameters_);
+    last_ = detail::Detection();
+    const bool success = detail::runAndReport (Detector::className(), [this] {
+      detail::throwOn (this->initCompute() ? "" : "no input cloud; call setInputCloud");
+      last_ = detail::detectChecked (
+          detail::detectorInput<PointT> (
+              this->input_, *this->indices_, search_, parameters_.threads),
+          parameters_);
       this->deinitCompute();
     });
     planes = std::move (last_.planes);
@@ -184,15 +109,15 @@ public:
 
   /** \brief As above, in the order of pcl::OrganizedMultiPlaneSegmentation.
    * \param[out] coefficients a b c d of a x + b y + c z + d = 0 with a unit normal
-   * towards the sensor's origin, in the frame of the input cloud \param[out] inliers
-   * ascending, disjoint indices into the input cloud */
+   * towards the sensor's origin, in the frame of the input cloud
+   * \param[out] inliers ascending, disjoint indices into the input cloud */
   bool
   segment (std::vector<pcl::ModelCoefficients>& coefficients,
            std::vector<pcl::PointIndices>& inliers)
   {
     std::vector<PlaneSegment> planes;
     const bool success = segment (planes);
-    toModels (planes, header(), coefficients, inliers);
+    detail::toModels (planes, header(), coefficients, inliers);
     return success;
   }
 
@@ -202,7 +127,7 @@ public:
   {
     std::vector<PlaneSegment> planes;
     const bool success = segment (planes);
-    toLargestModel (
+    detail::toLargestModel (
         planes, success ? header() : pcl::PCLHeader(), inliers, coefficients);
     return success;
   }
@@ -218,7 +143,7 @@ public:
     const bool success = segment (planes);
     regions.clear();
     if (success)
-      toRegions (*this->input_, planes, regions);
+      detail::toRegions (*this->input_, planes, regions);
     return success;
   }
 
@@ -290,7 +215,8 @@ public:
     return parameters_.angle_tolerance;
   }
 
-  /** \brief Same seed, same result, whatever the number of threads. */
+  /** \brief Same seed, same result, whatever the number of threads. OPS on surfels, its
+   * default, and 3D-KHT draw nothing. */
   void
   setSeed (std::uint32_t seed)
   {
@@ -326,7 +252,7 @@ public:
     return parameters_.merging;
   }
 
-  /** \brief Any neighbour search, in place of the library's own; its input cloud is set
+  /** \brief Any neighbor search, in place of the library's own; its input cloud is set
    * by the detector. OPS on surfels, its default, and 3D-KHT need none and ask none. */
   void
   setSearchMethod (const SearchPtr& search)
@@ -368,7 +294,7 @@ private:
 
   SearchPtr search_;
   /** \brief The last call's durations and numbers, its planes given out. */
-  Detection last_;
+  detail::Detection last_;
 };
 
 } // namespace pcl_ops

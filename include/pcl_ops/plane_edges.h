@@ -20,11 +20,11 @@ namespace pcl_ops {
 struct PlaneEdgeParameters {
   /** \brief How near to the line that two planes have in common both must have points
    * [m]; automatic: three times their noise, over the sine of the angle between them,
-   * and four times the mean distance between neighbouring points. */
+   * and four times the mean distance between neighboring points. */
   std::optional<double> reach;
   /** \brief Along the line, gaps between points up to so long are bridged, and ends up
    * to so far from a corner are drawn to it [m]; automatic: twice the reach. */
-  std::optional<double> bridged_gap;
+  std::optional<double> max_gap;
   /** \brief Shorter edges are left out [m]; automatic: three times the reach. */
   std::optional<double> min_length;
   /** \brief Planes at a smaller angle have no edge, for noise moves their line far, and
@@ -35,7 +35,7 @@ struct PlaneEdgeParameters {
 
 /** \brief What is wrong with parameters, as a sentence; empty if nothing is. */
 PCL_OPS_EXPORT std::string
-problemOf (const PlaneEdgeParameters& parameters);
+validate (const PlaneEdgeParameters& parameters);
 
 /** \brief A stretch of the line that two planes have in common, with points of both
  * beside it. */
@@ -90,7 +90,7 @@ struct PlaneEdges {
  * \param[in] cloud the input cloud the planes were found in
  * \param[in] planes as a detector gives them; those with a normal or centroid that is
  * not finite meet none
- * \param[in] parameters ones \ref problemOf finds nothing wrong with
+ * \param[in] parameters ones \ref validate finds nothing wrong with
  * \param[in] shift zero of the cloud's frame in that of the planes: for planes that
  * were moved back to where single precision could not follow
  * \throw std::invalid_argument if there is a problem, or an inlier that is no point of

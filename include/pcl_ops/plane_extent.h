@@ -62,7 +62,7 @@ struct PlaneExtent {
   std::vector<std::vector<Eigen::Vector3d>> holes;
   /** \brief Area inside the outline, less the holes [m^2]. */
   double area = 0.0;
-  /** \brief The smallest rectangle around the outline: its centre, its sides as unit
+  /** \brief The smallest rectangle around the outline: its center, its sides as unit
    * vectors with long_axis x short_axis = normal, and how long they are [m]. Of points
    * on one line the width is 0, of equal points the length, too. */
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
@@ -91,30 +91,21 @@ struct PlaneExtent {
  * the edge of a surface, blurred by noise, is where the density has fallen to one half.
  * Sharp edges keep every point.
  * \param[in] points in any order; those with a NaN or infinite coordinate are left out
- * \param[in] most_outside largest share of the points that is left outside; 0: none
+ * \param[in] max_outside largest share of the points that is left outside; 0: none
  * \return counter-clockwise, the first corner not repeated; empty where the points span
  * no area */
 PCL_OPS_EXPORT PlanarPoints
-convexHull (const PlanarPoints& points, double most_outside = 0.01);
+convexHull (const PlanarPoints& points, double max_outside = 0.01);
 
-/** \brief Area and smallest rectangle of an outline.
- * \param[in] outline counter-clockwise, convex or not; empty if the points span no area
- * \param[in] points what the rectangle is put around where there is no outline
- * \param[in] frame the plane of the outline */
-PCL_OPS_EXPORT PlaneExtent
-extentOf (const PlanarPoints& outline,
-          const PlanarPoints& points,
-          const PlaneFrame& frame);
-
-/** \brief As \ref extentOf, of an outline with holes.
+/** \brief Area and smallest rectangle of an outline, convex or not.
  * \param[in] rings in the coordinates of the frame [m]
  * \param[in] points what the rectangle is put around where there is no outline
  * \param[in] frame the plane of the rings
  * \return in the frame of the cloud, with the area less that of the holes [m^2] */
 PCL_OPS_EXPORT PlaneExtent
-extentOfRings (const PlanarRings& rings,
-               const PlanarPoints& points,
-               const PlaneFrame& frame);
+extentOf (const PlanarRings& rings,
+          const PlanarPoints& points,
+          const PlaneFrame& frame);
 
 /** \brief The inliers of a plane, projected onto it.
  * \param[in] cloud the input cloud the plane was found in

@@ -43,7 +43,7 @@ struct PlaneFilter {
 
 /** \brief What is wrong with a filter, as a sentence; empty if nothing is. */
 PCL_OPS_EXPORT std::string
-problemOf (const PlaneFilter& filter);
+validate (const PlaneFilter& filter);
 
 /** \brief How many planes a filter dropped. A plane counts once, for the first of these
  * it fails. */
@@ -70,7 +70,7 @@ using ExtentOfPlane = std::function<PlaneExtent (const PlaneSegment&)>;
 
 /** \brief Drops the planes that a filter does not keep; the others stay in their order.
  * \param[in,out] planes in any frame
- * \param[in] filter one \ref problemOf finds nothing wrong with
+ * \param[in] filter one \ref validate finds nothing wrong with
  * \param[in] extent_of asked only for planes whose area or width decides
  * \return how many were dropped, and why
  * \throw std::invalid_argument if there is a problem, with the planes as they were */
@@ -81,7 +81,7 @@ filterPlanes (std::vector<PlaneSegment>& planes,
 
 /** \brief The same with the extents of \ref planeExtent.
  * \param[in,out] planes in the frame of the cloud
- * \param[in] filter one \ref problemOf finds nothing wrong with
+ * \param[in] filter one \ref validate finds nothing wrong with
  * \param[in] cloud the input cloud the planes were found in
  * \return how many were dropped, and why */
 PCL_OPS_EXPORT DroppedPlanes

@@ -28,7 +28,7 @@ struct PlaneMatchingParameters {
 
 /** \brief What is wrong with parameters, as a sentence; empty if nothing is. */
 PCL_OPS_EXPORT std::string
-problemOf (const PlaneMatchingParameters& parameters);
+validate (const PlaneMatchingParameters& parameters);
 
 /** \brief Which planes of two frames are one. */
 struct PlaneMatches {
@@ -44,8 +44,8 @@ struct PlaneMatches {
  * Two planes are one if their equations agree and they overlap. Equations agree if what
  * differs, two slopes and a height, lies within three standard deviations of what the
  * pose and both fits may be off; for a fit, that is \ref planeCovariance without its
- * division by the number of points, as neighbouring points err alike. There is no
- * threshold in degrees or metres. Where a plane ends is known by its moments, as the
+ * division by the number of points, as neighboring points err alike. There is no
+ * threshold in degrees or meters. Where a plane ends is known by its moments, as the
  * rectangle that has the same.
  *
  * The larger planes mend the pose first, each by an update of a Kalman filter; then all
@@ -60,7 +60,7 @@ struct PlaneMatches {
  * \param[in] pose the current frame in the previous: a point p of the current frame is
  * pose * p in the previous one. The error of its rotation is about the current frame's
  * zero, which should be the sensor or near it
- * \param[in] parameters of which \ref problemOf finds nothing wrong
+ * \param[in] parameters of which \ref validate finds nothing wrong
  * \return a match for each current plane; planes whose points span no plane have none
  * \throw std::invalid_argument if there is a problem with the parameters, or the pose
  * is not finite */

@@ -29,6 +29,8 @@ struct MergingParameters {
   std::optional<double> noise_factor;
 };
 
+namespace detail {
+
 /** \brief The coplanarity test on a pair of planes: the angle between the normals, and
  * both distances of a centroid to the other plane, are below the thresholds. */
 PCL_OPS_EXPORT bool
@@ -36,6 +38,8 @@ areCoplanar (const PlaneFit& first,
              const PlaneFit& second,
              double angle_threshold,
              double distance_threshold);
+
+} // namespace detail
 
 /** \brief The planes after merging. */
 struct MergedPlanes {

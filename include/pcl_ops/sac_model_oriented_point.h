@@ -16,8 +16,9 @@ namespace pcl_ops {
  *
  * The points of the cloud carry their unit normals. Coefficients are a b c d with a
  * unit normal. Distances, inliers and counts are those of
- * pcl::SampleConsensusModelPlane. \tparam PointNT a point type with x, y, z and
- * normal_x, normal_y, normal_z \ingroup sample_consensus */
+ * pcl::SampleConsensusModelPlane.
+ * \tparam PointNT a point type with x, y, z and normal_x, normal_y, normal_z
+ * \ingroup sample_consensus */
 template <typename PointNT>
 class SampleConsensusModelOrientedPoint
 : public pcl::SampleConsensusModelPlane<PointNT> {
@@ -53,7 +54,7 @@ public:
   computeModelCoefficients (const pcl::Indices& samples,
                             Eigen::VectorXf& model_coefficients) const override;
 
-  /** \brief The centred least squares plane of the inliers.
+  /** \brief The centered least squares plane of the inliers.
    * \param[in] inliers indices of points
    * \param[in] model_coefficients kept where the inliers, fewer than three or all on a
    * line, have no plane of their own, or one that breaks the model constraints

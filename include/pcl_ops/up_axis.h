@@ -26,14 +26,14 @@ struct UpAxisParameters {
   double angle_tolerance = paper_angle_tolerance;
   /** \brief Share of the planes that must be horizontal, and share that must be
    * vertical, for a direction to be looked at. */
-  double least_share = 0.02;
+  double min_share = 0.02;
   /** \brief Below this confidence there is no answer; 0: always the likeliest one. */
-  double least_confidence = 0.7;
+  double min_confidence = 0.7;
 };
 
 /** \brief What is wrong with these parameters, as a sentence; empty if nothing is. */
 PCL_OPS_EXPORT std::string
-problemOf (const UpAxisParameters& parameters);
+validate (const UpAxisParameters& parameters);
 
 /** \brief Which way is up in a room, by its planes alone.
  *

@@ -9,19 +9,25 @@
 
 namespace pcl_ops {
 
+namespace detail {
+
 /** \brief Share of a cloud's points that share their direction, as seen from a place,
  * with points much nearer or farther: about 0.03 at the edges of things where a cloud
  * was taken from that place, 0.1 to 0.3 where it was not, say because it is in the
- * frame of a world and VIEWPOINT says 0 0 0 all the same. \param[in] cloud of any size;
- * some 60,000 of its points are looked at, the same ones in any order; NaN and infinite
- * ones are left out \param[in] viewpoint the place, in the frame of the cloud \return 0
- * to 1; 0 where no direction has points enough to tell, or the place is not finite */
+ * frame of a world and VIEWPOINT says 0 0 0 all the same.
+ * \param[in] cloud of any size; some 60,000 of its points are looked at, the same ones in
+ * any order; NaN and infinite ones are left out
+ * \param[in] viewpoint the place, in the frame of the cloud
+ * \return 0 to 1; 0 where no direction has points enough to tell, or the place is not
+ * finite */
 PCL_OPS_EXPORT double
-hiddenShare (const CloudView& cloud, const Eigen::Vector3d& viewpoint);
+occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoint);
+
+} // namespace detail
 
 /** \brief Whether a cloud may have been taken from a place: one surface in each
- * direction, nothing behind anything (\ref hiddenShare up to 0.05). A cloud of several
- * scans was taken from no one place. */
+ * direction, nothing behind anything (\ref detail::occludedFraction up to 0.05). A
+ * cloud of several scans was taken from no one place. */
 PCL_OPS_EXPORT bool
 isSeenFrom (const Eigen::Vector3d& viewpoint, const CloudView& cloud);
 

@@ -17,15 +17,11 @@ function(pcl_ops_install_library target component export)
 endfunction()
 
 pcl_ops_install_library(pcl_ops library pcl_ops-targets)
+pcl_ops_install_library(pcl_ops_core dev pcl_ops-targets)
+install(TARGETS pcl_ops_headers EXPORT pcl_ops-targets)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/pcl_ops
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev
   FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "surface" EXCLUDE)
-
-# A static library hands threads on to whoever links it.
-set(pcl_ops_hands_on_threads ON)
-if(BUILD_SHARED_LIBS)
-  set(pcl_ops_hands_on_threads OFF)
-endif()
 
 set(pcl_ops_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_ops)
 install(EXPORT pcl_ops-targets NAMESPACE pcl_ops::

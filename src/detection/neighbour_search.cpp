@@ -10,12 +10,12 @@ namespace pcl_ops::internal {
 
 namespace {
 
-NeighbourSearch
+NeighborSearch
 ownSearch (const CloudView& cloud, const Points& points, unsigned threads)
 {
   const auto tree = std::make_shared<const BoxTree> (buildBoxTree (points, cloud));
   const auto find = [tree, cloud] (pcl::index_t point,
-                                   NeighbourQuery query,
+                                   NeighborQuery query,
                                    pcl::Indices& neighbours,
                                    std::vector<float>& squared_distances) {
     const float* const position = cloud[static_cast<std::size_t> (point)];
@@ -23,16 +23,16 @@ ownSearch (const CloudView& cloud, const Points& points, unsigned threads)
     query.sorted = false;
     tree->find (query, neighbours, squared_distances);
   };
-  NeighbourSearch search;
+  NeighborSearch search;
   search.nearest =
       [find] (pcl::index_t point, int k, auto& neighbours, auto& distances) {
-        NeighbourQuery query;
-        query.most = static_cast<std::size_t> (k);
+        NeighborQuery query;
+        query.max_neighbors = static_cast<std::size_t> (k);
         find (point, query, neighbours, distances);
       };
   search.within =
       [find] (pcl::index_t point, double radius, auto& neighbours, auto& distances) {
-        NeighbourQuery query;
+        NeighborQuery query;
         query.squared_radius = static_cast<float> (radius * radius);
         find (point, query, neighbours, distances);
       };
@@ -42,7 +42,7 @@ ownSearch (const CloudView& cloud, const Points& points, unsigned threads)
 
 } // namespace
 
-NeighbourSearch
+NeighborSearch
 searchOver (const DetectorInput& input, const Points& points, unsigned threads)
 {
   return input.search_over ? input.search_over (points.index)

@@ -12,7 +12,7 @@ namespace pcl_ops::internal {
  * \param[in] input used as long as the search is
  * \param[in] points the finite points of it
  * \param[in] threads that may ask the library's own; 0: all */
-NeighbourSearch
+NeighborSearch
 searchOver (const DetectorInput& input, const Points& points, unsigned threads);
 
 } // namespace pcl_ops::internal

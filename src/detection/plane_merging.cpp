@@ -8,6 +8,8 @@
 
 namespace pcl_ops {
 
+using namespace internal;
+
 namespace {
 
 struct Group {
@@ -127,10 +129,10 @@ mergeOnce (std::vector<Group>& groups,
 } // namespace
 
 bool
-areCoplanar (const PlaneFit& first,
-             const PlaneFit& second,
-             double angle_threshold,
-             double distance_threshold)
+detail::areCoplanar (const PlaneFit& first,
+                     const PlaneFit& second,
+                     double angle_threshold,
+                     double distance_threshold)
 {
   return areWithinAngle (first, second, angle_threshold) &&
          std::abs (first.plane.distance (second.centroid)) < distance_threshold &&

@@ -32,8 +32,8 @@ comesTo (const Meeting& meeting, const Eigen::Vector3d& point)
   const double place = meeting.line.placeOf (point);
   return std::any_of (
       meeting.stretches.begin(), meeting.stretches.end(), [&] (const Stretch& stretch) {
-        return place >= stretch.from - meeting.bridged_gap &&
-               place <= stretch.to + meeting.bridged_gap;
+        return place >= stretch.from - meeting.max_gap &&
+               place <= stretch.to + meeting.max_gap;
       });
 }
 
@@ -57,10 +57,10 @@ cornersOn (const Meeting& meeting, const std::vector<PlaneCorner>& corners)
 Eigen::Vector3d
 drawn (const Eigen::Vector3d& end,
        const std::vector<Eigen::Vector3d>& positions,
-       double bridged_gap)
+       double max_gap)
 {
   Eigen::Vector3d nearest = end;
-  double least = bridged_gap;
+  double least = max_gap;
   for (const Eigen::Vector3d& position : positions)
     if ((position - end).norm() <= least) {
       least = (position - end).norm();
@@ -76,8 +76,8 @@ drawToCorners (const Meeting& meeting,
                const std::vector<Eigen::Vector3d>& positions,
                PlaneEdge& edge)
 {
-  const Eigen::Vector3d from = drawn (edge.from, positions, meeting.bridged_gap);
-  const Eigen::Vector3d to = drawn (edge.to, positions, meeting.bridged_gap);
+  const Eigen::Vector3d from = drawn (edge.from, positions, meeting.max_gap);
+  const Eigen::Vector3d to = drawn (edge.to, positions, meeting.max_gap);
   const auto is_edge = [&] (const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
     return meeting.line.direction.dot (end - begin) > 0.0;
   };

@@ -85,12 +85,12 @@ sharedStretches (const Body& first,
                  const Body& second,
                  const Line& line,
                  double reach,
-                 double bridged_gap,
+                 double max_gap,
                  double min_length)
 {
   const auto stretchesBeside = [&] (const Body& body) {
-    Stretches stretches = stretchesOf (
-        body.raster.placesBeside (body.inPlane (line), reach), bridged_gap);
+    Stretches stretches =
+        stretchesOf (body.raster.placesBeside (body.inPlane (line), reach), max_gap);
     const auto is_short = [&] (const Stretch& stretch) {
       return stretch.length() < min_length;
     };
@@ -129,7 +129,7 @@ struct Question {
         meetingLine (planes[first], planes[second], std::sin (parameters.min_angle));
     if (!line)
       return {};
-    const double gap = parameters.bridged_gap.value_or (reaches_of_gap * reach);
+    const double gap = parameters.max_gap.value_or (reaches_of_gap * reach);
     const double length = parameters.min_length.value_or (reaches_of_length * reach);
     Stretches stretches =
         sharedStretches (*bodies[first], *bodies[second], *line, reach, gap, length);

@@ -18,7 +18,7 @@ struct Meeting {
   /** \brief Between the planes, 0 to pi/2 [rad]. */
   double angle;
   /** \brief How far two ends may be apart that are one. */
-  double bridged_gap;
+  double max_gap;
   Stretches stretches;
 };
 

@@ -21,7 +21,7 @@ isLength (const std::optional<double>& number)
 }
 
 std::string
-problemOf (const CloudView& cloud, const std::vector<PlaneSegment>& planes)
+validate (const CloudView& cloud, const std::vector<PlaneSegment>& planes)
 {
   for (const PlaneSegment& plane : planes)
     for (const pcl::index_t index : plane.inliers)
@@ -33,11 +33,11 @@ problemOf (const CloudView& cloud, const std::vector<PlaneSegment>& planes)
 } // namespace
 
 std::string
-problemOf (const PlaneEdgeParameters& parameters)
+validate (const PlaneEdgeParameters& parameters)
 {
   if (!isLength (parameters.reach))
     return "the reach must be a length from 0, or not be given";
-  if (!isLength (parameters.bridged_gap))
+  if (!isLength (parameters.max_gap))
     return "the bridged gap must be a length from 0, or not be given";
   if (!isLength (parameters.min_length))
     return "the smallest length must be a length from 0, or not be given";
@@ -52,8 +52,8 @@ findPlaneEdges (const CloudView& cloud,
                 const PlaneEdgeParameters& parameters,
                 const Eigen::Vector3d& shift)
 {
-  throwOn (problemOf (parameters));
-  throwOn (problemOf (cloud, planes));
+  detail::throwOn (validate (parameters));
+  detail::throwOn (validate (cloud, planes));
   const std::vector<Meeting> meetings = meetingsOf (cloud, planes, parameters, shift);
   PlaneEdges found;
   found.corners = cornersOf (meetings, planes, std::sin (parameters.min_angle));

@@ -11,11 +11,11 @@ namespace {
 /** \brief Puts what lies in the same of many bins, each as wide as the gap, into one
  * stretch; ascending. Then hardly anything is left to sort. */
 Stretches
-binned (const std::vector<double>& places, double low, double bridged_gap, double bins)
+binned (const std::vector<double>& places, double low, double max_gap, double bins)
 {
   Stretches of_bin (static_cast<std::size_t> (bins), {1.0, 0.0});
   for (const double place : places) {
-    const auto bin = static_cast<std::size_t> ((place - low) / bridged_gap);
+    const auto bin = static_cast<std::size_t> ((place - low) / max_gap);
     Stretch& stretch = of_bin[std::min (bin, of_bin.size() - 1)];
     const bool is_first = stretch.from > stretch.to;
     stretch.from = is_first ? place : std::min (stretch.from, place);
@@ -41,17 +41,17 @@ sorted (std::vector<double> places)
 } // namespace
 
 Stretches
-stretchesOf (const std::vector<double>& places, double bridged_gap)
+stretchesOf (const std::vector<double>& places, double max_gap)
 {
   if (places.empty())
     return {};
   const auto [low, high] = std::minmax_element (places.begin(), places.end());
-  const double bins = (*high - *low) / bridged_gap + 1.0;
+  const double bins = (*high - *low) / max_gap + 1.0;
   const bool has_bins = bins <= static_cast<double> (places.size()); // not where NaN
   Stretches stretches;
   for (const Stretch& piece :
-       has_bins ? binned (places, *low, bridged_gap, bins) : sorted (places)) {
-    if (stretches.empty() || piece.from - stretches.back().to > bridged_gap)
+       has_bins ? binned (places, *low, max_gap, bins) : sorted (places)) {
+    if (stretches.empty() || piece.from - stretches.back().to > max_gap)
       stretches.push_back (piece);
     stretches.back().to = piece.to;
   }

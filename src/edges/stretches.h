@@ -22,9 +22,9 @@ using Stretches = std::vector<Stretch>;
 
 /** \brief Stretches of a line from place to place, ascending.
  * \param[in] places in any order
- * \param[in] bridged_gap a larger gap begins another stretch */
+ * \param[in] max_gap a larger gap begins another stretch */
 Stretches
-stretchesOf (const std::vector<double>& places, double bridged_gap);
+stretchesOf (const std::vector<double>& places, double max_gap);
 
 /** \brief What two lists of stretches have in common, both ascending.
  * \param[in] min_length shorter ones are left out */

@@ -122,13 +122,13 @@ PlaneFrame::PlaneFrame (const Eigen::Vector3d& origin, const Eigen::Vector3d& no
 {}
 
 PlanarPoints
-convexHull (const PlanarPoints& points, double most_outside)
+convexHull (const PlanarPoints& points, double max_outside)
 {
   constexpr double edge_density = 0.5;
   constexpr std::size_t layers = 16;
   const PlanarPoints finite = finiteOf (points);
   const auto number = static_cast<double> (finite.size());
-  const auto budget = static_cast<std::size_t> (most_outside * number);
+  const auto budget = static_cast<std::size_t> (max_outside * number);
   Rim rim (finite);
   PlanarPoints hull = rim.hull();
   for (std::size_t outside = 0; !hull.empty();) {
@@ -149,10 +149,9 @@ convexHull (const PlanarPoints& points, double most_outside)
 }
 
 PlaneExtent
-extentOf (const PlanarPoints& outline,
-          const PlanarPoints& points,
-          const PlaneFrame& frame)
+extentOf (const PlanarRings& rings, const PlanarPoints& points, const PlaneFrame& frame)
 {
+  const PlanarPoints outline = rings.empty() ? PlanarPoints() : rings.front();
   const PlanarPoints hull = hullOfAll (outline);
   const Rectangle rectangle =
       hull.empty() ? rectangleAlongLine (finiteOf (points)) : smallestRectangle (hull);
@@ -168,16 +167,6 @@ extentOf (const PlanarPoints& outline,
       frame.directionInSpace (is_long ? rectangle.left() : -rectangle.u);
   extent.length = sides.maxCoeff();
   extent.width = sides.minCoeff();
-  return extent;
-}
-
-PlaneExtent
-extentOfRings (const PlanarRings& rings,
-               const PlanarPoints& points,
-               const PlaneFrame& frame)
-{
-  PlaneExtent extent =
-      extentOf (rings.empty() ? PlanarPoints() : rings.front(), points, frame);
   for (std::size_t hole = 1; hole < rings.size(); ++hole) {
     extent.area += areaOf (rings[hole]); // below 0
     extent.holes.emplace_back();
@@ -206,7 +195,7 @@ planeExtent (const CloudView& cloud, const PlaneSegment& plane)
 {
   const PlaneFrame frame (plane.centroid, plane.normal);
   const PlanarPoints points = pointsOnPlane (cloud, plane, frame);
-  return extentOf (convexHull (points), points, frame);
+  return extentOf ({convexHull (points)}, points, frame);
 }
 
 } // namespace pcl_ops

@@ -59,9 +59,9 @@ detectBySpheres (const DetectorInput& input,
 } // namespace
 } // namespace internal
 
-Detection
-detectPlanes (const DetectorInput& input,
-              const FastSamplingPlaneFilteringParameters& parameters)
+detail::Detection
+detail::detect (const DetectorInput& input,
+                const FastSamplingPlaneFilteringParameters& parameters)
 {
   using namespace internal;
   return detectInFinitePoints (
@@ -93,10 +93,10 @@ isAboveZero (double value)
 } // namespace
 
 std::string
-problemOf (const FastSamplingPlaneFilteringParameters& parameters)
+validate (const FastSamplingPlaneFilteringParameters& parameters)
 {
   constexpr unsigned points_of_a_plane = 3;
-  const LocalSamplingParameters& local = parameters.local;
+  const FastSamplingPlaneFilteringParameters::Local& local = parameters.local;
   if (!isAboveZero (local.inner_radius))
     return "the inner radius must be a length above 0";
   if (!(isAboveZero (local.outer_radius) && local.outer_radius >= local.inner_radius))
@@ -113,7 +113,7 @@ problemOf (const FastSamplingPlaneFilteringParameters& parameters)
     return "the number of visits per point to end at must be above 0";
   if (!parameters.distance_threshold)
     return "the distance threshold must be a length above 0";
-  return problemOf (static_cast<const PlaneDetectorParameters&> (parameters));
+  return validate (static_cast<const PlaneDetectorParameters&> (parameters));
 }
 
 } // namespace pcl_ops

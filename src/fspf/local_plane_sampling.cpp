@@ -69,7 +69,8 @@ passTest (const Hypothesis& hypothesis,
     const LocalVerdict verdict = localVerdict (drawn, inliers, parameters);
     if (verdict == LocalVerdict::Rejected)
       return {};
-    if (verdict == LocalVerdict::Accepted && parameters.inliers == LocalInliers::Sphere)
+    if (verdict == LocalVerdict::Accepted &&
+        parameters.inliers == LocalSamplingParameters::Inliers::Sphere)
       break;
   }
   return samples;
@@ -148,8 +149,9 @@ planeAround (const Coordinates& points,
   const Indices samples = passTest (hypothesis, sphere, parameters, generator);
   if (samples.empty())
     return std::nullopt;
-  return hypothesis.inliersOf (parameters.inliers == LocalInliers::Sphere ? sphere
-                                                                          : samples);
+  return hypothesis.inliersOf (
+      parameters.inliers == LocalSamplingParameters::Inliers::Sphere ? sphere
+                                                                     : samples);
 }
 
 } // namespace

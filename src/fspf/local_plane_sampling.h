@@ -14,6 +14,8 @@
 
 namespace pcl_ops::internal {
 
+using LocalSamplingParameters = FastSamplingPlaneFilteringParameters::Local;
+
 /** \brief Gives the points within r2 of the point at a position, itself included: their
  * positions, in any order, replace what the vector held.
  * \return how many points were looked at for that; more than there are in the sphere,

@@ -45,9 +45,9 @@ detectByVotes (const Points& points,
 } // namespace
 } // namespace internal
 
-Detection
-detectPlanes (const DetectorInput& input,
-              const KernelHoughTransformParameters& parameters)
+detail::Detection
+detail::detect (const DetectorInput& input,
+                const KernelHoughTransformParameters& parameters)
 {
   using namespace internal;
   return detectInFinitePoints (
@@ -78,7 +78,7 @@ KernelHoughTransformParameters::paper()
   KernelHoughTransformParameters parameters;
   parameters.phi_num = 80;
   parameters.rho_num = 800;
-  parameters.clusters = OctreeClusterParameters();
+  parameters.clusters = Clusters();
   parameters.refit.enabled = false;
   parameters.distance_threshold = 0.05;
   parameters.merging.enabled = false;
@@ -86,18 +86,18 @@ KernelHoughTransformParameters::paper()
 }
 
 std::string
-problemOf (const KernelHoughTransformParameters& parameters)
+validate (const KernelHoughTransformParameters& parameters)
 {
-  const OctreeClusterParameters& clusters = parameters.clusters;
+  const KernelHoughTransformParameters::Clusters& clusters = parameters.clusters;
   if (parameters.phi_num < 2 || parameters.phi_num > most_phi)
     return "phi_num must be between 2 and " + std::to_string (most_phi);
   if (parameters.rho_num < 2 || parameters.rho_num > most_rho)
     return "rho_num must be between 2 and " + std::to_string (most_rho);
   if (clusters.min_samples < 3)
     return "a cluster needs at least three samples";
-  if (clusters.first_level < 0 || clusters.deepest_level < clusters.first_level)
+  if (clusters.first_level < 0 || clusters.max_level < clusters.first_level)
     return "s_level must be 0 or more and no more than the deepest level";
-  if (clusters.deepest_level > most_levels)
+  if (clusters.max_level > most_levels)
     return "the deepest level must be no more than " + std::to_string (most_levels);
   if (!(clusters.s_alpha > 0.0 && clusters.s_beta > 0.0))
     return "s_alpha and s_beta must be above 0";
@@ -105,7 +105,7 @@ problemOf (const KernelHoughTransformParameters& parameters)
     return "the smallest share of a plane must be between 0 and 1";
   if (!parameters.distance_threshold)
     return "the distance threshold must be a length above 0";
-  return problemOf (static_cast<const PlaneDetectorParameters&> (parameters));
+  return validate (static_cast<const PlaneDetectorParameters&> (parameters));
 }
 
 } // namespace pcl_ops

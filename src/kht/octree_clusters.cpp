@@ -86,7 +86,7 @@ private:
   {
     if (node.level >= parameters_.first_level && addIfCoplanar (node, moments))
       return;
-    if (node.level >= parameters_.deepest_level)
+    if (node.level >= parameters_.max_level)
       return;
     const OctantBegins begins = sortIntoOctants (node);
     const double quarter = node.edge / 4.0;

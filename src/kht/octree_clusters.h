@@ -12,6 +12,8 @@
 
 namespace pcl_ops::internal {
 
+using OctreeClusterParameters = KernelHoughTransformParameters::Clusters;
+
 /** \brief The approximately coplanar points of one octree node. */
 struct CoplanarCluster {
   /** \brief Their plane, centroid and variances, in the frame of the points. */

@@ -21,8 +21,8 @@ ransacParameters (const OrientedPointSamplingParameters& parameters)
   RansacParameters ransac;
   ransac.distance_threshold = *parameters.distance_threshold;
   ransac.min_inliers = std::max (fewest, parameters.min_inliers);
-  ransac.probability = parameters.probability;
-  ransac.local_optimisation = parameters.local_optimisation;
+  ransac.probability = parameters.paper_only.probability;
+  ransac.local_optimization = parameters.paper_only.local_optimization;
   return ransac;
 }
 
@@ -30,7 +30,7 @@ std::vector<Indices>
 groupsOf (const OrientedSamples& samples,
           const OrientedPointSamplingParameters& parameters)
 {
-  if (parameters.strategy == Strategy::DivideThenDetect) {
+  if (parameters.paper_only.strategy == PaperParameters::Strategy::DivideThenDetect) {
     const auto groups =
         groupByOrientation (samples,
                             parameters.up_axis.cast<double>().normalized(),
@@ -51,7 +51,8 @@ extractPlanes (const Points& points,
 {
   const RansacParameters ransac = ransacParameters (parameters);
   RandomGenerator generator (parameters.seed);
-  const bool on_all_points = parameters.verification == Verification::AllPoints;
+  const bool on_all_points =
+      parameters.paper_only.verification == PaperParameters::Verification::AllPoints;
   Coordinates remaining = on_all_points ? Coordinates (points) : Coordinates();
   std::vector<Plane> planes;
   for (Indices& group : groupsOf (samples, parameters)) {
@@ -77,23 +78,28 @@ detectAsInPaper (const DetectorInput& input,
   // P_s: alpha_s N of the points
   const Indices drawn =
       drawSample (points.size(), parameters.sampling_rate, parameters.seed);
-  NeighbourSearch search;
+  NeighborSearch search;
   if (!drawn.empty())
     search = searchOver (input, points, parameters.threads);
   clock.lap (durations.search);
   // n_i: from the k nearest points
-  const OrientedSamples samples = orientSamples (
-      input.cloud, points, drawn, search, parameters.k, parameters.normal_sigma);
+  const OrientedSamples samples = orientSamples (input.cloud,
+                                                 points,
+                                                 drawn,
+                                                 search,
+                                                 parameters.k,
+                                                 parameters.paper_only.normal_sigma);
   clock.lap (durations.normals);
   // Pi: one-point RANSAC and peeling, with theta_h, theta_N and p
   const std::vector<Plane> planes = extractPlanes (points, samples, parameters);
   clock.lap (durations.extraction);
   // every point of P, not of P_s alone, to a plane
-  AssignedPoints assigned = assignToUnboundedPlanes (points,
-                                                     planes,
-                                                     *parameters.distance_threshold,
-                                                     parameters.assignment_rule,
-                                                     parameters.threads);
+  AssignedPoints assigned =
+      assignToUnboundedPlanes (points,
+                               planes,
+                               *parameters.distance_threshold,
+                               parameters.paper_only.assignment_rule,
+                               parameters.threads);
   clock.lap (durations.assignment);
   // section III-C: the coplanarity test on each pair
   LabelledPlanes found =

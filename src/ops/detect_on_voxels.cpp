@@ -40,7 +40,7 @@ orient (const VoxelGrid& grid,
   const SurfelParameters& surfels = parameters.surfels;
   const double least_points =
       std::max (static_cast<double> (parameters.k),
-                surfels.least_average_voxels * meanPointsPerVoxel (grid));
+                surfels.min_average_voxels * meanPointsPerVoxel (grid));
   return findSurfels (
       grid, surfels.resolutions, least_points, parameters.threads, plane_of_voxel);
 }
@@ -49,13 +49,13 @@ void
 spread (const VoxelGrid& grid,
         const std::vector<std::optional<Surfel>>& surfels,
         const Parameters& parameters,
-        double largest_thickness,
+        double max_thickness,
         BoundedPlanes& planes)
 {
   SurfelExtractionParameters extraction;
   extraction.noise_factor = parameters.surfels.noise_factor;
   extraction.angle_threshold = parameters.surfels.angle_threshold;
-  extraction.largest_thickness = largest_thickness;
+  extraction.max_thickness = max_thickness;
   extraction.min_inliers = std::max (1u, parameters.min_inliers);
   extractSurfelPlanes (grid, surfels, extraction, planes);
   measureNoise (grid, parameters.threads, planes);
@@ -65,7 +65,7 @@ spread (const VoxelGrid& grid,
 void
 findPlanes (const VoxelGrid& grid,
             const Parameters& parameters,
-            double largest_thickness,
+            double max_thickness,
             BoundedPlanes& planes,
             StageDurations& durations)
 {
@@ -73,7 +73,7 @@ findPlanes (const VoxelGrid& grid,
   const std::vector<std::optional<Surfel>> surfels =
       orient (grid, parameters, planes.plane_of_voxel);
   clock.lap (durations.normals);
-  spread (grid, surfels, parameters, largest_thickness, planes);
+  spread (grid, surfels, parameters, max_thickness, planes);
   growPlanes (grid, parameters.distance_threshold, parameters.threads, planes);
   clock.lap (durations.extraction);
 }
@@ -202,7 +202,7 @@ labelPoints (const Points& points,
       refine (voxels.finest.grid, voxels.coarse, planes, parameters.threads);
   clock.lap (durations.search);
   findPlanes (
-      finer.grid, parameters, surfels.largest_thickness, finer.planes, durations);
+      finer.grid, parameters, surfels.max_thickness, finer.planes, durations);
   clock = StageClock();
   found = finer.planes.size();
   // section III-C, by the noise of the planes instead of theta_h

@@ -7,6 +7,8 @@
 
 namespace pcl_ops::internal {
 
+using SurfelParameters = OrientedPointSamplingParameters::Surfels;
+
 /** \brief Edge of the largest voxels where their size is given; else 0. Voxels of a
  * given size begin at whole multiples of it in the frame of the input cloud, so that
  * parts of a cloud have the voxels of the whole. */

@@ -9,9 +9,9 @@
 
 namespace pcl_ops {
 
-Detection
-detectPlanes (const DetectorInput& input,
-              const OrientedPointSamplingParameters& parameters)
+detail::Detection
+detail::detect (const DetectorInput& input,
+                const OrientedPointSamplingParameters& parameters)
 {
   using namespace internal;
   return detectInFinitePoints (
@@ -32,13 +32,13 @@ OrientedPointSamplingParameters::paper()
   parameters.sampling = Sampling::Points;
   parameters.sampling_rate = 0.03;
   parameters.k = 30;
-  parameters.normal_sigma.reset();
+  parameters.paper_only.normal_sigma.reset();
   parameters.distance_threshold = 0.05;
   parameters.min_inliers = 20;
-  parameters.probability = 0.99;
-  parameters.strategy = Strategy::DivideThenDetect;
-  parameters.verification = Verification::Samples;
-  parameters.local_optimisation = false;
+  parameters.paper_only.probability = 0.99;
+  parameters.paper_only.strategy = PaperParameters::Strategy::DivideThenDetect;
+  parameters.paper_only.verification = PaperParameters::Verification::Samples;
+  parameters.paper_only.local_optimization = false;
   return parameters;
 }
 
@@ -59,22 +59,21 @@ isVoxelSize (double size)
 }
 
 std::string
-problemOf (const SurfelParameters& surfels)
+validate (const OrientedPointSamplingParameters::Surfels& surfels)
 {
   constexpr int most_resolutions = 10;
   if (surfels.voxel_size && !isVoxelSize (*surfels.voxel_size))
     return "the voxel size must be a length above 0, or not be given";
   if (surfels.resolutions < 1 || surfels.resolutions > most_resolutions)
     return "the number of resolutions must be between 1 and 10";
-  if (!isAtLeastZero (surfels.least_average_voxels))
+  if (!isAtLeastZero (surfels.min_average_voxels))
     return "the least average voxels of a normal must be 0 or more";
   if (!isAtLeastZero (surfels.noise_factor))
     return "the noise factor of surfels must be 0 or more";
   if (!(surfels.angle_threshold >= 0.0 &&
         surfels.angle_threshold <= internal::right_angle))
     return "the angle threshold of surfels must be between 0 and pi/2 (radians)";
-  if (!isAtLeastZero (surfels.sure_thickness) ||
-      !isAtLeastZero (surfels.largest_thickness))
+  if (!isAtLeastZero (surfels.sure_thickness) || !isAtLeastZero (surfels.max_thickness))
     return "the thickness of surfels must be 0 or more";
   if (!isAtLeastZero (surfels.absorption_noise_factor))
     return "the noise factor of absorption must be 0 or more";
@@ -86,22 +85,24 @@ problemOf (const SurfelParameters& surfels)
 } // namespace
 
 std::string
-problemOf (const OrientedPointSamplingParameters& parameters)
+validate (const OrientedPointSamplingParameters& parameters)
 {
   if (!(parameters.sampling_rate > 0.0 && parameters.sampling_rate <= 1.0))
     return "the sampling rate must be above 0 and at most 1";
   if (parameters.k < 2)
     return "k must be 2 or more: a normal needs two neighbours";
-  if (parameters.normal_sigma &&
-      !(*parameters.normal_sigma > 0.0 && std::isfinite (*parameters.normal_sigma)))
+  if (parameters.paper_only.normal_sigma &&
+      !(*parameters.paper_only.normal_sigma > 0.0 &&
+        std::isfinite (*parameters.paper_only.normal_sigma)))
     return "the sigma of the normals must be a length above 0, or not be given";
-  if (!(parameters.probability > 0.0 && parameters.probability < 1.0))
+  if (!(parameters.paper_only.probability > 0.0 &&
+        parameters.paper_only.probability < 1.0))
     return "the probability must lie between 0 and 1, both excluded";
   if (parameters.sampling == Sampling::Points && !parameters.distance_threshold)
     return "the distance threshold must be a length above 0";
-  const std::string problem = problemOf (parameters.surfels);
+  const std::string problem = validate (parameters.surfels);
   return problem.empty()
-             ? problemOf (static_cast<const PlaneDetectorParameters&> (parameters))
+             ? validate (static_cast<const PlaneDetectorParameters&> (parameters))
              : problem;
 }
 

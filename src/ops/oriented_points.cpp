@@ -92,7 +92,7 @@ OrientedSamples
 orientSamples (const CloudView& cloud,
                const Points& points,
                const Indices& sample,
-               const NeighbourSearch& search,
+               const NeighborSearch& search,
                int k,
                std::optional<double> sigma)
 {

@@ -151,7 +151,7 @@ largestPlane (const PointCandidates& candidates,
   const auto select = [&candidates] (const Plane& plane) {
     return candidates.select (plane);
   };
-  Support support = parameters.local_optimisation ? growSupport (*hypothesis, select)
+  Support support = parameters.local_optimization ? growSupport (*hypothesis, select)
                                                   : select (*hypothesis);
   const std::optional<PlaneFit> fit = fitPlane (support.moments);
   return Peel{std::move (support.inliers), fit ? fit->plane : support.plane};

@@ -21,7 +21,7 @@ struct RansacParameters {
   double probability = 0.99;
   /** \brief Refit the winner to its inliers and select again while they grow in number.
    * Off in the paper. */
-  bool local_optimisation = true;
+  bool local_optimization = true;
 };
 
 /** \brief Samples no plane has yet, and what hypotheses are counted on. */

@@ -38,7 +38,7 @@ public:
   {
     for (std::size_t i = 0; i < grid.size(); ++i)
       is_open_[i] = plane_of_voxel[i] == no_plane && surfels[i] &&
-                    surfels[i]->thickness < parameters.largest_thickness;
+                    surfels[i]->thickness < parameters.max_thickness;
   }
 
   bool

@@ -19,7 +19,7 @@ struct SurfelExtractionParameters {
   /** \brief Largest angle between a surfel's normal and the plane's [rad]. */
   double angle_threshold = 0.0;
   /** \brief Surfels thicker than this support no plane. */
-  double largest_thickness = 0.0;
+  double max_thickness = 0.0;
   /** \brief theta_N: a plane needs at least this many connected surfels. */
   std::size_t min_inliers = 20;
 };

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What pip calls (PEP 517): builds the module by CMake, with the library linked into it.
 
-PCL itself stays a shared library of the system.
+It needs the headers of PCL, and none of its libraries once built.
 """
 
 import base64

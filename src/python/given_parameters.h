@@ -138,13 +138,13 @@ withGiven (const Parameters& preset, const py::dict& given)
   Parameters parameters = preset;
   for (const auto& [name, value] : given)
     setParameter (parameters, py::str (name), value);
-  const std::string problem = problemOf (parameters);
+  const std::string problem = validate (parameters);
   if (problem.empty())
     return parameters;
   for (const auto& [name, value] : given) {
     Parameters alone = preset;
     setParameter (alone, py::str (name), value);
-    if (problemOf (alone) == problem)
+    if (validate (alone) == problem)
       throw py::value_error (std::string (py::str (name)) + ": " + problem);
   }
   throw py::value_error (problem);

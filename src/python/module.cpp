@@ -7,6 +7,7 @@
 #include "plane_lists.h"
 #include "point_rows.h"
 #include <evaluation/metrics/metrics.h>
+#include <pcl_ops/detect_planes.h>
 #include <pcl_ops/plane_extent.h>
 #include <pcl_ops/visibility.h>
 
@@ -146,12 +147,8 @@ segment (const PointRows& points,
   return usePreset (method, preset, [&] (const auto& by_default) {
     const auto parameters = withGiven (by_default, given);
     std::vector<PlaneSegment> planes;
-    whileOthersRun ([&] {
-      pcl::Indices all (view.size);
-      std::iota (all.begin(), all.end(), 0);
-      const DetectorInput input{view, all, viewpoint - origin, nullptr};
-      planes = detectPlanes (input, parameters).planes;
-    });
+    whileOthersRun (
+        [&] { planes = detectPlanes (view, parameters, viewpoint - origin); });
     for (PlaneSegment& plane : planes)
       plane.moveBy (origin);
     return planes;

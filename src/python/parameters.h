@@ -33,18 +33,21 @@ template <>
 inline const Names<Sampling> names<Sampling> = {{"points", Sampling::Points},
                                                 {"surfels", Sampling::Surfels}};
 template <>
-inline const Names<Strategy> names<Strategy> = {
-    {"detect_then_divide", Strategy::DetectThenDivide},
-    {"divide_then_detect", Strategy::DivideThenDetect}};
+inline const Names<PaperParameters::Strategy> names<PaperParameters::Strategy> = {
+    {"detect_then_divide", PaperParameters::Strategy::DetectThenDivide},
+    {"divide_then_detect", PaperParameters::Strategy::DivideThenDetect}};
 template <>
-inline const Names<Verification> names<Verification> = {
-    {"samples", Verification::Samples}, {"all_points", Verification::AllPoints}};
+inline const Names<PaperParameters::Verification> names<PaperParameters::Verification> =
+    {{"samples", PaperParameters::Verification::Samples},
+     {"all_points", PaperParameters::Verification::AllPoints}};
 template <>
 inline const Names<AssignmentRule> names<AssignmentRule> = {
     {"nearest", AssignmentRule::Nearest}, {"first", AssignmentRule::First}};
 template <>
-inline const Names<LocalInliers> names<LocalInliers> = {
-    {"sphere", LocalInliers::Sphere}, {"samples", LocalInliers::Samples}};
+inline const Names<FastSamplingPlaneFilteringParameters::Local::Inliers>
+    names<FastSamplingPlaneFilteringParameters::Local::Inliers> = {
+        {"sphere", FastSamplingPlaneFilteringParameters::Local::Inliers::Sphere},
+        {"samples", FastSamplingPlaneFilteringParameters::Local::Inliers::Samples}};
 template <>
 inline const Names<Orientation> names<Orientation> = {
     {"horizontal", Orientation::Horizontal},
@@ -76,33 +79,33 @@ visit (MergingParameters& p, const At& at)
 
 template <typename At>
 void
-visit (SurfelParameters& p, const At& at)
+visit (OrientedPointSamplingParameters::Surfels& p, const At& at)
 {
   at ("voxel_size", p.voxel_size);
   at ("resolutions", p.resolutions);
-  at ("least_average_voxels", p.least_average_voxels);
+  at ("min_average_voxels", p.min_average_voxels);
   at ("noise_factor", p.noise_factor);
   at ("angle_threshold", p.angle_threshold);
   at ("sure_thickness", p.sure_thickness);
-  at ("largest_thickness", p.largest_thickness);
+  at ("max_thickness", p.max_thickness);
   at ("absorption_noise_factor", p.absorption_noise_factor);
   at ("assignment_noise_factor", p.assignment_noise_factor);
 }
 
 template <typename At>
 void
-visit (OctreeClusterParameters& p, const At& at)
+visit (KernelHoughTransformParameters::Clusters& p, const At& at)
 {
   at ("min_samples", p.min_samples);
   at ("first_level", p.first_level);
   at ("s_alpha", p.s_alpha);
   at ("s_beta", p.s_beta);
-  at ("deepest_level", p.deepest_level);
+  at ("max_level", p.max_level);
 }
 
 template <typename At>
 void
-visit (PlaneRefitParameters& p, const At& at)
+visit (KernelHoughTransformParameters::Refit& p, const At& at)
 {
   at ("enabled", p.enabled);
   at ("min_share", p.min_share);
@@ -136,13 +139,13 @@ visit (OrientedPointSamplingParameters& p, const At& at)
   at ("sampling", p.sampling);
   at ("sampling_rate", p.sampling_rate);
   at ("k", p.k);
-  at ("normal_sigma", p.normal_sigma);
+  at ("normal_sigma", p.paper_only.normal_sigma);
   at ("min_inliers", p.min_inliers);
-  at ("probability", p.probability);
-  at ("strategy", p.strategy);
-  at ("verification", p.verification);
-  at ("assignment_rule", p.assignment_rule);
-  at ("local_optimisation", p.local_optimisation);
+  at ("probability", p.paper_only.probability);
+  at ("strategy", p.paper_only.strategy);
+  at ("verification", p.paper_only.verification);
+  at ("assignment_rule", p.paper_only.assignment_rule);
+  at ("local_optimization", p.paper_only.local_optimization);
   visitWithin ("surfels_", p.surfels, at);
   visitShared (p, at);
 }
@@ -217,8 +220,8 @@ void
 visit (UpAxisParameters& p, const At& at)
 {
   at ("angle_tolerance", p.angle_tolerance);
-  at ("least_share", p.least_share);
-  at ("least_confidence", p.least_confidence);
+  at ("min_share", p.min_share);
+  at ("min_confidence", p.min_confidence);
 }
 
 template <typename At>
@@ -226,7 +229,7 @@ void
 visit (PlaneEdgeParameters& p, const At& at)
 {
   at ("reach", p.reach);
-  at ("bridged_gap", p.bridged_gap);
+  at ("max_gap", p.max_gap);
   at ("min_length", p.min_length);
   at ("min_angle", p.min_angle);
 }

@@ -140,12 +140,13 @@ BoxTree::BoxTree (std::vector<Node> nodes, Coordinates points, pcl::Indices inde
 {}
 
 void
-BoxTree::find (const NeighbourQuery& query,
+BoxTree::find (const NeighborQuery& query,
                pcl::Indices& indices,
                std::vector<float>& squared_distances) const
 {
-  NearestCandidates candidates (std::min (query.most, size()), query.squared_radius);
-  if (size() > 0 && query.most > 0)
+  NearestCandidates candidates (std::min (query.max_neighbors, size()),
+                                query.squared_radius);
+  if (size() > 0 && query.max_neighbors > 0)
     visit (nodes_, points_, index_, query.position, candidates);
   candidates.take (query.sorted, indices, squared_distances);
 }

@@ -5,7 +5,7 @@
 #include <pcl/types.h>
 
 #include "geometry/points.h"
-#include <pcl_ops/grid_search.h>
+#include <pcl_ops/detail/neighbor_query.h>
 
 #include <array>
 #include <cstddef>
@@ -60,7 +60,7 @@ public:
    * \param[out] indices of the neighbours; what it held is replaced
    * \param[out] squared_distances in single precision, as PCL computes them [m^2] */
   void
-  find (const NeighbourQuery& query,
+  find (const NeighborQuery& query,
         pcl::Indices& indices,
         std::vector<float>& squared_distances) const;
 

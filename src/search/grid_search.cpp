@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/points.h"
 #include "search/box_tree_builder.h"
-#include <pcl_ops/grid_search.h>
+#include <pcl_ops/detail/neighbor_query.h>
 
-namespace pcl_ops {
+namespace pcl_ops::detail {
 
 std::shared_ptr<const internal::BoxTree>
 sortIntoVoxels (const CloudView& cloud, const pcl::Indices& indices)
@@ -16,10 +16,10 @@ sortIntoVoxels (const CloudView& cloud, const pcl::Indices& indices)
 }
 
 void
-findNeighbours (const internal::BoxTree* tree,
-                const NeighbourQuery& query,
-                pcl::Indices& indices,
-                std::vector<float>& squared_distances)
+findNeighbors (const internal::BoxTree* tree,
+               const NeighborQuery& query,
+               pcl::Indices& indices,
+               std::vector<float>& squared_distances)
 {
   indices.clear();
   squared_distances.clear();
@@ -27,4 +27,4 @@ findNeighbours (const internal::BoxTree* tree,
     tree->find (query, indices, squared_distances);
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::detail

@@ -202,11 +202,4 @@ concaveOutline (const PlanarPoints& points, double alpha)
   return rings;
 }
 
-PlanarPoints
-concaveHull (const PlanarPoints& points, double alpha)
-{
-  const PlanarRings outline = concaveOutline (points, alpha);
-  return outline.empty() ? PlanarPoints() : outline.front();
-}
-
 } // namespace pcl_ops

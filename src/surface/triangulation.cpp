@@ -86,13 +86,7 @@ clipEars (Numbers ring, const PlanarPoints& corners)
 } // namespace
 
 std::vector<Triangle>
-triangulate (const PlanarPoints& outline)
-{
-  return triangulateRings ({outline});
-}
-
-std::vector<Triangle>
-triangulateRings (const PlanarRings& rings)
+triangulate (const PlanarRings& rings)
 {
   constexpr double tolerance = 1e-6;
   if (rings.empty() || rings.front().empty())

@@ -13,7 +13,7 @@ using OpsParameters = pcl_ops::OrientedPointSamplingParameters;
 using FspfParameters = pcl_ops::FastSamplingPlaneFilteringParameters;
 using KhtParameters = pcl_ops::KernelHoughTransformParameters;
 
-/** \brief A change that makes parameters wrong, and what problemOf has to speak of. */
+/** \brief A change that makes parameters wrong, and what validate has to speak of. */
 template <typename Parameters>
 struct Mistake {
   std::string words;
@@ -84,7 +84,7 @@ expectRefused (const Mistakes<Parameters>& mistakes, const Parameters& good)
   for (std::size_t i = 0; i < mistakes.size(); ++i) {
     Parameters parameters = good;
     mistakes[i].make (parameters);
-    const std::string problem = problemOf (parameters);
+    const std::string problem = validate (parameters);
     EXPECT_NE (problem.find (mistakes[i].words), std::string::npos)
         << "'" << problem << "' should speak of " << mistakes[i].words << " (" << i
         << ")";
@@ -98,7 +98,7 @@ expectAccepted (const std::vector<std::function<void (Parameters&)>>& changes)
   for (std::size_t i = 0; i < changes.size(); ++i) {
     Parameters parameters;
     changes[i](parameters);
-    EXPECT_EQ (problemOf (parameters), "") << i;
+    EXPECT_EQ (validate (parameters), "") << i;
   }
 }
 
@@ -114,10 +114,13 @@ mistakesOfOps ()
       {0.0, 1.01},
       mistakes);
   addNumbers<P> (
-      "sigma", [](P & p) -> auto& { return p.normal_sigma; }, {0.0}, mistakes);
+      "sigma",
+      [](P & p) -> auto& { return p.paper_only.normal_sigma; },
+      {0.0},
+      mistakes);
   addNumbers<P> (
       "probability",
-      [](P & p) -> auto& { return p.probability; },
+      [](P & p) -> auto& { return p.paper_only.probability; },
       {0.0, 1.0},
       mistakes);
   return mistakes;
@@ -129,19 +132,20 @@ mistakesOfSurfels ()
   using P = OpsParameters;
   Mistakes<P> mistakes{{"resolutions", [] (P& p) { p.surfels.resolutions = 0; }},
                        {"resolutions", [] (P& p) { p.surfels.resolutions = 11; }}};
-  const auto add = [&mistakes] (const std::string& words,
-                                auto pcl_ops::SurfelParameters::*field,
-                                const std::vector<double>& others = {}) {
+  const auto add = [&mistakes] (
+                       const std::string& words,
+                       auto pcl_ops::OrientedPointSamplingParameters::Surfels::*field,
+                       const std::vector<double>& others = {}) {
     addNumbers<P> (
         words, [field](P & p) -> auto& { return p.surfels.*field; }, others, mistakes);
   };
-  using Surfels = pcl_ops::SurfelParameters;
+  using Surfels = pcl_ops::OrientedPointSamplingParameters::Surfels;
   add ("voxel size", &Surfels::voxel_size, {0.0, 1e-40, 1e40});
-  add ("least average voxels", &Surfels::least_average_voxels);
+  add ("least average voxels", &Surfels::min_average_voxels);
   add ("noise factor of surfels", &Surfels::noise_factor);
   add ("angle threshold of surfels", &Surfels::angle_threshold, {91_deg});
   add ("thickness of surfels", &Surfels::sure_thickness);
-  add ("thickness of surfels", &Surfels::largest_thickness);
+  add ("thickness of surfels", &Surfels::max_thickness);
   add ("noise factor of absorption", &Surfels::absorption_noise_factor);
   add ("noise factor of assignment", &Surfels::assignment_noise_factor);
   return mistakes;
@@ -155,7 +159,7 @@ mistakesOfFspf ()
       {"outer radius", [] (P& p) { p.local.inner_radius = 0.3; }},
       {"local samples", [] (P& p) { p.local.local_samples = 2; }},
       {"distance threshold", [] (P& p) { p.distance_threshold.reset(); }}};
-  using Local = pcl_ops::LocalSamplingParameters;
+  using Local = pcl_ops::FastSamplingPlaneFilteringParameters::Local;
   const auto add = [&mistakes] (const std::string& words,
                                 double Local::*field,
                                 const std::vector<double>& others) {
@@ -178,8 +182,8 @@ const Mistakes<KhtParameters> mistakes_of_kht{
     {"rho_num", [] (KhtParameters& p) { p.rho_num = 10001; }},
     {"three samples", [] (KhtParameters& p) { p.clusters.min_samples = 2; }},
     {"s_level", [] (KhtParameters& p) { p.clusters.first_level = -1; }},
-    {"s_level", [] (KhtParameters& p) { p.clusters.deepest_level = 2; }},
-    {"deepest level", [] (KhtParameters& p) { p.clusters.deepest_level = 61; }},
+    {"s_level", [] (KhtParameters& p) { p.clusters.max_level = 2; }},
+    {"deepest level", [] (KhtParameters& p) { p.clusters.max_level = 61; }},
     {"s_alpha", [] (KhtParameters& p) { p.clusters.s_alpha = 0.0; }},
     {"s_alpha", [] (KhtParameters& p) { p.clusters.s_alpha = std::nan (""); }},
     {"s_beta", [] (KhtParameters& p) { p.clusters.s_beta = 0.0; }},
@@ -193,12 +197,12 @@ const Mistakes<KhtParameters> mistakes_of_kht{
 
 TEST (ProblemOf, GoodParametersIsEmpty)
 {
-  EXPECT_EQ (problemOf (OpsParameters()), "");
-  EXPECT_EQ (problemOf (OpsParameters::paper()), "");
-  EXPECT_EQ (problemOf (FspfParameters()), "");
-  EXPECT_EQ (problemOf (FspfParameters::paper()), "");
-  EXPECT_EQ (problemOf (KhtParameters()), "");
-  EXPECT_EQ (problemOf (KhtParameters::paper()), "");
+  EXPECT_EQ (validate (OpsParameters()), "");
+  EXPECT_EQ (validate (OpsParameters::paper()), "");
+  EXPECT_EQ (validate (FspfParameters()), "");
+  EXPECT_EQ (validate (FspfParameters::paper()), "");
+  EXPECT_EQ (validate (KhtParameters()), "");
+  EXPECT_EQ (validate (KhtParameters::paper()), "");
 }
 
 TEST (ProblemOf, ParametersOfOpsNamesTheWrongOne)
@@ -226,7 +230,7 @@ TEST (ProblemOf, DrawnPointsWithoutADistanceThresholdNamesIt)
 {
   OpsParameters parameters = OpsParameters::paper();
   parameters.distance_threshold.reset();
-  EXPECT_EQ (problemOf (parameters), "the distance threshold must be a length above 0");
+  EXPECT_EQ (validate (parameters), "the distance threshold must be a length above 0");
 }
 
 TEST (ProblemOf, ValuesAtTheEndsOfTheirRangesIsEmpty)

@@ -26,15 +26,15 @@ expectCommon (const PlaneDetectorParameters& preset)
 }
 
 void
-expectDefaults (const SurfelParameters& surfels)
+expectDefaults (const OrientedPointSamplingParameters::Surfels& surfels)
 {
   EXPECT_EQ (surfels.voxel_size, std::nullopt);
   EXPECT_EQ (surfels.resolutions, 3);
-  EXPECT_EQ (surfels.least_average_voxels, 6.0);
+  EXPECT_EQ (surfels.min_average_voxels, 6.0);
   EXPECT_EQ (surfels.noise_factor, 2.0);
   EXPECT_DOUBLE_EQ (surfels.angle_threshold, 30_deg);
   EXPECT_EQ (surfels.sure_thickness, 0.265);
-  EXPECT_EQ (surfels.largest_thickness, 0.3);
+  EXPECT_EQ (surfels.max_thickness, 0.3);
   EXPECT_EQ (surfels.absorption_noise_factor, 2.2);
   EXPECT_EQ (surfels.assignment_noise_factor, 5.0);
 }
@@ -51,13 +51,13 @@ TEST (OpsPreset, DefaultIsTheRecommendedOne)
   EXPECT_EQ (preset.sampling, Sampling::Surfels);
   EXPECT_EQ (preset.sampling_rate, 0.03);
   EXPECT_EQ (preset.k, 30);
-  EXPECT_EQ (preset.normal_sigma, std::nullopt);
+  EXPECT_EQ (preset.paper_only.normal_sigma, std::nullopt);
   EXPECT_EQ (preset.min_inliers, 20u);
-  EXPECT_EQ (preset.probability, 0.99);
-  EXPECT_EQ (preset.strategy, Strategy::DetectThenDivide);
-  EXPECT_EQ (preset.verification, Verification::Samples);
-  EXPECT_EQ (preset.assignment_rule, AssignmentRule::First);
-  EXPECT_TRUE (preset.local_optimisation);
+  EXPECT_EQ (preset.paper_only.probability, 0.99);
+  EXPECT_EQ (preset.paper_only.strategy, PaperParameters::Strategy::DetectThenDivide);
+  EXPECT_EQ (preset.paper_only.verification, PaperParameters::Verification::Samples);
+  EXPECT_EQ (preset.paper_only.assignment_rule, AssignmentRule::First);
+  EXPECT_TRUE (preset.paper_only.local_optimization);
 }
 
 TEST (OpsPreset, PaperIsItsBestRow)
@@ -70,13 +70,13 @@ TEST (OpsPreset, PaperIsItsBestRow)
   EXPECT_EQ (preset.sampling, Sampling::Points);
   EXPECT_EQ (preset.sampling_rate, 0.03);
   EXPECT_EQ (preset.k, 30);
-  EXPECT_EQ (preset.normal_sigma, std::nullopt);
+  EXPECT_EQ (preset.paper_only.normal_sigma, std::nullopt);
   EXPECT_EQ (preset.min_inliers, 20u);
-  EXPECT_EQ (preset.probability, 0.99);
-  EXPECT_EQ (preset.strategy, Strategy::DivideThenDetect);
-  EXPECT_EQ (preset.verification, Verification::Samples);
-  EXPECT_EQ (preset.assignment_rule, AssignmentRule::First);
-  EXPECT_FALSE (preset.local_optimisation);
+  EXPECT_EQ (preset.paper_only.probability, 0.99);
+  EXPECT_EQ (preset.paper_only.strategy, PaperParameters::Strategy::DivideThenDetect);
+  EXPECT_EQ (preset.paper_only.verification, PaperParameters::Verification::Samples);
+  EXPECT_EQ (preset.paper_only.assignment_rule, AssignmentRule::First);
+  EXPECT_FALSE (preset.paper_only.local_optimization);
 }
 
 TEST (FspfPreset, DefaultHasTheRadiiOfTableOne)
@@ -89,7 +89,8 @@ TEST (FspfPreset, DefaultHasTheRadiiOfTableOne)
   EXPECT_EQ (preset.local.outer_radius, 0.2);
   EXPECT_EQ (preset.local.local_samples, 80u);
   EXPECT_EQ (preset.local.min_inlier_fraction, 0.8);
-  EXPECT_EQ (preset.local.inliers, LocalInliers::Sphere);
+  EXPECT_EQ (preset.local.inliers,
+             FastSamplingPlaneFilteringParameters::Local::Inliers::Sphere);
   EXPECT_EQ (preset.local.max_inliers_per_point, 2.0);
   EXPECT_EQ (preset.local.max_hypotheses_per_point, 1.0);
   EXPECT_EQ (preset.local.max_visits_per_point, 100.0);
@@ -105,7 +106,8 @@ TEST (FspfPreset, PaperHasTheRadiiOfTableFour)
   EXPECT_EQ (preset.local.outer_radius, 0.14);
   EXPECT_EQ (preset.local.local_samples, 80u);
   EXPECT_EQ (preset.local.min_inlier_fraction, 0.8);
-  EXPECT_EQ (preset.local.inliers, LocalInliers::Sphere);
+  EXPECT_EQ (preset.local.inliers,
+             FastSamplingPlaneFilteringParameters::Local::Inliers::Sphere);
   EXPECT_EQ (preset.local.max_inliers_per_point, 2.0);
   EXPECT_EQ (preset.local.max_hypotheses_per_point, 1.0);
   EXPECT_EQ (preset.local.max_visits_per_point, 100.0);
@@ -123,7 +125,7 @@ TEST (KhtPreset, DefaultIsTheRecommendedOne)
   EXPECT_EQ (preset.clusters.first_level, 3);
   EXPECT_EQ (preset.clusters.s_alpha, 15.0);
   EXPECT_EQ (preset.clusters.s_beta, 6.0);
-  EXPECT_EQ (preset.clusters.deepest_level, 20);
+  EXPECT_EQ (preset.clusters.max_level, 20);
   EXPECT_TRUE (preset.refit.enabled);
   EXPECT_EQ (preset.refit.min_share, 0.001);
 }
@@ -140,7 +142,7 @@ TEST (KhtPreset, PaperIsTheMethodAsPublished)
   EXPECT_EQ (preset.clusters.first_level, 5);
   EXPECT_EQ (preset.clusters.s_alpha, 25.0);
   EXPECT_EQ (preset.clusters.s_beta, 6.0);
-  EXPECT_EQ (preset.clusters.deepest_level, 20);
+  EXPECT_EQ (preset.clusters.max_level, 20);
   EXPECT_FALSE (preset.refit.enabled);
   EXPECT_EQ (preset.refit.min_share, 0.001);
 }
@@ -149,6 +151,6 @@ TEST (UpAxisPreset, DefaultAsksForSeventyPerCent)
 {
   const UpAxisParameters preset;
   EXPECT_DOUBLE_EQ (preset.angle_tolerance, 7_deg);
-  EXPECT_EQ (preset.least_share, 0.02);
-  EXPECT_EQ (preset.least_confidence, 0.7);
+  EXPECT_EQ (preset.min_share, 0.02);
+  EXPECT_EQ (preset.min_confidence, 0.7);
 }

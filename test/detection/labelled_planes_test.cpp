@@ -3,8 +3,6 @@
 #include "detection/labelled_planes.h"
 #include "grid_scene.h"
 
-using pcl_ops::Detection;
-using pcl_ops::DetectorInput;
 using pcl_ops::Labels;
 using pcl_ops::MergingParameters;
 using pcl_ops::no_plane;

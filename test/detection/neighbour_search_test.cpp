@@ -68,7 +68,7 @@ TEST (SearchOver, IsTheUsersOverTheFinitePointsWhereThereIsOne)
   pcl::Indices searched;
   line.input.search_over = [&] (const pcl::Indices& finite) {
     searched = finite;
-    NeighbourSearch search;
+    NeighborSearch search;
     search.threads = 77;
     return search;
   };

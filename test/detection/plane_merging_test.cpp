@@ -7,13 +7,13 @@
 
 using namespace pcl_ops::internal;
 
-using pcl_ops::areCoplanar;
 using pcl_ops::Labels;
 using pcl_ops::mergePlanes;
 using pcl_ops::MergingParameters;
 using pcl_ops::Moments;
 using pcl_ops::no_plane;
 using pcl_ops::PlaneFit;
+using pcl_ops::detail::areCoplanar;
 
 namespace {
 

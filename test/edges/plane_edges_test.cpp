@@ -165,7 +165,7 @@ TEST (PlaneEdges, AreTwoWhereADoorOpens)
   expectRuns (found.edges[is_upwards ? 1 : 0], {2, 1, 0}, {4, 1, 0}, 10_cm);
 
   PlaneEdgeParameters closed;
-  closed.bridged_gap = 1.2_m;
+  closed.max_gap = 1.2_m;
   EXPECT_EQ (findPlaneEdges (*built.cloud, planesOf (built), closed).edges.size(), 1u);
 }
 
@@ -270,7 +270,7 @@ TEST (PlaneEdges, BeginInTheCornerThatIsNearBothEnds)
   Scene scene = corner();
   const LabelledScene built = scene.build();
   PlaneEdgeParameters far_reaching;
-  far_reaching.bridged_gap = 100.0;
+  far_reaching.max_gap = 100.0;
   const PlaneEdges found =
       findPlaneEdges (*built.cloud, planesOf (built), far_reaching);
   ASSERT_EQ (found.corners.size(), 1u);
@@ -303,21 +303,21 @@ TEST (PlaneEdges, SayWhatIsWrong)
   Scene scene = corner();
   const LabelledScene built = scene.build();
   PlaneEdgeParameters parameters;
-  EXPECT_EQ (problemOf (parameters), "");
+  EXPECT_EQ (validate (parameters), "");
   for (auto length : {&PlaneEdgeParameters::reach,
-                      &PlaneEdgeParameters::bridged_gap,
+                      &PlaneEdgeParameters::max_gap,
                       &PlaneEdgeParameters::min_length})
     for (const double wrong : {-1.0, not_a_number, 1.0 / 0.0}) {
       parameters = {};
       parameters.*length = wrong;
-      EXPECT_NE (problemOf (parameters), "") << wrong;
+      EXPECT_NE (validate (parameters), "") << wrong;
       EXPECT_THROW (findPlaneEdges (*built.cloud, planesOf (built), parameters),
                     std::invalid_argument);
     }
   for (const double wrong : {0.0, -1.0, 2.0, not_a_number}) {
     parameters = {};
     parameters.min_angle = wrong;
-    EXPECT_NE (problemOf (parameters), "") << wrong;
+    EXPECT_NE (validate (parameters), "") << wrong;
   }
   EXPECT_THROW (findPlaneEdges (pcl::PointCloud<pcl::PointXYZ>(), planesOf (built)),
                 std::invalid_argument)

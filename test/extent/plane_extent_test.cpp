@@ -228,7 +228,7 @@ flatExtent (const std::vector<Eigen::Vector3d>& positions)
     points.push_back (ground.toPlane (position));
   const PlanarPoints hull = pcl_ops::convexHull (points);
   EXPECT_TRUE (hull.empty());
-  const PlaneExtent extent = pcl_ops::extentOf (hull, points, ground);
+  const PlaneExtent extent = pcl_ops::extentOf ({hull}, points, ground);
   EXPECT_TRUE (extent.hull.empty());
   EXPECT_EQ (extent.area, 0.0);
   EXPECT_EQ (extent.width, 0.0);
@@ -274,8 +274,9 @@ TEST (PlaneExtent, OfALineAndOnePointBesideItIsATriangle)
   PlanarPoints points (1, Eigen::Vector2d (0.5, 1.0));
   for (int i = 0; i <= 1000; ++i)
     points.emplace_back (0.001 * i, 0.0);
-  EXPECT_NEAR (
-      pcl_ops::extentOf (pcl_ops::convexHull (points), points, ground).area, 0.5, 1e-9);
+  EXPECT_NEAR (pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground).area,
+               0.5,
+               1e-9);
 }
 
 TEST (PlaneExtent, LeavesOutPointsThatAreNotFinite)
@@ -284,6 +285,7 @@ TEST (PlaneExtent, LeavesOutPointsThatAreNotFinite)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   points.emplace_back (nan, 0.5);
   points.emplace_back (0.5, std::numeric_limits<double>::infinity());
-  EXPECT_NEAR (
-      pcl_ops::extentOf (pcl_ops::convexHull (points), points, ground).area, 1.0, 1e-9);
+  EXPECT_NEAR (pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground).area,
+               1.0,
+               1e-9);
 }

@@ -60,7 +60,9 @@ TEST (Fspf, FindsEverySurfaceFromTheTestedPointsAlone)
 {
   const auto scene = denseRoom().build();
   Fspf fspf = fspfOn (scene.cloud);
-  fspf.setLocalInliers (LocalInliers::Samples);
+  Parameters parameters = fspf.getParameters();
+  parameters.local.inliers = Parameters::Local::Inliers::Samples;
+  fspf.setParameters (parameters);
   expectFindsEverySurface (planesOf (fspf), scene);
 }
 
@@ -177,16 +179,10 @@ TEST (Setters, AreReadByTheirGetters)
   fspf.setOuterRadius (0.33);
   fspf.setLocalSamples (55);
   fspf.setMinInlierFraction (0.66);
-  fspf.setLocalInliers (LocalInliers::Samples);
-  fspf.setMaxInliersPerPoint (4.4);
-  fspf.setMaxHypothesesPerPoint (0.5);
   EXPECT_EQ (fspf.getInnerRadius(), 0.11);
   EXPECT_EQ (fspf.getOuterRadius(), 0.33);
   EXPECT_EQ (fspf.getLocalSamples(), 55u);
   EXPECT_EQ (fspf.getMinInlierFraction(), 0.66);
-  EXPECT_EQ (fspf.getLocalInliers(), LocalInliers::Samples);
-  EXPECT_EQ (fspf.getMaxInliersPerPoint(), 4.4);
-  EXPECT_EQ (fspf.getMaxHypothesesPerPoint(), 0.5);
 }
 
 TEST (Setters, WriteIntoTheParameters)

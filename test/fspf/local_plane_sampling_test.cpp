@@ -252,7 +252,7 @@ TEST (SampleLocalPlanes, CountsAllInliersOfTheSphere)
 TEST (SampleLocalPlanes, CountsTheTestedInliersAlone)
 {
   LocalSamplingParameters parameters;
-  parameters.inliers = LocalInliers::Samples;
+  parameters.inliers = LocalSamplingParameters::Inliers::Samples;
   for (const Moments& inliers : samplePatch (900, parameters).moments)
     EXPECT_EQ (inliers.count, 80.0);
 }

@@ -55,7 +55,7 @@ TEST (Spheres, AreThoseOfTheUsersSearchWhereThereIsOne)
 {
   Line line;
   line.input.search_over = [] (const pcl::Indices&) {
-    NeighbourSearch search;
+    NeighborSearch search;
     search.within = [] (pcl::index_t point, double radius, auto& found, auto&) {
       EXPECT_EQ (point, 7);
       EXPECT_EQ (radius, 1.5);

@@ -44,15 +44,15 @@ vary (ByteReader& bytes, PlaneDetectorParameters& parameters)
 }
 
 void
-vary (ByteReader& bytes, SurfelParameters& surfels)
+vary (ByteReader& bytes, OrientedPointSamplingParameters::Surfels& surfels)
 {
   vary (bytes, surfels.voxel_size, {1e-40, 1e-6, 0.01, 1.0, 1e9, 1e38, 0.0, nan});
   vary (bytes, surfels.resolutions, {1, 2, 10, 0, 11});
-  vary (bytes, surfels.least_average_voxels, {0.0, 1.0, 1000.0, 1e300, -1.0, nan});
+  vary (bytes, surfels.min_average_voxels, {0.0, 1.0, 1000.0, 1e300, -1.0, nan});
   vary (bytes, surfels.noise_factor, {0.0, 0.1, 100.0, 1e300, nan});
   vary (bytes, surfels.angle_threshold, {0.0, 0.01, 1.5, 2.0, nan});
   vary (bytes, surfels.sure_thickness, {0.0, 0.01, 1.0, 2.0, nan});
-  vary (bytes, surfels.largest_thickness, {0.0, 0.01, 1.0, 2.0, nan});
+  vary (bytes, surfels.max_thickness, {0.0, 0.01, 1.0, 2.0, nan});
   vary (bytes, surfels.absorption_noise_factor, {0.0, 100.0, 1e300, nan});
   vary (bytes, surfels.assignment_noise_factor, {0.0, 0.1, 100.0, 1e300, nan});
 }
@@ -63,18 +63,21 @@ vary (ByteReader& bytes, OrientedPointSamplingParameters& parameters)
   vary (bytes, static_cast<PlaneDetectorParameters&> (parameters));
   vary (bytes, parameters.sampling_rate, {1e-9, 0.001, 0.3, 1.0, 0.0, 2.0, nan});
   vary (bytes, parameters.k, {2, 3, 100, 2147483647, 1, -1});
-  vary (bytes, parameters.normal_sigma, {1e-30, 0.01, 1e30, 0.0, nan});
+  vary (bytes, parameters.paper_only.normal_sigma, {1e-30, 0.01, 1e30, 0.0, nan});
   vary (bytes, parameters.min_inliers, {0u, 1u, 3u, 200u, 4294967295u});
-  vary (bytes, parameters.probability, {1e-9, 0.5, 0.999999999, 1.0, nan});
+  vary (bytes, parameters.paper_only.probability, {1e-9, 0.5, 0.999999999, 1.0, nan});
   vary (bytes,
-        parameters.strategy,
-        {Strategy::DetectThenDivide, Strategy::DivideThenDetect});
-  vary (
-      bytes, parameters.verification, {Verification::Samples, Verification::AllPoints});
+        parameters.paper_only.strategy,
+        {PaperParameters::Strategy::DetectThenDivide,
+         PaperParameters::Strategy::DivideThenDetect});
   vary (bytes,
-        parameters.assignment_rule,
+        parameters.paper_only.verification,
+        {PaperParameters::Verification::Samples,
+         PaperParameters::Verification::AllPoints});
+  vary (bytes,
+        parameters.paper_only.assignment_rule,
         {AssignmentRule::First, AssignmentRule::Nearest});
-  vary (bytes, parameters.local_optimisation, {false, true});
+  vary (bytes, parameters.paper_only.local_optimization, {false, true});
   vary (bytes, parameters.surfels);
 }
 
@@ -82,12 +85,15 @@ void
 vary (ByteReader& bytes, FastSamplingPlaneFilteringParameters& parameters)
 {
   vary (bytes, static_cast<PlaneDetectorParameters&> (parameters));
-  LocalSamplingParameters& local = parameters.local;
+  FastSamplingPlaneFilteringParameters::Local& local = parameters.local;
   vary (bytes, local.inner_radius, {1e-30, 0.01, 1.0, 1e30, 1e-310, nan});
   vary (bytes, local.outer_radius, {0.01, 0.5, 1.0, 1e30, 0.0, nan});
   vary (bytes, local.local_samples, {3u, 10u, 1000u, 4294967295u, 2u});
   vary (bytes, local.min_inlier_fraction, {0.0, 0.3, 0.999, 1.0, nan});
-  vary (bytes, local.inliers, {LocalInliers::Sphere, LocalInliers::Samples});
+  vary (bytes,
+        local.inliers,
+        {FastSamplingPlaneFilteringParameters::Local::Inliers::Sphere,
+         FastSamplingPlaneFilteringParameters::Local::Inliers::Samples});
   vary (bytes, local.max_inliers_per_point, {0.1, 5.0, 1e30, 0.0, nan});
   vary (bytes, local.max_hypotheses_per_point, {0.01, 3.0, 0.0, nan});
   vary (bytes, local.max_visits_per_point, {1.0, 500.0, 0.0, nan});
@@ -99,12 +105,12 @@ vary (ByteReader& bytes, KernelHoughTransformParameters& parameters)
   vary (bytes, static_cast<PlaneDetectorParameters&> (parameters));
   vary (bytes, parameters.phi_num, {2, 3, 7, 180, 1, 1001});
   vary (bytes, parameters.rho_num, {2, 3, 50, 2000, 1, 10001});
-  OctreeClusterParameters& clusters = parameters.clusters;
+  KernelHoughTransformParameters::Clusters& clusters = parameters.clusters;
   vary (bytes,
         clusters.min_samples,
         {std::size_t (3), std::size_t (10), std::size_t (0)});
   vary (bytes, clusters.first_level, {0, 1, 6, 20, -1});
-  vary (bytes, clusters.deepest_level, {0, 5, 30, 1000, 2147483647});
+  vary (bytes, clusters.max_level, {0, 5, 30, 1000, 2147483647});
   vary (bytes, clusters.s_alpha, {1e-3, 1.0, 1e9, 0.0, nan});
   vary (bytes, clusters.s_beta, {1e-3, 1.0, 1e9, 0.0, nan});
   vary (bytes, parameters.refit.enabled, {false, true});
@@ -173,7 +179,7 @@ detect (const Bytes& bytes, typename Detector::Parameters parameters)
   Planes planes, again;
   const bool worked = detector.segment (planes);
   promise (worked || planes.empty(), "misuse gives no planes");
-  promise (!worked || problemOf (parameters).empty(), "wrong parameters are misuse");
+  promise (!worked || validate (parameters).empty(), "wrong parameters are misuse");
   promiseOrderedPlanes (planes, *fuzzed.cloud);
   if (fuzzed.indices)
     promiseGivenPoints (planes, *fuzzed.indices);

@@ -29,7 +29,7 @@ cellCenterOf (const OctreeClusters& found, const CoplanarCluster& cluster)
 OctreeClusters
 clustersOf (const Coordinates& points, int first_level)
 {
-  pcl_ops::OctreeClusterParameters parameters;
+  OctreeClusterParameters parameters;
   parameters.first_level = first_level;
   return findCoplanarClusters (points, parameters);
 }
@@ -135,8 +135,8 @@ TEST (OctreeClusters, EndAtManyEqualPointsOnTheDeepestLevelThereMayBe)
   addGrid (points, ground, 10);
   for (int i = 0; i < 1000; ++i)
     points.add (1.0f, 1.0f, 1.0f);
-  pcl_ops::OctreeClusterParameters parameters;
-  parameters.deepest_level = 60;
+  OctreeClusterParameters parameters;
+  parameters.max_level = 60;
   for (const CoplanarCluster& cluster :
        findCoplanarClusters (points, parameters).clusters)
     EXPECT_LE (cluster.level, 60);

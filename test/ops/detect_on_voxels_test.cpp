@@ -111,7 +111,7 @@ TEST (DetectOnVoxels, TakesSurfelsUpToAThicknessOfEachSizeOfVoxels)
   parameters.surfels.resolutions = 1;
   for (const auto& [sure, largest] : {std::pair (0.0, 0.0), {1.0, 0.0}, {0.0, 1.0}}) {
     parameters.surfels.sure_thickness = sure;
-    parameters.surfels.largest_thickness = largest;
+    parameters.surfels.max_thickness = largest;
     EXPECT_EQ (detect (points, parameters).planes.fits.empty(), sure + largest == 0.0);
   }
 }
@@ -127,7 +127,7 @@ TEST (DetectOnVoxels, AsksForPointsEnoughForANormal)
     EXPECT_EQ (detect (points, parameters).planes.fits.size(), k == 30 ? 1u : 0u);
   }
   parameters.k = 30;
-  parameters.surfels.least_average_voxels = 9.1;
+  parameters.surfels.min_average_voxels = 9.1;
   EXPECT_EQ (detect (points, parameters).planes.fits.size(), 0u)
       << "nine voxels are never 9.1";
 }

@@ -13,8 +13,9 @@ using namespace pcl_ops::internal;
 
 using pcl_ops::MergingParameters;
 using pcl_ops::OrientedPointSamplingParameters;
-using pcl_ops::Strategy;
-using pcl_ops::Verification;
+using pcl_ops::PaperParameters;
+using Strategy = PaperParameters::Strategy;
+using Verification = PaperParameters::Verification;
 
 namespace {
 
@@ -35,6 +36,22 @@ extractedFrom (const OrientedSamples& samples,
   return extractPlanes (points, samples, parameters);
 }
 
+/** \brief The paper's algorithm in one of its variants. */
+Ops
+variantOn (const Cloud::ConstPtr& cloud,
+           Strategy strategy,
+           Verification verification = Verification::Samples,
+           bool local_optimization = false)
+{
+  Ops ops = paperOn (cloud);
+  OrientedPointSamplingParameters parameters = ops.getParameters();
+  parameters.paper_only.strategy = strategy;
+  parameters.paper_only.verification = verification;
+  parameters.paper_only.local_optimization = local_optimization;
+  ops.setParameters (parameters);
+  return ops;
+}
+
 class EachVariant
 : public ::testing::TestWithParam<std::tuple<Strategy, Verification, bool>> {};
 
@@ -43,11 +60,8 @@ class EachVariant
 TEST_P (EachVariant, FindsEverySurfaceOfARoom)
 {
   const auto scene = room().build();
-  Ops ops = paperOn (scene.cloud);
-  const auto [strategy, verification, local_optimisation] = GetParam();
-  ops.setStrategy (strategy);
-  ops.setVerification (verification);
-  ops.setLocalOptimisation (local_optimisation);
+  const auto [strategy, verification, local_optimization] = GetParam();
+  Ops ops = variantOn (scene.cloud, strategy, verification, local_optimization);
   expectFindsEverySurface (planesOf (ops), scene);
 }
 
@@ -67,8 +81,7 @@ TEST (Strategy, NumbersAreThoseOfThePaper)
 
 TEST (Strategy, OneDoesNotCareForTheUpAxis)
 {
-  Ops ops = paperOn (room().build().cloud);
-  ops.setStrategy (Strategy::DetectThenDivide);
+  Ops ops = variantOn (room().build().cloud, Strategy::DetectThenDivide);
   const auto planes = inliersOf (ops);
   ops.setUpAxis (Eigen::Vector3f (1, 2, 3));
   EXPECT_EQ (inliersOf (ops), planes);
@@ -77,8 +90,7 @@ TEST (Strategy, OneDoesNotCareForTheUpAxis)
 TEST (Strategy, TwoFindsThePlanesWhateverTheUpAxis)
 {
   const auto scene = room().build();
-  Ops ops = paperOn (scene.cloud);
-  ops.setStrategy (Strategy::DivideThenDetect);
+  Ops ops = variantOn (scene.cloud, Strategy::DivideThenDetect);
   for (const Eigen::Vector3f& up : {Eigen::Vector3f (0, 0, -2),
                                     Eigen::Vector3f (1, 0, 0),
                                     Eigen::Vector3f (1, 2, 3)}) {
@@ -142,16 +154,15 @@ TEST (Verification, CountsOnAllPointsWhereToldTo)
     return -extractedFrom (samples, parameters, points).at (0).offset;
   };
   EXPECT_NEAR (std::abs (height_of_first()), 0.0, 1e-6);
-  parameters.verification = Verification::AllPoints;
+  parameters.paper_only.verification = Verification::AllPoints;
   EXPECT_NEAR (std::abs (height_of_first()), 1.0, 1e-6);
 }
 
-TEST (LocalOptimisation, HoldsWholeSurfacesWhereNormalsAreNoisy)
+TEST (LocalOptimization, HoldsWholeSurfacesWhereNormalsAreNoisy)
 {
   const auto scene = room().noise (8_mm).build();
-  Ops ops = paperOn (scene.cloud);
-  ops.setLocalOptimisation (true);
-  ops.setStrategy (Strategy::DetectThenDivide);
+  Ops ops =
+      variantOn (scene.cloud, Strategy::DetectThenDivide, Verification::Samples, true);
   expectFindsEverySurface (planesOf (ops), scene);
 }
 
@@ -184,20 +195,12 @@ TEST (Setters, AreReadByTheirGetters)
   Ops ops;
   ops.setSamplingRate (0.2);
   ops.setKSearch (17);
-  ops.setNormalSigma (0.3);
   ops.setMinInliers (33);
   ops.setProbability (0.9);
-  ops.setStrategy (Strategy::DivideThenDetect);
-  ops.setVerification (Verification::AllPoints);
-  ops.setLocalOptimisation (false);
   EXPECT_EQ (ops.getSamplingRate(), 0.2);
   EXPECT_EQ (ops.getKSearch(), 17);
-  EXPECT_EQ (ops.getNormalSigma(), 0.3);
   EXPECT_EQ (ops.getMinInliers(), 33u);
   EXPECT_EQ (ops.getProbability(), 0.9);
-  EXPECT_EQ (ops.getStrategy(), Strategy::DivideThenDetect);
-  EXPECT_EQ (ops.getVerification(), Verification::AllPoints);
-  EXPECT_FALSE (ops.getLocalOptimisation());
 }
 
 TEST (Setters, OfAllDetectorsAreReadByTheirGetters)
@@ -226,5 +229,5 @@ TEST (Setters, WriteIntoTheParameters)
   ops.setParameters (OrientedPointSamplingParameters::paper());
   ops.setKSearch (17);
   EXPECT_EQ (ops.getParameters().k, 17);
-  EXPECT_EQ (ops.getParameters().strategy, Strategy::DivideThenDetect);
+  EXPECT_EQ (ops.getParameters().paper_only.strategy, Strategy::DivideThenDetect);
 }

@@ -35,7 +35,7 @@ orient (const Cloud::ConstPtr& cloud,
 {
   pcl::search::KdTree<pcl::PointXYZ> tree;
   tree.setInputCloud (cloud);
-  pcl_ops::NeighbourSearch search;
+  pcl_ops::detail::NeighborSearch search;
   search.nearest =
       [&] (pcl::index_t point, int number, auto& neighbours, auto& distances) {
         tree.nearestKSearch ((*cloud)[point], number, neighbours, distances);

@@ -267,7 +267,7 @@ TEST (LargestPlane, IsRefittedToItsInliers)
   const auto scene = floorAndWall().noise (1_cm).build();
   const auto samples = samplesOf (scene, 0.01);
   RansacParameters parameters;
-  parameters.local_optimisation = false;
+  parameters.local_optimization = false;
   RandomGenerator generator (seedOfTest());
   const auto found = largest (samples, upTo (samples.size()), parameters, generator);
   ASSERT_TRUE (found);
@@ -290,7 +290,7 @@ TEST (LargestPlane, GrowsItsSupportByLocalOptimisation)
     // The wall is half as large as the floor: no seed may miss that.
     parameters.probability = 1.0 - 1e-9;
     const auto grown = largest (samples, upTo (samples.size()), parameters, generator);
-    parameters.local_optimisation = false;
+    parameters.local_optimization = false;
     const auto plain = largest (samples, upTo (samples.size()), parameters, same_draws);
     ASSERT_TRUE (grown && plain);
     EXPECT_GE (grown->taken.size(), plain->taken.size());

@@ -20,7 +20,7 @@ usual ()
 {
   SurfelExtractionParameters parameters;
   parameters.angle_threshold = 30_deg;
-  parameters.largest_thickness = 0.25;
+  parameters.max_thickness = 0.25;
   return parameters;
 }
 

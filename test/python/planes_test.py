@@ -84,7 +84,7 @@ class UpAxis(unittest.TestCase):
     def test_is_none_where_planes_cannot_tell(self):
         self.assertIsNone(pcl_ops.estimate_up_axis([]))
         planes = pcl_ops.segment(room())[1]
-        self.assertIsNone(pcl_ops.estimate_up_axis(planes, least_confidence=1.0))
+        self.assertIsNone(pcl_ops.estimate_up_axis(planes, min_confidence=1.0))
 
     def test_is_none_where_the_points_were_not_seen_from_the_viewpoint(self):
         sensor = (3.5, 0.3, 1.5)

@@ -5,7 +5,6 @@
 #include "scene.h"
 #include <pcl_ops/surface/concave_hull.h>
 
-using pcl_ops::concaveHull;
 using pcl_ops::concaveOutline;
 using pcl_ops::PlanarPoints;
 
@@ -23,6 +22,14 @@ toRing (const PlanarPoints& outline)
   for (const Eigen::Vector2d& corner : outline)
     ring.emplace_back (corner.x(), corner.y());
   return ring;
+}
+
+/** \brief The outer ring alone. */
+PlanarPoints
+concaveHull (const PlanarPoints& points, double alpha = 0.0)
+{
+  const pcl_ops::PlanarRings rings = concaveOutline (points, alpha);
+  return rings.empty() ? PlanarPoints() : rings.front();
 }
 
 double
@@ -135,10 +142,10 @@ TEST (ConcaveHull, IsTheSameEveryTime)
 TEST (ConcaveHull, KeepsTheRectangleOfTheExtent)
 {
   const PlanarPoints l = gridOfL();
-  const pcl_ops::PlaneExtent extent = pcl_ops::extentOf (concaveHull (l), l, ground);
+  const pcl_ops::PlaneExtent extent = pcl_ops::extentOf ({concaveHull (l)}, l, ground);
   EXPECT_NEAR (extent.area / area_of_l, 1.0, 1_percent);
   const pcl_ops::PlaneExtent convex =
-      pcl_ops::extentOf (pcl_ops::convexHull (l), l, ground);
+      pcl_ops::extentOf ({pcl_ops::convexHull (l)}, l, ground);
   EXPECT_NEAR (extent.length, convex.length, 1_cm);
   EXPECT_NEAR (extent.width, convex.width, 1_cm);
 }
@@ -274,7 +281,7 @@ TEST (ConcaveOutline, TakesItsHolesOffTheArea)
 {
   const PlanarPoints wall = wallWithWindow();
   const pcl_ops::PlaneExtent extent =
-      pcl_ops::extentOfRings (concaveOutline (wall), wall, ground);
+      pcl_ops::extentOf (concaveOutline (wall), wall, ground);
   EXPECT_NEAR (extent.area, 7.5 - 0.8, 1_percent * 7.5);
   ASSERT_EQ (extent.holes.size(), 1u);
   ASSERT_EQ (extent.rings().size(), 2u);
@@ -285,5 +292,5 @@ TEST (ConcaveOutline, TakesItsHolesOffTheArea)
 TEST (ConcaveOutline, OfPointsThatSpanNoAreaIsEmpty)
 {
   EXPECT_TRUE (concaveOutline ({}).empty());
-  EXPECT_TRUE (pcl_ops::extentOfRings ({}, {}, ground).rings().empty());
+  EXPECT_TRUE (pcl_ops::extentOf ({}, {}, ground).rings().empty());
 }

@@ -72,7 +72,7 @@ addTable3 (Configurations& all)
     parameters.k = k;
     std::vector<std::string> groups{"table3"};
     if (prefix == "ops-s1-")
-      parameters.strategy = Strategy::DetectThenDivide;
+      parameters.paper_only.strategy = PaperParameters::Strategy::DetectThenDivide;
     else if (percent == 3.0 && k == 30)
       groups.push_back ("table4");
     all.push_back (configurationOf<Ops> (
@@ -93,7 +93,7 @@ addAblation (Configurations& all)
   constexpr double no_limit = 1e6;
   const std::pair<const char*, void (*) (Parameters&)> ingredients[] = {
       {"resolutions", [] (Parameters& p) { p.surfels.resolutions = 1; }},
-      {"least-cells", [] (Parameters& p) { p.surfels.least_average_voxels = 0.0; }},
+      {"least-cells", [] (Parameters& p) { p.surfels.min_average_voxels = 0.0; }},
       {"normal-test", [] (Parameters& p) { p.surfels.angle_threshold = M_PI_2; }},
       {"noise-bands", [] (Parameters& p) { p.surfels.noise_factor = no_limit; }},
       {"absorption", [] (Parameters& p) { p.surfels.absorption_noise_factor = 0.0; }},

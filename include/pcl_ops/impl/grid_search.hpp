@@ -25,20 +25,20 @@ GridSearch<PointT>::setInputCloud (const PointCloudConstPtr& cloud,
     used.resize (cloud->size());
     std::iota (used.begin(), used.end(), 0);
   }
-  tree_ = cloud ? sortIntoVoxels (CloudView (*cloud), used) : nullptr;
+  tree_ = cloud ? detail::sortIntoVoxels (CloudView (*cloud), used) : nullptr;
   return Base::setInputCloud (cloud, indices);
 }
 
 template <typename PointT>
 int
 GridSearch<PointT>::find (const PointT& point,
-                          NeighbourQuery query,
+                          detail::NeighborQuery query,
                           pcl::Indices& indices,
                           std::vector<float>& squared_distances) const
 {
   query.position = point.getVector3fMap();
   query.sorted = this->sorted_results_;
-  findNeighbours (tree_.get(), query, indices, squared_distances);
+  detail::findNeighbors (tree_.get(), query, indices, squared_distances);
   return static_cast<int> (indices.size());
 }
 
@@ -49,8 +49,8 @@ GridSearch<PointT>::nearestKSearch (const PointT& point,
                                     pcl::Indices& k_indices,
                                     std::vector<float>& k_sqr_distances) const
 {
-  NeighbourQuery query;
-  query.most = static_cast<std::size_t> (std::max (k, 0));
+  detail::NeighborQuery query;
+  query.max_neighbors = static_cast<std::size_t> (std::max (k, 0));
   return find (point, query, k_indices, k_sqr_distances);
 }
 
@@ -62,12 +62,12 @@ GridSearch<PointT>::radiusSearch (const PointT& point,
                                   std::vector<float>& k_sqr_distances,
                                   unsigned int max_nn) const
 {
-  NeighbourQuery query;
+  detail::NeighborQuery query;
   query.squared_radius = static_cast<float> (radius * radius);
   if (max_nn > 0)
-    query.most = max_nn;
+    query.max_neighbors = max_nn;
   if (!(radius >= 0.0))
-    query.most = 0;
+    query.max_neighbors = 0;
   return find (point, query, k_indices, k_sqr_distances);
 }
 

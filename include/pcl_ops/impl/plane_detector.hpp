@@ -5,39 +5,40 @@
 #include <pcl_ops/plane_detector.h>
 #include <pcl_ops/plane_extent.h>
 
-namespace pcl_ops {
+namespace pcl_ops::detail {
 
 /** \brief A search over some points of a cloud, both of which must outlive what is
- * returned. \param[in] finite empty: the whole cloud */
+ * returned.
+ * \param[in] finite empty: the whole cloud */
 template <typename PointT>
-NeighbourSearch
-neighbourSearch (pcl::search::Search<PointT>& search,
-                 const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
-                 const pcl::Indices& finite,
-                 unsigned threads)
+NeighborSearch
+neighborSearch (pcl::search::Search<PointT>& search,
+                const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
+                const pcl::Indices& finite,
+                unsigned threads)
 {
   search.setInputCloud (
       cloud, finite.empty() ? nullptr : pcl::make_shared<const pcl::Indices> (finite));
   const pcl::PointCloud<PointT>& points = *cloud;
-  NeighbourSearch neighbours;
-  neighbours.nearest = [&search, &points] (pcl::index_t point,
-                                           int k,
-                                           pcl::Indices& nearest,
-                                           std::vector<float>& squared_distances) {
+  NeighborSearch neighbors;
+  neighbors.nearest = [&search, &points] (pcl::index_t point,
+                                          int k,
+                                          pcl::Indices& nearest,
+                                          std::vector<float>& squared_distances) {
     search.nearestKSearch (points[point], k, nearest, squared_distances);
   };
-  neighbours.within = [&search, &points] (pcl::index_t point,
-                                          double radius,
-                                          pcl::Indices& within,
-                                          std::vector<float>& squared_distances) {
+  neighbors.within = [&search, &points] (pcl::index_t point,
+                                         double radius,
+                                         pcl::Indices& within,
+                                         std::vector<float>& squared_distances) {
     search.radiusSearch (points[point], radius, within, squared_distances);
   };
   // Only GridSearch and kd-trees are known to be safe to ask from several threads at
   // once.
   const std::string& name = search.getName();
   const bool is_safe = name == "GridSearch" || name == "KdTree";
-  neighbours.threads = is_safe ? threads : 1;
-  return neighbours;
+  neighbors.threads = is_safe ? threads : 1;
+  return neighbors;
 }
 
 template <typename PointT>
@@ -53,7 +54,7 @@ detectorInput (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
                       nullptr};
   if (search)
     input.search_over = [cloud, search, threads] (const pcl::Indices& finite) {
-      return neighbourSearch<PointT> (*search, cloud, finite, threads);
+      return neighborSearch<PointT> (*search, cloud, finite, threads);
     };
   return input;
 }
@@ -85,17 +86,17 @@ toRegions (const pcl::PointCloud<PointT>& cloud,
   }
 }
 
-} // namespace pcl_ops
+} // namespace pcl_ops::detail
 
 // What depends on the point type alone. The detectors' classes, 54 with 18 point types
 // and some 40 one-line calls each, compile where they are used.
 #define PCL_INSTANTIATE_PlaneDetector(T)                                               \
-  template PCL_OPS_EXPORT pcl_ops::DetectorInput pcl_ops::detectorInput<T> (           \
-      const pcl::PointCloud<T>::ConstPtr&,                                             \
-      const pcl::Indices&,                                                             \
-      const pcl::search::Search<T>::Ptr&,                                              \
-      unsigned);                                                                       \
-  template PCL_OPS_EXPORT void pcl_ops::toRegions (                                    \
+  template PCL_OPS_EXPORT pcl_ops::detail::DetectorInput                               \
+  pcl_ops::detail::detectorInput<T> (const pcl::PointCloud<T>::ConstPtr&,              \
+                                     const pcl::Indices&,                              \
+                                     const pcl::search::Search<T>::Ptr&,               \
+                                     unsigned);                                        \
+  template PCL_OPS_EXPORT void pcl_ops::detail::toRegions (                            \
       const pcl::PointCloud<T>&,                                                       \
       const std::vector<pcl_ops::PlaneSegment>&,                                       \
-      pcl_ops::PlanarRegions<T>&);
+      pcl_ops::detail::PlanarRegions<T>&);

@@ -18,15 +18,10 @@ namespace pcl_ops {
  * \param[in] points in any order; those with a NaN or infinite coordinate are left out
  * \param[in] alpha the radius to begin with [m]; 0: six times the mean distance between
  * neighboring points
- * \return the holes by falling area; empty where the points span no area */
+ * \return the outer ring, then the holes by falling area; empty where the points span
+ * no area */
 PCL_OPS_EXPORT PlanarRings
 concaveOutline (const PlanarPoints& points, double alpha = 0.0);
-
-/** \brief The outer ring of \ref concaveOutline alone, its holes filled.
- * \return counter-clockwise, the first corner not repeated; empty where the points span
- * no area */
-PCL_OPS_EXPORT PlanarPoints
-concaveHull (const PlanarPoints& points, double alpha = 0.0);
 
 /** \brief As \ref planeExtent, with the concave outline as its hull, and its holes.
  * \param[in] cloud the input cloud the plane was found in
@@ -40,7 +35,7 @@ concavePlaneExtent (const pcl::PointCloud<PointT>& cloud,
 {
   const PlaneFrame frame (plane.centroid, plane.normal);
   const PlanarPoints points = pointsOnPlane (cloud, plane, frame);
-  return extentOfRings (concaveOutline (points, alpha), points, frame);
+  return extentOf (concaveOutline (points, alpha), points, frame);
 }
 
 } // namespace pcl_ops

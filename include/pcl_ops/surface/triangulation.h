@@ -13,22 +13,16 @@ namespace pcl_ops {
 /** \brief Three corners of an outline, by their places in it. */
 using Triangle = std::array<std::size_t, 3>;
 
-/** \brief Cuts an outline, convex or not, into triangles between its corners. Most
- * programs show meshes of triangles only.
- * \param[in] outline counter-clockwise, not crossing itself
- * \return counter-clockwise, too; none for an outline without area */
-PCL_OPS_EXPORT std::vector<Triangle>
-triangulate (const PlanarPoints& outline);
-
-/** \brief As \ref triangulate, of an outline with holes, by ears off a ring with
+/** \brief Cuts an outline, convex or not, with holes or without, into triangles between
+ * its corners, as most programs show meshes of triangles only, by ears off a ring with
  * bridges: those to the nearest corners in sight make one ring of all, whose ears
  * are cut off (Meisters, *Polygons have ears*, American Mathematical Monthly 82, 1975;
  * Eberly, *Triangulation by ear clipping*, Geometric Tools, 2002).
  * \param[in] rings the outline counter-clockwise, then holes clockwise, none of which
  * crosses or touches another
- * \return triangles of the corners of all rings, numbered ring after ring; none where
- * they would not cover the area of the rings */
+ * \return counter-clockwise triangles of the corners of all rings, numbered ring after
+ * ring; none where they would not cover the area of the rings */
 PCL_OPS_EXPORT std::vector<Triangle>
-triangulateRings (const PlanarRings& rings);
+triangulate (const PlanarRings& rings);
 
 } // namespace pcl_ops

@@ -199,7 +199,7 @@ def find_plane_edges(
 
     planes: list of Plane of one array.
     reach: how near to the line that two planes have in common both must have points;
-        bridged_gap: how long a gap along it may be; min_length: shorter edges are left
+        max_gap: how long a gap along it may be; min_length: shorter edges are left
         out. None: follows the noise and the distance of neighbouring points.
     min_angle: planes at a smaller angle have no edge [rad].
 
@@ -229,7 +229,7 @@ def estimate_up_axis(
         viewpoint.
     viewpoint: where the sensor was, in the frame of the planes.
     angle_tolerance [rad]: of a plane to the direction it speaks for.
-    least_share, least_confidence: of the planes that must be horizontal and that must be
+    min_share, min_confidence: of the planes that must be horizontal and that must be
         vertical; below which there is no answer.
 
     Returns (direction, confidence): a unit vector against gravity, and how sure it is, 0

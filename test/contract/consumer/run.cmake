@@ -22,6 +22,13 @@ run(${CMAKE_COMMAND} -S ${source} -B ${WORK}/build -DWITH_SURFACE=${with_surface
 run(${CMAKE_COMMAND} --build ${WORK}/build --config Release)
 find_program(consumer consumer PATHS ${WORK}/build ${WORK}/build/Release NO_DEFAULT_PATH)
 run(${consumer})
+find_program(core_consumer core_consumer
+  PATHS ${WORK}/build ${WORK}/build/Release NO_DEFAULT_PATH)
+run(${core_consumer})
+execute_process(COMMAND ldd ${core_consumer} OUTPUT_VARIABLE loaded)
+if(loaded MATCHES "libpcl")
+  message(FATAL_ERROR "a program with the core alone loads\n${loaded}")
+endif()
 if(with_surface)
   find_program(surface_consumer surface_consumer
     PATHS ${WORK}/build ${WORK}/build/Release NO_DEFAULT_PATH)

@@ -8,7 +8,7 @@ int
 main ()
 {
   const pcl_ops::PlanarPoints square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  const std::size_t corners = pcl_ops::concaveHull (square).size();
+  const std::size_t corners = pcl_ops::concaveOutline (square).front().size();
   std::printf ("%zu corners\n", corners);
   return corners == 4 ? 0 : 1;
 }

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_ops/cloud_view.h>
+#include <pcl_ops/export.h>
+#include <pcl_ops/fast_sampling_plane_filtering.h>
+#include <pcl_ops/kernel_hough_transform.h>
+#include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/plane.h>
+
+#include <vector>
+
+namespace pcl_ops {
+
+/** \brief Finds planes in positions of any origin, by the detector that the parameters
+ * are of: what its class does, without a pcl::PointCloud.
+ * \param[in] cloud finite points or not
+ * \param[in] parameters ones \ref validate finds nothing wrong with
+ * \param[in] viewpoint origin of the sensor in the frame of the cloud [m]; normals
+ * point to its side
+ * \return planes by falling size
+ * \throw std::invalid_argument if the cloud is empty, or there is a problem with the
+ * parameters */
+PCL_OPS_EXPORT std::vector<PlaneSegment>
+detectPlanes (const CloudView& cloud,
+              const OrientedPointSamplingParameters& parameters,
+              const Eigen::Vector3d& viewpoint = Eigen::Vector3d::Zero());
+
+PCL_OPS_EXPORT std::vector<PlaneSegment>
+detectPlanes (const CloudView& cloud,
+              const FastSamplingPlaneFilteringParameters& parameters,
+              const Eigen::Vector3d& viewpoint = Eigen::Vector3d::Zero());
+
+PCL_OPS_EXPORT std::vector<PlaneSegment>
+detectPlanes (const CloudView& cloud,
+              const KernelHoughTransformParameters& parameters,
+              const Eigen::Vector3d& viewpoint = Eigen::Vector3d::Zero());
+
+} // namespace pcl_ops

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/console/print.h>
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/point_types.h>
+
+#include <pcl_ops/impl/plane_detector.hpp>
+
+#include <algorithm>
+#include <exception>
+
+namespace pcl_ops::detail {
+
+void
+toModels (std::vector<PlaneSegment>& planes,
+          const pcl::PCLHeader& header,
+          std::vector<pcl::ModelCoefficients>& coefficients,
+          std::vector<pcl::PointIndices>& inliers)
+{
+  coefficients.assign (planes.size(), pcl::ModelCoefficients());
+  inliers.assign (planes.size(), pcl::PointIndices());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const Plane plane = planes[i].plane();
+    coefficients[i].header = inliers[i].header = header;
+    coefficients[i].values = {static_cast<float> (plane.normal.x()),
+                              static_cast<float> (plane.normal.y()),
+                              static_cast<float> (plane.normal.z()),
+                              static_cast<float> (plane.offset)};
+    inliers[i].indices.swap (planes[i].inliers);
+  }
+}
+
+void
+toLargestModel (std::vector<PlaneSegment>& planes,
+                const pcl::PCLHeader& header,
+                pcl::PointIndices& inliers,
+                pcl::ModelCoefficients& coefficients)
+{
+  planes.resize (std::min<std::size_t> (planes.size(), 1));
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> clusters;
+  toModels (planes, header, models, clusters);
+  inliers = clusters.empty() ? pcl::PointIndices() : clusters.front();
+  coefficients = models.empty() ? pcl::ModelCoefficients() : models.front();
+  inliers.header = coefficients.header = header;
+}
+
+bool
+runAndReport (const std::string& class_name, const std::function<void()>& detect)
+{
+  try {
+    detect();
+    return true;
+  }
+  catch (const std::exception& error) {
+    PCL_ERROR ("[pcl_ops::%s::segment] %s\n", class_name.c_str(), error.what());
+    return false;
+  }
+}
+
+} // namespace pcl_ops::detail
+
+#ifndef PCL_NO_PRECOMPILE
+#ifdef PCL_ONLY_CORE_POINT_TYPES
+#define PCL_OPS_POINT_TYPES                                                            \
+  (pcl::PointXYZ) (pcl::PointXYZI) (pcl::PointXYZRGBA) (pcl::PointXYZRGB)
+#else
+#define PCL_OPS_POINT_TYPES PCL_XYZ_POINT_TYPES
+#endif
+PCL_INSTANTIATE (PlaneDetector, PCL_OPS_POINT_TYPES)
+#endif
