@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "peak_memory.h"
 
-#include "cloud_measures.h"
+#include "measures.h"
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -19,8 +19,6 @@
 namespace pcl_ops::benchmark {
 
 namespace {
-
-using evaluation::XyzCloud;
 
 /** A line of /proc/self/status [byte]; NaN if there is none. */
 double

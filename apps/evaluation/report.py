@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """report.py FOLDER: tables and plots of what a program wrote into the folder.
 
-Of results.csv (pcl_ops_evaluate run) report.md: for each data set the tables of the paper
-with its figures beside ours, numbers of planes, true planes found by size, and times of
+Of results.csv (pcl_ops_evaluate run) report.md: for each data set all metrics, the tables of
+the paper with its figures beside ours, numbers of planes, true planes found by size, and times of
 the stages; and plots of the accuracy over time and over the sampling rate. Of scaling.csv
 (pcl_ops_benchmark --scaling) plots of the time over what grows.
 """
@@ -109,6 +109,22 @@ def table(title, header, rows):
     return "\n".join(lines) + "\n\n"
 
 
+METRICS = {"class. %": "classification_accuracy", "segm. %": "segmentation_accuracy",
+           "all points %": "segmentation_accuracy_all", "F 0.5": "f_score",
+           "F 0.75": "f_score_75", "precision": "precision", "recall": "recall",
+           "mean IoU": "mean_iou", "PQ": "panoptic_quality", "over": "over_segmentation",
+           "under": "under_segmentation", "noise": "noise", "missed": "missed",
+           "off planes %": "points_off_planes_called_planes"}
+
+
+def metrics_table(name, means):
+    rows = [[configuration, str(mean["clouds"])] +
+            [text(100 * mean[column], 2) if "%" in title else text(mean[column], 3)
+             for title, column in METRICS.items()] + [text(mean["detection_ms"] / 1e3, 4)]
+            for configuration, mean in means.items()]
+    return table(name, ["configuration", "clouds", *METRICS, "total s"], rows)
+
+
 def paper_tables(name, means):
     header = ["configuration", "clouds", "accuracy %", "paper", "before merging s", "paper",
               "merging s", "paper", "total s", "paper"]
@@ -204,7 +220,7 @@ def report_results(folder):
     for (data_set, truth), rows in sorted(groups.items()):
         name = f"{data_set}, truth {truth}"
         means = means_of(rows)
-        report += paper_tables(name, means) + other_tables(name, means)
+        report += metrics_table(name, means) + paper_tables(name, means) + other_tables(name, means)
         if plt:
             plots = folder / f"{data_set}-{truth}"
             plots.mkdir(exist_ok=True)

@@ -131,8 +131,8 @@ TEST_P (WorstCases, KeepTheBounds)
   const Cloud::Ptr room = scanOf (pcl_ops::simulation::makeRoom (1).scene, 1.0);
   const double room_bytes = peakMemoryOn (room, detector).extra_bytes;
   for (const auto& [name, cloud] : worstClouds()) {
-    const BestTimes times = measureInTurns ({measureOn (room), measureOn (cloud)},
-                                            [] (const std::string&) {});
+    const std::vector<BestTime> times = measureInTurns (
+        {measureOn (room), measureOn (cloud)}, [] (const std::string&) {});
     EXPECT_LT (times[1].durations.detection,
                disturbance * time_bound * times[0].durations.detection)
         << name;

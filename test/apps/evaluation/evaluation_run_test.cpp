@@ -4,8 +4,7 @@
 
 #include <cli/errors.h>
 #include <evaluation/detectors/detectors.h>
-#include <evaluation/experiments/evaluation_run.h>
-#include <evaluation/report/metrics_table.h>
+#include <evaluation/report/evaluation_run.h>
 #include <support/file_size_limit.h>
 #include <support/temporary_folder.h>
 
@@ -90,25 +89,6 @@ TEST_F (EvaluationRunTest, WritesARowForEachCloudAndConfiguration)
   EXPECT_EQ (rows()[2].cloud, "b, \"c\"");
 }
 
-TEST_F (EvaluationRunTest, SaysHowMuchOffPlanesIsCalledAPlane)
-{
-  plan.data_sets[0].clouds = {rowOfPoints ("a")};
-  plan.truth.min_points = 11; // its ten points are too few for a plane
-  run();
-  EXPECT_EQ (rows()[0].value ("points_off_planes_called_planes"), 1.0);
-  EXPECT_EQ (rows()[1].value ("points_off_planes_called_planes"), 0.5);
-}
-
-TEST_F (EvaluationRunTest, CountsTruePlanesBySizeAndWidth)
-{
-  run();
-  for (const char* planes :
-       {"planes_by_points_below_200", "planes_by_width_below_0.03"})
-    EXPECT_EQ (rows()[0].value (planes), 1.0) << planes;
-  EXPECT_EQ (rows()[0].value ("found_75_by_width_below_0.03"), 1.0);
-  EXPECT_EQ (rows()[1].value ("found_75_by_width_below_0.03"), 0.0);
-}
-
 TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)
 {
   run();
@@ -182,22 +162,6 @@ TEST_F (EvaluationRunTest, AFullDiskLeavesTheRowsThatHadRoom)
   }
   EXPECT_EQ (contentOf (file), before);
   EXPECT_EQ (run().new_rows, 2u);
-}
-
-TEST_F (EvaluationRunTest, TablesHaveTheMeansOverClouds)
-{
-  plan.configurations = {labeling ("unknown", 10, calls),
-                         labeling ("ops-3-30", 5, calls)};
-  run();
-  const std::vector<TextTable> tables = metricsTables (rows());
-  ASSERT_EQ (tables.size(), 1u);
-  EXPECT_EQ (tables[0].title, "rows, truth exact");
-  ASSERT_EQ (tables[0].rows.size(), 2u);
-  const std::vector<std::string>& row = tables[0].rows[0];
-  EXPECT_EQ (row[0], "ops-3-30") << "known ones first";
-  EXPECT_EQ (row[1], "2");
-  EXPECT_EQ (row[3], "50.00") << tables[0].header[3];
-  EXPECT_EQ (row[15], "1.5000") << tables[0].header[15];
 }
 
 TEST (Detectors, NamesAndGroupsSelectEachConfigurationOnce)
