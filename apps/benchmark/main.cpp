@@ -38,7 +38,14 @@ struct Options {
 std::string
 dataSetText (const std::string& input)
 {
-  for (const char* kind : {"simulated:", "rooms:", "rooms-raw:"})
+  for (const char* kind : {"simulated:",
+                           "rooms:",
+                           "rooms-raw:",
+                           "streets:",
+                           "streets-32:",
+                           "streets-16:",
+                           "sunrgbd:",
+                           "sunrgbd-raw:"})
     if (input.rfind (kind, 0) == 0)
       return input;
   return "clouds:" + input;
@@ -64,8 +71,8 @@ readOptions (int argc, const char* const* argv, Options& options)
       "INPUT",
       input,
       "a .pcd, .ply, .las or text file, a folder of them, simulated:N,N,... (scans of "
-      "a whole room with N points) or rooms:FIRST-LAST (depth images by "
-      "seed)");
+      "a whole room with N points), rooms:FIRST-LAST, streets:FIRST-LAST (images and "
+      "scans by seed) or sunrgbd:FOLDER");
   line.addText ("json", "FILE", options.json_file, "write every number as JSON");
   line.addNumber ("runs",
                   "N",

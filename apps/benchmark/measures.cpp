@@ -56,10 +56,12 @@ addDetectors (const std::string& names,
 {
   for (const evaluation::Configuration& detector :
        evaluation::selectConfigurations (names))
-    measures.push_back (
-        {detector.name, runs, [detector, cloud, seed] {
-           return detector.run (cloud, Eigen::Vector3d::UnitZ(), seed).durations;
-         }});
+    if (!detector.needs_grid)
+      measures.push_back ({detector.name, runs, [detector, cloud, seed] {
+                             evaluation::RunSettings settings;
+                             settings.seed = seed;
+                             return detector.run (cloud, settings).durations;
+                           }});
 }
 
 } // namespace

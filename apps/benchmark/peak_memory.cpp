@@ -88,9 +88,7 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud,
   const std::size_t stride = std::max<std::size_t> (1, cloud->size() / small);
   for (std::size_t i = 0; i < cloud->size(); i += stride)
     few->push_back ((*cloud)[i]);
-  const auto detect = [&] (const XyzCloud::ConstPtr& any) {
-    detector.run (any, Eigen::Vector3d::UnitZ(), MeasureParameters().seed);
-  };
+  const auto detect = [&] (const XyzCloud::ConstPtr& any) { detector.run (any, {}); };
   return {cloud->size(),
           static_cast<double> (cloud->size() * sizeof (pcl::PointXYZ)),
           inChildProcess ([&] {

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 /** More clouds at a time than any machine this runs on has cores. */
 constexpr double max_jobs = 256;
-constexpr double max_neighbors = 10'000;
+constexpr double max_neighbors = 10'000, max_seconds = 1e6;
 
 struct RunOptions {
   std::string folder;
@@ -67,8 +67,28 @@ readOptions (int argc, const char* const* argv, RunOptions& options)
                   apps::Range::from (1).upTo (max_jobs),
                   options.plan.jobs,
                   "clouds at a time; only 1 leaves times undisturbed (1)");
+  RunSettings& settings = options.plan.settings;
+  line.addNumber ("threshold",
+                  "M",
+                  apps::Range::above (0),
+                  settings.peer_threshold,
+                  "distance to a plane that detectors of others are given (0.05)");
   line.addNumber (
-      "seed", "S", apps::Range::from (0), options.plan.seed, "of detectors (42)");
+      "peers-noise",
+      "M",
+      apps::Range::above (0),
+      settings.peer_noise,
+      "noise that those of the group peers-measured are tuned to (measured)");
+  line.addNumber ("time-limit",
+                  "S",
+                  apps::Range::from (0).upTo (max_seconds),
+                  options.plan.time_limit,
+                  "for a detector of others on a cloud, 0 for none (600)");
+  line.addNumber ("seed",
+                  "S",
+                  apps::Range::from (0),
+                  options.plan.settings.seed,
+                  "of detectors (42)");
   return line.parse (argc, argv);
 }
 
@@ -132,7 +152,8 @@ runCommand (int argc, const char* const* argv)
     std::cout << meansOf (results.rows());
   std::cout << summary.clouds << " clouds evaluated, " << summary.new_rows
             << " new rows; " << summary.broken_clouds << " clouds left out, "
-            << summary.failed_runs << " runs failed\n";
+            << summary.failed_runs << " runs failed, " << summary.stopped_runs
+            << " stopped\n";
   const bool is_complete = summary.broken_clouds == 0 && summary.failed_runs == 0;
   return is_complete ? apps::ExitCode::done : apps::ExitCode::work_failed;
 }

@@ -212,7 +212,8 @@ TEST (EvaluateProgram, ARunWritesRowsAndLeavesOutBrokenClouds)
   EXPECT_NE (first.text.find ("1 clouds evaluated, 1 new rows"), std::string::npos);
   EXPECT_NE (second.text.find ("1 clouds evaluated, 0 new rows"), std::string::npos);
   for (const ProgramRun& run : {first, second})
-    EXPECT_NE (run.text.find ("|           ops |      1 |  100.00 | 1.000 |"), std::string::npos)
+    EXPECT_NE (run.text.find ("|           ops |      1 |  100.00 | 1.000 |"),
+               std::string::npos)
         << run.text;
 
   folder.write ("clouds/broken.pcd", "VERSION 0.7\nFIELDS x y z\n");

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 
@@ -35,7 +37,7 @@ rowOfPoints (const std::string& name)
 Configuration
 labeling (const std::string& name, std::size_t labeled, std::atomic<int>& calls)
 {
-  return {name, {}, [=, &calls] (const auto& cloud, const auto&, std::uint32_t) {
+  return {name, {}, [=, &calls] (const auto& cloud, const RunSettings&) {
             ++calls;
             DetectorRun run;
             run.labels.assign (cloud->size(), 0);
@@ -123,7 +125,7 @@ TEST_F (EvaluationRunTest, ManyThreadsGiveTheSameRows)
 
 TEST_F (EvaluationRunTest, AFailingDetectorIsSaidAndCounted)
 {
-  const auto fail = [] (const auto&, const auto&, std::uint32_t) -> DetectorRun {
+  const auto fail = [] (const auto&, const auto&) -> DetectorRun {
     throw std::runtime_error ("no memory");
   };
   plan.configurations.insert (plan.configurations.begin(), {"failing", {}, fail});
@@ -131,6 +133,42 @@ TEST_F (EvaluationRunTest, AFailingDetectorIsSaidAndCounted)
   EXPECT_EQ (summary.failed_runs, 2u);
   EXPECT_EQ (summary.new_rows, 4u);
   EXPECT_NE (messages.str().find ("failing failed on a: no memory"), std::string::npos);
+}
+
+TEST_F (EvaluationRunTest, APeerThatTakesTooLongIsStoppedAndNotTriedAgain)
+{
+  const auto hang = [] (const auto&, const auto&) -> DetectorRun {
+    for (volatile bool forever = true; forever;) {
+    }
+    return {};
+  };
+  plan.configurations = {{"hanging", {}, hang, true}};
+  plan.data_sets[0].clouds.resize (1);
+  plan.time_limit = 1;
+  EXPECT_EQ (run().stopped_runs, 1u);
+  EXPECT_NE (messages.str().find ("hanging on a: stopped after 1 s"),
+             std::string::npos);
+  ASSERT_EQ (rows().size(), 1u);
+  EXPECT_EQ (rows()[0].value ("detection_ms"), 1000.0);
+  EXPECT_TRUE (std::isnan (rows()[0].value ("f_score")));
+  EXPECT_EQ (run().stopped_runs, 0u);
+}
+
+TEST_F (EvaluationRunTest, APeerThatCrashesIsAFailedRun)
+{
+  const auto crash = [] (const auto&, const auto&) -> DetectorRun { std::abort(); };
+  const auto fail = [] (const auto&, const auto&) -> DetectorRun {
+    throw std::runtime_error ("no memory");
+  };
+  plan.configurations = {{"crashing", {}, crash, true}, {"failing", {}, fail, true}};
+  EXPECT_EQ (run().failed_runs, 4u);
+  EXPECT_NE (messages.str().find ("failing failed on a: no memory"), std::string::npos);
+}
+
+TEST_F (EvaluationRunTest, WhatNeedsAnImageRunsOnImagesOnly)
+{
+  plan.configurations[0].needs_grid = true;
+  EXPECT_EQ (run().new_rows, 2u);
 }
 
 TEST_F (EvaluationRunTest, AResultsFileOfAnotherKindOrVersionIsLeftAlone)
@@ -162,30 +200,6 @@ TEST_F (EvaluationRunTest, AFullDiskLeavesTheRowsThatHadRoom)
   }
   EXPECT_EQ (contentOf (file), before);
   EXPECT_EQ (run().new_rows, 2u);
-}
-
-TEST (Detectors, NamesAndGroupsSelectEachConfigurationOnce)
-{
-  EXPECT_EQ (selectConfigurations ("ops").size(), 1u);
-  EXPECT_EQ (selectConfigurations ("table3").size(),
-             18u); // 15 rows, 3 of strategy 1
-  EXPECT_EQ (selectConfigurations ("table3,ops-3-30").size(), 18u);
-  EXPECT_EQ (selectConfigurations ("all,ablation").size(), allConfigurations().size());
-  EXPECT_THROW (selectConfigurations ("ops,opps"), pcl_ops::apps::UsageError);
-}
-
-TEST (Detectors, EveryOneFindsAFloorAndSaysHowLongItTook)
-{
-  XyzCloud::Ptr cloud (new XyzCloud);
-  for (int i = 0; i < 60; ++i)
-    for (int j = 0; j < 60; ++j)
-      cloud->push_back (pcl::PointXYZ (0.02f * i, 0.02f * j, 0.001f * (i * j % 3)));
-  for (const char* name : {"ops", "pcl-sac", "pcl-region-growing"}) {
-    const auto run =
-        selectConfigurations (name)[0].run (cloud, Eigen::Vector3d::UnitZ(), 1);
-    EXPECT_GT (std::count (run.labels.begin(), run.labels.end(), 1u), 3400) << name;
-    EXPECT_GT (run.durations.detection, 0.0);
-  }
 }
 
 } // namespace
