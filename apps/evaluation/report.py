@@ -4,11 +4,13 @@
 """report.py FOLDER: tables and plots of what a program wrote into the folder.
 
 Of results.csv (pcl_ops_evaluate run) report.md: for each data set all metrics, the tables of
-the paper with its figures beside ours, numbers of planes, true planes found by size, and times of
-the stages; and plots of the accuracy over time and over the sampling rate. Of scaling.csv
+the paper with its figures beside ours, numbers of planes, true planes found by size, and
+times of the stages; plots of the accuracy over time and over the sampling rate; and where
+there are rooms or streets figure.png, all detectors on both. Of scaling.csv
 (pcl_ops_benchmark --scaling) plots of the time over what grows.
 """
 import csv
+import math
 import pathlib
 import sys
 from collections import defaultdict
@@ -71,7 +73,8 @@ BEST = {
 }
 TRUE_PLANES = 25.38  # of the paper, per cloud
 STAGES = ("search", "normals", "extraction", "assignment", "merging", "detection")
-FAMILIES = {"OPS": "ops", "FSPF": "fspf", "3D-KHT": "kht", "PCL": "pcl", "CGAL": "cgal"}
+FAMILIES = {"OPS": "ops", "FSPF": "fspf", "3D-KHT": "kht", "PCL": "pcl", "CGAL": "cgal",
+            "Open3D": "open3d", "voxel octree": "voxel"}
 
 
 def rows_of(file):
@@ -96,7 +99,8 @@ def means_of(rows):
 
 
 def text(number, decimals):
-    return "-" if number is None else f"{number:.{decimals}f}"
+    """A number; "-" where there is none, as of a detector that took too long."""
+    return "-" if number is None or math.isnan(number) else f"{number:.{decimals}f}"
 
 
 def table(title, header, rows):
@@ -212,19 +216,49 @@ def plot_accuracy(name, means, folder):
         plt.close("all")
 
 
+def plot_figure(means_of_sets, folder):
+    """F-score over the time per million points, a panel each for rooms and streets."""
+    shown = {name: means for name, means in means_of_sets.items() if name in ("rooms", "streets")}
+    if not shown:
+        return
+    figure, panels = plt.subplots(1, len(shown), sharey=True, squeeze=False,
+                                  figsize=(5.5 * len(shown), 4.5))
+    for axes, (name, means) in zip(panels[0], sorted(shown.items())):
+        clouds = max(mean["clouds"] for mean in means.values())
+        axes.set(title=f"{name} (mean of {clouds})", xscale="log", ylim=(0, 1),
+                 xlabel="time per million points [s]")
+        axes.margins(x=0.25)
+        axes.grid(True, alpha=0.3)
+        for family, prefix in FAMILIES.items():
+            dots = {configuration: (1e3 * mean["detection_ms"] / mean["points"], mean["f_score"])
+                    for configuration, mean in means.items()
+                    if configuration.startswith(prefix) and not math.isnan(mean["f_score"])}
+            if dots:
+                axes.scatter(*zip(*dots.values()), label=family)
+            for configuration, dot in dots.items():
+                axes.annotate(configuration, dot, xytext=(4, 3), textcoords="offset points",
+                              fontsize=6)
+    panels[0][0].set_ylabel("F-score of planes at an overlap of 0.5")
+    panels[0][-1].legend(fontsize=7)
+    figure.savefig(folder / "figure.png", dpi=120, bbox_inches="tight")
+    plt.close(figure)
+
+
 def report_results(folder):
     groups = defaultdict(list)
     for row in rows_of(folder / "results.csv"):
         groups[row["data_set"], row["truth"]].append(row)
-    report = ""
+    report, means_of_sets = "", {}
     for (data_set, truth), rows in sorted(groups.items()):
         name = f"{data_set}, truth {truth}"
-        means = means_of(rows)
+        means = means_of_sets[data_set] = means_of(rows)
         report += metrics_table(name, means) + paper_tables(name, means) + other_tables(name, means)
         if plt:
             plots = folder / f"{data_set}-{truth}"
             plots.mkdir(exist_ok=True)
             plot_accuracy(name, means, plots)
+    if plt:
+        plot_figure(means_of_sets, folder)
     (folder / "report.md").write_text(report, encoding="utf-8")
     print(report, end="")
 
