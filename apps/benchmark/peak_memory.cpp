@@ -3,9 +3,7 @@
 #include "peak_memory.h"
 
 #include "measures.h"
-#include <sys/mman.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <evaluation/detectors/limited_run.h>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -15,6 +13,7 @@
 #include <fstream>
 #include <functional>
 #include <new>
+#include <stdexcept>
 
 namespace pcl_ops::benchmark {
 
@@ -50,30 +49,15 @@ growthOf (const std::function<void()>& work)
 double
 inChildProcess (const std::function<double()>& compute)
 {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  void* const shared = mmap (nullptr,
-                             sizeof (double),
-                             PROT_READ | PROT_WRITE,
-                             MAP_SHARED | MAP_ANONYMOUS,
-                             -1,
-                             0);
-  if (shared == MAP_FAILED)
-    return none;
-  auto* const result = new (shared) double (none);
-  const pid_t child = fork();
-  if (child == 0) {
-    try {
-      *result = compute();
-    }
-    catch (...) { // the number stays NaN
-    }
-    _exit (0);
+  const evaluation::SharedMemory memory (sizeof (double));
+  auto* const result =
+      new (memory.begin()) double (std::numeric_limits<double>::quiet_NaN());
+  try {
+    evaluation::runInChild ([&] { *result = compute(); }, 0);
   }
-  if (child > 0)
-    waitpid (child, nullptr, 0);
-  const double number = *result;
-  munmap (shared, sizeof (double));
-  return number;
+  catch (const std::runtime_error&) { // the number stays NaN
+  }
+  return *result;
 }
 
 } // namespace

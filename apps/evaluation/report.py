@@ -89,12 +89,14 @@ def means_of(rows):
         by_configuration[row["configuration"]].append(row)
     numbers = list(rows[0])[5:]  # behind data set, cloud, truth, configuration, seed
     means = {}
-    for configuration, of_configuration in by_configuration.items():
-        count = len(of_configuration)
+    for configuration, rows_of in by_configuration.items():
+        finished = [row for row in rows_of if row["f_score"] != "nan"]  # and not stopped
+        count = len(finished)
         means[configuration] = {
-            name: sum(float(row[name]) for row in of_configuration) / count
+            name: sum(float(row[name]) for row in finished) / count if count else math.nan
             for name in numbers}
         means[configuration]["clouds"] = count
+        means[configuration]["stopped"] = len(rows_of) - count
     return means
 
 
@@ -122,11 +124,11 @@ METRICS = {"class. %": "classification_accuracy", "segm. %": "segmentation_accur
 
 
 def metrics_table(name, means):
-    rows = [[configuration, str(mean["clouds"])] +
+    rows = [[configuration, str(mean["clouds"]), str(mean["stopped"])] +
             [text(100 * mean[column], 2) if "%" in title else text(mean[column], 3)
              for title, column in METRICS.items()] + [text(mean["detection_ms"] / 1e3, 4)]
             for configuration, mean in means.items()]
-    return table(name, ["configuration", "clouds", *METRICS, "total s"], rows)
+    return table(name, ["configuration", "clouds", "stopped", *METRICS, "total s"], rows)
 
 
 def paper_tables(name, means):

@@ -9,6 +9,7 @@
 #include <io/output_file.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -116,8 +117,11 @@ meansOf (const std::vector<ResultRow>& rows)
       {"F 0.75", "f_score_75"},
       {"ms", "detection_ms"}};
   std::map<std::pair<std::string, std::string>, std::vector<const ResultRow*>> groups;
-  for (const ResultRow& row : rows)
-    groups[{row.data_set + ", truth " + row.truth, row.configuration}].push_back (&row);
+  for (const ResultRow& row : rows) {
+    auto& group = groups[{row.data_set + ", truth " + row.truth, row.configuration}];
+    if (!std::isnan (row.value ("f_score"))) // it was not stopped
+      group.push_back (&row);
+  }
   TextTable table{"Means", {"data set", "configuration", "clouds"}, {}};
   for (const auto& column : columns)
     table.header.emplace_back (column.first);
