@@ -4,9 +4,11 @@
 
 #include <pcl/kdtree/kdtree_flann.h>
 
+#include <evaluation/detectors/limited_run.h>
 #include <pcl_ops/oriented_point_sampling.h>
 
 #include <algorithm>
+#include <iostream>
 #include <memory>
 
 namespace pcl_ops::benchmark {
@@ -47,6 +49,25 @@ twoThreadsMeasure (const XyzCloud::ConstPtr& cloud, const MeasureParameters& par
       "ops, two threads", parameters.runs, ops, cloud);
 }
 
+/** \brief A detector of others may take any time: then it is said and ended. */
+StageDurations
+durationsOf (const evaluation::Configuration& detector,
+             const XyzCloud::ConstPtr& cloud,
+             std::uint32_t seed)
+{
+  constexpr unsigned time_limit = 600; // [s]
+  evaluation::RunSettings settings;
+  settings.seed = seed;
+  if (!detector.is_peer)
+    return detector.run (cloud, settings).durations;
+  if (const auto run = evaluation::runLimited (detector, cloud, settings, time_limit))
+    return run->durations;
+  std::cerr << detector.name << ": stopped after " << time_limit << " s\n";
+  StageDurations durations;
+  durations.detection = 1e3 * time_limit;
+  return durations;
+}
+
 void
 addDetectors (const std::string& names,
               std::size_t runs,
@@ -58,9 +79,7 @@ addDetectors (const std::string& names,
        evaluation::selectConfigurations (names))
     if (!detector.needs_grid)
       measures.push_back ({detector.name, runs, [detector, cloud, seed] {
-                             evaluation::RunSettings settings;
-                             settings.seed = seed;
-                             return detector.run (cloud, settings).durations;
+                             return durationsOf (detector, cloud, seed);
                            }});
 }
 
