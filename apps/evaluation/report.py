@@ -227,21 +227,23 @@ def plot_figure(means_of_sets, folder):
                                   figsize=(5.5 * len(shown), 4.5))
     for axes, (name, means) in zip(panels[0], sorted(shown.items())):
         clouds = max(mean["clouds"] for mean in means.values())
-        axes.set(title=f"{name} (mean of {clouds})", xscale="log", ylim=(0, 1),
-                 xlabel="time per million points [s]")
+        axes.set(title=f"{name} (mean of {clouds})", xscale="log", ylim=(0, 1))
         axes.margins(x=0.25)
         axes.grid(True, alpha=0.3)
-        for family, prefix in FAMILIES.items():
+        for number, (family, prefix) in enumerate(FAMILIES.items()):
             dots = {configuration: (1e3 * mean["detection_ms"] / mean["points"], mean["f_score"])
                     for configuration, mean in means.items()
                     if configuration.startswith(prefix) and not math.isnan(mean["f_score"])}
-            if dots:
-                axes.scatter(*zip(*dots.values()), label=family)
             for configuration, dot in dots.items():
-                axes.annotate(configuration, dot, xytext=(4, 3), textcoords="offset points",
-                              fontsize=6)
+                is_measured = configuration.endswith("-measured")
+                axes.scatter(*dot, color=f"C{number}", label=None if is_measured else family,
+                             facecolors="none" if is_measured else None)
+                axes.annotate(configuration.replace("-measured", ""), dot, xytext=(4, 3),
+                              textcoords="offset points", fontsize=6)
+        axes.set_xlabel("time per million points [s]; open dots: at measured values")
     panels[0][0].set_ylabel("F-score of planes at an overlap of 0.5")
-    panels[0][-1].legend(fontsize=7)
+    handles, labels = panels[0][-1].get_legend_handles_labels()
+    panels[0][-1].legend(*zip(*dict(zip(labels, zip(handles, labels))).values()), fontsize=7)
     figure.savefig(folder / "figure.png", dpi=120, bbox_inches="tight")
     plt.close(figure)
 
