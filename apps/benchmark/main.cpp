@@ -12,14 +12,13 @@
 
 #include <filesystem>
 #include <iostream>
-#include <map>
-#include <thread>
 
 namespace {
 
 using namespace pcl_ops;
 using namespace pcl_ops::benchmark;
 using evaluation::DataSet;
+using evaluation::XyzCloud;
 
 constexpr const char* program_name = "pcl_ops_benchmark";
 
@@ -39,7 +38,14 @@ struct Options {
 std::string
 dataSetText (const std::string& input)
 {
-  for (const char* kind : {"simulated:", "rooms:", "rooms-raw:"})
+  for (const char* kind : {"simulated:",
+                           "rooms:",
+                           "rooms-raw:",
+                           "streets:",
+                           "streets-32:",
+                           "streets-16:",
+                           "sunrgbd:",
+                           "sunrgbd-raw:"})
     if (input.rfind (kind, 0) == 0)
       return input;
   return "clouds:" + input;
@@ -65,8 +71,8 @@ readOptions (int argc, const char* const* argv, Options& options)
       "INPUT",
       input,
       "a .pcd, .ply, .las or text file, a folder of them, simulated:N,N,... (scans of "
-      "a whole room with N points) or rooms:FIRST-LAST (depth images by "
-      "seed)");
+      "a whole room with N points), rooms:FIRST-LAST, streets:FIRST-LAST (images and "
+      "scans by seed) or sunrgbd:FOLDER");
   line.addText ("json", "FILE", options.json_file, "write every number as JSON");
   line.addNumber ("runs",
                   "N",
@@ -77,7 +83,7 @@ readOptions (int argc, const char* const* argv, Options& options)
                   "N",
                   Range::from (1).upTo (max_runs),
                   measures.peer_runs,
-                  "of PCL's and CGAL's detectors, which take seconds (1)");
+                  "of others' detectors, which take seconds (1)");
   line.addFlag ("no-peers", no_peers, "leave these out");
   line.addNumber ("seed", "S", Range::from (0), measures.seed, "of detectors (42)");
   line.addNumber ("memory-points",
@@ -117,12 +123,12 @@ CloudFigures
 figuresOf (const evaluation::CloudSource& source, const MeasureParameters& parameters)
 {
   notify ("loading " + source.name);
-  const evaluation::XyzCloud::ConstPtr cloud = source.load().cloud;
-  const BestTimes times =
+  const XyzCloud::ConstPtr cloud = source.load().cloud;
+  const auto times =
       measureInTurns (measuresOf (cloud, parameters), [&] (const std::string& what) {
         notify (source.name + ": " + what);
       });
-  const CloudFigures figures{source.name, cloud->size(), times, peakMemoryOn (cloud)};
+  const CloudFigures figures{source.name, times, peakMemoryOn (cloud)};
   notify ("");
   printTimes (figures, std::cout);
   return figures;
@@ -150,60 +156,20 @@ figuresOfAll (const DataSet& clouds,
   return all;
 }
 
-/** The default preset's times by the number of points. */
-using TimesBySize = std::map<std::size_t, double>;
-
-/** Writes scaling.csv. */
-TimesBySize
-scale (const Options& options, const DataSet& clouds, const DataSet& growing)
+void
+writeScaling (const Options& options, const DataSet& clouds, const DataSet& growing)
 {
   const std::vector<ScalingRow> rows = measureScaling (
       clouds.clouds.front().load().cloud, growing.clouds, options.measures, notify);
   const auto file = std::filesystem::path (options.scaling_folder) / "scaling.csv";
   apps::writeTextFile (file.string(), csvOf (rows));
-  TimesBySize times;
-  for (const ScalingRow& row : rows)
-    if (row.series == "points" && row.time.name == default_preset)
-      times[row.points] = row.time.durations.detection;
-  return times;
-}
-
-double
-growthIn (const TimesBySize& times)
-{
-  const auto few = times.find (few_points), many = times.find (many_points);
-  if (few == times.end() || many == times.end())
-    return std::numeric_limits<double>::quiet_NaN();
-  return (many->second / many_points) / (few->second / few_points);
+  notify ("");
 }
 
 DataSet
 dataSet (const std::string& text)
 {
   return evaluation::dataSetOf (text, Eigen::Vector3d::UnitZ());
-}
-
-Benchmark
-measure (const Options& options,
-         const DataSet& clouds,
-         const DataSet& growing,
-         std::size_t& left_out)
-{
-  Benchmark benchmark{options.measures, {}, {}};
-  SharedFigures& shared = benchmark.shared;
-  shared.cores = std::thread::hardware_concurrency();
-  benchmark.clouds = figuresOfAll (clouds, options.measures, left_out);
-  notify ("memory");
-  shared.peak =
-      peakMemoryOn (dataSet (options.memory_cloud).clouds.front().load().cloud);
-  TimesBySize times;
-  for (const CloudFigures& figures : benchmark.clouds)
-    times[figures.points] = bestOf (figures.times, default_preset);
-  if (!options.scaling_folder.empty())
-    times = scale (options, clouds, growing);
-  shared.growth = growthIn (times);
-  notify ("");
-  return benchmark;
 }
 
 DataSet
@@ -232,8 +198,15 @@ run (int argc, const char* const* argv)
     apps::makeFolder (options.scaling_folder);
 
   std::size_t left_out = 0;
-  const Benchmark benchmark = measure (options, clouds, growing, left_out);
-  printReport (benchmark, std::cout);
+  Benchmark benchmark{options.measures, {}, {}};
+  benchmark.clouds = figuresOfAll (clouds, options.measures, left_out);
+  notify ("memory");
+  benchmark.peak =
+      peakMemoryOn (dataSet (options.memory_cloud).clouds.front().load().cloud);
+  notify ("");
+  printMethod (benchmark, std::cout);
+  if (!options.scaling_folder.empty())
+    writeScaling (options, clouds, growing);
   if (!options.json_file.empty())
     apps::writeTextFile (options.json_file, jsonOf (benchmark));
   return left_out == 0 ? apps::ExitCode::done : apps::ExitCode::work_failed;

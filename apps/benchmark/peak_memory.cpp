@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "peak_memory.h"
 
-#include "cloud_measures.h"
-#include <sys/mman.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include "measures.h"
+#include <evaluation/detectors/limited_run.h>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -15,12 +13,11 @@
 #include <fstream>
 #include <functional>
 #include <new>
+#include <stdexcept>
 
 namespace pcl_ops::benchmark {
 
 namespace {
-
-using evaluation::XyzCloud;
 
 /** A line of /proc/self/status [byte]; NaN if there is none. */
 double
@@ -52,30 +49,15 @@ growthOf (const std::function<void()>& work)
 double
 inChildProcess (const std::function<double()>& compute)
 {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  void* const shared = mmap (nullptr,
-                             sizeof (double),
-                             PROT_READ | PROT_WRITE,
-                             MAP_SHARED | MAP_ANONYMOUS,
-                             -1,
-                             0);
-  if (shared == MAP_FAILED)
-    return none;
-  auto* const result = new (shared) double (none);
-  const pid_t child = fork();
-  if (child == 0) {
-    try {
-      *result = compute();
-    }
-    catch (...) { // the number stays NaN
-    }
-    _exit (0);
+  const evaluation::SharedMemory memory (sizeof (double));
+  auto* const result =
+      new (memory.begin()) double (std::numeric_limits<double>::quiet_NaN());
+  try {
+    evaluation::runInChild ([&] { *result = compute(); }, 0);
   }
-  if (child > 0)
-    waitpid (child, nullptr, 0);
-  const double number = *result;
-  munmap (shared, sizeof (double));
-  return number;
+  catch (const std::runtime_error&) { // the number stays NaN
+  }
+  return *result;
 }
 
 } // namespace
@@ -90,9 +72,7 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud,
   const std::size_t stride = std::max<std::size_t> (1, cloud->size() / small);
   for (std::size_t i = 0; i < cloud->size(); i += stride)
     few->push_back ((*cloud)[i]);
-  const auto detect = [&] (const XyzCloud::ConstPtr& any) {
-    detector.run (any, Eigen::Vector3d::UnitZ(), MeasureParameters().seed);
-  };
+  const auto detect = [&] (const XyzCloud::ConstPtr& any) { detector.run (any, {}); };
   return {cloud->size(),
           static_cast<double> (cloud->size() * sizeof (pcl::PointXYZ)),
           inChildProcess ([&] {

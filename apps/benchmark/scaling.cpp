@@ -18,60 +18,40 @@ namespace pcl_ops::benchmark {
 
 namespace {
 
-using evaluation::XyzCloud;
 using Ops = OrientedPointSampling<pcl::PointXYZ>;
 using Kht = KernelHoughTransform<pcl::PointXYZ>;
 
-/** What the default and the paper preset have beside their own parameters. */
-struct Setting {
-  unsigned threads = 1;
-  std::optional<double> sampling_rate = std::nullopt;
-};
-
-class Scaling {
-public:
-  Scaling (const MeasureParameters& parameters, const Notify& notify)
-  : parameters_ (parameters), notify_ (notify)
-  {}
-
-  std::vector<Measure>
-  presetsOn (const XyzCloud::ConstPtr& cloud, const Setting& setting = {}) const
-  {
-    const auto measure = [&] (const char* name, Ops::Parameters parameters) {
-      parameters.seed = parameters_.seed;
-      parameters.threads = setting.threads;
-      parameters.sampling_rate =
-          setting.sampling_rate.value_or (parameters.sampling_rate);
-      return detectorMeasure<Ops> (name, parameters_.runs, parameters, cloud);
-    };
-    return {measure ("ops", {}), measure ("ops paper", Ops::Parameters::paper())};
+/** \brief The presets on a cloud.
+ * \param[in] sampling_rate that of the preset where there is none */
+std::vector<Measure>
+presetsOn (const XyzCloud::ConstPtr& cloud,
+           const MeasureParameters& measuring,
+           unsigned threads = 1,
+           std::optional<double> sampling_rate = std::nullopt)
+{
+  std::vector<Measure> measures;
+  for (const bool of_paper : {false, true}) {
+    Ops::Parameters parameters;
+    if (of_paper)
+      parameters = Ops::Parameters::paper();
+    parameters.seed = measuring.seed;
+    parameters.threads = threads;
+    parameters.sampling_rate = sampling_rate.value_or (parameters.sampling_rate);
+    measures.push_back (detectorMeasure<Ops> (
+        of_paper ? "ops paper" : "ops", measuring.runs, parameters, cloud));
   }
+  return measures;
+}
 
-  std::vector<Measure>
-  allOn (const XyzCloud::ConstPtr& cloud) const
-  {
-    std::vector<Measure> measures = presetsOn (cloud);
-    measures.push_back (detectorMeasure<Kht> ("kht", parameters_.runs, {}, cloud));
-    measures.push_back (kdTreeMeasure (cloud, parameters_.runs));
-    return measures;
-  }
-
-  void
-  add (const char* series,
-       double x,
-       const XyzCloud::ConstPtr& cloud,
-       const std::vector<Measure>& measures)
-  {
-    for (const BestTime& time : measureInTurns (measures, notify_))
-      rows.push_back ({series, x, cloud->size(), time});
-  }
-
-  std::vector<ScalingRow> rows;
-
-private:
-  const MeasureParameters& parameters_;
-  const Notify& notify_;
-};
+/** \brief The presets, 3D-KHT and a kd-tree's construction. */
+std::vector<Measure>
+allOn (const XyzCloud::ConstPtr& cloud, const MeasureParameters& measuring)
+{
+  std::vector<Measure> measures = presetsOn (cloud, measuring);
+  measures.push_back (detectorMeasure<Kht> ("kht", measuring.runs, {}, cloud));
+  measures.push_back (kdTreeMeasure (cloud, measuring.runs));
+  return measures;
+}
 
 } // namespace
 
@@ -105,27 +85,35 @@ measureScaling (const XyzCloud::ConstPtr& cloud,
                 const Notify& notify)
 {
   constexpr double per_cent = 100.0;
-  Scaling scaling (parameters, notify);
+  std::vector<ScalingRow> rows;
+  const auto add = [&] (const char* series,
+                        double x,
+                        const XyzCloud::ConstPtr& of_row,
+                        const std::vector<Measure>& measures) {
+    for (const BestTime& time : measureInTurns (measures, notify))
+      rows.push_back ({series, x, of_row->size(), time});
+  };
   const unsigned most = std::max (2u, std::thread::hardware_concurrency());
   for (unsigned threads = 1; threads <= most; ++threads)
-    scaling.add ("threads", threads, cloud, scaling.presetsOn (cloud, {threads, {}}));
+    add ("threads", threads, cloud, presetsOn (cloud, parameters, threads));
   for (const double rate : {0.003, 0.005, 0.01, 0.03, 0.05, 0.1})
-    scaling.add (
-        "sampling_rate", per_cent * rate, cloud, scaling.presetsOn (cloud, {1, rate}));
+    add ("sampling_rate",
+         per_cent * rate,
+         cloud,
+         presetsOn (cloud, parameters, 1, rate));
   for (const unsigned planes : {1u, 3u, 10u, 30u, 100u, 300u}) {
     const auto scan = simulation::scanDensely (
         makeBoards (planes), cloud->size(), 1.0, parameters.seed);
     const XyzCloud::Ptr boards (new XyzCloud);
     pcl::copyPointCloud (scan.cloud, *boards);
-    scaling.add ("planes", planes, boards, scaling.allOn (boards));
+    add ("planes", planes, boards, allOn (boards, parameters));
   }
   for (const evaluation::CloudSource& source : growing) {
     notify ("simulating " + source.name);
     const XyzCloud::ConstPtr scan = source.load().cloud;
-    const auto points = static_cast<double> (scan->size());
-    scaling.add ("points", points, scan, scaling.allOn (scan));
+    add ("points", double (scan->size()), scan, allOn (scan, parameters));
   }
-  return scaling.rows;
+  return rows;
 }
 
 std::string

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cloud_measures.h"
+#include "measures.h"
 #include <evaluation/data/data_sets.h>
 #include <simulation/scene.h>
 
@@ -28,7 +28,7 @@ makeBoards (unsigned number);
  * simulated boards of the planes too
  * \param[in] growing clouds of growing size */
 std::vector<ScalingRow>
-measureScaling (const evaluation::XyzCloud::ConstPtr& cloud,
+measureScaling (const XyzCloud::ConstPtr& cloud,
                 const std::vector<evaluation::CloudSource>& growing,
                 const MeasureParameters& parameters,
                 const Notify& notify);

@@ -23,7 +23,6 @@ constexpr const char* help =
     "apart\n"
     "  track TRUTH RESULT           how many planes keep their number in a sequence\n"
     "  run OUTPUT DATASET...        detectors over data sets\n"
-    "  report OUTPUT                the table of a run's results\n"
     "  edges DATASET...             how well it is found where planes meet\n"
     "  detectors                    the detectors a run can have\n"
     "\n"
@@ -39,7 +38,6 @@ dispatch (int argc, const char* const* argv)
       {"planes", evaluation::planesCommand},
       {"track", evaluation::trackCommand},
       {"run", evaluation::runCommand},
-      {"report", evaluation::reportCommand},
       {"edges", evaluation::edgesCommand},
       {"detectors", evaluation::detectorsCommand},
   };

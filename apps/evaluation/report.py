@@ -3,12 +3,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """report.py FOLDER: tables and plots of what a program wrote into the folder.
 
-Of results.csv (pcl_ops_evaluate run) report.md: for each data set the tables of the paper
-with its figures beside ours, numbers of planes, true planes found by size, and times of
-the stages; and plots of the accuracy over time and over the sampling rate. Of scaling.csv
+Of results.csv (pcl_ops_evaluate run) report.md: for each data set all metrics, the tables of
+the paper with its figures beside ours, numbers of planes, true planes found by size, and
+times of the stages; plots of the accuracy over time and over the sampling rate; and where
+there are rooms or streets figure.png, all detectors on both. Of scaling.csv
 (pcl_ops_benchmark --scaling) plots of the time over what grows.
 """
 import csv
+import math
 import pathlib
 import sys
 from collections import defaultdict
@@ -71,7 +73,8 @@ BEST = {
 }
 TRUE_PLANES = 25.38  # of the paper, per cloud
 STAGES = ("search", "normals", "extraction", "assignment", "merging", "detection")
-FAMILIES = {"OPS": "ops", "FSPF": "fspf", "3D-KHT": "kht", "PCL": "pcl", "CGAL": "cgal"}
+FAMILIES = {"OPS": "ops", "FSPF": "fspf", "3D-KHT": "kht", "PCL": "pcl", "CGAL": "cgal",
+            "Open3D": "open3d", "voxel octree": "voxel"}
 
 
 def rows_of(file):
@@ -86,17 +89,20 @@ def means_of(rows):
         by_configuration[row["configuration"]].append(row)
     numbers = list(rows[0])[5:]  # behind data set, cloud, truth, configuration, seed
     means = {}
-    for configuration, of_configuration in by_configuration.items():
-        count = len(of_configuration)
+    for configuration, rows_of in by_configuration.items():
+        finished = [row for row in rows_of if row["f_score"] != "nan"]  # and not stopped
+        count = len(finished)
         means[configuration] = {
-            name: sum(float(row[name]) for row in of_configuration) / count
+            name: sum(float(row[name]) for row in finished) / count if count else math.nan
             for name in numbers}
         means[configuration]["clouds"] = count
+        means[configuration]["stopped"] = len(rows_of) - count
     return means
 
 
 def text(number, decimals):
-    return "-" if number is None else f"{number:.{decimals}f}"
+    """A number; "-" where there is none, as of a detector that took too long."""
+    return "-" if number is None or math.isnan(number) else f"{number:.{decimals}f}"
 
 
 def table(title, header, rows):
@@ -107,6 +113,22 @@ def table(title, header, rows):
              "|:--" + "|--:" * (len(header) - 1) + "|"]
     lines += ["| " + " | ".join(row) + " |" for row in rows]
     return "\n".join(lines) + "\n\n"
+
+
+METRICS = {"class. %": "classification_accuracy", "segm. %": "segmentation_accuracy",
+           "all points %": "segmentation_accuracy_all", "F 0.5": "f_score",
+           "F 0.75": "f_score_75", "precision": "precision", "recall": "recall",
+           "mean IoU": "mean_iou", "PQ": "panoptic_quality", "over": "over_segmentation",
+           "under": "under_segmentation", "noise": "noise", "missed": "missed",
+           "off planes %": "points_off_planes_called_planes"}
+
+
+def metrics_table(name, means):
+    rows = [[configuration, str(mean["clouds"]), str(mean["stopped"])] +
+            [text(100 * mean[column], 2) if "%" in title else text(mean[column], 3)
+             for title, column in METRICS.items()] + [text(mean["detection_ms"] / 1e3, 4)]
+            for configuration, mean in means.items()]
+    return table(name, ["configuration", "clouds", "stopped", *METRICS, "total s"], rows)
 
 
 def paper_tables(name, means):
@@ -196,19 +218,51 @@ def plot_accuracy(name, means, folder):
         plt.close("all")
 
 
+def plot_figure(means_of_sets, folder):
+    """F-score over the time per million points, a panel each for rooms and streets."""
+    shown = {name: means for name, means in means_of_sets.items() if name in ("rooms", "streets")}
+    if not shown:
+        return
+    figure, panels = plt.subplots(1, len(shown), sharey=True, squeeze=False,
+                                  figsize=(5.5 * len(shown), 4.5))
+    for axes, (name, means) in zip(panels[0], sorted(shown.items())):
+        clouds = max(mean["clouds"] for mean in means.values())
+        axes.set(title=f"{name} (mean of {clouds})", xscale="log", ylim=(0, 1))
+        axes.margins(x=0.25)
+        axes.grid(True, alpha=0.3)
+        for number, (family, prefix) in enumerate(FAMILIES.items()):
+            dots = {configuration: (1e3 * mean["detection_ms"] / mean["points"], mean["f_score"])
+                    for configuration, mean in means.items()
+                    if configuration.startswith(prefix) and not math.isnan(mean["f_score"])}
+            for configuration, dot in dots.items():
+                is_measured = configuration.endswith("-measured")
+                axes.scatter(*dot, color=f"C{number}", label=None if is_measured else family,
+                             facecolors="none" if is_measured else None)
+                axes.annotate(configuration.replace("-measured", ""), dot, xytext=(4, 3),
+                              textcoords="offset points", fontsize=6)
+        axes.set_xlabel("time per million points [s]; open dots: at measured values")
+    panels[0][0].set_ylabel("F-score of planes at an overlap of 0.5")
+    handles, labels = panels[0][-1].get_legend_handles_labels()
+    panels[0][-1].legend(*zip(*dict(zip(labels, zip(handles, labels))).values()), fontsize=7)
+    figure.savefig(folder / "figure.png", dpi=120, bbox_inches="tight")
+    plt.close(figure)
+
+
 def report_results(folder):
     groups = defaultdict(list)
     for row in rows_of(folder / "results.csv"):
         groups[row["data_set"], row["truth"]].append(row)
-    report = ""
+    report, means_of_sets = "", {}
     for (data_set, truth), rows in sorted(groups.items()):
         name = f"{data_set}, truth {truth}"
-        means = means_of(rows)
-        report += paper_tables(name, means) + other_tables(name, means)
+        means = means_of_sets[data_set] = means_of(rows)
+        report += metrics_table(name, means) + paper_tables(name, means) + other_tables(name, means)
         if plt:
             plots = folder / f"{data_set}-{truth}"
             plots.mkdir(exist_ok=True)
             plot_accuracy(name, means, plots)
+    if plt:
+        plot_figure(means_of_sets, folder)
     (folder / "report.md").write_text(report, encoding="utf-8")
     print(report, end="")
 

@@ -4,13 +4,15 @@
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
-#include <evaluation/experiments/evaluation_run.h>
-#include <evaluation/report/metrics_table.h>
+#include <evaluation/report/evaluation_run.h>
+#include <evaluation/report/text_table.h>
 #include <io/output_file.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <map>
 
 namespace pcl_ops::evaluation {
 
@@ -20,7 +22,7 @@ namespace fs = std::filesystem;
 
 /** More clouds at a time than any machine this runs on has cores. */
 constexpr double max_jobs = 256;
-constexpr double max_neighbors = 10'000;
+constexpr double max_neighbors = 10'000, max_seconds = 1e6;
 
 struct RunOptions {
   std::string folder;
@@ -35,8 +37,9 @@ readOptions (int argc, const char* const* argv, RunOptions& options)
 {
   apps::CommandLine line (
       "pcl_ops_evaluate run",
-      "Runs detectors over data sets and writes results.csv and tables.md. Run it "
-      "again\nto go on after a stop: rows in results.csv are not computed again.",
+      "Runs detectors over data sets and writes results.csv, of which report.py makes\n"
+      "tables and plots. Run it again to go on after a stop: rows that are there are\n"
+      "not computed again.",
       PCL_OPS_VERSION);
   line.addArgument ("OUTPUT", options.folder, "folder of the results");
   line.addArguments ("DATASET", options.data_sets, 1, data_set_help);
@@ -65,8 +68,28 @@ readOptions (int argc, const char* const* argv, RunOptions& options)
                   apps::Range::from (1).upTo (max_jobs),
                   options.plan.jobs,
                   "clouds at a time; only 1 leaves times undisturbed (1)");
+  RunSettings& settings = options.plan.settings;
+  line.addNumber ("threshold",
+                  "M",
+                  apps::Range::above (0),
+                  settings.peer_threshold,
+                  "distance to a plane that detectors of others are given (0.05)");
   line.addNumber (
-      "seed", "S", apps::Range::from (0), options.plan.seed, "of detectors (42)");
+      "peers-noise",
+      "M",
+      apps::Range::above (0),
+      settings.peer_noise,
+      "noise that those of the group peers-measured are tuned to (measured)");
+  line.addNumber ("time-limit",
+                  "S",
+                  apps::Range::from (0).upTo (max_seconds),
+                  options.plan.time_limit,
+                  "for a detector of others on a cloud, 0 for none (600)");
+  line.addNumber ("seed",
+                  "S",
+                  apps::Range::from (0),
+                  options.plan.settings.seed,
+                  "of detectors (42)");
   return line.parse (argc, argv);
 }
 
@@ -84,10 +107,37 @@ planOf (const RunOptions& options)
   return plan;
 }
 
-std::string
-resultsIn (const std::string& folder)
+/** The means of what most want to know, over the clouds of each data set. */
+TextTable
+meansOf (const std::vector<ResultRow>& rows)
 {
-  return (fs::path (folder) / "results.csv").string();
+  constexpr std::pair<const char*, const char*> columns[] = {
+      {"segm. %", "segmentation_accuracy"},
+      {"F 0.5", "f_score"},
+      {"F 0.75", "f_score_75"},
+      {"ms", "detection_ms"}};
+  std::map<std::pair<std::string, std::string>, std::vector<const ResultRow*>> groups;
+  for (const ResultRow& row : rows) {
+    auto& group = groups[{row.data_set + ", truth " + row.truth, row.configuration}];
+    if (!std::isnan (row.value ("f_score"))) // it was not stopped
+      group.push_back (&row);
+  }
+  TextTable table{"Means", {"data set", "configuration", "clouds"}, {}};
+  for (const auto& column : columns)
+    table.header.emplace_back (column.first);
+  for (const auto& [names, of_group] : groups) {
+    table.rows.push_back (
+        {names.first, names.second, std::to_string (of_group.size())});
+    for (const auto& [header, name] : columns) {
+      double sum = 0.0;
+      for (const ResultRow* row : of_group)
+        sum += row->value (name);
+      const double mean = sum / double (of_group.size());
+      table.rows.back().push_back (name == columns[0].second ? percent (mean)
+                                                             : decimal (mean, 3));
+    }
+  }
+  return table;
 }
 
 } // namespace
@@ -99,36 +149,17 @@ runCommand (int argc, const char* const* argv)
   if (!readOptions (argc, argv, options))
     return apps::ExitCode::done;
   const EvaluationPlan plan = planOf (options);
-  ResultsFile results (resultsIn (options.folder));
+  ResultsFile results ((fs::path (options.folder) / "results.csv").string());
   const EvaluationSummary summary =
       evaluate (plan, results, std::cerr, isatty (STDERR_FILENO) == 1);
   if (!results.rows().empty())
-    writeMetricsTables (results.rows(), options.folder);
+    std::cout << meansOf (results.rows());
   std::cout << summary.clouds << " clouds evaluated, " << summary.new_rows
             << " new rows; " << summary.broken_clouds << " clouds left out, "
-            << summary.failed_runs << " runs failed\n";
+            << summary.failed_runs << " runs failed, " << summary.stopped_runs
+            << " stopped\n";
   const bool is_complete = summary.broken_clouds == 0 && summary.failed_runs == 0;
   return is_complete ? apps::ExitCode::done : apps::ExitCode::work_failed;
-}
-
-int
-reportCommand (int argc, const char* const* argv)
-{
-  std::string folder;
-  apps::CommandLine line ("pcl_ops_evaluate report",
-                          "Makes tables.md anew from a folder's results.csv.",
-                          PCL_OPS_VERSION);
-  line.addArgument ("OUTPUT", folder, "folder that pcl_ops_evaluate run wrote");
-  if (!line.parse (argc, argv))
-    return apps::ExitCode::done;
-  const std::string file = resultsIn (folder);
-  if (!fs::exists (file))
-    throw apps::WorkError (file, "is not there; give the OUTPUT of a run");
-  const ResultsFile results (file);
-  if (results.rows().empty())
-    throw apps::WorkError (file, "has no row yet; run an evaluation first");
-  writeMetricsTables (results.rows(), folder);
-  return apps::ExitCode::done;
 }
 
 int

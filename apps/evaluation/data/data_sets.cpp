@@ -44,19 +44,36 @@ constexpr std::uint32_t max_scenes = 100'000;
 /** A point takes 16 bytes, and 36 more while it is simulated. */
 constexpr double max_points = 1e8;
 
+/** The finite points, and the pixels they come from if the cloud is an image. */
+template <typename PointT, typename Visit>
 EvaluationCloud
-withExactTruth (const simulation::SimulatedCloud& simulated)
+finiteOf (const pcl::PointCloud<PointT>& cloud, const Visit& visit)
 {
   EvaluationCloud result;
   result.cloud.reset (new XyzCloud);
-  result.cloud->reserve (simulated.cloud.size());
-  result.cloud->sensor_origin_ = simulated.cloud.sensor_origin_;
-  result.cloud->sensor_orientation_ = simulated.cloud.sensor_orientation_;
-  result.truth.emplace();
-  for (const pcl::PointXYZL& point : simulated.cloud) {
-    result.cloud->push_back (pcl::PointXYZ (point.x, point.y, point.z));
-    result.truth->push_back (point.label);
+  result.cloud->reserve (cloud.size());
+  result.cloud->sensor_origin_ = cloud.sensor_origin_;
+  result.cloud->sensor_orientation_ = cloud.sensor_orientation_;
+  if (cloud.height > 1)
+    result.grid = ImageGrid{cloud.width, cloud.height, {}};
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (!pcl::isXYZFinite (cloud[i]))
+      continue;
+    result.cloud->push_back (pcl::PointXYZ (cloud[i].x, cloud[i].y, cloud[i].z));
+    if (result.grid)
+      result.grid->pixels.push_back (std::uint32_t (i));
+    visit (i);
   }
+  return result;
+}
+
+EvaluationCloud
+withExactTruth (const pcl::PointCloud<pcl::PointXYZL>& simulated)
+{
+  PlaneLabels truth;
+  EvaluationCloud result = finiteOf (
+      simulated, [&] (std::size_t i) { truth.push_back (simulated[i].label); });
+  result.truth = truth;
   return result;
 }
 
@@ -70,7 +87,8 @@ imageOf (const simulation::Room& room, std::uint32_t seed, NoiseProfile profile)
       simulation::toCloud (simulation::scanByCamera (room.scene, {}, pose, noise, seed),
                            pose,
                            room.scene,
-                           simulation::CloudLayout::Readings));
+                           simulation::CloudLayout::Organized)
+          .cloud);
 }
 
 /** \param[in] sensor one of simulation::lidarNames */
@@ -79,12 +97,14 @@ streetBy (const std::string& sensor, std::uint32_t seed)
 {
   const simulation::Street street = simulation::makeStreet (seed);
   const Eigen::Isometry3d pose = simulation::drawSensorPose (street, seed);
-  return withExactTruth (simulation::toCloud (
-      simulation::scanAround (
-          street.scene, simulation::lidarOf (sensor), pose, 1.0, seed),
-      pose,
-      street.scene,
-      simulation::CloudLayout::Readings));
+  return withExactTruth (
+      simulation::toCloud (
+          simulation::scanAround (
+              street.scene, simulation::lidarOf (sensor), pose, 1.0, seed),
+          pose,
+          street.scene,
+          simulation::CloudLayout::Readings)
+          .cloud);
 }
 
 /** Scenes by seed. */
@@ -116,14 +136,18 @@ constexpr Scenes all_scenes[] = {
     {"survey",
      "survey",
      [] (std::uint32_t seed) {
-       return withExactTruth (simulation::scanSurvey (
-           simulation::makeSurvey (seed), simulation::points_of_survey, 1.0, seed));
+       return withExactTruth (
+           simulation::scanSurvey (
+               simulation::makeSurvey (seed), simulation::points_of_survey, 1.0, seed)
+               .cloud);
      }},
     {"shapes",
      "shapes",
      [] (std::uint32_t seed) {
-       return withExactTruth (simulation::scanShapes (
-           simulation::makeShapes (seed), simulation::points_of_shapes, 1.0, seed));
+       return withExactTruth (
+           simulation::scanShapes (
+               simulation::makeShapes (seed), simulation::points_of_shapes, 1.0, seed)
+               .cloud);
      }},
     {"streets",
      "street",
@@ -179,11 +203,12 @@ scansDataSet (const std::string& name, const std::string& sizes)
   std::istringstream list (sizes);
   for (std::string size; std::getline (list, size, ',');) {
     const auto points = apps::parseNumber<std::size_t> (name, size, of_points);
-    data_set.clouds.push_back ({"scan-" + size, [points] {
-                                  const auto room = simulation::makeRoom (seed);
-                                  return withExactTruth (simulation::scanDensely (
-                                      room.scene, points, 1.0, seed));
-                                }});
+    data_set.clouds.push_back (
+        {"scan-" + size, [points] {
+           const auto room = simulation::makeRoom (seed);
+           return withExactTruth (
+               simulation::scanDensely (room.scene, points, 1.0, seed).cloud);
+         }});
   }
   if (data_set.clouds.empty())
     throw apps::UsageError (name,
@@ -195,20 +220,14 @@ EvaluationCloud
 readCloud (const std::string& file, const Eigen::Vector3d& up)
 {
   const LabeledCloud all = loadLabeledCloud (file, LabelField::Optional);
-  EvaluationCloud finite;
+  PlaneLabels truth;
+  EvaluationCloud finite = finiteOf (*all.cloud, [&] (std::size_t i) {
+    if (!all.labels.empty())
+      truth.push_back (all.labels[i]);
+  });
   finite.up = up;
-  finite.cloud.reset (new XyzCloud);
-  finite.cloud->sensor_origin_ = all.cloud->sensor_origin_;
-  finite.cloud->sensor_orientation_ = all.cloud->sensor_orientation_;
   if (!all.labels.empty())
-    finite.truth.emplace();
-  for (std::size_t i = 0; i < all.cloud->size(); ++i) {
-    if (!pcl::isXYZFinite ((*all.cloud)[i]))
-      continue;
-    finite.cloud->push_back ((*all.cloud)[i]);
-    if (finite.truth)
-      finite.truth->push_back (all.labels[i]);
-  }
+    finite.truth = truth;
   if (finite.cloud->empty())
     throw apps::WorkError (file, "has no finite point; leave it out");
   return finite;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <evaluation/labels/labels.h>
+#include <evaluation/detectors/detectors.h>
 
 #include <functional>
 #include <optional>
@@ -18,6 +18,8 @@ struct EvaluationCloud {
   std::optional<PlaneLabels> truth;
   /** \brief Unit vector against gravity in the cloud's frame. */
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  /** \brief Where the cloud is the image of a depth camera. */
+  std::optional<ImageGrid> grid = std::nullopt;
 };
 
 /** \brief A cloud that is loaded when its turn comes, so that memory is bounded by the

@@ -14,7 +14,6 @@
 #include <io/cloud_file.h>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace pcl_ops::evaluation {
@@ -24,42 +23,6 @@ namespace {
 /** Share of the cloud's diagonal by which rounding in a text file may move a point. */
 constexpr double max_rounding = 1e-3;
 
-template <typename Number>
-double
-numberAt (const std::uint8_t* bytes)
-{
-  Number number;
-  std::memcpy (&number, bytes, sizeof (number));
-  return static_cast<double> (number);
-}
-
-using Read = double (*) (const std::uint8_t* bytes);
-
-/** How a field of a number type is read. Double precision is that of texts, which have
- * no other; null for what is no integer of a file. */
-Read
-readerOf (std::uint8_t datatype)
-{
-  switch (datatype) {
-  case pcl::PCLPointField::INT8:
-    return numberAt<std::int8_t>;
-  case pcl::PCLPointField::UINT8:
-    return numberAt<std::uint8_t>;
-  case pcl::PCLPointField::INT16:
-    return numberAt<std::int16_t>;
-  case pcl::PCLPointField::UINT16:
-    return numberAt<std::uint16_t>;
-  case pcl::PCLPointField::INT32:
-    return numberAt<std::int32_t>;
-  case pcl::PCLPointField::UINT32:
-    return numberAt<std::uint32_t>;
-  case pcl::PCLPointField::FLOAT64:
-    return numberAt<double>;
-  default:
-    return nullptr;
-  }
-}
-
 PlaneLabels
 labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
 {
@@ -67,14 +30,16 @@ labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
   if (index < 0)
     throw apps::WorkError (file, "has no field label; give a cloud with labels");
   const pcl::PCLPointField& field = cloud.fields[static_cast<std::size_t> (index)];
-  const Read read = readerOf (field.datatype);
-  if (read == nullptr)
+  const apps::NumberType& type = apps::numberType (field.datatype);
+  // Double precision is that of texts, which have no other.
+  const bool is_integer = type.kind != 'F' && type.size <= 4;
+  if (!is_integer && field.datatype != pcl::PCLPointField::FLOAT64)
     throw apps::WorkError (file,
                            "its label is no integer of up to 4 bytes; convert it");
   constexpr double largest = std::numeric_limits<std::uint32_t>::max();
   PlaneLabels labels (static_cast<std::size_t> (cloud.width) * cloud.height);
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    const double label = read (&cloud.data[i * cloud.point_step + field.offset]);
+    const double label = type.read (&cloud.data[i * cloud.point_step + field.offset]);
     if (!(label >= 0.0 && label <= largest && label == std::floor (label)))
       throw apps::WorkError (file,
                              "point " + std::to_string (i) +

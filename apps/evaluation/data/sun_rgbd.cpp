@@ -273,12 +273,17 @@ readSunRgbdFrame (const std::string& folder, SunRgbdDepth depth)
   const Eigen::Matrix3d intrinsics = readIntrinsics (frame / "intrinsics.txt");
   const Eigen::Matrix3d extrinsics =
       readExtrinsics (lastFileIn (frame / "extrinsics", ".txt"));
-  const fs::path image = lastFileIn (frame / folderOf (depth), ".png");
+  const fs::path file = lastFileIn (frame / folderOf (depth), ".png");
+  const DepthImage image = readDepthPng (file.string());
   EvaluationCloud result;
-  result.cloud = sunRgbdCloud (readDepthPng (image.string()), intrinsics, extrinsics);
+  result.cloud = sunRgbdCloud (image, intrinsics, extrinsics);
   if (result.cloud->empty())
-    throw apps::WorkError (image.string(),
-                           "has no reading at all; leave the frame out");
+    throw apps::WorkError (file.string(), "has no reading at all; leave the frame out");
+  result.grid =
+      ImageGrid{std::uint32_t (image.width), std::uint32_t (image.height), {}};
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    if (image.values[i] != 0)
+      result.grid->pixels.push_back (std::uint32_t (i));
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <pcl/common/angles.h>
 
 #include "detector_run.h"
+#include "peers.h"
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
@@ -24,32 +25,39 @@ using OrientedPoints = std::vector<OrientedPoint>;
 using PointMap = CGAL::Nth_of_tuple_property_map<0, OrientedPoint>;
 using NormalMap = CGAL::Nth_of_tuple_property_map<1, OrientedPoint>;
 
-constexpr unsigned neighbors = 24;
+/** What CGAL's tutorial takes normals from. */
+constexpr unsigned usual_neighbors = 24;
 /** CGAL grows smaller regions in vain again from each of their points: at 0.2 per cent
  * of the points, as for Efficient RANSAC, that takes minutes. */
 constexpr std::size_t min_points_of_region = 50;
-constexpr float distance_threshold = 0.05f; // [m]
-/** Gaps up to this do not divide a surface [m]. */
-constexpr float cluster_distance = 0.1f;
 /** CGAL's own default for both detectors. */
 constexpr float normal_degrees = 25.0f;
 /** Probability to miss the largest plane: CGAL's default. */
 constexpr float miss_probability = 0.05f;
 constexpr double min_share = 0.002;
 
+unsigned
+neighborsFor (const PeerTask& task)
+{
+  return task.source == ValuesFrom::Tutorial ? usual_neighbors
+                                             : unsigned (task.values.neighbors);
+}
+
 OrientedPoints
-orientedPointsOf (const XyzCloud& cloud)
+orientedPointsOf (const PeerTask& task)
 {
   OrientedPoints points;
-  points.reserve (cloud.size());
-  for (const pcl::PointXYZ& point : cloud)
+  points.reserve (task.cloud->size());
+  for (const pcl::PointXYZ& point : *task.cloud)
     points.emplace_back (Kernel::Point_3 (point.x, point.y, point.z),
                          Kernel::Vector_3 (0, 0, 0),
                          static_cast<pcl::index_t> (points.size()));
-  CGAL::pca_estimate_normals<CGAL::Sequential_tag> (
-      points,
-      neighbors,
-      CGAL::parameters::point_map (PointMap()).normal_map (NormalMap()));
+  timed (task.normals, [&] {
+    CGAL::pca_estimate_normals<CGAL::Sequential_tag> (
+        points,
+        neighborsFor (task),
+        CGAL::parameters::point_map (PointMap()).normal_map (NormalMap()));
+  });
   return points;
 }
 
@@ -69,20 +77,21 @@ planeOf (const OrientedPoints& points, const std::vector<std::size_t>& members)
 }
 
 std::vector<pcl::PointIndices>
-planesByEfficientRansac (OrientedPoints& points, std::uint32_t seed)
+planesByEfficientRansac (const PeerTask& task)
 {
   using Traits = CGAL::Shape_detection::
       Efficient_RANSAC_traits<Kernel, OrientedPoints, PointMap, NormalMap>;
   using Ransac = CGAL::Shape_detection::Efficient_RANSAC<Traits>;
-  CGAL::get_default_random() = CGAL::Random (seed);
+  CGAL::get_default_random() = CGAL::Random (task.settings.seed);
+  OrientedPoints points = orientedPointsOf (task);
   Ransac ransac;
   ransac.set_input (points);
   ransac.add_shape_factory<CGAL::Shape_detection::Plane<Traits>>();
   Ransac::Parameters parameters;
   parameters.probability = miss_probability;
   parameters.min_points = minPoints (points);
-  parameters.epsilon = distance_threshold;
-  parameters.cluster_epsilon = cluster_distance;
+  parameters.epsilon = float (task.values.threshold);
+  parameters.cluster_epsilon = float (task.values.gap);
   parameters.normal_threshold = std::cos (pcl::deg2rad (normal_degrees));
   ransac.detect (parameters);
 
@@ -93,17 +102,18 @@ planesByEfficientRansac (OrientedPoints& points, std::uint32_t seed)
 }
 
 std::vector<pcl::PointIndices>
-planesByRegionGrowing (const OrientedPoints& points)
+planesByRegionGrowing (const PeerTask& task)
 {
+  const OrientedPoints points = orientedPointsOf (task);
   namespace growing = CGAL::Shape_detection::Point_set;
   using Query = growing::K_neighbor_query<Kernel, OrientedPoints, PointMap>;
   using Region = growing::
       Least_squares_plane_fit_region<Kernel, OrientedPoints, PointMap, NormalMap>;
   using Sorting =
       growing::Least_squares_plane_fit_sorting<Kernel, OrientedPoints, Query, PointMap>;
-  Query query (points, neighbors, PointMap());
+  Query query (points, neighborsFor (task), PointMap());
   Region region (points,
-                 distance_threshold,
+                 float (task.values.threshold),
                  normal_degrees,
                  min_points_of_region,
                  PointMap(),
@@ -122,37 +132,13 @@ planesByRegionGrowing (const OrientedPoints& points)
   return planes;
 }
 
-/** Both detectors as PCL would be given them: cloud to normals to labels. */
-template <typename Detect>
-DetectorRun
-runCgal (const XyzCloud& cloud, const Detect& detect)
-{
-  return runPeer (cloud, [&] (double& normals) {
-    OrientedPoints points = timed (normals, [&] { return orientedPointsOf (cloud); });
-    return detect (points);
-  });
-}
-
 } // namespace
 
 void
 addCgalPeers (std::vector<Configuration>& configurations)
 {
-  configurations.push_back ({"cgal-ransac",
-                             {"peers"},
-                             [] (const XyzCloud::ConstPtr& cloud,
-                                 const Eigen::Vector3d&,
-                                 std::uint32_t seed) {
-                               return runCgal (*cloud, [seed] (OrientedPoints& points) {
-                                 return planesByEfficientRansac (points, seed);
-                               });
-                             }});
-  configurations.push_back (
-      {"cgal-region-growing",
-       {"peers"},
-       [] (const XyzCloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t) {
-         return runCgal (*cloud, planesByRegionGrowing);
-       }});
+  addPeer (configurations, "cgal-ransac", planesByEfficientRansac);
+  addPeer (configurations, "cgal-region-growing", planesByRegionGrowing);
 }
 
 } // namespace pcl_ops::evaluation

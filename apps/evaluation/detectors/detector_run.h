@@ -21,23 +21,6 @@ timed (double& duration, Work&& work)
   return work();
 }
 
-/** \brief Runs any other detector.
- * \param[in] cloud finite points
- * \param[in] detect gives the planes of the cloud and adds the time [ms] of their
- * normals to its argument */
-template <typename Detect>
-DetectorRun
-runPeer (const XyzCloud& cloud, const Detect& detect)
-{
-  DetectorRun run;
-  timed (run.durations.detection, [&] {
-    const std::vector<pcl::PointIndices> planes = detect (run.durations.normals);
-    run.planes_before_merging = planes.size();
-    run.labels = labelsOf (planes, cloud.size());
-  });
-  return run;
-}
-
 /** \brief Runs a detector of this project.
  * \param[in] parameters all of them: up axis, seed and threads too
  * \param[in] cloud finite points */
@@ -70,11 +53,10 @@ configurationOf (const std::string& name,
                  const typename Detector::Parameters& parameters)
 {
   const auto run = [parameters] (const XyzCloud::ConstPtr& cloud,
-                                 const Eigen::Vector3d& up,
-                                 std::uint32_t seed) {
+                                 const RunSettings& settings) {
     auto complete = parameters;
-    complete.up_axis = up.cast<float>();
-    complete.seed = seed;
+    complete.up_axis = settings.up.cast<float>();
+    complete.seed = settings.seed;
     complete.threads = 1;
     return runDetector<Detector> (complete, cloud);
   };

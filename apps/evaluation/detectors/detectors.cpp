@@ -131,8 +131,12 @@ allConfigurations ()
     addTable1 (configurations);
     addTable2 (configurations);
     addPclPeers (configurations);
+    addVoxelOctree (configurations);
 #ifdef PCL_OPS_WITH_CGAL
     addCgalPeers (configurations);
+#endif
+#ifdef PCL_OPS_WITH_OPEN3D
+    addOpen3dPeer (configurations);
 #endif
     addAblation (configurations);
     return configurations;

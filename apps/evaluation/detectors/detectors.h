@@ -6,6 +6,7 @@
 #include <pcl_ops/plane_detector.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,18 +22,43 @@ struct DetectorRun {
   StageDurations durations;
 };
 
+/** \brief Of the points of a depth camera's image: the pixel of each, row by row. */
+struct ImageGrid {
+  std::uint32_t width = 0, height = 0;
+  std::vector<std::uint32_t> pixels;
+};
+
+/** \brief The distance to their planes that detectors of others are given [m], as in
+ * PCL's tutorials. */
+constexpr double usual_peer_threshold = 0.05;
+
+/** \brief What detectors are told beside the points. */
+struct RunSettings {
+  /** \brief Unit vector against gravity. */
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  /** \brief Of every random choice the detector lets be seeded. */
+  std::uint32_t seed = 42;
+  /** \brief Where the points come from an image; else null. */
+  const ImageGrid* grid = nullptr;
+  double peer_threshold = usual_peer_threshold;
+  /** \brief Noise of the points that detectors of others are tuned to; none: as
+   * measured from the cloud [m]. */
+  std::optional<double> peer_noise = std::nullopt;
+};
+
 /** \brief A detector with its parameters, under a name. */
 struct Configuration {
   std::string name;
   /** \brief Names that stand for it among others: table1 to table4, presets, peers. */
   std::vector<std::string> groups;
-  /** \brief On one thread.
-   * \param cloud finite points
-   * \param up unit vector against gravity
-   * \param seed of every random choice the detector lets be seeded */
-  std::function<DetectorRun (
-      const XyzCloud::ConstPtr& cloud, const Eigen::Vector3d& up, std::uint32_t seed)>
+  /** \brief On one thread. The points are finite. */
+  std::function<DetectorRun (const XyzCloud::ConstPtr& cloud,
+                             const RunSettings& settings)>
       run;
+  /** \brief A detector of others, which may take any time. */
+  bool is_peer = false;
+  /** \brief It works on images alone: \ref RunSettings::grid. */
+  bool needs_grid = false;
 };
 
 /** \brief Every row of the paper's tables, the product's presets, and the detectors
@@ -43,7 +69,9 @@ struct Configuration {
  * cent
  * - table4: the best rows
  * - presets: ops, fspf, kht as this product recommends them
- * - peers: detectors of PCL and, if found when this was built, of CGAL
+ * - peers: detectors of PCL and, if found when this was built, of CGAL and Open3D, and
+ * a voxel octree; at the values of their tutorials
+ * - peers-measured: the same at values measured from the cloud
  * - ablation: ops-without-INGREDIENT, the default preset with one ingredient off */
 const std::vector<Configuration>&
 allConfigurations ();
@@ -54,8 +82,9 @@ allConfigurations ();
 std::vector<Configuration>
 selectConfigurations (const std::string& list);
 
-/** \brief pcl-sac, the loop of PCL's tutorial around SACSegmentation, and
- * pcl-region-growing, normals of all points and RegionGrowing. */
+/** \brief pcl-sac, the loop of PCL's tutorial around SACSegmentation,
+ * pcl-region-growing, normals of all points and RegionGrowing, and pcl-organized,
+ * OrganizedMultiPlaneSegmentation, for images. */
 void
 addPclPeers (std::vector<Configuration>& configurations);
 
@@ -63,5 +92,13 @@ addPclPeers (std::vector<Configuration>& configurations);
  * cgal-region-growing, both with the normals they need. */
 void
 addCgalPeers (std::vector<Configuration>& configurations);
+
+/** \brief open3d, the loop of PCL's tutorial around SegmentPlane. */
+void
+addOpen3dPeer (std::vector<Configuration>& configurations);
+
+/** \brief voxel-octree, as lidar odometry divides its map. */
+void
+addVoxelOctree (std::vector<Configuration>& configurations);
 
 } // namespace pcl_ops::evaluation

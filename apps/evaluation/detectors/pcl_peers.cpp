@@ -1,92 +1,74 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/common/angles.h>
+#include <pcl/common/transforms.h>
+#include <pcl/features/integral_image_normal.h>
 #include <pcl/features/normal_3d.h>
 #include <pcl/search/kdtree.h>
+#include <pcl/segmentation/organized_multi_plane_segmentation.h>
 #include <pcl/segmentation/region_growing.h>
 #include <pcl/segmentation/sac_segmentation.h>
 
 #include "detector_run.h"
+#include "peers.h"
 
 #include <algorithm>
-#include <iterator>
-#include <numeric>
+#include <limits>
 
 namespace pcl_ops::evaluation {
 
 namespace {
 
-constexpr double distance_threshold = 0.05; // [m]
-constexpr int max_planes = 40;
-constexpr std::size_t min_inliers = 500;
-/** The loop ends when less than this share of the points is left. */
-constexpr double share_left = 0.02;
 constexpr int max_iterations = 1000;
-
-constexpr int neighbors = 30;
 /** As in PCL's tutorial: the normals alone decide. */
 constexpr float curvature_threshold = 1.0f;
 constexpr int min_points_of_region = 50;
 
+using Normals = pcl::PointCloud<pcl::Normal>;
+
 std::vector<pcl::PointIndices>
-planesByRansac (const XyzCloud::ConstPtr& cloud)
+planesByRansac (const PeerTask& task)
 {
   pcl::SACSegmentation<pcl::PointXYZ> segmentation;
   segmentation.setOptimizeCoefficients (true);
   segmentation.setModelType (pcl::SACMODEL_PLANE);
   segmentation.setMethodType (pcl::SAC_RANSAC);
   segmentation.setMaxIterations (max_iterations);
-  segmentation.setDistanceThreshold (distance_threshold);
-  segmentation.setInputCloud (cloud);
-
-  std::vector<pcl::PointIndices> planes;
-  pcl::IndicesPtr rest (new pcl::Indices (cloud->size()));
-  std::iota (rest->begin(), rest->end(), 0);
-  while (rest->size() > share_left * cloud->size() && planes.size() < max_planes) {
+  segmentation.setDistanceThreshold (task.values.threshold);
+  segmentation.setInputCloud (task.cloud);
+  return peelPlanes (task.cloud->size(), [&] (const pcl::IndicesPtr& rest) {
     pcl::PointIndices inliers;
     pcl::ModelCoefficients coefficients;
     segmentation.setIndices (rest);
     segmentation.segment (inliers, coefficients);
-    if (inliers.indices.size() < min_inliers)
-      break;
     std::sort (inliers.indices.begin(), inliers.indices.end());
-    pcl::IndicesPtr without (new pcl::Indices);
-    std::set_difference (rest->begin(),
-                         rest->end(),
-                         inliers.indices.begin(),
-                         inliers.indices.end(),
-                         std::back_inserter (*without));
-    rest = without;
-    planes.push_back (inliers);
-  }
-  return planes;
+    return inliers.indices;
+  });
 }
 
-pcl::PointCloud<pcl::Normal>::Ptr
-normalsOf (const XyzCloud::ConstPtr& cloud,
-           const pcl::search::KdTree<pcl::PointXYZ>::Ptr& tree)
+Normals::Ptr
+normalsOf (const PeerTask& task, const pcl::search::KdTree<pcl::PointXYZ>::Ptr& tree)
 {
-  pcl::PointCloud<pcl::Normal>::Ptr normals (new pcl::PointCloud<pcl::Normal>);
+  Normals::Ptr normals (new Normals);
   pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
-  estimation.setInputCloud (cloud);
+  estimation.setInputCloud (task.cloud);
   estimation.setSearchMethod (tree);
-  estimation.setKSearch (neighbors);
+  estimation.setKSearch (task.values.neighbors);
   estimation.compute (*normals);
   return normals;
 }
 
 std::vector<pcl::PointIndices>
-regionsOf (const XyzCloud::ConstPtr& cloud, double& normals_duration)
+planesByRegionGrowing (const PeerTask& task)
 {
   pcl::search::KdTree<pcl::PointXYZ>::Ptr tree (new pcl::search::KdTree<pcl::PointXYZ>);
-  const auto normals =
-      timed (normals_duration, [&] { return normalsOf (cloud, tree); });
+  const auto normals = timed (task.normals, [&] { return normalsOf (task, tree); });
   pcl::RegionGrowing<pcl::PointXYZ, pcl::Normal> growing;
-  growing.setInputCloud (cloud);
+  growing.setInputCloud (task.cloud);
   growing.setInputNormals (normals);
   growing.setSearchMethod (tree);
-  growing.setNumberOfNeighbours (neighbors);
-  growing.setSmoothnessThreshold (static_cast<float> (paper_angle));
+  growing.setNumberOfNeighbours (unsigned (task.values.neighbors));
+  growing.setSmoothnessThreshold (float (paper_angle));
   growing.setCurvatureThreshold (curvature_threshold);
   growing.setMinClusterSize (min_points_of_region);
   std::vector<pcl::PointIndices> regions;
@@ -94,24 +76,77 @@ regionsOf (const XyzCloud::ConstPtr& cloud, double& normals_duration)
   return regions;
 }
 
+/** The image of a depth camera, in its axes, as what reads it expects. */
+XyzCloud::Ptr
+imageOf (const XyzCloud& cloud, const ImageGrid& grid)
+{
+  const Eigen::Isometry3f to_scene =
+      Eigen::Translation3f (cloud.sensor_origin_.head<3>()) * cloud.sensor_orientation_;
+  const Eigen::Isometry3f to_camera = to_scene.inverse();
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  XyzCloud::Ptr image (
+      new XyzCloud (grid.width, grid.height, pcl::PointXYZ (nan, nan, nan)));
+  image->is_dense = false;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    (*image)[grid.pixels[i]].getVector3fMap() = to_camera * cloud[i].getVector3fMap();
+  return image;
+}
+
+Normals::Ptr
+normalsOfImage (const XyzCloud::ConstPtr& image)
+{
+  // As in PCL's demo of OrganizedMultiPlaneSegmentation.
+  constexpr float max_depth_change = 0.03f, smoothing = 20.0f;
+  Normals::Ptr normals (new Normals);
+  pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+  estimation.setNormalEstimationMethod (estimation.COVARIANCE_MATRIX);
+  estimation.setMaxDepthChangeFactor (max_depth_change);
+  estimation.setNormalSmoothingSize (smoothing);
+  estimation.setInputCloud (image);
+  estimation.compute (*normals);
+  return normals;
+}
+
+std::vector<pcl::PointIndices>
+planesInImage (const PeerTask& task)
+{
+  // What PCL's demo of it takes.
+  const double angle = pcl::deg2rad (2.0);
+  constexpr double usual_distance = 0.02; // [m]
+  const ImageGrid& grid = *task.settings.grid;
+  const XyzCloud::Ptr image = imageOf (*task.cloud, grid);
+  const auto normals = timed (task.normals, [&] { return normalsOfImage (image); });
+  pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label> finder;
+  finder.setMinInliers (min_points_of_region);
+  finder.setAngularThreshold (angle);
+  finder.setDistanceThreshold (
+      task.source == ValuesFrom::Tutorial ? usual_distance : task.values.threshold);
+  finder.setInputNormals (normals);
+  finder.setInputCloud (image);
+  std::vector<pcl::PlanarRegion<pcl::PointXYZ>,
+              Eigen::aligned_allocator<pcl::PlanarRegion<pcl::PointXYZ>>>
+      regions;
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> planes, of_labels, borders;
+  pcl::PointCloud<pcl::Label>::Ptr labels (new pcl::PointCloud<pcl::Label>);
+  finder.segmentAndRefine (regions, models, planes, labels, of_labels, borders);
+  pcl::Indices point_of (image->size(), 0);
+  for (std::size_t i = 0; i < task.cloud->size(); ++i)
+    point_of[grid.pixels[i]] = pcl::index_t (i);
+  for (pcl::PointIndices& plane : planes)
+    for (pcl::index_t& i : plane.indices)
+      i = point_of[i];
+  return planes;
+}
+
 } // namespace
 
 void
 addPclPeers (std::vector<Configuration>& configurations)
 {
-  configurations.push_back (
-      {"pcl-sac",
-       {"peers"},
-       [] (const XyzCloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t) {
-         return runPeer (*cloud, [&] (double&) { return planesByRansac (cloud); });
-       }});
-  configurations.push_back (
-      {"pcl-region-growing",
-       {"peers"},
-       [] (const XyzCloud::ConstPtr& cloud, const Eigen::Vector3d&, std::uint32_t) {
-         return runPeer (*cloud,
-                         [&] (double& normals) { return regionsOf (cloud, normals); });
-       }});
+  addPeer (configurations, "pcl-sac", planesByRansac);
+  addPeer (configurations, "pcl-region-growing", planesByRegionGrowing);
+  addPeer (configurations, "pcl-organized", planesInImage, true);
 }
 
 } // namespace pcl_ops::evaluation

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "truth.h"
 
+#include <boost/functional/hash.hpp>
+
 #include <io/output_file.h>
 
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iomanip>
 #include <iterator>
-#include <sstream>
 
 namespace pcl_ops::evaluation {
 
@@ -18,31 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /** Change it with the algorithm: truth grown by an older one is then grown anew. */
-constexpr std::uint64_t algorithm_version = 1;
-
-/** FNV-1a, 64 bits (Fowler, Noll & Vo). */
-class Hash {
-public:
-  template <typename T>
-  void
-  add (const T& value)
-  {
-    const auto* const bytes = reinterpret_cast<const unsigned char*> (&value);
-    for (std::size_t i = 0; i < sizeof (T); ++i)
-      value_ = (value_ ^ bytes[i]) * 0x100000001b3u;
-  }
-
-  std::string
-  hex () const
-  {
-    std::ostringstream text;
-    text << std::hex << std::setfill ('0') << std::setw (16) << value_;
-    return text.str();
-  }
-
-private:
-  std::uint64_t value_ = 0xcbf29ce484222325u;
-};
+constexpr std::size_t algorithm_version = 1;
 
 /** Nothing if there is no such file or it is not one of so many points. */
 std::optional<PlaneLabels>
@@ -87,18 +63,15 @@ grownTruth (const XyzCloud& cloud, const TruthParameters& parameters)
 std::string
 truthKey (const XyzCloud& cloud, const RegionGrowingParameters& parameters)
 {
-  Hash hash;
-  hash.add (algorithm_version);
-  hash.add (parameters.neighbors);
-  hash.add (parameters.distance_threshold);
-  hash.add (parameters.angle_threshold);
-  hash.add (parameters.min_points);
-  for (const pcl::PointXYZ& point : cloud) {
-    hash.add (point.x);
-    hash.add (point.y);
-    hash.add (point.z);
-  }
-  return hash.hex();
+  std::size_t hash = algorithm_version;
+  boost::hash_combine (hash, parameters.neighbors);
+  boost::hash_combine (hash, parameters.distance_threshold);
+  boost::hash_combine (hash, parameters.angle_threshold);
+  boost::hash_combine (hash, parameters.min_points);
+  for (const pcl::PointXYZ& point : cloud)
+    for (const float coordinate : {point.x, point.y, point.z})
+      boost::hash_combine (hash, coordinate);
+  return std::to_string (hash);
 }
 
 PlaneLabels

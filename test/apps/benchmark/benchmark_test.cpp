@@ -4,17 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <benchmark/ratios.h>
+#include <benchmark/peak_memory.h>
 #include <benchmark/scaling.h>
 #include <simulation/dense_scan.h>
-
-#include <cmath>
 
 namespace {
 
 using namespace pcl_ops::benchmark;
-
-constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
 /** A measure that takes these times, one after the other [ms]. */
 Measure
@@ -28,51 +24,26 @@ measureTaking (const std::string& name, std::vector<double> times)
           }};
 }
 
-BestTimes
+std::vector<BestTime>
 measureQuietly (const std::vector<Measure>& measures)
 {
   return measureInTurns (measures, [] (const std::string&) {});
 }
 
-TEST (Ratios, TwoThreadsCountOnlyWhereThereAreTwoCores)
-{
-  CloudFigures figures;
-  figures.times = {{default_preset, {0, 0, 0, 0, 0, 30.0}, 1},
-                   {default_on_two_threads, {0, 0, 0, 0, 0, 15.0}, 1}};
-  const auto speedup = [&] (unsigned cores) {
-    for (const Ratio& ratio : ratiosOf (figures, {cores, {}, not_measured}))
-      if (ratio.id == "two_threads")
-        return ratio.value;
-    return -1.0;
-  };
-  EXPECT_EQ (speedup (2), 2.0);
-  EXPECT_TRUE (std::isnan (speedup (1)));
-}
-
-TEST (Ratios, MediansLeaveOutWhatWasNotMeasured)
-{
-  std::vector<std::vector<Ratio>> ratios;
-  for (const double value : {5.0, not_measured, 1.0, 3.0})
-    ratios.push_back ({{"", "", "", value}, {"", "", "", not_measured}});
-  const std::vector<Ratio> medians = mediansOf (ratios);
-  EXPECT_EQ (medians[0].value, 3.0);
-  EXPECT_TRUE (std::isnan (medians[1].value));
-}
-
 TEST (Measures, TheShortestRunCounts)
 {
-  const BestTimes best = measureQuietly (
+  const std::vector<BestTime> best = measureQuietly (
       {measureTaking ("a", {5.0, 2.0, 4.0}), measureTaking ("b", {7.0})});
-  EXPECT_EQ (bestOf (best, "a"), 2.0);
-  EXPECT_EQ (bestOf (best, "b"), 7.0);
+  EXPECT_EQ (best[0].durations.detection, 2.0);
+  EXPECT_EQ (best[1].durations.detection, 7.0);
   EXPECT_EQ (best[0].runs, 3u);
-  EXPECT_TRUE (std::isnan (bestOf (best, "c")));
 }
 
 TEST (Measures, WhatTakesVeryLongIsNotRepeated)
 {
   const double long_time = 2.0 * patience;
-  const BestTimes best = measureQuietly ({measureTaking ("a", {long_time, 1.0})});
+  const std::vector<BestTime> best =
+      measureQuietly ({measureTaking ("a", {long_time, 1.0})});
   EXPECT_EQ (best[0].runs, 1u);
 }
 

@@ -52,14 +52,12 @@ saveText (const std::string& file)
 }
 
 const std::string segment = PCL_OPS_SEGMENT_PROGRAM, tiles = PCL_OPS_TILES_PROGRAM,
-                  simulate = PCL_OPS_SIMULATE_PROGRAM,
-                  evaluate = PCL_OPS_EVALUATE_PROGRAM;
+                  simulate = PCL_OPS_SIMULATE_PROGRAM;
 
 /** \brief Every output of every program that needs no display. */
 std::vector<Output>
 allOutputs ()
 {
-  const std::string on_clouds = "OUT clouds:clouds --detectors ops";
   std::vector<Output> outputs = {
       {"Cloud", segment, "in.pcd OUT", "out/a.pcd", "out/a.pcd"},
       {"Ply", segment, "in.pcd OUT", "out/a.ply", "out/a.ply"},
@@ -106,8 +104,7 @@ allOutputs ()
        "OUT --scene town --points 500",
        "out",
        "out/town_001_001.las"},
-      {"Simulated", simulate, "OUT --points 500", "out/a.pcd", "out/a.pcd"},
-      {"Results", evaluate, "run " + on_clouds, "out", "out/tables.md"}};
+      {"Simulated", simulate, "OUT --points 500", "out/a.pcd", "out/a.pcd"}};
 #ifdef PCL_OPS_BENCHMARK_PROGRAM
   const std::string benchmark = PCL_OPS_BENCHMARK_PROGRAM,
                     measured = "simulated:500 --no-peers --runs 1 --memory-points 500 "

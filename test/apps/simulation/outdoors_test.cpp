@@ -72,17 +72,6 @@ TEST (Survey, HasNoGroundInAHouseAndNothingOutOfTheRoof)
   }
 }
 
-TEST (Survey, PointsComeInNoOrderFromNoKnownPosition)
-{
-  const auto cloud = scanSurvey (makeSurvey (1, 4), 10000, 1.0, 1).cloud;
-  std::size_t changes = 0;
-  for (std::size_t i = 1; i < cloud.size(); ++i)
-    changes += cloud[i].label != cloud[i - 1].label;
-  EXPECT_GT (changes, cloud.size() / 4);
-  EXPECT_TRUE (cloud.sensor_origin_.isZero());
-  EXPECT_TRUE (cloud.sensor_orientation_.isApprox (Eigen::Quaternionf::Identity()));
-}
-
 TEST (Town, HasTheSamePointsInAnyNumberOfTiles)
 {
   const auto one = allPoints (makeTown (1, some_points, 1));
@@ -117,25 +106,6 @@ TEST (Town, HasAPlaneForEachLabel)
       ASSERT_TRUE (fit);
       EXPECT_NEAR (std::sqrt (fit->variances[0]), survey_sigma, 0.002) << label;
     }
-}
-
-TEST (Town, HasWallsAcrossTheBordersOfTiles)
-{
-  const Town town = makeTown (1, some_points, 4);
-  std::set<std::uint32_t> left, both;
-  for (const TownPoint& point : surveyTile (town, 0, 0, 1.0))
-    left.insert (point.label);
-  for (const TownPoint& point : surveyTile (town, 1, 0, 1.0))
-    if (left.count (point.label) > 0)
-      both.insert (point.label);
-  EXPECT_GT (both.size(), 5u) << "the ground, and more";
-}
-
-TEST (Town, IsAnotherOneForAnotherSeed)
-{
-  const auto first = surveyTile (makeTown (1, some_points, 1), 0, 0, 1.0);
-  const auto second = surveyTile (makeTown (2, some_points, 1), 0, 0, 1.0);
-  EXPECT_NE (first.front().position, second.front().position);
 }
 
 TEST (Street, PlantsAndPolesAreOnNoPlane)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scenes.h"
 #include <simulation/board_furniture.h>
-#include <simulation/poses.h>
+#include <simulation/room.h>
 
 using namespace pcl_ops::simulation;
 
@@ -15,12 +15,6 @@ onePieceOfEachKind ()
 {
   Random random (seedOfTest());
   return {drawBoardTable (random), drawBoardBench (random), drawBoardRack (random)};
-}
-
-double
-widthOf (const Rectangle& rectangle)
-{
-  return 2.0 * std::min (rectangle.half_u, rectangle.half_v);
 }
 
 /** \brief Of what is turned by that angle about the vertical before. */
@@ -109,27 +103,6 @@ TEST (BoardFurniture, EveryFaceIsAPlaneOfItsOwn)
   }
 }
 
-TEST (BoardFurniture, RimsAndPostsAreTwoToSixCentimetersWide)
-{
-  for (const Furniture& piece : onePieceOfEachKind()) {
-    std::size_t narrow = 0;
-    for (const Rectangle& face : piece.body.rectangles) {
-      EXPECT_GE (widthOf (face), thinnest_board);
-      narrow += widthOf (face) <= thickest_board;
-    }
-    EXPECT_GE (narrow, 4u + 4u * 4u); // the rims of a board, the sides of four posts
-  }
-}
-
-TEST (BoardFurniture, StandsOnTheFloorWithinItsFootprint)
-{
-  for (const Furniture& piece : onePieceOfEachKind()) {
-    const Eigen::AlignedBox3d box = boxAround (piece.body);
-    EXPECT_NEAR (box.min().z(), 0.0, 1e-9);
-    EXPECT_TRUE (box.sizes().head<2>().isApprox (piece.footprint, 1e-9));
-  }
-}
-
 TEST (Room, IsFurnishedWithinItsWalls)
 {
   for (const std::uint32_t seed : seedsOfTest (20)) {
@@ -162,34 +135,3 @@ TEST (Corner, HasPiecesApartFromEachOtherWithinTheWalls)
   }
 }
 
-TEST (Corner, HasAFloorAndTwoWallsAndNothingOpposite)
-{
-  const Room corner = makeFurnishedCorner (seedOfTest());
-  EXPECT_EQ (corner.scene.bodies.front().surface_count, 3u);
-  const Vector3d eye (0.0, 0.0, corner.size.z() - 0.01);
-  int walls = 0;
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    const Vector3d outward =
-        turnZ (corner.yaw + 0.5 * pi * quarter) * Vector3d::UnitX();
-    walls += std::isfinite (castRay (corner.scene, eye, outward).distance);
-  }
-  EXPECT_EQ (walls, 2);
-}
-
-TEST (Corner, IsSeenWithNarrowPlanesThatHavePointsEnough)
-{
-  const std::uint32_t seed = seedOfTest();
-  const Room corner = makeFurnishedCorner (seed);
-  const Eigen::Isometry3d pose = drawCameraPose (corner, seed);
-  const Scan scan = scanByCamera (corner.scene, cameraOf (320, 240), pose, {}, seed);
-  const auto planes = toCloud (scan, pose, corner.scene, CloudLayout::Readings).planes;
-  const auto isNarrow = [&corner] (const LabeledPlane& seen) {
-    for (const Body& body : corner.scene.bodies)
-      for (const Rectangle& face : body.rectangles)
-        if (widthOf (face) <= thickest_board && seen.plane.normal == face.normal() &&
-            seen.plane.distance (face.center) == 0.0)
-          return true;
-    return false;
-  };
-  EXPECT_GE (std::count_if (planes.begin(), planes.end(), isNarrow), 5);
-}

@@ -66,15 +66,6 @@ TEST (DepthNoise, GrowsWithTheSquareOfTheDepth)
   }
 }
 
-TEST (DepthNoise, ScalesWithItsFactor)
-{
-  const auto errorOf = [] (double scale) {
-    return meanSquaredError (
-        measuredWall (3.0, noiseOf (NoiseProfile::Correlated, scale)), 3.0);
-  };
-  EXPECT_NEAR (errorOf (0.5) / errorOf (1.0), 0.25, 1e-6);
-}
-
 TEST (DepthNoise, CorrelatedErrorsAreThoseOfAGaussianFilter)
 {
   const NoiseParameters noise = noiseOf (NoiseProfile::Correlated);
@@ -108,14 +99,6 @@ TEST (DepthNoise, FlyingPixelsAreBetweenTheEdgesSidesAndOnNoSurface)
     }
   EXPECT_GT (flying, 20);
   EXPECT_LT (flying, 2 * 120);
-}
-
-TEST (DepthNoise, NoneHasSharpEdges)
-{
-  const NoiseParameters none = noiseOf (NoiseProfile::None);
-  for (const double depth :
-       measureDepth (stepScene (2.0, 4.0), cameraOf (160, 120), origin, none, 1).depth)
-    EXPECT_TRUE (depth == 2.0 || depth == 4.0) << depth;
 }
 
 TEST (DepthNoise, LosesWhatIsOutOfRange)

@@ -91,45 +91,6 @@ TEST (Shapes, PointsOfNoPlaneLieOnTheRoundSurfaces)
   EXPECT_GT (noisy, shapes_sigma * 2.0);
 }
 
-TEST (Shapes, RoundOnesStandApartFromThePlanesAndEachOther)
-{
-  struct Row {
-    float front, back, spacing, gap; // [m]
-  };
-  for (const std::uint32_t seed : seedsOfTest (20)) {
-    const auto cloud = scanShapes (makeShapes (seed), few_points, 0.0, seed).cloud;
-    for (const auto& point : cloud)
-      EXPECT_TRUE (point.label == 0 ? point.y < -0.3f : point.y >= 0.0f) << seed;
-    for (const Row& row : {Row{-0.3f, -2.1f, 1.8f, 0.3f}, {-2.5f, -99, 3.0f, 0.2f}}) {
-      Eigen::AlignedBox1d of_shape[4];
-      for (const auto& point : cloud) {
-        EXPECT_FALSE (point.y > -2.5f && point.y < -2.1f) << seed;
-        if (point.y < row.front && point.y > row.back)
-          of_shape[std::clamp (int (point.x / row.spacing + 2.0f), 0, 3)].extend (
-              Eigen::AlignedBox1d::VectorType (point.x));
-      }
-      for (int i = 1; i < 4; ++i)
-        EXPECT_GT (of_shape[i].min()[0] - of_shape[i - 1].max()[0], row.gap) << seed;
-    }
-  }
-}
-
-TEST (Shapes, RadiiOfLargeOnesReachFromThoseOfTheOthersToThoseOfVaults)
-{
-  double smallest = 10.0, largest = 0.0;
-  for (const std::uint32_t seed : seedsOfTest (20)) {
-    const std::vector<RoundShape> round = makeShapes (seed).round;
-    ASSERT_EQ (round.size(), 8u);
-    for (std::size_t i = 4; i < round.size(); ++i) {
-      smallest = std::min (smallest, round[i].radius);
-      largest = std::max (largest, round[i].radius);
-    }
-  }
-  EXPECT_GT (smallest, 0.5);
-  EXPECT_LT (smallest, 1.0);
-  EXPECT_GT (largest, 4.0);
-}
-
 TEST (SurfacePoints, AreDenseEvenly)
 {
   using Kind = RoundShape::Kind;

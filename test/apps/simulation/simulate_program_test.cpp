@@ -78,14 +78,6 @@ TEST (SimulateProgram, HasThePointsAskedFor)
   EXPECT_EQ (loaded (file).height, 16u);
 }
 
-TEST (SimulateProgram, ARoomIsTheSceneUnlessAskedFor)
-{
-  const TemporaryFolder folder;
-  simulate (folder / "a.pcd" + small_image);
-  simulate (folder / "b.pcd" + small_image + " --scene room");
-  EXPECT_EQ (contentOf (folder / "a.pcd"), contentOf (folder / "b.pcd"));
-}
-
 TEST (SimulateProgram, RefusesWrongUsage)
 {
   const TemporaryFolder folder;

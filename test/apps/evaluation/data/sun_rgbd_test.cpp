@@ -123,6 +123,7 @@ TEST_F (SunRgbdTest, PixelsWithoutReadingGiveNoPointAndFarOnesAreClipped)
   const EvaluationCloud cloud = readSunRgbdFrame (frame.string(), SunRgbdDepth::Raw);
   ASSERT_EQ (cloud.cloud->size(), 1u);
   EXPECT_FLOAT_EQ ((*cloud.cloud)[0].y, 8.0f);
+  EXPECT_EQ (cloud.grid->pixels, std::vector<std::uint32_t>{1});
 }
 
 TEST_F (SunRgbdTest, FramesAreFoundAtAnyDepthAndReadLate)

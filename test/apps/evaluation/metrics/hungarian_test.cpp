@@ -49,20 +49,6 @@ TEST (Hungarian, IsTheBestOfAllPermutationsWhateverTheShape)
     }
 }
 
-/** Machol-Wien: benefit -(i+1)(j+1), whose optimum pairs i with n-1-i; a classic hard
- * case of the method. */
-TEST (Hungarian, SolvesTheLargeProductMatrix)
-{
-  constexpr Eigen::Index size = 200;
-  const Eigen::MatrixXd benefit =
-      Eigen::MatrixXd::NullaryExpr (size, size, [] (Eigen::Index i, Eigen::Index j) {
-        return -double ((i + 1) * (j + 1));
-      });
-  const Columns column_of = maximumAssignment (benefit);
-  for (Eigen::Index row = 0; row < size; ++row)
-    EXPECT_EQ (column_of[row], size - 1 - row);
-}
-
 TEST (Hungarian, NothingToAssignIsNoError)
 {
   EXPECT_TRUE (maximumAssignment (Eigen::MatrixXd (0, 4)).empty());

@@ -4,13 +4,14 @@
 
 #include <cli/errors.h>
 #include <evaluation/detectors/detectors.h>
-#include <evaluation/experiments/evaluation_run.h>
-#include <evaluation/report/metrics_table.h>
+#include <evaluation/report/evaluation_run.h>
 #include <support/file_size_limit.h>
 #include <support/temporary_folder.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 
@@ -36,7 +37,7 @@ rowOfPoints (const std::string& name)
 Configuration
 labeling (const std::string& name, std::size_t labeled, std::atomic<int>& calls)
 {
-  return {name, {}, [=, &calls] (const auto& cloud, const auto&, std::uint32_t) {
+  return {name, {}, [=, &calls] (const auto& cloud, const RunSettings&) {
             ++calls;
             DetectorRun run;
             run.labels.assign (cloud->size(), 0);
@@ -90,25 +91,6 @@ TEST_F (EvaluationRunTest, WritesARowForEachCloudAndConfiguration)
   EXPECT_EQ (rows()[2].cloud, "b, \"c\"");
 }
 
-TEST_F (EvaluationRunTest, SaysHowMuchOffPlanesIsCalledAPlane)
-{
-  plan.data_sets[0].clouds = {rowOfPoints ("a")};
-  plan.truth.min_points = 11; // its ten points are too few for a plane
-  run();
-  EXPECT_EQ (rows()[0].value ("points_off_planes_called_planes"), 1.0);
-  EXPECT_EQ (rows()[1].value ("points_off_planes_called_planes"), 0.5);
-}
-
-TEST_F (EvaluationRunTest, CountsTruePlanesBySizeAndWidth)
-{
-  run();
-  for (const char* planes :
-       {"planes_by_points_below_200", "planes_by_width_below_0.03"})
-    EXPECT_EQ (rows()[0].value (planes), 1.0) << planes;
-  EXPECT_EQ (rows()[0].value ("found_75_by_width_below_0.03"), 1.0);
-  EXPECT_EQ (rows()[1].value ("found_75_by_width_below_0.03"), 0.0);
-}
-
 TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)
 {
   run();
@@ -143,7 +125,7 @@ TEST_F (EvaluationRunTest, ManyThreadsGiveTheSameRows)
 
 TEST_F (EvaluationRunTest, AFailingDetectorIsSaidAndCounted)
 {
-  const auto fail = [] (const auto&, const auto&, std::uint32_t) -> DetectorRun {
+  const auto fail = [] (const auto&, const auto&) -> DetectorRun {
     throw std::runtime_error ("no memory");
   };
   plan.configurations.insert (plan.configurations.begin(), {"failing", {}, fail});
@@ -151,6 +133,42 @@ TEST_F (EvaluationRunTest, AFailingDetectorIsSaidAndCounted)
   EXPECT_EQ (summary.failed_runs, 2u);
   EXPECT_EQ (summary.new_rows, 4u);
   EXPECT_NE (messages.str().find ("failing failed on a: no memory"), std::string::npos);
+}
+
+TEST_F (EvaluationRunTest, APeerThatTakesTooLongIsStoppedAndNotTriedAgain)
+{
+  const auto hang = [] (const auto&, const auto&) -> DetectorRun {
+    for (volatile bool forever = true; forever;) {
+    }
+    return {};
+  };
+  plan.configurations = {{"hanging", {}, hang, true}};
+  plan.data_sets[0].clouds.resize (1);
+  plan.time_limit = 1;
+  EXPECT_EQ (run().stopped_runs, 1u);
+  EXPECT_NE (messages.str().find ("hanging on a: stopped after 1 s"),
+             std::string::npos);
+  ASSERT_EQ (rows().size(), 1u);
+  EXPECT_EQ (rows()[0].value ("detection_ms"), 1000.0);
+  EXPECT_TRUE (std::isnan (rows()[0].value ("f_score")));
+  EXPECT_EQ (run().stopped_runs, 0u);
+}
+
+TEST_F (EvaluationRunTest, APeerThatCrashesIsAFailedRun)
+{
+  const auto crash = [] (const auto&, const auto&) -> DetectorRun { std::abort(); };
+  const auto fail = [] (const auto&, const auto&) -> DetectorRun {
+    throw std::runtime_error ("no memory");
+  };
+  plan.configurations = {{"crashing", {}, crash, true}, {"failing", {}, fail, true}};
+  EXPECT_EQ (run().failed_runs, 4u);
+  EXPECT_NE (messages.str().find ("failing failed on a: no memory"), std::string::npos);
+}
+
+TEST_F (EvaluationRunTest, WhatNeedsAnImageRunsOnImagesOnly)
+{
+  plan.configurations[0].needs_grid = true;
+  EXPECT_EQ (run().new_rows, 2u);
 }
 
 TEST_F (EvaluationRunTest, AResultsFileOfAnotherKindOrVersionIsLeftAlone)
@@ -182,46 +200,6 @@ TEST_F (EvaluationRunTest, AFullDiskLeavesTheRowsThatHadRoom)
   }
   EXPECT_EQ (contentOf (file), before);
   EXPECT_EQ (run().new_rows, 2u);
-}
-
-TEST_F (EvaluationRunTest, TablesHaveTheMeansOverClouds)
-{
-  plan.configurations = {labeling ("unknown", 10, calls),
-                         labeling ("ops-3-30", 5, calls)};
-  run();
-  const std::vector<TextTable> tables = metricsTables (rows());
-  ASSERT_EQ (tables.size(), 1u);
-  EXPECT_EQ (tables[0].title, "rows, truth exact");
-  ASSERT_EQ (tables[0].rows.size(), 2u);
-  const std::vector<std::string>& row = tables[0].rows[0];
-  EXPECT_EQ (row[0], "ops-3-30") << "known ones first";
-  EXPECT_EQ (row[1], "2");
-  EXPECT_EQ (row[3], "50.00") << tables[0].header[3];
-  EXPECT_EQ (row[15], "1.5000") << tables[0].header[15];
-}
-
-TEST (Detectors, NamesAndGroupsSelectEachConfigurationOnce)
-{
-  EXPECT_EQ (selectConfigurations ("ops").size(), 1u);
-  EXPECT_EQ (selectConfigurations ("table3").size(),
-             18u); // 15 rows, 3 of strategy 1
-  EXPECT_EQ (selectConfigurations ("table3,ops-3-30").size(), 18u);
-  EXPECT_EQ (selectConfigurations ("all,ablation").size(), allConfigurations().size());
-  EXPECT_THROW (selectConfigurations ("ops,opps"), pcl_ops::apps::UsageError);
-}
-
-TEST (Detectors, EveryOneFindsAFloorAndSaysHowLongItTook)
-{
-  XyzCloud::Ptr cloud (new XyzCloud);
-  for (int i = 0; i < 60; ++i)
-    for (int j = 0; j < 60; ++j)
-      cloud->push_back (pcl::PointXYZ (0.02f * i, 0.02f * j, 0.001f * (i * j % 3)));
-  for (const char* name : {"ops", "pcl-sac", "pcl-region-growing"}) {
-    const auto run =
-        selectConfigurations (name)[0].run (cloud, Eigen::Vector3d::UnitZ(), 1);
-    EXPECT_GT (std::count (run.labels.begin(), run.labels.end(), 1u), 3400) << name;
-    EXPECT_GT (run.durations.detection, 0.0);
-  }
 }
 
 } // namespace

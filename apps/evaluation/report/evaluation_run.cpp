@@ -6,9 +6,12 @@
 #include <cli/memory.h>
 #include <cli/parallel.h>
 #include <cli/program.h>
+#include <evaluation/detectors/limited_run.h>
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
+#include <limits>
 
 namespace pcl_ops::evaluation {
 
@@ -41,7 +44,7 @@ public:
       evaluateCloud (tasks_[i]);
       progress_.step();
     });
-    return {clouds_, new_rows_, broken_clouds_, failed_runs_};
+    return {clouds_, new_rows_, broken_clouds_, failed_runs_, stopped_runs_};
   }
 
 private:
@@ -86,7 +89,7 @@ private:
   ResultRow
   emptyRow (const CloudTask& task, const std::string& truth) const
   {
-    return {task.data_set, task.source->name, truth, "", plan_.seed, {}};
+    return {task.data_set, task.source->name, truth, "", plan_.settings.seed, {}};
   }
 
   /** Known without loading the cloud only where its rows say which truth it has. */
@@ -104,6 +107,35 @@ private:
     return true;
   }
 
+  std::optional<DetectorRun>
+  detect (const Configuration& configuration, const EvaluationCloud& cloud) const
+  {
+    RunSettings settings = plan_.settings;
+    settings.up = cloud.up;
+    settings.grid = cloud.grid ? &*cloud.grid : nullptr;
+    return configuration.is_peer
+               ? runLimited (configuration, cloud.cloud, settings, plan_.time_limit)
+               : configuration.run (cloud.cloud, settings);
+  }
+
+  /** Nothing but how long it took, so that it is not tried again. */
+  std::vector<double>
+  valuesOfStopped (const CloudTask& task, const Configuration& configuration)
+  {
+    ++stopped_runs_;
+    progress_.note (apps::errorLine (
+        configuration.name + " on " + task.source->name + ": stopped after " +
+        std::to_string (plan_.time_limit) + " s; more by --time-limit"));
+    constexpr double milliseconds = 1e3;
+    DetectorRun run;
+    run.durations.detection = milliseconds * plan_.time_limit;
+    std::vector<double> values = valuesOf ({}, run);
+    for (double& value : values)
+      if (value != run.durations.detection)
+        value = std::numeric_limits<double>::quiet_NaN();
+    return values;
+  }
+
   void
   evaluateConfiguration (const CloudTask& task,
                          const Configuration& configuration,
@@ -112,13 +144,15 @@ private:
   {
     ResultRow row = emptyRow (task, truthName (cloud, plan_.truth));
     row.configuration = configuration.name;
-    if (results_.has (row.key()))
+    if (results_.has (row.key()) || (configuration.needs_grid && !cloud.grid))
       return;
     try {
       row.values = apps::inMemory (configuration.name, fewer_at_a_time, [&] {
-        const DetectorRun run = configuration.run (cloud.cloud, cloud.up, plan_.seed);
-        return valuesOf (compareLabels (*cloud.cloud, truth, run.labels, {cloud.up}),
-                         run);
+        const std::optional<DetectorRun> run = detect (configuration, cloud);
+        return run ? valuesOf (
+                         compareLabels (*cloud.cloud, truth, run->labels, {cloud.up}),
+                         *run)
+                   : valuesOfStopped (task, configuration);
       });
     }
     catch (const std::exception& error) {
@@ -135,7 +169,8 @@ private:
   ResultsFile& results_;
   std::vector<CloudTask> tasks_;
   apps::Progress progress_;
-  std::atomic<std::size_t> clouds_{0}, new_rows_{0}, broken_clouds_{0}, failed_runs_{0};
+  std::atomic<std::size_t> clouds_{0}, new_rows_{0}, broken_clouds_{0}, failed_runs_{0},
+      stopped_runs_{0};
 };
 
 } // namespace

@@ -13,7 +13,10 @@ struct EvaluationPlan {
   std::vector<DataSet> data_sets;
   std::vector<Configuration> configurations;
   TruthParameters truth;
-  std::uint32_t seed = 42;
+  /** \brief All but the up axis and the grid, which are those of the clouds. */
+  RunSettings settings;
+  /** \brief Of a detector of others on a cloud [s]; 0: none. */
+  unsigned time_limit = 600;
   /** \brief Clouds at a time; only 1 leaves the measured times undisturbed. */
   unsigned jobs = 1;
 };
@@ -24,8 +27,9 @@ struct EvaluationSummary {
   std::size_t clouds = 0;
   std::size_t new_rows = 0;
   std::size_t broken_clouds = 0;
-  /** \brief Configurations that failed on a cloud. */
-  std::size_t failed_runs = 0;
+  /** \brief Configurations that failed on a cloud, or took too long: those have a row
+   * without metrics. */
+  std::size_t failed_runs = 0, stopped_runs = 0;
 };
 
 /** \brief Runs every configuration on every cloud for which the results have no row

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "peers.h"
+
+#include <pcl/kdtree/kdtree_flann.h>
+
+#include "detector_run.h"
+#include <numbers/quantile.h>
+#include <pcl_ops/oriented_point_sampling.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+/** Of the points that our default finds on planes, as root mean square [m]. What a
+ * neighborhood shows is less where points near each other err alike. */
+double
+noiseOf (const XyzCloud::ConstPtr& cloud)
+{
+  OrientedPointSampling<pcl::PointXYZ> ops;
+  ops.setInputCloud (cloud);
+  std::vector<PlaneSegment> planes;
+  ops.segment (planes);
+  double squares = 0.0, points = 0.0;
+  for (const PlaneSegment& plane : planes)
+    if (const std::optional<PlaneFit> fit = fitPlane (plane.moments)) {
+      squares += plane.moments.count * fit->variances[0];
+      points += plane.moments.count;
+    }
+  return points > 0.0 ? std::sqrt (squares / points) : usual_peer_threshold / 3.0;
+}
+
+/** Between points if they were spread evenly, as median [m]. */
+double
+spacingOf (const XyzCloud::ConstPtr& cloud)
+{
+  constexpr int neighbors = 30;
+  constexpr std::size_t samples = 2000;
+  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
+  tree.setInputCloud (cloud);
+  std::vector<double> spacings;
+  pcl::Indices found;
+  std::vector<float> squared;
+  const std::size_t stride = cloud->size() / samples + 1;
+  for (std::size_t i = 0; i < cloud->size(); i += stride) {
+    tree.nearestKSearch ((*cloud)[i], neighbors, found, squared);
+    spacings.push_back (std::sqrt (M_PI * squared.back() / double (found.size())));
+  }
+  return apps::quantile (spacings, 0.5);
+}
+
+} // namespace
+
+PeerValues
+valuesFor (const XyzCloud::ConstPtr& cloud,
+           const RunSettings& settings,
+           ValuesFrom source)
+{
+  PeerValues values;
+  values.threshold = settings.peer_threshold;
+  values.gap = 2.0 * settings.peer_threshold;
+  values.noise = settings.peer_threshold / 3.0;
+  if (source == ValuesFrom::Tutorial || cloud->empty())
+    return values;
+  values.noise = settings.peer_noise ? *settings.peer_noise : noiseOf (cloud);
+  const double spacing = spacingOf (cloud);
+  if (!(spacing > 0.0)) // all points are one
+    return values;
+  // Points that are exact have no noise.
+  values.threshold = std::max (3.0 * values.noise, 0.1 * spacing);
+  values.gap = std::max (values.threshold, 4.0 * spacing);
+  // A plane through k points spread evenly over a disk of radius r errs by an angle of
+  // 2 noise / (r sqrt (k)), and r = spacing sqrt (k / pi).
+  constexpr double angle = 3.0 * M_PI / 180.0;
+  constexpr double fewest = 30, most = 200; // at least the tutorial's
+  const double wanted = 2.0 * std::sqrt (M_PI) * values.noise / (spacing * angle);
+  values.neighbors = int (std::clamp (wanted, fewest, most));
+  return values;
+}
+
+void
+addPeer (std::vector<Configuration>& configurations,
+         const std::string& name,
+         const std::function<std::vector<pcl::PointIndices> (const PeerTask&)>& detect,
+         bool needs_grid)
+{
+  for (const ValuesFrom source : {ValuesFrom::Tutorial, ValuesFrom::Cloud}) {
+    const std::string measured = source == ValuesFrom::Cloud ? "-measured" : "";
+    Configuration peer{name + measured, {"peers" + measured}, {}};
+    peer.is_peer = true;
+    peer.needs_grid = needs_grid;
+    peer.run = [detect, source] (const XyzCloud::ConstPtr& cloud,
+                                 const RunSettings& settings) {
+      const PeerValues values = valuesFor (cloud, settings, source);
+      DetectorRun run;
+      timed (run.durations.detection, [&] {
+        const auto planes =
+            detect ({cloud, settings, values, source, run.durations.normals});
+        run.planes_before_merging = planes.size();
+        run.labels = labelsOf (planes, cloud->size());
+      });
+      return run;
+    };
+    configurations.push_back (peer);
+  }
+}
+
+std::vector<pcl::PointIndices>
+peelPlanes (std::size_t points,
+            const std::function<pcl::Indices (const pcl::IndicesPtr& rest)>& segment)
+{
+  constexpr std::size_t max_planes = 40, min_inliers = 500;
+  constexpr double share_left = 0.02;
+  std::vector<pcl::PointIndices> planes;
+  pcl::IndicesPtr rest (new pcl::Indices (points));
+  std::iota (rest->begin(), rest->end(), 0);
+  while (double (rest->size()) > share_left * double (points) &&
+         planes.size() < max_planes) {
+    pcl::PointIndices plane;
+    plane.indices = segment (rest);
+    if (plane.indices.size() < min_inliers)
+      break;
+    pcl::IndicesPtr without (new pcl::Indices);
+    std::set_difference (rest->begin(),
+                         rest->end(),
+                         plane.indices.begin(),
+                         plane.indices.end(),
+                         std::back_inserter (*without));
+    rest = without;
+    planes.push_back (plane);
+  }
+  return planes;
+}
+
+} // namespace pcl_ops::evaluation

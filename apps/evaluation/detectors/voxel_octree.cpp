@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The planes that lidar odometry keeps: C. Yuan, W. Xu, X. Liu, X. Hong & F. Zhang,
+// "Efficient and Probabilistic Adaptive Voxel Mapping for Accurate Online LiDAR
+// Odometry", RA-L 2022, section III-B: a voxel whose points have a smallest eigenvalue
+// of the covariance below a threshold is a plane, others are divided into eight, down
+// to some layer. There each voxel has a plane of its own; mergePlanes joins them to
+// those of surfaces, with which other detectors can be compared.
+#include "peers.h"
+#include <pcl_ops/plane_merging.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+constexpr int layers = 4;
+/** Of a voxel, to be fitted a plane. */
+constexpr std::size_t min_points_of_voxel = 5;
+/** Of a plane after merging; as for the other detectors. */
+constexpr std::size_t min_points_of_plane = 50;
+
+struct OctreeParameters {
+  /** Of the first layer [m]. */
+  double edge = 1.0;
+  /** Of the covariance [m^2]. */
+  double max_eigenvalue = 0.01;
+  double merging_distance = usual_peer_threshold;
+};
+
+/** A voxel that is a plane. */
+struct Leaf {
+  Moments moments;
+  pcl::Indices points;
+};
+
+/** Adds the planes among some points.
+ * \param[in] center, edge of the voxel they are in
+ * \param[in] layers_left below it */
+void
+addLeaves (const XyzCloud& cloud,
+           const pcl::Indices& points,
+           const Eigen::Vector3d& center,
+           double edge,
+           int layers_left,
+           double max_eigenvalue,
+           std::vector<Leaf>& leaves)
+{
+  if (points.size() < min_points_of_voxel)
+    return;
+  Moments moments;
+  moments.origin = center;
+  std::array<pcl::Indices, 8> octants;
+  for (const pcl::index_t i : points) {
+    const Eigen::Vector3d local = cloud[i].getVector3fMap().cast<double>() - center;
+    moments.add (local.x(), local.y(), local.z());
+    octants[(local.x() > 0.0) + 2 * (local.y() > 0.0) + 4 * (local.z() > 0.0)]
+        .push_back (i);
+  }
+  const std::optional<PlaneFit> fit = fitPlane (moments);
+  if (fit && fit->variances[0] < max_eigenvalue) {
+    leaves.push_back ({moments, points});
+    return;
+  }
+  for (int octant = 0; layers_left > 0 && octant < 8; ++octant) {
+    const Eigen::Vector3d side (octant & 1, octant >> 1 & 1, octant >> 2 & 1);
+    addLeaves (cloud,
+               octants[octant],
+               center + 0.5 * edge * (side - Eigen::Vector3d::Constant (0.5)),
+               0.5 * edge,
+               layers_left - 1,
+               max_eigenvalue,
+               leaves);
+  }
+}
+
+std::vector<Leaf>
+leavesOf (const XyzCloud& cloud, const OctreeParameters& parameters)
+{
+  std::map<std::array<int, 3>, pcl::Indices> voxels;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    std::array<int, 3> voxel{};
+    for (int axis = 0; axis < 3; ++axis)
+      voxel[axis] = int (std::floor (cloud[i].data[axis] / parameters.edge));
+    voxels[voxel].push_back (pcl::index_t (i));
+  }
+  std::vector<Leaf> leaves;
+  for (const auto& [voxel, points] : voxels) {
+    const Eigen::Vector3d corner (voxel[0], voxel[1], voxel[2]);
+    addLeaves (cloud,
+               points,
+               parameters.edge * (corner + Eigen::Vector3d::Constant (0.5)),
+               parameters.edge,
+               layers - 1,
+               parameters.max_eigenvalue,
+               leaves);
+  }
+  return leaves;
+}
+
+std::vector<pcl::PointIndices>
+planesInOctree (const XyzCloud& cloud, const OctreeParameters& parameters)
+{
+  const std::vector<Leaf> leaves = leavesOf (cloud, parameters);
+  std::vector<Moments> moments;
+  for (const Leaf& leaf : leaves)
+    moments.push_back (leaf.moments);
+  MergingParameters merging;
+  merging.distance_threshold = parameters.merging_distance;
+  const MergedPlanes merged = mergePlanes (moments, merging);
+  std::vector<pcl::PointIndices> planes (merged.moments.size());
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+    if (merged.merged_into[i] != no_plane) {
+      pcl::Indices& plane = planes[std::size_t (merged.merged_into[i])].indices;
+      plane.insert (plane.end(), leaves[i].points.begin(), leaves[i].points.end());
+    }
+  while (!planes.empty() && planes.back().indices.size() < min_points_of_plane)
+    planes.pop_back(); // they come by falling size
+  return planes;
+}
+
+/** Edges of .5 to 3 m as in the paper, such that the smallest voxels have as many
+ * points as a plane needs; a plane within twice the noise. */
+OctreeParameters
+parametersFrom (const PeerValues& values, ValuesFrom source)
+{
+  OctreeParameters parameters;
+  parameters.merging_distance = values.threshold;
+  if (source == ValuesFrom::Tutorial)
+    return parameters;
+  // The gap is four times the distance of points: nine points to a square of it.
+  constexpr double smallest = 0.5, largest = 3.0;
+  parameters.edge =
+      std::clamp (values.gap * std::pow (2.0, layers - 1), smallest, largest);
+  parameters.max_eigenvalue = std::pow (2.0 * values.noise, 2);
+  return parameters;
+}
+
+} // namespace
+
+void
+addVoxelOctree (std::vector<Configuration>& configurations)
+{
+  addPeer (configurations, "voxel-octree", [] (const PeerTask& task) {
+    return planesInOctree (*task.cloud, parametersFrom (task.values, task.source));
+  });
+}
+
+} // namespace pcl_ops::evaluation

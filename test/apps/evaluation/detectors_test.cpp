@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cli/errors.h>
+#include <evaluation/detectors/peers.h>
+
+#include <algorithm>
+#include <random>
+
+namespace {
+
+using namespace pcl_ops::evaluation;
+
+/** A floor of 60 x 60 points, 2 cm apart. */
+XyzCloud::Ptr
+floorWithNoise (double sigma)
+{
+  std::mt19937 generator (1);
+  std::normal_distribution<float> noise (0.0f, float (sigma));
+  XyzCloud::Ptr cloud (new XyzCloud);
+  for (int i = 0; i < 60; ++i)
+    for (int j = 0; j < 60; ++j)
+      cloud->push_back (pcl::PointXYZ (0.02f * i, 0.02f * j, noise (generator)));
+  return cloud;
+}
+
+TEST (Detectors, NamesAndGroupsSelectEachConfigurationOnce)
+{
+  EXPECT_EQ (selectConfigurations ("ops").size(), 1u);
+  EXPECT_EQ (selectConfigurations ("table3").size(),
+             18u); // 15 rows, 3 of strategy 1
+  EXPECT_EQ (selectConfigurations ("table3,ops-3-30").size(), 18u);
+  EXPECT_EQ (selectConfigurations ("all,ablation").size(), allConfigurations().size());
+  EXPECT_EQ (selectConfigurations ("peers").size(),
+             selectConfigurations ("peers-measured").size());
+  EXPECT_THROW (selectConfigurations ("ops,opps"), pcl_ops::apps::UsageError);
+}
+
+TEST (Detectors, EveryOneFindsAFloorAndSaysHowLongItTook)
+{
+  const XyzCloud::Ptr cloud = floorWithNoise (0.001);
+  for (const Configuration& detector :
+       selectConfigurations ("presets,peers,peers-measured")) {
+    if (detector.needs_grid)
+      continue;
+    const DetectorRun run = detector.run (cloud, {});
+    std::vector<std::size_t> points = planeIds (run.labels).points;
+    ASSERT_FALSE (points.empty()) << detector.name;
+    EXPECT_GT (*std::max_element (points.begin(), points.end()), 3300u)
+        << detector.name;
+    EXPECT_GT (run.durations.detection, 0.0);
+  }
+}
+
+/** A slanted wall fills the image of a camera, whose columns to the left read nothing.
+ */
+TEST (Detectors, ThoseForImagesFindAWallInOne)
+{
+  ImageGrid grid{160, 120, {}};
+  XyzCloud::Ptr cloud (new XyzCloud);
+  for (std::uint32_t i = 0; i < grid.width * grid.height; ++i) {
+    const float x = (float (i % grid.width) - 79.5f) / 131.25f;
+    const float y = (float (i / grid.width) - 59.5f) / 131.25f;
+    const float depth = 2.0f / (1.0f - 0.3f * x); // 2 m + 0.3 x
+    if (i % grid.width < 10)
+      continue;
+    cloud->push_back (pcl::PointXYZ (depth * x, depth * y, depth));
+    grid.pixels.push_back (i);
+  }
+  RunSettings settings;
+  settings.grid = &grid;
+  for (const char* name : {"pcl-organized", "pcl-organized-measured"}) {
+    const DetectorRun run = selectConfigurations (name)[0].run (cloud, settings);
+    ASSERT_EQ (run.labels.size(), cloud->size());
+    EXPECT_GT (std::count (run.labels.begin(), run.labels.end(), 1u),
+               std::ptrdiff_t (cloud->size() / 2))
+        << name;
+  }
+}
+
+TEST (PeerValues, AreThoseOfTheCloudOrAsGiven)
+{
+  const XyzCloud::Ptr cloud = floorWithNoise (0.002);
+  RunSettings settings;
+  const PeerValues measured = valuesFor (cloud, settings, ValuesFrom::Cloud);
+  EXPECT_NEAR (measured.noise, 0.002, 0.0003);
+  EXPECT_NEAR (measured.threshold, 3.0 * measured.noise, 1e-9);
+  EXPECT_NEAR (measured.gap, 4.0 * 0.02, 0.02);
+  settings.peer_noise = 0.01;
+  EXPECT_NEAR (valuesFor (cloud, settings, ValuesFrom::Cloud).threshold, 0.03, 1e-9);
+  settings.peer_threshold = 0.2;
+  EXPECT_EQ (valuesFor (cloud, settings, ValuesFrom::Tutorial).threshold, 0.2);
+}
+
+} // namespace
