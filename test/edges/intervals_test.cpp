@@ -1,35 +1,35 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edges/stretches.h"
+#include "edges/intervals.h"
 #include "scene.h"
 
 using pcl_ops::internal::inCommon;
-using pcl_ops::internal::Stretch;
-using pcl_ops::internal::Stretches;
-using pcl_ops::internal::stretchesOf;
+using pcl_ops::internal::Interval;
+using pcl_ops::internal::Intervals;
+using pcl_ops::internal::intervalsOf;
 
 namespace {
 
 void
-expectAre (const Stretches& stretches, const Stretches& expected)
+expectAre (const Intervals& intervals, const Intervals& expected)
 {
-  ASSERT_EQ (stretches.size(), expected.size());
+  ASSERT_EQ (intervals.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    EXPECT_EQ (stretches[i].from, expected[i].from);
-    EXPECT_EQ (stretches[i].to, expected[i].to);
+    EXPECT_EQ (intervals[i].from, expected[i].from);
+    EXPECT_EQ (intervals[i].to, expected[i].to);
   }
 }
 
 } // namespace
 
-TEST (Stretches, EndAtGapsThatAreTooLong)
+TEST (Intervals, EndAtGapsThatAreTooLong)
 {
-  expectAre (stretchesOf ({5, 1, 2, 3, 9, 6}, 1.5), {{1, 3}, {5, 6}, {9, 9}});
-  expectAre (stretchesOf ({5, 1, 2, 3, 9, 6}, 2), {{1, 6}, {9, 9}});
-  expectAre (stretchesOf ({}, 2), {});
+  expectAre (intervalsOf ({5, 1, 2, 3, 9, 6}, 1.5), {{1, 3}, {5, 6}, {9, 9}});
+  expectAre (intervalsOf ({5, 1, 2, 3, 9, 6}, 2), {{1, 6}, {9, 9}});
+  expectAre (intervalsOf ({}, 2), {});
 }
 
-TEST (Stretches, OfManyPlacesAreThoseOfAFew)
+TEST (Intervals, OfManyPlacesAreThoseOfAFew)
 {
   // From -1 to 1 and from 1.5 to 2, thousands of times closer than the gap.
   std::vector<double> places;
@@ -37,20 +37,20 @@ TEST (Stretches, OfManyPlacesAreThoseOfAFew)
     if (i <= 1000 || i >= 1500)
       places.push_back (0.001 * i);
   std::reverse (places.begin(), places.end());
-  expectAre (stretchesOf (places, 0.4), {{-1, 1}, {1.5, 2}});
-  expectAre (stretchesOf (places, 0.6), {{-1, 2}});
+  expectAre (intervalsOf (places, 0.4), {{-1, 1}, {1.5, 2}});
+  expectAre (intervalsOf (places, 0.6), {{-1, 2}});
 }
 
-TEST (Stretches, WithoutAGapAreThePlaces)
+TEST (Intervals, WithoutAGapAreThePlaces)
 {
-  expectAre (stretchesOf ({3, 1, 1, 2}, 0.0), {{1, 1}, {2, 2}, {3, 3}});
-  expectAre (stretchesOf ({1, 1, 1}, 0.0), {{1, 1}});
+  expectAre (intervalsOf ({3, 1, 1, 2}, 0.0), {{1, 1}, {2, 2}, {3, 3}});
+  expectAre (intervalsOf ({1, 1, 1}, 0.0), {{1, 1}});
 }
 
-TEST (Stretches, InCommonAreWhereBothAre)
+TEST (Intervals, InCommonAreWhereBothAre)
 {
-  const Stretches first = {{0, 2}, {3, 5}, {7, 8}};
-  const Stretches second = {{1, 4}, {4.5, 6}};
+  const Intervals first = {{0, 2}, {3, 5}, {7, 8}};
+  const Intervals second = {{1, 4}, {4.5, 6}};
   expectAre (inCommon (first, second, 0.1), {{1, 2}, {3, 4}, {4.5, 5}});
   expectAre (inCommon (second, first, 1.0), {{1, 2}, {3, 4}});
   expectAre (inCommon (first, {}, 0.0), {});
