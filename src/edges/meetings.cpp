@@ -18,7 +18,7 @@ struct Body {
   PlaneFrame frame;
   PointRaster raster;
   double rms;
-  /** \brief Mean distance between neighbouring points [m]. */
+  /** \brief Mean distance between neighboring points [m]. */
   double spacing;
 
   PlanarLine
@@ -73,8 +73,8 @@ reachOf (const Body& first, const Body& second, double sine)
 bool
 areNear (const Body& first, const Body& second, double reach)
 {
-  const double apart = (first.frame.toSpace (first.raster.centre()) -
-                        second.frame.toSpace (second.raster.centre()))
+  const double apart = (first.frame.toSpace (first.raster.center()) -
+                        second.frame.toSpace (second.raster.center()))
                            .norm();
   return apart <= first.raster.radius() + second.raster.radius() + 2.0 * reach;
 }
