@@ -182,7 +182,7 @@ planesBy (Detector detector, const Variant& variant)
 struct Method {
   const char* name;
   Planes (*planes) (const Variant&);
-  double least_agreement;
+  double min_agreement;
 };
 
 const Method methods[] = {
@@ -267,7 +267,7 @@ TEST_P (Metamorphic, PlanesStayTheSame)
     // Filters and several scans change the order of points.
     const bool is_exact =
         GetParam() == "permuted" && method.name == std::string ("ops");
-    EXPECT_GE (agreed, is_exact ? 1.0 : method.least_agreement) << method.name;
+    EXPECT_GE (agreed, is_exact ? 1.0 : method.min_agreement) << method.name;
   }
 }
 

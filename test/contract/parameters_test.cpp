@@ -5,6 +5,8 @@
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
 
+#include <functional>
+
 namespace {
 
 using OpsParameters = pcl_ops::OrientedPointSamplingParameters;
@@ -18,13 +20,32 @@ template <typename Parameters>
 struct Range {
   /** \brief What problemOf has to speak of. */
   const char* words;
-  void (*set) (Parameters&, double);
+  std::function<void (Parameters&, double)> set;
   std::vector<double> wrong;
   std::vector<double> right = {};
 };
 
 template <typename Parameters>
 using Ranges = std::vector<Range<Parameters>>;
+
+/** \brief Sets a member. */
+template <typename Owner, typename Value>
+auto
+of (Value Owner::*member)
+{
+  return
+      [=] (Owner& owner, double value) { owner.*member = static_cast<Value> (value); };
+}
+
+/** \brief Sets a member of a member. */
+template <typename Owner, typename Group, typename Value>
+auto
+of (Group Owner::*group, Value Group::*member)
+{
+  return [=] (Owner& owner, double value) {
+    owner.*group.*member = static_cast<Value> (value);
+  };
+}
 
 /** \brief Below zero, infinite, none at all, and others. */
 std::vector<double>
@@ -38,152 +59,89 @@ template <typename P>
 Ranges<P>
 rangesOfAll ()
 {
-  return {{"up axis",
-           [] (P& p, double v) { p.up_axis *= static_cast<float> (v); },
-           {0.0, nan_value, HUGE_VAL},
-           {1e-30, 1e30}},
-          {"distance threshold",
-           [] (P& p, double v) { p.distance_threshold = v; },
-           notPositive ({0.0})},
-          {"angle tolerance",
-           [] (P& p, double v) { p.angle_tolerance = v; },
-           notPositive ({91_deg}),
-           {0.0, 90_deg}},
-          {"merging angle",
-           [] (P& p, double v) { p.merging.angle_threshold = v; },
-           notPositive ({91_deg})},
-          {"merging distance",
-           [] (P& p, double v) { p.merging.distance_threshold = v; },
-           notPositive(),
-           {0.0}},
-          {"merging noise",
-           [] (P& p, double v) { p.merging.noise_factor = v; },
-           notPositive(),
-           {0.0}}};
+  using All = pcl_ops::PlaneDetectorParameters;
+  using Merging = pcl_ops::MergingParameters;
+  const auto up = [] (P& p, double v) { p.up_axis *= static_cast<float> (v); };
+  return {
+      {"up axis", up, {0.0, nan_value, HUGE_VAL}, {1e-30, 1e30}},
+      {"distance threshold", of (&All::distance_threshold), notPositive ({0.0})},
+      {"angle tolerance", of (&All::angle_tolerance), notPositive ({2.0}), {0.0, 1.5}},
+      {"merging angle",
+       of (&All::merging, &Merging::angle_threshold),
+       notPositive ({2.0})},
+      {"merging distance",
+       of (&All::merging, &Merging::distance_threshold),
+       notPositive(),
+       {0.0}},
+      {"merging noise",
+       of (&All::merging, &Merging::noise_factor),
+       notPositive(),
+       {0.0}}};
 }
 
-const Ranges<OpsParameters> ranges_of_ops = {
-    {"k must be 2",
-     [] (OpsParameters& p, double v) { p.k = static_cast<int> (v); },
-     {1, -5},
-     {2}},
-    {"",
-     [] (OpsParameters& p, double v) { p.min_inliers = static_cast<unsigned> (v); },
-     {},
-     {0}},
-    {"sampling rate",
-     [] (OpsParameters& p, double v) { p.sampling_rate = v; },
-     notPositive ({0.0, 1.01}),
-     {1.0}},
-    {"sigma",
-     [] (OpsParameters& p, double v) { p.normal_sigma = v; },
-     notPositive ({0.0})},
-    {"probability",
-     [] (OpsParameters& p, double v) { p.probability = v; },
-     notPositive ({0.0, 1.0})},
-    {"resolutions",
-     [] (OpsParameters& p, double v) { p.surfels.resolutions = static_cast<int> (v); },
-     {0, 11},
-     {1, 10}},
-    {"voxel size",
-     [] (OpsParameters& p, double v) { p.surfels.voxel_size = v; },
-     notPositive ({0.0, 1e-40, 1e40}),
-     {1e-6}},
-    {"least average voxels",
-     [] (OpsParameters& p, double v) { p.surfels.least_average_voxels = v; },
-     notPositive()},
-    {"noise factor of surfels",
-     [] (OpsParameters& p, double v) { p.surfels.noise_factor = v; },
-     notPositive()},
-    {"angle threshold of surfels",
-     [] (OpsParameters& p, double v) { p.surfels.angle_threshold = v; },
-     notPositive ({91_deg})},
-    {"thickness of surfels",
-     [] (OpsParameters& p, double v) { p.surfels.sure_thickness = v; },
-     notPositive(),
-     {0.0}},
-    {"thickness of surfels",
-     [] (OpsParameters& p, double v) { p.surfels.largest_thickness = v; },
-     notPositive()},
-    {"noise factor of absorption",
-     [] (OpsParameters& p, double v) { p.surfels.absorption_noise_factor = v; },
-     notPositive()},
-    {"noise factor of assignment",
-     [] (OpsParameters& p, double v) { p.surfels.assignment_noise_factor = v; },
-     notPositive()}};
+Ranges<OpsParameters>
+rangesOfOps ()
+{
+  using P = OpsParameters;
+  using S = pcl_ops::SurfelParameters;
+  constexpr auto surfels = &P::surfels;
+  return {
+      {"k must be 2", of (&P::k), {1, -5}, {2}},
+      {"", of (&P::min_inliers), {}, {0}},
+      {"sampling rate", of (&P::sampling_rate), notPositive ({0.0, 1.01}), {1.0}},
+      {"sigma", of (&P::normal_sigma), notPositive ({0.0})},
+      {"probability", of (&P::probability), notPositive ({0.0, 1.0})},
+      {"resolutions", of (surfels, &S::resolutions), {0, 11}, {1, 10}},
+      {"voxel size",
+       of (surfels, &S::voxel_size),
+       notPositive ({0.0, 1e-40, 1e40}),
+       {1e-6}},
+      {"least average voxels", of (surfels, &S::least_average_voxels), notPositive()},
+      {"noise factor of surfels", of (surfels, &S::noise_factor), notPositive()},
+      {"angle threshold", of (surfels, &S::angle_threshold), notPositive ({2.0})},
+      {"thickness", of (surfels, &S::sure_thickness), notPositive(), {0.0}},
+      {"thickness", of (surfels, &S::largest_thickness), notPositive()},
+      {"of absorption", of (surfels, &S::absorption_noise_factor), notPositive()},
+      {"of assignment", of (surfels, &S::assignment_noise_factor), notPositive()}};
+}
 
-const Ranges<FspfParameters> ranges_of_fspf = {
-    {"outer radius",
-     [] (FspfParameters& p, double v) { p.local.inner_radius = v; },
-     {0.3}},
-    {"inner radius",
-     [] (FspfParameters& p, double v) { p.local.inner_radius = v; },
-     notPositive ({0.0, 1e-320})},
-    {"outer radius",
-     [] (FspfParameters& p, double v) { p.local.outer_radius = v; },
-     notPositive ({0.0, 1e-320})},
-    {"local samples",
-     [] (FspfParameters& p, double v) {
-       p.local.local_samples = static_cast<unsigned> (v);
-     },
-     {2}},
-    {"distance threshold",
-     [] (FspfParameters& p, double) { p.distance_threshold.reset(); },
-     {nan_value}},
-    {"inlier fraction",
-     [] (FspfParameters& p, double v) { p.local.min_inlier_fraction = v; },
-     notPositive ({1.0})},
-    {"inliers per point",
-     [] (FspfParameters& p, double v) { p.local.max_inliers_per_point = v; },
-     notPositive ({0.0})},
-    {"hypotheses per point",
-     [] (FspfParameters& p, double v) { p.local.max_hypotheses_per_point = v; },
-     notPositive ({0.0})},
-    {"visits per point",
-     [] (FspfParameters& p, double v) { p.local.max_visits_per_point = v; },
-     notPositive ({0.0})}};
+Ranges<FspfParameters>
+rangesOfFspf ()
+{
+  using L = pcl_ops::LocalSamplingParameters;
+  constexpr auto local = &FspfParameters::local;
+  const auto without = [] (auto& p, double) { p.distance_threshold.reset(); };
+  return {
+      {"outer radius", of (local, &L::inner_radius), {0.3}},
+      {"inner radius", of (local, &L::inner_radius), notPositive ({0.0, 1e-320})},
+      {"outer radius", of (local, &L::outer_radius), notPositive ({0.0, 1e-320})},
+      {"local samples", of (local, &L::local_samples), {2}, {3}},
+      {"distance threshold", without, {nan_value}},
+      {"inlier fraction", of (local, &L::min_inlier_fraction), notPositive ({1.0})},
+      {"inliers per point", of (local, &L::max_inliers_per_point), notPositive ({0.0})},
+      {"hypotheses", of (local, &L::max_hypotheses_per_point), notPositive ({0.0})},
+      {"visits", of (local, &L::max_visits_per_point), notPositive ({0.0})}};
+}
 
-const Ranges<KhtParameters> ranges_of_kht = {
-    {"phi_num",
-     [] (KhtParameters& p, double v) { p.phi_num = static_cast<int> (v); },
-     {1, 1001},
-     {2, 1000}},
-    {"rho_num",
-     [] (KhtParameters& p, double v) { p.rho_num = static_cast<int> (v); },
-     {1, 10001},
-     {2, 10000}},
-    {"three samples",
-     [] (KhtParameters& p, double v) {
-       p.clusters.min_samples = static_cast<unsigned> (v);
-     },
-     {2},
-     {3}},
-    {"s_level",
-     [] (KhtParameters& p, double v) { p.clusters.first_level = static_cast<int> (v); },
-     {-1}},
-    {"s_level",
-     [] (KhtParameters& p, double v) {
-       p.clusters.deepest_level = static_cast<int> (v);
-     },
-     {2},
-     {3, 60}},
-    {"deepest level",
-     [] (KhtParameters& p, double v) {
-       p.clusters.deepest_level = static_cast<int> (v);
-     },
-     {61}},
-    {"s_alpha",
-     [] (KhtParameters& p, double v) { p.clusters.s_alpha = v; },
-     {0.0, nan_value}},
-    {"s_beta",
-     [] (KhtParameters& p, double v) { p.clusters.s_beta = v; },
-     {0.0, nan_value}},
-    {"smallest share",
-     [] (KhtParameters& p, double v) { p.refit.min_share = v; },
-     {-0.1, 2.0, nan_value}},
-    {"distance threshold",
-     [] (KhtParameters& p, double) { p.distance_threshold.reset(); },
-     {nan_value}}};
+Ranges<KhtParameters>
+rangesOfKht ()
+{
+  using C = pcl_ops::OctreeClusterParameters;
+  constexpr auto clusters = &KhtParameters::clusters;
+  const auto without = [] (auto& p, double) { p.distance_threshold.reset(); };
+  return {{"phi_num", of (&KhtParameters::phi_num), {1, 1001}, {2, 1000}},
+          {"rho_num", of (&KhtParameters::rho_num), {1, 10001}, {2, 10000}},
+          {"three samples", of (clusters, &C::min_samples), {2}, {3}},
+          {"s_level", of (clusters, &C::first_level), {-1}},
+          {"s_level", of (clusters, &C::deepest_level), {2}, {5, 60}},
+          {"deepest level", of (clusters, &C::deepest_level), {61}},
+          {"s_alpha", of (clusters, &C::s_alpha), {0.0, nan_value}},
+          {"s_beta", of (clusters, &C::s_beta), {0.0, nan_value}},
+          {"smallest share",
+           of (&KhtParameters::refit, &pcl_ops::PlaneRefitParameters::min_share),
+           {-0.1, 2.0, nan_value}},
+          {"distance threshold", without, {nan_value}}};
+}
 
 template <typename Parameters>
 void
@@ -213,7 +171,7 @@ TEST (ProblemOf, ParametersOfOpsNamesTheWrongOne)
 {
   for (const OpsParameters& good : {OpsParameters(), OpsParameters::paper()}) {
     expectRanges (rangesOfAll<OpsParameters>(), good);
-    expectRanges (ranges_of_ops, good);
+    expectRanges (rangesOfOps(), good);
   }
 }
 
@@ -221,14 +179,14 @@ TEST (ProblemOf, ParametersOfFspfNamesTheWrongOne)
 {
   for (const FspfParameters& good : {FspfParameters(), FspfParameters::paper()})
     expectRanges (rangesOfAll<FspfParameters>(), good);
-  expectRanges (ranges_of_fspf, FspfParameters());
+  expectRanges (rangesOfFspf(), FspfParameters());
 }
 
 TEST (ProblemOf, ParametersOfKhtNamesTheWrongOne)
 {
   for (const KhtParameters& good : {KhtParameters(), KhtParameters::paper()})
     expectRanges (rangesOfAll<KhtParameters>(), good);
-  expectRanges (ranges_of_kht, KhtParameters());
+  expectRanges (rangesOfKht(), KhtParameters());
 }
 
 TEST (ProblemOf, DrawnPointsWithoutADistanceThresholdNamesIt)
