@@ -110,9 +110,11 @@ TEST (HoughPlanes, AreExactWhenRefitted)
 TEST (HoughPlanes, ShareNoClusterWhenRefitted)
 {
   const OctreeClusters found = clustersOf (corner (1_cm));
+  std::vector<HoughPlane> voted = voteForPlanes (found, 30, 100);
+  for (std::size_t i = 0, size = voted.size(); i < size; ++i)
+    voted.push_back (HoughPlane (voted[i])); // as if two peaks were of one surface
   std::set<std::uint32_t> taken;
-  for (const HoughPlane& plane :
-       refitPlanes (voteForPlanes (found, 30, 100), found, 0.0, theta_h))
+  for (const HoughPlane& plane : refitPlanes (voted, found, 0.0, theta_h))
     for (const std::uint32_t cluster : plane.clusters)
       EXPECT_TRUE (taken.insert (cluster).second);
 }
