@@ -83,6 +83,10 @@ configure() {
   if command -v ccache >/dev/null; then
     set -- "$@" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
   fi
+  # It compiles on where make waits for a library.
+  if [ ! -f "$folder/CMakeCache.txt" ] && command -v ninja >/dev/null; then
+    set -- -G Ninja "$@"
+  fi
   quietly "$folder/configure.log" cmake -S "$root" -B "$folder" "$@"
 }
 

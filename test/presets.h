@@ -6,11 +6,22 @@
 
 #include <pcl_ops/oriented_point_sampling.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
 using Ops = pcl_ops::OrientedPointSampling<pcl::PointXYZ>;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+/** \brief A cloud of points made from their numbers 0, 1, ... */
+inline Cloud::Ptr
+cloudOf (std::size_t size, const std::function<pcl::PointXYZ (float)>& point)
+{
+  const auto cloud = pcl::make_shared<Cloud>();
+  for (std::size_t i = 0; i < size; ++i)
+    cloud->push_back (point (static_cast<float> (i)));
+  return cloud;
+}
 
 /** \brief The paper's algorithm, with enough samples for a small scene. */
 inline Ops

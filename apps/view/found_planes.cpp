@@ -5,63 +5,81 @@
 #include <detection/up_search.h>
 #include <picture/colors.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iomanip>
-#include <numeric>
 #include <sstream>
-#include <utility>
 
 namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief The plane that most of a plane's points lie on after merging; 0 for none. */
-std::uint32_t
-mergedInto (const PlaneSegment& plane, const FoundPlanes& after)
+struct Key {
+  char name;
+  const char* help;
+  /** \brief Null for keys that change the camera, or that PCLVisualizer handles. */
+  void (*press) (ViewState&);
+};
+
+std::string
+methodAfter (const std::string& name)
 {
-  std::vector<std::size_t> votes (after.planes.size() + 1, 0);
-  for (const pcl::index_t index : plane.inliers)
-    ++votes[after.labels[static_cast<std::size_t> (index)]];
-  votes[0] = 0;
-  return static_cast<std::uint32_t> (std::max_element (votes.begin(), votes.end()) -
-                                     votes.begin());
+  const std::vector<Method>& methods = allMethods();
+  for (std::size_t i = 0; i + 1 < methods.size(); ++i)
+    if (methods[i].name == name)
+      return methods[i + 1].name;
+  return methods.front().name;
 }
 
-/** \brief A color between two: 0 for the first, 1 for the second. */
-pcl::RGB
-blend (const pcl::RGB& first, const pcl::RGB& second, double share)
-{
-  const auto part = [share] (std::uint8_t from, std::uint8_t to) {
-    return static_cast<std::uint8_t> (std::lround (from + share * (to - from)));
-  };
-  return {part (first.r, second.r), part (first.g, second.g), part (first.b, second.b)};
-}
-
-pcl::RGB
-shaded (const pcl::RGB& color, const Eigen::Vector3d& normal)
-{
-  constexpr double darkest = 0.35;
-  const Eigen::Vector3d light = Eigen::Vector3d (0.3, 0.55, 0.78).normalized();
-  return blend (color, {0, 0, 0}, darkest * (1.0 - std::abs (normal.dot (light))));
-}
+const Key keys[] = {
+    {'1', "color by plane", [] (ViewState& s) { s.coloring = "planes"; }},
+    {'2',
+     "color by orientation: horizontal green, vertical blue, other orange",
+     [] (ViewState& s) { s.coloring = "orientations"; }},
+    {'3', "colors of the input", [] (ViewState& s) { s.coloring = "input"; }},
+    {'b', "before or after merging", [] (ViewState& s) { s.merging = !s.merging; }},
+    {'m',
+     "next method: OPS, FSPF, 3D-KHT",
+     [] (ViewState& s) { s.method = methodAfter (s.method); }},
+    {'p',
+     "preset: default or paper",
+     [] (ViewState& s) { s.preset = s.preset == "paper" ? "default" : "paper"; }},
+    {'l', "outlines on or off", [] (ViewState& s) { s.hulls = !s.hulls; }},
+    {'e',
+     "edges where planes meet on or off",
+     [] (ViewState& s) { s.edges = !s.edges; }},
+    {'n', "normals on or off", [] (ViewState& s) { s.normals = !s.normals; }},
+    {'h', "this list on or off", [] (ViewState& s) { s.help = !s.help; }},
+    {'r', "view as at the start", nullptr},
+    {'+', "larger points", nullptr},
+    {'-', "smaller points", nullptr},
+    {'o', "perspective or parallel projection", nullptr},
+    {'q', "quit", nullptr}};
 
 } // namespace
 
-std::vector<std::uint32_t>
-colorsBeforeMerging (const FoundPlanes& before, const FoundPlanes& after)
+std::string
+keysText ()
 {
-  std::vector<bool> is_taken (after.planes.size() + 1, false);
-  is_taken[0] = true;
-  auto last = static_cast<std::uint32_t> (after.planes.size());
-  std::vector<std::uint32_t> colors;
-  for (const PlaneSegment& plane : before.planes) { // by falling size
-    const std::uint32_t merged = mergedInto (plane, after);
-    colors.push_back (is_taken[merged] ? ++last : merged);
-    is_taken[merged] = true;
+  std::ostringstream text;
+  for (const Key& key : keys)
+    text << key.name << "  " << key.help << "\n";
+  text << "click  say which plane this is";
+  return text.str();
+}
+
+bool
+pressKey (char key, ViewState& state)
+{
+  for (const Key& own : keys) {
+    if (own.name != key || own.press == nullptr)
+      continue;
+    const ViewState before = state;
+    own.press (state);
+    if (!state.hasSamePlanes (before))
+      state.selected = 0;
+    return true;
   }
-  return colors;
+  return false;
 }
 
 FoundPlanes
@@ -71,59 +89,37 @@ findPlanes (const ViewState& state,
 {
   options.preset = state.preset;
   options.merging = state.merging;
-  Detected detected = runMethod (methodCalled (state.method), options, cloud);
-  FoundPlanes found;
-  found.up = detected.up;
-  found.planes = std::move (detected.planes);
-  found.labels = labelsOf (found.planes, cloud->size());
-  for (const PlaneSegment& plane : found.planes)
+  FoundPlanes found{
+      runMethod (methodCalled (state.method), options, cloud), {}, {}, {}};
+  const std::vector<PlaneSegment>& planes = found.detected.planes;
+  for (const PlaneSegment& plane : planes)
     found.extents.push_back (planeExtent (*cloud, plane));
-  found.edges = findPlaneEdges (*cloud, found.planes);
-  found.colors.resize (found.planes.size());
-  std::iota (found.colors.begin(), found.colors.end(), 1);
-  found.notes = detected.up_note;
-  for (const std::string& hint : detected.hints)
-    found.notes += (found.notes.empty() ? "" : "\n") + hint;
-  if (found.planes.empty())
-    found.notes += (found.notes.empty() ? "" : "\n") + detected.advice;
-  if (!state.merging) {
-    ViewState after = state;
-    after.merging = true;
-    found.colors = colorsBeforeMerging (found, findPlanes (after, options, cloud));
-  }
+  found.edges = findPlaneEdges (*cloud, planes);
+  found.labels = labelsOf (planes, cloud->size());
   return found;
 }
 
-std::vector<pcl::RGB>
-planeColors (const FoundPlanes& found, const ViewState& state)
+pcl::RGB
+colorOfPlane (const FoundPlanes& found, const ViewState& state, std::uint32_t id)
 {
-  std::vector<pcl::RGB> colors;
-  for (std::size_t i = 0; i < found.planes.size(); ++i) {
-    const PlaneSegment& plane = found.planes[i];
-    colors.push_back (state.coloring == Coloring::Orientations
-                          ? shaded (colorOf (plane.orientation), plane.normal)
-                          : colorOfLabel (found.colors[i]));
-  }
-  return colors;
+  return id != 0 && state.coloring == "orientations"
+             ? colorOf (found.detected.planes[id - 1].orientation)
+             : colorOfLabel (id);
 }
 
 std::vector<pcl::RGB>
-pointColors (const FoundPlanes& found,
-             const ViewState& state,
-             const std::vector<pcl::RGB>& input)
+colorsOfPoints (const FoundPlanes& found,
+                const ViewState& state,
+                const std::vector<pcl::RGB>& input)
 {
-  constexpr double faded_share = 0.75;
-  const pcl::RGB light_gray (215, 215, 215);
-  const std::vector<pcl::RGB> planes = planeColors (found, state);
   std::vector<pcl::RGB> colors;
-  colors.reserve (found.labels.size());
-  for (std::size_t i = 0; i < found.labels.size(); ++i) {
+  colors.reserve (input.size());
+  for (std::size_t i = 0; i < input.size(); ++i) {
     const std::uint32_t label = found.labels[i];
-    const pcl::RGB color = state.coloring == Coloring::Input ? input[i]
-                           : label == 0                      ? colorOfLabel (0)
-                                                             : planes[label - 1];
-    const bool fades = state.selected != 0 && state.selected != label;
-    colors.push_back (fades ? blend (color, light_gray, faded_share) : color);
+    colors.push_back (state.selected != 0 && state.selected != label
+                          ? pcl::RGB (215, 215, 215)
+                      : state.coloring == "input" ? input[i]
+                                                  : colorOfPlane (found, state, label));
   }
   return colors;
 }
@@ -131,7 +127,7 @@ pointColors (const FoundPlanes& found,
 std::string
 planeText (const FoundPlanes& found, std::uint32_t id, const Eigen::Vector3d& shift)
 {
-  PlaneSegment segment = found.planes[id - 1];
+  PlaneSegment segment = found.detected.planes[id - 1];
   segment.centroid += shift;
   const Plane plane = segment.plane();
   std::ostringstream text;
@@ -150,18 +146,23 @@ statusText (const std::string& file,
             const ViewState& state,
             const Eigen::Vector3d& shift)
 {
+  const Detected& detected = found.detected;
   std::ostringstream text;
   if (state.help)
     text << keysText() << "\n\n";
   text << std::filesystem::path (file).filename().string() << ", "
        << found.labels.size() << " points\n"
        << methodCalled (state.method).title << ", " << state.preset << " preset\n"
-       << found.planes.size() << (found.planes.size() == 1 ? " plane" : " planes")
+       << detected.planes.size() << (detected.planes.size() == 1 ? " plane" : " planes")
        << (state.merging ? "" : " before merging");
-  if (!found.notes.empty())
-    text << "\n" << found.notes;
+  std::vector<std::string> notes = detected.hints;
+  notes.push_back (detected.up_note);
+  if (detected.planes.empty())
+    notes.push_back (detected.advice);
   if (state.selected != 0)
-    text << "\n" << planeText (found, state.selected, shift);
+    notes.push_back (planeText (found, state.selected, shift));
+  for (const std::string& note : notes)
+    text << (note.empty() ? "" : "\n") << note;
   return text.str();
 }
 

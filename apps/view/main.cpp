@@ -22,7 +22,6 @@
 #include <vtkRenderWindow.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -45,8 +44,6 @@ storeSize (const std::string& text, ViewOptions& options)
 void
 checkScreenshot (const std::string& file)
 {
-  if (file.empty())
-    return;
   if (extensionOf (file) != ".png")
     throw UsageError ("--screenshot",
                       file + " has an unknown extension; give a file .png");
@@ -62,14 +59,13 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
       "the\ncloud, meters by default; angles in degrees. Keys in the window:\n\n" +
       keysText();
   ViewState& state = options.state;
-  std::string coloring = "planes";
   bool before = false;
   CommandLine line ("pcl_ops_view", summary, PCL_OPS_VERSION);
   line.addArgument (
       "CLOUD", options.input, "the cloud, a .pcd, .ply, .las or text file");
   line.addChoice ("color",
                   {"planes", "orientations", "input"},
-                  coloring,
+                  state.coloring,
                   "what the colors show (planes)");
   line.addFlag ("hulls", state.hulls, "draw the outline of each plane");
   line.addFlag ("edges", state.edges, "draw edges and corners where they meet");
@@ -88,38 +84,35 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
     return false;
   state.preset = options.detector.preset;
   state.merging = !before;
-  state.coloring = coloring == "planes"         ? Coloring::Planes
-                   : coloring == "orientations" ? Coloring::Orientations
-                                                : Coloring::Input;
   state.help = options.screenshot.empty();
-  checkScreenshot (options.screenshot);
+  if (!options.screenshot.empty())
+    checkScreenshot (options.screenshot);
   return true;
 }
 
 /** \brief The colors of the file; where it has none, the height from blue to yellow. */
 std::vector<pcl::RGB>
-inputColors (const FileCloud& file, const XyzCloud& coordinates)
+inputColors (const FileCloud& file, const ViewedCloud& cloud)
 {
-  pcl::PointCloud<pcl::RGB> colors;
+  pcl::PointCloud<pcl::RGB> in_file;
   if (hasField (file, "rgb") || hasField (file, "rgba"))
-    pcl::fromPCLPointCloud2 (file.points, colors);
-  if (!colors.empty())
-    return {colors.begin(), colors.end()};
-  constexpr double outliers = 0.01; // would leave one color to all others
+    pcl::fromPCLPointCloud2 (file.points, in_file);
+  if (!in_file.empty())
+    return {in_file.begin(), in_file.end()};
   std::vector<float> heights;
-  for (const pcl::PointXYZ& point : coordinates)
-    if (pcl::isXYZFinite (point))
-      heights.push_back (point.z);
-  const float low = quantile (heights, outliers);
-  const float high = quantile (heights, 1.0 - outliers);
-  const auto last = static_cast<float> (pcl::ViridisLUT::size() - 1);
-  for (const pcl::PointXYZ& point : coordinates) {
-    const float share = high > low ? (point.z - low) / (high - low) : 0.0f;
+  for (const pcl::index_t index : cloud.finite)
+    heights.push_back ((*cloud.coordinates)[index].z);
+  const float low = quantile (heights, 0.01); // outliers would leave one color to all
+  const float high = quantile (heights, 0.99);
+  constexpr float last = 255.0f; // of the table
+  std::vector<pcl::RGB> colors (cloud.coordinates->size());
+  for (const pcl::index_t index : cloud.finite) {
+    const float share = ((*cloud.coordinates)[index].z - low) / (high - low);
     const float clamped = share > 0.0f ? std::min (share, 1.0f) : 0.0f; // 0 for NaN
-    colors.push_back (
-        pcl::ViridisLUT::at (static_cast<std::size_t> (std::lround (clamped * last))));
+    colors[static_cast<std::size_t> (index)] =
+        pcl::ViridisLUT::at (static_cast<std::size_t> (last * clamped));
   }
-  return {colors.begin(), colors.end()};
+  return colors;
 }
 
 /** \brief Whether VTK finds a display and a driver: where it does not, it aborts, so a
@@ -161,6 +154,7 @@ checkDisplay ()
                        "xvfb-run -a pcl_ops_view CLOUD --screenshot FILE.png");
 }
 
+/** \throws WorkError for a cloud that has nothing to show */
 ViewedCloud
 loadViewed (const std::string& file)
 {
@@ -169,12 +163,16 @@ loadViewed (const std::string& file)
   const std::string damage = damageOf (shifted);
   if (!damage.empty())
     warn (file + ": " + damage);
-  const XyzCloud& points = *shifted.cloud;
-  if (std::none_of (points.begin(), points.end(), pcl::isXYZFinite<pcl::PointXYZ>))
+  ViewedCloud viewed{shifted.cloud, shifted.shift, {}, {}};
+  for (std::size_t i = 0; i < shifted.cloud->size(); ++i)
+    if (pcl::isXYZFinite ((*shifted.cloud)[i]))
+      viewed.finite.push_back (static_cast<pcl::index_t> (i));
+  if (viewed.finite.empty())
     throw WorkError (file,
                      "has no point with finite coordinates, so there is nothing to "
                      "show; give another cloud");
-  return {shifted.cloud, shifted.shift, inputColors (cloud, points)};
+  viewed.colors = inputColors (cloud, viewed);
+  return viewed;
 }
 
 int

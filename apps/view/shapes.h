@@ -9,10 +9,12 @@
 namespace pcl_ops::apps {
 
 /** \brief Draws the outlines, normals, edges and corners that a state asks for, in
- * place of all that a window shows besides its cloud. */
+ * place of those drawn before.
+ * \param[in] arrow length of a normal, in the unit of the cloud */
 void
 drawShapes (pcl::visualization::PCLVisualizer& viewer,
             const FoundPlanes& found,
-            const ViewState& state);
+            const ViewState& state,
+            double arrow);
 
 } // namespace pcl_ops::apps

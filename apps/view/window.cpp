@@ -4,10 +4,9 @@
 
 #include <pcl/common/angles.h>
 #include <pcl/common/centroid.h>
+#include <pcl/common/common.h>
 #include <pcl/common/point_tests.h>
-#include <pcl/visualization/pcl_visualizer.h>
 
-#include "found_planes.h"
 #include "shapes.h"
 #include <cli/program.h>
 #include <io/output_file.h>
@@ -30,8 +29,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-using pcl::visualization::MouseEvent;
-using pcl::visualization::PCLVisualizer;
+using namespace pcl::visualization;
 using ColoredCloud = pcl::PointCloud<pcl::PointXYZRGB>;
 
 constexpr const char* cloud_id = "cloud";
@@ -47,17 +45,15 @@ public:
   , window_ (*viewer_.getRenderWindow())
   , renderer_ (*viewer_.getRendererCollection()->GetFirstRenderer())
   {
-    for (std::size_t i = 0; i < cloud.coordinates->size(); ++i)
-      if (pcl::isXYZFinite ((*cloud.coordinates)[i]))
-        drawn_.push_back (static_cast<pcl::index_t> (i));
     window_.SetMultiSamples (0); // without a graphics card they cost most of the time
     window_.SetOffScreenRendering (options.screenshot.empty() ? 0 : 1);
     viewer_.setSize (options.width, options.height);
     viewer_.setBackgroundColor (1.0, 1.0, 1.0);
     viewer_.setShowFPS (false);
-    viewer_.addPointCloud<pcl::PointXYZRGB> (pcl::make_shared<ColoredCloud>(),
-                                             cloud_id);
-    closeGaps();
+    Eigen::Vector4f least, most;
+    pcl::getMinMax3D (*cloud.coordinates, cloud.finite, least, most);
+    arrow_length_ = 0.04 * (most - least).head<3>().norm();
+    addCloud();
     draw();
     resetCamera();
   }
@@ -95,6 +91,24 @@ public:
   }
 
 private:
+  /** Points just large enough to close the gaps between them, behind the lines that are
+   * drawn among them. */
+  void
+  addCloud ()
+  {
+    constexpr double filled = 1.6, behind = 8.0;
+    viewer_.addPointCloud<pcl::PointXYZRGB> (pcl::make_shared<ColoredCloud>(),
+                                             cloud_id);
+    const double pixels = static_cast<double> (options_.width) * options_.height;
+    const double side =
+        std::sqrt (filled * pixels / static_cast<double> (cloud_.finite.size()));
+    viewer_.setPointCloudRenderingProperties (
+        PCL_VISUALIZER_POINT_SIZE, std::round (std::clamp (side, 2.0, 6.0)), cloud_id);
+    vtkMapper& mapper = *viewer_.getCloudActorMap()->at (cloud_id).actor->GetMapper();
+    mapper.SetResolveCoincidentTopologyToPolygonOffset();
+    mapper.SetRelativeCoincidentTopologyPointOffsetParameter (behind);
+  }
+
   /** \return whether PCLVisualizer does not get the key */
   bool
   onKey (vtkObject* /*caller*/, unsigned long event, void* /*data*/)
@@ -102,16 +116,16 @@ private:
     if (event == vtkCommand::CharEvent) // follows the same press of a key
       return is_own_key_;
     vtkRenderWindowInteractor& interactor = *window_.GetInteractor();
-    const std::string key (1, interactor.GetKeyCode());
-    const bool has_modifier =
-        interactor.GetControlKey() != 0 || interactor.GetAltKey() != 0;
+    const char key = interactor.GetKeyCode();
     ViewState next = options_.state;
-    is_own_key_ = !has_modifier && (pressKey (key, next) || key == reset_key);
-    if (key == reset_key)
+    is_own_key_ = interactor.GetControlKey() == 0 && interactor.GetAltKey() == 0 &&
+                  (key == 'r' || pressKey (key, next));
+    if (!is_own_key_)
+      return false;
+    if (key == 'r')
       resetCamera();
-    if (is_own_key_)
-      show (next);
-    return is_own_key_;
+    show (next);
+    return true;
   }
 
   /** A click that does not turn the cloud asks for a plane. */
@@ -146,7 +160,7 @@ private:
     if (picker->GetPointId() < 0)
       return 0;
     const auto point = static_cast<std::size_t> (picker->GetPointId());
-    return found_.labels[static_cast<std::size_t> (drawn_[point])];
+    return found_.labels[static_cast<std::size_t> (cloud_.finite[point])];
   }
 
   /** The window stays as it was where a detector refuses its parameters. */
@@ -168,79 +182,62 @@ private:
   void
   draw ()
   {
-    const ViewState& state = options_.state;
-    drawPoints();
-    drawShapes (viewer_, found_, state);
-    viewer_.addText (statusText (options_.input, found_, state, cloud_.shift),
-                     12,
-                     12,
-                     15,
-                     0,
-                     0,
-                     0,
-                     "status");
-    auto& text =
-        dynamic_cast<vtkTextActor&> (*viewer_.getShapeActorMap()->at ("status"));
-    text.GetTextProperty()->SetBackgroundColor (1.0, 1.0, 1.0);
-    text.GetTextProperty()->SetBackgroundOpacity (0.75);
-    text.GetTextProperty()->BoldOff();
-  }
-
-  void
-  drawPoints ()
-  {
     const auto points = pcl::make_shared<ColoredCloud>();
     const std::vector<pcl::RGB> colors =
-        pointColors (found_, options_.state, cloud_.colors);
-    for (const pcl::index_t index : drawn_) {
+        colorsOfPoints (found_, options_.state, cloud_.colors);
+    for (const pcl::index_t index : cloud_.finite) {
       const pcl::PointXYZ& point = (*cloud_.coordinates)[index];
       const pcl::RGB& color = colors[static_cast<std::size_t> (index)];
       points->emplace_back (point.x, point.y, point.z, color.r, color.g, color.b);
     }
     viewer_.updatePointCloud (ColoredCloud::ConstPtr (points), cloud_id);
+    drawShapes (viewer_, found_, options_.state, arrow_length_);
+    drawText();
   }
 
-  /** Gives points a size just large enough to close the gaps between them. */
   void
-  closeGaps ()
+  drawText ()
   {
-    constexpr double filled = 1.6;
-    const double pixels = static_cast<double> (options_.width) * options_.height;
-    const double side =
-        std::sqrt (filled * pixels / static_cast<double> (drawn_.size()));
-    viewer_.setPointCloudRenderingProperties (
-        pcl::visualization::PCL_VISUALIZER_POINT_SIZE,
-        std::round (std::clamp (side, 2.0, 6.0)),
-        cloud_id);
+    const std::string id = "status";
+    viewer_.addText (statusText (options_.input, found_, options_.state, cloud_.shift),
+                     12,
+                     12,
+                     15,
+                     0.0,
+                     0.0,
+                     0.0,
+                     id);
+    auto& text = dynamic_cast<vtkTextActor&> (*viewer_.getShapeActorMap()->at (id));
+    text.GetTextProperty()->SetBackgroundColor (1.0, 1.0, 1.0);
+    text.GetTextProperty()->SetBackgroundOpacity (0.75);
+    text.GetTextProperty()->BoldOff();
   }
 
   /** Looks at the cloud as its picture does (\ref chooseView). */
   void
   resetCamera ()
   {
+    const int width = options_.width, height = options_.height;
     const View view = chooseView (
-        *cloud_.coordinates, found_.planes, found_.up, options_.width, options_.height);
-    const Eigen::Vector2f middle (0.5f * static_cast<float> (options_.width),
-                                  0.5f * static_cast<float> (options_.height));
-    // The axis of the picture need not go through its middle; that of a window does.
-    const Eigen::Vector2f aside = (middle - view.center) / view.focal;
-    const Eigen::Vector3d ray =
-        (view.axes.transpose() * aside.homogeneous()).cast<double>();
+        *cloud_.coordinates, found_.detected.planes, found_.detected.up, width, height);
     Eigen::Vector4f centroid;
     pcl::compute3DCentroid (*cloud_.coordinates, centroid);
-    const float depth = view.axes.row (2).dot (centroid.head<3>() - view.eye);
     const Eigen::Vector3d eye = view.eye.cast<double>();
+    const Eigen::Vector3d down = view.axes.row (1).cast<double>();
+    const Eigen::Vector3d ahead = view.axes.row (2).cast<double>();
+    const double depth = ahead.dot (centroid.head<3>().cast<double>() - eye);
     // What the mouse turns the cloud around.
-    const Eigen::Vector3d target = eye + (depth > 0.0f ? depth : 1.0) * ray;
-    const Eigen::Vector3d up = -view.axes.row (1).transpose().cast<double>();
-    const double angle = 2.0 * std::atan2 (middle.y(), view.focal);
+    const Eigen::Vector3d target = eye + (depth > 0.0 ? depth : 1.0) * ahead;
+    const double half_height = 0.5 * height / view.focal; // 1 m ahead
     vtkCamera& camera = *renderer_.GetActiveCamera();
     camera.SetParallelProjection (0);
     camera.SetPosition (eye.data());
     camera.SetFocalPoint (target.data());
-    camera.SetViewUp (up.data());
-    camera.SetViewAngle (pcl::rad2deg (angle));
-    camera.SetParallelScale (camera.GetDistance() * std::tan (0.5 * angle));
+    camera.SetViewUp (-down.x(), -down.y(), -down.z());
+    camera.SetWindowCenter (1.0 - 2.0 * view.center.x() / width,
+                            2.0 * view.center.y() / height - 1.0);
+    camera.SetViewAngle (pcl::rad2deg (2.0 * std::atan (half_height)));
+    camera.SetParallelScale (camera.GetDistance() * half_height);
     renderer_.ResetCameraClippingRange();
   }
 
@@ -248,11 +245,10 @@ private:
   ViewOptions options_;
   const ViewedCloud& cloud_;
   FoundPlanes found_;
-  /** The points with coordinates: VTK would stumble over the others. */
-  pcl::Indices drawn_;
   PCLVisualizer viewer_;
   vtkRenderWindow& window_;
   vtkRenderer& renderer_;
+  double arrow_length_ = 0.0;
   bool is_own_key_ = false;
   Eigen::Vector2i pressed_at_ = Eigen::Vector2i::Zero();
 };

@@ -2,13 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/point_types.h>
-
-#include <Eigen/Core>
-
-#include "view_state.h"
-#include <detection/methods.h>
-#include <io/xyz_cloud.h>
+#include "found_planes.h"
 
 #include <string>
 #include <vector>
@@ -32,13 +26,15 @@ struct ViewedCloud {
   XyzCloud::ConstPtr coordinates;
   /** \brief Zero of the frame of the coordinates in the frame of the file. */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  /** \brief The points with coordinates: VTK would stumble over the others. */
+  pcl::Indices finite;
   /** \brief One per point. */
   std::vector<pcl::RGB> colors;
 };
 
 /** \brief Opens a window until the user closes it, or writes options.screenshot.
  * There must be a display.
- * \param[in] cloud has a finite point
+ * \param[in] cloud with a finite point
  * \throws WorkError if the picture cannot be written, and whatever the first detection
  * throws */
 void

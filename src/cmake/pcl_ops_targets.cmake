@@ -59,7 +59,7 @@ function(pcl_ops_add_program name)
   pcl_ops_add_manual_page(${name} "${ARG_SUMMARY}" ${ARG_COMPONENT})
 endfunction()
 
-# Tests are compiled more often than they are run: half the time for half the optimisation.
+# Tests are compiled more often than they are run: half the time for half the optimization.
 function(pcl_ops_compile_quickly target)
   set(is_known "$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>")
   target_compile_options(${target} PRIVATE "$<$<AND:$<CONFIG:Release>,${is_known}>:-O1>")

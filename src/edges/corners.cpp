@@ -30,11 +30,12 @@ bool
 comesTo (const Meeting& meeting, const Eigen::Vector3d& point)
 {
   const double place = meeting.line.placeOf (point);
-  return std::any_of (
-      meeting.stretches.begin(), meeting.stretches.end(), [&] (const Stretch& stretch) {
-        return place >= stretch.from - meeting.max_gap &&
-               place <= stretch.to + meeting.max_gap;
-      });
+  return std::any_of (meeting.intervals.begin(),
+                      meeting.intervals.end(),
+                      [&] (const Interval& interval) {
+                        return place >= interval.from - meeting.max_gap &&
+                               place <= interval.to + meeting.max_gap;
+                      });
 }
 
 /** \brief The corners that lie on a meeting's line. */
@@ -120,12 +121,12 @@ edgesOf (const Meeting& meeting, const std::vector<PlaneCorner>& corners)
 {
   const std::vector<Eigen::Vector3d> positions = cornersOn (meeting, corners);
   std::vector<PlaneEdge> edges;
-  for (const Stretch& stretch : meeting.stretches) {
+  for (const Interval& interval : meeting.intervals) {
     PlaneEdge edge;
     edge.planes = {meeting.first, meeting.second};
     edge.angle = meeting.angle;
-    edge.from = meeting.line.at (stretch.from);
-    edge.to = meeting.line.at (stretch.to);
+    edge.from = meeting.line.at (interval.from);
+    edge.to = meeting.line.at (interval.to);
     drawToCorners (meeting, positions, edge);
     edges.push_back (edge);
   }

@@ -8,7 +8,7 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The points that three planes have in common, where a stretch of each two of
+/** \brief The points that three planes have in common, where an interval of each two of
  * them passes, or ends no farther off than their bridged gap; in ascending order.
  * \param[in] meetings in ascending order
  * \param[in] min_sine of the angle between a plane and the line of two others */
@@ -17,8 +17,8 @@ cornersOf (const std::vector<Meeting>& meetings,
            const std::vector<PlaneSegment>& planes,
            double min_sine);
 
-/** \brief A meeting's stretches as edges. Each end is drawn to the nearest corner of
- * its planes that is no farther off than the bridged gap, if something of the stretch
+/** \brief A meeting's intervals as edges. Each end is drawn to the nearest corner of
+ * its planes that is no farther off than the bridged gap, if something of the interval
  * is left then. */
 std::vector<PlaneEdge>
 edgesOf (const Meeting& meeting, const std::vector<PlaneCorner>& corners);

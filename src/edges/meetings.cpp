@@ -18,7 +18,7 @@ struct Body {
   PlaneFrame frame;
   PointRaster raster;
   double rms;
-  /** \brief Mean distance between neighbouring points [m]. */
+  /** \brief Mean distance between neighboring points [m]. */
   double spacing;
 
   PlanarLine
@@ -73,38 +73,38 @@ reachOf (const Body& first, const Body& second, double sine)
 bool
 areNear (const Body& first, const Body& second, double reach)
 {
-  const double apart = (first.frame.toSpace (first.raster.centre()) -
-                        second.frame.toSpace (second.raster.centre()))
+  const double apart = (first.frame.toSpace (first.raster.center()) -
+                        second.frame.toSpace (second.raster.center()))
                            .norm();
   return apart <= first.raster.radius() + second.raster.radius() + 2.0 * reach;
 }
 
-/** \brief The stretches along which both have points. */
-Stretches
-sharedStretches (const Body& first,
+/** \brief The intervals along which both have points. */
+Intervals
+sharedIntervals (const Body& first,
                  const Body& second,
                  const Line& line,
                  double reach,
                  double max_gap,
                  double min_length)
 {
-  const auto stretchesBeside = [&] (const Body& body) {
-    Stretches stretches =
-        stretchesOf (body.raster.placesBeside (body.inPlane (line), reach), max_gap);
-    const auto is_short = [&] (const Stretch& stretch) {
-      return stretch.length() < min_length;
+  const auto intervalsBeside = [&] (const Body& body) {
+    Intervals intervals =
+        intervalsOf (body.raster.placesBeside (body.inPlane (line), reach), max_gap);
+    const auto is_short = [&] (const Interval& interval) {
+      return interval.length() < min_length;
     };
-    stretches.erase (std::remove_if (stretches.begin(), stretches.end(), is_short),
-                     stretches.end());
-    return stretches;
+    intervals.erase (std::remove_if (intervals.begin(), intervals.end(), is_short),
+                     intervals.end());
+    return intervals;
   };
   // The smaller plane first: mostly it is not there, and the larger need not be asked.
   const bool is_first_smaller = first.raster.size() < second.raster.size();
-  const Stretches of_smaller = stretchesBeside (is_first_smaller ? first : second);
+  const Intervals of_smaller = intervalsBeside (is_first_smaller ? first : second);
   if (of_smaller.empty())
     return {};
   return inCommon (
-      of_smaller, stretchesBeside (is_first_smaller ? second : first), min_length);
+      of_smaller, intervalsBeside (is_first_smaller ? second : first), min_length);
 }
 
 /** \brief What findPlaneEdges is asked for. */
@@ -131,11 +131,11 @@ struct Question {
       return {};
     const double gap = parameters.max_gap.value_or (reaches_of_gap * reach);
     const double length = parameters.min_length.value_or (reaches_of_length * reach);
-    Stretches stretches =
-        sharedStretches (*bodies[first], *bodies[second], *line, reach, gap, length);
-    if (stretches.empty())
+    Intervals intervals =
+        sharedIntervals (*bodies[first], *bodies[second], *line, reach, gap, length);
+    if (intervals.empty())
       return {};
-    return Meeting{first, second, *line, angle, gap, std::move (stretches)};
+    return Meeting{first, second, *line, angle, gap, std::move (intervals)};
   }
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "edges/intervals.h"
 #include "edges/plane_meeting.h"
-#include "edges/stretches.h"
 #include <pcl_ops/plane_edges.h>
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct Meeting {
   double angle;
   /** \brief How far two ends may be apart that are one. */
   double max_gap;
-  Stretches stretches;
+  Intervals intervals;
 };
 
 /** \brief All that meet, by their first plane, then by their second. Parameters are

@@ -42,7 +42,7 @@ PointRaster::PointRaster (PlanarPoints points)
   }
   size_ = high - low_;
   cell_ = cellEdge (size_, points.size());
-  cells_per_metre_ = 1.0 / cell_;
+  cells_per_meter_ = 1.0 / cell_;
   columns_ = static_cast<std::size_t> (size_.x() / cell_) + 1;
   rows_ = static_cast<std::size_t> (size_.y() / cell_) + 1;
   std::vector<std::uint32_t> cells (points.size());
@@ -62,7 +62,7 @@ std::size_t
 PointRaster::cellOf (double offset, std::size_t cells) const
 {
   const double last = static_cast<double> (cells) - 1.0;
-  return static_cast<std::size_t> (std::clamp (offset * cells_per_metre_, 0.0, last));
+  return static_cast<std::size_t> (std::clamp (offset * cells_per_meter_, 0.0, last));
 }
 
 PointRaster::Run
@@ -77,7 +77,7 @@ PointRaster::cellsBeside (const PlanarLine& line, double reach, std::size_t row)
   const double slack = reach + rounding * cell_;
   const double least = std::min (at_lower, at_upper) - slack;
   const double most = std::max (at_lower, at_upper) + slack;
-  // They fall by the direction's y for each metre to the right.
+  // They fall by the direction's y for each meter to the right.
   const double fall = line.direction.y();
   const double width = static_cast<double> (columns_) * cell_;
   if (std::abs (fall) * width < rounding * cell_)
@@ -92,7 +92,7 @@ PointRaster::cellsBeside (const PlanarLine& line, double reach, std::size_t row)
 std::vector<double>
 PointRaster::placesBeside (const PlanarLine& line, double reach) const
 {
-  if (points_.empty() || std::abs (line.distance (centre())) > radius() + reach)
+  if (points_.empty() || std::abs (line.distance (center())) > radius() + reach)
     return {};
   std::vector<Run> runs; // of points
   std::size_t most = 0;

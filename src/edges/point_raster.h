@@ -43,7 +43,7 @@ public:
 
   /** \brief A circle around all points. */
   Eigen::Vector2d
-  centre () const
+  center () const
   {
     return low_ + 0.5 * size_;
   }
@@ -67,7 +67,7 @@ private:
   Eigen::Vector2d low_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d size_ = Eigen::Vector2d::Zero();
   double cell_ = 1.0;
-  double cells_per_metre_ = 1.0;
+  double cells_per_meter_ = 1.0;
   std::size_t columns_ = 1, rows_ = 1;
   /** \brief Row after row. */
   PlanarPoints points_;

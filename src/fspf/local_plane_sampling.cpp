@@ -12,7 +12,7 @@ namespace pcl_ops::internal {
 namespace {
 
 /** Before a hypothesis is given up. */
-constexpr int most_draws = 1000;
+constexpr int max_draws = 1000;
 
 /** A plane with the test for its inliers, in the points' own precision. */
 struct Hypothesis {
@@ -89,7 +89,7 @@ drawHypothesis (const Coordinates& points,
   constexpr double smallest_sine = 1e-3;
   const Eigen::Vector3d p0 = points[origin];
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
-  for (int draw = 0; draw < most_draws; ++draw) {
+  for (int draw = 0; draw < max_draws; ++draw) {
     const Eigen::Vector3d edge = points[drawFrom (sphere, generator)] - p0;
     if (edge.isZero (0.0) || edge.squaredNorm() > inner_radius * inner_radius)
       continue;
@@ -142,7 +142,7 @@ planeAround (const Coordinates& points,
   const std::optional<Plane> plane =
       drawHypothesis (points, origin, sphere, parameters.inner_radius, generator);
   if (!plane) {
-    visits += most_draws;
+    visits += max_draws;
     return std::nullopt;
   }
   const Hypothesis hypothesis (points, *plane, distance_threshold);
@@ -166,12 +166,12 @@ sampleLocalPlanes (const Coordinates& points,
   const auto size = static_cast<std::uint32_t> (points.size());
   const double n_max = parameters.max_inliers_per_point * size;
   const double k_max = parameters.max_hypotheses_per_point * size;
-  const double most_visits = parameters.max_visits_per_point * size;
+  const double max_visits = parameters.max_visits_per_point * size;
   double n = 0.0, k = 0.0, visits = 0.0;
   RandomGenerator generator (seed);
   LocalPlanes found;
   Indices sphere;
-  for (; n < n_max && k < k_max && visits < most_visits; ++k) {
+  for (; n < n_max && k < k_max && visits < max_visits; ++k) {
     const std::uint32_t origin = drawBelow (generator, size);
     visits += visitsOf (sphere, find_sphere (origin, sphere));
     const std::optional<Moments> inliers = planeAround (

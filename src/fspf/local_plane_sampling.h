@@ -20,7 +20,7 @@ using LocalSamplingParameters = FastSamplingPlaneFilteringParameters::Local;
  * positions, in any order, replace what the vector held.
  * \return how many points were looked at for that; more than there are in the sphere,
  * if it is nearly empty in a crowd */
-using SphereFinder = std::function<std::size_t (std::uint32_t centre, Indices& sphere)>;
+using SphereFinder = std::function<std::size_t (std::uint32_t center, Indices& sphere)>;
 
 /** \brief A point and the plane through it and two others near it.
  * \param[in] points the points

@@ -18,8 +18,8 @@ spheresInVoxels (const Points& points, double radius, unsigned threads)
 {
   const auto search =
       std::make_shared<const FixedRadiusSearch> (points, radius, threads);
-  return {search->points(), [search] (std::uint32_t centre, Indices& sphere) {
-            return search->find (centre, sphere);
+  return {search->points(), [search] (std::uint32_t center, Indices& sphere) {
+            return search->find (center, sphere);
           }};
 }
 
@@ -35,15 +35,15 @@ spheresByUsersSearch (const DetectorInput& input, const Points& points, double r
           [&points,
            radius,
            search = input.search_over (points.index),
-           place_of = std::move (place_of)] (std::uint32_t centre, Indices& sphere) {
-            pcl::Indices neighbours;
+           place_of = std::move (place_of)] (std::uint32_t center, Indices& sphere) {
+            pcl::Indices neighbors;
             std::vector<float> squared_distances;
             search.within (
-                points.indexOf (centre), radius, neighbours, squared_distances);
+                points.indexOf (center), radius, neighbors, squared_distances);
             sphere.clear();
-            for (const pcl::index_t neighbour : neighbours)
-              if (place_of[static_cast<std::size_t> (neighbour)] != none)
-                sphere.push_back (place_of[static_cast<std::size_t> (neighbour)]);
+            for (const pcl::index_t neighbor : neighbors)
+              if (place_of[static_cast<std::size_t> (neighbor)] != none)
+                sphere.push_back (place_of[static_cast<std::size_t> (neighbor)]);
             return sphere.size();
           }};
 }

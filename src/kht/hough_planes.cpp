@@ -52,46 +52,31 @@ momentsOf (const ClusterList& clusters, const OctreeClusters& found)
   return moments;
 }
 
-/** The clusters no plane has taken yet. */
-class FreeClusters {
-public:
-  explicit FreeClusters (const OctreeClusters& found)
-  : found_ (found), is_free_ (found.clusters.size(), true)
-  {}
+/** Those of some clusters that no plane has taken yet. */
+ClusterList
+freeAmong (const ClusterList& clusters, const std::vector<bool>& is_free)
+{
+  ClusterList free;
+  std::copy_if (clusters.begin(),
+                clusters.end(),
+                std::back_inserter (free),
+                [&] (std::uint32_t cluster) { return is_free[cluster]; });
+  return free;
+}
 
-  ClusterList
-  among (const ClusterList& clusters) const
-  {
-    ClusterList free;
-    std::copy_if (clusters.begin(),
-                  clusters.end(),
-                  std::back_inserter (free),
-                  [this] (std::uint32_t cluster) { return is_free_[cluster]; });
-    return free;
-  }
-
-  ClusterList
-  near (const Plane& plane, double largest_rms) const
-  {
-    ClusterList near;
-    for (std::uint32_t c = 0; c < is_free_.size(); ++c)
-      if (is_free_[c] && meanSquaredDistance (found_.clusters[c].moments, plane) <=
-                             largest_rms * largest_rms)
-        near.push_back (c);
-    return near;
-  }
-
-  void
-  take (const ClusterList& clusters)
-  {
-    for (const std::uint32_t cluster : clusters)
-      is_free_[cluster] = false;
-  }
-
-private:
-  const OctreeClusters& found_;
-  std::vector<bool> is_free_;
-};
+ClusterList
+freeNear (const Plane& plane,
+          double largest_rms,
+          const OctreeClusters& found,
+          const std::vector<bool>& is_free)
+{
+  ClusterList near;
+  for (std::uint32_t c = 0; c < is_free.size(); ++c)
+    if (is_free[c] && meanSquaredDistance (found.clusters[c].moments, plane) <=
+                          largest_rms * largest_rms)
+      near.push_back (c);
+  return near;
+}
 
 /** A plane's weight when it was last looked at; free clusters only become fewer. */
 struct Rank {
@@ -163,13 +148,13 @@ refitPlanes (const std::vector<HoughPlane>& planes,
              double distance_threshold)
 {
   const double min_count = min_share * static_cast<double> (found.points.size());
-  FreeClusters free (found);
+  std::vector<bool> is_free (found.clusters.size(), true);
   std::vector<HoughPlane> refitted;
   auto ranks = rankPlanes (planes, found);
   while (!ranks.empty()) {
     const Rank first = ranks.top();
     ranks.pop();
-    ClusterList clusters = free.among (planes[first.plane].clusters);
+    ClusterList clusters = freeAmong (planes[first.plane].clusters, is_free);
     const double weight = weightOf (clusters, found);
     if (weight < first.weight) {
       ranks.push ({weight, first.plane});
@@ -178,13 +163,15 @@ refitPlanes (const std::vector<HoughPlane>& planes,
     Moments moments = momentsOf (clusters, found);
     std::optional<PlaneFit> fit = fitPlane (moments);
     for (int i = 0; i < fits_per_plane && fit; ++i) {
-      clusters = free.near (fit->plane, largest_rms_share * distance_threshold);
+      clusters =
+          freeNear (fit->plane, largest_rms_share * distance_threshold, found, is_free);
       moments = momentsOf (clusters, found);
       fit = fitPlane (moments);
     }
     if (!fit || moments.count < min_count)
       continue;
-    free.take (clusters);
+    for (const std::uint32_t cluster : clusters)
+      is_free[cluster] = false;
     refitted.push_back ({fit->plane, std::move (clusters)});
   }
   return refitted;

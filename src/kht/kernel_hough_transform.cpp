@@ -58,11 +58,11 @@ detail::detect (const DetectorInput& input,
 
 namespace {
 
-constexpr int most_phi = 1000;
-constexpr int most_rho = 10000;
+constexpr int max_phi = 1000;
+constexpr int max_rho = 10000;
 // Each level of an octree is a call within a call; nodes are below any noise long
 // before.
-constexpr int most_levels = 60;
+constexpr int max_levels = 60;
 
 } // namespace
 
@@ -89,16 +89,16 @@ std::string
 validate (const KernelHoughTransformParameters& parameters)
 {
   const KernelHoughTransformParameters::Clusters& clusters = parameters.clusters;
-  if (parameters.phi_num < 2 || parameters.phi_num > most_phi)
-    return "phi_num must be between 2 and " + std::to_string (most_phi);
-  if (parameters.rho_num < 2 || parameters.rho_num > most_rho)
-    return "rho_num must be between 2 and " + std::to_string (most_rho);
+  if (parameters.phi_num < 2 || parameters.phi_num > max_phi)
+    return "phi_num must be between 2 and " + std::to_string (max_phi);
+  if (parameters.rho_num < 2 || parameters.rho_num > max_rho)
+    return "rho_num must be between 2 and " + std::to_string (max_rho);
   if (clusters.min_samples < 3)
     return "a cluster needs at least three samples";
   if (clusters.first_level < 0 || clusters.max_level < clusters.first_level)
     return "s_level must be 0 or more and no more than the deepest level";
-  if (clusters.max_level > most_levels)
-    return "the deepest level must be no more than " + std::to_string (most_levels);
+  if (clusters.max_level > max_levels)
+    return "the deepest level must be no more than " + std::to_string (max_levels);
   if (!(clusters.s_alpha > 0.0 && clusters.s_beta > 0.0))
     return "s_alpha and s_beta must be above 0";
   if (!(parameters.refit.min_share >= 0.0 && parameters.refit.min_share <= 1.0))

@@ -17,12 +17,12 @@ constexpr double largest_squared_distance = 4.0;
 // noise to speak of a plane through the center has kernels that reach all directions,
 // and votes everywhere are votes for nothing: to end them here finds a little more,
 // too.
-constexpr double most_directions = 8.0;
-constexpr double most_bins = 32.0;
+constexpr double max_directions = 8.0;
+constexpr double max_bins = 32.0;
 
 // Patches of a row as counted through all turns: where a kernel hardly knows its
 // azimuth, the likeliest one of another row may be any number of turns away.
-constexpr int most_patches = 1 << 30;
+constexpr int max_patches = 1 << 30;
 
 /** ceil and floor to int, bounded so that no double overflows it. */
 int
@@ -74,7 +74,7 @@ public:
   {
     const double step = space_.directions.phiStep();
     const double reach = std::min (
-        std::sqrt (largest_squared_distance) * phi_deviation_, most_directions * step);
+        std::sqrt (largest_squared_distance) * phi_deviation_, max_directions * step);
     const int phi_num = space_.directions.phiNum();
     const int first = firstAtLeast ((mean_phi_ - reach) / step, -phi_num, 2 * phi_num);
     const int last = lastAtMost ((mean_phi_ + reach) / step, -phi_num, 2 * phi_num);
@@ -113,10 +113,10 @@ private:
     const double step = 2.0 * pi / patches;
     const double middle_patch = (start + middle) / step - 0.5;
     const double reach =
-        std::min ({std::sqrt (room / tt_) / step, 0.5 * patches, most_directions});
-    const int first = firstAtLeast (middle_patch - reach, -most_patches, most_patches);
+        std::min ({std::sqrt (room / tt_) / step, 0.5 * patches, max_directions});
+    const int first = firstAtLeast (middle_patch - reach, -max_patches, max_patches);
     const int last =
-        std::min (lastAtMost (middle_patch + reach, -most_patches, most_patches),
+        std::min (lastAtMost (middle_patch + reach, -max_patches, max_patches),
                   first + patches - 1);
     for (int patch = first; patch <= last; ++patch)
       castRay (directions.patchOfRow (reflected, patch),
@@ -130,7 +130,7 @@ private:
     const double room = std::max (0.0, largest_squared_distance - distance);
     const double middle = likeliestRho (offset);
     const double step = space_.rho_step;
-    const double reach = std::min (std::sqrt (room * rho_variance_), most_bins * step);
+    const double reach = std::min (std::sqrt (room * rho_variance_), max_bins * step);
     const int bins = space_.rho_num;
     const int first = firstAtLeast ((middle - reach) / step - 0.5, -bins, bins);
     const int last = lastAtMost ((middle + reach) / step - 0.5, -bins - 1, bins - 1);

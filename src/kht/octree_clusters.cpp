@@ -19,7 +19,7 @@ constexpr double dropped_distance_share = 0.1;
 
 // The nodes of this level, or of s_level if that is higher up, are shared out to
 // threads.
-constexpr int most_start_level = 2;
+constexpr int max_start_level = 2;
 
 using OctantBegins = std::array<std::uint32_t, 9>;
 
@@ -210,7 +210,7 @@ findCoplanarClusters (const Coordinates& points,
     return result;
   SortedOctree octree = sortIntoOctree (points, result.root, deepest_sorted_level);
   std::vector<Moments> leaf_moments (octree.begins.size() - 1);
-  const int start_level = std::clamp (parameters.first_level, 0, most_start_level);
+  const int start_level = std::clamp (parameters.first_level, 0, max_start_level);
   const std::size_t starts = std::size_t (1) << (3 * start_level);
   std::vector<std::vector<CoplanarCluster>> found (starts);
   parallelFor (threads, starts, 1, [&] (std::size_t begin, std::size_t end) {

@@ -12,7 +12,7 @@ namespace {
 constexpr double smallest_squared_distance = 1e-5;
 
 // Added to the variance of rho [m^2].
-constexpr double least_rho_variance = 1e-5;
+constexpr double min_rho_variance = 1e-5;
 
 } // namespace
 
@@ -46,7 +46,7 @@ planeKernel (const Plane& plane,
   const double phi = std::acos (std::clamp (normal.z(), -1.0, 1.0));
   kernel.mean = Eigen::Vector3d (rho, phi, theta);
   kernel.covariance = jacobian * covariance * jacobian.transpose();
-  kernel.covariance (0, 0) += least_rho_variance;
+  kernel.covariance (0, 0) += min_rho_variance;
   kernel.weight = weight;
   return kernel;
 }

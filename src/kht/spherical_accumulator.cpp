@@ -113,7 +113,9 @@ BallColumns::mirrorCenter (const BallDirections& directions)
 }
 
 SphericalAccumulator::SphericalAccumulator (HoughSpace space)
-: space_ (std::move (space)), votes_ (space_.directions.size(), space_.rho_num)
+: space_ (std::move (space))
+, votes_ (space_.directions.size(), space_.rho_num)
+, voters_ (space_.directions.size())
 {}
 
 void
@@ -125,7 +127,7 @@ SphericalAccumulator::add (const KernelVotes& votes, std::uint32_t voter)
     const float* values = votes.values.data() + ray.first_value;
     for (std::uint32_t i = 0; i < ray.length; ++i)
       bins[i] += values[i];
-    voters_.push_back ({ray.direction, voter, ray.first_bin, end});
+    voters_[ray.direction].push_back ({voter, ray.first_bin, end});
   }
 }
 
@@ -178,31 +180,14 @@ SphericalAccumulator::peaks() const
   return peaks;
 }
 
-std::vector<SphericalAccumulator::VoterRange>
-SphericalAccumulator::votersByDirection (std::vector<std::uint32_t>& begins) const
-{
-  begins.assign (space_.directions.size() + 1, 0);
-  for (const VoterRange& range : voters_)
-    ++begins[range.direction + 1];
-  for (std::size_t direction = 1; direction < begins.size(); ++direction)
-    begins[direction] += begins[direction - 1];
-  std::vector<std::uint32_t> next (begins.begin(), begins.end() - 1);
-  std::vector<VoterRange> sorted (voters_.size());
-  for (const VoterRange& range : voters_)
-    sorted[next[range.direction]++] = range;
-  return sorted;
-}
-
 void
 SphericalAccumulator::addVoters (std::vector<HoughPeak>& peaks) const
 {
-  std::vector<std::uint32_t> begins;
-  const std::vector<VoterRange> ranges = votersByDirection (begins);
   for (HoughPeak& peak : peaks) {
     const auto add_voters_of = [&] (std::uint32_t direction, int first, int last) {
-      for (std::uint32_t i = begins[direction]; i < begins[direction + 1]; ++i)
-        if (ranges[i].begin <= last && ranges[i].end > first)
-          peak.voters.push_back (ranges[i].voter);
+      for (const VoterRange& range : voters_[direction])
+        if (range.begin <= last && range.end > first)
+          peak.voters.push_back (range.voter);
     };
     for (const std::uint32_t near : space_.directions.around (peak.direction)) {
       add_voters_of (near, peak.bin - 1, peak.bin + 1);

@@ -113,17 +113,15 @@ public:
 private:
   HoughSpace space_;
   BallColumns votes_;
-  /** The bins each voter voted for, a range per direction. */
   struct VoterRange {
-    std::uint32_t direction, voter;
+    std::uint32_t voter;
     int begin, end;
   };
-  std::vector<VoterRange> voters_;
+  /** For each direction who voted for which bins. */
+  std::vector<std::vector<VoterRange>> voters_;
 
   BallColumns
   smoothedVotes () const;
-  std::vector<VoterRange>
-  votersByDirection (std::vector<std::uint32_t>& begins) const;
   void
   addVoters (std::vector<HoughPeak>& peaks) const;
 };

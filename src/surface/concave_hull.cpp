@@ -154,13 +154,13 @@ scaled (double factor, PlanarPoints points)
 PlanarRings
 outlineAround (const PlanarPoints& points, double alpha)
 {
-  constexpr double least_inside = 0.99;
-  constexpr double most_outside_convex = 0.005;
+  constexpr double min_inside = 0.99;
+  constexpr double max_outside_convex = 0.005;
   constexpr double spacings_per_alpha = 6.0;
   constexpr double cells_per_alpha = 2.0;
   constexpr double growth = 1.5;
-  constexpr int most_attempts = 8;
-  const PlanarPoints convex = convexHull (points, most_outside_convex);
+  constexpr int max_attempts = 8;
+  const PlanarPoints convex = convexHull (points, max_outside_convex);
   if (convex.empty())
     return {};
   const auto number = static_cast<double> (points.size());
@@ -169,14 +169,14 @@ outlineAround (const PlanarPoints& points, double alpha)
       std::sqrt (areaOf (convex) / static_cast<double> (numberOfPlaces (inside)));
   double radius = alpha > 0.0 ? alpha : spacings_per_alpha * spacing;
   const WeightedPoints thinned = thinInside (inside, radius / cells_per_alpha);
-  constexpr std::size_t fewest_for_qhull = 4;
-  if (thinned.points.size() < fewest_for_qhull)
+  constexpr std::size_t min_for_qhull = 4;
+  if (thinned.points.size() < min_for_qhull)
     return onlyOuter (convex);
-  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+  for (int attempt = 0; attempt < max_attempts; ++attempt) {
     const std::vector<Ring> rings = ringsOf (thinned.points, radius);
     if (!rings.empty() && geometry::is_valid (rings.front()) &&
         static_cast<double> (weightWithin (rings.front(), thinned)) >=
-            least_inside * number) {
+            min_inside * number) {
       constexpr double straight = 1e-3;
       return withHoles (rings, radius * radius, straight * spacing);
     }

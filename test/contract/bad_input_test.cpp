@@ -5,11 +5,7 @@
 #include "presets.h"
 #include "scene.h"
 
-#include <functional>
-
 namespace {
-
-constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
 
 class BadInputFor : public EachPreset {};
 
@@ -17,15 +13,6 @@ INSTANTIATE_TEST_SUITE_P (Presets,
                           BadInputFor,
                           ::testing::Values ("default", "paper"),
                           presetName);
-
-Cloud::Ptr
-cloudOf (std::size_t size, const std::function<pcl::PointXYZ (float)>& point)
-{
-  const auto cloud = pcl::make_shared<Cloud>();
-  for (std::size_t i = 0; i < size; ++i)
-    cloud->push_back (point (static_cast<float> (i)));
-  return cloud;
-}
 
 /** \brief Misuse: false, empty outputs, and one message that names the fix. */
 void
@@ -101,33 +88,6 @@ TEST_P (BadInputFor, OneTwoAndThreePoints)
     EXPECT_TRUE (planesOf (ops).empty()) << size << " points";
     ops.setMinInliers (0);
     EXPECT_LE (planesOf (ops).size(), size == 3 ? 1u : 0u) << size << " points";
-  }
-}
-
-TEST_P (BadInputFor, PointsThatSpanNoPlane)
-{
-  for (const auto& cloud :
-       {cloudOf (500, [] (float i) { return pcl::PointXYZ (nan_value, i, nan_value); }),
-        cloudOf (5000, [] (float) { return pcl::PointXYZ (1.1f, 2.2f, 3.3f); }),
-        cloudOf (5000, [] (float i) {
-          return pcl::PointXYZ (0.01f * i, 1 - 0.02f * i, 3 + 0.005f * i);
-        })}) {
-    Ops ops = detectorFor (cloud);
-    EXPECT_TRUE (planesOf (ops).empty());
-  }
-}
-
-TEST_P (BadInputFor, EveryPointManyTimes)
-{
-  auto scene = room().build();
-  const Cloud once = *scene.cloud;
-  const std::vector<int> labels = scene.labels;
-  for (const int repetition : {1, 2}) {
-    *scene.cloud += once;
-    scene.labels.insert (scene.labels.end(), labels.begin(), labels.end());
-    Ops ops = detectorFor (scene.cloud);
-    expectFindsEverySurface (planesOf (ops), scene);
-    EXPECT_EQ (scene.cloud->size(), once.size() * (repetition + 1));
   }
 }
 
@@ -212,33 +172,12 @@ TEST_P (BadInputFor, CoordinatesOfAThousandKilometresInvokeNoPlaneThatIsNotThere
   Ops ops = detectorFor (scene.cloud);
   const auto planes = planesOf (ops);
   EXPECT_LE (planes.size(), 3u);
+  EXPECT_TRUE (planes.size() == 3 || GetParam() != "paper");
   for (const auto& plane : planes)
     EXPECT_TRUE (std::any_of (
         scene.surfaces.begin(), scene.surfaces.end(), [&] (const Surface& surface) {
           return isNear (plane.plane(), surface, 1_deg, 4_cm);
         }));
-}
-
-TEST (BadInput, CoordinatesOfAThousandKilometresLoseNoPlane)
-{
-  const auto scene = room().movedBy ({1e6, -1e6, 1e6}).spacing (2_cm).build();
-  Ops ops = paperOn (scene.cloud);
-  EXPECT_EQ (planesOf (ops).size(), scene.surfaces.size());
-}
-
-TEST_P (BadInputFor, CoordinatesOfAHundredKilometres)
-{
-  const auto scene = room().movedBy ({1e5, -1e5, 1e5}).build();
-  Ops ops = detectorFor (scene.cloud);
-  expectFindsEverySurface (planesOf (ops), scene);
-}
-
-TEST_P (BadInputFor, OnePointFarAwayFromAllOthers)
-{
-  auto scene = room().build();
-  scene.cloud->front() = pcl::PointXYZ (3e7f, -3e7f, 3e7f);
-  Ops ops = detectorFor (scene.cloud);
-  expectFindsEverySurface (planesOf (ops), scene);
 }
 
 TEST_P (BadInputFor, CoordinatesNearTheLargestNumber)
@@ -248,16 +187,4 @@ TEST_P (BadInputFor, CoordinatesNearTheLargestNumber)
     return pcl::PointXYZ (std::fmod (i, 2.0f) ? huge : -huge, i * 1e35f, -i * 1e35f);
   }));
   planesOf (ops); // anything but a crash
-}
-
-TEST_P (BadInputFor, Millimetres)
-{
-  const auto metres = room().build().cloud;
-  const auto millimetres = pcl::make_shared<Cloud> (*metres);
-  constexpr float unit = 1024.0f; // exact, so that not one point may change its plane
-  for (pcl::PointXYZ& point : *millimetres)
-    point.getVector3fMap() *= unit;
-  Ops small = detectorFor (metres), large = detectorFor (millimetres);
-  large.setDistanceThreshold (unit * small.getDistanceThreshold());
-  EXPECT_EQ (inliersOf (large), inliersOf (small));
 }

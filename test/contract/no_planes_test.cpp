@@ -36,12 +36,24 @@ planesAmong (const Cloud::ConstPtr& cloud)
 
 } // namespace
 
-TEST (NoPlanes, AreOnASphere)
+TEST (NoPlanes, AreOnCurvedSurfacesAndWires)
 {
-  const auto on_sphere = [] (const Eigen::Vector3d& p) {
-    return p.normalized().eval();
-  };
-  EXPECT_TRUE (planesAmong (cloudFrom (60000, on_sphere)).empty());
+  using Make = Eigen::Vector3d (*) (const Eigen::Vector3d&);
+  const std::pair<const char*, Make> shapes[] = {
+      {"sphere", [] (const auto& p) { return Eigen::Vector3d (p.normalized()); }},
+      // Between patches that are curved there are no strips that are flat.
+      {"cylinder",
+       [] (const auto& p) {
+         return Eigen::Vector3d (
+             std::cos (pi * p.x()), std::sin (pi * p.x()), 2.0 * p.y());
+       }},
+      // A wire, a helix of five turns: any two directions along a line span a plane.
+      {"helix", [] (const auto& p) {
+         return Eigen::Vector3d (
+             std::cos (5.0 * pi * p.x()), std::sin (5.0 * pi * p.x()), p.x());
+       }}};
+  for (const auto& [name, make] : shapes)
+    EXPECT_TRUE (planesAmong (cloudFrom (60000, make)).empty()) << name;
 }
 
 TEST (NoPlanes, AreOnMostOfANoisyBall)
@@ -54,23 +66,4 @@ TEST (NoPlanes, AreOnMostOfANoisyBall)
   for (const auto& plane : planesAmong (cloudFrom (60000, near_sphere)))
     points += plane.inliers.size();
   EXPECT_LT (points, 60000u / 20);
-}
-
-TEST (NoPlanes, AreOnACylinder)
-{
-  // Between patches that are curved there are no strips that are flat.
-  const auto on_cylinder = [] (const Eigen::Vector3d& p) {
-    return Eigen::Vector3d (std::cos (pi * p.x()), std::sin (pi * p.x()), 2.0 * p.y());
-  };
-  EXPECT_TRUE (planesAmong (cloudFrom (60000, on_cylinder)).empty());
-}
-
-TEST (NoPlanes, AreOnAWire)
-{
-  // A helix of five turns: any two directions along a line span a plane.
-  const auto on_helix = [] (const Eigen::Vector3d& p) {
-    return Eigen::Vector3d (
-        std::cos (5.0 * pi * p.x()), std::sin (5.0 * pi * p.x()), p.x());
-  };
-  EXPECT_TRUE (planesAmong (cloudFrom (60000, on_helix)).empty());
 }

@@ -39,112 +39,102 @@ expectDefaults (const OrientedPointSamplingParameters::Surfels& surfels)
   EXPECT_EQ (surfels.assignment_noise_factor, 5.0);
 }
 
-} // namespace
-
-TEST (OpsPreset, DefaultIsTheRecommendedOne)
+void
+expectSame (const OrientedPointSamplingParameters& preset)
 {
-  const OrientedPointSamplingParameters preset;
   expectCommon (preset);
   expectDefaults (preset.surfels);
-  EXPECT_EQ (preset.distance_threshold, std::nullopt);
   EXPECT_TRUE (preset.merging.enabled);
-  EXPECT_EQ (preset.sampling, Sampling::Surfels);
   EXPECT_EQ (preset.sampling_rate, 0.03);
   EXPECT_EQ (preset.k, 30);
   EXPECT_EQ (preset.paper_only.normal_sigma, std::nullopt);
   EXPECT_EQ (preset.min_inliers, 20u);
   EXPECT_EQ (preset.paper_only.probability, 0.99);
-  EXPECT_EQ (preset.paper_only.strategy, PaperParameters::Strategy::DetectThenDivide);
   EXPECT_EQ (preset.paper_only.verification, PaperParameters::Verification::Samples);
   EXPECT_EQ (preset.paper_only.assignment_rule, AssignmentRule::First);
+}
+
+void
+expectSame (const FastSamplingPlaneFilteringParameters& preset)
+{
+  expectCommon (preset);
+  EXPECT_EQ (preset.distance_threshold, 0.05);
+  EXPECT_TRUE (preset.merging.enabled);
+  EXPECT_EQ (preset.local.local_samples, 80u);
+  EXPECT_EQ (preset.local.min_inlier_fraction, 0.8);
+  EXPECT_EQ (preset.local.inliers, LocalInliers::Sphere);
+  EXPECT_EQ (preset.local.max_inliers_per_point, 2.0);
+  EXPECT_EQ (preset.local.max_hypotheses_per_point, 1.0);
+  EXPECT_EQ (preset.local.max_visits_per_point, 100.0);
+}
+
+void
+expectSame (const KernelHoughTransformParameters& preset)
+{
+  expectCommon (preset);
+  EXPECT_EQ (preset.distance_threshold, 0.05);
+  EXPECT_EQ (preset.clusters.min_samples, 30u);
+  EXPECT_EQ (preset.clusters.s_beta, 6.0);
+  EXPECT_EQ (preset.clusters.max_level, 20);
+  EXPECT_EQ (preset.refit.min_share, 0.001);
+}
+
+} // namespace
+
+TEST (OpsPreset, DefaultIsTheRecommendedOne)
+{
+  const OrientedPointSamplingParameters preset;
+  expectSame (preset);
+  EXPECT_EQ (preset.distance_threshold, std::nullopt);
+  EXPECT_EQ (preset.sampling, Sampling::Surfels);
+  EXPECT_EQ (preset.paper_only.strategy, PaperParameters::Strategy::DetectThenDivide);
   EXPECT_TRUE (preset.paper_only.local_optimization);
 }
 
 TEST (OpsPreset, PaperIsItsBestRow)
 {
   const auto preset = OrientedPointSamplingParameters::paper();
-  expectCommon (preset);
-  expectDefaults (preset.surfels);
+  expectSame (preset);
   EXPECT_EQ (preset.distance_threshold, 0.05);
-  EXPECT_TRUE (preset.merging.enabled);
   EXPECT_EQ (preset.sampling, Sampling::Points);
-  EXPECT_EQ (preset.sampling_rate, 0.03);
-  EXPECT_EQ (preset.k, 30);
-  EXPECT_EQ (preset.paper_only.normal_sigma, std::nullopt);
-  EXPECT_EQ (preset.min_inliers, 20u);
-  EXPECT_EQ (preset.paper_only.probability, 0.99);
   EXPECT_EQ (preset.paper_only.strategy, PaperParameters::Strategy::DivideThenDetect);
-  EXPECT_EQ (preset.paper_only.verification, PaperParameters::Verification::Samples);
-  EXPECT_EQ (preset.paper_only.assignment_rule, AssignmentRule::First);
   EXPECT_FALSE (preset.paper_only.local_optimization);
 }
 
-TEST (FspfPreset, DefaultHasTheRadiiOfTableOne)
+TEST (FspfPreset, HasTheRadiiOfTableOneAndAsPaperThoseOfTableFour)
 {
   const FastSamplingPlaneFilteringParameters preset;
-  expectCommon (preset);
-  EXPECT_EQ (preset.distance_threshold, 0.05);
-  EXPECT_TRUE (preset.merging.enabled);
+  expectSame (preset);
   EXPECT_EQ (preset.local.inner_radius, 0.1);
   EXPECT_EQ (preset.local.outer_radius, 0.2);
-  EXPECT_EQ (preset.local.local_samples, 80u);
-  EXPECT_EQ (preset.local.min_inlier_fraction, 0.8);
-  EXPECT_EQ (preset.local.inliers,
-             FastSamplingPlaneFilteringParameters::Local::Inliers::Sphere);
-  EXPECT_EQ (preset.local.max_inliers_per_point, 2.0);
-  EXPECT_EQ (preset.local.max_hypotheses_per_point, 1.0);
-  EXPECT_EQ (preset.local.max_visits_per_point, 100.0);
-}
-
-TEST (FspfPreset, PaperHasTheRadiiOfTableFour)
-{
-  const auto preset = FastSamplingPlaneFilteringParameters::paper();
-  expectCommon (preset);
-  EXPECT_EQ (preset.distance_threshold, 0.05);
-  EXPECT_TRUE (preset.merging.enabled);
-  EXPECT_EQ (preset.local.inner_radius, 0.07);
-  EXPECT_EQ (preset.local.outer_radius, 0.14);
-  EXPECT_EQ (preset.local.local_samples, 80u);
-  EXPECT_EQ (preset.local.min_inlier_fraction, 0.8);
-  EXPECT_EQ (preset.local.inliers,
-             FastSamplingPlaneFilteringParameters::Local::Inliers::Sphere);
-  EXPECT_EQ (preset.local.max_inliers_per_point, 2.0);
-  EXPECT_EQ (preset.local.max_hypotheses_per_point, 1.0);
-  EXPECT_EQ (preset.local.max_visits_per_point, 100.0);
+  const auto paper = FastSamplingPlaneFilteringParameters::paper();
+  expectSame (paper);
+  EXPECT_EQ (paper.local.inner_radius, 0.07);
+  EXPECT_EQ (paper.local.outer_radius, 0.14);
 }
 
 TEST (KhtPreset, DefaultIsTheRecommendedOne)
 {
   const KernelHoughTransformParameters preset;
-  expectCommon (preset);
-  EXPECT_EQ (preset.distance_threshold, 0.05);
+  expectSame (preset);
   EXPECT_TRUE (preset.merging.enabled);
   EXPECT_EQ (preset.phi_num, 30);
   EXPECT_EQ (preset.rho_num, 300);
-  EXPECT_EQ (preset.clusters.min_samples, 30u);
   EXPECT_EQ (preset.clusters.first_level, 3);
   EXPECT_EQ (preset.clusters.s_alpha, 15.0);
-  EXPECT_EQ (preset.clusters.s_beta, 6.0);
-  EXPECT_EQ (preset.clusters.max_level, 20);
   EXPECT_TRUE (preset.refit.enabled);
-  EXPECT_EQ (preset.refit.min_share, 0.001);
 }
 
 TEST (KhtPreset, PaperIsTheMethodAsPublished)
 {
   const auto preset = KernelHoughTransformParameters::paper();
-  expectCommon (preset);
-  EXPECT_EQ (preset.distance_threshold, 0.05);
+  expectSame (preset);
   EXPECT_FALSE (preset.merging.enabled);
   EXPECT_EQ (preset.phi_num, 80);
   EXPECT_EQ (preset.rho_num, 800);
-  EXPECT_EQ (preset.clusters.min_samples, 30u);
   EXPECT_EQ (preset.clusters.first_level, 5);
   EXPECT_EQ (preset.clusters.s_alpha, 25.0);
-  EXPECT_EQ (preset.clusters.s_beta, 6.0);
-  EXPECT_EQ (preset.clusters.max_level, 20);
   EXPECT_FALSE (preset.refit.enabled);
-  EXPECT_EQ (preset.refit.min_share, 0.001);
 }
 
 TEST (UpAxisPreset, DefaultAsksForSeventyPerCent)

@@ -61,25 +61,6 @@ TEST (UnevenCloud, HasAPlaneWithAThousandTimesTheNoiseOfAnother)
   EXPECT_TRUE (hasSurface (planes, wall, exact.cloud->size(), 1_mm));
 }
 
-TEST (UnevenCloud, HasARoomAmongPointsAThousandKilometresAway)
-{
-  // Details of a millimetre in an extent of 10^6 metres.
-  auto scene = room().spacing (2_cm).noise (1_mm).build();
-  RandomGenerator generator (seedOfTest());
-  const auto draw = [&] {
-    return static_cast<float> (1e6 * (2.0 * drawUnit (generator) - 1.0));
-  };
-  for (std::size_t i = scene.cloud->size() / 100; i-- > 0;)
-    scene.cloud->push_back ({draw(), draw(), draw()});
-  Ops ops;
-  ops.setInputCloud (scene.cloud);
-  const auto planes = planesOf (ops);
-  for (const Surface& surface : scene.surfaces)
-    EXPECT_TRUE (std::any_of (planes.begin(), planes.end(), [&] (const auto& plane) {
-      return isNear (plane.plane(), surface, 1_deg, 1_cm);
-    }));
-}
-
 TEST (UnevenCloud, OfOneVoxelHasAPlaneOrNone)
 {
   Ops ops;

@@ -66,13 +66,6 @@ TEST (Fspf, FindsEverySurfaceFromTheTestedPointsAlone)
   expectFindsEverySurface (planesOf (fspf), scene);
 }
 
-TEST (Fspf, FindsEverySurfaceFarFromTheOrigin)
-{
-  const auto scene = denseRoom().movedBy ({4000, -5000, 300}).build();
-  Fspf fspf = fspfOn (scene.cloud);
-  expectFindsEverySurface (planesOf (fspf), scene);
-}
-
 TEST (Fspf, MergesHundredsOfPlanesIntoTheFewThereAre)
 {
   Fspf fspf = fspfOn (denseRoom().build().cloud);

@@ -50,9 +50,9 @@ addPatch (std::size_t size, Coordinates& points)
   }
 }
 
-/** Adds points a metre and more from it and from each other: none has a neighbour. */
+/** Adds points a metre and more from it and from each other: none has a neighbor. */
 void
-addHermits (std::size_t size, Coordinates& points)
+addLonePoints (std::size_t size, Coordinates& points)
 {
   for (std::size_t i = 1; i <= size; ++i)
     points.add (0, 0, static_cast<float> (i));
@@ -156,12 +156,12 @@ class InlierShare : public ::testing::TestWithParam<double> {};
 
 TEST_P (InlierShare, DecidesHowManySpheresAreAccepted)
 {
-  // p_r0 must be on the patch: a hermit has nobody to make a hypothesis with.
+  // p_r0 must be on the patch: a lone point has no neighbors for a hypothesis.
   constexpr int size = 1000;
   const auto on_patch = static_cast<std::size_t> (GetParam() * size);
   Coordinates points;
   addPatch (on_patch, points);
-  addHermits (size - on_patch, points);
+  addLonePoints (size - on_patch, points);
   LocalSamplingParameters parameters;
   parameters.max_hypotheses_per_point = 5.0;
   parameters.max_inliers_per_point = parameters.max_visits_per_point = 1e9;
@@ -205,7 +205,7 @@ TEST (SampleLocalPlanes, CountsWhatEmptySpheresCostInACrowd)
 {
   constexpr std::size_t size = 200;
   Coordinates points;
-  addHermits (size, points);
+  addLonePoints (size, points);
   // As a search does whose voxels hold everything.
   const auto find_itself = [] (std::uint32_t centre, Indices& sphere) {
     sphere = {centre};
@@ -244,7 +244,7 @@ TEST (SampleLocalPlanes, CountsAllInliersOfTheSphere)
 {
   Coordinates points;
   addPatch (900, points);
-  addHermits (50, points);
+  addLonePoints (50, points);
   for (const Moments& inliers : sample (points, {}).moments)
     EXPECT_EQ (inliers.count, 900.0);
 }
@@ -261,7 +261,7 @@ TEST (SampleLocalPlanes, DrawsWhatTheSeedSays)
 {
   Coordinates points;
   addPatch (600, points);
-  addHermits (150, points);
+  addLonePoints (150, points);
   const auto find_all = [&] (std::uint32_t, Indices& sphere) {
     sphere = allOf (points);
     return points.size();

@@ -13,8 +13,8 @@ namespace pcl_ops::fuzz {
 
 namespace {
 
-constexpr std::size_t most_points = 1200;
-constexpr std::size_t most_points_of_a_shape = 400;
+constexpr std::size_t max_points = 1200;
+constexpr std::size_t max_points_of_a_shape = 400;
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
@@ -38,7 +38,7 @@ struct Shape {
 
   explicit Shape (ByteReader& bytes)
   : kind (static_cast<Kind> (bytes.below (kinds)))
-  , count (1 + bytes.below (most_points_of_a_shape))
+  , count (1 + bytes.below (max_points_of_a_shape))
   , generator (bytes.take<std::uint16_t>())
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -156,7 +156,7 @@ cloudFrom (ByteReader& bytes)
   ByteReader before_shapes = bytes;
   bytes.take<std::uint32_t>();
   FuzzedCloud fuzzed{pcl::make_shared<Cloud>(), nullptr};
-  while (!bytes.isAtEnd() && fuzzed.cloud->size() < most_points)
+  while (!bytes.isAtEnd() && fuzzed.cloud->size() < max_points)
     addShape (bytes, *fuzzed.cloud);
   for (pcl::PointXYZ& point : *fuzzed.cloud)
     point.getVector3fMap() =

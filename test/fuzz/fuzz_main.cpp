@@ -16,8 +16,7 @@ LLVMFuzzerInitialize (int*, char***)
 extern "C" int
 LLVMFuzzerTestOneInput (const std::uint8_t* data, std::size_t size)
 {
-  static const pcl_ops::fuzz::FuzzTarget& target =
-      pcl_ops::fuzz::targetCalled (PCL_OPS_FUZZ_TARGET);
-  target.run (pcl_ops::fuzz::Bytes (data, data + size));
+  static const auto target = pcl_ops::fuzz::allTargets().at (PCL_OPS_FUZZ_TARGET);
+  target (pcl_ops::fuzz::Bytes (data, data + size));
   return 0;
 }

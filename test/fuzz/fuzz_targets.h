@@ -4,9 +4,9 @@
 
 #include "byte_reader.h"
 
+#include <map>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace pcl_ops::fuzz {
 
@@ -55,17 +55,9 @@ detectByKht (const Bytes& bytes);
 void
 detectByPublishedKht (const Bytes& bytes);
 
-struct FuzzTarget {
-  /** \brief Its corpus is the folder of that name. */
-  std::string name;
-  void (*run) (const Bytes&);
-};
-
-const std::vector<FuzzTarget>&
+/** \brief All of these by their names; the corpus of each is the folder of that name.
+ */
+const std::map<std::string, void (*) (const Bytes&)>&
 allTargets ();
-
-/** \throw std::out_of_range if there is none of that name */
-const FuzzTarget&
-targetCalled (const std::string& name);
 
 } // namespace pcl_ops::fuzz

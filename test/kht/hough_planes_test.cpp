@@ -13,7 +13,7 @@ using namespace pcl_ops::internal;
 
 constexpr double theta_h = 5_cm;
 
-const Surface ground{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
+const Surface bottom{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
 const Surface wall{{0.0, 0.0, 0.1}, {0.0, 2.0, 0.0}, {0.0, 0.0, 1.9}};
 const Surface shelf{{1.5, 0.5, 1.0}, {0.4, 0.0, 0.0}, {0.0, 0.4, 0.0}};
 
@@ -21,7 +21,7 @@ Coordinates
 corner (double noise)
 {
   Coordinates points;
-  addGrid (points, ground, 100, noise);
+  addGrid (points, bottom, 100, noise);
   addGrid (points, wall, 100, noise);
   addGrid (points, shelf, 20, noise);
   return points;
@@ -63,7 +63,7 @@ TEST (HoughPlanes, AreVotedForWithinABin)
 {
   const OctreeClusters found = clustersOf (corner (1_mm));
   const std::vector<HoughPlane> planes = voteForPlanes (found, 45, 200);
-  for (const Surface& surface : {ground, wall, shelf})
+  for (const Surface& surface : {bottom, wall, shelf})
     EXPECT_TRUE (hasPlaneOf (surface, planes, 4_deg, 3_cm));
 }
 
@@ -103,16 +103,18 @@ TEST (HoughPlanes, AreExactWhenRefitted)
 {
   const OctreeClusters found = clustersOf (corner (1_mm));
   const auto planes = refitPlanes (voteForPlanes (found, 30, 100), found, 0.0, theta_h);
-  for (const Surface& surface : {ground, wall, shelf})
+  for (const Surface& surface : {bottom, wall, shelf})
     EXPECT_TRUE (hasPlaneOf (surface, planes, 0.5_deg, 2_mm));
 }
 
 TEST (HoughPlanes, ShareNoClusterWhenRefitted)
 {
   const OctreeClusters found = clustersOf (corner (1_cm));
+  std::vector<HoughPlane> voted = voteForPlanes (found, 30, 100);
+  for (std::size_t i = 0, size = voted.size(); i < size; ++i)
+    voted.push_back (HoughPlane (voted[i])); // as if two peaks were of one surface
   std::set<std::uint32_t> taken;
-  for (const HoughPlane& plane :
-       refitPlanes (voteForPlanes (found, 30, 100), found, 0.0, theta_h))
+  for (const HoughPlane& plane : refitPlanes (voted, found, 0.0, theta_h))
     for (const std::uint32_t cluster : plane.clusters)
       EXPECT_TRUE (taken.insert (cluster).second);
 }

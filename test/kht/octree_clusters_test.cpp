@@ -13,8 +13,8 @@ using namespace pcl_ops::internal;
 namespace {
 
 const Surface tilted{{0.0, 0.0, 0.0}, {2.0, 0.0, 1.0}, {0.0, 2.0, 0.5}};
-const Surface ground{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
-const Surface wall{{0.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, 0.0, 2.0}};
+const Surface level{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
+const Surface upright{{0.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, 0.0, 2.0}};
 
 /** Center of the octree leaf the cluster lies in. */
 Eigen::Vector3d
@@ -63,8 +63,8 @@ TEST (OctreeClusters, HoldThePointsOfOneCell)
 TEST (OctreeClusters, ShareNoPoint)
 {
   Coordinates points;
-  addGrid (points, ground, 100, 0.002);
-  addGrid (points, wall, 100, 0.002);
+  addGrid (points, level, 100, 0.002);
+  addGrid (points, upright, 100, 0.002);
   OctreeClusters found = clustersOf (points, 4);
   for (std::size_t c = 1; c < found.clusters.size(); ++c)
     EXPECT_LE (found.clusters[c - 1].end, found.clusters[c].begin);
@@ -90,12 +90,12 @@ TEST (OctreeClusters, HaveTheMomentsOfTheirPoints)
 TEST (OctreeClusters, AreCutWhereTwoPlanesMeet)
 {
   Coordinates points;
-  addGrid (points, ground, 200);
-  addGrid (points, wall, 200);
+  addGrid (points, level, 200);
+  addGrid (points, upright, 200);
   const OctreeClusters found = clustersOf (points, 2);
   for (const CoplanarCluster& cluster : found.clusters) {
-    const double to_floor = angleBetween (cluster.fit.plane.normal, ground.normal());
-    const double to_wall = angleBetween (cluster.fit.plane.normal, wall.normal());
+    const double to_floor = angleBetween (cluster.fit.plane.normal, level.normal());
+    const double to_wall = angleBetween (cluster.fit.plane.normal, upright.normal());
     EXPECT_LT (std::min (to_floor, to_wall), 0.1);
   }
 }
@@ -103,7 +103,7 @@ TEST (OctreeClusters, AreCutWhereTwoPlanesMeet)
 TEST (OctreeClusters, DropPointsFarFromTheirPlane)
 {
   Coordinates points;
-  addGrid (points, ground, 100);
+  addGrid (points, level, 100);
   addGrid (points, Surface{{0.0, 0.0, 1.0}, {0.1, 0.0, 0.0}, {0.0, 0.1, 0.0}}, 3);
   const OctreeClusters found = clustersOf (points, 0);
   ASSERT_EQ (found.clusters.size(), 1u);
@@ -114,7 +114,7 @@ TEST (OctreeClusters, DropPointsFarFromTheirPlane)
 TEST (OctreeClusters, BeginAtTheFirstLevel)
 {
   Coordinates points;
-  addGrid (points, ground, 200);
+  addGrid (points, level, 200);
   for (const int first_level : {0, 2, 5, 6})
     for (const CoplanarCluster& cluster : clustersOf (points, first_level).clusters)
       EXPECT_EQ (cluster.level, first_level);
@@ -123,16 +123,16 @@ TEST (OctreeClusters, BeginAtTheFirstLevel)
 TEST (OctreeClusters, NeedTheMinimumOfSamples)
 {
   Coordinates points;
-  addGrid (points, ground, 5);
+  addGrid (points, level, 5);
   EXPECT_TRUE (clustersOf (points, 0).clusters.empty());
-  addGrid (points, ground, 4);
+  addGrid (points, level, 4);
   EXPECT_FALSE (clustersOf (points, 0).clusters.empty());
 }
 
 TEST (OctreeClusters, EndAtManyEqualPointsOnTheDeepestLevelThereMayBe)
 {
   Coordinates points;
-  addGrid (points, ground, 10);
+  addGrid (points, level, 10);
   for (int i = 0; i < 1000; ++i)
     points.add (1.0f, 1.0f, 1.0f);
   OctreeClusterParameters parameters;

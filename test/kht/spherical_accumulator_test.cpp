@@ -15,7 +15,7 @@ namespace {
 
 using Bin = std::pair<std::uint32_t, int>;
 
-const HoughSpace space{BallDirections (12), 40, 0.05};
+const HoughSpace coarse_space{BallDirections (12), 40, 0.05};
 
 KernelVotes
 votesFor (const Bin& bin, std::vector<float> values)
@@ -34,7 +34,7 @@ votesOfKernelAt (double rho, double phi, double theta)
   kernel.mean = Eigen::Vector3d (rho, phi, theta);
   kernel.covariance = Eigen::Vector3d (0.01, 0.05, 0.05).asDiagonal();
   KernelVotes votes;
-  castVotes (kernel, space, votes);
+  castVotes (kernel, coarse_space, votes);
   return votes;
 }
 
@@ -43,8 +43,8 @@ float
 votesOf (const SphericalAccumulator& accumulator, std::uint32_t direction, int bin)
 {
   if (bin < 0)
-    return accumulator.votesOf (space.directions.opposite (direction), -1 - bin);
-  return bin < space.rho_num ? accumulator.votesOf (direction, bin) : 0.0f;
+    return accumulator.votesOf (coarse_space.directions.opposite (direction), -1 - bin);
+  return bin < coarse_space.rho_num ? accumulator.votesOf (direction, bin) : 0.0f;
 }
 
 float
@@ -52,7 +52,7 @@ smoothed (const SphericalAccumulator& accumulator, const Bin& bin)
 {
   float neighbors = votesOf (accumulator, bin.first, bin.second - 1) +
                     votesOf (accumulator, bin.first, bin.second + 1);
-  for (const std::uint32_t side : space.directions.beside (bin.first))
+  for (const std::uint32_t side : coarse_space.directions.beside (bin.first))
     neighbors += votesOf (accumulator, side, bin.second);
   return 0.2f * votesOf (accumulator, bin.first, bin.second) + 0.1333f * neighbors;
 }
@@ -63,15 +63,16 @@ std::set<Bin>
 peaksByWalking (const SphericalAccumulator& accumulator)
 {
   std::vector<std::tuple<float, std::uint32_t, int>> bins;
-  for (std::uint32_t direction = 0; direction < space.directions.size(); ++direction)
-    for (int bin = 0; bin < space.rho_num; ++bin)
+  for (std::uint32_t direction = 0; direction < coarse_space.directions.size();
+       ++direction)
+    for (int bin = 0; bin < coarse_space.rho_num; ++bin)
       if (accumulator.votesOf (direction, bin) > 0.0f)
         bins.emplace_back (-smoothed (accumulator, {direction, bin}), direction, bin);
   std::sort (bins.begin(), bins.end());
   std::set<Bin> marked, peaks;
   for (const auto& [height, direction, bin] : bins) {
     bool meets_marked = false;
-    for (const std::uint32_t near : space.directions.around (direction))
+    for (const std::uint32_t near : coarse_space.directions.around (direction))
       for (int beside = bin - 1; beside <= bin + 1; ++beside)
         meets_marked |= !marked.insert ({near, beside}).second;
     if (!meets_marked)
@@ -93,7 +94,7 @@ binsOf (const std::vector<HoughPeak>& peaks)
 
 TEST (SphericalAccumulator, AddsVotesUp)
 {
-  SphericalAccumulator accumulator (space);
+  SphericalAccumulator accumulator (coarse_space);
   accumulator.add (votesFor ({5, 10}, {1.0f, 2.0f}), 0);
   accumulator.add (votesFor ({5, 11}, {4.0f}), 1);
   EXPECT_EQ (accumulator.votesOf (5, 10), 1.0f);
@@ -103,17 +104,17 @@ TEST (SphericalAccumulator, AddsVotesUp)
 
 TEST (SphericalAccumulator, PeaksWhereAKernelIsCenterd)
 {
-  SphericalAccumulator accumulator (space);
-  const std::uint32_t direction = space.directions.at (5, 1.0);
-  const double theta = space.directions.thetaOf (direction);
-  const double phi = space.directions.phiOf (direction);
-  accumulator.add (votesOfKernelAt (space.rhoOf (20), phi, theta), 0);
+  SphericalAccumulator accumulator (coarse_space);
+  const std::uint32_t direction = coarse_space.directions.at (5, 1.0);
+  const double theta = coarse_space.directions.thetaOf (direction);
+  const double phi = coarse_space.directions.phiOf (direction);
+  accumulator.add (votesOfKernelAt (coarse_space.rhoOf (20), phi, theta), 0);
   EXPECT_EQ (binsOf (accumulator.peaks()), (std::set<Bin>{{direction, 20}}));
 }
 
 TEST (SphericalAccumulator, PeaksOnceForAKernelAcrossTheCenter)
 {
-  SphericalAccumulator accumulator (space);
+  SphericalAccumulator accumulator (coarse_space);
   accumulator.add (votesOfKernelAt (0.01, 1.3, 1.0), 0);
   EXPECT_EQ (accumulator.peaks().size(), 1u);
 }
@@ -121,7 +122,7 @@ TEST (SphericalAccumulator, PeaksOnceForAKernelAcrossTheCenter)
 TEST (SphericalAccumulator, PeaksOnceForAKernelAcrossAPole)
 {
   for (const double phi : {0.0, 0.1, 3.1}) {
-    SphericalAccumulator accumulator (space);
+    SphericalAccumulator accumulator (coarse_space);
     accumulator.add (votesOfKernelAt (1.0, phi, 1.0), 0);
     EXPECT_EQ (accumulator.peaks().size(), 1u);
   }
@@ -130,8 +131,8 @@ TEST (SphericalAccumulator, PeaksOnceForAKernelAcrossAPole)
 TEST (SphericalAccumulator, PeaksWhereAWalkOverSortedBinsDoes)
 {
   RandomGenerator generator (seedOfTest());
-  const auto directions = static_cast<std::uint32_t> (space.directions.size());
-  SphericalAccumulator accumulator (space);
+  const auto directions = static_cast<std::uint32_t> (coarse_space.directions.size());
+  SphericalAccumulator accumulator (coarse_space);
   for (std::uint32_t voter = 0; voter < 2000; ++voter) {
     const auto vote = static_cast<float> (drawUnit (generator));
     const std::uint32_t direction = drawBelow (generator, directions);
@@ -145,14 +146,14 @@ TEST (SphericalAccumulator, PeaksWhereAWalkOverSortedBinsDoes)
 
 TEST (SphericalAccumulator, TakesTheFirstOfEqualBins)
 {
-  SphericalAccumulator accumulator (space);
+  SphericalAccumulator accumulator (coarse_space);
   accumulator.add (votesFor ({40, 10}, {1.0f, 1.0f}), 0);
   EXPECT_EQ (binsOf (accumulator.peaks()), (std::set<Bin>{{40, 10}}));
 }
 
 TEST (SphericalAccumulator, SortsPeaksByHeight)
 {
-  SphericalAccumulator accumulator (space);
+  SphericalAccumulator accumulator (coarse_space);
   accumulator.add (votesFor ({40, 10}, {1.0f}), 0);
   accumulator.add (votesFor ({40, 20}, {3.0f}), 1);
   accumulator.add (votesFor ({40, 30}, {2.0f}), 2);
@@ -164,8 +165,8 @@ TEST (SphericalAccumulator, SortsPeaksByHeight)
 
 TEST (SphericalAccumulator, RemembersWhoVotedAroundAPeak)
 {
-  SphericalAccumulator accumulator (space);
-  const std::uint32_t beside = space.directions.beside (40)[3];
+  SphericalAccumulator accumulator (coarse_space);
+  const std::uint32_t beside = coarse_space.directions.beside (40)[3];
   accumulator.add (votesFor ({40, 10}, {5.0f, 5.0f}), 0);
   accumulator.add (votesFor ({beside, 11}, {1.0f}), 1);
   accumulator.add (votesFor ({40, 14}, {1.0f}), 2);
@@ -177,9 +178,9 @@ TEST (SphericalAccumulator, RemembersWhoVotedAroundAPeak)
 
 TEST (SphericalAccumulator, RemembersVotersAtTheOtherSideOfTheCenter)
 {
-  SphericalAccumulator accumulator (space);
+  SphericalAccumulator accumulator (coarse_space);
   accumulator.add (votesFor ({40, 0}, {5.0f}), 0);
-  accumulator.add (votesFor ({space.directions.opposite (40), 0}, {1.0f}), 1);
+  accumulator.add (votesFor ({coarse_space.directions.opposite (40), 0}, {1.0f}), 1);
   const std::vector<HoughPeak> peaks = accumulator.peaks();
   ASSERT_EQ (peaks.size(), 1u);
   EXPECT_EQ (peaks[0].voters, (std::vector<std::uint32_t>{0, 1}));

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <iomanip>
 #include <iostream>
 
@@ -22,46 +21,16 @@ using namespace pcl_ops;
 using evaluation::PlaneLabels;
 using evaluation::XyzCloud;
 
-/** \brief FNV-1a. */
-class Hash {
-public:
-  template <typename Number>
-  void
-  add (Number number)
-  {
-    std::array<unsigned char, sizeof (Number)> bytes{};
-    std::memcpy (bytes.data(), &number, sizeof (Number));
-    for (const unsigned char byte : bytes)
-      state_ = (state_ ^ byte) * 0x100000001B3u;
-  }
-
-  std::uint64_t
-  value () const
-  {
-    return state_;
-  }
-
-private:
-  std::uint64_t state_ = 0xCBF29CE484222325u;
-};
-
+/** \brief FNV-1a of numbers without gaps between them. */
+template <typename Numbers>
 std::uint64_t
-hashOf (const XyzCloud& cloud)
+hashOf (const Numbers& numbers)
 {
-  Hash hash;
-  for (const pcl::PointXYZ& point : cloud)
-    for (const float coordinate : point.data)
-      hash.add (coordinate);
-  return hash.value();
-}
-
-std::uint64_t
-hashOf (const PlaneLabels& labels)
-{
-  Hash hash;
-  for (const std::uint32_t label : labels)
-    hash.add (label);
-  return hash.value();
+  const auto* const bytes = reinterpret_cast<const unsigned char*> (numbers.data());
+  std::uint64_t hash = 0xCBF29CE484222325u;
+  for (std::size_t i = 0; i < numbers.size() * sizeof (*numbers.data()); ++i)
+    hash = (hash ^ bytes[i]) * 0x100000001B3u;
+  return hash;
 }
 
 void
@@ -107,7 +76,7 @@ checkAll (const std::string& name, const XyzCloud::ConstPtr& cloud)
   using Ops = OrientedPointSampling<pcl::PointXYZ>;
   using Fspf = FastSamplingPlaneFiltering<pcl::PointXYZ>;
   using Kht = KernelHoughTransform<pcl::PointXYZ>;
-  printLine (name, "points", cloud->size(), hashOf (*cloud));
+  printLine (name, "points", cloud->size(), hashOf (cloud->points));
   std::size_t planes = 0;
   const std::array<bool, 6> checks{
       check<Ops> ("ops", {}, name, cloud, planes),

@@ -15,21 +15,20 @@ ViewState
 afterKeys (const std::string& keys, ViewState state = {})
 {
   for (const char key : keys)
-    EXPECT_TRUE (pressKey (std::string (1, key), state)) << key;
+    EXPECT_TRUE (pressKey (key, state)) << key;
   return state;
 }
 
-/** \brief Planes with nothing but their points, of a cloud of so many. */
+/** \brief Two planes of a point each, the first horizontal, and a point on none. */
 FoundPlanes
-foundOf (const std::vector<pcl::Indices>& inliers, std::size_t points)
+twoPlanes ()
 {
   FoundPlanes found;
-  for (const pcl::Indices& indices : inliers) {
-    found.planes.emplace_back().inliers = indices;
-    found.extents.emplace_back();
-    found.colors.push_back (static_cast<std::uint32_t> (found.planes.size()));
-  }
-  found.labels = labelsOf (found.planes, points);
+  found.detected.planes.resize (2);
+  found.detected.planes[0].orientation = Orientation::Horizontal;
+  found.extents.resize (2);
+  found.extents[0].area = 1.5;
+  found.labels = {1, 2, 0};
   return found;
 }
 
@@ -37,9 +36,9 @@ foundOf (const std::vector<pcl::Indices>& inliers, std::size_t points)
 
 TEST (ViewState, KeysSwitchOneWayAndBack)
 {
-  EXPECT_EQ (afterKeys ("2").coloring, Coloring::Orientations);
-  EXPECT_EQ (afterKeys ("3").coloring, Coloring::Input);
-  EXPECT_EQ (afterKeys ("31").coloring, Coloring::Planes);
+  EXPECT_EQ (afterKeys ("2").coloring, "orientations");
+  EXPECT_EQ (afterKeys ("3").coloring, "input");
+  EXPECT_EQ (afterKeys ("31").coloring, "planes");
   EXPECT_EQ (afterKeys ("p").preset, "paper");
   EXPECT_EQ (afterKeys ("pp").preset, "default");
   EXPECT_EQ (afterKeys ("m").method, "fspf");
@@ -54,13 +53,9 @@ TEST (ViewState, KeysSwitchOneWayAndBack)
     EXPECT_NE (afterKeys (key).*value, ViewState().*value) << key;
     EXPECT_EQ (afterKeys (std::string (key) + key).*value, ViewState().*value) << key;
   }
-}
-
-TEST (ViewState, KeysOfTheCameraChangeNothing)
-{
   ViewState state;
-  for (const char* key : {reset_key, "o", "q", "+", "-", "x"})
-    EXPECT_FALSE (pressKey (key, state)) << key;
+  for (const char key : {'r', 'o', 'q', '+', '-', 'x'})
+    EXPECT_FALSE (pressKey (key, state)) << key << " is a key of the camera or none";
 }
 
 TEST (ViewState, OnlyOtherPlanesEndASelection)
@@ -82,53 +77,41 @@ TEST (FoundPlanes, AreThoseOfEveryMethodBeforeAndAfterMerging)
   table->emplace_back (1.0f, 1.0f, 0.5f);
   for (const char* keys : {"", "m", "mm", "b", "bm", "bmm"}) {
     const FoundPlanes found = findPlanes (afterKeys (keys), {}, table);
-    ASSERT_EQ (found.planes.size(), 1u) << keys;
+    ASSERT_EQ (found.extents.size(), 1u) << keys;
     EXPECT_NEAR (found.extents[0].area, 4.0, 0.3) << keys;
     EXPECT_EQ (found.labels.front(), 1u) << keys;
     EXPECT_EQ (found.labels.back(), 0u) << keys;
   }
 }
 
-TEST (FoundPlanes, TheLargestPartOfAPlaneKeepsItsColor)
-{
-  const FoundPlanes after = foundOf ({{0, 1, 2, 3, 4}, {5, 6}}, 8);
-  const FoundPlanes before = foundOf ({{2, 3, 4}, {0, 1}, {5, 6}, {7}}, 8);
-  EXPECT_EQ (colorsBeforeMerging (before, after),
-             (std::vector<std::uint32_t>{1, 3, 2, 4}));
-}
-
 TEST (FoundPlanes, ColorTheirPoints)
 {
-  FoundPlanes found = foundOf ({{0}, {1}}, 3);
-  found.planes[0].orientation = Orientation::Horizontal;
   const std::vector<pcl::RGB> input = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
-  const auto colorsAfter = [&] (const char* keys) {
-    return pointColors (found, afterKeys (keys), input);
+  const auto colorsAfter = [&] (const char* keys, std::uint32_t selected = 0) {
+    ViewState state = afterKeys (keys);
+    state.selected = selected;
+    return colorsOfPoints (twoPlanes(), state, input);
   };
   EXPECT_EQ (colorsAfter ("")[0].rgba, colorOfLabel (1).rgba);
   EXPECT_EQ (colorsAfter ("")[2].rgba, colorOfLabel (0).rgba);
   EXPECT_EQ (colorsAfter ("3")[1].rgba, input[1].rgba);
-  EXPECT_GT (colorsAfter ("2")[0].g, colorsAfter ("2")[0].b);
-  ViewState state;
-  state.selected = 2;
-  EXPECT_NE (pointColors (found, state, input)[0].rgba, colorOfLabel (1).rgba);
-  EXPECT_EQ (pointColors (found, state, input)[1].rgba, colorOfLabel (2).rgba);
+  EXPECT_EQ (colorsAfter ("2")[0].rgba, colorOf (Orientation::Horizontal).rgba);
+  EXPECT_NE (colorsAfter ("", 2)[0].rgba, colorOfLabel (1).rgba);
+  EXPECT_EQ (colorsAfter ("", 2)[1].rgba, colorOfLabel (2).rgba);
 }
 
 TEST (FoundPlanes, AreDescribedInTheFrameOfTheFile)
 {
-  FoundPlanes found = foundOf ({{0, 1, 2}}, 3);
-  found.planes[0].orientation = Orientation::Horizontal;
-  found.extents[0].area = 1.5;
-  found.notes = "Up axis: the planes cannot tell";
+  FoundPlanes found = twoPlanes();
+  found.detected.up_note = "Up axis: the planes cannot tell";
   ViewState state;
   state.selected = 1;
   const std::string text = statusText ("folder/room.pcd", found, state, {0, 0, 10});
   for (const char* part : {"say which plane this is",
                            "\nroom.pcd, 3 points",
-                           "1 plane\n",
+                           "2 planes\n",
                            "cannot tell",
-                           "plane 1: horizontal, 3 points, area 1.500",
+                           "plane 1: horizontal, 0 points, area 1.500",
                            "+1.0000 z -10.0000 = 0"})
     EXPECT_NE (text.find (part), std::string::npos) << part << " in " << text;
 }

@@ -7,7 +7,7 @@
 namespace pcl_ops::internal {
 
 /** \brief From where to where on a line. */
-struct Stretch {
+struct Interval {
   double from = 0.0;
   double to = 0.0;
 
@@ -18,17 +18,17 @@ struct Stretch {
   }
 };
 
-using Stretches = std::vector<Stretch>;
+using Intervals = std::vector<Interval>;
 
-/** \brief Stretches of a line from place to place, ascending.
+/** \brief Intervals of a line from place to place, ascending.
  * \param[in] places in any order
- * \param[in] max_gap a larger gap begins another stretch */
-Stretches
-stretchesOf (const std::vector<double>& places, double max_gap);
+ * \param[in] max_gap a larger gap begins another interval */
+Intervals
+intervalsOf (const std::vector<double>& places, double max_gap);
 
-/** \brief What two lists of stretches have in common, both ascending.
+/** \brief What two lists of intervals have in common, both ascending.
  * \param[in] min_length shorter ones are left out */
-Stretches
-inCommon (const Stretches& first, const Stretches& second, double min_length);
+Intervals
+inCommon (const Intervals& first, const Intervals& second, double min_length);
 
 } // namespace pcl_ops::internal
