@@ -62,7 +62,8 @@ expectSame (const FastSamplingPlaneFilteringParameters& preset)
   EXPECT_TRUE (preset.merging.enabled);
   EXPECT_EQ (preset.local.local_samples, 80u);
   EXPECT_EQ (preset.local.min_inlier_fraction, 0.8);
-  EXPECT_EQ (preset.local.inliers, LocalInliers::Sphere);
+  EXPECT_EQ (preset.local.inliers,
+             FastSamplingPlaneFilteringParameters::Local::Inliers::Sphere);
   EXPECT_EQ (preset.local.max_inliers_per_point, 2.0);
   EXPECT_EQ (preset.local.max_hypotheses_per_point, 1.0);
   EXPECT_EQ (preset.local.max_visits_per_point, 100.0);
