@@ -201,8 +201,7 @@ labelPoints (const Points& points,
   Refinement finer =
       refine (voxels.finest.grid, voxels.coarse, planes, parameters.threads);
   clock.lap (durations.search);
-  findPlanes (
-      finer.grid, parameters, surfels.max_thickness, finer.planes, durations);
+  findPlanes (finer.grid, parameters, surfels.max_thickness, finer.planes, durations);
   clock = StageClock();
   found = finer.planes.size();
   // section III-C, by the noise of the planes instead of theta_h
