@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <io/xyz_cloud.h>
+#include <io/shifted_cloud.h>
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>

@@ -86,8 +86,7 @@ parametersOf (const DetectorOptions& options, std::size_t points)
       options.preset == "paper" ? Parameters::paper() : Parameters();
   parameters.up_axis = options.up.value_or (parameters.up_axis);
   parameters.merging.enabled = parameters.merging.enabled && options.merging;
-  apply (shared_numbers, options.numbers, parameters);
-  apply (own_numbers, options.numbers, parameters);
+  apply (options.numbers, parameters);
   relate (options.numbers, points, parameters);
   return parameters;
 }
@@ -129,15 +128,18 @@ hintOnMinInliers (const GivenNumbers&, const Detector&, const Detected&)
 /** \brief All parameters for a report, under the names of their options. */
 template <typename Parameters>
 Settings
-reportOf (const std::string& preset, const Parameters& parameters)
+reportOf (const std::string& preset, Parameters parameters)
 {
   const Eigen::Vector3d up = parameters.up_axis.template cast<double>();
   Settings settings{{"preset", preset},
                     {"up", std::vector<double>{up.x(), up.y(), up.z()}}};
-  for (const Settings& more : {fixedSettings (parameters),
-                               settingsOf (own_numbers, parameters),
-                               settingsOf (shared_numbers, parameters)})
-    settings.insert (settings.end(), more.begin(), more.end());
+  for (const auto& fixed : fixedSettings (parameters))
+    settings.push_back (fixed);
+  visitAll (parameters,
+            [&] (std::string name, const auto& number, const NumberOption&) {
+              std::replace (name.begin(), name.end(), '-', '_');
+              settings.emplace_back (name, settingOf (number));
+            });
   return settings;
 }
 
@@ -181,13 +183,12 @@ presetNotes ()
   };
   std::map<std::string, std::string> notes;
   Parameters usual, paper = Parameters::paper();
-  visitOwn (usual, [&] (const NumberOption& option, const auto& number) {
-    notes[option.name] = text (settingOf (number));
+  visitOwn (usual, [&] (const auto& name, const auto& number, const NumberOption&) {
+    notes[name] = text (settingOf (number));
   });
-  visitOwn (paper, [&] (const NumberOption& option, const auto& number) {
-    std::string& note = notes[option.name];
-    if (note != text (settingOf (number)))
-      note += "; paper " + text (settingOf (number));
+  visitOwn (paper, [&] (const auto& name, const auto& number, const NumberOption&) {
+    if (notes[name] != text (settingOf (number)))
+      notes[name] += "; paper " + text (settingOf (number));
   });
   return notes;
 }
@@ -198,7 +199,7 @@ methodOf (const std::string& name, const std::string& title)
 {
   using Parameters = typename Detector::Parameters;
   const auto declare_options = [] (CommandLine& line, GivenNumbers& given) {
-    declare (own_numbers, Parameters(), presetNotes<Parameters>(), line, given);
+    declare (Parameters(), presetNotes<Parameters>(), line, given);
   };
   return {name, title, declare_options, detectBy<Detector>};
 }

@@ -4,10 +4,11 @@
 
 #include <Eigen/Core>
 
-#include <io/xyz_cloud.h>
+#include <io/shifted_cloud.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -93,5 +94,16 @@ allMethods ();
 /** \brief The method of that name, which must be one of \ref allMethods. */
 const Method&
 methodCalled (const std::string& name);
+
+using Stage = std::pair<const char*, double StageDurations::*>;
+
+/** \brief The durations of a detector by name; the last is that of them all. */
+constexpr std::array<Stage, 6> detection_stages = {
+    {{"search", &StageDurations::search},
+     {"normals", &StageDurations::normals},
+     {"extraction", &StageDurations::extraction},
+     {"assignment", &StageDurations::assignment},
+     {"merging", &StageDurations::merging},
+     {"detection", &StageDurations::detection}}};
 
 } // namespace pcl_ops::apps

@@ -4,9 +4,6 @@
 
 #include <pcl/common/io.h>
 
-#include "coordinate_reader.h"
-#include "median_place.h"
-
 #include <algorithm>
 #include <cstring>
 
@@ -93,34 +90,6 @@ setField (pcl::PCLPointCloud2& cloud,
 }
 
 } // namespace
-
-ShiftedCloud
-shiftedCloudOf (const FileCloud& cloud, double step)
-{
-  const CoordinateReader reader (cloud);
-  ShiftedCloud shifted;
-  const std::size_t size = cloud.size();
-  const auto usual = [&] {
-    return usualPlace (size, [&] (std::size_t i) { return reader (i); });
-  };
-  if (step > 0.0)
-    shifted.shift = nearestMultiple (usual(), step);
-  else if (!reader.isSinglePrecision())
-    shifted.shift = usual();
-  shifted.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  shifted.cloud->points.reserve (size);
-  for (std::size_t i = 0; i < size; ++i) {
-    const Eigen::Vector3f point = (reader (i) - shifted.shift).cast<float>();
-    shifted.cloud->points.emplace_back (point.x(), point.y(), point.z());
-  }
-  shifted.cloud->width = cloud.points.width;
-  shifted.cloud->height = cloud.points.height;
-  shifted.cloud->is_dense = false;
-  shifted.cloud->sensor_orientation_ = cloud.orientation;
-  shifted.cloud->sensor_origin_.head<3>() =
-      (cloud.origin.head<3>().cast<double>() - shifted.shift).cast<float>();
-  return shifted;
-}
 
 void
 addField (const std::string& name,

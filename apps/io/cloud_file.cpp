@@ -3,19 +3,26 @@
 #include "cloud_file.h"
 
 #include "cloud_fields.h"
-#include "input_file.h"
+#include "inputs.h"
 #include "las_file.h"
 #include "laz_file.h"
 #include "output_file.h"
 #include "pcd_file.h"
 #include "ply_reader.h"
 #include "ply_writer.h"
-#include "spool.h"
 #include "text_file.h"
 #include <cli/errors.h>
+#include <cli/interruption.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
+#include <ostream>
+#include <string>
+#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -46,6 +53,52 @@ makePoseValid (FileCloud& cloud)
     cloud.orientation.normalize();
   else
     cloud.orientation.setIdentity();
+}
+
+/** \brief Fills the buffer as far as the input reaches. \return bytes read */
+std::size_t
+readInput (std::vector<char>& buffer)
+{
+  std::size_t filled = 0;
+  while (filled < buffer.size()) {
+    const ssize_t count =
+        ::read (STDIN_FILENO, buffer.data() + filled, buffer.size() - filled);
+    stopIfInterrupted();
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count < 0)
+      throw WorkError (standard_input,
+                       std::string ("cannot be read (") + std::strerror (errno) +
+                           "); pipe a PCD into the program");
+    if (count == 0)
+      break;
+    filled += static_cast<std::size_t> (count);
+  }
+  return filled;
+}
+
+constexpr std::size_t start_length = 64;
+
+/** \param[in] start the first bytes of a cloud */
+std::string
+extensionOfContent (const std::string& start)
+{
+  const auto begins_with = [&] (const std::string& text) {
+    return start.compare (0, text.size(), text) == 0;
+  };
+  const std::string utf8_mark = "\xef\xbb\xbf";
+  if (begins_with (utf8_mark))
+    return extensionOfContent (start.substr (utf8_mark.size()));
+  if (begins_with ("LASF"))
+    return ".las";
+  if (begins_with ("ply"))
+    return ".ply";
+  // A PCD begins with a word or a comment, which a text may, too.
+  const std::size_t first = start.find_first_not_of (" \t\r\n");
+  const bool is_number =
+      first != std::string::npos &&
+      std::string ("+-.0123456789").find (start[first]) != std::string::npos;
+  return is_number || begins_with ("//") ? ".xyz" : ".pcd";
 }
 
 } // namespace
@@ -130,6 +183,29 @@ saveCloud (const std::string& file, const FileCloud& cloud)
     writeFile (file, [&] (auto& stream) { writePly (cloud.points, stream); });
   else
     savePcd (file, cloud);
+}
+
+FileCloud
+loadStandardInput ()
+{
+  constexpr std::size_t buffer_size = 1U << 20U;
+  if (::isatty (STDIN_FILENO) == 1)
+    throw UsageError (standard_input, "is the terminal; pipe a PCD into the program");
+  std::vector<char> buffer (buffer_size);
+  std::size_t count = readInput (buffer);
+  const Spool spool (
+      extensionOfContent (std::string (buffer.data(), std::min (count, start_length))),
+      standard_input);
+  spool.fill ([&] (std::ostream& stream) {
+    for (; count > 0 && stream; count = readInput (buffer))
+      stream.write (buffer.data(), static_cast<std::streamsize> (count));
+  });
+  try {
+    return loadCloud (spool.name());
+  }
+  catch (const WorkError& error) {
+    throw WorkError (standard_input, error.problem);
+  }
 }
 
 } // namespace pcl_ops::apps

@@ -71,4 +71,18 @@ savePcd (const std::string& file, const FileCloud& cloud);
 void
 saveCloud (const std::string& file, const FileCloud& cloud);
 
+/** \brief What stands for the standard streams where a file name is expected. */
+inline constexpr const char* standard_stream = "-";
+
+/** \brief How the standard input is called in messages. */
+inline constexpr const char* standard_input = "standard input";
+
+/** \brief Reads the PCD (ascii, binary, binary_compressed), PLY, LAS or text that is
+ * piped into the program; a text by its first number or //. PCL reads from files only:
+ * all of it is put into one for temporary files ($TMPDIR) first, which is removed in
+ * any case. \throws UsageError if nothing is piped in, WorkError as \ref loadCloud, and
+ * Interrupted */
+FileCloud
+loadStandardInput ();
+
 } // namespace pcl_ops::apps

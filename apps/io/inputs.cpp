@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <system_error>
 
@@ -146,6 +148,33 @@ checkIsOneCloud (const std::string& name)
   if (!fs::exists (status) && isPattern (name))
     throw UsageError (
         name, "is no file; to segment what the pattern matches give --output-dir DIR");
+}
+
+void
+checkReadable (const std::string& file, const std::string& kind)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status (file, error);
+  if (error == std::errc::filename_too_long)
+    throw WorkError (file, "has a name that is too long; check it");
+  if (!fs::exists (status))
+    throw WorkError (file, "does not exist; check the name");
+  if (fs::is_directory (status))
+    throw WorkError (file, "is a folder; give " + kind);
+  if (!fs::is_regular_file (status))
+    throw WorkError (file, "is no regular file; give " + kind);
+}
+
+std::string
+readTextFile (const std::string& file, const std::string& kind)
+{
+  checkReadable (file, kind);
+  std::ifstream stream (file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char> (stream),
+                   std::istreambuf_iterator<char>()};
+  if (!stream)
+    throw WorkError (file, "cannot be read; check its permissions");
+  return text;
 }
 
 } // namespace pcl_ops::apps

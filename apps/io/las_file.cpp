@@ -6,7 +6,6 @@
 #include "laz_file.h"
 #include "little_endian.h"
 #include "output_file.h"
-#include "spool.h"
 
 #include <algorithm>
 #include <array>

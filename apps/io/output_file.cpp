@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_file.h"
 
-#include "temporary_path.h"
 #include <cli/errors.h>
+#include <cli/interruption.h>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,10 +14,12 @@
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -166,6 +169,59 @@ isSameFile (const std::string& first, const std::string& second)
 {
   std::error_code error;
   return fs::equivalent (first, second, error) || resolved (first) == resolved (second);
+}
+
+Spool::Spool (const std::string& extension, std::string subject)
+: subject_ (std::move (subject))
+{
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path (error);
+  if (error)
+    throw WorkError ("TMPDIR", "is no folder; set it to one for temporary files");
+  name_ = (folder / ("pcl_ops_XXXXXX" + extension)).string();
+  const int file = ::mkstemps (name_.data(), static_cast<int> (extension.size()));
+  if (file < 0)
+    fail();
+  ::close (file);
+}
+
+Spool::~Spool() { ::unlink (name_.c_str()); }
+
+void
+Spool::fill (const std::function<void (std::ostream& stream)>& write) const
+{
+  std::ofstream stream (name_, std::ios::binary);
+  write (stream);
+  stream.close();
+  if (!stream)
+    fail();
+}
+
+void
+Spool::fail() const
+{
+  throw WorkError (subject_,
+                   "cannot be copied to " + name_ + " (" + std::strerror (errno) +
+                       "); set TMPDIR to a folder with more space");
+}
+
+FolderLock::FolderLock (const std::string& folder)
+: folder_ (::open (folder.c_str(), O_RDONLY | O_CLOEXEC))
+{}
+
+FolderLock::~FolderLock() { ::close (folder_); }
+
+void
+FolderLock::wait() const
+{
+  while (::flock (folder_, LOCK_EX) != 0 && errno == EINTR)
+    stopIfInterrupted();
+}
+
+bool
+FolderLock::take() const
+{
+  return ::flock (folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
 } // namespace pcl_ops::apps

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
+#include <detection/methods.h>
 #include <detection/outlines.h>
 #include <detection/plane_json.h>
-#include <detection/stages.h>
 #include <nlohmann/json.hpp>
 #include <numbers/fraction.h>
 #include <pcl_ops/orientation.h>

@@ -4,8 +4,8 @@
 
 #include <pcl/common/io.h>
 
+#include <cli/errors.h>
 #include <cli/interruption.h>
-#include <cli/memory.h>
 #include <io/cloud_file.h>
 #include <io/las_writer.h>
 #include <io/output_file.h>

@@ -8,7 +8,7 @@
 
 #include "view_state.h"
 #include <detection/methods.h>
-#include <io/xyz_cloud.h>
+#include <io/shifted_cloud.h>
 
 #include <string>
 #include <vector>

@@ -4,6 +4,7 @@
 #include <cli/errors.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
+#include <io/shifted_cloud.h>
 #include <io/las_file.h>
 #include <unistd.h>
 

@@ -7,14 +7,12 @@
 #include <pcl/common/point_tests.h>
 
 #include <cli/errors.h>
-#include <cli/memory.h>
 #include <cli/program.h>
-#include <io/cloud_damage.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
+#include <io/shifted_cloud.h>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace pcl_ops::evaluation {
@@ -24,42 +22,6 @@ namespace {
 /** Share of the cloud's diagonal by which rounding in a text file may move a point. */
 constexpr double max_rounding = 1e-3;
 
-template <typename Number>
-double
-numberAt (const std::uint8_t* bytes)
-{
-  Number number;
-  std::memcpy (&number, bytes, sizeof (number));
-  return static_cast<double> (number);
-}
-
-using Read = double (*) (const std::uint8_t* bytes);
-
-/** How a field of a number type is read. Double precision is that of texts, which have
- * no other; null for what is no integer of a file. */
-Read
-readerOf (std::uint8_t datatype)
-{
-  switch (datatype) {
-  case pcl::PCLPointField::INT8:
-    return numberAt<std::int8_t>;
-  case pcl::PCLPointField::UINT8:
-    return numberAt<std::uint8_t>;
-  case pcl::PCLPointField::INT16:
-    return numberAt<std::int16_t>;
-  case pcl::PCLPointField::UINT16:
-    return numberAt<std::uint16_t>;
-  case pcl::PCLPointField::INT32:
-    return numberAt<std::int32_t>;
-  case pcl::PCLPointField::UINT32:
-    return numberAt<std::uint32_t>;
-  case pcl::PCLPointField::FLOAT64:
-    return numberAt<double>;
-  default:
-    return nullptr;
-  }
-}
-
 PlaneLabels
 labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
 {
@@ -67,11 +29,13 @@ labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
   if (index < 0)
     throw apps::WorkError (file, "has no field label; give a cloud with labels");
   const pcl::PCLPointField& field = cloud.fields[static_cast<std::size_t> (index)];
-  const Read read = readerOf (field.datatype);
-  if (read == nullptr)
+  // Double precision is that of texts, which have no other.
+  if (field.datatype == pcl::PCLPointField::FLOAT32 ||
+      field.datatype > pcl::PCLPointField::FLOAT64)
     throw apps::WorkError (file,
                            "its label is no integer of up to 4 bytes; convert it");
   constexpr double largest = std::numeric_limits<std::uint32_t>::max();
+  const apps::NumberReader read = apps::numberType (field.datatype).read;
   PlaneLabels labels (static_cast<std::size_t> (cloud.width) * cloud.height);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const double label = read (&cloud.data[i * cloud.point_step + field.offset]);

@@ -7,6 +7,7 @@
 
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
+#include <io/shifted_cloud.h>
 #include <support/temporary_folder.h>
 
 #include <cmath>
