@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <new>
-#include <numeric>
 
 namespace pcl_ops::apps {
 
@@ -207,22 +206,15 @@ methodOf (const std::string& name, const std::string& title)
 } // namespace
 
 std::vector<std::uint32_t>
-labelsOf (const std::vector<PlaneSegment>& planes, std::size_t points)
-{
-  std::vector<std::uint32_t> ids (planes.size());
-  std::iota (ids.begin(), ids.end(), 1U);
-  return labelsOf (planes, ids, points);
-}
-
-std::vector<std::uint32_t>
 labelsOf (const std::vector<PlaneSegment>& planes,
-          const std::vector<std::uint32_t>& ids,
-          std::size_t points)
+          std::size_t points,
+          const std::vector<std::uint32_t>& ids)
 {
   std::vector<std::uint32_t> labels (points, 0);
   for (std::size_t i = 0; i < planes.size(); ++i)
     for (const pcl::index_t index : planes[i].inliers)
-      labels[static_cast<std::size_t> (index)] = ids[i];
+      labels[static_cast<std::size_t> (index)] =
+          ids.empty() ? static_cast<std::uint32_t> (i + 1) : ids[i];
   return labels;
 }
 

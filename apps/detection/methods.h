@@ -65,16 +65,12 @@ struct Detected {
   std::string advice;
 };
 
-/** \brief For each point of a cloud the id of its plane: 1 for the first, 0 for none.
- */
-std::vector<std::uint32_t>
-labelsOf (const std::vector<PlaneSegment>& planes, std::size_t points);
-
-/** \brief The same with ids of one's own. */
+/** \brief For each point of a cloud the id of its plane, 0 for none.
+ * \param[in] ids of the planes; empty: 1, 2, ... */
 std::vector<std::uint32_t>
 labelsOf (const std::vector<PlaneSegment>& planes,
-          const std::vector<std::uint32_t>& ids,
-          std::size_t points);
+          std::size_t points,
+          const std::vector<std::uint32_t>& ids = {});
 
 /** \brief A detector as the command line offers it. */
 struct Method {

@@ -27,21 +27,6 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Where a name leads through symbolic links, so that renaming replaces the file
- * and not the link to it. */
-fs::path
-resolved (const std::string& file)
-{
-  std::error_code error;
-  fs::path path = fs::absolute (file, error);
-  // weakly_canonical stops in front of a link to a file that does not exist yet.
-  constexpr int max_links = 40;
-  for (int i = 0; i < max_links && fs::is_symlink (path, error); ++i)
-    path = path.parent_path() / fs::read_symlink (path, error);
-  const fs::path canonical = fs::weakly_canonical (path, error);
-  return error ? path : canonical;
-}
-
 /** \brief Says what the last call of the system failed for. */
 [[noreturn]] void
 failToWrite (const std::string& file)
@@ -92,10 +77,23 @@ checkTarget (const std::string& file, const fs::path& target)
 
 } // namespace
 
+std::string
+resolvedName (const std::string& file)
+{
+  std::error_code error;
+  fs::path path = fs::absolute (file, error);
+  // weakly_canonical stops in front of a link to a file that does not exist yet.
+  constexpr int max_links = 40;
+  for (int i = 0; i < max_links && fs::is_symlink (path, error); ++i)
+    path = path.parent_path() / fs::read_symlink (path, error);
+  const fs::path canonical = fs::weakly_canonical (path, error);
+  return (error ? path : canonical).string();
+}
+
 void
 checkWritable (const std::string& file)
 {
-  const fs::path target = resolved (file);
+  const fs::path target = resolvedName (file);
   const fs::path folder = target.parent_path();
   std::error_code error;
   if (file.empty() || !target.has_filename())
@@ -112,7 +110,8 @@ writeFile (const std::string& file,
            const std::function<void (std::ostream& stream)>& write)
 {
   checkWritable (file);
-  const fs::path target = resolved (file);
+  // Renaming replaces the file and not a link to it.
+  const fs::path target = resolvedName (file);
   const TemporaryPath temporary (newFileIn (target.parent_path(), file));
   std::ofstream stream (temporary.path(), std::ios::binary);
   write (stream);
@@ -158,17 +157,12 @@ extensionOf (const std::string& file)
   return extension;
 }
 
-std::string
-resolvedName (const std::string& file)
-{
-  return resolved (file).string();
-}
-
 bool
 isSameFile (const std::string& first, const std::string& second)
 {
   std::error_code error;
-  return fs::equivalent (first, second, error) || resolved (first) == resolved (second);
+  return fs::equivalent (first, second, error) ||
+         resolvedName (first) == resolvedName (second);
 }
 
 Spool::Spool (const std::string& extension, std::string subject)

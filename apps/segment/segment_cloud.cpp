@@ -113,7 +113,7 @@ saveOutputs (const SegmentOptions& options,
              const Report& report)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
-  const std::vector<std::uint32_t> labels = labelsOf (planes, report.ids, cloud.size());
+  const std::vector<std::uint32_t> labels = labelsOf (planes, cloud.size(), report.ids);
   if (!outputs.cloud.empty())
     saveLabelled (outputs.cloud, cloud, planes, labels, options);
   if (!outputs.image.empty())
