@@ -12,8 +12,7 @@ namespace {
 /** \brief Columns of the page. */
 constexpr std::size_t help_width = 80;
 
-/** \brief A name and its meaning in two columns; help2man reads entries of a manual
- * page in it. */
+/** \brief A name and its meaning in two columns. */
 std::string
 entry (const std::string& name, const std::string& meaning, std::size_t column)
 {
@@ -112,8 +111,9 @@ HelpPage::full() const
   std::size_t width = 0;
   for (const OptionGroup& group : groups)
     width = std::max (width, widthOf (group));
+  // help2man wants two blanks in front of every meaning.
   for (const OptionGroup& group : groups)
-    text += explained (group, width);
+    text += explained (group, width + 1);
   return text;
 }
 

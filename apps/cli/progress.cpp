@@ -74,34 +74,22 @@ Progress::draw()
       (style_ == ProgressStyle::Lines && now - last_line_ < between_))
     return;
   last_line_ = now;
-  if (style_ == ProgressStyle::Bar)
-    drawBar();
-  write (now, 100 * done_ / std::max<std::size_t> (1, steps_));
-}
-
-void
-Progress::write (Clock::time_point now, std::size_t percent)
-{
+  const std::size_t steps = std::max<std::size_t> (1, steps_);
+  if (style_ == ProgressStyle::Bar) {
+    const std::size_t filled = bar_width * done_ / steps;
+    stream_ << erase_line << '[' << std::string (filled, '=')
+            << std::string (bar_width - filled, ' ') << "] ";
+  }
   const double elapsed = std::chrono::duration<double> (now - start_).count();
   const double left = elapsed *
                       static_cast<double> (steps_ - std::min (done_, steps_)) /
                       static_cast<double> (done_);
-  stream_ << done_ << " of " << steps_ << " " << noun_ << ", " << percent << " %, "
+  stream_ << done_ << " of " << steps_ << " " << noun_ << ", " << 100 * done_ / steps
+          << " %, "
           << (done_ < steps_ ? durationText (left) + " left"
                              : "took " + durationText (elapsed));
   has_bar_ = style_ == ProgressStyle::Bar && done_ < steps_;
-  if (has_bar_)
-    stream_ << std::flush;
-  else
-    stream_ << std::endl;
-}
-
-void
-Progress::drawBar()
-{
-  const std::size_t filled = bar_width * done_ / std::max<std::size_t> (1, steps_);
-  stream_ << erase_line << '[' << std::string (filled, '=')
-          << std::string (bar_width - filled, ' ') << "] ";
+  stream_ << (has_bar_ ? "" : "\n") << std::flush;
 }
 
 std::string

@@ -40,9 +40,6 @@ public:
             ProgressStyle style,
             std::string noun = "clouds",
             std::chrono::milliseconds between = std::chrono::seconds (10));
-  Progress (const Progress&) = delete;
-  Progress&
-  operator= (const Progress&) = delete;
   /** \brief Takes the bar away where the run ended before its last step. */
   ~Progress();
 
@@ -66,10 +63,6 @@ private:
 
   void
   draw ();
-  void
-  drawBar ();
-  void
-  write (Clock::time_point now, std::size_t percent);
 
   std::size_t steps_;
   std::size_t done_ = 0;
@@ -95,9 +88,6 @@ public:
    * \param[in] between time from one line to the next */
   explicit StageLines (std::ostream& stream,
                        std::chrono::milliseconds between = std::chrono::seconds (10));
-  StageLines (const StageLines&) = delete;
-  StageLines&
-  operator= (const StageLines&) = delete;
   ~StageLines();
 
   /** \brief From now on lines are about this stage. */

@@ -132,27 +132,6 @@ private:
   const Json& value_;
 };
 
-/** \brief A triangle's share in sums over an area. */
-void
-addTriangle (const std::array<Eigen::Vector2d, 3>& corners,
-             double& area,
-             Eigen::Vector2d& sum,
-             Eigen::Matrix2d& products)
-{
-  // Signed, so that the triangles of a hollow outline take away what they have too
-  // much.
-  Eigen::Matrix2d edges;
-  edges << corners[1] - corners[0], corners[2] - corners[0];
-  const double part = 0.5 * edges.determinant();
-  const Eigen::Vector2d total = corners[0] + corners[1] + corners[2];
-  area += part;
-  sum += part / 3.0 * total;
-  Eigen::Matrix2d outer = total * total.transpose();
-  for (const Eigen::Vector2d& corner : corners)
-    outer += corner * corner.transpose();
-  products += part / 12.0 * outer;
-}
-
 /** \brief Lets a plane end where its hull ends. */
 void
 setExtent (const std::vector<Vector3d>& hull,
@@ -160,30 +139,35 @@ setExtent (const std::vector<Vector3d>& hull,
            double count,
            PlaneSegment& plane)
 {
-  const PlaneFrame frame (plane.centroid, plane.normal);
-  Eigen::Matrix<double, 3, 2> axes;
-  axes << frame.directionInSpace (Eigen::Vector2d::UnitX()),
-      frame.directionInSpace (Eigen::Vector2d::UnitY());
-  double area = 0.0;
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d products = Eigen::Matrix2d::Zero();
-  for (std::size_t i = 1; i + 1 < hull.size(); ++i)
-    addTriangle (
-        {frame.toPlane (hull[0]), frame.toPlane (hull[i]), frame.toPlane (hull[i + 1])},
-        area,
-        sum,
-        products);
   constexpr double endless = 1e6;
-  Eigen::Matrix2d spread = endless * endless * Eigen::Matrix2d::Identity();
-  if (area != 0.0) {
-    const Eigen::Vector2d mean = sum / area;
-    spread = products / area - mean * mean.transpose();
-    plane.centroid = frame.toSpace (mean);
+  const Eigen::Matrix3d along_normal = plane.normal * plane.normal.transpose();
+  Eigen::Matrix3d spread =
+      endless * endless * (Eigen::Matrix3d::Identity() - along_normal);
+  double area = 0.0;
+  Vector3d sum = Vector3d::Zero();
+  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
+    Eigen::Matrix3d corners;
+    corners << hull[0], hull[i], hull[i + 1];
+    corners.colwise() -= plane.centroid;
+    // Signed, so that the triangles of a hollow outline take away what they have too
+    // much.
+    const Vector3d edge = corners.col (1) - corners.col (0);
+    const double part =
+        0.5 * plane.normal.dot (edge.cross (corners.col (2) - corners.col (0)));
+    const Vector3d total = corners.rowwise().sum();
+    area += part;
+    sum += part / 3.0 * total;
+    products +=
+        part / 12.0 * (total * total.transpose() + corners * corners.transpose());
   }
-  plane.moments = Moments::of (count,
-                               plane.centroid,
-                               axes * spread * axes.transpose() +
-                                   rms * rms * plane.normal * plane.normal.transpose());
+  if (area != 0.0) {
+    const Vector3d mean = sum / area;
+    spread = products / area - mean * mean.transpose();
+    plane.centroid += mean;
+  }
+  plane.moments =
+      Moments::of (count, plane.centroid, spread + rms * rms * along_normal);
 }
 
 PlaneSegment
