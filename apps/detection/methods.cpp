@@ -4,10 +4,12 @@
 
 #include "advice.h"
 #include "number_options.h"
+#include "plane_json.h"
 #include <cli/errors.h>
 
 #include <algorithm>
 #include <new>
+#include <sstream>
 
 namespace pcl_ops::apps {
 
@@ -57,23 +59,21 @@ relate (const GivenNumbers&, std::size_t, KhtParameters&)
 
 // Settings that no option changes.
 
-Settings
-fixedSettings (const OpsParameters& p)
+void
+addFixed (const OpsParameters& p, Settings& settings)
 {
-  const bool on_surfels = p.sampling == Sampling::Surfels;
-  return {{"sampling", std::string (on_surfels ? "surfels" : "points")}};
+  settings["sampling"] = p.sampling == Sampling::Surfels ? "surfels" : "points";
 }
 
-Settings
-fixedSettings (const FspfParameters&)
-{
-  return {};
-}
+void
+addFixed (const FspfParameters&, Settings&)
+{}
 
-Settings
-fixedSettings (const KhtParameters& p)
+void
+addFixed (const KhtParameters& p, Settings& settings)
 {
-  return {{"refit", p.refit.enabled}, {"merging", p.merging.enabled}};
+  settings["refit"] = p.refit.enabled;
+  settings["merging"] = p.merging.enabled;
 }
 
 /** \brief The preset with the options that were given. */
@@ -129,15 +129,14 @@ template <typename Parameters>
 Settings
 reportOf (const std::string& preset, Parameters parameters)
 {
-  const Eigen::Vector3d up = parameters.up_axis.template cast<double>();
-  Settings settings{{"preset", preset},
-                    {"up", std::vector<double>{up.x(), up.y(), up.z()}}};
-  for (const auto& fixed : fixedSettings (parameters))
-    settings.push_back (fixed);
+  Settings settings;
+  settings["preset"] = preset;
+  settings["up"] = toArray (parameters.up_axis.template cast<double>());
+  addFixed (parameters, settings);
   visitAll (parameters,
             [&] (std::string name, const auto& number, const NumberOption&) {
               std::replace (name.begin(), name.end(), '-', '_');
-              settings.emplace_back (name, settingOf (number));
+              settings[name] = settingOf (number);
             });
   return settings;
 }
@@ -172,22 +171,19 @@ template <typename Parameters>
 std::map<std::string, std::string>
 presetNotes ()
 {
-  const auto text = [] (const SettingValue& value) {
+  const auto text = [] (const auto& number) {
     std::ostringstream stream;
-    if (const auto* const whole = std::get_if<std::int64_t> (&value))
-      stream << *whole;
-    else
-      stream << std::get<double> (value);
+    stream << settingOf (number).template get<double>();
     return stream.str();
   };
   std::map<std::string, std::string> notes;
   Parameters usual, paper = Parameters::paper();
   visitOwn (usual, [&] (const auto& name, const auto& number, const NumberOption&) {
-    notes[name] = text (settingOf (number));
+    notes[name] = text (number);
   });
   visitOwn (paper, [&] (const auto& name, const auto& number, const NumberOption&) {
-    if (notes[name] != text (settingOf (number)))
-      notes[name] += "; paper " + text (settingOf (number));
+    if (notes[name] != text (number))
+      notes[name] += "; paper " + text (number);
   });
   return notes;
 }

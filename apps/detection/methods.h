@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <io/shifted_cloud.h>
+#include <nlohmann/json.hpp>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>
 
@@ -16,23 +17,15 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace pcl_ops::apps {
 
 class CommandLine;
 
-/** \brief Nothing, where a value is not known, or what a parameter is set to. */
-using SettingValue = std::variant<std::monostate,
-                                  bool,
-                                  std::int64_t,
-                                  double,
-                                  std::string,
-                                  std::vector<double>>;
-
-/** \brief What a detector was run with, in the order of a report. */
-using Settings = std::vector<std::pair<std::string, SettingValue>>;
+/** \brief What a detector was run with, in the order of a report; null where a value is
+ * not known. */
+using Settings = nlohmann::ordered_json;
 
 /** \brief The texts of numbers that were given, by the names of their options. */
 using GivenNumbers = std::map<std::string, std::string>;

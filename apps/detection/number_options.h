@@ -159,19 +159,17 @@ setNumber (const std::string& name,
 }
 
 template <typename Number>
-SettingValue
+Settings
 settingOf (const Number& number)
 {
-  if constexpr (std::is_integral_v<Number>)
-    return static_cast<std::int64_t> (number);
+  if constexpr (std::is_arithmetic_v<Number>)
+    return number;
   else if constexpr (std::is_same_v<Number, Degrees>)
     return toDegrees (number.radians);
   else if constexpr (std::is_same_v<Number, ZeroIfNone>)
     return number.length.value_or (0.0);
-  else if constexpr (std::is_same_v<Number, double>)
-    return number;
   else
-    return number ? SettingValue (*number) : SettingValue (std::string ("auto"));
+    return number ? Settings (*number) : Settings ("auto");
 }
 
 /** \brief Sets the parameters whose options were given.

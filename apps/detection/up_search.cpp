@@ -121,8 +121,8 @@ runMethod (const Method& method,
     known.up = found->direction.cast<float>();
   Detected detected = method.detect (known, cloud);
   detected.up_note = noteOn (search, detected.up);
-  detected.settings.emplace_back (
-      "up_confidence", found ? SettingValue (found->confidence) : SettingValue());
+  detected.settings["up_confidence"] =
+      found ? Settings (found->confidence) : Settings();
   return detected;
 }
 
