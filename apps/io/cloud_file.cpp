@@ -167,22 +167,15 @@ openLas (const std::string& file)
 }
 
 void
-savePcd (const std::string& file, const FileCloud& cloud)
+saveCloud (const std::string& file, const FileCloud& cloud)
 {
   writeFile (file, [&] (std::ostream& stream) {
+    if (extensionOf (file) == ".ply")
+      return writePly (cloud.points, stream);
     stream << pcdHeader (cloud);
     stream.write (reinterpret_cast<const char*> (cloud.points.data.data()),
                   static_cast<std::streamsize> (cloud.points.data.size()));
   });
-}
-
-void
-saveCloud (const std::string& file, const FileCloud& cloud)
-{
-  if (extensionOf (file) == ".ply")
-    writeFile (file, [&] (auto& stream) { writePly (cloud.points, stream); });
-  else
-    savePcd (file, cloud);
 }
 
 FileCloud

@@ -62,12 +62,8 @@ loadCloud (const std::string& file);
 std::shared_ptr<LasFile>
 openLas (const std::string& file);
 
-/** \brief Writes a binary PCD in one step (\ref writeFile).
+/** \brief Writes a .ply (\ref writePly), or a binary PCD, in one step (\ref writeFile).
  * \throws WorkError if it cannot be written */
-void
-savePcd (const std::string& file, const FileCloud& cloud);
-
-/** \brief Writes a .ply (\ref writePly), or a binary PCD. */
 void
 saveCloud (const std::string& file, const FileCloud& cloud);
 
