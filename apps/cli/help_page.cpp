@@ -24,7 +24,8 @@ entry (const std::string& name, const std::string& meaning, std::size_t column)
   line.resize (column - 1, ' ');
   std::istringstream words (meaning);
   for (std::string word; words >> word;) {
-    if (line.size() >= column && line.size() + 1 + word.size() > help_width) {
+    // A console goes on in the next line by itself where the last column is taken.
+    if (line.size() >= column && line.size() + 1 + word.size() >= help_width) {
       text += line + "\n";
       line.assign (column - 1, ' ');
     }
@@ -47,7 +48,8 @@ std::string
 explained (const OptionGroup& group, std::size_t width)
 {
   constexpr std::size_t around = 6; // margin, dashes, and a blank on either side
-  const std::size_t column = std::min (width + around, help_width / 2);
+  constexpr std::size_t min_column = 24;
+  const std::size_t column = std::clamp (width + around, min_column, help_width / 2);
   std::string text = "\n" + group.title + ":\n";
   for (const Option& option : group.options)
     text += entry ("--" + option.name + " " + option.placeholder, option.help, column);

@@ -125,10 +125,9 @@ loadCloud (const std::string& file)
   if (extension == ".gz")
     failGzip (file);
   if (!hasCloudExtension (file))
-    throw UsageError (file,
-                      std::string ("has an unknown extension; give a ") +
-                          cloud_extensions + " file");
-  checkReadable (file, std::string ("a ") + cloud_extensions + " file");
+    throw UsageError (
+        file, std::string ("has an unknown extension; give ") + cloud_file_kinds);
+  checkReadable (file, cloud_file_kinds);
   refuseGzip (file);
   FileCloud cloud;
   if (extension == ".pcd")
@@ -153,7 +152,7 @@ loadCloud (const std::string& file)
 std::shared_ptr<LasFile>
 openLas (const std::string& file)
 {
-  checkReadable (file, std::string ("a ") + cloud_extensions + " file");
+  checkReadable (file, cloud_file_kinds);
   if (!isCompressedLas (file))
     return std::make_shared<LasFile> (file);
   const Spool las (".las", file);

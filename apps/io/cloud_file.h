@@ -13,9 +13,9 @@ namespace pcl_ops::apps {
 
 class LasFile;
 
-/** \brief The extensions of \ref loadCloud, for messages. */
-inline constexpr const char* cloud_extensions =
-    ".pcd, .ply, .las, .xyz, .txt, .pts or .csv";
+/** \brief The files of \ref loadCloud, for messages. */
+inline constexpr const char* cloud_file_kinds =
+    "a .pcd, .ply, .las, .xyz, .txt, .pts or .csv file";
 
 /** \brief A cloud as its file has it: every field, and where the sensor stood. */
 struct FileCloud {
@@ -35,12 +35,12 @@ struct FileCloud {
 };
 
 /** \brief Whether a file is taken for a cloud because it lies in a folder of them: it
- * has one of \ref cloud_extensions, or .laz where LASzip is, but not .txt or .csv,
+ * is one of \ref cloud_file_kinds, or a .laz where LASzip is, but not .txt or .csv,
  * which mostly are something else there. */
 bool
 isCloudFile (const std::string& file);
 
-/** \brief Whether a file has one of \ref cloud_extensions or .laz. */
+/** \brief Whether a file is called like one of \ref cloud_file_kinds, or .laz. */
 bool
 hasCloudExtension (const std::string& file);
 

@@ -213,10 +213,10 @@ TEST (CommandLine, BreaksLongMeaningsBetweenWords)
 {
   std::string value;
   CommandLine line ("detect", "Detects.", "1.0");
-  const std::string full = "as many words as a line of eighty columns can hold, and no";
+  const std::string full = "as many words as a line of 79 columns can hold, and no";
   line.addText ("detector", "FILE", value, full + " more");
-  EXPECT_NE (line.help().brief().find ("\n  --detector FILE " + full +
-                                       "\n                  more\n"),
+  EXPECT_NE (line.help().brief().find ("\n  --detector FILE       " + full + "\n" +
+                                       std::string (24, ' ') + "more\n"),
              std::string::npos)
       << line.help().brief();
 }
