@@ -62,7 +62,7 @@ install_packages() {
 
 # What every build needs.
 # shellcheck disable=SC2034
-build_packages=(g++ cmake make libpcl-dev libboost-program-options-dev nlohmann-json3-dev libpng-dev
+build_packages=(g++ cmake make libpcl-dev nlohmann-json3-dev libpng-dev
   '?liblaszip-dev')
 # What the Python module needs besides; where one is missing it is left out.
 # shellcheck disable=SC2034

@@ -4,7 +4,6 @@
 #include "scaling.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
-#include <cli/memory.h>
 #include <cli/program.h>
 #include <evaluation/data/data_sets.h>
 #include <io/output_file.h>

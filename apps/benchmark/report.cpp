@@ -4,7 +4,7 @@
 
 #include <pcl/pcl_config.h>
 
-#include <detection/stages.h>
+#include <detection/methods.h>
 #include <evaluation/report/text_table.h>
 #include <nlohmann/json.hpp>
 

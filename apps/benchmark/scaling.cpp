@@ -4,7 +4,7 @@
 
 #include <pcl/common/io.h>
 
-#include <detection/stages.h>
+#include <detection/methods.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <simulation/dense_scan.h>

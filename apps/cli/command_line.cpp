@@ -2,32 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
 
-#include <boost/program_options/errors.hpp>
-#include <boost/program_options/value_semantic.hpp>
-#include <boost/program_options/variables_map.hpp>
-
 #include "errors.h"
-#include "help_page.h"
-#include "tokens.h"
 
 #include <algorithm>
+#include <cctype>
 #include <iostream>
 #include <limits>
 #include <utility>
 
-namespace po = boost::program_options;
-
 namespace pcl_ops::apps {
 
 namespace {
-
-struct Argument {
-  std::string name;
-  std::string help;
-  std::size_t min_count;
-  std::size_t max_count;
-  std::function<void (const std::string&)> store;
-};
 
 /** \brief Refuses what a variable of the shell that is not set leaves of a name. */
 void
@@ -37,132 +22,105 @@ requireText (const std::string& subject, const std::string& text)
     throw UsageError (subject, "is empty; give a value or leave it out");
 }
 
-void
-storeArguments (const std::vector<Argument>& arguments,
-                const std::vector<std::string>& given)
+/** \brief Numbers do not, so that `--up -1,0,0` has a value. */
+bool
+looksLikeOption (const std::string& token)
 {
-  std::size_t next = 0;
-  for (const Argument& argument : arguments) {
-    std::size_t taken = 0;
-    for (; taken < argument.max_count && next < given.size(); ++taken, ++next) {
-      requireText (argument.name, given[next]);
-      argument.store (given[next]);
-    }
-    if (taken < argument.min_count)
-      throw UsageError (argument.name, "is missing; see --help");
-  }
-  if (next < given.size())
-    throw UsageError (given[next], "is one argument too many; see --help");
+  return token.size() > 1 && token[0] == '-' &&
+         (token[1] == '-' || std::isalpha (static_cast<unsigned char> (token[1])) != 0);
 }
 
-/** \brief What follows a program's name. */
+/** \brief The name in `--long`, `--long=x` and `-long`. */
 std::string
-wayToCall (const std::vector<Argument>& arguments)
+nameIn (const std::string& token)
 {
-  std::string way;
-  for (const Argument& argument : arguments) {
-    const std::string name = argument.name + (argument.max_count > 1 ? "..." : "");
-    way += (argument.min_count == 0 ? "[" + name + "]" : name) + " ";
-  }
-  return way + "[options]";
+  const std::size_t begin = token[1] == '-' ? 2 : 1;
+  return token == "-h" ? "help" : token.substr (begin, token.find ('=') - begin);
+}
+
+/** \brief The value of an option, behind its equals sign or in the next token, to which
+ * \p token goes on. */
+std::string
+takeValue (const std::string& option, const char* const*& token, const char* const* end)
+{
+  const std::string text = *token;
+  const std::size_t equals = text.find ('=');
+  const bool is_joined = equals != std::string::npos;
+  const bool has_next = token + 1 != end && !looksLikeOption (token[1]);
+  if (is_joined ? equals + 1 == text.size() : !has_next)
+    throw UsageError (option, "needs a value; see --help");
+  return is_joined ? text.substr (equals + 1) : *++token;
+}
+
+/** \brief Refuses a value of an option that has none. */
+std::string
+noValue (const std::string& option, const std::string& token)
+{
+  if (token.find ('=') != std::string::npos)
+    throw UsageError (option, "takes no value; leave it out");
+  return {};
 }
 
 } // namespace
 
-struct CommandLine::State {
-  HelpPage page;
-  std::string version;
-  std::vector<Argument> arguments = {};
-  po::variables_map values = {};
-
-  /** \brief Where the next option goes to. */
-  po::options_description&
-  options ()
-  {
-    return page.groups.back().options;
-  }
-};
-
 CommandLine::CommandLine (const std::string& program,
                           const std::string& summary,
                           const std::string& version)
-: state_ (new State{{program, summary}, version})
+: page_{program, summary}, version_ (version)
 {
   beginGroup ("Options");
-  state_->options().add_options() ("help", "print this and exit") (
-      "version", "print the version and exit");
+  addValue ("help", "", "print this and exit", {});
+  addValue ("version", "", "print the version and exit", {});
 }
-
-CommandLine::~CommandLine() = default;
 
 void
 CommandLine::addArgument (const std::string& name,
                           std::string& target,
                           const std::string& help)
 {
-  state_->arguments.push_back (
-      {name, help, 1, 1, [&target] (const std::string& text) { target = text; }});
-}
-
-void
-CommandLine::addOptionalArgument (const std::string& name,
-                                  std::string& target,
-                                  const std::string& help)
-{
-  addArgument (name, target, help);
-  state_->arguments.back().min_count = 0;
+  page_.arguments.push_back (
+      {name, help, 1, [&target] (const std::string& text) { target = text; }});
 }
 
 void
 CommandLine::addArguments (const std::string& name,
                            std::vector<std::string>& targets,
-                           std::size_t min_count,
                            const std::string& help)
 {
-  state_->arguments.push_back (
-      {name,
-       help,
-       min_count,
-       std::numeric_limits<std::size_t>::max(),
-       [&targets] (const std::string& text) { targets.push_back (text); }});
+  const auto store = [&targets] (const std::string& text) { targets.push_back (text); };
+  page_.arguments.push_back (
+      {name, help, std::numeric_limits<std::size_t>::max(), store});
 }
 
 void
 CommandLine::setUsage (const std::vector<std::string>& ways,
                        const std::string& explanation)
 {
-  state_->page.ways = ways;
-  state_->page.explanation = explanation;
+  page_.ways = ways;
+  page_.explanation = explanation;
 }
 
 void
 CommandLine::beginGroup (const std::string& title)
 {
-  state_->page.groups.emplace_back (title);
+  page_.groups.push_back ({title});
 }
 
 void
 CommandLine::beginBriefGroup (const std::string& title)
 {
-  const bool is_first =
-      std::none_of (state_->page.groups.begin(),
-                    state_->page.groups.end(),
-                    [] (const OptionGroup& group) { return group.is_brief; });
-  if (is_first)
-    state_->page.groups.front().options.add_options() (
-        "help-all", "explain the options of the groups below, too");
-  beginGroup (title);
-  state_->page.groups.back().is_brief = true;
+  if (std::none_of (page_.groups.begin(),
+                    page_.groups.end(),
+                    [] (const OptionGroup& group) { return group.is_brief; }))
+    page_.groups.front().options.push_back (
+        {"help-all", "", "explain the options of the groups below, too", {}});
+  page_.groups.push_back ({title, {}, true});
 }
 
 void
 CommandLine::addFlag (const std::string& name, bool& target, const std::string& help)
 {
-  state_->options().add_options() (name.c_str(),
-                                   po::bool_switch()->notifier ([&target] (bool given) {
-                                     target = target || given;
-                                   }),
-                                   help.c_str());
+  addValue (name, "", help, [&target] (const std::string&) { target = true; });
 }
 
 void
@@ -172,7 +130,7 @@ CommandLine::addText (const std::string& name,
                       const std::string& help)
 {
   addValue (name, placeholder, help, [name, &target] (const std::string& text) {
-    requireText (dashed (name), text);
+    requireText ("--" + name, text);
     target = text;
   });
 }
@@ -201,37 +159,78 @@ CommandLine::addValue (const std::string& name,
                        const std::string& help,
                        const std::function<void (const std::string&)>& store)
 {
-  state_->options().add_options() (
-      name.c_str(),
-      po::value<std::string>()->value_name (placeholder)->notifier (store),
-      help.c_str());
+  page_.groups.back().options.push_back ({name, placeholder, help, store});
+}
+
+const Option&
+CommandLine::find (const std::string& start) const
+{
+  std::vector<const Option*> candidates;
+  std::string names;
+  for (const OptionGroup& group : page_.groups)
+    for (const Option& option : group.options) {
+      if (option.name == start)
+        return option;
+      if (option.name.rfind (start, 0) == 0) {
+        candidates.push_back (&option);
+        names += (names.empty() ? "--" : " or --") + option.name;
+      }
+    }
+  if (candidates.empty() || start.empty())
+    throw UsageError ("--" + start, "is no option of this program; see --help");
+  if (candidates.size() > 1)
+    throw UsageError ("--" + start, "is ambiguous; write " + names + " in full");
+  return *candidates.front();
+}
+
+void
+CommandLine::storeArguments (const std::vector<std::string>& given) const
+{
+  std::size_t next = 0;
+  for (const Argument& argument : page_.arguments) {
+    std::size_t taken = 0;
+    for (; taken < argument.max_count && next < given.size(); ++taken, ++next) {
+      requireText (argument.name, given[next]);
+      argument.store (given[next]);
+    }
+    if (taken == 0)
+      throw UsageError (argument.name, "is missing; see --help");
+  }
+  if (next < given.size())
+    throw UsageError (given[next], "is one argument too many; see --help");
 }
 
 bool
 CommandLine::parse (int argc, const char* const* argv)
 {
-  po::options_description all = joined (state_->page.groups);
-  all.add_options() (positional_arguments, po::value<std::vector<std::string>>());
-  const std::vector<std::string> tokens (argv + std::min (argc, 1), argv + argc);
-  const po::parsed_options parsed = parseTokens (tokens, all);
-  try {
-    po::store (parsed, state_->values);
+  std::vector<std::pair<const Option*, std::string>> options;
+  std::vector<std::string> arguments;
+  const char* const* const end = argv + argc;
+  for (const char* const* token = argv + std::min (argc, 1); token != end; ++token) {
+    if (std::string (*token) == "--") {
+      arguments.insert (arguments.end(), token + 1, end);
+      break;
+    }
+    if (!looksLikeOption (*token)) {
+      arguments.emplace_back (*token);
+      continue;
+    }
+    const Option& option = find (nameIn (*token));
+    const std::string name = "--" + option.name;
+    options.emplace_back (&option,
+                          option.placeholder.empty() ? noValue (name, *token)
+                                                     : takeValue (name, token, end));
+    if (!given_.insert (option.name).second)
+      throw UsageError (name, "is given twice; keep one");
   }
-  catch (const po::multiple_occurrences& error) {
-    throw UsageError (dashed (error.get_option_name()), "is given twice; keep one");
-  }
-  if (state_->values.count ("help") > 0)
-    std::cout << help().brief();
-  else if (state_->values.count ("help-all") > 0)
-    std::cout << help().full();
-  else if (state_->values.count ("version") > 0)
-    std::cout << state_->page.program << " " << state_->version << "\n";
+  if (isGiven ("help") || isGiven ("help-all"))
+    std::cout << (isGiven ("help") ? page_.brief() : page_.full());
+  else if (isGiven ("version"))
+    std::cout << page_.program << " " << version_ << "\n";
   else {
-    po::notify (state_->values);
-    const po::variable_value& given = state_->values[positional_arguments];
-    storeArguments (state_->arguments,
-                    given.empty() ? std::vector<std::string>()
-                                  : given.as<std::vector<std::string>>());
+    for (const auto& [option, value] : options)
+      option->store (value);
+    storeArguments (arguments);
     return true;
   }
   return false;
@@ -240,18 +239,17 @@ CommandLine::parse (int argc, const char* const* argv)
 bool
 CommandLine::isGiven (const std::string& name) const
 {
-  return state_->values.count (name) > 0 && !state_->values[name].defaulted();
+  return given_.count (name) > 0;
 }
 
 std::vector<std::string>
 CommandLine::givenOf (const std::string& title) const
 {
   std::vector<std::string> given;
-  for (const OptionGroup& group : state_->page.groups)
-    if (group.title == title)
-      for (const auto& option : group.options.options())
-        if (isGiven (option->long_name()))
-          given.push_back (option->long_name());
+  for (const OptionGroup& group : page_.groups)
+    for (const Option& option : group.options)
+      if (group.title == title && isGiven (option.name))
+        given.push_back (option.name);
   return given;
 }
 
@@ -261,18 +259,6 @@ CommandLine::forbidTogether (const std::string& first, const std::string& second
   if (isGiven (first) && isGiven (second))
     throw UsageError ("--" + first,
                       "contradicts --" + second + "; give only one of them");
-}
-
-HelpPage
-CommandLine::help() const
-{
-  HelpPage page = state_->page;
-  if (page.ways.empty())
-    page.ways = {wayToCall (state_->arguments)};
-  for (const Argument& argument : state_->arguments)
-    if (!argument.help.empty())
-      page.arguments.emplace_back (argument.name, argument.help);
-  return page;
 }
 
 } // namespace pcl_ops::apps

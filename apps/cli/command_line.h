@@ -4,21 +4,20 @@
 
 #include <Eigen/Core>
 
+#include "help_page.h"
 #include "option_value.h"
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
 
-struct HelpPage;
-
-/** \brief The command line of a program: Boost.Program_options with `--long x`,
- * `--long=x` and PCL's single dash `-long x`, positional arguments, --help and
+/** \brief The command line of a program: `--long x`, `--long=x` and PCL's single dash
+ * `-long x`, each also by the start of its name, positional arguments, --help and
  * --version, and errors of one line. Declare arguments and options with where to store
  * them, then parse. A target of type std::optional tells whether its option was given.
  */
@@ -30,24 +29,16 @@ public:
   CommandLine (const std::string& program,
                const std::string& summary,
                const std::string& version);
-  ~CommandLine();
 
   /** \brief Declares the next positional argument; it must be given. */
   void
   addArgument (const std::string& name, std::string& target, const std::string& help);
 
-  /** \brief Declares the next positional argument; it may be missing. */
-  void
-  addOptionalArgument (const std::string& name,
-                       std::string& target,
-                       const std::string& help);
-
-  /** \brief Declares that any number of positional arguments, but at least
-   * \p min_count, may follow. */
+  /** \brief Declares that any number of positional arguments, but at
+   * least one, may follow. */
   void
   addArguments (const std::string& name,
                 std::vector<std::string>& targets,
-                std::size_t min_count,
                 const std::string& help);
 
   /** \brief Replaces what --help derives from the arguments after "Usage: program".
@@ -126,7 +117,8 @@ public:
   }
 
   /** \brief Declares an option whose value is given to \p store, which may throw a
-   * UsageError. */
+   * UsageError.
+   * \param[in] placeholder of the value in the help; empty: the option has no value */
   void
   addValue (const std::string& name,
             const std::string& placeholder,
@@ -152,8 +144,12 @@ public:
   void
   forbidTogether (const std::string& first, const std::string& second) const;
 
-  HelpPage
-  help () const;
+  /** \brief What --help and --help-all print. */
+  const HelpPage&
+  help () const
+  {
+    return page_;
+  }
 
 private:
   template <typename T>
@@ -165,9 +161,16 @@ private:
     using type = T;
   };
 
-  struct State;
+  /** \brief The option of that name, or the only one whose name begins so. */
+  const Option&
+  find (const std::string& start) const;
 
-  std::unique_ptr<State> state_;
+  void
+  storeArguments (const std::vector<std::string>& given) const;
+
+  HelpPage page_;
+  std::string version_;
+  std::set<std::string> given_;
 };
 
 } // namespace pcl_ops::apps

@@ -2,31 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <boost/program_options/options_description.hpp>
-
+#include <cstddef>
+#include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace pcl_ops::apps {
 
-/** \brief Columns of a help page. */
-constexpr unsigned help_width = 80;
+/** \brief A positional argument; \c store gets its text. */
+struct Argument {
+  std::string name, help;
+  std::size_t max_count;
+  std::function<void (const std::string&)> store;
+};
+
+/** \brief An option; without a placeholder it has no value. */
+struct Option {
+  std::string name, placeholder, help;
+  std::function<void (const std::string&)> store;
+};
 
 /** \brief Options under a title of their own. */
 struct OptionGroup {
-  explicit OptionGroup (const std::string& group_title)
-  : title (group_title), options (group_title, help_width, help_width / 2)
-  {}
-
   std::string title;
-  boost::program_options::options_description options;
+  std::vector<Option> options = {};
   /** \brief Named in one line by --help; --help-all explains its options. */
   bool is_brief = false;
 };
-
-/** \brief Names and what they mean. */
-using Entries = std::vector<std::pair<std::string, std::string>>;
 
 /** \brief What --help and --help-all print. */
 struct HelpPage {
@@ -34,7 +36,7 @@ struct HelpPage {
   /** \brief To call the program, one a line: what follows its name. */
   std::vector<std::string> ways = {};
   std::string explanation = {};
-  Entries arguments = {};
+  std::vector<Argument> arguments = {};
   /** \brief New options go to the last. */
   std::vector<OptionGroup> groups = {};
 
@@ -50,15 +52,5 @@ private:
   std::string
   usage () const;
 };
-
-/** \brief All options of the groups, as one list. */
-boost::program_options::options_description
-joined (const std::vector<OptionGroup>& groups);
-
-/** \brief Entries in two columns, as Boost prints options; help2man reads entries of a
- * manual page in it. \param[in] width columns after which a meaning goes on in the next
- * line */
-std::string
-listed (const Entries& entries, std::size_t width);
 
 } // namespace pcl_ops::apps

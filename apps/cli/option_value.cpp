@@ -96,26 +96,19 @@ template double
 parseNumber (const std::string&, const std::string&, const Range&);
 
 Eigen::Vector3f
-parseVector (const std::string& option, const std::string& text)
+parseDirection (const std::string& option, const std::string& text)
 {
-  Eigen::Vector3f vector;
+  Eigen::Vector3f direction;
   std::istringstream parts (text + ",");
   std::string part;
   Eigen::Index count = 0;
   for (; std::getline (parts, part, ','); ++count) {
     if (count < 3)
-      vector[count] = parseNumber<float> (option, part, Range::any());
+      direction[count] = parseNumber<float> (option, part, Range::any());
   }
   if (count != 3)
     throw UsageError (option,
                       "'" + text + "' is not x,y,z; give three numbers, as 0,0,1");
-  return vector;
-}
-
-Eigen::Vector3f
-parseDirection (const std::string& option, const std::string& text)
-{
-  const Eigen::Vector3f direction = parseVector (option, text);
   if (!(direction.norm() > 0.0f))
     throw UsageError (option, text + " is no direction; give one such as 0,0,1");
   return direction;

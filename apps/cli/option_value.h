@@ -59,11 +59,6 @@ template <typename Number>
 Number
 parseNumber (const std::string& option, const std::string& text, const Range& range);
 
-/** \brief Three numbers, "x,y,z".
- * \throws UsageError if the text is anything else */
-Eigen::Vector3f
-parseVector (const std::string& option, const std::string& text);
-
 /** \brief A vector "x,y,z" other than zero.
  * \throws UsageError if the text is anything else */
 Eigen::Vector3f

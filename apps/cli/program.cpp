@@ -23,26 +23,20 @@ runningProgram ()
 }
 
 int
-fail (const std::string& name, const std::string& message, ExitCode code)
+fail (const std::string& message, ExitCode code)
 {
   std::cout.flush();
-  std::cerr << errorLine (name, message) << std::endl;
+  warn (message);
   return code;
 }
 
 } // namespace
 
 std::string
-errorLine (const std::string& program, std::string message)
+errorLine (std::string message)
 {
   std::replace (message.begin(), message.end(), '\n', ' ');
-  return program + ": " + message;
-}
-
-std::string
-errorLine (const std::string& message)
-{
-  return errorLine (runningProgram(), message);
+  return runningProgram() + ": " + message;
 }
 
 void
@@ -64,10 +58,10 @@ runProgram (const std::string& name, const std::function<int()>& body)
     return code;
   }
   catch (const UsageError& error) {
-    return fail (name, error.what(), ExitCode::wrong_usage);
+    return fail (error.what(), ExitCode::wrong_usage);
   }
   catch (const std::bad_alloc&) {
-    return fail (name, "not enough memory; try a smaller cloud", ExitCode::work_failed);
+    return fail ("not enough memory; try a smaller cloud", ExitCode::work_failed);
   }
   catch (const std::exception& error) {
     const std::string reason = error.what();
@@ -75,8 +69,7 @@ runProgram (const std::string& name, const std::function<int()>& body)
     // exist.
     const bool is_about_language =
         reason.find ("_S_create_c_locale") != std::string::npos;
-    return fail (name,
-                 is_about_language ? "LANG cannot be set up: not enough memory, or it "
+    return fail (is_about_language ? "LANG cannot be set up: not enough memory, or it "
                                      "is none; try a smaller cloud or LANG=C"
                                    : reason,
                  ExitCode::work_failed);

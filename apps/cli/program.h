@@ -9,13 +9,10 @@ namespace pcl_ops::apps {
 
 enum ExitCode : int { done = 0, work_failed = 1, wrong_usage = 2 };
 
-/** \brief What a program says about a problem: one line, without its end. */
+/** \brief What the program that \ref runProgram runs says about a problem: one line,
+ * without its end. */
 std::string
-errorLine (const std::string& program, std::string message);
-
-/** \brief The same of the program that \ref runProgram runs. */
-std::string
-errorLine (const std::string& message);
+errorLine (std::string message);
 
 /** \brief Puts such a line on stderr, in one piece; the program goes on. */
 void

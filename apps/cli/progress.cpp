@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 namespace pcl_ops::apps {
@@ -73,34 +74,22 @@ Progress::draw()
       (style_ == ProgressStyle::Lines && now - last_line_ < between_))
     return;
   last_line_ = now;
-  if (style_ == ProgressStyle::Bar)
-    drawBar();
-  write (now, 100 * done_ / std::max<std::size_t> (1, steps_));
-}
-
-void
-Progress::write (Clock::time_point now, std::size_t percent)
-{
+  const std::size_t steps = std::max<std::size_t> (1, steps_);
+  if (style_ == ProgressStyle::Bar) {
+    const std::size_t filled = bar_width * done_ / steps;
+    stream_ << erase_line << '[' << std::string (filled, '=')
+            << std::string (bar_width - filled, ' ') << "] ";
+  }
   const double elapsed = std::chrono::duration<double> (now - start_).count();
   const double left = elapsed *
                       static_cast<double> (steps_ - std::min (done_, steps_)) /
                       static_cast<double> (done_);
-  stream_ << done_ << " of " << steps_ << " " << noun_ << ", " << percent << " %, "
+  stream_ << done_ << " of " << steps_ << " " << noun_ << ", " << 100 * done_ / steps
+          << " %, "
           << (done_ < steps_ ? durationText (left) + " left"
                              : "took " + durationText (elapsed));
   has_bar_ = style_ == ProgressStyle::Bar && done_ < steps_;
-  if (has_bar_)
-    stream_ << std::flush;
-  else
-    stream_ << std::endl;
-}
-
-void
-Progress::drawBar()
-{
-  const std::size_t filled = bar_width * done_ / std::max<std::size_t> (1, steps_);
-  stream_ << erase_line << '[' << std::string (filled, '=')
-          << std::string (bar_width - filled, ' ') << "] ";
+  stream_ << (has_bar_ ? "" : "\n") << std::flush;
 }
 
 std::string
@@ -117,6 +106,49 @@ durationText (double seconds)
   else
     text << total / hour << " h " << std::setw (2) << total % hour / minute << " min";
   return text.str();
+}
+
+StageLines::StageLines (std::ostream& stream, std::chrono::milliseconds between)
+: stream_ (stream), between_ (between)
+{
+  try {
+    thread_ = std::thread ([this] { writeLines(); });
+  }
+  catch (const std::system_error&) {
+    // The work itself can be done without.
+  }
+}
+
+StageLines::~StageLines() { end(); }
+
+void
+StageLines::begin (std::string stage)
+{
+  const std::lock_guard<std::mutex> lock (mutex_);
+  stage_ = std::move (stage);
+}
+
+void
+StageLines::end()
+{
+  {
+    const std::lock_guard<std::mutex> lock (mutex_);
+    is_ended_ = true;
+  }
+  has_ended_.notify_all();
+  if (thread_.joinable())
+    thread_.join();
+}
+
+void
+StageLines::writeLines()
+{
+  std::unique_lock<std::mutex> lock (mutex_);
+  while (!has_ended_.wait_for (lock, between_, [this] { return is_ended_; })) {
+    const std::chrono::duration<double> elapsed = Clock::now() - start_;
+    stream_ << stage_ << ", " << durationText (elapsed.count()) << " so far"
+            << std::endl;
+  }
 }
 
 } // namespace pcl_ops::apps

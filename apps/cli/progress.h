@@ -3,9 +3,11 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <ostream>
 #include <string>
+#include <thread>
 
 namespace pcl_ops::apps {
 
@@ -38,9 +40,6 @@ public:
             ProgressStyle style,
             std::string noun = "clouds",
             std::chrono::milliseconds between = std::chrono::seconds (10));
-  Progress (const Progress&) = delete;
-  Progress&
-  operator= (const Progress&) = delete;
   /** \brief Takes the bar away where the run ended before its last step. */
   ~Progress();
 
@@ -64,10 +63,6 @@ private:
 
   void
   draw ();
-  void
-  drawBar ();
-  void
-  write (Clock::time_point now, std::size_t percent);
 
   std::size_t steps_;
   std::size_t done_ = 0;
@@ -83,5 +78,40 @@ private:
 /** \brief A duration as a person says it: "42 s", "3 min 07 s", "2 h 05 min". */
 std::string
 durationText (double seconds);
+
+/** \brief Tells at which stage of a long work a program is, where its steps are too few
+ * to count: a line each ten seconds, and none where all is done before. Without room
+ * for one more thread it is silent. */
+class StageLines {
+public:
+  /** \param[in] stream used by a thread of its own until \ref end
+   * \param[in] between time from one line to the next */
+  explicit StageLines (std::ostream& stream,
+                       std::chrono::milliseconds between = std::chrono::seconds (10));
+  ~StageLines();
+
+  /** \brief From now on lines are about this stage. */
+  void
+  begin (std::string stage);
+
+  /** \brief No more lines. */
+  void
+  end ();
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void
+  writeLines ();
+
+  std::ostream& stream_;
+  std::chrono::milliseconds between_;
+  Clock::time_point start_ = Clock::now();
+  std::mutex mutex_;
+  std::condition_variable has_ended_;
+  std::string stage_;
+  bool is_ended_ = false;
+  std::thread thread_;
+};
 
 } // namespace pcl_ops::apps

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <io/xyz_cloud.h>
+#include <io/shifted_cloud.h>
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
@@ -18,22 +18,19 @@ namespace pcl_ops::apps {
 bool
 isHardlyCovered (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes);
 
-/** \brief Which parameter to change where OPS found no plane or, as \ref
- * isHardlyCovered says, next to none, as the end of a sentence. Looks at how many
- * points are sampled and at how the threshold relates to the cloud's extent, which
- * tells millimeters from meters. */
+/** \brief Which parameter to change where a detector found no plane or, as \ref
+ * isHardlyCovered says, next to none, as the end of a sentence. Looks at how the
+ * threshold relates to the cloud's extent, which tells millimeters from meters, and,
+ * for OPS, at how many points are sampled, for FSPF at how many points its spheres
+ * hold. */
 std::string
 adviceFor (const OrientedPointSamplingParameters& parameters,
            const XyzCloud& cloud,
            bool found_none);
-
-/** \brief The same for FSPF. Looks at how many points its spheres hold. */
 std::string
 adviceFor (const FastSamplingPlaneFilteringParameters& parameters,
            const XyzCloud& cloud,
            bool found_none);
-
-/** \brief The same for 3D-KHT. */
 std::string
 adviceFor (const KernelHoughTransformParameters& parameters,
            const XyzCloud& cloud,

@@ -33,7 +33,7 @@ declareShared (CommandLine& line, DetectorOptions& options)
                    if (!options.finds_up)
                      options.up = parseUpAxis ("--up", text);
                  });
-  declare (shared_numbers, PlaneDetectorParameters(), {}, line, options.numbers);
+  declare (PlaneDetectorParameters(), {}, line, options.numbers);
 }
 
 } // namespace
@@ -68,8 +68,7 @@ double
 voxelStepOf (const DetectorOptions& options)
 {
   OrientedPointSamplingParameters parameters;
-  apply (
-      [] (auto& p, auto&& visit) { visitOwn (p, visit); }, options.numbers, parameters);
+  apply (options.numbers, parameters);
   const double edge = parameters.surfels.voxel_size.value_or (0.0);
   return std::ldexp (edge, parameters.surfels.resolutions - 1);
 }

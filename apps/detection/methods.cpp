@@ -4,11 +4,12 @@
 
 #include "advice.h"
 #include "number_options.h"
+#include "plane_json.h"
 #include <cli/errors.h>
 
 #include <algorithm>
 #include <new>
-#include <numeric>
+#include <sstream>
 
 namespace pcl_ops::apps {
 
@@ -58,23 +59,21 @@ relate (const GivenNumbers&, std::size_t, KhtParameters&)
 
 // Settings that no option changes.
 
-Settings
-fixedSettings (const OpsParameters& p)
+void
+addFixed (const OpsParameters& p, Settings& settings)
 {
-  const bool on_surfels = p.sampling == Sampling::Surfels;
-  return {{"sampling", std::string (on_surfels ? "surfels" : "points")}};
+  settings["sampling"] = p.sampling == Sampling::Surfels ? "surfels" : "points";
 }
 
-Settings
-fixedSettings (const FspfParameters&)
-{
-  return {};
-}
+void
+addFixed (const FspfParameters&, Settings&)
+{}
 
-Settings
-fixedSettings (const KhtParameters& p)
+void
+addFixed (const KhtParameters& p, Settings& settings)
 {
-  return {{"refit", p.refit.enabled}, {"merging", p.merging.enabled}};
+  settings["refit"] = p.refit.enabled;
+  settings["merging"] = p.merging.enabled;
 }
 
 /** \brief The preset with the options that were given. */
@@ -86,8 +85,7 @@ parametersOf (const DetectorOptions& options, std::size_t points)
       options.preset == "paper" ? Parameters::paper() : Parameters();
   parameters.up_axis = options.up.value_or (parameters.up_axis);
   parameters.merging.enabled = parameters.merging.enabled && options.merging;
-  apply (shared_numbers, options.numbers, parameters);
-  apply (own_numbers, options.numbers, parameters);
+  apply (options.numbers, parameters);
   relate (options.numbers, points, parameters);
   return parameters;
 }
@@ -129,15 +127,17 @@ hintOnMinInliers (const GivenNumbers&, const Detector&, const Detected&)
 /** \brief All parameters for a report, under the names of their options. */
 template <typename Parameters>
 Settings
-reportOf (const std::string& preset, const Parameters& parameters)
+reportOf (const std::string& preset, Parameters parameters)
 {
-  const Eigen::Vector3d up = parameters.up_axis.template cast<double>();
-  Settings settings{{"preset", preset},
-                    {"up", std::vector<double>{up.x(), up.y(), up.z()}}};
-  for (const Settings& more : {fixedSettings (parameters),
-                               settingsOf (own_numbers, parameters),
-                               settingsOf (shared_numbers, parameters)})
-    settings.insert (settings.end(), more.begin(), more.end());
+  Settings settings;
+  settings["preset"] = preset;
+  settings["up"] = toArray (parameters.up_axis.template cast<double>());
+  addFixed (parameters, settings);
+  visitAll (parameters,
+            [&] (std::string name, const auto& number, const NumberOption&) {
+              std::replace (name.begin(), name.end(), '-', '_');
+              settings[name] = settingOf (number);
+            });
   return settings;
 }
 
@@ -171,23 +171,19 @@ template <typename Parameters>
 std::map<std::string, std::string>
 presetNotes ()
 {
-  const auto text = [] (const SettingValue& value) {
+  const auto text = [] (const auto& number) {
     std::ostringstream stream;
-    if (const auto* const whole = std::get_if<std::int64_t> (&value))
-      stream << *whole;
-    else
-      stream << std::get<double> (value);
+    stream << settingOf (number).template get<double>();
     return stream.str();
   };
   std::map<std::string, std::string> notes;
   Parameters usual, paper = Parameters::paper();
-  visitOwn (usual, [&] (const NumberOption& option, const auto& number) {
-    notes[option.name] = text (settingOf (number));
+  visitOwn (usual, [&] (const auto& name, const auto& number, const NumberOption&) {
+    notes[name] = text (number);
   });
-  visitOwn (paper, [&] (const NumberOption& option, const auto& number) {
-    std::string& note = notes[option.name];
-    if (note != text (settingOf (number)))
-      note += "; paper " + text (settingOf (number));
+  visitOwn (paper, [&] (const auto& name, const auto& number, const NumberOption&) {
+    if (notes[name] != text (number))
+      notes[name] += "; paper " + text (number);
   });
   return notes;
 }
@@ -198,7 +194,7 @@ methodOf (const std::string& name, const std::string& title)
 {
   using Parameters = typename Detector::Parameters;
   const auto declare_options = [] (CommandLine& line, GivenNumbers& given) {
-    declare (own_numbers, Parameters(), presetNotes<Parameters>(), line, given);
+    declare (Parameters(), presetNotes<Parameters>(), line, given);
   };
   return {name, title, declare_options, detectBy<Detector>};
 }
@@ -206,22 +202,15 @@ methodOf (const std::string& name, const std::string& title)
 } // namespace
 
 std::vector<std::uint32_t>
-labelsOf (const std::vector<PlaneSegment>& planes, std::size_t points)
-{
-  std::vector<std::uint32_t> ids (planes.size());
-  std::iota (ids.begin(), ids.end(), 1U);
-  return labelsOf (planes, ids, points);
-}
-
-std::vector<std::uint32_t>
 labelsOf (const std::vector<PlaneSegment>& planes,
-          const std::vector<std::uint32_t>& ids,
-          std::size_t points)
+          std::size_t points,
+          const std::vector<std::uint32_t>& ids)
 {
   std::vector<std::uint32_t> labels (points, 0);
   for (std::size_t i = 0; i < planes.size(); ++i)
     for (const pcl::index_t index : planes[i].inliers)
-      labels[static_cast<std::size_t> (index)] = ids[i];
+      labels[static_cast<std::size_t> (index)] =
+          ids.empty() ? static_cast<std::uint32_t> (i + 1) : ids[i];
   return labels;
 }
 

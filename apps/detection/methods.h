@@ -4,10 +4,12 @@
 
 #include <Eigen/Core>
 
-#include <io/xyz_cloud.h>
+#include <io/shifted_cloud.h>
+#include <nlohmann/json.hpp>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -15,23 +17,15 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace pcl_ops::apps {
 
 class CommandLine;
 
-/** \brief Nothing, where a value is not known, or what a parameter is set to. */
-using SettingValue = std::variant<std::monostate,
-                                  bool,
-                                  std::int64_t,
-                                  double,
-                                  std::string,
-                                  std::vector<double>>;
-
-/** \brief What a detector was run with, in the order of a report. */
-using Settings = std::vector<std::pair<std::string, SettingValue>>;
+/** \brief What a detector was run with, in the order of a report; null where a value is
+ * not known. */
+using Settings = nlohmann::ordered_json;
 
 /** \brief The texts of numbers that were given, by the names of their options. */
 using GivenNumbers = std::map<std::string, std::string>;
@@ -64,16 +58,12 @@ struct Detected {
   std::string advice;
 };
 
-/** \brief For each point of a cloud the id of its plane: 1 for the first, 0 for none.
- */
-std::vector<std::uint32_t>
-labelsOf (const std::vector<PlaneSegment>& planes, std::size_t points);
-
-/** \brief The same with ids of one's own. */
+/** \brief For each point of a cloud the id of its plane, 0 for none.
+ * \param[in] ids of the planes; empty: 1, 2, ... */
 std::vector<std::uint32_t>
 labelsOf (const std::vector<PlaneSegment>& planes,
-          const std::vector<std::uint32_t>& ids,
-          std::size_t points);
+          std::size_t points,
+          const std::vector<std::uint32_t>& ids = {});
 
 /** \brief A detector as the command line offers it. */
 struct Method {
@@ -93,5 +83,16 @@ allMethods ();
 /** \brief The method of that name, which must be one of \ref allMethods. */
 const Method&
 methodCalled (const std::string& name);
+
+using Stage = std::pair<const char*, double StageDurations::*>;
+
+/** \brief The durations of a detector by name; the last is that of them all. */
+constexpr std::array<Stage, 6> detection_stages = {
+    {{"search", &StageDurations::search},
+     {"normals", &StageDurations::normals},
+     {"extraction", &StageDurations::extraction},
+     {"assignment", &StageDurations::assignment},
+     {"merging", &StageDurations::merging},
+     {"detection", &StageDurations::detection}}};
 
 } // namespace pcl_ops::apps

@@ -3,37 +3,152 @@
 #pragma once
 
 #include "methods.h"
-#include "parameter_list.h"
 #include <cli/command_line.h>
 #include <numbers/angles.h>
+#include <pcl_ops/fast_sampling_plane_filtering.h>
+#include <pcl_ops/kernel_hough_transform.h>
+#include <pcl_ops/oriented_point_sampling.h>
 
 #include <algorithm>
-#include <sstream>
+#include <optional>
 #include <string>
 #include <type_traits>
 
 namespace pcl_ops::apps {
 
-/** \brief Lists of parameters, as objects. */
-inline constexpr auto shared_numbers = [] (auto& parameters, auto&& visit) {
-  visitShared (parameters, visit);
-};
-inline constexpr auto own_numbers = [] (auto& parameters, auto&& visit) {
-  visitOwn (parameters, visit);
+/** \brief What there is to say about a parameter that is a number, besides the name of
+ * its option; in reports that has '_' for '-'. */
+struct NumberOption {
+  const char* placeholder;
+  Range range;
+  const char* help;
 };
 
-/** \brief Sets a number of a parameter list to what a text says.
+/** \brief An angle that is an option in degrees. */
+struct Degrees {
+  double& radians;
+};
+
+/** \brief A length whose option is 0 where it is not given. */
+struct ZeroIfNone {
+  std::optional<double>& length;
+};
+
+/** \brief Points that a plane goes through. */
+constexpr double points_of_a_plane = 3;
+
+/** \brief Calls \p visit (name, number, option) for what all detectors have. */
+template <typename Visit>
+void
+visitOwn (PlaneDetectorParameters& p, const Visit& visit)
+{
+  visit ("threshold",
+         p.distance_threshold,
+         {"M", Range::above (0), "farthest point of a plane (0.05; ops: auto)"});
+  visit ("angle-tolerance",
+         Degrees{p.angle_tolerance},
+         {"DEG",
+          Range::from (0).upTo (90),
+          "largest tilt of horizontal and vertical planes (7)"});
+  visit ("seed", p.seed, {"S", Range::from (0), "same seed, same result (42)"});
+  visit (
+      "threads",
+      p.threads,
+      {"T", Range::from (0).upTo (1024), "0 for all; the result stays the same (1)"});
+}
+
+/** \brief The same for what one detector has alone; the values of the presets follow in
+ * the help. */
+template <typename Visit>
+void
+visitOwn (OrientedPointSamplingParameters& p, const Visit& visit)
+{
+  visit ("sampling-rate",
+         p.sampling_rate,
+         {"R", Range::above (0).upTo (1), "share of the points that get a normal"});
+  visit ("k",
+         p.k,
+         {"K", Range::from (2), "neighbors of a normal; on surfels the fewest points"});
+  visit ("min-inliers",
+         p.min_inliers,
+         {"N", Range::from (1), "a plane has more sampled points than this"});
+  visit ("probability",
+         p.paper_only.probability,
+         {"P", Range::above (0).below (1), "of drawing a point of the largest plane"});
+  visit ("cell",
+         ZeroIfNone{p.surfels.voxel_size},
+         {"M", Range::from (0), "edge of a voxel; 0: by the number of points"});
+}
+
+template <typename Visit>
+void
+visitOwn (FastSamplingPlaneFilteringParameters& p, const Visit& visit)
+{
+  FastSamplingPlaneFilteringParameters::Local& local = p.local;
+  visit ("inner-radius",
+         local.inner_radius,
+         {"M", Range::above (0), "three points this near make a hypothesis"});
+  visit ("outer-radius",
+         local.outer_radius,
+         {"M", Range::above (0), "it is tested on points this near"});
+  visit ("local-samples",
+         local.local_samples,
+         {"N", Range::from (points_of_a_plane), "it is tested on so many of them"});
+  visit ("min-inlier-share",
+         local.min_inlier_fraction,
+         {"R", Range::from (0).below (1), "a larger share of these must be inliers"});
+  visit ("inliers-per-point",
+         local.max_inliers_per_point,
+         {"R", Range::above (0), "sampling ends at so many inliers"});
+}
+
+template <typename Visit>
+void
+visitOwn (KernelHoughTransformParameters& p, const Visit& visit)
+{
+  auto& clusters = p.clusters;
+  visit (
+      "phi-num", p.phi_num, {"N", Range::from (2).upTo (1000), "steps of half a turn"});
+  visit ("rho-num",
+         p.rho_num,
+         {"N", Range::from (2).upTo (10000), "steps out to the farthest point"});
+  visit ("min-samples",
+         clusters.min_samples,
+         {"N", Range::from (points_of_a_plane), "smaller octree nodes are left out"});
+  visit ("s-level",
+         clusters.first_level,
+         {"N", Range::from (0).upTo (20), "first level of the octree that is tested"});
+  visit ("s-alpha",
+         clusters.s_alpha,
+         {"R", Range::above (0), "larger: a node must be thinner to count as flat"});
+  visit ("s-beta",
+         clusters.s_beta,
+         {"R", Range::above (0), "larger: it may be more elongated"});
+}
+
+/** \brief The same for all that a detector has. */
+template <typename Parameters, typename Visit>
+void
+visitAll (Parameters& parameters, const Visit& visit)
+{
+  visitOwn (parameters, visit);
+  visitOwn (static_cast<PlaneDetectorParameters&> (parameters), visit);
+}
+
+/** \brief Sets a number to what the text of an option says.
  * \throws UsageError if it is none or out of range */
 template <typename Number>
 void
-setNumber (const NumberOption& option, const std::string& text, Number&& number)
+setNumber (const std::string& name,
+           const std::string& text,
+           const Range& range,
+           Number&& number)
 {
   using Type = std::decay_t<Number>;
-  const std::string name = std::string ("--") + option.name;
   if constexpr (std::is_arithmetic_v<Type>)
-    number = parseNumber<Type> (name, text, option.range);
+    number = parseNumber<Type> ("--" + name, text, range);
   else {
-    const auto real = parseNumber<double> (name, text, option.range);
+    const auto real = parseNumber<double> ("--" + name, text, range);
     if constexpr (std::is_same_v<Type, Degrees>)
       number.radians = toRadians (real);
     else if constexpr (std::is_same_v<Type, ZeroIfNone>)
@@ -44,72 +159,57 @@ setNumber (const NumberOption& option, const std::string& text, Number&& number)
 }
 
 template <typename Number>
-SettingValue
+Settings
 settingOf (const Number& number)
 {
-  if constexpr (std::is_integral_v<Number>)
-    return static_cast<std::int64_t> (number);
+  if constexpr (std::is_arithmetic_v<Number>)
+    return number;
   else if constexpr (std::is_same_v<Number, Degrees>)
     return toDegrees (number.radians);
   else if constexpr (std::is_same_v<Number, ZeroIfNone>)
     return number.length.value_or (0.0);
-  else if constexpr (std::is_same_v<Number, double>)
-    return number;
   else
-    return number ? SettingValue (*number) : SettingValue (std::string ("auto"));
-}
-
-/** \brief The numbers of a parameter list under the names of their options.
- * \param[in] list one of those above */
-template <typename List, typename Parameters>
-Settings
-settingsOf (const List& list, Parameters parameters)
-{
-  Settings settings;
-  list (parameters, [&] (const NumberOption& option, const auto& number) {
-    std::string key = option.name;
-    std::replace (key.begin(), key.end(), '-', '_');
-    settings.emplace_back (key, settingOf (number));
-  });
-  return settings;
+    return number ? Settings (*number) : Settings ("auto");
 }
 
 /** \brief Sets the parameters whose options were given.
  * \throws UsageError as \ref setNumber */
-template <typename List, typename Parameters>
+template <typename Parameters>
 void
-apply (const List& list, const GivenNumbers& given, Parameters& parameters)
+apply (const GivenNumbers& given, Parameters& parameters)
 {
-  list (parameters, [&] (const NumberOption& option, auto&& number) {
-    const auto text = given.find (option.name);
-    if (text != given.end())
-      setNumber (option, text->second, number);
-  });
+  visitAll (parameters,
+            [&] (const std::string& name, auto&& number, const NumberOption& option) {
+              if (const auto text = given.find (name); text != given.end())
+                setNumber (name, text->second, option.range, number);
+            });
 }
 
-/** \brief Declares the options of a list.
+/** \brief Declares the options of what these parameters have alone.
  * \param[in] notes what follows the help of an option, by its name
  * \param[out] given those on the parsed line, checked */
-template <typename List, typename Parameters>
+template <typename Parameters>
 void
-declare (const List& list,
-         Parameters parameters,
+declare (Parameters parameters,
          const std::map<std::string, std::string>& notes,
          CommandLine& line,
          GivenNumbers& given)
 {
-  list (parameters, [&] (const NumberOption& option, const auto&) {
-    const std::string name = option.name;
-    const auto note = notes.find (name);
-    line.addValue (name,
-                   option.placeholder,
-                   option.help + (note == notes.end() ? "" : " (" + note->second + ")"),
-                   [=, &given] (const std::string& text) {
-                     Parameters checked = parameters;
-                     apply (list, {{name, text}}, checked);
-                     given[name] = text;
-                   });
-  });
+  visitOwn (
+      parameters,
+      [&] (const std::string& name, const auto& number, const NumberOption& option) {
+        using Type = std::decay_t<decltype (number)>;
+        using Number = std::conditional_t<std::is_arithmetic_v<Type>, Type, double>;
+        const auto note = notes.find (name);
+        line.addValue (name,
+                       option.placeholder,
+                       option.help +
+                           (note == notes.end() ? "" : " (" + note->second + ")"),
+                       [=, range = option.range, &given] (const std::string& text) {
+                         parseNumber<Number> ("--" + name, text, range);
+                         given[name] = text;
+                       });
+      });
 }
 
 } // namespace pcl_ops::apps

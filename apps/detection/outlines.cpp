@@ -26,12 +26,11 @@ areaFromAbove (const Ring& ring)
 
 /** \brief How a format writes rings. */
 struct Notation {
-  const char *begin_rings, *begin_ring, *begin_corner, *between_numbers, *end_corner,
-      *end_ring, *end_rings;
+  const char *begin, *end, *begin_corner, *between_numbers, *end_corner;
 };
 
-constexpr Notation wkt = {"(", "(", "", " ", "", ")", ")"};
-constexpr Notation json = {"[", "[", "[", ",", "]", "]", "]"};
+constexpr Notation wkt = {"(", ")", "", " ", ""};
+constexpr Notation json = {"[", "]", "[", ",", "]"};
 
 void
 writeCorner (const Eigen::Vector3d& corner,
@@ -53,17 +52,17 @@ written (const Rings& rings, const Notation& notation, int decimals)
 {
   std::ostringstream text;
   text.imbue (std::locale::classic());
-  text << std::fixed << std::setprecision (decimals) << notation.begin_rings;
+  text << std::fixed << std::setprecision (decimals) << notation.begin;
   for (const Ring& ring : rings) {
-    text << (&ring == &rings.front() ? "" : ",") << notation.begin_ring;
+    text << (&ring == &rings.front() ? "" : ",") << notation.begin;
     for (const Eigen::Vector3d& corner : ring) {
       writeCorner (corner, notation, decimals, text);
       text << ",";
     }
     writeCorner (ring.front(), notation, decimals, text);
-    text << notation.end_ring;
+    text << notation.end;
   }
-  text << notation.end_rings;
+  text << notation.end;
   return text.str();
 }
 

@@ -2,7 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_json.h"
 
+#include <cli/errors.h>
+#include <io/inputs.h>
+#include <nlohmann/json.hpp>
 #include <pcl_ops/orientation.h>
+#include <pcl_ops/plane_extent.h>
+
+#include <cmath>
 
 namespace pcl_ops::apps {
 
@@ -26,6 +32,163 @@ toArray (const std::vector<Eigen::Vector3d>& ring)
   for (const Eigen::Vector3d& corner : ring)
     corners.push_back (apps::toArray (corner));
   return corners;
+}
+
+using Json = nlohmann::json;
+using Eigen::Vector3d;
+
+constexpr const char* fix =
+    "; give planes as pcl_ops_segment --planes FILE.json and pcl_ops_tiles write them";
+
+/** \brief Beyond any cloud in single precision, and its fourth power is finite. */
+constexpr double largest = 1e40;
+
+/** \brief A value of a file, with its place in it for complaints. */
+class Entry {
+public:
+  Entry (std::string file, std::string name, const Json& value)
+  : file_ (std::move (file)), name_ (std::move (name)), value_ (value)
+  {}
+
+  [[noreturn]] void
+  fail (const std::string& problem) const
+  {
+    throw WorkError (file_, name_ + " " + problem + fix);
+  }
+
+  bool
+  has (const char* key) const
+  {
+    return value_.is_object() && value_.contains (key);
+  }
+
+  Entry
+  at (const char* key) const
+  {
+    const Entry entry (file_, name_.empty() ? key : name_ + "." + key, value_);
+    if (!has (key))
+      entry.fail ("is missing");
+    return {file_, entry.name_, value_.at (key)};
+  }
+
+  std::vector<Entry>
+  list () const
+  {
+    if (!value_.is_array())
+      fail ("is no list");
+    std::vector<Entry> entries;
+    for (const Json& one : value_)
+      entries.emplace_back (
+          file_, name_ + "[" + std::to_string (entries.size()) + "]", one);
+    return entries;
+  }
+
+  double
+  number (double least) const
+  {
+    const double number = value_.is_number() ? value_.get<double>() : NAN;
+    if (!std::isfinite (number))
+      fail ("is no number");
+    if (std::abs (number) > largest)
+      fail ("is too large");
+    if (number < least)
+      fail ("is too small");
+    return number;
+  }
+
+  template <int size>
+  Eigen::Matrix<double, size, 1>
+  vector () const
+  {
+    const std::vector<Entry> entries = list();
+    if (entries.size() != size)
+      fail ("has not " + std::to_string (size) + " numbers");
+    Eigen::Matrix<double, size, 1> result;
+    for (int i = 0; i < size; ++i)
+      result[i] = entries[static_cast<std::size_t> (i)].number (-largest);
+    return result;
+  }
+
+  std::uint64_t
+  id () const
+  {
+    if (!value_.is_number_unsigned())
+      fail ("is no whole number from 0");
+    return value_.get<std::uint64_t>();
+  }
+
+  Orientation
+  orientation () const
+  {
+    for (const Orientation known :
+         {Orientation::Horizontal, Orientation::Vertical, Orientation::Other})
+      if (value_ == toString (known))
+        return known;
+    fail ("is not horizontal, vertical or other");
+  }
+
+private:
+  std::string file_, name_;
+  const Json& value_;
+};
+
+/** \brief Lets a plane end where its hull ends. */
+void
+setExtent (const std::vector<Vector3d>& hull,
+           double rms,
+           double count,
+           PlaneSegment& plane)
+{
+  constexpr double endless = 1e6;
+  const Eigen::Matrix3d along_normal = plane.normal * plane.normal.transpose();
+  Eigen::Matrix3d spread =
+      endless * endless * (Eigen::Matrix3d::Identity() - along_normal);
+  double area = 0.0;
+  Vector3d sum = Vector3d::Zero();
+  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
+    Eigen::Matrix3d corners;
+    corners << hull[0], hull[i], hull[i + 1];
+    corners.colwise() -= plane.centroid;
+    // Signed, so that the triangles of a hollow outline take away what they have too
+    // much.
+    const Vector3d edge = corners.col (1) - corners.col (0);
+    const double part =
+        0.5 * plane.normal.dot (edge.cross (corners.col (2) - corners.col (0)));
+    const Vector3d total = corners.rowwise().sum();
+    area += part;
+    sum += part / 3.0 * total;
+    products +=
+        part / 12.0 * (total * total.transpose() + corners * corners.transpose());
+  }
+  if (area != 0.0) {
+    const Vector3d mean = sum / area;
+    spread = products / area - mean * mean.transpose();
+    plane.centroid += mean;
+  }
+  plane.moments =
+      Moments::of (count, plane.centroid, spread + rms * rms * along_normal);
+}
+
+PlaneSegment
+planeOf (const Entry& entry)
+{
+  PlaneSegment plane;
+  const double count = entry.at ("points").number (1.0);
+  const double rms = entry.at ("rms").number (0.0);
+  plane.orientation = entry.at ("orientation").orientation();
+  plane.centroid = entry.at ("centroid").vector<3>();
+  const Entry coefficients = entry.at ("coefficients");
+  const Vector3d normal = coefficients.vector<4>().head<3>();
+  if (!(normal.norm() > 0.0))
+    coefficients.fail ("has the normal 0 0 0");
+  plane.normal = normal.normalized();
+  std::vector<Vector3d> hull;
+  if (entry.has ("hull"))
+    for (const Entry& corner : entry.at ("hull").list())
+      hull.push_back (corner.vector<3>());
+  setExtent (hull, rms, count, plane);
+  return plane;
 }
 
 } // namespace
@@ -56,6 +219,21 @@ planeObject (std::size_t id, const PlaneSegment& segment, const PlaneExtent& ext
   for (const std::vector<Eigen::Vector3d>& hole : extent.holes)
     object["holes"].push_back (toArray (hole));
   return object;
+}
+
+PlaneList
+loadPlaneList (const std::string& file)
+{
+  const std::string text = readTextFile (file, "a .json file of planes");
+  const Json json = Json::parse (text, nullptr, false);
+  if (json.is_discarded())
+    throw WorkError (file, std::string ("is no JSON") + fix);
+  PlaneList list;
+  for (const Entry& entry : Entry (file, "", json).at ("planes").list()) {
+    list.ids.push_back (entry.at ("id").id());
+    list.planes.push_back (planeOf (entry));
+  }
+  return list;
 }
 
 } // namespace pcl_ops::apps

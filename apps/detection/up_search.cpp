@@ -26,8 +26,8 @@ findUp (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 {
   if (!isSeenFromItsOrigin (*cloud))
     return {std::nullopt, "the cloud was not seen from its VIEWPOINT"};
-  PlaneDetectorParameters given;
-  apply (shared_numbers, options.numbers, given);
+  OrientedPointSamplingParameters given;
+  apply (options.numbers, given);
   OrientedPointSampling<pcl::PointXYZ> ops;
   ops.setSeed (given.seed);
   ops.setNumberOfThreads (given.threads);
@@ -79,8 +79,8 @@ roundedTextOf (const Eigen::Vector3d& vector)
 void
 hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detected)
 {
-  PlaneDetectorParameters given;
-  apply (shared_numbers, options.numbers, given);
+  OrientedPointSamplingParameters given;
+  apply (options.numbers, given);
   const auto found =
       estimateUpAxis (detected.planes, cloud.sensor_origin_.head<3>().cast<double>());
   if (!found)
@@ -121,8 +121,8 @@ runMethod (const Method& method,
     known.up = found->direction.cast<float>();
   Detected detected = method.detect (known, cloud);
   detected.up_note = noteOn (search, detected.up);
-  detected.settings.emplace_back (
-      "up_confidence", found ? SettingValue (found->confidence) : SettingValue());
+  detected.settings["up_confidence"] =
+      found ? Settings (found->confidence) : Settings();
   return detected;
 }
 

@@ -4,9 +4,6 @@
 
 #include <pcl/common/io.h>
 
-#include "coordinate_reader.h"
-#include "median_place.h"
-
 #include <algorithm>
 #include <cstring>
 
@@ -16,47 +13,9 @@ namespace {
 
 using pcl::PCLPointField;
 
-/** \brief A field of the output and where its bytes come from in the input. */
-struct Column {
-  PCLPointField field;
-  pcl::uindex_t source = 0;
-  pcl::uindex_t size = 0;
-  bool is_new = false;
-};
-
-/** \brief The fields of a cloud, each up to where the next one starts: that way also
- * types the installed PCL does not know are copied whole. */
-std::vector<Column>
-columnsOf (const pcl::PCLPointCloud2& cloud)
-{
-  std::vector<Column> columns;
-  for (std::size_t i = 0; i < cloud.fields.size(); ++i) {
-    const bool is_last = i + 1 == cloud.fields.size();
-    const pcl::uindex_t start = cloud.fields[i].offset;
-    const pcl::uindex_t end = is_last ? cloud.point_step : cloud.fields[i + 1].offset;
-    columns.push_back ({cloud.fields[i], start, end - start, false});
-  }
-  return columns;
-}
-
-/** \brief Puts a new column in place of one of its name, else before the one called
- * \p before, else at the end. */
-void
-place (const Column& column, const std::string& before, std::vector<Column>& columns)
-{
-  const auto named = [&] (const std::string& name) {
-    return std::find_if (columns.begin(), columns.end(), [&] (const Column& other) {
-      return other.field.name == name;
-    });
-  };
-  const auto old = named (column.field.name);
-  if (old != columns.end())
-    *old = column;
-  else
-    columns.insert (named (before), column);
-}
-
-/** \brief Sets one field of four bytes of every point and copies all others. */
+/** \brief Sets a field of four bytes of every point: in place of the one of its name,
+ * which reaches to the next one, else before the one called \p before, else at the end.
+ */
 void
 setField (pcl::PCLPointCloud2& cloud,
           const std::string& name,
@@ -64,63 +23,42 @@ setField (pcl::PCLPointCloud2& cloud,
           const std::string& before,
           const std::vector<std::uint32_t>& values)
 {
-  Column added{{}, 0, sizeof (values[0]), true};
-  added.field.name = name;
-  added.field.datatype = datatype;
-  added.field.count = 1;
-  std::vector<Column> columns = columnsOf (cloud);
-  place (added, before, columns);
+  constexpr pcl::uindex_t size = sizeof (values[0]);
+  const int known = pcl::getFieldIndex (cloud, name);
+  const int next = known < 0 ? pcl::getFieldIndex (cloud, before) : known;
+  const std::size_t place =
+      next < 0 ? cloud.fields.size() : static_cast<std::size_t> (next);
+  const auto start_of = [&] (std::size_t field) {
+    return field < cloud.fields.size() ? cloud.fields[field].offset : cloud.point_step;
+  };
+  const pcl::uindex_t begin = start_of (place);
+  const pcl::uindex_t end = known < 0 ? begin : start_of (place + 1);
+  const pcl::uindex_t step = cloud.point_step - (end - begin) + size;
 
-  pcl::uindex_t step = 0;
-  cloud.fields.clear();
-  for (Column& column : columns) {
-    column.field.offset = step;
-    step += column.size;
-    cloud.fields.push_back (column.field);
-  }
   std::vector<std::uint8_t> bytes (values.size() * step);
+  std::uint8_t* out = bytes.data();
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::uint8_t* const point = cloud.data.data() + i * cloud.point_step;
-    const auto* const value = reinterpret_cast<const std::uint8_t*> (&values[i]);
-    for (const Column& column : columns)
-      std::copy_n (column.is_new ? value : point + column.source,
-                   column.size,
-                   bytes.data() + i * step + column.field.offset);
+    out = std::copy_n (point, begin, out);
+    out = std::copy_n (reinterpret_cast<const std::uint8_t*> (&values[i]), size, out);
+    out = std::copy (point + end, point + cloud.point_step, out);
   }
+  if (known < 0)
+    cloud.fields.insert (cloud.fields.begin() + static_cast<std::ptrdiff_t> (place),
+                         PCLPointField());
+  PCLPointField& field = cloud.fields[place];
+  field.name = name;
+  field.offset = begin;
+  field.datatype = datatype;
+  field.count = 1;
+  for (std::size_t i = place + 1; i < cloud.fields.size(); ++i)
+    cloud.fields[i].offset = begin + size + (cloud.fields[i].offset - end);
   cloud.data = std::move (bytes);
   cloud.point_step = step;
   cloud.row_step = step * cloud.width;
 }
 
 } // namespace
-
-ShiftedCloud
-shiftedCloudOf (const FileCloud& cloud, double step)
-{
-  const CoordinateReader reader (cloud);
-  ShiftedCloud shifted;
-  const std::size_t size = cloud.size();
-  const auto usual = [&] {
-    return usualPlace (size, [&] (std::size_t i) { return reader (i); });
-  };
-  if (step > 0.0)
-    shifted.shift = nearestMultiple (usual(), step);
-  else if (!reader.isSinglePrecision())
-    shifted.shift = usual();
-  shifted.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  shifted.cloud->points.reserve (size);
-  for (std::size_t i = 0; i < size; ++i) {
-    const Eigen::Vector3f point = (reader (i) - shifted.shift).cast<float>();
-    shifted.cloud->points.emplace_back (point.x(), point.y(), point.z());
-  }
-  shifted.cloud->width = cloud.points.width;
-  shifted.cloud->height = cloud.points.height;
-  shifted.cloud->is_dense = false;
-  shifted.cloud->sensor_orientation_ = cloud.orientation;
-  shifted.cloud->sensor_origin_.head<3>() =
-      (cloud.origin.head<3>().cast<double>() - shifted.shift).cast<float>();
-  return shifted;
-}
 
 void
 addField (const std::string& name,

@@ -2,33 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <pcl/point_types.h>
 
 #include "cloud_file.h"
 #include "number_types.h"
-#include "xyz_cloud.h"
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
-
-/** \brief The coordinates alone, in single precision. */
-struct ShiftedCloud {
-  /** \brief Every point in the file's order, NaN too, relative to \ref shift; with the
-   * sensor's pose in that frame. */
-  XyzCloud::Ptr cloud;
-  /** \brief Zero of that frame in the file's frame: near most points where the file has
-   * double precision, which single would lose far from zero; else zero. */
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-};
-
-/** \brief The coordinates of a cloud whose x, y and z may be of any number type.
- * \param[in] step the shift is near most points, at a whole multiple of it along each
- * axis, whatever the precision; 0: not asked for */
-ShiftedCloud
-shiftedCloudOf (const FileCloud& cloud, double step = 0.0);
 
 /** \brief The number of points. */
 inline std::size_t

@@ -3,19 +3,26 @@
 #include "cloud_file.h"
 
 #include "cloud_fields.h"
-#include "input_file.h"
+#include "inputs.h"
 #include "las_file.h"
 #include "laz_file.h"
 #include "output_file.h"
 #include "pcd_file.h"
 #include "ply_reader.h"
 #include "ply_writer.h"
-#include "spool.h"
 #include "text_file.h"
 #include <cli/errors.h>
+#include <cli/interruption.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
+#include <ostream>
+#include <string>
+#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -48,6 +55,52 @@ makePoseValid (FileCloud& cloud)
     cloud.orientation.setIdentity();
 }
 
+/** \brief Fills the buffer as far as the input reaches. \return bytes read */
+std::size_t
+readInput (std::vector<char>& buffer)
+{
+  std::size_t filled = 0;
+  while (filled < buffer.size()) {
+    const ssize_t count =
+        ::read (STDIN_FILENO, buffer.data() + filled, buffer.size() - filled);
+    stopIfInterrupted();
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count < 0)
+      throw WorkError (standard_input,
+                       std::string ("cannot be read (") + std::strerror (errno) +
+                           "); pipe a PCD into the program");
+    if (count == 0)
+      break;
+    filled += static_cast<std::size_t> (count);
+  }
+  return filled;
+}
+
+constexpr std::size_t start_length = 64;
+
+/** \param[in] start the first bytes of a cloud */
+std::string
+extensionOfContent (const std::string& start)
+{
+  const auto begins_with = [&] (const std::string& text) {
+    return start.compare (0, text.size(), text) == 0;
+  };
+  const std::string utf8_mark = "\xef\xbb\xbf";
+  if (begins_with (utf8_mark))
+    return extensionOfContent (start.substr (utf8_mark.size()));
+  if (begins_with ("LASF"))
+    return ".las";
+  if (begins_with ("ply"))
+    return ".ply";
+  // A PCD begins with a word or a comment, which a text may, too.
+  const std::size_t first = start.find_first_not_of (" \t\r\n");
+  const bool is_number =
+      first != std::string::npos &&
+      std::string ("+-.0123456789").find (start[first]) != std::string::npos;
+  return is_number || begins_with ("//") ? ".xyz" : ".pcd";
+}
+
 } // namespace
 
 bool
@@ -72,10 +125,9 @@ loadCloud (const std::string& file)
   if (extension == ".gz")
     failGzip (file);
   if (!hasCloudExtension (file))
-    throw UsageError (file,
-                      std::string ("has an unknown extension; give a ") +
-                          cloud_extensions + " file");
-  checkReadable (file, std::string ("a ") + cloud_extensions + " file");
+    throw UsageError (
+        file, std::string ("has an unknown extension; give ") + cloud_file_kinds);
+  checkReadable (file, cloud_file_kinds);
   refuseGzip (file);
   FileCloud cloud;
   if (extension == ".pcd")
@@ -100,7 +152,7 @@ loadCloud (const std::string& file)
 std::shared_ptr<LasFile>
 openLas (const std::string& file)
 {
-  checkReadable (file, std::string ("a ") + cloud_extensions + " file");
+  checkReadable (file, cloud_file_kinds);
   if (!isCompressedLas (file))
     return std::make_shared<LasFile> (file);
   const Spool las (".las", file);
@@ -114,22 +166,38 @@ openLas (const std::string& file)
 }
 
 void
-savePcd (const std::string& file, const FileCloud& cloud)
+saveCloud (const std::string& file, const FileCloud& cloud)
 {
   writeFile (file, [&] (std::ostream& stream) {
+    if (extensionOf (file) == ".ply")
+      return writePly (cloud.points, stream);
     stream << pcdHeader (cloud);
     stream.write (reinterpret_cast<const char*> (cloud.points.data.data()),
                   static_cast<std::streamsize> (cloud.points.data.size()));
   });
 }
 
-void
-saveCloud (const std::string& file, const FileCloud& cloud)
+FileCloud
+loadStandardInput ()
 {
-  if (extensionOf (file) == ".ply")
-    writeFile (file, [&] (auto& stream) { writePly (cloud.points, stream); });
-  else
-    savePcd (file, cloud);
+  constexpr std::size_t buffer_size = 1U << 20U;
+  if (::isatty (STDIN_FILENO) == 1)
+    throw UsageError (standard_input, "is the terminal; pipe a PCD into the program");
+  std::vector<char> buffer (buffer_size);
+  std::size_t count = readInput (buffer);
+  const Spool spool (
+      extensionOfContent (std::string (buffer.data(), std::min (count, start_length))),
+      standard_input);
+  spool.fill ([&] (std::ostream& stream) {
+    for (; count > 0 && stream; count = readInput (buffer))
+      stream.write (buffer.data(), static_cast<std::streamsize> (count));
+  });
+  try {
+    return loadCloud (spool.name());
+  }
+  catch (const WorkError& error) {
+    throw WorkError (standard_input, error.problem);
+  }
 }
 
 } // namespace pcl_ops::apps

@@ -13,9 +13,9 @@ namespace pcl_ops::apps {
 
 class LasFile;
 
-/** \brief The extensions of \ref loadCloud, for messages. */
-inline constexpr const char* cloud_extensions =
-    ".pcd, .ply, .las, .xyz, .txt, .pts or .csv";
+/** \brief The files of \ref loadCloud, for messages. */
+inline constexpr const char* cloud_file_kinds =
+    "a .pcd, .ply, .las, .xyz, .txt, .pts or .csv file";
 
 /** \brief A cloud as its file has it: every field, and where the sensor stood. */
 struct FileCloud {
@@ -35,12 +35,12 @@ struct FileCloud {
 };
 
 /** \brief Whether a file is taken for a cloud because it lies in a folder of them: it
- * has one of \ref cloud_extensions, or .laz where LASzip is, but not .txt or .csv,
+ * is one of \ref cloud_file_kinds, or a .laz where LASzip is, but not .txt or .csv,
  * which mostly are something else there. */
 bool
 isCloudFile (const std::string& file);
 
-/** \brief Whether a file has one of \ref cloud_extensions or .laz. */
+/** \brief Whether a file is called like one of \ref cloud_file_kinds, or .laz. */
 bool
 hasCloudExtension (const std::string& file);
 
@@ -62,13 +62,23 @@ loadCloud (const std::string& file);
 std::shared_ptr<LasFile>
 openLas (const std::string& file);
 
-/** \brief Writes a binary PCD in one step (\ref writeFile).
+/** \brief Writes a .ply (\ref writePly), or a binary PCD, in one step (\ref writeFile).
  * \throws WorkError if it cannot be written */
 void
-savePcd (const std::string& file, const FileCloud& cloud);
-
-/** \brief Writes a .ply (\ref writePly), or a binary PCD. */
-void
 saveCloud (const std::string& file, const FileCloud& cloud);
+
+/** \brief What stands for the standard streams where a file name is expected. */
+inline constexpr const char* standard_stream = "-";
+
+/** \brief How the standard input is called in messages. */
+inline constexpr const char* standard_input = "standard input";
+
+/** \brief Reads the PCD (ascii, binary, binary_compressed), PLY, LAS or text that is
+ * piped into the program; a text by its first number or //. PCL reads from files only:
+ * all of it is put into one for temporary files ($TMPDIR) first, which is removed in
+ * any case. \throws UsageError if nothing is piped in, WorkError as \ref loadCloud, and
+ * Interrupted */
+FileCloud
+loadStandardInput ();
 
 } // namespace pcl_ops::apps

@@ -28,4 +28,15 @@ findInputs (const std::vector<std::string>& names);
 void
 checkIsOneCloud (const std::string& name);
 
+/** \brief Finds out whether a file can be read.
+ * \param[in] kind of the file wanted, "a .json file", for the message
+ * \throws WorkError if it does not exist or is a folder or a device */
+void
+checkReadable (const std::string& file, const std::string& kind);
+
+/** \brief The content of a file that is text.
+ * \throws WorkError as \ref checkReadable, or if it cannot be read */
+std::string
+readTextFile (const std::string& file, const std::string& kind);
+
 } // namespace pcl_ops::apps

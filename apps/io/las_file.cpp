@@ -6,7 +6,6 @@
 #include "laz_file.h"
 #include "little_endian.h"
 #include "output_file.h"
-#include "spool.h"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +22,7 @@ using pcl::PCLPointField;
 
 constexpr std::uint64_t field_length = sizeof (std::uint32_t);
 
-/** \brief Calls \p visit (index, bytes) for each record; it may change the bytes. */
+/** \brief Calls \p visit (bytes) for each record. */
 template <typename Visit>
 void
 forRecords (HeaderReader& reader, const LasHeader& header, Visit&& visit)
@@ -35,7 +34,7 @@ forRecords (HeaderReader& reader, const LasHeader& header, Visit&& visit)
     const std::uint64_t count = std::min (block, header.points - first);
     reader.read (bytes.data(), count * header.record_length);
     for (std::uint64_t i = 0; i < count; ++i)
-      visit (first + i, bytes.data() + i * header.record_length);
+      visit (bytes.data() + i * header.record_length);
   }
 }
 
@@ -148,7 +147,7 @@ LasFile::readPoints()
   cloud.row_step = cloud.point_step * cloud.width;
   cloud.data.resize (header_.points * cloud.point_step);
   std::uint8_t* point = cloud.data.data();
-  forRecords (reader_, header_, [&] (std::uint64_t, const char* record) {
+  forRecords (reader_, header_, [&] (const char* record) {
     const Eigen::Vector3d place = placeOf (record, header_);
     for (const double coordinate : place)
       append (coordinate, point);
@@ -172,7 +171,7 @@ LasFile::place (std::uint64_t point)
 void
 LasFile::forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit)
 {
-  forRecords (reader_, header_, [&] (std::uint64_t, const char* record) {
+  forRecords (reader_, header_, [&] (const char* record) {
     visit (placeOf (record, header_));
   });
 }
@@ -215,7 +214,7 @@ LasFile::writeWith (const std::vector<LasColumn>& columns, std::ostream& stream)
   stream << frontWith (added, reader_, header_, extra_);
   constexpr std::size_t block = 1U << 16U;
   std::string records;
-  forRecords (reader_, header_, [&] (std::uint64_t, const char* record) {
+  forRecords (reader_, header_, [&] (const char* record) {
     const std::size_t begin = records.size();
     records.append (record, header_.record_length);
     records.resize (begin + length);

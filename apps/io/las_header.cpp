@@ -24,103 +24,73 @@ constexpr std::array<std::uint16_t, 3> header_lengths = {227, 235, 375};
 constexpr std::array<std::uint16_t, 11> format_lengths = {
     20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
 
-/** \brief The bytes of a header, zero behind the end of the file. */
-struct HeaderBytes {
-  std::array<char, header_lengths.back()> bytes{};
-
-  template <typename Number>
-  void
-  get (std::size_t place, Number& number) const
-  {
-    number = fromLittleEndian<Number> (&bytes[place]);
-  }
-};
-
-HeaderBytes
-headerBytesOf (HeaderReader& reader)
+/** \brief What a header says, whether it makes sense or not.
+ * \param[in] bytes as many as the longest has */
+LasHeader
+fieldsOf (const std::string& bytes)
 {
-  HeaderBytes header;
-  auto& bytes = header.bytes;
-  reader.read (bytes.data(), std::min<std::size_t> (bytes.size(), reader.fileSize()));
-  if (std::string (bytes.data(), 4) != "LASF")
-    reader.fail ("its first bytes are not LASF");
-  if (reader.fileSize() < header_lengths.front())
-    reader.fail ("it ends within its header");
+  constexpr unsigned compressed = 0xc0;
+  LasHeader header;
+  const auto get = [&] (std::size_t place, auto& number) {
+    number = fromLittleEndian<std::decay_t<decltype (number)>> (&bytes[place]);
+  };
+  get (las_field::major_version, header.major_version);
+  get (las_field::minor_version, header.minor_version);
+  get (las_field::header_size, header.size);
+  get (las_field::points_offset, header.points_offset);
+  get (las_field::vlr_count, header.vlr_count);
+  get (las_field::format, header.format);
+  header.says_laz = (header.format & compressed) != 0;
+  header.format = static_cast<std::uint8_t> (header.format & ~compressed);
+  get (las_field::record_length, header.record_length);
+  get (las_field::legacy_points, header.legacy_points);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const std::size_t place = sizeof (double) * static_cast<std::size_t> (axis);
+    get (las_field::scale + place, header.scale[axis]);
+    get (las_field::offset + place, header.offset[axis]);
+  }
+  if (header.minor_version >= 3)
+    get (las_field::waveform_offset, header.waveform_offset);
+  if (header.minor_version >= 4) {
+    get (las_field::evlr_offset, header.evlr_offset);
+    get (las_field::evlr_count, header.evlr_count);
+    get (las_field::points, header.points);
+  }
   return header;
 }
 
 void
-readVersion (const HeaderReader& reader, const HeaderBytes& bytes, LasHeader& header)
+check (const LasHeader& header, const HeaderReader& reader)
 {
-  std::uint8_t major = 0;
-  bytes.get (24, major);
-  bytes.get (25, header.minor_version);
-  if (major != 1 || header.minor_version < oldest_minor ||
-      header.minor_version > newest_minor)
-    reader.fail ("its version " + std::to_string (major) + "." +
-                 std::to_string (header.minor_version) + " is not 1.2, 1.3 or 1.4");
-  bytes.get (las_field::header_size, header.size);
-  if (header.size < header_lengths.at (header.minor_version - oldest_minor))
-    reader.fail ("its header size " + std::to_string (header.size) +
-                 " is too small for its version");
-  bytes.get (las_field::points_offset, header.points_offset);
-  bytes.get (las_field::vlr_count, header.vlr_count);
-  if (header.points_offset < header.size || header.points_offset > reader.fileSize())
-    reader.fail ("its offset to point data " + std::to_string (header.points_offset) +
-                 " is within its header or behind its end");
-}
-
-void
-readRecordFormat (const HeaderReader& reader,
-                  const HeaderBytes& bytes,
-                  LasHeader& header)
-{
-  constexpr unsigned compressed = 0xc0;
-  bytes.get (las_field::format, header.format);
-  header.says_laz = (header.format & compressed) != 0;
-  header.format = static_cast<std::uint8_t> (header.format & ~compressed);
-  if (header.format >= format_lengths.size())
-    reader.fail ("its point data record format " + std::to_string (header.format) +
-                 " is not 0 to 10");
-  header.format_length = format_lengths.at (header.format);
-  bytes.get (las_field::record_length, header.record_length);
-  if (header.record_length < header.format_length)
-    reader.fail ("its point data record length " +
-                 std::to_string (header.record_length) +
-                 " is too small for the format " + std::to_string (header.format));
-}
-
-void
-readTransform (const HeaderReader& reader, const HeaderBytes& bytes, LasHeader& header)
-{
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const std::size_t place = sizeof (double) * static_cast<std::size_t> (axis);
-    bytes.get (las_field::scale + place, header.scale[axis]);
-    bytes.get (las_field::offset + place, header.offset[axis]);
-  }
-  if (!header.scale.allFinite() || (header.scale.array() == 0.0).any())
-    reader.fail ("a scale factor of its coordinates is zero or no number");
-  if (!header.offset.allFinite())
-    reader.fail ("an offset of its coordinates is no number");
-}
-
-void
-readCounts (const HeaderReader& reader, const HeaderBytes& bytes, LasHeader& header)
-{
-  std::uint32_t legacy_points = 0;
-  bytes.get (las_field::legacy_points, legacy_points);
-  header.points = legacy_points;
-  if (header.minor_version >= 3)
-    bytes.get (las_field::waveform_offset, header.waveform_offset);
-  if (header.minor_version < 4)
-    return;
-  bytes.get (las_field::evlr_offset, header.evlr_offset);
-  bytes.get (las_field::evlr_count, header.evlr_count);
-  bytes.get (las_field::points, header.points);
-  if (header.points != 0 && legacy_points != 0 && header.points != legacy_points)
-    reader.fail ("its numbers of points " + std::to_string (header.points) + " and " +
-                 std::to_string (legacy_points) + " (legacy) differ");
-  header.points = std::max<std::uint64_t> (header.points, legacy_points);
+  using std::to_string;
+  const auto require = [&] (bool is_fine, const std::string& problem) {
+    if (!is_fine)
+      reader.fail (problem);
+  };
+  require (header.major_version == 1 && header.minor_version >= oldest_minor &&
+               header.minor_version <= newest_minor,
+           "its version " + to_string (header.major_version) + "." +
+               to_string (header.minor_version) + " is not 1.2, 1.3 or 1.4");
+  require (header.size >= header_lengths.at (header.minor_version - oldest_minor),
+           "its header size " + to_string (header.size) +
+               " is too small for its version");
+  require (header.points_offset >= header.size &&
+               header.points_offset <= reader.fileSize(),
+           "its offset to point data " + to_string (header.points_offset) +
+               " is within its header or behind its end");
+  const std::string format = to_string (header.format);
+  require (header.format < format_lengths.size(),
+           "its point data record format " + format + " is not 0 to 10");
+  require (header.record_length >= format_lengths.at (header.format),
+           "its point data record length " + to_string (header.record_length) +
+               " is too small for the format " + format);
+  require (header.scale.allFinite() && (header.scale.array() != 0.0).all(),
+           "a scale factor of its coordinates is zero or no number");
+  require (header.offset.allFinite(), "an offset of its coordinates is no number");
+  require (header.points == 0 || header.legacy_points == 0 ||
+               header.points == header.legacy_points,
+           "its numbers of points " + to_string (header.points) + " and " +
+               to_string (header.legacy_points) + " (legacy) differ");
 }
 
 } // namespace
@@ -128,12 +98,16 @@ readCounts (const HeaderReader& reader, const HeaderBytes& bytes, LasHeader& hea
 LasHeader
 readLasHeader (HeaderReader& reader)
 {
-  const HeaderBytes bytes = headerBytesOf (reader);
-  LasHeader header;
-  readVersion (reader, bytes, header);
-  readRecordFormat (reader, bytes, header);
-  readTransform (reader, bytes, header);
-  readCounts (reader, bytes, header);
+  std::string bytes (header_lengths.back(), '\0');
+  reader.read (bytes.data(), std::min<std::size_t> (bytes.size(), reader.fileSize()));
+  if (bytes.compare (0, 4, "LASF") != 0)
+    reader.fail ("its first bytes are not LASF");
+  if (reader.fileSize() < header_lengths.front())
+    reader.fail ("it ends within its header");
+  LasHeader header = fieldsOf (bytes);
+  check (header, reader);
+  header.format_length = format_lengths.at (header.format);
+  header.points = std::max<std::uint64_t> (header.points, header.legacy_points);
   return header;
 }
 

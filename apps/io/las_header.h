@@ -14,17 +14,17 @@ namespace pcl_ops::apps {
 
 /** \brief Where fields of a public header block begin. */
 namespace las_field {
-inline constexpr std::size_t header_size = 94, points_offset = 96, vlr_count = 100,
-                             format = 104, record_length = 105, legacy_points = 107,
-                             scale = 131, offset = 155, bounds = 179,
-                             waveform_offset = 227, evlr_offset = 235, evlr_count = 243,
-                             points = 247;
+inline constexpr std::size_t major_version = 24, minor_version = 25, header_size = 94,
+                             points_offset = 96, vlr_count = 100, format = 104,
+                             record_length = 105, legacy_points = 107, scale = 131,
+                             offset = 155, bounds = 179, waveform_offset = 227,
+                             evlr_offset = 235, evlr_count = 243, points = 247;
 } // namespace las_field
 
 /** \brief The public header block of a LAS file, as far as its points need it. */
 struct LasHeader {
-  /** \brief Of version 1.2, 1.3 or 1.4. */
-  std::uint8_t minor_version = 0;
+  /** \brief 1.2, 1.3 or 1.4. */
+  std::uint8_t major_version = 0, minor_version = 0;
   std::uint16_t size = 0;
   std::uint32_t points_offset = 0;
   std::uint32_t vlr_count = 0;
@@ -34,7 +34,9 @@ struct LasHeader {
   std::uint16_t record_length = 0;
   /** \brief Bytes of a record that its point format has a meaning for. */
   std::uint16_t format_length = 0;
+  /** \brief The larger of both numbers. */
   std::uint64_t points = 0;
+  std::uint32_t legacy_points = 0;
   Eigen::Vector3d scale, offset;
   /** \brief Zero in versions that have none. */
   std::uint64_t waveform_offset = 0, evlr_offset = 0;

@@ -31,22 +31,20 @@ padded (std::string text, std::size_t length)
   return text;
 }
 
-/** \brief Calls \p visit (user id, record id, vlr) for each of a number of records.
- * \return the end of the last */
-template <typename Visit>
-std::uint64_t
-forVlrs (HeaderReader& reader,
-         std::uint64_t begin,
-         std::uint64_t end,
-         std::uint32_t count,
-         std::uint64_t header_size,
-         Visit&& visit)
+/** \brief A number of records, one behind the other. */
+std::vector<LasVlr>
+vlrsIn (HeaderReader& reader,
+        std::uint64_t begin,
+        std::uint64_t end,
+        std::uint32_t count,
+        std::uint64_t header_size)
 {
   const auto check = [&] (std::uint64_t size) {
     if (size > end - begin)
       reader.fail ("a variable length record reaches beyond its place");
   };
   std::array<char, evlr_header> bytes{};
+  std::vector<LasVlr> vlrs;
   for (; count > 0; --count) {
     check (header_size);
     reader.goTo (begin);
@@ -55,15 +53,22 @@ forVlrs (HeaderReader& reader,
     const std::uint64_t size = header_size == vlr_header
                                    ? fromLittleEndian<std::uint16_t> (length)
                                    : fromLittleEndian<std::uint64_t> (length);
-    const std::uint64_t content = begin + header_size;
-    begin = content;
+    begin += header_size;
     check (size);
     begin += size;
-    visit (textIn (&bytes[2], id_length),
-           fromLittleEndian<std::uint16_t> (&bytes[2 + id_length]),
-           LasVlr{content - header_size, content, begin});
+    vlrs.push_back ({begin - size - header_size,
+                     begin - size,
+                     begin,
+                     textIn (&bytes[2], id_length),
+                     fromLittleEndian<std::uint16_t> (&bytes[2 + id_length])});
   }
-  return begin;
+  return vlrs;
+}
+
+bool
+describesExtraBytes (const LasVlr& vlr)
+{
+  return vlr.user == specification && vlr.id == extra_bytes_id;
 }
 
 /** \brief How long the extra bytes of a type are; 0 for one that does not exist. */
@@ -117,29 +122,24 @@ descriptionOf (std::uint8_t type,
 LasExtraBytes
 readLasVlrs (HeaderReader& reader, const LasHeader& header)
 {
+  constexpr std::uint16_t laszip_id = 22204;
   LasExtraBytes extra;
+  extra.vlrs_end = header.size;
   extra.described_end = header.format_length;
-  const auto is_extra_bytes = [] (const std::string& user, std::uint16_t id) {
-    return user == specification && id == extra_bytes_id;
-  };
-  extra.vlrs_end =
-      forVlrs (reader,
-               header.size,
-               header.points_offset,
-               header.vlr_count,
-               vlr_header,
-               [&] (const std::string& user, std::uint16_t id, const LasVlr& vlr) {
-                 constexpr std::uint16_t laszip_id = 22204;
-                 const bool is_laszip = user == "laszip encoded" && id == laszip_id;
-                 if (is_laszip && extra.laszip)
-                   reader.fail ("it has two LASzip VLRs");
-                 if (is_laszip)
-                   extra.laszip = vlr;
-                 if (is_extra_bytes (user, id) && extra.vlr)
-                   reader.fail ("it has two Extra Bytes VLRs");
-                 if (is_extra_bytes (user, id))
-                   extra.vlr = vlr;
-               });
+  const auto set =
+      [&] (std::optional<LasVlr>& single, const LasVlr& vlr, const char* name) {
+        if (single)
+          reader.fail (std::string ("it has two ") + name + " VLRs");
+        single = vlr;
+      };
+  for (const LasVlr& vlr : vlrsIn (
+           reader, header.size, header.points_offset, header.vlr_count, vlr_header)) {
+    extra.vlrs_end = vlr.end;
+    if (vlr.user == "laszip encoded" && vlr.id == laszip_id)
+      set (extra.laszip, vlr, "LASzip");
+    if (describesExtraBytes (vlr))
+      set (extra.vlr, vlr, "Extra Bytes");
+  }
   if (extra.vlr)
     readDescriptions (reader, header, extra);
   return extra;
@@ -153,15 +153,10 @@ checkLasEvlrs (HeaderReader& reader, const LasHeader& header)
   if (header.evlr_offset < header.pointsEnd() || header.evlr_offset > reader.fileSize())
     reader.fail ("its offset to extended variable length records is within its points "
                  "or behind its end");
-  forVlrs (reader,
-           header.evlr_offset,
-           reader.fileSize(),
-           header.evlr_count,
-           evlr_header,
-           [&] (const std::string& user, std::uint16_t id, const LasVlr&) {
-             if (user == specification && id == extra_bytes_id)
-               reader.fail ("its Extra Bytes are described behind its points");
-           });
+  const auto vlrs = vlrsIn (
+      reader, header.evlr_offset, reader.fileSize(), header.evlr_count, evlr_header);
+  if (std::any_of (vlrs.begin(), vlrs.end(), describesExtraBytes))
+    reader.fail ("its Extra Bytes are described behind its points");
 }
 
 std::optional<std::uint64_t>

@@ -14,6 +14,8 @@ namespace pcl_ops::apps {
 /** \brief A variable length record: where it begins, its content, and its end. */
 struct LasVlr {
   std::uint64_t begin = 0, content = 0, end = 0;
+  std::string user;
+  std::uint16_t id = 0;
 };
 
 /** \brief A field of four bytes among the extra bytes of a record. */

@@ -4,10 +4,7 @@
 
 #include <cli/errors.h>
 #include <cli/interruption.h>
-
-#ifdef PCL_OPS_WITH_LASZIP
 #include <laszip/laszip_api.h>
-#endif
 
 #include <new>
 #include <ostream>
@@ -21,8 +18,6 @@ failDamagedPoints (const std::string& file)
                    "is truncated or damaged: its points cannot be decompressed; copy "
                    "or write it again");
 }
-
-#ifdef PCL_OPS_WITH_LASZIP
 
 namespace {
 
@@ -138,32 +133,5 @@ convertPoints (const std::string& file,
   if (stream && writer.handle() == nullptr)
     throw std::bad_alloc();
 }
-
-void
-checkHasLaszip (const std::string&)
-{}
-
-#else
-
-void
-checkHasLaszip (const std::string& file)
-{
-  throw WorkError (file, "is compressed (LAZ); decompress it, e.g. by laszip or pdal");
-}
-
-std::string
-laszipVlr (const std::string& file, const LasHeader&)
-{
-  checkHasLaszip (file);
-  return "";
-}
-
-void
-convertPoints (const std::string& file, const LasHeader&, PointsAs, std::ostream&)
-{
-  checkHasLaszip (file);
-}
-
-#endif
 
 } // namespace pcl_ops::apps

@@ -15,18 +15,14 @@ enum class PointsAs { Plain, Compressed };
 [[noreturn]] void
 failDamagedPoints (const std::string& file);
 
-/** \brief \throws WorkError if LASzip was not there when this was built */
-void
-checkHasLaszip (const std::string& file);
-
 /** \brief The variable length record that goes with compressed points.
- * \throws WorkError if LASzip is missing or cannot compress such points */
+ * \throws WorkError if LASzip cannot compress such points */
 std::string
 laszipVlr (const std::string& file, const LasHeader& header);
 
 /** \brief Writes the points of a file, compressed or not, in either way, from where the
  * stream is.
- * \throws WorkError if they are damaged or LASzip is missing, and Interrupted */
+ * \throws WorkError if they are damaged, and Interrupted */
 void
 convertPoints (const std::string& file,
                const LasHeader& header,

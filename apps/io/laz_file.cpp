@@ -6,6 +6,7 @@
 #include "laszip_points.h"
 #include "little_endian.h"
 #include "output_file.h"
+#include <cli/errors.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +14,28 @@
 #include <ostream>
 
 namespace pcl_ops::apps {
+
+bool
+isLazName (const std::string& file)
+{
+  return extensionOf (file) == ".laz";
+}
+
+bool
+isLasName (const std::string& file)
+{
+  return extensionOf (file) == ".las" || isLazName (file);
+}
+
+bool
+isCompressedLas (const std::string& file)
+{
+  HeaderReader reader (file, "LAS");
+  const LasHeader header = readLasHeader (reader);
+  return header.says_laz || readLasVlrs (reader, header).laszip;
+}
+
+#ifdef PCL_OPS_WITH_LASZIP
 
 namespace {
 
@@ -123,37 +146,12 @@ checkCompression (HeaderReader& reader,
 bool
 hasLaszip ()
 {
-#ifdef PCL_OPS_WITH_LASZIP
   return true;
-#else
-  return false;
-#endif
-}
-
-bool
-isLazName (const std::string& file)
-{
-  return extensionOf (file) == ".laz";
-}
-
-bool
-isLasName (const std::string& file)
-{
-  return extensionOf (file) == ".las" || isLazName (file);
-}
-
-bool
-isCompressedLas (const std::string& file)
-{
-  HeaderReader reader (file, "LAS");
-  const LasHeader header = readLasHeader (reader);
-  return header.says_laz || readLasVlrs (reader, header).laszip;
 }
 
 void
 decompressLaz (const std::string& file, std::ostream& stream)
 {
-  checkHasLaszip (file);
   HeaderReader reader (file, "LAS");
   const LasHeader header = readLasHeader (reader);
   const LasExtraBytes extra = readLasVlrs (reader, header);
@@ -196,5 +194,27 @@ compressLas (const std::string& file, std::ostream& stream)
   stream << front;
   stream.seekp (0, std::ios::end);
 }
+
+#else
+
+bool
+hasLaszip ()
+{
+  return false;
+}
+
+void
+decompressLaz (const std::string& file, std::ostream&)
+{
+  throw WorkError (file, "is compressed (LAZ); decompress it, e.g. by laszip or pdal");
+}
+
+void
+compressLas (const std::string& file, std::ostream& stream)
+{
+  decompressLaz (file, stream);
+}
+
+#endif
 
 } // namespace pcl_ops::apps

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_file.h"
 
-#include "temporary_path.h"
 #include <cli/errors.h>
+#include <cli/interruption.h>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,31 +14,18 @@
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 namespace fs = std::filesystem;
 
 namespace pcl_ops::apps {
 
 namespace {
-
-/** \brief Where a name leads through symbolic links, so that renaming replaces the file
- * and not the link to it. */
-fs::path
-resolved (const std::string& file)
-{
-  std::error_code error;
-  fs::path path = fs::absolute (file, error);
-  // weakly_canonical stops in front of a link to a file that does not exist yet.
-  constexpr int max_links = 40;
-  for (int i = 0; i < max_links && fs::is_symlink (path, error); ++i)
-    path = path.parent_path() / fs::read_symlink (path, error);
-  const fs::path canonical = fs::weakly_canonical (path, error);
-  return error ? path : canonical;
-}
 
 /** \brief Says what the last call of the system failed for. */
 [[noreturn]] void
@@ -89,10 +77,23 @@ checkTarget (const std::string& file, const fs::path& target)
 
 } // namespace
 
+std::string
+resolvedName (const std::string& file)
+{
+  std::error_code error;
+  fs::path path = fs::absolute (file, error);
+  // weakly_canonical stops in front of a link to a file that does not exist yet.
+  constexpr int max_links = 40;
+  for (int i = 0; i < max_links && fs::is_symlink (path, error); ++i)
+    path = path.parent_path() / fs::read_symlink (path, error);
+  const fs::path canonical = fs::weakly_canonical (path, error);
+  return (error ? path : canonical).string();
+}
+
 void
 checkWritable (const std::string& file)
 {
-  const fs::path target = resolved (file);
+  const fs::path target = resolvedName (file);
   const fs::path folder = target.parent_path();
   std::error_code error;
   if (file.empty() || !target.has_filename())
@@ -109,7 +110,8 @@ writeFile (const std::string& file,
            const std::function<void (std::ostream& stream)>& write)
 {
   checkWritable (file);
-  const fs::path target = resolved (file);
+  // Renaming replaces the file and not a link to it.
+  const fs::path target = resolvedName (file);
   const TemporaryPath temporary (newFileIn (target.parent_path(), file));
   std::ofstream stream (temporary.path(), std::ios::binary);
   write (stream);
@@ -155,17 +157,65 @@ extensionOf (const std::string& file)
   return extension;
 }
 
-std::string
-resolvedName (const std::string& file)
-{
-  return resolved (file).string();
-}
-
 bool
 isSameFile (const std::string& first, const std::string& second)
 {
   std::error_code error;
-  return fs::equivalent (first, second, error) || resolved (first) == resolved (second);
+  return fs::equivalent (first, second, error) ||
+         resolvedName (first) == resolvedName (second);
+}
+
+Spool::Spool (const std::string& extension, std::string subject)
+: subject_ (std::move (subject))
+{
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path (error);
+  if (error)
+    throw WorkError ("TMPDIR", "is no folder; set it to one for temporary files");
+  name_ = (folder / ("pcl_ops_XXXXXX" + extension)).string();
+  const int file = ::mkstemps (name_.data(), static_cast<int> (extension.size()));
+  if (file < 0)
+    fail();
+  ::close (file);
+}
+
+Spool::~Spool() { ::unlink (name_.c_str()); }
+
+void
+Spool::fill (const std::function<void (std::ostream& stream)>& write) const
+{
+  std::ofstream stream (name_, std::ios::binary);
+  write (stream);
+  stream.close();
+  if (!stream)
+    fail();
+}
+
+void
+Spool::fail() const
+{
+  throw WorkError (subject_,
+                   "cannot be copied to " + name_ + " (" + std::strerror (errno) +
+                       "); set TMPDIR to a folder with more space");
+}
+
+FolderLock::FolderLock (const std::string& folder)
+: folder_ (::open (folder.c_str(), O_RDONLY | O_CLOEXEC))
+{}
+
+FolderLock::~FolderLock() { ::close (folder_); }
+
+void
+FolderLock::wait() const
+{
+  while (::flock (folder_, LOCK_EX) != 0 && errno == EINTR)
+    stopIfInterrupted();
+}
+
+bool
+FolderLock::take() const
+{
+  return ::flock (folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
 } // namespace pcl_ops::apps

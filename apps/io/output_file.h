@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <ostream>
 #include <string>
+#include <system_error>
+#include <utility>
 
 namespace pcl_ops::apps {
 
@@ -48,5 +52,84 @@ resolvedName (const std::string& file);
  * spellings of the folder; the files need not exist. */
 bool
 isSameFile (const std::string& first, const std::string& second);
+
+/** \brief Removes a file, or a folder with all in it, at the end of its life, unless
+ * that has been renamed by then. */
+class TemporaryPath {
+public:
+  explicit TemporaryPath (std::filesystem::path path) : path_ (std::move (path)) {}
+  TemporaryPath (const TemporaryPath&) = delete;
+  TemporaryPath&
+  operator= (const TemporaryPath&) = delete;
+  ~TemporaryPath()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all (path_, ignored);
+  }
+
+  const std::filesystem::path&
+  path () const
+  {
+    return path_;
+  }
+
+private:
+  std::filesystem::path path_;
+};
+
+/** \brief A new file in the folder for temporary files ($TMPDIR), removed at the end of
+ * its life: on its way into or out of what takes files only. */
+class Spool {
+public:
+  /** \param[in] extension of the file, with its dot
+   * \param[in] subject what complaints are about
+   * \throws WorkError if there can be none */
+  Spool (const std::string& extension, std::string subject);
+  Spool (const Spool&) = delete;
+  Spool&
+  operator= (const Spool&) = delete;
+  ~Spool();
+
+  /** \brief Writes all of it.
+   * \param[in] write need not look at the state of the stream
+   * \throws WorkError if not all is there, and whatever \p write throws */
+  void
+  fill (const std::function<void (std::ostream& stream)>& write) const;
+
+  const std::string&
+  name () const
+  {
+    return name_;
+  }
+
+private:
+  [[noreturn]] void
+  fail () const;
+
+  std::string subject_, name_;
+};
+
+/** \brief A folder that one run has to itself until it ends, however it ends. Where the
+ * file system knows no locks, it is as if this were the only run. */
+class FolderLock {
+public:
+  /** \param[in] folder that is there */
+  explicit FolderLock (const std::string& folder);
+  FolderLock (const FolderLock&) = delete;
+  FolderLock&
+  operator= (const FolderLock&) = delete;
+  ~FolderLock();
+
+  /** \brief Waits until no other run has it. \throws Interrupted while it waits */
+  void
+  wait () const;
+
+  /** \return whether no other run has it */
+  bool
+  take () const;
+
+private:
+  int folder_;
+};
 
 } // namespace pcl_ops::apps

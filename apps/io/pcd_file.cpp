@@ -4,12 +4,11 @@
 
 #include "cloud_fields.h"
 #include "header_reader.h"
-#include "lzf.h"
-#include "number_lines.h"
 #include "number_types.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
@@ -164,6 +163,42 @@ readText (HeaderReader& reader, pcl::PCLPointCloud2& points)
     }
   }
   lines.expectEnd();
+}
+
+/** \brief Decompresses LZF (M. Lehmann's LibLZF), as in a compressed PCD. PCL's
+ * function is in a library that loads VTK and more. \param[out] bytes has the size that
+ * is expected \return false if the compressed bytes do not make as many */
+bool
+decompressLzf (const std::vector<std::uint8_t>& compressed,
+               std::vector<std::uint8_t>& bytes)
+{
+  constexpr std::size_t literals = 32, longest_in_head = 7;
+  std::size_t out = 0;
+  for (std::size_t in = 0; in < compressed.size();) {
+    const std::size_t head = compressed[in++];
+    if (head < literals) { // as many bytes and one more as they are
+      const std::size_t count = head + 1;
+      if (count > compressed.size() - in || count > bytes.size() - out)
+        return false;
+      std::copy_n (&compressed[in], count, &bytes[out]);
+      in += count;
+      out += count;
+      continue;
+    }
+    std::size_t count = head / literals; // of bytes that were there before
+    const std::size_t rest = count == longest_in_head ? 2 : 1;
+    if (rest > compressed.size() - in)
+      return false;
+    if (count == longest_in_head)
+      count += compressed[in++];
+    count += 2;
+    const std::size_t distance = head % literals * 256 + compressed[in++] + 1;
+    if (distance > out || count > bytes.size() - out)
+      return false;
+    for (; count > 0; --count, ++out) // may read what it writes
+      bytes[out] = bytes[out - distance];
+  }
+  return out == bytes.size();
 }
 
 /** \brief The data have a field of all points after the other. */

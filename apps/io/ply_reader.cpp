@@ -5,7 +5,7 @@
 #include <boost/endian/conversion.hpp>
 
 #include "cloud_fields.h"
-#include "number_lines.h"
+#include "header_reader.h"
 #include "ply_header.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pose_file.h"
 
-#include "input_file.h"
+#include "inputs.h"
 #include "output_file.h"
 #include <cli/errors.h>
 

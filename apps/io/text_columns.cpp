@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text_columns.h"
 
-#include "number_lines.h"
+#include "header_reader.h"
 #include <cli/errors.h>
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 
 #include "cloud_fields.h"
 #include "header_reader.h"
-#include "number_lines.h"
 #include "output_file.h"
 #include "text_columns.h"
 

@@ -4,6 +4,8 @@
 
 #include <pcl/common/colors.h>
 
+#include <io/cloud_fields.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -50,6 +52,23 @@ colorOf (Orientation orientation)
   default:
     return {236, 148, 40};
   }
+}
+
+void
+saveLabelledCloud (const std::string& file,
+                   FileCloud cloud,
+                   const std::vector<std::uint32_t>& labels,
+                   bool keeps_color)
+{
+  setLabels (cloud, labels);
+  if (!keeps_color || !(hasField (cloud, "rgb") || hasField (cloud, "rgba"))) {
+    std::vector<pcl::RGB> colors;
+    colors.reserve (labels.size());
+    for (const std::uint32_t label : labels)
+      colors.push_back (colorOfLabel (label));
+    setColors (cloud, colors);
+  }
+  saveCloud (file, cloud);
 }
 
 } // namespace pcl_ops::apps

@@ -4,9 +4,12 @@
 
 #include <pcl/point_types.h>
 
+#include <io/cloud_file.h>
 #include <pcl_ops/orientation.h>
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -18,5 +21,15 @@ colorOfLabel (std::uint32_t label);
 /** \brief Color of a plane's orientation class. */
 pcl::RGB
 colorOf (Orientation orientation);
+
+/** \brief Writes a cloud as a .pcd or .ply with a label and a color for each point.
+ * \param[in] labels per point, 0 for no plane
+ * \param[in] keeps_color whether the input's colors stay, where it has any
+ * \throws WorkError if it cannot be written */
+void
+saveLabelledCloud (const std::string& file,
+                   FileCloud cloud,
+                   const std::vector<std::uint32_t>& labels,
+                   bool keeps_color);
 
 } // namespace pcl_ops::apps

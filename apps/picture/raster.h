@@ -5,7 +5,7 @@
 #include <pcl/types.h>
 
 #include "view.h"
-#include <io/xyz_cloud.h>
+#include <io/shifted_cloud.h>
 
 #include <functional>
 #include <vector>

@@ -127,12 +127,12 @@ private:
   {
     if (!status.is_done) {
       ++failed_;
-      progress_.note (errorLine (program_name, status.line), messages_);
+      progress_.note (errorLine (status.line), messages_);
     }
     else {
       ++done_;
       if (!status.warning.empty())
-        progress_.note (errorLine (program_name, status.warning), messages_);
+        progress_.note (errorLine (status.warning), messages_);
       if (!options_.quiet)
         progress_.note (status.line, out_);
     }

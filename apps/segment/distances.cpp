@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "distances.h"
 
-#include <io/coordinate_reader.h>
+#include <io/shifted_cloud.h>
 
 #include <limits>
 

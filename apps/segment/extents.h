@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <io/cloud_fields.h>
+#include <io/shifted_cloud.h>
 #include <pcl_ops/plane_extent.h>
 
 #include <string>

@@ -4,6 +4,7 @@
 
 #include <cli/command_line.h>
 #include <cli/errors.h>
+#include <detection/plane_json.h>
 #include <numbers/angles.h>
 #include <pcl_ops/orientation.h>
 
@@ -40,15 +41,13 @@ void
 addSettings (const PlaneChoice& choice, const PlaneFilter& filter, Settings& settings)
 {
   if (!choice.only.empty())
-    settings.emplace_back ("only", choice.only);
+    settings["only"] = choice.only;
   if (filter.direction) {
-    const Eigen::Vector3d& axis = *filter.direction;
-    settings.emplace_back ("direction",
-                           std::vector<double>{axis.x(), axis.y(), axis.z()});
-    settings.emplace_back ("within", choice.within);
+    settings["direction"] = toArray (*filter.direction);
+    settings["within"] = choice.within;
   }
   if (choice.min_points)
-    settings.emplace_back ("min_points", static_cast<std::int64_t> (filter.min_points));
+    settings["min_points"] = filter.min_points;
   const std::pair<const char*, std::optional<double>> sizes[] = {
       {"min_area", choice.min_area},
       {"min_width", choice.min_width},
@@ -56,10 +55,9 @@ addSettings (const PlaneChoice& choice, const PlaneFilter& filter, Settings& set
       {"max_width", choice.max_width}};
   for (const auto& [name, size] : sizes)
     if (size)
-      settings.emplace_back (name, *size);
+      settings[name] = *size;
   if (choice.max_planes)
-    settings.emplace_back ("max_planes",
-                           static_cast<std::int64_t> (*choice.max_planes));
+    settings["max_planes"] = *choice.max_planes;
 }
 
 Dropped

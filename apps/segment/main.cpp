@@ -7,8 +7,8 @@
 #include "tasks.h"
 #include <cli/interruption.h>
 #include <cli/program.h>
-#include <cli/stage_lines.h>
-#include <io/standard_input.h>
+#include <cli/progress.h>
+#include <io/cloud_file.h>
 #include <unistd.h>
 
 #include <iostream>

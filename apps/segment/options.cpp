@@ -7,10 +7,10 @@
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <detection/method_options.h>
+#include <io/cloud_file.h>
 #include <io/inputs.h>
 #include <io/laz_file.h>
 #include <io/output_file.h>
-#include <io/standard_input.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -254,7 +254,7 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
   line.setUsage (
       {"INPUT [OUTPUT.pcd] [options]", "INPUT... --output-dir DIR [options]"},
       in_and_out);
-  line.addArguments ("INPUT", arguments, 1, "");
+  line.addArguments ("INPUT", arguments, "");
   declareOutputs (line, options);
   declareMethodOptions (line, options.method, options.detector);
   declareChoice (line, options.choice);

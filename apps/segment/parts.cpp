@@ -5,9 +5,7 @@
 #include <pcl/common/point_tests.h>
 
 #include <cli/errors.h>
-#include <io/folder_lock.h>
 #include <io/output_file.h>
-#include <io/temporary_path.h>
 #include <pcl_ops/orientation.h>
 #include <unistd.h>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <io/cloud_fields.h>
 #include <io/cloud_file.h>
+#include <io/shifted_cloud.h>
 #include <pcl_ops/plane.h>
 
 #include <cstdint>

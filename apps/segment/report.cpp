@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
+#include <detection/methods.h>
 #include <detection/outlines.h>
 #include <detection/plane_json.h>
-#include <detection/stages.h>
 #include <nlohmann/json.hpp>
 #include <numbers/fraction.h>
 #include <pcl_ops/orientation.h>
@@ -15,9 +15,6 @@
 #include <limits>
 #include <ostream>
 #include <sstream>
-#include <type_traits>
-#include <utility>
-#include <variant>
 
 namespace pcl_ops::apps {
 
@@ -70,20 +67,6 @@ printPlanes (const Report& report, std::ostream& stream)
   stream << "      no plane   " << std::setw (9) << points - covered
          << std::setprecision (1) << " " << std::setw (6)
          << share (points - covered, points) << "\n";
-}
-
-nlohmann::ordered_json
-toObject (const Settings& settings)
-{
-  nlohmann::ordered_json object;
-  for (const auto& [name, value] : settings)
-    std::visit (
-        [&json = object[name]] (const auto& known) {
-          if constexpr (!std::is_same_v<decltype (known), const std::monostate&>)
-            json = known;
-        },
-        value);
-  return object;
 }
 
 std::string
@@ -177,7 +160,7 @@ toJson (const Report& report)
   nlohmann::ordered_json json;
   json["points"] = report.points;
   json["method"] = report.method;
-  json["parameters"] = toObject (report.detected.settings);
+  json["parameters"] = report.detected.settings;
   for (const auto& [name, duration] : detection_stages)
     json["timing_ms"][name] = report.detected.timing.*duration;
   if (!report.detected.advice.empty())

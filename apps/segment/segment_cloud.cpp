@@ -10,17 +10,15 @@
 #include "parts.h"
 #include <cli/errors.h>
 #include <cli/interruption.h>
-#include <cli/memory.h>
 #include <detection/method_options.h>
 #include <detection/up_search.h>
-#include <io/cloud_damage.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/las_file.h>
 #include <io/laz_file.h>
 #include <io/output_file.h>
-#include <io/standard_input.h>
-#include <picture/labelled_cloud.h>
+#include <io/shifted_cloud.h>
+#include <picture/colors.h>
 #include <picture/picture.h>
 
 #include <cstdint>
@@ -115,7 +113,7 @@ saveOutputs (const SegmentOptions& options,
              const Report& report)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
-  const std::vector<std::uint32_t> labels = labelsOf (planes, report.ids, cloud.size());
+  const std::vector<std::uint32_t> labels = labelsOf (planes, cloud.size(), report.ids);
   if (!outputs.cloud.empty())
     saveLabelled (outputs.cloud, cloud, planes, labels, options);
   if (!outputs.image.empty())

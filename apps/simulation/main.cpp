@@ -7,10 +7,8 @@
 #include "survey.h"
 #include <cli/errors.h>
 #include <cli/interruption.h>
-#include <cli/memory.h>
 #include <cli/program.h>
 #include <cli/progress.h>
-#include <cli/stage_lines.h>
 #include <io/output_file.h>
 #include <io/pose_file.h>
 #include <unistd.h>

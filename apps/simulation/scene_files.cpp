@@ -4,8 +4,8 @@
 
 #include <pcl/common/io.h>
 
+#include <cli/errors.h>
 #include <cli/interruption.h>
-#include <cli/memory.h>
 #include <io/cloud_file.h>
 #include <io/las_writer.h>
 #include <io/output_file.h>
@@ -74,7 +74,7 @@ saveLabeledPcd (const std::string& file, const pcl::PointCloud<pcl::PointXYZL>& 
     std::memcpy (bytes + 3 * bytes_of_number, &point.label, bytes_of_number);
     bytes += points.point_step;
   }
-  apps::savePcd (file, packed);
+  apps::saveCloud (file, packed);
 }
 
 WrittenFiles

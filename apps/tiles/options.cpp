@@ -38,7 +38,7 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
   constexpr double most_jobs = 256;
   CommandLine line (program_name, summary, PCL_OPS_VERSION);
   line.setUsage ({"INPUT... --output-dir DIR [options]"}, in_and_out);
-  line.addArguments ("INPUT", options.inputs, 1, "");
+  line.addArguments ("INPUT", options.inputs, "");
   line.addText ("output-dir", "DIR", options.output_dir, "where the outputs go");
   line.addNumber ("cell",
                   "M",

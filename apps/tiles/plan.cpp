@@ -8,8 +8,8 @@
 #include <cli/program.h>
 #include <io/las_header.h>
 #include <io/laz_file.h>
-#include <io/median_place.h>
 #include <io/output_file.h>
+#include <io/shifted_cloud.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "point_file.h"
 
-#include <io/coordinate_reader.h>
 #include <io/laz_file.h>
-#include <picture/labelled_cloud.h>
+#include <io/shifted_cloud.h>
+#include <picture/colors.h>
 
 #include <vector>
 

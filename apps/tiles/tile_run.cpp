@@ -7,10 +7,8 @@
 #include "run_folder.h"
 #include <cli/errors.h>
 #include <cli/interruption.h>
-#include <cli/memory.h>
 #include <cli/parallel.h>
 #include <cli/progress.h>
-#include <io/folder_lock.h>
 #include <io/output_file.h>
 
 #include <algorithm>

@@ -7,10 +7,9 @@
 #include "window.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
-#include <cli/memory.h>
 #include <cli/program.h>
 #include <detection/method_options.h>
-#include <io/cloud_damage.h>
+#include <io/shifted_cloud.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/output_file.h>

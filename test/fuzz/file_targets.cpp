@@ -5,6 +5,7 @@
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/las_file.h>
+#include <io/shifted_cloud.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -102,7 +103,7 @@ loadText (const Bytes& bytes)
       promise (field.datatype == pcl::PCLPointField::FLOAT64,
                "a column keeps the digits it has");
     const std::string name = copy.write ({});
-    apps::savePcd (name, cloud);
+    apps::saveCloud (name, cloud);
     promise (apps::loadCloud (name).points.data == cloud.points.data,
              "the names of columns are those of fields");
   });

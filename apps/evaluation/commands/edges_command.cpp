@@ -3,7 +3,6 @@
 #include "commands.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
-#include <cli/memory.h>
 #include <cli/program.h>
 #include <evaluation/data/data_sets.h>
 #include <evaluation/report/text_table.h>
@@ -206,7 +205,7 @@ edgesCommand (int argc, const char* const* argv)
       "The same are those within 5 cm. Wall edges are of a horizontal and a vertical\n"
       "plane, 1 m and longer.",
       PCL_OPS_VERSION);
-  line.addArguments ("DATASET", texts, 1, data_set_help);
+  line.addArguments ("DATASET", texts, data_set_help);
   line.addUpAxis (up, "against gravity in clouds; camera: 0,-1,0 (0,0,1)");
   if (!line.parse (argc, argv))
     return apps::ExitCode::done;

@@ -3,7 +3,7 @@
 #include "commands.h"
 #include <cli/command_line.h>
 #include <cli/program.h>
-#include <detection/plane_list.h>
+#include <detection/plane_json.h>
 #include <evaluation/report/text_table.h>
 #include <nlohmann/json.hpp>
 #include <numbers/angles.h>

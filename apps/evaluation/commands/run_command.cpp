@@ -42,7 +42,7 @@ readOptions (int argc, const char* const* argv, RunOptions& options)
       "not computed again.",
       PCL_OPS_VERSION);
   line.addArgument ("OUTPUT", options.folder, "folder of the results");
-  line.addArguments ("DATASET", options.data_sets, 1, data_set_help);
+  line.addArguments ("DATASET", options.data_sets, data_set_help);
   line.addUpAxis (options.up, "against gravity in clouds; camera: 0,-1,0 (0,0,1)");
   TruthParameters& truth = options.plan.truth;
   line.addText ("cache",

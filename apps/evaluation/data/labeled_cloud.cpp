@@ -7,11 +7,10 @@
 #include <pcl/common/point_tests.h>
 
 #include <cli/errors.h>
-#include <cli/memory.h>
 #include <cli/program.h>
-#include <io/cloud_damage.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
+#include <io/shifted_cloud.h>
 
 #include <cmath>
 #include <limits>

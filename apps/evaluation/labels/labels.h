@@ -5,7 +5,7 @@
 #include <pcl/common/angles.h>
 #include <pcl/PointIndices.h>
 
-#include <io/xyz_cloud.h>
+#include <io/shifted_cloud.h>
 #include <pcl_ops/plane.h>
 
 #include <cstddef>

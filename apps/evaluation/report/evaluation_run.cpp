@@ -3,7 +3,6 @@
 #include "evaluation_run.h"
 
 #include <cli/errors.h>
-#include <cli/memory.h>
 #include <cli/parallel.h>
 #include <cli/program.h>
 #include <evaluation/detectors/limited_run.h>

@@ -3,7 +3,7 @@
 #include "results_file.h"
 
 #include <cli/errors.h>
-#include <detection/stages.h>
+#include <detection/methods.h>
 
 #include <algorithm>
 #include <filesystem>

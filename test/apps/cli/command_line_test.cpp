@@ -4,7 +4,6 @@
 
 #include <cli/command_line.h>
 #include <cli/errors.h>
-#include <cli/help_page.h>
 #include <cli/option_value.h>
 
 #include <array>
@@ -20,7 +19,7 @@ namespace {
 
 /** \brief A program with one option of each kind. */
 struct Detector {
-  std::string input, output, method = "ops", image;
+  std::string input, method = "ops", image;
   double threshold = 0.05;
   std::optional<int> k;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
@@ -33,7 +32,6 @@ struct Detector {
   {
     CommandLine line ("detect", "Detects.", "1.2.3");
     line.addArgument ("INPUT", input, "a cloud");
-    line.addOptionalArgument ("OUTPUT", output, "a labeled cloud");
     line.addChoice ("method", {"ops", "fspf"}, method, "the algorithm");
     line.addText ("image", "FILE", image, "a picture");
     line.addNumber ("threshold", "M", Range::above (0), threshold, "distance");
@@ -68,6 +66,17 @@ TEST (CommandLine, TakesOneDashTwoDashesAndEquals)
   }
 }
 
+TEST (CommandLine, TakesTheStartOfANameThatNoOtherHas)
+{
+  Detector detector;
+  EXPECT_EQ (detector.parse ({"--thresh=0.02", "--", "-in.pcd"}), "");
+  EXPECT_EQ (detector.threshold, 0.02);
+  EXPECT_EQ (detector.input, "-in.pcd");
+  EXPECT_EQ (detector.parse ({"a", "--", "--quiet"}),
+             "--quiet: is one argument too many; see --help");
+  EXPECT_EQ (detector.parse ({"--"}), "INPUT: is missing; see --help");
+}
+
 TEST (CommandLine, TakesNegativeNumbersForValues)
 {
   Detector detector;
@@ -85,10 +94,9 @@ TEST (CommandLine, TakesTheCameraForUp)
 TEST (CommandLine, TellsGivenOptionsFromDefaults)
 {
   Detector with, without;
-  EXPECT_EQ (with.parse ({"in.pcd", "out.pcd", "-k", "30", "--quiet"}), "");
+  EXPECT_EQ (with.parse ({"in.pcd", "-k", "30", "--quiet"}), "");
   EXPECT_EQ (without.parse ({"in.pcd"}), "");
   EXPECT_EQ (with.k, 30);
-  EXPECT_EQ (with.output, "out.pcd");
   EXPECT_TRUE (with.quiet);
   EXPECT_FALSE (without.k);
   EXPECT_FALSE (without.quiet);
@@ -98,7 +106,7 @@ TEST (CommandLine, NamesWhatIsWrongAndTheFix)
 {
   const std::pair<std::vector<std::string>, std::string> rows[] = {
       {{}, "INPUT: is missing; see --help"},
-      {{"a", "b", "c"}, "c: is one argument too many; see --help"},
+      {{"a", "b"}, "b: is one argument too many; see --help"},
       {{"a", "--k", "2"},
        "--k: 2 is out of range; give a whole number from 3 up to 100"},
       {{"a", "--k", "3.5"},
@@ -118,7 +126,6 @@ TEST (CommandLine, NamesWhatIsWrongAndTheFix)
        "--quiet: contradicts --image; give only one of them"},
       // What a variable of the shell that is not set leaves.
       {{""}, "INPUT: is empty; give a value or leave it out"},
-      {{"a", ""}, "OUTPUT: is empty; give a value or leave it out"},
       {{"a", "--image", ""}, "--image: is empty; give a value or leave it out"},
       {{"a", "-thresholds", "1"},
        "--thresholds: is no option of this program; see --help"},
@@ -163,15 +170,19 @@ TEST (CommandLine, RefusesWholeNumbersThatAreTooLargeForTheirType)
 TEST (CommandLine, TellsTheOptionsOfAGroupThatWereGiven)
 {
   CommandLine line ("detect", "Detects.", "1.0");
-  std::optional<int> k, bins, samples;
+  std::optional<int> k, bins, samples, size;
   line.addNumber ("k", "K", Range::any(), k, "neighbors");
   line.beginGroup ("Hough");
   line.addNumber ("bins", "N", Range::any(), bins, "of the accumulator");
   line.addNumber ("samples", "N", Range::any(), samples, "of a cluster");
+  line.addNumber ("size", "N", Range::any(), size, "of a cluster");
   const std::array<const char*, 5> arguments{"detect", "--k", "3", "--samples", "4"};
   ASSERT_TRUE (line.parse (static_cast<int> (arguments.size()), arguments.data()));
   EXPECT_EQ (samples, 4);
   EXPECT_EQ (line.givenOf ("Hough"), std::vector<std::string>{"samples"});
+  const std::array<const char*, 3> ambiguous{"detect", "--s", "4"};
+  EXPECT_THROW (line.parse (static_cast<int> (ambiguous.size()), ambiguous.data()),
+                UsageError);
   EXPECT_NE (line.help().brief().find ("\nHough:\n  --bins"), std::string::npos);
 }
 
@@ -198,10 +209,14 @@ TEST (CommandLine, PrintsHelpAndVersion)
   }
 }
 
-TEST (HelpPage, BreaksLongMeaningsBetweenWords)
+TEST (CommandLine, BreaksLongMeaningsBetweenWords)
 {
-  EXPECT_EQ (listed ({{"A", "one two three"}, {"LONG", "four"}}, 16),
-             "  A      one two\n"
-             "         three\n"
-             "  LONG   four\n");
+  std::string value;
+  CommandLine line ("detect", "Detects.", "1.0");
+  const std::string full = "as many words as a line of 79 columns can hold, and no";
+  line.addText ("detector", "FILE", value, full + " more");
+  EXPECT_NE (line.help().brief().find ("\n  --detector FILE       " + full + "\n" +
+                                       std::string (24, ' ') + "more\n"),
+             std::string::npos)
+      << line.help().brief();
 }

@@ -4,7 +4,6 @@
 
 #include <cli/parallel.h>
 #include <cli/progress.h>
-#include <cli/stage_lines.h>
 
 #include <atomic>
 #include <future>

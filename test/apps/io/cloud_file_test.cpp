@@ -7,6 +7,7 @@
 
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
+#include <io/shifted_cloud.h>
 #include <support/temporary_folder.h>
 
 #include <cmath>
@@ -169,7 +170,7 @@ TEST_F (CloudFile, ReadsWhatPclCompressed)
   pcl::io::savePCDFileBinary (folder_ / "plain.pcd", cloud);
   pcl::io::savePCDFileBinaryCompressed (folder_ / "small.pcd", cloud);
   const FileCloud small = loadCloud (folder_ / "small.pcd");
-  savePcd (folder_ / "again.pcd", small);
+  saveCloud (folder_ / "again.pcd", small);
   pcl::PointCloud<pcl::PointXYZRGBA> again;
   ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "again.pcd", again), 0);
   ASSERT_EQ (again.size(), cloud.size());
@@ -182,7 +183,7 @@ TEST_F (CloudFile, ReadsWhatPclCompressed)
 TEST_F (CloudFile, SavesWhatItLoadedAndNoByteMore)
 {
   pcl::io::savePCDFileBinary (folder_ / "in.pcd", threePoints());
-  savePcd (folder_ / "out.pcd", loadCloud (folder_ / "in.pcd"));
+  saveCloud (folder_ / "out.pcd", loadCloud (folder_ / "in.pcd"));
   EXPECT_TRUE (contentOf (folder_ / "in.pcd") == contentOf (folder_ / "out.pcd"));
 }
 
@@ -192,7 +193,7 @@ TEST_F (CloudFile, AddsLabelsAndColorsBesideTheOtherFields)
   FileCloud cloud = loadCloud (folder_ / "in.pcd");
   setLabels (cloud, {2, 0, 1});
   setColors (cloud, {{255, 0, 0}, {128, 128, 128}, {0, 0, 255}});
-  savePcd (folder_ / "out.pcd", cloud);
+  saveCloud (folder_ / "out.pcd", cloud);
 
   pcl::PointCloud<pcl::PointXYZRGBL> colored;
   pcl::PointCloud<pcl::PointXYZI> others;

@@ -249,8 +249,8 @@ TEST_F (LasFileTest, NamesWhatIsWrongWithItsHeader)
 {
   const auto u16 = [] (std::uint16_t number) { return littleEndian (number); };
   const auto u32 = [] (std::uint32_t number) { return littleEndian (number); };
-  const std::string infinite = doubleBytes (std::numeric_limits<double>::infinity());
-  const std::string nan = doubleBytes (std::numeric_limits<double>::quiet_NaN());
+  const std::string infinite = littleEndian (std::numeric_limits<double>::infinity());
+  const std::string nan = littleEndian (std::numeric_limits<double>::quiet_NaN());
   const std::string bad_scale =
       "a scale factor of its coordinates is zero or no number";
   const std::string bad_offset = "an offset of its coordinates is no number";
@@ -274,7 +274,7 @@ TEST_F (LasFileTest, NamesWhatIsWrongWithItsHeader)
       {las_at::record_length,
        u16 (29),
        "its point data record length 29 is too small for the format 6"},
-      {las_at::scale + 8, doubleBytes (0), bad_scale},
+      {las_at::scale + 8, littleEndian (0.0), bad_scale},
       {las_at::scale + 8, nan, bad_scale},
       {las_at::scale + 8, infinite, bad_scale},
       {las_at::offset + 16, nan, bad_offset},

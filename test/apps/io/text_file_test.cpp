@@ -5,9 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cli/errors.h>
-#include <io/cloud_fields.h>
 #include <io/cloud_file.h>
-#include <io/coordinate_reader.h>
+#include <io/shifted_cloud.h>
 #include <support/temporary_folder.h>
 #include <unistd.h>
 

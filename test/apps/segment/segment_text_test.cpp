@@ -4,7 +4,7 @@
 
 #include "segment_program.h"
 #include <io/cloud_file.h>
-#include <io/coordinate_reader.h>
+#include <io/shifted_cloud.h>
 
 #include <cstring>
 #include <iomanip>

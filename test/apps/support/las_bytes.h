@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <io/las_header.h>
 #include <io/little_endian.h>
 
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -28,11 +28,9 @@ struct LasRecipe {
 
 /** \brief Where the fields of a header are. */
 namespace las_at {
-inline constexpr std::size_t signature = 0, major = 24, minor = 25, header_size = 94,
-                             points_offset = 96, vlr_count = 100, format = 104,
-                             record_length = 105, legacy_points = 107, scale = 131,
-                             offset = 155, evlr_offset = 235, evlr_count = 243,
-                             points = 247;
+using namespace pcl_ops::apps::las_field;
+inline constexpr std::size_t signature = 0, major = major_version,
+                             minor = minor_version;
 } // namespace las_at
 
 /** \brief Puts bytes in place of some. */
@@ -40,14 +38,6 @@ inline void
 put (std::string& bytes, std::size_t place, const std::string& changed)
 {
   bytes.replace (place, changed.size(), changed);
-}
-
-inline std::string
-doubleBytes (double number)
-{
-  std::uint64_t bits;
-  std::memcpy (&bits, &number, sizeof (bits));
-  return pcl_ops::apps::littleEndian (bits);
 }
 
 template <typename Unsigned>
@@ -110,40 +100,30 @@ lasRecord (const LasRecipe& recipe, std::size_t i)
 inline std::string
 lasHeader (const LasRecipe& recipe, std::size_t points_offset, std::size_t points_end)
 {
-  using pcl_ops::apps::littleEndian;
   const bool is_newest = recipe.minor_version >= 4;
   const auto points = static_cast<std::uint32_t> (recipe.points.size());
   std::string header (lasHeaderSize (recipe.minor_version), '\0');
+  const auto set = [&] (std::size_t place, auto number) {
+    pcl_ops::apps::setNumber (header, place, number);
+  };
   put (header, las_at::signature, "LASF");
   put (header, 26, "a system, and the software that wrote it");
-  put (header, las_at::major, "\1");
-  put (
-      header, las_at::minor, std::string (1, static_cast<char> (recipe.minor_version)));
-  put (header,
-       las_at::header_size,
-       littleEndian (static_cast<std::uint16_t> (header.size())));
-  put (header,
-       las_at::points_offset,
-       littleEndian (static_cast<std::uint32_t> (points_offset)));
-  put (header,
-       las_at::vlr_count,
-       littleEndian (static_cast<std::uint32_t> (recipe.vlrs.size())));
-  put (header, las_at::format, std::string (1, static_cast<char> (recipe.format)));
-  put (header,
-       las_at::record_length,
-       littleEndian (static_cast<std::uint16_t> (lasRecord (recipe, 0).size())));
-  put (header, las_at::legacy_points, littleEndian (is_newest ? 0 : points));
+  set (las_at::major, std::uint8_t (1));
+  set (las_at::minor, std::uint8_t (recipe.minor_version));
+  set (las_at::header_size, std::uint16_t (header.size()));
+  set (las_at::points_offset, std::uint32_t (points_offset));
+  set (las_at::vlr_count, std::uint32_t (recipe.vlrs.size()));
+  set (las_at::format, std::uint8_t (recipe.format));
+  set (las_at::record_length, std::uint16_t (lasRecord (recipe, 0).size()));
+  set (las_at::legacy_points, is_newest ? 0 : points);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    put (header, las_at::scale + 8 * axis, doubleBytes (recipe.scale));
-    put (header, las_at::offset + 8 * axis, doubleBytes (recipe.offset.at (axis)));
+    set (las_at::scale + 8 * axis, recipe.scale);
+    set (las_at::offset + 8 * axis, recipe.offset.at (axis));
   }
   if (is_newest) {
-    const std::uint64_t evlrs = recipe.evlrs.empty() ? 0 : points_end;
-    put (header, las_at::evlr_offset, littleEndian (evlrs));
-    put (header,
-         las_at::evlr_count,
-         littleEndian (static_cast<std::uint32_t> (recipe.evlrs.size())));
-    put (header, las_at::points, littleEndian (std::uint64_t{points}));
+    set (las_at::evlr_offset, std::uint64_t (recipe.evlrs.empty() ? 0 : points_end));
+    set (las_at::evlr_count, std::uint32_t (recipe.evlrs.size()));
+    set (las_at::points, std::uint64_t (points));
   }
   return header;
 }

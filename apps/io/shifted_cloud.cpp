@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cloud_damage.h"
+#include "shifted_cloud.h"
 
 #include <pcl/common/point_tests.h>
 
 #include <Eigen/Geometry>
 
-#include "median_place.h"
+#include <numbers/quantile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,24 @@ namespace {
 
 using Places = std::vector<Eigen::Vector3d>;
 
-/** \brief Points spread over a cloud, those without coordinates left out. */
+/** \brief The median of each coordinate: near most of the places, wherever a few stray
+ * to; NaN for none. */
+Eigen::Vector3d
+medianPlace (const Places& places)
+{
+  Eigen::Vector3d median;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    std::vector<double> coordinates;
+    coordinates.reserve (places.size());
+    for (const Eigen::Vector3d& place : places)
+      coordinates.push_back (place[axis]);
+    median[axis] = quantile (std::move (coordinates), 0.5);
+  }
+  return median;
+}
+
+/** \brief Points spread over a cloud, those without coordinates left out: a share of
+ * them is one of the cloud. */
 Places
 someOf (const XyzCloud& cloud)
 {
@@ -84,13 +101,6 @@ rounded (double number, int digits)
 }
 
 std::string
-coordinate (double number)
-{
-  constexpr int digits = 10; // millimeters of UTM
-  return rounded (number, digits);
-}
-
-std::string
 perCent (std::size_t count, std::size_t all)
 {
   constexpr double hundred = 100.0, nearly_all = 99.5;
@@ -101,6 +111,34 @@ perCent (std::size_t count, std::size_t all)
 
 } // namespace
 
+ShiftedCloud
+shiftedCloudOf (const FileCloud& cloud, double step)
+{
+  const CoordinateReader reader (cloud);
+  ShiftedCloud shifted;
+  const std::size_t size = cloud.size();
+  const auto usual = [&] {
+    return usualPlace (size, [&] (std::size_t i) { return reader (i); });
+  };
+  if (step > 0.0)
+    shifted.shift = (usual() / step).array().round() * step;
+  else if (!reader.isSinglePrecision())
+    shifted.shift = usual();
+  shifted.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  shifted.cloud->points.reserve (size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const Eigen::Vector3f point = (reader (i) - shifted.shift).cast<float>();
+    shifted.cloud->points.emplace_back (point.x(), point.y(), point.z());
+  }
+  shifted.cloud->width = cloud.points.width;
+  shifted.cloud->height = cloud.points.height;
+  shifted.cloud->is_dense = false;
+  shifted.cloud->sensor_orientation_ = cloud.orientation;
+  shifted.cloud->sensor_origin_.head<3>() =
+      (cloud.origin.head<3>().cast<double>() - shifted.shift).cast<float>();
+  return shifted;
+}
+
 std::string
 damageOf (const ShiftedCloud& shifted)
 {
@@ -108,6 +146,7 @@ damageOf (const ShiftedCloud& shifted)
   constexpr std::size_t min_places = 10;
   // One per cent, and room for what a sample may miss of it.
   constexpr double far_share = 0.005;
+  constexpr int utm_digits = 10; // to the millimeter
   const Places places = someOf (*shifted.cloud);
   if (places.size() < min_places)
     return "";
@@ -116,14 +155,37 @@ damageOf (const ShiftedCloud& shifted)
   const std::size_t far = countFar (places);
   if (2 * shared > places.size())
     return "looks damaged: " + perCent (shared, places.size()) +
-           " % of its points are at (" + coordinate (place.x()) + ", " +
-           coordinate (place.y()) + ", " + coordinate (place.z()) +
+           " % of its points are at (" + rounded (place.x(), utm_digits) + ", " +
+           rounded (place.y(), utm_digits) + ", " + rounded (place.z(), utm_digits) +
            "); leave missing readings out or write them as NaN";
   if (static_cast<double> (far) > far_share * static_cast<double> (places.size()))
     return "looks damaged: " + perCent (far, places.size()) +
            " % of its points are more than 1000 times as far away as the rest is wide; "
            "leave them out";
   return "";
+}
+
+Places
+somePlaces (std::size_t size, const PlaceOf& place, std::size_t looked_at)
+{
+  const std::size_t stride = size / looked_at + 1;
+  std::vector<Eigen::Vector3d> places;
+  for (std::size_t begin = 0; begin < size; begin += stride)
+    for (std::size_t i = begin; i < std::min (size, begin + stride); ++i)
+      if (const Eigen::Vector3d found = place (i); found.allFinite()) {
+        places.push_back (found);
+        break;
+      }
+  return places;
+}
+
+Eigen::Vector3d
+usualPlace (std::size_t size, const PlaceOf& place)
+{
+  constexpr std::size_t looked_at = 1000;
+  const Places places = somePlaces (size, place, looked_at);
+  return places.empty() ? Eigen::Vector3d (Eigen::Vector3d::Zero())
+                        : medianPlace (places);
 }
 
 } // namespace pcl_ops::apps

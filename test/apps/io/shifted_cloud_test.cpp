@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <io/cloud_damage.h>
+#include <io/shifted_cloud.h>
 
 #include <cstdlib>
 #include <limits>
