@@ -13,7 +13,6 @@ import re
 import subprocess
 import sys
 import sysconfig
-import tarfile
 import tempfile
 import zipfile
 
@@ -32,68 +31,63 @@ def metadata():
     except ImportError:
         import tomli as tomllib
     project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    lines = [
-        "Metadata-Version: 2.1", f"Name: {project['name']}", f"Version: {version()}",
-        f"Summary: {project['description']}", f"License: {project['license']['text']}",
-        f"Requires-Python: {project['requires-python']}",
-        *(f"Requires-Dist: {one}" for one in project["dependencies"]),
-        *(f"Classifier: {one}" for one in project["classifiers"]),
-        "Description-Content-Type: text/markdown",
-    ]
-    readme = (root / project["readme"]).read_text(encoding="utf-8")
-    return "\n".join(lines) + "\n\n" + readme
+    lines = ["Metadata-Version: 2.1", f"Name: {project['name']}", f"Version: {version()}",
+             f"Summary: {project['description']}", f"License: {project['license']['text']}",
+             f"Requires-Python: {project['requires-python']}",
+             *(f"Requires-Dist: {one}" for one in project["dependencies"]),
+             *(f"Classifier: {one}" for one in project["classifiers"]),
+             "Description-Content-Type: text/markdown", "",
+             (root / project["readme"]).read_text(encoding="utf-8")]
+    return "\n".join(lines)
 
 
 def write_wheel(package, wheel_directory):
     """A wheel of the folder of a built package; its name."""
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
-    platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
-    tag = f"{python}-{python}-{platform}"
+    tag = f"{python}-{python}-{re.sub('[-.]', '_', sysconfig.get_platform())}"
     info = f"pcl_ops-{version()}.dist-info"
     wheel = f"Wheel-Version: 1.0\nGenerator: pcl_ops\nRoot-Is-Purelib: false\nTag: {tag}\n"
-    texts = {f"{info}/METADATA": metadata().encode(), f"{info}/WHEEL": wheel.encode(),
-             f"{info}/LICENSE": (root / "LICENSE").read_bytes()}
     files = {f"pcl_ops/{one.name}": one.read_bytes()
              for one in sorted(package.iterdir()) if one.is_file()}
+    files.update({f"{info}/METADATA": metadata().encode(), f"{info}/WHEEL": wheel.encode(),
+                  f"{info}/LICENSE": (root / "LICENSE").read_bytes()})
     record = ""
+    for place, content in files.items():
+        digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).decode().rstrip("=")
+        record += f"{place},sha256={digest},{len(content)}\n"
+    files[f"{info}/RECORD"] = f"{record}{info}/RECORD,,\n".encode()
     name = f"pcl_ops-{version()}-{tag}.whl"
     with zipfile.ZipFile(pathlib.Path(wheel_directory, name), "w", zipfile.ZIP_DEFLATED) as archive:
-        for place, content in {**files, **texts}.items():
-            digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).decode().rstrip("=")
-            record += f"{place},sha256={digest},{len(content)}\n"
+        for place, content in files.items():
             archive.writestr(place, content)
-        archive.writestr(f"{info}/RECORD", f"{record}{info}/RECORD,,\n")
     return name
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    settings = {
-        "CMAKE_BUILD_TYPE": "Release", "CMAKE_UNITY_BUILD": "ON", "BUILD_SHARED_LIBS": "OFF",
-        "BUILD_TESTING": "OFF", "PCL_OPS_BUILD_APPS": "OFF", "PCL_OPS_BUILD_SURFACE": "OFF",
-        "PCL_OPS_BUILD_PYTHON": "ON", "PCL_OPS_PYTHON": sys.executable,
-        "PCL_OPS_PYTHON_INSTALL_DIR": "."}
     with tempfile.TemporaryDirectory() as folder:
         build, prefix = pathlib.Path(folder, "build"), pathlib.Path(folder, "prefix")
-        given = [f"-D{name}={value}" for name, value in settings.items()]
+        settings = {
+            "CMAKE_BUILD_TYPE": "Release", "CMAKE_UNITY_BUILD": "ON", "BUILD_SHARED_LIBS": "OFF",
+            "BUILD_TESTING": "OFF", "PCL_OPS_BUILD_APPS": "OFF", "PCL_OPS_BUILD_SURFACE": "OFF",
+            "PCL_OPS_BUILD_PYTHON": "ON", "PCL_OPS_PYTHON": sys.executable,
+            "PCL_OPS_PYTHON_INSTALL_DIR": ".", "CMAKE_INSTALL_PREFIX": prefix}
         for command in (
-            ["cmake", "-S", root, "-B", build, f"-DCMAKE_INSTALL_PREFIX={prefix}", *given],
-            ["cmake", "--build", build, "--parallel", str(os.cpu_count()),
+            ["-S", root, "-B", build, *(f"-D{name}={value}" for name, value in settings.items())],
+            ["--build", build, "--parallel", str(os.cpu_count()),
              "--target", "pcl_ops_python_package"],
-            ["cmake", "--install", build, "--strip", "--component", "python"],
+            ["--install", build, "--strip", "--component", "python"],
         ):
-            subprocess.run(command, check=True)
+            subprocess.run(["cmake", *command], check=True)
         return write_wheel(prefix / "pcl_ops", wheel_directory)
 
 
 def build_sdist(sdist_directory, config_settings=None):
     """The files that git knows."""
     name = f"pcl_ops-{version()}"
-    files = subprocess.run(["git", "ls-files", "-z"], cwd=root, check=True, capture_output=True)
-    with tempfile.NamedTemporaryFile("w", encoding="utf-8") as text:
-        text.write(metadata())
-        text.flush()
-        with tarfile.open(pathlib.Path(sdist_directory, f"{name}.tar.gz"), "w:gz") as archive:
-            archive.add(text.name, f"{name}/PKG-INFO")
-            for file in files.stdout.decode().split("\0")[:-1]:
-                archive.add(root / file, f"{name}/{file}")
+    with tempfile.TemporaryDirectory() as folder:
+        information = pathlib.Path(folder, "PKG-INFO")
+        information.write_text(metadata(), encoding="utf-8")
+        subprocess.run(["git", "archive", f"--prefix={name}/", f"--add-file={information}",
+                        f"--output={pathlib.Path(sdist_directory, name).absolute()}.tar.gz",
+                        "HEAD"], cwd=root, check=True)
     return f"{name}.tar.gz"

@@ -14,53 +14,41 @@ using pcl_ops::apps::FileCloud;
 
 namespace {
 
-FileCloud
+/** \brief A cloud with the parts of a PointCloud2, so that from_message decodes it. */
+py::object
 load (const std::string& file)
 {
-  FileCloud cloud;
+  auto cloud = std::make_unique<FileCloud>();
   try {
-    pcl_ops::python::whileOthersRun ([&] { cloud = pcl_ops::apps::loadCloud (file); });
+    pcl_ops::python::whileOthersRun ([&] { *cloud = pcl_ops::apps::loadCloud (file); });
   }
   catch (const pcl_ops::apps::ProgramError& error) {
     throw py::value_error (error.what());
   }
-  return cloud;
-}
-
-py::array
-dataOf (const py::object& cloud)
-{
-  const auto& data = cloud.cast<const FileCloud&>().points.data;
-  return py::array_t<std::uint8_t> (
-      static_cast<py::ssize_t> (data.size()), data.data(), cloud);
+  const py::object parts = py::module_::import ("types").attr ("SimpleNamespace");
+  using py::arg;
+  py::list fields;
+  for (const pcl::PCLPointField& field : cloud->points.fields)
+    fields.append (parts (arg ("name") = field.name,
+                          arg ("offset") = field.offset,
+                          arg ("datatype") = field.datatype,
+                          arg ("count") = field.count));
+  const pcl::PCLPointCloud2& points = cloud->points;
+  const Eigen::Vector3f viewpoint = cloud->origin.head<3>();
+  const py::capsule owner (cloud.release(),
+                           [] (void* it) { delete static_cast<FileCloud*> (it); });
+  const py::array_t<std::uint8_t> data (
+      static_cast<py::ssize_t> (points.data.size()), points.data.data(), owner);
+  return parts (arg ("width") = points.width,
+                arg ("height") = points.height,
+                arg ("fields") = fields,
+                arg ("is_bigendian") = points.is_bigendian,
+                arg ("point_step") = points.point_step,
+                arg ("row_step") = points.row_step,
+                arg ("data") = data,
+                arg ("viewpoint") = viewpoint);
 }
 
 } // namespace
 
-// A FileCloud has the parts of a PointCloud2, so that from_message decodes it.
-PYBIND11_MODULE (_reader, module)
-{
-  using pcl::PCLPointField;
-  py::class_<PCLPointField> (module, "Field")
-      .def_readonly ("name", &PCLPointField::name)
-      .def_readonly ("offset", &PCLPointField::offset)
-      .def_readonly ("datatype", &PCLPointField::datatype)
-      .def_readonly ("count", &PCLPointField::count);
-  const auto part = [] (auto member) {
-    return [member] (const FileCloud& cloud) { return cloud.points.*member; };
-  };
-  using Points = pcl::PCLPointCloud2;
-  py::class_<FileCloud> (module, "FileCloud")
-      .def_property_readonly ("width", part (&Points::width))
-      .def_property_readonly ("height", part (&Points::height))
-      .def_property_readonly ("fields", part (&Points::fields))
-      .def_property_readonly ("is_bigendian", part (&Points::is_bigendian))
-      .def_property_readonly ("point_step", part (&Points::point_step))
-      .def_property_readonly ("row_step", part (&Points::row_step))
-      .def_property_readonly ("data", &dataOf)
-      .def_property_readonly ("viewpoint",
-                              [] (const FileCloud& cloud) -> Eigen::Vector3f {
-                                return cloud.origin.head<3>();
-                              });
-  module.def ("load", &load);
-}
+PYBIND11_MODULE (_reader, module) { module.def ("load", &load); }

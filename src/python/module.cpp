@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The compiled part of the package. What users call, with documentation and checks of
 // arrays, is Python beside it.
-#include "given_parameters.h"
-#include "interpreter.h"
-#include "plane_lists.h"
-#include "point_rows.h"
+#include "module.h"
+
 #include <evaluation/metrics/metrics.h>
 #include <pcl_ops/detect_planes.h>
 #include <pcl_ops/plane_extent.h>
@@ -47,43 +45,47 @@ covarianceOf (const PlaneSegment& plane)
   return covariance ? std::make_optional (covariance->matrix) : std::nullopt;
 }
 
-/** \brief All it consists of, for a pickle. */
+/** \brief What a plane consists of besides orientation and inliers: centroid, normal,
+ * and of the moments origin, count, sum and products. */
+using Numbers = Eigen::Matrix<double, 19, 1>;
+
+/** \brief All that it consists of, for a pickle. */
 py::tuple
 stateOf (const py::object& self)
 {
   const auto& plane = self.cast<const PlaneSegment&>();
-  const Moments& moments = plane.moments;
-  return py::make_tuple (plane.centroid,
-                         plane.normal,
-                         plane.orientation,
-                         moments.origin,
-                         moments.count,
-                         moments.sum,
-                         moments.products,
-                         inliersOf (self));
+  const auto& [origin, count, sum, products] = plane.moments;
+  const Eigen::Map<const Eigen::Matrix<double, 6, 1>> six (products.data());
+  Numbers numbers;
+  numbers << plane.centroid, plane.normal, origin, count, sum, six;
+  return py::make_tuple (
+      numbers, static_cast<int> (plane.orientation), inliersOf (self));
 }
 
 PlaneSegment
-fromState (const py::tuple& state)
+fromState (const std::tuple<Numbers, int, py::array_t<pcl::index_t>>& state)
 {
+  const auto& [numbers, orientation, inliers] = state;
   PlaneSegment plane;
-  plane.centroid = state[0].cast<Eigen::Vector3d>();
-  plane.normal = state[1].cast<Eigen::Vector3d>();
-  plane.orientation = state[2].cast<Orientation>();
-  plane.moments.origin = state[3].cast<Eigen::Vector3d>();
-  plane.moments.count = state[4].cast<double>();
-  plane.moments.sum = state[5].cast<Eigen::Vector3d>();
-  plane.moments.products = state[6].cast<std::array<double, 6>>();
-  const auto inliers = state[7].cast<py::array_t<pcl::index_t, py::array::c_style>>();
+  auto& [origin, count, sum, products] = plane.moments;
+  plane.centroid = numbers.segment<3> (0);
+  plane.normal = numbers.segment<3> (3);
+  plane.orientation = static_cast<Orientation> (orientation);
+  origin = numbers.segment<3> (6);
+  count = numbers[9];
+  sum = numbers.segment<3> (10);
+  std::copy (numbers.data() + 13, numbers.data() + 19, products.begin());
   plane.inliers.assign (inliers.data(), inliers.data() + inliers.size());
   return plane;
 }
 
-/** \brief The class Segment, what a Plane of Python is made of. */
+/** \brief The class Segment, base of Python's Plane, which takes what is in the one it
+ * is made of. */
 void
 defineSegment (py::module_& module)
 {
   py::class_<PlaneSegment> (module, "Segment")
+      .def (py::init ([] (PlaneSegment& taken) { return std::move (taken); }))
       .def (py::init (&fromState))
       .def_readonly ("normal", &PlaneSegment::normal)
       .def_readonly ("centroid", &PlaneSegment::centroid)
@@ -92,67 +94,26 @@ defineSegment (py::module_& module)
       .def_property_readonly ("inliers", &inliersOf)
       .def_property_readonly ("axes", &axesOf)
       .def_property_readonly ("covariance", &covarianceOf)
-      .def_property_readonly ("state", &stateOf);
-}
-
-/** \brief Calls \p use with the preset of a method. */
-template <typename Use>
-auto
-usePreset (const std::string& method, const std::string& preset, const Use& use)
-{
-  const auto useOf = [&] (const auto& by_default) {
-    using Parameters = std::decay_t<decltype (by_default)>;
-    return use (preset == "paper" ? Parameters::paper() : by_default);
-  };
-  if (method == "ops")
-    return useOf (OrientedPointSamplingParameters());
-  if (method == "fspf")
-    return useOf (FastSamplingPlaneFilteringParameters());
-  return useOf (KernelHoughTransformParameters());
-}
-
-/** \brief (name, default, annotation) of each parameter.
- * \param[in] of a function of the package, or a method */
-py::list
-parametersOf (const std::string& of, const std::string& preset)
-{
-  if (of == "merge_planes")
-    return listOf (MergePlanesParameters());
-  if (of == "filter_planes")
-    return listOf (PlaneFilter());
-  if (of == "match_planes")
-    return listOf (PlaneMatchingParameters());
-  if (of == "estimate_up_axis")
-    return listOf (UpAxisParameters());
-  if (of == "find_plane_edges")
-    return listOf (PlaneEdgeParameters());
-  if (of == "evaluate")
-    return listOf (OrientationParameters());
-  return usePreset (
-      of, preset, [] (const auto& parameters) { return listOf (parameters); });
+      .def_property_readonly ("_state", &stateOf);
 }
 
 /** \brief The planes in the frame of the array.
  * \param[in] points relative to \p origin
  * \param[in] origin, viewpoint in the frame of the array */
+template <typename Parameters>
 std::vector<PlaneSegment>
 segment (const PointRows& points,
          const Eigen::Vector3d& origin,
          const Eigen::Vector3d& viewpoint,
-         const std::string& method,
-         const std::string& preset,
-         const py::dict& given)
+         const Parameters& parameters)
 {
   const CloudView view = viewOf (points);
-  return usePreset (method, preset, [&] (const auto& by_default) {
-    const auto parameters = withGiven (by_default, given);
-    std::vector<PlaneSegment> planes;
-    whileOthersRun (
-        [&] { planes = detectPlanes (view, parameters, viewpoint - origin); });
-    for (PlaneSegment& plane : planes)
-      plane.moveBy (origin);
-    return planes;
-  });
+  std::vector<PlaneSegment> planes;
+  whileOthersRun (
+      [&] { planes = detectPlanes (view, parameters, viewpoint - origin); });
+  for (PlaneSegment& plane : planes)
+    plane.moveBy (origin);
+  return planes;
 }
 
 /** \return hull, area, length and width
@@ -169,24 +130,6 @@ extent (const PointRows& inliers, const Eigen::Vector3d& origin, PlaneSegment pl
   return py::make_tuple (hull, found.area, found.length, found.width);
 }
 
-bool
-seenFrom (const PointRows& points, const Eigen::Vector3d& viewpoint)
-{
-  return isSeenFrom (viewpoint, viewOf (points));
-}
-
-apps::XyzCloud
-cloudOf (const CloudView& view)
-{
-  apps::XyzCloud cloud;
-  cloud.points.reserve (view.size);
-  for (std::size_t i = 0; i < view.size; ++i)
-    cloud.points.emplace_back (view[i][0], view[i][1], view[i][2]);
-  cloud.width = static_cast<std::uint32_t> (view.size);
-  cloud.height = 1;
-  return cloud;
-}
-
 using PlaneNumbers = py::array_t<std::uint32_t, py::array::c_style>;
 
 /** \brief All metrics by name.
@@ -195,9 +138,8 @@ py::dict
 evaluate (const PlaneNumbers& truth,
           const PlaneNumbers& result,
           const PointRows& points,
-          const py::dict& given)
+          const PlaneDetectorParameters& named_by)
 {
-  const auto named_by = withGiven (OrientationParameters(), given);
   evaluation::ClassParameters classes;
   classes.up = named_by.up_axis.cast<double>().stableNormalized();
   classes.tolerance = named_by.angle_tolerance;
@@ -207,8 +149,12 @@ evaluate (const PlaneNumbers& truth,
   };
   evaluation::Metrics metrics;
   whileOthersRun ([&] {
-    metrics = evaluation::compareLabels (
-        cloudOf (view), labelsOf (truth), labelsOf (result), classes);
+    apps::XyzCloud cloud;
+    cloud.reserve (view.size);
+    for (std::size_t i = 0; i < view.size; ++i)
+      cloud.emplace_back (view[i][0], view[i][1], view[i][2]);
+    metrics =
+        evaluation::compareLabels (cloud, labelsOf (truth), labelsOf (result), classes);
   });
   py::dict named;
   for (const auto& [name, value] : evaluation::namedMetrics (metrics))
@@ -228,11 +174,16 @@ PYBIND11_MODULE (_pcl_ops, module)
 {
   using namespace pcl_ops::python;
   module.attr ("__version__") = PCL_OPS_VERSION;
+  defineParameters (module);
   defineSegment (module);
   defineListFunctions (module);
-  module.def ("parameters", &parametersOf);
-  module.def ("segment", &segment);
+  module.def ("segment", &segment<pcl_ops::OrientedPointSamplingParameters>);
+  module.def ("segment", &segment<pcl_ops::FastSamplingPlaneFilteringParameters>);
+  module.def ("segment", &segment<pcl_ops::KernelHoughTransformParameters>);
   module.def ("extent", &extent);
-  module.def ("is_seen_from", &seenFrom);
-  module.def ("evaluate", &evaluate);
+  module.def ("is_seen_from",
+              [] (const PointRows& points, const Eigen::Vector3d& viewpoint) {
+                return pcl_ops::isSeenFrom (viewpoint, viewOf (points));
+              });
+  module.def ("compare", &evaluate);
 }

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plane_lists.h"
-
-#include "given_parameters.h"
-#include "point_rows.h"
+#include "module.h"
+#include <pcl_ops/plane_edges.h>
+#include <pcl_ops/plane_filter.h>
 #include <pcl_ops/plane_tracker.h>
+#include <pcl_ops/up_axis.h>
 
 #include <algorithm>
 
@@ -14,66 +14,54 @@ namespace {
 
 using PlaneSegments = std::vector<PlaneSegment>;
 
-/** \brief The plane that some planes went into.
- * \param[in] members by falling size */
-PlaneSegment
-joined (const std::vector<const PlaneSegment*>& members,
-        const Moments& moments,
-        const PlaneFit& fit)
-{
-  PlaneSegment plane;
-  plane.centroid = fit.centroid;
-  const Eigen::Vector3d& normal = fit.plane.normal;
-  plane.normal = normal.dot (members.front()->normal) < 0.0 ? -normal : normal;
-  plane.moments = moments.about (fit.centroid);
-  for (const PlaneSegment* member : members)
-    plane.inliers.insert (
-        plane.inliers.end(), member->inliers.begin(), member->inliers.end());
-  std::sort (plane.inliers.begin(), plane.inliers.end());
-  return plane;
-}
-
+/** \brief What the planes put in share with the one they went into: its inliers, and
+ * the normal of the largest. */
 PlaneSegments
-joinedPlanes (const PlaneSegments& planes, const MergedPlanes& merged)
+membersTogether (const PlaneSegments& planes, const MergedPlanes& merged)
 {
-  std::vector<std::vector<const PlaneSegment*>> members (merged.fits.size());
-  for (std::size_t i = 0; i < planes.size(); ++i)
-    if (const std::int32_t into = merged.merged_into[i]; into != no_plane)
-      members[static_cast<std::size_t> (into)].push_back (&planes[i]);
-  PlaneSegments all;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    std::stable_sort (members[i].begin(), members[i].end(), [] (auto one, auto other) {
-      return one->moments.count > other->moments.count;
-    });
-    all.push_back (joined (members[i], merged.moments[i], merged.fits[i]));
+  PlaneSegments all (merged.fits.size());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const PlaneSegment& plane = planes[i];
+    if (merged.merged_into[i] == no_plane)
+      continue;
+    PlaneSegment& whole = all[static_cast<std::size_t> (merged.merged_into[i])];
+    whole.inliers.insert (
+        whole.inliers.end(), plane.inliers.begin(), plane.inliers.end());
+    if (plane.moments.count > whole.moments.count) {
+      whole.moments.count = plane.moments.count;
+      whole.normal = plane.normal;
+    }
   }
   return all;
 }
 
 /** \return the planes after merging, and into which of them each plane went */
 std::pair<PlaneSegments, Labels>
-merge (const PlaneSegments& planes, const py::dict& given)
+merge (const PlaneSegments& planes, const MergePlanesParameters& parameters)
 {
-  const auto parameters = withGiven (MergePlanesParameters(), given);
   std::vector<Moments> moments;
   for (const PlaneSegment& plane : planes)
     moments.push_back (plane.moments);
   const MergedPlanes merged = mergePlanes (moments, parameters.merging);
-  PlaneSegments found = joinedPlanes (planes, merged);
-  nameOrientations (
-      found, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
-  return {std::move (found), merged.merged_into};
+  PlaneSegments all = membersTogether (planes, merged);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const PlaneFit& fit = merged.fits[i];
+    const Eigen::Vector3d& normal = fit.plane.normal;
+    all[i].normal = normal.dot (all[i].normal) < 0.0 ? -normal : normal;
+    all[i].centroid = fit.centroid;
+    all[i].moments = merged.moments[i].about (fit.centroid);
+    std::sort (all[i].inliers.begin(), all[i].inliers.end());
+  }
+  nameOrientations (all, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
+  return {std::move (all), merged.merged_into};
 }
 
 /** \brief Filters one plane after the other, so that Python keeps its own objects.
  * \param[in] extent_of says (area, width) of the plane at a position
  * \return for each plane the argument that drops it, empty if none does */
 std::vector<std::string>
-filter (const PlaneSegments& planes,
-        const py::dict& given,
-        const py::function& extent_of)
+filter (const PlaneSegments& planes, PlaneFilter filter, const py::function& extent_of)
 {
-  PlaneFilter filter = withGiven (PlaneFilter(), given);
   const auto most = std::exchange (filter.max_planes, std::nullopt);
   std::vector<std::string> reasons;
   std::size_t kept = 0;
@@ -103,9 +91,8 @@ std::pair<Labels, Eigen::Matrix4d>
 match (const PlaneSegments& previous,
        const PlaneSegments& current,
        const Eigen::Matrix4d& pose,
-       const py::dict& given)
+       const PlaneMatchingParameters& parameters)
 {
-  const auto parameters = withGiven (PlaneMatchingParameters(), given);
   const PlaneMatches matches =
       matchPlanes (previous, current, Eigen::Isometry3d (pose), parameters);
   return {matches.previous, matches.pose.matrix()};
@@ -115,9 +102,8 @@ match (const PlaneSegments& previous,
 std::optional<std::pair<Eigen::Vector3d, double>>
 upAxis (const PlaneSegments& planes,
         const Eigen::Vector3d& viewpoint,
-        const py::dict& given)
+        const UpAxisParameters& parameters)
 {
-  const auto parameters = withGiven (UpAxisParameters(), given);
   const std::optional<UpAxis> found = estimateUpAxis (planes, viewpoint, parameters);
   if (!found)
     return std::nullopt;
@@ -130,9 +116,8 @@ py::tuple
 edges (const PointRows& points,
        const Eigen::Vector3d& origin,
        const PlaneSegments& planes,
-       const py::dict& given)
+       const PlaneEdgeParameters& parameters)
 {
-  const auto parameters = withGiven (PlaneEdgeParameters(), given);
   const PlaneEdges found = findPlaneEdges (viewOf (points), planes, parameters, origin);
   py::list edges, corners;
   for (const PlaneEdge& edge : found.edges)
@@ -144,31 +129,31 @@ edges (const PointRows& points,
   return py::make_tuple (edges, corners);
 }
 
+/** \return (number, plane, last_seen) of each */
+py::list
+trackedPlanes (const PlaneTracker& tracker)
+{
+  py::list all;
+  for (const TrackedPlane& one : tracker.planes())
+    all.append (py::make_tuple (one.number, one.plane, one.last_seen));
+  return all;
+}
+
 void
 defineTracker (py::module_& module)
 {
-  py::class_<TrackedPlane> (module, "TrackedPlane")
-      .def_readonly ("number", &TrackedPlane::number)
-      .def_readonly ("plane", &TrackedPlane::plane)
-      .def_readonly ("last_seen", &TrackedPlane::last_seen);
   py::class_<PlaneTracker> (module, "Tracker")
-      .def (py::init ([] (std::optional<std::size_t> memory, const py::dict& given) {
-        return PlaneTracker (withGiven (PlaneMatchingParameters(), given), memory);
-      }))
+      .def (py::init<PlaneMatchingParameters, std::optional<std::size_t>>())
       .def ("track",
             [] (PlaneTracker& tracker,
                 const PlaneSegments& planes,
                 const Eigen::Matrix4d& pose) {
               return tracker.track (planes, Eigen::Isometry3d (pose));
             })
-      .def_property_readonly ("planes", &PlaneTracker::planes)
+      .def_property_readonly ("planes", &trackedPlanes)
       .def_property_readonly (
           "pose", [] (const PlaneTracker& tracker) { return tracker.pose().matrix(); })
-      .def ("copy", [] (const PlaneTracker& tracker) { return tracker; })
-      // Without it protocols 0 and 1 of pickle end the program in pybind11.
-      .def ("__reduce_ex__", [] (const PlaneTracker&, int /*protocol*/) -> py::object {
-        throw py::type_error ("cannot pickle 'pcl_ops.PlaneTracker' objects");
-      });
+      .def ("copy", [] (const PlaneTracker& tracker) { return tracker; });
 }
 
 } // namespace

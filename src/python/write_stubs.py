@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes stubs beside the package's modules: write_stubs.py FOLDER MODULE.py...
+"""Writes stubs beside the modules of the package in a folder: write_stubs.py FOLDER.
 
 They are the modules' own signatures and docstrings, with the named parameters that only
-the extension, in that folder, knows.
+the extension knows.
 """
 
 import ast
+import importlib
+import inspect
 import pathlib
 import sys
 
@@ -16,42 +18,38 @@ def is_private(node):
     return name.startswith("_") and not name.endswith("__")
 
 
-def name_parameters(function, parameters):
-    """In place of **parameters, those of the lists that the decorator names."""
-    for decorator in list(function.decorator_list):
-        if isinstance(decorator, ast.Call) and decorator.func.id == "named_parameters":
-            known = {name: annotation for one in decorator.args
-                     for name, _, annotation in parameters(one.value, "default")}
-            for name, annotation in known.items():
-                kind = ast.parse(annotation, mode="eval").body
-                function.args.kwonlyargs.append(ast.arg(name, kind))
-                function.args.kw_defaults.append(ast.Constant(...))
-            function.args.kwarg = None
-            function.decorator_list.remove(decorator)
+def name_parameters(node, function):
+    """In place of **parameters, those that the function shows."""
+    for one in inspect.signature(function).parameters.values():
+        if one.kind == one.KEYWORD_ONLY and isinstance(one.annotation, str):
+            node.args.kwonlyargs.append(ast.arg(one.name, ast.Name(one.annotation)))
+            node.args.kw_defaults.append(ast.Constant(...))
+    node.args.kwarg = None
+    node.decorator_list.clear()
 
 
-def stub_of(source, parameters):
-    tree = ast.parse(source)
-    for node in ast.walk(tree):
-        if isinstance(node, (ast.Module, ast.ClassDef)):
-            node.body = [one for one in node.body if not is_private(one)]
+def stub_of(tree, owner):
+    """Strips a module or class, of which owner is what was imported, of its code."""
+    tree.body = [one for one in tree.body if not is_private(one)]
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef):
+            stub_of(node, getattr(owner, node.name))
         elif isinstance(node, ast.FunctionDef):
-            name_parameters(node, parameters)
+            if node.args.kwarg:
+                name_parameters(node, getattr(owner, node.name))
             docstring = node.body[:1] if ast.get_docstring(node) else []
             node.body = [*docstring, ast.Expr(ast.Constant(...))]
+        elif isinstance(node, ast.AnnAssign):
+            node.value = None
+    return tree
+
+
+folder = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(folder.parent))
+for file in folder.glob("*.py"):
+    module = importlib.import_module(f"pcl_ops.{file.stem}")
+    stub = ast.fix_missing_locations(stub_of(ast.parse(file.read_text(encoding="utf-8")), module))
     # What annotations of the extension need.
-    return f"from typing import Literal, Optional\n{ast.unparse(ast.fix_missing_locations(tree))}\n"
-
-
-def main():
-    folder = pathlib.Path(sys.argv[1])
-    sys.path.insert(0, str(folder))
-    import _pcl_ops
-
-    for module in map(pathlib.Path, sys.argv[2:]):
-        stub = stub_of(module.read_text(encoding="utf-8"), _pcl_ops.parameters)
-        (folder / module.with_suffix(".pyi").name).write_text(stub, encoding="utf-8")
-    (folder / "_pcl_ops.pyi").write_text("__version__: str\n")
-
-
-main()
+    text = f"from typing import Literal, Optional\n{ast.unparse(stub)}\n"
+    file.with_suffix(".pyi").write_text(text, encoding="utf-8")
+(folder / "_pcl_ops.pyi").write_text("__version__: str\nclass Segment: ...\n")

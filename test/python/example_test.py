@@ -24,30 +24,22 @@ class Installed(unittest.TestCase):
 
 @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "matplotlib is not installed")
 class Example(unittest.TestCase):
-    def picture_of(self, *cloud):
-        """What the example prints, and its picture."""
+    def test_draws_its_room_and_arrays_of_files(self):
         import matplotlib.pyplot as plt
 
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder, "picture.png")
-            command = [sys.executable, "-B", script, file, *cloud]
-            said = subprocess.check_output(command, text=True, env={**os.environ, "MPLCONFIGDIR": folder})
-            return said, plt.imread(file)
-
-    def test_draws_its_room(self):
-        said, picture = self.picture_of()
-        self.assertRegex(said, r"horizontal, (19|20)\.\d\d m2.*(\n.*){3}\n4 planes\n$")
-        colors = np.unique(picture.reshape(-1, picture.shape[2]), axis=0)
-        self.assertGreater(len(colors), 100)
-
-    def test_draws_an_array_of_a_file(self):
-        with tempfile.TemporaryDirectory() as folder:
-            array, text = pathlib.Path(folder, "room.npy"), pathlib.Path(folder, "room.xyz")
-            np.save(array, room())
-            np.savetxt(text, room())
-            for file in (array, text):
-                self.assertIn("\n3 planes\n", self.picture_of(file)[0])
-
-
-if __name__ == "__main__":
-    unittest.main()
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            np.save(folder / "room.npy", room())
+            np.savetxt(folder / "room.xyz", room())
+            for cloud, said in (
+                ([], r"horizontal, (19|20)\.\d\d m2.*(\n.*){3}\n4 planes\n$"),
+                (["room.npy"], "\n3 planes\n"),
+                (["room.xyz"], "\n3 planes\n"),
+            ):
+                run = subprocess.run([sys.executable, "-B", script, "picture.png", *cloud],
+                                     check=True, capture_output=True, text=True, cwd=folder,
+                                     env={**os.environ, "MPLCONFIGDIR": name})
+                self.assertRegex(run.stdout, said)
+                picture = plt.imread(folder / "picture.png")
+                colors = np.unique(picture.reshape(-1, picture.shape[2]), axis=0)
+                self.assertGreater(len(colors), 100)

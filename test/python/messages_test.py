@@ -3,35 +3,39 @@
 """Messages of ROS, or what looks like them, as arrays."""
 
 import array
+import pathlib
+import runpy
+import sys
 import types
 import unittest
+from unittest import mock
 
 import numpy as np
 import pcl_ops
 from scene import room
 
+kinds = [types.SimpleNamespace(PointCloud2=types.SimpleNamespace, PointField=types.SimpleNamespace)]
 try:
-    from sensor_msgs.msg import PointCloud2, PointField
-except ImportError:  # objects of the same parts
-    PointCloud2 = PointField = types.SimpleNamespace
+    import sensor_msgs.msg
+    kinds.append(sensor_msgs.msg)
+except ImportError:  # only objects of the same parts
+    pass
 
 types_of_fields = {"i1": 1, "u1": 2, "i2": 3, "u2": 4, "i4": 5, "u4": 6, "f4": 7, "f8": 8}
 
 
-def message(rows, data=bytes, height=1, row_padding=0):
+def message(rows, data=bytes, height=1, row_padding=0, kind=kinds[-1]):
     """A structured array as a message."""
-    fields = []
-    for name in rows.dtype.names:
-        kind, offset = rows.dtype.fields[name][:2]
-        fields.append(PointField(name=name, offset=offset, datatype=types_of_fields[kind.base.str[1:]],
-                                 count=int(np.prod(kind.shape))))
+    members = [(name, *rows.dtype.fields[name][:2]) for name in rows.dtype.names]
+    fields = [kind.PointField(name=name, offset=offset, count=int(np.prod(member.shape)),
+                              datatype=types_of_fields[member.base.str[1:]])
+              for name, member, offset in members]
     width, step = len(rows) // height, rows.dtype.itemsize
-    padding = bytes(row_padding)
-    lines = [rows[i * width:(i + 1) * width].tobytes() + padding for i in range(height)]
-    is_bigendian = any(rows.dtype.fields[name][0].base.str[0] == ">" for name in rows.dtype.names)
-    return PointCloud2(fields=fields, data=data(b"".join(lines)), width=width, height=height,
-                       point_step=step, row_step=width * step + row_padding,
-                       is_bigendian=is_bigendian)
+    lines = [rows[i * width:(i + 1) * width].tobytes() + bytes(row_padding) for i in range(height)]
+    return kind.PointCloud2(
+        fields=fields, data=data(b"".join(lines)), width=width, height=height, point_step=step,
+        row_step=width * step + row_padding,
+        is_bigendian=any(member.base.str[0] == ">" for _, member, _ in members))
 
 
 def rows_of(points, layout):
@@ -46,31 +50,37 @@ def padded(kind, names="xyz"):
     return {"names": list(names), "formats": [kind] * 3, "offsets": [12, 28, 44], "itemsize": 64}
 
 
+plain = [("x", "<f4"), ("y", "<f4"), ("z", "<f4")]
+
+
 class Messages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.points = room()
+        cls.labels = pcl_ops.segment(cls.points)[0]
 
     def assertSamePoints(self, msg):
         cloud = pcl_ops.from_message(msg)
         np.testing.assert_array_equal(cloud.points, self.points)
-        self.assertTrue(cloud.points.dtype.isnative)
-        np.testing.assert_array_equal(
-            pcl_ops.segment(cloud.points)[0], pcl_ops.segment(self.points)[0])
+        np.testing.assert_array_equal(pcl_ops.segment(cloud.points)[0], self.labels)
         return cloud
 
     def test_any_layout_has_the_same_points(self):
-        for name, layout in {
-            "plain": [("x", "<f4"), ("y", "<f4"), ("z", "<f4")],
-            "padded": padded("<f4"),
-            "any order": padded("<f4", "zxy"),
-            "big-endian": padded(">f4"),
-            "double": padded("<f8"),
-            "double, big-endian": padded(">f8"),
-            "unaligned": [("ring", "u1"), ("z", "<f4"), ("x", "<f4"), ("y", "<f8")],
-        }.items():
-            with self.subTest(name):
-                self.assertSamePoints(message(rows_of(self.points, layout)))
+        for name, layout, *image in (
+            ("plain", plain),
+            ("padded", padded("<f4")),
+            ("any order", padded("<f4", "zxy")),
+            ("big-endian", padded(">f4")),
+            ("double", padded("<f8")),
+            ("double, big-endian", padded(">f8")),
+            ("unaligned", [("ring", "u1"), ("z", "<f4"), ("x", "<f4"), ("y", "<f8")]),
+            ("organized", plain, 100),
+            ("organized, rows padded", padded(">f8", "yzx"), 100, 24),
+        ):
+            for kind in kinds:
+                with self.subTest(name, kind=kind):
+                    msg = message(rows_of(self.points, layout), bytes, *image, kind=kind)
+                    self.assertTrue(self.assertSamePoints(msg).points.dtype.isnative)
 
     def test_any_buffer_is_read(self):
         rows = rows_of(self.points, padded("<f4"))
@@ -78,22 +88,19 @@ class Messages(unittest.TestCase):
                      lambda text: np.frombuffer(text, np.uint8)):
             self.assertSamePoints(message(rows, data))
 
-    def test_rows_of_an_image_may_be_padded(self):
-        rows = rows_of(self.points, padded("<f4"))
-        self.assertSamePoints(message(rows, height=100, row_padding=24))
-
     def test_other_fields_come_along(self):
-        layout = [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("label", "<u4"), ("normal", "<f4", 3)]
-        rows = rows_of(self.points, layout)
+        rows = rows_of(self.points, [*plain, ("label", "<u4"), ("normal", "<f4", 3)])
         rows["label"] = np.arange(len(rows))
-        rows["normal"] = 0, 0, 1
         cloud = self.assertSamePoints(message(rows))
         np.testing.assert_array_equal(cloud.labels, np.arange(len(rows)) - 1)
         self.assertEqual(cloud.fields["normal"].shape, (len(rows), 3))
 
-    def test_whole_numbers_are_coordinates_too(self):
+    def test_whole_numbers_are_coordinates_and_no_points_are_a_cloud(self):
         rows = np.array([(1, -2, 3)], [("x", "<i2"), ("y", "<i2"), ("z", "<i2")])
         self.assertEqual(pcl_ops.from_message(message(rows)).points.tolist(), [[1, -2, 3]])
+        for kind in kinds:
+            empty = pcl_ops.from_message(message(np.zeros(0, plain), kind=kind)).points
+            self.assertEqual((empty.shape, empty.dtype), ((0, 3), np.float32))
 
     def test_what_is_no_cloud_is_refused(self):
         rows = rows_of(self.points, padded("<f4"))
@@ -113,5 +120,44 @@ class Messages(unittest.TestCase):
                 pcl_ops.from_message(msg)
 
 
-if __name__ == "__main__":
-    unittest.main()
+class FakeNode:
+    """What the example asks of ROS 2's Node."""
+
+    def __init__(self, name):
+        self.create_subscription = mock.Mock()
+        self.create_publisher = lambda *_: mock.Mock()
+        self.declared = {}
+
+    def declare_parameter(self, name, value):
+        self.declared[name] = types.SimpleNamespace(value=value)
+
+    def get_parameter(self, name):
+        return self.declared[name]
+
+
+class RosNode(unittest.TestCase):
+    """The example, without ROS 2."""
+
+    def test_publishes_labels_and_outlines(self):
+        parts = types.SimpleNamespace
+        messages = mock.Mock(PointCloud2=parts, PointField=parts, Point=parts, MarkerArray=parts,
+                             Marker=mock.Mock(side_effect=mock.Mock))
+        modules = {f"{name}_msgs.msg": messages
+                   for name in ("geometry", "sensor", "std", "visualization")}
+        modules.update({"rclpy": mock.Mock(), "rclpy.node": mock.Mock(Node=FakeNode),
+                        "rclpy.qos": mock.Mock()})
+        file = pathlib.Path(__file__).parents[2] / "apps/ros/plane_node.py"
+        with mock.patch.dict(sys.modules, modules):
+            node = runpy.run_path(str(file))["PlaneNode"]()
+        for points in (room(), np.zeros((0, 3), np.float32)):
+            msg = message(rows_of(points, plain), kind=kinds[0])
+            msg.header, msg.is_dense = "here", False
+            node.hear(msg)
+            cloud = pcl_ops.from_message(node.labelled.publish.call_args[0][0])
+            np.testing.assert_array_equal(cloud.points, points)
+            expected, planes = pcl_ops.segment(points) if len(points) else ([], [])
+            np.testing.assert_array_equal(cloud.labels, expected)
+            outlines = node.planes.publish.call_args[0][0].markers[1:]
+            self.assertEqual([one.id for one in outlines], list(range(1, len(planes) + 1)))
+            for one, plane in zip(outlines, planes):
+                self.assertEqual(len(one.points), len(plane.hull) + 1)

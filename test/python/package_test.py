@@ -1,23 +1,31 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What editors, type checkers and pages are told is what there is."""
+"""What editors, type checkers, pages and pip are told is what there is."""
 
 import ast
 import contextlib
+import importlib.util
 import inspect
 import io
+import json
 import os
 import pathlib
 import re
+import subprocess
+import sys
+import tarfile
 import tempfile
 import unittest
 
 import numpy as np
 import pcl_ops
-from scene import room
+from scene import las, room
 
 source = pathlib.Path(__file__).parents[2]
-methods = ("ops", "fspf", "kht")
+sys.path.insert(0, str(source / "src/python"))
+import build_backend  # noqa: E402
+
+package = pathlib.Path(pcl_ops.__file__).parent
 names = [name for name in pcl_ops.__all__ if not name.startswith("_")]
 
 
@@ -26,28 +34,31 @@ def keywords(function):
     return {one.name for one in signature if one.kind == one.KEYWORD_ONLY}
 
 
-class Package(unittest.TestCase):
+class Stubs(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        folder = pathlib.Path(pcl_ops.__file__).parent
-        cls.texts = [file.read_text() for file in folder.glob("*.pyi")]
+        cls.texts = [file.read_text() for file in package.glob("*.pyi")]
         cls.stubs = {node.name: node for text in cls.texts for node in ast.parse(text).body
                      if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
-        cls.is_typed = (folder / "py.typed").exists()
 
     def test_all_has_stubs_and_documentation(self):
-        self.assertTrue(self.is_typed)
+        self.assertTrue((package / "py.typed").exists())
+        in_stub = {ast.unparse(one.target) if isinstance(one, ast.AnnAssign) else
+                   getattr(one, "name", "") for one in self.stubs["Plane"].body}
         for name in names:
             self.assertIn(name, self.stubs)
             self.assertTrue(inspect.getdoc(getattr(pcl_ops, name)), name)
         for name in dir(pcl_ops.Plane):
-            self.assertTrue(name.startswith("_") or getattr(pcl_ops.Plane, name).__doc__, name)
+            if not name.startswith("_"):
+                self.assertTrue(getattr(pcl_ops.Plane, name).__doc__, name)
+                self.assertIn(name, in_stub)
 
-    def test_stubs_name_types_that_there_are(self):
+    def test_name_types_that_there_are(self):
         for text in self.texts:
             exec(text, {"__name__": "pcl_ops.stub", "__package__": "pcl_ops"})
 
-    def test_stubs_and_help_have_each_parameter_by_name(self):
+    def test_and_help_have_each_parameter_by_name(self):
+        methods = ("ops", "fspf", "kht")
         of_segment = {name for method in methods for name in pcl_ops.parameters(method)}
         self.assertEqual(keywords(pcl_ops.segment), {"viewpoint"} | of_segment)
         for name in names:
@@ -55,16 +66,26 @@ class Package(unittest.TestCase):
                 given = {arg.arg for arg in self.stubs[name].args.kwonlyargs}
                 self.assertEqual(given, keywords(getattr(pcl_ops, name)), name)
                 self.assertIsNone(self.stubs[name].args.kwarg)
-        kinds = {arg.arg: ast.unparse(arg.annotation)
-                 for arg in self.stubs["segment"].args.kwonlyargs}
-        self.assertEqual(kinds["threads"], "int")
-        self.assertEqual(kinds["up"], "Vector")
-        self.assertEqual(kinds["distance_threshold"], "Optional[float]")
-        self.assertEqual(kinds["sampling"], "Literal['points', 'surfels']")
+        kinds = {arg.arg: ast.unparse(arg.annotation) for name in ("segment", "filter_planes")
+                 for arg in self.stubs[name].args.kwonlyargs}
+        for name, kind in {
+            "threads": "int", "up": "Vector", "distance_threshold": "Optional[float]",
+            "sampling": "Literal['points', 'surfels']", "merging_enabled": "bool",
+            "orientation": "Optional[Literal['horizontal', 'vertical', 'other']]",
+        }.items():
+            self.assertEqual(kinds[name], kind)
 
-    def test_version_is_that_of_the_project(self):
+
+class Version(unittest.TestCase):
+    def test_is_that_of_the_project(self):
         project = (source / "CMakeLists.txt").read_text()
-        self.assertEqual(pcl_ops.__version__, re.search(r"VERSION (\d+\.\d+\.\d+)", project)[1])
+        version = re.search(r"project\(pcl_ops\s+VERSION (\S+)", project)[1]
+        self.assertEqual(pcl_ops.__version__, version)
+        for file, said in (("package.xml", r"<version>(.*)</version>"),
+                           ("CITATION.cff", r"(?m)^version: (.*)$"),
+                           ("src/doc/Doxyfile", r"(?m)^PROJECT_NUMBER *= (.*)$")):
+            text = (source / file).read_text()
+            self.assertEqual(re.search(said, text)[1], version, file)
 
 
 class Pages(unittest.TestCase):
@@ -79,10 +100,61 @@ class Pages(unittest.TestCase):
                 os.chdir(folder)
                 np.save("room.npy", room())
                 np.savetxt("room.xyz", room())
+                pathlib.Path("roofs.las").write_bytes(las(room()[np.isfinite(room()[:, 0])]))
                 known = {"pcl_ops": pcl_ops, "points": room()}
+                if importlib.util.find_spec("open3d") is None:
+                    code = [one for one in code if "import open3d" not in one]
                 with contextlib.redirect_stdout(io.StringIO()):
                     exec(compile("".join(code), str(page), "exec"), known)
+                self.check_recipes(known)
+
+    def check_recipes(self, known):
+        if "rings" in known:
+            features = json.loads(pathlib.Path("planes.geojson").read_text())["features"]
+            self.assertEqual(len(features), len(known["planes"]))
+            for feature, plane in zip(features, known["planes"]):
+                ring = feature["geometry"]["coordinates"][0]
+                self.assertEqual((ring[0], len(ring)), (ring[-1], len(plane.hull) + 1))
+        if "largest" in known:
+            self.assertAlmostEqual(len(known["largest"].points), 12000, delta=50)
 
 
-if __name__ == "__main__":
-    unittest.main()
+def files_of(folder):
+    return {path for path in folder.rglob("*") if path.is_file() and path.suffix != ".pyc"}
+
+
+class Pip(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def run_python(self, *arguments):
+        command = [self.folder / "venv/bin/python", "-I", *arguments]
+        return subprocess.run(command, check=True, capture_output=True, text=True,
+                              cwd=self.folder).stdout
+
+    @unittest.skipUnless(importlib.util.find_spec("ensurepip"), "venv is not installed")
+    def test_installs_a_wheel_and_leaves_nothing_behind(self):
+        version = build_backend.version()
+        wheel = self.folder / build_backend.write_wheel(package, self.folder)
+        subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", "venv"],
+                       cwd=self.folder, check=True)
+        before = files_of(self.folder / "venv")
+        self.run_python("-m", "pip", "install", "--no-index", "--no-compile", wheel)
+        new = {path.name for path in files_of(self.folder / "venv") - before}
+        self.assertLessEqual({"__init__.py", "_segmentation.pyi", "py.typed", "LICENSE"}, new)
+        said = self.run_python("-c", "import pcl_ops; print(pcl_ops.__version__, pcl_ops.__file__)")
+        self.assertRegex(said, rf"^{version} {self.folder}/venv/")
+        self.assertRegex(self.run_python("-m", "pip", "show", "pcl_ops"),
+                         rf"Version: {version}\n(.*\n)*Requires: numpy\n")
+        self.run_python("-m", "pip", "uninstall", "--yes", "pcl_ops")
+        self.assertEqual(files_of(self.folder / "venv"), before)
+
+    @unittest.skipUnless((source / ".git").exists(), "no git repository")
+    def test_archive_of_sources_has_what_a_build_needs(self):
+        name = build_backend.build_sdist(self.folder)
+        with tarfile.open(self.folder / name) as archive:
+            files = set(archive.getnames())
+        needed = ("PKG-INFO", "pyproject.toml", "CMakeLists.txt", "src/python/module.cpp")
+        self.assertEqual({f"{name[:-len('.tar.gz')]}/{file}" for file in needed} - files, set())

@@ -9,7 +9,7 @@ import numpy as np
 import pcl_ops
 from scene import room, surface
 
-viewpoint = (2, 1.5, 1)
+viewpoint = np.array([2, 1.5, 1])
 
 
 class Planes(unittest.TestCase):
@@ -19,11 +19,9 @@ class Planes(unittest.TestCase):
         cls.planes = pcl_ops.segment(cls.points, viewpoint=viewpoint)[1]
         cls.floor = cls.planes[0]
 
-    def test_come_by_falling_size(self):
+    def test_come_by_falling_size_with_normals_towards_the_viewpoint(self):
         sizes = [len(plane.inliers) for plane in self.planes]
         self.assertEqual(sizes, sorted(sizes, reverse=True))
-
-    def test_have_normals_towards_the_viewpoint(self):
         np.testing.assert_allclose(self.floor.normal, (0, 0, 1), atol=0.01)
         below = pcl_ops.segment(self.points, viewpoint=(2, 1.5, -9))[1]
         np.testing.assert_allclose(below[0].normal, (0, 0, -1), atol=0.01)
@@ -37,9 +35,8 @@ class Planes(unittest.TestCase):
             np.testing.assert_array_equal(plane.coefficients[:3], plane.normal)
 
     def test_end_where_their_points_end(self):
-        self.assertAlmostEqual(self.floor.area, 12.0, delta=0.2)
-        self.assertAlmostEqual(self.floor.length, 4.0, delta=0.05)
-        self.assertAlmostEqual(self.floor.width, 3.0, delta=0.05)
+        for name, expected in (("area", 12.0), ("length", 4.0), ("width", 3.0)):
+            self.assertAlmostEqual(getattr(self.floor, name), expected, delta=0.2)
         np.testing.assert_allclose(self.floor.hull.max(axis=0), (4, 3, 0), atol=0.05)
         np.testing.assert_allclose(self.floor.hull.min(axis=0), (0, 0, 0), atol=0.05)
 
@@ -58,10 +55,8 @@ class Planes(unittest.TestCase):
         with self.assertRaises(ValueError):
             inliers[0] = 10**6
 
-    def test_are_printed_in_a_line(self):
+    def test_print_in_a_line_and_pickle_with_one_array_for_all(self):
         self.assertRegex(repr(self.floor), r"<pcl_ops.Plane: horizontal, \d+ points, rms 0.00\d+>")
-
-    def test_pickle_with_one_array_for_all(self):
         for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
             planes = pickle.loads(pickle.dumps(self.planes, protocol))
             for plane, original in zip(planes, self.planes):
@@ -73,34 +68,31 @@ class Planes(unittest.TestCase):
 
 
 class UpAxis(unittest.TestCase):
+    sensor = np.array([3.5, 0.3, 1.5])
+
     def test_of_a_room_is_found_in_any_frame(self):
         tilt = np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]], np.float32)
-        sensor = tilt @ (3.5, 0.3, 1.5)
-        planes = pcl_ops.segment(room() @ tilt.T, viewpoint=sensor)[1]
-        direction, confidence = pcl_ops.estimate_up_axis(planes, sensor)
+        planes = pcl_ops.segment(room() @ tilt.T, viewpoint=tilt @ self.sensor)[1]
+        direction, confidence = pcl_ops.estimate_up_axis(planes, tilt @ self.sensor)
         np.testing.assert_allclose(direction, tilt @ (0, 0, 1), atol=0.01)
         self.assertTrue(0.7 <= confidence <= 1.0)
 
-    def test_is_none_where_planes_cannot_tell(self):
+    def test_is_none_where_planes_cannot_tell_or_were_not_seen_from_the_viewpoint(self):
         self.assertIsNone(pcl_ops.estimate_up_axis([]))
         planes = pcl_ops.segment(room())[1]
         self.assertIsNone(pcl_ops.estimate_up_axis(planes, min_confidence=1.0))
-
-    def test_is_none_where_the_points_were_not_seen_from_the_viewpoint(self):
-        sensor = (3.5, 0.3, 1.5)
         hidden = surface((0, 6, 0), (4, 0, 0), (0, 0, 2.5), 10000)
         points = np.vstack([room(), hidden]).astype(np.float32)
-        self.assertTrue(pcl_ops.is_seen_from(room(), sensor))
-        self.assertFalse(pcl_ops.is_seen_from(points, sensor))
-        self.assertFalse(pcl_ops.is_seen_from(points + 5e6, np.add(sensor, 5e6)))
-        planes = pcl_ops.segment(points, viewpoint=sensor)[1]
-        self.assertIsNone(pcl_ops.estimate_up_axis(planes, sensor))
+        self.assertTrue(pcl_ops.is_seen_from(room(), self.sensor))
+        self.assertFalse(pcl_ops.is_seen_from(points, self.sensor))
+        self.assertFalse(pcl_ops.is_seen_from(points + 5e6, self.sensor + 5e6))
+        planes = pcl_ops.segment(points, viewpoint=self.sensor)[1]
+        self.assertIsNone(pcl_ops.estimate_up_axis(planes, self.sensor))
 
 
 class Edges(unittest.TestCase):
-    place = np.array([5e5, 5.4e6, 300.0])
-
-    def assertMeet(self, planes, place):
+    def assertMeet(self, place):
+        planes = pcl_ops.segment(room() + place, viewpoint=viewpoint + place)[1]
         edges, corners = pcl_ops.find_plane_edges(planes)
         self.assertEqual([edge.planes for edge in edges], [(0, 1), (0, 2), (1, 2)])
         for edge, length in zip(edges, (4.0, 3.0, 2.5)):
@@ -108,17 +100,12 @@ class Edges(unittest.TestCase):
             self.assertAlmostEqual(edge.angle, np.pi / 2, delta=0.01)
         self.assertEqual([corner.planes for corner in corners], [(0, 1, 2)])
         np.testing.assert_allclose(corners[0].position - place, (0, 3, 0), atol=0.01)
-
-    def test_of_a_room_are_found(self):
-        self.assertMeet(pcl_ops.segment(room(), viewpoint=viewpoint)[1], np.zeros(3))
-
-    def test_are_in_the_frame_of_coordinates_in_the_millions(self):
-        far = room() + self.place
-        self.assertMeet(pcl_ops.segment(far, viewpoint=self.place + viewpoint)[1], self.place)
-
-    def test_shorter_than_asked_for_are_left_out(self):
-        planes = pcl_ops.segment(room(), viewpoint=viewpoint)[1]
         self.assertEqual(len(pcl_ops.find_plane_edges(planes, min_length=2.8)[0]), 2)
+
+    def test_are_found_near_zero_and_with_coordinates_in_the_millions(self):
+        self.assertMeet(np.zeros(3, np.float32))
+        self.assertMeet(np.array([5e5, 5.4e6, 300.0]))
+
         self.assertEqual(pcl_ops.find_plane_edges([]), ([], []))
 
 
@@ -149,11 +136,5 @@ class Merging(unittest.TestCase):
             self.assertEqual(len(pcl_ops.merge_planes(self.planes, **given)[0]), number)
         merged, _ = pcl_ops.merge_planes(self.planes, up=(1, 0, 0))
         self.assertEqual(merged[0].orientation, "vertical")
-
-    def test_of_nothing_is_nothing(self):
         merged, into = pcl_ops.merge_planes([])
         self.assertEqual((merged, into.tolist()), ([], []))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -6,13 +6,13 @@ import json
 import os
 import pathlib
 import shutil
-import struct
 import subprocess
 import tempfile
 import unittest
 
 import numpy as np
 import pcl_ops
+from scene import las
 
 
 @unittest.skipUnless(shutil.which("pcl_ops_segment"), "the programs are not built")
@@ -49,14 +49,12 @@ class SameLabels(unittest.TestCase):
                 np.testing.assert_allclose(
                     getattr(plane, name), expected[name], rtol=1e-5, atol=1e-5)
 
-    def test_by_each_method_and_preset(self):
+    def test_by_each_method_preset_and_parameter(self):
         for method in ("ops", "fspf", "kht"):
             for preset in ("default", "paper"):
                 with self.subTest(method=method, preset=preset):
                     self.assertSame(
                         "--method", method, "--preset", preset, method=method, preset=preset)
-
-    def test_with_parameters(self):
         self.assertSame("--sampling-rate", "0.01", "--min-inliers", "40",
                         sampling_rate=0.01, min_inliers=40)
         self.assertSame("--method", "kht", "--threshold", "0.03",
@@ -64,8 +62,6 @@ class SameLabels(unittest.TestCase):
         self.assertSame("--preset", "paper", "--seed", "7", preset="paper", seed=7)
         self.assertSame("--up", "0,1,0", up=(0, 1, 0))
         self.assertSame("--up", "camera", up=pcl_ops.camera_up())
-
-    def test_by_any_number_of_threads(self):
         self.assertSame(threads=3)
         self.assertSame(threads=0)
 
@@ -119,15 +115,11 @@ class Reader(unittest.TestCase):
             self.assertEqual((cloud.points.tolist(), cloud.labels), ([[1, 2, 3]], None))
 
     def test_keeps_the_digits_of_a_las(self):
-        millimetres = np.random.default_rng(1).integers(0, 10**6, (500, 3), np.int32)
-        record = np.zeros(500, [("place", "<i4", 3), ("rest", "u1", 8)])
-        record["place"] = millimetres
-        zero = np.array([5e5, 5.4e6, 300.0])
-        header = struct.pack("<4s20xBB68xHIIBHI20x12d", b"LASF", 1, 2, 227, 227, 0, 0, 20, 500,
-                             *[0.001] * 3, *zero, *[1e7, 0.0] * 3)
-        (self.folder / "a.las").write_bytes(header + record.tobytes())
+        millimeters = np.random.default_rng(1).integers(0, 10**6, (500, 3))
+        expected = np.array([5e5, 5.4e6, 300.0]) + millimeters * 0.001
+        (self.folder / "a.las").write_bytes(las(expected))
         points = pcl_ops.read(self.folder / "a.las").points
-        np.testing.assert_allclose(points, zero + millimetres * 0.001, rtol=0, atol=1e-6)
+        np.testing.assert_allclose(points, expected, rtol=0, atol=1e-6)
 
     def test_says_what_is_wrong(self):
         with self.assertRaises(FileNotFoundError):
@@ -140,25 +132,18 @@ class Reader(unittest.TestCase):
 
 
 class Parameters(unittest.TestCase):
-    def test_of_a_preset_give_its_planes(self):
+    def test_of_a_preset_are_and_give_its_planes(self):
         draws = np.random.default_rng(1)
         points = draws.uniform(0, 2, (20000, 3)).astype(np.float32)
         points[:15000, 2] = 0.5
-        for method in ("ops", "fspf", "kht"):
+        for method, (name, value) in {
+            "ops": ("strategy", "divide_then_detect"),
+            "fspf": ("inner_radius", 0.07),
+            "kht": ("refit_enabled", False),
+        }.items():
+            parameters = pcl_ops.parameters(method, "paper")
+            self.assertEqual(parameters[name], value)
+            self.assertNotEqual(pcl_ops.parameters(method)[name], value)
             paper = pcl_ops.segment(points, method, "paper")[0]
-            given = pcl_ops.segment(points, method, **pcl_ops.parameters(method, "paper"))[0]
-            np.testing.assert_array_equal(paper, given)
-
-    def test_are_those_of_the_presets(self):
+            np.testing.assert_array_equal(paper, pcl_ops.segment(points, method, **parameters)[0])
         self.assertIsNone(pcl_ops.parameters()["distance_threshold"])
-        paper = pcl_ops.parameters("ops", "paper")
-        self.assertEqual(paper["distance_threshold"], 0.05)
-        self.assertEqual(paper["sampling"], "points")
-        self.assertEqual(paper["strategy"], "divide_then_detect")
-        self.assertEqual(pcl_ops.parameters("kht", "paper")["phi_num"], 80)
-        self.assertFalse(pcl_ops.parameters("kht", "paper")["refit_enabled"])
-        self.assertEqual(pcl_ops.parameters("fspf", "paper")["inner_radius"], 0.07)
-
-
-if __name__ == "__main__":
-    unittest.main()

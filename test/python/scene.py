@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Clouds of the tests, and poses they are seen from."""
 
+import struct
+
 import numpy as np
 
 
@@ -37,3 +39,13 @@ def turn(degrees):
 def seen_from(pose, points):
     """The points in the frame that has this pose."""
     return ((points - pose[:3, 3]) @ pose[:3, :3]).astype(np.float32)
+
+
+def las(points):
+    """The bytes of a LAS file with coordinates in millimeters, from the least on."""
+    zero = np.nanmin(points, axis=0).astype(np.float64)
+    record = np.zeros(len(points), [("place", "<i4", 3), ("rest", "u1", 8)])
+    record["place"] = np.round((points - zero) * 1000)
+    header = struct.pack("<4s20xBB68xHIIBHI20x12d", b"LASF", 1, 2, 227, 227, 0, 0, 20,
+                         len(points), *[0.001] * 3, *zero, *[1e7, 0.0] * 3)
+    return header + record.tobytes()

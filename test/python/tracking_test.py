@@ -17,7 +17,7 @@ class FilterPlanes(unittest.TestCase):
         # A floor of 12 m^2, a wall of 10 and one of 7.5.
         cls.planes = pcl_ops.segment(room(), viewpoint=(2, 1.5, 1))[1]
 
-    def test_keeps_what_each_argument_asks_for(self):
+    def test_keeps_what_each_argument_asks_for_and_counts_a_plane_once(self):
         floor, wall, side = self.planes
         kept, dropped = pcl_ops.filter_planes(self.planes)
         self.assertEqual((kept, set(dropped.values())), (self.planes, {0}))
@@ -39,8 +39,6 @@ class FilterPlanes(unittest.TestCase):
         kept, _ = pcl_ops.filter_planes(
             self.planes, direction=(0, 1, 0.3), direction_tolerance=0.1)
         self.assertEqual(kept, [])
-
-    def test_counts_a_plane_once_and_takes_the_first_of_those_left(self):
         kept, dropped = pcl_ops.filter_planes(
             self.planes, orientation="vertical", min_area=20.0, max_planes=1)
         self.assertEqual(kept, [])
@@ -50,27 +48,21 @@ class FilterPlanes(unittest.TestCase):
 
 
 class MatchPlanes(unittest.TestCase):
-    def setUp(self):
-        self.points = room()
-        self.previous = pcl_ops.segment(self.points)[1]
-
-    def test_finds_planes_in_a_frame_that_has_moved(self):
+    def test_finds_planes_in_a_frame_that_has_moved_and_corrects_the_pose(self):
+        points = room()
+        previous = pcl_ops.segment(points)[1]
         pose = turn(50)
         pose[:3, 3] = (1, 2, 0.5)
-        current = pcl_ops.segment(seen_from(pose, self.points))[1]
-        matches, _ = pcl_ops.match_planes(self.previous, current, pose)
-        self.assertEqual((matches.dtype, matches.tolist()), (np.int32, [0, 1, 2]))
-        matches, _ = pcl_ops.match_planes(self.previous, current[::-1], pose)
-        self.assertEqual(matches.tolist(), [2, 1, 0])
-        self.assertEqual(pcl_ops.match_planes(self.previous, current)[0].tolist(), [-1, -1, -1])
-
-    def test_corrects_the_pose(self):
-        current = pcl_ops.segment(seen_from(turn(4), self.points))[1]
-        matches, pose = pcl_ops.match_planes(self.previous, current)
+        current = pcl_ops.segment(seen_from(pose, points))[1]
+        matches, _ = pcl_ops.match_planes(previous, current[::-1], pose)
+        self.assertEqual((matches.dtype, matches.tolist()), (np.int32, [2, 1, 0]))
+        self.assertEqual(pcl_ops.match_planes(previous, current)[0].tolist(), [-1, -1, -1])
+        current = pcl_ops.segment(seen_from(turn(4), points))[1]
+        matches, pose = pcl_ops.match_planes(previous, current)
         self.assertEqual(matches.tolist(), [0, 1, 2])
         np.testing.assert_allclose(pose, turn(4), atol=0.01)
         matches, pose = pcl_ops.match_planes(
-            self.previous, current, rotation_error=0.0, translation_error=0.0)
+            previous, current, rotation_error=0.0, translation_error=0.0)
         self.assertLess(matches[1], 0)
         np.testing.assert_allclose(pose, np.eye(4), atol=1e-9)
 
@@ -92,13 +84,11 @@ class Tracker(unittest.TestCase):
             self.assertAlmostEqual(abs(tracked.plane.normal @ plane.normal), 1.0, delta=1e-3)
             self.assertEqual(tracked.plane.area, 0.0)
 
-    def test_forgets_after_its_memory(self):
+    def test_forgets_and_copies_are_apart_and_pickling_is_refused(self):
         tracker = pcl_ops.PlaneTracker(memory=0)
         for planes in (self.frames[0], []):
             tracker.track(planes)
         self.assertEqual(tracker.track(self.frames[0]).tolist(), [4, 5, 6])
-
-    def test_copies_are_apart_and_pickling_is_refused(self):
         tracker = pcl_ops.PlaneTracker()
         tracker.track(self.frames[0])
         for copied in (copy.copy(tracker), copy.deepcopy(tracker)):
@@ -108,7 +98,3 @@ class Tracker(unittest.TestCase):
         for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
             with self.assertRaisesRegex(TypeError, "pcl_ops.PlaneTracker"):
                 pickle.dumps(tracker, protocol)
-
-
-if __name__ == "__main__":
-    unittest.main()

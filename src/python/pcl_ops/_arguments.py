@@ -3,32 +3,99 @@
 """What arguments have to be, and the named ones that the extension knows."""
 
 import inspect
-from typing import Any, Callable, List, Sequence, Tuple, Union
+import itertools
+from typing import Any, Callable, Dict, NamedTuple, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _pcl_ops
 
+Points = Union[NDArray[np.float32], NDArray[np.float64]]
 Vector = Union[Sequence[float], NDArray[Any]]
+
+
+class Parameter(NamedTuple):
+    """A field of one of the extension's structs."""
+
+    struct: Any
+    field: str
+    kind: str
+    """What it has to be, as an annotation."""
+    words: Dict[str, Any]
+    """The values of an enumeration by name; empty for others."""
+
+    @property
+    def value(self) -> Any:
+        value = getattr(self.struct, self.field)
+        if self.words and value is not None:
+            return value.name
+        return tuple(value.tolist()) if isinstance(value, np.ndarray) else value
+
+    def set(self, name: str, value: Any) -> None:
+        is_word = bool(self.words) and isinstance(value, str)
+        try:
+            if self.kind == "bool" and not isinstance(value, (bool, np.bool_)):
+                raise TypeError  # everything converts to it
+            setattr(self.struct, self.field, self.words[value] if is_word else value)
+        except (KeyError, TypeError):
+            is_number = "int" in self.kind and not self.words and hasattr(value, "__index__")
+            wanted = self.kind.replace("Vector", "three numbers (x, y, z)")
+            raise (ValueError if is_word or is_number else TypeError)(
+                f"{name}: has to be {wanted}{' within its range' if is_number else ''}, "
+                f"not {value!r:.80}") from None
+
+
+def parameters_of(struct: Any, prefix: str = "") -> Dict[str, Parameter]:
+    """All by name, with those of the structs within, which alone have no documentation."""
+    known = {}
+    for name, field in itertools.chain(*(vars(kind).items() for kind in type(struct).__mro__)):
+        if isinstance(field, property) and not field.__doc__:
+            known.update(parameters_of(getattr(struct, name), prefix + name))
+        elif isinstance(field, property):
+            kind = field.__doc__.replace("Optional[", "").rstrip("]")
+            words = getattr(getattr(_pcl_ops, kind, None), "__members__", {})
+            literal = f"Literal{list(words)}" if words else kind
+            known[prefix + name] = Parameter(
+                struct, name, field.__doc__.replace(kind, literal), words)
+    return known
+
+
+def with_given(preset: Any, given: Dict[str, Any]) -> Any:
+    """The extension's struct with those parameters set that the user gives."""
+
+    def with_some(some):
+        struct = type(preset)(preset)
+        known = parameters_of(struct)
+        for name, value in some.items():
+            if name not in known:
+                raise ValueError(f"{name}: unknown parameter; there are {', '.join(known)}")
+            known[name].set(name, value)
+        return struct, struct.problem()
+
+    struct, problem = with_some(given)
+    if problem:
+        at_fault = [name for name in given if with_some({name: given[name]})[1] == problem]
+        raise ValueError(": ".join([*at_fault[:1], problem]))
+    return struct
 
 
 def named_parameters(*lists: str) -> Callable[[Any], Any]:
     """Shows in help, completion and stubs what **parameters may be.
 
-    lists: names of the extension's lists of parameters, which the function takes all.
+    lists: names of the extension's structs of parameters, which the function takes all.
     """
 
     def with_names(function):
         signature = inspect.signature(function)
-        shown = [one for one in signature.parameters.values() if one.kind != one.VAR_KEYWORD]
-        known = {name: rest for one in lists for name, *rest in _pcl_ops.parameters(one, "default")}
-        for name, (default, annotation) in known.items():
-            # Methods have defaults of their own.
-            default = default if len(lists) == 1 else ...
-            shown.append(inspect.Parameter(
-                name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation))
-        function.__signature__ = signature.replace(parameters=shown)
+        shown = {name: one for name, one in signature.parameters.items() if name != "parameters"}
+        for one in lists:
+            for name, parameter in parameters_of(getattr(_pcl_ops, one)()).items():
+                # Methods have defaults of their own.
+                default = parameter.value if len(lists) == 1 else ...
+                shown[name] = inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY,
+                                                default=default, annotation=parameter.kind)
+        function.__signature__ = signature.replace(parameters=list(shown.values()))
         return function
 
     return with_names
@@ -40,11 +107,15 @@ def check_is_one_of(name: str, value: Any, words: Tuple[str, ...]) -> None:
         raise kind(f"{name}: has to be one of {words}, not {value!r:.80}")
 
 
+def plain_array(name: str, numbers: Any, instead: str) -> NDArray[Any]:
+    if isinstance(numbers, np.ma.MaskedArray):
+        raise TypeError(f"{name}: a masked array; use {name}.filled({instead})")
+    return np.asarray(numbers)
+
+
 def points_array(points: Any) -> NDArray[Any]:
     """The points as an aligned array of the machine's order of bytes, the same one where it is."""
-    if isinstance(points, np.ma.MaskedArray):
-        raise TypeError("points: a masked array; use points.filled(numpy.nan)")
-    array = np.asarray(points)
+    array = plain_array("points", points, "numpy.nan")
     if array.dtype.kind != "f" or array.dtype.itemsize not in (4, 8):
         raise TypeError(f"points: dtype {array.dtype} is neither float32 nor float64")
     if array.ndim != 2 or array.shape[1] != 3:
@@ -60,7 +131,7 @@ def single_precision(points: NDArray[Any]) -> Tuple[NDArray[np.float32], NDArray
     """The points as the extension reads them, and where in their frame the zero of these is.
 
     That is zero where single precision holds all numbers exactly; else it is near most
-    points, so that coordinates in the millions keep their millimetres.
+    points, so that coordinates in the millions keep their millimeters.
     """
     origin = np.zeros(3)
     if points.dtype == np.float32:
@@ -87,13 +158,11 @@ def usual_place(points: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def place(name: str, given: Any) -> NDArray[np.float64]:
-    """A finite place."""
     try:
-        array = np.asarray(given, float)
+        array = np.asarray(given, float).reshape(3)
     except (TypeError, ValueError):
-        array = np.empty(0)
-    if array.shape != (3,):
-        raise TypeError(f"{name}: has to be three numbers (x, y, z), not {given!r:.80}")
+        raise TypeError(
+            f"{name}: has to be three numbers (x, y, z), not {given!r:.80}") from None
     if not np.isfinite(array).all():
         raise ValueError(f"{name}: has to be finite, not {given!r:.80}")
     return array
@@ -102,22 +171,19 @@ def place(name: str, given: Any) -> NDArray[np.float64]:
 def pose_matrix(pose: Any) -> NDArray[np.float64]:
     """A rigid motion, by default none."""
     array = np.eye(4) if pose is None else np.asarray(pose)
-    rounding = 1e-4  # of single precision, multiplied a few times
-    is_rigid = array.dtype.kind in "fiu" and array.shape == (4, 4) and np.isfinite(array).all()
-    if is_rigid:
-        turn = array[:3, :3].astype(float)
-        is_rigid = (np.allclose(turn @ turn.T, np.eye(3), atol=rounding) and np.linalg.det(turn) > 0
-                    and np.allclose(array[3], (0, 0, 0, 1)))
-    if not is_rigid:
-        raise ValueError("pose: is no 4 x 4 matrix of a rotation and a translation")
-    return array.astype(float)
+    if array.dtype.kind in "fiu" and array.shape == (4, 4) and np.isfinite(array).all():
+        array = array.astype(float)
+        turn = array[:3, :3]
+        rounding = 1e-4  # of single precision, multiplied a few times
+        if (np.allclose(turn @ turn.T, np.eye(3), atol=rounding) and np.linalg.det(turn) > 0
+                and np.allclose(array[3], (0, 0, 0, 1))):
+            return array
+    raise ValueError("pose: is no 4 x 4 matrix of a rotation and a translation")
 
 
 def plane_numbers(name: str, labels: Any, number: int, none: int) -> NDArray[np.uint32]:
     """Labels as the extension has them: planes from 1, 0 for none."""
-    if isinstance(labels, np.ma.MaskedArray):
-        raise TypeError(f"{name}: a masked array; use {name}.filled(-1)")
-    array = np.asarray(labels)
+    array = plain_array(name, labels, "-1")
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name}: dtype {array.dtype} is not one of whole numbers")
     if array.shape != (number,):
@@ -126,14 +192,3 @@ def plane_numbers(name: str, labels: Any, number: int, none: int) -> NDArray[np.
         raise ValueError(f"{name}: the label {array.max()} is too large")
     array = array.astype(np.int64)
     return np.where((array < 0) | (array == none), 0, array + 1).astype(np.uint32)
-
-
-def plane_list(name: str, planes: Any, kind: type) -> List[Any]:
-    try:
-        planes = list(planes)
-        wrong = [plane for plane in planes if not isinstance(plane, kind)]
-    except TypeError:
-        wrong = [planes]
-    if wrong:
-        raise TypeError(f"{name}: not a list of pcl_ops.Plane: {wrong[0]!r:.80}")
-    return planes

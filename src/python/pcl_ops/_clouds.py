@@ -64,11 +64,10 @@ def from_message(msg: Any) -> Cloud:
         raise TypeError(f"msg: has no number {missing[0]} for each point")
     fields = {name: _column(rows[name]) for name in rows.dtype.names}
     points = np.stack([fields[axis] for axis in "xyz"], axis=-1)
-    if points.dtype != np.float32:
-        points = points.astype(np.float64)
     if points.ndim != 2:
         raise TypeError("msg: has several numbers x, y or z for each point")
-    return Cloud(points, np.zeros(3), fields)
+    kind = np.float32 if points.dtype == np.float32 else np.float64
+    return Cloud(points.astype(kind, copy=False), np.zeros(3), fields)
 
 
 def _rows(msg: Any) -> NDArray[Any]:
@@ -79,11 +78,11 @@ def _rows(msg: Any) -> NDArray[Any]:
     kinds = [np.dtype((order + _TYPES[one.datatype], (one.count,) if one.count > 1 else ()))
              for one in fields]
     row_step = msg.row_step if msg.height > 1 else msg.width * msg.point_step
+    data = msg.data if isinstance(msg.data, bytes) else np.asarray(msg.data, np.uint8)
     try:
         layout = np.dtype({"names": [one.name for one in fields], "formats": kinds,
                            "offsets": [one.offset for one in fields], "itemsize": msg.point_step})
-        return np.ndarray((msg.height, msg.width), layout, np.asarray(msg.data, np.uint8)
-                          if not isinstance(msg.data, bytes) else msg.data,
+        return np.ndarray((msg.height, msg.width), layout, data,
                           strides=(row_step, msg.point_step))
     except (TypeError, ValueError) as error:
         raise ValueError(f"msg: its fields, steps and data do not fit: {error}") from None

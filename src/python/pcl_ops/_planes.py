@@ -2,16 +2,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Planes of one array, and what is done with lists of them."""
 
-from typing import Any, Dict, List, Literal, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Dict, Iterable, List, Literal, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _pcl_ops
-from ._arguments import Vector, named_parameters, place, plane_list, single_precision
+from ._arguments import Vector, named_parameters, place, single_precision, with_given
 
 
-class Plane:
+def _part(name: str, doc: str) -> Any:
+    """What the extension knows of a plane."""
+    return property(getattr(_pcl_ops.Segment, name).fget, doc=doc)
+
+
+def _part_of_extent(position: int, doc: str) -> Any:
+    return property(lambda plane: plane._extent()[position], doc=doc)
+
+
+class Plane(_pcl_ops.Segment):
     """A plane and the points on it, in the frame and the unit of their array.
 
     Hull, area, length and width are found out when first asked for, from the array as it
@@ -19,9 +28,33 @@ class Plane:
     with it, planes of one list the same.
     """
 
+    normal: NDArray[np.float64] = _part("normal", "(3,): unit normal, towards the viewpoint.")
+    centroid: NDArray[np.float64] = _part("centroid", "(3,): mean of the inliers, on the plane.")
+    coefficients: NDArray[np.float64] = property(
+        lambda plane: np.append(plane.normal, -plane.normal @ plane.centroid),
+        doc="(4,): normal and d of a x + b y + c z + d = 0.")
+    rms: float = _part("rms", "Root mean square distance of the inliers to the plane.")
+    orientation: Literal["horizontal", "vertical", "other"] = property(
+        lambda plane: _pcl_ops.Segment.orientation.fget(plane).name,
+        doc="By up and angle_tolerance.")
+    inliers: NDArray[np.int32] = _part(
+        "inliers", "(n,), read-only: rows of the array that are on the plane, ascending.")
+    axes: NDArray[np.float64] = _part("axes", """(2, 3): unit vectors u and v in the plane,
+        u x v = normal, those of covariance. They depend on the normal alone.""")
+    covariance: Optional[NDArray[np.float64]] = _part("covariance", """(3, 3): covariance of the
+        errors of (tilt along u [rad], tilt along v [rad], offset). With errors (a, b, c) the
+        surface has the height c + a s + b t over the plane at centroid + s u + t v. Right for
+        noise that is independent from point to point. None for fewer than four inliers.""")
+    hull: NDArray[np.float64] = _part_of_extent(0, """(m, 3): corners of the convex outline, on the
+        plane, counter-clockwise seen from the side the normal points to, the first not
+        repeated.""")
+    area: float = _part_of_extent(1, "Area of the hull.")
+    length: float = _part_of_extent(2, "Longer side of the smallest rectangle around the hull.")
+    width: float = _part_of_extent(3, "Shorter side of that rectangle.")
+
     def __init__(self, segment: Any, points: NDArray[Any]) -> None:
         """As segment makes them."""
-        self._segment = segment
+        super().__init__(segment)
         self._points = points
         self._known_extent = None
 
@@ -30,82 +63,17 @@ class Plane:
                 f"rms {self.rms:.3g}>")
 
     def __reduce__(self) -> Any:
-        return _plane_of_state, (self._segment.state, self._points)
-
-    @property
-    def normal(self) -> NDArray[np.float64]:
-        """(3,): unit normal, towards the viewpoint."""
-        return self._segment.normal
-
-    @property
-    def centroid(self) -> NDArray[np.float64]:
-        """(3,): mean of the inliers, on the plane."""
-        return self._segment.centroid
-
-    @property
-    def coefficients(self) -> NDArray[np.float64]:
-        """(4,): normal and d of a x + b y + c z + d = 0."""
-        return np.append(self.normal, -self.normal @ self.centroid)
-
-    @property
-    def rms(self) -> float:
-        """Root mean square distance of the inliers to the plane."""
-        return self._segment.rms
-
-    @property
-    def orientation(self) -> Literal["horizontal", "vertical", "other"]:
-        """By up and angle_tolerance."""
-        return self._segment.orientation
-
-    @property
-    def inliers(self) -> NDArray[np.int32]:
-        """(n,), read-only: rows of the array that are on the plane, ascending."""
-        return self._segment.inliers
-
-    @property
-    def hull(self) -> NDArray[np.float64]:
-        """(m, 3): corners of the convex outline, on the plane, counter-clockwise seen from
-        the side the normal points to, the first not repeated."""
-        return self._extent()[0]
-
-    @property
-    def area(self) -> float:
-        """Area of the hull."""
-        return self._extent()[1]
-
-    @property
-    def length(self) -> float:
-        """Longer side of the smallest rectangle around the hull."""
-        return self._extent()[2]
-
-    @property
-    def width(self) -> float:
-        """Shorter side of that rectangle."""
-        return self._extent()[3]
-
-    @property
-    def axes(self) -> NDArray[np.float64]:
-        """(2, 3): unit vectors u and v in the plane, u x v = normal, those of covariance.
-        They depend on the normal alone."""
-        return self._segment.axes
-
-    @property
-    def covariance(self) -> Optional[NDArray[np.float64]]:
-        """(3, 3): covariance of the errors of (tilt along u [rad], tilt along v [rad],
-        offset). With errors (a, b, c) the surface has the height c + a s + b t over the
-        plane at centroid + s u + t v. Right for noise that is independent from point to
-        point. None for fewer than four inliers."""
-        return self._segment.covariance
+        return Plane, (self._state, self._points)
 
     def _extent(self) -> Tuple[NDArray[np.float64], float, float, float]:
         if self._known_extent is None:  # it takes longer than finding the plane
             inliers, origin = single_precision(self._points.take(self.inliers, axis=0))
-            self._known_extent = _pcl_ops.extent(inliers, origin, self._segment)
+            self._known_extent = _pcl_ops.extent(inliers, origin, self)
         return self._known_extent
 
 
-def _plane_of_state(state: Any, points: NDArray[Any]) -> Plane:
-    return Plane(_pcl_ops.Segment(state), points)
+Planes = Sequence[Plane]
+Labels = NDArray[np.int32]
 
 
 class PlaneEdge(NamedTuple):
@@ -128,20 +96,21 @@ class PlaneCorner(NamedTuple):
     position: NDArray[np.float64]
 
 
-def segments_of(name: str, planes: Any) -> List[Any]:
-    return [plane._segment for plane in plane_list(name, planes, Plane)]
-
-
-def _array_of(planes: List[Plane]) -> NDArray[Any]:
+def _array_of(planes: Planes) -> NDArray[Any]:
     if any(plane._points is not planes[0]._points for plane in planes):
         raise ValueError("planes: they are of different arrays, whose rows cannot be told apart")
     return planes[0]._points if planes else np.empty((0, 3), np.float32)
 
 
+def plane_list(name: str, planes: Any) -> List[Plane]:
+    listed = list(planes) if isinstance(planes, Iterable) else [planes]
+    if not all(isinstance(one, Plane) for one in listed):
+        raise TypeError(f"{name}: not a list of pcl_ops.Plane: {planes!r:.80}")
+    return listed
+
+
 @named_parameters("merge_planes")
-def merge_planes(
-    planes: Sequence[Plane], **parameters: Any
-) -> Tuple[List[Plane], NDArray[np.int32]]:
+def merge_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], Labels]:
     """Merge coplanar planes until no pair passes the test.
 
     planes: list of Plane of one array that share no points, as segment gives them; with
@@ -154,20 +123,19 @@ def merge_planes(
     int32 array with the position in it of the plane that each of planes went into, -1
     where its points span no plane.
     """
-    planes = plane_list("planes", planes, Plane)
+    planes = plane_list("planes", planes)
     points = _array_of(planes)
-    taken = np.concatenate([plane.inliers for plane in planes]) if planes else np.empty(0)
+    taken = np.concatenate([np.empty(0, np.int32), *(plane.inliers for plane in planes)])
     if len(np.unique(taken)) < len(taken):
         raise ValueError("planes: some share points, which would count twice; give those of one "
                          "segment")
-    segments, merged_into = _pcl_ops.merge(segments_of("planes", planes), parameters)
+    segments, merged_into = _pcl_ops.merge(
+        planes, with_given(_pcl_ops.merge_planes(), parameters))
     return [Plane(one, points) for one in segments], np.array(merged_into, np.int32)
 
 
 @named_parameters("filter_planes")
-def filter_planes(
-    planes: Sequence[Plane], **parameters: Any
-) -> Tuple[List[Plane], Dict[str, int]]:
+def filter_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], Dict[str, int]]:
     """Keep the planes that are wanted.
 
     planes: list of Plane, in an order that stays.
@@ -182,9 +150,9 @@ def filter_planes(
     Returns (kept, dropped): the list of Plane, and a dict with how many each of these
     arguments dropped; a plane counts once, for the first it fails.
     """
-    planes = plane_list("planes", planes, Plane)
-    reasons = _pcl_ops.filter(
-        segments_of("planes", planes), parameters, lambda i: (planes[i].area, planes[i].width))
+    planes = plane_list("planes", planes)
+    reasons = _pcl_ops.filter(planes, with_given(_pcl_ops.filter_planes(), parameters),
+                              lambda i: (planes[i].area, planes[i].width))
     names = ("orientation", "direction", "min_points", "min_area", "min_width", "max_area",
              "max_width", "max_planes")
     kept = [plane for plane, reason in zip(planes, reasons) if not reason]
@@ -193,21 +161,22 @@ def filter_planes(
 
 @named_parameters("find_plane_edges")
 def find_plane_edges(
-    planes: Sequence[Plane], **parameters: Any
+    planes: Planes, **parameters: Any
 ) -> Tuple[List[PlaneEdge], List[PlaneCorner]]:
     """Where planes meet: edges of two, corners of three.
 
     planes: list of Plane of one array.
     reach: how near to the line that two planes have in common both must have points;
         max_gap: how long a gap along it may be; min_length: shorter edges are left
-        out. None: follows the noise and the distance of neighbouring points.
+        out. None: follows the noise and the distance of neighboring points.
     min_angle: planes at a smaller angle have no edge [rad].
 
     Returns (edges, corners), in ascending order of their planes.
     """
-    planes = plane_list("planes", planes, Plane)
+    planes = plane_list("planes", planes)
     single, origin = single_precision(_array_of(planes))
-    edges, corners = _pcl_ops.edges(single, origin, segments_of("planes", planes), parameters)
+    edges, corners = _pcl_ops.edges(
+        single, origin, planes, with_given(_pcl_ops.find_plane_edges(), parameters))
     return [PlaneEdge(*edge) for edge in edges], [PlaneCorner(*corner) for corner in corners]
 
 
@@ -221,7 +190,7 @@ def camera_up() -> Tuple[float, float, float]:
 
 @named_parameters("estimate_up_axis")
 def estimate_up_axis(
-    planes: Sequence[Plane], viewpoint: Vector = (0.0, 0.0, 0.0), **parameters: Any
+    planes: Planes, viewpoint: Vector = (0.0, 0.0, 0.0), **parameters: Any
 ) -> Optional[Tuple[NDArray[np.float64], float]]:
     """Which way is up in a room, by its planes alone.
 
@@ -236,8 +205,8 @@ def estimate_up_axis(
     to 1; or None where the planes cannot tell, or where the points were not seen from the
     viewpoint (is_seen_from), as then floors are taken for ceilings.
     """
-    planes = plane_list("planes", planes, Plane)
+    planes = plane_list("planes", planes)
     sensor = place("viewpoint", viewpoint)
-    found = _pcl_ops.up_axis(segments_of("planes", planes), sensor, parameters)
     single, origin = single_precision(_array_of(planes))
+    found = _pcl_ops.up_axis(planes, sensor, with_given(_pcl_ops.estimate_up_axis(), parameters))
     return found if found and _pcl_ops.is_seen_from(single, sensor - origin) else None

@@ -2,35 +2,32 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The planes of an array, and how right they are."""
 
-from typing import Any, Dict, List, Literal, Tuple, Union
+from typing import Any, Dict, List, Literal, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _arguments as _given
 from . import _pcl_ops
-from ._arguments import Vector, named_parameters
-from ._planes import Plane
+from ._arguments import Points, Vector, check_is_one_of, named_parameters, parameters_of, place
+from ._arguments import plane_numbers, points_array, single_precision, with_given
+from ._planes import Labels, Plane
 
 Method = Literal["ops", "fspf", "kht"]
 Preset = Literal["default", "paper"]
-Points = Union[NDArray[np.float32], NDArray[np.float64]]
 
 
-def _check_names(method: Any, preset: Any) -> None:
-    _given.check_is_one_of("method", method, ("ops", "fspf", "kht"))
-    _given.check_is_one_of("preset", preset, ("default", "paper"))
+def _preset(method: Any, preset: Any) -> Any:
+    check_is_one_of("method", method, ("ops", "fspf", "kht"))
+    check_is_one_of("preset", preset, ("default", "paper"))
+    kind = getattr(_pcl_ops, method)
+    return kind.paper() if preset == "paper" else kind()
 
 
 @named_parameters("ops", "fspf", "kht")
 def segment(
-    points: Points,
-    method: Method = "ops",
-    preset: Preset = "default",
-    *,
-    viewpoint: Vector = (0.0, 0.0, 0.0),
-    **parameters: Any,
-) -> Tuple[NDArray[np.int32], List[Plane]]:
+    points: Points, method: Method = "ops", preset: Preset = "default", *,
+    viewpoint: Vector = (0.0, 0.0, 0.0), **parameters: Any,
+) -> Tuple[Labels, List[Plane]]:
     """Find all planes of a point cloud.
 
     points: array of float32 or float64 of shape (N, 3), with any strides; rows with NaN or
@@ -51,15 +48,16 @@ def segment(
 
     Raises ValueError or TypeError, which name the argument at fault.
     """
-    _check_names(method, preset)
-    sensor = _given.place("viewpoint", viewpoint)
-    array = _given.points_array(points)
-    single, origin = _given.single_precision(array)
-    segments = _pcl_ops.segment(single, origin, sensor, method, preset, parameters)
+    by_default = _preset(method, preset)
+    sensor = place("viewpoint", viewpoint)
+    array = points_array(points)
+    single, origin = single_precision(array)
+    segments = _pcl_ops.segment(single, origin, sensor, with_given(by_default, parameters))
+    planes = [Plane(segment, array) for segment in segments]
     labels = np.full(len(array), -1, np.int32)
-    for number, plane in enumerate(segments):
+    for number, plane in enumerate(planes):
         labels[plane.inliers] = number
-    return labels, [Plane(plane, array) for plane in segments]
+    return labels, planes
 
 
 def parameters(method: Method = "ops", preset: Preset = "default") -> Dict[str, Any]:
@@ -69,8 +67,7 @@ def parameters(method: Method = "ops", preset: Preset = "default") -> Dict[str, 
     in the headers, whose structs' fields these are; those of a struct within another have
     its name before their own, as in merging_angle_threshold.
     """
-    _check_names(method, preset)
-    return {name: value for name, value, _ in _pcl_ops.parameters(method, preset)}
+    return {name: one.value for name, one in parameters_of(_preset(method, preset)).items()}
 
 
 def is_seen_from(points: Points, viewpoint: Vector = (0.0, 0.0, 0.0)) -> bool:
@@ -79,19 +76,15 @@ def is_seen_from(points: Points, viewpoint: Vector = (0.0, 0.0, 0.0)) -> bool:
     One surface in each direction, nothing behind anything: so is a depth image or a scan
     in the frame of its sensor, but not a cloud of several, or one in the frame of a world.
     """
-    sensor = _given.place("viewpoint", viewpoint)
-    single, origin = _given.single_precision(_given.points_array(points))
+    sensor = place("viewpoint", viewpoint)
+    single, origin = single_precision(points_array(points))
     return _pcl_ops.is_seen_from(single, sensor - origin)
 
 
 @named_parameters("evaluate")
 def evaluate(
-    truth: NDArray[Any],
-    result: NDArray[Any],
-    points: Points,
-    *,
-    none: Union[int, None] = None,
-    **parameters: Any,
+    truth: NDArray[Any], result: NDArray[Any], points: Points, *,
+    none: Optional[int] = None, **parameters: Any,
 ) -> Dict[str, float]:
     """Compare the planes found in a point cloud with the true ones.
 
@@ -109,13 +102,14 @@ def evaluate(
     of 0.5 and, ending in _75, of 0.75; points_off_planes_called_planes; and the numbers
     points, truth_planes and result_planes.
     """
-    array = _given.points_array(points)
-    true_planes = _given.plane_numbers("truth", truth, len(array), -1 if none is None else none)
-    found_planes = _given.plane_numbers("result", result, len(array), -1)
+    array = points_array(points)
+    true_planes = plane_numbers("truth", truth, len(array), -1 if none is None else none)
+    found_planes = plane_numbers("result", result, len(array), -1)
     # 1 was the label 0, 0 a negative one.
     if none is None and true_planes.min() == 1 and found_planes.min() == 0:
         raise ValueError(
             "truth: has the label 0 and no negative one; give none=0 if 0 stands for no plane, "
             "as in files, or none=-1 if it is a plane")
-    single, _ = _given.single_precision(array)
-    return _pcl_ops.evaluate(true_planes, found_planes, single, parameters)
+    single, _ = single_precision(array)
+    return _pcl_ops.compare(
+        true_planes, found_planes, single, with_given(_pcl_ops.evaluate(), parameters))

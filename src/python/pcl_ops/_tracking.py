@@ -2,23 +2,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Planes of one frame found again in others."""
 
-from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _pcl_ops
-from ._arguments import named_parameters, pose_matrix
-from ._planes import Plane, segments_of
+from ._arguments import named_parameters, pose_matrix, with_given
+from ._planes import Labels, Plane, Planes, plane_list
 
 
 @named_parameters("match_planes")
 def match_planes(
-    previous: Sequence[Plane],
-    current: Sequence[Plane],
-    pose: Optional[NDArray[Any]] = None,
-    **parameters: Any,
-) -> Tuple[NDArray[np.int32], NDArray[np.float64]]:
+    previous: Planes, current: Planes, pose: Optional[NDArray[Any]] = None, **parameters: Any
+) -> Tuple[Labels, NDArray[np.float64]]:
     """Find the planes of a frame again in the next.
 
     previous, current: lists of Plane, each in the frame of its own array.
@@ -33,8 +30,8 @@ def match_planes(
     each of current continues, -1 for none; and the pose as the matched planes correct it.
     """
     matches, corrected = _pcl_ops.match(
-        segments_of("previous", previous), segments_of("current", current), pose_matrix(pose),
-        parameters)
+        plane_list("previous", previous), plane_list("current", current), pose_matrix(pose),
+        with_given(_pcl_ops.match_planes(), parameters))
     return np.array(matches, np.int32), corrected
 
 
@@ -61,19 +58,20 @@ class PlaneTracker:
         """
         if memory is not None and not (isinstance(memory, int) and memory >= 0):
             raise ValueError(f"memory: has to be a number of frames or None, not {memory!r:.80}")
-        self._tracker = _pcl_ops.Tracker(memory, parameters)
+        self._tracker = _pcl_ops.Tracker(with_given(_pcl_ops.match_planes(), parameters), memory)
 
     def __copy__(self) -> "PlaneTracker":
-        copied = PlaneTracker.__new__(PlaneTracker)
+        copied = PlaneTracker()
         copied._tracker = self._tracker.copy()
         return copied
 
     def __deepcopy__(self, _: Any) -> "PlaneTracker":
         return self.__copy__()
 
-    def track(
-        self, planes: Sequence[Plane], pose: Optional[NDArray[Any]] = None
-    ) -> NDArray[np.uint32]:
+    def __reduce__(self) -> Any:
+        raise TypeError("cannot pickle 'pcl_ops.PlaneTracker' objects")
+
+    def track(self, planes: Planes, pose: Optional[NDArray[Any]] = None) -> NDArray[np.uint32]:
         """Number the planes of the next frame.
 
         planes: list of Plane as segment gives them, in the frame's own coordinates.
@@ -83,15 +81,15 @@ class PlaneTracker:
         Returns the number of each plane, all different; planes that were not seen before
         get new ones.
         """
-        numbers = self._tracker.track(segments_of("planes", planes), pose_matrix(pose))
+        numbers = self._tracker.track(plane_list("planes", planes), pose_matrix(pose))
         return np.array(numbers, np.uint32)
 
     @property
     def planes(self) -> List[TrackedPlane]:
         """All planes that are remembered, by their numbers."""
         nowhere = np.empty((0, 3), np.float32)
-        return [TrackedPlane(one.number, Plane(one.plane, nowhere), one.last_seen)
-                for one in self._tracker.planes]
+        return [TrackedPlane(number, Plane(plane, nowhere), last_seen)
+                for number, plane, last_seen in self._tracker.planes]
 
     @property
     def pose(self) -> NDArray[np.float64]:

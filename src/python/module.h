@@ -2,12 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "interpreter.h"
 #include <pcl_ops/cloud_view.h>
+#include <pcl_ops/plane_detector_parameters.h>
+#include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
 namespace pcl_ops::python {
 
 namespace py = pybind11;
+
+/** \brief Those of merging, and which of the merged planes are horizontal. */
+struct MergePlanesParameters : PlaneDetectorParameters {};
+
+/** \brief The structs of parameters of all functions. */
+void
+defineParameters (py::module_& module);
+
+/** \brief What is done with lists of planes: merging, filtering, matching, tracking,
+ * their edges, and which way is up. */
+void
+defineListFunctions (py::module_& module);
 
 /** \brief Points as the package's own Python code hands them over: aligned, of shape
  * (N, 3), the numbers of a row side by side and rows in order. */
