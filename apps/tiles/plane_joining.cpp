@@ -141,8 +141,6 @@ addPiece (Piece& piece, const TileKey& tile, JoinedPlane& plane)
   }
   else
     plane.moments += piece.own;
-  plane.corners.insert (
-      plane.corners.end(), piece.corners.begin(), piece.corners.end());
   const bool is_same_side = plane.normal.dot (piece.normal) >= 0.0;
   for (const OutlineEdge& edge : piece.edges)
     plane.edges.push_back (is_same_side ? edge : OutlineEdge{edge.to, edge.from});

@@ -41,11 +41,6 @@ JoinedExtent
 extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plane)
 {
   const PlaneFrame frame (segment.centroid, segment.normal);
-  PlanarPoints corners;
-  corners.reserve (plane.corners.size());
-  for (const Eigen::Vector3d& corner : plane.corners)
-    corners.push_back (frame.toPlane (corner));
-  JoinedExtent whole{pcl_ops::extentOf (convexHull (corners, 0.0), corners, frame), {}};
   std::vector<OutlineEdge> edges = plane.edges;
   if (plane.normal.dot (segment.normal) < 0.0)
     for (OutlineEdge& edge : edges)
@@ -56,16 +51,20 @@ extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plan
                                                       outlineUnit (plan.cell),
                                                       segment.moments.count,
                                                       min_area);
+  PlanarPoints corners;
+  for (const PlanarRings& part : outline)
+    corners.insert (corners.end(), part.front().begin(), part.front().end());
+  JoinedExtent whole{pcl_ops::extentOf (convexHull (corners, 0.0), corners, frame), {}};
+  whole.extent.area = 0.0;
   for (const PlanarRings& part : outline) {
     PlaneExtent of_part = extentOfRings (part, part.front(), frame);
-    if (&part == &outline.front()) {
-      whole.extent.area = 0.0;
+    whole.extent.area += of_part.area;
+    if (&part != &outline.front())
+      whole.parts.push_back (of_part.rings());
+    else {
       whole.extent.hull = std::move (of_part.hull);
       whole.extent.holes = std::move (of_part.holes);
     }
-    else
-      whole.parts.push_back (of_part.rings());
-    whole.extent.area += of_part.area;
   }
   return whole;
 }

@@ -3,7 +3,6 @@
 #include "tile_detection.h"
 
 #include <pcl_ops/oriented_point_sampling.h>
-#include <pcl_ops/plane_extent.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,25 +53,7 @@ momentsOf (const TilePoints& points,
   return moments;
 }
 
-/** \brief Of the convex outline of so many points that it no longer depends on their
- * number. */
-std::vector<Eigen::Vector3d>
-cornersOf (const TilePoints& points, const PlaneSegment& plane, std::size_t own)
-{
-  constexpr std::size_t enough = 10000;
-  const std::size_t stride = own / enough + 1;
-  const PlaneFrame frame (plane.centroid, plane.normal);
-  PlanarPoints projected;
-  projected.reserve (own / stride + 1);
-  for (std::size_t i = 0; i < own; i += stride)
-    projected.push_back (
-        frame.toPlane (pointOf (points, static_cast<std::size_t> (plane.inliers[i]))));
-  std::vector<Eigen::Vector3d> corners;
-  for (const Eigen::Vector2d& corner : convexHull (projected))
-    corners.push_back (frame.toSpace (corner));
-  return corners;
-}
-
+/** \brief The tile's share of the outline. */
 std::vector<OutlineEdge>
 edgesOf (const TilePoints& points,
          const PlaneSegment& plane,
@@ -123,13 +104,10 @@ pieceOf (const TilePoints& points,
 {
   Piece piece{momentsOf (points, plane, own, corner, latticeFor (cell)),
               plane.moments,
-              cornersOf (points, plane, own),
               plane.normal,
               edgesOf (points, plane, own, corner, cell),
               inputsOf (points, plane, own)};
   piece.all.origin += corner;
-  for (Eigen::Vector3d& place : piece.corners)
-    place += corner;
   return piece;
 }
 

@@ -17,9 +17,6 @@ saveTilePlanes (const std::string& file, const TilePlanes& planes)
     for (const Piece& piece : planes.pieces) {
       put (stream, piece.own);
       putMoments (stream, piece.all);
-      put (stream, std::uint64_t (piece.corners.size()));
-      for (const Eigen::Vector3d& corner : piece.corners)
-        putBytes (stream, corner.data(), 3);
       putBytes (stream, piece.normal.data(), 3);
       putAll (stream, piece.edges);
       putAll (stream, piece.inputs);
@@ -37,9 +34,6 @@ loadTilePlanes (const std::string& file)
   for (Piece& piece : planes.pieces) {
     piece.own = get<ExactMoments> (stream);
     piece.all = getMoments (stream);
-    piece.corners.resize (getCount (stream, sizeof (Eigen::Vector3d)));
-    for (Eigen::Vector3d& corner : piece.corners)
-      getBytes (stream, corner.data(), 3);
     getBytes (stream, piece.normal.data(), 3);
     piece.edges = getAll<OutlineEdge> (stream);
     piece.inputs = getAll<std::uint32_t> (stream);

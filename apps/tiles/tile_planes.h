@@ -22,8 +22,6 @@ struct Piece {
   ExactMoments own;
   /** \brief Of those of the halo, too. */
   Moments all;
-  /** \brief Corners of the convex outline of its own points. */
-  std::vector<Eigen::Vector3d> corners;
   /** \brief Towards where the plane is seen from, whose edges go round it to the left.
    */
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();

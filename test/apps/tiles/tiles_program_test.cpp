@@ -318,6 +318,12 @@ TEST_F (TilesProgram, RefusesMapsItCannotWrite)
        "--max-width: is below --min-width; raise it"}};
   for (const auto& [options, complaint] : failures)
     expectRefused ("town --output-dir out " + options, complaint, 2);
+  expectDone ("town --output-dir out");
+  for (const char* damaged : {"", "{}", R"({"planes":[{"id":1}]})"}) {
+    folder_.write ("out/planes.json", damaged);
+    expectRefused ("town --output-dir out --planes p.csv",
+                   "out/planes.json: is no list of planes; remove it and run it again");
+  }
 }
 
 TEST_F (TilesProgram, SaysWhatItWouldDo)
