@@ -33,14 +33,17 @@ struct Site {
 };
 
 /** \brief The points sorted by squares as wide as a cell, each place once. They are
- * seen along the axis next to the normal, so that all tiles see the same places. */
+ * seen along the axis next to the normal, so that all tiles see the same places: with
+ * weights by which roofs of 45 degrees and walls between two axes are not on the edge
+ * between both views. */
 std::vector<Site>
 sitesOf (const std::vector<OutlinePoint>& points,
          const Eigen::Vector3d& normal,
          double cell)
 {
+  const Eigen::Vector3d weights (1.3, 1.0, 1.8);
   Eigen::Index axis = 0;
-  normal.cwiseAbs().maxCoeff (&axis);
+  normal.cwiseAbs().cwiseProduct (weights).maxCoeff (&axis);
   auto u = static_cast<std::size_t> ((axis + 1) % 3);
   auto v = static_cast<std::size_t> ((axis + 2) % 3);
   if (normal[axis] < 0.0)
@@ -63,39 +66,86 @@ sitesOf (const std::vector<OutlinePoint>& points,
   return sites;
 }
 
-std::vector<Square>
+/** \brief A square with sites. */
+struct TakenSquare {
+  Square square{};
+  bool has_own = false, has_others = false;
+  /** \brief An edge may be in it, or a triangle that another tile has as well. */
+  bool stays_whole = false;
+};
+
+std::vector<TakenSquare>
 squaresOf (const std::vector<Site>& sites)
 {
-  std::vector<Square> squares;
-  for (const Site& site : sites)
-    if (squares.empty() || squares.back() != site.square)
-      squares.push_back (site.square);
+  std::vector<TakenSquare> squares;
+  for (const Site& site : sites) {
+    if (squares.empty() || squares.back().square != site.square)
+      squares.push_back ({site.square, false, false, false});
+    (site.point.is_own ? squares.back().has_own : squares.back().has_others) = true;
+  }
   return squares;
 }
 
-/** \brief Whether all eight squares around one are taken. */
-bool
-isInside (const Square& square, const std::vector<Square>& taken)
+TakenSquare*
+squareAt (const Square& square, std::vector<TakenSquare>& squares)
 {
-  for (std::int64_t du = -1; du <= 1; ++du)
-    for (std::int64_t dv = -1; dv <= 1; ++dv)
-      if (!std::binary_search (
-              taken.begin(), taken.end(), Square{square[0] + du, square[1] + dv}))
-        return false;
-  return true;
+  const auto found = std::lower_bound (
+      squares.begin(), squares.end(), square, [] (const auto& a, const Square& b) {
+        return a.square < b;
+      });
+  return found != squares.end() && found->square == square ? &*found : nullptr;
 }
 
-/** \brief Leaves one site of each square that no edge can be in. */
-std::vector<Site>
-thinned (const std::vector<Site>& sites, const std::vector<Square>& squares)
+/** \brief Calls visit (square) with what is taken, or nullptr, for those that are so
+ * near. */
+template <typename Visit>
+void
+forSquaresAround (const Square& square,
+                  std::int64_t reach,
+                  std::vector<TakenSquare>& squares,
+                  Visit&& visit)
 {
+  for (std::int64_t du = -reach; du <= reach; ++du)
+    for (std::int64_t dv = -reach; dv <= reach; ++dv)
+      visit (squareAt ({square[0] + du, square[1] + dv}, squares));
+}
+
+/** \brief Finds the squares at the rim, and those near a border of tiles, where each
+ * has triangles of the same points: one that is a point of the plane to one of the
+ * tiles alone must not change which others are left. */
+void
+markWhole (std::vector<TakenSquare>& squares)
+{
+  // A triangle reaches three cells, and the circle around it no farther.
+  constexpr std::int64_t reach_of_triangles = 4;
+  for (TakenSquare& taken : squares) {
+    bool is_at_border = taken.has_own && taken.has_others;
+    forSquaresAround (taken.square, 1, squares, [&] (const TakenSquare* next) {
+      taken.stays_whole = taken.stays_whole || next == nullptr;
+      is_at_border =
+          is_at_border || (next != nullptr && next->has_own != taken.has_own);
+    });
+    if (is_at_border)
+      forSquaresAround (
+          taken.square, reach_of_triangles, squares, [] (TakenSquare* near) {
+            if (near != nullptr)
+              near->stays_whole = true;
+          });
+  }
+}
+
+/** \brief Leaves one site of each square that need not stay whole. */
+std::vector<Site>
+thinned (const std::vector<Site>& sites, std::vector<TakenSquare>& squares)
+{
+  markWhole (squares);
   std::vector<Site> left;
-  bool is_inside = false;
+  auto taken = squares.begin();
   for (const Site& site : sites) {
     const bool is_first = left.empty() || left.back().square != site.square;
-    if (is_first)
-      is_inside = isInside (site.square, squares);
-    if (is_first || !is_inside)
+    while (taken->square != site.square)
+      ++taken;
+    if (is_first || taken->stays_whole)
       left.push_back (site);
   }
   return left;
@@ -170,7 +220,7 @@ outlineEdges (const std::vector<OutlinePoint>& points,
   if (points.empty())
     return {};
   std::vector<Site> sites = sitesOf (points, normal, cell);
-  const std::vector<Square> squares = squaresOf (sites);
+  std::vector<TakenSquare> squares = squaresOf (sites);
   const double radius = cell * radiusFor (sites.size(), squares.size());
   sites = withinReach (thinned (sites, squares));
   Diagram diagram;

@@ -302,6 +302,29 @@ TEST_F (TilesProgram, WritesTheChosenPlanesOfAFinishedRunToo)
   EXPECT_EQ (lines (contentOf (folder_ / "p.csv")), 3u);
 }
 
+TEST_F (TilesProgram, DrawsASteepRoofThroughManyTilesAsOne)
+{
+  apps::Random random (3);
+  std::string text;
+  for (int i = 0; i < 60'000; ++i) {
+    const double x = 100.0 * random.unit(), y = 20.0 * random.unit();
+    const double noise = 0.03 * random.unit();
+    // The ridge is turned by 30 degrees.
+    text += std::to_string (0.866 * x - 0.5 * y) + " " +
+            std::to_string (0.5 * x + 0.866 * y) + " " + std::to_string (y + noise) +
+            "\n";
+  }
+  folder_.write ("roof.xyz", text);
+  expectDone ("roof.xyz --output-dir out --cell 0.9 --tile 12");
+  const nlohmann::json planes = listIn ("out").at ("planes");
+  ASSERT_EQ (planes.size(), 1u);
+  EXPECT_NEAR (planes[0].at ("area"), 2000.0 * std::sqrt (2.0), 30.0);
+  EXPECT_TRUE (planes[0].at ("holes").empty());
+  EXPECT_FALSE (planes[0].contains ("parts"));
+  EXPECT_NEAR (planes[0].at ("slope"), 45.0, 0.1);
+  EXPECT_NEAR (planes[0].at ("aspect"), 150.0, 0.1) << "down to the south-east";
+}
+
 TEST_F (TilesProgram, RefusesMapsItCannotWrite)
 {
   makeTown ("--points 2000 --tiles 1");
