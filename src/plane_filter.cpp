@@ -21,12 +21,41 @@ isSize (double number)
   return number >= 0.0 && std::isfinite (number);
 }
 
-/** \brief A filter whose direction has length 1. */
+bool
+isDirection (const Eigen::Vector3d& vector)
+{
+  return vector.allFinite() && !vector.isZero (0.0);
+}
+
+/** \brief Whether both are sizes, the first one not above the second. */
+bool
+areBounds (double low, double high)
+{
+  return isSize (low) && isSize (high) && low <= high;
+}
+
+bool
+isWithin (const std::array<double, 2>& bounds, double number)
+{
+  return number >= bounds[0] && number <= bounds[1];
+}
+
+/** \param[in] size two sides and a tolerance */
+bool
+hasSize (const PlaneExtent& extent, const std::array<double, 3>& size)
+{
+  const auto [low, high] = std::minmax (size[0], size[1]);
+  return std::abs (extent.length - high) <= size[2] &&
+         std::abs (extent.width - low) <= size[2];
+}
+
+/** \brief A filter whose directions have length 1. */
 class PlaneTest {
 public:
   PlaneTest (const PlaneFilter& filter, const ExtentOfPlane& extent_of)
   : filter_ (filter), extent_of_ (extent_of)
   {
+    filter_.up_axis.stableNormalize();
     if (filter_.direction)
       filter_.direction->stableNormalize();
   }
@@ -41,7 +70,13 @@ public:
         orientationOf (plane.normal, *filter_.direction, filter_.direction_tolerance) !=
             Orientation::Horizontal)
       return &DroppedPlanes::by_direction;
-    if (plane.inliers.size() < filter_.min_points)
+    if (filter_.slope &&
+        !isWithin (*filter_.slope, slopeOf (plane.normal, filter_.up_axis)))
+      return &DroppedPlanes::by_slope;
+    const double points = plane.inliers.empty()
+                              ? plane.moments.count
+                              : static_cast<double> (plane.inliers.size());
+    if (points < static_cast<double> (filter_.min_points))
       return &DroppedPlanes::by_points;
     return asksForExtent() ? failureOf (extent_of_ (plane)) : nullptr;
   }
@@ -51,7 +86,7 @@ private:
   asksForExtent () const
   {
     return filter_.min_area > 0.0 || filter_.min_width > 0.0 || filter_.max_area ||
-           filter_.max_width;
+           filter_.max_width || filter_.size;
   }
 
   Count
@@ -65,6 +100,8 @@ private:
       return &DroppedPlanes::by_max_area;
     if (filter_.max_width && extent.width > *filter_.max_width)
       return &DroppedPlanes::by_max_width;
+    if (filter_.size && !hasSize (extent, *filter_.size))
+      return &DroppedPlanes::by_size;
     return nullptr;
   }
 
@@ -77,22 +114,47 @@ private:
 std::string
 validate (const PlaneFilter& filter)
 {
-  if (filter.direction &&
-      (!filter.direction->allFinite() || filter.direction->isZero (0.0)))
+  if (filter.direction && !isDirection (*filter.direction))
     return "the direction must be a finite vector other than zero, or not be given";
   if (!(filter.direction_tolerance >= 0.0 && filter.direction_tolerance <= right_angle))
     return "the direction tolerance must be between 0 and pi/2 (radians)";
+  if (!isDirection (filter.up_axis))
+    return "the up axis must be a finite vector other than zero";
+  if (filter.slope && !(areBounds ((*filter.slope)[0], (*filter.slope)[1]) &&
+                        (*filter.slope)[1] <= right_angle))
+    return "the slope must be two angles between 0 and pi/2 (radians), rising";
   if (!isSize (filter.min_area))
     return "the smallest area must be a number from 0";
   if (!isSize (filter.min_width))
     return "the smallest width must be a length from 0";
-  if (filter.max_area &&
-      !(isSize (*filter.max_area) && *filter.max_area >= filter.min_area))
+  if (filter.max_area && !areBounds (filter.min_area, *filter.max_area))
     return "the largest area must be a number from the smallest area on";
-  if (filter.max_width &&
-      !(isSize (*filter.max_width) && *filter.max_width >= filter.min_width))
+  if (filter.max_width && !areBounds (filter.min_width, *filter.max_width))
     return "the largest width must be a length from the smallest width on";
+  if (filter.size && !std::all_of (filter.size->begin(), filter.size->end(), isSize))
+    return "the size must be two lengths and a tolerance from 0";
   return {};
+}
+
+std::vector<std::size_t>
+keptPlanes (const std::vector<PlaneSegment>& planes,
+            const PlaneFilter& filter,
+            const ExtentOfPlane& extent_of,
+            DroppedPlanes& dropped)
+{
+  detail::throwOn (validate (filter));
+  const PlaneTest test (filter, extent_of);
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (const Count count = test.failureOf (planes[i]))
+      ++(dropped.*count);
+    else
+      kept.push_back (i);
+  if (filter.max_planes && kept.size() > *filter.max_planes) {
+    dropped.by_number = kept.size() - *filter.max_planes;
+    kept.resize (*filter.max_planes);
+  }
+  return kept;
 }
 
 DroppedPlanes
@@ -100,21 +162,11 @@ filterPlanes (std::vector<PlaneSegment>& planes,
               const PlaneFilter& filter,
               const ExtentOfPlane& extent_of)
 {
-  detail::throwOn (validate (filter));
   DroppedPlanes dropped;
-  const PlaneTest test (filter, extent_of);
-  const auto is_dropped = [&] (const PlaneSegment& plane) {
-    const Count count = test.failureOf (plane);
-    if (count != nullptr)
-      ++(dropped.*count);
-    return count != nullptr;
-  };
-  planes.erase (std::remove_if (planes.begin(), planes.end(), is_dropped),
-                planes.end());
-  if (filter.max_planes && planes.size() > *filter.max_planes) {
-    dropped.by_number = planes.size() - *filter.max_planes;
-    planes.resize (*filter.max_planes);
-  }
+  std::vector<PlaneSegment> kept;
+  for (const std::size_t i : keptPlanes (planes, filter, extent_of, dropped))
+    kept.push_back (std::move (planes[i]));
+  planes = std::move (kept);
   return dropped;
 }
 

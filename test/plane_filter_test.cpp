@@ -126,6 +126,39 @@ TEST (PlaneFilter, KeepsPlanesUpToAnAreaAndAWidth)
   EXPECT_EQ (planes.front().inliers.size(), 300u);
 }
 
+TEST (PlaneFilter, KeepsSlopes)
+{
+  PlaneFilter filter;
+  filter.slope = {5_deg, 29.9_deg};
+  EXPECT_EQ (left (filter, &DroppedPlanes::by_slope), Sizes{});
+  filter.slope = {5_deg, 30.1_deg};
+  EXPECT_EQ (left (filter, &DroppedPlanes::by_slope), Sizes{200});
+  filter.up_axis = Vector3d (3, 0, 0);
+  filter.slope = {0.0, 60.1_deg};
+  EXPECT_EQ (left (filter, &DroppedPlanes::by_slope), (Sizes{300, 200}));
+}
+
+TEST (PlaneFilter, KeepsRectanglesOfASizeEitherWayRound)
+{
+  PlaneFilter filter;
+  filter.size = {10.0, 3.0, 0.01};
+  EXPECT_EQ (left (filter, &DroppedPlanes::by_size), Sizes{300});
+  filter.size = {2.5, 10.4, 0.51};
+  EXPECT_EQ (left (filter, &DroppedPlanes::by_size), (Sizes{300, 200}));
+  filter.size = {2.5, 11.0, 0.51};
+  EXPECT_EQ (left (filter, &DroppedPlanes::by_size), Sizes{});
+}
+
+TEST (PlaneFilter, CountsThePointsOfMomentsWhereThereAreNoInliers)
+{
+  PlaneFilter filter;
+  filter.min_points = 5;
+  std::vector<PlaneSegment> planes (2);
+  planes[1].moments.count = 5.0;
+  EXPECT_EQ (filterPlanes (planes, filter, neverAsked).by_points, 1u);
+  EXPECT_EQ (planes.at (0).moments.count, 5.0);
+}
+
 TEST (PlaneFilter, KeepsTheFirstOfThoseLeft)
 {
   PlaneFilter filter;

@@ -51,6 +51,8 @@ struct Detected {
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   /** \brief A line on the up axis where it was looked for. */
   std::string up_note;
+  /** \brief Another up axis that the planes are sure of, where none was given. */
+  std::optional<Eigen::Vector3d> suggested_up;
   /** \brief Lines on options that most likely serve the user better. */
   std::vector<std::string> hints;
   /** \brief Which parameter most likely stands in the way where no plane or next to

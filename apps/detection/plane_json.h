@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "outlines.h"
 #include <nlohmann/json.hpp>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_extent.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +18,38 @@ namespace pcl_ops::apps {
 nlohmann::ordered_json
 toArray (const Eigen::Vector3d& vector);
 
+/** \brief How a plane lies. */
+struct Attitude {
+  /** \brief Angle to the horizontal [degree], 0 to 90. */
+  double slope = 0.0;
+  /** \brief Where it goes down, clockwise from north, which is y [degree], 0 to 360;
+   * nothing for a level plane, and where z is not up. */
+  std::optional<double> aspect;
+  /** \brief Of the centroid, along the up axis [m]. */
+  double height = 0.0;
+};
+
+/** \param[in] up unit vector against gravity, in the frame of the plane */
+Attitude
+attitudeOf (const PlaneSegment& plane, const Eigen::Vector3d& up);
+
+/** \brief Turns the normals that are not those of vertical planes up: those of a
+ * survey, which no single sensor has seen. */
+void
+turnUp (std::vector<PlaneSegment>& planes, const Eigen::Vector3d& up);
+
 /** \brief A plane as the lists of planes have it; its points are those of its moments.
- */
+ * \param[in] parts those beside that of the extent's hull */
 nlohmann::ordered_json
-planeObject (std::size_t id, const PlaneSegment& segment, const PlaneExtent& extent);
+planeObject (std::size_t id,
+             const PlaneSegment& segment,
+             const PlaneExtent& extent,
+             const Attitude& attitude,
+             const Polygons& parts = {});
+
+/** \brief All parts of such an object. */
+Polygons
+polygonsIn (const nlohmann::ordered_json& plane);
 
 /** \brief The planes of a file, as far as it tells of them. */
 struct PlaneList {

@@ -88,9 +88,11 @@ hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detec
   // Planes have the same names upside down.
   const double cosine =
       std::abs (found->direction.dot (detected.up.cast<double>().normalized()));
-  if (cosine < std::cos (given.angle_tolerance) && isSeenFromItsOrigin (cloud))
-    detected.hints.push_back ("planes suggest that up is " +
-                              roundedTextOf (found->direction) + ": --up auto");
+  if (cosine >= std::cos (given.angle_tolerance) || !isSeenFromItsOrigin (cloud))
+    return;
+  detected.suggested_up = found->direction;
+  detected.hints.push_back ("planes suggest that up is " +
+                            roundedTextOf (found->direction) + ": --up auto");
 }
 
 /** \brief Whether estimates are as sure of the planes as they say. */

@@ -146,6 +146,7 @@ loadCloud (const std::string& file)
                        std::string ("has no field ") + axis +
                            "; give a cloud with x, y and z");
   makePoseValid (cloud);
+  cloud.is_survey = extension != ".pcd" && extension != ".ply";
   return cloud;
 }
 

@@ -26,6 +26,8 @@ struct FileCloud {
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
   /** \brief Where the cloud is from a LAS: what has all its other bytes, too. */
   std::shared_ptr<LasFile> las = {};
+  /** \brief From a LAS or a text, which do not know where a sensor stood. */
+  bool is_survey = false;
 
   std::size_t
   size () const

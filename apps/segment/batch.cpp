@@ -84,6 +84,18 @@ private:
     std::size_t frame_;
   };
 
+  /** \brief Those of a cloud: up is given in the frame that poses share. */
+  SegmentOptions
+  optionsOf (std::size_t i) const
+  {
+    SegmentOptions options = options_;
+    DetectorOptions& detector = options.detector;
+    if (!options.track.poses.empty() && !detector.finds_up)
+      detector.up = tracker_->inFrame (
+          i, detector.up.value_or (Eigen::Vector3f (Eigen::Vector3f::UnitZ())));
+    return options;
+  }
+
   /** \brief Segments a cloud. \return nothing if the user interrupted it */
   std::optional<Status>
   statusOf (std::size_t i)
@@ -96,7 +108,7 @@ private:
     };
     try {
       stopIfInterrupted();
-      const Report report = tracker_ ? segmentCloud (options_, task, tracked)
+      const Report report = tracker_ ? segmentCloud (optionsOf (i), task, tracked)
                                      : segmentCloud (options_, task);
       return Status{true,
                     task.input + " -> " + task.outputs.cloud + ": " +

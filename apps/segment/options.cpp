@@ -58,11 +58,6 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
   line.addText ("mesh", "FILE", outputs.mesh, "write the hulls as a .ply or .vtk mesh");
   line.addChoice (
       "hull", hulls, options.hull, "outline of a plane in --planes, --mesh (convex)");
-  line.addChoice ("only",
-                  {"horizontal", "vertical", "other", "largest"},
-                  options.choice.only,
-                  "find horizontal, vertical, other or largest only",
-                  "WHICH");
   line.addFlag ("keep-color", options.keep_color, "keep the input's rgb in OUTPUT");
   line.addFlag (
       "distances", options.distances, "add each point's signed distance to its plane");
@@ -74,6 +69,7 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
 {
   Outputs& outputs = options.outputs;
   line.beginBriefGroup ("Further outputs");
+  declareMap (line, options.map);
   line.addText (
       "edges", "FILE", outputs.edges, "write where planes meet: .ply, .vtk or .json");
   line.addText (
@@ -266,6 +262,7 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
   storeArguments (arguments, options);
   checkHull (line, options);
   checkChoice (line, options.choice);
+  checkMap (line, options.outputs.planes);
   checkTracking (line, options);
   checkOutputs (options);
   checkBatch (line, options);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "filter.h"
 #include <detection/methods.h>
+#include <detection/plane_choice.h>
+#include <detection/plane_map.h>
 
 #include <optional>
 #include <string>
@@ -55,6 +56,7 @@ struct SegmentOptions {
   std::string hull = "convex";
   /** \brief Which planes count. */
   PlaneChoice choice;
+  MapOptions map;
   DetectorOptions detector;
   TrackOptions track;
   /** \brief Inputs at a time; 0: as many as there are processors. */

@@ -3,16 +3,12 @@
 #include "report.h"
 
 #include <detection/methods.h>
-#include <detection/outlines.h>
 #include <detection/plane_json.h>
 #include <nlohmann/json.hpp>
 #include <numbers/fraction.h>
 #include <pcl_ops/orientation.h>
 
-#include <algorithm>
-#include <array>
 #include <iomanip>
-#include <limits>
 #include <ostream>
 #include <sstream>
 
@@ -101,18 +97,6 @@ droppedBeside (const Report& report)
          ".";
 }
 
-nlohmann::ordered_json
-toObject (const Dropped& dropped)
-{
-  nlohmann::ordered_json object;
-  object["of"] = dropped.found;
-  for (auto [option, count] : dropped.by_option) {
-    std::replace (option.begin(), option.end(), '-', '_');
-    object["by"][option] = count;
-  }
-  return object;
-}
-
 /** \brief The lines under the table, and after the counts of a summary. */
 std::vector<std::string>
 remarksOn (const Report& report)
@@ -154,90 +138,30 @@ summaryOf (const Report& report)
   return summary;
 }
 
-std::string
+nlohmann::ordered_json
 toJson (const Report& report)
 {
+  const Detected& detected = report.detected;
   nlohmann::ordered_json json;
   json["points"] = report.points;
   json["method"] = report.method;
-  json["parameters"] = report.detected.settings;
+  json["parameters"] = detected.settings;
   for (const auto& [name, duration] : detection_stages)
-    json["timing_ms"][name] = report.detected.timing.*duration;
-  if (!report.detected.advice.empty())
-    json["advice"] = report.detected.advice;
+    json["timing_ms"][name] = detected.timing.*duration;
+  if (!detected.advice.empty())
+    json["advice"] = detected.advice;
+  if (detected.suggested_up)
+    json["suggested_up"] = toArray (*detected.suggested_up);
   if (!report.dropped.by_option.empty())
     json["dropped"] = toObject (report.dropped);
   json["planes"] = nlohmann::ordered_json::array();
-  const std::vector<PlaneSegment>& planes = report.detected.planes;
-  for (std::size_t i = 0; i < planes.size(); ++i)
+  const Eigen::Vector3d up = detected.up.cast<double>().normalized();
+  for (std::size_t i = 0; i < detected.planes.size(); ++i) {
+    const PlaneSegment& plane = detected.planes[i];
     json["planes"].push_back (
-        planeObject (report.ids[i], planes[i], report.extents[i]));
-  constexpr int indent = 2;
-  return json.dump (indent) + "\n";
-}
-
-std::string
-toCsv (const Report& report)
-{
-  std::ostringstream csv;
-  csv.imbue (std::locale::classic());
-  csv << std::setprecision (std::numeric_limits<double>::max_digits10)
-      << "id,orientation,points,a,b,c,d,centroid_x,centroid_y,centroid_z,normal_x,"
-         "normal_y,normal_z,rms,area,length,width,wkt\n";
-  const int decimals = decimalsFor (report.extents);
-  for (std::size_t i = 0; i < report.detected.planes.size(); ++i) {
-    const PlaneSegment& segment = report.detected.planes[i];
-    const PlaneExtent& extent = report.extents[i];
-    const Plane plane = segment.plane();
-    csv << report.ids[i] << "," << toString (segment.orientation) << ","
-        << segment.inliers.size();
-    for (const double number : {plane.normal.x(),
-                                plane.normal.y(),
-                                plane.normal.z(),
-                                plane.offset,
-                                segment.centroid.x(),
-                                segment.centroid.y(),
-                                segment.centroid.z(),
-                                segment.normal.x(),
-                                segment.normal.y(),
-                                segment.normal.z(),
-                                segment.rms(),
-                                extent.area,
-                                extent.length,
-                                extent.width})
-      csv << "," << number;
-    csv << ",\"" << toWkt (seenFromAbove (extent.rings()), decimals) << "\"\n";
+        planeObject (report.ids[i], plane, report.extents[i], attitudeOf (plane, up)));
   }
-  return csv.str();
-}
-
-std::string
-toGeoJson (const Report& report)
-{
-  const int decimals = decimalsFor (report.extents);
-  std::string text = "{\"type\":\"FeatureCollection\",\"features\":[";
-  for (std::size_t i = 0; i < report.detected.planes.size(); ++i) {
-    const PlaneExtent& extent = report.extents[i];
-    const nlohmann::ordered_json plane =
-        planeObject (report.ids[i], report.detected.planes[i], extent);
-    nlohmann::ordered_json properties;
-    for (const char* key : {"id",
-                            "orientation",
-                            "points",
-                            "coefficients",
-                            "centroid",
-                            "normal",
-                            "rms",
-                            "area"})
-      properties[key] = plane[key];
-    properties["length"] = extent.length;
-    properties["width"] = extent.width;
-    text += (i == 0 ? "\n" : ",\n") + std::string ("{\"type\":\"Feature\",\"id\":") +
-            std::to_string (report.ids[i]) + ",\"geometry\":" +
-            toGeoJsonGeometry (seenFromAbove (extent.rings()), decimals) +
-            ",\"properties\":" + properties.dump() + "}";
-  }
-  return text + "\n]}\n";
+  return json;
 }
 
 } // namespace pcl_ops::apps

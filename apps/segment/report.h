@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "filter.h"
 #include <detection/methods.h>
+#include <detection/plane_choice.h>
+#include <nlohmann/json.hpp>
 #include <pcl_ops/plane_extent.h>
 
 #include <cstddef>
@@ -39,18 +40,8 @@ printTable (const Report& report, std::ostream& stream);
 std::string
 summaryOf (const Report& report);
 
-/** \brief The text of --planes FILE.json. */
-std::string
+/** \brief The list of --planes. */
+nlohmann::ordered_json
 toJson (const Report& report);
-
-/** \brief The text of --planes FILE.csv: one line per plane under a line of names, the
- * last of which is `wkt`, its outline: programs that know the columns before it, or all
- * by name, need not know it, and those for maps draw it. */
-std::string
-toCsv (const Report& report);
-
-/** \brief The text of --planes FILE.geojson: a feature for each plane, in a line. */
-std::string
-toGeoJson (const Report& report);
 
 } // namespace pcl_ops::apps

@@ -5,12 +5,13 @@
 #include "distances.h"
 #include "edges.h"
 #include "extents.h"
-#include "filter.h"
 #include "mesh.h"
 #include "parts.h"
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <detection/method_options.h>
+#include <detection/plane_json.h>
+#include <detection/plane_map.h>
 #include <detection/up_search.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
@@ -32,12 +33,16 @@ namespace pcl_ops::apps {
 namespace {
 
 Detected
-detectPlanes (const SegmentOptions& options, const ShiftedCloud& shifted)
+detectPlanes (const SegmentOptions& options,
+              const ShiftedCloud& shifted,
+              bool is_survey)
 {
   Detected detected =
       runMethod (methodCalled (options.method), options.detector, shifted.cloud);
   for (PlaneSegment& plane : detected.planes)
     plane.moveBy (shifted.shift);
+  if (is_survey)
+    turnUp (detected.planes, detected.up.cast<double>());
   return detected;
 }
 
@@ -92,17 +97,13 @@ poseOf (const FileCloud& cloud)
 }
 
 void
-savePlanes (const std::string& file, const Report& report)
+savePlanes (const std::string& file, const Report& report, const MapOptions& map)
 {
-  if (file == standard_stream) {
-    std::cout << toJson (report);
-    return;
-  }
-  const std::string extension = extensionOf (file);
-  writeTextFile (file,
-                 extension == ".csv"       ? toCsv (report)
-                 : extension == ".geojson" ? toGeoJson (report)
-                                           : toJson (report));
+  const std::string text = planesFor (file, toJson (report), map);
+  if (file == standard_stream)
+    std::cout << text;
+  else
+    writeTextFile (file, text);
 }
 
 void
@@ -142,7 +143,7 @@ saveOutputs (const SegmentOptions& options,
         outputs.planes_dir, cloud, planes, report.ids, options.fileFormat());
   // Last: a pipe gets its JSON when the files are there.
   if (!outputs.planes.empty())
-    savePlanes (outputs.planes, report);
+    savePlanes (outputs.planes, report, options.map);
 }
 
 Report
@@ -163,7 +164,7 @@ segmentInMemory (const SegmentOptions& options,
   Report report{name,
                 options.method,
                 cloud.size(),
-                detectPlanes (options, shifted),
+                detectPlanes (options, shifted, cloud.is_survey),
                 {},
                 {},
                 damageOf (shifted),

@@ -33,6 +33,13 @@ public:
          std::vector<PlaneSegment> planes,
          const Eigen::Vector3d& sensor);
 
+  /** \brief An axis of the frame that the poses share, in that of a cloud. */
+  Eigen::Vector3f
+  inFrame (std::size_t frame, const Eigen::Vector3f& axis) const
+  {
+    return poses_[frame].rotation().transpose().cast<float>() * axis;
+  }
+
   /** \brief Lets the next frame go on, whatever became of this one. */
   void
   finish (std::size_t frame);

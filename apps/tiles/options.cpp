@@ -4,6 +4,7 @@
 
 #include <cli/command_line.h>
 #include <cli/errors.h>
+#include <io/output_file.h>
 
 namespace pcl_ops::apps {
 
@@ -29,6 +30,22 @@ constexpr const char* in_and_out =
     "              the same files\n"
     "  exit code   0 done; 1 failed; 2 wrong usage\n"
     "Lengths are in the unit of the inputs, metres by default.\n";
+
+void
+checkPlanes (const CommandLine& line, const TilesOptions& options)
+{
+  const std::string extension = extensionOf (options.planes);
+  if (!options.planes.empty() && extension != ".geojson" && extension != ".csv" &&
+      extension != ".json")
+    throw UsageError ("--planes",
+                      options.planes + " has an unknown extension; give a file "
+                                       ".geojson or .csv or .json");
+  checkChoice (line, options.choice);
+  checkMap (line, options.planes);
+  if (const auto given = line.givenOf (title_of_choice);
+      !given.empty() && options.planes.empty())
+    throw UsageError ("--" + given.front(), "is about --planes FILE; give it, too");
+}
 
 } // namespace
 
@@ -59,12 +76,19 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
                 "FILE",
                 options.plan_file,
                 "the plan to follow; written if there is none (DIR/work/plan.json)");
+  line.addText ("planes",
+                "FILE",
+                options.planes,
+                "write planes, all or those to keep: .geojson, .csv or .json");
+  declareMap (line, options.map);
   line.addFlag ("dry-run", options.dry_run, "print the plan, and do nothing");
   line.addFlag ("quiet", options.quiet, "print nothing");
+  declareChoice (line, options.choice);
   if (!line.parse (argc, argv))
     return false;
   if (options.output_dir.empty())
     throw UsageError ("--output-dir", "is missing; give a folder for the outputs");
+  checkPlanes (line, options);
   return true;
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "plan.h"
+#include <detection/plane_choice.h>
+#include <detection/plane_map.h>
 
 #include <string>
 #include <vector>
@@ -17,6 +19,10 @@ struct TilesOptions {
   std::vector<std::string> inputs;
   std::string output_dir;
   PlanOptions plan;
+  /** \brief Where the chosen planes go, .json, .csv or .geojson; empty for nowhere. */
+  std::string planes;
+  PlaneChoice choice;
+  MapOptions map;
   /** \brief Where the plan is; empty for the folder of outputs. */
   std::string plan_file;
   /** \brief Tiles at a time; 0: as many as there are processors. */

@@ -27,7 +27,7 @@ namespace {
 
 /** \brief Of what the phases of a run leave for each other: one more with each change.
  */
-constexpr int format_of_files = 2;
+constexpr int format_of_files = 3;
 
 PlannedInput
 stateOf (const std::string& file)

@@ -133,14 +133,18 @@ appendNew (const std::vector<Item>& items, std::vector<Item>& all)
 
 /** \brief A plane of a piece, and what it shares with others of its group is added. */
 void
-addPiece (const Piece& piece, const TileKey& tile, JoinedPlane& plane)
+addPiece (Piece& piece, const TileKey& tile, JoinedPlane& plane)
 {
-  if (plane.tiles.empty())
+  if (plane.tiles.empty()) {
     plane.moments = piece.own;
+    plane.normal = piece.normal;
+  }
   else
     plane.moments += piece.own;
-  plane.corners.insert (
-      plane.corners.end(), piece.outline.begin(), piece.outline.end());
+  const bool is_same_side = plane.normal.dot (piece.normal) >= 0.0;
+  for (const OutlineEdge& edge : piece.edges)
+    plane.edges.push_back (is_same_side ? edge : OutlineEdge{edge.to, edge.from});
+  piece.edges = {}; // there are many
   appendNew ({tile}, plane.tiles);
   appendNew (piece.inputs, plane.inputs);
 }

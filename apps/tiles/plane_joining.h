@@ -19,8 +19,10 @@ struct JoinedPlane {
   /** \brief Of all points on it. */
   ExactMoments moments;
   PlaneFit fit;
-  /** \brief Corners of the outlines of its pieces. */
-  std::vector<Eigen::Vector3d> corners;
+  /** \brief Towards where \ref edges are seen from. */
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  /** \brief Of all its pieces, with opposite ones at their borders. */
+  std::vector<OutlineEdge> edges;
   std::vector<TileKey> tiles;
   /** \brief By their position in the plan. */
   std::vector<std::uint32_t> inputs;

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planes_json.h"
 
+#include "outline_rings.h"
 #include <detection/plane_json.h>
 #include <pcl_ops/plane_extent.h>
 
+#include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -13,8 +16,8 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief As one of the library; a survey has no single sensor, so that the normal is
- * towards the zero of its frame. */
+/** \brief As one of the library; the normal of a vertical plane is towards the zero of
+ * the frame. */
 PlaneSegment
 segmentOf (const JoinedPlane& plane)
 {
@@ -27,15 +30,44 @@ segmentOf (const JoinedPlane& plane)
   return segment;
 }
 
-PlaneExtent
-extentIn (const PlaneSegment& segment, const JoinedPlane& plane)
+/** \brief Where a plane ends: the largest part, with the area of all and the rectangle
+ * around them, and the others. */
+struct JoinedExtent {
+  PlaneExtent extent;
+  Polygons parts;
+};
+
+JoinedExtent
+extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plane)
 {
   const PlaneFrame frame (segment.centroid, segment.normal);
+  std::vector<OutlineEdge> edges = plane.edges;
+  if (plane.normal.dot (segment.normal) < 0.0)
+    for (OutlineEdge& edge : edges)
+      std::swap (edge.from, edge.to);
+  const double min_area = std::pow (1.5 * plan.cell, 2);
+  const std::vector<PlanarRings> outline = outlineOf (std::move (edges),
+                                                      frame,
+                                                      outlineUnit (plan.cell),
+                                                      segment.moments.count,
+                                                      min_area);
   PlanarPoints corners;
-  corners.reserve (plane.corners.size());
-  for (const Eigen::Vector3d& corner : plane.corners)
-    corners.push_back (frame.toPlane (corner));
-  return extentOf ({convexHull (corners, 0.0)}, corners, frame);
+  for (const PlanarRings& part : outline)
+    corners.insert (corners.end(), part.front().begin(), part.front().end());
+  JoinedExtent whole{pcl_ops::extentOf ({convexHull (corners, 0.0)}, corners, frame),
+                     {}};
+  whole.extent.area = 0.0;
+  for (const PlanarRings& part : outline) {
+    PlaneExtent of_part = pcl_ops::extentOf (part, part.front(), frame);
+    whole.extent.area += of_part.area;
+    if (&part != &outline.front())
+      whole.parts.push_back (of_part.rings());
+    else {
+      whole.extent.hull = std::move (of_part.hull);
+      whole.extent.holes = std::move (of_part.holes);
+    }
+  }
+  return whole;
 }
 
 nlohmann::ordered_json
@@ -55,7 +87,13 @@ toObject (const Plan& plan,
           const JoinedPlane& plane,
           const PlaneSegment& segment)
 {
-  nlohmann::ordered_json object = planeObject (id, segment, extentIn (segment, plane));
+  const JoinedExtent whole = extentOf (plan, segment, plane);
+  nlohmann::ordered_json object =
+      planeObject (id,
+                   segment,
+                   whole.extent,
+                   attitudeOf (segment, Eigen::Vector3d::UnitZ()),
+                   whole.parts);
   object["moments"] = toObject (segment.moments);
   for (const TileKey& tile : plane.tiles)
     object["tiles"].push_back ({tile.x, tile.y});
@@ -70,11 +108,11 @@ std::string
 toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& planes)
 {
   std::vector<PlaneSegment> segments;
-  segments.reserve (planes.size());
   for (const JoinedPlane& plane : planes)
     segments.push_back (segmentOf (plane));
   constexpr double tolerance = paper_angle_tolerance;
   nameOrientations (segments, Eigen::Vector3d::UnitZ(), tolerance);
+  turnUp (segments, Eigen::Vector3d::UnitZ());
   nlohmann::ordered_json json;
   json["points"] = plan.points();
   json["cell"] = plan.cell;

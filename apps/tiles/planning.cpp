@@ -98,7 +98,7 @@ earlierPlan (const PlanFile& file, const TilesOptions& options)
 
 /** \brief Refuses outputs that would be written over each other or over an input. */
 void
-checkClashes (const Plan& plan, const RunFolder& folder)
+checkClashes (const Plan& plan, const RunFolder& folder, const std::string& planes)
 {
   std::map<std::string, std::string> input_of;
   std::set<std::string> inputs;
@@ -116,6 +116,13 @@ checkClashes (const Plan& plan, const RunFolder& folder)
                         "would both be written to " + output + "; rename one");
     checkWritable (output);
   }
+  if (planes.empty())
+    return;
+  input_of.emplace (resolvedName (folder.output (planes_file)), "");
+  const std::string resolved = resolvedName (planes);
+  if (inputs.count (resolved) > 0 || input_of.count (resolved) > 0)
+    throw UsageError (planes, "is an input or another output; give another --planes");
+  checkWritable (planes);
 }
 
 } // namespace
@@ -143,7 +150,7 @@ preparePlan (const TilesOptions& options, const RunFolder& folder)
                                          : newPlan (options);
   if (has_own && !isSame (loadPlan (own), plan))
     throw WorkError (own.name, "is another plan than " + named.name + "; " + own.mend);
-  checkClashes (plan, folder);
+  checkClashes (plan, folder, options.planes);
   if (!has_own)
     folder.startAnew();
   for (const PlanFile& file : {named, own})

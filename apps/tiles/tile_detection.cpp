@@ -3,9 +3,9 @@
 #include "tile_detection.h"
 
 #include <pcl_ops/detect_planes.h>
-#include <pcl_ops/plane_extent.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <new>
 
@@ -50,22 +50,25 @@ momentsOf (const TilePoints& points,
   return moments;
 }
 
-/** \brief Of so many points that the outline no longer depends on their number. */
-std::vector<Eigen::Vector3d>
-outlineOf (const TilePoints& points, const PlaneSegment& plane, std::size_t own)
+/** \brief The tile's share of the outline. */
+std::vector<OutlineEdge>
+edgesOf (const TilePoints& points,
+         const PlaneSegment& plane,
+         std::size_t own,
+         const Eigen::Vector3d& corner,
+         double cell)
 {
-  constexpr std::size_t enough = 10000;
-  const std::size_t stride = own / enough + 1;
-  const PlaneFrame frame (plane.centroid, plane.normal);
-  PlanarPoints projected;
-  projected.reserve (own / stride + 1);
-  for (std::size_t i = 0; i < own; i += stride)
-    projected.push_back (
-        frame.toPlane (pointOf (points, static_cast<std::size_t> (plane.inliers[i]))));
-  std::vector<Eigen::Vector3d> corners;
-  for (const Eigen::Vector2d& corner : convexHull (projected))
-    corners.push_back (frame.toSpace (corner));
-  return corners;
+  const double unit = outlineUnit (cell);
+  std::vector<OutlinePoint> places;
+  places.reserve (plane.inliers.size());
+  for (const pcl::index_t index : plane.inliers) {
+    const Eigen::Vector3d place =
+        (corner + pointOf (points, static_cast<std::size_t> (index))) / unit;
+    places.push_back (
+        {{std::llround (place.x()), std::llround (place.y()), std::llround (place.z())},
+         places.size() < own});
+  }
+  return outlineEdges (places, plane.normal, cell / unit);
 }
 
 /** \brief The inputs that own points are from. */
@@ -94,15 +97,14 @@ pieceOf (const TilePoints& points,
          const PlaneSegment& plane,
          std::size_t own,
          const Eigen::Vector3d& corner,
-         double unit)
+         double cell)
 {
-  Piece piece{momentsOf (points, plane, own, corner, unit),
+  Piece piece{momentsOf (points, plane, own, corner, latticeFor (cell)),
               plane.moments,
-              outlineOf (points, plane, own),
+              plane.normal,
+              edgesOf (points, plane, own, corner, cell),
               inputsOf (points, plane, own)};
   piece.all.origin += corner;
-  for (Eigen::Vector3d& place : piece.outline)
-    place += corner;
   return piece;
 }
 
@@ -156,7 +158,6 @@ TileDetection
 detectInTile (const TileGrid& grid, const TilePoints& points)
 {
   const Eigen::Vector3d corner = grid.cornerOf (grid.frameOf (points.tile));
-  const double unit = latticeFor (grid.cell());
   const auto own_end = static_cast<pcl::index_t> (points.own());
   TileDetection found;
   std::vector<std::uint32_t> labels (points.own(), 0);
@@ -171,7 +172,7 @@ detectInTile (const TileGrid& grid, const TilePoints& points)
                plane,
                static_cast<std::uint32_t> (found.planes.pieces.size()),
                found.planes.claims);
-    found.planes.pieces.push_back (pieceOf (points, plane, own, corner, unit));
+    found.planes.pieces.push_back (pieceOf (points, plane, own, corner, grid.cell()));
     for (std::size_t i = 0; i < own; ++i)
       labels[static_cast<std::size_t> (plane.inliers[i])] =
           static_cast<std::uint32_t> (found.planes.pieces.size());

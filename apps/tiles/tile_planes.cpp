@@ -17,9 +17,8 @@ saveTilePlanes (const std::string& file, const TilePlanes& planes)
     for (const Piece& piece : planes.pieces) {
       put (stream, piece.own);
       putMoments (stream, piece.all);
-      put (stream, std::uint64_t (piece.outline.size()));
-      for (const Eigen::Vector3d& corner : piece.outline)
-        putBytes (stream, corner.data(), 3);
+      putBytes (stream, piece.normal.data(), 3);
+      putAll (stream, piece.edges);
       putAll (stream, piece.inputs);
     }
     putAll (stream, planes.claims);
@@ -35,9 +34,8 @@ loadTilePlanes (const std::string& file)
   for (Piece& piece : planes.pieces) {
     piece.own = get<ExactMoments> (stream);
     piece.all = getMoments (stream);
-    piece.outline.resize (getCount (stream, sizeof (Eigen::Vector3d)));
-    for (Eigen::Vector3d& corner : piece.outline)
-      getBytes (stream, corner.data(), 3);
+    getBytes (stream, piece.normal.data(), 3);
+    piece.edges = getAll<OutlineEdge> (stream);
     piece.inputs = getAll<std::uint32_t> (stream);
   }
   planes.claims = getAll<Claim> (stream);

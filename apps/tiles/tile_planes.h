@@ -6,6 +6,7 @@
 
 #include "binary_file.h"
 #include "exact_moments.h"
+#include "outline_edges.h"
 
 #include <array>
 #include <cstdint>
@@ -21,8 +22,10 @@ struct Piece {
   ExactMoments own;
   /** \brief Of those of the halo, too. */
   Moments all;
-  /** \brief Corners of the outline of its own points. */
-  std::vector<Eigen::Vector3d> outline;
+  /** \brief Towards where the plane is seen from, whose edges go round it to the left.
+   */
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  std::vector<OutlineEdge> edges;
   /** \brief The inputs that its own points are from, by their position in the plan. */
   std::vector<std::uint32_t> inputs;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tile_run.h"
 
+#include "chosen_planes.h"
 #include "phases.h"
 #include "planning.h"
 #include "run_folder.h"
@@ -237,8 +238,12 @@ runTiles (const TilesOptions& options,
   }
   if (ranks.rank() == 0)
     folder.clean();
+  if (ranks.rank() != 0)
+    return;
+  const std::string planes = saveChosenPlanes (folder.output (planes_file), options);
   if (speaks)
-    out << options.output_dir << ": the labelled inputs and planes.json\n";
+    out << options.output_dir << ": the labelled inputs and planes.json, " << planes
+        << "\n";
 }
 
 } // namespace pcl_ops::apps

@@ -37,4 +37,10 @@ orientationOf (const Eigen::Vector3d& normal,
                const Eigen::Vector3d& up,
                double tolerance);
 
+/** \brief The angle between a plane and the horizontal, 0 to pi/2 [rad].
+ * \param[in] normal unit normal, either sign
+ * \param[in] up unit vector against gravity, in the same frame */
+PCL_OPS_EXPORT double
+slopeOf (const Eigen::Vector3d& normal, const Eigen::Vector3d& up);
+
 } // namespace pcl_ops

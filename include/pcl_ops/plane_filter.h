@@ -10,6 +10,7 @@
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_extent.h>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -27,7 +28,14 @@ struct PlaneFilter {
   /** \brief Largest angle between a normal and \ref direction [rad]; default 10
    * degrees. */
   double direction_tolerance = 0.17453292519943295;
-  /** \brief Fewest inliers. */
+  /** \brief Smallest and largest angle between the plane and the horizontal [rad], of
+   * 0 to pi/2. Not given: any. */
+  std::optional<std::array<double, 2>> slope;
+  /** \brief Against gravity, for \ref slope: a vector of any length but 0, in the frame
+   * of the planes. */
+  Eigen::Vector3d up_axis = Eigen::Vector3d::UnitZ();
+  /** \brief Fewest points: inliers, or those of the moments where there are no inliers.
+   */
   std::size_t min_points = 0;
   /** \brief Smallest area inside the outline [m^2]. */
   double min_area = 0.0;
@@ -37,6 +45,9 @@ struct PlaneFilter {
   std::optional<double> max_area;
   /** \brief Largest width of the rectangle around the outline [m]. Not given: any. */
   std::optional<double> max_width;
+  /** \brief The sides of the rectangle around the outline, in any order, and by how
+   * much each may differ [m]: a board of known size. Not given: any. */
+  std::optional<std::array<double, 3>> size;
   /** \brief Keep so many of those that are left, the first ones. */
   std::optional<std::size_t> max_planes;
 };
@@ -50,23 +61,38 @@ validate (const PlaneFilter& filter);
 struct DroppedPlanes {
   std::size_t by_orientation = 0;
   std::size_t by_direction = 0;
+  std::size_t by_slope = 0;
   std::size_t by_points = 0;
   std::size_t by_area = 0;
   std::size_t by_width = 0;
   std::size_t by_max_area = 0;
   std::size_t by_max_width = 0;
+  std::size_t by_size = 0;
   std::size_t by_number = 0;
 
   std::size_t
   total () const
   {
-    return by_orientation + by_direction + by_points + by_area + by_width +
-           by_max_area + by_max_width + by_number;
+    return by_orientation + by_direction + by_slope + by_points + by_area + by_width +
+           by_max_area + by_max_width + by_size + by_number;
   }
 };
 
 /** \brief Where a plane ends. */
 using ExtentOfPlane = std::function<PlaneExtent (const PlaneSegment&)>;
+
+/** \brief The positions of the planes that a filter keeps, in their order.
+ * \param[in] planes in any frame
+ * \param[in] filter one \ref validate finds nothing wrong with
+ * \param[in] extent_of asked, with elements of \p planes, only for planes whose area or
+ * width decides
+ * \param[out] dropped how many are dropped, and why
+ * \throw std::invalid_argument if there is a problem */
+PCL_OPS_EXPORT std::vector<std::size_t>
+keptPlanes (const std::vector<PlaneSegment>& planes,
+            const PlaneFilter& filter,
+            const ExtentOfPlane& extent_of,
+            DroppedPlanes& dropped);
 
 /** \brief Drops the planes that a filter does not keep; the others stay in their order.
  * \param[in,out] planes in any frame

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+
 #include <pcl_ops/orientation.h>
 
 #include <algorithm>
@@ -32,6 +34,12 @@ orientationOf (const Eigen::Vector3d& normal,
   if (std::asin (height) <= tolerance)
     return Orientation::Vertical;
   return Orientation::Other;
+}
+
+double
+slopeOf (const Eigen::Vector3d& normal, const Eigen::Vector3d& up)
+{
+  return std::atan2 (normal.cross (up).norm(), std::abs (normal.dot (up)));
 }
 
 } // namespace pcl_ops

@@ -25,32 +25,54 @@ reversed (Ring ring)
   return ring;
 }
 
-PlaneExtent
-withWidth (double width)
-{
-  PlaneExtent extent;
-  extent.width = width;
-  return extent;
-}
-
 } // namespace
 
 TEST (Outlines, AreWrittenClosedWithTheirHoles)
 {
   const Rings rings = {{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}},
                        {{1, 1, 1}, {1, 2, 1}, {2, 1, 1}}};
-  EXPECT_EQ (toWkt (rings, 0),
+  EXPECT_EQ (toWkt ({rings}, 0),
              "POLYGON Z ((0 0 1,4 0 1,0 4 1,0 0 1),(1 1 1,1 2 1,2 1 1,1 1 1))");
-  EXPECT_EQ (toGeoJsonGeometry (rings, 0),
+  EXPECT_EQ (toGeoJsonGeometry ({rings}, 0),
              R"({"type":"Polygon","coordinates":[[[0,0,1],[4,0,1],[0,4,1],[0,0,1]],)"
              R"([[1,1,1],[1,2,1],[2,1,1],[1,1,1]]]})");
 }
 
 TEST (Outlines, OfNoAreaAreEmpty)
 {
-  const Rings none = PlaneExtent{}.rings();
-  EXPECT_EQ (toWkt (none, 3), "POLYGON Z EMPTY");
-  EXPECT_EQ (toGeoJsonGeometry (none, 3), "null");
+  EXPECT_EQ (toWkt ({}, 3), "POLYGON Z EMPTY");
+  EXPECT_EQ (toGeoJsonGeometry ({}, 3), "null");
+}
+
+TEST (Outlines, OfSeveralPartsAreMultiPolygons)
+{
+  const Rings one = {{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}};
+  const Rings other = {{{5, 5, 1}, {6, 5, 1}, {6, 6, 1}}};
+  EXPECT_EQ (
+      toWkt ({one, other}, 0),
+      "MULTIPOLYGON Z (((0 0 1,4 0 1,0 4 1,0 0 1)),((5 5 1,6 5 1,6 6 1,5 5 1)))");
+  EXPECT_EQ (toGeoJsonGeometry ({one, other}, 0),
+             R"({"type":"MultiPolygon","coordinates":[[[[0,0,1],[4,0,1],[0,4,1],)"
+             R"([0,0,1]]],[[[5,5,1],[6,5,1],[6,6,1],[5,5,1]]]]})");
+}
+
+TEST (Outlines, LoseCornersNearAStraightLine)
+{
+  const Ring jagged = {{0, 0.1, 0},
+                       {2, 0, 0},
+                       {4, 0.1, 0},
+                       {6, 0, 0},
+                       {6.1, 2, 0},
+                       {6, 4, 0},
+                       {3, 3.9, 0},
+                       {0, 4, 0},
+                       {0.1, 2, 0}};
+  const Ring hole = {{1, 1, 0}, {1, 2, 0}, {1.1, 1, 0}};
+  EXPECT_EQ (simplified ({jagged, hole}, 0.0), (Rings{jagged, hole}));
+  const Rings simple = simplified ({jagged, hole}, 0.3);
+  ASSERT_EQ (simple.size(), 1u) << "the hole has no area left";
+  EXPECT_EQ (simple[0].size(), 4u);
+  EXPECT_EQ (simplified ({hole}, 9.0), Rings{hole}) << "an outline stays one";
 }
 
 TEST (Outlines, GoRoundPlanesToTheLeftAndRoundHolesToTheRight)
@@ -65,14 +87,14 @@ TEST (Outlines, GoRoundPlanesToTheLeftAndRoundHolesToTheRight)
 
 TEST (Outlines, HaveMillimetersFarFromZeroAndNoExponents)
 {
-  EXPECT_EQ (toWkt ({{{5400000.1234, 1e-7, -1e-7}}}, 3),
+  EXPECT_EQ (toWkt ({{{{5400000.1234, 1e-7, -1e-7}}}}, 3),
              "POLYGON Z ((5400000.123 0.000 0.000,5400000.123 0.000 0.000))");
 }
 
 TEST (Outlines, HaveDecimalsForTheNarrowestPlane)
 {
   EXPECT_EQ (decimalsFor ({}), 3);
-  EXPECT_EQ (decimalsFor ({withWidth (5000.0), withWidth (0.0)}), 3);
-  EXPECT_EQ (decimalsFor ({withWidth (5.0), withWidth (0.04)}), 5);
-  EXPECT_EQ (decimalsFor ({withWidth (1e-30)}), 12);
+  EXPECT_EQ (decimalsFor ({5000.0, 0.0}), 3);
+  EXPECT_EQ (decimalsFor ({5.0, 0.04}), 5);
+  EXPECT_EQ (decimalsFor ({1e-30}), 12);
 }

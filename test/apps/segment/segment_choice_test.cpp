@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_program.h"
 
+#include <tuple>
+
 namespace {
 
 /** \brief The program with floor.pcd: a floor of 2 m by 2 m, and a board of 0.3 m by
@@ -44,24 +46,21 @@ protected:
 
 TEST_F (SegmentChoice, KeepsPlanesByDirectionAndSizeAndSaysWhatWasDropped)
 {
-  const auto dropped = [&] (const std::string& options, int points) {
-    return expectLeft (options, points)["dropped"].dump();
-  };
-  EXPECT_EQ (dropped ("--direction 0,0,2", points_of_plane),
-             R"({"by":{"direction":1},"of":2})");
-  EXPECT_EQ (dropped ("--direction 1,0,0 --within 70", points_of_board),
-             R"({"by":{"direction":1},"of":2})");
-  EXPECT_EQ (dropped ("--min-area 2", points_of_plane),
-             R"({"by":{"min_area":1},"of":2})");
-  EXPECT_EQ (dropped ("--min-width 0.5", points_of_plane),
-             R"({"by":{"min_width":1},"of":2})");
-  EXPECT_EQ (dropped ("--max-area 2", points_of_board),
-             R"({"by":{"max_area":1},"of":2})");
-  EXPECT_EQ (dropped ("--max-width 0.5", points_of_board),
-             R"({"by":{"max_width":1},"of":2})");
-  EXPECT_EQ (dropped ("--min-points 2000", points_of_plane),
-             R"({"by":{"min_points":1},"of":2})");
-  EXPECT_EQ (dropped ("--only other", points_of_board), R"({"by":{"only":1},"of":2})");
+  const std::tuple<const char*, const char*, int> rows[] = {
+      {"--direction 0,0,2", "direction", points_of_plane},
+      {"--direction 1,0,0 --within 70", "direction", points_of_board},
+      {"--slope 20,40", "slope", points_of_board},
+      {"--min-points 2000", "min_points", points_of_plane},
+      {"--min-area 2", "min_area", points_of_plane},
+      {"--min-width 0.5", "min_width", points_of_plane},
+      {"--max-area 2", "max_area", points_of_board},
+      {"--max-width 0.5", "max_width", points_of_board},
+      {"--size 1.2,0.3,0.1", "size", points_of_board},
+      {"--only other", "only", points_of_board}};
+  for (const auto& [options, key, points] : rows) {
+    const nlohmann::json dropped = {{"of", 2}, {"by", {{key, 1}}}};
+    EXPECT_EQ (expectLeft (options, points)["dropped"], dropped) << options;
+  }
 }
 
 #ifdef PCL_OPS_WITH_SURFACE
@@ -88,6 +87,8 @@ TEST_F (SegmentChoice, IsAmongTheParameters)
   EXPECT_FALSE (parameters.contains ("min_width"));
   const auto board = expectLeft ("--max-area 1.5", points_of_board)["parameters"];
   EXPECT_EQ (board["max_area"], 1.5);
+  const auto sized = expectLeft ("--size 1.2,0.3,0.1", points_of_board)["parameters"];
+  EXPECT_EQ (sized["size"], (std::vector<double>{1.2, 0.3, 0.1}));
 }
 
 TEST_F (SegmentChoice, RefusesBoundsThatLeaveNothingBetweenThem)
@@ -96,7 +97,13 @@ TEST_F (SegmentChoice, RefusesBoundsThatLeaveNothingBetweenThem)
                  "--max-area: is below --min-area");
   expectRefused ("floor.pcd --min-width 2 --max-width 1",
                  "--max-width: is below --min-width");
-  expectRefused ("floor.pcd --max-area -1", "--max-area: -1 is out of range");
+  expectRefused ({{"floor.pcd --max-area -1", "--max-area: -1 is out of range"},
+                  {"floor.pcd --slope 40,20", "--slope: ends below where it begins"},
+                  {"floor.pcd --slope 40", "--slope: 40 is not MIN,MAX"},
+                  {"floor.pcd --slope 0,91", "--slope: 91 is out of range"},
+                  {"floor.pcd --size 1,2", "--size: 1,2 is not W,H,TOLERANCE"},
+                  {"floor.pcd --size 1,2,3,4", "--size: 1,2,3,4 is not W,H,TOLERANCE"},
+                  {"floor.pcd --size 1,b,3", "--size: 'b' is no number"}});
 }
 
 TEST_F (SegmentChoice, KeepsTheLargestOfThoseLeft)

@@ -99,7 +99,7 @@ TEST_F (Segment, WritesPlanesAsCsv)
   const std::string csv = contentOf (folder_ / "p.csv");
   EXPECT_EQ (csv.substr (0, csv.find ('\n')),
              "id,orientation,points,a,b,c,d,centroid_x,centroid_y,centroid_z,"
-             "normal_x,normal_y,normal_z,rms,area,length,width,wkt");
+             "normal_x,normal_y,normal_z,rms,area,length,width,slope,aspect,height,wkt");
   EXPECT_EQ (lines (csv), 3u);
   EXPECT_TRUE (contains (csv, "\n1,"));
   EXPECT_TRUE (contains (csv, "\n2,"));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_program.h"
 
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -55,20 +56,27 @@ TEST_F (Segment, WritesOutlinesAsGeoJson)
     EXPECT_GE (signedArea (rings[0]), -1e-9) << "RFC 7946, 3.1.6: counterclockwise";
     for (const Json& corner : rings[0])
       EXPECT_EQ (corner.size(), 3u);
+    const Json& properties = feature["properties"];
     for (const char* key :
-         {"id", "orientation", "points", "coefficients", "rms", "area"})
-      EXPECT_EQ (feature["properties"][key], planes[i][key]) << key;
-    EXPECT_EQ (feature["properties"]["width"], planes[i]["extent"]["width"]);
+         {"id", "orientation", "points", "rms", "area", "slope", "aspect", "height"})
+      EXPECT_EQ (properties[key], planes[i][key]) << key;
+    EXPECT_EQ (properties["width"], planes[i]["extent"]["width"]);
+    EXPECT_EQ (properties["nx"], planes[i]["normal"][0]);
+    EXPECT_EQ (properties["d"], planes[i]["coefficients"][3]);
+    for (const Json& value : properties)
+      EXPECT_FALSE (value.is_structured()) << "GDAL's formats have no lists: " << value;
   }
 }
 
 TEST_F (Segment, WritesOutlinesOfCeilingsCounterClockwiseFromAboveToo)
 {
-  folder_.write ("in.xyz", ceilingText());
-  const Json map = jsonOf ("in.xyz --planes p.geojson", "p.geojson");
+  InputCloud ceiling = floorAndWall();
+  ceiling.sensor_origin_.z() = -2.0f;
+  pcl::io::savePCDFileBinary (folder_ / "in.pcd", ceiling);
+  const Json map = jsonOf ("in.pcd --only horizontal --planes p.geojson", "p.geojson");
   ASSERT_EQ (map["features"].size(), 1u);
   const Json& feature = map["features"][0];
-  EXPECT_LT (feature["properties"]["normal"][2].get<double>(), 0.0);
+  EXPECT_LT (feature["properties"]["nz"].get<double>(), 0.0);
   EXPECT_NEAR (signedArea (feature["geometry"]["coordinates"][0]),
                2 * feature["properties"]["area"].get<double>(),
                1e-2);
@@ -95,13 +103,55 @@ TEST_F (Segment, WritesOutlinesInTheCsvAsWkt)
     std::getline (csv, line);
     const std::size_t begin = line.find (",\"POLYGON Z ((");
     ASSERT_NE (begin, std::string::npos) << line;
-    EXPECT_EQ (std::count (line.begin(), line.begin() + long (begin), ','), 16);
+    EXPECT_EQ (std::count (line.begin(), line.begin() + long (begin), ','), 19);
     const std::string outline = line.substr (begin + 14, line.size() - begin - 17);
     EXPECT_EQ (line.substr (line.size() - 3), "))\"");
     EXPECT_EQ (outline.substr (0, outline.find (',')),
                outline.substr (outline.rfind (',') + 1))
         << "closed";
   }
+}
+
+TEST_F (Segment, TurnsPlanesOfCloudsWithoutASensorUp)
+{
+  folder_.write ("in.xyz", ceilingText());
+  const Json plane = jsonOf ("in.xyz --planes p.json")["planes"].at (0);
+  EXPECT_GT (plane["normal"][2].get<double>(), 0.99);
+  EXPECT_NEAR (plane["height"].get<double>(), 100.0, 1e-3);
+  EXPECT_NEAR (plane["slope"].get<double>(), 0.0, 0.01);
+}
+
+TEST_F (Segment, SaysWhereASlopeGoesDown)
+{
+  const std::pair<const char*, double> rises[] = {
+      {"-y", 0.0}, {"-x", 90.0}, {"y", 180.0}, {"x", 270.0}};
+  for (const auto& [direction, aspect] : rises) {
+    std::ostringstream text;
+    for (int i = 0; i < points_of_plane; ++i) {
+      const double x = 0.04 * (i / points_of_side), y = 0.04 * (i % points_of_side);
+      const std::string rise = direction;
+      const double along = rise.back() == 'x' ? x : y;
+      text << x << " " << y << " " << (rise.size() > 1 ? 2 - along : along) << "\n";
+    }
+    folder_.write ("slope.xyz", text.str());
+    const Json plane = jsonOf ("slope.xyz --planes p.json")["planes"].at (0);
+    EXPECT_NEAR (plane["slope"].get<double>(), 45.0, 0.1) << direction;
+    const double turn = plane["aspect"].get<double>() - aspect;
+    EXPECT_NEAR (std::remainder (turn, 360.0), 0.0, 0.1) << direction;
+  }
+}
+
+TEST_F (Segment, NamesTheReferenceSystemAndSimplifies)
+{
+  const Json map = jsonOf ("in.pcd --planes p.geojson --crs EPSG:25832 --simplify 0.05",
+                           "p.geojson");
+  EXPECT_EQ (map["crs"]["properties"]["name"], "urn:ogc:def:crs:EPSG::25832");
+  EXPECT_EQ (map["features"][0]["geometry"]["coordinates"][0].size(), 5u);
+  expectRefused ({{"in.pcd --planes p.csv --crs EPSG:1", "--crs: is about --planes"},
+                  {"in.pcd --planes p.geojson --crs UTM", "--crs: 'UTM' is not EPSG:N"},
+                  {"in.pcd --planes p.geojson --crs EPSG:", "--crs: 'EPSG:' is not"},
+                  {"in.pcd --simplify 1", "--simplify: is about --planes"},
+                  {"in.pcd --planes p.csv --simplify -1", "--simplify: -1 is out"}});
 }
 
 TEST_F (Segment, WritesAnEmptyMapOfNoPlanes)

@@ -82,6 +82,29 @@ TEST_F (SegmentTrack, GivesAPlaneTheSameLabelAndIdInAllClouds)
   }
 }
 
+TEST_F (SegmentTrack, TakesUpInTheFrameThatPosesShare)
+{
+  // The second camera lies on its side: its y is up, which is z of the others.
+  InputCloud turned = withLargerWall();
+  for (pcl::PointXYZI& point : turned)
+    point.getVector3fMap() = Eigen::Vector3f (point.x, point.z, -point.y);
+  turned.sensor_origin_ = Eigen::Vector4f (0.5f, 1.5f, -1.0f, 0.0f);
+  pcl::io::savePCDFileBinary (folder_ / "scans/b.pcd", turned);
+  folder_.write ("turned.txt",
+                 "0 0 0 0 0 0 0 1\n0 0 0 0 0.70710678 0 0 0.70710678\n"
+                 "0 1 0 0 0 0 0 1\n");
+  for (const char* up : {"", " --up 0,0,1"}) {
+    expectDone (track + std::string ("--poses turned.txt") + up);
+    const auto json = nlohmann::json::parse (contentOf (folder_ / "out/b.json"));
+    ASSERT_EQ (json["planes"].size(), 2u);
+    EXPECT_NEAR (json["parameters"]["up"][1].get<double>(), 1.0, 1e-6);
+    for (const auto& plane : json["planes"])
+      EXPECT_EQ (plane["orientation"],
+                 std::abs (plane["normal"][1].get<double>()) > 0.9 ? "horizontal"
+                                                                   : "vertical");
+  }
+}
+
 TEST_F (SegmentTrack, GivesAPlaneTheSameColorAndFileInAllClouds)
 {
   expectDone (std::string (track) + "--poses poses.txt --planes-dir {}");

@@ -114,6 +114,10 @@ TEST_F (SegmentUp, IsSuggestedWhereThePlanesAreSureOfAnother)
     return contains (expectDone ("cloud.pcd " + options).out, hint);
   };
   pcl::io::savePCDFileBinary (folder_ / "cloud.pcd", roomLyingOnItsSide());
+  const auto suggested = jsonOf ("cloud.pcd --planes p.json")["suggested_up"];
+  EXPECT_NEAR (suggested[0].get<double>(), 1.0, 0.01);
+  EXPECT_FALSE (
+      jsonOf ("cloud.pcd --up 1,0,0 --planes p.json").contains ("suggested_up"));
   EXPECT_TRUE (says_so (""));
   EXPECT_TRUE (says_so ("--output-dir planes"));
   EXPECT_FALSE (says_so ("--up 0,0,1"));

@@ -185,7 +185,9 @@ TEST_F (TilesProgram, FindsInManyTilesThePlanesOfOne)
 TEST_F (TilesProgram, GivesTheSameBytesForAnyNumberOfJobsAndOrderOfInputs)
 {
   makeTown();
-  expectDone ("town --output-dir one --tile 30");
+  const std::string planes = " --planes planes.geojson";
+  expectDone ("town --output-dir one --tile 30" + planes);
+  const std::string map = contentOf (folder_ / "planes.geojson");
   const auto expected = outputsIn ("one");
   ASSERT_EQ (expected.size(), 5u);
   for (const char* inputs : {"town --jobs 2",
@@ -193,8 +195,9 @@ TEST_F (TilesProgram, GivesTheSameBytesForAnyNumberOfJobsAndOrderOfInputs)
                              "town/town_001_001.las town/town_000_000.las "
                              "town/town_001_000.las town/town_000_001.las"}) {
     fs::remove_all (folder_ / "other");
-    expectDone (inputs + std::string (" --output-dir other --tile 30"));
+    expectDone (inputs + std::string (" --output-dir other --tile 30") + planes);
     EXPECT_EQ (outputsIn ("other"), expected) << inputs;
+    EXPECT_EQ (contentOf (folder_ / "planes.geojson"), map) << inputs;
   }
 }
 
@@ -265,6 +268,85 @@ TEST_F (TilesProgram, LabelsInputsThatOverlapEachWithAllItsPoints)
   for (const char* name : {"out/one.las", "out/two.las"})
     EXPECT_EQ (labelsIn (name),
                std::vector<std::uint32_t> (wall.size() - wall.size() / 3, 1u));
+}
+
+TEST_F (TilesProgram, WritesTheChosenPlanesOfAFinishedRunToo)
+{
+  makeTown();
+  const Outcome whole = tiles ("town --output-dir out --tile 30");
+  const nlohmann::json list = listIn ("out");
+  const std::string all = std::to_string (list.at ("planes").size()) + " planes";
+  EXPECT_NE (whole.out.find ("planes.json, " + all + "\n"), std::string::npos)
+      << whole.out;
+  const auto before = outputsIn ("out");
+  expectDone ("town --output-dir out --quiet --planes roofs.geojson --slope 5,80 "
+              "--min-area 20 --simplify 0.5 --crs EPSG:25832");
+  EXPECT_EQ (outputsIn ("out"), before);
+  const auto map = nlohmann::json::parse (contentOf (folder_ / "roofs.geojson"));
+  EXPECT_EQ (map.at ("crs").at ("properties").at ("name"),
+             "urn:ogc:def:crs:EPSG::25832");
+  std::size_t roofs = 0;
+  for (const auto& plane : list.at ("planes"))
+    roofs += plane.at ("orientation") == "other" && plane.at ("area") >= 20.0 ? 1 : 0;
+  EXPECT_GE (roofs, 2u);
+  ASSERT_EQ (map.at ("features").size(), roofs);
+  for (const auto& feature : map.at ("features")) {
+    const auto& properties = feature.at ("properties");
+    EXPECT_EQ (properties.at ("orientation"), "other");
+    EXPECT_GT (properties.at ("nz"), 0.0) << "normals of surveys point up";
+    EXPECT_LE (feature.at ("geometry").at ("coordinates").at (0).size(), 12u);
+  }
+  const Outcome few = tiles ("town --output-dir out --planes p.csv --max-planes 2");
+  EXPECT_NE (few.out.find (all + "; p.csv: 2 planes, dropped "), std::string::npos)
+      << few.out;
+  EXPECT_EQ (lines (contentOf (folder_ / "p.csv")), 3u);
+}
+
+TEST_F (TilesProgram, DrawsASteepRoofThroughManyTilesAsOne)
+{
+  apps::Random random (3);
+  std::string text;
+  for (int i = 0; i < 60'000; ++i) {
+    const double x = 100.0 * random.unit(), y = 20.0 * random.unit();
+    const double noise = 0.03 * random.unit();
+    // The ridge is turned by 30 degrees.
+    text += std::to_string (0.866 * x - 0.5 * y) + " " +
+            std::to_string (0.5 * x + 0.866 * y) + " " + std::to_string (y + noise) +
+            "\n";
+  }
+  folder_.write ("roof.xyz", text);
+  expectDone ("roof.xyz --output-dir out --cell 0.9 --tile 12");
+  const nlohmann::json planes = listIn ("out").at ("planes");
+  ASSERT_EQ (planes.size(), 1u);
+  EXPECT_NEAR (planes[0].at ("area"), 2000.0 * std::sqrt (2.0), 30.0);
+  EXPECT_TRUE (planes[0].at ("holes").empty());
+  EXPECT_FALSE (planes[0].contains ("parts"));
+  EXPECT_NEAR (planes[0].at ("slope"), 45.0, 0.1);
+  EXPECT_NEAR (planes[0].at ("aspect"), 150.0, 0.1) << "down to the south-east";
+}
+
+TEST_F (TilesProgram, RefusesMapsItCannotWrite)
+{
+  makeTown ("--points 2000 --tiles 1");
+  const std::vector<std::pair<std::string, std::string>> failures = {
+      {"--planes p.shp",
+       "--planes: p.shp has an unknown extension; give a file "
+       ".geojson or .csv or .json"},
+      {"--planes out/planes.json",
+       "out/planes.json: is an input or another output; give another --planes"},
+      {"--planes p.csv --crs EPSG:4326",
+       "--crs: is about --planes FILE.geojson; give one"},
+      {"--max-area 3", "--max-area: is about --planes FILE; give it, too"},
+      {"--planes p.csv --min-width 2 --max-width 1",
+       "--max-width: is below --min-width; raise it"}};
+  for (const auto& [options, complaint] : failures)
+    expectRefused ("town --output-dir out " + options, complaint, 2);
+  expectDone ("town --output-dir out");
+  for (const char* damaged : {"", "{}", R"({"planes":[{"id":1}]})"}) {
+    folder_.write ("out/planes.json", damaged);
+    expectRefused ("town --output-dir out --planes p.csv",
+                   "out/planes.json: is no list of planes; remove it and run it again");
+  }
 }
 
 TEST_F (TilesProgram, SaysWhatItWouldDo)
@@ -419,7 +501,7 @@ TEST_F (TilesProgram, RefusesThePlanOfAnotherVersion)
   makeTown();
   expectDone ("town --output-dir out");
   const std::string plan = contentOf (folder_ / "out/work/plan.json");
-  const std::string format = "\"format\": 2";
+  const std::string format = "\"format\": 3";
   ASSERT_NE (plan.find (format), std::string::npos) << plan;
   folder_.write (
       "out/work/plan.json",

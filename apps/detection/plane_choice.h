@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
-#include <detection/methods.h>
+#include "methods.h"
+#include <nlohmann/json.hpp>
 #include <pcl_ops/plane_filter.h>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -22,6 +22,8 @@ struct PlaneChoice {
   std::optional<Eigen::Vector3f> direction;
   /** \brief Largest angle to \ref direction [degree]. */
   double within = 10.0;
+  /** \brief Smallest and largest angle to the horizontal [degree]. */
+  std::optional<std::array<double, 2>> slope;
   std::optional<std::size_t> min_points;
   /** \brief Largest planes to keep of those the others leave. */
   std::optional<std::size_t> max_planes;
@@ -29,6 +31,8 @@ struct PlaneChoice {
   std::optional<double> min_width;
   std::optional<double> max_area;
   std::optional<double> max_width;
+  /** \brief Both sides and by how much they may differ. */
+  std::optional<std::array<double, 3>> size;
 };
 
 /** \brief What became of the planes that were not chosen. */
@@ -44,7 +48,10 @@ struct Dropped {
   reasons () const;
 };
 
-/** \brief Declares the options beside --only. */
+/** \brief Of the group of options. */
+inline constexpr const char* title_of_choice = "Planes to keep";
+
+/** \brief Declares --only and the options beside it. */
 void
 declareChoice (CommandLine& line, PlaneChoice& choice);
 
@@ -53,12 +60,29 @@ declareChoice (CommandLine& line, PlaneChoice& choice);
 void
 checkChoice (const CommandLine& line, const PlaneChoice& choice);
 
+/** \brief The positions of the chosen planes.
+ * \param[in] up against gravity, in the frame of the planes
+ * \param[in] extent_of where a plane ends that may be too small or too large
+ * \param[out] settings what they were chosen by is added
+ * \param[out] dropped what became of the others */
+std::vector<std::size_t>
+chosenOf (const PlaneChoice& choice,
+          const std::vector<PlaneSegment>& planes,
+          const Eigen::Vector3d& up,
+          const ExtentOfPlane& extent_of,
+          Settings& settings,
+          Dropped& dropped);
+
 /** \brief Keeps the chosen planes and forgets the others, whose points then count as on
  * no plane; ids follow the size of those kept. Where none is left, the advice says why.
- * \param[in] extent_of where a plane ends that may be too small */
+ * \param[in] extent_of as \ref chosenOf */
 Dropped
 keepChosen (const PlaneChoice& choice,
             const ExtentOfPlane& extent_of,
             Detected& detected);
+
+/** \brief As the key "dropped" of a list of planes. */
+nlohmann::ordered_json
+toObject (const Dropped& dropped);
 
 } // namespace pcl_ops::apps

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "filter.h"
+#include "plane_choice.h"
 
 #include <cli/command_line.h>
 #include <cli/errors.h>
@@ -8,16 +8,19 @@
 #include <numbers/angles.h>
 #include <pcl_ops/orientation.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <sstream>
 
 namespace pcl_ops::apps {
 
 namespace {
 
 PlaneFilter
-filterOf (const PlaneChoice& choice)
+filterOf (const PlaneChoice& choice, const Eigen::Vector3d& up)
 {
   PlaneFilter filter;
+  filter.up_axis = up;
   for (const Orientation orientation :
        {Orientation::Horizontal, Orientation::Vertical, Orientation::Other})
     if (choice.only == toString (orientation))
@@ -33,7 +36,21 @@ filterOf (const PlaneChoice& choice)
   filter.min_width = choice.min_width.value_or (filter.min_width);
   filter.max_area = choice.max_area;
   filter.max_width = choice.max_width;
+  filter.size = choice.size;
+  if (choice.slope)
+    filter.slope = {toRadians ((*choice.slope)[0]), toRadians ((*choice.slope)[1])};
   return filter;
+}
+
+/** \brief Adds numbers that were given as one option. */
+template <std::size_t count>
+void
+addSetting (const char* name,
+            const std::optional<std::array<double, count>>& numbers,
+            Settings& settings)
+{
+  if (numbers)
+    settings[name] = *numbers;
 }
 
 /** \brief Adds what the planes were chosen by. */
@@ -46,6 +63,7 @@ addSettings (const PlaneChoice& choice, const PlaneFilter& filter, Settings& set
     settings["direction"] = toArray (*filter.direction);
     settings["within"] = choice.within;
   }
+  addSetting ("slope", choice.slope, settings);
   if (choice.min_points)
     settings["min_points"] = filter.min_points;
   const std::pair<const char*, std::optional<double>> sizes[] = {
@@ -56,6 +74,7 @@ addSettings (const PlaneChoice& choice, const PlaneFilter& filter, Settings& set
   for (const auto& [name, size] : sizes)
     if (size)
       settings[name] = *size;
+  addSetting ("size", choice.size, settings);
   if (choice.max_planes)
     settings["max_planes"] = *choice.max_planes;
 }
@@ -68,16 +87,44 @@ droppedOf (const PlaneChoice& choice, std::size_t found, const DroppedPlanes& dr
   const std::vector<std::pair<std::string, std::size_t>> counts = {
       {"only", dropped.by_orientation + (is_largest ? dropped.by_number : 0)},
       {"direction", dropped.by_direction},
+      {"slope", dropped.by_slope},
       {"min-points", dropped.by_points},
       {"min-area", dropped.by_area},
       {"min-width", dropped.by_width},
       {"max-area", dropped.by_max_area},
       {"max-width", dropped.by_max_width},
+      {"size", dropped.by_size},
       {"max-planes", is_largest ? 0 : dropped.by_number}};
   for (const auto& [option, count] : counts)
     if (count > 0)
       result.by_option.emplace_back (option, count);
   return result;
+}
+
+/** \brief Declares an option of several numbers in a range. */
+template <std::size_t count>
+void
+addNumbers (CommandLine& line,
+            const std::string& name,
+            const std::string& placeholder,
+            const Range& range,
+            std::optional<std::array<double, count>>& target,
+            const std::string& help)
+{
+  line.addValue (name, placeholder, help, [=, &target] (const std::string& text) {
+    const std::string option = "--" + name;
+    std::array<double, count> numbers{};
+    std::istringstream parts (text + ",");
+    std::string part;
+    for (double& number : numbers) {
+      if (!std::getline (parts, part, ','))
+        throw UsageError (option, text + " is not " + placeholder);
+      number = parseNumber<double> (option, part, range);
+    }
+    if (std::getline (parts, part))
+      throw UsageError (option, text + " is not " + placeholder);
+    target = numbers;
+  });
 }
 
 std::string
@@ -87,7 +134,7 @@ adviceOn (const PlaneChoice& choice, const Dropped& dropped)
   const auto& [option, count] = dropped.by_option.front();
   if (option == "only" && count == dropped.found)
     return "none of the " + found + " planes found is " + choice.only +
-           ": leave out --only, or mend --up or --angle-tolerance";
+           ": leave out --only, or change --up or --angle-tolerance";
   return "all " + found + " planes found are dropped, " + dropped.reasons() +
          ": leave an option out or ask for less";
 }
@@ -107,7 +154,12 @@ void
 declareChoice (CommandLine& line, PlaneChoice& choice)
 {
   constexpr double right_angle = 90;
-  line.beginBriefGroup ("Planes to keep, beside --only");
+  line.beginBriefGroup (title_of_choice);
+  line.addChoice ("only",
+                  {"horizontal", "vertical", "other", "largest"},
+                  choice.only,
+                  "horizontal, vertical, other or largest only",
+                  "WHICH");
   line.addDirection ("direction",
                      choice.direction,
                      "planes whose normal points along it, or against it");
@@ -116,6 +168,12 @@ declareChoice (CommandLine& line, PlaneChoice& choice)
                   Range::from (0).upTo (right_angle),
                   choice.within,
                   "largest angle of a normal to --direction (10)");
+  addNumbers (line,
+              "slope",
+              "MIN,MAX",
+              Range::from (0).upTo (right_angle),
+              choice.slope,
+              "angles to the horizontal from MIN to MAX degrees");
   line.addNumber (
       "min-points", "N", Range::from (0), choice.min_points, "fewest points");
   const auto declare_size = [&] (const char* name,
@@ -129,6 +187,12 @@ declareChoice (CommandLine& line, PlaneChoice& choice)
       "min-width", "M", choice.min_width, "smallest width of the rectangle around it");
   declare_size ("max-area", "M2", choice.max_area, "largest area");
   declare_size ("max-width", "M", choice.max_width, "largest width");
+  addNumbers (line,
+              "size",
+              "W,H,TOLERANCE",
+              Range::from (0),
+              choice.size,
+              "rectangles of W by H, each within TOLERANCE");
   line.addNumber ("max-planes",
                   "N",
                   Range::from (1),
@@ -143,8 +207,26 @@ checkChoice (const CommandLine& line, const PlaneChoice& choice)
     throw UsageError ("--max-area", "is below --min-area; raise it");
   if (choice.max_width && *choice.max_width < choice.min_width.value_or (0.0))
     throw UsageError ("--max-width", "is below --min-width; raise it");
+  if (choice.slope && (*choice.slope)[1] < (*choice.slope)[0])
+    throw UsageError ("--slope", "ends below where it begins; give MIN,MAX");
   if (line.isGiven ("within") && !line.isGiven ("direction"))
     throw UsageError ("--within", "is about --direction x,y,z; give it, too");
+}
+
+std::vector<std::size_t>
+chosenOf (const PlaneChoice& choice,
+          const std::vector<PlaneSegment>& planes,
+          const Eigen::Vector3d& up,
+          const ExtentOfPlane& extent_of,
+          Settings& settings,
+          Dropped& dropped)
+{
+  const PlaneFilter filter = filterOf (choice, up);
+  addSettings (choice, filter, settings);
+  DroppedPlanes counts;
+  std::vector<std::size_t> kept = keptPlanes (planes, filter, extent_of, counts);
+  dropped = droppedOf (choice, planes.size(), counts);
+  return kept;
 }
 
 Dropped
@@ -152,14 +234,31 @@ keepChosen (const PlaneChoice& choice,
             const ExtentOfPlane& extent_of,
             Detected& detected)
 {
-  const PlaneFilter filter = filterOf (choice);
-  addSettings (choice, filter, detected.settings);
-  const std::size_t found = detected.planes.size();
-  const Dropped dropped =
-      droppedOf (choice, found, filterPlanes (detected.planes, filter, extent_of));
-  if (detected.planes.empty() && found > 0)
+  Dropped dropped;
+  std::vector<PlaneSegment> kept;
+  for (const std::size_t i : chosenOf (choice,
+                                       detected.planes,
+                                       detected.up.cast<double>(),
+                                       extent_of,
+                                       detected.settings,
+                                       dropped))
+    kept.push_back (std::move (detected.planes[i]));
+  detected.planes = std::move (kept);
+  if (detected.planes.empty() && dropped.found > 0)
     detected.advice = adviceOn (choice, dropped);
   return dropped;
+}
+
+nlohmann::ordered_json
+toObject (const Dropped& dropped)
+{
+  nlohmann::ordered_json object;
+  object["of"] = dropped.found;
+  for (auto [option, count] : dropped.by_option) {
+    std::replace (option.begin(), option.end(), '-', '_');
+    object["by"][option] = count;
+  }
+  return object;
 }
 
 } // namespace pcl_ops::apps

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "options.h"
+
+#include <string>
+
+namespace pcl_ops::apps {
+
+/** \brief Writes the planes of --planes, if there is such a file.
+ * \param[in] list_file the list of all planes
+ * \return how many there are, and how many of them were written, in words
+ * \throws WorkError if the list cannot be read or the file cannot be written */
+std::string
+saveChosenPlanes (const std::string& list_file, const TilesOptions& options);
+
+} // namespace pcl_ops::apps

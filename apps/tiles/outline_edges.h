@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief A place on the lattice of \ref outlineUnit, in the frame of the inputs. */
+using LatticePlace = std::array<std::int64_t, 3>;
+
+/** \brief A side of an outline, with the plane to its left. */
+struct OutlineEdge {
+  LatticePlace from{}, to{};
+};
+
+/** \brief A point on a plane that a tile sees. */
+struct OutlinePoint {
+  LatticePlace place{};
+  /** \brief Of the tile itself, not of its halo. */
+  bool is_own = false;
+};
+
+/** \brief Edge of the lattice that outlines are on [m]: a hundredth of a cell. */
+double
+outlineUnit (double cell);
+
+/** \brief A tile's share of the edges around a plane's alpha shape (Edelsbrunner,
+ * Kirkpatrick & Seidel, On the shape of a set of points in the plane, 1983), which has
+ * the triangles between neighboring points whose circumscribed circle has a radius of
+ * one and a half cells at most, or more where points are few.
+ *
+ * Each triangle belongs to the tile that owns the first of its points, so that the
+ * edges between tiles that both have vanish together: those that are left of all tiles
+ * are the outline of the whole. Points with all cells around them taken are thinned to
+ * one of a cell first.
+ * \param[in] points all that a tile and its halo have on the plane
+ * \param[in] normal towards where the plane is seen from: edges go round it to the left
+ * \param[in] cell edge of a cell [lattice places] */
+std::vector<OutlineEdge>
+outlineEdges (const std::vector<OutlinePoint>& points,
+              const Eigen::Vector3d& normal,
+              double cell);
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <numbers/random.h>
+#include <tiles/outline_rings.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace pcl_ops;
+using namespace pcl_ops::apps;
+
+constexpr double lattice = 0.01, cell = 1.0; // [m]
+
+using Within = std::function<bool (const Eigen::Vector2d&)>;
+
+/** \brief Twenty points of each square metre of 20 m by 20 m that is within. */
+std::vector<Eigen::Vector2d>
+pointsOf (const Within& is_within)
+{
+  Random random (7);
+  std::vector<Eigen::Vector2d> points;
+  for (int i = 0; i < 20 * 20 * 20; ++i) {
+    const double x = 20.0 * random.unit();
+    const Eigen::Vector2d point (x, 20.0 * random.unit());
+    if (is_within (point))
+      points.push_back (point);
+  }
+  return points;
+}
+
+/** \brief On a level plane, or on a wall along x. */
+std::vector<OutlinePoint>
+placesOf (const std::vector<Eigen::Vector2d>& points, bool is_wall = false)
+{
+  std::vector<OutlinePoint> places;
+  for (const Eigen::Vector2d& point : points) {
+    const auto u = std::llround (point.x() / lattice),
+               v = std::llround (point.y() / lattice);
+    places.push_back ({is_wall ? LatticePlace{u, 0, v} : LatticePlace{u, v, 0}, true});
+  }
+  return places;
+}
+
+std::vector<PlanarRings>
+outlineOf (const std::vector<OutlineEdge>& edges,
+           const Eigen::Vector3d& normal,
+           double points = 8000.0)
+{
+  return apps::outlineOf (
+      edges, PlaneFrame (Eigen::Vector3d::Zero(), normal), lattice, points, 2.25);
+}
+
+std::vector<PlanarRings>
+outlineOf (const Within& is_within)
+{
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  return outlineOf (outlineEdges (placesOf (pointsOf (is_within)), up, cell / lattice),
+                    up);
+}
+
+double
+areaOf (const PlanarRings& rings)
+{
+  const PlaneFrame frame (Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ());
+  return extentOf (rings, rings.front(), frame).area;
+}
+
+bool
+isAnywhere (const Eigen::Vector2d& /*point*/)
+{
+  return true;
+}
+
+} // namespace
+
+TEST (Outline, IsAroundAllPointsOfASquare)
+{
+  const auto outline = outlineOf (isAnywhere);
+  ASSERT_EQ (outline.size(), 1u);
+  EXPECT_EQ (outline[0].size(), 1u) << "no holes";
+  EXPECT_NEAR (areaOf (outline[0]), 400.0, 8.0);
+}
+
+TEST (Outline, IsTheSameFromEitherSideAndOnAWall)
+{
+  for (const bool is_wall : {false, true})
+    for (const double sign : {1.0, -1.0}) {
+      const Eigen::Vector3d normal =
+          sign * (is_wall ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ());
+      const auto outline = outlineOf (
+          outlineEdges (
+              placesOf (pointsOf (isAnywhere), is_wall), normal, cell / lattice),
+          normal);
+      ASSERT_EQ (outline.size(), 1u);
+      EXPECT_NEAR (areaOf (outline[0]), 400.0, 8.0) << "to the left: above zero";
+    }
+}
+
+TEST (Outline, HasHolesAndParts)
+{
+  const auto holed = outlineOf ([] (const Eigen::Vector2d& point) {
+    return (point - Eigen::Vector2d (10, 10)).norm() > 5.0;
+  });
+  ASSERT_EQ (holed.size(), 1u);
+  EXPECT_EQ (holed[0].size(), 2u);
+  EXPECT_NEAR (areaOf (holed[0]), 400.0 - 25.0 * M_PI, 12.0);
+  const auto parted = outlineOf ([] (const Eigen::Vector2d& point) {
+    return point.x() < 4.0 || point.x() > 8.0 || point.norm() < 1.0;
+  });
+  ASSERT_EQ (parted.size(), 2u) << "the larger one first";
+  EXPECT_NEAR (areaOf (parted[0]), 240.0, 6.0);
+  EXPECT_NEAR (areaOf (parted[1]), 80.0, 4.0);
+}
+
+TEST (Outline, GoesRoundAPartInsideOfAHole)
+{
+  const auto outline = outlineOf ([] (const Eigen::Vector2d& point) {
+    const double radius = (point - Eigen::Vector2d (10, 10)).norm();
+    return radius < 3.0 || radius > 7.0;
+  });
+  ASSERT_EQ (outline.size(), 2u);
+  EXPECT_EQ (outline[0].size(), 2u);
+  EXPECT_EQ (outline[1].size(), 1u);
+  EXPECT_NEAR (areaOf (outline[1]), 9.0 * M_PI, 2.0);
+}
+
+TEST (Outline, OfTwoTilesIsThatOfOne)
+{
+  // A border at x = 9.3 m, beyond which each tile sees three cells.
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  const auto is_within = [] (const Eigen::Vector2d& point) {
+    return (point - Eigen::Vector2d (9, 12)).norm() > 3.0;
+  };
+  std::vector<OutlineEdge> edges;
+  for (const bool is_east : {false, true}) {
+    std::vector<OutlinePoint> seen;
+    for (OutlinePoint point : placesOf (pointsOf (is_within))) {
+      const double beyond = (is_east ? 930.0 - static_cast<double> (point.place[0])
+                                     : static_cast<double> (point.place[0]) - 930.0);
+      point.is_own = is_east ? beyond <= 0.0 : beyond < 0.0;
+      if (beyond < 600.0)
+        seen.push_back (point);
+    }
+    const auto own = outlineEdges (seen, up, cell / lattice);
+    edges.insert (edges.end(), own.begin(), own.end());
+  }
+  const auto whole = outlineOf (is_within), joined = outlineOf (edges, up);
+  ASSERT_EQ (joined.size(), 1u);
+  ASSERT_EQ (whole.size(), 1u);
+  EXPECT_EQ (joined[0].size(), whole[0].size());
+  // At the border no points are thinned.
+  EXPECT_NEAR (areaOf (joined[0]), areaOf (whole[0]), 0.3);
+}
+
+TEST (Outline, OfSquaresThatTouchIsOfTwoParts)
+{
+  const auto square = [] (std::int64_t low) {
+    const LatticePlace a{low, low, 0}, b{low + 1000, low, 0},
+        c{low + 1000, low + 1000, 0}, d{low, low + 1000, 0};
+    return std::vector<OutlineEdge>{{a, b}, {b, c}, {c, d}, {d, a}};
+  };
+  std::vector<OutlineEdge> edges = square (0);
+  const auto other = square (1000);
+  edges.insert (edges.end(), other.begin(), other.end());
+  const auto outline = outlineOf (edges, Eigen::Vector3d::UnitZ(), 1e12);
+  ASSERT_EQ (outline.size(), 2u);
+  for (const PlanarRings& part : outline)
+    EXPECT_NEAR (areaOf (part), 100.0, 1e-3);
+}
+
+TEST (Outline, OfNoPointsOrALineIsEmpty)
+{
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  EXPECT_TRUE (outlineEdges ({}, up, 100.0).empty());
+  std::vector<OutlinePoint> line;
+  for (std::int64_t i = 0; i < 50; ++i)
+    line.push_back ({{i, 0, 0}, true});
+  EXPECT_TRUE (outlineOf (outlineEdges (line, up, 100.0), up).empty());
+}
