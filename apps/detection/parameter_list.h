@@ -42,6 +42,12 @@ visitShared (PlaneDetectorParameters& p, Visit&& visit)
                 Range::above (0),
                 "farthest point of a plane (0.05; ops: auto)"},
          p.distance_threshold);
+  visit (
+      Option{"merge-distance",
+             "M",
+             Range::from (0),
+             "planes this near one another are one (--threshold; ops: by the noise)"},
+      p.merging.distance_threshold);
   visit (Option{"angle-tolerance",
                 "DEG",
                 Range::from (0).upTo (right_angle),
