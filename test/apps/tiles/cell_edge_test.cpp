@@ -35,8 +35,9 @@ TEST (CellEdge, IsThatOfTheOthersWhereMostPlacesAreOne)
 {
   std::vector<Vector3d> places = floorPlaces();
   const double edge = cellEdgeFor (places, Vector3d::Zero(), points);
-  places.insert (places.end(), 20'000, Vector3d (1, 1, 0));
-  EXPECT_NEAR (cellEdgeFor (places, Vector3d::Zero(), points), edge, 0.5 * edge);
+  const Vector3d usual (1, 1, 0);
+  places.insert (places.end(), 20'000, usual);
+  EXPECT_NEAR (cellEdgeFor (places, usual, points), edge, 0.5 * edge);
 }
 
 TEST (CellEdge, HasToBeGivenForOnePlace)
