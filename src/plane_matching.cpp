@@ -59,10 +59,6 @@ overlapOf (const Patch& fixed, const Patch& over)
           common / (fixed.area() + over.area() - common)};
 }
 
-/** \brief Where planes have to overlap: as the pose is, or, as long as it is known
- * roughly, as it is once it has followed from these two. */
-enum class At { Pose, MendedPose };
-
 /** \return nothing for planes that cannot be one */
 std::optional<Pair>
 pairOf (const Patches& previous,
@@ -70,7 +66,6 @@ pairOf (const Patches& previous,
         const Patches& current,
         std::size_t c,
         const PoseBelief& belief,
-        At at,
         double min_overlap)
 {
   if (!previous[p] || !current[c])
@@ -82,12 +77,7 @@ pairOf (const Patches& previous,
   const double distance = belief.squaredDistance (belief.mismatchOf (fixed, seen));
   if (!(distance <= largest_squared_distance))
     return std::nullopt;
-  Overlap overlap = overlapOf (fixed, over);
-  if (at == At::MendedPose) {
-    PoseBelief mended = belief;
-    mended.update (fixed, seen);
-    overlap = overlapOf (fixed, moved (mended.pose(), seen));
-  }
+  const Overlap overlap = overlapOf (fixed, over);
   constexpr double but_for_rounding = 1.0 - 1e-9;
   if (!(overlap.of_both > 0.0 && overlap.of_smaller >= but_for_rounding * min_overlap))
     return std::nullopt;
@@ -118,8 +108,7 @@ registered (const Patches& previous,
     for (std::size_t p = 0; p < previous.size(); ++p) {
       if (is_taken[p])
         continue;
-      const auto pair =
-          pairOf (previous, p, current, c, belief, At::MendedPose, min_overlap);
+      const auto pair = pairOf (previous, p, current, c, belief, min_overlap);
       if (pair && (!best || pair->score > best->score))
         best = pair;
     }
@@ -140,8 +129,7 @@ pairsByScore (const Patches& previous,
   std::vector<Pair> pairs;
   for (std::size_t c = 0; c < current.size(); ++c)
     for (std::size_t p = 0; p < previous.size(); ++p)
-      if (const auto pair =
-              pairOf (previous, p, current, c, belief, At::Pose, min_overlap))
+      if (const auto pair = pairOf (previous, p, current, c, belief, min_overlap))
         pairs.push_back (*pair);
   std::stable_sort (
       pairs.begin(), pairs.end(), [] (const Pair& one, const Pair& other) {

@@ -49,10 +49,10 @@ struct PlaneMatches {
  * rectangle that has the same.
  *
  * The larger planes mend the pose first, each by an update of an iterated Kalman
- * filter, and have to overlap where that takes them; then all pairs are looked at with
- * the pose that came of it, the best first: those with the largest product of
- * intersection over union and the root of the likelihood. The sides of a plane are not
- * told apart, as normals of a floor at the height of the viewpoint go either way.
+ * filter; then all pairs are looked at with the pose that came of it, the best first:
+ * those with the largest product of intersection over union and the root of the
+ * likelihood. The sides of a plane are not told apart, as normals of a floor at the
+ * height of the viewpoint go either way.
  *
  * The result does not depend on the order of the planes but for ties.
  * \param[in] previous planes of one frame; of their moments and normals alone
