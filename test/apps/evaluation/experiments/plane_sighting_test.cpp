@@ -37,7 +37,7 @@ std::map<std::uint32_t, PlaneSighting>
 sightingsIn (const pcl::PointCloud<pcl::PointXYZL>& frame,
              const Eigen::Isometry3d& pose)
 {
-  constexpr std::size_t min_points = 1000;
+  constexpr std::size_t min_points = 3000;
   const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud (new pcl::PointCloud<pcl::PointXYZ>);
   PlaneLabels truth;
   for (const auto& point : frame) {
