@@ -81,7 +81,7 @@ widen (PlaneExtent& extent, const PlaneSegment& seen)
   for (const Eigen::Vector3d& corner : internal::cornersOf (*patch))
     corners.push_back (frame.toPlane (corner));
   constexpr double all_inside = 0.0;
-  extent = extentOf (convexHull (corners, all_inside), corners, frame);
+  extent = extentOf ({convexHull (corners, all_inside)}, corners, frame);
 }
 
 } // namespace
@@ -91,10 +91,10 @@ PlaneTracker::PlaneTracker (const PlaneMatchingParameters& parameters,
                             std::optional<double> max_distance)
 : parameters_ (parameters), memory_ (memory), max_distance_ (max_distance)
 {
-  throwOn (problemOf (parameters));
-  throwOn (!max_distance || *max_distance > 0.0
-               ? ""
-               : "the largest distance must be a length above 0");
+  detail::throwOn (validate (parameters));
+  detail::throwOn (!max_distance || *max_distance > 0.0
+                       ? ""
+                       : "the largest distance must be a length above 0");
 }
 
 bool

@@ -222,13 +222,13 @@ seesFloorAndCeiling (const Vector3d& up,
 {
   // Cameras have 0.6 and more.
   constexpr double least_directedness = 0.3;
-  constexpr double least_share = 0.05;
+  constexpr double min_share = 0.05;
   const double squared_gaze = (faces.mean - viewpoint).squaredNorm();
   const double limit = std::sin (tolerance);
   return squared_gaze <
              least_directedness * (squared_gaze + faces.covariance.trace()) &&
-         facingShare (faces, up, limit) >= least_share &&
-         facingShare (faces, -up, limit) >= least_share;
+         facingShare (faces, up, limit) >= min_share &&
+         facingShare (faces, -up, limit) >= min_share;
 }
 
 } // namespace
@@ -278,7 +278,7 @@ estimateUpAxis (const std::vector<PlaneSegment>& planes,
   const UpAxis found{best.up.normalized(), 1.0 / likelihoods};
   if (!(found.confidence >= parameters.min_confidence))
     return std::nullopt;
-  if (parameters.least_confidence > 0.0 &&
+  if (parameters.min_confidence > 0.0 &&
       seesFloorAndCeiling (best.up, faces, viewpoint, parameters.angle_tolerance))
     return std::nullopt;
   return found;
