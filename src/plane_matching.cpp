@@ -41,8 +41,23 @@ struct Pair {
   std::size_t previous, current;
   /** \brief Above 0 and up to 1. */
   double score;
-  Mismatch mismatch;
 };
+
+/** \brief The share of the smaller of two patches over the other, as \ref
+ * PlaneMatchingParameters::min_overlap has it, and of both together. */
+struct Overlap {
+  double of_smaller = 0.0, of_both = 0.0;
+};
+
+Overlap
+overlapOf (const Patch& fixed, const Patch& over)
+{
+  const double common = commonArea (fixed, over);
+  if (!(common > 0.0))
+    return {};
+  return {common / std::min (fixed.area(), over.area()),
+          common / (fixed.area() + over.area() - common)};
+}
 
 /** \return nothing for planes that cannot be one */
 std::optional<Pair>
@@ -59,20 +74,16 @@ pairOf (const Patches& previous,
   const Patch over = moved (belief.pose(), seen);
   if (std::abs (over.normal().dot (fixed.normal())) < least_cosine)
     return std::nullopt;
-  constexpr double but_for_rounding = 1.0 - 1e-9;
-  const double common = commonArea (fixed, over);
-  const double least =
-      but_for_rounding * min_overlap * std::min (fixed.area(), seen.area());
-  if (!(common >= least && common > 0.0))
-    return std::nullopt;
-  const Mismatch mismatch = belief.mismatchOf (fixed, seen);
-  const double distance = belief.squaredDistance (mismatch);
+  const double distance = belief.squaredDistance (belief.mismatchOf (fixed, seen));
   if (!(distance <= largest_squared_distance))
     return std::nullopt;
-  const double overlap = common / (fixed.area() + seen.area() - common);
+  const Overlap overlap = overlapOf (fixed, over);
+  constexpr double but_for_rounding = 1.0 - 1e-9;
+  if (!(overlap.of_both > 0.0 && overlap.of_smaller >= but_for_rounding * min_overlap))
+    return std::nullopt;
   // The root of the likelihood: frames cut a surface out differently, so that planes
   // of it differ by more than noise, and how they overlap has to count, too.
-  return Pair{p, c, overlap * std::exp (-0.25 * distance), mismatch};
+  return Pair{p, c, overlap.of_both * std::exp (-0.25 * distance)};
 }
 
 /** \brief Lets the pose follow from the planes, the largest first: the less sure it is
@@ -104,7 +115,7 @@ registered (const Patches& previous,
     if (!best)
       continue;
     is_taken[best->previous] = true;
-    belief.update (best->mismatch);
+    belief.update (*previous[best->previous], *current[c]);
   }
   return belief;
 }

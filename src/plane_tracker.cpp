@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "matching/patch.h"
 #include <pcl_ops/plane_detector.h>
 #include <pcl_ops/plane_tracker.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl_ops {
 
@@ -64,13 +66,48 @@ renew (PlaneSegment& known, const PlaneSegment& seen)
   known.moments = moments.about (seen.centroid);
 }
 
+/** \brief Lets an outline reach around the rectangle of another frame, on the plane as
+ * it is seen now. */
+void
+widen (PlaneExtent& extent, const PlaneSegment& seen)
+{
+  const std::optional<internal::Patch> patch = internal::patchOf (seen);
+  if (!patch)
+    return;
+  const PlaneFrame frame (seen.centroid, seen.normal);
+  PlanarPoints corners;
+  for (const Eigen::Vector3d& corner : extent.hull)
+    corners.push_back (frame.toPlane (corner));
+  for (const Eigen::Vector3d& corner : internal::cornersOf (*patch))
+    corners.push_back (frame.toPlane (corner));
+  constexpr double all_inside = 0.0;
+  extent = extentOf ({convexHull (corners, all_inside)}, corners, frame);
+}
+
 } // namespace
 
 PlaneTracker::PlaneTracker (const PlaneMatchingParameters& parameters,
-                            std::optional<std::size_t> memory)
-: parameters_ (parameters), memory_ (memory)
+                            std::optional<std::size_t> memory,
+                            std::optional<double> max_distance)
+: parameters_ (parameters), memory_ (memory), max_distance_ (max_distance)
 {
   detail::throwOn (validate (parameters));
+  detail::throwOn (!max_distance || *max_distance > 0.0
+                       ? ""
+                       : "the largest distance must be a length above 0");
+}
+
+bool
+PlaneTracker::isForgotten (const TrackedPlane& tracked) const
+{
+  if (memory_ && frames_ - tracked.last_seen > *memory_)
+    return true;
+  if (!max_distance_ || tracked.extent.hull.empty())
+    return false;
+  // Of the circle around the smallest rectangle.
+  const double radius = 0.5 * std::hypot (tracked.extent.length, tracked.extent.width);
+  const double to_center = (tracked.extent.center - pose_.translation()).norm();
+  return to_center - radius > *max_distance_;
 }
 
 std::vector<std::uint32_t>
@@ -89,21 +126,22 @@ PlaneTracker::track (const std::vector<PlaneSegment>& planes,
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const PlaneSegment seen = moved (pose_, planes[i]);
     const std::int32_t match = matches.previous[i];
-    if (match == no_plane) {
-      remembered_.push_back ({++last_number_, seen, frames_});
-      numbers.push_back (last_number_);
-      continue;
-    }
-    TrackedPlane& tracked = remembered_[static_cast<std::size_t> (match)];
-    renew (tracked.plane, seen);
+    if (match == no_plane)
+      remembered_.push_back ({++last_number_, seen, {}, frames_});
+    else
+      renew (remembered_[static_cast<std::size_t> (match)].plane, seen);
+    TrackedPlane& tracked = match == no_plane
+                                ? remembered_.back()
+                                : remembered_[static_cast<std::size_t> (match)];
+    widen (tracked.extent, seen);
     tracked.last_seen = frames_;
+    ++tracked.times_seen;
     numbers.push_back (tracked.number);
   }
-  const auto is_forgotten = [&] (const TrackedPlane& tracked) {
-    return memory_ && frames_ - tracked.last_seen > *memory_;
-  };
   remembered_.erase (
-      std::remove_if (remembered_.begin(), remembered_.end(), is_forgotten),
+      std::remove_if (remembered_.begin(),
+                      remembered_.end(),
+                      [this] (const TrackedPlane& one) { return isForgotten (one); }),
       remembered_.end());
   ++frames_;
   return numbers;

@@ -174,6 +174,18 @@ candidatesOf (const Faces& faces, const UpAxisParameters& parameters)
   return distinct;
 }
 
+/** \brief Share of the planes that are floor, seat or table top if a direction is up.
+ */
+double
+facingShare (const Faces& faces, const Vector3d& up, double limit)
+{
+  double share = 0.0;
+  for (const Face& face : faces.each)
+    if (face.normal.dot (up) > 0.0)
+      share += face.weight * levelness (face, up, limit);
+  return share;
+}
+
 /** \brief The logarithm of how likely a direction is up, but for a constant. */
 double
 evidenceFor (const Vector3d& up,
@@ -182,10 +194,8 @@ evidenceFor (const Vector3d& up,
              double tolerance)
 {
   const double limit = std::sin (tolerance);
-  double facing_up = 0.0, vertical = 0.0, third_moment = 0.0;
+  double vertical = 0.0, third_moment = 0.0;
   for (const Face& face : faces.each) {
-    if (face.normal.dot (up) > 0.0)
-      facing_up += face.weight * levelness (face, up, limit);
     vertical += face.weight * uprightness (face, up, limit);
     const double height = up.dot (face.centroid - faces.mean);
     const double spread = up.dot (face.covariance * up);
@@ -198,8 +208,27 @@ evidenceFor (const Vector3d& up,
       gaze.dot (up) * gaze.dot (up) / (spread + gaze.squaredNorm());
   const double skewness = third_moment / std::pow (variance, 1.5);
   // Maximum likelihood on 300 simulated rooms, with a weak prior on small weights.
-  return 13.0 * facing_up + 1.5 * vertical - 13.0 * along_gaze -
+  return 13.0 * facingShare (faces, up, limit) + 1.5 * vertical - 13.0 * along_gaze -
          11.0 * variance / spread + 0.8 * std::clamp (skewness, -2.0, 2.0);
+}
+
+/** \brief Whether a scan all around has seen a floor and a ceiling: which of them has
+ * more planes depends on the furniture then, not on which is the floor. */
+bool
+seesFloorAndCeiling (const Vector3d& up,
+                     const Faces& faces,
+                     const Vector3d& viewpoint,
+                     double tolerance)
+{
+  // Cameras have 0.6 and more.
+  constexpr double least_directedness = 0.3;
+  constexpr double min_share = 0.05;
+  const double squared_gaze = (faces.mean - viewpoint).squaredNorm();
+  const double limit = std::sin (tolerance);
+  return squared_gaze <
+             least_directedness * (squared_gaze + faces.covariance.trace()) &&
+         facingShare (faces, up, limit) >= min_share &&
+         facingShare (faces, -up, limit) >= min_share;
 }
 
 } // namespace
@@ -248,6 +277,9 @@ estimateUpAxis (const std::vector<PlaneSegment>& planes,
     likelihoods += std::exp (direction.evidence - best.evidence);
   const UpAxis found{best.up.normalized(), 1.0 / likelihoods};
   if (!(found.confidence >= parameters.min_confidence))
+    return std::nullopt;
+  if (parameters.min_confidence > 0.0 &&
+      seesFloorAndCeiling (best.up, faces, viewpoint, parameters.angle_tolerance))
     return std::nullopt;
   return found;
 }

@@ -99,6 +99,20 @@ TEST (MatchPlanes, MendsAPoseThatIsOffUntilShelvesAreTheRightOnes)
   EXPECT_TRUE (matches.pose.isApprox (error, 0.005)) << matches.pose.matrix();
 }
 
+TEST (MatchPlanes, TakesPosesThatAreFarOffIfToldSo)
+{
+  for (const double degrees : {5.0, 10.0, 15.0, 20.0})
+    for (const Vector3d& axis : {Vector3d (1, 0, 0), {0, 1, 0}, {0, 0, 1}, {1, 2, 3}}) {
+      PlaneMatchingParameters rough;
+      rough.rotation_error = degrees * 1_deg;
+      const Isometry3d error = motion (degrees, axis, {0, 0, 0});
+      const PlaneMatches matches =
+          matchPlanes (corner(), seenFrom (error, corner()), stays, rough);
+      EXPECT_EQ (matches.previous, (Labels{0, 1, 2, 3, 4}))
+          << degrees << " about " << axis.transpose();
+    }
+}
+
 TEST (MatchPlanes, DoesNotMatchWhatThePoseCannotExplain)
 {
   const Planes floor = {board ({0, 0, 0}, Vector3d::UnitZ(), {1, 1})};
@@ -272,4 +286,50 @@ TEST (PlaneTracker, HasPlanesInTheCommonFrame)
         tracker.planes()[i].plane.centroid.isApprox (corner()[i].centroid, 1e-9));
     EXPECT_TRUE (tracker.planes()[i].plane.normal.isApprox (corner()[i].normal, 1e-9));
   }
+}
+
+TEST (PlaneTracker, CountsTheFramesOfEachPlane)
+{
+  const Planes all = corner();
+  PlaneTracker tracker;
+  tracker.track ({all[0]}, stays);
+  tracker.track ({all[0], all[1]}, stays);
+  tracker.track ({all[1]}, stays);
+  tracker.track ({all[0]}, stays);
+  ASSERT_EQ (tracker.planes().size(), 2U);
+  const TrackedPlane &floor = tracker.planes()[0], &wall = tracker.planes()[1];
+  EXPECT_EQ (floor.first_seen, 0U);
+  EXPECT_EQ (floor.last_seen, 3U);
+  EXPECT_EQ (floor.times_seen, 3U);
+  EXPECT_EQ (wall.first_seen, 1U);
+  EXPECT_EQ (wall.last_seen, 2U);
+  EXPECT_EQ (wall.times_seen, 2U);
+}
+
+TEST (PlaneTracker, JoinsTheExtentsOfAllFrames)
+{
+  PlaneTracker tracker;
+  for (const double x : {0.0, 1.0, 2.0, 1.0})
+    tracker.track ({board ({x, 3, -1}, Vector3d::UnitZ(), {2, 1})}, stays);
+  ASSERT_EQ (tracker.planes().size(), 1U);
+  const PlaneExtent& extent = tracker.planes()[0].extent;
+  EXPECT_NEAR (extent.length, 4.0, 0.02);
+  EXPECT_NEAR (extent.width, 1.0, 0.02);
+  EXPECT_NEAR (extent.area, 4.0, 0.03);
+  EXPECT_TRUE (extent.center.isApprox (Vector3d (1, 3, -1), 1e-6))
+      << extent.center.transpose();
+}
+
+TEST (PlaneTracker, ForgetsPlanesFartherThanTold)
+{
+  PlaneTracker tracker (PlaneMatchingParameters(), std::nullopt, 5.0);
+  const auto goesOn = [&] (double x) {
+    tracker.track ({}, motion (0, Vector3d::UnitZ(), {x, 0, 0}));
+    return tracker.planes().size();
+  };
+  tracker.track ({board ({0, 0, -1}, Vector3d::UnitZ(), {2, 2})}, stays);
+  EXPECT_EQ (goesOn (5), 1U) << "its near side is 4 m away";
+  EXPECT_EQ (goesOn (7), 0U);
+  EXPECT_THROW (PlaneTracker (PlaneMatchingParameters(), std::nullopt, -1.0),
+                std::invalid_argument);
 }

@@ -202,6 +202,24 @@ TEST (UpAxis, CannotBeToldInTheCornerOfACube)
   EXPECT_LE (guess->confidence, 0.34) << "three are alike";
 }
 
+TEST (UpAxis, CannotBeToldAllAroundARoomWithACeiling)
+{
+  const Vector3d middle (3_m, 2_m, 1.3_m);
+  const Surface ceiling{{0, 0, 2.8}, {6, 0, 0}, {0, 4, 0}};
+  const Surface lamp{{1, 1, 2.6}, {2, 0, 0}, {0, 2, 0}};
+  const Surface free_ground{{2, 1.5, 0}, {2, 0, 0}, {0, 1, 0}};
+  const Surface wall_behind{{0, 0, 0}, {0, 4, 0}, {0, 0, 2.8}};
+  const Surface wall_ahead_up{{6, 0, 0}, {0, 4, 0}, {0, 0, 2.8}};
+  const Surface other_wall{{0, 4, 0}, {6, 0, 0}, {0, 0, 2.8}};
+  std::vector<PlaneSegment> planes;
+  for (const Surface& surface :
+       {ceiling, lamp, wall_behind, wall_ahead_up, other_wall, wall_beside})
+    planes.push_back (seenFrom (middle, surface));
+  EXPECT_TRUE (estimateUpAxis (planes, middle)) << "one of both only";
+  planes.push_back (seenFrom (middle, free_ground));
+  EXPECT_FALSE (estimateUpAxis (planes, middle));
+}
+
 TEST (UpAxis, MayBeToldFromAFloorAndOneWall)
 {
   const std::vector<PlaneSegment> planes{seenFrom (eye, ground),

@@ -58,7 +58,7 @@ Range::text() const
           ? (lowest_included ? "on" : "")
           : (highest_included ? "up to " : "below ") + shortText (highest);
   if (lower.empty() && std::isinf (highest))
-    return "of any size";
+    return "that is finite";
   if (lower.empty() || upper.empty())
     return lower + upper;
   return lower + (lowest_included ? " " : " and ") + upper;

@@ -45,6 +45,11 @@ visitOwn (PlaneDetectorParameters& p, const Visit& visit)
   visit ("threshold",
          p.distance_threshold,
          {"M", Range::above (0), "farthest point of a plane (0.05; ops: auto)"});
+  visit ("merge-distance",
+         p.merging.distance_threshold,
+         {"M",
+          Range::from (0),
+          "planes this near one another are one (--threshold; ops: by the noise)"});
   visit ("angle-tolerance",
          Degrees{p.angle_tolerance},
          {"DEG",

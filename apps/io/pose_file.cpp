@@ -46,6 +46,11 @@ readPose (const std::string& line, Eigen::Isometry3d& pose)
   if (!problem.empty())
     return problem;
   const Eigen::Quaterniond rotation (n[7], n[4], n[5], n[6]);
+  // No sensor moves so far; beyond, doubles lose what a plane is off.
+  constexpr double farthest = 1e9;
+  for (const std::size_t axis : {1u, 2u, 3u})
+    if (std::abs (n[axis]) > farthest)
+      return "has a place more than 1e9 m from zero";
   // Files have as few as four decimals.
   constexpr double rounding = 0.01;
   if (!(std::abs (rotation.norm() - 1.0) <= rounding))

@@ -9,8 +9,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace pcl_ops::apps {
+
+namespace {
+
+/** \return 0 where most places are one */
+double
+unroundedEdgeFor (const std::vector<Eigen::Vector3d>& places,
+                  const Eigen::Vector3d& zero,
+                  std::uint64_t points)
+{
+  constexpr double points_of_cell = 20.0;
+  pcl::PointCloud<pcl::PointXYZ> near_zero;
+  for (const Eigen::Vector3d& place : places) {
+    const Eigen::Vector3f local = (place - zero).cast<float>();
+    near_zero.push_back ({local.x(), local.y(), local.z()});
+  }
+  return voxelSizeFor (CloudView (near_zero),
+                       std::max (1.0, static_cast<double> (points) / points_of_cell));
+}
+
+} // namespace
 
 std::vector<Eigen::Vector3d>
 evenSample (const std::vector<std::vector<Eigen::Vector3d>>& places, const Plan& plan)
@@ -33,19 +54,22 @@ evenSample (const std::vector<std::vector<Eigen::Vector3d>>& places, const Plan&
 }
 
 double
-cellEdgeFor (const std::vector<Eigen::Vector3d>& places,
+cellEdgeFor (std::vector<Eigen::Vector3d> places,
              const Eigen::Vector3d& zero,
              std::uint64_t points)
 {
-  constexpr double points_of_cell = 20.0;
-  pcl::PointCloud<pcl::PointXYZ> near_zero;
-  for (const Eigen::Vector3d& place : places) {
-    const Eigen::Vector3f local = (place - zero).cast<float>();
-    near_zero.push_back ({local.x(), local.y(), local.z()});
+  double edge = unroundedEdgeFor (places, zero, points);
+  if (!(edge > 0.0)) {
+    // Most are at one place: the others tell.
+    const auto components = [] (const Eigen::Vector3d& place) {
+      return std::make_tuple (place.x(), place.y(), place.z());
+    };
+    std::sort (places.begin(), places.end(), [&] (const auto& one, const auto& other) {
+      return components (one) < components (other);
+    });
+    places.erase (std::unique (places.begin(), places.end()), places.end());
+    edge = unroundedEdgeFor (places, zero, points);
   }
-  const double edge =
-      voxelSizeFor (CloudView (near_zero),
-                    std::max (1.0, static_cast<double> (points) / points_of_cell));
   if (!(edge > 0.0))
     throw WorkError ("INPUT", "has its points at one place; give --cell");
   const double digit = std::pow (10.0, std::floor (std::log10 (edge)) - 1.0);

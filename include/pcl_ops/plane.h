@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <pcl_ops/cloud_view.h>
 #include <pcl_ops/export.h>
 #include <pcl_ops/orientation.h>
 
@@ -226,13 +227,42 @@ struct PlaneCovariance {
  *
  * The normal equations of heights over the plane, A with a row (s, t, 1) for each
  * inlier: matrix = v (A^T A)^-1 with the residual variance v = rms^2 n / (n - 3). It is
- * right for noise along the normal that is independent from point to point; where
- * neighbors err alike, as in images of depth cameras, or a surface is not flat, errors
- * are larger.
+ * right for noise along the normal that is independent from point to point; in images
+ * of depth cameras neighbors err alike, and errors are some 7 times larger: give the
+ * cloud, too.
  * \return nothing for fewer than four inliers, or if they are on one line or all equal
  */
 PCL_OPS_EXPORT std::optional<PlaneCovariance>
 planeCovariance (const PlaneSegment& plane);
+
+/** \brief Covariance of the parameters of a plane where neighboring points err alike or
+ * the noise grows with the depth, as in images of depth cameras.
+ *
+ * The plane is divided into some 64 square blocks, and the residuals h are taken as
+ * independent from block to block only: with g the sum of (s, t, 1) h in each of B
+ * blocks, matrix = f^2 B / (B - 3) (A^T A)^-1 (sum of g g^T) (A^T A)^-1 (the
+ * cluster-robust covariance of Liang & Zeger, 1986). rms^2 / matrix (2, 2) is the
+ * effective number of points.
+ *
+ * f = 1.7 is measured: frames cut a surface out differently, and errors as long as the
+ * plane are fitted. With it the normalized errors |z| of planes of 5,000 points and
+ * more, matched over exact poses in three simulated walks with correlated noise, have a
+ * median of 0.53 to 0.75 (0.67 for a normal distribution) and nine in ten are below
+ * 2.1; of 1,000 points and more 0.57 to 0.82, and 2.5. Independent noise alone gives
+ * 0.4.
+ * \param[in] cloud the input cloud the plane was found in
+ * \param[in] plane its inliers are indices into that cloud
+ * \return nothing where the moments alone give none, or the inliers lie in fewer than
+ * four blocks */
+PCL_OPS_EXPORT std::optional<PlaneCovariance>
+planeCovariance (const CloudView& cloud, const PlaneSegment& plane);
+
+template <typename PointT>
+std::optional<PlaneCovariance>
+planeCovariance (const pcl::PointCloud<PointT>& cloud, const PlaneSegment& plane)
+{
+  return planeCovariance (CloudView (cloud), plane);
+}
 
 /** \brief Names the orientation of planes anew, for another up axis.
  * \param[in,out] planes only their orientation changes

@@ -16,7 +16,7 @@ namespace pcl_ops {
  * the frames is worth. */
 struct PlaneMatchingParameters {
   /** \brief How far the rotation of the pose is off about any axis, one standard
-   * deviation [rad]; default 3 degrees. */
+   * deviation [rad]; default 3 degrees. Errors of up to 20 degrees are corrected. */
   double rotation_error = 0.05235987755982989;
   /** \brief How far its translation is off along any axis, one standard deviation [m].
    */
@@ -48,11 +48,11 @@ struct PlaneMatches {
  * threshold in degrees or meters. Where a plane ends is known by its moments, as the
  * rectangle that has the same.
  *
- * The larger planes mend the pose first, each by an update of a Kalman filter; then all
- * pairs are looked at with the pose that came of it, the best first: those with the
- * largest product of intersection over union and the root of the likelihood. The sides
- * of a plane are not told apart, as normals of a floor at the height of the viewpoint
- * go either way.
+ * The larger planes mend the pose first, each by an update of an iterated Kalman
+ * filter; then all pairs are looked at with the pose that came of it, the best first:
+ * those with the largest product of intersection over union and the root of the
+ * likelihood. The sides of a plane are not told apart, as normals of a floor at the
+ * height of the viewpoint go either way.
  *
  * The result does not depend on the order of the planes but for ties.
  * \param[in] previous planes of one frame; of their moments and normals alone

@@ -6,6 +6,7 @@
 
 #include <pcl_ops/export.h>
 #include <pcl_ops/plane.h>
+#include <pcl_ops/plane_extent.h>
 #include <pcl_ops/plane_matching.h>
 
 #include <cstddef>
@@ -22,8 +23,14 @@ struct TrackedPlane {
   /** \brief In the common frame, without inliers; its moments are those of the last
    * frames it was seen in. */
   PlaneSegment plane;
-  /** \brief The last frame it was seen in, from 0. */
+  /** \brief Where it was seen in any frame: the convex outline around the rectangles
+   * that have the moments of each frame; nothing is known of holes. */
+  PlaneExtent extent;
+  /** \brief The first and the last frame it was seen in, from 0. */
+  std::size_t first_seen = 0;
   std::size_t last_seen = 0;
+  /** \brief The number of frames it was seen in. */
+  std::size_t times_seen = 0;
 };
 
 /** \brief Numbers for planes that they keep from frame to frame, also where they are
@@ -33,10 +40,13 @@ public:
   /** \param[in] parameters of the poses; errors are those from one frame to the next
    * \param[in] memory frames a plane is remembered after it was last seen; not given:
    * for ever
+   * \param[in] max_distance planes of which every part is farther from the sensor are
+   * forgotten [m]; not given: none
    * \throw std::invalid_argument if there is a problem with the parameters */
   explicit PlaneTracker (
       const PlaneMatchingParameters& parameters = PlaneMatchingParameters(),
-      std::optional<std::size_t> memory = std::nullopt);
+      std::optional<std::size_t> memory = std::nullopt,
+      std::optional<double> max_distance = std::nullopt);
 
   /** \brief Numbers the planes of the next frame.
    * \param[in] planes as a detector gives them, in the frame's own coordinates
@@ -67,8 +77,12 @@ public:
   }
 
 private:
+  bool
+  isForgotten (const TrackedPlane& tracked) const;
+
   PlaneMatchingParameters parameters_;
   std::optional<std::size_t> memory_;
+  std::optional<double> max_distance_;
   std::vector<TrackedPlane> remembered_;
   Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
   /** \brief As it was given for the last frame. */

@@ -47,8 +47,9 @@ validate (const UpAxisParameters& parameters);
  * direction its probability.
  *
  * All of it is relative: no unit, no number of points, no frame. It counts on a room or
- * a corridor; on a sensor whose origin is known and that looks level or somewhat down;
- * for a scan all around any gaze will do.
+ * a corridor; on a sensor whose origin is known and that looks level or somewhat down.
+ * A scan all around may look any way, but must not see floor and ceiling: it has no
+ * answer then.
  * \param[in] planes as PlaneDetector::segment gives them: normals towards the sensor
  * \param[in] viewpoint origin of the sensor, in the frame of the planes
  * \param[in] parameters tolerance, and how sure an answer has to be

@@ -93,25 +93,6 @@ PlaneSegment::rms() const
   return std::sqrt (std::max (0.0, variance + beside * beside));
 }
 
-std::optional<PlaneCovariance>
-planeCovariance (const PlaneSegment& plane)
-{
-  const double n = plane.moments.count;
-  if (n < 4.0 || !fitPlane (plane.moments))
-    return std::nullopt;
-  PlaneCovariance covariance;
-  covariance.axes = planeAxes (plane.normal);
-  // A^T A / n; s and t are taken from the centroid, so that their means are 0.
-  const Eigen::Matrix2d spread =
-      covariance.axes.transpose() * plane.moments.covariance() * covariance.axes;
-  const double rms = plane.rms();
-  const double residual_variance = rms * rms * n / (n - 3.0);
-  covariance.matrix.setZero();
-  covariance.matrix.topLeftCorner<2, 2>() = residual_variance / n * spread.inverse();
-  covariance.matrix (2, 2) = residual_variance / n;
-  return covariance;
-}
-
 bool
 nameOrientations (std::vector<PlaneSegment>& planes,
                   const Eigen::Vector3d& up,

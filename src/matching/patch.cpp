@@ -6,6 +6,7 @@
 #include "geometry/plane_axes.h"
 
 #include <cmath>
+#include <vector>
 
 namespace pcl_ops::internal {
 
@@ -70,17 +71,24 @@ moved (const Eigen::Isometry3d& motion, Patch patch)
   return patch;
 }
 
+std::array<Eigen::Vector3d, 4>
+cornersOf (const Patch& patch)
+{
+  const Eigen::Vector3d along = patch.half.x() * patch.axes.col (0);
+  const Eigen::Vector3d across = patch.half.y() * patch.axes.col (1);
+  return {patch.center + along + across,
+          patch.center - along + across,
+          patch.center - along - across,
+          patch.center + along - across};
+}
+
 double
 commonArea (const Patch& first, const Patch& second)
 {
   const Eigen::Matrix<double, 3, 2> axes = first.axes.leftCols<2>();
   Corners corners;
-  for (const Vector2d& sign :
-       {Vector2d (1, 1), Vector2d (-1, 1), Vector2d (-1, -1), Vector2d (1, -1)}) {
-    const Eigen::Vector3d corner =
-        second.center + second.axes.leftCols<2>() * second.half.cwiseProduct (sign);
+  for (const Eigen::Vector3d& corner : cornersOf (second))
     corners.push_back (axes.transpose() * (corner - first.center));
-  }
   for (const Eigen::Index axis : {0, 1})
     for (const double sign : {1.0, -1.0})
       corners = clipped (corners, axis, sign, first.half[axis]);

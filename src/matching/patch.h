@@ -6,8 +6,8 @@
 
 #include <pcl_ops/plane.h>
 
+#include <array>
 #include <optional>
-#include <vector>
 
 namespace pcl_ops::internal {
 
@@ -41,6 +41,10 @@ patchOf (const PlaneSegment& plane);
 /** \brief The same in another frame. */
 Patch
 moved (const Eigen::Isometry3d& motion, Patch patch);
+
+/** \brief In order around the patch. */
+std::array<Eigen::Vector3d, 4>
+cornersOf (const Patch& patch);
 
 /** \brief The area two patches have in common once the second is projected onto the
  * first [m^2]. */

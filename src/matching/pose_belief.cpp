@@ -37,6 +37,19 @@ transfer (const Eigen::Matrix2d& turn, const Eigen::Vector2d& place)
   return result;
 }
 
+/** \param[in] motion a rotation vector about the frame's origin and a shift */
+Eigen::Isometry3d
+turnedAndShifted (Eigen::Isometry3d pose, const Eigen::Matrix<double, 6, 1>& motion)
+{
+  const Vector3d rotation = motion.head<3>();
+  const double angle = rotation.norm();
+  if (angle > 0.0)
+    pose.linear() =
+        Eigen::AngleAxisd (angle, rotation / angle).toRotationMatrix() * pose.linear();
+  pose.translation() += motion.tail<3>();
+  return pose;
+}
+
 } // namespace
 
 PoseBelief::PoseBelief (const Eigen::Isometry3d& pose,
@@ -85,22 +98,25 @@ PoseBelief::squaredDistance (const Mismatch& mismatch) const
 }
 
 void
-PoseBelief::update (const Mismatch& mismatch)
+PoseBelief::update (const Patch& fixed, const Patch& seen)
 {
-  const Mismatch::Jacobian& jacobian = mismatch.by_motion;
-  const Matrix3d covariance =
-      mismatch.covariance + jacobian * covariance_ * jacobian.transpose();
-  const Eigen::Matrix<double, 6, 3> gain =
-      covariance.ldlt().solve (jacobian * covariance_).transpose();
-  const Eigen::Matrix<double, 6, 1> motion = -gain * mismatch.heights;
-  covariance_ -= gain * jacobian * covariance_;
+  constexpr int iterations = 3; // a turn of 20 degrees is not linear
+  const Eigen::Isometry3d before = pose_;
+  Eigen::Matrix<double, 6, 1> motion = Eigen::Matrix<double, 6, 1>::Zero();
+  Covariance explained;
+  for (int i = 0; i < iterations; ++i) {
+    const Mismatch mismatch = mismatchOf (fixed, seen);
+    const Mismatch::Jacobian& jacobian = mismatch.by_motion;
+    const Matrix3d covariance =
+        mismatch.covariance + jacobian * covariance_ * jacobian.transpose();
+    const Eigen::Matrix<double, 6, 3> gain =
+        covariance.ldlt().solve (jacobian * covariance_).transpose();
+    motion = -gain * (mismatch.heights - jacobian * motion);
+    pose_ = turnedAndShifted (before, motion);
+    explained = gain * jacobian * covariance_;
+  }
+  covariance_ -= explained;
   covariance_ = 0.5 * (covariance_ + covariance_.transpose()).eval();
-  const Vector3d rotation = motion.head<3>();
-  const double angle = rotation.norm();
-  if (angle > 0.0)
-    pose_.linear() =
-        Eigen::AngleAxisd (angle, rotation / angle).toRotationMatrix() * pose_.linear();
-  pose_.translation() += motion.tail<3>();
 }
 
 } // namespace pcl_ops::internal

@@ -50,9 +50,9 @@ public:
   squaredDistance (const Mismatch& mismatch) const;
 
   /** \brief Lets the pose follow from two patches that are one plane (the update of an
-   * extended Kalman filter). */
+   * iterated extended Kalman filter). */
   void
-  update (const Mismatch& mismatch);
+  update (const Patch& fixed, const Patch& seen);
 
 private:
   Eigen::Isometry3d pose_;

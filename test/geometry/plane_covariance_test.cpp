@@ -126,6 +126,41 @@ TEST (PlaneCovariance, HasTheAxesOfThePlanesFrame)
   EXPECT_EQ (frame.directionInSpace ({0, 1}), covariance->axes.col (1));
 }
 
+TEST (PlaneCovariance, OfACloudDoesNotShrinkWherePointsAreRepeated)
+{
+  RandomGenerator generator (seedOfTest());
+  pcl::PointCloud<pcl::PointXYZ> once, often;
+  for (int i = 0; i < 2000; ++i) {
+    const double s = drawUnit (generator), t = drawUnit (generator);
+    const Eigen::Vector3f point =
+        (board.at (s, t) + 1_cm * drawNormal (generator) * board.normal())
+            .cast<float>();
+    once.push_back ({point.x(), point.y(), point.z()});
+    for (int copies = 0; copies < 9; ++copies)
+      often.push_back (once.back());
+  }
+  const auto covarianceIn = [] (const pcl::PointCloud<pcl::PointXYZ>& cloud) {
+    PlaneSegment plane;
+    for (const auto& point : cloud) {
+      plane.inliers.push_back (static_cast<int> (plane.inliers.size()));
+      plane.moments.add (point.x, point.y, point.z);
+    }
+    const auto fit = pcl_ops::fitPlane (plane.moments);
+    plane.centroid = fit->centroid;
+    plane.normal = fit->plane.normal;
+    return std::make_pair (planeCovariance (plane)->matrix,
+                           planeCovariance (cloud, plane)->matrix);
+  };
+  const auto [independent, correlated] = covarianceIn (once);
+  const auto [independent_often, correlated_often] = covarianceIn (often);
+  EXPECT_NEAR (
+      independent_often (2, 2), independent (2, 2) / 9, 1e-3 * independent (2, 2));
+  EXPECT_NEAR (correlated_often (2, 2), correlated (2, 2), 1e-3 * correlated (2, 2));
+  EXPECT_NEAR (correlated_often (0, 0), correlated (0, 0), 1e-3 * correlated (0, 0));
+  EXPECT_NEAR (correlated (2, 2) / independent (2, 2), 1.7 * 1.7, 1.0)
+      << "but for the measured factor";
+}
+
 TEST (PlaneCovariance, IsNoneWithoutAPlane)
 {
   PlaneSegment plane;

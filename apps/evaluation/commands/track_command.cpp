@@ -6,23 +6,29 @@
 #include <cli/interruption.h>
 #include <cli/program.h>
 #include <evaluation/data/labeled_cloud.h>
+#include <evaluation/report/plane_sighting.h>
 #include <evaluation/metrics/confusion.h>
 #include <evaluation/report/text_table.h>
 #include <io/inputs.h>
+#include <io/pose_file.h>
 #include <nlohmann/json.hpp>
 #include <numbers/fraction.h>
+#include <numbers/quantile.h>
 
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <set>
+#include <sstream>
 
 namespace pcl_ops::evaluation {
 
 namespace {
 
 struct TrackOptions {
-  std::string truth_folder, result_folder;
+  std::string truth_folder, result_folder, poses;
   std::size_t min_plane_points = 1;
   bool json = false;
 };
@@ -35,6 +41,7 @@ struct KeptNumbers {
     std::set<std::uint32_t> numbers;
     std::uint32_t last = 0;
     std::size_t sightings = 0;
+    std::optional<PlaneSighting> seen;
   };
 
   /** By the label of the true plane, which is the same in all clouds. */
@@ -44,12 +51,20 @@ struct KeptNumbers {
   /** Times a true plane is found after the first; times it has the number it had when
    * it was found before. */
   std::size_t sightings = 0, sightings_kept = 0;
+  /** Of sightings that keep their number, each with the one before. */
+  NormalizedErrors errors;
 
-  /** Adds the next cloud. */
+  /** Adds the next cloud. \param[in] pose for \ref errors; not given: none */
   void
-  add (const PlaneLabels& truth, const PlaneLabels& result)
+  add (const PlaneLabels& truth,
+       const LabeledCloud& result,
+       const std::optional<Eigen::Isometry3d>& pose)
   {
-    const Confusion confusion = confusionOf (truth, result);
+    const Confusion confusion = confusionOf (truth, result.labels);
+    std::vector<pcl::Indices> inliers (confusion.result.size());
+    for (std::size_t i = 0; i < result.labels.size(); ++i)
+      if (result.labels[i] != 0)
+        inliers[confusion.result.of_point[i]].push_back (static_cast<int> (i));
     numbers.insert (confusion.result.label.begin(), confusion.result.label.end());
     for (const Overlap& overlap : confusion.overlaps) {
       constexpr double half = 0.5; // above, there is one partner at most
@@ -57,13 +72,18 @@ struct KeptNumbers {
         continue;
       History& history = histories[confusion.truth.label[overlap.truth]];
       const std::uint32_t number = confusion.result.label[overlap.result];
-      if (history.sightings > 0) {
-        ++sightings;
-        sightings_kept += number == history.last ? 1 : 0;
-      }
+      const bool keeps_number = history.sightings > 0 && number == history.last;
+      sightings += history.sightings > 0 ? 1 : 0;
+      sightings_kept += keeps_number ? 1 : 0;
       ++history.sightings;
       history.last = number;
       history.numbers.insert (number);
+      if (!pose)
+        continue;
+      const auto seen = sightingOf (*result.cloud, inliers[overlap.result], *pose);
+      if (keeps_number && seen && history.seen)
+        errors.add (*history.seen, *seen);
+      history.seen = seen;
     }
   }
 };
@@ -86,6 +106,12 @@ readOptions (int argc, const char* const* argv, TrackOptions& options)
                   apps::Range::from (0),
                   options.min_plane_points,
                   "true planes with fewer points in a cloud are not in it (1)");
+  line.addText (
+      "poses",
+      "FILE",
+      options.poses,
+      "true poses of the sensor, one line per cloud: tells how planes differ\n"
+      "from cloud to cloud over what planeCovariance allows");
   line.addFlag ("json", options.json, "print JSON instead of a table");
   return line.parse (argc, argv);
 }
@@ -96,8 +122,16 @@ keptIn (const TrackOptions& options)
   const apps::InputFiles truth_files = apps::findInputs ({options.truth_folder});
   if (!truth_files.problems.empty())
     throw apps::WorkError ("TRUTH", truth_files.problems.front());
+  std::vector<Eigen::Isometry3d> poses;
+  if (!options.poses.empty())
+    poses = apps::loadPoses (options.poses);
+  if (!poses.empty() && poses.size() != truth_files.files.size())
+    throw apps::WorkError (options.poses,
+                           "has " + std::to_string (poses.size()) + " poses for " +
+                               std::to_string (truth_files.files.size()) + " clouds");
   KeptNumbers kept;
-  for (const std::string& file : truth_files.files) {
+  for (std::size_t i = 0; i < truth_files.files.size(); ++i) {
+    const std::string& file = truth_files.files[i];
     apps::stopIfInterrupted();
     const std::string result_file = (std::filesystem::path (options.result_folder) /
                                      std::filesystem::path (file).filename())
@@ -106,7 +140,11 @@ keptIn (const TrackOptions& options)
     const LabeledCloud result = loadLabeledCloud (result_file);
     requireSamePoints (truth, result, result_file);
     dropSmallPlanes (truth.labels, options.min_plane_points);
-    kept.add (truth.labels, result.labels);
+    kept.add (truth.labels,
+              result,
+              poses.empty() ? std::nullopt
+                            : std::make_optional<Eigen::Isometry3d> (
+                                  poses[i] * Eigen::Translation3d (result.shift)));
   }
   return kept;
 }
@@ -116,6 +154,61 @@ partOf (std::size_t part, std::size_t whole)
 {
   return std::to_string (part) + " of " + std::to_string (whole) + ", " +
          percent (apps::fraction (part, whole, 1.0)) + " %";
+}
+
+double
+medianOf (const std::vector<double>& errors)
+{
+  constexpr double half = 0.5;
+  return apps::quantile (errors, half);
+}
+
+/** What nine in ten do not exceed. */
+double
+ninthTenthOf (const std::vector<double>& errors)
+{
+  constexpr double nine_tenths = 0.9;
+  return apps::quantile (errors, nine_tenths);
+}
+
+std::string
+quantilesOf (const std::vector<double>& errors)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision (2) << "median " << medianOf (errors)
+       << ", 90 % up to " << ninthTenthOf (errors);
+  return text.str();
+}
+
+nlohmann::ordered_json
+jsonOf (const KeptNumbers& kept, std::size_t planes, std::size_t planes_kept)
+{
+  nlohmann::ordered_json json{{"planes", planes},
+                              {"planes_kept", planes_kept},
+                              {"sightings", kept.sightings},
+                              {"sightings_kept", kept.sightings_kept},
+                              {"numbers", kept.numbers.size()}};
+  if (kept.errors.offsets.empty())
+    return json;
+  json["offset_errors_median"] = medianOf (kept.errors.offsets);
+  json["offset_errors_90"] = ninthTenthOf (kept.errors.offsets);
+  json["tilt_errors_median"] = medianOf (kept.errors.tilts);
+  json["tilt_errors_90"] = ninthTenthOf (kept.errors.tilts);
+  return json;
+}
+
+void
+print (const KeptNumbers& kept, std::size_t planes, std::size_t planes_kept)
+{
+  std::cout << "true planes that keep their number   " << partOf (planes_kept, planes)
+            << "\ntimes one has the number it had last "
+            << partOf (kept.sightings_kept, kept.sightings)
+            << "\nnumbers given                        " << kept.numbers.size() << '\n';
+  if (!kept.errors.offsets.empty())
+    std::cout << "normalized errors of offsets         "
+              << quantilesOf (kept.errors.offsets)
+              << "\nnormalized errors of tilts           "
+              << quantilesOf (kept.errors.tilts) << '\n';
 }
 
 } // namespace
@@ -134,19 +227,9 @@ trackCommand (int argc, const char* const* argv)
       planes_kept += history.numbers.size() == 1 ? 1 : 0;
     }
   if (options.json)
-    std::cout << nlohmann::ordered_json{{"planes", planes},
-                                        {"planes_kept", planes_kept},
-                                        {"sightings", kept.sightings},
-                                        {"sightings_kept", kept.sightings_kept},
-                                        {"numbers", kept.numbers.size()}}
-                     .dump (2)
-              << '\n';
+    std::cout << jsonOf (kept, planes, planes_kept).dump (2) << '\n';
   else
-    std::cout << "true planes that keep their number   " << partOf (planes_kept, planes)
-              << "\ntimes one has the number it had last "
-              << partOf (kept.sightings_kept, kept.sightings)
-              << "\nnumbers given                        " << kept.numbers.size()
-              << '\n';
+    print (kept, planes, planes_kept);
   return apps::ExitCode::done;
 }
 

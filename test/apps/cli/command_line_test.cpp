@@ -120,6 +120,8 @@ TEST (CommandLine, NamesWhatIsWrongAndTheFix)
       {{"a", "--threshold", "nan"},
        "--threshold: nan is out of range; give a number above 0"},
       {{"a", "--up", "0,0"}, "--up: '0,0' is not x,y,z; give three numbers, as 0,0,1"},
+      {{"a", "--up", "nan,0,0"},
+       "--up: nan is out of range; give a number that is finite"},
       {{"a", "--up", "0,0,0"}, "--up: 0,0,0 is no direction; give one such as 0,0,1"},
       {{"a", "--method", "hough"}, "--method: 'hough' is unknown; give ops|fspf"},
       {{"a", "--quiet", "--image", "x.png"},

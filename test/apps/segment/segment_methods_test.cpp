@@ -71,6 +71,25 @@ TEST_P (SegmentMethods, FindsFloorAndWall)
   EXPECT_EQ (cloud[missing].label, 0u);
 }
 
+TEST_F (SegmentRoom, JoinsPlanesWithinTheMergeDistance)
+{
+  InputCloud floors = floorAndWall (dense_side);
+  floors.resize (dense_side * dense_side);
+  for (int i = 0; i < dense_side * dense_side; ++i) {
+    auto point = floors[static_cast<std::size_t> (i)];
+    point.y += 2.5f;
+    point.z += 0.03f;
+    floors.push_back (point);
+  }
+  pcl::io::savePCDFileBinary (folder_ / "floors.pcd", floors);
+  const std::string options = "floors.pcd --planes p.json --quiet ";
+  EXPECT_EQ (jsonOf (options)["planes"].size(), 2u);
+  const auto joined = jsonOf (options + "--merge-distance 0.05");
+  EXPECT_EQ (joined["planes"].size(), 1u);
+  EXPECT_EQ (joined["parameters"]["merge_distance"], 0.05);
+  expectRefused ("floors.pcd --merge-distance -1", "--merge-distance: ");
+}
+
 TEST_P (SegmentMethods, GivesTheSameLabelsTwiceAndForAnyNumberOfThreads)
 {
   const std::string options = method() + "--seed 7 --preset ";

@@ -203,6 +203,7 @@ TEST_F (SegmentTrack, NamesTheLineThatIsNoPose)
            {"0 0 0 0 0 0 0 1 5", "has more than 8 numbers"},
            {"0 0 x 0 0 0 0 1", "has something that is no number in place 3"},
            {"0 0 nan 0 0 0 0 1", "has something that is no number in place 3"},
+           {"0 0 1e300 0 0 0 0 1", "has a place more than 1e9 m from zero"},
            {"0 0 0 0 0 0 0 0",
             "has a quaternion qx qy qz qw that is not of length 1"}}) {
     folder_.write ("bad.txt", "# a comment\n" + good + line + "\n" + good);
