@@ -56,35 +56,41 @@ merge (const PlaneSegments& planes, const MergePlanesParameters& parameters)
   return {std::move (all), merged.merged_into};
 }
 
-/** \brief Filters one plane after the other, so that Python keeps its own objects.
- * \param[in] extent_of says (area, width) of the plane at a position
- * \return for each plane the argument that drops it, empty if none does */
-std::vector<std::string>
-filter (const PlaneSegments& planes, PlaneFilter filter, const py::function& extent_of)
+/** \brief How many planes each argument drops. */
+py::dict
+byName (const DroppedPlanes& dropped)
 {
-  const auto most = std::exchange (filter.max_planes, std::nullopt);
-  std::vector<std::string> reasons;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    PlaneSegments one = {planes[i]};
-    const DroppedPlanes by = filterPlanes (one, filter, [&] (const PlaneSegment&) {
-      PlaneExtent extent;
-      std::tie (extent.area, extent.width) =
-          extent_of (i).cast<std::tuple<double, double>>();
-      return extent;
-    });
-    reasons.emplace_back (by.by_orientation != 0  ? "orientation"
-                          : by.by_direction != 0  ? "direction"
-                          : by.by_points != 0     ? "min_points"
-                          : by.by_area != 0       ? "min_area"
-                          : by.by_width != 0      ? "min_width"
-                          : by.by_max_area != 0   ? "max_area"
-                          : by.by_max_width != 0  ? "max_width"
-                          : most && kept >= *most ? "max_planes"
-                                                  : "");
-    kept += reasons.back().empty() ? 1 : 0;
-  }
-  return reasons;
+  using py::arg;
+  return py::dict (arg ("orientation") = dropped.by_orientation,
+                   arg ("direction") = dropped.by_direction,
+                   arg ("slope") = dropped.by_slope,
+                   arg ("min_points") = dropped.by_points,
+                   arg ("min_area") = dropped.by_area,
+                   arg ("min_width") = dropped.by_width,
+                   arg ("max_area") = dropped.by_max_area,
+                   arg ("max_width") = dropped.by_max_width,
+                   arg ("size") = dropped.by_size,
+                   arg ("max_planes") = dropped.by_number);
+}
+
+/** \return the positions of those kept, and how many each argument drops */
+py::tuple
+filter (const py::list& planes, const PlaneFilter& filter)
+{
+  const auto segments = planes.cast<PlaneSegments>();
+  const auto extent_of = [&] (const PlaneSegment& segment) {
+    // What Python's Plane at the place of the segment knows.
+    const py::object plane =
+        planes[static_cast<std::size_t> (&segment - segments.data())];
+    PlaneExtent extent;
+    extent.area = plane.attr ("area").cast<double>();
+    extent.length = plane.attr ("length").cast<double>();
+    extent.width = plane.attr ("width").cast<double>();
+    return extent;
+  };
+  DroppedPlanes dropped;
+  const auto kept = keptPlanes (segments, filter, extent_of, dropped);
+  return py::make_tuple (kept, byName (dropped));
 }
 
 std::pair<Labels, Eigen::Matrix4d>
@@ -129,13 +135,18 @@ edges (const PointRows& points,
   return py::make_tuple (edges, corners);
 }
 
-/** \return (number, plane, last_seen) of each */
+/** \return (number, plane, last_seen, first_seen, times_seen, hull) of each */
 py::list
 trackedPlanes (const PlaneTracker& tracker)
 {
   py::list all;
   for (const TrackedPlane& one : tracker.planes())
-    all.append (py::make_tuple (one.number, one.plane, one.last_seen));
+    all.append (py::make_tuple (one.number,
+                                one.plane,
+                                one.last_seen,
+                                one.first_seen,
+                                one.times_seen,
+                                one.extent.hull));
   return all;
 }
 
@@ -143,7 +154,9 @@ void
 defineTracker (py::module_& module)
 {
   py::class_<PlaneTracker> (module, "Tracker")
-      .def (py::init<PlaneMatchingParameters, std::optional<std::size_t>>())
+      .def (py::init<PlaneMatchingParameters,
+                     std::optional<std::size_t>,
+                     std::optional<double>>())
       .def ("track",
             [] (PlaneTracker& tracker,
                 const PlaneSegments& planes,

@@ -29,6 +29,8 @@ class FilterPlanes(unittest.TestCase):
             ("min_width", 2.8, [floor]),
             ("max_area", 9.0, [side]),
             ("max_width", 2.8, [wall, side]),
+            ("slope", (1.4, np.pi / 2), [wall, side]),
+            ("size", (2.5, 4.0, 0.1), [wall]),
             ("max_planes", 2, [floor, wall]),
         ]:
             with self.subTest(argument):
@@ -77,18 +79,25 @@ class Tracker(unittest.TestCase):
         shown = (self.frames[0], self.frames[1][:2], self.frames[2][::-1])
         numbers = [tracker.track(*frame).tolist() for frame in zip(shown, self.poses)]
         self.assertEqual(numbers, [[1, 2, 3], [1, 2], [3, 2, 1]])
-        self.assertEqual([(one.number, one.last_seen) for one in tracker.planes],
-                         [(1, 2), (2, 2), (3, 2)])
+        self.assertEqual([(one.number, one.last_seen, one.first_seen, one.times_seen)
+                          for one in tracker.planes], [(1, 2, 0, 3), (2, 2, 0, 3), (3, 2, 0, 2)])
         np.testing.assert_allclose(tracker.pose, self.poses[2], atol=0.01)
         for tracked, plane in zip(tracker.planes, self.frames[0]):
             self.assertAlmostEqual(abs(tracked.plane.normal @ plane.normal), 1.0, delta=1e-3)
             self.assertEqual(tracked.plane.area, 0.0)
+            np.testing.assert_allclose(np.ptp(tracked.hull, 0), np.ptp(plane.hull, 0), atol=0.5)
 
     def test_forgets_and_copies_are_apart_and_pickling_is_refused(self):
         tracker = pcl_ops.PlaneTracker(memory=0)
         for planes in (self.frames[0], []):
             tracker.track(planes)
         self.assertEqual(tracker.track(self.frames[0]).tolist(), [4, 5, 6])
+        tracker = pcl_ops.PlaneTracker(max_distance=50.0)
+        far = np.eye(4)
+        far[0, 3] = 100.0
+        for planes, pose in ((self.frames[0], None), ([], far)):
+            tracker.track(planes, pose)
+        self.assertEqual(tracker.planes, [])
         tracker = pcl_ops.PlaneTracker()
         tracker.track(self.frames[0])
         for copied in (copy.copy(tracker), copy.deepcopy(tracker)):

@@ -142,21 +142,21 @@ def filter_planes(planes: Planes, **parameters: Any) -> Tuple[List[Plane], Dict[
     orientation: "horizontal", "vertical" or "other".
     direction: vector (x, y, z) of any length that normals point along, or against, to
         within direction_tolerance [rad].
+    slope: (least, largest) angle between the plane and the horizontal [rad], by up, the
+        vector against gravity.
     min_points, min_area, min_width: fewest inliers, smallest area of the hull and smallest
         width of the rectangle around it.
     max_area, max_width: the largest ones; None: any.
+    size: (width, height, tolerance) of a board: the sides of that rectangle, in any order,
+        and by how much each may differ.
     max_planes: how many to keep of those that are left, the first ones.
 
     Returns (kept, dropped): the list of Plane, and a dict with how many each of these
     arguments dropped; a plane counts once, for the first it fails.
     """
     planes = plane_list("planes", planes)
-    reasons = _pcl_ops.filter(planes, with_given(_pcl_ops.filter_planes(), parameters),
-                              lambda i: (planes[i].area, planes[i].width))
-    names = ("orientation", "direction", "min_points", "min_area", "min_width", "max_area",
-             "max_width", "max_planes")
-    kept = [plane for plane, reason in zip(planes, reasons) if not reason]
-    return kept, {name: reasons.count(name) for name in names}
+    kept, dropped = _pcl_ops.filter(planes, with_given(_pcl_ops.filter_planes(), parameters))
+    return [planes[i] for i in kept], dropped
 
 
 @named_parameters("find_plane_edges")

@@ -44,6 +44,11 @@ class TrackedPlane(NamedTuple):
     """In the common frame, without inliers."""
     last_seen: int
     """The last frame it was seen in, from 0."""
+    first_seen: int
+    times_seen: int
+    hull: NDArray[np.float64]
+    """(m, 3): convex outline of where it was seen in any frame, of rectangles with the moments
+    of each."""
 
 
 class PlaneTracker:
@@ -51,14 +56,18 @@ class PlaneTracker:
     sight for a while. copy.copy it to try what a frame would do."""
 
     @named_parameters("match_planes")
-    def __init__(self, memory: Optional[int] = None, **parameters: Any) -> None:
+    def __init__(
+        self, memory: Optional[int] = None, max_distance: Optional[float] = None, **parameters: Any
+    ) -> None:
         """memory: frames a plane is remembered after it was last seen; None: for ever.
+        max_distance: planes of which every part is farther from the sensor are forgotten.
 
         The others are those of match_planes; errors are from one frame to the next.
         """
         if memory is not None and not (isinstance(memory, int) and memory >= 0):
             raise ValueError(f"memory: has to be a number of frames or None, not {memory!r:.80}")
-        self._tracker = _pcl_ops.Tracker(with_given(_pcl_ops.match_planes(), parameters), memory)
+        self._tracker = _pcl_ops.Tracker(with_given(_pcl_ops.match_planes(), parameters), memory,
+                                         None if max_distance is None else float(max_distance))
 
     def __copy__(self) -> "PlaneTracker":
         copied = PlaneTracker()
@@ -88,8 +97,8 @@ class PlaneTracker:
     def planes(self) -> List[TrackedPlane]:
         """All planes that are remembered, by their numbers."""
         nowhere = np.empty((0, 3), np.float32)
-        return [TrackedPlane(number, Plane(plane, nowhere), last_seen)
-                for number, plane, last_seen in self._tracker.planes]
+        return [TrackedPlane(number, Plane(plane, nowhere), *seen, np.reshape(hull, (-1, 3)))
+                for number, plane, *seen, hull in self._tracker.planes]
 
     @property
     def pose(self) -> NDArray[np.float64]:
