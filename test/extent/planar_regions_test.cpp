@@ -9,16 +9,16 @@
 namespace {
 
 template <typename Detector>
-class PlanarRegions : public ::testing::Test {};
+class RegionsOfDetectors : public ::testing::Test {};
 
 using Detectors = ::testing::Types<pcl_ops::OrientedPointSampling<pcl::PointXYZ>,
                                    pcl_ops::FastSamplingPlaneFiltering<pcl::PointXYZ>,
                                    pcl_ops::KernelHoughTransform<pcl::PointXYZ>>;
-TYPED_TEST_SUITE (PlanarRegions, Detectors, );
+TYPED_TEST_SUITE (RegionsOfDetectors, Detectors, );
 
 } // namespace
 
-TYPED_TEST (PlanarRegions, AreThePlanesWithTheirHullsAsContours)
+TYPED_TEST (RegionsOfDetectors, AreThePlanesWithTheirHullsAsContours)
 {
   const auto scene = room().build();
   TypeParam detector;
@@ -44,7 +44,7 @@ TYPED_TEST (PlanarRegions, AreThePlanesWithTheirHullsAsContours)
   }
 }
 
-TYPED_TEST (PlanarRegions, AreNoneForMisuse)
+TYPED_TEST (RegionsOfDetectors, AreNoneForMisuse)
 {
   TypeParam detector;
   typename TypeParam::PlanarRegions regions (1);

@@ -6,8 +6,8 @@
 #include <cli/interruption.h>
 #include <cli/program.h>
 #include <evaluation/data/labeled_cloud.h>
-#include <evaluation/report/plane_sighting.h>
 #include <evaluation/metrics/confusion.h>
+#include <evaluation/report/plane_sighting.h>
 #include <evaluation/report/text_table.h>
 #include <io/inputs.h>
 #include <io/pose_file.h>

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include <io/xyz_cloud.h>
+#include <io/shifted_cloud.h>
 #include <pcl_ops/plane.h>
 
 #include <optional>

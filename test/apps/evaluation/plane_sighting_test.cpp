@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <evaluation/report/plane_sighting.h>
 #include <evaluation/metrics/confusion.h>
+#include <evaluation/report/plane_sighting.h>
 #include <numbers/quantile.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <simulation/depth_camera.h>
