@@ -9,10 +9,10 @@
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <detection/method_options.h>
-#include <io/shifted_cloud.h>
 #include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/output_file.h>
+#include <io/shifted_cloud.h>
 #include <numbers/quantile.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

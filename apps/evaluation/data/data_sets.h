@@ -2,14 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <evaluation/detectors/detectors.h>
+#include <evaluation/labels/labels.h>
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl_ops::evaluation {
+
+/** \brief Of the points of a depth camera's image: the pixel of each, row by row. */
+struct ImageGrid {
+  std::uint32_t width = 0, height = 0;
+  std::vector<std::uint32_t> pixels;
+};
 
 /** \brief A cloud to evaluate detectors on. */
 struct EvaluationCloud {

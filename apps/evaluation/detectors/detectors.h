@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <evaluation/labels/labels.h>
+#include <evaluation/data/data_sets.h>
 #include <pcl_ops/plane_detector.h>
 
 #include <functional>
@@ -20,12 +20,6 @@ struct DetectorRun {
   /** \brief Times [ms]; of the foreign detectors only normals and detection are known.
    * Detection is everything from the loaded cloud to labels. */
   StageDurations durations;
-};
-
-/** \brief Of the points of a depth camera's image: the pixel of each, row by row. */
-struct ImageGrid {
-  std::uint32_t width = 0, height = 0;
-  std::vector<std::uint32_t> pixels;
 };
 
 /** \brief The distance to their planes that detectors of others are given [m], as in

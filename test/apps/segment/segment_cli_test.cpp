@@ -97,9 +97,10 @@ TEST_F (Segment, WritesPlanesAsCsv)
 {
   expectDone ("in.pcd --planes p.csv");
   const std::string csv = contentOf (folder_ / "p.csv");
-  EXPECT_EQ (csv.substr (0, csv.find ('\n')),
-             "id,orientation,points,a,b,c,d,centroid_x,centroid_y,centroid_z,"
-             "normal_x,normal_y,normal_z,rms,area,length,width,slope,aspect,height,wkt");
+  EXPECT_EQ (
+      csv.substr (0, csv.find ('\n')),
+      "id,orientation,points,a,b,c,d,centroid_x,centroid_y,centroid_z,"
+      "normal_x,normal_y,normal_z,rms,area,length,width,slope,aspect,height,wkt");
   EXPECT_EQ (lines (csv), 3u);
   EXPECT_TRUE (contains (csv, "\n1,"));
   EXPECT_TRUE (contains (csv, "\n2,"));

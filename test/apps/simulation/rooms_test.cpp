@@ -134,4 +134,3 @@ TEST (Corner, HasPiecesApartFromEachOtherWithinTheWalls)
     }
   }
 }
-
