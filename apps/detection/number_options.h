@@ -47,9 +47,7 @@ visitOwn (PlaneDetectorParameters& p, const Visit& visit)
          {"M", Range::above (0), "farthest point of a plane (0.05; ops: auto)"});
   visit ("merge-distance",
          p.merging.distance_threshold,
-         {"M",
-          Range::from (0),
-          "planes this near one another are one (--threshold; ops: by the noise)"});
+         {"M", Range::from (0), "planes this near are one (--threshold; ops: auto)"});
   visit ("angle-tolerance",
          Degrees{p.angle_tolerance},
          {"DEG",

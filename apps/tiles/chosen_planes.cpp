@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chosen_planes.h"
 
-#include "binary_file.h"
 #include <cli/errors.h>
 #include <detection/plane_json.h>
+#include <io/inputs.h>
 #include <io/output_file.h>
 
 namespace pcl_ops::apps {
@@ -85,8 +85,7 @@ numberOf (std::size_t planes)
 std::string
 saveChosenPlanes (const std::string& list_file, const TilesOptions& options)
 try {
-  std::ifstream stream = openBinary (list_file);
-  List list = List::parse (stream);
+  List list = List::parse (readTextFile (list_file, "planes.json"));
   if (options.planes.empty())
     return numberOf (list.at ("planes").size());
   const Dropped dropped = choosePlanes (options.choice, list);

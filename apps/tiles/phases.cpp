@@ -6,6 +6,7 @@
 #include "point_file.h"
 #include "tile_detection.h"
 #include <cli/errors.h>
+#include <io/inputs.h>
 #include <io/laz_file.h>
 #include <io/output_file.h>
 
@@ -191,9 +192,9 @@ labelInput (const Plan& plan, const RunFolder& folder, std::size_t input)
 void
 listPlanes (const RunFolder& folder)
 {
-  std::ifstream list = openBinary (folder.list());
-  writeFile (folder.output (planes_file),
-             [&list] (std::ostream& stream) { stream << list.rdbuf(); });
+  // As a text: a stream that takes another one does not tell that the disk became full.
+  writeTextFile (folder.output (planes_file),
+                 readTextFile (folder.list(), "planes.json"));
 }
 
 std::string
