@@ -45,6 +45,7 @@ selected (const VoxelGrid& grid, const Indices& voxels)
 {
   VoxelGrid some;
   some.voxel_size = grid.voxel_size;
+  some.moments.reserve (voxels.size());
   for (const std::uint32_t voxel : voxels) {
     some.codes.push_back (grid.codes[voxel]);
     some.first_point.push_back (grid.first_point[voxel]);

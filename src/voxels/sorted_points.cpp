@@ -61,22 +61,25 @@ findRuns (const Coordinates& positions,
   return all;
 }
 
-bool
-isBefore (const PointRun& a, const PointRun& b)
-{
-  return a.code != b.code ? a.code < b.code : a.first < b.first;
-}
+// A type of its own, so that sorting calls it in place.
+struct ComesFirst {
+  bool
+  operator() (const PointRun& a, const PointRun& b) const
+  {
+    return a.code != b.code ? a.code < b.code : a.first < b.first;
+  }
+};
 
 // Sorts runs whose codes have the same bits above lowest_bit + 8, in place (American
 // flag sort: McIlroy, Bostic & McIlroy, Computing Systems 1993).
 void
 sortByDigit (PointRun* begin, PointRun* end, int lowest_bit)
 {
-  constexpr std::ptrdiff_t few = 48;
+  constexpr std::ptrdiff_t few = 96;
   constexpr int digit_bits = 8;
   constexpr std::size_t digits = 1 << digit_bits;
   if (end - begin <= few || lowest_bit <= -digit_bits)
-    return std::sort (begin, end, isBefore);
+    return std::sort (begin, end, ComesFirst());
   const int bit = std::max (0, lowest_bit);
   const auto digitOf = [bit] (const PointRun& run) {
     return static_cast<std::size_t> (run.code >> bit & (digits - 1));

@@ -106,6 +106,8 @@ coarsen (const VoxelGrid& finer)
   VoxelGrid& grid = coarser.grid;
   grid.voxel_size = 2.0 * finer.voxel_size;
   coarser.voxel_of_finer.reserve (finer.size());
+  // More than most surfaces need: copies of moments cost more than their memory.
+  grid.moments.reserve (finer.size() / 2);
   for (std::size_t i = 0; i < finer.size(); ++i) {
     if (grid.size() == 0 || grid.codes.back() != finer.codes[i] >> 3) {
       grid.codes.push_back (finer.codes[i] >> 3);
