@@ -37,9 +37,9 @@ isCrs (const std::string& text)
 std::vector<std::pair<const char*, PlaneTable>>
 columnsOf (const PlaneTable& plane)
 {
-  const Json &coefficients = plane.at ("coefficients"),
-             &centroid = plane.at ("centroid"), &normal = plane.at ("normal"),
-             &extent = plane.at ("extent");
+  const PlaneTable &coefficients = plane.at ("coefficients"),
+                   &centroid = plane.at ("centroid"), &normal = plane.at ("normal"),
+                   &extent = plane.at ("extent");
   return {{"id", plane.at ("id")},         {"orientation", plane.at ("orientation")},
           {"points", plane.at ("points")}, {"a", coefficients.at (0)},
           {"b", coefficients.at (1)},      {"c", coefficients.at (2)},
