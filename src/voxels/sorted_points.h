@@ -63,7 +63,7 @@ private:
 
 /** \brief The points as runs, sorted by the Morton code of their voxel; runs of a voxel
  * in the order of the cloud. Where points come in the order of a scan only the runs,
- * some six times fewer, have to be sorted.
+ * several times fewer, have to be sorted.
  * \param[in] positions finite points; coordinates beyond 2^19 voxels from zero share
  * the outermost voxels
  * \param[in] voxel_size edge of a voxel, above 0
