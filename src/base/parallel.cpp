@@ -10,6 +10,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 namespace pcl_ops::internal {
 
@@ -22,7 +23,11 @@ class Pieces {
 public:
   /** \param[in] body used until all pieces are done */
   Pieces (std::size_t size, std::size_t grain, const PieceBody& body)
-  : size_ (size), grain_ (grain), number_ ((size + grain - 1) / grain), body_ (body)
+  : size_ (size)
+  , grain_ (grain)
+  , number_ ((size + grain - 1) / grain)
+  , body_ (body)
+  , is_taken_ (number_)
   {}
 
   std::size_t
@@ -31,12 +36,18 @@ public:
     return number_;
   }
 
-  /** \brief Does pieces until all have been taken. */
+  /** \brief Does pieces until all have been taken. Each thread begins elsewhere, in
+   * every call at the same place: what it made in the last one is in its cache.
+   * \param[in] begin share of the pieces before the first one, 0 up to 1 */
   void
-  takeTurns ()
+  takeTurns (double begin)
   {
-    for (std::size_t piece; (piece = next_++) < number_;)
-      work (piece);
+    const auto first = static_cast<std::size_t> (begin * static_cast<double> (number_));
+    for (std::size_t i = 0; i < number_ && done_ < number_; ++i) {
+      const std::size_t piece = (first + i) % number_;
+      if (!is_taken_[piece].exchange (true))
+        work (piece);
+    }
   }
 
   /** \brief Waits for those that others have taken, and throws what one has thrown. */
@@ -53,26 +64,25 @@ private:
   void
   work (std::size_t piece)
   {
-    std::exception_ptr thrown;
     try {
       body_ (piece * grain_, std::min (size_, (piece + 1) * grain_));
     }
     catch (...) {
-      thrown = std::current_exception();
+      const std::lock_guard<std::mutex> lock (guard_);
+      thrown_ = std::current_exception();
     }
-    const std::lock_guard<std::mutex> lock (guard_);
-    if (thrown)
-      thrown_ = thrown;
-    if (++done_ == number_)
+    if (++done_ == number_) {
+      const std::lock_guard<std::mutex> lock (guard_);
       all_done_.notify_one();
+    }
   }
 
   std::size_t size_, grain_, number_;
   const PieceBody& body_;
-  std::atomic<std::size_t> next_{0};
+  std::vector<std::atomic<bool>> is_taken_;
+  std::atomic<std::size_t> done_{0};
   std::mutex guard_;
   std::condition_variable all_done_;
-  std::size_t done_ = 0;
   std::exception_ptr thrown_;
 };
 
@@ -99,9 +109,12 @@ parallelFor (unsigned threads,
   // Shared with helpers that come when all is done: nobody waits for a thread that the
   // system has no processor for.
   const auto pieces = std::make_shared<Pieces> (size, grain, body);
-  if (const std::size_t helpers = helpersFor (threads, pieces->number()))
-    callOnWorkers (helpers, [pieces] { pieces->takeTurns(); });
-  pieces->takeTurns();
+  const std::size_t helpers = helpersFor (threads, pieces->number());
+  for (std::size_t i = 1; i <= helpers; ++i) {
+    const double begin = static_cast<double> (i) / static_cast<double> (helpers + 1);
+    callOnWorkers (1, [pieces, begin] { pieces->takeTurns (begin); });
+  }
+  pieces->takeTurns (0.0);
   pieces->waitForOthers();
 }
 

@@ -70,16 +70,18 @@ struct ComesFirst {
   }
 };
 
-// Sorts runs whose codes have the same bits above lowest_bit + 8, in place (American
-// flag sort: McIlroy, Bostic & McIlroy, Computing Systems 1993).
-void
-sortByDigit (PointRun* begin, PointRun* end, int lowest_bit)
+constexpr int digit_bits = 8;
+constexpr std::size_t digits = 1 << digit_bits;
+constexpr std::ptrdiff_t few = 96;
+
+/** \brief Where the runs of each digit begin, and where those of the last end. */
+using DigitBounds = std::array<PointRun*, digits + 1>;
+
+// Sorts runs by eight bits of their codes, in place (American flag sort: McIlroy,
+// Bostic & McIlroy, Computing Systems 1993).
+DigitBounds
+permuteByDigit (PointRun* begin, PointRun* end, int lowest_bit)
 {
-  constexpr std::ptrdiff_t few = 96;
-  constexpr int digit_bits = 8;
-  constexpr std::size_t digits = 1 << digit_bits;
-  if (end - begin <= few || lowest_bit <= -digit_bits)
-    return std::sort (begin, end, ComesFirst());
   const int bit = std::max (0, lowest_bit);
   const auto digitOf = [bit] (const PointRun& run) {
     return static_cast<std::size_t> (run.code >> bit & (digits - 1));
@@ -87,28 +89,36 @@ sortByDigit (PointRun* begin, PointRun* end, int lowest_bit)
   std::array<std::ptrdiff_t, digits> number{};
   for (const PointRun* run = begin; run != end; ++run)
     ++number[digitOf (*run)];
-  std::array<PointRun*, digits> next, ends;
-  PointRun* place = begin;
-  for (std::size_t digit = 0; digit < digits; ++digit) {
-    next[digit] = place;
-    place += number[digit];
-    ends[digit] = place;
-  }
+  DigitBounds bounds;
+  bounds[0] = begin;
   for (std::size_t digit = 0; digit < digits; ++digit)
-    while (next[digit] != ends[digit]) {
+    bounds[digit + 1] = bounds[digit] + number[digit];
+  DigitBounds next = bounds;
+  for (std::size_t digit = 0; digit < digits; ++digit)
+    while (next[digit] != bounds[digit + 1]) {
       const std::size_t own = digitOf (*next[digit]);
       if (own == digit)
         ++next[digit];
       else
         std::swap (*next[digit], *next[own]++);
     }
+  return bounds;
+}
+
+// Sorts runs whose codes have the same bits above lowest_bit + 8.
+void
+sortByDigits (PointRun* begin, PointRun* end, int lowest_bit)
+{
+  if (end - begin <= few || lowest_bit <= -digit_bits)
+    return std::sort (begin, end, ComesFirst());
+  const DigitBounds bounds = permuteByDigit (begin, end, lowest_bit);
   for (std::size_t digit = 0; digit < digits; ++digit)
-    if (number[digit] > 1)
-      sortByDigit (ends[digit] - number[digit], ends[digit], lowest_bit - digit_bits);
+    if (bounds[digit + 1] - bounds[digit] > 1)
+      sortByDigits (bounds[digit], bounds[digit + 1], lowest_bit - digit_bits);
 }
 
 void
-sortByCode (const PointRuns& runs)
+sortByCode (const PointRuns& runs, unsigned threads)
 {
   MortonCode differing = 0;
   for (const PointRun& run : runs)
@@ -116,7 +126,11 @@ sortByCode (const PointRuns& runs)
   int bits = 0;
   while (differing >> bits != 0)
     ++bits;
-  sortByDigit (runs.begin(), runs.end(), bits - 8);
+  const int lowest_bit = bits - digit_bits;
+  const DigitBounds bounds = permuteByDigit (runs.begin(), runs.end(), lowest_bit);
+  parallelFor (threads, digits, 1, [&] (std::size_t digit, std::size_t) {
+    sortByDigits (bounds[digit], bounds[digit + 1], lowest_bit - digit_bits);
+  });
 }
 
 } // namespace
@@ -137,7 +151,7 @@ sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads)
     std::copy (piece, piece + pieces[p], runs.end());
     runs.resize (runs.size() + pieces[p]);
   }
-  sortByCode (runs);
+  sortByCode (runs, threads);
   return runs;
 }
 
