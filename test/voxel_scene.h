@@ -25,7 +25,7 @@ struct VoxelScene {
     }
     voxelize();
     const pcl_ops::internal::Indices voxels =
-        voxelsOfPoints (grid(), voxelized.finest.order);
+        voxelsOfPoints (grid(), voxelized.order);
     planes.plane_of_voxel.assign (grid().size(), pcl_ops::no_plane);
     for (std::size_t i = points.size(); i-- > 0;)
       planes.plane_of_voxel[voxels[i]] = plane_of_point[i];
@@ -49,7 +49,7 @@ struct VoxelScene {
   const pcl_ops::internal::VoxelGrid&
   grid () const
   {
-    return voxelized.coarse.grid;
+    return voxelized.grids[1];
   }
 
   Eigen::Vector3d
@@ -77,6 +77,6 @@ struct VoxelScene {
   }
 
   pcl_ops::internal::Coordinates points;
-  pcl_ops::internal::VoxelLevels voxelized;
+  pcl_ops::internal::VoxelPyramid voxelized;
   pcl_ops::internal::BoundedPlanes planes;
 };

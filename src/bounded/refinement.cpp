@@ -29,47 +29,36 @@ voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_
   return is_refined;
 }
 
-// The finest voxels in coarse ones that are refined.
-Indices
-voxelsIn (const Indices& coarse_of_finest, const std::vector<char>& is_refined)
+// The finest voxels of those that are refined.
+void
+select (const VoxelPyramid& voxels, Refinement& finer)
 {
-  Indices voxels;
-  for (std::size_t i = 0; i < coarse_of_finest.size(); ++i)
-    if (is_refined[coarse_of_finest[i]] != 0)
-      voxels.push_back (static_cast<std::uint32_t> (i));
-  return voxels;
-}
-
-VoxelGrid
-selected (const VoxelGrid& grid, const Indices& voxels)
-{
-  VoxelGrid some;
-  some.voxel_size = grid.voxel_size;
-  some.moments.reserve (voxels.size());
-  for (const std::uint32_t voxel : voxels) {
-    some.codes.push_back (grid.codes[voxel]);
-    some.first_point.push_back (grid.first_point[voxel]);
-    some.moments.push_back (grid.moments[voxel]);
+  const VoxelGrid& finest = voxels.grids[0];
+  const Indices& coarse_of_finest = voxels.voxels_above[0];
+  finer.grid.voxel_size = finest.voxel_size;
+  finer.grid.moments.reserve (finest.size());
+  for (std::size_t i = 0; i < finest.size(); ++i) {
+    if (finer.is_refined[coarse_of_finest[i]] == 0)
+      continue;
+    finer.coarse_voxels.push_back (coarse_of_finest[i]);
+    finer.grid.codes.push_back (finest.codes[i]);
+    finer.grid.first_point.push_back (finest.first_point[i]);
+    finer.grid.moments.push_back (finest.moments[i]);
   }
-  return some;
 }
 
 // The plane that each finer voxel has from the coarse one that holds it.
 Labels
-inheritedPlanes (const BoundedPlanes& planes,
-                 const Indices& coarse_of_finest,
-                 const Indices& voxels,
-                 const VoxelGrid& finer,
-                 unsigned threads)
+inheritedPlanes (const BoundedPlanes& planes, const Refinement& finer, unsigned threads)
 {
-  Labels inherited (finer.size(), no_plane);
-  forVoxels (finer, threads, [&] (std::size_t i) {
-    const std::int32_t plane = planes.plane_of_voxel[coarse_of_finest[voxels[i]]];
+  Labels inherited (finer.grid.size(), no_plane);
+  forVoxels (finer.grid, threads, [&] (std::size_t i) {
+    const std::int32_t plane = planes.plane_of_voxel[finer.coarse_voxels[i]];
     if (plane == no_plane)
       return;
     const auto p = static_cast<std::size_t> (plane);
     const double limit = noises_of_a_voxel * planes.noise[p];
-    if (meanSquaredDistance (finer.moments[i], planes.planes[p]) < limit * limit)
+    if (meanSquaredDistance (finer.grid.moments[i], planes.planes[p]) < limit * limit)
       inherited[i] = plane;
   });
   return inherited;
@@ -92,21 +81,18 @@ momentsLeft (const VoxelGrid& coarse,
 } // namespace
 
 Refinement
-refine (const VoxelGrid& finest,
-        const CoarserGrid& coarse,
-        const BoundedPlanes& planes,
-        unsigned threads)
+refine (const VoxelPyramid& voxels, const BoundedPlanes& planes, unsigned threads)
 {
+  const VoxelGrid& coarse = voxels.grids[1];
   Refinement finer;
-  finer.is_refined = voxelsToRefine (coarse.grid, threads, planes.plane_of_voxel);
-  const Indices voxels = voxelsIn (coarse.voxel_of_finer, finer.is_refined);
-  finer.grid = selected (finest, voxels);
-  connect (finer.grid, threads);
+  finer.is_refined = voxelsToRefine (coarse, threads, planes.plane_of_voxel);
+  select (voxels, finer);
+  finer.grid.neighbours =
+      neighboursOf (finer.grid.codes, finer.coarse_voxels, coarse.neighbours, threads);
   finer.planes.planes = planes.planes;
   finer.planes.noise = planes.noise;
-  finer.planes.moments_elsewhere = momentsLeft (coarse.grid, planes, finer.is_refined);
-  finer.planes.plane_of_voxel =
-      inheritedPlanes (planes, coarse.voxel_of_finer, voxels, finer.grid, threads);
+  finer.planes.moments_elsewhere = momentsLeft (coarse, planes, finer.is_refined);
+  finer.planes.plane_of_voxel = inheritedPlanes (planes, finer, threads);
   return finer;
 }
 

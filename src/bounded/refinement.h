@@ -14,20 +14,19 @@ struct Refinement {
   /** \brief Whether a coarse voxel's points are looked at here. */
   std::vector<char> is_refined;
   VoxelGrid grid;
+  /** \brief The coarse voxels that hold these. */
+  Indices coarse_voxels;
   /** \brief The coarse planes with the voxels here that they explain. */
   BoundedPlanes planes;
 };
 
-/** \brief Takes coarse voxels without a plane, and those next to them, to voxels of
- * half the edge. A voxel there keeps the plane of the coarse one that holds it if its
- * points lie on it. \param[in] finest voxels of half the edge of all points \param[in]
- * coarse the voxels that hold them \param[in] planes those found in coarse voxels, with
- * their noise \param[in] threads number of threads; 0: all. The result does not depend
- * on it */
+/** \brief Takes voxels of the second grid without a plane, and those next to them, to
+ * voxels of the finest. A voxel there keeps the plane of the coarse one that holds it
+ * if its points lie on it.
+ * \param[in] voxels connected but for the finest
+ * \param[in] planes those found in coarse voxels, with their noise
+ * \param[in] threads number of threads; 0: all. The result does not depend on it */
 Refinement
-refine (const VoxelGrid& finest,
-        const CoarserGrid& coarse,
-        const BoundedPlanes& planes,
-        unsigned threads);
+refine (const VoxelPyramid& voxels, const BoundedPlanes& planes, unsigned threads);
 
 } // namespace pcl_ops::internal

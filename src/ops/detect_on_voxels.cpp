@@ -21,28 +21,53 @@ namespace {
 
 using Parameters = OrientedPointSamplingParameters;
 
-VoxelLevels
+VoxelPyramid
 divide (const Points& points, const Parameters& parameters)
 {
   const std::optional<double> given = parameters.surfels.voxel_size;
-  VoxelLevels voxels =
-      given ? voxelizeTwice (points, *given, parameters.threads)
+  VoxelPyramid voxels =
+      given ? voxelizeTwice (points, 0.5 * *given, parameters.threads)
             : voxelizeByNoise (points, parameters.sampling_rate, parameters.threads);
-  connect (voxels.coarse.grid, parameters.threads);
+  if (voxels.grids.empty())
+    return voxels;
+  for (int coarser = 1; coarser < parameters.surfels.resolutions; ++coarser)
+    coarsen (voxels);
+  connectCoarse (voxels, parameters.threads);
   return voxels;
 }
 
-std::vector<std::optional<Surfel>>
-orient (const VoxelGrid& grid,
-        const Parameters& parameters,
-        const Labels& plane_of_voxel)
+double
+leastPoints (const VoxelGrid& grid, const Parameters& parameters)
 {
-  const SurfelParameters& surfels = parameters.surfels;
-  const double least_points =
-      std::max (static_cast<double> (parameters.k),
-                surfels.min_average_voxels * meanPointsPerVoxel (grid));
-  return findSurfels (
-      grid, surfels.resolutions, least_points, parameters.threads, plane_of_voxel);
+  return std::max (static_cast<double> (parameters.k),
+                   parameters.surfels.min_average_voxels * meanPointsPerVoxel (grid));
+}
+
+// Of coarse voxels and of larger ones.
+std::vector<SurfelLevel>
+orient (const VoxelPyramid& voxels, const Parameters& parameters)
+{
+  const double least_points = leastPoints (voxels.grids[1], parameters);
+  std::vector<SurfelLevel> levels;
+  for (std::size_t l = 1; l < voxels.grids.size(); ++l)
+    levels.push_back (normalsOf (
+        voxels.grids[l], voxels.voxels_above[l], least_points, parameters.threads));
+  return levels;
+}
+
+// Of finer voxels, with those of coarse ones above.
+std::vector<SurfelLevel>
+orient (const Refinement& finer,
+        std::vector<SurfelLevel> levels,
+        const Parameters& parameters)
+{
+  levels.insert (levels.begin(),
+                 normalsOf (finer.grid,
+                            finer.coarse_voxels,
+                            leastPoints (finer.grid, parameters),
+                            parameters.threads));
+  levels.pop_back();
+  return levels;
 }
 
 void
@@ -63,15 +88,16 @@ spread (const VoxelGrid& grid,
 
 // Finds planes in voxels that have none, and lets all planes grow.
 void
-findPlanes (const VoxelGrid& grid,
+findPlanes (const std::vector<SurfelLevel>& levels,
             const Parameters& parameters,
             double max_thickness,
             BoundedPlanes& planes,
             StageDurations& durations)
 {
   StageClock clock;
+  const VoxelGrid& grid = *levels[0].grid;
   const std::vector<std::optional<Surfel>> surfels =
-      orient (grid, parameters, planes.plane_of_voxel);
+      findSurfels (levels, parameters.threads, planes.plane_of_voxel);
   clock.lap (durations.normals);
   spread (grid, surfels, parameters, max_thickness, planes);
   growPlanes (grid, parameters.distance_threshold, parameters.threads, planes);
@@ -114,7 +140,7 @@ joinPlanes (const VoxelGrid& grid,
 // The points of coarse voxels that are not refined, and those of the finer ones.
 AssignedPoints
 assign (const Points& points,
-        const VoxelLevels& voxels,
+        const VoxelPyramid& voxels,
         const BoundedPlanes& planes,
         const Refinement& finer,
         const Parameters& parameters)
@@ -124,7 +150,7 @@ assign (const Points& points,
                         const BoundedPlanes& bounded,
                         const std::vector<char>& is_left_out) {
     assignToBoundedPlanes (points,
-                           voxels.finest.order,
+                           voxels.order,
                            grid,
                            bounded,
                            parameters.distance_threshold,
@@ -133,7 +159,7 @@ assign (const Points& points,
                            is_left_out,
                            assigned);
   };
-  add (voxels.coarse.grid, planes, finer.is_refined);
+  add (voxels.grids[1], planes, finer.is_refined);
   add (finer.grid, finer.planes, {});
   return assigned;
 }
@@ -147,7 +173,7 @@ labelPoints (const Points& points,
 // Looks for planes among points too sparse for the voxels of the others.
 void
 labelSparsePoints (const Points& points,
-                   const VoxelLevels& voxels,
+                   const VoxelPyramid& voxels,
                    const Parameters& parameters,
                    StageDurations& durations,
                    AssignedPoints& assigned)
@@ -155,8 +181,8 @@ labelSparsePoints (const Points& points,
   // Voxels of a given size do not change with the points.
   if (parameters.surfels.voxel_size)
     return;
-  const Indices numbers = sparsePoints (
-      voxels.coarse.grid, voxels.finest.order, assigned.labels, parameters.k);
+  const Indices numbers =
+      sparsePoints (voxels.grids[1], voxels.order, assigned.labels, parameters.k);
   if (numbers.empty())
     return;
   Points sparse;
@@ -187,21 +213,24 @@ labelPoints (const Points& points,
   const SurfelParameters& surfels = parameters.surfels;
   StageClock clock;
   // P_s: the voxels of a grid
-  const VoxelLevels voxels = divide (points, parameters);
-  const VoxelGrid& grid = voxels.coarse.grid;
-  if (grid.size() == 0)
+  const VoxelPyramid voxels = divide (points, parameters);
+  if (voxels.grids.empty())
     return {Labels (points.size(), no_plane), {}};
+  const VoxelGrid& grid = voxels.grids[1];
   BoundedPlanes planes;
   planes.plane_of_voxel.assign (grid.size(), no_plane);
   clock.lap (durations.search);
   // n_i and Pi: normals from the moments around, planes spread over like neighbors
-  findPlanes (grid, parameters, surfels.sure_thickness, planes, durations);
+  std::vector<SurfelLevel> levels = orient (voxels, parameters);
+  clock.lap (durations.normals);
+  findPlanes (levels, parameters, surfels.sure_thickness, planes, durations);
   clock = StageClock();
   // what no plane explains, in voxels of half the edge
-  Refinement finer =
-      refine (voxels.finest.grid, voxels.coarse, planes, parameters.threads);
+  Refinement finer = refine (voxels, planes, parameters.threads);
   clock.lap (durations.search);
-  findPlanes (finer.grid, parameters, surfels.max_thickness, finer.planes, durations);
+  levels = orient (finer, std::move (levels), parameters);
+  clock.lap (durations.normals);
+  findPlanes (levels, parameters, surfels.max_thickness, finer.planes, durations);
   clock = StageClock();
   found = finer.planes.size();
   // section III-C, by the noise of the planes instead of theta_h

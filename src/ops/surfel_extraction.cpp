@@ -4,6 +4,7 @@
 
 #include "bounded/bending.h"
 #include "bounded/noise_floors.h"
+#include "geometry/principal_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,8 +72,9 @@ public:
       if (patch.voxels.size() < next_fit)
         continue;
       next_fit = patch.voxels.size() * 3 / 2 + 1;
-      if (const std::optional<PlaneFit> fit = fitPlane (patch.moments))
-        plane = fit->plane;
+      const PrincipalAxes axes = principalAxes (patch.moments.covariance());
+      if (!axes.normal.isZero())
+        plane = planeThrough (patch.moments.centroid(), axes.normal);
     }
     return patch;
   }
@@ -163,15 +165,15 @@ private:
 Indices
 byThickness (const Surfels& surfels)
 {
-  Indices order;
+  std::vector<std::pair<float, std::uint32_t>> order;
   for (std::size_t i = 0; i < surfels.size(); ++i)
     if (surfels[i])
-      order.push_back (static_cast<std::uint32_t> (i));
-  std::stable_sort (
-      order.begin(), order.end(), [&surfels] (std::uint32_t a, std::uint32_t b) {
-        return surfels[a]->thickness < surfels[b]->thickness;
-      });
-  return order;
+      order.emplace_back (surfels[i]->thickness, i);
+  std::sort (order.begin(), order.end());
+  Indices voxels;
+  for (const auto& [thickness, voxel] : order)
+    voxels.push_back (voxel);
+  return voxels;
 }
 
 } // namespace

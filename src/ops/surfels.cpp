@@ -8,6 +8,7 @@
 #include "voxels/voxel_traversal.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl_ops::internal {
@@ -31,32 +32,6 @@ constexpr double flat_enough = 0.2;
 // A voxel may take the normal of a neighbouring voxel if its points' rms distance to
 // that plane is below this many times the noise there.
 constexpr double borrowed_noise_factor = 1.5;
-
-// One resolution: a grid and the plane around each of its voxels.
-struct Level {
-  /** \brief Empty for the finest level, as is the next. */
-  VoxelGrid grid;
-  std::vector<std::uint32_t> voxel_of_finest;
-  std::vector<std::optional<Surfel>> normals;
-  /** \brief Of the normals, apart because most are looked at for this only; 1 where
-   * there is none. */
-  std::vector<double> thickness;
-  /** \brief For each voxel the one around it, or itself, with the least thickness. */
-  std::vector<std::uint32_t> flattest_around;
-
-  const VoxelGrid&
-  gridOr (const VoxelGrid& finest) const
-  {
-    return voxel_of_finest.empty() ? finest : grid;
-  }
-
-  std::size_t
-  voxelHolding (std::size_t finest_voxel) const
-  {
-    return voxel_of_finest.empty() ? finest_voxel : voxel_of_finest[finest_voxel];
-  }
-};
-
 Moments
 momentsAround (const VoxelGrid& grid, std::size_t voxel)
 {
@@ -82,7 +57,7 @@ findNormals (const VoxelGrid& grid,
              double min_points,
              std::size_t begin,
              std::size_t end,
-             Level& level)
+             SurfelLevel& level)
 {
   std::vector<std::size_t> voxels;
   std::vector<Moments> surroundings;
@@ -110,7 +85,10 @@ findNormals (const VoxelGrid& grid,
 }
 
 void
-findNormals (const VoxelGrid& grid, double min_points, unsigned threads, Level& level)
+findNormals (const VoxelGrid& grid,
+             double min_points,
+             unsigned threads,
+             SurfelLevel& level)
 {
   // So few that what is noted of them stays in the processor's first cache.
   constexpr std::size_t voxels_at_once = 128;
@@ -141,7 +119,7 @@ public:
   /** \brief Considers the planes around a voxel of a level. The flattest may mostly
    * serve, and spares a look at the others. */
   void
-  considerAll (const Level& level, std::size_t at, const VoxelGrid& finest)
+  considerAll (const SurfelLevel& level, std::size_t at)
   {
     const std::uint32_t flattest = level.flattest_around[at];
     if (level.thickness[flattest] >= thickness_)
@@ -149,12 +127,12 @@ public:
     consider (level, flattest);
     if (best_ == &*level.normals[flattest])
       return;
-    for (const std::uint32_t candidate : level.gridOr (finest).neighbours[at])
+    for (const std::uint32_t candidate : level.grid->neighbours[at])
       consider (level, candidate);
   }
 
   void
-  consider (const Level& level, std::size_t candidate)
+  consider (const SurfelLevel& level, std::size_t candidate)
   {
     if (level.thickness[candidate] >= thickness_)
       return;
@@ -187,37 +165,30 @@ private:
 };
 
 std::optional<Surfel>
-surfelOf (std::size_t voxel, const VoxelGrid& finest, const std::vector<Level>& levels)
+surfelOf (std::size_t voxel, const std::vector<SurfelLevel>& levels)
 {
+  const VoxelGrid& finest = *levels[0].grid;
   FlattestPlane plane (finest.moments[voxel], smallestNoise (finest));
-  for (const Level& level : levels) {
-    const std::size_t at = level.voxelHolding (voxel);
+  // In each level the voxel that holds it.
+  std::array<std::uint32_t, 10> holding{};
+  std::uint32_t at = static_cast<std::uint32_t> (voxel);
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const SurfelLevel& level = levels[l];
+    holding[l] = at;
     if (level.thickness[at] < flat_enough)
       plane.consider (level, at);
     // Where nothing around is flat enough, a coarser level is likely to have better.
     if (plane.thickness() >= flat_enough &&
         level.thickness[level.flattest_around[at]] < flat_enough)
-      plane.considerAll (level, at, finest);
+      plane.considerAll (level, at);
     if (plane.thickness() < flat_enough)
       return *plane.best();
+    if (l + 1 < levels.size())
+      at = (*level.voxels_above)[at];
   }
-  for (auto level = levels.rbegin(); level != levels.rend(); ++level)
-    plane.considerAll (*level, level->voxelHolding (voxel), finest);
+  for (std::size_t l = levels.size(); l-- > 0;)
+    plane.considerAll (levels[l], holding[l]);
   return plane.best() ? std::optional<Surfel> (*plane.best()) : std::nullopt;
-}
-
-// The level after the last one.
-Level
-coarserLevel (const VoxelGrid& finest, const Level& last, unsigned threads)
-{
-  CoarserGrid coarser = coarsen (last.gridOr (finest));
-  connect (coarser.grid, threads);
-  Level level;
-  level.grid = std::move (coarser.grid);
-  level.voxel_of_finest.resize (finest.size());
-  for (std::size_t i = 0; i < finest.size(); ++i)
-    level.voxel_of_finest[i] = coarser.voxel_of_finer[last.voxelHolding (i)];
-  return level;
 }
 
 // Whether a voxel's surroundings are far noisier than its own points: not noise, then,
@@ -237,23 +208,30 @@ hidesSurfaces (const Surfel& surfel, const Moments& voxel, double smallest_noise
 
 } // namespace
 
+SurfelLevel
+normalsOf (const VoxelGrid& grid,
+           const Indices& voxels_above,
+           double least_points,
+           unsigned threads)
+{
+  SurfelLevel level;
+  level.grid = &grid;
+  level.voxels_above = &voxels_above;
+  findNormals (grid, least_points, threads, level);
+  return level;
+}
+
 std::vector<std::optional<Surfel>>
-findSurfels (const VoxelGrid& grid,
-             int resolutions,
-             double least_points,
+findSurfels (const std::vector<SurfelLevel>& levels,
              unsigned threads,
              const Labels& plane_of_voxel)
 {
-  std::vector<Level> levels;
-  for (int l = 0; l < resolutions; ++l) {
-    levels.push_back (l == 0 ? Level() : coarserLevel (grid, levels.back(), threads));
-    findNormals (levels.back().gridOr (grid), least_points, threads, levels.back());
-  }
+  const VoxelGrid& grid = *levels[0].grid;
   std::vector<std::optional<Surfel>> normals (grid.size());
   forVoxels (grid, threads, [&] (std::size_t i) {
     if (!plane_of_voxel.empty() && plane_of_voxel[i] != no_plane)
       return;
-    normals[i] = surfelOf (i, grid, levels);
+    normals[i] = surfelOf (i, levels);
     if (normals[i] &&
         hidesSurfaces (*normals[i], grid.moments[i], smallestNoise (grid)))
       normals[i].reset();

@@ -107,7 +107,7 @@ meanPointsPerVoxel (const VoxelGrid& grid)
   return points / static_cast<double> (grid.size());
 }
 
-VoxelLevels
+VoxelPyramid
 voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
 {
   const double size =
@@ -116,11 +116,12 @@ voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
     return {};
   // Of twice the edge, as they are halved where needed.
   const double smallest = 2.0 * smallestVoxel (points);
-  VoxelLevels voxels = voxelizeTwice (points, std::max (size, smallest), threads);
-  const VoxelGrid& grid = voxels.coarse.grid;
+  VoxelPyramid voxels =
+      voxelizeTwice (points, 0.5 * std::max (size, smallest), threads);
+  const VoxelGrid& grid = voxels.grids.back();
   const double finer = std::max (voxelSizeByNoise (grid), smallest);
   if (finer < grid.voxel_size)
-    voxels = voxelizeTwice (points, finer, threads);
+    voxels = voxelizeTwice (points, 0.5 * finer, threads);
   return voxels;
 }
 

@@ -65,27 +65,29 @@ connect (VoxelGrid& grid, unsigned threads);
 Indices
 voxelsOfPoints (const VoxelGrid& grid, const Indices& order);
 
-/** \brief A grid of twice the voxel size whose voxels hold 2 x 2 x 2 voxels each. */
-struct CoarserGrid {
-  VoxelGrid grid;
-  /** \brief For each finer voxel the coarser one that holds it. */
-  Indices voxel_of_finer;
+/** \brief Points in voxels of several sizes, each of twice the edge of the one before.
+ */
+struct VoxelPyramid {
+  /** \brief Numbers of the points, voxel after voxel of any size. */
+  Indices order;
+  /** \brief Finest first. */
+  std::vector<VoxelGrid> grids;
+  /** \brief Of each grid the voxels of the next one that hold its own; empty for the
+   * coarsest. */
+  std::vector<Indices> voxels_above;
 };
 
-/** \brief Joins voxels by eight.
- * \return voxels without neighbours */
-CoarserGrid
-coarsen (const VoxelGrid& finer);
-
-/** \brief Points in voxels, and in those of twice the edge. */
-struct VoxelLevels {
-  VoxelizedPoints finest;
-  CoarserGrid coarse;
-};
-
-/** \brief Divides points into voxels of a given edge [m] and of half of it; those of
- * the given edge have neighbours. The rest as \ref voxelize. */
-VoxelLevels
+/** \brief Divides points into voxels of a given edge [m] and of twice of it. The rest
+ * as \ref voxelize. */
+VoxelPyramid
 voxelizeTwice (const Coordinates& positions, double voxel_size, unsigned threads);
+
+/** \brief Joins the coarsest voxels by eight: one more grid. */
+void
+coarsen (VoxelPyramid& pyramid);
+
+/** \brief Finds the neighbours of each voxel but the finest ones. */
+void
+connectCoarse (VoxelPyramid& pyramid, unsigned threads);
 
 } // namespace pcl_ops::internal

@@ -5,34 +5,48 @@
 #include "base/parallel.h"
 
 #include <array>
+#include <numeric>
 
 namespace pcl_ops::internal {
 
 namespace {
 
 constexpr std::size_t parents_per_piece = 256;
-constexpr std::int32_t no_voxel = -1;
+constexpr std::uint64_t three = 0x7;
+constexpr std::uint64_t three_by_three = three | three << 4 | three << 8;
+constexpr std::uint64_t all_around =
+    three_by_three | three_by_three << 16 | three_by_three << 32;
+constexpr std::uint64_t middle = 1 << 21;
 
-/** \brief The 3 x 3 x 3 voxels around one, x fastest; no_voxel where none is occupied.
- */
-using Surroundings = std::array<std::int32_t, 27>;
+// Position of the lowest bit that is set.
+unsigned
+lowestBit (std::uint64_t bits)
+{
+  return static_cast<unsigned> (__builtin_ctzll (bits));
+}
 
 /** \brief The 2 x 2 x 2 children of a voxel and those one around them: 4 x 4 x 4, x
- * fastest; then one place for all that are farther away. */
-using ChildrenAround = std::array<std::int32_t, 65>;
+ * fastest. */
+struct ChildrenAround {
+  /** \brief A bit for each that is occupied. */
+  std::uint64_t places = 0;
+  /** \brief Number of the voxel; the last is for all that are farther away. */
+  std::array<std::uint32_t, 65> voxels;
+};
 
-// Where a child is among \ref ChildrenAround, by its octant and by where its parent is
-// in the \ref Surroundings.
-constexpr std::array<std::array<std::uint8_t, 8>, 27>
+constexpr std::uint8_t far_away = 64;
+
+// Where a child is among \ref ChildrenAround, by the place of its parent around the
+// middle one (see \ref VoxelNeighbours::places) and by its octant.
+constexpr std::array<std::array<std::uint8_t, 8>, 43>
 placesOfChildren ()
 {
-  constexpr std::uint8_t far_away = 64;
-  std::array<std::array<std::uint8_t, 8>, 27> places{};
-  for (int parent = 0; parent < 27; ++parent)
+  std::array<std::array<std::uint8_t, 8>, 43> places{};
+  for (int parent = 0; parent < 43; ++parent)
     for (int octant = 0; octant < 8; ++octant) {
-      const int x = parent % 3 * 2 + (octant & 1) - 1;
-      const int y = parent / 3 % 3 * 2 + (octant >> 1 & 1) - 1;
-      const int z = parent / 9 * 2 + (octant >> 2) - 1;
+      const int x = parent % 4 * 2 + (octant & 1) - 1;
+      const int y = parent / 4 % 4 * 2 + (octant >> 1 & 1) - 1;
+      const int z = parent / 16 * 2 + (octant >> 2) - 1;
       const bool is_near = x >= 0 && x < 4 && y >= 0 && y < 4 && z >= 0 && z < 4;
       places[static_cast<std::size_t> (parent)][static_cast<std::size_t> (octant)] =
           is_near ? static_cast<std::uint8_t> ((z * 4 + y) * 4 + x) : far_away;
@@ -43,108 +57,65 @@ placesOfChildren ()
 // The first of the 3 x 3 x 3 around each child.
 constexpr std::array<std::uint8_t, 8> first_around{0, 1, 4, 5, 16, 17, 20, 21};
 
-/** \brief Voxels of twice the edge with where the children of each begin. */
-struct Parents {
-  std::vector<MortonCode> codes;
-  std::vector<std::uint32_t> first_child;
-};
-
-Parents
-parentsOf (const std::vector<MortonCode>& codes)
+// The voxels of twice the edge that hold others, in their order.
+std::vector<std::uint32_t>
+parentsOf (const std::vector<MortonCode>& codes, std::vector<MortonCode>& codes_above)
 {
-  Parents parents;
-  for (std::size_t i = 0; i < codes.size(); ++i)
-    if (parents.codes.empty() || parents.codes.back() != codes[i] >> 3) {
-      parents.codes.push_back (codes[i] >> 3);
-      parents.first_child.push_back (static_cast<std::uint32_t> (i));
-    }
-  parents.first_child.push_back (static_cast<std::uint32_t> (codes.size()));
+  std::vector<std::uint32_t> parents;
+  parents.reserve (codes.size());
+  for (const MortonCode code : codes) {
+    if (codes_above.empty() || codes_above.back() != code >> 3)
+      codes_above.push_back (code >> 3);
+    parents.push_back (static_cast<std::uint32_t> (codes_above.size() - 1));
+  }
   return parents;
 }
 
-// Calls visit (voxel, around) for the children of a range of parents; around: the first
-// of the 3 x 3 x 3 children around it in rows of 4.
-template <typename Visit>
-void
-forChildren (const std::vector<MortonCode>& codes,
-             const Parents& parents,
-             const std::vector<Surroundings>& around_parents,
-             std::size_t begin,
-             std::size_t end,
-             Visit&& visit)
+// Where the children of each parent begin, and where the last one's end.
+std::vector<std::uint32_t>
+firstChildren (const std::vector<std::uint32_t>& parents, std::size_t number)
 {
-  static constexpr auto places = placesOfChildren();
+  std::vector<std::uint32_t> first (number + 1, 0);
+  for (const std::uint32_t parent : parents)
+    ++first[parent + 1];
+  std::partial_sum (first.begin(), first.end(), first.begin());
+  return first;
+}
+
+// The children of a voxel and those around them.
+ChildrenAround
+childrenAround (const std::vector<MortonCode>& codes,
+                const std::vector<std::uint32_t>& first_child,
+                const VoxelNeighbours& around_parents,
+                std::size_t parent)
+{
+  static constexpr auto places_of_children = placesOfChildren();
   ChildrenAround children;
-  for (std::size_t p = begin; p < end; ++p) {
-    children.fill (no_voxel);
-    for (std::size_t i = 0; i < around_parents[p].size(); ++i) {
-      const std::int32_t parent = around_parents[p][i];
-      if (parent == no_voxel)
-        continue;
-      const std::uint32_t* const first =
-          &parents.first_child[static_cast<std::size_t> (parent)];
-      for (std::uint32_t child = first[0]; child < first[1]; ++child)
-        children[places[i][codes[child] & 7]] = static_cast<std::int32_t> (child);
+  std::uint64_t places = around_parents.places (parent);
+  for (const std::uint32_t neighbour : around_parents[parent]) {
+    const auto& places_here = places_of_children[lowestBit (places)];
+    places &= places - 1;
+    for (std::uint32_t child = first_child[neighbour];
+         child < first_child[neighbour + 1];
+         ++child) {
+      const unsigned place = places_here[codes[child] & 7];
+      children.voxels[place] = child;
+      children.places |= place == far_away ? 0 : std::uint64_t (1) << place;
     }
-    for (std::uint32_t child = parents.first_child[p];
-         child < parents.first_child[p + 1];
-         ++child)
-      visit (child, &children[first_around[codes[child] & 7]]);
   }
+  return children;
 }
 
-// Calls visit (voxel) for the 3 x 3 x 3 voxels in rows of 4.
-template <typename Visit>
+// Appends a child with those around it.
 void
-forSurroundings (const std::int32_t* around, Visit&& visit)
+add (const ChildrenAround& children, unsigned first, VoxelNeighbours& neighbours)
 {
-  for (int z = 0; z < 3; ++z)
-    for (int y = 0; y < 3; ++y)
-      for (int x = 0; x < 3; ++x)
-        visit (around[(z * 4 + y) * 4 + x]);
-}
-
-std::vector<Surroundings>
-surroundingsOf (const std::vector<MortonCode>& codes, unsigned threads)
-{
-  std::vector<Surroundings> surroundings (codes.size());
-  if (codes.size() == 1) {
-    surroundings[0].fill (no_voxel);
-    surroundings[0][13] = 0;
-    return surroundings;
-  }
-  const Parents parents = parentsOf (codes);
-  const std::vector<Surroundings> around_parents =
-      surroundingsOf (parents.codes, threads);
-  parallelFor (
-      threads, parents.codes.size(), parents_per_piece, [&] (auto begin, auto end) {
-        forChildren (codes,
-                     parents,
-                     around_parents,
-                     begin,
-                     end,
-                     [&surroundings] (std::size_t voxel, const std::int32_t* around) {
-                       std::size_t i = 0;
-                       forSurroundings (around, [&] (std::int32_t other) {
-                         surroundings[voxel][i++] = other;
-                       });
-                     });
-      });
-  return surroundings;
-}
-
-// Appends a voxel with the occupied ones of its surroundings.
-void
-add (const std::int32_t* around, VoxelNeighbours& neighbours)
-{
+  const std::uint64_t places = children.places >> first & all_around;
   std::array<std::uint32_t, 27> found;
   std::size_t number = 0;
-  forSurroundings (around, [&] (std::int32_t voxel) {
-    // Written always, counted if there: no branch to mispredict.
-    found[number] = static_cast<std::uint32_t> (voxel);
-    number += voxel != no_voxel;
-  });
-  neighbours.add (found.data(), number);
+  for (std::uint64_t left = places; left != 0; left &= left - 1)
+    found[number++] = children.voxels[first + lowestBit (left)];
+  neighbours.add (found.data(), number, places);
 }
 
 } // namespace
@@ -157,33 +128,50 @@ VoxelNeighbours::append (const VoxelNeighbours& other)
       neighbours_.end(), other.neighbours_.begin(), other.neighbours_.end());
   for (std::size_t i = 1; i < other.begin_.size(); ++i)
     begin_.push_back (before + other.begin_[i]);
+  places_.insert (places_.end(), other.places_.begin(), other.places_.end());
+}
+
+VoxelNeighbours
+neighboursOf (const std::vector<MortonCode>& codes,
+              const std::vector<std::uint32_t>& parents,
+              const VoxelNeighbours& around_parents,
+              unsigned threads)
+{
+  const std::vector<std::uint32_t> first_child =
+      firstChildren (parents, around_parents.size());
+  const auto pieces = parallelPieces (
+      threads, around_parents.size(), parents_per_piece, [&] (auto begin, auto end) {
+        VoxelNeighbours piece;
+        for (std::size_t p = begin; p < end; ++p) {
+          if (first_child[p] == first_child[p + 1])
+            continue;
+          const ChildrenAround children =
+              childrenAround (codes, first_child, around_parents, p);
+          for (std::uint32_t child = first_child[p]; child < first_child[p + 1];
+               ++child)
+            add (children, first_around[codes[child] & 7], piece);
+        }
+        return piece;
+      });
+  VoxelNeighbours neighbours;
+  for (const VoxelNeighbours& piece : pieces)
+    neighbours.append (piece);
+  return neighbours;
 }
 
 VoxelNeighbours
 neighboursOf (const std::vector<MortonCode>& codes, unsigned threads)
 {
   VoxelNeighbours neighbours;
-  if (codes.empty())
+  if (codes.size() == 1) {
+    const std::uint32_t itself = 0;
+    neighbours.add (&itself, 1, middle);
+  }
+  if (codes.size() < 2)
     return neighbours;
-  const Parents parents = parentsOf (codes);
-  const std::vector<Surroundings> around_parents =
-      surroundingsOf (parents.codes, threads);
-  const auto pieces = parallelPieces (
-      threads, parents.codes.size(), parents_per_piece, [&] (auto begin, auto end) {
-        VoxelNeighbours piece;
-        forChildren (codes,
-                     parents,
-                     around_parents,
-                     begin,
-                     end,
-                     [&piece] (std::size_t, const std::int32_t* around) {
-                       add (around, piece);
-                     });
-        return piece;
-      });
-  for (const VoxelNeighbours& piece : pieces)
-    neighbours.append (piece);
-  return neighbours;
+  std::vector<MortonCode> codes_above;
+  const std::vector<std::uint32_t> parents = parentsOf (codes, codes_above);
+  return neighboursOf (codes, parents, neighboursOf (codes_above, threads), threads);
 }
 
 } // namespace pcl_ops::internal

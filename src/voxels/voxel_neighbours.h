@@ -45,12 +45,21 @@ public:
     return begin_.size() - 1;
   }
 
+  /** \brief Where they are: bit x + 4 y + 16 z for the place x, y, z, each 0 to 2; 1,
+   * 1, 1 is the middle. They are listed in this order. */
+  std::uint64_t
+  places (std::size_t voxel) const
+  {
+    return places_[voxel];
+  }
+
   /** \brief Appends the next voxel with its \p number neighbours. */
   void
-  add (const std::uint32_t* neighbours, std::size_t number)
+  add (const std::uint32_t* neighbours, std::size_t number, std::uint64_t places)
   {
     neighbours_.insert (neighbours_.end(), neighbours, neighbours + number);
     begin_.push_back (static_cast<std::uint32_t> (neighbours_.size()));
+    places_.push_back (places);
   }
 
   /** \brief Appends the voxels of another part of the grid. */
@@ -60,13 +69,25 @@ public:
 private:
   std::vector<std::uint32_t> neighbours_;
   std::vector<std::uint32_t> begin_{0};
+  std::vector<std::uint64_t> places_;
 };
 
-/** \brief The neighbours of voxels, found among the children of their parent's
- * neighbours, from the root of the octree down.
+/** \brief The neighbours of voxels, from the root of the octree down.
  * \param[in] codes of the voxels, ascending, each once
  * \param[in] threads number of threads; 0: all. The result does not depend on it */
 VoxelNeighbours
 neighboursOf (const std::vector<MortonCode>& codes, unsigned threads);
+
+/** \brief The neighbours of voxels, found among the children of their parents'
+ * neighbours.
+ * \param[in] codes of the voxels, ascending, each once
+ * \param[in] parents of each voxel, ascending: the one of twice the edge that holds it
+ * \param[in] around_parents their neighbours; a parent need not have children
+ * \param[in] threads number of threads; 0: all. The result does not depend on it */
+VoxelNeighbours
+neighboursOf (const std::vector<MortonCode>& codes,
+              const std::vector<std::uint32_t>& parents,
+              const VoxelNeighbours& around_parents,
+              unsigned threads);
 
 } // namespace pcl_ops::internal

@@ -27,8 +27,7 @@ halfExplained ()
 Refinement
 refined (const VoxelScene& scene, unsigned threads = 1)
 {
-  return refine (
-      scene.voxelized.finest.grid, scene.voxelized.coarse, scene.planes, threads);
+  return refine (scene.voxelized, scene.planes, threads);
 }
 
 } // namespace
@@ -46,7 +45,7 @@ TEST (Refinement, HasThePointsOfThoseVoxels)
 {
   const VoxelScene scene = halfExplained();
   const VoxelGrid finer = refined (scene).grid;
-  const Indices& order = scene.voxelized.finest.order;
+  const Indices& order = scene.voxelized.order;
   std::vector<char> is_refined (scene.points.size(), 0);
   for (std::size_t voxel = 0; voxel < finer.size(); ++voxel)
     for (std::uint32_t i = finer.first_point[voxel]; i < finer.endOfPoints (voxel); ++i)

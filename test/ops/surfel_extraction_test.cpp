@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/surfel_extraction.h"
+#include "surfel_scene.h"
 #include "voxel_scene.h"
 
 #include <set>
@@ -37,7 +38,7 @@ planesAmong (const VoxelGrid& grid,
 BoundedPlanes
 planesOf (const VoxelGrid& grid, const SurfelExtractionParameters& parameters = usual())
 {
-  return planesAmong (grid, findSurfels (grid, 3, 30.0, 1), parameters);
+  return planesAmong (grid, surfelsIn (grid, 3, 30.0, 1), parameters);
 }
 
 VoxelGrid
@@ -179,7 +180,7 @@ TEST (VoxelExtraction, AddsToPlanesFoundBefore)
   planes.planes.push_back ({Eigen::Vector3d::UnitX(), 7.0});
   for (const pcl_ops::Moments& voxel : grid.moments)
     planes.plane_of_voxel.push_back (voxel.centroid().x() < 1.0 ? 0 : no_plane);
-  extractSurfelPlanes (grid, findSurfels (grid, 3, 30.0, 1), usual(), planes);
+  extractSurfelPlanes (grid, surfelsIn (grid, 3, 30.0, 1), usual(), planes);
   ASSERT_EQ (planes.size(), 2u);
   EXPECT_EQ (planes.planes[0].offset, 7.0);
   for (std::size_t i = 0; i < grid.size(); ++i) {
