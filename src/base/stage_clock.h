@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/common/time.h>
+#include <chrono>
 
 namespace pcl_ops::internal {
 
@@ -13,7 +13,7 @@ public:
   void
   lap (double& duration)
   {
-    const double now = watch_.getTime();
+    const double now = total();
     duration += now - last_;
     last_ = now;
   }
@@ -22,11 +22,13 @@ public:
   double
   total () const
   {
-    return watch_.getTime();
+    return std::chrono::duration<double, std::milli> (Clock::now() - start_).count();
   }
 
 private:
-  pcl::StopWatch watch_;
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point start_ = Clock::now();
   double last_ = 0.0;
 };
 

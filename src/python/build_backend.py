@@ -1,9 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What pip calls (PEP 517): builds the module by CMake, with the library linked into it.
-
-It needs the headers of PCL, and none of its libraries once built.
-"""
+"""What pip calls (PEP 517): builds the module by CMake, without PCL."""
 
 import base64
 import hashlib
@@ -67,10 +64,10 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     with tempfile.TemporaryDirectory() as folder:
         build, prefix = pathlib.Path(folder, "build"), pathlib.Path(folder, "prefix")
         settings = {
-            "CMAKE_BUILD_TYPE": "Release", "CMAKE_UNITY_BUILD": "ON", "BUILD_SHARED_LIBS": "OFF",
-            "BUILD_TESTING": "OFF", "PCL_OPS_BUILD_APPS": "OFF", "PCL_OPS_BUILD_SURFACE": "OFF",
-            "PCL_OPS_BUILD_PYTHON": "ON", "PCL_OPS_PYTHON": sys.executable,
-            "PCL_OPS_PYTHON_INSTALL_DIR": ".", "CMAKE_INSTALL_PREFIX": prefix}
+            "CMAKE_BUILD_TYPE": "Release", "CMAKE_UNITY_BUILD": "ON",
+            "BUILD_TESTING": "OFF", "PCL_OPS_WITHOUT_PCL": "ON",
+            "PCL_OPS_PYTHON": sys.executable, "PCL_OPS_PYTHON_INSTALL_DIR": ".",
+            "CMAKE_INSTALL_PREFIX": prefix}
         for command in (
             ["-S", root, "-B", build, *(f"-D{name}={value}" for name, value in settings.items())],
             ["--build", build, "--parallel", str(os.cpu_count()),

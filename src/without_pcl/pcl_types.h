@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The types of PCL that the Python module is made of, where it is built without PCL.
+// Each of PCL's headers stands for this one there (CMakeLists.txt beside it).
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pcl {
+
+using index_t = std::int32_t;
+using uindex_t = std::uint32_t;
+using Indices = std::vector<index_t>;
+
+struct PCLHeader {};
+
+struct PCLPointField {
+  // clang-format off
+  enum PointFieldTypes { INT8 = 1, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64,
+                         INT64, UINT64, BOOL };
+  // clang-format on
+  std::string name;
+  uindex_t offset = 0;
+  std::uint8_t datatype = 0;
+  uindex_t count = 0;
+};
+
+struct PCLPointCloud2 {
+  PCLHeader header;
+  uindex_t height = 0;
+  uindex_t width = 0;
+  std::vector<PCLPointField> fields;
+  std::uint8_t is_bigendian = 0;
+  uindex_t point_step = 0;
+  uindex_t row_step = 0;
+  std::vector<std::uint8_t> data;
+  std::uint8_t is_dense = 0;
+};
+
+inline int
+getFieldIndex (const PCLPointCloud2& cloud, const std::string& name)
+{
+  for (std::size_t i = 0; i < cloud.fields.size(); ++i)
+    if (cloud.fields[i].name == name)
+      return static_cast<int> (i);
+  return -1;
+}
+
+struct RGB {
+  std::uint32_t rgba = 0;
+};
+
+struct PointXYZ {
+  PointXYZ (float x_ = 0.0F, float y_ = 0.0F, float z_ = 0.0F) : x (x_), y (y_), z (z_)
+  {}
+
+  Eigen::Map<Eigen::Vector3f>
+  getVector3fMap ()
+  {
+    return Eigen::Map<Eigen::Vector3f> (&x);
+  }
+  Eigen::Map<const Eigen::Vector3f>
+  getVector3fMap () const
+  {
+    return Eigen::Map<const Eigen::Vector3f> (&x);
+  }
+
+  float x, y, z;
+  float padding = 1.0F;
+};
+
+inline bool
+isXYZFinite (const PointXYZ& point)
+{
+  return point.getVector3fMap().allFinite();
+}
+
+using std::make_shared;
+using std::shared_ptr;
+
+template <typename PointT>
+struct PointCloud {
+  using Ptr = std::shared_ptr<PointCloud>;
+  using ConstPtr = std::shared_ptr<const PointCloud>;
+
+  // clang-format off
+  bool empty () const { return points.empty(); }
+  std::size_t size () const { return points.size(); }
+  void reserve (std::size_t size) { points.reserve (size); }
+  void push_back (const PointT& point) { points.push_back (point); }
+  template <typename... Args>
+  void emplace_back (Args... args) { points.emplace_back (args...); }
+  const PointT& operator[] (std::size_t i) const { return points[i]; }
+  PointT& operator[] (std::size_t i) { return points[i]; }
+  // clang-format on
+
+  std::vector<PointT> points;
+  uindex_t width = 0;
+  uindex_t height = 0;
+  bool is_dense = true;
+  Eigen::Vector4f sensor_origin_ = Eigen::Vector4f::Zero();
+  Eigen::Quaternionf sensor_orientation_ = Eigen::Quaternionf::Identity();
+};
+
+// What the classes of the detectors name; none of them is made here.
+template <typename PointT>
+class PCLBase;
+template <typename PointT>
+class PlanarRegion;
+struct ModelCoefficients {};
+struct PointIndices {
+  Indices indices;
+};
+namespace search {
+template <typename PointT>
+class Search;
+}
+
+constexpr double
+deg2rad (double degrees)
+{
+  return degrees / 180.0 * 3.14159265358979323846;
+}
+
+// Nothing is printed that could be silenced.
+namespace console {
+constexpr int L_ALWAYS = 0;
+inline void
+setVerbosityLevel (int)
+{}
+} // namespace console
+
+} // namespace pcl
