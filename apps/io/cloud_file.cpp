@@ -101,6 +101,26 @@ extensionOfContent (const std::string& start)
   return is_number || begins_with ("//") ? ".xyz" : ".pcd";
 }
 
+/** \brief Points of a cloud from \p first on, with the fields that are set for them. */
+FileCloud
+partOf (const FileCloud& cloud,
+        std::size_t first,
+        std::size_t count,
+        const SetFields& set_fields)
+{
+  FileCloud part{{}, cloud.origin, cloud.orientation};
+  part.points.fields = cloud.points.fields;
+  part.points.point_step = cloud.points.point_step;
+  part.points.width = static_cast<pcl::uindex_t> (count);
+  part.points.height = 1;
+  const std::uint8_t* const begin =
+      cloud.points.data.data() + first * cloud.points.point_step;
+  part.points.data.assign (begin, begin + count * cloud.points.point_step);
+  if (set_fields)
+    set_fields (part, first);
+  return part;
+}
+
 } // namespace
 
 bool
@@ -167,14 +187,24 @@ openLas (const std::string& file)
 }
 
 void
-saveCloud (const std::string& file, const FileCloud& cloud)
+saveCloud (const std::string& file, const FileCloud& cloud, const SetFields& set_fields)
 {
+  constexpr std::size_t block = 1U << 14U;
+  const bool is_ply = extensionOf (file) == ".ply";
   writeFile (file, [&] (std::ostream& stream) {
-    if (extensionOf (file) == ".ply")
-      return writePly (cloud.points, stream);
-    stream << pcdHeader (cloud);
-    stream.write (reinterpret_cast<const char*> (cloud.points.data.data()),
-                  static_cast<std::streamsize> (cloud.points.data.size()));
+    FileCloud header = partOf (cloud, 0, 0, set_fields);
+    header.points.width = cloud.points.width;
+    header.points.height = cloud.points.height;
+    stream << (is_ply ? plyHeader (header.points) : pcdHeader (header));
+    for (std::size_t i = 0; i < cloud.size() && stream; i += block) {
+      const std::size_t count = std::min (block, cloud.size() - i);
+      const FileCloud part = partOf (cloud, i, count, set_fields);
+      if (is_ply)
+        stream << plyVertices (part.points);
+      else
+        stream.write (reinterpret_cast<const char*> (part.points.data.data()),
+                      static_cast<std::streamsize> (part.points.data.size()));
+    }
   });
 }
 

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -64,10 +66,19 @@ loadCloud (const std::string& file);
 std::shared_ptr<LasFile>
 openLas (const std::string& file);
 
-/** \brief Writes a .ply (\ref writePly), or a binary PCD, in one step (\ref writeFile).
+/** \brief Sets fields of a part of a cloud: of its points from \p first on, none of
+ * them for the header of a file. */
+using SetFields = std::function<void (FileCloud& part, std::size_t first)>;
+
+/** \brief Writes a .ply (\ref plyHeader), or a binary PCD, in one step (\ref
+ * writeFile).
+ * \param[in] set_fields changes what is written, part after part: the cloud stays as it
+ * is, and large ones need no room for another
  * \throws WorkError if it cannot be written */
 void
-saveCloud (const std::string& file, const FileCloud& cloud);
+saveCloud (const std::string& file,
+           const FileCloud& cloud,
+           const SetFields& set_fields = {});
 
 /** \brief What stands for the standard streams where a file name is expected. */
 inline constexpr const char* standard_stream = "-";

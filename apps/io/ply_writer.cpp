@@ -6,7 +6,6 @@
 #include "number_types.h"
 
 #include <array>
-#include <ostream>
 #include <set>
 #include <string>
 #include <vector>
@@ -89,22 +88,6 @@ propertiesOf (const pcl::PCLPointCloud2& points)
   return properties;
 }
 
-std::string
-plyHeader (const pcl::PCLPointCloud2& points, const VertexProperties& properties)
-{
-  std::string header = "ply\nformat binary_little_endian 1.0\n";
-  if (points.height > 1)
-    header += "obj_info num_cols " + std::to_string (points.width) +
-              "\nobj_info num_rows " + std::to_string (points.height) + "\n";
-  header += "element vertex " + std::to_string (sizeOf (points)) + "\n";
-  for (const VertexProperty& property : properties) {
-    const std::string_view type = property.type->ply_name;
-    header += "property " + std::string (type.empty() ? "double" : type) + " " +
-              property.name + "\n";
-  }
-  return header + "end_header\n";
-}
-
 void
 appendNumber (const std::uint8_t* point,
               const VertexProperty& property,
@@ -122,21 +105,31 @@ appendNumber (const std::uint8_t* point,
 
 } // namespace
 
-void
-writePly (const pcl::PCLPointCloud2& points, std::ostream& stream)
+std::string
+plyHeader (const pcl::PCLPointCloud2& points)
 {
-  constexpr std::size_t block = 1U << 16U;
+  std::string header = "ply\nformat binary_little_endian 1.0\n";
+  if (points.height > 1)
+    header += "obj_info num_cols " + std::to_string (points.width) +
+              "\nobj_info num_rows " + std::to_string (points.height) + "\n";
+  header += "element vertex " + std::to_string (sizeOf (points)) + "\n";
+  for (const VertexProperty& property : propertiesOf (points)) {
+    const std::string_view type = property.type->ply_name;
+    header += "property " + std::string (type.empty() ? "double" : type) + " " +
+              property.name + "\n";
+  }
+  return header + "end_header\n";
+}
+
+std::string
+plyVertices (const pcl::PCLPointCloud2& points)
+{
   const VertexProperties properties = propertiesOf (points);
-  std::string bytes = plyHeader (points, properties);
-  for (std::size_t i = 0; i < sizeOf (points); ++i) {
+  std::string bytes;
+  for (std::size_t i = 0; i < sizeOf (points); ++i)
     for (const VertexProperty& property : properties)
       appendNumber (points.data.data() + i * points.point_step, property, bytes);
-    if (bytes.size() < block)
-      continue;
-    stream << bytes;
-    bytes.clear();
-  }
-  stream << bytes;
+  return bytes;
 }
 
 } // namespace pcl_ops::apps

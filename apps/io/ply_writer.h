@@ -4,15 +4,19 @@
 
 #include <pcl/PCLPointCloud2.h>
 
-#include <iosfwd>
+#include <string>
 
 namespace pcl_ops::apps {
 
-/** \brief Writes a binary little endian PLY: every field with its type, except that of
- * `rgb` and `rgba` the first becomes red, green, blue (and alpha), 64-bit integers,
+/** \brief Header of a binary little endian PLY: every field with its type, except that
+ * of `rgb` and `rgba` the first becomes red, green, blue (and alpha), 64-bit integers,
  * which PLY lacks, become doubles, the numbers of a field of several become properties
  * NAME_0, NAME_1, ..., and normals get the names other programs know: nx, ny, nz. */
-void
-writePly (const pcl::PCLPointCloud2& points, std::ostream& stream);
+std::string
+plyHeader (const pcl::PCLPointCloud2& points);
+
+/** \brief The numbers of its points, as they follow in that file. */
+std::string
+plyVertices (const pcl::PCLPointCloud2& points);
 
 } // namespace pcl_ops::apps

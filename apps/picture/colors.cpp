@@ -29,6 +29,14 @@ palette ()
   return colors;
 }
 
+template <typename T>
+std::vector<T>
+slice (const std::vector<T>& values, std::size_t first, std::size_t count)
+{
+  const auto begin = values.begin() + static_cast<std::ptrdiff_t> (first);
+  return {begin, begin + static_cast<std::ptrdiff_t> (count)};
+}
+
 } // namespace
 
 pcl::RGB
@@ -56,19 +64,23 @@ colorOf (Orientation orientation)
 
 void
 saveLabelledCloud (const std::string& file,
-                   FileCloud cloud,
+                   const FileCloud& cloud,
                    const std::vector<std::uint32_t>& labels,
+                   const std::vector<float>& distances,
                    bool keeps_color)
 {
-  setLabels (cloud, labels);
-  if (!keeps_color || !(hasField (cloud, "rgb") || hasField (cloud, "rgba"))) {
-    std::vector<pcl::RGB> colors;
-    colors.reserve (labels.size());
-    for (const std::uint32_t label : labels)
-      colors.push_back (colorOfLabel (label));
-    setColors (cloud, colors);
-  }
-  saveCloud (file, cloud);
+  const bool has_color = hasField (cloud, "rgb") || hasField (cloud, "rgba");
+  saveCloud (file, cloud, [&] (FileCloud& part, std::size_t first) {
+    const std::vector<std::uint32_t> of_part = slice (labels, first, part.size());
+    if (!distances.empty())
+      setDistances (part, slice (distances, first, part.size()));
+    setLabels (part, of_part);
+    if (keeps_color && has_color)
+      return;
+    std::vector<pcl::RGB> colors (of_part.size());
+    std::transform (of_part.begin(), of_part.end(), colors.begin(), colorOfLabel);
+    setColors (part, colors);
+  });
 }
 
 } // namespace pcl_ops::apps

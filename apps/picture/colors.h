@@ -24,12 +24,14 @@ colorOf (Orientation orientation);
 
 /** \brief Writes a cloud as a .pcd or .ply with a label and a color for each point.
  * \param[in] labels per point, 0 for no plane
+ * \param[in] distances per point, for a field of that name, or none
  * \param[in] keeps_color whether the input's colors stay, where it has any
  * \throws WorkError if it cannot be written */
 void
 saveLabelledCloud (const std::string& file,
-                   FileCloud cloud,
+                   const FileCloud& cloud,
                    const std::vector<std::uint32_t>& labels,
+                   const std::vector<float>& distances,
                    bool keeps_color);
 
 } // namespace pcl_ops::apps

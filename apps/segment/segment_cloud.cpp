@@ -83,10 +83,7 @@ saveLabelled (const std::string& file,
       options.distances ? distancesOf (cloud, planes) : std::vector<float>();
   if (isLasName (file))
     return saveLabelledLas (file, *cloud.las, labels, distances);
-  FileCloud labelled = cloud;
-  if (options.distances)
-    setDistances (labelled, distances);
-  saveLabelledCloud (file, std::move (labelled), labels, options.keep_color);
+  saveLabelledCloud (file, cloud, labels, distances, options.keep_color);
 }
 
 Eigen::Isometry3d

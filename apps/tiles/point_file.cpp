@@ -48,7 +48,7 @@ PointFile::saveLabelled (const std::string& output, const LabelOfPlace& label)
   std::vector<std::uint32_t> labels;
   labels.reserve (cloud_.size());
   forPlaces ([&] (const Eigen::Vector3d& place) { labels.push_back (label (place)); });
-  saveLabelledCloud (output, std::move (cloud_), labels, false);
+  saveLabelledCloud (output, cloud_, labels, {}, false);
 }
 
 std::string

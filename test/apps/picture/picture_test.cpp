@@ -7,7 +7,9 @@
 #include <picture/colors.h>
 #include <picture/raster.h>
 #include <picture/view.h>
+#include <support/temporary_folder.h>
 
+#include <fstream>
 #include <set>
 
 using namespace pcl_ops;
@@ -170,4 +172,46 @@ TEST (Colors, TellNeighboringLabelsAndNoPlaneApart)
   EXPECT_EQ (seen.size(), 101u);
   EXPECT_EQ (colorOfLabel (0).r, colorOfLabel (0).g);
   EXPECT_NO_THROW (colorOfLabel (1000000));
+}
+
+namespace {
+
+/** \brief A line of /proc/self/status [byte]. */
+std::size_t
+statusBytes (const std::string& name)
+{
+  std::ifstream status ("/proc/self/status");
+  for (std::string line; std::getline (status, line);)
+    if (line.rfind (name + ":", 0) == 0)
+      return 1024 * std::stoul (line.substr (name.size() + 1));
+  return 0;
+}
+
+} // namespace
+
+TEST (LabelledCloud, IsSavedWithoutRoomForAnother)
+{
+#ifdef PCL_OPS_SANITIZED
+  GTEST_SKIP() << "sanitizers keep what is freed";
+#endif
+  constexpr std::size_t size = 4000000;
+  const TemporaryFolder folder;
+  FileCloud cloud;
+  cloud.points.width = size;
+  cloud.points.height = 1;
+  cloud.points.point_step = 1;
+  cloud.points.fields = {pcl::PCLPointField()};
+  cloud.points.fields[0].name = "a";
+  cloud.points.fields[0].datatype = pcl::PCLPointField::UINT8;
+  cloud.points.fields[0].count = 1;
+  cloud.points.data.resize (size);
+  const std::vector<std::uint32_t> labels (size, 1);
+  const std::vector<float> distances (size, 0.0f);
+  for (const char* name : {"a.pcd", "a.ply"}) {
+    std::ofstream ("/proc/self/clear_refs") << "5"; // the peak is what is there now
+    const std::size_t before = statusBytes ("VmRSS");
+    saveLabelledCloud (folder / name, cloud, labels, distances, false);
+    EXPECT_LT (statusBytes ("VmHWM") - before, 2 * size) << name;
+    EXPECT_GT (std::filesystem::file_size (folder / name), 12 * size);
+  }
 }
