@@ -3,11 +3,9 @@
 #include "picture.h"
 
 #include "colors.h"
+#include "image.h"
 #include "raster.h"
 #include "view.h"
-#include <cli/errors.h>
-#include <io/output_file.h>
-#include <png.h>
 
 #include <cmath>
 #include <functional>
@@ -16,31 +14,6 @@
 namespace pcl_ops::apps {
 
 namespace {
-
-constexpr int half_image_width = 960;
-constexpr int image_height = 720;
-constexpr int gap = 12;
-constexpr int image_width = 2 * half_image_width + gap;
-constexpr std::uint8_t white = 255;
-
-/** \brief Interleaved red, green and blue, row by row. */
-struct Image {
-  std::vector<std::uint8_t> bytes =
-      std::vector<std::uint8_t> (3U * image_width * image_height, white);
-
-  void
-  paint (int column, int row, const pcl::RGB& color, float brightness)
-  {
-    const std::size_t first = 3U * (static_cast<std::size_t> (row) * image_width +
-                                    static_cast<std::size_t> (column));
-    const auto dimmed = [brightness] (std::uint8_t part) {
-      return static_cast<std::uint8_t> (std::lround (brightness * part));
-    };
-    bytes[first] = dimmed (color.r);
-    bytes[first + 1] = dimmed (color.g);
-    bytes[first + 2] = dimmed (color.b);
-  }
-};
 
 /** \brief Planes seen at a grazing angle are darker than those seen from the front. */
 float
@@ -70,24 +43,6 @@ paintHalf (const Raster& raster,
   }
 }
 
-void
-savePng (const std::string& file, const Image& image)
-{
-  png_image header{};
-  header.version = PNG_IMAGE_VERSION;
-  header.width = image_width;
-  header.height = image_height;
-  header.format = PNG_FORMAT_RGB;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX (header);
-  std::string png (size, '\0');
-  if (png_image_write_to_memory (
-          &header, png.data(), &size, 0, image.bytes.data(), 0, nullptr) == 0)
-    throw WorkError (
-        file, std::string ("cannot be drawn (") + header.message + "); leave it out");
-  png.resize (size);
-  writeTextFile (file, png);
-}
-
 } // namespace
 
 void
@@ -98,7 +53,7 @@ savePicture (const std::string& file,
              const Eigen::Vector3f& up,
              const std::vector<std::uint32_t>& ids)
 {
-  const View view = chooseView (cloud, planes, up, half_image_width, image_height);
+  const View view = chooseView (cloud, planes, up, Image::half_width, Image::height);
   const auto label = [&] (pcl::index_t point) {
     return labels[static_cast<std::size_t> (point)];
   };
@@ -108,7 +63,7 @@ savePicture (const std::string& file,
            planes[label (point) - 1].normal.cast<float>().dot (to_eye) > 0.0f;
   };
   const Raster raster =
-      drawPoints (cloud, view, half_image_width, image_height, is_shown);
+      drawPoints (cloud, view, Image::half_width, Image::height, is_shown);
   std::vector<float> brightness = shadeDepths (raster);
   for (std::size_t pixel = 0; pixel < brightness.size(); ++pixel) {
     const pcl::index_t point = raster.points[pixel];
@@ -127,7 +82,8 @@ savePicture (const std::string& file,
                               : colorOf (planes[label (point) - 1].orientation);
   };
   paintHalf (raster, brightness, 0, plane_color, image);
-  paintHalf (raster, brightness, half_image_width + gap, class_color, image);
+  paintHalf (raster, brightness, Image::half_width + Image::gap, class_color, image);
+  image.addLegend();
   savePng (file, image);
 }
 

@@ -14,8 +14,8 @@
 namespace pcl_ops::apps {
 
 /** \brief Writes a PNG with two views of a cloud side by side: left each plane in its
- * own color, right in the color of its orientation class; gray for no plane. Needs no
- * display.
+ * own color, right in the color of its orientation class, with a legend; gray for no
+ * plane. Needs no display.
  * \param[in] cloud with the sensor's pose, from whose side it is seen (\ref chooseView)
  * \param[in] labels per point: 0 for no plane, else its position in \p planes plus 1
  * \param[in] up direction against gravity

@@ -6,6 +6,11 @@
 #include <detection/plane_json.h>
 #include <io/inputs.h>
 #include <io/output_file.h>
+#include <picture/map_picture.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace pcl_ops::apps {
 
@@ -74,6 +79,22 @@ choosePlanes (const PlaneChoice& choice, List& list)
   return dropped;
 }
 
+void
+saveImage (const std::string& file, const List& planes)
+{
+  std::vector<MapShape> shapes;
+  for (const List& plane : planes) {
+    const PlaneSegment segment = segmentIn (plane);
+    shapes.push_back ({plane.at ("id").get<std::uint32_t>(),
+                       segment.orientation,
+                       segment.centroid.z(),
+                       {}});
+    for (Rings& rings : polygonsIn (plane))
+      std::move (rings.begin(), rings.end(), std::back_inserter (shapes.back().rings));
+  }
+  savePng (file, mapPicture (std::move (shapes)));
+}
+
 std::string
 numberOf (std::size_t planes)
 {
@@ -86,12 +107,16 @@ std::string
 saveChosenPlanes (const std::string& list_file, const TilesOptions& options)
 try {
   List list = List::parse (readTextFile (list_file, "planes.json"));
-  if (options.planes.empty())
+  if (options.planes.empty() && options.image.empty())
     return numberOf (list.at ("planes").size());
   const Dropped dropped = choosePlanes (options.choice, list);
-  writeTextFile (options.planes, planesFor (options.planes, list, options.map));
+  if (!options.image.empty())
+    saveImage (options.image, list.at ("planes"));
+  if (!options.planes.empty())
+    writeTextFile (options.planes, planesFor (options.planes, list, options.map));
   const std::string reasons = dropped.reasons();
-  return numberOf (dropped.found) + "; " + options.planes + ": " +
+  return numberOf (dropped.found) + "; " +
+         (options.planes.empty() ? options.image : options.planes) + ": " +
          numberOf (list.at ("planes").size()) +
          (reasons.empty() ? "" : ", dropped " + reasons);
 }

@@ -43,8 +43,11 @@ checkPlanes (const CommandLine& line, const TilesOptions& options)
   checkChoice (line, options.choice);
   checkMap (line, options.planes);
   if (const auto given = line.givenOf (title_of_choice);
-      !given.empty() && options.planes.empty())
+      !given.empty() && options.planes.empty() && options.image.empty())
     throw UsageError ("--" + given.front(), "is about --planes FILE; give it, too");
+  if (!options.image.empty() && extensionOf (options.image) != ".png")
+    throw UsageError ("--image",
+                      options.image + " has an unknown extension; give a file .png");
 }
 
 } // namespace
@@ -80,6 +83,10 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
                 "FILE",
                 options.planes,
                 "write planes, all or those to keep: .geojson, .csv or .json");
+  line.addText ("image",
+                "FILE.png",
+                options.image,
+                "draw the same planes from above, by plane and by orientation");
   declareMap (line, options.map);
   line.addFlag ("dry-run", options.dry_run, "print the plan, and do nothing");
   line.addFlag ("quiet", options.quiet, "print nothing");

@@ -21,6 +21,8 @@ struct TilesOptions {
   PlanOptions plan;
   /** \brief Where the chosen planes go, .json, .csv or .geojson; empty for nowhere. */
   std::string planes;
+  /** \brief Where a picture of them goes, .png; empty for nowhere. */
+  std::string image;
   PlaneChoice choice;
   MapOptions map;
   /** \brief Where the plan is; empty for the folder of outputs. */

@@ -98,7 +98,7 @@ earlierPlan (const PlanFile& file, const TilesOptions& options)
 
 /** \brief Refuses outputs that would be written over each other or over an input. */
 void
-checkClashes (const Plan& plan, const RunFolder& folder, const std::string& planes)
+checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& options)
 {
   std::map<std::string, std::string> input_of;
   std::set<std::string> inputs;
@@ -116,13 +116,17 @@ checkClashes (const Plan& plan, const RunFolder& folder, const std::string& plan
                         "would both be written to " + output + "; rename one");
     checkWritable (output);
   }
-  if (planes.empty())
-    return;
   input_of.emplace (resolvedName (folder.output (planes_file)), "");
-  const std::string resolved = resolvedName (planes);
-  if (inputs.count (resolved) > 0 || input_of.count (resolved) > 0)
-    throw UsageError (planes, "is an input or another output; give another --planes");
-  checkWritable (planes);
+  for (const auto& [option, file] :
+       {std::pair ("--planes", options.planes), std::pair ("--image", options.image)}) {
+    if (file.empty())
+      continue;
+    const std::string resolved = resolvedName (file);
+    if (inputs.count (resolved) > 0 || !input_of.emplace (resolved, "").second)
+      throw UsageError (
+          file, std::string ("is an input or another output; give another ") + option);
+    checkWritable (file);
+  }
 }
 
 } // namespace
@@ -150,7 +154,7 @@ preparePlan (const TilesOptions& options, const RunFolder& folder)
                                          : newPlan (options);
   if (has_own && !isSame (loadPlan (own), plan))
     throw WorkError (own.name, "is another plan than " + named.name + "; " + own.mend);
-  checkClashes (plan, folder, options.planes);
+  checkClashes (plan, folder, options);
   if (!has_own)
     folder.startAnew();
   for (const PlanFile& file : {named, own})

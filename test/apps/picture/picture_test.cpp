@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <picture/colors.h>
+#include <picture/map_picture.h>
 #include <picture/raster.h>
 #include <picture/view.h>
 #include <support/temporary_folder.h>
@@ -172,6 +173,31 @@ TEST (Colors, TellNeighboringLabelsAndNoPlaneApart)
   EXPECT_EQ (seen.size(), 101u);
   EXPECT_EQ (colorOfLabel (0).r, colorOfLabel (0).g);
   EXPECT_NO_THROW (colorOfLabel (1000000));
+}
+
+TEST (MapPicture, ShowsTheUpperPlaneInBothColorsAndWhatIsInItsHole)
+{
+  const auto square = [] (double from, double to) {
+    return std::vector<Eigen::Vector3d> (
+        {{from, from, 0}, {to, from, 0}, {to, to, 0}, {from, to, 0}});
+  };
+  const MapShape roof{
+      1, Orientation::Other, 5.0, {square (0.0, 8.0), square (2.0, 6.0)}};
+  const MapShape ground{2, Orientation::Horizontal, 0.0, {square (0.0, 8.0)}};
+  const Image image = mapPicture ({roof, ground});
+  const auto count = [&] (const pcl::RGB& color) {
+    int pixels = 0;
+    for (std::size_t i = 0; i < image.bytes.size(); i += 3)
+      pixels += image.bytes[i] == color.r && image.bytes[i + 1] == color.g &&
+                image.bytes[i + 2] == color.b;
+    return pixels;
+  };
+  const int of_ground = count (colorOfLabel (2));
+  EXPECT_GT (of_ground, 10000);
+  EXPECT_NEAR (count (colorOfLabel (1)), 3 * of_ground, 0.02 * of_ground);
+  // The legend has boxes of these.
+  EXPECT_NEAR (count (colorOf (Orientation::Horizontal)), of_ground, 400);
+  EXPECT_NEAR (count (colorOf (Orientation::Other)), 3 * of_ground, 0.02 * of_ground);
 }
 
 namespace {

@@ -296,7 +296,9 @@ TEST_F (TilesProgram, WritesTheChosenPlanesOfAFinishedRunToo)
     EXPECT_GT (properties.at ("nz"), 0.0) << "normals of surveys point up";
     EXPECT_LE (feature.at ("geometry").at ("coordinates").at (0).size(), 12u);
   }
-  const Outcome few = tiles ("town --output-dir out --planes p.csv --max-planes 2");
+  const Outcome few =
+      tiles ("town --output-dir out --planes p.csv --image p.png --max-planes 2");
+  EXPECT_EQ (contentOf (folder_ / "p.png").find ("PNG"), 1u);
   EXPECT_NE (few.out.find (all + "; p.csv: 2 planes, dropped "), std::string::npos)
       << few.out;
   EXPECT_EQ (lines (contentOf (folder_ / "p.csv")), 3u);
@@ -332,6 +334,7 @@ TEST_F (TilesProgram, RefusesMapsItCannotWrite)
       {"--planes p.shp",
        "--planes: p.shp has an unknown extension; give a file "
        ".geojson or .csv or .json"},
+      {"--image p.jpg", "--image: p.jpg has an unknown extension; give a file .png"},
       {"--planes out/planes.json",
        "out/planes.json: is an input or another output; give another --planes"},
       {"--planes p.csv --crs EPSG:4326",

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief Two pictures of \ref half_width side by side, white at first. */
+struct Image {
+  static constexpr int half_width = 960;
+  static constexpr int height = 720;
+  static constexpr int gap = 12;
+  static constexpr int legend_height = 100;
+  static constexpr int width = 2 * half_width + gap;
+
+  /** \brief Interleaved red, green and blue, row by row. */
+  std::vector<std::uint8_t> bytes =
+      std::vector<std::uint8_t> (3U * width * height, 255U);
+
+  void
+  paint (int column, int row, const pcl::RGB& color, float brightness = 1.0f);
+
+  /** \brief A rectangle in one color; columns and rows from the first up to the last.
+   */
+  void
+  fill (int column, int row, int last_column, int last_row, const pcl::RGB& color);
+
+  /** \brief Writes capitals, digits and points in black, from their upper left corner.
+   * \return the column behind the text */
+  int
+  write (int column, int row, const std::string& text);
+
+  /** \brief What the colors of orientations mean, in the lower left corner of the right
+   * half.
+   * \param[in] lines all, or without the gray of no plane */
+  void
+  addLegend (int lines = 4);
+};
+
+/** \throws WorkError if the file cannot be written */
+void
+savePng (const std::string& file, const Image& image);
+
+} // namespace pcl_ops::apps
