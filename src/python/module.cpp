@@ -39,10 +39,15 @@ axesOf (const PlaneSegment& plane)
 }
 
 std::optional<Eigen::Matrix3d>
+matrixOf (const std::optional<PlaneCovariance>& covariance)
+{
+  return covariance ? std::make_optional (covariance->matrix) : std::nullopt;
+}
+
+std::optional<Eigen::Matrix3d>
 covarianceOf (const PlaneSegment& plane)
 {
-  const std::optional<PlaneCovariance> covariance = planeCovariance (plane);
-  return covariance ? std::make_optional (covariance->matrix) : std::nullopt;
+  return matrixOf (planeCovariance (plane));
 }
 
 /** \brief What a plane consists of besides orientation and inliers: centroid, normal,
@@ -130,6 +135,18 @@ extent (const PointRows& inliers, const Eigen::Vector3d& origin, PlaneSegment pl
   return py::make_tuple (hull, found.area, found.length, found.width);
 }
 
+/** \brief Of noise that neighboring points share.
+ * \param[in] inliers of the plane, relative to \p origin */
+std::optional<Eigen::Matrix3d>
+correlatedCovariance (const PointRows& inliers,
+                      const Eigen::Vector3d& origin,
+                      PlaneSegment plane)
+{
+  plane.moveBy (-origin);
+  std::iota (plane.inliers.begin(), plane.inliers.end(), 0);
+  return matrixOf (planeCovariance (viewOf (inliers), plane));
+}
+
 using PlaneNumbers = py::array_t<std::uint32_t, py::array::c_style>;
 
 /** \brief All metrics by name.
@@ -181,6 +198,7 @@ PYBIND11_MODULE (_pcl_ops, module)
   module.def ("segment", &segment<pcl_ops::FastSamplingPlaneFilteringParameters>);
   module.def ("segment", &segment<pcl_ops::KernelHoughTransformParameters>);
   module.def ("extent", &extent);
+  module.def ("correlated_covariance", &correlatedCovariance);
   module.def ("is_seen_from",
               [] (const PointRows& points, const Eigen::Vector3d& viewpoint) {
                 return pcl_ops::isSeenFrom (viewpoint, viewOf (points));

@@ -49,6 +49,16 @@ class Planes(unittest.TestCase):
             np.testing.assert_allclose(plane.covariance, expected, rtol=1e-3, atol=1e-15)
             np.testing.assert_allclose(np.cross(*plane.axes), plane.normal, atol=1e-12)
 
+    def test_correlated_covariance_knows_noise_that_neighbors_share(self):
+        rng = np.random.default_rng(1)
+        places = np.mgrid[0:100, 0:100].reshape(2, -1) * 0.02 + 1e6
+        for side, least, most in ((1, 0.5, 10.0), (10, 50.0, 1000.0)):
+            noise = rng.normal(0.0, 0.01, (100 // side, 100 // side)).repeat(side, 0)
+            points = np.column_stack([*places, noise.repeat(side, 1).ravel()])
+            plane = pcl_ops.segment(points)[1][0]
+            ratio = np.diag(plane.correlated_covariance) / np.diag(plane.covariance)
+            self.assertTrue((ratio > least).all() and (ratio < most).all(), ratio)
+
     def test_inliers_are_read_only_and_outlive_their_plane(self):
         inliers = pcl_ops.segment(self.points)[1][0].inliers
         np.testing.assert_array_equal(inliers, self.floor.inliers)

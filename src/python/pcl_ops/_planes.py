@@ -45,6 +45,10 @@ class Plane(_pcl_ops.Segment):
         errors of (tilt along u [rad], tilt along v [rad], offset). With errors (a, b, c) the
         surface has the height c + a s + b t over the plane at centroid + s u + t v. Right for
         noise that is independent from point to point. None for fewer than four inliers.""")
+    correlated_covariance: Optional[NDArray[np.float64]] = property(
+        lambda plane: _pcl_ops.correlated_covariance(*plane._own_points(), plane),
+        doc="""(3, 3): the same where neighboring points err alike, as in images of depth
+        cameras, from the array as it is. None for inliers in fewer than four of its 64 blocks.""")
     hull: NDArray[np.float64] = _part_of_extent(0, """(m, 3): corners of the convex outline, on the
         plane, counter-clockwise seen from the side the normal points to, the first not
         repeated.""")
@@ -67,9 +71,11 @@ class Plane(_pcl_ops.Segment):
 
     def _extent(self) -> Tuple[NDArray[np.float64], float, float, float]:
         if self._known_extent is None:  # it takes longer than finding the plane
-            inliers, origin = single_precision(self._points.take(self.inliers, axis=0))
-            self._known_extent = _pcl_ops.extent(inliers, origin, self)
+            self._known_extent = _pcl_ops.extent(*self._own_points(), self)
         return self._known_extent
+
+    def _own_points(self) -> Tuple[NDArray[np.float32], NDArray[np.float64]]:
+        return single_precision(self._points.take(self.inliers, axis=0))
 
 
 Planes = Sequence[Plane]
