@@ -4,13 +4,16 @@
 
 #include <Eigen/Geometry>
 
+#include <io/cloud_fields.h>
 #include <picture/colors.h>
 #include <picture/map_picture.h>
 #include <picture/raster.h>
 #include <picture/view.h>
 #include <support/temporary_folder.h>
 
+#include <cstring>
 #include <fstream>
+#include <numeric>
 #include <set>
 
 using namespace pcl_ops;
@@ -225,19 +228,26 @@ TEST (LabelledCloud, IsSavedWithoutRoomForAnother)
   FileCloud cloud;
   cloud.points.width = size;
   cloud.points.height = 1;
-  cloud.points.point_step = 1;
-  cloud.points.fields = {pcl::PCLPointField()};
-  cloud.points.fields[0].name = "a";
-  cloud.points.fields[0].datatype = pcl::PCLPointField::UINT8;
-  cloud.points.fields[0].count = 1;
-  cloud.points.data.resize (size);
-  const std::vector<std::uint32_t> labels (size, 1);
-  const std::vector<float> distances (size, 0.0f);
-  for (const char* name : {"a.pcd", "a.ply"}) {
+  for (const char* name : {"x", "y", "z"})
+    addField (name, numberType (pcl::PCLPointField::UINT8), 1, cloud.points);
+  cloud.points.data.resize (cloud.points.point_step * size);
+  std::vector<std::uint32_t> labels (size);
+  std::iota (labels.begin(), labels.end(), 0U);
+  const std::vector<float> distances (labels.begin(), labels.end());
+  for (const char* name : {"a.ply", "a.pcd"}) {
     std::ofstream ("/proc/self/clear_refs") << "5"; // the peak is what is there now
     const std::size_t before = statusBytes ("VmRSS");
     saveLabelledCloud (folder / name, cloud, labels, distances, false);
     EXPECT_LT (statusBytes ("VmHWM") - before, 2 * size) << name;
-    EXPECT_GT (std::filesystem::file_size (folder / name), 12 * size);
+  }
+  // x, y, z, distance, label, rgb
+  const FileCloud saved = loadCloud (folder / "a.pcd");
+  for (const std::size_t i : {std::size_t (0), size / 2, size - 1}) {
+    float distance = 0.0f;
+    std::uint32_t label = 0;
+    std::memcpy (&distance, &saved.points.data[15 * i + 3], sizeof (distance));
+    std::memcpy (&label, &saved.points.data[15 * i + 7], sizeof (label));
+    EXPECT_EQ (label, labels[i]);
+    EXPECT_EQ (distance, distances[i]);
   }
 }
