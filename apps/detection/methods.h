@@ -36,8 +36,6 @@ struct DetectorOptions {
   std::optional<Eigen::Vector3f> up;
   /** \brief Look for the up axis in the cloud; see runMethod. */
   bool finds_up = false;
-  /** \brief Off: planes stay as they are before the merging process. */
-  bool merging = true;
   GivenNumbers numbers;
 };
 
