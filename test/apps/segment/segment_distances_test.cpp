@@ -132,17 +132,3 @@ TEST_F (SegmentDistances, AreDescribedBesideTheLabelInALas)
   expectDone ("out.las again.las --distances");
   EXPECT_TRUE (contentOf (folder_ / "again.las") == las);
 }
-
-TEST_F (SegmentDistances, AreRefusedByALasThatHasOthersOfThatName)
-{
-  LasRecipe recipe;
-  recipe.extra = {std::string (2, 'a'), std::string (2, 'b')};
-  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("distance", 3))};
-  folder_.write ("in.las", lasBytes (recipe));
-  const Outcome refused = run ("in.las out.las --distances");
-  EXPECT_EQ (refused.exit_code, 1);
-  EXPECT_EQ (lines (refused.err), 1u) << refused.err;
-  EXPECT_TRUE (contains (refused.err, "extra-bytes field distance that is no float"))
-      << refused.err;
-  expectDone ("in.las out.las");
-}

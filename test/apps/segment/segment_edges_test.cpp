@@ -130,14 +130,3 @@ TEST_F (SegmentEdges, WritesNoEdgeWhereNoPlanesMeet)
   const auto json = Json::parse (contentOf (folder_ / "e.json"));
   EXPECT_EQ (json, Json::parse (R"({"edges": [], "corners": []})"));
 }
-
-TEST_F (SegmentEdges, RefusesWrongEdgesInOneLine)
-{
-  expectRefused (
-      {{"in.pcd --edges e.obj", "--edges: e.obj has an unknown extension"},
-       {"in.pcd --edges in.pcd", "--edges: in.pcd has an unknown extension"},
-       {"in.pcd --mesh e.ply --edges e.ply", "e.ply: is the name of two outputs"},
-       {"in.pcd --output-dir out --edges e.ply",
-        "--edges: e.ply would be written by every input"}});
-  expectRefused ("in.pcd --edges nowhere/e.ply", "nowhere/e.ply: its folder", 1);
-}

@@ -216,16 +216,3 @@ TEST_F (Segment, WritesAnEmptyMeshWhereThereIsNoPlane)
   EXPECT_TRUE (mesh.polygons.empty());
   EXPECT_TRUE (readVtk (contentOf (folder_ / "m.vtk")).first.empty());
 }
-
-TEST_F (Segment, RefusesWrongMeshesAndHullsInOneLine)
-{
-  pcl::io::savePLYFileBinary (folder_ / "in.ply", floorAndWall());
-  const Complaints wrong = {
-      {"in.pcd --mesh m.stl", "--mesh: m.stl has an unknown extension"},
-      {"in.ply --mesh in.ply", "in.ply: is the input, too"},
-      {"in.pcd --planes p.json --hull round", "--hull: 'round' is unknown"},
-      {"in.pcd --hull convex",
-       "--hull: is about --planes, --mesh and --min-area; give one"}};
-  expectRefused (wrong);
-  EXPECT_EQ (run ("in.pcd --mesh nowhere/m.ply").exit_code, 1);
-}

@@ -87,7 +87,6 @@ TEST_F (SegmentRoom, JoinsPlanesWithinTheMergeDistance)
   const auto joined = jsonOf (options + "--merge-distance 0.05");
   EXPECT_EQ (joined["planes"].size(), 1u);
   EXPECT_EQ (joined["parameters"]["merge_distance"], 0.05);
-  expectRefused ("floors.pcd --merge-distance -1", "--merge-distance: ");
 }
 
 TEST_P (SegmentMethods, GivesTheSameLabelsTwiceAndForAnyNumberOfThreads)
@@ -102,37 +101,39 @@ TEST_P (SegmentMethods, GivesTheSameLabelsTwiceAndForAnyNumberOfThreads)
   }
 }
 
-TEST_P (SegmentMethods, NamesItselfAndItsParametersInTheJson)
+TEST_P (SegmentMethods, NamesItselfAndItsParametersAsGivenInTheJson)
 {
-  const std::map<std::string, std::vector<std::string>> own = {
-      {"ops", {"sampling", "sampling_rate", "k", "min_inliers", "probability"}},
-      {"fspf", {"inner_radius", "outer_radius", "local_samples", "min_inlier_share"}},
-      {"kht", {"phi_num", "rho_num", "min_samples", "s_level", "s_alpha", "s_beta"}}};
-  const nlohmann::json json = planesOf (method() + "--threshold 0.02");
+  const std::map<std::string, std::map<std::string, double>> own = {
+      {"ops",
+       {{"sampling_rate", 0.1}, {"k", 5}, {"min_inliers", 9}, {"probability", 0.9}}},
+      {"fspf",
+       {{"inner_radius", 0.1},
+        {"outer_radius", 0.3},
+        {"local_samples", 9},
+        {"min_inlier_share", 0.5},
+        {"inliers_per_point", 1}}},
+      {"kht",
+       {{"phi_num", 30},
+        {"rho_num", 40},
+        {"min_samples", 9},
+        {"s_level", 2},
+        {"s_alpha", 3},
+        {"s_beta", 4}}}};
+  std::string options = method() + "--threshold 0.02";
+  for (const auto& [key, number] : own.at (GetParam())) {
+    std::string option = key;
+    std::replace (option.begin(), option.end(), '_', '-');
+    options += " --" + option + " " + std::to_string (number);
+  }
+  const nlohmann::json json = planesOf (options);
   EXPECT_EQ (json["method"], GetParam());
   EXPECT_EQ (json["parameters"]["preset"], "default");
   EXPECT_EQ (json["parameters"]["threshold"], 0.02);
-  for (const auto& [name, parameters] : own)
-    for (const std::string& parameter : parameters)
-      EXPECT_EQ (json["parameters"].contains (parameter), name == GetParam())
-          << parameter;
-}
-
-TEST_P (SegmentMethods, RefusesTheOptionsOfOtherMethods)
-{
-  const std::map<std::string, std::vector<std::string>> own = {
-      {"ops", {"sampling-rate 0.1", "k 5", "min-inliers 9", "probability 0.9"}},
-      {"fspf", {"inner-radius 0.1", "local-samples 9", "inliers-per-point 1"}},
-      {"kht", {"phi-num 30", "rho-num 30", "min-samples 9", "s-level 2", "s-beta 2"}}};
-  for (const auto& [name, options] : own)
-    for (const std::string& option : options) {
-      const Outcome done = run ("room.pcd --quiet out.pcd " + method() + "--" + option);
-      EXPECT_EQ (done.exit_code, name == GetParam() ? 0 : 2) << option;
-      EXPECT_EQ (lines (done.err), name == GetParam() ? 0u : 1u) << done.err;
-      EXPECT_EQ (contains (done.err, "is an option of --method " + name),
-                 name != GetParam())
-          << done.err;
-    }
+  for (const auto& [name, numbers] : own)
+    for (const auto& [key, number] : numbers)
+      EXPECT_EQ (json["parameters"].value (key, -1.0),
+                 name == GetParam() ? number : -1.0)
+          << key;
 }
 
 TEST_P (SegmentMethods, LabelsACloudWithoutASingleReading)
@@ -169,24 +170,6 @@ TEST_F (SegmentRoom, KeepsTheRatioOfTheRadiiWhereOneIsGiven)
       planesOf ("--method fspf --inner-radius 0.2 --outer-radius 0.3")["parameters"];
   EXPECT_EQ (both["inner_radius"], 0.2);
   EXPECT_EQ (both["outer_radius"], 0.3);
-}
-
-TEST_F (SegmentRoom, RefusesValuesOutOfRangeInOneLine)
-{
-  const Complaints wrong = {
-      {"fspf --inner-radius 0", "--inner-radius: 0 is out of range"},
-      {"fspf --inner-radius 0.3 --outer-radius 0.2", "--outer-radius: is below"},
-      {"fspf --local-samples 2", "--local-samples: 2 is out of range"},
-      {"fspf --min-inlier-share 1", "--min-inlier-share: 1 is out of range"},
-      {"fspf --inliers-per-point -1", "--inliers-per-point: -1 is out of range"},
-      {"kht --phi-num 1001", "--phi-num: 1001 is out of range"},
-      {"kht --rho-num 2.5", "--rho-num: 2.5 is not whole"},
-      {"kht --min-samples 2", "--min-samples: 2 is out of range"},
-      {"kht --s-level 21", "--s-level: 21 is out of range"},
-      {"kht --s-alpha 0", "--s-alpha: 0 is out of range"},
-      {"kht --s-beta nan", "--s-beta: nan is out of range"}};
-  for (const auto& [options, complaint] : wrong)
-    expectRefused ("room.pcd out.pcd --method " + options, complaint);
 }
 
 TEST_F (SegmentRoom, SaysWhenOpsHasTooFewSamples)
@@ -248,6 +231,4 @@ TEST_F (SegmentRoom, HasVoxelsOfTheEdgeAskedFor)
   EXPECT_EQ (given.at ("parameters").at ("cell"), 0.1);
   EXPECT_EQ (given.at ("planes").size(), 2u);
   EXPECT_EQ (planesOf ("--cell 1").at ("planes").size(), 0u) << "too few voxels";
-  expectRefused ("room.pcd --preset paper --cell 0.1",
-                 "--cell: has no meaning to --preset paper; leave it out\n");
 }

@@ -51,23 +51,6 @@ TEST_F (SegmentPipe, PrintsTheJsonOfEveryKindOfCloudPipedIn)
   }
 }
 
-TEST_F (SegmentPipe, SaysWhatIsWrongWithTheInputAndLeavesNoTemporaryFile)
-{
-  const Complaints broken = {
-      {"true", "standard input: is empty"},
-      {"echo hello", "standard input: is no valid PCD file"},
-      {"head -c 2000 in.pcd", "standard input: is truncated"},
-      {"head -c 3000000 /dev/zero", "standard input: is no valid PCD file"}};
-  for (const auto& [command, complaint] : broken) {
-    const Outcome done = pipe (command, "-");
-    EXPECT_EQ (done.exit_code, 1) << command;
-    EXPECT_EQ (done.err.find ("pcl_ops_segment: " + complaint), 0u) << done.err;
-    EXPECT_EQ (lines (done.err), 1u) << done.err;
-    EXPECT_EQ (done.out, "");
-    EXPECT_EQ (temporary_.fileCount(), 0u) << command;
-  }
-}
-
 TEST_F (SegmentPipe, NamesTmpdirWhereItIsNoFolder)
 {
   const Outcome piped = run ("-", "cat in.pcd | TMPDIR=missing_folder");

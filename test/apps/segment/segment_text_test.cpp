@@ -101,28 +101,6 @@ TEST_F (Segment, KeepsAColumnCalledRgb)
       << "it is a number, not PCL's packed colour";
 }
 
-TEST_F (Segment, SaysInALineWhatIsWrongWithAText)
-{
-  folder_.write ("comma.csv", "1,5;2,5;3,5\n");
-  folder_.write ("short.xyz", "1 2 3\n4 5\n");
-  folder_.write ("packed.xyz", "\x1f\x8b\x08");
-  folder_.write ("empty.pts", "");
-  const Complaints bad = {
-      {"comma.csv", "comma.csv: is damaged: line 1 has '1,5', which is no number"},
-      {"short.xyz", "short.xyz: is damaged: line 2 has 2 numbers instead of 3"},
-      {"packed.xyz", "packed.xyz: is compressed (gzip)"},
-      {"scan.xyz.gz", "scan.xyz.gz: is compressed (gzip)"},
-      {"empty.pts", "empty.pts: is empty"},
-      {"none.txt", "none.txt: does not exist"}};
-  for (const auto& [file, complaint] : bad) {
-    const Outcome done = run (file + " out.pcd");
-    EXPECT_EQ (done.exit_code, 1) << file;
-    EXPECT_EQ (lines (done.err), 1u) << done.err;
-    EXPECT_TRUE (contains (done.err, complaint)) << done.err;
-    EXPECT_FALSE (std::filesystem::exists (folder_ / "out.pcd"));
-  }
-}
-
 TEST_F (Segment, HasNoPlaneInATextOfAFewPoints)
 {
   for (const char* text : {"1 2 3\n", "1 2 3\n1 2 4\n", "1 2 3\n1 2 4\n1 3 3\n"}) {

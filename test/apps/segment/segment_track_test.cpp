@@ -118,17 +118,6 @@ TEST_F (SegmentTrack, GivesAPlaneTheSameColorAndFileInAllClouds)
     EXPECT_TRUE (std::filesystem::exists (folder_ / ("out/" + (scan + floor)))) << scan;
 }
 
-TEST_F (SegmentTrack, DoesNotWriteOverItsPoses)
-{
-  std::filesystem::create_directory (folder_ / "out");
-  const std::string poses = contentOf (folder_ / "poses.txt");
-  folder_.write ("out/b.csv", poses);
-  expectRefused (std::string (track) + "--poses out/b.csv --planes {}.csv",
-                 "out/b.csv: is the file of --poses, too",
-                 2);
-  EXPECT_EQ (contentOf (folder_ / "out/b.csv"), poses);
-}
-
 TEST_F (SegmentTrack, TakesTheSensorToStandStillWithoutPoses)
 {
   expectDone (track);
@@ -215,15 +204,4 @@ TEST_F (SegmentTrack, NamesTheLineThatIsNoPose)
                  "none.txt: does not exist; check the name",
                  1);
   expectRefused (std::string (track) + "--poses scans", "scans: is a folder", 1);
-}
-
-TEST_F (SegmentTrack, RefusesWhatDoesNotGoTogether)
-{
-  expectRefused ("in.pcd --track --quiet", "--track: is about several inputs", 2);
-  expectRefused ("scans --output-dir out --poses poses.txt",
-                 "--poses: is about --track; give it, too",
-                 2);
-  expectRefused ("scans --output-dir out --rotation-error 2",
-                 "--rotation-error: is about --track; give it, too",
-                 2);
 }

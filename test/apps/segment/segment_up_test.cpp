@@ -144,5 +144,4 @@ TEST_F (SegmentUp, IsNotLookedForUnlessAsked)
 {
   const auto json = jsonOf ("in.pcd --planes planes.json", "planes.json");
   EXPECT_FALSE (json["parameters"].contains ("up_confidence"));
-  EXPECT_EQ (run ("in.pcd --up automatic").exit_code, 2);
 }

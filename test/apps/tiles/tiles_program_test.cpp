@@ -325,22 +325,9 @@ TEST_F (TilesProgram, DrawsASteepRoofThroughManyTilesAsOne)
   EXPECT_NEAR (planes[0].at ("aspect"), 150.0, 0.1) << "down to the south-east";
 }
 
-TEST_F (TilesProgram, RefusesMapsItCannotWrite)
+TEST_F (TilesProgram, RefusesADamagedListOfPlanes)
 {
   makeTown ("--points 2000 --tiles 1");
-  const std::vector<std::pair<std::string, std::string>> failures = {
-      {"--planes p.shp",
-       "--planes: p.shp has an unknown extension; give a file "
-       ".geojson or .csv or .json"},
-      {"--planes out/planes.json",
-       "out/planes.json: is an input or another output; give another --planes"},
-      {"--planes p.csv --crs EPSG:4326",
-       "--crs: is about --planes FILE.geojson; give one"},
-      {"--max-area 3", "--max-area: is about --planes FILE; give it, too"},
-      {"--planes p.csv --min-width 2 --max-width 1",
-       "--max-width: is below --min-width; raise it"}};
-  for (const auto& [options, complaint] : failures)
-    expectRefused ("town --output-dir out " + options, complaint, 2);
   expectDone ("town --output-dir out");
   for (const char* damaged : {"", "{}", R"({"planes":[{"id":1}]})"}) {
     folder_.write ("out/planes.json", damaged);
@@ -367,38 +354,6 @@ TEST_F (TilesProgram, LeavesOutATileWithoutPoints)
   EXPECT_EQ (done.err, "pcl_ops_tiles: town/zero.las: has no points; it is left out\n");
 }
 
-TEST_F (TilesProgram, SaysInOneLineWhatItCannotWorkOn)
-{
-  makeTown();
-  folder_.write ("half.las",
-                 contentOf (folder_ / "town/town_000_000.las").substr (0, 5000));
-  fs::create_directory (folder_ / "other");
-  fs::copy_file (folder_ / "town/town_000_000.las", folder_ / "other/town_000_000.las");
-  fs::create_directory (folder_ / "empty");
-  fs::create_symlink ("loop.las", folder_ / "loop.las");
-  const std::string out = " --output-dir out";
-  const std::vector<std::pair<std::string, std::string>> failures = {
-      {"town half.las" + out, "half.las: is truncated"},
-      {"town missing.las" + out, "missing.las: does not exist; check the name"},
-      {"empty" + out, "INPUT: empty: has no .pcd, .ply, .las, .xyz or .pts file"},
-      {"town other/town_000_000.las" + out, "would both be written to"},
-      {"town --plan empty" + out, "empty: is no plan; remove it or give another"},
-      {"loop.las" + out, "loop.las: "},
-      {"town --output-dir town", "is an input, too; give another --output-dir"},
-      {"town" + out + " --cell 1 --tile 2", "--tile: is less than 12 cells wide"},
-      {"town", "--output-dir: is missing; give a folder"}};
-  for (const auto& [arguments, complaint] : failures) {
-    const Outcome done = tiles (arguments);
-    EXPECT_NE (done.exit_code, 0) << arguments;
-    EXPECT_NE (done.err.find (complaint), std::string::npos) << done.err;
-    EXPECT_EQ (done.err.rfind ("pcl_ops_tiles: ", 0), 0u) << done.err;
-    EXPECT_NE (done.err.find (';'), std::string::npos) << "no mend: " << done.err;
-    EXPECT_EQ (lines (done.err), 1u) << done.err;
-    EXPECT_FALSE (fs::exists (folder_ / "out/work"));
-    EXPECT_FALSE (fs::exists (folder_ / "town/work"));
-  }
-}
-
 TEST_F (TilesProgram, CountsAFileAndLinksToItOnce)
 {
   makeTown ("--points 20000 --tiles 1");
@@ -415,25 +370,6 @@ TEST_F (TilesProgram, CountsAFileAndLinksToItOnce)
                "it is left out\npcl_ops_tiles: links/a.las: is the same file as "
                "town/town_000_000.las; it is left out\n");
     EXPECT_EQ (outputsIn ("out"), outputsIn ("once"));
-  }
-}
-
-TEST_F (TilesProgram, RefusesLengthsCellsCannotBeCountedIn)
-{
-  makeTown ("--points 20000 --tiles 1");
-  const std::string too_wide = "--tile: is more than 1000000000 cells wide; give a "
-                               "smaller one or a larger --cell";
-  const std::string too_far = " from zero, and " + (folder_ / "town/town_000_000.las") +
-                              " has points farther away; give a larger one";
-  const std::vector<std::pair<std::string, std::string>> failures = {
-      {"--tile 1e30", too_wide},
-      {"--tile 1e18 --cell 0.05", too_wide},
-      {"--tile 1e300 --cell 1e-300", too_wide},
-      {"--cell 1e-12", "--cell: cells of 1e-12 reach 0.001" + too_far},
-      {"--cell 0.001", "--cell: cells of 0.001 reach 1e+06" + too_far}};
-  for (const auto& [lengths, complaint] : failures) {
-    expectRefused ("town --output-dir out " + lengths, complaint, 2);
-    EXPECT_FALSE (fs::exists (folder_ / "out/work/plan.json"));
   }
 }
 
