@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -104,7 +105,14 @@ public:
   /** \brief Where zero of a tile's frame is: of what is in the tile the nearest to the
    * place all tiles share, in whole coarsest voxels. */
   CellKey
-  frameOf (const TileKey& tile) const;
+  frameOf (const TileKey& tile) const
+  {
+    const auto along = [this] (std::int64_t place, std::int64_t number) {
+      const std::int64_t first = number * cells_of_tile_;
+      return std::clamp (place, first, first + cells_of_tile_);
+    };
+    return {along (place_[0], tile.x), along (place_[1], tile.y), place_[2]};
+  }
 
   Eigen::Vector3d
   cornerOf (const CellKey& cell) const
