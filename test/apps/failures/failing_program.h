@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <support/temporary_folder.h>
+#include <support/text.h>
 #include <sys/wait.h>
 
 #include <algorithm>

@@ -119,7 +119,7 @@ TEST_F (Segment, DrawsAPictureWithoutADisplay)
 TEST_F (Segment, PrintsATableUnlessQuiet)
 {
   const Outcome loud = run ("in.pcd");
-  EXPECT_TRUE (contains (loud.out, "5001 points, 2 planes")) << loud.out;
+  EXPECT_TRUE (contains (loud.out, "5001 points, 2 planes"));
   EXPECT_TRUE (contains (loud.out, "horizontal"));
   EXPECT_TRUE (contains (loud.out, "vertical"));
   EXPECT_TRUE (contains (loud.out, "detection"));

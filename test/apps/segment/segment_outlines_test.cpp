@@ -41,7 +41,7 @@ TEST_F (Segment, WritesOutlinesAsGeoJson)
 {
   expectDone ("in.pcd --planes p.geojson");
   const Json map = jsonOf ("in.pcd --planes p.json", "p.geojson");
-  const Json planes = Json::parse (contentOf (folder_ / "p.json"))["planes"];
+  const Json planes = jsonIn ("p.json")["planes"];
   EXPECT_EQ (map["type"], "FeatureCollection");
   ASSERT_EQ (map["features"].size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {

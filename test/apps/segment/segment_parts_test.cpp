@@ -45,15 +45,6 @@ protected:
     const Outcome done = expectDone ("scene.pcd --planes - " + options);
     return nlohmann::json::parse (done.out)["planes"];
   }
-
-  std::set<std::string>
-  namesIn (const std::string& name) const
-  {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator (folder_ / name))
-      names.insert (entry.path().filename().string());
-    return names;
-  }
 };
 
 using NameSet = std::set<std::string>;
@@ -106,7 +97,7 @@ TEST_F (SegmentParts, ArePlysWhereAskedFor)
   EXPECT_EQ (namesIn ("planes").size(), planes) << "none of the other format is left";
   for (const std::string& name : namesIn ("planes")) {
     InputCloud plane;
-    EXPECT_TRUE (contains (name, ".ply")) << name;
+    EXPECT_TRUE (contains (name, ".ply"));
     ASSERT_EQ (pcl::io::loadPLYFile (folder_ / ("planes/" + name), plane), 0);
     EXPECT_EQ (plane.size(), static_cast<std::size_t> (points_of_plane));
   }
@@ -165,7 +156,7 @@ TEST_F (SegmentParts, AFolderWithTheNameOfAPlaneChangesNothing)
     }
     const Outcome done = run ("scene.pcd --planes-dir planes --quiet");
     EXPECT_EQ (done.exit_code, 1);
-    EXPECT_TRUE (contains (done.err, "planes: cannot be written to")) << done.err;
+    EXPECT_TRUE (contains (done.err, "planes: cannot be written to"));
     for (const std::string& name : names)
       if (name != in_the_way) {
         EXPECT_EQ (contentOf (folder_ / ("planes/" + name)), "precious");
@@ -199,6 +190,5 @@ TEST_F (SegmentParts, SaysThatTheFilterLeavesNothing)
 {
   const Outcome done = expectDone ("scene.pcd --only other");
   EXPECT_TRUE (
-      contains (done.out, "No plane found: none of the 2 planes found is other"))
-      << done.out;
+      contains (done.out, "No plane found: none of the 2 planes found is other"));
 }

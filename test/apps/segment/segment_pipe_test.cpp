@@ -91,12 +91,6 @@ TEST_F (SegmentPipe, PrintsATableWhereThePlanesGoToAFile)
   EXPECT_EQ (lines (contentOf (folder_ / "p.csv")), 3u);
 }
 
-TEST_F (SegmentPipe, PrintsTheJsonOfAFileWhereAskedTo)
-{
-  const Outcome done = expectDone ("in.pcd --planes -");
-  EXPECT_EQ (withoutTimes (done.out)["points"], 2 * points_of_plane + 1);
-}
-
 TEST_F (SegmentPipe, PutsAdviceIntoTheJsonWhereNothingIsFound)
 {
   const Outcome done = pipe ("cat in.pcd", "- --preset paper --sampling-rate 0.001");

@@ -8,7 +8,7 @@ namespace {
 
 class View : public ProgramFolder {
 protected:
-  View()
+  View() : ProgramFolder (PCL_OPS_VIEW_PROGRAM)
   {
     std::ostringstream text;
     for (int i = 0; i < 2500; ++i)
