@@ -82,7 +82,6 @@ public:
     return poses_[frame].rotation().transpose().cast<float>() * axis;
   }
 
-  /** \brief Lets the next frame go on, whatever became of this one. */
   void
   finish (std::size_t frame)
   {
@@ -97,7 +96,6 @@ private:
   PlaneTracker tracker_;
   std::vector<Eigen::Isometry3d> poses_;
   std::vector<bool> is_finished_;
-  /** \brief The first frame that is not finished. */
   std::size_t next_ = 0;
   std::mutex mutex_;
   std::condition_variable is_next_;
@@ -107,11 +105,9 @@ private:
 struct Status {
   bool is_done;
   std::string line;
-  /** \brief What is likely wrong with its input; empty for nothing. */
   std::string warning = {};
 };
 
-/** \brief What the threads of a batch share. */
 class BatchRun {
 public:
   BatchRun (const SegmentOptions& options,
@@ -208,7 +204,6 @@ private:
     }
   }
 
-  /** \brief Prints the statuses that are no longer waiting for an earlier one. */
   void
   store (std::size_t i, Status status)
   {

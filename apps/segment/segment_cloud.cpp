@@ -45,7 +45,6 @@ detectPlanes (const SegmentOptions& options,
   return detected;
 }
 
-/** \brief How the input is called in messages. */
 std::string
 nameOfInput (const Task& task)
 {

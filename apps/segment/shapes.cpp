@@ -28,11 +28,9 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief What makes lines of cells. */
 struct Wires {
   /** \brief The first so many points are shown by themselves, too. */
   std::size_t corners;
-  /** \brief Of each line the numbers of its planes. */
   std::vector<std::array<std::size_t, 2>> planes;
 };
 
@@ -40,9 +38,7 @@ struct Wires {
 struct PolyData {
   Precision precision;
   std::vector<Eigen::Vector3d> points;
-  /** \brief Of each point of polygons. */
   std::vector<pcl::RGB> colors;
-  /** \brief The points of each polygon or line. */
   std::vector<pcl::Indices> cells;
   /** \brief Not given: cells are polygons. */
   std::optional<Wires> wires;

@@ -57,7 +57,6 @@ get (std::istream& stream)
 std::uint64_t
 getCount (std::istream& stream, std::size_t part_size);
 
-/** \brief How many, then each. */
 template <typename Number>
 void
 putAll (std::ostream& stream, const std::vector<Number>& numbers)

@@ -51,7 +51,6 @@ checkIsAsPlanned (const PlannedInput& input, const RunFolder& folder)
                          " and run it again");
 }
 
-/** \brief The labels of an input's points, asked for in their order. */
 class LabelsInOrder {
 public:
   LabelsInOrder (const Plan& plan, const RunFolder& folder, std::size_t input)

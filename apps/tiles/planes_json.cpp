@@ -139,7 +139,6 @@ extentIn (const Json& plane)
   return extent;
 }
 
-/** \brief Leaves the chosen planes in a list. */
 Dropped
 choosePlanes (const PlaneChoice& choice, Json& list)
 {

@@ -9,7 +9,6 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The text of planes.json. */
 std::string
 toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& planes);
 

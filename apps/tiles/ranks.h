@@ -31,7 +31,6 @@ public:
     return size_;
   }
 
-  /** \brief Waits for all. */
   void
   meet () const;
 

@@ -52,13 +52,11 @@ struct RunFolder {
   {
     return work ("planes/planes.json");
   }
-  /** \brief Says that an input has its labels. */
   std::string
   mark (std::size_t input) const
   {
     return work ("labelled/" + std::to_string (input));
   }
-  /** \brief Says that all is done. */
   std::string
   end () const
   {
@@ -78,7 +76,6 @@ struct RunFolder {
   clean () const;
 };
 
-/** \brief Whether a phase has left this file. */
 bool
 isThere (const std::string& file);
 

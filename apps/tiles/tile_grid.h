@@ -12,7 +12,6 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Integer coordinates of a cell. */
 using CellKey = std::array<std::int64_t, 3>;
 
 /** \brief Which tile: its cells begin at so many times the cells of a tile. */
@@ -45,7 +44,6 @@ public:
   /** \brief How far around a tile points are looked at: normals come from the nearest
    * three of the coarsest voxels, and planes grow and are joined voxel by voxel. */
   static constexpr std::int64_t halo = 12;
-  /** \brief How many cells are counted from zero. */
   static constexpr std::int64_t most_cells = 1'000'000'000;
 
   /** \param[in] cell edge [m]
