@@ -100,8 +100,10 @@ TEST_F (Refusals, AreOneLineAndHarmNothing)
   ASSERT_GT (rows.size(), 100u);
   const auto before = files();
   for (const Refusal& row : rows) {
-    if (row.program == "view" && !fs::exists (PCL_OPS_PROGRAMS "/pcl_ops_view"))
+#ifndef PCL_OPS_HAS_VIEW
+    if (row.program == "view")
       continue;
+#endif
     SCOPED_TRACE (row.program + " " + row.arguments);
     const Outcome done =
         shell ("env -u DISPLAY TMPDIR=. '" PCL_OPS_PROGRAMS "/pcl_ops_" + row.program +

@@ -89,18 +89,6 @@ TEST_F (SegmentRoom, JoinsPlanesWithinTheMergeDistance)
   EXPECT_EQ (joined["parameters"]["merge_distance"], 0.05);
 }
 
-TEST_P (SegmentMethods, GivesTheSameLabelsTwiceAndForAnyNumberOfThreads)
-{
-  const std::string options = method() + "--seed 7 --preset ";
-  for (const char* preset : {"default", "paper"}) {
-    const std::vector<std::uint32_t> labels =
-        labelsOf (label ("room.pcd", options + preset));
-    EXPECT_EQ (labelsOf (label ("room.pcd", options + preset)), labels) << preset;
-    EXPECT_EQ (labelsOf (label ("room.pcd", options + preset + " --threads 4")), labels)
-        << preset;
-  }
-}
-
 TEST_P (SegmentMethods, NamesItselfAndItsParametersAsGivenInTheJson)
 {
   const std::map<std::string, std::map<std::string, double>> own = {
