@@ -30,7 +30,6 @@ public:
                const std::string& summary,
                const std::string& version);
 
-  /** \brief Declares the next positional argument; it must be given. */
   void
   addArgument (const std::string& name, std::string& target, const std::string& help);
 
@@ -55,7 +54,6 @@ public:
   void
   beginBriefGroup (const std::string& title);
 
-  /** \brief Declares an option without a value. */
   void
   addFlag (const std::string& name, bool& target, const std::string& help);
 
@@ -132,11 +130,9 @@ public:
   bool
   parse (int argc, const char* const* argv);
 
-  /** \brief Whether the option was on the parsed command line. */
   bool
   isGiven (const std::string& name) const;
 
-  /** \brief The options of a group that were on the parsed command line. */
   std::vector<std::string>
   givenOf (const std::string& title) const;
 
@@ -144,7 +140,6 @@ public:
   void
   forbidTogether (const std::string& first, const std::string& second) const;
 
-  /** \brief What --help and --help-all print. */
   const HelpPage&
   help () const
   {

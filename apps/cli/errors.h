@@ -16,7 +16,6 @@ struct ProgramError : std::runtime_error {
   : std::runtime_error (subject + ": " + what_and_fix)
   , problem (std::move (what_and_fix))
   {}
-  /** \brief The text without its subject. */
   std::string problem;
 };
 

@@ -9,7 +9,6 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Columns of the page. */
 constexpr std::size_t help_width = 80;
 
 /** \brief A name and its meaning in two columns. */

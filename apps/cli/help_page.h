@@ -22,7 +22,6 @@ struct Option {
   std::function<void (const std::string&)> store;
 };
 
-/** \brief Options under a title of their own. */
 struct OptionGroup {
   std::string title;
   std::vector<Option> options = {};
@@ -30,7 +29,6 @@ struct OptionGroup {
   bool is_brief = false;
 };
 
-/** \brief What --help and --help-all print. */
 struct HelpPage {
   std::string program, summary;
   /** \brief To call the program, one a line: what follows its name. */
@@ -40,7 +38,6 @@ struct HelpPage {
   /** \brief New options go to the last. */
   std::vector<OptionGroup> groups = {};
 
-  /** \brief The text of --help. */
   std::string
   brief () const;
 

@@ -6,7 +6,6 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The user asked the program to stop. */
 struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error ("interrupted: nothing was written; run it again")
   {}

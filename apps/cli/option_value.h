@@ -32,13 +32,11 @@ struct Range {
   {
     return {bound, true};
   }
-  /** \brief This range ending with \p bound. */
   Range
   upTo (double bound) const
   {
     return {lowest, lowest_included, bound, true};
   }
-  /** \brief This range ending before \p bound. */
   Range
   below (double bound) const
   {

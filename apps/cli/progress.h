@@ -11,7 +11,6 @@
 
 namespace pcl_ops::apps {
 
-/** \brief How a long run is shown. */
 enum class ProgressStyle {
   /** \brief A bar with the time left, for terminals: it overwrites itself. */
   Bar,
@@ -21,7 +20,6 @@ enum class ProgressStyle {
   None
 };
 
-/** \brief Bars for terminals, lines for anything else. */
 inline ProgressStyle
 progressStyleOf (bool is_terminal)
 {
@@ -43,7 +41,6 @@ public:
   /** \brief Takes the bar away where the run ended before its last step. */
   ~Progress();
 
-  /** \brief Counts one piece of work as done. */
   void
   step ();
 
@@ -54,7 +51,6 @@ public:
   void
   note (const std::string& line, std::ostream& stream);
 
-  /** \brief Takes the bar away, if there is one. */
   void
   erase ();
 
@@ -90,11 +86,9 @@ public:
                        std::chrono::milliseconds between = std::chrono::seconds (10));
   ~StageLines();
 
-  /** \brief From now on lines are about this stage. */
   void
   begin (std::string stage);
 
-  /** \brief No more lines. */
   void
   end ();
 

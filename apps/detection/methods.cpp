@@ -84,7 +84,6 @@ parametersOf (const DetectorOptions& options, std::size_t points)
   Parameters parameters =
       options.preset == "paper" ? Parameters::paper() : Parameters();
   parameters.up_axis = options.up.value_or (parameters.up_axis);
-  parameters.merging.enabled = parameters.merging.enabled && options.merging;
   apply (options.numbers, parameters);
   relate (options.numbers, points, parameters);
   return parameters;

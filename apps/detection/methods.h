@@ -36,12 +36,9 @@ struct DetectorOptions {
   std::optional<Eigen::Vector3f> up;
   /** \brief Look for the up axis in the cloud; see runMethod. */
   bool finds_up = false;
-  /** \brief Off: planes stay as they are before the merging process. */
-  bool merging = true;
   GivenNumbers numbers;
 };
 
-/** \brief What a detector found and how. */
 struct Detected {
   /** \brief By falling size, in the frame of the cloud it was given. */
   std::vector<PlaneSegment> planes;
@@ -49,7 +46,6 @@ struct Detected {
   /** \brief The parameters used, under the names of their options. */
   Settings settings;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
-  /** \brief A line on the up axis where it was looked for. */
   std::string up_note;
   /** \brief Another up axis that the planes are sure of, where none was given. */
   std::optional<Eigen::Vector3d> suggested_up;
@@ -67,7 +63,6 @@ labelsOf (const std::vector<PlaneSegment>& planes,
           std::size_t points,
           const std::vector<std::uint32_t>& ids = {});
 
-/** \brief A detector as the command line offers it. */
 struct Method {
   std::string name;
   /** \brief The method in a few words, over its options in the help. */

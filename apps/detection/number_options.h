@@ -34,7 +34,6 @@ struct ZeroIfNone {
   std::optional<double>& length;
 };
 
-/** \brief Points that a plane goes through. */
 constexpr double points_of_a_plane = 3;
 
 /** \brief Calls \p visit (name, number, option) for what all detectors have. */

@@ -74,7 +74,6 @@ writeRings (const Rings& rings,
   stream << notation.end_list;
 }
 
-/** \brief One polygon, or a list of several. */
 std::string
 written (const Polygons& polygons, const Notation& notation, int decimals)
 {
@@ -109,7 +108,6 @@ beginAtCorner (Ring& ring)
   std::rotate (ring.begin(), farthest, ring.end());
 }
 
-/** \brief A line through the middle of some corners. */
 struct FittedLine {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();

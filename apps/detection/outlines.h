@@ -16,7 +16,6 @@ using Ring = std::vector<Eigen::Vector3d>;
  */
 using Rings = std::vector<Ring>;
 
-/** \brief The parts of a plane. */
 using Polygons = std::vector<Rings>;
 
 /** \brief The same with the outline counter-clockwise and holes clockwise as seen from

@@ -118,11 +118,11 @@ addNumbers (CommandLine& line,
     std::string part;
     for (double& number : numbers) {
       if (!std::getline (parts, part, ','))
-        throw UsageError (option, text + " is not " + placeholder);
+        throw UsageError (option, text + " is not " + placeholder + "; give just that");
       number = parseNumber<double> (option, part, range);
     }
     if (std::getline (parts, part))
-      throw UsageError (option, text + " is not " + placeholder);
+      throw UsageError (option, text + " is not " + placeholder + "; give just that");
     target = numbers;
   });
 }

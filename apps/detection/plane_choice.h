@@ -15,7 +15,6 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Which planes are wanted; those of all options that are given. */
 struct PlaneChoice {
   /** \brief An orientation, "largest", or empty for all. */
   std::string only;
@@ -35,9 +34,7 @@ struct PlaneChoice {
   std::optional<std::array<double, 3>> size;
 };
 
-/** \brief What became of the planes that were not chosen. */
 struct Dropped {
-  /** \brief Planes there were before. */
   std::size_t found = 0;
   /** \brief How many were dropped by which option, "min-area"; only options that
    * dropped any. */
@@ -48,10 +45,8 @@ struct Dropped {
   reasons () const;
 };
 
-/** \brief Of the group of options. */
 inline constexpr const char* title_of_choice = "Planes to keep";
 
-/** \brief Declares --only and the options beside it. */
 void
 declareChoice (CommandLine& line, PlaneChoice& choice);
 
@@ -81,7 +76,6 @@ keepChosen (const PlaneChoice& choice,
             const ExtentOfPlane& extent_of,
             Detected& detected);
 
-/** \brief As the key "dropped" of a list of planes. */
 nlohmann::ordered_json
 toObject (const Dropped& dropped);
 

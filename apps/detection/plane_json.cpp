@@ -65,7 +65,6 @@ constexpr const char* fix =
 /** \brief Beyond any cloud in single precision, and its fourth power is finite. */
 constexpr double largest = 1e40;
 
-/** \brief A value of a file, with its place in it for complaints. */
 class Entry {
 public:
   Entry (std::string file, std::string name, const Json& value)
@@ -154,7 +153,6 @@ private:
   const Json& value_;
 };
 
-/** \brief Lets a plane end where its hull ends. */
 void
 setExtent (const std::vector<Vector3d>& hull,
            double rms,

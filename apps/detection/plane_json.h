@@ -18,7 +18,6 @@ namespace pcl_ops::apps {
 nlohmann::ordered_json
 toArray (const Eigen::Vector3d& vector);
 
-/** \brief How a plane lies. */
 struct Attitude {
   /** \brief Angle to the horizontal [degree], 0 to 90. */
   double slope = 0.0;

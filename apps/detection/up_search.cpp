@@ -99,8 +99,7 @@ hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detec
 bool
 findsPlanesByDefault (const Method& method, const DetectorOptions& options)
 {
-  return method.name == allMethods().front().name && options.preset == "default" &&
-         options.merging;
+  return method.name == allMethods().front().name && options.preset == "default";
 }
 
 } // namespace

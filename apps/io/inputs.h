@@ -7,7 +7,6 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The clouds that names stand for. */
 struct InputFiles {
   /** \brief In the order of the names; those of a folder or pattern sorted. Each once.
    */

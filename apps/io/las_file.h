@@ -46,7 +46,6 @@ public:
     return header_.points;
   }
 
-  /** \brief Where a point is. */
   Eigen::Vector3d
   place (std::uint64_t point);
 

@@ -31,7 +31,6 @@ padded (std::string text, std::size_t length)
   return text;
 }
 
-/** \brief A number of records, one behind the other. */
 std::vector<LasVlr>
 vlrsIn (HeaderReader& reader,
         std::uint64_t begin,

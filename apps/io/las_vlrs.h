@@ -79,7 +79,6 @@ descriptionsOf (const std::vector<LasField>& added,
                 const LasHeader& header,
                 const LasExtraBytes& extra);
 
-/** \brief A whole variable length record with that content. */
 std::string
 extraBytesVlr (const std::string& content);
 

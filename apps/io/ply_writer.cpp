@@ -16,7 +16,6 @@ namespace {
 
 using pcl::PCLPointField;
 
-/** \brief A property of the vertices and where it is in a point. */
 struct VertexProperty {
   std::string name;
   const NumberType* type;

@@ -22,7 +22,6 @@ namespace {
 
 constexpr std::size_t max_columns = 1000;
 
-/** \brief A text, line by line. */
 class TextReader {
 public:
   explicit TextReader (const std::string& file) : file_ (file), reader_ (file, "text")
@@ -123,7 +122,6 @@ private:
       reader_.goTo (0);
   }
 
-  /** \brief Of the first point. */
   void
   checkColumns ()
   {

@@ -18,7 +18,6 @@ namespace pcl_ops::apps {
 pcl::RGB
 colorOfLabel (std::uint32_t label);
 
-/** \brief Color of a plane's orientation class. */
 pcl::RGB
 colorOf (Orientation orientation);
 

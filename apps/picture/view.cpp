@@ -48,7 +48,6 @@ somePointsOn (const std::vector<PlaneSegment>& planes, const XyzCloud& cloud)
   return points;
 }
 
-/** \brief The box that holds all points but outliers. */
 Eigen::AlignedBox3f
 boxOf (const Points& points)
 {

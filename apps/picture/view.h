@@ -11,7 +11,6 @@
 
 namespace pcl_ops::apps {
 
-/** \brief A perspective camera. */
 struct View {
   Eigen::Vector3f eye = Eigen::Vector3f::Zero();
   /** \brief Rows: the image's right, its down and the viewing direction, unit vectors

@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "batch.h"
 
+#include <Eigen/Geometry>
+
 #include "segment_cloud.h"
-#include "tracking.h"
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <cli/parallel.h>
 #include <cli/program.h>
 #include <cli/progress.h>
+#include <io/pose_file.h>
+#include <numbers/angles.h>
+#include <pcl_ops/plane_tracker.h>
 
+#include <condition_variable>
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -18,15 +24,90 @@ namespace pcl_ops::apps {
 
 namespace {
 
+PlaneMatchingParameters
+parametersOf (const TrackOptions& options)
+{
+  PlaneMatchingParameters parameters;
+  if (options.rotation_error)
+    parameters.rotation_error = toRadians (*options.rotation_error);
+  if (options.translation_error)
+    parameters.translation_error = *options.translation_error;
+  return parameters;
+}
+
+std::vector<Eigen::Isometry3d>
+posesOf (const TrackOptions& options, std::size_t frames)
+{
+  if (options.poses.empty())
+    return std::vector<Eigen::Isometry3d> (frames, Eigen::Isometry3d::Identity());
+  std::vector<Eigen::Isometry3d> poses = loadPoses (options.poses);
+  if (poses.size() != frames)
+    throw WorkError (options.poses,
+                     "has " + std::to_string (poses.size()) + " poses for " +
+                         std::to_string (frames) +
+                         " clouds; give one for each, in the order of their names");
+  return poses;
+}
+
+/** \brief Numbers for the planes of a sequence of clouds. Its frames may be worked on
+ * at the same time; their planes are numbered in their order, so that the numbers are
+ * the same for any number of threads. */
+class SequenceTracker {
+public:
+  SequenceTracker (const TrackOptions& options, std::size_t frames)
+  : tracker_ (parametersOf (options))
+  , poses_ (posesOf (options, frames))
+  , is_finished_ (frames, false)
+  {}
+
+  /** \brief The ids of the planes of a frame, once the frames before are done.
+   * \param[in] planes in the frame of their cloud
+   * \param[in] sensor in that frame: what a pose's error turns about */
+  std::vector<std::uint32_t>
+  idsOf (std::size_t frame,
+         std::vector<PlaneSegment> planes,
+         const Eigen::Vector3d& sensor)
+  {
+    for (PlaneSegment& plane : planes)
+      plane.moveBy (-sensor);
+    std::unique_lock<std::mutex> lock (mutex_);
+    is_next_.wait (lock, [&] { return next_ == frame; });
+    return tracker_.track (planes, poses_[frame] * Eigen::Translation3d (sensor));
+  }
+
+  /** \brief An axis of the frame that the poses share, in that of a cloud. */
+  Eigen::Vector3f
+  inFrame (std::size_t frame, const Eigen::Vector3f& axis) const
+  {
+    return poses_[frame].rotation().transpose().cast<float>() * axis;
+  }
+
+  void
+  finish (std::size_t frame)
+  {
+    const std::lock_guard<std::mutex> lock (mutex_);
+    is_finished_[frame] = true;
+    while (next_ < is_finished_.size() && is_finished_[next_])
+      ++next_;
+    is_next_.notify_all();
+  }
+
+private:
+  PlaneTracker tracker_;
+  std::vector<Eigen::Isometry3d> poses_;
+  std::vector<bool> is_finished_;
+  std::size_t next_ = 0;
+  std::mutex mutex_;
+  std::condition_variable is_next_;
+};
+
 /** \brief What became of a cloud, in a line. */
 struct Status {
   bool is_done;
   std::string line;
-  /** \brief What is likely wrong with its input; empty for nothing. */
   std::string warning = {};
 };
 
-/** \brief What the threads of a batch share. */
 class BatchRun {
 public:
   BatchRun (const SegmentOptions& options,
@@ -123,7 +204,6 @@ private:
     }
   }
 
-  /** \brief Prints the statuses that are no longer waiting for an earlier one. */
   void
   store (std::size_t i, Status status)
   {

@@ -17,7 +17,6 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Says where it is while that takes long. */
 Report
 segmentTold (const SegmentOptions& options, const Task& task)
 {

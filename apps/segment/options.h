@@ -14,19 +14,14 @@ namespace pcl_ops::apps {
 
 /** \brief Where to write what is found in one cloud; empty where not asked for. */
 struct Outputs {
-  /** \brief The labelled cloud. */
   std::string cloud;
   /** \brief The list of planes, .json, .csv or .geojson; "-" for JSON on the standard
    * output. */
   std::string planes;
   std::string image;
-  /** \brief The outlines of the planes, .ply or .vtk. */
   std::string mesh;
-  /** \brief Where planes meet, .ply, .vtk or .json. */
   std::string edges;
-  /** \brief The points on no plane. */
   std::string rest;
-  /** \brief The folder of one cloud for each plane. */
   std::string planes_dir;
 
   /** \brief Those that are files, of all that are asked for. */
@@ -43,7 +38,6 @@ struct TrackOptions {
   std::optional<double> rotation_error, translation_error;
 };
 
-/** \brief What the command line asks for. */
 struct SegmentOptions {
   /** \brief As given: a file or "-"; with \ref output_dir files, folders, patterns. */
   std::vector<std::string> inputs;
@@ -54,7 +48,6 @@ struct SegmentOptions {
   std::string method = "ops";
   /** \brief What outlines are drawn by: "convex" or "concave". */
   std::string hull = "convex";
-  /** \brief Which planes count. */
   PlaneChoice choice;
   MapOptions map;
   DetectorOptions detector;

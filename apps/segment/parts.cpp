@@ -78,7 +78,6 @@ temporaryFolderIn (const std::string& folder)
   return name;
 }
 
-/** \brief Puts new planes in place of those that are there. */
 void
 exchangePlanes (const fs::path& folder, const fs::path& with)
 {

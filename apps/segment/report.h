@@ -15,7 +15,6 @@
 
 namespace pcl_ops::apps {
 
-/** \brief All that is said about a run. */
 struct Report {
   std::string input;
   std::string method;
@@ -40,7 +39,6 @@ printTable (const Report& report, std::ostream& stream);
 std::string
 summaryOf (const Report& report);
 
-/** \brief The list of --planes. */
 nlohmann::ordered_json
 toJson (const Report& report);
 

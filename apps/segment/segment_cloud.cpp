@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_cloud.h"
 
-#include "distances.h"
-#include "edges.h"
 #include "extents.h"
-#include "mesh.h"
 #include "parts.h"
+#include "shapes.h"
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <detection/method_options.h>
@@ -24,6 +22,7 @@
 
 #include <cstdint>
 #include <iostream>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -46,7 +45,6 @@ detectPlanes (const SegmentOptions& options,
   return detected;
 }
 
-/** \brief How the input is called in messages. */
 std::string
 nameOfInput (const Task& task)
 {
@@ -70,6 +68,22 @@ checkTakesLabels (const SegmentOptions& options,
   const std::string problem = cloud.las->problemOf (fields);
   if (!problem.empty())
     throw WorkError (nameOfInput (task), problem);
+}
+
+/** \brief For each point of a cloud its signed distance to its plane, positive where
+ * the normal points to [m]; NaN on no plane. \param[in] planes in the file's frame */
+std::vector<float>
+distancesOf (const FileCloud& cloud, const std::vector<PlaneSegment>& planes)
+{
+  const CoordinateReader place (cloud);
+  std::vector<float> distances (cloud.size(), std::numeric_limits<float>::quiet_NaN());
+  for (const PlaneSegment& plane : planes)
+    for (const pcl::index_t inlier : plane.inliers) {
+      const auto i = static_cast<std::size_t> (inlier);
+      // From the centroid: an equation's offset has few digits left far from zero.
+      distances[i] = static_cast<float> (plane.normal.dot (place (i) - plane.centroid));
+    }
+  return distances;
 }
 
 void

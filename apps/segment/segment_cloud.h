@@ -18,7 +18,6 @@ namespace pcl_ops::apps {
 using IdsOfPlanes = std::function<std::vector<std::uint32_t> (
     const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& sensor)>;
 
-/** \brief The ids 1, 2, ... */
 std::vector<std::uint32_t>
 idsBySize (const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& sensor);
 

@@ -18,7 +18,6 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief An output as it was named, and whose it is. */
 struct Claim {
   std::string name;
   const Task* task;

@@ -14,14 +14,12 @@ inline constexpr const char* program_name = "pcl_ops_segment";
 /** \brief What stands for the name of the input in the outputs of a batch. */
 inline constexpr const char* name_of_input = "{}";
 
-/** \brief One cloud to segment. */
 struct Task {
   /** \brief A file, or "-" for the standard input. */
   std::string input;
   Outputs outputs;
 };
 
-/** \brief The work of a batch. */
 struct Batch {
   std::vector<Task> tasks;
   /** \brief What is wrong with inputs that stand for no cloud. */

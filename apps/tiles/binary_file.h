@@ -20,24 +20,6 @@ namespace pcl_ops::apps {
  * continuation read. */
 template <typename Number>
 void
-put (std::ostream& stream, const Number& number)
-{
-  static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
-  stream.write (reinterpret_cast<const char*> (&number), sizeof (number));
-}
-
-template <typename Number>
-Number
-get (std::istream& stream)
-{
-  static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
-  Number number{};
-  stream.read (reinterpret_cast<char*> (&number), sizeof (number));
-  return number;
-}
-
-template <typename Number>
-void
 putBytes (std::ostream& stream, const Number* numbers, std::size_t count)
 {
   static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
@@ -54,12 +36,27 @@ getBytes (std::istream& stream, Number* numbers, std::size_t count)
                static_cast<std::streamsize> (count * sizeof (Number)));
 }
 
+template <typename Number>
+void
+put (std::ostream& stream, const Number& number)
+{
+  putBytes (stream, &number, 1);
+}
+
+template <typename Number>
+Number
+get (std::istream& stream)
+{
+  Number number{};
+  getBytes (stream, &number, 1);
+  return number;
+}
+
 /** \brief Reads how many parts follow. \return 0, and the stream has failed, where the
  * file has not that many \param[in] part_size the fewest bytes of one */
 std::uint64_t
 getCount (std::istream& stream, std::size_t part_size);
 
-/** \brief How many, then each. */
 template <typename Number>
 void
 putAll (std::ostream& stream, const std::vector<Number>& numbers)

@@ -11,7 +11,6 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief A block as the file has it. */
 struct BlockRecord {
   std::int64_t x, y;
   std::uint64_t is_halo, offset, points;

@@ -64,7 +64,6 @@ private:
   std::vector<Block> blocks_;
 };
 
-/** \brief What such a file has. */
 class CellFile {
 public:
   /** \throws WorkError if it cannot be read */
@@ -77,7 +76,6 @@ public:
     return blocks_;
   }
 
-  /** \brief How many points a key has. */
   std::uint64_t
   count (const BlockKey& key) const;
 

@@ -10,7 +10,6 @@ namespace {
 
 using Whole = ExactMoments::Whole;
 
-/** \brief The axes of the six products. */
 constexpr std::array<std::array<std::size_t, 2>, 6> axes = {
     {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
 

@@ -33,7 +33,6 @@ struct ExactMoments {
   void
   add (const Eigen::Vector3d& place);
 
-  /** \brief Adds moments of the same unit. */
   ExactMoments&
   operator+= (const ExactMoments& other);
 

@@ -13,9 +13,7 @@ namespace pcl_ops::apps {
 
 inline constexpr const char* program_name = "pcl_ops_tiles";
 
-/** \brief What the command line asks for. */
 struct TilesOptions {
-  /** \brief As given: files, folders, patterns. */
   std::vector<std::string> inputs;
   std::string output_dir;
   PlanOptions plan;

@@ -18,7 +18,6 @@ using Square = std::array<std::int64_t, 2>;
 using Diagram = boost::polygon::voronoi_diagram<double>;
 using Vertex = Diagram::vertex_type;
 
-/** \brief A point as seen along an axis. */
 struct Site {
   Square square{};
   std::int64_t u = 0, v = 0;
@@ -66,7 +65,6 @@ sitesOf (const std::vector<OutlinePoint>& points,
   return sites;
 }
 
-/** \brief A square with sites. */
 struct TakenSquare {
   Square square{};
   bool has_own = false, has_others = false;

@@ -13,7 +13,6 @@ namespace pcl_ops::apps {
 /** \brief A place on the lattice of \ref outlineUnit, in the frame of the inputs. */
 using LatticePlace = std::array<std::int64_t, 3>;
 
-/** \brief A side of an outline, with the plane to its left. */
 struct OutlineEdge {
   LatticePlace from{}, to{};
 };

@@ -51,7 +51,6 @@ checkIsAsPlanned (const PlannedInput& input, const RunFolder& folder)
                          " and run it again");
 }
 
-/** \brief The labels of an input's points, asked for in their order. */
 class LabelsInOrder {
 public:
   LabelsInOrder (const Plan& plan, const RunFolder& folder, std::size_t input)
@@ -71,7 +70,7 @@ public:
       last_ = &readerOf (tile);
     const std::uint32_t piece = last_->labels.next();
     if (piece > last_->numbers->size())
-      failDamaged (folder_.labels (tile));
+      failDamaged (folder_.ofTile (tile, ".labels"));
     return piece == 0 ? 0 : (*last_->numbers)[piece - 1];
   }
 
@@ -90,8 +89,9 @@ private:
       failDamaged (folder_.numbers());
     std::unique_ptr<Tile>& known = tiles_[tile];
     if (!known)
-      known.reset (new Tile{
-          tile, LabelReader (folder_.labels (tile), input_), &numbers->second});
+      known.reset (new Tile{tile,
+                            LabelReader (folder_.ofTile (tile, ".labels"), input_),
+                            &numbers->second});
     return *known;
   }
 
@@ -156,8 +156,8 @@ detectTile (const Plan& plan,
             const TileKey& tile)
 {
   const TileDetection found = detectInTile (plan.grid(), pointsOf (points, tile));
-  saveTileLabels (folder.labels (tile), found.labels);
-  saveTilePlanes (folder.planes (tile), found.planes);
+  saveTileLabels (folder.ofTile (tile, ".labels"), found.labels);
+  saveTilePlanes (folder.ofTile (tile, ".planes"), found.planes);
 }
 
 void
@@ -168,7 +168,7 @@ joinTiles (const Plan& plan, const RunFolder& folder, const SortedPoints& points
     tiles.push_back (size.tile);
   std::sort (tiles.begin(), tiles.end());
   const JoinedPlanes joined = joinPlanes (tiles, [&folder] (const TileKey& tile) {
-    return loadTilePlanes (folder.planes (tile));
+    return loadTilePlanes (folder.ofTile (tile, ".planes"));
   });
   writeTextFile (folder.list(), toJson (plan, tiles.size(), joined.planes));
   savePlaneNumbers (folder.numbers(), joined.numbers);

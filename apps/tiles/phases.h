@@ -11,20 +11,16 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The name of the list of all planes. */
 inline constexpr const char* planes_file = "planes.json";
 
-/** \brief Sorts the points of an input into the cells of tiles. */
 void
 partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input);
 
-/** \brief A tile and how many points it owns. */
 struct TileSize {
   TileKey tile;
   std::uint64_t points = 0;
 };
 
-/** \brief The sorted points of all inputs. */
 class SortedPoints {
 public:
   SortedPoints (const Plan& plan, const RunFolder& folder);
@@ -47,18 +43,15 @@ private:
   std::vector<TileSize> tiles_;
 };
 
-/** \brief Finds the planes of a tile. */
 void
 detectTile (const Plan& plan,
             const RunFolder& folder,
             const SortedPoints& points,
             const TileKey& tile);
 
-/** \brief Makes one plane of those on both sides of borders. */
 void
 joinTiles (const Plan& plan, const RunFolder& folder, const SortedPoints& points);
 
-/** \brief Writes an input with its labels. */
 void
 labelInput (const Plan& plan, const RunFolder& folder, std::size_t input);
 
@@ -66,7 +59,6 @@ labelInput (const Plan& plan, const RunFolder& folder, std::size_t input);
 void
 listPlanes (const RunFolder& folder);
 
-/** \brief Where an input's labelled points go. */
 std::string
 outputOf (const Plan& plan, const RunFolder& folder, std::size_t input);
 

@@ -20,7 +20,6 @@ struct PlannedInput {
   std::uint64_t points = 0;
 };
 
-/** \brief Whether its file is another one than then. */
 bool
 hasChanged (const PlannedInput& input);
 
@@ -28,13 +27,10 @@ hasChanged (const PlannedInput& input);
 struct Plan {
   /** \brief By name. */
   std::vector<PlannedInput> inputs;
-  /** \brief Edge of a cell [m]. */
   double cell = 0.0;
-  /** \brief Cells along the edge of a tile. */
   std::int64_t cells_of_tile = 0;
   /** \brief A cell near the points of the first input. */
   CellKey place{};
-  /** \brief About how many tiles have points. */
   std::uint64_t likely_tiles = 0;
 
   TileGrid
@@ -58,7 +54,6 @@ struct PlanFile {
   std::string mend;
 };
 
-/** \brief What of a plan the user decides. */
 struct PlanOptions {
   /** \brief Edges [m]; by the density of the points where not given. */
   std::optional<double> cell, tile;

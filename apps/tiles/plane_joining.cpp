@@ -14,7 +14,6 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Two pieces and how many cells both are in. */
 struct Pair {
   std::size_t first, second;
   std::uint32_t votes;
@@ -31,7 +30,6 @@ mergingByNoise ()
   return merging;
 }
 
-/** \brief Pieces of all tiles, joined step by step. */
 class PieceGroups {
 public:
   explicit PieceGroups (const std::vector<Piece>& pieces) : root_ (pieces.size())

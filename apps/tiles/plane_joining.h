@@ -14,9 +14,7 @@
 
 namespace pcl_ops::apps {
 
-/** \brief A plane of all tiles. */
 struct JoinedPlane {
-  /** \brief Of all points on it. */
   ExactMoments moments;
   PlaneFit fit;
   /** \brief Towards where \ref edges are seen from. */
@@ -24,7 +22,6 @@ struct JoinedPlane {
   /** \brief Of all its pieces, with opposite ones at their borders. */
   std::vector<OutlineEdge> edges;
   std::vector<TileKey> tiles;
-  /** \brief By their position in the plan. */
   std::vector<std::uint32_t> inputs;
 };
 

@@ -3,11 +3,17 @@
 #include "planes_json.h"
 
 #include "outline_rings.h"
+#include <cli/errors.h>
 #include <detection/plane_json.h>
+#include <io/inputs.h>
+#include <io/output_file.h>
 #include <pcl_ops/plane_extent.h>
+#include <picture/map_picture.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 namespace fs = std::filesystem;
@@ -15,6 +21,8 @@ namespace fs = std::filesystem;
 namespace pcl_ops::apps {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /** \brief As one of the library; the normal of a vertical plane is towards the zero of
  * the frame. */
@@ -70,10 +78,10 @@ extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plan
   return whole;
 }
 
-nlohmann::ordered_json
+Json
 toObject (const Moments& moments)
 {
-  nlohmann::ordered_json object;
+  Json object;
   object["origin"] = toArray (moments.origin);
   object["count"] = moments.count;
   object["sum"] = toArray (moments.sum);
@@ -81,25 +89,106 @@ toObject (const Moments& moments)
   return object;
 }
 
-nlohmann::ordered_json
+Json
 toObject (const Plan& plan,
           std::size_t id,
           const JoinedPlane& plane,
           const PlaneSegment& segment)
 {
   const JoinedExtent whole = extentOf (plan, segment, plane);
-  nlohmann::ordered_json object =
-      planeObject (id,
-                   segment,
-                   whole.extent,
-                   attitudeOf (segment, Eigen::Vector3d::UnitZ()),
-                   whole.parts);
+  Json object = planeObject (id,
+                             segment,
+                             whole.extent,
+                             attitudeOf (segment, Eigen::Vector3d::UnitZ()),
+                             whole.parts);
   object["moments"] = toObject (segment.moments);
   for (const TileKey& tile : plane.tiles)
     object["tiles"].push_back ({tile.x, tile.y});
   for (const std::uint32_t input : plane.inputs)
     object["inputs"].push_back (fs::path (plan.inputs[input].file).filename().string());
   return object;
+}
+
+Eigen::Vector3d
+vectorIn (const Json& numbers)
+{
+  return {numbers.at (0).get<double>(),
+          numbers.at (1).get<double>(),
+          numbers.at (2).get<double>()};
+}
+
+/** \brief As far as it can be chosen by. */
+PlaneSegment
+segmentIn (const Json& plane)
+{
+  PlaneSegment segment;
+  segment.normal = vectorIn (plane.at ("normal"));
+  segment.centroid = vectorIn (plane.at ("centroid"));
+  segment.moments.count = plane.at ("points").get<double>();
+  for (const Orientation known :
+       {Orientation::Horizontal, Orientation::Vertical, Orientation::Other})
+    if (plane.at ("orientation") == toString (known))
+      segment.orientation = known;
+  return segment;
+}
+
+PlaneExtent
+extentIn (const Json& plane)
+{
+  PlaneExtent extent;
+  extent.area = plane.at ("area").get<double>();
+  extent.length = plane.at ("extent").at ("length").get<double>();
+  extent.width = plane.at ("extent").at ("width").get<double>();
+  return extent;
+}
+
+Dropped
+choosePlanes (const PlaneChoice& choice, Json& list)
+{
+  const Json all = std::move (list.at ("planes"));
+  std::vector<PlaneSegment> segments;
+  for (const Json& plane : all)
+    segments.push_back (segmentIn (plane));
+  Settings settings;
+  Dropped dropped;
+  Json chosen = Json::array();
+  for (const std::size_t i : chosenOf (
+           choice,
+           segments,
+           Eigen::Vector3d::UnitZ(),
+           [&] (const PlaneSegment& segment) {
+             return extentIn (
+                 all[static_cast<std::size_t> (&segment - segments.data())]);
+           },
+           settings,
+           dropped))
+    chosen.push_back (all[i]);
+  if (!dropped.by_option.empty())
+    list["dropped"] = toObject (dropped);
+  list["planes"] = std::move (chosen);
+  return dropped;
+}
+
+void
+saveImage (const std::string& file, const Json& planes)
+{
+  std::vector<MapShape> shapes;
+  for (const Json& plane : planes) {
+    const PlaneSegment segment = segmentIn (plane);
+    shapes.push_back ({plane.at ("id").get<std::uint32_t>(),
+                       segment.orientation,
+                       segment.centroid.z(),
+                       {}});
+    for (Rings& rings : polygonsIn (plane))
+      std::move (rings.begin(), rings.end(), std::back_inserter (shapes.back().rings));
+  }
+  savePng (file, mapPicture (std::move (shapes)));
+}
+
+std::string
+numberOf (std::size_t planes)
+{
+  return std::to_string (planes) + (planes == 1 ? " plane" : " planes");
 }
 
 } // namespace
@@ -113,16 +202,37 @@ toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& pla
   constexpr double tolerance = paper_angle_tolerance;
   nameOrientations (segments, Eigen::Vector3d::UnitZ(), tolerance);
   turnUp (segments, Eigen::Vector3d::UnitZ());
-  nlohmann::ordered_json json;
+  Json json;
   json["points"] = plan.points();
   json["cell"] = plan.cell;
   json["tile"] = plan.cell * static_cast<double> (plan.cells_of_tile);
   json["tiles"] = tiles;
-  json["planes"] = nlohmann::ordered_json::array();
+  json["planes"] = Json::array();
   for (std::size_t i = 0; i < planes.size(); ++i)
     json["planes"].push_back (toObject (plan, i + 1, planes[i], segments[i]));
   constexpr int indent = 2;
   return json.dump (indent) + "\n";
+}
+
+std::string
+saveChosenPlanes (const std::string& list_file, const TilesOptions& options)
+try {
+  Json list = Json::parse (readTextFile (list_file, "planes.json"));
+  if (options.planes.empty() && options.image.empty())
+    return numberOf (list.at ("planes").size());
+  const Dropped dropped = choosePlanes (options.choice, list);
+  if (!options.image.empty())
+    saveImage (options.image, list.at ("planes"));
+  if (!options.planes.empty())
+    writeTextFile (options.planes, planesFor (options.planes, list, options.map));
+  const std::string reasons = dropped.reasons();
+  return numberOf (dropped.found) + "; " +
+         (options.planes.empty() ? options.image : options.planes) + ": " +
+         numberOf (list.at ("planes").size()) +
+         (reasons.empty() ? "" : ", dropped " + reasons);
+}
+catch (const Json::exception&) {
+  throw WorkError (list_file, "is no list of planes; remove it and run it again");
 }
 
 } // namespace pcl_ops::apps

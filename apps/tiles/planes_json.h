@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "plan.h"
+#include "options.h"
 #include "plane_joining.h"
 
 #include <string>
 
 namespace pcl_ops::apps {
 
-/** \brief The text of planes.json. */
 std::string
 toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& planes);
+
+/** \brief Writes the planes of --planes, if there is such a file.
+ * \param[in] list_file the list of all planes
+ * \return how many there are, and how many of them were written, in words
+ * \throws WorkError if the list cannot be read or the file cannot be written */
+std::string
+saveChosenPlanes (const std::string& list_file, const TilesOptions& options);
 
 } // namespace pcl_ops::apps

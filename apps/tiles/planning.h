@@ -13,7 +13,6 @@ namespace pcl_ops::apps {
 Plan
 newPlan (const TilesOptions& options);
 
-/** \brief Where a folder has the plan of the files in it. */
 PlanFile
 planFileOf (const RunFolder& folder);
 

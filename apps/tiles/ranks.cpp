@@ -37,18 +37,12 @@ isOneOfSeveral ()
 
 } // namespace
 
-Ranks::Ranks() : state_ (isOneOfSeveral() ? std::make_unique<State>() : nullptr) {}
-
-int
-Ranks::rank() const
+Ranks::Ranks() : state_ (isOneOfSeveral() ? std::make_unique<State>() : nullptr)
 {
-  return state_ ? state_->world.rank() : 0;
-}
-
-int
-Ranks::size() const
-{
-  return state_ ? state_->world.size() : 1;
+  if (!state_)
+    return;
+  rank_ = state_->world.rank();
+  size_ = state_->world.size();
 }
 
 void
@@ -69,7 +63,7 @@ Ranks::meet() const
 void
 Ranks::endAll (int exit_code) const
 {
-  if (state_ && state_->world.size() > 1)
+  if (size_ > 1)
     state_->world.abort (exit_code);
 }
 
@@ -78,18 +72,6 @@ Ranks::endAll (int exit_code) const
 struct Ranks::State {};
 
 Ranks::Ranks() = default;
-
-int
-Ranks::rank() const
-{
-  return 0;
-}
-
-int
-Ranks::size() const
-{
-  return 1;
-}
 
 void
 Ranks::meet() const

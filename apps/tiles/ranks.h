@@ -20,12 +20,17 @@ public:
   ~Ranks();
 
   int
-  rank () const;
+  rank () const
+  {
+    return rank_;
+  }
 
   int
-  size () const;
+  size () const
+  {
+    return size_;
+  }
 
-  /** \brief Waits for all. */
   void
   meet () const;
 
@@ -38,6 +43,7 @@ private:
   struct State;
 
   std::unique_ptr<State> state_;
+  int rank_ = 0, size_ = 1;
 };
 
 /** \brief Which parts of some work are a rank's, so that all have about as much to do;

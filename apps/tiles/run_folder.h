@@ -10,36 +10,62 @@
 namespace pcl_ops::apps {
 
 /** \brief Where the files of a run are, which its phases leave for one another. */
-class RunFolder {
-public:
-  explicit RunFolder (std::string output_dir);
+struct RunFolder {
+  std::string outputs;
+
+  std::string
+  output (const std::string& name) const;
+
+  /** \brief Where a file is that is no output. */
+  std::string
+  work (const std::string& name) const
+  {
+    return output ("work/" + name);
+  }
+
+  /** \brief Where the plan is that all other files are of. */
+  std::string
+  plan () const
+  {
+    return work ("plan.json");
+  }
+  std::string
+  cells (std::size_t input) const
+  {
+    return work ("cells/" + std::to_string (input) + ".cells");
+  }
+  /** \param[in] extension .planes or .labels */
+  std::string
+  ofTile (const TileKey& tile, const char* extension) const
+  {
+    return work ("planes/" + std::to_string (tile.x) + "_" + std::to_string (tile.y) +
+                 extension);
+  }
+  std::string
+  numbers () const
+  {
+    return work ("planes/numbers");
+  }
+  /** \brief What planes.json becomes once all else is done. */
+  std::string
+  list () const
+  {
+    return work ("planes/planes.json");
+  }
+  std::string
+  mark (std::size_t input) const
+  {
+    return work ("labelled/" + std::to_string (input));
+  }
+  std::string
+  end () const
+  {
+    return work ("done");
+  }
 
   /** \brief Makes the folders that are missing. \throws WorkError */
   void
   make () const;
-
-  /** \brief Where the plan is that all other files are of. */
-  std::string
-  plan () const;
-  std::string
-  cells (std::size_t input) const;
-  std::string
-  planes (const TileKey& tile) const;
-  std::string
-  labels (const TileKey& tile) const;
-  std::string
-  numbers () const;
-  /** \brief What planes.json becomes once all else is done. */
-  std::string
-  list () const;
-  /** \brief Says that an input has its labels. */
-  std::string
-  mark (std::size_t input) const;
-  /** \brief Says that all is done. */
-  std::string
-  end () const;
-  std::string
-  output (const std::string& name) const;
 
   /** \brief Removes all but the plan, and makes the folders again. \throws WorkError */
   void
@@ -48,15 +74,8 @@ public:
   /** \brief Removes all but the plan and \ref end. */
   void
   clean () const;
-
-private:
-  std::string
-  inWork (const std::string& name) const;
-
-  std::string folder_;
 };
 
-/** \brief Whether a phase has left this file. */
 bool
 isThere (const std::string& file);
 

@@ -31,7 +31,6 @@ struct TilePoints {
   }
 };
 
-/** \brief A tile's planes, and the labels of its own points. */
 struct TileDetection {
   TilePlanes planes;
   std::vector<LabelsOfInput> labels;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -11,7 +12,6 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Integer coordinates of a cell. */
 using CellKey = std::array<std::int64_t, 3>;
 
 /** \brief Which tile: its cells begin at so many times the cells of a tile. */
@@ -44,7 +44,6 @@ public:
   /** \brief How far around a tile points are looked at: normals come from the nearest
    * three of the coarsest voxels, and planes grow and are joined voxel by voxel. */
   static constexpr std::int64_t halo = 12;
-  /** \brief How many cells are counted from zero. */
   static constexpr std::int64_t most_cells = 1'000'000'000;
 
   /** \param[in] cell edge [m]
@@ -104,7 +103,14 @@ public:
   /** \brief Where zero of a tile's frame is: of what is in the tile the nearest to the
    * place all tiles share, in whole coarsest voxels. */
   CellKey
-  frameOf (const TileKey& tile) const;
+  frameOf (const TileKey& tile) const
+  {
+    const auto along = [this] (std::int64_t place, std::int64_t number) {
+      const std::int64_t first = number * cells_of_tile_;
+      return std::clamp (place, first, first + cells_of_tile_);
+    };
+    return {along (place_[0], tile.x), along (place_[1], tile.y), place_[2]};
+  }
 
   Eigen::Vector3d
   cornerOf (const CellKey& cell) const

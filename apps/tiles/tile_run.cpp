@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tile_run.h"
 
-#include "chosen_planes.h"
 #include "phases.h"
+#include "planes_json.h"
 #include "planning.h"
 #include "run_folder.h"
 #include <cli/errors.h>
@@ -95,7 +95,9 @@ private:
     share (
         parts,
         "tiles",
-        [&] (std::size_t i) { return isThere (folder_.planes (tiles[i].tile)); },
+        [&] (std::size_t i) {
+          return isThere (folder_.ofTile (tiles[i].tile, ".planes"));
+        },
         [&] (std::size_t i) {
           inMemory ("--tile", "give a smaller one or fewer --jobs", [&] {
             detectTile (plan_, folder_, points, tiles[i].tile);
@@ -204,7 +206,7 @@ runTiles (const TilesOptions& options,
           std::ostream& messages,
           bool is_terminal)
 {
-  const RunFolder folder (options.output_dir);
+  const RunFolder folder{options.output_dir};
   const bool speaks = ranks.rank() == 0 && !options.quiet;
   if (options.dry_run) {
     if (ranks.rank() == 0)

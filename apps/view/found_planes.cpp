@@ -3,22 +3,15 @@
 #include "found_planes.h"
 
 #include <detection/up_search.h>
+#include <pcl_ops/plane_extent.h>
 #include <picture/colors.h>
 
-#include <filesystem>
 #include <iomanip>
 #include <sstream>
 
 namespace pcl_ops::apps {
 
 namespace {
-
-struct Key {
-  char name;
-  const char* help;
-  /** \brief Null for keys that change the camera, or that PCLVisualizer handles. */
-  void (*press) (ViewState&);
-};
 
 std::string
 methodAfter (const std::string& name)
@@ -30,56 +23,47 @@ methodAfter (const std::string& name)
   return methods.front().name;
 }
 
-const Key keys[] = {
-    {'1', "color by plane", [] (ViewState& s) { s.coloring = "planes"; }},
-    {'2',
-     "color by orientation: horizontal green, vertical blue, other orange",
-     [] (ViewState& s) { s.coloring = "orientations"; }},
-    {'3', "colors of the input", [] (ViewState& s) { s.coloring = "input"; }},
-    {'b', "before or after merging", [] (ViewState& s) { s.merging = !s.merging; }},
-    {'m',
-     "next method: OPS, FSPF, 3D-KHT",
-     [] (ViewState& s) { s.method = methodAfter (s.method); }},
-    {'p',
-     "preset: default or paper",
-     [] (ViewState& s) { s.preset = s.preset == "paper" ? "default" : "paper"; }},
-    {'l', "outlines on or off", [] (ViewState& s) { s.hulls = !s.hulls; }},
-    {'e',
-     "edges where planes meet on or off",
-     [] (ViewState& s) { s.edges = !s.edges; }},
-    {'n', "normals on or off", [] (ViewState& s) { s.normals = !s.normals; }},
-    {'h', "this list on or off", [] (ViewState& s) { s.help = !s.help; }},
-    {'r', "view as at the start", nullptr},
-    {'+', "larger points", nullptr},
-    {'-', "smaller points", nullptr},
-    {'o', "perspective or parallel projection", nullptr},
-    {'q', "quit", nullptr}};
-
 } // namespace
 
 std::string
 keysText ()
 {
-  std::ostringstream text;
-  for (const Key& key : keys)
-    text << key.name << "  " << key.help << "\n";
-  text << "click  say which plane this is";
-  return text.str();
+  return "1  color by plane\n"
+         "2  color by orientation: horizontal green, vertical blue, other orange\n"
+         "m  next method: OPS, FSPF, 3D-KHT\n"
+         "p  preset: default or paper\n"
+         "h  this list on or off\n"
+         "r  view as at the start\n"
+         "+  larger points\n"
+         "-  smaller points\n"
+         "q  quit\n"
+         "shift and click  say which plane this is";
 }
 
 bool
 pressKey (char key, ViewState& state)
 {
-  for (const Key& own : keys) {
-    if (own.name != key || own.press == nullptr)
-      continue;
-    const ViewState before = state;
-    own.press (state);
-    if (!state.hasSamePlanes (before))
-      state.selected = 0;
+  switch (key) {
+  case '1':
+    state.coloring = "planes";
     return true;
+  case '2':
+    state.coloring = "orientations";
+    return true;
+  case 'h':
+    state.help = !state.help;
+    return true;
+  case 'm':
+    state.method = methodAfter (state.method);
+    break;
+  case 'p':
+    state.preset = state.preset == "paper" ? "default" : "paper";
+    break;
+  default:
+    return false;
   }
-  return false;
+  state.selected = 0;
+  return true;
 }
 
 FoundPlanes
@@ -88,52 +72,35 @@ findPlanes (const ViewState& state,
             const XyzCloud::ConstPtr& cloud)
 {
   options.preset = state.preset;
-  options.merging = state.merging;
-  FoundPlanes found{
-      runMethod (methodCalled (state.method), options, cloud), {}, {}, {}};
-  const std::vector<PlaneSegment>& planes = found.detected.planes;
-  for (const PlaneSegment& plane : planes)
-    found.extents.push_back (planeExtent (*cloud, plane));
-  found.edges = findPlaneEdges (*cloud, planes);
-  found.labels = labelsOf (planes, cloud->size());
+  FoundPlanes found{cloud, runMethod (methodCalled (state.method), options, cloud), {}};
+  found.labels = labelsOf (found.detected.planes, cloud->size());
   return found;
 }
 
 pcl::RGB
-colorOfPlane (const FoundPlanes& found, const ViewState& state, std::uint32_t id)
+colorOfPoint (const FoundPlanes& found, const ViewState& state, std::size_t point)
 {
-  return id != 0 && state.coloring == "orientations"
-             ? colorOf (found.detected.planes[id - 1].orientation)
-             : colorOfLabel (id);
-}
-
-std::vector<pcl::RGB>
-colorsOfPoints (const FoundPlanes& found,
-                const ViewState& state,
-                const std::vector<pcl::RGB>& input)
-{
-  std::vector<pcl::RGB> colors;
-  colors.reserve (input.size());
-  for (std::size_t i = 0; i < input.size(); ++i) {
-    const std::uint32_t label = found.labels[i];
-    colors.push_back (state.selected != 0 && state.selected != label
-                          ? pcl::RGB (215, 215, 215)
-                      : state.coloring == "input" ? input[i]
-                                                  : colorOfPlane (found, state, label));
-  }
-  return colors;
+  const std::uint32_t label = found.labels[point];
+  if (state.selected != 0 && state.selected != label)
+    return {215, 215, 215};
+  return label != 0 && state.coloring == "orientations"
+             ? colorOf (found.detected.planes[label - 1].orientation)
+             : colorOfLabel (label);
 }
 
 std::string
-planeText (const FoundPlanes& found, std::uint32_t id, const Eigen::Vector3d& shift)
+planeText (const FoundPlanes& found,
+           const ViewState& state,
+           const Eigen::Vector3d& shift)
 {
-  PlaneSegment segment = found.detected.planes[id - 1];
+  PlaneSegment segment = found.detected.planes[state.selected - 1];
+  const double area = planeExtent (*found.cloud, segment).area;
   segment.centroid += shift;
   const Plane plane = segment.plane();
   std::ostringstream text;
-  text << "plane " << id << ": " << toString (segment.orientation) << ", "
+  text << "plane " << state.selected << ": " << toString (segment.orientation) << ", "
        << segment.inliers.size() << " points, area " << std::fixed
-       << std::setprecision (3) << found.extents[id - 1].area << "\n"
+       << std::setprecision (3) << area << "\n"
        << std::setprecision (4) << std::showpos << plane.normal.x() << " x "
        << plane.normal.y() << " y " << plane.normal.z() << " z " << plane.offset
        << " = 0";
@@ -141,26 +108,22 @@ planeText (const FoundPlanes& found, std::uint32_t id, const Eigen::Vector3d& sh
 }
 
 std::string
-statusText (const std::string& file,
-            const FoundPlanes& found,
+statusText (const FoundPlanes& found,
             const ViewState& state,
             const Eigen::Vector3d& shift)
 {
   const Detected& detected = found.detected;
   std::ostringstream text;
-  if (state.help)
-    text << keysText() << "\n\n";
-  text << std::filesystem::path (file).filename().string() << ", "
-       << found.labels.size() << " points\n"
+  text << (state.help ? keysText() + "\n\n" : "") << found.labels.size() << " points\n"
        << methodCalled (state.method).title << ", " << state.preset << " preset\n"
-       << detected.planes.size() << (detected.planes.size() == 1 ? " plane" : " planes")
-       << (state.merging ? "" : " before merging");
+       << detected.planes.size()
+       << (detected.planes.size() == 1 ? " plane" : " planes");
   std::vector<std::string> notes = detected.hints;
   notes.push_back (detected.up_note);
   if (detected.planes.empty())
     notes.push_back (detected.advice);
   if (state.selected != 0)
-    notes.push_back (planeText (found, state.selected, shift));
+    notes.push_back (planeText (found, state, shift));
   for (const std::string& note : notes)
     text << (note.empty() ? "" : "\n") << note;
   return text.str();

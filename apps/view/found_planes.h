@@ -5,8 +5,6 @@
 #include <pcl/point_types.h>
 
 #include <detection/methods.h>
-#include <pcl_ops/plane_edges.h>
-#include <pcl_ops/plane_extent.h>
 
 #include <cstdint>
 #include <string>
@@ -16,25 +14,13 @@ namespace pcl_ops::apps {
 
 /** \brief What the keys and clicks of the viewer change, but for the camera. */
 struct ViewState {
-  std::string method = "ops";
-  std::string preset = "default";
-  /** \brief Off: the planes before they are merged. */
-  bool merging = true;
-  /** \brief What colors show: "planes", "orientations" or "input". */
+  std::string method = "ops", preset = "default";
+  /** \brief What colors show: "planes" or "orientations". */
   std::string coloring = "planes";
-  bool hulls = false;
-  bool edges = false;
-  bool normals = false;
   /** \brief Whether the window lists the keys. */
   bool help = true;
   /** \brief The plane that was clicked, counted from 1; 0 for none. */
   std::uint32_t selected = 0;
-
-  bool
-  hasSamePlanes (const ViewState& other) const
-  {
-    return method == other.method && preset == other.preset && merging == other.merging;
-  }
 };
 
 /** \brief The keys of the viewer, one a line, for the window and --help. */
@@ -46,46 +32,34 @@ keysText ();
 bool
 pressKey (char key, ViewState& state);
 
-/** \brief The planes of a cloud with what is needed to show them. */
 struct FoundPlanes {
+  XyzCloud::ConstPtr cloud;
   Detected detected;
-  std::vector<PlaneExtent> extents;
-  PlaneEdges edges;
   /** \brief Per point: 0 for no plane, else its position in the planes plus 1. */
   std::vector<std::uint32_t> labels;
 };
 
-/** \brief Finds the planes a state asks for.
- * \throws UsageError or WorkError as the detector does */
+/** \throws UsageError or WorkError as the detector does */
 FoundPlanes
 findPlanes (const ViewState& state,
             DetectorOptions options,
             const XyzCloud::ConstPtr& cloud);
 
-/** \brief The color of the points of a plane, by its number or its orientation.
- * \param[in] id its position plus 1; 0: of points on no plane */
+/** \brief The color of a point; where another plane is selected, light gray. */
 pcl::RGB
-colorOfPlane (const FoundPlanes& found, const ViewState& state, std::uint32_t id);
+colorOfPoint (const FoundPlanes& found, const ViewState& state, std::size_t point);
 
-/** \brief The color of each point; where a plane is selected, all others are light
- * gray. \param[in] input the colors of the file, one per point */
-std::vector<pcl::RGB>
-colorsOfPoints (const FoundPlanes& found,
-                const ViewState& state,
-                const std::vector<pcl::RGB>& input);
-
-/** \brief Number, orientation, size, area and equation of a plane.
- * \param[in] id its position plus 1
+/** \brief Number, orientation, size, area and equation of the selected plane.
  * \param[in] shift zero of the frame of the planes in the frame of the file */
 std::string
-planeText (const FoundPlanes& found, std::uint32_t id, const Eigen::Vector3d& shift);
+planeText (const FoundPlanes& found,
+           const ViewState& state,
+           const Eigen::Vector3d& shift);
 
-/** \brief What the window says: the keys, the cloud, the planes, which parameter to
- * change where none was found, and the selected plane. \param[in] file the cloud's name
- */
+/** \brief What the window says: the keys, the planes, which parameter to change where
+ * none was found, and the selected plane. */
 std::string
-statusText (const std::string& file,
-            const FoundPlanes& found,
+statusText (const FoundPlanes& found,
             const ViewState& state,
             const Eigen::Vector3d& shift);
 

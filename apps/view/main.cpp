@@ -1,53 +1,46 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/common/colors.h>
+#include <pcl/common/angles.h>
+#include <pcl/common/centroid.h>
 #include <pcl/common/point_tests.h>
-#include <pcl/conversions.h>
+#include <pcl/visualization/pcl_visualizer.h>
 
-#include "window.h"
+#include "found_planes.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <detection/method_options.h>
-#include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/output_file.h>
 #include <io/shifted_cloud.h>
-#include <numbers/quantile.h>
+#include <picture/view.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <vtkCamera.h>
 #include <vtkNew.h>
-#include <vtkRenderWindow.h>
+#include <vtkPNGWriter.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkWindowToImageFilter.h>
 
-#include <algorithm>
-#include <cstdio>
+#include <cmath>
 #include <cstdlib>
+#include <iostream>
 
 namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief "1280x960". */
-void
-storeSize (const std::string& text, ViewOptions& options)
-{
-  const Range range = Range::from (200).upTo (8192);
-  const std::size_t cross = text.find ('x');
-  if (cross == std::string::npos)
-    throw UsageError ("--size", text + " is no size; give one such as 1280x960");
-  options.width = parseNumber<int> ("--size", text.substr (0, cross), range);
-  options.height = parseNumber<int> ("--size", text.substr (cross + 1), range);
-}
+using ColoredCloud = pcl::PointCloud<pcl::PointXYZRGB>;
 
-void
-checkScreenshot (const std::string& file)
-{
-  if (extensionOf (file) != ".png")
-    throw UsageError ("--screenshot",
-                      file + " has an unknown extension; give a file .png");
-  checkWritable (file);
-}
+constexpr int width = 1280, height = 960;
+
+struct ViewOptions {
+  /** \brief The picture to make instead of opening a window; empty for a window. */
+  std::string input, screenshot;
+  DetectorOptions detector;
+  ViewState state;
+};
 
 /** \return false if --help or --version was answered and nothing is left to do */
 bool
@@ -58,70 +51,37 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
       "the\ncloud, meters by default; angles in degrees. Keys in the window:\n\n" +
       keysText();
   ViewState& state = options.state;
-  bool before = false;
   CommandLine line ("pcl_ops_view", summary, PCL_OPS_VERSION);
   line.addArgument (
       "CLOUD", options.input, "the cloud, a .pcd, .ply, .las or text file");
   line.addChoice ("color",
-                  {"planes", "orientations", "input"},
+                  {"planes", "orientations"},
                   state.coloring,
                   "what the colors show (planes)");
-  line.addFlag ("hulls", state.hulls, "draw the outline of each plane");
-  line.addFlag ("edges", state.edges, "draw edges and corners where they meet");
-  line.addFlag ("normals", state.normals, "draw the normal of each plane");
-  line.addFlag ("before-merging", before, "show the planes before they are merged");
   line.addText ("screenshot",
                 "FILE.png",
                 options.screenshot,
                 "write the first view to a file and open no window");
-  line.addValue ("size",
-                 "WxH",
-                 "of the window in pixels (1280x960)",
-                 [&] (const std::string& text) { storeSize (text, options); });
   declareMethodOptions (line, state.method, options.detector);
   if (!line.parse (argc, argv))
     return false;
   state.preset = options.detector.preset;
-  state.merging = !before;
-  state.help = options.screenshot.empty();
-  if (!options.screenshot.empty())
-    checkScreenshot (options.screenshot);
+  if (options.screenshot.empty())
+    return true;
+  state.help = false;
+  if (extensionOf (options.screenshot) != ".png")
+    throw UsageError ("--screenshot",
+                      options.screenshot +
+                          " has an unknown extension; give a file .png");
+  checkWritable (options.screenshot);
   return true;
 }
 
-/** \brief The colors of the file; where it has none, the height from blue to yellow. */
-std::vector<pcl::RGB>
-inputColors (const FileCloud& file, const ViewedCloud& cloud)
+/** Where VTK finds no display or driver, it aborts: a child process tries, silently. */
+void
+checkDisplay ()
 {
-  pcl::PointCloud<pcl::RGB> in_file;
-  if (hasField (file, "rgb") || hasField (file, "rgba"))
-    pcl::fromPCLPointCloud2 (file.points, in_file);
-  if (!in_file.empty())
-    return {in_file.begin(), in_file.end()};
-  std::vector<float> heights;
-  for (const pcl::index_t index : cloud.finite)
-    heights.push_back ((*cloud.coordinates)[index].z);
-  const float low = quantile (heights, 0.01); // outliers would leave one color to all
-  const float high = quantile (heights, 0.99);
-  constexpr float last = 255.0f; // of the table
-  std::vector<pcl::RGB> colors (cloud.coordinates->size());
-  for (const pcl::index_t index : cloud.finite) {
-    const float share = ((*cloud.coordinates)[index].z - low) / (high - low);
-    const float clamped = share > 0.0f ? std::min (share, 1.0f) : 0.0f; // 0 for NaN
-    colors[static_cast<std::size_t> (index)] =
-        pcl::ViridisLUT::at (static_cast<std::size_t> (last * clamped));
-  }
-  return colors;
-}
-
-/** \brief Whether VTK finds a display and a driver: where it does not, it aborts, so a
- * child process tries, silently. */
-bool
-canDraw ()
-{
-#ifdef __APPLE__ // whose windows need no X11 display, and no child may draw
-  return true;
-#else
+#ifndef __APPLE__ // whose windows need no X11 display, and no child may draw
   const pid_t child = fork();
   if (child == 0) {
     const rlimit no_core{0, 0};
@@ -133,16 +93,8 @@ canDraw ()
     _exit (window->SupportsOpenGL() != 0 ? ExitCode::done : ExitCode::work_failed);
   }
   int status = 0;
-  return child > 0 && waitpid (child, &status, 0) == child && WIFEXITED (status) &&
-         WEXITSTATUS (status) == ExitCode::done;
-#endif
-}
-
-/** \throws WorkError where nothing can be drawn */
-void
-checkDisplay ()
-{
-  if (canDraw())
+  if (child > 0 && waitpid (child, &status, 0) == child && WIFEXITED (status) &&
+      WEXITSTATUS (status) == ExitCode::done)
     return;
   const char* const display = std::getenv ("DISPLAY");
   throw WorkError ("DISPLAY",
@@ -151,40 +103,182 @@ checkDisplay ()
                                                                 "offers no OpenGL")) +
                        "; start the viewer in a graphical session, or without one by "
                        "xvfb-run -a pcl_ops_view CLOUD --screenshot FILE.png");
+#endif
 }
 
-/** \throws WorkError for a cloud that has nothing to show */
-ViewedCloud
-loadViewed (const std::string& file)
+/** \brief A window that shows one state after the other. */
+class Window {
+public:
+  /** \param[in] finite the points with coordinates: VTK would stumble over the others
+   */
+  Window (const ViewOptions& options, const ShiftedCloud& shifted, pcl::Indices finite)
+  : options_ (options)
+  , shift_ (shifted.shift)
+  , finite_ (std::move (finite))
+  , found_ (findPlanes (options.state, options.detector, shifted.cloud))
+  , viewer_ ("pcl_ops_view " + options.input, false)
+  , window_ (*viewer_.getRenderWindow())
+  {
+    window_.SetMultiSamples (0); // without a graphics card they cost most of the time
+    window_.SetOffScreenRendering (options.screenshot.empty() ? 0 : 1);
+    viewer_.setSize (width, height);
+    viewer_.setBackgroundColor (1.0, 1.0, 1.0);
+    viewer_.setShowFPS (false);
+    viewer_.addPointCloud<pcl::PointXYZRGB> (pcl::make_shared<ColoredCloud>());
+    viewer_.setPointCloudRenderingProperties (
+        pcl::visualization::PCL_VISUALIZER_POINT_SIZE, 3.0, "cloud");
+    draw();
+    resetCamera();
+  }
+
+  /** \brief Handles keys before PCLVisualizer does, until the user closes the window.
+   */
+  void
+  run ()
+  {
+    constexpr float before_others = 1.0f;
+    viewer_.createInteractor();
+    for (const auto event : {vtkCommand::KeyPressEvent, vtkCommand::CharEvent})
+      window_.GetInteractor()->AddObserver (event, this, &Window::onKey, before_others);
+    viewer_.registerPointPickingCallback ([this] (const auto& event) {
+      ViewState next = options_.state;
+      const int point = event.getPointIndex();
+      next.selected = point < 0 ? 0 : found_.labels[index (point)];
+      show (next);
+      if (next.selected != 0)
+        std::cout << planeText (found_, next, shift_) << std::endl;
+    });
+    viewer_.spin();
+  }
+
+  void
+  savePicture ()
+  {
+    window_.Render();
+    vtkNew<vtkWindowToImageFilter> image;
+    image->SetInput (&window_);
+    image->ReadFrontBufferOff();
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputConnection (image->GetOutputPort());
+    writer->WriteToMemoryOn();
+    writer->Write();
+    vtkUnsignedCharArray* const png = writer->GetResult();
+    writeFile (options_.screenshot, [&] (std::ostream& stream) {
+      stream.write (reinterpret_cast<const char*> (png->GetPointer (0)),
+                    png->GetNumberOfValues());
+    });
+  }
+
+private:
+  std::size_t
+  index (int point) const
+  {
+    return static_cast<std::size_t> (finite_[static_cast<std::size_t> (point)]);
+  }
+
+  /** \return whether PCLVisualizer does not get the key */
+  bool
+  onKey (vtkObject* /*caller*/, unsigned long event, void* /*data*/)
+  {
+    if (event == vtkCommand::CharEvent) // follows the same press of a key
+      return is_own_key_;
+    vtkRenderWindowInteractor& interactor = *window_.GetInteractor();
+    const char key = interactor.GetKeyCode();
+    ViewState next = options_.state;
+    is_own_key_ = interactor.GetControlKey() == 0 && interactor.GetAltKey() == 0 &&
+                  (key == 'r' || pressKey (key, next));
+    if (key == 'r' && is_own_key_)
+      resetCamera();
+    if (is_own_key_)
+      show (next);
+    return is_own_key_;
+  }
+
+  /** The window stays as it was where a detector refuses its parameters. */
+  void
+  show (const ViewState& state)
+  {
+    try {
+      if (state.method != options_.state.method ||
+          state.preset != options_.state.preset)
+        found_ = findPlanes (state, options_.detector, found_.cloud);
+      options_.state = state;
+      draw();
+    }
+    catch (const std::exception& error) {
+      warn (error.what());
+    }
+    window_.Render();
+  }
+
+  void
+  draw ()
+  {
+    const auto points = pcl::make_shared<ColoredCloud>();
+    for (std::size_t i = 0; i < finite_.size(); ++i) {
+      const pcl::PointXYZ& point = (*found_.cloud)[finite_[i]];
+      const pcl::RGB color =
+          colorOfPoint (found_, options_.state, index (static_cast<int> (i)));
+      points->emplace_back (point.x, point.y, point.z, color.r, color.g, color.b);
+    }
+    viewer_.updatePointCloud (ColoredCloud::ConstPtr (points));
+    viewer_.removeAllShapes();
+    viewer_.addText (statusText (found_, options_.state, shift_), 12, 12, 15, 0, 0, 0);
+  }
+
+  /** Looks at the cloud as its picture does (\ref chooseView). */
+  void
+  resetCamera ()
+  {
+    const View view = chooseView (
+        *found_.cloud, found_.detected.planes, found_.detected.up, width, height);
+    Eigen::Vector4d centroid = Eigen::Vector4d::Zero();
+    pcl::compute3DCentroid (*found_.cloud, centroid);
+    const Eigen::Vector3d eye = view.eye.cast<double>();
+    const Eigen::Vector3d down = view.axes.row (1).cast<double>();
+    const Eigen::Vector3d ahead = view.axes.row (2).cast<double>();
+    const double depth = ahead.dot (centroid.head<3>() - eye);
+    // What the mouse turns the cloud around.
+    const Eigen::Vector3d target = eye + (depth > 0.0 ? depth : 1.0) * ahead;
+    const double angle = 2.0 * std::atan (0.5 * height / view.focal);
+    vtkRenderer& renderer = *viewer_.getRendererCollection()->GetFirstRenderer();
+    vtkCamera& camera = *renderer.GetActiveCamera();
+    camera.SetPosition (eye.data());
+    camera.SetFocalPoint (target.data());
+    camera.SetViewUp (-down.x(), -down.y(), -down.z());
+    camera.SetWindowCenter (1.0 - 2.0 * view.center.x() / width,
+                            2.0 * view.center.y() / height - 1.0);
+    camera.SetViewAngle (pcl::rad2deg (angle));
+    renderer.ResetCameraClippingRange();
+  }
+
+  /** With the state that is shown. */
+  ViewOptions options_;
+  Eigen::Vector3d shift_;
+  pcl::Indices finite_;
+  FoundPlanes found_;
+  pcl::visualization::PCLVisualizer viewer_;
+  vtkRenderWindow& window_;
+  bool is_own_key_ = false;
+};
+
+void
+view (const ViewOptions& options)
 {
-  const FileCloud cloud = loadCloud (file);
-  const ShiftedCloud shifted = shiftedCloudOf (cloud);
-  const std::string damage = damageOf (shifted);
-  if (!damage.empty())
-    warn (file + ": " + damage);
-  ViewedCloud viewed{shifted.cloud, shifted.shift, {}, {}};
+  const ShiftedCloud shifted = shiftedCloudOf (loadCloud (options.input));
+  if (const std::string damage = damageOf (shifted); !damage.empty())
+    warn (options.input + ": " + damage);
+  pcl::Indices finite;
   for (std::size_t i = 0; i < shifted.cloud->size(); ++i)
     if (pcl::isXYZFinite ((*shifted.cloud)[i]))
-      viewed.finite.push_back (static_cast<pcl::index_t> (i));
-  if (viewed.finite.empty())
-    throw WorkError (file,
+      finite.push_back (static_cast<pcl::index_t> (i));
+  if (finite.empty())
+    throw WorkError (options.input,
                      "has no point with finite coordinates, so there is nothing to "
                      "show; give another cloud");
-  viewed.colors = inputColors (cloud, viewed);
-  return viewed;
-}
-
-int
-view (int argc, const char* const* argv)
-{
-  ViewOptions options;
-  if (readOptions (argc, argv, options))
-    inMemory (options.input, "give a smaller cloud", [&] {
-      const ViewedCloud cloud = loadViewed (options.input);
-      checkDisplay();
-      showCloud (options, cloud);
-    });
-  return ExitCode::done;
+  checkDisplay();
+  Window window (options, shifted, std::move (finite));
+  options.screenshot.empty() ? window.run() : window.savePicture();
 }
 
 } // namespace
@@ -195,5 +289,10 @@ int
 main (int argc, char** argv)
 {
   using namespace pcl_ops::apps;
-  return runProgram ("pcl_ops_view", [&] { return view (argc, argv); });
+  return runProgram ("pcl_ops_view", [&] {
+    ViewOptions options;
+    if (readOptions (argc, argv, options))
+      inMemory (options.input, "give a smaller cloud", [&options] { view (options); });
+    return ExitCode::done;
+  });
 }

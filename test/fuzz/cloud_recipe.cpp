@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cloud_recipe.h"
-
 #include <Eigen/Geometry>
 
+#include "fuzz_targets.h"
 #include "scene.h"
 
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/option_value.h>
+#include <support/text.h>
 
 #include <array>
 #include <cstdint>
@@ -41,14 +42,10 @@ struct Detector {
     std::vector<const char*> argv{"detect"};
     for (const std::string& argument : arguments)
       argv.push_back (argument.c_str());
-    try {
+    return complaintOf ([&] {
       proceeds = line.parse (static_cast<int> (argv.size()), argv.data());
       line.forbidTogether ("quiet", "image");
-    }
-    catch (const UsageError& error) {
-      return error.what();
-    }
-    return "";
+    });
   }
 };
 
@@ -144,14 +141,9 @@ TEST (CommandLine, NamesWhatIsWrongAndTheFix)
 
 TEST (CommandLine, RefusesWholeNumbersThatAreTooLargeForTheirType)
 {
-  const auto complaint = [] (auto type, const std::string& text) -> std::string {
-    try {
-      parseNumber<decltype (type)> ("n", text, Range::from (1));
-    }
-    catch (const UsageError& error) {
-      return error.what();
-    }
-    return "";
+  const auto complaint = [] (auto type, const std::string& text) {
+    return complaintOf (
+        [&] { parseNumber<decltype (type)> ("n", text, Range::from (1)); });
   };
   const auto too_large = [] (const std::string& text) {
     return "n: " + text + " is out of range; give a whole number from 1 on";

@@ -3,11 +3,13 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
 
-#include "failing_program.h"
 #include <io/laz_file.h>
 #include <support/las_bytes.h>
+#include <support/program_folder.h>
 
 #include <fstream>
+#include <optional>
+#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -51,6 +53,138 @@ saveText (const std::string& file)
     text << 500000 + i / 50 << ' ' << 5400000 + i % 50 << " 100\n";
 }
 
+/** \brief A program that writes one file of its many, and what is known of that. */
+struct Output {
+  std::string name, program;
+  /** \brief OUT stands for the name of the output. */
+  std::string arguments;
+  /** \brief What OUT stands for. */
+  std::string file;
+  /** \brief A file that has to be as it was after a failure; empty for \ref file. */
+  std::string kept = {};
+};
+
+std::ostream&
+operator<< (std::ostream& stream, const Output& output)
+{
+  return stream << output.name;
+}
+
+constexpr const char* precious = "precious";
+constexpr int killed = 128 + 9;
+
+/** \brief A folder in which things fail. */
+class Failing : public ProgramFolder {
+protected:
+  explicit Failing (const Output& output = {})
+  : ProgramFolder (output.program), output_ (output)
+  {}
+
+  /** \brief Makes the folder of outputs anew, with the file that a failure has to leave
+   * alone. */
+  void
+  protect () const
+  {
+    fs::remove_all (folder_ / "out");
+    fs::create_directories (folder_ / "out");
+    folder_.write (kept(), precious);
+  }
+
+  /** \brief Runs the program.
+   * \param[in] trouble variables of failing_calls.cpp, as "NAME=number"
+   * \param[in] before commands of the shell
+   * \param[in] file the output's name, if another one */
+  Outcome
+  failing (const std::string& trouble,
+           const std::string& before = "",
+           const std::optional<std::string>& file = {}) const
+  {
+    std::string arguments = output_.arguments;
+    arguments.replace (
+        arguments.find ("OUT"), 3, "'" + file.value_or (output_.file) + "'");
+    const std::string preload =
+        trouble.empty() ? "" : "env LD_PRELOAD='" PCL_OPS_FAILING_CALLS "' " + trouble;
+    const std::string script = streams_.write (
+        "run.sh", before + "\n" + preload + " '" + output_.program + "' " + arguments);
+    Outcome done = shell ("sh '" + script + "'");
+    done.err = ownLines (done.err);
+    return done;
+  }
+
+  bool
+  isAsBefore () const
+  {
+    return contentOf (folder_ / kept()) == precious;
+  }
+
+  /** \brief The promise of every program about every output: an exit code, one line
+   * that names the culprit, the old file as it was, and nothing left behind. */
+  void
+  expectPromise (const Outcome& done,
+                 const std::string& culprit,
+                 int exit_code = 1) const
+  {
+    const std::string start = fs::path (output_.program).filename().string() + ": ";
+    EXPECT_EQ (done.exit_code, exit_code) << done.err;
+    EXPECT_EQ (done.err.rfind (start, 0), 0u) << done.err;
+    EXPECT_EQ (lines (done.err), 1u) << done.err;
+    EXPECT_TRUE (contains (done.err, culprit));
+    EXPECT_TRUE (contains (done.err, ";")) << "no fix";
+    EXPECT_FALSE (contains (done.err, ".pcl_ops")) << "a temporary name";
+    EXPECT_TRUE (isAsBefore()) << kept();
+    for (const auto& entry : fs::recursive_directory_iterator (folder_.path()))
+      EXPECT_NE (entry.path().filename().string().front(), '.') << entry.path();
+  }
+
+  /** \brief Gives a program more and more memory until it has enough; before, it says
+   * that it has not. */
+  void
+  expectMemoryIsMissed () const
+  {
+    constexpr int step = 4'000, most = 1'000'000; // [kB]
+    int limit = step;
+    const auto run_with_limit = [&] {
+      return failing ("", "ulimit -v " + std::to_string (limit));
+    };
+    // Until there is room for the program itself.
+    constexpr int not_loaded = 127;
+    while (run_with_limit().exit_code == not_loaded && limit < most)
+      limit += step;
+    // With luck that run had enough: a run of many files would find its work done.
+    for (protect(); limit < most; limit += step) {
+      SCOPED_TRACE (std::to_string (limit) + " kB");
+      const Outcome done = run_with_limit();
+      if (done.exit_code == 0)
+        break;
+      expectPromise (done, "memory");
+      if (HasFailure())
+        return;
+    }
+    EXPECT_LT (limit, most);
+  }
+
+  Output output_;
+
+private:
+  std::string
+  kept () const
+  {
+    return output_.kept.empty() ? output_.file : output_.kept;
+  }
+
+  /** \brief Without the lines that say how far a long run is. */
+  static std::string
+  ownLines (const std::string& text)
+  {
+    std::istringstream stream (text);
+    std::string own;
+    for (std::string line; std::getline (stream, line);)
+      if (!contains (line, " clouds, "))
+        own += line + "\n";
+    return own;
+  }
+};
+
 const std::string segment = PCL_OPS_SEGMENT_PROGRAM, tiles = PCL_OPS_TILES_PROGRAM,
                   simulate = PCL_OPS_SIMULATE_PROGRAM;
 
@@ -59,23 +193,23 @@ std::vector<Output>
 allOutputs ()
 {
   std::vector<Output> outputs = {
-      {"Cloud", segment, "in.pcd OUT", "out/a.pcd", "out/a.pcd"},
-      {"Ply", segment, "in.pcd OUT", "out/a.ply", "out/a.ply"},
-      {"Las", segment, "in.las OUT", "out/a.las", "out/a.las"},
-      {"LasDistances", segment, "in.las OUT --distances", "out/a.las", "out/a.las"},
-      {"OfText", segment, "in.xyz OUT", "out/a.pcd", "out/a.pcd"},
-      {"Threads", segment, "in.pcd OUT --threads 4", "out/a.pcd", "out/a.pcd"},
-      {"Rest", segment, "in.pcd --rest OUT", "out/a.pcd", "out/a.pcd"},
-      {"PlyRest", segment, "in.pcd --rest OUT", "out/a.ply", "out/a.ply"},
-      {"Json", segment, "in.pcd --planes OUT", "out/a.json", "out/a.json"},
-      {"GeoJson", segment, "in.pcd --planes OUT", "out/a.geojson", "out/a.geojson"},
-      {"Csv", segment, "in.pcd --planes OUT", "out/a.csv", "out/a.csv"},
-      {"Picture", segment, "in.pcd --image OUT", "out/a.png", "out/a.png"},
-      {"PlyMesh", segment, "in.pcd --mesh OUT", "out/a.ply", "out/a.ply"},
-      {"VtkMesh", segment, "in.pcd --mesh OUT", "out/a.vtk", "out/a.vtk"},
-      {"PlyEdges", segment, "in.pcd --edges OUT", "out/a.ply", "out/a.ply"},
-      {"VtkEdges", segment, "in.pcd --edges OUT", "out/a.vtk", "out/a.vtk"},
-      {"JsonEdges", segment, "in.pcd --edges OUT", "out/a.json", "out/a.json"},
+      {"Cloud", segment, "in.pcd OUT", "out/a.pcd"},
+      {"Ply", segment, "in.pcd OUT", "out/a.ply"},
+      {"Las", segment, "in.las OUT", "out/a.las"},
+      {"LasDistances", segment, "in.las OUT --distances", "out/a.las"},
+      {"OfText", segment, "in.xyz OUT", "out/a.pcd"},
+      {"Threads", segment, "in.pcd OUT --threads 4", "out/a.pcd"},
+      {"Rest", segment, "in.pcd --rest OUT", "out/a.pcd"},
+      {"PlyRest", segment, "in.pcd --rest OUT", "out/a.ply"},
+      {"Json", segment, "in.pcd --planes OUT", "out/a.json"},
+      {"GeoJson", segment, "in.pcd --planes OUT", "out/a.geojson"},
+      {"Csv", segment, "in.pcd --planes OUT", "out/a.csv"},
+      {"Picture", segment, "in.pcd --image OUT", "out/a.png"},
+      {"PlyMesh", segment, "in.pcd --mesh OUT", "out/a.ply"},
+      {"VtkMesh", segment, "in.pcd --mesh OUT", "out/a.vtk"},
+      {"PlyEdges", segment, "in.pcd --edges OUT", "out/a.ply"},
+      {"VtkEdges", segment, "in.pcd --edges OUT", "out/a.vtk"},
+      {"JsonEdges", segment, "in.pcd --edges OUT", "out/a.json"},
       {"Planes", segment, "in.pcd --planes-dir OUT", "out", "out/plane_017_other.pcd"},
       {"PlyPlanes",
        segment,
@@ -104,36 +238,33 @@ allOutputs ()
        "OUT --scene town --points 500",
        "out",
        "out/town_001_001.las"},
-      {"Simulated", simulate, "OUT --points 500", "out/a.pcd", "out/a.pcd"}};
+      {"Simulated", simulate, "OUT --points 500", "out/a.pcd"}};
 #ifdef PCL_OPS_BENCHMARK_PROGRAM
   const std::string benchmark = PCL_OPS_BENCHMARK_PROGRAM,
                     measured = "simulated:500 --no-peers --runs 1 --memory-points 500 "
                                "--scaling-points 500,1000 ";
-  outputs.push_back (
-      {"Numbers", benchmark, measured + "--json OUT", "out/a.json", "out/a.json"});
+  outputs.push_back ({"Numbers", benchmark, measured + "--json OUT", "out/a.json"});
   outputs.push_back (
       {"Scaling", benchmark, measured + "--scaling OUT", "out", "out/scaling.csv"});
 #endif
   if (pcl_ops::apps::hasLaszip())
-    outputs.push_back ({"Laz", segment, "in.las OUT", "out/a.laz", "out/a.laz"});
+    outputs.push_back ({"Laz", segment, "in.las OUT", "out/a.laz"});
   return outputs;
 }
 
 constexpr int most_writes = 100;
 
-/** \brief A folder with a scene, a folder for the output, and the program. */
-class Failures : public testing::TestWithParam<Output> {
+class Failures : public Failing, public testing::WithParamInterface<Output> {
 protected:
-  Failures()
+  Failures() : Failing (GetParam())
   {
-    fs::create_directories (program_.folder() / "clouds");
-    fs::create_directories (program_.folder() / "out");
-    saveScene (program_.folder() / "in.pcd");
-    saveLas (program_.folder() / "in.las");
-    saveText (program_.folder() / "in.xyz");
-    saveScene (program_.folder() / "clouds/scene.pcd");
-    std::ofstream (program_.folder() / "poses.txt") << "0 0 0 0 0 0 0 1\n";
-    program_.protect();
+    fs::create_directories (folder_ / "clouds");
+    saveScene (folder_ / "in.pcd");
+    saveLas (folder_ / "in.las");
+    saveText (folder_ / "in.xyz");
+    saveScene (folder_ / "clouds/scene.pcd");
+    folder_.write ("poses.txt", "0 0 0 0 0 0 0 1\n");
+    protect();
   }
 
   bool
@@ -141,39 +272,7 @@ protected:
   {
     return fs::path (GetParam().file).extension().empty();
   }
-
-  FailingProgram program_{GetParam()};
 };
-
-/** \brief Gives a program more and more memory until it has enough; before, it says
- * that it has not. */
-void
-expectMemoryIsMissed (const FailingProgram& program)
-{
-  constexpr int step = 4'000, most = 1'000'000; // [kB]
-  int limit = step;
-  const auto run = [&] {
-    return program.run ("", "ulimit -v " + std::to_string (limit));
-  };
-  // Until there is room for the program itself.
-  constexpr int not_loaded = 127;
-  while (run().exit_code == not_loaded && limit < most)
-    limit += step;
-  // With luck that run had enough: a run of many files would find its work done.
-  fs::remove_all (program.folder() / "out");
-  fs::create_directories (program.folder() / "out");
-  program.protect();
-  for (; limit < most; limit += step) {
-    SCOPED_TRACE (std::to_string (limit) + " kB");
-    const Ending ending = run();
-    if (ending.exit_code == 0)
-      break;
-    program.expectPromise (ending, "memory");
-    if (testing::Test::HasFailure())
-      return;
-  }
-  EXPECT_LT (limit, most);
-}
 
 std::string
 nameOf (const testing::TestParamInfo<Output>& info)
@@ -190,15 +289,13 @@ TEST_P (Failures, ADiskThatIsFullAtAnyWriteIsSaidAndHarmsNothing)
   int write = 1;
   for (; write < most_writes; ++write) {
     SCOPED_TRACE ("full at write " + std::to_string (write));
-    const Ending ending = program_.run ("FULL_AT_WRITE=" + std::to_string (write));
+    const Outcome ending = failing ("FULL_AT_WRITE=" + std::to_string (write));
     if (ending.exit_code == 0)
       break;
-    program_.expectPromise (ending, GetParam().file);
+    expectPromise (ending, GetParam().file);
     if (HasFailure())
       return;
-    fs::remove_all (program_.folder() / "out"); // or a run of many files goes on
-    fs::create_directories (program_.folder() / "out");
-    program_.protect();
+    protect(); // or a run of many files goes on
   }
   EXPECT_GT (write, 1) << "nothing was written";
   EXPECT_LT (write, most_writes);
@@ -209,89 +306,84 @@ TEST_P (Failures, ARunKilledAtAnyWriteLeavesTheOldFileAndIsRunAgain)
   int write = 1;
   for (; write < most_writes; ++write) {
     SCOPED_TRACE ("killed at write " + std::to_string (write));
-    const Ending ending = program_.run ("KILLED_AT_WRITE=" + std::to_string (write));
+    const Outcome ending = failing ("KILLED_AT_WRITE=" + std::to_string (write));
     if (ending.exit_code == 0)
       break;
-    EXPECT_EQ (ending.exit_code, killed) << ending.errors;
-    ASSERT_TRUE (program_.isAsBefore());
+    EXPECT_EQ (ending.exit_code, killed) << ending.err;
+    ASSERT_TRUE (isAsBefore());
   }
   EXPECT_GT (write, 1) << "nothing was written";
-  EXPECT_FALSE (program_.isAsBefore()) << "the last run was not hindered";
+  EXPECT_FALSE (isAsBefore()) << "the last run was not hindered";
 }
 
 TEST_P (Failures, AFolderThatCannotBeWrittenToIsNamed)
 {
-  program_.expectPromise (program_.run ("READ_ONLY=1"), GetParam().file);
+  expectPromise (failing ("READ_ONLY=1"), GetParam().file);
 }
 
 TEST_P (Failures, ANameTooLongIsSaidToBe)
 {
   const std::string name = (isFolder() ? "" : "out/") + std::string (256, 'n') +
                            fs::path (GetParam().file).extension().string();
-  const Ending ending = program_.run ("", "", name);
-  program_.expectPromise (ending, name);
-  EXPECT_NE (ending.errors.find ("too long"), std::string::npos) << ending.errors;
+  const Outcome ending = failing ("", "", name);
+  expectPromise (ending, name);
+  EXPECT_TRUE (contains (ending.err, "too long"));
 }
 
 TEST_P (Failures, ANameAsLongAsTheFolderTakesIsFine)
 {
   const std::string extension = fs::path (GetParam().file).extension().string();
-  const Ending ending =
-      program_.run ("",
-                    "",
-                    (isFolder() ? "" : "out/") +
-                        std::string (255 - extension.size(), 'n') + extension);
-  EXPECT_EQ (ending.exit_code, 0) << ending.errors;
+  const Outcome ending =
+      failing ("",
+               "",
+               (isFolder() ? "" : "out/") + std::string (255 - extension.size(), 'n') +
+                   extension);
+  EXPECT_EQ (ending.exit_code, 0) << ending.err;
 }
 
 TEST_P (Failures, AnEmptyNameIsWrongUsage)
 {
-  program_.expectPromise (program_.run ("", "", ""), "", 2);
+  expectPromise (failing ("", "", ""), "", 2);
 }
 
-TEST_P (Failures, TooLittleMemoryIsSaidAndHarmsNothing)
-{
-  expectMemoryIsMissed (program_);
-}
+TEST_P (Failures, TooLittleMemoryIsSaidAndHarmsNothing) { expectMemoryIsMissed(); }
 
 TEST_P (Failures, NoThreadIsNoFailure)
 {
-  const Ending ending = program_.run ("THREADS_TO_START=0");
-  EXPECT_EQ (ending.exit_code, 0) << ending.errors;
+  const Outcome ending = failing ("THREADS_TO_START=0");
+  EXPECT_EQ (ending.exit_code, 0) << ending.err;
 }
 
-TEST (FailingThreads, DoNotKeepABatchFromItsClouds)
+TEST_F (Failing, NoThreadKeepsABatchFromItsClouds)
 {
-  const FailingProgram program (
-      {"", segment, "a.pcd b.pcd --output-dir OUT --jobs 4", "out", ""});
-  saveScene (program.folder() / "a.pcd");
-  saveScene (program.folder() / "b.pcd");
-  const Ending ending = program.run ("THREADS_TO_START=0");
-  EXPECT_EQ (ending.exit_code, 0) << ending.errors;
-  EXPECT_TRUE (fs::exists (program.folder() / "out/b.json"));
+  output_ = {"", segment, "a.pcd b.pcd --output-dir OUT --jobs 4", "out", "out/kept"};
+  saveScene (folder_ / "a.pcd");
+  saveScene (folder_ / "b.pcd");
+  const Outcome ending = failing ("THREADS_TO_START=0");
+  EXPECT_EQ (ending.exit_code, 0) << ending.err;
+  EXPECT_TRUE (fs::exists (folder_ / "out/b.json"));
 }
 
-TEST (FailingMemory, IsNotTakenForADamagedCloud)
+TEST_F (Failing, MemoryIsNotTakenForADamagedCloud)
 {
-  const FailingProgram program ({"", segment, "in.pcd OUT --quiet", "a.pcd", "a.pcd"});
-  saveScene (program.folder() / "in.pcd", 500);
-  program.protect();
-  expectMemoryIsMissed (program);
+  output_ = {"", segment, "in.pcd OUT --quiet", "out/a.pcd"};
+  saveScene (folder_ / "in.pcd", 500);
+  protect();
+  expectMemoryIsMissed();
 }
 
-TEST (FailingFile, ThatOutgrowsTheLimitOfTheUserIsNotTheProgramsEnd)
+TEST_F (Failing, LimitOfTheUserForFilesIsNotTheProgramsEnd)
 {
-  const FailingProgram program ({"", segment, "in.pcd OUT", "a.pcd", "a.pcd"});
-  saveScene (program.folder() / "in.pcd");
-  program.protect();
-  program.expectPromise (program.run ("", "ulimit -f 1"), "a.pcd");
+  output_ = {"", segment, "in.pcd OUT", "out/a.pcd"};
+  saveScene (folder_ / "in.pcd");
+  protect();
+  expectPromise (failing ("", "ulimit -f 1"), "a.pcd");
 }
 
-TEST (FailingPipe, IsSaidToNeedRoomForTemporaryFiles)
+TEST_F (Failing, PipeIsSaidToNeedRoomForTemporaryFiles)
 {
-  const FailingProgram program ({"", segment, "- OUT <in.pcd", "a.pcd", "a.pcd"});
-  saveScene (program.folder() / "in.pcd");
-  program.protect();
-  program.expectPromise (program.run ("FULL_AT_WRITE=1", "export TMPDIR=."),
-                         "standard input");
+  output_ = {"", segment, "- OUT <in.pcd", "out/a.pcd"};
+  saveScene (folder_ / "in.pcd");
+  protect();
+  expectPromise (failing ("FULL_AT_WRITE=1", "export TMPDIR=."), "standard input");
 }

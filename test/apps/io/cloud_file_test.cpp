@@ -9,6 +9,7 @@
 #include <io/cloud_file.h>
 #include <io/shifted_cloud.h>
 #include <support/temporary_folder.h>
+#include <support/text.h>
 
 #include <cmath>
 #include <functional>
@@ -86,14 +87,8 @@ protected:
   std::string
   complaintAbout (const std::string& file) const
   {
-    try {
-      loadCloud (file);
-    }
-    catch (const std::runtime_error& error) {
-      const std::string text = error.what();
-      return text.substr (text.find (file) == 0 ? file.size() + 2 : 0);
-    }
-    return "";
+    const std::string text = complaintOf ([&] { loadCloud (file); });
+    return text.substr (text.find (file) == 0 ? file.size() + 2 : 0);
   }
 
   std::string

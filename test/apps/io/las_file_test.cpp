@@ -7,11 +7,11 @@
 #include <io/cloud_file.h>
 #include <io/las_file.h>
 #include <io/laz_file.h>
+#include <support/cloud_values.h>
 #include <support/las_bytes.h>
 #include <support/temporary_folder.h>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <string>
 #include <vector>
@@ -19,19 +19,6 @@
 using namespace pcl_ops::apps;
 
 namespace {
-
-template <typename Number>
-Number
-valueOf (const FileCloud& cloud, std::size_t point, const std::string& field)
-{
-  Number value{};
-  for (const pcl::PCLPointField& known : cloud.points.fields)
-    if (known.name == field)
-      std::memcpy (&value,
-                   &cloud.points.data[point * cloud.points.point_step + known.offset],
-                   sizeof (value));
-  return value;
-}
 
 class LasFileTest : public testing::Test {
 protected:
@@ -105,10 +92,10 @@ TEST_F (LasFileTest, HasTheCoordinatesOfEveryPointFormat)
       SCOPED_TRACE (std::to_string (minor) + ", format " + std::to_string (format));
       const FileCloud cloud = load (LasRecipe{minor, format});
       ASSERT_EQ (cloud.size(), 2u);
-      EXPECT_EQ (valueOf<double> (cloud, 1, "x"), 500000.004);
-      EXPECT_EQ (valueOf<double> (cloud, 1, "y"), 5400000.005);
-      EXPECT_EQ (valueOf<double> (cloud, 1, "z"), 0.006);
-      EXPECT_EQ (valueOf<float> (cloud, 0, "intensity"), 0x0d0c);
+      EXPECT_EQ (valuesOf<double> (cloud, "x")[1], 500000.004);
+      EXPECT_EQ (valuesOf<double> (cloud, "y")[1], 5400000.005);
+      EXPECT_EQ (valuesOf<double> (cloud, "z")[1], 0.006);
+      EXPECT_EQ (valuesOf<float> (cloud, "intensity")[0], 0x0d0c);
     }
 }
 
@@ -121,9 +108,9 @@ TEST_F (LasFileTest, KeepsEveryIntegerOfMorePointsThanABlockHas)
     recipe.points.push_back ({step * i, 7 * i, -i});
   const FileCloud cloud = load (recipe);
   ASSERT_EQ (cloud.size(), static_cast<std::size_t> (size));
+  const std::vector<double> x = valuesOf<double> (cloud, "x");
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    ASSERT_EQ (std::lround ((valueOf<double> (cloud, i, "x") - 500000) / 0.001),
-               recipe.points[i][0]);
+    ASSERT_EQ (std::lround ((x[i] - 500000) / 0.001), recipe.points[i][0]);
 }
 
 TEST_F (LasFileTest, IsLabelledWithEveryOtherByteKept)
@@ -215,8 +202,8 @@ TEST_F (LasFileTest, ReadsAndReplacesTheLabelsItWrote)
 {
   const std::string first = labelled (LasRecipe{}, {70000, 3});
   const FileCloud cloud = load (first);
-  EXPECT_EQ (valueOf<std::uint32_t> (cloud, 0, "label"), 70000u);
-  EXPECT_EQ (valueOf<std::uint32_t> (cloud, 1, "label"), 3u);
+  EXPECT_EQ (valuesOf<std::uint32_t> (cloud, "label")[0], 70000u);
+  EXPECT_EQ (valuesOf<std::uint32_t> (cloud, "label")[1], 3u);
   EXPECT_FALSE (hasField (load (LasRecipe{}), "label"));
   saveLabelledLas (folder_ / "again.las", *load (first).las, {3, 4});
   EXPECT_TRUE (contentOf (folder_ / "again.las") == labelled (LasRecipe{}, {3, 4}));

@@ -6,28 +6,15 @@
 #include <io/output_file.h>
 #include <support/file_size_limit.h>
 #include <support/temporary_folder.h>
+#include <support/text.h>
 
 #include <filesystem>
-#include <functional>
 #include <string>
 
 namespace fs = std::filesystem;
 using namespace pcl_ops::apps;
 
 namespace {
-
-/** \brief What some work ends with; empty where it succeeds. */
-std::string
-complaintOf (const std::function<void()>& work)
-{
-  try {
-    work();
-  }
-  catch (const WorkError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 class OutputFile : public testing::Test {
 protected:

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <io/shifted_cloud.h>
+#include <support/text.h>
 
 #include <cstdlib>
 #include <limits>
@@ -90,16 +91,13 @@ TEST (CloudDamage, IsAtThePlaceOfTheFileToTheMillimeter)
     cloud[i] = {1.0f, 0.0f, -0.5f};
   const std::string text =
       damageOf (cloud, Eigen::Vector3d (512345.001, 5412345.002, 99.003));
-  EXPECT_NE (text.find ("are at (512346.001, 5412345.002, 98.503);"), std::string::npos)
-      << text;
+  EXPECT_TRUE (contains (text, "are at (512346.001, 5412345.002, 98.503);"));
 }
 
 TEST (CloudDamage, IsOfAHundredPerCentWhereAllPointsAreAtOnePlace)
 {
   const std::string text = damageOf (XyzCloud (100, 1, {1.0f, 2.0f, 3.0f}));
-  EXPECT_NE (text.find ("looks damaged: 100 % of its points are at (1, 2, 3);"),
-             std::string::npos)
-      << text;
+  EXPECT_TRUE (contains (text, "looks damaged: 100 % of its points are at (1, 2, 3);"));
   XyzCloud but_few = XyzCloud (1000, 1, {1.0f, 2.0f, 3.0f});
   for (std::size_t i = 0; i < 4; ++i)
     but_few[i].x += static_cast<float> (i);
@@ -124,7 +122,5 @@ TEST (CloudDamage, IsSeenWhereOnePerCentIsVeryFarAway)
   // Each in a kilometer of its own, 1,000 km away.
   const std::string text =
       damageOf (withMoved (floorOfPoints(), 97, {1e6f, 0, 0}, 1e3f));
-  EXPECT_NE (text.find ("1000 times as far away as the rest is wide"),
-             std::string::npos)
-      << text;
+  EXPECT_TRUE (contains (text, "1000 times as far away as the rest is wide"));
 }

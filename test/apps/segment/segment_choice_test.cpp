@@ -91,21 +91,6 @@ TEST_F (SegmentChoice, IsAmongTheParameters)
   EXPECT_EQ (sized["size"], (std::vector<double>{1.2, 0.3, 0.1}));
 }
 
-TEST_F (SegmentChoice, RefusesBoundsThatLeaveNothingBetweenThem)
-{
-  expectRefused ("floor.pcd --min-area 2 --max-area 1",
-                 "--max-area: is below --min-area");
-  expectRefused ("floor.pcd --min-width 2 --max-width 1",
-                 "--max-width: is below --min-width");
-  expectRefused ({{"floor.pcd --max-area -1", "--max-area: -1 is out of range"},
-                  {"floor.pcd --slope 40,20", "--slope: ends below where it begins"},
-                  {"floor.pcd --slope 40", "--slope: 40 is not MIN,MAX"},
-                  {"floor.pcd --slope 0,91", "--slope: 91 is out of range"},
-                  {"floor.pcd --size 1,2", "--size: 1,2 is not W,H,TOLERANCE"},
-                  {"floor.pcd --size 1,2,3,4", "--size: 1,2,3,4 is not W,H,TOLERANCE"},
-                  {"floor.pcd --size 1,b,3", "--size: 'b' is no number"}});
-}
-
 TEST_F (SegmentChoice, KeepsTheLargestOfThoseLeft)
 {
   const auto largest = expectLeft ("--max-planes 1", points_of_plane);
@@ -117,25 +102,21 @@ TEST_F (SegmentChoice, KeepsTheLargestOfThoseLeft)
                          "\nDropped 1 of 2 planes: 1 by --max-planes.\n"));
   EXPECT_TRUE (contains (run ("floor.pcd --only largest --max-planes 2").out,
                          "\nDropped 1 of 2 planes: 1 by --only.\n"));
-  expectRefused ("floor.pcd --max-planes 0", "--max-planes: 0 is out of range");
 }
 
 TEST_F (SegmentChoice, SaysInALineHowManyPlanesWereDroppedAndWhy)
 {
   const Outcome some = run ("floor.pcd --min-width 0.5");
-  EXPECT_TRUE (contains (some.out, "\nDropped 1 of 2 planes: 1 by --min-width.\n"))
-      << some.out;
+  EXPECT_TRUE (contains (some.out, "\nDropped 1 of 2 planes: 1 by --min-width.\n"));
   const Outcome all = run ("floor.pcd --min-points 2000 --direction 1,0,0");
   EXPECT_TRUE (contains (all.out,
                          "\nNo plane found: all 2 planes found are dropped, 2 by "
-                         "--direction: leave an option out or ask for less.\n"))
-      << all.out;
+                         "--direction: leave an option out or ask for less.\n"));
   EXPECT_FALSE (contains (run ("floor.pcd --min-width 0.1").out, "ropped"));
   const Outcome batch = run ("floor.pcd --output-dir planes --min-area 2");
   EXPECT_TRUE (contains (batch.out,
                          "4000 points, 1 plane. Dropped 1 of 2 planes: 1 by "
-                         "--min-area."))
-      << batch.out;
+                         "--min-area."));
 }
 
 TEST_F (SegmentChoice, MeasuresTheOutlineThatIsWritten)

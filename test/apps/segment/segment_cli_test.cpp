@@ -119,21 +119,12 @@ TEST_F (Segment, DrawsAPictureWithoutADisplay)
 TEST_F (Segment, PrintsATableUnlessQuiet)
 {
   const Outcome loud = run ("in.pcd");
-  EXPECT_TRUE (contains (loud.out, "5001 points, 2 planes")) << loud.out;
+  EXPECT_TRUE (contains (loud.out, "5001 points, 2 planes"));
   EXPECT_TRUE (contains (loud.out, "horizontal"));
   EXPECT_TRUE (contains (loud.out, "vertical"));
   EXPECT_TRUE (contains (loud.out, "detection"));
   const Outcome quiet = expectDone ("in.pcd out.pcd --quiet");
   EXPECT_EQ (quiet.out + quiet.err, "");
-}
-
-TEST_F (Segment, AnswersHelpAndVersion)
-{
-  for (const char* question : {"--help", "-h", "--version", "-help"}) {
-    const Outcome done = expectDone (question);
-    EXPECT_TRUE (contains (done.out, "pcl_ops_segment"));
-    EXPECT_EQ (done.err, "");
-  }
 }
 
 TEST_F (Segment, AnswersHelpOnOneScreen)
@@ -146,82 +137,6 @@ TEST_F (Segment, AnswersHelpOnOneScreen)
   for (const char* option : {"--s-beta", "--planes-dir"})
     EXPECT_TRUE (contains (help, option)) << option;
   EXPECT_TRUE (contains (run ("--help-all").out, "--s-beta R"));
-}
-
-TEST_F (Segment, RefusesWrongUsageInOneLine)
-{
-  const Complaints wrong = {
-      {"", "INPUT: is missing"},
-      {"in.abc", "in.abc: has an unknown extension; give a .pcd, .ply, .las, .xyz, "},
-      {"in.pcd out.xyz",
-       "OUTPUT: out.xyz has an unknown extension; give a file .pcd or .ply or .las"},
-      {"in.pcd in.pcd", "in.pcd: is the input, too"},
-      {"in.pcd ./in.pcd", "./in.pcd: is the input, too"},
-      {"in.pcd --planes p.txt",
-       "--planes: p.txt has an unknown extension; give a file .json or .csv or "
-       ".geojson"},
-      {"in.pcd --rest r.xyz",
-       "--rest: r.xyz has an unknown extension; give a file .pcd or .ply"},
-      {"in.pcd out.pcd --format ply",
-       "--format: is about --output-dir and --planes-dir"},
-      {"in.pcd --planes-dir p --format las", "--format: 'las' is unknown"},
-      {"in.pcd --image p.jpg", "--image: p.jpg has an unknown extension"},
-      {"in.pcd --colour", "--colour: is no option"},
-      {"in.pcd --th 1", "--th: is ambiguous"},
-      {"in.pcd --k 5 --k 6", "--k: is given twice"},
-      {"in.pcd --method magic", "--method: 'magic' is unknown"},
-      {"in.pcd --sampling-rate 0", "--sampling-rate: 0 is out of range"},
-      {"in.pcd --sampling-rate 1.5",
-       "--sampling-rate: 1.5 is out of range; give a number above 0 and up to 1"},
-      {"in.pcd --k 1", "--k: 1 is out of range"},
-      {"in.pcd --k 1000000", "--k: 1000000 is more than the points of the cloud"},
-      {"in.pcd --threshold -0.05", "--threshold: -0.05 is out of range"},
-      {"in.pcd --threshold nan", "--threshold: nan is out of range"},
-      {"in.pcd --min-inliers many", "--min-inliers: 'many' is no number"},
-      {"in.pcd --probability 1", "--probability: 1 is out of range"},
-      {"in.pcd --angle-tolerance 91", "--angle-tolerance: 91 is out of range"},
-      {"in.pcd --up 0,0,0", "--up: 0,0,0 is no direction"},
-      {"in.pcd --seed 4294967296", "--seed: 4294967296 is out of range"},
-      {"in.pcd --threads -1", "--threads: -1 is out of range"},
-      {"in.pcd --direction 0,0,0",
-       "--direction: 0,0,0 is no direction; give one such as 0,0,1"},
-      {"in.pcd --direction up", "--direction: 'up'"},
-      {"in.pcd --direction 0,0,1 --within 91", "--within: 91 is out of range"},
-      {"in.pcd --within 5", "--within: is about --direction x,y,z; give it, too"},
-      {"in.pcd --min-area -1", "--min-area: -1 is out of range; give a number from 0"},
-      {"in.pcd --min-width inf", "--min-width: inf is out of range"},
-      {"in.pcd --min-points 1.5", "--min-points: "},
-      {"in.pcd --quiet", "--quiet: leaves nothing to do"},
-      {"in.pcd --keep-color", "--keep-color: is about OUTPUT.pcd"},
-      {"in.pcd --distances", "--distances: is about OUTPUT; give one"},
-      {"in.pcd out.las --distances", "out.las: is LAS, which the input is not"},
-      {"in.pcd out.pcd extra", "extra: is one argument too many"}};
-  expectRefused (wrong);
-  EXPECT_EQ (folder_.fileCount(), 1u) << "nothing was written";
-}
-
-TEST_F (Segment, SaysInOneLineWhyTheWorkFailed)
-{
-  const std::string whole = contentOf (folder_ / "in.pcd");
-  const std::size_t header = whole.find ("DATA binary\n") + 12;
-  folder_.write ("header.pcd", whole.substr (0, header));
-  folder_.write ("half.pcd", whole.substr (0, (header + whole.size()) / 2));
-  folder_.write ("no_y.pcd",
-                 "FIELDS x z\nSIZE 4 4\nTYPE F F\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
-                 "DATA ascii\n1 2\n");
-  folder_.write ("empty.pcd", "");
-  std::filesystem::create_directory (folder_ / "folder.pcd");
-  const Complaints failures = {
-      {"missing.pcd", "missing.pcd: does not exist"},
-      {"header.pcd", "header.pcd: is truncated"},
-      {"half.pcd", "half.pcd: is truncated"},
-      {"no_y.pcd", "no_y.pcd: has no field y"},
-      {"empty.pcd", "empty.pcd: is empty"},
-      {"in.pcd nowhere/out.pcd", "nowhere/out.pcd: its folder does not exist"},
-      {"in.pcd folder.pcd", "folder.pcd: is a folder"},
-      {"in.pcd --planes nowhere/p.json", "nowhere/p.json: its folder does not exist"},
-      {"in.pcd --image nowhere/p.png", "nowhere/p.png: its folder does not exist"}};
-  expectRefused (failures, 1);
 }
 
 TEST_F (Segment, LeavesExistingOutputsAloneWhenItFails)

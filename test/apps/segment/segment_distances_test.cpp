@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/common/io.h>
-
 #include "segment_program.h"
 #include <io/cloud_file.h>
+#include <support/cloud_values.h>
 #include <support/las_bytes.h>
 
 #include <cmath>
@@ -21,16 +20,7 @@ protected:
   {
     if (file.find (".las") != std::string::npos)
       return distancesInLas (contentOf (folder_ / file));
-    const pcl_ops::apps::FileCloud cloud = pcl_ops::apps::loadCloud (folder_ / file);
-    const int field = pcl::getFieldIndex (cloud.points, "distance");
-    EXPECT_GE (field, 0);
-    std::vector<float> distances (cloud.size());
-    for (std::size_t i = 0; field >= 0 && i < distances.size(); ++i)
-      std::memcpy (&distances[i],
-                   &cloud.points.data[i * cloud.points.point_step +
-                                      cloud.points.fields[std::size_t (field)].offset],
-                   sizeof (float));
-    return distances;
+    return valuesOf<float> (pcl_ops::apps::loadCloud (folder_ / file), "distance");
   }
 
   /** \brief The last four of the extra bytes, by the header alone. */
@@ -131,18 +121,4 @@ TEST_F (SegmentDistances, AreDescribedBesideTheLabelInALas)
   // Once more, in their own place.
   expectDone ("out.las again.las --distances");
   EXPECT_TRUE (contentOf (folder_ / "again.las") == las);
-}
-
-TEST_F (SegmentDistances, AreRefusedByALasThatHasOthersOfThatName)
-{
-  LasRecipe recipe;
-  recipe.extra = {std::string (2, 'a'), std::string (2, 'b')};
-  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("distance", 3))};
-  folder_.write ("in.las", lasBytes (recipe));
-  const Outcome refused = run ("in.las out.las --distances");
-  EXPECT_EQ (refused.exit_code, 1);
-  EXPECT_EQ (lines (refused.err), 1u) << refused.err;
-  EXPECT_TRUE (contains (refused.err, "extra-bytes field distance that is no float"))
-      << refused.err;
-  expectDone ("in.las out.las");
 }

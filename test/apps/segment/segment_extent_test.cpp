@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "json_vector.h"
 #include "segment_program.h"
 
 #include <cmath>
@@ -103,7 +102,7 @@ TEST_F (Segment, WritesHullsAsAMeshInTheColorsOfTheLabels)
   ASSERT_EQ (pcl::io::loadPLYFile (folder_ / "m.ply", mesh), 0);
   pcl::PointCloud<pcl::PointXYZRGB> corners;
   pcl::fromPCLPointCloud2 (mesh.cloud, corners);
-  const auto json = Json::parse (contentOf (folder_ / "p.json"));
+  const auto json = jsonIn ("p.json");
   const std::size_t of_first = json["planes"][0]["hull"].size();
   ASSERT_EQ (corners.size(), of_first + json["planes"][1]["hull"].size());
   EXPECT_GE (mesh.polygons.size(), 2u);
@@ -131,7 +130,7 @@ TEST_F (Segment, WritesAMeshThatLiesOnTheCloudInPclViewer)
       Eigen::Translation3d (posed.sensor_origin_.head<3>().cast<double>()) *
       posed.sensor_orientation_.cast<double>();
   const auto [corners, faces] = readVtk (contentOf (folder_ / "m.vtk"));
-  const auto json = Json::parse (contentOf (folder_ / "p.json"));
+  const auto json = jsonIn ("p.json");
   EXPECT_GE (faces, 2u);
   std::size_t corner = 0;
   for (const Json& plane : json["planes"])
@@ -150,7 +149,7 @@ TEST_F (Segment, DrawsConcaveHullsOrSaysHowToGetThem)
   constexpr double area = 3.0 * 0.8 + 0.8 * 1.2;
   ASSERT_EQ (done.exit_code, 0) << done.err;
   EXPECT_EQ (done.err, "");
-  const auto json = Json::parse (contentOf (folder_ / "p.json"));
+  const auto json = jsonIn ("p.json");
   EXPECT_NEAR (json["planes"][0]["area"].get<double>(), area, 0.02 * area);
   EXPECT_NEAR (json["planes"][0]["extent"]["length"].get<double>(), 3.0, 0.1);
   pcl::PolygonMesh mesh;
@@ -175,7 +174,7 @@ TEST_F (Segment, CutsWindowsOutOfConcaveHulls)
   expectDone ("wall.pcd --planes p.json --mesh m.ply --hull concave");
   const auto map = jsonOf ("wall.pcd --planes p.geojson --hull concave", "p.geojson");
   EXPECT_EQ (map["features"][0]["geometry"]["coordinates"].size(), 2u);
-  const auto plane = Json::parse (contentOf (folder_ / "p.json"))["planes"][0];
+  const auto plane = jsonIn ("p.json")["planes"][0];
   EXPECT_NEAR (plane["area"].get<double>(), 6.0 - 0.8, 0.06);
   ASSERT_EQ (plane["holes"].size(), 1u);
   for (const Json& corner : plane["holes"][0])
@@ -215,17 +214,4 @@ TEST_F (Segment, WritesAnEmptyMeshWhereThereIsNoPlane)
   pcl::io::loadPLYFile (folder_ / "m.ply", mesh);
   EXPECT_TRUE (mesh.polygons.empty());
   EXPECT_TRUE (readVtk (contentOf (folder_ / "m.vtk")).first.empty());
-}
-
-TEST_F (Segment, RefusesWrongMeshesAndHullsInOneLine)
-{
-  pcl::io::savePLYFileBinary (folder_ / "in.ply", floorAndWall());
-  const Complaints wrong = {
-      {"in.pcd --mesh m.stl", "--mesh: m.stl has an unknown extension"},
-      {"in.ply --mesh in.ply", "in.ply: is the input, too"},
-      {"in.pcd --planes p.json --hull round", "--hull: 'round' is unknown"},
-      {"in.pcd --hull convex",
-       "--hull: is about --planes, --mesh and --min-area; give one"}};
-  expectRefused (wrong);
-  EXPECT_EQ (run ("in.pcd --mesh nowhere/m.ply").exit_code, 1);
 }

@@ -8,7 +8,6 @@
 #include <support/las_bytes.h>
 
 #include <array>
-#include <cctype>
 #include <map>
 #include <sstream>
 
@@ -72,18 +71,6 @@ TEST_F (OtherPrograms, FindWhatTheyKnowInAPly)
   for (const std::string& line : header)
     size += line.size() + 1;
   EXPECT_EQ (contentOf (folder_ / "out.ply").size(), size);
-}
-
-TEST_F (OtherPrograms, DoNotTakeOurPropertiesForTheirs)
-{
-  // CloudCompare looks for these parts, and by their ends for x, y and z.
-  for (std::string name : {"distance", "label"}) {
-    for (char& c : name)
-      c = static_cast<char> (std::toupper (c));
-    for (const char* part : {"NX", "NY", "NZ", "NORM", "RED", "GREEN", "BLUE", "COL"})
-      EXPECT_EQ (name.find (part), std::string::npos) << name << " has " << part;
-    EXPECT_EQ (std::string ("XYZ").find (name.back()), std::string::npos) << name;
-  }
 }
 
 TEST_F (OtherPrograms, FindSinglePrecisionAndColorsInAPcd)

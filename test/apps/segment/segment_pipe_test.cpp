@@ -51,23 +51,6 @@ TEST_F (SegmentPipe, PrintsTheJsonOfEveryKindOfCloudPipedIn)
   }
 }
 
-TEST_F (SegmentPipe, SaysWhatIsWrongWithTheInputAndLeavesNoTemporaryFile)
-{
-  const Complaints broken = {
-      {"true", "standard input: is empty"},
-      {"echo hello", "standard input: is no valid PCD file"},
-      {"head -c 2000 in.pcd", "standard input: is truncated"},
-      {"head -c 3000000 /dev/zero", "standard input: is no valid PCD file"}};
-  for (const auto& [command, complaint] : broken) {
-    const Outcome done = pipe (command, "-");
-    EXPECT_EQ (done.exit_code, 1) << command;
-    EXPECT_EQ (done.err.find ("pcl_ops_segment: " + complaint), 0u) << done.err;
-    EXPECT_EQ (lines (done.err), 1u) << done.err;
-    EXPECT_EQ (done.out, "");
-    EXPECT_EQ (temporary_.fileCount(), 0u) << command;
-  }
-}
-
 TEST_F (SegmentPipe, NamesTmpdirWhereItIsNoFolder)
 {
   const Outcome piped = run ("-", "cat in.pcd | TMPDIR=missing_folder");
@@ -106,12 +89,6 @@ TEST_F (SegmentPipe, PrintsATableWhereThePlanesGoToAFile)
   EXPECT_EQ (done.exit_code, 0) << done.err;
   EXPECT_EQ (done.out.find ("standard input: 5001 points, 2 planes"), 0u) << done.out;
   EXPECT_EQ (lines (contentOf (folder_ / "p.csv")), 3u);
-}
-
-TEST_F (SegmentPipe, PrintsTheJsonOfAFileWhereAskedTo)
-{
-  const Outcome done = expectDone ("in.pcd --planes -");
-  EXPECT_EQ (withoutTimes (done.out)["points"], 2 * points_of_plane + 1);
 }
 
 TEST_F (SegmentPipe, PutsAdviceIntoTheJsonWhereNothingIsFound)

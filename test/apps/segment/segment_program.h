@@ -53,41 +53,9 @@ floorAndWall (int side = points_of_side)
 /** \brief A folder with the input cloud, to run the program in. */
 class Segment : public ProgramFolder {
 protected:
-  Segment() { pcl::io::savePCDFileBinary (folder_ / "in.pcd", floorAndWall()); }
-
-  /** \brief Runs the program in the folder. */
-  Outcome
-  run (const std::string& arguments, const std::string& environment = "") const
+  Segment() : ProgramFolder (PCL_OPS_SEGMENT_PROGRAM)
   {
-    return shell (environment + " '" PCL_OPS_SEGMENT_PROGRAM "' " + arguments);
-  }
-
-  Outcome
-  expectDone (const std::string& arguments, const std::string& environment = "") const
-  {
-    const Outcome done = run (arguments, environment);
-    EXPECT_EQ (done.exit_code, 0) << arguments << done.err;
-    return done;
-  }
-
-  /** \brief A run that ends with a code after one line that begins with a complaint. */
-  void
-  expectRefused (const std::string& arguments,
-                 const std::string& complaint,
-                 int exit_code = 2) const
-  {
-    const Outcome done = run (arguments);
-    EXPECT_EQ (done.exit_code, exit_code) << arguments;
-    EXPECT_EQ (done.err.find ("pcl_ops_segment: " + complaint), 0u) << done.err;
-    EXPECT_EQ (lines (done.err), 1u) << done.err;
-    EXPECT_EQ (done.out, "") << arguments;
-  }
-
-  void
-  expectRefused (const Complaints& wrong, int exit_code = 2) const
-  {
-    for (const auto& [arguments, complaint] : wrong)
-      expectRefused (arguments, complaint, exit_code);
+    pcl::io::savePCDFileBinary (folder_ / "in.pcd", floorAndWall());
   }
 
   /** \brief The JSON file that a run writes. */
@@ -95,7 +63,7 @@ protected:
   jsonOf (const std::string& arguments, const std::string& file = "p.json") const
   {
     expectDone (arguments);
-    return nlohmann::json::parse (contentOf (folder_ / file));
+    return jsonIn (file);
   }
 
   /** \brief Ends the program by SIGTERM as soon as a condition of the shell holds, at
@@ -121,6 +89,12 @@ protected:
     return cloud;
   }
 };
+
+inline Eigen::Vector3d
+toVector (const nlohmann::json& array)
+{
+  return {array[0].get<double>(), array[1].get<double>(), array[2].get<double>()};
+}
 
 inline std::vector<std::uint32_t>
 labelsOf (const LabelledCloud& cloud)

@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/common/io.h>
-
 #include "segment_program.h"
 #include <io/cloud_file.h>
 #include <io/shifted_cloud.h>
+#include <support/cloud_values.h>
 
-#include <cstring>
 #include <iomanip>
 #include <sstream>
 
@@ -39,39 +37,11 @@ TEST_F (Segment, LabelsATextAndKeepsItsMillimetresAndColumns)
     const pcl_ops::apps::CoordinateReader place (cloud);
     ASSERT_EQ (cloud.size(), std::size_t (points_of_plane));
     EXPECT_EQ (place (0), Eigen::Vector3d (500000.123, 5400000.456, 120.789));
-    const int number = pcl::getFieldIndex (cloud.points, "number");
-    const int label = pcl::getFieldIndex (cloud.points, "label");
-    ASSERT_GE (number, 0);
-    ASSERT_GE (label, 0);
-    for (std::size_t i = 0; i < cloud.size(); ++i) {
-      const std::uint8_t* const point = &cloud.points.data[i * cloud.points.point_step];
-      double own;
-      std::memcpy (&own, point + cloud.points.fields[std::size_t (number)].offset, 8);
-      ASSERT_EQ (own, double (i));
-      std::uint32_t of_plane;
-      std::memcpy (
-          &of_plane, point + cloud.points.fields[std::size_t (label)].offset, 4);
-      ASSERT_EQ (of_plane, 1u);
-    }
-  }
-}
-
-TEST_F (Segment, HasMillimetresOfUtmInEveryFileOfPoints)
-{
-  // Beside the floor a point on no plane.
-  folder_.write ("in.xyz", floorText() + "500000.321 5400000.654 135.987 2500\n");
-  for (const std::string format : {"pcd", "ply"}) {
-    SCOPED_TRACE (format);
-    const std::string rest = "rest." + format;
-    expectDone ("in.xyz --rest " + rest + " --planes-dir planes --quiet --format " +
-                format);
-    const auto first = [&] (const std::string& file) {
-      const pcl_ops::apps::FileCloud cloud = pcl_ops::apps::loadCloud (folder_ / file);
-      return pcl_ops::apps::CoordinateReader (cloud) (0);
-    };
-    EXPECT_EQ (first (rest), Eigen::Vector3d (500000.321, 5400000.654, 135.987));
-    EXPECT_EQ (first ("planes/plane_001_horizontal." + format),
-               Eigen::Vector3d (500000.123, 5400000.456, 120.789));
+    const std::vector<double> numbers = valuesOf<double> (cloud, "number");
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      ASSERT_EQ (numbers[i], double (i));
+    EXPECT_EQ (valuesOf<std::uint32_t> (cloud, "label"),
+               std::vector<std::uint32_t> (cloud.size(), 1u));
   }
 }
 
@@ -99,28 +69,6 @@ TEST_F (Segment, KeepsAColumnCalledRgb)
   expectDone ("in.csv out.ply --keep-color");
   EXPECT_TRUE (contains (contentOf (folder_ / "out.ply"), "\nproperty double rgb\n"))
       << "it is a number, not PCL's packed colour";
-}
-
-TEST_F (Segment, SaysInALineWhatIsWrongWithAText)
-{
-  folder_.write ("comma.csv", "1,5;2,5;3,5\n");
-  folder_.write ("short.xyz", "1 2 3\n4 5\n");
-  folder_.write ("packed.xyz", "\x1f\x8b\x08");
-  folder_.write ("empty.pts", "");
-  const Complaints bad = {
-      {"comma.csv", "comma.csv: is damaged: line 1 has '1,5', which is no number"},
-      {"short.xyz", "short.xyz: is damaged: line 2 has 2 numbers instead of 3"},
-      {"packed.xyz", "packed.xyz: is compressed (gzip)"},
-      {"scan.xyz.gz", "scan.xyz.gz: is compressed (gzip)"},
-      {"empty.pts", "empty.pts: is empty"},
-      {"none.txt", "none.txt: does not exist"}};
-  for (const auto& [file, complaint] : bad) {
-    const Outcome done = run (file + " out.pcd");
-    EXPECT_EQ (done.exit_code, 1) << file;
-    EXPECT_EQ (lines (done.err), 1u) << done.err;
-    EXPECT_TRUE (contains (done.err, complaint)) << done.err;
-    EXPECT_FALSE (std::filesystem::exists (folder_ / "out.pcd"));
-  }
 }
 
 TEST_F (Segment, HasNoPlaneInATextOfAFewPoints)

@@ -54,15 +54,6 @@ protected:
     const auto labels = distinct (cloud, 0, points_of_plane);
     return labels.size() == 1 ? *labels.begin() : 0;
   }
-
-  void
-  expectRefused (const std::string& arguments,
-                 const std::string& complaint,
-                 int exit_code) const
-  {
-    Segment::expectRefused (arguments, complaint, exit_code);
-    EXPECT_FALSE (std::filesystem::exists (folder_ / "out/a.pcd"));
-  }
 };
 
 } // namespace
@@ -75,8 +66,7 @@ TEST_F (SegmentTrack, GivesAPlaneTheSameLabelAndIdInAllClouds)
   expectDone (std::string (track) + "--poses poses.txt");
   for (const char* scan : {"a", "b", "c"}) {
     EXPECT_EQ (floorIn (std::string (scan) + ".pcd"), before) << scan;
-    const auto json = nlohmann::json::parse (
-        contentOf (folder_ / ("out/" + std::string (scan) + ".json")));
+    const auto json = jsonIn ("out/" + std::string (scan) + ".json");
     for (const auto& plane : json["planes"])
       EXPECT_EQ (plane["id"] == before, plane["orientation"] == "horizontal") << scan;
   }
@@ -95,7 +85,7 @@ TEST_F (SegmentTrack, TakesUpInTheFrameThatPosesShare)
                  "0 1 0 0 0 0 0 1\n");
   for (const char* up : {"", " --up 0,0,1"}) {
     expectDone (track + std::string ("--poses turned.txt") + up);
-    const auto json = nlohmann::json::parse (contentOf (folder_ / "out/b.json"));
+    const auto json = jsonIn ("out/b.json");
     ASSERT_EQ (json["planes"].size(), 2u);
     EXPECT_NEAR (json["parameters"]["up"][1].get<double>(), 1.0, 1e-6);
     for (const auto& plane : json["planes"])
@@ -118,22 +108,11 @@ TEST_F (SegmentTrack, GivesAPlaneTheSameColorAndFileInAllClouds)
     EXPECT_TRUE (std::filesystem::exists (folder_ / ("out/" + (scan + floor)))) << scan;
 }
 
-TEST_F (SegmentTrack, DoesNotWriteOverItsPoses)
-{
-  std::filesystem::create_directory (folder_ / "out");
-  const std::string poses = contentOf (folder_ / "poses.txt");
-  folder_.write ("out/b.csv", poses);
-  expectRefused (std::string (track) + "--poses out/b.csv --planes {}.csv",
-                 "out/b.csv: is the file of --poses, too",
-                 2);
-  EXPECT_EQ (contentOf (folder_ / "out/b.csv"), poses);
-}
-
 TEST_F (SegmentTrack, TakesTheSensorToStandStillWithoutPoses)
 {
   expectDone (track);
   EXPECT_EQ (floorIn ("b.pcd"), floorIn ("a.pcd"));
-  const auto json = nlohmann::json::parse (contentOf (folder_ / "out/c.json"));
+  const auto json = jsonIn ("out/c.json");
   for (const auto& plane : json["planes"])
     if (plane["orientation"] == "vertical") {
       EXPECT_EQ (plane["id"], 3) << "a wall 1 m nearer is another";
@@ -143,7 +122,7 @@ TEST_F (SegmentTrack, TakesTheSensorToStandStillWithoutPoses)
 TEST_F (SegmentTrack, GivesAPlaneTheSameIdOnMaps)
 {
   expectDone (std::string (track) + "--poses poses.txt --planes {}.geojson");
-  const auto map = nlohmann::json::parse (contentOf (folder_ / "out/b.geojson"));
+  const auto map = jsonIn ("out/b.geojson");
   for (const auto& feature : map["features"]) {
     EXPECT_EQ (feature["id"], feature["properties"]["id"]);
     EXPECT_EQ (feature["id"] == floorIn ("b.pcd"),
@@ -215,15 +194,5 @@ TEST_F (SegmentTrack, NamesTheLineThatIsNoPose)
                  "none.txt: does not exist; check the name",
                  1);
   expectRefused (std::string (track) + "--poses scans", "scans: is a folder", 1);
-}
-
-TEST_F (SegmentTrack, RefusesWhatDoesNotGoTogether)
-{
-  expectRefused ("in.pcd --track --quiet", "--track: is about several inputs", 2);
-  expectRefused ("scans --output-dir out --poses poses.txt",
-                 "--poses: is about --track; give it, too",
-                 2);
-  expectRefused ("scans --output-dir out --rotation-error 2",
-                 "--rotation-error: is about --track; give it, too",
-                 2);
+  EXPECT_FALSE (std::filesystem::exists (folder_ / "out/a.pcd"));
 }

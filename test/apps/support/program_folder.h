@@ -4,38 +4,27 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <support/temporary_folder.h>
+#include <support/text.h>
 #include <sys/wait.h>
 
-#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
-#include <vector>
 
 struct Outcome {
   int exit_code;
   std::string out, err;
 };
 
-/** \brief Arguments of wrong runs, and what each has to say. */
-using Complaints = std::vector<std::pair<std::string, std::string>>;
-
-inline std::size_t
-lines (const std::string& text)
-{
-  return static_cast<std::size_t> (std::count (text.begin(), text.end(), '\n'));
-}
-
-inline bool
-contains (const std::string& text, const std::string& part)
-{
-  return text.find (part) != std::string::npos;
-}
-
-/** \brief A folder to run programs in. */
+/** \brief A folder to run a program in. */
 class ProgramFolder : public testing::Test {
 protected:
+  explicit ProgramFolder (std::string program) : program_ (std::move (program)) {}
+
   /** \brief Runs a command of the shell in the folder. */
   Outcome
   shell (const std::string& command) const
@@ -48,6 +37,53 @@ protected:
             contentOf (streams_ / "err")};
   }
 
+  /** \brief Runs the program. \param[in] before what is in front of it */
+  Outcome
+  run (const std::string& arguments, const std::string& before = "") const
+  {
+    return shell (before + " '" + program_ + "' " + arguments);
+  }
+
+  Outcome
+  expectDone (const std::string& arguments, const std::string& before = "") const
+  {
+    const Outcome done = run (arguments, before);
+    EXPECT_EQ (done.exit_code, 0) << arguments << done.out << done.err;
+    return done;
+  }
+
+  /** \brief A run that ends with a code after one line that begins with a complaint. */
+  void
+  expectRefused (const std::string& arguments,
+                 const std::string& complaint,
+                 int exit_code = 1,
+                 const std::string& before = "") const
+  {
+    const Outcome done = run (arguments, before);
+    const std::string name = std::filesystem::path (program_).filename().string();
+    EXPECT_EQ (done.exit_code, exit_code) << arguments;
+    EXPECT_EQ (done.err.find (name + ": " + complaint), 0u) << done.err;
+    EXPECT_EQ (lines (done.err), 1u) << done.err;
+  }
+
+  nlohmann::json
+  jsonIn (const std::string& file) const
+  {
+    return nlohmann::json::parse (contentOf (folder_ / file));
+  }
+
+  /** \brief Names in a folder; those that start with a dot, too. */
+  std::set<std::string>
+  namesIn (const std::string& name) const
+  {
+    std::set<std::string> names;
+    if (std::filesystem::exists (folder_ / name))
+      for (const auto& entry : std::filesystem::directory_iterator (folder_ / name))
+        names.insert (entry.path().filename().string());
+    return names;
+  }
+
+  std::string program_;
   TemporaryFolder folder_;
   TemporaryFolder streams_{"_streams"};
 };

@@ -9,6 +9,7 @@
 #include <io/cloud_file.h>
 #include <io/las_writer.h>
 #include <nlohmann/json.hpp>
+#include <support/cloud_values.h>
 #include <support/program_folder.h>
 
 #include <cstdint>
@@ -23,31 +24,7 @@
 /** \brief A folder to run pcl_ops_tiles in. */
 class Tiles : public ProgramFolder {
 protected:
-  /** \brief Runs pcl_ops_tiles. \param[in] before what is in front of the program */
-  Outcome
-  tiles (const std::string& arguments, const std::string& before = "") const
-  {
-    return shell (before + " '" PCL_OPS_TILES_PROGRAM "' " + arguments);
-  }
-
-  void
-  expectDone (const std::string& arguments, const std::string& before = "") const
-  {
-    const Outcome done = tiles (arguments, before);
-    EXPECT_EQ (done.exit_code, 0) << done.out << done.err;
-  }
-
-  /** \brief A run that ends with a code and one line. */
-  void
-  expectRefused (const std::string& arguments,
-                 const std::string& complaint,
-                 int exit_code = 1,
-                 const std::string& before = "") const
-  {
-    const Outcome done = tiles (arguments, before);
-    EXPECT_EQ (done.exit_code, exit_code) << arguments << done.out;
-    EXPECT_EQ (done.err, "pcl_ops_tiles: " + complaint + "\n") << arguments;
-  }
+  Tiles() : ProgramFolder (PCL_OPS_TILES_PROGRAM) {}
 
   /** \brief A small town of terraces in four files, in the folder town. */
   void
@@ -74,21 +51,12 @@ protected:
   std::vector<std::uint32_t>
   labelsIn (const std::string& name) const
   {
-    const pcl_ops::apps::FileCloud cloud = pcl_ops::apps::loadCloud (folder_ / name);
-    std::vector<std::uint32_t> labels (cloud.size());
-    for (const pcl::PCLPointField& field : cloud.points.fields)
-      if (field.name == "label")
-        for (std::size_t i = 0; i < labels.size(); ++i)
-          std::memcpy (&labels[i],
-                       cloud.points.data.data() + i * cloud.points.point_step +
-                           field.offset,
-                       sizeof (labels[i]));
-    return labels;
+    return valuesOf<std::uint32_t> (pcl_ops::apps::loadCloud (folder_ / name), "label");
   }
 
   nlohmann::json
   listIn (const std::string& name) const
   {
-    return nlohmann::json::parse (contentOf (folder_ / (name + "/planes.json")));
+    return jsonIn (name + "/planes.json");
   }
 };

@@ -34,7 +34,7 @@ protected:
   stopOnce (const std::string& file, const std::string& options) const
   {
     for (int write = 1; !std::filesystem::exists (folder_ / file); ++write)
-      ASSERT_NE (tiles ("town --output-dir out " + options, killedAt (write)).exit_code,
+      ASSERT_NE (run ("town --output-dir out " + options, killedAt (write)).exit_code,
                  0);
   }
 
@@ -58,7 +58,7 @@ TEST_F (TilesRestart, AfterBeingKilledAgainAndAgainGivesTheSameBytes)
   int kills = 0;
   // Each time a little farther: in every phase, before and behind its first file.
   for (int write = 1;
-       tiles ("town --output-dir out --tile 40", killedAt (write)).exit_code != 0;
+       run ("town --output-dir out --tile 40", killedAt (write)).exit_code != 0;
        ++write)
     ASSERT_LT (++kills, 200);
   constexpr int phases = 5;
@@ -73,7 +73,7 @@ TEST_F (TilesRestart, DoesNotDoAgainWhatIsDone)
   const std::string cells = folder_ / "out/work/cells/0.cells";
   const auto before = timesIn ("out/work/cells");
   // At a write at which some inputs would be sorted, were they sorted again.
-  ASSERT_NE (tiles ("town --output-dir out --tile 40", killedAt (8)).exit_code, 0);
+  ASSERT_NE (run ("town --output-dir out --tile 40", killedAt (8)).exit_code, 0);
   EXPECT_EQ (timesIn ("out/work/cells"), before);
   expectDone ("town --output-dir out --tile 40");
   EXPECT_EQ (outputsIn ("out"), expected);
@@ -109,9 +109,9 @@ TEST_F (TilesRestart, NamesAFileOfItsOwnThatIsDamaged)
         << labels.substr (0, labels.size() / 2)
         << std::string (labels.size() - labels.size() / 2, '\x7f');
   }
-  const Outcome done = tiles ("town --output-dir out --tile 40");
+  const Outcome done = run ("town --output-dir out --tile 40");
   EXPECT_EQ (done.exit_code, 1);
-  EXPECT_TRUE (contains (done.err, ".labels" + mend)) << done.err;
+  EXPECT_TRUE (contains (done.err, ".labels" + mend));
 }
 
 TEST_F (TilesRestart, LabelsAgainWhatWasRemoved)
@@ -132,7 +132,7 @@ TEST_F (TilesRestart, GoesOnWithItsOwnPlanOnly)
                  "out/work/plan.json: is the plan of another run (--tile was another "
                  "one); remove its folder or give another --output-dir");
   const auto before = timesIn ("out/work/cells");
-  ASSERT_NE (tiles ("town --output-dir out --plan a.json", killedAt (2)).exit_code, 0);
+  ASSERT_NE (run ("town --output-dir out --plan a.json", killedAt (2)).exit_code, 0);
   EXPECT_EQ (timesIn ("out/work/cells"), before);
   expectDone ("town --output-dir out --tile 40 --plan a.json");
   EXPECT_EQ (outputsIn ("out"), expected);
@@ -204,7 +204,7 @@ TEST_F (TilesRestart, ARankThatIsLostEndsTheRunSoonAndTheNextOneGoesOn)
 
 TEST_F (TilesRestart, OneRankOfSeveralSaysWhatIsWrong)
 {
-  const Outcome done = tiles ("missing.las --output-dir out", ranks (2));
+  const Outcome done = run ("missing.las --output-dir out", ranks (2));
   EXPECT_NE (done.exit_code, 0);
   const std::string complaint = "pcl_ops_tiles: missing.las: does not exist";
   const auto first = done.err.find (complaint);

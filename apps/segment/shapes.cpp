@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shapes.h"
+
+#include <pcl/point_types.h>
+#include <pcl/types.h>
+
+#include <detection/plane_json.h>
+#include <io/output_file.h>
+#include <nlohmann/json.hpp>
+#include <numbers/angles.h>
+#include <picture/colors.h>
+
+#ifdef PCL_OPS_WITH_SURFACE
+#include <pcl_ops/surface/triangulation.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <locale>
+#include <numeric>
+#include <optional>
+#include <ostream>
+#include <utility>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+struct Wires {
+  /** \brief The first so many points are shown by themselves, too. */
+  std::size_t corners;
+  std::vector<std::array<std::size_t, 2>> planes;
+};
+
+/** \brief Polygons with a color for each corner, or lines. */
+struct PolyData {
+  Precision precision;
+  std::vector<Eigen::Vector3d> points;
+  std::vector<pcl::RGB> colors;
+  std::vector<pcl::Indices> cells;
+  /** \brief Not given: cells are polygons. */
+  std::optional<Wires> wires;
+};
+
+/** \brief The type of coordinates, as PLY and VTK call it. */
+const char*
+typeOf (const PolyData& data)
+{
+  return data.precision == Precision::Double ? "double" : "float";
+}
+
+void
+writePoint (const Eigen::Vector3d& point, std::ostream& stream)
+{
+  stream << point.x() << ' ' << point.y() << ' ' << point.z();
+}
+
+/** \brief Each cell with its number of points in front. */
+void
+writeCells (const std::vector<pcl::Indices>& cells, std::ostream& stream)
+{
+  for (const pcl::Indices& cell : cells) {
+    stream << cell.size();
+    for (const pcl::index_t point : cell)
+      stream << ' ' << point;
+    stream << '\n';
+  }
+}
+
+void
+writePlyHeader (const PolyData& data, std::ostream& stream)
+{
+  stream << "ply\nformat ascii 1.0\nelement vertex " << data.points.size() << '\n';
+  for (const char axis : {'x', 'y', 'z'})
+    stream << "property " << typeOf (data) << ' ' << axis << '\n';
+  if (data.wires)
+    stream << "element edge " << data.cells.size()
+           << "\nproperty int vertex1\nproperty int vertex2\nproperty int plane1\n"
+              "property int plane2\nend_header\n";
+  else
+    stream << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+              "element face "
+           << data.cells.size()
+           << "\nproperty list uint int vertex_indices\nend_header\n";
+}
+
+void
+writePly (const PolyData& data, std::ostream& stream)
+{
+  writePlyHeader (data, stream);
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    writePoint (data.points[i], stream);
+    if (!data.wires)
+      for (const int part : {data.colors[i].r, data.colors[i].g, data.colors[i].b})
+        stream << ' ' << part;
+    stream << '\n';
+  }
+  if (!data.wires)
+    return writeCells (data.cells, stream);
+  for (std::size_t i = 0; i < data.cells.size(); ++i) {
+    const auto& planes = data.wires->planes[i];
+    stream << data.cells[i][0] << ' ' << data.cells[i][1] << ' ' << planes[0] << ' '
+           << planes[1] << '\n';
+  }
+}
+
+/** \brief Cells of a kind, after how many they are and how many numbers they take. */
+void
+writeSection (const char* kind,
+              const std::vector<pcl::Indices>& cells,
+              std::ostream& stream)
+{
+  std::size_t numbers = cells.size();
+  for (const pcl::Indices& cell : cells)
+    numbers += cell.size();
+  stream << kind << ' ' << cells.size() << ' ' << numbers << '\n';
+  writeCells (cells, stream);
+}
+
+void
+writeVtk (const PolyData& data, std::ostream& stream)
+{
+  stream << "# vtk DataFile Version 3.0\n"
+         << (data.wires ? "edges" : "outlines")
+         << " of planes\nASCII\nDATASET POLYDATA\nPOINTS " << data.points.size() << ' '
+         << typeOf (data) << '\n';
+  for (const Eigen::Vector3d& point : data.points) {
+    writePoint (point, stream);
+    stream << '\n';
+  }
+  if (data.wires) {
+    std::vector<pcl::Indices> corners;
+    for (std::size_t i = 0; i < data.wires->corners; ++i)
+      corners.push_back ({static_cast<pcl::index_t> (i)});
+    writeSection ("VERTICES", corners, stream);
+    return writeSection ("LINES", data.cells, stream);
+  }
+  writeSection ("POLYGONS", data.cells, stream);
+  stream << "POINT_DATA " << data.points.size() << "\nCOLOR_SCALARS colors 3\n";
+  for (const pcl::RGB& color : data.colors)
+    stream << color.r / 255.0f << ' ' << color.g / 255.0f << ' ' << color.b / 255.0f
+           << '\n';
+}
+
+/** \brief Writes an ASCII file: a .vtk for pcl_viewer, moved by the pose, else a .ply.
+ */
+void
+savePolyData (const std::string& file,
+              const Eigen::Isometry3d& sensor_pose,
+              PolyData data)
+{
+  const bool is_vtk = extensionOf (file) == ".vtk";
+  const Eigen::Isometry3d pose = is_vtk ? sensor_pose : Eigen::Isometry3d::Identity();
+  for (Eigen::Vector3d& point : data.points)
+    point = pose * point;
+  // PCL's and VTK's writers want a name and do not tell of a full disk.
+  writeFile (file, [&] (std::ostream& stream) {
+    stream.imbue (std::locale::classic());
+    stream.precision (data.precision == Precision::Double
+                          ? std::numeric_limits<double>::max_digits10
+                          : std::numeric_limits<float>::max_digits10);
+    is_vtk ? writeVtk (data, stream) : writePly (data, stream);
+  });
+}
+
+/** \brief The faces of an outline, by its corners, ring after ring: triangles, or the
+ * outer ring itself. */
+std::vector<pcl::Indices>
+facesOf ([[maybe_unused]] const PlaneSegment& plane,
+         [[maybe_unused]] const Eigen::Vector3d& center,
+         const Rings& rings)
+{
+  std::vector<pcl::Indices> faces;
+#ifdef PCL_OPS_WITH_SURFACE
+  const PlaneFrame frame (center, plane.normal);
+  PlanarRings outline;
+  for (const std::vector<Eigen::Vector3d>& ring : rings) {
+    outline.emplace_back();
+    for (const Eigen::Vector3d& corner : ring)
+      outline.back().push_back (frame.toPlane (corner));
+  }
+  for (const Triangle& triangle : triangulate (outline))
+    faces.push_back (pcl::Indices (triangle.begin(), triangle.end()));
+#endif
+  if (faces.empty()) {
+    faces.emplace_back (rings.front().size());
+    std::iota (faces.back().begin(), faces.back().end(), 0);
+  }
+  return faces;
+}
+
+/** \brief The point of an end of an edge, added unless it is a corner. */
+pcl::index_t
+pointOf (const Eigen::Vector3d& end, std::size_t corners, PolyData& lines)
+{
+  const auto last = lines.points.begin() + static_cast<std::ptrdiff_t> (corners);
+  // Ends that were drawn to a corner are the corner, to the last digit.
+  auto point = std::find (lines.points.begin(), last, end);
+  if (point == last)
+    point = lines.points.insert (lines.points.end(), end);
+  return static_cast<pcl::index_t> (point - lines.points.begin());
+}
+
+/** \brief Corners first, then the ends of edges that are at no corner. */
+PolyData
+toLines (const PlaneEdges& found)
+{
+  const std::size_t corners = found.corners.size();
+  PolyData lines{Precision::Double, {}, {}, {}, Wires{corners, {}}};
+  for (const PlaneCorner& corner : found.corners)
+    lines.points.push_back (corner.position);
+  for (const PlaneEdge& edge : found.edges) {
+    const pcl::index_t from = pointOf (edge.from, corners, lines);
+    lines.cells.push_back ({from, pointOf (edge.to, corners, lines)});
+    lines.wires->planes.push_back ({edge.planes[0], edge.planes[1]});
+  }
+  return lines;
+}
+
+/** \brief The same with the numbers of planes in place of their positions. */
+PlaneEdges
+numbered (PlaneEdges found, const std::vector<std::uint32_t>& ids)
+{
+  const auto number = [&ids] (auto& planes) {
+    for (std::size_t& plane : planes)
+      plane = ids[plane];
+  };
+  for (PlaneEdge& edge : found.edges)
+    number (edge.planes);
+  for (PlaneCorner& corner : found.corners)
+    number (corner.planes);
+  return found;
+}
+
+std::string
+toJson (const PlaneEdges& found)
+{
+  nlohmann::ordered_json json;
+  json["edges"] = json["corners"] = nlohmann::ordered_json::array();
+  for (const PlaneEdge& edge : found.edges)
+    json["edges"].push_back ({{"planes", edge.planes},
+                              {"from", toArray (edge.from)},
+                              {"to", toArray (edge.to)},
+                              {"length", edge.length()},
+                              {"angle", toDegrees (edge.angle)}});
+  for (const PlaneCorner& corner : found.corners)
+    json["corners"].push_back (
+        {{"planes", corner.planes}, {"position", toArray (corner.position)}});
+  constexpr int indent = 2;
+  return json.dump (indent) + "\n";
+}
+
+} // namespace
+
+void
+saveMesh (const std::string& file,
+          const Eigen::Isometry3d& sensor_pose,
+          const std::vector<PlaneSegment>& planes,
+          const std::vector<std::uint32_t>& ids,
+          const std::vector<PlaneExtent>& extents,
+          Precision precision)
+{
+  PolyData mesh{precision, {}, {}, {}, std::nullopt};
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const Rings rings = extents[p].rings();
+    if (rings.empty())
+      continue;
+    const auto first = static_cast<pcl::index_t> (mesh.points.size());
+    for (pcl::Indices& face : facesOf (planes[p], extents[p].center, rings)) {
+      for (pcl::index_t& corner : face)
+        corner += first;
+      mesh.cells.push_back (face);
+    }
+    const pcl::RGB color = colorOfLabel (ids[p]);
+    for (const std::vector<Eigen::Vector3d>& ring : rings)
+      mesh.points.insert (mesh.points.end(), ring.begin(), ring.end());
+    mesh.colors.resize (mesh.points.size(), color);
+  }
+  savePolyData (file, sensor_pose, std::move (mesh));
+}
+
+void
+saveEdges (const std::string& file,
+           const Eigen::Isometry3d& sensor_pose,
+           const PlaneEdges& found,
+           const std::vector<std::uint32_t>& ids)
+{
+  const PlaneEdges edges = numbered (found, ids);
+  if (extensionOf (file) == ".json")
+    return writeTextFile (file, toJson (edges));
+  savePolyData (file, sensor_pose, toLines (edges));
+}
+
+} // namespace pcl_ops::apps

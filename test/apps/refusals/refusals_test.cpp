@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <segment/segment_program.h>
+#include <support/las_bytes.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/** \brief A row of refusals.tsv, which says what its columns are. */
+struct Refusal {
+  std::string exit_code, program, arguments, line;
+};
+
+std::vector<Refusal>
+allRefusals ()
+{
+  std::ifstream stream (PCL_OPS_REFUSALS);
+  std::vector<Refusal> rows;
+  for (std::string line; std::getline (stream, line);) {
+    if (line.empty() || line[0] == '#')
+      continue;
+    std::istringstream columns (line);
+    Refusal& row = rows.emplace_back();
+    for (std::string* column :
+         {&row.exit_code, &row.program, &row.arguments, &row.line})
+      std::getline (columns, *column, '\t');
+  }
+  return rows;
+}
+
+/** \brief One with extra bytes of a name that ours has, and another type. */
+LasRecipe
+withField (const std::string& name)
+{
+  LasRecipe recipe;
+  recipe.extra = {"12", "34"};
+  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField (name, 3))};
+  return recipe;
+}
+
+/** \brief A folder with the files of refusals.tsv. */
+class Refusals : public Segment {
+protected:
+  Refusals()
+  {
+    const std::string pcd = contentOf (folder_ / "in.pcd"), las = lasBytes ({});
+    const std::size_t header = pcd.find ("DATA binary\n") + 12;
+    const std::pair<const char*, std::string> files[] = {
+        {"header.pcd", pcd.substr (0, header)},
+        {"half.pcd", pcd.substr (0, (header + pcd.size()) / 2)},
+        {"empty.pcd", ""},
+        {"nan.xyz", "nan nan nan\n"},
+        {"in.las", las},
+        {"half.las", las.substr (0, las.size() - 30)},
+        {"other.las", lasBytes (withField ("label"))},
+        {"distance.las", lasBytes (withField ("distance"))},
+        {"zeros.pcd", std::string (3'000'000, '\0')},
+        {"comma.csv", "1,5;2,5;3,5\n"},
+        {"short.xyz", "1 2 3\n4 5\n"},
+        {"packed.xyz", "\x1f\x8b\x08"},
+        {"poses.txt", "0 0 0 0 0 0 0 1\n"},
+        {"W\xe4nde.xyz", "1 2 3\n"}};
+    for (const auto& [name, content] : files)
+      folder_.write (name, content);
+    for (const char* folder : {"scans", "more", "none", "planes", "folder.pcd"})
+      fs::create_directory (folder_ / folder);
+    for (const char* copy : {"scans/a.pcd",
+                             "scans/b.pcd",
+                             "more/b.pcd",
+                             "more/in.ply",
+                             "more/a_rest.pcd",
+                             "planes/plane_001_horizontal.pcd",
+                             "a_rest.pcd"})
+      fs::copy_file (folder_ / "in.pcd", folder_ / copy);
+    fs::create_symlink ("loop.las", folder_ / "loop.las");
+  }
+
+  /** \brief What is there, and when it was written. */
+  std::map<std::string, fs::file_time_type>
+  files () const
+  {
+    std::map<std::string, fs::file_time_type> files;
+    for (const auto& entry : fs::recursive_directory_iterator (folder_.path()))
+      if (fs::is_regular_file (entry.symlink_status()))
+        files[entry.path().string()] = entry.last_write_time();
+    return files;
+  }
+};
+
+} // namespace
+
+TEST_F (Refusals, AreOneLineAndHarmNothing)
+{
+  const std::vector<Refusal> rows = allRefusals();
+  ASSERT_GT (rows.size(), 100u);
+  const auto before = files();
+  for (const Refusal& row : rows) {
+#ifndef PCL_OPS_HAS_VIEW
+    if (row.program == "view")
+      continue;
+#endif
+    SCOPED_TRACE (row.program + " " + row.arguments);
+    const Outcome done =
+        shell ("env -u DISPLAY TMPDIR=. '" PCL_OPS_PROGRAMS "/pcl_ops_" + row.program +
+               "' " + row.arguments);
+    EXPECT_EQ (std::to_string (done.exit_code), row.exit_code);
+    EXPECT_EQ (done.err.find ("pcl_ops_" + row.program + ": " + row.line), 0u)
+        << done.err;
+    EXPECT_EQ (lines (done.err), 1u) << done.err;
+    EXPECT_TRUE (contains (done.err, ";")) << "no fix: " << done.err;
+    EXPECT_EQ (done.out, "");
+    EXPECT_EQ (files(), before);
+  }
+}
