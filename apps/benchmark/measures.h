@@ -65,6 +65,11 @@ detectorMeasure (const std::string& name,
           }};
 }
 
+/** \brief Onto memory that is there already: what reading and writing it takes at
+ * least. */
+Measure
+copyMeasure (const XyzCloud::ConstPtr& cloud, std::size_t runs);
+
 /** \brief Building pcl::KdTreeFLANN. */
 Measure
 kdTreeMeasure (const XyzCloud::ConstPtr& cloud, std::size_t runs);
