@@ -227,7 +227,8 @@ def plot_throughput(rows, folder):
         elif row["series"] == "threads":
             threads = f", {row['x']} thread" + "s" * (row["x"] != "1")
             speeds[name + threads * (name == "pcl_ops")][row["cloud"]] = speed
-    for number, (name, of_clouds) in enumerate(speeds.items()):
+    ours_first = sorted(speeds.items(), key=lambda speed: (shown["ops"] not in speed[0], speed[0]))
+    for number, (name, of_clouds) in enumerate(ours_first):
         places = np.arange(len(of_clouds)) + 0.2 * number
         bars = kinds.bar(places, of_clouds.values(), width=0.19, label=name)
         kinds.bar_label(bars, fmt="%.3g", fontsize=9)
