@@ -23,7 +23,7 @@ measureOf (const std::string& name, std::size_t runs, const std::function<void()
 {
   return {name, runs, [work] {
             StageDurations durations;
-            timed (durations.detection, evaluation::Clock::Wall, work);
+            timed (durations.detection, evaluation::Clock::Processor, work);
             return durations;
           }};
 }
@@ -47,6 +47,7 @@ durationsOf (const evaluation::Configuration& detector,
   constexpr unsigned time_limit = 600; // [s]
   evaluation::RunSettings settings;
   settings.seed = seed;
+  settings.clock = evaluation::Clock::Processor;
   if (!detector.is_peer)
     return detector.run (cloud, settings).durations;
   if (const auto run = evaluation::runLimited (detector, cloud, settings, time_limit))
