@@ -87,7 +87,8 @@ def label_dots(axes, dots):
             label = axes.annotate(name, dot, xytext=(x, y), textcoords="offset points", ha=side,
                                   fontsize=10, color=color)
             box = label.get_window_extent(renderer)
-            if frame.x0 < box.x0 and box.x1 < frame.x1 and not box.count_overlaps(taken):
+            fits = frame.x0 < box.x0 and box.x1 < frame.x1 and not box.count_overlaps(taken)
+            if fits or (x, y, side) == places[-1]:
                 break
             label.remove()
         taken.append(box)
