@@ -52,7 +52,7 @@ orientedPointsOf (const PeerTask& task)
     points.emplace_back (Kernel::Point_3 (point.x, point.y, point.z),
                          Kernel::Vector_3 (0, 0, 0),
                          static_cast<pcl::index_t> (points.size()));
-  timed (task.normals, [&] {
+  timed (task.normals, task.settings.clock, [&] {
     CGAL::pca_estimate_normals<CGAL::Sequential_tag> (
         points,
         neighborsFor (task),
@@ -137,8 +137,9 @@ planesByRegionGrowing (const PeerTask& task)
 void
 addCgalPeers (std::vector<Configuration>& configurations)
 {
-  addPeer (configurations, "cgal-ransac", planesByEfficientRansac);
-  addPeer (configurations, "cgal-region-growing", planesByRegionGrowing);
+  const std::string version = "CGAL " CGAL_VERSION_STR;
+  addPeer (configurations, "cgal-ransac", version, planesByEfficientRansac);
+  addPeer (configurations, "cgal-region-growing", version, planesByRegionGrowing);
 }
 
 } // namespace pcl_ops::evaluation

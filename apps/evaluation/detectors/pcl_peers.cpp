@@ -8,6 +8,7 @@
 #include <pcl/segmentation/organized_multi_plane_segmentation.h>
 #include <pcl/segmentation/region_growing.h>
 #include <pcl/segmentation/sac_segmentation.h>
+#include <pcl/pcl_config.h>
 
 #include "detector_run.h"
 #include "peers.h"
@@ -62,7 +63,8 @@ std::vector<pcl::PointIndices>
 planesByRegionGrowing (const PeerTask& task)
 {
   pcl::search::KdTree<pcl::PointXYZ>::Ptr tree (new pcl::search::KdTree<pcl::PointXYZ>);
-  const auto normals = timed (task.normals, [&] { return normalsOf (task, tree); });
+  const auto normals =
+      timed (task.normals, task.settings.clock, [&] { return normalsOf (task, tree); });
   pcl::RegionGrowing<pcl::PointXYZ, pcl::Normal> growing;
   growing.setInputCloud (task.cloud);
   growing.setInputNormals (normals);
@@ -115,7 +117,8 @@ planesInImage (const PeerTask& task)
   constexpr double usual_distance = 0.02; // [m]
   const ImageGrid& grid = *task.settings.grid;
   const XyzCloud::Ptr image = imageOf (*task.cloud, grid);
-  const auto normals = timed (task.normals, [&] { return normalsOfImage (image); });
+  const auto normals =
+      timed (task.normals, task.settings.clock, [&] { return normalsOfImage (image); });
   pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label> finder;
   finder.setMinInliers (min_points_of_region);
   finder.setAngularThreshold (angle);
@@ -144,9 +147,10 @@ planesInImage (const PeerTask& task)
 void
 addPclPeers (std::vector<Configuration>& configurations)
 {
-  addPeer (configurations, "pcl-sac", planesByRansac);
-  addPeer (configurations, "pcl-region-growing", planesByRegionGrowing);
-  addPeer (configurations, "pcl-organized", planesInImage, true);
+  const std::string version = "PCL " PCL_VERSION_PRETTY;
+  addPeer (configurations, "pcl-sac", version, planesByRansac);
+  addPeer (configurations, "pcl-region-growing", version, planesByRegionGrowing);
+  addPeer (configurations, "pcl-organized", version, planesInImage, true);
 }
 
 } // namespace pcl_ops::evaluation

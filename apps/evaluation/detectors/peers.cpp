@@ -86,6 +86,7 @@ valuesFor (const XyzCloud::ConstPtr& cloud,
 void
 addPeer (std::vector<Configuration>& configurations,
          const std::string& name,
+         const std::string& version,
          const std::function<std::vector<pcl::PointIndices> (const PeerTask&)>& detect,
          bool needs_grid)
 {
@@ -94,11 +95,12 @@ addPeer (std::vector<Configuration>& configurations,
     Configuration peer{name + measured, {"peers" + measured}, {}};
     peer.is_peer = true;
     peer.needs_grid = needs_grid;
+    peer.version = version;
     peer.run = [detect, source] (const XyzCloud::ConstPtr& cloud,
                                  const RunSettings& settings) {
       const PeerValues values = valuesFor (cloud, settings, source);
       DetectorRun run;
-      timed (run.durations.detection, [&] {
+      timed (run.durations.detection, settings.clock, [&] {
         const auto planes =
             detect ({cloud, settings, values, source, run.durations.normals});
         run.planes_before_merging = planes.size();

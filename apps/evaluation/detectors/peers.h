@@ -50,6 +50,7 @@ struct PeerTask {
 void
 addPeer (std::vector<Configuration>& configurations,
          const std::string& name,
+         const std::string& version,
          const std::function<std::vector<pcl::PointIndices> (const PeerTask&)>& detect,
          bool needs_grid = false);
 

@@ -146,7 +146,7 @@ parametersFrom (const PeerValues& values, ValuesFrom source)
 void
 addVoxelOctree (std::vector<Configuration>& configurations)
 {
-  addPeer (configurations, "voxel-octree", [] (const PeerTask& task) {
+  addPeer (configurations, "voxel-octree", "", [] (const PeerTask& task) {
     return planesInOctree (*task.cloud, parametersFrom (task.values, task.source));
   });
 }

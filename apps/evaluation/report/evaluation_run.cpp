@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_run.h"
 
+#include <pcl/common/io.h>
+
 #include <cli/errors.h>
 #include <cli/parallel.h>
 #include <cli/program.h>
 #include <evaluation/detectors/limited_run.h>
+#include <io/cloud_file.h>
+#include <io/output_file.h>
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <filesystem>
 #include <limits>
 
 namespace pcl_ops::evaluation {
@@ -80,6 +85,7 @@ private:
       progress_.note (apps::errorLine (std::string ("left out: ") + error.what()));
       return;
     }
+    saveLabels (task, "truth", *cloud.cloud, truth);
     for (const Configuration& configuration : plan_.configurations)
       evaluateConfiguration (task, configuration, cloud, truth);
     ++clouds_;
@@ -106,11 +112,30 @@ private:
     return true;
   }
 
+  void
+  saveLabels (const CloudTask& task,
+              const std::string& name,
+              const XyzCloud& cloud,
+              const PlaneLabels& labels) const
+  {
+    if (plan_.labels_folder.empty())
+      return;
+    pcl::PointCloud<pcl::PointXYZL> labeled;
+    pcl::copyPointCloud (cloud, labeled);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      labeled[i].label = labels[i];
+    const std::filesystem::path folder =
+        std::filesystem::path (plan_.labels_folder) / task.data_set / task.source->name;
+    apps::makeFolder (folder.string());
+    apps::saveLabeledPcd ((folder / (name + ".pcd")).string(), labeled);
+  }
+
   std::optional<DetectorRun>
   detect (const Configuration& configuration, const EvaluationCloud& cloud) const
   {
     RunSettings settings = plan_.settings;
     settings.up = cloud.up;
+    settings.clock = Clock::Processor;
     settings.grid = cloud.grid ? &*cloud.grid : nullptr;
     return configuration.is_peer
                ? runLimited (configuration, cloud.cloud, settings, plan_.time_limit)
@@ -148,6 +173,8 @@ private:
     try {
       row.values = apps::inMemory (configuration.name, fewer_at_a_time, [&] {
         const std::optional<DetectorRun> run = detect (configuration, cloud);
+        if (run)
+          saveLabels (task, configuration.name, *cloud.cloud, run->labels);
         return run ? valuesOf (
                          compareLabels (*cloud.cloud, truth, run->labels, {cloud.up}),
                          *run)

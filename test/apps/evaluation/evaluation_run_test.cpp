@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cli/errors.h>
+#include <evaluation/data/labeled_cloud.h>
 #include <evaluation/detectors/detectors.h>
 #include <evaluation/report/evaluation_run.h>
 #include <support/file_size_limit.h>
@@ -89,6 +90,30 @@ TEST_F (EvaluationRunTest, WritesARowForEachCloudAndConfiguration)
   EXPECT_EQ (rows()[1].value ("planes_before_merging"), 7.0);
   EXPECT_EQ (rows()[1].value ("detection_ms"), 1500.0);
   EXPECT_EQ (rows()[2].cloud, "b, \"c\"");
+}
+
+TEST_F (EvaluationRunTest, SavesTheTruthAndTheLabelsOfNewRows)
+{
+  plan.labels_folder = folder / "labels";
+  run();
+  const auto labelsIn = [this] (const std::string& name) {
+    return loadLabeledCloud (plan.labels_folder + "/rows/a/" + name).labels;
+  };
+  EXPECT_EQ (labelsIn ("truth.pcd"), PlaneLabels (10, 1));
+  EXPECT_EQ (labelsIn ("half-right.pcd"), (PlaneLabels{1, 1, 1, 1, 1, 0, 0, 0, 0, 0}));
+}
+
+TEST_F (EvaluationRunTest, TakesProcessorTimeWhichOtherProgramsDoNotChange)
+{
+  plan.configurations[0].run = [this] (const auto& cloud, const RunSettings& settings) {
+    calls += settings.clock == Clock::Processor;
+    DetectorRun run;
+    run.labels.assign (cloud->size(), 0);
+    return run;
+  };
+  plan.configurations.resize (1);
+  run();
+  EXPECT_EQ (calls, 2);
 }
 
 TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)
