@@ -46,8 +46,8 @@ addGrid (pcl_ops::internal::Coordinates& points,
 inline pcl_ops::internal::VoxelPyramid
 connectedVoxels (const pcl_ops::internal::Coordinates& points, double voxel_size)
 {
-  pcl_ops::internal::VoxelPyramid voxels = voxelizeTwice (points, 0.5 * voxel_size, 1);
-  connectCoarse (voxels, 1);
+  pcl_ops::internal::VoxelPyramid voxels = voxelizeTwice (points, voxel_size, 1);
+  connect (voxels.grids[1], 1);
   return voxels;
 }
 

@@ -24,8 +24,7 @@ struct VoxelScene {
       addPlane (pcl_ops::planeThrough (plane[0].centre(), plane[0].normal()));
     }
     voxelize();
-    const pcl_ops::internal::Indices voxels =
-        voxelsOfPoints (grid(), voxelized.order);
+    const pcl_ops::internal::Indices voxels = voxelsOfPoints (grid(), voxelized.order);
     planes.plane_of_voxel.assign (grid().size(), pcl_ops::no_plane);
     for (std::size_t i = points.size(); i-- > 0;)
       planes.plane_of_voxel[voxels[i]] = plane_of_point[i];

@@ -29,22 +29,28 @@ voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_
   return is_refined;
 }
 
-// The finest voxels of those that are refined.
 void
-select (const VoxelPyramid& voxels, Refinement& finer)
+append (const VoxelGrid& from, std::size_t voxel, VoxelGrid& grid)
 {
-  const VoxelGrid& finest = voxels.grids[0];
-  const Indices& coarse_of_finest = voxels.voxels_above[0];
-  finer.grid.voxel_size = finest.voxel_size;
-  finer.grid.moments.reserve (finest.size());
-  for (std::size_t i = 0; i < finest.size(); ++i) {
-    if (finer.is_refined[coarse_of_finest[i]] == 0)
+  grid.codes.push_back (from.codes[voxel]);
+  grid.first_point.push_back (from.first_point[voxel]);
+  grid.moments.push_back (from.moments[voxel]);
+}
+
+// The finer voxels of those that are refined.
+Refinement
+selected (const VoxelGrid& finer, const Indices& voxels_above, const Refinement& coarse)
+{
+  Refinement part;
+  part.grid.voxel_size = finer.voxel_size;
+  part.grid.moments.reserve (finer.size());
+  for (std::size_t i = 0; i < finer.size(); ++i) {
+    if (coarse.is_refined[voxels_above[i]] == 0)
       continue;
-    finer.coarse_voxels.push_back (coarse_of_finest[i]);
-    finer.grid.codes.push_back (finest.codes[i]);
-    finer.grid.first_point.push_back (finest.first_point[i]);
-    finer.grid.moments.push_back (finest.moments[i]);
+    part.voxels_above.push_back (voxels_above[i]);
+    append (finer, i, part.grid);
   }
+  return part;
 }
 
 // The plane that each finer voxel has from the coarse one that holds it.
@@ -53,7 +59,7 @@ inheritedPlanes (const BoundedPlanes& planes, const Refinement& finer, unsigned 
 {
   Labels inherited (finer.grid.size(), no_plane);
   forVoxels (finer.grid, threads, [&] (std::size_t i) {
-    const std::int32_t plane = planes.plane_of_voxel[finer.coarse_voxels[i]];
+    const std::int32_t plane = planes.plane_of_voxel[finer.voxels_above[i]];
     if (plane == no_plane)
       return;
     const auto p = static_cast<std::size_t> (plane);
@@ -64,36 +70,68 @@ inheritedPlanes (const BoundedPlanes& planes, const Refinement& finer, unsigned 
   return inherited;
 }
 
-// Of each plane the moments of voxels that are not refined.
+// Of each plane the moments of what is not refined.
 std::vector<Moments>
-momentsLeft (const VoxelGrid& coarse,
-             const BoundedPlanes& planes,
-             const std::vector<char>& is_refined)
+momentsLeft (const Refinement& coarse)
 {
-  std::vector<Moments> moments (planes.size());
-  for (std::size_t i = 0; i < coarse.size(); ++i)
-    if (planes.plane_of_voxel[i] != no_plane && is_refined[i] == 0)
-      moments[static_cast<std::size_t> (planes.plane_of_voxel[i])].addAligned (
-          coarse.moments[i]);
+  std::vector<Moments> moments = coarse.planes.moments_elsewhere;
+  moments.resize (coarse.planes.size());
+  for (std::size_t i = 0; i < coarse.grid.size(); ++i) {
+    const std::int32_t plane = coarse.planes.plane_of_voxel[i];
+    if (plane != no_plane && coarse.is_refined[i] == 0)
+      moments[static_cast<std::size_t> (plane)].addAligned (coarse.grid.moments[i]);
+  }
   return moments;
 }
 
 } // namespace
 
 Refinement
-refine (const VoxelPyramid& voxels, const BoundedPlanes& planes, unsigned threads)
+refine (const VoxelGrid& finer,
+        const Indices& voxels_above,
+        unsigned threads,
+        Refinement& coarse)
 {
-  const VoxelGrid& coarse = voxels.grids[1];
-  Refinement finer;
-  finer.is_refined = voxelsToRefine (coarse, threads, planes.plane_of_voxel);
-  select (voxels, finer);
-  finer.grid.neighbours =
-      neighboursOf (finer.grid.codes, finer.coarse_voxels, coarse.neighbours, threads);
-  finer.planes.planes = planes.planes;
-  finer.planes.noise = planes.noise;
-  finer.planes.moments_elsewhere = momentsLeft (coarse, planes, finer.is_refined);
-  finer.planes.plane_of_voxel = inheritedPlanes (planes, finer, threads);
-  return finer;
+  coarse.is_refined =
+      voxelsToRefine (coarse.grid, threads, coarse.planes.plane_of_voxel);
+  Refinement part = selected (finer, voxels_above, coarse);
+  part.grid.neighbours = neighboursOf (
+      part.grid.codes, part.voxels_above, coarse.grid.neighbours, threads);
+  part.planes.planes = coarse.planes.planes;
+  part.planes.noise = coarse.planes.noise;
+  part.planes.moments_elsewhere = momentsLeft (coarse);
+  part.planes.plane_of_voxel = inheritedPlanes (coarse.planes, part, threads);
+  return part;
+}
+
+OpenVoxels
+openVoxels (const Refinement& part, int sizes, unsigned threads)
+{
+  OpenVoxels open;
+  VoxelGrid grid;
+  grid.voxel_size = part.grid.voxel_size;
+  grid.moments.reserve (part.grid.size());
+  for (std::size_t i = 0; i < part.grid.size(); ++i)
+    if (part.planes.plane_of_voxel[i] == no_plane) {
+      open.numbers.push_back (static_cast<std::uint32_t> (i));
+      append (part.grid, i, grid);
+    }
+  open.voxels.grids.push_back (std::move (grid));
+  open.voxels.voxels_above.emplace_back();
+  for (int size = 1; size < sizes; ++size)
+    coarsen (open.voxels);
+  connect (open.voxels, threads);
+  return open;
+}
+
+void
+addPlanes (const Indices& numbers, const BoundedPlanes& found, BoundedPlanes& planes)
+{
+  const auto before = static_cast<std::int32_t> (planes.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (found.plane_of_voxel[i] != no_plane)
+      planes.plane_of_voxel[numbers[i]] = before + found.plane_of_voxel[i];
+  planes.planes.insert (planes.planes.end(), found.planes.begin(), found.planes.end());
 }
 
 } // namespace pcl_ops::internal

@@ -25,82 +25,65 @@ VoxelPyramid
 divide (const Points& points, const Parameters& parameters)
 {
   const std::optional<double> given = parameters.surfels.voxel_size;
-  VoxelPyramid voxels =
-      given ? voxelizeTwice (points, 0.5 * *given, parameters.threads)
-            : voxelizeByNoise (points, parameters.sampling_rate, parameters.threads);
-  if (voxels.grids.empty())
-    return voxels;
-  for (int coarser = 1; coarser < parameters.surfels.resolutions; ++coarser)
-    coarsen (voxels);
-  connectCoarse (voxels, parameters.threads);
-  return voxels;
+  return given ? voxelizeTwice (points, *given, parameters.threads)
+               : voxelizeByNoise (points, parameters.sampling_rate, parameters.threads);
 }
 
-double
-leastPoints (const VoxelGrid& grid, const Parameters& parameters)
+// All points, in the largest voxels.
+Refinement
+wholeOf (VoxelPyramid& voxels)
 {
-  return std::max (static_cast<double> (parameters.k),
-                   parameters.surfels.min_average_voxels * meanPointsPerVoxel (grid));
+  Refinement whole;
+  whole.grid = std::move (voxels.grids.back());
+  whole.planes.plane_of_voxel.assign (whole.grid.size(), no_plane);
+  return whole;
 }
 
-// Of coarse voxels and of larger ones.
-std::vector<SurfelLevel>
-orient (const VoxelPyramid& voxels, const Parameters& parameters)
+// n_i: of voxels that have no plane
+std::vector<std::optional<Surfel>>
+orient (const OpenVoxels& open, const VoxelGrid& grid, const Parameters& parameters)
 {
-  const double least_points = leastPoints (voxels.grids[1], parameters);
-  std::vector<SurfelLevel> levels;
-  for (std::size_t l = 1; l < voxels.grids.size(); ++l)
-    levels.push_back (normalsOf (
-        voxels.grids[l], voxels.voxels_above[l], least_points, parameters.threads));
-  return levels;
+  const double least_points =
+      std::max (static_cast<double> (parameters.k),
+                parameters.surfels.min_average_voxels * meanPointsPerVoxel (grid));
+  return findSurfels (open.voxels, least_points, parameters.threads);
 }
 
-// Of finer voxels, with those of coarse ones above.
-std::vector<SurfelLevel>
-orient (const Refinement& finer,
-        std::vector<SurfelLevel> levels,
-        const Parameters& parameters)
-{
-  levels.insert (levels.begin(),
-                 normalsOf (finer.grid,
-                            finer.coarse_voxels,
-                            leastPoints (finer.grid, parameters),
-                            parameters.threads));
-  levels.pop_back();
-  return levels;
-}
-
-void
-spread (const VoxelGrid& grid,
+// Pi: planes that spread over like neighbors
+BoundedPlanes
+spread (const OpenVoxels& open,
         const std::vector<std::optional<Surfel>>& surfels,
         const Parameters& parameters,
-        double max_thickness,
-        BoundedPlanes& planes)
+        double max_thickness)
 {
   SurfelExtractionParameters extraction;
   extraction.noise_factor = parameters.surfels.noise_factor;
   extraction.angle_threshold = parameters.surfels.angle_threshold;
   extraction.max_thickness = max_thickness;
   extraction.min_inliers = std::max (1u, parameters.min_inliers);
-  extractSurfelPlanes (grid, surfels, extraction, planes);
-  measureNoise (grid, parameters.threads, planes);
+  return extractSurfelPlanes (open.voxels.grids[0], surfels, extraction);
 }
 
 // Finds planes in voxels that have none, and lets all planes grow.
 void
-findPlanes (const std::vector<SurfelLevel>& levels,
-            const Parameters& parameters,
+findPlanes (const Parameters& parameters,
             double max_thickness,
-            BoundedPlanes& planes,
-            StageDurations& durations)
+            StageDurations& durations,
+            Refinement& part)
 {
   StageClock clock;
-  const VoxelGrid& grid = *levels[0].grid;
+  OpenVoxels open =
+      openVoxels (part, parameters.surfels.resolutions, parameters.threads);
   const std::vector<std::optional<Surfel>> surfels =
-      findSurfels (levels, parameters.threads, planes.plane_of_voxel);
+      orient (open, part.grid, parameters);
   clock.lap (durations.normals);
-  spread (grid, surfels, parameters, max_thickness, planes);
-  growPlanes (grid, parameters.distance_threshold, parameters.threads, planes);
+  addPlanes (
+      open.numbers, spread (open, surfels, parameters, max_thickness), part.planes);
+  if (part.grid.neighbours.size() == 0) // of the whole, which was all open
+    part.grid.neighbours = std::move (open.voxels.grids[0].neighbours);
+  measureNoise (part.grid, parameters.threads, part.planes);
+  growPlanes (
+      part.grid, parameters.distance_threshold, parameters.threads, part.planes);
   clock.lap (durations.extraction);
 }
 
@@ -123,44 +106,36 @@ mergedPlanes (const VoxelGrid& grid,
   return merged;
 }
 
-// Makes one plane of those that are one, in voxels of both sizes.
+// Makes one plane of those that are one, in voxels of all sizes.
 void
-joinPlanes (const VoxelGrid& grid,
-            const Parameters& parameters,
-            BoundedPlanes& planes,
-            Refinement& finer)
+joinPlanes (const Parameters& parameters, std::vector<Refinement>& parts)
 {
-  const MergedPlanes merged = mergedPlanes (finer.grid, parameters, finer.planes);
-  renumberPlanes (merged, planes);
-  renumberPlanes (merged, finer.planes);
-  measureNoise (grid, parameters.threads, planes);
-  measureNoise (finer.grid, parameters.threads, finer.planes);
+  const MergedPlanes merged =
+      mergedPlanes (parts.back().grid, parameters, parts.back().planes);
+  for (Refinement& part : parts) {
+    renumberPlanes (merged, part.planes);
+    measureNoise (part.grid, parameters.threads, part.planes);
+  }
 }
 
-// The points of coarse voxels that are not refined, and those of the finer ones.
+// The points of voxels that are not refined.
 AssignedPoints
 assign (const Points& points,
-        const VoxelPyramid& voxels,
-        const BoundedPlanes& planes,
-        const Refinement& finer,
+        const Indices& order,
+        const std::vector<Refinement>& parts,
         const Parameters& parameters)
 {
   AssignedPoints assigned{Labels (points.size(), no_plane), {}};
-  const auto add = [&] (const VoxelGrid& grid,
-                        const BoundedPlanes& bounded,
-                        const std::vector<char>& is_left_out) {
+  for (const Refinement& part : parts)
     assignToBoundedPlanes (points,
-                           voxels.order,
-                           grid,
-                           bounded,
+                           order,
+                           part.grid,
+                           part.planes,
                            parameters.distance_threshold,
                            parameters.surfels.assignment_noise_factor,
                            parameters.threads,
-                           is_left_out,
+                           part.is_refined,
                            assigned);
-  };
-  add (voxels.grids[1], planes, finer.is_refined);
-  add (finer.grid, finer.planes, {});
   return assigned;
 }
 
@@ -173,7 +148,8 @@ labelPoints (const Points& points,
 // Looks for planes among points too sparse for the voxels of the others.
 void
 labelSparsePoints (const Points& points,
-                   const VoxelPyramid& voxels,
+                   const Indices& order,
+                   const VoxelGrid& grid,
                    const Parameters& parameters,
                    StageDurations& durations,
                    AssignedPoints& assigned)
@@ -181,8 +157,7 @@ labelSparsePoints (const Points& points,
   // Voxels of a given size do not change with the points.
   if (parameters.surfels.voxel_size)
     return;
-  const Indices numbers =
-      sparsePoints (voxels.grids[1], voxels.order, assigned.labels, parameters.k);
+  const Indices numbers = sparsePoints (grid, order, assigned.labels, parameters.k);
   if (numbers.empty())
     return;
   Points sparse;
@@ -210,36 +185,32 @@ labelPoints (const Points& points,
              StageDurations& durations,
              std::size_t& found)
 {
-  const SurfelParameters& surfels = parameters.surfels;
   StageClock clock;
-  // P_s: the voxels of a grid
-  const VoxelPyramid voxels = divide (points, parameters);
+  // P_s: the voxels of a grid, and those of half the edge
+  VoxelPyramid voxels = divide (points, parameters);
+  clock.lap (durations.search);
   if (voxels.grids.empty())
     return {Labels (points.size(), no_plane), {}};
-  const VoxelGrid& grid = voxels.grids[1];
-  BoundedPlanes planes;
-  planes.plane_of_voxel.assign (grid.size(), no_plane);
-  clock.lap (durations.search);
-  // n_i and Pi: normals from the moments around, planes spread over like neighbors
-  std::vector<SurfelLevel> levels = orient (voxels, parameters);
-  clock.lap (durations.normals);
-  findPlanes (levels, parameters, surfels.sure_thickness, planes, durations);
+  // n_i and Pi: planes of large voxels, and of what they leave in voxels of half the
+  // edge
+  std::vector<Refinement> parts;
+  parts.push_back (wholeOf (voxels));
+  findPlanes (parameters, parameters.surfels.sure_thickness, durations, parts[0]);
   clock = StageClock();
-  // what no plane explains, in voxels of half the edge
-  Refinement finer = refine (voxels, planes, parameters.threads);
+  parts.push_back (
+      refine (voxels.grids[0], voxels.voxels_above[0], parameters.threads, parts[0]));
   clock.lap (durations.search);
-  levels = orient (finer, std::move (levels), parameters);
-  clock.lap (durations.normals);
-  findPlanes (levels, parameters, surfels.max_thickness, finer.planes, durations);
+  findPlanes (parameters, parameters.surfels.max_thickness, durations, parts[1]);
   clock = StageClock();
-  found = finer.planes.size();
+  found = parts.back().planes.size();
   // section III-C, by the noise of the planes instead of theta_h
-  joinPlanes (grid, parameters, planes, finer);
+  joinPlanes (parameters, parts);
   clock.lap (durations.merging);
   // every point of P, not of P_s alone, to a plane
-  AssignedPoints assigned = assign (points, voxels, planes, finer, parameters);
+  AssignedPoints assigned = assign (points, voxels.order, parts, parameters);
   clock.lap (durations.assignment);
-  labelSparsePoints (points, voxels, parameters, durations, assigned);
+  labelSparsePoints (
+      points, voxels.order, parts.front().grid, parameters, durations, assigned);
   return assigned;
 }
 

@@ -27,8 +27,7 @@ class SurfelSpread {
 public:
   SurfelSpread (const VoxelGrid& grid,
                 const Surfels& surfels,
-                const SurfelExtractionParameters& parameters,
-                const Labels& plane_of_voxel)
+                const SurfelExtractionParameters& parameters)
   : grid_ (grid)
   , surfels_ (surfels)
   , squared_factor_ (parameters.noise_factor * parameters.noise_factor)
@@ -38,8 +37,7 @@ public:
   , noise_ (grid.size(), 0.0)
   {
     for (std::size_t i = 0; i < grid.size(); ++i)
-      is_open_[i] = plane_of_voxel[i] == no_plane && surfels[i] &&
-                    surfels[i]->thickness < parameters.max_thickness;
+      is_open_[i] = surfels[i] && surfels[i]->thickness < parameters.max_thickness;
   }
 
   bool
@@ -178,14 +176,14 @@ byThickness (const Surfels& surfels)
 
 } // namespace
 
-void
+BoundedPlanes
 extractSurfelPlanes (const VoxelGrid& grid,
                      const Surfels& surfels,
-                     const SurfelExtractionParameters& parameters,
-                     BoundedPlanes& planes)
+                     const SurfelExtractionParameters& parameters)
 {
+  BoundedPlanes planes;
   planes.plane_of_voxel.resize (grid.size(), no_plane);
-  SurfelSpread spread (grid, surfels, parameters, planes.plane_of_voxel);
+  SurfelSpread spread (grid, surfels, parameters);
   CurvedSurfaces curved (grid, surfels, parameters.angle_threshold);
   for (const std::uint32_t seed : byThickness (surfels)) {
     if (!spread.isOpen (seed))
@@ -205,6 +203,7 @@ extractSurfelPlanes (const VoxelGrid& grid,
       planes.plane_of_voxel[voxel] = static_cast<std::int32_t> (planes.size());
     planes.planes.push_back (fit->plane);
   }
+  return planes;
 }
 
 } // namespace pcl_ops::internal

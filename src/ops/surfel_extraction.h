@@ -32,12 +32,10 @@ struct SurfelExtractionParameters {
  * \param[in] grid the voxels
  * \param[in] surfels of each voxel, or nothing
  * \param[in] parameters thresholds
- * \param[in,out] planes those found before, whose voxels are not asked; new ones are
- * added, those of the flattest surfels first */
-void
+ * \return planes without noise, those of the flattest surfels first */
+BoundedPlanes
 extractSurfelPlanes (const VoxelGrid& grid,
                      const std::vector<std::optional<Surfel>>& surfels,
-                     const SurfelExtractionParameters& parameters,
-                     BoundedPlanes& planes);
+                     const SurfelExtractionParameters& parameters);
 
 } // namespace pcl_ops::internal

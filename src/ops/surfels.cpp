@@ -32,6 +32,18 @@ constexpr double flat_enough = 0.2;
 // A voxel may take the normal of a neighbouring voxel if its points' rms distance to
 // that plane is below this many times the noise there.
 constexpr double borrowed_noise_factor = 1.5;
+
+// The planes around the voxels of a grid.
+struct Level {
+  const VoxelGrid* grid = nullptr;
+  std::vector<std::optional<Surfel>> normals;
+  /** \brief Of the normals, apart because most are looked at for this only; 1 where
+   * there is none. */
+  std::vector<double> thickness;
+  /** \brief For each voxel the one around it, or itself, with the least thickness. */
+  std::vector<std::uint32_t> flattest_around;
+};
+
 Moments
 momentsAround (const VoxelGrid& grid, std::size_t voxel)
 {
@@ -57,7 +69,7 @@ findNormals (const VoxelGrid& grid,
              double min_points,
              std::size_t begin,
              std::size_t end,
-             SurfelLevel& level)
+             Level& level)
 {
   std::vector<std::size_t> voxels;
   std::vector<Moments> surroundings;
@@ -84,14 +96,13 @@ findNormals (const VoxelGrid& grid,
   }
 }
 
-void
-findNormals (const VoxelGrid& grid,
-             double min_points,
-             unsigned threads,
-             SurfelLevel& level)
+Level
+levelOf (const VoxelGrid& grid, double min_points, unsigned threads)
 {
   // So few that what is noted of them stays in the processor's first cache.
   constexpr std::size_t voxels_at_once = 128;
+  Level level;
+  level.grid = &grid;
   level.normals.resize (grid.size());
   level.thickness.resize (grid.size(), 1.0);
   parallelFor (
@@ -107,6 +118,7 @@ findNormals (const VoxelGrid& grid,
                              return level.thickness[a] < level.thickness[b];
                            });
   });
+  return level;
 }
 
 // The flattest of the planes around a voxel of a level that the finest voxel lies in.
@@ -119,7 +131,7 @@ public:
   /** \brief Considers the planes around a voxel of a level. The flattest may mostly
    * serve, and spares a look at the others. */
   void
-  considerAll (const SurfelLevel& level, std::size_t at)
+  considerAll (const Level& level, std::size_t at)
   {
     const std::uint32_t flattest = level.flattest_around[at];
     if (level.thickness[flattest] >= thickness_)
@@ -132,7 +144,7 @@ public:
   }
 
   void
-  consider (const SurfelLevel& level, std::size_t candidate)
+  consider (const Level& level, std::size_t candidate)
   {
     if (level.thickness[candidate] >= thickness_)
       return;
@@ -165,7 +177,9 @@ private:
 };
 
 std::optional<Surfel>
-surfelOf (std::size_t voxel, const std::vector<SurfelLevel>& levels)
+surfelOf (std::size_t voxel,
+          const std::vector<Level>& levels,
+          const std::vector<Indices>& voxels_above)
 {
   const VoxelGrid& finest = *levels[0].grid;
   FlattestPlane plane (finest.moments[voxel], smallestNoise (finest));
@@ -173,7 +187,7 @@ surfelOf (std::size_t voxel, const std::vector<SurfelLevel>& levels)
   std::array<std::uint32_t, 10> holding{};
   std::uint32_t at = static_cast<std::uint32_t> (voxel);
   for (std::size_t l = 0; l < levels.size(); ++l) {
-    const SurfelLevel& level = levels[l];
+    const Level& level = levels[l];
     holding[l] = at;
     if (level.thickness[at] < flat_enough)
       plane.consider (level, at);
@@ -184,7 +198,7 @@ surfelOf (std::size_t voxel, const std::vector<SurfelLevel>& levels)
     if (plane.thickness() < flat_enough)
       return *plane.best();
     if (l + 1 < levels.size())
-      at = (*level.voxels_above)[at];
+      at = voxels_above[l][at];
   }
   for (std::size_t l = levels.size(); l-- > 0;)
     plane.considerAll (levels[l], holding[l]);
@@ -208,35 +222,21 @@ hidesSurfaces (const Surfel& surfel, const Moments& voxel, double smallest_noise
 
 } // namespace
 
-SurfelLevel
-normalsOf (const VoxelGrid& grid,
-           const Indices& voxels_above,
-           double least_points,
-           unsigned threads)
-{
-  SurfelLevel level;
-  level.grid = &grid;
-  level.voxels_above = &voxels_above;
-  findNormals (grid, least_points, threads, level);
-  return level;
-}
-
 std::vector<std::optional<Surfel>>
-findSurfels (const std::vector<SurfelLevel>& levels,
-             unsigned threads,
-             const Labels& plane_of_voxel)
+findSurfels (const VoxelPyramid& voxels, double least_points, unsigned threads)
 {
-  const VoxelGrid& grid = *levels[0].grid;
-  std::vector<std::optional<Surfel>> normals (grid.size());
+  std::vector<Level> levels;
+  for (const VoxelGrid& grid : voxels.grids)
+    levels.push_back (levelOf (grid, least_points, threads));
+  const VoxelGrid& grid = voxels.grids[0];
+  std::vector<std::optional<Surfel>> surfels (grid.size());
   forVoxels (grid, threads, [&] (std::size_t i) {
-    if (!plane_of_voxel.empty() && plane_of_voxel[i] != no_plane)
-      return;
-    normals[i] = surfelOf (i, levels);
-    if (normals[i] &&
-        hidesSurfaces (*normals[i], grid.moments[i], smallestNoise (grid)))
-      normals[i].reset();
+    surfels[i] = surfelOf (i, levels, voxels.voxels_above);
+    if (surfels[i] &&
+        hidesSurfaces (*surfels[i], grid.moments[i], smallestNoise (grid)))
+      surfels[i].reset();
   });
-  return normals;
+  return surfels;
 }
 
 } // namespace pcl_ops::internal

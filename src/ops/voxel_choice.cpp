@@ -116,12 +116,11 @@ voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
     return {};
   // Of twice the edge, as they are halved where needed.
   const double smallest = 2.0 * smallestVoxel (points);
-  VoxelPyramid voxels =
-      voxelizeTwice (points, 0.5 * std::max (size, smallest), threads);
+  VoxelPyramid voxels = voxelizeTwice (points, std::max (size, smallest), threads);
   const VoxelGrid& grid = voxels.grids.back();
   const double finer = std::max (voxelSizeByNoise (grid), smallest);
   if (finer < grid.voxel_size)
-    voxels = voxelizeTwice (points, 0.5 * finer, threads);
+    voxels = voxelizeTwice (points, finer, threads);
   return voxels;
 }
 

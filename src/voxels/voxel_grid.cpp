@@ -126,7 +126,7 @@ coarsen (VoxelPyramid& pyramid)
 VoxelPyramid
 voxelizeTwice (const Coordinates& positions, double voxel_size, unsigned threads)
 {
-  VoxelizedPoints finest = voxelize (positions, voxel_size, threads);
+  VoxelizedPoints finest = voxelize (positions, 0.5 * voxel_size, threads);
   VoxelPyramid pyramid;
   pyramid.order = std::move (finest.order);
   pyramid.grids.push_back (std::move (finest.grid));
@@ -136,11 +136,11 @@ voxelizeTwice (const Coordinates& positions, double voxel_size, unsigned threads
 }
 
 void
-connectCoarse (VoxelPyramid& pyramid, unsigned threads)
+connect (VoxelPyramid& pyramid, unsigned threads)
 {
   std::vector<VoxelGrid>& grids = pyramid.grids;
   connect (grids.back(), threads);
-  for (std::size_t l = grids.size() - 1; l-- > 1;)
+  for (std::size_t l = grids.size() - 1; l-- > 0;)
     grids[l].neighbours = neighboursOf (
         grids[l].codes, pyramid.voxels_above[l], grids[l + 1].neighbours, threads);
 }

@@ -77,8 +77,8 @@ struct VoxelPyramid {
   std::vector<Indices> voxels_above;
 };
 
-/** \brief Divides points into voxels of a given edge [m] and of twice of it. The rest
- * as \ref voxelize. */
+/** \brief Divides points into voxels of a given edge [m] and of half of it. The rest as
+ * \ref voxelize. */
 VoxelPyramid
 voxelizeTwice (const Coordinates& positions, double voxel_size, unsigned threads);
 
@@ -86,8 +86,8 @@ voxelizeTwice (const Coordinates& positions, double voxel_size, unsigned threads
 void
 coarsen (VoxelPyramid& pyramid);
 
-/** \brief Finds the neighbours of each voxel but the finest ones. */
+/** \brief Finds the neighbours of the voxels of all sizes. */
 void
-connectCoarse (VoxelPyramid& pyramid, unsigned threads);
+connect (VoxelPyramid& pyramid, unsigned threads);
 
 } // namespace pcl_ops::internal

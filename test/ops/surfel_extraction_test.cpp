@@ -30,9 +30,7 @@ planesAmong (const VoxelGrid& grid,
              const Surfels& surfels,
              const SurfelExtractionParameters& parameters = usual())
 {
-  BoundedPlanes planes;
-  extractSurfelPlanes (grid, surfels, parameters, planes);
-  return planes;
+  return extractSurfelPlanes (grid, surfels, parameters);
 }
 
 BoundedPlanes
@@ -169,23 +167,6 @@ TEST (VoxelExtraction, BeginsWithTheFlattestSurfels)
     const BoundedPlanes planes = planesAmong (grid, surfels);
     ASSERT_EQ (planes.size(), 2u);
     EXPECT_NEAR (std::abs (planes.planes[0].offset), flat < 0.05 ? 0.05 : 1.0, 1e-3);
-  }
-}
-
-TEST (VoxelExtraction, AddsToPlanesFoundBefore)
-{
-  // The left half of the ground is on a plane already; the right one is found now.
-  const VoxelGrid grid = gridOf ({ground});
-  BoundedPlanes planes;
-  planes.planes.push_back ({Eigen::Vector3d::UnitX(), 7.0});
-  for (const pcl_ops::Moments& voxel : grid.moments)
-    planes.plane_of_voxel.push_back (voxel.centroid().x() < 1.0 ? 0 : no_plane);
-  extractSurfelPlanes (grid, surfelsIn (grid, 3, 30.0, 1), usual(), planes);
-  ASSERT_EQ (planes.size(), 2u);
-  EXPECT_EQ (planes.planes[0].offset, 7.0);
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    const bool was_found_before = grid.moments[i].centroid().x() < 1.0;
-    EXPECT_EQ (planes.plane_of_voxel[i], was_found_before ? 0 : 1);
   }
 }
 

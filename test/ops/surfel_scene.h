@@ -9,19 +9,13 @@ inline std::vector<std::optional<pcl_ops::internal::Surfel>>
 surfelsIn (const pcl_ops::internal::VoxelGrid& grid,
            int resolutions,
            double least_points,
-           unsigned threads,
-           const pcl_ops::Labels& plane_of_voxel = {})
+           unsigned threads)
 {
   pcl_ops::internal::VoxelPyramid pyramid;
   pyramid.grids = {grid};
   pyramid.voxels_above.resize (1);
   for (int coarser = 1; coarser < resolutions; ++coarser)
     coarsen (pyramid);
-  if (resolutions > 1)
-    connectCoarse (pyramid, threads);
-  std::vector<pcl_ops::internal::SurfelLevel> levels;
-  for (std::size_t l = 0; l < pyramid.grids.size(); ++l)
-    levels.push_back (
-        normalsOf (pyramid.grids[l], pyramid.voxels_above[l], least_points, threads));
-  return findSurfels (levels, threads, plane_of_voxel);
+  connect (pyramid, threads);
+  return findSurfels (pyramid, least_points, threads);
 }

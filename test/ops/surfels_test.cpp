@@ -153,18 +153,6 @@ TEST (OrientedVoxels, HaveASurfelWhereTheVoxelItselfIsAsNoisyAsItsNeighbourhood)
     EXPECT_TRUE (surfel);
 }
 
-TEST (OrientedVoxels, HaveNoSurfelWhereTheyAreOnAPlaneAlready)
-{
-  Coordinates points;
-  addGrid (points, floor_of_the_scene, 120);
-  const VoxelGrid grid = connectedGrid (points, 0.1);
-  pcl_ops::Labels plane_of_voxel (grid.size(), pcl_ops::no_plane);
-  std::fill_n (plane_of_voxel.begin(), 100, 0);
-  const auto surfels = surfelsIn (grid, 3, 30.0, 1, plane_of_voxel);
-  for (std::size_t i = 0; i < grid.size(); ++i)
-    EXPECT_EQ (surfels[i].has_value(), i >= 100);
-}
-
 TEST (OrientedVoxels, HaveNoSurfelOnAWire)
 {
   // A millimetre wide in voxels of ten centimetres.

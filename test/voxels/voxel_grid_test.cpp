@@ -82,7 +82,7 @@ TEST (VoxelGrid, KeepsStrayPointsFarAway)
 
 TEST (VoxelPyramid, HoldsEightVoxelsInEachLargerOneAndLosesNoPoint)
 {
-  const VoxelPyramid pyramid = voxelizeTwice (pointsInACube (3000, 4.0), 0.25, 1);
+  const VoxelPyramid pyramid = voxelizeTwice (pointsInACube (3000, 4.0), 0.5, 1);
   const VoxelGrid &fine = pyramid.grids[0], &coarser = pyramid.grids[1];
   EXPECT_EQ (coarser.voxel_size, 0.5);
   EXPECT_EQ (countOf (coarser), countOf (fine));
@@ -100,7 +100,7 @@ TEST (VoxelPyramid, HasTheGridOfTwiceTheEdgeWhereverTheCloudBegins)
     Coordinates points = pointsInACube (3000, 4.0);
     for (float& x : points.x)
       x += shift;
-    const VoxelGrid coarser = voxelizeTwice (points, 0.25, 1).grids[1];
+    const VoxelGrid coarser = voxelizeTwice (points, 0.5, 1).grids[1];
     const VoxelGrid direct = voxelize (points, 0.5, 1).grid;
     ASSERT_EQ (coarser.size(), direct.size());
     for (std::size_t c = 0; c < direct.size(); ++c)
