@@ -43,16 +43,16 @@ addGrid (pcl_ops::internal::Coordinates& points,
 }
 
 /** \brief Points in voxels, with their neighbours, and in those of half the edge. */
-inline pcl_ops::internal::VoxelPyramid
+inline pcl_ops::internal::VoxelLevels
 connectedVoxels (const pcl_ops::internal::Coordinates& points, double voxel_size)
 {
-  pcl_ops::internal::VoxelPyramid voxels = voxelizeTwice (points, voxel_size, 1);
-  connect (voxels.grids[1], 1);
+  pcl_ops::internal::VoxelLevels voxels = voxelizeTwice (points, voxel_size, 1);
+  connect (voxels.coarse.grid, 1);
   return voxels;
 }
 
 inline pcl_ops::internal::VoxelGrid
 connectedGrid (const pcl_ops::internal::Coordinates& points, double voxel_size)
 {
-  return connectedVoxels (points, voxel_size).grids[1];
+  return connectedVoxels (points, voxel_size).coarse.grid;
 }

@@ -24,7 +24,8 @@ struct VoxelScene {
       addPlane (pcl_ops::planeThrough (plane[0].centre(), plane[0].normal()));
     }
     voxelize();
-    const pcl_ops::internal::Indices voxels = voxelsOfPoints (grid(), voxelized.order);
+    const pcl_ops::internal::Indices voxels =
+        voxelsOfPoints (grid(), voxelized.finest.order);
     planes.plane_of_voxel.assign (grid().size(), pcl_ops::no_plane);
     for (std::size_t i = points.size(); i-- > 0;)
       planes.plane_of_voxel[voxels[i]] = plane_of_point[i];
@@ -48,7 +49,7 @@ struct VoxelScene {
   const pcl_ops::internal::VoxelGrid&
   grid () const
   {
-    return voxelized.grids[1];
+    return voxelized.coarse.grid;
   }
 
   Eigen::Vector3d
@@ -76,6 +77,6 @@ struct VoxelScene {
   }
 
   pcl_ops::internal::Coordinates points;
-  pcl_ops::internal::VoxelPyramid voxelized;
+  pcl_ops::internal::VoxelLevels voxelized;
   pcl_ops::internal::BoundedPlanes planes;
 };

@@ -29,109 +29,85 @@ voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_
   return is_refined;
 }
 
-void
-append (const VoxelGrid& from, std::size_t voxel, VoxelGrid& grid)
+// The finest voxels in coarse ones that are refined.
+Indices
+voxelsIn (const Indices& coarse_of_finest, const std::vector<char>& is_refined)
 {
-  grid.codes.push_back (from.codes[voxel]);
-  grid.first_point.push_back (from.first_point[voxel]);
-  grid.moments.push_back (from.moments[voxel]);
+  Indices voxels;
+  for (std::size_t i = 0; i < coarse_of_finest.size(); ++i)
+    if (is_refined[coarse_of_finest[i]] != 0)
+      voxels.push_back (static_cast<std::uint32_t> (i));
+  return voxels;
 }
 
-// The finer voxels of those that are refined.
-Refinement
-selected (const VoxelGrid& finer, const Indices& voxels_above, const Refinement& coarse)
+VoxelGrid
+selected (const VoxelGrid& grid, const Indices& voxels)
 {
-  Refinement part;
-  part.grid.voxel_size = finer.voxel_size;
-  part.grid.moments.reserve (finer.size());
-  for (std::size_t i = 0; i < finer.size(); ++i) {
-    if (coarse.is_refined[voxels_above[i]] == 0)
-      continue;
-    part.voxels_above.push_back (voxels_above[i]);
-    append (finer, i, part.grid);
+  VoxelGrid some;
+  some.voxel_size = grid.voxel_size;
+  some.moments.reserve (voxels.size());
+  for (const std::uint32_t voxel : voxels) {
+    some.codes.push_back (grid.codes[voxel]);
+    some.first_point.push_back (grid.first_point[voxel]);
+    some.moments.push_back (grid.moments[voxel]);
   }
-  return part;
+  return some;
 }
 
 // The plane that each finer voxel has from the coarse one that holds it.
 Labels
-inheritedPlanes (const BoundedPlanes& planes, const Refinement& finer, unsigned threads)
+inheritedPlanes (const BoundedPlanes& planes,
+                 const Indices& coarse_of_finest,
+                 const Indices& voxels,
+                 const VoxelGrid& finer,
+                 unsigned threads)
 {
-  Labels inherited (finer.grid.size(), no_plane);
-  forVoxels (finer.grid, threads, [&] (std::size_t i) {
-    const std::int32_t plane = planes.plane_of_voxel[finer.voxels_above[i]];
+  Labels inherited (finer.size(), no_plane);
+  forVoxels (finer, threads, [&] (std::size_t i) {
+    const std::int32_t plane = planes.plane_of_voxel[coarse_of_finest[voxels[i]]];
     if (plane == no_plane)
       return;
     const auto p = static_cast<std::size_t> (plane);
     const double limit = noises_of_a_voxel * planes.noise[p];
-    if (meanSquaredDistance (finer.grid.moments[i], planes.planes[p]) < limit * limit)
+    if (meanSquaredDistance (finer.moments[i], planes.planes[p]) < limit * limit)
       inherited[i] = plane;
   });
   return inherited;
 }
 
-// Of each plane the moments of what is not refined.
+// Of each plane the moments of voxels that are not refined.
 std::vector<Moments>
-momentsLeft (const Refinement& coarse)
+momentsLeft (const VoxelGrid& coarse,
+             const BoundedPlanes& planes,
+             const std::vector<char>& is_refined)
 {
-  std::vector<Moments> moments = coarse.planes.moments_elsewhere;
-  moments.resize (coarse.planes.size());
-  for (std::size_t i = 0; i < coarse.grid.size(); ++i) {
-    const std::int32_t plane = coarse.planes.plane_of_voxel[i];
-    if (plane != no_plane && coarse.is_refined[i] == 0)
-      moments[static_cast<std::size_t> (plane)].addAligned (coarse.grid.moments[i]);
-  }
+  std::vector<Moments> moments (planes.size());
+  for (std::size_t i = 0; i < coarse.size(); ++i)
+    if (planes.plane_of_voxel[i] != no_plane && is_refined[i] == 0)
+      moments[static_cast<std::size_t> (planes.plane_of_voxel[i])].addAligned (
+          coarse.moments[i]);
   return moments;
 }
 
 } // namespace
 
 Refinement
-refine (const VoxelGrid& finer,
-        const Indices& voxels_above,
-        unsigned threads,
-        Refinement& coarse)
+refine (const VoxelGrid& finest,
+        const CoarserGrid& coarse,
+        const BoundedPlanes& planes,
+        unsigned threads)
 {
-  coarse.is_refined =
-      voxelsToRefine (coarse.grid, threads, coarse.planes.plane_of_voxel);
-  Refinement part = selected (finer, voxels_above, coarse);
-  part.grid.neighbours = neighboursOf (
-      part.grid.codes, part.voxels_above, coarse.grid.neighbours, threads);
-  part.planes.planes = coarse.planes.planes;
-  part.planes.noise = coarse.planes.noise;
-  part.planes.moments_elsewhere = momentsLeft (coarse);
-  part.planes.plane_of_voxel = inheritedPlanes (coarse.planes, part, threads);
-  return part;
-}
-
-OpenVoxels
-openVoxels (const Refinement& part, int sizes, unsigned threads)
-{
-  OpenVoxels open;
-  VoxelGrid grid;
-  grid.voxel_size = part.grid.voxel_size;
-  grid.moments.reserve (part.grid.size());
-  for (std::size_t i = 0; i < part.grid.size(); ++i)
-    if (part.planes.plane_of_voxel[i] == no_plane) {
-      open.numbers.push_back (static_cast<std::uint32_t> (i));
-      append (part.grid, i, grid);
-    }
-  open.voxels.grids.push_back (std::move (grid));
-  open.voxels.voxels_above.emplace_back();
-  for (int size = 1; size < sizes; ++size)
-    coarsen (open.voxels);
-  connect (open.voxels, threads);
-  return open;
-}
-
-void
-addPlanes (const Indices& numbers, const BoundedPlanes& found, BoundedPlanes& planes)
-{
-  const auto before = static_cast<std::int32_t> (planes.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (found.plane_of_voxel[i] != no_plane)
-      planes.plane_of_voxel[numbers[i]] = before + found.plane_of_voxel[i];
-  planes.planes.insert (planes.planes.end(), found.planes.begin(), found.planes.end());
+  Refinement finer;
+  finer.is_refined = voxelsToRefine (coarse.grid, threads, planes.plane_of_voxel);
+  const Indices voxels = voxelsIn (coarse.voxel_of_finer, finer.is_refined);
+  finer.grid = selected (finest, voxels);
+  connect (finer.grid, threads);
+  finer.planes.planes = planes.planes;
+  finer.planes.noise = planes.noise;
+  finer.planes.moments_elsewhere = momentsLeft (coarse.grid, planes, finer.is_refined);
+  finer.planes.plane_of_voxel =
+      inheritedPlanes (planes, coarse.voxel_of_finer, voxels, finer.grid, threads);
+  return finer;
 }
 
 } // namespace pcl_ops::internal

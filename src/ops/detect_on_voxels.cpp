@@ -21,69 +21,60 @@ namespace {
 
 using Parameters = OrientedPointSamplingParameters;
 
-VoxelPyramid
+VoxelLevels
 divide (const Points& points, const Parameters& parameters)
 {
   const std::optional<double> given = parameters.surfels.voxel_size;
-  return given ? voxelizeTwice (points, *given, parameters.threads)
-               : voxelizeByNoise (points, parameters.sampling_rate, parameters.threads);
+  VoxelLevels voxels =
+      given ? voxelizeTwice (points, *given, parameters.threads)
+            : voxelizeByNoise (points, parameters.sampling_rate, parameters.threads);
+  connect (voxels.coarse.grid, parameters.threads);
+  return voxels;
 }
 
-// All points, in the largest voxels.
-Refinement
-wholeOf (VoxelPyramid& voxels)
-{
-  Refinement whole;
-  whole.grid = std::move (voxels.grids.back());
-  whole.planes.plane_of_voxel.assign (whole.grid.size(), no_plane);
-  return whole;
-}
-
-// n_i: of voxels that have no plane
 std::vector<std::optional<Surfel>>
-orient (const OpenVoxels& open, const VoxelGrid& grid, const Parameters& parameters)
+orient (const VoxelGrid& grid,
+        const Parameters& parameters,
+        const Labels& plane_of_voxel)
 {
+  const SurfelParameters& surfels = parameters.surfels;
   const double least_points =
       std::max (static_cast<double> (parameters.k),
-                parameters.surfels.min_average_voxels * meanPointsPerVoxel (grid));
-  return findSurfels (open.voxels, least_points, parameters.threads);
+                surfels.min_average_voxels * meanPointsPerVoxel (grid));
+  return findSurfels (
+      grid, surfels.resolutions, least_points, parameters.threads, plane_of_voxel);
 }
 
-// Pi: planes that spread over like neighbors
-BoundedPlanes
-spread (const OpenVoxels& open,
+void
+spread (const VoxelGrid& grid,
         const std::vector<std::optional<Surfel>>& surfels,
         const Parameters& parameters,
-        double max_thickness)
+        double max_thickness,
+        BoundedPlanes& planes)
 {
   SurfelExtractionParameters extraction;
   extraction.noise_factor = parameters.surfels.noise_factor;
   extraction.angle_threshold = parameters.surfels.angle_threshold;
   extraction.max_thickness = max_thickness;
   extraction.min_inliers = std::max (1u, parameters.min_inliers);
-  return extractSurfelPlanes (open.voxels.grids[0], surfels, extraction);
+  extractSurfelPlanes (grid, surfels, extraction, planes);
+  measureNoise (grid, parameters.threads, planes);
 }
 
 // Finds planes in voxels that have none, and lets all planes grow.
 void
-findPlanes (const Parameters& parameters,
+findPlanes (const VoxelGrid& grid,
+            const Parameters& parameters,
             double max_thickness,
-            StageDurations& durations,
-            Refinement& part)
+            BoundedPlanes& planes,
+            StageDurations& durations)
 {
   StageClock clock;
-  OpenVoxels open =
-      openVoxels (part, parameters.surfels.resolutions, parameters.threads);
   const std::vector<std::optional<Surfel>> surfels =
-      orient (open, part.grid, parameters);
+      orient (grid, parameters, planes.plane_of_voxel);
   clock.lap (durations.normals);
-  addPlanes (
-      open.numbers, spread (open, surfels, parameters, max_thickness), part.planes);
-  if (part.grid.neighbours.size() == 0) // of the whole, which was all open
-    part.grid.neighbours = std::move (open.voxels.grids[0].neighbours);
-  measureNoise (part.grid, parameters.threads, part.planes);
-  growPlanes (
-      part.grid, parameters.distance_threshold, parameters.threads, part.planes);
+  spread (grid, surfels, parameters, max_thickness, planes);
+  growPlanes (grid, parameters.distance_threshold, parameters.threads, planes);
   clock.lap (durations.extraction);
 }
 
@@ -106,36 +97,44 @@ mergedPlanes (const VoxelGrid& grid,
   return merged;
 }
 
-// Makes one plane of those that are one, in voxels of all sizes.
+// Makes one plane of those that are one, in voxels of both sizes.
 void
-joinPlanes (const Parameters& parameters, std::vector<Refinement>& parts)
+joinPlanes (const VoxelGrid& grid,
+            const Parameters& parameters,
+            BoundedPlanes& planes,
+            Refinement& finer)
 {
-  const MergedPlanes merged =
-      mergedPlanes (parts.back().grid, parameters, parts.back().planes);
-  for (Refinement& part : parts) {
-    renumberPlanes (merged, part.planes);
-    measureNoise (part.grid, parameters.threads, part.planes);
-  }
+  const MergedPlanes merged = mergedPlanes (finer.grid, parameters, finer.planes);
+  renumberPlanes (merged, planes);
+  renumberPlanes (merged, finer.planes);
+  measureNoise (grid, parameters.threads, planes);
+  measureNoise (finer.grid, parameters.threads, finer.planes);
 }
 
-// The points of voxels that are not refined.
+// The points of coarse voxels that are not refined, and those of the finer ones.
 AssignedPoints
 assign (const Points& points,
-        const Indices& order,
-        const std::vector<Refinement>& parts,
+        const VoxelLevels& voxels,
+        const BoundedPlanes& planes,
+        const Refinement& finer,
         const Parameters& parameters)
 {
   AssignedPoints assigned{Labels (points.size(), no_plane), {}};
-  for (const Refinement& part : parts)
+  const auto add = [&] (const VoxelGrid& grid,
+                        const BoundedPlanes& bounded,
+                        const std::vector<char>& is_left_out) {
     assignToBoundedPlanes (points,
-                           order,
-                           part.grid,
-                           part.planes,
+                           voxels.finest.order,
+                           grid,
+                           bounded,
                            parameters.distance_threshold,
                            parameters.surfels.assignment_noise_factor,
                            parameters.threads,
-                           part.is_refined,
+                           is_left_out,
                            assigned);
+  };
+  add (voxels.coarse.grid, planes, finer.is_refined);
+  add (finer.grid, finer.planes, {});
   return assigned;
 }
 
@@ -148,8 +147,7 @@ labelPoints (const Points& points,
 // Looks for planes among points too sparse for the voxels of the others.
 void
 labelSparsePoints (const Points& points,
-                   const Indices& order,
-                   const VoxelGrid& grid,
+                   const VoxelLevels& voxels,
                    const Parameters& parameters,
                    StageDurations& durations,
                    AssignedPoints& assigned)
@@ -157,7 +155,8 @@ labelSparsePoints (const Points& points,
   // Voxels of a given size do not change with the points.
   if (parameters.surfels.voxel_size)
     return;
-  const Indices numbers = sparsePoints (grid, order, assigned.labels, parameters.k);
+  const Indices numbers = sparsePoints (
+      voxels.coarse.grid, voxels.finest.order, assigned.labels, parameters.k);
   if (numbers.empty())
     return;
   Points sparse;
@@ -185,32 +184,33 @@ labelPoints (const Points& points,
              StageDurations& durations,
              std::size_t& found)
 {
+  const SurfelParameters& surfels = parameters.surfels;
   StageClock clock;
-  // P_s: the voxels of a grid, and those of half the edge
-  VoxelPyramid voxels = divide (points, parameters);
-  clock.lap (durations.search);
-  if (voxels.grids.empty())
+  // P_s: the voxels of a grid
+  const VoxelLevels voxels = divide (points, parameters);
+  const VoxelGrid& grid = voxels.coarse.grid;
+  if (grid.size() == 0)
     return {Labels (points.size(), no_plane), {}};
-  // n_i and Pi: planes of large voxels, and of what they leave in voxels of half the
-  // edge
-  std::vector<Refinement> parts;
-  parts.push_back (wholeOf (voxels));
-  findPlanes (parameters, parameters.surfels.sure_thickness, durations, parts[0]);
-  clock = StageClock();
-  parts.push_back (
-      refine (voxels.grids[0], voxels.voxels_above[0], parameters.threads, parts[0]));
+  BoundedPlanes planes;
+  planes.plane_of_voxel.assign (grid.size(), no_plane);
   clock.lap (durations.search);
-  findPlanes (parameters, parameters.surfels.max_thickness, durations, parts[1]);
+  // n_i and Pi: normals from the moments around, planes spread over like neighbors
+  findPlanes (grid, parameters, surfels.sure_thickness, planes, durations);
   clock = StageClock();
-  found = parts.back().planes.size();
+  // what no plane explains, in voxels of half the edge
+  Refinement finer =
+      refine (voxels.finest.grid, voxels.coarse, planes, parameters.threads);
+  clock.lap (durations.search);
+  findPlanes (finer.grid, parameters, surfels.max_thickness, finer.planes, durations);
+  clock = StageClock();
+  found = finer.planes.size();
   // section III-C, by the noise of the planes instead of theta_h
-  joinPlanes (parameters, parts);
+  joinPlanes (grid, parameters, planes, finer);
   clock.lap (durations.merging);
   // every point of P, not of P_s alone, to a plane
-  AssignedPoints assigned = assign (points, voxels.order, parts, parameters);
+  AssignedPoints assigned = assign (points, voxels, planes, finer, parameters);
   clock.lap (durations.assignment);
-  labelSparsePoints (
-      points, voxels.order, parts.front().grid, parameters, durations, assigned);
+  labelSparsePoints (points, voxels, parameters, durations, assigned);
   return assigned;
 }
 

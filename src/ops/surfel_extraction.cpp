@@ -4,7 +4,6 @@
 
 #include "bounded/bending.h"
 #include "bounded/noise_floors.h"
-#include "geometry/principal_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +26,8 @@ class SurfelSpread {
 public:
   SurfelSpread (const VoxelGrid& grid,
                 const Surfels& surfels,
-                const SurfelExtractionParameters& parameters)
+                const SurfelExtractionParameters& parameters,
+                const Labels& plane_of_voxel)
   : grid_ (grid)
   , surfels_ (surfels)
   , squared_factor_ (parameters.noise_factor * parameters.noise_factor)
@@ -37,7 +37,8 @@ public:
   , noise_ (grid.size(), 0.0)
   {
     for (std::size_t i = 0; i < grid.size(); ++i)
-      is_open_[i] = surfels[i] && surfels[i]->thickness < parameters.max_thickness;
+      is_open_[i] = plane_of_voxel[i] == no_plane && surfels[i] &&
+                    surfels[i]->thickness < parameters.max_thickness;
   }
 
   bool
@@ -70,9 +71,8 @@ public:
       if (patch.voxels.size() < next_fit)
         continue;
       next_fit = patch.voxels.size() * 3 / 2 + 1;
-      const PrincipalAxes axes = principalAxes (patch.moments.covariance());
-      if (!axes.normal.isZero())
-        plane = planeThrough (patch.moments.centroid(), axes.normal);
+      if (const std::optional<PlaneFit> fit = fitPlane (patch.moments))
+        plane = fit->plane;
     }
     return patch;
   }
@@ -163,27 +163,27 @@ private:
 Indices
 byThickness (const Surfels& surfels)
 {
-  std::vector<std::pair<float, std::uint32_t>> order;
+  Indices order;
   for (std::size_t i = 0; i < surfels.size(); ++i)
     if (surfels[i])
-      order.emplace_back (surfels[i]->thickness, i);
-  std::sort (order.begin(), order.end());
-  Indices voxels;
-  for (const auto& [thickness, voxel] : order)
-    voxels.push_back (voxel);
-  return voxels;
+      order.push_back (static_cast<std::uint32_t> (i));
+  std::stable_sort (
+      order.begin(), order.end(), [&surfels] (std::uint32_t a, std::uint32_t b) {
+        return surfels[a]->thickness < surfels[b]->thickness;
+      });
+  return order;
 }
 
 } // namespace
 
-BoundedPlanes
+void
 extractSurfelPlanes (const VoxelGrid& grid,
                      const Surfels& surfels,
-                     const SurfelExtractionParameters& parameters)
+                     const SurfelExtractionParameters& parameters,
+                     BoundedPlanes& planes)
 {
-  BoundedPlanes planes;
   planes.plane_of_voxel.resize (grid.size(), no_plane);
-  SurfelSpread spread (grid, surfels, parameters);
+  SurfelSpread spread (grid, surfels, parameters, planes.plane_of_voxel);
   CurvedSurfaces curved (grid, surfels, parameters.angle_threshold);
   for (const std::uint32_t seed : byThickness (surfels)) {
     if (!spread.isOpen (seed))
@@ -203,7 +203,6 @@ extractSurfelPlanes (const VoxelGrid& grid,
       planes.plane_of_voxel[voxel] = static_cast<std::int32_t> (planes.size());
     planes.planes.push_back (fit->plane);
   }
-  return planes;
 }
 
 } // namespace pcl_ops::internal

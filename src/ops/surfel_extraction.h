@@ -32,10 +32,12 @@ struct SurfelExtractionParameters {
  * \param[in] grid the voxels
  * \param[in] surfels of each voxel, or nothing
  * \param[in] parameters thresholds
- * \return planes without noise, those of the flattest surfels first */
-BoundedPlanes
+ * \param[in,out] planes those found before, whose voxels are not asked; new ones are
+ * added, those of the flattest surfels first */
+void
 extractSurfelPlanes (const VoxelGrid& grid,
                      const std::vector<std::optional<Surfel>>& surfels,
-                     const SurfelExtractionParameters& parameters);
+                     const SurfelExtractionParameters& parameters,
+                     BoundedPlanes& planes);
 
 } // namespace pcl_ops::internal

@@ -8,7 +8,6 @@
 #include "voxels/voxel_traversal.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pcl_ops::internal {
@@ -33,15 +32,29 @@ constexpr double flat_enough = 0.2;
 // that plane is below this many times the noise there.
 constexpr double borrowed_noise_factor = 1.5;
 
-// The planes around the voxels of a grid.
+// One resolution: a grid and the plane around each of its voxels.
 struct Level {
-  const VoxelGrid* grid = nullptr;
+  /** \brief Empty for the finest level, as is the next. */
+  VoxelGrid grid;
+  std::vector<std::uint32_t> voxel_of_finest;
   std::vector<std::optional<Surfel>> normals;
   /** \brief Of the normals, apart because most are looked at for this only; 1 where
    * there is none. */
   std::vector<double> thickness;
   /** \brief For each voxel the one around it, or itself, with the least thickness. */
   std::vector<std::uint32_t> flattest_around;
+
+  const VoxelGrid&
+  gridOr (const VoxelGrid& finest) const
+  {
+    return voxel_of_finest.empty() ? finest : grid;
+  }
+
+  std::size_t
+  voxelHolding (std::size_t finest_voxel) const
+  {
+    return voxel_of_finest.empty() ? finest_voxel : voxel_of_finest[finest_voxel];
+  }
 };
 
 Moments
@@ -96,13 +109,11 @@ findNormals (const VoxelGrid& grid,
   }
 }
 
-Level
-levelOf (const VoxelGrid& grid, double min_points, unsigned threads)
+void
+findNormals (const VoxelGrid& grid, double min_points, unsigned threads, Level& level)
 {
   // So few that what is noted of them stays in the processor's first cache.
   constexpr std::size_t voxels_at_once = 128;
-  Level level;
-  level.grid = &grid;
   level.normals.resize (grid.size());
   level.thickness.resize (grid.size(), 1.0);
   parallelFor (
@@ -118,7 +129,6 @@ levelOf (const VoxelGrid& grid, double min_points, unsigned threads)
                              return level.thickness[a] < level.thickness[b];
                            });
   });
-  return level;
 }
 
 // The flattest of the planes around a voxel of a level that the finest voxel lies in.
@@ -131,7 +141,7 @@ public:
   /** \brief Considers the planes around a voxel of a level. The flattest may mostly
    * serve, and spares a look at the others. */
   void
-  considerAll (const Level& level, std::size_t at)
+  considerAll (const Level& level, std::size_t at, const VoxelGrid& finest)
   {
     const std::uint32_t flattest = level.flattest_around[at];
     if (level.thickness[flattest] >= thickness_)
@@ -139,7 +149,7 @@ public:
     consider (level, flattest);
     if (best_ == &*level.normals[flattest])
       return;
-    for (const std::uint32_t candidate : level.grid->neighbours[at])
+    for (const std::uint32_t candidate : level.gridOr (finest).neighbours[at])
       consider (level, candidate);
   }
 
@@ -177,32 +187,37 @@ private:
 };
 
 std::optional<Surfel>
-surfelOf (std::size_t voxel,
-          const std::vector<Level>& levels,
-          const std::vector<Indices>& voxels_above)
+surfelOf (std::size_t voxel, const VoxelGrid& finest, const std::vector<Level>& levels)
 {
-  const VoxelGrid& finest = *levels[0].grid;
   FlattestPlane plane (finest.moments[voxel], smallestNoise (finest));
-  // In each level the voxel that holds it.
-  std::array<std::uint32_t, 10> holding{};
-  std::uint32_t at = static_cast<std::uint32_t> (voxel);
-  for (std::size_t l = 0; l < levels.size(); ++l) {
-    const Level& level = levels[l];
-    holding[l] = at;
+  for (const Level& level : levels) {
+    const std::size_t at = level.voxelHolding (voxel);
     if (level.thickness[at] < flat_enough)
       plane.consider (level, at);
     // Where nothing around is flat enough, a coarser level is likely to have better.
     if (plane.thickness() >= flat_enough &&
         level.thickness[level.flattest_around[at]] < flat_enough)
-      plane.considerAll (level, at);
+      plane.considerAll (level, at, finest);
     if (plane.thickness() < flat_enough)
       return *plane.best();
-    if (l + 1 < levels.size())
-      at = voxels_above[l][at];
   }
-  for (std::size_t l = levels.size(); l-- > 0;)
-    plane.considerAll (levels[l], holding[l]);
+  for (auto level = levels.rbegin(); level != levels.rend(); ++level)
+    plane.considerAll (*level, level->voxelHolding (voxel), finest);
   return plane.best() ? std::optional<Surfel> (*plane.best()) : std::nullopt;
+}
+
+// The level after the last one.
+Level
+coarserLevel (const VoxelGrid& finest, const Level& last, unsigned threads)
+{
+  CoarserGrid coarser = coarsen (last.gridOr (finest));
+  connect (coarser.grid, threads);
+  Level level;
+  level.grid = std::move (coarser.grid);
+  level.voxel_of_finest.resize (finest.size());
+  for (std::size_t i = 0; i < finest.size(); ++i)
+    level.voxel_of_finest[i] = coarser.voxel_of_finer[last.voxelHolding (i)];
+  return level;
 }
 
 // Whether a voxel's surroundings are far noisier than its own points: not noise, then,
@@ -223,20 +238,27 @@ hidesSurfaces (const Surfel& surfel, const Moments& voxel, double smallest_noise
 } // namespace
 
 std::vector<std::optional<Surfel>>
-findSurfels (const VoxelPyramid& voxels, double least_points, unsigned threads)
+findSurfels (const VoxelGrid& grid,
+             int resolutions,
+             double least_points,
+             unsigned threads,
+             const Labels& plane_of_voxel)
 {
   std::vector<Level> levels;
-  for (const VoxelGrid& grid : voxels.grids)
-    levels.push_back (levelOf (grid, least_points, threads));
-  const VoxelGrid& grid = voxels.grids[0];
-  std::vector<std::optional<Surfel>> surfels (grid.size());
+  for (int l = 0; l < resolutions; ++l) {
+    levels.push_back (l == 0 ? Level() : coarserLevel (grid, levels.back(), threads));
+    findNormals (levels.back().gridOr (grid), least_points, threads, levels.back());
+  }
+  std::vector<std::optional<Surfel>> normals (grid.size());
   forVoxels (grid, threads, [&] (std::size_t i) {
-    surfels[i] = surfelOf (i, levels, voxels.voxels_above);
-    if (surfels[i] &&
-        hidesSurfaces (*surfels[i], grid.moments[i], smallestNoise (grid)))
-      surfels[i].reset();
+    if (!plane_of_voxel.empty() && plane_of_voxel[i] != no_plane)
+      return;
+    normals[i] = surfelOf (i, grid, levels);
+    if (normals[i] &&
+        hidesSurfaces (*normals[i], grid.moments[i], smallestNoise (grid)))
+      normals[i].reset();
   });
-  return surfels;
+  return normals;
 }
 
 } // namespace pcl_ops::internal

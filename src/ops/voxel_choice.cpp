@@ -107,7 +107,7 @@ meanPointsPerVoxel (const VoxelGrid& grid)
   return points / static_cast<double> (grid.size());
 }
 
-VoxelPyramid
+VoxelLevels
 voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
 {
   const double size =
@@ -116,8 +116,8 @@ voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
     return {};
   // Of twice the edge, as they are halved where needed.
   const double smallest = 2.0 * smallestVoxel (points);
-  VoxelPyramid voxels = voxelizeTwice (points, std::max (size, smallest), threads);
-  const VoxelGrid& grid = voxels.grids.back();
+  VoxelLevels voxels = voxelizeTwice (points, std::max (size, smallest), threads);
+  const VoxelGrid& grid = voxels.coarse.grid;
   const double finer = std::max (voxelSizeByNoise (grid), smallest);
   if (finer < grid.voxel_size)
     voxels = voxelizeTwice (points, finer, threads);

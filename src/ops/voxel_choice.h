@@ -12,7 +12,7 @@ namespace pcl_ops::internal {
  * \param[in] sampling_rate alpha_s, which the number of voxels grows with
  * \param[in] threads number of threads; 0: all. The result does not depend on it
  * \return an empty grid for fewer than two different points */
-VoxelPyramid
+VoxelLevels
 voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads);
 
 double

@@ -99,14 +99,13 @@ voxelsOfPoints (const VoxelGrid& grid, const Indices& order)
   return voxels;
 }
 
-void
-coarsen (VoxelPyramid& pyramid)
+CoarserGrid
+coarsen (const VoxelGrid& finer)
 {
-  const VoxelGrid& finer = pyramid.grids.back();
-  VoxelGrid grid;
+  CoarserGrid coarser;
+  VoxelGrid& grid = coarser.grid;
   grid.voxel_size = 2.0 * finer.voxel_size;
-  Indices above;
-  above.reserve (finer.size());
+  coarser.voxel_of_finer.reserve (finer.size());
   // More than most surfaces need: copies of moments cost more than their memory.
   grid.moments.reserve (finer.size() / 2);
   for (std::size_t i = 0; i < finer.size(); ++i) {
@@ -116,33 +115,18 @@ coarsen (VoxelPyramid& pyramid)
       grid.moments.emplace_back();
     }
     grid.moments.back().addAligned (finer.moments[i]);
-    above.push_back (static_cast<std::uint32_t> (grid.size() - 1));
+    coarser.voxel_of_finer.push_back (static_cast<std::uint32_t> (grid.size() - 1));
   }
-  pyramid.grids.push_back (std::move (grid));
-  pyramid.voxels_above.back() = std::move (above);
-  pyramid.voxels_above.emplace_back();
+  return coarser;
 }
 
-VoxelPyramid
+VoxelLevels
 voxelizeTwice (const Coordinates& positions, double voxel_size, unsigned threads)
 {
-  VoxelizedPoints finest = voxelize (positions, 0.5 * voxel_size, threads);
-  VoxelPyramid pyramid;
-  pyramid.order = std::move (finest.order);
-  pyramid.grids.push_back (std::move (finest.grid));
-  pyramid.voxels_above.emplace_back();
-  coarsen (pyramid);
-  return pyramid;
-}
-
-void
-connect (VoxelPyramid& pyramid, unsigned threads)
-{
-  std::vector<VoxelGrid>& grids = pyramid.grids;
-  connect (grids.back(), threads);
-  for (std::size_t l = grids.size() - 1; l-- > 0;)
-    grids[l].neighbours = neighboursOf (
-        grids[l].codes, pyramid.voxels_above[l], grids[l + 1].neighbours, threads);
+  VoxelLevels voxels;
+  voxels.finest = voxelize (positions, 0.5 * voxel_size, threads);
+  voxels.coarse = coarsen (voxels.finest.grid);
+  return voxels;
 }
 
 } // namespace pcl_ops::internal

@@ -65,29 +65,27 @@ connect (VoxelGrid& grid, unsigned threads);
 Indices
 voxelsOfPoints (const VoxelGrid& grid, const Indices& order);
 
-/** \brief Points in voxels of several sizes, each of twice the edge of the one before.
- */
-struct VoxelPyramid {
-  /** \brief Numbers of the points, voxel after voxel of any size. */
-  Indices order;
-  /** \brief Finest first. */
-  std::vector<VoxelGrid> grids;
-  /** \brief Of each grid the voxels of the next one that hold its own; empty for the
-   * coarsest. */
-  std::vector<Indices> voxels_above;
+/** \brief A grid of twice the voxel size whose voxels hold 2 x 2 x 2 voxels each. */
+struct CoarserGrid {
+  VoxelGrid grid;
+  /** \brief For each finer voxel the coarser one that holds it. */
+  Indices voxel_of_finer;
 };
 
-/** \brief Divides points into voxels of a given edge [m] and of half of it. The rest as
- * \ref voxelize. */
-VoxelPyramid
+/** \brief Joins voxels by eight.
+ * \return voxels without neighbours */
+CoarserGrid
+coarsen (const VoxelGrid& finer);
+
+/** \brief Points in voxels, and in those of twice the edge. */
+struct VoxelLevels {
+  VoxelizedPoints finest;
+  CoarserGrid coarse;
+};
+
+/** \brief Divides points into voxels of a given edge [m] and of half of it; those of
+ * the given edge have neighbours. The rest as \ref voxelize. */
+VoxelLevels
 voxelizeTwice (const Coordinates& positions, double voxel_size, unsigned threads);
-
-/** \brief Joins the coarsest voxels by eight: one more grid. */
-void
-coarsen (VoxelPyramid& pyramid);
-
-/** \brief Finds the neighbours of the voxels of all sizes. */
-void
-connect (VoxelPyramid& pyramid, unsigned threads);
 
 } // namespace pcl_ops::internal

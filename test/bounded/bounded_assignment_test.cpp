@@ -17,7 +17,7 @@ assign (const VoxelScene& scene,
 {
   AssignedPoints assigned{Labels (scene.points.size(), no_plane), {}};
   assignToBoundedPlanes (scene.points,
-                         scene.voxelized.order,
+                         scene.voxelized.finest.order,
                          scene.grid(),
                          scene.planes,
                          theta_h,

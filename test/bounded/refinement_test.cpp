@@ -24,22 +24,11 @@ halfExplained ()
   return scene;
 }
 
-/** \brief A scene, and what of it is looked at in finer voxels. */
-struct Refined {
-  Refinement coarse, finer;
-};
-
-Refined
+Refinement
 refined (const VoxelScene& scene, unsigned threads = 1)
 {
-  Refined refined;
-  refined.coarse.grid = scene.grid();
-  refined.coarse.planes = scene.planes;
-  refined.finer = refine (scene.voxelized.grids[0],
-                          scene.voxelized.voxels_above[0],
-                          threads,
-                          refined.coarse);
-  return refined;
+  return refine (
+      scene.voxelized.finest.grid, scene.voxelized.coarse, scene.planes, threads);
 }
 
 } // namespace
@@ -47,17 +36,17 @@ refined (const VoxelScene& scene, unsigned threads = 1)
 TEST (Refinement, IsOfVoxelsWithoutAPlaneAndOfThoseNextToThem)
 {
   const VoxelScene scene = halfExplained();
-  const std::vector<char> is_refined = refined (scene).coarse.is_refined;
-  ASSERT_EQ (is_refined.size(), 400u);
+  const Refinement refinement = refined (scene);
+  ASSERT_EQ (refinement.is_refined.size(), 400u);
   for (std::size_t i = 0; i < scene.grid().size(); ++i)
-    EXPECT_EQ (is_refined[i] != 0, scene.centroid (i).x() > 0.9);
+    EXPECT_EQ (refinement.is_refined[i] != 0, scene.centroid (i).x() > 0.9);
 }
 
 TEST (Refinement, HasThePointsOfThoseVoxels)
 {
   const VoxelScene scene = halfExplained();
-  const VoxelGrid finer = refined (scene).finer.grid;
-  const Indices& order = scene.voxelized.order;
+  const VoxelGrid finer = refined (scene).grid;
+  const Indices& order = scene.voxelized.finest.order;
   std::vector<char> is_refined (scene.points.size(), 0);
   for (std::size_t voxel = 0; voxel < finer.size(); ++voxel)
     for (std::uint32_t i = finer.first_point[voxel]; i < finer.endOfPoints (voxel); ++i)
@@ -68,7 +57,7 @@ TEST (Refinement, HasThePointsOfThoseVoxels)
 
 TEST (Refinement, HalvesTheVoxels)
 {
-  const Refinement refinement = refined (halfExplained()).finer;
+  const Refinement refinement = refined (halfExplained());
   const VoxelGrid& grid = refinement.grid;
   EXPECT_DOUBLE_EQ (grid.voxel_size, 5_cm);
   EXPECT_EQ (grid.size(), 22u * 40u) << "of eleven rows of twenty, four each";
@@ -85,7 +74,7 @@ TEST (Refinement, LeavesVoxelsOfTooFewPointsForAPlane)
     scene.voxelize();
     scene.planes.plane_of_voxel.assign (scene.grid().size(), 0);
     scene.label (no_plane, [] (const auto& at) { return at.z() > 0.5; });
-    EXPECT_EQ (refined (scene).finer.grid.size() > 0, number == 8);
+    EXPECT_EQ (refined (scene).grid.size() > 0, number == 8);
   }
 }
 
@@ -94,7 +83,7 @@ TEST (Refinement, LosesNoPointOfAPlane)
   // What stays in coarse voxels and what goes to finer ones adds up to the whole.
   VoxelScene scene ({{ground}}, 1_cm);
   scene.label (no_plane, isRight);
-  Refinement refinement = refined (scene).finer;
+  Refinement refinement = refined (scene);
   refinement.planes.plane_of_voxel.assign (refinement.grid.size(), 0);
   const Moments all = momentsOfPlanes (refinement.grid, refinement.planes).at (0);
   EXPECT_LT (refinement.planes.moments_elsewhere.at (0).count, 0.5 * all.count);
@@ -108,22 +97,22 @@ TEST (Refinement, LosesNoPointOfAPlane)
 TEST (Refinement, BeginsWithTheCoarsePlanes)
 {
   const VoxelScene scene = halfExplained();
-  const Refinement refinement = refined (scene).finer;
+  const Refinement refinement = refined (scene);
   ASSERT_EQ (refinement.planes.size(), 1u);
   EXPECT_EQ (refinement.planes.planes[0].offset, scene.planes.planes[0].offset);
 }
 
 TEST (Refinement, OfWhatIsAllExplainedIsEmpty)
 {
-  const auto [coarse, finer] = refined (VoxelScene ({{ground}}));
-  EXPECT_EQ (finer.grid.size(), 0u);
-  EXPECT_EQ (coarse.is_refined, std::vector<char> (400, 0));
-  EXPECT_EQ (finer.planes.moments_elsewhere.at (0).count, 14400.0);
+  const Refinement refinement = refined (VoxelScene ({{ground}}));
+  EXPECT_EQ (refinement.grid.size(), 0u);
+  EXPECT_EQ (refinement.is_refined, std::vector<char> (400, 0));
+  EXPECT_EQ (refinement.planes.moments_elsewhere.at (0).count, 14400.0);
 }
 
 TEST (Refinement, KeepsThePlaneOfTheVoxelThatHoldsAFinerOne)
 {
-  const Refinement refinement = refined (halfExplained()).finer;
+  const Refinement refinement = refined (halfExplained());
   const VoxelGrid& grid = refinement.grid;
   for (std::size_t i = 0; i < grid.size(); ++i)
     EXPECT_EQ (refinement.planes.plane_of_voxel[i],
@@ -138,40 +127,11 @@ TEST (Refinement, KeepsNoPlaneThatTheFinerPointsAreNotOn)
   scene.voxelize();
   scene.planes.plane_of_voxel.assign (scene.grid().size(), 0);
   scene.label (no_plane, isRight);
-  const Refinement refinement = refined (scene).finer;
+  const Refinement refinement = refined (scene);
   const VoxelGrid& grid = refinement.grid;
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const Eigen::Vector3d at = grid.moments[i].centroid();
     EXPECT_EQ (refinement.planes.plane_of_voxel[i],
                isRight (at) || at.z() > 8_cm ? no_plane : 0);
   }
-}
-
-TEST (OpenVoxels, AreThoseWithoutAPlaneWithLargerOnesAbove)
-{
-  const VoxelScene scene = halfExplained();
-  Refinement whole;
-  whole.grid = scene.grid();
-  whole.planes = scene.planes;
-  const OpenVoxels open = openVoxels (whole, 3, 1);
-  ASSERT_EQ (open.voxels.grids.size(), 3u);
-  ASSERT_EQ (open.numbers.size(), 200u);
-  for (std::size_t i = 0; i < open.numbers.size(); ++i) {
-    EXPECT_GT (scene.centroid (open.numbers[i]).x(), 1.0);
-    EXPECT_EQ (open.voxels.grids[0].codes[i], scene.grid().codes[open.numbers[i]]);
-  }
-  EXPECT_EQ (open.voxels.grids[2].voxel_size, 40_cm);
-  EXPECT_EQ (open.voxels.grids[2].neighbours.size(), open.voxels.grids[2].size());
-}
-
-TEST (OpenVoxels, BringTheirPlanesBack)
-{
-  BoundedPlanes planes, found;
-  planes.planes.resize (3);
-  planes.plane_of_voxel = {0, no_plane, 2, no_plane, no_plane};
-  found.planes.resize (1);
-  found.plane_of_voxel = {no_plane, 0, 0};
-  addPlanes ({1, 3, 4}, found, planes);
-  EXPECT_EQ (planes.size(), 4u);
-  EXPECT_EQ (planes.plane_of_voxel, (pcl_ops::Labels{0, no_plane, 2, 3, 3}));
 }

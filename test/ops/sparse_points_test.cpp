@@ -14,7 +14,7 @@ constexpr double least_points = 30.0;
 
 /** \brief A dense square of 14,400 points, and a sparse one in another place, of so
  * many points a metre from each other, in voxels of 10 cm. */
-VoxelPyramid
+VoxelLevels
 denseAndSparse (int sparse_steps)
 {
   Coordinates points;
@@ -25,11 +25,11 @@ denseAndSparse (int sparse_steps)
 }
 
 Indices
-sparseAmong (const VoxelPyramid& voxels, std::int32_t label = no_plane)
+sparseAmong (const VoxelLevels& voxels, std::int32_t label = no_plane)
 {
-  const Indices& order = voxels.order;
+  const Indices& order = voxels.finest.order;
   const pcl_ops::Labels labels (order.size(), label);
-  return sparsePoints (voxels.grids[1], order, labels, least_points);
+  return sparsePoints (voxels.coarse.grid, order, labels, least_points);
 }
 
 } // namespace

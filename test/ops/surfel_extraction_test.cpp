@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/surfel_extraction.h"
-#include "surfel_scene.h"
 #include "voxel_scene.h"
 
 #include <set>
@@ -30,13 +29,15 @@ planesAmong (const VoxelGrid& grid,
              const Surfels& surfels,
              const SurfelExtractionParameters& parameters = usual())
 {
-  return extractSurfelPlanes (grid, surfels, parameters);
+  BoundedPlanes planes;
+  extractSurfelPlanes (grid, surfels, parameters, planes);
+  return planes;
 }
 
 BoundedPlanes
 planesOf (const VoxelGrid& grid, const SurfelExtractionParameters& parameters = usual())
 {
-  return planesAmong (grid, surfelsIn (grid, 3, 30.0, 1), parameters);
+  return planesAmong (grid, findSurfels (grid, 3, 30.0, 1), parameters);
 }
 
 VoxelGrid
@@ -167,6 +168,23 @@ TEST (VoxelExtraction, BeginsWithTheFlattestSurfels)
     const BoundedPlanes planes = planesAmong (grid, surfels);
     ASSERT_EQ (planes.size(), 2u);
     EXPECT_NEAR (std::abs (planes.planes[0].offset), flat < 0.05 ? 0.05 : 1.0, 1e-3);
+  }
+}
+
+TEST (VoxelExtraction, AddsToPlanesFoundBefore)
+{
+  // The left half of the ground is on a plane already; the right one is found now.
+  const VoxelGrid grid = gridOf ({ground});
+  BoundedPlanes planes;
+  planes.planes.push_back ({Eigen::Vector3d::UnitX(), 7.0});
+  for (const pcl_ops::Moments& voxel : grid.moments)
+    planes.plane_of_voxel.push_back (voxel.centroid().x() < 1.0 ? 0 : no_plane);
+  extractSurfelPlanes (grid, findSurfels (grid, 3, 30.0, 1), usual(), planes);
+  ASSERT_EQ (planes.size(), 2u);
+  EXPECT_EQ (planes.planes[0].offset, 7.0);
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const bool was_found_before = grid.moments[i].centroid().x() < 1.0;
+    EXPECT_EQ (planes.plane_of_voxel[i], was_found_before ? 0 : 1);
   }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bounded/bounded_planes.h"
 #include "grid_scene.h"
-#include "surfel_scene.h"
+#include "ops/surfels.h"
 
 using namespace pcl_ops::internal;
 
@@ -19,10 +19,10 @@ surfelsOf (const VoxelGrid& grid, unsigned threads = 1)
   double points = 0.0;
   for (const pcl_ops::Moments& voxel : grid.moments)
     points += voxel.count;
-  return surfelsIn (grid,
-                    3,
-                    std::max (30.0, 8.0 * points / static_cast<double> (grid.size())),
-                    threads);
+  return findSurfels (grid,
+                      3,
+                      std::max (30.0, 8.0 * points / static_cast<double> (grid.size())),
+                      threads);
 }
 
 VoxelGrid
@@ -112,7 +112,7 @@ TEST (OrientedVoxels, TakeACoarserNeighbourhoodWhereNoiseHidesTheFinest)
   const VoxelGrid grid = connectedGrid (points, 0.05);
   const auto thickness = [&grid] (int resolutions) {
     double sum = 0.0;
-    for (const auto& surfel : surfelsIn (grid, resolutions, 30.0, 1))
+    for (const auto& surfel : findSurfels (grid, resolutions, 30.0, 1))
       sum += surfel ? surfel->thickness : 1.0;
     return sum / static_cast<double> (grid.size());
   };
@@ -125,7 +125,7 @@ TEST (OrientedVoxels, HaveNoSurfelOfFewerPointsThanAsked)
   Coordinates points;
   addGrid (points, floor_of_the_scene, 120); // 36 in a voxel, 324 in nine
   const VoxelGrid grid = connectedGrid (points, 0.1);
-  for (const auto& surfel : surfelsIn (grid, 1, 325.0, 1))
+  for (const auto& surfel : findSurfels (grid, 1, 325.0, 1))
     EXPECT_FALSE (surfel);
 }
 
@@ -151,6 +151,18 @@ TEST (OrientedVoxels, HaveASurfelWhereTheVoxelItselfIsAsNoisyAsItsNeighbourhood)
   const VoxelGrid grid = connectedGrid (points, 0.1);
   for (const auto& surfel : surfelsOf (grid))
     EXPECT_TRUE (surfel);
+}
+
+TEST (OrientedVoxels, HaveNoSurfelWhereTheyAreOnAPlaneAlready)
+{
+  Coordinates points;
+  addGrid (points, floor_of_the_scene, 120);
+  const VoxelGrid grid = connectedGrid (points, 0.1);
+  pcl_ops::Labels plane_of_voxel (grid.size(), pcl_ops::no_plane);
+  std::fill_n (plane_of_voxel.begin(), 100, 0);
+  const auto surfels = findSurfels (grid, 3, 30.0, 1, plane_of_voxel);
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    EXPECT_EQ (surfels[i].has_value(), i >= 100);
 }
 
 TEST (OrientedVoxels, HaveNoSurfelOnAWire)

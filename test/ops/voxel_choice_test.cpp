@@ -25,7 +25,7 @@ gridOfFloorWithPatch (double patch_edge, double noise)
     addGrid (
         points, {{corner, corner, height}, {patch_edge, 0, 0}, {0, patch_edge, 0}}, 70);
   }
-  return voxelizeByNoise (points, usual_samples, 1).grids[1];
+  return voxelizeByNoise (points, usual_samples, 1).coarse.grid;
 }
 
 /** \brief Of a floor of 4 m, one half of which is two layers so far apart. */
@@ -36,7 +36,7 @@ gridOfHalfALayer (double apart)
   addGrid (points, {{-2, -2, 0}, {2, 0, 0}, {0, 4, 0}}, many);
   for (const double height : {0.0, apart})
     addGrid (points, {{0, -2, height}, {2, 0, 0}, {0, 4, 0}}, many);
-  return voxelizeByNoise (points, few_voxels, 1).grids[1];
+  return voxelizeByNoise (points, few_voxels, 1).coarse.grid;
 }
 
 /** \brief Of two floors of 4 m, so far above each other. */
@@ -46,7 +46,7 @@ gridOfFloors (double apart, int steps, double sampling_rate)
   Points points;
   for (const double height : {0.0, apart})
     addGrid (points, {{-2, -2, height}, {4, 0, 0}, {0, 4, 0}}, steps);
-  return voxelizeByNoise (points, sampling_rate, 1).grids[1];
+  return voxelizeByNoise (points, sampling_rate, 1).coarse.grid;
 }
 
 } // namespace
@@ -97,6 +97,6 @@ TEST (VoxelChoice, HasVoxelsForAllOfACloudThatIsMostlyAtOnePlace)
   Points points;
   addGrid (points, {{-20, -20, 0}, {40, 0, 0}, {0, 40, 0}}, 300);
   addGrid (points, {{0, 0, 0}, {1_mm, 0, 0}, {0, 1_mm, 0}}, 200);
-  const VoxelGrid grid = voxelizeByNoise (points, few_voxels, 1).grids[1];
+  const VoxelGrid grid = voxelizeByNoise (points, few_voxels, 1).coarse.grid;
   EXPECT_GT (grid.voxel_size, 10_cm);
 }

@@ -80,27 +80,27 @@ TEST (VoxelGrid, KeepsStrayPointsFarAway)
   EXPECT_EQ (countOf (voxelized.grid), 101.0);
 }
 
-TEST (VoxelPyramid, HoldsEightVoxelsInEachLargerOneAndLosesNoPoint)
+TEST (CoarserGrid, HoldsEightVoxelsEachAndLosesNoPoint)
 {
-  const VoxelPyramid pyramid = voxelizeTwice (pointsInACube (3000, 4.0), 0.5, 1);
-  const VoxelGrid &fine = pyramid.grids[0], &coarser = pyramid.grids[1];
-  EXPECT_EQ (coarser.voxel_size, 0.5);
-  EXPECT_EQ (countOf (coarser), countOf (fine));
+  const VoxelGrid fine = voxelize (pointsInACube (3000, 4.0), 0.25, 1).grid;
+  const CoarserGrid coarser = coarsen (fine);
+  EXPECT_EQ (coarser.grid.voxel_size, 0.5);
+  EXPECT_EQ (countOf (coarser.grid), countOf (fine));
   for (std::size_t c = 0; c < fine.size(); ++c) {
     const VoxelKey child = numbersOf (fine.codes[c]);
-    const VoxelKey parent = numbersOf (coarser.codes[pyramid.voxels_above[0][c]]);
+    const VoxelKey parent = numbersOf (coarser.grid.codes[coarser.voxel_of_finer[c]]);
     EXPECT_EQ (parent.x, child.x >> 1);
     EXPECT_EQ (parent.z, child.z >> 1);
   }
 }
 
-TEST (VoxelPyramid, HasTheGridOfTwiceTheEdgeWhereverTheCloudBegins)
+TEST (CoarserGrid, IsTheGridOfTwiceTheEdgeWhereverTheCloudBegins)
 {
   for (const float shift : {0.0f, 0.25f, 0.5f, 0.75f}) {
     Coordinates points = pointsInACube (3000, 4.0);
     for (float& x : points.x)
       x += shift;
-    const VoxelGrid coarser = voxelizeTwice (points, 0.5, 1).grids[1];
+    const VoxelGrid coarser = coarsen (voxelize (points, 0.25, 1).grid).grid;
     const VoxelGrid direct = voxelize (points, 0.5, 1).grid;
     ASSERT_EQ (coarser.size(), direct.size());
     for (std::size_t c = 0; c < direct.size(); ++c)
