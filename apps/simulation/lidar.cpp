@@ -76,8 +76,7 @@ scanAround (const Scene& scene,
             const Lidar& lidar,
             const Eigen::Isometry3d& pose,
             double noise_scale,
-            std::uint32_t seed,
-            std::size_t number)
+            std::uint32_t seed)
 {
   Random random = randomFor (Purpose::LidarNoise, seed);
   Scan scan;
@@ -91,7 +90,7 @@ scanAround (const Scene& scene,
   for (std::size_t i = 0; i < rays; ++i) {
     const Vector3d ray =
         lidar.isRosette()
-            ? rosetteRay (lidar, number * rays + i)
+            ? rosetteRay (lidar, i)
             : rotatingRay (lidar, int (i / scan.rows), int (i % scan.rows));
     const Hit hit = castRay (scene, eye, pose.linear() * ray);
     // Drawn for each ray, so that one reading more leaves the others as they are.

@@ -53,7 +53,7 @@ toLas (const std::vector<TownPoint>& points, const Eigen::Vector3d& offset)
 } // namespace
 
 void
-saveLabeledPcd (const std::string& file, const pcl::PointCloud<pcl::PointXYZL>& cloud)
+saveLabeledPcd (const std::string& file, const LabeledCloud& cloud)
 {
   constexpr pcl::uindex_t bytes_of_number = 4; // float and std::uint32_t
   apps::FileCloud packed{{}, cloud.sensor_origin_, cloud.sensor_orientation_};
@@ -106,8 +106,7 @@ saveTown (const std::string& folder,
 WrittenFiles
 saveFrames (const std::string& folder,
             std::size_t frames,
-            const std::function<pcl::PointCloud<pcl::PointXYZL> (std::size_t)>& look,
-            const std::string& advice,
+            const std::function<LabeledCloud (std::size_t)>& look,
             apps::Progress& progress)
 {
   constexpr const char* pattern = "frame_%03zu.pcd";
@@ -116,7 +115,7 @@ saveFrames (const std::string& folder,
   for (std::size_t i = 0; i < frames; ++i) {
     apps::stopIfInterrupted();
     const std::string file = nameIn (folder, pattern, i);
-    apps::inMemory (file, advice, [&] {
+    apps::inMemory (file, "give a smaller --width and --height", [&] {
       const auto cloud = look (i);
       saveLabeledPcd (file, cloud);
       written.points += cloud.size();

@@ -31,7 +31,7 @@ def code_of(page, language):
 
 def smaller(command):
     """A command with options that keep a simulation short."""
-    sized = ("--points", "--scene street", "--scene drive")
+    sized = ("--points", "--scene street")
     if not command.startswith("pcl_ops_simulate ") or any(s in command for s in sized):
         return command
     if "--scene walk" in command:

@@ -17,8 +17,6 @@ Command planesCommand;
 Command trackCommand;
 /** \brief Detectors over data sets. */
 Command runCommand;
-/** \brief How well it is found where planes meet. */
-Command edgesCommand;
 /** \brief The detectors a run can have. */
 Command detectorsCommand;
 

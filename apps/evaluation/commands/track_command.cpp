@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "answer.h"
 #include "commands.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
@@ -7,28 +8,18 @@
 #include <cli/program.h>
 #include <evaluation/data/labeled_cloud.h>
 #include <evaluation/metrics/confusion.h>
-#include <evaluation/report/plane_sighting.h>
-#include <evaluation/report/text_table.h>
 #include <io/inputs.h>
-#include <io/pose_file.h>
-#include <nlohmann/json.hpp>
-#include <numbers/fraction.h>
-#include <numbers/quantile.h>
 
 #include <filesystem>
-#include <iomanip>
-#include <iostream>
 #include <map>
-#include <optional>
 #include <set>
-#include <sstream>
 
 namespace pcl_ops::evaluation {
 
 namespace {
 
 struct TrackOptions {
-  std::string truth_folder, result_folder, poses;
+  std::string truth_folder, result_folder;
   std::size_t min_plane_points = 1;
   bool json = false;
 };
@@ -41,7 +32,6 @@ struct KeptNumbers {
     std::set<std::uint32_t> numbers;
     std::uint32_t last = 0;
     std::size_t sightings = 0;
-    std::optional<PlaneSighting> seen;
   };
 
   /** By the label of the true plane, which is the same in all clouds. */
@@ -51,20 +41,12 @@ struct KeptNumbers {
   /** Times a true plane is found after the first; times it has the number it had when
    * it was found before. */
   std::size_t sightings = 0, sightings_kept = 0;
-  /** Of sightings that keep their number, each with the one before. */
-  NormalizedErrors errors;
 
-  /** Adds the next cloud. \param[in] pose for \ref errors; not given: none */
+  /** Adds the next cloud. */
   void
-  add (const PlaneLabels& truth,
-       const LabeledCloud& result,
-       const std::optional<Eigen::Isometry3d>& pose)
+  add (const PlaneLabels& truth, const PlaneLabels& result)
   {
-    const Confusion confusion = confusionOf (truth, result.labels);
-    std::vector<pcl::Indices> inliers (confusion.result.size());
-    for (std::size_t i = 0; i < result.labels.size(); ++i)
-      if (result.labels[i] != 0)
-        inliers[confusion.result.of_point[i]].push_back (static_cast<int> (i));
+    const Confusion confusion = confusionOf (truth, result);
     numbers.insert (confusion.result.label.begin(), confusion.result.label.end());
     for (const Overlap& overlap : confusion.overlaps) {
       constexpr double half = 0.5; // above, there is one partner at most
@@ -72,18 +54,11 @@ struct KeptNumbers {
         continue;
       History& history = histories[confusion.truth.label[overlap.truth]];
       const std::uint32_t number = confusion.result.label[overlap.result];
-      const bool keeps_number = history.sightings > 0 && number == history.last;
-      sightings += history.sightings > 0 ? 1 : 0;
-      sightings_kept += keeps_number ? 1 : 0;
+      sightings += history.sightings > 0;
+      sightings_kept += history.sightings > 0 && number == history.last;
       ++history.sightings;
       history.last = number;
       history.numbers.insert (number);
-      if (!pose)
-        continue;
-      const auto seen = sightingOf (*result.cloud, inliers[overlap.result], *pose);
-      if (keeps_number && seen && history.seen)
-        errors.add (*history.seen, *seen);
-      history.seen = seen;
     }
   }
 };
@@ -96,7 +71,7 @@ readOptions (int argc, const char* const* argv, TrackOptions& options)
       "Tells how many planes keep their number in a sequence of labeled clouds, as\n"
       "pcl_ops_segment --track writes it. The true label of a plane has to be the "
       "same\n"
-      "in all clouds, as in those of pcl_ops_simulate --scene walk or drive.",
+      "in all clouds, as in those of pcl_ops_simulate --scene walk.",
       PCL_OPS_VERSION);
   line.addArgument ("TRUTH", options.truth_folder, "folder of the true planes");
   line.addArgument (
@@ -106,13 +81,7 @@ readOptions (int argc, const char* const* argv, TrackOptions& options)
                   apps::Range::from (0),
                   options.min_plane_points,
                   "true planes with fewer points in a cloud are not in it (1)");
-  line.addText (
-      "poses",
-      "FILE",
-      options.poses,
-      "true poses of the sensor, one line per cloud: tells how planes differ\n"
-      "from cloud to cloud over what planeCovariance allows");
-  line.addFlag ("json", options.json, "print JSON instead of a table");
+  line.addFlag ("json", options.json, "print JSON instead of text");
   return line.parse (argc, argv);
 }
 
@@ -122,16 +91,8 @@ keptIn (const TrackOptions& options)
   const apps::InputFiles truth_files = apps::findInputs ({options.truth_folder});
   if (!truth_files.problems.empty())
     throw apps::WorkError ("TRUTH", truth_files.problems.front());
-  std::vector<Eigen::Isometry3d> poses;
-  if (!options.poses.empty())
-    poses = apps::loadPoses (options.poses);
-  if (!poses.empty() && poses.size() != truth_files.files.size())
-    throw apps::WorkError (options.poses,
-                           "has " + std::to_string (poses.size()) + " poses for " +
-                               std::to_string (truth_files.files.size()) + " clouds");
   KeptNumbers kept;
-  for (std::size_t i = 0; i < truth_files.files.size(); ++i) {
-    const std::string& file = truth_files.files[i];
+  for (const std::string& file : truth_files.files) {
     apps::stopIfInterrupted();
     const std::string result_file = (std::filesystem::path (options.result_folder) /
                                      std::filesystem::path (file).filename())
@@ -140,75 +101,25 @@ keptIn (const TrackOptions& options)
     const LabeledCloud result = loadLabeledCloud (result_file);
     requireSamePoints (truth, result, result_file);
     dropSmallPlanes (truth.labels, options.min_plane_points);
-    kept.add (truth.labels,
-              result,
-              poses.empty() ? std::nullopt
-                            : std::make_optional<Eigen::Isometry3d> (
-                                  poses[i] * Eigen::Translation3d (result.shift)));
+    kept.add (truth.labels, result.labels);
   }
   return kept;
 }
 
-std::string
-partOf (std::size_t part, std::size_t whole)
+Answer
+answerOf (const KeptNumbers& kept)
 {
-  return std::to_string (part) + " of " + std::to_string (whole) + ", " +
-         percent (apps::fraction (part, whole, 1.0)) + " %";
-}
-
-double
-medianOf (const std::vector<double>& errors)
-{
-  constexpr double half = 0.5;
-  return apps::quantile (errors, half);
-}
-
-/** What nine in ten do not exceed. */
-double
-ninthTenthOf (const std::vector<double>& errors)
-{
-  constexpr double nine_tenths = 0.9;
-  return apps::quantile (errors, nine_tenths);
-}
-
-std::string
-quantilesOf (const std::vector<double>& errors)
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision (2) << "median " << medianOf (errors)
-       << ", 90 % up to " << ninthTenthOf (errors);
-  return text.str();
-}
-
-nlohmann::ordered_json
-jsonOf (const KeptNumbers& kept, std::size_t planes, std::size_t planes_kept)
-{
-  nlohmann::ordered_json json{{"planes", planes},
-                              {"planes_kept", planes_kept},
-                              {"sightings", kept.sightings},
-                              {"sightings_kept", kept.sightings_kept},
-                              {"numbers", kept.numbers.size()}};
-  if (kept.errors.offsets.empty())
-    return json;
-  json["offset_errors_median"] = medianOf (kept.errors.offsets);
-  json["offset_errors_90"] = ninthTenthOf (kept.errors.offsets);
-  json["tilt_errors_median"] = medianOf (kept.errors.tilts);
-  json["tilt_errors_90"] = ninthTenthOf (kept.errors.tilts);
-  return json;
-}
-
-void
-print (const KeptNumbers& kept, std::size_t planes, std::size_t planes_kept)
-{
-  std::cout << "true planes that keep their number   " << partOf (planes_kept, planes)
-            << "\ntimes one has the number it had last "
-            << partOf (kept.sightings_kept, kept.sightings)
-            << "\nnumbers given                        " << kept.numbers.size() << '\n';
-  if (!kept.errors.offsets.empty())
-    std::cout << "normalized errors of offsets         "
-              << quantilesOf (kept.errors.offsets)
-              << "\nnormalized errors of tilts           "
-              << quantilesOf (kept.errors.tilts) << '\n';
+  std::size_t planes = 0, planes_kept = 0; // found in two clouds and more
+  for (const auto& [label, history] : kept.histories)
+    if (history.sightings > 1) {
+      ++planes;
+      planes_kept += history.numbers.size() == 1 ? 1 : 0;
+    }
+  return {{"planes", planes},
+          {"planes_kept", planes_kept},
+          {"sightings", kept.sightings},
+          {"sightings_kept", kept.sightings_kept},
+          {"numbers", kept.numbers.size()}};
 }
 
 } // namespace
@@ -219,17 +130,7 @@ trackCommand (int argc, const char* const* argv)
   TrackOptions options;
   if (!readOptions (argc, argv, options))
     return apps::ExitCode::done;
-  const KeptNumbers kept = keptIn (options);
-  std::size_t planes = 0, planes_kept = 0; // found in two clouds and more
-  for (const auto& [label, history] : kept.histories)
-    if (history.sightings > 1) {
-      ++planes;
-      planes_kept += history.numbers.size() == 1 ? 1 : 0;
-    }
-  if (options.json)
-    std::cout << jsonOf (kept, planes, planes_kept).dump (2) << '\n';
-  else
-    print (kept, planes, planes_kept);
+  print (answerOf (keptIn (options)), options.json);
   return apps::ExitCode::done;
 }
 

@@ -115,17 +115,17 @@ TEST (EvaluateProgram, TheUpAxisDecidesTheClasses)
   EXPECT_EQ (accuracy ("0,1,1"), 1.0); // at 45 degrees the plane is "other", too
 }
 
-TEST (EvaluateProgram, PrintsATableForPeople)
+TEST (EvaluateProgram, PrintsTextForPeople)
 {
   const TemporaryFolder folder;
   const std::string truth = folder.write ("truth.pcd", one_plane);
   const ProgramRun run = evaluate ("compare " + truth + " " + truth);
   EXPECT_EQ (run.exit_code, 0);
-  EXPECT_NE (run.text.find ("segmentation accuracy"), std::string::npos);
-  EXPECT_NE (run.text.find ("100.00 %"), std::string::npos);
-  EXPECT_NE (run.text.find ("0.00 %  of points off true planes"), std::string::npos);
-  for (const char* title : {"true planes by points", "true planes by width"})
-    EXPECT_NE (run.text.find (title), std::string::npos) << title;
+  for (const char* line : {"\nsegmentation_accuracy             1.0000\n",
+                           "\n**by_size**\n",
+                           "\n| 0             |   200 |      1 |     1 |        1 |\n",
+                           "\n| 1.0000    |"})
+    EXPECT_NE (run.text.find (line), std::string::npos) << line << run.text;
 }
 
 TEST (EvaluateProgram, AnEmptyTruthIsSaidButCompared)
@@ -211,11 +211,6 @@ TEST (EvaluateProgram, ARunWritesRowsAndLeavesOutBrokenClouds)
   EXPECT_EQ (first.exit_code, 0) << first.text;
   EXPECT_NE (first.text.find ("1 clouds evaluated, 1 new rows"), std::string::npos);
   EXPECT_NE (second.text.find ("1 clouds evaluated, 0 new rows"), std::string::npos);
-  for (const ProgramRun& run : {first, second})
-    EXPECT_NE (run.text.find ("|           ops |      1 |  100.00 | 1.000 |"),
-               std::string::npos)
-        << run.text;
-
   folder.write ("clouds/broken.pcd", "VERSION 0.7\nFIELDS x y z\n");
   const ProgramRun broken = evaluate (command);
   EXPECT_EQ (broken.exit_code, 1);
@@ -250,27 +245,6 @@ TEST (EvaluateProgram, CountsPlanesThatKeepTheirNumber)
   EXPECT_EQ (json["sightings"], 4);
   EXPECT_EQ (json["sightings_kept"], 3);
   EXPECT_EQ (json["numbers"], 4);
-}
-
-/** A floor and two walls that meet at zero, in steps of 2 cm, seen from inside. */
-TEST (EvaluateProgram, FindsAllEdgesOfACornerOfExactPoints)
-{
-  const TemporaryFolder folder;
-  std::ostringstream rows;
-  for (int i = 0; i < 100; ++i)
-    for (int j = 0; j < 100; ++j) {
-      const double s = 0.01 + 0.02 * i, t = 0.01 + 0.02 * j;
-      rows << s << ' ' << t << " 0 1\n0 " << s << ' ' << t << " 2\n"
-           << t << " 0 " << s << " 3\n";
-    }
-  std::string cloud = pcd ("x y z label", 30000, rows.str());
-  cloud.replace (cloud.find ("VIEWPOINT 0 0 0"), 15, "VIEWPOINT 1 1 1");
-  const ProgramRun run =
-      evaluate ("edges clouds:" + folder.write ("corner.pcd", cloud));
-  EXPECT_EQ (run.exit_code, 0) << run.text;
-  EXPECT_NE (run.text.find ("| clouds   |             100.00 "), std::string::npos)
-      << run.text;
-  expectError (evaluate ("edges planets:9"), 2, "planets:9");
 }
 
 TEST (EvaluateProgram, FoldersThatCannotBeUsedAreNamed)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scenes.h"
 #include <simulation/lidar.h>
+#include <simulation/poses.h>
 
 #include <set>
 
@@ -12,10 +13,9 @@ namespace {
 const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
 
 DepthImage
-measuredWall (double depth, const NoiseParameters& noise)
+measuredWall (double depth, const CameraNoise& noise)
 {
-  return measureDepth (
-      wallAt (depth), cameraOf (160, 120), origin, noise, seedOfTest());
+  return measureDepth (wallAt (depth), {160, 120}, origin, noise, seedOfTest());
 }
 
 double
@@ -43,21 +43,32 @@ errorCorrelation (const DepthImage& image, double depth, int columns_apart)
 
 /** \brief A lidar inside of a box, which all rays meet. */
 Scan
-scanInABox (const Lidar& lidar, std::size_t number = 0, double noise = 0.0)
+scanInABox (const Lidar& lidar, double noise = 0.0)
 {
   Body box;
   addBox (box, origin, {9.0, 8.0, 7.0});
   Scene scene;
   addBody (scene, box, origin);
-  return scanAround (scene, lidar, origin, noise, 1, number);
+  return scanAround (scene, lidar, origin, noise, 1);
+}
+
+double
+degreesBetween (const Eigen::Isometry3d& one, const Eigen::Isometry3d& other)
+{
+  return Eigen::AngleAxisd (one.linear().transpose() * other.linear()).angle() / degree;
+}
+
+double
+stepOf (const Poses& poses, std::size_t i)
+{
+  return (poses[i].translation() - poses[i - 1].translation()).norm();
 }
 
 } // namespace
 
 TEST (DepthNoise, GrowsWithTheSquareOfTheDepth)
 {
-  NoiseParameters noise = noiseOf (NoiseProfile::Correlated);
-  noise.smoothing = 1.0; // more independent errors: a surer estimate
+  const CameraNoise noise{1.0, false, 1.0}; // independent errors: a surer estimate
   for (const double depth : {1.0, 2.0, 4.0}) {
     const double sigma =
         std::sqrt (meanSquaredError (measuredWall (depth, noise), depth));
@@ -68,7 +79,7 @@ TEST (DepthNoise, GrowsWithTheSquareOfTheDepth)
 
 TEST (DepthNoise, CorrelatedErrorsAreThoseOfAGaussianFilter)
 {
-  const NoiseParameters noise = noiseOf (NoiseProfile::Correlated);
+  const CameraNoise noise;
   const DepthImage image = measuredWall (3.0, noise);
   for (const int lag : {1, 3, 6}) {
     const double expected =
@@ -79,7 +90,7 @@ TEST (DepthNoise, CorrelatedErrorsAreThoseOfAGaussianFilter)
 
 TEST (DepthNoise, RawErrorsAreIndependentInEighthsOfAPixelOfDisparity)
 {
-  const DepthImage image = measuredWall (3.0, noiseOf (NoiseProfile::Raw));
+  const DepthImage image = measuredWall (3.0, {1.0, true});
   EXPECT_NEAR (errorCorrelation (image, 3.0, 1), 0.0, 0.05);
   for (const double depth : image.depth) {
     const double eighths = 8.0 * 525.0 * 0.075 / depth;
@@ -89,8 +100,8 @@ TEST (DepthNoise, RawErrorsAreIndependentInEighthsOfAPixelOfDisparity)
 
 TEST (DepthNoise, FlyingPixelsAreBetweenTheEdgesSidesAndOnNoSurface)
 {
-  const DepthImage image = measureDepth (
-      stepScene (2.0, 4.0), cameraOf (160, 120), origin, {}, seedOfTest());
+  const DepthImage image =
+      measureDepth (stepScene (2.0, 4.0), {160, 120}, origin, {}, seedOfTest());
   int flying = 0;
   for (std::size_t i = 0; i < image.depth.size(); ++i)
     if (image.depth[i] > 2.1 && image.depth[i] < 3.85) {
@@ -104,8 +115,7 @@ TEST (DepthNoise, FlyingPixelsAreBetweenTheEdgesSidesAndOnNoSurface)
 TEST (DepthNoise, LosesWhatIsOutOfRange)
 {
   for (const double depth : {0.4, 9.0})
-    for (const double measured :
-         measuredWall (depth, noiseOf (NoiseProfile::None)).depth)
+    for (const double measured : measuredWall (depth, {0.0}).depth)
       EXPECT_TRUE (std::isinf (measured));
 }
 
@@ -121,21 +131,18 @@ TEST (Lidar, HasTheBeamsOfItsName)
   }
 }
 
-TEST (Lidar, RosetteIsAConeThatIsDrawnAnewByEachScan)
+TEST (Lidar, RosetteIsACone)
 {
-  const Lidar livox = lidarOf ("livox");
-  const Scan first = scanInABox (livox), second = scanInABox (livox, 1);
   double widest = 0.0;
-  for (const auto& point : first.points)
+  for (const auto& point : scanInABox (lidarOf ("livox")).points)
     widest = std::max (widest, std::acos (point.x() / point.norm()));
   EXPECT_NEAR (widest, 35.0 * degree, 0.01 * degree);
-  EXPECT_FALSE (first.points[0].isApprox (second.points[0], 1e-3));
 }
 
 TEST (Lidar, NoiseIsAlongTheRays)
 {
   const Lidar lidar = lidarOf ("lidar-16");
-  const Scan exact = scanInABox (lidar), noisy = scanInABox (lidar, 0, 2.0);
+  const Scan exact = scanInABox (lidar), noisy = scanInABox (lidar, 2.0);
   double squares = 0.0;
   for (std::size_t i = 0; i < exact.points.size(); ++i) {
     const Eigen::Vector3d error = noisy.points[i] - exact.points[i];
@@ -163,11 +170,54 @@ TEST (Lidar, ReadsNothingBeyondItsRange)
 TEST (Lidar, OrganizedRowsAreBeams)
 {
   const Lidar lidar = lidarOf ("lidar-16");
-  const auto cloud =
-      toSurfaceCloud (scanInABox (lidar), origin, CloudLayout::Organized);
+  const auto cloud = toSurfaceCloud (scanInABox (lidar), origin, true);
   ASSERT_EQ (cloud.width, std::uint32_t (lidar.steps));
   for (std::size_t i = 0; i < cloud.width; i += 100)
     EXPECT_NEAR (std::asin (cloud[i].z / cloud[i].getVector3fMap().norm()),
                  lidar.highest * degree,
                  1e-6);
+}
+
+TEST (Walk, StaysInTheRoom)
+{
+  const Room room = makeRoom (1);
+  for (const Eigen::Isometry3d& pose : drawWalk (room, 20, 1)) {
+    const Eigen::Vector3d inside = turnZ (-room.yaw) * pose.translation();
+    EXPECT_LT (std::abs (inside.x()), 0.5 * room.size.x());
+    EXPECT_LT (std::abs (inside.y()), 0.5 * room.size.y());
+  }
+}
+
+TEST (Walk, SeesSurfacesAllTheWay)
+{
+  for (std::uint32_t seed = 16; seed <= 25; ++seed) {
+    const Room room = makeRoom (seed);
+    for (const Eigen::Isometry3d& pose : drawWalk (room, 12, seed))
+      EXPECT_GE (countVisibleSurfaces (room.scene, pose), 3) << seed;
+  }
+}
+
+TEST (Walk, GoesInSmallStepsAndLooksMostWaysInTheEnd)
+{
+  const Poses poses = drawWalk (makeRoom (2), 50, 2);
+  double turned = 0.0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    EXPECT_LT (stepOf (poses, i), 0.4);
+    EXPECT_LT (degreesBetween (poses[i], poses[i - 1]), 15.0);
+    turned += degreesBetween (poses[i], poses[i - 1]);
+  }
+  EXPECT_GT (turned, 250.0);
+}
+
+TEST (Poses, AreMeasuredAsWellAsAsked)
+{
+  const Poses truth (2000, Eigen::Isometry3d::Identity());
+  EXPECT_TRUE (measured (truth, 0.0, 1)[7].isApprox (truth[7]));
+  double degrees = 0.0, shift = 0.0;
+  for (const Eigen::Isometry3d& pose : measured (truth, 3.0, 1)) {
+    degrees += std::pow (degreesBetween (pose, truth[0]), 2);
+    shift += pose.translation().squaredNorm();
+  }
+  EXPECT_NEAR (std::sqrt (degrees / 2000), 3.0, 0.15);
+  EXPECT_NEAR (std::sqrt (shift / 2000), 0.03, 0.0015);
 }
