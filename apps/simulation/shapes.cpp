@@ -109,7 +109,7 @@ drawLarge (const ShapeSizes& sizes, int position, Random& random)
   shape.radius = smallest * std::pow (largest / smallest, random.unit());
   const double unit = sizes.kind == Round::Cone    ? shape.radius
                       : sizes.kind == Round::Torus ? smallest
-                                                  : 1.0;
+                                                   : 1.0;
   if (sizes.kind != Round::Dome)
     shape.height = unit * draw (sizes.large_height, random);
   // 2 to 2.4 m long, so that it bends by far more than the noise however large the

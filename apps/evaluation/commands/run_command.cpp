@@ -42,10 +42,6 @@ readOptions (int argc, const char* const* argv, RunOptions& options)
   line.addArguments ("DATASET", options.data_sets, data_set_help);
   line.addUpAxis (options.up, "against gravity in clouds; camera: 0,-1,0 (0,0,1)");
   TruthParameters& truth = options.plan.truth;
-  line.addText ("cache",
-                "FOLDER",
-                truth.cache_folder,
-                "where grown truth is kept (folder truth of the output)");
   line.addNumber ("truth-neighbors",
                   "K",
                   apps::Range::from (3).upTo (max_neighbors),
@@ -97,10 +93,7 @@ planOf (const RunOptions& options)
   EvaluationPlan plan = options.plan;
   plan.configurations = selectConfigurations (options.detectors);
   plan.data_sets = dataSetsOf (options.data_sets, options.up);
-  if (plan.truth.cache_folder.empty())
-    plan.truth.cache_folder = (fs::path (options.folder) / "truth").string();
   apps::makeFolder (options.folder);
-  apps::makeFolder (plan.truth.cache_folder);
   return plan;
 }
 
