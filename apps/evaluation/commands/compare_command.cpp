@@ -67,7 +67,7 @@ answerOf (const Metrics& metrics)
   Answer answer{{"points", metrics.points},
                 {"truth_planes", metrics.truth_planes},
                 {"result_planes", metrics.result_planes}};
-  for (const auto& [name, value] : namedMetrics (metrics))
+  for (const auto& [name, value] : metrics.named)
     answer[name] = value;
   answer[off_planes_name] = metrics.points_off_planes_called_planes;
   answer["by_size"] = answerOf<std::size_t> (metrics.by_size, "fewest_points");

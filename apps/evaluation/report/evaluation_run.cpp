@@ -122,7 +122,7 @@ private:
 
   /** All numbers, or of a run that was stopped none but how long it took, so that it is
    * not tried again. */
-  std::vector<std::pair<std::string, double>>
+  NamedValues
   valuesOf (const Configuration& configuration,
             const EvaluationCloud& cloud,
             const PlaneLabels& truth,
@@ -134,7 +134,7 @@ private:
     ++stopped_runs_;
     note (configuration.name + " on " + name + ": stopped after " +
           std::to_string (plan_.time_limit) + " s; more by --time-limit");
-    auto values = namedValues ({}, {});
+    NamedValues values = namedValues (compareLabels ({}, {}, {}), {});
     for (auto& [column, value] : values)
       value = column == "detection_ms" ? 1e3 * plan_.time_limit
                                        : std::numeric_limits<double>::quiet_NaN();
@@ -150,7 +150,7 @@ private:
     const ResultKey key = keyOf (task, truthName (cloud, plan_.truth), configuration);
     if (results_.has (key) || (configuration.needs_grid && !cloud.grid))
       return;
-    std::vector<std::pair<std::string, double>> values;
+    NamedValues values;
     try {
       values = apps::inMemory (configuration.name, fewer_at_a_time, [&] {
         return valuesOf (configuration, cloud, truth, key.cloud);

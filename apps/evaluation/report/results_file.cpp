@@ -41,23 +41,21 @@ std::string
 headerLine ()
 {
   std::string line = "data_set,cloud,truth,configuration,seed";
-  for (const auto& named : namedValues ({}, {}))
+  for (const auto& named : namedValues (compareLabels ({}, {}, {}), {}))
     line += ',' + named.first;
   return line;
 }
 
 } // namespace
 
-std::vector<std::pair<std::string, double>>
+NamedValues
 namedValues (const Metrics& metrics, const DetectorRun& run)
 {
-  std::vector<std::pair<std::string, double>> values{
-      {"points", double (metrics.points)},
-      {"truth_planes", double (metrics.truth_planes)},
-      {"result_planes", double (metrics.result_planes)},
-      {"planes_before_merging", double (run.planes_before_merging)}};
-  for (const auto& named : namedMetrics (metrics))
-    values.push_back (named);
+  NamedValues values{{"points", double (metrics.points)},
+                     {"truth_planes", double (metrics.truth_planes)},
+                     {"result_planes", double (metrics.result_planes)},
+                     {"planes_before_merging", double (run.planes_before_merging)}};
+  values.insert (values.end(), metrics.named.begin(), metrics.named.end());
   for (const auto& [stage, duration] : apps::detection_stages)
     values.emplace_back (std::string (stage) + "_ms", run.durations.*duration);
   values.emplace_back (off_planes_name, metrics.points_off_planes_called_planes);
@@ -97,8 +95,7 @@ ResultsFile::has (const ResultKey& key) const
 }
 
 void
-ResultsFile::add (const ResultKey& key,
-                  const std::vector<std::pair<std::string, double>>& values)
+ResultsFile::add (const ResultKey& key, const NamedValues& values)
 {
   constexpr int digits = 7;
   std::ostringstream numbers;

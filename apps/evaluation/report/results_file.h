@@ -9,8 +9,6 @@
 #include <mutex>
 #include <set>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace pcl_ops::evaluation {
 
@@ -25,8 +23,9 @@ struct ResultKey {
 };
 
 /** \brief The numbers of a row and their columns: points, numbers of planes,
- * \ref namedMetrics, the stages' times [ms], \ref off_planes_name, \ref namedCounts. */
-std::vector<std::pair<std::string, double>>
+ * \ref Metrics::named, the stages' times [ms], \ref off_planes_name, \ref namedCounts.
+ */
+NamedValues
 namedValues (const Metrics& metrics, const DetectorRun& run);
 
 /** \brief A CSV file of rows that grows row by row: each is written at once and whole,
@@ -44,7 +43,7 @@ public:
 
   /** \throw apps::WorkError if the row cannot be written */
   void
-  add (const ResultKey& key, const std::vector<std::pair<std::string, double>>& values);
+  add (const ResultKey& key, const NamedValues& values);
 
 private:
   std::string file_;

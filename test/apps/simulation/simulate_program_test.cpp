@@ -111,14 +111,6 @@ TEST (SimulateProgram, LeavesNoFramesOfALongerWalk)
   EXPECT_EQ (contentOf (folder / "walk/frame_002.pcd"), "");
 }
 
-TEST (SimulateProgram, SaysWhyItCannotWrite)
-{
-  const TemporaryFolder folder;
-  expectError (simulate (folder / "absent/room.pcd"), 1, folder / "absent/room.pcd");
-  std::filesystem::create_directory (folder / "folder.pcd");
-  expectError (simulate (folder / "folder.pcd"), 1, folder / "folder.pcd");
-}
-
 TEST (SimulateProgram, AFullDiskLeavesTheOldFile)
 {
   const TemporaryFolder folder;

@@ -69,16 +69,6 @@ TEST (RegionGrowing, SeparatesAFloorFromTheWallOnIt)
   EXPECT_GT (pointsWith (labels, 2), 350u);
 }
 
-TEST (RegionGrowing, DoesNotReachAcrossAGap)
-{
-  XyzCloud cloud;
-  addSquare (cloud, 20, {0, 0, 0}, x, y);
-  addSquare (cloud, 20, {1, 0, 0}, x, y);
-  const PlaneLabels labels = growRegions (cloud, nineNeighbors());
-  EXPECT_EQ (pointsWith (labels, 1), 400u);
-  EXPECT_EQ (pointsWith (labels, 2), 400u);
-}
-
 TEST (RegionGrowing, EndsWhereASurfaceLeavesItsPlane)
 {
   // A cylinder of radius 1 m: 5 cm off the plane through its top at 0.31 m.
@@ -120,7 +110,7 @@ TEST (RegionGrowing, FindsTheExactPlanesOfARenderedRoom)
   parameters.neighbors = 30;
   const PlaneLabels grown = growRegions (*cloud.cloud, parameters);
   const Metrics metrics = compareLabels (*cloud.cloud, *cloud.truth, grown);
-  EXPECT_GT (metrics.segmentation_accuracy, 0.9);
+  EXPECT_GT (metrics.named[1].second, 0.9);
 }
 
 TEST (Truth, IsTheExactOneButForSmallPlanesOrGrown)
