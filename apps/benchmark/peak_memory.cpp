@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "peak_memory.h"
 
-#include "measures.h"
 #include <evaluation/detectors/limited_run.h>
 
 #ifdef __GLIBC__
@@ -63,29 +62,24 @@ inChildProcess (const std::function<double()>& compute)
 } // namespace
 
 PeakMemory
-peakMemoryOn (const XyzCloud::ConstPtr& cloud,
+peakMemoryOn (const evaluation::XyzCloud::ConstPtr& cloud,
               const evaluation::Configuration& detector)
 {
   // The pages of the program itself are resident once a small cloud has used them.
   constexpr std::size_t small = 5000;
-  const XyzCloud::Ptr few (new XyzCloud);
+  const evaluation::XyzCloud::Ptr few (new evaluation::XyzCloud);
   const std::size_t stride = std::max<std::size_t> (1, cloud->size() / small);
   for (std::size_t i = 0; i < cloud->size(); i += stride)
     few->push_back ((*cloud)[i]);
-  const auto detect = [&] (const XyzCloud::ConstPtr& any) { detector.run (any, {}); };
+  const auto detect = [&] (const evaluation::XyzCloud::ConstPtr& any) {
+    detector.run (any, {});
+  };
   return {cloud->size(),
           static_cast<double> (cloud->size() * sizeof (pcl::PointXYZ)),
           inChildProcess ([&] {
             detect (few);
             return growthOf ([&] { detect (cloud); });
           })};
-}
-
-PeakMemory
-peakMemoryOn (const XyzCloud::ConstPtr& cloud)
-{
-  return peakMemoryOn (cloud,
-                       evaluation::selectConfigurations (default_preset).front());
 }
 
 } // namespace pcl_ops::benchmark
