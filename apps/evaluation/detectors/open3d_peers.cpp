@@ -9,26 +9,24 @@
 
 namespace pcl_ops::evaluation {
 
-void
-addOpen3dPeer (std::vector<Configuration>& configurations)
+std::vector<pcl::PointIndices>
+planesByOpen3d (const PeerTask& task)
 {
-  addPeer (configurations, "open3d", [] (const PeerTask& task) {
-    constexpr int points_of_sample = 3, iterations = 1000;
+  constexpr int points_of_sample = 3, iterations = 1000;
 #ifdef _OPENMP
-    omp_set_num_threads (1); // as all others here
+  omp_set_num_threads (1); // as all others here
 #endif
-    open3d::utility::random::Seed (int (task.settings.seed));
-    return peelPlanes (task.cloud->size(), [&] (const pcl::IndicesPtr& rest) {
-      open3d::geometry::PointCloud cloud;
-      for (const pcl::index_t i : *rest)
-        cloud.points_.push_back ((*task.cloud)[i].getVector3fMap().cast<double>());
-      const auto plane =
-          cloud.SegmentPlane (task.values.threshold, points_of_sample, iterations);
-      pcl::Indices inliers;
-      for (const std::size_t i : std::get<1> (plane))
-        inliers.push_back ((*rest)[i]);
-      return inliers;
-    });
+  open3d::utility::random::Seed (int (task.settings.seed));
+  return peelPlanes (task.cloud->size(), [&] (const pcl::IndicesPtr& rest) {
+    open3d::geometry::PointCloud cloud;
+    for (const pcl::index_t i : *rest)
+      cloud.points_.push_back ((*task.cloud)[i].getVector3fMap().cast<double>());
+    const auto plane =
+        cloud.SegmentPlane (task.values.threshold, points_of_sample, iterations);
+    pcl::Indices inliers;
+    for (const std::size_t i : std::get<1> (plane))
+      inliers.push_back ((*rest)[i]);
+    return inliers;
   });
 }
 

@@ -26,8 +26,10 @@ constexpr int min_points_of_region = 50;
 
 using Normals = pcl::PointCloud<pcl::Normal>;
 
+} // namespace
+
 std::vector<pcl::PointIndices>
-planesByRansac (const PeerTask& task)
+planesByPclRansac (const PeerTask& task)
 {
   pcl::SACSegmentation<pcl::PointXYZ> segmentation;
   segmentation.setOptimizeCoefficients (true);
@@ -46,6 +48,8 @@ planesByRansac (const PeerTask& task)
   });
 }
 
+namespace {
+
 Normals::Ptr
 normalsOf (const PeerTask& task, const pcl::search::KdTree<pcl::PointXYZ>::Ptr& tree)
 {
@@ -58,8 +62,10 @@ normalsOf (const PeerTask& task, const pcl::search::KdTree<pcl::PointXYZ>::Ptr& 
   return normals;
 }
 
+} // namespace
+
 std::vector<pcl::PointIndices>
-planesByRegionGrowing (const PeerTask& task)
+planesByPclRegionGrowing (const PeerTask& task)
 {
   pcl::search::KdTree<pcl::PointXYZ>::Ptr tree (new pcl::search::KdTree<pcl::PointXYZ>);
   const auto normals = timed (task.normals, [&] { return normalsOf (task, tree); });
@@ -75,6 +81,8 @@ planesByRegionGrowing (const PeerTask& task)
   growing.extract (regions);
   return regions;
 }
+
+namespace {
 
 /** The image of a depth camera, in its axes, as what reads it expects. */
 XyzCloud::Ptr
@@ -107,6 +115,8 @@ normalsOfImage (const XyzCloud::ConstPtr& image)
   return normals;
 }
 
+} // namespace
+
 std::vector<pcl::PointIndices>
 planesInImage (const PeerTask& task)
 {
@@ -137,16 +147,6 @@ planesInImage (const PeerTask& task)
     for (pcl::index_t& i : plane.indices)
       i = point_of[i];
   return planes;
-}
-
-} // namespace
-
-void
-addPclPeers (std::vector<Configuration>& configurations)
-{
-  addPeer (configurations, "pcl-sac", planesByRansac);
-  addPeer (configurations, "pcl-region-growing", planesByRegionGrowing);
-  addPeer (configurations, "pcl-organized", planesInImage, true);
 }
 
 } // namespace pcl_ops::evaluation

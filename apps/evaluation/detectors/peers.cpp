@@ -84,30 +84,39 @@ valuesFor (const XyzCloud::ConstPtr& cloud,
 }
 
 void
-addPeer (std::vector<Configuration>& configurations,
-         const std::string& name,
-         const std::function<std::vector<pcl::PointIndices> (const PeerTask&)>& detect,
-         bool needs_grid)
+addPeers (std::vector<Configuration>& configurations)
 {
-  for (const ValuesFrom source : {ValuesFrom::Tutorial, ValuesFrom::Cloud}) {
-    const std::string measured = source == ValuesFrom::Cloud ? "-measured" : "";
-    Configuration peer{name + measured, {"peers" + measured}, {}};
-    peer.is_peer = true;
-    peer.needs_grid = needs_grid;
-    peer.run = [detect, source] (const XyzCloud::ConstPtr& cloud,
-                                 const RunSettings& settings) {
-      const PeerValues values = valuesFor (cloud, settings, source);
-      DetectorRun run;
-      timed (run.durations.detection, [&] {
-        const auto planes =
-            detect ({cloud, settings, values, source, run.durations.normals});
-        run.planes_before_merging = planes.size();
-        run.labels = labelsOf (planes, cloud->size());
-      });
-      return run;
-    };
-    configurations.push_back (peer);
-  }
+  const std::pair<const char*, DetectAsPeer*> peers[] = {
+      {"pcl-sac", planesByPclRansac},
+      {"pcl-region-growing", planesByPclRegionGrowing},
+      {"pcl-organized", planesInImage},
+      {"voxel-octree", planesInVoxelOctree},
+#ifdef PCL_OPS_WITH_CGAL
+      {"cgal-ransac", planesByCgalRansac},
+      {"cgal-region-growing", planesByCgalRegionGrowing},
+#endif
+#ifdef PCL_OPS_WITH_OPEN3D
+      {"open3d", planesByOpen3d},
+#endif
+  };
+  for (const auto& [name, detect] : peers)
+    for (const ValuesFrom source : {ValuesFrom::Tutorial, ValuesFrom::Cloud}) {
+      const std::string measured = source == ValuesFrom::Cloud ? "-measured" : "";
+      const auto run = [detect = detect, source] (const XyzCloud::ConstPtr& cloud,
+                                                  const RunSettings& settings) {
+        const PeerValues values = valuesFor (cloud, settings, source);
+        DetectorRun run;
+        timed (run.durations.detection, [&] {
+          const auto planes =
+              detect ({cloud, settings, values, source, run.durations.normals});
+          run.planes_before_merging = planes.size();
+          run.labels = labelsOf (planes, cloud->size());
+        });
+        return run;
+      };
+      configurations.push_back (
+          {name + measured, {"peers" + measured}, run, true, detect == planesInImage});
+    }
 }
 
 std::vector<pcl::PointIndices>
