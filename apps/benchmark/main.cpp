@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
+#include "scaling.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
@@ -8,6 +9,7 @@
 #include <io/output_file.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <iostream>
 
 namespace {
@@ -25,6 +27,9 @@ struct Options {
   std::string clouds;
   std::string memory_cloud;
   std::string json_file;
+  /** \brief Empty: nothing is measured for it. */
+  std::string scaling_folder;
+  std::string scaling_points = "30000,100000,300000,1000000,3000000,10000000";
   MeasureParameters measures;
 };
 
@@ -85,6 +90,15 @@ readOptions (int argc, const char* const* argv, Options& options)
                   Range::from (1).upTo (max_points),
                   memory_points,
                   "size of the simulated scan peak memory is measured on (3000000)");
+  line.addText ("scaling",
+                "FOLDER",
+                options.scaling_folder,
+                "write times over points, threads, sampling rate and planes: "
+                "scaling.csv");
+  line.addText ("scaling-points",
+                "N,N,...",
+                options.scaling_points,
+                "sizes for that (" + options.scaling_points + ")");
   if (!line.parse (argc, argv))
     return false;
   line.forbidTogether ("no-peers", "peer-runs");
@@ -104,13 +118,6 @@ notify (const std::string& what)
     std::cerr << erase_line << what << std::flush;
 }
 
-PeakMemory
-peakOf (const XyzCloud::ConstPtr& cloud)
-{
-  return peakMemoryOn (cloud,
-                       evaluation::selectConfigurations (default_preset).front());
-}
-
 CloudFigures
 figuresOf (const evaluation::CloudSource& source, const MeasureParameters& parameters)
 {
@@ -120,7 +127,7 @@ figuresOf (const evaluation::CloudSource& source, const MeasureParameters& param
       measureInTurns (measuresOf (cloud, parameters), [&] (const std::string& what) {
         notify (source.name + ": " + what);
       });
-  const CloudFigures figures{source.name, times, peakOf (cloud)};
+  const CloudFigures figures{source.name, times, peakMemoryOn (cloud)};
   notify ("");
   printTimes (figures, std::cout);
   return figures;
@@ -148,10 +155,32 @@ figuresOfAll (const DataSet& clouds,
   return all;
 }
 
+void
+writeScaling (const Options& options, const DataSet& clouds, const DataSet& growing)
+{
+  const std::vector<ScalingRow> rows = measureScaling (
+      clouds.clouds.front().load().cloud, growing.clouds, options.measures, notify);
+  const auto file = std::filesystem::path (options.scaling_folder) / "scaling.csv";
+  apps::writeTextFile (file.string(), csvOf (rows));
+  notify ("");
+}
+
 DataSet
 dataSet (const std::string& text)
 {
   return evaluation::dataSetOf (text, Eigen::Vector3d::UnitZ());
+}
+
+DataSet
+growingScans (const std::string& sizes)
+{
+  try {
+    return dataSet ("simulated:" + sizes);
+  }
+  catch (const apps::UsageError&) {
+    throw apps::UsageError ("--scaling-points",
+                            sizes + " is no list of sizes; give some as 30000,300000");
+  }
 }
 
 int
@@ -161,16 +190,22 @@ run (int argc, const char* const* argv)
   if (!readOptions (argc, argv, options))
     return apps::ExitCode::done;
   const DataSet clouds = dataSet (options.clouds);
+  const DataSet growing = growingScans (options.scaling_points);
   if (!options.json_file.empty())
     apps::checkWritable (options.json_file);
+  if (!options.scaling_folder.empty())
+    apps::makeFolder (options.scaling_folder);
 
   std::size_t left_out = 0;
   Benchmark benchmark{options.measures, {}, {}};
   benchmark.clouds = figuresOfAll (clouds, options.measures, left_out);
   notify ("memory");
-  benchmark.peak = peakOf (dataSet (options.memory_cloud).clouds.front().load().cloud);
+  benchmark.peak =
+      peakMemoryOn (dataSet (options.memory_cloud).clouds.front().load().cloud);
   notify ("");
   printMethod (benchmark, std::cout);
+  if (!options.scaling_folder.empty())
+    writeScaling (options, clouds, growing);
   if (!options.json_file.empty())
     apps::writeTextFile (options.json_file, jsonOf (benchmark));
   return left_out == 0 ? apps::ExitCode::done : apps::ExitCode::work_failed;

@@ -45,10 +45,8 @@ twoThreadsMeasure (const XyzCloud::ConstPtr& cloud, const MeasureParameters& par
   OrientedPointSamplingParameters ops;
   ops.seed = parameters.seed;
   ops.threads = 2;
-  return {"ops, two threads", parameters.runs, [ops, cloud] {
-            using Ops = OrientedPointSampling<pcl::PointXYZ>;
-            return evaluation::runDetector<Ops> (ops, cloud).durations;
-          }};
+  return detectorMeasure<OrientedPointSampling<pcl::PointXYZ>> (
+      "ops, two threads", parameters.runs, ops, cloud);
 }
 
 /** \brief A detector of others may take any time: then it is said and ended. */
@@ -110,15 +108,20 @@ measureInTurns (const std::vector<Measure>& measures, const Notify& notify)
   return best;
 }
 
+Measure
+kdTreeMeasure (const XyzCloud::ConstPtr& cloud, std::size_t runs)
+{
+  return measureOf ("KdTreeFLANN construction", runs, [cloud] {
+    pcl::KdTreeFLANN<pcl::PointXYZ>().setInputCloud (cloud);
+  });
+}
+
 std::vector<Measure>
 measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters)
 {
-  std::vector<Measure> measures{
-      copyMeasure (cloud, parameters.runs),
-      measureOf ("KdTreeFLANN construction",
-                 parameters.runs,
-                 [cloud] { pcl::KdTreeFLANN<pcl::PointXYZ>().setInputCloud (cloud); }),
-      twoThreadsMeasure (cloud, parameters)};
+  std::vector<Measure> measures{copyMeasure (cloud, parameters.runs),
+                                kdTreeMeasure (cloud, parameters.runs),
+                                twoThreadsMeasure (cloud, parameters)};
   addDetectors (std::string (default_preset) +
                     ",ops-3-30,ops-0.3-10,kht,fspf-0.07-0.14",
                 parameters.runs,

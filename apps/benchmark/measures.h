@@ -52,6 +52,23 @@ struct MeasureParameters {
 /** \brief The default preset's name among the detectors of the evaluation. */
 constexpr const char* default_preset = "ops";
 
+/** \brief A detector of this project with all its parameters, threads too. */
+template <typename Detector>
+Measure
+detectorMeasure (const std::string& name,
+                 std::size_t runs,
+                 const typename Detector::Parameters& parameters,
+                 const XyzCloud::ConstPtr& cloud)
+{
+  return {name, runs, [parameters, cloud] {
+            return evaluation::runDetector<Detector> (parameters, cloud).durations;
+          }};
+}
+
+/** \brief Building pcl::KdTreeFLANN. */
+Measure
+kdTreeMeasure (const XyzCloud::ConstPtr& cloud, std::size_t runs);
+
 /** \brief A copy of the cloud, a kd-tree's construction, the default preset on two
  * threads, the presets, and the detectors of others.
  * \param[in] cloud finite points */

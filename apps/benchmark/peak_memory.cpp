@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "peak_memory.h"
 
+#include "measures.h"
 #include <evaluation/detectors/limited_run.h>
 
 #ifdef __GLIBC__
@@ -48,18 +49,16 @@ growthOf (const std::function<void()>& work)
 } // namespace
 
 PeakMemory
-peakMemoryOn (const evaluation::XyzCloud::ConstPtr& cloud,
+peakMemoryOn (const XyzCloud::ConstPtr& cloud,
               const evaluation::Configuration& detector)
 {
   // The pages of the program itself are resident once a small cloud has used them.
   constexpr std::size_t small = 5000;
-  const evaluation::XyzCloud::Ptr few (new evaluation::XyzCloud);
+  const XyzCloud::Ptr few (new XyzCloud);
   const std::size_t stride = std::max<std::size_t> (1, cloud->size() / small);
   for (std::size_t i = 0; i < cloud->size(); i += stride)
     few->push_back ((*cloud)[i]);
-  const auto detect = [&] (const evaluation::XyzCloud::ConstPtr& any) {
-    detector.run (any, {});
-  };
+  const auto detect = [&] (const XyzCloud::ConstPtr& any) { detector.run (any, {}); };
   double growth = std::numeric_limits<double>::quiet_NaN();
   const auto measure = [&] {
     detect (few);
@@ -75,6 +74,13 @@ peakMemoryOn (const evaluation::XyzCloud::ConstPtr& cloud,
   return {cloud->size(),
           static_cast<double> (cloud->size() * sizeof (pcl::PointXYZ)),
           growth};
+}
+
+PeakMemory
+peakMemoryOn (const XyzCloud::ConstPtr& cloud)
+{
+  return peakMemoryOn (cloud,
+                       evaluation::selectConfigurations (default_preset).front());
 }
 
 } // namespace pcl_ops::benchmark

@@ -24,4 +24,8 @@ PeakMemory
 peakMemoryOn (const evaluation::XyzCloud::ConstPtr& cloud,
               const evaluation::Configuration& detector);
 
+/** \brief The same of the default preset. */
+PeakMemory
+peakMemoryOn (const evaluation::XyzCloud::ConstPtr& cloud);
+
 } // namespace pcl_ops::benchmark

@@ -75,12 +75,28 @@ TEST (BenchmarkProgram, MeasuresEveryCloudOfAFolderAndLeavesOutBrokenOnes)
   EXPECT_NE (run.text.find ("second.pcd, 2000 points"), std::string::npos) << run.text;
 }
 
+TEST (BenchmarkProgram, ScalingWritesEverySeries)
+{
+  const TemporaryFolder folder;
+  const ProgramRun run = measure ("simulated:2000 --no-peers --scaling " +
+                                  folder / "out --scaling-points 1000,3000" + quick);
+  EXPECT_EQ (run.exit_code, 0) << run.text;
+  const std::string csv = contentOf (folder / "out/scaling.csv");
+  for (const char* row : {"\npoints,1000,",
+                          "\npoints,3000,",
+                          "\nthreads,2,",
+                          "\nsampling_rate,0.3,",
+                          "\nplanes,300,"})
+    EXPECT_NE (csv.find (row), std::string::npos) << row << csv;
+}
+
 TEST (BenchmarkProgram, RefusesWrongUsage)
 {
   expectError (measure (""), 2, "INPUT");
   expectError (measure ("simulated:100 --runs 0"), 2, "--runs");
   expectError (measure ("simulated:many"), 2, "simulated");
   expectError (measure ("simulated:,"), 2, "simulated");
+  expectError (measure ("simulated:9 --scaling-points 3,x"), 2, "--scaling-points");
   expectError (measure ("simulated:100 --no-peers --peer-runs 2"), 2, "--no-peers");
   expectError (measure ("simulated:100 --color"), 2, "--color");
 }
@@ -94,5 +110,6 @@ TEST (BenchmarkProgram, SaysWhatIsMissingOrInTheWay)
   expectError (measure (broken + quick), 1, broken);
   const std::string output = folder / "absent/out.json";
   expectError (measure ("simulated:100 --json " + output), 1, output);
+  EXPECT_EQ (measure ("simulated:100 --scaling " + broken).exit_code, 1);
   EXPECT_EQ (folder.fileCount(), 1u);
 }

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/common/io.h>
+
 #include <gtest/gtest.h>
 
-#include <benchmark/measures.h>
 #include <benchmark/peak_memory.h>
+#include <benchmark/scaling.h>
+#include <simulation/dense_scan.h>
 
 namespace {
 
@@ -54,16 +57,23 @@ TEST (Measures, TakeTurns)
 
 TEST (PeakMemory, HoldsAtLeastALabelForEveryPoint)
 {
-  namespace evaluation = pcl_ops::evaluation;
-  const auto cloud =
-      evaluation::dataSetOf ("simulated:100000", Eigen::Vector3d::UnitZ())
-          .clouds[0]
-          .load()
-          .cloud;
-  const PeakMemory peak =
-      peakMemoryOn (cloud, evaluation::selectConfigurations ("ops").front());
-  EXPECT_EQ (peak.cloud_bytes, 1.6e6);
-  EXPECT_GT (peak.extra_bytes, 4e5);
+  constexpr std::size_t points = 100'000;
+  const pcl_ops::evaluation::XyzCloud::Ptr cloud (new pcl_ops::evaluation::XyzCloud);
+  pcl::copyPointCloud (
+      pcl_ops::simulation::scanDensely (makeBoards (4), points, 1.0, 1).cloud, *cloud);
+  const PeakMemory peak = peakMemoryOn (cloud);
+  EXPECT_EQ (peak.cloud_bytes, 16.0 * points);
+  EXPECT_GT (peak.extra_bytes, 4.0 * points);
+}
+
+TEST (Boards, EachIsAPlaneOfItsOwn)
+{
+  const auto scan = pcl_ops::simulation::scanDensely (makeBoards (10), 5000, 0.0, 1);
+  EXPECT_EQ (scan.planes.size(), 10u);
+  EXPECT_EQ (std::count_if (scan.cloud.begin(),
+                            scan.cloud.end(),
+                            [] (const auto& point) { return point.label == 10; }),
+             500);
 }
 
 } // namespace

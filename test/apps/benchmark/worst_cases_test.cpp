@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include <benchmark/measures.h>
 #include <benchmark/peak_memory.h>
+#include <benchmark/scaling.h>
 #include <simulation/dense_scan.h>
 #include <simulation/room.h>
 
@@ -68,28 +68,6 @@ scanOf (const pcl_ops::simulation::Scene& scene, double noise_scale)
   pcl::copyPointCloud (
       pcl_ops::simulation::scanDensely (scene, points, noise_scale, 1).cloud, *cloud);
   return cloud;
-}
-
-/** \brief Square boards, each turned another way, too far apart for two to be taken for
- * one. */
-pcl_ops::simulation::Scene
-makeBoards (unsigned number)
-{
-  using namespace pcl_ops::simulation;
-  constexpr double spacing = 2.0; // [m]; a board is 1 m wide
-  // No two of its multiples are near each other on the circle [rad].
-  constexpr double golden_angle = 2.399963229728653;
-  const auto columns = unsigned (std::ceil (std::sqrt (double (number))));
-  Scene scene;
-  for (unsigned i = 0; i < number; ++i) {
-    Body board;
-    addSurface (board, {});
-    addBody (scene,
-             board,
-             at (spacing * (i % columns), spacing * (i / columns), 0.0) *
-                 turnZ (golden_angle * i) * turnX (0.5 * i / number));
-  }
-  return scene;
 }
 
 /** \brief Points at distances of so many powers of ten [m]. */

@@ -107,9 +107,12 @@ allOutputs ()
       {"Simulated", simulate, "OUT --points 500", "out/a.pcd", "out/a.pcd"}};
 #ifdef PCL_OPS_BENCHMARK_PROGRAM
   const std::string benchmark = PCL_OPS_BENCHMARK_PROGRAM,
-                    measured = "simulated:500 --no-peers --runs 1 --memory-points 500 ";
+                    measured = "simulated:500 --no-peers --runs 1 --memory-points 500 "
+                               "--scaling-points 500,1000 ";
   outputs.push_back (
       {"Numbers", benchmark, measured + "--json OUT", "out/a.json", "out/a.json"});
+  outputs.push_back (
+      {"Scaling", benchmark, measured + "--scaling OUT", "out", "out/scaling.csv"});
 #endif
   if (pcl_ops::apps::hasLaszip())
     outputs.push_back ({"Laz", segment, "in.las OUT", "out/a.laz", "out/a.laz"});

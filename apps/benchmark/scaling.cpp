@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scaling.h"
+
+#include <pcl/common/io.h>
+
+#include <detection/methods.h>
+#include <pcl_ops/kernel_hough_transform.h>
+#include <pcl_ops/oriented_point_sampling.h>
+#include <simulation/dense_scan.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <thread>
+
+namespace pcl_ops::benchmark {
+
+namespace {
+
+using Ops = OrientedPointSampling<pcl::PointXYZ>;
+using Kht = KernelHoughTransform<pcl::PointXYZ>;
+
+/** \brief The presets on a cloud.
+ * \param[in] sampling_rate that of the preset where there is none */
+std::vector<Measure>
+presetsOn (const XyzCloud::ConstPtr& cloud,
+           const MeasureParameters& measuring,
+           unsigned threads = 1,
+           std::optional<double> sampling_rate = std::nullopt)
+{
+  std::vector<Measure> measures;
+  for (const bool of_paper : {false, true}) {
+    Ops::Parameters parameters;
+    if (of_paper)
+      parameters = Ops::Parameters::paper();
+    parameters.seed = measuring.seed;
+    parameters.threads = threads;
+    parameters.sampling_rate = sampling_rate.value_or (parameters.sampling_rate);
+    measures.push_back (detectorMeasure<Ops> (
+        of_paper ? "ops paper" : "ops", measuring.runs, parameters, cloud));
+  }
+  return measures;
+}
+
+/** \brief The presets, 3D-KHT and a kd-tree's construction. */
+std::vector<Measure>
+allOn (const XyzCloud::ConstPtr& cloud, const MeasureParameters& measuring)
+{
+  std::vector<Measure> measures = presetsOn (cloud, measuring);
+  measures.push_back (detectorMeasure<Kht> ("kht", measuring.runs, {}, cloud));
+  measures.push_back (kdTreeMeasure (cloud, measuring.runs));
+  return measures;
+}
+
+} // namespace
+
+simulation::Scene
+makeBoards (unsigned number)
+{
+  constexpr double spacing = 2.0; // [m]; a board is 1 m wide
+  // No two of its multiples are near each other on the circle [rad].
+  constexpr double golden_angle = 2.399963229728653;
+  constexpr double steepest = 0.5; // [rad]
+  const auto columns =
+      static_cast<unsigned> (std::ceil (std::sqrt (static_cast<double> (number))));
+  simulation::Scene scene;
+  for (unsigned i = 0; i < number; ++i) {
+    simulation::Body board;
+    simulation::addSurface (board, {});
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translate (Eigen::Vector3d (
+        spacing * (i % columns), spacing * std::floor (i / columns), 0.0));
+    pose.rotate (Eigen::AngleAxisd (golden_angle * i, Eigen::Vector3d::UnitZ()));
+    pose.rotate (Eigen::AngleAxisd (steepest * i / number, Eigen::Vector3d::UnitX()));
+    simulation::addBody (scene, board, pose);
+  }
+  return scene;
+}
+
+std::vector<ScalingRow>
+measureScaling (const XyzCloud::ConstPtr& cloud,
+                const std::vector<evaluation::CloudSource>& growing,
+                const MeasureParameters& parameters,
+                const Notify& notify)
+{
+  constexpr double per_cent = 100.0;
+  std::vector<ScalingRow> rows;
+  const auto add = [&] (const char* series,
+                        double x,
+                        const XyzCloud::ConstPtr& of_row,
+                        const std::vector<Measure>& measures) {
+    for (const BestTime& time : measureInTurns (measures, notify))
+      rows.push_back ({series, x, of_row->size(), time});
+  };
+  const unsigned most = std::max (2u, std::thread::hardware_concurrency());
+  for (unsigned threads = 1; threads <= most; ++threads)
+    add ("threads", threads, cloud, presetsOn (cloud, parameters, threads));
+  for (const double rate : {0.003, 0.005, 0.01, 0.03, 0.05, 0.1})
+    add ("sampling_rate",
+         per_cent * rate,
+         cloud,
+         presetsOn (cloud, parameters, 1, rate));
+  for (const unsigned planes : {1u, 3u, 10u, 30u, 100u, 300u}) {
+    const auto scan = simulation::scanDensely (
+        makeBoards (planes), cloud->size(), 1.0, parameters.seed);
+    const XyzCloud::Ptr boards (new XyzCloud);
+    pcl::copyPointCloud (scan.cloud, *boards);
+    add ("planes", planes, boards, allOn (boards, parameters));
+  }
+  for (const evaluation::CloudSource& source : growing) {
+    notify ("simulating " + source.name);
+    const XyzCloud::ConstPtr scan = source.load().cloud;
+    add ("points", double (scan->size()), scan, allOn (scan, parameters));
+  }
+  return rows;
+}
+
+std::string
+csvOf (const std::vector<ScalingRow>& rows)
+{
+  std::ostringstream csv;
+  csv << "series,x,points,measure,runs";
+  for (const auto& stage : apps::detection_stages)
+    csv << ',' << stage.first << "_ms";
+  csv << '\n';
+  for (const ScalingRow& row : rows) {
+    csv << row.series << ',' << row.x << ',' << row.points << ',' << row.time.name
+        << ',' << row.time.runs;
+    for (const auto& [stage, duration] : apps::detection_stages)
+      csv << ',' << row.time.durations.*duration;
+    csv << '\n';
+  }
+  return csv.str();
+}
+
+} // namespace pcl_ops::benchmark
