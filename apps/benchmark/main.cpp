@@ -158,8 +158,8 @@ figuresOfAll (const DataSet& clouds,
 void
 writeScaling (const Options& options, const DataSet& clouds, const DataSet& growing)
 {
-  const std::vector<ScalingRow> rows = measureScaling (
-      clouds.clouds.front().load().cloud, growing.clouds, options.measures, notify);
+  const std::vector<ScalingRow> rows =
+      measureScaling (clouds.clouds, growing.clouds, options.measures, notify);
   const auto file = std::filesystem::path (options.scaling_folder) / "scaling.csv";
   apps::writeTextFile (file.string(), csvOf (rows));
   notify ("");

@@ -23,20 +23,9 @@ measureOf (const std::string& name, std::size_t runs, const std::function<void()
 {
   return {name, runs, [work] {
             StageDurations durations;
-            timed (durations.detection, work);
+            timed (durations.detection, evaluation::Clock::Processor, work);
             return durations;
           }};
-}
-
-/** \brief Onto memory that is there already: what reading and writing it takes at
- * least. */
-Measure
-copyMeasure (const XyzCloud::ConstPtr& cloud, std::size_t runs)
-{
-  return measureOf (
-      "copy of the cloud", runs, [cloud, copy = std::make_shared<XyzCloud> (*cloud)] {
-        std::copy (cloud->begin(), cloud->end(), copy->begin());
-      });
 }
 
 Measure
@@ -58,6 +47,7 @@ durationsOf (const evaluation::Configuration& detector,
   constexpr unsigned time_limit = 600; // [s]
   evaluation::RunSettings settings;
   settings.seed = seed;
+  settings.clock = evaluation::Clock::Processor;
   if (!detector.is_peer)
     return detector.run (cloud, settings).durations;
   if (const auto run = evaluation::runLimited (detector, cloud, settings, time_limit))
@@ -106,6 +96,15 @@ measureInTurns (const std::vector<Measure>& measures, const Notify& notify)
     }
   }
   return best;
+}
+
+Measure
+copyMeasure (const XyzCloud::ConstPtr& cloud, std::size_t runs)
+{
+  return measureOf (
+      "copy of the cloud", runs, [cloud, copy = std::make_shared<XyzCloud> (*cloud)] {
+        std::copy (cloud->begin(), cloud->end(), copy->begin());
+      });
 }
 
 Measure

@@ -52,7 +52,8 @@ struct MeasureParameters {
 /** \brief The default preset's name among the detectors of the evaluation. */
 constexpr const char* default_preset = "ops";
 
-/** \brief A detector of this project with all its parameters, threads too. */
+/** \brief A detector of this project with all its parameters, threads too: of one
+ * thread processor time, which other programs disturb less, of more wall time. */
 template <typename Detector>
 Measure
 detectorMeasure (const std::string& name,
@@ -60,10 +61,18 @@ detectorMeasure (const std::string& name,
                  const typename Detector::Parameters& parameters,
                  const XyzCloud::ConstPtr& cloud)
 {
-  return {name, runs, [parameters, cloud] {
-            return evaluation::runDetector<Detector> (parameters, cloud).durations;
-          }};
+  return {
+      name, runs, [parameters, cloud] {
+        using evaluation::Clock;
+        const Clock clock = parameters.threads == 1 ? Clock::Processor : Clock::Wall;
+        return evaluation::runDetector<Detector> (parameters, cloud, clock).durations;
+      }};
 }
+
+/** \brief Onto memory that is there already: what reading and writing it takes at
+ * least. */
+Measure
+copyMeasure (const XyzCloud::ConstPtr& cloud, std::size_t runs);
 
 /** \brief Building pcl::KdTreeFLANN. */
 Measure

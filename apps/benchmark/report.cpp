@@ -126,7 +126,9 @@ printMethod (const Benchmark& benchmark, std::ostream& stream)
          << parameters.runs << " runs";
   if (parameters.peer_runs > 0)
     stream << " (of others' detectors " << parameters.peer_runs << ')';
-  stream << ", in turns in one process,\n  on one thread where nothing else is said.\n"
+  stream << ", in turns in one process,\n  processor time of one thread where nothing "
+            "else is said; of stages and of two\n"
+            "  threads wall time.\n"
             "- Names are those of `pcl_ops_evaluate detectors`: ops is the default "
             "preset, ops-3-30\n  the paper's, with 3 % of the points and 30 "
             "neighbors.\n"

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <thread>
 
@@ -43,11 +44,12 @@ presetsOn (const XyzCloud::ConstPtr& cloud,
   return measures;
 }
 
-/** \brief The presets, 3D-KHT and a kd-tree's construction. */
+/** \brief The presets, 3D-KHT, a kd-tree's construction and a copy. */
 std::vector<Measure>
 allOn (const XyzCloud::ConstPtr& cloud, const MeasureParameters& measuring)
 {
   std::vector<Measure> measures = presetsOn (cloud, measuring);
+  measures.push_back (copyMeasure (cloud, measuring.runs));
   measures.push_back (detectorMeasure<Kht> ("kht", measuring.runs, {}, cloud));
   measures.push_back (kdTreeMeasure (cloud, measuring.runs));
   return measures;
@@ -79,23 +81,30 @@ makeBoards (unsigned number)
 }
 
 std::vector<ScalingRow>
-measureScaling (const XyzCloud::ConstPtr& cloud,
+measureScaling (const std::vector<evaluation::CloudSource>& clouds,
                 const std::vector<evaluation::CloudSource>& growing,
                 const MeasureParameters& parameters,
                 const Notify& notify)
 {
   constexpr double per_cent = 100.0;
   std::vector<ScalingRow> rows;
+  std::string name = clouds.front().name;
   const auto add = [&] (const char* series,
                         double x,
                         const XyzCloud::ConstPtr& of_row,
                         const std::vector<Measure>& measures) {
     for (const BestTime& time : measureInTurns (measures, notify))
-      rows.push_back ({series, x, of_row->size(), time});
+      rows.push_back ({series, x, of_row->size(), time, name});
   };
+  const XyzCloud::ConstPtr cloud = clouds.front().load().cloud;
   const unsigned most = std::max (2u, std::thread::hardware_concurrency());
-  for (unsigned threads = 1; threads <= most; ++threads)
-    add ("threads", threads, cloud, presetsOn (cloud, parameters, threads));
+  for (const evaluation::CloudSource& source : clouds) {
+    name = source.name;
+    const XyzCloud::ConstPtr kind = source.load().cloud;
+    add ("threads", 1, kind, allOn (kind, parameters));
+    for (unsigned threads = 2; threads <= most; ++threads)
+      add ("threads", threads, kind, presetsOn (kind, parameters, threads));
+  }
   for (const double rate : {0.003, 0.005, 0.01, 0.03, 0.05, 0.1})
     add ("sampling_rate",
          per_cent * rate,
@@ -109,7 +118,8 @@ measureScaling (const XyzCloud::ConstPtr& cloud,
     add ("planes", planes, boards, allOn (boards, parameters));
   }
   for (const evaluation::CloudSource& source : growing) {
-    notify ("simulating " + source.name);
+    name = source.name;
+    notify ("simulating " + name);
     const XyzCloud::ConstPtr scan = source.load().cloud;
     add ("points", double (scan->size()), scan, allOn (scan, parameters));
   }
@@ -120,13 +130,13 @@ std::string
 csvOf (const std::vector<ScalingRow>& rows)
 {
   std::ostringstream csv;
-  csv << "series,x,points,measure,runs";
+  csv << "series,x,points,measure,runs,cloud";
   for (const auto& stage : apps::detection_stages)
     csv << ',' << stage.first << "_ms";
   csv << '\n';
   for (const ScalingRow& row : rows) {
     csv << row.series << ',' << row.x << ',' << row.points << ',' << row.time.name
-        << ',' << row.time.runs;
+        << ',' << row.time.runs << ',' << std::quoted (row.cloud, '"', '"');
     for (const auto& [stage, duration] : apps::detection_stages)
       csv << ',' << row.time.durations.*duration;
     csv << '\n';

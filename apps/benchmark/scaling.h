@@ -15,6 +15,8 @@ struct ScalingRow {
   double x = 0.0;
   std::size_t points = 0;
   BestTime time;
+  /** \brief Its name. */
+  std::string cloud;
 };
 
 /** \brief A scene with a known number of planes: square boards, each turned another
@@ -22,13 +24,14 @@ struct ScalingRow {
 simulation::Scene
 makeBoards (unsigned number);
 
-/** \brief OPS, default and paper preset, where one thing grows at a time; over points
- * and planes 3D-KHT and the construction of KdTreeFLANN too.
- * \param[in] cloud for threads and sampling rate; its number of points serves for the
- * simulated boards of the planes too
+/** \brief OPS, default and paper preset, where one thing grows at a time; but for the
+ * sampling rate also 3D-KHT and what no method is faster than, a copy of the cloud and
+ * the construction of KdTreeFLANN.
+ * \param[in] clouds for threads; the first for the sampling rate, and with its number
+ * of points for the simulated boards of the planes
  * \param[in] growing clouds of growing size */
 std::vector<ScalingRow>
-measureScaling (const XyzCloud::ConstPtr& cloud,
+measureScaling (const std::vector<evaluation::CloudSource>& clouds,
                 const std::vector<evaluation::CloudSource>& growing,
                 const MeasureParameters& parameters,
                 const Notify& notify);

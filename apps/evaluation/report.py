@@ -5,9 +5,11 @@
 
 Of results.csv (pcl_ops_evaluate run) report.md: for each data set all metrics, the tables of
 the paper with its figures beside ours, numbers of planes, true planes found by size, and
-times of the stages; plots of the accuracy over time and over the sampling rate; and where
-there are rooms or streets figure.png, all detectors on both. Of scaling.csv
-(pcl_ops_benchmark --scaling) plots of the time over what grows.
+times of the stages; comparison.csv, a row for each data set and method, with versions of
+detectors.txt (pcl_ops_evaluate detectors); plots of the accuracy over time and over the
+sampling rate. Of comparison.csv, where it has rooms or streets, figure.png: all methods on
+both. Of labels/ (pcl_ops_evaluate run --labels) strips of pictures. Of scaling.csv
+(pcl_ops_benchmark --scaling) throughput.png and plots of the time over what grows.
 """
 import csv
 import math
@@ -16,11 +18,9 @@ import sys
 from collections import defaultdict
 
 try:
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import pyplot as plt
+    import figures
 except ImportError:
-    plt = None
+    figures = None
 
 # What the paper reports (Sun & Mordohai, ICRA 2019, Tables I to IV and section IV-B), on
 # SUN RGB-D with one thread of an Intel Core i7-7700: classification accuracy [%], time
@@ -73,8 +73,6 @@ BEST = {
 }
 TRUE_PLANES = 25.38  # of the paper, per cloud
 STAGES = ("search", "normals", "extraction", "assignment", "merging", "detection")
-FAMILIES = {"OPS": "ops", "FSPF": "fspf", "3D-KHT": "kht", "PCL": "pcl", "CGAL": "cgal",
-            "Open3D": "open3d", "voxel octree": "voxel"}
 
 
 def rows_of(file):
@@ -178,74 +176,36 @@ def other_tables(name, means):
                 for configuration, mean in means.items()]
         report += table(f"True planes by {by}{unit}, found at 0.5 / at 0.75 / all: {name}",
                         ["configuration"] + [size.replace("_", " ") for size in classes], rows)
-    return report + table(f"Time per stage [s]: {name}",
+    return report + table(f"Wall time per stage, processor time in total [s]: {name}",
                           ["configuration", *STAGES[:-1], "total", "us per point"], stages)
 
 
-def finish(axes, x_label, y_label, file):
-    axes.set_xlabel(x_label)
-    axes.set_ylabel(y_label)
-    axes.grid(True)
-    axes.legend(fontsize=7)
-    axes.figure.savefig(file, dpi=120, bbox_inches="tight")
-    plt.close(axes.figure)
+SUMMARY = ("classification_accuracy", "segmentation_accuracy", "f_score", "f_score_75")
 
 
-def plot_accuracy(name, means, folder):
-    for metric in ("classification_accuracy", "segmentation_accuracy"):
-        label = metric.replace("_", " ") + " [%]"
-        axes = plt.subplots()[1]
-        axes.set(title=name, xscale="log", ylim=(0, 100))
-        for family, prefix in FAMILIES.items():
-            points = {configuration: (mean["detection_ms"] / 1e3, 100 * mean[metric])
-                      for configuration, mean in means.items()
-                      if configuration.startswith(prefix)}
-            if points:
-                axes.scatter(*zip(*points.values()), label=family)
-            for configuration, point in points.items():
-                axes.annotate(configuration, point, fontsize=5)
-        finish(axes, "time [s]", label, folder / f"{metric}_over_time.png")
-
-        axes = plt.subplots()[1]
-        axes.set(title=name, xscale="log", ylim=(0, 100))
-        for k in (10, 20, 30):
-            points = [(float(rate), 100 * means[f"ops-{rate}-{k}"][metric])
-                      for rate in ("0.3", "0.5", "0.7", "1", "3") if f"ops-{rate}-{k}" in means]
-            if points:
-                axes.plot(*zip(*points), marker="o", label=f"k {k}")
-        if axes.lines:
-            finish(axes, "sampling rate [%]", label, folder / f"{metric}_over_sampling_rate.png")
-        plt.close("all")
+def values_of(method):
+    """Where the values of a method's parameters come from."""
+    if method.startswith(("pcl-", "cgal-", "open3d", "voxel-octree")):
+        return "cloud" if method.endswith("-measured") else "tutorial"
+    return "paper" if "-" in method else "default"
 
 
-def plot_figure(means_of_sets, folder):
-    """F-score over the time per million points, a panel each for rooms and streets."""
-    shown = {name: means for name, means in means_of_sets.items() if name in ("rooms", "streets")}
-    if not shown:
-        return
-    figure, panels = plt.subplots(1, len(shown), sharey=True, squeeze=False,
-                                  figsize=(5.5 * len(shown), 4.5))
-    for axes, (name, means) in zip(panels[0], sorted(shown.items())):
-        clouds = max(mean["clouds"] for mean in means.values())
-        axes.set(title=f"{name} (mean of {clouds})", xscale="log", ylim=(0, 1))
-        axes.margins(x=0.25)
-        axes.grid(True, alpha=0.3)
-        for number, (family, prefix) in enumerate(FAMILIES.items()):
-            dots = {configuration: (1e3 * mean["detection_ms"] / mean["points"], mean["f_score"])
-                    for configuration, mean in means.items()
-                    if configuration.startswith(prefix) and not math.isnan(mean["f_score"])}
-            for configuration, dot in dots.items():
-                is_measured = configuration.endswith("-measured")
-                axes.scatter(*dot, color=f"C{number}", label=None if is_measured else family,
-                             facecolors="none" if is_measured else None)
-                axes.annotate(configuration.replace("-measured", ""), dot, xytext=(4, 3),
-                              textcoords="offset points", fontsize=6)
-        axes.set_xlabel("time per million points [s]; open dots: at measured values")
-    panels[0][0].set_ylabel("F-score of planes at an overlap of 0.5")
-    handles, labels = panels[0][-1].get_legend_handles_labels()
-    panels[0][-1].legend(*zip(*dict(zip(labels, zip(handles, labels))).values()), fontsize=7)
-    figure.savefig(folder / "figure.png", dpi=120, bbox_inches="tight")
-    plt.close(figure)
+def write_comparison(means_of_sets, folder):
+    """A row for each data set and method: what pages and the figure are made of."""
+    listed = folder / "detectors.txt"
+    lines = listed.read_text(encoding="utf-8").splitlines() if listed.is_file() else []
+    versions = {line.split()[0]: line.partition(", ")[2] for line in lines}
+    with open(folder / "comparison.csv", "w", newline="", encoding="utf-8") as stream:
+        table = csv.writer(stream, lineterminator="\n")
+        table.writerow(("data_set", "method", "version", "values", "clouds", "stopped", *SUMMARY,
+                        "seconds_per_million_points"))
+        for data_set, means in means_of_sets.items():
+            for method, mean in means.items():
+                seconds = 1e3 * mean["detection_ms"] / mean["points"] if mean["clouds"] else ""
+                table.writerow([data_set, method, versions.get(method, ""), values_of(method),
+                                mean["clouds"], mean["stopped"]] +
+                               [round(mean[column], 4) if mean["clouds"] else ""
+                                for column in SUMMARY] + [seconds and f"{seconds:.3g}"])
 
 
 def report_results(folder):
@@ -257,33 +217,13 @@ def report_results(folder):
         name = f"{data_set}, truth {truth}"
         means = means_of_sets[data_set] = means_of(rows)
         report += metrics_table(name, means) + paper_tables(name, means) + other_tables(name, means)
-        if plt:
+        if figures:
             plots = folder / f"{data_set}-{truth}"
             plots.mkdir(exist_ok=True)
-            plot_accuracy(name, means, plots)
-    if plt:
-        plot_figure(means_of_sets, folder)
+            figures.plot_accuracy(name, means, plots)
+    write_comparison(means_of_sets, folder)
     (folder / "report.md").write_text(report, encoding="utf-8")
     print(report, end="")
-
-
-def plot_scaling(folder):
-    if not plt:
-        return
-    rows = rows_of(folder / "scaling.csv")
-    for series in dict.fromkeys(row["series"] for row in rows):
-        per_point = series == "points"
-        axes = plt.subplots()[1]
-        if series != "threads":
-            axes.set(xscale="log", yscale="log")
-        for measure in dict.fromkeys(row["measure"] for row in rows if row["series"] == series):
-            points = [(float(row["x"]), float(row["detection_ms"]) *
-                       (1e3 / float(row["points"]) if per_point else 1))
-                      for row in rows if row["series"] == series and row["measure"] == measure]
-            axes.plot(*zip(*points), marker="o", label=measure)
-        finish(axes, "sampling rate [%]" if series == "sampling_rate" else series,
-               "time per point [us]" if per_point else "time [ms]",
-               folder / f"time_over_{series}.png")
 
 
 def main():
@@ -291,15 +231,17 @@ def main():
         print(__doc__.strip(), file=sys.stdout if sys.argv[1:] == ["--help"] else sys.stderr)
         return 0 if sys.argv[1:] == ["--help"] else 2
     folder = pathlib.Path(sys.argv[1])
-    reports = {"results.csv": report_results, "scaling.csv": plot_scaling}
-    found = [name for name in reports if (folder / name).is_file()]
-    if not found:
-        print(f"report.py: {folder}: has no {' or '.join(reports)}", file=sys.stderr)
+    known = ("results.csv", "comparison.csv", "labels", "scaling.csv")
+    if not any((folder / name).exists() for name in known):
+        print(f"report.py: {folder}: has no {' or '.join(known)}", file=sys.stderr)
         return 1
-    if not plt:
+    if not figures:
         print("report.py: no plots: install matplotlib (python3-matplotlib)", file=sys.stderr)
-    for name in found:
-        reports[name](folder)
+    plots = [figures and figures.plot_comparison, figures and figures.plot_strips,
+             figures and figures.plot_scaling]
+    for name, report in zip(known, [report_results, *plots]):
+        if report and (folder / name).exists():
+            report(folder)
     return 0
 
 

@@ -7,6 +7,7 @@
 #include <cli/interruption.h>
 #include <cli/program.h>
 #include <cli/progress.h>
+#include <io/cloud_file.h>
 #include <io/output_file.h>
 #include <io/pose_file.h>
 #include <unistd.h>
@@ -83,7 +84,7 @@ runCloud (const SimulationOptions& options)
   const SimulatedCloud simulated =
       apps::inMemory (options.output, "give fewer --points or a smaller image", [&] {
         SimulatedCloud cloud = simulate (options.simulation);
-        saveLabeledPcd (options.output, cloud.cloud);
+        apps::saveLabeledPcd (options.output, cloud.cloud);
         return cloud;
       });
   lines.reset();

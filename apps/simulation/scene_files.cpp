@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_files.h"
 
-#include <pcl/common/io.h>
-
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <io/cloud_file.h>
@@ -13,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 
 namespace pcl_ops::simulation {
@@ -51,31 +48,6 @@ toLas (const std::vector<TownPoint>& points, const Eigen::Vector3d& offset)
 }
 
 } // namespace
-
-void
-saveLabeledPcd (const std::string& file, const LabeledCloud& cloud)
-{
-  constexpr pcl::uindex_t bytes_of_number = 4; // float and std::uint32_t
-  apps::FileCloud packed{{}, cloud.sensor_origin_, cloud.sensor_orientation_};
-  pcl::PCLPointCloud2& points = packed.points;
-  points.width = cloud.width;
-  points.height = cloud.height;
-  points.is_dense = cloud.is_dense;
-  points.fields = pcl::getFields<pcl::PointXYZL>();
-  for (auto& field : points.fields) {
-    field.offset = points.point_step;
-    points.point_step += bytes_of_number;
-  }
-  points.row_step = points.point_step * points.width;
-  points.data.resize (std::size_t (points.point_step) * cloud.size());
-  std::uint8_t* bytes = points.data.data();
-  for (const pcl::PointXYZL& point : cloud) {
-    std::memcpy (bytes, point.data, 3 * bytes_of_number);
-    std::memcpy (bytes + 3 * bytes_of_number, &point.label, bytes_of_number);
-    bytes += points.point_step;
-  }
-  apps::saveCloud (file, packed);
-}
 
 WrittenFiles
 saveTown (const std::string& folder,
@@ -117,7 +89,7 @@ saveFrames (const std::string& folder,
     const std::string file = nameIn (folder, pattern, i);
     apps::inMemory (file, "give a smaller --width and --height", [&] {
       const auto cloud = look (i);
-      saveLabeledPcd (file, cloud);
+      apps::saveLabeledPcd (file, cloud);
       written.points += cloud.size();
     });
     progress.step();

@@ -12,11 +12,6 @@
 
 namespace pcl_ops::simulation {
 
-/** \brief Writes a binary PCD without the padding of pcl::PointXYZL.
- * \throws WorkError if it cannot be written */
-void
-saveLabeledPcd (const std::string& file, const LabeledCloud& cloud);
-
 /** \brief How many files there are, and points in them. */
 struct WrittenFiles {
   std::uint64_t files = 0, points = 0;

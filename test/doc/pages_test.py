@@ -5,6 +5,7 @@
 python3 pages_test.py SOURCES PROGRAMS: the project's folder, and that of its programs.
 """
 
+import csv
 import os
 import pathlib
 import re
@@ -21,6 +22,68 @@ ROOM = " --seed 1 --width 160 --height 120"
 RUN = ("pcl_ops_simulate ", "pcl_ops_segment ", "cat room.pcd | ", "pcl_ops_tiles ",
        "pcl_ops_evaluate compare ", "pcl_ops_evaluate planes ", "pcl_ops_evaluate track ",
        "printf ")
+
+
+# What the tables of comparisons call the columns and rows of src/doc/comparison.csv.
+MEASURES = {"class.": ("classification_accuracy", 100, 1),
+            "segm.": ("segmentation_accuracy", 100, 1), "F 0.5": ("f_score", 1, 2),
+            "F 0.75": ("f_score_75", 1, 2), "s": ("seconds_per_million_points", 1, None)}
+DATA_SETS = {"rooms": "rooms", "rooms, raw depth": "rooms-raw", "frames": "sunrgbd",
+             "frames, raw depth": "sunrgbd-raw", "64 beams": "streets", "32 beams": "streets-32",
+             "16 beams": "streets-16", "roofs": "roofs", "CAD": "cad", "surveys": "survey",
+             "furniture": "furniture", "round shapes": "shapes"}
+METHODS = {"pcl_ops": "ops", "pcl_ops, as in the paper": "ops-3-30", "3D-KHT": "kht",
+           "FSPF": "fspf", "PCL `SACSegmentation` loop": "pcl-sac",
+           "PCL `RegionGrowing`": "pcl-region-growing",
+           "PCL `OrganizedMultiPlaneSegmentation`": "pcl-organized",
+           "CGAL Efficient RANSAC": "cgal-ransac",
+           "CGAL region growing": "cgal-region-growing",
+           "Open3D `segment_plane` loop": "open3d", "Voxel octree as in VoxelMap": "voxel-octree"}
+OURS = ("ops", "ops-3-30", "kht", "fspf")
+
+
+def compared():
+    """The rows of the comparison by data set and method."""
+    with open(SOURCES / "src/doc/comparison.csv", newline="", encoding="utf-8") as stream:
+        return {(row["data_set"], row["method"]): row for row in csv.DictReader(stream)}
+
+
+def comparison_tables(page):
+    """Tables whose first cell says what is in their cells, as lists of rows of cells."""
+    for block in re.findall(r"(?:^\|.*\n)+", page.read_text(), re.MULTILINE):
+        rows = [[cell.strip() for cell in line.strip("|").split("|")]
+                for line in block.splitlines()]
+        if set(measures_of(rows[0][0])) <= set(MEASURES):
+            yield rows
+
+
+def measures_of(cell):
+    return re.sub(r" \[.*?\]|, better.*", "", cell).split(" / ")
+
+
+def expected_cell(rows, measures):
+    """The best values of the rows of a method in the comparison."""
+    rows = [row for row in rows if row["f_score"]]
+    texts = []
+    for name, factor, decimals in (MEASURES[measure] for measure in measures):
+        values = [factor * float(row[name]) for row in rows]
+        texts += [f"{min(values):.2g}" if decimals is None else f"{max(values):.{decimals}f}"
+                  for _ in values[:1]]
+    return "/".join(texts) or "-"
+
+
+def expected_row(header, label, table):
+    names = METHODS[label], METHODS[label] + "-measured"
+    cells = []
+    for column in header[1:]:
+        data_set, unit, clouds = re.match(r"(.*?)( \[s\])?(?: \((\d+)\))?$", column).groups()
+        rows = [table[DATA_SETS[data_set], name] for name in names
+                if (DATA_SETS[data_set], name) in table]
+        for row in rows:
+            if clouds and int(row["clouds"]) + int(row["stopped"]) != int(clouds):
+                raise AssertionError(f"{column}: {row}")
+        cells.append(expected_cell(rows, ["s"] if unit else measures_of(header[0])))
+    return [label, *cells]
 
 
 def code_of(page, language):
@@ -89,6 +152,26 @@ class Pages(unittest.TestCase):
         for line in lines:
             # The example asks whether the call succeeded, the README says what it gives.
             self.assertIn(line.partition(";")[0], example)
+
+    def test_comparisons_have_the_numbers_of_the_csv(self):
+        table = compared()
+        for page, tables in ((README, 1), (SOURCES / "src/doc/accuracy.md", 3)):
+            found = list(comparison_tables(page))
+            self.assertEqual(len(found), tables, page.name)
+            for header, _, *rows in found:
+                for row in rows:
+                    self.assertEqual(row, expected_row(header, row[0], table), page.name)
+
+    def test_accuracy_says_where_others_are_ahead(self):
+        page = (SOURCES / "src/doc/accuracy.md").read_text()
+        said = page.partition("**Where others are ahead.**")[2].partition("\n\n")[0]
+        labels = {name: label for label, name in DATA_SETS.items()}
+        table = compared()
+        for (data_set, method), row in table.items():
+            for measure in ("segmentation_accuracy", "f_score"):
+                ours = float(table[data_set, "ops"][measure])
+                if method not in OURS and row["f_score"] and float(row[measure]) > ours:
+                    self.assertIn(labels[data_set], said, f"{method}: {row}")
 
     def test_readme_is_short(self):
         self.assertLessEqual(len(README.read_text().splitlines()), 220)

@@ -61,6 +61,10 @@ readOptions (int argc, const char* const* argv, RunOptions& options)
                   apps::Range::from (1).upTo (max_jobs),
                   options.plan.jobs,
                   "clouds at a time; only 1 leaves times undisturbed (1)");
+  line.addText ("labels",
+                "FOLDER",
+                options.plan.labels_folder,
+                "save each new result, and the truth, as a labeled cloud");
   RunSettings& settings = options.plan.settings;
   line.addNumber ("threshold",
                   "M",
@@ -120,16 +124,19 @@ runCommand (int argc, const char* const* argv)
 int
 detectorsCommand (int argc, const char* const* argv)
 {
-  apps::CommandLine line ("pcl_ops_evaluate detectors",
-                          "Lists the configurations a run can have and their groups.",
-                          PCL_OPS_VERSION);
+  apps::CommandLine line (
+      "pcl_ops_evaluate detectors",
+      "Lists the configurations a run can have, their groups and versions.",
+      PCL_OPS_VERSION);
   if (!line.parse (argc, argv))
     return apps::ExitCode::done;
   for (const Configuration& configuration : allConfigurations()) {
     std::cout << configuration.name;
     for (const std::string& group : configuration.groups)
       std::cout << ' ' << group;
-    std::cout << '\n';
+    const std::string& version = configuration.version;
+    std::cout << ", " << (version.empty() ? "pcl_ops " PCL_OPS_VERSION : version)
+              << '\n';
   }
   return apps::ExitCode::done;
 }

@@ -28,7 +28,8 @@ const char* const data_set_help =
     "streets:FIRST-LAST, streets-32:FIRST-LAST, streets-16:FIRST-LAST or "
     "streets-livox:FIRST-LAST (a street around a lidar with 64, 32 or 16 beams or a "
     "rosette, by seed), "
-    "clouds:PATH (.pcd, .ply, .las and text, field label as truth)";
+    "clouds:PATH (.pcd, .ply, .las and text, field label as truth; a folder is a data "
+    "set of its name)";
 
 namespace {
 
@@ -185,7 +186,8 @@ cloudsDataSet (const std::string& path, const Eigen::Vector3d& up)
     throw apps::WorkError (path, "does not exist; give a cloud or a folder of clouds");
   const bool is_folder = fs::is_directory (path, error);
   const fs::path folder = is_folder ? fs::path (path) : fs::path (path).parent_path();
-  DataSet data_set{"clouds", {}};
+  const fs::path name = is_folder ? folder.filename() : fs::path();
+  DataSet data_set{name.empty() ? "clouds" : name.string(), {}};
   for (const fs::path& file :
        is_folder ? cloudFilesIn (path) : std::vector<fs::path>{path})
     data_set.clouds.push_back (

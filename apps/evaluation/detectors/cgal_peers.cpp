@@ -52,7 +52,7 @@ orientedPointsOf (const PeerTask& task)
     points.emplace_back (Kernel::Point_3 (point.x, point.y, point.z),
                          Kernel::Vector_3 (0, 0, 0),
                          static_cast<pcl::index_t> (points.size()));
-  timed (task.normals, [&] {
+  timed (task.normals, task.settings.clock, [&] {
     CGAL::pca_estimate_normals<CGAL::Sequential_tag> (
         points,
         neighborsFor (task),

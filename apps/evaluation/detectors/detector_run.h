@@ -2,36 +2,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/common/time.h>
-
 #include "detectors.h"
+
+#include <ctime>
 
 namespace pcl_ops::evaluation {
 
-/** \brief Runs something and adds its wall time to a duration [ms]. */
+/** \brief What a clock shows [ms]. */
+inline double
+now (Clock clock)
+{
+  timespec time{};
+  clock_gettime (clock == Clock::Wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID,
+                 &time);
+  return 1e3 * double (time.tv_sec) + 1e-6 * double (time.tv_nsec);
+}
+
+/** \brief Runs something and adds its time to a duration [ms]. */
 template <typename Work>
 auto
-timed (double& duration, Work&& work)
+timed (double& duration, Clock clock, Work&& work)
 {
   struct Watch {
     double& duration;
-    pcl::StopWatch watch;
-    ~Watch() { duration += watch.getTime(); }
-  } const watch{duration, {}};
+    Clock clock;
+    double start;
+    ~Watch() { duration += now (clock) - start; }
+  } const watch{duration, clock, now (clock)};
   return work();
 }
 
 /** \brief Runs a detector of this project.
  * \param[in] parameters all of them: up axis, seed and threads too
- * \param[in] cloud finite points */
+ * \param[in] cloud finite points
+ * \param[in] clock of the whole; that of the stages is the wall's */
 template <typename Detector>
 DetectorRun
 runDetector (const typename Detector::Parameters& parameters,
-             const XyzCloud::ConstPtr& cloud)
+             const XyzCloud::ConstPtr& cloud,
+             Clock clock = Clock::Wall)
 {
   DetectorRun result;
   double detection = 0.0;
-  timed (detection, [&] {
+  timed (detection, clock, [&] {
     Detector detector;
     detector.setParameters (parameters);
     detector.setInputCloud (cloud);
@@ -58,7 +71,7 @@ configurationOf (const std::string& name,
     complete.up_axis = settings.up.cast<float>();
     complete.seed = settings.seed;
     complete.threads = 1;
-    return runDetector<Detector> (complete, cloud);
+    return runDetector<Detector> (complete, cloud, settings.clock);
   };
   return {name, groups, run};
 }

@@ -26,6 +26,10 @@ struct DetectorRun {
  * PCL's tutorials. */
 constexpr double usual_peer_threshold = 0.05;
 
+/** \brief How time is taken: the processor time of the calling thread is the same while
+ * others use the machine, too, but leaves further threads out. */
+enum class Clock { Wall, Processor };
+
 /** \brief What detectors are told beside the points. */
 struct RunSettings {
   /** \brief Unit vector against gravity. */
@@ -38,6 +42,7 @@ struct RunSettings {
   /** \brief Noise of the points that detectors of others are tuned to; none: as
    * measured from the cloud [m]. */
   std::optional<double> peer_noise = std::nullopt;
+  Clock clock = Clock::Wall;
 };
 
 /** \brief A detector with its parameters, under a name. */
@@ -53,6 +58,8 @@ struct Configuration {
   bool is_peer = false;
   /** \brief It works on images alone: \ref RunSettings::grid. */
   bool needs_grid = false;
+  /** \brief Whose it is and which; empty: of this project. */
+  std::string version = {};
 };
 
 /** \brief Every row of the paper's tables, the product's presets, and the detectors

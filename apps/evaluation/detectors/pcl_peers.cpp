@@ -68,7 +68,8 @@ std::vector<pcl::PointIndices>
 planesByPclRegionGrowing (const PeerTask& task)
 {
   pcl::search::KdTree<pcl::PointXYZ>::Ptr tree (new pcl::search::KdTree<pcl::PointXYZ>);
-  const auto normals = timed (task.normals, [&] { return normalsOf (task, tree); });
+  const auto normals =
+      timed (task.normals, task.settings.clock, [&] { return normalsOf (task, tree); });
   pcl::RegionGrowing<pcl::PointXYZ, pcl::Normal> growing;
   growing.setInputCloud (task.cloud);
   growing.setInputNormals (normals);
@@ -125,7 +126,8 @@ planesInImage (const PeerTask& task)
   constexpr double usual_distance = 0.02; // [m]
   const ImageGrid& grid = *task.settings.grid;
   const XyzCloud::Ptr image = imageOf (*task.cloud, grid);
-  const auto normals = timed (task.normals, [&] { return normalsOfImage (image); });
+  const auto normals =
+      timed (task.normals, task.settings.clock, [&] { return normalsOfImage (image); });
   pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label> finder;
   finder.setMinInliers (min_points_of_region);
   finder.setAngularThreshold (angle);

@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_run.h"
 
+#include <pcl/common/io.h>
+
 #include <cli/errors.h>
 #include <cli/parallel.h>
 #include <cli/program.h>
 #include <evaluation/detectors/limited_run.h>
+#include <io/cloud_file.h>
+#include <io/output_file.h>
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <filesystem>
 #include <limits>
 
 namespace pcl_ops::evaluation {
@@ -78,6 +83,7 @@ private:
       note (std::string ("left out: ") + error.what());
       return;
     }
+    saveLabels (task, "truth", *cloud.cloud, truth);
     for (const Configuration& configuration : plan_.configurations)
       evaluateConfiguration (task, configuration, cloud, truth);
     ++clouds_;
@@ -109,11 +115,30 @@ private:
                         });
   }
 
+  void
+  saveLabels (const CloudTask& task,
+              const std::string& name,
+              const XyzCloud& cloud,
+              const PlaneLabels& labels) const
+  {
+    if (plan_.labels_folder.empty())
+      return;
+    pcl::PointCloud<pcl::PointXYZL> labeled;
+    pcl::copyPointCloud (cloud, labeled);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      labeled[i].label = labels[i];
+    const std::filesystem::path folder =
+        std::filesystem::path (plan_.labels_folder) / task.data_set / task.source->name;
+    apps::makeFolder (folder.string());
+    apps::saveLabeledPcd ((folder / (name + ".pcd")).string(), labeled);
+  }
+
   std::optional<DetectorRun>
   detect (const Configuration& configuration, const EvaluationCloud& cloud) const
   {
     RunSettings settings = plan_.settings;
     settings.up = cloud.up;
+    settings.clock = Clock::Processor;
     settings.grid = cloud.grid ? &*cloud.grid : nullptr;
     return configuration.is_peer
                ? runLimited (configuration, cloud.cloud, settings, plan_.time_limit)
@@ -126,13 +151,15 @@ private:
   valuesOf (const Configuration& configuration,
             const EvaluationCloud& cloud,
             const PlaneLabels& truth,
-            const std::string& name)
+            const CloudTask& task)
   {
-    if (const std::optional<DetectorRun> run = detect (configuration, cloud))
+    if (const std::optional<DetectorRun> run = detect (configuration, cloud)) {
+      saveLabels (task, configuration.name, *cloud.cloud, run->labels);
       return namedValues (compareLabels (*cloud.cloud, truth, run->labels, {cloud.up}),
                           *run);
+    }
     ++stopped_runs_;
-    note (configuration.name + " on " + name + ": stopped after " +
+    note (configuration.name + " on " + task.source->name + ": stopped after " +
           std::to_string (plan_.time_limit) + " s; more by --time-limit");
     NamedValues values = namedValues (compareLabels ({}, {}, {}), {});
     for (auto& [column, value] : values)
@@ -153,7 +180,7 @@ private:
     NamedValues values;
     try {
       values = apps::inMemory (configuration.name, fewer_at_a_time, [&] {
-        return valuesOf (configuration, cloud, truth, key.cloud);
+        return valuesOf (configuration, cloud, truth, task);
       });
     }
     catch (const std::exception& error) {

@@ -19,6 +19,9 @@ struct EvaluationPlan {
   unsigned time_limit = 600;
   /** \brief Clouds at a time; only 1 leaves the measured times undisturbed. */
   unsigned jobs = 1;
+  /** \brief Where the labels of each new row and the truth become
+   * DATA_SET/CLOUD/CONFIGURATION.pcd and truth.pcd; empty: nowhere. */
+  std::string labels_folder = {};
 };
 
 /** \brief What became of it. */

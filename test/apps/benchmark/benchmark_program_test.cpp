@@ -85,6 +85,7 @@ TEST (BenchmarkProgram, ScalingWritesEverySeries)
   for (const char* row : {"\npoints,1000,",
                           "\npoints,3000,",
                           "\nthreads,2,",
+                          ",\"scan-2000\",",
                           "\nsampling_rate,0.3,",
                           "\nplanes,300,"})
     EXPECT_NE (csv.find (row), std::string::npos) << row << csv;

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cli/errors.h>
+#include <evaluation/detectors/detector_run.h>
 #include <evaluation/detectors/peers.h>
 
 #include <algorithm>
 #include <random>
+#include <thread>
 
 namespace {
 
@@ -51,6 +53,21 @@ TEST (Detectors, EveryOneFindsAFloorAndSaysHowLongItTook)
         << detector.name;
     EXPECT_GT (run.durations.detection, 0.0);
   }
+}
+
+TEST (Detectors, ProcessorTimeLeavesOutWhatOthersDo)
+{
+  double wall = 0.0, processor = 0.0;
+  const auto wait = [] {
+    std::thread ([] {
+      for (const double start = now (Clock::Wall); now (Clock::Wall) < start + 30.0;) {
+      }
+    }).join();
+  };
+  timed (wall, Clock::Wall, wait);
+  timed (processor, Clock::Processor, wait);
+  EXPECT_GE (wall, 30.0);
+  EXPECT_LT (processor, 15.0);
 }
 
 /** A slanted wall fills the image of a camera, whose columns to the left read nothing.

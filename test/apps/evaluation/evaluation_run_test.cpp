@@ -5,6 +5,7 @@
 #include <boost/algorithm/string.hpp>
 
 #include <cli/errors.h>
+#include <evaluation/data/labeled_cloud.h>
 #include <evaluation/detectors/detectors.h>
 #include <evaluation/report/evaluation_run.h>
 #include <support/file_size_limit.h>
@@ -104,6 +105,30 @@ TEST_F (EvaluationRunTest, WritesARowForEachCloudAndConfiguration)
   EXPECT_EQ (column ("planes_before_merging"), Cells (4, "7"));
   EXPECT_EQ (column ("detection_ms"), Cells (4, "1500"));
   EXPECT_EQ (column ("cloud")[2], "\"b; \"\"c\"\"\"");
+}
+
+TEST_F (EvaluationRunTest, SavesTheTruthAndTheLabelsOfNewRows)
+{
+  plan.labels_folder = folder / "labels";
+  run();
+  const auto labelsIn = [this] (const std::string& name) {
+    return loadLabeledCloud (plan.labels_folder + "/rows/a/" + name).labels;
+  };
+  EXPECT_EQ (labelsIn ("truth.pcd"), PlaneLabels (10, 1));
+  EXPECT_EQ (labelsIn ("half-right.pcd"), (PlaneLabels{1, 1, 1, 1, 1, 0, 0, 0, 0, 0}));
+}
+
+TEST_F (EvaluationRunTest, TakesProcessorTimeWhichOtherProgramsDoNotChange)
+{
+  plan.configurations[0].run = [this] (const auto& cloud, const RunSettings& settings) {
+    calls += settings.clock == Clock::Processor;
+    DetectorRun run;
+    run.labels.assign (cloud->size(), 0);
+    return run;
+  };
+  plan.configurations.resize (1);
+  run();
+  EXPECT_EQ (calls, 2);
 }
 
 TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)

@@ -4,7 +4,9 @@
 
 #include <cli/errors.h>
 #include <evaluation/data/data_sets.h>
+#include <support/temporary_folder.h>
 
+#include <filesystem>
 #include <set>
 
 namespace {
@@ -70,6 +72,15 @@ TEST (DataSets, NonsenseIsAUsageError)
                            "shapes:1-9999999",
                            "rooms:0-4000000000"})
     EXPECT_THROW (dataSet (text), pcl_ops::apps::UsageError) << text;
+}
+
+TEST (DataSets, AFolderOfCloudsGivesItsName)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directories (folder / "roofs");
+  const std::string file = folder.write ("roofs/one.xyz", "1 2 3\n");
+  EXPECT_EQ (dataSet ("clouds:" + folder / "roofs").name, "roofs");
+  EXPECT_EQ (dataSet ("clouds:" + file).name, "clouds");
 }
 
 TEST (DataSets, AFolderWithoutCloudsIsAnError)

@@ -1,0 +1,262 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plots of report.py, by matplotlib."""
+import csv
+from collections import defaultdict
+
+import matplotlib
+import numpy as np
+from PIL import Image
+
+matplotlib.use("Agg")
+from matplotlib import pyplot as plt  # noqa: E402
+
+# Methods by the names people know, in the order of the pictures.
+NAMES = {"ops": "pcl_ops", "ops-3-30": "pcl_ops, paper", "kht": "3D-KHT", "fspf": "FSPF",
+         "pcl-sac": "PCL SACSegmentation loop", "pcl-region-growing": "PCL RegionGrowing",
+         "pcl-organized": "PCL OrganizedMultiPlane", "cgal-ransac": "CGAL Efficient RANSAC",
+         "cgal-region-growing": "CGAL region growing", "open3d": "Open3D segment_plane loop",
+         "voxel-octree": "voxel octree (VoxelMap)"}
+OURS = ("ops", "ops-3-30", "kht", "fspf")
+IN_STRIP = ("truth", "ops", "pcl-sac", "pcl-region-growing", "cgal-ransac",
+            "cgal-region-growing", "open3d", "voxel-octree")
+MEASURED = "-measured"
+
+
+def rows_of(file):
+    with open(file, newline="", encoding="utf-8") as stream:
+        return list(csv.DictReader(stream))
+
+
+def finish(axes, x_label, y_label, file):
+    axes.set_xlabel(x_label)
+    axes.set_ylabel(y_label)
+    axes.grid(True)
+    axes.legend(fontsize=7)
+    axes.figure.savefig(file, dpi=120, bbox_inches="tight")
+    plt.close(axes.figure)
+
+
+def save(figure, file):
+    """As a PNG of 128 colors, which are enough and take half the bytes."""
+    figure.set_dpi(100)
+    figure.canvas.draw()
+    pixels = np.asarray(figure.canvas.buffer_rgba())[..., :3]
+    Image.fromarray(pixels).quantize(128, dither=Image.Dither.NONE).save(file, optimize=True)
+    plt.close(figure)
+
+
+def plot_accuracy(name, means, folder):
+    for metric in ("classification_accuracy", "segmentation_accuracy"):
+        label = metric.replace("_", " ") + " [%]"
+        axes = plt.subplots()[1]
+        axes.set(title=name, xscale="log", ylim=(0, 100))
+        for family in dict.fromkeys(configuration.partition("-")[0] for configuration in means):
+            points = {configuration: (mean["detection_ms"] / 1e3, 100 * mean[metric])
+                      for configuration, mean in means.items()
+                      if configuration.partition("-")[0] == family}
+            axes.scatter(*zip(*points.values()), label=family)
+            for configuration, point in points.items():
+                axes.annotate(configuration, point, fontsize=5)
+        finish(axes, "time [s]", label, folder / f"{metric}_over_time.png")
+
+        axes = plt.subplots()[1]
+        axes.set(title=name, xscale="log", ylim=(0, 100))
+        for k in (10, 20, 30):
+            points = [(float(rate), 100 * means[f"ops-{rate}-{k}"][metric])
+                      for rate in ("0.3", "0.5", "0.7", "1", "3") if f"ops-{rate}-{k}" in means]
+            if points:
+                axes.plot(*zip(*points), marker="o", label=f"k {k}")
+        if axes.lines:
+            finish(axes, "sampling rate [%]", label, folder / f"{metric}_over_sampling_rate.png")
+        plt.close("all")
+
+
+def label_dots(axes, dots):
+    """Names beside their dots, each at the first place around it that is free."""
+    renderer = axes.figure.canvas.get_renderer()
+    taken = [matplotlib.transforms.Bbox.from_bounds(x - 6, y - 6, 12, 12)
+             for x, y in axes.transData.transform([dot for _, dot, _ in dots])]
+    places = [(x, y, "left" if x > 0 else "right" if x < 0 else "center")
+              for far in (1, 2, 3, 4) for x, y in ((8, -4), (-8, -4), (0, 9 * far), (0, -17 * far),
+                                                   (8, 7 * far), (-8, 7 * far), (8, -14 * far),
+                                                   (-8, -14 * far))]
+    frame = axes.get_window_extent()
+    for name, dot, color in dots:
+        for x, y, side in places:
+            label = axes.annotate(name, dot, xytext=(x, y), textcoords="offset points", ha=side,
+                                  fontsize=10, color=color)
+            box = label.get_window_extent(renderer)
+            fits = frame.x0 < box.x0 and box.x1 < frame.x1 and not box.count_overlaps(taken)
+            if fits or (x, y, side) == places[-1]:
+                break
+            label.remove()
+        taken.append(box)
+
+
+def plot_comparison(folder):
+    """F-score over the time per million points, a panel each for rooms and streets."""
+    rows = [row for row in rows_of(folder / "comparison.csv") if row["f_score"]]
+    names = [name for name in ("rooms", "streets") if name in {row["data_set"] for row in rows}]
+    if not names:
+        return
+    figure, panels = plt.subplots(1, len(names), sharey=True, squeeze=False,
+                                  figsize=(6.4 * len(names), 5), layout="constrained")
+    for axes, name in zip(panels[0], names):
+        dots = {row["method"]: (float(row["seconds_per_million_points"]), float(row["f_score"]))
+                for row in rows if row["data_set"] == name}
+        axes.set_title(f"{name} with exact truth", fontsize=12)
+        axes.set(xscale="log", ylim=(0, 0.9))
+        axes.xaxis.set_major_formatter("{x:g}")
+        axes.margins(x=0.15)
+        axes.grid(True, alpha=0.3)
+        labels = []
+        for method, dot in dots.items():
+            usual = method.removesuffix(MEASURED)
+            color = "C3" if usual in OURS else "C0"
+            axes.scatter(*dot, s=45, edgecolors=color,
+                         facecolors="none" if usual != method else color)
+            if usual != method and usual in dots:
+                axes.plot(*zip(dots[usual], dot), color=color, linewidth=0.7, alpha=0.5)
+            labels.append(("" if usual != method else NAMES.get(method, method), dot, color))
+        axes.set_xlabel("processor time per million points [s]", fontsize=11)
+        figure.canvas.draw()
+        label_dots(axes, labels)
+    panels[0][0].set_ylabel("F-score of planes at an overlap of 0.5", fontsize=11)
+    marks = [panels[0][0].scatter([], [], color="gray", s=45, label="values of tutorials"),
+             panels[0][0].scatter([], [], color="gray", s=45, facecolors="none",
+                                  label="values measured from the cloud")]
+    panels[0][0].legend(handles=marks, fontsize=10, loc="upper right")
+    save(figure, folder / "figure.png")
+
+
+def labeled_points(file):
+    """Points, labels and the sensor's position and axes of a PCD of pcl_ops_evaluate."""
+    header, _, data = file.read_bytes().partition(b"DATA binary\n")
+    pose = next(line for line in header.decode().splitlines() if line.startswith("VIEWPOINT"))
+    origin, (w, x, y, z) = np.split(np.array(pose.split()[1:], dtype=float), [3])
+    axes = np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+    points = np.frombuffer(data, dtype=[("position", "<f4", 3), ("label", "<u4")])
+    return points["position"], points["label"], origin, axes
+
+
+def colors_like(truth, labels):
+    """A color for each label: that of the true plane with most of its points, the largest
+    such part first; what is left has the colors behind those of the truth."""
+    colors = np.zeros(labels.max() + 1, dtype=int)
+    pairs, counts = np.unique(np.stack([labels, truth]), axis=1, return_counts=True)
+    used = {0}
+    for label, true in pairs[:, np.argsort(-counts, kind="stable")].T:
+        if label and not colors[label] and true not in used:
+            colors[label] = true
+            used.add(true)
+    unmatched = (colors == 0) & (np.arange(colors.size) > 0)
+    colors[unmatched] = truth.max() + 1 + np.arange(unmatched.sum())
+    return colors[labels]
+
+
+def picture_of(points, colors, origin, axes, width=316, height=237):
+    """What the sensor saw as an image; what is all around it from above at a slant."""
+    seen = (points - origin) @ axes
+    if (seen[:, 2] > 0).all():
+        columns, rows, depth = seen[:, 0] / seen[:, 2], seen[:, 1] / seen[:, 2], seen[:, 2]
+    else:
+        near = np.hypot(*(points - origin).T[:2]) < 30  # [m]
+        (x, y, z), colors = (points[near] - origin).T, colors[near]
+        turned, depth = 0.8 * x + 0.6 * y, 0.8 * y - 0.6 * x
+        columns, rows, depth = turned, -0.5 * depth - 0.87 * z, 0.87 * depth - 0.5 * z
+    scale = max(np.ptp(columns) / (width - 2), np.ptp(rows) / (height - 2))
+    column = ((columns - columns.min()) / scale).astype(int)
+    row = ((rows - rows.min()) / scale).astype(int)
+    image = np.ones((height, width, 3))
+    palette = np.array([color for name in ("tab20", "tab20b", "tab20c", "Set1", "Dark2")
+                        for color in plt.get_cmap(name).colors if np.ptp(color) > 0.15])
+    shown = np.where(colors[:, None] > 0, palette[(colors - 1) % len(palette)], 0.75)
+    far_first = np.argsort(-depth)
+    for right, down in ((1, 1), (1, 0), (0, 1), (0, 0)):
+        image[row[far_first] + down, column[far_first] + right] = shown[far_first]
+    return image
+
+
+def better_of(truth, files):
+    """Of a method's results the picture that has more points in their true colors."""
+    best = None, -1
+    true_labels = labeled_points(truth)[1]
+    for file in files:
+        points, labels, origin, axes = labeled_points(file)
+        colors = colors_like(true_labels, labels)
+        right = np.count_nonzero(colors == true_labels)
+        if right > best[1]:
+            best = picture_of(points, colors, origin, axes), right
+    return best[0]
+
+
+def plot_strips(folder):
+    """Of each cloud in labels/ (pcl_ops_evaluate run --labels): every method's planes."""
+    for truth in sorted((folder / "labels").rglob("truth.pcd")):
+        results = {name: [file for file in (truth.with_name(name + end + ".pcd")
+                                            for end in ("", MEASURED)) if file.is_file()]
+                   for name in IN_STRIP}
+        results = {name: files for name, files in results.items() if files}
+        columns = (len(results) + 1) // 2
+        figure, panels = plt.subplots(2, columns, squeeze=False, figsize=(3.2 * columns, 5.3),
+                                      gridspec_kw={"left": 0, "right": 1, "bottom": 0, "top": 0.95,
+                                                   "wspace": 0.01, "hspace": 0.1})
+        for axes in panels.flat:
+            axes.axis("off")
+        for axes, (name, files) in zip(panels.flat, results.items()):
+            axes.imshow(better_of(truth, files))
+            axes.set_title(NAMES.get(name, name), fontsize=12, pad=3)
+        save(figure, folder / f"strip-{truth.parent.name}.png")
+
+
+def plot_throughput(rows, folder):
+    """Points per second over threads and kinds of clouds, and over their size."""
+    shown = {"ops": "pcl_ops", "KdTreeFLANN construction": "kd-tree construction",
+             "copy of the cloud": "copy of the cloud"}
+    figure, (kinds, sizes) = plt.subplots(1, 2, figsize=(12.8, 4.6), layout="constrained")
+    speeds, growing = defaultdict(dict), defaultdict(list)
+    for row in rows:
+        if row["measure"] not in shown:
+            continue
+        name = shown[row["measure"]]
+        speed = float(row["points"]) / float(row["detection_ms"]) / 1e3
+        if row["series"] == "points":
+            growing[name].append((float(row["points"]), speed))
+        elif row["series"] == "threads":
+            threads = f", {row['x']} thread" + "s" * (row["x"] != "1")
+            speeds[name + threads * (name == "pcl_ops")][row["cloud"]] = speed
+    ours_first = sorted(speeds.items(), key=lambda speed: (shown["ops"] not in speed[0], speed[0]))
+    for number, (name, of_clouds) in enumerate(ours_first):
+        places = np.arange(len(of_clouds)) + 0.2 * number
+        bars = kinds.bar(places, of_clouds.values(), width=0.19, label=name)
+        kinds.bar_label(bars, fmt="%.3g", fontsize=9)
+        kinds.set_xticks(places - 0.1 * number, of_clouds)
+    for name, dots in growing.items():
+        sizes.plot(*zip(*dots), marker="o", label=name)
+    sizes.set(xscale="log", xlabel="points")
+    for axes in (kinds, sizes):
+        axes.set(yscale="log", ylabel="million points per second")
+        axes.grid(True, axis="y", alpha=0.3)
+        axes.legend(fontsize=9, loc="upper left")
+        axes.set_ylim(top=6 * axes.get_ylim()[1])
+    save(figure, folder / "throughput.png")
+
+
+def plot_scaling(folder):
+    rows = rows_of(folder / "scaling.csv")
+    plot_throughput(rows, folder)
+    for series in dict.fromkeys(row["series"] for row in rows if row["series"] != "threads"):
+        per_point = series == "points"
+        axes = plt.subplots()[1]
+        axes.set(xscale="log", yscale="log")
+        for measure in dict.fromkeys(row["measure"] for row in rows if row["series"] == series):
+            points = [(float(row["x"]), float(row["detection_ms"]) *
+                       (1e3 / float(row["points"]) if per_point else 1))
+                      for row in rows if row["series"] == series and row["measure"] == measure]
+            axes.plot(*zip(*points), marker="o", label=measure)
+        finish(axes, "sampling rate [%]" if series == "sampling_rate" else series,
+               "time per point [us]" if per_point else "time [ms]",
+               folder / f"time_over_{series}.png")
