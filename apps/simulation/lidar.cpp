@@ -76,7 +76,8 @@ scanAround (const Scene& scene,
             const Lidar& lidar,
             const Eigen::Isometry3d& pose,
             double noise_scale,
-            std::uint32_t seed)
+            std::uint32_t seed,
+            std::size_t number)
 {
   Random random = randomFor (Purpose::LidarNoise, seed);
   Scan scan;
@@ -90,7 +91,7 @@ scanAround (const Scene& scene,
   for (std::size_t i = 0; i < rays; ++i) {
     const Vector3d ray =
         lidar.isRosette()
-            ? rosetteRay (lidar, i)
+            ? rosetteRay (lidar, number * rays + i)
             : rotatingRay (lidar, int (i / scan.rows), int (i % scan.rows));
     const Hit hit = castRay (scene, eye, pose.linear() * ray);
     // Drawn for each ray, so that one reading more leaves the others as they are.

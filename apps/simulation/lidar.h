@@ -14,7 +14,7 @@ constexpr double lidar_sigma = 0.02;
 
 /** \brief A lidar in its axes: x forward, y left, z up. It sends some beams at once,
  * one above the other, highest first, and so around clockwise; or with \ref beams 1 a
- * single one along a rosette. */
+ * single one along a rosette whose gaps the next scans fill. */
 struct Lidar {
   std::string name = "lidar-64";
   int beams = 64;
@@ -44,12 +44,15 @@ lidarOf (const std::string& name);
 
 /** \brief Casts all rays of a scan from where the lidar is; distances are noisy.
  * \param[in] scene best \ref divided
- * \param[in] pose from the lidar's frame to that of the scene */
+ * \param[in] pose from the lidar's frame to that of the scene
+ * \param[in] number of the scan in a row of them: a rosette goes on where the last
+ * scan ended */
 Scan
 scanAround (const Scene& scene,
             const Lidar& lidar,
             const Eigen::Isometry3d& pose,
             double noise_scale,
-            std::uint32_t seed);
+            std::uint32_t seed,
+            std::size_t number = 0);
 
 } // namespace pcl_ops::simulation

@@ -45,14 +45,14 @@ writeTown (const SimulationOptions& options)
 
 /** \brief Writes frames and poses. */
 WrittenFiles
-writeWalk (const SimulationOptions& options)
+writeWay (const SimulationOptions& options)
 {
-  const WalkView walk = simulateWalk (options.simulation, options.frames);
+  const WayView way = simulateWay (options.simulation, options.frames);
   apps::Progress progress = progressOf (options, options.frames, "frames");
   const WrittenFiles written =
-      saveFrames (options.output, options.frames, walk.look, progress);
+      saveFrames (options.output, options.frames, way.look, progress);
   apps::savePoses ((std::filesystem::path (options.output) / "poses.txt").string(),
-                   measured (walk.poses, options.pose_error, options.simulation.seed));
+                   measured (way.poses, options.pose_errors, options.simulation.seed));
   return written;
 }
 
@@ -63,7 +63,7 @@ runFiles (const SimulationOptions& options)
   apps::noteInterruptions();
   try {
     const WrittenFiles written =
-        options.simulation.scene == "town" ? writeTown (options) : writeWalk (options);
+        options.simulation.scene == "town" ? writeTown (options) : writeWay (options);
     if (!options.quiet)
       std::cout << options.output << ": " << written.points << " points in "
                 << written.files << " files\n";
@@ -99,8 +99,7 @@ run (int argc, const char* const* argv)
   SimulationOptions options;
   if (!readOptions (argc, argv, options))
     return apps::ExitCode::done;
-  const std::string& scene = options.simulation.scene;
-  scene == "town" || scene == "walk" ? runFiles (options) : runCloud (options);
+  options.isOfManyFiles() ? runFiles (options) : runCloud (options);
   return apps::ExitCode::done;
 }
 

@@ -33,14 +33,15 @@ declareScene (CommandLine& line, SimulationOptions& options)
   Simulation& simulation = options.simulation;
   line.addArgument ("OUTPUT.pcd",
                     options.output,
-                    "the cloud to write (binary); of town and walk the folder");
+                    "the cloud to write (binary); of town, walk and drive the folder");
   line.addChoice (
       "scene",
-      {"room", "furniture", "survey", "shapes", "town", "walk", "street"},
+      {"room", "furniture", "survey", "shapes", "town", "walk", "street", "drive"},
       simulation.scene,
       "a room, a corner of one with boards on posts, 36 houses on a ground, "
       "round shapes beside a ground, terraces of houses in tiles of .las, "
-      "a camera's way through a room, a street around a lidar (room)");
+      "a camera's way through a room, a street around a lidar, "
+      "a lidar's way along a street (room)");
   line.addNumber ("seed",
                   "S",
                   Range::from (0).upTo (max_seed),
@@ -62,12 +63,17 @@ declareScene (CommandLine& line, SimulationOptions& options)
                   "N",
                   Range::from (1).upTo (max_frames),
                   options.frames,
-                  "clouds of walk (50)");
+                  "clouds of walk and drive (50)");
   line.addNumber ("pose-error",
                   "X",
                   Range::from (0).upTo (max_pose_error),
-                  options.pose_error,
-                  "degrees and cm each pose of walk is off in poses.txt (0)");
+                  options.pose_errors.each,
+                  "degrees and cm each pose of these is off in poses.txt (0)");
+  line.addNumber ("drift",
+                  "X",
+                  Range::from (0).upTo (max_pose_error),
+                  options.pose_errors.drift,
+                  "degrees and cm their way is off from pose to pose (0)");
 }
 
 void
@@ -93,8 +99,8 @@ declareSensor (CommandLine& line, SimulationOptions& options)
   line.addChoice ("sensor",
                   lidarNames(),
                   simulation.sensor,
-                  "lidar of street: rotating with that many beams, or one beam along "
-                  "a rosette (lidar-64)");
+                  "lidar of street and drive: rotating with that many beams, or one "
+                  "beam along a rosette (lidar-64)");
   line.addFlag ("organized",
                 simulation.organized,
                 "keep pixels or rays without a reading as NaN");
@@ -108,30 +114,31 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
   const Simulation& simulation = options.simulation;
   const std::string& scene = simulation.scene;
   const bool is_town = scene == "town", is_walk = scene == "walk";
-  const bool is_street = scene == "street";
+  const bool has_lidar = scene == "street" || scene == "drive";
   const bool has_camera = scene == "room" || scene == "furniture" || is_walk;
   const auto refuse =
       [&line] (const std::string& option, bool is_wrong, const std::string& problem) {
         if (is_wrong && line.isGiven (option))
           throw UsageError ("--" + option, problem);
       };
-  refuse ("frames", !is_walk, "is about --scene walk; leave it out");
-  refuse ("pose-error", !is_walk, "is about --scene walk; leave it out");
-  refuse ("sensor", !is_street, "is about --scene street; leave it out");
+  for (const char* of_way : {"frames", "pose-error", "drift"})
+    refuse (
+        of_way, !options.isOnTheWay(), "is about --scene walk and drive; leave it out");
+  refuse ("sensor", !has_lidar, "is about --scene street and drive; leave it out");
   refuse ("organized",
-          is_street && lidarOf (simulation.sensor).isRosette(),
+          has_lidar && lidarOf (simulation.sensor).isRosette(),
           "is not for --sensor " + simulation.sensor + ", which has no rows");
   refuse ("points", is_walk, "is not for --scene walk; give --width, --height");
-  refuse ("points", is_street, "is not for --scene street; give --sensor");
+  refuse ("points", has_lidar, "is not for --scene " + scene + "; give --sensor");
   refuse ("tiles", !is_town, "is about --scene town; leave it out");
   refuse ("points",
           !is_town && simulation.points.value_or (1) > max_points,
           "is more than 10000000, which only --scene town takes");
-  if (!is_town && !is_walk && apps::extensionOf (options.output) != ".pcd")
+  if (!options.isOfManyFiles() && apps::extensionOf (options.output) != ".pcd")
     throw UsageError (options.output, "has an unknown extension; give a .pcd file");
   for (const std::string of_camera : {"width", "height", "profile", "organized"}) {
     line.forbidTogether ("points", of_camera);
-    if (!has_camera && !(is_street && of_camera == "organized"))
+    if (!has_camera && !(has_lidar && of_camera == "organized"))
       line.forbidTogether ("scene", of_camera);
   }
 }

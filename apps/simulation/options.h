@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "poses.h"
 #include "simulate.h"
 
 namespace pcl_ops::simulation {
@@ -14,9 +15,21 @@ struct SimulationOptions {
   Simulation simulation;
   double tiles = 4;
   std::uint32_t frames = 50;
-  /** \brief See \ref measured. */
-  double pose_error = 0.0;
+  PoseErrors pose_errors;
   bool quiet = false;
+
+  bool
+  isOnTheWay () const
+  {
+    return simulation.scene == "walk" || simulation.scene == "drive";
+  }
+
+  /** \brief Whether the output is a folder. */
+  bool
+  isOfManyFiles () const
+  {
+    return simulation.scene == "town" || isOnTheWay();
+  }
 };
 
 /** \return false if the answer was --help or --version

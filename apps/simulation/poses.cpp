@@ -186,12 +186,17 @@ drawWalk (const Room& room, std::size_t frames, std::uint32_t seed)
 }
 
 Poses
-measured (const Poses& poses, double error, std::uint32_t seed)
+measured (const Poses& poses, const PoseErrors& errors, std::uint32_t seed)
 {
   Random random = randomFor (Purpose::PoseError, seed);
   Poses result;
-  for (const Isometry3d& pose : poses)
-    result.push_back (pose * drawError (random, error));
+  Isometry3d drifting = Isometry3d::Identity();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    drifting = i == 0 ? poses[0]
+                      : drifting * poses[i - 1].inverse() * poses[i] *
+                            drawError (random, errors.drift);
+    result.push_back (drifting * drawError (random, errors.each));
+  }
   return result;
 }
 

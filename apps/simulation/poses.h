@@ -29,10 +29,17 @@ drawCameraPose (const Room& room, std::uint32_t seed);
 Poses
 drawWalk (const Room& room, std::size_t frames, std::uint32_t seed);
 
-/** \brief Poses as a measurement would have them.
- * \param[in] error root mean square of how far each is off: a turn of so many degrees
- * about the sensor, and a shift of so many centimeters */
+/** \brief How far poses are off, as root mean square: a turn of so many degrees about
+ * the sensor, and a shift of so many centimeters. */
+struct PoseErrors {
+  /** \brief Of each pose by itself. */
+  double each = 0.0;
+  /** \brief Of each step between two, so that they add up. */
+  double drift = 0.0;
+};
+
+/** \brief Poses as a measurement would have them. */
 Poses
-measured (const Poses& poses, double error, std::uint32_t seed);
+measured (const Poses& poses, const PoseErrors& errors, std::uint32_t seed);
 
 } // namespace pcl_ops::simulation

@@ -33,7 +33,8 @@ enum class Purpose : std::uint32_t {
   PoseError,
   Street,
   SensorPose,
-  LidarNoise
+  LidarNoise,
+  Drive
 };
 
 inline Random

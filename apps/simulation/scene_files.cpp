@@ -87,7 +87,7 @@ saveFrames (const std::string& folder,
   for (std::size_t i = 0; i < frames; ++i) {
     apps::stopIfInterrupted();
     const std::string file = nameIn (folder, pattern, i);
-    apps::inMemory (file, "give a smaller --width and --height", [&] {
+    apps::inMemory (file, "give a smaller image or another --sensor", [&] {
       const auto cloud = look (i);
       apps::saveLabeledPcd (file, cloud);
       written.points += cloud.size();

@@ -26,7 +26,7 @@ saveTown (const std::string& folder,
           double noise_scale,
           apps::Progress& progress);
 
-/** \brief Writes the clouds of a walk as FOLDER/frame_000.pcd and so on.
+/** \brief Writes the clouds of a walk or a drive as FOLDER/frame_000.pcd and so on.
  * \throws WorkError if one cannot be written */
 WrittenFiles
 saveFrames (const std::string& folder,

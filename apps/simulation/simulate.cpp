@@ -46,21 +46,34 @@ simulate (const Simulation& simulation)
       pose);
 }
 
-WalkView
-simulateWalk (const Simulation& simulation, std::size_t frames)
+WayView
+simulateWay (const Simulation& simulation, std::size_t frames)
 {
-  const Room room = makeRoom (simulation.seed);
-  const Poses poses = drawWalk (room, frames, simulation.seed);
-  return {poses, [=] (std::size_t frame) {
-            const Scan scan =
-                scanByCamera (room.scene,
-                              simulation.camera,
-                              poses[frame],
-                              {simulation.noise, simulation.has_raw_depth},
-                              simulation.seed + std::uint32_t (frame));
-            return toSurfaceCloud (
-                scan, Eigen::Isometry3d::Identity(), simulation.organized);
-          }};
+  const std::uint32_t seed = simulation.seed;
+  const auto viewOf = [&] (const Poses& poses, const auto& scanOf) {
+    return WayView{poses, [=, organized = simulation.organized] (std::size_t frame) {
+                     const auto of_frame = seed + std::uint32_t (frame);
+                     return toSurfaceCloud (scanOf (frame, poses[frame], of_frame),
+                                            Eigen::Isometry3d::Identity(),
+                                            organized);
+                   }};
+  };
+  if (simulation.scene == "drive") {
+    const Street street = makeStreet (seed);
+    return viewOf (drawDrive (street, frames, seed),
+                   [scene = street.scene,
+                    lidar = lidarOf (simulation.sensor),
+                    noise = simulation.noise] (auto frame, auto pose, auto of_frame) {
+                     return scanAround (scene, lidar, pose, noise, of_frame, frame);
+                   });
+  }
+  const Room room = makeRoom (seed);
+  const CameraNoise noise{simulation.noise, simulation.has_raw_depth};
+  return viewOf (drawWalk (room, frames, seed),
+                 [scene = room.scene, camera = simulation.camera, noise] (
+                     auto, auto pose, auto of_frame) {
+                   return scanByCamera (scene, camera, pose, noise, of_frame);
+                 });
 }
 
 } // namespace pcl_ops::simulation

@@ -17,7 +17,7 @@ struct Simulation {
   /** \brief Of rooms, corners with furniture and walks. */
   DepthCamera camera = {};
   bool has_raw_depth = false;
-  /** \brief Of streets. */
+  /** \brief Of streets and drives. */
   std::string sensor = "lidar-64";
   double noise = 1.0;
   /** \brief Of scans from everywhere; none: as many as such a scene usually has, and
@@ -26,18 +26,18 @@ struct Simulation {
   bool organized = false;
 };
 
-/** \brief A cloud of any scene but a walk and a town. */
+/** \brief A cloud of any scene but a walk, a drive and a town. */
 SimulatedCloud
 simulate (const Simulation& simulation);
 
-/** \brief What a camera sees on a walk through a room. */
-struct WalkView {
+/** \brief What a camera sees on a walk through a room, or a lidar on a drive. */
+struct WayView {
   std::vector<Eigen::Isometry3d> poses;
-  /** \brief In the frame of the camera, labeled by the surfaces of the scene. */
+  /** \brief In the frame of the sensor, labeled by the surfaces of the scene. */
   std::function<LabeledCloud (std::size_t frame)> look;
 };
 
-WalkView
-simulateWalk (const Simulation& simulation, std::size_t frames);
+WayView
+simulateWay (const Simulation& simulation, std::size_t frames);
 
 } // namespace pcl_ops::simulation

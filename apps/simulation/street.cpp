@@ -146,6 +146,13 @@ addSide (Scene& scene, const Street& street, const Isometry3d& pose, Random& ran
   addRows (scene, side, random);
 }
 
+/** \brief A place on the right lane. */
+Isometry3d
+onLane (const Street& street, double x)
+{
+  return turnZ (street.yaw) * at (x, -0.15 * street.width, 0.0);
+}
+
 } // namespace
 
 Street
@@ -178,9 +185,32 @@ drawSensorPose (const Street& street, std::uint32_t seed)
   const double yaw = random.angle (-3, 3);
   const double pitch = random.angle (-1, 1);
   const double roll = random.angle (-1, 1);
-  const double lane = -0.15 * street.width;
-  return turnZ (street.yaw) * at (x, lane, 0.0) * at (0.0, y, height) * turnZ (yaw) *
-         turnY (pitch) * turnX (roll);
+  return onLane (street, x) * at (0.0, y, height) * turnZ (yaw) * turnY (pitch) *
+         turnX (roll);
+}
+
+Poses
+drawDrive (const Street& street, std::size_t frames, std::uint32_t seed)
+{
+  constexpr double longest_step = 1.0; // [m]
+  constexpr double sway = 0.2;         // [m]
+  constexpr double wave = 25.0;        // of the sway [m]
+  constexpr double tilt = 0.7 * pi / 180.0;
+  Random random = randomFor (Purpose::Drive, seed);
+  const double phase = random.between (0.0, 2.0 * pi);
+  const double height = random.between (1.7, 1.9);
+  const double steps = double (std::max<std::size_t> (frames, 2) - 1);
+  const double way = std::min (0.5 * street.length, longest_step * steps);
+  Poses poses;
+  for (std::size_t i = 0; i < frames; ++i) {
+    const double x = (double (i) / steps - 0.5) * way;
+    const double angle = phase + 2.0 * pi * x / wave;
+    const double yaw = 2.0 * pi / wave * sway * std::cos (angle);
+    poses.push_back (onLane (street, x) * at (0.0, sway * std::sin (angle), height) *
+                     turnZ (yaw) * turnY (tilt * std::sin (1.7 * angle)) *
+                     turnX (tilt * std::sin (1.3 * angle)));
+  }
+  return poses;
 }
 
 } // namespace pcl_ops::simulation

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "scene.h"
+#include "poses.h"
 
 namespace pcl_ops::simulation {
 
@@ -27,5 +27,10 @@ makeStreet (std::uint32_t seed);
  */
 Eigen::Isometry3d
 drawSensorPose (const Street& street, std::uint32_t seed);
+
+/** \brief Draws a drive along the right lane through the middle of a street, in equal
+ * steps of up to 1 m and over at most half of it; the car sways a little. */
+Poses
+drawDrive (const Street& street, std::size_t frames, std::uint32_t seed);
 
 } // namespace pcl_ops::simulation

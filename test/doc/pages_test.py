@@ -94,7 +94,7 @@ def code_of(page, language):
 
 def smaller(command):
     """A command with options that keep a simulation short."""
-    sized = ("--points", "--scene street")
+    sized = ("--points", "--scene street", "--scene drive")
     if not command.startswith("pcl_ops_simulate ") or any(s in command for s in sized):
         return command
     if "--scene walk" in command:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scenes.h"
 #include <simulation/lidar.h>
-#include <simulation/poses.h>
+#include <simulation/street.h>
 
 #include <set>
 
@@ -43,13 +43,13 @@ errorCorrelation (const DepthImage& image, double depth, int columns_apart)
 
 /** \brief A lidar inside of a box, which all rays meet. */
 Scan
-scanInABox (const Lidar& lidar, double noise = 0.0)
+scanInABox (const Lidar& lidar, std::size_t number = 0, double noise = 0.0)
 {
   Body box;
   addBox (box, origin, {9.0, 8.0, 7.0});
   Scene scene;
   addBody (scene, box, origin);
-  return scanAround (scene, lidar, origin, noise, 1);
+  return scanAround (scene, lidar, origin, noise, 1, number);
 }
 
 double
@@ -131,18 +131,21 @@ TEST (Lidar, HasTheBeamsOfItsName)
   }
 }
 
-TEST (Lidar, RosetteIsACone)
+TEST (Lidar, RosetteIsAConeThatIsDrawnAnewByEachScan)
 {
+  const Lidar livox = lidarOf ("livox");
+  const Scan first = scanInABox (livox), second = scanInABox (livox, 1);
   double widest = 0.0;
-  for (const auto& point : scanInABox (lidarOf ("livox")).points)
+  for (const auto& point : first.points)
     widest = std::max (widest, std::acos (point.x() / point.norm()));
   EXPECT_NEAR (widest, 35.0 * degree, 0.01 * degree);
+  EXPECT_FALSE (first.points[0].isApprox (second.points[0], 1e-3));
 }
 
 TEST (Lidar, NoiseIsAlongTheRays)
 {
   const Lidar lidar = lidarOf ("lidar-16");
-  const Scan exact = scanInABox (lidar), noisy = scanInABox (lidar, 2.0);
+  const Scan exact = scanInABox (lidar), noisy = scanInABox (lidar, 0, 2.0);
   double squares = 0.0;
   for (std::size_t i = 0; i < exact.points.size(); ++i) {
     const Eigen::Vector3d error = noisy.points[i] - exact.points[i];
@@ -209,15 +212,36 @@ TEST (Walk, GoesInSmallStepsAndLooksMostWaysInTheEnd)
   EXPECT_GT (turned, 250.0);
 }
 
+TEST (Drive, GoesInSmallStepsAboveTheRoad)
+{
+  const Street street = makeStreet (1);
+  const Poses poses = drawDrive (street, 20, 1);
+  ASSERT_EQ (poses.size(), 20u);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_NEAR (poses[i].translation().z(), 1.8, 0.11);
+    EXPECT_LT (poses[i].translation().head<2>().norm(), 0.25 * street.length + 1.0);
+    EXPECT_LT (i > 0 ? stepOf (poses, i) : 0.0, 1.1);
+  }
+}
+
 TEST (Poses, AreMeasuredAsWellAsAsked)
 {
   const Poses truth (2000, Eigen::Isometry3d::Identity());
-  EXPECT_TRUE (measured (truth, 0.0, 1)[7].isApprox (truth[7]));
+  EXPECT_TRUE (measured (truth, {}, 1)[7].isApprox (truth[7]));
   double degrees = 0.0, shift = 0.0;
-  for (const Eigen::Isometry3d& pose : measured (truth, 3.0, 1)) {
+  for (const Eigen::Isometry3d& pose : measured (truth, {3.0, 0.0}, 1)) {
     degrees += std::pow (degreesBetween (pose, truth[0]), 2);
     shift += pose.translation().squaredNorm();
   }
   EXPECT_NEAR (std::sqrt (degrees / 2000), 3.0, 0.15);
   EXPECT_NEAR (std::sqrt (shift / 2000), 0.03, 0.0015);
+}
+
+TEST (Poses, DriftFromWhereTheyBegan)
+{
+  const Poses truth (400, Eigen::Isometry3d::Identity());
+  const Poses off = measured (truth, {0.0, 0.1}, 1);
+  EXPECT_TRUE (off[0].isApprox (truth[0]));
+  EXPECT_LT (degreesBetween (off[1], off[0]), 0.5);
+  EXPECT_GT (off[399].translation().norm(), 5.0 * off[1].translation().norm());
 }

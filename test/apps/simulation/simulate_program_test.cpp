@@ -5,10 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <support/run_program.h>
 #include <support/temporary_folder.h>
 
 #include <algorithm>
+#include <fstream>
 #include <string>
 
 namespace {
@@ -109,6 +112,31 @@ TEST (SimulateProgram, LeavesNoFramesOfALongerWalk)
   ASSERT_EQ (simulate (walk + " --frames 2").exit_code, 0);
   EXPECT_NE (contentOf (folder / "walk/frame_001.pcd"), "");
   EXPECT_EQ (contentOf (folder / "walk/frame_002.pcd"), "");
+}
+
+TEST (SimulateProgram, PosesOfADriveLeadToTheRoad)
+{
+  const TemporaryFolder folder;
+  const ProgramRun run = simulate (
+      folder / "drive" + " --scene drive --sensor lidar-16 --frames 2 --noise 0");
+  ASSERT_EQ (run.exit_code, 0) << run.text;
+  std::ifstream poses (folder / "drive/poses.txt");
+  std::string comment;
+  std::getline (poses, comment);
+  for (const char* name : {"drive/frame_000.pcd", "drive/frame_001.pcd"}) {
+    double time = 0.0;
+    Eigen::Vector3f from;
+    Eigen::Quaternionf turn;
+    poses >> time >> from.x() >> from.y() >> from.z() >> turn.x() >> turn.y() >>
+        turn.z() >> turn.w();
+    constexpr std::uint32_t road = 1; // a street's first surface
+    std::size_t on_road = 0;
+    for (const auto& point : loaded (folder / name))
+      if (point.label == road &&
+          std::abs ((turn * point.getVector3fMap() + from).z()) < 1e-4f)
+        ++on_road;
+    EXPECT_GT (on_road, 1000u) << name;
+  }
 }
 
 TEST (SimulateProgram, AFullDiskLeavesTheOldFile)
