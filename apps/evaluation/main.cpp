@@ -23,6 +23,7 @@ constexpr const char* help =
     "apart\n"
     "  track TRUTH RESULT           how many planes keep their number in a sequence\n"
     "  run OUTPUT DATASET...        detectors over data sets\n"
+    "  edges DATASET...             how well it is found where planes meet\n"
     "  detectors                    the detectors a run can have\n"
     "\n"
     "Options:\n"
@@ -37,6 +38,7 @@ dispatch (int argc, const char* const* argv)
       {"planes", evaluation::planesCommand},
       {"track", evaluation::trackCommand},
       {"run", evaluation::runCommand},
+      {"edges", evaluation::edgesCommand},
       {"detectors", evaluation::detectorsCommand},
   };
   const std::string name = argc > 1 ? argv[1] : "";

@@ -15,10 +15,11 @@ std::string
 cellOf (const Answer& value)
 {
   constexpr int decimals = 4;
-  return value.is_number_float() ? decimal (value, decimals)
-         : value.is_string()     ? value.get<std::string>()
-         : value.is_null()       ? "-"
-                                 : value.dump();
+  const std::string text = value.dump(); // of NaN, too, null
+  return text == "null"            ? "-"
+         : value.is_number_float() ? decimal (value, decimals)
+         : value.is_string()       ? value.get<std::string>()
+                                   : text;
 }
 
 void

@@ -17,6 +17,8 @@ Command planesCommand;
 Command trackCommand;
 /** \brief Detectors over data sets. */
 Command runCommand;
+/** \brief How well edges and corners of planes are found. */
+Command edgesCommand;
 /** \brief The detectors a run can have. */
 Command detectorsCommand;
 

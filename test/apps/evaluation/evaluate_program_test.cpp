@@ -211,6 +211,32 @@ TEST (EvaluateProgram, CountsPlanesThatKeepTheirNumber)
   EXPECT_EQ (json["sightings"], 4);
   EXPECT_EQ (json["sightings_kept"], 3);
   EXPECT_EQ (json["numbers"], 4);
+  const std::string pose = folder.write ("pose.txt", "0 0 0 0 0 0 0 1\n");
+  expectError (evaluate ("track " + folder / "truth" + " " + folder / "result" +
+                         " --poses " + pose),
+               1,
+               pose);
+}
+
+/** A floor and two walls that meet at zero, in steps of 2 cm, seen from inside. */
+TEST (EvaluateProgram, FindsAllEdgesOfACornerOfExactPoints)
+{
+  const TemporaryFolder folder;
+  std::ostringstream rows;
+  for (int i = 0; i < 100; ++i)
+    for (int j = 0; j < 100; ++j) {
+      const double s = 0.01 + 0.02 * i, t = 0.01 + 0.02 * j;
+      rows << s << ' ' << t << " 0 1\n0 " << s << ' ' << t << " 2\n"
+           << t << " 0 " << s << " 3\n";
+    }
+  std::string cloud = pcd ("x y z label", 30000, rows.str());
+  cloud.replace (cloud.find ("VIEWPOINT 0 0 0"), 15, "VIEWPOINT 1 1 1");
+  const ProgramRun run =
+      evaluate ("edges clouds:" + folder.write ("corner.pcd", cloud));
+  EXPECT_EQ (run.exit_code, 0) << run.text;
+  EXPECT_NE (run.text.find ("| clouds   |           1.0000 "), std::string::npos)
+      << run.text;
+  expectError (evaluate ("edges planets:9"), 2, "planets:9");
 }
 
 TEST (EvaluateProgram, FoldersThatCannotBeUsedAreNamed)

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "answer.h"
+#include "commands.h"
+#include <cli/command_line.h>
+#include <cli/errors.h>
+#include <cli/program.h>
+#include <evaluation/data/data_sets.h>
+#include <numbers/quantile.h>
+#include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/plane_edges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+
+namespace pcl_ops::evaluation {
+
+namespace {
+
+/** \brief A length or number, and how much of it was found. */
+struct Share {
+  double part = 0.0, whole = 0.0;
+
+  double
+  value () const
+  {
+    return part / whole; // NaN of nothing
+  }
+};
+
+/** \brief Of true and found edges, which share lies where the other's are. */
+struct EdgeScore {
+  Share walls, found, is_true, corners_found, corners_true;
+  /** \brief How far the found edges are off, at each centimeter of the true ones that
+   * were found, and the corners [m]. */
+  std::vector<double> edge_errors, corner_errors;
+};
+
+constexpr double farthest = 0.05; // [m]
+constexpr double sample_step = 0.01;
+constexpr double wall_length = 1.0;
+
+double
+distanceTo (const PlaneEdge& edge, const Eigen::Vector3d& point)
+{
+  const Eigen::Vector3d along = edge.to - edge.from;
+  const double place = along.dot (point - edge.from) / along.squaredNorm();
+  return (edge.from + std::clamp (place, 0.0, 1.0) * along - point).norm();
+}
+
+/** \brief For each centimeter of an edge the distance to the nearest of the others that
+ * runs alike; infinite where there is none near. */
+std::vector<double>
+distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
+{
+  std::vector<double> distances;
+  const Eigen::Vector3d direction = (edge.to - edge.from).normalized();
+  constexpr double max_samples = 1e5;
+  const auto samples =
+      static_cast<int> (std::min (max_samples, edge.length() / sample_step)) + 1;
+  for (int sample = 0; sample < samples; ++sample) {
+    const double place = (sample + 0.5) / samples;
+    const Eigen::Vector3d point = edge.from + place * (edge.to - edge.from);
+    double least = std::numeric_limits<double>::infinity();
+    for (const PlaneEdge& other : others)
+      if (std::abs (direction.dot ((other.to - other.from).normalized())) >=
+          std::cos (paper_angle))
+        least = std::min (least, distanceTo (other, point));
+    distances.push_back (least);
+  }
+  return distances;
+}
+
+/** \brief Adds an edge and how much of it is near.
+ * \param[in] distances along it */
+void
+addEdge (const PlaneEdge& edge, const std::vector<double>& distances, Share& share)
+{
+  const auto near = std::count_if (
+      distances.begin(), distances.end(), [] (double d) { return d <= farthest; });
+  share.part += edge.length() * double (near) / double (distances.size());
+  share.whole += edge.length();
+}
+
+/** \brief Pairs corners off, the nearest first found for each true one. */
+void
+addCorners (const std::vector<PlaneCorner>& truth,
+            std::vector<PlaneCorner> found,
+            EdgeScore& score)
+{
+  score.corners_found.whole += double (truth.size());
+  score.corners_true.whole += double (found.size());
+  for (const PlaneCorner& corner : truth) {
+    const auto distance = [&corner] (const PlaneCorner& other) {
+      return (other.position - corner.position).norm();
+    };
+    const auto nearest = std::min_element (
+        found.begin(), found.end(), [&] (const auto& one, const auto& other) {
+          return distance (one) < distance (other);
+        });
+    if (nearest == found.end() || distance (*nearest) > farthest)
+      continue;
+    score.corner_errors.push_back (distance (*nearest));
+    found.erase (nearest); // keeps the order, which decides between equals
+    ++score.corners_found.part;
+    ++score.corners_true.part;
+  }
+}
+
+/** \brief Compares the edges of the planes of the true labels with those of the planes
+ * that the default preset finds. */
+void
+addCloud (const EvaluationCloud& cloud, EdgeScore& score)
+{
+  const std::vector<PlaneSegment> true_planes =
+      planesOf (*cloud.cloud, planeIds (*cloud.truth), {cloud.up});
+  OrientedPointSampling<pcl::PointXYZ> ops;
+  ops.setInputCloud (cloud.cloud);
+  std::vector<PlaneSegment> planes;
+  ops.segment (planes);
+  const PlaneEdges truth = findPlaneEdges (*cloud.cloud, true_planes),
+                   found = findPlaneEdges (*cloud.cloud, planes);
+  for (const PlaneEdge& edge : truth.edges) {
+    const auto has = [&] (Orientation orientation) {
+      return true_planes[edge.planes[0]].orientation == orientation ||
+             true_planes[edge.planes[1]].orientation == orientation;
+    };
+    const std::vector<double> distances = distancesAlong (edge, found.edges);
+    addEdge (edge, distances, score.found);
+    if (edge.length() >= wall_length && has (Orientation::Horizontal) &&
+        has (Orientation::Vertical))
+      addEdge (edge, distances, score.walls);
+    std::copy_if (distances.begin(),
+                  distances.end(),
+                  std::back_inserter (score.edge_errors),
+                  [] (double distance) { return distance <= farthest; });
+  }
+  for (const PlaneEdge& edge : found.edges)
+    addEdge (edge, distancesAlong (edge, truth.edges), score.is_true);
+  addCorners (truth.corners, found.corners, score);
+}
+
+Answer
+answerOf (const std::string& data_set, const EdgeScore& score)
+{
+  const auto millimeters = [] (const std::vector<double>& errors, double share) {
+    return 1e3 * apps::quantile (errors, share);
+  };
+  return {{"data_set", data_set},
+          {"wall_edges_found", score.walls.value()},
+          {"edges_found", score.found.value()},
+          {"edges_true", score.is_true.value()},
+          {"median_mm", millimeters (score.edge_errors, 0.5)},
+          {"95_%_mm", millimeters (score.edge_errors, 0.95)},
+          {"corners_found", score.corners_found.value()},
+          {"corners_true", score.corners_true.value()},
+          {"corners_median_mm", millimeters (score.corner_errors, 0.5)}};
+}
+
+} // namespace
+
+int
+edgesCommand (int argc, const char* const* argv)
+{
+  std::vector<std::string> texts;
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  apps::CommandLine line (
+      "pcl_ops_evaluate edges",
+      "Tells how well it is found where planes meet: compares the edges and corners\n"
+      "of planes found by the default preset with those of the true planes, by "
+      "length.\n"
+      "The same are those within 5 cm. Wall edges are of a horizontal and a vertical\n"
+      "plane, 1 m and longer.",
+      PCL_OPS_VERSION);
+  line.addArguments ("DATASET", texts, data_set_help);
+  bool json = false;
+  line.addFlag ("json", json, "print JSON instead of text");
+  line.addUpAxis (up, "against gravity in clouds; camera: 0,-1,0 (0,0,1)");
+  if (!line.parse (argc, argv))
+    return apps::ExitCode::done;
+  Answer edges = Answer::array();
+  for (const DataSet& data_set : dataSetsOf (texts, up)) {
+    EdgeScore score;
+    for (const CloudSource& source : data_set.clouds) {
+      apps::inMemory (source.name, "give a smaller cloud", [&] {
+        const EvaluationCloud cloud = source.load();
+        if (!cloud.truth)
+          throw apps::WorkError (source.name, "has no true labels; give another cloud");
+        addCloud (cloud, score);
+      });
+      std::cerr << data_set.name << ' ' << source.name << std::endl;
+    }
+    edges.push_back (answerOf (data_set.name, score));
+  }
+  print ({{"edges", edges}}, json);
+  return apps::ExitCode::done;
+}
+
+} // namespace pcl_ops::evaluation
