@@ -10,10 +10,11 @@
 #endif
 
 #include <algorithm>
+#include <cstring>
 #include <fstream>
 #include <functional>
-#include <new>
 #include <stdexcept>
+#include <string>
 
 namespace pcl_ops::benchmark {
 
@@ -45,21 +46,6 @@ growthOf (const std::function<void()>& work)
   return statusBytes ("VmHWM") - before;
 }
 
-/** The number that a child process comes to; NaN if it does not. */
-double
-inChildProcess (const std::function<double()>& compute)
-{
-  const evaluation::SharedMemory memory (sizeof (double));
-  auto* const result =
-      new (memory.begin()) double (std::numeric_limits<double>::quiet_NaN());
-  try {
-    evaluation::runInChild ([&] { *result = compute(); }, 0);
-  }
-  catch (const std::runtime_error&) { // the number stays NaN
-  }
-  return *result;
-}
-
 } // namespace
 
 PeakMemory
@@ -73,12 +59,21 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud,
   for (std::size_t i = 0; i < cloud->size(); i += stride)
     few->push_back ((*cloud)[i]);
   const auto detect = [&] (const XyzCloud::ConstPtr& any) { detector.run (any, {}); };
+  double growth = std::numeric_limits<double>::quiet_NaN();
+  const auto measure = [&] {
+    detect (few);
+    const double grown = growthOf ([&] { detect (cloud); });
+    return std::string (reinterpret_cast<const char*> (&grown), sizeof grown);
+  };
+  try {
+    std::memcpy (
+        &growth, evaluation::runInChild (measure, 0).value().data(), sizeof growth);
+  }
+  catch (const std::runtime_error&) { // the number stays NaN
+  }
   return {cloud->size(),
           static_cast<double> (cloud->size() * sizeof (pcl::PointXYZ)),
-          inChildProcess ([&] {
-            detect (few);
-            return growthOf ([&] { detect (cloud); });
-          })};
+          growth};
 }
 
 PeakMemory

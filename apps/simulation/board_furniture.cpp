@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "board_furniture.h"
+#include "furniture.h"
 
 namespace pcl_ops::simulation {
 
@@ -13,17 +13,11 @@ using Eigen::Vector3d;
  * noise of a depth camera hides. */
 constexpr double offset_of_faces = 0.02;
 
+/** \brief Of boards, and of posts [m]. */
 double
 drawThickness (Random& random)
 {
-  return random.between (thinnest_board, thickest_board);
-}
-
-/** \param[in] top height of its upper side [m] */
-void
-addBoard (Body& body, const Vector2d& size, double top, double thickness)
-{
-  addBox (body, at (0.0, 0.0, top - 0.5 * thickness), {size.x(), size.y(), thickness});
+  return random.between (0.02, 0.06);
 }
 
 /** \brief Posts below the four corners of a board of that size. Those on one side stand
@@ -53,7 +47,9 @@ boardsOnPosts (
   Furniture piece{{}, size};
   piece.body.narrowest_surface = 0.0;
   for (int i = 1; i <= boards; ++i) {
-    addBoard (piece.body, size, i * pitch, thickness);
+    addBox (piece.body,
+            at (0.0, 0.0, i * pitch - 0.5 * thickness),
+            {size.x(), size.y(), thickness});
     if (i < boards)
       size -= Vector2d::Constant (2.0 * offset_of_faces);
   }

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dense_scan.h"
 
-namespace pcl_ops::simulation {
+#include <algorithm>
+#include <cmath>
 
-namespace {
+namespace pcl_ops::simulation {
 
 using Eigen::Vector3d;
 
-/** \brief A direction across the z axis. */
 Vector3d
 drawAcross (Random& random)
 {
@@ -16,8 +16,7 @@ drawAcross (Random& random)
   return {std::cos (around), std::sin (around), 0.0};
 }
 
-/** \brief A point of a sphere above some height, in multiples of the radius. Slices of
- * equal height have equal area (Archimedes). */
+// Slices of equal height have equal area (Archimedes).
 SurfacePoint
 drawAbove (double lowest, const Vector3d& center, double radius, Random& random)
 {
@@ -27,106 +26,50 @@ drawAbove (double lowest, const Vector3d& center, double radius, Random& random)
   return {center + radius * normal, normal};
 }
 
-// The share of area above grows with the square of the distance from the apex.
 SurfacePoint
-drawOfCone (const RoundShape& cone, Random& random)
+drawPoint (const Shape& shape, Random& random)
 {
-  const Vector3d across = drawAcross (random);
-  const double down = std::sqrt (random.unit());
-  const Vector3d normal = cone.height * across + cone.radius * Vector3d::UnitZ();
-  return {cone.center + down * (cone.radius * across - cone.height * Vector3d::UnitZ()),
-          normal.normalized()};
-}
-
-// The outer side of the ring is longer than the inner one, by the distance from the
-// axis.
-SurfacePoint
-drawOfTorus (const RoundShape& torus, Random& random)
-{
-  const Vector3d across = drawAcross (random);
-  for (;;) {
-    const double around_tube = random.between (0, 2.0 * pi);
-    const double outward = std::cos (around_tube);
-    const double longest = torus.radius + torus.height;
-    if (!random.chance ((torus.radius + torus.height * outward) / longest))
-      continue;
-    const Vector3d normal =
-        outward * across + std::sin (around_tube) * Vector3d::UnitZ();
-    return {torus.center + torus.radius * across + torus.height * normal, normal};
+  if (shape.kind == Shape::Kind::Sphere)
+    return drawAbove (-1.0, shape.center, shape.half_v, random);
+  if (shape.kind == Shape::Kind::Rectangle) {
+    const double u = random.between (-1, 1) * shape.half_u;
+    const double v = random.between (-1, 1) * shape.half_v;
+    return {shape.center + u * shape.u + v * shape.v, shape.normal()};
   }
-}
-
-SurfacePoint
-drawOfWhole (const RoundShape& shape, Random& random)
-{
-  switch (shape.kind) {
-  case RoundShape::Kind::Cylinder:
-    return drawPoint (
-        Cylinder{shape.center, Vector3d::UnitZ(), shape.height, shape.radius}, random);
-  case RoundShape::Kind::Cone:
-    return drawOfCone (shape, random);
-  case RoundShape::Kind::Torus:
-    return drawOfTorus (shape, random);
-  default:
-    return drawAbove (
-        1.0 - shape.height / shape.radius, shape.center, shape.radius, random);
-  }
-}
-
-} // namespace
-
-double
-RoundShape::area() const
-{
-  switch (kind) {
-  case Kind::Cylinder:
-    return share * (4.0 * pi * radius * height);
-  case Kind::Cone:
-    return share * (pi * radius * std::hypot (radius, height));
-  case Kind::Torus:
-    return share * (4.0 * pi * pi * radius * height);
-  default:
-    return 2.0 * pi * radius * height;
-  }
-}
-
-SurfacePoint
-drawPoint (const Rectangle& rectangle, Random& random)
-{
-  const double u = random.between (-1, 1) * rectangle.half_u;
-  const double v = random.between (-1, 1) * rectangle.half_v;
-  return {rectangle.center + u * rectangle.axis_u + v * rectangle.axis_v,
-          rectangle.normal()};
-}
-
-SurfacePoint
-drawPoint (const Sphere& sphere, Random& random)
-{
-  return drawAbove (-1.0, sphere.center, sphere.radius, random);
-}
-
-SurfacePoint
-drawPoint (const Cylinder& cylinder, Random& random)
-{
-  const Vector3d across = cylinder.axis.unitOrthogonal();
+  const Vector3d across = shape.u.unitOrthogonal();
   const double around = random.between (0, 2.0 * pi);
   const Vector3d normal =
-      std::cos (around) * across + std::sin (around) * cylinder.axis.cross (across);
-  const double along = random.between (-1, 1) * cylinder.half_length;
-  return {cylinder.center + along * cylinder.axis + cylinder.radius * normal, normal};
+      std::cos (around) * across + std::sin (around) * shape.u.cross (across);
+  const double along = random.between (-1, 1) * shape.half_u;
+  return {shape.center + along * shape.u + shape.half_v * normal, normal};
 }
 
-SurfacePoint
-drawPoint (const RoundShape& shape, Random& random)
+LabeledCloud
+drawPoints (const std::vector<ScannedSurface>& surfaces,
+            std::size_t points,
+            double sigma,
+            Random& random)
 {
-  const SurfacePoint whole = drawOfWhole (shape, random);
-  if (!(shape.share < 1.0))
-    return whole;
-  // Turned about the axis into the part.
-  const Vector3d local = whole.position - shape.center;
-  const double around = std::atan2 (-local.x(), local.y());
-  const Eigen::AngleAxisd turn ((shape.share - 1.0) * around, Vector3d::UnitZ());
-  return {shape.center + turn * local, turn * whole.normal};
+  LabeledCloud cloud;
+  double whole_area = 0.0, area_so_far = 0.0;
+  for (const ScannedSurface& surface : surfaces)
+    whole_area += surface.area;
+  if (!(whole_area > 0.0))
+    return cloud;
+  cloud.reserve (points);
+  for (const ScannedSurface& surface : surfaces) {
+    area_so_far += surface.area;
+    // Rounding the running total gives every shape its share and all of them \p points.
+    const double share = std::min (1.0, area_so_far / whole_area);
+    const auto end = std::size_t (std::llround (share * double (points)));
+    while (cloud.size() < end) {
+      const SurfacePoint exact = surface.draw (random);
+      const double error = sigma * random.gaussian();
+      cloud.push_back (
+          pointAt (exact.position + error * exact.normal, surface.surface));
+    }
+  }
+  return cloud;
 }
 
 SimulatedCloud
@@ -135,18 +78,20 @@ scanDensely (const Scene& scene,
              double noise_scale,
              std::uint32_t seed)
 {
-  const auto forEach = [&scene] (const auto& visit) {
-    for (const Body& body : scene.bodies)
-      forEachShape (body, visit);
-  };
+  std::vector<ScannedSurface> surfaces;
+  for (const Body& body : scene.bodies)
+    for (const Shape::Kind kind :
+         {Shape::Kind::Rectangle, Shape::Kind::Sphere, Shape::Kind::Cylinder})
+      for (const Shape& shape : body.shapes)
+        if (shape.kind == kind)
+          surfaces.push_back ({shape.area(), shape.surface, [&shape] (Random& random) {
+                                 return drawPoint (shape, random);
+                               }});
   Random random = randomFor (Purpose::DenseScan, seed);
-  SimulatedCloud simulated;
-  simulated.cloud = drawPoints (forEach, points, noise_scale * laser_sigma, random);
-  if (simulated.cloud.empty())
-    return simulated;
-  simulated.cloud.sensor_origin_.head<3>() = scene.bounds.front().center.cast<float>();
-  simulated.planes = labelBySize (simulated.cloud, surfacePlanes (scene));
-  return simulated;
+  LabeledCloud cloud = drawPoints (surfaces, points, noise_scale * laser_sigma, random);
+  if (!cloud.empty())
+    cloud.sensor_origin_.head<3>() = scene.bodies.front().middle.cast<float>();
+  return labeledBySize (cloud, surfacePlanes (scene));
 }
 
 } // namespace pcl_ops::simulation

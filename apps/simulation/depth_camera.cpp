@@ -14,6 +14,11 @@ namespace {
 
 using Eigen::Vector3d;
 
+/** \brief Readings outside are lost [m]. */
+constexpr double nearest = 0.5, farthest = 8.0;
+/** \brief Standard deviation of the rays' wandering along each image axis [px] (Nguyen
+ * et al., see \ref axialSigma). */
+constexpr double lateral_sigma = 0.8;
 constexpr double no_reading = std::numeric_limits<double>::infinity();
 
 /** \brief A surface whose depth differs more between a pixel's ray and the ray beside
@@ -107,9 +112,9 @@ filterRowsAndTranspose (const std::vector<double>& field,
 /** \brief A standard normal value for each pixel; with the correlated profile alike for
  * neighbors: white noise filtered by a Gaussian and brought back to variance 1. */
 std::vector<double>
-drawField (const DepthCamera& camera, const NoiseParameters& noise, Random& random)
+drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
 {
-  if (noise.profile != NoiseProfile::Correlated)
+  if (noise.is_raw)
     return drawWhiteField (camera.width, camera.height, random);
   const int radius = int (std::ceil (3.0 * noise.smoothing));
   const std::vector<double> kernel = variancePreservingKernel (radius, noise.smoothing);
@@ -120,15 +125,13 @@ drawField (const DepthCamera& camera, const NoiseParameters& noise, Random& rand
 }
 
 std::vector<Eigen::Vector2d>
-drawLateralJitter (const DepthCamera& camera,
-                   const NoiseParameters& noise,
-                   Random& random)
+drawLateralJitter (const DepthCamera& camera, const CameraNoise& noise, Random& random)
 {
   const std::vector<double> columns = drawField (camera, noise, random);
   const std::vector<double> rows = drawField (camera, noise, random);
   std::vector<Eigen::Vector2d> offsets;
   for (std::size_t i = 0; i < rows.size(); ++i)
-    offsets.push_back (noise.scale * noise.lateral_sigma *
+    offsets.push_back (noise.scale * lateral_sigma *
                        Eigen::Vector2d (columns[i], rows[i]));
   return offsets;
 }
@@ -155,7 +158,7 @@ depthAcrossEdge (const DepthImage& image, int column, int row)
 }
 
 void
-disturbEdges (DepthImage& image, const NoiseParameters& noise, Random& random)
+disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
 {
   const DepthImage exact = image;
   const double strength = std::min (1.0, noise.scale);
@@ -178,7 +181,7 @@ disturbEdges (DepthImage& image, const NoiseParameters& noise, Random& random)
 void
 addAxialNoise (DepthImage& image,
                const DepthCamera& camera,
-               const NoiseParameters& noise,
+               const CameraNoise& noise,
                Random& random)
 {
   const std::vector<double> field = drawField (camera, noise, random);
@@ -226,22 +229,22 @@ DepthImage
 measureDepth (const Scene& scene,
               const DepthCamera& camera,
               const Eigen::Isometry3d& pose,
-              const NoiseParameters& noise,
+              const CameraNoise& noise,
               std::uint32_t seed)
 {
   Random random = randomFor (Purpose::DepthNoise, seed);
   std::vector<Eigen::Vector2d> jitter;
-  if (!noise.isNone())
+  if (noise.scale > 0.0)
     jitter = drawLateralJitter (camera, noise, random);
   DepthImage image = castDepthImage (scene, camera, pose, jitter);
-  if (!noise.isNone()) {
+  if (noise.scale > 0.0) {
     disturbEdges (image, noise, random);
     addAxialNoise (image, camera, noise, random);
-    if (noise.profile == NoiseProfile::Raw)
+    if (noise.is_raw)
       quantizeDisparity (image);
   }
   for (double& depth : image.depth)
-    if (!(depth >= camera.nearest && depth <= camera.farthest))
+    if (!(depth >= nearest && depth <= farthest))
       depth = no_reading;
   return image;
 }
@@ -250,7 +253,7 @@ Scan
 scanByCamera (const Scene& scene,
               const DepthCamera& camera,
               const Eigen::Isometry3d& pose,
-              const NoiseParameters& noise,
+              const CameraNoise& noise,
               std::uint32_t seed)
 {
   DepthImage image = measureDepth (scene, camera, pose, noise, seed);

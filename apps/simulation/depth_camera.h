@@ -15,9 +15,6 @@ constexpr double kinect_focal_length = 525.0;
 struct DepthCamera {
   int width = 640;
   int height = 480;
-  /** \brief Readings outside are lost [m]. */
-  double nearest = 0.5;
-  double farthest = 8.0;
 
   /** \brief The ray of a pixel in the camera's frame, of length 1 along z. */
   Eigen::Vector3d
@@ -50,44 +47,25 @@ castDepthImage (const Scene& scene,
                 const Eigen::Isometry3d& pose,
                 const std::vector<Eigen::Vector2d>& offsets = {});
 
-enum class NoiseProfile {
-  /** \brief Every reading exact. */
-  None,
-  /** \brief A structured light camera's depth after smoothing: neighboring pixels err
-   * alike. */
-  Correlated,
-  /** \brief The same camera's raw depth: each pixel errs by itself and the disparity
-   * comes in steps of 1/8 px. */
-  Raw
-};
-
-struct NoiseParameters {
-  NoiseProfile profile = NoiseProfile::Correlated;
+struct CameraNoise {
   /** \brief Factor on all noise; 1 as measured on a Kinect, 0 none at all. */
   double scale = 1.0;
-  /** \brief Standard deviation s of the Gaussian filter of the correlated profile's
-   * noise [px]: at a distance d the correlation is exp (-d^2 / (4 s^2)). */
+  /** \brief Each pixel errs by itself and the disparity comes in steps of 1/8 px; else
+   * the depth is smoothed: neighboring pixels err alike. */
+  bool is_raw = false;
+  /** \brief Standard deviation s of the Gaussian filter of smoothed depth [px]: at a
+   * distance d the correlation is exp (-d^2 / (4 s^2)). */
   double smoothing = 3.0;
-  /** \brief Standard deviation of the rays' wandering along each image axis [px]: the
-   * edge noise Nguyen et al. measured. */
-  double lateral_sigma = 0.8;
-
-  bool
-  isNone () const
-  {
-    return profile == NoiseProfile::None || scale <= 0.0;
-  }
 };
 
 /** \brief The depths a camera measures: rays wander sideways, depths are noisy, pixels
- * at depth edges fly between the two sides or are lost, as is what is out of range.
- * Flying pixels are on no surface.
- * \param[in] pose from the camera's frame to that of the scene */
+ * at depth edges fly between the two sides, on no surface, or are lost, as is what is
+ * out of range. */
 DepthImage
 measureDepth (const Scene& scene,
               const DepthCamera& camera,
               const Eigen::Isometry3d& pose,
-              const NoiseParameters& noise,
+              const CameraNoise& noise,
               std::uint32_t seed);
 
 /** \brief What \ref measureDepth gives as points in the camera's frame. */
@@ -95,7 +73,7 @@ Scan
 scanByCamera (const Scene& scene,
               const DepthCamera& camera,
               const Eigen::Isometry3d& pose,
-              const NoiseParameters& noise,
+              const CameraNoise& noise,
               std::uint32_t seed);
 
 } // namespace pcl_ops::simulation

@@ -18,14 +18,6 @@ addStandingBox (Body& body, const Vector3d& foot, const Vector3d& size)
   addBox (body, pose, size, HiddenFace::Bottom);
 }
 
-/** \param[in] foot middle of its lower end [m] */
-void
-addPole (Body& body, const Vector3d& foot, double height, double radius)
-{
-  const Vector3d up = Vector3d::UnitZ();
-  body.cylinders.push_back ({foot + 0.5 * height * up, up, 0.5 * height, radius});
-}
-
 /** \brief A slab on four round legs; \p size is its outer extent. */
 Furniture
 slabOnLegs (const Vector3d& size, double thickness, double leg_radius)
@@ -91,7 +83,7 @@ drawTable (Random& random)
   Furniture table = slabOnLegs (size, 0.035, 0.03);
   const Vector3d mug (random.between (-0.3, 0.3), 0.1, size.z());
   addPole (table.body, mug, 0.1, 0.04);
-  table.body.spheres.push_back ({mug + Vector3d (0.2, -0.2, 0.08), 0.08});
+  addSphere (table.body, mug + Vector3d (0.2, -0.2, 0.08), 0.08);
   return table;
 }
 
@@ -152,7 +144,7 @@ drawBed (Random& random)
   addStandingBox (bed.body, {0, 0.5 * headboard, 0}, {x, y - headboard, z});
   addStandingBox (bed.body, {0, 0.5 * (headboard - y), 0}, {x, headboard, z + 0.4});
   const Vector3d pillow (0.0, -0.5 * y + 0.3, z + 0.02);
-  bed.body.cylinders.push_back ({pillow, Vector3d::UnitX(), 0.4 * x, 0.12});
+  addCylinder (bed.body, pillow, Vector3d::UnitX(), 0.4 * x, 0.12);
   return bed;
 }
 
@@ -254,7 +246,7 @@ drawRoundClutter (Random& random)
   if (kind == Ball) {
     const double radius = random.between (0.1, 0.35);
     clutter.footprint.setConstant (2.0 * radius);
-    body.spheres.push_back ({{0.0, 0.0, radius}, radius});
+    addSphere (body, {0.0, 0.0, radius}, radius);
   }
   else if (kind == Bin) {
     const double radius = random.between (0.1, 0.2);
@@ -267,14 +259,13 @@ drawRoundClutter (Random& random)
     clutter.footprint.setConstant (2.0 * shade);
     addPole (body, {0, 0, 0}, height, 0.02);
     addPole (body, {0, 0, 0}, 0.03, 0.15);
-    body.spheres.push_back ({{0.0, 0.0, height}, shade});
+    addSphere (body, {0.0, 0.0, height}, shade);
   }
   else {
     const double radius = random.between (0.08, 0.15);
     const double length = random.between (0.8, 1.6);
     clutter.footprint = {length, 2.0 * radius};
-    body.cylinders.push_back (
-        {{0.0, 0.0, radius}, Vector3d::UnitX(), 0.5 * length, radius});
+    addCylinder (body, {0.0, 0.0, radius}, Vector3d::UnitX(), 0.5 * length, radius);
   }
   return clutter;
 }

@@ -6,34 +6,27 @@
 
 namespace pcl_ops::simulation {
 
-/** \brief A piece of furniture standing on z = 0 around the origin, its back towards
- * -y. */
+/** \brief A piece that stands on z = 0 around the origin, its back towards -y. All
+ * sizes are common in homes and offices. */
 struct Furniture {
   Body body;
   /** \brief Extent on the floor along x and y [m]. */
   Eigen::Vector2d footprint = Eigen::Vector2d::Zero();
 };
 
-/** \brief Something with its back to a wall: a desk, a cupboard, a shelf, a bed, a sofa
- * or a board as of \ref drawLeaningBoard. All sizes are common in homes and offices. */
-Furniture
-drawAtWall (Random& random);
+using DrawFurniture = Furniture (Random& random);
 
-/** \brief Something in the room: a table, a chair, cartons, a panel of any tilt on a
- * post, or round things. */
-Furniture
-drawAnywhere (Random& random);
-
-/** \brief A board that leans on the wall behind it. */
-Furniture
-drawLeaningBoard (Random& random);
-
-/** \brief A wide board with one edge on the floor, the other raised. */
-Furniture
-drawRamp (Random& random);
-
+/** \brief A desk, a cupboard, a shelf, a bed, a sofa or a leaning board. */
+DrawFurniture drawAtWall;
+/** \brief A table, a chair, cartons, a panel of any tilt, or round things. */
+DrawFurniture drawAnywhere;
+DrawFurniture drawLeaningBoard, drawRamp;
 /** \brief A ball, a bin, a lamp or a rolled carpet: nothing planar. */
-Furniture
-drawRoundClutter (Random& random);
+DrawFurniture drawRoundClutter;
+
+/** \brief Boards on four square posts, 2 to 6 cm thick. Each face is a plane of its
+ * own, however narrow; no two faces of a piece are in one plane, where a detector could
+ * rightly call them one. */
+DrawFurniture drawBoardTable, drawBoardBench, drawBoardRack;
 
 } // namespace pcl_ops::simulation

@@ -45,7 +45,6 @@ lidarOf (const std::string& name);
 /** \brief Casts all rays of a scan from where the lidar is; distances are noisy.
  * \param[in] scene best \ref divided
  * \param[in] pose from the lidar's frame to that of the scene
- * \param[in] noise_scale factor on \ref lidar_sigma, the noise along the rays
  * \param[in] number of the scan in a row of them: a rosette goes on where the last
  * scan ended */
 Scan

@@ -57,20 +57,17 @@ struct Path {
   /** \brief Of the way from the middle to the walls. */
   double radius;
   double height; // [m]
-  /** \brief Downwards [rad]. */
-  double pitch;
+  double pitch;  // downwards [rad]
 };
 
 Path
 drawPath (Random& random)
 {
-  Path path{};
-  path.start = random.between (0.0, whole_turn);
-  path.turn = (random.chance (0.5) ? 0.75 : -0.75) * whole_turn;
-  path.radius = random.between (0.35, 0.6);
-  path.height = random.between (1.4, 1.8);
-  path.pitch = random.angle (8, 18);
-  return path;
+  const double start = random.between (0.0, whole_turn);
+  const double turn = (random.chance (0.5) ? 0.75 : -0.75) * whole_turn;
+  const double radius = random.between (0.35, 0.6);
+  const double height = random.between (1.4, 1.8);
+  return {start, turn, radius, height, random.angle (8, 18)};
 }
 
 /** \param[in] share of the way */
@@ -109,17 +106,15 @@ minVisibleSurfaces (const Poses& poses, const Scene& scene)
   return fewest;
 }
 
-/** \brief The first of those candidates that \p rate gives the most. */
+/** \brief The first of the candidates that \p rate gives the most. */
 template <typename Draw, typename Rate>
 auto
 bestOf (int candidates, const Draw& draw, const Rate& rate)
 {
   auto best = draw();
-  int best_rate = rate (best);
-  for (int i = 1; i < candidates; ++i) {
+  for (int i = 1, best_rate = rate (best); i < candidates; ++i) {
     const auto candidate = draw();
-    const int its_rate = rate (candidate);
-    if (its_rate > best_rate) {
+    if (const int its_rate = rate (candidate); its_rate > best_rate) {
       best = candidate;
       best_rate = its_rate;
     }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "room.h"
 
-#include "board_furniture.h"
-#include "walls.h"
+#include "furniture.h"
 
 namespace pcl_ops::simulation {
 
@@ -52,10 +51,8 @@ drawWall (const WallRange& wall, double chance_of_opening, Random& random)
   const double bottom = door ? threshold_height : random.between (0.8, 1.0);
   const double top = door ? 2.05 : random.between (1.9, 2.2);
   const double depth = door ? random.between (0.07, 0.15) : random.between (0.12, 0.3);
-  addWallAround (body,
-                 wall.at (0.0),
-                 {middle - 0.5 * width, middle + 0.5 * width, bottom, top},
-                 depth);
+  addWallAround (
+      body, wall, {middle - 0.5 * width, middle + 0.5 * width, bottom, top}, depth);
   return body;
 }
 

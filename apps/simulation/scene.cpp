@@ -15,10 +15,9 @@ namespace {
 
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
+using Kind = Shape::Kind;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/** \brief Closer hits are the ray's own start [multiples of the direction]. */
-constexpr double smallest_distance = 1e-9;
 
 struct Ray {
   const Vector3d& origin;
@@ -26,43 +25,27 @@ struct Ray {
 };
 
 void
-extend (Eigen::AlignedBox3d& box, const Rectangle& rectangle)
-{
-  for (const double u : {-1.0, 1.0})
-    for (const double v : {-1.0, 1.0})
-      box.extend (rectangle.center + u * rectangle.half_u * rectangle.axis_u +
-                  v * rectangle.half_v * rectangle.axis_v);
-}
-
-void
-extend (Eigen::AlignedBox3d& box, const Sphere& sphere)
-{
-  box.extend (sphere.center - Vector3d::Constant (sphere.radius));
-  box.extend (sphere.center + Vector3d::Constant (sphere.radius));
-}
-
-void
-extend (Eigen::AlignedBox3d& box, const Cylinder& cylinder)
+extend (Eigen::AlignedBox3d& box, const Shape& shape)
 {
   for (const double side : {-1.0, 1.0})
-    extend (box,
-            Sphere{cylinder.center + side * cylinder.half_length * cylinder.axis,
-                   cylinder.radius});
-}
-
-Sphere
-boundOf (const Body& body)
-{
-  Eigen::AlignedBox3d box;
-  forEachShape (body, [&box] (const auto& shape) { extend (box, shape); });
-  return {box.center(), 0.5 * box.diagonal().norm()};
+    if (shape.kind == Kind::Rectangle)
+      for (const double v : {-1.0, 1.0})
+        box.extend (shape.center + side * shape.half_u * shape.u +
+                    v * shape.half_v * shape.v);
+    else {
+      const bool is_sphere = shape.kind == Kind::Sphere;
+      const Vector3d end =
+          shape.center + (is_sphere ? 0.0 : side * shape.half_u) * shape.u;
+      box.extend (end - Vector3d::Constant (shape.half_v));
+      box.extend (end + Vector3d::Constant (shape.half_v));
+    }
 }
 
 bool
-mayMeet (const Sphere& bound, const Ray& ray)
+mayMeet (const Body& body, const Ray& ray)
 {
-  const Vector3d to_center = bound.center - ray.origin;
-  const double squared_radius = bound.radius * bound.radius;
+  const Vector3d to_center = body.middle - ray.origin;
+  const double squared_radius = body.reach * body.reach;
   const bool is_behind =
       to_center.dot (ray.direction) < 0.0 && to_center.squaredNorm() > squared_radius;
   return !is_behind && to_center.cross (ray.direction).squaredNorm() <=
@@ -70,18 +53,18 @@ mayMeet (const Sphere& bound, const Ray& ray)
 }
 
 double
-distanceTo (const Rectangle& rectangle, const Ray& ray)
+distanceToRectangle (const Shape& rectangle, const Ray& ray)
 {
   const Vector3d normal = rectangle.normal();
   const Vector3d to_center = rectangle.center - ray.origin;
   const double distance = normal.dot (to_center) / normal.dot (ray.direction);
   const Vector3d offset = distance * ray.direction - to_center;
-  const bool is_inside = std::abs (offset.dot (rectangle.axis_u)) <= rectangle.half_u &&
-                         std::abs (offset.dot (rectangle.axis_v)) <= rectangle.half_v;
+  const bool is_inside = std::abs (offset.dot (rectangle.u)) <= rectangle.half_u &&
+                         std::abs (offset.dot (rectangle.v)) <= rectangle.half_v;
   return is_inside ? distance : infinite;
 }
 
-/** \brief The two roots of a x^2 - 2 b x + c = 0 in ascending order, for a > 0. */
+/** \brief The roots of a x^2 - 2 b x + c = 0 in ascending order, for a > 0. */
 std::optional<std::pair<double, double>>
 solveQuadratic (double a, double b, double c)
 {
@@ -92,84 +75,100 @@ solveQuadratic (double a, double b, double c)
   return std::pair ((b - root) / a, (b + root) / a);
 }
 
-double
-distanceTo (const Sphere& sphere, const Ray& ray)
-{
-  const Vector3d to_center = sphere.center - ray.origin;
-  const auto roots =
-      solveQuadratic (ray.direction.squaredNorm(),
-                      ray.direction.dot (to_center),
-                      to_center.squaredNorm() - sphere.radius * sphere.radius);
-  return roots ? roots->first : infinite;
-}
-
 /** \brief A closed cylinder is the part of an endless one between two planes. */
 double
-distanceTo (const Cylinder& cylinder, const Ray& ray)
+distanceToRound (const Shape& shape, const Ray& ray)
 {
-  const Vector3d to_center = cylinder.center - ray.origin;
-  const double along = ray.direction.dot (cylinder.axis);
-  const double center_along = to_center.dot (cylinder.axis);
-  const Vector3d across = ray.direction - along * cylinder.axis;
-  const Vector3d center_across = to_center - center_along * cylinder.axis;
+  const bool is_sphere = shape.kind == Kind::Sphere;
+  const Vector3d axis = is_sphere ? Vector3d::Zero() : shape.u;
+  const Vector3d to_center = shape.center - ray.origin;
+  const double along = ray.direction.dot (axis), center_along = to_center.dot (axis);
+  const Vector3d across = ray.direction - along * axis;
+  const Vector3d center_across = to_center - center_along * axis;
   const auto side =
       solveQuadratic (across.squaredNorm(),
                       across.dot (center_across),
-                      center_across.squaredNorm() - cylinder.radius * cylinder.radius);
+                      center_across.squaredNorm() - shape.half_v * shape.half_v);
   if (!side)
     return infinite;
-  const double end_a = (center_along - cylinder.half_length) / along;
-  const double end_b = (center_along + cylinder.half_length) / along;
+  if (is_sphere)
+    return side->first;
+  const double end_a = (center_along - shape.half_u) / along;
+  const double end_b = (center_along + shape.half_u) / along;
   const double enter = std::max (side->first, std::min (end_a, end_b));
   const double leave = std::min (side->second, std::max (end_a, end_b));
   return enter <= leave ? enter : infinite;
 }
 
-/** \brief Whether they are in one plane but for rounding. */
-bool
-areCoplanar (const Rectangle& a, const Rectangle& b)
+Shape
+moved (Shape shape, const Isometry3d& pose)
 {
-  constexpr double rounding = 1e-9;
-  const Vector3d normal = a.normal();
-  return normal.cross (b.normal()).norm() < rounding &&
-         std::abs (normal.dot (b.center - a.center)) < rounding;
-}
-
-/** \brief The cube of the given edge that holds a point. */
-std::array<std::int64_t, 3>
-cellOf (const Vector3d& point, double edge)
-{
-  std::array<std::int64_t, 3> cell{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    cell[axis] = std::int64_t (std::floor (point[Eigen::Index (axis)] / edge));
-  return cell;
-}
-
-Rectangle
-moved (Rectangle rectangle, const Isometry3d& pose)
-{
-  rectangle.center = pose * rectangle.center;
-  rectangle.axis_u = pose.linear() * rectangle.axis_u;
-  rectangle.axis_v = pose.linear() * rectangle.axis_v;
-  return rectangle;
+  shape.center = pose * shape.center;
+  shape.u = pose.linear() * shape.u;
+  shape.v = pose.linear() * shape.v;
+  return shape;
 }
 
 void
-keep (Scene& scene, const Body& body)
+keep (Scene& scene, Body body)
 {
-  scene.bounds.push_back (boundOf (body));
-  scene.bodies.push_back (body);
+  Eigen::AlignedBox3d box;
+  for (const Shape& shape : body.shapes)
+    extend (box, shape);
+  body.middle = box.center();
+  body.reach = 0.5 * box.diagonal().norm();
+  scene.bodies.push_back (std::move (body));
 }
 
 } // namespace
 
-void
-addSurface (Body& body, const Rectangle& rectangle)
+double
+Shape::area() const
 {
-  body.rectangles.push_back (rectangle);
+  return kind == Kind::Sphere     ? 4.0 * pi * half_v * half_v
+         : kind == Kind::Cylinder ? 4.0 * pi * half_v * half_u
+                                  : 4.0 * half_u * half_v;
+}
+
+Shape
+rectangleAlong (int u, int v, const Vector3d& center, double half_u, double half_v)
+{
+  return {
+      Kind::Rectangle, center, Vector3d::Unit (u), Vector3d::Unit (v), half_u, half_v};
+}
+
+void
+addSurface (Body& body, const Shape& rectangle)
+{
+  body.shapes.push_back (rectangle);
   const double width = 2.0 * std::min (rectangle.half_u, rectangle.half_v);
-  body.rectangles.back().surface =
+  body.shapes.back().surface =
       width < body.narrowest_surface ? no_surface : ++body.surface_count;
+}
+
+void
+addSphere (Body& body, const Vector3d& center, double radius)
+{
+  body.shapes.push_back (
+      {Kind::Sphere, center, Vector3d::UnitX(), Vector3d::UnitY(), radius, radius});
+}
+
+void
+addCylinder (Body& body,
+             const Vector3d& center,
+             const Vector3d& axis,
+             double half_length,
+             double radius)
+{
+  body.shapes.push_back (
+      {Kind::Cylinder, center, axis, Vector3d::UnitY(), half_length, radius});
+}
+
+void
+addPole (Body& body, const Vector3d& foot, double height, double radius)
+{
+  const Vector3d up = Vector3d::UnitZ();
+  addCylinder (body, foot + 0.5 * height * up, up, 0.5 * height, radius);
 }
 
 void
@@ -190,38 +189,58 @@ addBox (Body& body, const Isometry3d& pose, const Vector3d& size, HiddenFace hid
 }
 
 void
+addWallAround (Body& body, const WallRange& wall, const WallRange& hole, double depth)
+{
+  const SurfaceId surface = ++body.surface_count;
+  for (const WallRange& range :
+       {WallRange{wall.left, hole.left, wall.bottom, wall.top},
+        WallRange{hole.right, wall.right, wall.bottom, wall.top},
+        WallRange{hole.left, hole.right, hole.top, wall.top},
+        WallRange{hole.left, hole.right, wall.bottom, hole.bottom}}) {
+    body.shapes.push_back (range.at (0.0));
+    body.shapes.back().surface = surface;
+    if (!(body.shapes.back().area() > 0.0))
+      body.shapes.pop_back();
+  }
+  const Shape back = hole.at (-depth);
+  const Vector3d& middle = back.center;
+  addSurface (body, back);
+  const double half = 0.5 * depth;
+  for (const double x : {hole.left, hole.right})
+    addSurface (body, rectangleAlong (1, 2, {x, -half, middle.z()}, half, back.half_v));
+  for (const double z : {hole.bottom, hole.top})
+    addSurface (body, rectangleAlong (0, 1, {middle.x(), -half, z}, back.half_u, half));
+}
+
+void
 joinCoplanar (Body& body)
 {
-  std::vector<Rectangle> firsts;
-  for (Rectangle& rectangle : body.rectangles) {
-    if (rectangle.surface == no_surface)
+  constexpr double rounding = 1e-9;
+  std::vector<Shape> firsts;
+  for (Shape& shape : body.shapes) {
+    if (shape.surface == no_surface)
       continue;
+    const Vector3d normal = shape.normal();
     const auto first =
-        std::find_if (firsts.begin(), firsts.end(), [&rectangle] (const auto& other) {
-          return areCoplanar (other, rectangle);
+        std::find_if (firsts.begin(), firsts.end(), [&] (const Shape& a) {
+          return a.normal().cross (normal).norm() < rounding &&
+                 std::abs (a.normal().dot (shape.center - a.center)) < rounding;
         });
     if (first == firsts.end())
-      firsts.push_back (rectangle);
+      firsts.push_back (shape);
     else
-      rectangle.surface = first->surface;
+      shape.surface = first->surface;
   }
 }
 
 void
 addPart (Body& body, const Body& part, const Isometry3d& pose)
 {
-  for (const Rectangle& rectangle : part.rectangles) {
-    body.rectangles.push_back (moved (rectangle, pose));
-    if (rectangle.surface != no_surface)
-      body.rectangles.back().surface += body.surface_count;
+  for (const Shape& shape : part.shapes) {
+    body.shapes.push_back (moved (shape, pose));
+    if (shape.surface != no_surface)
+      body.shapes.back().surface += body.surface_count;
   }
-  for (const Sphere& sphere : part.spheres)
-    body.spheres.push_back ({pose * sphere.center, sphere.radius});
-  for (const Cylinder& cylinder : part.cylinders)
-    body.cylinders.push_back ({pose * cylinder.center,
-                               pose.linear() * cylinder.axis,
-                               cylinder.half_length,
-                               cylinder.radius});
   body.surface_count += part.surface_count;
 }
 
@@ -238,23 +257,17 @@ addBody (Scene& scene, const Body& body, const Isometry3d& pose)
 Scene
 divided (const Scene& scene, double edge)
 {
-  std::map<std::array<std::int64_t, 3>, Body> parts;
+  std::map<std::array<double, 3>, Body> parts;
   Scene result;
   result.surface_count = scene.surface_count;
-  for (const Body& body : scene.bodies) {
-    for (const Rectangle& rectangle : body.rectangles) {
-      Body alone;
-      const bool is_large = std::max (rectangle.half_u, rectangle.half_v) > edge;
-      Body& part = is_large ? alone : parts[cellOf (rectangle.center, edge)];
-      part.rectangles.push_back (rectangle);
-      if (is_large)
-        keep (result, alone);
+  for (const Body& body : scene.bodies)
+    for (const Shape& shape : body.shapes) {
+      const Vector3d cell = (shape.center / edge).array().floor();
+      if (shape.kind == Kind::Rectangle && std::max (shape.half_u, shape.half_v) > edge)
+        keep (result, {{shape}});
+      else
+        parts[{cell.x(), cell.y(), cell.z()}].shapes.push_back (shape);
     }
-    for (const Sphere& sphere : body.spheres)
-      parts[cellOf (sphere.center, edge)].spheres.push_back (sphere);
-    for (const Cylinder& cylinder : body.cylinders)
-      parts[cellOf (cylinder.center, edge)].cylinders.push_back (cylinder);
-  }
   for (const auto& part : parts)
     keep (result, part.second);
   return result;
@@ -265,24 +278,27 @@ surfacePlanes (const Scene& scene)
 {
   std::vector<Plane> planes (scene.surface_count);
   for (const Body& body : scene.bodies)
-    for (const Rectangle& rectangle : body.rectangles)
-      if (rectangle.surface != no_surface)
-        planes[rectangle.surface - 1] = rectangle.plane();
+    for (const Shape& shape : body.shapes)
+      if (shape.surface != no_surface)
+        planes[shape.surface - 1] = shape.plane();
   return planes;
 }
 
 Hit
 castRay (const Scene& scene, const Vector3d& origin, const Vector3d& direction)
 {
+  constexpr double smallest_distance = 1e-9; // closer hits are the ray's own start
   const Ray ray{origin, direction};
   Hit closest;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-    if (mayMeet (scene.bounds[i], ray))
-      forEachShape (scene.bodies[i], [&] (const auto& shape) {
-        const double distance = distanceTo (shape, ray);
+  for (const Body& body : scene.bodies)
+    if (mayMeet (body, ray))
+      for (const Shape& shape : body.shapes) {
+        const double distance = shape.kind == Kind::Rectangle
+                                    ? distanceToRectangle (shape, ray)
+                                    : distanceToRound (shape, ray);
         if (distance > smallest_distance && distance < closest.distance)
-          closest = {distance, surfaceOf (shape)};
-      });
+          closest = {distance, shape.surface};
+      }
   return closest;
 }
 

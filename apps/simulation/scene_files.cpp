@@ -78,8 +78,7 @@ saveTown (const std::string& folder,
 WrittenFiles
 saveFrames (const std::string& folder,
             std::size_t frames,
-            const std::function<pcl::PointCloud<pcl::PointXYZL> (std::size_t)>& look,
-            const std::string& advice,
+            const std::function<LabeledCloud (std::size_t)>& look,
             apps::Progress& progress)
 {
   constexpr const char* pattern = "frame_%03zu.pcd";
@@ -88,7 +87,7 @@ saveFrames (const std::string& folder,
   for (std::size_t i = 0; i < frames; ++i) {
     apps::stopIfInterrupted();
     const std::string file = nameIn (folder, pattern, i);
-    apps::inMemory (file, advice, [&] {
+    apps::inMemory (file, "give a smaller image or another --sensor", [&] {
       const auto cloud = look (i);
       apps::saveLabeledPcd (file, cloud);
       written.points += cloud.size();

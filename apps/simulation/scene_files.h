@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-
+#include "simulated_cloud.h"
 #include "town.h"
 #include <cli/progress.h>
 
@@ -21,7 +19,6 @@ struct WrittenFiles {
 
 /** \brief Writes each tile as FOLDER/town_000_000.las and so on, column and row, with
  * one tile in memory. Tiles without points have no file.
- * \param[in,out] progress of all tiles
  * \throws WorkError if one cannot be written */
 WrittenFiles
 saveTown (const std::string& folder,
@@ -30,15 +27,11 @@ saveTown (const std::string& folder,
           apps::Progress& progress);
 
 /** \brief Writes the clouds of a walk or a drive as FOLDER/frame_000.pcd and so on.
- * \param[in] look gives the cloud of a frame
- * \param[in] advice what to do if a frame does not fit into the memory
- * \param[in,out] progress of all frames
  * \throws WorkError if one cannot be written */
 WrittenFiles
 saveFrames (const std::string& folder,
             std::size_t frames,
-            const std::function<pcl::PointCloud<pcl::PointXYZL> (std::size_t)>& look,
-            const std::string& advice,
+            const std::function<LabeledCloud (std::size_t)>& look,
             apps::Progress& progress);
 
 } // namespace pcl_ops::simulation

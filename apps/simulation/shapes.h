@@ -6,15 +6,35 @@
 
 namespace pcl_ops::simulation {
 
+/** \brief A round surface about an upright axis, or a part of one. */
+struct RoundShape {
+  /** \brief A dome is the top of a sphere; a cylinder has no ends, a cone no base. */
+  enum class Kind { Dome, Cylinder, Cone, Torus };
+  Kind kind = Kind::Dome;
+  /** \brief Of the dome its sphere's; of the cone its apex. */
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  /** \brief Of the sphere, the cylinder, the cone's base or the torus's ring [m]. */
+  double radius = 1.0;
+  /** \brief Of the dome or the cone, half that of the cylinder or the torus [m]. */
+  double height = 0.1;
+  /** \brief Of a full turn, around the direction +y from the axis; 1 of a dome. */
+  double share = 1.0;
+
+  double
+  area () const;
+};
+
+SurfacePoint
+drawPoint (const RoundShape& shape, Random& random);
+
 /** \brief A sphere, a cylinder, a cone and a torus in a row, behind them parts of four
- * larger ones, apart from each other and from a ground and a board on it: what is no
- * plane beside what is one. The radii are from 0.1 to 5.5 m: at \ref points_of_shapes
- * up to some 100 of the finer voxels that the default detector looks for planes in. z
- * is up, z = 0 the ground. */
+ * larger ones, apart from each other and from a ground and a board on it. The radii are
+ * from 0.1 to 5.5 m: up to some 100 of the finer voxels that the default detector looks
+ * for planes in. z is up, z = 0 the ground. */
 struct Shapes {
   /** \brief The smaller four first. */
   std::vector<RoundShape> round;
-  Rectangle ground, board;
+  Shape ground, board;
 };
 
 /** \brief Standard deviation of the points of shapes [m]. */
@@ -23,14 +43,10 @@ constexpr double shapes_sigma = 0.002;
 /** \brief About 5000 points on a square meter. */
 constexpr std::size_t points_of_shapes = 250'000;
 
-/** \brief Draws sizes, and how the board stands. */
 Shapes
 makeShapes (std::uint32_t seed);
 
-/** \brief Scans all surfaces evenly, whatever hides them, from no known position: the
- * sensor's origin is 0 0 0. The points follow the shapes one after the other.
- * \param[in] points exact number of points
- * \param[in] noise_scale factor on \ref shapes_sigma, the noise along the normal */
+/** \brief Scans all surfaces evenly, whatever hides them, from no known position. */
 SimulatedCloud
 scanShapes (const Shapes& shapes,
             std::size_t points,

@@ -4,41 +4,47 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace pcl_ops::simulation {
 
-std::vector<LabeledPlane>
-labelBySize (pcl::PointCloud<pcl::PointXYZL>& cloud, const std::vector<Plane>& surfaces)
+SimulatedCloud
+labeledBySize (LabeledCloud cloud, const std::vector<Plane>& surfaces)
 {
+  SimulatedCloud result{std::move (cloud), {}};
   std::vector<std::size_t> counts (surfaces.size() + 1, 0);
-  for (const auto& point : cloud)
+  for (const auto& point : result.cloud)
     ++counts[point.label];
   std::vector<SurfaceId> by_size (surfaces.size());
   std::iota (by_size.begin(), by_size.end(), SurfaceId (1));
   std::stable_sort (by_size.begin(), by_size.end(), [&counts] (auto a, auto b) {
     return counts[a] > counts[b];
   });
-  std::vector<LabeledPlane> planes;
   std::vector<std::uint32_t> label_of (surfaces.size() + 1, 0);
-  for (const SurfaceId surface : by_size) {
-    if (counts[surface] < min_points_of_plane)
-      break;
-    label_of[surface] = std::uint32_t (planes.size() + 1);
-    planes.push_back ({label_of[surface], surfaces[surface - 1], counts[surface]});
-  }
-  for (auto& point : cloud)
+  for (const SurfaceId surface : by_size)
+    if (counts[surface] >= min_points_of_plane) {
+      result.planes.push_back (surfaces[surface - 1]);
+      label_of[surface] = std::uint32_t (result.planes.size());
+    }
+  for (auto& point : result.cloud)
     point.label = label_of[point.label];
-  return planes;
+  return result;
 }
 
-pcl::PointCloud<pcl::PointXYZL>
-toSurfaceCloud (const Scan& scan, const Eigen::Isometry3d& pose, CloudLayout layout)
+pcl::PointXYZL
+pointAt (const Eigen::Vector3d& position, SurfaceId surface)
 {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const bool organized = layout == CloudLayout::Organized;
-  pcl::PointCloud<pcl::PointXYZL> cloud;
+  pcl::PointXYZL point;
+  point.getVector3fMap() = position.cast<float>();
+  point.label = surface;
+  return point;
+}
+
+LabeledCloud
+toSurfaceCloud (const Scan& scan, const Eigen::Isometry3d& pose, bool organized)
+{
+  LabeledCloud cloud;
   cloud.reserve (scan.points.size());
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     const std::size_t ray = organized && scan.column_by_column
@@ -47,7 +53,7 @@ toSurfaceCloud (const Scan& scan, const Eigen::Isometry3d& pose, CloudLayout lay
     if (std::isfinite (scan.points[ray].x()))
       cloud.push_back (pointAt (pose * scan.points[ray], scan.surfaces[ray]));
     else if (organized)
-      cloud.push_back (pointAt (Eigen::Vector3d::Constant (nan), no_surface));
+      cloud.push_back (pointAt (Eigen::Vector3d::Constant (std::nan ("")), no_surface));
   }
   if (organized) {
     cloud.width = std::uint32_t (scan.columns);
@@ -57,17 +63,6 @@ toSurfaceCloud (const Scan& scan, const Eigen::Isometry3d& pose, CloudLayout lay
   cloud.sensor_origin_.head<3>() = pose.translation().cast<float>();
   cloud.sensor_orientation_ = Eigen::Quaterniond (pose.linear()).cast<float>();
   return cloud;
-}
-
-SimulatedCloud
-toCloud (const Scan& scan,
-         const Eigen::Isometry3d& pose,
-         const Scene& scene,
-         CloudLayout layout)
-{
-  SimulatedCloud simulated{toSurfaceCloud (scan, pose, layout), {}};
-  simulated.planes = labelBySize (simulated.cloud, surfacePlanes (scene));
-  return simulated;
 }
 
 } // namespace pcl_ops::simulation

@@ -51,7 +51,8 @@ makeGround (const Roadside& side)
   addSurface (ground, rectangleAlong (0, 2, {0, 0, half_curb}, half_length, half_curb));
   const Vector3d back (0.0, -depth_of_ground, side.slope * depth_of_ground);
   addSurface (ground,
-              {side.curb * Vector3d::UnitZ() + 0.5 * back,
+              {Shape::Kind::Rectangle,
+               side.curb * Vector3d::UnitZ() + 0.5 * back,
                Vector3d::UnitX(),
                back.normalized(),
                half_length,

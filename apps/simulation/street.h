@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lidar.h"
 #include "poses.h"
 
 namespace pcl_ops::simulation {

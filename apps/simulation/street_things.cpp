@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "street_things.h"
 
-#include "walls.h"
-
 #include <cmath>
 
 namespace pcl_ops::simulation {
@@ -60,7 +58,7 @@ addBay (Body& house, const FacadeStyle& style, int storey, int bay)
   const bool is_top = storey + 1 == style.storeys;
   const double top = is_top ? style.eaves : (storey + 1) * style.storey;
   addWallAround (house,
-                 WallRange{left, left + bay_width, floor, top}.at (0.0),
+                 {left, left + bay_width, floor, top},
                  {middle - half_width, middle + half_width, bottom, bottom + height},
                  is_door ? style.door_depth : style.window_depth);
 }
@@ -76,7 +74,8 @@ addRoof (Body& house, const FacadeStyle& style, double depth, Random& random)
   const double half_length = half_run / std::cos (pitch);
   const Vector3d lower_edge (0.0, overhang, style.eaves - overhang * std::tan (pitch));
   addSurface (house,
-              {lower_edge + half_length * up_slope,
+              {Shape::Kind::Rectangle,
+               lower_edge + half_length * up_slope,
                Vector3d::UnitX(),
                up_slope,
                0.5 * style.width,
@@ -98,9 +97,8 @@ addWheels (Body& car, const CarSizes& size)
     for (const double side : {-1.0, 1.0}) {
       const double x = along * size.length;
       const double y = side * (0.5 * size.width - 0.05 - half_width);
-      car.cylinders.push_back ({{x, y, radius}, Vector3d::UnitY(), half_width, radius});
-      car.spheres.push_back (
-          {{x, side * (0.5 * size.width - hub_inside), radius}, radius});
+      addCylinder (car, {x, y, radius}, Vector3d::UnitY(), half_width, radius);
+      addSphere (car, {x, side * (0.5 * size.width - hub_inside), radius}, radius);
     }
 }
 
@@ -111,7 +109,8 @@ addAcross (Body& car, const Vector2d& from, const Vector2d& to, double width)
 {
   const Vector2d middle = 0.5 * (from + to), way = to - from;
   addSurface (car,
-              {{middle.x(), 0.0, middle.y()},
+              {Shape::Kind::Rectangle,
+               {middle.x(), 0.0, middle.y()},
                Vector3d (way.x(), 0.0, way.y()).normalized(),
                Vector3d::UnitY(),
                0.5 * way.norm(),
@@ -137,27 +136,21 @@ addCabin (Body& car, const CarSizes& size, Random& random)
 /** \brief Adds leaves, each a small ball, spread evenly in a ball.
  * \param[in] lowest leaves are above [m] */
 void
-addLeaves (Body& plant, const Sphere& crown, double lowest, Random& random)
+addLeaves (
+    Body& plant, const Vector3d& middle, double crown, double lowest, Random& random)
 {
   constexpr double leaf = 0.03, largest_leaf = 0.08; // radii [m]
   // Such that about a quarter of the rays through the middle pass between the leaves;
   // half of the places are outside the ball.
-  const double radii = crown.radius / largest_leaf;
+  const double radii = crown / largest_leaf;
   const auto leaves = int (4.0 * radii * radii);
   for (int i = 0; i < leaves; ++i) {
     const Vector3d place = random.inBox ({-1, -1, -1}, {1, 1, 1});
     const double radius = random.between (leaf, largest_leaf);
-    const Vector3d center = crown.center + crown.radius * place;
+    const Vector3d center = middle + crown * place;
     if (place.norm() <= 1.0 && center.z() > lowest)
-      plant.spheres.push_back ({center, radius});
+      addSphere (plant, center, radius);
   }
-}
-
-/** \brief A pole that stands on the origin. */
-Cylinder
-standing (double radius, double height)
-{
-  return {{0.0, 0.0, 0.5 * height}, Vector3d::UnitZ(), 0.5 * height, radius};
 }
 
 } // namespace
@@ -210,9 +203,9 @@ drawTree (Random& random)
   Body tree;
   const double trunk = random.between (1.6, 2.6);
   const double radius = random.between (1.0, 2.0);
-  tree.cylinders.push_back (
-      standing (random.between (0.08, 0.25), trunk + 0.5 * radius));
-  addLeaves (tree, {{0.0, 0.0, trunk + 0.9 * radius}, radius}, trunk, random);
+  const Vector3d foot = Vector3d::Zero();
+  addPole (tree, foot, trunk + 0.5 * radius, random.between (0.08, 0.25));
+  addLeaves (tree, {0.0, 0.0, trunk + 0.9 * radius}, radius, trunk, random);
   return tree;
 }
 
@@ -220,7 +213,7 @@ Body
 drawBush (double radius, Random& random)
 {
   Body bush;
-  addLeaves (bush, {{0.0, 0.0, 0.5 * radius}, radius}, 0.0, random);
+  addLeaves (bush, {0.0, 0.0, 0.5 * radius}, radius, 0.0, random);
   return bush;
 }
 
@@ -229,7 +222,7 @@ drawPole (Random& random)
 {
   Body pole;
   const double height = random.between (2.5, 8);
-  pole.cylinders.push_back (standing (random.between (0.03, 0.1), height));
+  addPole (pole, Vector3d::Zero(), height, random.between (0.03, 0.1));
   return pole;
 }
 

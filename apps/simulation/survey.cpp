@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 /** \brief A rectangle, or with a gable the pentagon in it that narrows evenly above the
  * shoulders to a point. */
 struct Facade {
-  Rectangle rectangle;
+  Shape rectangle;
   /** \brief Height of the shoulders as a share of the rectangle's; 1 without a gable.
    */
   double shoulders = 1.0;
@@ -41,10 +41,11 @@ covers (const House& house, const Vector3d& point)
 
 /** \brief The rectangle with a lower edge from \p left to \p right and an upper edge
  * that begins at \p top. */
-Rectangle
+Shape
 rectangleOn (const Vector3d& left, const Vector3d& right, const Vector3d& top)
 {
-  return {0.5 * (right + top),
+  return {Shape::Kind::Rectangle,
+          0.5 * (right + top),
           (right - left).normalized(),
           (top - left).normalized(),
           0.5 * (right - left).norm(),
@@ -91,10 +92,10 @@ facadesOf (const Survey& survey)
 bool
 isOn (const Facade& facade, const Vector3d& point)
 {
-  const Rectangle& rectangle = facade.rectangle;
+  const Shape& rectangle = facade.rectangle;
   const Vector3d local = point - rectangle.center;
-  const double aside = std::abs (local.dot (rectangle.axis_u)) / rectangle.half_u;
-  const double height = 0.5 * (1.0 + local.dot (rectangle.axis_v) / rectangle.half_v);
+  const double aside = std::abs (local.dot (rectangle.u)) / rectangle.half_u;
+  const double height = 0.5 * (1.0 + local.dot (rectangle.v) / rectangle.half_v);
   return height <= facade.shoulders ||
          aside <= (1.0 - height) / (1.0 - facade.shoulders);
 }
@@ -139,9 +140,9 @@ scanSurvey (const Survey& survey,
             double noise_scale,
             std::uint32_t seed)
 {
-  SimulatedCloud simulated;
   if (survey.houses.empty())
-    return simulated;
+    return {};
+  LabeledCloud cloud;
   const std::vector<Facade> facades = facadesOf (survey);
   const Facade& ground = facades.back();
   std::vector<Plane> planes;
@@ -152,8 +153,8 @@ scanSurvey (const Survey& survey,
                        facade.rectangle.area() * facade.density);
   }
   Random random = randomFor (Purpose::SurveyScan, seed);
-  simulated.cloud.reserve (points);
-  while (simulated.cloud.size() < points) {
+  cloud.reserve (points);
+  while (cloud.size() < points) {
     const double drawn = random.between (0.0, weights.back());
     const auto found = std::upper_bound (weights.begin(), weights.end() - 1, drawn);
     const Facade& facade = facades[std::size_t (found - weights.begin())];
@@ -167,10 +168,9 @@ scanSurvey (const Survey& survey,
       continue;
     for (double& coordinate : point)
       coordinate += noise_scale * survey_sigma * random.gaussian();
-    simulated.cloud.push_back (pointAt (point, facade.rectangle.surface));
+    cloud.push_back (pointAt (point, facade.rectangle.surface));
   }
-  simulated.planes = labelBySize (simulated.cloud, planes);
-  return simulated;
+  return labeledBySize (cloud, planes);
 }
 
 } // namespace pcl_ops::simulation

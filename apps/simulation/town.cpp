@@ -26,6 +26,8 @@ constexpr double surface_of_square_meter = 1.65;
 constexpr double edge_of_patch = 8.0;
 /** \brief Of streets against the borders of tiles [degree]. */
 constexpr double direction_of_streets = 12.0;
+/** \brief More than any terrace has. */
+constexpr std::uint32_t sides_of_terrace = 20;
 
 /** \brief A place on the lattice of terraces or of patches of the ground. */
 using Place = Eigen::Vector2i;
@@ -35,6 +37,7 @@ struct Side {
   Vector3d corner, along, up;
 };
 
+/** \param[in] what number of a side, 0: the terrace, beyond them: the ground */
 Random
 randomAt (std::uint32_t seed, const Place& place, std::uint32_t what)
 {
@@ -65,108 +68,61 @@ terraceAt (std::uint32_t seed, const Place& place)
   };
   const Vector3d along = pose.linear() * Vector3d (length, 0, 0);
   const Vector3d across = pose.linear() * Vector3d (0, depth, 0);
-  const Vector3d up (0, 0, eaves);
-  std::vector<Side> sides = {
-      {at (0, 0, 0), along, up},
-      {at (0, depth, 0), along, up},
-      {at (0, 0, eaves), along, at (0, 0.5 * depth, ridge) - at (0, 0, eaves)},
-      {at (0, depth, eaves), along, at (0, 0.5 * depth, ridge) - at (0, depth, eaves)},
-      {at (0, 0, 0.5 * eaves), along, across}};
+  const Vector3d up (0, 0, eaves), top = at (0, 0.5 * depth, ridge);
+  std::vector<Side> sides = {{at (0, 0, 0), along, up},
+                             {at (0, depth, 0), along, up},
+                             {at (0, 0, eaves), along, top - at (0, 0, eaves)},
+                             {at (0, depth, eaves), along, top - at (0, depth, eaves)},
+                             {at (0, 0, 0.5 * eaves), along, across}};
   for (int wall = 0; wall <= houses; ++wall)
     sides.push_back ({at (wall * width_of_house, 0, 0), across, up});
   return sides;
 }
 
-/** \brief More than any terrace has. */
-constexpr std::uint32_t sides_of_terrace = 20;
-/** \brief Beside the number of a side, for the draws of the ground. */
-constexpr std::uint32_t of_ground = sides_of_terrace + 1;
+/** \brief The square of so many tiles, and the places of a lattice in the frame of the
+ * streets that may reach into it. */
+struct Area {
+  Eigen::Matrix3d turn = turnZ (direction_of_streets * pi / 180.0).linear();
+  AlignedBox2d box;
 
-/** \brief The places of a lattice that may reach into some area, in the frame of the
- * streets. */
-Eigen::AlignedBox2i
-reachOf (const AlignedBox2d& area, const Vector2d& pitch, double margin)
-{
-  const Vector2d room (margin, margin);
-  const Vector2d low = (area.min() - room).cwiseQuotient (pitch);
-  const Vector2d high = (area.max() + room).cwiseQuotient (pitch);
-  return {low.array().floor().cast<int>().matrix(),
-          high.array().ceil().cast<int>().matrix()};
-}
+  Area (const Vector2d& corner, double edge)
+  : box (corner, corner + Vector2d::Constant (edge))
+  {}
 
-/** \brief Row by row. */
-std::vector<Place>
-placesIn (const Eigen::AlignedBox2i& reach)
-{
-  std::vector<Place> places;
-  for (int row = reach.min().y(); row <= reach.max().y(); ++row)
-    for (int column = reach.min().x(); column <= reach.max().x(); ++column)
-      places.emplace_back (column, row);
-  return places;
-}
-
-/** \brief Takes the points of a tile out of the patches that reach into it. */
-class TileSurvey {
-public:
-  TileSurvey (const Town& town, std::uint32_t column, std::uint32_t row, double sigma)
-  : town_ (town)
-  , sigma_ (sigma)
-  , turn_ (turnZ (direction_of_streets * pi / 180.0).linear())
-  {
-    const Vector2d low (column * town.tile, row * town.tile);
-    tile_ = {low, low + Vector2d (town.tile, town.tile)};
-  }
-
-  std::vector<TownPoint>
-  points ()
-  {
-    constexpr double square = edge_of_patch;
-    for (const Place& place :
-         placesIn (reachOf (areaOf (tile_), {square, square}, square)))
-      addPatch (
-          {{square * place.x(), square * place.y(), 0}, {square, 0, 0}, {0, square, 0}},
-          randomAt (town_.seed, place, of_ground),
-          1);
-    const AlignedBox2d town (Vector2d::Zero(),
-                             Vector2d::Constant (town_.tiles * town_.tile));
-    const Vector2d pitch (terrace_pitch, street_pitch);
-    const Eigen::AlignedBox2i all = reachOf (areaOf (town), pitch, reach_of_terrace);
-    for (const Place& place :
-         placesIn (reachOf (areaOf (tile_), pitch, reach_of_terrace)))
-      addTerrace (all, place);
-    return std::move (points_);
-  }
-
-private:
-  /** \brief What is around an area of tiles in the frame of the streets. */
-  AlignedBox2d
-  areaOf (const AlignedBox2d& area) const
+  Eigen::AlignedBox2i
+  reach (const Vector2d& pitch, double margin) const
   {
     AlignedBox2d around;
-    using Box = AlignedBox2d;
-    for (const auto corner :
-         {Box::BottomLeft, Box::BottomRight, Box::TopLeft, Box::TopRight}) {
-      const Vector2d place = area.corner (corner);
+    for (int corner = 0; corner < 4; ++corner) {
+      const Vector2d place = box.corner (AlignedBox2d::CornerType (corner));
       around.extend (
-          (turn_.transpose() * Vector3d (place.x(), place.y(), 0)).head<2>().eval());
+          (turn.transpose() * Vector3d (place.x(), place.y(), 0)).head<2>().eval());
     }
-    return around;
+    const Vector2d low = (around.min().array() - margin).matrix().cwiseQuotient (pitch);
+    const Vector2d high =
+        (around.max().array() + margin).matrix().cwiseQuotient (pitch);
+    return {low.array().floor().cast<int>().matrix(),
+            high.array().ceil().cast<int>().matrix()};
   }
 
+  /** \brief Calls \p visit with each of these places, row by row. */
+  template <typename Visit>
   void
-  addTerrace (const Eigen::AlignedBox2i& all, const Place& place)
+  forEachPlace (const Vector2d& pitch, double margin, const Visit& visit) const
   {
-    const Place from_first = place - all.min();
-    const auto columns = std::uint32_t (all.sizes().x() + 1);
-    const auto number =
-        std::uint32_t (from_first.y()) * columns + std::uint32_t (from_first.x());
-    std::uint32_t side_number = 0;
-    for (const Side& side : terraceAt (town_.seed, place)) {
-      ++side_number;
-      Random seeds = randomAt (town_.seed, place, side_number);
-      addSide (side, seeds, 1 + number * sides_of_terrace + side_number);
-    }
+    const Eigen::AlignedBox2i places = reach (pitch, margin);
+    for (int row = places.min().y(); row <= places.max().y(); ++row)
+      for (int column = places.min().x(); column <= places.max().x(); ++column)
+        visit (Place (column, row));
   }
+};
+
+/** \brief Takes the points of a tile out of the patches that reach into it. */
+struct TileSurvey {
+  const Town& town;
+  Area tile;
+  double sigma;
+  std::vector<TownPoint> points;
 
   void
   addSide (const Side& side, Random& seeds, std::uint32_t label)
@@ -184,36 +140,26 @@ private:
   void
   addPatch (const Side& patch, Random random, std::uint32_t label)
   {
-    const double margin = 10.0 * sigma_;
     AlignedBox2d around;
-    for (const Vector3d& corner : {patch.corner,
-                                   Vector3d (patch.corner + patch.along),
-                                   Vector3d (patch.corner + patch.up),
-                                   Vector3d (patch.corner + patch.along + patch.up)})
-      around.extend ((turn_ * corner).head<2>().eval());
-    around.min().array() -= margin;
-    around.max().array() += margin;
-    if (!around.intersects (tile_))
+    for (const int u : {0, 1})
+      for (const int v : {0, 1})
+        around.extend ((tile.turn * (patch.corner + u * patch.along + v * patch.up))
+                           .head<2>()
+                           .eval());
+    if (around.squaredExteriorDistance (tile.box) > 100.0 * sigma * sigma)
       return;
     const auto wanted =
         std::size_t (density * patch.along.norm() * patch.up.norm() + random.unit());
     for (std::size_t i = 0; i < wanted; ++i) {
       const double u = random.unit(), v = random.unit();
-      Vector3d point = turn_ * (patch.corner + u * patch.along + v * patch.up);
+      Vector3d point = tile.turn * (patch.corner + u * patch.along + v * patch.up);
       for (double& coordinate : point)
-        coordinate += sigma_ * random.gaussian();
-      const bool is_inside = (point.head<2>().array() >= tile_.min().array()).all() &&
-                             (point.head<2>().array() < tile_.max().array()).all();
-      if (is_inside)
-        points_.push_back ({town_.corner + point, label});
+        coordinate += sigma * random.gaussian();
+      if ((point.head<2>().array() >= tile.box.min().array()).all() &&
+          (point.head<2>().array() < tile.box.max().array()).all())
+        points.push_back ({town.corner + point, label});
     }
   }
-
-  const Town& town_;
-  double sigma_;
-  Eigen::Matrix3d turn_;
-  AlignedBox2d tile_;
-  std::vector<TownPoint> points_;
 };
 
 } // namespace
@@ -235,7 +181,31 @@ surveyTile (const Town& town,
             std::uint32_t row,
             double noise_scale)
 {
-  return TileSurvey (town, column, row, noise_scale * survey_sigma).points();
+  TileSurvey survey{town,
+                    {{column * town.tile, row * town.tile}, town.tile},
+                    noise_scale * survey_sigma,
+                    {}};
+  const double square = edge_of_patch;
+  survey.tile.forEachPlace ({square, square}, square, [&] (const Place& place) {
+    survey.addPatch (
+        {{square * place.x(), square * place.y(), 0}, {square, 0, 0}, {0, square, 0}},
+        randomAt (town.seed, place, sides_of_terrace + 1),
+        1);
+  });
+  const Vector2d pitch (terrace_pitch, street_pitch);
+  const Eigen::AlignedBox2i all =
+      Area (Vector2d::Zero(), town.tiles * town.tile).reach (pitch, reach_of_terrace);
+  survey.tile.forEachPlace (pitch, reach_of_terrace, [&] (const Place& place) {
+    const Place from_first = place - all.min();
+    const int number = from_first.y() * (all.sizes().x() + 1) + from_first.x();
+    std::uint32_t side_number = 0;
+    for (const Side& side : terraceAt (town.seed, place)) {
+      Random seeds = randomAt (town.seed, place, ++side_number);
+      survey.addSide (
+          side, seeds, 1 + std::uint32_t (number) * sides_of_terrace + side_number);
+    }
+  });
+  return std::move (survey.points);
 }
 
 } // namespace pcl_ops::simulation

@@ -174,7 +174,7 @@ evaluate (const PlaneNumbers& truth,
         evaluation::compareLabels (cloud, labelsOf (truth), labelsOf (result), classes);
   });
   py::dict named;
-  for (const auto& [name, value] : evaluation::namedMetrics (metrics))
+  for (const auto& [name, value] : metrics.named)
     named[py::str (name)] = value;
   named[evaluation::off_planes_name] = metrics.points_off_planes_called_planes;
   named["points"] = metrics.points;

@@ -17,7 +17,7 @@ Command planesCommand;
 Command trackCommand;
 /** \brief Detectors over data sets. */
 Command runCommand;
-/** \brief How well it is found where planes meet. */
+/** \brief How well edges and corners of planes are found. */
 Command edgesCommand;
 /** \brief The detectors a run can have. */
 Command detectorsCommand;

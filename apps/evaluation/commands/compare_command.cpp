@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "answer.h"
 #include "commands.h"
 #include <cli/command_line.h>
 #include <cli/program.h>
 #include <evaluation/data/labeled_cloud.h>
 #include <evaluation/metrics/metrics.h>
-#include <nlohmann/json.hpp>
 
-#include <iomanip>
 #include <iostream>
-#include <iterator>
 
 namespace pcl_ops::evaluation {
 
@@ -40,88 +38,41 @@ readOptions (int argc, const char* const* argv, CompareOptions& options)
                   apps::Range::from (0),
                   options.min_plane_points,
                   "true planes with fewer points count as no plane (1)");
-  line.addFlag ("json", options.json, "print JSON instead of a table");
+  line.addFlag ("json", options.json, "print JSON instead of text");
   return line.parse (argc, argv);
 }
 
 /** \tparam Size a whole number of points, or a width */
 template <typename Size>
-nlohmann::ordered_json
-jsonOf (const SizeClasses& classes, const char* from)
+Answer
+answerOf (const SizeClasses& classes, const char* from)
 {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  Answer list = Answer::array();
   for (const SizeClass& size : classes) {
-    nlohmann::ordered_json entry{{from, static_cast<Size> (size.from)},
-                                 {"below", nullptr},
-                                 {"planes", size.planes},
-                                 {"found", size.found_50},
-                                 {"found_75", size.found_75}};
+    Answer entry{{from, static_cast<Size> (size.from)},
+                 {"below", nullptr},
+                 {"planes", size.planes},
+                 {"found", size.found_50},
+                 {"found_75", size.found_75}};
     if (size.below)
       entry["below"] = static_cast<Size> (*size.below);
-    json.push_back (entry);
+    list.push_back (entry);
   }
-  return json;
+  return list;
 }
 
-void
-printJson (const Metrics& metrics)
+Answer
+answerOf (const Metrics& metrics)
 {
-  nlohmann::ordered_json json{{"points", metrics.points},
-                              {"truth_planes", metrics.truth_planes},
-                              {"result_planes", metrics.result_planes}};
-  for (const auto& [name, value] : namedMetrics (metrics))
-    json[name] = value;
-  json[off_planes_name] = metrics.points_off_planes_called_planes;
-  json["by_size"] = jsonOf<std::size_t> (metrics.by_size, "fewest_points");
-  json["by_width"] = jsonOf<double> (metrics.by_width, "narrowest");
-  std::cout << json.dump (2) << '\n';
-}
-
-void
-printClasses (const char* title, const SizeClasses& classes)
-{
-  std::cout << std::left << std::setw (25) << title
-            << " number  found at 0.50    0.75\n";
-  for (const SizeClass& size : classes)
-    std::cout << "  " << std::left << std::setw (20) << size.name() << std::right
-              << std::setw (10) << size.planes << std::setw (15) << size.found_50
-              << std::setw (8) << size.found_75 << '\n';
-}
-
-/** Of the metrics at 0.50 and 0.75, in the order of \ref instance_metrics. */
-constexpr const char* titles[] = {"precision",
-                                  "recall",
-                                  "F-score",
-                                  "mean IoU of matched",
-                                  "panoptic quality",
-                                  "over-segmentation",
-                                  "under-segmentation",
-                                  "noise",
-                                  "missed"};
-
-void
-printTable (const Metrics& metrics)
-{
-  std::cout << metrics.points << " points, " << metrics.truth_planes << " true planes, "
-            << metrics.result_planes << " found\n"
-            << std::fixed << std::setprecision (2) << "classification accuracy "
-            << std::setw (9) << 100.0 * metrics.classification_accuracy << " %\n"
-            << "segmentation accuracy   " << std::setw (9)
-            << 100.0 * metrics.segmentation_accuracy << " %  of points on true planes\n"
-            << "                        " << std::setw (9)
-            << 100.0 * metrics.segmentation_accuracy_all << " %  of all points\n"
-            << "called planes           " << std::setw (9)
-            << 100.0 * metrics.points_off_planes_called_planes
-            << " %  of points off true planes\n"
-            << std::setprecision (3) << "planes at an overlap of    0.50    0.75\n";
-  for (std::size_t i = 0; i < std::size (titles); ++i) {
-    const auto value = instance_metrics[i].second;
-    std::cout << "  " << std::left << std::setw (20) << titles[i] << std::right
-              << std::setw (8) << metrics.at_50.*value << std::setw (8)
-              << metrics.at_75.*value << '\n';
-  }
-  printClasses ("true planes by points", metrics.by_size);
-  printClasses ("true planes by width [m]", metrics.by_width);
+  Answer answer{{"points", metrics.points},
+                {"truth_planes", metrics.truth_planes},
+                {"result_planes", metrics.result_planes}};
+  for (const auto& [name, value] : metrics.named)
+    answer[name] = value;
+  answer[off_planes_name] = metrics.points_off_planes_called_planes;
+  answer["by_size"] = answerOf<std::size_t> (metrics.by_size, "fewest_points");
+  answer["by_width"] = answerOf<double> (metrics.by_width, "narrowest");
+  return answer;
 }
 
 } // namespace
@@ -144,7 +95,7 @@ compareCommand (int argc, const char* const* argv)
   if (metrics.truth_planes == 0)
     std::cerr << "pcl_ops_evaluate: " << options.truth_file
               << ": has no plane; all that can be right is to find none\n";
-  options.json ? printJson (metrics) : printTable (metrics);
+  print (answerOf (metrics), options.json);
   return apps::ExitCode::done;
 }
 

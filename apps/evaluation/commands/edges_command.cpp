@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "answer.h"
 #include "commands.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <evaluation/data/data_sets.h>
-#include <evaluation/report/text_table.h>
-#include <numbers/fraction.h>
 #include <numbers/quantile.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/plane_edges.h>
@@ -20,20 +19,20 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-/** \brief Where the true planes of a cloud meet, and where those found do. */
-struct EdgePair {
-  PlaneEdges truth, found;
-  /** \brief Of each true edge, whether it is between a horizontal and a vertical plane
-   * and long enough to be one of floor and wall. */
-  std::vector<bool> is_of_wall;
+/** \brief A length or number, and how much of it was found. */
+struct Share {
+  double part = 0.0, whole = 0.0;
+
+  double
+  value () const
+  {
+    return part / whole; // NaN of nothing
+  }
 };
 
 /** \brief Of true and found edges, which share lies where the other's are. */
 struct EdgeScore {
-  double true_length = 0.0, true_length_found = 0.0;
-  double wall_length = 0.0, wall_length_found = 0.0;
-  double found_length = 0.0, found_length_true = 0.0;
-  std::size_t true_corners = 0, found_corners = 0, corners_matched = 0;
+  Share walls, found, is_true, corners_found, corners_true;
   /** \brief How far the found edges are off, at each centimeter of the true ones that
    * were found, and the corners [m]. */
   std::vector<double> edge_errors, corner_errors;
@@ -42,17 +41,6 @@ struct EdgeScore {
 constexpr double farthest = 0.05; // [m]
 constexpr double sample_step = 0.01;
 constexpr double wall_length = 1.0;
-
-std::vector<PlaneSegment>
-truePlanes (const EvaluationCloud& cloud)
-{
-  const PlaneIds ids = planeIds (*cloud.truth);
-  std::vector<PlaneSegment> planes = planesOf (*cloud.cloud, ids, {cloud.up});
-  for (std::size_t i = 0; i < ids.of_point.size(); ++i)
-    if (ids.of_point[i] != PlaneIds::none)
-      planes[ids.of_point[i]].inliers.push_back (static_cast<pcl::index_t> (i));
-  return planes;
-}
 
 double
 distanceTo (const PlaneEdge& edge, const Eigen::Vector3d& point)
@@ -85,109 +73,90 @@ distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
   return distances;
 }
 
-double
-shareNear (const std::vector<double>& distances)
+/** \brief Adds an edge and how much of it is near.
+ * \param[in] distances along it */
+void
+addEdge (const PlaneEdge& edge, const std::vector<double>& distances, Share& share)
 {
   const auto near = std::count_if (
       distances.begin(), distances.end(), [] (double d) { return d <= farthest; });
-  return static_cast<double> (near) / static_cast<double> (distances.size());
+  share.part += edge.length() * double (near) / double (distances.size());
+  share.whole += edge.length();
 }
 
 /** \brief Pairs corners off, the nearest first found for each true one. */
 void
-matchCorners (const EdgePair& edges, EdgeScore& score)
+addCorners (const std::vector<PlaneCorner>& truth,
+            std::vector<PlaneCorner> found,
+            EdgeScore& score)
 {
-  std::vector<bool> is_taken (edges.found.corners.size(), false);
-  for (const PlaneCorner& corner : edges.truth.corners) {
-    double least = farthest;
-    std::size_t nearest = is_taken.size();
-    for (std::size_t i = 0; i < is_taken.size(); ++i) {
-      const double distance =
-          (edges.found.corners[i].position - corner.position).norm();
-      if (!is_taken[i] && distance <= least) {
-        least = distance;
-        nearest = i;
-      }
-    }
-    if (nearest == is_taken.size())
+  score.corners_found.whole += double (truth.size());
+  score.corners_true.whole += double (found.size());
+  for (const PlaneCorner& corner : truth) {
+    const auto distance = [&corner] (const PlaneCorner& other) {
+      return (other.position - corner.position).norm();
+    };
+    const auto nearest = std::min_element (
+        found.begin(), found.end(), [&] (const auto& one, const auto& other) {
+          return distance (one) < distance (other);
+        });
+    if (nearest == found.end() || distance (*nearest) > farthest)
       continue;
-    is_taken[nearest] = true;
-    ++score.corners_matched;
-    score.corner_errors.push_back (least);
+    score.corner_errors.push_back (distance (*nearest));
+    found.erase (nearest); // keeps the order, which decides between equals
+    ++score.corners_found.part;
+    ++score.corners_true.part;
   }
-  score.true_corners += edges.truth.corners.size();
-  score.found_corners += edges.found.corners.size();
 }
 
-/** \brief Edges of the planes of the true labels, and of those found by the default
- * preset. */
-EdgePair
-findBothEdges (const EvaluationCloud& cloud)
+/** \brief Compares the edges of the planes of the true labels with those of the planes
+ * that the default preset finds. */
+void
+addCloud (const EvaluationCloud& cloud, EdgeScore& score)
 {
-  const std::vector<PlaneSegment> truth = truePlanes (cloud);
+  const std::vector<PlaneSegment> true_planes =
+      planesOf (*cloud.cloud, planeIds (*cloud.truth), {cloud.up});
   OrientedPointSampling<pcl::PointXYZ> ops;
   ops.setInputCloud (cloud.cloud);
   std::vector<PlaneSegment> planes;
   ops.segment (planes);
-  EdgePair edges{
-      findPlaneEdges (*cloud.cloud, truth), findPlaneEdges (*cloud.cloud, planes), {}};
-  for (const PlaneEdge& edge : edges.truth.edges) {
+  const PlaneEdges truth = findPlaneEdges (*cloud.cloud, true_planes),
+                   found = findPlaneEdges (*cloud.cloud, planes);
+  for (const PlaneEdge& edge : truth.edges) {
     const auto has = [&] (Orientation orientation) {
-      return truth[edge.planes[0]].orientation == orientation ||
-             truth[edge.planes[1]].orientation == orientation;
+      return true_planes[edge.planes[0]].orientation == orientation ||
+             true_planes[edge.planes[1]].orientation == orientation;
     };
-    edges.is_of_wall.push_back (edge.length() >= wall_length &&
-                                has (Orientation::Horizontal) &&
-                                has (Orientation::Vertical));
-  }
-  return edges;
-}
-
-void
-addScore (const EdgePair& edges, EdgeScore& score)
-{
-  for (std::size_t i = 0; i < edges.truth.edges.size(); ++i) {
-    const PlaneEdge& edge = edges.truth.edges[i];
-    const std::vector<double> distances = distancesAlong (edge, edges.found.edges);
-    const double found = shareNear (distances) * edge.length();
-    score.true_length += edge.length();
-    score.true_length_found += found;
-    if (edges.is_of_wall[i]) {
-      score.wall_length += edge.length();
-      score.wall_length_found += found;
-    }
+    const std::vector<double> distances = distancesAlong (edge, found.edges);
+    addEdge (edge, distances, score.found);
+    if (edge.length() >= wall_length && has (Orientation::Horizontal) &&
+        has (Orientation::Vertical))
+      addEdge (edge, distances, score.walls);
     std::copy_if (distances.begin(),
                   distances.end(),
                   std::back_inserter (score.edge_errors),
                   [] (double distance) { return distance <= farthest; });
   }
-  for (const PlaneEdge& edge : edges.found.edges) {
-    score.found_length += edge.length();
-    score.found_length_true +=
-        shareNear (distancesAlong (edge, edges.truth.edges)) * edge.length();
-  }
-  matchCorners (edges, score);
+  for (const PlaneEdge& edge : found.edges)
+    addEdge (edge, distancesAlong (edge, truth.edges), score.is_true);
+  addCorners (truth.corners, found.corners, score);
 }
 
-std::vector<std::string>
-rowOf (const std::string& data_set, const EdgeScore& score)
+Answer
+answerOf (const std::string& data_set, const EdgeScore& score)
 {
-  constexpr double millimeters = 1e3;
-  const auto share = [] (double part, double whole) {
-    return percent (whole > 0.0 ? part / whole : NAN);
+  const auto millimeters = [] (const std::vector<double>& errors, double share) {
+    return 1e3 * apps::quantile (errors, share);
   };
-  const auto corners = [&score] (std::size_t all) {
-    return percent (apps::fraction (score.corners_matched, all, NAN));
-  };
-  return {data_set,
-          share (score.wall_length_found, score.wall_length),
-          share (score.true_length_found, score.true_length),
-          share (score.found_length_true, score.found_length),
-          decimal (millimeters * apps::quantile (score.edge_errors, 0.5), 1),
-          decimal (millimeters * apps::quantile (score.edge_errors, 0.95), 1),
-          corners (score.true_corners),
-          corners (score.found_corners),
-          decimal (millimeters * apps::quantile (score.corner_errors, 0.5), 1)};
+  return {{"data_set", data_set},
+          {"wall_edges_found", score.walls.value()},
+          {"edges_found", score.found.value()},
+          {"edges_true", score.is_true.value()},
+          {"median_mm", millimeters (score.edge_errors, 0.5)},
+          {"95_%_mm", millimeters (score.edge_errors, 0.95)},
+          {"corners_found", score.corners_found.value()},
+          {"corners_true", score.corners_true.value()},
+          {"corners_median_mm", millimeters (score.corner_errors, 0.5)}};
 }
 
 } // namespace
@@ -206,20 +175,12 @@ edgesCommand (int argc, const char* const* argv)
       "plane, 1 m and longer.",
       PCL_OPS_VERSION);
   line.addArguments ("DATASET", texts, data_set_help);
+  bool json = false;
+  line.addFlag ("json", json, "print JSON instead of text");
   line.addUpAxis (up, "against gravity in clouds; camera: 0,-1,0 (0,0,1)");
   if (!line.parse (argc, argv))
     return apps::ExitCode::done;
-  TextTable table{"Where planes meet",
-                  {"data set",
-                   "wall edges found %",
-                   "edges found %",
-                   "edges true %",
-                   "median [mm]",
-                   "95 % [mm]",
-                   "corners found %",
-                   "corners true %",
-                   "median [mm]"},
-                  {}};
+  Answer edges = Answer::array();
   for (const DataSet& data_set : dataSetsOf (texts, up)) {
     EdgeScore score;
     for (const CloudSource& source : data_set.clouds) {
@@ -227,13 +188,13 @@ edgesCommand (int argc, const char* const* argv)
         const EvaluationCloud cloud = source.load();
         if (!cloud.truth)
           throw apps::WorkError (source.name, "has no true labels; give another cloud");
-        addScore (findBothEdges (cloud), score);
+        addCloud (cloud, score);
       });
       std::cerr << data_set.name << ' ' << source.name << std::endl;
     }
-    table.rows.push_back (rowOf (data_set.name, score));
+    edges.push_back (answerOf (data_set.name, score));
   }
-  std::cout << table;
+  print ({{"edges", edges}}, json);
   return apps::ExitCode::done;
 }
 

@@ -5,14 +5,11 @@
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <evaluation/report/evaluation_run.h>
-#include <evaluation/report/text_table.h>
 #include <io/output_file.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <map>
 
 namespace pcl_ops::evaluation {
 
@@ -45,10 +42,6 @@ readOptions (int argc, const char* const* argv, RunOptions& options)
   line.addArguments ("DATASET", options.data_sets, data_set_help);
   line.addUpAxis (options.up, "against gravity in clouds; camera: 0,-1,0 (0,0,1)");
   TruthParameters& truth = options.plan.truth;
-  line.addText ("cache",
-                "FOLDER",
-                truth.cache_folder,
-                "where grown truth is kept (folder truth of the output)");
   line.addNumber ("truth-neighbors",
                   "K",
                   apps::Range::from (3).upTo (max_neighbors),
@@ -104,44 +97,8 @@ planOf (const RunOptions& options)
   EvaluationPlan plan = options.plan;
   plan.configurations = selectConfigurations (options.detectors);
   plan.data_sets = dataSetsOf (options.data_sets, options.up);
-  if (plan.truth.cache_folder.empty())
-    plan.truth.cache_folder = (fs::path (options.folder) / "truth").string();
   apps::makeFolder (options.folder);
-  apps::makeFolder (plan.truth.cache_folder);
   return plan;
-}
-
-/** The means of what most want to know, over the clouds of each data set. */
-TextTable
-meansOf (const std::vector<ResultRow>& rows)
-{
-  constexpr std::pair<const char*, const char*> columns[] = {
-      {"segm. %", "segmentation_accuracy"},
-      {"F 0.5", "f_score"},
-      {"F 0.75", "f_score_75"},
-      {"ms", "detection_ms"}};
-  std::map<std::pair<std::string, std::string>, std::vector<const ResultRow*>> groups;
-  for (const ResultRow& row : rows) {
-    auto& group = groups[{row.data_set + ", truth " + row.truth, row.configuration}];
-    if (!std::isnan (row.value ("f_score"))) // it was not stopped
-      group.push_back (&row);
-  }
-  TextTable table{"Means", {"data set", "configuration", "clouds"}, {}};
-  for (const auto& column : columns)
-    table.header.emplace_back (column.first);
-  for (const auto& [names, of_group] : groups) {
-    table.rows.push_back (
-        {names.first, names.second, std::to_string (of_group.size())});
-    for (const auto& [header, name] : columns) {
-      double sum = 0.0;
-      for (const ResultRow* row : of_group)
-        sum += row->value (name);
-      const double mean = sum / double (of_group.size());
-      table.rows.back().push_back (name == columns[0].second ? percent (mean)
-                                                             : decimal (mean, 3));
-    }
-  }
-  return table;
 }
 
 } // namespace
@@ -156,8 +113,6 @@ runCommand (int argc, const char* const* argv)
   ResultsFile results ((fs::path (options.folder) / "results.csv").string());
   const EvaluationSummary summary =
       evaluate (plan, results, std::cerr, isatty (STDERR_FILENO) == 1);
-  if (!results.rows().empty())
-    std::cout << meansOf (results.rows());
   std::cout << summary.clouds << " clouds evaluated, " << summary.new_rows
             << " new rows; " << summary.broken_clouds << " clouds left out, "
             << summary.failed_runs << " runs failed, " << summary.stopped_runs

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "answer.h"
 #include "commands.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
@@ -8,20 +9,14 @@
 #include <evaluation/data/labeled_cloud.h>
 #include <evaluation/metrics/confusion.h>
 #include <evaluation/report/plane_sighting.h>
-#include <evaluation/report/text_table.h>
 #include <io/inputs.h>
 #include <io/pose_file.h>
-#include <nlohmann/json.hpp>
-#include <numbers/fraction.h>
 #include <numbers/quantile.h>
 
 #include <filesystem>
-#include <iomanip>
-#include <iostream>
 #include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 
 namespace pcl_ops::evaluation {
 
@@ -61,10 +56,8 @@ struct KeptNumbers {
        const std::optional<Eigen::Isometry3d>& pose)
   {
     const Confusion confusion = confusionOf (truth, result.labels);
-    std::vector<pcl::Indices> inliers (confusion.result.size());
-    for (std::size_t i = 0; i < result.labels.size(); ++i)
-      if (result.labels[i] != 0)
-        inliers[confusion.result.of_point[i]].push_back (static_cast<int> (i));
+    const auto planes = pose ? planesOf (*result.cloud, confusion.result, {})
+                             : std::vector<PlaneSegment>();
     numbers.insert (confusion.result.label.begin(), confusion.result.label.end());
     for (const Overlap& overlap : confusion.overlaps) {
       constexpr double half = 0.5; // above, there is one partner at most
@@ -73,14 +66,14 @@ struct KeptNumbers {
       History& history = histories[confusion.truth.label[overlap.truth]];
       const std::uint32_t number = confusion.result.label[overlap.result];
       const bool keeps_number = history.sightings > 0 && number == history.last;
-      sightings += history.sightings > 0 ? 1 : 0;
-      sightings_kept += keeps_number ? 1 : 0;
+      sightings += history.sightings > 0;
+      sightings_kept += keeps_number;
       ++history.sightings;
       history.last = number;
       history.numbers.insert (number);
       if (!pose)
         continue;
-      const auto seen = sightingOf (*result.cloud, inliers[overlap.result], *pose);
+      const auto seen = sightingOf (*result.cloud, planes[overlap.result], *pose);
       if (keeps_number && seen && history.seen)
         errors.add (*history.seen, *seen);
       history.seen = seen;
@@ -112,7 +105,7 @@ readOptions (int argc, const char* const* argv, TrackOptions& options)
       options.poses,
       "true poses of the sensor, one line per cloud: tells how planes differ\n"
       "from cloud to cloud over what planeCovariance allows");
-  line.addFlag ("json", options.json, "print JSON instead of a table");
+  line.addFlag ("json", options.json, "print JSON instead of text");
   return line.parse (argc, argv);
 }
 
@@ -149,66 +142,28 @@ keptIn (const TrackOptions& options)
   return kept;
 }
 
-std::string
-partOf (std::size_t part, std::size_t whole)
+Answer
+answerOf (const KeptNumbers& kept)
 {
-  return std::to_string (part) + " of " + std::to_string (whole) + ", " +
-         percent (apps::fraction (part, whole, 1.0)) + " %";
-}
-
-double
-medianOf (const std::vector<double>& errors)
-{
-  constexpr double half = 0.5;
-  return apps::quantile (errors, half);
-}
-
-/** What nine in ten do not exceed. */
-double
-ninthTenthOf (const std::vector<double>& errors)
-{
-  constexpr double nine_tenths = 0.9;
-  return apps::quantile (errors, nine_tenths);
-}
-
-std::string
-quantilesOf (const std::vector<double>& errors)
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision (2) << "median " << medianOf (errors)
-       << ", 90 % up to " << ninthTenthOf (errors);
-  return text.str();
-}
-
-nlohmann::ordered_json
-jsonOf (const KeptNumbers& kept, std::size_t planes, std::size_t planes_kept)
-{
-  nlohmann::ordered_json json{{"planes", planes},
-                              {"planes_kept", planes_kept},
-                              {"sightings", kept.sightings},
-                              {"sightings_kept", kept.sightings_kept},
-                              {"numbers", kept.numbers.size()}};
+  std::size_t planes = 0, planes_kept = 0; // found in two clouds and more
+  for (const auto& [label, history] : kept.histories)
+    if (history.sightings > 1) {
+      ++planes;
+      planes_kept += history.numbers.size() == 1 ? 1 : 0;
+    }
+  Answer answer{{"planes", planes},
+                {"planes_kept", planes_kept},
+                {"sightings", kept.sightings},
+                {"sightings_kept", kept.sightings_kept},
+                {"numbers", kept.numbers.size()}};
   if (kept.errors.offsets.empty())
-    return json;
-  json["offset_errors_median"] = medianOf (kept.errors.offsets);
-  json["offset_errors_90"] = ninthTenthOf (kept.errors.offsets);
-  json["tilt_errors_median"] = medianOf (kept.errors.tilts);
-  json["tilt_errors_90"] = ninthTenthOf (kept.errors.tilts);
-  return json;
-}
-
-void
-print (const KeptNumbers& kept, std::size_t planes, std::size_t planes_kept)
-{
-  std::cout << "true planes that keep their number   " << partOf (planes_kept, planes)
-            << "\ntimes one has the number it had last "
-            << partOf (kept.sightings_kept, kept.sightings)
-            << "\nnumbers given                        " << kept.numbers.size() << '\n';
-  if (!kept.errors.offsets.empty())
-    std::cout << "normalized errors of offsets         "
-              << quantilesOf (kept.errors.offsets)
-              << "\nnormalized errors of tilts           "
-              << quantilesOf (kept.errors.tilts) << '\n';
+    return answer;
+  for (const auto& [name, errors] : {std::pair ("offset_errors", kept.errors.offsets),
+                                     {"tilt_errors", kept.errors.tilts}}) {
+    answer[std::string (name) + "_median"] = apps::quantile (errors, 0.5);
+    answer[std::string (name) + "_90"] = apps::quantile (errors, 0.9);
+  }
+  return answer;
 }
 
 } // namespace
@@ -219,17 +174,7 @@ trackCommand (int argc, const char* const* argv)
   TrackOptions options;
   if (!readOptions (argc, argv, options))
     return apps::ExitCode::done;
-  const KeptNumbers kept = keptIn (options);
-  std::size_t planes = 0, planes_kept = 0; // found in two clouds and more
-  for (const auto& [label, history] : kept.histories)
-    if (history.sightings > 1) {
-      ++planes;
-      planes_kept += history.numbers.size() == 1 ? 1 : 0;
-    }
-  if (options.json)
-    std::cout << jsonOf (kept, planes, planes_kept).dump (2) << '\n';
-  else
-    print (kept, planes, planes_kept);
+  print (answerOf (keptIn (options)), options.json);
   return apps::ExitCode::done;
 }
 

@@ -9,11 +9,7 @@
 #include <cli/errors.h>
 #include <cli/option_value.h>
 #include <io/cloud_file.h>
-#include <simulation/dense_scan.h>
-#include <simulation/poses.h>
-#include <simulation/shapes.h>
-#include <simulation/street.h>
-#include <simulation/survey.h>
+#include <simulation/simulate.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -38,7 +34,6 @@ const char* const data_set_help =
 namespace {
 
 namespace fs = std::filesystem;
-using simulation::NoiseProfile;
 
 /** More scenes than anybody waits for; keeps a typing error from filling the memory. */
 constexpr std::uint32_t max_scenes = 100'000;
@@ -69,99 +64,29 @@ finiteOf (const pcl::PointCloud<PointT>& cloud, const Visit& visit)
 }
 
 EvaluationCloud
-withExactTruth (const pcl::PointCloud<pcl::PointXYZL>& simulated)
+simulated (const simulation::Simulation& simulation)
 {
+  const auto cloud = simulation::simulate (simulation).cloud;
   PlaneLabels truth;
-  EvaluationCloud result = finiteOf (
-      simulated, [&] (std::size_t i) { truth.push_back (simulated[i].label); });
+  EvaluationCloud result =
+      finiteOf (cloud, [&] (std::size_t i) { truth.push_back (cloud[i].label); });
   result.truth = truth;
   return result;
 }
 
-EvaluationCloud
-imageOf (const simulation::Room& room, std::uint32_t seed, NoiseProfile profile)
-{
-  const Eigen::Isometry3d pose = simulation::drawCameraPose (room, seed);
-  simulation::NoiseParameters noise;
-  noise.profile = profile;
-  return withExactTruth (
-      simulation::toCloud (simulation::scanByCamera (room.scene, {}, pose, noise, seed),
-                           pose,
-                           room.scene,
-                           simulation::CloudLayout::Organized)
-          .cloud);
-}
-
-/** \param[in] sensor one of simulation::lidarNames */
-EvaluationCloud
-streetBy (const std::string& sensor, std::uint32_t seed)
-{
-  const simulation::Street street = simulation::makeStreet (seed);
-  const Eigen::Isometry3d pose = simulation::drawSensorPose (street, seed);
-  return withExactTruth (
-      simulation::toCloud (
-          simulation::scanAround (
-              street.scene, simulation::lidarOf (sensor), pose, 1.0, seed),
-          pose,
-          street.scene,
-          simulation::CloudLayout::Readings)
-          .cloud);
-}
-
-/** Scenes by seed. */
-struct Scenes {
-  /** Of the data set. */
-  const char* name;
-  /** What the name of a cloud begins with. */
-  const char* scene;
-  EvaluationCloud (*simulate) (std::uint32_t seed);
-};
-
-constexpr Scenes all_scenes[] = {
-    {"rooms",
-     "room",
-     [] (std::uint32_t seed) {
-       return imageOf (simulation::makeRoom (seed), seed, NoiseProfile::Correlated);
-     }},
-    {"rooms-raw",
-     "room",
-     [] (std::uint32_t seed) {
-       return imageOf (simulation::makeRoom (seed), seed, NoiseProfile::Raw);
-     }},
-    {"furniture",
-     "furniture",
-     [] (std::uint32_t seed) {
-       return imageOf (
-           simulation::makeFurnishedCorner (seed), seed, NoiseProfile::Correlated);
-     }},
-    {"survey",
-     "survey",
-     [] (std::uint32_t seed) {
-       return withExactTruth (
-           simulation::scanSurvey (
-               simulation::makeSurvey (seed), simulation::points_of_survey, 1.0, seed)
-               .cloud);
-     }},
-    {"shapes",
-     "shapes",
-     [] (std::uint32_t seed) {
-       return withExactTruth (
-           simulation::scanShapes (
-               simulation::makeShapes (seed), simulation::points_of_shapes, 1.0, seed)
-               .cloud);
-     }},
-    {"streets",
-     "street",
-     [] (std::uint32_t seed) { return streetBy ("lidar-64", seed); }},
-    {"streets-32",
-     "street",
-     [] (std::uint32_t seed) { return streetBy ("lidar-32", seed); }},
-    {"streets-16",
-     "street",
-     [] (std::uint32_t seed) { return streetBy ("lidar-16", seed); }},
-    {"streets-livox", "street", [] (std::uint32_t seed) {
-       return streetBy ("livox", seed);
-     }}};
+/** Data sets of scenes by seed. */
+const struct Scenes {
+  const char *name, *scene, *sensor = "";
+  bool has_raw_depth = false;
+} all_scenes[] = {{"rooms", "room"},
+                  {"rooms-raw", "room", "", true},
+                  {"furniture", "furniture"},
+                  {"survey", "survey"},
+                  {"shapes", "shapes"},
+                  {"streets", "street", "lidar-64"},
+                  {"streets-32", "street", "lidar-32"},
+                  {"streets-16", "street", "lidar-16"},
+                  {"streets-livox", "street", "livox"}};
 
 /** "3-20", or "7" for one scene. */
 std::pair<std::uint32_t, std::uint32_t>
@@ -186,11 +111,17 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
   const auto [first, last] = seedRange (scenes.name, seeds);
   DataSet data_set{scenes.name, {}};
   for (std::uint32_t i = 0; i <= last - first; ++i) {
-    const std::uint32_t seed = first + i;
+    simulation::Simulation simulation;
+    simulation.scene = scenes.scene;
+    simulation.seed = first + i;
+    simulation.has_raw_depth = scenes.has_raw_depth;
+    simulation.sensor = scenes.sensor;
+    simulation.organized =
+        simulation.scene == "room" || simulation.scene == "furniture";
     std::ostringstream cloud;
-    cloud << scenes.scene << '-' << std::setfill ('0') << std::setw (4) << seed;
+    cloud << scenes.scene << '-' << std::setfill ('0') << std::setw (4) << first + i;
     data_set.clouds.push_back (
-        {cloud.str(), [seed, simulate = scenes.simulate] { return simulate (seed); }});
+        {cloud.str(), [simulation] { return simulated (simulation); }});
   }
   return data_set;
 }
@@ -198,18 +129,13 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
 DataSet
 scansDataSet (const std::string& name, const std::string& sizes)
 {
-  constexpr std::uint32_t seed = 1;
   const apps::Range of_points = apps::Range::from (1).upTo (max_points);
   DataSet data_set{name, {}};
   std::istringstream list (sizes);
   for (std::string size; std::getline (list, size, ',');) {
-    const auto points = apps::parseNumber<std::size_t> (name, size, of_points);
-    data_set.clouds.push_back (
-        {"scan-" + size, [points] {
-           const auto room = simulation::makeRoom (seed);
-           return withExactTruth (
-               simulation::scanDensely (room.scene, points, 1.0, seed).cloud);
-         }});
+    simulation::Simulation scan;
+    scan.points = apps::parseNumber<double> (name, size, of_points);
+    data_set.clouds.push_back ({"scan-" + size, [scan] { return simulated (scan); }});
   }
   if (data_set.clouds.empty())
     throw apps::UsageError (name,

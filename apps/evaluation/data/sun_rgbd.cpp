@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sun_rgbd.h"
 
-#include <boost/endian/conversion.hpp>
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -12,11 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csetjmp>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <new>
+#include <memory>
 
 namespace pcl_ops::evaluation {
 
@@ -101,114 +97,40 @@ readExtrinsics (const fs::path& file)
   return rotation;
 }
 
-struct PngError {
-  std::string what;
-};
-
-[[noreturn]] void
-leave (png_structp png, png_const_charp message)
-{
-  *static_cast<std::string*> (png_get_error_ptr (png)) = message;
-  png_longjmp (png, 1);
-}
-
-void
-ignoreWarning (png_structp, png_const_charp)
-{}
-
-/** A PNG file in the hands of libpng. */
-struct PngFile {
-  std::string reason;
-  std::FILE* stream;
-  png_structp png =
-      png_create_read_struct (PNG_LIBPNG_VER_STRING, &reason, leave, ignoreWarning);
-  png_infop info = png_create_info_struct (png);
-
-  explicit PngFile (const std::string& file) : stream (std::fopen (file.c_str(), "rb"))
-  {}
-  PngFile (const PngFile&) = delete;
-  PngFile&
-  operator= (const PngFile&) = delete;
-  ~PngFile()
-  {
-    png_destroy_read_struct (&png, &info, nullptr);
-    if (stream != nullptr)
-      std::fclose (stream);
-  }
-
-  /** Where libpng finds an error it leaves \p read by longjmp: what that calls
-   * must have nothing to destroy. */
-  template <typename Read>
-  void
-  attempt (const char* problem, const Read& read)
-  {
-    if (setjmp (png_jmpbuf (png)) != 0)
-      throw PngError{std::string (problem) + " (" + reason + ")"};
-    read();
-  }
-};
-
-/** The size of an image that is one of depths. */
-DepthImage
-emptyImageOf (const PngFile& file)
-{
-  const int bits = png_get_bit_depth (file.png, file.info);
-  const int color_type = png_get_color_type (file.png, file.info);
-  if (bits != 16 || color_type != PNG_COLOR_TYPE_GRAY)
-    throw PngError{"is no depth image: " + std::to_string (bits) +
-                   " bits per channel, color type " + std::to_string (color_type) +
-                   ", not 16-bit gray"};
-  if (png_get_interlace_type (file.png, file.info) != PNG_INTERLACE_NONE)
-    throw PngError{"is interlaced, which depth images are not"};
-  const DepthImage image{png_get_image_width (file.png, file.info),
-                         png_get_image_height (file.png, file.info),
-                         {}};
-  /** Far above any depth camera, far below what would exhaust the memory. */
-  constexpr std::size_t max_pixels = 100'000'000;
-  if (image.width > max_pixels / image.height)
-    throw PngError{"has an impossible size of " + std::to_string (image.width) + " x " +
-                   std::to_string (image.height) + " pixels"};
-  return image;
-}
-
-DepthImage
-read (PngFile& file)
-{
-  if (file.info == nullptr)
-    throw std::bad_alloc();
-  if (file.stream == nullptr)
-    throw PngError{"cannot be read"};
-  file.attempt ("is no whole PNG file", [&] {
-    png_init_io (file.png, file.stream);
-    png_set_user_limits (file.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-    png_read_info (file.png, file.info);
-  });
-  DepthImage image = emptyImageOf (file);
-  image.values.resize (image.width * image.height);
-  file.attempt ("is damaged: it holds less than its size says", [&] {
-    for (std::size_t row = 0; row < image.height; ++row)
-      png_read_row (file.png,
-                    reinterpret_cast<png_bytep> (&image.values[row * image.width]),
-                    nullptr);
-    png_read_end (file.png, nullptr);
-  });
-  for (std::uint16_t& value : image.values)
-    boost::endian::big_to_native_inplace (value);
-  return image;
-}
-
 /** A 16-bit grayscale PNG file (ISO/IEC 15948). By libpng itself because VTK's reader,
  * the one PCL brings, crashes on a truncated file. */
 DepthImage
 readDepthPng (const std::string& file)
 {
-  try {
-    PngFile png (file);
-    return read (png);
-  }
-  catch (const PngError& error) {
-    throw apps::WorkError (file, error.what + "; get the file again");
-  }
+  const auto require = [&file] (bool is_right, const std::string& problem) {
+    if (!is_right)
+      throw apps::WorkError (file, problem + "; get the file again");
+  };
+  static const std::string end ("\0\0\0\0IEND\xae\x42\x60\x82", 12);
+  std::ifstream stream (file, std::ios::binary);
+  const std::string bytes (std::istreambuf_iterator<char> (stream), {});
+  require (bytes.size() > end.size() &&
+               bytes.compare (bytes.size() - end.size(), end.size(), end) == 0,
+           "cannot be read, or is no whole PNG file");
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  const bool is_begun =
+      png_image_begin_read_from_memory (&png, bytes.data(), bytes.size()) != 0;
+  const std::unique_ptr<png_image, void (*) (png_imagep)> owner (&png, png_image_free);
+  require (is_begun, std::string ("is no whole PNG file (") + png.message + ")");
+  // Values of other images would be brightened.
+  require (png.format == PNG_FORMAT_LINEAR_Y &&
+               bytes.find ("gAMA") > bytes.find ("IDAT"),
+           "is no depth image, which is 16-bit gray without a gamma");
+  /** Far above any depth camera, far below what would exhaust the memory. */
+  constexpr std::size_t max_pixels = 100'000'000;
+  require (png.width <= max_pixels / png.height, "has an impossible size");
+  DepthImage image{png.width, png.height, {}};
+  image.values.resize (image.width * image.height);
+  const int is_read =
+      png_image_finish_read (&png, nullptr, image.values.data(), 0, nullptr);
+  require (is_read != 0, std::string ("is damaged (") + png.message + ")");
+  return image;
 }
 
 bool

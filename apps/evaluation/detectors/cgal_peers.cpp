@@ -76,8 +76,10 @@ planeOf (const OrientedPoints& points, const std::vector<std::size_t>& members)
   return plane;
 }
 
+} // namespace
+
 std::vector<pcl::PointIndices>
-planesByEfficientRansac (const PeerTask& task)
+planesByCgalRansac (const PeerTask& task)
 {
   using Traits = CGAL::Shape_detection::
       Efficient_RANSAC_traits<Kernel, OrientedPoints, PointMap, NormalMap>;
@@ -102,7 +104,7 @@ planesByEfficientRansac (const PeerTask& task)
 }
 
 std::vector<pcl::PointIndices>
-planesByRegionGrowing (const PeerTask& task)
+planesByCgalRegionGrowing (const PeerTask& task)
 {
   const OrientedPoints points = orientedPointsOf (task);
   namespace growing = CGAL::Shape_detection::Point_set;
@@ -130,16 +132,6 @@ planesByRegionGrowing (const PeerTask& task)
   for (const std::vector<std::size_t>& members : regions)
     planes.push_back (planeOf (points, members));
   return planes;
-}
-
-} // namespace
-
-void
-addCgalPeers (std::vector<Configuration>& configurations)
-{
-  const std::string version = "CGAL " CGAL_VERSION_STR;
-  addPeer (configurations, "cgal-ransac", version, planesByEfficientRansac);
-  addPeer (configurations, "cgal-region-growing", version, planesByRegionGrowing);
 }
 
 } // namespace pcl_ops::evaluation

@@ -3,6 +3,7 @@
 #include "detectors.h"
 
 #include "detector_run.h"
+#include "peers.h"
 #include <cli/errors.h>
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/kernel_hough_transform.h>
@@ -130,14 +131,7 @@ allConfigurations ()
     addTable3 (configurations);
     addTable1 (configurations);
     addTable2 (configurations);
-    addPclPeers (configurations);
-    addVoxelOctree (configurations);
-#ifdef PCL_OPS_WITH_CGAL
-    addCgalPeers (configurations);
-#endif
-#ifdef PCL_OPS_WITH_OPEN3D
-    addOpen3dPeer (configurations);
-#endif
+    addPeers (configurations);
     addAblation (configurations);
     return configurations;
   }();

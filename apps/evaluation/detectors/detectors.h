@@ -83,23 +83,4 @@ allConfigurations ();
 std::vector<Configuration>
 selectConfigurations (const std::string& list);
 
-/** \brief pcl-sac, the loop of PCL's tutorial around SACSegmentation,
- * pcl-region-growing, normals of all points and RegionGrowing, and pcl-organized,
- * OrganizedMultiPlaneSegmentation, for images. */
-void
-addPclPeers (std::vector<Configuration>& configurations);
-
-/** \brief cgal-ransac, Efficient RANSAC (Schnabel et al. 2007), and
- * cgal-region-growing, both with the normals they need. */
-void
-addCgalPeers (std::vector<Configuration>& configurations);
-
-/** \brief open3d, the loop of PCL's tutorial around SegmentPlane. */
-void
-addOpen3dPeer (std::vector<Configuration>& configurations);
-
-/** \brief voxel-octree, as lidar odometry divides its map. */
-void
-addVoxelOctree (std::vector<Configuration>& configurations);
-
 } // namespace pcl_ops::evaluation

@@ -2,36 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "limited_run.h"
 
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstring>
-#include <new>
+#include <mutex>
 #include <stdexcept>
 
 namespace pcl_ops::evaluation {
 
 namespace {
 
-/** Of what an exception says, with its end. */
-constexpr std::size_t longest_problem = 200;
-
 [[noreturn]] void
-workAndEnd (const std::function<void()>& work, unsigned seconds, char* problem)
+workAndEnd (const std::function<std::string()>& work, unsigned seconds, int pipe)
 {
   std::signal (SIGALRM, SIG_DFL); // ends the process
   alarm (seconds);
+  std::string bytes;
+  int code = 0;
   try {
-    work();
-    _exit (0);
+    bytes = work();
   }
   catch (const std::exception& error) {
-    std::strncpy (problem, error.what(), longest_problem - 1);
-    _exit (1);
+    bytes = error.what();
+    code = 1;
   }
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t written = write (pipe, bytes.data() + done, bytes.size() - done);
+    if (written <= 0)
+      _exit (1);
+    done += static_cast<std::size_t> (written);
+  }
+  _exit (code);
+}
+
+std::string
+readAll (int pipe)
+{
+  std::string bytes;
+  std::array<char, 65536> part{};
+  for (ssize_t count = 0; (count = read (pipe, part.data(), part.size())) > 0;)
+    bytes.append (part.data(), static_cast<std::size_t> (count));
+  return bytes;
 }
 
 /** What a detector's process hands over; the labels of the points are behind it. */
@@ -42,35 +56,31 @@ struct Answer {
 
 } // namespace
 
-SharedMemory::SharedMemory (std::size_t bytes)
-: bytes_ (bytes)
-, begin_ (
-      mmap (nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0))
+std::optional<std::string>
+runInChild (const std::function<std::string()>& work, unsigned seconds)
 {
-  if (begin_ == MAP_FAILED)
-    throw std::bad_alloc();
-}
-
-SharedMemory::~SharedMemory() { munmap (begin_, bytes_); }
-
-bool
-runInChild (const std::function<void()>& work, unsigned seconds)
-{
-  const SharedMemory memory (longest_problem); // all zero
-  auto* const problem = static_cast<char*> (memory.begin());
-  const pid_t child = fork();
+  static std::mutex mutex;
+  std::unique_lock<std::mutex> lock (mutex); // no other child holds the end that writes
+  std::array<int, 2> ends{};
+  const pid_t child = pipe (ends.data()) == 0 ? fork() : -1;
   if (child == 0)
-    workAndEnd (work, seconds, problem);
+    workAndEnd (work, seconds, ends[1]);
+  if (child < 0)
+    throw std::runtime_error ("no process for it");
+  close (ends[1]);
+  lock.unlock();
+  std::string bytes = readAll (ends[0]);
+  close (ends[0]);
   int status = 0;
-  if (child < 0 || waitpid (child, &status, 0) < 0)
+  if (waitpid (child, &status, 0) < 0)
     throw std::runtime_error ("no process for it");
   if (WIFSIGNALED (status) && WTERMSIG (status) == SIGALRM)
-    return false;
+    return std::nullopt;
   if (WIFSIGNALED (status))
     throw std::runtime_error ("ended by signal " + std::to_string (WTERMSIG (status)));
   if (WEXITSTATUS (status) != 0)
-    throw std::runtime_error (problem);
-  return true;
+    throw std::runtime_error (bytes);
+  return bytes;
 }
 
 std::optional<DetectorRun>
@@ -79,21 +89,22 @@ runLimited (const Configuration& configuration,
             const RunSettings& settings,
             unsigned seconds)
 {
-  const SharedMemory memory (sizeof (Answer) + cloud->size() * sizeof (std::uint32_t));
-  auto* const answer = new (memory.begin()) Answer;
-  auto* const labels = reinterpret_cast<std::uint32_t*> (answer + 1);
-  const bool is_done = runInChild (
-      [&] {
-        const DetectorRun run = configuration.run (cloud, settings);
-        *answer = {run.durations, run.planes_before_merging};
-        std::copy (run.labels.begin(), run.labels.end(), labels);
-      },
-      seconds);
-  if (!is_done)
+  const auto detect = [&] {
+    const DetectorRun run = configuration.run (cloud, settings);
+    const Answer answer{run.durations, run.planes_before_merging};
+    std::string bytes (reinterpret_cast<const char*> (&answer), sizeof answer);
+    return bytes.append (reinterpret_cast<const char*> (run.labels.data()),
+                         run.labels.size() * sizeof run.labels[0]);
+  };
+  const std::optional<std::string> bytes = runInChild (detect, seconds);
+  if (!bytes)
     return std::nullopt;
-  return DetectorRun{{labels, labels + cloud->size()},
-                     answer->planes_before_merging,
-                     answer->durations};
+  Answer answer;
+  PlaneLabels labels ((bytes->size() - sizeof answer) / sizeof (std::uint32_t));
+  std::memcpy (&answer, bytes->data(), sizeof answer);
+  std::memcpy (
+      labels.data(), bytes->data() + sizeof answer, bytes->size() - sizeof answer);
+  return DetectorRun{labels, answer.planes_before_merging, answer.durations};
 }
 
 } // namespace pcl_ops::evaluation

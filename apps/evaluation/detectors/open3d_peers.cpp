@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "peers.h"
 #include <open3d/geometry/PointCloud.h>
-#include <open3d/Open3DConfig.h>
 #include <open3d/utility/Random.h>
 #ifdef _OPENMP
 #include <omp.h>
@@ -10,28 +9,25 @@
 
 namespace pcl_ops::evaluation {
 
-void
-addOpen3dPeer (std::vector<Configuration>& configurations)
+std::vector<pcl::PointIndices>
+planesByOpen3d (const PeerTask& task)
 {
-  addPeer (
-      configurations, "open3d", "Open3D " OPEN3D_VERSION, [] (const PeerTask& task) {
-        constexpr int points_of_sample = 3, iterations = 1000;
+  constexpr int points_of_sample = 3, iterations = 1000;
 #ifdef _OPENMP
-        omp_set_num_threads (1); // as all others here
+  omp_set_num_threads (1); // as all others here
 #endif
-        open3d::utility::random::Seed (int (task.settings.seed));
-        return peelPlanes (task.cloud->size(), [&] (const pcl::IndicesPtr& rest) {
-          open3d::geometry::PointCloud cloud;
-          for (const pcl::index_t i : *rest)
-            cloud.points_.push_back ((*task.cloud)[i].getVector3fMap().cast<double>());
-          const auto plane =
-              cloud.SegmentPlane (task.values.threshold, points_of_sample, iterations);
-          pcl::Indices inliers;
-          for (const std::size_t i : std::get<1> (plane))
-            inliers.push_back ((*rest)[i]);
-          return inliers;
-        });
-      });
+  open3d::utility::random::Seed (int (task.settings.seed));
+  return peelPlanes (task.cloud->size(), [&] (const pcl::IndicesPtr& rest) {
+    open3d::geometry::PointCloud cloud;
+    for (const pcl::index_t i : *rest)
+      cloud.points_.push_back ((*task.cloud)[i].getVector3fMap().cast<double>());
+    const auto plane =
+        cloud.SegmentPlane (task.values.threshold, points_of_sample, iterations);
+    pcl::Indices inliers;
+    for (const std::size_t i : std::get<1> (plane))
+      inliers.push_back ((*rest)[i]);
+    return inliers;
+  });
 }
 
 } // namespace pcl_ops::evaluation

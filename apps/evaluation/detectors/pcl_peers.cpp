@@ -8,7 +8,6 @@
 #include <pcl/segmentation/organized_multi_plane_segmentation.h>
 #include <pcl/segmentation/region_growing.h>
 #include <pcl/segmentation/sac_segmentation.h>
-#include <pcl/pcl_config.h>
 
 #include "detector_run.h"
 #include "peers.h"
@@ -27,8 +26,10 @@ constexpr int min_points_of_region = 50;
 
 using Normals = pcl::PointCloud<pcl::Normal>;
 
+} // namespace
+
 std::vector<pcl::PointIndices>
-planesByRansac (const PeerTask& task)
+planesByPclRansac (const PeerTask& task)
 {
   pcl::SACSegmentation<pcl::PointXYZ> segmentation;
   segmentation.setOptimizeCoefficients (true);
@@ -47,6 +48,8 @@ planesByRansac (const PeerTask& task)
   });
 }
 
+namespace {
+
 Normals::Ptr
 normalsOf (const PeerTask& task, const pcl::search::KdTree<pcl::PointXYZ>::Ptr& tree)
 {
@@ -59,8 +62,10 @@ normalsOf (const PeerTask& task, const pcl::search::KdTree<pcl::PointXYZ>::Ptr& 
   return normals;
 }
 
+} // namespace
+
 std::vector<pcl::PointIndices>
-planesByRegionGrowing (const PeerTask& task)
+planesByPclRegionGrowing (const PeerTask& task)
 {
   pcl::search::KdTree<pcl::PointXYZ>::Ptr tree (new pcl::search::KdTree<pcl::PointXYZ>);
   const auto normals =
@@ -77,6 +82,8 @@ planesByRegionGrowing (const PeerTask& task)
   growing.extract (regions);
   return regions;
 }
+
+namespace {
 
 /** The image of a depth camera, in its axes, as what reads it expects. */
 XyzCloud::Ptr
@@ -109,6 +116,8 @@ normalsOfImage (const XyzCloud::ConstPtr& image)
   return normals;
 }
 
+} // namespace
+
 std::vector<pcl::PointIndices>
 planesInImage (const PeerTask& task)
 {
@@ -140,17 +149,6 @@ planesInImage (const PeerTask& task)
     for (pcl::index_t& i : plane.indices)
       i = point_of[i];
   return planes;
-}
-
-} // namespace
-
-void
-addPclPeers (std::vector<Configuration>& configurations)
-{
-  const std::string version = "PCL " PCL_VERSION_PRETTY;
-  addPeer (configurations, "pcl-sac", version, planesByRansac);
-  addPeer (configurations, "pcl-region-growing", version, planesByRegionGrowing);
-  addPeer (configurations, "pcl-organized", version, planesInImage, true);
 }
 
 } // namespace pcl_ops::evaluation

@@ -3,15 +3,23 @@
 #include "peers.h"
 
 #include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/pcl_config.h>
 
 #include "detector_run.h"
 #include <numbers/quantile.h>
 #include <pcl_ops/oriented_point_sampling.h>
+#ifdef PCL_OPS_WITH_CGAL
+#include <CGAL/version.h>
+#endif
+#ifdef PCL_OPS_WITH_OPEN3D
+#include <open3d/Open3DConfig.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <tuple>
 
 namespace pcl_ops::evaluation {
 
@@ -84,32 +92,44 @@ valuesFor (const XyzCloud::ConstPtr& cloud,
 }
 
 void
-addPeer (std::vector<Configuration>& configurations,
-         const std::string& name,
-         const std::string& version,
-         const std::function<std::vector<pcl::PointIndices> (const PeerTask&)>& detect,
-         bool needs_grid)
+addPeers (std::vector<Configuration>& configurations)
 {
-  for (const ValuesFrom source : {ValuesFrom::Tutorial, ValuesFrom::Cloud}) {
-    const std::string measured = source == ValuesFrom::Cloud ? "-measured" : "";
-    Configuration peer{name + measured, {"peers" + measured}, {}};
-    peer.is_peer = true;
-    peer.needs_grid = needs_grid;
-    peer.version = version;
-    peer.run = [detect, source] (const XyzCloud::ConstPtr& cloud,
-                                 const RunSettings& settings) {
-      const PeerValues values = valuesFor (cloud, settings, source);
-      DetectorRun run;
-      timed (run.durations.detection, settings.clock, [&] {
-        const auto planes =
-            detect ({cloud, settings, values, source, run.durations.normals});
-        run.planes_before_merging = planes.size();
-        run.labels = labelsOf (planes, cloud->size());
-      });
-      return run;
-    };
-    configurations.push_back (peer);
-  }
+  const std::string of_pcl = "PCL " PCL_VERSION_PRETTY;
+  const std::tuple<const char*, std::string, DetectAsPeer*> peers[] = {
+      {"pcl-sac", of_pcl, planesByPclRansac},
+      {"pcl-region-growing", of_pcl, planesByPclRegionGrowing},
+      {"pcl-organized", of_pcl, planesInImage},
+      {"voxel-octree", "", planesInVoxelOctree},
+#ifdef PCL_OPS_WITH_CGAL
+      {"cgal-ransac", "CGAL " CGAL_VERSION_STR, planesByCgalRansac},
+      {"cgal-region-growing", "CGAL " CGAL_VERSION_STR, planesByCgalRegionGrowing},
+#endif
+#ifdef PCL_OPS_WITH_OPEN3D
+      {"open3d", "Open3D " OPEN3D_VERSION, planesByOpen3d},
+#endif
+  };
+  for (const auto& [name, version, detect] : peers)
+    for (const ValuesFrom source : {ValuesFrom::Tutorial, ValuesFrom::Cloud}) {
+      const std::string measured = source == ValuesFrom::Cloud ? "-measured" : "";
+      const auto run = [detect = detect, source] (const XyzCloud::ConstPtr& cloud,
+                                                  const RunSettings& settings) {
+        const PeerValues values = valuesFor (cloud, settings, source);
+        DetectorRun run;
+        timed (run.durations.detection, settings.clock, [&] {
+          const auto planes =
+              detect ({cloud, settings, values, source, run.durations.normals});
+          run.planes_before_merging = planes.size();
+          run.labels = labelsOf (planes, cloud->size());
+        });
+        return run;
+      };
+      configurations.push_back ({name + measured,
+                                 {"peers" + measured},
+                                 run,
+                                 true,
+                                 detect == planesInImage,
+                                 version});
+    }
 }
 
 std::vector<pcl::PointIndices>

@@ -45,14 +45,25 @@ struct PeerTask {
   double& normals;
 };
 
-/** \brief Adds a detector twice: at the values of its tutorial as \p name in the group
+using DetectAsPeer = std::vector<pcl::PointIndices> (const PeerTask& task);
+
+/** \brief The loop of PCL's tutorial around SACSegmentation. */
+DetectAsPeer planesByPclRansac;
+DetectAsPeer planesByPclRegionGrowing;
+/** \brief OrganizedMultiPlaneSegmentation, for images. */
+DetectAsPeer planesInImage;
+/** \brief Efficient RANSAC (Schnabel et al. 2007). */
+DetectAsPeer planesByCgalRansac;
+DetectAsPeer planesByCgalRegionGrowing;
+/** \brief The loop of PCL's tutorial around SegmentPlane. */
+DetectAsPeer planesByOpen3d;
+/** \brief As lidar odometry divides its map. */
+DetectAsPeer planesInVoxelOctree;
+
+/** \brief Adds all of them twice: at the values of their tutorials in the group
  * "peers", and at those of the cloud as NAME-measured in "peers-measured". */
 void
-addPeer (std::vector<Configuration>& configurations,
-         const std::string& name,
-         const std::string& version,
-         const std::function<std::vector<pcl::PointIndices> (const PeerTask&)>& detect,
-         bool needs_grid = false);
+addPeers (std::vector<Configuration>& configurations);
 
 /** \brief The loop of PCL's tutorial: takes the largest plane away until fewer than 500
  * of the points are on it, 2 % are left, or 40 are found.

@@ -143,12 +143,10 @@ parametersFrom (const PeerValues& values, ValuesFrom source)
 
 } // namespace
 
-void
-addVoxelOctree (std::vector<Configuration>& configurations)
+std::vector<pcl::PointIndices>
+planesInVoxelOctree (const PeerTask& task)
 {
-  addPeer (configurations, "voxel-octree", "", [] (const PeerTask& task) {
-    return planesInOctree (*task.cloud, parametersFrom (task.values, task.source));
-  });
+  return planesInOctree (*task.cloud, parametersFrom (task.values, task.source));
 }
 
 } // namespace pcl_ops::evaluation

@@ -108,6 +108,9 @@ planesOf (const XyzCloud& cloud,
     segment.moments = moments.about (segment.centroid);
     segments.push_back (segment);
   }
+  for (std::size_t i = 0; i < planes.of_point.size(); ++i)
+    if (planes.of_point[i] != PlaneIds::none)
+      segments[planes.of_point[i]].inliers.push_back (static_cast<pcl::index_t> (i));
   return segments;
 }
 

@@ -66,7 +66,7 @@ struct ClassParameters {
 };
 
 /** \brief The planes of labeled points: least squares through all points of a label,
- * normals to the sensor's side, without \ref PlaneSegment::inliers.
+ * normals to the sensor's side.
  * \param[in] cloud finite points with the sensor's origin
  * \param[in] planes ids of their labels
  * \return a plane per id; class Other where the points of a label span none */

@@ -101,8 +101,10 @@ countTrue (const std::vector<bool>& values)
 
 } // namespace
 
-InstanceMetrics
-instanceMetrics (const Confusion& confusion, double threshold)
+NamedValues
+instanceMetrics (const Confusion& confusion,
+                 double threshold,
+                 const std::string& suffix)
 {
   const std::size_t truth_planes = confusion.truth.size();
   const std::size_t result_planes = confusion.result.size();
@@ -113,21 +115,25 @@ instanceMetrics (const Confusion& confusion, double threshold)
 
   const std::size_t matches = countTrue (truth.matched);
   const double both_empty = truth_planes + result_planes == 0 ? 1.0 : 0.0;
-  InstanceMetrics metrics;
-  metrics.precision = apps::fraction (matches, result_planes, both_empty);
-  metrics.recall = apps::fraction (matches, truth_planes, both_empty);
-  metrics.f_score =
+  const double f_score =
       apps::fraction (2 * matches, truth_planes + result_planes, both_empty);
-  metrics.mean_iou =
+  const double mean_iou =
       matches == 0 ? both_empty : iou_sum / static_cast<double> (matches);
-  metrics.panoptic_quality = metrics.mean_iou * metrics.f_score;
-  metrics.over_segmentation =
-      apps::fraction (countTrue (truth.split), truth_planes, 0.0);
-  metrics.under_segmentation =
-      apps::fraction (countTrue (result.split), result_planes, 0.0);
-  metrics.noise = apps::fraction (result.unexplained(), result_planes, 0.0);
-  metrics.missed = apps::fraction (truth.unexplained(), truth_planes, 0.0);
-  return metrics;
+  const auto ofTruth = [&] (std::size_t planes, double otherwise = 0.0) {
+    return apps::fraction (planes, truth_planes, otherwise);
+  };
+  const auto ofResult = [&] (std::size_t planes, double otherwise = 0.0) {
+    return apps::fraction (planes, result_planes, otherwise);
+  };
+  return {{"precision" + suffix, ofResult (matches, both_empty)},
+          {"recall" + suffix, ofTruth (matches, both_empty)},
+          {"f_score" + suffix, f_score},
+          {"mean_iou" + suffix, mean_iou},
+          {"panoptic_quality" + suffix, mean_iou * f_score},
+          {"over_segmentation" + suffix, ofTruth (countTrue (truth.split))},
+          {"under_segmentation" + suffix, ofResult (countTrue (result.split))},
+          {"noise" + suffix, ofResult (result.unexplained())},
+          {"missed" + suffix, ofTruth (truth.unexplained())}};
 }
 
 std::vector<bool>

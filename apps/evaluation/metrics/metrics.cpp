@@ -44,8 +44,9 @@ classificationAccuracy (const FinitePoints& points, const ClassParameters& param
   return apps::fraction (right, truth.size(), 1.0);
 }
 
-void
-setSegmentationAccuracies (const Confusion& confusion, Metrics& metrics)
+/** The paper's, over true planes, and the same over all points. */
+std::pair<double, double>
+segmentationAccuracies (const Confusion& confusion)
 {
   std::size_t right = 0;
   for (const Overlap& pair : assignPlanes (confusion))
@@ -53,30 +54,9 @@ setSegmentationAccuracies (const Confusion& confusion, Metrics& metrics)
   const std::size_t on_true_planes = std::accumulate (
       confusion.truth.points.begin(), confusion.truth.points.end(), std::size_t (0));
   const double none_to_find = confusion.result.size() == 0 ? 1.0 : 0.0;
-  metrics.segmentation_accuracy = apps::fraction (right, on_true_planes, none_to_find);
-  metrics.segmentation_accuracy_all = apps::fraction (
-      right + confusion.points_on_no_plane_in_both, confusion.points, 1.0);
-}
-
-using Named = std::vector<std::pair<std::string, double>>;
-
-void
-appendNamed (const InstanceMetrics& metrics, const std::string& suffix, Named& named)
-{
-  for (const auto& [name, value] : instance_metrics)
-    named.emplace_back (name + suffix, metrics.*value);
-}
-
-/** As in "found_75_by_width_below_0.03". */
-void
-appendNamed (const std::string& by, const SizeClasses& classes, Named& named)
-{
-  for (const SizeClass& size : classes) {
-    const std::string suffix = "_by_" + by + '_' + size.name ('_');
-    named.emplace_back ("planes" + suffix, double (size.planes));
-    named.emplace_back ("found" + suffix, double (size.found_50));
-    named.emplace_back ("found_75" + suffix, double (size.found_75));
-  }
+  return {apps::fraction (right, on_true_planes, none_to_find),
+          apps::fraction (
+              right + confusion.points_on_no_plane_in_both, confusion.points, 1.0)};
 }
 
 } // namespace
@@ -99,36 +79,36 @@ compareLabels (const XyzCloud& cloud,
   metrics.points = points.cloud.size();
   metrics.truth_planes = confusion.truth.size();
   metrics.result_planes = confusion.result.size();
-  metrics.classification_accuracy = classificationAccuracy (points, parameters);
-  setSegmentationAccuracies (confusion, metrics);
+  const auto [accuracy, accuracy_all] = segmentationAccuracies (confusion);
+  metrics.named = {
+      {"classification_accuracy", classificationAccuracy (points, parameters)},
+      {"segmentation_accuracy", accuracy},
+      {"segmentation_accuracy_all", accuracy_all}};
+  for (const auto& [threshold, suffix] : {std::pair (0.50, ""), {0.75, "_75"}}) {
+    const NamedValues values = instanceMetrics (confusion, threshold, suffix);
+    metrics.named.insert (metrics.named.end(), values.begin(), values.end());
+  }
   metrics.points_off_planes_called_planes = apps::fraction (
       confusion.points_off_planes - confusion.points_on_no_plane_in_both,
       confusion.points_off_planes,
       0.0);
   metrics.by_size = sizeClasses (confusion);
   metrics.by_width = widthClasses (confusion, widthsOf (points.cloud, confusion.truth));
-  metrics.at_50 = instanceMetrics (confusion, 0.50);
-  metrics.at_75 = instanceMetrics (confusion, 0.75);
   return metrics;
 }
 
-std::vector<std::pair<std::string, double>>
-namedMetrics (const Metrics& metrics)
-{
-  Named named{{"classification_accuracy", metrics.classification_accuracy},
-              {"segmentation_accuracy", metrics.segmentation_accuracy},
-              {"segmentation_accuracy_all", metrics.segmentation_accuracy_all}};
-  appendNamed (metrics.at_50, "", named);
-  appendNamed (metrics.at_75, "_75", named);
-  return named;
-}
-
-std::vector<std::pair<std::string, double>>
+NamedValues
 namedCounts (const Metrics& metrics)
 {
-  Named named;
-  appendNamed ("points", metrics.by_size, named);
-  appendNamed ("width", metrics.by_width, named);
+  NamedValues named;
+  for (const auto& [by, classes] :
+       {std::pair ("points", &metrics.by_size), {"width", &metrics.by_width}})
+    for (const SizeClass& size : *classes) {
+      const std::string suffix = std::string ("_by_") + by + '_' + size.name ('_');
+      named.emplace_back ("planes" + suffix, double (size.planes));
+      named.emplace_back ("found" + suffix, double (size.found_50));
+      named.emplace_back ("found_75" + suffix, double (size.found_75));
+    }
   return named;
 }
 

@@ -35,31 +35,29 @@ public:
               ResultsFile& results,
               std::ostream& messages,
               bool is_terminal)
-  : plan_ (plan)
-  , results_ (results)
-  , tasks_ (tasksOf (plan))
-  , progress_ (tasks_.size(), messages, apps::progressStyleOf (is_terminal))
-  {}
+  : plan_ (plan), results_ (results)
+  {
+    for (const DataSet& data_set : plan.data_sets)
+      for (const CloudSource& source : data_set.clouds)
+        tasks_.push_back ({data_set.name, &source});
+    progress_.emplace (tasks_.size(), messages, apps::progressStyleOf (is_terminal));
+  }
 
   EvaluationSummary
   run ()
   {
     apps::runInParallel (tasks_.size(), plan_.jobs, [this] (std::size_t i) {
       evaluateCloud (tasks_[i]);
-      progress_.step();
+      progress_->step();
     });
     return {clouds_, new_rows_, broken_clouds_, failed_runs_, stopped_runs_};
   }
 
 private:
-  static std::vector<CloudTask>
-  tasksOf (const EvaluationPlan& plan)
+  void
+  note (const std::string& line)
   {
-    std::vector<CloudTask> tasks;
-    for (const DataSet& data_set : plan.data_sets)
-      for (const CloudSource& source : data_set.clouds)
-        tasks.push_back ({data_set.name, &source});
-    return tasks;
+    progress_->note (apps::errorLine (line));
   }
 
   void
@@ -82,7 +80,7 @@ private:
     }
     catch (const std::exception& error) {
       ++broken_clouds_;
-      progress_.note (apps::errorLine (std::string ("left out: ") + error.what()));
+      note (std::string ("left out: ") + error.what());
       return;
     }
     saveLabels (task, "truth", *cloud.cloud, truth);
@@ -91,25 +89,30 @@ private:
     ++clouds_;
   }
 
-  ResultRow
-  emptyRow (const CloudTask& task, const std::string& truth) const
+  ResultKey
+  keyOf (const CloudTask& task,
+         const std::string& truth,
+         const Configuration& configuration) const
   {
-    return {task.data_set, task.source->name, truth, "", plan_.settings.seed, {}};
+    return {task.data_set,
+            task.source->name,
+            truth,
+            configuration.name,
+            plan_.settings.seed};
   }
 
   /** Known without loading the cloud only where its rows say which truth it has. */
   bool
   isComplete (const CloudTask& task) const
   {
-    for (const Configuration& configuration : plan_.configurations) {
-      ResultRow row = emptyRow (task, truthName (EvaluationCloud{}, plan_.truth));
-      row.configuration = configuration.name;
-      const bool grown = results_.has (row.key());
-      row.truth = exact_truth;
-      if (!grown && !results_.has (row.key()))
-        return false;
-    }
-    return true;
+    const std::string grown = truthName (EvaluationCloud{}, plan_.truth);
+    return std::all_of (plan_.configurations.begin(),
+                        plan_.configurations.end(),
+                        [&] (const Configuration& configuration) {
+                          return results_.has (keyOf (task, grown, configuration)) ||
+                                 results_.has (
+                                     keyOf (task, exact_truth, configuration));
+                        });
   }
 
   void
@@ -142,21 +145,26 @@ private:
                : configuration.run (cloud.cloud, settings);
   }
 
-  /** Nothing but how long it took, so that it is not tried again. */
-  std::vector<double>
-  valuesOfStopped (const CloudTask& task, const Configuration& configuration)
+  /** All numbers, or of a run that was stopped none but how long it took, so that it is
+   * not tried again. */
+  NamedValues
+  valuesOf (const Configuration& configuration,
+            const EvaluationCloud& cloud,
+            const PlaneLabels& truth,
+            const CloudTask& task)
   {
+    if (const std::optional<DetectorRun> run = detect (configuration, cloud)) {
+      saveLabels (task, configuration.name, *cloud.cloud, run->labels);
+      return namedValues (compareLabels (*cloud.cloud, truth, run->labels, {cloud.up}),
+                          *run);
+    }
     ++stopped_runs_;
-    progress_.note (apps::errorLine (
-        configuration.name + " on " + task.source->name + ": stopped after " +
-        std::to_string (plan_.time_limit) + " s; more by --time-limit"));
-    constexpr double milliseconds = 1e3;
-    DetectorRun run;
-    run.durations.detection = milliseconds * plan_.time_limit;
-    std::vector<double> values = valuesOf ({}, run);
-    for (double& value : values)
-      if (value != run.durations.detection)
-        value = std::numeric_limits<double>::quiet_NaN();
+    note (configuration.name + " on " + task.source->name + ": stopped after " +
+          std::to_string (plan_.time_limit) + " s; more by --time-limit");
+    NamedValues values = namedValues (compareLabels ({}, {}, {}), {});
+    for (auto& [column, value] : values)
+      value = column == "detection_ms" ? 1e3 * plan_.time_limit
+                                       : std::numeric_limits<double>::quiet_NaN();
     return values;
   }
 
@@ -166,35 +174,28 @@ private:
                          const EvaluationCloud& cloud,
                          const PlaneLabels& truth)
   {
-    ResultRow row = emptyRow (task, truthName (cloud, plan_.truth));
-    row.configuration = configuration.name;
-    if (results_.has (row.key()) || (configuration.needs_grid && !cloud.grid))
+    const ResultKey key = keyOf (task, truthName (cloud, plan_.truth), configuration);
+    if (results_.has (key) || (configuration.needs_grid && !cloud.grid))
       return;
+    NamedValues values;
     try {
-      row.values = apps::inMemory (configuration.name, fewer_at_a_time, [&] {
-        const std::optional<DetectorRun> run = detect (configuration, cloud);
-        if (run)
-          saveLabels (task, configuration.name, *cloud.cloud, run->labels);
-        return run ? valuesOf (
-                         compareLabels (*cloud.cloud, truth, run->labels, {cloud.up}),
-                         *run)
-                   : valuesOfStopped (task, configuration);
+      values = apps::inMemory (configuration.name, fewer_at_a_time, [&] {
+        return valuesOf (configuration, cloud, truth, task);
       });
     }
     catch (const std::exception& error) {
       ++failed_runs_;
-      progress_.note (apps::errorLine (configuration.name + " failed on " +
-                                       task.source->name + ": " + error.what()));
+      note (configuration.name + " failed on " + key.cloud + ": " + error.what());
       return;
     }
-    results_.add (row);
+    results_.add (key, values);
     ++new_rows_;
   }
 
   const EvaluationPlan& plan_;
   ResultsFile& results_;
   std::vector<CloudTask> tasks_;
-  apps::Progress progress_;
+  std::optional<apps::Progress> progress_;
   std::atomic<std::size_t> clouds_{0}, new_rows_{0}, broken_clouds_{0}, failed_runs_{0},
       stopped_runs_{0};
 };

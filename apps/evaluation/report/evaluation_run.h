@@ -38,14 +38,10 @@ struct EvaluationSummary {
 /** \brief Runs every configuration on every cloud for which the results have no row
  * yet. Clouds that cannot be loaded and detectors that fail are said and counted, the
  * rest goes on.
- * \param[in] plan what to run
- * \param[in,out] results gets each row as
- * soon as it is known
- * \param[out] messages one line for each cloud or run that failed,
- * and the progress
+ * \param[in,out] results gets each row as soon as it is known
+ * \param[out] messages progress, and a line for each cloud or run that failed
  * \param[in] is_terminal whether \p messages is one
- * \throw
- * apps::WorkError if the results cannot be written */
+ * \throw apps::WorkError if the results cannot be written */
 EvaluationSummary
 evaluate (const EvaluationPlan& plan,
           ResultsFile& results,

@@ -11,24 +11,9 @@ using Eigen::Vector3d;
 
 std::optional<PlaneSighting>
 sightingOf (const apps::XyzCloud& cloud,
-            const pcl::Indices& inliers,
+            const PlaneSegment& plane,
             const Eigen::Isometry3d& pose)
 {
-  PlaneSegment plane;
-  plane.inliers = inliers;
-  if (inliers.empty())
-    return std::nullopt;
-  plane.moments.origin = cloud[inliers.front()].getVector3fMap().cast<double>();
-  for (const pcl::index_t i : inliers) {
-    const Vector3d offset =
-        cloud[i].getVector3fMap().cast<double>() - plane.moments.origin;
-    plane.moments.add (offset.x(), offset.y(), offset.z());
-  }
-  const std::optional<PlaneFit> fit = fitPlane (plane.moments);
-  if (!fit)
-    return std::nullopt;
-  plane.centroid = fit->centroid;
-  plane.normal = fit->plane.normal;
   std::optional<PlaneCovariance> covariance = planeCovariance (cloud, plane);
   if (!covariance)
     return std::nullopt;

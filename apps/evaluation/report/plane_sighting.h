@@ -18,13 +18,11 @@ struct PlaneSighting {
   PlaneCovariance covariance;
 };
 
-/** \param[in] cloud finite points
- * \param[in] inliers of the plane
- * \param[in] pose from the cloud's frame to the common one
+/** \param[in] pose from the cloud's frame to the common one
  * \return nothing for planes without a covariance */
 std::optional<PlaneSighting>
 sightingOf (const apps::XyzCloud& cloud,
-            const pcl::Indices& inliers,
+            const PlaneSegment& plane,
             const Eigen::Isometry3d& pose);
 
 /** \brief How far two sightings of one surface differ, over what their covariances

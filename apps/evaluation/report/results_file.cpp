@@ -8,16 +8,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
-#include <stdexcept>
 
 namespace pcl_ops::evaluation {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t text_columns = 5;
-constexpr int digits_of_value = 7;
 
 /** A cell of RFC 4180: quoted where it has to be. A name's line break becomes a space,
  * so that a row is always a line. */
@@ -33,110 +29,38 @@ quoted (std::string text)
   return cell + '"';
 }
 
-std::vector<std::string>
-cellsOf (const std::string& line)
+/** What a row begins with. */
+std::string
+cellsOf (const ResultKey& key)
 {
-  std::vector<std::string> cells (1);
-  bool in_quotes = false;
-  for (const char character : line) {
-    if (character == '"') {
-      // The second quote of a pair inside quotes stands for one.
-      if (!in_quotes && !cells.back().empty())
-        cells.back() += '"';
-      in_quotes = !in_quotes;
-    }
-    else if (character == ',' && !in_quotes)
-      cells.emplace_back();
-    else
-      cells.back() += character;
-  }
-  return cells;
-}
-
-/** The columns behind the texts and the seed, in order. */
-std::vector<std::pair<std::string, double>>
-namedValues (const Metrics& metrics, const DetectorRun& run)
-{
-  std::vector<std::pair<std::string, double>> values{
-      {"points", double (metrics.points)},
-      {"truth_planes", double (metrics.truth_planes)},
-      {"result_planes", double (metrics.result_planes)},
-      {"planes_before_merging", double (run.planes_before_merging)}};
-  for (const auto& named : namedMetrics (metrics))
-    values.push_back (named);
-  for (const auto& [stage, duration] : apps::detection_stages)
-    values.emplace_back (std::string (stage) + "_ms", run.durations.*duration);
-  values.emplace_back (off_planes_name, metrics.points_off_planes_called_planes);
-  for (const auto& named : namedCounts (metrics))
-    values.push_back (named);
-  return values;
+  return quoted (key.data_set) + ',' + quoted (key.cloud) + ',' + quoted (key.truth) +
+         ',' + quoted (key.configuration) + ',' + std::to_string (key.seed) + ',';
 }
 
 std::string
 headerLine ()
 {
   std::string line = "data_set,cloud,truth,configuration,seed";
-  for (const std::string& column : valueColumns())
-    line += ',' + column;
+  for (const auto& named : namedValues (compareLabels ({}, {}, {}), {}))
+    line += ',' + named.first;
   return line;
-}
-
-std::string
-lineOf (const ResultRow& row)
-{
-  std::ostringstream line;
-  line.precision (digits_of_value);
-  line << quoted (row.data_set) << ',' << quoted (row.cloud) << ','
-       << quoted (row.truth) << ',' << quoted (row.configuration) << ',' << row.seed;
-  for (const double value : row.values)
-    line << ',' << value;
-  return line.str();
-}
-
-/** \throw std::exception for a line that is no row */
-ResultRow
-rowOf (const std::string& line)
-{
-  const std::vector<std::string> cells = cellsOf (line);
-  if (cells.size() != text_columns + valueColumns().size())
-    throw std::invalid_argument ("wrong number of cells");
-  ResultRow row{cells[0], cells[1], cells[2], cells[3], 0, {}};
-  row.seed = static_cast<std::uint32_t> (std::stoul (cells[4]));
-  for (std::size_t i = text_columns; i < cells.size(); ++i)
-    row.values.push_back (std::stod (cells[i]));
-  return row;
 }
 
 } // namespace
 
-double
-ResultRow::value (const std::string& column) const
+NamedValues
+namedValues (const Metrics& metrics, const DetectorRun& run)
 {
-  const std::vector<std::string>& columns = valueColumns();
-  const auto found = std::find (columns.begin(), columns.end(), column);
-  if (found == columns.end())
-    throw std::out_of_range ("no column " + column);
-  return values[static_cast<std::size_t> (found - columns.begin())];
-}
-
-const std::vector<std::string>&
-valueColumns ()
-{
-  static const std::vector<std::string> columns = [] {
-    std::vector<std::string> names;
-    for (const auto& named : namedValues ({}, {}))
-      names.push_back (named.first);
-    return names;
-  }();
-  return columns;
-}
-
-std::vector<double>
-valuesOf (const Metrics& metrics, const DetectorRun& run)
-{
-  std::vector<double> values;
-  for (const auto& named : namedValues (metrics, run))
-    values.push_back (named.second);
+  NamedValues values{{"points", double (metrics.points)},
+                     {"truth_planes", double (metrics.truth_planes)},
+                     {"result_planes", double (metrics.result_planes)},
+                     {"planes_before_merging", double (run.planes_before_merging)}};
+  values.insert (values.end(), metrics.named.begin(), metrics.named.end());
+  for (const auto& [stage, duration] : apps::detection_stages)
+    values.emplace_back (std::string (stage) + "_ms", run.durations.*duration);
+  values.emplace_back (off_planes_name, metrics.points_off_planes_called_planes);
+  for (const auto& named : namedCounts (metrics))
+    values.push_back (named);
   return values;
 }
 
@@ -147,7 +71,13 @@ ResultsFile::ResultsFile (const std::string& file) : file_ (file)
   const std::size_t complete = text.rfind ('\n') + 1; // 0 where there is no line
   if (complete < text.size())
     fs::resize_file (file, complete);
-  readRows (text.substr (0, complete));
+  std::istringstream rows (text.substr (0, complete));
+  std::string line;
+  if (std::getline (rows, line) && line != headerLine())
+    throw apps::WorkError (
+        file, "has other columns than this version writes; give another output folder");
+  while (std::getline (rows, line))
+    lines_.insert (line);
   stream_.open (file, std::ios::app);
   if (complete == 0)
     stream_ << headerLine() << '\n';
@@ -155,50 +85,35 @@ ResultsFile::ResultsFile (const std::string& file) : file_ (file)
     throw apps::OutputError (file, "cannot be written; give another output folder");
 }
 
-void
-ResultsFile::readRows (const std::string& text)
-{
-  std::istringstream stream (text);
-  std::string line;
-  if (std::getline (stream, line) && line != headerLine())
-    throw apps::WorkError (file_,
-                           "has other columns than this version writes; give another "
-                           "output folder");
-  for (std::size_t number = 2; std::getline (stream, line); ++number)
-    try {
-      rows_.push_back (rowOf (line));
-      keys_.insert (rows_.back().key());
-    }
-    catch (const std::exception&) {
-      throw apps::WorkError (file_,
-                             "line " + std::to_string (number) +
-                                 " is no row of results; remove it");
-    }
-}
-
 bool
-ResultsFile::has (const ResultRow::Key& key) const
+ResultsFile::has (const ResultKey& key) const
 {
+  const std::string cells = cellsOf (key);
   const std::lock_guard<std::mutex> lock (mutex_);
-  return keys_.count (key) > 0;
+  const auto line = lines_.lower_bound (cells);
+  return line != lines_.end() && line->rfind (cells, 0) == 0;
 }
 
 void
-ResultsFile::add (const ResultRow& row)
+ResultsFile::add (const ResultKey& key, const NamedValues& values)
 {
+  constexpr int digits = 7;
+  std::ostringstream numbers;
+  numbers.precision (digits);
+  for (const auto& named : values)
+    numbers << (numbers.tellp() > 0 ? "," : "") << named.second;
+  const std::string line = cellsOf (key) + numbers.str();
   const std::lock_guard<std::mutex> lock (mutex_);
   const std::uintmax_t size = fs::file_size (file_);
-  if (!(stream_ << lineOf (row) + '\n') || !stream_.flush()) {
+  if (!(stream_ << line + '\n') || !stream_.flush()) {
     stream_.close();
     std::error_code ignored;
     fs::resize_file (file_, size, ignored); // without the part of a row that had room
     throw apps::OutputError (
         file_,
-        "cannot be written; make room and run it again, which goes "
-        "on from here");
+        "cannot be written; make room and run it again, which goes on from here");
   }
-  rows_.push_back (row);
-  keys_.insert (row.key());
+  lines_.insert (line);
 }
 
 } // namespace pcl_ops::evaluation

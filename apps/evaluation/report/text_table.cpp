@@ -3,7 +3,6 @@
 #include "text_table.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
@@ -40,17 +39,9 @@ operator<< (std::ostream& stream, const TextTable& table)
 std::string
 decimal (double number, int decimals)
 {
-  if (std::isnan (number))
-    return "-";
   std::ostringstream text;
   text << std::fixed << std::setprecision (decimals) << number;
   return text.str();
-}
-
-std::string
-percent (double fraction)
-{
-  return decimal (100.0 * fraction, 2);
 }
 
 } // namespace pcl_ops::evaluation

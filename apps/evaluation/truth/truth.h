@@ -10,21 +10,11 @@ namespace pcl_ops::evaluation {
 /** \brief Where the truth of a cloud comes from that has none. */
 struct TruthParameters {
   RegionGrowingParameters growing;
-  /** \brief Folder where grown truth is kept from one run to the next; empty: nowhere.
-   */
-  std::string cache_folder;
   /** \brief True planes with fewer points are none, whatever the truth's source. */
   std::size_t min_points = 50;
 };
 
-/** \brief Name of a grown truth in the cache: it tells clouds and parameters apart. */
-std::string
-truthKey (const XyzCloud& cloud, const RegionGrowingParameters& parameters);
-
-/** \brief The exact truth of a cloud, or else the one grown from it: read from the
- * cache, or grown and written there.
- * \throw apps::WorkError if the cache cannot be
- * written */
+/** \brief The exact truth of a cloud, or else the one grown from it. */
 PlaneLabels
 truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters);
 

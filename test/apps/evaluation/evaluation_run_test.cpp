@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <boost/algorithm/string.hpp>
+
 #include <cli/errors.h>
 #include <evaluation/data/labeled_cloud.h>
 #include <evaluation/detectors/detectors.h>
@@ -11,7 +13,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
@@ -72,10 +73,25 @@ protected:
     return evaluate (plan, results, messages, false);
   }
 
-  std::vector<ResultRow>
-  rows () const
+  /** The value of a column in each row. */
+  std::vector<std::string>
+  column (const std::string& name) const
   {
-    return ResultsFile (file).rows();
+    std::istringstream table (contentOf (file));
+    std::vector<std::string> values;
+    std::ptrdiff_t number = -1;
+    for (std::string line; std::getline (table, line);) {
+      // The only comma inside quotes.
+      if (const auto comma = line.find ("b, "); comma != std::string::npos)
+        line[comma + 1] = ';';
+      std::vector<std::string> cells;
+      boost::split (cells, line, boost::is_any_of (","));
+      if (number < 0)
+        number = std::find (cells.begin(), cells.end(), name) - cells.begin();
+      else
+        values.push_back (cells.at (std::size_t (number)));
+    }
+    return values;
   }
 };
 
@@ -84,12 +100,11 @@ TEST_F (EvaluationRunTest, WritesARowForEachCloudAndConfiguration)
   const EvaluationSummary summary = run();
   EXPECT_EQ (summary.clouds, 2u);
   EXPECT_EQ (summary.new_rows, 4u);
-  ASSERT_EQ (rows().size(), 4u);
-  EXPECT_EQ (rows()[1].configuration, "half-right");
-  EXPECT_EQ (rows()[1].value ("segmentation_accuracy"), 0.5);
-  EXPECT_EQ (rows()[1].value ("planes_before_merging"), 7.0);
-  EXPECT_EQ (rows()[1].value ("detection_ms"), 1500.0);
-  EXPECT_EQ (rows()[2].cloud, "b, \"c\"");
+  using Cells = std::vector<std::string>;
+  EXPECT_EQ (column ("segmentation_accuracy"), (Cells{"1", "0.5", "1", "0.5"}));
+  EXPECT_EQ (column ("planes_before_merging"), Cells (4, "7"));
+  EXPECT_EQ (column ("detection_ms"), Cells (4, "1500"));
+  EXPECT_EQ (column ("cloud")[2], "\"b; \"\"c\"\"\"");
 }
 
 TEST_F (EvaluationRunTest, SavesTheTruthAndTheLabelsOfNewRows)
@@ -128,24 +143,15 @@ TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)
   EXPECT_EQ (contentOf (file), complete);
 }
 
-TEST_F (EvaluationRunTest, AddsConfigurationsToEarlierOnes)
-{
-  run();
-  plan.configurations.push_back (labeling ("new", 3, calls));
-  EXPECT_EQ (run().new_rows, 2u);
-  EXPECT_EQ (rows().size(), 6u);
-}
-
-TEST_F (EvaluationRunTest, ManyThreadsGiveTheSameRows)
+TEST_F (EvaluationRunTest, ManyThreadsAddConfigurationsToEarlierOnes)
 {
   for (int i = 0; i < 20; ++i)
     plan.data_sets[0].clouds.push_back (rowOfPoints ("cloud " + std::to_string (i)));
   plan.jobs = 4;
   EXPECT_EQ (run().new_rows, 44u);
-  std::set<ResultRow::Key> keys;
-  for (const ResultRow& row : rows())
-    keys.insert (row.key());
-  EXPECT_EQ (keys.size(), 44u);
+  plan.configurations.push_back (labeling ("new", 3, calls));
+  EXPECT_EQ (run().new_rows, 22u);
+  EXPECT_EQ (column ("cloud").size(), 66u);
 }
 
 TEST_F (EvaluationRunTest, AFailingDetectorIsSaidAndCounted)
@@ -173,9 +179,8 @@ TEST_F (EvaluationRunTest, APeerThatTakesTooLongIsStoppedAndNotTriedAgain)
   EXPECT_EQ (run().stopped_runs, 1u);
   EXPECT_NE (messages.str().find ("hanging on a: stopped after 1 s"),
              std::string::npos);
-  ASSERT_EQ (rows().size(), 1u);
-  EXPECT_EQ (rows()[0].value ("detection_ms"), 1000.0);
-  EXPECT_TRUE (std::isnan (rows()[0].value ("f_score")));
+  EXPECT_EQ (column ("detection_ms"), std::vector<std::string>{"1000"});
+  EXPECT_EQ (column ("f_score"), std::vector<std::string>{"nan"});
   EXPECT_EQ (run().stopped_runs, 0u);
 }
 

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <evaluation/detectors/detectors.h>
 #include <evaluation/metrics/confusion.h>
 #include <evaluation/report/plane_sighting.h>
 #include <numbers/quantile.h>
-#include <pcl_ops/oriented_point_sampling.h>
-#include <simulation/depth_camera.h>
-#include <simulation/poses.h>
+#include <simulation/simulate.h>
 
 #include <map>
 
@@ -16,45 +15,28 @@ using namespace pcl_ops::evaluation;
 
 namespace {
 
-/** \brief A frame of a walk with true labels, those of NaN points left out. */
-pcl::PointCloud<pcl::PointXYZL>
-frameOf (const simulation::Room& room,
-         const Eigen::Isometry3d& pose,
-         std::uint32_t seed)
-{
-  simulation::DepthCamera camera;
-  camera.width = 320;
-  camera.height = 240;
-  const simulation::Scan scan =
-      simulation::scanByCamera (room.scene, camera, pose, {}, seed);
-  return simulation::toSurfaceCloud (
-      scan, Eigen::Isometry3d::Identity(), simulation::CloudLayout::Readings);
-}
-
 /** \brief The true planes that are found, by label: by a plane with more than half of
  * their common points in common. */
 std::map<std::uint32_t, PlaneSighting>
-sightingsIn (const pcl::PointCloud<pcl::PointXYZL>& frame,
-             const Eigen::Isometry3d& pose)
+sightingsIn (const simulation::LabeledCloud& frame, const Eigen::Isometry3d& pose)
 {
   constexpr std::size_t min_points = 3000;
-  const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud (new pcl::PointCloud<pcl::PointXYZ>);
+  const XyzCloud::Ptr cloud (new XyzCloud);
   PlaneLabels truth;
   for (const auto& point : frame) {
     cloud->push_back ({point.x, point.y, point.z});
     truth.push_back (point.label);
   }
-  OrientedPointSampling<pcl::PointXYZ> ops;
-  ops.setInputCloud (cloud);
-  std::vector<pcl::PointIndices> planes;
-  EXPECT_TRUE (ops.extract (planes));
-  const Confusion confusion = confusionOf (truth, labelsOf (planes, cloud->size()));
+  const PlaneLabels found =
+      selectConfigurations ("ops").front().run (cloud, RunSettings()).labels;
+  const Confusion confusion = confusionOf (truth, found);
+  const std::vector<PlaneSegment> planes = planesOf (*cloud, confusion.result, {});
   std::map<std::uint32_t, PlaneSighting> sightings;
   for (const Overlap& overlap : confusion.overlaps) {
-    const pcl::Indices& inliers = planes[overlap.result].indices;
-    if (confusion.iou (overlap) <= 0.5 || inliers.size() < min_points)
+    const PlaneSegment& plane = planes[overlap.result];
+    if (confusion.iou (overlap) <= 0.5 || plane.inliers.size() < min_points)
       continue;
-    if (const auto sighting = sightingOf (*cloud, inliers, pose))
+    if (const auto sighting = sightingOf (*cloud, plane, pose))
       sightings.emplace (confusion.truth.label[overlap.truth], *sighting);
   }
   return sightings;
@@ -65,14 +47,11 @@ sightingsIn (const pcl::PointCloud<pcl::PointXYZL>& frame,
 TEST (PlaneSighting, DiffersFromTheNextByWhatCovariancesOfCorrelatedNoiseAllow)
 {
   NormalizedErrors errors;
-  std::uint32_t frame = 0; // each with noise of its own
   for (const std::uint32_t seed : {1u, 2u}) {
-    const simulation::Room room = simulation::makeRoom (seed);
+    const auto walk = simulation::simulateWay ({"walk", seed, {320, 240}}, 50);
     std::map<std::uint32_t, PlaneSighting> before;
-    simulation::Poses walk = simulation::drawWalk (room, 50, seed);
-    walk.resize (12);
-    for (const Eigen::Isometry3d& pose : walk) {
-      const auto now = sightingsIn (frameOf (room, pose, ++frame), pose);
+    for (std::size_t frame = 0; frame < 12; ++frame) {
+      const auto now = sightingsIn (walk.look (frame), walk.poses[frame]);
       for (const auto& [label, sighting] : now)
         if (const auto last = before.find (label); last != before.end())
           errors.add (last->second, sighting);

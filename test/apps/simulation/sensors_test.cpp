@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scenes.h"
 #include <simulation/lidar.h>
+#include <simulation/street.h>
 
 #include <set>
 
@@ -12,10 +13,9 @@ namespace {
 const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
 
 DepthImage
-measuredWall (double depth, const NoiseParameters& noise)
+measuredWall (double depth, const CameraNoise& noise)
 {
-  return measureDepth (
-      wallAt (depth), cameraOf (160, 120), origin, noise, seedOfTest());
+  return measureDepth (wallAt (depth), {160, 120}, origin, noise, seedOfTest());
 }
 
 double
@@ -52,12 +52,23 @@ scanInABox (const Lidar& lidar, std::size_t number = 0, double noise = 0.0)
   return scanAround (scene, lidar, origin, noise, 1, number);
 }
 
+double
+degreesBetween (const Eigen::Isometry3d& one, const Eigen::Isometry3d& other)
+{
+  return Eigen::AngleAxisd (one.linear().transpose() * other.linear()).angle() / degree;
+}
+
+double
+stepOf (const Poses& poses, std::size_t i)
+{
+  return (poses[i].translation() - poses[i - 1].translation()).norm();
+}
+
 } // namespace
 
 TEST (DepthNoise, GrowsWithTheSquareOfTheDepth)
 {
-  NoiseParameters noise = noiseOf (NoiseProfile::Correlated);
-  noise.smoothing = 1.0; // more independent errors: a surer estimate
+  const CameraNoise noise{1.0, false, 1.0}; // independent errors: a surer estimate
   for (const double depth : {1.0, 2.0, 4.0}) {
     const double sigma =
         std::sqrt (meanSquaredError (measuredWall (depth, noise), depth));
@@ -68,7 +79,7 @@ TEST (DepthNoise, GrowsWithTheSquareOfTheDepth)
 
 TEST (DepthNoise, CorrelatedErrorsAreThoseOfAGaussianFilter)
 {
-  const NoiseParameters noise = noiseOf (NoiseProfile::Correlated);
+  const CameraNoise noise;
   const DepthImage image = measuredWall (3.0, noise);
   for (const int lag : {1, 3, 6}) {
     const double expected =
@@ -79,7 +90,7 @@ TEST (DepthNoise, CorrelatedErrorsAreThoseOfAGaussianFilter)
 
 TEST (DepthNoise, RawErrorsAreIndependentInEighthsOfAPixelOfDisparity)
 {
-  const DepthImage image = measuredWall (3.0, noiseOf (NoiseProfile::Raw));
+  const DepthImage image = measuredWall (3.0, {1.0, true});
   EXPECT_NEAR (errorCorrelation (image, 3.0, 1), 0.0, 0.05);
   for (const double depth : image.depth) {
     const double eighths = 8.0 * 525.0 * 0.075 / depth;
@@ -89,8 +100,8 @@ TEST (DepthNoise, RawErrorsAreIndependentInEighthsOfAPixelOfDisparity)
 
 TEST (DepthNoise, FlyingPixelsAreBetweenTheEdgesSidesAndOnNoSurface)
 {
-  const DepthImage image = measureDepth (
-      stepScene (2.0, 4.0), cameraOf (160, 120), origin, {}, seedOfTest());
+  const DepthImage image =
+      measureDepth (stepScene (2.0, 4.0), {160, 120}, origin, {}, seedOfTest());
   int flying = 0;
   for (std::size_t i = 0; i < image.depth.size(); ++i)
     if (image.depth[i] > 2.1 && image.depth[i] < 3.85) {
@@ -104,8 +115,7 @@ TEST (DepthNoise, FlyingPixelsAreBetweenTheEdgesSidesAndOnNoSurface)
 TEST (DepthNoise, LosesWhatIsOutOfRange)
 {
   for (const double depth : {0.4, 9.0})
-    for (const double measured :
-         measuredWall (depth, noiseOf (NoiseProfile::None)).depth)
+    for (const double measured : measuredWall (depth, {0.0}).depth)
       EXPECT_TRUE (std::isinf (measured));
 }
 
@@ -163,11 +173,75 @@ TEST (Lidar, ReadsNothingBeyondItsRange)
 TEST (Lidar, OrganizedRowsAreBeams)
 {
   const Lidar lidar = lidarOf ("lidar-16");
-  const auto cloud =
-      toSurfaceCloud (scanInABox (lidar), origin, CloudLayout::Organized);
+  const auto cloud = toSurfaceCloud (scanInABox (lidar), origin, true);
   ASSERT_EQ (cloud.width, std::uint32_t (lidar.steps));
   for (std::size_t i = 0; i < cloud.width; i += 100)
     EXPECT_NEAR (std::asin (cloud[i].z / cloud[i].getVector3fMap().norm()),
                  lidar.highest * degree,
                  1e-6);
+}
+
+TEST (Walk, StaysInTheRoom)
+{
+  const Room room = makeRoom (1);
+  for (const Eigen::Isometry3d& pose : drawWalk (room, 20, 1)) {
+    const Eigen::Vector3d inside = turnZ (-room.yaw) * pose.translation();
+    EXPECT_LT (std::abs (inside.x()), 0.5 * room.size.x());
+    EXPECT_LT (std::abs (inside.y()), 0.5 * room.size.y());
+  }
+}
+
+TEST (Walk, SeesSurfacesAllTheWay)
+{
+  for (std::uint32_t seed = 16; seed <= 25; ++seed) {
+    const Room room = makeRoom (seed);
+    for (const Eigen::Isometry3d& pose : drawWalk (room, 12, seed))
+      EXPECT_GE (countVisibleSurfaces (room.scene, pose), 3) << seed;
+  }
+}
+
+TEST (Walk, GoesInSmallStepsAndLooksMostWaysInTheEnd)
+{
+  const Poses poses = drawWalk (makeRoom (2), 50, 2);
+  double turned = 0.0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    EXPECT_LT (stepOf (poses, i), 0.4);
+    EXPECT_LT (degreesBetween (poses[i], poses[i - 1]), 15.0);
+    turned += degreesBetween (poses[i], poses[i - 1]);
+  }
+  EXPECT_GT (turned, 250.0);
+}
+
+TEST (Drive, GoesInSmallStepsAboveTheRoad)
+{
+  const Street street = makeStreet (1);
+  const Poses poses = drawDrive (street, 20, 1);
+  ASSERT_EQ (poses.size(), 20u);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_NEAR (poses[i].translation().z(), 1.8, 0.11);
+    EXPECT_LT (poses[i].translation().head<2>().norm(), 0.25 * street.length + 1.0);
+    EXPECT_LT (i > 0 ? stepOf (poses, i) : 0.0, 1.1);
+  }
+}
+
+TEST (Poses, AreMeasuredAsWellAsAsked)
+{
+  const Poses truth (2000, Eigen::Isometry3d::Identity());
+  EXPECT_TRUE (measured (truth, {}, 1)[7].isApprox (truth[7]));
+  double degrees = 0.0, shift = 0.0;
+  for (const Eigen::Isometry3d& pose : measured (truth, {3.0, 0.0}, 1)) {
+    degrees += std::pow (degreesBetween (pose, truth[0]), 2);
+    shift += pose.translation().squaredNorm();
+  }
+  EXPECT_NEAR (std::sqrt (degrees / 2000), 3.0, 0.15);
+  EXPECT_NEAR (std::sqrt (shift / 2000), 0.03, 0.0015);
+}
+
+TEST (Poses, DriftFromWhereTheyBegan)
+{
+  const Poses truth (400, Eigen::Isometry3d::Identity());
+  const Poses off = measured (truth, {0.0, 0.1}, 1);
+  EXPECT_TRUE (off[0].isApprox (truth[0]));
+  EXPECT_LT (degreesBetween (off[1], off[0]), 0.5);
+  EXPECT_GT (off[399].translation().norm(), 5.0 * off[1].translation().norm());
 }

@@ -42,25 +42,6 @@ seedsOfTest (std::uint32_t count)
   return seeds;
 }
 
-inline NoiseParameters
-noiseOf (NoiseProfile profile, double scale = 1.0)
-{
-  NoiseParameters noise;
-  noise.profile = profile;
-  noise.scale = scale;
-  return noise;
-}
-
-/** \brief At the origin, looking along z. */
-inline DepthCamera
-cameraOf (int width, int height)
-{
-  DepthCamera camera;
-  camera.width = width;
-  camera.height = height;
-  return camera;
-}
-
 /** \brief Adds a wall of 40 m x 40 m across the z axis. */
 inline void
 addWall (Scene& scene, double x, double depth)
@@ -91,11 +72,14 @@ stepScene (double near, double far)
 inline bool
 haveSamePoints (const SimulatedCloud& a, const SimulatedCloud& b)
 {
-  const auto areSame = [] (const auto& p, const auto& q) {
-    return p.getVector3fMap() == q.getVector3fMap() && p.label == q.label;
-  };
-  return std::equal (
-      a.cloud.begin(), a.cloud.end(), b.cloud.begin(), b.cloud.end(), areSame);
+  return std::equal (a.cloud.begin(),
+                     a.cloud.end(),
+                     b.cloud.begin(),
+                     b.cloud.end(),
+                     [] (const auto& p, const auto& q) {
+                       return p.getVector3fMap() == q.getVector3fMap() &&
+                              p.label == q.label;
+                     });
 }
 
 inline double
@@ -104,7 +88,7 @@ largestDistanceToTruth (const SimulatedCloud& simulated)
   double largest = 0.0;
   for (const auto& point : simulated.cloud)
     if (point.label > 0) {
-      const Plane& plane = simulated.planes.at (point.label - 1).plane;
+      const Plane& plane = simulated.planes.at (point.label - 1);
       const Eigen::Vector3d position = point.getVector3fMap().cast<double>();
       largest = std::max (largest, std::abs (plane.distance (position)));
     }

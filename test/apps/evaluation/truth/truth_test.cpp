@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cli/errors.h>
 #include <evaluation/data/data_sets.h>
 #include <evaluation/metrics/metrics.h>
 #include <evaluation/truth/truth.h>
-#include <support/temporary_folder.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 namespace {
 
@@ -72,16 +69,6 @@ TEST (RegionGrowing, SeparatesAFloorFromTheWallOnIt)
   EXPECT_GT (pointsWith (labels, 2), 350u);
 }
 
-TEST (RegionGrowing, DoesNotReachAcrossAGap)
-{
-  XyzCloud cloud;
-  addSquare (cloud, 20, {0, 0, 0}, x, y);
-  addSquare (cloud, 20, {1, 0, 0}, x, y);
-  const PlaneLabels labels = growRegions (cloud, nineNeighbors());
-  EXPECT_EQ (pointsWith (labels, 1), 400u);
-  EXPECT_EQ (pointsWith (labels, 2), 400u);
-}
-
 TEST (RegionGrowing, EndsWhereASurfaceLeavesItsPlane)
 {
   // A cylinder of radius 1 m: 5 cm off the plane through its top at 0.31 m.
@@ -123,71 +110,22 @@ TEST (RegionGrowing, FindsTheExactPlanesOfARenderedRoom)
   parameters.neighbors = 30;
   const PlaneLabels grown = growRegions (*cloud.cloud, parameters);
   const Metrics metrics = compareLabels (*cloud.cloud, *cloud.truth, grown);
-  EXPECT_GT (metrics.segmentation_accuracy, 0.9);
+  EXPECT_GT (metrics.named[1].second, 0.9);
 }
 
-class TruthCache : public testing::Test {
-protected:
-  TemporaryFolder folder;
-  EvaluationCloud cloud;
+TEST (Truth, IsTheExactOneButForSmallPlanesOrGrown)
+{
   TruthParameters parameters;
-
-  TruthCache()
-  {
-    cloud.cloud.reset (new XyzCloud (squareFloorAndWall()));
-    parameters.growing = nineNeighbors();
-    parameters.cache_folder = folder / "truth";
-  }
-
-  fs::path
-  cacheFile () const
-  {
-    return fs::path (parameters.cache_folder) /
-           (truthKey (*cloud.cloud, parameters.growing) + ".labels");
-  }
-};
-
-TEST_F (TruthCache, KeepsWhatWasGrown)
-{
-  const PlaneLabels grown = growRegions (*cloud.cloud, parameters.growing);
-  EXPECT_EQ (truthOf (cloud, parameters), grown);
-  const auto written = fs::last_write_time (cacheFile());
-  EXPECT_EQ (truthOf (cloud, parameters), grown);
-  EXPECT_EQ (fs::last_write_time (cacheFile()), written);
-}
-
-TEST_F (TruthCache, TellsCloudsAndParametersApart)
-{
-  const std::string key = truthKey (*cloud.cloud, parameters.growing);
-  RegionGrowingParameters other = parameters.growing;
-  other.neighbors = 10;
-  EXPECT_NE (truthKey (*cloud.cloud, other), key);
-  (*cloud.cloud)[7].z += 1e-6f;
-  EXPECT_NE (truthKey (*cloud.cloud, parameters.growing), key);
-}
-
-TEST_F (TruthCache, ADamagedFileIsReplaced)
-{
-  const PlaneLabels grown = truthOf (cloud, parameters);
-  std::ofstream (cacheFile()) << "no labels at all";
-  EXPECT_EQ (truthOf (cloud, parameters), grown);
-  EXPECT_EQ (fs::file_size (cacheFile()), 4 * grown.size());
-}
-
-TEST_F (TruthCache, AnUnwritableFolderIsNamed)
-{
-  std::ofstream (parameters.cache_folder) << "a file where the folder should be";
-  EXPECT_THROW (truthOf (cloud, parameters), pcl_ops::apps::WorkError);
-}
-
-TEST_F (TruthCache, ExactTruthIsTakenAsItIsButForSmallPlanes)
-{
+  parameters.growing = nineNeighbors();
+  EvaluationCloud cloud;
+  cloud.cloud.reset (new XyzCloud (squareFloorAndWall()));
+  EXPECT_EQ (truthOf (cloud, parameters),
+             growRegions (*cloud.cloud, parameters.growing));
+  EXPECT_EQ (truthName (cloud, parameters), "grown-k9");
   cloud.truth = PlaneLabels (cloud.cloud->size(), 3);
   std::fill_n (cloud.truth->begin(), 49, 8);
-  const PlaneLabels truth = truthOf (cloud, parameters);
-  EXPECT_EQ (pointsWith (truth, 0), 49u);
+  EXPECT_EQ (pointsWith (truthOf (cloud, parameters), 0), 49u);
   EXPECT_EQ (truthName (cloud, parameters), "exact");
-  EXPECT_FALSE (fs::exists (parameters.cache_folder));
 }
 
 } // namespace
