@@ -7,7 +7,7 @@
 #include <cli/interruption.h>
 #include <cli/program.h>
 #include <cli/progress.h>
-#include <io/cloud_file.h>
+#include <io/labeled_pcd.h>
 #include <io/output_file.h>
 #include <io/pose_file.h>
 #include <unistd.h>

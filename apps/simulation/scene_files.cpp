@@ -4,7 +4,7 @@
 
 #include <cli/errors.h>
 #include <cli/interruption.h>
-#include <io/cloud_file.h>
+#include <io/labeled_pcd.h>
 #include <io/las_writer.h>
 #include <io/output_file.h>
 

@@ -8,7 +8,7 @@
 #include <cli/parallel.h>
 #include <cli/program.h>
 #include <evaluation/detectors/limited_run.h>
-#include <io/cloud_file.h>
+#include <io/labeled_pcd.h>
 #include <io/output_file.h>
 
 #include <algorithm>
