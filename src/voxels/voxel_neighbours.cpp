@@ -118,24 +118,12 @@ add (const ChildrenAround& children, unsigned first, VoxelNeighbours& neighbours
   neighbours.add (found.data(), number, places);
 }
 
-} // namespace
-
-void
-VoxelNeighbours::append (const VoxelNeighbours& other)
-{
-  const auto before = static_cast<std::uint32_t> (neighbours_.size());
-  neighbours_.insert (
-      neighbours_.end(), other.neighbours_.begin(), other.neighbours_.end());
-  for (std::size_t i = 1; i < other.begin_.size(); ++i)
-    begin_.push_back (before + other.begin_[i]);
-  places_.insert (places_.end(), other.places_.begin(), other.places_.end());
-}
-
+// Found among the children of their parents' neighbours.
 VoxelNeighbours
-neighboursOf (const std::vector<MortonCode>& codes,
-              const std::vector<std::uint32_t>& parents,
-              const VoxelNeighbours& around_parents,
-              unsigned threads)
+neighboursBelow (const std::vector<MortonCode>& codes,
+                 const std::vector<std::uint32_t>& parents,
+                 const VoxelNeighbours& around_parents,
+                 unsigned threads)
 {
   const std::vector<std::uint32_t> first_child =
       firstChildren (parents, around_parents.size());
@@ -159,6 +147,19 @@ neighboursOf (const std::vector<MortonCode>& codes,
   return neighbours;
 }
 
+} // namespace
+
+void
+VoxelNeighbours::append (const VoxelNeighbours& other)
+{
+  const auto before = static_cast<std::uint32_t> (neighbours_.size());
+  neighbours_.insert (
+      neighbours_.end(), other.neighbours_.begin(), other.neighbours_.end());
+  for (std::size_t i = 1; i < other.begin_.size(); ++i)
+    begin_.push_back (before + other.begin_[i]);
+  places_.insert (places_.end(), other.places_.begin(), other.places_.end());
+}
+
 VoxelNeighbours
 neighboursOf (const std::vector<MortonCode>& codes, unsigned threads)
 {
@@ -171,7 +172,7 @@ neighboursOf (const std::vector<MortonCode>& codes, unsigned threads)
     return neighbours;
   std::vector<MortonCode> codes_above;
   const std::vector<std::uint32_t> parents = parentsOf (codes, codes_above);
-  return neighboursOf (codes, parents, neighboursOf (codes_above, threads), threads);
+  return neighboursBelow (codes, parents, neighboursOf (codes_above, threads), threads);
 }
 
 } // namespace pcl_ops::internal

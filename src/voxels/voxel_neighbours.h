@@ -78,16 +78,4 @@ private:
 VoxelNeighbours
 neighboursOf (const std::vector<MortonCode>& codes, unsigned threads);
 
-/** \brief The neighbours of voxels, found among the children of their parents'
- * neighbours.
- * \param[in] codes of the voxels, ascending, each once
- * \param[in] parents of each voxel, ascending: the one of twice the edge that holds it
- * \param[in] around_parents their neighbours; a parent need not have children
- * \param[in] threads number of threads; 0: all. The result does not depend on it */
-VoxelNeighbours
-neighboursOf (const std::vector<MortonCode>& codes,
-              const std::vector<std::uint32_t>& parents,
-              const VoxelNeighbours& around_parents,
-              unsigned threads);
-
 } // namespace pcl_ops::internal
