@@ -92,7 +92,8 @@ setDistances (FileCloud& cloud, const std::vector<float>& distances)
 {
   std::vector<std::uint32_t> bits (distances.size());
   static_assert (sizeof (bits[0]) == sizeof (distances[0]));
-  std::memcpy (bits.data(), distances.data(), bits.size() * sizeof (bits[0]));
+  for (std::size_t i = 0; i < bits.size(); ++i)
+    std::memcpy (&bits[i], &distances[i], sizeof (bits[i]));
   setField (cloud.points, "distance", PCLPointField::FLOAT32, "", bits);
 }
 
