@@ -3,7 +3,6 @@
 #include "bounded/plane_absorption.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -56,41 +55,47 @@ regionsOf (const VoxelGrid& grid, const BoundedPlanes& planes)
   return regions;
 }
 
-// How much worse than its own plane one plane for both explains either, as a ratio of
-// mean squared distances; the smaller may be as noisy as the larger is.
+// Mean squared distance of a plane's points to it [m^2], at least its noise.
 double
-misfitOfBoth (const Region& smaller, const Region& larger)
+squaredRms (const Region& region)
 {
-  Moments both = larger.moments;
-  both.addAligned (smaller.moments);
-  const std::optional<PlaneFit> fit = fitPlane (both);
-  if (!fit)
-    return std::numeric_limits<double>::infinity();
-  const auto misfit = [&fit] (const Region& region, double least) {
-    const double own = meanSquaredDistance (region.moments, region.plane);
-    return meanSquaredDistance (region.moments, fit->plane) /
-           std::max ({own, least, std::numeric_limits<double>::min()});
-  };
-  return std::max (misfit (smaller, larger.squared_noise), misfit (larger, 0.0));
+  return std::max (region.squared_noise,
+                   meanSquaredDistance (region.moments, region.plane));
 }
 
-// Of the larger neighbors of a plane the one that explains it best, or itself.
+// Mean squared distance of a plane's points to a larger plane, over the largest for the
+// two to be one. A little beyond its own noise, it is one with the larger; farther, if
+// the larger is alike: points that err together make bumps of a few times its noise.
+double
+misfitTo (const Region& larger, const Region& smaller, double noise_factor)
+{
+  constexpr double bump_factor = 1.8;
+  constexpr double largest_noise_ratio = 2.5;
+  const double own = squaredRms (smaller);
+  const double alike =
+      std::min (squaredRms (larger), largest_noise_ratio * largest_noise_ratio * own);
+  return meanSquaredDistance (smaller.moments, larger.plane) /
+         (noise_factor * noise_factor *
+          std::max (own, bump_factor * bump_factor * alike));
+}
+
+// Of the larger neighbors of a plane the one it fits best, or itself.
 std::size_t
 absorberOf (const std::vector<Region>& regions, std::size_t p, double noise_factor)
 {
   const Region& own = regions[p];
   std::size_t absorber = p;
-  double best = noise_factor * noise_factor;
+  double best = 1.0;
   for (const std::size_t other : own.neighbors) {
     const double count = regions[other].moments.count;
     const bool is_larger =
         count > own.moments.count || (count == own.moments.count && other < p);
     if (!is_larger)
       continue;
-    const double ratio = misfitOfBoth (own, regions[other]);
-    if (ratio >= best)
+    const double misfit = misfitTo (regions[other], own, noise_factor);
+    if (!(misfit < best))
       continue;
-    best = ratio;
+    best = misfit;
     absorber = other;
   }
   return absorber;

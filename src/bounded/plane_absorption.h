@@ -6,8 +6,8 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Finds planes that go into a larger neighbor: one plane for both is no farther
- * from the points of either than a multiple of the noise there.
+/** \brief Finds planes that go into a larger neighbor: their points are no farther from
+ * it than a multiple of their noise, or about twice that if the larger is as noisy.
  * \param[in] grid the voxels
  * \param[in] noise_factor that multiple
  * \param[in] planes with their noise
