@@ -6,13 +6,86 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <iostream>
 #include <limits>
+#include <sstream>
+#include <system_error>
+#include <type_traits>
 #include <utility>
 
 namespace pcl_ops::apps {
 
 namespace {
+
+std::string
+shortText (double number)
+{
+  std::ostringstream text;
+  text.precision (10);
+  text << number;
+  return text.str();
+}
+
+template <typename Number>
+bool
+fits (double number)
+{
+  using Limits = std::numeric_limits<Number>;
+  if (number < static_cast<double> (Limits::lowest()))
+    return false;
+  // The largest integer may be no double, the one behind it always is.
+  return Limits::is_integer ? number < std::ldexp (1.0, Limits::digits)
+                            : number <= static_cast<double> (Limits::max());
+}
+
+constexpr std::size_t help_width = 80;
+
+/** \brief A name and its meaning in two columns. */
+std::string
+entry (const std::string& name, const std::string& meaning, std::size_t column)
+{
+  std::string text, line = "  " + name;
+  if (line.size() >= column) {
+    text = line + "\n";
+    line.clear();
+  }
+  line.resize (column - 1, ' ');
+  std::istringstream words (meaning);
+  for (std::string word; words >> word;) {
+    // A console goes on in the next line by itself where the last column is taken.
+    if (line.size() >= column && line.size() + 1 + word.size() >= help_width) {
+      text += line + "\n";
+      line.assign (column - 1, ' ');
+    }
+    line += ' ' + word;
+  }
+  return text + line + "\n";
+}
+
+/** \brief Columns that the names of options and their placeholders take. */
+std::size_t
+widthOf (const OptionGroup& group)
+{
+  std::size_t width = 0;
+  for (const Option& option : group.options)
+    width = std::max (width, option.name.size() + option.placeholder.size());
+  return width;
+}
+
+std::string
+explained (const OptionGroup& group, std::size_t width)
+{
+  constexpr std::size_t around = 6; // margin, dashes, and a blank on either side
+  constexpr std::size_t min_column = 24;
+  const std::size_t column = std::clamp (width + around, min_column, help_width / 2);
+  std::string text = "\n" + group.title + ":\n";
+  for (const Option& option : group.options)
+    text += entry ("--" + option.name + " " + option.placeholder, option.help, column);
+  return text;
+}
 
 /** \brief Refuses what a variable of the shell that is not set leaves of a name. */
 void
@@ -62,6 +135,151 @@ noValue (const std::string& option, const std::string& token)
 }
 
 } // namespace
+
+bool
+Range::contains (double number) const
+{
+  return std::isfinite (number) &&
+         (number > lowest || (lowest_included && number == lowest)) &&
+         (number < highest || (highest_included && number == highest));
+}
+
+std::string
+Range::text() const
+{
+  const std::string lower =
+      std::isinf (lowest) ? ""
+                          : (lowest_included ? "from " : "above ") + shortText (lowest);
+  const std::string upper =
+      std::isinf (highest)
+          ? (lowest_included ? "on" : "")
+          : (highest_included ? "up to " : "below ") + shortText (highest);
+  if (lower.empty() && std::isinf (highest))
+    return "that is finite";
+  if (lower.empty() || upper.empty())
+    return lower + upper;
+  return lower + (lowest_included ? " " : " and ") + upper;
+}
+
+template <typename Number>
+Number
+parseNumber (const std::string& option, const std::string& text, const Range& range)
+{
+  const bool whole = std::is_integral_v<Number>;
+  const std::string fix =
+      std::string ("; give a ") + (whole ? "whole " : "") + "number " + range.text();
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars (text.data(), end, number);
+  const bool overflows = error == std::errc::result_out_of_range;
+  if (rest != end || error == std::errc::invalid_argument)
+    throw UsageError (option, "'" + text + "' is no number" + fix);
+  if (overflows || !range.contains (number) || !fits<Number> (number))
+    throw UsageError (option, text + " is out of range" + fix);
+  if (whole && number != std::floor (number))
+    throw UsageError (option, text + " is not whole" + fix);
+  return static_cast<Number> (number);
+}
+
+template int
+parseNumber (const std::string&, const std::string&, const Range&);
+template std::uint32_t
+parseNumber (const std::string&, const std::string&, const Range&);
+template std::size_t
+parseNumber (const std::string&, const std::string&, const Range&);
+template float
+parseNumber (const std::string&, const std::string&, const Range&);
+template double
+parseNumber (const std::string&, const std::string&, const Range&);
+
+Eigen::Vector3f
+parseDirection (const std::string& option, const std::string& text)
+{
+  Eigen::Vector3f direction;
+  std::istringstream parts (text + ",");
+  std::string part;
+  Eigen::Index count = 0;
+  for (; std::getline (parts, part, ','); ++count) {
+    if (count < 3)
+      direction[count] = parseNumber<float> (option, part, Range::any());
+  }
+  if (count != 3)
+    throw UsageError (option,
+                      "'" + text + "' is not x,y,z; give three numbers, as 0,0,1");
+  if (!(direction.norm() > 0.0f))
+    throw UsageError (option, text + " is no direction; give one such as 0,0,1");
+  return direction;
+}
+
+Eigen::Vector3f
+parseUpAxis (const std::string& option, const std::string& text)
+{
+  // The y axis of an optical frame points down.
+  if (text == "camera")
+    return -Eigen::Vector3f::UnitY();
+  return parseDirection (option, text);
+}
+
+std::string
+HelpPage::usage() const
+{
+  std::string derived, text, before = "Usage: ";
+  std::size_t longest = 0;
+  for (const Argument& argument : arguments) {
+    derived += argument.name + (argument.max_count > 1 ? "... " : " ");
+    if (!argument.help.empty())
+      longest = std::max (longest, argument.name.size());
+  }
+  const std::vector<std::string> one_way = {derived + "[options]"};
+  for (const std::string& way : ways.empty() ? one_way : ways) {
+    text += before + program + " " + way + "\n";
+    before = "       ";
+  }
+  text += summary + "\n\n" + explanation + (longest > 0 ? "Arguments:\n" : "");
+  constexpr std::size_t margin = 2, gap = 3;
+  for (const Argument& argument : arguments)
+    if (!argument.help.empty())
+      text += entry (argument.name, argument.help, margin + longest + gap);
+  return text;
+}
+
+std::string
+HelpPage::brief() const
+{
+  std::string text = usage();
+  bool follows_brief = false;
+  for (const OptionGroup& group : groups) {
+    if (!group.is_brief)
+      text += explained (group, widthOf (group));
+    else {
+      text += (follows_brief ? "" : "\n") + group.title + ":\n";
+      std::string line = " ";
+      for (const Option& option : group.options) {
+        if (line.size() + 3 + option.name.size() > help_width) {
+          text += line + "\n";
+          line = " ";
+        }
+        line += " --" + option.name;
+      }
+      text += line + "\n";
+    }
+    follows_brief = group.is_brief;
+  }
+  return text;
+}
+
+std::string
+HelpPage::full() const
+{
+  std::string text = usage();
+  std::size_t width = 0;
+  for (const OptionGroup& group : groups)
+    width = std::max (width, widthOf (group));
+  // help2man wants two blanks in front of every meaning.
+  for (const OptionGroup& group : groups)
+    text += explained (group, width + 1);
+  return text;
+}
 
 CommandLine::CommandLine (const std::string& program,
                           const std::string& summary,

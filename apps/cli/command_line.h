@@ -4,17 +4,114 @@
 
 #include <Eigen/Core>
 
-#include "help_page.h"
-#include "option_value.h"
-
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
+
+/** \brief The numbers an option takes; its text ("above 0 and up to 1") is part of the
+ * error message. */
+struct Range {
+  double lowest = -std::numeric_limits<double>::infinity();
+  bool lowest_included = false;
+  double highest = std::numeric_limits<double>::infinity();
+  bool highest_included = false;
+
+  static Range
+  any ()
+  {
+    return {};
+  }
+  static Range
+  above (double bound)
+  {
+    return {bound, false};
+  }
+  static Range
+  from (double bound)
+  {
+    return {bound, true};
+  }
+  Range
+  upTo (double bound) const
+  {
+    return {lowest, lowest_included, bound, true};
+  }
+  Range
+  below (double bound) const
+  {
+    return {lowest, lowest_included, bound, false};
+  }
+
+  /** \brief False for NaN and the infinities, whatever the bounds. */
+  bool
+  contains (double number) const;
+  std::string
+  text () const;
+};
+
+/** \brief The number a text stands for.
+ * \param[in] option names the option in the error
+ * \throws UsageError if the text is no number or the number is out of range */
+template <typename Number>
+Number
+parseNumber (const std::string& option, const std::string& text, const Range& range);
+
+/** \brief A vector "x,y,z" other than zero.
+ * \throws UsageError if the text is anything else */
+Eigen::Vector3f
+parseDirection (const std::string& option, const std::string& text);
+
+/** \brief The same, or "camera" for up in the optical frame of a level camera.
+ * \throws UsageError if the text is anything else */
+Eigen::Vector3f
+parseUpAxis (const std::string& option, const std::string& text);
+
+/** \brief A positional argument; \c store gets its text. */
+struct Argument {
+  std::string name, help;
+  std::size_t max_count;
+  std::function<void (const std::string&)> store;
+};
+
+/** \brief An option; without a placeholder it has no value. */
+struct Option {
+  std::string name, placeholder, help;
+  std::function<void (const std::string&)> store;
+};
+
+struct OptionGroup {
+  std::string title;
+  std::vector<Option> options = {};
+  /** \brief Named in one line by --help; --help-all explains its options. */
+  bool is_brief = false;
+};
+
+struct HelpPage {
+  std::string program, summary;
+  /** \brief To call the program, one a line: what follows its name. */
+  std::vector<std::string> ways = {};
+  std::string explanation = {};
+  std::vector<Argument> arguments = {};
+  /** \brief New options go to the last. */
+  std::vector<OptionGroup> groups = {};
+
+  std::string
+  brief () const;
+
+  /** \brief The text of --help-all, which explains the options of brief groups, too. */
+  std::string
+  full () const;
+
+private:
+  std::string
+  usage () const;
+};
 
 /** \brief The command line of a program: `--long x`, `--long=x` and PCL's single dash
  * `-long x`, each also by the start of its name, positional arguments, --help and

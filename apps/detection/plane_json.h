@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "outlines.h"
+#include "plane_map.h"
 #include <nlohmann/json.hpp>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_extent.h>

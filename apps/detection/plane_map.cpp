@@ -1,21 +1,205 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plane_map.h"
+// Boost 1.74 remarks in every build on a header it includes itself.
+#define BOOST_ALLOW_DEPRECATED_HEADERS
+#include <boost/geometry.hpp>
+#undef BOOST_ALLOW_DEPRECATED_HEADERS
 
-#include "outlines.h"
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
 #include "plane_json.h"
+#include "plane_map.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <io/output_file.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
 #include <utility>
 #include <vector>
 
 namespace pcl_ops::apps {
 
 namespace {
+
+/** \brief Twice the area within a ring as seen from above, negative for a clockwise
+ * one. */
+double
+areaFromAbove (const Ring& ring)
+{
+  double area = 0.0;
+  // From the first corner: areas far from zero would have few digits left.
+  for (std::size_t i = 2; i < ring.size(); ++i)
+    area += (ring[i - 1] - ring[0]).cross (ring[i] - ring[0]).z();
+  return area;
+}
+
+/** \brief How a format writes rings. */
+struct Notation {
+  const char *begin_list, *begin_corner, *between_numbers, *end_corner, *end_list;
+};
+
+constexpr Notation wkt = {"(", "", " ", "", ")"};
+constexpr Notation json = {"[", "[", ",", "]", "]"};
+
+void
+writeCorner (const Eigen::Vector3d& corner,
+             const Notation& notation,
+             int decimals,
+             std::ostream& stream)
+{
+  // A coordinate that is rounded to zero has no sign.
+  const double smallest = 0.5 * std::pow (10.0, -decimals);
+  stream << notation.begin_corner;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    stream << (axis > 0 ? notation.between_numbers : "")
+           << (std::abs (corner[axis]) <= smallest ? 0.0 : corner[axis]);
+  stream << notation.end_corner;
+}
+
+void
+writeRings (const Rings& rings,
+            const Notation& notation,
+            int decimals,
+            std::ostream& stream)
+{
+  stream << notation.begin_list;
+  for (const Ring& ring : rings) {
+    stream << (&ring == &rings.front() ? "" : ",") << notation.begin_list;
+    for (const Eigen::Vector3d& corner : ring) {
+      writeCorner (corner, notation, decimals, stream);
+      stream << ",";
+    }
+    writeCorner (ring.front(), notation, decimals, stream);
+    stream << notation.end_list;
+  }
+  stream << notation.end_list;
+}
+
+std::string
+written (const Polygons& polygons, const Notation& notation, int decimals)
+{
+  std::ostringstream text;
+  text.imbue (std::locale::classic());
+  text << std::fixed << std::setprecision (decimals);
+  const bool is_list = polygons.size() > 1;
+  text << (is_list ? notation.begin_list : "");
+  for (const Rings& rings : polygons) {
+    text << (&rings == &polygons.front() ? "" : ",");
+    writeRings (rings, notation, decimals, text);
+  }
+  text << (is_list ? notation.end_list : "");
+  return text.str();
+}
+
+using Corner = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
+
+/** \brief Begins a ring with the corner farthest from the middle, which no line between
+ * others is near to. */
+void
+beginAtCorner (Ring& ring)
+{
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& corner : ring)
+    middle += (corner - ring.front()) / static_cast<double> (ring.size());
+  middle += ring.front();
+  const auto farthest =
+      std::max_element (ring.begin(), ring.end(), [&] (const auto& a, const auto& b) {
+        return (a - middle).squaredNorm() < (b - middle).squaredNorm();
+      });
+  std::rotate (ring.begin(), farthest, ring.end());
+}
+
+struct FittedLine {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+};
+
+/** \param[in] first, last positions in the ring, which goes on at its beginning */
+FittedLine
+lineAlong (const Ring& ring, std::size_t first, std::size_t last)
+{
+  FittedLine line;
+  const auto number = static_cast<double> (last - first + 1);
+  for (std::size_t i = first; i <= last; ++i)
+    line.middle += (ring[i % ring.size()] - ring[first]) / number;
+  line.middle += ring[first];
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (std::size_t i = first; i <= last; ++i) {
+    const Eigen::Vector3d off = ring[i % ring.size()] - line.middle;
+    spread += off * off.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes (spread);
+  line.direction = axes.eigenvectors().col (2);
+  return line;
+}
+
+/** \brief Where two sides meet, or the corner between them where they are nearly
+ * parallel or meet farther from it than the tolerance. */
+Eigen::Vector3d
+meetingOf (const FittedLine& a,
+           const FittedLine& b,
+           const Eigen::Vector3d& corner,
+           double tolerance)
+{
+  constexpr double least_squared_sine = 0.07; // 15 degrees
+  const double cosine = a.direction.dot (b.direction);
+  const double squared_sine = 1.0 - cosine * cosine;
+  if (squared_sine < least_squared_sine)
+    return corner;
+  const Eigen::Vector3d between = a.middle - b.middle;
+  const double along_a = a.direction.dot (between), along_b = b.direction.dot (between);
+  const double t = (cosine * along_b - along_a) / squared_sine;
+  const double s = (along_b - cosine * along_a) / squared_sine;
+  const Eigen::Vector3d meeting =
+      0.5 * (a.middle + t * a.direction + b.middle + s * b.direction);
+  return (meeting - corner).norm() <= tolerance ? meeting : corner;
+}
+
+/** \brief Moves corners to where lines through all there was along their sides meet:
+ * the farthest corners alone cut off what noise took from others.
+ * \param[in] ring as it was \param[in] kept positions of the corners left of it */
+Ring
+withFittedSides (const Ring& ring,
+                 const std::vector<std::size_t>& kept,
+                 double tolerance)
+{
+  std::vector<FittedLine> sides;
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    sides.push_back (lineAlong (
+        ring, kept[k], k + 1 < kept.size() ? kept[k + 1] : ring.size() + kept[0]));
+  Ring fitted;
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    fitted.push_back (meetingOf (sides[(k + kept.size() - 1) % kept.size()],
+                                 sides[k],
+                                 ring[kept[k]],
+                                 tolerance));
+  return fitted;
+}
+
+Ring
+withFewerCorners (Ring ring, double tolerance)
+{
+  beginAtCorner (ring);
+  boost::geometry::model::linestring<Corner> line, simple;
+  for (const Eigen::Vector3d& corner : ring)
+    line.emplace_back (corner.x(), corner.y(), corner.z());
+  line.push_back (line.front());
+  boost::geometry::simplify (line, simple, tolerance);
+  simple.pop_back();
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < ring.size() && kept.size() < simple.size(); ++i) {
+    const Corner& corner = simple[kept.size()];
+    if (ring[i] == Eigen::Vector3d (corner.get<0>(), corner.get<1>(), corner.get<2>()))
+      kept.push_back (i);
+  }
+  return withFittedSides (ring, kept, tolerance);
+}
 
 using PlaneTable = nlohmann::ordered_json;
 
@@ -115,6 +299,67 @@ toGeoJson (const PlaneTable& planes, const MapOptions& options)
 }
 
 } // namespace
+
+Rings
+seenFromAbove (Rings rings)
+{
+  for (Ring& ring : rings) {
+    const bool is_hole = &ring != &rings.front();
+    const double area = areaFromAbove (ring);
+    if (is_hole ? area > 0.0 : area < 0.0)
+      std::reverse (ring.begin(), ring.end());
+  }
+  return rings;
+}
+
+Rings
+simplified (Rings rings, double tolerance)
+{
+  if (tolerance == 0.0)
+    return rings;
+  constexpr std::size_t corners_of_an_area = 3;
+  Rings simple;
+  for (const Ring& ring : rings) {
+    Ring fewer = withFewerCorners (ring, tolerance);
+    const bool has_area = fewer.size() >= corners_of_an_area;
+    if (has_area)
+      simple.push_back (std::move (fewer));
+    else if (simple.empty())
+      return {ring};
+  }
+  return simple;
+}
+
+int
+decimalsFor (const std::vector<double>& widths)
+{
+  constexpr int min_decimals = 3, max_decimals = 12;
+  int decimals = min_decimals;
+  for (const double width : widths)
+    if (width > 0.0)
+      decimals = std::max (
+          decimals, static_cast<int> (std::ceil (min_decimals - std::log10 (width))));
+  return std::min (decimals, max_decimals);
+}
+
+std::string
+toWkt (const Polygons& polygons, int decimals)
+{
+  if (polygons.empty())
+    return "POLYGON Z EMPTY";
+  return (polygons.size() > 1 ? "MULTIPOLYGON Z " : "POLYGON Z ") +
+         written (polygons, wkt, decimals);
+}
+
+std::string
+toGeoJsonGeometry (const Polygons& polygons, int decimals)
+{
+  if (polygons.empty())
+    return "null";
+  return std::string (R"({"type":")") +
+         (polygons.size() > 1 ? "MultiPolygon" : "Polygon") + R"(","coordinates":)" +
+         written (polygons, json, decimals) + "}";
+}
 
 void
 declareMap (CommandLine& line, MapOptions& options)

@@ -4,10 +4,12 @@
 
 #include <pcl/PCLPointCloud2.h>
 
+#include <Eigen/Core>
+
 #include "header_reader.h"
 #include "las_header.h"
-#include "las_vlrs.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
@@ -91,5 +93,19 @@ saveLabelledLas (const std::string& file,
                  LasFile& las,
                  const std::vector<std::uint32_t>& labels,
                  const std::vector<float>& distances = {});
+
+/** \brief A point in units of the scale, relative to the offset, with its label. */
+struct LasPoint {
+  std::array<std::int32_t, 3> raw{};
+  std::uint32_t label = 0;
+};
+
+/** \brief Writes a LAS 1.2 of point data record format 0 in one step, with the labels
+ * in its extra bytes. \throws WorkError if it cannot be written */
+void
+saveLas (const std::string& file,
+         const std::vector<LasPoint>& points,
+         double scale,
+         const Eigen::Vector3d& offset);
 
 } // namespace pcl_ops::apps

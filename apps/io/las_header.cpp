@@ -4,7 +4,6 @@
 
 #include <pcl/types.h>
 
-#include "little_endian.h"
 #include <cli/errors.h>
 
 #include <algorithm>
@@ -93,6 +92,111 @@ check (const LasHeader& header, const HeaderReader& reader)
                to_string (header.legacy_points) + " (legacy) differ");
 }
 
+constexpr std::uint64_t vlr_header = 54, evlr_header = 60;
+constexpr std::uint64_t id_length = 16, description_size = 192, name_length = 32;
+constexpr std::uint16_t extra_bytes_id = 4;
+constexpr std::uint8_t undocumented_type = 0;
+constexpr const char* specification = "LASF_Spec";
+
+/** \brief Text up to the first zero. */
+std::string
+textIn (const char* bytes, std::size_t length)
+{
+  return {bytes, std::find (bytes, bytes + length, '\0')};
+}
+
+std::string
+padded (std::string text, std::size_t length)
+{
+  text.resize (length, '\0');
+  return text;
+}
+
+std::vector<LasVlr>
+vlrsIn (HeaderReader& reader,
+        std::uint64_t begin,
+        std::uint64_t end,
+        std::uint32_t count,
+        std::uint64_t header_size)
+{
+  const auto check = [&] (std::uint64_t size) {
+    if (size > end - begin)
+      reader.fail ("a variable length record reaches beyond its place");
+  };
+  std::array<char, evlr_header> bytes{};
+  std::vector<LasVlr> vlrs;
+  for (; count > 0; --count) {
+    check (header_size);
+    reader.goTo (begin);
+    reader.read (bytes.data(), header_size);
+    const char* const length = &bytes[vlr_length_field];
+    const std::uint64_t size = header_size == vlr_header
+                                   ? fromLittleEndian<std::uint16_t> (length)
+                                   : fromLittleEndian<std::uint64_t> (length);
+    begin += header_size;
+    check (size);
+    begin += size;
+    vlrs.push_back ({begin - size - header_size,
+                     begin - size,
+                     begin,
+                     textIn (&bytes[2], id_length),
+                     fromLittleEndian<std::uint16_t> (&bytes[2 + id_length])});
+  }
+  return vlrs;
+}
+
+bool
+describesExtraBytes (const LasVlr& vlr)
+{
+  return vlr.user == specification && vlr.id == extra_bytes_id;
+}
+
+/** \brief How long the extra bytes of a type are; 0 for one that does not exist. */
+std::uint64_t
+extraBytesLength (std::uint8_t type, std::uint8_t options)
+{
+  constexpr std::array<std::uint8_t, 10> lengths = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  if (type == undocumented_type)
+    return options;
+  // Behind the single numbers are pairs and triples of them.
+  const std::size_t count = 1 + (type - 1U) / lengths.size();
+  return count > 3 ? 0 : count * lengths.at ((type - 1U) % lengths.size());
+}
+
+void
+readDescriptions (HeaderReader& reader, const LasHeader& header, LasExtraBytes& extra)
+{
+  std::array<char, description_size> bytes{};
+  if ((extra.vlr->end - extra.vlr->content) % description_size != 0)
+    reader.fail ("its Extra Bytes VLR ends within a description");
+  reader.goTo (extra.vlr->content);
+  for (auto at = extra.vlr->content; at < extra.vlr->end; at += description_size) {
+    reader.read (bytes.data(), bytes.size());
+    const auto type = fromLittleEndian<std::uint8_t> (&bytes[2]);
+    const std::uint64_t length =
+        extraBytesLength (type, fromLittleEndian<std::uint8_t> (&bytes[3]));
+    if (length == 0)
+      reader.fail ("its Extra Bytes VLR has an unknown type, " + std::to_string (type));
+    extra.fields.push_back (
+        {textIn (&bytes[4], name_length), type, extra.described_end});
+    extra.described_end += length;
+  }
+  if (extra.described_end > header.record_length)
+    reader.fail ("its Extra Bytes VLR describes more bytes than its records have");
+}
+
+std::string
+descriptionOf (std::uint8_t type,
+               std::uint8_t options,
+               const std::string& name,
+               const std::string& text)
+{
+  std::string bytes = littleEndian<std::uint16_t> (0) + littleEndian (type) +
+                      littleEndian (options) + padded (name, name_length);
+  bytes.resize (description_size - name_length, '\0');
+  return bytes + padded (text, name_length);
+}
+
 } // namespace
 
 LasHeader
@@ -168,6 +272,95 @@ copyRest (HeaderReader& reader, std::uint64_t begin, std::ostream& stream)
     reader.read (bytes.data(), bytes.size());
     stream.write (bytes.data(), static_cast<std::streamsize> (bytes.size()));
   }
+}
+
+LasExtraBytes
+readLasVlrs (HeaderReader& reader, const LasHeader& header)
+{
+  constexpr std::uint16_t laszip_id = 22204;
+  LasExtraBytes extra;
+  extra.vlrs_end = header.size;
+  extra.described_end = header.format_length;
+  const auto set =
+      [&] (std::optional<LasVlr>& single, const LasVlr& vlr, const char* name) {
+        if (single)
+          reader.fail (std::string ("it has two ") + name + " VLRs");
+        single = vlr;
+      };
+  for (const LasVlr& vlr : vlrsIn (
+           reader, header.size, header.points_offset, header.vlr_count, vlr_header)) {
+    extra.vlrs_end = vlr.end;
+    if (vlr.user == "laszip encoded" && vlr.id == laszip_id)
+      set (extra.laszip, vlr, "LASzip");
+    if (describesExtraBytes (vlr))
+      set (extra.vlr, vlr, "Extra Bytes");
+  }
+  if (extra.vlr)
+    readDescriptions (reader, header, extra);
+  return extra;
+}
+
+void
+checkLasEvlrs (HeaderReader& reader, const LasHeader& header)
+{
+  if (header.evlr_count == 0)
+    return;
+  if (header.evlr_offset < header.pointsEnd() || header.evlr_offset > reader.fileSize())
+    reader.fail ("its offset to extended variable length records is within its points "
+                 "or behind its end");
+  const auto vlrs = vlrsIn (
+      reader, header.evlr_offset, reader.fileSize(), header.evlr_count, evlr_header);
+  if (std::any_of (vlrs.begin(), vlrs.end(), describesExtraBytes))
+    reader.fail ("its Extra Bytes are described behind its points");
+}
+
+std::optional<std::uint64_t>
+LasExtraBytes::placeOf (const LasField& field) const
+{
+  for (const LasDescribedField& described : fields)
+    if (described.name == field.name && described.type == field.type)
+      return described.place;
+  return {};
+}
+
+bool
+LasExtraBytes::hasNamed (const LasField& field) const
+{
+  return std::any_of (
+      fields.begin(), fields.end(), [&] (const LasDescribedField& described) {
+        return described.name == field.name;
+      });
+}
+
+std::string
+descriptionsOf (const std::vector<LasField>& added,
+                const LasHeader& header,
+                const LasExtraBytes& extra)
+{
+  const std::uint64_t unknown = header.record_length - extra.described_end;
+  // Byte by byte: CloudCompare takes any number of undocumented bytes for one
+  // (LasExtraScalarField::elementSize) and looks for what follows in the wrong place.
+  constexpr std::uint64_t max_single = 64, longest = 255;
+  std::string bytes;
+  for (std::uint64_t left = unknown; left > 0;) {
+    const std::uint64_t length =
+        unknown > max_single ? std::min (left, longest) : std::uint64_t (1);
+    bytes +=
+        descriptionOf (undocumented_type, static_cast<std::uint8_t> (length), "", "");
+    left -= length;
+  }
+  for (const LasField& field : added)
+    bytes += descriptionOf (field.type, 0, field.name, field.text);
+  return bytes;
+}
+
+std::string
+extraBytesVlr (const std::string& content)
+{
+  return littleEndian<std::uint16_t> (0) + padded (specification, id_length) +
+         littleEndian (extra_bytes_id) +
+         littleEndian (static_cast<std::uint16_t> (content.size())) +
+         padded ("Extra Bytes", name_length) + content;
 }
 
 } // namespace pcl_ops::apps

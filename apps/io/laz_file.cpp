@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "laz_file.h"
 
-#include "las_vlrs.h"
+#include "las_header.h"
 #include "laszip_points.h"
-#include "little_endian.h"
 #include "output_file.h"
 #include <cli/errors.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pcd_file.h"
 
-#include "cloud_fields.h"
+#include "cloud_file.h"
 #include "header_reader.h"
 #include "number_types.h"
 

@@ -4,7 +4,7 @@
 
 #include <pcl/common/colors.h>
 
-#include <io/cloud_fields.h>
+#include <io/cloud_file.h>
 
 #include <algorithm>
 #include <vector>

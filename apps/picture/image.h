@@ -4,6 +4,10 @@
 
 #include <pcl/point_types.h>
 
+#include <Eigen/Core>
+
+#include <pcl_ops/orientation.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -46,5 +50,20 @@ struct Image {
 /** \throws WorkError if the file cannot be written */
 void
 savePng (const std::string& file, const Image& image);
+
+/** \brief A plane as a map shows it. */
+struct MapShape {
+  std::uint32_t id = 0;
+  Orientation orientation = Orientation::Other;
+  /** \brief Whose z is drawn above that of others: the centroid's. */
+  double height = 0.0;
+  /** \brief Outlines and holes, in any order. */
+  std::vector<std::vector<Eigen::Vector3d>> rings;
+};
+
+/** \brief Two views from above, y upwards: left each plane in its own color over a bar
+ * of the scale, right in the color of its orientation class. */
+Image
+mapPicture (std::vector<MapShape> shapes);
 
 } // namespace pcl_ops::apps

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tasks.h"
+#include "options.h"
 #include <cli/program.h>
 
 #include <ostream>

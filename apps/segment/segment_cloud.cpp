@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_cloud.h"
 
-#include "extents.h"
 #include "parts.h"
 #include "shapes.h"
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <detection/method_options.h>
+#include <detection/methods.h>
 #include <detection/plane_json.h>
 #include <detection/plane_map.h>
-#include <detection/up_search.h>
-#include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/las_file.h>
 #include <io/laz_file.h>
@@ -26,6 +24,10 @@
 #include <numeric>
 #include <utility>
 #include <vector>
+
+#ifdef PCL_OPS_WITH_SURFACE
+#include <pcl_ops/surface/concave_hull.h>
+#endif
 
 namespace pcl_ops::apps {
 
@@ -157,6 +159,34 @@ saveOutputs (const SegmentOptions& options,
     savePlanes (outputs.planes, report, options.map);
 }
 
+/** \brief Where a plane ends, in the file's frame; parameters as below. */
+PlaneExtent
+extentInFile (const ShiftedCloud& shifted,
+              const PlaneSegment& plane,
+              const std::string& hull)
+{
+  const PlaneFrame in_cloud (plane.centroid - shifted.shift, plane.normal);
+  const PlaneFrame in_file (plane.centroid, plane.normal);
+  const PlanarPoints points = pointsOnPlane (*shifted.cloud, plane, in_cloud);
+  return extentOf (outlineOf (points, hull), points, in_file);
+}
+
+/** \brief Where each plane ends, in the file's frame.
+ * \param[in] shifted the cloud the planes were found in
+ * \param[in] planes in the file's frame
+ * \param[in] hull one of \ref hulls that the build has */
+std::vector<PlaneExtent>
+extentsOf (const ShiftedCloud& shifted,
+           const std::vector<PlaneSegment>& planes,
+           const std::string& hull)
+{
+  std::vector<PlaneExtent> extents;
+  extents.reserve (planes.size());
+  for (const PlaneSegment& plane : planes)
+    extents.push_back (extentInFile (shifted, plane, hull));
+  return extents;
+}
+
 Report
 segmentInMemory (const SegmentOptions& options,
                  const Task& task,
@@ -198,6 +228,32 @@ segmentInMemory (const SegmentOptions& options,
 }
 
 } // namespace
+
+const std::vector<std::string> hulls = {"convex", "concave"};
+
+namespace {
+
+PlanarRings
+outlineOf (const PlanarPoints& points, [[maybe_unused]] const std::string& hull)
+{
+#ifdef PCL_OPS_WITH_SURFACE
+  if (hull == "concave")
+    return concaveOutline (points);
+#endif
+  return {convexHull (points)};
+}
+
+} // namespace
+
+bool
+hasHull ([[maybe_unused]] const std::string& hull)
+{
+#ifdef PCL_OPS_WITH_SURFACE
+  return true;
+#else
+  return hull == "convex";
+#endif
+}
 
 std::vector<std::uint32_t>
 idsBySize (const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& /*sensor*/)

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "options.h"
 #include "report.h"
-#include "tasks.h"
+#include <io/shifted_cloud.h>
+#include <pcl_ops/plane_extent.h>
 
 #include <cstdint>
 #include <functional>
@@ -11,6 +13,13 @@
 #include <vector>
 
 namespace pcl_ops::apps {
+
+/** \brief What --hull can be; the first is its default. */
+extern const std::vector<std::string> hulls;
+
+/** \brief Whether this build has the library that concave hulls need. */
+bool
+hasHull (const std::string& hull);
 
 /** \brief What gives the planes of a cloud their ids, which are in the cloud's frame,
  * and gets to know where the sensor was or, where that is not known, a place among the

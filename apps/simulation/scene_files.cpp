@@ -5,7 +5,7 @@
 #include <cli/errors.h>
 #include <cli/interruption.h>
 #include <io/labeled_pcd.h>
-#include <io/las_writer.h>
+#include <io/las_file.h>
 #include <io/output_file.h>
 
 #include <array>

@@ -4,12 +4,84 @@
 
 #include "cell_file.h"
 #include "plan.h"
-#include "run_folder.h"
+#include "tile_grid.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
+
+/** \brief Where the files of a run are, which its phases leave for one another. */
+struct RunFolder {
+  std::string outputs;
+
+  std::string
+  output (const std::string& name) const;
+
+  /** \brief Where a file is that is no output. */
+  std::string
+  work (const std::string& name) const
+  {
+    return output ("work/" + name);
+  }
+
+  /** \brief Where the plan is that all other files are of. */
+  std::string
+  plan () const
+  {
+    return work ("plan.json");
+  }
+  std::string
+  cells (std::size_t input) const
+  {
+    return work ("cells/" + std::to_string (input) + ".cells");
+  }
+  /** \param[in] extension .planes or .labels */
+  std::string
+  ofTile (const TileKey& tile, const char* extension) const
+  {
+    return work ("planes/" + std::to_string (tile.x) + "_" + std::to_string (tile.y) +
+                 extension);
+  }
+  std::string
+  numbers () const
+  {
+    return work ("planes/numbers");
+  }
+  /** \brief What planes.json becomes once all else is done. */
+  std::string
+  list () const
+  {
+    return work ("planes/planes.json");
+  }
+  std::string
+  mark (std::size_t input) const
+  {
+    return work ("labelled/" + std::to_string (input));
+  }
+  std::string
+  end () const
+  {
+    return work ("done");
+  }
+
+  /** \brief Makes the folders that are missing. \throws WorkError */
+  void
+  make () const;
+
+  /** \brief Removes all but the plan, and makes the folders again. \throws WorkError */
+  void
+  startAnew () const;
+
+  /** \brief Removes all but the plan and \ref end. */
+  void
+  clean () const;
+};
+
+bool
+isThere (const std::string& file);
 
 inline constexpr const char* planes_file = "planes.json";
 

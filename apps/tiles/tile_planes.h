@@ -6,7 +6,7 @@
 
 #include "binary_file.h"
 #include "exact_moments.h"
-#include "outline_edges.h"
+#include "plane_outline.h"
 
 #include <array>
 #include <cstdint>

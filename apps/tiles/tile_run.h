@@ -3,9 +3,11 @@
 #pragma once
 
 #include "options.h"
+#include "phases.h"
 #include "ranks.h"
 
 #include <iosfwd>
+#include <string>
 
 namespace pcl_ops::apps {
 

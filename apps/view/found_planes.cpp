@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "found_planes.h"
 
-#include <detection/up_search.h>
+#include <detection/methods.h>
 #include <pcl_ops/plane_extent.h>
 #include <picture/colors.h>
 

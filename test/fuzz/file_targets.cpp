@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fuzz_targets.h"
 #include <cli/errors.h>
-#include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/las_file.h>
 #include <io/shifted_cloud.h>

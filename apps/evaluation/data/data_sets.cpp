@@ -6,8 +6,8 @@
 
 #include "labeled_cloud.h"
 #include "sun_rgbd.h"
+#include <cli/command_line.h>
 #include <cli/errors.h>
-#include <cli/option_value.h>
 #include <io/cloud_file.h>
 #include <simulation/simulate.h>
 

@@ -8,7 +8,6 @@
 
 #include <cli/errors.h>
 #include <cli/program.h>
-#include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/shifted_cloud.h>
 

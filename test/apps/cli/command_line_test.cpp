@@ -4,7 +4,6 @@
 
 #include <cli/command_line.h>
 #include <cli/errors.h>
-#include <cli/option_value.h>
 #include <support/text.h>
 
 #include <array>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <detection/outlines.h>
+#include <detection/plane_map.h>
 
 #include <algorithm>
 

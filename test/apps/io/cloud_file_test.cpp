@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/shifted_cloud.h>
 #include <support/temporary_folder.h>

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cli/errors.h>
-#include <io/cloud_fields.h>
 #include <io/cloud_file.h>
 #include <io/las_file.h>
 #include <io/laz_file.h>

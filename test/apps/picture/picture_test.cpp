@@ -4,9 +4,9 @@
 
 #include <Eigen/Geometry>
 
-#include <io/cloud_fields.h>
+#include <io/cloud_file.h>
 #include <picture/colors.h>
-#include <picture/map_picture.h>
+#include <picture/image.h>
 #include <picture/raster.h>
 #include <picture/view.h>
 #include <support/temporary_folder.h>

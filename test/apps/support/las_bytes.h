@@ -3,7 +3,6 @@
 #pragma once
 
 #include <io/las_header.h>
-#include <io/little_endian.h>
 
 #include <array>
 #include <cstdint>

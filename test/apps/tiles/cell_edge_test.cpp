@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cli/errors.h>
-#include <tiles/cell_edge.h>
+#include <tiles/plan.h>
 
 using namespace pcl_ops::apps;
 using Eigen::Vector3d;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers/random.h>
-#include <tiles/outline_rings.h>
+#include <tiles/plane_outline.h>
 
 #include <algorithm>
 

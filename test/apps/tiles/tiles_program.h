@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include <io/cloud_file.h>
-#include <io/las_writer.h>
+#include <io/las_file.h>
 #include <nlohmann/json.hpp>
 #include <support/cloud_values.h>
 #include <support/program_folder.h>

@@ -2,11 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/PCLPointCloud2.h>
+#include "cloud_file.h"
 
 #include <string>
 
 namespace pcl_ops::apps {
+
+/** \brief Reads the vertices of a PLY, with the names that PCL has for fields: red,
+ * green, blue (and alpha) become `rgb` (`rgba`), nx `normal_x`, and so on. The cloud is
+ * organized where num_cols and num_rows or PCL's camera say so.
+ * \throws WorkError naming the line at fault, or that data are missing */
+FileCloud
+readPly (const std::string& file);
 
 /** \brief Header of a binary little endian PLY: every field with its type, except that
  * of `rgb` and `rgba` the first becomes red, green, blue (and alpha), 64-bit integers,

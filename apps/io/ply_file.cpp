@@ -1,0 +1,509 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ply_file.h"
+
+#include <boost/endian/conversion.hpp>
+
+#include "cloud_file.h"
+#include "header_reader.h"
+#include "number_types.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+using pcl::PCLPointField;
+
+struct PlyProperty {
+  std::string name;
+  const NumberType* type = nullptr;
+  /** \brief Type of the length in front of a list; nullptr: no list. */
+  const NumberType* length_type = nullptr;
+};
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  /** \brief ascii, binary_little_endian or binary_big_endian. */
+  std::string format;
+  /** \brief In the order of the data. */
+  std::vector<PlyElement> elements;
+  /** \brief "obj_info num_cols N" and "num_rows N". */
+  std::map<std::string, double> grid;
+
+  /** \return nullptr if there is none of that name */
+  const PlyElement*
+  find (const std::string& name) const
+  {
+    const auto found =
+        std::find_if (elements.begin(),
+                      elements.end(),
+                      [&] (const PlyElement& element) { return element.name == name; });
+    return found == elements.end() ? nullptr : &*found;
+  }
+};
+
+constexpr std::size_t max_elements = 1000, max_properties = 10000;
+
+const NumberType*
+typeOf (const HeaderReader& reader, const std::string& name)
+{
+  const NumberType* const type = findPlyType (name);
+  if (type == nullptr)
+    reader.fail ("the property type " + name + " does not exist");
+  return type;
+}
+
+void
+readElement (const HeaderReader& reader, const Words& words, PlyHeader& header)
+{
+  if (words.size() != 3)
+    reader.fail ("its line element is incomplete");
+  if (header.elements.size() == max_elements)
+    reader.fail ("it has more than " + std::to_string (max_elements) + " elements");
+  if (header.find (words[1]) != nullptr)
+    reader.fail ("it has the element " + words[1] + " twice");
+  header.elements.push_back (
+      {words[1], reader.count ("element " + words[1], words[2]), {}});
+}
+
+void
+readProperty (const HeaderReader& reader, const Words& words, PlyHeader& header)
+{
+  const bool is_list = words.size() == 5 && words[1] == "list";
+  if (header.elements.empty() || (words.size() != 3 && !is_list))
+    reader.fail ("its line property is incomplete");
+  PlyElement& element = header.elements.back();
+  if (element.properties.size() == max_properties)
+    reader.fail ("its element " + element.name + " has more than " +
+                 std::to_string (max_properties) + " properties");
+  element.properties.push_back ({words.back(),
+                                 typeOf (reader, words[words.size() - 2]),
+                                 is_list ? typeOf (reader, words[2]) : nullptr});
+}
+
+void
+checkHeader (const HeaderReader& reader, const PlyHeader& header)
+{
+  if (header.format != "ascii" && header.format != "binary_little_endian" &&
+      header.format != "binary_big_endian")
+    reader.fail ("its format is not ascii, binary_little_endian or binary_big_endian");
+  const PlyElement* const vertex = header.find ("vertex");
+  if (vertex == nullptr)
+    reader.fail ("it has no element vertex");
+  std::set<std::string> names;
+  for (const PlyProperty& property : vertex->properties) {
+    if (property.length_type != nullptr)
+      reader.fail ("its vertices have a list, " + property.name);
+    if (!names.insert (property.name).second)
+      reader.fail ("its vertices have " + property.name + " twice");
+  }
+  if (vertex->count == 0)
+    reader.failEmpty();
+}
+
+/** \throws WorkError naming the line at fault, or if there are no vertices or they have
+ * lists or twice the same property */
+PlyHeader
+readPlyHeader (HeaderReader& reader)
+{
+  PlyHeader header;
+  if (reader.nextLine ("ply") != Words{"ply"})
+    reader.fail ("its first line is not ply");
+  for (Words words; words != Words{"end_header"};) {
+    words = reader.nextLine ("end_header");
+    const std::string key = words.empty() ? "" : words[0];
+    if (key == "format" && words.size() == 3)
+      header.format = words[1];
+    else if (key == "element")
+      readElement (reader, words, header);
+    else if (key == "property")
+      readProperty (reader, words, header);
+    else if (key == "obj_info" && words.size() > 2 &&
+             (words[1] == "num_cols" || words[1] == "num_rows"))
+      header.grid[words[1]] = static_cast<double> (reader.count (words[1], words[2]));
+    else if (key != "obj_info" && key != "comment" && key != "end_header")
+      reader.fail ("its line '" + key + "' is unknown or incomplete");
+  }
+  checkHeader (reader, header);
+  return header;
+}
+
+/** \brief The data of a PLY, number by number. */
+class PlyData {
+public:
+  PlyData (HeaderReader& reader, const PlyHeader& header)
+  : reader_ (reader), lines_ (reader), is_text_ (header.format == "ascii")
+  {
+    using boost::endian::order;
+    const bool is_big = header.format == "binary_big_endian";
+    is_swapped_ = is_big != (order::native == order::big);
+  }
+
+  void
+  beginRow (const PlyElement& element)
+  {
+    next_word_ = 0;
+    if (!is_text_)
+      return;
+    lines_.next();
+    const bool has_lists = std::any_of (
+        element.properties.begin(),
+        element.properties.end(),
+        [] (const auto& property) { return property.length_type != nullptr; });
+    if (!has_lists)
+      lines_.expectNumbers (element.properties.size());
+  }
+
+  void
+  read (const NumberType& type, std::uint8_t* bytes)
+  {
+    if (is_text_)
+      return lines_.read (nextWord(), type, bytes);
+    reader_.read (reinterpret_cast<char*> (bytes), type.size);
+    if (is_swapped_)
+      std::reverse (bytes, bytes + type.size);
+  }
+
+  double
+  number (const NumberType& type)
+  {
+    if (is_text_)
+      return lines_.number (nextWord());
+    std::uint8_t bytes[sizeof (double)];
+    read (type, bytes);
+    return type.read (bytes);
+  }
+
+  /** \brief A number, or those of a list. */
+  void
+  readProperty (const PlyProperty& property, std::vector<double>& numbers)
+  {
+    const double count =
+        property.length_type == nullptr ? 1.0 : number (*property.length_type);
+    if (!(count >= 0.0))
+      failAtList();
+    numbers.clear();
+    for (double i = 0.0; i < count; ++i)
+      numbers.push_back (number (*property.type));
+  }
+
+  void
+  endRow () const
+  {
+    if (is_text_ && next_word_ != lines_.size())
+      failAtList();
+  }
+
+  void
+  end ()
+  {
+    if (is_text_)
+      lines_.expectEnd();
+  }
+
+private:
+  std::size_t
+  nextWord ()
+  {
+    if (next_word_ == lines_.size())
+      failAtList();
+    return next_word_++;
+  }
+
+  [[noreturn]] void
+  failAtList () const
+  {
+    if (is_text_)
+      reader_.failAtLine ("has a list of another length than it says");
+    reader_.fail ("a list has no length");
+  }
+
+  HeaderReader& reader_;
+  NumberLines lines_;
+  bool is_text_, is_swapped_ = false;
+  std::size_t next_word_ = 0;
+};
+
+/** \brief Where a number of a vertex goes to in a point, in bytes. */
+struct Target {
+  const NumberType* type;
+  pcl::uindex_t offset;
+  bool becomes_float;
+};
+
+/** \brief Of a color that is one byte: its place in PCL's packed one, or -1. */
+int
+placeInColor (const PlyProperty& property)
+{
+  const std::array<std::string, 4> names = {"blue", "green", "red", "alpha"};
+  if (property.type->id != PCLPointField::UINT8)
+    return -1;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (property.name == names[i] || property.name == "diffuse_" + names[i])
+      return static_cast<int> (i);
+  return -1;
+}
+
+/** \brief As PCL names fields: normals, and the intensity as a float. */
+Target
+addProperty (const PlyProperty& property, pcl::PCLPointCloud2& points)
+{
+  const NumberType& float_type = numberType (PCLPointField::FLOAT32);
+  const std::string& name = property.name;
+  const bool is_normal = name == "nx" || name == "ny" || name == "nz";
+  const bool becomes_float =
+      name == "intensity" && property.type->id == PCLPointField::UINT8;
+  const Target target{property.type, points.point_step, becomes_float};
+  addField (is_normal ? "normal_" + name.substr (1) : name,
+            becomes_float ? float_type : *property.type,
+            1,
+            points);
+  return target;
+}
+
+std::vector<Target>
+addFields (const PlyElement& vertex, pcl::PCLPointCloud2& points)
+{
+  std::vector<Target> targets;
+  std::size_t color = 0; // one after its index
+  for (const PlyProperty& property : vertex.properties) {
+    const int place = placeInColor (property);
+    if (place < 0) {
+      targets.push_back (addProperty (property, points));
+      continue;
+    }
+    if (color == 0) {
+      addField ("rgb", numberType (PCLPointField::FLOAT32), 1, points);
+      color = points.fields.size();
+    }
+    PCLPointField& field = points.fields[color - 1];
+    if (property.name == "alpha") {
+      field.name = "rgba";
+      field.datatype = PCLPointField::UINT32;
+    }
+    targets.push_back (
+        {property.type, field.offset + static_cast<pcl::uindex_t> (place), false});
+  }
+  return targets;
+}
+
+void
+readVertices (PlyData& data, const PlyElement& vertex, pcl::PCLPointCloud2& points)
+{
+  const std::vector<Target> targets = addFields (vertex, points);
+  points.data.resize (vertex.count * points.point_step);
+  for (std::uint64_t i = 0; i < vertex.count && !targets.empty(); ++i) {
+    std::uint8_t* const point = points.data.data() + i * points.point_step;
+    data.beginRow (vertex);
+    for (const Target& target : targets)
+      if (target.becomes_float) {
+        const auto number = static_cast<float> (data.number (*target.type));
+        std::memcpy (point + target.offset, &number, sizeof (number));
+      }
+      else
+        data.read (*target.type, point + target.offset);
+  }
+}
+
+/** \brief Skips an element, except for what PCL's camera says about the cloud. */
+void
+readOther (PlyData& data,
+           const PlyElement& element,
+           std::map<std::string, double>& grid)
+{
+  const std::map<std::string, std::string> sizes = {{"viewportx", "num_cols"},
+                                                    {"viewporty", "num_rows"}};
+  std::vector<double> numbers;
+  for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+    data.beginRow (element);
+    for (const PlyProperty& property : element.properties) {
+      data.readProperty (property, numbers);
+      const auto size = sizes.find (property.name);
+      if (element.name == "camera" && size != sizes.end() && !numbers.empty())
+        grid[size->second] = numbers[0];
+    }
+    data.endRow();
+  }
+}
+
+void
+organize (std::uint64_t size,
+          std::map<std::string, double>& grid,
+          pcl::PCLPointCloud2& points)
+{
+  const double width = grid["num_cols"], height = grid["num_rows"];
+  const bool fits = width * height == static_cast<double> (size) && width >= 1.0 &&
+                    width == std::floor (width) && height == std::floor (height);
+  points.width = static_cast<pcl::uindex_t> (fits ? width : static_cast<double> (size));
+  points.height = static_cast<pcl::uindex_t> (fits ? height : 1.0);
+  points.row_step = points.point_step * points.width;
+}
+
+/** \brief Fewest bytes of a row: lists may be empty, a number that is text is a digit
+ * and a separator. */
+std::uint64_t
+minSize (const PlyElement& element, bool is_text)
+{
+  std::uint64_t bytes = 0;
+  for (const PlyProperty& property : element.properties)
+    bytes += is_text ? 2
+                     : (property.length_type == nullptr ? property.type->size
+                                                        : property.length_type->size);
+  return bytes;
+}
+
+using pcl::PCLPointField;
+
+struct VertexProperty {
+  std::string name;
+  const NumberType* type;
+  pcl::uindex_t offset;
+};
+using VertexProperties = std::vector<VertexProperty>;
+
+/** \brief Whether it is PCL's packed color, which a column of a text is not. */
+bool
+isColor (const PCLPointField& field)
+{
+  return (field.name == "rgb" || field.name == "rgba") &&
+         numberType (field.datatype).size == sizeof (std::uint32_t);
+}
+
+/** \brief The properties of PCL's packed color, whose lowest byte is blue. */
+VertexProperties
+colorProperties (const PCLPointField& field)
+{
+  VertexProperties properties;
+  const std::array<const char*, 4> names = {"red", "green", "blue", "alpha"};
+  const std::array<pcl::uindex_t, 4> places = {2, 1, 0, 3};
+  for (std::size_t i = 0; i < field.name.size(); ++i)
+    properties.push_back (
+        {names[i], &numberType (PCLPointField::UINT8), field.offset + places[i]});
+  return properties;
+}
+
+VertexProperties
+numberProperties (const PCLPointField& field)
+{
+  VertexProperties properties;
+  const NumberType& type = numberType (field.datatype);
+  const bool is_normal =
+      field.name == "normal_x" || field.name == "normal_y" || field.name == "normal_z";
+  const std::string name = is_normal ? "n" + field.name.substr (7) : field.name;
+  for (pcl::uindex_t i = 0; i < field.count; ++i)
+    properties.push_back ({field.count == 1 ? name : name + "_" + std::to_string (i),
+                           &type,
+                           field.offset + static_cast<pcl::uindex_t> (i * type.size)});
+  return properties;
+}
+
+/** \brief Those of a cloud. A name that another has, colors before all, gets a _ more.
+ */
+VertexProperties
+propertiesOf (const pcl::PCLPointCloud2& points)
+{
+  std::set<std::string> taken;
+  const PCLPointField* color = nullptr;
+  for (const PCLPointField& field : points.fields)
+    if (color == nullptr && isColor (field)) {
+      color = &field;
+      for (const VertexProperty& property : colorProperties (field))
+        taken.insert (property.name);
+    }
+  VertexProperties properties;
+  for (const PCLPointField& field : points.fields) {
+    if (&field == color)
+      for (const VertexProperty& property : colorProperties (field))
+        properties.push_back (property);
+    else if (!isColor (field) && field.name != "_") // bytes that are nothing in PCD
+      for (VertexProperty& property : numberProperties (field)) {
+        while (!taken.insert (property.name).second)
+          property.name += "_";
+        properties.push_back (property);
+      }
+  }
+  return properties;
+}
+
+void
+appendNumber (const std::uint8_t* point,
+              const VertexProperty& property,
+              std::string& bytes)
+{
+  const NumberType& type = *property.type;
+  const std::uint8_t* const number = point + property.offset;
+  if (!type.ply_name.empty()) {
+    bytes.append (reinterpret_cast<const char*> (number), type.size);
+    return;
+  }
+  const double converted = type.read (number);
+  bytes.append (reinterpret_cast<const char*> (&converted), sizeof (converted));
+}
+
+} // namespace
+
+FileCloud
+readPly (const std::string& file)
+{
+  HeaderReader reader (file, "PLY");
+  PlyHeader header = readPlyHeader (reader);
+  std::uint64_t bytes = 0;
+  for (const PlyElement& element : header.elements)
+    bytes += element.count * minSize (element, header.format == "ascii");
+  if (reader.fileSize() - reader.position() + 1 < bytes)
+    reader.failTruncated();
+  FileCloud cloud;
+  PlyData data (reader, header);
+  for (const PlyElement& element : header.elements)
+    if (element.name == "vertex")
+      readVertices (data, element, cloud.points);
+    else
+      readOther (data, element, header.grid);
+  data.end();
+  organize (header.find ("vertex")->count, header.grid, cloud.points);
+  return cloud;
+}
+
+std::string
+plyHeader (const pcl::PCLPointCloud2& points)
+{
+  std::string header = "ply\nformat binary_little_endian 1.0\n";
+  if (points.height > 1)
+    header += "obj_info num_cols " + std::to_string (points.width) +
+              "\nobj_info num_rows " + std::to_string (points.height) + "\n";
+  header += "element vertex " + std::to_string (sizeOf (points)) + "\n";
+  for (const VertexProperty& property : propertiesOf (points)) {
+    const std::string_view type = property.type->ply_name;
+    header += "property " + std::string (type.empty() ? "double" : type) + " " +
+              property.name + "\n";
+  }
+  return header + "end_header\n";
+}
+
+std::string
+plyVertices (const pcl::PCLPointCloud2& points)
+{
+  const VertexProperties properties = propertiesOf (points);
+  std::string bytes;
+  for (std::size_t i = 0; i < sizeOf (points); ++i)
+    for (const VertexProperty& property : properties)
+      appendNumber (points.data.data() + i * points.point_step, property, bytes);
+  return bytes;
+}
+
+} // namespace pcl_ops::apps
