@@ -20,26 +20,6 @@ getCount (std::istream& stream, std::size_t part_size)
   return 0;
 }
 
-void
-putMoments (std::ostream& stream, const Moments& moments)
-{
-  putBytes (stream, moments.origin.data(), 3);
-  put (stream, moments.count);
-  putBytes (stream, moments.sum.data(), 3);
-  put (stream, moments.products);
-}
-
-Moments
-getMoments (std::istream& stream)
-{
-  Moments moments;
-  getBytes (stream, moments.origin.data(), 3);
-  moments.count = get<double> (stream);
-  getBytes (stream, moments.sum.data(), 3);
-  moments.products = get<std::array<double, 6>> (stream);
-  return moments;
-}
-
 std::ifstream
 openBinary (const std::string& file)
 {

@@ -2,14 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_ops/plane.h>
-
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
-#include <istream>
-#include <ostream>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -73,12 +68,6 @@ getAll (std::istream& stream)
   getBytes (stream, numbers.data(), numbers.size());
   return numbers;
 }
-
-void
-putMoments (std::ostream& stream, const Moments& moments);
-
-Moments
-getMoments (std::istream& stream);
 
 /** \brief Opens a file of a run.
  * \throws WorkError that names it if that fails */

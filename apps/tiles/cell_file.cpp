@@ -5,18 +5,8 @@
 #include "binary_file.h"
 
 #include <algorithm>
-#include <type_traits>
 
 namespace pcl_ops::apps {
-
-namespace {
-
-struct BlockRecord {
-  std::int64_t x, y;
-  std::uint64_t is_halo, offset, points;
-};
-
-} // namespace
 
 void
 CellFileWriter::add (const BlockKey& key, const Eigen::Vector3f& point)
@@ -61,49 +51,35 @@ CellFileWriter::finish()
   std::stable_sort (blocks_.begin(), blocks_.end(), [] (const auto& a, const auto& b) {
     return a.key < b.key;
   });
-  for (const Block& block : blocks_)
-    put (stream_,
-         BlockRecord{block.key.tile.x,
-                     block.key.tile.y,
-                     block.key.is_halo ? 1U : 0U,
-                     block.offset,
-                     block.points});
+  putBytes (stream_, blocks_.data(), blocks_.size());
   put (stream_, std::uint64_t (blocks_.size()));
 }
 
 CellFile::CellFile (const std::string& file) : file_ (file)
 {
   std::ifstream stream = openBinary (file);
-  const auto number_size = static_cast<std::streamoff> (sizeof (std::uint64_t));
-  stream.seekg (-number_size, std::ios::end);
+  stream.seekg (-std::streamoff (sizeof (std::uint64_t)), std::ios::end);
+  const std::streamoff end = stream.tellg();
   const auto blocks = get<std::uint64_t> (stream);
   checkWasRead (stream, file);
-  const auto index_size = static_cast<std::streamoff> (blocks * sizeof (BlockRecord));
-  stream.seekg (-number_size - index_size, std::ios::end);
-  for (std::uint64_t i = 0; i < blocks && stream; ++i) {
-    const auto record = get<BlockRecord> (stream);
-    blocks_.push_back (
-        {{{record.x, record.y}, record.is_halo != 0}, record.offset, record.points});
-  }
+  if (blocks > std::uint64_t (end) / sizeof (Block))
+    failDamaged (file);
+  blocks_.resize (blocks);
+  stream.seekg (end - std::streamoff (blocks * sizeof (Block)));
+  getBytes (stream, blocks_.data(), blocks);
   checkWasRead (stream, file);
 }
 
 CellFile::Range
 CellFile::blocksOf (const BlockKey& key) const
 {
-  struct ByKey {
-    bool
-    operator() (const Block& block, const BlockKey& other) const
-    {
-      return block.key < other;
-    }
-    bool
-    operator() (const BlockKey& other, const Block& block) const
-    {
-      return other < block.key;
-    }
-  };
-  return std::equal_range (blocks_.begin(), blocks_.end(), key, ByKey());
+  const auto first =
+      std::partition_point (blocks_.begin(), blocks_.end(), [&] (const Block& block) {
+        return block.key < key;
+      });
+  return {first, std::partition_point (first, blocks_.end(), [&] (const Block& block) {
+            return !(key < block.key);
+          })};
 }
 
 std::uint64_t

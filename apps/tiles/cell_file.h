@@ -17,8 +17,9 @@ namespace pcl_ops::apps {
 
 /** \brief Whose points a block has: a tile's own, or of its halo. */
 struct BlockKey {
-  TileKey tile;
-  bool is_halo = false;
+  TileKey tile{};
+  /** \brief 0 or 1, in as many bytes as the other numbers of the file. */
+  std::uint64_t is_halo = 0;
 
   friend bool
   operator<(const BlockKey& a, const BlockKey& b)
@@ -27,7 +28,8 @@ struct BlockKey {
   }
 };
 
-/** \brief Some of the points of an input, those of one key in their order. */
+/** \brief Some of the points of an input, those of one key in their order, as a file
+ * has it. */
 struct Block {
   BlockKey key;
   std::uint64_t offset = 0;

@@ -1,24 +1,369 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
+#include "phases.h"
+#include "planes_json.h"
 #include "ranks.h"
-#include "tile_run.h"
+#include <cli/errors.h>
 #include <cli/interruption.h>
+#include <cli/parallel.h>
 #include <cli/program.h>
+#include <cli/progress.h>
+#include <io/inputs.h>
+#include <io/output_file.h>
+#include <nlohmann/json.hpp>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <iomanip>
 #include <iostream>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace fs = std::filesystem;
 
 namespace pcl_ops::apps {
 
 namespace {
 
+bool
+isUtf8 (const std::string& text)
+{
+  try {
+    return !nlohmann::json (text).dump().empty();
+  }
+  catch (const nlohmann::json::type_error&) {
+    return false;
+  }
+}
+
+/** \brief Refuses a name that the lists of inputs and of planes could not have. */
+void
+checkName (const std::string& file)
+{
+  const fs::path path = fs::absolute (file);
+  if (!isUtf8 (path.filename().string()))
+    throw WorkError (file, "its name is not UTF-8; rename it");
+  if (!isUtf8 (path.lexically_normal().string()))
+    throw WorkError (file, "the name of a folder it is in is not UTF-8; rename it");
+}
+
+/** \brief Leaves out links to files that are there already, as their points would count
+ * twice. A file goes before links to it, whatever the order of the names. */
+std::vector<std::string>
+eachFileOnce (std::vector<std::string> names)
+{
+  std::error_code ignored;
+  std::sort (names.begin(), names.end());
+  std::stable_partition (names.begin(), names.end(), [&] (const std::string& name) {
+    return !fs::is_symlink (name, ignored);
+  });
+  std::map<std::pair<dev_t, ino_t>, std::string> seen;
+  std::vector<std::string> files;
+  for (const std::string& name : names) {
+    struct stat status {};
+    const bool is_there = ::stat (name.c_str(), &status) == 0;
+    const auto [known, is_new] =
+        seen.emplace (std::pair (status.st_dev, status.st_ino), name);
+    if (is_there && !is_new)
+      warn (name + ": is the same file as " + known->second + "; it is left out");
+    else
+      files.push_back (name);
+  }
+  return files;
+}
+
+std::vector<std::string>
+inputsOf (const TilesOptions& options)
+{
+  InputFiles found = findInputs (options.inputs);
+  if (!found.problems.empty())
+    throw WorkError ("INPUT", found.problems.front());
+  for (const std::string& file : found.files)
+    checkName (file);
+  return eachFileOnce (std::move (found.files));
+}
+
+PlanFile
+namedBy (const TilesOptions& options)
+{
+  return {options.plan_file, "remove it or give another --plan"};
+}
+
+Plan
+earlierPlan (const PlanFile& file, const TilesOptions& options)
+{
+  Plan plan = loadPlan (file);
+  checkIsFor (plan, file, inputsOf (options), options.plan);
+  return plan;
+}
+
+/** \brief Refuses outputs that would be written over each other or over an input. */
+void
+checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& options)
+{
+  std::map<std::string, std::string> input_of;
+  std::set<std::string> inputs;
+  for (const PlannedInput& input : plan.inputs)
+    inputs.insert (resolvedName (input.file));
+  checkWritable (folder.output (planes_file));
+  for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+    const std::string output = outputOf (plan, folder, i);
+    const std::string resolved = resolvedName (output);
+    if (inputs.count (resolved) > 0)
+      throw UsageError (output, "is an input, too; give another --output-dir");
+    const auto [first, is_new] = input_of.emplace (resolved, plan.inputs[i].file);
+    if (!is_new)
+      throw UsageError (first->second + " and " + plan.inputs[i].file,
+                        "would both be written to " + output + "; rename one");
+    checkWritable (output);
+  }
+  input_of.emplace (resolvedName (folder.output (planes_file)), "");
+  for (const auto& [option, file] :
+       {std::pair ("--planes", options.planes), std::pair ("--image", options.image)}) {
+    if (file.empty())
+      continue;
+    const std::string resolved = resolvedName (file);
+    if (inputs.count (resolved) > 0 || !input_of.emplace (resolved, "").second)
+      throw UsageError (
+          file, std::string ("is an input or another output; give another ") + option);
+    checkWritable (file);
+  }
+}
+
+std::string
+textOf (const Plan& plan)
+{
+  std::ostringstream text;
+  text << plan.points() << " points of " << plan.inputs.size()
+       << (plan.inputs.size() == 1 ? " input" : " inputs") << ", cells of " << plan.cell
+       << ", about " << plan.likely_tiles
+       << (plan.likely_tiles == 1 ? " tile of " : " tiles of ")
+       << plan.cell * static_cast<double> (plan.cells_of_tile);
+  return text.str();
+}
+
+/** \brief A run of all phases, as one of the ranks has it. */
+class TileRun {
+public:
+  TileRun (const Plan& plan,
+           const RunFolder& folder,
+           const TilesOptions& options,
+           const Ranks& ranks)
+  : plan_ (plan), folder_ (folder), options_ (options), ranks_ (ranks)
+  {}
+
+  /** \return how long each phase took, in words */
+  std::string
+  run ()
+  {
+    shareInputs ("sorted", partitionInput, [this] (std::size_t i) {
+      return isThere (folder_.cells (i));
+    });
+    const SortedPoints points (plan_, folder_);
+    detectPlanes (points);
+    if (ranks_.rank() == 0 && !isThere (folder_.work (run_file::numbers)))
+      joinTiles (plan_, folder_, points);
+    finish ("joined");
+    shareInputs ("labelled", labelInput, [this] (std::size_t i) {
+      return isThere (folder_.mark (i)) && isThere (outputOf (plan_, folder_, i));
+    });
+    return times_;
+  }
+
+private:
+  /** \brief A phase that does each input for itself. */
+  void
+  shareInputs (const std::string& phase,
+               void (*work) (const Plan&, const RunFolder&, std::size_t),
+               const std::function<bool (std::size_t)>& is_done)
+  {
+    std::vector<std::uint64_t> points;
+    for (const PlannedInput& input : plan_.inputs)
+      points.push_back (input.points);
+    share (points, "inputs " + phase, is_done, [&] (std::size_t i) {
+      inMemory (
+          plan_.inputs[i].file, "give fewer --jobs", [&] { work (plan_, folder_, i); });
+    });
+    finish (phase);
+  }
+
+  void
+  detectPlanes (const SortedPoints& points)
+  {
+    const std::vector<TileSize>& tiles = points.tiles;
+    std::vector<std::uint64_t> parts;
+    for (const TileSize& tile : tiles)
+      parts.push_back (tile.points);
+    share (
+        parts,
+        "tiles",
+        [&] (std::size_t i) {
+          return isThere (folder_.ofTile (tiles[i].tile, ".planes"));
+        },
+        [&] (std::size_t i) {
+          inMemory ("--tile", "give a smaller one or fewer --jobs", [&] {
+            detectTile (plan_, folder_, points, tiles[i].tile);
+          });
+        });
+    finish ("planes found");
+  }
+
+  /** \brief Waits until all ranks are through a phase. */
+  void
+  finish (const std::string& phase)
+  {
+    ranks_.meet();
+    const auto now = std::chrono::steady_clock::now();
+    std::ostringstream text;
+    text << std::fixed << std::setprecision (1) << (times_.empty() ? "" : ", ") << phase
+         << " in " << std::chrono::duration<double> (now - start_).count() << " s";
+    times_ += text.str();
+    start_ = now;
+  }
+
+  /** \brief Does this rank's share of the parts of a phase.
+   * \param[in] parts how much work each is
+   * \param[in] is_done whether a part is */
+  void
+  share (const std::vector<std::uint64_t>& parts,
+         const std::string& noun,
+         const std::function<bool (std::size_t)>& is_done,
+         const std::function<void (std::size_t)>& work)
+  {
+    std::vector<std::size_t> own;
+    for (const std::size_t part : shareOf (static_cast<std::size_t> (ranks_.rank()),
+                                           static_cast<std::size_t> (ranks_.size()),
+                                           parts))
+      if (!is_done (part))
+        own.push_back (part);
+    const bool is_terminal = ::isatty (STDERR_FILENO) == 1;
+    Progress progress (own.size(),
+                       std::cerr,
+                       ranks_.rank() == 0 && !options_.quiet
+                           ? progressStyleOf (is_terminal)
+                           : ProgressStyle::None,
+                       noun);
+    try {
+      runInParallel (own.size(), options_.jobs, [&] (std::size_t i) {
+        stopIfInterrupted();
+        work (own[i]);
+        progress.step();
+      });
+    }
+    catch (const Interrupted&) {
+      throw WorkError ("interrupted",
+                       "no output is half-written; run it again to go on");
+    }
+  }
+
+  const Plan& plan_;
+  const RunFolder& folder_;
+  const TilesOptions& options_;
+  const Ranks& ranks_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::string times_;
+};
+
+/** \brief Whether a run has come to its end, and nobody has removed what it wrote. */
+bool
+isDone (const Plan& plan, const RunFolder& folder)
+{
+  bool all_are_there =
+      isThere (folder.work (run_file::end)) && isThere (folder.output (planes_file));
+  for (std::size_t i = 0; i < plan.inputs.size(); ++i)
+    all_are_there = all_are_there && isThere (outputOf (plan, folder, i));
+  return all_are_there;
+}
+
+/** \brief The plan of a run that has none yet. \throws WorkError as \ref makePlan */
+Plan
+newPlan (const TilesOptions& options)
+{
+  return makePlan (inputsOf (options), options.plan);
+}
+
+PlanFile
+planFileOf (const RunFolder& folder)
+{
+  return {folder.work (run_file::plan),
+          "remove its folder or give another --output-dir"};
+}
+
+/** \brief Gives a folder its plan, the one named or a new one, unless it has one. What
+ * is in a folder without a plan is removed.
+ * \throws UsageError or WorkError if the folder has another one, or unless all of the
+ * run's outputs could be written */
+void
+preparePlan (const TilesOptions& options, const RunFolder& folder)
+{
+  const PlanFile own = planFileOf (folder);
+  const PlanFile named = options.plan_file.empty() ? own : namedBy (options);
+  const bool has_own = isThere (own.name);
+  const Plan plan = isThere (named.name) ? earlierPlan (named, options)
+                    : has_own            ? earlierPlan (own, options)
+                                         : newPlan (options);
+  if (has_own && !isSame (loadPlan (own), plan))
+    throw WorkError (own.name, "is another plan than " + named.name + "; " + own.mend);
+  checkClashes (plan, folder, options);
+  if (!has_own)
+    folder.startAnew();
+  for (const PlanFile& file : {named, own})
+    if (!isThere (file.name))
+      savePlan (file.name, plan);
+}
+
+/** \brief Does what the command line asks for, together with all other ranks: plan,
+ * cells, detection, joining, labels. Parts that are done already, by files that are
+ * there, are not done again. */
 int
 findInTiles (int argc, const char* const* argv, const Ranks& ranks)
 {
   TilesOptions options;
-  if (readOptions (argc, argv, options))
-    runTiles (options, ranks, std::cout, std::cerr, ::isatty (STDERR_FILENO) == 1);
+  if (!readOptions (argc, argv, options))
+    return ExitCode::done;
+  const RunFolder folder{options.output_dir};
+  const bool is_first = ranks.rank() == 0, speaks = is_first && !options.quiet;
+  if (options.dry_run) {
+    if (is_first)
+      std::cout << textOf (newPlan (options)) << "\n";
+    return ExitCode::done;
+  }
+  std::optional<FolderLock> lock;
+  if (is_first) {
+    makeFolder (options.output_dir);
+    if (!lock.emplace (options.output_dir).take())
+      throw WorkError (options.output_dir,
+                       "another run works in it; wait until it has ended, or give "
+                       "another --output-dir");
+    preparePlan (options, folder);
+    folder.make();
+  }
+  ranks.meet();
+  const Plan plan = loadPlan (planFileOf (folder));
+  const bool is_done = isDone (plan, folder);
+  if (speaks)
+    std::cout << textOf (plan) << "\n";
+  const std::string times =
+      is_done ? "" : TileRun (plan, folder, options, ranks).run() + "\n";
+  if (!is_first)
+    return ExitCode::done;
+  if (!is_done)
+    folder.finish();
+  folder.clean();
+  const std::string planes = saveChosenPlanes (folder.output (planes_file), options);
+  if (speaks)
+    std::cout << times << options.output_dir
+              << ": the labelled inputs and planes.json, " << planes << "\n";
   return ExitCode::done;
 }
 

@@ -4,7 +4,7 @@
 
 #include "planes_json.h"
 #include "point_file.h"
-#include "tile_detection.h"
+#include "tile_planes.h"
 #include <cli/errors.h>
 #include <io/inputs.h>
 #include <io/laz_file.h>
@@ -30,7 +30,7 @@ pointsOf (const SortedPoints& points, const TileKey& tile)
 {
   TilePoints all{tile, {}, {}};
   std::uint64_t count = 0;
-  const std::vector<CellFile>& files = points.files();
+  const std::vector<CellFile>& files = points.files;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::uint64_t own = files[i].count ({tile, false});
     count += own + files[i].count ({tile, true});
@@ -49,10 +49,11 @@ void
 checkIsAsPlanned (const PlannedInput& input, const RunFolder& folder)
 {
   if (hasChanged (input))
-    throw WorkError (input.file,
-                     "has changed since the run began; remove " +
-                         fs::path (folder.plan()).parent_path().string() +
-                         " and run it again");
+    throw WorkError (
+        input.file,
+        "has changed since the run began; remove " +
+            fs::path (folder.work (run_file::plan)).parent_path().string() +
+            " and run it again");
 }
 
 class LabelsInOrder {
@@ -61,7 +62,7 @@ public:
   : grid_ (plan.grid())
   , folder_ (folder)
   , input_ (static_cast<std::uint32_t> (input))
-  , numbers_ (loadPlaneNumbers (folder.numbers()))
+  , numbers_ (loadPlaneNumbers (folder.work (run_file::numbers)))
   {}
 
   std::uint32_t
@@ -90,7 +91,7 @@ private:
   {
     const auto numbers = numbers_.find (tile);
     if (numbers == numbers_.end())
-      failDamaged (folder_.numbers());
+      failDamaged (folder_.work (run_file::numbers));
     std::unique_ptr<Tile>& known = tiles_[tile];
     if (!known)
       known.reset (new Tile{tile,
@@ -127,7 +128,7 @@ void
 RunFolder::startAnew() const
 {
   std::error_code error;
-  fs::remove (end(), error);
+  fs::remove (work (run_file::end), error);
   for (const char* folder : folders)
     if (!error)
       fs::remove_all (work (folder), error);
@@ -136,6 +137,15 @@ RunFolder::startAnew() const
                      "cannot be emptied (" + error.message() +
                          "); remove it or give another --output-dir");
   make();
+}
+
+void
+RunFolder::finish() const
+{
+  // As a text: a stream that takes another one does not tell that the disk became full.
+  writeTextFile (output (planes_file),
+                 readTextFile (work (run_file::list), "planes.json"));
+  writeTextFile (work (run_file::end), "");
 }
 
 void
@@ -185,14 +195,14 @@ SortedPoints::SortedPoints (const Plan& plan, const RunFolder& folder)
 {
   std::map<TileKey, std::uint64_t> points;
   for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
-    files_.emplace_back (folder.cells (i));
-    for (const Block& block : files_.back().blocks())
+    files.emplace_back (folder.cells (i));
+    for (const Block& block : files.back().blocks())
       if (!block.key.is_halo)
         points[block.key.tile] += block.points;
   }
   for (const auto& [tile, count] : points)
-    tiles_.push_back ({tile, count});
-  std::stable_sort (tiles_.begin(), tiles_.end(), [] (const auto& a, const auto& b) {
+    tiles.push_back ({tile, count});
+  std::stable_sort (tiles.begin(), tiles.end(), [] (const auto& a, const auto& b) {
     return a.points > b.points;
   });
 }
@@ -212,14 +222,15 @@ void
 joinTiles (const Plan& plan, const RunFolder& folder, const SortedPoints& points)
 {
   std::vector<TileKey> tiles;
-  for (const TileSize& size : points.tiles())
+  for (const TileSize& size : points.tiles)
     tiles.push_back (size.tile);
   std::sort (tiles.begin(), tiles.end());
   const JoinedPlanes joined = joinPlanes (tiles, [&folder] (const TileKey& tile) {
     return loadTilePlanes (folder.ofTile (tile, ".planes"));
   });
-  writeTextFile (folder.list(), toJson (plan, tiles.size(), joined.planes));
-  savePlaneNumbers (folder.numbers(), joined.numbers);
+  writeTextFile (folder.work (run_file::list),
+                 toJson (plan, tiles.size(), joined.planes));
+  savePlaneNumbers (folder.work (run_file::numbers), joined.numbers);
 }
 
 void
@@ -235,14 +246,6 @@ labelInput (const Plan& plan, const RunFolder& folder, std::size_t input)
     fs::remove (output);
   checkIsAsPlanned (plan.inputs[input], folder);
   writeTextFile (folder.mark (input), "");
-}
-
-void
-listPlanes (const RunFolder& folder)
-{
-  // As a text: a stream that takes another one does not tell that the disk became full.
-  writeTextFile (folder.output (planes_file),
-                 readTextFile (folder.list(), "planes.json"));
 }
 
 std::string

@@ -13,6 +13,14 @@
 
 namespace pcl_ops::apps {
 
+/** \brief Names of \ref RunFolder::work: the plan that all other files are of, what
+ * gives pieces their planes, what planes.json becomes once all else is done, and the
+ * end. */
+namespace run_file {
+inline constexpr const char *plan = "plan.json", *numbers = "planes/numbers",
+                            *list = "planes/planes.json", *end = "done";
+} // namespace run_file
+
 /** \brief Where the files of a run are, which its phases leave for one another. */
 struct RunFolder {
   std::string outputs;
@@ -27,12 +35,6 @@ struct RunFolder {
     return output ("work/" + name);
   }
 
-  /** \brief Where the plan is that all other files are of. */
-  std::string
-  plan () const
-  {
-    return work ("plan.json");
-  }
   std::string
   cells (std::size_t input) const
   {
@@ -42,31 +44,14 @@ struct RunFolder {
   std::string
   ofTile (const TileKey& tile, const char* extension) const
   {
-    return work ("planes/" + std::to_string (tile.x) + "_" + std::to_string (tile.y) +
+    return work ("planes/" + std::to_string (tile[0]) + "_" + std::to_string (tile[1]) +
                  extension);
-  }
-  std::string
-  numbers () const
-  {
-    return work ("planes/numbers");
-  }
-  /** \brief What planes.json becomes once all else is done. */
-  std::string
-  list () const
-  {
-    return work ("planes/planes.json");
   }
   std::string
   mark (std::size_t input) const
   {
     return work ("labelled/" + std::to_string (input));
   }
-  std::string
-  end () const
-  {
-    return work ("done");
-  }
-
   /** \brief Makes the folders that are missing. \throws WorkError */
   void
   make () const;
@@ -75,7 +60,11 @@ struct RunFolder {
   void
   startAnew () const;
 
-  /** \brief Removes all but the plan and \ref end. */
+  /** \brief Writes planes.json and the end: all else is done. */
+  void
+  finish () const;
+
+  /** \brief Removes all but the plan and the end. */
   void
   clean () const;
 };
@@ -93,26 +82,12 @@ struct TileSize {
   std::uint64_t points = 0;
 };
 
-class SortedPoints {
-public:
+struct SortedPoints {
   SortedPoints (const Plan& plan, const RunFolder& folder);
 
+  std::vector<CellFile> files;
   /** \brief All tiles with points, those with most of them first. */
-  const std::vector<TileSize>&
-  tiles () const
-  {
-    return tiles_;
-  }
-
-  const std::vector<CellFile>&
-  files () const
-  {
-    return files_;
-  }
-
-private:
-  std::vector<CellFile> files_;
-  std::vector<TileSize> tiles_;
+  std::vector<TileSize> tiles;
 };
 
 void
@@ -126,10 +101,6 @@ joinTiles (const Plan& plan, const RunFolder& folder, const SortedPoints& points
 
 void
 labelInput (const Plan& plan, const RunFolder& folder, std::size_t input);
-
-/** \brief Writes planes.json: all else is done. */
-void
-listPlanes (const RunFolder& folder);
 
 std::string
 outputOf (const Plan& plan, const RunFolder& folder, std::size_t input);

@@ -103,7 +103,7 @@ pairsOf (const std::vector<TileKey>& tiles,
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     std::optional<TilePlanes> own;
     for (const TileKey& step : steps) {
-      const TileKey next{tiles[i].x + step.x, tiles[i].y + step.y};
+      const TileKey next{tiles[i][0] + step[0], tiles[i][1] + step[1]};
       const auto found = std::lower_bound (tiles.begin(), tiles.end(), next);
       if (found == tiles.end() || *found != next)
         continue;
@@ -211,8 +211,7 @@ savePlaneNumbers (const std::string& file, const PlaneNumbers& numbers)
   writeFile (file, [&] (std::ostream& stream) {
     put (stream, std::uint64_t (numbers.size()));
     for (const auto& [tile, numbers_of_tile] : numbers) {
-      put (stream, tile.x);
-      put (stream, tile.y);
+      put (stream, tile);
       putAll (stream, numbers_of_tile);
     }
   });
@@ -225,8 +224,8 @@ loadPlaneNumbers (const std::string& file)
   PlaneNumbers numbers;
   const auto tiles = get<std::uint64_t> (stream);
   for (std::uint64_t i = 0; i < tiles && stream; ++i) {
-    const auto x = get<std::int64_t> (stream), y = get<std::int64_t> (stream);
-    numbers[{x, y}] = getAll<std::uint32_t> (stream);
+    const auto tile = get<TileKey> (stream);
+    numbers[tile] = getAll<std::uint32_t> (stream);
   }
   checkWasRead (stream, file);
   return numbers;

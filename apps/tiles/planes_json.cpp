@@ -102,8 +102,7 @@ toObject (const Plan& plan,
                              attitudeOf (segment, Eigen::Vector3d::UnitZ()),
                              whole.parts);
   object["moments"] = toObject (segment.moments);
-  for (const TileKey& tile : plane.tiles)
-    object["tiles"].push_back ({tile.x, tile.y});
+  object["tiles"] = plane.tiles;
   for (const std::uint32_t input : plane.inputs)
     object["inputs"].push_back (fs::path (plan.inputs[input].file).filename().string());
   return object;

@@ -4,13 +4,16 @@
 
 #include <Eigen/Core>
 
-#include <io/cloud_file.h>
 #include <io/las_file.h>
+#include <io/laz_file.h>
+#include <io/shifted_cloud.h>
+#include <picture/colors.h>
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -19,29 +22,56 @@ namespace pcl_ops::apps {
 class PointFile {
 public:
   /** \throws UsageError or WorkError as \ref loadCloud */
-  explicit PointFile (const std::string& file);
+  explicit PointFile (const std::string& file)
+  : las_ (isLasName (file) ? openLas (file) : nullptr)
+  , cloud_ (las_ ? FileCloud() : loadCloud (file))
+  {}
 
   std::uint64_t
-  size () const;
+  size () const
+  {
+    return las_ ? las_->size() : cloud_.size();
+  }
 
   /** \brief NaN for a point without coordinates. */
   Eigen::Vector3d
-  place (std::uint64_t point);
+  place (std::uint64_t point)
+  {
+    return las_ ? las_->place (point) : CoordinateReader (cloud_) (point);
+  }
 
   /** \brief Calls \p visit with the place of each point, in their order. */
   void
-  forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit);
+  forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit)
+  {
+    if (las_)
+      return las_->forPlaces (visit);
+    const CoordinateReader reader (cloud_);
+    for (std::size_t i = 0; i < cloud_.size(); ++i)
+      visit (reader (i));
+  }
 
   /** \brief Writes all there is in the file with a label for each point.
    * \param[in] output a .las for a .las, else a .pcd
    * \param[in] label asked for each point, in their order
    * \throws WorkError if it cannot be written */
   void
-  saveLabelled (const std::string& output, const LabelOfPlace& label);
+  saveLabelled (const std::string& output, const LabelOfPlace& label)
+  {
+    if (las_)
+      return saveLabelledLas (output, *las_, label);
+    std::vector<std::uint32_t> labels;
+    forPlaces (
+        [&] (const Eigen::Vector3d& place) { labels.push_back (label (place)); });
+    saveLabelledCloud (output, cloud_, labels, {}, false);
+  }
 
   /** \brief Why there can be no labels, with the fix; empty where there can. */
   std::string
-  problemOfLabels () const;
+  problemOfLabels () const
+  {
+    return las_ ? las_->problemOf ({label_field}) : "";
+  }
 
 private:
   std::shared_ptr<LasFile> las_;

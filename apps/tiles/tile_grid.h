@@ -8,32 +8,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <tuple>
 
 namespace pcl_ops::apps {
 
 using CellKey = std::array<std::int64_t, 3>;
 
-/** \brief Which tile: its cells begin at so many times the cells of a tile. */
-struct TileKey {
-  std::int64_t x = 0, y = 0;
-
-  friend bool
-  operator== (const TileKey& a, const TileKey& b)
-  {
-    return a.x == b.x && a.y == b.y;
-  }
-  friend bool
-  operator!= (const TileKey& a, const TileKey& b)
-  {
-    return !(a == b);
-  }
-  friend bool
-  operator<(const TileKey& a, const TileKey& b)
-  {
-    return std::tie (a.x, a.y) < std::tie (b.x, b.y);
-  }
-};
+/** \brief Which tile: its cells begin at so many times the cells of a tile, along x and
+ * along y. */
+using TileKey = std::array<std::int64_t, 2>;
 
 /** \brief Cells on a lattice from absolute zero, and square tiles of whole columns of
  * them. Cells and tiles are half-open: a point is in exactly one. */
@@ -97,7 +79,7 @@ public:
       const std::int64_t inside = place - number * cells_of_tile_;
       return inside >= halo && inside < cells_of_tile_ - halo;
     };
-    return along (tile.x, cell[0]) && along (tile.y, cell[1]);
+    return along (tile[0], cell[0]) && along (tile[1], cell[1]);
   }
 
   /** \brief Where zero of a tile's frame is: of what is in the tile the nearest to the
@@ -109,7 +91,7 @@ public:
       const std::int64_t first = number * cells_of_tile_;
       return std::clamp (place, first, first + cells_of_tile_);
     };
-    return {along (place_[0], tile.x), along (place_[1], tile.y), place_[2]};
+    return {along (place_[0], tile[0]), along (place_[1], tile[1]), place_[2]};
   }
 
   Eigen::Vector3d
@@ -127,30 +109,22 @@ public:
   forTilesAround (const CellKey& cell, Visit&& visit) const
   {
     const TileKey own = tileOf (cell);
-    const Reach x = reachAlong (cell[0], own.x), y = reachAlong (cell[1], own.y);
-    for (std::int64_t dx = x.first; dx <= x.last; ++dx)
-      for (std::int64_t dy = y.first; dy <= y.last; ++dy)
-        if (dx != 0 || dy != 0)
-          visit (TileKey{own.x + dx, own.y + dy});
+    const auto sees = [&] (std::size_t axis, std::int64_t step) {
+      const std::int64_t inside = cell[axis] - own[axis] * cells_of_tile_;
+      return step == 0 || (step < 0 ? inside < halo : inside >= cells_of_tile_ - halo);
+    };
+    for (std::int64_t dx = -1; dx <= 1; ++dx)
+      for (std::int64_t dy = -1; dy <= 1; ++dy)
+        if ((dx != 0 || dy != 0) && sees (0, dx) && sees (1, dy))
+          visit (TileKey{own[0] + dx, own[1] + dy});
   }
 
 private:
-  struct Reach {
-    std::int64_t first, last;
-  };
-
   std::int64_t
   tileAlong (std::int64_t cell) const
   {
     const std::int64_t tile = cell / cells_of_tile_;
     return tile * cells_of_tile_ > cell ? tile - 1 : tile;
-  }
-
-  Reach
-  reachAlong (std::int64_t cell, std::int64_t tile) const
-  {
-    const std::int64_t inside = cell - tile * cells_of_tile_;
-    return {inside < halo ? -1 : 0, inside >= cells_of_tile_ - halo ? 1 : 0};
   }
 
   double cell_;

@@ -4,10 +4,162 @@
 
 #include <cli/errors.h>
 #include <io/output_file.h>
+#include <pcl_ops/detect_planes.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
 
 namespace pcl_ops::apps {
+
+namespace {
+
+/** \brief Calls visit (numbers, how many) for all of a piece but its lists, in the
+ * order of the file. */
+template <typename SomePiece, typename Visit>
+void
+visitNumbers (SomePiece& piece, Visit&& visit)
+{
+  visit (&piece.own, 1);
+  visit (piece.all.origin.data(), 3);
+  visit (&piece.all.count, 1);
+  visit (piece.all.sum.data(), 3);
+  visit (piece.all.products.data(), piece.all.products.size());
+  visit (piece.normal.data(), 3);
+}
+
+Eigen::Vector3d
+pointOf (const TilePoints& points, std::size_t i)
+{
+  return Eigen::Vector3f (points.coordinates.data() + 3 * i).cast<double>();
+}
+
+std::vector<PlaneSegment>
+detectIn (const TileGrid& grid, const TilePoints& points)
+{
+  OrientedPointSamplingParameters parameters;
+  parameters.surfels.voxel_size = grid.cell();
+  CloudView view;
+  view.first = points.coordinates.data();
+  view.stride = 3;
+  view.size = points.size();
+  if (view.size > std::size_t (std::numeric_limits<pcl::index_t>::max()))
+    throw std::bad_alloc();
+  return detectPlanes (view, parameters);
+}
+
+/** \brief Moments of the first inliers of a plane, those the tile owns.
+ * \param[in] corner zero of the tile's frame */
+ExactMoments
+momentsOf (const TilePoints& points,
+           const PlaneSegment& plane,
+           std::size_t own,
+           const Eigen::Vector3d& corner,
+           double unit)
+{
+  ExactMoments moments;
+  moments.unit = unit;
+  for (std::size_t i = 0; i < own; ++i)
+    moments.add (corner +
+                 pointOf (points, static_cast<std::size_t> (plane.inliers[i])));
+  return moments;
+}
+
+/** \brief The tile's share of the outline. */
+std::vector<OutlineEdge>
+edgesOf (const TilePoints& points,
+         const PlaneSegment& plane,
+         std::size_t own,
+         const Eigen::Vector3d& corner,
+         double cell)
+{
+  const double unit = outlineUnit (cell);
+  std::vector<OutlinePoint> places;
+  places.reserve (plane.inliers.size());
+  for (const pcl::index_t index : plane.inliers) {
+    const Eigen::Vector3d place =
+        (corner + pointOf (points, static_cast<std::size_t> (index))) / unit;
+    places.push_back (
+        {{std::llround (place.x()), std::llround (place.y()), std::llround (place.z())},
+         places.size() < own});
+  }
+  return outlineEdges (places, plane.normal, cell / unit);
+}
+
+/** \brief The inputs that own points are from. */
+std::vector<std::uint32_t>
+inputsOf (const TilePoints& points, const PlaneSegment& plane, std::size_t own)
+{
+  std::vector<std::uint32_t> inputs;
+  auto inlier = plane.inliers.begin();
+  const auto last = inlier + static_cast<std::ptrdiff_t> (own);
+  std::uint64_t end = 0;
+  for (const auto& [input, count] : points.own_of_input) {
+    end += count;
+    const auto next =
+        std::lower_bound (inlier, last, end, [] (pcl::index_t index, std::uint64_t e) {
+          return static_cast<std::uint64_t> (index) < e;
+        });
+    if (next != inlier)
+      inputs.push_back (input);
+    inlier = next;
+  }
+  return inputs;
+}
+
+Piece
+pieceOf (const TilePoints& points,
+         const PlaneSegment& plane,
+         std::size_t own,
+         const Eigen::Vector3d& corner,
+         double cell)
+{
+  Piece piece{momentsOf (points, plane, own, corner, latticeFor (cell)),
+              plane.moments,
+              plane.normal,
+              edgesOf (points, plane, own, corner, cell),
+              inputsOf (points, plane, own)};
+  piece.all.origin += corner;
+  return piece;
+}
+
+/** \brief Adds the cells of a plane that other tiles look at, too. */
+void
+addClaims (const TileGrid& grid,
+           const TilePoints& points,
+           const PlaneSegment& plane,
+           std::uint32_t piece,
+           std::vector<Claim>& claims)
+{
+  const CellKey frame = grid.frameOf (points.tile);
+  const auto first = static_cast<std::ptrdiff_t> (claims.size());
+  for (const pcl::index_t index : plane.inliers) {
+    CellKey cell = grid.cellOf (pointOf (points, static_cast<std::size_t> (index)));
+    Claim claim{{}, piece};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      claim.cell[axis] = static_cast<std::int32_t> (cell[axis] += frame[axis]);
+    if (!grid.isInside (points.tile, cell))
+      claims.push_back (claim);
+  }
+  std::sort (claims.begin() + first, claims.end());
+  claims.erase (std::unique (claims.begin() + first, claims.end()), claims.end());
+}
+
+std::vector<LabelsOfInput>
+splitByInput (const TilePoints& points, const std::vector<std::uint32_t>& labels)
+{
+  std::vector<LabelsOfInput> split;
+  auto first = labels.begin();
+  for (const auto& [input, count] : points.own_of_input) {
+    const auto last = first + static_cast<std::ptrdiff_t> (count);
+    split.push_back ({input, std::vector<std::uint32_t> (first, last)});
+    first = last;
+  }
+  return split;
+}
+
+} // namespace
 
 void
 saveTilePlanes (const std::string& file, const TilePlanes& planes)
@@ -15,9 +167,9 @@ saveTilePlanes (const std::string& file, const TilePlanes& planes)
   writeFile (file, [&] (std::ostream& stream) {
     put (stream, std::uint64_t (planes.pieces.size()));
     for (const Piece& piece : planes.pieces) {
-      put (stream, piece.own);
-      putMoments (stream, piece.all);
-      putBytes (stream, piece.normal.data(), 3);
+      visitNumbers (piece, [&] (const auto* numbers, std::size_t count) {
+        putBytes (stream, numbers, count);
+      });
       putAll (stream, piece.edges);
       putAll (stream, piece.inputs);
     }
@@ -32,9 +184,9 @@ loadTilePlanes (const std::string& file)
   TilePlanes planes;
   planes.pieces.resize (getCount (stream, sizeof (ExactMoments)));
   for (Piece& piece : planes.pieces) {
-    piece.own = get<ExactMoments> (stream);
-    piece.all = getMoments (stream);
-    getBytes (stream, piece.normal.data(), 3);
+    visitNumbers (piece, [&] (auto* numbers, std::size_t count) {
+      getBytes (stream, numbers, count);
+    });
     piece.edges = getAll<OutlineEdge> (stream);
     piece.inputs = getAll<std::uint32_t> (stream);
   }
@@ -95,6 +247,43 @@ LabelReader::refill()
   checkWasRead (stream, file_);
   place_ += some_.size() * sizeof (std::uint32_t);
   left_ -= some_.size();
+}
+
+std::size_t
+TilePoints::own() const
+{
+  std::size_t sum = 0;
+  for (const auto& [input, count] : own_of_input)
+    sum += count;
+  return sum;
+}
+
+TileDetection
+detectInTile (const TileGrid& grid, const TilePoints& points)
+{
+  const Eigen::Vector3d corner = grid.cornerOf (grid.frameOf (points.tile));
+  const auto own_end = static_cast<pcl::index_t> (points.own());
+  TileDetection found;
+  std::vector<std::uint32_t> labels (points.own(), 0);
+  for (const PlaneSegment& plane : detectIn (grid, points)) {
+    const auto end =
+        std::lower_bound (plane.inliers.begin(), plane.inliers.end(), own_end);
+    const auto own = static_cast<std::size_t> (end - plane.inliers.begin());
+    if (own == 0)
+      continue;
+    addClaims (grid,
+               points,
+               plane,
+               static_cast<std::uint32_t> (found.planes.pieces.size()),
+               found.planes.claims);
+    found.planes.pieces.push_back (pieceOf (points, plane, own, corner, grid.cell()));
+    for (std::size_t i = 0; i < own; ++i)
+      labels[static_cast<std::size_t> (plane.inliers[i])] =
+          static_cast<std::uint32_t> (found.planes.pieces.size());
+  }
+  std::sort (found.planes.claims.begin(), found.planes.claims.end());
+  found.labels = splitByInput (points, labels);
+  return found;
 }
 
 } // namespace pcl_ops::apps

@@ -7,6 +7,7 @@
 #include "binary_file.h"
 #include "exact_moments.h"
 #include "plane_outline.h"
+#include "tile_grid.h"
 
 #include <array>
 #include <cstdint>
@@ -92,5 +93,35 @@ private:
   std::vector<std::uint32_t> some_;
   std::size_t used_ = 0;
 };
+
+/** \brief The points a tile looks at, in its frame: its own of each input, then its
+ * halo.
+ */
+struct TilePoints {
+  TileKey tile;
+  /** \brief x, y, z of each. */
+  std::vector<float> coordinates;
+  /** \brief The inputs with points in the tile, and how many of the points are theirs.
+   */
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> own_of_input;
+
+  std::size_t
+  own () const;
+
+  std::size_t
+  size () const
+  {
+    return coordinates.size() / 3;
+  }
+};
+
+struct TileDetection {
+  TilePlanes planes;
+  std::vector<LabelsOfInput> labels;
+};
+
+/** \brief Finds planes with the library's recommended preset in voxels of the grid. */
+TileDetection
+detectInTile (const TileGrid& grid, const TilePoints& points);
 
 } // namespace pcl_ops::apps

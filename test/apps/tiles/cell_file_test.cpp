@@ -23,7 +23,7 @@ savedCells (const TemporaryFolder& folder)
     for (const BlockKey& key : {first, halo_of_first, second})
       writer.add (key,
                   {static_cast<float> (i),
-                   static_cast<float> (key.tile.y),
+                   static_cast<float> (key.tile[1]),
                    key.is_halo ? 1.0f : 0.0f});
   writer.finish();
   return folder / "0.cells";
@@ -43,7 +43,7 @@ TEST (CellFile, HasThePointsOfEachKeyInTheirOrder)
     for (int i = 0; i < points_of_key; ++i) {
       const float* const point = coordinates.data() + 3 * i;
       ASSERT_EQ (point[0], static_cast<float> (i));
-      ASSERT_EQ (point[1], static_cast<float> (key.tile.y));
+      ASSERT_EQ (point[1], static_cast<float> (key.tile[1]));
       ASSERT_EQ (point[2], key.is_halo ? 1.0f : 0.0f);
     }
   }

@@ -41,7 +41,7 @@ protected:
   {
     partitionInput (plan_, run_, 0);
     const SortedPoints points (plan_, run_);
-    for (const TileSize& size : points.tiles())
+    for (const TileSize& size : points.tiles)
       detectTile (plan_, run_, points, size.tile);
     joinTiles (plan_, run_, points);
   }

@@ -48,7 +48,7 @@ joined (const Row& row)
   for (std::size_t i = 0; i < row.size(); ++i)
     tiles.push_back ({static_cast<std::int64_t> (i), 0});
   return joinPlanes (tiles, [&row] (const TileKey& tile) {
-    TilePlanes planes = row[static_cast<std::size_t> (tile.x)];
+    TilePlanes planes = row[static_cast<std::size_t> (tile[0])];
     std::sort (planes.claims.begin(), planes.claims.end());
     return planes;
   });
