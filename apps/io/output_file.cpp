@@ -157,6 +157,22 @@ extensionOf (const std::string& file)
   return extension;
 }
 
+void
+checkExtension (const std::string& option,
+                const std::string& file,
+                const std::vector<std::string>& extensions)
+{
+  if (file.empty())
+    return;
+  const std::string extension = extensionOf (file);
+  if (std::find (extensions.begin(), extensions.end(), extension) == extensions.end()) {
+    std::string list;
+    for (const std::string& known : extensions)
+      list += (list.empty() ? "" : " or ") + known;
+    throw UsageError (option, file + " has an unknown extension; give a file " + list);
+  }
+}
+
 bool
 isSameFile (const std::string& first, const std::string& second)
 {

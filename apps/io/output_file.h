@@ -9,6 +9,7 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -42,6 +43,13 @@ makeFolder (const std::string& folder);
  */
 std::string
 extensionOf (const std::string& file);
+
+/** \brief Refuses a file, unless its name is empty, whose extension is none of these.
+ * \param[in] option or argument that names it \throws UsageError */
+void
+checkExtension (const std::string& option,
+                const std::string& file,
+                const std::vector<std::string>& extensions);
 
 /** \brief The absolute name of a file, through links in its folder and its own; the
  * file need not exist. */

@@ -36,11 +36,60 @@ constexpr const char* in_and_out =
     "  exit code   0 done; 1 failed, with --output-dir any input; 2 wrong usage\n"
     "Lengths are in the unit of the cloud, metres by default; angles in degrees.\n";
 
+/** \brief An option that names an output. */
+struct OutputOption {
+  const char* name;
+  std::string Outputs::*output;
+  /** \brief Those a file can have; none for a folder. */
+  std::vector<std::string> extensions;
+  const char *placeholder, *help;
+};
+
+/** \brief All but OUTPUT, whose formats are not the same in every build. */
+const OutputOption output_options[] = {
+    {"planes",
+     &Outputs::planes,
+     {".json", ".csv", ".geojson"},
+     "FILE",
+     "write the planes: .json, .csv, .geojson or - (printed)"},
+    {"image", &Outputs::image, {".png"}, "FILE.png", "write a picture of the planes"},
+    {"mesh",
+     &Outputs::mesh,
+     {".ply", ".vtk"},
+     "FILE",
+     "write the hulls as a .ply or .vtk mesh"},
+    {"edges",
+     &Outputs::edges,
+     {".ply", ".vtk", ".json"},
+     "FILE",
+     "write where planes meet: .ply, .vtk or .json"},
+    {"rest",
+     &Outputs::rest,
+     {".pcd", ".ply"},
+     "FILE",
+     "write the points on no plane: .pcd or .ply"},
+    {"planes-dir",
+     &Outputs::planes_dir,
+     {},
+     "DIR",
+     "write each plane: plane_001_horizontal.pcd, ..."}};
+
+/** \brief Of those that --help explains. */
+constexpr std::size_t main_outputs = 3;
+
+void
+declareFiles (CommandLine& line, Outputs& outputs, bool are_main)
+{
+  for (const OutputOption& option : output_options)
+    if ((&option < output_options + main_outputs) == are_main)
+      line.addText (
+          option.name, option.placeholder, outputs.*option.output, option.help);
+}
+
 void
 declareOutputs (CommandLine& line, SegmentOptions& options)
 {
   constexpr double most_jobs = 256;
-  Outputs& outputs = options.outputs;
   line.addText ("output-dir",
                 "DIR",
                 options.output_dir,
@@ -51,12 +100,7 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
                   Range::from (0).upTo (most_jobs),
                   options.jobs,
                   "INPUTs at a time; 0: one for each processor (1)");
-  line.addText ("planes",
-                "FILE",
-                outputs.planes,
-                "write the planes: .json, .csv, .geojson or - (printed)");
-  line.addText ("image", "FILE.png", outputs.image, "write a picture of the planes");
-  line.addText ("mesh", "FILE", outputs.mesh, "write the hulls as a .ply or .vtk mesh");
+  declareFiles (line, options.outputs, true);
   line.addChoice (
       "hull", hulls, options.hull, "outline of a plane in --planes, --mesh (convex)");
   line.addFlag ("keep-color", options.keep_color, "keep the input's rgb in OUTPUT");
@@ -68,37 +112,13 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
 void
 declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
 {
-  Outputs& outputs = options.outputs;
   line.beginBriefGroup ("Further outputs");
   declareMap (line, options.map);
-  line.addText (
-      "edges", "FILE", outputs.edges, "write where planes meet: .ply, .vtk or .json");
-  line.addText (
-      "rest", "FILE", outputs.rest, "write the points on no plane: .pcd or .ply");
-  line.addText ("planes-dir",
-                "DIR",
-                outputs.planes_dir,
-                "write each plane: plane_001_horizontal.pcd, ...");
+  declareFiles (line, options.outputs, false);
   line.addChoice ("format",
                   {"pcd", "ply"},
                   options.format,
                   "of clouds in --output-dir and --planes-dir (pcd)");
-}
-
-void
-checkExtension (const std::string& subject,
-                const std::string& file,
-                const std::vector<std::string>& extensions)
-{
-  if (file.empty())
-    return;
-  const std::string extension = extensionOf (file);
-  if (std::find (extensions.begin(), extensions.end(), extension) == extensions.end()) {
-    std::string list;
-    for (const std::string& known : extensions)
-      list += (list.empty() ? "" : " or ") + known;
-    throw UsageError (subject, file + " has an unknown extension; give a file " + list);
-  }
 }
 
 void
@@ -177,12 +197,10 @@ checkOutputs (const SegmentOptions& options)
   if (hasLaszip())
     of_clouds.emplace_back (".laz");
   checkExtension ("OUTPUT", outputs.cloud, of_clouds);
-  if (outputs.planes != standard_stream)
-    checkExtension ("--planes", outputs.planes, {".json", ".csv", ".geojson"});
-  checkExtension ("--image", outputs.image, {".png"});
-  checkExtension ("--mesh", outputs.mesh, {".ply", ".vtk"});
-  checkExtension ("--edges", outputs.edges, {".ply", ".vtk", ".json"});
-  checkExtension ("--rest", outputs.rest, {".pcd", ".ply"});
+  for (const OutputOption& option : output_options)
+    if (!option.extensions.empty() && outputs.*option.output != standard_stream)
+      checkExtension (
+          std::string ("--") + option.name, outputs.*option.output, option.extensions);
   const bool has_output = options.isBatch() || !outputs.planes.empty() ||
                           !outputs.files().empty() || !outputs.planes_dir.empty();
   if (options.quiet && !has_output)
@@ -214,21 +232,15 @@ checkBatch (const CommandLine& line, const SegmentOptions& options)
     if (input == standard_stream)
       throw UsageError (standard_stream,
                         "is one cloud without a name; leave out --output-dir");
-  const Outputs& outputs = options.outputs;
-  const std::vector<std::pair<const char*, std::string>> patterns = {
-      {"--planes", outputs.planes},
-      {"--image", outputs.image},
-      {"--mesh", outputs.mesh},
-      {"--edges", outputs.edges},
-      {"--rest", outputs.rest},
-      {"--planes-dir", outputs.planes_dir}};
-  for (const auto& [option, pattern] : patterns)
+  for (const OutputOption& option : output_options) {
+    const std::string& pattern = options.outputs.*option.output;
     if (!pattern.empty() && pattern.find (name_of_input) == std::string::npos)
-      throw UsageError (option,
+      throw UsageError (std::string ("--") + option.name,
                         pattern +
                             " would be written by every input; put {} where the "
                             "name of the input goes, as in {}_" +
                             fs::path (pattern).filename().string());
+  }
 }
 
 struct Claim {
@@ -320,12 +332,10 @@ batchTask (const SegmentOptions& options, const std::string& input)
   const bool stays_las = isLasName (input) && options.format.empty();
   task.outputs.cloud =
       output ("{}" + (stays_las ? extensionOf (input) : options.fileFormat()));
-  task.outputs.planes = output (given.planes.empty() ? "{}.json" : given.planes);
-  task.outputs.image = output (given.image);
-  task.outputs.mesh = output (given.mesh);
-  task.outputs.edges = output (given.edges);
-  task.outputs.rest = output (given.rest);
-  task.outputs.planes_dir = output (given.planes_dir);
+  for (const OutputOption& option : output_options)
+    task.outputs.*option.output = output (given.*option.output);
+  if (given.planes.empty())
+    task.outputs.planes = output ("{}.json");
   return task;
 }
 
@@ -335,8 +345,11 @@ std::vector<std::string>
 Outputs::files() const
 {
   std::vector<std::string> named;
-  for (const std::string& file : {cloud, planes, image, mesh, edges, rest})
-    if (!file.empty() && file != standard_stream)
+  if (!cloud.empty())
+    named.push_back (cloud);
+  for (const OutputOption& option : output_options)
+    if (const std::string& file = this->*option.output;
+        !file.empty() && file != standard_stream && !option.extensions.empty())
       named.push_back (file);
   return named;
 }

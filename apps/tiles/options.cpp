@@ -34,20 +34,13 @@ constexpr const char* in_and_out =
 void
 checkPlanes (const CommandLine& line, const TilesOptions& options)
 {
-  const std::string extension = extensionOf (options.planes);
-  if (!options.planes.empty() && extension != ".geojson" && extension != ".csv" &&
-      extension != ".json")
-    throw UsageError ("--planes",
-                      options.planes + " has an unknown extension; give a file "
-                                       ".geojson or .csv or .json");
+  checkExtension ("--planes", options.planes, {".geojson", ".csv", ".json"});
   checkChoice (line, options.choice);
   checkMap (line, options.planes);
   if (const auto given = line.givenOf (title_of_choice);
       !given.empty() && options.planes.empty() && options.image.empty())
     throw UsageError ("--" + given.front(), "is about --planes FILE; give it, too");
-  if (!options.image.empty() && extensionOf (options.image) != ".png")
-    throw UsageError ("--image",
-                      options.image + " has an unknown extension; give a file .png");
+  checkExtension ("--image", options.image, {".png"});
 }
 
 } // namespace

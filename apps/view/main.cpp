@@ -69,10 +69,7 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
   if (options.screenshot.empty())
     return true;
   state.help = false;
-  if (extensionOf (options.screenshot) != ".png")
-    throw UsageError ("--screenshot",
-                      options.screenshot +
-                          " has an unknown extension; give a file .png");
+  checkExtension ("--screenshot", options.screenshot, {".png"});
   checkWritable (options.screenshot);
   return true;
 }
