@@ -15,6 +15,7 @@
 #include <iomanip>
 #include <new>
 #include <sstream>
+#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -290,6 +291,30 @@ findsPlanesByDefault (const Method& method, const DetectorOptions& options)
   return method.name == allMethods().front().name && options.preset == "default";
 }
 
+std::string
+groupOf (const Method& method)
+{
+  return "Options of --method " + method.name + ", " + method.title;
+}
+
+void
+declareShared (CommandLine& line, DetectorOptions& options)
+{
+  line.addChoice ("preset",
+                  {"default", "paper"},
+                  options.preset,
+                  "recommended parameters, or the paper's best ones");
+  line.addValue ("up",
+                 "x,y,z",
+                 "direction against gravity, camera or auto (0,0,1)",
+                 [&options] (const std::string& text) {
+                   options.finds_up = text == "auto";
+                   if (!options.finds_up)
+                     options.up = parseUpAxis ("--up", text);
+                 });
+  declare (PlaneDetectorParameters(), {}, line, options.numbers);
+}
+
 } // namespace
 
 std::vector<std::uint32_t>
@@ -348,6 +373,41 @@ runMethod (const Method& method,
   detected.settings["up_confidence"] =
       found ? Settings (found->confidence) : Settings();
   return detected;
+}
+
+void
+declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& options)
+{
+  std::vector<std::string> names;
+  for (const Method& known : allMethods())
+    names.push_back (known.name);
+  line.addChoice ("method", names, method, "the detector (ops)");
+  declareShared (line, options);
+  for (const Method& known : allMethods()) {
+    line.beginBriefGroup (groupOf (known));
+    known.declare_options (line, options.numbers);
+  }
+}
+
+void
+checkMethodOptions (const CommandLine& line, const Method& chosen)
+{
+  for (const Method& method : allMethods()) {
+    const std::vector<std::string> given = line.givenOf (groupOf (method));
+    if (method.name != chosen.name && !given.empty())
+      throw UsageError ("--" + given.front(),
+                        "is an option of --method " + method.name + ", not of " +
+                            chosen.name + "; leave it out");
+  }
+}
+
+double
+voxelStepOf (const DetectorOptions& options)
+{
+  OrientedPointSamplingParameters parameters;
+  apply (options.numbers, parameters);
+  const double edge = parameters.surfels.voxel_size.value_or (0.0);
+  return std::ldexp (edge, parameters.surfels.resolutions - 1);
 }
 
 } // namespace pcl_ops::apps

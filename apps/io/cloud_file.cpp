@@ -108,11 +108,7 @@ partOf (const FileCloud& cloud,
         std::size_t count,
         const SetFields& set_fields)
 {
-  FileCloud part{{}, cloud.origin, cloud.orientation};
-  part.points.fields = cloud.points.fields;
-  part.points.point_step = cloud.points.point_step;
-  part.points.width = static_cast<pcl::uindex_t> (count);
-  part.points.height = 1;
+  FileCloud part = emptyLike (cloud, count);
   const std::uint8_t* const begin =
       cloud.points.data.data() + first * cloud.points.point_step;
   part.points.data.assign (begin, begin + count * cloud.points.point_step);
@@ -231,6 +227,17 @@ openLas (const std::string& file)
   catch (const WorkError& error) {
     throw WorkError (file, error.problem);
   }
+}
+
+FileCloud
+emptyLike (const FileCloud& cloud, std::size_t size)
+{
+  FileCloud empty{{}, cloud.origin, cloud.orientation};
+  empty.points.fields = cloud.points.fields;
+  empty.points.point_step = cloud.points.point_step;
+  empty.points.width = static_cast<pcl::uindex_t> (size);
+  empty.points.height = 1;
+  return empty;
 }
 
 void

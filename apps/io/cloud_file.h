@@ -71,6 +71,11 @@ loadCloud (const std::string& file);
 std::shared_ptr<LasFile>
 openLas (const std::string& file);
 
+/** \brief A cloud of so many points, whose bytes are to come, with the fields and the
+ * sensor of another. */
+FileCloud
+emptyLike (const FileCloud& cloud, std::size_t size);
+
 /** \brief Sets fields of a part of a cloud: of its points from \p first on, none of
  * them for the header of a file. */
 using SetFields = std::function<void (FileCloud& part, std::size_t first)>;

@@ -2,18 +2,163 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture.h"
 
+#include <pcl/common/point_tests.h>
+
 #include "colors.h"
 #include "image.h"
-#include "raster.h"
 #include "view.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <numeric>
 #include <string>
+#include <utility>
 
 namespace pcl_ops::apps {
 
 namespace {
+
+constexpr float far = std::numeric_limits<float>::infinity();
+
+/** \brief Side of the parts of the image that are looked at as one [pixel]. */
+constexpr int part = 16;
+
+using Offset = std::pair<int, int>;
+
+constexpr std::array<Offset, 8> neighbors = {
+    {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
+
+struct Dot {
+  pcl::index_t point;
+  float column, row, depth;
+};
+
+std::vector<Dot>
+projectPoints (const XyzCloud& cloud,
+               const View& view,
+               int width,
+               int height,
+               const std::function<bool (pcl::index_t)>& is_shown)
+{
+  std::vector<Dot> dots;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const auto index = static_cast<pcl::index_t> (i);
+    if (!pcl::isXYZFinite (cloud[i]) || !is_shown (index))
+      continue;
+    const Eigen::Vector3f pixel = view.project (cloud[i].getVector3fMap());
+    const bool is_inside = pixel.z() > 0.0f && pixel.x() >= 0.0f &&
+                           pixel.x() < static_cast<float> (width) &&
+                           pixel.y() >= 0.0f && pixel.y() < static_cast<float> (height);
+    if (is_inside)
+      dots.push_back ({index, pixel.x(), pixel.y(), pixel.z()});
+  }
+  return dots;
+}
+
+/** \brief Half the side of a square [pixel] such that so many in a part of the image
+ * cover it about twice. */
+float
+halfSideOf (float dots_in_part)
+{
+  constexpr float overlap = 1.4f;
+  const float pixels_per_dot = part * part / std::max (dots_in_part, 1.0f);
+  return overlap * std::sqrt (pixels_per_dot) / 2.0f;
+}
+
+/** \brief Half the side of the square of each dot [pixel], from how many dots share its
+ * part of the image; those behind others, in another layer, do not count. */
+std::vector<float>
+halfSidesOf (const std::vector<Dot>& dots, int width, int height)
+{
+  constexpr float front_layer = 1.1f; // its depth, in units of the nearest
+  constexpr float smallest = 0.5f;
+  constexpr float largest = 5.0f;
+  const int columns = width / part + 1;
+  const auto part_of = [columns] (const Dot& dot) {
+    return static_cast<std::size_t> (static_cast<int> (dot.row) / part * columns +
+                                     static_cast<int> (dot.column) / part);
+  };
+  const auto parts = static_cast<std::size_t> (columns * (height / part + 1));
+  std::vector<float> nearest (parts, far);
+  for (const Dot& dot : dots)
+    nearest[part_of (dot)] = std::min (nearest[part_of (dot)], dot.depth);
+  std::vector<int> counts (parts, 0);
+  for (const Dot& dot : dots)
+    if (dot.depth <= front_layer * nearest[part_of (dot)])
+      ++counts[part_of (dot)];
+  const auto used =
+      parts - static_cast<std::size_t> (std::count (counts.begin(), counts.end(), 0));
+  const auto in_front = std::accumulate (counts.begin(), counts.end(), 0);
+  const float mean = static_cast<float> (in_front) /
+                     static_cast<float> (std::max<std::size_t> (used, 1));
+  const float most = std::clamp (2.0f * halfSideOf (mean), smallest, largest);
+  std::vector<float> half_sides;
+  for (const Dot& dot : dots)
+    half_sides.push_back (std::clamp (
+        halfSideOf (static_cast<float> (counts[part_of (dot)])), smallest, most));
+  return half_sides;
+}
+
+void
+drawDot (const Dot& dot, float half_side, Raster& raster)
+{
+  const auto range = [half_side] (float middle, int end) {
+    const float low = middle - half_side, high = middle + half_side;
+    return std::make_pair (std::max (static_cast<int> (std::lround (low)), 0),
+                           std::min (static_cast<int> (std::lround (high)), end));
+  };
+  const auto [left, right] = range (dot.column, raster.width);
+  const auto [top, bottom] = range (dot.row, raster.height);
+  for (int row = top; row < bottom; ++row) {
+    for (int column = left; column < right; ++column) {
+      const std::size_t pixel = raster.at (column, row);
+      if (dot.depth < raster.depths[pixel]) {
+        raster.depths[pixel] = dot.depth;
+        raster.points[pixel] = dot.point;
+      }
+    }
+  }
+}
+
+/** \brief Calls \p visit with every pixel inside the border and those around it. */
+template <typename Visit>
+void
+forEachInnerPixel (const Raster& raster, Visit&& visit)
+{
+  for (int row = 1; row + 1 < raster.height; ++row)
+    for (int column = 1; column + 1 < raster.width; ++column) {
+      std::array<std::size_t, neighbors.size()> around{};
+      for (std::size_t i = 0; i < around.size(); ++i)
+        around[i] = raster.at (column + neighbors[i].first, row + neighbors[i].second);
+      visit (raster.at (column, row), around);
+    }
+}
+
+/** \brief Gives empty pixels that most neighbors surround the nearest of those. */
+void
+closeHoles (Raster& raster)
+{
+  constexpr int most = 5;
+  const Raster before = raster;
+  forEachInnerPixel (before, [&] (std::size_t pixel, const auto& around) {
+    if (before.points[pixel] != Raster::nothing)
+      return;
+    const auto seen = std::count_if (around.begin(), around.end(), [&] (std::size_t i) {
+      return before.points[i] != Raster::nothing;
+    });
+    if (seen < most)
+      return;
+    const std::size_t nearest =
+        *std::min_element (around.begin(), around.end(), [&] (auto a, auto b) {
+          return before.depths[a] < before.depths[b];
+        });
+    raster.points[pixel] = before.points[nearest];
+    raster.depths[pixel] = before.depths[nearest];
+  });
+}
 
 /** \brief Planes seen at a grazing angle are darker than those seen from the front. */
 float
@@ -44,6 +189,49 @@ paintHalf (const Raster& raster,
 }
 
 } // namespace
+
+Raster
+drawPoints (const XyzCloud& cloud,
+            const View& view,
+            int width,
+            int height,
+            const std::function<bool (pcl::index_t)>& is_shown)
+{
+  const std::size_t pixels =
+      static_cast<std::size_t> (width) * static_cast<std::size_t> (height);
+  Raster raster;
+  raster.width = width;
+  raster.height = height;
+  raster.points.assign (pixels, Raster::nothing);
+  raster.depths.assign (pixels, far);
+
+  const std::vector<Dot> dots = projectPoints (cloud, view, width, height, is_shown);
+  const std::vector<float> half_sides = halfSidesOf (dots, width, height);
+  for (std::size_t i = 0; i < dots.size(); ++i)
+    drawDot (dots[i], half_sides[i], raster);
+  closeHoles (raster);
+  return raster;
+}
+
+std::vector<float>
+shadeDepths (const Raster& raster)
+{
+  constexpr float strength = 6.0f;
+  constexpr float largest_step = 0.05f; // of the logarithm: farther ones darken no more
+  std::vector<float> brightness (raster.points.size(), 1.0f);
+  forEachInnerPixel (raster, [&] (std::size_t pixel, const auto& around) {
+    if (raster.points[pixel] == Raster::nothing)
+      return;
+    float obscurance = 0.0f;
+    for (const std::size_t neighbor : around)
+      if (raster.depths[neighbor] < raster.depths[pixel])
+        obscurance += std::min (
+            std::log (raster.depths[pixel] / raster.depths[neighbor]), largest_step);
+    brightness[pixel] =
+        std::exp (-strength * obscurance / static_cast<float> (around.size()) * 2.0f);
+  });
+  return brightness;
+}
 
 void
 savePicture (const std::string& file,

@@ -2,16 +2,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/types.h>
+
 #include <Eigen/Core>
 
+#include "view.h"
 #include <io/shifted_cloud.h>
 #include <pcl_ops/plane.h>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
+
+/** \brief Which point each pixel of an image shows, and how far away it is. */
+struct Raster {
+  static constexpr pcl::index_t nothing = -1;
+
+  int width = 0;
+  int height = 0;
+  /** \brief Row by row; nothing where no point is seen. */
+  std::vector<pcl::index_t> points;
+  /** \brief Depth along the viewing direction; infinite where no point is seen. */
+  std::vector<float> depths;
+
+  std::size_t
+  at (int column, int row) const
+  {
+    return static_cast<std::size_t> (row) * static_cast<std::size_t> (width) +
+           static_cast<std::size_t> (column);
+  }
+};
+
+/** \brief Draws points as squares just large enough to close the gaps between them, the
+ * nearest in front.
+ * \param[in] is_shown tells which points to draw; NaN points never are */
+Raster
+drawPoints (const XyzCloud& cloud,
+            const View& view,
+            int width,
+            int height,
+            const std::function<bool (pcl::index_t)>& is_shown);
+
+/** \brief Brightness of each pixel, 0 to 1: pixels behind a near neighbor are darker,
+ * which brings out edges and shape (eye-dome lighting; Boucheny, PhD thesis, Universite
+ * Joseph Fourier, 2009). */
+std::vector<float>
+shadeDepths (const Raster& raster);
 
 /** \brief Writes a PNG with two views of a cloud side by side: left each plane in its
  * own color, right in the color of its orientation class, with a legend; gray for no

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
-#include "parts.h"
+#include "outputs.h"
 #include "segment_cloud.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
-#include <detection/method_options.h>
+#include <detection/methods.h>
 #include <io/cloud_file.h>
 #include <io/inputs.h>
 #include <io/laz_file.h>

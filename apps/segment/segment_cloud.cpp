@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_cloud.h"
 
-#include "parts.h"
-#include "shapes.h"
+#include "outputs.h"
 #include <cli/errors.h>
 #include <cli/interruption.h>
-#include <detection/method_options.h>
 #include <detection/methods.h>
 #include <detection/plane_json.h>
 #include <detection/plane_map.h>

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "binary_file.h"
+#include "cell_file.h"
 #include "exact_moments.h"
 #include "plane_outline.h"
 #include "tile_grid.h"

@@ -9,7 +9,7 @@
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
-#include <detection/method_options.h>
+#include <detection/methods.h>
 #include <io/cloud_file.h>
 #include <io/output_file.h>
 #include <io/shifted_cloud.h>

@@ -4,7 +4,7 @@
 #include "scene.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
-#include <detection/method_options.h>
+#include <detection/methods.h>
 
 #include <iostream>
 #include <sstream>

@@ -7,7 +7,7 @@
 #include <io/cloud_file.h>
 #include <picture/colors.h>
 #include <picture/image.h>
-#include <picture/raster.h>
+#include <picture/picture.h>
 #include <picture/view.h>
 #include <support/temporary_folder.h>
 
