@@ -22,14 +22,6 @@ protected:
 
 } // namespace
 
-TEST_F (Inputs, AreTheFilesThatAPatternMatches)
-{
-  const Names files = {folder_.write ("a.pcd", ""), folder_.write ("b.pcd", "")};
-  const InputFiles found = findInputs ({folder_ / "*.pcd"});
-  EXPECT_EQ (found.files, files);
-  EXPECT_EQ (found.problems, Names{});
-}
-
 TEST_F (Inputs, HaveALinkToNowhereThatIsNamedLikeAPattern)
 {
   const std::string link = folder_ / "scan*.pcd";

@@ -181,18 +181,19 @@ TEST_F (LasFileTest, DescribesTheLabelAsExtraBytes)
 TEST_F (LasFileTest, AddsTheLabelToTheExtraBytesThereAre)
 {
   LasRecipe recipe;
-  recipe.extra = {"ab1", "cd2"};
+  recipe.extra = {"ab123", "cd456"};
   recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("range", 3)),
                  lasVlr ("someone", 7, "content")};
   const std::string after = labelled (recipe, {5, 6});
-  const std::size_t vlr = lasHeaderSize (4);
+  const std::size_t vlr = lasHeaderSize (4), fields = vlr + 54;
   EXPECT_EQ (lasNumber<std::uint32_t> (after, las_at::vlr_count), 2u);
-  ASSERT_EQ (lasNumber<std::uint16_t> (after, vlr + 20), 3 * 192u);
-  EXPECT_EQ (after.substr (vlr + 54, 192), extraBytesField ("range", 3));
-  EXPECT_EQ (after.substr (vlr + 54 + 192, 192), extraBytesField ("", 0, 1))
-      << "the byte that nobody had described";
-  EXPECT_STREQ (&after[vlr + 54 + 2 * 192 + 4], "label");
-  EXPECT_EQ (after.substr (vlr + 54 + 3 * 192, recipe.vlrs[1].size()), recipe.vlrs[1]);
+  ASSERT_EQ (lasNumber<std::uint16_t> (after, vlr + 20), 5 * 192u);
+  EXPECT_EQ (after.substr (fields, 192), extraBytesField ("range", 3));
+  for (std::size_t i = 1; i <= 3; ++i)
+    EXPECT_EQ (after.substr (fields + i * 192, 192), extraBytesField ("", 0, 1))
+        << "what nobody had described, byte by byte, as CloudCompare counts";
+  EXPECT_STREQ (&after[fields + 4 * 192 + 4], "label");
+  EXPECT_EQ (after.substr (fields + 5 * 192, recipe.vlrs[1].size()), recipe.vlrs[1]);
   EXPECT_EQ (after.substr (lasNumber<std::uint32_t> (after, las_at::points_offset)),
              labelledRecord (recipe, 0, 5) + labelledRecord (recipe, 1, 6));
 }

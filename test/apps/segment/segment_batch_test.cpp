@@ -112,15 +112,6 @@ TEST_F (SegmentBatch, SaysWhichNamesStandForNoCloudAndDoesTheOthers)
   EXPECT_EQ (namesIn ("out"), (Names{"in.json", "in.pcd"}));
 }
 
-TEST_F (SegmentBatch, LeavesWhatItCannotReplaceAndDoesTheOthers)
-{
-  fs::create_directories (folder_ / "out/a.json");
-  const Outcome done = run ("scans --output-dir out");
-  EXPECT_EQ (done.exit_code, 1);
-  EXPECT_TRUE (contains (done.err, "out/a.json: is a folder"));
-  EXPECT_TRUE (fs::exists (folder_ / "out/b.json"));
-}
-
 TEST_F (SegmentBatch, NamesFurtherOutputsAfterTheirInputs)
 {
   expectDone ("scans --output-dir out --planes {}_list.csv --image "

@@ -87,22 +87,18 @@ TEST_F (SegmentDistances, AreSignedAndNoneOnNoPlane)
   EXPECT_TRUE (std::isnan (distancesIn ("out.pcd").front())) << "of a plane left out";
 }
 
-TEST_F (SegmentDistances, AreThoseOfUtmCoordinates)
+TEST_F (SegmentDistances, AreThoseOfUtmCoordinatesInEveryFormatAndInABatch)
 {
   writeLas();
-  for (const char* output : {"out.pcd", "out.ply", "out.las"}) {
-    expectDone (std::string ("in.las --distances ") + output);
+  for (const auto& [arguments, output] :
+       {std::pair ("out.pcd", "out.pcd"),
+        std::pair ("out.ply", "out.ply"),
+        std::pair ("out.las", "out.las"),
+        std::pair ("--output-dir out", "out/in.las"),
+        std::pair ("--output-dir out --format ply", "out/in.ply")}) {
+    expectDone (std::string ("in.las --distances ") + arguments);
     expectTurns (output);
   }
-}
-
-TEST_F (SegmentDistances, StayInALasInABatch)
-{
-  writeLas();
-  expectDone ("in.las --output-dir out --distances");
-  expectTurns ("out/in.las");
-  expectDone ("in.las --output-dir out --distances --format ply");
-  expectTurns ("out/in.ply");
 }
 
 TEST_F (SegmentDistances, AreDescribedBesideTheLabelInALas)

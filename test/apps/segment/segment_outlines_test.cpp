@@ -99,6 +99,10 @@ TEST_F (Segment, WritesOutlinesInTheCsvAsWkt)
   std::istringstream csv (contentOf (folder_ / "p.csv"));
   std::string line;
   std::getline (csv, line);
+  EXPECT_EQ (
+      line,
+      "id,orientation,points,a,b,c,d,centroid_x,centroid_y,centroid_z,"
+      "normal_x,normal_y,normal_z,rms,area,length,width,slope,aspect,height,wkt");
   for (int plane = 0; plane < 2; ++plane) {
     std::getline (csv, line);
     const std::size_t begin = line.find (",\"POLYGON Z ((");

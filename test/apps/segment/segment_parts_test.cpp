@@ -38,13 +38,6 @@ protected:
       indices.push_back (static_cast<int> (point.intensity));
     return indices;
   }
-
-  nlohmann::json
-  planesOf (const std::string& options) const
-  {
-    const Outcome done = expectDone ("scene.pcd --planes - " + options);
-    return nlohmann::json::parse (done.out)["planes"];
-  }
 };
 
 using NameSet = std::set<std::string>;
@@ -116,15 +109,6 @@ TEST_F (SegmentParts, PlanesOfAnEarlierRunAreGoneAndOtherFilesStay)
           "all.pcd", "notes.txt", "plane_001_horizontal.pcd", "plane_of_mine.pcd"}));
 }
 
-TEST_F (SegmentParts, AFailedRunLeavesTheFolderOfPlanesAlone)
-{
-  fs::create_directory (folder_ / "planes");
-  folder_.write ("planes/plane_017_other.pcd", "precious");
-  folder_.write ("broken.pcd", "no cloud");
-  EXPECT_EQ (run ("broken.pcd --planes-dir planes --quiet").exit_code, 1);
-  EXPECT_EQ (namesIn ("planes"), NameSet{"plane_017_other.pcd"});
-}
-
 TEST_F (SegmentParts, TwoRunsDoNotExchangeThePlanesOfAFolderAtTheSameTime)
 {
   fs::create_directory (folder_ / "planes");
@@ -166,7 +150,9 @@ TEST_F (SegmentParts, AFolderWithTheNameOfAPlaneChangesNothing)
 
 TEST_F (SegmentParts, PlanesThatAreLeftOutCountAsNone)
 {
-  const auto planes = planesOf ("labelled.pcd --only vertical --rest rest.pcd");
+  const auto planes =
+      jsonOf ("scene.pcd labelled.pcd --planes p.json --only vertical --rest rest.pcd")
+          ["planes"];
   ASSERT_EQ (planes.size(), 1u);
   EXPECT_EQ (planes[0]["orientation"], "vertical");
   EXPECT_EQ (planes[0]["id"], 1) << "numbered as the labels are";
@@ -176,14 +162,6 @@ TEST_F (SegmentParts, PlanesThatAreLeftOutCountAsNone)
   EXPECT_EQ (distinct (cloud, missing_reading + 1, air), std::set<std::uint32_t>{1});
   EXPECT_EQ (indicesIn ("rest.pcd").size(),
              static_cast<std::size_t> (points_of_plane + 3));
-}
-
-TEST_F (SegmentParts, OnlyTheLargestIsTheFirstOfAll)
-{
-  const auto all = planesOf ("");
-  const auto largest = planesOf ("--only largest");
-  ASSERT_EQ (largest.size(), 1u);
-  EXPECT_EQ (largest[0], all[0]);
 }
 
 TEST_F (SegmentParts, SaysThatTheFilterLeavesNothing)

@@ -87,12 +87,6 @@ TEST_F (SegmentPly, KeepsFieldsWithTheNamesOfItsColors)
   EXPECT_TRUE (bytesOf (ply, "nx_") == bytesOf (in, "normal_x"));
 }
 
-TEST_F (SegmentPly, IsAnInputAgain)
-{
-  writeBoth ("in.pcd");
-  EXPECT_EQ (labelsOf (label ("out.ply")), labelsOf (label ("in.pcd")));
-}
-
 TEST_F (SegmentPly, HasTheFieldsOtherProgramsLookFor)
 {
   std::string points;

@@ -119,17 +119,6 @@ TEST_F (SegmentTrack, TakesTheSensorToStandStillWithoutPoses)
     }
 }
 
-TEST_F (SegmentTrack, GivesAPlaneTheSameIdOnMaps)
-{
-  expectDone (std::string (track) + "--poses poses.txt --planes {}.geojson");
-  const auto map = jsonIn ("out/b.geojson");
-  for (const auto& feature : map["features"]) {
-    EXPECT_EQ (feature["id"], feature["properties"]["id"]);
-    EXPECT_EQ (feature["id"] == floorIn ("b.pcd"),
-               feature["properties"]["orientation"] == "horizontal");
-  }
-}
-
 /** \brief A square of 2 m or 3 m in text, at UTM coordinates. */
 std::string
 squareText (int points, double z)
