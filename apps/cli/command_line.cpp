@@ -246,24 +246,18 @@ HelpPage::usage() const
 std::string
 HelpPage::brief() const
 {
-  std::string text = usage();
-  bool follows_brief = false;
-  for (const OptionGroup& group : groups) {
-    if (!group.is_brief)
-      text += explained (group, widthOf (group));
-    else {
-      text += (follows_brief ? "" : "\n") + group.title + ":\n";
-      std::string line = " ";
-      for (const Option& option : group.options) {
-        if (line.size() + 3 + option.name.size() > help_width) {
-          text += line + "\n";
-          line = " ";
-        }
-        line += " --" + option.name;
+  std::string text = usage() + explained (groups.front(), widthOf (groups.front()));
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    text += (i == 1 ? "\n" : "") + groups[i].title + ":\n";
+    std::string line = " ";
+    for (const Option& option : groups[i].options) {
+      if (line.size() + 3 + option.name.size() > help_width) {
+        text += line + "\n";
+        line = " ";
       }
-      text += line + "\n";
+      line += " --" + option.name;
     }
-    follows_brief = group.is_brief;
+    text += line + "\n";
   }
   return text;
 }
@@ -286,7 +280,7 @@ CommandLine::CommandLine (const std::string& program,
                           const std::string& version)
 : page_{program, summary}, version_ (version)
 {
-  beginGroup ("Options");
+  page_.groups.push_back ({"Options"});
   addValue ("help", "", "print this and exit", {});
   addValue ("version", "", "print the version and exit", {});
 }
@@ -321,18 +315,10 @@ CommandLine::setUsage (const std::vector<std::string>& ways,
 void
 CommandLine::beginGroup (const std::string& title)
 {
-  page_.groups.push_back ({title});
-}
-
-void
-CommandLine::beginBriefGroup (const std::string& title)
-{
-  if (std::none_of (page_.groups.begin(),
-                    page_.groups.end(),
-                    [] (const OptionGroup& group) { return group.is_brief; }))
+  if (page_.groups.size() == 1)
     page_.groups.front().options.push_back (
         {"help-all", "", "explain the options of the groups below, too", {}});
-  page_.groups.push_back ({title, {}, true});
+  page_.groups.push_back ({title});
 }
 
 void

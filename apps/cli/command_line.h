@@ -88,8 +88,6 @@ struct Option {
 struct OptionGroup {
   std::string title;
   std::vector<Option> options = {};
-  /** \brief Named in one line by --help; --help-all explains its options. */
-  bool is_brief = false;
 };
 
 struct HelpPage {
@@ -98,13 +96,14 @@ struct HelpPage {
   std::vector<std::string> ways = {};
   std::string explanation = {};
   std::vector<Argument> arguments = {};
-  /** \brief New options go to the last. */
+  /** \brief New options go to the last. --help explains those of the first, and names
+   * the others, which --help-all explains. */
   std::vector<OptionGroup> groups = {};
 
   std::string
   brief () const;
 
-  /** \brief The text of --help-all, which explains the options of brief groups, too. */
+  /** \brief The text of --help-all. */
   std::string
   full () const;
 
@@ -143,13 +142,10 @@ public:
   void
   setUsage (const std::vector<std::string>& ways, const std::string& explanation);
 
-  /** \brief Lists the options declared from now on under a title of their own. */
+  /** \brief Lists the options declared from now on under a title of their own, with a
+   * line of names in --help; --help-all explains them. */
   void
   beginGroup (const std::string& title);
-
-  /** \brief The same, with a line of names in --help; --help-all explains them. */
-  void
-  beginBriefGroup (const std::string& title);
 
   void
   addFlag (const std::string& name, bool& target, const std::string& help);

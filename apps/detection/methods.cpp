@@ -384,7 +384,7 @@ declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& o
   line.addChoice ("method", names, method, "the detector (ops)");
   declareShared (line, options);
   for (const Method& known : allMethods()) {
-    line.beginBriefGroup (groupOf (known));
+    line.beginGroup (groupOf (known));
     known.declare_options (line, options.numbers);
   }
 }

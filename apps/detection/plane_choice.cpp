@@ -21,10 +21,7 @@ filterOf (const PlaneChoice& choice, const Eigen::Vector3d& up)
 {
   PlaneFilter filter;
   filter.up_axis = up;
-  for (const Orientation orientation :
-       {Orientation::Horizontal, Orientation::Vertical, Orientation::Other})
-    if (choice.only == toString (orientation))
-      filter.orientation = orientation;
+  filter.orientation = orientationCalled (choice.only);
   filter.max_planes = choice.max_planes;
   if (choice.only == "largest")
     filter.max_planes = 1;
@@ -154,7 +151,7 @@ void
 declareChoice (CommandLine& line, PlaneChoice& choice)
 {
   constexpr double right_angle = 90;
-  line.beginBriefGroup (title_of_choice);
+  line.beginGroup (title_of_choice);
   line.addChoice ("only",
                   {"horizontal", "vertical", "other", "largest"},
                   choice.only,

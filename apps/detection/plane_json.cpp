@@ -50,9 +50,7 @@ ringIn (const nlohmann::ordered_json& corners)
 {
   Ring ring;
   for (const auto& corner : corners)
-    ring.emplace_back (corner.at (0).get<double>(),
-                       corner.at (1).get<double>(),
-                       corner.at (2).get<double>());
+    ring.push_back (toVector (corner));
   return ring;
 }
 
@@ -141,10 +139,9 @@ public:
   Orientation
   orientation () const
   {
-    for (const Orientation known :
-         {Orientation::Horizontal, Orientation::Vertical, Orientation::Other})
-      if (value_ == toString (known))
-        return known;
+    if (const auto known =
+            orientationCalled (value_.is_string() ? value_.get<std::string>() : ""))
+      return *known;
     fail ("is not horizontal, vertical or other");
   }
 
@@ -217,6 +214,31 @@ nlohmann::ordered_json
 toArray (const Eigen::Vector3d& vector)
 {
   return {vector.x(), vector.y(), vector.z()};
+}
+
+Eigen::Vector3d
+toVector (const nlohmann::ordered_json& array)
+{
+  return {array.at (0).get<double>(),
+          array.at (1).get<double>(),
+          array.at (2).get<double>()};
+}
+
+std::string
+jsonText (const nlohmann::ordered_json& json)
+{
+  constexpr int indent = 2;
+  return json.dump (indent) + "\n";
+}
+
+std::optional<Orientation>
+orientationCalled (const std::string& name)
+{
+  for (const Orientation known :
+       {Orientation::Horizontal, Orientation::Vertical, Orientation::Other})
+    if (name == toString (known))
+      return known;
+  return {};
 }
 
 Attitude

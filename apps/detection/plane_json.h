@@ -4,6 +4,7 @@
 
 #include "plane_map.h"
 #include <nlohmann/json.hpp>
+#include <pcl_ops/orientation.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_extent.h>
 
@@ -17,6 +18,18 @@ namespace pcl_ops::apps {
 
 nlohmann::ordered_json
 toArray (const Eigen::Vector3d& vector);
+
+/** \brief Of what \ref toArray made. */
+Eigen::Vector3d
+toVector (const nlohmann::ordered_json& array);
+
+/** \brief What a file of JSON has: lines, indented. */
+std::string
+jsonText (const nlohmann::ordered_json& json);
+
+/** \return nothing for what is no name of one */
+std::optional<Orientation>
+orientationCalled (const std::string& name);
 
 struct Attitude {
   /** \brief Angle to the horizontal [degree], 0 to 90. */

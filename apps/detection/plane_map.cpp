@@ -401,8 +401,7 @@ planesFor (const std::string& file, const PlaneTable& list, const MapOptions& op
     return toCsv (list.at ("planes"), options);
   if (extension == ".geojson")
     return toGeoJson (list.at ("planes"), options);
-  constexpr int indent = 2;
-  return list.dump (indent) + "\n";
+  return jsonText (list);
 }
 
 } // namespace pcl_ops::apps

@@ -10,9 +10,11 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 namespace pcl_ops::apps {
@@ -22,29 +24,25 @@ namespace {
 constexpr int dot = 3; // edge of a dot of a letter, and of a margin [pixel]
 
 /** \brief Letters of 3 x 5 dots: an octal digit for each row from above. */
-const std::map<char, unsigned>&
-letters ()
-{
-  static const std::map<char, unsigned> dots = {{'0', 075557},
-                                                {'1', 026227},
-                                                {'2', 071747},
-                                                {'5', 074717},
-                                                {'.', 000002},
-                                                {'A', 025755},
-                                                {'C', 034443},
-                                                {'E', 074647},
-                                                {'H', 055755},
-                                                {'I', 072227},
-                                                {'L', 044447},
-                                                {'N', 065555},
-                                                {'O', 025552},
-                                                {'P', 065644},
-                                                {'R', 065655},
-                                                {'T', 072222},
-                                                {'V', 055552},
-                                                {'Z', 071247}};
-  return dots;
-}
+constexpr std::string_view letters = "0125.ACEHILNOPRTVZ";
+constexpr std::array<unsigned, letters.size()> dots_of_letters = {{075557,
+                                                                   026227,
+                                                                   071747,
+                                                                   074717,
+                                                                   000002,
+                                                                   025755,
+                                                                   034443,
+                                                                   074647,
+                                                                   055755,
+                                                                   072227,
+                                                                   044447,
+                                                                   065555,
+                                                                   025552,
+                                                                   065644,
+                                                                   065655,
+                                                                   072222,
+                                                                   055552,
+                                                                   071247}};
 
 constexpr int margin = 12;
 
@@ -153,8 +151,8 @@ Image::write (int column, int row, const std::string& text)
 {
   constexpr int columns = 3, rows = 5;
   for (const char letter : text) {
-    const auto known = letters().find (letter);
-    const unsigned dots = known == letters().end() ? 0U : known->second;
+    const std::size_t known = letters.find (letter);
+    const unsigned dots = known < letters.size() ? dots_of_letters.at (known) : 0U;
     for (int i = 0; i < rows * columns; ++i)
       if (dots >> unsigned (rows * columns - 1 - i) & 1U) {
         const int x = column + dot * (i % columns), y = row + dot * (i / columns);

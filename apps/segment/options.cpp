@@ -112,7 +112,7 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
 void
 declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
 {
-  line.beginBriefGroup ("Further outputs");
+  line.beginGroup ("Further outputs");
   declareMap (line, options.map);
   declareFiles (line, options.outputs, false);
   line.addChoice ("format",
@@ -125,7 +125,7 @@ void
 declareTracking (CommandLine& line, TrackOptions& options)
 {
   constexpr double right_angle = 90;
-  line.beginBriefGroup ("Clouds in sequence, with --output-dir");
+  line.beginGroup ("Clouds in sequence, with --output-dir");
   line.addFlag (
       "track", options.is_on, "label and id of a plane are the same in all INPUTs");
   line.addText ("poses",

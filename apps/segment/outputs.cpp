@@ -328,8 +328,7 @@ toJson (const PlaneEdges& found)
   for (const PlaneCorner& corner : found.corners)
     json["corners"].push_back (
         {{"planes", corner.planes}, {"position", toArray (corner.position)}});
-  constexpr int indent = 2;
-  return json.dump (indent) + "\n";
+  return jsonText (json);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "point_file.h"
 #include <cli/errors.h>
 #include <cli/program.h>
+#include <detection/plane_json.h>
 #include <io/las_header.h>
 #include <io/laz_file.h>
 #include <io/output_file.h>
@@ -164,8 +165,7 @@ jsonOf (const Plan& plan)
                                {"bytes", input.bytes},
                                {"written", input.written},
                                {"points", input.points}});
-  constexpr int indent = 2;
-  return json.dump (indent) + "\n";
+  return jsonText (json);
 }
 
 bool

@@ -108,26 +108,16 @@ toObject (const Plan& plan,
   return object;
 }
 
-Eigen::Vector3d
-vectorIn (const Json& numbers)
-{
-  return {numbers.at (0).get<double>(),
-          numbers.at (1).get<double>(),
-          numbers.at (2).get<double>()};
-}
-
 /** \brief As far as it can be chosen by. */
 PlaneSegment
 segmentIn (const Json& plane)
 {
   PlaneSegment segment;
-  segment.normal = vectorIn (plane.at ("normal"));
-  segment.centroid = vectorIn (plane.at ("centroid"));
+  segment.normal = toVector (plane.at ("normal"));
+  segment.centroid = toVector (plane.at ("centroid"));
   segment.moments.count = plane.at ("points").get<double>();
-  for (const Orientation known :
-       {Orientation::Horizontal, Orientation::Vertical, Orientation::Other})
-    if (plane.at ("orientation") == toString (known))
-      segment.orientation = known;
+  if (const auto known = orientationCalled (plane.at ("orientation")))
+    segment.orientation = *known;
   return segment;
 }
 
@@ -209,8 +199,7 @@ toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& pla
   json["planes"] = Json::array();
   for (std::size_t i = 0; i < planes.size(); ++i)
     json["planes"].push_back (toObject (plan, i + 1, planes[i], segments[i]));
-  constexpr int indent = 2;
-  return json.dump (indent) + "\n";
+  return jsonText (json);
 }
 
 std::string

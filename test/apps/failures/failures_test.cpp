@@ -1,11 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/io/pcd_io.h>
-#include <pcl/point_types.h>
-
 #include <io/laz_file.h>
-#include <support/las_bytes.h>
-#include <support/program_folder.h>
+#include <segment/segment_program.h>
 
 #include <fstream>
 #include <optional>
@@ -15,34 +11,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** \brief A floor and a wall of 2 m by 2 m.
- * \param[in] side how many points there are along each edge */
 void
-saveScene (const std::string& file, int side = 50)
+saveScene (const std::string& file, int side = points_of_side)
 {
-  const float step = 2.0f / static_cast<float> (side);
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  for (int i = 0; i < side; ++i)
-    for (int j = 0; j < side; ++j) {
-      const float x = step * static_cast<float> (i);
-      const float y = step * static_cast<float> (j);
-      cloud.emplace_back (x, y, 0.0f);
-      cloud.emplace_back (2.0f, y, x + step / 2.0f);
-    }
-  pcl::io::savePCDFileBinary (file, cloud);
-}
-
-void
-saveLas (const std::string& file)
-{
-  LasRecipe recipe;
-  recipe.points.clear();
-  for (std::int32_t i = 0; i < 50; ++i)
-    for (std::int32_t j = 0; j < 50; ++j) {
-      recipe.points.push_back ({40 * i, 40 * j, 0});
-      recipe.points.push_back ({2000, 40 * j, 40 * i + 20});
-    }
-  std::ofstream (file, std::ios::binary) << lasBytes (recipe);
+  pcl::io::savePCDFileBinary (file, floorAndWall (side));
 }
 
 void
@@ -260,7 +232,7 @@ protected:
   {
     fs::create_directories (folder_ / "clouds");
     saveScene (folder_ / "in.pcd");
-    saveLas (folder_ / "in.las");
+    folder_.write ("in.las", lasBytes (floorAndWallInLas()));
     saveText (folder_ / "in.xyz");
     saveScene (folder_ / "clouds/scene.pcd");
     folder_.write ("poses.txt", "0 0 0 0 0 0 0 1\n");

@@ -13,23 +13,6 @@
 
 namespace {
 
-/** \brief A floor of 2 m by 2 m and a wall at x = 3 m, in UTM coordinates and whole
- * millimetres. */
-LasRecipe
-floorAndWallInLas ()
-{
-  constexpr float millimetres = 1000.0f;
-  LasRecipe recipe;
-  recipe.points.clear();
-  for (const pcl::PointXYZI& point : floorAndWall())
-    if (std::isfinite (point.x))
-      recipe.points.push_back (
-          {static_cast<int> (std::lround (point.x * millimetres)),
-           static_cast<int> (std::lround (point.y * millimetres)),
-           static_cast<int> (std::lround (point.z * millimetres))});
-  return recipe;
-}
-
 class SegmentLas : public Segment {
 protected:
   /** \brief What each record of a labelled file ends with. */

@@ -8,9 +8,11 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <support/las_bytes.h>
 #include <support/program_folder.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
@@ -48,6 +50,23 @@ floorAndWall (int side = points_of_side)
   cloud.is_dense = false;
   cloud.sensor_origin_ = Eigen::Vector4f (0.5f, 1.0f, 1.5f, 0.0f);
   return cloud;
+}
+
+/** \brief A floor of 2 m by 2 m and a wall at x = 3 m, in UTM coordinates and whole
+ * millimetres. */
+inline LasRecipe
+floorAndWallInLas ()
+{
+  constexpr float millimetres = 1000.0f;
+  LasRecipe recipe;
+  recipe.points.clear();
+  for (const pcl::PointXYZI& point : floorAndWall())
+    if (std::isfinite (point.x))
+      recipe.points.push_back (
+          {static_cast<int> (std::lround (point.x * millimetres)),
+           static_cast<int> (std::lround (point.y * millimetres)),
+           static_cast<int> (std::lround (point.z * millimetres))});
+  return recipe;
 }
 
 /** \brief A folder with the input cloud, to run the program in. */
