@@ -61,13 +61,6 @@ public:
   std::string
   problemOf (const std::vector<LasField>& fields) const;
 
-  /** \brief \ref problemOf of a label. */
-  std::string
-  problemOfLabels () const
-  {
-    return problemOf ({label_field});
-  }
-
   /** \brief Writes every byte of the file with further fields, each in place of the one
    * of its name that the file has.
    * \param[in] columns are asked for each point, in their order

@@ -189,36 +189,19 @@ detect (const Bytes& bytes, typename Detector::Parameters parameters)
 
 } // namespace
 
-void
-detectByOps (const Bytes& bytes)
+Targets
+detectorTargets ()
 {
-  detect<OrientedPointSampling<pcl::PointXYZ>> (bytes, {});
-}
-
-void
-detectByPublishedOps (const Bytes& bytes)
-{
-  detect<OrientedPointSampling<pcl::PointXYZ>> (
-      bytes, OrientedPointSamplingParameters::paper());
-}
-
-void
-detectByFspf (const Bytes& bytes)
-{
-  detect<FastSamplingPlaneFiltering<pcl::PointXYZ>> (bytes, {});
-}
-
-void
-detectByKht (const Bytes& bytes)
-{
-  detect<KernelHoughTransform<pcl::PointXYZ>> (bytes, {});
-}
-
-void
-detectByPublishedKht (const Bytes& bytes)
-{
-  detect<KernelHoughTransform<pcl::PointXYZ>> (bytes,
-                                               KernelHoughTransformParameters::paper());
+  using Ops = OrientedPointSampling<pcl::PointXYZ>;
+  using Fspf = FastSamplingPlaneFiltering<pcl::PointXYZ>;
+  using Kht = KernelHoughTransform<pcl::PointXYZ>;
+  return {{"ops", [] (const Bytes& bytes) { detect<Ops> (bytes, {}); }},
+          {"ops_paper",
+           [] (const Bytes& bytes) { detect<Ops> (bytes, Ops::Parameters::paper()); }},
+          {"fspf", [] (const Bytes& bytes) { detect<Fspf> (bytes, {}); }},
+          {"kht", [] (const Bytes& bytes) { detect<Kht> (bytes, {}); }},
+          {"kht_paper",
+           [] (const Bytes& bytes) { detect<Kht> (bytes, Kht::Parameters::paper()); }}};
 }
 
 } // namespace pcl_ops::fuzz

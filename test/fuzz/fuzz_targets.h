@@ -82,41 +82,19 @@ promise (bool holds, const std::string& what)
     throw BrokenPromise ("broken promise: " + what);
 }
 
-/** \brief Loads bytes as a file: a cloud whose sizes agree, or an error of one line. */
-void
-loadPcd (const Bytes& bytes);
-void
-loadPly (const Bytes& bytes);
+using Targets = std::map<std::string, void (*) (const Bytes&)>;
 
-/** \brief And writes it as a PCD, which has every number again. */
-void
-loadText (const Bytes& bytes);
+/** \brief Detect planes with parameters and in a cloud made up from bytes, by each
+ * method: see promiseOrderedPlanes. */
+Targets
+detectorTargets ();
 
-/** \brief And labels it, where it takes labels: they and the points are read back. */
-void
-loadLas (const Bytes& bytes);
-
-/** \brief Takes lines for what stands on a command line, and detects planes in a small
- * cloud by it: planes, or an error of one line. */
-void
-readOptions (const Bytes& bytes);
-
-/** \brief Detects planes with parameters and in a cloud made up from bytes: see
- * promiseOrderedPlanes. */
-void
-detectByOps (const Bytes& bytes);
-void
-detectByPublishedOps (const Bytes& bytes);
-void
-detectByFspf (const Bytes& bytes);
-void
-detectByKht (const Bytes& bytes);
-void
-detectByPublishedKht (const Bytes& bytes);
-
-/** \brief All of these by their names; the corpus of each is the folder of that name.
- */
-const std::map<std::string, void (*) (const Bytes&)>&
+/** \brief All by their names; the corpus of each is the folder of that name. "pcd",
+ * "ply", "las" and "ascii" load bytes as a file: a cloud whose sizes agree, or an error
+ * of one line; of a text each number is written again, and a LAS is labeled, where it
+ * takes labels. "options" takes lines for what stands on a command line, and detects
+ * planes in a small cloud by it. */
+const Targets&
 allTargets ();
 
 } // namespace pcl_ops::fuzz

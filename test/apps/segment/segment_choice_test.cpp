@@ -1,8 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segment_program.h"
+#include <pcl/io/ply_io.h>
 
+#include "segment_program.h"
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <set>
 #include <tuple>
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -126,4 +135,163 @@ TEST_F (SegmentChoice, MeasuresTheOutlineThatIsWritten)
   EXPECT_GE (area, 3.8);
   const std::string more = std::to_string (area + 0.001);
   EXPECT_TRUE (contains (run ("floor.pcd --min-area " + more).out, "all 2 planes"));
+}
+
+namespace {
+
+/** \brief The program with scene.pcd: floor and wall, and three points in the air. */
+class SegmentParts : public Segment {
+protected:
+  static constexpr int air = 2 * points_of_plane + 1;
+
+  SegmentParts()
+  {
+    InputCloud scene = floorAndWall();
+    for (const float z : {0.7f, 1.0f, 1.3f})
+      scene.push_back ({1.0f, 1.0f, z, static_cast<float> (scene.size())});
+    pcl::io::savePCDFileBinary (folder_ / "scene.pcd", scene);
+  }
+
+  /** \brief The indices in the scene of a written cloud's points. */
+  std::vector<int>
+  indicesIn (const std::string& file) const
+  {
+    InputCloud cloud;
+    EXPECT_EQ (pcl::io::loadPCDFile (folder_ / file, cloud), 0) << file;
+    std::vector<int> indices;
+    for (const pcl::PointXYZI& point : cloud)
+      indices.push_back (static_cast<int> (point.intensity));
+    return indices;
+  }
+};
+
+using NameSet = std::set<std::string>;
+
+} // namespace
+
+TEST_F (SegmentParts, TheRestIsThePointsOnNoPlaneButNotTheMissingReading)
+{
+  expectDone ("scene.pcd --rest rest.pcd --quiet");
+  EXPECT_EQ (indicesIn ("rest.pcd"), (std::vector<int>{air, air + 1, air + 2}));
+  InputCloud rest;
+  ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "rest.pcd", rest), 0);
+  EXPECT_EQ (rest[1].z, 1.0f);
+  EXPECT_EQ (rest.sensor_origin_, floorAndWall().sensor_origin_);
+}
+
+TEST_F (SegmentParts, TheRestMayBeEmpty)
+{
+  expectDone ("in.pcd --rest rest.pcd --quiet");
+  EXPECT_TRUE (contains (contentOf (folder_ / "rest.pcd"), "\nPOINTS 0\n"));
+}
+
+TEST_F (SegmentParts, EachPlaneIsACloudWithTheFieldsOfTheInput)
+{
+  expectDone ("scene.pcd labelled.pcd --planes-dir planes --quiet");
+  const NameSet names = namesIn ("planes");
+  ASSERT_EQ (names.size(), 2u);
+  LabelledCloud labelled;
+  ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "labelled.pcd", labelled), 0);
+  for (const std::string& name : names) {
+    const std::vector<int> indices = indicesIn ("planes/" + name);
+    EXPECT_EQ (indices.size(), static_cast<std::size_t> (points_of_plane)) << name;
+    const bool is_floor = contains (name, "horizontal");
+    for (const int index : indices) {
+      ASSERT_EQ (labelled[index].label, name[8] - '0') << "plane_001_... has label 1";
+      ASSERT_EQ (index < points_of_plane, is_floor) << name;
+    }
+  }
+}
+
+TEST_F (SegmentParts, ArePlysWhereAskedFor)
+{
+  expectDone ("scene.pcd --rest rest.ply --planes-dir planes --quiet");
+  InputCloud rest;
+  ASSERT_EQ (pcl::io::loadPLYFile (folder_ / "rest.ply", rest), 0);
+  ASSERT_EQ (rest.size(), 3u);
+  EXPECT_EQ (rest[1].z, 1.0f);
+  const std::size_t planes = namesIn ("planes").size();
+  expectDone ("scene.pcd --planes-dir planes --format ply --quiet");
+  EXPECT_EQ (namesIn ("planes").size(), planes) << "none of the other format is left";
+  for (const std::string& name : namesIn ("planes")) {
+    InputCloud plane;
+    EXPECT_TRUE (contains (name, ".ply"));
+    ASSERT_EQ (pcl::io::loadPLYFile (folder_ / ("planes/" + name), plane), 0);
+    EXPECT_EQ (plane.size(), static_cast<std::size_t> (points_of_plane));
+  }
+}
+
+TEST_F (SegmentParts, PlanesOfAnEarlierRunAreGoneAndOtherFilesStay)
+{
+  fs::create_directory (folder_ / "planes");
+  folder_.write ("planes/plane_017_other.pcd", "of a run that found more");
+  folder_.write ("planes/plane_of_mine.pcd", "precious");
+  folder_.write ("planes/notes.txt", "precious");
+  expectDone ("scene.pcd planes/all.pcd --planes-dir planes --only horizontal");
+  EXPECT_EQ (
+      namesIn ("planes"),
+      (NameSet{
+          "all.pcd", "notes.txt", "plane_001_horizontal.pcd", "plane_of_mine.pcd"}));
+}
+
+TEST_F (SegmentParts, TwoRunsDoNotExchangeThePlanesOfAFolderAtTheSameTime)
+{
+  fs::create_directory (folder_ / "planes");
+  folder_.write ("planes/plane_017_other.pcd", "of another run");
+  const int other_run = ::open ((folder_ / "planes").c_str(), O_RDONLY);
+  ASSERT_EQ (::flock (other_run, LOCK_EX), 0);
+  constexpr int timed_out = 124;
+  EXPECT_EQ (run ("scene.pcd --planes-dir planes --quiet", "timeout 0.5").exit_code,
+             timed_out);
+  EXPECT_EQ (namesIn ("planes"), NameSet{"plane_017_other.pcd"});
+  ::close (other_run);
+  expectDone ("scene.pcd --planes-dir planes --quiet");
+  EXPECT_FALSE (fs::exists (folder_ / "planes/plane_017_other.pcd"));
+}
+
+TEST_F (SegmentParts, AFolderWithTheNameOfAPlaneChangesNothing)
+{
+  expectDone ("scene.pcd --planes-dir planes --quiet");
+  const NameSet names = namesIn ("planes");
+  ASSERT_EQ (names.size(), 2u);
+  // Whichever comes first: one of them is in the way of the other.
+  for (const std::string& in_the_way : names) {
+    for (const std::string& name : names) {
+      fs::remove_all (folder_ / ("planes/" + name));
+      if (name == in_the_way)
+        fs::create_directory (folder_ / ("planes/" + name));
+      else
+        folder_.write ("planes/" + name, "precious");
+    }
+    const Outcome done = run ("scene.pcd --planes-dir planes --quiet");
+    EXPECT_EQ (done.exit_code, 1);
+    EXPECT_TRUE (contains (done.err, "planes: cannot be written to"));
+    for (const std::string& name : names)
+      if (name != in_the_way) {
+        EXPECT_EQ (contentOf (folder_ / ("planes/" + name)), "precious");
+      }
+  }
+}
+
+TEST_F (SegmentParts, PlanesThatAreLeftOutCountAsNone)
+{
+  const auto planes =
+      jsonOf ("scene.pcd labelled.pcd --planes p.json --only vertical --rest rest.pcd")
+          ["planes"];
+  ASSERT_EQ (planes.size(), 1u);
+  EXPECT_EQ (planes[0]["orientation"], "vertical");
+  EXPECT_EQ (planes[0]["id"], 1) << "numbered as the labels are";
+  LabelledCloud cloud;
+  ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "labelled.pcd", cloud), 0);
+  EXPECT_EQ (distinct (cloud, 0, missing_reading + 1), std::set<std::uint32_t>{0});
+  EXPECT_EQ (distinct (cloud, missing_reading + 1, air), std::set<std::uint32_t>{1});
+  EXPECT_EQ (indicesIn ("rest.pcd").size(),
+             static_cast<std::size_t> (points_of_plane + 3));
+}
+
+TEST_F (SegmentParts, SaysThatTheFilterLeavesNothing)
+{
+  const Outcome done = expectDone ("scene.pcd --only other");
+  EXPECT_TRUE (
+      contains (done.out, "No plane found: none of the 2 planes found is other"));
 }

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fuzz_targets.h"
+#include "scene.h"
+#include <cli/command_line.h>
 #include <cli/errors.h>
+#include <detection/methods.h>
 #include <io/cloud_file.h>
 #include <io/las_file.h>
 #include <io/shifted_cloud.h>
@@ -9,8 +12,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <new>
 #include <numeric>
+#include <sstream>
 #include <vector>
 
 namespace pcl_ops::fuzz {
@@ -50,11 +55,6 @@ private:
   std::filesystem::path path_;
 };
 
-/** Does nothing with the cloud. */
-void
-leave (const apps::FileCloud&)
-{}
-
 template <typename Use>
 void
 load (const Bytes& bytes, const TemporaryFile& file, Use&& use)
@@ -77,20 +77,13 @@ load (const Bytes& bytes, const TemporaryFile& file, Use&& use)
   }
 }
 
-} // namespace
-
+/** A PCD or PLY. */
+template <int kind>
 void
-loadPcd (const Bytes& bytes)
+loadOnly (const Bytes& bytes)
 {
-  static const TemporaryFile file (".pcd");
-  load (bytes, file, leave);
-}
-
-void
-loadPly (const Bytes& bytes)
-{
-  static const TemporaryFile file (".ply");
-  load (bytes, file, leave);
+  static const TemporaryFile file (kind == 0 ? ".pcd" : ".ply");
+  load (bytes, file, [] (const apps::FileCloud&) {});
 }
 
 void
@@ -113,7 +106,7 @@ loadLas (const Bytes& bytes)
 {
   static const TemporaryFile file (".las"), labelled_file ("_labelled.las");
   load (bytes, file, [] (const apps::FileCloud& cloud) {
-    if (!cloud.las->problemOfLabels().empty())
+    if (!cloud.las->problemOf ({apps::label_field}).empty())
       return;
     std::vector<std::uint32_t> labels (cloud.size());
     std::iota (labels.begin(), labels.end(), 1U);
@@ -124,6 +117,91 @@ loadLas (const Bytes& bytes)
     promise (labelled.points.data == expected.points.data,
              "labels and points are read as they were written");
   });
+}
+
+/** Takes away what --help prints. */
+class SilentOutput {
+public:
+  SilentOutput() : before_ (std::cout.rdbuf (nothing_.rdbuf())) {}
+  SilentOutput (const SilentOutput&) = delete;
+  SilentOutput&
+  operator= (const SilentOutput&) = delete;
+  ~SilentOutput() { std::cout.rdbuf (before_); }
+
+private:
+  std::ostringstream nothing_;
+  std::streambuf* before_;
+};
+
+std::vector<std::string>
+linesOf (const Bytes& bytes)
+{
+  std::istringstream text (std::string (bytes.begin(), bytes.end()));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline (text, line, '\n');)
+    lines.push_back (line.substr (0, line.find ('\0')));
+  return lines;
+}
+
+apps::XyzCloud::ConstPtr
+smallCorner ()
+{
+  static const apps::XyzCloud::ConstPtr cloud = Scene (1)
+                                                    .floor (1_m, 1_m)
+                                                    .wall ({0, 0}, {1, 0}, 1_m)
+                                                    .spacing (5_cm)
+                                                    .build()
+                                                    .cloud;
+  return cloud;
+}
+
+void
+detectAsTold (const std::vector<std::string>& arguments)
+{
+  std::vector<const char*> argv{"pcl_ops_segment"};
+  for (const std::string& argument : arguments)
+    argv.push_back (argument.c_str());
+  apps::CommandLine line ("pcl_ops_segment", "Finds planes", "0");
+  std::string method = apps::allMethods().front().name;
+  apps::DetectorOptions options;
+  apps::declareMethodOptions (line, method, options);
+  if (!line.parse (static_cast<int> (argv.size()), argv.data()))
+    return;
+  const apps::Method& chosen = apps::methodCalled (method);
+  apps::checkMethodOptions (line, chosen);
+  const apps::Detected found = chosen.detect (options, smallCorner());
+  const std::vector<std::uint32_t> labels =
+      apps::labelsOf (found.planes, smallCorner()->size());
+  promise (labels.size() == smallCorner()->size(), "every point has a label");
+}
+
+void
+readOptions (const Bytes& bytes)
+{
+  const SilentOutput silent;
+  try {
+    detectAsTold (linesOf (bytes));
+  }
+  catch (const apps::ProgramError& error) {
+    promise (std::string (error.what()).size() > 0, "an error says what is wrong");
+  }
+}
+
+} // namespace
+
+const Targets&
+allTargets ()
+{
+  static const Targets targets = [] {
+    Targets all = {{"pcd", loadOnly<0>},
+                   {"ply", loadOnly<1>},
+                   {"las", loadLas},
+                   {"ascii", loadText},
+                   {"options", readOptions}};
+    all.merge (detectorTargets());
+    return all;
+  }();
+  return targets;
 }
 
 } // namespace pcl_ops::fuzz
