@@ -16,6 +16,30 @@ namespace pcl_ops::apps {
 
 namespace {
 
+/** \brief An option of a length or an area. */
+struct SizeOption {
+  const char *name, *placeholder;
+  std::optional<double> PlaneChoice::*size;
+  const char* help;
+};
+
+constexpr SizeOption sizes[] = {
+    {"min-area", "M2", &PlaneChoice::min_area, "smallest area inside the outline"},
+    {"min-width",
+     "M",
+     &PlaneChoice::min_width,
+     "smallest width of the rectangle around it"},
+    {"max-area", "M2", &PlaneChoice::max_area, "largest area"},
+    {"max-width", "M", &PlaneChoice::max_width, "largest width"}};
+
+/** \brief An option as keys of reports are called. */
+std::string
+underscored (std::string option)
+{
+  std::replace (option.begin(), option.end(), '-', '_');
+  return option;
+}
+
 PlaneFilter
 filterOf (const PlaneChoice& choice, const Eigen::Vector3d& up)
 {
@@ -63,14 +87,9 @@ addSettings (const PlaneChoice& choice, const PlaneFilter& filter, Settings& set
   addSetting ("slope", choice.slope, settings);
   if (choice.min_points)
     settings["min_points"] = filter.min_points;
-  const std::pair<const char*, std::optional<double>> sizes[] = {
-      {"min_area", choice.min_area},
-      {"min_width", choice.min_width},
-      {"max_area", choice.max_area},
-      {"max_width", choice.max_width}};
-  for (const auto& [name, size] : sizes)
-    if (size)
-      settings[name] = *size;
+  for (const auto& [name, placeholder, size, help] : sizes)
+    if (choice.*size)
+      settings[underscored (name)] = *(choice.*size);
   addSetting ("size", choice.size, settings);
   if (choice.max_planes)
     settings["max_planes"] = *choice.max_planes;
@@ -173,17 +192,8 @@ declareChoice (CommandLine& line, PlaneChoice& choice)
               "angles to the horizontal from MIN to MAX degrees");
   line.addNumber (
       "min-points", "N", Range::from (0), choice.min_points, "fewest points");
-  const auto declare_size = [&] (const char* name,
-                                 const char* placeholder,
-                                 std::optional<double>& size,
-                                 const char* help) {
-    line.addNumber (name, placeholder, Range::from (0), size, help);
-  };
-  declare_size ("min-area", "M2", choice.min_area, "smallest area inside the outline");
-  declare_size (
-      "min-width", "M", choice.min_width, "smallest width of the rectangle around it");
-  declare_size ("max-area", "M2", choice.max_area, "largest area");
-  declare_size ("max-width", "M", choice.max_width, "largest width");
+  for (const auto& [name, placeholder, size, help] : sizes)
+    line.addNumber (name, placeholder, Range::from (0), choice.*size, help);
   addNumbers (line,
               "size",
               "W,H,TOLERANCE",
@@ -251,10 +261,8 @@ toObject (const Dropped& dropped)
 {
   nlohmann::ordered_json object;
   object["of"] = dropped.found;
-  for (auto [option, count] : dropped.by_option) {
-    std::replace (option.begin(), option.end(), '-', '_');
-    object["by"][option] = count;
-  }
+  for (const auto& [option, count] : dropped.by_option)
+    object["by"][underscored (option)] = count;
   return object;
 }
 

@@ -49,92 +49,79 @@ detectIn (const TileGrid& grid, const TilePoints& points)
   return detectPlanes (view, parameters);
 }
 
-/** \brief Moments of the first inliers of a plane, those the tile owns.
- * \param[in] corner zero of the tile's frame */
-ExactMoments
-momentsOf (const TilePoints& points,
-           const PlaneSegment& plane,
-           std::size_t own,
-           const Eigen::Vector3d& corner,
-           double unit)
-{
-  ExactMoments moments;
-  moments.unit = unit;
-  for (std::size_t i = 0; i < own; ++i)
-    moments.add (corner +
-                 pointOf (points, static_cast<std::size_t> (plane.inliers[i])));
-  return moments;
-}
+/** \brief A plane that was found in a tile and its halo. */
+struct SeenPlane {
+  const TilePoints& points;
+  const PlaneSegment& plane;
+  /** \brief How many of the inliers, the first, are the tile's own. */
+  std::size_t own;
+  /** \brief Zero of the tile's frame. */
+  Eigen::Vector3d corner;
+  double cell;
+
+  Eigen::Vector3d
+  place (pcl::index_t index) const
+  {
+    return corner + pointOf (points, static_cast<std::size_t> (index));
+  }
+};
 
 /** \brief The tile's share of the outline. */
 std::vector<OutlineEdge>
-edgesOf (const TilePoints& points,
-         const PlaneSegment& plane,
-         std::size_t own,
-         const Eigen::Vector3d& corner,
-         double cell)
+edgesOf (const SeenPlane& seen)
 {
-  const double unit = outlineUnit (cell);
+  const double unit = outlineUnit (seen.cell);
   std::vector<OutlinePoint> places;
-  places.reserve (plane.inliers.size());
-  for (const pcl::index_t index : plane.inliers) {
-    const Eigen::Vector3d place =
-        (corner + pointOf (points, static_cast<std::size_t> (index))) / unit;
+  places.reserve (seen.plane.inliers.size());
+  for (const pcl::index_t index : seen.plane.inliers) {
+    const Eigen::Vector3d place = seen.place (index) / unit;
     places.push_back (
         {{std::llround (place.x()), std::llround (place.y()), std::llround (place.z())},
-         places.size() < own});
+         places.size() < seen.own});
   }
-  return outlineEdges (places, plane.normal, cell / unit);
+  return outlineEdges (places, seen.plane.normal, seen.cell / unit);
 }
 
 /** \brief The inputs that own points are from. */
 std::vector<std::uint32_t>
-inputsOf (const TilePoints& points, const PlaneSegment& plane, std::size_t own)
+inputsOf (const SeenPlane& seen)
 {
   std::vector<std::uint32_t> inputs;
-  auto inlier = plane.inliers.begin();
-  const auto last = inlier + static_cast<std::ptrdiff_t> (own);
-  std::uint64_t end = 0;
-  for (const auto& [input, count] : points.own_of_input) {
-    end += count;
-    const auto next =
-        std::lower_bound (inlier, last, end, [] (pcl::index_t index, std::uint64_t e) {
-          return static_cast<std::uint64_t> (index) < e;
-        });
-    if (next != inlier)
+  const auto begin = seen.plane.inliers.begin();
+  const auto end = begin + static_cast<std::ptrdiff_t> (seen.own);
+  std::uint64_t next = 0;
+  for (const auto& [input, count] : seen.points.own_of_input) {
+    const auto first = std::lower_bound (begin, end, static_cast<pcl::index_t> (next));
+    next += count;
+    if (first != end && static_cast<std::uint64_t> (*first) < next)
       inputs.push_back (input);
-    inlier = next;
   }
   return inputs;
 }
 
 Piece
-pieceOf (const TilePoints& points,
-         const PlaneSegment& plane,
-         std::size_t own,
-         const Eigen::Vector3d& corner,
-         double cell)
+pieceOf (const SeenPlane& seen)
 {
-  Piece piece{momentsOf (points, plane, own, corner, latticeFor (cell)),
-              plane.moments,
-              plane.normal,
-              edgesOf (points, plane, own, corner, cell),
-              inputsOf (points, plane, own)};
-  piece.all.origin += corner;
+  Piece piece{
+      {}, seen.plane.moments, seen.plane.normal, edgesOf (seen), inputsOf (seen)};
+  piece.all.origin += seen.corner;
+  piece.own.unit = latticeFor (seen.cell);
+  for (std::size_t i = 0; i < seen.own; ++i)
+    piece.own.add (seen.place (seen.plane.inliers[i]));
   return piece;
 }
 
 /** \brief Adds the cells of a plane that other tiles look at, too. */
 void
 addClaims (const TileGrid& grid,
-           const TilePoints& points,
-           const PlaneSegment& plane,
+           const SeenPlane& seen,
            std::uint32_t piece,
            std::vector<Claim>& claims)
 {
+  const TilePoints& points = seen.points;
   const CellKey frame = grid.frameOf (points.tile);
   const auto first = static_cast<std::ptrdiff_t> (claims.size());
-  for (const pcl::index_t index : plane.inliers) {
+  for (const pcl::index_t index : seen.plane.inliers) {
     CellKey cell = grid.cellOf (pointOf (points, static_cast<std::size_t> (index)));
     Claim claim{{}, piece};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -271,12 +258,12 @@ detectInTile (const TileGrid& grid, const TilePoints& points)
     const auto own = static_cast<std::size_t> (end - plane.inliers.begin());
     if (own == 0)
       continue;
+    const SeenPlane seen{points, plane, own, corner, grid.cell()};
     addClaims (grid,
-               points,
-               plane,
+               seen,
                static_cast<std::uint32_t> (found.planes.pieces.size()),
                found.planes.claims);
-    found.planes.pieces.push_back (pieceOf (points, plane, own, corner, grid.cell()));
+    found.planes.pieces.push_back (pieceOf (seen));
     for (std::size_t i = 0; i < own; ++i)
       labels[static_cast<std::size_t> (plane.inliers[i])] =
           static_cast<std::uint32_t> (found.planes.pieces.size());

@@ -181,26 +181,6 @@ TEST_F (CloudFile, SavesWhatItLoadedAndNoByteMore)
   EXPECT_TRUE (contentOf (folder_ / "in.pcd") == contentOf (folder_ / "out.pcd"));
 }
 
-TEST_F (CloudFile, AddsLabelsAndColorsBesideTheOtherFields)
-{
-  pcl::io::savePCDFileBinary (folder_ / "in.pcd", threePoints());
-  FileCloud cloud = loadCloud (folder_ / "in.pcd");
-  setLabels (cloud, {2, 0, 1});
-  setColors (cloud, {{255, 0, 0}, {128, 128, 128}, {0, 0, 255}});
-  saveCloud (folder_ / "out.pcd", cloud);
-
-  pcl::PointCloud<pcl::PointXYZRGBL> colored;
-  pcl::PointCloud<pcl::PointXYZI> others;
-  ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "out.pcd", colored), 0);
-  ASSERT_EQ (pcl::io::loadPCDFile (folder_ / "out.pcd", others), 0);
-  EXPECT_EQ (colored[0].label, 2u);
-  EXPECT_EQ (colored[0].r, 255);
-  EXPECT_EQ (colored[2].label, 1u);
-  EXPECT_EQ (colored[2].b, 255);
-  EXPECT_EQ (others[1].intensity, 0.25f);
-  EXPECT_EQ (others[2].y, 5.0f);
-}
-
 TEST_F (CloudFile, ReplacesLabelsAndColorsTheInputHad)
 {
   FileCloud cloud = load ("in.pcd",

@@ -167,17 +167,6 @@ TEST_F (LasFileTest, MovesTheWaveformsBehindThePoints)
              "waveforms");
 }
 
-TEST_F (LasFileTest, DescribesTheLabelAsExtraBytes)
-{
-  const std::string after = labelled (LasRecipe{}, {1, 2});
-  const std::size_t vlr = lasHeaderSize (4);
-  EXPECT_STREQ (&after[vlr + 2], "LASF_Spec");
-  EXPECT_EQ (lasNumber<std::uint16_t> (after, vlr + 18), 4u);
-  EXPECT_EQ (lasNumber<std::uint16_t> (after, vlr + 20), 192u);
-  EXPECT_EQ (after[vlr + 54 + 2], 5) << "unsigned long";
-  EXPECT_STREQ (&after[vlr + 54 + 4], "label");
-}
-
 TEST_F (LasFileTest, AddsTheLabelToTheExtraBytesThereAre)
 {
   LasRecipe recipe;

@@ -4,7 +4,6 @@
 
 #include <cli/errors.h>
 #include <io/output_file.h>
-#include <support/file_size_limit.h>
 #include <support/temporary_folder.h>
 #include <support/text.h>
 
@@ -43,23 +42,6 @@ TEST_F (OutputFile, KeepsTheTargetWhenWritingFails)
     throw WorkError ("a.json", "broke");
   };
   EXPECT_THROW (writeFile (folder_ / "a.json", fail_half_way), WorkError);
-  EXPECT_EQ (contentOf (folder_ / "a.json"), "old");
-  EXPECT_EQ (folder_.fileCount(), 1u);
-}
-
-TEST_F (OutputFile, KeepsTheTargetWhenTheDiskIsFullThoughTheWriterDoesNotLook)
-{
-  constexpr std::size_t room = 1000;
-  writeTextFile (folder_ / "a.json", "old");
-  const FileSizeLimit limit (room);
-  EXPECT_EQ (
-      complaintOf ([&] {
-        writeFile (folder_ / "a.json", [] (std::ostream& stream) {
-          stream << std::string (2 * room, 'n') << std::flush << 'n';
-        });
-      }),
-      folder_ / "a.json" +
-          ": cannot be written (File too large); make room or give another name");
   EXPECT_EQ (contentOf (folder_ / "a.json"), "old");
   EXPECT_EQ (folder_.fileCount(), 1u);
 }
