@@ -8,11 +8,16 @@
 
 #include <cli/errors.h>
 #include <detection/plane_json.h>
+#include <detection/plane_map.h>
+#include <io/las_file.h>
+#include <io/laz_file.h>
 #include <io/output_file.h>
 #include <nlohmann/json.hpp>
 #include <numbers/angles.h>
 #include <pcl_ops/orientation.h>
+#include <pcl_ops/plane_edges.h>
 #include <picture/colors.h>
+#include <picture/picture.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,6 +26,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iomanip>
+#include <iostream>
 #include <limits>
 #include <locale>
 #include <numeric>
@@ -39,6 +45,10 @@ namespace fs = std::filesystem;
 namespace pcl_ops::apps {
 
 namespace {
+
+/** \brief Of coordinates: PCL's point types cannot read doubles, and single precision
+ * loses places far from zero. */
+enum class Precision { Single, Double };
 
 /** \brief Some points of a cloud. PCL's copyPointCloud counts bytes in 32 bits. */
 FileCloud
@@ -331,6 +341,153 @@ toJson (const PlaneEdges& found)
   return jsonText (json);
 }
 
+/** \brief For each point of a cloud its signed distance to its plane, positive where
+ * the normal points to [m]; NaN on no plane. \param[in] planes in the file's frame */
+std::vector<float>
+distancesOf (const FileCloud& cloud, const std::vector<PlaneSegment>& planes)
+{
+  const CoordinateReader place (cloud);
+  std::vector<float> distances (cloud.size(), std::numeric_limits<float>::quiet_NaN());
+  for (const PlaneSegment& plane : planes)
+    for (const pcl::index_t inlier : plane.inliers) {
+      const auto i = static_cast<std::size_t> (inlier);
+      // From the centroid: an equation's offset has few digits left far from zero.
+      distances[i] = static_cast<float> (plane.normal.dot (place (i) - plane.centroid));
+    }
+  return distances;
+}
+
+void
+saveLabelled (const std::string& file,
+              const FileCloud& cloud,
+              const std::vector<PlaneSegment>& planes,
+              const std::vector<std::uint32_t>& labels,
+              const SegmentOptions& options)
+{
+  const std::vector<float> distances =
+      options.distances ? distancesOf (cloud, planes) : std::vector<float>();
+  if (isLasName (file))
+    return saveLabelledLas (file, *cloud.las, labels, distances);
+  saveLabelledCloud (file, cloud, labels, distances, options.keep_color);
+}
+
+Eigen::Isometry3d
+poseOf (const FileCloud& cloud)
+{
+  return Eigen::Translation3d (cloud.origin.head<3>().cast<double>()) *
+         cloud.orientation.cast<double>();
+}
+
+void
+savePlanes (const std::string& file, const Report& report, const MapOptions& map)
+{
+  const std::string text = planesFor (file, toJson (report), map);
+  if (file == standard_stream)
+    std::cout << text;
+  else
+    writeTextFile (file, text);
+}
+
+/** \brief Writes the points on no plane, with all fields of the input, as a .pcd
+ * or .ply; points
+ * without coordinates are left out.
+ * \param[in] shifted of the cloud's points
+ * \param[in] labels per point, 0 for no plane
+ * \throws WorkError if it cannot be written */
+void
+saveRest (const std::string& file,
+          const FileCloud& cloud,
+          const ShiftedCloud& shifted,
+          const std::vector<std::uint32_t>& labels)
+{
+  pcl::Indices rest;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] == 0 && pcl::isFinite ((*shifted.cloud)[i]))
+      rest.push_back (static_cast<pcl::index_t> (i));
+  saveCloud (file, pointsOf (cloud, rest));
+}
+
+/** \brief Writes the points of each plane, with all fields of the input, as
+ * plane_001_horizontal.pcd, plane_002_vertical.pcd and so on, numbered by
+ * their ids. Files of such names that an earlier run has left are removed, so that the
+ * folder has the planes of one cloud. Nothing changes there until all are written.
+ * \param[in] folder is created where it is missing
+ * \param[in] extension of the files, .pcd or .ply
+ * \throws WorkError if the folder cannot be written to */
+void
+savePlaneClouds (const std::string& folder,
+                 const FileCloud& cloud,
+                 const Report& report,
+                 const std::string& extension)
+{
+  const std::vector<PlaneSegment>& planes = report.detected.planes;
+  makeFolder (folder);
+  try {
+    const TemporaryPath written (temporaryFolderIn (folder));
+    for (std::size_t i = 0; i < planes.size(); ++i)
+      saveCloud (
+          (written.path() / planeFile (report.ids[i], planes[i], extension)).string(),
+          pointsOf (cloud, planes[i].inliers));
+    exchangePlanes (folder, written.path());
+  }
+  catch (const fs::filesystem_error& error) {
+    throw OutputError (folder,
+                       "cannot be written to (" + error.code().message() +
+                           "); choose another folder");
+  }
+  catch (const OutputError& error) {
+    throw OutputError (folder, error.problem); // the file's name is a temporary one
+  }
+}
+
+/** \brief Writes the outlines of planes as a mesh in one step, each in the color its
+ * points have in the labeled cloud. Outlines without area are left out.
+ * \param[in] file a .ply in the file's frame, or a .vtk for pcl_viewer, which moves the
+ * labeled cloud by the pose of its sensor, but no mesh: it is written moved
+ * \throws WorkError if it cannot be written */
+void
+saveMesh (const std::string& file,
+          const FileCloud& cloud,
+          const Report& report,
+          Precision precision)
+{
+  const std::vector<PlaneSegment>& planes = report.detected.planes;
+  PolyData mesh{precision, {}, {}, {}, std::nullopt};
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const Rings rings = report.extents[p].rings();
+    if (rings.empty())
+      continue;
+    const auto first = static_cast<pcl::index_t> (mesh.points.size());
+    for (pcl::Indices& face : facesOf (planes[p], report.extents[p].center, rings)) {
+      for (pcl::index_t& corner : face)
+        corner += first;
+      mesh.cells.push_back (face);
+    }
+    const pcl::RGB color = colorOfLabel (report.ids[p]);
+    for (const std::vector<Eigen::Vector3d>& ring : rings)
+      mesh.points.insert (mesh.points.end(), ring.begin(), ring.end());
+    mesh.colors.resize (mesh.points.size(), color);
+  }
+  savePolyData (file, poseOf (cloud), std::move (mesh));
+}
+
+/** \brief Writes where planes meet in one step, in double precision.
+ * \param[in] file a .json or .ply in the file's frame, or a .vtk as \ref saveMesh
+ * \throws WorkError if it cannot be written */
+void
+saveEdges (const std::string& file,
+           const FileCloud& cloud,
+           const ShiftedCloud& shifted,
+           const Report& report)
+{
+  const PlaneEdges edges = numbered (
+      findPlaneEdges (*shifted.cloud, report.detected.planes, {}, shifted.shift),
+      report.ids);
+  if (extensionOf (file) == ".json")
+    return writeTextFile (file, toJson (edges));
+  savePolyData (file, poseOf (cloud), toLines (edges));
+}
+
 } // namespace
 
 bool
@@ -352,80 +509,37 @@ isPlaneFile (const std::string& name)
 }
 
 void
-saveRest (const std::string& file,
-          const FileCloud& cloud,
-          const ShiftedCloud& shifted,
-          const std::vector<std::uint32_t>& labels)
+saveOutputs (const SegmentOptions& options,
+             const Outputs& outputs,
+             const FileCloud& cloud,
+             const ShiftedCloud& shifted,
+             const Report& report)
 {
-  pcl::Indices rest;
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    if (labels[i] == 0 && pcl::isFinite ((*shifted.cloud)[i]))
-      rest.push_back (static_cast<pcl::index_t> (i));
-  saveCloud (file, pointsOf (cloud, rest));
-}
-
-void
-savePlaneClouds (const std::string& folder,
-                 const FileCloud& cloud,
-                 const std::vector<PlaneSegment>& planes,
-                 const std::vector<std::uint32_t>& ids,
-                 const std::string& extension)
-{
-  makeFolder (folder);
-  try {
-    const TemporaryPath written (temporaryFolderIn (folder));
-    for (std::size_t i = 0; i < planes.size(); ++i)
-      saveCloud ((written.path() / planeFile (ids[i], planes[i], extension)).string(),
-                 pointsOf (cloud, planes[i].inliers));
-    exchangePlanes (folder, written.path());
-  }
-  catch (const fs::filesystem_error& error) {
-    throw OutputError (folder,
-                       "cannot be written to (" + error.code().message() +
-                           "); choose another folder");
-  }
-  catch (const OutputError& error) {
-    throw OutputError (folder, error.problem); // the file's name is a temporary one
-  }
-}
-
-void
-saveMesh (const std::string& file,
-          const Eigen::Isometry3d& sensor_pose,
-          const std::vector<PlaneSegment>& planes,
-          const std::vector<std::uint32_t>& ids,
-          const std::vector<PlaneExtent>& extents,
-          Precision precision)
-{
-  PolyData mesh{precision, {}, {}, {}, std::nullopt};
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    const Rings rings = extents[p].rings();
-    if (rings.empty())
-      continue;
-    const auto first = static_cast<pcl::index_t> (mesh.points.size());
-    for (pcl::Indices& face : facesOf (planes[p], extents[p].center, rings)) {
-      for (pcl::index_t& corner : face)
-        corner += first;
-      mesh.cells.push_back (face);
-    }
-    const pcl::RGB color = colorOfLabel (ids[p]);
-    for (const std::vector<Eigen::Vector3d>& ring : rings)
-      mesh.points.insert (mesh.points.end(), ring.begin(), ring.end());
-    mesh.colors.resize (mesh.points.size(), color);
-  }
-  savePolyData (file, sensor_pose, std::move (mesh));
-}
-
-void
-saveEdges (const std::string& file,
-           const Eigen::Isometry3d& sensor_pose,
-           const PlaneEdges& found,
-           const std::vector<std::uint32_t>& ids)
-{
-  const PlaneEdges edges = numbered (found, ids);
-  if (extensionOf (file) == ".json")
-    return writeTextFile (file, toJson (edges));
-  savePolyData (file, sensor_pose, toLines (edges));
+  const std::vector<PlaneSegment>& planes = report.detected.planes;
+  const std::vector<std::uint32_t> labels = labelsOf (planes, cloud.size(), report.ids);
+  if (!outputs.cloud.empty())
+    saveLabelled (outputs.cloud, cloud, planes, labels, options);
+  if (!outputs.image.empty())
+    savePicture (outputs.image,
+                 *shifted.cloud,
+                 labelsOf (planes, cloud.size()),
+                 planes,
+                 report.detected.up,
+                 report.ids);
+  if (!outputs.mesh.empty())
+    saveMesh (outputs.mesh,
+              cloud,
+              report,
+              shifted.shift.isZero (0.0) ? Precision::Single : Precision::Double);
+  if (!outputs.edges.empty())
+    saveEdges (outputs.edges, cloud, shifted, report);
+  if (!outputs.rest.empty())
+    saveRest (outputs.rest, cloud, shifted, labels);
+  if (!outputs.planes_dir.empty())
+    savePlaneClouds (outputs.planes_dir, cloud, report, options.fileFormat());
+  // Last: a pipe gets its JSON when the files are there.
+  if (!outputs.planes.empty())
+    savePlanes (outputs.planes, report, options.map);
 }
 
 } // namespace pcl_ops::apps
