@@ -138,19 +138,6 @@ TEST_P (SegmentMethods, LabelsACloudWithoutASingleReading)
   EXPECT_EQ (distinct (cloud, 0, 2 * points_of_plane + 1), std::set<std::uint32_t>{0});
 }
 
-TEST_F (SegmentRoom, TakesTheBestRowsOfThePaperFromItsPreset)
-{
-  const auto ops = planesOf ("--method ops --preset paper")["parameters"];
-  EXPECT_EQ (ops["sampling"], "points");
-  EXPECT_EQ (ops["k"], 30);
-  const auto fspf = planesOf ("--method fspf --preset paper")["parameters"];
-  EXPECT_EQ (fspf["inner_radius"], 0.07);
-  EXPECT_EQ (fspf["outer_radius"], 0.14);
-  const auto kht = planesOf ("--method kht --preset paper")["parameters"];
-  EXPECT_EQ (kht["phi_num"], 80);
-  EXPECT_EQ (kht["rho_num"], 800);
-}
-
 TEST_F (SegmentRoom, KeepsTheRatioOfTheRadiiWhereOneIsGiven)
 {
   const auto inner = planesOf ("--method fspf --inner-radius 0.3")["parameters"];
