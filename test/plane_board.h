@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_extent.h>
 
@@ -33,5 +35,19 @@ board (const Eigen::Vector3d& middle,
           size.x() * s * along + size.y() * t * across + height * plane.normal;
       plane.moments.add (place.x(), place.y(), place.z());
     }
+  return plane;
+}
+
+/** \brief The plane in another frame. */
+inline pcl_ops::PlaneSegment
+moved (const Eigen::Isometry3d& pose, pcl_ops::PlaneSegment plane)
+{
+  const Eigen::Matrix3d turn = pose.linear();
+  plane.centroid = pose * plane.centroid;
+  plane.normal = turn * plane.normal;
+  plane.moments =
+      pcl_ops::Moments::of (plane.moments.count,
+                            plane.centroid,
+                            turn * plane.moments.covariance() * turn.transpose());
   return plane;
 }

@@ -8,45 +8,26 @@
 
 namespace pcl_ops::internal {
 
-namespace {
-
-NeighborSearch
-ownSearch (const CloudView& cloud, const Points& points, unsigned threads)
-{
-  const auto tree = std::make_shared<const BoxTree> (buildBoxTree (points, cloud));
-  const auto find = [tree, cloud] (pcl::index_t point,
-                                   NeighborQuery query,
-                                   pcl::Indices& neighbours,
-                                   std::vector<float>& squared_distances) {
-    const float* const position = cloud[static_cast<std::size_t> (point)];
-    query.position = {position[0], position[1], position[2]};
-    query.sorted = false;
-    tree->find (query, neighbours, squared_distances);
-  };
-  NeighborSearch search;
-  search.nearest =
-      [find] (pcl::index_t point, int k, auto& neighbours, auto& distances) {
-        NeighborQuery query;
-        query.max_neighbors = static_cast<std::size_t> (k);
-        find (point, query, neighbours, distances);
-      };
-  search.within =
-      [find] (pcl::index_t point, double radius, auto& neighbours, auto& distances) {
-        NeighborQuery query;
-        query.squared_radius = static_cast<float> (radius * radius);
-        find (point, query, neighbours, distances);
-      };
-  search.threads = threads;
-  return search;
-}
-
-} // namespace
-
 NeighborSearch
 searchOver (const DetectorInput& input, const Points& points, unsigned threads)
 {
-  return input.search_over ? input.search_over (points.index)
-                           : ownSearch (input.cloud, points, threads);
+  if (input.search_over)
+    return input.search_over (points.index);
+  const auto tree = std::make_shared<const BoxTree> (buildBoxTree (points, input.cloud));
+  NeighborSearch search;
+  search.nearest = [tree, cloud = input.cloud] (pcl::index_t point,
+                                                int k,
+                                                pcl::Indices& neighbours,
+                                                std::vector<float>& squared_distances) {
+    const float* const position = cloud[static_cast<std::size_t> (point)];
+    NeighborQuery query;
+    query.position = {position[0], position[1], position[2]};
+    query.max_neighbors = static_cast<std::size_t> (k);
+    query.sorted = false;
+    tree->find (query, neighbours, squared_distances);
+  };
+  search.threads = threads;
+  return search;
 }
 
 } // namespace pcl_ops::internal

@@ -4,8 +4,9 @@
 
 #include <Eigen/Geometry>
 
+#include "geometry/float_plane.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace pcl_ops::internal {
 
@@ -14,25 +15,16 @@ namespace {
 /** Before a hypothesis is given up. */
 constexpr int max_draws = 1000;
 
-/** A plane with the test for its inliers, in the points' own precision. */
+/** A plane with the test for its inliers. */
 struct Hypothesis {
   const Coordinates& points;
-  Eigen::Vector3f normal;
-  float offset;
+  FloatPlane plane;
   float threshold;
-
-  Hypothesis (const Coordinates& points, const Plane& plane, double distance_threshold)
-  : points (points)
-  , normal (plane.normal.cast<float>())
-  , offset (static_cast<float> (plane.offset))
-  , threshold (static_cast<float> (distance_threshold))
-  {}
 
   bool
   isInlier (std::uint32_t i) const
   {
-    return std::abs (normal.x() * points.x[i] + normal.y() * points.y[i] +
-                     normal.z() * points.z[i] + offset) < threshold;
+    return plane.distance (points.x[i], points.y[i], points.z[i]) < threshold;
   }
 
   Moments
@@ -145,7 +137,8 @@ planeAround (const Coordinates& points,
     visits += max_draws;
     return std::nullopt;
   }
-  const Hypothesis hypothesis (points, *plane, distance_threshold);
+  const Hypothesis hypothesis{
+      points, FloatPlane (*plane), static_cast<float> (distance_threshold)};
   const Indices samples = passTest (hypothesis, sphere, parameters, generator);
   if (samples.empty())
     return std::nullopt;

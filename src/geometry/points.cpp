@@ -103,49 +103,6 @@ usualPosition (const CloudView& cloud, const pcl::Indices& indices)
   return roundedMedian (values);
 }
 
-// Copies points that follow each other in the cloud. The stride of arrays and of
-// the usual point types is known when this is compiled, so that loads are vectors.
-template <std::size_t known_stride>
-void
-copyConsecutive (const float* first,
-                 std::size_t any_stride,
-                 std::size_t begin,
-                 std::size_t end,
-                 Points& points)
-{
-  const Eigen::Vector3f origin = points.origin.cast<float>();
-  const float ox = origin.x(), oy = origin.y(), oz = origin.z();
-  const std::size_t stride = known_stride > 0 ? known_stride : any_stride;
-  float* const x = points.x.data() + begin;
-  float* const y = points.y.data() + begin;
-  float* const z = points.z.data() + begin;
-  for (std::size_t i = 0; i < end - begin; ++i) {
-    x[i] = first[i * stride] - ox;
-    y[i] = first[i * stride + 1] - oy;
-    z[i] = first[i * stride + 2] - oz;
-  }
-}
-
-void
-copyConsecutive (const CloudView& cloud,
-                 pcl::index_t first_index,
-                 std::size_t begin,
-                 std::size_t end,
-                 Points& points)
-{
-  const float* const first = positionOf (cloud, first_index);
-  switch (cloud.stride) {
-  case 3:
-    return copyConsecutive<3> (first, cloud.stride, begin, end, points);
-  case 4:
-    return copyConsecutive<4> (first, cloud.stride, begin, end, points);
-  case 8:
-    return copyConsecutive<8> (first, cloud.stride, begin, end, points);
-  default:
-    return copyConsecutive<0> (first, cloud.stride, begin, end, points);
-  }
-}
-
 // Copies points in the order of the indices, in the frame of their origin; returns
 // whether all are finite.
 bool
@@ -155,22 +112,22 @@ copyPoints (const CloudView& cloud,
             Points& points)
 {
   constexpr std::size_t points_per_piece = 8192;
+  const Eigen::Vector3f origin = points.origin.cast<float>();
   points.resize (indices.size());
   std::atomic<bool> all_finite (true);
-  parallelFor (
-      threads,
-      indices.size(),
-      points_per_piece,
-      [&] (std::size_t begin, std::size_t end) {
-        if (areConsecutive (indices.data() + begin, end - begin))
-          copyConsecutive (cloud, indices[begin], begin, end, points);
-        else
-          for (std::size_t i = begin; i < end; ++i)
-            copyConsecutive<0> (
-                positionOf (cloud, indices[i]), cloud.stride, i, i + 1, points);
-        if (!areFinite (points, begin, end))
-          all_finite = false;
-      });
+  parallelFor (threads,
+               indices.size(),
+               points_per_piece,
+               [&] (std::size_t begin, std::size_t end) {
+                 for (std::size_t i = begin; i < end; ++i) {
+                   const float* const position = positionOf (cloud, indices[i]);
+                   points.x[i] = position[0] - origin.x();
+                   points.y[i] = position[1] - origin.y();
+                   points.z[i] = position[2] - origin.z();
+                 }
+                 if (!areFinite (points, begin, end))
+                   all_finite = false;
+               });
   return all_finite;
 }
 

@@ -36,14 +36,17 @@ assignOctreePoints (const OctreeClusters& found,
                     const std::vector<Plane>& planes,
                     const KernelHoughTransformParameters& parameters)
 {
-  const Labels in_octree_order = assignPoints (found.points,
+  Coordinates points;
+  for (const OctreePoint& point : found.points)
+    points.add (point.x, point.y, point.z);
+  const Labels in_octree_order = assignPoints (points,
                                                planes,
                                                *parameters.distance_threshold,
                                                AssignmentRule::First,
                                                parameters.threads);
   Labels labels (size, no_plane);
   for (std::size_t i = 0; i < in_octree_order.size(); ++i)
-    labels[found.points.order[i]] = in_octree_order[i];
+    labels[found.points[i].index] = in_octree_order[i];
   return labels;
 }
 
@@ -62,7 +65,7 @@ voxelsOfClusters (const std::vector<HoughPlane>& planes,
     for (const std::uint32_t c : plane.clusters) {
       const CoplanarCluster& cluster = found.clusters[c];
       for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
-        const std::uint32_t voxel = voxel_of_point[found.points.order[i]];
+        const std::uint32_t voxel = voxel_of_point[found.points[i].index];
         if (voxels.plane_of_voxel[voxel] == no_plane)
           voxels.plane_of_voxel[voxel] = label;
       }
@@ -98,24 +101,19 @@ settleVoxels (const VoxelGrid& grid,
   measureNoise (grid, parameters.threads, planes);
 }
 
-} // namespace
-
+/** Replaces each least squares plane by the plane its points were assigned to, with the
+ * centroid moved onto it: the first one's where planes were merged. */
 void
 restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
 {
-  std::vector<bool> is_restored (merged.fits.size(), false);
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    if (merged.merged_into[i] == no_plane)
-      continue;
-    const auto group = static_cast<std::size_t> (merged.merged_into[i]);
-    if (is_restored[group])
-      continue;
-    is_restored[group] = true;
-    PlaneFit& fit = merged.fits[group];
-    fit.plane = planes[i];
-    fit.centroid -= planes[i].distance (fit.centroid) * planes[i].normal;
-  }
+  for (std::size_t i = planes.size(); i-- > 0;)
+    if (const std::int32_t group = merged.merged_into[i]; group != no_plane)
+      merged.fits[static_cast<std::size_t> (group)].plane = planes[i];
+  for (PlaneFit& fit : merged.fits)
+    fit.centroid -= fit.plane.distance (fit.centroid) * fit.plane.normal;
 }
+
+} // namespace
 
 LabelledPlanes
 assignToUnboundedPlanes (const Points& points,

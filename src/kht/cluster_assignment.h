@@ -35,9 +35,4 @@ assignToOutlinedPlanes (const Points& points,
                         const KernelHoughTransformParameters& parameters,
                         StageDurations& durations);
 
-/** \brief Replaces each least squares plane by the plane its points were assigned to,
- * with the centroid moved onto it: the first one's where planes were merged. */
-void
-restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes);
-
 } // namespace pcl_ops::internal

@@ -5,7 +5,7 @@
 #include "kht/spherical_accumulator.h"
 
 #include <algorithm>
-#include <numeric>
+#include <iterator>
 #include <optional>
 #include <queue>
 #include <utility>
@@ -20,18 +20,6 @@ constexpr double largest_rms_share = 0.5;
 
 // Fits of a plane, each to the clusters near the one before.
 constexpr int fits_per_plane = 2;
-
-SphericalAccumulator
-castAllVotes (const OctreeClusters& found, HoughSpace space)
-{
-  SphericalAccumulator accumulator (std::move (space));
-  KernelVotes votes;
-  for (std::uint32_t c = 0; c < found.clusters.size(); ++c) {
-    castVotes (kernelOf (found.clusters[c], found), accumulator.space(), votes);
-    accumulator.add (votes, c);
-  }
-  return accumulator;
-}
 
 double
 weightOf (const ClusterList& clusters, const OctreeClusters& found)
@@ -52,18 +40,8 @@ momentsOf (const ClusterList& clusters, const OctreeClusters& found)
   return moments;
 }
 
-/** Those of some clusters that no plane has taken yet. */
-ClusterList
-freeAmong (const ClusterList& clusters, const std::vector<bool>& is_free)
-{
-  ClusterList free;
-  std::copy_if (clusters.begin(),
-                clusters.end(),
-                std::back_inserter (free),
-                [&] (std::uint32_t cluster) { return is_free[cluster]; });
-  return free;
-}
-
+/** The clusters that no plane has taken yet and whose rms distance to a plane is small
+ * enough. */
 ClusterList
 freeNear (const Plane& plane,
           double largest_rms,
@@ -93,10 +71,10 @@ struct Rank {
 std::priority_queue<Rank>
 rankPlanes (const std::vector<HoughPlane>& planes, const OctreeClusters& found)
 {
-  std::vector<Rank> ranks;
+  std::priority_queue<Rank> ranks;
   for (std::size_t p = 0; p < planes.size(); ++p)
-    ranks.push_back ({weightOf (planes[p].clusters, found), p});
-  return std::priority_queue<Rank> (std::less<Rank>(), std::move (ranks));
+    ranks.push ({weightOf (planes[p].clusters, found), p});
+  return ranks;
 }
 
 } // namespace
@@ -125,10 +103,14 @@ voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num)
 {
   if (found.clusters.empty())
     return {};
-  const SphericalAccumulator accumulator = castAllVotes (
-      found,
-      HoughSpace{BallDirections (phi_num), rho_num, found.root.radius / rho_num});
+  SphericalAccumulator accumulator (
+      {BallDirections (phi_num), rho_num, found.root.radius / rho_num});
   const HoughSpace& space = accumulator.space();
+  KernelVotes votes;
+  for (std::uint32_t c = 0; c < found.clusters.size(); ++c) {
+    castVotes (kernelOf (found.clusters[c], found), space, votes);
+    accumulator.add (votes, c);
+  }
   std::vector<HoughPlane> planes;
   for (HoughPeak& peak : accumulator.peaks()) {
     const Eigen::Vector3d normal = space.directions.vectorOf (peak.direction);
@@ -150,14 +132,17 @@ refitPlanes (const std::vector<HoughPlane>& planes,
   const double min_count = min_share * static_cast<double> (found.points.size());
   std::vector<bool> is_free (found.clusters.size(), true);
   std::vector<HoughPlane> refitted;
-  auto ranks = rankPlanes (planes, found);
-  while (!ranks.empty()) {
-    const Rank first = ranks.top();
+  for (auto ranks = rankPlanes (planes, found); !ranks.empty();) {
+    const auto [last_weight, plane] = ranks.top();
     ranks.pop();
-    ClusterList clusters = freeAmong (planes[first.plane].clusters, is_free);
+    ClusterList clusters;
+    std::copy_if (planes[plane].clusters.begin(),
+                  planes[plane].clusters.end(),
+                  std::back_inserter (clusters),
+                  [&] (std::uint32_t cluster) { return is_free[cluster]; });
     const double weight = weightOf (clusters, found);
-    if (weight < first.weight) {
-      ranks.push ({weight, first.plane});
+    if (weight < last_weight) {
+      ranks.push ({weight, plane});
       continue;
     }
     Moments moments = momentsOf (clusters, found);

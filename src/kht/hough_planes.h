@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kht/kernel_votes.h"
 #include "kht/octree_clusters.h"
-#include "kht/plane_kernel.h"
 #include <pcl_ops/plane.h>
 
 #include <cstdint>

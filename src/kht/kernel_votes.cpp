@@ -24,17 +24,17 @@ constexpr double max_bins = 32.0;
 // azimuth, the likeliest one of another row may be any number of turns away.
 constexpr int max_patches = 1 << 30;
 
-/** ceil and floor to int, bounded so that no double overflows it. */
-int
-firstAtLeast (double value, int low, int high)
-{
-  return static_cast<int> (std::ceil (std::clamp<double> (value, low, high)));
-}
+// Keeps the Jacobian finite at the poles and for planes through the center [m^2].
+constexpr double smallest_squared_distance = 1e-5;
 
+// Added to the variance of rho [m^2].
+constexpr double min_rho_variance = 1e-5;
+
+/** To int, bounded so that no double overflows it. */
 int
-lastAtMost (double value, int low, int high)
+bounded (double value, int low, int high)
 {
-  return static_cast<int> (std::floor (std::clamp<double> (value, low, high)));
+  return static_cast<int> (std::clamp<double> (value, low, high));
 }
 
 class VoteCaster {
@@ -76,8 +76,10 @@ public:
     const double reach = std::min (
         std::sqrt (largest_squared_distance) * phi_deviation_, max_directions * step);
     const int phi_num = space_.directions.phiNum();
-    const int first = firstAtLeast ((mean_phi_ - reach) / step, -phi_num, 2 * phi_num);
-    const int last = lastAtMost ((mean_phi_ + reach) / step, -phi_num, 2 * phi_num);
+    const int first =
+        bounded (std::ceil ((mean_phi_ - reach) / step), -phi_num, 2 * phi_num);
+    const int last =
+        bounded (std::floor ((mean_phi_ + reach) / step), -phi_num, 2 * phi_num);
     for (int row = first; row <= last; ++row)
       castRow (row);
     castOwnBin();
@@ -114,10 +116,11 @@ private:
     const double middle_patch = (start + middle) / step - 0.5;
     const double reach =
         std::min ({std::sqrt (room / tt_) / step, 0.5 * patches, max_directions});
-    const int first = firstAtLeast (middle_patch - reach, -max_patches, max_patches);
-    const int last =
-        std::min (lastAtMost (middle_patch + reach, -max_patches, max_patches),
-                  first + patches - 1);
+    const int first =
+        bounded (std::ceil (middle_patch - reach), -max_patches, max_patches);
+    const int last = std::min (
+        bounded (std::floor (middle_patch + reach), -max_patches, max_patches),
+        first + patches - 1);
     for (int patch = first; patch <= last; ++patch)
       castRay (directions.patchOfRow (reflected, patch),
                {phi_offset, (patch + 0.5) * step - start});
@@ -132,8 +135,9 @@ private:
     const double step = space_.rho_step;
     const double reach = std::min (std::sqrt (room * rho_variance_), max_bins * step);
     const int bins = space_.rho_num;
-    const int first = firstAtLeast ((middle - reach) / step - 0.5, -bins, bins);
-    const int last = lastAtMost ((middle + reach) / step - 0.5, -bins - 1, bins - 1);
+    const int first = bounded (std::ceil ((middle - reach) / step - 0.5), -bins, bins);
+    const int last =
+        bounded (std::floor ((middle + reach) / step - 0.5), -bins - 1, bins - 1);
     const double height = peak_ * std::exp (-0.5 * distance);
     if (last >= 0 && last >= first) {
       const int from = std::max (first, 0);
@@ -259,6 +263,41 @@ private:
 };
 
 } // namespace
+
+PlaneKernel
+planeKernel (const Plane& plane,
+             const Eigen::Vector3d& centroid,
+             const Eigen::Matrix3d& covariance,
+             const Eigen::Vector3d& center,
+             double weight)
+{
+  const double signed_rho = (centroid - center).dot (plane.normal);
+  const Eigen::Vector3d normal =
+      signed_rho < 0.0 ? Eigen::Vector3d (-plane.normal) : plane.normal;
+  const double rho = std::abs (signed_rho);
+  const double theta = std::atan2 (normal.y(), normal.x());
+  const double horizontal = std::hypot (normal.x(), normal.y());
+  const double guard = std::sqrt (smallest_squared_distance);
+
+  // p = rho n, w = px^2 + py^2, q = w + pz^2. The rows are written with the cosine and
+  // sine of theta for px / sqrt (w) and py / sqrt (w), which stay defined at the poles.
+  const double root_w = std::max (rho * horizontal, guard);
+  const double root_q = std::max (rho, guard);
+  Eigen::Matrix3d jacobian;
+  jacobian.row (0) = normal;
+  jacobian.row (1) << std::cos (theta) * normal.z(), std::sin (theta) * normal.z(),
+      -horizontal;
+  jacobian.row (1) /= root_q;
+  jacobian.row (2) << -std::sin (theta) / root_w, std::cos (theta) / root_w, 0.0;
+
+  PlaneKernel kernel;
+  const double phi = std::acos (std::clamp (normal.z(), -1.0, 1.0));
+  kernel.mean = Eigen::Vector3d (rho, phi, theta);
+  kernel.covariance = jacobian * covariance * jacobian.transpose();
+  kernel.covariance (0, 0) += min_rho_variance;
+  kernel.weight = weight;
+  return kernel;
+}
 
 void
 castVotes (const PlaneKernel& kernel, const HoughSpace& space, KernelVotes& votes)

@@ -3,12 +3,35 @@
 #pragma once
 
 #include "kht/ball_directions.h"
-#include "kht/plane_kernel.h"
+#include <pcl_ops/plane.h>
 
 #include <cstdint>
 #include <vector>
 
 namespace pcl_ops::internal {
+
+/** \brief A trivariate Gaussian over planes, in the order rho [m], phi [rad], theta
+ * [rad] (Limberger & Oliveira 2015, section 3.2). */
+struct PlaneKernel {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+  /** \brief Factor of its density. */
+  double weight = 1.0;
+};
+
+/** \brief The kernel of a set of points near a plane: the points' covariance carried
+ * over to the plane's parameters, Sigma_rpt = J Sigma_xyz J^T, plus 1e-5 on (rho, rho).
+ * \param[in] plane the points' plane; the sign of its normal means nothing
+ * \param[in] centroid the points' centroid
+ * \param[in] covariance Sigma_xyz, the points' population covariance
+ * \param[in] center center of the ball, in the same frame
+ * \param[in] weight factor of its density */
+PlaneKernel
+planeKernel (const Plane& plane,
+             const Eigen::Vector3d& centroid,
+             const Eigen::Matrix3d& covariance,
+             const Eigen::Vector3d& center,
+             double weight);
 
 /** \brief A kernel's votes along rho in one direction. */
 struct VoteRay {

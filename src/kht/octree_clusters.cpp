@@ -2,148 +2,228 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kht/octree_clusters.h"
 
+#include <Eigen/Geometry>
+
 #include "base/parallel.h"
-#include "search/counting_sort.h"
+#include "voxels/morton_code.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace pcl_ops::internal {
 namespace {
 
+// Cubes below it are points: their leaves could not be counted in single precision [m].
+constexpr double smallest_edge = 1e-30;
+
 // Points farther from a node's plane than this share of its edge are dropped.
 constexpr double dropped_distance_share = 0.1;
+
+// All points are sorted into the nodes of this level at once: 8^5 of them fit a 16 bit
+// code and the second level cache.
+constexpr int sorted_level = 5;
 
 // The nodes of this level, or of s_level if that is higher up, are shared out to
 // threads.
 constexpr int max_start_level = 2;
 
-using OctantBegins = std::array<std::uint32_t, 9>;
-
-/** Moments about the center of the root, so that those of nodes can be added. */
-Moments
-momentsOf (const Coordinates& points, const OctreeNode& node, const RootCube& root)
+/** From where to where values are, 2 per cent at either end left out, which may be
+ * stray ones; some thousand values stand for all. */
+std::pair<double, double>
+middleOf (const std::vector<float>& values)
 {
-  Moments moments;
-  moments.origin = root.center;
-  for (std::uint32_t i = node.begin; i < node.end; ++i)
-    moments.add (points.x[i] - root.center.x(),
-                 points.y[i] - root.center.y(),
-                 points.z[i] - root.center.z());
-  return moments;
+  constexpr std::size_t looked_at = 10000;
+  constexpr double stray_share = 0.02;
+  const std::size_t stride = values.size() / looked_at + 1;
+  std::vector<float> some;
+  for (std::size_t i = 0; i < values.size(); i += stride)
+    some.push_back (values[i]);
+  const auto stray =
+      static_cast<std::ptrdiff_t> (std::ceil (stray_share * (some.size() - 1)));
+  const auto low = some.begin() + stray, high = some.end() - 1 - stray;
+  std::nth_element (some.begin(), low, some.end());
+  const double lowest = *low;
+  std::nth_element (some.begin(), high, some.end());
+  return {lowest, *high};
 }
 
-/** Moments of the deepest sorted leaves of a node. */
-void
-sumUpLeaves (const SortedOctree& octree,
-             int level,
-             std::size_t code,
-             std::vector<Moments>& moments)
+/** Where all points are that are not far from the others. */
+Eigen::AlignedBox3d
+fenceOf (const Coordinates& points)
 {
-  const int shift = 3 * (octree.level - level);
-  for (std::size_t leaf = code << shift; leaf < (code + 1) << shift; ++leaf)
-    if (octree.begins[leaf] < octree.begins[leaf + 1])
-      moments[leaf] =
-          momentsOf (octree.points, octree.node (octree.level, leaf), octree.root);
+  Eigen::Vector3d low, high;
+  std::tie (low.x(), high.x()) = middleOf (points.x);
+  std::tie (low.y(), high.y()) = middleOf (points.y);
+  std::tie (low.z(), high.z()) = middleOf (points.z);
+  double width = (high - low).maxCoeff();
+  // Where nearly all points are equal nothing tells how far the others may be.
+  if (!(width > 0.0))
+    width = std::numeric_limits<double>::infinity();
+  return {low - Eigen::Vector3d::Constant (width),
+          high + Eigen::Vector3d::Constant (width)};
+}
+
+/** A range of points in a cube. */
+struct OctreeNode {
+  std::uint32_t begin = 0, end = 0;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  /** Length of its edge [m]. */
+  double edge = 0.0;
+  /** 0 for the root. */
+  int level = 0;
+  /** Its place in Morton order among the nodes of its level, down to sorted_level. */
+  std::size_t code = 0;
+
+  std::size_t
+  size () const
+  {
+    return end - begin;
+  }
+};
+
+/** Sorts a node's points into the 8^levels cubes within, in Morton order (a stable
+ * counting sort).
+ * \param[in] pointAt (i) one of its points
+ * \param[out] sorted where the points of the root begin
+ * \return where each cube begins there, and where the last one ends */
+template <typename PointAt>
+Indices
+sortIntoCubes (const OctreeNode& node,
+               int levels,
+               PointAt&& pointAt,
+               OctreePoint* sorted)
+{
+  const int cubes = 1 << levels;
+  const auto scale = static_cast<float> (cubes / node.edge);
+  const auto half = 0.5f * static_cast<float> (cubes);
+  const auto last = static_cast<float> (cubes - 1);
+  const Eigen::Vector3f center = node.center.cast<float>();
+  const auto bits = [=] (float value, float middle) {
+    // In this order NaN, of a point in the middle of a cube of no size, becomes 0.
+    const float cube =
+        std::min (last, std::max (0.0f, (value - middle) * scale + half));
+    return spreadBits (static_cast<std::uint32_t> (cube));
+  };
+  std::vector<std::uint16_t> codes (node.size());
+  Indices begins ((std::size_t (1) << (3 * levels)) + 1, 0);
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    const OctreePoint p = pointAt (i);
+    codes[i] = static_cast<std::uint16_t> (bits (p.x, center.x()) |
+                                           bits (p.y, center.y()) << 1 |
+                                           bits (p.z, center.z()) << 2);
+    ++begins[codes[i] + std::size_t (1)];
+  }
+  begins[0] = node.begin;
+  std::partial_sum (begins.begin(), begins.end(), begins.begin());
+  Indices next = begins;
+  for (std::size_t i = 0; i < codes.size(); ++i)
+    sorted[next[codes[i]]++] = pointAt (i);
+  return begins;
 }
 
 /** Descends from a node and collects the clusters below, depth first. */
-class ClusterCollector {
-public:
-  ClusterCollector (SortedOctree& octree,
-                    const std::vector<Moments>& leaf_moments,
-                    const OctreeClusterParameters& parameters,
-                    std::vector<CoplanarCluster>& clusters)
-  : octree_ (octree)
-  , points_ (octree.points)
-  , leaf_moments_ (leaf_moments)
-  , parameters_ (parameters)
-  , clusters_ (clusters)
-  {}
+struct Descent {
+  const RootCube& root;
+  /** Where the nodes of sorted_level begin, and where the last one ends. */
+  const Indices& begins;
+  const OctreeClusterParameters& parameters;
+  std::vector<OctreePoint>& points;
+  std::vector<CoplanarCluster> clusters = {};
 
-  /** Through the levels that are sorted, down to those that are not. */
-  void
-  descendSorted (int level, std::size_t code)
+  /** A node of sorted_level or above. */
+  OctreeNode
+  sortedNode (int level, std::size_t code) const
   {
-    const OctreeNode node = octree_.node (level, code);
-    if (node.size() < parameters_.min_samples)
-      return;
-    if (level == octree_.level)
-      return descend (node, leaf_moments_[code]);
-    if (level >= parameters_.first_level &&
-        addIfCoplanar (node, sumOfLeaves (level, code)))
-      return;
-    for (std::size_t octant = 0; octant < 8; ++octant)
-      descendSorted (level + 1, 8 * code + octant);
+    const double edge = std::ldexp (root.edge, -level);
+    const VoxelKey place = numbersOf (code);
+    const Eigen::Vector3d from_corner (place.x + 0.5, place.y + 0.5, place.z + 0.5);
+    const Eigen::Vector3d half_root = Eigen::Vector3d::Constant (root.edge / 2.0);
+    const int shift = 3 * (sorted_level - level);
+    return {begins[code << shift],
+            begins[(code + 1) << shift],
+            root.center - half_root + edge * from_corner,
+            edge,
+            level,
+            code};
   }
 
-private:
   void
-  descend (const OctreeNode& node, const Moments& moments)
+  descend (const OctreeNode& node)
   {
-    if (node.level >= parameters_.first_level && addIfCoplanar (node, moments))
+    if (node.size() < parameters.min_samples ||
+        (node.level >= parameters.first_level && addIfCoplanar (node)) ||
+        node.level >= parameters.max_level)
       return;
-    if (node.level >= parameters_.max_level)
+    if (node.level < sorted_level) {
+      for (std::size_t octant = 0; octant < 8; ++octant)
+        descend (sortedNode (node.level + 1, 8 * node.code + octant));
       return;
-    const OctantBegins begins = sortIntoOctants (node);
+    }
+    const std::vector<OctreePoint> unsorted (points.begin() + node.begin,
+                                             points.begin() + node.end);
+    const Indices octants = sortIntoCubes (
+        node, 1, [&] (std::size_t i) { return unsorted[i]; }, points.data());
     const double quarter = node.edge / 4.0;
     for (unsigned octant = 0; octant < 8; ++octant) {
       const Eigen::Vector3d offset (octant & 1u ? quarter : -quarter,
                                     octant & 2u ? quarter : -quarter,
                                     octant & 4u ? quarter : -quarter);
-      const OctreeNode child{begins[octant],
-                             begins[octant + 1],
-                             node.center + offset,
-                             node.edge / 2.0,
-                             node.level + 1};
-      if (child.size() >= parameters_.min_samples)
-        descend (child, momentsOf (points_, child, octree_.root));
+      descend ({octants[octant],
+                octants[octant + 1],
+                node.center + offset,
+                node.edge / 2.0,
+                node.level + 1});
     }
   }
 
-  Moments
-  sumOfLeaves (int level, std::size_t code) const
-  {
-    const int shift = 3 * (octree_.level - level);
-    Moments sum;
-    for (std::size_t leaf = code << shift; leaf < (code + 1) << shift; ++leaf)
-      sum += leaf_moments_[leaf];
-    return sum;
-  }
-
+private:
   bool
-  addIfCoplanar (const OctreeNode& node, const Moments& moments)
+  addIfCoplanar (const OctreeNode& node)
   {
-    std::optional<PlaneFit> fit = fitPlane (moments);
+    CoplanarCluster cluster;
+    cluster.edge = node.edge;
+    cluster.level = node.level;
+    cluster.begin = node.begin;
+    cluster.end = node.end;
+    std::optional<PlaneFit> fit = fitTo (cluster);
     if (!fit || !isCoplanar (fit->variances))
       return false;
-    CoplanarCluster cluster;
-    cluster.moments = moments;
-    OctreeNode kept = node;
-    kept.end = dropFarPoints (node, fit->plane);
-    if (kept.end < node.end) {
-      cluster.moments = momentsOf (points_, kept, octree_.root);
-      fit = fitPlane (cluster.moments);
-    }
+    cluster.end = dropFarPoints (node, fit->plane);
+    if (cluster.end < node.end)
+      fit = fitTo (cluster);
     if (!fit)
       return true;
     cluster.fit = *fit;
-    cluster.edge = node.edge;
-    cluster.level = node.level;
-    cluster.begin = kept.begin;
-    cluster.end = kept.end;
-    clusters_.push_back (cluster);
+    clusters.push_back (cluster);
     return true;
+  }
+
+  /** Its moments are about the center of the root, so that those of clusters can be
+   * added. */
+  std::optional<PlaneFit>
+  fitTo (CoplanarCluster& cluster) const
+  {
+    const Eigen::Vector3d center = root.center;
+    Moments moments; // on its own: it stays in registers
+    moments.origin = center;
+    for (std::uint32_t i = cluster.begin; i < cluster.end; ++i)
+      moments.add (
+          points[i].x - center.x(), points[i].y - center.y(), points[i].z - center.z());
+    cluster.moments = moments;
+    return fitPlane (cluster.moments);
   }
 
   bool
   isCoplanar (const Eigen::Vector3d& variances) const
   {
-    return variances[0] * parameters_.s_alpha < variances[1] &&
-           variances[1] * parameters_.s_beta > variances[2];
+    return variances[0] * parameters.s_alpha < variances[1] &&
+           variances[1] * parameters.s_beta > variances[2];
   }
 
   /** Moves the points near the plane to the node's front; returns their end. */
@@ -153,51 +233,41 @@ private:
     const double most = dropped_distance_share * node.edge;
     std::uint32_t end = node.begin;
     for (std::uint32_t i = node.begin; i < node.end; ++i)
-      if (std::abs (plane.distance (points_[i])) <= most)
-        points_.swapPoints (end++, i);
+      if (std::abs (plane.distance (points[i].position())) <= most)
+        std::swap (points[end++], points[i]);
     return end;
   }
-
-  /** A stable counting sort of the node's points. */
-  OctantBegins
-  sortIntoOctants (const OctreeNode& node)
-  {
-    const std::size_t size = node.size();
-    const Eigen::Vector3f center = node.center.cast<float>();
-    octants_.resize (size);
-    sorted_.resize (size);
-    for (std::size_t i = 0; i < size; ++i)
-      octants_[i] = octantOf (node.begin + i, center);
-    OctantBegins begins;
-    findBegins (octants_, begins);
-    forPlaces (octants_, begins, [&] (std::size_t i, std::uint32_t place) {
-      sorted_.copyFrom (points_, node.begin + i, place);
-    });
-    for (std::size_t i = 0; i < size; ++i)
-      points_.copyFrom (sorted_, i, node.begin + i);
-    for (std::uint32_t& begin : begins)
-      begin += node.begin;
-    return begins;
-  }
-
-  std::uint8_t
-  octantOf (std::size_t i, const Eigen::Vector3f& center) const
-  {
-    return static_cast<std::uint8_t> ((points_.x[i] >= center.x() ? 1u : 0u) |
-                                      (points_.y[i] >= center.y() ? 2u : 0u) |
-                                      (points_.z[i] >= center.z() ? 4u : 0u));
-  }
-
-  SortedOctree& octree_;
-  PermutedPoints& points_;
-  const std::vector<Moments>& leaf_moments_;
-  const OctreeClusterParameters& parameters_;
-  std::vector<CoplanarCluster>& clusters_;
-  PermutedPoints sorted_;
-  std::vector<std::uint8_t> octants_;
 };
 
 } // namespace
+
+RootCube
+rootCubeOf (const Coordinates& points)
+{
+  RootCube root;
+  if (points.size() == 0)
+    return root;
+  const Eigen::AlignedBox3d fence = fenceOf (points);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::AlignedBox3d box;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (const Eigen::Vector3d point = points[i]; fence.contains (point)) {
+      sum += point;
+      box.extend (point);
+      ++count;
+    }
+  root.center = sum / static_cast<double> (count);
+  const double edge =
+      2.0 * (box.max() - root.center).cwiseMax (root.center - box.min()).maxCoeff();
+  root.edge = box.max() == box.min() || edge < smallest_edge ? 0.0 : edge;
+  double squared_radius = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (const Eigen::Vector3d point = points[i]; root.holds (point))
+      squared_radius = std::max (squared_radius, (point - root.center).squaredNorm());
+  root.radius = std::sqrt (squared_radius);
+  return root;
+}
 
 OctreeClusters
 findCoplanarClusters (const Coordinates& points,
@@ -208,21 +278,37 @@ findCoplanarClusters (const Coordinates& points,
   result.root = rootCubeOf (points);
   if (!(result.root.edge > 0.0))
     return result;
-  SortedOctree octree = sortIntoOctree (points, result.root, deepest_sorted_level);
-  std::vector<Moments> leaf_moments (octree.begins.size() - 1);
+  Indices order (points.size());
+  std::iota (order.begin(), order.end(), 0);
+  const auto outside =
+      std::stable_partition (order.begin(), order.end(), [&] (std::uint32_t i) {
+        return result.root.holds (points[i]);
+      });
+  const OctreeNode root{0,
+                        static_cast<std::uint32_t> (outside - order.begin()),
+                        result.root.center,
+                        result.root.edge};
+  const auto point_at = [&] (std::size_t i) {
+    const std::uint32_t p = order[i];
+    return OctreePoint{points.x[p], points.y[p], points.z[p], p};
+  };
+  result.points.resize (points.size());
+  for (std::size_t i = root.end; i < points.size(); ++i)
+    result.points[i] = point_at (i);
+  const Indices begins =
+      sortIntoCubes (root, sorted_level, point_at, result.points.data());
   const int start_level = std::clamp (parameters.first_level, 0, max_start_level);
-  const std::size_t starts = std::size_t (1) << (3 * start_level);
-  std::vector<std::vector<CoplanarCluster>> found (starts);
-  parallelFor (threads, starts, 1, [&] (std::size_t begin, std::size_t end) {
-    for (std::size_t code = begin; code < end; ++code) {
-      sumUpLeaves (octree, start_level, code, leaf_moments);
-      ClusterCollector collector (octree, leaf_moments, parameters, found[code]);
-      collector.descendSorted (start_level, code);
-    }
-  });
+  const auto found =
+      parallelPieces (threads,
+                      std::size_t (1) << (3 * start_level),
+                      1,
+                      [&] (std::size_t code, std::size_t) {
+                        Descent descent{result.root, begins, parameters, result.points};
+                        descent.descend (descent.sortedNode (start_level, code));
+                        return std::move (descent.clusters);
+                      });
   for (const std::vector<CoplanarCluster>& clusters : found)
     result.clusters.insert (result.clusters.end(), clusters.begin(), clusters.end());
-  result.points = std::move (octree.points);
   return result;
 }
 

@@ -6,65 +6,60 @@
 #include "kht/kernel_votes.h"
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace pcl_ops::internal {
 
-/** \brief A number for each bin of a ball. A direction gets its column of bins when it
- * is first written to, so that memory goes with the directions that occur. */
+/** \brief A number for each bin of a ball. A direction gets its bins when it is first
+ * written to, so that memory goes with the directions that occur. */
 class BallColumns {
 public:
-  /** \brief Bins beyond either end of a column that may be read as well: those below 0
-   * are the opposite column's, once \ref mirrorCenter has been called. */
-  static constexpr int margin = 2;
-
-  /** \brief The bins of a direction that may be other than 0, margins left out. */
-  struct Range {
+  /** \brief The bins of a direction. Two more at either end may be read as well: those
+   * below 0 are the opposite direction's, once \ref mirrorCenter has been called. */
+  struct Column {
+    std::vector<float> bins;
+    /** \brief Bins that may be other than 0, those at either end left out. */
     int begin = 0, end = 0;
+
+    float
+    operator[] (int bin) const
+    {
+      return bins[static_cast<std::size_t> (bin + margin)];
+    }
   };
 
-  BallColumns (std::size_t directions, int rho_num);
+  BallColumns (std::size_t directions, int rho_num)
+  : columns_ (directions)
+  , no_votes_{std::vector<float> (static_cast<std::size_t> (rho_num + 2 * margin))}
+  {}
 
-  /** \brief The column of a direction, to write to the bins of a range in. */
+  /** \brief Whether nothing was written to a direction. */
+  bool
+  isEmpty (std::uint32_t direction) const
+  {
+    return columns_[direction].bins.empty();
+  }
+
+  /** \brief The bins of a direction from begin on, to write to those before end. */
   float*
-  write (std::uint32_t direction, Range range);
+  write (std::uint32_t direction, int begin, int end);
 
-  /** \brief Bins -margin .. rho_num + margin - 1 of a direction; zeros for one without
-   * a column. */
-  const float*
-  read (std::uint32_t direction) const
+  const Column&
+  operator[] (std::uint32_t direction) const
   {
-    const Column& column = columns_[direction];
-    return (column.bins ? column.bins.get() : zeros_.data()) + margin;
+    return isEmpty (direction) ? no_votes_ : columns_[direction];
   }
 
-  Range
-  rangeOf (std::uint32_t direction) const
-  {
-    return columns_[direction].range;
-  }
-
-  /** \brief The directions that have a column, in the order they got it. */
-  const std::vector<std::uint32_t>&
-  directions () const
-  {
-    return directions_;
-  }
-
-  /** \brief Copies what lies next to the center into the opposite column's margin. */
+  /** \brief Copies what lies next to the center to before the opposite direction's
+   * first bin. */
   void
   mirrorCenter (const BallDirections& directions);
 
 private:
-  struct Column {
-    std::unique_ptr<float[]> bins;
-    Range range;
-  };
+  static constexpr int margin = 2;
 
-  std::vector<float> zeros_;
   std::vector<Column> columns_;
-  std::vector<std::uint32_t> directions_;
+  Column no_votes_;
 };
 
 /** \brief A bin of the accumulator that stands out. */
@@ -98,7 +93,7 @@ public:
   float
   votesOf (std::uint32_t direction, int bin) const
   {
-    return votes_.read (direction)[bin];
+    return votes_[direction][bin];
   }
 
   /** \brief The peaks, highest first. Votes are smoothed (0.2 of a bin's own and 0.1333
@@ -111,6 +106,11 @@ public:
   peaks () const;
 
 private:
+  BallColumns
+  smoothedVotes () const;
+  std::vector<std::uint32_t>
+  votersAround (std::uint32_t direction, int bin) const;
+
   HoughSpace space_;
   BallColumns votes_;
   struct VoterRange {
@@ -119,11 +119,6 @@ private:
   };
   /** For each direction who voted for which bins. */
   std::vector<std::vector<VoterRange>> voters_;
-
-  BallColumns
-  smoothedVotes () const;
-  void
-  addVoters (std::vector<HoughPeak>& peaks) const;
 };
 
 } // namespace pcl_ops::internal

@@ -5,6 +5,7 @@
 #include "base/random.h"
 #include "scene.h"
 
+#include <algorithm>
 #include <array>
 
 using namespace pcl_ops::internal;
@@ -16,29 +17,12 @@ TEST (RandomGenerator, IsTheOneTheStandardDefines)
   EXPECT_EQ (generator(), 4123659995u); // [rand.predef], the 10000th value of mt19937
 }
 
-TEST (DrawBelow, StaysBelowItsBound)
+TEST (DrawBelow, StaysBelowItsBoundOrIsZero)
 {
   RandomGenerator generator (seedOfTest());
-  for (const std::uint32_t bound : {2u, 3u, 1000u, 0x80000001u, 0xffffffffu})
+  for (const std::uint32_t bound : {0u, 1u, 2u, 3u, 1000u, 0x80000001u, 0xffffffffu})
     for (int i = 0; i < 1000; ++i)
-      EXPECT_LT (drawBelow (generator, bound), bound);
-}
-
-TEST (DrawBelow, HasOneOutcomeForBoundsOfOneAndZero)
-{
-  RandomGenerator generator (seedOfTest());
-  EXPECT_EQ (drawBelow (generator, 1), 0u);
-  EXPECT_EQ (drawBelow (generator, 0), 0u);
-}
-
-TEST (DrawBelow, GivesEachOutcomeItsShare)
-{
-  RandomGenerator generator (seedOfTest());
-  std::array<int, 6> times{};
-  for (int i = 0; i < 60000; ++i)
-    ++times[drawBelow (generator, 6)];
-  for (const int count : times)
-    EXPECT_NEAR (count, 10000, 5 * 92); // five standard deviations
+      EXPECT_LT (drawBelow (generator, bound), std::max (1u, bound));
 }
 
 TEST (DrawBelow, IsUnbiasedWhereAModuloOrAProductAloneWouldNotBe)
@@ -55,18 +39,6 @@ TEST (DrawBelow, IsUnbiasedWhereAModuloOrAProductAloneWouldNotBe)
   }
   EXPECT_NEAR (in_first_third, 10000, 5 * 82);
   EXPECT_NEAR (multiples_of_three, 10000, 5 * 82);
-}
-
-TEST (DrawBelow, SameSeedSameDraws)
-{
-  RandomGenerator first (7), again (7), other (8);
-  int same = 0;
-  for (int i = 0; i < 100; ++i) {
-    const std::uint32_t drawn = drawBelow (first, 1000000);
-    EXPECT_EQ (drawn, drawBelow (again, 1000000));
-    same += drawn == drawBelow (other, 1000000);
-  }
-  EXPECT_LT (same, 5);
 }
 
 TEST (DrawUnit, IsUniformInTheHalfOpenUnitInterval)

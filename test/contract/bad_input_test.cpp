@@ -66,7 +66,9 @@ TEST_P (BadInputFor, RefusalByEveryOverload)
   EXPECT_FALSE (ops.segment (planes));
   EXPECT_FALSE (ops.extract (clusters));
   EXPECT_FALSE (ops.segment (inliers, coefficients));
-  EXPECT_TRUE (planes.empty() && clusters.empty());
+  Ops::PlanarRegions regions (9);
+  EXPECT_FALSE (ops.segment (regions));
+  EXPECT_TRUE (planes.empty() && clusters.empty() && regions.empty());
   EXPECT_TRUE (inliers.indices.empty() && coefficients.values.empty());
 }
 

@@ -57,34 +57,26 @@ partsOf (const PlaneSegment& plane, const LabelledScene& scene)
 
 } // namespace
 
-TEST (DefaultPath, MergesHalvesOfOneFloor)
+TEST (DefaultPath, MergesHalvesOfOneFloorBeforePointsAreAssigned)
 {
   Ops ops = onTwoHalves();
-  EXPECT_EQ (planesOf (ops).size(), 1u);
+  const auto planes = planesOf (ops);
+  ASSERT_EQ (planes.size(), 1u);
+  EXPECT_EQ (ops.getNumberOfPlanesBeforeMerging(), 2u);
+  // Each half has its points on the one plane, which lies between them.
+  EXPECT_GE (planes[0].inliers.size(), 0.9 * ops.getInputCloud()->size());
+  EXPECT_NEAR (planes[0].centroid.z(), 10_mm, 5_mm);
   ops.setMergingParameters (noMerging());
   EXPECT_EQ (planesOf (ops).size(), 2u);
-}
-
-TEST (DefaultPath, TellsTheNumberOfPlanesBeforeAnyWereMerged)
-{
-  Ops ops = onTwoHalves();
-  EXPECT_EQ (planesOf (ops).size(), 1u);
-  EXPECT_EQ (ops.getNumberOfPlanesBeforeMerging(), 2u);
-}
-
-TEST (DefaultPath, IsAsItWasWithMergingParametersNobodyChanged)
-{
-  Ops ops = onTwoHalves(), other = onTwoHalves();
-  other.setMergingParameters (MergingParameters());
-  const auto planes = inliersOf (ops);
-  EXPECT_EQ (planes.size(), 1u);
-  EXPECT_EQ (inliersOf (other), planes);
 }
 
 TEST (DefaultPath, MergesByADistanceThatIsGiven)
 {
   Ops ops = onTwoHalves();
+  const auto planes = inliersOf (ops);
   MergingParameters merging;
+  ops.setMergingParameters (merging);
+  EXPECT_EQ (inliersOf (ops), planes) << "nobody changed them";
   merging.noise_factor = 0.0;
   merging.distance_threshold = 1_mm;
   ops.setMergingParameters (merging);
@@ -102,16 +94,6 @@ TEST (DefaultPath, TakesSurfacesInOnePlaneForOne)
   for (const PlaneSegment& plane : planesOf (ops))
     parts.insert (partsOf (plane, scene));
   EXPECT_EQ (parts, (std::set<std::set<int>>{{0, 1}, {2}}));
-}
-
-TEST (DefaultPath, AssignsPointsAfterPlanesAreMerged)
-{
-  // Each half has its points on the one plane, which lies between them.
-  Ops ops = onTwoHalves();
-  const auto planes = planesOf (ops);
-  ASSERT_EQ (planes.size(), 1u);
-  EXPECT_GE (planes[0].inliers.size(), 0.9 * ops.getInputCloud()->size());
-  EXPECT_NEAR (planes[0].centroid.z(), 10_mm, 5_mm);
 }
 
 TEST (DefaultPath, EndsAPlaneWhereItsPointsEnd)

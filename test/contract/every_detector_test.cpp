@@ -113,10 +113,18 @@ TYPED_TEST (EveryDetector, UsesTheGivenIndicesAlone)
 TYPED_TEST (EveryDetector, DropsPointsThatAreNotFinite)
 {
   LabelledScene scene = denseRoom();
-  scene.cloud->push_back (pcl::PointXYZ (std::numeric_limits<float>::infinity(), 0, 0));
-  scene.labels.push_back (-1);
+  scene.cloud->is_dense = true; // a lie
+  for (std::size_t i = 0; i < scene.labels.size(); i += 3) {
+    (*scene.cloud)[i].z = i % 2 ? std::numeric_limits<float>::quiet_NaN()
+                                : std::numeric_limits<float>::infinity();
+    scene.labels[i] = -1;
+  }
   auto detector = this->on (scene.cloud);
-  expectHasEverySurface (planesOf (detector), scene);
+  const auto planes = planesOf (detector);
+  expectHasEverySurface (planes, scene);
+  for (const auto& plane : planes)
+    for (const pcl::index_t i : plane.inliers)
+      ASSERT_NE (i % 3, 0) << "point " << i << " is not finite";
 }
 
 TYPED_TEST (EveryDetector, IsTheSameForAnyNumberOfThreads)

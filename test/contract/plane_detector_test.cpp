@@ -229,18 +229,3 @@ TEST_P (Contract, TwoObjectsWorkInTwoThreads)
   EXPECT_EQ (of_first, of_second);
   EXPECT_EQ (of_first.size(), 3u);
 }
-
-TEST_P (Contract, DropsPointsThatAreNotFinite)
-{
-  auto scene = room().build();
-  scene.cloud->is_dense = true; // a lie
-  for (std::size_t i = 0; i < scene.cloud->size(); i += 3)
-    (*scene.cloud)[i].z = i % 2 ? std::numeric_limits<float>::quiet_NaN()
-                                : std::numeric_limits<float>::infinity();
-  Ops ops = detectorFor (scene.cloud);
-  const auto planes = inliersOf (ops);
-  EXPECT_EQ (planes.size(), 3u);
-  for (const pcl::Indices& inliers : planes)
-    for (const pcl::index_t i : inliers)
-      ASSERT_NE (i % 3, 0) << "point " << i << " is not finite";
-}

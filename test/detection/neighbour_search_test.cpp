@@ -28,13 +28,6 @@ struct Line {
   Points points;
 };
 
-pcl::Indices
-sorted (pcl::Indices indices)
-{
-  std::sort (indices.begin(), indices.end());
-  return indices;
-}
-
 } // namespace
 
 TEST (SearchOver, FindsTheNearestAmongTheFinitePoints)
@@ -42,24 +35,11 @@ TEST (SearchOver, FindsTheNearestAmongTheFinitePoints)
   const Line line;
   pcl::Indices neighbours;
   std::vector<float> squared_distances;
-  searchOver (line.input, line.points, 1).nearest (3, 3, neighbours, squared_distances);
-  EXPECT_EQ (sorted (neighbours), (pcl::Indices{1, 3, 4}));
-}
-
-TEST (SearchOver, FindsAllWithinARadius)
-{
-  const Line line;
-  pcl::Indices neighbours;
-  std::vector<float> squared_distances;
-  searchOver (line.input, line.points, 1)
-      .within (3, 1.5, neighbours, squared_distances);
-  EXPECT_EQ (sorted (neighbours), (pcl::Indices{3, 4}));
-}
-
-TEST (SearchOver, MayBeAskedByThatManyThreads)
-{
-  const Line line;
-  EXPECT_EQ (searchOver (line.input, line.points, 3).threads, 3u);
+  const NeighborSearch search = searchOver (line.input, line.points, 3);
+  search.nearest (3, 3, neighbours, squared_distances);
+  std::sort (neighbours.begin(), neighbours.end());
+  EXPECT_EQ (neighbours, (pcl::Indices{1, 3, 4}));
+  EXPECT_EQ (search.threads, 3u) << "may ask it";
 }
 
 TEST (SearchOver, IsTheUsersOverTheFinitePointsWhereThereIsOne)

@@ -64,45 +64,39 @@ labelByBruteForce (const Eigen::Vector3d& point,
 
 } // namespace
 
-TEST (AssignPoints, GivesAPointToTheNearestPlane)
+TEST (AssignPoints, GivesEachPointToAPlaneNearEnough)
 {
-  const Coordinates points = pointsAtHeights ({0.0f, 0.2f, 0.8f, 1.0f});
-  EXPECT_EQ (assignPoints (
-                 points, {atHeight (0), atHeight (1)}, 2.0, AssignmentRule::Nearest, 1),
-             (Labels{0, 0, 1, 1}));
-}
-
-TEST (AssignPoints, GivesAPointToTheFirstPlaneIfAskedTo)
-{
-  const Coordinates points = pointsAtHeights ({0.0f, 0.2f, 0.8f, 1.0f, 2.5f});
-  EXPECT_EQ (assignPoints (
-                 points, {atHeight (0), atHeight (1)}, 2.0, AssignmentRule::First, 1),
-             (Labels{0, 0, 0, 0, 1}));
-}
-
-TEST (AssignPoints, GivesAPointBetweenTwoPlanesToTheFirst)
-{
-  const Coordinates points = pointsAtHeights ({0.5f});
-  for (const auto rule : {AssignmentRule::Nearest, AssignmentRule::First})
-    EXPECT_EQ (assignPoints (points, {atHeight (0), atHeight (1)}, 2.0, rule, 1),
-               (Labels{0}));
-}
-
-TEST (AssignPoints, LeavesPointsBeyondTheThresholdAlone)
-{
-  const Coordinates points = pointsAtHeights ({-0.06f, -0.04f, 0.04f, 0.06f});
-  for (const auto rule : {AssignmentRule::Nearest, AssignmentRule::First})
-    EXPECT_EQ (assignPoints (points, {atHeight (0)}, 5_cm, rule, 1),
-               (Labels{no_plane, 0, 0, no_plane}));
-}
-
-TEST (AssignPoints, HasOneLabelPerPointAndNoneWithoutPlanes)
-{
-  EXPECT_TRUE (
-      assignPoints ({}, {atHeight (0)}, 5_cm, AssignmentRule::Nearest, 2).empty());
-  EXPECT_EQ (
-      assignPoints (pointsAtHeights ({0, 1}), {}, 5_cm, AssignmentRule::Nearest, 2),
-      (Labels{no_plane, no_plane}));
+  using Rule = AssignmentRule;
+  const struct {
+    std::vector<float> points;
+    std::vector<Plane> planes;
+    double threshold;
+    std::vector<Rule> rules;
+    Labels expected;
+  } rows[] = {
+      {{0.0f, 0.2f, 0.8f, 1.0f},
+       {atHeight (0), atHeight (1)},
+       2.0,
+       {Rule::Nearest},
+       {0, 0, 1, 1}},
+      {{0.0f, 0.2f, 0.8f, 1.0f, 2.5f},
+       {atHeight (0), atHeight (1)},
+       2.0,
+       {Rule::First},
+       {0, 0, 0, 0, 1}},
+      {{0.5f}, {atHeight (0), atHeight (1)}, 2.0, {Rule::Nearest, Rule::First}, {0}},
+      {{-0.06f, -0.04f, 0.04f, 0.06f},
+       {atHeight (0)},
+       5_cm,
+       {Rule::Nearest, Rule::First},
+       {no_plane, 0, 0, no_plane}},
+      {{}, {atHeight (0)}, 5_cm, {Rule::Nearest}, {}},
+      {{0.0f, 1.0f}, {}, 5_cm, {Rule::Nearest}, {no_plane, no_plane}}};
+  for (const auto& row : rows)
+    for (const Rule rule : row.rules)
+      EXPECT_EQ (assignPoints (
+                     pointsAtHeights (row.points), row.planes, row.threshold, rule, 2),
+                 row.expected);
 }
 
 TEST (AssignPoints, AgreesWithBruteForce)

@@ -97,13 +97,9 @@ lineOfPoints ()
 
 } // namespace
 
-TEST (AreCoplanar, TwoPartsOfOneFloorAre)
+TEST (AreCoplanar, TwoPartsOfOneFloorWhateverTheSignOfTheNormals)
 {
   EXPECT_TRUE (areCoplanarAsUsual (square ({0, 0, 0}), square ({5, 3, 0})));
-}
-
-TEST (AreCoplanar, WhateverTheSignOfTheNormals)
-{
   PlaneFit flipped = fitOf (square ({5, 3, 0}));
   flipped.plane.normal = -flipped.plane.normal;
   flipped.plane.offset = -flipped.plane.offset;
@@ -126,15 +122,6 @@ TEST (AreCoplanar, TheDistanceOfOneCentroidAloneKeepsPlanesApart)
   EXPECT_LT (std::abs (fitOf (second).plane.distance (first.centre())), 1_mm);
   EXPECT_FALSE (areCoplanarAsUsual (first, second));
   EXPECT_FALSE (areCoplanarAsUsual (second, first));
-}
-
-TEST (Merge, JoinsTwoPartsOfOneFloor)
-{
-  const auto merged = mergePlanes (
-      {momentsOf (square ({0, 0, 0})), momentsOf (square ({5, 3, 0}))}, usual);
-  ASSERT_EQ (merged.fits.size(), 1u);
-  EXPECT_EQ (merged.merged_into, (Labels{0, 0}));
-  expectPlaneNear (merged.fits[0].plane, square ({0, 0, 0}), 1e-6, 1e-9);
 }
 
 TEST (Merge, AllowsNoisyPlanesTheDistanceTheirNoiseExplains)
@@ -225,18 +212,6 @@ TEST (Merge, GoesOnUntilNoPairPassesTheTest)
       EXPECT_FALSE (areCoplanar (merged.fits[i], merged.fits[j], 7_deg, 5_cm));
 }
 
-TEST (Merge, LosesNoPoint)
-{
-  const auto merged = mergePlanes ({momentsOf (square ({0, 0, 0}), 8),
-                                    momentsOf (square ({1, 0, 0}), 9),
-                                    momentsOf (square ({0, 0, 1}), 10)},
-                                   usual);
-  double points = 0.0;
-  for (const Moments& moments : merged.moments)
-    points += moments.count;
-  EXPECT_EQ (points, 64 + 81 + 100);
-}
-
 TEST (Merge, LeavesPlanesAloneWhereDisabled)
 {
   MergingParameters off = usual;
@@ -248,28 +223,16 @@ TEST (Merge, LeavesPlanesAloneWhereDisabled)
       << "sorted by falling size all the same";
 }
 
-TEST (Merge, SortsPlanesByFallingSize)
+TEST (Merge, SortsPlanesByFallingSizeAndDropsSetsThatAreNone)
 {
   const auto merged = mergePlanes ({momentsOf (square ({0, 0, 0}), 5),
+                                    lineOfPoints(),
                                     momentsOf (square ({0, 0, 1}), 9),
+                                    Moments(),
                                     momentsOf (square ({0, 0, 2}), 7)},
                                    usual);
-  EXPECT_EQ (merged.merged_into, (Labels{2, 0, 1}));
+  EXPECT_EQ (merged.merged_into, (Labels{2, no_plane, 0, no_plane, 1}));
+  ASSERT_EQ (merged.fits.size(), 3u);
   EXPECT_EQ (merged.moments[0].count, 81.0);
   EXPECT_EQ (merged.moments[2].count, 25.0);
-}
-
-TEST (Merge, DropsSetsThatAreNoPlane)
-{
-  const auto merged =
-      mergePlanes ({lineOfPoints(), Moments(), momentsOf (square ({0, 0, 0}))}, usual);
-  EXPECT_EQ (merged.merged_into, (Labels{no_plane, no_plane, 0}));
-  EXPECT_EQ (merged.fits.size(), 1u);
-}
-
-TEST (Merge, HasNothingToDoWithoutPlanes)
-{
-  const auto merged = mergePlanes ({}, usual);
-  EXPECT_TRUE (merged.fits.empty());
-  EXPECT_TRUE (merged.merged_into.empty());
 }

@@ -39,19 +39,31 @@ planesOf (const LabelledScene& scene)
 }
 
 PlaneEdges
-edgesOf (Scene& scene, const PlaneEdgeParameters& parameters = {})
+edgesOf (Scene scene, const PlaneEdgeParameters& parameters = {})
 {
   const LabelledScene built = scene.build();
   return findPlaneEdges (*built.cloud, planesOf (built), parameters);
+}
+
+/** \brief The scene with its last surface as a part of the plane of another. */
+LabelledScene
+withLastIn (int plane, Scene scene)
+{
+  LabelledScene built = scene.build();
+  const auto last = static_cast<int> (built.surfaces.size()) - 1;
+  std::replace (built.labels.begin(), built.labels.end(), last, plane);
+  built.surfaces.pop_back();
+  return built;
 }
 
 /** \brief A floor and two walls of 4 m, 3 m and 2.5 m that meet at zero. */
 Scene
 corner ()
 {
-  Scene scene;
-  scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m).wall ({0, 0}, {0, 3}, 2.5_m);
-  return scene;
+  return Scene()
+      .floor (4_m, 3_m)
+      .wall ({0, 0}, {4, 0}, 2.5_m)
+      .wall ({0, 0}, {0, 3}, 2.5_m);
 }
 
 /** \brief The edge of two planes; fails unless there is one. */
@@ -85,8 +97,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 TEST (PlaneEdges, OfTheCornerOfARoomAreThreeThatMeetThere)
 {
-  Scene scene = corner();
-  const PlaneEdges found = edgesOf (scene);
+  const PlaneEdges found = edgesOf (corner());
   EXPECT_EQ (found.edges.size(), 3u);
   expectRuns (edgeBetween (found, 0, 1), {0, 0, 0}, {4, 0, 0}, 5_cm);
   expectRuns (edgeBetween (found, 0, 2), {0, 0, 0}, {0, 3, 0}, 5_cm);
@@ -100,20 +111,21 @@ TEST (PlaneEdges, OfTheCornerOfARoomAreThreeThatMeetThere)
 
 TEST (PlaneEdges, OfParallelWallsAreNone)
 {
-  Scene scene;
-  scene.wall ({0, 0}, {4, 0}, 2_m).wall ({0, 1}, {4, 1}, 2_m);
-  EXPECT_TRUE (edgesOf (scene).edges.empty());
+  EXPECT_TRUE (edgesOf (Scene().wall ({0, 0}, {4, 0}, 2_m).wall ({0, 1}, {4, 1}, 2_m))
+                   .edges.empty());
 }
 
 TEST (PlaneEdges, NeedTheAngleAskedFor)
 {
   const auto edgesAt = [] (double angle, double min_angle) {
-    Scene roof;
-    roof.floor (2_m, 2_m).surface (
-        {2, 0, 0}, {2 * std::cos (angle), 0, 2 * std::sin (angle)}, {0, 2, 0});
     PlaneEdgeParameters parameters;
     parameters.min_angle = min_angle;
-    return edgesOf (roof, parameters).edges;
+    return edgesOf (Scene().floor (2_m, 2_m).surface (
+                        {2, 0, 0},
+                        {2 * std::cos (angle), 0, 2 * std::sin (angle)},
+                        {0, 2, 0}),
+                    parameters)
+        .edges;
   };
   EXPECT_TRUE (edgesAt (10_deg, 15_deg).empty());
   const auto edges = edgesAt (20_deg, 15_deg);
@@ -145,9 +157,7 @@ TEST (PlaneEdges, DoNotBelieveTheHullOfAnL)
   Scene scene; // the wall stands where the floor is not, but its hull is
   scene.surface ({0, 0, 0}, {4, 0, 0}, {0, 1, 0}).wall ({3, 2}, {4, 2}, 2_m);
   scene.surface ({0, 1, 0}, {1, 0, 0}, {0, 3, 0});
-  LabelledScene built = scene.build();
-  std::replace (built.labels.begin(), built.labels.end(), 2, 0);
-  built.surfaces.pop_back();
+  const LabelledScene built = withLastIn (0, scene);
   EXPECT_TRUE (findPlaneEdges (*built.cloud, planesOf (built)).edges.empty());
 }
 
@@ -155,9 +165,7 @@ TEST (PlaneEdges, AreTwoWhereADoorOpens)
 {
   Scene scene;
   scene.floor (4_m, 3_m).wall ({0, 1}, {1, 1}, 2.5_m).wall ({2, 1}, {4, 1}, 2.5_m);
-  LabelledScene built = scene.build();
-  std::replace (built.labels.begin(), built.labels.end(), 2, 1);
-  built.surfaces.pop_back();
+  const LabelledScene built = withLastIn (1, scene);
   const PlaneEdges found = findPlaneEdges (*built.cloud, planesOf (built));
   ASSERT_EQ (found.edges.size(), 2u);
   const bool is_upwards = found.edges[0].from.x() < found.edges[1].from.x();
@@ -186,9 +194,7 @@ TEST (PlaneEdges, HaveNoCornerWhereOneEndsEarlier)
   Scene scene; // the second wall is one metre short of the first, where they'd meet
   scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m).wall ({0, 1}, {0, 3}, 2.5_m);
   scene.surface ({0, 0, 1.5}, {0, 1, 0}, {0, 0, 1}); // but for its upper end
-  LabelledScene built = scene.build();
-  std::replace (built.labels.begin(), built.labels.end(), 3, 2);
-  built.surfaces.pop_back();
+  const LabelledScene built = withLastIn (2, scene);
   const PlaneEdges found = findPlaneEdges (*built.cloud, planesOf (built));
   EXPECT_EQ (found.edges.size(), 3u);
   EXPECT_TRUE (found.corners.empty()) << "edges of each two, at no common place";
@@ -196,18 +202,16 @@ TEST (PlaneEdges, HaveNoCornerWhereOneEndsEarlier)
 
 TEST (PlaneEdges, ShorterThanTheLeastLengthAreLeftOut)
 {
-  Scene scene = corner();
   PlaneEdgeParameters parameters;
   parameters.min_length = 2.8_m;
-  const PlaneEdges found = edgesOf (scene, parameters);
+  const PlaneEdges found = edgesOf (corner(), parameters);
   EXPECT_EQ (found.edges.size(), 2u);
   EXPECT_TRUE (found.corners.empty()) << "a corner has three edges";
 }
 
 TEST (PlaneEdges, LieWhereNoisyPlanesHaveThem)
 {
-  Scene scene = corner();
-  const PlaneEdges found = edgesOf (scene.noise (1_cm));
+  const PlaneEdges found = edgesOf (corner().noise (1_cm));
   EXPECT_EQ (found.edges.size(), 3u);
   expectRuns (edgeBetween (found, 0, 1), {0, 0, 0}, {4, 0, 0}, 10_cm);
   ASSERT_EQ (found.corners.size(), 1u);
@@ -237,8 +241,7 @@ TEST (PlaneEdges, ReachAsFarAsAsked)
 
 TEST (PlaneEdges, AreExactAThousandKilometresFromZero)
 {
-  Scene scene = corner();
-  const LabelledScene built = scene.build();
+  const LabelledScene built = corner().build();
   std::vector<PlaneSegment> planes = planesOf (built);
   const Vector3d shift (4.5e5, 5.4e6, 1e3);
   for (PlaneSegment& plane : planes)
@@ -251,8 +254,7 @@ TEST (PlaneEdges, AreExactAThousandKilometresFromZero)
 
 TEST (PlaneEdges, AreTheSameInWhateverOrderThePointsAre)
 {
-  Scene scene = corner();
-  const LabelledScene built = scene.noise (1_cm).build();
+  const LabelledScene built = corner().noise (1_cm).build();
   std::vector<PlaneSegment> planes = planesOf (built);
   const PlaneEdges found = findPlaneEdges (*built.cloud, planes);
   for (PlaneSegment& plane : planes)
@@ -267,8 +269,7 @@ TEST (PlaneEdges, AreTheSameInWhateverOrderThePointsAre)
 
 TEST (PlaneEdges, BeginInTheCornerThatIsNearBothEnds)
 {
-  Scene scene = corner();
-  const LabelledScene built = scene.build();
+  const LabelledScene built = corner().build();
   PlaneEdgeParameters far_reaching;
   far_reaching.max_gap = 100.0;
   const PlaneEdges found =
@@ -289,8 +290,7 @@ TEST (PlaneEdges, OfNothingAreNone)
 
 TEST (PlaneEdges, OfAPlaneThatIsNotFiniteAreNone)
 {
-  Scene scene = corner();
-  const LabelledScene built = scene.build();
+  const LabelledScene built = corner().build();
   std::vector<PlaneSegment> planes = planesOf (built);
   planes[1].normal.setConstant (not_a_number);
   EXPECT_EQ (findPlaneEdges (*built.cloud, planes).edges.size(), 1u);
@@ -300,8 +300,7 @@ TEST (PlaneEdges, OfAPlaneThatIsNotFiniteAreNone)
 
 TEST (PlaneEdges, SayWhatIsWrong)
 {
-  Scene scene = corner();
-  const LabelledScene built = scene.build();
+  const LabelledScene built = corner().build();
   PlaneEdgeParameters parameters;
   EXPECT_EQ (validate (parameters), "");
   for (auto length : {&PlaneEdgeParameters::reach,

@@ -2,29 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "presets.h"
 #include "scene.h"
-#include <pcl_ops/fast_sampling_plane_filtering.h>
-#include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/plane_extent.h>
 
-namespace {
-
-template <typename Detector>
-class RegionsOfDetectors : public ::testing::Test {};
-
-using Detectors = ::testing::Types<pcl_ops::OrientedPointSampling<pcl::PointXYZ>,
-                                   pcl_ops::FastSamplingPlaneFiltering<pcl::PointXYZ>,
-                                   pcl_ops::KernelHoughTransform<pcl::PointXYZ>>;
-TYPED_TEST_SUITE (RegionsOfDetectors, Detectors, );
-
-} // namespace
-
-TYPED_TEST (RegionsOfDetectors, AreThePlanesWithTheirHullsAsContours)
+TEST (PlanarRegions, AreThePlanesWithTheirHullsAsContours)
 {
   const auto scene = room().build();
-  TypeParam detector;
+  Ops detector;
   detector.setInputCloud (scene.cloud);
   std::vector<pcl_ops::PlaneSegment> planes;
-  typename TypeParam::PlanarRegions regions;
+  Ops::PlanarRegions regions;
   ASSERT_TRUE (detector.segment (planes));
   ASSERT_TRUE (detector.segment (regions));
   ASSERT_EQ (regions.size(), planes.size());
@@ -42,12 +28,4 @@ TYPED_TEST (RegionsOfDetectors, AreThePlanesWithTheirHullsAsContours)
     for (std::size_t k = 0; k < hull.size(); ++k)
       EXPECT_TRUE (contour[k].getVector3fMap().isApprox (hull[k].cast<float>()));
   }
-}
-
-TYPED_TEST (RegionsOfDetectors, AreNoneForMisuse)
-{
-  TypeParam detector;
-  typename TypeParam::PlanarRegions regions (1);
-  EXPECT_FALSE (detector.segment (regions));
-  EXPECT_TRUE (regions.empty());
 }

@@ -2,14 +2,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
+#include "base/random.h"
 #include "extent/planar_hull.h"
 #include "extent/rim.h"
 #include "geometry/planar_area.h"
+
+#include <algorithm>
+#include <cmath>
 
 using namespace pcl_ops;
 using namespace pcl_ops::internal;
 
 namespace {
+
+/** \brief Points of a turned plane whose coordinates have any size from 1e-10 to
+ * 1e13, around their centroid. */
+PlanarPoints
+pointsOverManyDecades (std::uint32_t seed)
+{
+  RandomGenerator generator (seed);
+  const Eigen::Matrix3d frame =
+      (Eigen::AngleAxisd (6.28 * drawUnit (generator), Eigen::Vector3d::UnitZ()) *
+       Eigen::AngleAxisd (6.28 * drawUnit (generator), Eigen::Vector3d::UnitX()))
+          .toRotationMatrix();
+  PlanarPoints points (600);
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (Eigen::Vector2d& point : points) {
+    Eigen::Vector3d place;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double sign = drawUnit (generator) < 0.5 ? -1.0 : 1.0;
+      place[axis] = sign * std::pow (10.0, 23.0 * drawUnit (generator) - 10.0);
+    }
+    point = (frame * place).head<2>();
+    sum += point;
+  }
+  for (Eigen::Vector2d& point : points)
+    point -= sum / static_cast<double> (points.size());
+  return points;
+}
+
+/** \brief How far a point is behind the line from one to another, negative before. */
+double
+distanceBehind (const Eigen::Vector2d& point,
+                const Eigen::Vector2d& from,
+                const Eigen::Vector2d& to)
+{
+  const Eigen::Vector2d along = (to - from).normalized(), there = point - from;
+  return along.y() * there.x() - along.x() * there.y();
+}
 
 /** \brief Whole numbers 0 .. last in both directions. */
 PlanarPoints
@@ -22,8 +64,6 @@ lattice (int last)
   return points;
 }
 
-const PlanarPoints unit_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-
 } // namespace
 
 TEST (HullOfAll, HasTheCornersAlone)
@@ -33,15 +73,25 @@ TEST (HullOfAll, HasTheCornersAlone)
   EXPECT_EQ (areaOf (hull), 100.0) << "above 0: counter-clockwise";
 }
 
+TEST (HullOfAll, HasAllPointsOverManyDecadesInside)
+{
+  constexpr double rounding = 1e-9 * 1e13;
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    const PlanarPoints points = pointsOverManyDecades (seed);
+    const PlanarPoints hull = hullOfAll (points);
+    ASSERT_GE (hull.size(), 3U);
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < hull.size(); ++i)
+      for (const Eigen::Vector2d& point : points)
+        farthest = std::max (
+            farthest, distanceBehind (point, hull[i], hull[(i + 1) % hull.size()]));
+    EXPECT_LE (farthest, rounding) << "seed " << seed;
+  }
+}
+
 TEST (HullOfAll, IsNothingWherePointsSpanNoArea)
 {
   EXPECT_TRUE (hullOfAll ({{0, 0}, {1, 1}, {2, 2}}).empty());
-}
-
-TEST (AreaOf, IsBelowZeroForClockwiseOutlines)
-{
-  EXPECT_EQ (areaOf (unit_square), 1.0);
-  EXPECT_EQ (areaOf ({unit_square.rbegin(), unit_square.rend()}), -1.0);
 }
 
 TEST (Rim, TakesOffThePointsOnItsHull)

@@ -177,28 +177,18 @@ INSTANTIATE_TEST_SUITE_P (OfTheSphere,
                           InlierShare,
                           ::testing::Values (0.7, 0.75, 0.8, 0.85, 0.9, 0.95));
 
-TEST (SampleLocalPlanes, EndsAtTheNumberOfInliers)
+TEST (SampleLocalPlanes, EndsAtTheNumberOfInliersHypothesesOrVisits)
 {
-  LocalSamplingParameters parameters;
-  parameters.max_inliers_per_point = 3.5;
-  EXPECT_EQ (samplePatch (200, parameters).moments.size(), 4u);
-}
-
-TEST (SampleLocalPlanes, EndsAtTheNumberOfHypotheses)
-{
-  LocalSamplingParameters parameters;
-  parameters.max_inliers_per_point = parameters.max_visits_per_point = 1e9;
-  parameters.max_hypotheses_per_point = 0.5;
-  EXPECT_EQ (samplePatch (200, parameters).hypotheses, 100u);
-}
-
-TEST (SampleLocalPlanes, EndsAtTheNumberOfVisits)
-{
-  LocalSamplingParameters parameters;
-  parameters.max_inliers_per_point = 1e9;
+  LocalSamplingParameters inliers, hypotheses, visits;
+  inliers.max_inliers_per_point = 3.5;
+  EXPECT_EQ (samplePatch (200, inliers).moments.size(), 4u);
+  hypotheses.max_inliers_per_point = hypotheses.max_visits_per_point = 1e9;
+  hypotheses.max_hypotheses_per_point = 0.5;
+  EXPECT_EQ (samplePatch (200, hypotheses).hypotheses, 100u);
+  visits.max_inliers_per_point = 1e9;
   // Each costs its 200 points and a hundred.
-  parameters.max_visits_per_point = 7 * 1.5;
-  EXPECT_EQ (samplePatch (200, parameters).hypotheses, 7u);
+  visits.max_visits_per_point = 7 * 1.5;
+  EXPECT_EQ (samplePatch (200, visits).hypotheses, 7u);
 }
 
 TEST (SampleLocalPlanes, CountsWhatEmptySpheresCostInACrowd)
@@ -255,23 +245,6 @@ TEST (SampleLocalPlanes, CountsTheTestedInliersAlone)
   parameters.inliers = LocalSamplingParameters::Inliers::Samples;
   for (const Moments& inliers : samplePatch (900, parameters).moments)
     EXPECT_EQ (inliers.count, 80.0);
-}
-
-TEST (SampleLocalPlanes, DrawsWhatTheSeedSays)
-{
-  Coordinates points;
-  addPatch (600, points);
-  addLonePoints (150, points);
-  const auto find_all = [&] (std::uint32_t, Indices& sphere) {
-    sphere = allOf (points);
-    return points.size();
-  };
-  const auto hypotheses = [&] (std::uint32_t seed) {
-    return sampleLocalPlanes (points, find_all, {}, theta_h, seed).hypotheses;
-  };
-  EXPECT_EQ (hypotheses (1), hypotheses (1));
-  const std::vector<std::size_t> seeds{hypotheses (1), hypotheses (2), hypotheses (3)};
-  EXPECT_NE (seeds, std::vector<std::size_t> (3, seeds.front()));
 }
 
 TEST (SampleLocalPlanes, OfNoPointsAreNone)

@@ -3,58 +3,111 @@
 #include <gtest/gtest.h>
 
 #include "fspf/spheres.h"
-#include "scene.h"
+#include "grid_scene.h"
+
+#include <set>
+#include <tuple>
 
 using namespace pcl_ops;
 using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief Points of a line, 1 m apart. */
-struct Line {
-  Line()
-  {
-    for (int i = 0; i < 10; ++i)
-      cloud.push_back ({static_cast<float> (i), 0, 0});
-    input.cloud = CloudView (cloud);
-    points = finitePoints (input.cloud, some, 1);
-  }
+const pcl::Indices some{0, 2, 4, 6, 7, 8};
 
-  /** \brief Where the points around the one at x = 7 m lie. */
-  std::vector<float>
-  aroundSeven () const
-  {
-    const Spheres spheres = spheresAround (input, points, 1.5, 1);
-    std::vector<float> around;
-    Indices sphere;
-    for (std::uint32_t i = 0; i < spheres.points.size(); ++i)
-      if (spheres.points.x[i] + points.origin.x() == 7.0) {
-        spheres.find (i, sphere);
-        for (const std::uint32_t found : sphere)
-          around.push_back (
-              static_cast<float> (spheres.points.x[found] + points.origin.x()));
-      }
-    std::sort (around.begin(), around.end());
-    return around;
-  }
+DetectorInput
+without (const CloudView& cloud = {})
+{
+  return {cloud, some, Eigen::Vector3d::Zero(), nullptr};
+}
 
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  pcl::Indices some{0, 2, 4, 6, 7, 8};
-  DetectorInput input{{}, some, Eigen::Vector3d::Zero(), nullptr};
+Spheres
+spheresAmong (const Coordinates& coordinates, double radius)
+{
   Points points;
-};
+  static_cast<Coordinates&> (points) = coordinates;
+  return spheresAround (without(), points, radius, 1);
+}
+
+Indices
+bruteForce (const Coordinates& points, std::uint32_t centre, double radius)
+{
+  Indices neighbours;
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+    if ((points[i] - points[centre]).norm() <= radius)
+      neighbours.push_back (i);
+  return neighbours;
+}
+
+bool
+isSubset (const Indices& part, const Indices& all)
+{
+  return std::includes (all.begin(), all.end(), part.begin(), part.end());
+}
+
+/** Every neighbourhood is the one found by looking at all points, but for those so near
+ * the sphere's surface that rounding decides. */
+void
+expectFindsAll (const Coordinates& points, double radius)
+{
+  const double rounding = 1e-5 * radius;
+  const Spheres spheres = spheresAmong (points, radius);
+  Indices sphere{99, 98, 97};
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    spheres.find (i, sphere);
+    std::sort (sphere.begin(), sphere.end());
+    EXPECT_TRUE (isSubset (bruteForce (spheres.points, i, radius - rounding), sphere));
+    EXPECT_TRUE (isSubset (sphere, bruteForce (spheres.points, i, radius + rounding)));
+  }
+}
+
+std::multiset<std::tuple<float, float, float>>
+setOf (const Coordinates& points)
+{
+  std::multiset<std::tuple<float, float, float>> set;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    set.emplace (points.x[i], points.y[i], points.z[i]);
+  return set;
+}
 
 } // namespace
 
-TEST (Spheres, HoldThePointsWithinTheRadius)
+TEST (Spheres, HoldWhatLookingAtAllPointsFinds)
 {
-  EXPECT_EQ (Line().aroundSeven(), (std::vector<float>{6, 7, 8}));
+  for (const double radius : {1_cm, 5_cm, 20_cm, 3_m})
+    expectFindsAll (pointsInACube (1000, 1_m), radius);
+}
+
+TEST (Spheres, HoldThePointItselfAndItsDuplicates)
+{
+  Coordinates points;
+  for (int i = 0; i < 5; ++i)
+    points.add (1, 2, 3);
+  expectFindsAll (points, 1_mm);
+}
+
+TEST (Spheres, HoldAllBesidePointsFarAway)
+{
+  Coordinates points = pointsInACube (500, 1_m);
+  points.add (1e7f, 0, 0);
+  points.add (-1e12f, 1e12f, 0);
+  expectFindsAll (points, 10_cm);
+}
+
+TEST (Spheres, AreOfThePointsInAnotherOrder)
+{
+  const Coordinates points = pointsInACube (1000, 1_m);
+  EXPECT_EQ (setOf (spheresAmong (points, 10_cm).points), setOf (points));
+  EXPECT_EQ (spheresAmong (Coordinates(), 10_cm).points.size(), 0u);
 }
 
 TEST (Spheres, AreThoseOfTheUsersSearchWhereThereIsOne)
 {
-  Line line;
-  line.input.search_over = [] (const pcl::Indices&) {
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (int i = 0; i < 10; ++i)
+    cloud.push_back ({static_cast<float> (i), 0, 0});
+  DetectorInput input = without (CloudView (cloud));
+  input.search_over = [] (const pcl::Indices&) {
     NeighborSearch search;
     search.within = [] (pcl::index_t point, double radius, auto& found, auto&) {
       EXPECT_EQ (point, 7);
@@ -63,5 +116,8 @@ TEST (Spheres, AreThoseOfTheUsersSearchWhereThereIsOne)
     };
     return search;
   };
-  EXPECT_EQ (line.aroundSeven(), (std::vector<float>{4, 7}));
+  const Points points = finitePoints (input.cloud, some, 1);
+  Indices sphere;
+  spheresAround (input, points, 1.5, 1).find (4, sphere);
+  EXPECT_EQ (sphere, (Indices{2, 4})) << "positions of 4 and 7 among them";
 }

@@ -19,8 +19,6 @@ namespace {
 
 using PointList = std::vector<Eigen::Vector3d>;
 
-const Eigen::Vector3d far_away (1e6, -1e6, 1e6);
-
 Moments
 momentsOf (const PointList& points, const Eigen::Vector3d& origin)
 {
@@ -81,46 +79,39 @@ expectSameMoments (const Moments& first, const Moments& second, double tolerance
 
 TEST (FitPlane, AgreesWithAnSvdOfTheCentredPoints)
 {
-  const PointList points = noisyPatch ({1, 2, 3});
-  const auto fit = fitPlane (momentsOf (points, points.front()));
-  const SvdPlane svd = planeBySvd (points);
-  ASSERT_TRUE (fit);
-  EXPECT_LT (angleBetween (fit->plane.normal, svd.normal), 1e-9);
-  EXPECT_LT ((fit->centroid - svd.centroid).norm(), 1e-12);
-  EXPECT_TRUE (fit->variances.isApprox (svd.variances, 1e-9));
-  EXPECT_NEAR (fit->plane.distance (svd.centroid), 0.0, 1e-12);
-  EXPECT_NEAR (fit->plane.normal.norm(), 1.0, 1e-12);
+  // Near zero, and a thousand kilometres away.
+  const struct {
+    Eigen::Vector3d centre;
+    double angle, length, share;
+  } rows[] = {{{1, 2, 3}, 1e-9, 1e-12, 1e-9}, {{1e6, -1e6, 1e6}, 1e-8, 1e-8, 1e-6}};
+  for (const auto& row : rows) {
+    const PointList points = noisyPatch (row.centre);
+    const auto fit = fitPlane (momentsOf (points, points.front()));
+    const SvdPlane svd = planeBySvd (points);
+    ASSERT_TRUE (fit);
+    EXPECT_LT (angleBetween (fit->plane.normal, svd.normal), row.angle);
+    EXPECT_LT ((fit->centroid - svd.centroid).norm(), row.length);
+    EXPECT_TRUE (fit->variances.isApprox (svd.variances, row.share));
+    EXPECT_NEAR (fit->plane.distance (svd.centroid), 0.0, row.length);
+    EXPECT_NEAR (fit->plane.normal.norm(), 1.0, 1e-12);
+  }
 }
 
-TEST (FitPlane, AgreesWithTheSvdAThousandKilometresAway)
+TEST (FitPlane, HasNothingToSayOfPointsThatSpanNoPlane)
 {
-  const PointList points = noisyPatch (far_away);
-  const auto fit = fitPlane (momentsOf (points, points.front()));
-  const SvdPlane svd = planeBySvd (points);
-  ASSERT_TRUE (fit);
-  EXPECT_LT (angleBetween (fit->plane.normal, svd.normal), 1e-8);
-  EXPECT_LT ((fit->centroid - svd.centroid).norm(), 1e-8);
-  EXPECT_TRUE (fit->variances.isApprox (svd.variances, 1e-6));
-}
-
-TEST (FitPlane, HasNothingToSayOfNoPointsOneOrTwo)
-{
-  const PointList points{{0, 0, 0}, {1, 0, 0}};
-  EXPECT_FALSE (fitPlane (Moments()));
-  EXPECT_FALSE (fitPlane (momentsOf ({points[0]}, points[0])));
-  EXPECT_FALSE (fitPlane (momentsOf (points, points[0])));
-}
-
-TEST (FitPlane, HasNothingToSayOfPointsOnALineOrAllEqual)
-{
-  PointList line, equal;
+  PointList line, equal, broken = noisyPatch ({0, 0, 0}), infinite = broken;
   for (int i = 0; i < 50; ++i) {
     line.push_back (Eigen::Vector3d (1, 2, 3) + 0.1 * i * Eigen::Vector3d (1, -2, 0.5));
     equal.push_back ({1.1, 2.2, 3.3});
   }
-  EXPECT_FALSE (fitPlane (momentsOf (line, line.front())));
-  EXPECT_FALSE (fitPlane (momentsOf (equal, equal.front())));
-  EXPECT_FALSE (fitPlane (momentsOf (equal, Eigen::Vector3d::Zero())));
+  broken[7].x() = std::numeric_limits<double>::quiet_NaN();
+  infinite[7].x() = std::numeric_limits<double>::infinity();
+  const PointList two (line.begin(), line.begin() + 2), one (1, line.front());
+  for (const PointList& points : {one, two, line, equal, broken, infinite}) {
+    EXPECT_FALSE (fitPlane (momentsOf (points, points.front())));
+    EXPECT_FALSE (fitPlane (momentsOf (points, Eigen::Vector3d::Zero())));
+  }
+  EXPECT_FALSE (fitPlane (Moments()));
 }
 
 TEST (FitPlane, DoesNotDependOnTheUnitOfLength)
@@ -134,15 +125,6 @@ TEST (FitPlane, DoesNotDependOnTheUnitOfLength)
     ASSERT_TRUE (fit) << scale;
     EXPECT_LT (angleBetween (fit->plane.normal, metres.normal), 1e-8) << scale;
   }
-}
-
-TEST (FitPlane, HasNothingToSayOfMomentsThatAreNotFinite)
-{
-  PointList points = noisyPatch ({0, 0, 0});
-  points[7].x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE (fitPlane (momentsOf (points, Eigen::Vector3d::Zero())));
-  points[7].x() = std::numeric_limits<double>::infinity();
-  EXPECT_FALSE (fitPlane (momentsOf (points, Eigen::Vector3d::Zero())));
 }
 
 TEST (Moments, OfTwoHalvesAddUpToThoseOfTheWhole)
@@ -202,31 +184,19 @@ TEST (PlaneThrough, ContainsItsPoint)
   EXPECT_EQ (plane.distance ({5, 6, 1}), -2.0);
 }
 
-TEST (PlaneSegment, MeasuresTheRmsDistanceOfItsInliers)
-{
-  // Four points 1 cm above and four 1 cm below the plane z = 2.
-  pcl_ops::PlaneSegment segment;
-  segment.centroid = {0, 0, 2};
-  segment.normal = Eigen::Vector3d::UnitZ();
-  segment.moments.origin = segment.centroid;
-  for (const double x : {-1.0, 1.0})
-    for (const double y : {-1.0, 1.0})
-      for (const double z : {-1_cm, 1_cm})
-        segment.moments.add (x, y, z);
-  EXPECT_NEAR (segment.rms(), 1_cm, 1e-12);
-  EXPECT_EQ (segment.plane().distance ({3, 4, 2.5}), 0.5);
-}
-
-TEST (PlaneSegment, MeasuresDistancesToItselfNotToThePlaneOfItsInliers)
+TEST (PlaneSegment, MeasuresTheRmsDistanceOfItsInliersToItself)
 {
   // A plane of a coarse method, 4 cm beside points 3 cm to either side of theirs.
   pcl_ops::PlaneSegment segment;
+  segment.centroid = {2, 0, 0};
   segment.normal = Eigen::Vector3d::UnitX();
+  segment.moments.origin = segment.centroid;
   for (const double x : {4_cm - 3_cm, 4_cm + 3_cm})
     for (const double y : {-1.0, 1.0})
       for (const double z : {-1.0, 1.0})
         segment.moments.add (x, y, z);
   EXPECT_NEAR (segment.rms(), 5_cm, 1e-12);
+  EXPECT_EQ (segment.plane().distance ({2.5, 3, 4}), 0.5);
 }
 
 TEST (PlaneSegment, MovesWithItsPoints)

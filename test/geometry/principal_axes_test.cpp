@@ -30,23 +30,14 @@ TEST (PrincipalAxes, AgreeWithEigensIterativeSolver)
   RandomGenerator generator (seedOfTest());
   for (int i = 0; i < 200; ++i) {
     const double width = std::pow (10.0, -3.0 * drawUnit (generator));
-    const double noise = 0.9 * width * drawUnit (generator);
+    // Every tenth is an exact plane.
+    const double noise = i % 10 == 0 ? 0.0 : 0.9 * width * drawUnit (generator);
     const Eigen::Matrix3d matrix = turned ({noise, width, 1.0}, generator);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> oracle (matrix);
     const PrincipalAxes axes = principalAxes (matrix);
     EXPECT_LT (angleBetween (axes.normal, oracle.eigenvectors().col (0)), 1e-7);
     EXPECT_TRUE (axes.values.isApprox (oracle.eigenvalues(), 1e-8));
   }
-}
-
-TEST (PrincipalAxes, FindTheNormalOfAnExactPlane)
-{
-  RandomGenerator generator (seedOfTest());
-  const Eigen::Matrix3d matrix = turned ({0.0, 0.3, 1.0}, generator);
-  const PrincipalAxes axes = principalAxes (matrix);
-  EXPECT_LT ((matrix * axes.normal).norm(), 1e-14);
-  EXPECT_NEAR (axes.normal.norm(), 1.0, 1e-14);
-  EXPECT_NEAR (axes.values[0], 0.0, 1e-14);
 }
 
 TEST (PrincipalAxes, DoNotDependOnTheUnitOfLength)

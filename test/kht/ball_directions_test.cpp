@@ -28,12 +28,13 @@ TEST (BallDirections, HaveAboutTheSameAreaAwayFromThePoles)
   }
 }
 
-TEST (BallDirections, HaveOnePatchOnEachPole)
+TEST (BallDirections, HaveOnePatchOnEachPoleWithTheWholeNextRowAround)
 {
   const BallDirections ball (30);
   EXPECT_EQ (ball.patchesOfRow (0), 1);
   EXPECT_EQ (ball.patchesOfRow (30), 1);
   EXPECT_EQ (ball.vectorOf (0), Eigen::Vector3d::UnitZ());
+  EXPECT_EQ (ball.around (0).size(), 1u + ball.patchesOfRow (1));
 }
 
 TEST (BallDirections, HoldTheirOwnCenters)
@@ -45,18 +46,13 @@ TEST (BallDirections, HoldTheirOwnCenters)
   }
 }
 
-TEST (BallDirections, WrapAroundTheirRow)
+TEST (BallDirections, WrapAroundTheirRowAndGoOnBeyondAPoleHalfATurnAway)
 {
   const BallDirections ball (30);
   EXPECT_EQ (ball.at (10, 0.3), ball.at (10, 0.3 + 2.0 * pi));
   EXPECT_EQ (ball.at (10, 0.3), ball.at (10, 0.3 - 4.0 * pi));
   EXPECT_EQ (ball.patchOfRow (10, -1),
              ball.patchOfRow (10, ball.patchesOfRow (10) - 1));
-}
-
-TEST (BallDirections, GoOnHalfATurnAwayBeyondAPole)
-{
-  const BallDirections ball (30);
   EXPECT_EQ (ball.at (-2, 1.0), ball.at (2, 1.0 + pi));
   EXPECT_EQ (ball.at (32, 1.0), ball.at (28, 1.0 + pi));
 }
@@ -87,10 +83,4 @@ TEST (BallDirections, AreSurroundedByTheirSides)
                      1.0, ball.vectorOf (near).dot (ball.vectorOf (direction)))),
                  2.2 * ball.phiStep());
   }
-}
-
-TEST (BallDirections, AroundAPoleAreTheWholeNextRow)
-{
-  const BallDirections ball (30);
-  EXPECT_EQ (ball.around (0).size(), 1u + ball.patchesOfRow (1));
 }

@@ -76,12 +76,6 @@ shareOfOneLabelEach (const Labels& labels)
 
 } // namespace
 
-TEST (ClusterAssignment, GivesEachPointToItsOutlinedPlane)
-{
-  Step scene;
-  EXPECT_GT (shareOfOneLabelEach (scene.outlined().labels), 99_percent);
-}
-
 TEST (ClusterAssignment, GivesEachPointToItsUnboundedPlane)
 {
   Step scene;
@@ -97,20 +91,6 @@ TEST (ClusterAssignment, MergesPlanesThatAreOne)
     EXPECT_EQ (scene.outlined().planes.fits.size(), merges ? 1u : 2u);
     EXPECT_EQ (scene.endless().planes.fits.size(), merges ? 1u : 2u);
   }
-}
-
-TEST (ClusterAssignment, LetsAPlaneEndWhereItsClustersEnd)
-{
-  // A third surface in the plane of the ground, a metre beyond, with no cluster of it.
-  Step scene;
-  const std::size_t before = scene.points.size();
-  addGrid (scene.points, {{-3, 0, 0}, {1, 0, 0}, {0, 2, 0}}, 20);
-  scene.clusters.points.resize (scene.points.size());
-  const Labels labels = scene.outlined().labels;
-  EXPECT_EQ (std::count (labels.begin() + static_cast<std::ptrdiff_t> (before),
-                         labels.end(),
-                         no_plane),
-             400);
 }
 
 TEST (ClusterAssignment, GrowsPlanesOverVoxelsWithoutAClusterOfTheirs)
@@ -139,19 +119,4 @@ TEST (ClusterAssignment, OfNoPlanesIsNoLabel)
   Step scene;
   scene.planes.clear();
   EXPECT_EQ (scene.outlined().labels, Labels (45000, no_plane));
-}
-
-TEST (RestorePlanes, PutsBackThePlanePointsWereAssignedTo)
-{
-  MergedPlanes merged;
-  merged.merged_into = {1, no_plane, 0, 1};
-  merged.fits.resize (2);
-  for (PlaneFit& fit : merged.fits) {
-    fit.plane = atHeight (0);
-    fit.centroid << 7, 8, 0;
-  }
-  restorePlanes (merged, {atHeight (1), atHeight (2), atHeight (3), atHeight (4)});
-  EXPECT_EQ (merged.fits[0].plane.offset, -3.0);
-  EXPECT_EQ (merged.fits[1].plane.offset, -1.0) << "the first of those merged";
-  EXPECT_EQ (merged.fits[0].centroid, Eigen::Vector3d (7, 8, 3)) << "moved onto it";
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grid_scene.h"
 #include "kht/hough_planes.h"
-#include "kht/kernel_votes.h"
 
 #include <set>
 
@@ -65,25 +64,6 @@ TEST (HoughPlanes, AreVotedForWithinABin)
   const std::vector<HoughPlane> planes = voteForPlanes (found, 45, 200);
   for (const Surface& surface : {bottom, wall, shelf})
     EXPECT_TRUE (hasPlaneOf (surface, planes, 4_deg, 3_cm));
-}
-
-// Its centroid, the ball's center, lies on it: no distance tells its direction.
-TEST (HoughPlanes, OfOneExactPlaneCostNoMoreThanThoseOfARoom)
-{
-  Coordinates plane;
-  addGrid (plane, Surface{{0, 0, 0}, {3, 0, 1}, {0, 2, 2}}, 140);
-  const auto votes_per_cluster = [] (const OctreeClusters& found) {
-    const HoughSpace space{BallDirections (80), 800, found.root.radius / 800};
-    double sum = 0.0;
-    KernelVotes votes;
-    for (const CoplanarCluster& cluster : found.clusters) {
-      castVotes (kernelOf (cluster, found), space, votes);
-      sum += static_cast<double> (votes.values.size());
-    }
-    return sum / static_cast<double> (found.clusters.size());
-  };
-  EXPECT_LT (votes_per_cluster (clustersOf (plane)),
-             4.0 * votes_per_cluster (clustersOf (corner (1_mm))));
 }
 
 TEST (HoughPlanes, ComeByFallingWeight)

@@ -62,19 +62,6 @@ surfaceOf (const PlaneSegment& plane,
   return -1;
 }
 
-/** How many points are on the plane of the face they were made on. */
-std::size_t
-pointsOnTheirFace (const LabelledScene& scene)
-{
-  std::size_t right = 0;
-  for (const PlaneSegment& plane : planesOf (scene, Parameters())) {
-    const int face = surfaceOf (plane, scene, 1_deg, 1_cm);
-    for (const pcl::index_t i : plane.inliers)
-      right += scene.labels[i] == face;
-  }
-  return right;
-}
-
 Parameters
 published (int phi_num, int rho_num)
 {
@@ -104,19 +91,19 @@ TEST (KernelHoughTransform, FindsTheSixFacesOfABoxWithinABinAsPublished)
   expectFaces (box(), 80, 800);
 }
 
-TEST (KernelHoughTransform, FindsTheSixFacesOfANoisyBoxExactly)
+TEST (KernelHoughTransform, FindsTheSixFacesOfANoisyBoxExactlyWithTheirPoints)
 {
   const LabelledScene scene = box (5_mm);
   std::multiset<int> faces;
-  for (const PlaneSegment& plane : planesOf (scene, Parameters()))
-    faces.insert (surfaceOf (plane, scene, 0.3_deg, 3_mm));
+  std::size_t right = 0;
+  for (const PlaneSegment& plane : planesOf (scene, Parameters())) {
+    const int face = surfaceOf (plane, scene, 0.3_deg, 3_mm);
+    faces.insert (face);
+    for (const pcl::index_t i : plane.inliers)
+      right += scene.labels[i] == face;
+  }
   EXPECT_EQ (faces, (std::multiset<int>{0, 1, 2, 3, 4, 5}));
-}
-
-TEST (KernelHoughTransform, GivesEachPointToItsPlane)
-{
-  const LabelledScene scene = box (5_mm);
-  EXPECT_GT (pointsOnTheirFace (scene), 97_percent * scene.cloud->size());
+  EXPECT_GT (right, 97_percent * scene.cloud->size());
 }
 
 TEST (KernelHoughTransform, EndsPlanesWhereTheirClustersEnd)
@@ -174,13 +161,4 @@ TEST (KernelHoughTransform, MeasuresDistancesToThePublishedPlane)
     farthest = std::max (farthest, plane.rms());
   }
   EXPECT_GT (farthest, 1_cm) << "of surfaces that lie beside the center of their bin";
-}
-
-TEST (KernelHoughTransform, AsPublishedDoesNotMindOneStrayReturn)
-{
-  for (const float stray : {20.0f, -100.0f, 1e4f, -5e6f, 1e9f}) {
-    LabelledScene scene = box();
-    scene.cloud->push_back ({stray, stray, stray});
-    expectFaces (scene, 80, 800);
-  }
 }

@@ -34,29 +34,69 @@ clustersOf (const Coordinates& points, int first_level)
   return findCoplanarClusters (points, parameters);
 }
 
+Coordinates
+cornersOfACube ()
+{
+  Coordinates points;
+  for (const float z : {3.0f, 1.0f})
+    for (const float y : {3.0f, 1.0f})
+      for (const float x : {3.0f, 1.0f})
+        points.add (x, y, z);
+  return points;
+}
+
 } // namespace
 
-TEST (OctreeClusters, HaveTheNormalOfTheirPlane)
+TEST (RootCube, HoldsAllPointsAroundTheirCentroid)
+{
+  const RootCube root = rootCubeOf (cornersOfACube());
+  EXPECT_EQ (root.center, Eigen::Vector3d (2, 2, 2));
+  EXPECT_EQ (root.edge, 2.0);
+  EXPECT_NEAR (root.radius, std::sqrt (3.0), 1e-6);
+}
+
+TEST (RootCube, IsThatOfAllOthersWhereOnePointIsFarAway)
+{
+  const RootCube alone = rootCubeOf (cornersOfACube());
+  for (const float far : {20.0f, 1e6f, -1e38f}) {
+    Coordinates points = cornersOfACube();
+    points.add (far, far, far);
+    const RootCube root = rootCubeOf (points);
+    EXPECT_EQ (root.center, alone.center) << far;
+    EXPECT_EQ (root.edge, alone.edge) << far;
+    EXPECT_EQ (root.radius, alone.radius) << far;
+  }
+}
+
+TEST (RootCube, HoldsAStepAsWideAsTheRestAndAllWhereNearlyAllAreEqual)
+{
+  Coordinates points = cornersOfACube(), equal;
+  points.add (4.5f, 2.0f, 2.0f);
+  EXPECT_TRUE (rootCubeOf (points).holds ({4.5, 2.0, 2.0}));
+  for (int i = 0; i < 1000; ++i)
+    equal.add (0.0f, 0.0f, 0.0f);
+  equal.add (3.0f, 4.0f, 0.0f);
+  EXPECT_NEAR (rootCubeOf (equal).radius, 5.0, 0.01);
+}
+
+TEST (OctreeClusters, HoldThePointsOfOneCellOnTheirPlane)
 {
   Coordinates points;
   addGrid (points, tilted, 100, 0.001);
   const OctreeClusters found = clustersOf (points, 3);
   ASSERT_GT (found.clusters.size(), 20u);
-  for (const CoplanarCluster& cluster : found.clusters)
-    EXPECT_LT (angleBetween (cluster.fit.plane.normal, tilted.normal()), 0.02);
-}
-
-TEST (OctreeClusters, HoldThePointsOfOneCell)
-{
-  Coordinates points;
-  addGrid (points, tilted, 100);
-  const OctreeClusters found = clustersOf (points, 3);
   constexpr double rounding = 1e-5;
   for (const CoplanarCluster& cluster : found.clusters) {
+    EXPECT_LT (angleBetween (cluster.fit.plane.normal, tilted.normal()), 0.02);
     const Eigen::Vector3d center = cellCenterOf (found, cluster);
-    for (std::uint32_t i = cluster.begin; i < cluster.end; ++i)
-      EXPECT_LE ((found.points[i] - center).cwiseAbs().maxCoeff(),
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
+      sum += points[found.points[i].index];
+      EXPECT_LE ((found.points[i].position() - center).cwiseAbs().maxCoeff(),
                  cluster.edge / 2.0 + rounding);
+    }
+    EXPECT_EQ (cluster.moments.count, cluster.size());
+    EXPECT_LT ((cluster.fit.centroid - sum / cluster.size()).norm(), 1e-6);
   }
 }
 
@@ -65,26 +105,26 @@ TEST (OctreeClusters, ShareNoPoint)
   Coordinates points;
   addGrid (points, level, 100, 0.002);
   addGrid (points, upright, 100, 0.002);
-  OctreeClusters found = clustersOf (points, 4);
+  const OctreeClusters found = clustersOf (points, 4);
   for (std::size_t c = 1; c < found.clusters.size(); ++c)
     EXPECT_LE (found.clusters[c - 1].end, found.clusters[c].begin);
-  std::sort (found.points.order.begin(), found.points.order.end());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    ASSERT_EQ (found.points.order[i], i) << "the order is a permutation of all points";
+  std::vector<bool> is_there (points.size(), false);
+  for (const OctreePoint& point : found.points) {
+    EXPECT_EQ (point.position(), points[point.index]);
+    is_there[point.index] = true;
+  }
+  EXPECT_EQ (std::count (is_there.begin(), is_there.end(), false), 0);
 }
 
-TEST (OctreeClusters, HaveTheMomentsOfTheirPoints)
+TEST (OctreeClusters, HaveNoPointOutsideTheirRoot)
 {
   Coordinates points;
-  addGrid (points, tilted, 60, 0.001);
-  const OctreeClusters found = clustersOf (points, 3);
-  for (const CoplanarCluster& cluster : found.clusters) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::uint32_t i = cluster.begin; i < cluster.end; ++i)
-      sum += points[found.points.order[i]];
-    EXPECT_EQ (cluster.moments.count, cluster.size());
-    EXPECT_LT ((cluster.fit.centroid - sum / cluster.size()).norm(), 1e-6);
-  }
+  points.add (1e6f, 1e6f, 0.0f);
+  addGrid (points, level, 100);
+  const OctreeClusters found = clustersOf (points, 0);
+  ASSERT_EQ (found.clusters.size(), 1u);
+  EXPECT_EQ (found.clusters[0].size(), 10000u);
+  EXPECT_EQ (found.points.back().index, 0u) << "but it is still there";
 }
 
 TEST (OctreeClusters, AreCutWhereTwoPlanesMeet)

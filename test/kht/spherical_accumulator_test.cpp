@@ -112,19 +112,13 @@ TEST (SphericalAccumulator, PeaksWhereAKernelIsCenterd)
   EXPECT_EQ (binsOf (accumulator.peaks()), (std::set<Bin>{{direction, 20}}));
 }
 
-TEST (SphericalAccumulator, PeaksOnceForAKernelAcrossTheCenter)
+TEST (SphericalAccumulator, PeaksOnceForAKernelAcrossTheCenterOrAPole)
 {
-  SphericalAccumulator accumulator (coarse_space);
-  accumulator.add (votesOfKernelAt (0.01, 1.3, 1.0), 0);
-  EXPECT_EQ (accumulator.peaks().size(), 1u);
-}
-
-TEST (SphericalAccumulator, PeaksOnceForAKernelAcrossAPole)
-{
-  for (const double phi : {0.0, 0.1, 3.1}) {
+  for (const auto& [rho, phi] :
+       {std::pair (0.01, 1.3), {1.0, 0.0}, {1.0, 0.1}, {1.0, 3.1}}) {
     SphericalAccumulator accumulator (coarse_space);
-    accumulator.add (votesOfKernelAt (1.0, phi, 1.0), 0);
-    EXPECT_EQ (accumulator.peaks().size(), 1u);
+    accumulator.add (votesOfKernelAt (rho, phi, 1.0), 0);
+    EXPECT_EQ (accumulator.peaks().size(), 1u) << phi;
   }
 }
 

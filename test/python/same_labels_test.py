@@ -3,7 +3,6 @@
 """The module finds what the C++ classes find: pcl_ops_segment runs them on a file."""
 
 import json
-import os
 import pathlib
 import shutil
 import subprocess
@@ -106,13 +105,6 @@ class Reader(unittest.TestCase):
         self.assertEqual(cloud.viewpoint.tolist(), [1, 2, 3])
         self.assertEqual(cloud.fields["label"].tolist(), [0, 7])
         self.assertEqual(cloud.labels.tolist(), [-1, 6])
-
-    def test_reads_other_formats(self):
-        ply = ("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-               "property float z\nend_header\n1 2 3\n")
-        for name, text in (("a.ply", ply), ("a.xyz", "1 2 3\n"), ("a.csv", "x,y,z\n1,2,3\n")):
-            cloud = pcl_ops.read(os.fspath(self.file(name, text)))
-            self.assertEqual((cloud.points.tolist(), cloud.labels), ([[1, 2, 3]], None))
 
     def test_keeps_the_digits_of_a_las(self):
         millimeters = np.random.default_rng(1).integers(0, 10**6, (500, 3))

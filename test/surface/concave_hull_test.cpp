@@ -104,39 +104,28 @@ TEST (ConcaveHull, FollowsAnLWhereTheConvexHullDoesNot)
   const PlanarPoints l = gridOfL();
   EXPECT_NEAR (areaOf (pcl_ops::convexHull (l)), 2.875, 1e-6);
   EXPECT_NEAR (areaOf (concaveHull (l)) / area_of_l, 1.0, 1_percent);
+  EXPECT_NEAR (areaOf (concaveHull (l, 100.0)), 2.875, 0.01) << "with a radius given";
 }
 
-TEST (ConcaveHull, HasTheAreaOfScatteredPoints)
+TEST (ConcaveHull, HasTheAreaOfScatteredPointsAndNearlyAllInside)
 {
-  for (const int points : {3000, 30000, 100000}) {
-    EXPECT_NEAR (
-        areaOf (concaveHull (scatteredL (points, 0.0))) / area_of_l, 1.0, 5_percent)
-        << points;
-    EXPECT_NEAR (
-        areaOf (concaveHull (scatteredL (points, 5_mm))) / area_of_l, 1.0, 5_percent)
-        << points << " noisy";
-  }
+  for (const int points : {3000, 30000, 100000})
+    for (const double noise : {0.0, 5_mm}) {
+      const PlanarPoints l = scatteredL (points, noise);
+      const PlanarPoints hull = concaveHull (l);
+      EXPECT_NEAR (areaOf (hull) / area_of_l, 1.0, 5_percent)
+          << points << ", " << noise << " m of noise";
+      EXPECT_GE (shareInside (l, hull), 99_percent) << points;
+    }
 }
 
-TEST (ConcaveHull, HasNineHundredNinetyOfAThousandPointsInside)
-{
-  for (const double noise : {0.0, 5_mm, 2_cm}) {
-    const PlanarPoints l = scatteredL (20000, noise);
-    EXPECT_GE (shareInside (l, concaveHull (l)), 99_percent) << noise << " m of noise";
-  }
-}
-
-TEST (ConcaveHull, RunsCounterClockwiseWithoutCrossingItself)
-{
-  const PlanarPoints hull = concaveHull (scatteredL (5000, 5_mm));
-  EXPECT_GT (areaOf (hull), 0.0);
-  EXPECT_TRUE (boost::geometry::is_valid (toRing (hull)));
-}
-
-TEST (ConcaveHull, IsTheSameEveryTime)
+TEST (ConcaveHull, RunsCounterClockwiseWithoutCrossingItselfTheSameEveryTime)
 {
   const PlanarPoints l = scatteredL (5000, 5_mm);
-  EXPECT_EQ (concaveHull (l), concaveHull (l));
+  const PlanarPoints hull = concaveHull (l);
+  EXPECT_GT (areaOf (hull), 0.0);
+  EXPECT_TRUE (boost::geometry::is_valid (toRing (hull)));
+  EXPECT_EQ (concaveHull (l), hull);
 }
 
 TEST (ConcaveHull, KeepsTheRectangleOfTheExtent)
@@ -156,12 +145,6 @@ TEST (ConcaveHull, GoesAroundAllPartsOfAPlane)
   for (const Eigen::Vector2d& point : gridOfL())
     parts.emplace_back (point + Eigen::Vector2d (3.0, 0.0));
   EXPECT_GE (shareInside (parts, concaveHull (parts)), 99_percent);
-}
-
-TEST (ConcaveHull, TakesTheRadiusItIsGiven)
-{
-  const PlanarPoints l = gridOfL();
-  EXPECT_NEAR (areaOf (concaveHull (l, 100.0)), 2.875, 0.01) << "as good as convex";
 }
 
 TEST (ConcaveHull, OfPointsThatSpanNoAreaIsEmpty)
@@ -287,10 +270,4 @@ TEST (ConcaveOutline, TakesItsHolesOffTheArea)
   ASSERT_EQ (extent.rings().size(), 2u);
   EXPECT_EQ (extent.rings()[0], extent.hull);
   EXPECT_NEAR (extent.length, 3.0, 1e-6) << "of the outer ring";
-}
-
-TEST (ConcaveOutline, OfPointsThatSpanNoAreaIsEmpty)
-{
-  EXPECT_TRUE (concaveOutline ({}).empty());
-  EXPECT_TRUE (pcl_ops::extentOf ({}, {}, ground).rings().empty());
 }
