@@ -3,6 +3,7 @@
 """What README.md and the pages of src/doc say can be done, is done.
 
 python3 pages_test.py SOURCES PROGRAMS: the project's folder, and that of its programs.
+python3 pages_test.py SOURCES --fill: writes the numbers of src/doc/comparison.csv into tables.
 """
 
 import csv
@@ -40,6 +41,8 @@ METHODS = {"pcl_ops": "ops", "pcl_ops, as in the paper": "ops-3-30", "3D-KHT": "
            "CGAL region growing": "cgal-region-growing",
            "Open3D `segment_plane` loop": "open3d", "Voxel octree as in VoxelMap": "voxel-octree"}
 OURS = ("ops", "ops-3-30", "kht", "fspf")
+# Pages with such tables, and how many.
+COMPARISONS = {README: 1, SOURCES / "src/doc/accuracy.md": 3}
 
 
 def compared():
@@ -84,6 +87,25 @@ def expected_row(header, label, table):
                 raise AssertionError(f"{column}: {row}")
         cells.append(expected_cell(rows, ["s"] if unit else measures_of(header[0])))
     return [label, *cells]
+
+
+def counted(column, table):
+    """A column with the number of its clouds, if it names one."""
+    name, count = re.match(r"(.*?)(?: \((\d+)\))?$", column).groups()
+    clouds = {int(row["clouds"]) + int(row["stopped"])
+              for (data_set, _), row in table.items() if count and data_set == DATA_SETS[name]}
+    return f"{name} ({max(clouds)})" if clouds else column
+
+
+def fill_tables(page):
+    """Brings a page's tables of comparisons up to date."""
+    table, text = compared(), page.read_text()
+    for header, _, *rows in comparison_tables(page):
+        now = [header[0], *(counted(column, table) for column in header[1:])]
+        lines = [(header, now), *((row, expected_row(now, row[0], table)) for row in rows)]
+        for old, new in lines:
+            text = text.replace(f"| {' | '.join(old)} |\n", f"| {' | '.join(new)} |\n")
+    page.write_text(text)
 
 
 def code_of(page, language):
@@ -155,7 +177,7 @@ class Pages(unittest.TestCase):
 
     def test_comparisons_have_the_numbers_of_the_csv(self):
         table = compared()
-        for page, tables in ((README, 1), (SOURCES / "src/doc/accuracy.md", 3)):
+        for page, tables in COMPARISONS.items():
             found = list(comparison_tables(page))
             self.assertEqual(len(found), tables, page.name)
             for header, _, *rows in found:
@@ -177,5 +199,8 @@ class Pages(unittest.TestCase):
         self.assertLessEqual(len(README.read_text().splitlines()), 220)
 
 
-if __name__ == "__main__":
+if __name__ == "__main__" and PROGRAMS == "--fill":
+    for page_with_tables in COMPARISONS:
+        fill_tables(page_with_tables)
+elif __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

@@ -8,8 +8,16 @@
 #include <CGAL/property_map.h>
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
 #include <CGAL/Shape_detection/Region_growing/Region_growing.h>
-#include <CGAL/Shape_detection/Region_growing/Region_growing_on_point_set.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/version_macros.h>
+
+// CGAL 5.6 grows regions of items instead of indices.
+#if CGAL_VERSION_NR < 1050600000
+#include <CGAL/Shape_detection/Region_growing/Region_growing_on_point_set.h>
+#else
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Shape_detection/Region_growing/Point_set.h>
+#endif
 
 #include <cmath>
 #include <tuple>
@@ -76,6 +84,55 @@ planeOf (const OrientedPoints& points, const std::vector<std::size_t>& members)
   return plane;
 }
 
+namespace growing = CGAL::Shape_detection::Point_set;
+
+#if CGAL_VERSION_NR < 1050600000
+std::vector<std::vector<std::size_t>>
+regionsOf (const OrientedPoints& points, unsigned neighbors, float threshold)
+{
+  using Query = growing::K_neighbor_query<Kernel, OrientedPoints, PointMap>;
+  using Region = growing::
+      Least_squares_plane_fit_region<Kernel, OrientedPoints, PointMap, NormalMap>;
+  using Sorting =
+      growing::Least_squares_plane_fit_sorting<Kernel, OrientedPoints, Query, PointMap>;
+  Query query (points, neighbors);
+  Region region (points, threshold, normal_degrees, min_points_of_region);
+  Sorting sorting (points, query);
+  sorting.sort();
+  CGAL::Shape_detection::
+      Region_growing<OrientedPoints, Query, Region, typename Sorting::Seed_map>
+          region_growing (points, query, region, sorting.seed_map());
+  std::vector<std::vector<std::size_t>> regions;
+  region_growing.detect (std::back_inserter (regions));
+  return regions;
+}
+#else
+std::vector<std::vector<std::size_t>>
+regionsOf (const OrientedPoints& points, unsigned neighbors, float threshold)
+{
+  CGAL::Point_set_3<Kernel::Point_3> set (true); // with normals
+  for (const OrientedPoint& point : points)
+    set.insert (std::get<0> (point), std::get<1> (point));
+  auto query = growing::make_k_neighbor_query (
+      set, CGAL::parameters::k_neighbors (std::size_t{neighbors}));
+  auto region = growing::make_least_squares_plane_fit_region (
+      set,
+      CGAL::parameters::maximum_distance (threshold)
+          .maximum_angle (normal_degrees)
+          .minimum_region_size (min_points_of_region));
+  auto sorting = growing::make_least_squares_plane_fit_sorting (set, query);
+  sorting.sort();
+  using Growing =
+      CGAL::Shape_detection::Region_growing<decltype (query), decltype (region)>;
+  std::vector<Growing::Primitive_and_region> grown;
+  Growing (set, sorting.ordered(), query, region).detect (std::back_inserter (grown));
+  std::vector<std::vector<std::size_t>> regions;
+  for (const auto& [plane, members] : grown)
+    regions.emplace_back (members.begin(), members.end());
+  return regions;
+}
+#endif
+
 } // namespace
 
 std::vector<pcl::PointIndices>
@@ -107,29 +164,9 @@ std::vector<pcl::PointIndices>
 planesByCgalRegionGrowing (const PeerTask& task)
 {
   const OrientedPoints points = orientedPointsOf (task);
-  namespace growing = CGAL::Shape_detection::Point_set;
-  using Query = growing::K_neighbor_query<Kernel, OrientedPoints, PointMap>;
-  using Region = growing::
-      Least_squares_plane_fit_region<Kernel, OrientedPoints, PointMap, NormalMap>;
-  using Sorting =
-      growing::Least_squares_plane_fit_sorting<Kernel, OrientedPoints, Query, PointMap>;
-  Query query (points, neighborsFor (task), PointMap());
-  Region region (points,
-                 float (task.values.threshold),
-                 normal_degrees,
-                 min_points_of_region,
-                 PointMap(),
-                 NormalMap());
-  Sorting sorting (points, query, PointMap());
-  sorting.sort();
-  CGAL::Shape_detection::
-      Region_growing<OrientedPoints, Query, Region, typename Sorting::Seed_map>
-          region_growing (points, query, region, sorting.seed_map());
-  std::vector<std::vector<std::size_t>> regions;
-  region_growing.detect (std::back_inserter (regions));
-
   std::vector<pcl::PointIndices> planes;
-  for (const std::vector<std::size_t>& members : regions)
+  for (const std::vector<std::size_t>& members :
+       regionsOf (points, neighborsFor (task), float (task.values.threshold)))
     planes.push_back (planeOf (points, members));
   return planes;
 }
