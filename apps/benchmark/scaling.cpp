@@ -7,7 +7,7 @@
 #include <detection/methods.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
-#include <simulation/dense_scan.h>
+#include <simulation/simulated_cloud.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <benchmark/scaling.h>
-#include <simulation/dense_scan.h>
+#include <simulation/simulated_cloud.h>
 
 namespace {
 

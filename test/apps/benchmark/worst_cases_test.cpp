@@ -10,7 +10,7 @@
 
 #include <benchmark/scaling.h>
 #include <simulation/room.h>
-#include <simulation/dense_scan.h>
+#include <simulation/simulated_cloud.h>
 
 #include <cctype>
 #include <cmath>
