@@ -1,54 +1,43 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report.h"
+#include <pcl/pcl_config.h>
+
 #include "scaling.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
-#include <evaluation/data/data_sets.h>
+#include <detection/methods.h>
+#include <evaluation/report/answer.h>
 #include <io/output_file.h>
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <thread>
 
 namespace {
 
 using namespace pcl_ops;
 using namespace pcl_ops::benchmark;
+using evaluation::CloudSource;
 using evaluation::DataSet;
 using evaluation::XyzCloud;
+using Json = nlohmann::ordered_json;
 
 constexpr const char* program_name = "pcl_ops_benchmark";
 
 /** \brief What the command line says. */
 struct Options {
-  /** \brief As evaluation::dataSetOf takes them. */
-  std::string clouds;
-  std::string memory_cloud;
+  /** \brief A data set of evaluation::dataSetOf, or a file or folder. */
+  std::string input;
   std::string json_file;
   /** \brief Empty: nothing is measured for it. */
   std::string scaling_folder;
   std::string scaling_points = "30000,100000,300000,1000000,3000000,10000000";
+  std::size_t memory_points = 3'000'000;
   MeasureParameters measures;
 };
-
-/** Simulated clouds are said as data sets; anything else is a path. */
-std::string
-dataSetText (const std::string& input)
-{
-  for (const char* kind : {"simulated:",
-                           "rooms:",
-                           "rooms-raw:",
-                           "streets:",
-                           "streets-32:",
-                           "streets-16:",
-                           "sunrgbd:",
-                           "sunrgbd-raw:"})
-    if (input.rfind (kind, 0) == 0)
-      return input;
-  return "clouds:" + input;
-}
 
 /** \return false if help or version was printed */
 bool
@@ -63,12 +52,10 @@ readOptions (int argc, const char* const* argv, Options& options)
   using apps::Range;
   constexpr double max_runs = 1000, max_points = 1e8;
   MeasureParameters& measures = options.measures;
-  std::string input;
-  std::size_t memory_points = 3'000'000;
   bool no_peers = false;
   line.addArgument (
       "INPUT",
-      input,
+      options.input,
       "a .pcd, .ply, .las or text file, a folder of them, simulated:N,N,... (scans of "
       "a whole room with N points), rooms:FIRST-LAST, streets:FIRST-LAST (images and "
       "scans by seed) or sunrgbd:FOLDER");
@@ -88,7 +75,7 @@ readOptions (int argc, const char* const* argv, Options& options)
   line.addNumber ("memory-points",
                   "N",
                   Range::from (1).upTo (max_points),
-                  memory_points,
+                  options.memory_points,
                   "size of the simulated scan peak memory is measured on (3000000)");
   line.addText ("scaling",
                 "FOLDER",
@@ -104,8 +91,6 @@ readOptions (int argc, const char* const* argv, Options& options)
   line.forbidTogether ("no-peers", "peer-runs");
   if (no_peers)
     measures.peer_runs = 0;
-  options.clouds = dataSetText (input);
-  options.memory_cloud = "simulated:" + std::to_string (memory_points);
   return true;
 }
 
@@ -118,29 +103,105 @@ notify (const std::string& what)
     std::cerr << erase_line << what << std::flush;
 }
 
-CloudFigures
-figuresOf (const evaluation::CloudSource& source, const MeasureParameters& parameters)
+std::string
+cpuModel ()
+{
+  std::ifstream info ("/proc/cpuinfo");
+  for (std::string line; std::getline (info, line);)
+    if (line.rfind ("model name", 0) == 0)
+      return line.substr (line.find (':') + 2);
+  return "unknown CPU";
+}
+
+std::string
+compilerAndFlags ()
+{
+#if defined(__clang__)
+  return "clang " __clang_version__ " " PCL_OPS_COMPILER_FLAGS;
+#elif defined(__GNUC__)
+  return "g++ " __VERSION__ " " PCL_OPS_COMPILER_FLAGS;
+#else
+  return "unknown compiler";
+#endif
+}
+
+/** The peak memory of the default preset. */
+Json
+peakOn (const XyzCloud::ConstPtr& cloud)
+{
+  return {{"points", cloud->size()},
+          {"cloud_bytes", double (cloud->size() * sizeof (pcl::PointXYZ))},
+          {"extra_bytes",
+           peakMemoryOn (cloud, evaluation::selectConfigurations ("ops").front())}};
+}
+
+std::string
+peakText (const Json& peak)
+{
+  const auto megabytes = [&peak] (const char* key) {
+    return evaluation::decimal (peak[key].get<double>() / 1e6, 1);
+  };
+  return peak["points"].dump() + " points take " + megabytes ("cloud_bytes") +
+         " MB, the default preset " + megabytes ("extra_bytes") +
+         " MB more at its peak.\n";
+}
+
+/** Prints Markdown: the times on a cloud. */
+void
+printTimes (const Json& figures)
+{
+  const double points = figures["points"],
+               of_default = figures["times"]["ops"]["detection_ms"];
+  Json table = Json::array();
+  for (const auto& [name, time] : figures["times"].items()) {
+    Json row{{"measure", name}, {"runs", time["runs"]}};
+    for (const auto& stage : apps::detection_stages) {
+      const double milliseconds = time[std::string (stage.first) + "_ms"];
+      row[stage.first] =
+          milliseconds > 0.0 ? evaluation::decimal (milliseconds, 1) : "";
+    }
+    const double whole = time["detection_ms"];
+    row["us per point"] = evaluation::decimal (1e3 * whole / points, 3);
+    row["times ops"] = evaluation::decimal (whole / of_default, 2);
+    table.push_back (row);
+  }
+  const std::string name = figures["name"];
+  std::cout << evaluation::tableOf ("Times [ms], " + name + ", " +
+                                        figures["points"].dump() + " points",
+                                    table)
+            << std::flush;
+}
+
+/** Measures on a cloud and prints the times. */
+Json
+figuresOf (const CloudSource& source, const MeasureParameters& parameters)
 {
   notify ("loading " + source.name);
   const XyzCloud::ConstPtr cloud = source.load().cloud;
-  const auto times =
-      measureInTurns (measuresOf (cloud, parameters), [&] (const std::string& what) {
-        notify (source.name + ": " + what);
-      });
-  const CloudFigures figures{source.name, times, peakMemoryOn (cloud)};
+  Json figures{{"name", source.name}, {"points", cloud->size()}};
+  for (const BestTime& time :
+       measureInTurns (measuresOf (cloud, parameters), [&] (const std::string& what) {
+         notify (source.name + ": " + what);
+       })) {
+    Json& measure = figures["times"][time.name];
+    measure["runs"] = time.runs;
+    for (const auto& [stage, duration] : apps::detection_stages)
+      measure[std::string (stage) + "_ms"] = time.durations.*duration;
+  }
+  figures["peak_memory"] = peakOn (cloud);
   notify ("");
-  printTimes (figures, std::cout);
+  printTimes (figures);
   return figures;
 }
 
 /** \param[out] left_out how many of several clouds could not be read */
-std::vector<CloudFigures>
+Json
 figuresOfAll (const DataSet& clouds,
               const MeasureParameters& parameters,
               std::size_t& left_out)
 {
-  std::vector<CloudFigures> all;
-  for (const evaluation::CloudSource& source : clouds.clouds)
+  Json all = Json::array();
+  for (const CloudSource& source : clouds.clouds)
     try {
       all.push_back (apps::inMemory (source.name, "give a smaller cloud", [&] {
         return figuresOf (source, parameters);
@@ -150,19 +211,36 @@ figuresOfAll (const DataSet& clouds,
       if (++left_out == clouds.clouds.size())
         throw;
       notify ("");
-      std::cerr << program_name << ": left out: " << error.what() << '\n';
+      apps::warn (std::string ("left out: ") + error.what());
     }
   return all;
 }
 
+/** Prints Markdown: how all this was measured, and the peak memory. */
 void
-writeScaling (const Options& options, const DataSet& clouds, const DataSet& growing)
+printMethod (const Json& report)
 {
-  const std::vector<ScalingRow> rows =
-      measureScaling (clouds.clouds, growing.clouds, options.measures, notify);
-  const auto file = std::filesystem::path (options.scaling_folder) / "scaling.csv";
-  apps::writeTextFile (file.string(), csvOf (rows));
-  notify ("");
+  const Json& machine = report["machine"];
+  std::cout << "- Machine: " << machine["cpu"].get<std::string>() << ", "
+            << machine["cores"] << " cores; " << compilerAndFlags()
+            << "; PCL " PCL_VERSION_PRETTY ".\n"
+            << "- Times are of everything from a loaded cloud to a label for every "
+               "point, the search\n  structure's construction included: the shortest "
+               "of "
+            << report["runs"] << " runs";
+  if (report["peer_runs"] > 0)
+    std::cout << " (of others' detectors " << report["peer_runs"] << ')';
+  std::cout << ", in turns in one process,\n  processor time of one thread where "
+               "nothing else is said; of stages and of two\n"
+               "  threads wall time.\n"
+               "- Names are those of `pcl_ops_evaluate detectors`: ops is the default "
+               "preset, ops-3-30\n  the paper's, with 3 % of the points and 30 "
+               "neighbors.\n"
+               "- Peak memory is the growth of a child process's resident memory:\n  "
+            << peakText (report["peak_memory"]);
+  for (const Json& figures : report["clouds"])
+    std::cout << "- " << figures["name"].get<std::string>() << ": "
+              << peakText (figures["peak_memory"]);
 }
 
 DataSet
@@ -189,7 +267,10 @@ run (int argc, const char* const* argv)
   Options options;
   if (!readOptions (argc, argv, options))
     return apps::ExitCode::done;
-  const DataSet clouds = dataSet (options.clouds);
+  const std::string& input = options.input;
+  const bool is_path =
+      input.find (':') == std::string::npos || std::filesystem::exists (input);
+  const DataSet clouds = dataSet (is_path ? "clouds:" + input : input);
   const DataSet growing = growingScans (options.scaling_points);
   if (!options.json_file.empty())
     apps::checkWritable (options.json_file);
@@ -197,17 +278,29 @@ run (int argc, const char* const* argv)
     apps::makeFolder (options.scaling_folder);
 
   std::size_t left_out = 0;
-  Benchmark benchmark{options.measures, {}, {}};
-  benchmark.clouds = figuresOfAll (clouds, options.measures, left_out);
+  Json report{{"program", program_name}, {"version", PCL_OPS_VERSION}};
+  report["machine"] = {{"cpu", cpuModel()},
+                       {"cores", std::thread::hardware_concurrency()},
+                       {"compiler", compilerAndFlags()},
+                       {"pcl", PCL_VERSION_PRETTY}};
+  report["runs"] = options.measures.runs;
+  report["peer_runs"] = options.measures.peer_runs;
+  report["seed"] = options.measures.seed;
+  report["clouds"] = figuresOfAll (clouds, options.measures, left_out);
   notify ("memory");
-  benchmark.peak =
-      peakMemoryOn (dataSet (options.memory_cloud).clouds.front().load().cloud);
+  const std::string scan = "simulated:" + std::to_string (options.memory_points);
+  report["peak_memory"] = peakOn (dataSet (scan).clouds.front().load().cloud);
   notify ("");
-  printMethod (benchmark, std::cout);
-  if (!options.scaling_folder.empty())
-    writeScaling (options, clouds, growing);
+  printMethod (report);
+  if (!options.scaling_folder.empty()) {
+    const auto file = std::filesystem::path (options.scaling_folder) / "scaling.csv";
+    apps::writeTextFile (
+        file.string(),
+        measureScaling (clouds.clouds, growing.clouds, options.measures, notify));
+    notify ("");
+  }
   if (!options.json_file.empty())
-    apps::writeTextFile (options.json_file, jsonOf (benchmark));
+    apps::writeTextFile (options.json_file, report.dump (2) + "\n");
   return left_out == 0 ? apps::ExitCode::done : apps::ExitCode::work_failed;
 }
 

@@ -7,15 +7,21 @@
 #include <evaluation/detectors/limited_run.h>
 #include <pcl_ops/oriented_point_sampling.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <algorithm>
+#include <cstring>
+#include <fstream>
 #include <iostream>
+#include <limits>
 #include <memory>
+#include <stdexcept>
 
 namespace pcl_ops::benchmark {
 
 namespace {
-
-using evaluation::timed;
 
 /** \brief A measure without stages. */
 Measure
@@ -23,19 +29,9 @@ measureOf (const std::string& name, std::size_t runs, const std::function<void()
 {
   return {name, runs, [work] {
             StageDurations durations;
-            timed (durations.detection, evaluation::Clock::Processor, work);
+            evaluation::timed (durations.detection, evaluation::Clock::Processor, work);
             return durations;
           }};
-}
-
-Measure
-twoThreadsMeasure (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters)
-{
-  OrientedPointSamplingParameters ops;
-  ops.seed = parameters.seed;
-  ops.threads = 2;
-  return detectorMeasure<OrientedPointSampling<pcl::PointXYZ>> (
-      "ops, two threads", parameters.runs, ops, cloud);
 }
 
 /** \brief A detector of others may take any time: then it is said and ended. */
@@ -48,8 +44,6 @@ durationsOf (const evaluation::Configuration& detector,
   evaluation::RunSettings settings;
   settings.seed = seed;
   settings.clock = evaluation::Clock::Processor;
-  if (!detector.is_peer)
-    return detector.run (cloud, settings).durations;
   if (const auto run = evaluation::runLimited (detector, cloud, settings, time_limit))
     return run->durations;
   std::cerr << detector.name << ": stopped after " << time_limit << " s\n";
@@ -58,19 +52,16 @@ durationsOf (const evaluation::Configuration& detector,
   return durations;
 }
 
-void
-addDetectors (const std::string& names,
-              std::size_t runs,
-              const XyzCloud::ConstPtr& cloud,
-              std::uint32_t seed,
-              std::vector<Measure>& measures)
+/** A line of /proc/self/status [byte]; NaN if there is none. */
+double
+statusBytes (const std::string& name)
 {
-  for (const evaluation::Configuration& detector :
-       evaluation::selectConfigurations (names))
-    if (!detector.needs_grid)
-      measures.push_back ({detector.name, runs, [detector, cloud, seed] {
-                             return durationsOf (detector, cloud, seed);
-                           }});
+  constexpr double bytes_per_kilobyte = 1024.0;
+  std::ifstream status ("/proc/self/status");
+  for (std::string line; std::getline (status, line);)
+    if (line.rfind (name + ":", 0) == 0)
+      return bytes_per_kilobyte * std::stod (line.substr (name.size() + 1));
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace
@@ -98,38 +89,72 @@ measureInTurns (const std::vector<Measure>& measures, const Notify& notify)
   return best;
 }
 
-Measure
-copyMeasure (const XyzCloud::ConstPtr& cloud, std::size_t runs)
+std::vector<Measure>
+leastMeasures (const XyzCloud::ConstPtr& cloud, std::size_t runs)
 {
-  return measureOf (
-      "copy of the cloud", runs, [cloud, copy = std::make_shared<XyzCloud> (*cloud)] {
-        std::copy (cloud->begin(), cloud->end(), copy->begin());
-      });
-}
-
-Measure
-kdTreeMeasure (const XyzCloud::ConstPtr& cloud, std::size_t runs)
-{
-  return measureOf ("KdTreeFLANN construction", runs, [cloud] {
-    pcl::KdTreeFLANN<pcl::PointXYZ>().setInputCloud (cloud);
-  });
+  const auto copy = std::make_shared<XyzCloud> (*cloud);
+  return {measureOf ("copy of the cloud",
+                     runs,
+                     [cloud, copy] {
+                       std::copy (cloud->begin(), cloud->end(), copy->begin());
+                     }),
+          measureOf ("KdTreeFLANN construction", runs, [cloud] {
+            pcl::KdTreeFLANN<pcl::PointXYZ>().setInputCloud (cloud);
+          })};
 }
 
 std::vector<Measure>
 measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters)
 {
-  std::vector<Measure> measures{copyMeasure (cloud, parameters.runs),
-                                kdTreeMeasure (cloud, parameters.runs),
-                                twoThreadsMeasure (cloud, parameters)};
-  addDetectors (std::string (default_preset) +
-                    ",ops-3-30,ops-0.3-10,kht,fspf-0.07-0.14",
-                parameters.runs,
-                cloud,
-                parameters.seed,
-                measures);
-  if (parameters.peer_runs > 0)
-    addDetectors ("peers", parameters.peer_runs, cloud, parameters.seed, measures);
+  using Ops = OrientedPointSampling<pcl::PointXYZ>;
+  std::vector<Measure> measures = leastMeasures (cloud, parameters.runs);
+  Ops::Parameters two_threads;
+  two_threads.seed = parameters.seed;
+  two_threads.threads = 2;
+  measures.push_back (
+      detectorMeasure<Ops> ("ops, two threads", parameters.runs, two_threads, cloud));
+  for (const auto& [names, runs] :
+       {std::pair ("ops,ops-3-30,ops-0.3-10,kht,fspf-0.07-0.14", parameters.runs),
+        {"peers", parameters.peer_runs}})
+    for (const auto& detector : evaluation::selectConfigurations (names))
+      if (runs > 0 && !detector.needs_grid)
+        measures.push_back (
+            {detector.name, runs, [detector, cloud, seed = parameters.seed] {
+               return durationsOf (detector, cloud, seed);
+             }});
   return measures;
+}
+
+double
+peakMemoryOn (const XyzCloud::ConstPtr& cloud,
+              const evaluation::Configuration& detector)
+{
+  // The pages of the program itself are resident once a small cloud has used them.
+  constexpr std::size_t small = 5000;
+  const XyzCloud::Ptr few (new XyzCloud);
+  const std::size_t stride = std::max<std::size_t> (1, cloud->size() / small);
+  for (std::size_t i = 0; i < cloud->size(); i += stride)
+    few->push_back ((*cloud)[i]);
+  const auto measure = [&] {
+    detector.run (few, {});
+#ifdef __GLIBC__
+    malloc_trim (0); // freed memory that is kept would hide what is allocated next
+#endif
+    // "5" sets the peak back to what is resident now (proc(5)).
+    std::ofstream ("/proc/self/clear_refs") << "5";
+    const double before = statusBytes ("VmRSS");
+    detector.run (cloud, {});
+    const double growth = statusBytes ("VmHWM") - before;
+    return std::string (reinterpret_cast<const char*> (&growth), sizeof growth);
+  };
+  double growth = std::numeric_limits<double>::quiet_NaN();
+  try {
+    std::memcpy (
+        &growth, evaluation::runInChild (measure, 0).value().data(), sizeof growth);
+  }
+  catch (const std::runtime_error&) { // the number stays NaN
+  }
+  return growth;
 }
 
 } // namespace pcl_ops::benchmark

@@ -49,9 +49,6 @@ struct MeasureParameters {
   std::uint32_t seed = 42;
 };
 
-/** \brief The default preset's name among the detectors of the evaluation. */
-constexpr const char* default_preset = "ops";
-
 /** \brief A detector of this project with all its parameters, threads too: of one
  * thread processor time, which other programs disturb less, of more wall time. */
 template <typename Detector>
@@ -69,19 +66,23 @@ detectorMeasure (const std::string& name,
       }};
 }
 
-/** \brief Onto memory that is there already: what reading and writing it takes at
- * least. */
-Measure
-copyMeasure (const XyzCloud::ConstPtr& cloud, std::size_t runs);
+/** \brief What no method is faster than: a copy of the cloud onto memory that is there
+ * already, and building pcl::KdTreeFLANN. */
+std::vector<Measure>
+leastMeasures (const XyzCloud::ConstPtr& cloud, std::size_t runs);
 
-/** \brief Building pcl::KdTreeFLANN. */
-Measure
-kdTreeMeasure (const XyzCloud::ConstPtr& cloud, std::size_t runs);
-
-/** \brief A copy of the cloud, a kd-tree's construction, the default preset on two
- * threads, the presets, and the detectors of others.
+/** \brief \ref leastMeasures, the default preset on two threads, the presets, and the
+ * detectors of others.
  * \param[in] cloud finite points */
 std::vector<Measure>
 measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters);
+
+/** \brief What a detection on one thread needs on top of the cloud at its peak [byte],
+ * labels of all points included: by how much the resident memory of a child process
+ * grows. NaN where the system does not tell.
+ * \param[in] cloud finite points */
+double
+peakMemoryOn (const XyzCloud::ConstPtr& cloud,
+              const evaluation::Configuration& detector);
 
 } // namespace pcl_ops::benchmark

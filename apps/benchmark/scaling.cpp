@@ -7,7 +7,7 @@
 #include <detection/methods.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
-#include <simulation/dense_scan.h>
+#include <simulation/simulated_cloud.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,15 +44,30 @@ presetsOn (const XyzCloud::ConstPtr& cloud,
   return measures;
 }
 
-/** \brief The presets, 3D-KHT, a kd-tree's construction and a copy. */
+/** \brief The presets, 3D-KHT, and what no method is faster than. */
 std::vector<Measure>
 allOn (const XyzCloud::ConstPtr& cloud, const MeasureParameters& measuring)
 {
   std::vector<Measure> measures = presetsOn (cloud, measuring);
-  measures.push_back (copyMeasure (cloud, measuring.runs));
   measures.push_back (detectorMeasure<Kht> ("kht", measuring.runs, {}, cloud));
-  measures.push_back (kdTreeMeasure (cloud, measuring.runs));
+  for (const Measure& least : leastMeasures (cloud, measuring.runs))
+    measures.push_back (least);
   return measures;
+}
+
+void
+writeRow (std::ostream& csv,
+          const char* series,
+          double x,
+          std::size_t points,
+          const std::string& cloud,
+          const BestTime& time)
+{
+  csv << series << ',' << x << ',' << points << ',' << time.name << ',' << time.runs
+      << ',' << std::quoted (cloud, '"', '"');
+  for (const auto& [stage, duration] : apps::detection_stages)
+    csv << ',' << time.durations.*duration;
+  csv << '\n';
 }
 
 } // namespace
@@ -80,21 +95,24 @@ makeBoards (unsigned number)
   return scene;
 }
 
-std::vector<ScalingRow>
+std::string
 measureScaling (const std::vector<evaluation::CloudSource>& clouds,
                 const std::vector<evaluation::CloudSource>& growing,
                 const MeasureParameters& parameters,
                 const Notify& notify)
 {
-  constexpr double per_cent = 100.0;
-  std::vector<ScalingRow> rows;
+  std::ostringstream csv;
+  csv << "series,x,points,measure,runs,cloud";
+  for (const auto& stage : apps::detection_stages)
+    csv << ',' << stage.first << "_ms";
+  csv << '\n';
   std::string name = clouds.front().name;
   const auto add = [&] (const char* series,
                         double x,
-                        const XyzCloud::ConstPtr& of_row,
+                        const XyzCloud::ConstPtr& cloud,
                         const std::vector<Measure>& measures) {
     for (const BestTime& time : measureInTurns (measures, notify))
-      rows.push_back ({series, x, of_row->size(), time, name});
+      writeRow (csv, series, x, cloud->size(), name, time);
   };
   const XyzCloud::ConstPtr cloud = clouds.front().load().cloud;
   const unsigned most = std::max (2u, std::thread::hardware_concurrency());
@@ -106,10 +124,7 @@ measureScaling (const std::vector<evaluation::CloudSource>& clouds,
       add ("threads", threads, kind, presetsOn (kind, parameters, threads));
   }
   for (const double rate : {0.003, 0.005, 0.01, 0.03, 0.05, 0.1})
-    add ("sampling_rate",
-         per_cent * rate,
-         cloud,
-         presetsOn (cloud, parameters, 1, rate));
+    add ("sampling_rate", 100.0 * rate, cloud, presetsOn (cloud, parameters, 1, rate));
   for (const unsigned planes : {1u, 3u, 10u, 30u, 100u, 300u}) {
     const auto scan = simulation::scanDensely (
         makeBoards (planes), cloud->size(), 1.0, parameters.seed);
@@ -122,24 +137,6 @@ measureScaling (const std::vector<evaluation::CloudSource>& clouds,
     notify ("simulating " + name);
     const XyzCloud::ConstPtr scan = source.load().cloud;
     add ("points", double (scan->size()), scan, allOn (scan, parameters));
-  }
-  return rows;
-}
-
-std::string
-csvOf (const std::vector<ScalingRow>& rows)
-{
-  std::ostringstream csv;
-  csv << "series,x,points,measure,runs,cloud";
-  for (const auto& stage : apps::detection_stages)
-    csv << ',' << stage.first << "_ms";
-  csv << '\n';
-  for (const ScalingRow& row : rows) {
-    csv << row.series << ',' << row.x << ',' << row.points << ',' << row.time.name
-        << ',' << row.time.runs << ',' << std::quoted (row.cloud, '"', '"');
-    for (const auto& [stage, duration] : apps::detection_stages)
-      csv << ',' << row.time.durations.*duration;
-    csv << '\n';
   }
   return csv.str();
 }

@@ -63,16 +63,6 @@ depthOnSurface (const Hit& hit,
   return is_grazing ? hit.distance : depth;
 }
 
-/** \brief A standard normal value for each pixel, row by row, each by itself. */
-std::vector<double>
-drawWhiteField (int width, int height, Random& random)
-{
-  std::vector<double> field (std::size_t (width) * height);
-  for (double& value : field)
-    value = random.gaussian();
-  return field;
-}
-
 /** \brief A Gaussian whose squares sum to 1, so that filtering white noise with it
  * keeps the variance. */
 std::vector<double>
@@ -114,12 +104,14 @@ filterRowsAndTranspose (const std::vector<double>& field,
 std::vector<double>
 drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
 {
-  if (noise.is_raw)
-    return drawWhiteField (camera.width, camera.height, random);
-  const int radius = int (std::ceil (3.0 * noise.smoothing));
-  const std::vector<double> kernel = variancePreservingKernel (radius, noise.smoothing);
+  const int radius = noise.is_raw ? 0 : int (std::ceil (3.0 * noise.smoothing));
   const int wide = camera.width + 2 * radius, high = camera.height + 2 * radius;
-  const std::vector<double> white = drawWhiteField (wide, high, random);
+  std::vector<double> white (std::size_t (wide) * high); // row by row
+  for (double& value : white)
+    value = random.gaussian();
+  if (noise.is_raw)
+    return white;
+  const std::vector<double> kernel = variancePreservingKernel (radius, noise.smoothing);
   const std::vector<double> columns = filterRowsAndTranspose (white, wide, kernel);
   return filterRowsAndTranspose (columns, high, kernel);
 }
@@ -178,27 +170,6 @@ disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
     }
 }
 
-void
-addAxialNoise (DepthImage& image,
-               const DepthCamera& camera,
-               const CameraNoise& noise,
-               Random& random)
-{
-  const std::vector<double> field = drawField (camera, noise, random);
-  for (std::size_t i = 0; i < field.size(); ++i)
-    image.depth[i] += noise.scale * axialSigma (image.depth[i]) * field[i];
-}
-
-/** \brief The steps are those of the Kinect's own image also in a smaller one. */
-void
-quantizeDisparity (DepthImage& image)
-{
-  constexpr double steps_times_depth = disparity_steps * kinect_focal_length * baseline;
-  for (double& depth : image.depth)
-    if (depth > 0.0)
-      depth = steps_times_depth / std::round (steps_times_depth / depth);
-}
-
 } // namespace
 
 DepthImage
@@ -239,13 +210,19 @@ measureDepth (const Scene& scene,
   DepthImage image = castDepthImage (scene, camera, pose, jitter);
   if (noise.scale > 0.0) {
     disturbEdges (image, noise, random);
-    addAxialNoise (image, camera, noise, random);
-    if (noise.is_raw)
-      quantizeDisparity (image);
+    const std::vector<double> field = drawField (camera, noise, random);
+    for (std::size_t i = 0; i < field.size(); ++i)
+      image.depth[i] += noise.scale * axialSigma (image.depth[i]) * field[i];
   }
-  for (double& depth : image.depth)
+  // The steps are those of the Kinect's own image also in a smaller one.
+  constexpr double steps_times_depth = disparity_steps * kinect_focal_length * baseline;
+  const bool has_steps = noise.is_raw && noise.scale > 0.0;
+  for (double& depth : image.depth) {
+    if (has_steps && depth > 0.0)
+      depth = steps_times_depth / std::round (steps_times_depth / depth);
     if (!(depth >= nearest && depth <= farthest))
       depth = no_reading;
+  }
   return image;
 }
 

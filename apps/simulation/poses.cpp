@@ -96,16 +96,6 @@ posesOn (const Path& path, const Room& room, std::size_t frames)
   return poses;
 }
 
-/** \brief The fewest surfaces that are well in view from any of the poses. */
-int
-minVisibleSurfaces (const Poses& poses, const Scene& scene)
-{
-  int fewest = std::numeric_limits<int>::max();
-  for (const Isometry3d& pose : poses)
-    fewest = std::min (fewest, countVisibleSurfaces (scene, pose));
-  return fewest;
-}
-
 /** \brief The first of the candidates that \p rate gives the most. */
 template <typename Draw, typename Rate>
 auto
@@ -180,7 +170,10 @@ drawWalk (const Room& room, std::size_t frames, std::uint32_t seed)
       candidate_walks,
       [&] { return drawPath (random); },
       [&] (const Path& path) {
-        return minVisibleSurfaces (posesOn (path, room, glances), room.scene);
+        int fewest = std::numeric_limits<int>::max();
+        for (const Isometry3d& pose : posesOn (path, room, glances))
+          fewest = std::min (fewest, countVisibleSurfaces (room.scene, pose));
+        return fewest;
       });
   return posesOn (best, room, frames);
 }

@@ -20,8 +20,7 @@ using Kind = Shape::Kind;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct Ray {
-  const Vector3d& origin;
-  const Vector3d& direction;
+  const Vector3d &origin, &direction;
 };
 
 void

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "dense_scan.h"
+#include "simulated_cloud.h"
 
 namespace pcl_ops::simulation {
 

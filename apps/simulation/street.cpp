@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "street.h"
 
-#include "street_things.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -14,7 +12,225 @@ namespace pcl_ops::simulation {
 namespace {
 
 using Eigen::Isometry3d;
+using Eigen::Vector2d;
 using Eigen::Vector3d;
+
+/** \brief Sizes that the openings of a house share [m]. */
+struct FacadeStyle {
+  int storeys, bays;
+  double width, storey;
+  double window_width, window_height, sill, window_depth;
+  double door_width, door_height, door_depth;
+  int bay_of_door;
+  /** \brief Of the facade's upper edge. */
+  double eaves;
+};
+
+FacadeStyle
+drawStyle (double width, Random& random)
+{
+  FacadeStyle style{};
+  style.width = width;
+  style.storeys = 1 + int (random.below (4));
+  style.bays = int (width / random.between (2.8, 3.4));
+  style.storey = random.between (2.7, 3.2);
+  style.window_width = random.between (0.9, 1.6);
+  style.window_height = random.between (1.2, 1.6);
+  style.sill = random.between (0.7, 1.0);
+  style.window_depth = random.between (0.10, 0.20);
+  const bool is_garage = random.chance (0.4);
+  style.door_width = is_garage ? 2.4 : random.between (1.0, 1.4);
+  style.door_height = random.between (2.1, 2.4);
+  style.door_depth = random.between (0.28, 0.40);
+  style.bay_of_door = int (random.below (std::uint32_t (style.bays)));
+  style.eaves = style.storeys * style.storey + random.between (0.2, 0.6);
+  return style;
+}
+
+void
+addBay (Body& house, const FacadeStyle& style, int storey, int bay)
+{
+  constexpr double step_of_door = 0.06; // [m]
+  const bool is_door = storey == 0 && bay == style.bay_of_door;
+  const double middle = ((bay + 0.5) / style.bays - 0.5) * style.width;
+  const double half_width = 0.5 * (is_door ? style.door_width : style.window_width);
+  const double floor = storey * style.storey;
+  const double bottom = floor + (is_door ? step_of_door : style.sill);
+  const double height = is_door ? style.door_height : style.window_height;
+  const double bay_width = style.width / style.bays;
+  const double left = bay * bay_width - 0.5 * style.width;
+  const bool is_top = storey + 1 == style.storeys;
+  const double top = is_top ? style.eaves : (storey + 1) * style.storey;
+  addWallAround (house,
+                 {left, left + bay_width, floor, top},
+                 {middle - half_width, middle + half_width, bottom, bottom + height},
+                 is_door ? style.door_depth : style.window_depth);
+}
+
+/** \brief The slope towards the street, which hides the other one. */
+void
+addRoof (Body& house, const FacadeStyle& style, double depth, Random& random)
+{
+  const double pitch = random.angle (30, 45);
+  const double overhang = random.between (0.2, 0.5); // [m]
+  const double half_run = 0.5 * (0.5 * depth + overhang);
+  const Vector3d up_slope (0.0, -std::cos (pitch), std::sin (pitch));
+  const double half_length = half_run / std::cos (pitch);
+  const Vector3d lower_edge (0.0, overhang, style.eaves - overhang * std::tan (pitch));
+  addSurface (house,
+              {Shape::Kind::Rectangle,
+               lower_edge + half_length * up_slope,
+               Vector3d::UnitX(),
+               up_slope,
+               0.5 * style.width,
+               half_length});
+}
+
+/** \brief Sizes of a car [m]. */
+struct CarSizes {
+  double length, width, sill, belt, roof;
+};
+
+void
+addWheels (Body& car, const CarSizes& size)
+{
+  constexpr double radius = 0.31, half_width = 0.1;
+  /** \brief Of a hub, so that its cap bulges out of the side. */
+  constexpr double hub_inside = 0.25;
+  for (const double along : {-0.3, 0.3})
+    for (const double side : {-1.0, 1.0}) {
+      const double x = along * size.length;
+      const double y = side * (0.5 * size.width - 0.05 - half_width);
+      addCylinder (car, {x, y, radius}, Vector3d::UnitY(), half_width, radius);
+      addSphere (car, {x, side * (0.5 * size.width - hub_inside), radius}, radius);
+    }
+}
+
+/** \brief Adds a face across the car between two heights or more places along it.
+ * \param[in] from,to x and z of its edges */
+void
+addAcross (Body& car, const Vector2d& from, const Vector2d& to, double width)
+{
+  const Vector2d middle = 0.5 * (from + to), way = to - from;
+  addSurface (car,
+              {Shape::Kind::Rectangle,
+               {middle.x(), 0.0, middle.y()},
+               Vector3d (way.x(), 0.0, way.y()).normalized(),
+               Vector3d::UnitY(),
+               0.5 * way.norm(),
+               0.5 * width});
+}
+
+/** \brief Slanted windows in front and behind, upright ones beside, a roof on top. */
+void
+addCabin (Body& car, const CarSizes& size, Random& random)
+{
+  const double front_foot = random.between (0.2, 0.3) * size.length;
+  const double front = random.between (0.0, 0.1) * size.length;
+  const double rear = random.between (-0.45, -0.3) * size.length;
+  const double rear_foot = -0.48 * size.length;
+  const double width = size.width - 0.24;
+  addAcross (car, {front_foot, size.belt}, {front, size.roof}, width);
+  addAcross (car, {rear, size.roof}, {front, size.roof}, width);
+  addAcross (car, {rear_foot, size.belt}, {rear, size.roof}, width);
+  for (const double side : {-0.5, 0.5})
+    addSurface (car, WallRange{rear, front, size.belt, size.roof}.at (side * width));
+}
+
+/** \brief Adds leaves, each a small ball, spread evenly in a ball.
+ * \param[in] lowest leaves are above [m] */
+void
+addLeaves (
+    Body& plant, const Vector3d& middle, double crown, double lowest, Random& random)
+{
+  constexpr double leaf = 0.03, largest_leaf = 0.08; // radii [m]
+  // Such that about a quarter of the rays through the middle pass between the leaves;
+  // half of the places are outside the ball.
+  const double radii = crown / largest_leaf;
+  const auto leaves = int (4.0 * radii * radii);
+  for (int i = 0; i < leaves; ++i) {
+    const Vector3d place = random.inBox ({-1, -1, -1}, {1, 1, 1});
+    const double radius = random.between (leaf, largest_leaf);
+    const Vector3d center = middle + crown * place;
+    if (place.norm() <= 1.0 && center.z() > lowest)
+      addSphere (plant, center, radius);
+  }
+}
+
+} // namespace
+
+Body
+drawTownHouse (double width, Random& random)
+{
+  const FacadeStyle style = drawStyle (width, random);
+  const double depth = random.between (8, 12);
+  Body house;
+  for (int storey = 0; storey < style.storeys; ++storey)
+    for (int bay = 0; bay < style.bays; ++bay)
+      addBay (house, style, storey, bay);
+  // The walls beside the neighbors, which the ground hides below z = 0.
+  for (const double side : {-0.5, 0.5})
+    addSurface (house,
+                rectangleAlong (1,
+                                2,
+                                {side * width, -0.5 * depth, 0.5 * style.eaves},
+                                0.5 * depth,
+                                0.5 * style.eaves));
+  if (random.chance (0.6))
+    addRoof (house, style, depth, random);
+  joinCoplanar (house);
+  return house;
+}
+
+Body
+drawCar (Random& random)
+{
+  CarSizes size{};
+  size.length = random.between (3.8, 4.8);
+  size.width = random.between (1.65, 1.85);
+  size.sill = random.between (0.2, 0.3);
+  size.belt = random.between (0.8, 1.05);
+  size.roof = size.belt + random.between (0.5, 0.8);
+  Body car;
+  addBox (car,
+          at (0.0, 0.0, 0.5 * (size.sill + size.belt)),
+          {size.length, size.width, size.belt - size.sill},
+          HiddenFace::Bottom);
+  addCabin (car, size, random);
+  addWheels (car, size);
+  return car;
+}
+
+Body
+drawTree (Random& random)
+{
+  Body tree;
+  const double trunk = random.between (1.6, 2.6);
+  const double radius = random.between (1.0, 2.0);
+  const Vector3d foot = Vector3d::Zero();
+  addPole (tree, foot, trunk + 0.5 * radius, random.between (0.08, 0.25));
+  addLeaves (tree, {0.0, 0.0, trunk + 0.9 * radius}, radius, trunk, random);
+  return tree;
+}
+
+Body
+drawBush (double radius, Random& random)
+{
+  Body bush;
+  addLeaves (bush, {0.0, 0.0, 0.5 * radius}, radius, 0.0, random);
+  return bush;
+}
+
+Body
+drawPole (Random& random)
+{
+  Body pole;
+  const double height = random.between (2.5, 8);
+  addPole (pole, Vector3d::Zero(), height, random.between (0.03, 0.1));
+  return pole;
+}
+
+namespace {
 
 /** \brief Of the parts that a scene is divided into for its rays [m]. */
 constexpr double edge_of_part = 3.0;
@@ -104,16 +320,6 @@ addHouses (Scene& scene, const Roadside& side, Random& random)
   }
 }
 
-/** \brief A car on the road beside the curb. */
-void
-addCar (Scene& scene, const Roadside& side, double x, Random& random)
-{
-  const double half_turns = random.chance (0.5) ? 1.0 : 0.0;
-  const double yaw = random.angle (-2, 2) + half_turns * pi;
-  const double y = random.between (1.0, 1.5);
-  addBody (scene, drawCar (random), side.pose * at (x, y, 0.0) * turnZ (yaw));
-}
-
 /** \brief Parked cars, and trees and poles on the edge of the sidewalk. */
 void
 addRows (Scene& scene, const Roadside& side, Random& random)
@@ -121,8 +327,13 @@ addRows (Scene& scene, const Roadside& side, Random& random)
   constexpr double spot = 6.5, gap_of_trees = 9.0; // [m]
   const double half_length = 0.5 * side.length;
   for (double x = 0.5 * spot - half_length; x < half_length; x += spot)
-    if (random.chance (0.45))
-      addCar (scene, side, x + random.between (-0.5, 0.5), random);
+    if (random.chance (0.45)) {
+      const double place = x + random.between (-0.5, 0.5);
+      const double half_turns = random.chance (0.5) ? 1.0 : 0.0;
+      const double yaw = random.angle (-2, 2) + half_turns * pi;
+      const Isometry3d pose = side.pose * at (place, random.between (1.0, 1.5), 0.0);
+      addBody (scene, drawCar (random), pose * turnZ (yaw));
+    }
   for (double x = 2.0 - half_length; x < half_length; x += gap_of_trees) {
     const Isometry3d pose = side.onGround (x + random.between (-1, 1), -0.6);
     if (random.chance (0.5))

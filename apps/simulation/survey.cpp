@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "survey.h"
 
-#include "dense_scan.h"
-
 #include <algorithm>
 #include <cmath>
 

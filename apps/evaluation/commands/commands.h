@@ -4,22 +4,12 @@
 
 namespace pcl_ops::evaluation {
 
-/** \brief A command of pcl_ops_evaluate.
+/** \brief A command of pcl_ops_evaluate, which --help explains.
  * \param[in] argc, argv the command line from the command on
  * \return the exit code */
 using Command = int (int argc, const char* const* argv);
 
-/** \brief Every metric for two labeled clouds. */
-Command compareCommand;
-/** \brief Which planes of two results are one, and how far apart they are. */
-Command planesCommand;
-/** \brief How many planes keep their numbers in a sequence of clouds. */
-Command trackCommand;
-/** \brief Detectors over data sets. */
-Command runCommand;
-/** \brief How well edges and corners of planes are found. */
-Command edgesCommand;
-/** \brief The detectors a run can have. */
-Command detectorsCommand;
+Command compareCommand, planesCommand, trackCommand, runCommand, edgesCommand,
+    detectorsCommand;
 
 } // namespace pcl_ops::evaluation

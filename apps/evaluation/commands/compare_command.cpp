@@ -1,46 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "answer.h"
 #include "commands.h"
 #include <cli/command_line.h>
 #include <cli/program.h>
 #include <evaluation/data/labeled_cloud.h>
 #include <evaluation/metrics/metrics.h>
-
-#include <iostream>
+#include <evaluation/report/answer.h>
 
 namespace pcl_ops::evaluation {
 
 namespace {
-
-struct CompareOptions {
-  std::string truth_file;
-  std::string result_file;
-  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
-  std::size_t min_plane_points = 1;
-  bool json = false;
-};
-
-bool
-readOptions (int argc, const char* const* argv, CompareOptions& options)
-{
-  apps::CommandLine line ("pcl_ops_evaluate compare",
-                          "Compares the planes of two labeled clouds of the same "
-                          "points (field label, 0: no plane).",
-                          PCL_OPS_VERSION);
-  line.addArgument (
-      "TRUTH", options.truth_file, "the true planes, .pcd, .ply, .las or text");
-  line.addArgument (
-      "RESULT", options.result_file, "the planes found, .pcd, .ply, .las or text");
-  line.addUpAxis (options.up, "direction against gravity; camera: 0,-1,0 (0,0,1)");
-  line.addNumber ("min-plane-points",
-                  "N",
-                  apps::Range::from (0),
-                  options.min_plane_points,
-                  "true planes with fewer points count as no plane (1)");
-  line.addFlag ("json", options.json, "print JSON instead of text");
-  return line.parse (argc, argv);
-}
 
 /** \tparam Size a whole number of points, or a width */
 template <typename Size>
@@ -48,16 +17,12 @@ Answer
 answerOf (const SizeClasses& classes, const char* from)
 {
   Answer list = Answer::array();
-  for (const SizeClass& size : classes) {
-    Answer entry{{from, static_cast<Size> (size.from)},
-                 {"below", nullptr},
-                 {"planes", size.planes},
-                 {"found", size.found_50},
-                 {"found_75", size.found_75}};
-    if (size.below)
-      entry["below"] = static_cast<Size> (*size.below);
-    list.push_back (entry);
-  }
+  for (const SizeClass& size : classes)
+    list.push_back ({{from, Size (size.from)},
+                     {"below", size.below ? Answer (Size (*size.below)) : Answer()},
+                     {"planes", size.planes},
+                     {"found", size.found_50},
+                     {"found_75", size.found_75}});
   return list;
 }
 
@@ -80,22 +45,35 @@ answerOf (const Metrics& metrics)
 int
 compareCommand (int argc, const char* const* argv)
 {
-  CompareOptions options;
-  if (!readOptions (argc, argv, options))
+  std::string truth_file, result_file;
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  std::size_t min_plane_points = 1;
+  bool json = false;
+  apps::CommandLine line ("pcl_ops_evaluate compare",
+                          "Compares the planes of two labeled clouds of the same "
+                          "points (field label, 0: no plane).",
+                          PCL_OPS_VERSION);
+  line.addArgument ("TRUTH", truth_file, "the true planes, .pcd, .ply, .las or text");
+  line.addArgument (
+      "RESULT", result_file, "the planes found, .pcd, .ply, .las or text");
+  line.addUpAxis (up, "direction against gravity; camera: 0,-1,0 (0,0,1)");
+  line.addNumber ("min-plane-points",
+                  "N",
+                  apps::Range::from (0),
+                  min_plane_points,
+                  "true planes with fewer points count as no plane (1)");
+  line.addFlag ("json", json, "print JSON instead of text");
+  if (!line.parse (argc, argv))
     return apps::ExitCode::done;
-  LabeledCloud truth = loadLabeledCloud (options.truth_file);
-  const LabeledCloud result = loadLabeledCloud (options.result_file);
-  requireSamePoints (truth, result, options.result_file);
-  dropSmallPlanes (truth.labels, options.min_plane_points);
-
-  ClassParameters parameters;
-  parameters.up = options.up.cast<double>().normalized();
-  const Metrics metrics =
-      compareLabels (*truth.cloud, truth.labels, result.labels, parameters);
+  LabeledCloud truth = loadLabeledCloud (truth_file);
+  const LabeledCloud result = loadLabeledCloud (result_file);
+  requireSamePoints (truth, result, result_file);
+  dropSmallPlanes (truth.labels, min_plane_points);
+  const Metrics metrics = compareLabels (
+      *truth.cloud, truth.labels, result.labels, {up.cast<double>().normalized()});
   if (metrics.truth_planes == 0)
-    std::cerr << "pcl_ops_evaluate: " << options.truth_file
-              << ": has no plane; all that can be right is to find none\n";
-  print (answerOf (metrics), options.json);
+    apps::warn (truth_file + ": has no plane; all that can be right is to find none");
+  print (answerOf (metrics), json);
   return apps::ExitCode::done;
 }
 

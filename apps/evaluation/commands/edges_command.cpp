@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "answer.h"
 #include "commands.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <evaluation/data/data_sets.h>
+#include <evaluation/report/answer.h>
 #include <numbers/quantile.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/plane_edges.h>
@@ -19,9 +19,23 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
+constexpr double farthest = 0.05; // [m]
+constexpr double sample_step = 0.01;
+constexpr double wall_length = 1.0;
+
 /** \brief A length or number, and how much of it was found. */
 struct Share {
   double part = 0.0, whole = 0.0;
+
+  /** \brief Adds an edge, and how much of it is near by the distances along it. */
+  void
+  add (const PlaneEdge& edge, const std::vector<double>& distances)
+  {
+    const auto near = std::count_if (
+        distances.begin(), distances.end(), [] (double d) { return d <= farthest; });
+    part += edge.length() * double (near) / double (distances.size());
+    whole += edge.length();
+  }
 
   double
   value () const
@@ -38,50 +52,28 @@ struct EdgeScore {
   std::vector<double> edge_errors, corner_errors;
 };
 
-constexpr double farthest = 0.05; // [m]
-constexpr double sample_step = 0.01;
-constexpr double wall_length = 1.0;
-
-double
-distanceTo (const PlaneEdge& edge, const Eigen::Vector3d& point)
-{
-  const Eigen::Vector3d along = edge.to - edge.from;
-  const double place = along.dot (point - edge.from) / along.squaredNorm();
-  return (edge.from + std::clamp (place, 0.0, 1.0) * along - point).norm();
-}
-
 /** \brief For each centimeter of an edge the distance to the nearest of the others that
  * runs alike; infinite where there is none near. */
 std::vector<double>
 distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
 {
-  std::vector<double> distances;
-  const Eigen::Vector3d direction = (edge.to - edge.from).normalized();
   constexpr double max_samples = 1e5;
-  const auto samples =
-      static_cast<int> (std::min (max_samples, edge.length() / sample_step)) + 1;
-  for (int sample = 0; sample < samples; ++sample) {
-    const double place = (sample + 0.5) / samples;
-    const Eigen::Vector3d point = edge.from + place * (edge.to - edge.from);
-    double least = std::numeric_limits<double>::infinity();
-    for (const PlaneEdge& other : others)
-      if (std::abs (direction.dot ((other.to - other.from).normalized())) >=
-          std::cos (paper_angle))
-        least = std::min (least, distanceTo (other, point));
-    distances.push_back (least);
+  const Eigen::Vector3d direction = (edge.to - edge.from).normalized();
+  const int samples = int (std::min (max_samples, edge.length() / sample_step)) + 1;
+  std::vector<double> distances (samples, std::numeric_limits<double>::infinity());
+  for (const PlaneEdge& other : others) {
+    const Eigen::Vector3d along = other.to - other.from;
+    if (std::abs (direction.dot (along.normalized())) < std::cos (paper_angle))
+      continue;
+    for (int sample = 0; sample < samples; ++sample) {
+      const double place = (sample + 0.5) / samples;
+      const Eigen::Vector3d point = edge.from + place * (edge.to - edge.from);
+      const double share = along.dot (point - other.from) / along.squaredNorm();
+      const Eigen::Vector3d nearest = other.from + std::clamp (share, 0.0, 1.0) * along;
+      distances[sample] = std::min (distances[sample], (nearest - point).norm());
+    }
   }
   return distances;
-}
-
-/** \brief Adds an edge and how much of it is near.
- * \param[in] distances along it */
-void
-addEdge (const PlaneEdge& edge, const std::vector<double>& distances, Share& share)
-{
-  const auto near = std::count_if (
-      distances.begin(), distances.end(), [] (double d) { return d <= farthest; });
-  share.part += edge.length() * double (near) / double (distances.size());
-  share.whole += edge.length();
 }
 
 /** \brief Pairs corners off, the nearest first found for each true one. */
@@ -128,17 +120,17 @@ addCloud (const EvaluationCloud& cloud, EdgeScore& score)
              true_planes[edge.planes[1]].orientation == orientation;
     };
     const std::vector<double> distances = distancesAlong (edge, found.edges);
-    addEdge (edge, distances, score.found);
+    score.found.add (edge, distances);
     if (edge.length() >= wall_length && has (Orientation::Horizontal) &&
         has (Orientation::Vertical))
-      addEdge (edge, distances, score.walls);
+      score.walls.add (edge, distances);
     std::copy_if (distances.begin(),
                   distances.end(),
                   std::back_inserter (score.edge_errors),
                   [] (double distance) { return distance <= farthest; });
   }
   for (const PlaneEdge& edge : found.edges)
-    addEdge (edge, distancesAlong (edge, truth.edges), score.is_true);
+    score.is_true.add (edge, distancesAlong (edge, truth.edges));
   addCorners (truth.corners, found.corners, score);
 }
 

@@ -1,64 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "answer.h"
 #include "commands.h"
 #include <cli/command_line.h>
 #include <cli/program.h>
 #include <detection/plane_json.h>
-#include <evaluation/report/text_table.h>
+#include <evaluation/report/answer.h>
 #include <numbers/angles.h>
 #include <pcl_ops/plane_matching.h>
 
+#include <algorithm>
 #include <map>
 
 namespace pcl_ops::evaluation {
 
 namespace {
-
-struct PlanesOptions {
-  std::string first_file, second_file;
-  /** \brief [degree] */
-  double rotation_error = apps::toDegrees (PlaneMatchingParameters().rotation_error);
-  PlaneMatchingParameters matching;
-  bool json = false;
-};
-
-bool
-readOptions (int argc, const char* const* argv, PlanesOptions& options)
-{
-  apps::CommandLine line (
-      "pcl_ops_evaluate planes",
-      "Tells which planes of two results are one, and how far they are apart. The\n"
-      "results are those of clouds in one frame: --planes FILE.json of "
-      "pcl_ops_segment\n"
-      "or planes.json of pcl_ops_tiles.",
-      PCL_OPS_VERSION);
-  constexpr double right_angle = 90;
-  line.addArgument ("A", options.first_file, "planes, .json");
-  line.addArgument ("B", options.second_file, "planes, .json");
-  line.addNumber ("rotation-error",
-                  "DEG",
-                  apps::Range::from (0).upTo (right_angle),
-                  options.rotation_error,
-                  "how far one frame may be turned against the other (" +
-                      decimal (options.rotation_error, 0) + ")");
-  line.addNumber ("translation-error",
-                  "M",
-                  apps::Range::from (0),
-                  options.matching.translation_error,
-                  "how far it may be moved (" +
-                      decimal (options.matching.translation_error, 2) + ")");
-  line.addNumber ("min-overlap",
-                  "X",
-                  apps::Range::from (0).upTo (1),
-                  options.matching.min_overlap,
-                  "share of the smaller plane that has to lie over the other (" +
-                      decimal (options.matching.min_overlap, 1) + ")");
-  line.addFlag ("json", options.json, "print JSON instead of text");
-  const bool is_read = line.parse (argc, argv);
-  options.matching.rotation_error = apps::toRadians (options.rotation_error);
-  return is_read;
-}
 
 /** Matched about the middle of the first result: the error of a rotation is about
  * zero. */
@@ -67,14 +22,12 @@ matchAboutMiddle (std::vector<PlaneSegment> first,
                   std::vector<PlaneSegment> second,
                   const PlaneMatchingParameters& parameters)
 {
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const PlaneSegment& plane : first)
-    middle += plane.centroid;
-  if (!first.empty())
-    middle /= static_cast<double> (first.size());
+    sum += plane.centroid;
   for (auto* planes : {&first, &second})
     for (PlaneSegment& plane : *planes)
-      plane.moveBy (-middle);
+      plane.moveBy (-sum / double (std::max<std::size_t> (1, first.size())));
   return matchPlanes (first, second, Eigen::Isometry3d::Identity(), parameters);
 }
 
@@ -124,12 +77,43 @@ comparePlanes (const apps::PlaneList& first,
 int
 planesCommand (int argc, const char* const* argv)
 {
-  PlanesOptions options;
-  if (!readOptions (argc, argv, options))
+  std::string first, second;
+  PlaneMatchingParameters matching;
+  double rotation_error = apps::toDegrees (matching.rotation_error);
+  bool json = false;
+  apps::CommandLine line (
+      "pcl_ops_evaluate planes",
+      "Tells which planes of two results are one, and how far they are apart. The\n"
+      "results are those of clouds in one frame: --planes FILE.json of "
+      "pcl_ops_segment\n"
+      "or planes.json of pcl_ops_tiles.",
+      PCL_OPS_VERSION);
+  line.addArgument ("A", first, "planes, .json");
+  line.addArgument ("B", second, "planes, .json");
+  line.addNumber ("rotation-error",
+                  "DEG",
+                  apps::Range::from (0).upTo (90),
+                  rotation_error,
+                  "how far one frame may be turned against the other (" +
+                      decimal (rotation_error, 0) + ")");
+  line.addNumber ("translation-error",
+                  "M",
+                  apps::Range::from (0),
+                  matching.translation_error,
+                  "how far it may be moved (" +
+                      decimal (matching.translation_error, 2) + ")");
+  line.addNumber ("min-overlap",
+                  "X",
+                  apps::Range::from (0).upTo (1),
+                  matching.min_overlap,
+                  "share of the smaller plane that has to lie over the other (" +
+                      decimal (matching.min_overlap, 1) + ")");
+  line.addFlag ("json", json, "print JSON instead of text");
+  if (!line.parse (argc, argv))
     return apps::ExitCode::done;
-  const apps::PlaneList first = apps::loadPlaneList (options.first_file);
-  const apps::PlaneList second = apps::loadPlaneList (options.second_file);
-  print (comparePlanes (first, second, options.matching), options.json);
+  matching.rotation_error = apps::toRadians (rotation_error);
+  const apps::PlaneList planes = apps::loadPlaneList (first);
+  print (comparePlanes (planes, apps::loadPlaneList (second), matching), json);
   return apps::ExitCode::done;
 }
 

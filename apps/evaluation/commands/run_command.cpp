@@ -15,90 +15,72 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-/** More clouds at a time than any machine this runs on has cores. */
-constexpr double max_jobs = 256;
-constexpr double max_neighbors = 10'000, max_seconds = 1e6;
-
-struct RunOptions {
-  std::string folder;
+/** \return false if the answer was --help or --version */
+bool
+readOptions (int argc,
+             const char* const* argv,
+             EvaluationPlan& plan,
+             std::string& folder)
+{
+  using apps::Range;
   std::vector<std::string> data_sets;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   std::string detectors = "all";
-  EvaluationPlan plan;
-};
-
-bool
-readOptions (int argc, const char* const* argv, RunOptions& options)
-{
   apps::CommandLine line (
       "pcl_ops_evaluate run",
       "Runs detectors over data sets and writes results.csv, of which report.py makes\n"
       "tables and plots. Run it again to go on after a stop: rows that are there are\n"
       "not computed again.",
       PCL_OPS_VERSION);
-  line.addArgument ("OUTPUT", options.folder, "folder of the results");
-  line.addArguments ("DATASET", options.data_sets, data_set_help);
-  line.addUpAxis (options.up, "against gravity in clouds; camera: 0,-1,0 (0,0,1)");
-  TruthParameters& truth = options.plan.truth;
+  line.addArgument ("OUTPUT", folder, "folder of the results");
+  line.addArguments ("DATASET", data_sets, data_set_help);
+  line.addUpAxis (up, "against gravity in clouds; camera: 0,-1,0 (0,0,1)");
   line.addNumber ("truth-neighbors",
                   "K",
-                  apps::Range::from (3).upTo (max_neighbors),
-                  truth.growing.neighbors,
+                  Range::from (3).upTo (10'000),
+                  plan.truth.neighbors,
                   "neighborhood of grown truth (100)");
   line.addNumber ("min-plane-points",
                   "N",
-                  apps::Range::from (0),
-                  truth.min_points,
+                  Range::from (0),
+                  plan.truth.min_points,
                   "true planes with fewer points are none (50)");
   line.addText ("detectors",
                 "LIST",
-                options.detectors,
+                detectors,
                 "names and groups, see pcl_ops_evaluate detectors (all)");
   line.addNumber ("jobs",
                   "N",
-                  apps::Range::from (1).upTo (max_jobs),
-                  options.plan.jobs,
+                  Range::from (1).upTo (256),
+                  plan.jobs,
                   "clouds at a time; only 1 leaves times undisturbed (1)");
   line.addText ("labels",
                 "FOLDER",
-                options.plan.labels_folder,
+                plan.labels_folder,
                 "save each new result, and the truth, as a labeled cloud");
-  RunSettings& settings = options.plan.settings;
   line.addNumber ("threshold",
                   "M",
-                  apps::Range::above (0),
-                  settings.peer_threshold,
+                  Range::above (0),
+                  plan.settings.peer_threshold,
                   "distance to a plane that detectors of others are given (0.05)");
   line.addNumber (
       "peers-noise",
       "M",
-      apps::Range::above (0),
-      settings.peer_noise,
+      Range::above (0),
+      plan.settings.peer_noise,
       "noise that those of the group peers-measured are tuned to (measured)");
   line.addNumber ("time-limit",
                   "S",
-                  apps::Range::from (0).upTo (max_seconds),
-                  options.plan.time_limit,
+                  Range::from (0).upTo (1e6),
+                  plan.time_limit,
                   "for a detector of others on a cloud, 0 for none (600)");
-  line.addNumber ("seed",
-                  "S",
-                  apps::Range::from (0),
-                  options.plan.settings.seed,
-                  "of detectors (42)");
-  return line.parse (argc, argv);
-}
-
-/** Checks everything there is to check before the work begins. */
-EvaluationPlan
-planOf (const RunOptions& options)
-{
-  EvaluationPlan plan = options.plan;
-  plan.configurations = selectConfigurations (options.detectors);
-  plan.data_sets = dataSetsOf (options.data_sets, options.up);
-  apps::makeFolder (options.folder);
-  return plan;
+  line.addNumber (
+      "seed", "S", Range::from (0), plan.settings.seed, "of detectors (42)");
+  if (!line.parse (argc, argv))
+    return false;
+  plan.configurations = selectConfigurations (detectors);
+  plan.data_sets = dataSetsOf (data_sets, up);
+  return true;
 }
 
 } // namespace
@@ -106,13 +88,16 @@ planOf (const RunOptions& options)
 int
 runCommand (int argc, const char* const* argv)
 {
-  RunOptions options;
-  if (!readOptions (argc, argv, options))
+  EvaluationPlan plan;
+  std::string folder;
+  if (!readOptions (argc, argv, plan, folder))
     return apps::ExitCode::done;
-  const EvaluationPlan plan = planOf (options);
-  ResultsFile results ((fs::path (options.folder) / "results.csv").string());
+  apps::makeFolder (folder);
   const EvaluationSummary summary =
-      evaluate (plan, results, std::cerr, isatty (STDERR_FILENO) == 1);
+      evaluate (plan,
+                (std::filesystem::path (folder) / "results.csv").string(),
+                std::cerr,
+                isatty (STDERR_FILENO) == 1);
   std::cout << summary.clouds << " clouds evaluated, " << summary.new_rows
             << " new rows; " << summary.broken_clouds << " clouds left out, "
             << summary.failed_runs << " runs failed, " << summary.stopped_runs

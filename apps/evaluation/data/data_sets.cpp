@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "data_sets.h"
 
+#include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
 
 #include "labeled_cloud.h"
@@ -13,7 +14,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iomanip>
+#include <set>
 #include <sstream>
 
 namespace pcl_ops::evaluation {
@@ -37,28 +38,31 @@ namespace fs = std::filesystem;
 
 /** More scenes than anybody waits for; keeps a typing error from filling the memory. */
 constexpr std::uint32_t max_scenes = 100'000;
-/** A point takes 16 bytes, and 36 more while it is simulated. */
+/** A point takes 16 bytes, and 56 more while it is simulated. */
 constexpr double max_points = 1e8;
 
-/** The finite points, and the pixels they come from if the cloud is an image. */
-template <typename PointT, typename Visit>
+/** The finite points, and the pixels they come from if the cloud is an image.
+ * \param[in] labels their truth; empty: not known */
 EvaluationCloud
-finiteOf (const pcl::PointCloud<PointT>& cloud, const Visit& visit)
+finiteOf (const XyzCloud& cloud, const PlaneLabels& labels)
 {
   EvaluationCloud result;
   result.cloud.reset (new XyzCloud);
   result.cloud->reserve (cloud.size());
   result.cloud->sensor_origin_ = cloud.sensor_origin_;
   result.cloud->sensor_orientation_ = cloud.sensor_orientation_;
+  if (!labels.empty())
+    result.truth.emplace();
   if (cloud.height > 1)
     result.grid = ImageGrid{cloud.width, cloud.height, {}};
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!pcl::isXYZFinite (cloud[i]))
       continue;
-    result.cloud->push_back (pcl::PointXYZ (cloud[i].x, cloud[i].y, cloud[i].z));
+    result.cloud->push_back (cloud[i]);
+    if (result.truth)
+      result.truth->push_back (labels[i]);
     if (result.grid)
       result.grid->pixels.push_back (std::uint32_t (i));
-    visit (i);
   }
   return result;
 }
@@ -66,12 +70,13 @@ finiteOf (const pcl::PointCloud<PointT>& cloud, const Visit& visit)
 EvaluationCloud
 simulated (const simulation::Simulation& simulation)
 {
-  const auto cloud = simulation::simulate (simulation).cloud;
-  PlaneLabels truth;
-  EvaluationCloud result =
-      finiteOf (cloud, [&] (std::size_t i) { truth.push_back (cloud[i].label); });
-  result.truth = truth;
-  return result;
+  const auto labeled = simulation::simulate (simulation).cloud;
+  XyzCloud cloud;
+  pcl::copyPointCloud (labeled, cloud);
+  PlaneLabels labels;
+  for (const auto& point : labeled)
+    labels.push_back (point.label);
+  return finiteOf (cloud, labels);
 }
 
 /** Data sets of scenes by seed. */
@@ -88,27 +93,20 @@ const struct Scenes {
                   {"streets-16", "street", "lidar-16"},
                   {"streets-livox", "street", "livox"}};
 
-/** "3-20", or "7" for one scene. */
-std::pair<std::uint32_t, std::uint32_t>
-seedRange (const std::string& kind, const std::string& text)
-{
-  const std::size_t dash = text.find ('-');
-  const apps::Range any = apps::Range::from (0);
-  const auto first =
-      apps::parseNumber<std::uint32_t> (kind, text.substr (0, dash), any);
-  const auto last =
-      dash == std::string::npos
-          ? first
-          : apps::parseNumber<std::uint32_t> (kind, text.substr (dash + 1), any);
-  if (last < first || last - first >= max_scenes)
-    throw apps::UsageError (kind + ':' + text, "is no range of seeds such as 1-20");
-  return {first, last};
-}
-
+/** \param[in] seeds "3-20", or "7" for one scene */
 DataSet
 scenesDataSet (const Scenes& scenes, const std::string& seeds)
 {
-  const auto [first, last] = seedRange (scenes.name, seeds);
+  const auto seed = [&scenes] (const std::string& text) {
+    return apps::parseNumber<std::uint32_t> (scenes.name, text, apps::Range::from (0));
+  };
+  const std::size_t dash = seeds.find ('-');
+  const std::uint32_t first = seed (seeds.substr (0, dash));
+  const std::uint32_t last =
+      dash == std::string::npos ? first : seed (seeds.substr (dash + 1));
+  if (last < first || last - first >= max_scenes)
+    throw apps::UsageError (scenes.name + (':' + seeds),
+                            "is no range of seeds such as 1-20");
   DataSet data_set{scenes.name, {}};
   for (std::uint32_t i = 0; i <= last - first; ++i) {
     simulation::Simulation simulation;
@@ -118,10 +116,10 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
     simulation.sensor = scenes.sensor;
     simulation.organized =
         simulation.scene == "room" || simulation.scene == "furniture";
-    std::ostringstream cloud;
-    cloud << scenes.scene << '-' << std::setfill ('0') << std::setw (4) << first + i;
-    data_set.clouds.push_back (
-        {cloud.str(), [simulation] { return simulated (simulation); }});
+    std::string number = std::to_string (first + i);
+    number.insert (0, 4 - std::min<std::size_t> (4, number.size()), '0');
+    data_set.clouds.push_back ({simulation.scene + '-' + number,
+                                [simulation] { return simulated (simulation); }});
   }
   return data_set;
 }
@@ -147,35 +145,11 @@ EvaluationCloud
 readCloud (const std::string& file, const Eigen::Vector3d& up)
 {
   const LabeledCloud all = loadLabeledCloud (file, LabelField::Optional);
-  PlaneLabels truth;
-  EvaluationCloud finite = finiteOf (*all.cloud, [&] (std::size_t i) {
-    if (!all.labels.empty())
-      truth.push_back (all.labels[i]);
-  });
+  EvaluationCloud finite = finiteOf (*all.cloud, all.labels);
   finite.up = up;
-  if (!all.labels.empty())
-    finite.truth = truth;
   if (finite.cloud->empty())
     throw apps::WorkError (file, "has no finite point; leave it out");
   return finite;
-}
-
-std::vector<fs::path>
-cloudFilesIn (const std::string& folder)
-{
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (fs::recursive_directory_iterator entry (folder, error), end; entry != end;
-       entry.increment (error)) {
-    if (apps::isCloudFile (entry->path().string()))
-      files.push_back (entry->path());
-  }
-  if (files.empty())
-    throw apps::WorkError (folder,
-                           std::string ("has no ") + apps::folder_extensions +
-                               " file; give a folder with clouds");
-  std::sort (files.begin(), files.end());
-  return files;
 }
 
 DataSet
@@ -185,14 +159,23 @@ cloudsDataSet (const std::string& path, const Eigen::Vector3d& up)
   if (!fs::exists (path, error))
     throw apps::WorkError (path, "does not exist; give a cloud or a folder of clouds");
   const bool is_folder = fs::is_directory (path, error);
+  std::set<fs::path> files;
+  if (!is_folder)
+    files.insert (path);
+  for (fs::recursive_directory_iterator entry (path, error), end; entry != end;
+       entry.increment (error))
+    if (apps::isCloudFile (entry->path().string()))
+      files.insert (entry->path());
+  if (files.empty())
+    throw apps::WorkError (path,
+                           std::string ("has no ") + apps::folder_extensions +
+                               " file; give a folder with clouds");
   const fs::path folder = is_folder ? fs::path (path) : fs::path (path).parent_path();
-  const fs::path name = is_folder ? folder.filename() : fs::path();
-  DataSet data_set{name.empty() ? "clouds" : name.string(), {}};
-  for (const fs::path& file :
-       is_folder ? cloudFilesIn (path) : std::vector<fs::path>{path})
-    data_set.clouds.push_back (
-        {file.lexically_relative (folder).generic_string(),
-         [name = file.string(), up] { return readCloud (name, up); }});
+  const std::string name = is_folder ? folder.filename().string() : "";
+  DataSet data_set{name.empty() ? "clouds" : name, {}};
+  for (const fs::path& file : files)
+    data_set.clouds.push_back ({file.lexically_relative (folder).generic_string(),
+                                [file, up] { return readCloud (file.string(), up); }});
   return data_set;
 }
 
@@ -206,9 +189,9 @@ dataSetOf (const std::string& text, const Eigen::Vector3d& up)
   const std::string rest = colon == std::string::npos ? "" : text.substr (colon + 1);
   if (!rest.empty()) {
     if (kind == "sunrgbd")
-      return sunRgbdDataSet (rest, SunRgbdDepth::Refined);
+      return sunRgbdDataSet (rest, false);
     if (kind == "sunrgbd-raw")
-      return sunRgbdDataSet (rest, SunRgbdDepth::Raw);
+      return sunRgbdDataSet (rest, true);
     if (kind == "simulated")
       return scansDataSet (kind, rest);
     if (kind == "clouds")

@@ -58,22 +58,4 @@ runDetector (const typename Detector::Parameters& parameters,
   return result;
 }
 
-/** \brief A detector of this project as a configuration. */
-template <typename Detector>
-Configuration
-configurationOf (const std::string& name,
-                 const std::vector<std::string>& groups,
-                 const typename Detector::Parameters& parameters)
-{
-  const auto run = [parameters] (const XyzCloud::ConstPtr& cloud,
-                                 const RunSettings& settings) {
-    auto complete = parameters;
-    complete.up_axis = settings.up.cast<float>();
-    complete.seed = settings.seed;
-    complete.threads = 1;
-    return runDetector<Detector> (complete, cloud, settings.clock);
-  };
-  return {name, groups, run};
-}
-
 } // namespace pcl_ops::evaluation

@@ -10,6 +10,7 @@
 #include <pcl_ops/oriented_point_sampling.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 namespace pcl_ops::evaluation {
@@ -27,70 +28,78 @@ text (double number)
   return stream.str();
 }
 
+using Ops = OrientedPointSampling<pcl::PointXYZ>;
+using Fspf = FastSamplingPlaneFiltering<pcl::PointXYZ>;
+using Kht = KernelHoughTransform<pcl::PointXYZ>;
+
+/** \param[in] is_best whether it is a row of table 4, too */
+template <typename Detector>
 void
-addTable1 (Configurations& all)
+add (Configurations& all,
+     const std::string& name,
+     const std::string& group,
+     const typename Detector::Parameters& parameters,
+     bool is_best = false)
 {
-  using Fspf = FastSamplingPlaneFiltering<pcl::PointXYZ>;
-  all.push_back (configurationOf<Fspf> ("fspf", {"presets"}, {}));
-  for (const double factor : {1.0, 2.0})
-    for (const double r1 : {0.03, 0.05, 0.07, 0.1, 0.3}) {
-      auto parameters = FastSamplingPlaneFilteringParameters::paper();
-      parameters.local.inner_radius = r1;
-      parameters.local.outer_radius = factor * r1;
-      std::vector<std::string> groups{"table1"};
-      if (r1 == 0.07 && factor == 2.0)
-        groups.push_back ("table4");
-      all.push_back (configurationOf<Fspf> (
-          "fspf-" + text (r1) + "-" + text (factor * r1), groups, parameters));
-    }
+  const auto run = [parameters] (const XyzCloud::ConstPtr& cloud,
+                                 const RunSettings& settings) {
+    auto complete = parameters;
+    complete.up_axis = settings.up.cast<float>();
+    complete.seed = settings.seed;
+    complete.threads = 1;
+    return runDetector<Detector> (complete, cloud, settings.clock);
+  };
+  all.push_back ({name, {group}, run});
+  if (is_best)
+    all.back().groups.push_back ("table4");
 }
 
 void
-addTable2 (Configurations& all)
+addRowsOfPaper (Configurations& all)
 {
-  using Kht = KernelHoughTransform<pcl::PointXYZ>;
-  all.push_back (configurationOf<Kht> ("kht", {"presets"}, {}));
-  for (const int phi_num : {30, 40, 60, 80}) {
-    auto parameters = KernelHoughTransformParameters::paper();
-    parameters.phi_num = phi_num;
-    parameters.rho_num = 10 * phi_num;
-    std::vector<std::string> groups{"table2"};
-    if (phi_num == 80)
-      groups.push_back ("table4");
-    all.push_back (configurationOf<Kht> (
-        "kht-" + text (phi_num) + "-" + text (10 * phi_num), groups, parameters));
-  }
-}
-
-void
-addTable3 (Configurations& all)
-{
-  using Ops = OrientedPointSampling<pcl::PointXYZ>;
-  all.push_back (configurationOf<Ops> ("ops", {"presets"}, {}));
-  const auto addRow = [&all] (const std::string& prefix, double percent, int k) {
-    auto parameters = OrientedPointSamplingParameters::paper();
+  add<Ops> (all, "ops", "presets", {});
+  const auto addOps = [&all] (const std::string& prefix, double percent, int k) {
+    auto parameters = Ops::Parameters::paper();
     parameters.sampling_rate = percent / 100.0;
     parameters.k = k;
-    std::vector<std::string> groups{"table3"};
-    if (prefix == "ops-s1-")
+    const bool is_strategy_1 = prefix == "ops-s1-";
+    if (is_strategy_1)
       parameters.paper_only.strategy = PaperParameters::Strategy::DetectThenDivide;
-    else if (percent == 3.0 && k == 30)
-      groups.push_back ("table4");
-    all.push_back (configurationOf<Ops> (
-        prefix + text (percent) + "-" + text (k), groups, parameters));
+    add<Ops> (all,
+              prefix + text (percent) + "-" + text (k),
+              "table3",
+              parameters,
+              !is_strategy_1 && percent == 3.0 && k == 30);
   };
   for (const double percent : {0.3, 0.5, 0.7, 1.0, 3.0})
     for (const int k : {10, 20, 30})
-      addRow ("ops-", percent, k);
+      addOps ("ops-", percent, k);
   for (const int k : {10, 20, 30})
-    addRow ("ops-s1-", 3.0, k);
+    addOps ("ops-s1-", 3.0, k);
+  add<Fspf> (all, "fspf", "presets", {});
+  for (const double factor : {1.0, 2.0})
+    for (const double r1 : {0.03, 0.05, 0.07, 0.1, 0.3}) {
+      auto parameters = Fspf::Parameters::paper();
+      parameters.local.inner_radius = r1;
+      parameters.local.outer_radius = factor * r1;
+      const std::string name = "fspf-" + text (r1) + "-" + text (factor * r1);
+      add<Fspf> (all, name, "table1", parameters, r1 == 0.07 && factor == 2.0);
+    }
+  add<Kht> (all, "kht", "presets", {});
+  for (const int phi_num : {30, 40, 60, 80}) {
+    auto parameters = Kht::Parameters::paper();
+    parameters.phi_num = phi_num;
+    parameters.rho_num = 10 * phi_num;
+    const std::string name = "kht-" + text (phi_num) + "-" + text (10 * phi_num);
+    add<Kht> (all, name, "table2", parameters, phi_num == 80);
+  }
 }
 
 /** The default preset with one ingredient off at a time. */
 void
 addAblation (Configurations& all)
 {
-  using Parameters = OrientedPointSamplingParameters;
+  using Parameters = Ops::Parameters;
   constexpr double no_limit = 1e6;
   const std::pair<const char*, void (*) (Parameters&)> ingredients[] = {
       {"resolutions", [] (Parameters& p) { p.surfels.resolutions = 1; }},
@@ -105,8 +114,7 @@ addAblation (Configurations& all)
   for (const auto& [name, switch_off] : ingredients) {
     Parameters parameters;
     switch_off (parameters);
-    all.push_back (configurationOf<OrientedPointSampling<pcl::PointXYZ>> (
-        std::string ("ops-without-") + name, {"ablation"}, parameters));
+    add<Ops> (all, std::string ("ops-without-") + name, "ablation", parameters);
   }
 }
 
@@ -128,9 +136,7 @@ allConfigurations ()
 {
   static const Configurations all = [] {
     Configurations configurations;
-    addTable3 (configurations);
-    addTable1 (configurations);
-    addTable2 (configurations);
+    addRowsOfPaper (configurations);
     addPeers (configurations);
     addAblation (configurations);
     return configurations;
@@ -142,20 +148,17 @@ std::vector<Configuration>
 selectConfigurations (const std::string& list)
 {
   Configurations selected;
-  std::istringstream names (list);
-  for (std::string name; std::getline (names, name, ',');) {
-    bool known = false;
-    for (const Configuration& configuration : allConfigurations()) {
-      if (!isCalled (configuration, name))
-        continue;
-      known = true;
-      const auto has_its_name = [&] (const Configuration& other) {
-        return other.name == configuration.name;
-      };
-      if (std::none_of (selected.begin(), selected.end(), has_its_name))
-        selected.push_back (configuration);
-    }
-    if (!known)
+  std::set<std::string> names;
+  std::istringstream stream (list);
+  for (std::string name; std::getline (stream, name, ',');) {
+    bool is_known = false;
+    for (const Configuration& configuration : allConfigurations())
+      if (isCalled (configuration, name)) {
+        is_known = true;
+        if (names.insert (configuration.name).second)
+          selected.push_back (configuration);
+      }
+    if (!is_known)
       throw apps::UsageError (name,
                               "is no configuration; see pcl_ops_evaluate detectors");
   }

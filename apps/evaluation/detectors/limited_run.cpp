@@ -49,7 +49,7 @@ readAll (int pipe)
 }
 
 /** What a detector's process hands over; the labels of the points are behind it. */
-struct Answer {
+struct HandedOver {
   StageDurations durations;
   std::size_t planes_before_merging = 0;
 };
@@ -89,22 +89,26 @@ runLimited (const Configuration& configuration,
             const RunSettings& settings,
             unsigned seconds)
 {
+  if (!configuration.is_peer)
+    return configuration.run (cloud, settings);
   const auto detect = [&] {
     const DetectorRun run = configuration.run (cloud, settings);
-    const Answer answer{run.durations, run.planes_before_merging};
-    std::string bytes (reinterpret_cast<const char*> (&answer), sizeof answer);
+    const HandedOver handed_over{run.durations, run.planes_before_merging};
+    std::string bytes (reinterpret_cast<const char*> (&handed_over),
+                       sizeof handed_over);
     return bytes.append (reinterpret_cast<const char*> (run.labels.data()),
                          run.labels.size() * sizeof run.labels[0]);
   };
   const std::optional<std::string> bytes = runInChild (detect, seconds);
   if (!bytes)
     return std::nullopt;
-  Answer answer;
-  PlaneLabels labels ((bytes->size() - sizeof answer) / sizeof (std::uint32_t));
-  std::memcpy (&answer, bytes->data(), sizeof answer);
-  std::memcpy (
-      labels.data(), bytes->data() + sizeof answer, bytes->size() - sizeof answer);
-  return DetectorRun{labels, answer.planes_before_merging, answer.durations};
+  HandedOver handed_over;
+  PlaneLabels labels ((bytes->size() - sizeof handed_over) / sizeof (std::uint32_t));
+  std::memcpy (&handed_over, bytes->data(), sizeof handed_over);
+  std::memcpy (labels.data(),
+               bytes->data() + sizeof handed_over,
+               bytes->size() - sizeof handed_over);
+  return DetectorRun{labels, handed_over.planes_before_merging, handed_over.durations};
 }
 
 } // namespace pcl_ops::evaluation

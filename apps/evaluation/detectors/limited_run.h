@@ -16,7 +16,7 @@ namespace pcl_ops::evaluation {
 std::optional<std::string>
 runInChild (const std::function<std::string()>& work, unsigned seconds);
 
-/** \brief Runs a detector in a process of its own.
+/** \brief Runs a detector, one of others in a process of its own.
  * \param[in] seconds, and errors, as of \ref runInChild
  * \return nothing if it takes longer */
 std::optional<DetectorRun>

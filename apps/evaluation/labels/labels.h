@@ -49,12 +49,7 @@ planeIds (const PlaneLabels& labels);
 void
 dropSmallPlanes (PlaneLabels& labels, std::size_t min_points);
 
-/** \brief Renumbers labels 1 .. P by falling number of points, ties by label. */
-void
-sortBySize (PlaneLabels& labels);
-
-/** \brief Below which the paper takes directions for the same: 7 degrees [rad].
- */
+/** \brief Below which the paper takes directions for the same: 7 degrees [rad]. */
 const double paper_angle = pcl::deg2rad (7.0);
 
 /** \brief How planes are divided into the paper's three classes. */
@@ -74,12 +69,5 @@ std::vector<PlaneSegment>
 planesOf (const XyzCloud& cloud,
           const PlaneIds& planes,
           const ClassParameters& parameters);
-
-/** \brief The class of each point: that of its label's plane.
- * \return Other for label 0 and where the points of a label span no plane */
-std::vector<Orientation>
-pointClasses (const XyzCloud& cloud,
-              const PlaneLabels& labels,
-              const ClassParameters& parameters);
 
 } // namespace pcl_ops::evaluation

@@ -2,18 +2,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "confusion.h"
 
-#include "hungarian.h"
-
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
 
 namespace pcl_ops::evaluation {
 
 namespace {
 
-/** 0.8 GB of matrix; no cloud has that many planes, only a wrong label field does. */
-constexpr std::size_t max_plane_pairs = 100'000'000;
+using Index = Eigen::Index;
+constexpr Index none = -1;
+
+/** The cheapest pairing of all rows, of which there are no more than columns. */
+std::vector<std::ptrdiff_t>
+rowsOfColumns (const Eigen::MatrixXd& cost)
+{
+  const Index columns = cost.cols();
+  Eigen::VectorXd row_price = Eigen::VectorXd::Zero (cost.rows());
+  Eigen::VectorXd column_price = Eigen::VectorXd::Zero (columns + 1);
+  // Behind the last column stands the row that is added.
+  std::vector<std::ptrdiff_t> row_of (columns + 1, none), previous (columns);
+  for (std::ptrdiff_t& row = row_of[columns] = 0; row < cost.rows(); ++row) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd slack = Eigen::VectorXd::Constant (columns, infinity);
+    std::vector<bool> is_settled (columns + 1, false);
+    Index column = columns;
+    // The cheapest alternating path from the row to a free column (Dijkstra); prices
+    // keep every reduced cost non-negative and those of pairs at zero.
+    while (row_of[column] != none) {
+      is_settled[column] = true;
+      const Index settled = std::exchange (column, none), its_row = row_of[settled];
+      for (Index other = 0; other < columns; ++other) {
+        const double reduced =
+            cost (its_row, other) - row_price[its_row] - column_price[other];
+        if (!is_settled[other] && reduced < slack[other]) {
+          slack[other] = reduced;
+          previous[other] = settled;
+        }
+        if (!is_settled[other] && (column == none || slack[other] < slack[column]))
+          column = other;
+      }
+      const double step = slack[column];
+      slack.array() -= step;
+      for (Index other = 0; other <= columns; ++other)
+        if (is_settled[other]) {
+          row_price[row_of[other]] += step;
+          column_price[other] -= step;
+        }
+    }
+    for (; column != columns; column = previous[column])
+      row_of[column] = row_of[previous[column]];
+  }
+  row_of.pop_back();
+  return row_of;
+}
 
 } // namespace
 
@@ -43,9 +87,26 @@ confusionOf (const PlaneLabels& truth, const PlaneLabels& result)
   return confusion;
 }
 
-std::vector<Overlap>
-assignPlanes (const Confusion& confusion)
+std::vector<std::ptrdiff_t>
+maximumAssignment (const Eigen::MatrixXd& benefit)
 {
+  const bool is_turned = benefit.rows() > benefit.cols();
+  const std::vector<std::ptrdiff_t> row_of = rowsOfColumns (
+      is_turned ? Eigen::MatrixXd (-benefit.transpose()) : Eigen::MatrixXd (-benefit));
+  if (is_turned)
+    return row_of;
+  std::vector<std::ptrdiff_t> column_of (benefit.rows(), none);
+  for (std::size_t column = 0; column < row_of.size(); ++column)
+    if (row_of[column] != none)
+      column_of[row_of[column]] = static_cast<std::ptrdiff_t> (column);
+  return column_of;
+}
+
+std::size_t
+pointsOfAssignment (const Confusion& confusion)
+{
+  // 0.8 GB of matrix; no cloud has that many planes, only a wrong label field does.
+  constexpr std::size_t max_plane_pairs = 100'000'000;
   if (confusion.truth.size() * confusion.result.size() > max_plane_pairs)
     throw std::length_error (std::to_string (confusion.truth.size()) + " and " +
                              std::to_string (confusion.result.size()) +
@@ -55,12 +116,11 @@ assignPlanes (const Confusion& confusion)
   for (const Overlap& overlap : confusion.overlaps)
     common (overlap.truth, overlap.result) = static_cast<double> (overlap.points);
   const std::vector<std::ptrdiff_t> result_of = maximumAssignment (common);
-
-  std::vector<Overlap> pairs;
+  std::size_t points = 0;
   for (const Overlap& overlap : confusion.overlaps)
     if (result_of[overlap.truth] == static_cast<std::ptrdiff_t> (overlap.result))
-      pairs.push_back (overlap);
-  return pairs;
+      points += overlap.points;
+  return points;
 }
 
 } // namespace pcl_ops::evaluation

@@ -6,37 +6,21 @@
 
 namespace pcl_ops::evaluation {
 
-enum class Side { Truth, Result };
-
 /** \brief Number of points a true plane and a found plane have in common. */
 struct Overlap {
-  std::uint32_t truth;
-  std::uint32_t result;
+  std::uint32_t truth, result;
   std::size_t points;
-
-  std::uint32_t
-  plane (Side side) const
-  {
-    return side == Side::Truth ? truth : result;
-  }
 };
 
 /** \brief How two labelings of the same points meet: only pairs that do are stored. */
 struct Confusion {
-  PlaneIds truth;
-  PlaneIds result;
+  PlaneIds truth, result;
   /** \brief By truth, then by result; ids as in \ref truth and \ref result. */
   std::vector<Overlap> overlaps;
   std::size_t points = 0;
   std::size_t points_on_no_plane_in_both = 0;
   /** \brief Points on no true plane. */
   std::size_t points_off_planes = 0;
-
-  const PlaneIds&
-  planes (Side side) const
-  {
-    return side == Side::Truth ? truth : result;
-  }
 
   /** \brief Intersection over union of the two planes of an overlap. */
   double
@@ -53,10 +37,18 @@ struct Confusion {
 Confusion
 confusionOf (const PlaneLabels& truth, const PlaneLabels& result);
 
-/** \brief The pairs of the one-to-one assignment of planes with the largest number of
- * common points (the paper's Hungarian assignment, section IV).
+/** \brief The pairing of rows with columns, each used at most once, with the largest
+ * sum of benefits: the Hungarian method by shortest augmenting paths (Kuhn 1955; Jonker
+ * & Volgenant 1987), O(min(rows, columns)^2 max(rows, columns)).
+ * \return the column of each row, or -1 where there are fewer columns than rows and the
+ * row is left over */
+std::vector<std::ptrdiff_t>
+maximumAssignment (const Eigen::MatrixXd& benefit);
+
+/** \brief The points of the one-to-one assignment of planes that has most points in
+ * common (the paper's Hungarian assignment, section IV).
  * \throw std::length_error for more labels than any segmentation into planes has */
-std::vector<Overlap>
-assignPlanes (const Confusion& confusion);
+std::size_t
+pointsOfAssignment (const Confusion& confusion);
 
 } // namespace pcl_ops::evaluation

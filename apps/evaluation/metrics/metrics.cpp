@@ -4,9 +4,13 @@
 
 #include <pcl/common/point_tests.h>
 
+#include "confusion.h"
 #include <numbers/fraction.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 
 namespace pcl_ops::evaluation {
@@ -15,13 +19,17 @@ namespace {
 
 struct FinitePoints {
   XyzCloud cloud;
-  PlaneLabels truth;
-  PlaneLabels result;
+  PlaneLabels truth, result;
 };
 
 FinitePoints
 finiteOf (const XyzCloud& cloud, const PlaneLabels& truth, const PlaneLabels& result)
 {
+  if (truth.size() != cloud.size() || result.size() != cloud.size())
+    throw std::invalid_argument (std::to_string (cloud.size()) + " points, " +
+                                 std::to_string (truth.size()) + " true labels and " +
+                                 std::to_string (result.size()) +
+                                 " found ones do not belong together");
   FinitePoints finite;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!pcl::isXYZFinite (cloud[i]))
@@ -33,30 +41,174 @@ finiteOf (const XyzCloud& cloud, const PlaneLabels& truth, const PlaneLabels& re
   return finite;
 }
 
+/** Points whose true and found plane have the same class: Other for no plane, and where
+ * the points of a label span none. */
 double
-classificationAccuracy (const FinitePoints& points, const ClassParameters& parameters)
+classificationAccuracy (const FinitePoints& points,
+                        const Confusion& confusion,
+                        const ClassParameters& parameters)
 {
-  const auto truth = pointClasses (points.cloud, points.truth, parameters);
-  const auto result = pointClasses (points.cloud, points.result, parameters);
+  const std::vector<PlaneSegment> truth = planesOf (
+                                      points.cloud, confusion.truth, parameters),
+                                  result = planesOf (
+                                      points.cloud, confusion.result, parameters);
+  const auto classOf = [] (const std::vector<PlaneSegment>& planes, std::uint32_t id) {
+    return id == PlaneIds::none ? Orientation::Other : planes[id].orientation;
+  };
   std::size_t right = 0;
-  for (std::size_t i = 0; i < truth.size(); ++i)
-    right += truth[i] == result[i];
-  return apps::fraction (right, truth.size(), 1.0);
+  for (std::size_t i = 0; i < confusion.points; ++i)
+    right += classOf (truth, confusion.truth.of_point[i]) ==
+             classOf (result, confusion.result.of_point[i]);
+  return apps::fraction (right, confusion.points, 1.0);
 }
 
-/** The paper's, over true planes, and the same over all points. */
-std::pair<double, double>
-segmentationAccuracies (const Confusion& confusion)
+/** What has been said about each plane of one side. */
+struct Verdicts {
+  const PlaneIds& planes;
+  std::vector<bool> matched = std::vector<bool> (planes.size(), false);
+  /** Broken up (a true plane) or swallowing several (a found one). */
+  std::vector<bool> split = matched;
+  /** A part of the other side's split plane. */
+  std::vector<bool> part = matched;
+
+  std::size_t
+  unexplained () const
+  {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < matched.size(); ++i)
+      count += !matched[i] && !split[i] && !part[i];
+    return count;
+  }
+};
+
+/** Sum of the IoU of pairs from a threshold on, the largest first; marks both planes of
+ * each. At more than one half no plane has two candidates. */
+double
+matchPlanes (const Confusion& confusion,
+             double threshold,
+             Verdicts& truth,
+             Verdicts& result)
 {
-  std::size_t right = 0;
-  for (const Overlap& pair : assignPlanes (confusion))
-    right += pair.points;
-  const std::size_t on_true_planes = std::accumulate (
-      confusion.truth.points.begin(), confusion.truth.points.end(), std::size_t (0));
-  const double none_to_find = confusion.result.size() == 0 ? 1.0 : 0.0;
-  return {apps::fraction (right, on_true_planes, none_to_find),
-          apps::fraction (
-              right + confusion.points_on_no_plane_in_both, confusion.points, 1.0)};
+  std::vector<Overlap> candidates;
+  for (const Overlap& overlap : confusion.overlaps)
+    if (confusion.iou (overlap) >= threshold)
+      candidates.push_back (overlap);
+  std::stable_sort (
+      candidates.begin(), candidates.end(), [&] (const Overlap& a, const Overlap& b) {
+        return confusion.iou (a) > confusion.iou (b);
+      });
+  double sum = 0.0;
+  for (const Overlap& pair : candidates) {
+    if (truth.matched[pair.truth] || result.matched[pair.result])
+      continue;
+    truth.matched[pair.truth] = result.matched[pair.result] = true;
+    sum += confusion.iou (pair);
+  }
+  return sum;
+}
+
+/** Marks every plane of the side \p wholes on which two or more planes of the other
+ * side lie, and which they together cover, both by the threshold.
+ * \param[in] whole, part the planes of an overlap */
+void
+markSplits (const Confusion& confusion,
+            double threshold,
+            std::uint32_t Overlap::*whole,
+            Verdicts& wholes,
+            std::uint32_t Overlap::*part,
+            Verdicts& others)
+{
+  const auto reaches = [threshold] (std::size_t points, std::size_t all) {
+    return static_cast<double> (points) >= threshold * static_cast<double> (all);
+  };
+  std::vector<std::size_t> parts (wholes.planes.size(), 0), covered = parts;
+  std::vector<Overlap> on_whole;
+  for (const Overlap& overlap : confusion.overlaps)
+    if (reaches (overlap.points, others.planes.points[overlap.*part])) {
+      on_whole.push_back (overlap);
+      ++parts[overlap.*whole];
+      covered[overlap.*whole] += overlap.points;
+    }
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    wholes.split[i] = parts[i] > 1 && reaches (covered[i], wholes.planes.points[i]);
+  for (const Overlap& overlap : on_whole)
+    if (wholes.split[overlap.*whole])
+      others.part[overlap.*part] = true;
+}
+
+/** Planes as instances at one threshold of the intersection over union. */
+void
+addInstanceMetrics (const Confusion& confusion,
+                    double threshold,
+                    const std::string& suffix,
+                    NamedValues& named)
+{
+  const std::size_t truth_planes = confusion.truth.size();
+  const std::size_t result_planes = confusion.result.size();
+  Verdicts truth{confusion.truth}, result{confusion.result};
+  const double iou_sum = matchPlanes (confusion, threshold, truth, result);
+  markSplits (confusion, threshold, &Overlap::truth, truth, &Overlap::result, result);
+  markSplits (confusion, threshold, &Overlap::result, result, &Overlap::truth, truth);
+
+  const auto count = [] (const std::vector<bool>& marks) {
+    return std::size_t (std::count (marks.begin(), marks.end(), true));
+  };
+  const std::size_t matches = count (truth.matched), all = truth_planes + result_planes;
+  const double both_empty = all == 0 ? 1.0 : 0.0;
+  const double f_score = apps::fraction (2 * matches, all, both_empty);
+  const double mean_iou = matches == 0 ? both_empty : iou_sum / double (matches);
+  for (const auto& [name, value] : NamedValues{
+           {"precision", apps::fraction (matches, result_planes, both_empty)},
+           {"recall", apps::fraction (matches, truth_planes, both_empty)},
+           {"f_score", f_score},
+           {"mean_iou", mean_iou},
+           {"panoptic_quality", mean_iou * f_score},
+           {"over_segmentation", apps::fraction (count (truth.split), truth_planes, 0)},
+           {"under_segmentation",
+            apps::fraction (count (result.split), result_planes, 0)},
+           {"noise", apps::fraction (result.unexplained(), result_planes, 0)},
+           {"missed", apps::fraction (truth.unexplained(), truth_planes, 0)}})
+    named.emplace_back (name + suffix, value);
+}
+
+/** \param[in] sizes of the true planes
+ * \param[in] limits between classes, ascending */
+SizeClasses
+classesOf (const Confusion& confusion,
+           const std::vector<double>& sizes,
+           const std::vector<double>& limits)
+{
+  SizeClasses classes (1);
+  for (const double limit : limits) {
+    classes.back().below = limit;
+    classes.push_back ({limit});
+  }
+  Verdicts at_50{confusion.truth}, at_75 = at_50, of_result{confusion.result},
+                                   of_result_75 = of_result;
+  matchPlanes (confusion, 0.50, at_50, of_result);
+  matchPlanes (confusion, 0.75, at_75, of_result_75);
+  for (std::size_t plane = 0; plane < sizes.size(); ++plane) {
+    auto of_plane = classes.begin();
+    while (of_plane->below && sizes[plane] >= *of_plane->below)
+      ++of_plane;
+    ++of_plane->planes;
+    of_plane->found_50 += at_50.matched[plane];
+    of_plane->found_75 += at_75.matched[plane];
+  }
+  return classes;
+}
+
+std::vector<double>
+widthsOf (const XyzCloud& cloud, const PlaneIds& planes)
+{
+  constexpr double squared_side_over_variance = 12.0; // of an even spread
+  std::vector<double> widths;
+  for (const PlaneSegment& plane : planesOf (cloud, planes, {})) {
+    const std::optional<PlaneFit> fit = fitPlane (plane.moments);
+    widths.push_back (fit ? std::sqrt (squared_side_over_variance * fit->variances[1])
+                          : 0.0);
+  }
+  return widths;
 }
 
 } // namespace
@@ -67,33 +219,35 @@ compareLabels (const XyzCloud& cloud,
                const PlaneLabels& result,
                const ClassParameters& parameters)
 {
-  if (truth.size() != cloud.size() || result.size() != cloud.size())
-    throw std::invalid_argument (std::to_string (cloud.size()) + " points, " +
-                                 std::to_string (truth.size()) + " true labels and " +
-                                 std::to_string (result.size()) +
-                                 " found ones do not belong together");
   const FinitePoints points = finiteOf (cloud, truth, result);
   const Confusion confusion = confusionOf (points.truth, points.result);
+  const std::vector<std::size_t>& sizes = confusion.truth.points;
+  const std::size_t right = pointsOfAssignment (confusion),
+                    on_true_planes =
+                        std::accumulate (sizes.begin(), sizes.end(), std::size_t (0)),
+                    off_in_both = confusion.points_on_no_plane_in_both,
+                    off_planes = confusion.points_off_planes;
 
   Metrics metrics;
-  metrics.points = points.cloud.size();
+  metrics.points = confusion.points;
   metrics.truth_planes = confusion.truth.size();
   metrics.result_planes = confusion.result.size();
-  const auto [accuracy, accuracy_all] = segmentationAccuracies (confusion);
   metrics.named = {
-      {"classification_accuracy", classificationAccuracy (points, parameters)},
-      {"segmentation_accuracy", accuracy},
-      {"segmentation_accuracy_all", accuracy_all}};
-  for (const auto& [threshold, suffix] : {std::pair (0.50, ""), {0.75, "_75"}}) {
-    const NamedValues values = instanceMetrics (confusion, threshold, suffix);
-    metrics.named.insert (metrics.named.end(), values.begin(), values.end());
-  }
-  metrics.points_off_planes_called_planes = apps::fraction (
-      confusion.points_off_planes - confusion.points_on_no_plane_in_both,
-      confusion.points_off_planes,
-      0.0);
-  metrics.by_size = sizeClasses (confusion);
-  metrics.by_width = widthClasses (confusion, widthsOf (points.cloud, confusion.truth));
+      {"classification_accuracy",
+       classificationAccuracy (points, confusion, parameters)},
+      {"segmentation_accuracy",
+       apps::fraction (right, on_true_planes, metrics.result_planes == 0 ? 1.0 : 0.0)},
+      {"segmentation_accuracy_all",
+       apps::fraction (right + off_in_both, confusion.points, 1.0)}};
+  for (const auto& [threshold, suffix] : {std::pair (0.50, ""), {0.75, "_75"}})
+    addInstanceMetrics (confusion, threshold, suffix, metrics.named);
+  metrics.points_off_planes_called_planes =
+      apps::fraction (off_planes - off_in_both, off_planes, 0.0);
+  metrics.by_size = classesOf (
+      confusion, {sizes.begin(), sizes.end()}, {200, 500, 1000, 3000, 10'000});
+  metrics.by_width = classesOf (confusion,
+                                widthsOf (points.cloud, confusion.truth),
+                                {0.03, 0.06, 0.12, 0.25, 1.0});
   return metrics;
 }
 
@@ -104,10 +258,12 @@ namedCounts (const Metrics& metrics)
   for (const auto& [by, classes] :
        {std::pair ("points", &metrics.by_size), {"width", &metrics.by_width}})
     for (const SizeClass& size : *classes) {
-      const std::string suffix = std::string ("_by_") + by + '_' + size.name ('_');
-      named.emplace_back ("planes" + suffix, double (size.planes));
-      named.emplace_back ("found" + suffix, double (size.found_50));
-      named.emplace_back ("found_75" + suffix, double (size.found_75));
+      std::ostringstream suffix;
+      suffix << "_by_" << by << (size.below ? "_below_" : "_from_")
+             << size.below.value_or (size.from);
+      named.emplace_back ("planes" + suffix.str(), double (size.planes));
+      named.emplace_back ("found" + suffix.str(), double (size.found_50));
+      named.emplace_back ("found_75" + suffix.str(), double (size.found_75));
     }
   return named;
 }

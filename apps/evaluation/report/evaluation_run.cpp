@@ -7,112 +7,193 @@
 #include <cli/errors.h>
 #include <cli/parallel.h>
 #include <cli/program.h>
+#include <cli/progress.h>
+#include <detection/methods.h>
 #include <evaluation/detectors/limited_run.h>
+#include <evaluation/metrics/metrics.h>
 #include <io/labeled_pcd.h>
 #include <io/output_file.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <filesystem>
+#include <fstream>
 #include <limits>
+#include <mutex>
+#include <set>
+#include <sstream>
 
 namespace pcl_ops::evaluation {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr const char* fewer_at_a_time = "give a smaller cloud or fewer --jobs";
 
-struct CloudTask {
-  std::string data_set;
-  const CloudSource* source;
-};
+/** The numbers of a row and their columns. */
+NamedValues
+namedValues (const Metrics& metrics, const DetectorRun& run)
+{
+  NamedValues values{{"points", double (metrics.points)},
+                     {"truth_planes", double (metrics.truth_planes)},
+                     {"result_planes", double (metrics.result_planes)},
+                     {"planes_before_merging", double (run.planes_before_merging)}};
+  values.insert (values.end(), metrics.named.begin(), metrics.named.end());
+  for (const auto& [stage, duration] : apps::detection_stages)
+    values.emplace_back (std::string (stage) + "_ms", run.durations.*duration);
+  values.emplace_back (off_planes_name, metrics.points_off_planes_called_planes);
+  const NamedValues counts = namedCounts (metrics);
+  values.insert (values.end(), counts.begin(), counts.end());
+  return values;
+}
 
-/** One evaluation: what its threads share. */
-class Evaluation {
+std::string
+headerLine ()
+{
+  std::string line = "data_set,cloud,truth,configuration,seed";
+  for (const auto& named : namedValues (compareLabels ({}, {}, {}), {}))
+    line += ',' + named.first;
+  return line;
+}
+
+/** A cell of RFC 4180, quoted where it has to be, and a comma. A name's line break
+ * becomes a space, so that a row is always a line. */
+std::string
+csvCell (std::string text)
+{
+  std::replace (text.begin(), text.end(), '\n', ' ');
+  if (text.find_first_of (",\"") == std::string::npos)
+    return text + ',';
+  std::string cell = "\"";
+  for (const char character : text)
+    cell += character == '"' ? std::string ("\"\"") : std::string (1, character);
+  return cell + "\",";
+}
+
+/** A CSV file that grows row by row. Its calls may be made by several threads. */
+class ResultsFile {
 public:
-  Evaluation (const EvaluationPlan& plan,
-              ResultsFile& results,
-              std::ostream& messages,
-              bool is_terminal)
-  : plan_ (plan), results_ (results)
+  explicit ResultsFile (const std::string& file) : file_ (file)
   {
-    for (const DataSet& data_set : plan.data_sets)
-      for (const CloudSource& source : data_set.clouds)
-        tasks_.push_back ({data_set.name, &source});
-    progress_.emplace (tasks_.size(), messages, apps::progressStyleOf (is_terminal));
+    std::ifstream before (file, std::ios::binary);
+    const std::string text (std::istreambuf_iterator<char> (before), {});
+    const std::size_t complete = text.rfind ('\n') + 1; // 0 where there is no line
+    if (complete < text.size())
+      fs::resize_file (file, complete);
+    std::istringstream rows (text.substr (0, complete));
+    std::string line;
+    if (std::getline (rows, line) && line != headerLine())
+      throw apps::WorkError (
+          file,
+          "has other columns than this version writes; give another output folder");
+    while (std::getline (rows, line))
+      lines_.insert (line);
+    stream_.open (file, std::ios::app);
+    if (complete == 0)
+      stream_ << headerLine() << '\n';
+    if (!stream_.flush())
+      throw apps::OutputError (file, "cannot be written; give another output folder");
   }
 
-  EvaluationSummary
-  run ()
+  /** \param[in] cells that the row begins with */
+  bool
+  has (const std::string& cells) const
   {
-    apps::runInParallel (tasks_.size(), plan_.jobs, [this] (std::size_t i) {
-      evaluateCloud (tasks_[i]);
-      progress_->step();
-    });
-    return {clouds_, new_rows_, broken_clouds_, failed_runs_, stopped_runs_};
+    const std::lock_guard<std::mutex> lock (mutex_);
+    const auto line = lines_.lower_bound (cells);
+    return line != lines_.end() && line->rfind (cells, 0) == 0;
+  }
+
+  void
+  add (const std::string& cells, const NamedValues& values)
+  {
+    constexpr int digits = 7;
+    std::ostringstream line;
+    line.precision (digits);
+    line << cells;
+    for (const auto& named : values)
+      line << (&named == values.data() ? "" : ",") << named.second;
+    const std::lock_guard<std::mutex> lock (mutex_);
+    const std::uintmax_t size = fs::file_size (file_);
+    if (!(stream_ << line.str() + '\n') || !stream_.flush()) {
+      stream_.close();
+      std::error_code ignored;
+      fs::resize_file (file_, size, ignored); // without the part of a row that had room
+      throw apps::OutputError (
+          file_,
+          "cannot be written; make room and run it again, which goes on from here");
+    }
+    lines_.insert (line.str());
   }
 
 private:
+  std::string file_;
+  std::ofstream stream_;
+  std::set<std::string> lines_;
+  mutable std::mutex mutex_;
+};
+
+struct CloudTask {
+  std::string data_set;
+  const CloudSource& source;
+};
+
+/** One evaluation: what its threads share. */
+struct Evaluation {
+  const EvaluationPlan& plan;
+  ResultsFile results;
+  apps::Progress progress;
+  EvaluationSummary summary = {};
+  std::mutex counting = {};
+
   void
-  note (const std::string& line)
+  count (std::size_t EvaluationSummary::*what, const std::string& message = "")
   {
-    progress_->note (apps::errorLine (line));
+    const std::lock_guard<std::mutex> lock (counting);
+    ++(summary.*what);
+    if (!message.empty())
+      progress.note (apps::errorLine (message));
+  }
+
+  std::string
+  keyOf (const CloudTask& task, bool has_truth, const Configuration& configuration)
+  {
+    return csvCell (task.data_set) + csvCell (task.source.name) +
+           csvCell (truthName (has_truth, plan.truth)) + csvCell (configuration.name) +
+           csvCell (std::to_string (plan.settings.seed));
   }
 
   void
   evaluateCloud (const CloudTask& task)
   {
-    if (isComplete (task)) {
-      ++clouds_;
-      return;
-    }
+    // Known without loading the cloud only where its rows say which truth it has.
+    const auto is_there = [&] (const Configuration& configuration) {
+      return results.has (keyOf (task, false, configuration)) ||
+             results.has (keyOf (task, true, configuration));
+    };
+    const std::vector<Configuration>& all = plan.configurations;
+    if (std::all_of (all.begin(), all.end(), is_there))
+      return count (&EvaluationSummary::clouds);
     EvaluationCloud cloud;
     PlaneLabels truth;
     try {
-      apps::inMemory (task.source->name, fewer_at_a_time, [&] {
-        cloud = task.source->load();
-        truth = truthOf (cloud, plan_.truth);
+      apps::inMemory (task.source.name, fewer_at_a_time, [&] {
+        cloud = task.source.load();
+        truth = truthOf (cloud, plan.truth);
       });
     }
     catch (const apps::OutputError&) {
       throw;
     }
     catch (const std::exception& error) {
-      ++broken_clouds_;
-      note (std::string ("left out: ") + error.what());
-      return;
+      return count (&EvaluationSummary::broken_clouds,
+                    std::string ("left out: ") + error.what());
     }
     saveLabels (task, "truth", *cloud.cloud, truth);
-    for (const Configuration& configuration : plan_.configurations)
-      evaluateConfiguration (task, configuration, cloud, truth);
-    ++clouds_;
-  }
-
-  ResultKey
-  keyOf (const CloudTask& task,
-         const std::string& truth,
-         const Configuration& configuration) const
-  {
-    return {task.data_set,
-            task.source->name,
-            truth,
-            configuration.name,
-            plan_.settings.seed};
-  }
-
-  /** Known without loading the cloud only where its rows say which truth it has. */
-  bool
-  isComplete (const CloudTask& task) const
-  {
-    const std::string grown = truthName (EvaluationCloud{}, plan_.truth);
-    return std::all_of (plan_.configurations.begin(),
-                        plan_.configurations.end(),
-                        [&] (const Configuration& configuration) {
-                          return results_.has (keyOf (task, grown, configuration)) ||
-                                 results_.has (
-                                     keyOf (task, exact_truth, configuration));
-                        });
+    for (const Configuration& configuration : all)
+      if (!configuration.needs_grid || cloud.grid)
+        evaluateConfiguration (task, configuration, cloud, truth);
+    count (&EvaluationSummary::clouds);
   }
 
   void
@@ -121,28 +202,16 @@ private:
               const XyzCloud& cloud,
               const PlaneLabels& labels) const
   {
-    if (plan_.labels_folder.empty())
+    if (plan.labels_folder.empty())
       return;
     pcl::PointCloud<pcl::PointXYZL> labeled;
     pcl::copyPointCloud (cloud, labeled);
     for (std::size_t i = 0; i < labels.size(); ++i)
       labeled[i].label = labels[i];
-    const std::filesystem::path folder =
-        std::filesystem::path (plan_.labels_folder) / task.data_set / task.source->name;
+    const fs::path folder =
+        fs::path (plan.labels_folder) / task.data_set / task.source.name;
     apps::makeFolder (folder.string());
     apps::saveLabeledPcd ((folder / (name + ".pcd")).string(), labeled);
-  }
-
-  std::optional<DetectorRun>
-  detect (const Configuration& configuration, const EvaluationCloud& cloud) const
-  {
-    RunSettings settings = plan_.settings;
-    settings.up = cloud.up;
-    settings.clock = Clock::Processor;
-    settings.grid = cloud.grid ? &*cloud.grid : nullptr;
-    return configuration.is_peer
-               ? runLimited (configuration, cloud.cloud, settings, plan_.time_limit)
-               : configuration.run (cloud.cloud, settings);
   }
 
   /** All numbers, or of a run that was stopped none but how long it took, so that it is
@@ -153,17 +222,22 @@ private:
             const PlaneLabels& truth,
             const CloudTask& task)
   {
-    if (const std::optional<DetectorRun> run = detect (configuration, cloud)) {
+    RunSettings settings = plan.settings;
+    settings.up = cloud.up;
+    settings.clock = Clock::Processor;
+    settings.grid = cloud.grid ? &*cloud.grid : nullptr;
+    if (const std::optional<DetectorRun> run =
+            runLimited (configuration, cloud.cloud, settings, plan.time_limit)) {
       saveLabels (task, configuration.name, *cloud.cloud, run->labels);
       return namedValues (compareLabels (*cloud.cloud, truth, run->labels, {cloud.up}),
                           *run);
     }
-    ++stopped_runs_;
-    note (configuration.name + " on " + task.source->name + ": stopped after " +
-          std::to_string (plan_.time_limit) + " s; more by --time-limit");
+    count (&EvaluationSummary::stopped_runs,
+           configuration.name + " on " + task.source.name + ": stopped after " +
+               std::to_string (plan.time_limit) + " s; more by --time-limit");
     NamedValues values = namedValues (compareLabels ({}, {}, {}), {});
     for (auto& [column, value] : values)
-      value = column == "detection_ms" ? 1e3 * plan_.time_limit
+      value = column == "detection_ms" ? 1e3 * plan.time_limit
                                        : std::numeric_limits<double>::quiet_NaN();
     return values;
   }
@@ -174,8 +248,8 @@ private:
                          const EvaluationCloud& cloud,
                          const PlaneLabels& truth)
   {
-    const ResultKey key = keyOf (task, truthName (cloud, plan_.truth), configuration);
-    if (results_.has (key) || (configuration.needs_grid && !cloud.grid))
+    const std::string key = keyOf (task, cloud.truth.has_value(), configuration);
+    if (results.has (key))
       return;
     NamedValues values;
     try {
@@ -184,31 +258,35 @@ private:
       });
     }
     catch (const std::exception& error) {
-      ++failed_runs_;
-      note (configuration.name + " failed on " + key.cloud + ": " + error.what());
-      return;
+      return count (&EvaluationSummary::failed_runs,
+                    configuration.name + " failed on " + task.source.name + ": " +
+                        error.what());
     }
-    results_.add (key, values);
-    ++new_rows_;
+    results.add (key, values);
+    count (&EvaluationSummary::new_rows);
   }
-
-  const EvaluationPlan& plan_;
-  ResultsFile& results_;
-  std::vector<CloudTask> tasks_;
-  std::optional<apps::Progress> progress_;
-  std::atomic<std::size_t> clouds_{0}, new_rows_{0}, broken_clouds_{0}, failed_runs_{0},
-      stopped_runs_{0};
 };
 
 } // namespace
 
 EvaluationSummary
 evaluate (const EvaluationPlan& plan,
-          ResultsFile& results,
+          const std::string& file,
           std::ostream& messages,
           bool is_terminal)
 {
-  return Evaluation (plan, results, messages, is_terminal).run();
+  std::vector<CloudTask> tasks;
+  for (const DataSet& data_set : plan.data_sets)
+    for (const CloudSource& source : data_set.clouds)
+      tasks.push_back ({data_set.name, source});
+  Evaluation evaluation{plan,
+                        ResultsFile (file),
+                        {tasks.size(), messages, apps::progressStyleOf (is_terminal)}};
+  apps::runInParallel (tasks.size(), plan.jobs, [&] (std::size_t i) {
+    evaluation.evaluateCloud (tasks[i]);
+    evaluation.progress.step();
+  });
+  return evaluation.summary;
 }
 
 } // namespace pcl_ops::evaluation

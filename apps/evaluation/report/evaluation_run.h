@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cli/progress.h>
-#include <evaluation/report/results_file.h>
+#include <evaluation/detectors/detectors.h>
 #include <evaluation/truth/truth.h>
+
+#include <iosfwd>
 
 namespace pcl_ops::evaluation {
 
@@ -35,16 +36,17 @@ struct EvaluationSummary {
   std::size_t failed_runs = 0, stopped_runs = 0;
 };
 
-/** \brief Runs every configuration on every cloud for which the results have no row
- * yet. Clouds that cannot be loaded and detectors that fail are said and counted, the
- * rest goes on.
- * \param[in,out] results gets each row as soon as it is known
+/** \brief Runs every configuration on every cloud for which a CSV file has no row yet.
+ * Clouds that cannot be loaded and detectors that fail are said and counted, the rest
+ * goes on.
+ * \param[in] file gets each row at once and whole, as soon as it is known, so that a
+ * stop loses none; a last line that an interruption left incomplete is removed
  * \param[out] messages progress, and a line for each cloud or run that failed
  * \param[in] is_terminal whether \p messages is one
- * \throw apps::WorkError if the results cannot be written */
+ * \throw apps::WorkError if the file cannot be written, or has other columns */
 EvaluationSummary
 evaluate (const EvaluationPlan& plan,
-          ResultsFile& results,
+          const std::string& file,
           std::ostream& messages,
           bool is_terminal);
 

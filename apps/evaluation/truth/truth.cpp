@@ -2,23 +2,139 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "truth.h"
 
+#include <pcl/search/kdtree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 namespace pcl_ops::evaluation {
+
+namespace {
+
+constexpr std::size_t smallest_region = 50;
+constexpr double max_distance = 0.05; // to a region's plane [m]
+/** The region's plane is fitted again each time its points have grown by this factor.
+ */
+constexpr double refit_growth = 1.3;
+constexpr double points_of_first_fit = 10.0;
+
+/** What the neighborhood of a point tells. */
+struct Surfel {
+  Eigen::Vector3d position;
+  pcl::Indices neighbors;
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  /** Share of the smallest variance; infinite where there is no normal. */
+  float curvature = std::numeric_limits<float>::infinity();
+};
+
+void
+addTo (Moments& moments, const Eigen::Vector3d& point)
+{
+  const Eigen::Vector3d local = point - moments.origin;
+  moments.add (local.x(), local.y(), local.z());
+}
+
+std::vector<Surfel>
+surfelsOf (const XyzCloud& cloud, int neighbors)
+{
+  std::vector<Surfel> surfels;
+  if (cloud.empty())
+    return surfels;
+  for (const pcl::PointXYZ& point : cloud)
+    surfels.push_back ({point.getVector3fMap().cast<double>(), {}});
+  pcl::search::KdTree<pcl::PointXYZ> tree;
+  tree.setInputCloud (cloud.makeShared());
+  const int wanted = std::min (int (cloud.size()), std::max (1, neighbors));
+  std::vector<float> ignored;
+  for (std::size_t i = 0; i < surfels.size(); ++i) {
+    Surfel& surfel = surfels[i];
+    tree.nearestKSearch (cloud[i], wanted, surfel.neighbors, ignored);
+    Moments moments;
+    moments.origin = surfel.position;
+    for (const pcl::index_t j : surfel.neighbors)
+      addTo (moments, surfels[j].position);
+    if (const std::optional<PlaneFit> fit = fitPlane (moments)) {
+      surfel.normal = fit->plane.normal.cast<float>();
+      surfel.curvature = static_cast<float> (fit->variances[0] / fit->variances.sum());
+    }
+  }
+  return surfels;
+}
+
+/** The points of a region, which are taken from then on. */
+pcl::PointIndices
+regionFrom (pcl::index_t seed,
+            const std::vector<Surfel>& surfels,
+            std::vector<bool>& is_taken)
+{
+  const auto min_cosine = static_cast<float> (std::cos (paper_angle));
+  Moments moments;
+  moments.origin = surfels[seed].position;
+  moments.add (0.0, 0.0, 0.0);
+  Plane plane = planeThrough (moments.origin, surfels[seed].normal.cast<double>());
+  double points_of_next_fit = points_of_first_fit;
+  pcl::PointIndices region;
+  region.indices = {seed};
+  is_taken[seed] = true;
+  for (std::size_t next = 0; next < region.indices.size(); ++next) {
+    const Surfel& member = surfels[region.indices[next]];
+    for (const pcl::index_t j : member.neighbors) {
+      const Surfel& other = surfels[j];
+      if (is_taken[j] || std::abs (other.normal.dot (member.normal)) < min_cosine ||
+          std::abs (plane.distance (other.position)) > max_distance)
+        continue;
+      is_taken[j] = true;
+      region.indices.push_back (j);
+      addTo (moments, other.position);
+      if (moments.count < points_of_next_fit)
+        continue;
+      points_of_next_fit = refit_growth * moments.count;
+      if (const std::optional<PlaneFit> fit = fitPlane (moments))
+        plane = fit->plane;
+    }
+  }
+  return region;
+}
+
+} // namespace
+
+PlaneLabels
+growRegions (const XyzCloud& cloud, int neighbors)
+{
+  const std::vector<Surfel> surfels = surfelsOf (cloud, neighbors);
+  pcl::Indices flattest_first (surfels.size());
+  std::iota (flattest_first.begin(), flattest_first.end(), 0);
+  std::stable_sort (flattest_first.begin(), flattest_first.end(), [&] (auto a, auto b) {
+    return surfels[a].curvature < surfels[b].curvature;
+  });
+  std::vector<bool> is_taken (surfels.size(), false);
+  std::vector<pcl::PointIndices> regions;
+  for (const pcl::index_t seed : flattest_first)
+    if (!is_taken[seed] && std::isfinite (surfels[seed].curvature)) {
+      regions.push_back (regionFrom (seed, surfels, is_taken));
+      if (regions.back().indices.size() < smallest_region)
+        regions.pop_back();
+    }
+  std::stable_sort (regions.begin(), regions.end(), [] (const auto& a, const auto& b) {
+    return a.indices.size() > b.indices.size();
+  });
+  return labelsOf (regions, cloud.size());
+}
 
 PlaneLabels
 truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters)
 {
   PlaneLabels labels =
-      cloud.truth ? *cloud.truth : growRegions (*cloud.cloud, parameters.growing);
+      cloud.truth ? *cloud.truth : growRegions (*cloud.cloud, parameters.neighbors);
   dropSmallPlanes (labels, parameters.min_points);
   return labels;
 }
 
 std::string
-truthName (const EvaluationCloud& cloud, const TruthParameters& parameters)
+truthName (bool is_exact, const TruthParameters& parameters)
 {
-  if (cloud.truth)
-    return exact_truth;
-  return "grown-k" + std::to_string (parameters.growing.neighbors);
+  return is_exact ? "exact" : "grown-k" + std::to_string (parameters.neighbors);
 }
 
 } // namespace pcl_ops::evaluation

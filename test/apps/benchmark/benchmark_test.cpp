@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <benchmark/peak_memory.h>
 #include <benchmark/scaling.h>
-#include <simulation/dense_scan.h>
+#include <simulation/simulated_cloud.h>
 
 namespace {
 
@@ -24,35 +23,18 @@ measureTaking (const std::string& name, std::vector<double> times)
           }};
 }
 
-std::vector<BestTime>
-measureQuietly (const std::vector<Measure>& measures)
-{
-  return measureInTurns (measures, [] (const std::string&) {});
-}
-
-TEST (Measures, TheShortestRunCounts)
-{
-  const std::vector<BestTime> best = measureQuietly (
-      {measureTaking ("a", {5.0, 2.0, 4.0}), measureTaking ("b", {7.0})});
-  EXPECT_EQ (best[0].durations.detection, 2.0);
-  EXPECT_EQ (best[1].durations.detection, 7.0);
-  EXPECT_EQ (best[0].runs, 3u);
-}
-
-TEST (Measures, WhatTakesVeryLongIsNotRepeated)
-{
-  const double long_time = 2.0 * patience;
-  const std::vector<BestTime> best =
-      measureQuietly ({measureTaking ("a", {long_time, 1.0})});
-  EXPECT_EQ (best[0].runs, 1u);
-}
-
-TEST (Measures, TakeTurns)
+TEST (Measures, TakeTurnsAndTheShortestRunCounts)
 {
   std::string told;
-  measureInTurns ({measureTaking ("a", {5.0, 2.0}), measureTaking ("b", {7.0, 7.0})},
-                  [&] (const std::string& what) { told += what; });
-  EXPECT_EQ (told, "abab");
+  const std::vector<BestTime> best =
+      measureInTurns ({measureTaking ("a", {5.0, 2.0, 4.0}),
+                       measureTaking ("b", {7.0, 7.0}),
+                       measureTaking ("c", {2.0 * patience, 1.0})}, // too long for more
+                      [&] (const std::string& what) { told += what; });
+  EXPECT_EQ (told, "abcaba");
+  EXPECT_EQ (best[0].durations.detection, 2.0);
+  EXPECT_EQ (best[0].runs, 3u);
+  EXPECT_EQ (best[2].runs, 1u);
 }
 
 TEST (PeakMemory, HoldsAtLeastALabelForEveryPoint)
@@ -61,9 +43,9 @@ TEST (PeakMemory, HoldsAtLeastALabelForEveryPoint)
   const pcl_ops::evaluation::XyzCloud::Ptr cloud (new pcl_ops::evaluation::XyzCloud);
   pcl::copyPointCloud (
       pcl_ops::simulation::scanDensely (makeBoards (4), points, 1.0, 1).cloud, *cloud);
-  const PeakMemory peak = peakMemoryOn (cloud);
-  EXPECT_EQ (peak.cloud_bytes, 16.0 * points);
-  EXPECT_GT (peak.extra_bytes, 4.0 * points);
+  EXPECT_GT (
+      peakMemoryOn (cloud, pcl_ops::evaluation::selectConfigurations ("ops").front()),
+      4.0 * points);
 }
 
 TEST (Boards, EachIsAPlaneOfItsOwn)

@@ -6,7 +6,9 @@
 #include <support/run_program.h>
 #include <support/temporary_folder.h>
 
+#include <algorithm>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace {
@@ -113,41 +115,40 @@ TEST_F (PlanesCommand, NamesFileAndKeyOfWhatIsWrong)
     EXPECT_EQ (std::count (run.text.begin(), run.text.end(), '\n'), 1) << run.text;
   };
   expectRefused ("does not exist");
-  folder_.write ("bad.json", "{");
-  expectRefused ("is no JSON");
-  folder_.write ("bad.json", "[1]");
-  expectRefused ("planes is missing");
-  folder_.write ("bad.json", "{\"planes\": 3}");
-  expectRefused ("planes is no list");
-  const auto without = [&] (const char* key) {
+  for (const auto& [text, complaint] : {std::pair ("{", "is no JSON"),
+                                        {"[1]", "planes is missing"},
+                                        {"{\"planes\": 3}", "planes is no list"}}) {
+    folder_.write ("bad.json", text);
+    expectRefused (complaint);
+  }
+  for (const std::string key :
+       {"id", "orientation", "points", "centroid", "rms", "coefficients"}) {
     Json plane = square (1, true, 0, 0, 0);
     plane.erase (key);
     write ("bad.json", {square (1, true, 0, 0, 0), plane});
-    expectRefused ("planes[1]." + std::string (key) + " is missing");
-  };
-  for (const char* key :
-       {"id", "orientation", "points", "centroid", "rms", "coefficients"})
-    without (key);
-  const auto with = [&] (const char* key, const Json& value, const char* complaint) {
+    expectRefused ("planes[1]." + key + " is missing");
+  }
+  const std::tuple<const char*, Json, const char*> wrong[] = {
+      {"id", -1, "id is no whole number from 0"},
+      {"points", 0, "points is too small"},
+      {"rms", "x", "rms is no number"},
+      {"centroid", {1, 2}, "centroid has not 3 numbers"},
+      {"centroid", {1, 2, "x"}, "centroid[2] is no number"},
+      {"coefficients", {0, 0, 0, 1}, "coefficients has the normal 0 0 0"},
+      {"orientation", "steep", "orientation is not horizontal, vertical or other"},
+      {"hull", {{1, 2, 3}, 4}, "hull[1] is no list"},
+      // What could not be squared.
+      {"points", 1e200, "points is too large"},
+      {"rms", 1e200, "rms is too large"},
+      {"centroid", {1e308, 0, 0}, "centroid[0] is too large"},
+      {"coefficients", {1e308, 1e308, 1e308, 1}, "coefficients[0] is too large"},
+      {"hull", {{0, 0, 0}, {1, 0, 0}, {1, -1e200, 0}}, "hull[2][1] is too large"}};
+  for (const auto& [key, value, complaint] : wrong) {
     Json plane = square (1, true, 0, 0, 0);
     plane[key] = value;
     write ("bad.json", {plane});
-    expectRefused ("planes[0]." + std::string (complaint));
-  };
-  with ("id", -1, "id is no whole number from 0");
-  with ("points", 0, "points is too small");
-  with ("rms", "x", "rms is no number");
-  with ("centroid", {1, 2}, "centroid has not 3 numbers");
-  with ("centroid", {1, 2, "x"}, "centroid[2] is no number");
-  with ("coefficients", {0, 0, 0, 1}, "coefficients has the normal 0 0 0");
-  with ("orientation", "steep", "orientation is not horizontal, vertical or other");
-  with ("hull", {{1, 2, 3}, 4}, "hull[1] is no list");
-  // What could not be squared.
-  with ("points", 1e200, "points is too large");
-  with ("rms", 1e200, "rms is too large");
-  with ("centroid", {1e308, 0, 0}, "centroid[0] is too large");
-  with ("coefficients", {1e308, 1e308, 1e308, 1}, "coefficients[0] is too large");
-  with ("hull", {{0, 0, 0}, {1, 0, 0}, {1, -1e200, 0}}, "hull[2][1] is too large");
+    expectRefused (std::string ("planes[0].") + complaint);
+  }
 }
 
 TEST_F (PlanesCommand, MatchesInTheLargestUnitACloudCanHave)

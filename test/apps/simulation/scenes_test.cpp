@@ -4,7 +4,7 @@
 #include <simulation/furniture.h>
 #include <simulation/poses.h>
 #include <simulation/shapes.h>
-#include <simulation/street_things.h>
+#include <simulation/street.h>
 #include <simulation/survey.h>
 #include <simulation/town.h>
 

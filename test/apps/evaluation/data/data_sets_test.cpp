@@ -83,11 +83,4 @@ TEST (DataSets, AFolderOfCloudsGivesItsName)
   EXPECT_EQ (dataSet ("clouds:" + file).name, "clouds");
 }
 
-TEST (DataSets, AFolderWithoutCloudsIsAnError)
-{
-  for (const char* kind : {"clouds:", "sunrgbd:", "sunrgbd-raw:"})
-    EXPECT_THROW (dataSet (kind + std::string ("/no/such/folder")),
-                  pcl_ops::apps::WorkError);
-}
-
 } // namespace

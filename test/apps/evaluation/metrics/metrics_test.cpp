@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <evaluation/metrics/confusion.h>
 #include <evaluation/metrics/metrics.h>
 
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <random>
 #include <tuple>
 
 namespace {
@@ -167,16 +170,16 @@ TEST (Metrics, AreWhatTheirDefinitionSays)
   }
 }
 
-TEST (ClassificationAccuracy, FollowsTheUpAxis)
+TEST (Metrics, ClassesFollowTheUpAxis)
 {
-  const XyzCloud cloud = floorAndWall();
-  const auto first = [&] (const Eigen::Vector3d& up) {
-    return pointClasses (cloud, floor_and_wall, {up}).front();
-  };
-  EXPECT_EQ (first (Eigen::Vector3d::UnitZ()), pcl_ops::Orientation::Horizontal);
-  EXPECT_EQ (first (Eigen::Vector3d::UnitX()), pcl_ops::Orientation::Vertical);
-  EXPECT_EQ (first (Eigen::Vector3d (1, 0, 1).normalized()),
-             pcl_ops::Orientation::Other);
+  // Found is the floor alone: right are its points, and those of the wall where it is
+  // neither horizontal nor vertical, like points on no plane.
+  for (const auto& [up, right] : {std::pair (Eigen::Vector3d (0, 0, 1), 0.5),
+                                  {Eigen::Vector3d (1, 0, 1).normalized(), 1.0}})
+    EXPECT_EQ (compareLabels (floorAndWall(), floor_and_wall, floor_only, {up})
+                   .named[0]
+                   .second,
+               right);
 }
 
 TEST (Metrics, PointsWithoutCoordinatesDoNotCount)
@@ -197,7 +200,7 @@ TEST (Metrics, LabelsThatAreNoneOfPlanesAreRefused)
   PlaneLabels one_a_point (20'000); // refused before memory is
   for (std::size_t i = 0; i < one_a_point.size(); ++i)
     one_a_point[i] = static_cast<std::uint32_t> (i + 1);
-  EXPECT_THROW (assignPlanes (confusionOf (one_a_point, one_a_point)),
+  EXPECT_THROW (compareLabels (XyzCloud (20'000, 1), one_a_point, one_a_point),
                 std::length_error);
 }
 
@@ -219,8 +222,8 @@ planesIn (const SizeClasses& classes)
 }
 
 /** True planes of so many points, of each of which the result has the first share. */
-SizeClasses
-classesOf (std::initializer_list<std::size_t> sizes, double share_found = 1.0)
+Metrics
+metricsOfSizes (std::initializer_list<std::size_t> sizes, double share_found = 1.0)
 {
   PlaneLabels truth, result;
   std::uint32_t label = 0;
@@ -230,35 +233,27 @@ classesOf (std::initializer_list<std::size_t> sizes, double share_found = 1.0)
         result.end(), static_cast<std::size_t> (share_found * double (size)), label);
     result.resize (truth.size(), 0);
   }
-  return sizeClasses (confusionOf (truth, result));
+  return compareLabels (XyzCloud (std::uint32_t (truth.size()), 1), truth, result);
 }
 
 TEST (SizeClasses, ATruePlaneBelongsToTheClassOfItsPoints)
 {
-  EXPECT_EQ (planesIn (classesOf ({1, 199, 200, 499, 500, 999})),
+  EXPECT_EQ (planesIn (metricsOfSizes ({1, 199, 200, 499, 500, 999}).by_size),
              (std::vector<std::size_t>{2, 2, 2, 0, 0, 0}));
-  EXPECT_EQ (planesIn (classesOf ({1000, 2999, 3000, 9999, 10000, 30000})),
+  EXPECT_EQ (planesIn (metricsOfSizes ({1000, 2999, 3000, 9999, 10000, 30000}).by_size),
              (std::vector<std::size_t>{0, 0, 0, 2, 2, 2}));
 }
 
 TEST (SizeClasses, CountThePlanesFoundAtBothOverlaps)
 {
   for (const auto& [share, at_50, at_75] :
-       {std::tuple (0.0, 0u, 0u), {0.6, 2u, 0u}, {1.0, 2u, 2u}}) {
-    const SizeClass size = classesOf ({100, 150}, share).front();
-    EXPECT_EQ (size.planes, 2u) << share;
-    EXPECT_EQ (size.found_50, at_50) << share;
-    EXPECT_EQ (size.found_75, at_75) << share;
+       {std::tuple (0.0, 0.0, 0.0), {0.6, 2.0, 0.0}, {1.0, 2.0, 2.0}}) {
+    const NamedValues counts = namedCounts (metricsOfSizes ({100, 150}, share));
+    EXPECT_EQ (counts[0], std::pair (std::string ("planes_by_points_below_200"), 2.0));
+    EXPECT_EQ (counts[1].second, at_50) << share;
+    EXPECT_EQ (counts[2].second, at_75) << share;
+    EXPECT_EQ (counts.back().first, "found_75_by_width_from_1");
   }
-}
-
-TEST (SizeClasses, HaveNamesThatSayWhereTheyEnd)
-{
-  const SizeClasses classes = widthClasses ({}, {});
-  EXPECT_EQ (classes.front().name(), "below 0.03");
-  EXPECT_EQ (classes.back().name(), "from 1");
-  EXPECT_EQ (namedCounts (compareLabels ({}, {}, {})).back().first,
-             "found_75_by_width_from_1");
 }
 
 /** Adds a board of 40 x 40 points to a cloud and gives them the next label. */
@@ -292,6 +287,40 @@ TEST (Widths, DivideTruePlanesIntoClasses)
   EXPECT_EQ (planesIn (classes), (std::vector<std::size_t>{1, 2, 0, 1, 1, 1}));
   EXPECT_EQ (classes[0].found_50, 0u);
   EXPECT_EQ (classes[1].found_75, 2u);
+}
+
+/** Tries all permutations of the columns; only for at least as many columns as rows. */
+double
+bestByBruteForce (const Eigen::MatrixXd& benefit)
+{
+  std::vector<Eigen::Index> columns (benefit.cols());
+  std::iota (columns.begin(), columns.end(), 0);
+  double best = -1e9;
+  do {
+    double sum = 0.0;
+    for (Eigen::Index row = 0; row < benefit.rows(); ++row)
+      sum += benefit (row, columns[row]);
+    best = std::max (best, sum);
+  }
+  while (std::next_permutation (columns.begin(), columns.end()));
+  return best;
+}
+
+TEST (Hungarian, IsTheBestOfAllPermutationsWhateverTheShape)
+{
+  std::mt19937 generator (1);
+  for (const auto& [rows, columns] : {std::pair (5, 5), {3, 6}, {6, 3}, {0, 4}, {2, 0}})
+    for (int i = 0; i < 50; ++i) {
+      const Eigen::MatrixXd benefit = Eigen::MatrixXd::NullaryExpr (
+          rows, columns, [&] { return double (generator() % 20) - 5.0; });
+      const Eigen::MatrixXd turned = benefit.transpose();
+      const std::vector<std::ptrdiff_t> column_of = maximumAssignment (benefit);
+      ASSERT_EQ (column_of.size(), std::size_t (rows));
+      double sum = 0.0;
+      for (int row = 0; row < rows; ++row)
+        sum += column_of[row] < 0 ? 0.0 : benefit (row, column_of[row]);
+      EXPECT_EQ (sum, bestByBruteForce (rows > columns ? turned : benefit));
+    }
 }
 
 } // namespace

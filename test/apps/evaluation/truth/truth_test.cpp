@@ -45,14 +45,6 @@ squareFloorAndWall ()
   return cloud;
 }
 
-RegionGrowingParameters
-nineNeighbors ()
-{
-  RegionGrowingParameters parameters;
-  parameters.neighbors = 9;
-  return parameters;
-}
-
 std::size_t
 pointsWith (const PlaneLabels& labels, std::uint32_t label)
 {
@@ -61,7 +53,7 @@ pointsWith (const PlaneLabels& labels, std::uint32_t label)
 
 TEST (RegionGrowing, SeparatesAFloorFromTheWallOnIt)
 {
-  const PlaneLabels labels = growRegions (squareFloorAndWall(), nineNeighbors());
+  const PlaneLabels labels = growRegions (squareFloorAndWall(), 9);
   EXPECT_EQ (planeIds (labels).size(), 2u);
   EXPECT_EQ (labels[0], 1u);         // the larger one first
   EXPECT_EQ (labels[900 + 399], 2u); // the wall's upper corner
@@ -77,7 +69,7 @@ TEST (RegionGrowing, EndsWhereASurfaceLeavesItsPlane)
     for (int j = 0; j < 20; ++j)
       cloud.push_back (
           pcl::PointXYZ (std::sin (0.01f * i), spacing * j, std::cos (0.01f * i)));
-  const PlaneLabels labels = growRegions (cloud, nineNeighbors());
+  const PlaneLabels labels = growRegions (cloud, 9);
   EXPECT_GT (planeIds (labels).size(), 1u);
 }
 
@@ -86,7 +78,7 @@ TEST (RegionGrowing, RegionsOfUnderFiftyPointsAreOnNoPlane)
   XyzCloud cloud;
   addSquare (cloud, 7, {0, 0, 0}, x, y); // 49 points
   addSquare (cloud, 8, {2, 0, 0}, x, y); // 64 points
-  const PlaneLabels labels = growRegions (cloud, nineNeighbors());
+  const PlaneLabels labels = growRegions (cloud, 9);
   EXPECT_EQ (pointsWith (labels, 0), 49u);
   EXPECT_EQ (pointsWith (labels, 1), 64u);
 }
@@ -94,8 +86,7 @@ TEST (RegionGrowing, RegionsOfUnderFiftyPointsAreOnNoPlane)
 TEST (RegionGrowing, EmptyTinyAndCollapsedCloudsHaveNoPlane)
 {
   for (const std::size_t size : {0u, 1u, 2u, 3u, 200u})
-    EXPECT_EQ (growRegions (XyzCloud (size, 1), nineNeighbors()),
-               PlaneLabels (size, 0));
+    EXPECT_EQ (growRegions (XyzCloud (size, 1), 9), PlaneLabels (size, 0));
 }
 
 TEST (RegionGrowing, FindsTheExactPlanesOfARenderedRoom)
@@ -106,26 +97,22 @@ TEST (RegionGrowing, FindsTheExactPlanesOfARenderedRoom)
     GTEST_SKIP() << "no " << file;
   const EvaluationCloud cloud =
       dataSetOf ("clouds:" + file.string(), z.cast<double>()).clouds[0].load();
-  RegionGrowingParameters parameters;
-  parameters.neighbors = 30;
-  const PlaneLabels grown = growRegions (*cloud.cloud, parameters);
+  const PlaneLabels grown = growRegions (*cloud.cloud, 30);
   const Metrics metrics = compareLabels (*cloud.cloud, *cloud.truth, grown);
   EXPECT_GT (metrics.named[1].second, 0.9);
 }
 
 TEST (Truth, IsTheExactOneButForSmallPlanesOrGrown)
 {
-  TruthParameters parameters;
-  parameters.growing = nineNeighbors();
+  const TruthParameters parameters{9};
   EvaluationCloud cloud;
   cloud.cloud.reset (new XyzCloud (squareFloorAndWall()));
-  EXPECT_EQ (truthOf (cloud, parameters),
-             growRegions (*cloud.cloud, parameters.growing));
-  EXPECT_EQ (truthName (cloud, parameters), "grown-k9");
+  EXPECT_EQ (truthOf (cloud, parameters), growRegions (*cloud.cloud, 9));
+  EXPECT_EQ (truthName (false, parameters), "grown-k9");
   cloud.truth = PlaneLabels (cloud.cloud->size(), 3);
   std::fill_n (cloud.truth->begin(), 49, 8);
   EXPECT_EQ (pointsWith (truthOf (cloud, parameters), 0), 49u);
-  EXPECT_EQ (truthName (cloud, parameters), "exact");
+  EXPECT_EQ (truthName (true, parameters), "exact");
 }
 
 } // namespace
