@@ -13,7 +13,8 @@ searchOver (const DetectorInput& input, const Points& points, unsigned threads)
 {
   if (input.search_over)
     return input.search_over (points.index);
-  const auto tree = std::make_shared<const BoxTree> (buildBoxTree (points, input.cloud));
+  const auto tree =
+      std::make_shared<const BoxTree> (buildBoxTree (points, input.cloud));
   NeighborSearch search;
   search.nearest = [tree, cloud = input.cloud] (pcl::index_t point,
                                                 int k,
