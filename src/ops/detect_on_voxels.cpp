@@ -163,7 +163,8 @@ labelSparsePoints (const Points& points,
   static_cast<Coordinates&> (sparse) = selected (points, numbers);
   sparse.origin = points.origin;
   std::size_t found = 0;
-  const AssignedPoints more = labelPoints (sparse, parameters, durations, found);
+  AssignedPoints more = labelPoints (sparse, parameters, durations, found);
+  rejectMist (assigned.moments, parameters.threads, more);
   const auto before = static_cast<std::int32_t> (assigned.moments.size());
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (more.labels[i] != no_plane)

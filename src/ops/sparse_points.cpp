@@ -3,7 +3,10 @@
 #include "ops/sparse_points.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
+#include <optional>
 
 namespace pcl_ops::internal {
 
@@ -35,6 +38,36 @@ pointsIn (const std::vector<char>& is_sparse, const VoxelGrid& grid)
   return static_cast<std::size_t> (points);
 }
 
+// Whether points do not tell a plane from a mist: they scatter farther than most points
+// of the cloud do, and as far as from each other.
+bool
+isMist (const Moments& moments, double squared_noise)
+{
+  constexpr double noises = 6.0;
+  constexpr double spacings = 0.25;
+  const std::optional<PlaneFit> fit = fitPlane (moments);
+  if (!fit)
+    return false;
+  // Of a square that is evenly covered the edge is sqrt (12) deviations.
+  const double area = 12.0 * std::sqrt (fit->variances[1] * fit->variances[2]);
+  return fit->variances[0] > std::max (noises * noises * squared_noise,
+                                       spacings * spacings * area / moments.count);
+}
+
+// Mean squared distance of points to their planes [m^2].
+double
+squaredNoise (const std::vector<Moments>& planes)
+{
+  double points = 0.0;
+  double squares = 0.0;
+  for (const Moments& plane : planes)
+    if (const std::optional<PlaneFit> fit = fitPlane (plane)) {
+      points += plane.count;
+      squares += plane.count * fit->variances[0];
+    }
+  return points > 0.0 ? squares / points : std::numeric_limits<double>::infinity();
+}
+
 } // namespace
 
 Indices
@@ -58,6 +91,20 @@ sparsePoints (const VoxelGrid& grid,
   const bool is_cloud = sparse.size() * least_share >= labels.size() &&
                         sparse.size() * most_share <= labels.size();
   return is_cloud ? sparse : Indices();
+}
+
+void
+rejectMist (const std::vector<Moments>& dense, unsigned threads, AssignedPoints& sparse)
+{
+  const double squared_noise = squaredNoise (dense);
+  Labels kept (sparse.moments.size());
+  for (std::size_t p = 0; p < kept.size(); ++p) {
+    const bool is_mist = isMist (sparse.moments[p], squared_noise);
+    kept[p] = is_mist ? no_plane : static_cast<std::int32_t> (p);
+    if (is_mist)
+      sparse.moments[p] = Moments();
+  }
+  relabel (sparse.labels, kept, threads);
 }
 
 } // namespace pcl_ops::internal

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "detection/plane_assignment.h"
 #include "geometry/points.h"
 #include "voxels/voxel_grid.h"
 #include <pcl_ops/plane_merging.h>
@@ -22,5 +23,17 @@ sparsePoints (const VoxelGrid& grid,
               const Indices& order,
               const Labels& labels,
               double least_points);
+
+/** \brief Takes planes from sparse points that scatter far more than those of the dense
+ * ones, and as far as they are from each other: voxels as large as sparse points need
+ * make a plane of any mist.
+ * \param[in] dense moments of the planes of dense points
+ * \param[in] threads number of threads; 0: all. The result does not depend on it
+ * \param[in,out] sparse points with their planes; moments of those rejected are empty
+ */
+void
+rejectMist (const std::vector<Moments>& dense,
+            unsigned threads,
+            AssignedPoints& sparse);
 
 } // namespace pcl_ops::internal

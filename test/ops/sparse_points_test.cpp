@@ -55,3 +55,24 @@ TEST (SparsePoints, OfMoreThanHalfOfTheCloudHaveVoxelsOfTheirOwnAlready)
 {
   EXPECT_TRUE (sparseAmong (denseAndSparse (121)).empty());
 }
+
+TEST (SparsePoints, AreOnNoPlaneIfTheyScatterLikeAMist)
+{
+  // Points 1 cm above and below the first plane, and farther from the others; 1 m, 10
+  // cm and 10 cm from each other.
+  const auto plane = [] (double spacing, double height) {
+    pcl_ops::Moments moments;
+    for (int i = 0; i < 100; ++i)
+      moments.add (spacing * (i / 10),
+                   spacing * (i % 10),
+                   i % 2 == i / 10 % 2 ? height : -height);
+    return moments;
+  };
+  AssignedPoints sparse{
+      {0, 1, no_plane, 2, 0},
+      {plane (1_m, 10_cm), plane (10_cm, 5_cm), plane (10_cm, 10_cm)}};
+  rejectMist ({plane (1_cm, 1_cm)}, 1, sparse);
+  EXPECT_EQ (sparse.labels, (pcl_ops::Labels{0, 1, no_plane, no_plane, 0}));
+  EXPECT_EQ (sparse.moments[0].count, 100.0);
+  EXPECT_EQ (sparse.moments[2].count, 0.0);
+}
