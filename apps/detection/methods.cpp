@@ -136,7 +136,7 @@ reportOf (const std::string& preset, Parameters parameters)
 {
   Settings settings;
   settings["preset"] = preset;
-  settings["up"] = toArray (parameters.up_axis.template cast<double>());
+  settings["up"] = Eigen::Vector3d (parameters.up_axis.template cast<double>());
   addFixed (parameters, settings);
   visitAll (parameters,
             [&] (std::string name, const auto& number, const NumberOption&) {

@@ -81,7 +81,7 @@ addSettings (const PlaneChoice& choice, const PlaneFilter& filter, Settings& set
   if (!choice.only.empty())
     settings["only"] = choice.only;
   if (filter.direction) {
-    settings["direction"] = toArray (*filter.direction);
+    settings["direction"] = *filter.direction;
     settings["within"] = choice.within;
   }
   addSetting ("slope", choice.slope, settings);

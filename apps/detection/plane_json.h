@@ -14,14 +14,27 @@
 #include <string>
 #include <vector>
 
+/** \brief Vectors are lists of three numbers; so rings are lists of lists, and so on.
+ */
+template <>
+struct nlohmann::adl_serializer<Eigen::Vector3d> {
+  template <typename Json>
+  static void
+  to_json (Json& json, const Eigen::Vector3d& vector)
+  {
+    json = {vector.x(), vector.y(), vector.z()};
+  }
+
+  template <typename Json>
+  static void
+  from_json (const Json& json, Eigen::Vector3d& vector)
+  {
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      json.at (static_cast<std::size_t> (axis)).get_to (vector[axis]);
+  }
+};
+
 namespace pcl_ops::apps {
-
-nlohmann::ordered_json
-toArray (const Eigen::Vector3d& vector);
-
-/** \brief Of what \ref toArray made. */
-Eigen::Vector3d
-toVector (const nlohmann::ordered_json& array);
 
 /** \brief What a file of JSON has: lines, indented. */
 std::string
@@ -62,21 +75,5 @@ planeObject (std::size_t id,
 /** \brief All parts of such an object. */
 Polygons
 polygonsIn (const nlohmann::ordered_json& plane);
-
-/** \brief The planes of a file, as far as it tells of them. */
-struct PlaneList {
-  std::vector<std::uint64_t> ids;
-  /** \brief Without inliers, and with the moments of points spread evenly inside the
-   * hull, about whose middle they are; of a plane without a hull its moments reach
-   * without an end. */
-  std::vector<PlaneSegment> planes;
-};
-
-/** \brief Reads the planes of pcl_ops_segment --planes FILE.json or of planes.json of
- * pcl_ops_tiles: of each id, orientation, points, coefficients, centroid and rms, and
- * the hull where it has one.
- * \throws WorkError that names the file and the key at fault */
-PlaneList
-loadPlaneList (const std::string& file);
 
 } // namespace pcl_ops::apps

@@ -331,13 +331,13 @@ toJson (const PlaneEdges& found)
   json["edges"] = json["corners"] = nlohmann::ordered_json::array();
   for (const PlaneEdge& edge : found.edges)
     json["edges"].push_back ({{"planes", edge.planes},
-                              {"from", toArray (edge.from)},
-                              {"to", toArray (edge.to)},
+                              {"from", edge.from},
+                              {"to", edge.to},
                               {"length", edge.length()},
                               {"angle", toDegrees (edge.angle)}});
   for (const PlaneCorner& corner : found.corners)
     json["corners"].push_back (
-        {{"planes", corner.planes}, {"position", toArray (corner.position)}});
+        {{"planes", corner.planes}, {"position", corner.position}});
   return jsonText (json);
 }
 

@@ -151,7 +151,7 @@ toJson (const Report& report)
   if (!detected.advice.empty())
     json["advice"] = detected.advice;
   if (detected.suggested_up)
-    json["suggested_up"] = toArray (*detected.suggested_up);
+    json["suggested_up"] = *detected.suggested_up;
   if (!report.dropped.by_option.empty())
     json["dropped"] = toObject (report.dropped);
   json["planes"] = nlohmann::ordered_json::array();

@@ -82,9 +82,9 @@ Json
 toObject (const Moments& moments)
 {
   Json object;
-  object["origin"] = toArray (moments.origin);
+  object["origin"] = moments.origin;
   object["count"] = moments.count;
-  object["sum"] = toArray (moments.sum);
+  object["sum"] = moments.sum;
   object["products"] = moments.products;
   return object;
 }
@@ -113,8 +113,8 @@ PlaneSegment
 segmentIn (const Json& plane)
 {
   PlaneSegment segment;
-  segment.normal = toVector (plane.at ("normal"));
-  segment.centroid = toVector (plane.at ("centroid"));
+  plane.at ("normal").get_to (segment.normal);
+  plane.at ("centroid").get_to (segment.centroid);
   segment.moments.count = plane.at ("points").get<double>();
   if (const auto known = orientationCalled (plane.at ("orientation")))
     segment.orientation = *known;

@@ -2,18 +2,181 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands.h"
 #include <cli/command_line.h>
+#include <cli/errors.h>
 #include <cli/program.h>
 #include <detection/plane_json.h>
 #include <evaluation/report/answer.h>
+#include <io/inputs.h>
+#include <nlohmann/json.hpp>
 #include <numbers/angles.h>
 #include <pcl_ops/plane_matching.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <map>
+#include <string>
+#include <vector>
 
 namespace pcl_ops::evaluation {
 
 namespace {
+
+using Json = nlohmann::json;
+using Eigen::Vector3d;
+
+constexpr const char* fix =
+    "; give planes as pcl_ops_segment --planes FILE.json and pcl_ops_tiles write them";
+/** \brief Beyond any cloud in single precision, and its fourth power is finite. */
+constexpr double largest = 1e40;
+
+/** \brief A value in a file, with the keys that lead to it. */
+struct Entry {
+  const std::string& file;
+  std::string name;
+  const Json& value;
+
+  void
+  require (bool is_fine, const std::string& problem) const
+  {
+    if (!is_fine)
+      throw apps::WorkError (file, name + " " + problem + fix);
+  }
+
+  bool
+  has (const char* key) const
+  {
+    return value.is_object() && value.contains (key);
+  }
+
+  Entry
+  at (const char* key) const
+  {
+    const std::string full = name.empty() ? key : name + "." + key;
+    Entry{file, full, value}.require (has (key), "is missing");
+    return {file, full, value.at (key)};
+  }
+
+  std::vector<Entry>
+  list () const
+  {
+    require (value.is_array(), "is no list");
+    std::vector<Entry> entries;
+    for (const Json& one : value)
+      entries.push_back (
+          {file, name + "[" + std::to_string (entries.size()) + "]", one});
+    return entries;
+  }
+
+  double
+  number (double least = -largest) const
+  {
+    require (value.is_number() && std::isfinite (value.get<double>()), "is no number");
+    const auto number = value.get<double>();
+    require (std::abs (number) <= largest, "is too large");
+    require (number >= least, "is too small");
+    return number;
+  }
+
+  template <int size>
+  Eigen::Matrix<double, size, 1>
+  vector () const
+  {
+    const std::vector<Entry> entries = list();
+    require (entries.size() == size, "has not " + std::to_string (size) + " numbers");
+    Eigen::Matrix<double, size, 1> result;
+    for (int i = 0; i < size; ++i)
+      result[i] = entries[static_cast<std::size_t> (i)].number();
+    return result;
+  }
+};
+
+/** \brief Moves a plane to the middle of its hull and gives it the moments of points
+ * spread evenly inside; without a hull they reach without an end. */
+void
+setExtent (const std::vector<Vector3d>& hull,
+           double rms,
+           double count,
+           PlaneSegment& plane)
+{
+  constexpr double endless = 1e6;
+  const Eigen::Matrix3d along_normal = plane.normal * plane.normal.transpose();
+  Eigen::Matrix3d spread =
+      endless * endless * (Eigen::Matrix3d::Identity() - along_normal);
+  double area = 0.0;
+  Vector3d sum = Vector3d::Zero();
+  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
+    Eigen::Matrix3d corners;
+    corners << hull[0], hull[i], hull[i + 1];
+    corners.colwise() -= plane.centroid;
+    // Signed, so that the triangles of a hollow outline take away what they have too
+    // much.
+    const Vector3d edge = corners.col (1) - corners.col (0);
+    const double part =
+        0.5 * plane.normal.dot (edge.cross (corners.col (2) - corners.col (0)));
+    const Vector3d total = corners.rowwise().sum();
+    area += part;
+    sum += part / 3.0 * total;
+    products +=
+        part / 12.0 * (total * total.transpose() + corners * corners.transpose());
+  }
+  if (area != 0.0) {
+    const Vector3d mean = sum / area;
+    spread = products / area - mean * mean.transpose();
+    plane.centroid += mean;
+  }
+  plane.moments =
+      Moments::of (count, plane.centroid, spread + rms * rms * along_normal);
+}
+
+PlaneSegment
+planeOf (const Entry& entry)
+{
+  PlaneSegment plane;
+  const double count = entry.at ("points").number (1.0);
+  const double rms = entry.at ("rms").number (0.0);
+  const Entry orientation = entry.at ("orientation");
+  const auto known = apps::orientationCalled (
+      orientation.value.is_string() ? orientation.value.get<std::string>() : "");
+  orientation.require (known.has_value(), "is not horizontal, vertical or other");
+  plane.orientation = *known;
+  plane.centroid = entry.at ("centroid").vector<3>();
+  const Entry coefficients = entry.at ("coefficients");
+  const Vector3d normal = coefficients.vector<4>().head<3>();
+  coefficients.require (normal.norm() > 0.0, "has the normal 0 0 0");
+  plane.normal = normal.normalized();
+  std::vector<Vector3d> hull;
+  if (entry.has ("hull"))
+    for (const Entry& corner : entry.at ("hull").list())
+      hull.push_back (corner.vector<3>());
+  setExtent (hull, rms, count, plane);
+  return plane;
+}
+
+/** \brief The planes of a file, as far as it tells of them. */
+struct PlaneList {
+  std::vector<std::uint64_t> ids;
+  /** \brief Without inliers. */
+  std::vector<PlaneSegment> planes;
+};
+
+PlaneList
+loadPlaneList (const std::string& file)
+{
+  const std::string text = apps::readTextFile (file, "a .json file of planes");
+  const Json json = Json::parse (text, nullptr, false);
+  if (json.is_discarded())
+    throw apps::WorkError (file, std::string ("is no JSON") + fix);
+  PlaneList list;
+  for (const Entry& entry : Entry{file, "", json}.at ("planes").list()) {
+    const Entry id = entry.at ("id");
+    id.require (id.value.is_number_unsigned(), "is no whole number from 0");
+    list.ids.push_back (id.value.get<std::uint64_t>());
+    list.planes.push_back (planeOf (entry));
+  }
+  return list;
+}
 
 /** Matched about the middle of the first result: the error of a rotation is about
  * zero. */
@@ -34,8 +197,8 @@ matchAboutMiddle (std::vector<PlaneSegment> first,
 /** What two results have in common. Angles and offsets are those of the planes as they
  * are. */
 Answer
-comparePlanes (const apps::PlaneList& first,
-               const apps::PlaneList& second,
+comparePlanes (const PlaneList& first,
+               const PlaneList& second,
                const PlaneMatchingParameters& parameters)
 {
   const PlaneMatches matches =
@@ -112,8 +275,8 @@ planesCommand (int argc, const char* const* argv)
   if (!line.parse (argc, argv))
     return apps::ExitCode::done;
   matching.rotation_error = apps::toRadians (rotation_error);
-  const apps::PlaneList planes = apps::loadPlaneList (first);
-  print (comparePlanes (planes, apps::loadPlaneList (second), matching), json);
+  const PlaneList planes = loadPlaneList (first);
+  print (comparePlanes (planes, loadPlaneList (second), matching), json);
   return apps::ExitCode::done;
 }
 
