@@ -16,83 +16,12 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief An option of a length or an area. */
-struct SizeOption {
-  const char *name, *placeholder;
-  std::optional<double> PlaneChoice::*size;
-  const char* help;
-};
-
-constexpr SizeOption sizes[] = {
-    {"min-area", "M2", &PlaneChoice::min_area, "smallest area inside the outline"},
-    {"min-width",
-     "M",
-     &PlaneChoice::min_width,
-     "smallest width of the rectangle around it"},
-    {"max-area", "M2", &PlaneChoice::max_area, "largest area"},
-    {"max-width", "M", &PlaneChoice::max_width, "largest width"}};
-
 /** \brief An option as keys of reports are called. */
 std::string
 underscored (std::string option)
 {
   std::replace (option.begin(), option.end(), '-', '_');
   return option;
-}
-
-PlaneFilter
-filterOf (const PlaneChoice& choice, const Eigen::Vector3d& up)
-{
-  PlaneFilter filter;
-  filter.up_axis = up;
-  filter.orientation = orientationCalled (choice.only);
-  filter.max_planes = choice.max_planes;
-  if (choice.only == "largest")
-    filter.max_planes = 1;
-  if (choice.direction)
-    filter.direction = choice.direction->cast<double>();
-  filter.direction_tolerance = toRadians (choice.within);
-  filter.min_points = choice.min_points.value_or (filter.min_points);
-  filter.min_area = choice.min_area.value_or (filter.min_area);
-  filter.min_width = choice.min_width.value_or (filter.min_width);
-  filter.max_area = choice.max_area;
-  filter.max_width = choice.max_width;
-  filter.size = choice.size;
-  if (choice.slope)
-    filter.slope = {toRadians ((*choice.slope)[0]), toRadians ((*choice.slope)[1])};
-  return filter;
-}
-
-/** \brief Adds numbers that were given as one option. */
-template <std::size_t count>
-void
-addSetting (const char* name,
-            const std::optional<std::array<double, count>>& numbers,
-            Settings& settings)
-{
-  if (numbers)
-    settings[name] = *numbers;
-}
-
-/** \brief Adds what the planes were chosen by. */
-void
-addSettings (const PlaneChoice& choice, const PlaneFilter& filter, Settings& settings)
-{
-  if (!choice.only.empty())
-    settings["only"] = choice.only;
-  if (filter.direction) {
-    settings["direction"] = *filter.direction;
-    settings["within"] = choice.within;
-  }
-  addSetting ("slope", choice.slope, settings);
-  if (choice.min_points)
-    settings["min_points"] = filter.min_points;
-  for (const auto& [name, placeholder, size, help] : sizes)
-    if (choice.*size)
-      settings[underscored (name)] = *(choice.*size);
-  addSetting ("size", choice.size, settings);
-  if (choice.max_planes)
-    settings["max_planes"] = *choice.max_planes;
 }
 
 Dropped
@@ -170,15 +99,20 @@ void
 declareChoice (CommandLine& line, PlaneChoice& choice)
 {
   constexpr double right_angle = 90;
+  PlaneFilter& filter = choice.filter;
   line.beginGroup (title_of_choice);
   line.addChoice ("only",
                   {"horizontal", "vertical", "other", "largest"},
                   choice.only,
                   "horizontal, vertical, other or largest only",
                   "WHICH");
-  line.addDirection ("direction",
-                     choice.direction,
-                     "planes whose normal points along it, or against it");
+  line.addValue ("direction",
+                 "x,y,z",
+                 "planes whose normal points along it, or against it",
+                 [&filter] (const std::string& text) {
+                   filter.direction =
+                       parseDirection ("--direction", text).cast<double>();
+                 });
   line.addNumber ("within",
                   "DEG",
                   Range::from (0).upTo (right_angle),
@@ -190,34 +124,60 @@ declareChoice (CommandLine& line, PlaneChoice& choice)
               Range::from (0).upTo (right_angle),
               choice.slope,
               "angles to the horizontal from MIN to MAX degrees");
+  const Range size = Range::from (0);
+  line.addNumber ("min-points", "N", size, filter.min_points, "fewest points");
   line.addNumber (
-      "min-points", "N", Range::from (0), choice.min_points, "fewest points");
-  for (const auto& [name, placeholder, size, help] : sizes)
-    line.addNumber (name, placeholder, Range::from (0), choice.*size, help);
+      "min-area", "M2", size, filter.min_area, "smallest area inside the outline");
+  line.addNumber ("min-width",
+                  "M",
+                  size,
+                  filter.min_width,
+                  "smallest width of the rectangle around it");
+  line.addNumber ("max-area", "M2", size, filter.max_area, "largest area");
+  line.addNumber ("max-width", "M", size, filter.max_width, "largest width");
   addNumbers (line,
               "size",
               "W,H,TOLERANCE",
-              Range::from (0),
-              choice.size,
+              size,
+              filter.size,
               "rectangles of W by H, each within TOLERANCE");
   line.addNumber ("max-planes",
                   "N",
                   Range::from (1),
-                  choice.max_planes,
+                  filter.max_planes,
                   "the N largest of those the others leave");
 }
 
 void
-checkChoice (const CommandLine& line, const PlaneChoice& choice)
+finishChoice (const CommandLine& line, PlaneChoice& choice)
 {
-  if (choice.max_area && *choice.max_area < choice.min_area.value_or (0.0))
+  const PlaneFilter& filter = choice.filter;
+  if (filter.max_area && *filter.max_area < filter.min_area)
     throw UsageError ("--max-area", "is below --min-area; raise it");
-  if (choice.max_width && *choice.max_width < choice.min_width.value_or (0.0))
+  if (filter.max_width && *filter.max_width < filter.min_width)
     throw UsageError ("--max-width", "is below --min-width; raise it");
   if (choice.slope && (*choice.slope)[1] < (*choice.slope)[0])
     throw UsageError ("--slope", "ends below where it begins; give MIN,MAX");
   if (line.isGiven ("within") && !line.isGiven ("direction"))
     throw UsageError ("--within", "is about --direction x,y,z; give it, too");
+  const std::pair<const char*, Settings> settings[] = {
+      {"only", choice.only},
+      {"direction", filter.direction.value_or (Eigen::Vector3d::Zero())},
+      {"within", choice.within},
+      {"slope", choice.slope.value_or (std::array<double, 2>())},
+      {"min-points", filter.min_points},
+      {"min-area", filter.min_area},
+      {"min-width", filter.min_width},
+      {"max-area", filter.max_area.value_or (0.0)},
+      {"max-width", filter.max_width.value_or (0.0)},
+      {"size", filter.size.value_or (std::array<double, 3>())},
+      {"max-planes", filter.max_planes.value_or (0)}};
+  for (const auto& [name, setting] : settings) {
+    const std::string option = name;
+    // The angle is told wherever it matters.
+    if (line.isGiven (option == "within" ? "direction" : option))
+      choice.given[underscored (option)] = setting;
+  }
 }
 
 std::vector<std::size_t>
@@ -225,11 +185,16 @@ chosenOf (const PlaneChoice& choice,
           const std::vector<PlaneSegment>& planes,
           const Eigen::Vector3d& up,
           const ExtentOfPlane& extent_of,
-          Settings& settings,
           Dropped& dropped)
 {
-  const PlaneFilter filter = filterOf (choice, up);
-  addSettings (choice, filter, settings);
+  PlaneFilter filter = choice.filter;
+  filter.up_axis = up;
+  filter.orientation = orientationCalled (choice.only);
+  if (choice.only == "largest")
+    filter.max_planes = 1;
+  filter.direction_tolerance = toRadians (choice.within);
+  if (choice.slope)
+    filter.slope = {toRadians ((*choice.slope)[0]), toRadians ((*choice.slope)[1])};
   DroppedPlanes counts;
   std::vector<std::size_t> kept = keptPlanes (planes, filter, extent_of, counts);
   dropped = droppedOf (choice, planes.size(), counts);
@@ -243,12 +208,9 @@ keepChosen (const PlaneChoice& choice,
 {
   Dropped dropped;
   std::vector<PlaneSegment> kept;
-  for (const std::size_t i : chosenOf (choice,
-                                       detected.planes,
-                                       detected.up.cast<double>(),
-                                       extent_of,
-                                       detected.settings,
-                                       dropped))
+  detected.settings.update (choice.given);
+  for (const std::size_t i : chosenOf (
+           choice, detected.planes, detected.up.cast<double>(), extent_of, dropped))
     kept.push_back (std::move (detected.planes[i]));
   detected.planes = std::move (kept);
   if (detected.planes.empty() && dropped.found > 0)

@@ -18,20 +18,14 @@ namespace pcl_ops::apps {
 struct PlaneChoice {
   /** \brief An orientation, "largest", or empty for all. */
   std::string only;
-  std::optional<Eigen::Vector3f> direction;
-  /** \brief Largest angle to \ref direction [degree]. */
+  /** \brief Largest angle to the direction of the filter [degree]. */
   double within = 10.0;
   /** \brief Smallest and largest angle to the horizontal [degree]. */
   std::optional<std::array<double, 2>> slope;
-  std::optional<std::size_t> min_points;
-  /** \brief Largest planes to keep of those the others leave. */
-  std::optional<std::size_t> max_planes;
-  std::optional<double> min_area;
-  std::optional<double> min_width;
-  std::optional<double> max_area;
-  std::optional<double> max_width;
-  /** \brief Both sides and by how much they may differ. */
-  std::optional<std::array<double, 3>> size;
+  /** \brief All else. */
+  PlaneFilter filter;
+  /** \brief What was given, as reports tell it. */
+  Settings given = Settings::object();
 };
 
 struct Dropped {
@@ -50,22 +44,21 @@ inline constexpr const char* title_of_choice = "Planes to keep";
 void
 declareChoice (CommandLine& line, PlaneChoice& choice);
 
-/** \throws UsageError if an option was given without the one it is about, or bounds
+/** \brief Completes a choice by what is on the parsed line.
+ * \throws UsageError if an option was given without the one it is about, or bounds
  * leave nothing between them */
 void
-checkChoice (const CommandLine& line, const PlaneChoice& choice);
+finishChoice (const CommandLine& line, PlaneChoice& choice);
 
 /** \brief The positions of the chosen planes.
  * \param[in] up against gravity, in the frame of the planes
  * \param[in] extent_of where a plane ends that may be too small or too large
- * \param[out] settings what they were chosen by is added
  * \param[out] dropped what became of the others */
 std::vector<std::size_t>
 chosenOf (const PlaneChoice& choice,
           const std::vector<PlaneSegment>& planes,
           const Eigen::Vector3d& up,
           const ExtentOfPlane& extent_of,
-          Settings& settings,
           Dropped& dropped);
 
 /** \brief Keeps the chosen planes and forgets the others, whose points then count as on

@@ -184,7 +184,7 @@ checkHull (const CommandLine& line, const SegmentOptions& options)
                       options.hull + " is not in this build, which was made without "
                                      "PCL's surface module; give convex");
   const bool has_hulls = options.isBatch() || !options.outputs.planes.empty() ||
-                         !options.outputs.mesh.empty() || options.choice.min_area;
+                         !options.outputs.mesh.empty() || line.isGiven ("min-area");
   if (line.isGiven ("hull") && !has_hulls)
     throw UsageError ("--hull", "is about --planes, --mesh and --min-area; give one");
 }
@@ -373,7 +373,7 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
   checkMethodOptions (line, methodCalled (options.method));
   storeArguments (arguments, options);
   checkHull (line, options);
-  checkChoice (line, options.choice);
+  finishChoice (line, options.choice);
   checkMap (line, options.outputs.planes);
   checkTracking (line, options);
   checkOutputs (options);

@@ -32,10 +32,10 @@ constexpr const char* in_and_out =
     "Lengths are in the unit of the inputs, metres by default.\n";
 
 void
-checkPlanes (const CommandLine& line, const TilesOptions& options)
+checkPlanes (const CommandLine& line, TilesOptions& options)
 {
   checkExtension ("--planes", options.planes, {".geojson", ".csv", ".json"});
-  checkChoice (line, options.choice);
+  finishChoice (line, options.choice);
   checkMap (line, options.planes);
   if (const auto given = line.givenOf (title_of_choice);
       !given.empty() && options.planes.empty() && options.image.empty())

@@ -138,7 +138,6 @@ choosePlanes (const PlaneChoice& choice, Json& list)
   std::vector<PlaneSegment> segments;
   for (const Json& plane : all)
     segments.push_back (segmentIn (plane));
-  Settings settings;
   Dropped dropped;
   Json chosen = Json::array();
   for (const std::size_t i : chosenOf (
@@ -149,7 +148,6 @@ choosePlanes (const PlaneChoice& choice, Json& list)
              return extentIn (
                  all[static_cast<std::size_t> (&segment - segments.data())]);
            },
-           settings,
            dropped))
     chosen.push_back (all[i]);
   if (!dropped.by_option.empty())
