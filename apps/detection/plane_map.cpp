@@ -15,10 +15,10 @@
 #include <io/output_file.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iomanip>
 #include <locale>
+#include <regex>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -205,18 +205,6 @@ using PlaneTable = nlohmann::ordered_json;
 
 const std::string prefix_of_crs = "EPSG:";
 
-bool
-isCrs (const std::string& text)
-{
-  constexpr std::size_t most_digits = 7;
-  const std::string digits = text.substr (std::min (prefix_of_crs.size(), text.size()));
-  return text.compare (0, prefix_of_crs.size(), prefix_of_crs) == 0 &&
-         !digits.empty() && digits.size() <= most_digits &&
-         std::all_of (digits.begin(), digits.end(), [] (unsigned char digit) {
-           return std::isdigit (digit) != 0;
-         });
-}
-
 /** \brief A plane's columns and their values; lists are taken apart. */
 std::vector<std::pair<const char*, PlaneTable>>
 columnsOf (const PlaneTable& plane)
@@ -364,17 +352,18 @@ toGeoJsonGeometry (const Polygons& polygons, int decimals)
 void
 declareMap (CommandLine& line, MapOptions& options)
 {
-  line.addValue ("crs",
-                 "EPSG:N",
-                 "reference system to name in --planes FILE.geojson",
-                 [&options] (const std::string& text) {
-                   if (!isCrs (text))
-                     throw UsageError ("--crs",
-                                       "'" + text +
-                                           "' is not EPSG:N; give a number, as "
-                                           "EPSG:25832");
-                   options.crs = text;
-                 });
+  line.addValue (
+      "crs",
+      "EPSG:N",
+      "reference system to name in --planes FILE.geojson",
+      [&options] (const std::string& text) {
+        if (!std::regex_match (text, std::regex (prefix_of_crs + "[0-9]{1,7}")))
+          throw UsageError ("--crs",
+                            "'" + text +
+                                "' is not EPSG:N; give a number, as "
+                                "EPSG:25832");
+        options.crs = text;
+      });
   line.addNumber ("simplify",
                   "M",
                   Range::from (0),

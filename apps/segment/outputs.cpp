@@ -32,6 +32,7 @@
 #include <numeric>
 #include <optional>
 #include <ostream>
+#include <regex>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -65,15 +66,12 @@ pointsOf (const FileCloud& cloud, const pcl::Indices& indices)
   return part;
 }
 
-constexpr const char* start_of_name = "plane_";
-constexpr std::size_t fewest_digits = 3;
-
 std::string
 planeFile (std::size_t id, const PlaneSegment& plane, const std::string& extension)
 {
   std::ostringstream name;
-  name << start_of_name << std::setfill ('0') << std::setw (int (fewest_digits)) << id
-       << "_" << toString (plane.orientation) << extension;
+  name << "plane_" << std::setfill ('0') << std::setw (3) << id << "_"
+       << toString (plane.orientation) << extension;
   return name.str();
 }
 
@@ -493,19 +491,9 @@ saveEdges (const std::string& file,
 bool
 isPlaneFile (const std::string& name)
 {
-  const std::string start = start_of_name;
-  if (name.compare (0, start.size(), start) != 0)
-    return false;
-  const std::size_t end = name.find_first_not_of ("0123456789", start.size());
-  if (end == std::string::npos || end - start.size() < fewest_digits)
-    return false;
-  const std::string extension = extensionOf (name);
-  if (extension != ".pcd" && extension != ".ply")
-    return false;
-  for (const char* orientation : {"_horizontal", "_vertical", "_other"})
-    if (name.compare (end, std::string::npos, orientation + extension) == 0)
-      return true;
-  return false;
+  static const std::regex pattern (
+      R"(plane_[0-9]{3,}_(horizontal|vertical|other)\.(pcd|ply))");
+  return std::regex_match (name, pattern);
 }
 
 void
