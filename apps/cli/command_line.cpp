@@ -221,36 +221,36 @@ parseUpAxis (const std::string& option, const std::string& text)
 }
 
 std::string
-HelpPage::usage() const
+CommandLine::usage() const
 {
   std::string derived, text, before = "Usage: ";
   std::size_t longest = 0;
-  for (const Argument& argument : arguments) {
+  for (const Argument& argument : arguments_) {
     derived += argument.name + (argument.max_count > 1 ? "... " : " ");
     if (!argument.help.empty())
       longest = std::max (longest, argument.name.size());
   }
   const std::vector<std::string> one_way = {derived + "[options]"};
-  for (const std::string& way : ways.empty() ? one_way : ways) {
-    text += before + program + " " + way + "\n";
+  for (const std::string& way : ways_.empty() ? one_way : ways_) {
+    text += before + program_ + " " + way + "\n";
     before = "       ";
   }
-  text += summary + "\n\n" + explanation + (longest > 0 ? "Arguments:\n" : "");
+  text += summary_ + "\n\n" + explanation_ + (longest > 0 ? "Arguments:\n" : "");
   constexpr std::size_t margin = 2, gap = 3;
-  for (const Argument& argument : arguments)
+  for (const Argument& argument : arguments_)
     if (!argument.help.empty())
       text += entry (argument.name, argument.help, margin + longest + gap);
   return text;
 }
 
 std::string
-HelpPage::brief() const
+CommandLine::help() const
 {
-  std::string text = usage() + explained (groups.front(), widthOf (groups.front()));
-  for (std::size_t i = 1; i < groups.size(); ++i) {
-    text += (i == 1 ? "\n" : "") + groups[i].title + ":\n";
+  std::string text = usage() + explained (groups_.front(), widthOf (groups_.front()));
+  for (std::size_t i = 1; i < groups_.size(); ++i) {
+    text += (i == 1 ? "\n" : "") + groups_[i].title + ":\n";
     std::string line = " ";
-    for (const Option& option : groups[i].options) {
+    for (const Option& option : groups_[i].options) {
       if (line.size() + 3 + option.name.size() > help_width) {
         text += line + "\n";
         line = " ";
@@ -263,14 +263,14 @@ HelpPage::brief() const
 }
 
 std::string
-HelpPage::full() const
+CommandLine::fullHelp() const
 {
   std::string text = usage();
   std::size_t width = 0;
-  for (const OptionGroup& group : groups)
+  for (const OptionGroup& group : groups_)
     width = std::max (width, widthOf (group));
   // help2man wants two blanks in front of every meaning.
-  for (const OptionGroup& group : groups)
+  for (const OptionGroup& group : groups_)
     text += explained (group, width + 1);
   return text;
 }
@@ -278,9 +278,8 @@ HelpPage::full() const
 CommandLine::CommandLine (const std::string& program,
                           const std::string& summary,
                           const std::string& version)
-: page_{program, summary}, version_ (version)
+: program_ (program), summary_ (summary), version_ (version), groups_{{"Options"}}
 {
-  page_.groups.push_back ({"Options"});
   addValue ("help", "", "print this and exit", {});
   addValue ("version", "", "print the version and exit", {});
 }
@@ -290,7 +289,7 @@ CommandLine::addArgument (const std::string& name,
                           std::string& target,
                           const std::string& help)
 {
-  page_.arguments.push_back (
+  arguments_.push_back (
       {name, help, 1, [&target] (const std::string& text) { target = text; }});
 }
 
@@ -300,25 +299,24 @@ CommandLine::addArguments (const std::string& name,
                            const std::string& help)
 {
   const auto store = [&targets] (const std::string& text) { targets.push_back (text); };
-  page_.arguments.push_back (
-      {name, help, std::numeric_limits<std::size_t>::max(), store});
+  arguments_.push_back ({name, help, std::numeric_limits<std::size_t>::max(), store});
 }
 
 void
 CommandLine::setUsage (const std::vector<std::string>& ways,
                        const std::string& explanation)
 {
-  page_.ways = ways;
-  page_.explanation = explanation;
+  ways_ = ways;
+  explanation_ = explanation;
 }
 
 void
 CommandLine::beginGroup (const std::string& title)
 {
-  if (page_.groups.size() == 1)
-    page_.groups.front().options.push_back (
+  if (groups_.size() == 1)
+    groups_.front().options.push_back (
         {"help-all", "", "explain the options of the groups below, too", {}});
-  page_.groups.push_back ({title});
+  groups_.push_back ({title});
 }
 
 void
@@ -363,7 +361,7 @@ CommandLine::addValue (const std::string& name,
                        const std::string& help,
                        const std::function<void (const std::string&)>& store)
 {
-  page_.groups.back().options.push_back ({name, placeholder, help, store});
+  groups_.back().options.push_back ({name, placeholder, help, store});
 }
 
 const Option&
@@ -371,7 +369,7 @@ CommandLine::find (const std::string& start) const
 {
   std::vector<const Option*> candidates;
   std::string names;
-  for (const OptionGroup& group : page_.groups)
+  for (const OptionGroup& group : groups_)
     for (const Option& option : group.options) {
       if (option.name == start)
         return option;
@@ -391,7 +389,7 @@ void
 CommandLine::storeArguments (const std::vector<std::string>& given) const
 {
   std::size_t next = 0;
-  for (const Argument& argument : page_.arguments) {
+  for (const Argument& argument : arguments_) {
     std::size_t taken = 0;
     for (; taken < argument.max_count && next < given.size(); ++taken, ++next) {
       requireText (argument.name, given[next]);
@@ -428,9 +426,9 @@ CommandLine::parse (int argc, const char* const* argv)
       throw UsageError (name, "is given twice; keep one");
   }
   if (isGiven ("help") || isGiven ("help-all"))
-    std::cout << (isGiven ("help") ? page_.brief() : page_.full());
+    std::cout << (isGiven ("help") ? help() : fullHelp());
   else if (isGiven ("version"))
-    std::cout << page_.program << " " << version_ << "\n";
+    std::cout << program_ << " " << version_ << "\n";
   else {
     for (const auto& [option, value] : options)
       option->store (value);
@@ -450,7 +448,7 @@ std::vector<std::string>
 CommandLine::givenOf (const std::string& title) const
 {
   std::vector<std::string> given;
-  for (const OptionGroup& group : page_.groups)
+  for (const OptionGroup& group : groups_)
     for (const Option& option : group.options)
       if (group.title == title && isGiven (option.name))
         given.push_back (option.name);

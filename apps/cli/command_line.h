@@ -90,28 +90,6 @@ struct OptionGroup {
   std::vector<Option> options = {};
 };
 
-struct HelpPage {
-  std::string program, summary;
-  /** \brief To call the program, one a line: what follows its name. */
-  std::vector<std::string> ways = {};
-  std::string explanation = {};
-  std::vector<Argument> arguments = {};
-  /** \brief New options go to the last. --help explains those of the first, and names
-   * the others, which --help-all explains. */
-  std::vector<OptionGroup> groups = {};
-
-  std::string
-  brief () const;
-
-  /** \brief The text of --help-all. */
-  std::string
-  full () const;
-
-private:
-  std::string
-  usage () const;
-};
-
 /** \brief The command line of a program: `--long x`, `--long=x` and PCL's single dash
  * `-long x`, each also by the start of its name, positional arguments, --help and
  * --version, and errors of one line. Declare arguments and options with where to store
@@ -185,17 +163,6 @@ public:
         });
   }
 
-  /** \brief Declares an option with a vector "x,y,z" other than zero.
-   * \param[out] target an Eigen::Vector3f or a std::optional of one */
-  template <typename Target>
-  void
-  addDirection (const std::string& name, Target& target, const std::string& help)
-  {
-    addValue (name, "x,y,z", help, [name, &target] (const std::string& text) {
-      target = parseDirection ("--" + name, text);
-    });
-  }
-
   /** \brief Declares --up, a direction or "camera".
    * \param[out] target an Eigen::Vector3f or a std::optional of one */
   template <typename Target>
@@ -233,11 +200,14 @@ public:
   void
   forbidTogether (const std::string& first, const std::string& second) const;
 
-  const HelpPage&
-  help () const
-  {
-    return page_;
-  }
+  /** \brief The text of --help, which explains the options of the first group and names
+   * the others. */
+  std::string
+  help () const;
+
+  /** \brief The text of --help-all. */
+  std::string
+  fullHelp () const;
 
 private:
   template <typename T>
@@ -256,8 +226,16 @@ private:
   void
   storeArguments (const std::vector<std::string>& given) const;
 
-  HelpPage page_;
-  std::string version_;
+  /** \brief What is in front of the options in the help. */
+  std::string
+  usage () const;
+
+  std::string program_, summary_, version_, explanation_;
+  /** \brief To call the program: what follows its name. */
+  std::vector<std::string> ways_;
+  std::vector<Argument> arguments_;
+  /** \brief New options go to the last. */
+  std::vector<OptionGroup> groups_;
   std::set<std::string> given_;
 };
 

@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
+#include <functional>
 #include <mutex>
 #include <ostream>
 #include <string>
@@ -107,5 +109,15 @@ private:
   bool is_ended_ = false;
   std::thread thread_;
 };
+
+/** \brief Calls \p work with 0, 1, ... \p count - 1, begun in this order, several at a
+ * time. What it throws ends the run once the calls under way have returned, and is
+ * thrown again.
+ * \param[in] jobs calls at a time; 0: as many as there are processors; fewer where the
+ * system starts no more threads */
+void
+runInParallel (std::size_t count,
+               unsigned jobs,
+               const std::function<void (std::size_t)>& work);
 
 } // namespace pcl_ops::apps

@@ -12,7 +12,7 @@
 #include "ply_file.h"
 #include "text_file.h"
 #include <cli/errors.h>
-#include <cli/interruption.h>
+#include <cli/program.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "laszip_points.h"
 
 #include <cli/errors.h>
-#include <cli/interruption.h>
+#include <cli/program.h>
 #include <laszip/laszip_api.h>
 
 #include <new>

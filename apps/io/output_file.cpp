@@ -3,7 +3,7 @@
 #include "output_file.h"
 
 #include <cli/errors.h>
-#include <cli/interruption.h>
+#include <cli/program.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>

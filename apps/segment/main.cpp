@@ -6,8 +6,6 @@
 #include "report.h"
 #include "segment_cloud.h"
 #include <cli/errors.h>
-#include <cli/interruption.h>
-#include <cli/parallel.h>
 #include <cli/program.h>
 #include <cli/progress.h>
 #include <io/cloud_file.h>

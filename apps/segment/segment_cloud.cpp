@@ -4,7 +4,7 @@
 
 #include "outputs.h"
 #include <cli/errors.h>
-#include <cli/interruption.h>
+#include <cli/program.h>
 #include <detection/methods.h>
 #include <detection/plane_json.h>
 #include <io/cloud_file.h>

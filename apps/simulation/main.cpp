@@ -6,7 +6,6 @@
 #include "town.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
-#include <cli/interruption.h>
 #include <cli/program.h>
 #include <cli/progress.h>
 #include <io/labeled_pcd.h>

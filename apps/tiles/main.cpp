@@ -5,8 +5,6 @@
 #include "planes_json.h"
 #include "ranks.h"
 #include <cli/errors.h>
-#include <cli/interruption.h>
-#include <cli/parallel.h>
 #include <cli/program.h>
 #include <cli/progress.h>
 #include <io/inputs.h>

@@ -3,7 +3,6 @@
 #include "commands.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
-#include <cli/interruption.h>
 #include <cli/program.h>
 #include <evaluation/data/labeled_cloud.h>
 #include <evaluation/metrics/confusion.h>

@@ -5,7 +5,6 @@
 #include <pcl/common/io.h>
 
 #include <cli/errors.h>
-#include <cli/parallel.h>
 #include <cli/program.h>
 #include <cli/progress.h>
 #include <detection/methods.h>

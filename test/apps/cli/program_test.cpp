@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cli/errors.h>
-#include <cli/interruption.h>
 #include <cli/program.h>
 
 #include <chrono>

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cli/parallel.h>
 #include <cli/progress.h>
 #include <support/text.h>
 
