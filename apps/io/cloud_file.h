@@ -3,7 +3,6 @@
 #pragma once
 
 #include <pcl/PCLPointCloud2.h>
-#include <pcl/point_types.h>
 
 #include <Eigen/Geometry>
 
@@ -122,18 +121,14 @@ addField (const std::string& name,
 bool
 hasField (const FileCloud& cloud, const std::string& name);
 
-/** \brief Gives every point a field `label` (uint32), in place of one it had. */
+/** \brief Sets a field of four bytes of every point: in place of the one of its name,
+ * which reaches to the next one, else before the one called \p before, else at the end.
+ * \param[in] values four bytes for each point */
 void
-setLabels (FileCloud& cloud, const std::vector<std::uint32_t>& labels);
-
-/** \brief Gives every point a field `distance` (float), in place of one it had. */
-void
-setDistances (FileCloud& cloud, const std::vector<float>& distances);
-
-/** \brief Gives every point a field `rgb` (PCL's packed float), in place of one it had.
- * A field `rgba` stays, and `rgb` comes before it, where PCL's point types look first.
- */
-void
-setColors (FileCloud& cloud, const std::vector<pcl::RGB>& colors);
+setField (FileCloud& cloud,
+          const std::string& name,
+          std::uint8_t datatype,
+          const void* values,
+          const std::string& before = "");
 
 } // namespace pcl_ops::apps

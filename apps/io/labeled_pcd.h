@@ -30,7 +30,7 @@ saveLabeledPcd (const std::string& file, const pcl::PointCloud<pcl::PointXYZL>& 
     points.data.insert (points.data.end(), bytes, bytes + points.point_step);
     labels.push_back (point.label);
   }
-  setLabels (packed, labels);
+  setField (packed, "label", pcl::PCLPointField::UINT32, labels.data());
   saveCloud (file, packed);
 }
 

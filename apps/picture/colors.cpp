@@ -29,14 +29,6 @@ palette ()
   return colors;
 }
 
-template <typename T>
-std::vector<T>
-slice (const std::vector<T>& values, std::size_t first, std::size_t count)
-{
-  const auto begin = values.begin() + static_cast<std::ptrdiff_t> (first);
-  return {begin, begin + static_cast<std::ptrdiff_t> (count)};
-}
-
 } // namespace
 
 pcl::RGB
@@ -71,15 +63,18 @@ saveLabelledCloud (const std::string& file,
 {
   const bool has_color = hasField (cloud, "rgb") || hasField (cloud, "rgba");
   saveCloud (file, cloud, [&] (FileCloud& part, std::size_t first) {
-    const std::vector<std::uint32_t> of_part = slice (labels, first, part.size());
+    using pcl::PCLPointField;
+    const std::uint32_t* const of_part = labels.data() + first;
     if (!distances.empty())
-      setDistances (part, slice (distances, first, part.size()));
-    setLabels (part, of_part);
+      setField (part, "distance", PCLPointField::FLOAT32, distances.data() + first);
+    setField (part, "label", PCLPointField::UINT32, of_part);
     if (keeps_color && has_color)
       return;
-    std::vector<pcl::RGB> colors (of_part.size());
-    std::transform (of_part.begin(), of_part.end(), colors.begin(), colorOfLabel);
-    setColors (part, colors);
+    std::vector<pcl::RGB> colors (part.size());
+    static_assert (sizeof (colors[0]) == sizeof (float), "PCL's packed color");
+    std::transform (of_part, of_part + colors.size(), colors.begin(), colorOfLabel);
+    // In front of `rgba`, as PCL's point types look for `rgb` first.
+    setField (part, "rgb", PCLPointField::FLOAT32, colors.data(), "rgba");
   });
 }
 

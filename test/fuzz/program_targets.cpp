@@ -113,7 +113,7 @@ loadLas (const Bytes& bytes)
     const std::string name = labelled_file.write ({});
     apps::saveLabelledLas (name, *cloud.las, labels);
     apps::FileCloud labelled = apps::loadCloud (name), expected = cloud;
-    apps::setLabels (expected, labels);
+    apps::setField (expected, "label", pcl::PCLPointField::UINT32, labels.data());
     promise (labelled.points.data == expected.points.data,
              "labels and points are read as they were written");
   });

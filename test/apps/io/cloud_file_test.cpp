@@ -186,8 +186,9 @@ TEST_F (CloudFile, ReplacesLabelsAndColorsTheInputHad)
   FileCloud cloud = load ("in.pcd",
                           "FIELDS x y label rgba z\nSIZE 4 4 1 4 4\nTYPE F F U U F\n"
                           "WIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n1 2 7 255 3\n");
-  setLabels (cloud, {70000});
-  setColors (cloud, {{9, 8, 7}});
+  const std::uint32_t label = 70000, color = 0x00090807;
+  setField (cloud, "label", pcl::PCLPointField::UINT32, &label);
+  setField (cloud, "rgb", pcl::PCLPointField::FLOAT32, &color, "rgba");
   pcl::PointCloud<pcl::PointXYZRGBL> colored;
   pcl::fromPCLPointCloud2 (cloud.points, colored);
   EXPECT_EQ (colored[0].label, 70000u);
