@@ -9,7 +9,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <iomanip>
 #include <sstream>
 
 namespace pcl_ops::apps {
@@ -17,34 +17,24 @@ namespace pcl_ops::apps {
 namespace {
 
 constexpr const char* line_format = "timestamp tx ty tz qx qy qz qw";
-using Numbers = std::array<double, 8>;
 
 /** \return what is wrong with the line; empty if nothing is */
 std::string
-readNumbers (const std::string& line, Numbers& numbers)
+readPose (const std::string& line, Eigen::Isometry3d& pose)
 {
+  std::array<double, 8> n{};
   std::istringstream words (line);
   std::size_t count = 0;
   for (std::string word; words >> word; ++count) {
-    if (count == numbers.size())
+    if (count == n.size())
       return "has more than 8 numbers";
     const char* end = word.data() + word.size();
-    const auto [rest, error] = std::from_chars (word.data(), end, numbers[count]);
-    if (error != std::errc() || rest != end || !std::isfinite (numbers[count]))
+    const auto [rest, error] = std::from_chars (word.data(), end, n[count]);
+    if (error != std::errc() || rest != end || !std::isfinite (n[count]))
       return "has something that is no number in place " + std::to_string (count + 1);
   }
-  if (count < numbers.size())
+  if (count < n.size())
     return "has " + std::to_string (count) + " numbers";
-  return {};
-}
-
-std::string
-readPose (const std::string& line, Eigen::Isometry3d& pose)
-{
-  Numbers n{};
-  std::string problem = readNumbers (line, n);
-  if (!problem.empty())
-    return problem;
   const Eigen::Quaterniond rotation (n[7], n[4], n[5], n[6]);
   // No sensor moves so far; beyond, doubles lose what a plane is off.
   constexpr double farthest = 1e9;
@@ -85,25 +75,19 @@ void
 savePoses (const std::string& file, const std::vector<Eigen::Isometry3d>& poses)
 {
   constexpr double seconds = 0.1;
-  std::string text = std::string ("# ") + line_format + "\n";
+  std::ostringstream text;
+  text << "# " << line_format << "\n" << std::fixed;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Eigen::Vector3d place = poses[i].translation();
-    const Eigen::Quaterniond rotation (poses[i].linear());
-    std::array<char, 256> line{};
-    std::snprintf (line.data(),
-                   line.size(),
-                   "%.1f %.9f %.9f %.9f %.9f %.9f %.9f %.9f\n",
-                   seconds * static_cast<double> (i),
-                   place.x(),
-                   place.y(),
-                   place.z(),
-                   rotation.x(),
-                   rotation.y(),
-                   rotation.z(),
-                   rotation.w());
-    text += line.data();
+    const Eigen::Quaterniond q (poses[i].linear());
+    text << std::setprecision (1) << seconds * static_cast<double> (i)
+         << std::setprecision (9);
+    for (const double number :
+         {place.x(), place.y(), place.z(), q.x(), q.y(), q.z(), q.w()})
+      text << ' ' << number;
+    text << "\n";
   }
-  writeTextFile (file, text);
+  writeTextFile (file, text.str());
 }
 
 } // namespace pcl_ops::apps

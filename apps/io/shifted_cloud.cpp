@@ -9,7 +9,9 @@
 #include <numbers/quantile.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -52,21 +54,16 @@ someOf (const XyzCloud& cloud)
 
 /** \brief The place that most points share, and how many do. */
 std::pair<Eigen::Vector3d, std::size_t>
-mostSharedPlace (Places places)
+mostSharedPlace (const Places& places)
 {
-  std::sort (places.begin(), places.end(), [] (const auto& first, const auto& second) {
-    return std::lexicographical_compare (
-        first.data(), first.data() + 3, second.data(), second.data() + 3);
-  });
-  std::pair<Eigen::Vector3d, std::size_t> shared (Eigen::Vector3d::Zero(), 0);
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (places[i] != places[begin])
-      begin = i;
-    if (i - begin + 1 > shared.second)
-      shared = {places[i], i - begin + 1};
-  }
-  return shared;
+  std::map<std::array<double, 3>, std::size_t> counts;
+  for (const Eigen::Vector3d& place : places)
+    ++counts[{place.x(), place.y(), place.z()}];
+  const auto most = std::max_element (
+      counts.begin(), counts.end(), [] (const auto& a, const auto& b) {
+        return a.second < b.second;
+      });
+  return {Eigen::Vector3d (most->first.data()), most->second};
 }
 
 /** \brief How many are beyond a thousand diagonals of all that are nearer to the

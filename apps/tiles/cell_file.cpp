@@ -8,6 +8,16 @@
 
 namespace pcl_ops::apps {
 
+namespace {
+
+bool
+isBefore (const Block& a, const Block& b)
+{
+  return a.key < b.key;
+}
+
+} // namespace
+
 std::uint64_t
 getCount (std::istream& stream, std::size_t part_size)
 {
@@ -84,9 +94,7 @@ void
 CellFileWriter::finish()
 {
   flushAll();
-  std::stable_sort (blocks_.begin(), blocks_.end(), [] (const auto& a, const auto& b) {
-    return a.key < b.key;
-  });
+  std::stable_sort (blocks_.begin(), blocks_.end(), isBefore);
   putBytes (stream_, blocks_.data(), blocks_.size());
   put (stream_, std::uint64_t (blocks_.size()));
 }
@@ -109,13 +117,7 @@ CellFile::CellFile (const std::string& file) : file_ (file)
 CellFile::Range
 CellFile::blocksOf (const BlockKey& key) const
 {
-  const auto first =
-      std::partition_point (blocks_.begin(), blocks_.end(), [&] (const Block& block) {
-        return block.key < key;
-      });
-  return {first, std::partition_point (first, blocks_.end(), [&] (const Block& block) {
-            return !(key < block.key);
-          })};
+  return std::equal_range (blocks_.begin(), blocks_.end(), Block{key}, isBefore);
 }
 
 std::uint64_t

@@ -91,20 +91,6 @@ inputsOf (const TilesOptions& options)
   return eachFileOnce (std::move (found.files));
 }
 
-PlanFile
-namedBy (const TilesOptions& options)
-{
-  return {options.plan_file, "remove it or give another --plan"};
-}
-
-Plan
-earlierPlan (const PlanFile& file, const TilesOptions& options)
-{
-  Plan plan = loadPlan (file);
-  checkIsFor (plan, file, inputsOf (options), options.plan);
-  return plan;
-}
-
 /** \brief Refuses outputs that would be written over each other or over an input. */
 void
 checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& options)
@@ -305,10 +291,18 @@ void
 preparePlan (const TilesOptions& options, const RunFolder& folder)
 {
   const PlanFile own = planFileOf (folder);
-  const PlanFile named = options.plan_file.empty() ? own : namedBy (options);
+  const PlanFile named =
+      options.plan_file.empty()
+          ? own
+          : PlanFile{options.plan_file, "remove it or give another --plan"};
   const bool has_own = isThere (own.name);
-  const Plan plan = isThere (named.name) ? earlierPlan (named, options)
-                    : has_own            ? earlierPlan (own, options)
+  const auto earlier = [&] (const PlanFile& file) {
+    Plan plan = loadPlan (file);
+    checkIsFor (plan, file, inputsOf (options), options.plan);
+    return plan;
+  };
+  const Plan plan = isThere (named.name) ? earlier (named)
+                    : has_own            ? earlier (own)
                                          : newPlan (options);
   if (has_own && !isSame (loadPlan (own), plan))
     throw WorkError (own.name, "is another plan than " + named.name + "; " + own.mend);

@@ -49,11 +49,9 @@ void
 checkIsAsPlanned (const PlannedInput& input, const RunFolder& folder)
 {
   if (hasChanged (input))
-    throw WorkError (
-        input.file,
-        "has changed since the run began; remove " +
-            fs::path (folder.work (run_file::plan)).parent_path().string() +
-            " and run it again");
+    throw WorkError (input.file,
+                     "has changed since the run began; remove " +
+                         folder.output ("work") + " and run it again");
 }
 
 class LabelsInOrder {
