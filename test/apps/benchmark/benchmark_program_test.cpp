@@ -3,35 +3,29 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <support/run_program.h>
-#include <support/temporary_folder.h>
+#include <support/program_folder.h>
 
-#include <filesystem>
 #include <string>
 
 namespace {
 
 constexpr const char* quick = " --runs 1 --memory-points 2000";
 
-ProgramRun
-measure (const std::string& arguments)
-{
-  return runProgram (PCL_OPS_BENCHMARK_PROGRAM, arguments);
-}
+class BenchmarkProgram : public ProgramFolder {
+protected:
+  BenchmarkProgram() : ProgramFolder (PCL_OPS_BENCHMARK_PROGRAM) {}
+};
 
 } // namespace
 
-TEST (BenchmarkProgram, PrintsMarkdownTablesAndWritesTimesAndMemoryAsJson)
+TEST_F (BenchmarkProgram, PrintsMarkdownTablesAndWritesTimesAndMemoryAsJson)
 {
-  const TemporaryFolder folder;
-  const ProgramRun run = measure (std::string ("simulated:2000") + quick + " --json " +
-                                  folder / "out.json");
-  ASSERT_EQ (run.exit_code, 0) << run.text;
-  EXPECT_EQ (run.text.rfind ("**Times [ms], scan-2000, 2000 points**\n\n| ", 0), 0u)
-      << run.text;
+  const std::string said =
+      expectDone (std::string ("simulated:2000 --json out.json") + quick).out;
+  EXPECT_EQ (said.find ("**Times [ms], scan-2000, 2000 points**\n\n| "), 0u) << said;
   for (const char* part : {"| ops ", "| copy of the cloud ", "- Machine: ", "MB more"})
-    EXPECT_NE (run.text.find (part), std::string::npos) << part << run.text;
-  const auto json = nlohmann::json::parse (contentOf (folder / "out.json"));
+    EXPECT_TRUE (contains (said, part)) << part;
+  const auto json = jsonIn ("out.json");
   const auto& cloud = json["clouds"][0];
   EXPECT_EQ (cloud["points"], 2000);
   EXPECT_EQ (cloud["peak_memory"]["cloud_bytes"], 32000.0);
@@ -44,33 +38,31 @@ TEST (BenchmarkProgram, PrintsMarkdownTablesAndWritesTimesAndMemoryAsJson)
     EXPECT_GT (cloud["times"][measure]["detection_ms"].get<double>(), 0.0) << measure;
 }
 
-TEST (BenchmarkProgram, MeasuresEveryCloudOfAFolderAndLeavesOutBrokenOnes)
+TEST_F (BenchmarkProgram, MeasuresEveryCloudOfAFolderAndLeavesOutBrokenOnes)
 {
-  const TemporaryFolder folder;
   for (const char* name : {"first.pcd", "second.pcd"})
-    runProgram (PCL_OPS_SIMULATE_PROGRAM, folder / name + " --points 2000 --quiet");
-  folder.write ("third.pcd", "VERSION 0.7\nFIELDS x y z\n");
-  const ProgramRun run = measure (folder.path() + " --no-peers" + quick);
-  EXPECT_EQ (run.exit_code, 1);
-  for (const std::string& part : {"left out: " + folder / "third.pcd",
-                                  std::string ("first.pcd, 2000 points"),
-                                  std::string ("second.pcd, 2000 points")})
-    EXPECT_NE (run.text.find (part), std::string::npos) << run.text;
-  EXPECT_EQ (run.text.find ("pcl-sac"), std::string::npos) << run.text;
+    shell (std::string ("'" PCL_OPS_SIMULATE_PROGRAM "' --points 2000 --quiet ") +
+           name);
+  folder_.write ("third.pcd", "VERSION 0.7\nFIELDS x y z\n");
+  const Outcome done = run (std::string (". --no-peers") + quick);
+  EXPECT_EQ (done.exit_code, 1);
+  for (const char* part :
+       {"left out: ./third.pcd", "first.pcd, 2000 points", "second.pcd, 2000 points"})
+    EXPECT_TRUE (contains (done.out + done.err, part));
+  EXPECT_FALSE (contains (done.out, "pcl-sac")) << done.out;
 }
 
-TEST (BenchmarkProgram, ScalingWritesEverySeries)
+TEST_F (BenchmarkProgram, ScalingWritesEverySeries)
 {
-  const TemporaryFolder folder;
-  const ProgramRun run = measure ("simulated:2000 --no-peers --scaling " +
-                                  folder / "out --scaling-points 1000,3000" + quick);
-  EXPECT_EQ (run.exit_code, 0) << run.text;
-  const std::string csv = contentOf (folder / "out/scaling.csv");
+  expectDone (std::string ("simulated:2000 --no-peers --scaling out "
+                           "--scaling-points 1000,3000") +
+              quick);
+  const std::string csv = contentOf (folder_ / "out/scaling.csv");
   for (const char* row : {"\npoints,1000,",
                           "\npoints,3000,",
                           "\nthreads,2,",
                           ",\"scan-2000\",",
                           "\nsampling_rate,0.3,",
                           "\nplanes,300,"})
-    EXPECT_NE (csv.find (row), std::string::npos) << row << csv;
+    EXPECT_TRUE (contains (csv, row)) << row;
 }

@@ -8,11 +8,12 @@
 #include <evaluation/data/labeled_cloud.h>
 #include <evaluation/detectors/detectors.h>
 #include <evaluation/report/evaluation_run.h>
-#include <support/file_size_limit.h>
 #include <support/temporary_folder.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <atomic>
+#include <csignal>
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
@@ -49,6 +50,25 @@ labeling (const std::string& name, std::size_t labeled, std::atomic<int>& calls)
             return run;
           }};
 }
+
+/** \brief Files cannot get longer than this, as on a full disk. */
+class FileSizeLimit {
+public:
+  explicit FileSizeLimit (rlim_t bytes)
+  {
+    std::signal (SIGXFSZ, SIG_IGN);
+    ::getrlimit (RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit (RLIMIT_FSIZE, &limit);
+  }
+  FileSizeLimit (const FileSizeLimit&) = delete;
+  FileSizeLimit&
+  operator= (const FileSizeLimit&) = delete;
+  ~FileSizeLimit() { ::setrlimit (RLIMIT_FSIZE, &before_); }
+
+private:
+  rlimit before_{};
+};
 
 class EvaluationRunTest : public testing::Test {
 protected:

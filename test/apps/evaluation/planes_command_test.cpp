@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <support/run_program.h>
-#include <support/temporary_folder.h>
+#include <support/program_folder.h>
 
-#include <algorithm>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -32,11 +30,11 @@ square (int id, bool lies, double x, double y, double z)
   return plane;
 }
 
-class PlanesCommand : public testing::Test {
+class PlanesCommand : public ProgramFolder {
 protected:
   /** \brief Floor and wall; in b.json the wall is first and the floor 1 cm higher, and
    * there is a table in place of the shelf. */
-  PlanesCommand()
+  PlanesCommand() : ProgramFolder (PCL_OPS_EVALUATE_PROGRAM)
   {
     write ("a.json",
            {square (1, true, 0, 0, 0),
@@ -54,25 +52,19 @@ protected:
     folder_.write (name, Json{{"planes", planes}}.dump());
   }
 
-  ProgramRun
-  compare (const std::string& options = "", const std::string& second = "b.json") const
+  Json
+  compared () const
   {
-    return runProgram (PCL_OPS_EVALUATE_PROGRAM,
-                       "planes '" + folder_ / "a.json" + "' '" + folder_ / second +
-                           "' " + options);
+    return Json::parse (expectDone ("planes a.json b.json --json").out);
   }
-
-  TemporaryFolder folder_;
 };
 
 } // namespace
 
 TEST_F (PlanesCommand, TellsWhichPlanesAreOneAndHowFarApart)
 {
-  const ProgramRun run = compare ("--json");
-  ASSERT_EQ (run.exit_code, 0) << run.text;
-  const Json json = Json::parse (run.text);
-  ASSERT_EQ (json["matched"].size(), 2U) << run.text;
+  const Json json = compared();
+  ASSERT_EQ (json["matched"].size(), 2U);
   EXPECT_EQ (json["matched"][0]["a"], 1);
   EXPECT_EQ (json["matched"][0]["b"], 2);
   EXPECT_NEAR (json["matched"][0]["offset"], 0.01, 1e-9);
@@ -81,9 +73,9 @@ TEST_F (PlanesCommand, TellsWhichPlanesAreOneAndHowFarApart)
   EXPECT_EQ (json["matched"][1]["b"], 1);
   EXPECT_EQ (json["only_a"], Json{3});
   EXPECT_EQ (json["only_b"], Json{7});
-  const std::string table = compare().text;
+  const std::string table = expectDone ("planes a.json b.json").out;
   for (const char* part : {"| 0.0100 |", "only_a                            [3]\n"})
-    EXPECT_NE (table.find (part), std::string::npos) << table;
+    EXPECT_TRUE (contains (table, part));
 }
 
 TEST_F (PlanesCommand, GoesByTheEquationWhereThereIsNoHull)
@@ -91,7 +83,7 @@ TEST_F (PlanesCommand, GoesByTheEquationWhereThereIsNoHull)
   Json floor = square (4, true, 0, 0, 0.01);
   floor.erase ("hull");
   write ("b.json", {floor});
-  const Json json = Json::parse (compare ("--json").text);
+  const Json json = compared();
   ASSERT_EQ (json["matched"].size(), 1U);
   EXPECT_EQ (json["matched"][0]["a"], 1);
 }
@@ -101,32 +93,29 @@ TEST_F (PlanesCommand, IsTheSameFarFromZero)
   const double x = 500000, y = 5400000, z = 300;
   write ("a.json", {square (1, true, x, y, z), square (2, false, x + 3, y, z + 1)});
   write ("b.json", {square (1, true, x, y, z + 0.01), square (2, true, x, y, z + 2)});
-  const Json json = Json::parse (compare ("--json").text);
+  const Json json = compared();
   ASSERT_EQ (json["matched"].size(), 1U);
   EXPECT_NEAR (json["matched"][0]["offset"], 0.01, 1e-6);
 }
 
 TEST_F (PlanesCommand, NamesFileAndKeyOfWhatIsWrong)
 {
-  const auto expectRefused = [&] (const std::string& complaint) {
-    const ProgramRun run = compare ("", "bad.json");
-    EXPECT_EQ (run.exit_code, 1) << run.text;
-    EXPECT_NE (run.text.find ("bad.json: " + complaint), std::string::npos) << run.text;
-    EXPECT_EQ (std::count (run.text.begin(), run.text.end(), '\n'), 1) << run.text;
+  const auto expect = [&] (const std::string& complaint) {
+    expectRefused ("planes a.json bad.json", "bad.json: " + complaint);
   };
-  expectRefused ("does not exist");
+  expect ("does not exist");
   for (const auto& [text, complaint] : {std::pair ("{", "is no JSON"),
                                         {"[1]", "planes is missing"},
                                         {"{\"planes\": 3}", "planes is no list"}}) {
     folder_.write ("bad.json", text);
-    expectRefused (complaint);
+    expect (complaint);
   }
   for (const std::string key :
        {"id", "orientation", "points", "centroid", "rms", "coefficients"}) {
     Json plane = square (1, true, 0, 0, 0);
     plane.erase (key);
     write ("bad.json", {square (1, true, 0, 0, 0), plane});
-    expectRefused ("planes[1]." + key + " is missing");
+    expect ("planes[1]." + key + " is missing");
   }
   const std::tuple<const char*, Json, const char*> wrong[] = {
       {"id", -1, "id is no whole number from 0"},
@@ -147,7 +136,7 @@ TEST_F (PlanesCommand, NamesFileAndKeyOfWhatIsWrong)
     Json plane = square (1, true, 0, 0, 0);
     plane[key] = value;
     write ("bad.json", {plane});
-    expectRefused (std::string ("planes[0].") + complaint);
+    expect (std::string ("planes[0].") + complaint);
   }
 }
 
@@ -161,7 +150,5 @@ TEST_F (PlanesCommand, MatchesInTheLargestUnitACloudCanHave)
       number = number.get<double>() * unit;
   write ("a.json", {far});
   write ("b.json", {far});
-  const ProgramRun run = compare ("--json");
-  ASSERT_EQ (run.exit_code, 0) << run.text;
-  EXPECT_EQ (Json::parse (run.text)["matched"].size(), 1U) << run.text;
+  EXPECT_EQ (compared()["matched"].size(), 1U);
 }

@@ -7,8 +7,7 @@
 
 #include <io/cloud_file.h>
 #include <io/shifted_cloud.h>
-#include <support/temporary_folder.h>
-#include <support/text.h>
+#include <support/cloud_values.h>
 
 #include <cmath>
 #include <functional>
@@ -74,28 +73,8 @@ repeated (int count, const std::string& line, const std::string& rest = "")
 const std::string truncated =
     "is truncated: its header promises more points than follow; copy or write it again";
 
-class CloudFile : public testing::Test {
+class CloudFile : public CloudFolder {
 protected:
-  FileCloud
-  load (const std::string& name, const std::string& content) const
-  {
-    return loadCloud (folder_.write (name, content));
-  }
-
-  /** \return what loading complains about, without the file's name */
-  std::string
-  complaintAbout (const std::string& file) const
-  {
-    const std::string text = complaintOf ([&] { loadCloud (file); });
-    return text.substr (text.find (file) == 0 ? file.size() + 2 : 0);
-  }
-
-  std::string
-  complaintAbout (const std::string& name, const std::string& content) const
-  {
-    return complaintAbout (folder_.write (name, content));
-  }
-
   /** \brief Rows of contents and what is invalid about them. */
   void
   expectInvalid (const std::string& format,
@@ -116,8 +95,6 @@ protected:
       EXPECT_EQ (complaintAbout (name, content),
                  "is damaged: line " + reason + "; fix it or write the file again");
   }
-
-  TemporaryFolder folder_;
 };
 
 } // namespace

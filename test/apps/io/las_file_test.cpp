@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cli/errors.h>
 #include <io/cloud_file.h>
 #include <io/las_file.h>
 #include <io/laz_file.h>
 #include <support/cloud_values.h>
 #include <support/las_bytes.h>
-#include <support/temporary_folder.h>
 
 #include <cmath>
 #include <limits>
@@ -19,12 +17,12 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-class LasFileTest : public testing::Test {
+class LasFileTest : public CloudFolder {
 protected:
   FileCloud
   load (const std::string& bytes) const
   {
-    return loadCloud (folder_.write ("cloud.las", bytes));
+    return CloudFolder::load ("cloud.las", bytes);
   }
 
   FileCloud
@@ -33,17 +31,10 @@ protected:
     return load (lasBytes (recipe));
   }
 
-  /** \brief What loading complains about, without the file's name. */
   std::string
   complaintAbout (const std::string& bytes) const
   {
-    try {
-      load (bytes);
-    }
-    catch (const WorkError& error) {
-      return error.problem;
-    }
-    return "";
+    return CloudFolder::complaintAbout ("cloud.las", bytes);
   }
 
   /** \brief The file with these labels. */
@@ -53,8 +44,6 @@ protected:
     saveLabelledLas (folder_ / "labelled.las", *load (recipe).las, labels);
     return contentOf (folder_ / "labelled.las");
   }
-
-  TemporaryFolder folder_;
 };
 
 /** \brief A record with its label. */

@@ -6,8 +6,6 @@
 #include <io/cloud_file.h>
 #include <io/shifted_cloud.h>
 #include <support/cloud_values.h>
-#include <support/temporary_folder.h>
-#include <support/text.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -35,25 +33,19 @@ placeOf (const FileCloud& cloud, std::size_t point)
   return CoordinateReader (cloud) (point);
 }
 
-class TextFile : public testing::Test {
+class TextFile : public CloudFolder {
 protected:
   FileCloud
   load (const std::string& text, const std::string& name = "in.xyz") const
   {
-    return loadCloud (folder_.write (name, text));
+    return CloudFolder::load (name, text);
   }
 
-  /** \return what loading a text complains about, without the name of the file */
   std::string
   complaintAbout (const std::string& text, const std::string& name = "in.xyz") const
   {
-    const std::string file = folder_.write (name, text);
-    const std::string said = complaintOf ([&] { loadCloud (file); });
-    EXPECT_EQ (lines (said), 0u);
-    return said.substr (std::min (said.size(), file.size() + 2));
+    return CloudFolder::complaintAbout (name, text);
   }
-
-  TemporaryFolder folder_;
 };
 
 } // namespace

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <io/cloud_file.h>
+#include <support/temporary_folder.h>
+#include <support/text.h>
 
 #include <cstring>
 #include <string>
@@ -34,3 +36,30 @@ valuesOf (const pcl_ops::apps::FileCloud& cloud, const std::string& name)
                  sizeof (Number));
   return values;
 }
+
+/** \brief A folder for clouds whose files are written byte by byte. */
+class CloudFolder : public testing::Test {
+protected:
+  pcl_ops::apps::FileCloud
+  load (const std::string& name, const std::string& content) const
+  {
+    return pcl_ops::apps::loadCloud (folder_.write (name, content));
+  }
+
+  /** \return the line that loading complains by, without the file's name */
+  std::string
+  complaintAbout (const std::string& file) const
+  {
+    const std::string text = complaintOf ([&] { pcl_ops::apps::loadCloud (file); });
+    EXPECT_EQ (lines (text), 0u);
+    return text.substr (text.find (file) == 0 ? file.size() + 2 : 0);
+  }
+
+  std::string
+  complaintAbout (const std::string& name, const std::string& content) const
+  {
+    return complaintAbout (folder_.write (name, content));
+  }
+
+  TemporaryFolder folder_;
+};

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+
 #include <nlohmann/json.hpp>
 #include <support/temporary_folder.h>
 #include <support/text.h>
@@ -19,6 +21,12 @@ struct Outcome {
   int exit_code;
   std::string out, err;
 };
+
+inline Eigen::Vector3d
+toVector (const nlohmann::json& array)
+{
+  return {array[0].get<double>(), array[1].get<double>(), array[2].get<double>()};
+}
 
 /** \brief A folder to run a program in. */
 class ProgramFolder : public testing::Test {
