@@ -142,7 +142,7 @@ TEST (CommandLine, TellsTheOptionsOfAGroupThatWereGiven)
   const std::array<const char*, 3> ambiguous{"detect", "--s", "4"};
   EXPECT_THROW (line.parse (static_cast<int> (ambiguous.size()), ambiguous.data()),
                 UsageError);
-  EXPECT_NE (line.help().find ("\nHough:\n  --bins"), std::string::npos);
+  EXPECT_TRUE (contains (line.help(), "\nHough:\n  --bins"));
 }
 
 TEST (CommandLine, ListsArgumentsLikeOptions)
@@ -152,9 +152,8 @@ TEST (CommandLine, ListsArgumentsLikeOptions)
   line.addArgument ("INPUT", input, "a cloud");
   line.addArgument (
       "OUTPUT.pcd", output, "the same cloud with the plane of each point");
-  EXPECT_NE (line.help().find (
-                 "\nArguments:\n  INPUT        a cloud\n  OUTPUT.pcd   the"),
-             std::string::npos);
+  EXPECT_TRUE (contains (line.help(),
+                         "\nArguments:\n  INPUT        a cloud\n  OUTPUT.pcd   the"));
 }
 
 TEST (CommandLine, PrintsHelpAndVersion)
@@ -174,8 +173,7 @@ TEST (CommandLine, BreaksLongMeaningsBetweenWords)
   CommandLine line ("detect", "Detects.", "1.0");
   const std::string full = "as many words as a line of 79 columns can hold, and no";
   line.addText ("detector", "FILE", value, full + " more");
-  EXPECT_NE (line.help().find ("\n  --detector FILE       " + full + "\n" +
-                                       std::string (24, ' ') + "more\n"),
-             std::string::npos)
-      << line.help();
+  EXPECT_TRUE (contains (line.help(),
+                         "\n  --detector FILE       " + full + "\n" +
+                             std::string (24, ' ') + "more\n"));
 }

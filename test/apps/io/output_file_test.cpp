@@ -24,8 +24,6 @@ protected:
   TemporaryFolder folder_;
 };
 
-} // namespace
-
 TEST_F (Inputs, HaveALinkToNowhereThatIsNamedLikeAPattern)
 {
   const std::string link = folder_ / "scan*.pcd";
@@ -60,14 +58,10 @@ TEST_F (Inputs, LeaveACloudThatDoesNotExistToItsReader)
   }
 }
 
-namespace {
-
 class OutputFile : public testing::Test {
 protected:
   TemporaryFolder folder_;
 };
-
-} // namespace
 
 TEST_F (OutputFile, ReplacesTheTargetInOneStep)
 {
@@ -167,3 +161,5 @@ TEST_F (OutputFile, KnowsAFileByAnyName)
   EXPECT_TRUE (isSameFile (folder_ / "new.pcd", folder_ / "./new.pcd"));
   EXPECT_FALSE (isSameFile (folder_ / "a.pcd", folder_ / "c.pcd"));
 }
+
+} // namespace

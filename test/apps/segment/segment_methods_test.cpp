@@ -59,8 +59,6 @@ INSTANTIATE_TEST_SUITE_P (Every,
                           testing::Values ("ops", "fspf", "kht"),
                           methodOf);
 
-} // namespace
-
 TEST_P (SegmentMethods, FindsFloorAndWall)
 {
   const LabelledCloud cloud = label ("room.pcd", method() + "--planes p.json");
@@ -196,8 +194,6 @@ TEST_F (SegmentRoom, HasVoxelsOfTheEdgeAskedFor)
   EXPECT_EQ (planesOf ("--cell 1").at ("planes").size(), 0u) << "too few voxels";
 }
 
-namespace {
-
 /** \brief The floor and the wall with a second wall at y = 2 m, x becoming up: the
  * sensor looks along the longest side. */
 InputCloud
@@ -230,8 +226,7 @@ struct UpRun {
   Eigen::Vector3d
   up () const
   {
-    const auto numbers = json["parameters"]["up"].get<std::vector<double>>();
-    return Eigen::Vector3d (numbers[0], numbers[1], numbers[2]);
+    return toVector (json["parameters"]["up"]);
   }
 };
 
@@ -246,8 +241,6 @@ protected:
     return {done, jsonIn ("planes.json")};
   }
 };
-
-} // namespace
 
 TEST_F (SegmentUp, IsFoundAndNamesThePlanes)
 {
@@ -333,3 +326,5 @@ TEST_F (SegmentUp, IsNotLookedForUnlessAsked)
   const auto json = jsonOf ("in.pcd --planes planes.json", "planes.json");
   EXPECT_FALSE (json["parameters"].contains ("up_confidence"));
 }
+
+} // namespace

@@ -30,20 +30,6 @@ signedArea (const Json& ring)
   return area;
 }
 
-/** \brief A ceiling of 2 m by 2 m, 100 m above the sensor, at UTM coordinates. */
-std::string
-ceilingText ()
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision (3);
-  for (int i = 0; i < points_of_plane; ++i)
-    text << 500000 + 0.04 * (i / points_of_side) << " "
-         << 5400000 + 0.04 * (i % points_of_side) << " 100\n";
-  return text.str();
-}
-
-} // namespace
-
 TEST_F (Segment, WritesOutlinesAsGeoJson)
 {
   expectDone ("in.pcd --planes p.geojson");
@@ -91,7 +77,7 @@ TEST_F (Segment, WritesOutlinesOfCeilingsCounterClockwiseFromAboveToo)
 
 TEST_F (Segment, WritesMillimetresOfUtmInPlainDecimals)
 {
-  folder_.write ("in.xyz", ceilingText());
+  folder_.write ("in.xyz", squareText (points_of_side, 100.0));
   expectDone ("in.xyz --planes p.geojson");
   expectDone ("in.xyz --planes p.csv");
   EXPECT_TRUE (
@@ -125,7 +111,7 @@ TEST_F (Segment, WritesOutlinesInTheCsvAsWkt)
 
 TEST_F (Segment, TurnsPlanesOfCloudsWithoutASensorUp)
 {
-  folder_.write ("in.xyz", ceilingText());
+  folder_.write ("in.xyz", squareText (points_of_side, 100.0));
   const Json plane = jsonOf ("in.xyz --planes p.json")["planes"].at (0);
   EXPECT_GT (plane["normal"][2].get<double>(), 0.99);
   EXPECT_NEAR (plane["height"].get<double>(), 100.0, 1e-3);
@@ -167,10 +153,6 @@ TEST_F (Segment, WritesAnEmptyMapOfNoPlanes)
   EXPECT_EQ (map["features"], Json::array());
 }
 
-namespace {
-
-using Json = nlohmann::json;
-
 constexpr double last_point = 2.0 * (points_of_side - 1) / points_of_side;
 
 /** \brief The corners and faces of a legacy VTK file in text. */
@@ -193,8 +175,6 @@ readVtk (const std::string& text)
   }
   return {corners, faces};
 }
-
-} // namespace
 
 TEST_F (Segment, SaysWhereEachPlaneEnds)
 {
@@ -326,10 +306,7 @@ TEST_F (Segment, WritesAnEmptyMeshWhereThereIsNoPlane)
   EXPECT_TRUE (readVtk (contentOf (folder_ / "m.vtk")).first.empty());
 }
 
-namespace {
-
 using SegmentEdges = Segment;
-using Json = nlohmann::json;
 using Eigen::Vector3d;
 
 /** \brief Floor and two walls of 2 m by 2 m, which meet at \p corner, in text with
@@ -389,8 +366,6 @@ readPly (const std::string& text)
 
 const Vector3d far_away (448261.25, 5411932.5, 312.125);
 
-} // namespace
-
 TEST_F (SegmentEdges, WritesWherePlanesMeetToTheMillimetreFarFromZero)
 {
   folder_.write ("far.pcd", cornerAt (far_away));
@@ -446,3 +421,5 @@ TEST_F (SegmentEdges, WritesNoEdgeWhereNoPlanesMeet)
   const auto json = jsonIn ("e.json");
   EXPECT_EQ (json, Json::parse (R"({"edges": [], "corners": []})"));
 }
+
+} // namespace

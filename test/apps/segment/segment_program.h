@@ -15,8 +15,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <iomanip>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -69,6 +71,18 @@ floorAndWallInLas ()
   return recipe;
 }
 
+/** \brief A square of points, 4 cm apart, at UTM coordinates in text. */
+inline std::string
+squareText (int side, double z)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision (2);
+  for (int x = 0; x < side; ++x)
+    for (int y = 0; y < side; ++y)
+      text << 500'000 + 0.04 * x << " " << 5'400'000 + 0.04 * y << " " << z << "\n";
+  return text.str();
+}
+
 /** \brief A folder with the input cloud, to run the program in. */
 class Segment : public ProgramFolder {
 protected:
@@ -98,22 +112,23 @@ protected:
                 "{ " + environment);
   }
 
+  template <typename Cloud = LabelledCloud>
+  Cloud
+  loaded (const std::string& file) const
+  {
+    Cloud cloud;
+    EXPECT_EQ (pcl::io::loadPCDFile (folder_ / file, cloud), 0) << file;
+    return cloud;
+  }
+
   /** \brief The labelled cloud the program makes of a file. */
   LabelledCloud
   label (const std::string& input, const std::string& options = "") const
   {
     expectDone (input + " labelled.pcd " + options);
-    LabelledCloud cloud;
-    EXPECT_EQ (pcl::io::loadPCDFile (folder_ / "labelled.pcd", cloud), 0);
-    return cloud;
+    return loaded ("labelled.pcd");
   }
 };
-
-inline Eigen::Vector3d
-toVector (const nlohmann::json& array)
-{
-  return {array[0].get<double>(), array[1].get<double>(), array[2].get<double>()};
-}
 
 inline std::vector<std::uint32_t>
 labelsOf (const LabelledCloud& cloud)

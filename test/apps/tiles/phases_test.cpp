@@ -53,8 +53,6 @@ protected:
   Plan plan_;
 };
 
-} // namespace
-
 TEST_F (Phases, LabelAnInputThatIsAsPlanned)
 {
   findPlanes();
@@ -87,10 +85,6 @@ TEST_F (Phases, DoNotLabelAnInputThatHasChanged)
   EXPECT_FALSE (isThere (run_.mark (0)));
 }
 
-namespace {
-
-using namespace pcl_ops::apps;
-
 constexpr int points_of_key = 40'000; // more than a block has
 const BlockKey first{{0, 0}, false}, halo_of_first{{0, 0}, true},
     second{{-3, 7}, false};
@@ -110,8 +104,6 @@ savedCells (const TemporaryFolder& folder)
   writer.finish();
   return folder / "0.cells";
 }
-
-} // namespace
 
 TEST (CellFile, HasThePointsOfEachKeyInTheirOrder)
 {
@@ -147,3 +139,5 @@ TEST (CellFile, SaysThatItIsDamaged)
   const std::string file = folder.write ("0.cells", "1234");
   EXPECT_THROW (CellFile{file}, std::runtime_error);
 }
+
+} // namespace

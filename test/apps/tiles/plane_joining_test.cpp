@@ -46,8 +46,6 @@ areEqual (const ExactMoments& a, const ExactMoments& b)
   return a.count == b.count && a.sum == b.sum && a.products == b.products;
 }
 
-} // namespace
-
 TEST (ExactMoments, OfPartsAreThoseOfTheWholeWhateverIsAddedFirst)
 {
   const std::vector<Eigen::Vector3d> all = floorAt ({5e6, -5e6, 500.0});
@@ -90,11 +88,6 @@ TEST (ExactMoments, OfNothingAreNone)
 {
   EXPECT_EQ (momentsOf ({}).toMoments().count, 0.0);
 }
-
-namespace {
-
-using namespace pcl_ops;
-using namespace pcl_ops::apps;
 
 /** \brief A wall along x with 2 cm of noise, and what a tile sees of it. */
 Piece
@@ -145,8 +138,6 @@ twoTiles (double y_of_first, double y_of_second, int height = 3)
   return {{{wall (0, 10, y_of_first)}, claimsAround (10, height, 0)},
           {{wall (10, 20, y_of_second)}, claimsAround (10, height, 0)}};
 }
-
-} // namespace
 
 TEST (PlaneJoining, MakesOneOfAWallOnBothSidesOfABorder)
 {
@@ -222,3 +213,5 @@ TEST (PlaneJoining, NumbersPlanesByFallingSize)
   EXPECT_EQ (found.numbers.at ({1, 0}), std::vector<std::uint32_t>{1});
   EXPECT_GT (found.planes[0].moments.count, found.planes[1].moments.count);
 }
+
+} // namespace

@@ -15,8 +15,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-using namespace pcl_ops::apps;
-
 /** \brief Cells of half a metre, tiles of 24 of them, 12 m. */
 const TileGrid grid (0.5, 24, {0, 0, 0});
 
@@ -34,8 +32,6 @@ tilesAround (double x, double y)
                        [&tiles] (const TileKey& tile) { tiles.insert (tile); });
   return tiles;
 }
-
-} // namespace
 
 TEST (TileGrid, HasABorderInTheTileThatBeginsThere)
 {
@@ -83,8 +79,6 @@ TEST (TileGrid, LeavesOutWhatHasNoCell)
   EXPECT_FALSE (grid.reaches ({0, 1e300, 0}));
 }
 
-namespace {
-
 /** \brief 50 x 50 places of a floor of 5 m x 5 m. */
 std::vector<Vector3d>
 floorPlaces ()
@@ -97,8 +91,6 @@ floorPlaces ()
 }
 
 constexpr std::uint64_t points = 50'000;
-
-} // namespace
 
 TEST (CellEdge, HoldsSomeTwentyPoints)
 {
@@ -121,12 +113,7 @@ TEST (CellEdge, HasToBeGivenForOnePlace)
   EXPECT_THROW (cellEdgeFor (places, Vector3d::Zero(), points), WorkError);
 }
 
-namespace {
-
-using namespace pcl_ops::apps;
 using Parts = std::vector<std::size_t>;
-
-} // namespace
 
 TEST (Ranks, AreOneWhereNobodyStartedMore)
 {
@@ -144,3 +131,5 @@ TEST (Ranks, ShareTheWorkEvenlyTheLargestPartsFirst)
   EXPECT_EQ (shareOf (0, 1, parts), (Parts{1, 4, 3, 2, 0}));
   EXPECT_EQ (shareOf (7, 8, parts), Parts{}) << "more ranks than work";
 }
+
+} // namespace

@@ -69,13 +69,6 @@ overlaps (const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>&
   return counts;
 }
 
-Eigen::Vector3d
-vectorIn (const nlohmann::json& plane, const char* key)
-{
-  const auto numbers = plane.at (key).get<std::array<double, 3>>();
-  return Eigen::Vector3d (numbers[0], numbers[1], numbers[2]);
-}
-
 } // namespace
 
 TEST_F (TilesProgram, TakesALazForALas)
@@ -143,11 +136,11 @@ TEST_F (TilesProgram, FindsInManyTilesThePlanesOfOne)
         plane.at ("points").get<double>() + other.at ("points").get<double>() - shared;
     EXPECT_GE (shared / both, 0.99) << "plane " << p;
     const double sine =
-        vectorIn (plane, "normal").cross (vectorIn (other, "normal")).norm();
+        toVector (plane["normal"]).cross (toVector (other["normal"])).norm();
     EXPECT_LE (sine, std::sin (0.05 * 3.14159 / 180)) << "plane " << p;
     const double offset =
-        vectorIn (other, "normal")
-            .dot (vectorIn (plane, "centroid") - vectorIn (other, "centroid"));
+        toVector (other["normal"])
+            .dot (toVector (plane["centroid"]) - toVector (other["centroid"]));
     EXPECT_LE (std::abs (offset), 0.001) << "plane " << p;
   }
   EXPECT_GT (large, 10u);
@@ -203,9 +196,9 @@ TEST_F (TilesProgram, JoinsAWallOfTilesWithTheirOwnScaleAndOffset)
   EXPECT_GE (list.at ("tiles"), 4);
   EXPECT_EQ (planes.at (0).at ("tiles").size(), list.at ("tiles"));
   EXPECT_EQ (planes.at (0).at ("points"), west.size() + east.size());
-  EXPECT_NEAR (vectorIn (planes.at (0), "centroid").y(), far_away.y(), 0.01);
+  EXPECT_NEAR (toVector (planes.at (0)["centroid"]).y(), far_away.y(), 0.01);
   EXPECT_NEAR (planes.at (0).at ("extent").at ("length"), 40.0, 0.5);
-  EXPECT_NEAR (vectorIn (planes.at (0), "centroid").x(), far_away.x() + 20.0, 0.1);
+  EXPECT_NEAR (toVector (planes.at (0)["centroid"]).x(), far_away.x() + 20.0, 0.1);
 }
 
 TEST_F (TilesProgram, LabelsInputsThatOverlapEachWithAllItsPoints)
@@ -295,8 +288,7 @@ TEST_F (TilesProgram, RefusesADamagedListOfPlanes)
 TEST_F (TilesProgram, SaysWhatItWouldDo)
 {
   makeTown();
-  const Outcome plan = run ("town --output-dir out --tile 30 --dry-run");
-  EXPECT_EQ (plan.exit_code, 0) << plan.err;
+  const Outcome plan = expectDone ("town --output-dir out --tile 30 --dry-run");
   EXPECT_TRUE (contains (plan.out, "points of 4 inputs"));
   EXPECT_FALSE (fs::exists (folder_ / "out"));
 }
@@ -305,8 +297,7 @@ TEST_F (TilesProgram, LeavesOutATileWithoutPoints)
 {
   makeTown();
   save ("town/zero.las", {});
-  const Outcome done = run ("town --output-dir out");
-  EXPECT_EQ (done.exit_code, 0) << done.err;
+  const Outcome done = expectDone ("town --output-dir out");
   EXPECT_EQ (done.err, "pcl_ops_tiles: town/zero.las: has no points; it is left out\n");
 }
 
@@ -319,8 +310,7 @@ TEST_F (TilesProgram, CountsAFileAndLinksToItOnce)
   fs::create_hard_link (town, folder_ / "town/z.las");
   expectDone ("town/town_000_000.las --output-dir once");
   for (const char* inputs : {"links town", "town links"}) {
-    const Outcome done = run (inputs + std::string (" --output-dir out"));
-    EXPECT_EQ (done.exit_code, 0) << done.err;
+    const Outcome done = expectDone (inputs + std::string (" --output-dir out"));
     EXPECT_EQ (done.err,
                "pcl_ops_tiles: town/z.las: is the same file as town/town_000_000.las; "
                "it is left out\npcl_ops_tiles: links/a.las: is the same file as "

@@ -50,8 +50,6 @@ protected:
   }
 };
 
-} // namespace
-
 TEST_F (TilesRestart, AfterBeingKilledAgainAndAgainGivesTheSameBytes)
 {
   const auto expected = undisturbed();
@@ -165,8 +163,6 @@ TEST_F (TilesRestart, LeavesTheFolderToTheRunThatWorksInIt)
 
 #ifdef PCL_OPS_MPIEXEC
 
-namespace {
-
 std::string
 ranks (int number)
 {
@@ -174,8 +170,6 @@ ranks (int number)
          "'" PCL_OPS_MPIEXEC "' --oversubscribe -n " +
          std::to_string (number);
 }
-
-} // namespace
 
 TEST_F (TilesRestart, GivesTheSameBytesForAnyNumberOfRanks)
 {
@@ -213,3 +207,5 @@ TEST_F (TilesRestart, OneRankOfSeveralSaysWhatIsWrong)
 }
 
 #endif
+
+} // namespace
