@@ -232,9 +232,6 @@ drawPole (Random& random)
 
 namespace {
 
-/** \brief Of the parts that a scene is divided into for its rays [m]. */
-constexpr double edge_of_part = 3.0;
-
 /** \brief Facades of a side are so far behind each other: no two are in one plane [m].
  */
 constexpr double setback_step = 0.4;
@@ -344,7 +341,7 @@ addRows (Scene& scene, const Roadside& side, Random& random)
 }
 
 void
-addSide (Scene& scene, const Street& street, const Isometry3d& pose, Random& random)
+addSide (Street& street, const Isometry3d& pose, Random& random)
 {
   Roadside side{};
   side.pose = pose * at (0.0, -0.5 * street.width, 0.0);
@@ -352,9 +349,9 @@ addSide (Scene& scene, const Street& street, const Isometry3d& pose, Random& ran
   side.curb = random.between (0.10, 0.15);
   side.sidewalk = random.between (2.5, 4.0);
   side.slope = random.between (0.02, 0.03);
-  addBody (scene, makeGround (side), side.pose);
-  addHouses (scene, side, random);
-  addRows (scene, side, random);
+  addBody (street.scene, makeGround (side), side.pose);
+  addHouses (street.scene, side, random);
+  addRows (street.scene, side, random);
 }
 
 /** \brief A place on the right lane. */
@@ -375,14 +372,12 @@ makeStreet (std::uint32_t seed)
   street.width = random.between (10, 12);
   street.yaw = random.angle (0, 360);
   const Isometry3d pose = turnZ (street.yaw);
-  Scene scene;
   Body road;
   addSurface (
       road, rectangleAlong (0, 1, {0, 0, 0}, 0.5 * street.length, 0.5 * street.width));
-  addBody (scene, road, pose);
+  addBody (street.scene, road, pose);
   for (const double half_turns : {0.0, 1.0})
-    addSide (scene, street, pose * turnZ (half_turns * pi), random);
-  street.scene = divided (scene, edge_of_part);
+    addSide (street, pose * turnZ (half_turns * pi), random);
   return street;
 }
 

@@ -33,7 +33,6 @@ drawPole (Random& random);
 /** \brief A straight street; z is up, z = 0 the road, the origin its middle. Its
  * direction is turned by \ref yaw against the x axis. */
 struct Street {
-  /** \brief Divided for \ref castRay. */
   Scene scene;
   /** \brief Of the street, and of the road between the curbs [m]. */
   double length = 0.0, width = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "depth_camera.h"
+#include "sensors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -170,6 +170,25 @@ disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
     }
 }
 
+/** \brief Adds all noise but that of the rays' directions. */
+void
+disturbDepths (DepthImage& image,
+               const DepthCamera& camera,
+               const CameraNoise& noise,
+               Random& random)
+{
+  // The steps are those of the Kinect's own image also in a smaller one.
+  constexpr double steps_times_depth = disparity_steps * kinect_focal_length * baseline;
+  disturbEdges (image, noise, random);
+  const std::vector<double> field = drawField (camera, noise, random);
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    double& depth = image.depth[i];
+    depth += noise.scale * axialSigma (depth) * field[i];
+    if (noise.is_raw && depth > 0.0)
+      depth = steps_times_depth / std::round (steps_times_depth / depth);
+  }
+}
+
 } // namespace
 
 DepthImage
@@ -180,6 +199,7 @@ castDepthImage (const Scene& scene,
 {
   DepthImage image{camera.width, camera.height, {}, {}};
   const std::vector<Plane> planes = surfacePlanes (scene);
+  const ShapeTree shapes = treeOf (scene);
   const Vector3d eye = pose.translation();
   for (int row = 0; row < camera.height; ++row)
     for (int column = 0; column < camera.width; ++column) {
@@ -189,40 +209,10 @@ castDepthImage (const Scene& scene,
         const Eigen::Vector2d& offset = offsets[image.depth.size()];
         jittered = pose.linear() * camera.ray (column + offset.x(), row + offset.y());
       }
-      const Hit hit = castRay (scene, eye, jittered);
+      const Hit hit = castRay (shapes, eye, jittered);
       image.depth.push_back (depthOnSurface (hit, planes, eye, ray));
       image.surface.push_back (hit.surface);
     }
-  return image;
-}
-
-DepthImage
-measureDepth (const Scene& scene,
-              const DepthCamera& camera,
-              const Eigen::Isometry3d& pose,
-              const CameraNoise& noise,
-              std::uint32_t seed)
-{
-  Random random = randomFor (Purpose::DepthNoise, seed);
-  std::vector<Eigen::Vector2d> jitter;
-  if (noise.scale > 0.0)
-    jitter = drawLateralJitter (camera, noise, random);
-  DepthImage image = castDepthImage (scene, camera, pose, jitter);
-  if (noise.scale > 0.0) {
-    disturbEdges (image, noise, random);
-    const std::vector<double> field = drawField (camera, noise, random);
-    for (std::size_t i = 0; i < field.size(); ++i)
-      image.depth[i] += noise.scale * axialSigma (image.depth[i]) * field[i];
-  }
-  // The steps are those of the Kinect's own image also in a smaller one.
-  constexpr double steps_times_depth = disparity_steps * kinect_focal_length * baseline;
-  const bool has_steps = noise.is_raw && noise.scale > 0.0;
-  for (double& depth : image.depth) {
-    if (has_steps && depth > 0.0)
-      depth = steps_times_depth / std::round (steps_times_depth / depth);
-    if (!(depth >= nearest && depth <= farthest))
-      depth = no_reading;
-  }
   return image;
 }
 
@@ -233,18 +223,123 @@ scanByCamera (const Scene& scene,
               const CameraNoise& noise,
               std::uint32_t seed)
 {
-  DepthImage image = measureDepth (scene, camera, pose, noise, seed);
+  Random random = randomFor (Purpose::DepthNoise, seed);
+  const bool is_noisy = noise.scale > 0.0;
+  std::vector<Eigen::Vector2d> jitter;
+  if (is_noisy)
+    jitter = drawLateralJitter (camera, noise, random);
+  DepthImage image = castDepthImage (scene, camera, pose, jitter);
+  if (is_noisy)
+    disturbDepths (image, camera, noise, random);
   Scan scan;
   scan.columns = std::size_t (image.width);
   scan.rows = std::size_t (image.height);
   scan.surfaces = std::move (image.surface);
-  scan.points.reserve (image.depth.size());
   for (std::size_t i = 0; i < image.depth.size(); ++i) {
+    const double depth = image.depth[i];
+    const bool is_read = depth >= nearest && depth <= farthest;
     const Vector3d ray =
         camera.ray (double (i % scan.columns), double (i / scan.columns));
-    scan.points.push_back (std::isfinite (image.depth[i])
-                               ? Vector3d (image.depth[i] * ray)
-                               : Vector3d::Constant (std::nan ("")));
+    scan.points.push_back (is_read ? Vector3d (depth * ray)
+                                   : Vector3d::Constant (std::nan ("")));
+  }
+  return scan;
+}
+
+namespace {
+
+const std::vector<Lidar>&
+knownLidars ()
+{
+  static const std::vector<Lidar> lidars = {{"lidar-64", 64, 1900, 2.0, -24.8, 120.0},
+                                            {"lidar-32", 32, 1080, 10.0, -30.0, 100.0},
+                                            {"lidar-16", 16, 1800, 15.0, -15.0, 100.0},
+                                            {"livox", 1, 100'000, 35.0, -35.0, 120.0}};
+  return lidars;
+}
+
+Vector3d
+rotatingRay (const Lidar& lidar, int step, int beam)
+{
+  const double share = lidar.beams > 1 ? double (beam) / (lidar.beams - 1) : 0.0;
+  const double elevation =
+      (lidar.highest + share * (lidar.lowest - lidar.highest)) * pi / 180.0;
+  const double azimuth = -2.0 * pi * step / lidar.steps;
+  return {std::cos (elevation) * std::cos (azimuth),
+          std::cos (elevation) * std::sin (azimuth),
+          std::sin (elevation)};
+}
+
+/** \brief The beam goes through two prisms that turn against each other, each of which
+ * bends it by half of what both do together. */
+Vector3d
+rosetteRay (const Lidar& lidar, std::size_t ray)
+{
+  // Of a Livox Mid-40: the rosette is closed after half a minute.
+  constexpr double turns_of_first = 7294.0 / 60.0, turns_of_second = -4664.0 / 60.0;
+  constexpr double rays_a_second = 1e5;
+  const double time = double (ray) / rays_a_second;
+  const double first = 2.0 * pi * turns_of_first * time;
+  const double second = 2.0 * pi * turns_of_second * time;
+  const double bent = 0.25 * (lidar.highest - lidar.lowest) * pi / 180.0;
+  const double left = bent * (std::cos (first) + std::cos (second));
+  const double up = bent * (std::sin (first) + std::sin (second));
+  const double angle = std::hypot (left, up);
+  const double sine = angle > 0.0 ? std::sin (angle) / angle : 1.0;
+  return {std::cos (angle), sine * left, sine * up};
+}
+
+} // namespace
+
+std::vector<std::string>
+lidarNames ()
+{
+  std::vector<std::string> names;
+  for (const Lidar& lidar : knownLidars())
+    names.push_back (lidar.name);
+  return names;
+}
+
+Lidar
+lidarOf (const std::string& name)
+{
+  for (const Lidar& lidar : knownLidars())
+    if (lidar.name == name)
+      return lidar;
+  return {};
+}
+
+Scan
+scanAround (const Scene& scene,
+            const Lidar& lidar,
+            const Eigen::Isometry3d& pose,
+            double noise_scale,
+            std::uint32_t seed,
+            std::size_t number)
+{
+  Random random = randomFor (Purpose::LidarNoise, seed);
+  Scan scan;
+  scan.columns = std::size_t (lidar.steps);
+  scan.rows = std::size_t (lidar.beams);
+  scan.column_by_column = true;
+  const std::size_t rays = scan.columns * scan.rows;
+  scan.points.assign (rays, Vector3d::Constant (std::nan ("")));
+  scan.surfaces.assign (rays, no_surface);
+  const ShapeTree shapes = treeOf (scene);
+  const Vector3d eye = pose.translation();
+  for (std::size_t i = 0; i < rays; ++i) {
+    const Vector3d ray =
+        lidar.isRosette()
+            ? rosetteRay (lidar, number * rays + i)
+            : rotatingRay (lidar, int (i / scan.rows), int (i % scan.rows));
+    const Hit hit = castRay (shapes, eye, pose.linear() * ray);
+    // Drawn for each ray, so that one reading more leaves the others as they are.
+    const double error = noise_scale * lidar_sigma * random.gaussian();
+    const double distance = hit.distance + error;
+    if (!(distance > 0.0 && distance <= lidar.farthest))
+      continue;
+    scan.points[i] = distance * ray;
+    scan.surfaces[i] = hit.surface;
   }
   return scan;
 }
