@@ -79,71 +79,44 @@ variancePreservingKernel (int radius, double sigma)
   return kernel;
 }
 
-/** \brief Filters along the rows and transposes; the rows get shorter by the kernel. */
-std::vector<double>
-filterRowsAndTranspose (const std::vector<double>& field,
-                        std::size_t width,
-                        const std::vector<double>& kernel)
+/** \brief Filters along the columns, which get shorter by the kernel. */
+Field
+filtered (const Field& field, const std::vector<double>& kernel)
 {
-  const std::size_t height = field.size() / width;
-  const std::size_t filtered_width = width - kernel.size() + 1;
-  std::vector<double> filtered (filtered_width * height);
-  for (std::size_t row = 0; row < height; ++row)
-    for (std::size_t column = 0; column < filtered_width; ++column) {
-      const double* const window = &field[row * width + column];
-      double sum = 0.0;
-      for (std::size_t i = 0; i < kernel.size(); ++i)
-        sum += kernel[i] * window[i];
-      filtered[column * height + row] = sum;
-    }
-  return filtered;
+  Field sum =
+      Field::Zero (field.rows() - Eigen::Index (kernel.size()) + 1, field.cols());
+  for (std::size_t i = 0; i < kernel.size(); ++i)
+    sum += kernel[i] * field.middleRows (Eigen::Index (i), sum.rows());
+  return sum;
 }
 
 /** \brief A standard normal value for each pixel; with the correlated profile alike for
  * neighbors: white noise filtered by a Gaussian and brought back to variance 1. */
-std::vector<double>
+Field
 drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
 {
   const int radius = noise.is_raw ? 0 : int (std::ceil (3.0 * noise.smoothing));
-  const int wide = camera.width + 2 * radius, high = camera.height + 2 * radius;
-  std::vector<double> white (std::size_t (wide) * high); // row by row
-  for (double& value : white)
-    value = random.gaussian();
+  Field white (camera.height + 2 * radius, camera.width + 2 * radius);
+  std::generate_n (white.data(), white.size(), [&] { return random.gaussian(); });
   if (noise.is_raw)
     return white;
   const std::vector<double> kernel = variancePreservingKernel (radius, noise.smoothing);
-  const std::vector<double> columns = filterRowsAndTranspose (white, wide, kernel);
-  return filterRowsAndTranspose (columns, high, kernel);
-}
-
-std::vector<Eigen::Vector2d>
-drawLateralJitter (const DepthCamera& camera, const CameraNoise& noise, Random& random)
-{
-  const std::vector<double> columns = drawField (camera, noise, random);
-  const std::vector<double> rows = drawField (camera, noise, random);
-  std::vector<Eigen::Vector2d> offsets;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    offsets.push_back (noise.scale * lateral_sigma *
-                       Eigen::Vector2d (columns[i], rows[i]));
-  return offsets;
+  return filtered (filtered (white.transpose(), kernel).transpose(), kernel);
 }
 
 /** \brief The depth of a neighbor on the other side of a depth edge, if there is one.
  */
 std::optional<double>
-depthAcrossEdge (const DepthImage& image, int column, int row)
+depthAcrossEdge (const Field& depth, int row, int column)
 {
-  const auto depth_at = [&image] (int c, int r) {
-    return image.depth[std::size_t (r) * image.width + c];
-  };
-  const double depth = depth_at (column, row);
-  for (const auto& [c, r] : {std::pair (column + 1, row),
-                             std::pair (column - 1, row),
-                             std::pair (column, row + 1),
-                             std::pair (column, row - 1)})
-    if (c >= 0 && c < image.width && r >= 0 && r < image.height) {
-      const double other = depth_at (c, r);
-      if (std::abs (other - depth) > edge_ratio * std::min (other, depth))
+  const double here = depth (row, column);
+  for (const auto& [r, c] : {std::pair (row, column + 1),
+                             std::pair (row, column - 1),
+                             std::pair (row + 1, column),
+                             std::pair (row - 1, column)})
+    if (c >= 0 && c < depth.cols() && r >= 0 && r < depth.rows()) {
+      const double other = depth (r, c);
+      if (std::abs (other - here) > edge_ratio * std::min (other, here))
         return other;
     }
   return std::nullopt;
@@ -152,21 +125,21 @@ depthAcrossEdge (const DepthImage& image, int column, int row)
 void
 disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
 {
-  const DepthImage exact = image;
+  const Field exact = image.depth;
   const double strength = std::min (1.0, noise.scale);
-  for (int row = 0; row < image.height; ++row)
-    for (int column = 0; column < image.width; ++column) {
-      const auto other = depthAcrossEdge (exact, column, row);
+  for (int row = 0; row < exact.rows(); ++row)
+    for (int column = 0; column < exact.cols(); ++column) {
+      const auto other = depthAcrossEdge (exact, row, column);
       if (!other)
         continue;
-      const std::size_t i = std::size_t (row) * image.width + column;
+      double& depth = image.depth (row, column);
       const double chance = random.unit() / strength;
       if (chance < flying_fraction) {
-        image.depth[i] += random.between (0.1, 0.9) * (*other - image.depth[i]);
-        image.surface[i] = no_surface;
+        depth += random.between (0.1, 0.9) * (*other - depth);
+        image.surface[std::size_t (row * exact.cols() + column)] = no_surface;
       }
       else if (chance < flying_fraction + lost_fraction)
-        image.depth[i] = no_reading;
+        depth = no_reading;
     }
 }
 
@@ -180,10 +153,10 @@ disturbDepths (DepthImage& image,
   // The steps are those of the Kinect's own image also in a smaller one.
   constexpr double steps_times_depth = disparity_steps * kinect_focal_length * baseline;
   disturbEdges (image, noise, random);
-  const std::vector<double> field = drawField (camera, noise, random);
-  for (std::size_t i = 0; i < field.size(); ++i) {
-    double& depth = image.depth[i];
-    depth += noise.scale * axialSigma (depth) * field[i];
+  const Field field = drawField (camera, noise, random);
+  for (Eigen::Index i = 0; i < field.size(); ++i) {
+    double& depth = image.depth (i);
+    depth += noise.scale * axialSigma (depth) * field (i);
     if (noise.is_raw && depth > 0.0)
       depth = steps_times_depth / std::round (steps_times_depth / depth);
   }
@@ -195,22 +168,23 @@ DepthImage
 castDepthImage (const Scene& scene,
                 const DepthCamera& camera,
                 const Eigen::Isometry3d& pose,
-                const std::vector<Eigen::Vector2d>& offsets)
+                const Jitter& jitter)
 {
-  DepthImage image{camera.width, camera.height, {}, {}};
+  DepthImage image{Field (camera.height, camera.width), {}};
   const std::vector<Plane> planes = surfacePlanes (scene);
   const ShapeTree shapes = treeOf (scene);
   const Vector3d eye = pose.translation();
   for (int row = 0; row < camera.height; ++row)
     for (int column = 0; column < camera.width; ++column) {
       const Vector3d ray = pose.linear() * camera.ray (column, row);
-      Vector3d jittered = ray;
-      if (!offsets.empty()) {
-        const Eigen::Vector2d& offset = offsets[image.depth.size()];
-        jittered = pose.linear() * camera.ray (column + offset.x(), row + offset.y());
-      }
+      const Vector3d jittered =
+          jitter.columns.size() == 0
+              ? ray
+              : Vector3d (pose.linear() *
+                          camera.ray (column + jitter.columns (row, column),
+                                      row + jitter.rows (row, column)));
       const Hit hit = castRay (shapes, eye, jittered);
-      image.depth.push_back (depthOnSurface (hit, planes, eye, ray));
+      image.depth (row, column) = depthOnSurface (hit, planes, eye, ray);
       image.surface.push_back (hit.surface);
     }
   return image;
@@ -225,24 +199,24 @@ scanByCamera (const Scene& scene,
 {
   Random random = randomFor (Purpose::DepthNoise, seed);
   const bool is_noisy = noise.scale > 0.0;
-  std::vector<Eigen::Vector2d> jitter;
+  Jitter jitter;
   if (is_noisy)
-    jitter = drawLateralJitter (camera, noise, random);
+    for (Field* const axis : {&jitter.columns, &jitter.rows})
+      *axis = noise.scale * lateral_sigma * drawField (camera, noise, random);
   DepthImage image = castDepthImage (scene, camera, pose, jitter);
   if (is_noisy)
     disturbDepths (image, camera, noise, random);
   Scan scan;
-  scan.columns = std::size_t (image.width);
-  scan.rows = std::size_t (image.height);
+  scan.columns = std::size_t (camera.width);
+  scan.rows = std::size_t (camera.height);
   scan.surfaces = std::move (image.surface);
-  for (std::size_t i = 0; i < image.depth.size(); ++i) {
-    const double depth = image.depth[i];
-    const bool is_read = depth >= nearest && depth <= farthest;
-    const Vector3d ray =
-        camera.ray (double (i % scan.columns), double (i / scan.columns));
-    scan.points.push_back (is_read ? Vector3d (depth * ray)
-                                   : Vector3d::Constant (std::nan ("")));
-  }
+  for (int row = 0; row < camera.height; ++row)
+    for (int column = 0; column < camera.width; ++column) {
+      const double depth = image.depth (row, column);
+      const bool is_read = depth >= nearest && depth <= farthest;
+      scan.points.push_back (is_read ? Vector3d (depth * camera.ray (column, row))
+                                     : Vector3d::Constant (std::nan ("")));
+    }
   return scan;
 }
 

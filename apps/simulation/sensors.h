@@ -29,24 +29,31 @@ struct DepthCamera {
   }
 };
 
-/** \brief What is before each pixel, row by row. */
+/** \brief A number for each pixel. */
+using Field = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/** \brief What is before each pixel. */
 struct DepthImage {
-  int width = 0;
-  int height = 0;
   /** \brief Distance along the camera's z axis [m]; infinite: nothing. */
-  std::vector<double> depth;
+  Field depth;
+  /** \brief Row by row. */
   std::vector<SurfaceId> surface;
 };
 
-/** \brief Casts a ray through every pixel.
- * \param[in] offsets how far beside its place each pixel looks along the row and the
- * column [px]: this frays the edges, while the depth is that of the surface it sees at
- * the pixel's place; empty: edges are exact */
+/** \brief How far beside its place each pixel looks [px]: this frays the edges, while
+ * the depth is that of the surface it sees at the pixel's place. Empty: edges are
+ * exact.
+ */
+struct Jitter {
+  Field columns, rows;
+};
+
+/** \brief Casts a ray through every pixel. */
 DepthImage
 castDepthImage (const Scene& scene,
                 const DepthCamera& camera,
                 const Eigen::Isometry3d& pose,
-                const std::vector<Eigen::Vector2d>& offsets = {});
+                const Jitter& jitter = {});
 
 struct CameraNoise {
   /** \brief Factor on all noise; 1 as measured on a Kinect, 0 none at all. */
