@@ -6,7 +6,7 @@
 #include <cli/program.h>
 #include <evaluation/data/data_sets.h>
 #include <evaluation/report/answer.h>
-#include <numbers/quantile.h>
+#include <numbers/statistics.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/plane_edges.h>
 

@@ -10,7 +10,7 @@
 #include <evaluation/report/answer.h>
 #include <io/inputs.h>
 #include <io/pose_file.h>
-#include <numbers/quantile.h>
+#include <numbers/statistics.h>
 
 #include <filesystem>
 #include <map>

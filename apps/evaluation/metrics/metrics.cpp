@@ -5,7 +5,7 @@
 #include <pcl/common/point_tests.h>
 
 #include "confusion.h"
-#include <numbers/fraction.h>
+#include <numbers/statistics.h>
 
 #include <algorithm>
 #include <cmath>
