@@ -1,52 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "limited_run.h"
+#include "detector_run.h"
+
+#include <boost/interprocess/anonymous_shared_memory.hpp>
 
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <csignal>
 #include <cstring>
-#include <mutex>
 #include <stdexcept>
 
 namespace pcl_ops::evaluation {
 
 namespace {
-
-[[noreturn]] void
-workAndEnd (const std::function<std::string()>& work, unsigned seconds, int pipe)
-{
-  std::signal (SIGALRM, SIG_DFL); // ends the process
-  alarm (seconds);
-  std::string bytes;
-  int code = 0;
-  try {
-    bytes = work();
-  }
-  catch (const std::exception& error) {
-    bytes = error.what();
-    code = 1;
-  }
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t written = write (pipe, bytes.data() + done, bytes.size() - done);
-    if (written <= 0)
-      _exit (1);
-    done += static_cast<std::size_t> (written);
-  }
-  _exit (code);
-}
-
-std::string
-readAll (int pipe)
-{
-  std::string bytes;
-  std::array<char, 65536> part{};
-  for (ssize_t count = 0; (count = read (pipe, part.data(), part.size())) > 0;)
-    bytes.append (part.data(), static_cast<std::size_t> (count));
-  return bytes;
-}
 
 /** What a detector's process hands over; the labels of the points are behind it. */
 struct HandedOver {
@@ -56,31 +24,35 @@ struct HandedOver {
 
 } // namespace
 
-std::optional<std::string>
-runInChild (const std::function<std::string()>& work, unsigned seconds)
+bool
+runInChild (const std::function<void()>& work, unsigned seconds)
 {
-  static std::mutex mutex;
-  std::unique_lock<std::mutex> lock (mutex); // no other child holds the end that writes
-  std::array<int, 2> ends{};
-  const pid_t child = pipe (ends.data()) == 0 ? fork() : -1;
-  if (child == 0)
-    workAndEnd (work, seconds, ends[1]);
-  if (child < 0)
-    throw std::runtime_error ("no process for it");
-  close (ends[1]);
-  lock.unlock();
-  std::string bytes = readAll (ends[0]);
-  close (ends[0]);
+  constexpr std::size_t size_of_message = 4096;
+  const auto memory = boost::interprocess::anonymous_shared_memory (size_of_message);
+  char* const message = static_cast<char*> (memory.get_address()); // all zero
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal (SIGALRM, SIG_DFL); // ends the process
+    alarm (seconds);
+    try {
+      work();
+      _exit (0);
+    }
+    catch (const std::exception& error) {
+      std::strncpy (message, error.what(), size_of_message - 1);
+      _exit (1);
+    }
+  }
   int status = 0;
-  if (waitpid (child, &status, 0) < 0)
+  if (child < 0 || waitpid (child, &status, 0) < 0)
     throw std::runtime_error ("no process for it");
   if (WIFSIGNALED (status) && WTERMSIG (status) == SIGALRM)
-    return std::nullopt;
+    return false;
   if (WIFSIGNALED (status))
     throw std::runtime_error ("ended by signal " + std::to_string (WTERMSIG (status)));
   if (WEXITSTATUS (status) != 0)
-    throw std::runtime_error (bytes);
-  return bytes;
+    throw std::runtime_error (message);
+  return true;
 }
 
 std::optional<DetectorRun>
@@ -91,24 +63,20 @@ runLimited (const Configuration& configuration,
 {
   if (!configuration.is_peer)
     return configuration.run (cloud, settings);
+  const auto memory = boost::interprocess::anonymous_shared_memory (
+      sizeof (HandedOver) + cloud->size() * sizeof (std::uint32_t));
+  auto* const handed_over = static_cast<HandedOver*> (memory.get_address());
+  auto* const labels = reinterpret_cast<std::uint32_t*> (handed_over + 1);
   const auto detect = [&] {
     const DetectorRun run = configuration.run (cloud, settings);
-    const HandedOver handed_over{run.durations, run.planes_before_merging};
-    std::string bytes (reinterpret_cast<const char*> (&handed_over),
-                       sizeof handed_over);
-    return bytes.append (reinterpret_cast<const char*> (run.labels.data()),
-                         run.labels.size() * sizeof run.labels[0]);
+    *handed_over = {run.durations, run.planes_before_merging};
+    std::copy (run.labels.begin(), run.labels.end(), labels);
   };
-  const std::optional<std::string> bytes = runInChild (detect, seconds);
-  if (!bytes)
+  if (!runInChild (detect, seconds))
     return std::nullopt;
-  HandedOver handed_over;
-  PlaneLabels labels ((bytes->size() - sizeof handed_over) / sizeof (std::uint32_t));
-  std::memcpy (&handed_over, bytes->data(), sizeof handed_over);
-  std::memcpy (labels.data(),
-               bytes->data() + sizeof handed_over,
-               bytes->size() - sizeof handed_over);
-  return DetectorRun{labels, handed_over.planes_before_merging, handed_over.durations};
+  return DetectorRun{{labels, labels + cloud->size()},
+                     handed_over->planes_before_merging,
+                     handed_over->durations};
 }
 
 } // namespace pcl_ops::evaluation
