@@ -144,7 +144,7 @@ scansDataSet (const std::string& name, const std::string& sizes)
 EvaluationCloud
 readCloud (const std::string& file, const Eigen::Vector3d& up)
 {
-  const LabeledCloud all = loadLabeledCloud (file, LabelField::Optional);
+  const LabeledCloud all = loadLabeledCloud (file);
   EvaluationCloud finite = finiteOf (*all.cloud, all.labels);
   finite.up = up;
   if (finite.cloud->empty())
