@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sun_rgbd.h"
+#include "data_sets.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -183,11 +183,12 @@ sunRgbdDataSet (const std::string& folder, bool is_raw)
            folder,
            "has no SUN RGB-D frame (a folder with depth or depth_bfx, "
            "intrinsics.txt and extrinsics); give the folder SUNRGBD");
-  DataSet data_set{is_raw ? "sunrgbd-raw" : "sunrgbd", {}};
+  DataSet clouds;
   for (const fs::path& frame : frames)
-    data_set.clouds.push_back ({frame.lexically_relative (folder).generic_string(),
-                                [frame, is_raw] { return readFrame (frame, is_raw); }});
-  return data_set;
+    clouds.push_back ({is_raw ? "sunrgbd-raw" : "sunrgbd",
+                       frame.lexically_relative (folder).generic_string(),
+                       [frame, is_raw] { return readFrame (frame, is_raw); }});
+  return clouds;
 }
 
 } // namespace pcl_ops::evaluation

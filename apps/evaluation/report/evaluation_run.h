@@ -11,7 +11,7 @@ namespace pcl_ops::evaluation {
 
 /** \brief What to run over what. */
 struct EvaluationPlan {
-  std::vector<DataSet> data_sets;
+  std::vector<CloudSource> clouds;
   std::vector<Configuration> configurations;
   TruthParameters truth;
   /** \brief All but the up axis and the grid, which are those of the clouds. */
