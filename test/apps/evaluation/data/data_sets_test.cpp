@@ -59,18 +59,9 @@ TEST (DataSets, SimulatedCloudsComeWithTheirTruthAndAreRepeatable)
   }
 }
 
-TEST (DataSets, NonsenseIsAUsageError)
+TEST (DataSets, RangesOfSeedsAreNeitherEmptyNorEndless)
 {
-  for (const char* text : {"",
-                           "rooms",
-                           "rooms:",
-                           "rooms:3-1",
-                           "rooms:a",
-                           "rooms:1-2-3",
-                           "sunrgbd:",
-                           "what:ever",
-                           "shapes:1-9999999",
-                           "rooms:0-4000000000"})
+  for (const char* text : {"rooms:3-1", "shapes:1-9999999", "rooms:0-4000000000"})
     EXPECT_THROW (dataSet (text), pcl_ops::apps::UsageError) << text;
 }
 
