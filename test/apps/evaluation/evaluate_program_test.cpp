@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <support/las_bytes.h>
 #include <support/run_program.h>
 #include <support/temporary_folder.h>
 
@@ -23,13 +22,12 @@ evaluate (const std::string& arguments)
 }
 
 std::string
-pcd (const std::string& fields, int points, const std::string& rows)
+pcd (int points, const std::string& rows)
 {
-  const bool has_label = fields == "x y z label";
-  return "VERSION 0.7\nFIELDS " + fields + "\nSIZE 4 4 4" + (has_label ? " 4" : "") +
-         "\nTYPE F F F" + (has_label ? " U" : "") + "\nCOUNT 1 1 1" +
-         (has_label ? " 1" : "") + "\nWIDTH " + std::to_string (points) +
-         "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + std::to_string (points) +
+  const std::string number = std::to_string (points);
+  return "VERSION 0.7\nFIELDS x y z label\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\n"
+         "WIDTH " +
+         number + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + number +
          "\nDATA ascii\n" + rows;
 }
 
@@ -41,24 +39,7 @@ floorOf (int side, LabelOf label)
   std::ostringstream rows;
   for (int i = 0; i < side * side; ++i)
     rows << 0.02 * (i % side) << ' ' << 0.02 * (i / side) << " 0 " << label (i) << '\n';
-  return pcd ("x y z label", side * side, rows.str());
-}
-
-/** The same as LAS, in UTM coordinates. */
-template <typename LabelOf>
-std::string
-lasFloorOf (int side, LabelOf label)
-{
-  constexpr std::uint8_t uint32 = 5;
-  LasRecipe recipe;
-  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("label", uint32))};
-  recipe.points.clear();
-  for (int i = 0; i < side * side; ++i) {
-    recipe.points.push_back ({20 * (i % side), 20 * (i / side), 0});
-    recipe.extra.push_back (
-        pcl_ops::apps::littleEndian (static_cast<std::uint32_t> (label (i))));
-  }
-  return lasBytes (recipe);
+  return pcd (side * side, rows.str());
 }
 
 const std::string one_plane = floorOf (10, [] (int) { return 1; });
@@ -99,25 +80,19 @@ TEST (EvaluateProgram, AnEmptyTruthIsSaidButCompared)
   EXPECT_NE (run.text.find ("truth.pcd: has no plane"), std::string::npos);
 }
 
-TEST (EvaluateProgram, ComparesLasByItsExtraBytesAndTextByItsColumnOfLabels)
+TEST (EvaluateProgram, ComparesTextByItsColumnOfLabels)
 {
   const TemporaryFolder folder;
-  const auto labelOf = [] (int i) { return i < 60 ? 4 : 9; };
-  std::string rows = "x,y,z,label\n";
+  std::ostringstream rows;
+  rows << "x,y,z,label\n";
   for (int i = 0; i < 100; ++i)
-    rows += std::to_string (0.02 * (i % 10)) + "," + std::to_string (0.02 * (i / 10)) +
-            ",0," + std::to_string (labelOf (i)) + "\n";
-  folder.write ("truth.las", lasFloorOf (10, [] (int) { return 1; }));
-  folder.write ("result.las", lasFloorOf (10, labelOf));
-  folder.write ("truth.pcd", one_plane);
-  folder.write ("result.csv", rows);
-  for (const auto& [truth, result] :
-       {std::pair ("truth.las", "result.las"), {"truth.pcd", "result.csv"}}) {
-    const ProgramRun run =
-        evaluate ("compare " + folder / truth + " " + folder / result + " --json");
-    ASSERT_EQ (run.exit_code, 0) << run.text;
-    EXPECT_EQ (nlohmann::json::parse (run.text)["segmentation_accuracy"], 0.6);
-  }
+    rows << 0.02 * (i % 10) << ',' << 0.02 * (i / 10) << ",0," << (i < 60 ? 4 : 9)
+         << '\n';
+  const ProgramRun run =
+      evaluate ("compare " + folder.write ("truth.pcd", one_plane) + " " +
+                folder.write ("result.csv", rows.str()) + " --json");
+  ASSERT_EQ (run.exit_code, 0) << run.text;
+  EXPECT_EQ (nlohmann::json::parse (run.text)["segmentation_accuracy"], 0.6);
   const std::string half = folder.write ("half.csv", "x,y,z,label\n1,2,3,1.5\n");
   expectError (evaluate ("compare " + half + " " + half), 1, half);
 }
@@ -173,7 +148,7 @@ TEST (EvaluateProgram, CountsPlanesThatKeepTheirNumber)
     std::string rows;
     for (const char label : labels)
       rows += std::to_string (rows.size()) + " 0 0 " + label + '\n';
-    folder.write (name, pcd ("x y z label", static_cast<int> (labels.size()), rows));
+    folder.write (name, pcd (static_cast<int> (labels.size()), rows));
   };
   std::filesystem::create_directories (folder / "truth");
   std::filesystem::create_directories (folder / "result");
@@ -220,8 +195,7 @@ TEST (EvaluateProgram, TracksDifferencesOverWhatCovariancesAllow)
       rows << (is_turned ? y : x) << ' ' << (is_turned ? -x : y) << ' '
            << errors[column / 4 + row / 4 * 10] - 1.0 << " 1\n";
     }
-    folder.write ("clouds/" + std::to_string (cloud) + ".pcd",
-                  pcd ("x y z label", 1600, rows.str()));
+    folder.write ("clouds/" + std::to_string (cloud) + ".pcd", pcd (1600, rows.str()));
     poses += is_turned ? "0 0 0 1 0 0 0.70710678 0.70710678\n" : "0 0 0 1 0 0 0 1\n";
   }
   const std::string clouds = folder / "clouds";
@@ -247,7 +221,7 @@ TEST (EvaluateProgram, FindsAllEdgesOfACornerOfExactPoints)
       rows << s << ' ' << t << " 0 1\n0 " << s << ' ' << t << " 2\n"
            << t << " 0 " << s << " 3\n";
     }
-  std::string cloud = pcd ("x y z label", 30000, rows.str());
+  std::string cloud = pcd (30000, rows.str());
   cloud.replace (cloud.find ("VIEWPOINT 0 0 0"), 15, "VIEWPOINT 1 1 1");
   const ProgramRun run =
       evaluate ("edges clouds:" + folder.write ("corner.pcd", cloud));
