@@ -26,30 +26,6 @@ constexpr int min_points_of_region = 50;
 
 using Normals = pcl::PointCloud<pcl::Normal>;
 
-} // namespace
-
-std::vector<pcl::PointIndices>
-planesByPclRansac (const PeerTask& task)
-{
-  pcl::SACSegmentation<pcl::PointXYZ> segmentation;
-  segmentation.setOptimizeCoefficients (true);
-  segmentation.setModelType (pcl::SACMODEL_PLANE);
-  segmentation.setMethodType (pcl::SAC_RANSAC);
-  segmentation.setMaxIterations (max_iterations);
-  segmentation.setDistanceThreshold (task.values.threshold);
-  segmentation.setInputCloud (task.cloud);
-  return peelPlanes (task.cloud->size(), [&] (const pcl::IndicesPtr& rest) {
-    pcl::PointIndices inliers;
-    pcl::ModelCoefficients coefficients;
-    segmentation.setIndices (rest);
-    segmentation.segment (inliers, coefficients);
-    std::sort (inliers.indices.begin(), inliers.indices.end());
-    return inliers.indices;
-  });
-}
-
-namespace {
-
 Normals::Ptr
 normalsOf (const PeerTask& task, const pcl::search::KdTree<pcl::PointXYZ>::Ptr& tree)
 {
@@ -61,29 +37,6 @@ normalsOf (const PeerTask& task, const pcl::search::KdTree<pcl::PointXYZ>::Ptr& 
   estimation.compute (*normals);
   return normals;
 }
-
-} // namespace
-
-std::vector<pcl::PointIndices>
-planesByPclRegionGrowing (const PeerTask& task)
-{
-  pcl::search::KdTree<pcl::PointXYZ>::Ptr tree (new pcl::search::KdTree<pcl::PointXYZ>);
-  const auto normals =
-      timed (task.normals, task.settings.clock, [&] { return normalsOf (task, tree); });
-  pcl::RegionGrowing<pcl::PointXYZ, pcl::Normal> growing;
-  growing.setInputCloud (task.cloud);
-  growing.setInputNormals (normals);
-  growing.setSearchMethod (tree);
-  growing.setNumberOfNeighbours (unsigned (task.values.neighbors));
-  growing.setSmoothnessThreshold (float (paper_angle));
-  growing.setCurvatureThreshold (curvature_threshold);
-  growing.setMinClusterSize (min_points_of_region);
-  std::vector<pcl::PointIndices> regions;
-  growing.extract (regions);
-  return regions;
-}
-
-namespace {
 
 /** The image of a depth camera, in its axes, as what reads it expects. */
 XyzCloud::Ptr
@@ -117,6 +70,45 @@ normalsOfImage (const XyzCloud::ConstPtr& image)
 }
 
 } // namespace
+
+std::vector<pcl::PointIndices>
+planesByPclRansac (const PeerTask& task)
+{
+  pcl::SACSegmentation<pcl::PointXYZ> segmentation;
+  segmentation.setOptimizeCoefficients (true);
+  segmentation.setModelType (pcl::SACMODEL_PLANE);
+  segmentation.setMethodType (pcl::SAC_RANSAC);
+  segmentation.setMaxIterations (max_iterations);
+  segmentation.setDistanceThreshold (task.values.threshold);
+  segmentation.setInputCloud (task.cloud);
+  return peelPlanes (task.cloud->size(), [&] (const pcl::IndicesPtr& rest) {
+    pcl::PointIndices inliers;
+    pcl::ModelCoefficients coefficients;
+    segmentation.setIndices (rest);
+    segmentation.segment (inliers, coefficients);
+    std::sort (inliers.indices.begin(), inliers.indices.end());
+    return inliers.indices;
+  });
+}
+
+std::vector<pcl::PointIndices>
+planesByPclRegionGrowing (const PeerTask& task)
+{
+  pcl::search::KdTree<pcl::PointXYZ>::Ptr tree (new pcl::search::KdTree<pcl::PointXYZ>);
+  const auto normals =
+      timed (task.normals, task.settings.clock, [&] { return normalsOf (task, tree); });
+  pcl::RegionGrowing<pcl::PointXYZ, pcl::Normal> growing;
+  growing.setInputCloud (task.cloud);
+  growing.setInputNormals (normals);
+  growing.setSearchMethod (tree);
+  growing.setNumberOfNeighbours (unsigned (task.values.neighbors));
+  growing.setSmoothnessThreshold (float (paper_angle));
+  growing.setCurvatureThreshold (curvature_threshold);
+  growing.setMinClusterSize (min_points_of_region);
+  std::vector<pcl::PointIndices> regions;
+  growing.extract (regions);
+  return regions;
+}
 
 std::vector<pcl::PointIndices>
 planesInImage (const PeerTask& task)
