@@ -117,7 +117,7 @@ measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters
        {std::pair ("ops,ops-3-30,ops-0.3-10,kht,fspf-0.07-0.14", parameters.runs),
         {"peers", parameters.peer_runs}})
     for (const auto& detector : evaluation::selectConfigurations (names))
-      if (runs > 0 && !detector.needs_grid)
+      if (runs > 0 && !detector.needs_image)
         measures.push_back (
             {detector.name, runs, [detector, cloud, seed = parameters.seed] {
                return durationsOf (detector, cloud, seed);

@@ -40,38 +40,12 @@ constexpr std::uint32_t max_scenes = 100'000;
 /** A point takes 16 bytes, and 56 more while it is simulated. */
 constexpr double max_points = 1e8;
 
-/** The finite points, and the pixels they come from if the cloud is an image.
- * \param[in] labels their truth; empty: not known */
-EvaluationCloud
-finiteOf (const XyzCloud& cloud, const PlaneLabels& labels)
-{
-  EvaluationCloud result;
-  result.cloud.reset (new XyzCloud);
-  result.cloud->reserve (cloud.size());
-  result.cloud->sensor_origin_ = cloud.sensor_origin_;
-  result.cloud->sensor_orientation_ = cloud.sensor_orientation_;
-  if (!labels.empty())
-    result.truth.emplace();
-  if (cloud.height > 1)
-    result.grid = ImageGrid{cloud.width, cloud.height, {}};
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (!pcl::isXYZFinite (cloud[i]))
-      continue;
-    result.cloud->push_back (cloud[i]);
-    if (result.truth)
-      result.truth->push_back (labels[i]);
-    if (result.grid)
-      result.grid->pixels.push_back (std::uint32_t (i));
-  }
-  return result;
-}
-
 EvaluationCloud
 simulated (const simulation::Simulation& simulation)
 {
   const auto labeled = simulation::simulate (simulation).cloud;
-  XyzCloud cloud;
-  pcl::copyPointCloud (labeled, cloud);
+  const XyzCloud::Ptr cloud (new XyzCloud);
+  pcl::copyPointCloud (labeled, *cloud);
   PlaneLabels labels;
   for (const auto& point : labeled)
     labels.push_back (point.label);
@@ -145,7 +119,7 @@ EvaluationCloud
 readCloud (const std::string& file, const Eigen::Vector3d& up)
 {
   const LabeledCloud all = loadLabeledCloud (file);
-  EvaluationCloud finite = finiteOf (*all.cloud, all.labels);
+  EvaluationCloud finite = finiteOf (all.cloud, all.labels);
   finite.up = up;
   if (finite.cloud->empty())
     throw apps::WorkError (file, "has no finite point; leave it out");
@@ -181,6 +155,28 @@ cloudsDataSet (const std::string& path, const Eigen::Vector3d& up)
 }
 
 } // namespace
+
+EvaluationCloud
+finiteOf (const XyzCloud::ConstPtr& cloud, const PlaneLabels& labels)
+{
+  EvaluationCloud result;
+  result.cloud.reset (new XyzCloud);
+  result.cloud->reserve (cloud->size());
+  result.cloud->sensor_origin_ = cloud->sensor_origin_;
+  result.cloud->sensor_orientation_ = cloud->sensor_orientation_;
+  if (!labels.empty())
+    result.truth.emplace();
+  if (cloud->isOrganized())
+    result.image = cloud;
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    if (!pcl::isXYZFinite ((*cloud)[i]))
+      continue;
+    result.cloud->push_back ((*cloud)[i]);
+    if (result.truth)
+      result.truth->push_back (labels[i]);
+  }
+  return result;
+}
 
 DataSet
 dataSetOf (const std::string& text, const Eigen::Vector3d& up)

@@ -12,12 +12,6 @@
 
 namespace pcl_ops::evaluation {
 
-/** \brief Of the points of a depth camera's image: the pixel of each, row by row. */
-struct ImageGrid {
-  std::uint32_t width = 0, height = 0;
-  std::vector<std::uint32_t> pixels;
-};
-
 /** \brief A cloud to evaluate detectors on. */
 struct EvaluationCloud {
   XyzCloud::Ptr cloud;
@@ -25,9 +19,15 @@ struct EvaluationCloud {
   std::optional<PlaneLabels> truth;
   /** \brief Unit vector against gravity in the cloud's frame. */
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  /** \brief Where the cloud is the image of a depth camera. */
-  std::optional<ImageGrid> grid = std::nullopt;
+  /** \brief The organized cloud whose finite points these are, in the same order; null
+   * where they are from no image. */
+  XyzCloud::ConstPtr image = nullptr;
 };
+
+/** \brief The finite points, and the cloud itself if it is organized.
+ * \param[in] labels their truth; empty: not known */
+EvaluationCloud
+finiteOf (const XyzCloud::ConstPtr& cloud, const PlaneLabels& labels);
 
 /** \brief A cloud that is loaded when its turn comes, so that memory is bounded by the
  * clouds in flight. */

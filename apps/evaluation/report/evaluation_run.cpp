@@ -186,7 +186,7 @@ struct Evaluation {
     }
     saveLabels (source, "truth", *cloud.cloud, truth);
     for (const Configuration& configuration : all)
-      if (!configuration.needs_grid || cloud.grid)
+      if (!configuration.needs_image || cloud.image)
         evaluateConfiguration (source, configuration, cloud, truth);
     count (&EvaluationSummary::clouds);
   }
@@ -220,7 +220,7 @@ struct Evaluation {
     RunSettings settings = plan.settings;
     settings.up = cloud.up;
     settings.clock = Clock::Processor;
-    settings.grid = cloud.grid ? &*cloud.grid : nullptr;
+    settings.image = cloud.image;
     if (const std::optional<DetectorRun> run =
             runLimited (configuration, cloud.cloud, settings, plan.time_limit)) {
       saveLabels (source, configuration.name, *cloud.cloud, run->labels);

@@ -191,7 +191,7 @@ TEST_F (EvaluationRunTest, ADetectorThatFailsAndAPeerThatCrashesAreSaidAndCounte
 
 TEST_F (EvaluationRunTest, WhatNeedsAnImageRunsOnImagesOnly)
 {
-  plan.configurations[0].needs_grid = true;
+  plan.configurations[0].needs_image = true;
   EXPECT_EQ (run().new_rows, 2u);
 }
 
