@@ -201,14 +201,14 @@ figuresOfAll (const DataSet& clouds,
               std::size_t& left_out)
 {
   Json all = Json::array();
-  for (const CloudSource& source : clouds.clouds)
+  for (const CloudSource& source : clouds)
     try {
       all.push_back (apps::inMemory (source.name, "give a smaller cloud", [&] {
         return figuresOf (source, parameters);
       }));
     }
     catch (const apps::WorkError& error) {
-      if (++left_out == clouds.clouds.size())
+      if (++left_out == clouds.size())
         throw;
       notify ("");
       apps::warn (std::string ("left out: ") + error.what());
@@ -289,14 +289,13 @@ run (int argc, const char* const* argv)
   report["clouds"] = figuresOfAll (clouds, options.measures, left_out);
   notify ("memory");
   const std::string scan = "simulated:" + std::to_string (options.memory_points);
-  report["peak_memory"] = peakOn (dataSet (scan).clouds.front().load().cloud);
+  report["peak_memory"] = peakOn (dataSet (scan).front().load().cloud);
   notify ("");
   printMethod (report);
   if (!options.scaling_folder.empty()) {
     const auto file = std::filesystem::path (options.scaling_folder) / "scaling.csv";
-    apps::writeTextFile (
-        file.string(),
-        measureScaling (clouds.clouds, growing.clouds, options.measures, notify));
+    apps::writeTextFile (file.string(),
+                         measureScaling (clouds, growing, options.measures, notify));
     notify ("");
   }
   if (!options.json_file.empty())

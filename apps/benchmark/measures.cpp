@@ -4,7 +4,8 @@
 
 #include <pcl/kdtree/kdtree_flann.h>
 
-#include <evaluation/detectors/limited_run.h>
+#include <boost/interprocess/anonymous_shared_memory.hpp>
+
 #include <pcl_ops/oriented_point_sampling.h>
 
 #ifdef __GLIBC__
@@ -12,7 +13,6 @@
 #endif
 
 #include <algorithm>
-#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <limits>
@@ -117,7 +117,7 @@ measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters
        {std::pair ("ops,ops-3-30,ops-0.3-10,kht,fspf-0.07-0.14", parameters.runs),
         {"peers", parameters.peer_runs}})
     for (const auto& detector : evaluation::selectConfigurations (names))
-      if (runs > 0 && !detector.needs_grid)
+      if (runs > 0 && !detector.needs_image)
         measures.push_back (
             {detector.name, runs, [detector, cloud, seed = parameters.seed] {
                return durationsOf (detector, cloud, seed);
@@ -135,6 +135,9 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud,
   const std::size_t stride = std::max<std::size_t> (1, cloud->size() / small);
   for (std::size_t i = 0; i < cloud->size(); i += stride)
     few->push_back ((*cloud)[i]);
+  const auto memory = boost::interprocess::anonymous_shared_memory (sizeof (double));
+  double& growth = *static_cast<double*> (memory.get_address());
+  growth = std::numeric_limits<double>::quiet_NaN();
   const auto measure = [&] {
     detector.run (few, {});
 #ifdef __GLIBC__
@@ -144,13 +147,10 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud,
     std::ofstream ("/proc/self/clear_refs") << "5";
     const double before = statusBytes ("VmRSS");
     detector.run (cloud, {});
-    const double growth = statusBytes ("VmHWM") - before;
-    return std::string (reinterpret_cast<const char*> (&growth), sizeof growth);
+    growth = statusBytes ("VmHWM") - before;
   };
-  double growth = std::numeric_limits<double>::quiet_NaN();
   try {
-    std::memcpy (
-        &growth, evaluation::runInChild (measure, 0).value().data(), sizeof growth);
+    evaluation::runInChild (measure, 0);
   }
   catch (const std::runtime_error&) { // the number stays NaN
   }

@@ -96,8 +96,8 @@ makeBoards (unsigned number)
 }
 
 std::string
-measureScaling (const std::vector<evaluation::CloudSource>& clouds,
-                const std::vector<evaluation::CloudSource>& growing,
+measureScaling (const evaluation::DataSet& clouds,
+                const evaluation::DataSet& growing,
                 const MeasureParameters& parameters,
                 const Notify& notify)
 {

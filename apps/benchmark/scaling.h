@@ -21,8 +21,8 @@ makeBoards (unsigned number);
  * \param[in] growing clouds of growing size
  * \return CSV */
 std::string
-measureScaling (const std::vector<evaluation::CloudSource>& clouds,
-                const std::vector<evaluation::CloudSource>& growing,
+measureScaling (const evaluation::DataSet& clouds,
+                const evaluation::DataSet& growing,
                 const MeasureParameters& parameters,
                 const Notify& notify);
 

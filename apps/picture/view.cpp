@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include <numbers/quantile.h>
+#include <numbers/statistics.h>
 
 #include <algorithm>
 #include <array>

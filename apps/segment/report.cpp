@@ -5,7 +5,7 @@
 #include <detection/methods.h>
 #include <detection/plane_json.h>
 #include <nlohmann/json.hpp>
-#include <numbers/fraction.h>
+#include <numbers/statistics.h>
 #include <pcl_ops/orientation.h>
 
 #include <iomanip>

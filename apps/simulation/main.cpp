@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lidar.h"
 #include "poses.h"
 #include "simulate.h"
 #include "town.h"
@@ -293,12 +292,13 @@ std::string
 writeWay (const SimulationOptions& options)
 {
   constexpr const char* pattern = "frame_%03zu.pcd";
-  const WayView way = simulateWay (options.simulation, options.frames);
+  const SensorView way = viewOf (options.simulation, options.frames);
   FolderWriter writer (options, options.frames, "frames");
   for (std::size_t i = 0; i < options.frames; ++i) {
     const std::string file = writer.nameOf (pattern, i);
     writer.write (file, "give a smaller image or another --sensor", [&] {
-      const auto cloud = way.look (i);
+      const auto cloud = toSurfaceCloud (
+          way.scan (i), Eigen::Isometry3d::Identity(), options.simulation.organized);
       apps::saveLabeledPcd (file, cloud);
       return cloud.size();
     });

@@ -140,8 +140,7 @@ countVisibleSurfaces (const Scene& scene, const Isometry3d& pose)
   camera.width = glance_width;
   camera.height = glance_height;
   const DepthImage glance = castDepthImage (scene, camera, pose);
-  const double closest = *std::min_element (glance.depth.begin(), glance.depth.end());
-  if (closest < closest_object)
+  if (glance.depth.minCoeff() < closest_object)
     return 0;
   std::map<SurfaceId, int> pixels;
   for (const SurfaceId surface : glance.surface)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "depth_camera.h"
 #include "room.h"
+#include "sensors.h"
 
 #include <vector>
 

@@ -81,14 +81,13 @@ drawShell (const Vector3d& size,
 
 /** \brief Places pieces of furniture one by one where there is still room for them;
  * those for which there is none are left out. */
-class Furnisher {
-public:
-  /** \param[in,out] room takes the pieces
-   * \param[in] walls that it has, the first of the four
-   * \param[in,out] random source of all places */
-  Furnisher (Room& room, int walls, Random& random)
-  : room_ (room), walls_ (walls), random_ (random)
-  {}
+struct Furnisher {
+  Room& room;
+  /** \brief The first of the four that the room has. */
+  int walls;
+  Random& random;
+  /** \brief The floor below the pieces. */
+  std::vector<AlignedBox2d> occupied = {};
 
   /** \brief With its back to some wall. */
   void
@@ -96,11 +95,11 @@ public:
   {
     const Vector2d& footprint = furniture.footprint;
     place (furniture, [&] {
-      const int wall = int (random_.below (std::uint32_t (walls_)));
-      const double reach = 0.5 * (wallLength (room_.size, wall) - footprint.x());
-      const double along = random_.between (-reach, reach);
-      const double gap = random_.between (0.005, 0.05);
-      return poseAtWall (room_.size, wall, along, gap + 0.5 * footprint.y());
+      const int wall = int (random.below (std::uint32_t (walls)));
+      const double reach = 0.5 * (wallLength (room.size, wall) - footprint.x());
+      const double along = random.between (-reach, reach);
+      const double gap = random.between (0.005, 0.05);
+      return poseAtWall (room.size, wall, along, gap + 0.5 * footprint.y());
     });
   }
 
@@ -109,13 +108,12 @@ public:
   placeAnywhere (const Furniture& furniture)
   {
     place (furniture, [&] {
-      const double x = random_.between (-0.5, 0.5) * room_.size.x();
-      const double y = random_.between (-0.5, 0.5) * room_.size.y();
-      return at (x, y, 0.0) * turnZ (random_.angle (0, 360));
+      const double x = random.between (-0.5, 0.5) * room.size.x();
+      const double y = random.between (-0.5, 0.5) * room.size.y();
+      return at (x, y, 0.0) * turnZ (random.angle (0, 360));
     });
   }
 
-private:
   template <typename DrawPose>
   void
   place (const Furniture& furniture, const DrawPose& drawPose)
@@ -126,8 +124,8 @@ private:
       const AlignedBox2d covered = coveredFloor (furniture.footprint, pose);
       if (!isFree (covered))
         continue;
-      covered_.push_back (covered);
-      addBody (room_.scene, furniture.body, turnZ (room_.yaw) * pose);
+      occupied.push_back (covered);
+      addBody (room.scene, furniture.body, turnZ (room.yaw) * pose);
       return;
     }
   }
@@ -149,20 +147,14 @@ private:
   isFree (const AlignedBox2d& covered) const
   {
     constexpr double clearance = 0.1; // between two pieces, to walk [m]
-    const Vector2d half = 0.5 * room_.size.head<2>();
+    const Vector2d half = 0.5 * room.size.head<2>();
     if (!AlignedBox2d (-half, half).contains (covered))
       return false;
-    for (const AlignedBox2d& other : covered_)
+    for (const AlignedBox2d& other : occupied)
       if (other.exteriorDistance (covered) < clearance)
         return false;
     return true;
   }
-
-  Room& room_;
-  int walls_;
-  Random& random_;
-  /** \brief The floor below the pieces. */
-  std::vector<AlignedBox2d> covered_;
 };
 
 void
@@ -170,7 +162,7 @@ furnish (Room& room, Random& random)
 {
   constexpr double floor_of_piece =
       8.0; // for each at a wall and each in the room [m^2]
-  Furnisher furnisher (room, walls_of_room, random);
+  Furnisher furnisher{room, walls_of_room, random};
   furnisher.placeAtWall (drawLeaningBoard (random));
   furnisher.placeAnywhere (drawRamp (random));
   furnisher.placeAnywhere (drawRoundClutter (random));
@@ -214,7 +206,7 @@ makeFurnishedCorner (std::uint32_t seed)
   Room corner = drawRoomSize ({3.0, 3.0, 2.4}, {4.0, 4.0, 3.0}, random);
   const Body shell = drawShell (corner.size, {0.0}, walls_of_corner, 0.0, random);
   addBody (corner.scene, shell, turnZ (corner.yaw));
-  Furnisher furnisher (corner, walls_of_corner, random);
+  Furnisher furnisher{corner, walls_of_corner, random};
   for (const auto draw : {drawBoardRack, drawBoardTable, drawBoardBench})
     furnisher.placeAtWall (draw (random));
   for (const auto draw : {drawBoardTable, drawBoardBench})

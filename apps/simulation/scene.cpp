@@ -3,9 +3,7 @@
 #include "scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -22,34 +20,6 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 struct Ray {
   const Vector3d &origin, &direction;
 };
-
-void
-extend (Eigen::AlignedBox3d& box, const Shape& shape)
-{
-  for (const double side : {-1.0, 1.0})
-    if (shape.kind == Kind::Rectangle)
-      for (const double v : {-1.0, 1.0})
-        box.extend (shape.center + side * shape.half_u * shape.u +
-                    v * shape.half_v * shape.v);
-    else {
-      const bool is_sphere = shape.kind == Kind::Sphere;
-      const Vector3d end =
-          shape.center + (is_sphere ? 0.0 : side * shape.half_u) * shape.u;
-      box.extend (end - Vector3d::Constant (shape.half_v));
-      box.extend (end + Vector3d::Constant (shape.half_v));
-    }
-}
-
-bool
-mayMeet (const Body& body, const Ray& ray)
-{
-  const Vector3d to_center = body.middle - ray.origin;
-  const double squared_radius = body.reach * body.reach;
-  const bool is_behind =
-      to_center.dot (ray.direction) < 0.0 && to_center.squaredNorm() > squared_radius;
-  return !is_behind && to_center.cross (ray.direction).squaredNorm() <=
-                           squared_radius * ray.direction.squaredNorm();
-}
 
 double
 distanceToRectangle (const Shape& rectangle, const Ray& ray)
@@ -108,16 +78,37 @@ moved (Shape shape, const Isometry3d& pose)
   return shape;
 }
 
-void
-keep (Scene& scene, Body body)
-{
-  Eigen::AlignedBox3d box;
-  for (const Shape& shape : body.shapes)
-    extend (box, shape);
-  body.middle = box.center();
-  body.reach = 0.5 * box.diagonal().norm();
-  scene.bodies.push_back (std::move (body));
-}
+/** \brief What Eigen::BVIntersect asks on its way to the nearest shape. */
+struct RayCast {
+  Ray ray;
+  Hit closest = {};
+
+  /** \brief Whether something nearer may be in a box. */
+  bool
+  intersectVolume (const Eigen::AlignedBox3d& box) const
+  {
+    constexpr double margin = 1e-6; // more than all rounding, also of flat boxes [m]
+    const Eigen::Array3d low = (box.min() - ray.origin).array() - margin;
+    const Eigen::Array3d high = (box.max() - ray.origin).array() + margin;
+    const Eigen::Array3d one = low / ray.direction.array();
+    const Eigen::Array3d other = high / ray.direction.array();
+    const double enter = one.min (other).maxCoeff(), leave = one.max (other).minCoeff();
+    return enter <= leave && leave >= 0.0 && enter <= closest.distance;
+  }
+
+  /** \return false: nearer ones may come */
+  bool
+  intersectObject (const Shape& shape)
+  {
+    constexpr double smallest_distance = 1e-9; // closer hits are the ray's own start
+    const double distance = shape.kind == Kind::Rectangle
+                                ? distanceToRectangle (shape, ray)
+                                : distanceToRound (shape, ray);
+    if (distance > smallest_distance && distance < closest.distance)
+      closest = {distance, shape.surface};
+    return false;
+  }
+};
 
 } // namespace
 
@@ -127,6 +118,25 @@ Shape::area() const
   return kind == Kind::Sphere     ? 4.0 * pi * half_v * half_v
          : kind == Kind::Cylinder ? 4.0 * pi * half_v * half_u
                                   : 4.0 * half_u * half_v;
+}
+
+Eigen::AlignedBox3d
+bounding_box (const Shape& shape)
+{
+  Eigen::AlignedBox3d box;
+  for (const double side : {-1.0, 1.0})
+    if (shape.kind == Kind::Rectangle)
+      for (const double v : {-1.0, 1.0})
+        box.extend (shape.center + side * shape.half_u * shape.u +
+                    v * shape.half_v * shape.v);
+    else {
+      const bool is_sphere = shape.kind == Kind::Sphere;
+      const Vector3d end =
+          shape.center + (is_sphere ? 0.0 : side * shape.half_u) * shape.u;
+      box.extend (end - Vector3d::Constant (shape.half_v));
+      box.extend (end + Vector3d::Constant (shape.half_v));
+    }
+  return box;
 }
 
 Shape
@@ -250,26 +260,7 @@ addBody (Scene& scene, const Body& body, const Isometry3d& pose)
   placed.surface_count = scene.surface_count;
   addPart (placed, body, pose);
   scene.surface_count = placed.surface_count;
-  keep (scene, placed);
-}
-
-Scene
-divided (const Scene& scene, double edge)
-{
-  std::map<std::array<double, 3>, Body> parts;
-  Scene result;
-  result.surface_count = scene.surface_count;
-  for (const Body& body : scene.bodies)
-    for (const Shape& shape : body.shapes) {
-      const Vector3d cell = (shape.center / edge).array().floor();
-      if (shape.kind == Kind::Rectangle && std::max (shape.half_u, shape.half_v) > edge)
-        keep (result, {{shape}});
-      else
-        parts[{cell.x(), cell.y(), cell.z()}].shapes.push_back (shape);
-    }
-  for (const auto& part : parts)
-    keep (result, part.second);
-  return result;
+  scene.bodies.push_back (placed);
 }
 
 std::vector<Plane>
@@ -283,22 +274,21 @@ surfacePlanes (const Scene& scene)
   return planes;
 }
 
-Hit
-castRay (const Scene& scene, const Vector3d& origin, const Vector3d& direction)
+ShapeTree
+treeOf (const Scene& scene)
 {
-  constexpr double smallest_distance = 1e-9; // closer hits are the ray's own start
-  const Ray ray{origin, direction};
-  Hit closest;
+  std::vector<Shape> shapes;
   for (const Body& body : scene.bodies)
-    if (mayMeet (body, ray))
-      for (const Shape& shape : body.shapes) {
-        const double distance = shape.kind == Kind::Rectangle
-                                    ? distanceToRectangle (shape, ray)
-                                    : distanceToRound (shape, ray);
-        if (distance > smallest_distance && distance < closest.distance)
-          closest = {distance, shape.surface};
-      }
-  return closest;
+    shapes.insert (shapes.end(), body.shapes.begin(), body.shapes.end());
+  return {shapes.begin(), shapes.end()};
+}
+
+Hit
+castRay (const ShapeTree& shapes, const Vector3d& origin, const Vector3d& direction)
+{
+  RayCast cast{{origin, direction}};
+  Eigen::BVIntersect (shapes, cast);
+  return cast.closest;
 }
 
 } // namespace pcl_ops::simulation

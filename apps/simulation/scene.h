@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <unsupported/Eigen/BVH>
 
 #include <numbers/random.h>
 #include <pcl_ops/plane.h>
@@ -93,6 +94,10 @@ struct Shape {
   area () const;
 };
 
+/** \brief Around a shape; of that name because Eigen's tree asks for it. */
+Eigen::AlignedBox3d
+bounding_box (const Shape& shape);
+
 /** \brief A rectangle along the axes \p u and \p v of its frame (0: x, 1: y, 2: z). */
 Shape
 rectangleAlong (
@@ -106,9 +111,6 @@ struct Body {
   /** \brief What is narrower is not called a plane [m]: in most scenes the edges of
    * boards, below the distance threshold of the paper. */
   double narrowest_surface = 0.05;
-  /** \brief Of a sphere around it, to skip it quickly. */
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  double reach = 0.0;
 };
 
 /** \brief Adds a rectangle with a surface of its own, or \ref no_surface if it is
@@ -178,11 +180,6 @@ struct Scene {
 void
 addBody (Scene& scene, const Body& body, const Eigen::Isometry3d& pose);
 
-/** \brief The same shapes in bodies about as small as cubes of the given edge [m], of
- * which \ref castRay soon skips most. */
-Scene
-divided (const Scene& scene, double edge);
-
 /** \brief The plane of each surface, surface 1 first. */
 std::vector<Plane>
 surfacePlanes (const Scene& scene);
@@ -193,8 +190,14 @@ struct Hit {
   SurfaceId surface = no_surface;
 };
 
+/** \brief All shapes of a scene in Eigen's hierarchy of bounding volumes. */
+using ShapeTree = Eigen::KdBVH<double, 3, Shape>;
+
+ShapeTree
+treeOf (const Scene& scene);
+
 Hit
-castRay (const Scene& scene,
+castRay (const ShapeTree& shapes,
          const Eigen::Vector3d& origin,
          const Eigen::Vector3d& direction);
 

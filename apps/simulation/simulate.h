@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "depth_camera.h"
+#include "sensors.h"
 
 #include <functional>
 #include <optional>
@@ -30,14 +30,18 @@ struct Simulation {
 SimulatedCloud
 simulate (const Simulation& simulation);
 
-/** \brief What a camera sees on a walk through a room, or a lidar on a drive. */
-struct WayView {
+/** \brief What a sensor sees of a scene from where it stands, or on its way. */
+struct SensorView {
+  Scene scene;
   std::vector<Eigen::Isometry3d> poses;
-  /** \brief In the frame of the sensor, labeled by the surfaces of the scene. */
-  std::function<LabeledCloud (std::size_t frame)> look;
+  /** \brief At each of the poses. */
+  std::function<Scan (std::size_t frame)> scan;
 };
 
-WayView
-simulateWay (const Simulation& simulation, std::size_t frames);
+/** \brief The view of a camera in a room or on a walk, of a lidar in a street or on a
+ * drive.
+ * \param[in] frames of a walk or a drive */
+SensorView
+viewOf (const Simulation& simulation, std::size_t frames = 1);
 
 } // namespace pcl_ops::simulation

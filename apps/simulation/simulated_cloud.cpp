@@ -147,8 +147,12 @@ scanDensely (const Scene& scene,
                                }});
   Random random = randomFor (Purpose::DenseScan, seed);
   LabeledCloud cloud = drawPoints (surfaces, points, noise_scale * laser_sigma, random);
-  if (!cloud.empty())
-    cloud.sensor_origin_.head<3>() = scene.bodies.front().middle.cast<float>();
+  if (!cloud.empty()) {
+    Eigen::AlignedBox3d shell;
+    for (const Shape& shape : scene.bodies.front().shapes)
+      shell.extend (bounding_box (shape));
+    cloud.sensor_origin_.head<3>() = shell.center().cast<float>();
+  }
   return labeledBySize (cloud, surfacePlanes (scene));
 }
 

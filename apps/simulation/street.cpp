@@ -12,7 +12,6 @@ namespace pcl_ops::simulation {
 namespace {
 
 using Eigen::Isometry3d;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 /** \brief Sizes that the openings of a house share [m]. */
@@ -67,23 +66,35 @@ addBay (Body& house, const FacadeStyle& style, int storey, int bay)
                  is_door ? style.door_depth : style.window_depth);
 }
 
+/** \brief Adds a face between two parallel edges.
+ * \param[in] from,to their middles
+ * \param[in] along their direction, of length 1 */
+void
+addFace (Body& body,
+         const Vector3d& from,
+         const Vector3d& to,
+         const Vector3d& along,
+         double length)
+{
+  const Vector3d way = to - from;
+  addSurface (body,
+              {Shape::Kind::Rectangle,
+               0.5 * (from + to),
+               along,
+               way.normalized(),
+               0.5 * length,
+               0.5 * way.norm()});
+}
+
 /** \brief The slope towards the street, which hides the other one. */
 void
 addRoof (Body& house, const FacadeStyle& style, double depth, Random& random)
 {
-  const double pitch = random.angle (30, 45);
+  const double slope = std::tan (random.angle (30, 45));
   const double overhang = random.between (0.2, 0.5); // [m]
-  const double half_run = 0.5 * (0.5 * depth + overhang);
-  const Vector3d up_slope (0.0, -std::cos (pitch), std::sin (pitch));
-  const double half_length = half_run / std::cos (pitch);
-  const Vector3d lower_edge (0.0, overhang, style.eaves - overhang * std::tan (pitch));
-  addSurface (house,
-              {Shape::Kind::Rectangle,
-               lower_edge + half_length * up_slope,
-               Vector3d::UnitX(),
-               up_slope,
-               0.5 * style.width,
-               half_length});
+  const Vector3d eaves (0.0, overhang, style.eaves - overhang * slope);
+  const Vector3d ridge (0.0, -0.5 * depth, style.eaves + 0.5 * depth * slope);
+  addFace (house, eaves, ridge, Vector3d::UnitX(), style.width);
 }
 
 /** \brief Sizes of a car [m]. */
@@ -106,21 +117,6 @@ addWheels (Body& car, const CarSizes& size)
     }
 }
 
-/** \brief Adds a face across the car between two heights or more places along it.
- * \param[in] from,to x and z of its edges */
-void
-addAcross (Body& car, const Vector2d& from, const Vector2d& to, double width)
-{
-  const Vector2d middle = 0.5 * (from + to), way = to - from;
-  addSurface (car,
-              {Shape::Kind::Rectangle,
-               {middle.x(), 0.0, middle.y()},
-               Vector3d (way.x(), 0.0, way.y()).normalized(),
-               Vector3d::UnitY(),
-               0.5 * way.norm(),
-               0.5 * width});
-}
-
 /** \brief Slanted windows in front and behind, upright ones beside, a roof on top. */
 void
 addCabin (Body& car, const CarSizes& size, Random& random)
@@ -130,9 +126,10 @@ addCabin (Body& car, const CarSizes& size, Random& random)
   const double rear = random.between (-0.45, -0.3) * size.length;
   const double rear_foot = -0.48 * size.length;
   const double width = size.width - 0.24;
-  addAcross (car, {front_foot, size.belt}, {front, size.roof}, width);
-  addAcross (car, {rear, size.roof}, {front, size.roof}, width);
-  addAcross (car, {rear_foot, size.belt}, {rear, size.roof}, width);
+  const Vector3d across = Vector3d::UnitY();
+  addFace (car, {front_foot, 0, size.belt}, {front, 0, size.roof}, across, width);
+  addFace (car, {rear, 0, size.roof}, {front, 0, size.roof}, across, width);
+  addFace (car, {rear_foot, 0, size.belt}, {rear, 0, size.roof}, across, width);
   for (const double side : {-0.5, 0.5})
     addSurface (car, WallRange{rear, front, size.belt, size.roof}.at (side * width));
 }
@@ -157,8 +154,10 @@ addLeaves (
   }
 }
 
-} // namespace
-
+/** \brief A facade towards +y with windows, a door and often a gable roof; its middle
+ * stands on the origin. All windows are equally deep. Faces in one plane are one
+ * surface.
+ * \param[in] width of the facade [m] */
 Body
 drawTownHouse (double width, Random& random)
 {
@@ -169,19 +168,19 @@ drawTownHouse (double width, Random& random)
     for (int bay = 0; bay < style.bays; ++bay)
       addBay (house, style, storey, bay);
   // The walls beside the neighbors, which the ground hides below z = 0.
-  for (const double side : {-0.5, 0.5})
-    addSurface (house,
-                rectangleAlong (1,
-                                2,
-                                {side * width, -0.5 * depth, 0.5 * style.eaves},
-                                0.5 * depth,
-                                0.5 * style.eaves));
+  for (const double side : {-0.5, 0.5}) {
+    const Vector3d foot (side * width, -0.5 * depth, 0.0);
+    addFace (
+        house, foot, foot + style.eaves * Vector3d::UnitZ(), Vector3d::UnitY(), depth);
+  }
   if (random.chance (0.6))
     addRoof (house, style, depth, random);
   joinCoplanar (house);
   return house;
 }
 
+/** \brief A car along x on round wheels; the triangles beside its slanted windows are
+ * open. */
 Body
 drawCar (Random& random)
 {
@@ -201,6 +200,7 @@ drawCar (Random& random)
   return car;
 }
 
+/** \brief A trunk and a crown of scattered leaves: no planes. */
 Body
 drawTree (Random& random)
 {
@@ -213,6 +213,7 @@ drawTree (Random& random)
   return tree;
 }
 
+/** \brief Scattered leaves on the ground. */
 Body
 drawBush (double radius, Random& random)
 {
@@ -221,6 +222,7 @@ drawBush (double radius, Random& random)
   return bush;
 }
 
+/** \brief The pole of a lamp or a sign. */
 Body
 drawPole (Random& random)
 {
@@ -229,11 +231,6 @@ drawPole (Random& random)
   addPole (pole, Vector3d::Zero(), height, random.between (0.03, 0.1));
   return pole;
 }
-
-namespace {
-
-/** \brief Of the parts that a scene is divided into for its rays [m]. */
-constexpr double edge_of_part = 3.0;
 
 /** \brief Facades of a side are so far behind each other: no two are in one plane [m].
  */
@@ -263,16 +260,10 @@ Body
 makeGround (const Roadside& side)
 {
   Body ground;
-  const double half_length = 0.5 * side.length, half_curb = 0.5 * side.curb;
-  addSurface (ground, rectangleAlong (0, 2, {0, 0, half_curb}, half_length, half_curb));
+  const Vector3d curb (0.0, 0.0, side.curb);
   const Vector3d back (0.0, -depth_of_ground, side.slope * depth_of_ground);
-  addSurface (ground,
-              {Shape::Kind::Rectangle,
-               side.curb * Vector3d::UnitZ() + 0.5 * back,
-               Vector3d::UnitX(),
-               back.normalized(),
-               half_length,
-               0.5 * back.norm()});
+  addFace (ground, Vector3d::Zero(), curb, Vector3d::UnitX(), side.length);
+  addFace (ground, curb, curb + back, Vector3d::UnitX(), side.length);
   return ground;
 }
 
@@ -344,7 +335,7 @@ addRows (Scene& scene, const Roadside& side, Random& random)
 }
 
 void
-addSide (Scene& scene, const Street& street, const Isometry3d& pose, Random& random)
+addSide (Street& street, const Isometry3d& pose, Random& random)
 {
   Roadside side{};
   side.pose = pose * at (0.0, -0.5 * street.width, 0.0);
@@ -352,9 +343,9 @@ addSide (Scene& scene, const Street& street, const Isometry3d& pose, Random& ran
   side.curb = random.between (0.10, 0.15);
   side.sidewalk = random.between (2.5, 4.0);
   side.slope = random.between (0.02, 0.03);
-  addBody (scene, makeGround (side), side.pose);
-  addHouses (scene, side, random);
-  addRows (scene, side, random);
+  addBody (street.scene, makeGround (side), side.pose);
+  addHouses (street.scene, side, random);
+  addRows (street.scene, side, random);
 }
 
 /** \brief A place on the right lane. */
@@ -375,14 +366,12 @@ makeStreet (std::uint32_t seed)
   street.width = random.between (10, 12);
   street.yaw = random.angle (0, 360);
   const Isometry3d pose = turnZ (street.yaw);
-  Scene scene;
   Body road;
   addSurface (
       road, rectangleAlong (0, 1, {0, 0, 0}, 0.5 * street.length, 0.5 * street.width));
-  addBody (scene, road, pose);
+  addBody (street.scene, road, pose);
   for (const double half_turns : {0.0, 1.0})
-    addSide (scene, street, pose * turnZ (half_turns * pi), random);
-  street.scene = divided (scene, edge_of_part);
+    addSide (street, pose * turnZ (half_turns * pi), random);
   return street;
 }
 

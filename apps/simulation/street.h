@@ -6,34 +6,9 @@
 
 namespace pcl_ops::simulation {
 
-/** \brief A facade towards +y with windows, a door and often a gable roof; its middle
- * stands on the origin. All windows are equally deep. Faces in one plane are one
- * surface.
- * \param[in] width of the facade [m] */
-Body
-drawTownHouse (double width, Random& random);
-
-/** \brief A car along x on round wheels; the triangles beside its slanted windows are
- * open. */
-Body
-drawCar (Random& random);
-
-/** \brief A trunk and a crown of scattered leaves: no planes. */
-Body
-drawTree (Random& random);
-
-/** \brief Scattered leaves on the ground. */
-Body
-drawBush (double radius, Random& random);
-
-/** \brief The pole of a lamp or a sign. */
-Body
-drawPole (Random& random);
-
 /** \brief A straight street; z is up, z = 0 the road, the origin its middle. Its
  * direction is turned by \ref yaw against the x axis. */
 struct Street {
-  /** \brief Divided for \ref castRay. */
   Scene scene;
   /** \brief Of the street, and of the road between the curbs [m]. */
   double length = 0.0, width = 0.0;

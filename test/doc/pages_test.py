@@ -168,7 +168,7 @@ class Pages(unittest.TestCase):
                     self.assertIn(page.name + ")", start.read_text(), start.name)
 
     def test_readme_has_the_lines_of_the_first_example(self):
-        example = (SOURCES / "apps/examples/01_minimal/minimal.cpp").read_text()
+        example = (SOURCES / "apps/examples/minimal.cpp").read_text()
         lines = code_of(README, "cpp")
         self.assertGreaterEqual(len(lines), 4)
         for line in lines:

@@ -14,7 +14,7 @@ import numpy as np
 import pcl_ops
 from scene import room
 
-script = pathlib.Path(__file__).parents[2] / "apps/examples/07_python/plane_picture.py"
+script = pathlib.Path(__file__).parents[2] / "apps/examples/plane_picture.py"
 
 
 class Installed(unittest.TestCase):

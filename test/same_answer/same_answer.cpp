@@ -104,7 +104,7 @@ main ()
                            "survey:1",
                            "simulated:200000"})
     for (const evaluation::CloudSource& source :
-         evaluation::dataSetOf (text, Eigen::Vector3d::UnitZ()).clouds)
+         evaluation::dataSetOf (text, Eigen::Vector3d::UnitZ()))
       is_good = checkAll (source.name, source.load().cloud) && is_good;
   return is_good ? 0 : 1;
 }

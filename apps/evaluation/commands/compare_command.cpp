@@ -65,10 +65,8 @@ compareCommand (int argc, const char* const* argv)
   line.addFlag ("json", json, "print JSON instead of text");
   if (!line.parse (argc, argv))
     return apps::ExitCode::done;
-  LabeledCloud truth = loadLabeledCloud (truth_file);
-  const LabeledCloud result = loadLabeledCloud (result_file);
-  requireSamePoints (truth, result, result_file);
-  dropSmallPlanes (truth.labels, min_plane_points);
+  const auto [truth, result] =
+      loadLabeledClouds (truth_file, result_file, min_plane_points);
   const Metrics metrics = compareLabels (
       *truth.cloud, truth.labels, result.labels, {up.cast<double>().normalized()});
   if (metrics.truth_planes == 0)

@@ -6,7 +6,7 @@
 #include <cli/program.h>
 #include <evaluation/data/data_sets.h>
 #include <evaluation/report/answer.h>
-#include <numbers/quantile.h>
+#include <numbers/statistics.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/plane_edges.h>
 
@@ -175,16 +175,16 @@ edgesCommand (int argc, const char* const* argv)
   Answer edges = Answer::array();
   for (const DataSet& data_set : dataSetsOf (texts, up)) {
     EdgeScore score;
-    for (const CloudSource& source : data_set.clouds) {
+    for (const CloudSource& source : data_set) {
       apps::inMemory (source.name, "give a smaller cloud", [&] {
         const EvaluationCloud cloud = source.load();
         if (!cloud.truth)
           throw apps::WorkError (source.name, "has no true labels; give another cloud");
         addCloud (cloud, score);
       });
-      std::cerr << data_set.name << ' ' << source.name << std::endl;
+      std::cerr << source.data_set << ' ' << source.name << std::endl;
     }
-    edges.push_back (answerOf (data_set.name, score));
+    edges.push_back (answerOf (data_set.front().data_set, score));
   }
   print ({{"edges", edges}}, json);
   return apps::ExitCode::done;

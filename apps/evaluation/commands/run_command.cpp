@@ -79,7 +79,8 @@ readOptions (int argc,
   if (!line.parse (argc, argv))
     return false;
   plan.configurations = selectConfigurations (detectors);
-  plan.data_sets = dataSetsOf (data_sets, up);
+  for (const DataSet& data_set : dataSetsOf (data_sets, up))
+    plan.clouds.insert (plan.clouds.end(), data_set.begin(), data_set.end());
   return true;
 }
 

@@ -9,7 +9,7 @@
 #include <evaluation/report/answer.h>
 #include <io/inputs.h>
 #include <io/pose_file.h>
-#include <numbers/quantile.h>
+#include <numbers/statistics.h>
 
 #include <filesystem>
 #include <map>
@@ -146,10 +146,8 @@ keptIn (const std::string& truth_folder,
     apps::stopIfInterrupted();
     const std::string result_file =
         (fs::path (result_folder) / fs::path (file).filename()).string();
-    LabeledCloud truth = loadLabeledCloud (file);
-    const LabeledCloud result = loadLabeledCloud (result_file);
-    requireSamePoints (truth, result, result_file);
-    dropSmallPlanes (truth.labels, min_plane_points);
+    const auto [truth, result] =
+        loadLabeledClouds (file, result_file, min_plane_points);
     std::optional<Eigen::Isometry3d> pose;
     if (!poses.empty())
       pose = poses[i] * Eigen::Translation3d (result.shift);

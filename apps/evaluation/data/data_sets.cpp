@@ -6,7 +6,6 @@
 #include <pcl/common/point_tests.h>
 
 #include "labeled_cloud.h"
-#include "sun_rgbd.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <io/cloud_file.h>
@@ -41,38 +40,12 @@ constexpr std::uint32_t max_scenes = 100'000;
 /** A point takes 16 bytes, and 56 more while it is simulated. */
 constexpr double max_points = 1e8;
 
-/** The finite points, and the pixels they come from if the cloud is an image.
- * \param[in] labels their truth; empty: not known */
-EvaluationCloud
-finiteOf (const XyzCloud& cloud, const PlaneLabels& labels)
-{
-  EvaluationCloud result;
-  result.cloud.reset (new XyzCloud);
-  result.cloud->reserve (cloud.size());
-  result.cloud->sensor_origin_ = cloud.sensor_origin_;
-  result.cloud->sensor_orientation_ = cloud.sensor_orientation_;
-  if (!labels.empty())
-    result.truth.emplace();
-  if (cloud.height > 1)
-    result.grid = ImageGrid{cloud.width, cloud.height, {}};
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (!pcl::isXYZFinite (cloud[i]))
-      continue;
-    result.cloud->push_back (cloud[i]);
-    if (result.truth)
-      result.truth->push_back (labels[i]);
-    if (result.grid)
-      result.grid->pixels.push_back (std::uint32_t (i));
-  }
-  return result;
-}
-
 EvaluationCloud
 simulated (const simulation::Simulation& simulation)
 {
   const auto labeled = simulation::simulate (simulation).cloud;
-  XyzCloud cloud;
-  pcl::copyPointCloud (labeled, cloud);
+  const XyzCloud::Ptr cloud (new XyzCloud);
+  pcl::copyPointCloud (labeled, *cloud);
   PlaneLabels labels;
   for (const auto& point : labeled)
     labels.push_back (point.label);
@@ -107,7 +80,7 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
   if (last < first || last - first >= max_scenes)
     throw apps::UsageError (scenes.name + (':' + seeds),
                             "is no range of seeds such as 1-20");
-  DataSet data_set{scenes.name, {}};
+  DataSet clouds;
   for (std::uint32_t i = 0; i <= last - first; ++i) {
     simulation::Simulation simulation;
     simulation.scene = scenes.scene;
@@ -118,34 +91,35 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
         simulation.scene == "room" || simulation.scene == "furniture";
     std::string number = std::to_string (first + i);
     number.insert (0, 4 - std::min<std::size_t> (4, number.size()), '0');
-    data_set.clouds.push_back ({simulation.scene + '-' + number,
-                                [simulation] { return simulated (simulation); }});
+    clouds.push_back ({scenes.name, simulation.scene + '-' + number, [simulation] {
+                         return simulated (simulation);
+                       }});
   }
-  return data_set;
+  return clouds;
 }
 
 DataSet
 scansDataSet (const std::string& name, const std::string& sizes)
 {
   const apps::Range of_points = apps::Range::from (1).upTo (max_points);
-  DataSet data_set{name, {}};
+  DataSet clouds;
   std::istringstream list (sizes);
   for (std::string size; std::getline (list, size, ',');) {
     simulation::Simulation scan;
     scan.points = apps::parseNumber<double> (name, size, of_points);
-    data_set.clouds.push_back ({"scan-" + size, [scan] { return simulated (scan); }});
+    clouds.push_back ({name, "scan-" + size, [scan] { return simulated (scan); }});
   }
-  if (data_set.clouds.empty())
+  if (clouds.empty())
     throw apps::UsageError (name,
                             "has no size; give numbers of points, 300000,3000000");
-  return data_set;
+  return clouds;
 }
 
 EvaluationCloud
 readCloud (const std::string& file, const Eigen::Vector3d& up)
 {
-  const LabeledCloud all = loadLabeledCloud (file, LabelField::Optional);
-  EvaluationCloud finite = finiteOf (*all.cloud, all.labels);
+  const LabeledCloud all = loadLabeledCloud (file);
+  EvaluationCloud finite = finiteOf (all.cloud, all.labels);
   finite.up = up;
   if (finite.cloud->empty())
     throw apps::WorkError (file, "has no finite point; leave it out");
@@ -172,14 +146,37 @@ cloudsDataSet (const std::string& path, const Eigen::Vector3d& up)
                                " file; give a folder with clouds");
   const fs::path folder = is_folder ? fs::path (path) : fs::path (path).parent_path();
   const std::string name = is_folder ? folder.filename().string() : "";
-  DataSet data_set{name.empty() ? "clouds" : name, {}};
+  DataSet clouds;
   for (const fs::path& file : files)
-    data_set.clouds.push_back ({file.lexically_relative (folder).generic_string(),
-                                [file, up] { return readCloud (file.string(), up); }});
-  return data_set;
+    clouds.push_back ({name.empty() ? "clouds" : name,
+                       file.lexically_relative (folder).generic_string(),
+                       [file, up] { return readCloud (file.string(), up); }});
+  return clouds;
 }
 
 } // namespace
+
+EvaluationCloud
+finiteOf (const XyzCloud::ConstPtr& cloud, const PlaneLabels& labels)
+{
+  EvaluationCloud result;
+  result.cloud.reset (new XyzCloud);
+  result.cloud->reserve (cloud->size());
+  result.cloud->sensor_origin_ = cloud->sensor_origin_;
+  result.cloud->sensor_orientation_ = cloud->sensor_orientation_;
+  if (!labels.empty())
+    result.truth.emplace();
+  if (cloud->isOrganized())
+    result.image = cloud;
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    if (!pcl::isXYZFinite ((*cloud)[i]))
+      continue;
+    result.cloud->push_back ((*cloud)[i]);
+    if (result.truth)
+      result.truth->push_back (labels[i]);
+  }
+  return result;
+}
 
 DataSet
 dataSetOf (const std::string& text, const Eigen::Vector3d& up)

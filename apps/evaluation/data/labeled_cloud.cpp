@@ -57,35 +57,39 @@ diagonalOf (const XyzCloud& cloud)
 }
 
 LabeledCloud
-readLabeledCloud (const std::string& file, LabelField field)
+readLabeledCloud (const std::string& file, bool needs_labels)
 {
-  const apps::FileCloud cloud = apps::loadCloud (file);
-  LabeledCloud labeled;
-  if (field == LabelField::Required || apps::hasField (cloud, "label"))
-    labeled.labels = labelsIn (cloud.points, file);
-  const apps::ShiftedCloud shifted = apps::shiftedCloudOf (cloud);
-  const std::string damage = apps::damageOf (shifted);
-  if (!damage.empty())
-    apps::warn (file + ": " + damage);
-  labeled.cloud = shifted.cloud;
-  labeled.shift = shifted.shift;
-  return labeled;
+  return apps::inMemory (file, "give a smaller cloud", [&] {
+    const apps::FileCloud cloud = apps::loadCloud (file);
+    LabeledCloud labeled;
+    if (needs_labels || apps::hasField (cloud, "label"))
+      labeled.labels = labelsIn (cloud.points, file);
+    const apps::ShiftedCloud shifted = apps::shiftedCloudOf (cloud);
+    const std::string damage = apps::damageOf (shifted);
+    if (!damage.empty())
+      apps::warn (file + ": " + damage);
+    labeled.cloud = shifted.cloud;
+    labeled.shift = shifted.shift;
+    return labeled;
+  });
 }
 
 } // namespace
 
 LabeledCloud
-loadLabeledCloud (const std::string& file, LabelField field)
+loadLabeledCloud (const std::string& file)
 {
-  return apps::inMemory (
-      file, "give a smaller cloud", [&] { return readLabeledCloud (file, field); });
+  return readLabeledCloud (file, false);
 }
 
-void
-requireSamePoints (const LabeledCloud& truth,
-                   const LabeledCloud& result,
-                   const std::string& result_file)
+LabeledClouds
+loadLabeledClouds (const std::string& truth_file,
+                   const std::string& result_file,
+                   std::size_t min_plane_points)
 {
+  LabeledClouds clouds{readLabeledCloud (truth_file, true),
+                       readLabeledCloud (result_file, true)};
+  auto& [truth, result] = clouds;
   if (truth.cloud->size() != result.cloud->size())
     throw apps::WorkError (result_file,
                            "has " + std::to_string (result.cloud->size()) +
@@ -105,6 +109,8 @@ requireSamePoints (const LabeledCloud& truth,
                                  " lies elsewhere than in the truth; give two "
                                  "labelings of the same cloud");
   }
+  dropSmallPlanes (truth.labels, min_plane_points);
+  return clouds;
 }
 
 } // namespace pcl_ops::evaluation

@@ -17,20 +17,24 @@ struct LabeledCloud {
   PlaneLabels labels;
 };
 
-enum class LabelField { Required, Optional };
-
 /** \brief Reads a file of \ref apps::loadCloud whose points have an integer field
- * `label`, or a text whose column of that name has whole numbers; none leaves the
- * labels empty where the field is optional. \throw apps::WorkError if that fails or the
- * field is required and missing */
+ * `label`, or a text whose column of that name has whole numbers; without such a field
+ * there are no labels. \throw apps::WorkError if that fails */
 LabeledCloud
-loadLabeledCloud (const std::string& file, LabelField field = LabelField::Required);
+loadLabeledCloud (const std::string& file);
 
-/** \brief Makes sure that two files label the same points in the same order.
- * \throw apps::WorkError naming \p result_file if their number or coordinates differ */
-void
-requireSamePoints (const LabeledCloud& truth,
-                   const LabeledCloud& result,
-                   const std::string& result_file);
+/** \brief Two labelings of a cloud. */
+struct LabeledClouds {
+  LabeledCloud truth, result;
+};
+
+/** \brief Reads two files that label the same points in the same order.
+ * \param[in] min_plane_points true planes with fewer points become none
+ * \throw apps::WorkError naming the file that has no labels, or \p result_file if the
+ * number of points or their coordinates differ */
+LabeledClouds
+loadLabeledClouds (const std::string& truth_file,
+                   const std::string& result_file,
+                   std::size_t min_plane_points);
 
 } // namespace pcl_ops::evaluation

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sun_rgbd.h"
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "data_sets.h"
 #include <cli/errors.h>
 #include <png.h>
 
@@ -12,6 +11,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <set>
 
@@ -118,10 +118,10 @@ cloudOf (const DepthImage& image,
   const Eigen::Matrix3d rotation = z_up * extrinsics;
   const double focal_x = intrinsics (0, 0), focal_y = intrinsics (1, 1);
   const double center_x = intrinsics (0, 2), center_y = intrinsics (1, 2);
-  EvaluationCloud result;
-  result.cloud.reset (new XyzCloud);
-  result.cloud->sensor_orientation_ = Eigen::Quaterniond (rotation).cast<float>();
-  result.grid = ImageGrid{image.width, image.height, {}};
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const XyzCloud::Ptr cloud (
+      new XyzCloud (image.width, image.height, pcl::PointXYZ (nan, nan, nan)));
+  cloud->sensor_orientation_ = Eigen::Quaterniond (rotation).cast<float>();
   for (std::uint32_t i = 0; i < image.values.size(); ++i) {
     const std::uint16_t stored = image.values[i];
     if (stored == 0)
@@ -132,12 +132,9 @@ cloudOf (const DepthImage& image,
     const Eigen::Vector3d point ((column - center_x) / focal_x * depth,
                                  (row - center_y) / focal_y * depth,
                                  depth);
-    pcl::PointXYZ rotated;
-    rotated.getVector3fMap() = (rotation * point).cast<float>();
-    result.cloud->push_back (rotated);
-    result.grid->pixels.push_back (i);
+    (*cloud)[i].getVector3fMap() = (rotation * point).cast<float>();
   }
-  return result;
+  return finiteOf (cloud, {});
 }
 
 EvaluationCloud
@@ -183,11 +180,12 @@ sunRgbdDataSet (const std::string& folder, bool is_raw)
            folder,
            "has no SUN RGB-D frame (a folder with depth or depth_bfx, "
            "intrinsics.txt and extrinsics); give the folder SUNRGBD");
-  DataSet data_set{is_raw ? "sunrgbd-raw" : "sunrgbd", {}};
+  DataSet clouds;
   for (const fs::path& frame : frames)
-    data_set.clouds.push_back ({frame.lexically_relative (folder).generic_string(),
-                                [frame, is_raw] { return readFrame (frame, is_raw); }});
-  return data_set;
+    clouds.push_back ({is_raw ? "sunrgbd-raw" : "sunrgbd",
+                       frame.lexically_relative (folder).generic_string(),
+                       [frame, is_raw] { return readFrame (frame, is_raw); }});
+  return clouds;
 }
 
 } // namespace pcl_ops::evaluation

@@ -69,12 +69,6 @@ orientedPointsOf (const PeerTask& task)
   return points;
 }
 
-std::size_t
-minPoints (const OrientedPoints& points)
-{
-  return static_cast<std::size_t> (min_share * static_cast<double> (points.size())) + 1;
-}
-
 pcl::PointIndices
 planeOf (const OrientedPoints& points, const std::vector<std::size_t>& members)
 {
@@ -148,7 +142,7 @@ planesByCgalRansac (const PeerTask& task)
   ransac.add_shape_factory<CGAL::Shape_detection::Plane<Traits>>();
   Ransac::Parameters parameters;
   parameters.probability = miss_probability;
-  parameters.min_points = minPoints (points);
+  parameters.min_points = std::size_t (min_share * double (points.size())) + 1;
   parameters.epsilon = float (task.values.threshold);
   parameters.cluster_epsilon = float (task.values.gap);
   parameters.normal_threshold = std::cos (pcl::deg2rad (normal_degrees));

@@ -58,4 +58,21 @@ runDetector (const typename Detector::Parameters& parameters,
   return result;
 }
 
+/** \brief Does something in a process of its own, whose memory but for what is shared
+ * goes with it.
+ * \param[in] seconds of wall time, after which it is ended; 0: none
+ * \return whether it was done before that
+ * \throw std::runtime_error if it fails, however it does */
+bool
+runInChild (const std::function<void()>& work, unsigned seconds);
+
+/** \brief Runs a detector, one of others in a process of its own.
+ * \param[in] seconds, and errors, as of \ref runInChild
+ * \return nothing if it takes longer */
+std::optional<DetectorRun>
+runLimited (const Configuration& configuration,
+            const XyzCloud::ConstPtr& cloud,
+            const RunSettings& settings,
+            unsigned seconds);
+
 } // namespace pcl_ops::evaluation

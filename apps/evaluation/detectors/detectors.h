@@ -36,8 +36,8 @@ struct RunSettings {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   /** \brief Of every random choice the detector lets be seeded. */
   std::uint32_t seed = 42;
-  /** \brief Where the points come from an image; else null. */
-  const ImageGrid* grid = nullptr;
+  /** \brief As of \ref EvaluationCloud. */
+  XyzCloud::ConstPtr image = nullptr;
   double peer_threshold = usual_peer_threshold;
   /** \brief Noise of the points that detectors of others are tuned to; none: as
    * measured from the cloud [m]. */
@@ -56,8 +56,8 @@ struct Configuration {
       run;
   /** \brief A detector of others, which may take any time. */
   bool is_peer = false;
-  /** \brief It works on images alone: \ref RunSettings::grid. */
-  bool needs_grid = false;
+  /** \brief It works on images alone: \ref RunSettings::image. */
+  bool needs_image = false;
   /** \brief Whose it is and which; empty: of this project. */
   std::string version = {};
 };

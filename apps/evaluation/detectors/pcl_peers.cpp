@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/common/angles.h>
+#include <pcl/common/point_tests.h>
 #include <pcl/common/transforms.h>
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/features/normal_3d.h>
@@ -13,7 +14,6 @@
 #include "peers.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace pcl_ops::evaluation {
 
@@ -25,6 +25,47 @@ constexpr float curvature_threshold = 1.0f;
 constexpr int min_points_of_region = 50;
 
 using Normals = pcl::PointCloud<pcl::Normal>;
+
+Normals::Ptr
+normalsOf (const PeerTask& task, const pcl::search::KdTree<pcl::PointXYZ>::Ptr& tree)
+{
+  Normals::Ptr normals (new Normals);
+  pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+  estimation.setInputCloud (task.cloud);
+  estimation.setSearchMethod (tree);
+  estimation.setKSearch (task.values.neighbors);
+  estimation.compute (*normals);
+  return normals;
+}
+
+/** The image of a depth camera, in its axes, as what reads it expects. */
+XyzCloud::Ptr
+inAxesOfCamera (const XyzCloud& image)
+{
+  const Eigen::Isometry3f to_scene =
+      Eigen::Translation3f (image.sensor_origin_.head<3>()) * image.sensor_orientation_;
+  const Eigen::Isometry3f to_camera = to_scene.inverse();
+  XyzCloud::Ptr seen (new XyzCloud (image.width, image.height));
+  seen->is_dense = false;
+  for (std::size_t i = 0; i < image.size(); ++i)
+    (*seen)[i].getVector3fMap() = to_camera * image[i].getVector3fMap();
+  return seen;
+}
+
+Normals::Ptr
+normalsOfImage (const XyzCloud::ConstPtr& image)
+{
+  // As in PCL's demo of OrganizedMultiPlaneSegmentation.
+  constexpr float max_depth_change = 0.03f, smoothing = 20.0f;
+  Normals::Ptr normals (new Normals);
+  pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+  estimation.setNormalEstimationMethod (estimation.COVARIANCE_MATRIX);
+  estimation.setMaxDepthChangeFactor (max_depth_change);
+  estimation.setNormalSmoothingSize (smoothing);
+  estimation.setInputCloud (image);
+  estimation.compute (*normals);
+  return normals;
+}
 
 } // namespace
 
@@ -48,22 +89,6 @@ planesByPclRansac (const PeerTask& task)
   });
 }
 
-namespace {
-
-Normals::Ptr
-normalsOf (const PeerTask& task, const pcl::search::KdTree<pcl::PointXYZ>::Ptr& tree)
-{
-  Normals::Ptr normals (new Normals);
-  pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
-  estimation.setInputCloud (task.cloud);
-  estimation.setSearchMethod (tree);
-  estimation.setKSearch (task.values.neighbors);
-  estimation.compute (*normals);
-  return normals;
-}
-
-} // namespace
-
 std::vector<pcl::PointIndices>
 planesByPclRegionGrowing (const PeerTask& task)
 {
@@ -83,49 +108,13 @@ planesByPclRegionGrowing (const PeerTask& task)
   return regions;
 }
 
-namespace {
-
-/** The image of a depth camera, in its axes, as what reads it expects. */
-XyzCloud::Ptr
-imageOf (const XyzCloud& cloud, const ImageGrid& grid)
-{
-  const Eigen::Isometry3f to_scene =
-      Eigen::Translation3f (cloud.sensor_origin_.head<3>()) * cloud.sensor_orientation_;
-  const Eigen::Isometry3f to_camera = to_scene.inverse();
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  XyzCloud::Ptr image (
-      new XyzCloud (grid.width, grid.height, pcl::PointXYZ (nan, nan, nan)));
-  image->is_dense = false;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    (*image)[grid.pixels[i]].getVector3fMap() = to_camera * cloud[i].getVector3fMap();
-  return image;
-}
-
-Normals::Ptr
-normalsOfImage (const XyzCloud::ConstPtr& image)
-{
-  // As in PCL's demo of OrganizedMultiPlaneSegmentation.
-  constexpr float max_depth_change = 0.03f, smoothing = 20.0f;
-  Normals::Ptr normals (new Normals);
-  pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
-  estimation.setNormalEstimationMethod (estimation.COVARIANCE_MATRIX);
-  estimation.setMaxDepthChangeFactor (max_depth_change);
-  estimation.setNormalSmoothingSize (smoothing);
-  estimation.setInputCloud (image);
-  estimation.compute (*normals);
-  return normals;
-}
-
-} // namespace
-
 std::vector<pcl::PointIndices>
 planesInImage (const PeerTask& task)
 {
   // What PCL's demo of it takes.
   const double angle = pcl::deg2rad (2.0);
   constexpr double usual_distance = 0.02; // [m]
-  const ImageGrid& grid = *task.settings.grid;
-  const XyzCloud::Ptr image = imageOf (*task.cloud, grid);
+  const XyzCloud::Ptr image = inAxesOfCamera (*task.settings.image);
   const auto normals =
       timed (task.normals, task.settings.clock, [&] { return normalsOfImage (image); });
   pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label> finder;
@@ -143,8 +132,9 @@ planesInImage (const PeerTask& task)
   pcl::PointCloud<pcl::Label>::Ptr labels (new pcl::PointCloud<pcl::Label>);
   finder.segmentAndRefine (regions, models, planes, labels, of_labels, borders);
   pcl::Indices point_of (image->size(), 0);
-  for (std::size_t i = 0; i < task.cloud->size(); ++i)
-    point_of[grid.pixels[i]] = pcl::index_t (i);
+  pcl::index_t points = 0;
+  for (std::size_t i = 0; i < image->size(); ++i)
+    point_of[i] = pcl::isXYZFinite ((*image)[i]) ? points++ : 0;
   for (pcl::PointIndices& plane : planes)
     for (pcl::index_t& i : plane.indices)
       i = point_of[i];

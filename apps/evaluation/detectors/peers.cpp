@@ -6,7 +6,7 @@
 #include <pcl/pcl_config.h>
 
 #include "detector_run.h"
-#include <numbers/quantile.h>
+#include <numbers/statistics.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #ifdef PCL_OPS_WITH_CGAL
 #include <CGAL/version.h>

@@ -25,93 +25,92 @@ constexpr std::size_t min_points_of_voxel = 5;
 /** Of a plane after merging; as for the other detectors. */
 constexpr std::size_t min_points_of_plane = 50;
 
-struct OctreeParameters {
-  /** Of the first layer [m]. */
-  double edge = 1.0;
-  /** Of the covariance [m^2]. */
-  double max_eigenvalue = 0.01;
-  double merging_distance = usual_peer_threshold;
-};
-
 /** A voxel that is a plane. */
 struct Leaf {
   Moments moments;
   pcl::Indices points;
 };
 
-/** Adds the planes among some points.
- * \param[in] center, edge of the voxel they are in
- * \param[in] layers_left below it */
-void
-addLeaves (const XyzCloud& cloud,
-           const pcl::Indices& points,
-           const Eigen::Vector3d& center,
-           double edge,
-           int layers_left,
-           double max_eigenvalue,
-           std::vector<Leaf>& leaves)
-{
-  if (points.size() < min_points_of_voxel)
-    return;
-  Moments moments;
-  moments.origin = center;
-  std::array<pcl::Indices, 8> octants;
-  for (const pcl::index_t i : points) {
-    const Eigen::Vector3d local = cloud[i].getVector3fMap().cast<double>() - center;
-    moments.add (local.x(), local.y(), local.z());
-    octants[(local.x() > 0.0) + 2 * (local.y() > 0.0) + 4 * (local.z() > 0.0)]
-        .push_back (i);
-  }
-  const std::optional<PlaneFit> fit = fitPlane (moments);
-  if (fit && fit->variances[0] < max_eigenvalue) {
-    leaves.push_back ({moments, points});
-    return;
-  }
-  for (int octant = 0; layers_left > 0 && octant < 8; ++octant) {
-    const Eigen::Vector3d side (octant & 1, octant >> 1 & 1, octant >> 2 & 1);
-    addLeaves (cloud,
-               octants[octant],
-               center + 0.5 * edge * (side - Eigen::Vector3d::Constant (0.5)),
-               0.5 * edge,
-               layers_left - 1,
-               max_eigenvalue,
-               leaves);
-  }
-}
+struct VoxelOctree {
+  const XyzCloud& cloud;
+  /** Of the covariance [m^2]. */
+  double max_eigenvalue;
+  std::vector<Leaf> leaves = {};
 
+  /** Adds the planes among the points of a voxel.
+   * \param[in] layers_left below it */
+  void
+  add (const pcl::Indices& points,
+       const Eigen::Vector3d& center,
+       double edge,
+       int layers_left)
+  {
+    if (points.size() < min_points_of_voxel)
+      return;
+    Moments moments;
+    moments.origin = center;
+    std::array<pcl::Indices, 8> octants;
+    for (const pcl::index_t i : points) {
+      const Eigen::Vector3d local = cloud[i].getVector3fMap().cast<double>() - center;
+      moments.add (local.x(), local.y(), local.z());
+      octants[(local.x() > 0.0) + 2 * (local.y() > 0.0) + 4 * (local.z() > 0.0)]
+          .push_back (i);
+    }
+    const std::optional<PlaneFit> fit = fitPlane (moments);
+    if (fit && fit->variances[0] < max_eigenvalue) {
+      leaves.push_back ({moments, points});
+      return;
+    }
+    for (int octant = 0; layers_left > 0 && octant < 8; ++octant) {
+      const Eigen::Vector3d side (octant & 1, octant >> 1 & 1, octant >> 2 & 1);
+      add (octants[octant],
+           center + 0.5 * edge * (side - Eigen::Vector3d::Constant (0.5)),
+           0.5 * edge,
+           layers_left - 1);
+    }
+  }
+};
+
+/** \param[in] edge of the voxels of the first layer [m] */
 std::vector<Leaf>
-leavesOf (const XyzCloud& cloud, const OctreeParameters& parameters)
+leavesOf (const XyzCloud& cloud, double edge, double max_eigenvalue)
 {
   std::map<std::array<int, 3>, pcl::Indices> voxels;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     std::array<int, 3> voxel{};
     for (int axis = 0; axis < 3; ++axis)
-      voxel[axis] = int (std::floor (cloud[i].data[axis] / parameters.edge));
+      voxel[axis] = int (std::floor (cloud[i].data[axis] / edge));
     voxels[voxel].push_back (pcl::index_t (i));
   }
-  std::vector<Leaf> leaves;
+  VoxelOctree octree{cloud, max_eigenvalue};
   for (const auto& [voxel, points] : voxels) {
     const Eigen::Vector3d corner (voxel[0], voxel[1], voxel[2]);
-    addLeaves (cloud,
-               points,
-               parameters.edge * (corner + Eigen::Vector3d::Constant (0.5)),
-               parameters.edge,
-               layers - 1,
-               parameters.max_eigenvalue,
-               leaves);
+    const Eigen::Vector3d center = edge * (corner + Eigen::Vector3d::Constant (0.5));
+    octree.add (points, center, edge, layers - 1);
   }
-  return leaves;
+  return octree.leaves;
 }
 
+} // namespace
+
 std::vector<pcl::PointIndices>
-planesInOctree (const XyzCloud& cloud, const OctreeParameters& parameters)
+planesInVoxelOctree (const PeerTask& task)
 {
-  const std::vector<Leaf> leaves = leavesOf (cloud, parameters);
+  double edge = 1.0, max_eigenvalue = 0.01; // [m], [m^2]
+  if (task.source == ValuesFrom::Cloud) {
+    // Edges of .5 to 3 m as in the paper, such that the smallest voxels have as many
+    // points as a plane needs: the gap is four times the distance of points, so nine
+    // points are on a square of it. A plane is within twice the noise.
+    constexpr double smallest = 0.5, largest = 3.0;
+    edge = std::clamp (task.values.gap * std::pow (2.0, layers - 1), smallest, largest);
+    max_eigenvalue = std::pow (2.0 * task.values.noise, 2);
+  }
+  const std::vector<Leaf> leaves = leavesOf (*task.cloud, edge, max_eigenvalue);
   std::vector<Moments> moments;
   for (const Leaf& leaf : leaves)
     moments.push_back (leaf.moments);
   MergingParameters merging;
-  merging.distance_threshold = parameters.merging_distance;
+  merging.distance_threshold = task.values.threshold;
   const MergedPlanes merged = mergePlanes (moments, merging);
   std::vector<pcl::PointIndices> planes (merged.moments.size());
   for (std::size_t i = 0; i < leaves.size(); ++i)
@@ -122,31 +121,6 @@ planesInOctree (const XyzCloud& cloud, const OctreeParameters& parameters)
   while (!planes.empty() && planes.back().indices.size() < min_points_of_plane)
     planes.pop_back(); // they come by falling size
   return planes;
-}
-
-/** Edges of .5 to 3 m as in the paper, such that the smallest voxels have as many
- * points as a plane needs; a plane within twice the noise. */
-OctreeParameters
-parametersFrom (const PeerValues& values, ValuesFrom source)
-{
-  OctreeParameters parameters;
-  parameters.merging_distance = values.threshold;
-  if (source == ValuesFrom::Tutorial)
-    return parameters;
-  // The gap is four times the distance of points: nine points to a square of it.
-  constexpr double smallest = 0.5, largest = 3.0;
-  parameters.edge =
-      std::clamp (values.gap * std::pow (2.0, layers - 1), smallest, largest);
-  parameters.max_eigenvalue = std::pow (2.0 * values.noise, 2);
-  return parameters;
-}
-
-} // namespace
-
-std::vector<pcl::PointIndices>
-planesInVoxelOctree (const PeerTask& task)
-{
-  return planesInOctree (*task.cloud, parametersFrom (task.values, task.source));
 }
 
 } // namespace pcl_ops::evaluation

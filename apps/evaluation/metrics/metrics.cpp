@@ -5,11 +5,10 @@
 #include <pcl/common/point_tests.h>
 
 #include "confusion.h"
-#include <numbers/fraction.h>
+#include <numbers/statistics.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -44,14 +43,10 @@ finiteOf (const XyzCloud& cloud, const PlaneLabels& truth, const PlaneLabels& re
 /** Points whose true and found plane have the same class: Other for no plane, and where
  * the points of a label span none. */
 double
-classificationAccuracy (const FinitePoints& points,
-                        const Confusion& confusion,
-                        const ClassParameters& parameters)
+classificationAccuracy (const Confusion& confusion,
+                        const std::vector<PlaneSegment>& truth,
+                        const std::vector<PlaneSegment>& result)
 {
-  const std::vector<PlaneSegment> truth = planesOf (
-                                      points.cloud, confusion.truth, parameters),
-                                  result = planesOf (
-                                      points.cloud, confusion.result, parameters);
   const auto classOf = [] (const std::vector<PlaneSegment>& planes, std::uint32_t id) {
     return id == PlaneIds::none ? Orientation::Other : planes[id].orientation;
   };
@@ -65,6 +60,8 @@ classificationAccuracy (const FinitePoints& points,
 /** What has been said about each plane of one side. */
 struct Verdicts {
   const PlaneIds& planes;
+  /** Of the plane of this side. */
+  std::uint32_t Overlap::*id;
   std::vector<bool> matched = std::vector<bool> (planes.size(), false);
   /** Broken up (a true plane) or swallowing several (a found one). */
   std::vector<bool> split = matched;
@@ -81,13 +78,43 @@ struct Verdicts {
   }
 };
 
-/** Sum of the IoU of pairs from a threshold on, the largest first; marks both planes of
- * each. At more than one half no plane has two candidates. */
-double
-matchPlanes (const Confusion& confusion,
-             double threshold,
-             Verdicts& truth,
-             Verdicts& result)
+/** Marks every plane of the side \p wholes on which two or more planes of the other
+ * side lie, and which they together cover, both by the threshold. */
+void
+markSplits (const Confusion& confusion,
+            double threshold,
+            Verdicts& wholes,
+            Verdicts& others)
+{
+  const auto reaches = [threshold] (std::size_t points, std::size_t all) {
+    return static_cast<double> (points) >= threshold * static_cast<double> (all);
+  };
+  std::vector<std::size_t> parts (wholes.planes.size(), 0), covered = parts;
+  std::vector<Overlap> on_whole;
+  for (const Overlap& overlap : confusion.overlaps)
+    if (reaches (overlap.points, others.planes.points[overlap.*others.id])) {
+      on_whole.push_back (overlap);
+      ++parts[overlap.*wholes.id];
+      covered[overlap.*wholes.id] += overlap.points;
+    }
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    wholes.split[i] = parts[i] > 1 && reaches (covered[i], wholes.planes.points[i]);
+  for (const Overlap& overlap : on_whole)
+    if (wholes.split[overlap.*wholes.id])
+      others.part[overlap.*others.id] = true;
+}
+
+/** What is said about the planes of both sides. */
+struct Matching {
+  Verdicts truth, result;
+  /** Of the pairs of planes that are one. */
+  double iou_sum = 0.0;
+};
+
+/** Matches pairs with an IoU from a threshold on, the largest first. At more than one
+ * half no plane has two candidates. */
+Matching
+matchPlanes (const Confusion& confusion, double threshold)
 {
   std::vector<Overlap> candidates;
   for (const Overlap& overlap : confusion.overlaps)
@@ -97,59 +124,29 @@ matchPlanes (const Confusion& confusion,
       candidates.begin(), candidates.end(), [&] (const Overlap& a, const Overlap& b) {
         return confusion.iou (a) > confusion.iou (b);
       });
-  double sum = 0.0;
+  Matching matching{{confusion.truth, &Overlap::truth},
+                    {confusion.result, &Overlap::result}};
+  auto& [truth, result, iou_sum] = matching;
   for (const Overlap& pair : candidates) {
     if (truth.matched[pair.truth] || result.matched[pair.result])
       continue;
     truth.matched[pair.truth] = result.matched[pair.result] = true;
-    sum += confusion.iou (pair);
+    iou_sum += confusion.iou (pair);
   }
-  return sum;
+  markSplits (confusion, threshold, truth, result);
+  markSplits (confusion, threshold, result, truth);
+  return matching;
 }
 
-/** Marks every plane of the side \p wholes on which two or more planes of the other
- * side lie, and which they together cover, both by the threshold.
- * \param[in] whole, part the planes of an overlap */
+/** Planes as instances. */
 void
-markSplits (const Confusion& confusion,
-            double threshold,
-            std::uint32_t Overlap::*whole,
-            Verdicts& wholes,
-            std::uint32_t Overlap::*part,
-            Verdicts& others)
-{
-  const auto reaches = [threshold] (std::size_t points, std::size_t all) {
-    return static_cast<double> (points) >= threshold * static_cast<double> (all);
-  };
-  std::vector<std::size_t> parts (wholes.planes.size(), 0), covered = parts;
-  std::vector<Overlap> on_whole;
-  for (const Overlap& overlap : confusion.overlaps)
-    if (reaches (overlap.points, others.planes.points[overlap.*part])) {
-      on_whole.push_back (overlap);
-      ++parts[overlap.*whole];
-      covered[overlap.*whole] += overlap.points;
-    }
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    wholes.split[i] = parts[i] > 1 && reaches (covered[i], wholes.planes.points[i]);
-  for (const Overlap& overlap : on_whole)
-    if (wholes.split[overlap.*whole])
-      others.part[overlap.*part] = true;
-}
-
-/** Planes as instances at one threshold of the intersection over union. */
-void
-addInstanceMetrics (const Confusion& confusion,
-                    double threshold,
+addInstanceMetrics (const Matching& matching,
                     const std::string& suffix,
                     NamedValues& named)
 {
-  const std::size_t truth_planes = confusion.truth.size();
-  const std::size_t result_planes = confusion.result.size();
-  Verdicts truth{confusion.truth}, result{confusion.result};
-  const double iou_sum = matchPlanes (confusion, threshold, truth, result);
-  markSplits (confusion, threshold, &Overlap::truth, truth, &Overlap::result, result);
-  markSplits (confusion, threshold, &Overlap::result, result, &Overlap::truth, truth);
-
+  const auto& [truth, result, iou_sum] = matching;
+  const std::size_t truth_planes = truth.planes.size();
+  const std::size_t result_planes = result.planes.size();
   const auto count = [] (const std::vector<bool>& marks) {
     return std::size_t (std::count (marks.begin(), marks.end(), true));
   };
@@ -174,7 +171,8 @@ addInstanceMetrics (const Confusion& confusion,
 /** \param[in] sizes of the true planes
  * \param[in] limits between classes, ascending */
 SizeClasses
-classesOf (const Confusion& confusion,
+classesOf (const Matching& at_50,
+           const Matching& at_75,
            const std::vector<double>& sizes,
            const std::vector<double>& limits)
 {
@@ -183,27 +181,23 @@ classesOf (const Confusion& confusion,
     classes.back().below = limit;
     classes.push_back ({limit});
   }
-  Verdicts at_50{confusion.truth}, at_75 = at_50, of_result{confusion.result},
-                                   of_result_75 = of_result;
-  matchPlanes (confusion, 0.50, at_50, of_result);
-  matchPlanes (confusion, 0.75, at_75, of_result_75);
   for (std::size_t plane = 0; plane < sizes.size(); ++plane) {
     auto of_plane = classes.begin();
     while (of_plane->below && sizes[plane] >= *of_plane->below)
       ++of_plane;
     ++of_plane->planes;
-    of_plane->found_50 += at_50.matched[plane];
-    of_plane->found_75 += at_75.matched[plane];
+    of_plane->found_50 += at_50.truth.matched[plane];
+    of_plane->found_75 += at_75.truth.matched[plane];
   }
   return classes;
 }
 
 std::vector<double>
-widthsOf (const XyzCloud& cloud, const PlaneIds& planes)
+widthsOf (const std::vector<PlaneSegment>& planes)
 {
   constexpr double squared_side_over_variance = 12.0; // of an even spread
   std::vector<double> widths;
-  for (const PlaneSegment& plane : planesOf (cloud, planes, {})) {
+  for (const PlaneSegment& plane : planes) {
     const std::optional<PlaneFit> fit = fitPlane (plane.moments);
     widths.push_back (fit ? std::sqrt (squared_side_over_variance * fit->variances[1])
                           : 0.0);
@@ -223,31 +217,33 @@ compareLabels (const XyzCloud& cloud,
   const Confusion confusion = confusionOf (points.truth, points.result);
   const std::vector<std::size_t>& sizes = confusion.truth.points;
   const std::size_t right = pointsOfAssignment (confusion),
-                    on_true_planes =
-                        std::accumulate (sizes.begin(), sizes.end(), std::size_t (0)),
                     off_in_both = confusion.points_on_no_plane_in_both,
                     off_planes = confusion.points_off_planes;
+  const Matching at_50 = matchPlanes (confusion, 0.50),
+                 at_75 = matchPlanes (confusion, 0.75);
+  const auto truth_planes = planesOf (points.cloud, confusion.truth, parameters),
+             result_planes = planesOf (points.cloud, confusion.result, parameters);
 
   Metrics metrics;
   metrics.points = confusion.points;
   metrics.truth_planes = confusion.truth.size();
   metrics.result_planes = confusion.result.size();
-  metrics.named = {
-      {"classification_accuracy",
-       classificationAccuracy (points, confusion, parameters)},
-      {"segmentation_accuracy",
-       apps::fraction (right, on_true_planes, metrics.result_planes == 0 ? 1.0 : 0.0)},
-      {"segmentation_accuracy_all",
-       apps::fraction (right + off_in_both, confusion.points, 1.0)}};
-  for (const auto& [threshold, suffix] : {std::pair (0.50, ""), {0.75, "_75"}})
-    addInstanceMetrics (confusion, threshold, suffix, metrics.named);
+  metrics.named = {{"classification_accuracy",
+                    classificationAccuracy (confusion, truth_planes, result_planes)},
+                   {"segmentation_accuracy",
+                    apps::fraction (right,
+                                    confusion.points - off_planes,
+                                    metrics.result_planes == 0 ? 1.0 : 0.0)},
+                   {"segmentation_accuracy_all",
+                    apps::fraction (right + off_in_both, confusion.points, 1.0)}};
+  addInstanceMetrics (at_50, "", metrics.named);
+  addInstanceMetrics (at_75, "_75", metrics.named);
   metrics.points_off_planes_called_planes =
       apps::fraction (off_planes - off_in_both, off_planes, 0.0);
   metrics.by_size = classesOf (
-      confusion, {sizes.begin(), sizes.end()}, {200, 500, 1000, 3000, 10'000});
-  metrics.by_width = classesOf (confusion,
-                                widthsOf (points.cloud, confusion.truth),
-                                {0.03, 0.06, 0.12, 0.25, 1.0});
+      at_50, at_75, {sizes.begin(), sizes.end()}, {200, 500, 1000, 3000, 10'000});
+  metrics.by_width =
+      classesOf (at_50, at_75, widthsOf (truth_planes), {0.03, 0.06, 0.12, 0.25, 1.0});
   return metrics;
 }
 

@@ -8,7 +8,7 @@
 #include <cli/program.h>
 #include <cli/progress.h>
 #include <detection/methods.h>
-#include <evaluation/detectors/limited_run.h>
+#include <evaluation/detectors/detector_run.h>
 #include <evaluation/metrics/metrics.h>
 #include <io/labeled_pcd.h>
 #include <io/output_file.h>
@@ -132,11 +132,6 @@ private:
   mutable std::mutex mutex_;
 };
 
-struct CloudTask {
-  std::string data_set;
-  const CloudSource& source;
-};
-
 /** One evaluation: what its threads share. */
 struct Evaluation {
   const EvaluationPlan& plan;
@@ -155,20 +150,20 @@ struct Evaluation {
   }
 
   std::string
-  keyOf (const CloudTask& task, bool has_truth, const Configuration& configuration)
+  keyOf (const CloudSource& source, bool has_truth, const Configuration& configuration)
   {
-    return csvCell (task.data_set) + csvCell (task.source.name) +
+    return csvCell (source.data_set) + csvCell (source.name) +
            csvCell (truthName (has_truth, plan.truth)) + csvCell (configuration.name) +
            csvCell (std::to_string (plan.settings.seed));
   }
 
   void
-  evaluateCloud (const CloudTask& task)
+  evaluateCloud (const CloudSource& source)
   {
     // Known without loading the cloud only where its rows say which truth it has.
     const auto is_there = [&] (const Configuration& configuration) {
-      return results.has (keyOf (task, false, configuration)) ||
-             results.has (keyOf (task, true, configuration));
+      return results.has (keyOf (source, false, configuration)) ||
+             results.has (keyOf (source, true, configuration));
     };
     const std::vector<Configuration>& all = plan.configurations;
     if (std::all_of (all.begin(), all.end(), is_there))
@@ -176,8 +171,8 @@ struct Evaluation {
     EvaluationCloud cloud;
     PlaneLabels truth;
     try {
-      apps::inMemory (task.source.name, fewer_at_a_time, [&] {
-        cloud = task.source.load();
+      apps::inMemory (source.name, fewer_at_a_time, [&] {
+        cloud = source.load();
         truth = truthOf (cloud, plan.truth);
       });
     }
@@ -188,15 +183,15 @@ struct Evaluation {
       return count (&EvaluationSummary::broken_clouds,
                     std::string ("left out: ") + error.what());
     }
-    saveLabels (task, "truth", *cloud.cloud, truth);
+    saveLabels (source, "truth", *cloud.cloud, truth);
     for (const Configuration& configuration : all)
-      if (!configuration.needs_grid || cloud.grid)
-        evaluateConfiguration (task, configuration, cloud, truth);
+      if (!configuration.needs_image || cloud.image)
+        evaluateConfiguration (source, configuration, cloud, truth);
     count (&EvaluationSummary::clouds);
   }
 
   void
-  saveLabels (const CloudTask& task,
+  saveLabels (const CloudSource& source,
               const std::string& name,
               const XyzCloud& cloud,
               const PlaneLabels& labels) const
@@ -208,7 +203,7 @@ struct Evaluation {
     for (std::size_t i = 0; i < labels.size(); ++i)
       labeled[i].label = labels[i];
     const fs::path folder =
-        fs::path (plan.labels_folder) / task.data_set / task.source.name;
+        fs::path (plan.labels_folder) / source.data_set / source.name;
     apps::makeFolder (folder.string());
     apps::saveLabeledPcd ((folder / (name + ".pcd")).string(), labeled);
   }
@@ -219,20 +214,20 @@ struct Evaluation {
   valuesOf (const Configuration& configuration,
             const EvaluationCloud& cloud,
             const PlaneLabels& truth,
-            const CloudTask& task)
+            const CloudSource& source)
   {
     RunSettings settings = plan.settings;
     settings.up = cloud.up;
     settings.clock = Clock::Processor;
-    settings.grid = cloud.grid ? &*cloud.grid : nullptr;
+    settings.image = cloud.image;
     if (const std::optional<DetectorRun> run =
             runLimited (configuration, cloud.cloud, settings, plan.time_limit)) {
-      saveLabels (task, configuration.name, *cloud.cloud, run->labels);
+      saveLabels (source, configuration.name, *cloud.cloud, run->labels);
       return namedValues (compareLabels (*cloud.cloud, truth, run->labels, {cloud.up}),
                           *run);
     }
     count (&EvaluationSummary::stopped_runs,
-           configuration.name + " on " + task.source.name + ": stopped after " +
+           configuration.name + " on " + source.name + ": stopped after " +
                std::to_string (plan.time_limit) + " s; more by --time-limit");
     NamedValues values = namedValues (compareLabels ({}, {}, {}), {});
     for (auto& [column, value] : values)
@@ -242,23 +237,23 @@ struct Evaluation {
   }
 
   void
-  evaluateConfiguration (const CloudTask& task,
+  evaluateConfiguration (const CloudSource& source,
                          const Configuration& configuration,
                          const EvaluationCloud& cloud,
                          const PlaneLabels& truth)
   {
-    const std::string key = keyOf (task, cloud.truth.has_value(), configuration);
+    const std::string key = keyOf (source, cloud.truth.has_value(), configuration);
     if (results.has (key))
       return;
     NamedValues values;
     try {
       values = apps::inMemory (configuration.name, fewer_at_a_time, [&] {
-        return valuesOf (configuration, cloud, truth, task);
+        return valuesOf (configuration, cloud, truth, source);
       });
     }
     catch (const std::exception& error) {
       return count (&EvaluationSummary::failed_runs,
-                    configuration.name + " failed on " + task.source.name + ": " +
+                    configuration.name + " failed on " + source.name + ": " +
                         error.what());
     }
     results.add (key, values);
@@ -274,15 +269,12 @@ evaluate (const EvaluationPlan& plan,
           std::ostream& messages,
           bool is_terminal)
 {
-  std::vector<CloudTask> tasks;
-  for (const DataSet& data_set : plan.data_sets)
-    for (const CloudSource& source : data_set.clouds)
-      tasks.push_back ({data_set.name, source});
-  Evaluation evaluation{plan,
-                        ResultsFile (file),
-                        {tasks.size(), messages, apps::progressStyleOf (is_terminal)}};
-  apps::runInParallel (tasks.size(), plan.jobs, [&] (std::size_t i) {
-    evaluation.evaluateCloud (tasks[i]);
+  Evaluation evaluation{
+      plan,
+      ResultsFile (file),
+      {plan.clouds.size(), messages, apps::progressStyleOf (is_terminal)}};
+  apps::runInParallel (plan.clouds.size(), plan.jobs, [&] (std::size_t i) {
+    evaluation.evaluateCloud (plan.clouds[i]);
     evaluation.progress.step();
   });
   return evaluation.summary;

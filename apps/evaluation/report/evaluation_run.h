@@ -11,10 +11,10 @@ namespace pcl_ops::evaluation {
 
 /** \brief What to run over what. */
 struct EvaluationPlan {
-  std::vector<DataSet> data_sets;
+  std::vector<CloudSource> clouds;
   std::vector<Configuration> configurations;
   TruthParameters truth;
-  /** \brief All but the up axis and the grid, which are those of the clouds. */
+  /** \brief All but the up axis and the image, which are those of the clouds. */
   RunSettings settings;
   /** \brief Of a detector of others on a cloud [s]; 0: none. */
   unsigned time_limit = 600;

@@ -9,17 +9,18 @@
 #include <gtest/gtest.h>
 
 #include <benchmark/scaling.h>
+#include <numbers/random.h>
 #include <simulation/room.h>
 #include <simulation/simulated_cloud.h>
 
 #include <cctype>
 #include <cmath>
 #include <ctime>
-#include <random>
 
 namespace {
 
 using namespace pcl_ops::benchmark;
+using pcl_ops::apps::Random;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 constexpr double time_bound = 20.0, memory_bound = 10.0;
@@ -28,34 +29,24 @@ constexpr double time_bound = 20.0, memory_bound = 10.0;
 constexpr double disturbance = 3.0;
 constexpr std::size_t points = 10'000;
 /** \brief Of a room [m]. */
-constexpr float width = 4.0f;
+constexpr double width = 4.0;
 
-struct Random {
-  std::mt19937 generator{1};
-
-  float
-  between (float lower, float upper)
-  {
-    return std::uniform_real_distribution<float> (lower, upper) (generator);
-  }
-
-  Eigen::Vector3f
-  inCube (float edge)
-  {
-    const float half = 0.5f * edge;
-    return {between (-half, half), between (-half, half), between (-half, half)};
-  }
-};
+Eigen::Vector3d
+inCube (Random& random, double edge)
+{
+  const Eigen::Vector3d half = Eigen::Vector3d::Constant (0.5 * edge);
+  return random.inBox (-half, half);
+}
 
 template <typename Draw>
 Cloud::Ptr
 cloudOf (Draw&& draw)
 {
-  Random random;
+  Random random (1);
   const Cloud::Ptr cloud (new Cloud);
   for (std::size_t i = 0; i < points; ++i) {
-    const Eigen::Vector3f p = draw (random, i);
-    cloud->push_back ({p.x(), p.y(), p.z()});
+    pcl::PointXYZ& point = cloud->emplace_back();
+    point.getVector3fMap() = draw (random, i).template cast<float>();
   }
   return cloud;
 }
@@ -71,10 +62,10 @@ scanOf (const pcl_ops::simulation::Scene& scene, double noise_scale)
 
 /** \brief Points at distances of so many powers of ten [m]. */
 Cloud::Ptr
-logUniform (float lowest, float highest)
+logUniform (double lowest, double highest)
 {
-  return cloudOf ([=] (Random& random, std::size_t) -> Eigen::Vector3f {
-    return std::pow (10.0f, random.between (lowest, highest)) * random.inCube (2.0f);
+  return cloudOf ([=] (Random& random, std::size_t) -> Eigen::Vector3d {
+    return std::pow (10.0, random.between (lowest, highest)) * inCube (random, 2.0);
   });
 }
 
@@ -82,33 +73,33 @@ std::vector<std::pair<const char*, Cloud::Ptr>>
 worstClouds ()
 {
   const auto noise =
-      cloudOf ([] (Random& random, std::size_t) { return random.inCube (width); });
+      cloudOf ([] (Random& random, std::size_t) { return inCube (random, width); });
   return {{"noise in a cube", noise},
           {"exact plane", // tilted, so that no voxel has a face along it
-           cloudOf ([] (Random& random, std::size_t) -> Eigen::Vector3f {
-             const Eigen::Vector3f p = random.inCube (width);
-             return {p.x(), p.y(), 0.3f * p.x() + 0.2f * p.y() + 1.0f};
+           cloudOf ([] (Random& random, std::size_t) -> Eigen::Vector3d {
+             const Eigen::Vector3d p = inCube (random, width);
+             return {p.x(), p.y(), 0.3 * p.x() + 0.2 * p.y() + 1.0};
            })},
           {"10 exact planes", scanOf (makeBoards (10), 0.0)},
-          {"lattice", cloudOf ([] (Random&, std::size_t i) -> Eigen::Vector3f {
+          {"lattice", cloudOf ([] (Random&, std::size_t i) -> Eigen::Vector3d {
              constexpr std::size_t edge = 22;
              return width / edge *
-                    Eigen::Vector3f (float (i % edge),
-                                     float (i / edge % edge),
-                                     float (i / edge / edge));
+                    Eigen::Vector3d (double (i % edge),
+                                     double (i / edge % edge),
+                                     double (i / edge / edge));
            })},
           {"1000 planes", scanOf (makeBoards (1000), 1.0)},
-          {"log-uniform points", logUniform (-6.0f, 6.0f)},
-          {"log-uniform, apart", logUniform (1.0f, 12.0f)},
+          {"log-uniform points", logUniform (-6.0, 6.0)},
+          {"log-uniform, apart", logUniform (1.0, 12.0)},
           {"points in one voxel", // voxels are as wide as eight points are far
-           cloudOf ([] (Random& random, std::size_t i) -> Eigen::Vector3f {
-             return i < 8 ? 1e6f * Eigen::Vector3f (i & 1, i >> 1 & 1, i >> 2 & 1)
-                          : random.inCube (0.01f);
+           cloudOf ([] (Random& random, std::size_t i) -> Eigen::Vector3d {
+             return i < 8 ? 1e6 * Eigen::Vector3d (i & 1, i >> 1 & 1, i >> 2 & 1)
+                          : inCube (random, 0.01);
            })},
           {"equal points",
-           cloudOf ([] (Random&, std::size_t) { return Eigen::Vector3f (1, 2, 3); })},
+           cloudOf ([] (Random&, std::size_t) { return Eigen::Vector3d (1, 2, 3); })},
           {"equal by the hundred", cloudOf ([&] (Random&, std::size_t i) {
-             return Eigen::Vector3f ((*noise)[i / 100].getVector3fMap());
+             return (*noise)[i / 100].getVector3fMap().cast<double>().eval();
            })}};
 }
 

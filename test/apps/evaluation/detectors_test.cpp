@@ -44,7 +44,7 @@ TEST (Detectors, EveryOneFindsAFloorAndSaysHowLongItTook)
   const XyzCloud::Ptr cloud = floorWithNoise (0.001);
   for (const Configuration& detector :
        selectConfigurations ("presets,peers,peers-measured")) {
-    if (detector.needs_grid)
+    if (detector.needs_image)
       continue;
     const DetectorRun run = detector.run (cloud, {});
     std::vector<std::size_t> points = planeIds (run.labels).points;
@@ -74,19 +74,18 @@ TEST (Detectors, ProcessorTimeLeavesOutWhatOthersDo)
  */
 TEST (Detectors, ThoseForImagesFindAWallInOne)
 {
-  ImageGrid grid{160, 120, {}};
-  XyzCloud::Ptr cloud (new XyzCloud);
-  for (std::uint32_t i = 0; i < grid.width * grid.height; ++i) {
-    const float x = (float (i % grid.width) - 79.5f) / 131.25f;
-    const float y = (float (i / grid.width) - 59.5f) / 131.25f;
+  const XyzCloud::Ptr image (new XyzCloud (160, 120)), cloud (new XyzCloud);
+  for (std::uint32_t i = 0; i < image->size(); ++i) {
+    const float x = (float (i % 160) - 79.5f) / 131.25f;
+    const float y = (float (i / 160) - 59.5f) / 131.25f;
     const float depth = 2.0f / (1.0f - 0.3f * x); // 2 m + 0.3 x
-    if (i % grid.width < 10)
-      continue;
-    cloud->push_back (pcl::PointXYZ (depth * x, depth * y, depth));
-    grid.pixels.push_back (i);
+    const bool is_read = i % 160 >= 10;
+    (*image)[i] = {depth * x, depth * y, is_read ? depth : std::nanf ("")};
+    if (is_read)
+      cloud->push_back ((*image)[i]);
   }
   RunSettings settings;
-  settings.grid = &grid;
+  settings.image = image;
   for (const char* name : {"pcl-organized", "pcl-organized-measured"}) {
     const DetectorRun run = selectConfigurations (name)[0].run (cloud, settings);
     ASSERT_EQ (run.labels.size(), cloud->size());

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <support/las_bytes.h>
 #include <support/program_folder.h>
 
 #include <array>
@@ -26,13 +25,12 @@ protected:
 };
 
 std::string
-pcd (const std::string& fields, int points, const std::string& rows)
+pcd (int points, const std::string& rows)
 {
-  const bool has_label = fields == "x y z label";
-  return "VERSION 0.7\nFIELDS " + fields + "\nSIZE 4 4 4" + (has_label ? " 4" : "") +
-         "\nTYPE F F F" + (has_label ? " U" : "") + "\nCOUNT 1 1 1" +
-         (has_label ? " 1" : "") + "\nWIDTH " + std::to_string (points) +
-         "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + std::to_string (points) +
+  const std::string number = std::to_string (points);
+  return "VERSION 0.7\nFIELDS x y z label\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\n"
+         "WIDTH " +
+         number + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + number +
          "\nDATA ascii\n" + rows;
 }
 
@@ -44,24 +42,7 @@ floorOf (int side, LabelOf label)
   std::ostringstream rows;
   for (int i = 0; i < side * side; ++i)
     rows << 0.02 * (i % side) << ' ' << 0.02 * (i / side) << " 0 " << label (i) << '\n';
-  return pcd ("x y z label", side * side, rows.str());
-}
-
-/** The same as LAS, in UTM coordinates. */
-template <typename LabelOf>
-std::string
-lasFloorOf (int side, LabelOf label)
-{
-  constexpr std::uint8_t uint32 = 5;
-  LasRecipe recipe;
-  recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("label", uint32))};
-  recipe.points.clear();
-  for (int i = 0; i < side * side; ++i) {
-    recipe.points.push_back ({20 * (i % side), 20 * (i / side), 0});
-    recipe.extra.push_back (
-        pcl_ops::apps::littleEndian (static_cast<std::uint32_t> (label (i))));
-  }
-  return lasBytes (recipe);
+  return pcd (side * side, rows.str());
 }
 
 const std::string one_plane = floorOf (10, [] (int) { return 1; });
@@ -97,19 +78,16 @@ TEST_F (EvaluateProgram, AnEmptyTruthIsSaidButCompared)
   EXPECT_TRUE (contains (done.err, "truth.pcd: has no plane"));
 }
 
-TEST_F (EvaluateProgram, ComparesLasByItsExtraBytesAndTextByItsColumnOfLabels)
+TEST_F (EvaluateProgram, ComparesTextByItsColumnOfLabels)
 {
-  const auto labelOf = [] (int i) { return i < 60 ? 4 : 9; };
-  std::string rows = "x,y,z,label\n";
+  std::ostringstream rows;
+  rows << "x,y,z,label\n";
   for (int i = 0; i < 100; ++i)
-    rows += std::to_string (0.02 * (i % 10)) + "," + std::to_string (0.02 * (i / 10)) +
-            ",0," + std::to_string (labelOf (i)) + "\n";
-  folder_.write ("truth.las", lasFloorOf (10, [] (int) { return 1; }));
-  folder_.write ("result.las", lasFloorOf (10, labelOf));
+    rows << 0.02 * (i % 10) << ',' << 0.02 * (i / 10) << ",0," << (i < 60 ? 4 : 9)
+         << '\n';
   folder_.write ("truth.pcd", one_plane);
-  folder_.write ("result.csv", rows);
-  for (const char* files : {"truth.las result.las", "truth.pcd result.csv"})
-    EXPECT_EQ (jsonOf (std::string ("compare ") + files)["segmentation_accuracy"], 0.6);
+  folder_.write ("result.csv", rows.str());
+  EXPECT_EQ (jsonOf ("compare truth.pcd result.csv")["segmentation_accuracy"], 0.6);
   folder_.write ("half.csv", "x,y,z,label\n1,2,3,1.5\n");
   expectRefused ("compare half.csv half.csv", "half.csv: ");
 }
@@ -153,7 +131,7 @@ TEST_F (EvaluateProgram, CountsPlanesThatKeepTheirNumber)
     std::string rows;
     for (const char label : labels)
       rows += std::to_string (rows.size()) + " 0 0 " + label + '\n';
-    folder_.write (name, pcd ("x y z label", static_cast<int> (labels.size()), rows));
+    folder_.write (name, pcd (static_cast<int> (labels.size()), rows));
   };
   std::filesystem::create_directories (folder_ / "truth");
   std::filesystem::create_directories (folder_ / "result");
@@ -193,8 +171,7 @@ TEST_F (EvaluateProgram, TracksDifferencesOverWhatCovariancesAllow)
       rows << (is_turned ? y : x) << ' ' << (is_turned ? -x : y) << ' '
            << errors[column / 4 + row / 4 * 10] - 1.0 << " 1\n";
     }
-    folder_.write ("clouds/" + std::to_string (cloud) + ".pcd",
-                   pcd ("x y z label", 1600, rows.str()));
+    folder_.write ("clouds/" + std::to_string (cloud) + ".pcd", pcd (1600, rows.str()));
     poses += is_turned ? "0 0 0 1 0 0 0.70710678 0.70710678\n" : "0 0 0 1 0 0 0 1\n";
   }
   folder_.write ("poses.txt", poses);
@@ -215,7 +192,7 @@ TEST_F (EvaluateProgram, FindsAllEdgesOfACornerOfExactPoints)
       rows << s << ' ' << t << " 0 1\n0 " << s << ' ' << t << " 2\n"
            << t << " 0 " << s << " 3\n";
     }
-  std::string cloud = pcd ("x y z label", 30000, rows.str());
+  std::string cloud = pcd (30000, rows.str());
   cloud.replace (cloud.find ("VIEWPOINT 0 0 0"), 15, "VIEWPOINT 1 1 1");
   folder_.write ("corner.pcd", cloud);
   EXPECT_TRUE (contains (expectDone ("edges clouds:corner.pcd").out,

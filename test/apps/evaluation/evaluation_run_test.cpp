@@ -26,7 +26,7 @@ using namespace pcl_ops::evaluation;
 CloudSource
 rowOfPoints (const std::string& name)
 {
-  return {name, [] {
+  return {"rows", name, [] {
             EvaluationCloud cloud;
             cloud.cloud.reset (new XyzCloud (10, 1));
             for (int i = 0; i < 10; ++i)
@@ -81,7 +81,7 @@ protected:
   EvaluationRunTest()
   {
     plan.truth.min_points = 1;
-    plan.data_sets = {{"rows", {rowOfPoints ("a"), rowOfPoints ("b, \"c\"")}}};
+    plan.clouds = {rowOfPoints ("a"), rowOfPoints ("b, \"c\"")};
     plan.configurations = {labeling ("all-right", 10, calls),
                            labeling ("half-right", 5, calls)};
   }
@@ -165,7 +165,7 @@ TEST_F (EvaluationRunTest, GoesOnWhereItWasInterrupted)
 TEST_F (EvaluationRunTest, ManyThreadsAddConfigurationsToEarlierOnes)
 {
   for (int i = 0; i < 20; ++i)
-    plan.data_sets[0].clouds.push_back (rowOfPoints ("cloud " + std::to_string (i)));
+    plan.clouds.push_back (rowOfPoints ("cloud " + std::to_string (i)));
   plan.jobs = 4;
   EXPECT_EQ (run().new_rows, 44u);
   plan.configurations.push_back (labeling ("new", 3, calls));
@@ -181,7 +181,7 @@ TEST_F (EvaluationRunTest, APeerThatTakesTooLongIsStoppedAndNotTriedAgain)
     return {};
   };
   plan.configurations = {{"hanging", {}, hang, true}};
-  plan.data_sets[0].clouds.resize (1);
+  plan.clouds.resize (1);
   plan.time_limit = 1;
   EXPECT_EQ (run().stopped_runs, 1u);
   EXPECT_NE (messages.str().find ("hanging on a: stopped after 1 s"),
@@ -211,7 +211,7 @@ TEST_F (EvaluationRunTest, ADetectorThatFailsAndAPeerThatCrashesAreSaidAndCounte
 
 TEST_F (EvaluationRunTest, WhatNeedsAnImageRunsOnImagesOnly)
 {
-  plan.configurations[0].needs_grid = true;
+  plan.configurations[0].needs_image = true;
   EXPECT_EQ (run().new_rows, 2u);
 }
 
@@ -237,7 +237,7 @@ TEST_F (EvaluationRunTest, AFullDiskLeavesTheRowsThatHadRoom)
 {
   run();
   const std::string before = contentOf (file);
-  plan.data_sets[0].clouds.push_back (rowOfPoints ("c"));
+  plan.clouds.push_back (rowOfPoints ("c"));
   {
     const FileSizeLimit limit (before.size() + 20);
     EXPECT_THROW (run(), pcl_ops::apps::OutputError);

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scenes.h"
-#include <simulation/lidar.h>
 #include <simulation/shapes.h>
 #include <simulation/simulate.h>
 #include <simulation/survey.h>

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scenes.h"
-#include <simulation/lidar.h>
 #include <simulation/street.h>
 
 #include <set>
@@ -12,31 +11,32 @@ namespace {
 
 const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
 
-DepthImage
+Scan
 measuredWall (double depth, const CameraNoise& noise)
 {
-  return measureDepth (wallAt (depth), {160, 120}, origin, noise, seedOfTest());
+  return scanByCamera (wallAt (depth), {160, 120}, origin, noise, seedOfTest());
 }
 
 double
-meanSquaredError (const DepthImage& image, double depth)
+meanSquaredError (const Scan& image, double depth)
 {
   double sum = 0.0;
-  for (const double measured : image.depth)
-    sum += (measured - depth) * (measured - depth);
-  return sum / double (image.depth.size());
+  for (const Eigen::Vector3d& point : image.points)
+    sum += (point.z() - depth) * (point.z() - depth);
+  return sum / double (image.points.size());
 }
 
 /** \brief Correlation of the errors of pixels that are some columns apart. */
 double
-errorCorrelation (const DepthImage& image, double depth, int columns_apart)
+errorCorrelation (const Scan& image, double depth, std::size_t columns_apart)
 {
   double sum = 0.0;
   int pairs = 0;
-  for (int row = 0; row < image.height; ++row)
-    for (int column = 0; column + columns_apart < image.width; ++column, ++pairs) {
-      const double* const pixel = &image.depth[row * image.width + column];
-      sum += (pixel[0] - depth) * (pixel[columns_apart] - depth);
+  for (std::size_t i = 0; i + columns_apart < image.points.size(); ++i)
+    if (i % image.columns + columns_apart < image.columns) {
+      sum +=
+          (image.points[i].z() - depth) * (image.points[i + columns_apart].z() - depth);
+      ++pairs;
     }
   return sum / pairs / meanSquaredError (image, depth);
 }
@@ -80,33 +80,33 @@ TEST (DepthNoise, GrowsWithTheSquareOfTheDepth)
 TEST (DepthNoise, CorrelatedErrorsAreThoseOfAGaussianFilter)
 {
   const CameraNoise noise;
-  const DepthImage image = measuredWall (3.0, noise);
-  for (const int lag : {1, 3, 6}) {
+  const Scan image = measuredWall (3.0, noise);
+  for (const std::size_t lag : {1, 3, 6}) {
     const double expected =
-        std::exp (-0.25 * lag * lag / noise.smoothing / noise.smoothing);
+        std::exp (-0.25 * double (lag * lag) / noise.smoothing / noise.smoothing);
     EXPECT_NEAR (errorCorrelation (image, 3.0, lag), expected, 0.1) << lag << " px";
   }
 }
 
 TEST (DepthNoise, RawErrorsAreIndependentInEighthsOfAPixelOfDisparity)
 {
-  const DepthImage image = measuredWall (3.0, {1.0, true});
+  const Scan image = measuredWall (3.0, {1.0, true});
   EXPECT_NEAR (errorCorrelation (image, 3.0, 1), 0.0, 0.05);
-  for (const double depth : image.depth) {
-    const double eighths = 8.0 * 525.0 * 0.075 / depth;
+  for (const Eigen::Vector3d& point : image.points) {
+    const double eighths = 8.0 * 525.0 * 0.075 / point.z();
     EXPECT_NEAR (eighths, std::round (eighths), 1e-9);
   }
 }
 
 TEST (DepthNoise, FlyingPixelsAreBetweenTheEdgesSidesAndOnNoSurface)
 {
-  const DepthImage image =
-      measureDepth (stepScene (2.0, 4.0), {160, 120}, origin, {}, seedOfTest());
+  const Scan image =
+      scanByCamera (stepScene (2.0, 4.0), {160, 120}, origin, {}, seedOfTest());
   int flying = 0;
-  for (std::size_t i = 0; i < image.depth.size(); ++i)
-    if (image.depth[i] > 2.1 && image.depth[i] < 3.85) {
+  for (std::size_t i = 0; i < image.points.size(); ++i)
+    if (image.points[i].z() > 2.1 && image.points[i].z() < 3.85) {
       ++flying;
-      EXPECT_EQ (image.surface[i], no_surface);
+      EXPECT_EQ (image.surfaces[i], no_surface);
     }
   EXPECT_GT (flying, 20);
   EXPECT_LT (flying, 2 * 120);
@@ -115,8 +115,8 @@ TEST (DepthNoise, FlyingPixelsAreBetweenTheEdgesSidesAndOnNoSurface)
 TEST (DepthNoise, LosesWhatIsOutOfRange)
 {
   for (const double depth : {0.4, 9.0})
-    for (const double measured : measuredWall (depth, {0.0}).depth)
-      EXPECT_TRUE (std::isinf (measured));
+    for (const Eigen::Vector3d& point : measuredWall (depth, {0.0}).points)
+      EXPECT_TRUE (std::isnan (point.z()));
 }
 
 TEST (Lidar, HasTheBeamsOfItsName)

@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <simulation/depth_camera.h>
-#include <simulation/simulated_cloud.h>
+#include <simulation/sensors.h>
 
 #include <algorithm>
 #include <cmath>

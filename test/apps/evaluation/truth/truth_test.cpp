@@ -96,7 +96,7 @@ TEST (RegionGrowing, FindsTheExactPlanesOfARenderedRoom)
   if (!fs::exists (file))
     GTEST_SKIP() << "no " << file;
   const EvaluationCloud cloud =
-      dataSetOf ("clouds:" + file.string(), z.cast<double>()).clouds[0].load();
+      dataSetOf ("clouds:" + file.string(), z.cast<double>()).at (0).load();
   const PlaneLabels grown = growRegions (*cloud.cloud, 30);
   const Metrics metrics = compareLabels (*cloud.cloud, *cloud.truth, grown);
   EXPECT_GT (metrics.named[1].second, 0.9);

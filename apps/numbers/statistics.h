@@ -10,6 +10,14 @@
 
 namespace pcl_ops::apps {
 
+/** \brief part / whole, or \p of_nothing where the whole is 0. */
+inline double
+fraction (std::size_t part, std::size_t whole, double of_nothing)
+{
+  return whole == 0 ? of_nothing
+                    : static_cast<double> (part) / static_cast<double> (whole);
+}
+
 /** \brief The value that a share of all values does not exceed: 0.5 for the
  * median. NaN for none. */
 template <typename Number>

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // PCL's tutorial on cluster extraction, its loop and one call in its place, both timed.
+#include "cluster_extraction.h"
+
 #include <pcl/common/time.h>
 #include <pcl/io/pcd_io.h>
 
-#include "tutorial.h"
 #include <pcl_ops/oriented_point_sampling.h>
 
 #include <iostream>

@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sensors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace pcl_ops::simulation {
+
+namespace {
+
+using Eigen::Vector3d;
+
+/** \brief Readings outside are lost [m]. */
+constexpr double nearest = 0.5, farthest = 8.0;
+/** \brief Standard deviation of the rays' wandering along each image axis [px] (Nguyen
+ * et al., see \ref axialSigma). */
+constexpr double lateral_sigma = 0.8;
+constexpr double no_reading = std::numeric_limits<double>::infinity();
+
+/** \brief A surface whose depth differs more between a pixel's ray and the ray beside
+ * it, relative to the depth, is seen edge-on. */
+constexpr double largest_slope = 0.1;
+
+/** \brief Distance between a Kinect's projector and camera [m] (Khoshelham & Elberink,
+ * "Accuracy and Resolution of Kinect Depth Data", Sensors 2012). */
+constexpr double baseline = 0.075;
+
+/** \brief Steps of disparity per pixel (same source). */
+constexpr double disparity_steps = 8.0;
+
+/** \brief Neighboring depths that differ by more, relative to the depth, are an edge.
+ */
+constexpr double edge_ratio = 0.05;
+constexpr double flying_fraction = 0.3;
+constexpr double lost_fraction = 0.2;
+
+/** \brief Standard deviation of a Kinect's depth [m] at a depth [m]: Nguyen, Izadi &
+ * Lovell, "Modeling Kinect Sensor Noise for Improved 3D Reconstruction and Tracking",
+ * 3DIMPVT 2012, for surfaces seen at up to 60 degrees. */
+double
+axialSigma (double depth)
+{
+  return 0.0012 + 0.0019 * (depth - 0.4) * (depth - 0.4);
+}
+
+/** \brief Where a pixel's own ray meets the plane that a ray beside it has hit. */
+double
+depthOnSurface (const Hit& hit,
+                const std::vector<Plane>& planes,
+                const Vector3d& eye,
+                const Vector3d& ray)
+{
+  if (hit.surface == no_surface)
+    return hit.distance;
+  const Plane& plane = planes[hit.surface - 1];
+  const double depth = -plane.distance (eye) / plane.normal.dot (ray);
+  const bool is_grazing =
+      !(std::abs (depth - hit.distance) < largest_slope * hit.distance);
+  return is_grazing ? hit.distance : depth;
+}
+
+/** \brief A Gaussian whose squares sum to 1, so that filtering white noise with it
+ * keeps the variance. */
+std::vector<double>
+variancePreservingKernel (int radius, double sigma)
+{
+  std::vector<double> kernel;
+  double energy = 0.0;
+  for (int i = -radius; i <= radius; ++i) {
+    kernel.push_back (std::exp (-0.5 * i * i / (sigma * sigma)));
+    energy += kernel.back() * kernel.back();
+  }
+  for (double& weight : kernel)
+    weight /= std::sqrt (energy);
+  return kernel;
+}
+
+/** \brief Filters along the columns, which get shorter by the kernel. */
+Field
+filtered (const Field& field, const std::vector<double>& kernel)
+{
+  Field sum =
+      Field::Zero (field.rows() - Eigen::Index (kernel.size()) + 1, field.cols());
+  for (std::size_t i = 0; i < kernel.size(); ++i)
+    sum += kernel[i] * field.middleRows (Eigen::Index (i), sum.rows());
+  return sum;
+}
+
+/** \brief A standard normal value for each pixel; with the correlated profile alike for
+ * neighbors: white noise filtered by a Gaussian and brought back to variance 1. */
+Field
+drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
+{
+  const int radius = noise.is_raw ? 0 : int (std::ceil (3.0 * noise.smoothing));
+  Field white (camera.height + 2 * radius, camera.width + 2 * radius);
+  std::generate_n (white.data(), white.size(), [&] { return random.gaussian(); });
+  if (noise.is_raw)
+    return white;
+  const std::vector<double> kernel = variancePreservingKernel (radius, noise.smoothing);
+  return filtered (filtered (white.transpose(), kernel).transpose(), kernel);
+}
+
+/** \brief The depth of a neighbor on the other side of a depth edge, if there is one.
+ */
+std::optional<double>
+depthAcrossEdge (const Field& depth, int row, int column)
+{
+  const double here = depth (row, column);
+  for (const auto& [r, c] : {std::pair (row, column + 1),
+                             std::pair (row, column - 1),
+                             std::pair (row + 1, column),
+                             std::pair (row - 1, column)})
+    if (c >= 0 && c < depth.cols() && r >= 0 && r < depth.rows()) {
+      const double other = depth (r, c);
+      if (std::abs (other - here) > edge_ratio * std::min (other, here))
+        return other;
+    }
+  return std::nullopt;
+}
+
+void
+disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
+{
+  const Field exact = image.depth;
+  const double strength = std::min (1.0, noise.scale);
+  for (int row = 0; row < exact.rows(); ++row)
+    for (int column = 0; column < exact.cols(); ++column) {
+      const auto other = depthAcrossEdge (exact, row, column);
+      if (!other)
+        continue;
+      double& depth = image.depth (row, column);
+      const double chance = random.unit() / strength;
+      if (chance < flying_fraction) {
+        depth += random.between (0.1, 0.9) * (*other - depth);
+        image.surface[std::size_t (row * exact.cols() + column)] = no_surface;
+      }
+      else if (chance < flying_fraction + lost_fraction)
+        depth = no_reading;
+    }
+}
+
+/** \brief Adds all noise but that of the rays' directions. */
+void
+disturbDepths (DepthImage& image,
+               const DepthCamera& camera,
+               const CameraNoise& noise,
+               Random& random)
+{
+  // The steps are those of the Kinect's own image also in a smaller one.
+  constexpr double steps_times_depth = disparity_steps * kinect_focal_length * baseline;
+  disturbEdges (image, noise, random);
+  const Field field = drawField (camera, noise, random);
+  for (Eigen::Index i = 0; i < field.size(); ++i) {
+    double& depth = image.depth (i);
+    depth += noise.scale * axialSigma (depth) * field (i);
+    if (noise.is_raw && depth > 0.0)
+      depth = steps_times_depth / std::round (steps_times_depth / depth);
+  }
+}
+
+} // namespace
+
+DepthImage
+castDepthImage (const Scene& scene,
+                const DepthCamera& camera,
+                const Eigen::Isometry3d& pose,
+                const Jitter& jitter)
+{
+  DepthImage image{Field (camera.height, camera.width), {}};
+  const std::vector<Plane> planes = surfacePlanes (scene);
+  const ShapeTree shapes = treeOf (scene);
+  const Vector3d eye = pose.translation();
+  for (int row = 0; row < camera.height; ++row)
+    for (int column = 0; column < camera.width; ++column) {
+      const Vector3d ray = pose.linear() * camera.ray (column, row);
+      const Vector3d jittered =
+          jitter.columns.size() == 0
+              ? ray
+              : Vector3d (pose.linear() *
+                          camera.ray (column + jitter.columns (row, column),
+                                      row + jitter.rows (row, column)));
+      const Hit hit = castRay (shapes, eye, jittered);
+      image.depth (row, column) = depthOnSurface (hit, planes, eye, ray);
+      image.surface.push_back (hit.surface);
+    }
+  return image;
+}
+
+Scan
+scanByCamera (const Scene& scene,
+              const DepthCamera& camera,
+              const Eigen::Isometry3d& pose,
+              const CameraNoise& noise,
+              std::uint32_t seed)
+{
+  Random random = randomFor (Purpose::DepthNoise, seed);
+  const bool is_noisy = noise.scale > 0.0;
+  Jitter jitter;
+  if (is_noisy)
+    for (Field* const axis : {&jitter.columns, &jitter.rows})
+      *axis = noise.scale * lateral_sigma * drawField (camera, noise, random);
+  DepthImage image = castDepthImage (scene, camera, pose, jitter);
+  if (is_noisy)
+    disturbDepths (image, camera, noise, random);
+  Scan scan;
+  scan.columns = std::size_t (camera.width);
+  scan.rows = std::size_t (camera.height);
+  scan.surfaces = std::move (image.surface);
+  for (int row = 0; row < camera.height; ++row)
+    for (int column = 0; column < camera.width; ++column) {
+      const double depth = image.depth (row, column);
+      const bool is_read = depth >= nearest && depth <= farthest;
+      scan.points.push_back (is_read ? Vector3d (depth * camera.ray (column, row))
+                                     : Vector3d::Constant (std::nan ("")));
+    }
+  return scan;
+}
+
+namespace {
+
+const std::vector<Lidar>&
+knownLidars ()
+{
+  static const std::vector<Lidar> lidars = {{"lidar-64", 64, 1900, 2.0, -24.8, 120.0},
+                                            {"lidar-32", 32, 1080, 10.0, -30.0, 100.0},
+                                            {"lidar-16", 16, 1800, 15.0, -15.0, 100.0},
+                                            {"livox", 1, 100'000, 35.0, -35.0, 120.0}};
+  return lidars;
+}
+
+Vector3d
+rotatingRay (const Lidar& lidar, int step, int beam)
+{
+  const double share = lidar.beams > 1 ? double (beam) / (lidar.beams - 1) : 0.0;
+  const double elevation =
+      (lidar.highest + share * (lidar.lowest - lidar.highest)) * pi / 180.0;
+  const double azimuth = -2.0 * pi * step / lidar.steps;
+  return {std::cos (elevation) * std::cos (azimuth),
+          std::cos (elevation) * std::sin (azimuth),
+          std::sin (elevation)};
+}
+
+/** \brief The beam goes through two prisms that turn against each other, each of which
+ * bends it by half of what both do together. */
+Vector3d
+rosetteRay (const Lidar& lidar, std::size_t ray)
+{
+  // Of a Livox Mid-40: the rosette is closed after half a minute.
+  constexpr double turns_of_first = 7294.0 / 60.0, turns_of_second = -4664.0 / 60.0;
+  constexpr double rays_a_second = 1e5;
+  const double time = double (ray) / rays_a_second;
+  const double first = 2.0 * pi * turns_of_first * time;
+  const double second = 2.0 * pi * turns_of_second * time;
+  const double bent = 0.25 * (lidar.highest - lidar.lowest) * pi / 180.0;
+  const double left = bent * (std::cos (first) + std::cos (second));
+  const double up = bent * (std::sin (first) + std::sin (second));
+  const double angle = std::hypot (left, up);
+  const double sine = angle > 0.0 ? std::sin (angle) / angle : 1.0;
+  return {std::cos (angle), sine * left, sine * up};
+}
+
+} // namespace
+
+std::vector<std::string>
+lidarNames ()
+{
+  std::vector<std::string> names;
+  for (const Lidar& lidar : knownLidars())
+    names.push_back (lidar.name);
+  return names;
+}
+
+Lidar
+lidarOf (const std::string& name)
+{
+  for (const Lidar& lidar : knownLidars())
+    if (lidar.name == name)
+      return lidar;
+  return {};
+}
+
+Scan
+scanAround (const Scene& scene,
+            const Lidar& lidar,
+            const Eigen::Isometry3d& pose,
+            double noise_scale,
+            std::uint32_t seed,
+            std::size_t number)
+{
+  Random random = randomFor (Purpose::LidarNoise, seed);
+  Scan scan;
+  scan.columns = std::size_t (lidar.steps);
+  scan.rows = std::size_t (lidar.beams);
+  scan.column_by_column = true;
+  const std::size_t rays = scan.columns * scan.rows;
+  scan.points.assign (rays, Vector3d::Constant (std::nan ("")));
+  scan.surfaces.assign (rays, no_surface);
+  const ShapeTree shapes = treeOf (scene);
+  const Vector3d eye = pose.translation();
+  for (std::size_t i = 0; i < rays; ++i) {
+    const Vector3d ray =
+        lidar.isRosette()
+            ? rosetteRay (lidar, number * rays + i)
+            : rotatingRay (lidar, int (i / scan.rows), int (i % scan.rows));
+    const Hit hit = castRay (shapes, eye, pose.linear() * ray);
+    // Drawn for each ray, so that one reading more leaves the others as they are.
+    const double error = noise_scale * lidar_sigma * random.gaussian();
+    const double distance = hit.distance + error;
+    if (!(distance > 0.0 && distance <= lidar.farthest))
+      continue;
+    scan.points[i] = distance * ray;
+    scan.surfaces[i] = hit.surface;
+  }
+  return scan;
+}
+
+} // namespace pcl_ops::simulation

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "simulated_cloud.h"
+
+#include <string>
+#include <vector>
+
+namespace pcl_ops::simulation {
+
+/** \brief Of a Kinect's depth image of 640 columns [px]. */
+constexpr double kinect_focal_length = 525.0;
+
+/** \brief A pinhole depth camera in the room. Its axes: x right, y down, z forward. */
+struct DepthCamera {
+  int width = 640;
+  int height = 480;
+
+  /** \brief The ray of a pixel in the camera's frame, of length 1 along z. */
+  Eigen::Vector3d
+  ray (double column, double row) const
+  {
+    // [px]: the field of view is a Kinect's whatever the width.
+    const double focal_length = kinect_focal_length * width / 640.0;
+    return {(column - 0.5 * (width - 1)) / focal_length,
+            (row - 0.5 * (height - 1)) / focal_length,
+            1.0};
+  }
+};
+
+/** \brief A number for each pixel. */
+using Field = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/** \brief What is before each pixel. */
+struct DepthImage {
+  /** \brief Distance along the camera's z axis [m]; infinite: nothing. */
+  Field depth;
+  /** \brief Row by row. */
+  std::vector<SurfaceId> surface;
+};
+
+/** \brief How far beside its place each pixel looks [px]: this frays the edges, while
+ * the depth is that of the surface it sees at the pixel's place. Empty: edges are
+ * exact.
+ */
+struct Jitter {
+  Field columns, rows;
+};
+
+/** \brief Casts a ray through every pixel. */
+DepthImage
+castDepthImage (const Scene& scene,
+                const DepthCamera& camera,
+                const Eigen::Isometry3d& pose,
+                const Jitter& jitter = {});
+
+struct CameraNoise {
+  /** \brief Factor on all noise; 1 as measured on a Kinect, 0 none at all. */
+  double scale = 1.0;
+  /** \brief Each pixel errs by itself and the disparity comes in steps of 1/8 px; else
+   * the depth is smoothed: neighboring pixels err alike. */
+  bool is_raw = false;
+  /** \brief Standard deviation s of the Gaussian filter of smoothed depth [px]: at a
+   * distance d the correlation is exp (-d^2 / (4 s^2)). */
+  double smoothing = 3.0;
+};
+
+/** \brief What a camera measures, in its frame: rays wander sideways, depths are noisy,
+ * pixels at depth edges fly between the two sides, on no surface, or are lost, as is
+ * what is out of range. */
+Scan
+scanByCamera (const Scene& scene,
+              const DepthCamera& camera,
+              const Eigen::Isometry3d& pose,
+              const CameraNoise& noise,
+              std::uint32_t seed);
+
+/** \brief Standard deviation of a lidar's distances [m]. */
+constexpr double lidar_sigma = 0.02;
+
+/** \brief A lidar in its axes: x forward, y left, z up. It sends some beams at once,
+ * one above the other, highest first, and so around clockwise; or with \ref beams 1 a
+ * single one along a rosette whose gaps the next scans fill. */
+struct Lidar {
+  std::string name = "lidar-64";
+  int beams = 64;
+  /** \brief How often they are sent in a scan. */
+  int steps = 1900;
+  /** \brief Elevations of the outer beams; of a rosette those of its edge [degree]. */
+  double highest = 2.0, lowest = -24.8;
+  /** \brief Readings beyond are lost [m]. */
+  double farthest = 120.0;
+
+  bool
+  isRosette () const
+  {
+    return beams == 1;
+  }
+};
+
+/** \brief The names that \ref lidarOf knows. */
+std::vector<std::string>
+lidarNames ();
+
+/** \brief A lidar like a Velodyne HDL-64E, HDL-32E or VLP-16 ("lidar-64", "lidar-32",
+ * "lidar-16") or a Livox Avia ("livox").
+ * \param[in] name one of \ref lidarNames */
+Lidar
+lidarOf (const std::string& name);
+
+/** \brief Casts all rays of a scan from where the lidar is; distances are noisy.
+ * \param[in] pose from the lidar's frame to that of the scene
+ * \param[in] number of the scan in a row of them: a rosette goes on where the last
+ * scan ended */
+Scan
+scanAround (const Scene& scene,
+            const Lidar& lidar,
+            const Eigen::Isometry3d& pose,
+            double noise_scale,
+            std::uint32_t seed,
+            std::size_t number = 0);
+
+} // namespace pcl_ops::simulation
