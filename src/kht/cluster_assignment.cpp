@@ -6,7 +6,6 @@
 #include "bounded/bounded_assignment.h"
 #include "bounded/noise_measurement.h"
 #include "bounded/plane_growing.h"
-#include "detection/merging_defaults.h"
 #include "voxels/voxel_size.h"
 
 #include <algorithm>

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/detect_as_in_paper.h"
 
-#include "detection/merging_defaults.h"
-#include "detection/neighbour_search.h"
 #include "ops/point_extraction.h"
 
 #include <algorithm>

@@ -5,9 +5,11 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "geometry/principal_axes.h"
+#include "search/box_tree.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace pcl_ops::internal {
@@ -76,6 +78,27 @@ weightedScatter (const CloudView& cloud,
 }
 
 } // namespace
+
+NeighborSearch
+searchOver (const DetectorInput& input, const Points& points, unsigned threads)
+{
+  if (input.search_over)
+    return input.search_over (points.index);
+  const auto tree = std::make_shared<const BoxTree> (points, input.cloud);
+  NeighborSearch search;
+  search.nearest = [tree, cloud = input.cloud] (pcl::index_t point,
+                                                int k,
+                                                pcl::Indices& neighbours,
+                                                std::vector<float>& squared_distances) {
+    NeighborQuery query;
+    query.position = positionOf (cloud, point).cast<float>();
+    query.max_neighbors = static_cast<std::size_t> (k);
+    query.sorted = false;
+    tree->find (query, neighbours, squared_distances);
+  };
+  search.threads = threads;
+  return search;
+}
 
 Eigen::Vector3d
 normalOfScatter (const Eigen::Matrix3d& scatter)
