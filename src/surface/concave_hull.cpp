@@ -242,4 +242,12 @@ concaveOutline (const PlanarPoints& points, double alpha)
   return rings;
 }
 
+PlaneExtent
+concavePlaneExtent (const CloudView& cloud, const PlaneSegment& plane, double alpha)
+{
+  const PlaneFrame frame (plane.centroid, plane.normal);
+  const PlanarPoints points = pointsOnPlane (cloud, plane, frame);
+  return extentOf (concaveOutline (points, alpha), points, frame);
+}
+
 } // namespace pcl_ops

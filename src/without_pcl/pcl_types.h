@@ -114,19 +114,15 @@ template <typename PointT>
 class PCLBase;
 template <typename PointT>
 class PlanarRegion;
-struct ModelCoefficients {};
+struct ModelCoefficients {
+  PCLHeader header;
+};
 struct PointIndices {
-  Indices indices;
+  PCLHeader header;
 };
 namespace search {
 template <typename PointT>
 class Search;
-}
-
-constexpr double
-deg2rad (double degrees)
-{
-  return degrees / 180.0 * 3.14159265358979323846;
 }
 
 // Nothing is printed that could be silenced.
