@@ -15,52 +15,6 @@ namespace pcl_ops::internal {
 
 namespace {
 
-/** \brief What is still to be visited, the next one on top: in one number the distance,
- * as sorting goes by it, and which child of which node it is. */
-class Postponed {
-public:
-  bool
-  empty () const
-  {
-    return number_ == 0;
-  }
-
-  /** \brief Later additions come before earlier ones, nearer before farther ones. */
-  void
-  startNode ()
-  {
-    first_of_node_ = number_;
-  }
-
-  void
-  add (float squared_distance, std::uint32_t child)
-  {
-    const Entry entry =
-        (Entry (NearestCandidates::bitsOf (squared_distance)) << child_bits) | child;
-    std::size_t place = number_++;
-    for (; place > first_of_node_ && entries_[place - 1] < entry; --place)
-      entries_[place] = entries_[place - 1];
-    entries_[place] = entry;
-  }
-
-  std::uint64_t
-  pop ()
-  {
-    return entries_[--number_];
-  }
-
-  static constexpr int child_bits = 32;
-
-private:
-  using Entry = std::uint64_t;
-  // Dividing by 4 / 3 or more leaves one of 2^32 points after 78 times; a level of
-  // nodes divides three times.
-  static constexpr std::size_t most_levels = 78 / 3;
-  std::array<Entry, most_levels * 8> entries_;
-  std::size_t number_ = 0;
-  std::size_t first_of_node_ = 0;
-};
-
 using Node = BoxTree::Node;
 using Child = BoxTree::Child;
 using OfChildren = BoxTree::OfChildren;
@@ -101,6 +55,43 @@ visitLeaf (const Child& leaf,
   candidates.add (distances.data(), &index[leaf.first], leaf.size);
 }
 
+/** \brief What is still to be visited, the next one on top: in one number the distance,
+ * as sorting goes by it, and which child of which node it is. */
+struct Postponed {
+  static constexpr int child_bits = 32;
+  // Dividing by 4 / 3 or more leaves one of 2^32 points after 78 times; a level of
+  // nodes divides three times.
+  static constexpr std::size_t most_levels = 78 / 3;
+
+  std::array<std::uint64_t, most_levels * BoxTree::most_children> children;
+  std::size_t number = 0;
+};
+
+// Those of a node come before what was there, nearer before farther ones.
+void
+postponeChildren (const std::vector<Node>& nodes,
+                  std::uint32_t number,
+                  const Eigen::Vector3f& position,
+                  const NearestCandidates& candidates,
+                  Postponed& postponed)
+{
+  const Node& node = nodes[number];
+  OfChildren distances;
+  squaredDistances (node, position, distances);
+  const std::size_t first = postponed.number;
+  for (std::uint32_t i = 0; i < node.number; ++i) {
+    if (!candidates.mayTake (distances[i]))
+      continue;
+    const std::uint64_t child = std::uint64_t (NearestCandidates::bitsOf (distances[i]))
+                                    << Postponed::child_bits |
+                                (number * BoxTree::most_children + i);
+    std::size_t place = postponed.number++;
+    for (; place > first && postponed.children[place - 1] < child; --place)
+      postponed.children[place] = postponed.children[place - 1];
+    postponed.children[place] = child;
+  }
+}
+
 void
 visit (const std::vector<Node>& nodes,
        const Coordinates& points,
@@ -108,31 +99,19 @@ visit (const std::vector<Node>& nodes,
        const Eigen::Vector3f& position,
        NearestCandidates& candidates)
 {
-  constexpr std::size_t most_children = BoxTree::most_children;
   Postponed postponed;
-  OfChildren distances;
-  std::uint32_t number = 0;
-  while (true) {
-    const Node& node = nodes[number];
-    squaredDistances (node, position, distances);
-    postponed.startNode();
-    for (std::uint32_t i = 0; i < node.number; ++i)
-      if (candidates.mayTake (distances[i]))
-        postponed.add (distances[i], number * most_children + i);
-    for (bool is_leaf = true; is_leaf;) {
-      if (postponed.empty())
-        return;
-      const std::uint64_t next = postponed.pop();
-      if (!candidates.mayTakeBits (next >> Postponed::child_bits))
-        continue;
-      const auto slot = static_cast<std::uint32_t> (next);
-      const Child& child = nodes[slot / most_children].children[slot % most_children];
-      is_leaf = child.size > 0;
-      if (is_leaf)
-        visitLeaf (child, points, index, position, candidates);
-      else
-        number = child.first;
-    }
+  postponeChildren (nodes, 0, position, candidates, postponed);
+  while (postponed.number > 0) {
+    const std::uint64_t next = postponed.children[--postponed.number];
+    if (!candidates.mayTakeBits (next >> Postponed::child_bits))
+      continue;
+    const auto slot = static_cast<std::uint32_t> (next);
+    const Child& child =
+        nodes[slot / BoxTree::most_children].children[slot % BoxTree::most_children];
+    if (child.size > 0)
+      visitLeaf (child, points, index, position, candidates);
+    else
+      postponeChildren (nodes, child.first, position, candidates, postponed);
   }
 }
 
