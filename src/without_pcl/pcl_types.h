@@ -119,10 +119,17 @@ struct ModelCoefficients {
 };
 struct PointIndices {
   PCLHeader header;
+  Indices indices;
 };
 namespace search {
 template <typename PointT>
 class Search;
+}
+
+constexpr double
+deg2rad (double degrees)
+{
+  return degrees / 180.0 * 3.14159265358979323846;
 }
 
 // Nothing is printed that could be silenced.
