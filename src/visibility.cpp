@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/angles.h"
-#include "geometry/point_sample.h"
+#include "geometry/points.h"
 #include <pcl_ops/visibility.h>
 
 #include <algorithm>

@@ -17,10 +17,11 @@ namespace pcl_ops {
 struct CloudView {
   CloudView() = default;
 
-  /** \tparam PointT a point type with x, y, z side by side, as PCL_ADD_POINT4D gives
+  /** \brief What a function of the library that takes a view makes of a cloud.
+   * \tparam PointT a point type with x, y, z side by side, as PCL_ADD_POINT4D gives
    * them */
   template <typename PointT>
-  explicit CloudView (const pcl::PointCloud<PointT>& cloud)
+  CloudView (const pcl::PointCloud<PointT>& cloud)
   : first (cloud.empty() ? nullptr : &cloud[0].x)
   , stride (sizeof (PointT) / sizeof (float))
   , size (cloud.size())

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <pcl_ops/cloud_view.h>
-#include <pcl_ops/export.h>
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/plane.h>
 
+#include <numeric>
 #include <vector>
 
 namespace pcl_ops {
@@ -22,19 +22,15 @@ namespace pcl_ops {
  * \return planes by falling size
  * \throw std::invalid_argument if the cloud is empty, or there is a problem with the
  * parameters */
-PCL_OPS_EXPORT std::vector<PlaneSegment>
+template <typename Parameters>
+std::vector<PlaneSegment>
 detectPlanes (const CloudView& cloud,
-              const OrientedPointSamplingParameters& parameters,
-              const Eigen::Vector3d& viewpoint = Eigen::Vector3d::Zero());
-
-PCL_OPS_EXPORT std::vector<PlaneSegment>
-detectPlanes (const CloudView& cloud,
-              const FastSamplingPlaneFilteringParameters& parameters,
-              const Eigen::Vector3d& viewpoint = Eigen::Vector3d::Zero());
-
-PCL_OPS_EXPORT std::vector<PlaneSegment>
-detectPlanes (const CloudView& cloud,
-              const KernelHoughTransformParameters& parameters,
-              const Eigen::Vector3d& viewpoint = Eigen::Vector3d::Zero());
+              const Parameters& parameters,
+              const Eigen::Vector3d& viewpoint = Eigen::Vector3d::Zero())
+{
+  pcl::Indices all (cloud.size);
+  std::iota (all.begin(), all.end(), 0);
+  return detail::detectChecked ({cloud, all, viewpoint, nullptr}, parameters).planes;
+}
 
 } // namespace pcl_ops

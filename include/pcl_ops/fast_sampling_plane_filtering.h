@@ -11,6 +11,9 @@ namespace pcl_ops {
 /** \brief Parameters of FastSamplingPlaneFiltering; the defaults are the recommended
  * ones: the paper's, with the radii it finds the most accurate (Table I). */
 struct PCL_OPS_EXPORT FastSamplingPlaneFilteringParameters : PlaneDetectorParameters {
+  /** \brief Of the class, for messages. */
+  static constexpr const char* class_name = "FastSamplingPlaneFiltering";
+
   /** \brief How planes are sampled in spheres (paper section III-B, Algorithm 2). */
   struct Local {
     /** \brief Which points of a sphere are the inliers of its plane: the paper says
@@ -98,23 +101,10 @@ detect (const DetectorInput& input,
  * \ingroup segmentation */
 template <typename PointT>
 class FastSamplingPlaneFiltering
-: public PlaneDetector<PointT,
-                       FastSamplingPlaneFiltering<PointT>,
-                       FastSamplingPlaneFilteringParameters> {
-  using Base = PlaneDetector<PointT,
-                             FastSamplingPlaneFiltering<PointT>,
-                             FastSamplingPlaneFilteringParameters>;
-  friend Base;
-
+: public PlaneDetector<PointT, FastSamplingPlaneFilteringParameters> {
 public:
   using Ptr = pcl::shared_ptr<FastSamplingPlaneFiltering<PointT>>;
   using ConstPtr = pcl::shared_ptr<const FastSamplingPlaneFiltering<PointT>>;
-
-  static std::string
-  className ()
-  {
-    return "FastSamplingPlaneFiltering";
-  }
 
   /** \brief r1: radius of the sphere a hypothesis' three points are from [m]. */
   void
@@ -165,7 +155,7 @@ public:
   }
 
 private:
-  using Base::parameters_;
+  using PlaneDetector<PointT, FastSamplingPlaneFilteringParameters>::parameters_;
 };
 
 } // namespace pcl_ops

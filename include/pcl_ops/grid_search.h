@@ -17,8 +17,7 @@ namespace pcl_ops {
  * about a third of the time of pcl::KdTreeFLANN: worth most where few of the points are
  * asked for.
  *
- * Points are sorted into the voxels of a uniform grid whose resolution follows the
- * cloud and searched by a tree of boxes. Points with a NaN or infinite coordinate are
+ * Points are divided into a tree of boxes. Points with a NaN or infinite coordinate are
  * left out. Distances are those of pcl::search::KdTree to the last bit; neighbors at
  * the same distance come by their index. Any number of threads may search at once.
  * \tparam PointT a point type with x, y, z */
@@ -41,8 +40,7 @@ public:
    */
   explicit GridSearch (bool sorted = true);
 
-  /** \brief Sorts the points of a cloud into voxels; later changes of the cloud are not
-   * seen.
+  /** \brief Builds the tree; later changes of the cloud are not seen.
    * \param[in] cloud the cloud that results are indices into
    * \param[in] indices the points to search among, each within the cloud; none: all */
   Accepted

@@ -11,6 +11,9 @@ namespace pcl_ops {
 
 /** \brief Parameters of KernelHoughTransform; the defaults are the recommended ones. */
 struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
+  /** \brief Of the class, for messages. */
+  static constexpr const char* class_name = "KernelHoughTransform";
+
   /** \brief What makes an octree node a cluster of approximately coplanar points
    * (Limberger & Oliveira 2015, section 3.1). */
   struct Clusters {
@@ -93,23 +96,11 @@ detect (const DetectorInput& input, const KernelHoughTransformParameters& parame
  * \endcode
  * \ingroup segmentation */
 template <typename PointT>
-class KernelHoughTransform : public PlaneDetector<PointT,
-                                                  KernelHoughTransform<PointT>,
-                                                  KernelHoughTransformParameters> {
-  using Base = PlaneDetector<PointT,
-                             KernelHoughTransform<PointT>,
-                             KernelHoughTransformParameters>;
-  friend Base;
-
+class KernelHoughTransform
+: public PlaneDetector<PointT, KernelHoughTransformParameters> {
 public:
   using Ptr = pcl::shared_ptr<KernelHoughTransform<PointT>>;
   using ConstPtr = pcl::shared_ptr<const KernelHoughTransform<PointT>>;
-
-  static std::string
-  className ()
-  {
-    return "KernelHoughTransform";
-  }
 
   /** \brief phi_num: steps of the accumulator from pole to pole, 2 .. 1000. */
   void
@@ -160,7 +151,7 @@ public:
   }
 
 private:
-  using Base::parameters_;
+  using PlaneDetector<PointT, KernelHoughTransformParameters>::parameters_;
 };
 
 } // namespace pcl_ops

@@ -68,6 +68,9 @@ voxelSizeFor (const CloudView& points, double wanted_voxels);
 /** \brief Parameters of OrientedPointSampling; the defaults are the recommended ones.
  */
 struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters {
+  /** \brief Of the class, for messages. */
+  static constexpr const char* class_name = "OrientedPointSampling";
+
   /** \brief Expert knobs of Sampling::Surfels. */
   struct Surfels {
     /** \brief Edge of a voxel [m]; where no plane explains the points, they are looked
@@ -157,23 +160,11 @@ detect (const DetectorInput& input, const OrientedPointSamplingParameters& param
  * \endcode
  * \ingroup segmentation */
 template <typename PointT>
-class OrientedPointSampling : public PlaneDetector<PointT,
-                                                   OrientedPointSampling<PointT>,
-                                                   OrientedPointSamplingParameters> {
-  using Base = PlaneDetector<PointT,
-                             OrientedPointSampling<PointT>,
-                             OrientedPointSamplingParameters>;
-  friend Base;
-
+class OrientedPointSampling
+: public PlaneDetector<PointT, OrientedPointSamplingParameters> {
 public:
   using Ptr = pcl::shared_ptr<OrientedPointSampling<PointT>>;
   using ConstPtr = pcl::shared_ptr<const OrientedPointSampling<PointT>>;
-
-  static std::string
-  className ()
-  {
-    return "OrientedPointSampling";
-  }
 
   /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1. */
   void
@@ -226,7 +217,7 @@ public:
   }
 
 private:
-  using Base::parameters_;
+  using PlaneDetector<PointT, OrientedPointSamplingParameters>::parameters_;
 };
 
 } // namespace pcl_ops

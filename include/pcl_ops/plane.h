@@ -257,13 +257,6 @@ planeCovariance (const PlaneSegment& plane);
 PCL_OPS_EXPORT std::optional<PlaneCovariance>
 planeCovariance (const CloudView& cloud, const PlaneSegment& plane);
 
-template <typename PointT>
-std::optional<PlaneCovariance>
-planeCovariance (const pcl::PointCloud<PointT>& cloud, const PlaneSegment& plane)
-{
-  return planeCovariance (CloudView (cloud), plane);
-}
-
 /** \brief Names the orientation of planes anew, for another up axis.
  * \param[in,out] planes only their orientation changes
  * \param[in] up against gravity, any length but 0

@@ -34,17 +34,6 @@ toModels (std::vector<PlaneSegment>& planes,
           std::vector<pcl::ModelCoefficients>& coefficients,
           std::vector<pcl::PointIndices>& inliers);
 
-/** \brief The largest plane as PCL has it; without planes only the headers.
- * \param[in,out] planes their inliers are moved out
- * \param[in] header of the cloud
- * \param[out] inliers of the largest plane
- * \param[out] coefficients a b c d of the largest plane */
-PCL_OPS_EXPORT void
-toLargestModel (std::vector<PlaneSegment>& planes,
-                const pcl::PCLHeader& header,
-                pcl::PointIndices& inliers,
-                pcl::ModelCoefficients& coefficients);
-
 /** \brief Does it, and says by PCL_ERROR in the name of the detector what it threw.
  * \return whether it threw nothing */
 PCL_OPS_EXPORT bool
@@ -72,19 +61,25 @@ toRegions (const pcl::PointCloud<PointT>& cloud,
 } // namespace detail
 
 /** \brief The calls all detectors share: PCL's ways to hand in a cloud and to take
- * planes out. A detector derives from it and gives a \c className (); for its
- * parameters there are a \c validate (parameters) and a \c detail::detect (input,
- * parameters), which does the work for all point types.
+ * planes out. A detector derives from it; for its parameters there are a \c validate
+ * (parameters) and a \c detail::detect (input, parameters), which does the work for all
+ * point types.
  * \tparam PointT a point type with x, y, z
- * \tparam Detector the detector itself
- * \tparam ParametersT its parameters, derived from PlaneDetectorParameters */
-template <typename PointT, typename Detector, typename ParametersT>
+ * \tparam ParametersT its parameters, derived from PlaneDetectorParameters, with the
+ * name of its class */
+template <typename PointT, typename ParametersT>
 class PlaneDetector : public pcl::PCLBase<PointT> {
 public:
   using Parameters = ParametersT;
   using Search = pcl::search::Search<PointT>;
   using SearchPtr = typename Search::Ptr;
   using PlanarRegions = detail::PlanarRegions<PointT>;
+
+  static std::string
+  className ()
+  {
+    return Parameters::class_name;
+  }
 
   /** \brief Finds the planes of the input cloud.
    * \param[out] planes by falling size; cleared first
@@ -94,7 +89,7 @@ public:
   segment (std::vector<PlaneSegment>& planes)
   {
     last_ = detail::Detection();
-    const bool success = detail::runAndReport (Detector::className(), [this] {
+    const bool success = detail::runAndReport (className(), [this] {
       detail::throwOn (this->initCompute() ? "" : "no input cloud; call setInputCloud");
       last_ = detail::detectChecked (
           detail::detectorInput<PointT> (
@@ -125,10 +120,13 @@ public:
   bool
   segment (pcl::PointIndices& inliers, pcl::ModelCoefficients& coefficients)
   {
-    std::vector<PlaneSegment> planes;
-    const bool success = segment (planes);
-    detail::toLargestModel (
-        planes, success ? header() : pcl::PCLHeader(), inliers, coefficients);
+    std::vector<pcl::ModelCoefficients> models;
+    std::vector<pcl::PointIndices> clusters;
+    const bool success = segment (models, clusters);
+    inliers = clusters.empty() ? pcl::PointIndices() : std::move (clusters.front());
+    coefficients = models.empty() ? pcl::ModelCoefficients() : models.front();
+    if (success)
+      inliers.header = coefficients.header = header();
     return success;
   }
 

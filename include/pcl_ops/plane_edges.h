@@ -101,14 +101,4 @@ findPlaneEdges (const CloudView& cloud,
                 const PlaneEdgeParameters& parameters = PlaneEdgeParameters(),
                 const Eigen::Vector3d& shift = Eigen::Vector3d::Zero());
 
-template <typename PointT>
-PlaneEdges
-findPlaneEdges (const pcl::PointCloud<PointT>& cloud,
-                const std::vector<PlaneSegment>& planes,
-                const PlaneEdgeParameters& parameters = PlaneEdgeParameters(),
-                const Eigen::Vector3d& shift = Eigen::Vector3d::Zero())
-{
-  return findPlaneEdges (CloudView (cloud), planes, parameters, shift);
-}
-
 } // namespace pcl_ops

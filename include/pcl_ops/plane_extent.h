@@ -116,27 +116,11 @@ pointsOnPlane (const CloudView& cloud,
                const PlaneSegment& plane,
                const PlaneFrame& frame);
 
-template <typename PointT>
-PlanarPoints
-pointsOnPlane (const pcl::PointCloud<PointT>& cloud,
-               const PlaneSegment& plane,
-               const PlaneFrame& frame)
-{
-  return pointsOnPlane (CloudView (cloud), plane, frame);
-}
-
 /** \brief Extent, area and convex hull of a plane; at least 99 % of its inliers lie
  * inside (\ref convexHull).
  * \param[in] cloud the input cloud the plane was found in
  * \param[in] plane as a detector gives it */
 PCL_OPS_EXPORT PlaneExtent
 planeExtent (const CloudView& cloud, const PlaneSegment& plane);
-
-template <typename PointT>
-PlaneExtent
-planeExtent (const pcl::PointCloud<PointT>& cloud, const PlaneSegment& plane)
-{
-  return planeExtent (CloudView (cloud), plane);
-}
 
 } // namespace pcl_ops

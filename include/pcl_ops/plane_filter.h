@@ -115,13 +115,4 @@ filterPlanes (std::vector<PlaneSegment>& planes,
               const PlaneFilter& filter,
               const CloudView& cloud);
 
-template <typename PointT>
-DroppedPlanes
-filterPlanes (std::vector<PlaneSegment>& planes,
-              const PlaneFilter& filter,
-              const pcl::PointCloud<PointT>& cloud)
-{
-  return filterPlanes (planes, filter, CloudView (cloud));
-}
-
 } // namespace pcl_ops

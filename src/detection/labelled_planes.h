@@ -23,6 +23,17 @@ struct LabelledPlanes {
   std::size_t planes_before_merging = 0;
 };
 
+/** \brief The merging process with theta_h where it has no distance of its own (the
+ * paper); theta_h is given. */
+inline MergingParameters
+mergingOf (const PlaneDetectorParameters& parameters)
+{
+  MergingParameters merging = parameters.merging;
+  if (!merging.distance_threshold)
+    merging.distance_threshold = *parameters.distance_threshold;
+  return merging;
+}
+
 /** \brief Merges planes by the points assigned to them, and labels the points anew. */
 LabelledPlanes
 mergeAssigned (AssignedPoints assigned,

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
 
-#include "extent/planar_hull.h"
 #include "extent/rim.h"
 #include "geometry/planar_area.h"
 #include "geometry/plane_axes.h"

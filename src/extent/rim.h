@@ -6,6 +6,13 @@
 
 namespace pcl_ops::internal {
 
+/** \brief The convex hull of all points.
+ * \param[in] points finite ones
+ * \return counter-clockwise, the first corner not repeated; empty where the points span
+ * no area */
+PlanarPoints
+hullOfAll (const PlanarPoints& points);
+
 /** \brief Points in a plane, taken off from outside. Those clearly inside are not
  * looked at again. */
 class Rim {

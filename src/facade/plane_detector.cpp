@@ -6,7 +6,6 @@
 
 #include <pcl_ops/impl/plane_detector.hpp>
 
-#include <algorithm>
 #include <exception>
 
 namespace pcl_ops::detail {
@@ -28,21 +27,6 @@ toModels (std::vector<PlaneSegment>& planes,
                               static_cast<float> (plane.offset)};
     inliers[i].indices.swap (planes[i].inliers);
   }
-}
-
-void
-toLargestModel (std::vector<PlaneSegment>& planes,
-                const pcl::PCLHeader& header,
-                pcl::PointIndices& inliers,
-                pcl::ModelCoefficients& coefficients)
-{
-  planes.resize (std::min<std::size_t> (planes.size(), 1));
-  std::vector<pcl::ModelCoefficients> models;
-  std::vector<pcl::PointIndices> clusters;
-  toModels (planes, header, models, clusters);
-  inliers = clusters.empty() ? pcl::PointIndices() : clusters.front();
-  coefficients = models.empty() ? pcl::ModelCoefficients() : models.front();
-  inliers.header = coefficients.header = header;
 }
 
 bool

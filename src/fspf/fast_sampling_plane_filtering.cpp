@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/stage_clock.h"
 #include "detection/labelled_planes.h"
-#include "detection/merging_defaults.h"
 #include "fspf/local_plane_sampling.h"
 #include "fspf/spheres.h"
 #include <pcl_ops/fast_sampling_plane_filtering.h>

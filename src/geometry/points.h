@@ -73,6 +73,12 @@ using Indices = std::vector<std::uint32_t>;
 Coordinates
 selected (const Coordinates& points, const Indices& numbers);
 
+/** \brief Some of the points, the same ones whatever their order.
+ * \param[in] positions all
+ * \param[in] wanted about so many, or all where there are fewer */
+Coordinates
+samplePoints (const Coordinates& positions, std::size_t wanted);
+
 /** \brief The median, or the upper of the two middle ones; 0 for no values.
  * \param[in,out] values reordered */
 double

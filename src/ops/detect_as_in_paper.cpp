@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/detect_as_in_paper.h"
 
-#include "detection/merging_defaults.h"
-#include "detection/neighbour_search.h"
 #include "ops/point_extraction.h"
 
 #include <algorithm>
@@ -56,13 +54,10 @@ extractPlanes (const Points& points,
   Coordinates remaining = on_all_points ? Coordinates (points) : Coordinates();
   std::vector<Plane> planes;
   for (Indices& group : groupsOf (samples, parameters)) {
-    PointCandidates candidates (samples, std::move (group), ransac);
+    Candidates candidates{samples, std::move (group)};
     if (on_all_points)
-      candidates.verifyOn (remaining);
-    for (const ExtractedPlane& found :
-         extractAll (candidates, [&] (const PointCandidates& left) {
-           return largestPlane (left, ransac, generator);
-         }))
+      candidates.remaining = &remaining;
+    for (const ExtractedPlane& found : extractAll (candidates, ransac, generator))
       planes.push_back (found.plane);
   }
   return planes;

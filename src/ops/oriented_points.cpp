@@ -5,9 +5,11 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "geometry/principal_axes.h"
+#include "search/box_tree.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace pcl_ops::internal {
@@ -41,7 +43,7 @@ drawSample (std::size_t size, double rate, std::uint32_t seed)
 namespace {
 
 Eigen::Vector3d
-positionOf (const CloudView& cloud, pcl::index_t index)
+positionIn (const CloudView& cloud, pcl::index_t index)
 {
   const float* const position = cloud[static_cast<std::size_t> (index)];
   return {position[0], position[1], position[2]};
@@ -62,10 +64,10 @@ weightedScatter (const CloudView& cloud,
                            : static_cast<double> (farthest == squared_distances.end()
                                                       ? 0.0f
                                                       : std::sqrt (*farthest));
-  const Eigen::Vector3d p = positionOf (cloud, sample);
+  const Eigen::Vector3d p = positionIn (cloud, sample);
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const pcl::index_t neighbour : neighbours) {
-    const Eigen::Vector3d q = positionOf (cloud, neighbour) - p;
+    const Eigen::Vector3d q = positionIn (cloud, neighbour) - p;
     const double squared_distance = q.squaredNorm();
     if (squared_distance == 0.0)
       continue;
@@ -76,6 +78,27 @@ weightedScatter (const CloudView& cloud,
 }
 
 } // namespace
+
+NeighborSearch
+searchOver (const DetectorInput& input, const Points& points, unsigned threads)
+{
+  if (input.search_over)
+    return input.search_over (points.index);
+  const auto tree = std::make_shared<const BoxTree> (points, input.cloud);
+  NeighborSearch search;
+  search.nearest = [tree, cloud = input.cloud] (pcl::index_t point,
+                                                int k,
+                                                pcl::Indices& neighbours,
+                                                std::vector<float>& squared_distances) {
+    NeighborQuery query;
+    query.position = positionIn (cloud, point).cast<float>();
+    query.max_neighbors = static_cast<std::size_t> (k);
+    query.sorted = false;
+    tree->find (query, neighbours, squared_distances);
+  };
+  search.threads = threads;
+  return search;
+}
 
 Eigen::Vector3d
 normalOfScatter (const Eigen::Matrix3d& scatter)

@@ -30,6 +30,14 @@ struct OrientedSamples : Coordinates {
 Indices
 drawSample (std::size_t size, double rate, std::uint32_t seed);
 
+/** \brief The user's search over the finite points, or, where there is none, the
+ * library's own.
+ * \param[in] input used as long as the search is
+ * \param[in] points the finite points of it
+ * \param[in] threads that may ask the library's own; 0: all */
+NeighborSearch
+searchOver (const DetectorInput& input, const Points& points, unsigned threads);
+
 /** \brief The weighted normal of each sample: the eigenvector of the smallest
  * eigenvalue of M_i = sum_j exp (-|q_ij - p_i|^2 / 2 sigma^2) (q_ij - p_i)(q_ij -
  * p_i)^T / |q_ij - p_i|^2 over the k nearest neighbours (paper, equation of section

@@ -6,24 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace pcl_ops::internal {
 
 namespace {
-
-Coordinates
-gather (const Coordinates& points, const Indices& chosen)
-{
-  Coordinates gathered;
-  gathered.x.reserve (chosen.size());
-  gathered.y.reserve (chosen.size());
-  gathered.z.reserve (chosen.size());
-  for (const std::uint32_t i : chosen)
-    gathered.add (points.x[i], points.y[i], points.z[i]);
-  return gathered;
-}
 
 bool
 isWithin (const Coordinates& points,
@@ -44,7 +34,42 @@ pointsOffPlane (const Coordinates& points, const Plane& plane, double threshold)
   return off;
 }
 
+std::optional<PlaneFit>
+fitTo (const Coordinates& points, const Indices& inliers)
+{
+  Moments moments;
+  for (const std::uint32_t i : inliers)
+    moments.add (points.x[i], points.y[i], points.z[i]);
+  return fitPlane (moments);
+}
+
+void
+remove (const ExtractedPlane& found, double threshold, Candidates& candidates)
+{
+  Indices rest;
+  std::set_difference (candidates.left.begin(),
+                       candidates.left.end(),
+                       found.inliers.begin(),
+                       found.inliers.end(),
+                       std::back_inserter (rest));
+  candidates.left = std::move (rest);
+  if (candidates.remaining)
+    *candidates.remaining =
+        pointsOffPlane (*candidates.remaining, found.plane, threshold);
+}
+
 } // namespace
+
+std::size_t
+requiredDraws (double probability, double inlier_ratio)
+{
+  if (!(inlier_ratio < 1.0))
+    return 1;
+  const double draws = std::log1p (-probability) / std::log1p (-inlier_ratio);
+  constexpr auto most = static_cast<double> (std::numeric_limits<std::int32_t>::max());
+  return static_cast<std::size_t> (draws > 0.0 && draws < most ? std::ceil (draws)
+                                                               : most);
+}
 
 std::size_t
 countWithinDistance (const Coordinates& points,
@@ -73,88 +98,79 @@ selectWithinDistance (const Coordinates& points,
   return inliers;
 }
 
-PointCandidates::PointCandidates (const OrientedSamples& samples,
-                                  Indices candidates,
-                                  const RansacParameters& parameters)
-: samples_ (samples)
-, candidates_ (std::move (candidates))
-, parameters_ (parameters)
-, gathered_ (gather (samples, candidates_))
-{}
-
-Plane
-PointCandidates::planeOf (std::uint32_t candidate) const
+std::optional<Plane>
+onePointRansac (const Candidates& candidates,
+                const RansacParameters& parameters,
+                RandomGenerator& generator)
 {
-  const std::uint32_t sample = candidates_[candidate];
-  return planeThrough (samples_[sample], samples_.normals[sample]);
+  const auto& [samples, left, remaining] = candidates;
+  if (left.size() <= parameters.min_inliers)
+    return std::nullopt;
+  const auto draws_for = [&] (std::size_t inliers, std::size_t among) {
+    return requiredDraws (parameters.probability,
+                          static_cast<double> (inliers) / static_cast<double> (among));
+  };
+  const Coordinates own = selected (samples, left);
+  const Coordinates& voters = remaining ? *remaining : own;
+  std::optional<Plane> best;
+  // No plane smaller than theta_N is worth a draw: the cap of a round that finds
+  // nothing.
+  std::size_t most = parameters.min_inliers;
+  std::size_t n_iter = draws_for (most, left.size());
+  for (std::size_t iter = 0; iter < n_iter; ++iter) {
+    const std::uint32_t drawn =
+        left[drawBelow (generator, static_cast<std::uint32_t> (left.size()))];
+    const Plane hypothesis = planeThrough (samples[drawn], samples.normals[drawn]);
+    const double theta_h = parameters.distance_threshold;
+    const std::size_t votes = countWithinDistance (voters, hypothesis, theta_h);
+    if (votes <= most ||
+        selectWithinDistance (samples, left, hypothesis, theta_h).size() <=
+            parameters.min_inliers)
+      continue;
+    best = hypothesis;
+    most = votes;
+    n_iter = draws_for (votes, voters.size());
+  }
+  return best;
 }
 
-Vote
-PointCandidates::leastVote() const
-{
-  const auto theta_n = static_cast<std::int32_t> (parameters_.min_inliers);
-  return {theta_n, theta_n, size()};
-}
-
-Vote
-PointCandidates::vote (const Plane& hypothesis) const
-{
-  const Coordinates& verified = remaining_ ? *remaining_ : gathered_;
-  const auto count = static_cast<std::int32_t> (
-      countWithinDistance (verified, hypothesis, parameters_.distance_threshold));
-  return {count, count, verified.size()};
-}
-
-bool
-PointCandidates::suffices (const Plane& hypothesis, const Vote& /*vote*/) const
-{
-  return select (hypothesis).inliers.size() > parameters_.min_inliers;
-}
-
-Support
-PointCandidates::select (const Plane& plane) const
-{
-  Support support{plane,
-                  selectWithinDistance (
-                      samples_, candidates_, plane, parameters_.distance_threshold),
-                  Moments()};
-  for (const std::uint32_t i : support.inliers)
-    support.moments.add (samples_.x[i], samples_.y[i], samples_.z[i]);
-  return support;
-}
-
-void
-PointCandidates::remove (const Peel& peel)
-{
-  Indices rest;
-  std::set_difference (candidates_.begin(),
-                       candidates_.end(),
-                       peel.taken.begin(),
-                       peel.taken.end(),
-                       std::back_inserter (rest));
-  candidates_ = std::move (rest);
-  gathered_ = gather (samples_, candidates_);
-  if (remaining_ && peel.plane)
-    *remaining_ =
-        pointsOffPlane (*remaining_, *peel.plane, parameters_.distance_threshold);
-}
-
-std::optional<Peel>
-largestPlane (const PointCandidates& candidates,
+std::optional<ExtractedPlane>
+largestPlane (const Candidates& candidates,
               const RansacParameters& parameters,
               RandomGenerator& generator)
 {
   const std::optional<Plane> hypothesis =
-      onePointRansac (candidates, parameters.probability, generator);
+      onePointRansac (candidates, parameters, generator);
   if (!hypothesis)
     return std::nullopt;
-  const auto select = [&candidates] (const Plane& plane) {
-    return candidates.select (plane);
+  const auto select = [&] (const Plane& plane) {
+    return selectWithinDistance (
+        candidates.samples, candidates.left, plane, parameters.distance_threshold);
   };
-  Support support = parameters.local_optimization ? growSupport (*hypothesis, select)
-                                                  : select (*hypothesis);
-  const std::optional<PlaneFit> fit = fitPlane (support.moments);
-  return Peel{std::move (support.inliers), fit ? fit->plane : support.plane};
+  ExtractedPlane found{*hypothesis, select (*hypothesis)};
+  while (const auto fit = fitTo (candidates.samples, found.inliers)) {
+    found.plane = fit->plane;
+    if (!parameters.local_optimization)
+      break;
+    Indices selected = select (found.plane);
+    if (selected.size() <= found.inliers.size())
+      break;
+    found.inliers = std::move (selected);
+  }
+  return found;
+}
+
+std::vector<ExtractedPlane>
+extractAll (Candidates& candidates,
+            const RansacParameters& parameters,
+            RandomGenerator& generator)
+{
+  std::vector<ExtractedPlane> planes;
+  while (auto found = largestPlane (candidates, parameters, generator)) {
+    remove (*found, parameters.distance_threshold, candidates);
+    planes.push_back (std::move (*found));
+  }
+  return planes;
 }
 
 } // namespace pcl_ops::internal

@@ -3,9 +3,10 @@
 #pragma once
 
 #include "base/random.h"
-#include "ops/one_point_ransac.h"
 #include "ops/oriented_points.h"
+#include <pcl_ops/plane.h>
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -19,77 +20,58 @@ struct RansacParameters {
   std::size_t min_inliers = 20;
   /** \brief p: probability that one of the draws is an inlier of the largest plane. */
   double probability = 0.99;
-  /** \brief Refit the winner to its inliers and select again while they grow in number.
-   * Off in the paper. */
+  /** \brief Refit the winner to its inliers and select again while they grow in number
+   * (LO-RANSAC, Chum, Matas & Kittler 2003). Off in the paper. */
   bool local_optimization = true;
 };
 
+/** \brief N_iter = log (1 - p) / log (1 - w): draws of one point after which an inlier
+ * was among them with probability p.
+ * \param[in] probability p in (0, 1)
+ * \param[in] inlier_ratio w = 1 - e; outside (0, 1) it is guarded: w >= 1 needs one
+ * draw, w <= 0 as many as fit */
+std::size_t
+requiredDraws (double probability, double inlier_ratio);
+
 /** \brief Samples no plane has yet, and what hypotheses are counted on. */
-class PointCandidates {
-public:
-  /** \param[in] samples oriented samples; used as long as this is
-   * \param[in] candidates which of them, ascending
-   * \param[in] parameters used as long as this is */
-  PointCandidates (const OrientedSamples& samples,
-                   Indices candidates,
-                   const RansacParameters& parameters);
+struct Candidates {
+  const OrientedSamples& samples;
+  /** \brief Which of the samples, ascending. */
+  Indices left;
+  /** \brief All points no plane has yet, for hypotheses to compete on these ("using all
+   * points for verification"; Verification::AllPoints); else nullptr. */
+  Coordinates* remaining = nullptr;
+};
 
-  /** \brief Lets hypotheses compete on all points no plane has yet instead ("using all
-   * points for verification"; Verification::AllPoints).
-   * \param[in,out] remaining those points; each plane's inliers are removed from it */
-  void
-  verifyOn (Coordinates& remaining)
-  {
-    remaining_ = &remaining;
-  }
+/** \brief A sample's own plane, drawn N_iter times, N_iter adapted to the best inlier
+ * ratio so far (Algorithm 1, lines 7 to 24). theta_N is counted on the samples,
+ * whatever hypotheses compete on.
+ * \return the hypothesis with the most inliers; nothing if none has more than theta_N */
+std::optional<Plane>
+onePointRansac (const Candidates& candidates,
+                const RansacParameters& parameters,
+                RandomGenerator& generator);
 
-  std::size_t
-  size () const
-  {
-    return candidates_.size();
-  }
-
-  const Indices&
-  indices () const
-  {
-    return candidates_;
-  }
-
-  bool
-  mayHoldPlane () const
-  {
-    return size() > parameters_.min_inliers;
-  }
-  Plane
-  planeOf (std::uint32_t candidate) const;
-  Vote
-  leastVote () const;
-  Vote
-  vote (const Plane& hypothesis) const;
-  /** \brief theta_N is counted on the samples, whatever hypotheses compete on. */
-  bool
-  suffices (const Plane& hypothesis, const Vote& vote) const;
-
-  Support
-  select (const Plane& plane) const;
-
-  void
-  remove (const Peel& peel);
-
-private:
-  const OrientedSamples& samples_;
-  Indices candidates_;
-  const RansacParameters& parameters_;
-  /** \brief The candidates' coordinates. */
-  Coordinates gathered_;
-  Coordinates* remaining_ = nullptr;
+/** \brief A plane with the samples on it. */
+struct ExtractedPlane {
+  Plane plane;
+  Indices inliers;
 };
 
 /** \brief The largest plane of the candidates, refitted to its inliers among them. */
-std::optional<Peel>
-largestPlane (const PointCandidates& candidates,
+std::optional<ExtractedPlane>
+largestPlane (const Candidates& candidates,
               const RansacParameters& parameters,
               RandomGenerator& generator);
+
+/** \brief The peel loop (paper, "Detection of Multiple Planes"): finds the largest
+ * plane, removes its inliers and repeats until none is found.
+ * \param[in,out] candidates what no plane has is left
+ * \return the planes in the order found; their inliers are disjoint */
+std::vector<ExtractedPlane>
+extractAll (Candidates& candidates,
+            const RansacParameters& parameters,
+            RandomGenerator& generator);
 
 /** \brief How many points lie within a distance of a plane: the loop RANSAC spends its
  * time in, plain single precision so that the compiler vectorizes it. */

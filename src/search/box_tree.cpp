@@ -2,61 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "search/box_tree.h"
 
+#include <Eigen/Geometry>
+
 #include "search/nearest_candidates.h"
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 
 namespace pcl_ops::internal {
 
 namespace {
-
-/** \brief What is still to be visited, the next one on top: in one number the distance,
- * as sorting goes by it, and which child of which node it is. */
-class Postponed {
-public:
-  bool
-  empty () const
-  {
-    return number_ == 0;
-  }
-
-  /** \brief Later additions come before earlier ones, nearer before farther ones. */
-  void
-  startNode ()
-  {
-    first_of_node_ = number_;
-  }
-
-  void
-  add (float squared_distance, std::uint32_t child)
-  {
-    const Entry entry =
-        (Entry (NearestCandidates::bitsOf (squared_distance)) << child_bits) | child;
-    std::size_t place = number_++;
-    for (; place > first_of_node_ && entries_[place - 1] < entry; --place)
-      entries_[place] = entries_[place - 1];
-    entries_[place] = entry;
-  }
-
-  std::uint64_t
-  pop ()
-  {
-    return entries_[--number_];
-  }
-
-  static constexpr int child_bits = 32;
-
-private:
-  using Entry = std::uint64_t;
-  // Dividing by 4 / 3 or more leaves one of 2^32 voxels after 78 times, one point of a
-  // voxel after as many; a level of nodes divides three times.
-  static constexpr std::size_t most_levels = 2 * (78 / 3);
-  std::array<Entry, most_levels * 8> entries_;
-  std::size_t number_ = 0;
-  std::size_t first_of_node_ = 0;
-};
 
 using Node = BoxTree::Node;
 using Child = BoxTree::Child;
@@ -98,6 +55,43 @@ visitLeaf (const Child& leaf,
   candidates.add (distances.data(), &index[leaf.first], leaf.size);
 }
 
+/** \brief What is still to be visited, the next one on top: in one number the distance,
+ * as sorting goes by it, and which child of which node it is. */
+struct Postponed {
+  static constexpr int child_bits = 32;
+  // Dividing by 4 / 3 or more leaves one of 2^32 points after 78 times; a level of
+  // nodes divides three times.
+  static constexpr std::size_t most_levels = 78 / 3;
+
+  std::array<std::uint64_t, most_levels * BoxTree::most_children> children;
+  std::size_t number = 0;
+};
+
+// Those of a node come before what was there, nearer before farther ones.
+void
+postponeChildren (const std::vector<Node>& nodes,
+                  std::uint32_t number,
+                  const Eigen::Vector3f& position,
+                  const NearestCandidates& candidates,
+                  Postponed& postponed)
+{
+  const Node& node = nodes[number];
+  OfChildren distances;
+  squaredDistances (node, position, distances);
+  const std::size_t first = postponed.number;
+  for (std::uint32_t i = 0; i < node.number; ++i) {
+    if (!candidates.mayTake (distances[i]))
+      continue;
+    const std::uint64_t child = std::uint64_t (NearestCandidates::bitsOf (distances[i]))
+                                    << Postponed::child_bits |
+                                (number * BoxTree::most_children + i);
+    std::size_t place = postponed.number++;
+    for (; place > first && postponed.children[place - 1] < child; --place)
+      postponed.children[place] = postponed.children[place - 1];
+    postponed.children[place] = child;
+  }
+}
+
 void
 visit (const std::vector<Node>& nodes,
        const Coordinates& points,
@@ -105,48 +99,140 @@ visit (const std::vector<Node>& nodes,
        const Eigen::Vector3f& position,
        NearestCandidates& candidates)
 {
-  constexpr std::size_t most_children = BoxTree::most_children;
   Postponed postponed;
-  OfChildren distances;
-  std::uint32_t number = 0;
-  while (true) {
-    const Node& node = nodes[number];
-    squaredDistances (node, position, distances);
-    postponed.startNode();
-    for (std::uint32_t i = 0; i < node.number; ++i)
-      if (candidates.mayTake (distances[i]))
-        postponed.add (distances[i], number * most_children + i);
-    for (bool is_leaf = true; is_leaf;) {
-      if (postponed.empty())
-        return;
-      const std::uint64_t next = postponed.pop();
-      if (!candidates.mayTakeBits (next >> Postponed::child_bits))
-        continue;
-      const auto slot = static_cast<std::uint32_t> (next);
-      const Child& child = nodes[slot / most_children].children[slot % most_children];
-      is_leaf = child.size > 0;
-      if (is_leaf)
-        visitLeaf (child, points, index, position, candidates);
-      else
-        number = child.first;
-    }
+  postponeChildren (nodes, 0, position, candidates, postponed);
+  while (postponed.number > 0) {
+    const std::uint64_t next = postponed.children[--postponed.number];
+    if (!candidates.mayTakeBits (next >> Postponed::child_bits))
+      continue;
+    const auto slot = static_cast<std::uint32_t> (next);
+    const Child& child =
+        nodes[slot / BoxTree::most_children].children[slot % BoxTree::most_children];
+    if (child.size > 0)
+      visitLeaf (child, points, index, position, candidates);
+    else
+      postponeChildren (nodes, child.first, position, candidates, postponed);
   }
+}
+
+/** \brief A point with its index in the cloud. */
+struct Item {
+  Eigen::Vector3f position;
+  pcl::index_t index;
+};
+
+/** \brief Items with the box around them. */
+struct Range {
+  Item* begin;
+  Item* end;
+  Eigen::AlignedBox3f box;
+
+  Range (Item* first, Item* last) : begin (first), end (last)
+  {
+    for (const Item* item = begin; item != end; ++item)
+      box.extend (item->position);
+  }
+
+  bool
+  isLeaf () const
+  {
+    return end - begin <= std::ptrdiff_t (BoxTree::most_points_of_leaf);
+  }
+};
+
+// Divides items at the middle of the longest side of their box, which makes compact
+// boxes; at the median where most are on one side of that.
+Item*
+divide (const Range& items)
+{
+  Eigen::Index side = 0;
+  items.box.sizes().maxCoeff (&side);
+  const float center = items.box.center()[side];
+  Item* const middle = std::partition (items.begin, items.end, [=] (const Item& item) {
+    return item.position[side] < center;
+  });
+  const std::ptrdiff_t size = items.end - items.begin;
+  constexpr std::ptrdiff_t least_share = 4;
+  if (least_share * std::min (middle - items.begin, items.end - middle) >= size)
+    return middle;
+  Item* const median = items.begin + size / 2;
+  std::nth_element (
+      items.begin, median, items.end, [=] (const Item& first, const Item& second) {
+        return first.position[side] < second.position[side];
+      });
+  return median;
+}
+
+std::vector<Range>
+split (const Range& items)
+{
+  std::vector<Range> ranges{items}, halves;
+  for (std::size_t most = 2; most <= BoxTree::most_children; most *= 2) {
+    halves.clear();
+    for (const Range& range : ranges)
+      if (range.isLeaf())
+        halves.push_back (range);
+      else {
+        Item* const middle = divide (range);
+        halves.emplace_back (range.begin, middle);
+        halves.emplace_back (middle, range.end);
+      }
+    ranges.swap (halves);
+  }
+  return ranges;
+}
+
+// Adds a node over items, reordered leaf after leaf, and others below it.
+std::uint32_t
+grow (const Item* first, const Range& items, std::vector<Node>& nodes)
+{
+  const auto number = static_cast<std::uint32_t> (nodes.size());
+  nodes.emplace_back();
+  for (const Range& range : split (items)) {
+    const Child child =
+        range.isLeaf() ? Child{static_cast<std::uint32_t> (range.begin - first),
+                               static_cast<std::uint32_t> (range.end - range.begin)}
+                       : Child{grow (first, range, nodes), 0};
+    Node& node = nodes[number];
+    const std::uint32_t i = node.number++;
+    node.children[i] = child;
+    const Eigen::Vector3f &low = range.box.min(), &high = range.box.max();
+    std::tie (node.low_x[i], node.low_y[i], node.low_z[i]) =
+        std::make_tuple (low.x(), low.y(), low.z());
+    std::tie (node.high_x[i], node.high_y[i], node.high_z[i]) =
+        std::make_tuple (high.x(), high.y(), high.z());
+  }
+  return number;
 }
 
 } // namespace
 
-BoxTree::BoxTree (std::vector<Node> nodes, Coordinates points, pcl::Indices index)
-: nodes_ (std::move (nodes)), points_ (std::move (points)), index_ (std::move (index))
-{}
+BoxTree::BoxTree (const Points& points, const CloudView& cloud)
+{
+  std::vector<Item> items;
+  items.reserve (points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const pcl::index_t index = points.indexOf (i);
+    const float* const position = cloud[static_cast<std::size_t> (index)];
+    items.push_back ({{position[0], position[1], position[2]}, index});
+  }
+  if (!items.empty())
+    grow (items.data(), {items.data(), items.data() + items.size()}, nodes_);
+  index_.reserve (items.size());
+  for (const Item& item : items) {
+    points_.add (item.position.x(), item.position.y(), item.position.z());
+    index_.push_back (item.index);
+  }
+}
 
 void
 BoxTree::find (const NeighborQuery& query,
                pcl::Indices& indices,
                std::vector<float>& squared_distances) const
 {
-  NearestCandidates candidates (std::min (query.max_neighbors, size()),
+  NearestCandidates candidates (std::min (query.max_neighbors, index_.size()),
                                 query.squared_radius);
-  if (size() > 0 && query.max_neighbors > 0)
+  if (!nodes_.empty() && query.max_neighbors > 0)
     visit (nodes_, points_, index_, query.position, candidates);
   candidates.take (query.sorted, indices, squared_distances);
 }

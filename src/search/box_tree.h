@@ -21,7 +21,7 @@ public:
   static constexpr std::size_t most_children = 8;
   /** \brief Leaves have fewer points, or as many: their distances are computed at once.
    */
-  static constexpr std::uint32_t most_points_of_leaf = 64;
+  static constexpr std::uint32_t most_points_of_leaf = 40;
 
   using OfChildren = std::array<float, most_children>;
 
@@ -40,22 +40,13 @@ public:
     std::uint32_t number = 0;
   };
 
-  BoxTree() = default;
+  /** \param[in] points finite points in their local frame
+   * \param[in] cloud where they come from: queries and distances are in its frame, so
+   * that no rounding to another changes distances; not needed afterwards */
+  BoxTree (const Points& points, const CloudView& cloud);
 
-  /** \param[in] nodes the root first, each before those below it
-   * \param[in] points leaf after leaf
-   * \param[in] index of each point in its cloud */
-  BoxTree (std::vector<Node> nodes, Coordinates points, pcl::Indices index);
-
-  /** \brief Number of points. */
-  std::size_t
-  size () const
-  {
-    return index_.size();
-  }
-
-  /** \brief Finds the nearest points within the radius. Which of several at the same
-   * distance as the farthest one are found depends on the points and the query alone.
+  /** \brief Finds the nearest points within the radius, of several at the same distance
+   * those of the lowest indices.
    * \param[in] query its position is finite
    * \param[out] indices of the neighbours; what it held is replaced
    * \param[out] squared_distances in single precision, as PCL computes them [m^2] */
@@ -65,7 +56,9 @@ public:
         std::vector<float>& squared_distances) const;
 
 private:
+  /** \brief The root first, each before those below it. */
   std::vector<Node> nodes_;
+  /** \brief Leaf after leaf, in the frame of the cloud. */
   Coordinates points_;
   pcl::Indices index_;
 };

@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/points.h"
-#include "search/box_tree_builder.h"
+#include "search/box_tree.h"
 #include <pcl_ops/detail/neighbor_query.h>
 
 namespace pcl_ops::detail {
 
 std::shared_ptr<const internal::BoxTree>
-sortIntoVoxels (const CloudView& cloud, const pcl::Indices& indices)
+buildBoxTree (const CloudView& cloud, const pcl::Indices& indices)
 {
   constexpr unsigned one_thread = 1;
   const internal::Points points = internal::finitePoints (cloud, indices, one_thread);
-  return std::make_shared<const internal::BoxTree> (
-      internal::buildBoxTree (points, cloud));
+  return std::make_shared<const internal::BoxTree> (points, cloud);
 }
 
 void

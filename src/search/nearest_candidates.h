@@ -97,7 +97,7 @@ private:
     std::nth_element (
         keys_.begin(), farthest, keys_.begin() + static_cast<std::ptrdiff_t> (number_));
     number_ = most_;
-    limit_ = static_cast<std::uint32_t> (*farthest >> index_bits);
+    limit_ = static_cast<std::uint32_t> (*farthest >> index_bits) + 1;
   }
 
   std::size_t most_;

@@ -5,12 +5,13 @@
 
 #include "extent/planar_ring.h"
 #include "geometry/planar_area.h"
-#include "thinning.h"
 #include <pcl_ops/surface/concave_hull.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace pcl_ops {
@@ -47,6 +48,45 @@ pointsWithin (const PlanarPoints& outline, const PlanarPoints& points)
                   return geometry::covered_by (toPoint (point), ring);
                 });
   return within;
+}
+
+/** \brief Points, each standing for some. */
+struct WeightedPoints {
+  PlanarPoints points;
+  std::vector<std::size_t> weights;
+};
+
+using Cell = std::pair<std::int64_t, std::int64_t>;
+using Cells = std::map<Cell, std::vector<std::size_t>>;
+
+bool
+isSurrounded (const Cells& cells, const Cell& cell)
+{
+  for (const std::int64_t x : {-1, 0, 1})
+    for (const std::int64_t y : {-1, 0, 1})
+      if (cells.count ({cell.first + x, cell.second + y}) == 0)
+        return false;
+  return true;
+}
+
+/** \brief All points near the rim, and one for each square cell that has points in all
+ * cells around it. \param[in] cell side of a cell [m] */
+WeightedPoints
+thinInside (const PlanarPoints& points, double cell)
+{
+  Cells cells;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    cells[{std::llround (points[i].x() / cell), std::llround (points[i].y() / cell)}]
+        .push_back (i);
+  WeightedPoints thinned;
+  for (const auto& [place, members] : cells) {
+    const bool is_inside = isSurrounded (cells, place);
+    for (std::size_t m = 0; m < (is_inside ? 1 : members.size()); ++m) {
+      thinned.points.push_back (points[members[m]]);
+      thinned.weights.push_back (is_inside ? members.size() : 1);
+    }
+  }
+  return thinned;
 }
 
 std::size_t
@@ -200,6 +240,14 @@ concaveOutline (const PlanarPoints& points, double alpha)
   for (PlanarPoints& ring : rings)
     ring = scaled (1.0 / scale, std::move (ring));
   return rings;
+}
+
+PlaneExtent
+concavePlaneExtent (const CloudView& cloud, const PlaneSegment& plane, double alpha)
+{
+  const PlaneFrame frame (plane.centroid, plane.normal);
+  const PlanarPoints points = pointsOnPlane (cloud, plane, frame);
+  return extentOf (concaveOutline (points, alpha), points, frame);
 }
 
 } // namespace pcl_ops

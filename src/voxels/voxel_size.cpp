@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxels/voxel_size.h"
 
-#include "geometry/point_sample.h"
 #include "voxels/sorted_points.h"
 
 #include <algorithm>

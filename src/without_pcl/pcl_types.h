@@ -114,8 +114,11 @@ template <typename PointT>
 class PCLBase;
 template <typename PointT>
 class PlanarRegion;
-struct ModelCoefficients {};
+struct ModelCoefficients {
+  PCLHeader header;
+};
 struct PointIndices {
+  PCLHeader header;
   Indices indices;
 };
 namespace search {

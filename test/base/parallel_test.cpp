@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "base/parallel.h"
-#include "base/worker_threads.h"
 
 #include <algorithm>
 #include <atomic>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detection/labelled_planes.h"
 #include "grid_scene.h"
+#include "scene.h"
 
 using pcl_ops::Labels;
 using pcl_ops::MergingParameters;
@@ -87,4 +88,13 @@ TEST (DetectInFinitePoints, RunsNoStageWithoutAFinitePoint)
   };
   EXPECT_TRUE (
       detectInFinitePoints (input, PlaneDetectorParameters(), detect).planes.empty());
+}
+
+TEST (MergingOf, TakesThetaHWhereMergingHasNoDistanceOfItsOwn)
+{
+  PlaneDetectorParameters parameters;
+  parameters.distance_threshold = 7_cm;
+  EXPECT_EQ (mergingOf (parameters).distance_threshold, 7_cm);
+  parameters.merging.distance_threshold = 1_cm;
+  EXPECT_EQ (mergingOf (parameters).distance_threshold, 1_cm);
 }

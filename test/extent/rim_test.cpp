@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include "base/random.h"
-#include "extent/planar_hull.h"
 #include "extent/rim.h"
 #include "geometry/planar_area.h"
 

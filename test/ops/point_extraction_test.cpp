@@ -62,39 +62,9 @@ ransac (const OrientedSamples& samples,
         const RansacParameters& parameters = {},
         std::optional<Coordinates> verified = std::nullopt)
 {
-  PointCandidates points (samples, candidates, parameters);
-  if (verified)
-    points.verifyOn (*verified);
-  return onePointRansac (points, parameters.probability, generator);
+  return onePointRansac (
+      {samples, candidates, verified ? &*verified : nullptr}, parameters, generator);
 }
-
-std::optional<Peel>
-largest (const OrientedSamples& samples,
-         const Indices& candidates,
-         const RansacParameters& parameters,
-         RandomGenerator& generator)
-{
-  return largestPlane (
-      PointCandidates (samples, candidates, parameters), parameters, generator);
-}
-
-/** \brief All that the peel loop wants to know of samples. */
-struct Numbers {
-  Indices left;
-
-  std::size_t
-  size () const
-  {
-    return left.size();
-  }
-
-  void
-  remove (const Peel& peel)
-  {
-    for (const std::uint32_t taken : peel.taken)
-      left.erase (std::remove (left.begin(), left.end(), taken), left.end());
-  }
-};
 
 } // namespace
 
@@ -142,60 +112,6 @@ TEST (WithinDistance, AgreesWithBruteForce)
   EXPECT_EQ (
       selectWithinDistance (samples, upTo (samples.size()), tilted, 30_cm).size(),
       near);
-}
-
-TEST (ExtractAll, StopsWhenNothingIsFound)
-{
-  int calls = 0;
-  Numbers numbers{{0, 1, 2, 3}};
-  const auto planes = extractAll (numbers, [&] (const Numbers&) -> std::optional<Peel> {
-    ++calls;
-    return std::nullopt;
-  });
-  EXPECT_TRUE (planes.empty());
-  EXPECT_EQ (calls, 1);
-}
-
-TEST (ExtractAll, NeverReusesAPoint)
-{
-  const auto take_two = [] (const Numbers& numbers) -> std::optional<Peel> {
-    if (numbers.size() < 2)
-      return std::nullopt;
-    return Peel{{numbers.left.front(), numbers.left.back()}, Plane()};
-  };
-  Numbers numbers{{1, 3, 5, 7, 9}};
-  const auto planes = extractAll (numbers, take_two);
-  ASSERT_EQ (planes.size(), 2u);
-  EXPECT_EQ (planes[0].inliers, (Indices{1, 9}));
-  EXPECT_EQ (planes[1].inliers, (Indices{3, 7}));
-  EXPECT_EQ (numbers.left, (Indices{5}));
-}
-
-TEST (ExtractAll, StopsIfAPlaneTakesNoCandidate)
-{
-  int calls = 0;
-  Numbers numbers{{1, 2, 3}};
-  const auto endless = [&] (const Numbers&) {
-    ++calls;
-    return std::optional<Peel> (Peel{{}, Plane()});
-  };
-  EXPECT_TRUE (extractAll (numbers, endless).empty());
-  EXPECT_EQ (calls, 1);
-}
-
-TEST (ExtractAll, TakesAwayWhatIsNoPlaneAndGoesOn)
-{
-  Numbers numbers{{1, 2, 3}};
-  const auto planes =
-      extractAll (numbers, [] (const Numbers& left) -> std::optional<Peel> {
-        if (left.size() == 0)
-          return std::nullopt;
-        const std::uint32_t next = left.left.front();
-        return Peel{{next}, next == 2 ? std::optional<Plane>() : Plane()};
-      });
-  ASSERT_EQ (planes.size(), 2u);
-  EXPECT_EQ (planes[0].inliers, (Indices{1}));
-  EXPECT_EQ (planes[1].inliers, (Indices{3}));
 }
 
 TEST (OnePointRansac, FindsThePlaneWithMostInliers)
@@ -269,15 +185,16 @@ TEST (LargestPlane, IsRefittedToItsInliers)
   RansacParameters parameters;
   parameters.local_optimization = false;
   RandomGenerator generator (seedOfTest());
-  const auto found = largest (samples, upTo (samples.size()), parameters, generator);
+  const auto found =
+      largestPlane ({samples, upTo (samples.size())}, parameters, generator);
   ASSERT_TRUE (found);
   pcl_ops::Moments moments;
-  for (const std::uint32_t i : found->taken)
+  for (const std::uint32_t i : found->inliers)
     moments.add (samples.x[i], samples.y[i], samples.z[i]);
   const auto fit = fitPlane (moments);
   ASSERT_TRUE (fit);
-  EXPECT_LT (angleBetween (found->plane->normal, fit->plane.normal), 1e-9);
-  EXPECT_NEAR (found->plane->distance (fit->centroid), 0.0, 1e-9);
+  EXPECT_LT (angleBetween (found->plane.normal, fit->plane.normal), 1e-9);
+  EXPECT_NEAR (found->plane.distance (fit->centroid), 0.0, 1e-9);
 }
 
 TEST (LargestPlane, GrowsItsSupportByLocalOptimisation)
@@ -289,27 +206,43 @@ TEST (LargestPlane, GrowsItsSupportByLocalOptimisation)
     RansacParameters parameters;
     // The wall is half as large as the floor: no seed may miss that.
     parameters.probability = 1.0 - 1e-9;
-    const auto grown = largest (samples, upTo (samples.size()), parameters, generator);
+    const auto grown =
+        largestPlane ({samples, upTo (samples.size())}, parameters, generator);
     parameters.local_optimization = false;
-    const auto plain = largest (samples, upTo (samples.size()), parameters, same_draws);
+    const auto plain =
+        largestPlane ({samples, upTo (samples.size())}, parameters, same_draws);
     ASSERT_TRUE (grown && plain);
-    EXPECT_GE (grown->taken.size(), plain->taken.size());
-    expectPlaneNear (*grown->plane, scene.surfaces[0], 1_deg, 1_cm);
+    EXPECT_GE (grown->inliers.size(), plain->inliers.size());
+    expectPlaneNear (grown->plane, scene.surfaces[0], 1_deg, 1_cm);
   }
 }
 
-TEST (LargestPlane, TakesItsInliersOutOfTheRemainingPoints)
+TEST (ExtractAll, FindsTheLargestFirstAndUsesNoSampleTwice)
 {
   const auto scene = floorAndWall().build();
   const auto samples = samplesOf (scene);
-  const RansacParameters parameters;
+  RandomGenerator generator (seedOfTest());
+  Candidates candidates{samples, upTo (samples.size())};
+  const auto planes = extractAll (candidates, RansacParameters(), generator);
+  ASSERT_EQ (planes.size(), 2u);
+  Indices all = candidates.left;
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    expectPlaneNear (planes[p].plane, scene.surfaces[p], 1_deg, 1_cm);
+    all.insert (all.end(), planes[p].inliers.begin(), planes[p].inliers.end());
+  }
+  std::sort (all.begin(), all.end());
+  EXPECT_EQ (all, upTo (samples.size()));
+}
+
+TEST (ExtractAll, TakesPlanesOutOfTheRemainingPoints)
+{
+  const auto samples = samplesOf (floorAndWall().build());
   Coordinates remaining = samples;
   RandomGenerator generator (seedOfTest());
-  PointCandidates candidates (samples, upTo (samples.size()), parameters);
-  candidates.verifyOn (remaining);
-  const auto found = largestPlane (candidates, parameters, generator);
-  ASSERT_TRUE (found);
-  candidates.remove (*found);
-  EXPECT_EQ (remaining.size(), samples.size() - found->taken.size());
-  EXPECT_EQ (countWithinDistance (remaining, *found->plane, 5_cm), 0u);
+  Candidates candidates{samples, upTo (samples.size()), &remaining};
+  const auto planes = extractAll (candidates, RansacParameters(), generator);
+  ASSERT_EQ (planes.size(), 2u);
+  EXPECT_EQ (remaining.size(), candidates.left.size());
+  for (const ExtractedPlane& found : planes)
+    EXPECT_EQ (countWithinDistance (remaining, found.plane, 5_cm), 0u);
 }

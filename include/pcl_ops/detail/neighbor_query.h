@@ -31,15 +31,15 @@ struct NeighborQuery {
   bool sorted = true;
 };
 
-/** \brief GridSearch for a cloud of any point type: sorts the finite ones of some
- * points into voxels.
+/** \brief GridSearch for a cloud of any point type: builds a tree of boxes over the
+ * finite ones of some points.
  * \param[in] cloud not needed afterwards
  * \param[in] indices the points to search among, each within the cloud */
 PCL_OPS_EXPORT std::shared_ptr<const internal::BoxTree>
-sortIntoVoxels (const CloudView& cloud, const pcl::Indices& indices);
+buildBoxTree (const CloudView& cloud, const pcl::Indices& indices);
 
 /** \brief Finds the nearest points within a radius.
- * \param[in] tree what \ref sortIntoVoxels gave; nothing is found where there is none
+ * \param[in] tree what \ref buildBoxTree gave; nothing is found where there is none
  * \param[in] query nothing is found where its position is not finite
  * \param[out] indices of the neighbors in the cloud
  * \param[out] squared_distances [m^2] */

@@ -25,7 +25,7 @@ GridSearch<PointT>::setInputCloud (const PointCloudConstPtr& cloud,
     used.resize (cloud->size());
     std::iota (used.begin(), used.end(), 0);
   }
-  tree_ = cloud ? detail::sortIntoVoxels (CloudView (*cloud), used) : nullptr;
+  tree_ = cloud ? detail::buildBoxTree (CloudView (*cloud), used) : nullptr;
   return Base::setInputCloud (cloud, indices);
 }
 

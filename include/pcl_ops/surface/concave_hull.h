@@ -27,15 +27,9 @@ concaveOutline (const PlanarPoints& points, double alpha = 0.0);
  * \param[in] cloud the input cloud the plane was found in
  * \param[in] plane as a detector gives it
  * \param[in] alpha as for \ref concaveOutline */
-template <typename PointT>
-PlaneExtent
-concavePlaneExtent (const pcl::PointCloud<PointT>& cloud,
+PCL_OPS_EXPORT PlaneExtent
+concavePlaneExtent (const CloudView& cloud,
                     const PlaneSegment& plane,
-                    double alpha = 0.0)
-{
-  const PlaneFrame frame (plane.centroid, plane.normal);
-  const PlanarPoints points = pointsOnPlane (cloud, plane, frame);
-  return extentOf (concaveOutline (points, alpha), points, frame);
-}
+                    double alpha = 0.0);
 
 } // namespace pcl_ops
