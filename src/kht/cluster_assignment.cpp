@@ -28,6 +28,27 @@ withoutClusters (const std::vector<HoughPlane>& hough_planes)
   return planes;
 }
 
+/** Blocks of the octree lie together, so that most planes are far from most blocks. */
+Labels
+assignOctreePoints (const OctreeClusters& found,
+                    std::size_t size,
+                    const std::vector<Plane>& planes,
+                    const KernelHoughTransformParameters& parameters)
+{
+  Coordinates points;
+  for (const OctreePoint& point : found.points)
+    points.add (point.x, point.y, point.z);
+  const Labels in_octree_order = assignPoints (points,
+                                               planes,
+                                               *parameters.distance_threshold,
+                                               AssignmentRule::First,
+                                               parameters.threads);
+  Labels labels (size, no_plane);
+  for (std::size_t i = 0; i < in_octree_order.size(); ++i)
+    labels[found.points[i].index] = in_octree_order[i];
+  return labels;
+}
+
 /** Each voxel goes to the plane of the first cluster that has a point in it. */
 BoundedPlanes
 voxelsOfClusters (const std::vector<HoughPlane>& planes,
@@ -95,18 +116,18 @@ restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
 
 LabelledPlanes
 assignToUnboundedPlanes (const Points& points,
+                         const OctreeClusters& found,
                          const std::vector<HoughPlane>& hough_planes,
                          const KernelHoughTransformParameters& parameters,
                          StageDurations& durations)
 {
   StageClock clock;
   const std::vector<Plane> planes = withoutClusters (hough_planes);
-  AssignedPoints assigned = assignToUnboundedPlanes (points,
-                                                     planes,
-                                                     *parameters.distance_threshold,
-                                                     AssignmentRule::First,
-                                                     parameters.threads);
+  AssignedPoints assigned;
+  assigned.labels = assignOctreePoints (found, points.size(), planes, parameters);
   clock.lap (durations.assignment);
+  assigned.moments =
+      momentsOfLabels (points, assigned.labels, planes.size(), parameters.threads);
   LabelledPlanes merged =
       mergeAssigned (std::move (assigned), mergingOf (parameters), parameters.threads);
   restorePlanes (merged.planes, planes);

@@ -11,22 +11,23 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Assignment and merging of planes without bounds: \ref assignPoints and \ref
- * mergePlanes.
+/** \brief Assignment and merging of planes without bounds: \ref assignPoints, block by
+ * block of the octree, where most planes are far away, and \ref mergePlanes.
  * \param[in] points the points
+ * \param[in] found their clusters
  * \param[in] planes planes in the frame of the points
  * \param[in] parameters thresholds, the rule and the number of threads
  * \param[in,out] durations of assignment and merging */
 LabelledPlanes
 assignToUnboundedPlanes (const Points& points,
+                         const OctreeClusters& found,
                          const std::vector<HoughPlane>& planes,
                          const KernelHoughTransformParameters& parameters,
                          StageDurations& durations);
 
 /** \brief The same with planes that support what their clusters cover and what they
  * grow into: merging first, on the voxels of a grid, and then \ref
- * assignToBoundedPlanes of voxels.
- * \param[in] found clusters of the points */
+ * assignToBoundedPlanes of voxels. */
 LabelledPlanes
 assignToOutlinedPlanes (const Points& points,
                         const OctreeClusters& found,

@@ -37,7 +37,7 @@ detectByVotes (const Points& points,
   LabelledPlanes found =
       parameters.refit.enabled
           ? assignToOutlinedPlanes (points, clusters, planes, parameters, durations)
-          : assignToUnboundedPlanes (points, planes, parameters, durations);
+          : assignToUnboundedPlanes (points, clusters, planes, parameters, durations);
   found.planes_before_merging = planes.size();
   return found;
 }

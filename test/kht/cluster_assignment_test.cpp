@@ -49,7 +49,7 @@ struct Step {
   endless ()
   {
     StageDurations durations;
-    return assignToUnboundedPlanes (points, planes, parameters, durations);
+    return assignToUnboundedPlanes (points, clusters, planes, parameters, durations);
   }
 
   Points points;
