@@ -254,3 +254,16 @@ TEST (PlaneExtent, LeavesOutPointsThatAreNotFinite)
                1.0,
                1e-9);
 }
+
+TEST (PlaneExtent, HasTheSmallestOfTheRectanglesAlongTheOutline)
+{
+  // A square without one corner, each in turn: along the cut it needs more.
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5}) {
+      const PlanarPoints points = {
+          {-x, -y}, {x, -y}, {-x, y}, {0.4 * x, y}, {x, 0.4 * y}};
+      const PlaneExtent extent =
+          pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground);
+      EXPECT_NEAR (extent.length * extent.width, 1.0, 1e-9);
+    }
+}
