@@ -34,11 +34,10 @@ addGrid (pcl_ops::internal::Coordinates& points,
   for (int i = 0; i < steps; ++i)
     for (int j = 0; j < steps; ++j) {
       const double height = noise * (2.0 * drawUnit (generator) - 1.0);
-      const Eigen::Vector3d point =
-          surface.at ((i + 0.5) / steps, (j + 0.5) / steps) + height * surface.normal();
-      points.add (static_cast<float> (point.x()),
-                  static_cast<float> (point.y()),
-                  static_cast<float> (point.z()));
+      const pcl::PointXYZ point =
+          toPoint (surface.at ((i + 0.5) / steps, (j + 0.5) / steps) +
+                   height * surface.normal());
+      points.add (point.x, point.y, point.z);
     }
 }
 

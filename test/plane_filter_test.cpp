@@ -14,7 +14,6 @@ using pcl_ops::Orientation;
 using pcl_ops::PlaneExtent;
 using pcl_ops::PlaneFilter;
 using pcl_ops::PlaneSegment;
-using pcl_ops::validate;
 
 namespace {
 
@@ -68,8 +67,6 @@ left (const PlaneFilter& filter, std::size_t DroppedPlanes::*reason)
     points.push_back (plane.inliers.size());
   return points;
 }
-
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 using Sizes = std::vector<std::size_t>;
 
@@ -185,7 +182,7 @@ TEST (PlaneFilter, TakesExtentsOfTheCloud)
       cloud.emplace_back (
           0.02f * static_cast<float> (i), 0.04f * static_cast<float> (j), 0.0f);
   PlaneSegment board = planeOf (Vector3d::UnitZ(), Orientation::Horizontal, 2500);
-  std::iota (board.inliers.begin(), board.inliers.end(), 0);
+  board.inliers = upTo<pcl::Indices> (2500);
   PlaneFilter filter;
   std::vector<PlaneSegment> planes = {board};
   filter.min_area = 1.9;
@@ -198,27 +195,9 @@ TEST (PlaneFilter, TakesExtentsOfTheCloud)
 
 TEST (PlaneFilter, RefusesWhatNoPlaneCanBeMeasuredBy)
 {
-  const auto changed = [] (auto&& change) {
-    PlaneFilter filter;
-    change (filter);
-    return filter;
-  };
-  EXPECT_EQ (validate (PlaneFilter()), "");
-  for (const PlaneFilter& filter :
-       {changed ([] (PlaneFilter& f) { f.direction = Vector3d::Zero(); }),
-        changed ([] (PlaneFilter& f) { f.direction = Vector3d (0, 0, no_number); }),
-        changed ([] (PlaneFilter& f) { f.direction_tolerance = 91_deg; }),
-        changed ([] (PlaneFilter& f) { f.min_area = -1.0; }),
-        changed ([] (PlaneFilter& f) { f.min_width = no_number; }),
-        changed ([] (PlaneFilter& f) { f.max_area = no_number; }),
-        changed ([] (PlaneFilter& f) { f.max_width = -1.0; }),
-        changed ([] (PlaneFilter& f) {
-          f.min_width = 2.0;
-          f.max_width = 1.0;
-        })}) {
-    EXPECT_NE (validate (filter), "");
-    std::vector<PlaneSegment> planes = house();
-    EXPECT_THROW (filterPlanes (planes, filter, neverAsked), std::invalid_argument);
-    EXPECT_EQ (planes.size(), 3u);
-  }
+  PlaneFilter filter;
+  filter.min_area = -1.0;
+  std::vector<PlaneSegment> planes = house();
+  EXPECT_THROW (filterPlanes (planes, filter, neverAsked), std::invalid_argument);
+  EXPECT_EQ (planes.size(), 3u);
 }

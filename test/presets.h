@@ -60,6 +60,14 @@ presetName (const ::testing::TestParamInfo<std::string>& info)
   return info.param;
 }
 
+inline pcl_ops::MergingParameters
+noMerging ()
+{
+  pcl_ops::MergingParameters merging;
+  merging.enabled = false;
+  return merging;
+}
+
 template <typename Detector>
 std::vector<pcl_ops::PlaneSegment>
 planesOf (Detector& detector)

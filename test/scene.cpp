@@ -19,6 +19,40 @@ drawNormal (RandomGenerator& generator)
   return radius * std::cos (2.0 * pi * drawUnit (generator));
 }
 
+Eigen::Vector3d
+drawNormals (RandomGenerator& generator)
+{
+  // One by one: compilers differ in the order of arguments, and scenes would, too.
+  Eigen::Vector3d drawn;
+  for (double& number : drawn)
+    number = drawNormal (generator);
+  return drawn;
+}
+
+Eigen::Quaterniond
+drawTurn (RandomGenerator& generator)
+{
+  const Eigen::Vector3d axis = drawNormals (generator);
+  return Eigen::Quaterniond (drawNormal (generator), axis.x(), axis.y(), axis.z())
+      .normalized();
+}
+
+pcl::PointXYZ
+toPoint (const Eigen::Vector3d& position)
+{
+  const Eigen::Vector3f p = position.cast<float>();
+  return {p.x(), p.y(), p.z()};
+}
+
+Eigen::Vector3d
+drawPointOf (const Surface& surface, double noise, RandomGenerator& generator)
+{
+  const double s = drawUnit (generator);
+  const double t = drawUnit (generator);
+  const double height = noise > 0.0 ? noise * drawNormal (generator) : 0.0;
+  return surface.at (s, t) + height * surface.normal();
+}
+
 LabelledScene
 Scene::build()
 {
@@ -36,12 +70,8 @@ void
 Scene::addSurface (LabelledScene& scene, const Surface& surface, int label)
 {
   const auto count = std::lround (surface.area() / (spacing_ * spacing_));
-  for (long i = 0; i < count; ++i) {
-    const double s = drawUnit (generator_);
-    const double t = drawUnit (generator_);
-    const double height = noise_ > 0.0 ? noise_ * drawNormal (generator_) : 0.0;
-    add (scene, surface.at (s, t) + height * surface.normal(), label);
-  }
+  for (long i = 0; i < count; ++i)
+    add (scene, drawPointOf (surface, noise_, generator_), label);
 }
 
 void
@@ -54,8 +84,7 @@ Scene::addClutter (LabelledScene& scene)
   const auto count = std::lround (clutter_ / (1.0 - clutter_) *
                                   static_cast<double> (scene.cloud->size()));
   for (long i = 0; i < count; ++i) {
-    // One by one: compilers differ in the order of arguments, and scenes would, too.
-    Eigen::Vector3d share;
+    Eigen::Vector3d share; // one by one, as above
     for (double* axis : {&share.z(), &share.y(), &share.x()})
       *axis = drawUnit (generator_);
     add (scene, box.min() + share.cwiseProduct (box.sizes()), -1);
@@ -71,6 +100,12 @@ room ()
       .wall ({0, 0}, {0, 3}, 2.5_m)
       .noise (1_mm)
       .clutter (2_percent);
+}
+
+Scene
+denseRoom ()
+{
+  return room().spacing (2_cm);
 }
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr
@@ -90,6 +125,24 @@ roomSeenByCamera (std::uint32_t width, std::uint32_t height)
                                      : pcl::PointXYZ (x * depth, y * depth, depth);
     }
   return cloud;
+}
+
+pcl_ops::PlaneSegment
+planeOfPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+               const pcl::Indices& inliers,
+               const Eigen::Vector3d& normal)
+{
+  pcl_ops::PlaneSegment plane;
+  plane.normal = normal;
+  plane.inliers = inliers;
+  plane.moments.origin = cloud[inliers[0]].getVector3fMap().cast<double>();
+  for (const pcl::index_t i : inliers) {
+    const Eigen::Vector3d p =
+        cloud[i].getVector3fMap().cast<double>() - plane.moments.origin;
+    plane.moments.add (p.x(), p.y(), p.z());
+  }
+  plane.centroid = plane.moments.centroid();
+  return plane;
 }
 
 double

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,26 @@ seedOfTest ();
 double
 drawNormal (RandomGenerator& generator);
 
+/** \brief Three of them. */
+Eigen::Vector3d
+drawNormals (RandomGenerator& generator);
+
+Eigen::Quaterniond
+drawTurn (RandomGenerator& generator);
+
+pcl::PointXYZ
+toPoint (const Eigen::Vector3d& position);
+
+/** \brief 0, 1, 2, ..., as many as asked for. */
+template <typename Indices = std::vector<std::uint32_t>>
+Indices
+upTo (std::size_t number)
+{
+  Indices numbers (number);
+  std::iota (numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
 /** \brief A parallelogram: corner + s first + t second with s and t in 0 .. 1. */
 struct Surface {
   Eigen::Vector3d corner, first, second;
@@ -68,6 +89,10 @@ struct Surface {
     return first.cross (second).norm();
   }
 };
+
+/** \brief Anywhere on a surface, or beside it by a noise along its normal. */
+Eigen::Vector3d
+drawPointOf (const Surface& surface, double noise, RandomGenerator& generator);
 
 /** \brief A cloud with its truth: the surface of each point, or -1 for clutter. */
 struct LabelledScene {
@@ -138,8 +163,7 @@ private:
   void
   add (LabelledScene& scene, const Eigen::Vector3d& point, int label) const
   {
-    const Eigen::Vector3f p = (point + shift_).cast<float>();
-    scene.cloud->push_back ({p.x(), p.y(), p.z()});
+    scene.cloud->push_back (toPoint (point + shift_));
     scene.labels.push_back (label);
   }
   void
@@ -161,10 +185,21 @@ private:
 Scene
 room ();
 
+/** \brief The same with points as near to each other as a depth camera sees them: some
+ * 300 in a sphere of FSPF's default radius. */
+Scene
+denseRoom ();
+
 /** \brief What a depth camera at the origin, looking along z, sees of a floor 1 m below
  * it (y down) and a wall 3 m ahead: organized, with pixels that saw nothing as NaN. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 roomSeenByCamera (std::uint32_t width, std::uint32_t height);
+
+/** \brief Points of a cloud as a plane with this normal. */
+pcl_ops::PlaneSegment
+planeOfPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
+               const pcl::Indices& inliers,
+               const Eigen::Vector3d& normal);
 
 /** \brief Angle between two directions, whatever their signs [rad]. */
 double

@@ -59,16 +59,6 @@ furnishedRoom ()
           seenFrom (eye, table_top)};
 }
 
-Eigen::Quaterniond
-drawTurn (RandomGenerator& generator)
-{
-  const Eigen::Quaterniond turn (drawNormal (generator),
-                                 drawNormal (generator),
-                                 drawNormal (generator),
-                                 drawNormal (generator));
-  return turn.normalized();
-}
-
 /** \brief Angle between two directions with their signs [rad]. */
 double
 angleOf (const Vector3d& found, const Vector3d& truth)
@@ -134,28 +124,6 @@ TEST (UpAxis, IsTakenByADetectorInEitherPrecision)
   EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f (0, 2, 0));
 }
 
-TEST (UpAxis, IsFoundInACloudThatWasTurned)
-{
-  RandomGenerator generator (seedOfTest());
-  const LabelledScene scene =
-      room().floor (1.5_m, 1_m, 75_cm).clutter (2_percent).build();
-  const Eigen::Quaternionf turn = drawTurn (generator).cast<float>();
-  for (pcl::PointXYZ& point : *scene.cloud)
-    point.getVector3fMap() = turn * point.getVector3fMap();
-  const Vector3d sensor = turn.cast<double>() * Vector3d (3.6, 2.7, 1.5);
-  scene.cloud->sensor_origin_.head<3>() = sensor.cast<float>();
-
-  pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;
-  ops.setInputCloud (scene.cloud);
-  std::vector<PlaneSegment> planes;
-  ASSERT_TRUE (ops.segment (planes));
-  pcl_ops::UpAxisParameters parameters;
-  parameters.min_confidence = 0.0;
-  const auto found = estimateUpAxis (planes, sensor, parameters);
-  ASSERT_TRUE (found.has_value());
-  EXPECT_LE (angleOf (found->direction, turn.cast<double>() * up), 1_deg);
-}
-
 TEST (UpAxis, FollowsThePlanesNotOneTiltedOne)
 {
   std::vector<PlaneSegment> planes = furnishedRoom();
@@ -212,32 +180,14 @@ TEST (UpAxis, CannotBeToldAllAroundARoomWithACeiling)
   EXPECT_FALSE (estimateUpAxis (planes, middle));
 }
 
-TEST (UpAxis, AnswersOnlyWhenAsSureAsAsked)
-{
-  const auto found = estimateUpAxis (furnishedRoom(), eye);
-  ASSERT_TRUE (found.has_value());
-  pcl_ops::UpAxisParameters parameters;
-  parameters.min_confidence = found->confidence + 1e-3;
-  EXPECT_FALSE (estimateUpAxis (furnishedRoom(), eye, parameters).has_value());
-}
-
 TEST (UpAxis, RefusesWhatIsNotFiniteOrOutOfItsRange)
 {
   for (const Vector3d& nowhere :
        {Vector3d (not_a_number, 0, 0), Vector3d (0, infinite, 0)})
     EXPECT_FALSE (estimateUpAxis (furnishedRoom(), nowhere).has_value());
-  const pcl_ops::UpAxisParameters good;
-  EXPECT_EQ (validate (good), "");
-  pcl_ops::UpAxisParameters none = good, in_degrees = good, above_one = good,
-                            negative = good;
-  none.angle_tolerance = not_a_number;
+  pcl_ops::UpAxisParameters in_degrees;
   in_degrees.angle_tolerance = 7.0;
-  above_one.min_share = 2.0;
-  negative.min_confidence = -1.0;
-  for (const pcl_ops::UpAxisParameters& bad : {none, in_degrees, above_one, negative}) {
-    EXPECT_NE (validate (bad), "");
-    EXPECT_FALSE (estimateUpAxis (furnishedRoom(), eye, bad).has_value());
-  }
+  EXPECT_FALSE (estimateUpAxis (furnishedRoom(), eye, in_degrees).has_value());
 }
 
 TEST (UpAxis, LeavesOutBrokenPlanes)

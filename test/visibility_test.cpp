@@ -28,10 +28,7 @@ wallBehindABoard ()
       const Vector3d on_board = 2.0 * ray;
       const bool hits_board =
           std::abs (on_board.x()) < 0.5 && std::abs (on_board.y()) < 0.5;
-      const Vector3d point = camera + (hits_board ? 2.0 : 4.0) * ray;
-      cloud.push_back (pcl::PointXYZ (static_cast<float> (point.x()),
-                                      static_cast<float> (point.y()),
-                                      static_cast<float> (point.z())));
+      cloud.push_back (toPoint (camera + (hits_board ? 2.0 : 4.0) * ray));
     }
   return cloud;
 }
@@ -40,36 +37,29 @@ wallBehindABoard ()
 
 TEST (Visibility, IsGivenWhereTheCloudWasSeenFrom)
 {
-  const Cloud cloud = wallBehindABoard();
+  Cloud cloud = wallBehindABoard();
   EXPECT_LT (occludedFraction (CloudView (cloud), camera), 5_percent);
   EXPECT_TRUE (isSeenFrom (camera, CloudView (cloud)));
+  cloud.sensor_origin_.head<3>() = camera.cast<float>();
+  EXPECT_TRUE (isSeenFromItsOrigin (cloud));
 }
 
 TEST (Visibility, IsNotGivenWhereTheBoardHidesWallThatIsThere)
 {
   // From 2 m beside, the board stands before another part of the wall.
-  const Cloud cloud = wallBehindABoard();
+  Cloud cloud = wallBehindABoard();
   const Vector3d beside = camera + Vector3d (2, 0, 0);
   EXPECT_GT (occludedFraction (CloudView (cloud), beside), 5_percent);
   EXPECT_FALSE (isSeenFrom (beside, CloudView (cloud)));
-}
-
-TEST (Visibility, OfACloudIsAskedForItsSensorOrigin)
-{
-  Cloud cloud = wallBehindABoard();
-  cloud.sensor_origin_.head<3>() = camera.cast<float>();
-  EXPECT_TRUE (isSeenFromItsOrigin (cloud));
-  cloud.sensor_origin_.x() += 2.0f;
+  cloud.sensor_origin_.head<3>() = beside.cast<float>();
   EXPECT_FALSE (isSeenFromItsOrigin (cloud));
 }
 
 TEST (Visibility, IsTheSameInAnyOrderOfPoints)
 {
   const Cloud cloud = wallBehindABoard();
-  Cloud reversed;
-  std::for_each (cloud.rbegin(), cloud.rend(), [&] (const pcl::PointXYZ& point) {
-    reversed.push_back (point);
-  });
+  Cloud reversed = cloud;
+  std::reverse (reversed.begin(), reversed.end());
   const Vector3d beside = camera + Vector3d (2, 0, 0);
   EXPECT_EQ (occludedFraction (CloudView (cloud), beside),
              occludedFraction (CloudView (reversed), beside));

@@ -11,34 +11,22 @@ using namespace pcl_ops::internal;
 namespace {
 
 AssignedPoints
-assign (const VoxelScene& scene,
-        std::optional<double> theta_h = std::nullopt,
-        unsigned threads = 1)
+assign (const VoxelScene& scene)
 {
   AssignedPoints assigned{Labels (scene.points.size(), no_plane), {}};
   assignToBoundedPlanes (scene.points,
                          scene.voxelized.finest.order,
                          scene.grid(),
                          scene.planes,
-                         theta_h,
+                         std::nullopt,
                          4.0,
-                         threads,
+                         1,
                          {},
                          assigned);
   return assigned;
 }
 
 } // namespace
-
-TEST (BoundedAssignment, LabelsNoPointBeyondTheEndOfItsPlane)
-{
-  // A chair leg's worth of points at the height of the ground, a metre beyond its end.
-  VoxelScene scene ({{ground}, {{{3, 0, 0.05}, {0.05, 0, 0}, {0, 0.05, 0}}}});
-  scene.label (no_plane, [] (const auto& at) { return at.x() > 2.5; });
-  const Labels labels = assign (scene).labels;
-  for (std::size_t i = 0; i < scene.points.size(); ++i)
-    EXPECT_EQ (labels[i], scene.points.x[i] < 2.5f ? 0 : no_plane);
-}
 
 TEST (BoundedAssignment, GivesTheMomentsOfThePointsItLabels)
 {
@@ -81,14 +69,4 @@ TEST (BoundedAssignment, TakesPointsUpToAMultipleOfTheNoise)
   const Labels labels = assign (scene).labels;
   EXPECT_EQ (labels[on_the_ground], 0) << "15 mm off";
   EXPECT_EQ (labels[on_the_ground + 1], no_plane) << "30 mm off";
-}
-
-TEST (BoundedAssignment, KeepsEveryPointToAThresholdThatWasAskedFor)
-{
-  VoxelScene scene ({{ground}}, 2_cm);
-  scene.planes.noise[0] = 1_cm;
-  const Labels free = assign (scene).labels, held = assign (scene, 1_cm).labels;
-  EXPECT_EQ (std::count (free.begin(), free.end(), 0), 14400);
-  for (std::size_t i = 0; i < scene.points.size(); ++i)
-    EXPECT_EQ (held[i], std::abs (scene.points.z[i] - 0.05f) < 0.01f ? 0 : no_plane);
 }

@@ -93,49 +93,25 @@ TEST (MomentsOf, SomeVoxelsAreThoseOfTheirPoints)
   EXPECT_NEAR (moments.centroid().x(), 0.10, 1e-6);
 }
 
-TEST (Renumbering, PutsVoxelsOnThePlanesTheirsWereMergedInto)
+TEST (Renumbering, PutsVoxelsAndMomentsOnThePlanesTheirsWereMergedInto)
 {
   BoundedPlanes planes;
-  planes.planes = {atHeight (0), atHeight (1), atHeight (2)};
-  planes.plane_of_voxel = {0, 1, 2, no_plane, 1};
+  planes.planes = {atHeight (0), atHeight (1), atHeight (2), atHeight (3)};
+  planes.plane_of_voxel = {0, 1, 2, 3, no_plane, 1};
+  planes.moments_elsewhere.resize (4);
+  for (const int p : {0, 1, 2, 3})
+    planes.moments_elsewhere[p].add (1 << p, 0, 0);
   pcl_ops::MergedPlanes merged;
-  merged.merged_into = {1, 0, 1};
+  merged.merged_into = {1, 0, 1, no_plane}; // the last was dropped
   merged.fits.resize (2);
   merged.fits[0].plane = atHeight (5);
   merged.fits[1].plane = atHeight (6);
   renumberPlanes (merged, planes);
-  EXPECT_EQ (planes.plane_of_voxel, (Labels{1, 0, 1, no_plane, 0}));
+  EXPECT_EQ (planes.plane_of_voxel, (Labels{1, 0, 1, no_plane, no_plane, 0}));
   ASSERT_EQ (planes.size(), 2u);
   EXPECT_EQ (planes.planes[0].offset, -5.0);
   EXPECT_EQ (planes.planes[1].offset, -6.0);
-}
-
-TEST (Renumbering, TakesVoxelsOffPlanesThatWereDropped)
-{
-  BoundedPlanes planes;
-  planes.planes = {atHeight (0)};
-  planes.plane_of_voxel = {0, no_plane, 0};
-  pcl_ops::MergedPlanes merged;
-  merged.merged_into = {no_plane};
-  renumberPlanes (merged, planes);
-  EXPECT_EQ (planes.plane_of_voxel, Labels (3, no_plane));
-  EXPECT_EQ (planes.size(), 0u);
-}
-
-TEST (Renumbering, AddsUpWhatPlanesHaveElsewhere)
-{
-  BoundedPlanes planes;
-  planes.planes.resize (3);
-  planes.moments_elsewhere.resize (3);
-  planes.moments_elsewhere[0].add (1, 0, 0);
-  planes.moments_elsewhere[1].add (2, 0, 0);
-  planes.moments_elsewhere[2].add (4, 0, 0);
-  pcl_ops::MergedPlanes merged;
-  merged.merged_into = {1, no_plane, 1};
-  merged.fits.resize (2);
-  renumberPlanes (merged, planes);
   ASSERT_EQ (planes.moments_elsewhere.size(), 2u);
-  EXPECT_EQ (planes.moments_elsewhere[0].count, 0.0);
-  EXPECT_EQ (planes.moments_elsewhere[1].count, 2.0);
-  EXPECT_EQ (planes.moments_elsewhere[1].sum.x(), 5.0);
+  EXPECT_EQ (planes.moments_elsewhere[0].sum.x(), 2.0);
+  EXPECT_EQ (planes.moments_elsewhere[1].sum.x(), 1.0 + 4.0);
 }

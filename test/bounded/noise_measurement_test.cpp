@@ -16,30 +16,12 @@ rmsOf (double noise)
   return noise / std::sqrt (3.0);
 }
 
-/** \brief Ground and wall, whose row of common voxels has a plane's points alone in
- * none of them. */
-VoxelScene
-groundAndWall ()
-{
-  return VoxelScene ({{ground}, {wall}}, 1_cm);
-}
-
 } // namespace
-
-TEST (Noise, IsTheRmsDistanceToThePlane)
-{
-  VoxelScene scene ({{ground}}, 1_cm);
-  scene.planes.noise.clear();
-  measureNoise (scene.grid(), 1, scene.planes);
-  ASSERT_FALSE (scene.planes.noise.empty());
-  for (const double noise : scene.planes.noise)
-    EXPECT_NEAR (noise, rmsOf (1_cm), 1_mm);
-}
 
 TEST (Noise, IsTheInnerOneWhereAPlaneMeetsAnother)
 {
   // A voxel of the common row holds points up to 5 cm off the plane it is on.
-  VoxelScene scene = groundAndWall();
+  VoxelScene scene ({{ground}, {wall}}, 1_cm);
   measureNoise (scene.grid(), 1, scene.planes);
   ASSERT_FALSE (scene.planes.noise.empty());
   for (const double noise : scene.planes.noise)
@@ -67,14 +49,6 @@ TEST (Noise, OfAPlaneWithoutInnerVoxelsIsThatOfAllOfThem)
   ASSERT_FALSE (scene.planes.noise.empty());
   for (const double noise : scene.planes.noise)
     EXPECT_NEAR (noise, rmsOf (2_cm), 2_mm);
-}
-
-TEST (Noise, IsNotMeasuredMoreFinelyThanAShareOfAVoxel)
-{
-  VoxelScene scene ({{ground}});
-  scene.planes.noise.clear();
-  measureNoise (scene.grid(), 1, scene.planes);
-  EXPECT_EQ (scene.planes.noise, std::vector<double> (1, smallestNoise (scene.grid())));
 }
 
 TEST (Noise, FloorsFollowTheVoxelSize)

@@ -95,13 +95,3 @@ TEST (Growing, TakesVoxelsUpToThreeTimesTheNoise)
     EXPECT_EQ (scene.voxelsOn (0), noise < 0.0035 ? 400u : 800u);
   }
 }
-
-TEST (Growing, IsTheSameForAnyNumberOfThreads)
-{
-  VoxelScene one ({{ground}, {wall}}, 5_mm);
-  one.label (no_plane, [] (const auto& at) { return at.y() > 0.3; });
-  VoxelScene four = one;
-  growPlanes (one.grid(), std::nullopt, 1, one.planes);
-  growPlanes (four.grid(), std::nullopt, 4, four.planes);
-  EXPECT_EQ (one.planes.plane_of_voxel, four.planes.plane_of_voxel);
-}

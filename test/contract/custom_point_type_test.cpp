@@ -13,11 +13,9 @@ struct ThermalPoint {
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-namespace {
-
-pcl_ops::OrientedPointSampling<ThermalPoint>
-detectorFor (const LabelledScene& scene)
+TEST (CustomPointType, IsSegmentedIntoRegionsWithContoursOfItsOwn)
 {
+  const auto scene = room().build();
   const auto cloud = pcl::make_shared<pcl::PointCloud<ThermalPoint>>();
   for (const pcl::PointXYZ& point : *scene.cloud) {
     ThermalPoint thermal{};
@@ -27,24 +25,9 @@ detectorFor (const LabelledScene& scene)
   pcl_ops::OrientedPointSampling<ThermalPoint> ops;
   ops.setInputCloud (cloud);
   ops.setSamplingRate (0.1);
-  return ops;
-}
-
-} // namespace
-
-TEST (CustomPointType, IsSegmentedLikeAnyOther)
-{
-  const auto scene = room().build();
-  auto ops = detectorFor (scene);
   std::vector<pcl_ops::PlaneSegment> planes;
   ASSERT_TRUE (ops.segment (planes));
   expectFindsEverySurface (planes, scene);
-}
-
-TEST (CustomPointType, HasRegionsWithContoursOfItsOwn)
-{
-  const auto scene = room().build();
-  auto ops = detectorFor (scene);
   decltype (ops)::PlanarRegions regions;
   ASSERT_TRUE (ops.segment (regions));
   ASSERT_EQ (regions.size(), scene.surfaces.size());

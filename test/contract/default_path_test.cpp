@@ -3,8 +3,6 @@
 #include "presets.h"
 #include "scene.h"
 
-#include <set>
-
 using pcl_ops::MergingParameters;
 using pcl_ops::PlaneSegment;
 
@@ -26,34 +24,60 @@ onTwoHalves ()
                          .cloud);
 }
 
-MergingParameters
-noMerging ()
+/** \brief Points of three coordinates drawn from -1 to 1 each, made into others. */
+template <typename Make>
+Cloud::Ptr
+cloudFrom (std::size_t number, Make&& make)
 {
-  MergingParameters merging;
-  merging.enabled = false;
-  return merging;
+  RandomGenerator generator (seedOfTest());
+  const auto draw = [&] { return 2.0 * drawUnit (generator) - 1.0; };
+  return cloudOf (number, [&] (float) {
+    const double x = draw(), y = draw(), z = draw();
+    return toPoint (make (Eigen::Vector3d (x, y, z)));
+  });
 }
 
-/** \brief Two table tops of one height with the floor below. */
+std::vector<PlaneSegment>
+planesAmong (const Cloud::ConstPtr& cloud)
+{
+  Ops ops;
+  ops.setInputCloud (cloud);
+  return planesOf (ops);
+}
+
 LabelledScene
-twoTables ()
+sampled (const Surface& surface, double spacing, double noise)
 {
   return Scene()
-      .surface ({-1.2, -0.4, 1}, {0.9, 0, 0}, {0, 0.9, 0})
-      .surface ({0.3, -0.4, 1}, {0.9, 0, 0}, {0, 0.9, 0})
-      .surface ({-2, -2, 0}, {4, 0, 0}, {0, 4, 0})
+      .surface (surface.corner, surface.first, surface.second)
+      .spacing (spacing)
+      .noise (noise)
       .build();
 }
 
-/** \brief The parts of a scene that have points on a plane. */
-std::set<int>
-partsOf (const PlaneSegment& plane, const LabelledScene& scene)
+/** \brief Nine tenths of the points of a surface are on one plane near it. */
+bool
+hasSurfaceOf (const LabelledScene& scene,
+              const std::vector<PlaneSegment>& planes,
+              double offset)
 {
-  std::set<int> parts;
-  for (const pcl::index_t i : plane.inliers)
-    parts.insert (scene.labels[static_cast<std::size_t> (i)]);
-  return parts;
+  return std::any_of (planes.begin(), planes.end(), [&] (const PlaneSegment& plane) {
+    return isNear (plane.plane(), scene.surfaces[0], 3_deg, offset) &&
+           plane.inliers.size() > 0.9 * scene.cloud->size();
+  });
 }
+
+/** \brief In one cloud, two surfaces that were sampled apart from each other. */
+void
+expectFindsBoth (const LabelledScene& first, const LabelledScene& second)
+{
+  const auto planes =
+      planesAmong (pcl::make_shared<Cloud> (*first.cloud + *second.cloud));
+  EXPECT_TRUE (hasSurfaceOf (first, planes, 3_cm));
+  EXPECT_TRUE (hasSurfaceOf (second, planes, 1_cm));
+}
+
+const Surface ground = {{0, 0, 0}, {20, 0, 0}, {0, 20, 0}};
 
 } // namespace
 
@@ -86,16 +110,6 @@ TEST (DefaultPath, MergesByADistanceThatIsGiven)
   EXPECT_EQ (planesOf (ops).size(), 1u);
 }
 
-TEST (DefaultPath, TakesSurfacesInOnePlaneForOne)
-{
-  const LabelledScene scene = twoTables();
-  Ops ops = defaultsOn (scene.cloud);
-  std::set<std::set<int>> parts;
-  for (const PlaneSegment& plane : planesOf (ops))
-    parts.insert (partsOf (plane, scene));
-  EXPECT_EQ (parts, (std::set<std::set<int>>{{0, 1}, {2}}));
-}
-
 TEST (DefaultPath, EndsAPlaneWhereItsPointsEnd)
 {
   // A chair leg ends at the floor's height, a metre beyond the floor.
@@ -104,7 +118,8 @@ TEST (DefaultPath, EndsAPlaneWhereItsPointsEnd)
   Ops ops = defaultsOn (scene.cloud);
   const auto planes = planesOf (ops);
   ASSERT_GE (planes.size(), 1u);
-  EXPECT_EQ (partsOf (planes[0], scene), std::set<int>{0});
+  for (const pcl::index_t i : planes[0].inliers)
+    EXPECT_EQ (scene.labels[i], 0);
 }
 
 TEST (DefaultPath, FollowsAThresholdForEveryPoint)
@@ -117,4 +132,62 @@ TEST (DefaultPath, FollowsAThresholdForEveryPoint)
   EXPECT_LT (held.inliers.size(), without);
   for (const pcl::index_t i : held.inliers)
     EXPECT_LT (std::abs ((*scene.cloud)[i].z), 12_mm);
+}
+
+TEST (DefaultPath, FindsNoPlaneOnCurvedSurfacesAndWires)
+{
+  using Make = Eigen::Vector3d (*) (const Eigen::Vector3d&);
+  const std::pair<const char*, Make> shapes[] = {
+      {"sphere", [] (const auto& p) { return Eigen::Vector3d (p.normalized()); }},
+      // Between patches that are curved there are no strips that are flat.
+      {"cylinder",
+       [] (const auto& p) {
+         return Eigen::Vector3d (
+             std::cos (pi * p.x()), std::sin (pi * p.x()), 2.0 * p.y());
+       }},
+      // A wire, a helix of five turns: any two directions along a line span a plane.
+      {"helix", [] (const auto& p) {
+         return Eigen::Vector3d (
+             std::cos (5.0 * pi * p.x()), std::sin (5.0 * pi * p.x()), p.x());
+       }}};
+  for (const auto& [name, make] : shapes)
+    EXPECT_TRUE (planesAmong (cloudFrom (60000, make)).empty()) << name;
+}
+
+TEST (DefaultPath, FindsNoPlaneOnMostOfANoisyBall)
+{
+  // Radius 1 m with a noise of up to 1 cm, which hides how little a small patch bends.
+  const auto near_sphere = [] (const Eigen::Vector3d& p) {
+    return ((1.0 + 1_cm * (p.norm() - 1.0)) * p.normalized()).eval();
+  };
+  std::size_t points = 0;
+  for (const auto& plane : planesAmong (cloudFrom (60000, near_sphere)))
+    points += plane.inliers.size();
+  EXPECT_LT (points, 60000u / 20);
+}
+
+// Clouds whose parts have little in common: each is looked at on its own scale.
+
+TEST (DefaultPath, FindsASparseGroundBesideADenseBoard)
+{
+  // Ten points a square metre beside a hundred thousand.
+  const Surface board = {{-2, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  expectFindsBoth (sampled (ground, 1.0 / std::sqrt (10.0), 1_cm),
+                   sampled (board, 1.0 / std::sqrt (1e5), 1_mm));
+}
+
+TEST (DefaultPath, FindsAPlaneWithAThousandTimesTheNoiseOfAnother)
+{
+  const Surface wall = {{-3, 0, 0}, {0, 20, 0}, {0, 0, 20}};
+  expectFindsBoth (sampled (ground, 10_cm, 10_cm), sampled (wall, 10_cm, 1e-4));
+}
+
+TEST (DefaultPath, FindsAPlaneOrNoneInOneVoxel)
+{
+  Ops ops;
+  auto parameters = ops.getParameters();
+  parameters.surfels.voxel_size = 1000_m;
+  ops.setParameters (parameters);
+  ops.setInputCloud (room().build().cloud);
+  EXPECT_LE (planesOf (ops).size(), 1u);
 }

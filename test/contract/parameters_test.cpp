@@ -4,6 +4,10 @@
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/plane_edges.h>
+#include <pcl_ops/plane_filter.h>
+#include <pcl_ops/plane_matching.h>
+#include <pcl_ops/up_axis.h>
 
 #include <functional>
 
@@ -146,6 +150,54 @@ rangesOfKht ()
           {"distance threshold", without, {nan_value}}};
 }
 
+Ranges<pcl_ops::PlaneFilter>
+rangesOfFilter ()
+{
+  using F = pcl_ops::PlaneFilter;
+  const auto direction = [] (F& f, double v) { f.direction = {0.0, 0.0, v}; };
+  const auto up = [] (F& f, double v) { f.up_axis *= v; };
+  const auto slope = [] (F& f, double v) { f.slope = {0.1, v}; };
+  const auto size = [] (F& f, double v) { f.size = {1.0, 2.0, v}; };
+  return {
+      {"direction must", direction, {0.0, nan_value, HUGE_VAL}, {-7.0}},
+      {"direction tolerance", of (&F::direction_tolerance), notPositive ({2.0}), {0.0}},
+      {"up axis", up, {0.0, nan_value}, {7.0}},
+      {"slope", slope, notPositive ({0.05, 2.0}), {0.1, 1.5}},
+      {"smallest area", of (&F::min_area), notPositive(), {0.0}},
+      {"smallest width", of (&F::min_width), notPositive(), {0.0}},
+      {"largest area", of (&F::max_area), notPositive ({0.9}), {1.0}},
+      {"largest width", of (&F::max_width), notPositive ({0.9}), {1.0}},
+      {"size", size, notPositive(), {0.0}}};
+}
+
+Ranges<pcl_ops::PlaneMatchingParameters>
+rangesOfMatching ()
+{
+  using P = pcl_ops::PlaneMatchingParameters;
+  return {{"rotation", of (&P::rotation_error), notPositive ({2.0}), {0.0, 1.5}},
+          {"translation", of (&P::translation_error), notPositive(), {0.0}},
+          {"overlap", of (&P::min_overlap), notPositive ({1.1}), {0.0, 1.0}}};
+}
+
+Ranges<pcl_ops::PlaneEdgeParameters>
+rangesOfEdges ()
+{
+  using P = pcl_ops::PlaneEdgeParameters;
+  return {{"reach", of (&P::reach), notPositive(), {0.0}},
+          {"gap", of (&P::max_gap), notPositive(), {0.0}},
+          {"smallest length", of (&P::min_length), notPositive(), {0.0}},
+          {"smallest angle", of (&P::min_angle), notPositive ({0.0, 2.0}), {1.5}}};
+}
+
+Ranges<pcl_ops::UpAxisParameters>
+rangesOfUpAxis ()
+{
+  using P = pcl_ops::UpAxisParameters;
+  return {{"tolerance", of (&P::angle_tolerance), notPositive ({0.0, 7.0}), {1.5}},
+          {"share", of (&P::min_share), notPositive ({2.0}), {0.0, 1.0}},
+          {"confidence", of (&P::min_confidence), notPositive ({2.0}), {0.0, 1.0}}};
+}
+
 template <typename Parameters>
 void
 expectRanges (const Ranges<Parameters>& ranges, const Parameters& good)
@@ -197,4 +249,14 @@ TEST (ProblemOf, DrawnPointsWithoutADistanceThresholdNamesIt)
   OpsParameters parameters = OpsParameters::paper();
   parameters.distance_threshold.reset();
   EXPECT_EQ (validate (parameters), "the distance threshold must be a length above 0");
+}
+
+TEST (ProblemOf, WhatIsDoneWithPlanesNamesTheWrongOne)
+{
+  pcl_ops::PlaneFilter filter;
+  filter.min_area = filter.min_width = 1.0;
+  expectRanges (rangesOfFilter(), filter);
+  expectRanges (rangesOfMatching(), pcl_ops::PlaneMatchingParameters());
+  expectRanges (rangesOfEdges(), pcl_ops::PlaneEdgeParameters());
+  expectRanges (rangesOfUpAxis(), pcl_ops::UpAxisParameters());
 }

@@ -82,7 +82,7 @@ expectSame (const KernelHoughTransformParameters& preset)
 
 } // namespace
 
-TEST (OpsPreset, DefaultIsTheRecommendedOne)
+TEST (OpsPreset, DefaultIsTheRecommendedOneAndPaperItsBestRow)
 {
   const OrientedPointSamplingParameters preset;
   expectSame (preset);
@@ -90,16 +90,12 @@ TEST (OpsPreset, DefaultIsTheRecommendedOne)
   EXPECT_EQ (preset.sampling, Sampling::Surfels);
   EXPECT_EQ (preset.paper_only.strategy, PaperParameters::Strategy::DetectThenDivide);
   EXPECT_TRUE (preset.paper_only.local_optimization);
-}
-
-TEST (OpsPreset, PaperIsItsBestRow)
-{
-  const auto preset = OrientedPointSamplingParameters::paper();
-  expectSame (preset);
-  EXPECT_EQ (preset.distance_threshold, 0.05);
-  EXPECT_EQ (preset.sampling, Sampling::Points);
-  EXPECT_EQ (preset.paper_only.strategy, PaperParameters::Strategy::DivideThenDetect);
-  EXPECT_FALSE (preset.paper_only.local_optimization);
+  const auto paper = OrientedPointSamplingParameters::paper();
+  expectSame (paper);
+  EXPECT_EQ (paper.distance_threshold, 0.05);
+  EXPECT_EQ (paper.sampling, Sampling::Points);
+  EXPECT_EQ (paper.paper_only.strategy, PaperParameters::Strategy::DivideThenDetect);
+  EXPECT_FALSE (paper.paper_only.local_optimization);
 }
 
 TEST (FspfPreset, HasTheRadiiOfTableOneAndAsPaperThoseOfTableFour)
@@ -114,7 +110,7 @@ TEST (FspfPreset, HasTheRadiiOfTableOneAndAsPaperThoseOfTableFour)
   EXPECT_EQ (paper.local.outer_radius, 0.14);
 }
 
-TEST (KhtPreset, DefaultIsTheRecommendedOne)
+TEST (KhtPreset, DefaultIsTheRecommendedOneAndPaperTheMethodAsPublished)
 {
   const KernelHoughTransformParameters preset;
   expectSame (preset);
@@ -124,18 +120,14 @@ TEST (KhtPreset, DefaultIsTheRecommendedOne)
   EXPECT_EQ (preset.clusters.first_level, 3);
   EXPECT_EQ (preset.clusters.s_alpha, 15.0);
   EXPECT_TRUE (preset.refit.enabled);
-}
-
-TEST (KhtPreset, PaperIsTheMethodAsPublished)
-{
-  const auto preset = KernelHoughTransformParameters::paper();
-  expectSame (preset);
-  EXPECT_FALSE (preset.merging.enabled);
-  EXPECT_EQ (preset.phi_num, 80);
-  EXPECT_EQ (preset.rho_num, 800);
-  EXPECT_EQ (preset.clusters.first_level, 5);
-  EXPECT_EQ (preset.clusters.s_alpha, 25.0);
-  EXPECT_FALSE (preset.refit.enabled);
+  const auto paper = KernelHoughTransformParameters::paper();
+  expectSame (paper);
+  EXPECT_FALSE (paper.merging.enabled);
+  EXPECT_EQ (paper.phi_num, 80);
+  EXPECT_EQ (paper.rho_num, 800);
+  EXPECT_EQ (paper.clusters.first_level, 5);
+  EXPECT_EQ (paper.clusters.s_alpha, 25.0);
+  EXPECT_FALSE (paper.refit.enabled);
 }
 
 TEST (UpAxisPreset, DefaultAsksForSeventyPerCent)

@@ -10,69 +10,31 @@ using pcl_ops::no_plane;
 using pcl_ops::PlaneDetectorParameters;
 using namespace pcl_ops::internal;
 
-namespace {
-
-MergingParameters
-mergingWithin (double distance)
-{
-  MergingParameters merging;
-  merging.distance_threshold = distance;
-  return merging;
-}
-
-/** \brief A floor of 100 points in two halves, and ten points of a line far above. */
-struct LineAndFloor {
-  LineAndFloor()
-  {
-    for (int i = 0; i < 10; ++i)
-      add (static_cast<float> (i), 7.0f, 7.0f, 0);
-    for (int i = 0; i < 100; ++i)
-      add (static_cast<float> (i % 10),
-           static_cast<float> (i / 10),
-           0.0f,
-           i < 50 ? 1 : 2);
-  }
-
-  void
-  add (float x, float y, float z, std::int32_t label)
-  {
-    points.add (x, y, z);
-    labels.push_back (label);
-  }
-
-  LabelledPlanes
-  merged (const MergingParameters& merging) const
-  {
-    return mergeAssigned ({labels, momentsOfLabels (points, labels, 3, 1)}, merging, 2);
-  }
-
-  Points points;
-  Labels labels;
-};
-
-} // namespace
-
 TEST (MergeAssigned, FitsThePlanesToTheirPointsAndRelabelsThem)
 {
-  // Plane 0 is a line, 1 and 2 are two halves of one floor.
-  LineAndFloor scene;
-  scene.labels.back() = no_plane;
-  const LabelledPlanes found = scene.merged (mergingWithin (5_cm));
-  Labels expected (109, 0);
-  std::fill_n (expected.begin(), 10, no_plane);
+  // Plane 0 is a line, 1 and 2 are two halves of one floor, and a point is on none.
+  Points points;
+  Labels labels, expected;
+  for (int i = 0; i < 10; ++i)
+    points.add (static_cast<float> (i), 7.0f, 7.0f);
+  for (int i = 0; i < 100; ++i)
+    points.add (static_cast<float> (i % 10), static_cast<float> (i / 10), 0.0f);
+  labels.insert (labels.end(), 10, 0);
+  labels.insert (labels.end(), 50, 1);
+  labels.insert (labels.end(), 49, 2);
+  labels.push_back (no_plane);
+  expected.insert (expected.end(), 10, no_plane);
+  expected.insert (expected.end(), 99, 0);
   expected.push_back (no_plane);
+  MergingParameters merging;
+  merging.distance_threshold = 5_cm;
+  const LabelledPlanes found =
+      mergeAssigned ({labels, momentsOfLabels (points, labels, 3, 1)}, merging, 2);
   EXPECT_EQ (found.labels, expected);
   EXPECT_EQ (found.planes_before_merging, 3u);
   ASSERT_EQ (found.planes.fits.size(), 1u);
   EXPECT_NEAR (std::abs (found.planes.fits[0].plane.normal.z()), 1.0, 1e-9);
   EXPECT_EQ (found.planes.moments[0].count, 99.0);
-}
-
-TEST (MergeAssigned, LeavesHalvesApartWhereMergingIsOff)
-{
-  MergingParameters off;
-  off.enabled = false;
-  EXPECT_EQ (LineAndFloor().merged (off).planes.fits.size(), 2u) << "a line is none";
 }
 
 TEST (DetectInFinitePoints, RunsNoStageWithoutAFinitePoint)

@@ -35,11 +35,9 @@ randomPlanes (std::size_t count)
 {
   RandomGenerator generator (seedOfTest() + 1);
   std::vector<Plane> planes;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Eigen::Vector3d normal (
-        drawNormal (generator), drawNormal (generator), drawNormal (generator));
-    planes.push_back ({normal.normalized(), drawUnit (generator) - 0.5});
-  }
+  for (std::size_t i = 0; i < count; ++i)
+    planes.push_back (
+        {drawNormals (generator).normalized(), drawUnit (generator) - 0.5});
   return planes;
 }
 

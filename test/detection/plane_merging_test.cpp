@@ -168,13 +168,6 @@ TEST (Merge, ByNoiseStillAsksForTheAngle)
   EXPECT_EQ (mergePlanes ({first, second}, byNoise (2.0)).fits.size(), 2u);
 }
 
-TEST (Merge, KeepsParallelPlanesApart)
-{
-  const auto merged = mergePlanes (
-      {momentsOf (square ({0, 0, 0})), momentsOf (square ({0, 0, 6_cm}))}, usual);
-  EXPECT_EQ (merged.fits.size(), 2u);
-}
-
 TEST (Merge, IsTheFitOfAllPoints)
 {
   const Surface first = square ({0, 0, 0}), second = square ({0.5, 1, 2_cm}, 3_deg);

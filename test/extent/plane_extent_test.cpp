@@ -3,14 +3,11 @@
 #include "scene.h"
 #include <pcl_ops/plane_extent.h>
 
-#include <numeric>
-
 using namespace pcl_ops::internal;
 
 using pcl_ops::PlanarPoints;
 using pcl_ops::PlaneExtent;
 using pcl_ops::PlaneFrame;
-using pcl_ops::PlaneSegment;
 
 namespace {
 
@@ -19,28 +16,11 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 constexpr double board_length = 1.0;
 constexpr double board_width = 0.6;
 
-/** \brief All points of a cloud as one plane. */
-PlaneSegment
-planeOf (const Cloud& cloud, const Eigen::Vector3d& normal)
-{
-  PlaneSegment plane;
-  plane.normal = normal;
-  plane.moments.origin = cloud[0].getVector3fMap().cast<double>();
-  for (const pcl::PointXYZ& point : cloud) {
-    const Eigen::Vector3d p =
-        point.getVector3fMap().cast<double>() - plane.moments.origin;
-    plane.moments.add (p.x(), p.y(), p.z());
-  }
-  plane.centroid = plane.moments.centroid();
-  plane.inliers.resize (cloud.size());
-  std::iota (plane.inliers.begin(), plane.inliers.end(), 0);
-  return plane;
-}
-
 PlaneExtent
 extentOf (const Cloud& cloud, const Eigen::Vector3d& normal = Eigen::Vector3d::UnitZ())
 {
-  return pcl_ops::planeExtent (cloud, planeOf (cloud, normal));
+  return pcl_ops::planeExtent (
+      cloud, planeOfPoints (cloud, upTo<pcl::Indices> (cloud.size()), normal));
 }
 
 /** \brief Two corners of a grid of points 1 cm apart, and all between. */
@@ -64,10 +44,8 @@ scatteredBoard (int points, double noise)
   for (int i = 0; i < points; ++i) {
     const double x = board_length * drawUnit (generator);
     const double y = board_width * drawUnit (generator);
-    const Eigen::Vector3d off (
-        drawNormal (generator), drawNormal (generator), drawNormal (generator));
-    const Eigen::Vector3f p = (Eigen::Vector3d (x, y, 0.0) + noise * off).cast<float>();
-    cloud.push_back ({p.x(), p.y(), p.z()});
+    cloud.push_back (
+        toPoint (Eigen::Vector3d (x, y, 0.0) + noise * drawNormals (generator)));
   }
   return cloud;
 }
@@ -275,4 +253,17 @@ TEST (PlaneExtent, LeavesOutPointsThatAreNotFinite)
   EXPECT_NEAR (pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground).area,
                1.0,
                1e-9);
+}
+
+TEST (PlaneExtent, HasTheSmallestOfTheRectanglesAlongTheOutline)
+{
+  // A square without one corner, each in turn: along the cut it needs more.
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5}) {
+      const PlanarPoints points = {
+          {-x, -y}, {x, -y}, {-x, y}, {0.4 * x, y}, {x, 0.4 * y}};
+      const PlaneExtent extent =
+          pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground);
+      EXPECT_NEAR (extent.length * extent.width, 1.0, 1e-9);
+    }
 }

@@ -88,11 +88,6 @@ TEST (HullOfAll, HasAllPointsOverManyDecadesInside)
   }
 }
 
-TEST (HullOfAll, IsNothingWherePointsSpanNoArea)
-{
-  EXPECT_TRUE (hullOfAll ({{0, 0}, {1, 1}, {2, 2}}).empty());
-}
-
 TEST (Rim, TakesOffThePointsOnItsHull)
 {
   Rim rim (lattice (4));

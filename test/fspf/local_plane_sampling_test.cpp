@@ -5,8 +5,6 @@
 #include "fspf/local_plane_sampling.h"
 #include "scene.h"
 
-#include <numeric>
-
 using namespace pcl_ops;
 using namespace pcl_ops::internal;
 
@@ -23,20 +21,12 @@ pointsAt (const std::vector<Eigen::Vector3f>& positions)
   return points;
 }
 
-Indices
-allOf (const Coordinates& points)
-{
-  Indices all (points.size());
-  std::iota (all.begin(), all.end(), 0);
-  return all;
-}
-
 /** A hypothesis around the first point, p_r1 and p_r2 being any of the others. */
 std::optional<Plane>
 hypothesisAround (const Coordinates& points, double inner_radius)
 {
   RandomGenerator generator (seedOfTest());
-  return drawHypothesis (points, 0, allOf (points), inner_radius, generator);
+  return drawHypothesis (points, 0, upTo (points.size()), inner_radius, generator);
 }
 
 /** Adds points all over a square of 4 cm x 4 cm on the plane z = 0. */
@@ -61,7 +51,7 @@ addLonePoints (std::size_t size, Coordinates& points)
 LocalPlanes
 sample (const Coordinates& points, const LocalSamplingParameters& parameters)
 {
-  const Indices all = allOf (points);
+  const Indices all = upTo (points.size());
   return sampleLocalPlanes (
       points,
       [&] (std::uint32_t, Indices& sphere) {
@@ -110,21 +100,18 @@ TEST (DrawHypothesis, TakesNoPointBeyondTheInnerRadius)
       pointsAt ({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2}, {3, 0, 3}, {0, 4, 1}});
   RandomGenerator generator (seedOfTest());
   for (int i = 0; i < 100; ++i) {
-    const auto plane = drawHypothesis (points, 0, allOf (points), 1.5_m, generator);
+    const auto plane =
+        drawHypothesis (points, 0, upTo (points.size()), 1.5_m, generator);
     ASSERT_TRUE (plane);
     EXPECT_EQ (std::abs (plane->normal.z()), 1.0);
   }
 }
 
-TEST (DrawHypothesis, IsNoneForEqualPoints)
+TEST (DrawHypothesis, IsNoneForEqualPointsAndALine)
 {
   EXPECT_FALSE (hypothesisAround (pointsAt ({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}), 1_m));
   EXPECT_FALSE (hypothesisAround (pointsAt ({{1, 2, 3}, {1, 2, 4}, {1, 2, 4}}), 2_m));
   EXPECT_FALSE (hypothesisAround (pointsAt ({{1, 2, 3}}), 1_m));
-}
-
-TEST (DrawHypothesis, IsNoneForALine)
-{
   EXPECT_FALSE (
       hypothesisAround (pointsAt ({{0, 0, 0}, {1, 2, 3}, {2, 4, 6}, {3, 6, 9}}), 99_m));
 }
@@ -245,9 +232,4 @@ TEST (SampleLocalPlanes, CountsTheTestedInliersAlone)
   parameters.inliers = LocalSamplingParameters::Inliers::Samples;
   for (const Moments& inliers : samplePatch (900, parameters).moments)
     EXPECT_EQ (inliers.count, 80.0);
-}
-
-TEST (SampleLocalPlanes, OfNoPointsAreNone)
-{
-  EXPECT_TRUE (sample (Coordinates(), {}).moments.empty());
 }

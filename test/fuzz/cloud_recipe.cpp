@@ -86,13 +86,6 @@ struct Shape {
   Eigen::Quaterniond frame;
 };
 
-pcl::PointXYZ
-toPoint (const Eigen::Vector3d& position)
-{
-  const Eigen::Vector3f p = position.cast<float>();
-  return {p.x(), p.y(), p.z()};
-}
-
 void
 addShape (ByteReader& bytes, Cloud& cloud)
 {

@@ -43,10 +43,3 @@ TEST (OrientationOf, IsThatOfTheAngleFromTheUpAxis)
       EXPECT_EQ (orientationOf (sign * row.normal, row.up, row.tolerance), row.expected)
           << row.normal.transpose();
 }
-
-TEST (Orientation, HasTheNamesOfThePaper)
-{
-  EXPECT_STREQ (toString (Orientation::Horizontal), "horizontal");
-  EXPECT_STREQ (toString (Orientation::Vertical), "vertical");
-  EXPECT_STREQ (toString (Orientation::Other), "other");
-}

@@ -17,38 +17,38 @@ namespace {
 /** \brief A long, tilted board whose sides are those of no axis, 10 m away. */
 const Surface board{{10, 2, 1}, {2.4, 0.9, 0.3}, {-0.2, 0.5, 0.4}};
 
-/** \brief The plane fitted to points of a surface with noise along its normal. */
-PlaneSegment
-fitted (const Surface& surface, int points, double noise, RandomGenerator& generator)
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+Cloud
+drawBoard (int points, double noise, RandomGenerator& generator)
 {
-  PlaneSegment plane;
-  plane.moments.origin = surface.centre();
-  for (int i = 0; i < points; ++i) {
-    const double s = drawUnit (generator);
-    const double t = drawUnit (generator);
-    const Eigen::Vector3d local = surface.at (s, t) - surface.centre() +
-                                  noise * drawNormal (generator) * surface.normal();
-    plane.moments.add (local.x(), local.y(), local.z());
-  }
-  const auto fit = pcl_ops::fitPlane (plane.moments);
-  plane.centroid = fit->centroid;
-  plane.normal = fit->plane.normal;
+  Cloud cloud;
+  for (int i = 0; i < points; ++i)
+    cloud.push_back (toPoint (drawPointOf (board, noise, generator)));
+  return cloud;
+}
+
+/** \brief The plane fitted to all points of a cloud. */
+PlaneSegment
+fittedTo (const Cloud& cloud)
+{
+  PlaneSegment plane = planeOfPoints (
+      cloud, upTo<pcl::Indices> (cloud.size()), Eigen::Vector3d::UnitZ());
+  plane.normal = pcl_ops::fitPlane (plane.moments)->plane.normal;
   return plane;
 }
 
-/** \brief (tilt along u, tilt along v, offset) of the true surface over the plane. */
+/** \brief (tilt along u, tilt along v, offset) of the true board over the plane. */
 Eigen::Vector3d
-errorsOf (const PlaneSegment& plane,
-          const PlaneCovariance& covariance,
-          const Surface& surface)
+errorsOf (const PlaneSegment& plane, const PlaneCovariance& covariance)
 {
-  Eigen::Vector3d normal = surface.normal();
+  Eigen::Vector3d normal = board.normal();
   if (normal.dot (plane.normal) < 0.0)
     normal = -normal;
   const double along = normal.dot (plane.normal);
   Eigen::Vector3d errors;
   errors.head<2>() = -covariance.axes.transpose() * normal / along;
-  errors[2] = normal.dot (surface.centre() - plane.centroid) / along;
+  errors[2] = normal.dot (board.centre() - plane.centroid) / along;
   return errors;
 }
 
@@ -65,9 +65,9 @@ promiseKeptBy (int points, double noise)
   RandomGenerator generator (seedOfTest());
   Promise kept;
   for (int i = 0; i < draws; ++i) {
-    const PlaneSegment plane = fitted (board, points, noise, generator);
+    const PlaneSegment plane = fittedTo (drawBoard (points, noise, generator));
     const auto covariance = planeCovariance (plane);
-    const Eigen::Vector3d errors = errorsOf (plane, *covariance, board);
+    const Eigen::Vector3d errors = errorsOf (plane, *covariance);
     const Eigen::Vector3d variances = covariance->matrix.diagonal();
     kept.squared_errors += errors.cwiseAbs2().cwiseQuotient (variances) / draws;
     kept.squared_distance +=
@@ -110,7 +110,7 @@ TEST (PlaneCovariance, IsThatOfHeightsAboutTheAxes)
 TEST (PlaneCovariance, HasTheAxesOfThePlanesFrame)
 {
   RandomGenerator generator (seedOfTest());
-  const PlaneSegment plane = fitted (board, 50, 1_mm, generator);
+  const PlaneSegment plane = fittedTo (drawBoard (50, 1_mm, generator));
   const pcl_ops::PlaneFrame frame (plane.centroid, plane.normal);
   const auto covariance = planeCovariance (plane);
   EXPECT_EQ (frame.directionInSpace ({1, 0}), covariance->axes.col (0));
@@ -120,25 +120,12 @@ TEST (PlaneCovariance, HasTheAxesOfThePlanesFrame)
 TEST (PlaneCovariance, OfACloudDoesNotShrinkWherePointsAreRepeated)
 {
   RandomGenerator generator (seedOfTest());
-  pcl::PointCloud<pcl::PointXYZ> once, often;
-  for (int i = 0; i < 2000; ++i) {
-    const double s = drawUnit (generator), t = drawUnit (generator);
-    const Eigen::Vector3f point =
-        (board.at (s, t) + 1_cm * drawNormal (generator) * board.normal())
-            .cast<float>();
-    once.push_back ({point.x(), point.y(), point.z()});
-    for (int copies = 0; copies < 9; ++copies)
-      often.push_back (once.back());
-  }
-  const auto covarianceIn = [] (const pcl::PointCloud<pcl::PointXYZ>& cloud) {
-    PlaneSegment plane;
-    for (const auto& point : cloud) {
-      plane.inliers.push_back (static_cast<int> (plane.inliers.size()));
-      plane.moments.add (point.x, point.y, point.z);
-    }
-    const auto fit = pcl_ops::fitPlane (plane.moments);
-    plane.centroid = fit->centroid;
-    plane.normal = fit->plane.normal;
+  const Cloud once = drawBoard (2000, 1_cm, generator);
+  Cloud often;
+  for (int copies = 0; copies < 9; ++copies)
+    often += once;
+  const auto covarianceIn = [] (const Cloud& cloud) {
+    const PlaneSegment plane = fittedTo (cloud);
     return std::make_pair (planeCovariance (plane)->matrix,
                            planeCovariance (cloud, plane)->matrix);
   };

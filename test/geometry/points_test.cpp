@@ -7,7 +7,6 @@
 #include "geometry/points.h"
 
 #include <limits>
-#include <numeric>
 
 using pcl_ops::CloudView;
 using namespace pcl_ops::internal;
@@ -90,20 +89,6 @@ TEST (FinitePoints, KnowWhereTheyCameFrom)
   }
 }
 
-TEST (FinitePoints, AreTheSameForAnyNumberOfThreads)
-{
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  for (int i = 0; i < 100000; ++i)
-    cloud.push_back ({static_cast<float> (i), i % 30000 == 7 ? nan_value : 1.0f, 0.0f});
-  pcl::Indices all (cloud.size());
-  std::iota (all.begin(), all.end(), 0);
-  const Points one = finitePoints (CloudView (cloud), all, 1);
-  const Points three = finitePoints (CloudView (cloud), all, 3);
-  EXPECT_EQ (one.size(), cloud.size() - 4);
-  EXPECT_EQ (one.index, three.index);
-  EXPECT_EQ (one.x, three.x);
-}
-
 TEST (FinitePoints, KeepTheirDigitsBesideOneStrayPoint)
 {
   auto cloud = cloudOf ({{1e7f, 1e7f, 1e7f}});
@@ -116,13 +101,6 @@ TEST (FinitePoints, KeepTheirDigitsBesideOneStrayPoint)
         (inInputFrame (points, i) - cloud[i].getVector3fMap().cast<double>()).norm(),
         0.0,
         1e-6);
-}
-
-TEST (FinitePoints, AreNoneInAnEmptyCloudAndInOneOfNan)
-{
-  EXPECT_EQ (finitePoints (CloudView (cloudOf ({})), {}, 1).size(), 0u);
-  EXPECT_EQ (finitePoints (CloudView (cloudOf ({{nan_value, 0, 0}})), {0}, 1).size(),
-             0u);
 }
 
 TEST (MedianOf, IsTheMiddleOrTheUpperOfTheTwo)

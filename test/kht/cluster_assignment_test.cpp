@@ -113,10 +113,3 @@ TEST (ClusterAssignment, HandsVoxelsOfWrongClustersToTheNearerPlane)
   });
   EXPECT_GT (shareOfOneLabelEach (scene.outlined().labels), 99_percent);
 }
-
-TEST (ClusterAssignment, OfNoPlanesIsNoLabel)
-{
-  Step scene;
-  scene.planes.clear();
-  EXPECT_EQ (scene.outlined().labels, Labels (45000, no_plane));
-}

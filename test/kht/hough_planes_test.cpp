@@ -58,14 +58,6 @@ TEST (HoughPlanes, WeighAClusterByItsEdgeAndPoints)
   EXPECT_DOUBLE_EQ (clusterWeight (cluster, found), 0.75 * 0.25 + 0.25 * 0.1);
 }
 
-TEST (HoughPlanes, AreVotedForWithinABin)
-{
-  const OctreeClusters found = clustersOf (corner (1_mm));
-  const std::vector<HoughPlane> planes = voteForPlanes (found, 45, 200);
-  for (const Surface& surface : {bottom, wall, shelf})
-    EXPECT_TRUE (hasPlaneOf (surface, planes, 4_deg, 3_cm));
-}
-
 TEST (HoughPlanes, ComeByFallingWeight)
 {
   const OctreeClusters found = clustersOf (corner (1_mm));
@@ -77,14 +69,6 @@ TEST (HoughPlanes, ComeByFallingWeight)
     EXPECT_LE (weight, before + 1e-12);
     before = weight;
   }
-}
-
-TEST (HoughPlanes, AreExactWhenRefitted)
-{
-  const OctreeClusters found = clustersOf (corner (1_mm));
-  const auto planes = refitPlanes (voteForPlanes (found, 30, 100), found, 0.0, theta_h);
-  for (const Surface& surface : {bottom, wall, shelf})
-    EXPECT_TRUE (hasPlaneOf (surface, planes, 0.5_deg, 2_mm));
 }
 
 TEST (HoughPlanes, ShareNoClusterWhenRefitted)

@@ -102,16 +102,6 @@ TEST (SphericalAccumulator, AddsVotesUp)
   EXPECT_EQ (accumulator.votesOf (6, 10), 0.0f);
 }
 
-TEST (SphericalAccumulator, PeaksWhereAKernelIsCenterd)
-{
-  SphericalAccumulator accumulator (coarse_space);
-  const std::uint32_t direction = coarse_space.directions.at (5, 1.0);
-  const double theta = coarse_space.directions.thetaOf (direction);
-  const double phi = coarse_space.directions.phiOf (direction);
-  accumulator.add (votesOfKernelAt (coarse_space.rhoOf (20), phi, theta), 0);
-  EXPECT_EQ (binsOf (accumulator.peaks()), (std::set<Bin>{{direction, 20}}));
-}
-
 TEST (SphericalAccumulator, PeaksOnceForAKernelAcrossTheCenterOrAPole)
 {
   for (const auto& [rho, phi] :

@@ -47,23 +47,6 @@ pointsOn (std::int32_t plane, const LabelledPlanes& found)
 
 } // namespace
 
-TEST (DetectOnVoxels, FindsNothingAmongPointsThatSpanNothing)
-{
-  Points point;
-  point.add (1, 2, 3);
-  pcl_ops::OrientedPointSamplingParameters parameters;
-  EXPECT_EQ (detect (point, parameters).labels, pcl_ops::Labels{no_plane});
-}
-
-TEST (DetectOnVoxels, GivesEachPointOfGroundAndWallToItsPlane)
-{
-  const LabelledPlanes found = detect (pointsOf ({ground, wall}, 5_mm));
-  ASSERT_EQ (found.planes.fits.size(), 2u);
-  EXPECT_EQ (found.planes_before_merging, 2u);
-  for (const std::int32_t plane : {0, 1})
-    EXPECT_NEAR (pointsOn (plane, found), 14400, 500) << "where they meet";
-}
-
 TEST (DetectOnVoxels, MakesOnePlaneOfTwoThatAGapDivides)
 {
   const Surface beyond = {{3, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};

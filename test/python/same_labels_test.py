@@ -44,7 +44,9 @@ class SameLabels(unittest.TestCase):
         for plane, expected in zip(planes, expected_planes):
             self.assertEqual(plane.orientation, expected["orientation"])
             self.assertEqual(len(plane.inliers), expected["points"])
-            for name in ("coefficients", "centroid", "rms", "area", "hull"):
+            expected.update(expected["extent"])
+            for name in ("coefficients", "normal", "centroid", "rms", "hull", "area", "length",
+                         "width"):
                 np.testing.assert_allclose(
                     getattr(plane, name), expected[name], rtol=1e-5, atol=1e-5)
 

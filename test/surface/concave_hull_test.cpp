@@ -128,17 +128,6 @@ TEST (ConcaveHull, RunsCounterClockwiseWithoutCrossingItselfTheSameEveryTime)
   EXPECT_EQ (concaveHull (l), hull);
 }
 
-TEST (ConcaveHull, KeepsTheRectangleOfTheExtent)
-{
-  const PlanarPoints l = gridOfL();
-  const pcl_ops::PlaneExtent extent = pcl_ops::extentOf ({concaveHull (l)}, l, ground);
-  EXPECT_NEAR (extent.area / area_of_l, 1.0, 1_percent);
-  const pcl_ops::PlaneExtent convex =
-      pcl_ops::extentOf ({pcl_ops::convexHull (l)}, l, ground);
-  EXPECT_NEAR (extent.length, convex.length, 1_cm);
-  EXPECT_NEAR (extent.width, convex.width, 1_cm);
-}
-
 TEST (ConcaveHull, GoesAroundAllPartsOfAPlane)
 {
   PlanarPoints parts = gridOfL();

@@ -66,13 +66,6 @@ TEST (Triangulation, OfNoAreaIsNone)
   EXPECT_TRUE (pcl_ops::triangulate ({{{0, 0}, {1, 1}, {2, 2}}}).empty());
 }
 
-TEST (Triangulation, LeavesHolesFree)
-{
-  const pcl_ops::PlanarRings frame = {square_of_three,
-                                      {{1, 1}, {1, 2}, {2, 2}, {2, 1}}};
-  EXPECT_NEAR (areaOfTriangles (frame), 8.0, 1e-9);
-}
-
 TEST (Triangulation, LeavesEachOfManyHolesFree)
 {
   pcl_ops::PlanarRings sieve = {square_of_three};

@@ -72,14 +72,6 @@ TEST (VoxelGrid, IsTheSameForAnyNumberOfThreads)
   }
 }
 
-TEST (VoxelGrid, KeepsStrayPointsFarAway)
-{
-  Coordinates points = pointsInACube (100, 1.0);
-  points.add (1e9f, -1e9f, 1e9f);
-  const VoxelizedPoints voxelized = voxelize (points, 0.1, 1);
-  EXPECT_EQ (countOf (voxelized.grid), 101.0);
-}
-
 TEST (CoarserGrid, HoldsEightVoxelsEachAndLosesNoPoint)
 {
   const VoxelGrid fine = voxelize (pointsInACube (3000, 4.0), 0.25, 1).grid;
