@@ -97,7 +97,7 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
     /** \brief Planes are looked for among surfels up to this thickness: the noise over
      * the spread in the surfel's narrow direction, 0 for an exact plane, 1 for a ball.
      */
-    double sure_thickness = 0.265;
+    double sure_thickness = 0.24;
     /** \brief The same of the voxels of half the edge, the last to be looked at. */
     double max_thickness = 0.3;
     /** \brief A plane goes into a larger neighbor if its points are no farther from it
@@ -117,7 +117,7 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
    * surfels it decides how many voxels the cloud is divided into. */
   double sampling_rate = 0.03;
   /** \brief k: neighbors of each sample its normal comes from, 2 or more; the normal
-   * of a surfel comes from at least as many points. */
+   * of a surfel comes from at least half as many points. */
   int k = 30;
   /** \brief theta_N: a plane needs more inliers than this among the samples, and three
    * in any case; of surfels at least as many. */
@@ -179,7 +179,7 @@ public:
   }
 
   /** \brief k: neighbors of each sample its normal comes from, 2 or more; the normal
-   * of a surfel comes from at least as many points. */
+   * of a surfel comes from at least half as many points. */
   void
   setKSearch (int k)
   {

@@ -116,7 +116,7 @@ bool
 isCurved (const Bending& bending)
 {
   constexpr double smallest_share = 0.4;
-  constexpr double smallest_excess = 0.05;
+  constexpr double smallest_excess = 0.03;
   return bending.explained > smallest_share &&
          bending.amplitude * bending.amplitude >
              smallest_excess * bending.half_extent * bending.noise;

@@ -37,9 +37,11 @@ orient (const VoxelGrid& grid,
         const Parameters& parameters,
         const Labels& plane_of_voxel)
 {
+  // The mean of many points on a surface errs less than that of k nearest ones.
+  constexpr double share_of_k = 0.5;
   const SurfelParameters& surfels = parameters.surfels;
   const double least_points =
-      std::max (static_cast<double> (parameters.k),
+      std::max (share_of_k * parameters.k,
                 surfels.min_average_voxels * meanPointsPerVoxel (grid));
   return findSurfels (
       grid, surfels.resolutions, least_points, parameters.threads, plane_of_voxel);
@@ -152,11 +154,14 @@ labelSparsePoints (const Points& points,
                    StageDurations& durations,
                    AssignedPoints& assigned)
 {
+  constexpr double neighborhoods = 2.0;
   // Voxels of a given size do not change with the points.
   if (parameters.surfels.voxel_size)
     return;
-  const Indices numbers = sparsePoints (
-      voxels.coarse.grid, voxels.finest.order, assigned.labels, parameters.k);
+  const Indices numbers = sparsePoints (voxels.coarse.grid,
+                                        voxels.finest.order,
+                                        assigned.labels,
+                                        neighborhoods * parameters.k);
   if (numbers.empty())
     return;
   Points sparse;

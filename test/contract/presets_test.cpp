@@ -33,7 +33,7 @@ expectDefaults (const OrientedPointSamplingParameters::Surfels& surfels)
   EXPECT_EQ (surfels.min_average_voxels, 6.0);
   EXPECT_EQ (surfels.noise_factor, 2.0);
   EXPECT_DOUBLE_EQ (surfels.angle_threshold, 30_deg);
-  EXPECT_EQ (surfels.sure_thickness, 0.265);
+  EXPECT_EQ (surfels.sure_thickness, 0.24);
   EXPECT_EQ (surfels.max_thickness, 0.3);
   EXPECT_EQ (surfels.absorption_noise_factor, 2.2);
   EXPECT_EQ (surfels.assignment_noise_factor, 5.0);
