@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/principal_axes.h"
 
+#include "base/vectorized.h"
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace pcl_ops::internal {
 
 namespace {
 
-// Matrices side by side: every operation below is one on all of them.
+// Matrices side by side: every loop below runs over them, as wide as the processor is.
 constexpr std::size_t lanes = 8;
-using Lanes = Eigen::Array<double, lanes, 1>;
+using Lanes = std::array<double, lanes>;
 
 struct SymmetricMatrices {
   Lanes xx, xy, xz, yy, yz, zz;
@@ -29,11 +33,15 @@ struct Axes {
 inline Lanes
 normalize (SymmetricMatrices& m)
 {
-  const Lanes trace = m.xx + m.yy + m.zz;
-  const Lanes inverse = 1.0 / trace;
-  for (Lanes* entry : {&m.xx, &m.xy, &m.xz, &m.yy, &m.yz, &m.zz})
-    *entry = (trace > 0.0).select (inverse * *entry, 0.0);
-  return (trace > 0.0).select (trace, 0.0);
+  Lanes scale;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double trace = m.xx[i] + m.yy[i] + m.zz[i];
+    scale[i] = trace > 0.0 ? trace : 0.0;
+    const double inverse = trace > 0.0 ? 1.0 / trace : 0.0;
+    for (Lanes* entry : {&m.xx, &m.xy, &m.xz, &m.yy, &m.yz, &m.zz})
+      (*entry)[i] = trace > 0.0 ? inverse * (*entry)[i] : 0.0;
+  }
+  return scale;
 }
 
 // The trace is one: the smallest of three can be no more.
@@ -45,10 +53,16 @@ constexpr double largest_smallest = 1.0 / 3.0;
 inline Lanes
 startOfRoots (const Lanes& minors, const Lanes& determinant)
 {
-  const Lanes discriminant = (minors * minors - 4.0 * determinant).max (0.0);
-  const Lanes start = 2.0 * determinant / (minors + discriminant.sqrt());
-  const Lanes slope = (3.0 * start - 2.0) * start + minors;
-  return (start <= largest_smallest && slope > 0.25 * minors).select (start, 0.0);
+  Lanes root;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double discriminant =
+        std::max (0.0, minors[i] * minors[i] - 4.0 * determinant[i]);
+    const double start = 2.0 * determinant[i] / (minors[i] + std::sqrt (discriminant));
+    const double slope = (3.0 * start - 2.0) * start + minors[i];
+    const bool is_below = start <= largest_smallest && slope > 0.25 * minors[i];
+    root[i] = is_below ? start : 0.0;
+  }
+  return root;
 }
 
 // Smallest roots of x^3 - x^2 + minors x - determinant.
@@ -59,14 +73,22 @@ smallestRoots (const Lanes& minors, const Lanes& determinant)
   constexpr double precision = 1e-13;
   // Less steep it is a line's, whose two smallest roots are zero to within rounding.
   constexpr double least_slope = 1e-14;
-  Lanes root = startOfRoots (minors, determinant), step = Lanes::Ones();
-  for (int n = 0; n < most_steps && (step.abs() > precision).any(); ++n) {
-    const Lanes value = ((root - 1.0) * root + minors) * root - determinant;
-    const Lanes slope = (3.0 * root - 2.0) * root + minors;
-    step = (slope > least_slope).select (value / slope, 0.0);
-    root -= step;
+  Lanes root = startOfRoots (minors, determinant);
+  double farthest = 1.0;
+  for (int n = 0; n < most_steps && farthest > precision; ++n) {
+    farthest = 0.0;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double value =
+          ((root[i] - 1.0) * root[i] + minors[i]) * root[i] - determinant[i];
+      const double slope = (3.0 * root[i] - 2.0) * root[i] + minors[i];
+      const double step = slope > least_slope ? value / slope : 0.0;
+      root[i] -= step;
+      farthest = std::max (farthest, std::abs (step));
+    }
   }
-  return root.max (0.0).min (largest_smallest);
+  for (std::size_t i = 0; i < lanes; ++i)
+    root[i] = std::min (std::max (0.0, root[i]), largest_smallest);
+  return root;
 }
 
 // The unit vectors all rows of rank two matrices are perpendicular to: the longest of
@@ -75,44 +97,61 @@ inline Directions
 nullDirections (const SymmetricMatrices& m)
 {
   constexpr double smallest_norm = 1e-13;
-  Directions longest{Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
-  Lanes squared = Lanes::Constant (-1.0);
-  const auto take = [&] (const Lanes& x, const Lanes& y, const Lanes& z) {
-    const Lanes other = x * x + y * y + z * z;
-    const auto is_longer = (other > squared).eval();
-    longest.x = is_longer.select (x, longest.x);
-    longest.y = is_longer.select (y, longest.y);
-    longest.z = is_longer.select (z, longest.z);
-    squared = is_longer.select (other, squared);
-  };
-  take (
-      m.xy * m.yz - m.xz * m.yy, m.xz * m.xy - m.xx * m.yz, m.xx * m.yy - m.xy * m.xy);
-  take (
-      m.yy * m.zz - m.yz * m.yz, m.yz * m.xz - m.xy * m.zz, m.xy * m.yz - m.yy * m.xz);
-  take (
-      m.yz * m.xz - m.zz * m.xy, m.zz * m.xx - m.xz * m.xz, m.xz * m.xy - m.yz * m.xx);
-  const Lanes norm = squared.sqrt();
-  const Lanes inverse = (norm > smallest_norm).select (1.0 / norm, 0.0);
-  return {longest.x * inverse, longest.y * inverse, longest.z * inverse};
+  Directions direction;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    double x = m.xy[i] * m.yz[i] - m.xz[i] * m.yy[i];
+    double y = m.xz[i] * m.xy[i] - m.xx[i] * m.yz[i];
+    double z = m.xx[i] * m.yy[i] - m.xy[i] * m.xy[i];
+    double squared = x * x + y * y + z * z;
+    const auto take = [&] (double px, double py, double pz) {
+      const double other = px * px + py * py + pz * pz;
+      const bool is_longer = other > squared;
+      x = is_longer ? px : x;
+      y = is_longer ? py : y;
+      z = is_longer ? pz : z;
+      squared = is_longer ? other : squared;
+    };
+    take (m.yy[i] * m.zz[i] - m.yz[i] * m.yz[i],
+          m.yz[i] * m.xz[i] - m.xy[i] * m.zz[i],
+          m.xy[i] * m.yz[i] - m.yy[i] * m.xz[i]);
+    take (m.yz[i] * m.xz[i] - m.zz[i] * m.xy[i],
+          m.zz[i] * m.xx[i] - m.xz[i] * m.xz[i],
+          m.xz[i] * m.xy[i] - m.yz[i] * m.xx[i]);
+    const double norm = std::sqrt (squared);
+    const double inverse = norm > smallest_norm ? 1.0 / norm : 0.0;
+    direction.x[i] = norm > smallest_norm ? x * inverse : 0.0;
+    direction.y[i] = norm > smallest_norm ? y * inverse : 0.0;
+    direction.z[i] = norm > smallest_norm ? z * inverse : 0.0;
+  }
+  return direction;
 }
 
+PCL_OPS_VECTORIZED
 void
 findAxes (SymmetricMatrices& m, Axes& axes)
 {
   const Lanes scale = normalize (m);
-  const Lanes yz = m.yy * m.zz - m.yz * m.yz;
-  const Lanes minors = m.xx * m.yy - m.xy * m.xy + m.xx * m.zz - m.xz * m.xz + yz;
-  const Lanes determinant = m.xx * yz + m.xy * (m.yz * m.xz - m.xy * m.zz) +
-                            m.xz * (m.xy * m.yz - m.yy * m.xz);
+  Lanes minors, determinant;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double yz = m.yy[i] * m.zz[i] - m.yz[i] * m.yz[i];
+    minors[i] = m.xx[i] * m.yy[i] - m.xy[i] * m.xy[i] + m.xx[i] * m.zz[i] -
+                m.xz[i] * m.xz[i] + yz;
+    determinant[i] = m.xx[i] * yz + m.xy[i] * (m.yz[i] * m.xz[i] - m.xy[i] * m.zz[i]) +
+                     m.xz[i] * (m.xy[i] * m.yz[i] - m.yy[i] * m.xz[i]);
+  }
   const Lanes smallest = smallestRoots (minors, determinant);
-  const Lanes sum = 1.0 - smallest;
-  const Lanes product = (minors - smallest * sum).max (0.0);
-  const Lanes largest = 0.5 * (sum + (sum * sum - 4.0 * product).max (0.0).sqrt());
-  axes.smallest = scale * smallest;
-  axes.middle = scale * (product / largest);
-  axes.largest = scale * largest;
-  for (Lanes* entry : {&m.xx, &m.yy, &m.zz})
-    *entry -= smallest;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double sum = 1.0 - smallest[i];
+    const double product = std::max (0.0, minors[i] - smallest[i] * sum);
+    const double largest =
+        0.5 * (sum + std::sqrt (std::max (0.0, sum * sum - 4.0 * product)));
+    axes.smallest[i] = scale[i] * smallest[i];
+    axes.middle[i] = scale[i] * (product / largest);
+    axes.largest[i] = scale[i] * largest;
+    m.xx[i] -= smallest[i];
+    m.yy[i] -= smallest[i];
+    m.zz[i] -= smallest[i];
+  }
   axes.normal = nullDirections (m);
 }
 
