@@ -41,7 +41,7 @@ addGrid (pcl_ops::internal::Coordinates& points,
     }
 }
 
-/** \brief Points in voxels, with their neighbours, and in those of half the edge. */
+/** \brief Points in voxels, with their neighbors, and in those of half the edge. */
 inline pcl_ops::internal::VoxelLevels
 connectedVoxels (const pcl_ops::internal::Coordinates& points, double voxel_size)
 {

@@ -26,10 +26,10 @@ using pcl_ops::internal::pi;
 using pcl_ops::internal::RandomGenerator;
 
 // clang-format off
-constexpr double operator"" _m (long double metres) { return static_cast<double> (metres); }
-constexpr double operator"" _m (unsigned long long metres) { return static_cast<double> (metres); }
-constexpr double operator"" _cm (unsigned long long centimetres) { return 1e-2 * static_cast<double> (centimetres); }
-constexpr double operator"" _mm (unsigned long long millimetres) { return 1e-3 * static_cast<double> (millimetres); }
+constexpr double operator"" _m (long double meters) { return static_cast<double> (meters); }
+constexpr double operator"" _m (unsigned long long meters) { return static_cast<double> (meters); }
+constexpr double operator"" _cm (unsigned long long centimeters) { return 1e-2 * static_cast<double> (centimeters); }
+constexpr double operator"" _mm (unsigned long long millimeters) { return 1e-3 * static_cast<double> (millimeters); }
 constexpr double operator"" _percent (unsigned long long percent) { return 1e-2 * static_cast<double> (percent); }
 constexpr double operator"" _deg (long double degrees) { return static_cast<double> (degrees) * pi / 180.0; }
 constexpr double operator"" _deg (unsigned long long degrees) { return static_cast<double> (degrees) * pi / 180.0; }
@@ -127,18 +127,18 @@ public:
     const Eigen::Vector2d along = to - from;
     return surface ({from.x(), from.y(), 0}, {along.x(), along.y(), 0}, {0, 0, height});
   }
-  /** \brief Mean distance between neighbouring points of a surface. */
+  /** \brief Mean distance between neighboring points of a surface. */
   Scene&
-  spacing (double metres)
+  spacing (double meters)
   {
-    spacing_ = metres;
+    spacing_ = meters;
     return *this;
   }
   /** \brief Standard deviation of the points along their surface's normal. */
   Scene&
-  noise (double metres)
+  noise (double meters)
   {
-    noise_ = metres;
+    noise_ = meters;
     return *this;
   }
   /** \brief Points anywhere in the scene's bounding box, as a share of all points. */
@@ -180,7 +180,7 @@ private:
 };
 
 /** \brief A floor of 4 m x 3 m with two walls of 2.5 m, some 18,000 points, and a
- * little clutter. With a millimetre of noise the normal of any one point is good enough
+ * little clutter. With a millimeter of noise the normal of any one point is good enough
  * for a whole surface: nobody has to be lucky. */
 Scene
 room ();

@@ -97,18 +97,18 @@ TEST (UpAxis, TurnsWithTheRoom)
 
 TEST (UpAxis, DoesNotDependOnTheUnit)
 {
-  std::vector<PlaneSegment> in_millimetres = furnishedRoom();
-  for (PlaneSegment& plane : in_millimetres) {
+  std::vector<PlaneSegment> in_millimeters = furnishedRoom();
+  for (PlaneSegment& plane : in_millimeters) {
     plane.centroid *= 1000.0;
     plane.moments.origin *= 1000.0;
     plane.moments.sum *= 1000.0;
     for (double& product : plane.moments.products)
       product *= 1e6;
   }
-  const auto metres = estimateUpAxis (furnishedRoom(), eye);
-  const auto millimetres = estimateUpAxis (in_millimetres, 1000.0 * eye);
-  ASSERT_TRUE (metres && millimetres);
-  EXPECT_NEAR (metres->confidence, millimetres->confidence, 1e-9);
+  const auto meters = estimateUpAxis (furnishedRoom(), eye);
+  const auto millimeters = estimateUpAxis (in_millimeters, 1000.0 * eye);
+  ASSERT_TRUE (meters && millimeters);
+  EXPECT_NEAR (meters->confidence, millimeters->confidence, 1e-9);
 }
 
 TEST (UpAxis, IsTakenByADetectorInEitherPrecision)

@@ -48,8 +48,8 @@ adviceOnCloud (const Points& points,
   if (!(threshold && extent > max_extent_in_thresholds * *threshold))
     return "";
   std::ostringstream advice;
-  advice << "the cloud is " << extent << " wide: if its unit is the millimetre, give "
-         << lengths << " in millimetres, too (threshold now " << *threshold << ")";
+  advice << "the cloud is " << extent << " wide: if its unit is the millimeter, give "
+         << lengths << " in millimeters, too (threshold now " << *threshold << ")";
   return advice.str();
 }
 

@@ -48,7 +48,7 @@ main (int argc, char** argv)
   normals.compute (*cloud);
 
   const Model::Ptr all (new Model (cloud));
-  // PROSAC draws from the front: flat neighbourhoods have the best normals.
+  // PROSAC draws from the front: flat neighborhoods have the best normals.
   pcl::Indices by_flatness = *all->getIndices();
   std::sort (by_flatness.begin(), by_flatness.end(), [&] (auto a, auto b) {
     return (*cloud)[a].curvature < (*cloud)[b].curvature;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The rows and columns of a depth image as the neighbour search of the paper's OPS.
+// The rows and columns of a depth image as the neighbor search of the paper's OPS.
 #include <pcl/io/pcd_io.h>
 #include <pcl/search/organized.h>
 
@@ -37,7 +37,7 @@ main (int argc, char** argv)
 
   Ops ops;
   ops.setInputCloud (cloud);
-  // Only Sampling::Points asks for neighbours; the default does without.
+  // Only Sampling::Points asks for neighbors; the default does without.
   ops.setParameters (pcl_ops::OrientedPointSamplingParameters::paper());
   bool done = print ("GridSearch", ops);
   using OrganizedNeighbor = pcl::search::OrganizedNeighbor<pcl::PointXYZ>;

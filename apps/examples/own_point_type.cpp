@@ -25,7 +25,7 @@ main (int argc, char** argv)
   const pcl::PointCloud<ThermalPoint>::Ptr cloud (new pcl::PointCloud<ThermalPoint>);
   if (argc != 2 || pcl::io::loadPCDFile (argv[1], *cloud) < 0)
     return std::fprintf (stderr, "Usage: own_point_type CLOUD.pcd\n"), 2;
-  // Where the file has no temperatures: a room that is warmer by 2 degrees a metre up.
+  // Where the file has no temperatures: a room that is warmer by 2 degrees a meter up.
   for (ThermalPoint& point : *cloud)
     if (!(point.temperature > 0.0f))
       point.temperature = 20.0f + 2.0f * point.z;

@@ -262,8 +262,8 @@ segmentOne (const SegmentOptions& options)
   printTable (report, std::cout);
   if (!task.outputs.image.empty())
     std::cout << task.outputs.image
-              << ": left each plane in its colour; right horizontal "
-              << "green, vertical blue, other orange; no plane grey\n";
+              << ": left each plane in its color; right horizontal "
+              << "green, vertical blue, other orange; no plane gray\n";
   return ExitCode::done;
 }
 

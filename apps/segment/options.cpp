@@ -34,7 +34,7 @@ constexpr const char* in_and_out =
     "  prints      a table; with INPUT - JSON; with --output-dir a line per INPUT\n"
     "  no plane    is no failure: all labels 0, and a hint which option to change\n"
     "  exit code   0 done; 1 failed, with --output-dir any input; 2 wrong usage\n"
-    "Lengths are in the unit of the cloud, metres by default; angles in degrees.\n";
+    "Lengths are in the unit of the cloud, meters by default; angles in degrees.\n";
 
 /** \brief An option that names an output. */
 struct OutputOption {

@@ -17,7 +17,7 @@ namespace pcl_ops::apps {
  * sums of them are those of all their points, whatever was added first.
  *
  * With units of a ten thousandth of a cell there is room for 10^11 points 10^7 m from
- * zero and cells of a decimetre. */
+ * zero and cells of a decimeter. */
 struct ExactMoments {
   using Whole = boost::int128_type;
 
@@ -36,7 +36,7 @@ struct ExactMoments {
   ExactMoments&
   operator+= (const ExactMoments& other);
 
-  /** \brief The same in metres, about the place of the lattice next to their centroid;
+  /** \brief The same in meters, about the place of the lattice next to their centroid;
    * for no points, zero. */
   Moments
   toMoments () const;

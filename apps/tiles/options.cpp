@@ -29,7 +29,7 @@ constexpr const char* in_and_out =
     "see\n"
     "              the same files\n"
     "  exit code   0 done; 1 failed; 2 wrong usage\n"
-    "Lengths are in the unit of the inputs, metres by default.\n";
+    "Lengths are in the unit of the inputs, meters by default.\n";
 
 void
 checkPlanes (const CommandLine& line, TilesOptions& options)

@@ -92,7 +92,7 @@ countVotes (const std::vector<Claim>& a,
       pairs.push_back ({first_of_a + pieces.first, first_of_b + pieces.second, count});
 }
 
-/** \brief Pairs of all neighbouring tiles, those with most votes first. */
+/** \brief Pairs of all neighboring tiles, those with most votes first. */
 std::vector<Pair>
 pairsOf (const std::vector<TileKey>& tiles,
          const std::vector<std::size_t>& first_piece,

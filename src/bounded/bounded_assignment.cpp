@@ -30,8 +30,8 @@ findPlanesAround (const VoxelGrid& grid,
                   Labels& around)
 {
   around.clear();
-  for (const std::uint32_t neighbour : grid.neighbours[voxel]) {
-    const std::int32_t plane = planes.plane_of_voxel[neighbour];
+  for (const std::uint32_t neighbor : grid.neighbors[voxel]) {
+    const std::int32_t plane = planes.plane_of_voxel[neighbor];
     if (plane != no_plane &&
         std::find (around.begin(), around.end(), plane) == around.end())
       around.push_back (plane);

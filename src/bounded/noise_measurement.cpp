@@ -24,11 +24,11 @@ Distance
 distanceOf (const VoxelGrid& grid, const BoundedPlanes& planes, std::size_t voxel)
 {
   const std::int32_t plane = planes.plane_of_voxel[voxel];
-  const VoxelRange& around = grid.neighbours[voxel];
+  const VoxelRange& around = grid.neighbors[voxel];
   return {static_cast<float> (meanSquaredDistance (
               grid.moments[voxel], planes.planes[static_cast<std::size_t> (plane)])),
-          std::all_of (around.begin(), around.end(), [&] (std::uint32_t neighbour) {
-            return planes.plane_of_voxel[neighbour] == plane;
+          std::all_of (around.begin(), around.end(), [&] (std::uint32_t neighbor) {
+            return planes.plane_of_voxel[neighbor] == plane;
           })};
 }
 

@@ -44,8 +44,8 @@ regionsOf (const VoxelGrid& grid, const BoundedPlanes& planes)
     if (own == no_plane)
       continue;
     std::int32_t last = own;
-    for (const std::uint32_t neighbour : grid.neighbours[i]) {
-      const std::int32_t other = planes.plane_of_voxel[neighbour];
+    for (const std::uint32_t neighbor : grid.neighbors[i]) {
+      const std::int32_t other = planes.plane_of_voxel[neighbor];
       if (other != no_plane && other != own && other != last)
         regions[static_cast<std::size_t> (own)].neighbors.push_back (
             static_cast<std::size_t> (other));

@@ -24,8 +24,8 @@ nearestPlaneAround (const VoxelGrid& grid,
   // Neighbors in a row mostly are on the same plane.
   std::int32_t last = no_plane;
   double best = 1.0;
-  for (const std::uint32_t neighbour : grid.neighbours[voxel]) {
-    const std::int32_t plane = planes.plane_of_voxel[neighbour];
+  for (const std::uint32_t neighbor : grid.neighbors[voxel]) {
+    const std::int32_t plane = planes.plane_of_voxel[neighbor];
     if (plane == last || plane == no_plane)
       continue;
     last = plane;
@@ -59,10 +59,10 @@ openVoxelsNextTo (const VoxelGrid& grid,
   Indices open;
   std::vector<char> is_listed (grid.size(), 0);
   for (const std::uint32_t voxel : voxels)
-    for (const std::uint32_t neighbour : grid.neighbours[voxel])
-      if (plane_of_voxel[neighbour] == no_plane && is_listed[neighbour] == 0) {
-        is_listed[neighbour] = 1;
-        open.push_back (neighbour);
+    for (const std::uint32_t neighbor : grid.neighbors[voxel])
+      if (plane_of_voxel[neighbor] == no_plane && is_listed[neighbor] == 0) {
+        is_listed[neighbor] = 1;
+        open.push_back (neighbor);
       }
   return open;
 }

@@ -19,11 +19,11 @@ voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_
   constexpr double fewest_points = 8.0;
   std::vector<char> is_refined (grid.size(), 0);
   forVoxels (grid, threads, [&] (std::size_t i) {
-    const VoxelRange& around = grid.neighbours[i];
+    const VoxelRange& around = grid.neighbors[i];
     is_refined[i] =
-        std::any_of (around.begin(), around.end(), [&] (std::uint32_t neighbour) {
-          return plane_of_voxel[neighbour] == no_plane &&
-                 grid.moments[neighbour].count >= fewest_points;
+        std::any_of (around.begin(), around.end(), [&] (std::uint32_t neighbor) {
+          return plane_of_voxel[neighbor] == no_plane &&
+                 grid.moments[neighbor].count >= fewest_points;
         });
   });
   return is_refined;

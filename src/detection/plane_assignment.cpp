@@ -14,7 +14,7 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// So few that they lie close together where neighbours in the list are neighbours in
+// So few that they lie close together where neighbors in the list are neighbors in
 // space, and most planes can be left out; so many that leaving out costs little.
 constexpr std::size_t block_size = 256;
 constexpr std::size_t points_of_a_task = 64 * block_size;

@@ -21,7 +21,7 @@ namespace {
  * takes to build. */
 struct FixedRadiusSearch {
   float squared_radius;
-  VoxelNeighbours neighbours_of_voxel;
+  VoxelNeighbors neighbors_of_voxel;
   /** \brief Position of each voxel's first point, and where the last voxel ends. */
   Indices voxel_begin;
   /** \brief Voxel by voxel. */
@@ -37,7 +37,7 @@ struct FixedRadiusSearch {
     const double edge = std::max (radius, voxelSizeFor (positions, most_voxels));
     VoxelizedPoints voxelized = voxelize (positions, edge, threads);
     connect (voxelized.grid, threads);
-    neighbours_of_voxel = std::move (voxelized.grid.neighbours);
+    neighbors_of_voxel = std::move (voxelized.grid.neighbors);
     voxel_begin = std::move (voxelized.grid.first_point);
     voxel_begin.push_back (static_cast<std::uint32_t> (positions.size()));
     points = selected (positions, voxelized.order);
@@ -52,8 +52,8 @@ struct FixedRadiusSearch {
     const auto own_voxel =
         static_cast<std::size_t> (next_voxel - voxel_begin.begin()) - 1;
     std::size_t number = 0, looked_at = 0;
-    for (const std::uint32_t neighbour : neighbours_of_voxel[own_voxel]) {
-      const std::uint32_t* const voxel = &voxel_begin[neighbour];
+    for (const std::uint32_t neighbor : neighbors_of_voxel[own_voxel]) {
+      const std::uint32_t* const voxel = &voxel_begin[neighbor];
       looked_at += voxel[1] - voxel[0];
       sphere.resize (number + (voxel[1] - voxel[0]));
       for (std::uint32_t i = voxel[0]; i < voxel[1]; ++i) {

@@ -12,7 +12,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /** \brief Covariance of (slope along, slope across, height) of a patch over its axes,
- * at its centre. Neighbouring points err alike and surfaces are not quite flat, so that
+ * at its centre. Neighboring points err alike and surfaces are not quite flat, so that
  * a mean over all points is no better than one of them: \ref planeCovariance without
  * its division by the number of points. */
 Matrix3d
@@ -27,7 +27,7 @@ covarianceOf (const Patch& patch)
   return Vector3d (slopes.x(), slopes.y(), noise).asDiagonal();
 }
 
-/** \brief The parameters over other axes, at a place that many metres along the old. */
+/** \brief The parameters over other axes, at a place that many meters along the old. */
 Matrix3d
 transfer (const Eigen::Matrix2d& turn, const Eigen::Vector2d& place)
 {

@@ -90,7 +90,7 @@ validate (const OrientedPointSamplingParameters& parameters)
   if (!(parameters.sampling_rate > 0.0 && parameters.sampling_rate <= 1.0))
     return "the sampling rate must be above 0 and at most 1";
   if (parameters.k < 2)
-    return "k must be 2 or more: a normal needs two neighbours";
+    return "k must be 2 or more: a normal needs two neighbors";
   if (parameters.paper_only.normal_sigma &&
       !(*parameters.paper_only.normal_sigma > 0.0 &&
         std::isfinite (*parameters.paper_only.normal_sigma)))

@@ -53,7 +53,7 @@ positionIn (const CloudView& cloud, pcl::index_t index)
 Eigen::Matrix3d
 weightedScatter (const CloudView& cloud,
                  pcl::index_t sample,
-                 const pcl::Indices& neighbours,
+                 const pcl::Indices& neighbors,
                  const std::vector<float>& squared_distances,
                  std::optional<double> given_sigma)
 {
@@ -66,8 +66,8 @@ weightedScatter (const CloudView& cloud,
                                                       : std::sqrt (*farthest));
   const Eigen::Vector3d p = positionIn (cloud, sample);
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const pcl::index_t neighbour : neighbours) {
-    const Eigen::Vector3d q = positionIn (cloud, neighbour) - p;
+  for (const pcl::index_t neighbor : neighbors) {
+    const Eigen::Vector3d q = positionIn (cloud, neighbor) - p;
     const double squared_distance = q.squaredNorm();
     if (squared_distance == 0.0)
       continue;
@@ -88,13 +88,13 @@ searchOver (const DetectorInput& input, const Points& points, unsigned threads)
   NeighborSearch search;
   search.nearest = [tree, cloud = input.cloud] (pcl::index_t point,
                                                 int k,
-                                                pcl::Indices& neighbours,
+                                                pcl::Indices& neighbors,
                                                 std::vector<float>& squared_distances) {
     NeighborQuery query;
     query.position = positionIn (cloud, point).cast<float>();
     query.max_neighbors = static_cast<std::size_t> (k);
     query.sorted = false;
-    tree->find (query, neighbours, squared_distances);
+    tree->find (query, neighbors, squared_distances);
   };
   search.threads = threads;
   return search;
@@ -119,7 +119,7 @@ orientSamples (const CloudView& cloud,
                int k,
                std::optional<double> sigma)
 {
-  // The nearest neighbour of a point of the cloud is the point itself: q_ij != p_i.
+  // The nearest neighbor of a point of the cloud is the point itself: q_ij != p_i.
   const auto asked =
       static_cast<int> (std::min (static_cast<std::size_t> (k) + 1, points.size()));
   constexpr std::size_t samples_per_piece = 256;
@@ -128,13 +128,13 @@ orientSamples (const CloudView& cloud,
                sample.size(),
                samples_per_piece,
                [&] (std::size_t begin, std::size_t end) {
-                 pcl::Indices neighbours;
+                 pcl::Indices neighbors;
                  std::vector<float> squared_distances;
                  for (std::size_t i = begin; i < end; ++i) {
                    const pcl::index_t point = points.indexOf (sample[i]);
-                   search.nearest (point, asked, neighbours, squared_distances);
+                   search.nearest (point, asked, neighbors, squared_distances);
                    normals[i] = normalOfScatter (weightedScatter (
-                       cloud, point, neighbours, squared_distances, sigma));
+                       cloud, point, neighbors, squared_distances, sigma));
                  }
                });
   OrientedSamples samples;

@@ -40,15 +40,15 @@ searchOver (const DetectorInput& input, const Points& points, unsigned threads);
 
 /** \brief The weighted normal of each sample: the eigenvector of the smallest
  * eigenvalue of M_i = sum_j exp (-|q_ij - p_i|^2 / 2 sigma^2) (q_ij - p_i)(q_ij -
- * p_i)^T / |q_ij - p_i|^2 over the k nearest neighbours (paper, equation of section
- * III-A). Neighbours at distance 0 are skipped.
+ * p_i)^T / |q_ij - p_i|^2 over the k nearest neighbors (paper, equation of section
+ * III-A). Neighbors at distance 0 are skipped.
  * \param[in] cloud the input cloud
  * \param[in] points the finite points of it
  * \param[in] sample which of the points
  * \param[in] search over the points
- * \param[in] k neighbours of each
- * \param[in] sigma of the weight [m]; none: the distance to the farthest neighbour
- * \return position and normal of each sample, in order; samples whose neighbours are
+ * \param[in] k neighbors of each
+ * \param[in] sigma of the weight [m]; none: the distance to the farthest neighbor
+ * \return position and normal of each sample, in order; samples whose neighbors are
  * fewer than two or on one line have no normal and are left out */
 OrientedSamples
 orientSamples (const CloudView& cloud,

@@ -17,7 +17,7 @@ sparseVoxels (const VoxelGrid& grid, double least_points)
 {
   std::vector<char> is_sparse (grid.size());
   for (std::size_t i = 0; i < grid.size(); ++i) {
-    const VoxelRange& around = grid.neighbours[i];
+    const VoxelRange& around = grid.neighbors[i];
     is_sparse[i] = std::accumulate (around.begin(),
                                     around.end(),
                                     0.0,

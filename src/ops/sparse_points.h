@@ -12,7 +12,7 @@ namespace pcl_ops::internal {
 /** \brief The points on no plane whose voxels, with those around, hold too few points
  * to tell: where a cloud is far sparser than in most of its voxels, another voxel size
  * does it justice.
- * \param[in] grid voxels with their neighbours
+ * \param[in] grid voxels with their neighbors
  * \param[in] order numbers of all points, voxel after voxel
  * \param[in] labels plane of each point, or no_plane
  * \param[in] least_points fewest points of voxels that can tell

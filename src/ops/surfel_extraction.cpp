@@ -66,8 +66,8 @@ public:
     take (seed, plane, surfels_[seed]->noise, patch);
     for (std::size_t i = 0; i < patch.voxels.size(); ++i) {
       const std::uint32_t voxel = patch.voxels[i];
-      for (const std::uint32_t neighbour : grid_.neighbours[voxel])
-        take (neighbour, plane, noise_[voxel], patch);
+      for (const std::uint32_t neighbor : grid_.neighbors[voxel])
+        take (neighbor, plane, noise_[voxel], patch);
       if (patch.voxels.size() < next_fit)
         continue;
       next_fit = patch.voxels.size() * 3 / 2 + 1;
@@ -142,12 +142,12 @@ private:
   {
     const std::size_t own = patch.size();
     for (std::size_t i = 0; i < own; ++i)
-      for (const std::uint32_t neighbour : grid_.neighbours[patch[i]])
-        if (is_curved_[neighbour] != 0 &&
-            std::abs (plane.normal.dot (surfels_[neighbour]->plane.normal)) >
+      for (const std::uint32_t neighbor : grid_.neighbors[patch[i]])
+        if (is_curved_[neighbor] != 0 &&
+            std::abs (plane.normal.dot (surfels_[neighbor]->plane.normal)) >
                 smallest_cosine_) {
-          is_curved_[neighbour] = 0;
-          patch.push_back (neighbour);
+          is_curved_[neighbor] = 0;
+          patch.push_back (neighbor);
         }
     for (std::size_t i = own; i < patch.size(); ++i)
       is_curved_[patch[i]] = 1;

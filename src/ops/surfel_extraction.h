@@ -26,8 +26,8 @@ struct SurfelExtractionParameters {
 
 /** \brief Finds planes that are connected: each surfel is a hypothesis of its own, as a
  * point with its normal is in one-point RANSAC, but no draw is needed. The flattest
- * surfel that no plane has yet spreads to its neighbours while all their points lie on
- * its plane, which is refitted on the way; only neighbours are asked, so that the cost
+ * surfel that no plane has yet spreads to its neighbors while all their points lie on
+ * its plane, which is refitted on the way; only neighbors are asked, so that the cost
  * does not depend on the number of planes. What is curved is no plane.
  * \param[in] grid the voxels
  * \param[in] surfels of each voxel, or nothing

@@ -24,11 +24,11 @@ normalOf (const Moments& surroundings, const PrincipalAxes& axes)
   return normal;
 }
 
-// Thickness of a neighbourhood over its width up to which it is flat enough to look no
+// Thickness of a neighborhood over its width up to which it is flat enough to look no
 // further.
 constexpr double flat_enough = 0.2;
 
-// A voxel may take the normal of a neighbouring voxel if its points' rms distance to
+// A voxel may take the normal of a neighboring voxel if its points' rms distance to
 // that plane is below this many times the noise there.
 constexpr double borrowed_noise_factor = 1.5;
 
@@ -61,8 +61,8 @@ Moments
 momentsAround (const VoxelGrid& grid, std::size_t voxel)
 {
   Moments surroundings;
-  for (const std::uint32_t neighbour : grid.neighbours[voxel])
-    surroundings.addAligned (grid.moments[neighbour]);
+  for (const std::uint32_t neighbor : grid.neighbors[voxel])
+    surroundings.addAligned (grid.moments[neighbor]);
   return surroundings;
 }
 
@@ -123,8 +123,8 @@ findNormals (const VoxelGrid& grid, double min_points, unsigned threads, Level& 
   level.flattest_around.resize (grid.size());
   forVoxels (grid, threads, [&] (std::size_t i) {
     level.flattest_around[i] =
-        *std::min_element (grid.neighbours[i].begin(),
-                           grid.neighbours[i].end(),
+        *std::min_element (grid.neighbors[i].begin(),
+                           grid.neighbors[i].end(),
                            [&level] (std::uint32_t a, std::uint32_t b) {
                              return level.thickness[a] < level.thickness[b];
                            });
@@ -149,7 +149,7 @@ public:
     consider (level, flattest);
     if (best_ == &*level.normals[flattest])
       return;
-    for (const std::uint32_t candidate : level.gridOr (finest).neighbours[at])
+    for (const std::uint32_t candidate : level.gridOr (finest).neighbors[at])
       consider (level, candidate);
   }
 

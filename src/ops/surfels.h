@@ -23,14 +23,14 @@ struct Surfel {
 
 /** \brief The oriented samples of a grid: a surfel for each voxel, or nothing.
  *
- * The neighbourhood is the 3 x 3 x 3 voxels around at the finest of several resolutions
+ * The neighborhood is the 3 x 3 x 3 voxels around at the finest of several resolutions
  * that is flat and holds enough points: noise that grows with distance gets the larger
- * neighbourhoods it needs. Next to an edge, where the voxel's own neighbourhood bends,
- * the flattest one of those around its neighbours that the voxel lies in serves instead
+ * neighborhoods it needs. Next to an edge, where the voxel's own neighborhood bends,
+ * the flattest one of those around its neighbors that the voxel lies in serves instead
  * (the idea of Kuwahara's edge-preserving filter).
  * \param[in] grid the voxels
  * \param[in] resolutions grids, each of twice the voxel size of the one before
- * \param[in] least_points fewest points of a neighbourhood
+ * \param[in] least_points fewest points of a neighborhood
  * \param[in] threads number of threads; 0: all. The result does not depend on it
  * \param[in] plane_of_voxel voxels on planes need no surfel; empty: none has one */
 std::vector<std::optional<Surfel>>

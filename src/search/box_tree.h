@@ -14,7 +14,7 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A tree of boxes over points, in which the neighbours of any position are
+/** \brief A tree of boxes over points, in which the neighbors of any position are
  * found exactly. Once built it never changes: any number of threads may search it. */
 class BoxTree {
 public:
@@ -48,7 +48,7 @@ public:
   /** \brief Finds the nearest points within the radius, of several at the same distance
    * those of the lowest indices.
    * \param[in] query its position is finite
-   * \param[out] indices of the neighbours; what it held is replaced
+   * \param[out] indices of the neighbors; what it held is replaced
    * \param[out] squared_distances in single precision, as PCL computes them [m^2] */
   void
   find (const NeighborQuery& query,

@@ -31,14 +31,14 @@ constexpr std::int32_t key_offset = 0x155550;
 inline void
 keysOf (const float* coordinates,
         std::size_t number,
-        float voxels_per_metre,
+        float voxels_per_meter,
         std::int32_t* keys)
 {
   constexpr auto limit = static_cast<float> (key_limit);
   for (std::size_t i = 0; i < number; ++i) {
     // In this order NaN, of 0 in voxels too small for their inverse, becomes a limit.
     const float scaled =
-        std::min (limit, std::max (-limit, coordinates[i] * voxels_per_metre));
+        std::min (limit, std::max (-limit, coordinates[i] * voxels_per_meter));
     const auto truncated = static_cast<std::int32_t> (scaled);
     keys[i] = truncated - (scaled < static_cast<float> (truncated));
   }

@@ -19,13 +19,13 @@ codesOf (const float* x,
          const float* y,
          const float* z,
          std::size_t number,
-         float voxels_per_metre,
+         float voxels_per_meter,
          MortonCode* codes)
 {
   std::array<std::int32_t, batch> key_x, key_y, key_z;
-  keysOf (x, number, voxels_per_metre, key_x.data());
-  keysOf (y, number, voxels_per_metre, key_y.data());
-  keysOf (z, number, voxels_per_metre, key_z.data());
+  keysOf (x, number, voxels_per_meter, key_x.data());
+  keysOf (y, number, voxels_per_meter, key_y.data());
+  keysOf (z, number, voxels_per_meter, key_z.data());
   for (std::size_t i = 0; i < number; ++i)
     codes[i] = mortonCode (key_x[i], key_y[i], key_z[i]);
 }
@@ -34,7 +34,7 @@ codesOf (const float* x,
 // Returns their number.
 std::size_t
 findRuns (const Coordinates& positions,
-          float voxels_per_metre,
+          float voxels_per_meter,
           std::size_t begin,
           std::size_t end,
           PointRun* runs)
@@ -47,7 +47,7 @@ findRuns (const Coordinates& positions,
              &positions.y[first],
              &positions.z[first],
              number,
-             voxels_per_metre,
+             voxels_per_meter,
              codes.data());
     for (std::size_t i = 0; i < number; ++i) {
       const bool is_new = i == 0 || codes[i] != codes[i - 1];
@@ -139,12 +139,12 @@ PointRuns
 sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads)
 {
   constexpr std::size_t points_per_piece = 32 * batch;
-  const auto voxels_per_metre = static_cast<float> (1.0 / voxel_size);
+  const auto voxels_per_meter = static_cast<float> (1.0 / voxel_size);
   // Each piece where its points are; then without gaps.
   PointRuns runs (positions.size());
   const std::vector<std::size_t> pieces = parallelPieces (
       threads, positions.size(), points_per_piece, [&] (auto begin, auto end) {
-        return findRuns (positions, voxels_per_metre, begin, end, runs.begin() + begin);
+        return findRuns (positions, voxels_per_meter, begin, end, runs.begin() + begin);
       });
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const PointRun* const piece = runs.begin() + p * points_per_piece;

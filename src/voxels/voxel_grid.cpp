@@ -86,7 +86,7 @@ voxelize (const Coordinates& positions, double voxel_size, unsigned threads)
 void
 connect (VoxelGrid& grid, unsigned threads)
 {
-  grid.neighbours = neighboursOf (grid.codes, threads);
+  grid.neighbors = neighborsOf (grid.codes, threads);
 }
 
 Indices

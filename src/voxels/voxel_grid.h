@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/points.h"
-#include "voxels/voxel_neighbours.h"
+#include "voxels/voxel_neighbors.h"
 #include <pcl_ops/plane.h>
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace pcl_ops::internal {
 struct VoxelGrid {
   /** \brief Edge of a voxel [m]. */
   double voxel_size = 0.0;
-  /** \brief Of each occupied voxel, ascending: neighbours in space are near in memory.
+  /** \brief Of each occupied voxel, ascending: neighbors in space are near in memory.
    */
   std::vector<MortonCode> codes;
   /** \brief Where each voxel's points begin in \ref VoxelizedPoints::order. */
@@ -24,7 +24,7 @@ struct VoxelGrid {
   /** \brief Moments of each voxel's points about the zero of their frame. */
   std::vector<Moments> moments;
   /** \brief Empty until \ref connect. */
-  VoxelNeighbours neighbours;
+  VoxelNeighbors neighbors;
 
   std::size_t
   size () const
@@ -51,11 +51,11 @@ struct VoxelizedPoints {
  * the outermost voxels
  * \param[in] voxel_size edge of a voxel, above 0
  * \param[in] threads number of threads; 0: all. The result does not depend on it
- * \return voxels without neighbours */
+ * \return voxels without neighbors */
 VoxelizedPoints
 voxelize (const Coordinates& positions, double voxel_size, unsigned threads);
 
-/** \brief Finds the neighbours of each voxel. */
+/** \brief Finds the neighbors of each voxel. */
 void
 connect (VoxelGrid& grid, unsigned threads);
 
@@ -73,7 +73,7 @@ struct CoarserGrid {
 };
 
 /** \brief Joins voxels by eight.
- * \return voxels without neighbours */
+ * \return voxels without neighbors */
 CoarserGrid
 coarsen (const VoxelGrid& finer);
 
@@ -84,7 +84,7 @@ struct VoxelLevels {
 };
 
 /** \brief Divides points into voxels of a given edge [m] and of half of it; those of
- * the given edge have neighbours. The rest as \ref voxelize. */
+ * the given edge have neighbors. The rest as \ref voxelize. */
 VoxelLevels
 voxelizeTwice (const Coordinates& positions, double voxel_size, unsigned threads);
 

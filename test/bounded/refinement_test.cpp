@@ -61,12 +61,12 @@ TEST (Refinement, HalvesTheVoxels)
   const VoxelGrid& grid = refinement.grid;
   EXPECT_DOUBLE_EQ (grid.voxel_size, 5_cm);
   EXPECT_EQ (grid.size(), 22u * 40u) << "of eleven rows of twenty, four each";
-  EXPECT_EQ (grid.neighbours.size(), grid.size());
+  EXPECT_EQ (grid.neighbors.size(), grid.size());
 }
 
 TEST (Refinement, LeavesVoxelsOfTooFewPointsForAPlane)
 {
-  // Seven points a metre above the ground, and then an eighth.
+  // Seven points a meter above the ground, and then an eighth.
   for (const int number : {7, 8}) {
     VoxelScene scene ({{ground}});
     for (int i = 0; i < number; ++i)

@@ -96,7 +96,7 @@ TEST_P (BadInputFor, ASamplingRateThatDrawsNoPoint)
   EXPECT_TRUE (planesOf (ops).empty());
 }
 
-TEST_P (BadInputFor, CoordinatesOfAThousandKilometres)
+TEST_P (BadInputFor, CoordinatesOfAThousandKilometers)
 {
   // Single precision leaves steps of 6 cm there: a hall feels only that.
   const auto scene = Scene()
@@ -115,7 +115,7 @@ TEST_P (BadInputFor, CoordinatesOfAThousandKilometres)
     }));
 }
 
-TEST_P (BadInputFor, CoordinatesOfAThousandKilometresInvokeNoPlaneThatIsNotThere)
+TEST_P (BadInputFor, CoordinatesOfAThousandKilometersInvokeNoPlaneThatIsNotThere)
 {
   // A room feels the steps: what is found at all is one of its surfaces.
   const auto scene = room().movedBy ({1e6, -1e6, 1e6}).spacing (2_cm).build();

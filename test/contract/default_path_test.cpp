@@ -10,7 +10,7 @@ using pcl_ops::PlaneSegment;
 
 namespace {
 
-/** \brief Beyond a ditch of a metre a floor goes on 1 cm higher: two planes, as nothing
+/** \brief Beyond a ditch of a meter a floor goes on 1 cm higher: two planes, as nothing
  * connects them, but no two surfaces to merging, which allows 1.5 times the noise of
  * 2 cm. */
 Ops
@@ -112,7 +112,7 @@ TEST (DefaultPath, MergesByADistanceThatIsGiven)
 
 TEST (DefaultPath, EndsAPlaneWhereItsPointsEnd)
 {
-  // A chair leg ends at the floor's height, a metre beyond the floor.
+  // A chair leg ends at the floor's height, a meter beyond the floor.
   const auto scene =
       Scene().floor (2, 2).surface ({3, 0, -0.4}, {0.04, 0, 0}, {0, 0, 0.8}).build();
   Ops ops = defaultsOn (scene.cloud);
@@ -170,7 +170,7 @@ TEST (DefaultPath, FindsNoPlaneOnMostOfANoisyBall)
 
 TEST (DefaultPath, FindsASparseGroundBesideADenseBoard)
 {
-  // Ten points a square metre beside a hundred thousand.
+  // Ten points a square meter beside a hundred thousand.
   const Surface board = {{-2, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   expectFindsBoth (sampled (ground, 1.0 / std::sqrt (10.0), 1_cm),
                    sampled (board, 1.0 / std::sqrt (1e5), 1_mm));

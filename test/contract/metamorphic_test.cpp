@@ -74,7 +74,7 @@ permute (Variant& variant)
   }
 }
 
-/** \brief Adds a hundredth more points anywhere in a cube of so many metres. */
+/** \brief Adds a hundredth more points anywhere in a cube of so many meters. */
 void
 addOutliers (Variant& variant, double half_edge)
 {
@@ -95,8 +95,8 @@ const std::map<std::string, void (*) (Variant&)> changes = {
        const Eigen::Vector3d shift (1000, -1000, 100);
        move (v, [&] (const auto& p) -> Eigen::Vector3d { return p + shift; });
      }},
-    {"in_millimetres", [] (Variant& v) { scale (v, 1000.0); }},
-    {"in_kilometres", [] (Variant& v) { scale (v, 0.001); }},
+    {"in_millimeters", [] (Variant& v) { scale (v, 1000.0); }},
+    {"in_kilometers", [] (Variant& v) { scale (v, 0.001); }},
     {"turned_about_z", [] (Variant& v) { turn (v, Eigen::Vector3d::UnitZ()); }},
     {"turned",
      [] (Variant& v) {

@@ -44,7 +44,7 @@ planeWithShare (double share, std::size_t size = 1000)
   return cloud;
 }
 
-const Surface one_metre_up{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+const Surface one_meter_up{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
 
 pcl_ops::Plane
 toPlane (const Eigen::VectorXf& coefficients)
@@ -119,7 +119,7 @@ TYPED_TEST (OrientedPointModelIn, PclsEstimatorFindsThePlane)
   pcl::Indices inliers;
   estimator.getModelCoefficients (coefficients);
   estimator.getInliers (inliers);
-  expectPlaneNear (toPlane (coefficients), one_metre_up, 1e-5, 1e-5);
+  expectPlaneNear (toPlane (coefficients), one_meter_up, 1e-5, 1e-5);
   EXPECT_EQ (inliers.size(), 700u);
 }
 

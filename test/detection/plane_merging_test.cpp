@@ -19,7 +19,7 @@ namespace {
 
 /** \brief Thresholds of 7 degrees and 5 cm. */
 MergingParameters
-sevenDegreesAndFiveCentimetres ()
+sevenDegreesAndFiveCentimeters ()
 {
   MergingParameters parameters;
   parameters.angle_threshold = 7_deg;
@@ -27,7 +27,7 @@ sevenDegreesAndFiveCentimetres ()
   return parameters;
 }
 
-const MergingParameters usual = sevenDegreesAndFiveCentimetres();
+const MergingParameters usual = sevenDegreesAndFiveCentimeters();
 
 /** \brief A square of 1 m x 1 m about a centre, tilted about the y axis. */
 Surface
@@ -182,7 +182,7 @@ TEST (Merge, IsTheFitOfAllPoints)
 
 TEST (Merge, ChainsThroughPlanesThatPassOnlyPairwise)
 {
-  // 10 degrees from end to end, 5 between neighbours.
+  // 10 degrees from end to end, 5 between neighbors.
   const std::vector<Moments> bend{momentsOf (square ({0, 0, 0}), 20),
                                   momentsOf (square ({0, 0, 0}, 5_deg), 19),
                                   momentsOf (square ({0, 0, 0}, 8_deg), 5)};

@@ -184,7 +184,7 @@ TEST (PlaneEdges, GoOnWhereAWallStandsOnTheMiddleOfAnother)
 
 TEST (PlaneEdges, HaveNoCornerWhereOneEndsEarlier)
 {
-  Scene scene; // the second wall is one metre short of the first, where they'd meet
+  Scene scene; // the second wall is one meter short of the first, where they'd meet
   scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m).wall ({0, 1}, {0, 3}, 2.5_m);
   scene.surface ({0, 0, 1.5}, {0, 1, 0}, {0, 0, 1}); // but for its upper end
   const LabelledScene built = withLastIn (2, scene);
@@ -223,7 +223,7 @@ TEST (PlaneEdges, ReachAsFarAsAsked)
   EXPECT_EQ (edgesOf (scene, far).edges.size(), 1u);
 }
 
-TEST (PlaneEdges, AreExactAThousandKilometresFromZero)
+TEST (PlaneEdges, AreExactAThousandKilometersFromZero)
 {
   const LabelledScene built = corner().build();
   std::vector<PlaneSegment> planes = planesOf (built);

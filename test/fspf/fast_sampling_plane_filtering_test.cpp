@@ -119,7 +119,7 @@ TEST (Degenerate, PointsFarApartHaveNoPlane)
 
 TEST (Degenerate, RadiiTooLargeForTheThresholdEndInTime)
 {
-  // A ball seen as 20,000 points, all in every sphere, none on a plane of a millimetre.
+  // A ball seen as 20,000 points, all in every sphere, none on a plane of a millimeter.
   RandomGenerator generator (seedOfTest());
   Fspf fspf = fspfOn (cloudOf (20000, [&] (float) {
     return toPoint (5_cm * drawNormals (generator).normalized());

@@ -40,7 +40,7 @@ addPatch (std::size_t size, Coordinates& points)
   }
 }
 
-/** Adds points a metre and more from it and from each other: none has a neighbor. */
+/** Adds points a meter and more from it and from each other: none has a neighbor. */
 void
 addLonePoints (std::size_t size, Coordinates& points)
 {

@@ -29,11 +29,11 @@ spheresAmong (const Coordinates& coordinates, double radius)
 Indices
 bruteForce (const Coordinates& points, std::uint32_t centre, double radius)
 {
-  Indices neighbours;
+  Indices neighbors;
   for (std::uint32_t i = 0; i < points.size(); ++i)
     if ((points[i] - points[centre]).norm() <= radius)
-      neighbours.push_back (i);
-  return neighbours;
+      neighbors.push_back (i);
+  return neighbors;
 }
 
 std::vector<float>

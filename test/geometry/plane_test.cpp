@@ -76,7 +76,7 @@ expectSameMoments (const Moments& first, const Moments& second, double tolerance
 
 TEST (FitPlane, AgreesWithAnSvdOfTheCentredPoints)
 {
-  // Near zero, a thousand kilometres away, and in other units.
+  // Near zero, a thousand kilometers away, and in other units.
   const struct {
     Eigen::Vector3d centre;
     double unit, angle, length, share;

@@ -47,7 +47,7 @@ TEST (FinitePoints, DropsNanAndInfinityWhateverIsDenseSays)
 
 TEST (FinitePoints, ShareAFrameWithOthersOfTheirSurroundings)
 {
-  // The corners of a square of two metres, a thousand kilometres out, and the middles
+  // The corners of a square of two meters, a thousand kilometers out, and the middles
   // of its sides.
   const float far = 1e6f;
   const auto corners =

@@ -117,7 +117,7 @@ TEST (DetectOnVoxels, AsksForPointsEnoughForANormal)
 
 TEST (DetectOnVoxels, GrowsOverPointsTooFewForANormal)
 {
-  // Two halves of a ground, and in a metre between them one point a voxel.
+  // Two halves of a ground, and in a meter between them one point a voxel.
   Points points = pointsOf ({{{0, 0, 0.05}, {1.5, 0, 0}, {0, 2, 0}},
                              {{2.5, 0, 0.05}, {1.5, 0, 0}, {0, 2, 0}}},
                             5_mm);

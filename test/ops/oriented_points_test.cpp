@@ -27,8 +27,8 @@ orient (const Cloud::ConstPtr& cloud,
   tree.setInputCloud (cloud);
   pcl_ops::detail::NeighborSearch search;
   search.nearest =
-      [&] (pcl::index_t point, int number, auto& neighbours, auto& distances) {
-        tree.nearestKSearch ((*cloud)[point], number, neighbours, distances);
+      [&] (pcl::index_t point, int number, auto& neighbors, auto& distances) {
+        tree.nearestKSearch ((*cloud)[point], number, neighbors, distances);
       };
   const pcl_ops::CloudView view (*cloud);
   const Points points = finitePoints (view, upTo<pcl::Indices> (cloud->size()), 1);
@@ -45,7 +45,7 @@ everyTenth (const Cloud& cloud)
 }
 
 /** \brief M_i straight from the paper: the k nearest by sorting all distances. The
- * radius of the neighbourhood is sigma unless there is one. */
+ * radius of the neighborhood is sigma unless there is one. */
 Eigen::Matrix3d
 scatterByBruteForce (const Cloud& cloud,
                      std::size_t sample,
@@ -197,12 +197,12 @@ TEST (GroupByOrientation, PutsEverySampleIntoOneGroup)
 TEST (SearchOver, FindsTheNearestAmongTheFinitePoints)
 {
   const Line line;
-  pcl::Indices neighbours;
+  pcl::Indices neighbors;
   std::vector<float> squared_distances;
   const NeighborSearch search = searchOver (line.input, line.points, 3);
-  search.nearest (3, 3, neighbours, squared_distances);
-  std::sort (neighbours.begin(), neighbours.end());
-  EXPECT_EQ (neighbours, (pcl::Indices{1, 3, 4}));
+  search.nearest (3, 3, neighbors, squared_distances);
+  std::sort (neighbors.begin(), neighbors.end());
+  EXPECT_EQ (neighbors, (pcl::Indices{1, 3, 4}));
   EXPECT_EQ (search.threads, 3u) << "may ask it";
 }
 

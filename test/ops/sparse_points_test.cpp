@@ -13,7 +13,7 @@ namespace {
 constexpr double least_points = 30.0;
 
 /** \brief A dense square of 14,400 points, and a sparse one in another place, of so
- * many points a metre from each other, in voxels of 10 cm. */
+ * many points a meter from each other, in voxels of 10 cm. */
 VoxelLevels
 denseAndSparse (int sparse_steps)
 {

@@ -141,7 +141,7 @@ TEST (VoxelExtraction, AsksForThetaNConnectedVoxels)
 
 TEST (VoxelExtraction, LeavesAnIslandOfFewerThanThetaNVoxels)
 {
-  // 25 voxels a metre beyond the end of the ground, in its plane.
+  // 25 voxels a meter beyond the end of the ground, in its plane.
   const VoxelGrid grid = gridOf ({ground, tile});
   SurfelExtractionParameters parameters = usual();
   parameters.min_inliers = 25;

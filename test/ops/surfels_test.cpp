@@ -11,7 +11,7 @@ namespace {
 const Surface floor_of_the_scene = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
 const Surface wall_of_the_scene = {{0, 0, 0}, {0, 2, 0}, {0, 0, 2}};
 
-/** \brief With the default resolutions, and neighbourhoods of 30 points or of as many
+/** \brief With the default resolutions, and neighborhoods of 30 points or of as many
  * as eight voxels hold on average. */
 std::vector<std::optional<Surfel>>
 surfelsOf (const VoxelGrid& grid, unsigned threads = 1)
@@ -78,12 +78,12 @@ TEST (OrientedVoxels, KeepTheirOwnSurfacesNormalNextToAnEdge)
   EXPECT_LE (bent, 20u);
 }
 
-TEST (OrientedVoxels, OfAnEdgeBendWithoutTheirNeighboursHelp)
+TEST (OrientedVoxels, OfAnEdgeBendWithoutTheirNeighborsHelp)
 {
   const VoxelGrid grid = edge();
   std::size_t bent = 0;
   for (std::size_t voxel = 0; voxel < grid.size(); ++voxel) {
-    const Indices around (grid.neighbours[voxel].begin(), grid.neighbours[voxel].end());
+    const Indices around (grid.neighbors[voxel].begin(), grid.neighbors[voxel].end());
     const auto fit = fitPlane (momentsOf (grid, around));
     bent += !fit || isBent (fit->plane.normal);
   }
@@ -104,7 +104,7 @@ TEST (OrientedVoxels, OfABallAreThick)
     EXPECT_TRUE (!normal || normal->thickness > 0.8);
 }
 
-TEST (OrientedVoxels, TakeACoarserNeighbourhoodWhereNoiseHidesTheFinest)
+TEST (OrientedVoxels, TakeACoarserNeighborhoodWhereNoiseHidesTheFinest)
 {
   // Noise of 3 cm in voxels of 5 cm: thick at one resolution, flat at three.
   Coordinates points;
@@ -129,7 +129,7 @@ TEST (OrientedVoxels, HaveNoSurfelOfFewerPointsThanAsked)
     EXPECT_FALSE (surfel);
 }
 
-TEST (OrientedVoxels, HaveNoSurfelWhereSurfacesAreFinerThanTheirNeighbourhoods)
+TEST (OrientedVoxels, HaveNoSurfelWhereSurfacesAreFinerThanTheirNeighborhoods)
 {
   // A roof of many slopes, each as long as a voxel: flat in every voxel, but not
   // around.
@@ -143,7 +143,7 @@ TEST (OrientedVoxels, HaveNoSurfelWhereSurfacesAreFinerThanTheirNeighbourhoods)
     EXPECT_FALSE (surfel);
 }
 
-TEST (OrientedVoxels, HaveASurfelWhereTheVoxelItselfIsAsNoisyAsItsNeighbourhood)
+TEST (OrientedVoxels, HaveASurfelWhereTheVoxelItselfIsAsNoisyAsItsNeighborhood)
 {
   // As much unevenness as on that roof, but of every point by itself.
   Coordinates points;
@@ -167,7 +167,7 @@ TEST (OrientedVoxels, HaveNoSurfelWhereTheyAreOnAPlaneAlready)
 
 TEST (OrientedVoxels, HaveNoSurfelOnAWire)
 {
-  // A millimetre wide in voxels of ten centimetres.
+  // A millimeter wide in voxels of ten centimeters.
   Coordinates points;
   addGrid (points, {{0, 0, 0}, {2, 0, 0}, {0, 1_mm, 0}}, 120);
   for (const auto& surfel : surfelsOf (connectedGrid (points, 0.1)))

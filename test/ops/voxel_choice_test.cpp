@@ -93,7 +93,7 @@ TEST (VoxelChoice, TakesTheStepsOfAQuantizedDepthForNoLackOfNoise)
 TEST (VoxelChoice, HasVoxelsForAllOfACloudThatIsMostlyAtOnePlace)
 {
   // A floor of 40 m, in voxels of some 2 m, and half as many points on a square
-  // millimetre of it.
+  // millimeter of it.
   Points points;
   addGrid (points, {{-20, -20, 0}, {40, 0, 0}, {0, 40, 0}}, 300);
   addGrid (points, {{0, 0, 0}, {1_mm, 0, 0}, {0, 1_mm, 0}}, 200);

@@ -63,7 +63,7 @@ const std::map<std::string, Cloud::Ptr (*)()> clouds = {
     {"UniformVolume", uniformVolume},
     {"Surfaces", surfaces},
     {"OnePoint", onePoint},
-    // Most points within a millimetre, the others over a kilometre.
+    // Most points within a millimeter, the others over a kilometer.
     {"Clusters",
      [] {
        return randomCloud (4000, [] (auto& g) {
@@ -86,7 +86,7 @@ const std::map<std::string, Cloud::Ptr (*)()> clouds = {
          return PointXYZ (t, 2.0f * t, 3.0f * t);
        });
      }},
-    // The same relative distance between neighbours at every scale.
+    // The same relative distance between neighbors at every scale.
     {"EverySmallerSteps",
      [] {
        return randomCloud (2000, [] (auto& g) {
@@ -113,12 +113,12 @@ const std::map<std::string, Cloud::Ptr (*)()> clouds = {
        return cloud;
      }}};
 
-struct Neighbours {
+struct Neighbors {
   pcl::Indices indices;
   std::vector<float> squared_distances;
 
   bool
-  operator== (const Neighbours& other) const
+  operator== (const Neighbors& other) const
   {
     return indices == other.indices && squared_distances == other.squared_distances;
   }
@@ -131,10 +131,10 @@ squaredDistance (const PointXYZ& first, const PointXYZ& second)
   return dx * dx + dy * dy + dz * dz;
 }
 
-Neighbours
+Neighbors
 nearest (const pcl::search::Search<PointXYZ>& search, const PointXYZ& query, int k)
 {
-  Neighbours found{{99, 98, 97}, {-1.0f}};
+  Neighbors found{{99, 98, 97}, {-1.0f}};
   const int number =
       search.nearestKSearch (query, k, found.indices, found.squared_distances);
   EXPECT_EQ (static_cast<std::size_t> (number), found.indices.size());
@@ -142,19 +142,19 @@ nearest (const pcl::search::Search<PointXYZ>& search, const PointXYZ& query, int
   return found;
 }
 
-Neighbours
+Neighbors
 within (const pcl::search::Search<PointXYZ>& search,
         const PointXYZ& query,
         double radius,
         unsigned most = 0)
 {
-  Neighbours found{{99, 98, 97}, {-1.0f}};
+  Neighbors found{{99, 98, 97}, {-1.0f}};
   search.radiusSearch (query, radius, found.indices, found.squared_distances, most);
   return found;
 }
 
 /** All points by rising distance, equal ones by rising index, up to a distance. */
-Neighbours
+Neighbors
 bruteForce (const Cloud& cloud,
             const PointXYZ& query,
             float squared_radius = std::numeric_limits<float>::infinity())
@@ -164,7 +164,7 @@ bruteForce (const Cloud& cloud,
     if (pcl::isFinite (cloud[i]) && squaredDistance (cloud[i], query) <= squared_radius)
       all.emplace_back (squaredDistance (cloud[i], query), i);
   std::sort (all.begin(), all.end());
-  Neighbours found;
+  Neighbors found;
   for (const auto& [distance, index] : all) {
     found.indices.push_back (index);
     found.squared_distances.push_back (distance);
@@ -209,9 +209,9 @@ TEST_P (GridSearchOn, FindsWhatLookingAtAllPointsFinds)
   Search search;
   search.setInputCloud (cloud);
   for (const PointXYZ& query : queriesFor (*cloud)) {
-    const Neighbours all = bruteForce (*cloud, query);
+    const Neighbors all = bruteForce (*cloud, query);
     for (const std::size_t k : {1, 10, 31, 500}) {
-      const Neighbours found = nearest (search, query, static_cast<int> (k));
+      const Neighbors found = nearest (search, query, static_cast<int> (k));
       ASSERT_EQ (found.indices.size(), std::min (k, all.indices.size()));
       const std::set<int> different (found.indices.begin(), found.indices.end());
       EXPECT_EQ (different.size(), found.indices.size());
@@ -243,7 +243,7 @@ TEST (GridSearch, GivesTheNearestOfThoseWithinTheRadius)
   EXPECT_EQ (within (search, query, 5_cm, 1000000), within (search, query, 5_cm));
 }
 
-TEST (GridSearch, UnsortedGivesTheSameNeighbours)
+TEST (GridSearch, UnsortedGivesTheSameNeighbors)
 {
   Search sorted (true), unsorted (true);
   unsorted.setSortedResults (false);
@@ -279,8 +279,8 @@ TEST (GridSearch, FindsNothingWhereThereIsNothing)
   search.setInputCloud (pcl::make_shared<Cloud>());
   EXPECT_TRUE (nearest (search, query, 5).indices.empty()) << "in an empty cloud";
   search.setInputCloud (onePoint());
-  EXPECT_TRUE (nearest (search, query, 0).indices.empty()) << "of no neighbours";
-  EXPECT_TRUE (within (search, query, 1_m).indices.empty()) << "within a metre";
+  EXPECT_TRUE (nearest (search, query, 0).indices.empty()) << "of no neighbors";
+  EXPECT_TRUE (within (search, query, 1_m).indices.empty()) << "within a meter";
   EXPECT_TRUE (within (search, query, -9_m).indices.empty()) << "below zero";
   const PointXYZ nowhere (std::numeric_limits<float>::quiet_NaN(), 0, 0);
   EXPECT_TRUE (nearest (search, nowhere, 5).indices.empty()) << "of no position";

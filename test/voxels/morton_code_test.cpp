@@ -11,10 +11,10 @@ using namespace pcl_ops::internal;
 namespace {
 
 std::int32_t
-keyOfCoordinate (float coordinate, float voxels_per_metre = 10.0f)
+keyOfCoordinate (float coordinate, float voxels_per_meter = 10.0f)
 {
   std::int32_t key = 0;
-  keysOf (&coordinate, 1, voxels_per_metre, &key);
+  keysOf (&coordinate, 1, voxels_per_meter, &key);
   return key;
 }
 

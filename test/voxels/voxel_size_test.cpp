@@ -21,10 +21,10 @@ TEST (VoxelSize, FillsAboutAsManyVoxelsAsWanted)
 
 TEST (VoxelSize, GrowsWithTheUnitOfTheCloud)
 {
-  Coordinates metres, millimetres;
-  addGrid (metres, {{0, 0, 0}, {5, 0, 0}, {0, 4, 0}}, 200);
-  addGrid (millimetres, {{0, 0, 0}, {5000, 0, 0}, {0, 4000, 0}}, 200);
-  EXPECT_NEAR (voxelSizeFor (millimetres, 1000.0) / voxelSizeFor (metres, 1000.0),
+  Coordinates meters, millimeters;
+  addGrid (meters, {{0, 0, 0}, {5, 0, 0}, {0, 4, 0}}, 200);
+  addGrid (millimeters, {{0, 0, 0}, {5000, 0, 0}, {0, 4000, 0}}, 200);
+  EXPECT_NEAR (voxelSizeFor (millimeters, 1000.0) / voxelSizeFor (meters, 1000.0),
                1000.0,
                100.0);
 }

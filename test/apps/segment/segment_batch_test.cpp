@@ -292,7 +292,7 @@ TEST_F (SegmentTrack, TellsPlanesApartInDoublePrecisionWhateverElseACloudHas)
   folder_.write ("c.xyz", squareText (50, 0.5));
   const auto json = jsonOf ("a.xyz b.xyz c.xyz --output-dir out --track", "out/c.json");
   ASSERT_EQ (json["planes"].size(), 1u);
-  EXPECT_EQ (json["planes"][0]["id"], 3) << "half a metre above the floor";
+  EXPECT_EQ (json["planes"][0]["id"], 3) << "half a meter above the floor";
 }
 
 TEST_F (SegmentTrack, GivesTheSameBytesForAnyNumberOfJobs)

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /** \brief The program with floor.pcd: a floor of 2 m by 2 m, and a board of 0.3 m by
- * 1 m that leans by 30 degrees, two metres above. */
+ * 1 m that leans by 30 degrees, two meters above. */
 class SegmentChoice : public Segment {
 protected:
   SegmentChoice()

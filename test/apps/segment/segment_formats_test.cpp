@@ -117,7 +117,7 @@ TEST_F (SegmentLas, HasUtmCoordinatesInEveryOutput)
   }
 }
 
-TEST_F (SegmentLas, HasMillimetresInItsMesh)
+TEST_F (SegmentLas, HasMillimetersInItsMesh)
 {
   for (auto& point : recipe_.points)
     point[1] += 1;
@@ -180,7 +180,7 @@ TEST_F (SegmentPly, HasEveryFieldOfTheInputToTheBit)
   const FileCloud ply = loadCloud (folder_ / "out.ply");
   EXPECT_TRUE (contains (contentOf (folder_ / "out.ply"),
                          "ply\nformat binary_little_endian 1.0\n"));
-  // PCL's reader leaves the fourth byte of a colour as it is.
+  // PCL's reader leaves the fourth byte of a color as it is.
   const FileCloud pcd = loadCloud (folder_ / "out.pcd");
   const auto read = bytesOf (ply, "rgb"), written = bytesOf (pcd, "rgb");
   ASSERT_EQ (read.size(), written.size());
@@ -230,7 +230,7 @@ TEST_F (SegmentPly, HasTheFieldsOtherProgramsLookFor)
   EXPECT_EQ (valuesOf<double> (read, "stamp")[0], 4294967297.0);
 }
 
-/** \brief A floor of 2 m by 2 m at UTM coordinates, in millimetres, with the number of
+/** \brief A floor of 2 m by 2 m at UTM coordinates, in millimeters, with the number of
  * each point.
  * \param[in] separator between the numbers */
 std::string
@@ -245,7 +245,7 @@ floorText (char separator = ' ')
   return text.str();
 }
 
-TEST_F (Segment, LabelsATextAndKeepsItsMillimetresAndColumns)
+TEST_F (Segment, LabelsATextAndKeepsItsMillimetersAndColumns)
 {
   folder_.write ("in.csv", "x,y,z,number\n" + floorText (','));
   for (const char* output : {"out.pcd", "out.ply"}) {
@@ -285,7 +285,7 @@ TEST_F (Segment, KeepsAColumnCalledRgb)
   folder_.write ("in.csv", "x,y,z,rgb\n" + floorText (','));
   expectDone ("in.csv out.ply --keep-color");
   EXPECT_TRUE (contains (contentOf (folder_ / "out.ply"), "\nproperty double rgb\n"))
-      << "it is a number, not PCL's packed colour";
+      << "it is a number, not PCL's packed color";
 }
 
 TEST_F (Segment, HasNoPlaneInATextOfAFewPoints)
@@ -297,7 +297,7 @@ TEST_F (Segment, HasNoPlaneInATextOfAFewPoints)
   }
 }
 
-constexpr int millimetres_off = 4;
+constexpr int millimeters_off = 4;
 
 class SegmentDistances : public Segment {
 protected:
@@ -326,7 +326,7 @@ protected:
     return distances;
   }
 
-  /** \brief in.las: a wall alone, at an x that single precision has no millimetres of,
+  /** \brief in.las: a wall alone, at an x that single precision has no millimeters of,
    * with every second point 4 mm farther. */
   void
   writeLas () const
@@ -334,7 +334,7 @@ protected:
     LasRecipe recipe;
     recipe.points.clear();
     for (int i = 0; i < points_of_plane; ++i)
-      recipe.points.push_back ({i % 2 == 0 ? millimetres_off : 0,
+      recipe.points.push_back ({i % 2 == 0 ? millimeters_off : 0,
                                 40 * (i / points_of_side),
                                 40 * (i % points_of_side)});
     folder_.write ("in.las", lasBytes (recipe));

@@ -163,7 +163,7 @@ TEST_F (SegmentRoom, SaysWhichOptionToChangeWhereNothingIsFound)
       {"in.pcd --method fspf --outer-radius 0.09",
        {"--outer-radius 0.09 hold 21 points", "--local-samples 80"}},
       {"in.pcd --method kht --s-level 9", {"--s-level 9", "--min-samples 30"}},
-      {"large.pcd --method fspf", {"millimetre", "--inner-radius"}}};
+      {"large.pcd --method fspf", {"millimeter", "--inner-radius"}}};
   for (const auto& [arguments, parts] : rows)
     for (const char* part : parts)
       EXPECT_TRUE (contains (adviceOf (arguments), part));

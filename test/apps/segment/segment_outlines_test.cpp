@@ -75,7 +75,7 @@ TEST_F (Segment, WritesOutlinesOfCeilingsCounterClockwiseFromAboveToo)
                1e-2);
 }
 
-TEST_F (Segment, WritesMillimetresOfUtmInPlainDecimals)
+TEST_F (Segment, WritesMillimetersOfUtmInPlainDecimals)
 {
   folder_.write ("in.xyz", squareText (points_of_side, 100.0));
   expectDone ("in.xyz --planes p.geojson");
@@ -366,7 +366,7 @@ readPly (const std::string& text)
 
 const Vector3d far_away (448261.25, 5411932.5, 312.125);
 
-TEST_F (SegmentEdges, WritesWherePlanesMeetToTheMillimetreFarFromZero)
+TEST_F (SegmentEdges, WritesWherePlanesMeetToTheMillimeterFarFromZero)
 {
   folder_.write ("far.pcd", cornerAt (far_away));
   const Outcome done = expectDone ("far.pcd --edges e.json");
@@ -414,7 +414,7 @@ TEST_F (SegmentEdges, WritesEdgesThatLieOnTheCloudInPclViewer)
 
 TEST_F (SegmentEdges, WritesNoEdgeWhereNoPlanesMeet)
 {
-  // Floor and wall of that cloud are one metre apart.
+  // Floor and wall of that cloud are one meter apart.
   for (const char* file : {"e.ply", "e.vtk", "e.json"})
     expectDone (std::string ("in.pcd --edges ") + file);
   EXPECT_TRUE (readPly (contentOf (folder_ / "e.ply")).vertices.empty());

@@ -55,19 +55,19 @@ floorAndWall (int side = points_of_side)
 }
 
 /** \brief A floor of 2 m by 2 m and a wall at x = 3 m, in UTM coordinates and whole
- * millimetres. */
+ * millimeters. */
 inline LasRecipe
 floorAndWallInLas ()
 {
-  constexpr float millimetres = 1000.0f;
+  constexpr float millimeters = 1000.0f;
   LasRecipe recipe;
   recipe.points.clear();
   for (const pcl::PointXYZI& point : floorAndWall())
     if (std::isfinite (point.x))
       recipe.points.push_back (
-          {static_cast<int> (std::lround (point.x * millimetres)),
-           static_cast<int> (std::lround (point.y * millimetres)),
-           static_cast<int> (std::lround (point.z * millimetres))});
+          {static_cast<int> (std::lround (point.x * millimeters)),
+           static_cast<int> (std::lround (point.y * millimeters)),
+           static_cast<int> (std::lround (point.z * millimeters))});
   return recipe;
 }
 

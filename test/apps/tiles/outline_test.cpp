@@ -16,7 +16,7 @@ constexpr double lattice = 0.01, cell = 1.0; // [m]
 
 using Within = std::function<bool (const Eigen::Vector2d&)>;
 
-/** \brief Twenty points of each square metre of 20 m by 20 m that is within. */
+/** \brief Twenty points of each square meter of 20 m by 20 m that is within. */
 std::vector<Eigen::Vector2d>
 pointsOf (const Within& is_within)
 {

@@ -60,7 +60,7 @@ TEST (ExactMoments, OfPartsAreThoseOfTheWholeWhateverIsAddedFirst)
   EXPECT_FALSE (areEqual (few, whole));
 }
 
-TEST (ExactMoments, AreThoseOfTheLibraryInMetres)
+TEST (ExactMoments, AreThoseOfTheLibraryInMeters)
 {
   const Eigen::Vector3d far (5e6, -5e6, 500.0);
   Moments expected;
@@ -160,7 +160,7 @@ TEST (PlaneJoining, AddsTheMomentsOfOwnPointsOnly)
   EXPECT_EQ (found.products, sum.products);
 }
 
-TEST (PlaneJoining, LeavesTwoWallsTenCentimetresApart)
+TEST (PlaneJoining, LeavesTwoWallsTenCentimetersApart)
 {
   EXPECT_EQ (joined (twoTiles (5.0, 5.1)).planes.size(), 2u);
 }

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/** \brief Cells of half a metre, tiles of 24 of them, 12 m. */
+/** \brief Cells of half a meter, tiles of 24 of them, 12 m. */
 const TileGrid grid (0.5, 24, {0, 0, 0});
 
 TileKey

@@ -19,22 +19,22 @@ using apps::LasPoint;
 
 const Eigen::Vector3d far_away (691'000, 5'334'000, 519);
 
-/** \brief A wall along x from 0, 3 m high, with 1.5 cm of noise, in millimetres. */
+/** \brief A wall along x from 0, 3 m high, with 1.5 cm of noise, in millimeters. */
 void
 addWall (int length, double y, std::vector<LasPoint>& points)
 {
   apps::Random random (42);
-  const auto millimetres = [] (double metres) {
-    return static_cast<std::int32_t> (std::lround (1000.0 * metres));
+  const auto millimeters = [] (double meters) {
+    return static_cast<std::int32_t> (std::lround (1000.0 * meters));
   };
-  constexpr int points_of_metre = 100;
-  for (int i = 0; i < points_of_metre * length; ++i) {
+  constexpr int points_of_meter = 100;
+  for (int i = 0; i < points_of_meter * length; ++i) {
     const double x = length * random.unit();
     const double z = 3.0 * random.unit();
     double noise = -0.09;
     for (int k = 0; k < 12; ++k)
       noise += 0.015 * random.unit();
-    points.push_back ({{millimetres (x), millimetres (y + noise), millimetres (z)}, 0});
+    points.push_back ({{millimeters (x), millimeters (y + noise), millimeters (z)}, 0});
   }
 }
 
@@ -46,9 +46,9 @@ protected:
     apps::saveLas (folder_ / name, points, 0.001, far_away);
   }
 
-  /** \brief Saves points in metres from far away, in centimetres from 5 km farther. */
+  /** \brief Saves points in meters from far away, in centimeters from 5 km farther. */
   void
-  saveInCentimetres (const std::string& name, std::vector<LasPoint> points) const
+  saveInCentimeters (const std::string& name, std::vector<LasPoint> points) const
   {
     const Eigen::Vector3d farther = far_away + Eigen::Vector3d (5000.0, -5000.0, 0.0);
     for (LasPoint& point : points)
@@ -165,7 +165,7 @@ TEST_F (TilesProgram, GivesTheSameBytesForAnyNumberOfJobsAndOrderOfInputs)
   }
 }
 
-TEST_F (TilesProgram, LabelsPcdAndPlyWithColours)
+TEST_F (TilesProgram, LabelsPcdAndPlyWithColors)
 {
   makeTown ("--points 20000 --tiles 1");
   ASSERT_EQ (shell ("'" PCL_OPS_SEGMENT_PROGRAM "' town/town_000_000.las town/a.pcd")
@@ -189,7 +189,7 @@ TEST_F (TilesProgram, JoinsAWallOfTilesWithTheirOwnScaleAndOffset)
   for (LasPoint& point : east)
     point.raw[0] += 20'000;
   save ("west.las", west);
-  saveInCentimetres ("east.las", east);
+  saveInCentimeters ("east.las", east);
   expectDone ("west.las east.las --output-dir out --cell 0.5 --tile 10");
   const nlohmann::json list = listIn ("out"), planes = list.at ("planes");
   ASSERT_EQ (planes.size(), 1u);

@@ -7,7 +7,7 @@
 
 #include <cstdio>
 
-// Two metres of floor and two metres of wall, a point every 2 cm.
+// Two meters of floor and two meters of wall, a point every 2 cm.
 static pcl::PointCloud<pcl::PointXYZ>::Ptr
 floorAndWall ()
 {

@@ -12,7 +12,7 @@ struct TimedPoint {
   float x, y, z;
 };
 
-// Two metres of floor and two metres of wall, a point every 2 cm; no library of PCL.
+// Two meters of floor and two meters of wall, a point every 2 cm; no library of PCL.
 int
 main ()
 {

@@ -28,14 +28,14 @@ struct VoxelRange {
   }
 };
 
-/** \brief For each voxel the occupied ones among its 26 neighbours and, in the middle,
+/** \brief For each voxel the occupied ones among its 26 neighbors and, in the middle,
  * itself: most are empty where points are on surfaces. */
-class VoxelNeighbours {
+class VoxelNeighbors {
 public:
   VoxelRange
   operator[] (std::size_t voxel) const
   {
-    return {neighbours_.data() + begin_[voxel], neighbours_.data() + begin_[voxel + 1]};
+    return {neighbors_.data() + begin_[voxel], neighbors_.data() + begin_[voxel + 1]};
   }
 
   /** \brief Number of voxels. */
@@ -53,29 +53,29 @@ public:
     return places_[voxel];
   }
 
-  /** \brief Appends the next voxel with its \p number neighbours. */
+  /** \brief Appends the next voxel with its \p number neighbors. */
   void
-  add (const std::uint32_t* neighbours, std::size_t number, std::uint64_t places)
+  add (const std::uint32_t* neighbors, std::size_t number, std::uint64_t places)
   {
-    neighbours_.insert (neighbours_.end(), neighbours, neighbours + number);
-    begin_.push_back (static_cast<std::uint32_t> (neighbours_.size()));
+    neighbors_.insert (neighbors_.end(), neighbors, neighbors + number);
+    begin_.push_back (static_cast<std::uint32_t> (neighbors_.size()));
     places_.push_back (places);
   }
 
   /** \brief Appends the voxels of another part of the grid. */
   void
-  append (const VoxelNeighbours& other);
+  append (const VoxelNeighbors& other);
 
 private:
-  std::vector<std::uint32_t> neighbours_;
+  std::vector<std::uint32_t> neighbors_;
   std::vector<std::uint32_t> begin_{0};
   std::vector<std::uint64_t> places_;
 };
 
-/** \brief The neighbours of voxels, from the root of the octree down.
+/** \brief The neighbors of voxels, from the root of the octree down.
  * \param[in] codes of the voxels, ascending, each once
  * \param[in] threads number of threads; 0: all. The result does not depend on it */
-VoxelNeighbours
-neighboursOf (const std::vector<MortonCode>& codes, unsigned threads);
+VoxelNeighbors
+neighborsOf (const std::vector<MortonCode>& codes, unsigned threads);
 
 } // namespace pcl_ops::internal

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grid_scene.h"
-#include "voxels/voxel_neighbours.h"
+#include "voxels/voxel_neighbors.h"
 
 using namespace pcl_ops::internal;
 
 namespace {
 
 bool
-isNeighbour (const VoxelKey& a, const VoxelKey& b)
+isNeighbor (const VoxelKey& a, const VoxelKey& b)
 {
   return std::abs (a.x - b.x) <= 1 && std::abs (a.y - b.y) <= 1 &&
          std::abs (a.z - b.z) <= 1;
@@ -16,43 +16,43 @@ isNeighbour (const VoxelKey& a, const VoxelKey& b)
 
 } // namespace
 
-TEST (VoxelNeighbours, AreThoseThatBruteForceFinds)
+TEST (VoxelNeighbors, AreThoseThatBruteForceFinds)
 {
   // Sparse and dense: nearly every voxel alone, and nearly all occupied.
   for (const double edge : {0.2, 0.5, 1.5}) {
     const VoxelGrid grid = voxelize (pointsInACube (400, 9.0), edge, 1).grid;
-    const VoxelNeighbours neighbours = neighboursOf (grid.codes, 1);
-    ASSERT_EQ (neighbours.size(), grid.size());
+    const VoxelNeighbors neighbors = neighborsOf (grid.codes, 1);
+    ASSERT_EQ (neighbors.size(), grid.size());
     for (std::size_t a = 0; a < grid.size(); ++a) {
       Indices expected;
       for (std::size_t b = 0; b < grid.size(); ++b)
-        if (isNeighbour (numbersOf (grid.codes[a]), numbersOf (grid.codes[b])))
+        if (isNeighbor (numbersOf (grid.codes[a]), numbersOf (grid.codes[b])))
           expected.push_back (static_cast<std::uint32_t> (b));
-      Indices found (neighbours[a].begin(), neighbours[a].end());
+      Indices found (neighbors[a].begin(), neighbors[a].end());
       std::sort (found.begin(), found.end());
       ASSERT_EQ (found, expected);
     }
   }
 }
 
-TEST (VoxelNeighbours, ReachAcrossTheBordersOfAllLargerVoxels)
+TEST (VoxelNeighbors, ReachAcrossTheBordersOfAllLargerVoxels)
 {
   // On both sides of the middle of the largest possible grid.
   const std::int32_t middle = (1 << 20) - key_offset;
   const std::vector<MortonCode> codes{mortonCode (middle - 1, middle - 1, middle - 1),
                                       mortonCode (middle, middle, middle)};
-  const VoxelNeighbours neighbours = neighboursOf (codes, 1);
+  const VoxelNeighbors neighbors = neighborsOf (codes, 1);
   for (const std::size_t voxel : {0, 1})
-    EXPECT_EQ (Indices (neighbours[voxel].begin(), neighbours[voxel].end()),
+    EXPECT_EQ (Indices (neighbors[voxel].begin(), neighbors[voxel].end()),
                (Indices{0, 1}));
 }
 
-TEST (VoxelNeighbours, OfOneVoxelAreItself)
+TEST (VoxelNeighbors, OfOneVoxelAreItself)
 {
   for (const MortonCode code : {MortonCode (0), mortonCode (5, -6, 7)}) {
-    const VoxelNeighbours neighbours = neighboursOf ({code}, 1);
-    ASSERT_EQ (neighbours.size(), 1u);
-    EXPECT_EQ (Indices (neighbours[0].begin(), neighbours[0].end()), (Indices{0}));
+    const VoxelNeighbors neighbors = neighborsOf ({code}, 1);
+    ASSERT_EQ (neighbors.size(), 1u);
+    EXPECT_EQ (Indices (neighbors[0].begin(), neighbors[0].end()), (Indices{0}));
   }
-  EXPECT_EQ (neighboursOf ({}, 1).size(), 0u);
+  EXPECT_EQ (neighborsOf ({}, 1).size(), 0u);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxels/voxel_neighbours.h"
+#include "voxels/voxel_neighbors.h"
 
 #include "base/parallel.h"
 
@@ -37,7 +37,7 @@ struct ChildrenAround {
 constexpr std::uint8_t far_away = 64;
 
 // Where a child is among \ref ChildrenAround, by the place of its parent around the
-// middle one (see \ref VoxelNeighbours::places) and by its octant.
+// middle one (see \ref VoxelNeighbors::places) and by its octant.
 constexpr std::array<std::array<std::uint8_t, 8>, 43>
 placesOfChildren ()
 {
@@ -86,17 +86,16 @@ firstChildren (const std::vector<std::uint32_t>& parents, std::size_t number)
 ChildrenAround
 childrenAround (const std::vector<MortonCode>& codes,
                 const std::vector<std::uint32_t>& first_child,
-                const VoxelNeighbours& around_parents,
+                const VoxelNeighbors& around_parents,
                 std::size_t parent)
 {
   static constexpr auto places_of_children = placesOfChildren();
   ChildrenAround children;
   std::uint64_t places = around_parents.places (parent);
-  for (const std::uint32_t neighbour : around_parents[parent]) {
+  for (const std::uint32_t neighbor : around_parents[parent]) {
     const auto& places_here = places_of_children[lowestBit (places)];
     places &= places - 1;
-    for (std::uint32_t child = first_child[neighbour];
-         child < first_child[neighbour + 1];
+    for (std::uint32_t child = first_child[neighbor]; child < first_child[neighbor + 1];
          ++child) {
       const unsigned place = places_here[codes[child] & 7];
       children.voxels[place] = child;
@@ -108,28 +107,28 @@ childrenAround (const std::vector<MortonCode>& codes,
 
 // Appends a child with those around it.
 void
-add (const ChildrenAround& children, unsigned first, VoxelNeighbours& neighbours)
+add (const ChildrenAround& children, unsigned first, VoxelNeighbors& neighbors)
 {
   const std::uint64_t places = children.places >> first & all_around;
   std::array<std::uint32_t, 27> found;
   std::size_t number = 0;
   for (std::uint64_t left = places; left != 0; left &= left - 1)
     found[number++] = children.voxels[first + lowestBit (left)];
-  neighbours.add (found.data(), number, places);
+  neighbors.add (found.data(), number, places);
 }
 
-// Found among the children of their parents' neighbours.
-VoxelNeighbours
-neighboursBelow (const std::vector<MortonCode>& codes,
-                 const std::vector<std::uint32_t>& parents,
-                 const VoxelNeighbours& around_parents,
-                 unsigned threads)
+// Found among the children of their parents' neighbors.
+VoxelNeighbors
+neighborsBelow (const std::vector<MortonCode>& codes,
+                const std::vector<std::uint32_t>& parents,
+                const VoxelNeighbors& around_parents,
+                unsigned threads)
 {
   const std::vector<std::uint32_t> first_child =
       firstChildren (parents, around_parents.size());
   const auto pieces = parallelPieces (
       threads, around_parents.size(), parents_per_piece, [&] (auto begin, auto end) {
-        VoxelNeighbours piece;
+        VoxelNeighbors piece;
         for (std::size_t p = begin; p < end; ++p) {
           if (first_child[p] == first_child[p + 1])
             continue;
@@ -141,38 +140,38 @@ neighboursBelow (const std::vector<MortonCode>& codes,
         }
         return piece;
       });
-  VoxelNeighbours neighbours;
-  for (const VoxelNeighbours& piece : pieces)
-    neighbours.append (piece);
-  return neighbours;
+  VoxelNeighbors neighbors;
+  for (const VoxelNeighbors& piece : pieces)
+    neighbors.append (piece);
+  return neighbors;
 }
 
 } // namespace
 
 void
-VoxelNeighbours::append (const VoxelNeighbours& other)
+VoxelNeighbors::append (const VoxelNeighbors& other)
 {
-  const auto before = static_cast<std::uint32_t> (neighbours_.size());
-  neighbours_.insert (
-      neighbours_.end(), other.neighbours_.begin(), other.neighbours_.end());
+  const auto before = static_cast<std::uint32_t> (neighbors_.size());
+  neighbors_.insert (
+      neighbors_.end(), other.neighbors_.begin(), other.neighbors_.end());
   for (std::size_t i = 1; i < other.begin_.size(); ++i)
     begin_.push_back (before + other.begin_[i]);
   places_.insert (places_.end(), other.places_.begin(), other.places_.end());
 }
 
-VoxelNeighbours
-neighboursOf (const std::vector<MortonCode>& codes, unsigned threads)
+VoxelNeighbors
+neighborsOf (const std::vector<MortonCode>& codes, unsigned threads)
 {
-  VoxelNeighbours neighbours;
+  VoxelNeighbors neighbors;
   if (codes.size() == 1) {
     const std::uint32_t itself = 0;
-    neighbours.add (&itself, 1, middle);
+    neighbors.add (&itself, 1, middle);
   }
   if (codes.size() < 2)
-    return neighbours;
+    return neighbors;
   std::vector<MortonCode> codes_above;
   const std::vector<std::uint32_t> parents = parentsOf (codes, codes_above);
-  return neighboursBelow (codes, parents, neighboursOf (codes_above, threads), threads);
+  return neighborsBelow (codes, parents, neighborsOf (codes_above, threads), threads);
 }
 
 } // namespace pcl_ops::internal
