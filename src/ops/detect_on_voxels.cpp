@@ -37,7 +37,8 @@ orient (const VoxelGrid& grid,
         const Parameters& parameters,
         const Labels& plane_of_voxel)
 {
-  // Small models have no more points around a voxel.
+  // Small CAD models have no more points around a voxel; constants.csv has both
+  // factors.
   constexpr double share_of_k = 0.5;
   const SurfelParameters& surfels = parameters.surfels;
   const double least_points =
@@ -154,7 +155,6 @@ labelSparsePoints (const Points& points,
                    StageDurations& durations,
                    AssignedPoints& assigned)
 {
-  // k: points for a normal; twice as many tell its noise, too.
   constexpr double neighborhoods = 2.0;
   // Voxels of a given size do not change with the points.
   if (parameters.surfels.voxel_size)

@@ -39,7 +39,7 @@ pointsIn (const std::vector<char>& is_sparse, const VoxelGrid& grid)
 }
 
 // Whether points do not tell a plane from a mist: they scatter farther than most points
-// of the cloud do, and as far as from each other.
+// of the cloud do, and a quarter as far or more as they are from each other.
 bool
 isMist (const Moments& moments, double squared_noise)
 {

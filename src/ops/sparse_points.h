@@ -25,8 +25,8 @@ sparsePoints (const VoxelGrid& grid,
               double least_points);
 
 /** \brief Takes planes from sparse points that scatter far more than those of the dense
- * ones, and as far as they are from each other: voxels as large as sparse points need
- * make a plane of any mist.
+ * ones, and a quarter as far or more as they are from each other: voxels as large as
+ * sparse points need make a plane of any mist.
  * \param[in] dense moments of the planes of dense points
  * \param[in] threads number of threads; 0: all. The result does not depend on it
  * \param[in,out] sparse points with their planes; moments of those rejected are empty
