@@ -101,15 +101,15 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
     /** \brief The same of the voxels of half the edge, the last to be looked at. */
     double max_thickness = 0.3;
     /** \brief A plane goes into a larger neighbor if its points are no farther from it
-     * than this, in units of their noise; 1.8 times as far if the larger is as noisy.
+     * than this, in units of the noise of both.
      */
-    double absorption_noise_factor = 2.2;
+    double absorption_noise_factor = 3.5;
     /** \brief Largest distance of a point to its plane in units of the noise there. */
     double assignment_noise_factor = 5.0;
   };
 
   /** \brief theta_h is not given: what is near enough to a plane follows the measured
-   * noise, up to two voxels. */
+   * noise. */
   OrientedPointSamplingParameters() { distance_threshold.reset(); }
 
   Sampling sampling = Sampling::Surfels;

@@ -72,14 +72,12 @@ bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit)
 {
   Bending bending;
   constexpr std::size_t fewest = 8;
-  constexpr double smallest_voxels_of_noise = 0.01;
   if (voxels.size() < fewest)
     return bending;
   const std::vector<Moments>& moments = grid.moments;
   const Moments all = momentsOf (grid, voxels);
   const PatchAxes axes = axesOf (all, fit.plane);
   Equations equations;
-  double within = 0.0;
   for (const std::uint32_t voxel : voxels) {
     const Eigen::Vector3d offset = moments[voxel].centroid() - fit.centroid;
     const double height = fit.plane.normal.dot (offset);
@@ -87,10 +85,6 @@ bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit)
                    axes.u.dot (offset) / axes.half_u,
                    axes.v.dot (offset) / axes.half_v,
                    height);
-    within +=
-        moments[voxel].count *
-        std::max (0.0,
-                  meanSquaredDistance (moments[voxel], fit.plane) - height * height);
   }
   const auto number = static_cast<double> (voxels.size());
   const double flat = equations.left<3>();
@@ -107,8 +101,6 @@ bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit)
   bending.amplitude = std::abs (bends.eigenvalues()[largest]);
   bending.half_extent =
       1.0 / std::hypot (direction[0] / axes.half_u, direction[1] / axes.half_v);
-  bending.noise = std::max (std::sqrt (within / all.count),
-                            smallest_voxels_of_noise * grid.voxel_size);
   return bending;
 }
 
@@ -116,10 +108,9 @@ bool
 isCurved (const Bending& bending)
 {
   constexpr double smallest_share = 0.4;
-  constexpr double smallest_excess = 0.03;
+  constexpr double smallest_slope = 0.01;
   return bending.explained > smallest_share &&
-         bending.amplitude * bending.amplitude >
-             smallest_excess * bending.half_extent * bending.noise;
+         bending.amplitude > smallest_slope * bending.half_extent;
 }
 
 } // namespace pcl_ops::internal

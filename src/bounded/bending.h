@@ -18,9 +18,6 @@ struct Bending {
   double amplitude = 0.0;
   /** \brief Half the extent of the patch in the direction it bends in [m]. */
   double half_extent = 0.0;
-  /** \brief Rms distance of the points from their voxel's mean height, at least a
-   * hundredth of a voxel [m]. */
-  double noise = 0.0;
 };
 
 /** \brief Least squares of the mean heights of voxels above a plane by 1, u, v, u^2, u
@@ -31,8 +28,7 @@ Bending
 bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit);
 
 /** \brief Whether a patch is part of a curved surface: the bending explains it, and its
- * slope (amplitude over half extent) times its noises (amplitude over noise) is more
- * than a sensor bends a wall by. */
+ * slope (amplitude over half extent) is more than a sensor bends a wall by. */
 bool
 isCurved (const Bending& bending);
 

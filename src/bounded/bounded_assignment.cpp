@@ -7,6 +7,7 @@
 #include "geometry/float_plane.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace pcl_ops::internal {
 
@@ -127,7 +128,8 @@ assignToBoundedPlanes (const Coordinates& points,
                        const std::vector<char>& is_left_out,
                        AssignedPoints& assigned)
 {
-  const double limit = distanceLimit (grid, distance_threshold);
+  const double limit =
+      distance_threshold.value_or (std::numeric_limits<double>::infinity());
   const std::vector<Candidate> candidates =
       candidatesOf (planes, smallestBand (grid, limit), limit, noise_factor);
   const Assignment assignment{points,

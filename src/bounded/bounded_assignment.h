@@ -15,7 +15,7 @@ namespace pcl_ops::internal {
  * \param[in] order their numbers, voxel after voxel
  * \param[in] grid voxels
  * \param[in] planes on these voxels, with their noise
- * \param[in] distance_threshold theta_h: largest distance [m]; none: two voxels
+ * \param[in] distance_threshold theta_h: largest distance [m], if any
  * \param[in] noise_factor largest distance in units of the plane's noise
  * \param[in] threads number of threads; 0: all. The result does not depend on it
  * \param[in] is_left_out voxels whose points stay as they are; empty: none

@@ -5,7 +5,6 @@
 #include "voxels/voxel_grid.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace pcl_ops::internal {
 
@@ -17,20 +16,12 @@ smallestNoise (const VoxelGrid& grid)
   return share_of_a_voxel * grid.voxel_size;
 }
 
-/** \brief theta_h, or two voxels where there is none [m]. */
-inline double
-distanceLimit (const VoxelGrid& grid, std::optional<double> distance_threshold)
-{
-  constexpr double voxels = 2.0;
-  return distance_threshold.value_or (voxels * grid.voxel_size);
-}
-
 /** \brief Distances below this always count as on the plane [m]. */
 inline double
-smallestBand (const VoxelGrid& grid, double limit)
+smallestBand (const VoxelGrid& grid, double distance_limit)
 {
   constexpr double share_of_a_voxel = 0.2;
-  return std::min (limit, share_of_a_voxel * grid.voxel_size);
+  return std::min (distance_limit, share_of_a_voxel * grid.voxel_size);
 }
 
 } // namespace pcl_ops::internal

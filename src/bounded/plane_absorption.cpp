@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bounded/plane_absorption.h"
 
+#include "geometry/common_noise.h"
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -65,34 +67,18 @@ squaredRms (const Region& region)
 }
 
 // Mean squared distance of a plane's points to a larger plane, over the largest for the
-// two to be one. A little beyond its own noise, it is one with the larger; farther, if
-// the larger is alike: points that err together make bumps of a few times its noise.
-// Never, if it is far noisier and the voxels can tell: grass beside a road.
+// two to be one. Points that err together make bumps of a few times the noise.
 double
-misfitTo (const Region& larger,
-          const Region& smaller,
-          double voxel_size,
-          double noise_factor)
+misfitTo (const Region& larger, const Region& smaller, double noise_factor)
 {
-  constexpr double bump_factor = 1.8;
-  constexpr double squared_ratio = 2.5 * 2.5;
-  constexpr double resolved_voxels = 0.5;
-  const double own = squaredRms (smaller);
-  const double distance = meanSquaredDistance (smaller.moments, larger.plane);
-  const double resolved = resolved_voxels * voxel_size;
-  if (own > squared_ratio * squaredRms (larger) && distance > resolved * resolved)
-    return std::numeric_limits<double>::infinity();
-  const double alike = std::min (squaredRms (larger), squared_ratio * own);
-  return distance / (noise_factor * noise_factor *
-                     std::max (own, bump_factor * bump_factor * alike));
+  return meanSquaredDistance (smaller.moments, larger.plane) /
+         (noise_factor * noise_factor *
+          commonSquaredNoise (squaredRms (larger), squaredRms (smaller)));
 }
 
 // Of the larger neighbors of a plane the one it fits best, or itself.
 std::size_t
-absorberOf (const std::vector<Region>& regions,
-            std::size_t p,
-            double voxel_size,
-            double noise_factor)
+absorberOf (const std::vector<Region>& regions, std::size_t p, double noise_factor)
 {
   const Region& own = regions[p];
   std::size_t absorber = p;
@@ -103,7 +89,7 @@ absorberOf (const std::vector<Region>& regions,
         count > own.moments.count || (count == own.moments.count && other < p);
     if (!is_larger)
       continue;
-    const double misfit = misfitTo (regions[other], own, voxel_size, noise_factor);
+    const double misfit = misfitTo (regions[other], own, noise_factor);
     if (!(misfit < best))
       continue;
     best = misfit;
@@ -152,7 +138,7 @@ absorbPlanes (const VoxelGrid& grid, double noise_factor, const BoundedPlanes& p
   bool has_changed = true;
   while (has_changed) {
     for (std::size_t p = 0; p < regions.size(); ++p)
-      goes_into[p] = absorberOf (regions, p, grid.voxel_size, noise_factor);
+      goes_into[p] = absorberOf (regions, p, noise_factor);
     // A chain of absorptions ends: each goes to a larger one.
     for (std::size_t& to : goes_into)
       while (goes_into[to] != to)

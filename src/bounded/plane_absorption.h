@@ -7,7 +7,7 @@
 namespace pcl_ops::internal {
 
 /** \brief Finds planes that go into a larger neighbor: their points are no farther from
- * it than a multiple of their noise, or about twice that if the larger is as noisy.
+ * it than a multiple of the noise of both.
  * \param[in] grid the voxels
  * \param[in] noise_factor that multiple
  * \param[in] planes with their noise

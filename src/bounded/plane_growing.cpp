@@ -7,6 +7,7 @@
 #include "voxels/voxel_traversal.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace pcl_ops::internal {
 
@@ -75,7 +76,8 @@ growPlanes (const VoxelGrid& grid,
             unsigned threads,
             BoundedPlanes& planes)
 {
-  const double limit = distanceLimit (grid, distance_threshold);
+  const double limit =
+      distance_threshold.value_or (std::numeric_limits<double>::infinity());
   std::vector<double> limits;
   for (const double noise : planes.noise)
     limits.push_back (std::min (noises_of_a_voxel * noise, limit));

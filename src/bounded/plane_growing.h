@@ -16,7 +16,7 @@ constexpr double noises_of_a_voxel = 3.0;
  * that of the planes next to it which its points are nearest to, in units of the
  * plane's noise; up to \ref noises_of_a_voxel.
  * \param[in] grid the voxels
- * \param[in] distance_threshold theta_h: largest rms distance [m]; none: two voxels
+ * \param[in] distance_threshold theta_h: largest rms distance [m], if any
  * \param[in] threads number of threads; 0: all. The result does not depend on it
  * \param[in,out] planes with their noise; refitted to their voxels */
 void

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/common_noise.h"
 #include <pcl_ops/plane_merging.h>
 
 #include <algorithm>
@@ -38,23 +39,19 @@ groupsWithAPlane (const std::vector<Moments>& planes)
   return groups;
 }
 
-// Whether two planes are about as noisy as each other, and the noise explains how far
-// the smaller one's points are from the larger plane. Neither plane is extrapolated to
-// the other's centroid. The ratio keeps a thick plane through a bush from taking a
-// clean ground.
+// Whether the noise of both explains how far the smaller plane's points are from the
+// larger plane. Neither plane is extrapolated to the other's centroid.
 bool
 agreeWithinNoise (const Group& larger, const Group& smaller, double noise_factor)
 {
-  constexpr double squared_ratio = 6.0 * 6.0;
   // Of the rounding of coordinates, where there is no noise.
   constexpr double squared_rounding = 1e-12;
   const double rounding = squared_rounding * larger.fit.variances[2];
-  const double first = larger.fit.variances[0] + rounding;
-  const double second = smaller.fit.variances[0] + rounding;
-  const double noisier = std::max (first, second);
-  return noisier <= squared_ratio * std::min (first, second) &&
-         meanSquaredDistance (smaller.moments, larger.fit.plane) <
-             noise_factor * noise_factor * noisier;
+  const auto [cleaner, noisier] =
+      std::minmax (larger.fit.variances[0], smaller.fit.variances[0]);
+  return meanSquaredDistance (smaller.moments, larger.fit.plane) <
+         noise_factor * noise_factor *
+             commonSquaredNoise (noisier + rounding, cleaner + rounding);
 }
 
 bool

@@ -98,29 +98,12 @@ TEST (Bending, IsAsFarAsTheSurfaceBends)
   EXPECT_NEAR (bending.half_extent, 50_cm, 2_cm);
 }
 
-TEST (Bending, KnowsTheNoiseWithinVoxels)
-{
-  const Bending bending = bendingOfAll (gridOver (50_cm, 1_cm, barrel));
-  const double noise = 1_cm / std::sqrt (3.0);
-  EXPECT_GT (bending.noise, 0.9 * noise);
-  EXPECT_LT (bending.noise, 2.0 * noise) << "a voxel of the barrel slopes, too";
-}
-
 TEST (Bending, OfASlightlyBowedWallIsNoCurvature)
 {
   const Bending exact = bendingOfAll (gridOver (2_m, 0.0, bowedWall));
   EXPECT_GT (exact.explained, 90_percent) << "it is bowed all the same";
   EXPECT_FALSE (isCurved (exact));
   EXPECT_FALSE (isCurved (bendingOfAll (gridOver (2_m, 1_cm, bowedWall))));
-}
-
-TEST (Bending, ThatNoiseMakesUpIsNoCurvature)
-{
-  // The same bend, once every point may be ten times as far off as it bends.
-  Bending bending = bendingOfAll (gridOver (50_cm, 0.0, barrel));
-  ASSERT_TRUE (isCurved (bending));
-  bending.noise = 10.0 * bending.amplitude;
-  EXPECT_FALSE (isCurved (bending));
 }
 
 TEST (Bending, IsOfEightVoxelsOrMore)

@@ -56,8 +56,6 @@ TEST (Noise, FloorsFollowTheVoxelSize)
   VoxelGrid grid;
   grid.voxel_size = 10_cm;
   EXPECT_DOUBLE_EQ (smallestNoise (grid), 3_mm);
-  EXPECT_DOUBLE_EQ (distanceLimit (grid, std::nullopt), 20_cm) << "two voxels";
-  EXPECT_DOUBLE_EQ (distanceLimit (grid, 3_cm), 3_cm) << "theta_h";
   EXPECT_DOUBLE_EQ (smallestBand (grid, 1_m), 2_cm);
   EXPECT_DOUBLE_EQ (smallestBand (grid, 1_cm), 1_cm) << "never above theta_h";
 }

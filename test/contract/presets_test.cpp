@@ -35,7 +35,7 @@ expectDefaults (const OrientedPointSamplingParameters::Surfels& surfels)
   EXPECT_DOUBLE_EQ (surfels.angle_threshold, 30_deg);
   EXPECT_EQ (surfels.sure_thickness, 0.24);
   EXPECT_EQ (surfels.max_thickness, 0.3);
-  EXPECT_EQ (surfels.absorption_noise_factor, 2.2);
+  EXPECT_EQ (surfels.absorption_noise_factor, 3.5);
   EXPECT_EQ (surfels.assignment_noise_factor, 5.0);
 }
 

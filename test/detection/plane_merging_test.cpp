@@ -135,13 +135,14 @@ TEST (Merge, AllowsNoisyPlanesTheDistanceTheirNoiseExplains)
 
 TEST (Merge, ByNoiseKeepsAThickPlaneFromTakingACleanOne)
 {
-  const Moments clean = noisySquare ({2, 0, 0}, 1_cm);
-  EXPECT_EQ (
-      mergePlanes ({noisySquare ({0, 0, 0}, 8_cm), clean}, byNoise (2.0)).fits.size(),
-      2u);
-  EXPECT_EQ (
-      mergePlanes ({noisySquare ({0, 0, 0}, 4_cm), clean}, byNoise (2.0)).fits.size(),
-      1u);
+  // Of 9 cm of noise a plane with 1 cm may count on 6 cm.
+  const Moments thick = noisySquare ({0, 0, 0}, 9_cm);
+  const auto planes = [&] (double noise) {
+    return mergePlanes ({thick, noisySquare ({2, 0, 15_cm}, noise)}, byNoise (2.0))
+        .fits.size();
+  };
+  EXPECT_EQ (planes (1_cm), 2u);
+  EXPECT_EQ (planes (2_cm), 1u);
 }
 
 TEST (Merge, ByNoiseCarriesNoSmallPlaneOnToTheCentroidOfALargeOne)
