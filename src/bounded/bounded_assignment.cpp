@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "bounded/noise_floors.h"
 #include "geometry/float_plane.h"
+#include "geometry/noise_ratios.h"
 
 #include <algorithm>
 #include <limits>
@@ -21,6 +22,8 @@ struct Candidate {
   FloatPlane surface;
   /** \brief Largest distance of a point [m]. */
   float band;
+  /** \brief Largest rms distance of a voxel that is as a whole on the plane [m]. */
+  double noise_of_voxels;
 };
 
 // The planes of the voxels around one, each once.
@@ -66,13 +69,12 @@ struct Assignment {
     return nearest;
   }
 
-  /** \brief Whether the points of a voxel lie so well within the band of a plane that
-   * none needs to be looked at. */
+  /** \brief Whether the points of a voxel are on a plane as noise is, so that none
+   * needs to be looked at. */
   bool
   isAllOn (std::size_t plane, std::size_t voxel) const
   {
-    constexpr double share_of_the_band = 0.5;
-    const double limit = share_of_the_band * candidates[plane].band;
+    const double limit = candidates[plane].noise_of_voxels;
     return !every_point_counts &&
            meanSquaredDistance (grid.moments[voxel], planes.planes[plane]) <
                limit * limit;
@@ -110,8 +112,9 @@ candidatesOf (const BoundedPlanes& planes,
   for (std::size_t p = 0; p < planes.size(); ++p)
     candidates.push_back (
         {FloatPlane (planes.planes[p]),
-         static_cast<float> (std::clamp (
-             noise_factor * planes.noise[p], smallest_band, largest_band))});
+         static_cast<float> (
+             std::clamp (noise_factor * planes.noise[p], smallest_band, largest_band)),
+         like_noise * planes.noise[p]});
   return candidates;
 }
 

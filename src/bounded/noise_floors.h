@@ -8,6 +8,9 @@
 
 namespace pcl_ops::internal {
 
+/** \brief A voxel of fewer points does not tell the noise of its points. */
+inline constexpr double fewest_points_of_noise = 16.0;
+
 /** \brief No noise is measured more finely than this [m]. */
 inline double
 smallestNoise (const VoxelGrid& grid)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bounded/plane_absorption.h"
 
-#include "geometry/common_noise.h"
+#include "geometry/noise_ratios.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/common_noise.h"
+#include "geometry/noise_ratios.h"
 #include <pcl_ops/plane_merging.h>
 
 #include <algorithm>

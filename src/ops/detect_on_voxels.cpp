@@ -7,6 +7,7 @@
 #include "bounded/plane_absorption.h"
 #include "bounded/plane_growing.h"
 #include "bounded/refinement.h"
+#include "geometry/noise_ratios.h"
 #include "ops/sparse_points.h"
 #include "ops/surfel_extraction.h"
 #include "ops/voxel_choice.h"
@@ -20,6 +21,10 @@ namespace pcl_ops::internal {
 namespace {
 
 using Parameters = OrientedPointSamplingParameters;
+
+// The neighborhood of k points may hold half as many: small CAD models have no more
+// around a voxel. A place with fewer than twice as many is sparse.
+constexpr double times_k = 2.0;
 
 VoxelLevels
 divide (const Points& points, const Parameters& parameters)
@@ -37,13 +42,9 @@ orient (const VoxelGrid& grid,
         const Parameters& parameters,
         const Labels& plane_of_voxel)
 {
-  // Small CAD models have no more points around a voxel; constants.csv has both
-  // factors.
-  constexpr double share_of_k = 0.5;
   const SurfelParameters& surfels = parameters.surfels;
-  const double least_points =
-      std::max (share_of_k * parameters.k,
-                surfels.min_average_voxels * meanPointsPerVoxel (grid));
+  const double least_points = std::max (
+      parameters.k / times_k, surfels.min_average_voxels * meanPointsPerVoxel (grid));
   return findSurfels (
       grid, surfels.resolutions, least_points, parameters.threads, plane_of_voxel);
 }
@@ -155,14 +156,11 @@ labelSparsePoints (const Points& points,
                    StageDurations& durations,
                    AssignedPoints& assigned)
 {
-  constexpr double neighborhoods = 2.0;
   // Voxels of a given size do not change with the points.
   if (parameters.surfels.voxel_size)
     return;
-  const Indices numbers = sparsePoints (voxels.coarse.grid,
-                                        voxels.finest.order,
-                                        assigned.labels,
-                                        neighborhoods * parameters.k);
+  const Indices numbers = sparsePoints (
+      voxels.coarse.grid, voxels.finest.order, assigned.labels, times_k * parameters.k);
   if (numbers.empty())
     return;
   Points sparse;
@@ -232,9 +230,8 @@ coarsestVoxel (const SurfelParameters& surfels)
 MergingParameters
 mergingByNoise (MergingParameters merging)
 {
-  constexpr double usual_noise_factor = 1.5;
   merging.distance_threshold = merging.distance_threshold.value_or (0.0);
-  merging.noise_factor = merging.noise_factor.value_or (usual_noise_factor);
+  merging.noise_factor = merging.noise_factor.value_or (like_noise);
   return merging;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/sparse_points.h"
 
+#include "geometry/noise_ratios.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,14 +45,13 @@ pointsIn (const std::vector<char>& is_sparse, const VoxelGrid& grid)
 bool
 isMist (const Moments& moments, double squared_noise)
 {
-  constexpr double noises = 6.0;
   constexpr double spacings = 0.25;
   const std::optional<PlaneFit> fit = fitPlane (moments);
   if (!fit)
     return false;
   // Of a square that is evenly covered the edge is sqrt (12) deviations.
   const double area = 12.0 * std::sqrt (fit->variances[1] * fit->variances[2]);
-  return fit->variances[0] > std::max (noises * noises * squared_noise,
+  return fit->variances[0] > std::max (other_noise * other_noise * squared_noise,
                                        spacings * spacings * area / moments.count);
 }
 

@@ -4,6 +4,7 @@
 
 #include "bounded/bending.h"
 #include "bounded/noise_floors.h"
+#include "geometry/noise_ratios.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,13 +88,12 @@ private:
         double noise_next_to_it,
         SurfelPatch& patch)
   {
-    constexpr double largest_rise = 1.5;
     if (asked_in_[voxel] == round_ || !is_open_[voxel] ||
         std::abs (plane.normal.dot (surfels_[voxel]->plane.normal)) < smallest_cosine_)
       return;
     asked_in_[voxel] = round_;
     const double noise =
-        std::max (std::min (surfels_[voxel]->noise, largest_rise * noise_next_to_it),
+        std::max (std::min (surfels_[voxel]->noise, like_noise * noise_next_to_it),
                   smallestNoise (grid_));
     if (meanSquaredDistance (grid_.moments[voxel], plane) >
         squared_factor_ * noise * noise)

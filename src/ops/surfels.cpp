@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "bounded/noise_floors.h"
+#include "geometry/noise_ratios.h"
 #include "geometry/principal_axes.h"
 #include "voxels/voxel_traversal.h"
 
@@ -27,10 +28,6 @@ normalOf (const Moments& surroundings, const PrincipalAxes& axes)
 // Thickness of a neighborhood over its width up to which it is flat enough to look no
 // further.
 constexpr double flat_enough = 0.2;
-
-// A voxel may take the normal of a neighboring voxel if its points' rms distance to
-// that plane is below this many times the noise there.
-constexpr double borrowed_noise_factor = 1.5;
 
 // One resolution: a grid and the plane around each of its voxels.
 struct Level {
@@ -66,14 +63,13 @@ momentsAround (const VoxelGrid& grid, std::size_t voxel)
   return surroundings;
 }
 
-// Whether points cover a surface: what is much narrower than a voxel is a line, and has
-// a plane along any direction.
+// Whether points cover a surface: what is narrower than a voxel is a line, and has a
+// plane along any direction.
 bool
 isSurface (const PrincipalAxes& axes, double voxel_size)
 {
-  constexpr double least_voxels_wide = 0.75;
-  const double least_deviation = least_voxels_wide * voxel_size / std::sqrt (12.0);
-  return axes.values[1] >= least_deviation * least_deviation;
+  // Of a strip that is evenly covered the width is sqrt (12) deviations.
+  return 12.0 * axes.values[1] >= voxel_size * voxel_size;
 }
 
 // The normals of a range of voxels.
@@ -159,8 +155,7 @@ public:
     if (level.thickness[candidate] >= thickness_)
       return;
     const Surfel& normal = *level.normals[candidate];
-    const double limit =
-        borrowed_noise_factor * std::max (normal.noise, smallest_noise_);
+    const double limit = like_noise * std::max (normal.noise, smallest_noise_);
     if (meanSquaredDistance (voxel_, normal.plane) >= limit * limit)
       return;
     best_ = &normal;
@@ -225,14 +220,13 @@ coarserLevel (const VoxelGrid& finest, const Level& last, unsigned threads)
 bool
 hidesSurfaces (const Surfel& surfel, const Moments& voxel, double smallest_noise)
 {
-  constexpr double fewest_points = 16.0;
-  constexpr double noises = 6.0;
-  if (voxel.count < fewest_points || surfel.noise <= noises * smallest_noise)
+  if (voxel.count < fewest_points_of_noise ||
+      surfel.noise <= other_noise * smallest_noise)
     return false;
   // Of a plane through the voxel's points, which takes three of them to fit.
   const double own =
       principalAxes (voxel.covariance()).values[0] * voxel.count / (voxel.count - 3.0);
-  return surfel.noise * surfel.noise > noises * noises * own;
+  return surfel.noise * surfel.noise > other_noise * other_noise * own;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/voxel_choice.h"
 
+#include "bounded/noise_floors.h"
 #include "geometry/principal_axes.h"
 #include "voxels/voxel_size.h"
 #include <pcl_ops/oriented_point_sampling.h>
@@ -44,11 +45,10 @@ smallestVoxel (const Points& points)
 double
 noiseOfFlatVoxels (const VoxelGrid& grid)
 {
-  constexpr double fewest_points = 16.0;
   constexpr double smallest_share = 1e-4;
   std::vector<float> noise;
   for (const Moments& voxel : grid.moments)
-    if (voxel.count >= fewest_points) {
+    if (voxel.count >= fewest_points_of_noise) {
       const double own = std::sqrt (principalAxes (voxel.covariance()).values[0]);
       if (own > smallest_share * grid.voxel_size)
         noise.push_back (static_cast<float> (own));
