@@ -4,6 +4,7 @@
 
 #include <cli/errors.h>
 #include <cli/program.h>
+#include <support/text.h>
 
 #include <chrono>
 #include <csignal>
@@ -23,7 +24,12 @@ TEST (Program, MapsWhatIsThrownToExitCodesAndOneLine)
     const int code = runProgram ("detect", body);
     return std::to_string (code) + " " + testing::internal::GetCapturedStderr();
   };
+  const auto warned = [] {
+    warn ("a.pcd: is\nodd");
+    return ExitCode::done;
+  };
   EXPECT_EQ (run ([] { return ExitCode::done; }), "0 ");
+  EXPECT_EQ (run (warned), "0 detect: a.pcd: is odd\n") << "the program goes on";
   EXPECT_EQ (run ([] () -> int { throw UsageError ("--k", "is odd"); }),
              "2 detect: --k: is odd\n");
   EXPECT_EQ (run ([] () -> int { throw WorkError ("a.pcd", "is\nempty"); }),
@@ -34,15 +40,10 @@ TEST (Program, MapsWhatIsThrownToExitCodesAndOneLine)
 
 TEST (Program, SaysWhatItNeedsMoreMemoryFor)
 {
-  const auto complaint = [] (const std::function<int()>& work) -> std::string {
-    try {
-      return std::to_string (inMemory ("a.pcd", "give less", work));
-    }
-    catch (const WorkError& error) {
-      return error.what();
-    }
+  const auto complaint = [] (const std::function<int()>& work) {
+    return complaintOf ([&] { inMemory ("a.pcd", "give less", work); });
   };
-  EXPECT_EQ (complaint ([] { return 7; }), "7");
+  EXPECT_EQ (inMemory ("a.pcd", "give less", [] { return 7; }), 7);
   EXPECT_EQ (complaint ([] () -> int { throw std::bad_alloc(); }),
              "a.pcd: needs more memory than there is; give less");
   EXPECT_EQ (complaint ([] () -> int { throw std::length_error ("vector"); }),
@@ -51,46 +52,17 @@ TEST (Program, SaysWhatItNeedsMoreMemoryFor)
              "b.pcd: is odd");
 }
 
-TEST (Program, WarnsInALineWithItsNameAndGoesOn)
+TEST (Program, IsInterruptedOnceByTwoSignalsAtOnceAndEndedByALaterOne)
 {
-  testing::internal::CaptureStderr();
-  EXPECT_EQ (runProgram ("detect",
-                         [] {
-                           warn ("a.pcd: is\nodd");
-                           return ExitCode::done;
-                         }),
-             0);
-  EXPECT_EQ (testing::internal::GetCapturedStderr(), "detect: a.pcd: is odd\n");
-}
-
-namespace {
-
-/** \brief Each test signals a process of its own. */
-class Interruption : public testing::Test {
-protected:
-  void
-  SetUp () override
-  {
-    testing::FLAGS_gtest_death_test_style = "threadsafe";
-  }
-};
-
-} // namespace
-
-TEST_F (Interruption, IsOneForTwoSignalsAtOnce)
-{
-  // As timeout sends them.
-  const auto interrupted_twice = [] {
+  // Each in a process of its own.
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  const auto interrupted_twice = [] { // as timeout sends them
     noteInterruptions();
     std::raise (SIGTERM);
     std::raise (SIGTERM);
     std::exit (isInterrupted() ? 0 : 1);
   };
   EXPECT_EXIT (interrupted_twice(), testing::ExitedWithCode (0), "");
-}
-
-TEST_F (Interruption, ThatIsRepeatedEndsTheProgramAsEver)
-{
   const auto interrupted_again = [] {
     noteInterruptions();
     std::raise (SIGINT);
@@ -99,15 +71,11 @@ TEST_F (Interruption, ThatIsRepeatedEndsTheProgramAsEver)
     std::exit (0);
   };
   EXPECT_EXIT (interrupted_again(), testing::KilledBySignal (SIGINT), "");
-}
-
-TEST_F (Interruption, EndsAsTheSignalWouldHave)
-{
-  const auto interrupted = [] {
+  const auto ended = [] {
     noteInterruptions();
     std::raise (SIGTERM);
     endAsInterrupted();
     std::exit (0);
   };
-  EXPECT_EXIT (interrupted(), testing::KilledBySignal (SIGTERM), "");
+  EXPECT_EXIT (ended(), testing::KilledBySignal (SIGTERM), "");
 }

@@ -6,6 +6,7 @@
 #include <support/text.h>
 
 #include <atomic>
+#include <chrono>
 #include <future>
 #include <sstream>
 #include <stdexcept>
@@ -44,47 +45,37 @@ private:
   std::promise<void> written_;
 };
 
+constexpr std::chrono::milliseconds seldom = std::chrono::seconds (10), always{0};
+const std::string erased = "\r\033[K";
+
+/** \brief What the steps of a run of two say. */
+std::string
+saidAfter (int steps, ProgressStyle style, std::chrono::milliseconds between = seldom)
+{
+  std::ostringstream stream;
+  {
+    Progress progress (2, stream, style, "tiles", between);
+    for (int i = 0; i < steps; ++i)
+      progress.step();
+    progress.note ("a.pcd: done");
+  }
+  return stream.str();
+}
+
 } // namespace
 
-TEST (Progress, EstimatesTheTimeLeftOnATerminal)
+TEST (Progress, SaysHowFarItIsInAWayThatFitsTheStream)
 {
-  std::ostringstream stream;
-  Progress progress (4, stream, ProgressStyle::Bar);
-  progress.step();
-  EXPECT_NE (stream.str().find ("1 of 4 clouds, 25 %, 0 s left"), std::string::npos);
-}
-
-TEST (Progress, DrawsTheBarAnewBelowALine)
-{
-  std::ostringstream terminal;
-  Progress progress (2, terminal, ProgressStyle::Bar);
-  progress.step();
-  progress.note ("a.pcd: done");
-  const std::string text = terminal.str();
-  const std::size_t line = text.find ("\r\033[Ka.pcd: done\n");
-  ASSERT_NE (line, std::string::npos) << text;
-  EXPECT_TRUE (contains (text.substr (line), "1 of 2 clouds"));
-}
-
-TEST (Progress, LeavesNoBarWhereTheRunEndsBefore)
-{
-  std::ostringstream terminal;
-  {
-    Progress progress (2, terminal, ProgressStyle::Bar);
-    progress.step();
-  }
-  const std::string text = terminal.str(), erased = "\r\033[K";
-  EXPECT_EQ (text.substr (text.size() - erased.size()), erased);
-}
-
-TEST (Progress, SaysNothingWhereNoneIsAskedFor)
-{
-  std::ostringstream stream;
-  Progress progress (2, stream, ProgressStyle::None);
-  progress.step();
-  progress.step();
-  progress.erase();
-  EXPECT_EQ (stream.str(), "");
+  using Style = ProgressStyle;
+  const std::string note = "a.pcd: done\n", half = "1 of 2 tiles, 50 %, 0 s left",
+                    bar = erased + "[" + std::string (15, '=') + std::string (15, ' ') +
+                          "] " + half;
+  EXPECT_EQ (saidAfter (1, Style::Bar), bar + erased + note + bar + erased)
+      << "drawn anew below a line, and none is left where the run ends before";
+  EXPECT_EQ (saidAfter (2, Style::Lines, always),
+             half + "\n2 of 2 tiles, 100 %, took 0 s\n" + note);
+  EXPECT_EQ (saidAfter (2, Style::Lines), note) << "soon done";
+  EXPECT_EQ (saidAfter (2, Style::None, always), note);
 }
 
 TEST (StageLines, TellTheStageOnceInAWhile)
@@ -103,26 +94,6 @@ TEST (StageLines, AreSilentWhereAllIsDoneBefore)
   lines.begin ("a.pcd: reading");
   lines.end();
   EXPECT_EQ (terminal.str(), "");
-}
-
-TEST (Progress, WritesALineOnceInAWhile)
-{
-  std::ostringstream file;
-  Progress progress (
-      2, file, ProgressStyle::Lines, "tiles", std::chrono::milliseconds (0));
-  progress.step();
-  progress.step();
-  EXPECT_EQ (file.str(),
-             "1 of 2 tiles, 50 %, 0 s left\n2 of 2 tiles, 100 %, took 0 s\n");
-}
-
-TEST (Progress, WritesNoLineOfWhatIsDoneSoon)
-{
-  std::ostringstream file;
-  Progress progress (2, file, ProgressStyle::Lines);
-  progress.step();
-  progress.step();
-  EXPECT_EQ (file.str(), "");
 }
 
 TEST (Progress, SaysDurationsAsAPersonDoes)

@@ -11,25 +11,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void
-saveScene (const std::string& file, int side = points_of_side)
-{
-  pcl::io::savePCDFileBinary (file, floorAndWall (side));
-}
-
-void
-saveText (const std::string& file)
-{
-  std::ofstream text (file);
-  for (int i = 0; i < 2500; ++i)
-    text << 500000 + i / 50 << ' ' << 5400000 + i % 50 << " 100\n";
-}
-
 /** \brief A program that writes one file of its many, and what is known of that. */
 struct Output {
-  std::string name, program;
-  /** \brief OUT stands for the name of the output. */
-  std::string arguments;
+  /** \brief The command without "pcl_ops_"; OUT stands for the name of the output. */
+  std::string name, command;
   /** \brief What OUT stands for. */
   std::string file;
   /** \brief A file that has to be as it was after a failure; empty for \ref file. */
@@ -48,9 +33,16 @@ constexpr int killed = 128 + 9;
 /** \brief A folder in which things fail. */
 class Failing : public ProgramFolder {
 protected:
-  explicit Failing (const Output& output = {})
-  : ProgramFolder (output.program), output_ (output)
-  {}
+  explicit Failing (const Output& output = {}) : ProgramFolder (""), output_ (output)
+  {
+    fs::create_directories (folder_ / "clouds");
+    for (const char* file : {"in.pcd", "clouds/scene.pcd"})
+      pcl::io::savePCDFileBinary (folder_ / file, floorAndWall());
+    folder_.write ("in.las", lasBytes (floorAndWallInLas()));
+    folder_.write ("in.xyz", squareText (points_of_side, 100));
+    folder_.write ("poses.txt", "0 0 0 0 0 0 0 1\n");
+    protect();
+  }
 
   /** \brief Makes the folder of outputs anew, with the file that a failure has to leave
    * alone. */
@@ -71,13 +63,12 @@ protected:
            const std::string& before = "",
            const std::optional<std::string>& file = {}) const
   {
-    std::string arguments = output_.arguments;
-    arguments.replace (
-        arguments.find ("OUT"), 3, "'" + file.value_or (output_.file) + "'");
+    std::string command = "'" + programs_ + "/pcl_ops_'" + output_.command;
+    command.replace (command.find ("OUT"), 3, "'" + file.value_or (output_.file) + "'");
     const std::string preload =
         trouble.empty() ? "" : "env LD_PRELOAD='" PCL_OPS_FAILING_CALLS "' " + trouble;
-    const std::string script = streams_.write (
-        "run.sh", before + "\n" + preload + " '" + output_.program + "' " + arguments);
+    const std::string script =
+        streams_.write ("run.sh", before + "\n" + preload + " " + command);
     Outcome done = shell ("sh '" + script + "'");
     done.err = ownLines (done.err);
     return done;
@@ -96,9 +87,9 @@ protected:
                  const std::string& culprit,
                  int exit_code = 1) const
   {
-    const std::string start = fs::path (output_.program).filename().string() + ": ";
+    const std::string program = output_.command.substr (0, output_.command.find (' '));
     EXPECT_EQ (done.exit_code, exit_code) << done.err;
-    EXPECT_EQ (done.err.rfind (start, 0), 0u) << done.err;
+    EXPECT_EQ (done.err.rfind ("pcl_ops_" + program + ": ", 0), 0u) << done.err;
     EXPECT_EQ (lines (done.err), 1u) << done.err;
     EXPECT_TRUE (contains (done.err, culprit));
     EXPECT_TRUE (contains (done.err, ";")) << "no fix";
@@ -138,6 +129,8 @@ protected:
   Output output_;
 
 private:
+  const std::string programs_ = fs::path (PCL_OPS_SEGMENT_PROGRAM).parent_path();
+
   std::string
   kept () const
   {
@@ -157,70 +150,57 @@ private:
   }
 };
 
-const std::string segment = PCL_OPS_SEGMENT_PROGRAM, tiles = PCL_OPS_TILES_PROGRAM,
-                  simulate = PCL_OPS_SIMULATE_PROGRAM;
-
 /** \brief Every output of every program that needs no display. */
 std::vector<Output>
 allOutputs ()
 {
   std::vector<Output> outputs = {
-      {"Cloud", segment, "in.pcd OUT", "out/a.pcd"},
-      {"Ply", segment, "in.pcd OUT", "out/a.ply"},
-      {"Las", segment, "in.las OUT", "out/a.las"},
-      {"LasDistances", segment, "in.las OUT --distances", "out/a.las"},
-      {"OfText", segment, "in.xyz OUT", "out/a.pcd"},
-      {"Threads", segment, "in.pcd OUT --threads 4", "out/a.pcd"},
-      {"Rest", segment, "in.pcd --rest OUT", "out/a.pcd"},
-      {"PlyRest", segment, "in.pcd --rest OUT", "out/a.ply"},
-      {"Json", segment, "in.pcd --planes OUT", "out/a.json"},
-      {"GeoJson", segment, "in.pcd --planes OUT", "out/a.geojson"},
-      {"Csv", segment, "in.pcd --planes OUT", "out/a.csv"},
-      {"Picture", segment, "in.pcd --image OUT", "out/a.png"},
-      {"PlyMesh", segment, "in.pcd --mesh OUT", "out/a.ply"},
-      {"VtkMesh", segment, "in.pcd --mesh OUT", "out/a.vtk"},
-      {"PlyEdges", segment, "in.pcd --edges OUT", "out/a.ply"},
-      {"VtkEdges", segment, "in.pcd --edges OUT", "out/a.vtk"},
-      {"JsonEdges", segment, "in.pcd --edges OUT", "out/a.json"},
-      {"Planes", segment, "in.pcd --planes-dir OUT", "out", "out/plane_017_other.pcd"},
+      {"Cloud", "segment in.pcd OUT", "out/a.pcd"},
+      {"Ply", "segment in.pcd OUT", "out/a.ply"},
+      {"Las", "segment in.las OUT", "out/a.las"},
+      {"LasDistances", "segment in.las OUT --distances", "out/a.las"},
+      {"OfText", "segment in.xyz OUT", "out/a.pcd"},
+      {"Threads", "segment in.pcd OUT --threads 4", "out/a.pcd"},
+      {"Rest", "segment in.pcd --rest OUT", "out/a.pcd"},
+      {"PlyRest", "segment in.pcd --rest OUT", "out/a.ply"},
+      {"Json", "segment in.pcd --planes OUT", "out/a.json"},
+      {"GeoJson", "segment in.pcd --planes OUT", "out/a.geojson"},
+      {"Csv", "segment in.pcd --planes OUT", "out/a.csv"},
+      {"Picture", "segment in.pcd --image OUT", "out/a.png"},
+      {"PlyMesh", "segment in.pcd --mesh OUT", "out/a.ply"},
+      {"VtkMesh", "segment in.pcd --mesh OUT", "out/a.vtk"},
+      {"PlyEdges", "segment in.pcd --edges OUT", "out/a.ply"},
+      {"VtkEdges", "segment in.pcd --edges OUT", "out/a.vtk"},
+      {"JsonEdges", "segment in.pcd --edges OUT", "out/a.json"},
+      {"Planes", "segment in.pcd --planes-dir OUT", "out", "out/plane_017_other.pcd"},
       {"PlyPlanes",
-       segment,
-       "in.pcd --format ply --planes-dir OUT",
+       "segment in.pcd --format ply --planes-dir OUT",
        "out",
        "out/plane_017_other.pcd"},
       {"PlyBatch",
-       segment,
-       "in.pcd --format ply --output-dir OUT",
+       "segment in.pcd --format ply --output-dir OUT",
        "out",
        "out/in.json"},
-      {"Batch", segment, "in.pcd --output-dir OUT", "out", "out/in.json"},
+      {"Batch", "segment in.pcd --output-dir OUT", "out", "out/in.json"},
       {"Track",
-       segment,
-       "clouds --output-dir OUT --track --poses poses.txt --jobs 2",
+       "segment clouds --output-dir OUT --track --poses poses.txt --jobs 2",
        "out",
        "out/scene.json"},
       {"Walk",
-       simulate,
-       "OUT --scene walk --frames 2 --width 16 --height 16",
+       "simulate OUT --scene walk --frames 2 --width 16 --height 16",
        "out",
        "out/poses.txt"},
-      {"Tiles", tiles, "in.las --output-dir OUT", "out", "out/planes.json"},
-      {"Town",
-       simulate,
-       "OUT --scene town --points 500",
-       "out",
-       "out/town_001_001.las"},
-      {"Simulated", simulate, "OUT --points 500", "out/a.pcd"}};
+      {"Tiles", "tiles in.las --output-dir OUT", "out", "out/planes.json"},
+      {"Town", "simulate OUT --scene town --points 500", "out", "out/town_001_001.las"},
+      {"Simulated", "simulate OUT --points 500", "out/a.pcd"}};
 #ifdef PCL_OPS_BENCHMARK_PROGRAM
-  const std::string benchmark = PCL_OPS_BENCHMARK_PROGRAM,
-                    measured = "simulated:500 --no-peers --runs 1 --memory-points 500 "
-                               "--scaling-points 500,1000 ";
-  outputs.push_back ({"Numbers", benchmark, measured + "--json OUT", "out/a.json"});
-  outputs.push_back (
-      {"Scaling", benchmark, measured + "--scaling OUT", "out", "out/scaling.csv"});
+  const std::string measured = "benchmark simulated:500 --no-peers --runs 1 "
+                               "--memory-points 500 --scaling-points 500,1000 ";
+  outputs.push_back ({"Numbers", measured + "--json OUT", "out/a.json"});
+  outputs.push_back ({"Scaling", measured + "--scaling OUT", "out", "out/scaling.csv"});
 #endif
   if (pcl_ops::apps::hasLaszip())
-    outputs.push_back ({"Laz", segment, "in.las OUT", "out/a.laz"});
+    outputs.push_back ({"Laz", "segment in.las OUT", "out/a.laz"});
   return outputs;
 }
 
@@ -228,21 +208,15 @@ constexpr int most_writes = 100;
 
 class Failures : public Failing, public testing::WithParamInterface<Output> {
 protected:
-  Failures() : Failing (GetParam())
-  {
-    fs::create_directories (folder_ / "clouds");
-    saveScene (folder_ / "in.pcd");
-    folder_.write ("in.las", lasBytes (floorAndWallInLas()));
-    saveText (folder_ / "in.xyz");
-    saveScene (folder_ / "clouds/scene.pcd");
-    folder_.write ("poses.txt", "0 0 0 0 0 0 0 1\n");
-    protect();
-  }
+  Failures() : Failing (GetParam()) {}
 
-  bool
-  isFolder () const
+  /** \brief A name of so many characters. */
+  static std::string
+  nameOfLength (std::size_t length)
   {
-    return fs::path (GetParam().file).extension().empty();
+    const std::string extension = fs::path (GetParam().file).extension().string();
+    return (extension.empty() ? "" : "out/") +
+           std::string (length - extension.size(), 'n') + extension;
   }
 };
 
@@ -293,24 +267,14 @@ TEST_P (Failures, AFolderThatCannotBeWrittenToIsNamed)
   expectPromise (failing ("READ_ONLY=1"), GetParam().file);
 }
 
-TEST_P (Failures, ANameTooLongIsSaidToBe)
+TEST_P (Failures, ANameIsAsLongAsTheFolderTakesOrSaidToBeTooLong)
 {
-  const std::string name = (isFolder() ? "" : "out/") + std::string (256, 'n') +
-                           fs::path (GetParam().file).extension().string();
+  constexpr std::size_t longest = 255;
+  const std::string name = nameOfLength (longest + 1);
   const Outcome ending = failing ("", "", name);
   expectPromise (ending, name);
   EXPECT_TRUE (contains (ending.err, "too long"));
-}
-
-TEST_P (Failures, ANameAsLongAsTheFolderTakesIsFine)
-{
-  const std::string extension = fs::path (GetParam().file).extension().string();
-  const Outcome ending =
-      failing ("",
-               "",
-               (isFolder() ? "" : "out/") + std::string (255 - extension.size(), 'n') +
-                   extension);
-  EXPECT_EQ (ending.exit_code, 0) << ending.err;
+  EXPECT_EQ (failing ("", "", nameOfLength (longest)).exit_code, 0);
 }
 
 TEST_P (Failures, AnEmptyNameIsWrongUsage)
@@ -328,34 +292,30 @@ TEST_P (Failures, NoThreadIsNoFailure)
 
 TEST_F (Failing, NoThreadKeepsABatchFromItsClouds)
 {
-  output_ = {"", segment, "a.pcd b.pcd --output-dir OUT --jobs 4", "out", "out/kept"};
-  saveScene (folder_ / "a.pcd");
-  saveScene (folder_ / "b.pcd");
+  output_ = {"", "segment in.pcd clouds --output-dir OUT --jobs 4", "out"};
   const Outcome ending = failing ("THREADS_TO_START=0");
   EXPECT_EQ (ending.exit_code, 0) << ending.err;
-  EXPECT_TRUE (fs::exists (folder_ / "out/b.json"));
+  EXPECT_TRUE (fs::exists (folder_ / "out/scene.json"));
 }
 
 TEST_F (Failing, MemoryIsNotTakenForADamagedCloud)
 {
-  output_ = {"", segment, "in.pcd OUT --quiet", "out/a.pcd"};
-  saveScene (folder_ / "in.pcd", 500);
+  output_ = {"", "segment in.pcd OUT --quiet", "out/a.pcd"};
+  pcl::io::savePCDFileBinary (folder_ / "in.pcd", floorAndWall (500));
   protect();
   expectMemoryIsMissed();
 }
 
 TEST_F (Failing, LimitOfTheUserForFilesIsNotTheProgramsEnd)
 {
-  output_ = {"", segment, "in.pcd OUT", "out/a.pcd"};
-  saveScene (folder_ / "in.pcd");
+  output_ = {"", "segment in.pcd OUT", "out/a.pcd"};
   protect();
   expectPromise (failing ("", "ulimit -f 1"), "a.pcd");
 }
 
 TEST_F (Failing, PipeIsSaidToNeedRoomForTemporaryFiles)
 {
-  output_ = {"", segment, "- OUT <in.pcd", "out/a.pcd"};
-  saveScene (folder_ / "in.pcd");
+  output_ = {"", "segment - OUT <in.pcd", "out/a.pcd"};
   protect();
   expectPromise (failing ("FULL_AT_WRITE=1", "export TMPDIR=."), "standard input");
 }

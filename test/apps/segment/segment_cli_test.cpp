@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/io/ply_io.h>
+#include <pcl/common/io.h>
 
 #include "segment_program.h"
 
 #include <cmath>
 #include <sstream>
-#include <utility>
 
 TEST_F (Segment, KeepsFieldsOrderAndSensorPose)
 {
@@ -19,23 +18,8 @@ TEST_F (Segment, KeepsFieldsOrderAndSensorPose)
   for (std::size_t i = 0; i < input.size(); ++i)
     ASSERT_EQ (kept[i].intensity, input[i].intensity);
   EXPECT_TRUE (std::isnan (kept[missing_reading].x));
-  EXPECT_EQ (kept[points_of_plane - 1].getVector3fMap(),
-             input[points_of_plane - 1].getVector3fMap());
+  EXPECT_EQ (kept.back().getVector3fMap(), input.back().getVector3fMap());
   EXPECT_EQ (kept.sensor_origin_, input.sensor_origin_);
-}
-
-TEST_F (Segment, GivesTheSameLabelsForEveryFormatAndNumberOfThreads)
-{
-  const std::vector<std::uint32_t> labels = labelsOf (label ("in.pcd"));
-  const InputCloud cloud = floorAndWall();
-  pcl::io::savePCDFileASCII (folder_ / "ascii.pcd", cloud);
-  pcl::io::savePCDFileBinaryCompressed (folder_ / "compressed.pcd", cloud);
-  // A PLY loses the sensor's pose, which the labels do not depend on.
-  pcl::io::savePLYFileASCII (folder_ / "ascii.ply", cloud);
-  pcl::io::savePLYFileBinary (folder_ / "binary.ply", cloud);
-  for (const char* input : {"ascii.pcd", "compressed.pcd", "ascii.ply", "binary.ply"})
-    EXPECT_EQ (labelsOf (label (input)), labels) << input;
-  EXPECT_EQ (labelsOf (label ("in.pcd", "--threads 4")), labels);
 }
 
 TEST_F (Segment, ReplacesColorsUnlessAskedToKeepThem)
@@ -52,25 +36,40 @@ TEST_F (Segment, ReplacesColorsUnlessAskedToKeepThem)
 
 TEST_F (Segment, WritesPlanesAsJson)
 {
-  const auto json = jsonOf ("in.pcd --planes p.json -threshold 0.02 --up 0,0,2");
+  const auto json = jsonOf ("in.pcd -threshold 0.02 --up 0,0,2");
   EXPECT_EQ (json["points"], 2 * points_of_plane + 1);
   EXPECT_EQ (json["method"], "ops");
   EXPECT_EQ (json["parameters"]["threshold"], 0.02);
+  EXPECT_FALSE (json["parameters"].contains ("up_confidence")) << "nobody asked";
   for (const char* stage :
        {"search", "normals", "extraction", "assignment", "merging", "detection"})
     EXPECT_GE (json["timing_ms"][stage].get<double>(), 0.0) << stage;
   ASSERT_EQ (json["planes"].size(), 2u);
-  const auto& floor = json["planes"][0]["orientation"] == "horizontal"
-                          ? json["planes"][0]
-                          : json["planes"][1];
-  EXPECT_EQ (floor["points"], points_of_plane);
-  EXPECT_NEAR (floor["coefficients"][2].get<double>(), 1.0, 1e-6)
-      << "towards the sensor";
-  EXPECT_NEAR (floor["coefficients"][3].get<double>(), 0.0, 1e-6);
-  EXPECT_NEAR (floor["centroid"][0].get<double>(), 0.98, 1e-5);
-  EXPECT_NEAR (floor["normal"][2].get<double>(), 1.0, 1e-6);
-  EXPECT_NEAR (floor["rms"].get<double>(), 0.0, 1e-6);
   EXPECT_EQ (json["planes"][0]["id"], 1);
+  for (const auto& plane : json["planes"]) {
+    const bool is_floor = plane["orientation"] == "horizontal";
+    const Eigen::Vector3d centroid (is_floor ? 0.98 : 3, 0.98, is_floor ? 0 : 0.98);
+    const Eigen::Vector3d normal = toVector (plane["normal"]);
+    EXPECT_EQ (plane["points"], points_of_plane);
+    EXPECT_TRUE (toVector (plane["centroid"]).isApprox (centroid, 1e-5));
+    EXPECT_TRUE (normal.isApprox (Eigen::Vector3d (is_floor ? 0 : -1, 0, is_floor)))
+        << "towards the sensor: " << normal.transpose();
+    EXPECT_TRUE (toVector (plane["coefficients"]).isApprox (normal));
+    EXPECT_NEAR (plane["coefficients"][3].get<double>(), is_floor ? 0.0 : 3.0, 1e-6);
+    EXPECT_NEAR (plane["rms"].get<double>(), 0.0, 1e-6);
+    const auto& extent = plane["extent"];
+    EXPECT_NEAR (plane["area"].get<double>(), 1.96 * 1.96, 1e-5);
+    EXPECT_NEAR (extent["length"].get<double>(), 1.96, 1e-5);
+    EXPECT_NEAR (extent["width"].get<double>(), 1.96, 1e-5);
+    EXPECT_TRUE (toVector (extent["center"]).isApprox (centroid, 1e-5));
+    EXPECT_TRUE (toVector (extent["axes"][0])
+                     .cross (toVector (extent["axes"][1]))
+                     .isApprox (normal, 1e-9));
+    ASSERT_GE (plane["hull"].size(), 4u);
+    for (const auto& corner : plane["hull"])
+      EXPECT_NEAR (
+          (toVector (corner) - centroid).lpNorm<Eigen::Infinity>(), 0.98, 1e-5);
+  }
 }
 
 TEST_F (Segment, DrawsAPictureWithoutADisplay)
@@ -84,12 +83,44 @@ TEST_F (Segment, DrawsAPictureWithoutADisplay)
 TEST_F (Segment, PrintsATableUnlessQuiet)
 {
   const Outcome loud = run ("in.pcd");
-  EXPECT_TRUE (contains (loud.out, "5001 points, 2 planes"));
-  EXPECT_TRUE (contains (loud.out, "horizontal"));
-  EXPECT_TRUE (contains (loud.out, "vertical"));
-  EXPECT_TRUE (contains (loud.out, "detection"));
+  for (const char* part :
+       {"5001 points, 2 planes", "horizontal", "vertical", "detection"})
+    EXPECT_TRUE (contains (loud.out, part));
   const Outcome quiet = expectDone ("in.pcd out.pcd --quiet");
   EXPECT_EQ (quiet.out + quiet.err, "");
+}
+
+TEST_F (Segment, SaysWhichOptionToChangeWhereNothingOrLittleIsFound)
+{
+  InputCloud large = floorAndWall();
+  for (pcl::PointXYZI& point : large)
+    point.getVector3fMap() *= 1000.0f;
+  save ("large.pcd", large);
+  // Points 4 cm apart: of the 25 nearest on a plane only the corners are 9 cm away.
+  const std::pair<const char*, std::vector<const char*>> rows[] = {
+      {"in.pcd --preset paper --sampling-rate 0.001",
+       {"No plane found: ", "only 5 of 5000 points", "--sampling-rate"}},
+      {"in.pcd --min-inliers 100000 --sampling-rate 1",
+       {"No plane found: ", "--min-inliers"}},
+      {"in.pcd --method fspf --outer-radius 0.09",
+       {"No plane found: ",
+        "--outer-radius 0.09 hold 21 points",
+        "--local-samples 80"}},
+      {"in.pcd --method kht --s-level 9",
+       {"No plane found: ", "--s-level 9", "--min-samples 30"}},
+      {"large.pcd --method fspf", {"No plane found: ", "millimeter", "--inner-radius"}},
+      {"large.pcd --method fspf --threshold 50 --inner-radius 200", {"2 planes"}},
+      {"in.pcd --min-inliers 2000",
+       {"\n--min-inliers 2000 counts samples, not points, and leaves 0 of 2 planes: "
+        "--min-points 2000 counts points\n"}}};
+  for (const auto& [arguments, parts] : rows)
+    for (const char* part : parts)
+      EXPECT_TRUE (contains (expectDone (arguments).out, part));
+  for (const std::string fitting :
+       {"--min-inliers 21", "--min-points 2000", "--method kht"})
+    EXPECT_FALSE (contains (run ("in.pcd " + fitting).out, "counts samples"));
+  const auto json = jsonOf ("in.pcd --preset paper --sampling-rate 0.001");
+  EXPECT_TRUE (contains (json["advice"], "--sampling-rate"));
 }
 
 TEST_F (Segment, AnswersHelpOnOneScreen)

@@ -30,25 +30,35 @@ inline constexpr int points_of_plane = points_of_side * points_of_side;
 /** \brief The reading without coordinates between floor and wall. */
 inline constexpr int missing_reading = points_of_plane;
 
-/** \brief A floor of 2 m by 2 m, one missing reading, and a wall at x = 3 m; the
- * intensity of each point is its index.
+/** \brief Adds a grid of points; the intensity of each is its index. */
+inline void
+addGrid (InputCloud& cloud,
+         const Eigen::Vector3f& corner,
+         const Eigen::Vector3f& row,
+         int rows,
+         const Eigen::Vector3f& column,
+         int columns)
+{
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c) {
+      const Eigen::Vector3f place =
+          corner + static_cast<float> (r) * row + static_cast<float> (c) * column;
+      const auto index = static_cast<float> (cloud.size());
+      cloud.push_back ({place.x(), place.y(), place.z(), index});
+    }
+}
+
+/** \brief A floor of 2 m by 2 m, one missing reading, and a wall at x = 3 m.
  * \param[in] side how many points there are along each edge */
 inline InputCloud
 floorAndWall (int side = points_of_side)
 {
   constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-  const float step = 2.0f / static_cast<float> (side);
+  const Eigen::Matrix3f step = Eigen::Matrix3f::Identity() * 2.0f / float (side);
   InputCloud cloud;
-  const auto add = [&] (float x, float y, float z) {
-    cloud.push_back ({x, y, z, static_cast<float> (cloud.size())});
-  };
-  for (int x = 0; x < side; ++x)
-    for (int y = 0; y < side; ++y)
-      add (step * static_cast<float> (x), step * static_cast<float> (y), 0);
-  add (not_a_number, not_a_number, not_a_number);
-  for (int y = 0; y < side; ++y)
-    for (int z = 0; z < side; ++z)
-      add (3, step * static_cast<float> (y), step * static_cast<float> (z));
+  addGrid (cloud, {0, 0, 0}, step.col (0), side, step.col (1), side);
+  addGrid (cloud, Eigen::Vector3f::Constant (not_a_number), {0, 0, 0}, 1, {0, 0, 0}, 1);
+  addGrid (cloud, {3, 0, 0}, step.col (1), side, step.col (2), side);
   cloud.is_dense = false;
   cloud.sensor_origin_ = Eigen::Vector4f (0.5f, 1.0f, 1.5f, 0.0f);
   return cloud;
@@ -71,15 +81,16 @@ floorAndWallInLas ()
   return recipe;
 }
 
-/** \brief A square of points, 4 cm apart, at UTM coordinates in text. */
+/** \brief A square of points, 4 cm apart, at UTM coordinates in text, with the number
+ * of each point. */
 inline std::string
-squareText (int side, double z)
+squareText (int side, double z, const char* separator = " ")
 {
   std::ostringstream text;
-  text << std::fixed << std::setprecision (2);
-  for (int x = 0; x < side; ++x)
-    for (int y = 0; y < side; ++y)
-      text << 500'000 + 0.04 * x << " " << 5'400'000 + 0.04 * y << " " << z << "\n";
+  text << std::fixed << std::setprecision (3);
+  for (int i = 0; i < side * side; ++i)
+    text << 500'000 + 0.04 * (i / side) << separator << 5'400'000 + 0.04 * (i % side)
+         << separator << z << separator << i << "\n";
   return text.str();
 }
 
@@ -88,15 +99,20 @@ class Segment : public ProgramFolder {
 protected:
   Segment() : ProgramFolder (PCL_OPS_SEGMENT_PROGRAM)
   {
-    pcl::io::savePCDFileBinary (folder_ / "in.pcd", floorAndWall());
+    save ("in.pcd", floorAndWall());
   }
 
-  /** \brief The JSON file that a run writes. */
-  nlohmann::json
-  jsonOf (const std::string& arguments, const std::string& file = "p.json") const
+  void
+  save (const std::string& file, const InputCloud& cloud) const
   {
-    expectDone (arguments);
-    return jsonIn (file);
+    pcl::io::savePCDFileBinary (folder_ / file, cloud);
+  }
+
+  /** \brief What a run prints with --planes -. */
+  nlohmann::json
+  jsonOf (const std::string& arguments) const
+  {
+    return nlohmann::json::parse (expectDone (arguments + " --planes -").out);
   }
 
   /** \brief Ends the program by SIGTERM as soon as a condition of the shell holds, at
@@ -139,9 +155,9 @@ labelsOf (const LabelledCloud& cloud)
   return labels;
 }
 
+/** \brief The labels of the points from \p begin to before \p end. */
 inline std::set<std::uint32_t>
-distinct (const LabelledCloud& cloud, int begin, int end)
+distinct (const std::vector<std::uint32_t>& labels, int begin, int end)
 {
-  const std::vector<std::uint32_t> labels = labelsOf (cloud);
   return {labels.begin() + begin, labels.begin() + end};
 }
