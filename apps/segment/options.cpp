@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
-#include "outputs.h"
-#include "segment_cloud.h"
+#include <boost/algorithm/string/replace.hpp>
+
+#include "report.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <detection/methods.h>
@@ -26,6 +27,15 @@ namespace {
 constexpr const char* summary =
     "Finds the planes of point clouds and labels every point with its plane.";
 
+/** \brief What stands for the name of the input in the outputs of a batch. */
+constexpr const char* name_of_input = "{}";
+
+#ifdef PCL_OPS_WITH_SURFACE
+constexpr bool has_concave_hulls = true;
+#else
+constexpr bool has_concave_hulls = false;
+#endif
+
 constexpr const char* in_and_out =
     "  INPUT       .pcd, .ply, .las (.laz by LASzip), .xyz, .txt, .pts, .csv; - for\n"
     "              one piped in; with --output-dir several, folders, 'scans/*.pcd'\n"
@@ -38,58 +48,37 @@ constexpr const char* in_and_out =
 
 /** \brief An option that names an output. */
 struct OutputOption {
-  const char* name;
+  std::string name;
   std::string Outputs::*output;
   /** \brief Those a file can have; none for a folder. */
   std::vector<std::string> extensions;
-  const char *placeholder, *help;
+  const char* placeholder = "FILE";
 };
 
 /** \brief All but OUTPUT, whose formats are not the same in every build. */
 const OutputOption output_options[] = {
-    {"planes",
-     &Outputs::planes,
-     {".json", ".csv", ".geojson"},
-     "FILE",
-     "write the planes: .json, .csv, .geojson or - (printed)"},
-    {"image", &Outputs::image, {".png"}, "FILE.png", "write a picture of the planes"},
-    {"mesh",
-     &Outputs::mesh,
-     {".ply", ".vtk"},
-     "FILE",
-     "write the hulls as a .ply or .vtk mesh"},
-    {"edges",
-     &Outputs::edges,
-     {".ply", ".vtk", ".json"},
-     "FILE",
-     "write where planes meet: .ply, .vtk or .json"},
-    {"rest",
-     &Outputs::rest,
-     {".pcd", ".ply"},
-     "FILE",
-     "write the points on no plane: .pcd or .ply"},
-    {"planes-dir",
-     &Outputs::planes_dir,
-     {},
-     "DIR",
-     "write each plane: plane_001_horizontal.pcd, ..."}};
-
-/** \brief Of those that --help explains. */
-constexpr std::size_t main_outputs = 3;
+    {"planes", &Outputs::planes, {".json", ".csv", ".geojson"}},
+    {"image", &Outputs::image, {".png"}, "FILE.png"},
+    {"mesh", &Outputs::mesh, {".ply", ".vtk"}},
+    {"edges", &Outputs::edges, {".ply", ".vtk", ".json"}},
+    {"rest", &Outputs::rest, {".pcd", ".ply"}},
+    {"planes-dir", &Outputs::planes_dir, {}, "DIR"}};
 
 void
-declareFiles (CommandLine& line, Outputs& outputs, bool are_main)
+declareOutput (CommandLine& line,
+               const std::string& name,
+               Outputs& outputs,
+               const std::string& help)
 {
   for (const OutputOption& option : output_options)
-    if ((&option < output_options + main_outputs) == are_main)
-      line.addText (
-          option.name, option.placeholder, outputs.*option.output, option.help);
+    if (option.name == name)
+      line.addText (name, option.placeholder, outputs.*option.output, help);
 }
 
 void
 declareOutputs (CommandLine& line, SegmentOptions& options)
 {
-  constexpr double most_jobs = 256;
+  Outputs& outputs = options.outputs;
   line.addText ("output-dir",
                 "DIR",
                 options.output_dir,
@@ -97,12 +86,19 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
                 "below, {} in FILE and DIR stands for NAME");
   line.addNumber ("jobs",
                   "N",
-                  Range::from (0).upTo (most_jobs),
+                  Range::from (0).upTo (256),
                   options.jobs,
                   "INPUTs at a time; 0: one for each processor (1)");
-  declareFiles (line, options.outputs, true);
-  line.addChoice (
-      "hull", hulls, options.hull, "outline of a plane in --planes, --mesh (convex)");
+  declareOutput (line,
+                 "planes",
+                 outputs,
+                 "write the planes: .json, .csv, .geojson or - (printed)");
+  declareOutput (line, "image", outputs, "write a picture of the planes");
+  declareOutput (line, "mesh", outputs, "write the hulls as a .ply or .vtk mesh");
+  line.addChoice ("hull",
+                  {"convex", "concave"},
+                  options.hull,
+                  "outline of a plane in --planes, --mesh (convex)");
   line.addFlag ("keep-color", options.keep_color, "keep the input's rgb in OUTPUT");
   line.addFlag (
       "distances", options.distances, "add each point's signed distance to its plane");
@@ -112,9 +108,14 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
 void
 declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
 {
+  Outputs& outputs = options.outputs;
   line.beginGroup ("Further outputs");
   declareMap (line, options.map);
-  declareFiles (line, options.outputs, false);
+  declareOutput (
+      line, "edges", outputs, "write where planes meet: .ply, .vtk or .json");
+  declareOutput (line, "rest", outputs, "write the points on no plane: .pcd or .ply");
+  declareOutput (
+      line, "planes-dir", outputs, "write each plane: plane_001_horizontal.pcd, ...");
   line.addChoice ("format",
                   {"pcd", "ply"},
                   options.format,
@@ -124,7 +125,6 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
 void
 declareTracking (CommandLine& line, TrackOptions& options)
 {
-  constexpr double right_angle = 90;
   line.beginGroup ("Clouds in sequence, with --output-dir");
   line.addFlag (
       "track", options.is_on, "label and id of a plane are the same in all INPUTs");
@@ -135,7 +135,7 @@ declareTracking (CommandLine& line, TrackOptions& options)
                 "each INPUT (it hardly moves)");
   line.addNumber ("rotation-error",
                   "DEG",
-                  Range::from (0).upTo (right_angle),
+                  Range::from (0).upTo (90),
                   options.rotation_error,
                   "how far a turn from INPUT to INPUT is off (3)");
   line.addNumber ("translation-error",
@@ -143,16 +143,6 @@ declareTracking (CommandLine& line, TrackOptions& options)
                   Range::from (0),
                   options.translation_error,
                   "how far a move from INPUT to INPUT is off (0.05)");
-}
-
-void
-checkTracking (const CommandLine& line, const SegmentOptions& options)
-{
-  for (const char* option : {"poses", "rotation-error", "translation-error"})
-    if (line.isGiven (option) && !options.track.is_on)
-      throw UsageError (std::string ("--") + option, "is about --track; give it, too");
-  if (options.track.is_on && !options.isBatch())
-    throw UsageError ("--track", "is about several inputs; give --output-dir, too");
 }
 
 /** \brief Sorts out what the arguments are: INPUT and OUTPUT, or all inputs. */
@@ -176,17 +166,35 @@ storeArguments (const std::vector<std::string>& arguments, SegmentOptions& optio
     options.outputs.planes = standard_stream;
 }
 
+/** \brief Refuses options that mean nothing without others. */
 void
-checkHull (const CommandLine& line, const SegmentOptions& options)
+checkAreAbout (const CommandLine& line, const SegmentOptions& options)
 {
-  if (!hasHull (options.hull))
-    throw UsageError ("--hull",
-                      options.hull + " is not in this build, which was made without "
-                                     "PCL's surface module; give convex");
-  const bool has_hulls = options.isBatch() || !options.outputs.planes.empty() ||
-                         !options.outputs.mesh.empty() || line.isGiven ("min-area");
-  if (line.isGiven ("hull") && !has_hulls)
-    throw UsageError ("--hull", "is about --planes, --mesh and --min-area; give one");
+  const Outputs& outputs = options.outputs;
+  const bool is_batch = options.isBatch(), is_tracked = options.track.is_on;
+  const bool has_cloud = is_batch || !outputs.cloud.empty();
+  const bool has_hulls = is_batch || !outputs.planes.empty() || !outputs.mesh.empty() ||
+                         line.isGiven ("min-area");
+  const struct {
+    std::string option;
+    bool has_subject;
+    std::string subject;
+  } rows[] = {
+      {"hull", has_hulls, "--planes, --mesh and --min-area; give one"},
+      {"poses", is_tracked, "--track; give it, too"},
+      {"rotation-error", is_tracked, "--track; give it, too"},
+      {"translation-error", is_tracked, "--track; give it, too"},
+      {"track", is_batch, "several inputs; give --output-dir, too"},
+      {"jobs", is_batch, "several inputs; give --output-dir, too"},
+      {"keep-color", has_cloud, "OUTPUT.pcd; give one"},
+      {"distances", has_cloud, "OUTPUT; give one"},
+      {"format",
+       is_batch || !outputs.planes_dir.empty(),
+       "--output-dir and --planes-dir; give one, or name OUTPUT and --rest by their "
+       "extension"}};
+  for (const auto& [option, has_subject, subject] : rows)
+    if (line.isGiven (option) && !has_subject)
+      throw UsageError ("--" + option, "is about " + subject);
 }
 
 void
@@ -199,35 +207,19 @@ checkOutputs (const SegmentOptions& options)
   checkExtension ("OUTPUT", outputs.cloud, of_clouds);
   for (const OutputOption& option : output_options)
     if (!option.extensions.empty() && outputs.*option.output != standard_stream)
-      checkExtension (
-          std::string ("--") + option.name, outputs.*option.output, option.extensions);
+      checkExtension ("--" + option.name, outputs.*option.output, option.extensions);
   const bool has_output = options.isBatch() || !outputs.planes.empty() ||
                           !outputs.files().empty() || !outputs.planes_dir.empty();
   if (options.quiet && !has_output)
     throw UsageError (
         "--quiet",
         "leaves nothing to do; give OUTPUT.pcd, --planes or another output, too");
-  if (options.isBatch())
-    return;
-  if (options.keep_color && outputs.cloud.empty())
-    throw UsageError ("--keep-color", "is about OUTPUT.pcd; give one");
-  if (options.distances && outputs.cloud.empty())
-    throw UsageError ("--distances", "is about OUTPUT; give one");
-  if (!options.format.empty() && outputs.planes_dir.empty())
-    throw UsageError ("--format",
-                      "is about --output-dir and --planes-dir; give one, or name "
-                      "OUTPUT and --rest by their extension");
 }
 
 /** \brief Refuses names that all inputs would share. */
 void
-checkBatch (const CommandLine& line, const SegmentOptions& options)
+checkBatch (const SegmentOptions& options)
 {
-  if (!options.isBatch()) {
-    if (line.isGiven ("jobs"))
-      throw UsageError ("--jobs", "is about several inputs; give --output-dir, too");
-    return;
-  }
   for (const std::string& input : options.inputs)
     if (input == standard_stream)
       throw UsageError (standard_stream,
@@ -235,7 +227,7 @@ checkBatch (const CommandLine& line, const SegmentOptions& options)
   for (const OutputOption& option : output_options) {
     const std::string& pattern = options.outputs.*option.output;
     if (!pattern.empty() && pattern.find (name_of_input) == std::string::npos)
-      throw UsageError (std::string ("--") + option.name,
+      throw UsageError ("--" + option.name,
                         pattern +
                             " would be written by every input; put {} where the "
                             "name of the input goes, as in {}_" +
@@ -265,67 +257,51 @@ claim (const std::string& output, const Task& task, Claims& claims)
                         "; rename one or give them in two runs");
 }
 
-/** \brief Refuses outputs that would be taken for planes of an earlier run. */
-void
-checkPlaneNames (const Claims& files, const Claims& folders)
-{
-  for (const auto& [name, output] : files) {
-    const fs::path path = name;
-    if (folders.count (path.parent_path().string()) > 0 &&
-        isPlaneFile (path.filename().string()))
-      throw UsageError (output.name,
-                        "has the name of a plane in --planes-dir; give it another name "
-                        "or folder");
-  }
-}
-
-/** \brief Refuses outputs that would be written over each other or over an input.
+/** \brief Refuses outputs that would be written over each other or over an input, or
+ * be taken for planes of an earlier run.
  * \param[in] poses an input, too; empty for none */
 void
 checkClashes (const std::vector<Task>& tasks,
               const std::string& poses,
-              const std::string& mend)
+              const std::string& fix)
 {
   Claims files, folders;
   for (const Task& task : tasks) {
     for (const std::string& file : task.outputs.files()) {
       claim (file, task, files);
       if (isSameFile (task.input, file))
-        throw UsageError (file, "is the input, too; " + mend);
+        throw UsageError (file, "is the input, too; " + fix);
     }
     if (!task.outputs.planes_dir.empty())
       claim (task.outputs.planes_dir, task, folders);
   }
-  checkPlaneNames (files, folders);
+  const auto is_in_folder = [&folders] (const fs::path& file) {
+    return folders.count (file.parent_path().string()) > 0;
+  };
+  for (const auto& [name, output] : files)
+    if (is_in_folder (name) && isPlaneFile (fs::path (name).filename().string()))
+      throw UsageError (output.name,
+                        "has the name of a plane in --planes-dir; give it another name "
+                        "or folder");
   if (const auto file = files.find (resolvedName (poses)); file != files.end())
-    throw UsageError (file->second.name, "is the file of --poses, too; " + mend);
+    throw UsageError (file->second.name, "is the file of --poses, too; " + fix);
   for (const Task& task : tasks) {
-    const fs::path input = resolvedName (task.input);
-    const auto file = files.find (input.string());
-    if (file != files.end())
-      throw UsageError (file->second.name, "is an input, too; " + mend);
-    if (folders.count (input.parent_path().string()) > 0)
+    const std::string input = resolvedName (task.input);
+    if (const auto file = files.find (input); file != files.end())
+      throw UsageError (file->second.name, "is an input, too; " + fix);
+    if (is_in_folder (input))
       throw UsageError ("--planes-dir",
                         "the input " + task.input + " lies in it; give another folder");
   }
-}
-
-std::string
-inFolder (const std::string& folder, std::string pattern, const std::string& name)
-{
-  const std::string placeholder = name_of_input;
-  for (std::size_t i = 0; (i = pattern.find (placeholder, i)) != std::string::npos;
-       i += name.size())
-    pattern.replace (i, placeholder.size(), name);
-  return pattern.empty() ? "" : (fs::path (folder) / pattern).string();
 }
 
 Task
 batchTask (const SegmentOptions& options, const std::string& input)
 {
   const std::string name = fs::path (input).stem().string();
-  const auto output = [&] (const std::string& pattern) {
-    return inFolder (options.output_dir, pattern, name);
+  const auto output = [&] (std::string pattern) {
+    boost::replace_all (pattern, name_of_input, name);
+    return pattern.empty() ? "" : (fs::path (options.output_dir) / pattern).string();
   };
   const Outputs& given = options.outputs;
   Task task{input, {}};
@@ -372,12 +348,16 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
     return false;
   checkMethodOptions (line, methodCalled (options.method));
   storeArguments (arguments, options);
-  checkHull (line, options);
+  if (options.hull == "concave" && !has_concave_hulls)
+    throw UsageError ("--hull",
+                      "concave is not in this build, which was made without PCL's "
+                      "surface module; give convex");
   finishChoice (line, options.choice);
   checkMap (line, options.outputs.planes);
-  checkTracking (line, options);
+  checkAreAbout (line, options);
   checkOutputs (options);
-  checkBatch (line, options);
+  if (options.isBatch())
+    checkBatch (options);
   return true;
 }
 

@@ -76,17 +76,13 @@ struct SegmentOptions {
   }
 };
 
-/** \brief Reads the command line and checks it as far as that is possible without the
- * outputs.
- * \return false if --help or --version was answered and nothing is left to do
+/** \brief Reads the command line and checks it without a look at files.
+ * \return false if --help or --version was answered: nothing is left to do
  * \throws UsageError */
 bool
 readOptions (int argc, const char* const* argv, SegmentOptions& options);
 
 inline constexpr const char* program_name = "pcl_ops_segment";
-
-/** \brief What stands for the name of the input in the outputs of a batch. */
-inline constexpr const char* name_of_input = "{}";
 
 struct Task {
   /** \brief A file, or "-" for the standard input. */

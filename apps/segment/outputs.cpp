@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "outputs.h"
-
 #include <pcl/common/point_tests.h>
 #include <pcl/point_types.h>
 #include <pcl/types.h>
 
+#include "report.h"
 #include <cli/errors.h>
 #include <detection/plane_json.h>
 #include <detection/plane_map.h>
@@ -46,10 +45,6 @@ namespace fs = std::filesystem;
 namespace pcl_ops::apps {
 
 namespace {
-
-/** \brief Of coordinates: PCL's point types cannot read doubles, and single precision
- * loses places far from zero. */
-enum class Precision { Single, Double };
 
 /** \brief Some points of a cloud. PCL's copyPointCloud counts bytes in 32 bits. */
 FileCloud
@@ -116,46 +111,37 @@ exchangePlanes (const fs::path& folder, const fs::path& with)
     fs::remove (file);
 }
 
-struct Wires {
-  /** \brief The first so many points are shown by themselves, too. */
-  std::size_t corners;
-  std::vector<std::array<std::size_t, 2>> planes;
-};
-
 /** \brief Polygons with a color for each corner, or lines. */
 struct PolyData {
-  Precision precision;
-  std::vector<Eigen::Vector3d> points;
-  std::vector<pcl::RGB> colors;
-  std::vector<pcl::Indices> cells;
-  /** \brief Not given: cells are polygons. */
-  std::optional<Wires> wires;
+  bool are_lines;
+  /** \brief PCL's point types cannot read doubles, and single precision loses places
+   * far from zero. */
+  bool is_double;
+  std::vector<Eigen::Vector3d> points = {};
+  std::vector<pcl::RGB> colors = {};
+  std::vector<pcl::Indices> cells = {};
+  /** \brief Of lines: those of each, and how many points are shown by themselves. */
+  std::vector<std::array<std::size_t, 2>> planes = {};
+  std::size_t corners = 0;
 };
 
 /** \brief The type of coordinates, as PLY and VTK call it. */
 const char*
 typeOf (const PolyData& data)
 {
-  return data.precision == Precision::Double ? "double" : "float";
+  return data.is_double ? "double" : "float";
 }
 
-void
-writePoint (const Eigen::Vector3d& point, std::ostream& stream)
+std::ostream&
+operator<< (std::ostream& stream, const pcl::Indices& cell)
 {
-  stream << point.x() << ' ' << point.y() << ' ' << point.z();
+  for (std::size_t i = 0; i < cell.size(); ++i)
+    stream << (i == 0 ? "" : " ") << cell[i];
+  return stream;
 }
 
-/** \brief Each cell with its number of points in front. */
-void
-writeCells (const std::vector<pcl::Indices>& cells, std::ostream& stream)
-{
-  for (const pcl::Indices& cell : cells) {
-    stream << cell.size();
-    for (const pcl::index_t point : cell)
-      stream << ' ' << point;
-    stream << '\n';
-  }
-}
+/** \brief As text with blanks between the coordinates. */
+const Eigen::IOFormat in_a_row (Eigen::StreamPrecision, Eigen::DontAlignCols, " ", " ");
 
 void
 writePlyHeader (const PolyData& data, std::ostream& stream)
@@ -163,7 +149,7 @@ writePlyHeader (const PolyData& data, std::ostream& stream)
   stream << "ply\nformat ascii 1.0\nelement vertex " << data.points.size() << '\n';
   for (const char axis : {'x', 'y', 'z'})
     stream << "property " << typeOf (data) << ' ' << axis << '\n';
-  if (data.wires)
+  if (data.are_lines)
     stream << "element edge " << data.cells.size()
            << "\nproperty int vertex1\nproperty int vertex2\nproperty int plane1\n"
               "property int plane2\nend_header\n";
@@ -179,19 +165,18 @@ writePly (const PolyData& data, std::ostream& stream)
 {
   writePlyHeader (data, stream);
   for (std::size_t i = 0; i < data.points.size(); ++i) {
-    writePoint (data.points[i], stream);
-    if (!data.wires)
+    stream << data.points[i].format (in_a_row);
+    if (!data.are_lines)
       for (const int part : {data.colors[i].r, data.colors[i].g, data.colors[i].b})
         stream << ' ' << part;
     stream << '\n';
   }
-  if (!data.wires)
-    return writeCells (data.cells, stream);
-  for (std::size_t i = 0; i < data.cells.size(); ++i) {
-    const auto& planes = data.wires->planes[i];
-    stream << data.cells[i][0] << ' ' << data.cells[i][1] << ' ' << planes[0] << ' '
-           << planes[1] << '\n';
-  }
+  for (std::size_t i = 0; i < data.cells.size(); ++i)
+    if (data.are_lines)
+      stream << data.cells[i] << ' ' << data.planes[i][0] << ' ' << data.planes[i][1]
+             << '\n';
+    else
+      stream << data.cells[i].size() << ' ' << data.cells[i] << '\n';
 }
 
 /** \brief Cells of a kind, after how many they are and how many numbers they take. */
@@ -204,23 +189,22 @@ writeSection (const char* kind,
   for (const pcl::Indices& cell : cells)
     numbers += cell.size();
   stream << kind << ' ' << cells.size() << ' ' << numbers << '\n';
-  writeCells (cells, stream);
+  for (const pcl::Indices& cell : cells)
+    stream << cell.size() << ' ' << cell << '\n';
 }
 
 void
 writeVtk (const PolyData& data, std::ostream& stream)
 {
   stream << "# vtk DataFile Version 3.0\n"
-         << (data.wires ? "edges" : "outlines")
+         << (data.are_lines ? "edges" : "outlines")
          << " of planes\nASCII\nDATASET POLYDATA\nPOINTS " << data.points.size() << ' '
          << typeOf (data) << '\n';
-  for (const Eigen::Vector3d& point : data.points) {
-    writePoint (point, stream);
-    stream << '\n';
-  }
-  if (data.wires) {
+  for (const Eigen::Vector3d& point : data.points)
+    stream << point.format (in_a_row) << '\n';
+  if (data.are_lines) {
     std::vector<pcl::Indices> corners;
-    for (std::size_t i = 0; i < data.wires->corners; ++i)
+    for (std::size_t i = 0; i < data.corners; ++i)
       corners.push_back ({static_cast<pcl::index_t> (i)});
     writeSection ("VERTICES", corners, stream);
     return writeSection ("LINES", data.cells, stream);
@@ -232,23 +216,24 @@ writeVtk (const PolyData& data, std::ostream& stream)
            << '\n';
 }
 
-/** \brief Writes an ASCII file: a .vtk for pcl_viewer, moved by the pose, else a .ply.
- */
+/** \brief Writes an ASCII file: a .ply in the file's frame, or a .vtk for pcl_viewer,
+ * which moves the labeled cloud by the pose of its sensor, but no mesh: it is written
+ * moved. */
 void
-savePolyData (const std::string& file,
-              const Eigen::Isometry3d& sensor_pose,
-              PolyData data)
+savePolyData (const std::string& file, const FileCloud& cloud, PolyData data)
 {
   const bool is_vtk = extensionOf (file) == ".vtk";
-  const Eigen::Isometry3d pose = is_vtk ? sensor_pose : Eigen::Isometry3d::Identity();
-  for (Eigen::Vector3d& point : data.points)
-    point = pose * point;
+  const Eigen::Isometry3d pose =
+      Eigen::Translation3d (cloud.origin.head<3>().cast<double>()) *
+      cloud.orientation.cast<double>();
+  if (is_vtk)
+    for (Eigen::Vector3d& point : data.points)
+      point = pose * point;
   // PCL's and VTK's writers want a name and do not tell of a full disk.
   writeFile (file, [&] (std::ostream& stream) {
     stream.imbue (std::locale::classic());
-    stream.precision (data.precision == Precision::Double
-                          ? std::numeric_limits<double>::max_digits10
-                          : std::numeric_limits<float>::max_digits10);
+    stream.precision (data.is_double ? std::numeric_limits<double>::max_digits10
+                                     : std::numeric_limits<float>::max_digits10);
     is_vtk ? writeVtk (data, stream) : writePly (data, stream);
   });
 }
@@ -279,30 +264,27 @@ facesOf ([[maybe_unused]] const PlaneSegment& plane,
   return faces;
 }
 
-/** \brief The point of an end of an edge, added unless it is a corner. */
-pcl::index_t
-pointOf (const Eigen::Vector3d& end, std::size_t corners, PolyData& lines)
-{
-  const auto last = lines.points.begin() + static_cast<std::ptrdiff_t> (corners);
-  // Ends that were drawn to a corner are the corner, to the last digit.
-  auto point = std::find (lines.points.begin(), last, end);
-  if (point == last)
-    point = lines.points.insert (lines.points.end(), end);
-  return static_cast<pcl::index_t> (point - lines.points.begin());
-}
-
 /** \brief Corners first, then the ends of edges that are at no corner. */
 PolyData
 toLines (const PlaneEdges& found)
 {
-  const std::size_t corners = found.corners.size();
-  PolyData lines{Precision::Double, {}, {}, {}, Wires{corners, {}}};
+  PolyData lines{true, true};
+  lines.corners = found.corners.size();
   for (const PlaneCorner& corner : found.corners)
     lines.points.push_back (corner.position);
   for (const PlaneEdge& edge : found.edges) {
-    const pcl::index_t from = pointOf (edge.from, corners, lines);
-    lines.cells.push_back ({from, pointOf (edge.to, corners, lines)});
-    lines.wires->planes.push_back ({edge.planes[0], edge.planes[1]});
+    pcl::Indices& line = lines.cells.emplace_back();
+    for (const Eigen::Vector3d& end : {edge.from, edge.to}) {
+      // Ends that were drawn to a corner are the corner, to the last digit.
+      std::size_t i = 0;
+      while (i < lines.corners && lines.points[i] != end)
+        ++i;
+      line.push_back (
+          static_cast<pcl::index_t> (i < lines.corners ? i : lines.points.size()));
+      if (i == lines.corners)
+        lines.points.push_back (end);
+    }
+    lines.planes.push_back ({edge.planes[0], edge.planes[1]});
   }
   return lines;
 }
@@ -311,14 +293,13 @@ toLines (const PlaneEdges& found)
 PlaneEdges
 numbered (PlaneEdges found, const std::vector<std::uint32_t>& ids)
 {
-  const auto number = [&ids] (auto& planes) {
-    for (std::size_t& plane : planes)
-      plane = ids[plane];
+  const auto number = [&ids] (auto& of_planes) {
+    for (auto& element : of_planes)
+      for (std::size_t& plane : element.planes)
+        plane = ids[plane];
   };
-  for (PlaneEdge& edge : found.edges)
-    number (edge.planes);
-  for (PlaneCorner& corner : found.corners)
-    number (corner.planes);
+  number (found.edges);
+  number (found.corners);
   return found;
 }
 
@@ -369,29 +350,7 @@ saveLabelled (const std::string& file,
   saveLabelledCloud (file, cloud, labels, distances, options.keep_color);
 }
 
-Eigen::Isometry3d
-poseOf (const FileCloud& cloud)
-{
-  return Eigen::Translation3d (cloud.origin.head<3>().cast<double>()) *
-         cloud.orientation.cast<double>();
-}
-
-void
-savePlanes (const std::string& file, const Report& report, const MapOptions& map)
-{
-  const std::string text = planesFor (file, toJson (report), map);
-  if (file == standard_stream)
-    std::cout << text;
-  else
-    writeTextFile (file, text);
-}
-
-/** \brief Writes the points on no plane, with all fields of the input, as a .pcd
- * or .ply; points
- * without coordinates are left out.
- * \param[in] shifted of the cloud's points
- * \param[in] labels per point, 0 for no plane
- * \throws WorkError if it cannot be written */
+/** \brief Writes the points on no plane, without those that have no coordinates. */
 void
 saveRest (const std::string& file,
           const FileCloud& cloud,
@@ -405,13 +364,10 @@ saveRest (const std::string& file,
   saveCloud (file, pointsOf (cloud, rest));
 }
 
-/** \brief Writes the points of each plane, with all fields of the input, as
- * plane_001_horizontal.pcd, plane_002_vertical.pcd and so on, numbered by
- * their ids. Files of such names that an earlier run has left are removed, so that the
- * folder has the planes of one cloud. Nothing changes there until all are written.
- * \param[in] folder is created where it is missing
- * \param[in] extension of the files, .pcd or .ply
- * \throws WorkError if the folder cannot be written to */
+/** \brief Writes the points of each plane as plane_001_horizontal.pcd and so on,
+ * numbered by their ids. Files of such names that an earlier run has left are removed,
+ * so that the folder has the planes of one cloud. Nothing changes there until all are
+ * written. */
 void
 savePlaneClouds (const std::string& folder,
                  const FileCloud& cloud,
@@ -438,19 +394,16 @@ savePlaneClouds (const std::string& folder,
   }
 }
 
-/** \brief Writes the outlines of planes as a mesh in one step, each in the color its
- * points have in the labeled cloud. Outlines without area are left out.
- * \param[in] file a .ply in the file's frame, or a .vtk for pcl_viewer, which moves the
- * labeled cloud by the pose of its sensor, but no mesh: it is written moved
- * \throws WorkError if it cannot be written */
+/** \brief Writes the outlines of planes, each in the color its points have in the
+ * labeled cloud. Outlines without area are left out. */
 void
 saveMesh (const std::string& file,
           const FileCloud& cloud,
           const Report& report,
-          Precision precision)
+          bool is_double)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
-  PolyData mesh{precision, {}, {}, {}, std::nullopt};
+  PolyData mesh{false, is_double};
   for (std::size_t p = 0; p < planes.size(); ++p) {
     const Rings rings = report.extents[p].rings();
     if (rings.empty())
@@ -461,17 +414,14 @@ saveMesh (const std::string& file,
         corner += first;
       mesh.cells.push_back (face);
     }
-    const pcl::RGB color = colorOfLabel (report.ids[p]);
     for (const std::vector<Eigen::Vector3d>& ring : rings)
       mesh.points.insert (mesh.points.end(), ring.begin(), ring.end());
-    mesh.colors.resize (mesh.points.size(), color);
+    mesh.colors.resize (mesh.points.size(), colorOfLabel (report.ids[p]));
   }
-  savePolyData (file, poseOf (cloud), std::move (mesh));
+  savePolyData (file, cloud, std::move (mesh));
 }
 
-/** \brief Writes where planes meet in one step, in double precision.
- * \param[in] file a .json or .ply in the file's frame, or a .vtk as \ref saveMesh
- * \throws WorkError if it cannot be written */
+/** \brief Writes where planes meet, in double precision. */
 void
 saveEdges (const std::string& file,
            const FileCloud& cloud,
@@ -483,7 +433,17 @@ saveEdges (const std::string& file,
       report.ids);
   if (extensionOf (file) == ".json")
     return writeTextFile (file, toJson (edges));
-  savePolyData (file, poseOf (cloud), toLines (edges));
+  savePolyData (file, cloud, toLines (edges));
+}
+
+void
+savePlanes (const std::string& file, const Report& report, const MapOptions& map)
+{
+  const std::string text = planesFor (file, toJson (report), map);
+  if (file == standard_stream)
+    std::cout << text;
+  else
+    writeTextFile (file, text);
 }
 
 } // namespace
@@ -515,10 +475,7 @@ saveOutputs (const SegmentOptions& options,
                  report.detected.up,
                  report.ids);
   if (!outputs.mesh.empty())
-    saveMesh (outputs.mesh,
-              cloud,
-              report,
-              shifted.shift.isZero (0.0) ? Precision::Single : Precision::Double);
+    saveMesh (outputs.mesh, cloud, report, !shifted.shift.isZero (0.0));
   if (!outputs.edges.empty())
     saveEdges (outputs.edges, cloud, shifted, report);
   if (!outputs.rest.empty())

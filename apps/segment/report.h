@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "options.h"
 #include <detection/methods.h>
 #include <detection/plane_choice.h>
+#include <io/shifted_cloud.h>
 #include <nlohmann/json.hpp>
 #include <pcl_ops/plane_extent.h>
 
@@ -41,5 +43,18 @@ summaryOf (const Report& report);
 
 nlohmann::ordered_json
 toJson (const Report& report);
+
+/** \brief Whether --planes-dir gives such a name, of a file without its folder. */
+bool
+isPlaneFile (const std::string& name);
+
+/** \brief Writes what was asked for of a cloud, each file or folder in one step.
+ * \throws WorkError if one cannot be written */
+void
+saveOutputs (const SegmentOptions& options,
+             const Outputs& outputs,
+             const FileCloud& cloud,
+             const ShiftedCloud& shifted,
+             const Report& report);
 
 } // namespace pcl_ops::apps

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segment_cloud.h"
 
-#include "outputs.h"
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <detection/methods.h>
@@ -12,6 +11,8 @@
 #include <io/laz_file.h>
 #include <io/shifted_cloud.h>
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <vector>
 
@@ -74,7 +75,7 @@ outlineOf (const PlanarPoints& points, [[maybe_unused]] const std::string& hull)
 
 /** \brief Where a plane ends, in the file's frame.
  * \param[in] shifted the cloud the plane was found in
- * \param[in] hull one of \ref hulls that the build has */
+ * \param[in] hull "convex" or "concave" */
 PlaneExtent
 extentInFile (const ShiftedCloud& shifted,
               const PlaneSegment& plane,
@@ -93,59 +94,42 @@ segmentInMemory (const SegmentOptions& options,
                  const StageListener& begin_stage)
 {
   const std::string name = nameOfInput (task);
-  begin_stage (name + ": reading");
+  const auto begin = [&] (const std::string& stage) {
+    stopIfInterrupted();
+    if (begin_stage)
+      begin_stage (name + ": " + stage);
+  };
+  begin ("reading");
   const bool is_piped = task.input == standard_stream;
   const FileCloud cloud = is_piped ? loadStandardInput() : loadCloud (task.input);
   checkTakesLabels (options, task, cloud);
-  stopIfInterrupted();
-  begin_stage (name + ": finding planes in " + std::to_string (cloud.size()) +
-               " points");
+  begin ("finding planes in " + std::to_string (cloud.size()) + " points");
   const ShiftedCloud shifted = shiftedCloudOf (cloud, voxelStepOf (options.detector));
-  Report report{name,
-                options.method,
-                cloud.size(),
-                detectPlanes (options, shifted, cloud.is_survey),
-                {},
-                {},
-                damageOf (shifted),
-                {}};
+  Report report;
+  report.input = name;
+  report.method = options.method;
+  report.points = cloud.size();
+  report.damage = damageOf (shifted);
+  report.detected = detectPlanes (options, shifted, cloud.is_survey);
+  const std::vector<PlaneSegment>& planes = report.detected.planes;
   const auto extent_of = [&] (const PlaneSegment& plane) {
     return extentInFile (shifted, plane, options.hull);
   };
   report.dropped = keepChosen (options.choice, extent_of, report.detected);
+  report.ids.resize (planes.size());
+  std::iota (report.ids.begin(), report.ids.end(), 1U);
   const Eigen::Vector3d sensor = cloud.origin.head<3>().cast<double>();
-  report.ids =
-      ids_of (report.detected.planes, sensor.isZero (0.0) ? shifted.shift : sensor);
+  if (ids_of)
+    report.ids = ids_of (planes, sensor.isZero (0.0) ? shifted.shift : sensor);
   if (!task.outputs.planes.empty() || !task.outputs.mesh.empty())
-    for (const PlaneSegment& plane : report.detected.planes)
-      report.extents.push_back (extent_of (plane));
-  stopIfInterrupted();
-  begin_stage (name + ": writing");
+    std::transform (
+        planes.begin(), planes.end(), std::back_inserter (report.extents), extent_of);
+  begin ("writing");
   saveOutputs (options, task.outputs, cloud, shifted, report);
   return report;
 }
 
 } // namespace
-
-const std::vector<std::string> hulls = {"convex", "concave"};
-
-bool
-hasHull ([[maybe_unused]] const std::string& hull)
-{
-#ifdef PCL_OPS_WITH_SURFACE
-  return true;
-#else
-  return hull == "convex";
-#endif
-}
-
-std::vector<std::uint32_t>
-idsBySize (const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& /*sensor*/)
-{
-  std::vector<std::uint32_t> ids (planes.size());
-  std::iota (ids.begin(), ids.end(), 1U);
-  return ids;
-}
 
 Report
 segmentCloud (const SegmentOptions& options,
