@@ -8,12 +8,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <iostream>
 #include <limits>
 #include <sstream>
 #include <system_error>
-#include <type_traits>
 #include <utility>
 
 namespace pcl_ops::apps {
@@ -29,40 +27,34 @@ shortText (double number)
   return text.str();
 }
 
-template <typename Number>
-bool
-fits (double number)
-{
-  using Limits = std::numeric_limits<Number>;
-  if (number < static_cast<double> (Limits::lowest()))
-    return false;
-  // The largest integer may be no double, the one behind it always is.
-  return Limits::is_integer ? number < std::ldexp (1.0, Limits::digits)
-                            : number <= static_cast<double> (Limits::max());
-}
-
 constexpr std::size_t help_width = 80;
+
+/** \brief Adds words to a line of some width, and below it from a column on. */
+std::string
+wrapped (std::string line,
+         const std::string& words,
+         std::size_t column,
+         std::size_t width)
+{
+  std::string text, word;
+  for (std::istringstream stream (words); stream >> word; line += ' ' + word)
+    if (line.size() >= column && line.size() + 1 + word.size() > width) {
+      text += line + "\n";
+      line.assign (column - 1, ' ');
+    }
+  return text + line + "\n";
+}
 
 /** \brief A name and its meaning in two columns. */
 std::string
 entry (const std::string& name, const std::string& meaning, std::size_t column)
 {
-  std::string text, line = "  " + name;
-  if (line.size() >= column) {
-    text = line + "\n";
-    line.clear();
-  }
+  std::string before, line = "  " + name;
+  if (line.size() >= column)
+    before = std::exchange (line, "") + "\n";
   line.resize (column - 1, ' ');
-  std::istringstream words (meaning);
-  for (std::string word; words >> word;) {
-    // A console goes on in the next line by itself where the last column is taken.
-    if (line.size() >= column && line.size() + 1 + word.size() >= help_width) {
-      text += line + "\n";
-      line.assign (column - 1, ' ');
-    }
-    line += ' ' + word;
-  }
-  return text + line + "\n";
+  // A console goes on in the next line by itself where the last column is taken.
+  return before + wrapped (line, meaning, column, help_width - 1);
 }
 
 /** \brief Columns that the names of options and their placeholders take. */
@@ -112,26 +104,22 @@ nameIn (const std::string& token)
 }
 
 /** \brief The value of an option, behind its equals sign or in the next token, to which
- * \p token goes on. */
+ * \p token goes on; none where the option has none. */
 std::string
-takeValue (const std::string& option, const char* const*& token, const char* const* end)
+takeValue (const Option& option, const char* const*& token, const char* const* end)
 {
-  const std::string text = *token;
+  const std::string text = *token, name = "--" + option.name;
   const std::size_t equals = text.find ('=');
   const bool is_joined = equals != std::string::npos;
+  if (option.placeholder.empty()) {
+    if (is_joined)
+      throw UsageError (name, "takes no value; leave it out");
+    return {};
+  }
   const bool has_next = token + 1 != end && !looksLikeOption (token[1]);
   if (is_joined ? equals + 1 == text.size() : !has_next)
-    throw UsageError (option, "needs a value; see --help");
+    throw UsageError (name, "needs a value; see --help");
   return is_joined ? text.substr (equals + 1) : *++token;
-}
-
-/** \brief Refuses a value of an option that has none. */
-std::string
-noValue (const std::string& option, const std::string& token)
-{
-  if (token.find ('=') != std::string::npos)
-    throw UsageError (option, "takes no value; leave it out");
-  return {};
 }
 
 } // namespace
@@ -161,36 +149,27 @@ Range::text() const
   return lower + (lowest_included ? " " : " and ") + upper;
 }
 
-template <typename Number>
-Number
-parseNumber (const std::string& option, const std::string& text, const Range& range)
+double
+parseNumber (const std::string& option,
+             const std::string& text,
+             const Range& range,
+             const Range& of_type,
+             bool is_whole)
 {
-  const bool whole = std::is_integral_v<Number>;
   const std::string fix =
-      std::string ("; give a ") + (whole ? "whole " : "") + "number " + range.text();
+      std::string ("; give a ") + (is_whole ? "whole " : "") + "number " + range.text();
   double number = 0.0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars (text.data(), end, number);
   const bool overflows = error == std::errc::result_out_of_range;
   if (rest != end || error == std::errc::invalid_argument)
     throw UsageError (option, "'" + text + "' is no number" + fix);
-  if (overflows || !range.contains (number) || !fits<Number> (number))
+  if (overflows || !range.contains (number) || !of_type.contains (number))
     throw UsageError (option, text + " is out of range" + fix);
-  if (whole && number != std::floor (number))
+  if (is_whole && number != std::floor (number))
     throw UsageError (option, text + " is not whole" + fix);
-  return static_cast<Number> (number);
+  return number;
 }
-
-template int
-parseNumber (const std::string&, const std::string&, const Range&);
-template std::uint32_t
-parseNumber (const std::string&, const std::string&, const Range&);
-template std::size_t
-parseNumber (const std::string&, const std::string&, const Range&);
-template float
-parseNumber (const std::string&, const std::string&, const Range&);
-template double
-parseNumber (const std::string&, const std::string&, const Range&);
 
 Eigen::Vector3f
 parseDirection (const std::string& option, const std::string& text)
@@ -248,16 +227,11 @@ CommandLine::help() const
 {
   std::string text = usage() + explained (groups_.front(), widthOf (groups_.front()));
   for (std::size_t i = 1; i < groups_.size(); ++i) {
-    text += (i == 1 ? "\n" : "") + groups_[i].title + ":\n";
-    std::string line = " ";
-    for (const Option& option : groups_[i].options) {
-      if (line.size() + 3 + option.name.size() > help_width) {
-        text += line + "\n";
-        line = " ";
-      }
-      line += " --" + option.name;
-    }
-    text += line + "\n";
+    std::string names;
+    for (const Option& option : groups_[i].options)
+      names += " --" + option.name;
+    text += (i == 1 ? "\n" : "") + groups_[i].title + ":\n" +
+            wrapped (" ", names, 2, help_width);
   }
   return text;
 }
@@ -359,7 +333,7 @@ void
 CommandLine::addValue (const std::string& name,
                        const std::string& placeholder,
                        const std::string& help,
-                       const std::function<void (const std::string&)>& store)
+                       const StoreText& store)
 {
   groups_.back().options.push_back ({name, placeholder, help, store});
 }
@@ -367,22 +341,22 @@ CommandLine::addValue (const std::string& name,
 const Option&
 CommandLine::find (const std::string& start) const
 {
-  std::vector<const Option*> candidates;
+  const Option* candidate = nullptr;
   std::string names;
   for (const OptionGroup& group : groups_)
     for (const Option& option : group.options) {
       if (option.name == start)
         return option;
       if (option.name.rfind (start, 0) == 0) {
-        candidates.push_back (&option);
-        names += (names.empty() ? "--" : " or --") + option.name;
+        names += (candidate == nullptr ? "--" : " or --") + option.name;
+        candidate = &option;
       }
     }
-  if (candidates.empty() || start.empty())
+  if (candidate == nullptr || start.empty())
     throw UsageError ("--" + start, "is no option of this program; see --help");
-  if (candidates.size() > 1)
+  if (names != "--" + candidate->name)
     throw UsageError ("--" + start, "is ambiguous; write " + names + " in full");
-  return *candidates.front();
+  return *candidate;
 }
 
 void
@@ -418,12 +392,9 @@ CommandLine::parse (int argc, const char* const* argv)
       continue;
     }
     const Option& option = find (nameIn (*token));
-    const std::string name = "--" + option.name;
-    options.emplace_back (&option,
-                          option.placeholder.empty() ? noValue (name, *token)
-                                                     : takeValue (name, token, end));
+    options.emplace_back (&option, takeValue (option, token, end));
     if (!given_.insert (option.name).second)
-      throw UsageError (name, "is given twice; keep one");
+      throw UsageError ("--" + option.name, "is given twice; keep one");
   }
   if (isGiven ("help") || isGiven ("help-all"))
     std::cout << (isGiven ("help") ? help() : fullHelp());

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -57,10 +58,28 @@ struct Range {
 
 /** \brief The number a text stands for.
  * \param[in] option names the option in the error
- * \throws UsageError if the text is no number or the number is out of range */
+ * \param[in] of_type what the type can be; whole numbers only, where it is such a one
+ * \throws UsageError if the text is no number or the number is out of a range */
+double
+parseNumber (const std::string& option,
+             const std::string& text,
+             const Range& range,
+             const Range& of_type,
+             bool is_whole);
+
 template <typename Number>
 Number
-parseNumber (const std::string& option, const std::string& text, const Range& range);
+parseNumber (const std::string& option, const std::string& text, const Range& range)
+{
+  using Limits = std::numeric_limits<Number>;
+  const Range from_lowest = Range::from (static_cast<double> (Limits::lowest()));
+  // The largest integer may be no double, the one behind it always is.
+  const Range of_type = Limits::is_integer
+                            ? from_lowest.below (std::ldexp (1.0, Limits::digits))
+                            : from_lowest.upTo (static_cast<double> (Limits::max()));
+  return static_cast<Number> (
+      parseNumber (option, text, range, of_type, Limits::is_integer));
+}
 
 /** \brief A vector "x,y,z" other than zero.
  * \throws UsageError if the text is anything else */
@@ -72,17 +91,18 @@ parseDirection (const std::string& option, const std::string& text);
 Eigen::Vector3f
 parseUpAxis (const std::string& option, const std::string& text);
 
-/** \brief A positional argument; \c store gets its text. */
+using StoreText = std::function<void (const std::string&)>;
+
 struct Argument {
   std::string name, help;
   std::size_t max_count;
-  std::function<void (const std::string&)> store;
+  StoreText store;
 };
 
 /** \brief An option; without a placeholder it has no value. */
 struct Option {
   std::string name, placeholder, help;
-  std::function<void (const std::string&)> store;
+  StoreText store;
 };
 
 struct OptionGroup {
@@ -107,8 +127,7 @@ public:
   void
   addArgument (const std::string& name, std::string& target, const std::string& help);
 
-  /** \brief Declares that any number of positional arguments, but at
-   * least one, may follow. */
+  /** \brief Declares that one or more positional arguments may follow. */
   void
   addArguments (const std::string& name,
                 std::vector<std::string>& targets,
@@ -128,8 +147,7 @@ public:
   void
   addFlag (const std::string& name, bool& target, const std::string& help);
 
-  /** \brief Declares an option whose value is any text but an empty one, such as a file
-   * name. */
+  /** \brief Declares an option whose value is any text but an empty one. */
   void
   addText (const std::string& name,
            const std::string& placeholder,
@@ -181,7 +199,7 @@ public:
   addValue (const std::string& name,
             const std::string& placeholder,
             const std::string& help,
-            const std::function<void (const std::string&)>& store);
+            const StoreText& store);
 
   /** \brief Stores what the command line says, or prints the help or the version.
    * \return false if it printed and the program is done

@@ -44,12 +44,6 @@ Progress::step()
 }
 
 void
-Progress::note (const std::string& line)
-{
-  note (line, stream_);
-}
-
-void
 Progress::note (const std::string& line, std::ostream& stream)
 {
   const std::lock_guard<std::mutex> lock (mutex_);

@@ -49,9 +49,12 @@ public:
   /** \brief Writes a line of its own to the stream of the progress or to another one
    * that may be the same terminal; a bar moves below it. */
   void
-  note (const std::string& line);
-  void
   note (const std::string& line, std::ostream& stream);
+  void
+  note (const std::string& line)
+  {
+    note (line, stream_);
+  }
 
   void
   erase ();
