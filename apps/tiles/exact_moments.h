@@ -8,8 +8,7 @@
 
 #include <pcl_ops/plane.h>
 
-#include <array>
-#include <cstdint>
+#include <cmath>
 
 namespace pcl_ops::apps {
 
@@ -24,26 +23,56 @@ struct ExactMoments {
   /** \brief Edge of the lattice [m], a power of two: places become multiples of it
    * without error but for the rounding itself. */
   double unit = 1.0;
-  std::uint64_t count = 0;
-  std::array<Whole, 3> sum{};
-  /** \brief xx xy xz yy yz zz */
-  std::array<Whole, 6> products{};
+  /** \brief Sum of p p^T over all points p = (x, y, z, 1) [unit]. */
+  Eigen::Matrix<Whole, 4, 4> sums = Eigen::Matrix<Whole, 4, 4>::Zero();
+
+  Whole
+  count () const
+  {
+    return sums (3, 3);
+  }
 
   /** \brief Adds the place of the lattice nearest to this one [m]. */
   void
-  add (const Eigen::Vector3d& place);
-
-  ExactMoments&
-  operator+= (const ExactMoments& other);
+  add (const Eigen::Vector3d& place)
+  {
+    const Eigen::Vector3d on_lattice = (place / unit).array().round();
+    const Eigen::Matrix<Whole, 4, 1> p = on_lattice.homogeneous().cast<Whole>();
+    sums += p * p.transpose();
+  }
 
   /** \brief The same in meters, about the place of the lattice next to their centroid;
    * for no points, zero. */
   Moments
-  toMoments () const;
+  toMoments () const
+  {
+    Moments moments;
+    if (count() == 0)
+      return moments;
+    Eigen::Matrix<Whole, 4, 4> move = Eigen::Matrix<Whole, 4, 4>::Identity();
+    move.col (3).head<3>() = sums.col (3).head<3>() / -count();
+    const Eigen::Matrix<double, 4, 4> moved =
+        (move * sums * move.transpose()).cast<double>();
+    moments.origin = -unit * move.col (3).head<3>().cast<double>();
+    moments.count = moved (3, 3);
+    moments.sum = unit * moved.col (3).head<3>();
+    const Eigen::Matrix3d products = unit * unit * moved.topLeftCorner<3, 3>();
+    moments.products = {products (0, 0),
+                        products (0, 1),
+                        products (0, 2),
+                        products (1, 1),
+                        products (1, 2),
+                        products (2, 2)};
+    return moments;
+  }
 };
 
 /** \brief A lattice finer than a ten thousandth of a cell [m]. */
-double
-latticeFor (double cell);
+inline double
+latticeFor (double cell)
+{
+  constexpr double units_of_cell = 1e4;
+  return std::exp2 (std::floor (std::log2 (cell / units_of_cell)));
+}
 
 } // namespace pcl_ops::apps

@@ -155,7 +155,7 @@ public:
     });
     const SortedPoints points (plan_, folder_);
     detectPlanes (points);
-    if (ranks_.rank() == 0 && !isThere (folder_.work (run_file::numbers)))
+    if (ranks_.rank() == 0 && !isThere (folder_.work (run_file::list)))
       joinTiles (plan_, folder_, points);
     finish ("joined");
     shareInputs ("labelled", labelInput, [this] (std::size_t i) {
@@ -184,19 +184,15 @@ private:
   void
   detectPlanes (const SortedPoints& points)
   {
-    const std::vector<TileSize>& tiles = points.tiles;
-    std::vector<std::uint64_t> parts;
-    for (const TileSize& tile : tiles)
-      parts.push_back (tile.points);
     share (
-        parts,
+        points.points_of_tile,
         "tiles",
         [&] (std::size_t i) {
-          return isThere (folder_.ofTile (tiles[i].tile, ".planes"));
+          return isThere (folder_.ofTile (points.tiles[i], ".planes"));
         },
         [&] (std::size_t i) {
           inMemory ("--tile", "give a smaller one or fewer --jobs", [&] {
-            detectTile (plan_, folder_, points, tiles[i].tile);
+            detectTile (plan_, folder_, points, points.tiles[i]);
           });
         });
     finish ("planes found");
@@ -308,7 +304,8 @@ preparePlan (const TilesOptions& options, const RunFolder& folder)
     throw WorkError (own.name, "is another plan than " + named.name + "; " + own.mend);
   checkClashes (plan, folder, options);
   if (!has_own)
-    folder.startAnew();
+    folder.empty();
+  folder.make();
   for (const PlanFile& file : {named, own})
     if (!isThere (file.name))
       savePlan (file.name, plan);
@@ -338,7 +335,6 @@ findInTiles (int argc, const char* const* argv, const Ranks& ranks)
                        "another run works in it; wait until it has ended, or give "
                        "another --output-dir");
     preparePlan (options, folder);
-    folder.make();
   }
   ranks.meet();
   const Plan plan = loadPlan (planFileOf (folder));

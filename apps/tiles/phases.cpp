@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "phases.h"
 
+#include "binary_file.h"
+#include "plane_joining.h"
 #include "planes_json.h"
 #include "point_file.h"
 #include "tile_planes.h"
@@ -11,10 +13,7 @@
 #include <io/output_file.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
-#include <memory>
-#include <system_error>
 
 namespace fs = std::filesystem;
 
@@ -28,19 +27,19 @@ constexpr const char* folders[] = {"cells", "planes", "labelled"};
 TilePoints
 pointsOf (const SortedPoints& points, const TileKey& tile)
 {
+  const BlockKey own{tile[0], tile[1], 0}, halo{tile[0], tile[1], 1};
   TilePoints all{tile, {}, {}};
   std::uint64_t count = 0;
-  const std::vector<CellFile>& files = points.files;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::uint64_t own = files[i].count ({tile, false});
-    count += own + files[i].count ({tile, true});
-    if (own > 0)
-      all.own_of_input.emplace_back (static_cast<std::uint32_t> (i), own);
+  for (std::size_t i = 0; i < points.files.size(); ++i) {
+    const CellFile& file = points.files[i];
+    count += file.count (own) + file.count (halo);
+    if (file.count (own) > 0)
+      all.own_of_input.emplace_back (static_cast<std::uint32_t> (i), file.count (own));
   }
-  all.coordinates.reserve (3 * count);
-  for (const bool is_halo : {false, true})
-    for (const CellFile& file : files)
-      file.read ({tile, is_halo}, all.coordinates);
+  all.points.reserve (count);
+  for (const BlockKey& key : {own, halo})
+    for (const CellFile& file : points.files)
+      file.read (key, all.points);
   return all;
 }
 
@@ -54,65 +53,53 @@ checkIsAsPlanned (const PlannedInput& input, const RunFolder& folder)
                          folder.output ("work") + " and run it again");
 }
 
-class LabelsInOrder {
+/** \brief The labels of an input's points in one tile, in their order, of which it
+ * reads some at a time. */
+class TileLabels {
 public:
-  LabelsInOrder (const Plan& plan, const RunFolder& folder, std::size_t input)
-  : grid_ (plan.grid())
-  , folder_ (folder)
-  , input_ (static_cast<std::uint32_t> (input))
-  , numbers_ (loadPlaneNumbers (folder.work (run_file::numbers)))
-  {}
+  TileLabels (const RunFolder& folder, const TileKey& tile, std::size_t input)
+  : file_ (folder.labels (tile, input))
+  {
+    BinaryReader read (folder.ofTile (tile, ".numbers"));
+    read (numbers_);
+  }
 
   std::uint32_t
-  next (const Eigen::Vector3d& place)
+  next ()
   {
-    if (!grid_.reaches (place))
-      return 0;
-    const TileKey tile = grid_.tileOf (grid_.cellOf (place));
-    if (last_ == nullptr || last_->tile != tile)
-      last_ = &readerOf (tile);
-    const std::uint32_t piece = last_->labels.next();
-    if (piece > last_->numbers->size())
-      failDamaged (folder_.ofTile (tile, ".labels"));
-    return piece == 0 ? 0 : (*last_->numbers)[piece - 1];
+    if (next_ == pieces_.size())
+      refill();
+    const std::uint32_t piece = pieces_[next_++];
+    if (piece > numbers_.size())
+      BinaryReader (file_).fail();
+    return piece == 0 ? 0 : numbers_[piece - 1];
   }
 
 private:
-  struct Tile {
-    TileKey tile;
-    LabelReader labels;
-    const std::vector<std::uint32_t>* numbers;
-  };
-
-  Tile&
-  readerOf (const TileKey& tile)
+  void
+  refill ()
   {
-    const auto numbers = numbers_.find (tile);
-    if (numbers == numbers_.end())
-      failDamaged (folder_.work (run_file::numbers));
-    std::unique_ptr<Tile>& known = tiles_[tile];
-    if (!known)
-      known.reset (new Tile{tile,
-                            LabelReader (folder_.ofTile (tile, ".labels"), input_),
-                            &numbers->second});
-    return *known;
+    constexpr std::uint64_t most = 4096;
+    BinaryReader read (file_);
+    const std::uint64_t left = read.size() / sizeof (std::uint32_t) - used_;
+    if (left == 0)
+      throw WorkError (file_, "has too few labels; remove its folder and run it again");
+    pieces_.resize (std::min (most, left));
+    read.seek (used_ * sizeof (std::uint32_t));
+    read (pieces_.data(), pieces_.size());
+    used_ += pieces_.size();
+    next_ = 0;
   }
 
-  TileGrid grid_;
-  const RunFolder& folder_;
-  std::uint32_t input_;
-  PlaneNumbers numbers_;
-  std::map<TileKey, std::unique_ptr<Tile>> tiles_;
-  Tile* last_ = nullptr;
+  std::string file_;
+  /** \brief Of the tile's pieces. */
+  std::vector<std::uint32_t> numbers_;
+  std::vector<std::uint32_t> pieces_;
+  std::size_t next_ = 0;
+  std::uint64_t used_ = 0;
 };
 
 } // namespace
-
-std::string
-RunFolder::output (const std::string& name) const
-{
-  return (fs::path (outputs) / name).string();
-}
 
 void
 RunFolder::make() const
@@ -123,18 +110,26 @@ RunFolder::make() const
 }
 
 void
-RunFolder::startAnew() const
+RunFolder::empty() const
 {
   std::error_code error;
   fs::remove (work (run_file::end), error);
-  for (const char* folder : folders)
-    if (!error)
-      fs::remove_all (work (folder), error);
+  if (!error)
+    error = clean();
   if (error)
     throw WorkError (output ("work"),
                      "cannot be emptied (" + error.message() +
                          "); remove it or give another --output-dir");
-  make();
+}
+
+std::error_code
+RunFolder::clean() const
+{
+  std::error_code error;
+  for (const char* folder : folders)
+    if (!error)
+      fs::remove_all (work (folder), error);
+  return error;
 }
 
 void
@@ -144,14 +139,6 @@ RunFolder::finish() const
   writeTextFile (output (planes_file),
                  readTextFile (work (run_file::list), "planes.json"));
   writeTextFile (work (run_file::end), "");
-}
-
-void
-RunFolder::clean() const
-{
-  std::error_code ignored;
-  for (const char* folder : folders)
-    fs::remove_all (work (folder), ignored);
 }
 
 bool
@@ -168,21 +155,16 @@ partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input)
   PointFile points (plan.inputs[input].file);
   writeFile (folder.cells (input), [&] (std::ostream& stream) {
     CellFileWriter writer (stream);
-    TileKey last{};
-    Eigen::Vector3d corner = grid.cornerOf (grid.frameOf (last));
     points.forPlaces ([&] (const Eigen::Vector3d& place) {
       if (!grid.reaches (place))
         return;
+      const auto add = [&] (const TileKey& tile, bool is_halo) {
+        const Eigen::Vector3d corner = grid.cornerOf (grid.frameOf (tile));
+        writer.add ({tile[0], tile[1], is_halo}, (place - corner).cast<float>());
+      };
       const CellKey cell = grid.cellOf (place);
-      const TileKey tile = grid.tileOf (cell);
-      if (tile != last)
-        corner = grid.cornerOf (grid.frameOf (tile));
-      last = tile;
-      writer.add ({tile, false}, (place - corner).cast<float>());
-      grid.forTilesAround (cell, [&] (const TileKey& other) {
-        const Eigen::Vector3d of_other = grid.cornerOf (grid.frameOf (other));
-        writer.add ({other, true}, (place - of_other).cast<float>());
-      });
+      add (grid.tileOf (cell), false);
+      grid.forTilesAround (cell, [&] (const TileKey& tile) { add (tile, true); });
     });
     writer.finish();
     checkIsAsPlanned (plan.inputs[input], folder);
@@ -194,15 +176,14 @@ SortedPoints::SortedPoints (const Plan& plan, const RunFolder& folder)
   std::map<TileKey, std::uint64_t> points;
   for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
     files.emplace_back (folder.cells (i));
-    for (const Block& block : files.back().blocks())
-      if (!block.key.is_halo)
-        points[block.key.tile] += block.points;
+    for (const auto& [key, block] : files.back().blocks())
+      if (key[2] == 0)
+        points[{key[0], key[1]}] += block.points;
   }
-  for (const auto& [tile, count] : points)
-    tiles.push_back ({tile, count});
-  std::stable_sort (tiles.begin(), tiles.end(), [] (const auto& a, const auto& b) {
-    return a.points > b.points;
-  });
+  for (const auto& [tile, count] : points) {
+    tiles.push_back (tile);
+    points_of_tile.push_back (count);
+  }
 }
 
 void
@@ -211,35 +192,49 @@ detectTile (const Plan& plan,
             const SortedPoints& points,
             const TileKey& tile)
 {
-  const TileDetection found = detectInTile (plan.grid(), pointsOf (points, tile));
-  saveTileLabels (folder.ofTile (tile, ".labels"), found.labels);
+  const TilePoints seen = pointsOf (points, tile);
+  const TileDetection found = detectInTile (plan.grid(), seen);
+  const std::uint32_t* labels = found.labels.data();
+  for (const auto& [input, count] : seen.own_of_input) {
+    writeFile (folder.labels (tile, input), [&, count = count] (std::ostream& stream) {
+      BinaryWriter{stream}(labels, count);
+    });
+    labels += count;
+  }
   saveTilePlanes (folder.ofTile (tile, ".planes"), found.planes);
 }
 
 void
 joinTiles (const Plan& plan, const RunFolder& folder, const SortedPoints& points)
 {
-  std::vector<TileKey> tiles;
-  for (const TileSize& size : points.tiles)
-    tiles.push_back (size.tile);
-  std::sort (tiles.begin(), tiles.end());
+  const std::vector<TileKey>& tiles = points.tiles;
   const JoinedPlanes joined = joinPlanes (tiles, [&folder] (const TileKey& tile) {
     return loadTilePlanes (folder.ofTile (tile, ".planes"));
   });
+  for (std::size_t i = 0; i < tiles.size(); ++i)
+    writeFile (folder.ofTile (tiles[i], ".numbers"),
+               [&] (std::ostream& stream) { BinaryWriter{stream}(joined.numbers[i]); });
   writeTextFile (folder.work (run_file::list),
                  toJson (plan, tiles.size(), joined.planes));
-  savePlaneNumbers (folder.work (run_file::numbers), joined.numbers);
 }
 
 void
 labelInput (const Plan& plan, const RunFolder& folder, std::size_t input)
 {
-  LabelsInOrder labels (plan, folder, input);
+  const TileGrid grid = plan.grid();
+  std::map<TileKey, TileLabels> tiles;
+  auto last = tiles.end();
   checkIsAsPlanned (plan.inputs[input], folder);
   PointFile points (plan.inputs[input].file);
   const std::string output = outputOf (plan, folder, input);
-  points.saveLabelled (
-      output, [&labels] (const Eigen::Vector3d& place) { return labels.next (place); });
+  points.saveLabelled (output, [&] (const Eigen::Vector3d& place) -> std::uint32_t {
+    if (!grid.reaches (place))
+      return 0;
+    const TileKey tile = grid.tileOf (grid.cellOf (place));
+    if (last == tiles.end() || last->first != tile)
+      last = tiles.try_emplace (tile, folder, tile, input).first;
+    return last->second.next();
+  });
   if (hasChanged (plan.inputs[input]))
     fs::remove (output);
   checkIsAsPlanned (plan.inputs[input], folder);

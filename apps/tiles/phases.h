@@ -8,25 +8,31 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace pcl_ops::apps {
 
 /** \brief Names of \ref RunFolder::work: the plan that all other files are of, what
- * gives pieces their planes, what planes.json becomes once all else is done, and the
- * end. */
+ * planes.json becomes once all else is done, and the end. */
 namespace run_file {
-inline constexpr const char *plan = "plan.json", *numbers = "planes/numbers",
-                            *list = "planes/planes.json", *end = "done";
+inline constexpr const char *plan = "plan.json", *list = "planes/planes.json",
+                            *end = "done";
 } // namespace run_file
+
+inline constexpr const char* planes_file = "planes.json";
 
 /** \brief Where the files of a run are, which its phases leave for one another. */
 struct RunFolder {
   std::string outputs;
 
   std::string
-  output (const std::string& name) const;
+  output (const std::string& name) const
+  {
+    return (std::filesystem::path (outputs) / name).string();
+  }
 
   /** \brief Where a file is that is no output. */
   std::string
@@ -40,54 +46,60 @@ struct RunFolder {
   {
     return work ("cells/" + std::to_string (input) + ".cells");
   }
-  /** \param[in] extension .planes or .labels */
+
+  /** \param[in] extension .planes; .numbers of these planes in the list of all; or that
+   * of \ref labels */
   std::string
-  ofTile (const TileKey& tile, const char* extension) const
+  ofTile (const TileKey& tile, const std::string& extension) const
   {
     return work ("planes/" + std::to_string (tile[0]) + "_" + std::to_string (tile[1]) +
                  extension);
   }
+
+  /** \brief The labels of a tile's own points of one input, in their order. */
+  std::string
+  labels (const TileKey& tile, std::size_t input) const
+  {
+    return ofTile (tile, "." + std::to_string (input) + ".labels");
+  }
+
   std::string
   mark (std::size_t input) const
   {
     return work ("labelled/" + std::to_string (input));
   }
+
   /** \brief Makes the folders that are missing. \throws WorkError */
   void
   make () const;
 
-  /** \brief Removes all but the plan, and makes the folders again. \throws WorkError */
+  /** \brief Removes all but the plan. \throws WorkError */
   void
-  startAnew () const;
+  empty () const;
+
+  /** \brief Removes all but the plan and the end. */
+  std::error_code
+  clean () const;
 
   /** \brief Writes planes.json and the end: all else is done. */
   void
   finish () const;
-
-  /** \brief Removes all but the plan and the end. */
-  void
-  clean () const;
 };
 
 bool
 isThere (const std::string& file);
 
-inline constexpr const char* planes_file = "planes.json";
-
 void
 partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input);
-
-struct TileSize {
-  TileKey tile;
-  std::uint64_t points = 0;
-};
 
 struct SortedPoints {
   SortedPoints (const Plan& plan, const RunFolder& folder);
 
+  /** \brief Of each input. */
   std::vector<CellFile> files;
-  /** \brief All tiles with points, those with most of them first. */
-  std::vector<TileSize> tiles;
+  /** \brief All tiles with points, sorted, and how many points each has. */
+  std::vector<TileKey> tiles;
+  std::vector<std::uint64_t> points_of_tile;
 };
 
 void

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_joining.h"
 
-#include <io/output_file.h>
 #include <pcl_ops/plane_merging.h>
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numeric>
 #include <optional>
 
@@ -35,11 +35,11 @@ public:
   explicit PieceGroups (const std::vector<Piece>& pieces) : root_ (pieces.size())
   {
     std::iota (root_.begin(), root_.end(), std::size_t (0));
-    seen_.reserve (pieces.size());
     for (const Piece& piece : pieces)
       seen_.push_back (piece.all);
   }
 
+  /** \brief The first piece of a group. */
   std::size_t
   rootOf (std::size_t piece)
   {
@@ -52,15 +52,15 @@ public:
   void
   join (std::size_t a, std::size_t b)
   {
-    a = rootOf (a);
-    b = rootOf (b);
-    if (a == b)
+    const auto [first, second] = std::minmax ({rootOf (a), rootOf (b)});
+    if (first == second)
       return;
-    const MergedPlanes merged = mergePlanes ({seen_[a], seen_[b]}, mergingByNoise());
+    const MergedPlanes merged =
+        mergePlanes ({seen_[first], seen_[second]}, mergingByNoise());
     if (merged.moments.size() != 1 || merged.merged_into[0] != merged.merged_into[1])
       return;
-    root_[std::max (a, b)] = std::min (a, b);
-    seen_[std::min (a, b)] = merged.moments[0];
+    root_[second] = first;
+    seen_[first] = merged.moments[0];
   }
 
 private:
@@ -120,44 +120,50 @@ pairsOf (const std::vector<TileKey>& tiles,
   return pairs;
 }
 
-template <typename Item>
-void
-appendNew (const std::vector<Item>& items, std::vector<Item>& all)
-{
-  for (const Item& item : items)
-    if (std::find (all.begin(), all.end(), item) == all.end())
-      all.push_back (item);
-}
-
-/** \brief A plane of a piece, and what it shares with others of its group is added. */
+/** \brief A plane gets a piece of a tile; all get theirs in the order of tiles. */
 void
 addPiece (Piece& piece, const TileKey& tile, JoinedPlane& plane)
 {
   if (plane.tiles.empty()) {
-    plane.moments = piece.own;
+    plane.moments.unit = piece.own.unit;
     plane.normal = piece.normal;
+    plane.fit = fitPlane (piece.all).value_or (PlaneFit());
   }
-  else
-    plane.moments += piece.own;
+  plane.moments.sums += piece.own.sums;
   const bool is_same_side = plane.normal.dot (piece.normal) >= 0.0;
   for (const OutlineEdge& edge : piece.edges)
     plane.edges.push_back (is_same_side ? edge : OutlineEdge{edge.to, edge.from});
   piece.edges = {}; // there are many
-  appendNew ({tile}, plane.tiles);
-  appendNew (piece.inputs, plane.inputs);
+  if (plane.tiles.empty() || plane.tiles.back() != tile)
+    plane.tiles.push_back (tile);
+  for (const std::uint32_t input : piece.inputs)
+    if (std::find (plane.inputs.begin(), plane.inputs.end(), input) ==
+        plane.inputs.end())
+      plane.inputs.push_back (input);
 }
 
-/** \brief The positions of planes by falling size, of equal ones the first one first.
- */
-std::vector<std::size_t>
-bySize (const std::vector<JoinedPlane>& planes)
+/** \brief For each piece the number of its plane, from 1 on by falling size; of equal
+ * ones that of the first piece first. */
+std::vector<std::uint32_t>
+numbersOf (const std::vector<Piece>& pieces, PieceGroups& groups)
 {
-  std::vector<std::size_t> order (planes.size());
-  std::iota (order.begin(), order.end(), std::size_t (0));
-  std::stable_sort (order.begin(), order.end(), [&] (std::size_t a, std::size_t b) {
-    return planes[a].moments.count > planes[b].moments.count;
+  std::vector<ExactMoments::Whole> points (pieces.size());
+  std::vector<std::size_t> roots;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const std::size_t root = groups.rootOf (i);
+    points[root] += pieces[i].own.count();
+    if (root == i)
+      roots.push_back (i);
+  }
+  std::stable_sort (roots.begin(), roots.end(), [&] (std::size_t a, std::size_t b) {
+    return points[a] > points[b];
   });
-  return order;
+  std::vector<std::uint32_t> numbers (pieces.size());
+  for (std::size_t k = 0; k < roots.size(); ++k)
+    numbers[roots[k]] = static_cast<std::uint32_t> (k + 1);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    numbers[i] = numbers[groups.rootOf (i)];
+  return numbers;
 }
 
 } // namespace
@@ -168,67 +174,28 @@ joinPlanes (const std::vector<TileKey>& tiles,
 {
   std::vector<Piece> pieces;
   std::vector<std::size_t> first_piece;
-  std::vector<TileKey> tile_of;
   for (const TileKey& tile : tiles) {
     first_piece.push_back (pieces.size());
     for (Piece& piece : load (tile).pieces)
       pieces.push_back (std::move (piece));
-    tile_of.resize (pieces.size(), tile);
   }
   PieceGroups groups (pieces);
   for (const Pair& pair : pairsOf (tiles, first_piece, load))
     groups.join (pair.first, pair.second);
 
-  std::vector<JoinedPlane> planes;
-  std::vector<std::size_t> plane_of (pieces.size());
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::size_t root = groups.rootOf (i);
-    plane_of[i] = root == i ? planes.size() : plane_of[root];
-    if (root == i)
-      planes.emplace_back();
-    addPiece (pieces[i], tile_of[i], planes[plane_of[i]]);
-    if (const auto fit = fitPlane (pieces[root].all); root == i && fit)
-      planes[plane_of[i]].fit = *fit;
-  }
-  JoinedPlanes joined;
-  std::vector<std::uint32_t> number (planes.size());
-  for (const std::size_t p : bySize (planes)) {
-    if (const auto fit = fitPlane (planes[p].moments.toMoments()))
-      planes[p].fit = *fit;
-    joined.planes.push_back (std::move (planes[p]));
-    number[p] = static_cast<std::uint32_t> (joined.planes.size());
-  }
-  for (const TileKey& tile : tiles)
-    joined.numbers[tile];
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    joined.numbers[tile_of[i]].push_back (number[plane_of[i]]);
-  return joined;
-}
-
-void
-savePlaneNumbers (const std::string& file, const PlaneNumbers& numbers)
-{
-  writeFile (file, [&] (std::ostream& stream) {
-    put (stream, std::uint64_t (numbers.size()));
-    for (const auto& [tile, numbers_of_tile] : numbers) {
-      put (stream, tile);
-      putAll (stream, numbers_of_tile);
+  const std::vector<std::uint32_t> numbers = numbersOf (pieces, groups);
+  first_piece.push_back (pieces.size());
+  JoinedPlanes joined{{}, std::vector<std::vector<std::uint32_t>> (tiles.size())};
+  if (!numbers.empty())
+    joined.planes.resize (*std::max_element (numbers.begin(), numbers.end()));
+  for (std::size_t t = 0; t < tiles.size(); ++t)
+    for (std::size_t i = first_piece[t]; i < first_piece[t + 1]; ++i) {
+      addPiece (pieces[i], tiles[t], joined.planes[numbers[i] - 1]);
+      joined.numbers[t].push_back (numbers[i]);
     }
-  });
-}
-
-PlaneNumbers
-loadPlaneNumbers (const std::string& file)
-{
-  std::ifstream stream = openBinary (file);
-  PlaneNumbers numbers;
-  const auto tiles = get<std::uint64_t> (stream);
-  for (std::uint64_t i = 0; i < tiles && stream; ++i) {
-    const auto tile = get<TileKey> (stream);
-    numbers[tile] = getAll<std::uint32_t> (stream);
-  }
-  checkWasRead (stream, file);
-  return numbers;
+  for (JoinedPlane& plane : joined.planes)
+    plane.fit = fitPlane (plane.moments.toMoments()).value_or (plane.fit);
+  return joined;
 }
 
 } // namespace pcl_ops::apps

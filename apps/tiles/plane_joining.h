@@ -7,9 +7,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace pcl_ops::apps {
@@ -25,13 +22,12 @@ struct JoinedPlane {
   std::vector<std::uint32_t> inputs;
 };
 
-/** \brief For each piece of each tile the number of its plane, from 1 on. */
-using PlaneNumbers = std::map<TileKey, std::vector<std::uint32_t>>;
-
 struct JoinedPlanes {
   /** \brief By falling size. */
   std::vector<JoinedPlane> planes;
-  PlaneNumbers numbers;
+  /** \brief For each tile, for each of its pieces, the number of its plane from 1 on.
+   */
+  std::vector<std::vector<std::uint32_t>> numbers;
 };
 
 /** \brief Makes one plane of pieces on both sides of a border.
@@ -46,14 +42,5 @@ struct JoinedPlanes {
 JoinedPlanes
 joinPlanes (const std::vector<TileKey>& tiles,
             const std::function<TilePlanes (const TileKey&)>& load);
-
-/** \brief Writes the numbers in one step. \throws WorkError if they cannot be written
- */
-void
-savePlaneNumbers (const std::string& file, const PlaneNumbers& numbers);
-
-/** \throws WorkError if they cannot be read */
-PlaneNumbers
-loadPlaneNumbers (const std::string& file);
 
 } // namespace pcl_ops::apps

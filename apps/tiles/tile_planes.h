@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 
-#include "cell_file.h"
 #include "exact_moments.h"
 #include "plane_outline.h"
 #include "tile_grid.h"
@@ -13,6 +12,7 @@
 #include <cstdint>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace pcl_ops::apps {
@@ -39,13 +39,7 @@ struct Claim {
   friend bool
   operator<(const Claim& a, const Claim& b)
   {
-    return std::tie (a.cell[0], a.cell[1], a.cell[2], a.piece) <
-           std::tie (b.cell[0], b.cell[1], b.cell[2], b.piece);
-  }
-  friend bool
-  operator== (const Claim& a, const Claim& b)
-  {
-    return a.cell == b.cell && a.piece == b.piece;
+    return std::tie (a.cell, a.piece) < std::tie (b.cell, b.piece);
   }
 };
 
@@ -65,59 +59,20 @@ saveTilePlanes (const std::string& file, const TilePlanes& planes);
 TilePlanes
 loadTilePlanes (const std::string& file);
 
-/** \brief The labels of a tile's own points of one input: 0 or a piece's number from 1
- * on, in the order of the input. */
-struct LabelsOfInput {
-  std::uint32_t input = 0;
-  std::vector<std::uint32_t> labels;
-};
-
-void
-saveTileLabels (const std::string& file, const std::vector<LabelsOfInput>& labels);
-
-/** \brief Reads the labels of one input in their order, some at a time. */
-class LabelReader {
-public:
-  LabelReader (const std::string& file, std::uint32_t input);
-
-  /** \throws WorkError if there is none left */
-  std::uint32_t
-  next ();
-
-private:
-  void
-  refill ();
-
-  std::string file_;
-  std::uint64_t place_ = 0, left_ = 0;
-  std::vector<std::uint32_t> some_;
-  std::size_t used_ = 0;
-};
-
 /** \brief The points a tile looks at, in its frame: its own of each input, then its
- * halo.
- */
+ * halo. */
 struct TilePoints {
   TileKey tile;
-  /** \brief x, y, z of each. */
-  std::vector<float> coordinates;
+  std::vector<Eigen::Vector3f> points;
   /** \brief The inputs with points in the tile, and how many of the points are theirs.
    */
   std::vector<std::pair<std::uint32_t, std::uint64_t>> own_of_input;
-
-  std::size_t
-  own () const;
-
-  std::size_t
-  size () const
-  {
-    return coordinates.size() / 3;
-  }
 };
 
 struct TileDetection {
   TilePlanes planes;
-  std::vector<LabelsOfInput> labels;
+  /** \brief Of the tile's own points: 0, or a piece's number from 1 on. */
+  std::vector<std::uint32_t> labels;
 };
 
 /** \brief Finds planes with the library's recommended preset in voxels of the grid. */

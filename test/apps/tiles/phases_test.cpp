@@ -42,8 +42,8 @@ protected:
   {
     partitionInput (plan_, run_, 0);
     const SortedPoints points (plan_, run_);
-    for (const TileSize& size : points.tiles)
-      detectTile (plan_, run_, points, size.tile);
+    for (const TileKey& tile : points.tiles)
+      detectTile (plan_, run_, points, tile);
     joinTiles (plan_, run_, points);
   }
 
@@ -85,59 +85,41 @@ TEST_F (Phases, DoNotLabelAnInputThatHasChanged)
   EXPECT_FALSE (isThere (run_.mark (0)));
 }
 
-constexpr int points_of_key = 40'000; // more than a block has
-const BlockKey first{{0, 0}, false}, halo_of_first{{0, 0}, true},
-    second{{-3, 7}, false};
-
-/** \brief A file with points of three keys by turns; x is the number of the turn. */
-std::string
-savedCells (const TemporaryFolder& folder)
-{
-  std::ofstream stream (folder / "0.cells", std::ios::binary);
-  CellFileWriter writer (stream);
-  for (int i = 0; i < points_of_key; ++i)
-    for (const BlockKey& key : {first, halo_of_first, second})
-      writer.add (key,
-                  {static_cast<float> (i),
-                   static_cast<float> (key.tile[1]),
-                   key.is_halo ? 1.0f : 0.0f});
-  writer.finish();
-  return folder / "0.cells";
-}
+const BlockKey keys[] = {{0, 0, 0}, {0, 0, 1}, {-3, 7, 0}};
 
 TEST (CellFile, HasThePointsOfEachKeyInTheirOrder)
 {
+  constexpr int turns = 1'000'000; // more than a block has
   const TemporaryFolder folder;
-  const CellFile cells (savedCells (folder));
-  for (const BlockKey& key : {first, halo_of_first, second}) {
-    EXPECT_EQ (cells.count (key), std::uint64_t (points_of_key));
-    std::vector<float> coordinates;
-    cells.read (key, coordinates);
-    ASSERT_EQ (coordinates.size(), std::size_t (3 * points_of_key));
-    for (int i = 0; i < points_of_key; ++i) {
-      const float* const point = coordinates.data() + 3 * i;
-      ASSERT_EQ (point[0], static_cast<float> (i));
-      ASSERT_EQ (point[1], static_cast<float> (key.tile[1]));
-      ASSERT_EQ (point[2], key.is_halo ? 1.0f : 0.0f);
-    }
+  {
+    std::ofstream stream (folder / "0.cells", std::ios::binary);
+    CellFileWriter writer (stream);
+    for (int i = 0; i < turns; ++i)
+      for (const BlockKey& key : keys)
+        writer.add (key, Eigen::Vector3i (i, key[1], key[2]).cast<float>());
+    writer.finish();
   }
-}
-
-TEST (CellFile, HasNothingOfOtherKeys)
-{
-  const TemporaryFolder folder;
-  const CellFile cells (savedCells (folder));
-  std::vector<float> coordinates;
-  cells.read ({{-3, 7}, true}, coordinates);
-  EXPECT_TRUE (coordinates.empty());
-  EXPECT_EQ (cells.count ({{1, 0}, false}), 0u);
+  const CellFile cells (folder / "0.cells");
+  EXPECT_GT (cells.blocks().size(), std::size (keys));
+  for (const BlockKey& key : keys) {
+    EXPECT_EQ (cells.count (key), std::uint64_t (turns));
+    std::vector<Eigen::Vector3f> points;
+    cells.read (key, points);
+    ASSERT_EQ (points.size(), std::size_t (turns));
+    for (int i = 0; i < turns; ++i)
+      ASSERT_EQ (points[i], Eigen::Vector3i (i, key[1], key[2]).cast<float>());
+  }
+  std::vector<Eigen::Vector3f> none;
+  cells.read ({-3, 7, 1}, none);
+  EXPECT_TRUE (none.empty());
+  EXPECT_EQ (cells.count ({1, 0, 0}), 0u);
 }
 
 TEST (CellFile, SaysThatItIsDamaged)
 {
   const TemporaryFolder folder;
   const std::string file = folder.write ("0.cells", "1234");
-  EXPECT_THROW (CellFile{file}, std::runtime_error);
+  EXPECT_THROW (CellFile{file}, WorkError);
 }
 
 } // namespace

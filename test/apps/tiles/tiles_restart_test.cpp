@@ -5,6 +5,8 @@
 #include <chrono>
 #include <fstream>
 
+namespace fs = std::filesystem;
+
 namespace {
 
 /** \brief Ends a program at one of its writes. */
@@ -15,8 +17,9 @@ killedAt (int write)
          std::to_string (write);
 }
 
-/** \brief There when all inputs are sorted into cells. */
-const std::string sorted = "out/work/cells/3.cells";
+/** \brief There when all inputs are sorted into cells, and when planes are joined. */
+const std::string sorted = "out/work/cells/3.cells",
+                  joined = "out/work/planes/planes.json";
 
 class TilesRestart : public Tiles {
 protected:
@@ -33,17 +36,17 @@ protected:
   void
   stopOnce (const std::string& file, const std::string& options) const
   {
-    for (int write = 1; !std::filesystem::exists (folder_ / file); ++write)
+    for (int write = 1; !fs::exists (folder_ / file); ++write)
       ASSERT_NE (run ("town --output-dir out " + options, killedAt (write)).exit_code,
                  0);
   }
 
   /** \brief When each file of a folder was written, by its name. */
-  std::map<std::string, std::filesystem::file_time_type>
+  std::map<std::string, fs::file_time_type>
   timesIn (const std::string& folder) const
   {
-    std::map<std::string, std::filesystem::file_time_type> times;
-    for (const auto& file : std::filesystem::directory_iterator (folder_ / folder))
+    std::map<std::string, fs::file_time_type> times;
+    for (const auto& file : fs::directory_iterator (folder_ / folder))
       if (file.path().extension() == ".cells")
         times[file.path().filename().string()] = file.last_write_time();
     return times;
@@ -67,7 +70,7 @@ TEST_F (TilesRestart, AfterBeingKilledAgainAndAgainGivesTheSameBytes)
 TEST_F (TilesRestart, DoesNotDoAgainWhatIsDone)
 {
   const auto expected = undisturbed();
-  stopOnce ("out/work/planes/numbers", "--tile 40");
+  stopOnce (joined, "--tile 40");
   const std::string cells = folder_ / "out/work/cells/0.cells";
   const auto before = timesIn ("out/work/cells");
   // At a write at which some inputs would be sorted, were they sorted again.
@@ -75,41 +78,36 @@ TEST_F (TilesRestart, DoesNotDoAgainWhatIsDone)
   EXPECT_EQ (timesIn ("out/work/cells"), before);
   expectDone ("town --output-dir out --tile 40");
   EXPECT_EQ (outputsIn ("out"), expected);
-  EXPECT_FALSE (std::filesystem::exists (cells)) << "no longer needed";
-  std::filesystem::remove (folder_ / "out/town_000_000.las");
+  EXPECT_FALSE (fs::exists (cells)) << "no longer needed";
+  fs::remove (folder_ / "out/town_000_000.las");
   expectDone ("town --output-dir out --tile 40");
   EXPECT_EQ (outputsIn ("out"), expected) << "an output was removed";
 }
 
 TEST_F (TilesRestart, NamesAFileOfItsOwnThatIsDamaged)
 {
-  const auto expected = undisturbed();
-  stopOnce ("out/work/planes/numbers", "--tile 40");
-  const std::filesystem::path planes = folder_ / "out/work/planes";
-  const std::string numbers = contentOf (planes / "numbers");
-  const std::string mend = ": is damaged; remove its folder and run it again\n";
-  const std::string all_set (sizeof (std::uint64_t), '\xff');
-  // One tile fewer; one tile that is another; more numbers than there are bytes.
-  const std::pair<std::size_t, std::string> damages[] = {
-      {0, std::string (8, '\0')}, {8, all_set}, {24, all_set}};
-  for (const auto& [place, bytes] : damages) {
-    folder_.write ("out/work/planes/numbers",
-                   std::string (numbers).replace (place, bytes.size(), bytes));
-    expectRefused ("town --output-dir out --tile 40",
-                   "out/work/planes/numbers" + mend.substr (0, mend.size() - 1));
+  undisturbed();
+  stopOnce (joined, "--tile 40");
+  // More numbers than there are bytes, then labels without a plane.
+  const std::tuple<const char*, std::size_t, std::string> damages[] = {
+      {".numbers", 0, std::string (8, '\xff')}, {".labels", 4, "\x7f\x7f\x7f\x7f"}};
+  for (const auto& [extension, place, bytes] : damages) {
+    std::map<fs::path, std::string> contents;
+    for (const auto& file : fs::directory_iterator (folder_ / "out/work/planes"))
+      if (file.path().extension() == extension)
+        contents[file.path()] = contentOf (file.path());
+    for (const auto& [file, content] : contents)
+      std::ofstream (file, std::ios::binary)
+          << std::string (content).replace (place, bytes.size(), bytes);
+    const Outcome done = run ("town --output-dir out --tile 40");
+    EXPECT_EQ (done.exit_code, 1);
+    EXPECT_TRUE (contains (
+        done.err,
+        extension +
+            std::string (": is damaged; remove its folder and run it again\n")));
+    for (const auto& [file, content] : contents)
+      std::ofstream (file, std::ios::binary) << content;
   }
-  folder_.write ("out/work/planes/numbers", numbers);
-  for (const auto& file : std::filesystem::directory_iterator (planes)) {
-    if (file.path().extension() != ".labels")
-      continue;
-    const std::string labels = contentOf (file.path());
-    std::ofstream (file.path(), std::ios::binary)
-        << labels.substr (0, labels.size() / 2)
-        << std::string (labels.size() - labels.size() / 2, '\x7f');
-  }
-  const Outcome done = run ("town --output-dir out --tile 40");
-  EXPECT_EQ (done.exit_code, 1);
-  EXPECT_TRUE (contains (done.err, ".labels" + mend));
 }
 
 TEST_F (TilesRestart, LabelsAgainWhatWasRemoved)
@@ -117,7 +115,7 @@ TEST_F (TilesRestart, LabelsAgainWhatWasRemoved)
   const auto expected = undisturbed();
   stopOnce ("out/work/labelled/0", "--tile 40");
   for (const auto& [name, content] : outputsIn ("out"))
-    std::filesystem::remove (folder_ / ("out/" + name));
+    fs::remove (folder_ / ("out/" + name));
   expectDone ("town --output-dir out --tile 40");
   EXPECT_EQ (outputsIn ("out"), expected);
 }
@@ -140,10 +138,10 @@ TEST_F (TilesRestart, StartsAnewOnceThePlanWasRemoved)
 {
   const auto expected = undisturbed();
   stopOnce (sorted, "--tile 30");
-  std::filesystem::remove (folder_ / "out/work/plan.json");
+  fs::remove (folder_ / "out/work/plan.json");
   expectDone ("town --output-dir out --tile 40");
   EXPECT_EQ (outputsIn ("out"), expected) << "what a stopped run left was taken";
-  std::filesystem::remove (folder_ / "out/work/plan.json");
+  fs::remove (folder_ / "out/work/plan.json");
   expectDone ("town --output-dir out --cell 3 --plan a.json");
   EXPECT_EQ (listIn ("out").at ("cell"), 3) << "the end of another run was taken";
 }
@@ -151,7 +149,7 @@ TEST_F (TilesRestart, StartsAnewOnceThePlanWasRemoved)
 TEST_F (TilesRestart, LeavesTheFolderToTheRunThatWorksInIt)
 {
   const auto expected = undisturbed();
-  std::filesystem::create_directory (folder_ / "out");
+  fs::create_directory (folder_ / "out");
   expectRefused ("town --output-dir out --tile 40",
                  "out: another run works in it; wait until it has ended, or give "
                  "another --output-dir",
@@ -190,7 +188,7 @@ TEST_F (TilesRestart, ARankThatIsLostEndsTheRunSoonAndTheNextOneGoesOn)
   const Outcome lost =
       shell (ranks (1) + " " + program + " : -n 1 " + killedAt (3) + " " + program);
   EXPECT_NE (lost.exit_code, 0);
-  EXPECT_FALSE (std::filesystem::exists (folder_ / "out/planes.json"));
+  EXPECT_FALSE (fs::exists (folder_ / "out/planes.json"));
   EXPECT_LT (std::chrono::steady_clock::now() - start, std::chrono::seconds (20));
   expectDone ("town --tile 40 --output-dir out", ranks (2));
   EXPECT_EQ (outputsIn ("out"), expected);
