@@ -3,6 +3,7 @@
 // Boost 1.74 remarks in every build on a header it includes itself.
 #define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry.hpp>
+#include <boost/geometry/geometries/register/point.hpp>
 #undef BOOST_ALLOW_DEPRECATED_HEADERS
 
 #include <boost/polygon/voronoi.hpp>
@@ -12,7 +13,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
+
+BOOST_GEOMETRY_REGISTER_POINT_2D (Eigen::Vector2d, double, cs::cartesian, x(), y())
 
 namespace pcl_ops::apps {
 
@@ -70,32 +74,22 @@ sitesOf (const std::vector<OutlinePoint>& points,
 }
 
 struct TakenSquare {
-  Square square{};
   bool has_own = false, has_others = false;
   /** \brief An edge may be in it, or a triangle that another tile has as well. */
   bool stays_whole = false;
 };
 
-std::vector<TakenSquare>
+using TakenSquares = std::map<Square, TakenSquare>;
+
+TakenSquares
 squaresOf (const std::vector<Site>& sites)
 {
-  std::vector<TakenSquare> squares;
+  TakenSquares squares;
   for (const Site& site : sites) {
-    if (squares.empty() || squares.back().square != site.square)
-      squares.push_back ({site.square, false, false, false});
-    (site.point.is_own ? squares.back().has_own : squares.back().has_others) = true;
+    TakenSquare& taken = squares.try_emplace (squares.end(), site.square)->second;
+    (site.point.is_own ? taken.has_own : taken.has_others) = true;
   }
   return squares;
-}
-
-TakenSquare*
-squareAt (const Square& square, std::vector<TakenSquare>& squares)
-{
-  const auto found = std::lower_bound (
-      squares.begin(), squares.end(), square, [] (const auto& a, const Square& b) {
-        return a.square < b;
-      });
-  return found != squares.end() && found->square == square ? &*found : nullptr;
 }
 
 /** \brief Calls visit (square) with what is taken, or nullptr, for those that are so
@@ -104,50 +98,51 @@ template <typename Visit>
 void
 forSquaresAround (const Square& square,
                   std::int64_t reach,
-                  std::vector<TakenSquare>& squares,
+                  TakenSquares& squares,
                   Visit&& visit)
 {
   for (std::int64_t du = -reach; du <= reach; ++du)
-    for (std::int64_t dv = -reach; dv <= reach; ++dv)
-      visit (squareAt ({square[0] + du, square[1] + dv}, squares));
+    for (std::int64_t dv = -reach; dv <= reach; ++dv) {
+      const auto found = squares.find ({square[0] + du, square[1] + dv});
+      visit (found == squares.end() ? nullptr : &found->second);
+    }
 }
 
 /** \brief Finds the squares at the rim, and those near a border of tiles, where each
  * has triangles of the same points: one that is a point of the plane to one of the
  * tiles alone must not change which others are left. */
 void
-markWhole (std::vector<TakenSquare>& squares)
+markWhole (TakenSquares& squares)
 {
   // A triangle reaches three cells, and the circle around it no farther.
   constexpr std::int64_t reach_of_triangles = 4;
-  for (TakenSquare& taken : squares) {
-    bool is_at_border = taken.has_own && taken.has_others;
-    forSquaresAround (taken.square, 1, squares, [&] (const TakenSquare* next) {
-      taken.stays_whole = taken.stays_whole || next == nullptr;
-      is_at_border =
-          is_at_border || (next != nullptr && next->has_own != taken.has_own);
+  for (auto& [square, taken] : squares) {
+    bool is_at_rim = false, is_at_border = taken.has_own && taken.has_others;
+    forSquaresAround (square, 1, squares, [&, own = taken.has_own] (auto* next) {
+      is_at_rim = is_at_rim || next == nullptr;
+      is_at_border = is_at_border || (next != nullptr && next->has_own != own);
     });
+    taken.stays_whole = taken.stays_whole || is_at_rim;
     if (is_at_border)
-      forSquaresAround (
-          taken.square, reach_of_triangles, squares, [] (TakenSquare* near) {
-            if (near != nullptr)
-              near->stays_whole = true;
-          });
+      forSquaresAround (square, reach_of_triangles, squares, [] (TakenSquare* near) {
+        if (near != nullptr)
+          near->stays_whole = true;
+      });
   }
 }
 
 /** \brief Leaves one site of each square that need not stay whole. */
 std::vector<Site>
-thinned (const std::vector<Site>& sites, std::vector<TakenSquare>& squares)
+thinned (const std::vector<Site>& sites, TakenSquares& squares)
 {
   markWhole (squares);
   std::vector<Site> left;
   auto taken = squares.begin();
   for (const Site& site : sites) {
     const bool is_first = left.empty() || left.back().square != site.square;
-    while (taken->square != site.square)
+    while (taken->first != site.square)
       ++taken;
-    if (is_first || taken->stays_whole)
+    if (is_first || taken->second.stays_whole)
       left.push_back (site);
   }
   return left;
@@ -205,11 +200,6 @@ isKept (const Vertex& vertex, const std::vector<Site>& sites, double radius)
   return first->point.is_own && du * du + dv * dv <= radius * radius;
 }
 
-namespace geometry = boost::geometry;
-using PlanarPoint = geometry::model::d2::point_xy<double>;
-using PlanarRing = geometry::model::ring<PlanarPoint, false, false>;
-using Box = geometry::model::box<PlanarPoint>;
-
 /** \brief Takes out what has an opposite. */
 std::vector<OutlineEdge>
 withoutOpposites (std::vector<OutlineEdge> edges)
@@ -233,109 +223,80 @@ withoutOpposites (std::vector<OutlineEdge> edges)
   return left;
 }
 
-/** \brief Closed lines along edges that never meet a corner twice. */
-class RingTracer {
-public:
-  RingTracer (const std::vector<OutlineEdge>& edges,
-              const PlaneFrame& frame,
-              double unit)
+/** \brief Where edges meet, and where those that no ring has taken go. */
+struct Corner {
+  Eigen::Vector2d point;
+  std::vector<Corner*> next;
+  bool is_on_path = false;
+
+  /** \brief Where several edges leave, takes the one that stays at the same part of
+   * the plane: the next one clockwise from where the path comes from, if anywhere. */
+  Corner*
+  takeNext (const Corner* previous)
   {
-    std::vector<LatticePlace> places;
-    for (const OutlineEdge& edge : edges)
-      places.push_back (edge.from);
-    std::sort (places.begin(), places.end());
-    places.erase (std::unique (places.begin(), places.end()), places.end());
-    for (const LatticePlace& place : places)
-      corners_.push_back (frame.toPlane (unit * Eigen::Vector3d (double (place[0]),
-                                                                 double (place[1]),
-                                                                 double (place[2]))));
-    const auto number_of = [&] (const LatticePlace& place) {
-      return static_cast<std::size_t> (
-          std::lower_bound (places.begin(), places.end(), place) - places.begin());
+    const auto angle_of = [this] (const Corner* other) {
+      const Eigen::Vector2d way = other->point - point;
+      return std::atan2 (way.y(), way.x());
     };
-    next_.resize (places.size());
-    for (const OutlineEdge& edge : edges)
-      next_[number_of (edge.from)].push_back (number_of (edge.to));
-    place_on_path_.assign (places.size(), none);
-  }
-
-  std::vector<PlanarPoints>
-  trace ()
-  {
-    for (std::size_t first = 0; first < next_.size(); ++first)
-      while (!next_[first].empty())
-        follow (first);
-    return std::move (rings_);
-  }
-
-private:
-  static constexpr std::size_t none = std::size_t (-1);
-
-  /** \brief Goes along edges until none is left to come back by. */
-  void
-  follow (std::size_t corner)
-  {
-    path_.clear();
-    for (;;) {
-      place_on_path_[corner] = path_.size();
-      path_.push_back (corner);
-      if (next_[corner].empty())
-        break;
-      corner = takeNext (corner);
-      if (place_on_path_[corner] != none)
-        closeRing (place_on_path_[corner]);
-    }
-    for (const std::size_t on_path : path_)
-      place_on_path_[on_path] = none;
-  }
-
-  void
-  closeRing (std::size_t first)
-  {
-    rings_.emplace_back();
-    for (std::size_t i = first; i < path_.size(); ++i) {
-      rings_.back().push_back (corners_[path_[i]]);
-      place_on_path_[path_[i]] = none;
-    }
-    path_.resize (first);
-  }
-
-  /** \brief Where several edges leave, the one that stays at the same part of the
-   * plane: the next one clockwise from where the path comes from. */
-  std::size_t
-  takeNext (std::size_t corner)
-  {
-    std::vector<std::size_t>& next = next_[corner];
-    std::size_t best = 0;
-    if (next.size() > 1 && path_.size() > 1) {
-      const auto angle_of = [&] (std::size_t other) {
-        const Eigen::Vector2d way = corners_[other] - corners_[corner];
-        return std::atan2 (way.y(), way.x());
-      };
-      const double from = angle_of (path_[path_.size() - 2]);
+    const auto turn_to = [&] (const Corner* other) {
       constexpr double full_turn = 6.283185307179586;
-      double least = full_turn;
-      for (std::size_t i = 0; i < next.size(); ++i) {
-        double turn = from - angle_of (next[i]);
-        turn += turn <= 0.0 ? full_turn : 0.0;
-        if (turn < least) {
-          least = turn;
-          best = i;
-        }
-      }
-    }
-    const std::size_t result = next[best];
-    next.erase (next.begin() + static_cast<std::ptrdiff_t> (best));
+      const double turn = angle_of (previous) - angle_of (other);
+      return turn <= 0.0 ? turn + full_turn : turn;
+    };
+    auto best = next.begin();
+    if (previous != nullptr && next.size() > 1)
+      best = std::min_element (next.begin(), next.end(), [&] (auto* a, auto* b) {
+        return turn_to (a) < turn_to (b);
+      });
+    Corner* const result = *best;
+    next.erase (best);
     return result;
   }
-
-  PlanarPoints corners_;
-  std::vector<std::vector<std::size_t>> next_;
-  std::vector<std::size_t> path_;
-  /** \brief Of each corner; none where it is not on the path. */
-  std::vector<std::size_t> place_on_path_;
-  std::vector<PlanarPoints> rings_;
 };
+
+/** \brief Goes along edges until none is left to come back by. */
+void
+follow (Corner* corner, std::vector<PlanarPoints>& rings)
+{
+  std::vector<Corner*> path;
+  for (;;) {
+    if (corner->is_on_path) {
+      const auto first = std::find (path.rbegin(), path.rend(), corner).base() - 1;
+      rings.emplace_back();
+      for (auto on_ring = first; on_ring != path.end(); ++on_ring) {
+        rings.back().push_back ((*on_ring)->point);
+        (*on_ring)->is_on_path = false;
+      }
+      path.erase (first, path.end());
+    }
+    const Corner* previous = path.empty() ? nullptr : path.back();
+    path.push_back (corner);
+    corner->is_on_path = true;
+    if (corner->next.empty())
+      break;
+    corner = corner->takeNext (previous);
+  }
+  for (Corner* on_path : path)
+    on_path->is_on_path = false;
+}
+
+/** \brief Closed lines along edges that never meet a corner twice. */
+std::vector<PlanarPoints>
+ringsAlong (const std::vector<OutlineEdge>& edges, const PlaneFrame& frame, double unit)
+{
+  std::map<LatticePlace, Corner> corners;
+  for (const OutlineEdge& edge : edges)
+    corners[edge.from].next.push_back (&corners[edge.to]);
+  for (auto& [place, corner] : corners)
+    corner.point = frame.toPlane (
+        unit * Eigen::Map<const Eigen::Matrix<std::int64_t, 3, 1>> (place.data())
+                   .cast<double>());
+  std::vector<PlanarPoints> rings;
+  for (auto& [place, corner] : corners)
+    while (!corner.next.empty())
+      follow (&corner, rings);
+  return rings;
+}
 
 /** \brief Takes off corners that a ring goes to and comes back from: where two tiles
  * round a point to different places of the lattice. */
@@ -368,57 +329,33 @@ movedOut (const PlanarPoints& ring, double distance)
   return moved;
 }
 
-double
-areaOf (const std::vector<PlanarRings>& outline)
-{
-  double area = 0.0;
-  for (const PlanarRings& rings : outline)
-    for (const PlanarPoints& ring : rings)
-      for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-        const Eigen::Vector2d a = ring[i] - ring[0], b = ring[i + 1] - ring[0];
-        area += 0.5 * (a.x() * b.y() - a.y() * b.x());
-      }
-  return area;
-}
+namespace geometry = boost::geometry;
 
 /** \brief A ring that goes round to the left, or a hole to the right. */
 struct SignedRing {
-  PlanarPoints corners;
-  PlanarRing ring;
-  Box box;
+  geometry::model::ring<Eigen::Vector2d, false, false> corners;
+  geometry::model::box<Eigen::Vector2d> box;
   double area = 0.0;
-};
 
-std::vector<SignedRing>
-signedRings (const std::vector<PlanarPoints>& rings, double unit)
-{
-  std::vector<SignedRing> all;
-  for (const PlanarPoints& traced : rings) {
-    SignedRing ring{withoutSpikes (traced, unit), {}, {}, 0.0};
-    for (const Eigen::Vector2d& corner : ring.corners)
-      ring.ring.emplace_back (corner.x(), corner.y());
-    if (ring.ring.size() < 3)
-      continue;
-    ring.box = geometry::return_envelope<Box> (ring.ring);
-    ring.area = geometry::area (ring.ring);
-    all.push_back (std::move (ring));
+  explicit SignedRing (const PlanarPoints& ring) : corners (ring.begin(), ring.end())
+  {
+    geometry::envelope (corners, box);
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+      const Eigen::Vector2d a = ring[i] - ring[0], b = ring[i + 1] - ring[0];
+      area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+    }
   }
-  std::stable_sort (all.begin(), all.end(), [] (const auto& a, const auto& b) {
-    return std::abs (a.area) > std::abs (b.area);
-  });
-  return all;
-}
 
-/** \brief Whether a hole is in a part. They may share corners, so that the middle of a
- * side is asked. */
-bool
-isIn (const SignedRing& hole, const SignedRing& part)
-{
-  if (!geometry::covered_by (hole.box, part.box))
-    return false;
-  const Eigen::Vector2d middle = 0.5 * (hole.corners[0] + hole.corners[1]);
-  return geometry::within (PlanarPoint (middle.x(), middle.y()), part.ring);
-}
+  /** \brief Whether a hole is in a part. They may share corners, so that the middle of
+   * a side is asked. */
+  bool
+  isIn (const SignedRing& part) const
+  {
+    const Eigen::Vector2d middle = 0.5 * (corners[0] + corners[1]);
+    return geometry::covered_by (box, part.box) &&
+           geometry::within (middle, part.corners);
+  }
+};
 
 } // namespace
 
@@ -437,7 +374,7 @@ outlineEdges (const std::vector<OutlinePoint>& points,
   if (points.empty())
     return {};
   std::vector<Site> sites = sitesOf (points, normal, cell);
-  std::vector<TakenSquare> squares = squaresOf (sites);
+  TakenSquares squares = squaresOf (sites);
   const double radius = cell * radiusFor (sites.size(), squares.size());
   sites = withinReach (thinned (sites, squares));
   Diagram diagram;
@@ -466,27 +403,36 @@ outlineOf (std::vector<OutlineEdge> edges,
            double points,
            double min_area)
 {
-  RingTracer tracer (withoutOpposites (std::move (edges)), frame, unit);
-  std::vector<SignedRing> rings = signedRings (tracer.trace(), unit);
-  std::vector<SignedRing> parts;
+  std::vector<SignedRing> rings, parts;
+  for (const PlanarPoints& traced :
+       ringsAlong (withoutOpposites (std::move (edges)), frame, unit))
+    if (const PlanarPoints ring = withoutSpikes (traced, unit); ring.size() >= 3)
+      rings.emplace_back (ring);
+  std::stable_sort (rings.begin(), rings.end(), [] (const auto& a, const auto& b) {
+    return std::abs (a.area) > std::abs (b.area);
+  });
   std::vector<PlanarRings> outline;
+  double area = 0.0;
   for (const SignedRing& ring : rings)
     if (ring.area > 0.0 && (parts.empty() || ring.area >= min_area)) {
       parts.push_back (ring);
       outline.push_back ({ring.corners});
+      area += ring.area;
     }
   for (const SignedRing& hole : rings) {
     if (hole.area > -min_area)
       continue;
     // The smallest part around it; asking the largest one takes long.
     std::size_t around = parts.size();
-    while (around > 1 && !isIn (hole, parts[around - 1]))
+    while (around > 1 && !hole.isIn (parts[around - 1]))
       --around;
-    if (around > 0 && -hole.area < parts[around - 1].area)
+    if (around > 0 && -hole.area < parts[around - 1].area) {
       outline[around - 1].push_back (hole.corners);
+      area += hole.area;
+    }
   }
   constexpr double spacings_within = 0.3; // measured on simulated roofs and facades
-  const double spacing = std::sqrt (areaOf (outline) / points);
+  const double spacing = std::sqrt (area / points);
   for (PlanarRings& part : outline)
     for (PlanarPoints& ring : part)
       ring = movedOut (ring, spacings_within * spacing);
