@@ -84,13 +84,13 @@ makeBoards (unsigned number)
   simulation::Scene scene;
   for (unsigned i = 0; i < number; ++i) {
     simulation::Body board;
-    simulation::addSurface (board, {});
+    board.addSurface ({});
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.translate (Eigen::Vector3d (
         spacing * (i % columns), spacing * std::floor (i / columns), 0.0));
     pose.rotate (Eigen::AngleAxisd (golden_angle * i, Eigen::Vector3d::UnitZ()));
     pose.rotate (Eigen::AngleAxisd (steepest * i / number, Eigen::Vector3d::UnitX()));
-    simulation::addBody (scene, board, pose);
+    scene.add (board, pose);
   }
   return scene;
 }

@@ -8,32 +8,26 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-
 /** \param[in] foot middle of its lower face [m] */
 void
 addStandingBox (Body& body, const Vector3d& foot, const Vector3d& size)
 {
-  const Eigen::Isometry3d pose = at (foot.x(), foot.y(), foot.z() + 0.5 * size.z());
-  addBox (body, pose, size, HiddenFace::Bottom);
+  const Vector3d center (foot.x(), foot.y(), foot.z() + 0.5 * size.z());
+  body.addBox (at (center), size, HiddenFace::Bottom);
 }
 
 /** \brief A slab on four round legs; \p size is its outer extent. */
-Furniture
+Body
 slabOnLegs (const Vector3d& size, double thickness, double leg_radius)
 {
-  Furniture slab{{}, size.head<2>()};
-  addBox (slab.body,
-          at (0.0, 0.0, size.z() - 0.5 * thickness),
-          {size.x(), size.y(), thickness});
-  const double inset = 3.0 * leg_radius;
+  Body slab{size.head<2>()};
+  const double height = size.z() - thickness, inset = 3.0 * leg_radius;
+  slab.addBox (at ({0, 0, size.z() - 0.5 * thickness}),
+               {size.x(), size.y(), thickness});
   for (const double x : {-0.5, 0.5})
     for (const double y : {-0.5, 0.5})
-      addPole (slab.body,
-               {x * (size.x() - inset), y * (size.y() - inset), 0.0},
-               size.z() - thickness,
-               leg_radius);
+      slab.addPole (
+          {x * (size.x() - inset), y * (size.y() - inset), 0}, height, leg_radius);
   return slab;
 }
 
@@ -41,8 +35,7 @@ slabOnLegs (const Vector3d& size, double thickness, double leg_radius)
 void
 addBooks (Body& body, const Vector3d& start, double width, Random& random)
 {
-  double x = 0.0;
-  while (x < width) {
+  for (double x = 0.0; x < width;) {
     const Vector3d size = random.inBox ({0.02, 0.14, 0.18}, {0.045, 0.2, 0.26});
     x += size.x();
     addStandingBox (body, {start.x() + x - 0.5 * size.x(), start.y(), start.z()}, size);
@@ -53,163 +46,149 @@ void
 addMonitor (Body& body, const Vector3d& foot, Random& random)
 {
   const Vector3d size (random.between (0.45, 0.7), 0.04, 0.36);
-  addPole (body, foot, 0.2, 0.03);
-  addPole (body, foot, 0.015, 0.12);
+  body.addPole (foot, 0.2, 0.03);
+  body.addPole (foot, 0.015, 0.12);
   const double tilt = random.angle (0, 12), yaw = random.angle (-25, 25);
-  addBox (body,
-          at (foot.x(), foot.y() + 0.05, foot.z() + 0.1 + 0.5 * size.z()) *
-              turnZ (yaw) * turnX (tilt),
-          size);
+  const Vector3d center (foot.x(), foot.y() + 0.05, foot.z() + 0.1 + 0.5 * size.z());
+  body.addBox (at (center) * turnZ (yaw) * turnX (tilt), size);
 }
 
 void
 addLaptop (Body& body, const Vector3d& hinge, Random& random)
 {
   constexpr double width = 0.34, depth = 0.24, thickness = 0.018;
-  const Eigen::Isometry3d pose =
-      at (hinge.x(), hinge.y(), hinge.z()) * turnZ (random.angle (-30, 30));
-  addBox (body,
-          pose * at (0.0, 0.5 * depth, 0.5 * thickness),
-          {width, depth, thickness},
-          HiddenFace::Bottom);
-  addBox (body,
-          pose * turnX (random.angle (5, 35)) * at (0.0, 0.0, 0.5 * depth),
-          {width, 0.008, depth});
+  const Isometry3d pose = at (hinge) * turnZ (random.angle (-30, 30));
+  body.addBox (pose * at ({0, 0.5 * depth, 0.5 * thickness}),
+               {width, depth, thickness},
+               HiddenFace::Bottom);
+  body.addBox (pose * turnX (random.angle (5, 35)) * at ({0, 0, 0.5 * depth}),
+               {width, 0.008, depth});
 }
 
-Furniture
+Body
 drawTable (Random& random)
 {
   const Vector3d size = random.inBox ({0.8, 0.6, 0.42}, {1.8, 0.95, 0.78});
-  Furniture table = slabOnLegs (size, 0.035, 0.03);
+  Body table = slabOnLegs (size, 0.035, 0.03);
   const Vector3d mug (random.between (-0.3, 0.3), 0.1, size.z());
-  addPole (table.body, mug, 0.1, 0.04);
-  addSphere (table.body, mug + Vector3d (0.2, -0.2, 0.08), 0.08);
+  table.addPole (mug, 0.1, 0.04);
+  table.addSphere (mug + Vector3d (0.2, -0.2, 0.08), 0.08);
   return table;
 }
 
 /** \brief A table with a monitor, an open laptop, books and a mug. */
-Furniture
+Body
 drawDesk (Random& random)
 {
   const Vector3d size = random.inBox ({1.2, 0.65, 0.7}, {1.8, 0.85, 0.76});
   const double x = size.x(), top = size.z(), drawers = 0.42;
-  Furniture desk = slabOnLegs (size, 0.03, 0.03);
-  addStandingBox (desk.body,
-                  {0.5 * (x - drawers) - 0.03, 0.0, 0.0},
-                  {drawers, size.y() - 0.1, top - 0.1});
-  addMonitor (desk.body, {-0.2 * x, -0.15, top}, random);
-  addLaptop (desk.body, {0.25 * x, -0.05, top}, random);
-  addBooks (desk.body, {0.02 * x, -0.2, top}, 0.12, random);
-  addPole (desk.body, {-0.4 * x, 0.15, top}, 0.1, 0.04);
+  Body desk = slabOnLegs (size, 0.03, 0.03);
+  addStandingBox (
+      desk, {0.5 * (x - drawers) - 0.03, 0, 0}, {drawers, size.y() - 0.1, top - 0.1});
+  addMonitor (desk, {-0.2 * x, -0.15, top}, random);
+  addLaptop (desk, {0.25 * x, -0.05, top}, random);
+  addBooks (desk, {0.02 * x, -0.2, top}, 0.12, random);
+  desk.addPole ({-0.4 * x, 0.15, top}, 0.1, 0.04);
   return desk;
 }
 
-Furniture
+Body
 drawCupboard (Random& random)
 {
   const Vector3d size = random.inBox ({0.5, 0.35, 0.7}, {1.4, 0.6, 2.1});
-  Furniture cupboard{{}, size.head<2>()};
-  addStandingBox (cupboard.body, {0, 0, 0}, size);
+  Body cupboard{size.head<2>()};
+  addStandingBox (cupboard, {0, 0, 0}, size);
   return cupboard;
 }
 
 /** \brief Open shelves with books. */
-Furniture
+Body
 drawShelf (Random& random)
 {
   constexpr double thickness = 0.025, depth = 0.3;
   const int boards = 3 + int (random.below (3));
   const double pitch = random.between (0.33, 0.4), width = random.between (0.7, 1.2);
   const double height = boards * pitch;
-  Furniture shelf{{}, {width, depth}};
+  Body shelf{{width, depth}};
   for (const double side : {-0.5, 0.5})
-    addStandingBox (shelf.body, {side * width, 0, 0}, {thickness, depth, height});
-  addStandingBox (shelf.body, {0, -0.5 * depth, 0}, {width, thickness, height});
+    addStandingBox (shelf, {side * width, 0, 0}, {thickness, depth, height});
+  addStandingBox (shelf, {0, -0.5 * depth, 0}, {width, thickness, height});
   for (int i = 0; i <= boards; ++i)
-    addBox (shelf.body, at (0.0, 0.0, i * pitch), {width, depth, thickness});
-  for (int i = 1; i < boards; ++i) {
-    const Vector3d start (-0.45 * width, -0.03, i * pitch + 0.5 * thickness);
+    shelf.addBox (at ({0, 0, i * pitch}), {width, depth, thickness});
+  for (int i = 1; i < boards; ++i)
     if (random.chance (0.6))
-      addBooks (shelf.body, start, random.between (0.1, 0.6), random);
-  }
+      addBooks (shelf,
+                {-0.45 * width, -0.03, i * pitch + 0.5 * thickness},
+                random.between (0.1, 0.6),
+                random);
   return shelf;
 }
 
-Furniture
+Body
 drawBed (Random& random)
 {
   const Vector3d size = random.inBox ({0.9, 2.0, 0.4}, {1.6, 2.0, 0.6});
   const double x = size.x(), y = size.y(), z = size.z(), headboard = 0.06;
-  Furniture bed{{}, {x, y}};
-  addStandingBox (bed.body, {0, 0.5 * headboard, 0}, {x, y - headboard, z});
-  addStandingBox (bed.body, {0, 0.5 * (headboard - y), 0}, {x, headboard, z + 0.4});
+  Body bed{{x, y}};
+  addStandingBox (bed, {0, 0.5 * headboard, 0}, {x, y - headboard, z});
+  addStandingBox (bed, {0, 0.5 * (headboard - y), 0}, {x, headboard, z + 0.4});
   const Vector3d pillow (0.0, -0.5 * y + 0.3, z + 0.02);
-  addCylinder (bed.body, pillow, Vector3d::UnitX(), 0.4 * x, 0.12);
+  bed.addCylinder (pillow, Vector3d::UnitX(), 0.4 * x, 0.12);
   return bed;
 }
 
-Furniture
+Body
 drawSofa (Random& random)
 {
   constexpr double depth = 0.85, arm = 0.18;
   const double width = random.between (1.4, 2.2), seat = random.between (0.38, 0.46);
-  Furniture sofa{{}, {width, depth}};
-  addStandingBox (sofa.body, {0, 0, 0}, {width - 2.0 * arm, depth, seat});
+  Body sofa{{width, depth}};
+  addStandingBox (sofa, {0, 0, 0}, {width - 2.0 * arm, depth, seat});
   for (const double side : {-0.5, 0.5})
-    addStandingBox (sofa.body, {side * (width - arm), 0, 0}, {arm, depth, seat + 0.2});
-  addBox (sofa.body,
-          at (0.0, -0.5 * depth + 0.22, seat + 0.2) * turnX (random.angle (8, 20)),
-          {width - 2.0 * arm, 0.15, 0.5});
+    addStandingBox (sofa, {side * (width - arm), 0, 0}, {arm, depth, seat + 0.2});
+  sofa.addBox (at ({0, -0.5 * depth + 0.22, seat + 0.2}) * turnX (random.angle (8, 20)),
+               {width - 2.0 * arm, 0.15, 0.5});
   return sofa;
 }
 
-Furniture
+Body
 drawChair (Random& random)
 {
   const Vector3d size = random.inBox ({0.4, 0.4, 0.42}, {0.5, 0.5, 0.48});
-  Furniture chair = slabOnLegs (size, 0.04, 0.018);
-  addBox (chair.body,
-          at (0.0, -0.5 * size.y(), size.z() + 0.22) * turnX (random.angle (3, 15)),
-          {size.x(), 0.03, 0.42});
+  Body chair = slabOnLegs (size, 0.04, 0.018);
+  const Vector3d back (0, -0.5 * size.y(), size.z() + 0.22);
+  chair.addBox (at (back) * turnX (random.angle (3, 15)), {size.x(), 0.03, 0.42});
   return chair;
 }
 
 /** \brief A cardboard box or two, one turned on the other. */
-Furniture
+Body
 drawCartons (Random& random)
 {
   const Vector3d lower = random.inBox ({0.35, 0.35, 0.25}, {0.7, 0.6, 0.5});
-  Furniture cartons{{}, lower.head<2>()};
-  addStandingBox (cartons.body, {0, 0, 0}, lower);
+  Body cartons{lower.head<2>()};
+  addStandingBox (cartons, {0, 0, 0}, lower);
   if (random.chance (0.5)) {
     const Vector3d upper = random.between (0.5, 0.8) * lower;
-    addBox (cartons.body,
-            at (0.0, 0.0, lower.z() + 0.5 * upper.z()) * turnZ (random.angle (-40, 40)),
-            upper,
-            HiddenFace::Bottom);
+    const Isometry3d on_top = at ({0, 0, lower.z() + 0.5 * upper.z()});
+    cartons.addBox (on_top * turnZ (random.angle (-40, 40)), upper, HiddenFace::Bottom);
   }
   return cartons;
 }
 
 /** \brief A panel of any tilt and roll on a round post. */
-Furniture
+Body
 drawTiltedPanel (Random& random)
 {
   const Vector3d size = random.inBox ({0.7, 0.5, 0.025}, {1.3, 0.95, 0.025});
   const double height = random.between (0.8, 1.3);
-  const double diagonal = size.head<2>().norm();
-  Furniture panel{{}, {diagonal, diagonal}};
+  Body panel{Vector2d::Constant (size.head<2>().norm())};
   const double yaw = random.angle (-25, 25), tilt = random.angle (25, 75);
-  addBox (panel.body, at (0.0, 0.0, height) * turnX (tilt) * turnZ (yaw), size);
-  addPole (panel.body, {0, 0, 0}, height - 0.06, 0.03);
-  addPole (panel.body, {0, 0, 0}, 0.03, 0.25);
+  panel.addBox (at ({0, 0, height}) * turnX (tilt) * turnZ (yaw), size);
+  panel.addPole ({0, 0, 0}, height - 0.06, 0.03);
+  panel.addPole ({0, 0, 0}, 0.03, 0.25);
   return panel;
 }
-
-/** \brief Between parallel faces that would else be in one plane [m]: more than the
- * noise of a depth camera hides. */
-constexpr double offset_of_faces = 0.02;
 
 /** \brief Of boards, and of posts [m]. */
 double
@@ -218,144 +197,136 @@ drawThickness (Random& random)
   return random.between (0.02, 0.06);
 }
 
-/** \brief Posts below the four corners of a board of that size. Those on one side stand
- * farther in than those on the other, so that their faces are in different planes. */
-void
-addPosts (Body& body, const Vector2d& size, double height, double width)
+/** \brief Posts on one side stand farther in than those on the other, and each board is
+ * smaller than the one below, so that no two faces are in one plane.
+ * \param[in] size of the lowest board [m]
+ * \param[in] pitch from board to board [m] */
+Body
+boardsOnPosts (
+    int boards, double pitch, Vector2d size, double thickness, Random& random)
 {
+  // Between parallel faces [m]: more than the noise of a depth camera hides.
+  constexpr double offset_of_faces = 0.02;
   constexpr double overhang = 0.03; // from the rim of the board to the posts [m]
+  Body piece{size};
+  piece.narrowest_surface = 0.0;
+  for (int i = 1; i <= boards; ++i) {
+    piece.addBox (at ({0, 0, i * pitch - 0.5 * thickness}),
+                  {size.x(), size.y(), thickness});
+    if (i < boards)
+      size -= Vector2d::Constant (2.0 * offset_of_faces);
+  }
+  const double height = boards * pitch - thickness, width = drawThickness (random);
   const double step = width + offset_of_faces, inset = overhang + 0.5 * width;
   for (const double side_x : {-1.0, 1.0})
     for (const double side_y : {-1.0, 1.0}) {
       const double x = 0.5 * size.x() - inset - (side_y > 0.0 ? step : 0.0);
       const double y = 0.5 * size.y() - inset - (side_x > 0.0 ? step : 0.0);
-      addBox (body,
-              at (side_x * x, side_y * y, 0.5 * height),
-              {width, width, height},
-              HiddenFace::BottomAndTop);
+      piece.addBox (at ({side_x * x, side_y * y, 0.5 * height}),
+                    {width, width, height},
+                    HiddenFace::BottomAndTop);
     }
-}
-
-/** \param[in] size of the lowest board, each of the others is a little smaller [m]
- * \param[in] pitch from board to board [m] */
-Furniture
-boardsOnPosts (
-    int boards, double pitch, Vector2d size, double thickness, Random& random)
-{
-  Furniture piece{{}, size};
-  piece.body.narrowest_surface = 0.0;
-  for (int i = 1; i <= boards; ++i) {
-    addBox (piece.body,
-            at (0.0, 0.0, i * pitch - 0.5 * thickness),
-            {size.x(), size.y(), thickness});
-    if (i < boards)
-      size -= Vector2d::Constant (2.0 * offset_of_faces);
-  }
-  addPosts (piece.body, size, boards * pitch - thickness, drawThickness (random));
   return piece;
 }
 
-Furniture
+Body
 drawBoardOfSize (const Vector3d& smallest, const Vector3d& largest, Random& random)
 {
   const Vector3d size = random.inBox (smallest, largest);
-  const double thickness = drawThickness (random);
-  return boardsOnPosts (1, size.z(), size.head<2>(), thickness, random);
+  return boardsOnPosts (1, size.z(), size.head<2>(), drawThickness (random), random);
 }
 
 } // namespace
 
-Furniture
+Body
 drawLeaningBoard (Random& random)
 {
   const Vector3d size = random.inBox ({0.5, 0.03, 0.8}, {1.3, 0.03, 1.9});
   const double lean = random.angle (10, 35), roll = random.angle (-8, 8);
   const double depth = size.z() * std::sin (lean) + 0.1;
   const double lift = 0.5 * size.x() * std::abs (std::sin (roll));
-  Furniture board{{}, {size.x() + 0.2, depth}};
-  addBox (board.body,
-          at (0.0, 0.5 * depth, lift) * turnX (lean) * turnY (roll) *
-              at (0.0, 0.0, 0.5 * size.z()),
-          size);
+  Body board{{size.x() + 0.2, depth}};
+  board.addBox (at ({0, 0.5 * depth, lift}) * turnX (lean) * turnY (roll) *
+                    at ({0, 0, 0.5 * size.z()}),
+                size);
   return board;
 }
 
-Furniture
+Body
 drawRamp (Random& random)
 {
   const Vector3d size = random.inBox ({0.7, 1.0, 0.03}, {1.2, 1.9, 0.03});
   const double slope = random.angle (15, 40);
   const double run = size.y() * std::cos (slope), rise = size.y() * std::sin (slope);
-  Furniture ramp{{}, {size.x(), run}};
-  addBox (ramp.body, at (0.0, 0.0, 0.5 * rise + 0.02) * turnX (slope), size);
+  Body ramp{{size.x(), run}};
+  ramp.addBox (at ({0, 0, 0.5 * rise + 0.02}) * turnX (slope), size);
   for (const double side : {-0.4, 0.4})
-    addPole (ramp.body, {side * size.x(), 0.45 * run, 0.0}, 0.9 * rise, 0.025);
+    ramp.addPole ({side * size.x(), 0.45 * run, 0}, 0.9 * rise, 0.025);
   return ramp;
 }
 
-Furniture
+Body
 drawRoundClutter (Random& random)
 {
   enum { Ball, Bin, Lamp, Carpet, kinds };
   const std::uint32_t kind = random.below (kinds);
-  Furniture clutter;
-  Body& body = clutter.body;
+  Body clutter;
   if (kind == Ball) {
     const double radius = random.between (0.1, 0.35);
     clutter.footprint.setConstant (2.0 * radius);
-    addSphere (body, {0.0, 0.0, radius}, radius);
+    clutter.addSphere ({0, 0, radius}, radius);
   }
   else if (kind == Bin) {
     const double radius = random.between (0.1, 0.2);
     clutter.footprint.setConstant (2.0 * radius);
-    addPole (body, {0, 0, 0}, random.between (0.3, 0.6), radius);
+    clutter.addPole ({0, 0, 0}, random.between (0.3, 0.6), radius);
   }
   else if (kind == Lamp) {
-    const double height = random.between (1.2, 1.7);
-    const double shade = random.between (0.12, 0.22);
+    const double height = random.between (1.2, 1.7),
+                 shade = random.between (0.12, 0.22);
     clutter.footprint.setConstant (2.0 * shade);
-    addPole (body, {0, 0, 0}, height, 0.02);
-    addPole (body, {0, 0, 0}, 0.03, 0.15);
-    addSphere (body, {0.0, 0.0, height}, shade);
+    clutter.addPole ({0, 0, 0}, height, 0.02);
+    clutter.addPole ({0, 0, 0}, 0.03, 0.15);
+    clutter.addSphere ({0, 0, height}, shade);
   }
   else {
-    const double radius = random.between (0.08, 0.15);
-    const double length = random.between (0.8, 1.6);
+    const double radius = random.between (0.08, 0.15),
+                 length = random.between (0.8, 1.6);
     clutter.footprint = {length, 2.0 * radius};
-    addCylinder (body, {0.0, 0.0, radius}, Vector3d::UnitX(), 0.5 * length, radius);
+    clutter.addCylinder ({0, 0, radius}, Vector3d::UnitX(), 0.5 * length, radius);
   }
   return clutter;
 }
 
-Furniture
+Body
 drawAtWall (Random& random)
 {
-  constexpr Furniture (*draw[]) (Random&) = {
+  constexpr DrawFurniture* draw[] = {
       drawDesk, drawCupboard, drawShelf, drawBed, drawSofa, drawLeaningBoard};
   return draw[random.below (6)](random);
 }
 
-Furniture
+Body
 drawAnywhere (Random& random)
 {
-  constexpr Furniture (*draw[]) (Random&) = {
+  constexpr DrawFurniture* draw[] = {
       drawTable, drawChair, drawCartons, drawTiltedPanel, drawRoundClutter};
   return draw[random.below (5)](random);
 }
 
-Furniture
+Body
 drawBoardTable (Random& random)
 {
   return drawBoardOfSize ({0.7, 0.5, 0.6}, {1.4, 0.8, 0.8}, random);
 }
 
-Furniture
+Body
 drawBoardBench (Random& random)
 {
   return drawBoardOfSize ({0.8, 0.38, 0.4}, {1.4, 0.45, 0.5}, random);
 }
 
-Furniture
+Body
 drawBoardRack (Random& random)
 {
   const int boards = 3 + int (random.below (2));

@@ -6,15 +6,9 @@
 
 namespace pcl_ops::simulation {
 
-/** \brief A piece that stands on z = 0 around the origin, its back towards -y. All
- * sizes are common in homes and offices. */
-struct Furniture {
-  Body body;
-  /** \brief Extent on the floor along x and y [m]. */
-  Eigen::Vector2d footprint = Eigen::Vector2d::Zero();
-};
-
-using DrawFurniture = Furniture (Random& random);
+/** \brief Draws a piece that stands on z = 0 around the origin, its back towards -y.
+ * All sizes are common in homes and offices. */
+using DrawFurniture = Body (Random& random);
 
 /** \brief A desk, a cupboard, a shelf, a bed, a sofa or a leaning board. */
 DrawFurniture drawAtWall;

@@ -135,8 +135,11 @@ declareSensor (CommandLine& line, SimulationOptions& options)
                    if (profile != "raw" && profile != "correlated")
                      throw UsageError ("--profile", "is none; give correlated or raw");
                  });
+  std::vector<std::string> lidars;
+  for (const Lidar& lidar : knownLidars())
+    lidars.push_back (lidar.name);
   line.addChoice ("sensor",
-                  lidarNames(),
+                  lidars,
                   simulation.sensor,
                   "lidar of street and drive: rotating with that many beams, or one "
                   "beam along a rosette (lidar-64)");

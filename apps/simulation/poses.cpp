@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "poses.h"
 
+#include "sensors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,26 +12,13 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-using Eigen::Isometry3d;
-using Eigen::Vector3d;
-
-constexpr int candidate_poses = 32, candidate_walks = 8;
-/** \brief A walk is judged by so many of its frames. */
-constexpr std::size_t glances = 12;
-
-/** \brief A pose is judged by a small image [px]. */
-constexpr int glance_width = 48, glance_height = 36;
-constexpr int glance_pixels_of_surface = 5;
-/** \brief Along the camera's axis [m]. */
-constexpr double closest_object = 0.7;
-
 constexpr double whole_turn = 2.0 * pi;
 
 /** \brief Of a camera that looks in a level direction of length 1. */
 Isometry3d
 upright (const Vector3d& eye, const Vector3d& level)
 {
-  Isometry3d pose = at (eye.x(), eye.y(), eye.z());
+  Isometry3d pose = at (eye);
   pose.linear() << level.cross (Vector3d::UnitZ()), -Vector3d::UnitZ(), level;
   return pose;
 }
@@ -38,37 +27,24 @@ upright (const Vector3d& eye, const Vector3d& level)
 Isometry3d
 drawPose (const Room& room, Random& random)
 {
-  const double wall_distance = 0.4; // [m]
-  const Vector3d reach = 0.5 * room.size - Vector3d::Constant (wall_distance);
-  const Vector3d eye = random.inBox ({-1, -1, 1.1}, {1, 1, 1.8})
-                           .cwiseProduct (Vector3d (reach.x(), reach.y(), 1.0));
-  Vector3d target = random.inBox ({-0.4, -0.4, 0.0}, {0.4, 0.4, 0.0});
-  target = target.cwiseProduct (reach) + eye.z() * Vector3d::UnitZ();
-  const Isometry3d pose = upright (eye, (target - eye).normalized());
-  const double roll = random.angle (-4, 4);
-  const double pitch = random.angle (-20, -5);
-  return turnZ (room.yaw) * pose * turnX (pitch) * turnZ (roll);
+  constexpr double wall_distance = 0.4; // [m]
+  Vector3d reach = 0.5 * room.size - Vector3d::Constant (wall_distance);
+  reach.z() = 1.0;
+  const Vector3d eye = random.inBox ({-1, -1, 1.1}, {1, 1, 1.8}).cwiseProduct (reach);
+  Vector3d target = random.inBox ({-0.4, -0.4, 0}, {0.4, 0.4, 0}).cwiseProduct (reach);
+  target.z() = eye.z();
+  const double roll = random.angle (-4, 4), pitch = random.angle (-20, -5);
+  return turnZ (room.yaw) * upright (eye, (target - eye).normalized()) * turnX (pitch) *
+         turnZ (roll);
 }
 
 /** \brief A path around the middle of a room. */
 struct Path {
-  /** \brief Where on it the walk begins, and how far it leads, signed [rad]. */
-  double start, turn;
-  /** \brief Of the way from the middle to the walls. */
-  double radius;
-  double height; // [m]
-  double pitch;  // downwards [rad]
+  double start, turn; // where the walk begins, and how far it leads, signed [rad]
+  double radius;      // of the way from the middle to the walls
+  double height;      // [m]
+  double pitch;       // downwards [rad]
 };
-
-Path
-drawPath (Random& random)
-{
-  const double start = random.between (0.0, whole_turn);
-  const double turn = (random.chance (0.5) ? 0.75 : -0.75) * whole_turn;
-  const double radius = random.between (0.35, 0.6);
-  const double height = random.between (1.4, 1.8);
-  return {start, turn, radius, height, random.angle (8, 18)};
-}
 
 /** \param[in] share of the way */
 Isometry3d
@@ -91,8 +67,8 @@ posesOn (const Path& path, const Room& room, std::size_t frames)
 {
   Poses poses;
   for (std::size_t i = 0; i < frames; ++i)
-    poses.push_back (
-        poseOn (path, room, frames == 1 ? 0.0 : double (i) / double (frames - 1)));
+    poses.push_back (poseOn (
+        path, room, double (i) / double (std::max<std::size_t> (frames - 1, 1))));
   return poses;
 }
 
@@ -123,11 +99,10 @@ drawError (Random& random, double size)
       number = unit * of_each_axis * random.gaussian();
     return drawn;
   };
-  const Vector3d rotation = draw (pi / 180.0), shift = draw (0.01);
-  const double angle = rotation.norm();
-  Isometry3d error = at (shift.x(), shift.y(), shift.z());
-  if (angle > 0.0)
-    error.rotate (Eigen::AngleAxisd (angle, rotation / angle));
+  const Vector3d rotation = draw (pi / 180.0);
+  Isometry3d error = at (draw (0.01));
+  if (rotation.norm() > 0.0)
+    error.rotate (Eigen::AngleAxisd (rotation.norm(), rotation.normalized()));
   return error;
 }
 
@@ -136,19 +111,18 @@ drawError (Random& random, double size)
 int
 countVisibleSurfaces (const Scene& scene, const Isometry3d& pose)
 {
-  DepthCamera camera;
-  camera.width = glance_width;
-  camera.height = glance_height;
-  const DepthImage glance = castDepthImage (scene, camera, pose);
+  constexpr int pixels_of_surface = 5;
+  constexpr double closest_object = 0.7; // along the camera's axis [m]
+  const DepthImage glance = castDepthImage (scene, {48, 36}, pose);
   if (glance.depth.minCoeff() < closest_object)
     return 0;
   std::map<SurfaceId, int> pixels;
   for (const SurfaceId surface : glance.surface)
     ++pixels[surface];
-  pixels.erase (no_surface);
-  return int (std::count_if (pixels.begin(), pixels.end(), [] (const auto& surface) {
-    return surface.second >= glance_pixels_of_surface;
-  }));
+  int visible = 0;
+  for (const auto& [surface, count] : pixels)
+    visible += surface != no_surface && count >= pixels_of_surface;
+  return visible;
 }
 
 Isometry3d
@@ -156,7 +130,7 @@ drawCameraPose (const Room& room, std::uint32_t seed)
 {
   Random random = randomFor (Purpose::CameraPose, seed);
   return bestOf (
-      candidate_poses,
+      32,
       [&] { return drawPose (room, random); },
       [&] (const Isometry3d& pose) { return countVisibleSurfaces (room.scene, pose); });
 }
@@ -164,10 +138,17 @@ drawCameraPose (const Room& room, std::uint32_t seed)
 Poses
 drawWalk (const Room& room, std::size_t frames, std::uint32_t seed)
 {
+  constexpr std::size_t glances = 12; // a walk is judged by so many of its frames
   Random random = randomFor (Purpose::Walk, seed);
   const Path best = bestOf (
-      candidate_walks,
-      [&] { return drawPath (random); },
+      8,
+      [&] () -> Path { // in the order of their names
+        return {random.between (0.0, whole_turn),
+                (random.chance (0.5) ? 0.75 : -0.75) * whole_turn,
+                random.between (0.35, 0.6),
+                random.between (1.4, 1.8),
+                random.angle (8, 18)};
+      },
       [&] (const Path& path) {
         int fewest = std::numeric_limits<int>::max();
         for (const Isometry3d& pose : posesOn (path, room, glances))

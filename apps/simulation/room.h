@@ -11,9 +11,8 @@ namespace pcl_ops::simulation {
 struct Room {
   Scene scene;
   /** \brief Length, width and height [m]. */
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();
-  /** \brief [rad] */
-  double yaw = 0.0;
+  Vector3d size = Vector3d::Zero();
+  double yaw = 0.0; // [rad]
 };
 
 /** \brief Draws a room with doors, niches, furniture, tilted boards and round clutter.

@@ -16,6 +16,9 @@ namespace pcl_ops::simulation {
 
 using apps::pi;
 using apps::Random;
+using Eigen::Isometry3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 /** \brief What random numbers are for. Each purpose has its own stream, so that a seed
  * gives the same scene whatever the camera and the noise. */
@@ -44,18 +47,18 @@ randomFor (Purpose purpose, std::uint32_t seed)
   return Random (std::seed_seq{seed, std::uint32_t (purpose)});
 }
 
-inline Eigen::Isometry3d
-at (double x, double y, double z)
+inline Isometry3d
+at (const Vector3d& place)
 {
-  return Eigen::Isometry3d (Eigen::Translation3d (x, y, z));
+  return Isometry3d (Eigen::Translation3d (place));
 }
 
 /** \brief A turn about the axis x (0), y (1) or z (2) by an angle [rad]. */
 template <int axis>
-Eigen::Isometry3d
+Isometry3d
 turn (double angle)
 {
-  return Eigen::Isometry3d (Eigen::AngleAxisd (angle, Eigen::Vector3d::Unit (axis)));
+  return Isometry3d (Eigen::AngleAxisd (angle, Vector3d::Unit (axis)));
 }
 
 constexpr auto turnX = turn<0>, turnY = turn<1>, turnZ = turn<2>;
@@ -71,13 +74,12 @@ constexpr SurfaceId no_surface = 0;
 struct Shape {
   enum class Kind { Rectangle, Sphere, Cylinder };
   Kind kind = Kind::Rectangle;
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  Eigen::Vector3d u = Eigen::Vector3d::UnitX(), v = Eigen::Vector3d::UnitY();
+  Vector3d center = Vector3d::Zero(), u = Vector3d::UnitX(), v = Vector3d::UnitY();
   /** \brief Half the edges; half_v is the radius of what is round. */
   double half_u = 0.5, half_v = 0.5;
   SurfaceId surface = no_surface;
 
-  Eigen::Vector3d
+  Vector3d
   normal () const
   {
     return u.cross (v);
@@ -91,57 +93,21 @@ struct Shape {
 
   /** \brief Without the ends of a cylinder. */
   double
-  area () const;
+  area () const
+  {
+    return kind == Kind::Sphere     ? 4.0 * pi * half_v * half_v
+           : kind == Kind::Cylinder ? 4.0 * pi * half_v * half_u
+                                    : 4.0 * half_u * half_v;
+  }
 };
 
 /** \brief Around a shape; of that name because Eigen's tree asks for it. */
 Eigen::AlignedBox3d
 bounding_box (const Shape& shape);
 
-/** \brief A rectangle along the axes \p u and \p v of its frame (0: x, 1: y, 2: z). */
+/** \brief With edges at right angles. */
 Shape
-rectangleAlong (
-    int u, int v, const Eigen::Vector3d& center, double half_u, double half_v);
-
-/** \brief A piece of furniture or the shell of a room; its surfaces are numbered from 1
- * within the body. */
-struct Body {
-  std::vector<Shape> shapes;
-  SurfaceId surface_count = 0;
-  /** \brief What is narrower is not called a plane [m]: in most scenes the edges of
-   * boards, below the distance threshold of the paper. */
-  double narrowest_surface = 0.05;
-};
-
-/** \brief Adds a rectangle with a surface of its own, or \ref no_surface if it is
- * narrower than \ref Body::narrowest_surface. */
-void
-addSurface (Body& body, const Shape& rectangle);
-
-void
-addSphere (Body& body, const Eigen::Vector3d& center, double radius);
-
-void
-addCylinder (Body& body,
-             const Eigen::Vector3d& center,
-             const Eigen::Vector3d& axis,
-             double half_length,
-             double radius);
-
-/** \brief An upright cylinder on \p foot. */
-void
-addPole (Body& body, const Eigen::Vector3d& foot, double height, double radius);
-
-/** \brief The faces of a box that are left out because nothing can see them. */
-enum class HiddenFace { None, Bottom, BottomAndTop };
-
-/** \brief Adds the faces of a box.
- * \param[in] pose from the frame of the box, zero at its center, to that of the body */
-void
-addBox (Body& body,
-        const Eigen::Isometry3d& pose,
-        const Eigen::Vector3d& size,
-        HiddenFace hidden = HiddenFace::None);
+makeRectangle (const Vector3d& center, const Vector3d& edge_u, const Vector3d& edge_v);
 
 /** \brief A rectangle in a wall's frame: x along it, z up, y < 0 behind it [m]. */
 struct WallRange {
@@ -150,35 +116,93 @@ struct WallRange {
   Shape
   at (double y) const
   {
-    return rectangleAlong (0,
-                           2,
-                           {0.5 * (left + right), y, 0.5 * (bottom + top)},
-                           0.5 * (right - left),
-                           0.5 * (top - bottom));
+    return makeRectangle ({0.5 * (left + right), y, 0.5 * (bottom + top)},
+                          (right - left) * Vector3d::UnitX(),
+                          (top - bottom) * Vector3d::UnitZ());
   }
 };
 
-/** \brief Adds a wall around a hole, one surface, with the hole's back and sides. */
-void
-addWallAround (Body& body, const WallRange& wall, const WallRange& hole, double depth);
+/** \brief The faces of a box that are left out because nothing can see them. */
+enum class HiddenFace { None, Bottom, BottomAndTop };
 
-/** \brief Gives rectangles in one plane the surface of the first of them. */
-void
-joinCoplanar (Body& body);
+/** \brief A piece of furniture or the shell of a room; its surfaces are numbered from 1
+ * within the body. */
+struct Body {
+  /** \brief Extent of furniture on the floor along x and y [m]. */
+  Vector2d footprint = Vector2d::Zero();
+  std::vector<Shape> shapes = {};
+  SurfaceId surface_count = 0;
+  /** \brief What is narrower is not called a plane [m]: in most scenes the edges of
+   * boards, below the distance threshold of the paper. */
+  double narrowest_surface = 0.05;
 
-/** \brief Adds all shapes of \p part, moved by \p pose, with surfaces of their own. */
-void
-addPart (Body& body, const Body& part, const Eigen::Isometry3d& pose);
+  /** \brief Adds a rectangle with a surface of its own, or \ref no_surface if it is
+   * narrower than \ref narrowest_surface. */
+  void
+  addSurface (const Shape& rectangle);
+
+  /** \brief The same, from the middle of one edge to that of the opposite one. */
+  void
+  addFace (const Vector3d& from, const Vector3d& to, const Vector3d& edge)
+  {
+    addSurface (makeRectangle (0.5 * (from + to), edge, to - from));
+  }
+
+  void
+  addSphere (const Vector3d& center, double radius)
+  {
+    shapes.push_back ({Shape::Kind::Sphere, center});
+    shapes.back().half_v = radius;
+  }
+
+  /** \param[in] axis of length 1 */
+  void
+  addCylinder (const Vector3d& center,
+               const Vector3d& axis,
+               double half_length,
+               double radius)
+  {
+    shapes.push_back (
+        {Shape::Kind::Cylinder, center, axis, Vector3d::Zero(), half_length, radius});
+  }
+
+  /** \brief An upright cylinder on \p foot. */
+  void
+  addPole (const Vector3d& foot, double height, double radius)
+  {
+    const Vector3d up = Vector3d::UnitZ();
+    addCylinder (foot + 0.5 * height * up, up, 0.5 * height, radius);
+  }
+
+  /** \param[in] pose from the frame of the box, zero at its center, to the body's */
+  void
+  addBox (const Isometry3d& pose,
+          const Vector3d& size,
+          HiddenFace hidden = HiddenFace::None);
+
+  /** \brief Adds a wall around a hole, one surface, with the hole's back and sides. */
+  void
+  addWallAround (const WallRange& wall, const WallRange& hole, double depth);
+
+  /** \brief Adds all shapes of \p part, moved by \p pose, with surfaces of their own.
+   */
+  void
+  addPart (const Body& part, const Isometry3d& pose);
+
+  /** \brief Gives rectangles in one plane the surface of the first of them. */
+  void
+  joinCoplanar ();
+};
 
 /** \brief Everything a sensor can see. */
 struct Scene {
   std::vector<Body> bodies;
   SurfaceId surface_count = 0;
-};
 
-/** \brief Adds a body; its surfaces get the scene's next identities. */
-void
-addBody (Scene& scene, const Body& body, const Eigen::Isometry3d& pose);
+  /** \brief Adds a body; its surfaces get the scene's next identities. */
+  void
+  add (const Body& body, const Isometry3d& pose);
+};
 
 /** \brief The plane of each surface, surface 1 first. */
 std::vector<Plane>
@@ -197,8 +221,6 @@ ShapeTree
 treeOf (const Scene& scene);
 
 Hit
-castRay (const ShapeTree& shapes,
-         const Eigen::Vector3d& origin,
-         const Eigen::Vector3d& direction);
+castRay (const ShapeTree& shapes, const Vector3d& origin, const Vector3d& direction);
 
 } // namespace pcl_ops::simulation

@@ -12,31 +12,9 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-using Eigen::Vector3d;
-
 /** \brief Readings outside are lost [m]. */
 constexpr double nearest = 0.5, farthest = 8.0;
-/** \brief Standard deviation of the rays' wandering along each image axis [px] (Nguyen
- * et al., see \ref axialSigma). */
-constexpr double lateral_sigma = 0.8;
 constexpr double no_reading = std::numeric_limits<double>::infinity();
-
-/** \brief A surface whose depth differs more between a pixel's ray and the ray beside
- * it, relative to the depth, is seen edge-on. */
-constexpr double largest_slope = 0.1;
-
-/** \brief Distance between a Kinect's projector and camera [m] (Khoshelham & Elberink,
- * "Accuracy and Resolution of Kinect Depth Data", Sensors 2012). */
-constexpr double baseline = 0.075;
-
-/** \brief Steps of disparity per pixel (same source). */
-constexpr double disparity_steps = 8.0;
-
-/** \brief Neighboring depths that differ by more, relative to the depth, are an edge.
- */
-constexpr double edge_ratio = 0.05;
-constexpr double flying_fraction = 0.3;
-constexpr double lost_fraction = 0.2;
 
 /** \brief Standard deviation of a Kinect's depth [m] at a depth [m]: Nguyen, Izadi &
  * Lovell, "Modeling Kinect Sensor Noise for Improved 3D Reconstruction and Tracking",
@@ -54,40 +32,14 @@ depthOnSurface (const Hit& hit,
                 const Vector3d& eye,
                 const Vector3d& ray)
 {
+  // Beyond this slope a surface is seen edge-on.
+  constexpr double largest_slope = 0.1;
   if (hit.surface == no_surface)
     return hit.distance;
   const Plane& plane = planes[hit.surface - 1];
   const double depth = -plane.distance (eye) / plane.normal.dot (ray);
-  const bool is_grazing =
-      !(std::abs (depth - hit.distance) < largest_slope * hit.distance);
-  return is_grazing ? hit.distance : depth;
-}
-
-/** \brief A Gaussian whose squares sum to 1, so that filtering white noise with it
- * keeps the variance. */
-std::vector<double>
-variancePreservingKernel (int radius, double sigma)
-{
-  std::vector<double> kernel;
-  double energy = 0.0;
-  for (int i = -radius; i <= radius; ++i) {
-    kernel.push_back (std::exp (-0.5 * i * i / (sigma * sigma)));
-    energy += kernel.back() * kernel.back();
-  }
-  for (double& weight : kernel)
-    weight /= std::sqrt (energy);
-  return kernel;
-}
-
-/** \brief Filters along the columns, which get shorter by the kernel. */
-Field
-filtered (const Field& field, const std::vector<double>& kernel)
-{
-  Field sum =
-      Field::Zero (field.rows() - Eigen::Index (kernel.size()) + 1, field.cols());
-  for (std::size_t i = 0; i < kernel.size(); ++i)
-    sum += kernel[i] * field.middleRows (Eigen::Index (i), sum.rows());
-  return sum;
+  return std::abs (depth - hit.distance) < largest_slope * hit.distance ? depth
+                                                                        : hit.distance;
 }
 
 /** \brief A standard normal value for each pixel; with the correlated profile alike for
@@ -96,12 +48,22 @@ Field
 drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
 {
   const int radius = noise.is_raw ? 0 : int (std::ceil (3.0 * noise.smoothing));
-  Field white (camera.height + 2 * radius, camera.width + 2 * radius);
-  std::generate_n (white.data(), white.size(), [&] { return random.gaussian(); });
-  if (noise.is_raw)
-    return white;
-  const std::vector<double> kernel = variancePreservingKernel (radius, noise.smoothing);
-  return filtered (filtered (white.transpose(), kernel).transpose(), kernel);
+  Field field (camera.height + 2 * radius, camera.width + 2 * radius);
+  std::generate_n (field.data(), field.size(), [&] { return random.gaussian(); });
+  std::vector<double> kernel;
+  double energy = 0.0;
+  for (int i = -radius; i <= radius; ++i) {
+    kernel.push_back (std::exp (-0.5 * i * i / (noise.smoothing * noise.smoothing)));
+    energy += kernel.back() * kernel.back();
+  }
+  for (int axis = 0; axis < 2; ++axis) {
+    const Field turned = field.transpose();
+    field = Field::Zero (turned.rows() - 2 * radius, turned.cols());
+    for (int i = 0; i <= 2 * radius; ++i)
+      field += kernel[std::size_t (i)] / std::sqrt (energy) *
+               turned.middleRows (i, field.rows());
+  }
+  return field;
 }
 
 /** \brief The depth of a neighbor on the other side of a depth edge, if there is one.
@@ -109,6 +71,8 @@ drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
 std::optional<double>
 depthAcrossEdge (const Field& depth, int row, int column)
 {
+  // Neighboring depths that differ by more, relative to the depth, are an edge.
+  constexpr double edge_ratio = 0.05;
   const double here = depth (row, column);
   for (const auto& [r, c] : {std::pair (row, column + 1),
                              std::pair (row, column - 1),
@@ -125,6 +89,7 @@ depthAcrossEdge (const Field& depth, int row, int column)
 void
 disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
 {
+  constexpr double flying_fraction = 0.3, lost_fraction = 0.2;
   const Field exact = image.depth;
   const double strength = std::min (1.0, noise.scale);
   for (int row = 0; row < exact.rows(); ++row)
@@ -150,7 +115,10 @@ disturbDepths (DepthImage& image,
                const CameraNoise& noise,
                Random& random)
 {
-  // The steps are those of the Kinect's own image also in a smaller one.
+  // Distance between a Kinect's projector and camera [m], and steps of disparity per
+  // pixel: Khoshelham & Elberink, "Accuracy and Resolution of Kinect Depth Data",
+  // Sensors 2012. The steps are those of the Kinect's own image also in a smaller one.
+  constexpr double baseline = 0.075, disparity_steps = 8.0;
   constexpr double steps_times_depth = disparity_steps * kinect_focal_length * baseline;
   disturbEdges (image, noise, random);
   const Field field = drawField (camera, noise, random);
@@ -162,80 +130,10 @@ disturbDepths (DepthImage& image,
   }
 }
 
-} // namespace
-
-DepthImage
-castDepthImage (const Scene& scene,
-                const DepthCamera& camera,
-                const Eigen::Isometry3d& pose,
-                const Jitter& jitter)
-{
-  DepthImage image{Field (camera.height, camera.width), {}};
-  const std::vector<Plane> planes = surfacePlanes (scene);
-  const ShapeTree shapes = treeOf (scene);
-  const Vector3d eye = pose.translation();
-  for (int row = 0; row < camera.height; ++row)
-    for (int column = 0; column < camera.width; ++column) {
-      const Vector3d ray = pose.linear() * camera.ray (column, row);
-      const Vector3d jittered =
-          jitter.columns.size() == 0
-              ? ray
-              : Vector3d (pose.linear() *
-                          camera.ray (column + jitter.columns (row, column),
-                                      row + jitter.rows (row, column)));
-      const Hit hit = castRay (shapes, eye, jittered);
-      image.depth (row, column) = depthOnSurface (hit, planes, eye, ray);
-      image.surface.push_back (hit.surface);
-    }
-  return image;
-}
-
-Scan
-scanByCamera (const Scene& scene,
-              const DepthCamera& camera,
-              const Eigen::Isometry3d& pose,
-              const CameraNoise& noise,
-              std::uint32_t seed)
-{
-  Random random = randomFor (Purpose::DepthNoise, seed);
-  const bool is_noisy = noise.scale > 0.0;
-  Jitter jitter;
-  if (is_noisy)
-    for (Field* const axis : {&jitter.columns, &jitter.rows})
-      *axis = noise.scale * lateral_sigma * drawField (camera, noise, random);
-  DepthImage image = castDepthImage (scene, camera, pose, jitter);
-  if (is_noisy)
-    disturbDepths (image, camera, noise, random);
-  Scan scan;
-  scan.columns = std::size_t (camera.width);
-  scan.rows = std::size_t (camera.height);
-  scan.surfaces = std::move (image.surface);
-  for (int row = 0; row < camera.height; ++row)
-    for (int column = 0; column < camera.width; ++column) {
-      const double depth = image.depth (row, column);
-      const bool is_read = depth >= nearest && depth <= farthest;
-      scan.points.push_back (is_read ? Vector3d (depth * camera.ray (column, row))
-                                     : Vector3d::Constant (std::nan ("")));
-    }
-  return scan;
-}
-
-namespace {
-
-const std::vector<Lidar>&
-knownLidars ()
-{
-  static const std::vector<Lidar> lidars = {{"lidar-64", 64, 1900, 2.0, -24.8, 120.0},
-                                            {"lidar-32", 32, 1080, 10.0, -30.0, 100.0},
-                                            {"lidar-16", 16, 1800, 15.0, -15.0, 100.0},
-                                            {"livox", 1, 100'000, 35.0, -35.0, 120.0}};
-  return lidars;
-}
-
 Vector3d
 rotatingRay (const Lidar& lidar, int step, int beam)
 {
-  const double share = lidar.beams > 1 ? double (beam) / (lidar.beams - 1) : 0.0;
+  const double share = double (beam) / (lidar.beams - 1);
   const double elevation =
       (lidar.highest + share * (lidar.lowest - lidar.highest)) * pi / 180.0;
   const double azimuth = -2.0 * pi * step / lidar.steps;
@@ -265,28 +163,86 @@ rosetteRay (const Lidar& lidar, std::size_t ray)
 
 } // namespace
 
-std::vector<std::string>
-lidarNames ()
+DepthImage
+castDepthImage (const Scene& scene,
+                const DepthCamera& camera,
+                const Isometry3d& pose,
+                const Jitter& jitter)
 {
-  std::vector<std::string> names;
-  for (const Lidar& lidar : knownLidars())
-    names.push_back (lidar.name);
-  return names;
+  DepthImage image{Field (camera.height, camera.width), {}};
+  const std::vector<Plane> planes = surfacePlanes (scene);
+  const ShapeTree shapes = treeOf (scene);
+  const Vector3d eye = pose.translation();
+  for (int row = 0; row < camera.height; ++row)
+    for (int column = 0; column < camera.width; ++column) {
+      const Vector3d ray = pose.linear() * camera.ray (column, row);
+      Vector3d jittered = ray;
+      if (jitter[0].size() > 0)
+        jittered = pose.linear() * camera.ray (column + jitter[0](row, column),
+                                               row + jitter[1](row, column));
+      const Hit hit = castRay (shapes, eye, jittered);
+      image.depth (row, column) = depthOnSurface (hit, planes, eye, ray);
+      image.surface.push_back (hit.surface);
+    }
+  return image;
+}
+
+Scan
+scanByCamera (const Scene& scene,
+              const DepthCamera& camera,
+              const Isometry3d& pose,
+              const CameraNoise& noise,
+              std::uint32_t seed)
+{
+  // Standard deviation of the rays' wandering along each image axis [px] (Nguyen et
+  // al., see axialSigma).
+  constexpr double lateral_sigma = 0.8;
+  Random random = randomFor (Purpose::DepthNoise, seed);
+  const bool is_noisy = noise.scale > 0.0;
+  Jitter jitter;
+  if (is_noisy)
+    for (Field& axis : jitter)
+      axis = noise.scale * lateral_sigma * drawField (camera, noise, random);
+  DepthImage image = castDepthImage (scene, camera, pose, jitter);
+  if (is_noisy)
+    disturbDepths (image, camera, noise, random);
+  Scan scan;
+  scan.columns = std::size_t (camera.width);
+  scan.rows = std::size_t (camera.height);
+  scan.surfaces = std::move (image.surface);
+  for (int row = 0; row < camera.height; ++row)
+    for (int column = 0; column < camera.width; ++column) {
+      const double depth = image.depth (row, column);
+      const bool is_read = depth >= nearest && depth <= farthest;
+      scan.points.push_back (is_read ? Vector3d (depth * camera.ray (column, row))
+                                     : Vector3d::Constant (std::nan ("")));
+    }
+  return scan;
+}
+
+const std::vector<Lidar>&
+knownLidars ()
+{
+  static const std::vector<Lidar> lidars = {{"lidar-64", 64, 1900, 2.0, -24.8, 120.0},
+                                            {"lidar-32", 32, 1080, 10.0, -30.0, 100.0},
+                                            {"lidar-16", 16, 1800, 15.0, -15.0, 100.0},
+                                            {"livox", 1, 100'000, 35.0, -35.0, 120.0}};
+  return lidars;
 }
 
 Lidar
 lidarOf (const std::string& name)
 {
-  for (const Lidar& lidar : knownLidars())
-    if (lidar.name == name)
-      return lidar;
-  return {};
+  const std::vector<Lidar>& lidars = knownLidars();
+  return *std::find_if (lidars.begin(), lidars.end() - 1, [&name] (const Lidar& lidar) {
+    return lidar.name == name;
+  });
 }
 
 Scan
 scanAround (const Scene& scene,
             const Lidar& lidar,
-            const Eigen::Isometry3d& pose,
+            const Isometry3d& pose,
             double noise_scale,
             std::uint32_t seed,
             std::size_t number)

@@ -4,6 +4,7 @@
 
 #include "simulated_cloud.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,10 @@ constexpr double kinect_focal_length = 525.0;
 
 /** \brief A pinhole depth camera in the room. Its axes: x right, y down, z forward. */
 struct DepthCamera {
-  int width = 640;
-  int height = 480;
+  int width = 640, height = 480;
 
   /** \brief The ray of a pixel in the camera's frame, of length 1 along z. */
-  Eigen::Vector3d
+  Vector3d
   ray (double column, double row) const
   {
     // [px]: the field of view is a Kinect's whatever the width.
@@ -40,19 +40,16 @@ struct DepthImage {
   std::vector<SurfaceId> surface;
 };
 
-/** \brief How far beside its place each pixel looks [px]: this frays the edges, while
- * the depth is that of the surface it sees at the pixel's place. Empty: edges are
- * exact.
- */
-struct Jitter {
-  Field columns, rows;
-};
+/** \brief How many columns and rows beside its place each pixel looks: this frays the
+ * edges, while the depth is that of the surface it sees at the pixel's place. Empty:
+ * edges are exact. */
+using Jitter = std::array<Field, 2>;
 
 /** \brief Casts a ray through every pixel. */
 DepthImage
 castDepthImage (const Scene& scene,
                 const DepthCamera& camera,
-                const Eigen::Isometry3d& pose,
+                const Isometry3d& pose,
                 const Jitter& jitter = {});
 
 struct CameraNoise {
@@ -72,7 +69,7 @@ struct CameraNoise {
 Scan
 scanByCamera (const Scene& scene,
               const DepthCamera& camera,
-              const Eigen::Isometry3d& pose,
+              const Isometry3d& pose,
               const CameraNoise& noise,
               std::uint32_t seed);
 
@@ -83,14 +80,13 @@ constexpr double lidar_sigma = 0.02;
  * one above the other, highest first, and so around clockwise; or with \ref beams 1 a
  * single one along a rosette whose gaps the next scans fill. */
 struct Lidar {
-  std::string name = "lidar-64";
-  int beams = 64;
-  /** \brief How often they are sent in a scan. */
-  int steps = 1900;
+  std::string name;
+  /** \brief How many at once, and how often in a scan. */
+  int beams, steps;
   /** \brief Elevations of the outer beams; of a rosette those of its edge [degree]. */
-  double highest = 2.0, lowest = -24.8;
+  double highest, lowest;
   /** \brief Readings beyond are lost [m]. */
-  double farthest = 120.0;
+  double farthest;
 
   bool
   isRosette () const
@@ -99,13 +95,11 @@ struct Lidar {
   }
 };
 
-/** \brief The names that \ref lidarOf knows. */
-std::vector<std::string>
-lidarNames ();
+/** \brief Lidars like a Velodyne HDL-64E, HDL-32E or VLP-16 and a Livox Avia. */
+const std::vector<Lidar>&
+knownLidars ();
 
-/** \brief A lidar like a Velodyne HDL-64E, HDL-32E or VLP-16 ("lidar-64", "lidar-32",
- * "lidar-16") or a Livox Avia ("livox").
- * \param[in] name one of \ref lidarNames */
+/** \brief That of a name: lidar-64, lidar-32, lidar-16 or livox. */
 Lidar
 lidarOf (const std::string& name);
 
@@ -116,7 +110,7 @@ lidarOf (const std::string& name);
 Scan
 scanAround (const Scene& scene,
             const Lidar& lidar,
-            const Eigen::Isometry3d& pose,
+            const Isometry3d& pose,
             double noise_scale,
             std::uint32_t seed,
             std::size_t number = 0);

@@ -12,7 +12,7 @@ struct RoundShape {
   enum class Kind { Dome, Cylinder, Cone, Torus };
   Kind kind = Kind::Dome;
   /** \brief Of the dome its sphere's; of the cone its apex. */
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Vector3d center = Vector3d::Zero();
   /** \brief Of the sphere, the cylinder, the cone's base or the torus's ring [m]. */
   double radius = 1.0;
   /** \brief Of the dome or the cone, half that of the cylinder or the torus [m]. */
@@ -27,30 +27,18 @@ struct RoundShape {
 SurfacePoint
 drawPoint (const RoundShape& shape, Random& random);
 
-/** \brief A sphere, a cylinder, a cone and a torus in a row, behind them parts of four
- * larger ones, apart from each other and from a ground and a board on it. The radii are
- * from 0.1 to 5.5 m: up to some 100 of the finer voxels that the default detector looks
- * for planes in. z is up, z = 0 the ground. */
-struct Shapes {
-  /** \brief The smaller four first. */
-  std::vector<RoundShape> round;
-  Shape ground, board;
-};
-
 /** \brief Standard deviation of the points of shapes [m]. */
 constexpr double shapes_sigma = 0.002;
 
 /** \brief About 5000 points on a square meter. */
 constexpr std::size_t points_of_shapes = 250'000;
 
-Shapes
-makeShapes (std::uint32_t seed);
-
-/** \brief Scans all surfaces evenly, whatever hides them, from no known position. */
+/** \brief A sphere, a cylinder, a cone and a torus in a row, behind them parts of four
+ * larger ones, apart from each other and from a ground and a board on it. The radii are
+ * from 0.1 to 5.5 m: up to some 100 of the finer voxels that the default detector looks
+ * for planes in. All surfaces are scanned evenly, whatever hides them, from no known
+ * position; z is up, z = 0 the ground. */
 SimulatedCloud
-scanShapes (const Shapes& shapes,
-            std::size_t points,
-            double noise_scale,
-            std::uint32_t seed);
+simulateShapes (std::size_t points, double noise_scale, std::uint32_t seed);
 
 } // namespace pcl_ops::simulation

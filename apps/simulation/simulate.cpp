@@ -58,7 +58,7 @@ simulate (const Simulation& simulation)
   if (simulation.scene == "survey")
     return scanSurvey (makeSurvey (seed), pointsOr (points_of_survey), noise, seed);
   if (simulation.scene == "shapes")
-    return scanShapes (makeShapes (seed), pointsOr (points_of_shapes), noise, seed);
+    return simulateShapes (pointsOr (points_of_shapes), noise, seed);
   if (simulation.points)
     return scanDensely (roomOf (simulation).scene, pointsOr (0), noise, seed);
   const SensorView view = viewOf (simulation);

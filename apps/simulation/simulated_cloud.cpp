@@ -9,8 +9,6 @@
 
 namespace pcl_ops::simulation {
 
-using Eigen::Vector3d;
-
 SimulatedCloud
 labeledBySize (LabeledCloud cloud, const std::vector<Plane>& surfaces)
 {
@@ -44,7 +42,7 @@ pointAt (const Vector3d& position, SurfaceId surface)
 }
 
 LabeledCloud
-toSurfaceCloud (const Scan& scan, const Eigen::Isometry3d& pose, bool organized)
+toSurfaceCloud (const Scan& scan, const Isometry3d& pose, bool organized)
 {
   LabeledCloud cloud;
   cloud.reserve (scan.points.size());

@@ -32,7 +32,7 @@ SimulatedCloud
 labeledBySize (LabeledCloud cloud, const std::vector<Plane>& surfaces);
 
 pcl::PointXYZL
-pointAt (const Eigen::Vector3d& position, SurfaceId surface);
+pointAt (const Vector3d& position, SurfaceId surface);
 
 /** \brief What a sensor reads, ray by ray in the order it casts them. */
 struct Scan {
@@ -41,7 +41,7 @@ struct Scan {
    * lidar, and not those of a row. */
   bool column_by_column = false;
   /** \brief In the sensor's frame [m]; NaN: no reading. */
-  std::vector<Eigen::Vector3d> points;
+  std::vector<Vector3d> points;
   std::vector<SurfaceId> surfaces;
 };
 
@@ -51,11 +51,11 @@ struct Scan {
  * \param[in] organized one point for each ray, row by row, NaN without a reading; else
  * one for each reading, in the order of the rays */
 LabeledCloud
-toSurfaceCloud (const Scan& scan, const Eigen::Isometry3d& pose, bool organized);
+toSurfaceCloud (const Scan& scan, const Isometry3d& pose, bool organized);
 
 /** \brief A point of a surface and the direction its distance errs in. */
 struct SurfacePoint {
-  Eigen::Vector3d position, normal;
+  Vector3d position, normal;
 };
 
 /** \brief A surface and a uniform draw of its points. */
@@ -66,12 +66,12 @@ struct ScannedSurface {
 };
 
 /** \brief A direction across the z axis. */
-Eigen::Vector3d
+Vector3d
 drawAcross (Random& random);
 
 /** \brief A point of a sphere above some height, in multiples of the radius. */
 SurfacePoint
-drawAbove (double lowest, const Eigen::Vector3d& center, double radius, Random& random);
+drawAbove (double lowest, const Vector3d& center, double radius, Random& random);
 
 /** \brief Of a cylinder from its side only. */
 SurfacePoint

@@ -11,9 +11,6 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-using Eigen::Isometry3d;
-using Eigen::Vector3d;
-
 /** \brief Sizes that the openings of a house share [m]. */
 struct FacadeStyle {
   int storeys, bays;
@@ -60,78 +57,10 @@ addBay (Body& house, const FacadeStyle& style, int storey, int bay)
   const double left = bay * bay_width - 0.5 * style.width;
   const bool is_top = storey + 1 == style.storeys;
   const double top = is_top ? style.eaves : (storey + 1) * style.storey;
-  addWallAround (house,
-                 {left, left + bay_width, floor, top},
-                 {middle - half_width, middle + half_width, bottom, bottom + height},
-                 is_door ? style.door_depth : style.window_depth);
-}
-
-/** \brief Adds a face between two parallel edges.
- * \param[in] from,to their middles
- * \param[in] along their direction, of length 1 */
-void
-addFace (Body& body,
-         const Vector3d& from,
-         const Vector3d& to,
-         const Vector3d& along,
-         double length)
-{
-  const Vector3d way = to - from;
-  addSurface (body,
-              {Shape::Kind::Rectangle,
-               0.5 * (from + to),
-               along,
-               way.normalized(),
-               0.5 * length,
-               0.5 * way.norm()});
-}
-
-/** \brief The slope towards the street, which hides the other one. */
-void
-addRoof (Body& house, const FacadeStyle& style, double depth, Random& random)
-{
-  const double slope = std::tan (random.angle (30, 45));
-  const double overhang = random.between (0.2, 0.5); // [m]
-  const Vector3d eaves (0.0, overhang, style.eaves - overhang * slope);
-  const Vector3d ridge (0.0, -0.5 * depth, style.eaves + 0.5 * depth * slope);
-  addFace (house, eaves, ridge, Vector3d::UnitX(), style.width);
-}
-
-/** \brief Sizes of a car [m]. */
-struct CarSizes {
-  double length, width, sill, belt, roof;
-};
-
-void
-addWheels (Body& car, const CarSizes& size)
-{
-  constexpr double radius = 0.31, half_width = 0.1;
-  /** \brief Of a hub, so that its cap bulges out of the side. */
-  constexpr double hub_inside = 0.25;
-  for (const double along : {-0.3, 0.3})
-    for (const double side : {-1.0, 1.0}) {
-      const double x = along * size.length;
-      const double y = side * (0.5 * size.width - 0.05 - half_width);
-      addCylinder (car, {x, y, radius}, Vector3d::UnitY(), half_width, radius);
-      addSphere (car, {x, side * (0.5 * size.width - hub_inside), radius}, radius);
-    }
-}
-
-/** \brief Slanted windows in front and behind, upright ones beside, a roof on top. */
-void
-addCabin (Body& car, const CarSizes& size, Random& random)
-{
-  const double front_foot = random.between (0.2, 0.3) * size.length;
-  const double front = random.between (0.0, 0.1) * size.length;
-  const double rear = random.between (-0.45, -0.3) * size.length;
-  const double rear_foot = -0.48 * size.length;
-  const double width = size.width - 0.24;
-  const Vector3d across = Vector3d::UnitY();
-  addFace (car, {front_foot, 0, size.belt}, {front, 0, size.roof}, across, width);
-  addFace (car, {rear, 0, size.roof}, {front, 0, size.roof}, across, width);
-  addFace (car, {rear_foot, 0, size.belt}, {rear, 0, size.roof}, across, width);
-  for (const double side : {-0.5, 0.5})
-    addSurface (car, WallRange{rear, front, size.belt, size.roof}.at (side * width));
+  house.addWallAround (
+      {left, left + bay_width, floor, top},
+      {middle - half_width, middle + half_width, bottom, bottom + height},
+      is_door ? style.door_depth : style.window_depth);
 }
 
 /** \brief Adds leaves, each a small ball, spread evenly in a ball.
@@ -150,7 +79,7 @@ addLeaves (
     const double radius = random.between (leaf, largest_leaf);
     const Vector3d center = middle + crown * place;
     if (place.norm() <= 1.0 && center.z() > lowest)
-      addSphere (plant, center, radius);
+      plant.addSphere (center, radius);
   }
 }
 
@@ -162,20 +91,24 @@ Body
 drawTownHouse (double width, Random& random)
 {
   const FacadeStyle style = drawStyle (width, random);
-  const double depth = random.between (8, 12);
+  const double half_depth = 0.5 * random.between (8, 12);
   Body house;
   for (int storey = 0; storey < style.storeys; ++storey)
     for (int bay = 0; bay < style.bays; ++bay)
       addBay (house, style, storey, bay);
   // The walls beside the neighbors, which the ground hides below z = 0.
-  for (const double side : {-0.5, 0.5}) {
-    const Vector3d foot (side * width, -0.5 * depth, 0.0);
-    addFace (
-        house, foot, foot + style.eaves * Vector3d::UnitZ(), Vector3d::UnitY(), depth);
+  for (const double side : {-0.5, 0.5})
+    house.addFace ({side * width, -half_depth, 0},
+                   {side * width, -half_depth, style.eaves},
+                   {0, 2.0 * half_depth, 0});
+  if (random.chance (0.6)) { // the slope towards the street, which hides the other one
+    const double slope = std::tan (random.angle (30, 45));
+    const double overhang = random.between (0.2, 0.5); // [m]
+    house.addFace ({0, overhang, style.eaves - overhang * slope},
+                   {0, -half_depth, style.eaves + half_depth * slope},
+                   {width, 0, 0});
   }
-  if (random.chance (0.6))
-    addRoof (house, style, depth, random);
-  joinCoplanar (house);
+  house.joinCoplanar();
   return house;
 }
 
@@ -184,19 +117,33 @@ drawTownHouse (double width, Random& random)
 Body
 drawCar (Random& random)
 {
-  CarSizes size{};
-  size.length = random.between (3.8, 4.8);
-  size.width = random.between (1.65, 1.85);
-  size.sill = random.between (0.2, 0.3);
-  size.belt = random.between (0.8, 1.05);
-  size.roof = size.belt + random.between (0.5, 0.8);
+  const double length = random.between (3.8, 4.8), width = random.between (1.65, 1.85);
+  const double sill = random.between (0.2, 0.3), belt = random.between (0.8, 1.05);
+  const double roof = belt + random.between (0.5, 0.8);
   Body car;
-  addBox (car,
-          at (0.0, 0.0, 0.5 * (size.sill + size.belt)),
-          {size.length, size.width, size.belt - size.sill},
-          HiddenFace::Bottom);
-  addCabin (car, size, random);
-  addWheels (car, size);
+  car.addBox (at ({0, 0, 0.5 * (sill + belt)}),
+              {length, width, belt - sill},
+              HiddenFace::Bottom);
+  // Slanted windows in front and behind, upright ones beside, a roof on top.
+  const double front_foot = random.between (0.2, 0.3) * length;
+  const double front = random.between (0.0, 0.1) * length;
+  const double rear = random.between (-0.45, -0.3) * length, rear_foot = -0.48 * length;
+  const double cabin_width = width - 0.24;
+  const Vector3d across (0, cabin_width, 0);
+  car.addFace ({front_foot, 0, belt}, {front, 0, roof}, across);
+  car.addFace ({rear, 0, roof}, {front, 0, roof}, across);
+  car.addFace ({rear_foot, 0, belt}, {rear, 0, roof}, across);
+  for (const double side : {-0.5, 0.5})
+    car.addSurface (WallRange{rear, front, belt, roof}.at (side * cabin_width));
+  constexpr double radius = 0.31, half_wheel = 0.1;
+  // So that the cap of a hub bulges out of the side.
+  constexpr double hub_inside = 0.25;
+  for (const double along : {-0.3, 0.3})
+    for (const double side : {-1.0, 1.0}) {
+      const double x = along * length, y = side * (0.5 * width - 0.05 - half_wheel);
+      car.addCylinder ({x, y, radius}, Vector3d::UnitY(), half_wheel, radius);
+      car.addSphere ({x, side * (0.5 * width - hub_inside), radius}, radius);
+    }
   return car;
 }
 
@@ -205,38 +152,11 @@ Body
 drawTree (Random& random)
 {
   Body tree;
-  const double trunk = random.between (1.6, 2.6);
-  const double radius = random.between (1.0, 2.0);
-  const Vector3d foot = Vector3d::Zero();
-  addPole (tree, foot, trunk + 0.5 * radius, random.between (0.08, 0.25));
-  addLeaves (tree, {0.0, 0.0, trunk + 0.9 * radius}, radius, trunk, random);
+  const double trunk = random.between (1.6, 2.6), radius = random.between (1.0, 2.0);
+  tree.addPole ({0, 0, 0}, trunk + 0.5 * radius, random.between (0.08, 0.25));
+  addLeaves (tree, {0, 0, trunk + 0.9 * radius}, radius, trunk, random);
   return tree;
 }
-
-/** \brief Scattered leaves on the ground. */
-Body
-drawBush (double radius, Random& random)
-{
-  Body bush;
-  addLeaves (bush, {0.0, 0.0, 0.5 * radius}, radius, 0.0, random);
-  return bush;
-}
-
-/** \brief The pole of a lamp or a sign. */
-Body
-drawPole (Random& random)
-{
-  Body pole;
-  const double height = random.between (2.5, 8);
-  addPole (pole, Vector3d::Zero(), height, random.between (0.03, 0.1));
-  return pole;
-}
-
-/** \brief Facades of a side are so far behind each other: no two are in one plane [m].
- */
-constexpr double setback_step = 0.4;
-/** \brief From the curb to the end of the ground behind the houses [m]. */
-constexpr double depth_of_ground = 25.0;
 
 /** \brief One side of the street, in a frame of its own: x along it, y towards the
  * road, y = 0 the curb, z up from the road. */
@@ -252,30 +172,20 @@ struct Roadside {
   Isometry3d
   onGround (double x, double y) const
   {
-    return pose * at (x, y, curb - slope * y);
+    return pose * at ({x, y, curb - slope * y});
   }
 };
 
+/** \brief The curb, and the ground to behind the houses. */
 Body
 makeGround (const Roadside& side)
 {
+  constexpr double depth = 25.0; // [m]
   Body ground;
-  const Vector3d curb (0.0, 0.0, side.curb);
-  const Vector3d back (0.0, -depth_of_ground, side.slope * depth_of_ground);
-  addFace (ground, Vector3d::Zero(), curb, Vector3d::UnitX(), side.length);
-  addFace (ground, curb, curb + back, Vector3d::UnitX(), side.length);
+  const Vector3d curb (0, 0, side.curb), along (side.length, 0, 0);
+  ground.addFace ({0, 0, 0}, curb, along);
+  ground.addFace (curb, curb + Vector3d (0, -depth, side.slope * depth), along);
   return ground;
-}
-
-/** \brief 0 .. count - 1 in some order (Fisher & Yates). */
-std::vector<int>
-drawOrder (int count, Random& random)
-{
-  std::vector<int> order (static_cast<std::size_t> (count));
-  std::iota (order.begin(), order.end(), 0);
-  for (int i = count - 1; i > 0; --i)
-    std::swap (order[i], order[random.below (std::uint32_t (i + 1))]);
-  return order;
 }
 
 void
@@ -286,8 +196,11 @@ addBushes (Scene& scene, const Roadside& side, double x, double setback, Random&
     const double radius = random.between (0.3, 0.6);
     const double place = x + random.between (-4, 4);
     const double y = -side.sidewalk - random.between (0, setback);
-    if (setback > 2.0 * radius)
-      addBody (scene, drawBush (radius, random), side.onGround (place, y));
+    if (!(setback > 2.0 * radius))
+      continue;
+    Body bush;
+    addLeaves (bush, {0, 0, 0.5 * radius}, radius, 0.0, random);
+    scene.add (bush, side.onGround (place, y));
   }
 }
 
@@ -295,16 +208,21 @@ void
 addHouses (Scene& scene, const Roadside& side, Random& random)
 {
   constexpr double narrow = 9.0, wide = 15.0; // [m]
+  // Facades are so far behind each other that no two are in one plane [m].
+  constexpr double setback_step = 0.4;
+  std::vector<int> rows (std::size_t (side.length / narrow));
+  std::iota (rows.begin(), rows.end(), 0);
+  for (std::size_t i = rows.size() - 1; i > 0; --i) // Fisher & Yates
+    std::swap (rows[i], rows[random.below (std::uint32_t (i + 1))]);
   double x = -0.5 * side.length;
-  for (const int row : drawOrder (int (side.length / narrow), random)) {
+  for (const int row : rows) {
     const double width = random.between (narrow, wide);
     if (x + width > 0.5 * side.length)
       break;
     const double setback = setback_step * row + random.between (0.0, 0.04);
     const double middle = x + 0.5 * width;
-    addBody (scene,
-             drawTownHouse (width, random),
-             side.onGround (middle, -side.sidewalk - setback));
+    scene.add (drawTownHouse (width, random),
+               side.onGround (middle, -side.sidewalk - setback));
     addBushes (scene, side, middle, setback, random);
     const bool has_alley = random.chance (0.4);
     x += width + (has_alley ? random.between (1.5, 4) : 0.1);
@@ -322,15 +240,19 @@ addRows (Scene& scene, const Roadside& side, Random& random)
       const double place = x + random.between (-0.5, 0.5);
       const double half_turns = random.chance (0.5) ? 1.0 : 0.0;
       const double yaw = random.angle (-2, 2) + half_turns * pi;
-      const Isometry3d pose = side.pose * at (place, random.between (1.0, 1.5), 0.0);
-      addBody (scene, drawCar (random), pose * turnZ (yaw));
+      const Isometry3d pose = side.pose * at ({place, random.between (1.0, 1.5), 0});
+      scene.add (drawCar (random), pose * turnZ (yaw));
     }
   for (double x = 2.0 - half_length; x < half_length; x += gap_of_trees) {
     const Isometry3d pose = side.onGround (x + random.between (-1, 1), -0.6);
     if (random.chance (0.5))
-      addBody (scene, drawTree (random), pose);
-    else if (random.chance (0.6))
-      addBody (scene, drawPole (random), pose);
+      scene.add (drawTree (random), pose);
+    else if (random.chance (0.6)) { // a lamp or a sign
+      Body pole;
+      const double height = random.between (2.5, 8);
+      pole.addPole ({0, 0, 0}, height, random.between (0.03, 0.1));
+      scene.add (pole, pose);
+    }
   }
 }
 
@@ -338,12 +260,12 @@ void
 addSide (Street& street, const Isometry3d& pose, Random& random)
 {
   Roadside side{};
-  side.pose = pose * at (0.0, -0.5 * street.width, 0.0);
+  side.pose = pose * at ({0, -0.5 * street.width, 0});
   side.length = street.length;
   side.curb = random.between (0.10, 0.15);
   side.sidewalk = random.between (2.5, 4.0);
   side.slope = random.between (0.02, 0.03);
-  addBody (street.scene, makeGround (side), side.pose);
+  street.scene.add (makeGround (side), side.pose);
   addHouses (street.scene, side, random);
   addRows (street.scene, side, random);
 }
@@ -352,7 +274,7 @@ addSide (Street& street, const Isometry3d& pose, Random& random)
 Isometry3d
 onLane (const Street& street, double x)
 {
-  return turnZ (street.yaw) * at (x, -0.15 * street.width, 0.0);
+  return turnZ (street.yaw) * at ({x, -0.15 * street.width, 0});
 }
 
 } // namespace
@@ -367,9 +289,9 @@ makeStreet (std::uint32_t seed)
   street.yaw = random.angle (0, 360);
   const Isometry3d pose = turnZ (street.yaw);
   Body road;
-  addSurface (
-      road, rectangleAlong (0, 1, {0, 0, 0}, 0.5 * street.length, 0.5 * street.width));
-  addBody (street.scene, road, pose);
+  road.addSurface (
+      makeRectangle ({0, 0, 0}, {street.length, 0, 0}, {0, street.width, 0}));
+  street.scene.add (road, pose);
   for (const double half_turns : {0.0, 1.0})
     addSide (street, pose * turnZ (half_turns * pi), random);
   return street;
@@ -379,13 +301,10 @@ Isometry3d
 drawSensorPose (const Street& street, std::uint32_t seed)
 {
   Random random = randomFor (Purpose::SensorPose, seed);
-  const double x = random.between (-20, 20);
-  const double y = random.between (-0.3, 0.3);
-  const double height = random.between (1.7, 1.9);
-  const double yaw = random.angle (-3, 3);
-  const double pitch = random.angle (-1, 1);
-  const double roll = random.angle (-1, 1);
-  return onLane (street, x) * at (0.0, y, height) * turnZ (yaw) * turnY (pitch) *
+  const double x = random.between (-20, 20), y = random.between (-0.3, 0.3);
+  const double height = random.between (1.7, 1.9), yaw = random.angle (-3, 3);
+  const double pitch = random.angle (-1, 1), roll = random.angle (-1, 1);
+  return onLane (street, x) * at ({0, y, height}) * turnZ (yaw) * turnY (pitch) *
          turnX (roll);
 }
 
@@ -406,7 +325,7 @@ drawDrive (const Street& street, std::size_t frames, std::uint32_t seed)
     const double x = (double (i) / steps - 0.5) * way;
     const double angle = phase + 2.0 * pi * x / wave;
     const double yaw = 2.0 * pi / wave * sway * std::cos (angle);
-    poses.push_back (onLane (street, x) * at (0.0, sway * std::sin (angle), height) *
+    poses.push_back (onLane (street, x) * at ({0, sway * std::sin (angle), height}) *
                      turnZ (yaw) * turnY (tilt * std::sin (1.7 * angle)) *
                      turnX (tilt * std::sin (1.3 * angle)));
   }

@@ -12,8 +12,7 @@ struct Street {
   Scene scene;
   /** \brief Of the street, and of the road between the curbs [m]. */
   double length = 0.0, width = 0.0;
-  /** \brief [rad] */
-  double yaw = 0.0;
+  double yaw = 0.0; // [rad]
 };
 
 /** \brief Draws a road between curbs and sloping sidewalks, with houses, parked cars,
@@ -24,7 +23,7 @@ makeStreet (std::uint32_t seed);
 /** \brief Draws where a car in the right lane near the middle carries a sensor, in its
  * axes x forward, y left, z up: 1.7 to 1.9 m above the road, tilted by up to a degree.
  */
-Eigen::Isometry3d
+Isometry3d
 drawSensorPose (const Street& street, std::uint32_t seed);
 
 /** \brief Draws a drive along the right lane through the middle of a street, in equal

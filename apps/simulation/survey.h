@@ -9,18 +9,13 @@ namespace pcl_ops::simulation {
 /** \brief Four walls and a gable roof; the ridge is along the length. */
 struct House {
   /** \brief Center of the building on the ground [m]. */
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Vector3d center = Vector3d::Zero();
   /** \brief Of the length against the x axis [rad]. */
   double yaw = 0.0;
-  double length = 15.0;
-  double width = 11.0;
+  double length = 15.0, width = 11.0;
   /** \brief Heights of the roof's lower and upper edges [m]. */
-  double eaves = 5.0;
-  double ridge = 8.0;
+  double eaves = 5.0, ridge = 8.0;
 };
-
-/** \brief Surfaces of a house: walls and slopes. */
-constexpr std::size_t planes_of_house = 6;
 
 /** \brief Houses on a square of ground; z is up, z = 0 the ground, the origin its
  * middle. */
@@ -33,8 +28,7 @@ struct Survey {
 /** \brief Standard deviation of a surveyed point along each axis [m]. */
 constexpr double survey_sigma = 0.015;
 
-constexpr std::size_t houses_of_survey = 36;
-constexpr std::size_t points_of_survey = 600'000;
+constexpr std::size_t houses_of_survey = 36, points_of_survey = 600'000;
 
 /** \brief Draws houses in rows, each on 30 m x 30 m: 180 m x 180 m for 36 of them. */
 Survey

@@ -15,7 +15,6 @@ namespace pcl_ops::simulation {
  * Each surface is divided into patches with points of their own, so that the points of
  * a place are the same however large the town is and wherever borders of tiles are. */
 struct Town {
-  /** \brief The same seed gives the same houses and points. */
   std::uint32_t seed = 1;
   /** \brief Along each side. */
   std::uint32_t tiles = 1;
@@ -36,8 +35,7 @@ struct TownPoint {
 Town
 makeTown (std::uint32_t seed, double points, double tiles);
 
-/** \brief The points of a tile.
- * \param[in] noise_scale factor on \ref survey_sigma */
+/** \param[in] noise_scale factor on \ref survey_sigma */
 std::vector<TownPoint>
 surveyTile (const Town& town,
             std::uint32_t column,

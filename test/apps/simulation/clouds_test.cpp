@@ -126,8 +126,8 @@ TEST (Clouds, DenseScansCoverSurfacesByArea)
 {
   Scene scene = wallAt (1.0); // 40 m x 40 m
   Body half;
-  addSurface (half, rectangleAlong (0, 1, {0.0, 0.0, 0.0}, 10.0, 20.0));
-  addBody (scene, half, Eigen::Isometry3d::Identity());
+  half.addSurface (makeRectangle ({0, 0, 0}, {20, 0, 0}, {0, 40, 0}));
+  scene.add (half, Eigen::Isometry3d::Identity());
   EXPECT_EQ (countsOf (scanDensely (scene, 30000, 1.0, 1)),
              (std::vector<std::size_t>{0, 20000, 10000}));
 }

@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-std::vector<Furniture>
+std::vector<Body>
 onePieceOfEachKind ()
 {
   Random random (seedOfTest());
@@ -104,11 +104,11 @@ TEST (Scene, RayMeetsTheNearestShape)
 TEST (Scene, RayMeetsRoundThingsOnTheirSkin)
 {
   Body round;
-  addSphere (round, {0.0, 0.0, 3.0}, 0.5);
-  addCylinder (round, {2.0, 0.0, 3.0}, Vector3d::UnitY(), 1.0, 0.5);
-  addCylinder (round, {5.0, 0.0, 3.0}, Vector3d::UnitZ(), 1.0, 0.5);
+  round.addSphere ({0.0, 0.0, 3.0}, 0.5);
+  round.addCylinder ({2.0, 0.0, 3.0}, Vector3d::UnitY(), 1.0, 0.5);
+  round.addCylinder ({5.0, 0.0, 3.0}, Vector3d::UnitZ(), 1.0, 0.5);
   Scene scene;
-  addBody (scene, round, Eigen::Isometry3d::Identity());
+  scene.add (round, Eigen::Isometry3d::Identity());
   const auto distanceFrom = [tree = treeOf (scene)] (double x, double y, double slant) {
     const Hit hit = castRay (tree, {x, y, 0.0}, {slant, 0.0, 1.0});
     EXPECT_EQ (hit.surface, no_surface);
@@ -123,7 +123,7 @@ TEST (Scene, RayMeetsRoundThingsOnTheirSkin)
 TEST (Scene, FacesOfABoxAreSurfacesOfTheirOwnUnlessNarrow)
 {
   Body board;
-  addBox (board, Eigen::Isometry3d::Identity(), {1.0, 0.6, 0.03});
+  board.addBox (Eigen::Isometry3d::Identity(), {1.0, 0.6, 0.03});
   EXPECT_EQ (board.shapes.size(), 6u);
   EXPECT_EQ (board.surface_count, 2u);
 }
@@ -139,17 +139,18 @@ TEST (Scene, RayMeetsTheNearestOfAllShapesOneByOne)
     double nearest = std::numeric_limits<double>::infinity();
     for (const Body& body : scene.bodies)
       for (const Shape& shape : body.shapes)
-        nearest =
-            std::min (nearest, castRay (treeOf ({{{{shape}}}}), eye, ray).distance);
+        nearest = std::min (
+            nearest,
+            castRay (treeOf ({{{Vector2d::Zero(), {shape}}}}), eye, ray).distance);
     EXPECT_EQ (castRay (tree, eye, ray).distance, nearest);
   }
 }
 
 TEST (BoardFurniture, EveryFaceIsAPlaneOfItsOwn)
 {
-  for (const Furniture& piece : onePieceOfEachKind()) {
-    const std::vector<Shape>& faces = piece.body.shapes;
-    EXPECT_EQ (piece.body.surface_count, faces.size());
+  for (const Body& piece : onePieceOfEachKind()) {
+    const std::vector<Shape>& faces = piece.shapes;
+    EXPECT_EQ (piece.surface_count, faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
       EXPECT_EQ (faces[i].surface, i + 1);
       for (std::size_t j = 0; j < i; ++j)
@@ -183,7 +184,7 @@ TEST (Survey, HasAGroundAndSixPlanesForEachHouse)
   for (const std::size_t houses : {1u, 3u, 5u}) {
     const auto simulated =
         scanSurvey (makeSurvey (seed, houses), 5000 * houses, 1.0, seed);
-    EXPECT_EQ (simulated.planes.size(), 1 + planes_of_house * houses);
+    EXPECT_EQ (simulated.planes.size(), 1 + 6 * houses);
     for (const auto& point : simulated.cloud)
       ASSERT_GT (point.label, 0u);
   }
@@ -260,7 +261,7 @@ TEST (Street, WindowsOfAHouseAreOnePlaneBehindTheFacade)
 
 TEST (Shapes, AreTwoPlanesAndPointsOnNone)
 {
-  const auto simulated = scanShapes (makeShapes (seedOfTest()), 5000, 1.0, 1);
+  const auto simulated = simulateShapes (5000, 1.0, seedOfTest());
   EXPECT_EQ (simulated.planes.size(), 2u);
   const auto on_none =
       std::count_if (simulated.cloud.begin(),

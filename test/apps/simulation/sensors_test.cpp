@@ -46,9 +46,9 @@ Scan
 scanInABox (const Lidar& lidar, std::size_t number = 0, double noise = 0.0)
 {
   Body box;
-  addBox (box, origin, {9.0, 8.0, 7.0});
+  box.addBox (origin, {9.0, 8.0, 7.0});
   Scene scene;
-  addBody (scene, box, origin);
+  scene.add (box, origin);
   return scanAround (scene, lidar, origin, noise, 1, number);
 }
 

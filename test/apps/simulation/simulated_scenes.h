@@ -46,8 +46,8 @@ inline void
 addWall (Scene& scene, double x, double depth)
 {
   Body wall;
-  addSurface (wall, rectangleAlong (0, 1, {0.0, 0.0, 0.0}, 20.0, 20.0));
-  addBody (scene, wall, at (x, 0.0, depth));
+  wall.addSurface (makeRectangle ({0, 0, 0}, {40, 0, 0}, {0, 40, 0}));
+  scene.add (wall, at ({x, 0, depth}));
 }
 
 /** \brief A wall across the view of a camera at the origin, larger than the view. */
