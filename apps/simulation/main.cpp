@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "poses.h"
+#include <boost/format.hpp>
+
 #include "simulate.h"
 #include "town.h"
 #include <cli/command_line.h>
@@ -13,13 +14,12 @@
 #include <io/pose_file.h>
 #include <unistd.h>
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <limits>
 #include <optional>
+#include <set>
 
 namespace {
 
@@ -28,6 +28,9 @@ namespace apps = pcl_ops::apps;
 namespace fs = std::filesystem;
 
 constexpr const char* program_name = "pcl_ops_simulate";
+
+/** \brief Their output is a folder. */
+const std::set<std::string> scenes_of_files = {"town", "walk", "drive"};
 
 /** \brief What the command line asks for. */
 struct SimulationOptions {
@@ -38,17 +41,16 @@ struct SimulationOptions {
   PoseErrors pose_errors;
   bool quiet = false;
 
-  bool
-  isOnTheWay () const
+  std::string
+  inFolder (const std::string& name) const
   {
-    return simulation.scene == "walk" || simulation.scene == "drive";
+    return (fs::path (output) / name).string();
   }
 
-  /** \brief Whether the output is a folder. */
   bool
-  isOfManyFiles () const
+  isOfAny (const std::set<std::string>& scenes) const
   {
-    return simulation.scene == "town" || isOnTheWay();
+    return scenes.count (simulation.scene) > 0;
   }
 };
 
@@ -56,15 +58,9 @@ using apps::CommandLine;
 using apps::Range;
 using apps::UsageError;
 
-constexpr double max_seed = std::numeric_limits<std::uint32_t>::max();
 /** \brief A point takes 32 bytes, and 16 more while it is written; those of a town are
  * never all in memory. */
-constexpr double max_points = 1e7, max_points_of_town = 1e12, max_tiles = 1e6;
-/** \brief Image sizes for which a neighborhood of pixels still means something [px]. */
-constexpr double min_image_size = 16, max_image_size = 4096;
-constexpr double max_frames = 1000;
-/** \brief Beyond, an error is no small motion [degree, cm]. */
-constexpr double max_pose_error = 30;
+constexpr double max_points = 1e7, max_points_of_town = 1e12;
 
 void
 declareScene (CommandLine& line, SimulationOptions& options)
@@ -83,7 +79,7 @@ declareScene (CommandLine& line, SimulationOptions& options)
       "a lidar's way along a street (room)");
   line.addNumber ("seed",
                   "S",
-                  Range::from (0).upTo (max_seed),
+                  Range::from (0).upTo (std::numeric_limits<std::uint32_t>::max()),
                   simulation.seed,
                   "which room, furniture, houses, shapes or street (1)");
   line.addNumber ("points",
@@ -95,22 +91,24 @@ declareScene (CommandLine& line, SimulationOptions& options)
                   "(1000000)");
   line.addNumber ("tiles",
                   "N",
-                  Range::from (1).upTo (max_tiles),
+                  Range::from (1).upTo (1e6),
                   options.tiles,
                   "tiles of town, rounded up to a square number (4)");
   line.addNumber ("frames",
                   "N",
-                  Range::from (1).upTo (max_frames),
+                  Range::from (1).upTo (1000),
                   options.frames,
                   "clouds of walk and drive (50)");
+  // Beyond, an error is no small motion [degree, cm].
+  const Range small_motion = Range::from (0).upTo (30);
   line.addNumber ("pose-error",
                   "X",
-                  Range::from (0).upTo (max_pose_error),
+                  small_motion,
                   options.pose_errors.each,
                   "degrees and cm each pose of these is off in poses.txt (0)");
   line.addNumber ("drift",
                   "X",
-                  Range::from (0).upTo (max_pose_error),
+                  small_motion,
                   options.pose_errors.drift,
                   "degrees and cm their way is off from pose to pose (0)");
 }
@@ -119,7 +117,8 @@ void
 declareSensor (CommandLine& line, SimulationOptions& options)
 {
   Simulation& simulation = options.simulation;
-  const Range image_size = Range::from (min_image_size).upTo (max_image_size);
+  // For which a neighborhood of pixels still means something [px].
+  const Range image_size = Range::from (16).upTo (4096);
   line.addNumber ("width", "W", image_size, simulation.camera.width, "columns (640)");
   line.addNumber ("height", "H", image_size, simulation.camera.height, "rows (480)");
   line.addNumber ("noise",
@@ -156,16 +155,16 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
   const Simulation& simulation = options.simulation;
   const std::string& scene = simulation.scene;
   const bool is_town = scene == "town", is_walk = scene == "walk";
-  const bool has_lidar = scene == "street" || scene == "drive";
-  const bool has_camera = scene == "room" || scene == "furniture" || is_walk;
+  const bool has_lidar = options.isOfAny ({"street", "drive"});
   const auto refuse =
       [&line] (const std::string& option, bool is_wrong, const std::string& problem) {
         if (is_wrong && line.isGiven (option))
           throw UsageError ("--" + option, problem);
       };
   for (const char* of_way : {"frames", "pose-error", "drift"})
-    refuse (
-        of_way, !options.isOnTheWay(), "is about --scene walk and drive; leave it out");
+    refuse (of_way,
+            !options.isOfAny ({"walk", "drive"}),
+            "is about --scene walk and drive; leave it out");
   refuse ("sensor", !has_lidar, "is about --scene street and drive; leave it out");
   refuse ("organized",
           has_lidar && lidarOf (simulation.sensor).isRosette(),
@@ -177,11 +176,13 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
   refuse ("points",
           !is_town && simulation.points.value_or (1) > max_points,
           "is more than 10000000, which only --scene town takes; give fewer");
-  if (!options.isOfManyFiles() && apps::extensionOf (options.output) != ".pcd")
+  if (!options.isOfAny (scenes_of_files) &&
+      apps::extensionOf (options.output) != ".pcd")
     throw UsageError (options.output, "has an unknown extension; give a .pcd file");
   for (const std::string of_camera : {"width", "height", "profile", "organized"}) {
     line.forbidTogether ("points", of_camera);
-    if (!has_camera && !(has_lidar && of_camera == "organized"))
+    if (!options.isOfAny ({"room", "furniture", "walk"}) &&
+        !(has_lidar && of_camera == "organized"))
       line.forbidTogether ("scene", of_camera);
   }
 }
@@ -203,67 +204,35 @@ readOptions (int argc, const char* const* argv, SimulationOptions& options)
   return true;
 }
 
-/** \brief Writes files one after the other into the output folder. */
-class FolderWriter {
-public:
-  FolderWriter (const SimulationOptions& options, std::size_t steps, const char* noun)
-  : folder_ (options.output)
-  , progress_ (steps,
-               std::cerr,
-               options.quiet ? apps::ProgressStyle::None
-                             : apps::progressStyleOf (::isatty (STDERR_FILENO) == 1),
-               noun)
-  {
-    apps::makeFolder (folder_);
-  }
-
-  /** \brief A name of printf's pattern in the folder. */
-  template <typename... Numbers>
-  std::string
-  nameOf (const char* pattern, Numbers... numbers) const
-  {
-    std::array<char, 32> name{};
-    std::snprintf (name.data(), name.size(), pattern, numbers...);
-    return (fs::path (folder_) / name.data()).string();
-  }
-
-  /** \param[in] save writes a file and returns its number of points */
-  template <typename Save>
-  void
-  write (const std::string& file, const char* fix, const Save& save)
-  {
-    apps::stopIfInterrupted();
-    points_ += apps::inMemory (file, fix, save);
-    files_ += fs::exists (file);
-    progress_.step();
-  }
-
-  std::string
-  summary () const
-  {
-    return folder_ + ": " + std::to_string (points_) + " points in " +
-           std::to_string (files_) + " files\n";
-  }
-
-private:
-  std::string folder_;
-  apps::Progress progress_;
-  std::uint64_t files_ = 0, points_ = 0;
-};
-
-std::vector<apps::LasPoint>
-toLas (const std::vector<TownPoint>& points, const Eigen::Vector3d& offset, double unit)
+/** \brief Writes files one after the other into the output folder.
+ * \param[in] fix what to do where the memory is too small for one
+ * \param[in] nameOf gives the name of each
+ * \param[in] save writes one and returns its number of points
+ * \return what to say about them */
+template <typename NameOf, typename Save>
+std::string
+writeFiles (const SimulationOptions& options,
+            std::size_t count,
+            const char* noun,
+            const char* fix,
+            const NameOf& nameOf,
+            const Save& save)
 {
-  std::vector<apps::LasPoint> records;
-  records.reserve (points.size());
-  for (const TownPoint& point : points) {
-    const Eigen::Vector3d local = (point.position - offset) / unit;
-    records.push_back ({{std::int32_t (std::lround (local.x())),
-                         std::int32_t (std::lround (local.y())),
-                         std::int32_t (std::lround (local.z()))},
-                        point.label});
+  using Style = apps::ProgressStyle;
+  const bool is_terminal = ::isatty (STDERR_FILENO) == 1;
+  const Style style = options.quiet ? Style::None : apps::progressStyleOf (is_terminal);
+  apps::makeFolder (options.output);
+  apps::Progress progress (count, std::cerr, style, noun);
+  std::uint64_t files = 0, points = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string file = options.inFolder (nameOf (i));
+    apps::stopIfInterrupted();
+    points += apps::inMemory (file, fix, [&] { return save (i, file); });
+    files += fs::exists (file);
+    progress.step();
   }
-  return records;
+  return str (boost::format ("%s: %u points in %u files\n") % options.output % points %
+              files);
 }
 
 /** \brief Writes each tile as town_000_000.las and so on, column and row, with one tile
@@ -275,43 +244,53 @@ writeTown (const SimulationOptions& options)
   const Simulation& simulation = options.simulation;
   const Town town =
       makeTown (simulation.seed, simulation.points.value_or (1e6), options.tiles);
-  FolderWriter writer (options, std::size_t (town.tiles) * town.tiles, "tiles");
-  for (std::uint32_t row = 0; row < town.tiles; ++row)
-    for (std::uint32_t column = 0; column < town.tiles; ++column) {
-      const std::string file = writer.nameOf ("town_%03u_%03u.las", column, row);
-      writer.write (file, "give more --tiles", [&] {
-        const auto points = toLas (
-            surveyTile (town, column, row, simulation.noise), town.corner, millimeter);
-        if (!points.empty())
-          apps::saveLas (file, points, millimeter, town.corner);
-        return points.size();
-      });
+  const auto columnOf = [&] (std::size_t i) { return std::uint32_t (i % town.tiles); };
+  const auto rowOf = [&] (std::size_t i) { return std::uint32_t (i / town.tiles); };
+  const auto nameOf = [&] (std::size_t i) {
+    return str (boost::format ("town_%03u_%03u.las") % columnOf (i) % rowOf (i));
+  };
+  const auto save = [&] (std::size_t i, const std::string& file) {
+    std::vector<apps::LasPoint> points;
+    for (const TownPoint& point :
+         surveyTile (town, columnOf (i), rowOf (i), simulation.noise)) {
+      apps::LasPoint& record = points.emplace_back();
+      record.label = point.label;
+      const Eigen::Vector3d local = (point.position - town.corner) / millimeter;
+      for (int axis = 0; axis < 3; ++axis)
+        record.raw[axis] = std::int32_t (std::lround (local[axis]));
     }
-  return writer.summary();
+    if (!points.empty())
+      apps::saveLas (file, points, millimeter, town.corner);
+    return points.size();
+  };
+  const std::size_t tiles = std::size_t (town.tiles) * town.tiles;
+  return writeFiles (options, tiles, "tiles", "give more --tiles", nameOf, save);
 }
 
 /** \brief Writes frames as frame_000.pcd and so on, and poses. */
 std::string
 writeWay (const SimulationOptions& options)
 {
-  constexpr const char* pattern = "frame_%03zu.pcd";
-  const SensorView way = viewOf (options.simulation, options.frames);
-  FolderWriter writer (options, options.frames, "frames");
-  for (std::size_t i = 0; i < options.frames; ++i) {
-    const std::string file = writer.nameOf (pattern, i);
-    writer.write (file, "give a smaller image or another --sensor", [&] {
-      const auto cloud = toSurfaceCloud (
-          way.scan (i), Eigen::Isometry3d::Identity(), options.simulation.organized);
-      apps::saveLabeledPcd (file, cloud);
-      return cloud.size();
-    });
-  }
+  constexpr const char* fix = "give a smaller image or another --sensor";
+  const Simulation& simulation = options.simulation;
+  const SensorView way = viewOf (simulation, options.frames);
+  const auto nameOf = [] (std::size_t i) {
+    return str (boost::format ("frame_%03u.pcd") % i);
+  };
+  const auto save = [&] (std::size_t i, const std::string& file) {
+    const auto cloud = toSurfaceCloud (
+        way.scan (i), Eigen::Isometry3d::Identity(), simulation.organized);
+    apps::saveLabeledPcd (file, cloud);
+    return cloud.size();
+  };
+  const std::string summary =
+      writeFiles (options, options.frames, "frames", fix, nameOf, save);
   // Those of a longer walk before it would be taken for frames of this one.
-  for (std::size_t i = options.frames; fs::remove (writer.nameOf (pattern, i));)
+  for (std::size_t i = options.frames; fs::remove (options.inFolder (nameOf (i)));)
     ++i;
-  apps::savePoses ((fs::path (options.output) / "poses.txt").string(),
-                   measured (way.poses, options.pose_errors, options.simulation.seed));
-  return writer.summary();
+  apps::savePoses (options.inFolder ("poses.txt"),
+                   measured (way.poses, options.pose_errors, simulation.seed));
+  return summary;
 }
 
 /** \brief Writes files one after the other, and ends behind one of them on Ctrl-C. */
@@ -354,9 +333,8 @@ int
 run (int argc, const char* const* argv)
 {
   SimulationOptions options;
-  if (!readOptions (argc, argv, options))
-    return apps::ExitCode::done;
-  options.isOfManyFiles() ? runFiles (options) : runCloud (options);
+  if (readOptions (argc, argv, options))
+    options.isOfAny (scenes_of_files) ? runFiles (options) : runCloud (options);
   return apps::ExitCode::done;
 }
 

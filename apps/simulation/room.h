@@ -25,4 +25,20 @@ makeRoom (std::uint32_t seed);
 Room
 makeFurnishedCorner (std::uint32_t seed);
 
+/** \brief Number of surfaces well in view of a depth camera, none if something stands
+ * just before it. */
+int
+countVisibleSurfaces (const Scene& scene, const Isometry3d& pose);
+
+/** \brief Draws a pose at a person's height in the room, upright to a few degrees, that
+ * sees many surfaces and has nothing just in front of it. */
+Isometry3d
+drawCameraPose (const Room& room, std::uint32_t seed);
+
+/** \brief Draws a walk through a room: three quarters of the way around its middle,
+ * looking across it, so that walls come and go and the first comes again; at a person's
+ * height, which rises and falls with the steps. */
+Poses
+drawWalk (const Room& room, std::size_t frames, std::uint32_t seed);
+
 } // namespace pcl_ops::simulation

@@ -63,6 +63,10 @@ turn (double angle)
 
 constexpr auto turnX = turn<0>, turnY = turn<1>, turnZ = turn<2>;
 
+/** \brief Where the sensor is in each frame: from its own frame to that of the scene.
+ */
+using Poses = std::vector<Isometry3d>;
+
 /** \brief Identity of a flat surface, from 1; rectangles that are pieces of the same
  * surface share it. */
 using SurfaceId = std::uint32_t;

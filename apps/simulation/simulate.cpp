@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulate.h"
 
-#include "poses.h"
+#include "room.h"
 #include "shapes.h"
 #include "street.h"
 #include "survey.h"
+
+#include <cmath>
 
 namespace pcl_ops::simulation {
 
@@ -16,6 +18,24 @@ roomOf (const Simulation& simulation)
 {
   return simulation.scene == "furniture" ? makeFurnishedCorner (simulation.seed)
                                          : makeRoom (simulation.seed);
+}
+
+/** \brief A small motion of so many degrees and centimeters as root mean square. */
+Isometry3d
+drawError (Random& random, double size)
+{
+  const double of_each_axis = size / std::sqrt (3.0);
+  const auto draw = [&] (double unit) {
+    Vector3d drawn;
+    for (double& number : drawn)
+      number = unit * of_each_axis * random.gaussian();
+    return drawn;
+  };
+  const Vector3d rotation = draw (pi / 180.0);
+  Isometry3d error = at (draw (0.01));
+  if (rotation.norm() > 0.0)
+    error.rotate (Eigen::AngleAxisd (rotation.norm(), rotation.normalized()));
+  return error;
 }
 
 } // namespace
@@ -65,6 +85,21 @@ simulate (const Simulation& simulation)
   return labeledBySize (
       toSurfaceCloud (view.scan (0), view.poses[0], simulation.organized),
       surfacePlanes (view.scene));
+}
+
+Poses
+measured (const Poses& poses, const PoseErrors& errors, std::uint32_t seed)
+{
+  Random random = randomFor (Purpose::PoseError, seed);
+  Poses result;
+  Isometry3d drifting = Isometry3d::Identity();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    drifting = i == 0 ? poses[0]
+                      : drifting * poses[i - 1].inverse() * poses[i] *
+                            drawError (random, errors.drift);
+    result.push_back (drifting * drawError (random, errors.each));
+  }
+  return result;
 }
 
 } // namespace pcl_ops::simulation

@@ -33,7 +33,7 @@ simulate (const Simulation& simulation);
 /** \brief What a sensor sees of a scene from where it stands, or on its way. */
 struct SensorView {
   Scene scene;
-  std::vector<Eigen::Isometry3d> poses;
+  Poses poses;
   /** \brief At each of the poses. */
   std::function<Scan (std::size_t frame)> scan;
 };
@@ -43,5 +43,16 @@ struct SensorView {
  * \param[in] frames of a walk or a drive */
 SensorView
 viewOf (const Simulation& simulation, std::size_t frames = 1);
+
+/** \brief How far poses are off, as root mean square: a turn of so many degrees about
+ * the sensor, and a shift of so many centimeters. */
+struct PoseErrors {
+  /** \brief Of each pose by itself, and of each step between two: these add up. */
+  double each = 0.0, drift = 0.0;
+};
+
+/** \brief Poses as a measurement would have them. */
+Poses
+measured (const Poses& poses, const PoseErrors& errors, std::uint32_t seed);
 
 } // namespace pcl_ops::simulation

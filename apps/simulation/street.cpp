@@ -11,103 +11,66 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-/** \brief Sizes that the openings of a house share [m]. */
-struct FacadeStyle {
-  int storeys, bays;
-  double width, storey;
-  double window_width, window_height, sill, window_depth;
-  double door_width, door_height, door_depth;
-  int bay_of_door;
-  /** \brief Of the facade's upper edge. */
-  double eaves;
+/** \brief Adds the walls beside the neighbors, which the ground hides below z = 0, and
+ * often the slope of a gable roof towards the street, which hides the other one. */
+void
+addSidesAndRoof (Body& house, double width, double eaves, Random& random)
+{
+  const double half_depth = 0.5 * random.between (8, 12);
+  for (const double side : {-0.5, 0.5})
+    house.addFace ({side * width, -half_depth, 0},
+                   {side * width, -half_depth, eaves},
+                   {0, 2.0 * half_depth, 0});
+  if (!random.chance (0.6))
+    return;
+  const double slope = std::tan (random.angle (30, 45));
+  const double overhang = random.between (0.2, 0.5); // [m]
+  house.addFace ({0, overhang, eaves - overhang * slope},
+                 {0, -half_depth, eaves + half_depth * slope},
+                 {width, 0, 0});
+}
+
+/** \brief Sizes of a window or a door [m]. */
+struct Opening {
+  double width, height, sill, depth;
 };
 
-FacadeStyle
-drawStyle (double width, Random& random)
-{
-  FacadeStyle style{};
-  style.width = width;
-  style.storeys = 1 + int (random.below (4));
-  style.bays = int (width / random.between (2.8, 3.4));
-  style.storey = random.between (2.7, 3.2);
-  style.window_width = random.between (0.9, 1.6);
-  style.window_height = random.between (1.2, 1.6);
-  style.sill = random.between (0.7, 1.0);
-  style.window_depth = random.between (0.10, 0.20);
-  const bool is_garage = random.chance (0.4);
-  style.door_width = is_garage ? 2.4 : random.between (1.0, 1.4);
-  style.door_height = random.between (2.1, 2.4);
-  style.door_depth = random.between (0.28, 0.40);
-  style.bay_of_door = int (random.below (std::uint32_t (style.bays)));
-  style.eaves = style.storeys * style.storey + random.between (0.2, 0.6);
-  return style;
-}
-
-void
-addBay (Body& house, const FacadeStyle& style, int storey, int bay)
-{
-  constexpr double step_of_door = 0.06; // [m]
-  const bool is_door = storey == 0 && bay == style.bay_of_door;
-  const double middle = ((bay + 0.5) / style.bays - 0.5) * style.width;
-  const double half_width = 0.5 * (is_door ? style.door_width : style.window_width);
-  const double floor = storey * style.storey;
-  const double bottom = floor + (is_door ? step_of_door : style.sill);
-  const double height = is_door ? style.door_height : style.window_height;
-  const double bay_width = style.width / style.bays;
-  const double left = bay * bay_width - 0.5 * style.width;
-  const bool is_top = storey + 1 == style.storeys;
-  const double top = is_top ? style.eaves : (storey + 1) * style.storey;
-  house.addWallAround (
-      {left, left + bay_width, floor, top},
-      {middle - half_width, middle + half_width, bottom, bottom + height},
-      is_door ? style.door_depth : style.window_depth);
-}
-
-/** \brief Adds leaves, each a small ball, spread evenly in a ball.
- * \param[in] lowest leaves are above [m] */
-void
-addLeaves (
-    Body& plant, const Vector3d& middle, double crown, double lowest, Random& random)
-{
-  constexpr double leaf = 0.03, largest_leaf = 0.08; // radii [m]
-  // Such that about a quarter of the rays through the middle pass between the leaves;
-  // half of the places are outside the ball.
-  const double radii = crown / largest_leaf;
-  const auto leaves = int (4.0 * radii * radii);
-  for (int i = 0; i < leaves; ++i) {
-    const Vector3d place = random.inBox ({-1, -1, -1}, {1, 1, 1});
-    const double radius = random.between (leaf, largest_leaf);
-    const Vector3d center = middle + crown * place;
-    if (place.norm() <= 1.0 && center.z() > lowest)
-      plant.addSphere (center, radius);
-  }
-}
-
-/** \brief A facade towards +y with windows, a door and often a gable roof; its middle
- * stands on the origin. All windows are equally deep. Faces in one plane are one
- * surface.
+/** \brief A facade towards +y with windows and a door; its middle stands on the origin.
+ * All windows are equally deep. Faces in one plane are one surface.
  * \param[in] width of the facade [m] */
 Body
 drawTownHouse (double width, Random& random)
 {
-  const FacadeStyle style = drawStyle (width, random);
-  const double half_depth = 0.5 * random.between (8, 12);
+  const int storeys = 1 + int (random.below (4));
+  const int bays = int (width / random.between (2.8, 3.4));
+  const double storey_height = random.between (2.7, 3.2), bay_width = width / bays;
+  // An initializer list is drawn from left to right.
+  const Opening window{random.between (0.9, 1.6),
+                       random.between (1.2, 1.6),
+                       random.between (0.7, 1.0),
+                       random.between (0.10, 0.20)};
+  const bool is_garage = random.chance (0.4);
+  const Opening door{is_garage ? 2.4 : random.between (1.0, 1.4),
+                     random.between (2.1, 2.4),
+                     0.06,
+                     random.between (0.28, 0.40)};
+  const int bay_of_door = int (random.below (std::uint32_t (bays)));
+  const double eaves = storeys * storey_height + random.between (0.2, 0.6);
   Body house;
-  for (int storey = 0; storey < style.storeys; ++storey)
-    for (int bay = 0; bay < style.bays; ++bay)
-      addBay (house, style, storey, bay);
-  // The walls beside the neighbors, which the ground hides below z = 0.
-  for (const double side : {-0.5, 0.5})
-    house.addFace ({side * width, -half_depth, 0},
-                   {side * width, -half_depth, style.eaves},
-                   {0, 2.0 * half_depth, 0});
-  if (random.chance (0.6)) { // the slope towards the street, which hides the other one
-    const double slope = std::tan (random.angle (30, 45));
-    const double overhang = random.between (0.2, 0.5); // [m]
-    house.addFace ({0, overhang, style.eaves - overhang * slope},
-                   {0, -half_depth, style.eaves + half_depth * slope},
-                   {width, 0, 0});
-  }
+  for (int storey = 0; storey < storeys; ++storey)
+    for (int bay = 0; bay < bays; ++bay) {
+      const auto& [hole, height, sill, depth] =
+          storey == 0 && bay == bay_of_door ? door : window;
+      const double floor = storey * storey_height, bottom = floor + sill;
+      const double top = storey + 1 == storeys ? eaves : (storey + 1) * storey_height;
+      const double left = bay * bay_width - 0.5 * width;
+      const double middle = ((bay + 0.5) / bays - 0.5) * width;
+      house.addWallAround (
+          {left, left + bay_width, floor, top},
+          {middle - 0.5 * hole, middle + 0.5 * hole, bottom, bottom + height},
+          depth);
+    }
+  addSidesAndRoof (house, width, eaves, random);
   house.joinCoplanar();
   return house;
 }
@@ -147,6 +110,26 @@ drawCar (Random& random)
   return car;
 }
 
+/** \brief Adds leaves, each a small ball, spread evenly in a ball.
+ * \param[in] lowest leaves are above [m] */
+void
+addLeaves (
+    Body& plant, const Vector3d& middle, double crown, double lowest, Random& random)
+{
+  constexpr double leaf = 0.03, largest_leaf = 0.08; // radii [m]
+  // Such that about a quarter of the rays through the middle pass between the leaves;
+  // half of the places are outside the ball.
+  const double radii = crown / largest_leaf;
+  const auto leaves = int (4.0 * radii * radii);
+  for (int i = 0; i < leaves; ++i) {
+    const Vector3d place = random.inBox ({-1, -1, -1}, {1, 1, 1});
+    const double radius = random.between (leaf, largest_leaf);
+    const Vector3d center = middle + crown * place;
+    if (place.norm() <= 1.0 && center.z() > lowest)
+      plant.addSphere (center, radius);
+  }
+}
+
 /** \brief A trunk and a crown of scattered leaves: no planes. */
 Body
 drawTree (Random& random)
@@ -175,18 +158,6 @@ struct Roadside {
     return pose * at ({x, y, curb - slope * y});
   }
 };
-
-/** \brief The curb, and the ground to behind the houses. */
-Body
-makeGround (const Roadside& side)
-{
-  constexpr double depth = 25.0; // [m]
-  Body ground;
-  const Vector3d curb (0, 0, side.curb), along (side.length, 0, 0);
-  ground.addFace ({0, 0, 0}, curb, along);
-  ground.addFace (curb, curb + Vector3d (0, -depth, side.slope * depth), along);
-  return ground;
-}
 
 void
 addBushes (Scene& scene, const Roadside& side, double x, double setback, Random& random)
@@ -265,7 +236,12 @@ addSide (Street& street, const Isometry3d& pose, Random& random)
   side.curb = random.between (0.10, 0.15);
   side.sidewalk = random.between (2.5, 4.0);
   side.slope = random.between (0.02, 0.03);
-  street.scene.add (makeGround (side), side.pose);
+  constexpr double depth = 25.0; // of the ground, to behind the houses [m]
+  Body ground;
+  const Vector3d curb (0, 0, side.curb), along (side.length, 0, 0);
+  ground.addFace ({0, 0, 0}, curb, along);
+  ground.addFace (curb, curb + Vector3d (0, -depth, side.slope * depth), along);
+  street.scene.add (ground, side.pose);
   addHouses (street.scene, side, random);
   addRows (street.scene, side, random);
 }

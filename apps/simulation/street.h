@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "poses.h"
+#include "scene.h"
 
 namespace pcl_ops::simulation {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scenes.h"
 #include <simulation/furniture.h>
-#include <simulation/poses.h>
+#include <simulation/room.h>
 #include <simulation/shapes.h>
 #include <simulation/street.h>
 #include <simulation/survey.h>
