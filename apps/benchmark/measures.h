@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <evaluation/detectors/detector_run.h>
+#include <evaluation/detectors/detectors.h>
 
 #include <cstdint>
 #include <functional>

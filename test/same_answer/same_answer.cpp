@@ -5,7 +5,7 @@
 // a line each: what two builds are to agree on (scripts/check). It fails if labels
 // depend on the number of threads, or if there are none.
 #include <evaluation/data/data_sets.h>
-#include <evaluation/detectors/detector_run.h>
+#include <evaluation/detectors/detectors.h>
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>

@@ -63,7 +63,8 @@ distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
   std::vector<double> distances (samples, std::numeric_limits<double>::infinity());
   for (const PlaneEdge& other : others) {
     const Eigen::Vector3d along = other.to - other.from;
-    if (std::abs (direction.dot (along.normalized())) < std::cos (paper_angle))
+    if (std::abs (direction.dot (along.normalized())) <
+        std::cos (paper_angle_tolerance))
       continue;
     for (int sample = 0; sample < samples; ++sample) {
       const double place = (sample + 0.5) / samples;

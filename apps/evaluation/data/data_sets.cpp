@@ -3,9 +3,7 @@
 #include "data_sets.h"
 
 #include <pcl/common/io.h>
-#include <pcl/common/point_tests.h>
 
-#include "labeled_cloud.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <io/cloud_file.h>
@@ -159,22 +157,14 @@ cloudsDataSet (const std::string& path, const Eigen::Vector3d& up)
 EvaluationCloud
 finiteOf (const XyzCloud::ConstPtr& cloud, const PlaneLabels& labels)
 {
+  const pcl::Indices finite = finitePointsOf (*cloud);
   EvaluationCloud result;
-  result.cloud.reset (new XyzCloud);
-  result.cloud->reserve (cloud->size());
-  result.cloud->sensor_origin_ = cloud->sensor_origin_;
-  result.cloud->sensor_orientation_ = cloud->sensor_orientation_;
+  result.cloud.reset (new XyzCloud (*cloud, finite));
+  result.cloud->is_dense = true;
   if (!labels.empty())
-    result.truth.emplace();
+    result.truth = selectLabels (labels, finite);
   if (cloud->isOrganized())
     result.image = cloud;
-  for (std::size_t i = 0; i < cloud->size(); ++i) {
-    if (!pcl::isXYZFinite ((*cloud)[i]))
-      continue;
-    result.cloud->push_back ((*cloud)[i]);
-    if (result.truth)
-      result.truth->push_back (labels[i]);
-  }
   return result;
 }
 

@@ -12,6 +12,36 @@
 
 namespace pcl_ops::evaluation {
 
+/** \brief A cloud file with its field `label`. */
+struct LabeledCloud {
+  /** \brief Every point in the file's order; zero of the file's frame is at -\ref
+   * shift. */
+  XyzCloud::Ptr cloud;
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  PlaneLabels labels;
+};
+
+/** \brief Reads a file of \ref apps::loadCloud whose points have an integer field
+ * `label`, or a text whose column of that name has whole numbers.
+ * \param[in] needs_labels whether it is an error that there is no such field
+ * \throw apps::WorkError if that fails */
+LabeledCloud
+loadLabeledCloud (const std::string& file, bool needs_labels = false);
+
+/** \brief Two labelings of a cloud. */
+struct LabeledClouds {
+  LabeledCloud truth, result;
+};
+
+/** \brief Reads two files that label the same points in the same order.
+ * \param[in] min_plane_points true planes with fewer points become none
+ * \throw apps::WorkError naming the file that has no labels, or \p result_file if the
+ * number of points or their coordinates differ */
+LabeledClouds
+loadLabeledClouds (const std::string& truth_file,
+                   const std::string& result_file,
+                   std::size_t min_plane_points);
+
 /** \brief A cloud to evaluate detectors on. */
 struct EvaluationCloud {
   XyzCloud::Ptr cloud;
@@ -68,5 +98,36 @@ dataSetsOf (const std::vector<std::string>& texts, const Eigen::Vector3f& up);
  * \throw apps::WorkError if there is none */
 DataSet
 sunRgbdDataSet (const std::string& folder, bool is_raw);
+
+/** \brief True planes for clouds without labels (paper section IV-A), by region growing
+ * from the flattest points on: a neighbor of a point joins its region if it is within 5
+ * cm of the region's plane and both normals agree to 7 degrees. Regions of under 50
+ * points are on no plane.
+ * \param[in] cloud finite points
+ * \param[in] neighbors of a point its normal comes from and its region may grow to
+ * \return labels 1 .. P by falling size */
+PlaneLabels
+growRegions (const XyzCloud& cloud, int neighbors);
+
+/** \brief Where the truth of a cloud comes from that has none. */
+struct TruthParameters {
+  /** \brief Of \ref growRegions. The paper does not say; on raw depth 30 leave many
+   * points without a plane. */
+  int neighbors = 100;
+  /** \brief True planes with fewer points are none, whatever the truth's source. */
+  std::size_t min_points = 50;
+};
+
+/** \brief The exact truth of a cloud, or else the one grown from it. */
+PlaneLabels
+truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters);
+
+/** \brief How the truth of a cloud was had: "exact", or "grown-k100" with its number of
+ * neighbors. */
+inline std::string
+truthName (bool is_exact, const TruthParameters& parameters)
+{
+  return is_exact ? "exact" : "grown-k" + std::to_string (parameters.neighbors);
+}
 
 } // namespace pcl_ops::evaluation

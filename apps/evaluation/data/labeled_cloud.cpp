@@ -1,15 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "labeled_cloud.h"
-
 #include <pcl/common/common.h>
-#include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
 
+#include "data_sets.h"
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <io/cloud_file.h>
-#include <io/shifted_cloud.h>
 
 #include <cmath>
 #include <limits>
@@ -18,68 +15,50 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-/** Share of the cloud's diagonal by which rounding in a text file may move a point. */
-constexpr double max_rounding = 1e-3;
+using apps::WorkError;
 
 PlaneLabels
 labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
 {
   const int index = pcl::getFieldIndex (cloud, "label");
   if (index < 0)
-    throw apps::WorkError (file, "has no field label; give a cloud with labels");
+    throw WorkError (file, "has no field label; give a cloud with labels");
   const pcl::PCLPointField& field = cloud.fields[static_cast<std::size_t> (index)];
   const apps::NumberType& type = apps::numberType (field.datatype);
   // Double precision is that of texts, which have no other.
   const bool is_integer = type.kind != 'F' && type.size <= 4;
   if (!is_integer && field.datatype != pcl::PCLPointField::FLOAT64)
-    throw apps::WorkError (file,
-                           "its label is no integer of up to 4 bytes; convert it");
+    throw WorkError (file, "its label is no integer of up to 4 bytes; convert it");
   constexpr double largest = std::numeric_limits<std::uint32_t>::max();
   PlaneLabels labels (static_cast<std::size_t> (cloud.width) * cloud.height);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const double label = type.read (&cloud.data[i * cloud.point_step + field.offset]);
     if (!(label >= 0.0 && label <= largest && label == std::floor (label)))
-      throw apps::WorkError (file,
-                             "point " + std::to_string (i) +
-                                 " has a label that is no whole number from 0 on; 0 "
-                                 "means no plane");
+      throw WorkError (file,
+                       "point " + std::to_string (i) +
+                           " has a label that is no whole number from 0 on; 0 means no "
+                           "plane");
     labels[i] = static_cast<std::uint32_t> (label);
   }
   return labels;
 }
 
-double
-diagonalOf (const XyzCloud& cloud)
-{
-  pcl::PointXYZ lowest, highest;
-  pcl::getMinMax3D (cloud, lowest, highest);
-  return (highest.getVector3fMap() - lowest.getVector3fMap()).cast<double>().norm();
-}
+} // namespace
 
 LabeledCloud
-readLabeledCloud (const std::string& file, bool needs_labels)
+loadLabeledCloud (const std::string& file, bool needs_labels)
 {
   return apps::inMemory (file, "give a smaller cloud", [&] {
     const apps::FileCloud cloud = apps::loadCloud (file);
-    LabeledCloud labeled;
+    PlaneLabels labels;
     if (needs_labels || apps::hasField (cloud, "label"))
-      labeled.labels = labelsIn (cloud.points, file);
+      labels = labelsIn (cloud.points, file);
     const apps::ShiftedCloud shifted = apps::shiftedCloudOf (cloud);
     const std::string damage = apps::damageOf (shifted);
     if (!damage.empty())
       apps::warn (file + ": " + damage);
-    labeled.cloud = shifted.cloud;
-    labeled.shift = shifted.shift;
-    return labeled;
+    return LabeledCloud{shifted.cloud, shifted.shift, labels};
   });
-}
-
-} // namespace
-
-LabeledCloud
-loadLabeledCloud (const std::string& file)
-{
-  return readLabeledCloud (file, false);
 }
 
 LabeledClouds
@@ -87,27 +66,31 @@ loadLabeledClouds (const std::string& truth_file,
                    const std::string& result_file,
                    std::size_t min_plane_points)
 {
-  LabeledClouds clouds{readLabeledCloud (truth_file, true),
-                       readLabeledCloud (result_file, true)};
+  LabeledClouds clouds{loadLabeledCloud (truth_file, true),
+                       loadLabeledCloud (result_file, true)};
   auto& [truth, result] = clouds;
   if (truth.cloud->size() != result.cloud->size())
-    throw apps::WorkError (result_file,
-                           "has " + std::to_string (result.cloud->size()) +
-                               " points, the truth " +
-                               std::to_string (truth.cloud->size()) +
-                               "; give two labelings of the same cloud");
+    throw WorkError (result_file,
+                     "has " + std::to_string (result.cloud->size()) +
+                         " points, the truth " + std::to_string (truth.cloud->size()) +
+                         "; give two labelings of the same cloud");
   const Eigen::Vector3d shift = result.shift - truth.shift;
-  const double tolerance = max_rounding * diagonalOf (*truth.cloud);
+  // Share of the cloud's diagonal by which rounding in a text file may move a point.
+  constexpr double max_rounding = 1e-3;
+  pcl::PointXYZ lowest, highest;
+  pcl::getMinMax3D (*truth.cloud, lowest, highest);
+  const Eigen::Vector3f diagonal = highest.getVector3fMap() - lowest.getVector3fMap();
+  const double tolerance = max_rounding * diagonal.cast<double>().norm();
   for (std::size_t i = 0; i < truth.cloud->size(); ++i) {
     const pcl::PointXYZ &expected = (*truth.cloud)[i], &found = (*result.cloud)[i];
     const Eigen::Vector3d offset =
         (found.getVector3fMap() - expected.getVector3fMap()).cast<double>() + shift;
     const bool both_finite = pcl::isXYZFinite (expected) && pcl::isXYZFinite (found);
     if (both_finite && offset.norm() > tolerance)
-      throw apps::WorkError (result_file,
-                             "point " + std::to_string (i) +
-                                 " lies elsewhere than in the truth; give two "
-                                 "labelings of the same cloud");
+      throw WorkError (result_file,
+                       "point " + std::to_string (i) +
+                           " lies elsewhere than in the truth; give two labelings of "
+                           "the same cloud");
   }
   dropSmallPlanes (truth.labels, min_plane_points);
   return clouds;

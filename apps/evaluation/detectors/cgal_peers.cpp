@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/common/angles.h>
 
-#include "detector_run.h"
 #include "peers.h"
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>

@@ -10,7 +10,6 @@
 #include <pcl/segmentation/region_growing.h>
 #include <pcl/segmentation/sac_segmentation.h>
 
-#include "detector_run.h"
 #include "peers.h"
 
 #include <algorithm>
@@ -100,7 +99,7 @@ planesByPclRegionGrowing (const PeerTask& task)
   growing.setInputNormals (normals);
   growing.setSearchMethod (tree);
   growing.setNumberOfNeighbours (unsigned (task.values.neighbors));
-  growing.setSmoothnessThreshold (float (paper_angle));
+  growing.setSmoothnessThreshold (float (paper_angle_tolerance));
   growing.setCurvatureThreshold (curvature_threshold);
   growing.setMinClusterSize (min_points_of_region);
   std::vector<pcl::PointIndices> regions;

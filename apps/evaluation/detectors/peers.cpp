@@ -5,7 +5,6 @@
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/pcl_config.h>
 
-#include "detector_run.h"
 #include <numbers/statistics.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #ifdef PCL_OPS_WITH_CGAL

@@ -51,10 +51,10 @@ struct VoxelOctree {
     moments.origin = center;
     std::array<pcl::Indices, 8> octants;
     for (const pcl::index_t i : points) {
-      const Eigen::Vector3d local = cloud[i].getVector3fMap().cast<double>() - center;
-      moments.add (local.x(), local.y(), local.z());
-      octants[(local.x() > 0.0) + 2 * (local.y() > 0.0) + 4 * (local.z() > 0.0)]
-          .push_back (i);
+      const Eigen::Vector3d point = cloud[i].getVector3fMap().cast<double>();
+      addTo (moments, point);
+      const auto side = (point - center).array() > 0.0;
+      octants[side[0] + 2 * side[1] + 4 * side[2]].push_back (i);
     }
     const std::optional<PlaneFit> fit = fitPlane (moments);
     if (fit && fit->variances[0] < max_eigenvalue) {

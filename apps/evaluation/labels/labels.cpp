@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "labels.h"
 
-#include <algorithm>
+#include <pcl/common/point_tests.h>
+
+#include <map>
 
 namespace pcl_ops::evaluation {
 
@@ -16,26 +18,42 @@ labelsOf (const std::vector<pcl::PointIndices>& planes, std::size_t points)
   return labels;
 }
 
+pcl::Indices
+finitePointsOf (const XyzCloud& cloud)
+{
+  pcl::Indices finite;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (pcl::isXYZFinite (cloud[i]))
+      finite.push_back (static_cast<pcl::index_t> (i));
+  return finite;
+}
+
+PlaneLabels
+selectLabels (const PlaneLabels& labels, const pcl::Indices& points)
+{
+  PlaneLabels selected;
+  for (const pcl::index_t i : points)
+    selected.push_back (labels[static_cast<std::size_t> (i)]);
+  return selected;
+}
+
 PlaneIds
 planeIds (const PlaneLabels& labels)
 {
+  std::map<std::uint32_t, std::uint32_t> id_of;
+  for (const std::uint32_t label : labels)
+    id_of[label] = PlaneIds::none;
   PlaneIds ids;
-  ids.label = labels;
-  std::sort (ids.label.begin(), ids.label.end());
-  ids.label.erase (std::unique (ids.label.begin(), ids.label.end()), ids.label.end());
-  if (!ids.label.empty() && ids.label.front() == 0)
-    ids.label.erase (ids.label.begin());
-  ids.points.assign (ids.label.size(), 0);
-  ids.of_point.reserve (labels.size());
-  for (const std::uint32_t label : labels) {
-    if (label == 0) {
-      ids.of_point.push_back (PlaneIds::none);
-      continue;
+  for (auto& [label, id] : id_of)
+    if (label != 0) {
+      id = static_cast<std::uint32_t> (ids.size());
+      ids.label.push_back (label);
     }
-    const auto found = std::lower_bound (ids.label.begin(), ids.label.end(), label);
-    const auto id = static_cast<std::uint32_t> (found - ids.label.begin());
-    ids.of_point.push_back (id);
-    ++ids.points[id];
+  ids.points.resize (ids.size());
+  for (const std::uint32_t label : labels) {
+    ids.of_point.push_back (id_of[label]);
+    if (label != 0)
+      ++ids.points[ids.of_point.back()];
   }
   return ids;
 }
@@ -54,31 +72,44 @@ planesOf (const XyzCloud& cloud,
           const PlaneIds& planes,
           const ClassParameters& parameters)
 {
-  const Eigen::Vector3d sensor = cloud.sensor_origin_.head<3>().cast<double>();
-  std::vector<Moments> moments (planes.size());
   std::vector<PlaneSegment> segments (planes.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const std::uint32_t id = planes.of_point[i];
-    if (id == PlaneIds::none)
+    if (planes.of_point[i] == PlaneIds::none)
       continue;
+    PlaneSegment& segment = segments[planes.of_point[i]];
     const Eigen::Vector3d point = cloud[i].getVector3fMap().cast<double>();
-    if (moments[id].count == 0.0)
-      moments[id].origin = point;
-    const Eigen::Vector3d local = point - moments[id].origin;
-    moments[id].add (local.x(), local.y(), local.z());
-    segments[id].inliers.push_back (static_cast<pcl::index_t> (i));
+    if (segment.inliers.empty())
+      segment.moments.origin = point;
+    addTo (segment.moments, point);
+    segment.inliers.push_back (static_cast<pcl::index_t> (i));
   }
-  for (std::size_t id = 0; id < segments.size(); ++id) {
-    PlaneSegment& segment = segments[id];
-    segment.centroid = moments[id].centroid();
-    segment.moments = moments[id].about (segment.centroid);
-    if (const std::optional<PlaneFit> fit = fitPlane (moments[id])) {
+  const Eigen::Vector3d sensor = cloud.sensor_origin_.head<3>().cast<double>();
+  for (PlaneSegment& segment : segments) {
+    if (const std::optional<PlaneFit> fit = fitPlane (segment.moments)) {
       const Eigen::Vector3d& normal = fit->plane.normal;
       segment.normal = fit->plane.distance (sensor) < 0.0 ? -normal : normal;
       segment.orientation = orientationOf (normal, parameters.up, parameters.tolerance);
     }
+    segment.centroid = segment.moments.centroid();
+    segment.moments = segment.moments.about (segment.centroid);
   }
   return segments;
+}
+
+Confusion
+confusionOf (const PlaneLabels& truth, const PlaneLabels& result)
+{
+  Confusion confusion{planeIds (truth), planeIds (result)};
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> points_of_pair;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    confusion.points_off_planes += truth[i] == 0;
+    confusion.points_on_no_plane_in_both += truth[i] == 0 && result[i] == 0;
+    if (truth[i] != 0 && result[i] != 0)
+      ++points_of_pair[{confusion.truth.of_point[i], confusion.result.of_point[i]}];
+  }
+  for (const auto& [pair, points] : points_of_pair)
+    confusion.overlaps.push_back ({pair.first, pair.second, points});
+  return confusion;
 }
 
 } // namespace pcl_ops::evaluation

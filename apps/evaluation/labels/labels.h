@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/common/angles.h>
 #include <pcl/PointIndices.h>
 
 #include <io/shifted_cloud.h>
@@ -22,6 +21,14 @@ using PlaneLabels = std::vector<std::uint32_t>;
 /** \brief Labels 1 .. P of the points of disjoint planes. */
 PlaneLabels
 labelsOf (const std::vector<pcl::PointIndices>& planes, std::size_t points);
+
+/** \brief Indices of the points of a cloud that have coordinates. */
+pcl::Indices
+finitePointsOf (const XyzCloud& cloud);
+
+/** \brief The labels of some of the points. */
+PlaneLabels
+selectLabels (const PlaneLabels& labels, const pcl::Indices& points);
 
 /** \brief Labels renumbered without gaps, so that a plane is an index into a vector. */
 struct PlaneIds {
@@ -49,25 +56,58 @@ planeIds (const PlaneLabels& labels);
 void
 dropSmallPlanes (PlaneLabels& labels, std::size_t min_points);
 
-/** \brief Below which the paper takes directions for the same: 7 degrees [rad]. */
-const double paper_angle = pcl::deg2rad (7.0);
+/** \brief Adds a point in the frame of the origin of the moments. */
+inline void
+addTo (Moments& moments, const Eigen::Vector3d& point)
+{
+  const Eigen::Vector3d local = point - moments.origin;
+  moments.add (local.x(), local.y(), local.z());
+}
 
 /** \brief How planes are divided into the paper's three classes. */
 struct ClassParameters {
   /** \brief Unit vector against gravity in the cloud's frame. */
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   /** \brief Largest deviation from horizontal or vertical [rad]. */
-  double tolerance = paper_angle;
+  double tolerance = paper_angle_tolerance;
 };
 
 /** \brief The planes of labeled points: least squares through all points of a label,
  * normals to the sensor's side.
  * \param[in] cloud finite points with the sensor's origin
- * \param[in] planes ids of their labels
  * \return a plane per id; class Other where the points of a label span none */
 std::vector<PlaneSegment>
 planesOf (const XyzCloud& cloud,
           const PlaneIds& planes,
           const ClassParameters& parameters);
+
+/** \brief Number of points a true plane and a found plane have in common. */
+struct Overlap {
+  std::uint32_t truth, result;
+  std::size_t points;
+};
+
+/** \brief How two labelings of the same points meet: only pairs that do are stored. */
+struct Confusion {
+  PlaneIds truth, result;
+  /** \brief By truth, then by result; ids as in \ref truth and \ref result. */
+  std::vector<Overlap> overlaps = {};
+  std::size_t points_on_no_plane_in_both = 0;
+  /** \brief Points on no true plane. */
+  std::size_t points_off_planes = 0;
+
+  /** \brief Intersection over union of the two planes of an overlap. */
+  double
+  iou (const Overlap& overlap) const
+  {
+    const std::size_t both =
+        truth.points[overlap.truth] + result.points[overlap.result] - overlap.points;
+    return static_cast<double> (overlap.points) / static_cast<double> (both);
+  }
+};
+
+/** \param[in] truth, result labels of the same points: of equal size */
+Confusion
+confusionOf (const PlaneLabels& truth, const PlaneLabels& result);
 
 } // namespace pcl_ops::evaluation

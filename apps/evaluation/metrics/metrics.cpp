@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "metrics.h"
 
-#include <pcl/common/point_tests.h>
-
-#include "confusion.h"
 #include <numbers/statistics.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -16,28 +14,24 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-struct FinitePoints {
-  XyzCloud cloud;
-  PlaneLabels truth, result;
-};
-
-FinitePoints
-finiteOf (const XyzCloud& cloud, const PlaneLabels& truth, const PlaneLabels& result)
+/** The points of the one-to-one assignment of planes that has most points in common
+ * (the paper's Hungarian assignment, section IV).
+ * \throw std::length_error for more labels than any segmentation into planes has */
+std::size_t
+pointsOfAssignment (const Confusion& confusion)
 {
-  if (truth.size() != cloud.size() || result.size() != cloud.size())
-    throw std::invalid_argument (std::to_string (cloud.size()) + " points, " +
-                                 std::to_string (truth.size()) + " true labels and " +
-                                 std::to_string (result.size()) +
-                                 " found ones do not belong together");
-  FinitePoints finite;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (!pcl::isXYZFinite (cloud[i]))
-      continue;
-    finite.cloud.push_back (cloud[i]);
-    finite.truth.push_back (truth[i]);
-    finite.result.push_back (result[i]);
-  }
-  return finite;
+  // 0.8 GB of matrix; no cloud has that many planes, only a wrong label field does.
+  constexpr std::size_t max_plane_pairs = 100'000'000;
+  const std::size_t rows = confusion.truth.size(), columns = confusion.result.size();
+  if (rows * columns > max_plane_pairs)
+    throw std::length_error (std::to_string (rows) + " and " +
+                             std::to_string (columns) +
+                             " labels are too many for planes");
+  Eigen::MatrixXd common = Eigen::MatrixXd::Zero (rows, columns);
+  for (const Overlap& overlap : confusion.overlaps)
+    common (overlap.truth, overlap.result) = static_cast<double> (overlap.points);
+  return static_cast<std::size_t> (maximumAssignment (
+      rows > columns ? Eigen::MatrixXd (common.transpose()) : common));
 }
 
 /** Points whose true and found plane have the same class: Other for no plane, and where
@@ -50,11 +44,12 @@ classificationAccuracy (const Confusion& confusion,
   const auto classOf = [] (const std::vector<PlaneSegment>& planes, std::uint32_t id) {
     return id == PlaneIds::none ? Orientation::Other : planes[id].orientation;
   };
+  const std::size_t points = confusion.truth.of_point.size();
   std::size_t right = 0;
-  for (std::size_t i = 0; i < confusion.points; ++i)
+  for (std::size_t i = 0; i < points; ++i)
     right += classOf (truth, confusion.truth.of_point[i]) ==
              classOf (result, confusion.result.of_point[i]);
-  return apps::fraction (right, confusion.points, 1.0);
+  return apps::fraction (right, points, 1.0);
 }
 
 /** What has been said about each plane of one side. */
@@ -207,41 +202,87 @@ widthsOf (const std::vector<PlaneSegment>& planes)
 
 } // namespace
 
+double
+maximumAssignment (const Eigen::MatrixXd& benefit)
+{
+  using Index = Eigen::Index;
+  constexpr Index none = -1;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Index columns = benefit.cols();
+  Eigen::VectorXd row_price = Eigen::VectorXd::Zero (benefit.rows());
+  Eigen::VectorXd column_price = Eigen::VectorXd::Zero (columns + 1);
+  // Behind the last column stands the row that is added.
+  std::vector<Index> row_of (columns + 1, none), previous (columns);
+  for (Index& row = row_of[columns] = 0; row < benefit.rows(); ++row) {
+    Eigen::VectorXd slack = Eigen::VectorXd::Constant (columns, infinity);
+    std::vector<bool> is_settled (columns + 1, false);
+    Index column = columns;
+    // The cheapest alternating path from the row to a free column (Dijkstra); prices
+    // keep every reduced cost non-negative and those of pairs at zero.
+    while (row_of[column] != none) {
+      is_settled[column] = true;
+      const Index settled = std::exchange (column, none), its_row = row_of[settled];
+      for (Index other = 0; other < columns; ++other) {
+        if (is_settled[other])
+          continue;
+        const double reduced =
+            -benefit (its_row, other) - row_price[its_row] - column_price[other];
+        if (reduced < slack[other]) {
+          slack[other] = reduced;
+          previous[other] = settled;
+        }
+        if (column == none || slack[other] < slack[column])
+          column = other;
+      }
+      const double step = slack[column];
+      slack.array() -= step;
+      for (Index other = 0; other <= columns; ++other)
+        if (is_settled[other]) {
+          row_price[row_of[other]] += step;
+          column_price[other] -= step;
+        }
+    }
+    for (; column != columns; column = previous[column])
+      row_of[column] = row_of[previous[column]];
+  }
+  return column_price[columns]; // has taken every step that pairs became dearer by
+}
+
 Metrics
 compareLabels (const XyzCloud& cloud,
                const PlaneLabels& truth,
                const PlaneLabels& result,
                const ClassParameters& parameters)
 {
-  const FinitePoints points = finiteOf (cloud, truth, result);
-  const Confusion confusion = confusionOf (points.truth, points.result);
-  const std::vector<std::size_t>& sizes = confusion.truth.points;
-  const std::size_t right = pointsOfAssignment (confusion),
-                    off_in_both = confusion.points_on_no_plane_in_both,
-                    off_planes = confusion.points_off_planes;
+  if (truth.size() != cloud.size() || result.size() != cloud.size())
+    throw std::invalid_argument (std::to_string (cloud.size()) + " points, " +
+                                 std::to_string (truth.size()) + " true labels and " +
+                                 std::to_string (result.size()) +
+                                 " found ones do not belong together");
+  const pcl::Indices finite = finitePointsOf (cloud);
+  const XyzCloud points (cloud, finite);
+  const Confusion confusion =
+      confusionOf (selectLabels (truth, finite), selectLabels (result, finite));
+  const auto& [true_ids, result_ids, overlaps, off_in_both, off_planes] = confusion;
   const Matching at_50 = matchPlanes (confusion, 0.50),
                  at_75 = matchPlanes (confusion, 0.75);
-  const auto truth_planes = planesOf (points.cloud, confusion.truth, parameters),
-             result_planes = planesOf (points.cloud, confusion.result, parameters);
+  const auto truth_planes = planesOf (points, true_ids, parameters),
+             result_planes = planesOf (points, result_ids, parameters);
+  const std::size_t right = pointsOfAssignment (confusion), all = points.size();
 
-  Metrics metrics;
-  metrics.points = confusion.points;
-  metrics.truth_planes = confusion.truth.size();
-  metrics.result_planes = confusion.result.size();
-  metrics.named = {{"classification_accuracy",
-                    classificationAccuracy (confusion, truth_planes, result_planes)},
-                   {"segmentation_accuracy",
-                    apps::fraction (right,
-                                    confusion.points - off_planes,
-                                    metrics.result_planes == 0 ? 1.0 : 0.0)},
-                   {"segmentation_accuracy_all",
-                    apps::fraction (right + off_in_both, confusion.points, 1.0)}};
+  Metrics metrics{all, true_ids.size(), result_ids.size()};
+  metrics.named = {
+      {"classification_accuracy",
+       classificationAccuracy (confusion, truth_planes, result_planes)},
+      {"segmentation_accuracy",
+       apps::fraction (right, all - off_planes, result_planes.empty() ? 1.0 : 0.0)},
+      {"segmentation_accuracy_all", apps::fraction (right + off_in_both, all, 1.0)}};
   addInstanceMetrics (at_50, "", metrics.named);
   addInstanceMetrics (at_75, "_75", metrics.named);
   metrics.points_off_planes_called_planes =
       apps::fraction (off_planes - off_in_both, off_planes, 0.0);
-  metrics.by_size = classesOf (
-      at_50, at_75, {sizes.begin(), sizes.end()}, {200, 500, 1000, 3000, 10'000});
+  const std::vector<double> sizes (true_ids.points.begin(), true_ids.points.end());
+  metrics.by_size = classesOf (at_50, at_75, sizes, {200, 500, 1000, 3000, 10'000});
   metrics.by_width =
       classesOf (at_50, at_75, widthsOf (truth_planes), {0.03, 0.06, 0.12, 0.25, 1.0});
   return metrics;

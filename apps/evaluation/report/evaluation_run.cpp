@@ -8,7 +8,6 @@
 #include <cli/program.h>
 #include <cli/progress.h>
 #include <detection/methods.h>
-#include <evaluation/detectors/detector_run.h>
 #include <evaluation/metrics/metrics.h>
 #include <io/labeled_pcd.h>
 #include <io/output_file.h>

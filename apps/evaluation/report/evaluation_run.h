@@ -3,7 +3,6 @@
 #pragma once
 
 #include <evaluation/detectors/detectors.h>
-#include <evaluation/truth/truth.h>
 
 #include <iosfwd>
 

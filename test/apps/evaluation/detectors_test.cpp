@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cli/errors.h>
-#include <evaluation/detectors/detector_run.h>
+#include <evaluation/detectors/detectors.h>
 #include <evaluation/detectors/peers.h>
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 #include <boost/algorithm/string.hpp>
 
 #include <cli/errors.h>
-#include <evaluation/data/labeled_cloud.h>
 #include <evaluation/detectors/detectors.h>
 #include <evaluation/report/evaluation_run.h>
 #include <support/temporary_folder.h>

@@ -4,7 +4,6 @@
 
 #include <evaluation/data/data_sets.h>
 #include <evaluation/metrics/metrics.h>
-#include <evaluation/truth/truth.h>
 
 #include <algorithm>
 #include <filesystem>

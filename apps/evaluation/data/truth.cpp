@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "truth.h"
-
 #include <pcl/search/kdtree.h>
+
+#include "data_sets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,7 @@ namespace {
 
 constexpr std::size_t smallest_region = 50;
 constexpr double max_distance = 0.05; // to a region's plane [m]
-/** The region's plane is fitted again each time its points have grown by this factor.
- */
+/** By which the points of a region have grown when its plane is fitted again. */
 constexpr double refit_growth = 1.3;
 constexpr double points_of_first_fit = 10.0;
 
@@ -27,13 +26,6 @@ struct Surfel {
   /** Share of the smallest variance; infinite where there is no normal. */
   float curvature = std::numeric_limits<float>::infinity();
 };
-
-void
-addTo (Moments& moments, const Eigen::Vector3d& point)
-{
-  const Eigen::Vector3d local = point - moments.origin;
-  moments.add (local.x(), local.y(), local.z());
-}
 
 std::vector<Surfel>
 surfelsOf (const XyzCloud& cloud, int neighbors)
@@ -68,7 +60,7 @@ regionFrom (pcl::index_t seed,
             const std::vector<Surfel>& surfels,
             std::vector<bool>& is_taken)
 {
-  const auto min_cosine = static_cast<float> (std::cos (paper_angle));
+  const auto min_cosine = static_cast<float> (std::cos (paper_angle_tolerance));
   Moments moments;
   moments.origin = surfels[seed].position;
   moments.add (0.0, 0.0, 0.0);
@@ -129,12 +121,6 @@ truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters)
       cloud.truth ? *cloud.truth : growRegions (*cloud.cloud, parameters.neighbors);
   dropSmallPlanes (labels, parameters.min_points);
   return labels;
-}
-
-std::string
-truthName (bool is_exact, const TruthParameters& parameters)
-{
-  return is_exact ? "exact" : "grown-k" + std::to_string (parameters.neighbors);
 }
 
 } // namespace pcl_ops::evaluation
