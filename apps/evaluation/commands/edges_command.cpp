@@ -14,16 +14,15 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <set>
 
 namespace pcl_ops::evaluation {
 
 namespace {
 
 constexpr double farthest = 0.05; // [m]
-constexpr double sample_step = 0.01;
-constexpr double wall_length = 1.0;
 
-/** \brief A length or number, and how much of it was found. */
+/** \brief A length or number, and how much of it was found; NaN of nothing. */
 struct Share {
   double part = 0.0, whole = 0.0;
 
@@ -35,12 +34,6 @@ struct Share {
         distances.begin(), distances.end(), [] (double d) { return d <= farthest; });
     part += edge.length() * double (near) / double (distances.size());
     whole += edge.length();
-  }
-
-  double
-  value () const
-  {
-    return part / whole; // NaN of nothing
   }
 };
 
@@ -57,7 +50,7 @@ struct EdgeScore {
 std::vector<double>
 distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
 {
-  constexpr double max_samples = 1e5;
+  constexpr double max_samples = 1e5, sample_step = 0.01; // [m]
   const Eigen::Vector3d direction = (edge.to - edge.from).normalized();
   const int samples = int (std::min (max_samples, edge.length() / sample_step)) + 1;
   std::vector<double> distances (samples, std::numeric_limits<double>::infinity());
@@ -116,14 +109,13 @@ addCloud (const EvaluationCloud& cloud, EdgeScore& score)
   const PlaneEdges truth = findPlaneEdges (*cloud.cloud, true_planes),
                    found = findPlaneEdges (*cloud.cloud, planes);
   for (const PlaneEdge& edge : truth.edges) {
-    const auto has = [&] (Orientation orientation) {
-      return true_planes[edge.planes[0]].orientation == orientation ||
-             true_planes[edge.planes[1]].orientation == orientation;
-    };
+    constexpr double wall_length = 1.0; // [m]
+    const std::set<Orientation> sides{true_planes[edge.planes[0]].orientation,
+                                      true_planes[edge.planes[1]].orientation};
     const std::vector<double> distances = distancesAlong (edge, found.edges);
     score.found.add (edge, distances);
-    if (edge.length() >= wall_length && has (Orientation::Horizontal) &&
-        has (Orientation::Vertical))
+    if (edge.length() >= wall_length &&
+        sides == std::set{Orientation::Horizontal, Orientation::Vertical})
       score.walls.add (edge, distances);
     std::copy_if (distances.begin(),
                   distances.end(),
@@ -141,14 +133,15 @@ answerOf (const std::string& data_set, const EdgeScore& score)
   const auto millimeters = [] (const std::vector<double>& errors, double share) {
     return 1e3 * apps::quantile (errors, share);
   };
+  const auto value = [] (const Share& share) { return share.part / share.whole; };
   return {{"data_set", data_set},
-          {"wall_edges_found", score.walls.value()},
-          {"edges_found", score.found.value()},
-          {"edges_true", score.is_true.value()},
+          {"wall_edges_found", value (score.walls)},
+          {"edges_found", value (score.found)},
+          {"edges_true", value (score.is_true)},
           {"median_mm", millimeters (score.edge_errors, 0.5)},
           {"95_%_mm", millimeters (score.edge_errors, 0.95)},
-          {"corners_found", score.corners_found.value()},
-          {"corners_true", score.corners_true.value()},
+          {"corners_found", value (score.corners_found)},
+          {"corners_true", value (score.corners_true)},
           {"corners_median_mm", millimeters (score.corner_errors, 0.5)}};
 }
 

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -23,6 +22,7 @@ namespace pcl_ops::evaluation {
 namespace {
 
 using Json = nlohmann::json;
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr const char* fix =
@@ -100,22 +100,21 @@ setExtent (const std::vector<Vector3d>& hull,
            PlaneSegment& plane)
 {
   constexpr double endless = 1e6;
-  const Eigen::Matrix3d along_normal = plane.normal * plane.normal.transpose();
-  Eigen::Matrix3d spread =
-      endless * endless * (Eigen::Matrix3d::Identity() - along_normal);
+  const Matrix3d along_normal = plane.normal * plane.normal.transpose();
+  Matrix3d spread = endless * endless * (Matrix3d::Identity() - along_normal);
   double area = 0.0;
   Vector3d sum = Vector3d::Zero();
-  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+  Matrix3d products = Matrix3d::Zero();
   for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
-    Eigen::Matrix3d corners;
+    Matrix3d corners;
     corners << hull[0], hull[i], hull[i + 1];
     corners.colwise() -= plane.centroid;
     // Signed, so that the triangles of a hollow outline take away what they have too
     // much.
-    const Vector3d edge = corners.col (1) - corners.col (0);
-    const double part =
-        0.5 * plane.normal.dot (edge.cross (corners.col (2) - corners.col (0)));
-    const Vector3d total = corners.rowwise().sum();
+    const Vector3d edge = corners.col (1) - corners.col (0),
+                   other = corners.col (2) - corners.col (0),
+                   total = corners.rowwise().sum();
+    const double part = 0.5 * plane.normal.dot (edge.cross (other));
     area += part;
     sum += part / 3.0 * total;
     products +=
@@ -126,8 +125,8 @@ setExtent (const std::vector<Vector3d>& hull,
     spread = products / area - mean * mean.transpose();
     plane.centroid += mean;
   }
-  plane.moments =
-      Moments::of (count, plane.centroid, spread + rms * rms * along_normal);
+  spread += rms * rms * along_normal;
+  plane.moments = Moments::of (count, plane.centroid, spread);
 }
 
 PlaneSegment
@@ -154,10 +153,9 @@ planeOf (const Entry& entry)
   return plane;
 }
 
-/** \brief The planes of a file, as far as it tells of them. */
+/** \brief The planes of a file, as far as it tells of them: without inliers. */
 struct PlaneList {
   std::vector<std::uint64_t> ids;
-  /** \brief Without inliers. */
   std::vector<PlaneSegment> planes;
 };
 
@@ -203,7 +201,7 @@ comparePlanes (const PlaneList& first,
 {
   const PlaneMatches matches =
       matchAboutMiddle (first.planes, second.planes, parameters);
-  std::map<std::size_t, std::size_t> partner_of;
+  std::vector<std::size_t> partner_of (first.planes.size(), second.planes.size());
   Answer matched = Answer::array(), only_a = matched, only_b = matched;
   for (std::size_t i = 0; i < second.planes.size(); ++i)
     if (matches.previous[i] == no_plane)
@@ -211,14 +209,14 @@ comparePlanes (const PlaneList& first,
     else
       partner_of[std::size_t (matches.previous[i])] = i;
   for (std::size_t i = 0; i < first.planes.size(); ++i) {
-    const auto partner = partner_of.find (i);
-    if (partner == partner_of.end()) {
+    const std::size_t partner = partner_of[i];
+    if (partner == second.planes.size()) {
       only_a.push_back (first.ids[i]);
       continue;
     }
-    const PlaneSegment &one = first.planes[i], &other = second.planes[partner->second];
+    const PlaneSegment &one = first.planes[i], &other = second.planes[partner];
     matched.push_back ({{"a", first.ids[i]},
-                        {"b", second.ids[partner->second]},
+                        {"b", second.ids[partner]},
                         {"orientation", toString (one.orientation)},
                         {"angle", apps::toDegrees (angleBetween (one, other))},
                         {"offset", one.plane().distance (other.centroid)},

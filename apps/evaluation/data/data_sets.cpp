@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iomanip>
 #include <set>
 #include <sstream>
 
@@ -32,11 +33,6 @@ const char* const data_set_help =
 namespace {
 
 namespace fs = std::filesystem;
-
-/** More scenes than anybody waits for; keeps a typing error from filling the memory. */
-constexpr std::uint32_t max_scenes = 100'000;
-/** A point takes 16 bytes, and 56 more while it is simulated. */
-constexpr double max_points = 1e8;
 
 EvaluationCloud
 simulated (const simulation::Simulation& simulation)
@@ -68,30 +64,29 @@ const struct Scenes {
 DataSet
 scenesDataSet (const Scenes& scenes, const std::string& seeds)
 {
+  // More than anybody waits for; keeps a typing error from filling the memory.
+  constexpr std::uint32_t max_scenes = 100'000;
   const auto seed = [&scenes] (const std::string& text) {
     return apps::parseNumber<std::uint32_t> (scenes.name, text, apps::Range::from (0));
   };
-  const std::size_t dash = seeds.find ('-');
-  const std::uint32_t first = seed (seeds.substr (0, dash));
-  const std::uint32_t last =
-      dash == std::string::npos ? first : seed (seeds.substr (dash + 1));
+  const std::size_t dash = seeds.find ('-'); // npos + 1 is 0: the whole text again
+  const std::uint32_t first = seed (seeds.substr (0, dash)),
+                      last = seed (seeds.substr (dash + 1));
   if (last < first || last - first >= max_scenes)
     throw apps::UsageError (scenes.name + (':' + seeds),
                             "is no range of seeds such as 1-20");
   DataSet clouds;
+  simulation::Simulation simulation;
+  simulation.scene = scenes.scene;
+  simulation.has_raw_depth = scenes.has_raw_depth;
+  simulation.sensor = scenes.sensor;
+  simulation.organized = simulation.scene == "room" || simulation.scene == "furniture";
   for (std::uint32_t i = 0; i <= last - first; ++i) {
-    simulation::Simulation simulation;
-    simulation.scene = scenes.scene;
     simulation.seed = first + i;
-    simulation.has_raw_depth = scenes.has_raw_depth;
-    simulation.sensor = scenes.sensor;
-    simulation.organized =
-        simulation.scene == "room" || simulation.scene == "furniture";
-    std::string number = std::to_string (first + i);
-    number.insert (0, 4 - std::min<std::size_t> (4, number.size()), '0');
-    clouds.push_back ({scenes.name, simulation.scene + '-' + number, [simulation] {
-                         return simulated (simulation);
-                       }});
+    std::ostringstream name;
+    name << scenes.scene << '-' << std::setw (4) << std::setfill ('0') << first + i;
+    clouds.push_back (
+        {scenes.name, name.str(), [simulation] { return simulated (simulation); }});
   }
   return clouds;
 }
@@ -99,7 +94,8 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
 DataSet
 scansDataSet (const std::string& name, const std::string& sizes)
 {
-  const apps::Range of_points = apps::Range::from (1).upTo (max_points);
+  // A point takes 16 bytes, and 56 more while it is simulated.
+  const apps::Range of_points = apps::Range::from (1).upTo (1e8);
   DataSet clouds;
   std::istringstream list (sizes);
   for (std::string size; std::getline (list, size, ',');) {
@@ -175,10 +171,8 @@ dataSetOf (const std::string& text, const Eigen::Vector3d& up)
   const std::string kind = text.substr (0, colon);
   const std::string rest = colon == std::string::npos ? "" : text.substr (colon + 1);
   if (!rest.empty()) {
-    if (kind == "sunrgbd")
-      return sunRgbdDataSet (rest, false);
-    if (kind == "sunrgbd-raw")
-      return sunRgbdDataSet (rest, true);
+    if (kind == "sunrgbd" || kind == "sunrgbd-raw")
+      return sunRgbdDataSet (rest, kind == "sunrgbd-raw");
     if (kind == "simulated")
       return scansDataSet (kind, rest);
     if (kind == "clouds")

@@ -62,11 +62,9 @@ readMatrix (const fs::path& file)
   return matrix;
 }
 
-/** An image of one 16-bit value per pixel, row by row from the top. */
-struct DepthImage {
-  std::uint32_t width = 0, height = 0;
-  std::vector<std::uint16_t> values;
-};
+/** A value for each pixel, row by row from the top. */
+using DepthImage =
+    Eigen::Matrix<std::uint16_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /** A 16-bit grayscale PNG file (ISO/IEC 15948). By libpng itself because VTK's reader,
  * the one PCL brings, crashes on a truncated file. */
@@ -95,10 +93,8 @@ readDepthPng (const fs::path& file)
   /** Far above any depth camera, far below what would exhaust the memory. */
   constexpr std::size_t max_pixels = 100'000'000;
   requirePng (png.width <= max_pixels / png.height, "has an impossible size");
-  DepthImage image{png.width, png.height, {}};
-  image.values.resize (std::size_t (image.width) * image.height);
-  const int is_read =
-      png_image_finish_read (&png, nullptr, image.values.data(), 0, nullptr);
+  DepthImage image (png.height, png.width);
+  const int is_read = png_image_finish_read (&png, nullptr, image.data(), 0, nullptr);
   requirePng (is_read != 0, std::string ("is damaged (") + png.message + ")");
   return image;
 }
@@ -116,22 +112,19 @@ cloudOf (const DepthImage& image,
   Eigen::Matrix3d z_up; // from x right, y along gravity, z forward
   z_up << 1, 0, 0, 0, 0, 1, 0, -1, 0;
   const Eigen::Matrix3d rotation = z_up * extrinsics;
-  const double focal_x = intrinsics (0, 0), focal_y = intrinsics (1, 1);
-  const double center_x = intrinsics (0, 2), center_y = intrinsics (1, 2);
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const XyzCloud::Ptr cloud (
-      new XyzCloud (image.width, image.height, pcl::PointXYZ (nan, nan, nan)));
+      new XyzCloud (image.cols(), image.rows(), pcl::PointXYZ (nan, nan, nan)));
   cloud->sensor_orientation_ = Eigen::Quaterniond (rotation).cast<float>();
-  for (std::uint32_t i = 0; i < image.values.size(); ++i) {
-    const std::uint16_t stored = image.values[i];
+  for (Eigen::Index i = 0; i < image.size(); ++i) {
+    const std::uint16_t stored = image.data()[i];
     if (stored == 0)
       continue;
     const auto millimeters = static_cast<std::uint16_t> (stored >> 3 | stored << 13);
     const double depth = std::min (millimeters * meters_per_unit, max_depth);
-    const double column = i % image.width, row = i / image.width;
-    const Eigen::Vector3d point ((column - center_x) / focal_x * depth,
-                                 (row - center_y) / focal_y * depth,
-                                 depth);
+    const double x = (i % image.cols() - intrinsics (0, 2)) / intrinsics (0, 0) * depth;
+    const double y = (i / image.cols() - intrinsics (1, 2)) / intrinsics (1, 1) * depth;
+    const Eigen::Vector3d point (x, y, depth);
     (*cloud)[i].getVector3fMap() = (rotation * point).cast<float>();
   }
   return finiteOf (cloud, {});

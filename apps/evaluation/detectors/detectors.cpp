@@ -23,32 +23,27 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-using Configurations = std::vector<Configuration>;
-
-/** A number as a table shows it: 0.07, 3, 80. */
-std::string
-text (double number)
-{
-  std::ostringstream stream;
-  stream << number;
-  return stream.str();
-}
-
 using Ops = OrientedPointSampling<pcl::PointXYZ>;
 using Fspf = FastSamplingPlaneFiltering<pcl::PointXYZ>;
 using Kht = KernelHoughTransform<pcl::PointXYZ>;
 
-/** \param[in] is_best whether it is a row of table 4, too */
+/** PREFIX-FIRST-SECOND with numbers as a table shows them: 0.07, 3, 80. */
+std::string
+rowName (const char* prefix, double first, double second)
+{
+  std::ostringstream name;
+  name << prefix << '-' << first << '-' << second;
+  return name.str();
+}
+
 template <typename Detector>
 void
-add (Configurations& all,
+add (std::vector<Configuration>& all,
      const std::string& name,
      const std::string& group,
-     const typename Detector::Parameters& parameters,
-     bool is_best = false)
+     const typename Detector::Parameters& parameters)
 {
-  const auto run = [parameters] (const XyzCloud::ConstPtr& cloud,
-                                 const RunSettings& settings) {
+  const auto run = [parameters] (const auto& cloud, const RunSettings& settings) {
     auto complete = parameters;
     complete.up_axis = settings.up.cast<float>();
     complete.seed = settings.seed;
@@ -56,54 +51,45 @@ add (Configurations& all,
     return runDetector<Detector> (complete, cloud, settings.clock);
   };
   all.push_back ({name, {group}, run});
-  if (is_best)
-    all.back().groups.push_back ("table4");
+  for (const char* best_of_paper : {"ops-3-30", "fspf-0.07-0.14", "kht-80-800"})
+    if (name == best_of_paper)
+      all.back().groups.insert ("table4");
 }
 
 void
-addRowsOfPaper (Configurations& all)
+addRowsOfPaper (std::vector<Configuration>& all)
 {
   add<Ops> (all, "ops", "presets", {});
-  const auto addOps = [&all] (const std::string& prefix, double percent, int k) {
-    auto parameters = Ops::Parameters::paper();
-    parameters.sampling_rate = percent / 100.0;
-    parameters.k = k;
-    const bool is_strategy_1 = prefix == "ops-s1-";
-    if (is_strategy_1)
-      parameters.paper_only.strategy = PaperParameters::Strategy::DetectThenDivide;
-    add<Ops> (all,
-              prefix + text (percent) + "-" + text (k),
-              "table3",
-              parameters,
-              !is_strategy_1 && percent == 3.0 && k == 30);
+  auto ops = Ops::Parameters::paper();
+  const auto addOps = [&] (const char* prefix, double percent) {
+    ops.sampling_rate = percent / 100.0;
+    for (ops.k = 10; ops.k <= 30; ops.k += 10)
+      add<Ops> (all, rowName (prefix, percent, ops.k), "table3", ops);
   };
   for (const double percent : {0.3, 0.5, 0.7, 1.0, 3.0})
-    for (const int k : {10, 20, 30})
-      addOps ("ops-", percent, k);
-  for (const int k : {10, 20, 30})
-    addOps ("ops-s1-", 3.0, k);
+    addOps ("ops", percent);
+  ops.paper_only.strategy = PaperParameters::Strategy::DetectThenDivide;
+  addOps ("ops-s1", 3.0);
   add<Fspf> (all, "fspf", "presets", {});
+  auto fspf = Fspf::Parameters::paper();
   for (const double factor : {1.0, 2.0})
-    for (const double r1 : {0.03, 0.05, 0.07, 0.1, 0.3}) {
-      auto parameters = Fspf::Parameters::paper();
-      parameters.local.inner_radius = r1;
-      parameters.local.outer_radius = factor * r1;
-      const std::string name = "fspf-" + text (r1) + "-" + text (factor * r1);
-      add<Fspf> (all, name, "table1", parameters, r1 == 0.07 && factor == 2.0);
+    for (const double radius : {0.03, 0.05, 0.07, 0.1, 0.3}) {
+      fspf.local.inner_radius = radius;
+      fspf.local.outer_radius = factor * radius;
+      add<Fspf> (all, rowName ("fspf", radius, factor * radius), "table1", fspf);
     }
   add<Kht> (all, "kht", "presets", {});
+  auto kht = Kht::Parameters::paper();
   for (const int phi_num : {30, 40, 60, 80}) {
-    auto parameters = Kht::Parameters::paper();
-    parameters.phi_num = phi_num;
-    parameters.rho_num = 10 * phi_num;
-    const std::string name = "kht-" + text (phi_num) + "-" + text (10 * phi_num);
-    add<Kht> (all, name, "table2", parameters, phi_num == 80);
+    kht.phi_num = phi_num;
+    kht.rho_num = 10 * phi_num;
+    add<Kht> (all, rowName ("kht", phi_num, 10 * phi_num), "table2", kht);
   }
 }
 
 /** The default preset with one ingredient off at a time. */
 void
-addAblation (Configurations& all)
+addAblation (std::vector<Configuration>& all)
 {
   using Parameters = Ops::Parameters;
   constexpr double no_limit = 1e6;
@@ -124,30 +110,13 @@ addAblation (Configurations& all)
   }
 }
 
-bool
-isCalled (const Configuration& configuration, const std::string& name)
-{
-  const std::vector<std::string>& groups = configuration.groups;
-  const auto isIn = [&groups] (const std::string& group) {
-    return std::find (groups.begin(), groups.end(), group) != groups.end();
-  };
-  return name == configuration.name || isIn (name) ||
-         (name == "all" && !isIn ("ablation"));
-}
-
-/** What a detector's process hands over; the labels of the points are behind it. */
-struct HandedOver {
-  StageDurations durations;
-  std::size_t planes_before_merging = 0;
-};
-
 } // namespace
 
 const std::vector<Configuration>&
 allConfigurations ()
 {
-  static const Configurations all = [] {
-    Configurations configurations;
+  static const std::vector<Configuration> all = [] {
+    std::vector<Configuration> configurations;
     addRowsOfPaper (configurations);
     addPeers (configurations);
     addAblation (configurations);
@@ -159,17 +128,19 @@ allConfigurations ()
 std::vector<Configuration>
 selectConfigurations (const std::string& list)
 {
-  Configurations selected;
+  std::vector<Configuration> selected;
   std::set<std::string> names;
   std::istringstream stream (list);
   for (std::string name; std::getline (stream, name, ',');) {
     bool is_known = false;
-    for (const Configuration& configuration : allConfigurations())
-      if (isCalled (configuration, name)) {
-        is_known = true;
-        if (names.insert (configuration.name).second)
-          selected.push_back (configuration);
-      }
+    for (const Configuration& configuration : allConfigurations()) {
+      const std::set<std::string>& groups = configuration.groups;
+      const bool is_meant = name == configuration.name || groups.count (name) > 0 ||
+                            (name == "all" && groups.count ("ablation") == 0);
+      is_known = is_known || is_meant;
+      if (is_meant && names.insert (configuration.name).second)
+        selected.push_back (configuration);
+    }
     if (!is_known)
       throw apps::UsageError (name,
                               "is no configuration; see pcl_ops_evaluate detectors");
@@ -216,6 +187,10 @@ runLimited (const Configuration& configuration,
 {
   if (!configuration.is_peer)
     return configuration.run (cloud, settings);
+  struct HandedOver { // the labels of the points are behind it
+    StageDurations durations;
+    std::size_t planes_before_merging = 0;
+  };
   const auto memory = boost::interprocess::anonymous_shared_memory (
       sizeof (HandedOver) + cloud->size() * sizeof (std::uint32_t));
   auto* const handed_over = static_cast<HandedOver*> (memory.get_address());

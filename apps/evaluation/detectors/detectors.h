@@ -8,6 +8,7 @@
 #include <ctime>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -100,7 +101,7 @@ runDetector (const typename Detector::Parameters& parameters,
 struct Configuration {
   std::string name;
   /** \brief Names that stand for it among others: table1 to table4, presets, peers. */
-  std::vector<std::string> groups;
+  std::set<std::string> groups;
   /** \brief On one thread. The points are finite. */
   std::function<DetectorRun (const XyzCloud::ConstPtr& cloud,
                              const RunSettings& settings)>

@@ -110,7 +110,7 @@ addPeers (std::vector<Configuration>& configurations)
   for (const auto& [name, version, detect] : peers)
     for (const ValuesFrom source : {ValuesFrom::Tutorial, ValuesFrom::Cloud}) {
       const std::string measured = source == ValuesFrom::Cloud ? "-measured" : "";
-      const auto run = [detect = detect, source] (const XyzCloud::ConstPtr& cloud,
+      const auto run = [detect = detect, source] (const auto& cloud,
                                                   const RunSettings& settings) {
         const PeerValues values = valuesFor (cloud, settings, source);
         DetectorRun run;

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <limits>
 #include <mutex>
 #include <set>
@@ -30,7 +31,8 @@ constexpr const char* fewer_at_a_time = "give a smaller cloud or fewer --jobs";
 
 /** The numbers of a row and their columns. */
 NamedValues
-namedValues (const Metrics& metrics, const DetectorRun& run)
+namedValues (const Metrics& metrics = compareLabels ({}, {}, {}),
+             const DetectorRun& run = {})
 {
   NamedValues values{{"points", double (metrics.points)},
                      {"truth_planes", double (metrics.truth_planes)},
@@ -49,7 +51,7 @@ std::string
 headerLine ()
 {
   std::string line = "data_set,cloud,truth,configuration,seed";
-  for (const auto& named : namedValues (compareLabels ({}, {}, {}), {}))
+  for (const auto& named : namedValues())
     line += ',' + named.first;
   return line;
 }
@@ -60,12 +62,12 @@ std::string
 csvCell (std::string text)
 {
   std::replace (text.begin(), text.end(), '\n', ' ');
+  std::ostringstream cell;
   if (text.find_first_of (",\"") == std::string::npos)
-    return text + ',';
-  std::string cell = "\"";
-  for (const char character : text)
-    cell += character == '"' ? std::string ("\"\"") : std::string (1, character);
-  return cell + "\",";
+    cell << text << ',';
+  else
+    cell << std::quoted (text, '"', '"') << ',';
+  return cell.str();
 }
 
 /** A CSV file that grows row by row. Its calls may be made by several threads. */
@@ -210,10 +212,10 @@ struct Evaluation {
   /** All numbers, or of a run that was stopped none but how long it took, so that it is
    * not tried again. */
   NamedValues
-  valuesOf (const Configuration& configuration,
+  valuesOf (const CloudSource& source,
+            const Configuration& configuration,
             const EvaluationCloud& cloud,
-            const PlaneLabels& truth,
-            const CloudSource& source)
+            const PlaneLabels& truth)
   {
     RunSettings settings = plan.settings;
     settings.up = cloud.up;
@@ -228,7 +230,7 @@ struct Evaluation {
     count (&EvaluationSummary::stopped_runs,
            configuration.name + " on " + source.name + ": stopped after " +
                std::to_string (plan.time_limit) + " s; more by --time-limit");
-    NamedValues values = namedValues (compareLabels ({}, {}, {}), {});
+    NamedValues values = namedValues();
     for (auto& [column, value] : values)
       value = column == "detection_ms" ? 1e3 * plan.time_limit
                                        : std::numeric_limits<double>::quiet_NaN();
@@ -247,7 +249,7 @@ struct Evaluation {
     NamedValues values;
     try {
       values = apps::inMemory (configuration.name, fewer_at_a_time, [&] {
-        return valuesOf (configuration, cloud, truth, source);
+        return valuesOf (source, configuration, cloud, truth);
       });
     }
     catch (const std::exception& error) {
