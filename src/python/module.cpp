@@ -2,18 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The compiled part of the package. What users call, with documentation and checks of
 // arrays, is Python beside it.
-#include "module.h"
-
+#include "interpreter.h"
+#include "parameters.h"
 #include <evaluation/metrics/metrics.h>
 #include <pcl_ops/detect_planes.h>
 #include <pcl_ops/plane_extent.h>
+#include <pcl_ops/plane_tracker.h>
 #include <pcl_ops/visibility.h>
+#include <pybind11/numpy.h>
 
 #include <numeric>
 
 namespace pcl_ops::python {
 
 namespace {
+
+/** \brief Points as the package's own Python code hands them over: aligned, of shape
+ * (N, 3), the numbers of a row side by side and rows in order. */
+using PointRows = py::array_t<float>;
+using PlaneSegments = std::vector<PlaneSegment>;
+
+/** \brief The points where they are. */
+CloudView
+viewOf (const PointRows& points)
+{
+  CloudView view;
+  view.first = points.data();
+  view.stride = static_cast<std::size_t> (points.strides (0)) / sizeof (float);
+  view.size = static_cast<std::size_t> (points.shape (0));
+  return view;
+}
 
 /** \brief Numbers that Python reads where they are, for as long as their owner lives.
  */
@@ -44,44 +62,43 @@ matrixOf (const std::optional<PlaneCovariance>& covariance)
   return covariance ? std::make_optional (covariance->matrix) : std::nullopt;
 }
 
-std::optional<Eigen::Matrix3d>
-covarianceOf (const PlaneSegment& plane)
-{
-  return matrixOf (planeCovariance (plane));
-}
+/** \brief All that a plane consists of, for a pickle: centroid, normal, orientation,
+ * the four parts of its moments, inliers. */
+using State = std::tuple<Eigen::Vector3d,
+                         Eigen::Vector3d,
+                         Orientation,
+                         Eigen::Vector3d,
+                         double,
+                         Eigen::Vector3d,
+                         std::array<double, 6>,
+                         py::array_t<pcl::index_t>>;
 
-/** \brief What a plane consists of besides orientation and inliers: centroid, normal,
- * and of the moments origin, count, sum and products. */
-using Numbers = Eigen::Matrix<double, 19, 1>;
-
-/** \brief All that it consists of, for a pickle. */
-py::tuple
+State
 stateOf (const py::object& self)
 {
   const auto& plane = self.cast<const PlaneSegment&>();
   const auto& [origin, count, sum, products] = plane.moments;
-  const Eigen::Map<const Eigen::Matrix<double, 6, 1>> six (products.data());
-  Numbers numbers;
-  numbers << plane.centroid, plane.normal, origin, count, sum, six;
-  return py::make_tuple (
-      numbers, static_cast<int> (plane.orientation), inliersOf (self));
+  return {plane.centroid,
+          plane.normal,
+          plane.orientation,
+          origin,
+          count,
+          sum,
+          products,
+          inliersOf (self)};
 }
 
 PlaneSegment
-fromState (const std::tuple<Numbers, int, py::array_t<pcl::index_t>>& state)
+fromState (const State& state)
 {
-  const auto& [numbers, orientation, inliers] = state;
-  PlaneSegment plane;
-  auto& [origin, count, sum, products] = plane.moments;
-  plane.centroid = numbers.segment<3> (0);
-  plane.normal = numbers.segment<3> (3);
-  plane.orientation = static_cast<Orientation> (orientation);
-  origin = numbers.segment<3> (6);
-  count = numbers[9];
-  sum = numbers.segment<3> (10);
-  std::copy (numbers.data() + 13, numbers.data() + 19, products.begin());
-  plane.inliers.assign (inliers.data(), inliers.data() + inliers.size());
-  return plane;
+  const auto& [centroid, normal, orientation, origin, count, sum, products, inliers] =
+      state;
+  const auto* const first = inliers.data();
+  return {centroid,
+          normal,
+          orientation,
+          {origin, count, sum, products},
+          {first, first + inliers.size()}};
 }
 
 /** \brief The class Segment, base of Python's Plane, which takes what is in the one it
@@ -95,10 +112,13 @@ defineSegment (py::module_& module)
       .def_readonly ("normal", &PlaneSegment::normal)
       .def_readonly ("centroid", &PlaneSegment::centroid)
       .def_property_readonly ("rms", &PlaneSegment::rms)
-      .def_readonly ("orientation", &PlaneSegment::orientation)
+      .def_property_readonly ("orientation",
+                              [] (const PlaneSegment& p) { return p.orientation; })
       .def_property_readonly ("inliers", &inliersOf)
       .def_property_readonly ("axes", &axesOf)
-      .def_property_readonly ("covariance", &covarianceOf)
+      .def_property_readonly (
+          "covariance",
+          [] (const PlaneSegment& p) { return matrixOf (planeCovariance (p)); })
       .def_property_readonly ("_state", &stateOf);
 }
 
@@ -106,14 +126,14 @@ defineSegment (py::module_& module)
  * \param[in] points relative to \p origin
  * \param[in] origin, viewpoint in the frame of the array */
 template <typename Parameters>
-std::vector<PlaneSegment>
+PlaneSegments
 segment (const PointRows& points,
          const Eigen::Vector3d& origin,
          const Eigen::Vector3d& viewpoint,
          const Parameters& parameters)
 {
   const CloudView view = viewOf (points);
-  std::vector<PlaneSegment> planes;
+  PlaneSegments planes;
   whileOthersRun (
       [&] { planes = detectPlanes (view, parameters, viewpoint - origin); });
   for (PlaneSegment& plane : planes)
@@ -121,18 +141,26 @@ segment (const PointRows& points,
   return planes;
 }
 
-/** \return hull, area, length and width
- * \param[in] inliers of the plane, relative to \p origin */
-py::tuple
-extent (const PointRows& inliers, const Eigen::Vector3d& origin, PlaneSegment plane)
+/** \brief A plane as one of a cloud of its inliers alone.
+ * \param[in] origin zero of that cloud in the frame of the plane */
+PlaneSegment
+ofItsInliers (PlaneSegment plane, const Eigen::Vector3d& origin)
 {
-  plane.centroid -= origin;
+  plane.moveBy (-origin);
   std::iota (plane.inliers.begin(), plane.inliers.end(), 0);
-  const PlaneExtent found = planeExtent (viewOf (inliers), plane);
-  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> hull (found.hull.size(), 3);
-  for (std::size_t i = 0; i < found.hull.size(); ++i)
-    hull.row (static_cast<Eigen::Index> (i)) = found.hull[i] + origin;
-  return py::make_tuple (hull, found.area, found.length, found.width);
+  return plane;
+}
+
+/** \return hull relative to \p origin, area, length and width
+ * \param[in] inliers of the plane, relative to \p origin */
+auto
+extent (const PointRows& inliers,
+        const Eigen::Vector3d& origin,
+        const PlaneSegment& plane)
+{
+  const PlaneExtent found =
+      planeExtent (viewOf (inliers), ofItsInliers (plane, origin));
+  return std::make_tuple (found.hull, found.area, found.length, found.width);
 }
 
 /** \brief Of noise that neighboring points share.
@@ -140,11 +168,153 @@ extent (const PointRows& inliers, const Eigen::Vector3d& origin, PlaneSegment pl
 std::optional<Eigen::Matrix3d>
 correlatedCovariance (const PointRows& inliers,
                       const Eigen::Vector3d& origin,
-                      PlaneSegment plane)
+                      const PlaneSegment& plane)
 {
-  plane.moveBy (-origin);
-  std::iota (plane.inliers.begin(), plane.inliers.end(), 0);
-  return matrixOf (planeCovariance (viewOf (inliers), plane));
+  return matrixOf (planeCovariance (viewOf (inliers), ofItsInliers (plane, origin)));
+}
+
+/** \return the planes after merging, and into which of them each plane went */
+std::pair<PlaneSegments, Labels>
+merge (const PlaneSegments& planes, const MergePlanesParameters& parameters)
+{
+  std::vector<Moments> moments;
+  for (const PlaneSegment& plane : planes)
+    moments.push_back (plane.moments);
+  const MergedPlanes merged = mergePlanes (moments, parameters.merging);
+  PlaneSegments all;
+  for (std::size_t i = 0; i < merged.fits.size(); ++i) {
+    const auto& [plane, centroid, variances] = merged.fits[i];
+    all.push_back (
+        {centroid, plane.normal, {}, merged.moments[i].about (centroid), {}});
+  }
+  std::vector<double> largest (all.size());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (merged.merged_into[i] == no_plane)
+      continue;
+    const auto into = static_cast<std::size_t> (merged.merged_into[i]);
+    PlaneSegment& whole = all[into];
+    // It faces where its largest part did.
+    if (planes[i].moments.count > largest[into]) {
+      largest[into] = planes[i].moments.count;
+      if (planes[i].normal.dot (whole.normal) < 0.0)
+        whole.normal = -whole.normal;
+    }
+    whole.inliers.insert (
+        whole.inliers.end(), planes[i].inliers.begin(), planes[i].inliers.end());
+  }
+  for (PlaneSegment& whole : all)
+    std::sort (whole.inliers.begin(), whole.inliers.end());
+  nameOrientations (all, parameters.up_axis.cast<double>(), parameters.angle_tolerance);
+  return {std::move (all), merged.merged_into};
+}
+
+template <typename NamedValues>
+py::dict
+dictOf (const NamedValues& values)
+{
+  py::dict named;
+  for (const auto& [name, value] : values)
+    named[py::str (name)] = value;
+  return named;
+}
+
+/** \return the positions of those kept, and how many each argument drops */
+py::tuple
+filter (const py::list& planes, const PlaneFilter& filter)
+{
+  const auto segments = planes.cast<PlaneSegments>();
+  const auto extent_of = [&] (const PlaneSegment& segment) {
+    // What Python's Plane at the place of the segment knows.
+    const py::object plane =
+        planes[static_cast<std::size_t> (&segment - segments.data())];
+    PlaneExtent extent;
+    extent.area = plane.attr ("area").cast<double>();
+    extent.length = plane.attr ("length").cast<double>();
+    extent.width = plane.attr ("width").cast<double>();
+    return extent;
+  };
+  DroppedPlanes dropped;
+  const auto kept = keptPlanes (segments, filter, extent_of, dropped);
+  const std::pair<const char*, std::size_t> by_name[] = {
+      {"orientation", dropped.by_orientation},
+      {"direction", dropped.by_direction},
+      {"slope", dropped.by_slope},
+      {"min_points", dropped.by_points},
+      {"min_area", dropped.by_area},
+      {"min_width", dropped.by_width},
+      {"max_area", dropped.by_max_area},
+      {"max_width", dropped.by_max_width},
+      {"size", dropped.by_size},
+      {"max_planes", dropped.by_number}};
+  return py::make_tuple (kept, dictOf (by_name));
+}
+
+std::pair<Labels, Eigen::Matrix4d>
+match (const PlaneSegments& previous,
+       const PlaneSegments& current,
+       const Eigen::Matrix4d& pose,
+       const PlaneMatchingParameters& parameters)
+{
+  const PlaneMatches matches =
+      matchPlanes (previous, current, Eigen::Isometry3d (pose), parameters);
+  return {matches.previous, matches.pose.matrix()};
+}
+
+/** \return direction and confidence, or nothing */
+std::optional<std::pair<Eigen::Vector3d, double>>
+upAxis (const PlaneSegments& planes,
+        const Eigen::Vector3d& viewpoint,
+        const UpAxisParameters& parameters)
+{
+  const std::optional<UpAxis> found = estimateUpAxis (planes, viewpoint, parameters);
+  if (!found)
+    return std::nullopt;
+  return std::make_pair (found->direction, found->confidence);
+}
+
+/** \return (planes, start, end, angle) of each edge, (planes, position) of each corner
+ */
+std::pair<py::list, py::list>
+edges (const PointRows& points,
+       const Eigen::Vector3d& origin,
+       const PlaneSegments& planes,
+       const PlaneEdgeParameters& parameters)
+{
+  const PlaneEdges found = findPlaneEdges (viewOf (points), planes, parameters, origin);
+  std::pair<py::list, py::list> all;
+  for (const auto& [of_planes, from, to, angle] : found.edges)
+    all.first.append (py::make_tuple (of_planes, from, to, angle));
+  for (const auto& [of_planes, position] : found.corners)
+    all.second.append (py::make_tuple (of_planes, position));
+  return all;
+}
+
+void
+defineTracker (py::module_& module)
+{
+  py::class_<PlaneTracker> (module, "Tracker")
+      .def (py::init<PlaneMatchingParameters,
+                     std::optional<std::size_t>,
+                     std::optional<double>>())
+      .def (py::init<const PlaneTracker&>())
+      .def ("track",
+            [] (PlaneTracker& tracker,
+                const PlaneSegments& planes,
+                const Eigen::Matrix4d& pose) {
+              return tracker.track (planes, Eigen::Isometry3d (pose));
+            })
+      .def_property_readonly (
+          "planes",
+          [] (const PlaneTracker& tracker) {
+            py::list all;
+            for (const auto& [number, plane, extent, first, last, times] :
+                 tracker.planes())
+              all.append (
+                  py::make_tuple (number, plane, last, first, times, extent.hull));
+            return all;
+          })
+      .def_property_readonly (
+          "pose", [] (const PlaneTracker& tracker) { return tracker.pose().matrix(); });
 }
 
 using PlaneNumbers = py::array_t<std::uint32_t, py::array::c_style>;
@@ -173,9 +343,7 @@ evaluate (const PlaneNumbers& truth,
     metrics =
         evaluation::compareLabels (cloud, labelsOf (truth), labelsOf (result), classes);
   });
-  py::dict named;
-  for (const auto& [name, value] : metrics.named)
-    named[py::str (name)] = value;
+  py::dict named = dictOf (metrics.named);
   named[evaluation::off_planes_name] = metrics.points_off_planes_called_planes;
   named["points"] = metrics.points;
   named["truth_planes"] = metrics.truth_planes;
@@ -189,19 +357,36 @@ evaluate (const PlaneNumbers& truth,
 
 PYBIND11_MODULE (_pcl_ops, module)
 {
+  using namespace pcl_ops;
   using namespace pcl_ops::python;
+  using Ops = OrientedPointSamplingParameters;
+  using Fspf = FastSamplingPlaneFilteringParameters;
+  using Kht = KernelHoughTransformParameters;
   module.attr ("__version__") = PCL_OPS_VERSION;
-  defineParameters (module);
+  defineParameters<Ops> (module, "ops").def_static ("paper", &Ops::paper);
+  defineParameters<Fspf> (module, "fspf").def_static ("paper", &Fspf::paper);
+  defineParameters<Kht> (module, "kht").def_static ("paper", &Kht::paper);
+  defineParameters<PlaneDetectorParameters> (module, "evaluate");
+  defineParameters<MergePlanesParameters> (module, "merge_planes");
+  defineParameters<PlaneFilter> (module, "filter_planes");
+  defineParameters<PlaneMatchingParameters> (module, "match_planes");
+  defineParameters<UpAxisParameters> (module, "estimate_up_axis");
+  defineParameters<PlaneEdgeParameters> (module, "find_plane_edges");
   defineSegment (module);
-  defineListFunctions (module);
-  module.def ("segment", &segment<pcl_ops::OrientedPointSamplingParameters>);
-  module.def ("segment", &segment<pcl_ops::FastSamplingPlaneFilteringParameters>);
-  module.def ("segment", &segment<pcl_ops::KernelHoughTransformParameters>);
+  defineTracker (module);
+  module.def ("segment", &segment<Ops>);
+  module.def ("segment", &segment<Fspf>);
+  module.def ("segment", &segment<Kht>);
   module.def ("extent", &extent);
   module.def ("correlated_covariance", &correlatedCovariance);
+  module.def ("merge", &merge);
+  module.def ("filter", &filter);
+  module.def ("match", &match);
+  module.def ("up_axis", &upAxis);
+  module.def ("edges", &edges);
+  module.def ("compare", &evaluate);
   module.def ("is_seen_from",
               [] (const PointRows& points, const Eigen::Vector3d& viewpoint) {
-                return pcl_ops::isSeenFrom (viewpoint, viewOf (points));
+                return isSeenFrom (viewpoint, viewOf (points));
               });
-  module.def ("compare", &evaluate);
 }

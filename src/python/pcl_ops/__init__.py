@@ -9,10 +9,10 @@ Lengths are in the unit of the points, angles in radians.
 
 from ._clouds import Cloud, from_message, read
 from ._pcl_ops import __version__
-from ._planes import Plane, PlaneCorner, PlaneEdge
-from ._planes import camera_up, estimate_up_axis, filter_planes, find_plane_edges, merge_planes
+from ._planes import Plane, PlaneCorner, PlaneEdge, PlaneTracker, TrackedPlane
+from ._planes import camera_up, estimate_up_axis, filter_planes, find_plane_edges, match_planes
+from ._planes import merge_planes
 from ._segmentation import evaluate, is_seen_from, parameters, segment
-from ._tracking import PlaneTracker, TrackedPlane, match_planes
 
 __all__ = [
     "Cloud", "Plane", "PlaneCorner", "PlaneEdge", "PlaneTracker", "TrackedPlane", "__version__",

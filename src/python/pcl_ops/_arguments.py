@@ -3,8 +3,7 @@
 """What arguments have to be, and the named ones that the extension knows."""
 
 import inspect
-import itertools
-from typing import Any, Callable, Dict, NamedTuple, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,50 +14,24 @@ Points = Union[NDArray[np.float32], NDArray[np.float64]]
 Vector = Union[Sequence[float], NDArray[Any]]
 
 
-class Parameter(NamedTuple):
-    """A field of one of the extension's structs."""
-
-    struct: Any
-    field: str
-    kind: str
-    """What it has to be, as an annotation."""
-    words: Dict[str, Any]
-    """The values of an enumeration by name; empty for others."""
-
-    @property
-    def value(self) -> Any:
-        value = getattr(self.struct, self.field)
-        if self.words and value is not None:
-            return value.name
-        return tuple(value.tolist()) if isinstance(value, np.ndarray) else value
-
-    def set(self, name: str, value: Any) -> None:
-        is_word = bool(self.words) and isinstance(value, str)
-        try:
-            if self.kind == "bool" and not isinstance(value, (bool, np.bool_)):
-                raise TypeError  # everything converts to it
-            setattr(self.struct, self.field, self.words[value] if is_word else value)
-        except (KeyError, TypeError):
-            is_number = "int" in self.kind and not self.words and hasattr(value, "__index__")
-            wanted = self.kind.replace("Vector", "three numbers (x, y, z)")
-            raise (ValueError if is_word or is_number else TypeError)(
-                f"{name}: has to be {wanted}{' within its range' if is_number else ''}, "
-                f"not {value!r:.80}") from None
+def parameters_of(struct: Any) -> Dict[str, Tuple[Any, str]]:
+    """Value and annotation of each by its name."""
+    return {name: (tuple(value.tolist()) if isinstance(value, np.ndarray) else value, kind)
+            for name, (value, kind) in struct.values_and_kinds().items()}
 
 
-def parameters_of(struct: Any, prefix: str = "") -> Dict[str, Parameter]:
-    """All by name, with those of the structs within, which alone have no documentation."""
-    known = {}
-    for name, field in itertools.chain(*(vars(kind).items() for kind in type(struct).__mro__)):
-        if isinstance(field, property) and not field.__doc__:
-            known.update(parameters_of(getattr(struct, name), prefix + name))
-        elif isinstance(field, property):
-            kind = field.__doc__.replace("Optional[", "").rstrip("]")
-            words = getattr(getattr(_pcl_ops, kind, None), "__members__", {})
-            literal = f"Literal{list(words)}" if words else kind
-            known[prefix + name] = Parameter(
-                struct, name, field.__doc__.replace(kind, literal), words)
-    return known
+def _set(struct: Any, name: str, kind: str, value: Any) -> None:
+    try:
+        if kind == "bool" and not isinstance(value, (bool, np.bool_)):
+            raise RuntimeError  # everything converts to it
+        struct.set(name, value)
+    except RuntimeError:
+        is_word = "Literal" in kind and isinstance(value, str)
+        is_number = "int" in kind and not is_word and hasattr(value, "__index__")
+        wanted = kind.replace("Vector", "three numbers (x, y, z)")
+        raise (ValueError if is_word or is_number else TypeError)(
+            f"{name}: has to be {wanted}{' within its range' if is_number else ''}, "
+            f"not {value!r:.80}") from None
 
 
 def with_given(preset: Any, given: Dict[str, Any]) -> Any:
@@ -70,7 +43,7 @@ def with_given(preset: Any, given: Dict[str, Any]) -> Any:
         for name, value in some.items():
             if name not in known:
                 raise ValueError(f"{name}: unknown parameter; there are {', '.join(known)}")
-            known[name].set(name, value)
+            _set(struct, name, known[name][1], value)
         return struct, struct.problem()
 
     struct, problem = with_some(given)
@@ -90,11 +63,10 @@ def named_parameters(*lists: str) -> Callable[[Any], Any]:
         signature = inspect.signature(function)
         shown = {name: one for name, one in signature.parameters.items() if name != "parameters"}
         for one in lists:
-            for name, parameter in parameters_of(getattr(_pcl_ops, one)()).items():
+            for name, (value, kind) in parameters_of(getattr(_pcl_ops, one)()).items():
                 # Methods have defaults of their own.
-                default = parameter.value if len(lists) == 1 else ...
-                shown[name] = inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY,
-                                                default=default, annotation=parameter.kind)
+                shown[name] = inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, annotation=kind,
+                                                default=value if len(lists) == 1 else ...)
         function.__signature__ = signature.replace(parameters=list(shown.values()))
         return function
 

@@ -67,7 +67,7 @@ def parameters(method: Method = "ops", preset: Preset = "default") -> Dict[str, 
     in the headers, whose structs' fields these are; those of a struct within another have
     its name before their own, as in merging_angle_threshold.
     """
-    return {name: one.value for name, one in parameters_of(_preset(method, preset)).items()}
+    return {name: value for name, (value, _) in parameters_of(_preset(method, preset)).items()}
 
 
 def is_seen_from(points: Points, viewpoint: Vector = (0.0, 0.0, 0.0)) -> bool:

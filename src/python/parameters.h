@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "parameter_names.h"
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+/** \brief Enumerations are words in Python. */
+template <typename E>
+struct pybind11::detail::type_caster<E, std::enable_if_t<std::is_enum_v<E>>> {
+  PYBIND11_TYPE_CASTER (E, const_name ("str"));
+
+  bool
+  load (handle source, bool)
+  {
+    for (const auto& [word, meaning] : std::get<Words<E>> (pcl_ops::python::words))
+      if (isinstance<str> (source) && source.equal (str (word))) {
+        value = meaning;
+        return true;
+      }
+    return false;
+  }
+  static handle
+  cast (E meant, return_value_policy, handle)
+  {
+    for (const auto& [word, meaning] : std::get<Words<E>> (pcl_ops::python::words))
+      if (meaning == meant)
+        return str (word).release();
+    return none().release();
+  }
+
+private:
+  template <typename T>
+  using Words = pcl_ops::python::Words<T>;
+};
+
+namespace pcl_ops::python {
+
+namespace py = pybind11;
+
+/** \brief What a parameter has to be, as an annotation. */
+template <typename T>
+std::string
+kindOf ()
+{
+  if constexpr (std::is_assignable_v<T&, std::nullopt_t>)
+    return "Optional[" + kindOf<typename T::value_type>() + "]";
+  else if constexpr (std::is_enum_v<T>) {
+    std::string all;
+    for (const auto& [word, meaning] : std::get<Words<T>> (words))
+      all += (all.empty() ? "'" : ", '") + word + "'";
+    return "Literal[" + all + "]";
+  }
+  else if constexpr (std::is_same_v<T, std::array<double, 2>>)
+    return "Tuple[float, float]";
+  else if constexpr (std::is_same_v<T, std::array<double, 3>>)
+    return "Tuple[float, float, float]";
+  else if constexpr (std::is_arithmetic_v<T>)
+    return std::is_same_v<T, bool> ? "bool" : std::is_integral_v<T> ? "int" : "float";
+  else
+    return "Vector";
+}
+
+/** \brief Defines a struct of parameters, which Python copies, reads and sets. */
+template <typename P>
+py::class_<P>
+defineParameters (py::module_& module, const char* name)
+{
+  return py::class_<P> (module, name)
+      .def (py::init<>())
+      .def (py::init<const P&>())
+      .def ("problem", [] (const P& p) { return validate (p); })
+      .def ("values_and_kinds",
+            [] (P& p) {
+              py::dict all;
+              visit_parameters (p, [&] (const char* key, const auto& member) {
+                using Member = std::decay_t<decltype (member)>;
+                all[key] = py::make_tuple (member, kindOf<Member>());
+              });
+              return all;
+            })
+      .def ("set", [] (P& p, const std::string& wanted, const py::object& value) {
+        visit_parameters (p, [&] (const char* key, auto& member) {
+          if (key == wanted)
+            member = value.cast<std::decay_t<decltype (member)>>();
+        });
+      });
+}
+
+} // namespace pcl_ops::python
