@@ -24,18 +24,16 @@ struct Range {
 
 using Ranges = std::vector<Range>;
 
-const double nan_value = std::nan ("");
-
 /** \brief Below zero, infinite, none at all, and others. */
 std::vector<double>
 notPositive (std::vector<double> others = {})
 {
-  others.insert (others.end(), {-1.0, HUGE_VAL, nan_value});
+  others.insert (others.end(), {-1.0, HUGE_VAL, NAN});
   return others;
 }
 
 const Ranges of_all = {
-    {"up", "up axis", {0.0, nan_value, HUGE_VAL}, {1e-30, 1e30}},
+    {"up", "up axis", {0.0, NAN, HUGE_VAL}, {1e-30, 1e30}},
     {"distance_threshold", "distance threshold", notPositive ({0.0})},
     {"angle_tolerance", "angle tolerance", notPositive ({2.0}), {0.0, 1.5}},
     {"merging_angle_threshold", "merging angle", notPositive ({2.0})},
@@ -74,14 +72,14 @@ const Ranges of_kht = {{"phi_num", "phi_num", {1, 1001}, {2, 1000}},
                        {"clusters_first_level", "s_level", {-1}},
                        {"clusters_max_level", "s_level", {2}, {5, 60}},
                        {"clusters_max_level", "deepest level", {61}},
-                       {"clusters_s_alpha", "s_alpha", {0.0, nan_value}},
-                       {"clusters_s_beta", "s_beta", {0.0, nan_value}},
-                       {"refit_min_share", "smallest share", {-0.1, 2.0, nan_value}}};
+                       {"clusters_s_alpha", "s_alpha", {0.0, NAN}},
+                       {"clusters_s_beta", "s_beta", {0.0, NAN}},
+                       {"refit_min_share", "smallest share", {-0.1, 2.0, NAN}}};
 
 const Ranges of_filter = {
-    {"direction", "direction must", {0.0, nan_value, HUGE_VAL}, {-7.0}},
+    {"direction", "direction must", {0.0, NAN, HUGE_VAL}, {-7.0}},
     {"direction_tolerance", "direction tolerance", notPositive ({2.0}), {0.0}},
-    {"up", "up axis", {0.0, nan_value}, {7.0}},
+    {"up", "up axis", {0.0, NAN}, {7.0}},
     {"slope", "slope", notPositive ({0.05, 2.0}), {0.1, 1.5}},
     {"min_area", "smallest area", notPositive(), {0.0}},
     {"min_width", "smallest width", notPositive(), {0.0}},
