@@ -16,6 +16,7 @@ import sys
 import tarfile
 import tempfile
 import unittest
+import venv
 
 import numpy as np
 import pcl_ops
@@ -106,21 +107,14 @@ class Pages(unittest.TestCase):
                     code = [one for one in code if "import open3d" not in one]
                 with contextlib.redirect_stdout(io.StringIO()):
                     exec(compile("".join(code), str(page), "exec"), known)
-                self.check_recipes(known)
-
-    def check_recipes(self, known):
-        if "rings" in known:
-            features = json.loads(pathlib.Path("planes.geojson").read_text())["features"]
-            self.assertEqual(len(features), len(known["planes"]))
-            for feature, plane in zip(features, known["planes"]):
-                ring = feature["geometry"]["coordinates"][0]
-                self.assertEqual((ring[0], len(ring)), (ring[-1], len(plane.hull) + 1))
-        if "largest" in known:
-            self.assertAlmostEqual(len(known["largest"].points), 12000, delta=50)
-
-
-def files_of(folder):
-    return {path for path in folder.rglob("*") if path.is_file() and path.suffix != ".pyc"}
+                if "rings" in known:
+                    features = json.loads(pathlib.Path("planes.geojson").read_text())["features"]
+                    rings = [one["geometry"]["coordinates"][0] for one in features]
+                    self.assertEqual([len(ring) for ring in rings],
+                                     [len(plane.hull) + 1 for plane in known["planes"]])
+                    self.assertEqual([ring[0] for ring in rings], [ring[-1] for ring in rings])
+                if "largest" in known:
+                    self.assertAlmostEqual(len(known["largest"].points), 12000, delta=50)
 
 
 class Pip(unittest.TestCase):
@@ -129,27 +123,29 @@ class Pip(unittest.TestCase):
         self.addCleanup(temporary.cleanup)
         self.folder = pathlib.Path(temporary.name)
 
+    def files(self):
+        return {path for path in (self.folder / "venv").rglob("*")
+                if path.is_file() and path.suffix != ".pyc"}
+
     def run_python(self, *arguments):
-        command = [self.folder / "venv/bin/python", "-I", *arguments]
-        return subprocess.run(command, check=True, capture_output=True, text=True,
-                              cwd=self.folder).stdout
+        return subprocess.check_output([self.folder / "venv/bin/python", "-I", *arguments],
+                                       text=True, cwd=self.folder)
 
     @unittest.skipUnless(importlib.util.find_spec("ensurepip"), "venv is not installed")
     def test_installs_a_wheel_and_leaves_nothing_behind(self):
         version = build_backend.version()
         wheel = self.folder / build_backend.write_wheel(package, self.folder)
-        subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", "venv"],
-                       cwd=self.folder, check=True)
-        before = files_of(self.folder / "venv")
+        venv.create(self.folder / "venv", system_site_packages=True, with_pip=True)
+        before = self.files()
         self.run_python("-m", "pip", "install", "--no-index", "--no-compile", wheel)
-        new = {path.name for path in files_of(self.folder / "venv") - before}
+        new = {path.name for path in self.files() - before}
         self.assertLessEqual({"__init__.py", "_segmentation.pyi", "py.typed", "LICENSE"}, new)
         said = self.run_python("-c", "import pcl_ops; print(pcl_ops.__version__, pcl_ops.__file__)")
         self.assertRegex(said, rf"^{version} {self.folder}/venv/")
         self.assertRegex(self.run_python("-m", "pip", "show", "pcl_ops"),
                          rf"Version: {version}\n(.*\n)*Requires: numpy\n")
         self.run_python("-m", "pip", "uninstall", "--yes", "pcl_ops")
-        self.assertEqual(files_of(self.folder / "venv"), before)
+        self.assertEqual(self.files(), before)
 
     @unittest.skipUnless((source / ".git").exists(), "no git repository")
     def test_archive_of_sources_has_what_a_build_needs(self):

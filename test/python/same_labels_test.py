@@ -11,35 +11,36 @@ import unittest
 
 import numpy as np
 import pcl_ops
-from scene import las
+from scene import las, room
 
 
-@unittest.skipUnless(shutil.which("pcl_ops_segment"), "the programs are not built")
-class SameLabels(unittest.TestCase):
+class InFolder(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = pathlib.Path(folder.name)
-        cls.run_program("pcl_ops_simulate", "room.pcd", "--width", "320", "--height", "240")
+
+
+@unittest.skipUnless(shutil.which("pcl_ops_segment"), "the programs are not built")
+class SameLabels(InFolder):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.run_program("pcl_ops_simulate room.pcd --width 320 --height 240 --quiet")
         cls.room = pcl_ops.read(cls.folder / "room.pcd")
 
     @classmethod
-    def run_program(cls, *command):
-        subprocess.run([*command, "--quiet"], cwd=cls.folder, check=True)
+    def run_program(cls, command):
+        return subprocess.run(command.split(), cwd=cls.folder, check=True, stdout=-1).stdout
 
-    def by_program(self, *options):
-        """Labels and planes of pcl_ops_segment."""
-        self.run_program("pcl_ops_segment", "room.pcd", "out.pcd", "--planes", "out.json", *options)
-        labels = pcl_ops.read(self.folder / "out.pcd").labels
-        return labels, json.loads((self.folder / "out.json").read_text())["planes"]
-
-    def assertSame(self, *options, **arguments):
-        expected_labels, expected_planes = self.by_program(*options)
+    def assertSame(self, options, **arguments):
+        self.run_program(f"pcl_ops_segment room.pcd out.pcd --planes out.json --quiet {options}")
+        expected_planes = json.loads((self.folder / "out.json").read_text())["planes"]
         points, viewpoint, _ = self.room
         labels, planes = pcl_ops.segment(points, viewpoint=viewpoint, **arguments)
         self.assertGreater(len(planes), 2)
-        np.testing.assert_array_equal(labels, expected_labels)
+        np.testing.assert_array_equal(labels, pcl_ops.read(self.folder / "out.pcd").labels)
         self.assertEqual(len(planes), len(expected_planes))
         for plane, expected in zip(planes, expected_planes):
             self.assertEqual(plane.orientation, expected["orientation"])
@@ -51,31 +52,24 @@ class SameLabels(unittest.TestCase):
                     getattr(plane, name), expected[name], rtol=1e-5, atol=1e-5)
 
     def test_by_each_method_preset_and_parameter(self):
-        for method in ("ops", "fspf", "kht"):
-            for preset in ("default", "paper"):
-                with self.subTest(method=method, preset=preset):
-                    self.assertSame(
-                        "--method", method, "--preset", preset, method=method, preset=preset)
-        self.assertSame("--sampling-rate", "0.01", "--min-inliers", "40",
-                        sampling_rate=0.01, min_inliers=40)
-        self.assertSame("--method", "kht", "--threshold", "0.03",
-                        method="kht", distance_threshold=0.03)
-        self.assertSame("--preset", "paper", "--seed", "7", preset="paper", seed=7)
-        self.assertSame("--up", "0,1,0", up=(0, 1, 0))
-        self.assertSame("--up", "camera", up=pcl_ops.camera_up())
-        self.assertSame(threads=3)
-        self.assertSame(threads=0)
-
-    def test_without_merging_there_are_more_planes(self):
-        merged = pcl_ops.segment(self.room.points, "fspf")[1]
-        apart = pcl_ops.segment(self.room.points, "fspf", merging_enabled=False)[1]
-        self.assertGreater(len(apart), 2 * len(merged))
+        presets = [(f"--method {method} --preset {preset}", {"method": method, "preset": preset})
+                   for method in ("ops", "fspf", "kht") for preset in ("default", "paper")]
+        for options, arguments in (
+            *presets,
+            ("--sampling-rate 0.01 --min-inliers 40", {"sampling_rate": 0.01, "min_inliers": 40}),
+            ("--method kht --threshold 0.03", {"method": "kht", "distance_threshold": 0.03}),
+            ("--preset paper --seed 7", {"preset": "paper", "seed": 7}),
+            ("--up 0,1,0", {"up": (0, 1, 0)}),
+            ("--up camera", {"up": pcl_ops.camera_up()}),
+            ("", {"threads": 3}),
+            ("", {"threads": 0}),
+        ):
+            with self.subTest(options):
+                self.assertSame(options, **arguments)
 
     def test_the_programs_metrics(self):
-        self.by_program()
-        said = json.loads(subprocess.run(
-            ["pcl_ops_evaluate", "compare", "room.pcd", "out.pcd", "--json"],
-            cwd=self.folder, check=True, capture_output=True).stdout)
+        self.assertSame("")
+        said = json.loads(self.run_program("pcl_ops_evaluate compare room.pcd out.pcd --json"))
         points = self.room.points
         result = pcl_ops.segment(points)[0]
         by_labels = pcl_ops.evaluate(self.room.labels, result, points)
@@ -87,12 +81,7 @@ class SameLabels(unittest.TestCase):
         self.assertNotEqual(pcl_ops.evaluate(label, result, points, none=-1), by_labels)
 
 
-class Reader(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
+class Reader(InFolder):
     def file(self, name, text):
         (self.folder / name).write_text(text)
         return self.folder / name
@@ -127,14 +116,10 @@ class Reader(unittest.TestCase):
 
 class Parameters(unittest.TestCase):
     def test_of_a_preset_are_and_give_its_planes(self):
-        draws = np.random.default_rng(1)
-        points = draws.uniform(0, 2, (20000, 3)).astype(np.float32)
-        points[:15000, 2] = 0.5
-        for method, (name, value) in {
-            "ops": ("strategy", "divide_then_detect"),
-            "fspf": ("inner_radius", 0.07),
-            "kht": ("refit_enabled", False),
-        }.items():
+        points = room()
+        for method, name, value in (("ops", "strategy", "divide_then_detect"),
+                                    ("fspf", "inner_radius", 0.07),
+                                    ("kht", "refit_enabled", False)):
             parameters = pcl_ops.parameters(method, "paper")
             self.assertEqual(parameters[name], value)
             self.assertNotEqual(pcl_ops.parameters(method)[name], value)

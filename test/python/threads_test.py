@@ -31,13 +31,12 @@ def ticks_during(call):
         while not done.wait(0.001):
             ticks.append(time.perf_counter())
 
-    thread = threading.Thread(target=tick, daemon=True)
-    thread.start()
-    begin = time.perf_counter()
-    call()
-    end = time.perf_counter()
-    done.set()
-    thread.join()
+    with concurrent.futures.ThreadPoolExecutor(1) as pool:
+        pool.submit(tick)
+        begin = time.perf_counter()
+        call()
+        end = time.perf_counter()
+        done.set()
     return sum(begin < tick < end for tick in ticks)
 
 
