@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+
 #include "fuzz_targets.h"
-#include <pcl_ops/fast_sampling_plane_filtering.h>
-#include <pcl_ops/kernel_hough_transform.h>
-#include <pcl_ops/oriented_point_sampling.h>
+#include "python/parameter_names.h"
+#include "scene.h"
 
 #include <cmath>
-#include <initializer_list>
+#include <cstring>
 #include <limits>
 #include <set>
 
@@ -15,111 +16,266 @@ namespace pcl_ops::fuzz {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t max_points = 1200;
+constexpr std::size_t max_points_of_a_shape = 400;
 
 using Planes = std::vector<PlaneSegment>;
-using Points = pcl::PointCloud<pcl::PointXYZ>;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** Leaves a value as it is for most bytes, else takes another. */
-template <typename Target, typename Value>
+/** \brief Numbers from bytes, one after the other; zeros after the last, so that any
+ * bytes mean something. */
+class ByteReader {
+public:
+  explicit ByteReader (const Bytes& bytes) : bytes_ (bytes) {}
+
+  bool
+  isAtEnd () const
+  {
+    return next_ >= bytes_.size();
+  }
+
+  template <typename Number>
+  Number
+  take ()
+  {
+    std::uint8_t raw[sizeof (Number)] = {};
+    for (std::uint8_t& byte : raw)
+      byte = isAtEnd() ? std::uint8_t (0) : bytes_[next_++];
+    Number number;
+    std::memcpy (&number, raw, sizeof (Number));
+    return number;
+  }
+
+  /** \brief 0 .. bound - 1 */
+  std::size_t
+  below (std::size_t bound)
+  {
+    return take<std::uint16_t>() % bound;
+  }
+
+private:
+  const Bytes& bytes_;
+  std::size_t next_ = 0;
+};
+
+/** What numbers may become. */
+const std::map<std::string, std::vector<double>> other_values = {
+    {"distance_threshold", {1e-30, 1e-3, 0.5, 1e30, 0.0, -1.0, nan}},
+    {"seed", {0, 1, 4294967295}},
+    {"angle_tolerance", {0.0, 0.5, 1.5, 2.0, nan}},
+    {"merging_angle_threshold", {0.0, 0.5, 1.5, -1.0, nan}},
+    {"merging_distance_threshold", {0.0, 1e-30, 1.0, 1e30, nan}},
+    {"merging_noise_factor", {0.0, 1.0, 1e30, nan}},
+    {"up", {1.0, 1e-40, 1e30, nan}},
+    {"sampling_rate", {1e-9, 0.001, 0.3, 1.0, 0.0, 2.0, nan}},
+    {"k", {2, 3, 100, 2147483647, 1, -1}},
+    {"min_inliers", {0, 1, 3, 200, 4294967295}},
+    {"normal_sigma", {1e-30, 0.01, 1e30, 0.0, nan}},
+    {"probability", {1e-9, 0.5, 0.999999999, 1.0, nan}},
+    {"surfels_voxel_size", {1e-40, 1e-6, 0.01, 1.0, 1e9, 1e38, 0.0, nan}},
+    {"surfels_resolutions", {1, 2, 10, 0, 11}},
+    {"surfels_min_average_voxels", {0.0, 1.0, 1000.0, 1e300, -1.0, nan}},
+    {"surfels_noise_factor", {0.0, 0.1, 100.0, 1e300, nan}},
+    {"surfels_angle_threshold", {0.0, 0.01, 1.5, 2.0, nan}},
+    {"surfels_sure_thickness", {0.0, 0.01, 1.0, 2.0, nan}},
+    {"surfels_max_thickness", {0.0, 0.01, 1.0, 2.0, nan}},
+    {"surfels_absorption_noise_factor", {0.0, 100.0, 1e300, nan}},
+    {"surfels_assignment_noise_factor", {0.0, 0.1, 100.0, 1e300, nan}},
+    {"inner_radius", {1e-30, 0.01, 1.0, 1e30, 1e-310, nan}},
+    {"outer_radius", {0.01, 0.5, 1.0, 1e30, 0.0, nan}},
+    {"local_samples", {3, 10, 1000, 4294967295, 2}},
+    {"min_inlier_fraction", {0.0, 0.3, 0.999, 1.0, nan}},
+    {"max_inliers_per_point", {0.1, 5.0, 1e30, 0.0, nan}},
+    {"max_hypotheses_per_point", {0.01, 3.0, 0.0, nan}},
+    {"max_visits_per_point", {1.0, 500.0, 0.0, nan}},
+    {"phi_num", {2, 3, 7, 180, 1, 1001}},
+    {"rho_num", {2, 3, 50, 2000, 1, 10001}},
+    {"clusters_min_samples", {3, 10, 0}},
+    {"clusters_first_level", {0, 1, 6, 20, -1}},
+    {"clusters_s_alpha", {1e-3, 1.0, 1e9, 0.0, nan}},
+    {"clusters_s_beta", {1e-3, 1.0, 1e9, 0.0, nan}},
+    {"clusters_max_level", {0, 5, 30, 1000, 2147483647}},
+    {"refit_min_share", {0.0, 0.5, 1.0, 2.0, nan}}};
+
+/** Leaves each parameter but two as it is for most bytes, else takes another value. */
+template <typename Parameters>
 void
-vary (ByteReader& bytes, Target& target, std::initializer_list<Value> others)
+vary (ByteReader& bytes, Parameters& parameters)
+{
+  python::visit_parameters (parameters, [&] (const std::string& name, auto& value) {
+    using Value = std::decay_t<decltype (value)>;
+    if (name == "threads" || name == "sampling")
+      return;
+    const auto chosen = bytes.take<std::uint8_t>();
+    if (chosen < 128)
+      return;
+    const auto other_of = [&] (const auto& all) { return all[chosen % all.size()]; };
+    if constexpr (std::is_enum_v<Value>)
+      value = other_of (std::get<python::Words<Value>> (python::words)).second;
+    else if constexpr (std::is_same_v<Value, bool>)
+      value = chosen % 2 == 1;
+    else if constexpr (std::is_same_v<Value, Eigen::Vector3f>)
+      value.x() = static_cast<float> (other_of (other_values.at (name)));
+    else
+      value = static_cast<Value> (other_of (other_values.at (name)));
+  });
+}
+
+/** One shape: where, how large, how many points, and a seed for the rest. */
+struct Shape {
+  enum Kind {
+    Plane,
+    NoisyPlane,
+    Line,
+    Ball,
+    Dust,
+    EqualPoints,
+    Lattice,
+    AnyBits,
+    FarPoint,
+    NotFinite,
+    LogUniform,
+    PointsAgain,
+    kinds
+  };
+
+  explicit Shape (ByteReader& bytes)
+  : kind (static_cast<Kind> (bytes.below (kinds)))
+  , count (1 + bytes.below (max_points_of_a_shape))
+  , generator (bytes.take<std::uint16_t>())
+  {
+    for (int axis = 0; axis < 3; ++axis)
+      place[axis] = 0.05 * bytes.take<std::int8_t>();
+    size = 0.02 * (1 + bytes.take<std::uint8_t>());
+    const double tilt = bytes.take<std::uint8_t>() * pi / 128.0;
+    const double turn = bytes.take<std::uint8_t>() * pi / 128.0;
+    frame = Eigen::AngleAxisd (turn, Eigen::Vector3d::UnitZ()) *
+            Eigen::AngleAxisd (tilt, Eigen::Vector3d::UnitX());
+  }
+
+  double
+  draw ()
+  {
+    return size * (2.0 * drawUnit (generator) - 1.0);
+  }
+
+  Eigen::Vector3d
+  pointInItsFrame (std::size_t i)
+  {
+    switch (kind) {
+    case Plane:
+      return {draw(), draw(), 0.0};
+    case NoisyPlane:
+      return {draw(), draw(), 0.01 * draw()};
+    case Line:
+      return {draw(), 0.0, 0.0};
+    case Ball:
+      return size * Eigen::Vector3d (draw(), draw(), draw()).normalized();
+    case Dust:
+      return {draw(), draw(), draw()};
+    case Lattice:
+      return 0.1 * size * Eigen::Vector3d (i % 10, i / 10 % 10, i / 100);
+    case LogUniform:
+      return std::pow (10.0, 6.0 * draw()) * Eigen::Vector3d (draw(), draw(), draw());
+    default:
+      return Eigen::Vector3d::Zero();
+    }
+  }
+
+  Kind kind;
+  std::size_t count;
+  RandomGenerator generator;
+  Eigen::Vector3d place;
+  double size;
+  Eigen::Quaterniond frame;
+};
+
+void
+addShape (ByteReader& bytes, Cloud& cloud)
+{
+  Shape shape (bytes);
+  if (shape.kind == Shape::FarPoint)
+    cloud.push_back (toPoint (std::pow (10.0, 38.0 * shape.size / 5.12) * shape.place));
+  else if (shape.kind == Shape::NotFinite)
+    cloud.push_back ({std::numeric_limits<float>::quiet_NaN(),
+                      std::numeric_limits<float>::infinity(),
+                      static_cast<float> (shape.size)});
+  else if (shape.kind == Shape::AnyBits)
+    for (std::size_t i = 0; i < shape.count && !bytes.isAtEnd(); ++i) {
+      const float x = bytes.take<float>(), y = bytes.take<float>();
+      cloud.push_back ({x, y, bytes.take<float>()});
+    }
+  else if (shape.kind == Shape::PointsAgain)
+    for (std::size_t i = 0, size = cloud.size(); i < std::min (size, shape.count); ++i)
+      cloud.push_back (cloud[i]);
+  else
+    for (std::size_t i = 0; i < shape.count; ++i)
+      cloud.push_back (toPoint (shape.place + shape.frame * shape.pointInItsFrame (i)));
+}
+
+pcl::IndicesPtr
+indicesFrom (ByteReader& bytes, std::size_t points)
+{
+  const std::size_t kind = bytes.below (16);
+  RandomGenerator generator (bytes.take<std::uint16_t>());
+  if (kind < 12)
+    return nullptr;
+  auto indices = pcl::make_shared<pcl::Indices>();
+  for (std::size_t i = 0; i < points; ++i)
+    if (kind != 12 || i % 3 == 0)
+      indices->push_back (kind < 14
+                              ? static_cast<pcl::index_t> (i)
+                              : static_cast<pcl::index_t> (drawBelow (
+                                    generator, static_cast<std::uint32_t> (points))));
+  if (kind == 15)
+    indices->push_back (static_cast<pcl::index_t> (generator()));
+  return indices;
+}
+
+/** 1 for most bytes, else 1e-45 to 1e38. */
+double
+scaleFrom (ByteReader& bytes)
 {
   const auto chosen = bytes.take<std::uint8_t>();
-  if (chosen >= 128)
-    target = *(others.begin() + chosen % others.size());
+  return chosen < 168 ? 1.0 : std::pow (10.0, chosen - 168 - 45);
 }
 
-void
-vary (ByteReader& bytes, PlaneDetectorParameters& parameters)
-{
-  vary (bytes, parameters.distance_threshold, {1e-30, 1e-3, 0.5, 1e30, 0.0, -1.0, nan});
-  vary (bytes, parameters.seed, {0u, 1u, 4294967295u});
-  vary (bytes, parameters.angle_tolerance, {0.0, 0.5, 1.5, 2.0, nan});
-  vary (bytes, parameters.merging.enabled, {false, true});
-  vary (bytes, parameters.merging.angle_threshold, {0.0, 0.5, 1.5, -1.0, nan});
-  vary (bytes, parameters.merging.distance_threshold, {0.0, 1e-30, 1.0, 1e30, nan});
-  vary (bytes, parameters.merging.noise_factor, {0.0, 1.0, 1e30, nan});
-  vary (bytes, parameters.up_axis.x(), {1.0f, 1e-40f, 1e30f, std::nanf ("")});
-}
+/** \brief A cloud and which of its points to use. */
+struct FuzzedCloud {
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud;
+  /** \brief None: the whole cloud. May be outside of it, double, or without order. */
+  pcl::IndicesPtr indices;
+};
 
-void
-vary (ByteReader& bytes, OrientedPointSamplingParameters::Surfels& surfels)
+/** \brief Up to some 4,000 points as bytes say: planes, lines, balls, lattices, dust,
+ * equal points, any bits as floats, points far away, not finite ones, all of it shrunk,
+ * magnified or moved off. Bytes that were points themselves would hardly ever lie on a
+ * plane. */
+FuzzedCloud
+cloudFrom (ByteReader& bytes)
 {
-  vary (bytes, surfels.voxel_size, {1e-40, 1e-6, 0.01, 1.0, 1e9, 1e38, 0.0, nan});
-  vary (bytes, surfels.resolutions, {1, 2, 10, 0, 11});
-  vary (bytes, surfels.min_average_voxels, {0.0, 1.0, 1000.0, 1e300, -1.0, nan});
-  vary (bytes, surfels.noise_factor, {0.0, 0.1, 100.0, 1e300, nan});
-  vary (bytes, surfels.angle_threshold, {0.0, 0.01, 1.5, 2.0, nan});
-  vary (bytes, surfels.sure_thickness, {0.0, 0.01, 1.0, 2.0, nan});
-  vary (bytes, surfels.max_thickness, {0.0, 0.01, 1.0, 2.0, nan});
-  vary (bytes, surfels.absorption_noise_factor, {0.0, 100.0, 1e300, nan});
-  vary (bytes, surfels.assignment_noise_factor, {0.0, 0.1, 100.0, 1e300, nan});
-}
-
-void
-vary (ByteReader& bytes, OrientedPointSamplingParameters& parameters)
-{
-  vary (bytes, static_cast<PlaneDetectorParameters&> (parameters));
-  vary (bytes, parameters.sampling_rate, {1e-9, 0.001, 0.3, 1.0, 0.0, 2.0, nan});
-  vary (bytes, parameters.k, {2, 3, 100, 2147483647, 1, -1});
-  vary (bytes, parameters.paper_only.normal_sigma, {1e-30, 0.01, 1e30, 0.0, nan});
-  vary (bytes, parameters.min_inliers, {0u, 1u, 3u, 200u, 4294967295u});
-  vary (bytes, parameters.paper_only.probability, {1e-9, 0.5, 0.999999999, 1.0, nan});
-  vary (bytes,
-        parameters.paper_only.strategy,
-        {PaperParameters::Strategy::DetectThenDivide,
-         PaperParameters::Strategy::DivideThenDetect});
-  vary (bytes,
-        parameters.paper_only.verification,
-        {PaperParameters::Verification::Samples,
-         PaperParameters::Verification::AllPoints});
-  vary (bytes,
-        parameters.paper_only.assignment_rule,
-        {AssignmentRule::First, AssignmentRule::Nearest});
-  vary (bytes, parameters.paper_only.local_optimization, {false, true});
-  vary (bytes, parameters.surfels);
-}
-
-void
-vary (ByteReader& bytes, FastSamplingPlaneFilteringParameters& parameters)
-{
-  vary (bytes, static_cast<PlaneDetectorParameters&> (parameters));
-  FastSamplingPlaneFilteringParameters::Local& local = parameters.local;
-  vary (bytes, local.inner_radius, {1e-30, 0.01, 1.0, 1e30, 1e-310, nan});
-  vary (bytes, local.outer_radius, {0.01, 0.5, 1.0, 1e30, 0.0, nan});
-  vary (bytes, local.local_samples, {3u, 10u, 1000u, 4294967295u, 2u});
-  vary (bytes, local.min_inlier_fraction, {0.0, 0.3, 0.999, 1.0, nan});
-  vary (bytes,
-        local.inliers,
-        {FastSamplingPlaneFilteringParameters::Local::Inliers::Sphere,
-         FastSamplingPlaneFilteringParameters::Local::Inliers::Samples});
-  vary (bytes, local.max_inliers_per_point, {0.1, 5.0, 1e30, 0.0, nan});
-  vary (bytes, local.max_hypotheses_per_point, {0.01, 3.0, 0.0, nan});
-  vary (bytes, local.max_visits_per_point, {1.0, 500.0, 0.0, nan});
-}
-
-void
-vary (ByteReader& bytes, KernelHoughTransformParameters& parameters)
-{
-  vary (bytes, static_cast<PlaneDetectorParameters&> (parameters));
-  vary (bytes, parameters.phi_num, {2, 3, 7, 180, 1, 1001});
-  vary (bytes, parameters.rho_num, {2, 3, 50, 2000, 1, 10001});
-  KernelHoughTransformParameters::Clusters& clusters = parameters.clusters;
-  vary (bytes,
-        clusters.min_samples,
-        {std::size_t (3), std::size_t (10), std::size_t (0)});
-  vary (bytes, clusters.first_level, {0, 1, 6, 20, -1});
-  vary (bytes, clusters.max_level, {0, 5, 30, 1000, 2147483647});
-  vary (bytes, clusters.s_alpha, {1e-3, 1.0, 1e9, 0.0, nan});
-  vary (bytes, clusters.s_beta, {1e-3, 1.0, 1e9, 0.0, nan});
-  vary (bytes, parameters.refit.enabled, {false, true});
-  vary (bytes, parameters.refit.min_share, {0.0, 0.5, 1.0, 2.0, nan});
+  const double scale = scaleFrom (bytes);
+  const double shift = bytes.take<std::uint8_t>() < 192
+                           ? 0.0
+                           : std::pow (10.0, bytes.take<std::uint8_t>() % 12);
+  ByteReader before_shapes = bytes;
+  bytes.take<std::uint32_t>();
+  FuzzedCloud fuzzed{pcl::make_shared<Cloud>(), nullptr};
+  while (!bytes.isAtEnd() && fuzzed.cloud->size() < max_points)
+    addShape (bytes, *fuzzed.cloud);
+  for (pcl::PointXYZ& point : *fuzzed.cloud)
+    point.getVector3fMap() =
+        (scale * point.getVector3fMap().cast<double>().array() + shift)
+            .matrix()
+            .cast<float>();
+  fuzzed.indices = indicesFrom (before_shapes, fuzzed.cloud->size());
+  return fuzzed;
 }
 
 /** Planes by falling size with ascending indices of finite points, each of one plane
  * alone, and finite unit normals. */
 void
-promiseOrderedPlanes (const Planes& planes, const Points& cloud)
+promiseOrderedPlanes (const Planes& planes, const Cloud& cloud)
 {
   std::vector<bool> is_taken (cloud.size(), false);
   std::size_t last_size = cloud.size();
