@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "options.h"
 #include "phases.h"
+#include "plan.h"
 #include "planes_json.h"
 #include "ranks.h"
+#include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <cli/progress.h>
@@ -32,6 +33,102 @@ namespace fs = std::filesystem;
 namespace pcl_ops::apps {
 
 namespace {
+
+constexpr const char* program_name = "pcl_ops_tiles";
+
+struct TilesOptions {
+  std::vector<std::string> inputs;
+  std::string output_dir;
+  PlanOptions plan;
+  PlanesOutput planes;
+  /** \brief Where the plan is; empty for the folder of outputs. */
+  std::string plan_file;
+  /** \brief Tiles at a time; 0: as many as there are processors. */
+  unsigned jobs = 1;
+  bool dry_run = false, quiet = false;
+};
+
+constexpr const char* summary =
+    "Finds the planes of a survey that is larger than the memory, in tiles, and "
+    "labels\n"
+    "every point with its plane, the same ones for any number of jobs and ranks.";
+
+constexpr const char* in_and_out =
+    "  INPUT       tiles in one frame, folders, patterns: .las (.laz by LASzip), "
+    "which\n"
+    "              are never whole in memory, .pcd, .ply, .xyz, .txt, .pts or .csv; "
+    "they\n"
+    "              may overlap\n"
+    "  DIR/NAME    each input with its labels (0: no plane, 1: the largest, ...)\n"
+    "  DIR/planes.json  all planes\n"
+    "  DIR/work    what a run that was stopped goes on from; at the end the plan is "
+    "left\n"
+    "  mpirun -n 4 pcl_ops_tiles ...  shares the work among processes, all of which "
+    "see\n"
+    "              the same files\n"
+    "  exit code   0 done; 1 failed; 2 wrong usage\n"
+    "Lengths are in the unit of the inputs, meters by default.\n";
+
+void
+checkPlanes (const CommandLine& line, PlanesOutput& planes)
+{
+  checkExtension ("--planes", planes.file, {".geojson", ".csv", ".json"});
+  finishChoice (line, planes.choice);
+  checkMap (line, planes.file);
+  if (const auto given = line.givenOf (title_of_choice);
+      !given.empty() && planes.file.empty() && planes.image.empty())
+    throw UsageError ("--" + given.front(), "is about --planes FILE; give it, too");
+  checkExtension ("--image", planes.image, {".png"});
+}
+
+/** \brief \return false if --help or --version was answered and nothing is left to do
+ * \throws UsageError */
+bool
+readOptions (int argc, const char* const* argv, TilesOptions& options)
+{
+  constexpr double most_jobs = 256;
+  CommandLine line (program_name, summary, PCL_OPS_VERSION);
+  line.setUsage ({"INPUT... --output-dir DIR [options]"}, in_and_out);
+  line.addArguments ("INPUT", options.inputs, "");
+  line.addText ("output-dir", "DIR", options.output_dir, "where the outputs go");
+  line.addNumber ("cell",
+                  "M",
+                  Range::above (0),
+                  options.plan.cell,
+                  "edge of a cell (by the density: some 20 points in one)");
+  line.addNumber ("tile",
+                  "M",
+                  Range::above (0),
+                  options.plan.tile,
+                  "edge of a tile, rounded to 4 cells (256 cells)");
+  line.addNumber ("jobs",
+                  "N",
+                  Range::from (0).upTo (most_jobs),
+                  options.jobs,
+                  "tiles at a time; 0: one for each processor (1)");
+  line.addText ("plan",
+                "FILE",
+                options.plan_file,
+                "the plan to follow; written if there is none (DIR/work/plan.json)");
+  line.addText ("planes",
+                "FILE",
+                options.planes.file,
+                "write planes, all or those to keep: .geojson, .csv or .json");
+  line.addText ("image",
+                "FILE.png",
+                options.planes.image,
+                "draw the same planes from above, by plane and by orientation");
+  declareMap (line, options.planes.map);
+  line.addFlag ("dry-run", options.dry_run, "print the plan, and do nothing");
+  line.addFlag ("quiet", options.quiet, "print nothing");
+  declareChoice (line, options.planes.choice);
+  if (!line.parse (argc, argv))
+    return false;
+  if (options.output_dir.empty())
+    throw UsageError ("--output-dir", "is missing; give a folder for the outputs");
+  checkPlanes (line, options.planes);
+  return true;
+}
 
 bool
 isUtf8 (const std::string& text)
@@ -112,8 +209,8 @@ checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& opt
     checkWritable (output);
   }
   input_of.emplace (resolvedName (folder.output (planes_file)), "");
-  for (const auto& [option, file] :
-       {std::pair ("--planes", options.planes), std::pair ("--image", options.image)}) {
+  for (const auto& [option, file] : {std::pair ("--planes", options.planes.file),
+                                     std::pair ("--image", options.planes.image)}) {
     if (file.empty())
       continue;
     const std::string resolved = resolvedName (file);
@@ -150,54 +247,42 @@ public:
   std::string
   run ()
   {
-    shareInputs ("sorted", partitionInput, [this] (std::size_t i) {
-      return isThere (folder_.cells (i));
+    std::vector<std::uint64_t> points_of_input;
+    for (const PlannedInput& input : plan_.inputs)
+      points_of_input.push_back (input.points);
+    const auto is_sorted = [&] (std::size_t i) { return isThere (folder_.cells (i)); };
+    share (points_of_input, "inputs sorted", is_sorted, [&] (std::size_t i) {
+      inMemory (plan_.inputs[i].file, "give fewer --jobs", [&] {
+        partitionInput (plan_, folder_, i);
+      });
     });
+    finish ("sorted");
     const SortedPoints points (plan_, folder_);
-    detectPlanes (points);
-    if (ranks_.rank() == 0 && !isThere (folder_.work (run_file::list)))
+    const auto is_found = [&] (std::size_t i) {
+      return isThere (folder_.ofTile (points.tiles[i], ".planes"));
+    };
+    share (points.points_of_tile, "tiles", is_found, [&] (std::size_t i) {
+      inMemory ("--tile", "give a smaller one or fewer --jobs", [&] {
+        detectTile (plan_, folder_, points, points.tiles[i]);
+      });
+    });
+    finish ("planes found");
+    if (ranks_.rank == 0 && !isThere (folder_.work (run_file::list)))
       joinTiles (plan_, folder_, points);
     finish ("joined");
-    shareInputs ("labelled", labelInput, [this] (std::size_t i) {
+    const auto is_labelled = [&] (std::size_t i) {
       return isThere (folder_.mark (i)) && isThere (outputOf (plan_, folder_, i));
+    };
+    share (points_of_input, "inputs labelled", is_labelled, [&] (std::size_t i) {
+      inMemory (plan_.inputs[i].file, "give fewer --jobs", [&] {
+        labelInput (plan_, folder_, i);
+      });
     });
+    finish ("labelled");
     return times_;
   }
 
 private:
-  /** \brief A phase that does each input for itself. */
-  void
-  shareInputs (const std::string& phase,
-               void (*work) (const Plan&, const RunFolder&, std::size_t),
-               const std::function<bool (std::size_t)>& is_done)
-  {
-    std::vector<std::uint64_t> points;
-    for (const PlannedInput& input : plan_.inputs)
-      points.push_back (input.points);
-    share (points, "inputs " + phase, is_done, [&] (std::size_t i) {
-      inMemory (
-          plan_.inputs[i].file, "give fewer --jobs", [&] { work (plan_, folder_, i); });
-    });
-    finish (phase);
-  }
-
-  void
-  detectPlanes (const SortedPoints& points)
-  {
-    share (
-        points.points_of_tile,
-        "tiles",
-        [&] (std::size_t i) {
-          return isThere (folder_.ofTile (points.tiles[i], ".planes"));
-        },
-        [&] (std::size_t i) {
-          inMemory ("--tile", "give a smaller one or fewer --jobs", [&] {
-            detectTile (plan_, folder_, points, points.tiles[i]);
-          });
-        });
-    finish ("planes found");
-  }
-
   /** \brief Waits until all ranks are through a phase. */
   void
   finish (const std::string& phase)
@@ -211,25 +296,20 @@ private:
     start_ = now;
   }
 
-  /** \brief Does this rank's share of the parts of a phase.
-   * \param[in] parts how much work each is
-   * \param[in] is_done whether a part is */
+  /** \brief Does this rank's share of the parts of a phase that are not done.
+   * \param[in] parts how much work each is */
   void
   share (const std::vector<std::uint64_t>& parts,
          const std::string& noun,
          const std::function<bool (std::size_t)>& is_done,
          const std::function<void (std::size_t)>& work)
   {
-    std::vector<std::size_t> own;
-    for (const std::size_t part : shareOf (static_cast<std::size_t> (ranks_.rank()),
-                                           static_cast<std::size_t> (ranks_.size()),
-                                           parts))
-      if (!is_done (part))
-        own.push_back (part);
+    std::vector<std::size_t> own = shareOf (ranks_.rank, ranks_.size, parts);
+    own.erase (std::remove_if (own.begin(), own.end(), is_done), own.end());
     const bool is_terminal = ::isatty (STDERR_FILENO) == 1;
     Progress progress (own.size(),
                        std::cerr,
-                       ranks_.rank() == 0 && !options_.quiet
+                       ranks_.rank == 0 && !options_.quiet
                            ? progressStyleOf (is_terminal)
                            : ProgressStyle::None,
                        noun);
@@ -265,13 +345,6 @@ isDone (const Plan& plan, const RunFolder& folder)
   return all_are_there;
 }
 
-/** \brief The plan of a run that has none yet. \throws WorkError as \ref makePlan */
-Plan
-newPlan (const TilesOptions& options)
-{
-  return makePlan (inputsOf (options), options.plan);
-}
-
 PlanFile
 planFileOf (const RunFolder& folder)
 {
@@ -299,8 +372,8 @@ preparePlan (const TilesOptions& options, const RunFolder& folder)
   };
   const Plan plan = isThere (named.name) ? earlier (named)
                     : has_own            ? earlier (own)
-                                         : newPlan (options);
-  if (has_own && !isSame (loadPlan (own), plan))
+                                         : makePlan (inputsOf (options), options.plan);
+  if (has_own && toText (loadPlan (own)) != toText (plan))
     throw WorkError (own.name, "is another plan than " + named.name + "; " + own.mend);
   checkClashes (plan, folder, options);
   if (!has_own)
@@ -308,7 +381,7 @@ preparePlan (const TilesOptions& options, const RunFolder& folder)
   folder.make();
   for (const PlanFile& file : {named, own})
     if (!isThere (file.name))
-      savePlan (file.name, plan);
+      writeTextFile (file.name, toText (plan));
 }
 
 /** \brief Does what the command line asks for, together with all other ranks: plan,
@@ -321,10 +394,10 @@ findInTiles (int argc, const char* const* argv, const Ranks& ranks)
   if (!readOptions (argc, argv, options))
     return ExitCode::done;
   const RunFolder folder{options.output_dir};
-  const bool is_first = ranks.rank() == 0, speaks = is_first && !options.quiet;
+  const bool is_first = ranks.rank == 0, speaks = is_first && !options.quiet;
   if (options.dry_run) {
     if (is_first)
-      std::cout << textOf (newPlan (options)) << "\n";
+      std::cout << textOf (makePlan (inputsOf (options), options.plan)) << "\n";
     return ExitCode::done;
   }
   std::optional<FolderLock> lock;
@@ -348,7 +421,8 @@ findInTiles (int argc, const char* const* argv, const Ranks& ranks)
   if (!is_done)
     folder.finish();
   folder.clean();
-  const std::string planes = saveChosenPlanes (folder.output (planes_file), options);
+  const std::string planes =
+      saveChosenPlanes (folder.output (planes_file), options.planes);
   if (speaks)
     std::cout << times << options.output_dir
               << ": the labelled inputs and planes.json, " << planes << "\n";

@@ -21,7 +21,6 @@
 #include <fstream>
 #include <set>
 #include <sstream>
-#include <tuple>
 
 namespace fs = std::filesystem;
 
@@ -31,7 +30,7 @@ namespace {
 
 /** \brief Of what the phases of a run leave for each other: one more with each change.
  */
-constexpr int format_of_files = 3;
+constexpr int format_of_files = 4;
 
 PlannedInput
 stateOf (const std::string& file)
@@ -67,28 +66,6 @@ sorted (std::vector<std::string> files)
   return files;
 }
 
-/** \brief Adds what an input says of itself.
- * \param[in,out] usual where the points of the first input are usually */
-void
-lookAt (const std::string& file,
-        std::size_t samples,
-        Plan& plan,
-        std::vector<std::vector<Eigen::Vector3d>>& places,
-        std::optional<Eigen::Vector3d>& usual)
-{
-  PointFile points (file);
-  const std::string problem = points.problemOfLabels();
-  if (!problem.empty())
-    throw WorkError (file, problem);
-  const auto place = [&points] (std::uint64_t i) { return points.place (i); };
-  PlannedInput input = stateOf (file);
-  input.points = points.size();
-  plan.inputs.push_back (input);
-  places.push_back (somePlaces (input.points, place, samples));
-  if (!usual)
-    usual = usualPlace (input.points, place);
-}
-
 std::int64_t
 cellsOfTile (const PlanOptions& options, double cell)
 {
@@ -120,52 +97,12 @@ checkReach (const TileGrid& grid,
       std::count_if (places.begin(), places.end(), [&grid] (const auto& place) {
         return grid.reaches (place);
       });
-  if (static_cast<double> (reached) >=
-      fewest_reached * static_cast<double> (places.size()))
+  if (double (reached) >= fewest_reached * double (places.size()))
     return;
   std::ostringstream text;
   text << "cells of " << grid.cell() << " reach " << grid.reach() << " from zero, and "
        << file << " has points farther away; give a larger one";
   throw UsageError ("--cell", text.str());
-}
-
-CellKey
-cellNear (const Eigen::Vector3d& place, double cell)
-{
-  constexpr auto step = TileGrid::cells_of_coarsest;
-  CellKey key{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    key[axis] = step * static_cast<std::int64_t> (
-                           std::llround (place[static_cast<Eigen::Index> (axis)] /
-                                         (static_cast<double> (step) * cell)));
-  return key;
-}
-
-std::uint64_t
-tilesOf (const TileGrid& grid, const std::vector<Eigen::Vector3d>& places)
-{
-  std::set<TileKey> tiles;
-  for (const Eigen::Vector3d& place : places)
-    if (grid.reaches (place))
-      tiles.insert (grid.tileOf (grid.cellOf (place)));
-  return tiles.size();
-}
-
-std::string
-jsonOf (const Plan& plan)
-{
-  nlohmann::ordered_json json;
-  json["format"] = format_of_files;
-  json["cell"] = plan.cell;
-  json["cells_of_tile"] = plan.cells_of_tile;
-  json["place"] = plan.place;
-  json["likely_tiles"] = plan.likely_tiles;
-  for (const PlannedInput& input : plan.inputs)
-    json["inputs"].push_back ({{"file", input.file},
-                               {"bytes", input.bytes},
-                               {"written", input.written},
-                               {"points", input.points}});
-  return jsonText (json);
 }
 
 bool
@@ -185,28 +122,64 @@ unroundedEdgeFor (const std::vector<Eigen::Vector3d>& places,
 {
   constexpr double points_of_cell = 20.0;
   pcl::PointCloud<pcl::PointXYZ> near_zero;
-  for (const Eigen::Vector3d& place : places) {
-    const Eigen::Vector3f local = (place - zero).cast<float>();
-    near_zero.push_back ({local.x(), local.y(), local.z()});
-  }
+  near_zero.resize (places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    near_zero[i].getVector3fMap() = (places[i] - zero).cast<float>();
   return voxelSizeFor (CloudView (near_zero),
                        std::max (1.0, static_cast<double> (points) / points_of_cell));
 }
 
+/** \brief What inputs say of themselves. */
+struct Samples {
+  std::vector<PlannedInput> inputs;
+  /** \brief Some of each. */
+  std::vector<std::vector<Eigen::Vector3d>> places;
+  /** \brief Where the points of the first input are usually. */
+  std::optional<Eigen::Vector3d> usual;
+};
+
+Samples
+lookAt (const std::vector<std::string>& files)
+{
+  constexpr std::size_t most = 16384, fewest = 64;
+  const std::size_t wanted =
+      std::max (fewest, most / std::max<std::size_t> (1, files.size()));
+  Samples samples;
+  for (const std::string& file : files) {
+    if (isEmptyLas (file)) {
+      warn (file + ": has no points; it is left out");
+      continue;
+    }
+    PointFile points (file);
+    if (const std::string problem = points.problemOfLabels(); !problem.empty())
+      throw WorkError (file, problem);
+    const auto place = [&points] (std::uint64_t i) { return points.place (i); };
+    samples.inputs.push_back (stateOf (file));
+    samples.inputs.back().points = points.size();
+    samples.places.push_back (somePlaces (points.size(), place, wanted));
+    if (!samples.usual)
+      samples.usual = usualPlace (points.size(), place);
+  }
+  return samples;
+}
+
 /** \brief Of places of each input so many that all inputs are as densely sampled. */
 std::vector<Eigen::Vector3d>
-evenSample (const std::vector<std::vector<Eigen::Vector3d>>& places, const Plan& plan)
+evenSample (const Samples& samples)
 {
+  const auto& [inputs, places, usual] = samples;
+  const auto points_of = [&inputs = inputs] (std::size_t i) {
+    return static_cast<double> (inputs[i].points);
+  };
   // What the densest input has to say limits all.
   double per_point = 1.0;
   for (std::size_t i = 0; i < places.size(); ++i)
-    per_point = std::min (per_point,
-                          static_cast<double> (places[i].size()) /
-                              static_cast<double> (plan.inputs[i].points));
+    per_point =
+        std::min (per_point, static_cast<double> (places[i].size()) / points_of (i));
   std::vector<Eigen::Vector3d> even;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto wanted = static_cast<std::size_t> (
-        std::ceil (per_point * static_cast<double> (plan.inputs[i].points)));
+    const auto wanted =
+        static_cast<std::size_t> (std::ceil (per_point * points_of (i)));
     const std::size_t count = std::min (wanted, places[i].size());
     for (std::size_t k = 0; k < count; ++k)
       even.push_back (places[i][k * places[i].size() / count]);
@@ -223,12 +196,6 @@ hasChanged (const PlannedInput& input)
   return input.bytes != now.bytes || input.written != now.written;
 }
 
-bool
-isSame (const Plan& a, const Plan& b)
-{
-  return jsonOf (a) == jsonOf (b);
-}
-
 std::uint64_t
 Plan::points() const
 {
@@ -241,36 +208,43 @@ Plan::points() const
 Plan
 makePlan (std::vector<std::string> files, const PlanOptions& options)
 {
-  constexpr std::size_t most_samples = 16384, fewest_samples = 64;
-  const std::size_t samples =
-      std::max (fewest_samples, most_samples / std::max<std::size_t> (1, files.size()));
-  Plan plan;
-  std::vector<std::vector<Eigen::Vector3d>> places;
-  std::optional<Eigen::Vector3d> usual;
-  for (const std::string& file : sorted (std::move (files))) {
-    if (isEmptyLas (file)) {
-      warn (file + ": has no points; it is left out");
-      continue;
-    }
-    lookAt (file, samples, plan, places, usual);
-  }
+  const Samples samples = lookAt (sorted (std::move (files)));
+  const auto& [inputs, places, usual] = samples;
   if (!usual)
     throw WorkError ("INPUT", "has no points in any file; give clouds that have");
-  const std::vector<Eigen::Vector3d> some = evenSample (places, plan);
+  const std::vector<Eigen::Vector3d> some = evenSample (samples);
+  Plan plan;
+  plan.inputs = inputs;
   plan.cell = options.cell ? *options.cell : cellEdgeFor (some, *usual, plan.points());
   plan.cells_of_tile = cellsOfTile (options, plan.cell);
   for (std::size_t i = 0; i < places.size(); ++i)
-    checkReach (plan.grid(), plan.inputs[i].file, places[i]);
-  checkReach (plan.grid(), plan.inputs.front().file, {*usual});
-  plan.place = cellNear (*usual, plan.cell);
-  plan.likely_tiles = tilesOf (plan.grid(), some);
+    checkReach (plan.grid(), inputs[i].file, places[i]);
+  checkReach (plan.grid(), inputs.front().file, {*usual});
+  constexpr auto step = TileGrid::cells_of_coarsest;
+  for (int axis = 0; axis < 3; ++axis)
+    plan.place[axis] = step * std::llround ((*usual)[axis] / (step * plan.cell));
+  std::set<TileKey> tiles;
+  for (const Eigen::Vector3d& place : some)
+    if (plan.grid().reaches (place))
+      tiles.insert (plan.grid().tileOf (plan.grid().cellOf (place)));
+  plan.likely_tiles = tiles.size();
   return plan;
 }
 
-void
-savePlan (const std::string& file, const Plan& plan)
+std::string
+toText (const Plan& plan)
 {
-  writeTextFile (file, jsonOf (plan));
+  nlohmann::ordered_json json = {{"format", format_of_files},
+                                 {"cell", plan.cell},
+                                 {"cells_of_tile", plan.cells_of_tile},
+                                 {"place", plan.place},
+                                 {"likely_tiles", plan.likely_tiles}};
+  for (const PlannedInput& input : plan.inputs)
+    json["inputs"].push_back ({{"file", input.file},
+                               {"bytes", input.bytes},
+                               {"written", input.written},
+                               {"points", input.points}});
+  return jsonText (json);
 }
 
 Plan
@@ -316,8 +290,10 @@ checkIsFor (const Plan& plan,
   std::size_t known = 0;
   for (const std::string& input : sorted (std::move (inputs))) {
     const std::string name = stateOf (input).file;
-    const auto is_it = [&] (const PlannedInput& other) { return other.file == name; };
-    const auto planned = std::find_if (plan.inputs.begin(), plan.inputs.end(), is_it);
+    const auto planned =
+        std::find_if (plan.inputs.begin(), plan.inputs.end(), [&] (const auto& other) {
+          return other.file == name;
+        });
     if (planned == plan.inputs.end() && isEmptyLas (input))
       continue;
     if (planned == plan.inputs.end())
@@ -343,11 +319,9 @@ cellEdgeFor (std::vector<Eigen::Vector3d> places,
   double edge = unroundedEdgeFor (places, zero, points);
   if (!(edge > 0.0)) {
     // Most are at one place: the others tell.
-    const auto components = [] (const Eigen::Vector3d& place) {
-      return std::make_tuple (place.x(), place.y(), place.z());
-    };
-    std::sort (places.begin(), places.end(), [&] (const auto& one, const auto& other) {
-      return components (one) < components (other);
+    std::sort (places.begin(), places.end(), [] (const auto& a, const auto& b) {
+      return std::lexicographical_compare (
+          a.data(), a.data() + 3, b.data(), b.data() + 3);
     });
     places.erase (std::unique (places.begin(), places.end()), places.end());
     edge = unroundedEdgeFor (places, zero, points);

@@ -45,10 +45,6 @@ struct Plan {
   points () const;
 };
 
-/** \brief Whether the files that a run with one leaves are those of the other. */
-bool
-isSame (const Plan& a, const Plan& b);
-
 /** \brief A file that has a plan, or will have. */
 struct PlanFile {
   std::string name;
@@ -67,9 +63,9 @@ struct PlanOptions {
 Plan
 makePlan (std::vector<std::string> files, const PlanOptions& options);
 
-/** \brief Writes it in one step. \throws WorkError if it cannot be written */
-void
-savePlan (const std::string& file, const Plan& plan);
+/** \brief What a file of it has: that of plans with which runs leave the same files. */
+std::string
+toText (const Plan& plan);
 
 /** \brief \throws WorkError if it cannot be read */
 Plan

@@ -201,19 +201,19 @@ toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& pla
 }
 
 std::string
-saveChosenPlanes (const std::string& list_file, const TilesOptions& options)
+saveChosenPlanes (const std::string& list_file, const PlanesOutput& output)
 try {
   Json list = Json::parse (readTextFile (list_file, "planes.json"));
-  if (options.planes.empty() && options.image.empty())
+  if (output.file.empty() && output.image.empty())
     return numberOf (list.at ("planes").size());
-  const Dropped dropped = choosePlanes (options.choice, list);
-  if (!options.image.empty())
-    saveImage (options.image, list.at ("planes"));
-  if (!options.planes.empty())
-    writeTextFile (options.planes, planesFor (options.planes, list, options.map));
+  const Dropped dropped = choosePlanes (output.choice, list);
+  if (!output.image.empty())
+    saveImage (output.image, list.at ("planes"));
+  if (!output.file.empty())
+    writeTextFile (output.file, planesFor (output.file, list, output.map));
   const std::string reasons = dropped.reasons();
   return numberOf (dropped.found) + "; " +
-         (options.planes.empty() ? options.image : options.planes) + ": " +
+         (output.file.empty() ? output.image : output.file) + ": " +
          numberOf (list.at ("planes").size()) +
          (reasons.empty() ? "" : ", dropped " + reasons);
 }

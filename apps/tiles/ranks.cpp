@@ -23,26 +23,16 @@ struct Ranks::State {
   boost::mpi::communicator world;
 };
 
-namespace {
-
-/** \brief Whether this process is one of several; starting MPI takes its time. */
-bool
-isOneOfSeveral ()
+Ranks::Ranks()
 {
+  // Starting MPI takes its time.
   for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
-    if (std::getenv (variable) != nullptr)
-      return true;
-  return false;
-}
-
-} // namespace
-
-Ranks::Ranks() : state_ (isOneOfSeveral() ? std::make_unique<State>() : nullptr)
-{
+    if (!state_ && std::getenv (variable) != nullptr)
+      state_ = std::make_shared<State>();
   if (!state_)
     return;
-  rank_ = state_->world.rank();
-  size_ = state_->world.size();
+  rank = static_cast<std::size_t> (state_->world.rank());
+  size = static_cast<std::size_t> (state_->world.size());
 }
 
 void
@@ -63,13 +53,11 @@ Ranks::meet() const
 void
 Ranks::endAll (int exit_code) const
 {
-  if (size_ > 1)
+  if (size > 1)
     state_->world.abort (exit_code);
 }
 
 #else
-
-struct Ranks::State {};
 
 Ranks::Ranks() = default;
 
@@ -83,17 +71,14 @@ Ranks::endAll (int) const
 
 #endif
 
-Ranks::~Ranks() = default;
-
 std::vector<std::size_t>
 shareOf (std::size_t rank, std::size_t ranks, const std::vector<std::uint64_t>& parts)
 {
   std::vector<std::size_t> order (parts.size()), own;
   std::iota (order.begin(), order.end(), std::size_t (0));
-  std::stable_sort (
-      order.begin(), order.end(), [&parts] (std::size_t a, std::size_t b) {
-        return parts[a] > parts[b];
-      });
+  std::stable_sort (order.begin(), order.end(), [&] (std::size_t a, std::size_t b) {
+    return parts[a] > parts[b];
+  });
   std::vector<std::uint64_t> load (ranks, 0);
   for (const std::size_t part : order) {
     const auto idlest = std::min_element (load.begin(), load.end());

@@ -11,25 +11,8 @@ namespace pcl_ops::apps {
 
 /** \brief The processes that mpirun started to do one run together; one, rank 0, where
  * nobody did or this build is without MPI. */
-class Ranks {
-public:
+struct Ranks {
   Ranks();
-  Ranks (const Ranks&) = delete;
-  Ranks&
-  operator= (const Ranks&) = delete;
-  ~Ranks();
-
-  int
-  rank () const
-  {
-    return rank_;
-  }
-
-  int
-  size () const
-  {
-    return size_;
-  }
 
   void
   meet () const;
@@ -39,11 +22,11 @@ public:
   void
   endAll (int exit_code) const;
 
+  std::size_t rank = 0, size = 1;
+
 private:
   struct State;
-
-  std::unique_ptr<State> state_;
-  int rank_ = 0, size_ = 1;
+  std::shared_ptr<State> state_;
 };
 
 /** \brief Which parts of some work are a rank's, so that all have about as much to do;

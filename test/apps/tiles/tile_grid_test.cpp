@@ -118,8 +118,8 @@ using Parts = std::vector<std::size_t>;
 TEST (Ranks, AreOneWhereNobodyStartedMore)
 {
   const Ranks ranks;
-  EXPECT_EQ (ranks.size(), 1);
-  EXPECT_EQ (ranks.rank(), 0);
+  EXPECT_EQ (ranks.size, 1u);
+  EXPECT_EQ (ranks.rank, 0u);
   ranks.meet();
 }
 
