@@ -5,7 +5,8 @@
 #include <numbers/random.h>
 #include <tiles/plane_outline.h>
 
-#include <algorithm>
+#include <functional>
+#include <tuple>
 
 namespace {
 
@@ -13,40 +14,32 @@ using namespace pcl_ops;
 using namespace pcl_ops::apps;
 
 constexpr double lattice = 0.01, cell = 1.0; // [m]
+const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
 
 using Within = std::function<bool (const Eigen::Vector2d&)>;
 
-/** \brief Twenty points of each square meter of 20 m by 20 m that is within. */
-std::vector<Eigen::Vector2d>
-pointsOf (const Within& is_within)
+const Within anywhere = [] (const Eigen::Vector2d& /*point*/) { return true; };
+
+/** \brief Twenty points of each square meter of 20 m by 20 m that is within, on a level
+ * plane or on a wall along x. */
+std::vector<OutlinePoint>
+placesIn (const Within& is_within, bool is_wall = false)
 {
   Random random (7);
-  std::vector<Eigen::Vector2d> points;
-  for (int i = 0; i < 20 * 20 * 20; ++i) {
-    const double x = 20.0 * random.unit();
-    const Eigen::Vector2d point (x, 20.0 * random.unit());
-    if (is_within (point))
-      points.push_back (point);
-  }
-  return points;
-}
-
-/** \brief On a level plane, or on a wall along x. */
-std::vector<OutlinePoint>
-placesOf (const std::vector<Eigen::Vector2d>& points, bool is_wall = false)
-{
   std::vector<OutlinePoint> places;
-  for (const Eigen::Vector2d& point : points) {
-    const auto u = std::llround (point.x() / lattice),
-               v = std::llround (point.y() / lattice);
-    places.push_back ({is_wall ? LatticePlace{u, 0, v} : LatticePlace{u, v, 0}, true});
+  for (int i = 0; i < 20 * 20 * 20; ++i) {
+    const double x = 20.0 * random.unit(), y = 20.0 * random.unit();
+    const auto u = std::llround (x / lattice), v = std::llround (y / lattice);
+    if (is_within ({x, y}))
+      places.push_back (
+          {is_wall ? LatticePlace{u, 0, v} : LatticePlace{u, v, 0}, true});
   }
   return places;
 }
 
 std::vector<PlanarRings>
 outlineOf (const std::vector<OutlineEdge>& edges,
-           const Eigen::Vector3d& normal,
+           const Eigen::Vector3d& normal = up,
            double points = 8000.0)
 {
   return apps::outlineOf (
@@ -54,90 +47,79 @@ outlineOf (const std::vector<OutlineEdge>& edges,
 }
 
 std::vector<PlanarRings>
-outlineOf (const Within& is_within)
+outlineOf (const std::vector<OutlinePoint>& places, const Eigen::Vector3d& normal = up)
 {
-  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  return outlineOf (outlineEdges (placesOf (pointsOf (is_within)), up, cell / lattice),
-                    up);
+  return outlineOf (outlineEdges (places, normal, cell / lattice), normal);
 }
 
 double
 areaOf (const PlanarRings& rings)
 {
-  const PlaneFrame frame (Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ());
+  const PlaneFrame frame (Eigen::Vector3d::Zero(), up);
   return extentOf (rings, rings.front(), frame).area;
 }
 
-bool
-isAnywhere (const Eigen::Vector2d& /*point*/)
+double
+fromMiddle (const Eigen::Vector2d& point)
 {
-  return true;
+  return (point - Eigen::Vector2d (10, 10)).norm();
 }
 
 } // namespace
-
-TEST (Outline, IsAroundAllPointsOfASquare)
-{
-  const auto outline = outlineOf (isAnywhere);
-  ASSERT_EQ (outline.size(), 1u);
-  EXPECT_EQ (outline[0].size(), 1u) << "no holes";
-  EXPECT_NEAR (areaOf (outline[0]), 400.0, 8.0);
-}
 
 TEST (Outline, IsTheSameFromEitherSideAndOnAWall)
 {
   for (const bool is_wall : {false, true})
     for (const double sign : {1.0, -1.0}) {
-      const Eigen::Vector3d normal =
-          sign * (is_wall ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ());
-      const auto outline = outlineOf (
-          outlineEdges (
-              placesOf (pointsOf (isAnywhere), is_wall), normal, cell / lattice),
-          normal);
+      const Eigen::Vector3d normal = is_wall ? Eigen::Vector3d::UnitY() : up;
+      const auto outline = outlineOf (placesIn (anywhere, is_wall), sign * normal);
       ASSERT_EQ (outline.size(), 1u);
+      EXPECT_EQ (outline[0].size(), 1u) << "no holes";
       EXPECT_NEAR (areaOf (outline[0]), 400.0, 8.0) << "to the left: above zero";
     }
 }
 
 TEST (Outline, HasHolesAndParts)
 {
-  const auto holed = outlineOf ([] (const Eigen::Vector2d& point) {
-    return (point - Eigen::Vector2d (10, 10)).norm() > 5.0;
-  });
-  ASSERT_EQ (holed.size(), 1u);
-  EXPECT_EQ (holed[0].size(), 2u);
-  EXPECT_NEAR (areaOf (holed[0]), 400.0 - 25.0 * M_PI, 12.0);
-  const auto parted = outlineOf ([] (const Eigen::Vector2d& point) {
-    return point.x() < 4.0 || point.x() > 8.0 || point.norm() < 1.0;
-  });
-  ASSERT_EQ (parted.size(), 2u) << "the larger one first";
-  EXPECT_NEAR (areaOf (parted[0]), 240.0, 6.0);
-  EXPECT_NEAR (areaOf (parted[1]), 80.0, 4.0);
-}
-
-TEST (Outline, GoesRoundAPartInsideOfAHole)
-{
-  const auto outline = outlineOf ([] (const Eigen::Vector2d& point) {
-    const double radius = (point - Eigen::Vector2d (10, 10)).norm();
-    return radius < 3.0 || radius > 7.0;
-  });
-  ASSERT_EQ (outline.size(), 2u);
-  EXPECT_EQ (outline[0].size(), 2u);
-  EXPECT_EQ (outline[1].size(), 1u);
-  EXPECT_NEAR (areaOf (outline[1]), 9.0 * M_PI, 2.0);
+  struct Part {
+    std::size_t rings;
+    double area, tolerance;
+  };
+  const std::tuple<const char*, Within, std::vector<Part>> rows[] = {
+      {"a hole",
+       [] (const auto& point) { return fromMiddle (point) > 5.0; },
+       {{2, 400.0 - 25.0 * M_PI, 12.0}}},
+      {"two parts, the larger one first, and one too small",
+       [] (const auto& point) {
+         return point.x() < 4.0 || point.x() > 8.0 || point.norm() < 1.0;
+       },
+       {{1, 240.0, 6.0}, {1, 80.0, 4.0}}},
+      {"a part in a hole",
+       [] (const auto& point) {
+         return fromMiddle (point) < 3.0 || fromMiddle (point) > 7.0;
+       },
+       {{2, 400.0 - 49.0 * M_PI, 16.0}, {1, 9.0 * M_PI, 2.0}}}};
+  for (const auto& [name, is_within, parts] : rows) {
+    SCOPED_TRACE (name);
+    const auto outline = outlineOf (placesIn (is_within));
+    ASSERT_EQ (outline.size(), parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      EXPECT_EQ (outline[i].size(), parts[i].rings);
+      EXPECT_NEAR (areaOf (outline[i]), parts[i].area, parts[i].tolerance);
+    }
+  }
 }
 
 TEST (Outline, OfTwoTilesIsThatOfOne)
 {
   // A border at x = 9.3 m, beyond which each tile sees three cells.
-  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   const auto is_within = [] (const Eigen::Vector2d& point) {
     return (point - Eigen::Vector2d (9, 12)).norm() > 3.0;
   };
   std::vector<OutlineEdge> edges;
   for (const bool is_east : {false, true}) {
     std::vector<OutlinePoint> seen;
-    for (OutlinePoint point : placesOf (pointsOf (is_within))) {
+    for (OutlinePoint point : placesIn (is_within)) {
       const double beyond = (is_east ? 930.0 - static_cast<double> (point.place[0])
                                      : static_cast<double> (point.place[0]) - 930.0);
       point.is_own = is_east ? beyond <= 0.0 : beyond < 0.0;
@@ -147,7 +129,7 @@ TEST (Outline, OfTwoTilesIsThatOfOne)
     const auto own = outlineEdges (seen, up, cell / lattice);
     edges.insert (edges.end(), own.begin(), own.end());
   }
-  const auto whole = outlineOf (is_within), joined = outlineOf (edges, up);
+  const auto whole = outlineOf (placesIn (is_within)), joined = outlineOf (edges);
   ASSERT_EQ (joined.size(), 1u);
   ASSERT_EQ (whole.size(), 1u);
   EXPECT_EQ (joined[0].size(), whole[0].size());
@@ -165,7 +147,7 @@ TEST (Outline, OfSquaresThatTouchIsOfTwoParts)
   std::vector<OutlineEdge> edges = square (0);
   const auto other = square (1000);
   edges.insert (edges.end(), other.begin(), other.end());
-  const auto outline = outlineOf (edges, Eigen::Vector3d::UnitZ(), 1e12);
+  const auto outline = outlineOf (edges, up, 1e12);
   ASSERT_EQ (outline.size(), 2u);
   for (const PlanarRings& part : outline)
     EXPECT_NEAR (areaOf (part), 100.0, 1e-3);
@@ -173,10 +155,9 @@ TEST (Outline, OfSquaresThatTouchIsOfTwoParts)
 
 TEST (Outline, OfNoPointsOrALineIsEmpty)
 {
-  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   EXPECT_TRUE (outlineEdges ({}, up, 100.0).empty());
   std::vector<OutlinePoint> line;
   for (std::int64_t i = 0; i < 50; ++i)
     line.push_back ({{i, 0, 0}, true});
-  EXPECT_TRUE (outlineOf (outlineEdges (line, up, 100.0), up).empty());
+  EXPECT_TRUE (outlineOf (line).empty());
 }

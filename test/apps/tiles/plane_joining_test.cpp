@@ -68,14 +68,10 @@ TEST (ExactMoments, AreThoseOfTheLibraryInMeters)
   EXPECT_NEAR (fit->plane.normal.z() / fit_of_library->plane.normal.z(), 1.0, 1e-9);
 }
 
-TEST (ExactMoments, TakeThePlaceOfTheLatticeNextToAPoint)
+TEST (ExactMoments, TakeThePlaceOfTheLatticeNextToAPointIfAny)
 {
   const Moments moments = momentsOf ({{1.0 + 0.3 * unit, -2.0, 3.0}}).toMoments();
   EXPECT_EQ (moments.centroid(), Eigen::Vector3d (1.0, -2.0, 3.0));
-}
-
-TEST (ExactMoments, OfNothingAreNone)
-{
   EXPECT_EQ (momentsOf ({}).toMoments().count, 0.0);
 }
 
@@ -85,7 +81,7 @@ wall (int first, int last, double y, const Eigen::Vector3d& far = {0, 0, 0})
 {
   Random random (static_cast<std::uint32_t> (first));
   Piece piece;
-  piece.own.unit = latticeFor (1.0);
+  piece.own.unit = unit;
   for (int x = 10 * first; x < 10 * last; ++x)
     for (int z = 0; z < 30; ++z)
       piece.own.add (
@@ -146,31 +142,23 @@ TEST (PlaneJoining, AddsTheMomentsOfOwnPointsOnly)
                row[0].pieces[0].own.sums + row[1].pieces[0].own.sums);
 }
 
-TEST (PlaneJoining, LeavesTwoWallsTenCentimetersApart)
+TEST (PlaneJoining, LeavesPlanesThatAreApartOrShareHardlyACell)
 {
-  EXPECT_EQ (joined (twoTiles (5.0, 5.1)).planes.size(), 2u);
-}
-
-TEST (PlaneJoining, LeavesWallsThatShareHardlyACell)
-{
+  EXPECT_EQ (joined (twoTiles (5.0, 5.1)).planes.size(), 2u) << "10 cm";
   Row row = twoTiles (5.0, 5.0);
-  row[1].claims.resize (2);
-  EXPECT_EQ (joined (row).planes.size(), 2u);
-  row[1].claims.clear();
-  EXPECT_EQ (joined (row).planes.size(), 2u);
-}
-
-TEST (PlaneJoining, LeavesAWallAndTheFloorAtItsFoot)
-{
-  Row row = twoTiles (5.0, 5.0);
+  for (const std::size_t shared : {2, 0}) {
+    row[1].claims.resize (shared);
+    EXPECT_EQ (joined (row).planes.size(), 2u) << shared;
+  }
+  row = twoTiles (5.0, 5.0);
   ExactMoments floor;
-  floor.unit = latticeFor (1.0);
+  floor.unit = unit;
   for (int x = 0; x < 100; ++x)
     for (int y = 0; y < 100; ++y)
       floor.add ({10.0 + 0.1 * x, 0.1 * y, 0.0});
   row[1].pieces[0].own = floor;
   row[1].pieces[0].all = floor.toMoments();
-  EXPECT_EQ (joined (row).planes.size(), 2u);
+  EXPECT_EQ (joined (row).planes.size(), 2u) << "the floor at its foot";
 }
 
 TEST (PlaneJoining, FollowsAWallThroughTwentyTilesFarFromZero)

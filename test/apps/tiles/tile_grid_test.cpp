@@ -8,6 +8,7 @@
 #include <tiles/tile_grid.h>
 
 #include <set>
+#include <tuple>
 #include <vector>
 
 using namespace pcl_ops::apps;
@@ -17,12 +18,6 @@ namespace {
 
 /** \brief Cells of half a meter, tiles of 24 of them, 12 m. */
 const TileGrid grid (0.5, 24, {0, 0, 0});
-
-TileKey
-tileAt (double x, double y)
-{
-  return grid.tileOf (grid.cellOf ({x, y, 0.0}));
-}
 
 std::set<TileKey>
 tilesAround (double x, double y)
@@ -35,18 +30,17 @@ tilesAround (double x, double y)
 
 TEST (TileGrid, HasABorderInTheTileThatBeginsThere)
 {
-  EXPECT_EQ (tileAt (11.999, 0.0), (TileKey{0, 0}));
-  EXPECT_EQ (tileAt (12.0, 0.0), (TileKey{1, 0}));
-  EXPECT_EQ (tileAt (0.0, -0.001), (TileKey{0, -1}));
-  EXPECT_EQ (tileAt (-12.0, -12.001), (TileKey{-1, -2}));
-}
-
-TEST (TileGrid, TellsTilesApartWhereCoordinatesAreLarge)
-{
   const double east = 500'004.0, north = 5'400'000.0; // whole tiles from zero
-  EXPECT_EQ (tileAt (east, north), (TileKey{41'667, 450'000}));
-  EXPECT_EQ (tileAt (east - 0.001, north - 0.001), (TileKey{41'666, 449'999}));
-  EXPECT_EQ (tileAt (-east, -north), (TileKey{-41'667, -450'000}));
+  const std::tuple<double, double, TileKey> rows[] = {
+      {11.999, 0.0, {0, 0}},
+      {12.0, 0.0, {1, 0}},
+      {0.0, -0.001, {0, -1}},
+      {-12.0, -12.001, {-1, -2}},
+      {east, north, {41'667, 450'000}},
+      {east - 0.001, north - 0.001, {41'666, 449'999}},
+      {-east, -north, {-41'667, -450'000}}};
+  for (const auto& [x, y, tile] : rows)
+    EXPECT_EQ (grid.tileOf (grid.cellOf ({x, y, 0.0})), tile) << x << " " << y;
 }
 
 TEST (TileGrid, ShowsAPointToTilesWhoseHaloItIsIn)
@@ -90,27 +84,17 @@ floorPlaces ()
   return places;
 }
 
-constexpr std::uint64_t points = 50'000;
-
-TEST (CellEdge, HoldsSomeTwentyPoints)
+TEST (CellEdge, HoldsSomeTwentyPointsOfThoseThatAreNotAtOnePlace)
 {
-  // 2,000 points on a square meter: 20 on 10 cm x 10 cm.
-  EXPECT_NEAR (cellEdgeFor (floorPlaces(), Vector3d::Zero(), points), 0.1, 0.05);
-}
-
-TEST (CellEdge, IsThatOfTheOthersWhereMostPlacesAreOne)
-{
+  constexpr std::uint64_t points = 50'000;
   std::vector<Vector3d> places = floorPlaces();
-  const double edge = cellEdgeFor (places, Vector3d::Zero(), points);
+  // 2,000 points on a square meter: 20 on 10 cm x 10 cm.
+  EXPECT_NEAR (cellEdgeFor (places, Vector3d::Zero(), points), 0.1, 0.05);
   const Vector3d usual (1, 1, 0);
   places.insert (places.end(), 20'000, usual);
-  EXPECT_NEAR (cellEdgeFor (places, usual, points), edge, 0.5 * edge);
-}
-
-TEST (CellEdge, HasToBeGivenForOnePlace)
-{
-  const std::vector<Vector3d> places (100, Vector3d (1, 2, 3));
-  EXPECT_THROW (cellEdgeFor (places, Vector3d::Zero(), points), WorkError);
+  EXPECT_NEAR (cellEdgeFor (places, usual, points), 0.1, 0.05);
+  places.assign (100, usual);
+  EXPECT_THROW (cellEdgeFor (places, usual, points), WorkError) << "has to be given";
 }
 
 using Parts = std::vector<std::size_t>;
