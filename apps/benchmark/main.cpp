@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/pcl_config.h>
 
-#include "scaling.h"
+#include "measures.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
@@ -12,7 +12,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <thread>
 
@@ -31,9 +30,7 @@ constexpr const char* program_name = "pcl_ops_benchmark";
 struct Options {
   /** \brief A data set of evaluation::dataSetOf, or a file or folder. */
   std::string input;
-  std::string json_file;
-  /** \brief Empty: nothing is measured for it. */
-  std::string scaling_folder;
+  std::string json_file, scaling_folder; // empty: not wanted
   std::string scaling_points = "30000,100000,300000,1000000,3000000,10000000";
   std::size_t memory_points = 3'000'000;
   MeasureParameters measures;
@@ -49,8 +46,7 @@ readOptions (int argc, const char* const* argv, Options& options)
       "pcl::KdTreeFLANN's construction and other plane detectors, in one process, and\n"
       "prints it in Markdown.",
       PCL_OPS_VERSION);
-  using apps::Range;
-  constexpr double max_runs = 1000, max_points = 1e8;
+  const apps::Range runs = apps::Range::from (1).upTo (1000);
   MeasureParameters& measures = options.measures;
   bool no_peers = false;
   line.addArgument (
@@ -62,19 +58,20 @@ readOptions (int argc, const char* const* argv, Options& options)
   line.addText ("json", "FILE", options.json_file, "write every number as JSON");
   line.addNumber ("runs",
                   "N",
-                  Range::from (1).upTo (max_runs),
+                  runs,
                   measures.runs,
                   "take the best of N; what has taken 20 s is not repeated (5)");
   line.addNumber ("peer-runs",
                   "N",
-                  Range::from (1).upTo (max_runs),
+                  runs,
                   measures.peer_runs,
                   "of others' detectors, which take seconds (1)");
   line.addFlag ("no-peers", no_peers, "leave these out");
-  line.addNumber ("seed", "S", Range::from (0), measures.seed, "of detectors (42)");
+  line.addNumber (
+      "seed", "S", apps::Range::from (0), measures.seed, "of detectors (42)");
   line.addNumber ("memory-points",
                   "N",
-                  Range::from (1).upTo (max_points),
+                  apps::Range::from (1).upTo (1e8),
                   options.memory_points,
                   "size of the simulated scan peak memory is measured on (3000000)");
   line.addText ("scaling",
@@ -101,16 +98,6 @@ notify (const std::string& what)
   constexpr const char* erase_line = "\r\033[K";
   if (isatty (STDERR_FILENO) == 1)
     std::cerr << erase_line << what << std::flush;
-}
-
-std::string
-cpuModel ()
-{
-  std::ifstream info ("/proc/cpuinfo");
-  for (std::string line; std::getline (info, line);)
-    if (line.rfind ("model name", 0) == 0)
-      return line.substr (line.find (':') + 2);
-  return "unknown CPU";
 }
 
 std::string
@@ -150,26 +137,24 @@ peakText (const Json& peak)
 void
 printTimes (const Json& figures)
 {
-  const double points = figures["points"],
-               of_default = figures["times"]["ops"]["detection_ms"];
+  using evaluation::decimal;
+  const double points = figures["points"];
+  const double of_default = figures["times"]["ops"]["detection_ms"];
   Json table = Json::array();
   for (const auto& [name, time] : figures["times"].items()) {
     Json row{{"measure", name}, {"runs", time["runs"]}};
     for (const auto& stage : apps::detection_stages) {
       const double milliseconds = time[std::string (stage.first) + "_ms"];
-      row[stage.first] =
-          milliseconds > 0.0 ? evaluation::decimal (milliseconds, 1) : "";
+      row[stage.first] = milliseconds > 0.0 ? decimal (milliseconds, 1) : "";
     }
     const double whole = time["detection_ms"];
-    row["us per point"] = evaluation::decimal (1e3 * whole / points, 3);
-    row["times ops"] = evaluation::decimal (whole / of_default, 2);
+    row["us per point"] = decimal (1e3 * whole / points, 3);
+    row["times ops"] = decimal (whole / of_default, 2);
     table.push_back (row);
   }
-  const std::string name = figures["name"];
-  std::cout << evaluation::tableOf ("Times [ms], " + name + ", " +
-                                        figures["points"].dump() + " points",
-                                    table)
-            << std::flush;
+  const std::string title = "Times [ms], " + figures["name"].get<std::string>() + ", " +
+                            figures["points"].dump() + " points";
+  std::cout << evaluation::tableOf (title, table) << std::flush;
 }
 
 /** Measures on a cloud and prints the times. */
@@ -178,11 +163,12 @@ figuresOf (const CloudSource& source, const MeasureParameters& parameters)
 {
   notify ("loading " + source.name);
   const XyzCloud::ConstPtr cloud = source.load().cloud;
+  const auto notifyOf = [&] (const std::string& what) {
+    notify (source.name + ": " + what);
+  };
   Json figures{{"name", source.name}, {"points", cloud->size()}};
   for (const BestTime& time :
-       measureInTurns (measuresOf (cloud, parameters), [&] (const std::string& what) {
-         notify (source.name + ": " + what);
-       })) {
+       measureInTurns (measuresOf (cloud, parameters), notifyOf)) {
     Json& measure = figures["times"][time.name];
     measure["runs"] = time.runs;
     for (const auto& [stage, duration] : apps::detection_stages)
@@ -221,23 +207,21 @@ void
 printMethod (const Json& report)
 {
   const Json& machine = report["machine"];
-  std::cout << "- Machine: " << machine["cpu"].get<std::string>() << ", "
-            << machine["cores"] << " cores; " << compilerAndFlags()
-            << "; PCL " PCL_VERSION_PRETTY ".\n"
-            << "- Times are of everything from a loaded cloud to a label for every "
-               "point, the search\n  structure's construction included: the shortest "
-               "of "
-            << report["runs"] << " runs";
+  std::cout
+      << "- Machine: " << machine["cpu"].get<std::string>() << ", " << machine["cores"]
+      << " cores; " << compilerAndFlags() << "; PCL " PCL_VERSION_PRETTY ".\n"
+      << R"(- Times are of everything from a loaded cloud to a label for every point, the search
+  structure's construction included: the shortest of )"
+      << report["runs"] << " runs";
   if (report["peer_runs"] > 0)
     std::cout << " (of others' detectors " << report["peer_runs"] << ')';
-  std::cout << ", in turns in one process,\n  processor time of one thread where "
-               "nothing else is said; of stages and of two\n"
-               "  threads wall time.\n"
-               "- Names are those of `pcl_ops_evaluate detectors`: ops is the default "
-               "preset, ops-3-30\n  the paper's, with 3 % of the points and 30 "
-               "neighbors.\n"
-               "- Peak memory is the growth of a child process's resident memory:\n  "
-            << peakText (report["peak_memory"]);
+  std::cout << R"(, in turns in one process,
+  processor time of one thread where nothing else is said; of stages and of two
+  threads wall time.
+- Names are those of `pcl_ops_evaluate detectors`: ops is the default preset, ops-3-30
+  the paper's, with 3 % of the points and 30 neighbors.
+- Peak memory is the growth of a child process's resident memory:
+  )" << peakText (report["peak_memory"]);
   for (const Json& figures : report["clouds"])
     std::cout << "- " << figures["name"].get<std::string>() << ": "
               << peakText (figures["peak_memory"]);
@@ -278,14 +262,17 @@ run (int argc, const char* const* argv)
     apps::makeFolder (options.scaling_folder);
 
   std::size_t left_out = 0;
-  Json report{{"program", program_name}, {"version", PCL_OPS_VERSION}};
-  report["machine"] = {{"cpu", cpuModel()},
-                       {"cores", std::thread::hardware_concurrency()},
-                       {"compiler", compilerAndFlags()},
-                       {"pcl", PCL_VERSION_PRETTY}};
-  report["runs"] = options.measures.runs;
-  report["peer_runs"] = options.measures.peer_runs;
-  report["seed"] = options.measures.seed;
+  const std::string cpu = valueIn ("/proc/cpuinfo", "model name");
+  Json report{{"program", program_name},
+              {"version", PCL_OPS_VERSION},
+              {"machine",
+               {{"cpu", cpu.empty() ? "unknown CPU" : cpu},
+                {"cores", std::thread::hardware_concurrency()},
+                {"compiler", compilerAndFlags()},
+                {"pcl", PCL_VERSION_PRETTY}}},
+              {"runs", options.measures.runs},
+              {"peer_runs", options.measures.peer_runs},
+              {"seed", options.measures.seed}};
   report["clouds"] = figuresOfAll (clouds, options.measures, left_out);
   notify ("memory");
   const std::string scan = "simulated:" + std::to_string (options.memory_points);

@@ -2,36 +2,105 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "measures.h"
 
+#include <pcl/common/io.h>
 #include <pcl/kdtree/kdtree_flann.h>
 
 #include <boost/interprocess/anonymous_shared_memory.hpp>
 
+#include <detection/methods.h>
+#include <evaluation/detectors/detector_run.h>
+#include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
+#include <simulation/simulated_cloud.h>
 
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace pcl_ops::benchmark {
 
 namespace {
 
-/** \brief A measure without stages. */
+using evaluation::Clock;
+using Ops = OrientedPointSampling<pcl::PointXYZ>;
+
+/** \brief A detector with all its parameters, threads too: of one thread processor
+ * time, which other programs disturb less, of more wall time. */
+template <typename Detector>
 Measure
-measureOf (const std::string& name, std::size_t runs, const std::function<void()>& work)
+detectorMeasure (const std::string& name,
+                 std::size_t runs,
+                 const typename Detector::Parameters& parameters,
+                 const XyzCloud::ConstPtr& cloud)
 {
-  return {name, runs, [work] {
-            StageDurations durations;
-            evaluation::timed (durations.detection, evaluation::Clock::Processor, work);
-            return durations;
-          }};
+  const Clock clock = parameters.threads == 1 ? Clock::Processor : Clock::Wall;
+  return {
+      name, runs, [=] {
+        return evaluation::runDetector<Detector> (parameters, cloud, clock).durations;
+      }};
+}
+
+/** \brief The presets on a cloud.
+ * \param[in] sampling_rate that of the preset where there is none */
+std::vector<Measure>
+presetsOn (const XyzCloud::ConstPtr& cloud,
+           const MeasureParameters& measuring,
+           unsigned threads = 1,
+           std::optional<double> sampling_rate = std::nullopt)
+{
+  std::vector<Measure> measures;
+  for (const bool of_paper : {false, true}) {
+    auto parameters = of_paper ? Ops::Parameters::paper() : Ops::Parameters{};
+    parameters.seed = measuring.seed;
+    parameters.threads = threads;
+    parameters.sampling_rate = sampling_rate.value_or (parameters.sampling_rate);
+    measures.push_back (detectorMeasure<Ops> (
+        of_paper ? "ops paper" : "ops", measuring.runs, parameters, cloud));
+  }
+  return measures;
+}
+
+/** \brief What no method is faster than: a copy of the cloud onto memory that is there
+ * already, and building pcl::KdTreeFLANN. */
+std::vector<Measure>
+leastMeasures (const XyzCloud::ConstPtr& cloud, std::size_t runs)
+{
+  const auto measureOf = [runs] (const char* name, const std::function<void()>& work) {
+    return Measure{name, runs, [work] {
+                     StageDurations durations;
+                     evaluation::timed (durations.detection, Clock::Processor, work);
+                     return durations;
+                   }};
+  };
+  const auto copy = std::make_shared<XyzCloud> (*cloud);
+  return {measureOf ("copy of the cloud",
+                     [=] { std::copy (cloud->begin(), cloud->end(), copy->begin()); }),
+          measureOf ("KdTreeFLANN construction", [cloud] {
+            pcl::KdTreeFLANN<pcl::PointXYZ>().setInputCloud (cloud);
+          })};
+}
+
+/** \brief The presets, 3D-KHT, and what no method is faster than. */
+std::vector<Measure>
+allOn (const XyzCloud::ConstPtr& cloud, const MeasureParameters& measuring)
+{
+  using Kht = KernelHoughTransform<pcl::PointXYZ>;
+  std::vector<Measure> measures = presetsOn (cloud, measuring);
+  measures.push_back (detectorMeasure<Kht> ("kht", measuring.runs, {}, cloud));
+  for (const Measure& least : leastMeasures (cloud, measuring.runs))
+    measures.push_back (least);
+  return measures;
 }
 
 /** \brief A detector of others may take any time: then it is said and ended. */
@@ -43,7 +112,7 @@ durationsOf (const evaluation::Configuration& detector,
   constexpr unsigned time_limit = 600; // [s]
   evaluation::RunSettings settings;
   settings.seed = seed;
-  settings.clock = evaluation::Clock::Processor;
+  settings.clock = Clock::Processor;
   if (const auto run = evaluation::runLimited (detector, cloud, settings, time_limit))
     return run->durations;
   std::cerr << detector.name << ": stopped after " << time_limit << " s\n";
@@ -52,19 +121,27 @@ durationsOf (const evaluation::Configuration& detector,
   return durations;
 }
 
-/** A line of /proc/self/status [byte]; NaN if there is none. */
+/** A number in /proc/self/status [byte]; NaN if there is none. */
 double
 statusBytes (const std::string& name)
 {
   constexpr double bytes_per_kilobyte = 1024.0;
-  std::ifstream status ("/proc/self/status");
-  for (std::string line; std::getline (status, line);)
-    if (line.rfind (name + ":", 0) == 0)
-      return bytes_per_kilobyte * std::stod (line.substr (name.size() + 1));
-  return std::numeric_limits<double>::quiet_NaN();
+  const std::string kilobytes = valueIn ("/proc/self/status", name);
+  return kilobytes.empty() ? std::numeric_limits<double>::quiet_NaN()
+                           : bytes_per_kilobyte * std::stod (kilobytes);
 }
 
 } // namespace
+
+std::string
+valueIn (const std::string& file, const std::string& name)
+{
+  std::ifstream lines (file);
+  for (std::string line; std::getline (lines, line);)
+    if (const std::size_t colon = line.find (':'); line.rfind (name, 0) == 0)
+      return line.substr (line.find_first_not_of (" \t", colon + 1));
+  return "";
+}
 
 std::vector<BestTime>
 measureInTurns (const std::vector<Measure>& measures, const Notify& notify)
@@ -90,23 +167,8 @@ measureInTurns (const std::vector<Measure>& measures, const Notify& notify)
 }
 
 std::vector<Measure>
-leastMeasures (const XyzCloud::ConstPtr& cloud, std::size_t runs)
-{
-  const auto copy = std::make_shared<XyzCloud> (*cloud);
-  return {measureOf ("copy of the cloud",
-                     runs,
-                     [cloud, copy] {
-                       std::copy (cloud->begin(), cloud->end(), copy->begin());
-                     }),
-          measureOf ("KdTreeFLANN construction", runs, [cloud] {
-            pcl::KdTreeFLANN<pcl::PointXYZ>().setInputCloud (cloud);
-          })};
-}
-
-std::vector<Measure>
 measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters)
 {
-  using Ops = OrientedPointSampling<pcl::PointXYZ>;
   std::vector<Measure> measures = leastMeasures (cloud, parameters.runs);
   Ops::Parameters two_threads;
   two_threads.seed = parameters.seed;
@@ -155,6 +217,76 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud,
   catch (const std::runtime_error&) { // the number stays NaN
   }
   return growth;
+}
+
+simulation::Scene
+makeBoards (unsigned number)
+{
+  constexpr double spacing = 2.0; // [m]; a board is 1 m wide
+  // No two of its multiples are near each other on the circle [rad].
+  constexpr double golden_angle = 2.399963229728653;
+  constexpr double steepest = 0.5; // [rad]
+  const auto columns = unsigned (std::ceil (std::sqrt (double (number))));
+  simulation::Body board;
+  board.addSurface ({});
+  simulation::Scene scene;
+  for (unsigned i = 0; i < number; ++i)
+    scene.add (board,
+               simulation::at ({spacing * (i % columns), spacing * (i / columns), 0}) *
+                   simulation::turnZ (golden_angle * i) *
+                   simulation::turnX (steepest * i / number));
+  return scene;
+}
+
+std::string
+measureScaling (const evaluation::DataSet& clouds,
+                const evaluation::DataSet& growing,
+                const MeasureParameters& parameters,
+                const Notify& notify)
+{
+  std::ostringstream csv;
+  csv << "series,x,points,measure,runs,cloud";
+  for (const auto& stage : apps::detection_stages)
+    csv << ',' << stage.first << "_ms";
+  csv << '\n';
+  std::string name = clouds.front().name;
+  const auto add = [&] (const char* series,
+                        double x,
+                        const XyzCloud::ConstPtr& cloud,
+                        const std::vector<Measure>& measures) {
+    for (const BestTime& time : measureInTurns (measures, notify)) {
+      csv << series << ',' << x << ',' << cloud->size() << ',' << time.name << ','
+          << time.runs << ',' << std::quoted (name, '"', '"');
+      for (const auto& stage : apps::detection_stages)
+        csv << ',' << time.durations.*stage.second;
+      csv << '\n';
+    }
+  };
+  const XyzCloud::ConstPtr cloud = clouds.front().load().cloud;
+  const unsigned most = std::max (2u, std::thread::hardware_concurrency());
+  for (const evaluation::CloudSource& source : clouds) {
+    name = source.name;
+    const XyzCloud::ConstPtr kind = source.load().cloud;
+    add ("threads", 1, kind, allOn (kind, parameters));
+    for (unsigned threads = 2; threads <= most; ++threads)
+      add ("threads", threads, kind, presetsOn (kind, parameters, threads));
+  }
+  for (const double rate : {0.003, 0.005, 0.01, 0.03, 0.05, 0.1})
+    add ("sampling_rate", 100.0 * rate, cloud, presetsOn (cloud, parameters, 1, rate));
+  for (const unsigned planes : {1u, 3u, 10u, 30u, 100u, 300u}) {
+    const auto scan = simulation::scanDensely (
+        makeBoards (planes), cloud->size(), 1.0, parameters.seed);
+    const XyzCloud::Ptr boards (new XyzCloud);
+    pcl::copyPointCloud (scan.cloud, *boards);
+    add ("planes", planes, boards, allOn (boards, parameters));
+  }
+  for (const evaluation::CloudSource& source : growing) {
+    name = source.name;
+    notify ("simulating " + name);
+    const XyzCloud::ConstPtr scan = source.load().cloud;
+    add ("points", double (scan->size()), scan, allOn (scan, parameters));
+  }
+  return csv.str();
 }
 
 } // namespace pcl_ops::benchmark

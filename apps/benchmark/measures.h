@@ -3,6 +3,7 @@
 #pragma once
 
 #include <evaluation/detectors/detectors.h>
+#include <simulation/scene.h>
 
 #include <cstdint>
 #include <functional>
@@ -12,6 +13,11 @@
 namespace pcl_ops::benchmark {
 
 using evaluation::XyzCloud;
+
+/** \brief What is behind the colon of the line of that name of a file in /proc; empty
+ * if there is none. */
+std::string
+valueIn (const std::string& file, const std::string& name);
 
 /** \brief Something to be timed. */
 struct Measure {
@@ -49,30 +55,9 @@ struct MeasureParameters {
   std::uint32_t seed = 42;
 };
 
-/** \brief A detector of this project with all its parameters, threads too: of one
- * thread processor time, which other programs disturb less, of more wall time. */
-template <typename Detector>
-Measure
-detectorMeasure (const std::string& name,
-                 std::size_t runs,
-                 const typename Detector::Parameters& parameters,
-                 const XyzCloud::ConstPtr& cloud)
-{
-  return {
-      name, runs, [parameters, cloud] {
-        using evaluation::Clock;
-        const Clock clock = parameters.threads == 1 ? Clock::Processor : Clock::Wall;
-        return evaluation::runDetector<Detector> (parameters, cloud, clock).durations;
-      }};
-}
-
-/** \brief What no method is faster than: a copy of the cloud onto memory that is there
- * already, and building pcl::KdTreeFLANN. */
-std::vector<Measure>
-leastMeasures (const XyzCloud::ConstPtr& cloud, std::size_t runs);
-
-/** \brief \ref leastMeasures, the default preset on two threads, the presets, and the
- * detectors of others.
+/** \brief What no method is faster than (a copy of the cloud onto memory that is there
+ * already, and building pcl::KdTreeFLANN), the default preset on two threads, the
+ * presets, and the detectors of others.
  * \param[in] cloud finite points */
 std::vector<Measure>
 measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters);
@@ -84,5 +69,23 @@ measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters
 double
 peakMemoryOn (const XyzCloud::ConstPtr& cloud,
               const evaluation::Configuration& detector);
+
+/** \brief A scene with a known number of planes: square boards, each turned another
+ * way, too far apart for two to be taken for one. */
+simulation::Scene
+makeBoards (unsigned number);
+
+/** \brief Times of OPS, default and paper preset, where one thing grows at a time:
+ * points, threads, sampling_rate (in per cent) or planes; but for the sampling rate
+ * also of 3D-KHT and what no method is faster than.
+ * \param[in] clouds for threads; the first for the sampling rate, and with its number
+ * of points for the simulated boards of the planes
+ * \param[in] growing clouds of growing size
+ * \return CSV */
+std::string
+measureScaling (const evaluation::DataSet& clouds,
+                const evaluation::DataSet& growing,
+                const MeasureParameters& parameters,
+                const Notify& notify);
 
 } // namespace pcl_ops::benchmark

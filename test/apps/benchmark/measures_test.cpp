@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/common/io.h>
+
+#include <gtest/gtest.h>
+
+#include <benchmark/measures.h>
+#include <numbers/random.h>
+#include <simulation/room.h>
+#include <simulation/simulated_cloud.h>
+
+#include <cctype>
+#include <cmath>
+#include <ctime>
+
+namespace {
+
+using namespace pcl_ops::benchmark;
+using Eigen::Vector3d;
+using pcl_ops::apps::Random;
+using pcl_ops::simulation::scanDensely;
+using pcl_ops::simulation::Scene;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+constexpr std::size_t points = 10'000;
+
+Cloud::Ptr
+scanOf (const Scene& scene, double noise_scale)
+{
+  const Cloud::Ptr cloud (new Cloud);
+  pcl::copyPointCloud (scanDensely (scene, points, noise_scale, 1).cloud, *cloud);
+  return cloud;
+}
+
+/** A measure that takes these times, one after the other [ms]. */
+Measure
+measureTaking (const std::string& name, std::vector<double> times)
+{
+  const std::size_t runs = times.size();
+  return {name, runs, [times, next = std::size_t (0)] () mutable {
+            pcl_ops::StageDurations durations;
+            durations.detection = times[next++];
+            return durations;
+          }};
+}
+
+TEST (Measures, TakeTurnsAndTheShortestRunCounts)
+{
+  std::string told;
+  const std::vector<BestTime> best =
+      measureInTurns ({measureTaking ("a", {5.0, 2.0, 4.0}),
+                       measureTaking ("b", {7.0, 7.0}),
+                       measureTaking ("c", {2.0 * patience, 1.0})}, // too long for more
+                      [&] (const std::string& what) { told += what; });
+  EXPECT_EQ (told, "abcaba");
+  EXPECT_EQ (best[0].durations.detection, 2.0);
+  EXPECT_EQ (best[0].runs, 3u);
+  EXPECT_EQ (best[2].runs, 1u);
+}
+
+TEST (Boards, EachIsAPlaneOfItsOwn)
+{
+  const auto scan = scanDensely (makeBoards (10), 5000, 0.0, 1);
+  EXPECT_EQ (scan.planes.size(), 10u);
+  const auto isOfLast = [] (const auto& point) { return point.label == 10; };
+  EXPECT_EQ (std::count_if (scan.cloud.begin(), scan.cloud.end(), isOfLast), 500);
+}
+
+Vector3d
+inCube (Random& random, double edge)
+{
+  const Vector3d half = Vector3d::Constant (0.5 * edge);
+  return random.inBox (-half, half);
+}
+
+template <typename Draw>
+Cloud::Ptr
+cloudOf (const Draw& draw)
+{
+  Random random (1);
+  const Cloud::Ptr cloud (new Cloud);
+  for (std::size_t i = 0; i < points; ++i) {
+    const Vector3d point = draw (random, i);
+    cloud->emplace_back().getVector3fMap() = point.cast<float>();
+  }
+  return cloud;
+}
+
+/** \brief Points at distances of so many powers of ten [m]. */
+Cloud::Ptr
+logUniform (double lowest, double highest)
+{
+  return cloudOf ([=] (Random& random, std::size_t) -> Vector3d {
+    return std::pow (10.0, random.between (lowest, highest)) * inCube (random, 2.0);
+  });
+}
+
+/** \brief Noise, planes without noise, as many planes as there can be, points on all
+ * scales, points in one place. */
+std::vector<std::pair<const char*, Cloud::Ptr>>
+worstClouds ()
+{
+  constexpr double width = 4.0; // of a room [m]
+  const auto noise =
+      cloudOf ([] (Random& random, std::size_t) { return inCube (random, width); });
+  return {{"noise in a cube", noise},
+          {"exact plane", // tilted, so that no voxel has a face along it
+           cloudOf ([] (Random& random, std::size_t) -> Vector3d {
+             const Vector3d p = inCube (random, width);
+             return {p.x(), p.y(), 0.3 * p.x() + 0.2 * p.y() + 1.0};
+           })},
+          {"10 exact planes", scanOf (makeBoards (10), 0.0)},
+          {"lattice", cloudOf ([] (Random&, std::size_t i) -> Vector3d {
+             constexpr std::size_t edge = 22;
+             const Vector3d place (
+                 double (i % edge), double (i / edge % edge), double (i / edge / edge));
+             return width / edge * place;
+           })},
+          {"1000 planes", scanOf (makeBoards (1000), 1.0)},
+          {"log-uniform points", logUniform (-6.0, 6.0)},
+          {"log-uniform, apart", logUniform (1.0, 12.0)},
+          {"points in one voxel", // voxels are as wide as eight points are far
+           cloudOf ([] (Random& random, std::size_t i) -> Vector3d {
+             return i < 8 ? 1e6 * Vector3d (i & 1, i >> 1 & 1, i >> 2 & 1)
+                          : inCube (random, 0.01);
+           })},
+          {"equal points",
+           cloudOf ([] (Random&, std::size_t) { return Vector3d (1, 2, 3); })},
+          {"equal by the hundred", cloudOf ([&] (Random&, std::size_t i) -> Vector3d {
+             return (*noise)[i / 100].getVector3fMap().cast<double>();
+           })}};
+}
+
+/** \brief Of a detector, by its name in the evaluation. */
+class WorstCases : public ::testing::TestWithParam<std::string> {};
+
+/** \brief No cloud costs a detector more than so many times the time per point, or the
+ * memory, of a simulated room of as many points. */
+TEST_P (WorstCases, KeepTheBounds)
+{
+  constexpr double time_bound = 20.0, memory_bound = 10.0;
+  // Bounds of time get three times what is promised: other programs run beside tests.
+  constexpr double disturbance = 3.0;
+  const auto detector = pcl_ops::evaluation::selectConfigurations (GetParam()).front();
+  const auto measureOn = [&] (const Cloud::Ptr& cloud) {
+    return Measure{"", 3, [&detector, cloud] {
+                     const std::clock_t begin = std::clock(); // of the processor
+                     detector.run (cloud, {});
+                     pcl_ops::StageDurations durations;
+                     durations.detection = double (std::clock() - begin);
+                     return durations;
+                   }};
+  };
+  const Cloud::Ptr room = scanOf (pcl_ops::simulation::makeRoom (1).scene, 1.0);
+  const double room_bytes = peakMemoryOn (room, detector);
+  EXPECT_GT (room_bytes, 4.0 * points); // a label for every point
+  for (const auto& [name, cloud] : worstClouds()) {
+    SCOPED_TRACE (name);
+    const std::vector<BestTime> times = measureInTurns (
+        {measureOn (room), measureOn (cloud)}, [] (const std::string&) {});
+    EXPECT_LT (times[1].durations.detection,
+               disturbance * time_bound * times[0].durations.detection);
+    EXPECT_LT (peakMemoryOn (cloud, detector), memory_bound * room_bytes);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P (
+    Of,
+    WorstCases,
+    ::testing::Values (
+        "ops", "ops-3-30", "fspf", "fspf-0.07-0.14", "kht", "kht-80-800"),
+    [] (const auto& info) {
+      std::string name = info.param;
+      for (char& letter : name)
+        letter = std::isalnum (static_cast<unsigned char> (letter)) ? letter : '_';
+      return name;
+    });
+
+} // namespace
