@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "data_sets.h"
 
+#include <pcl/common/common.h>
 #include <pcl/common/io.h>
+#include <pcl/common/point_tests.h>
 
 #include <cli/command_line.h>
 #include <cli/errors.h>
+#include <cli/program.h>
 #include <io/cloud_file.h>
 #include <simulation/simulate.h>
 
-#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -33,6 +37,8 @@ const char* const data_set_help =
 namespace {
 
 namespace fs = std::filesystem;
+using apps::UsageError;
+using apps::WorkError;
 
 EvaluationCloud
 simulated (const simulation::Simulation& simulation)
@@ -73,8 +79,7 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
   const std::uint32_t first = seed (seeds.substr (0, dash)),
                       last = seed (seeds.substr (dash + 1));
   if (last < first || last - first >= max_scenes)
-    throw apps::UsageError (scenes.name + (':' + seeds),
-                            "is no range of seeds such as 1-20");
+    throw UsageError (scenes.name + (':' + seeds), "is no range of seeds such as 1-20");
   DataSet clouds;
   simulation::Simulation simulation;
   simulation.scene = scenes.scene;
@@ -104,8 +109,7 @@ scansDataSet (const std::string& name, const std::string& sizes)
     clouds.push_back ({name, "scan-" + size, [scan] { return simulated (scan); }});
   }
   if (clouds.empty())
-    throw apps::UsageError (name,
-                            "has no size; give numbers of points, 300000,3000000");
+    throw UsageError (name, "has no size; give numbers of points, 300000,3000000");
   return clouds;
 }
 
@@ -116,7 +120,7 @@ readCloud (const std::string& file, const Eigen::Vector3d& up)
   EvaluationCloud finite = finiteOf (all.cloud, all.labels);
   finite.up = up;
   if (finite.cloud->empty())
-    throw apps::WorkError (file, "has no finite point; leave it out");
+    throw WorkError (file, "has no finite point; leave it out");
   return finite;
 }
 
@@ -125,7 +129,7 @@ cloudsDataSet (const std::string& path, const Eigen::Vector3d& up)
 {
   std::error_code error;
   if (!fs::exists (path, error))
-    throw apps::WorkError (path, "does not exist; give a cloud or a folder of clouds");
+    throw WorkError (path, "does not exist; give a cloud or a folder of clouds");
   const bool is_folder = fs::is_directory (path, error);
   std::set<fs::path> files;
   if (!is_folder)
@@ -135,9 +139,9 @@ cloudsDataSet (const std::string& path, const Eigen::Vector3d& up)
     if (apps::isCloudFile (entry->path().string()))
       files.insert (entry->path());
   if (files.empty())
-    throw apps::WorkError (path,
-                           std::string ("has no ") + apps::folder_extensions +
-                               " file; give a folder with clouds");
+    throw WorkError (path,
+                     std::string ("has no ") + apps::folder_extensions +
+                         " file; give a folder with clouds");
   const fs::path folder = is_folder ? fs::path (path) : fs::path (path).parent_path();
   const std::string name = is_folder ? folder.filename().string() : "";
   DataSet clouds;
@@ -146,6 +150,32 @@ cloudsDataSet (const std::string& path, const Eigen::Vector3d& up)
                        file.lexically_relative (folder).generic_string(),
                        [file, up] { return readCloud (file.string(), up); }});
   return clouds;
+}
+
+PlaneLabels
+labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
+{
+  const int index = pcl::getFieldIndex (cloud, "label");
+  if (index < 0)
+    throw WorkError (file, "has no field label; give a cloud with labels");
+  const pcl::PCLPointField& field = cloud.fields[static_cast<std::size_t> (index)];
+  const apps::NumberType& type = apps::numberType (field.datatype);
+  // Double precision is that of texts, which have no other.
+  const bool is_integer = type.kind != 'F' && type.size <= 4;
+  if (!is_integer && field.datatype != pcl::PCLPointField::FLOAT64)
+    throw WorkError (file, "its label is no integer of up to 4 bytes; convert it");
+  constexpr double largest = std::numeric_limits<std::uint32_t>::max();
+  PlaneLabels labels (static_cast<std::size_t> (cloud.width) * cloud.height);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const double label = type.read (&cloud.data[i * cloud.point_step + field.offset]);
+    if (!(label >= 0.0 && label <= largest && label == std::floor (label)))
+      throw WorkError (file,
+                       "point " + std::to_string (i) +
+                           " has a label that is no whole number from 0 on; 0 means no "
+                           "plane");
+    labels[i] = static_cast<std::uint32_t> (label);
+  }
+  return labels;
 }
 
 } // namespace
@@ -181,7 +211,7 @@ dataSetOf (const std::string& text, const Eigen::Vector3d& up)
       if (kind == scenes.name)
         return scenesDataSet (scenes, rest);
   }
-  throw apps::UsageError (text, std::string ("is no data set; give ") + data_set_help);
+  throw UsageError (text, std::string ("is no data set; give ") + data_set_help);
 }
 
 std::vector<DataSet>
@@ -191,6 +221,57 @@ dataSetsOf (const std::vector<std::string>& texts, const Eigen::Vector3f& up)
   for (const std::string& text : texts)
     data_sets.push_back (dataSetOf (text, up.cast<double>().normalized()));
   return data_sets;
+}
+
+LabeledCloud
+loadLabeledCloud (const std::string& file, bool needs_labels)
+{
+  return apps::inMemory (file, "give a smaller cloud", [&] {
+    const apps::FileCloud cloud = apps::loadCloud (file);
+    PlaneLabels labels;
+    if (needs_labels || apps::hasField (cloud, "label"))
+      labels = labelsIn (cloud.points, file);
+    const apps::ShiftedCloud shifted = apps::shiftedCloudOf (cloud);
+    const std::string damage = apps::damageOf (shifted);
+    if (!damage.empty())
+      apps::warn (file + ": " + damage);
+    return LabeledCloud{shifted.cloud, shifted.shift, labels};
+  });
+}
+
+LabeledClouds
+loadLabeledClouds (const std::string& truth_file,
+                   const std::string& result_file,
+                   std::size_t min_plane_points)
+{
+  LabeledClouds clouds{loadLabeledCloud (truth_file, true),
+                       loadLabeledCloud (result_file, true)};
+  auto& [truth, result] = clouds;
+  if (truth.cloud->size() != result.cloud->size())
+    throw WorkError (result_file,
+                     "has " + std::to_string (result.cloud->size()) +
+                         " points, the truth " + std::to_string (truth.cloud->size()) +
+                         "; give two labelings of the same cloud");
+  const Eigen::Vector3d shift = result.shift - truth.shift;
+  // Share of the cloud's diagonal by which rounding in a text file may move a point.
+  constexpr double max_rounding = 1e-3;
+  pcl::PointXYZ lowest, highest;
+  pcl::getMinMax3D (*truth.cloud, lowest, highest);
+  const Eigen::Vector3f diagonal = highest.getVector3fMap() - lowest.getVector3fMap();
+  const double tolerance = max_rounding * diagonal.cast<double>().norm();
+  for (std::size_t i = 0; i < truth.cloud->size(); ++i) {
+    const pcl::PointXYZ &expected = (*truth.cloud)[i], &found = (*result.cloud)[i];
+    const Eigen::Vector3d offset =
+        (found.getVector3fMap() - expected.getVector3fMap()).cast<double>() + shift;
+    const bool both_finite = pcl::isXYZFinite (expected) && pcl::isXYZFinite (found);
+    if (both_finite && offset.norm() > tolerance)
+      throw WorkError (result_file,
+                       "point " + std::to_string (i) +
+                           " lies elsewhere than in the truth; give two labelings of "
+                           "the same cloud");
+  }
+  dropSmallPlanes (truth.labels, min_plane_points);
+  return clouds;
 }
 
 } // namespace pcl_ops::evaluation

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <evaluation/labels/labels.h>
+#include <evaluation/metrics/metrics.h>
 
 #include <cstdint>
 #include <functional>

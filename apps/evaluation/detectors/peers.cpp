@@ -2,7 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "peers.h"
 
-#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/common/angles.h>
+#include <pcl/common/point_tests.h>
+#include <pcl/features/integral_image_normal.h>
+#include <pcl/features/normal_3d.h>
+#include <pcl/search/kdtree.h>
+#include <pcl/segmentation/organized_multi_plane_segmentation.h>
+#include <pcl/segmentation/region_growing.h>
+#include <pcl/segmentation/sac_segmentation.h>
 #include <pcl/pcl_config.h>
 
 #include <numbers/statistics.h>
@@ -48,7 +55,7 @@ spacingOf (const XyzCloud::ConstPtr& cloud)
 {
   constexpr int neighbors = 30;
   constexpr std::size_t samples = 2000;
-  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
+  pcl::search::KdTree<pcl::PointXYZ> tree;
   tree.setInputCloud (cloud);
   std::vector<double> spacings;
   pcl::Indices found;
@@ -59,6 +66,24 @@ spacingOf (const XyzCloud::ConstPtr& cloud)
     spacings.push_back (std::sqrt (M_PI * squared.back() / double (found.size())));
   }
   return apps::quantile (spacings, 0.5);
+}
+
+constexpr int min_points_of_region = 50;
+
+using Normals = pcl::PointCloud<pcl::Normal>;
+
+/** The image of a depth camera, in its axes, as what reads it expects. */
+XyzCloud::Ptr
+inAxesOfCamera (const XyzCloud& image)
+{
+  const Eigen::Isometry3f to_scene =
+      Eigen::Translation3f (image.sensor_origin_.head<3>()) * image.sensor_orientation_;
+  const Eigen::Isometry3f to_camera = to_scene.inverse();
+  XyzCloud::Ptr seen (new XyzCloud (image.width, image.height));
+  seen->is_dense = false;
+  for (std::size_t i = 0; i < image.size(); ++i)
+    (*seen)[i].getVector3fMap() = to_camera * image[i].getVector3fMap();
+  return seen;
 }
 
 } // namespace
@@ -155,6 +180,92 @@ peelPlanes (std::size_t points,
     rest = without;
     planes.push_back (plane);
   }
+  return planes;
+}
+
+std::vector<pcl::PointIndices>
+planesByPclRansac (const PeerTask& task)
+{
+  pcl::SACSegmentation<pcl::PointXYZ> segmentation;
+  segmentation.setOptimizeCoefficients (true);
+  segmentation.setModelType (pcl::SACMODEL_PLANE);
+  segmentation.setMethodType (pcl::SAC_RANSAC);
+  segmentation.setMaxIterations (1000);
+  segmentation.setDistanceThreshold (task.values.threshold);
+  segmentation.setInputCloud (task.cloud);
+  return peelPlanes (task.cloud->size(), [&] (const pcl::IndicesPtr& rest) {
+    pcl::PointIndices inliers;
+    pcl::ModelCoefficients coefficients;
+    segmentation.setIndices (rest);
+    segmentation.segment (inliers, coefficients);
+    std::sort (inliers.indices.begin(), inliers.indices.end());
+    return inliers.indices;
+  });
+}
+
+std::vector<pcl::PointIndices>
+planesByPclRegionGrowing (const PeerTask& task)
+{
+  pcl::search::KdTree<pcl::PointXYZ>::Ptr tree (new pcl::search::KdTree<pcl::PointXYZ>);
+  const Normals::Ptr normals (new Normals);
+  timed (task.normals, task.settings.clock, [&] {
+    pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+    estimation.setInputCloud (task.cloud);
+    estimation.setSearchMethod (tree);
+    estimation.setKSearch (task.values.neighbors);
+    estimation.compute (*normals);
+  });
+  pcl::RegionGrowing<pcl::PointXYZ, pcl::Normal> growing;
+  growing.setInputCloud (task.cloud);
+  growing.setInputNormals (normals);
+  growing.setSearchMethod (tree);
+  growing.setNumberOfNeighbours (unsigned (task.values.neighbors));
+  growing.setSmoothnessThreshold (float (paper_angle_tolerance));
+  growing.setCurvatureThreshold (1.0f); // as in PCL's tutorial: normals alone decide
+  growing.setMinClusterSize (min_points_of_region);
+  std::vector<pcl::PointIndices> regions;
+  growing.extract (regions);
+  return regions;
+}
+
+std::vector<pcl::PointIndices>
+planesInImage (const PeerTask& task)
+{
+  // What PCL's demo of it takes.
+  const double angle = pcl::deg2rad (2.0);
+  constexpr double usual_distance = 0.02; // [m]
+  constexpr float max_depth_change = 0.03f, smoothing = 20.0f;
+  const XyzCloud::Ptr image = inAxesOfCamera (*task.settings.image);
+  const Normals::Ptr normals (new Normals);
+  timed (task.normals, task.settings.clock, [&] {
+    pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+    estimation.setNormalEstimationMethod (estimation.COVARIANCE_MATRIX);
+    estimation.setMaxDepthChangeFactor (max_depth_change);
+    estimation.setNormalSmoothingSize (smoothing);
+    estimation.setInputCloud (image);
+    estimation.compute (*normals);
+  });
+  pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label> finder;
+  finder.setMinInliers (min_points_of_region);
+  finder.setAngularThreshold (angle);
+  finder.setDistanceThreshold (
+      task.source == ValuesFrom::Tutorial ? usual_distance : task.values.threshold);
+  finder.setInputNormals (normals);
+  finder.setInputCloud (image);
+  std::vector<pcl::PlanarRegion<pcl::PointXYZ>,
+              Eigen::aligned_allocator<pcl::PlanarRegion<pcl::PointXYZ>>>
+      regions;
+  std::vector<pcl::ModelCoefficients> models;
+  std::vector<pcl::PointIndices> planes, of_labels, borders;
+  pcl::PointCloud<pcl::Label>::Ptr labels (new pcl::PointCloud<pcl::Label>);
+  finder.segmentAndRefine (regions, models, planes, labels, of_labels, borders);
+  pcl::Indices point_of;
+  pcl::index_t points = 0;
+  for (const pcl::PointXYZ& point : *image)
+    point_of.push_back (pcl::isXYZFinite (point) ? points++ : 0);
+  for (pcl::PointIndices& plane : planes)
+    for (pcl::index_t& i : plane.indices)
+      i = point_of[i];
   return planes;
 }
 

@@ -14,6 +14,7 @@
 namespace {
 
 using namespace pcl_ops::evaluation;
+using Eigen::Vector3f;
 namespace fs = std::filesystem;
 
 /** A gray PNG of one row of two pixels, big-endian. */
@@ -76,26 +77,21 @@ protected:
   }
 };
 
-void
-expectPoint (const pcl::PointXYZ& point, const Eigen::Vector3f& expected)
-{
-  EXPECT_LT ((point.getVector3fMap() - expected).norm(), 1e-6f) << point;
-}
-
 TEST_F (SunRgbdTest, ALevelCameraLooksAlongYWithZUp)
 {
   const EvaluationCloud cloud = read();
   ASSERT_EQ (cloud.cloud->size(), 2u);
-  expectPoint ((*cloud.cloud)[0], {0.0f, 0.002f, 0.0f});
-  expectPoint ((*cloud.cloud)[1], {0.003f, 0.003f, 0.0f});
+  EXPECT_TRUE ((*cloud.cloud)[0].getVector3fMap().isApprox (Vector3f (0, 0.002f, 0)));
+  EXPECT_TRUE (
+      (*cloud.cloud)[1].getVector3fMap().isApprox (Vector3f (0.003f, 0.003f, 0)));
 }
 
 TEST_F (SunRgbdTest, ATiltedCameraIsTurnedUprightByTheLatestExtrinsics)
 {
   // Looking straight down: the camera's forward axis is along gravity.
   write (frame / "extrinsics" / "2.txt", "1 0 0 0\n0 0 1 0\n0 -1 0 0\n");
-  const EvaluationCloud cloud = read();
-  expectPoint ((*cloud.cloud)[0], {0.0f, 0.0f, -0.002f});
+  const pcl::PointXYZ point = (*read().cloud)[0];
+  EXPECT_TRUE (point.getVector3fMap().isApprox (Vector3f (0, 0, -0.002f)));
 }
 
 TEST_F (SunRgbdTest, PixelsWithoutReadingGiveNoPointAndFarOnesAreClipped)
@@ -120,16 +116,15 @@ TEST_F (SunRgbdTest, FramesAreFoundAtAnyDepthAndReadLate)
 TEST_F (SunRgbdTest, FilesThatAreMissingAreNamed)
 {
   fs::remove (frame / "depth" / "0001.png");
-  EXPECT_NE (errorOfReading().find ("has no .png file"), std::string::npos);
+  EXPECT_TRUE (contains (errorOfReading(), "has no .png file"));
   fs::remove (frame / "intrinsics.txt");
-  EXPECT_NE (errorOfReading().find ("intrinsics.txt: cannot be read"),
-             std::string::npos);
+  EXPECT_TRUE (contains (errorOfReading(), "intrinsics.txt: cannot be read"));
 }
 
 TEST_F (SunRgbdTest, MalformedMatricesAreNamed)
 {
   write (frame / "extrinsics" / "1.txt", "2 0 0 0\n0 1 0 0\n0 0 1 0\n");
-  EXPECT_NE (errorOfReading().find ("no rotation"), std::string::npos);
+  EXPECT_TRUE (contains (errorOfReading(), "no rotation"));
   for (const char* text : {"1 0 0\n0 1",
                            "1 0 0 a 1 0 0 0 1",
                            "1 0 0 0 1 0 0 0 1 7",
@@ -137,30 +132,32 @@ TEST_F (SunRgbdTest, MalformedMatricesAreNamed)
                            "nan 0 0 0 1 0 0 0 1",
                            ""}) {
     write (frame / "intrinsics.txt", text);
-    EXPECT_NE (errorOfReading().find ("intrinsics.txt"), std::string::npos) << text;
+    EXPECT_TRUE (contains (errorOfReading(), "intrinsics.txt")) << text;
   }
 }
 
 TEST_F (SunRgbdTest, EveryTruncationAndDamagedByteOfAnImageIsAnError)
 {
+  const auto expectError = [&] (const std::string& bytes) {
+    write (frame / "depth" / "0001.png", bytes);
+    EXPECT_TRUE (contains (errorOfReading(), "0001.png: "));
+  };
   // But for the checksum of its end, which some versions of libpng pass over.
   constexpr std::size_t checksum = 4;
   for (std::size_t i = 0; i < two_pixels.size(); ++i) {
-    write (frame / "depth" / "0001.png", two_pixels.substr (0, i));
-    EXPECT_NE (errorOfReading().find ("0001.png: "), std::string::npos) << i;
+    SCOPED_TRACE (i);
+    expectError (two_pixels.substr (0, i));
     std::string damaged = two_pixels;
     damaged[i] ^= 0x20;
-    write (frame / "depth" / "0001.png", damaged);
-    if (i < two_pixels.size() - checksum) {
-      EXPECT_NE (errorOfReading().find ("0001.png: "), std::string::npos) << i;
-    }
+    if (i < two_pixels.size() - checksum)
+      expectError (damaged);
   }
 }
 
 TEST_F (SunRgbdTest, ImagesOfOtherPixelsAreErrors)
 {
   write (frame / "depth" / "0001.png", png (8, "ab"));
-  EXPECT_NE (errorOfReading().find ("16-bit gray"), std::string::npos);
+  EXPECT_TRUE (contains (errorOfReading(), "16-bit gray"));
 }
 
 TEST (SunRgbd, RealFramesStandUpright)
