@@ -33,18 +33,6 @@ viewOf (const PointRows& points)
   return view;
 }
 
-/** \brief Numbers that Python reads where they are, for as long as their owner lives.
- */
-py::array
-inliersOf (const py::object& owner)
-{
-  const auto& inliers = owner.cast<const PlaneSegment&>().inliers;
-  py::array array = py::array_t<pcl::index_t> (
-      static_cast<py::ssize_t> (inliers.size()), inliers.data(), owner);
-  array.attr ("setflags") (py::arg ("write") = false);
-  return array;
-}
-
 /** \brief u and v as rows, as numpy has vectors. */
 Eigen::Matrix<double, 2, 3>
 axesOf (const PlaneSegment& plane)
@@ -62,43 +50,21 @@ matrixOf (const std::optional<PlaneCovariance>& covariance)
   return covariance ? std::make_optional (covariance->matrix) : std::nullopt;
 }
 
-/** \brief All that a plane consists of, for a pickle: centroid, normal, orientation,
- * the four parts of its moments, inliers. */
-using State = std::tuple<Eigen::Vector3d,
-                         Eigen::Vector3d,
-                         Orientation,
-                         Eigen::Vector3d,
-                         double,
-                         Eigen::Vector3d,
-                         std::array<double, 6>,
-                         py::array_t<pcl::index_t>>;
+using Inliers = Eigen::Matrix<pcl::index_t, Eigen::Dynamic, 1>;
 
-State
-stateOf (const py::object& self)
-{
-  const auto& plane = self.cast<const PlaneSegment&>();
-  const auto& [origin, count, sum, products] = plane.moments;
-  return {plane.centroid,
-          plane.normal,
-          plane.orientation,
-          origin,
-          count,
-          sum,
-          products,
-          inliersOf (self)};
-}
-
+/** \brief A plane of what a pickle has of it. */
 PlaneSegment
-fromState (const State& state)
+segmentOf (const Eigen::Vector3d& centroid,
+           const Eigen::Vector3d& normal,
+           Orientation orientation,
+           const Eigen::Vector3d& origin,
+           double count,
+           const Eigen::Vector3d& sum,
+           const std::array<double, 6>& products,
+           const Inliers& inliers)
 {
-  const auto& [centroid, normal, orientation, origin, count, sum, products, inliers] =
-      state;
-  const auto* const first = inliers.data();
-  return {centroid,
-          normal,
-          orientation,
-          {origin, count, sum, products},
-          {first, first + inliers.size()}};
+  const Moments moments{origin, count, sum, products};
+  return {centroid, normal, orientation, moments, {inliers.begin(), inliers.end()}};
 }
 
 /** \brief The class Segment, base of Python's Plane, which takes what is in the one it
@@ -108,18 +74,25 @@ defineSegment (py::module_& module)
 {
   py::class_<PlaneSegment> (module, "Segment")
       .def (py::init ([] (PlaneSegment& taken) { return std::move (taken); }))
-      .def (py::init (&fromState))
+      .def (py::init (&segmentOf))
       .def_readonly ("normal", &PlaneSegment::normal)
       .def_readonly ("centroid", &PlaneSegment::centroid)
       .def_property_readonly ("rms", &PlaneSegment::rms)
-      .def_property_readonly ("orientation",
-                              [] (const PlaneSegment& p) { return p.orientation; })
-      .def_property_readonly ("inliers", &inliersOf)
+      .def_readonly ("orientation", &PlaneSegment::orientation)
+      .def_property_readonly (
+          "inliers", // read where they are, for as long as the plane lives
+          [] (const PlaneSegment& p) {
+            const auto size = static_cast<Eigen::Index> (p.inliers.size());
+            return Eigen::Map<const Inliers> (p.inliers.data(), size);
+          })
       .def_property_readonly ("axes", &axesOf)
       .def_property_readonly (
           "covariance",
           [] (const PlaneSegment& p) { return matrixOf (planeCovariance (p)); })
-      .def_property_readonly ("_state", &stateOf);
+      .def_property_readonly ("_moments", [] (const PlaneSegment& p) {
+        const auto& [origin, count, sum, products] = p.moments;
+        return std::make_tuple (origin, count, sum, products);
+      });
 }
 
 /** \brief The planes in the frame of the array.

@@ -68,7 +68,8 @@ class Plane(_pcl_ops.Segment):
                 f"rms {self.rms:.3g}>")
 
     def __reduce__(self) -> Any:
-        return Plane, (self._state, self._points)
+        return _plane, (self._points, self.centroid, self.normal, self.orientation, *self._moments,
+                        self.inliers)
 
     def _extent(self) -> Tuple[NDArray[np.float64], float, float, float]:
         if self._known_extent is None:  # it takes longer than finding the plane
@@ -79,6 +80,10 @@ class Plane(_pcl_ops.Segment):
 
     def _own_points(self) -> Tuple[NDArray[np.float32], NDArray[np.float64]]:
         return single_precision(self._points.take(self.inliers, axis=0))
+
+
+def _plane(points: NDArray[Any], *state: Any) -> Plane:
+    return Plane(_pcl_ops.Segment(*state), points)
 
 
 Planes = Sequence[Plane]
