@@ -34,9 +34,6 @@ TEST (CustomPointType, IsSegmentedIntoRegionsWithContoursOfItsOwn)
   for (const pcl::PlanarRegion<ThermalPoint>& region : regions) {
     EXPECT_GE (region.getContour().size(), 4u);
     for (const ThermalPoint& corner : region.getContour())
-      EXPECT_NEAR (region.getCoefficients().head<3>().dot (corner.getVector3fMap()) +
-                       region.getCoefficients()[3],
-                   0.0f,
-                   1e-4f);
+      EXPECT_NEAR (region.getCoefficients().dot (corner.getVector4fMap()), 0.0f, 1e-4f);
   }
 }

@@ -32,8 +32,7 @@ cloudFrom (std::size_t number, Make&& make)
   RandomGenerator generator (seedOfTest());
   const auto draw = [&] { return 2.0 * drawUnit (generator) - 1.0; };
   return cloudOf (number, [&] (float) {
-    const double x = draw(), y = draw(), z = draw();
-    return toPoint (make (Eigen::Vector3d (x, y, z)));
+    return toPoint (make (Eigen::Vector3d{draw(), draw(), draw()}));
   });
 }
 
@@ -90,24 +89,15 @@ TEST (DefaultPath, MergesHalvesOfOneFloorBeforePointsAreAssigned)
   // Each half has its points on the one plane, which lies between them.
   EXPECT_GE (planes[0].inliers.size(), 0.9 * ops.getInputCloud()->size());
   EXPECT_NEAR (planes[0].centroid.z(), 10_mm, 5_mm);
+  MergingParameters by_distance;
+  by_distance.noise_factor = 0.0;
+  for (const auto& [distance, number] : {std::pair (1_mm, 2u), {10_cm, 1u}}) {
+    by_distance.distance_threshold = distance;
+    ops.setMergingParameters (by_distance);
+    EXPECT_EQ (planesOf (ops).size(), number);
+  }
   ops.setMergingParameters (noMerging());
   EXPECT_EQ (planesOf (ops).size(), 2u);
-}
-
-TEST (DefaultPath, MergesByADistanceThatIsGiven)
-{
-  Ops ops = onTwoHalves();
-  const auto planes = inliersOf (ops);
-  MergingParameters merging;
-  ops.setMergingParameters (merging);
-  EXPECT_EQ (inliersOf (ops), planes) << "nobody changed them";
-  merging.noise_factor = 0.0;
-  merging.distance_threshold = 1_mm;
-  ops.setMergingParameters (merging);
-  EXPECT_EQ (planesOf (ops).size(), 2u);
-  merging.distance_threshold = 10_cm;
-  ops.setMergingParameters (merging);
-  EXPECT_EQ (planesOf (ops).size(), 1u);
 }
 
 TEST (DefaultPath, EndsAPlaneWhereItsPointsEnd)
