@@ -44,22 +44,6 @@ defaultsOn (const Cloud::ConstPtr& cloud)
   return ops;
 }
 
-/** \brief Tests of what holds for the recommended parameters and for the paper's. */
-class EachPreset : public ::testing::TestWithParam<std::string> {
-protected:
-  static Ops
-  detectorFor (const Cloud::ConstPtr& cloud)
-  {
-    return GetParam() == "paper" ? paperOn (cloud) : defaultsOn (cloud);
-  }
-};
-
-inline std::string
-presetName (const ::testing::TestParamInfo<std::string>& info)
-{
-  return info.param;
-}
-
 inline pcl_ops::MergingParameters
 noMerging ()
 {

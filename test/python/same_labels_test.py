@@ -11,22 +11,16 @@ import unittest
 
 import numpy as np
 import pcl_ops
-from scene import las, room
+from scene import room
 
 
-class InFolder(unittest.TestCase):
+@unittest.skipUnless(shutil.which("pcl_ops_segment"), "the programs are not built")
+class SameLabels(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = pathlib.Path(folder.name)
-
-
-@unittest.skipUnless(shutil.which("pcl_ops_segment"), "the programs are not built")
-class SameLabels(InFolder):
-    @classmethod
-    def setUpClass(cls):
-        super().setUpClass()
         cls.run_program("pcl_ops_simulate room.pcd --width 320 --height 240 --quiet")
         cls.room = pcl_ops.read(cls.folder / "room.pcd")
 
@@ -79,39 +73,6 @@ class SameLabels(InFolder):
         label = self.room.fields["label"]
         self.assertEqual(pcl_ops.evaluate(label, result, points, none=0), by_labels)
         self.assertNotEqual(pcl_ops.evaluate(label, result, points, none=-1), by_labels)
-
-
-class Reader(InFolder):
-    def file(self, name, text):
-        (self.folder / name).write_text(text)
-        return self.folder / name
-
-    def test_reads_what_a_pcd_says(self):
-        cloud = pcl_ops.read(self.file("é.pcd", (
-            "VERSION .7\nFIELDS x y z label\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\n"
-            "WIDTH 2\nHEIGHT 1\nVIEWPOINT 1 2 3 1 0 0 0\nPOINTS 2\nDATA ascii\n"
-            "0.5 nan 2 0\n3 4 5 7\n")))
-        np.testing.assert_array_equal(cloud.points, np.float32([[0.5, np.nan, 2], [3, 4, 5]]))
-        self.assertEqual(cloud.points.dtype, np.float32)
-        self.assertEqual(cloud.viewpoint.tolist(), [1, 2, 3])
-        self.assertEqual(cloud.fields["label"].tolist(), [0, 7])
-        self.assertEqual(cloud.labels.tolist(), [-1, 6])
-
-    def test_keeps_the_digits_of_a_las(self):
-        millimeters = np.random.default_rng(1).integers(0, 10**6, (500, 3))
-        expected = np.array([5e5, 5.4e6, 300.0]) + millimeters * 0.001
-        (self.folder / "a.las").write_bytes(las(expected))
-        points = pcl_ops.read(self.folder / "a.las").points
-        np.testing.assert_allclose(points, expected, rtol=0, atol=1e-6)
-
-    def test_says_what_is_wrong(self):
-        with self.assertRaises(FileNotFoundError):
-            pcl_ops.read(self.folder / "none.pcd")
-        with self.assertRaises(IsADirectoryError):
-            pcl_ops.read(self.folder)
-        for name in ("a.pcd", "a.ply", "a.xyz", "a.las", "a.png"):
-            with self.assertRaisesRegex(ValueError, name):
-                pcl_ops.read(self.file(name, "broken\n"))
 
 
 class Parameters(unittest.TestCase):

@@ -1,18 +1,19 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Messages of ROS, or what looks like them, as arrays."""
+"""Files, and messages of ROS or what looks like them, as arrays."""
 
 import array
 import pathlib
 import runpy
 import sys
+import tempfile
 import types
 import unittest
 from unittest import mock
 
 import numpy as np
 import pcl_ops
-from scene import room
+from scene import las, room
 
 kinds = [types.SimpleNamespace(PointCloud2=types.SimpleNamespace, PointField=types.SimpleNamespace)]
 try:
@@ -118,6 +119,44 @@ class Messages(unittest.TestCase):
         ):
             with self.subTest(beginning), self.assertRaisesRegex(error, "^" + beginning):
                 pcl_ops.from_message(msg)
+
+
+class Reader(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def file(self, name, text):
+        (self.folder / name).write_text(text)
+        return self.folder / name
+
+    def test_reads_what_a_pcd_says(self):
+        cloud = pcl_ops.read(self.file("é.pcd", (
+            "VERSION .7\nFIELDS x y z label\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\n"
+            "WIDTH 2\nHEIGHT 1\nVIEWPOINT 1 2 3 1 0 0 0\nPOINTS 2\nDATA ascii\n"
+            "0.5 nan 2 0\n3 4 5 7\n")))
+        np.testing.assert_array_equal(cloud.points, np.float32([[0.5, np.nan, 2], [3, 4, 5]]))
+        self.assertEqual(cloud.points.dtype, np.float32)
+        self.assertEqual(cloud.viewpoint.tolist(), [1, 2, 3])
+        self.assertEqual(cloud.fields["label"].tolist(), [0, 7])
+        self.assertEqual(cloud.labels.tolist(), [-1, 6])
+
+    def test_keeps_the_digits_of_a_las(self):
+        millimeters = np.random.default_rng(1).integers(0, 10**6, (500, 3))
+        expected = np.array([5e5, 5.4e6, 300.0]) + millimeters * 0.001
+        (self.folder / "a.las").write_bytes(las(expected))
+        points = pcl_ops.read(self.folder / "a.las").points
+        np.testing.assert_allclose(points, expected, rtol=0, atol=1e-6)
+
+    def test_says_what_is_wrong(self):
+        with self.assertRaises(FileNotFoundError):
+            pcl_ops.read(self.folder / "none.pcd")
+        with self.assertRaises(IsADirectoryError):
+            pcl_ops.read(self.folder)
+        for name in ("a.pcd", "a.ply", "a.xyz", "a.las", "a.png"):
+            with self.assertRaisesRegex(ValueError, name):
+                pcl_ops.read(self.file(name, "broken\n"))
 
 
 class FakeNode:

@@ -1,0 +1,275 @@
+# SPDX-FileCopyrightText: 2026 The pcl_ops authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whatever way an array lies in memory, its points get the same labels; what is wrong is said by
+name, and nothing crashes; while planes are looked for, Python goes on."""
+
+import concurrent.futures
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+import unittest
+
+import numpy as np
+import pcl_ops
+from pcl_ops._arguments import points_array, single_precision
+from scene import room
+
+points = room()
+labels, planes = pcl_ops.segment(points)
+
+
+def unaligned(points, kind):
+    record = np.zeros(len(points), [("intensity", "u1"), ("xyz", kind, 3)])
+    record["xyz"] = points
+    return record["xyz"]
+
+
+layouts = {
+    "Fortran order": np.asfortranarray,
+    "columns of a wider array": lambda points: np.tile(points, 3)[:, 3:6],
+    "every other row": lambda points: np.repeat(points, 2, axis=0)[::2],
+    "rows backwards": lambda points: points[::-1].copy()[::-1],
+    "columns backwards": lambda points: points[:, ::-1].copy()[:, ::-1],
+    "read-only": lambda points: np.broadcast_to(points, points.shape),
+    "other order of bytes, double": lambda points: points.astype(">f8"),
+    "unaligned": lambda points: unaligned(points, ">f4"),
+    "unaligned double": lambda points: unaligned(points, "<f8"),
+    "double, Fortran order": lambda points: np.asfortranarray(points, np.float64),
+    "a list": np.ndarray.tolist,
+}
+
+
+class Arrays(unittest.TestCase):
+    def test_any_layout_has_the_same_labels_and_hulls(self):
+        for number, plane in enumerate(planes):
+            np.testing.assert_array_equal(np.flatnonzero(labels == number), plane.inliers)
+        self.assertEqual((labels.dtype, labels.shape), (np.int32, (len(points),)))
+        self.assertEqual(set(labels[np.isnan(points[:, 0])]), {-1})
+        for name, laid_out in layouts.items():
+            with self.subTest(name):
+                found, same = pcl_ops.segment(laid_out(points))
+                np.testing.assert_array_equal(found, labels)
+                for plane, expected in zip(same, planes):
+                    np.testing.assert_allclose(plane.hull, expected.hull, atol=1e-6)
+
+
+class FarAway(unittest.TestCase):
+    """Coordinates as surveys have them: the planes keep their millimeters."""
+
+    place = np.array([498765.4321, 5412345.6789, 312.3456])
+
+    @classmethod
+    def setUpClass(cls):
+        # Digits that single precision does not have, so that they are not to be lost.
+        cls.near = points + np.random.default_rng(5).uniform(-1e-9, 1e-9, points.shape)
+        cls.near_labels, cls.near_planes = pcl_ops.segment(cls.near)
+        cls.labels, cls.planes = pcl_ops.segment(cls.near + cls.place, viewpoint=cls.place)
+
+    def test_planes_are_in_the_frame_of_the_array(self):
+        self.assertGreater((self.labels == self.near_labels).mean(), 0.99)
+        self.assertEqual(len(self.planes), 3)
+        for plane, near in zip(self.planes, self.near_planes):
+            np.testing.assert_allclose(plane.centroid - self.place, near.centroid, atol=1e-3)
+            np.testing.assert_allclose(plane.normal, near.normal, atol=1e-3)
+            # Evaluated at the place the terms are 5,000 km long.
+            self.assertAlmostEqual(
+                plane.coefficients @ np.append(self.place + near.centroid, 1.0), 0.0, delta=1e-3)
+            self.assertAlmostEqual(plane.rms, near.rms, delta=1e-4)
+            self.assertAlmostEqual(plane.area, near.area, delta=0.01 * near.area)
+            offsets = (plane.hull - plane.centroid) @ plane.normal
+            self.assertLess(np.abs(offsets).max(), 1e-6)
+
+    def test_one_outlier_takes_no_digits(self):
+        cloud = self.near + self.place
+        cloud[0] = 1e9, -1e9, 1e9
+        found, on = pcl_ops.segment(cloud, viewpoint=self.place)
+        self.assertEqual((found[0], len(on)), (-1, 3))
+        self.assertLess(on[0].rms, 0.003)
+
+    def test_merged_planes_keep_the_frame(self):
+        found = pcl_ops.segment(
+            self.near + self.place, viewpoint=self.place, merging_enabled=False)[1]
+        for plane, near in zip(pcl_ops.merge_planes(found)[0], self.near_planes):
+            np.testing.assert_allclose(plane.centroid - self.place, near.centroid, atol=0.01)
+            self.assertAlmostEqual(plane.area, near.area, delta=0.01 * near.area)
+
+
+class Memory(unittest.TestCase):
+    def test_rows_in_order_alone_are_not_copied(self):
+        wide = np.zeros((100, 9), np.float32)
+        for rows in (wide[:, :3], wide[:, 2:5], wide[::2, :3], wide[:, 6:].copy()):
+            self.assertIs(single_precision(points_array(rows))[0], rows)
+        for rows in (wide[::-1, :3], wide[:, 2::-1], wide[:, ::3], wide[:, :3].astype(">f4"),
+                     wide[:, :3].astype(np.float64)):
+            self.assertFalse(np.shares_memory(single_precision(points_array(rows))[0], rows))
+
+
+def segment(array=points, **arguments):
+    return lambda: pcl_ops.segment(array, **arguments)
+
+
+def evaluate(truth=labels, result=labels, **arguments):
+    return lambda: pcl_ops.evaluate(truth, result, points, **arguments)
+
+
+def call(function, *given, **arguments):
+    return lambda: getattr(pcl_ops, function)(*given, **arguments)
+
+
+# What is called, what it raises, and what that begins with.
+table = [
+    (segment(np.zeros((5, 4), np.float32)), ValueError, "points: shape (5, 4) is not (N, 3)"),
+    (segment(np.zeros((0, 3), np.float32)), ValueError, "points: shape (0, 3)"),
+    (segment(np.zeros((5, 3), int)), TypeError, "points: dtype int64"),
+    (segment("room.pcd"), TypeError, "points: dtype <U8"),
+    (segment(np.ma.masked_invalid(points)), TypeError, "points: a masked array"),
+    (segment(method="ransac"), ValueError, "method: has to be one of ('ops', 'fspf', 'kht')"),
+    (segment(method=3), TypeError, "method: has to be one of"),
+    (segment(preset="fast"), ValueError, "preset: has to be one of ('default', 'paper'), not 'fast'"),
+    (segment(viewpoint=(0, 0)), TypeError, "viewpoint: has to be three numbers (x, y, z)"),
+    (segment(viewpoint=(0, 0, np.nan)), ValueError, "viewpoint: has to be finite"),
+    (segment(smapling_rate=0.1), ValueError, "smapling_rate: unknown parameter; there are sampling, "),
+    (segment(k=1), ValueError, "k: k must be 2 or more"),
+    (segment(k=2.5), TypeError, "k: has to be int, not 2.5"),
+    (segment(k=10**30), ValueError, "k: has to be int within its range, not 1000"),
+    (segment(seed=-1), ValueError, "seed: has to be int within its range, not -1"),
+    (segment(sampling_rate=np.nan), ValueError, "sampling_rate: the sampling rate must be"),
+    (segment(sampling_rate=None), TypeError, "sampling_rate: has to be float, not None"),
+    (segment(sampling_rate="ä" * 100), TypeError, "sampling_rate: has to be float, not 'äää"),
+    (segment(sampling="point"), ValueError, "sampling: has to be Literal['points', 'surfels'], not 'point'"),
+    (segment(sampling="points"), ValueError, "sampling: the distance threshold must be"),
+    (segment(distance_threshold="x"), TypeError, "distance_threshold: has to be Optional[float]"),
+    (segment(k=30, probability=1), ValueError, "probability: "),
+    (segment(up=(0, 0, 0)), ValueError, "up: the up axis must be"),
+    (segment(up=1.0), TypeError, "up: has to be three numbers (x, y, z), not 1.0"),
+    (segment(up=(1, 2, "z")), TypeError, "up: has to be three numbers"),
+    (segment(local_optimization=1.0), TypeError, "local_optimization: has to be bool, not 1.0"),
+    (segment(merging_angle_threshold=9), ValueError, "merging_angle_threshold: the merging"),
+    (segment(method="kht", clusters_min_samples=-1), ValueError, "clusters_min_samples: "),
+    (call("merge_planes", [1]), TypeError, "planes: not a list of pcl_ops.Plane: [1]"),
+    (call("merge_planes", None), TypeError, "planes: not a list of pcl_ops.Plane: None"),
+    (call("merge_planes", [], up=(0, 0, 0)), ValueError, "up: the up axis must be"),
+    (call("estimate_up_axis", [None]), TypeError, "planes: not a list"),
+    (call("estimate_up_axis", [], min_share="x"), TypeError, "min_share: "),
+    (call("estimate_up_axis", [], min_share=2), ValueError, "min_share: the least"),
+    (call("match_planes", [1], []), TypeError, "previous: not a list of pcl_ops.Plane: [1]"),
+    (call("match_planes", [], [], np.eye(3)), ValueError, "pose: is no"),
+    (call("match_planes", [], [], np.full((4, 4), np.nan)), ValueError, "pose: is no"),
+    (call("match_planes", [], [], np.diag([1, 1, -1, 1])), ValueError, "pose: is no"),
+    (call("match_planes", [], [], min_overlap=2.0), ValueError, "min_overlap: "),
+    (call("PlaneTracker", memory=-1), ValueError, "memory: "),
+    (call("PlaneTracker", max_distance=-1), ValueError, "the largest distance must"),
+    (lambda: pcl_ops.PlaneTracker().track([1]), TypeError, "planes: not a list"),
+    (call("find_plane_edges", [], min_angle=9), ValueError, "min_angle: "),
+    (call("find_plane_edges", [], reach="x"), TypeError, "reach: has to be Optional[float]"),
+    (call("filter_planes", [], orientation="steep"), ValueError, "orientation: "),
+    (call("filter_planes", [], direction=(0, 0, 0)), ValueError, "direction: "),
+    (call("filter_planes", [], size=(1, 2)), TypeError, "size: has to be Optional[Tuple[float, "),
+    (call("filter_planes", [], size=(1, -2, 0)), ValueError, "size: "),
+    (call("filter_planes", [], min_points=-1), ValueError, "min_points: "),
+    (evaluate(labels[:-1]), ValueError, "truth: shape (29599,) is not (29600,)"),
+    (evaluate(result=labels.astype(float)), TypeError, "result: dtype float64"),
+    (evaluate(labels.astype(np.uint64) + np.uint64(2**63)), ValueError, "truth: the label "),
+    (evaluate(np.ma.masked_equal(labels, 1)), TypeError, "truth: a masked array"),
+    (evaluate(labels + 1), ValueError, "truth: has the label 0 and no negative one; give none=0"),
+    (evaluate(up=(0, 0, np.inf)), ValueError, "up: the up axis must be"),
+]
+
+
+class BadInput(unittest.TestCase):
+    def test_is_said_by_name(self):
+        for bad_call, error, beginning in table:
+            with self.subTest(beginning):
+                with self.assertRaises(error) as raised:
+                    bad_call()
+                self.assertTrue(str(raised.exception).startswith(beginning), raised.exception)
+
+    def test_planes_of_different_arrays_and_those_that_share_points(self):
+        others = pcl_ops.segment(points.copy())[1]
+        for function in (pcl_ops.merge_planes, pcl_ops.find_plane_edges):
+            with self.assertRaisesRegex(ValueError, "planes: .*different arrays"):
+                function(planes + others)
+        with self.assertRaisesRegex(ValueError, "planes: some share points"):
+            pcl_ops.merge_planes(planes + planes[:1])
+
+    def test_no_plane_is_an_answer_as_in_cpp(self):
+        for nothing in (
+            *(np.full((1000, 3), bad, kind) for bad in (np.nan, np.inf, -np.inf) for kind in "fd"),
+            np.zeros((1, 3), np.float32),
+            np.ones((5000, 3)),
+            np.random.default_rng(1).normal(0, 1e300, (500, 3)),
+        ):
+            for method in ("ops", "fspf", "kht"):
+                none, no_planes = pcl_ops.segment(nothing, method)
+                self.assertEqual((no_planes, set(none.tolist())), ([], {-1}))
+
+
+def large(kind):
+    """Points enough for some tenths of a second."""
+    many = np.tile(points, (20, 1)).astype(kind)
+    return many + np.random.default_rng(1).normal(0, 0.002, many.shape).astype(kind)
+
+
+def ticks_during(call):
+    """How often another thread had its turn while a call was at work."""
+    ticks = []
+    done = threading.Event()
+
+    def tick():
+        while not done.wait(0.001):
+            ticks.append(time.perf_counter())
+
+    with concurrent.futures.ThreadPoolExecutor(1) as pool:
+        pool.submit(tick)
+        begin = time.perf_counter()
+        call()
+        end = time.perf_counter()
+        done.set()
+    return sum(begin < tick < end for tick in ticks)
+
+
+class Threads(unittest.TestCase):
+    def test_others_work_during_segment_and_evaluate(self):
+        truth = pcl_ops.segment(large(np.float32))[0]
+        for kind in (np.float32, np.float64):
+            cloud = large(kind)
+            for call in (*(lambda method=method: pcl_ops.segment(cloud, method)
+                           for method in ("ops", "fspf", "kht")),
+                         lambda: pcl_ops.evaluate(truth, truth, cloud)):
+                # With the interpreter held there are none, but for one as it begins and ends.
+                self.assertGreater(max(ticks_during(call) for _ in range(3)), 5)
+
+    def test_calls_at_once_find_the_same(self):
+        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+            for found, _ in pool.map(lambda _: pcl_ops.segment(points), range(20)):
+                np.testing.assert_array_equal(found, labels)
+
+    def test_end_of_python_during_a_call_is_quiet(self):
+        script = """
+import threading, time
+import pcl_ops
+from scene import room
+points = room()
+def work():
+    while True:
+        pcl_ops.segment(points.astype("f8") + 0.1, "fspf")
+        pcl_ops.evaluate(labels, labels, points)
+labels = pcl_ops.segment(points)[0]
+for _ in range(2):
+    threading.Thread(target=work, daemon=True).start()
+time.sleep(0.2)
+"""
+        here = os.path.dirname(os.path.abspath(__file__))
+        for _ in range(5):
+            run = subprocess.run([sys.executable, "-B", "-c", script], cwd=here, capture_output=True)
+            self.assertEqual((run.returncode, run.stderr), (0, b""))
+
+    def test_interruption_is_not_lost(self):
+        cloud = large(np.float32)
+        with self.assertRaises(KeyboardInterrupt):
+            threading.Timer(0.02, os.kill, (os.getpid(), signal.SIGINT)).start()
+            pcl_ops.segment(cloud)
+            time.sleep(10)
