@@ -21,126 +21,121 @@ killedAt (int write)
 const std::string sorted = "out/work/cells/3.cells",
                   joined = "out/work/planes/planes.json";
 
+const std::string start = "town --output-dir out --tile 40";
+
 class TilesRestart : public Tiles {
 protected:
-  /** \brief What a run that nobody stopped writes. */
-  std::map<std::string, std::size_t>
-  undisturbed () const
+  TilesRestart()
   {
     makeTown ("--points 20000 --tiles 4");
     expectDone ("town --output-dir whole --tile 40");
-    return outputsIn ("whole");
+    expected_ = outputsIn ("whole");
+  }
+
+  /** \brief A run to its end, which gives what one that nobody stopped does. */
+  void
+  expectWhole (const std::string& arguments = start,
+               const std::string& before = "") const
+  {
+    expectDone (arguments, before);
+    EXPECT_EQ (outputsIn ("out"), expected_);
   }
 
   /** \brief Leaves a run in the folder out that was stopped once a file was there. */
   void
-  stopOnce (const std::string& file, const std::string& options) const
+  stopOnce (const std::string& file, const std::string& arguments = start) const
   {
     for (int write = 1; !fs::exists (folder_ / file); ++write)
-      ASSERT_NE (run ("town --output-dir out " + options, killedAt (write)).exit_code,
-                 0);
+      ASSERT_NE (run (arguments, killedAt (write)).exit_code, 0);
   }
 
-  /** \brief When each file of a folder was written, by its name. */
-  std::map<std::string, fs::file_time_type>
-  timesIn (const std::string& folder) const
+  /** \brief A run that is stopped at a write at which some inputs would be sorted, were
+   * they sorted again. */
+  void
+  expectNotSortedAgain (const std::string& arguments, int write) const
   {
-    std::map<std::string, fs::file_time_type> times;
-    for (const auto& file : fs::directory_iterator (folder_ / folder))
-      if (file.path().extension() == ".cells")
-        times[file.path().filename().string()] = file.last_write_time();
-    return times;
+    const auto times = [this] {
+      std::map<std::string, fs::file_time_type> all;
+      for (const auto& file : fs::directory_iterator (folder_ / "out/work/cells"))
+        if (file.path().extension() == ".cells")
+          all[file.path().string()] = file.last_write_time();
+      return all;
+    };
+    const auto before = times();
+    ASSERT_NE (run (arguments, killedAt (write)).exit_code, 0);
+    EXPECT_EQ (times(), before);
   }
+
+  std::map<std::string, std::size_t> expected_;
 };
 
 TEST_F (TilesRestart, AfterBeingKilledAgainAndAgainGivesTheSameBytes)
 {
-  const auto expected = undisturbed();
   int kills = 0;
   // Each time a little farther: in every phase, before and behind its first file.
-  for (int write = 1;
-       run ("town --output-dir out --tile 40", killedAt (write)).exit_code != 0;
-       ++write)
+  for (int write = 1; run (start, killedAt (write)).exit_code != 0; ++write)
     ASSERT_LT (++kills, 200);
   constexpr int phases = 5;
   EXPECT_GT (kills, 2 * phases);
-  EXPECT_EQ (outputsIn ("out"), expected);
+  EXPECT_EQ (outputsIn ("out"), expected_);
 }
 
 TEST_F (TilesRestart, DoesNotDoAgainWhatIsDone)
 {
-  const auto expected = undisturbed();
-  stopOnce (joined, "--tile 40");
-  const std::string cells = folder_ / "out/work/cells/0.cells";
-  const auto before = timesIn ("out/work/cells");
-  // At a write at which some inputs would be sorted, were they sorted again.
-  ASSERT_NE (run ("town --output-dir out --tile 40", killedAt (8)).exit_code, 0);
-  EXPECT_EQ (timesIn ("out/work/cells"), before);
-  expectDone ("town --output-dir out --tile 40");
-  EXPECT_EQ (outputsIn ("out"), expected);
-  EXPECT_FALSE (fs::exists (cells)) << "no longer needed";
+  stopOnce (joined);
+  expectNotSortedAgain (start, 8);
+  expectWhole();
+  EXPECT_FALSE (fs::exists (folder_ / sorted)) << "no longer needed";
   fs::remove (folder_ / "out/town_000_000.las");
-  expectDone ("town --output-dir out --tile 40");
-  EXPECT_EQ (outputsIn ("out"), expected) << "an output was removed";
+  expectWhole();
 }
 
 TEST_F (TilesRestart, NamesAFileOfItsOwnThatIsDamaged)
 {
-  undisturbed();
-  stopOnce (joined, "--tile 40");
+  stopOnce (joined);
   // More numbers than there are bytes, then labels without a plane.
   const std::tuple<const char*, std::size_t, std::string> damages[] = {
       {".numbers", 0, std::string (8, '\xff')}, {".labels", 4, "\x7f\x7f\x7f\x7f"}};
+  fs::rename (folder_ / "out", folder_ / "stopped");
   for (const auto& [extension, place, bytes] : damages) {
-    std::map<fs::path, std::string> contents;
+    fs::remove_all (folder_ / "out");
+    fs::copy (folder_ / "stopped", folder_ / "out", fs::copy_options::recursive);
     for (const auto& file : fs::directory_iterator (folder_ / "out/work/planes"))
       if (file.path().extension() == extension)
-        contents[file.path()] = contentOf (file.path());
-    for (const auto& [file, content] : contents)
-      std::ofstream (file, std::ios::binary)
-          << std::string (content).replace (place, bytes.size(), bytes);
-    const Outcome done = run ("town --output-dir out --tile 40");
+        folder_.write (file.path(),
+                       contentOf (file.path()).replace (place, bytes.size(), bytes));
+    const Outcome done = run (start);
     EXPECT_EQ (done.exit_code, 1);
     EXPECT_TRUE (contains (
         done.err,
         extension +
             std::string (": is damaged; remove its folder and run it again\n")));
-    for (const auto& [file, content] : contents)
-      std::ofstream (file, std::ios::binary) << content;
   }
 }
 
 TEST_F (TilesRestart, LabelsAgainWhatWasRemoved)
 {
-  const auto expected = undisturbed();
-  stopOnce ("out/work/labelled/0", "--tile 40");
+  stopOnce ("out/work/labelled/0");
   for (const auto& [name, content] : outputsIn ("out"))
     fs::remove (folder_ / ("out/" + name));
-  expectDone ("town --output-dir out --tile 40");
-  EXPECT_EQ (outputsIn ("out"), expected);
+  expectWhole();
 }
 
 TEST_F (TilesRestart, GoesOnWithItsOwnPlanOnly)
 {
-  const auto expected = undisturbed();
-  stopOnce (sorted, "--tile 40 --plan a.json");
+  stopOnce (sorted, start + " --plan a.json");
   expectRefused ("town --output-dir out --tile 30 --plan b.json",
                  "out/work/plan.json: is the plan of another run (--tile was another "
                  "one); remove its folder or give another --output-dir");
-  const auto before = timesIn ("out/work/cells");
-  ASSERT_NE (run ("town --output-dir out --plan a.json", killedAt (2)).exit_code, 0);
-  EXPECT_EQ (timesIn ("out/work/cells"), before);
-  expectDone ("town --output-dir out --tile 40 --plan a.json");
-  EXPECT_EQ (outputsIn ("out"), expected);
+  expectNotSortedAgain ("town --output-dir out --plan a.json", 2);
+  expectWhole (start + " --plan a.json");
 }
 
 TEST_F (TilesRestart, StartsAnewOnceThePlanWasRemoved)
 {
-  const auto expected = undisturbed();
-  stopOnce (sorted, "--tile 30");
+  stopOnce (sorted, "town --output-dir out --tile 30");
   fs::remove (folder_ / "out/work/plan.json");
-  expectDone ("town --output-dir out --tile 40");
-  EXPECT_EQ (outputsIn ("out"), expected) << "what a stopped run left was taken";
+  expectWhole();
   fs::remove (folder_ / "out/work/plan.json");
   expectDone ("town --output-dir out --cell 3 --plan a.json");
   EXPECT_EQ (listIn ("out").at ("cell"), 3) << "the end of another run was taken";
@@ -148,15 +143,13 @@ TEST_F (TilesRestart, StartsAnewOnceThePlanWasRemoved)
 
 TEST_F (TilesRestart, LeavesTheFolderToTheRunThatWorksInIt)
 {
-  const auto expected = undisturbed();
   fs::create_directory (folder_ / "out");
-  expectRefused ("town --output-dir out --tile 40",
+  expectRefused (start,
                  "out: another run works in it; wait until it has ended, or give "
                  "another --output-dir",
                  1,
                  "flock out");
-  expectDone ("town --output-dir out --tile 40");
-  EXPECT_EQ (outputsIn ("out"), expected);
+  expectWhole();
 }
 
 #ifdef PCL_OPS_MPIEXEC
@@ -171,27 +164,23 @@ ranks (int number)
 
 TEST_F (TilesRestart, GivesTheSameBytesForAnyNumberOfRanks)
 {
-  const auto expected = undisturbed();
   for (const int number : {1, 2, 3, 4, 8}) {
-    const std::string out = "out" + std::to_string (number);
-    expectDone ("town --tile 40 --output-dir " + out, ranks (number));
-    EXPECT_EQ (outputsIn (out), expected) << number << " ranks";
+    SCOPED_TRACE (number);
+    fs::remove_all (folder_ / "out");
+    expectWhole (start, ranks (number));
   }
 }
 
 TEST_F (TilesRestart, ARankThatIsLostEndsTheRunSoonAndTheNextOneGoesOn)
 {
-  const auto expected = undisturbed();
-  const auto start = std::chrono::steady_clock::now();
-  const std::string program =
-      "'" PCL_OPS_TILES_PROGRAM "' town --tile 40 --output-dir out";
+  const auto begin = std::chrono::steady_clock::now();
+  const std::string program = "'" PCL_OPS_TILES_PROGRAM "' " + start;
   const Outcome lost =
       shell (ranks (1) + " " + program + " : -n 1 " + killedAt (3) + " " + program);
   EXPECT_NE (lost.exit_code, 0);
   EXPECT_FALSE (fs::exists (folder_ / "out/planes.json"));
-  EXPECT_LT (std::chrono::steady_clock::now() - start, std::chrono::seconds (20));
-  expectDone ("town --tile 40 --output-dir out", ranks (2));
-  EXPECT_EQ (outputsIn ("out"), expected);
+  EXPECT_LT (std::chrono::steady_clock::now() - begin, std::chrono::seconds (20));
+  expectWhole (start, ranks (2));
 }
 
 TEST_F (TilesRestart, OneRankOfSeveralSaysWhatIsWrong)
