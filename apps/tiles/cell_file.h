@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "binary_file.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -33,21 +35,44 @@ public:
 
   /** \param[in] point in the frame of the tile */
   void
-  add (const BlockKey& key, const Eigen::Vector3f& point);
+  add (const BlockKey& key, const Eigen::Vector3f& point)
+  {
+    constexpr std::size_t most = 1U << 21U;
+    if (last_ == waiting_.end() || last_->first != key)
+      last_ = waiting_.try_emplace (key).first;
+    last_->second.push_back (point);
+    if (++points_waiting_ == most)
+      flush();
+  }
 
   /** \brief Writes what is left, and where all is. */
   void
-  finish ();
+  finish ()
+  {
+    flush();
+    BinaryWriter write (stream_);
+    write (blocks_);
+    write (&offset_, 1);
+  }
 
 private:
   void
-  flush ();
+  flush ()
+  {
+    for (const auto& [key, points] : waiting_) {
+      blocks_.push_back ({key, offset_, points.size()});
+      BinaryWriter{stream_}(points.front().data(), 3 * points.size());
+      offset_ += points.size() * sizeof (points.front());
+    }
+    waiting_.clear();
+    last_ = waiting_.end();
+    points_waiting_ = 0;
+  }
 
   std::ostream& stream_;
-  using Waiting = std::map<BlockKey, std::vector<Eigen::Vector3f>>;
-  Waiting waiting_;
-  /** \brief That of the last point, as the next one mostly has it, too. */
-  Waiting::iterator last_ = waiting_.end();
+  std::map<BlockKey, std::vector<Eigen::Vector3f>> waiting_;
+  /** \brief Those of the last key, which the next point mostly has, too. */
+  decltype (waiting_)::iterator last_ = waiting_.end();
   std::size_t points_waiting_ = 0;
   std::uint64_t offset_ = 0;
   std::vector<Block> blocks_;
@@ -56,7 +81,18 @@ private:
 class CellFile {
 public:
   /** \throws WorkError if it cannot be read */
-  explicit CellFile (const std::string& file);
+  explicit CellFile (const std::string& file) : file_ (file)
+  {
+    BinaryReader read (file);
+    std::uint64_t end_of_points = 0;
+    read.seek (read.size() - sizeof (end_of_points));
+    read (&end_of_points, 1);
+    read.seek (end_of_points);
+    std::vector<Block> blocks;
+    read (blocks);
+    for (const Block& block : blocks)
+      blocks_.emplace (block.key, block);
+  }
 
   /** \brief By key, those of one key in the order of their points. */
   const std::multimap<BlockKey, Block>&
@@ -66,11 +102,30 @@ public:
   }
 
   std::uint64_t
-  count (const BlockKey& key) const;
+  count (const BlockKey& key) const
+  {
+    std::uint64_t points = 0;
+    const auto [first, last] = blocks_.equal_range (key);
+    for (auto block = first; block != last; ++block)
+      points += block->second.points;
+    return points;
+  }
 
   /** \brief Appends all points of a key, in their order. */
   void
-  read (const BlockKey& key, std::vector<Eigen::Vector3f>& points) const;
+  read (const BlockKey& key, std::vector<Eigen::Vector3f>& points) const
+  {
+    const auto [first, last] = blocks_.equal_range (key);
+    if (first == last)
+      return;
+    BinaryReader read (file_);
+    for (auto block = first; block != last; ++block) {
+      const std::size_t before = points.size();
+      points.resize (before + block->second.points);
+      read.seek (block->second.offset);
+      read (points[before].data(), 3 * block->second.points);
+    }
+  }
 
 private:
   std::string file_;

@@ -49,25 +49,21 @@ struct TilesOptions {
 };
 
 constexpr const char* summary =
-    "Finds the planes of a survey that is larger than the memory, in tiles, and "
-    "labels\n"
-    "every point with its plane, the same ones for any number of jobs and ranks.";
+    R"(Finds the planes of a survey that is larger than the memory, in tiles, and labels
+every point with its plane, the same ones for any number of jobs and ranks.)";
 
 constexpr const char* in_and_out =
-    "  INPUT       tiles in one frame, folders, patterns: .las (.laz by LASzip), "
-    "which\n"
-    "              are never whole in memory, .pcd, .ply, .xyz, .txt, .pts or .csv; "
-    "they\n"
-    "              may overlap\n"
-    "  DIR/NAME    each input with its labels (0: no plane, 1: the largest, ...)\n"
-    "  DIR/planes.json  all planes\n"
-    "  DIR/work    what a run that was stopped goes on from; at the end the plan is "
-    "left\n"
-    "  mpirun -n 4 pcl_ops_tiles ...  shares the work among processes, all of which "
-    "see\n"
-    "              the same files\n"
-    "  exit code   0 done; 1 failed; 2 wrong usage\n"
-    "Lengths are in the unit of the inputs, meters by default.\n";
+    R"(  INPUT       tiles in one frame, folders, patterns: .las (.laz by LASzip), which
+              are never whole in memory, .pcd, .ply, .xyz, .txt, .pts or .csv; they
+              may overlap
+  DIR/NAME    each input with its labels (0: no plane, 1: the largest, ...)
+  DIR/planes.json  all planes
+  DIR/work    what a run that was stopped goes on from; at the end the plan is left
+  mpirun -n 4 pcl_ops_tiles ...  shares the work among processes, all of which see
+              the same files
+  exit code   0 done; 1 failed; 2 wrong usage
+Lengths are in the unit of the inputs, meters by default.
+)";
 
 void
 checkPlanes (const CommandLine& line, PlanesOutput& planes)
@@ -234,66 +230,64 @@ textOf (const Plan& plan)
 }
 
 /** \brief A run of all phases, as one of the ranks has it. */
-class TileRun {
-public:
-  TileRun (const Plan& plan,
-           const RunFolder& folder,
-           const TilesOptions& options,
-           const Ranks& ranks)
-  : plan_ (plan), folder_ (folder), options_ (options), ranks_ (ranks)
-  {}
+struct TileRun {
+  const Plan& plan;
+  const RunFolder& folder;
+  const TilesOptions& options;
+  const Ranks& ranks;
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  std::string times = {};
 
   /** \return how long each phase took, in words */
   std::string
   run ()
   {
     std::vector<std::uint64_t> points_of_input;
-    for (const PlannedInput& input : plan_.inputs)
+    for (const PlannedInput& input : plan.inputs)
       points_of_input.push_back (input.points);
-    const auto is_sorted = [&] (std::size_t i) { return isThere (folder_.cells (i)); };
+    const auto is_sorted = [&] (std::size_t i) { return isThere (folder.cells (i)); };
     share (points_of_input, "inputs sorted", is_sorted, [&] (std::size_t i) {
-      inMemory (plan_.inputs[i].file, "give fewer --jobs", [&] {
-        partitionInput (plan_, folder_, i);
+      inMemory (plan.inputs[i].file, "give fewer --jobs", [&] {
+        partitionInput (plan, folder, i);
       });
     });
     finish ("sorted");
-    const SortedPoints points (plan_, folder_);
+    const SortedPoints points (plan, folder);
     const auto is_found = [&] (std::size_t i) {
-      return isThere (folder_.ofTile (points.tiles[i], ".planes"));
+      return isThere (folder.ofTile (points.tiles[i], ".planes"));
     };
     share (points.points_of_tile, "tiles", is_found, [&] (std::size_t i) {
       inMemory ("--tile", "give a smaller one or fewer --jobs", [&] {
-        detectTile (plan_, folder_, points, points.tiles[i]);
+        detectTile (plan, folder, points, points.tiles[i]);
       });
     });
     finish ("planes found");
-    if (ranks_.rank == 0 && !isThere (folder_.work (run_file::list)))
-      joinTiles (plan_, folder_, points);
+    if (ranks.rank == 0 && !isThere (folder.work (run_file::list)))
+      joinTiles (plan, folder, points);
     finish ("joined");
     const auto is_labelled = [&] (std::size_t i) {
-      return isThere (folder_.mark (i)) && isThere (outputOf (plan_, folder_, i));
+      return isThere (folder.mark (i)) && isThere (outputOf (plan, folder, i));
     };
     share (points_of_input, "inputs labelled", is_labelled, [&] (std::size_t i) {
-      inMemory (plan_.inputs[i].file, "give fewer --jobs", [&] {
-        labelInput (plan_, folder_, i);
+      inMemory (plan.inputs[i].file, "give fewer --jobs", [&] {
+        labelInput (plan, folder, i);
       });
     });
     finish ("labelled");
-    return times_;
+    return times;
   }
 
-private:
   /** \brief Waits until all ranks are through a phase. */
   void
   finish (const std::string& phase)
   {
-    ranks_.meet();
+    ranks.meet();
     const auto now = std::chrono::steady_clock::now();
     std::ostringstream text;
-    text << std::fixed << std::setprecision (1) << (times_.empty() ? "" : ", ") << phase
-         << " in " << std::chrono::duration<double> (now - start_).count() << " s";
-    times_ += text.str();
-    start_ = now;
+    text << std::fixed << std::setprecision (1) << (times.empty() ? "" : ", ") << phase
+         << " in " << std::chrono::duration<double> (now - start).count() << " s";
+    times += text.str();
+    start = now;
   }
 
   /** \brief Does this rank's share of the parts of a phase that are not done.
@@ -304,17 +298,16 @@ private:
          const std::function<bool (std::size_t)>& is_done,
          const std::function<void (std::size_t)>& work)
   {
-    std::vector<std::size_t> own = shareOf (ranks_.rank, ranks_.size, parts);
+    std::vector<std::size_t> own = shareOf (ranks.rank, ranks.size, parts);
     own.erase (std::remove_if (own.begin(), own.end(), is_done), own.end());
     const bool is_terminal = ::isatty (STDERR_FILENO) == 1;
     Progress progress (own.size(),
                        std::cerr,
-                       ranks_.rank == 0 && !options_.quiet
-                           ? progressStyleOf (is_terminal)
-                           : ProgressStyle::None,
+                       ranks.rank == 0 && !options.quiet ? progressStyleOf (is_terminal)
+                                                         : ProgressStyle::None,
                        noun);
     try {
-      runInParallel (own.size(), options_.jobs, [&] (std::size_t i) {
+      runInParallel (own.size(), options.jobs, [&] (std::size_t i) {
         stopIfInterrupted();
         work (own[i]);
         progress.step();
@@ -325,13 +318,6 @@ private:
                        "no output is half-written; run it again to go on");
     }
   }
-
-  const Plan& plan_;
-  const RunFolder& folder_;
-  const TilesOptions& options_;
-  const Ranks& ranks_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::string times_;
 };
 
 /** \brief Whether a run has come to its end, and nobody has removed what it wrote. */
@@ -415,7 +401,7 @@ findInTiles (int argc, const char* const* argv, const Ranks& ranks)
   if (speaks)
     std::cout << textOf (plan) << "\n";
   const std::string times =
-      is_done ? "" : TileRun (plan, folder, options, ranks).run() + "\n";
+      is_done ? "" : TileRun{plan, folder, options, ranks}.run() + "\n";
   if (!is_first)
     return ExitCode::done;
   if (!is_done)

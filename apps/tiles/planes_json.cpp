@@ -79,17 +79,6 @@ extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plan
 }
 
 Json
-toObject (const Moments& moments)
-{
-  Json object;
-  object["origin"] = moments.origin;
-  object["count"] = moments.count;
-  object["sum"] = moments.sum;
-  object["products"] = moments.products;
-  return object;
-}
-
-Json
 toObject (const Plan& plan,
           std::size_t id,
           const JoinedPlane& plane,
@@ -101,7 +90,11 @@ toObject (const Plan& plan,
                              whole.extent,
                              attitudeOf (segment, Eigen::Vector3d::UnitZ()),
                              whole.parts);
-  object["moments"] = toObject (segment.moments);
+  const Moments& moments = segment.moments;
+  object["moments"] = {{"origin", moments.origin},
+                       {"count", moments.count},
+                       {"sum", moments.sum},
+                       {"products", moments.products}};
   object["tiles"] = plane.tiles;
   for (const std::uint32_t input : plane.inputs)
     object["inputs"].push_back (fs::path (plan.inputs[input].file).filename().string());
@@ -121,16 +114,7 @@ segmentIn (const Json& plane)
   return segment;
 }
 
-PlaneExtent
-extentIn (const Json& plane)
-{
-  PlaneExtent extent;
-  extent.area = plane.at ("area").get<double>();
-  extent.length = plane.at ("extent").at ("length").get<double>();
-  extent.width = plane.at ("extent").at ("width").get<double>();
-  return extent;
-}
-
+/** \return what was dropped */
 Dropped
 choosePlanes (const PlaneChoice& choice, Json& list)
 {
@@ -138,17 +122,18 @@ choosePlanes (const PlaneChoice& choice, Json& list)
   std::vector<PlaneSegment> segments;
   for (const Json& plane : all)
     segments.push_back (segmentIn (plane));
+  const auto extent_of = [&] (const PlaneSegment& segment) {
+    const Json& plane = all[static_cast<std::size_t> (&segment - segments.data())];
+    PlaneExtent extent;
+    plane.at ("area").get_to (extent.area);
+    plane.at ("extent").at ("length").get_to (extent.length);
+    plane.at ("extent").at ("width").get_to (extent.width);
+    return extent;
+  };
   Dropped dropped;
   Json chosen = Json::array();
-  for (const std::size_t i : chosenOf (
-           choice,
-           segments,
-           Eigen::Vector3d::UnitZ(),
-           [&] (const PlaneSegment& segment) {
-             return extentIn (
-                 all[static_cast<std::size_t> (&segment - segments.data())]);
-           },
-           dropped))
+  for (const std::size_t i :
+       chosenOf (choice, segments, Eigen::Vector3d::UnitZ(), extent_of, dropped))
     chosen.push_back (all[i]);
   if (!dropped.by_option.empty())
     list["dropped"] = toObject (dropped);
@@ -189,12 +174,11 @@ toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& pla
   constexpr double tolerance = paper_angle_tolerance;
   nameOrientations (segments, Eigen::Vector3d::UnitZ(), tolerance);
   turnUp (segments, Eigen::Vector3d::UnitZ());
-  Json json;
-  json["points"] = plan.points();
-  json["cell"] = plan.cell;
-  json["tile"] = plan.cell * static_cast<double> (plan.cells_of_tile);
-  json["tiles"] = tiles;
-  json["planes"] = Json::array();
+  Json json = {{"points", plan.points()},
+               {"cell", plan.cell},
+               {"tile", plan.cell * static_cast<double> (plan.cells_of_tile)},
+               {"tiles", tiles},
+               {"planes", Json::array()}};
   for (std::size_t i = 0; i < planes.size(); ++i)
     json["planes"].push_back (toObject (plan, i + 1, planes[i], segments[i]));
   return jsonText (json);

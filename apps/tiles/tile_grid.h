@@ -68,18 +68,22 @@ public:
   TileKey
   tileOf (const CellKey& cell) const
   {
-    return {tileAlong (cell[0]), tileAlong (cell[1])};
+    const auto along = [this] (std::int64_t key) {
+      const std::int64_t tile = key / cells_of_tile_;
+      return tile * cells_of_tile_ > key ? tile - 1 : tile;
+    };
+    return {along (cell[0]), along (cell[1])};
   }
 
   /** \brief Whether a cell is a tile's and no other looks at it. */
   bool
   isInside (const TileKey& tile, const CellKey& cell) const
   {
-    const auto along = [this] (std::int64_t number, std::int64_t place) {
-      const std::int64_t inside = place - number * cells_of_tile_;
+    const auto along = [&] (std::size_t axis) {
+      const std::int64_t inside = cell[axis] - tile[axis] * cells_of_tile_;
       return inside >= halo && inside < cells_of_tile_ - halo;
     };
-    return along (tile[0], cell[0]) && along (tile[1], cell[1]);
+    return along (0) && along (1);
   }
 
   /** \brief Where zero of a tile's frame is: of what is in the tile the nearest to the
@@ -87,19 +91,18 @@ public:
   CellKey
   frameOf (const TileKey& tile) const
   {
-    const auto along = [this] (std::int64_t place, std::int64_t number) {
-      const std::int64_t first = number * cells_of_tile_;
-      return std::clamp (place, first, first + cells_of_tile_);
+    const auto along = [&] (std::size_t axis) {
+      const std::int64_t first = tile[axis] * cells_of_tile_;
+      return std::clamp (place_[axis], first, first + cells_of_tile_);
     };
-    return {along (place_[0], tile[0]), along (place_[1], tile[1]), place_[2]};
+    return {along (0), along (1), place_[2]};
   }
 
   Eigen::Vector3d
   cornerOf (const CellKey& cell) const
   {
-    return {static_cast<double> (cell[0]) * cell_,
-            static_cast<double> (cell[1]) * cell_,
-            static_cast<double> (cell[2]) * cell_};
+    return cell_ *
+           Eigen::Vector3d (double (cell[0]), double (cell[1]), double (cell[2]));
   }
 
   /** \brief Calls visit (tile) for each other tile that looks at a point of this cell.
@@ -120,13 +123,6 @@ public:
   }
 
 private:
-  std::int64_t
-  tileAlong (std::int64_t cell) const
-  {
-    const std::int64_t tile = cell / cells_of_tile_;
-    return tile * cells_of_tile_ > cell ? tile - 1 : tile;
-  }
-
   double cell_;
   std::int64_t cells_of_tile_;
   CellKey place_;
