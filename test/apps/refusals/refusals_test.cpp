@@ -3,35 +3,11 @@
 #include <segment/segment_program.h>
 #include <support/las_bytes.h>
 
-#include <fstream>
 #include <map>
-#include <sstream>
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/** \brief A row of refusals.tsv, which says what its columns are. */
-struct Refusal {
-  std::string exit_code, program, arguments, line;
-};
-
-std::vector<Refusal>
-allRefusals ()
-{
-  std::ifstream stream (PCL_OPS_REFUSALS);
-  std::vector<Refusal> rows;
-  for (std::string line; std::getline (stream, line);) {
-    if (line.empty() || line[0] == '#')
-      continue;
-    std::istringstream columns (line);
-    Refusal& row = rows.emplace_back();
-    for (std::string* column :
-         {&row.exit_code, &row.program, &row.arguments, &row.line})
-      std::getline (columns, *column, '\t');
-  }
-  return rows;
-}
 
 /** \brief One with extra bytes of a name that ours has, and another type. */
 LasRecipe
@@ -96,25 +72,26 @@ protected:
 
 TEST_F (Refusals, AreOneLineAndHarmNothing)
 {
-  const std::vector<Refusal> rows = allRefusals();
+  const auto rows = tableIn (PCL_OPS_REFUSALS);
   ASSERT_GT (rows.size(), 100u);
   const auto before = files();
-  for (const Refusal& row : rows) {
+  for (const auto& row : rows) {
+    const std::string &exit_code = row.at (0), &program = row.at (1),
+                      &arguments = row.at (2), &line = row.at (3);
 #ifndef PCL_OPS_HAS_VIEW
-    if (row.program == "view")
+    if (program == "view")
       continue;
 #endif
 #ifndef PCL_OPS_HAS_BENCHMARK
-    if (row.program == "benchmark")
+    if (program == "benchmark")
       continue;
 #endif
-    SCOPED_TRACE (row.program + " " + row.arguments);
+    SCOPED_TRACE (program + " " + arguments);
     const Outcome done =
-        shell ("env -u DISPLAY TMPDIR=. '" PCL_OPS_PROGRAMS "/pcl_ops_" + row.program +
-               "' " + row.arguments);
-    EXPECT_EQ (std::to_string (done.exit_code), row.exit_code);
-    EXPECT_EQ (done.err.find ("pcl_ops_" + row.program + ": " + row.line), 0u)
-        << done.err;
+        shell ("env -u DISPLAY TMPDIR=. '" PCL_OPS_PROGRAMS "/pcl_ops_'" + program +
+               " " + arguments);
+    EXPECT_EQ (std::to_string (done.exit_code), exit_code);
+    EXPECT_EQ (done.err.find ("pcl_ops_" + program + ": " + line), 0u) << done.err;
     EXPECT_EQ (lines (done.err), 1u) << done.err;
     EXPECT_TRUE (contains (done.err, ";")) << "no fix: " << done.err;
     EXPECT_EQ (done.out, "");

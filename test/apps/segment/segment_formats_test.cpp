@@ -75,22 +75,6 @@ TEST_F (SegmentLas, HasUtmCoordinatesInEveryOutput)
   }
 }
 
-TEST_F (SegmentLas, HasMillimetersInItsMesh)
-{
-  for (auto& point : recipe_.points)
-    point[1] += 1;
-  folder_.write ("in.las", lasBytes (recipe_));
-  for (const char* mesh : {"m.ply", "m.vtk"}) {
-    expectDone (std::string ("in.las --mesh ") + mesh);
-    double southmost = std::numeric_limits<double>::infinity();
-    std::istringstream words (contentOf (folder_ / mesh));
-    for (std::string word; words >> word;)
-      if (const double number = std::strtod (word.c_str(), nullptr); number > 5e6)
-        southmost = std::min (southmost, number);
-    EXPECT_NEAR (southmost, 5400000.001, 1e-4) << mesh;
-  }
-}
-
 using SegmentPly = Segment;
 
 TEST_F (SegmentPly, HasEveryFieldOfTheInputToTheBit)
@@ -181,20 +165,6 @@ TEST_F (Segment, TakesTextsByNameByPatternAndFromAPipe)
   expectDone ("scans --output-dir by_folder");
   EXPECT_EQ (namesIn ("by_folder"), (std::set<std::string>{"b.json", "b.pcd"}));
   EXPECT_EQ (jsonOf ("- <scans/a.txt")["planes"].size(), 1u);
-}
-
-TEST_F (Segment, HasNothingInAnyOutputOfAFewPoints)
-{
-  for (const char* text : {"1 2 3\n", "1 2 3\n1 2 4\n", "1 2 3\n1 2 4\n1 3 3\n"}) {
-    folder_.write ("few.xyz", text);
-    EXPECT_EQ (jsonOf ("few.xyz out.pcd --mesh m.ply")["planes"].size(), 0u);
-    EXPECT_TRUE (contains (contentOf (folder_ / "m.ply"), "element vertex 0\n"));
-    expectDone ("few.xyz --planes p.geojson --mesh m.vtk --edges e.json");
-    EXPECT_EQ (jsonIn ("p.geojson")["features"], nlohmann::json::array());
-    EXPECT_TRUE (contains (contentOf (folder_ / "m.vtk"), "POLYGONS 0 0\n"));
-    EXPECT_EQ (jsonIn ("e.json"),
-               nlohmann::json::parse (R"({"edges": [], "corners": []})"));
-  }
 }
 
 class SegmentDistances : public Segment {

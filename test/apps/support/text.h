@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <functional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 inline std::size_t
 lines (const std::string& text)
@@ -34,4 +37,21 @@ complaintOf (const std::function<void()>& work)
     return error.what();
   }
   return "";
+}
+
+/** \brief The rows of a table: what is between tabs, without comments. */
+inline std::vector<std::vector<std::string>>
+tableIn (const std::string& file)
+{
+  std::ifstream stream (file);
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline (stream, line);) {
+    if (line.empty() || line[0] == '#')
+      continue;
+    std::istringstream columns (line);
+    rows.emplace_back();
+    for (std::string column; std::getline (columns, column, '\t');)
+      rows.back().push_back (column);
+  }
+  return rows;
 }
