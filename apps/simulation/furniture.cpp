@@ -3,6 +3,7 @@
 #include "furniture.h"
 
 #include <cmath>
+#include <utility>
 
 namespace pcl_ops::simulation {
 
@@ -42,29 +43,6 @@ addBooks (Body& body, const Vector3d& start, double width, Random& random)
   }
 }
 
-void
-addMonitor (Body& body, const Vector3d& foot, Random& random)
-{
-  const Vector3d size (random.between (0.45, 0.7), 0.04, 0.36);
-  body.addPole (foot, 0.2, 0.03);
-  body.addPole (foot, 0.015, 0.12);
-  const double tilt = random.angle (0, 12), yaw = random.angle (-25, 25);
-  const Vector3d center (foot.x(), foot.y() + 0.05, foot.z() + 0.1 + 0.5 * size.z());
-  body.addBox (at (center) * turnZ (yaw) * turnX (tilt), size);
-}
-
-void
-addLaptop (Body& body, const Vector3d& hinge, Random& random)
-{
-  constexpr double width = 0.34, depth = 0.24, thickness = 0.018;
-  const Isometry3d pose = at (hinge) * turnZ (random.angle (-30, 30));
-  body.addBox (pose * at ({0, 0.5 * depth, 0.5 * thickness}),
-               {width, depth, thickness},
-               HiddenFace::Bottom);
-  body.addBox (pose * turnX (random.angle (5, 35)) * at ({0, 0, 0.5 * depth}),
-               {width, 0.008, depth});
-}
-
 Body
 drawTable (Random& random)
 {
@@ -85,8 +63,20 @@ drawDesk (Random& random)
   Body desk = slabOnLegs (size, 0.03, 0.03);
   addStandingBox (
       desk, {0.5 * (x - drawers) - 0.03, 0, 0}, {drawers, size.y() - 0.1, top - 0.1});
-  addMonitor (desk, {-0.2 * x, -0.15, top}, random);
-  addLaptop (desk, {0.25 * x, -0.05, top}, random);
+  const Vector3d monitor (random.between (0.45, 0.7), 0.04, 0.36);
+  for (const auto& [height, radius] : {std::pair (0.2, 0.03), {0.015, 0.12}})
+    desk.addPole ({-0.2 * x, -0.15, top}, height, radius);
+  const double tilt = random.angle (0, 12), yaw = random.angle (-25, 25);
+  desk.addBox (at ({-0.2 * x, -0.15 + 0.05, top + 0.1 + 0.5 * monitor.z()}) *
+                   turnZ (yaw) * turnX (tilt),
+               monitor);
+  const Vector3d keyboard (0.34, 0.24, 0.018), lid (0.34, 0.008, 0.24);
+  const Isometry3d hinge = at ({0.25 * x, -0.05, top}) * turnZ (random.angle (-30, 30));
+  const Isometry3d open = hinge * turnX (random.angle (5, 35));
+  desk.addBox (hinge * at ({0, 0.5 * keyboard.y(), 0.5 * keyboard.z()}),
+               keyboard,
+               HiddenFace::Bottom);
+  desk.addBox (open * at ({0, 0, 0.5 * lid.z()}), lid);
   addBooks (desk, {0.02 * x, -0.2, top}, 0.12, random);
   desk.addPole ({-0.4 * x, 0.15, top}, 0.1, 0.04);
   return desk;
@@ -190,12 +180,8 @@ drawTiltedPanel (Random& random)
   return panel;
 }
 
-/** \brief Of boards, and of posts [m]. */
-double
-drawThickness (Random& random)
-{
-  return random.between (0.02, 0.06);
-}
+/** \brief Thicknesses of boards and posts [m]. */
+constexpr double thinnest = 0.02, thickest = 0.06;
 
 /** \brief Posts on one side stand farther in than those on the other, and each board is
  * smaller than the one below, so that no two faces are in one plane.
@@ -216,7 +202,8 @@ boardsOnPosts (
     if (i < boards)
       size -= Vector2d::Constant (2.0 * offset_of_faces);
   }
-  const double height = boards * pitch - thickness, width = drawThickness (random);
+  const double height = boards * pitch - thickness,
+               width = random.between (thinnest, thickest);
   const double step = width + offset_of_faces, inset = overhang + 0.5 * width;
   for (const double side_x : {-1.0, 1.0})
     for (const double side_y : {-1.0, 1.0}) {
@@ -233,7 +220,8 @@ Body
 drawBoardOfSize (const Vector3d& smallest, const Vector3d& largest, Random& random)
 {
   const Vector3d size = random.inBox (smallest, largest);
-  return boardsOnPosts (1, size.z(), size.head<2>(), drawThickness (random), random);
+  return boardsOnPosts (
+      1, size.z(), size.head<2>(), random.between (thinnest, thickest), random);
 }
 
 } // namespace
@@ -330,7 +318,8 @@ Body
 drawBoardRack (Random& random)
 {
   const int boards = 3 + int (random.below (2));
-  const double pitch = random.between (0.3, 0.45), thickness = drawThickness (random);
+  const double pitch = random.between (0.3, 0.45),
+               thickness = random.between (thinnest, thickest);
   const Vector3d size = random.inBox ({0.7, 0.5, 0.0}, {1.1, 0.6, 0.0});
   return boardsOnPosts (boards, pitch, size.head<2>(), thickness, random);
 }

@@ -117,15 +117,12 @@ void
 declareSensor (CommandLine& line, SimulationOptions& options)
 {
   Simulation& simulation = options.simulation;
+  const auto upTo = [] (double highest) { return Range::from (0).upTo (highest); };
   // For which a neighborhood of pixels still means something [px].
   const Range image_size = Range::from (16).upTo (4096);
   line.addNumber ("width", "W", image_size, simulation.camera.width, "columns (640)");
   line.addNumber ("height", "H", image_size, simulation.camera.height, "rows (480)");
-  line.addNumber ("noise",
-                  "X",
-                  Range::from (0).upTo (10),
-                  simulation.noise,
-                  "factor on the noise (1)");
+  line.addNumber ("noise", "X", upTo (10), simulation.noise, "factor on the noise (1)");
   line.addValue ("profile",
                  "correlated|raw",
                  "the noise: smoothed depth, raw depth (correlated)",
@@ -185,23 +182,6 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
         !(has_lidar && of_camera == "organized"))
       line.forbidTogether ("scene", of_camera);
   }
-}
-
-/** \return false if the answer was --help or --version */
-bool
-readOptions (int argc, const char* const* argv, SimulationOptions& options)
-{
-  CommandLine line (
-      program_name,
-      "Simulates a furnished room as a depth camera sees it, or another scene. The\n"
-      "field label is the true plane of each point: 0 none, 1..P by falling size.",
-      PCL_OPS_VERSION);
-  declareScene (line, options);
-  declareSensor (line, options);
-  if (!line.parse (argc, argv))
-    return false;
-  checkOptions (line, options);
-  return true;
 }
 
 /** \brief Writes files one after the other into the output folder.
@@ -333,8 +313,17 @@ int
 run (int argc, const char* const* argv)
 {
   SimulationOptions options;
-  if (readOptions (argc, argv, options))
-    options.isOfAny (scenes_of_files) ? runFiles (options) : runCloud (options);
+  CommandLine line (
+      program_name,
+      "Simulates a furnished room as a depth camera sees it, or another scene. The\n"
+      "field label is the true plane of each point: 0 none, 1..P by falling size.",
+      PCL_OPS_VERSION);
+  declareScene (line, options);
+  declareSensor (line, options);
+  if (!line.parse (argc, argv)) // the answer was --help or --version
+    return apps::ExitCode::done;
+  checkOptions (line, options);
+  options.isOfAny (scenes_of_files) ? runFiles (options) : runCloud (options);
   return apps::ExitCode::done;
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 namespace pcl_ops::simulation {
@@ -153,75 +154,66 @@ upright (const Vector3d& eye, const Vector3d& level)
   return pose;
 }
 
-/** \brief From anywhere in the room over its middle, somewhat downwards. */
-Isometry3d
-drawPose (const Room& room, Random& random)
-{
-  constexpr double wall_distance = 0.4; // [m]
-  Vector3d reach = 0.5 * room.size - Vector3d::Constant (wall_distance);
-  reach.z() = 1.0;
-  const Vector3d eye = random.inBox ({-1, -1, 1.1}, {1, 1, 1.8}).cwiseProduct (reach);
-  Vector3d target = random.inBox ({-0.4, -0.4, 0}, {0.4, 0.4, 0}).cwiseProduct (reach);
-  target.z() = eye.z();
-  const double roll = random.angle (-4, 4), pitch = random.angle (-20, -5);
-  return turnZ (room.yaw) * upright (eye, (target - eye).normalized()) * turnX (pitch) *
-         turnZ (roll);
-}
+/** \brief Where a camera is after some share of its way. */
+using Way = std::function<Isometry3d (double share)>;
 
-/** \brief A path around the middle of a room. */
-struct Path {
-  double start, turn; // where the walk begins, and how far it leads, signed [rad]
-  double radius;      // of the way from the middle to the walls
-  double height;      // [m]
-  double pitch;       // downwards [rad]
-};
-
-/** \param[in] share of the way */
-Isometry3d
-poseOn (const Path& path, const Room& room, double share)
+/** \brief Around the middle of a room. */
+Way
+drawWayAround (const Room& room, Random& random)
 {
   constexpr double steps = 16.0, rise = 0.03; // rise [m]
   constexpr double sway = 2.0 * pi / 180.0;
-  const double angle = path.start + share * path.turn;
-  const double step = share * steps * whole_turn;
-  const Vector3d eye (0.5 * path.radius * room.size.x() * std::cos (angle),
-                      0.5 * path.radius * room.size.y() * std::sin (angle),
-                      path.height + rise * std::sin (step));
-  const Vector3d level = Vector3d (-eye.x(), -eye.y(), 0.0).normalized();
-  return turnZ (room.yaw) * upright (eye, level) * turnX (-path.pitch) *
-         turnZ (sway * std::sin (0.5 * step));
+  const double start = random.between (0.0, whole_turn);
+  const double turn = (random.chance (0.5) ? 0.75 : -0.75) * whole_turn;
+  const double radius = random.between (0.35, 0.6); // of the way to the walls
+  const double height = random.between (1.4, 1.8), pitch = random.angle (8, 18);
+  return [=, &room] (double share) -> Isometry3d {
+    const double angle = start + share * turn, step = share * steps * whole_turn;
+    const Vector3d eye (0.5 * radius * room.size.x() * std::cos (angle),
+                        0.5 * radius * room.size.y() * std::sin (angle),
+                        height + rise * std::sin (step));
+    const Vector3d level = Vector3d (-eye.x(), -eye.y(), 0.0).normalized();
+    return turnZ (room.yaw) * upright (eye, level) * turnX (-pitch) *
+           turnZ (sway * std::sin (0.5 * step));
+  };
 }
 
 Poses
-posesOn (const Path& path, const Room& room, std::size_t frames)
+posesOn (const Way& way, std::size_t frames)
 {
   Poses poses;
   for (std::size_t i = 0; i < frames; ++i)
-    poses.push_back (poseOn (
-        path, room, double (i) / double (std::max<std::size_t> (frames - 1, 1))));
+    poses.push_back (way (frames == 1 ? 0.0 : double (i) / double (frames - 1)));
   return poses;
 }
 
-/** \brief The first of the candidates that \p rate gives the most. */
-template <typename Draw, typename Rate>
-auto
-bestOf (int candidates, const Draw& draw, const Rate& rate)
+/** \brief Frames on the first of some ways whose worst view shows the most surfaces.
+ * \param[in] views of each way that are looked at */
+Poses
+drawBest (const Room& room,
+          int ways,
+          std::size_t views,
+          std::size_t frames,
+          const std::function<Way()>& draw)
 {
-  auto best = draw();
-  for (int i = 1, best_rate = rate (best); i < candidates; ++i) {
-    const auto candidate = draw();
-    if (const int its_rate = rate (candidate); its_rate > best_rate) {
-      best = candidate;
-      best_rate = its_rate;
+  Way best;
+  for (int i = 0, most = -1; i < ways; ++i) {
+    const Way way = draw();
+    int fewest = std::numeric_limits<int>::max();
+    for (const Isometry3d& pose : posesOn (way, views))
+      fewest = std::min (fewest, countVisibleSurfaces (room.scene, pose));
+    if (fewest > most) {
+      best = way;
+      most = fewest;
     }
   }
-  return best;
+  return posesOn (best, frames);
 }
 
 } // namespace
 
 Room
-makeRoom (std::uint32_t seed)
+makeRoom (Seed seed)
 {
   // For each piece at a wall and each in the room [m^2].
   constexpr double floor_of_piece = 8.0;
@@ -241,7 +233,7 @@ makeRoom (std::uint32_t seed)
 }
 
 Room
-makeFurnishedCorner (std::uint32_t seed)
+makeFurnishedCorner (Seed seed)
 {
   Furnisher furnisher{randomFor (Purpose::Corner, seed), 2};
   furnisher.build ({3.0, 3.0, 2.4}, {4.0, 4.0, 3.0}, false, 0.0);
@@ -270,36 +262,31 @@ countVisibleSurfaces (const Scene& scene, const Isometry3d& pose)
 }
 
 Isometry3d
-drawCameraPose (const Room& room, std::uint32_t seed)
+drawCameraPose (const Room& room, Seed seed)
 {
   Random random = randomFor (Purpose::CameraPose, seed);
-  return bestOf (
-      32,
-      [&] { return drawPose (room, random); },
-      [&] (const Isometry3d& pose) { return countVisibleSurfaces (room.scene, pose); });
+  const auto draw = [&] () -> Way {
+    constexpr double wall_distance = 0.4; // [m]
+    Vector3d reach = 0.5 * room.size - Vector3d::Constant (wall_distance);
+    reach.z() = 1.0;
+    // From anywhere in the room over its middle, somewhat downwards.
+    const Vector3d eye = random.inBox ({-1, -1, 1.1}, {1, 1, 1.8}).cwiseProduct (reach);
+    Vector3d target =
+        random.inBox ({-0.4, -0.4, 0}, {0.4, 0.4, 0}).cwiseProduct (reach);
+    target.z() = eye.z();
+    const double roll = random.angle (-4, 4), pitch = random.angle (-20, -5);
+    const Isometry3d level = upright (eye, (target - eye).normalized());
+    const Isometry3d pose = turnZ (room.yaw) * level * turnX (pitch) * turnZ (roll);
+    return [pose] (double) { return pose; };
+  };
+  return drawBest (room, 32, 1, 1, draw).front();
 }
 
 Poses
-drawWalk (const Room& room, std::size_t frames, std::uint32_t seed)
+drawWalk (const Room& room, std::size_t frames, Seed seed)
 {
-  constexpr std::size_t glances = 12; // a walk is judged by so many of its frames
   Random random = randomFor (Purpose::Walk, seed);
-  const Path best = bestOf (
-      8,
-      [&] () -> Path { // in the order of their names
-        return {random.between (0.0, whole_turn),
-                (random.chance (0.5) ? 0.75 : -0.75) * whole_turn,
-                random.between (0.35, 0.6),
-                random.between (1.4, 1.8),
-                random.angle (8, 18)};
-      },
-      [&] (const Path& path) {
-        int fewest = std::numeric_limits<int>::max();
-        for (const Isometry3d& pose : posesOn (path, room, glances))
-          fewest = std::min (fewest, countVisibleSurfaces (room.scene, pose));
-        return fewest;
-      });
-  return posesOn (best, room, frames);
+  return drawBest (room, 8, 12, frames, [&] { return drawWayAround (room, random); });
 }
 
 } // namespace pcl_ops::simulation

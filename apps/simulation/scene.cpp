@@ -190,15 +190,6 @@ Body::joinCoplanar()
   }
 }
 
-void
-Scene::add (const Body& body, const Isometry3d& pose)
-{
-  Body& placed = bodies.emplace_back();
-  placed.surface_count = surface_count;
-  placed.addPart (body, pose);
-  surface_count = placed.surface_count;
-}
-
 std::vector<Plane>
 surfacePlanes (const Scene& scene)
 {

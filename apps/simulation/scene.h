@@ -20,6 +20,8 @@ using Eigen::Isometry3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+using Seed = std::uint32_t;
+
 /** \brief What random numbers are for. Each purpose has its own stream, so that a seed
  * gives the same scene whatever the camera and the noise. */
 enum class Purpose : std::uint32_t {
@@ -42,7 +44,7 @@ enum class Purpose : std::uint32_t {
 };
 
 inline Random
-randomFor (Purpose purpose, std::uint32_t seed)
+randomFor (Purpose purpose, Seed seed)
 {
   return Random (std::seed_seq{seed, std::uint32_t (purpose)});
 }
@@ -159,15 +161,13 @@ struct Body {
     shapes.back().half_v = radius;
   }
 
-  /** \param[in] axis of length 1 */
+  /** \param[in] axis of length 1
+   * \param[in] half the length [m] */
   void
-  addCylinder (const Vector3d& center,
-               const Vector3d& axis,
-               double half_length,
-               double radius)
+  addCylinder (const Vector3d& center, const Vector3d& axis, double half, double radius)
   {
     shapes.push_back (
-        {Shape::Kind::Cylinder, center, axis, Vector3d::Zero(), half_length, radius});
+        {Shape::Kind::Cylinder, center, axis, Vector3d::Zero(), half, radius});
   }
 
   /** \brief An upright cylinder on \p foot. */
@@ -205,7 +205,13 @@ struct Scene {
 
   /** \brief Adds a body; its surfaces get the scene's next identities. */
   void
-  add (const Body& body, const Isometry3d& pose);
+  add (const Body& body, const Isometry3d& pose)
+  {
+    Body& placed = bodies.emplace_back();
+    placed.surface_count = surface_count;
+    placed.addPart (body, pose);
+    surface_count = placed.surface_count;
+  }
 };
 
 /** \brief The plane of each surface, surface 1 first. */

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace pcl_ops::simulation {
@@ -15,32 +14,6 @@ namespace {
 /** \brief Readings outside are lost [m]. */
 constexpr double nearest = 0.5, farthest = 8.0;
 constexpr double no_reading = std::numeric_limits<double>::infinity();
-
-/** \brief Standard deviation of a Kinect's depth [m] at a depth [m]: Nguyen, Izadi &
- * Lovell, "Modeling Kinect Sensor Noise for Improved 3D Reconstruction and Tracking",
- * 3DIMPVT 2012, for surfaces seen at up to 60 degrees. */
-double
-axialSigma (double depth)
-{
-  return 0.0012 + 0.0019 * (depth - 0.4) * (depth - 0.4);
-}
-
-/** \brief Where a pixel's own ray meets the plane that a ray beside it has hit. */
-double
-depthOnSurface (const Hit& hit,
-                const std::vector<Plane>& planes,
-                const Vector3d& eye,
-                const Vector3d& ray)
-{
-  // Beyond this slope a surface is seen edge-on.
-  constexpr double largest_slope = 0.1;
-  if (hit.surface == no_surface)
-    return hit.distance;
-  const Plane& plane = planes[hit.surface - 1];
-  const double depth = -plane.distance (eye) / plane.normal.dot (ray);
-  return std::abs (depth - hit.distance) < largest_slope * hit.distance ? depth
-                                                                        : hit.distance;
-}
 
 /** \brief A standard normal value for each pixel; with the correlated profile alike for
  * neighbors: white noise filtered by a Gaussian and brought back to variance 1. */
@@ -66,46 +39,35 @@ drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
   return field;
 }
 
-/** \brief The depth of a neighbor on the other side of a depth edge, if there is one.
- */
-std::optional<double>
-depthAcrossEdge (const Field& depth, int row, int column)
-{
-  // Neighboring depths that differ by more, relative to the depth, are an edge.
-  constexpr double edge_ratio = 0.05;
-  const double here = depth (row, column);
-  for (const auto& [r, c] : {std::pair (row, column + 1),
-                             std::pair (row, column - 1),
-                             std::pair (row + 1, column),
-                             std::pair (row - 1, column)})
-    if (c >= 0 && c < depth.cols() && r >= 0 && r < depth.rows()) {
-      const double other = depth (r, c);
-      if (std::abs (other - here) > edge_ratio * std::min (other, here))
-        return other;
-    }
-  return std::nullopt;
-}
-
+/** \brief Lets pixels at depth edges fly between the two sides, or loses them. */
 void
 disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
 {
+  // Neighboring depths that differ by more, relative to the depth, are an edge.
+  constexpr double edge_ratio = 0.05;
   constexpr double flying_fraction = 0.3, lost_fraction = 0.2;
+  constexpr int neighbors[4][2] = {{0, 1}, {0, -1}, {1, 0}, {-1, 0}};
   const Field exact = image.depth;
   const double strength = std::min (1.0, noise.scale);
   for (int row = 0; row < exact.rows(); ++row)
-    for (int column = 0; column < exact.cols(); ++column) {
-      const auto other = depthAcrossEdge (exact, row, column);
-      if (!other)
-        continue;
-      double& depth = image.depth (row, column);
-      const double chance = random.unit() / strength;
-      if (chance < flying_fraction) {
-        depth += random.between (0.1, 0.9) * (*other - depth);
-        image.surface[std::size_t (row * exact.cols() + column)] = no_surface;
+    for (int column = 0; column < exact.cols(); ++column)
+      for (const auto& [down, right] : neighbors) {
+        const int r = row + down, c = column + right;
+        if (c < 0 || c >= exact.cols() || r < 0 || r >= exact.rows())
+          continue;
+        const double here = exact (row, column), other = exact (r, c);
+        if (!(std::abs (other - here) > edge_ratio * std::min (other, here)))
+          continue;
+        double& depth = image.depth (row, column);
+        const double chance = random.unit() / strength;
+        if (chance < flying_fraction) {
+          depth += random.between (0.1, 0.9) * (other - depth);
+          image.surface[std::size_t (row * exact.cols() + column)] = no_surface;
+        }
+        else if (chance < flying_fraction + lost_fraction)
+          depth = no_reading;
+        break;
       }
-      else if (chance < flying_fraction + lost_fraction)
-        depth = no_reading;
-    }
 }
 
 /** \brief Adds all noise but that of the rays' directions. */
@@ -124,7 +86,11 @@ disturbDepths (DepthImage& image,
   const Field field = drawField (camera, noise, random);
   for (Eigen::Index i = 0; i < field.size(); ++i) {
     double& depth = image.depth (i);
-    depth += noise.scale * axialSigma (depth) * field (i);
+    // Nguyen, Izadi & Lovell, "Modeling Kinect Sensor Noise for Improved 3D
+    // Reconstruction and Tracking", 3DIMPVT 2012, for surfaces seen at up to 60
+    // degrees.
+    const double sigma = 0.0012 + 0.0019 * (depth - 0.4) * (depth - 0.4);
+    depth += noise.scale * sigma * field (i);
     if (noise.is_raw && depth > 0.0)
       depth = steps_times_depth / std::round (steps_times_depth / depth);
   }
@@ -169,6 +135,7 @@ castDepthImage (const Scene& scene,
                 const Isometry3d& pose,
                 const Jitter& jitter)
 {
+  constexpr double largest_slope = 0.1;
   DepthImage image{Field (camera.height, camera.width), {}};
   const std::vector<Plane> planes = surfacePlanes (scene);
   const ShapeTree shapes = treeOf (scene);
@@ -181,8 +148,15 @@ castDepthImage (const Scene& scene,
         jittered = pose.linear() * camera.ray (column + jitter[0](row, column),
                                                row + jitter[1](row, column));
       const Hit hit = castRay (shapes, eye, jittered);
-      image.depth (row, column) = depthOnSurface (hit, planes, eye, ray);
       image.surface.push_back (hit.surface);
+      double& depth = image.depth (row, column) = hit.distance;
+      if (hit.surface == no_surface)
+        continue;
+      // Where the pixel's own ray meets the plane, unless that is seen edge-on.
+      const Plane& plane = planes[hit.surface - 1];
+      const double own = -plane.distance (eye) / plane.normal.dot (ray);
+      if (std::abs (own - depth) < largest_slope * depth)
+        depth = own;
     }
   return image;
 }
@@ -192,10 +166,10 @@ scanByCamera (const Scene& scene,
               const DepthCamera& camera,
               const Isometry3d& pose,
               const CameraNoise& noise,
-              std::uint32_t seed)
+              Seed seed)
 {
   // Standard deviation of the rays' wandering along each image axis [px] (Nguyen et
-  // al., see axialSigma).
+  // al., see disturbDepths).
   constexpr double lateral_sigma = 0.8;
   Random random = randomFor (Purpose::DepthNoise, seed);
   const bool is_noisy = noise.scale > 0.0;
@@ -243,8 +217,8 @@ Scan
 scanAround (const Scene& scene,
             const Lidar& lidar,
             const Isometry3d& pose,
-            double noise_scale,
-            std::uint32_t seed,
+            double noise,
+            Seed seed,
             std::size_t number)
 {
   Random random = randomFor (Purpose::LidarNoise, seed);
@@ -264,7 +238,7 @@ scanAround (const Scene& scene,
             : rotatingRay (lidar, int (i / scan.rows), int (i % scan.rows));
     const Hit hit = castRay (shapes, eye, pose.linear() * ray);
     // Drawn for each ray, so that one reading more leaves the others as they are.
-    const double error = noise_scale * lidar_sigma * random.gaussian();
+    const double error = noise * lidar_sigma * random.gaussian();
     const double distance = hit.distance + error;
     if (!(distance > 0.0 && distance <= lidar.farthest))
       continue;

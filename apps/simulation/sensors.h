@@ -71,7 +71,7 @@ scanByCamera (const Scene& scene,
               const DepthCamera& camera,
               const Isometry3d& pose,
               const CameraNoise& noise,
-              std::uint32_t seed);
+              Seed seed);
 
 /** \brief Standard deviation of a lidar's distances [m]. */
 constexpr double lidar_sigma = 0.02;
@@ -111,8 +111,8 @@ Scan
 scanAround (const Scene& scene,
             const Lidar& lidar,
             const Isometry3d& pose,
-            double noise_scale,
-            std::uint32_t seed,
+            double noise,
+            Seed seed,
             std::size_t number = 0);
 
 } // namespace pcl_ops::simulation

@@ -132,7 +132,7 @@ drawPoint (const RoundShape& shape, Random& random)
 }
 
 SimulatedCloud
-simulateShapes (std::size_t points, double noise_scale, std::uint32_t seed)
+simulateShapes (std::size_t points, double noise, Seed seed)
 {
   Random random = randomFor (Purpose::Shapes, seed);
   std::vector<ScannedSurface> surfaces;
@@ -150,7 +150,7 @@ simulateShapes (std::size_t points, double noise_scale, std::uint32_t seed)
   add (ground, 1);
   add (board, 2);
   Random scan = randomFor (Purpose::ShapesScan, seed);
-  return labeledBySize (drawPoints (surfaces, points, noise_scale * shapes_sigma, scan),
+  return labeledBySize (drawPoints (surfaces, points, noise * shapes_sigma, scan),
                         {ground.plane(), board.plane()});
 }
 

@@ -39,6 +39,6 @@ constexpr std::size_t points_of_shapes = 250'000;
  * for planes in. All surfaces are scanned evenly, whatever hides them, from no known
  * position; z is up, z = 0 the ground. */
 SimulatedCloud
-simulateShapes (std::size_t points, double noise_scale, std::uint32_t seed);
+simulateShapes (std::size_t points, double noise, Seed seed);
 
 } // namespace pcl_ops::simulation

@@ -44,7 +44,7 @@ SensorView
 viewOf (const Simulation& simulation, std::size_t frames)
 {
   const std::string& name = simulation.scene;
-  const std::uint32_t seed = simulation.seed;
+  const Seed seed = simulation.seed;
   if (name == "street" || name == "drive") {
     const Street street = makeStreet (seed);
     const Poses poses = name == "drive" ? drawDrive (street, frames, seed)
@@ -70,7 +70,7 @@ viewOf (const Simulation& simulation, std::size_t frames)
 SimulatedCloud
 simulate (const Simulation& simulation)
 {
-  const std::uint32_t seed = simulation.seed;
+  const Seed seed = simulation.seed;
   const double noise = simulation.noise;
   const auto pointsOr = [&simulation] (std::size_t usual) {
     return simulation.points ? std::size_t (*simulation.points) : usual;
@@ -88,7 +88,7 @@ simulate (const Simulation& simulation)
 }
 
 Poses
-measured (const Poses& poses, const PoseErrors& errors, std::uint32_t seed)
+measured (const Poses& poses, const PoseErrors& errors, Seed seed)
 {
   Random random = randomFor (Purpose::PoseError, seed);
   Poses result;

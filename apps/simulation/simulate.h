@@ -13,7 +13,7 @@ namespace pcl_ops::simulation {
 /** \brief What is simulated: a scene of which name and how it is seen. */
 struct Simulation {
   std::string scene = "room";
-  std::uint32_t seed = 1;
+  Seed seed = 1;
   /** \brief Of rooms, corners with furniture and walks. */
   DepthCamera camera = {};
   bool has_raw_depth = false;
@@ -53,6 +53,6 @@ struct PoseErrors {
 
 /** \brief Poses as a measurement would have them. */
 Poses
-measured (const Poses& poses, const PoseErrors& errors, std::uint32_t seed);
+measured (const Poses& poses, const PoseErrors& errors, Seed seed);
 
 } // namespace pcl_ops::simulation

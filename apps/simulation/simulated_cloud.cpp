@@ -129,10 +129,7 @@ drawPoints (const std::vector<ScannedSurface>& surfaces,
 }
 
 SimulatedCloud
-scanDensely (const Scene& scene,
-             std::size_t points,
-             double noise_scale,
-             std::uint32_t seed)
+scanDensely (const Scene& scene, std::size_t points, double noise, Seed seed)
 {
   std::vector<ScannedSurface> surfaces;
   for (const Body& body : scene.bodies)
@@ -144,7 +141,7 @@ scanDensely (const Scene& scene,
                                  return drawPoint (shape, random);
                                }});
   Random random = randomFor (Purpose::DenseScan, seed);
-  LabeledCloud cloud = drawPoints (surfaces, points, noise_scale * laser_sigma, random);
+  LabeledCloud cloud = drawPoints (surfaces, points, noise * laser_sigma, random);
   if (!cloud.empty()) {
     Eigen::AlignedBox3d shell;
     for (const Shape& shape : scene.bodies.front().shapes)

@@ -94,9 +94,6 @@ constexpr double laser_sigma = 0.003;
  * from everywhere. The sensor's origin is the middle of the first body, the room's
  * shell. */
 SimulatedCloud
-scanDensely (const Scene& scene,
-             std::size_t points,
-             double noise_scale,
-             std::uint32_t seed);
+scanDensely (const Scene& scene, std::size_t points, double noise, Seed seed);
 
 } // namespace pcl_ops::simulation

@@ -256,7 +256,7 @@ onLane (const Street& street, double x)
 } // namespace
 
 Street
-makeStreet (std::uint32_t seed)
+makeStreet (Seed seed)
 {
   Random random = randomFor (Purpose::Street, seed);
   Street street;
@@ -274,7 +274,7 @@ makeStreet (std::uint32_t seed)
 }
 
 Isometry3d
-drawSensorPose (const Street& street, std::uint32_t seed)
+drawSensorPose (const Street& street, Seed seed)
 {
   Random random = randomFor (Purpose::SensorPose, seed);
   const double x = random.between (-20, 20), y = random.between (-0.3, 0.3);
@@ -285,7 +285,7 @@ drawSensorPose (const Street& street, std::uint32_t seed)
 }
 
 Poses
-drawDrive (const Street& street, std::size_t frames, std::uint32_t seed)
+drawDrive (const Street& street, std::size_t frames, Seed seed)
 {
   constexpr double longest_step = 1.0; // [m]
   constexpr double sway = 0.2;         // [m]

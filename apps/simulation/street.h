@@ -18,17 +18,17 @@ struct Street {
 /** \brief Draws a road between curbs and sloping sidewalks, with houses, parked cars,
  * trees, bushes and poles on both sides. */
 Street
-makeStreet (std::uint32_t seed);
+makeStreet (Seed seed);
 
 /** \brief Draws where a car in the right lane near the middle carries a sensor, in its
  * axes x forward, y left, z up: 1.7 to 1.9 m above the road, tilted by up to a degree.
  */
 Isometry3d
-drawSensorPose (const Street& street, std::uint32_t seed);
+drawSensorPose (const Street& street, Seed seed);
 
 /** \brief Draws a drive along the right lane through the middle of a street, in equal
  * steps of up to 1 m and over at most half of it; the car sways a little. */
 Poses
-drawDrive (const Street& street, std::size_t frames, std::uint32_t seed);
+drawDrive (const Street& street, std::size_t frames, Seed seed);
 
 } // namespace pcl_ops::simulation

@@ -80,7 +80,7 @@ facadesOf (const Survey& survey)
 } // namespace
 
 Survey
-makeSurvey (std::uint32_t seed, std::size_t houses)
+makeSurvey (Seed seed, std::size_t houses)
 {
   constexpr double width_of_lot = 30.0; // the ground each house has for itself [m]
   Random random = randomFor (Purpose::Survey, seed);
@@ -103,10 +103,7 @@ makeSurvey (std::uint32_t seed, std::size_t houses)
 }
 
 SimulatedCloud
-scanSurvey (const Survey& survey,
-            std::size_t points,
-            double noise_scale,
-            std::uint32_t seed)
+scanSurvey (const Survey& survey, std::size_t points, double noise, Seed seed)
 {
   if (survey.houses.empty())
     return {};
@@ -135,7 +132,7 @@ scanSurvey (const Survey& survey,
             : !facades[index].has (point))
       continue;
     for (double& coordinate : point)
-      coordinate += noise_scale * survey_sigma * random.gaussian();
+      coordinate += noise * survey_sigma * random.gaussian();
     cloud.push_back (pointAt (point, SurfaceId (index + 1)));
   }
   return labeledBySize (cloud, planes);

@@ -32,17 +32,14 @@ constexpr std::size_t houses_of_survey = 36, points_of_survey = 600'000;
 
 /** \brief Draws houses in rows, each on 30 m x 30 m: 180 m x 180 m for 36 of them. */
 Survey
-makeSurvey (std::uint32_t seed, std::size_t houses = houses_of_survey);
+makeSurvey (Seed seed, std::size_t houses = houses_of_survey);
 
 /** \brief Surveys all walls, roofs and the ground around them evenly, the ground at
  * half the density, from no known position: the sensor's origin is 0 0 0. The points
  * come in no order.
  * \param[in] points exact number of points; none if there is no house
- * \param[in] noise_scale factor on \ref survey_sigma */
+ * \param[in] noise factor on \ref survey_sigma */
 SimulatedCloud
-scanSurvey (const Survey& survey,
-            std::size_t points,
-            double noise_scale,
-            std::uint32_t seed);
+scanSurvey (const Survey& survey, std::size_t points, double noise, Seed seed);
 
 } // namespace pcl_ops::simulation

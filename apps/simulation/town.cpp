@@ -34,7 +34,7 @@ struct Side {
 
 /** \param[in] what number of a side, 0: the terrace, beyond them: the ground */
 Random
-randomAt (std::uint32_t seed, const Place& place, std::uint32_t what)
+randomAt (Seed seed, const Place& place, std::uint32_t what)
 {
   return Random (std::seed_seq{seed,
                                std::uint32_t (Purpose::Town),
@@ -46,7 +46,7 @@ randomAt (std::uint32_t seed, const Place& place, std::uint32_t what)
 /** \brief Outer walls, slopes of the roof, the floor above the ground, and the walls
  * between houses, in the frame of the streets. */
 std::vector<Side>
-terraceAt (std::uint32_t seed, const Place& place)
+terraceAt (Seed seed, const Place& place)
 {
   Random random = randomAt (seed, place, 0);
   const auto houses = int (random.between (7, 11));
@@ -87,12 +87,11 @@ directionOfStreets ()
 AlignedBox2i
 placesAround (const AlignedBox2d& square, const Vector2d& pitch, double margin)
 {
+  const Eigen::Matrix2d to_streets =
+      directionOfStreets().topLeftCorner<2, 2>().transpose();
   AlignedBox2d around;
-  for (int corner = 0; corner < 4; ++corner) {
-    Vector3d place = Vector3d::Zero();
-    place.head<2>() = square.corner (AlignedBox2d::CornerType (corner));
-    around.extend (Vector2d ((directionOfStreets().transpose() * place).head<2>()));
-  }
+  for (int corner = 0; corner < 4; ++corner)
+    around.extend (to_streets * square.corner (AlignedBox2d::CornerType (corner)));
   const Eigen::Array2d low = (around.min().array() - margin) / pitch.array();
   const Eigen::Array2d high = (around.max().array() + margin) / pitch.array();
   return {low.floor().cast<int>().matrix(), high.ceil().cast<int>().matrix()};
@@ -151,7 +150,7 @@ struct TileSurvey {
 } // namespace
 
 Town
-makeTown (std::uint32_t seed, double points, double tiles)
+makeTown (Seed seed, double points, double tiles)
 {
   // Of what is surveyed of a square meter of ground, walls and roofs included.
   constexpr double surface_of_square_meter = 1.65;
@@ -164,17 +163,13 @@ makeTown (std::uint32_t seed, double points, double tiles)
 }
 
 std::vector<TownPoint>
-surveyTile (const Town& town,
-            std::uint32_t column,
-            std::uint32_t row,
-            double noise_scale)
+surveyTile (const Town& town, std::uint32_t column, std::uint32_t row, double noise)
 {
   const auto squareOf = [&town] (double x, double y, double edge) {
     const Vector2d corner (x * town.tile, y * town.tile);
     return AlignedBox2d (corner, corner + Vector2d::Constant (edge));
   };
-  TileSurvey survey{
-      town, squareOf (column, row, town.tile), noise_scale * survey_sigma};
+  TileSurvey survey{town, squareOf (column, row, town.tile), noise * survey_sigma};
   const auto forEachPlace =
       [&survey] (const Vector2d& pitch, double margin, const auto& visit) {
         const AlignedBox2i places = placesAround (survey.tile, pitch, margin);

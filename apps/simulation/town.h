@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
-#include <cstdint>
-#include <vector>
+#include "scene.h"
 
 namespace pcl_ops::simulation {
 
@@ -15,31 +12,28 @@ namespace pcl_ops::simulation {
  * Each surface is divided into patches with points of their own, so that the points of
  * a place are the same however large the town is and wherever borders of tiles are. */
 struct Town {
-  std::uint32_t seed = 1;
+  Seed seed = 1;
   /** \brief Along each side. */
   std::uint32_t tiles = 1;
   /** \brief Edge of a tile [m]. */
   double tile = 100.0;
   /** \brief South-western corner: far from zero, as such coordinates are [m]. */
-  Eigen::Vector3d corner = {691'000.0, 5'334'000.0, 519.0};
+  Vector3d corner = {691'000.0, 5'334'000.0, 519.0};
 };
 
 /** \brief A point and its true plane, from 1 on: the ground is 1. */
 struct TownPoint {
-  Eigen::Vector3d position;
+  Vector3d position;
   std::uint32_t label = 0;
 };
 
 /** \brief A town with about so many points.
  * \param[in] tiles all of them, rounded up to a square number */
 Town
-makeTown (std::uint32_t seed, double points, double tiles);
+makeTown (Seed seed, double points, double tiles);
 
-/** \param[in] noise_scale factor on \ref survey_sigma */
+/** \param[in] noise factor on \ref survey_sigma */
 std::vector<TownPoint>
-surveyTile (const Town& town,
-            std::uint32_t column,
-            std::uint32_t row,
-            double noise_scale);
+surveyTile (const Town& town, std::uint32_t column, std::uint32_t row, double noise);
 
 } // namespace pcl_ops::simulation
