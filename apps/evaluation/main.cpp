@@ -1,15 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <evaluation/commands/commands.h>
+#include <evaluation/report/evaluation_run.h>
+#include <io/output_file.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <iostream>
 #include <map>
 
 namespace {
 
 using namespace pcl_ops;
+using namespace pcl_ops::evaluation;
+using apps::Range;
 
 constexpr const char* program_name = "pcl_ops_evaluate";
 
@@ -30,17 +37,122 @@ constexpr const char* help =
     "  --help                       print this and exit, after COMMAND what it takes\n"
     "  --version                    print the version and exit\n";
 
+/** \return false if the answer was --help or --version */
+bool
+readOptions (int argc,
+             const char* const* argv,
+             EvaluationPlan& plan,
+             std::string& folder)
+{
+  std::vector<std::string> data_sets;
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  std::string detectors = "all";
+  apps::CommandLine line (
+      "pcl_ops_evaluate run",
+      "Runs detectors over data sets and writes results.csv, of which report.py makes\n"
+      "tables and plots. Run it again to go on after a stop: rows that are there are\n"
+      "not computed again.",
+      PCL_OPS_VERSION);
+  line.addArgument ("OUTPUT", folder, "folder of the results");
+  line.addArguments ("DATASET", data_sets, data_set_help);
+  line.addUpAxis (up, "against gravity in clouds; camera: 0,-1,0 (0,0,1)");
+  line.addNumber ("truth-neighbors",
+                  "K",
+                  Range::from (3).upTo (10'000),
+                  plan.truth.neighbors,
+                  "neighborhood of grown truth (100)");
+  line.addNumber ("min-plane-points",
+                  "N",
+                  Range::from (0),
+                  plan.truth.min_points,
+                  "true planes with fewer points are none (50)");
+  line.addText ("detectors",
+                "LIST",
+                detectors,
+                "names and groups, see pcl_ops_evaluate detectors (all)");
+  line.addNumber ("jobs",
+                  "N",
+                  Range::from (1).upTo (256),
+                  plan.jobs,
+                  "clouds at a time; only 1 leaves times undisturbed (1)");
+  line.addText ("labels",
+                "FOLDER",
+                plan.labels_folder,
+                "save each new result, and the truth, as a labeled cloud");
+  line.addNumber ("threshold",
+                  "M",
+                  Range::above (0),
+                  plan.settings.peer_threshold,
+                  "distance to a plane that detectors of others are given (0.05)");
+  line.addNumber (
+      "peers-noise",
+      "M",
+      Range::above (0),
+      plan.settings.peer_noise,
+      "noise that those of the group peers-measured are tuned to (measured)");
+  line.addNumber ("time-limit",
+                  "S",
+                  Range::from (0).upTo (1e6),
+                  plan.time_limit,
+                  "for a detector of others on a cloud, 0 for none (600)");
+  line.addNumber (
+      "seed", "S", Range::from (0), plan.settings.seed, "of detectors (42)");
+  if (!line.parse (argc, argv))
+    return false;
+  plan.configurations = selectConfigurations (detectors);
+  for (const DataSet& data_set : dataSetsOf (data_sets, up))
+    plan.clouds.insert (plan.clouds.end(), data_set.begin(), data_set.end());
+  return true;
+}
+
+int
+runCommand (int argc, const char* const* argv)
+{
+  EvaluationPlan plan;
+  std::string folder;
+  if (!readOptions (argc, argv, plan, folder))
+    return apps::ExitCode::done;
+  apps::makeFolder (folder);
+  const auto file = std::filesystem::path (folder) / "results.csv";
+  const EvaluationSummary summary =
+      evaluate (plan, file.string(), std::cerr, isatty (STDERR_FILENO) == 1);
+  std::cout << summary.clouds << " clouds evaluated, " << summary.new_rows
+            << " new rows; " << summary.broken_clouds << " clouds left out, "
+            << summary.failed_runs << " runs failed, " << summary.stopped_runs
+            << " stopped\n";
+  const bool is_complete = summary.broken_clouds == 0 && summary.failed_runs == 0;
+  return is_complete ? apps::ExitCode::done : apps::ExitCode::work_failed;
+}
+
+int
+detectorsCommand (int argc, const char* const* argv)
+{
+  apps::CommandLine line (
+      "pcl_ops_evaluate detectors",
+      "Lists the configurations a run can have, their groups and versions.",
+      PCL_OPS_VERSION);
+  if (!line.parse (argc, argv))
+    return apps::ExitCode::done;
+  for (const Configuration& configuration : allConfigurations()) {
+    std::cout << configuration.name;
+    for (const std::string& group : configuration.groups)
+      std::cout << ' ' << group;
+    const std::string& version = configuration.version;
+    std::cout << ", " << (version.empty() ? "pcl_ops " PCL_OPS_VERSION : version)
+              << '\n';
+  }
+  return apps::ExitCode::done;
+}
+
 int
 dispatch (int argc, const char* const* argv)
 {
-  const std::map<std::string, evaluation::Command*> commands{
-      {"compare", evaluation::compareCommand},
-      {"planes", evaluation::planesCommand},
-      {"track", evaluation::trackCommand},
-      {"run", evaluation::runCommand},
-      {"edges", evaluation::edgesCommand},
-      {"detectors", evaluation::detectorsCommand},
-  };
+  const std::map<std::string, Command*> commands{{"compare", compareCommand},
+                                                 {"planes", planesCommand},
+                                                 {"track", trackCommand},
+                                                 {"run", runCommand},
+                                                 {"edges", edgesCommand},
+                                                 {"detectors", detectorsCommand}};
   const std::string name = argc > 1 ? argv[1] : "";
   if (name == "--help" || name == "-help" || name == "-h") {
     std::cout << help;

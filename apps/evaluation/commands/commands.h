@@ -9,7 +9,6 @@ namespace pcl_ops::evaluation {
  * \return the exit code */
 using Command = int (int argc, const char* const* argv);
 
-Command compareCommand, planesCommand, trackCommand, runCommand, edgesCommand,
-    detectorsCommand;
+Command compareCommand, planesCommand, trackCommand, edgesCommand;
 
 } // namespace pcl_ops::evaluation

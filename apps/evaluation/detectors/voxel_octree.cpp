@@ -25,71 +25,46 @@ constexpr std::size_t min_points_of_voxel = 5;
 /** Of a plane after merging; as for the other detectors. */
 constexpr std::size_t min_points_of_plane = 50;
 
-/** A voxel that is a plane. */
-struct Leaf {
-  Moments moments;
-  pcl::Indices points;
-};
-
 struct VoxelOctree {
   const XyzCloud& cloud;
   /** Of the covariance [m^2]. */
   double max_eigenvalue;
-  std::vector<Leaf> leaves = {};
+  /** Of each voxel that is a plane. */
+  std::vector<Moments> moments = {};
+  std::vector<pcl::Indices> points = {};
 
   /** Adds the planes among the points of a voxel.
-   * \param[in] layers_left below it */
+   * \param[in] layer 0 for the largest voxels */
   void
-  add (const pcl::Indices& points,
+  add (const pcl::Indices& members,
        const Eigen::Vector3d& center,
        double edge,
-       int layers_left)
+       int layer)
   {
-    if (points.size() < min_points_of_voxel)
+    if (members.size() < min_points_of_voxel)
       return;
-    Moments moments;
-    moments.origin = center;
+    Moments sums;
+    sums.origin = center;
     std::array<pcl::Indices, 8> octants;
-    for (const pcl::index_t i : points) {
+    for (const pcl::index_t i : members) {
       const Eigen::Vector3d point = cloud[i].getVector3fMap().cast<double>();
-      addTo (moments, point);
+      addTo (sums, point);
       const auto side = (point - center).array() > 0.0;
       octants[side[0] + 2 * side[1] + 4 * side[2]].push_back (i);
     }
-    const std::optional<PlaneFit> fit = fitPlane (moments);
+    const std::optional<PlaneFit> fit = fitPlane (sums);
     if (fit && fit->variances[0] < max_eigenvalue) {
-      leaves.push_back ({moments, points});
+      moments.push_back (sums);
+      points.push_back (members);
       return;
     }
-    for (int octant = 0; layers_left > 0 && octant < 8; ++octant) {
-      const Eigen::Vector3d side (octant & 1, octant >> 1 & 1, octant >> 2 & 1);
-      add (octants[octant],
-           center + 0.5 * edge * (side - Eigen::Vector3d::Constant (0.5)),
-           0.5 * edge,
-           layers_left - 1);
+    for (int octant = 0; layer + 1 < layers && octant < 8; ++octant) {
+      const Eigen::Array3d side (octant & 1, octant >> 1 & 1, octant >> 2 & 1);
+      const Eigen::Vector3d offset = 0.5 * edge * (side - 0.5);
+      add (octants[octant], center + offset, 0.5 * edge, layer + 1);
     }
   }
 };
-
-/** \param[in] edge of the voxels of the first layer [m] */
-std::vector<Leaf>
-leavesOf (const XyzCloud& cloud, double edge, double max_eigenvalue)
-{
-  std::map<std::array<int, 3>, pcl::Indices> voxels;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    std::array<int, 3> voxel{};
-    for (int axis = 0; axis < 3; ++axis)
-      voxel[axis] = int (std::floor (cloud[i].data[axis] / edge));
-    voxels[voxel].push_back (pcl::index_t (i));
-  }
-  VoxelOctree octree{cloud, max_eigenvalue};
-  for (const auto& [voxel, points] : voxels) {
-    const Eigen::Vector3d corner (voxel[0], voxel[1], voxel[2]);
-    const Eigen::Vector3d center = edge * (corner + Eigen::Vector3d::Constant (0.5));
-    octree.add (points, center, edge, layers - 1);
-  }
-  return octree.leaves;
-}
 
 } // namespace
 
@@ -105,18 +80,26 @@ planesInVoxelOctree (const PeerTask& task)
     edge = std::clamp (task.values.gap * std::pow (2.0, layers - 1), smallest, largest);
     max_eigenvalue = std::pow (2.0 * task.values.noise, 2);
   }
-  const std::vector<Leaf> leaves = leavesOf (*task.cloud, edge, max_eigenvalue);
-  std::vector<Moments> moments;
-  for (const Leaf& leaf : leaves)
-    moments.push_back (leaf.moments);
+  std::map<std::array<int, 3>, pcl::Indices> voxels;
+  for (std::size_t i = 0; i < task.cloud->size(); ++i) {
+    std::array<int, 3> voxel{};
+    for (int axis = 0; axis < 3; ++axis)
+      voxel[axis] = int (std::floor ((*task.cloud)[i].data[axis] / edge));
+    voxels[voxel].push_back (pcl::index_t (i));
+  }
+  VoxelOctree octree{*task.cloud, max_eigenvalue};
+  for (const auto& [voxel, points] : voxels) {
+    const Eigen::Array3d corner (voxel[0], voxel[1], voxel[2]);
+    octree.add (points, edge * (corner + 0.5), edge, 0);
+  }
   MergingParameters merging;
   merging.distance_threshold = task.values.threshold;
-  const MergedPlanes merged = mergePlanes (moments, merging);
+  const MergedPlanes merged = mergePlanes (octree.moments, merging);
   std::vector<pcl::PointIndices> planes (merged.moments.size());
-  for (std::size_t i = 0; i < leaves.size(); ++i)
+  for (std::size_t i = 0; i < octree.points.size(); ++i)
     if (merged.merged_into[i] != no_plane) {
       pcl::Indices& plane = planes[std::size_t (merged.merged_into[i])].indices;
-      plane.insert (plane.end(), leaves[i].points.begin(), leaves[i].points.end());
+      plane.insert (plane.end(), octree.points[i].begin(), octree.points[i].end());
     }
   while (!planes.empty() && planes.back().indices.size() < min_points_of_plane)
     planes.pop_back(); // they come by falling size
