@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <boost/io/ios_state.hpp>
+
 #include "fuzz_targets.h"
 #include "scene.h"
 #include <cli/command_line.h>
@@ -10,6 +12,7 @@
 #include <io/shifted_cloud.h>
 #include <unistd.h>
 
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -77,15 +80,6 @@ load (const Bytes& bytes, const TemporaryFile& file, Use&& use)
   }
 }
 
-/** A PCD or PLY. */
-template <int kind>
-void
-loadOnly (const Bytes& bytes)
-{
-  static const TemporaryFile file (kind == 0 ? ".pcd" : ".ply");
-  load (bytes, file, [] (const apps::FileCloud&) {});
-}
-
 void
 loadText (const Bytes& bytes)
 {
@@ -119,48 +113,15 @@ loadLas (const Bytes& bytes)
   });
 }
 
-/** Takes away what --help prints. */
-class SilentOutput {
-public:
-  SilentOutput() : before_ (std::cout.rdbuf (nothing_.rdbuf())) {}
-  SilentOutput (const SilentOutput&) = delete;
-  SilentOutput&
-  operator= (const SilentOutput&) = delete;
-  ~SilentOutput() { std::cout.rdbuf (before_); }
-
-private:
-  std::ostringstream nothing_;
-  std::streambuf* before_;
-};
-
-std::vector<std::string>
-linesOf (const Bytes& bytes)
+/** In a small corner, by what stands on a line each. */
+void
+detectAsTold (const Bytes& bytes)
 {
   std::istringstream text (std::string (bytes.begin(), bytes.end()));
-  std::vector<std::string> lines;
-  for (std::string line; std::getline (text, line, '\n');)
-    lines.push_back (line.substr (0, line.find ('\0')));
-  return lines;
-}
-
-apps::XyzCloud::ConstPtr
-smallCorner ()
-{
-  static const apps::XyzCloud::ConstPtr cloud = Scene (1)
-                                                    .floor (1_m, 1_m)
-                                                    .wall ({0, 0}, {1, 0}, 1_m)
-                                                    .spacing (5_cm)
-                                                    .build()
-                                                    .cloud;
-  return cloud;
-}
-
-void
-detectAsTold (const std::vector<std::string>& arguments)
-{
+  std::deque<std::string> arguments;
   std::vector<const char*> argv{"pcl_ops_segment"};
-  for (const std::string& argument : arguments)
-    argv.push_back (argument.c_str());
+  for (std::string argument; std::getline (text, argument);)
+    argv.push_back (arguments.emplace_back (argument).c_str());
   apps::CommandLine line ("pcl_ops_segment", "Finds planes", "0");
   std::string method = apps::allMethods().front().name;
   apps::DetectorOptions options;
@@ -169,18 +130,26 @@ detectAsTold (const std::vector<std::string>& arguments)
     return;
   const apps::Method& chosen = apps::methodCalled (method);
   apps::checkMethodOptions (line, chosen);
-  const apps::Detected found = chosen.detect (options, smallCorner());
+  static const apps::XyzCloud::ConstPtr corner = Scene (1)
+                                                     .floor (1_m, 1_m)
+                                                     .wall ({0, 0}, {1, 0}, 1_m)
+                                                     .spacing (5_cm)
+                                                     .build()
+                                                     .cloud;
+  const apps::Detected found = chosen.detect (options, corner);
   const std::vector<std::uint32_t> labels =
-      apps::labelsOf (found.planes, smallCorner()->size());
-  promise (labels.size() == smallCorner()->size(), "every point has a label");
+      apps::labelsOf (found.planes, corner->size());
+  promise (labels.size() == corner->size(), "every point has a label");
 }
 
 void
 readOptions (const Bytes& bytes)
 {
-  const SilentOutput silent;
+  // Takes away what --help prints.
+  const std::ostringstream nothing;
+  const boost::io::ios_rdbuf_saver saver (std::cout, nothing.rdbuf());
   try {
-    detectAsTold (linesOf (bytes));
+    detectAsTold (bytes);
   }
   catch (const apps::ProgramError& error) {
     promise (std::string (error.what()).size() > 0, "an error says what is wrong");
@@ -193,8 +162,16 @@ const Targets&
 allTargets ()
 {
   static const Targets targets = [] {
-    Targets all = {{"pcd", loadOnly<0>},
-                   {"ply", loadOnly<1>},
+    Targets all = {{"pcd",
+                    [] (const Bytes& bytes) {
+                      static const TemporaryFile file (".pcd");
+                      load (bytes, file, [] (const auto&) {});
+                    }},
+                   {"ply",
+                    [] (const Bytes& bytes) {
+                      static const TemporaryFile file (".ply");
+                      load (bytes, file, [] (const auto&) {});
+                    }},
                    {"las", loadLas},
                    {"ascii", loadText},
                    {"options", readOptions}};
