@@ -25,16 +25,14 @@ constexpr std::uint64_t field_length = sizeof (std::uint32_t);
 /** \brief Calls \p visit (bytes) for each record. */
 template <typename Visit>
 void
-forRecords (HeaderReader& reader, const LasHeader& header, Visit&& visit)
+forRecords (LasFrame& las, Visit&& visit)
 {
   constexpr std::uint64_t block = 1U << 14U;
-  std::vector<char> bytes (std::min (block, header.points) * header.record_length);
-  reader.goTo (header.points_offset);
-  for (std::uint64_t first = 0; first < header.points; first += block) {
-    const std::uint64_t count = std::min (block, header.points - first);
-    reader.read (bytes.data(), count * header.record_length);
-    for (std::uint64_t i = 0; i < count; ++i)
-      visit (bytes.data() + i * header.record_length);
+  const std::uint64_t end = las.header.pointsEnd(), length = las.header.record_length;
+  for (std::uint64_t at = las.header.points_offset; at < end; at += block * length) {
+    const std::string records = las.bytes (at, std::min (end, at + block * length));
+    for (std::size_t i = 0; i < records.size(); i += length)
+      visit (&records[i]);
   }
 }
 
@@ -50,47 +48,39 @@ placeOf (const char* record, const LasHeader& header)
 
 /** \brief Those of the fields that the file has not. */
 std::vector<LasField>
-missingOf (std::vector<LasField> fields, const LasExtraBytes& extra)
+missingOf (std::vector<LasField> fields, const LasFrame& las)
 {
-  fields.erase (
-      std::remove_if (fields.begin(),
-                      fields.end(),
-                      [&] (const LasField& field) { return extra.placeOf (field); }),
-      fields.end());
+  const auto is_there = [&] (const LasField& field) { return las.placeOf (field); };
+  fields.erase (std::remove_if (fields.begin(), fields.end(), is_there), fields.end());
   return fields;
 }
 
 /** \brief What is in front of the points where their records have further fields. */
 std::string
-frontWith (const std::vector<LasField>& fields,
-           HeaderReader& reader,
-           const LasHeader& header,
-           const LasExtraBytes& extra)
+frontWith (const std::vector<LasField>& fields, LasFrame& las)
 {
-  std::string front = readLasFront (reader, header);
+  const LasHeader& header = las.header;
+  std::string front = las.bytes (0, header.points_offset);
   if (fields.empty())
     return front;
   const std::uint64_t length = fields.size() * field_length;
-  const std::string description = descriptionsOf (fields, header, extra);
+  const std::string description = las.descriptionsOf (fields);
   setNumber (front,
              las_field::record_length,
              static_cast<std::uint16_t> (header.record_length + length));
-  if (extra.vlr) {
-    const std::uint64_t size = extra.vlr->end - extra.vlr->content;
+  if (las.extra_bytes) {
+    const LasVlr& vlr = *las.extra_bytes;
     setNumber (front,
-               extra.vlr->begin + vlr_length_field,
-               static_cast<std::uint16_t> (size + description.size()));
-    front.insert (extra.vlr->end, description);
+               vlr.begin + vlr_length_field,
+               static_cast<std::uint16_t> (vlr.size() + description.size()));
+    front.insert (vlr.end, description);
   }
   else {
     setNumber (front, las_field::vlr_count, header.vlr_count + 1);
-    front.insert (extra.vlrs_end, extraBytesVlr (description));
+    front.insert (las.vlrs_end, extraBytesVlr (description));
   }
-  relocateLas (reader,
-               header,
-               header.pointsEnd(),
-               static_cast<std::int64_t> (length * header.points),
-               front);
+  las.relocate (
+      header.pointsEnd(), static_cast<std::int64_t> (length * header.points), front);
   return front;
 }
 
@@ -165,16 +155,14 @@ headerOf (const std::vector<LasPoint>& points,
 
 } // namespace
 
-LasFile::LasFile (const std::string& file)
-: reader_ (file, "LAS")
-, header_ (readLasHeader (reader_))
-, extra_ (readLasVlrs (reader_, header_))
+LasFile::LasFile (const std::string& file) : frame_ (file)
 {
-  if (header_.points >
-      (reader_.fileSize() - header_.points_offset) / header_.record_length)
-    reader_.failTruncated();
-  checkLasCount (reader_, header_, file);
-  checkLasEvlrs (reader_, header_);
+  const LasHeader& header = frame_.header;
+  if (header.points >
+      (frame_.reader.fileSize() - header.points_offset) / header.record_length)
+    frame_.reader.failTruncated();
+  frame_.checkCount();
+  frame_.checkEvlrs();
 }
 
 pcl::PCLPointCloud2
@@ -188,16 +176,16 @@ LasFile::readPoints()
   for (const char* axis : {"x", "y", "z"})
     add (axis, PCLPointField::FLOAT64);
   add ("intensity", PCLPointField::FLOAT32);
-  const std::optional<std::uint64_t> label = extra_.placeOf (label_field);
+  const std::optional<std::uint64_t> label = frame_.placeOf (label_field);
   if (label)
     add ("label", PCLPointField::UINT32);
-  cloud.width = static_cast<pcl::uindex_t> (header_.points);
+  cloud.width = static_cast<pcl::uindex_t> (frame_.header.points);
   cloud.height = 1;
   cloud.row_step = cloud.point_step * cloud.width;
-  cloud.data.resize (header_.points * cloud.point_step);
+  cloud.data.resize (frame_.header.points * cloud.point_step);
   std::uint8_t* point = cloud.data.data();
-  forRecords (reader_, header_, [&] (const char* record) {
-    const Eigen::Vector3d place = placeOf (record, header_);
+  forRecords (frame_, [&] (const char* record) {
+    const Eigen::Vector3d place = placeOf (record, frame_.header);
     for (const double coordinate : place)
       append (coordinate, point);
     append (static_cast<float> (fromLittleEndian<std::uint16_t> (record + intensity)),
@@ -211,38 +199,37 @@ LasFile::readPoints()
 Eigen::Vector3d
 LasFile::place (std::uint64_t point)
 {
-  std::array<char, 3 * sizeof (std::int32_t)> record{};
-  reader_.goTo (header_.points_offset + point * header_.record_length);
-  reader_.read (record.data(), record.size());
-  return placeOf (record.data(), header_);
+  const LasHeader& header = frame_.header;
+  const std::uint64_t begin = header.points_offset + point * header.record_length;
+  const std::string record = frame_.bytes (begin, begin + 3 * sizeof (std::int32_t));
+  return placeOf (record.data(), header);
 }
 
 void
 LasFile::forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit)
 {
-  forRecords (reader_, header_, [&] (const char* record) {
-    visit (placeOf (record, header_));
-  });
+  forRecords (frame_,
+              [&] (const char* record) { visit (placeOf (record, frame_.header)); });
 }
 
 std::string
 LasFile::problemOf (const std::vector<LasField>& fields) const
 {
-  const std::vector<LasField> added = missingOf (fields, extra_);
+  const std::vector<LasField> added = missingOf (fields, frame_);
   if (added.empty())
     return "";
   for (const LasField& field : added)
-    if (extra_.hasNamed (field))
+    if (frame_.hasNamed (field))
       return "has an extra-bytes field " + field.name + " that is no " +
              field.type_name + "; rename it or give an OUTPUT.pcd";
   constexpr std::uint64_t max_short = std::numeric_limits<std::uint16_t>::max();
-  const std::uint64_t described =
-      extra_.vlr ? extra_.vlr->end - extra_.vlr->content : 0;
-  const std::uint64_t description = descriptionsOf (added, header_, extra_).size();
+  const std::uint64_t described = frame_.extra_bytes ? frame_.extra_bytes->size() : 0;
+  const std::uint64_t description = frame_.descriptionsOf (added).size();
   const std::uint64_t with_vlr = extraBytesVlr ("").size() + description;
   if (described + description > max_short ||
-      header_.record_length + added.size() * field_length > max_short ||
-      header_.points_offset + with_vlr > std::numeric_limits<std::uint32_t>::max())
+      frame_.header.record_length + added.size() * field_length > max_short ||
+      frame_.header.points_offset + with_vlr >
+          std::numeric_limits<std::uint32_t>::max())
     return "has no room for a further extra-bytes field; give an OUTPUT.pcd";
   return "";
 }
@@ -250,34 +237,35 @@ LasFile::problemOf (const std::vector<LasField>& fields) const
 void
 LasFile::writeWith (const std::vector<LasColumn>& columns, std::ostream& stream)
 {
-  std::vector<LasField> fields;
+  std::vector<LasField> added;
   std::vector<std::uint64_t> places;
-  std::uint64_t length = header_.record_length;
-  for (const LasColumn& column : columns) {
-    fields.push_back (column.field);
-    const std::optional<std::uint64_t> place = extra_.placeOf (column.field);
+  std::uint64_t length = frame_.header.record_length;
+  for (const auto& [field, bits] : columns) {
+    const std::optional<std::uint64_t> place = frame_.placeOf (field);
     places.push_back (place.value_or (length));
-    length += place ? 0 : field_length;
+    if (place)
+      continue;
+    added.push_back (field);
+    length += field_length;
   }
-  const std::vector<LasField> added = missingOf (fields, extra_);
-  stream << frontWith (added, reader_, header_, extra_);
+  stream << frontWith (added, frame_);
   constexpr std::size_t block = 1U << 16U;
   std::string records;
-  forRecords (reader_, header_, [&] (const char* record) {
+  forRecords (frame_, [&] (const char* record) {
     const std::size_t begin = records.size();
-    records.append (record, header_.record_length);
+    records.append (record, frame_.header.record_length);
     records.resize (begin + length);
-    const Eigen::Vector3d place = placeOf (record, header_);
+    const Eigen::Vector3d place = placeOf (record, frame_.header);
     for (std::size_t i = 0; i < columns.size(); ++i)
       records.replace (
-          begin + places[i], field_length, littleEndian (columns[i].bits (place)));
+          begin + places[i], field_length, littleEndian (columns[i].second (place)));
     if (records.size() < block)
       return;
     stream << records;
     records.clear();
   });
   stream << records;
-  copyRest (reader_, header_.pointsEnd(), stream);
+  frame_.copyRest (frame_.header.pointsEnd(), stream);
 }
 
 void
@@ -311,11 +299,7 @@ saveLas (const std::string& file,
          double scale,
          const Eigen::Vector3d& offset)
 {
-  LasHeader plain;
-  plain.format_length = plain.record_length = record_size;
-  LasExtraBytes none;
-  none.described_end = record_size;
-  const std::string vlr = extraBytesVlr (descriptionsOf ({label_field}, plain, none));
+  const std::string vlr = extraBytesVlr (descriptionOf (label_field));
   writeFile (file, [&] (std::ostream& stream) {
     stream << headerOf (points, scale, offset, vlr.size()) << vlr;
     std::string record (labeled_size, '\0');

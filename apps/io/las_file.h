@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include "header_reader.h"
 #include "las_header.h"
 
 #include <array>
@@ -14,6 +13,7 @@
 #include <functional>
 #include <iosfwd>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl_ops::apps {
@@ -21,12 +21,9 @@ namespace pcl_ops::apps {
 /** \brief The label of the next point, given where that is. */
 using LabelOfPlace = std::function<std::uint32_t (const Eigen::Vector3d&)>;
 
-/** \brief A field that a copy has in its extra bytes. */
-struct LasColumn {
-  LasField field;
-  /** \brief Its four bytes of the next point, given where that is. */
-  std::function<std::uint32_t (const Eigen::Vector3d&)> bits;
-};
+/** \brief A field that a copy has in its extra bytes, and its four bytes of the next
+ * point. */
+using LasColumn = std::pair<LasField, LabelOfPlace>;
 
 /** \brief A LAS file, versions 1.2 to 1.4. It stays open, so that all that is no
  * coordinate need not be in memory to be written again, and may be removed meanwhile.
@@ -45,7 +42,7 @@ public:
   std::uint64_t
   size () const
   {
-    return header_.points;
+    return frame_.header.points;
   }
 
   Eigen::Vector3d
@@ -69,9 +66,7 @@ public:
   writeWith (const std::vector<LasColumn>& columns, std::ostream& stream);
 
 private:
-  HeaderReader reader_;
-  LasHeader header_;
-  LasExtraBytes extra_;
+  LasFrame frame_;
 };
 
 /** \brief Writes it labeled in one step (\ref writeFile).

@@ -135,12 +135,12 @@ vlrsIn (HeaderReader& reader,
                                    : fromLittleEndian<std::uint64_t> (length);
     begin += header_size;
     check (size);
-    begin += size;
-    vlrs.push_back ({begin - size - header_size,
-                     begin - size,
+    vlrs.push_back ({begin - header_size,
                      begin,
+                     begin + size,
                      textIn (&bytes[2], id_length),
                      fromLittleEndian<std::uint16_t> (&bytes[2 + id_length])});
+    begin += size;
   }
   return vlrs;
 }
@@ -161,28 +161,6 @@ extraBytesLength (std::uint8_t type, std::uint8_t options)
   // Behind the single numbers are pairs and triples of them.
   const std::size_t count = 1 + (type - 1U) / lengths.size();
   return count > 3 ? 0 : count * lengths.at ((type - 1U) % lengths.size());
-}
-
-void
-readDescriptions (HeaderReader& reader, const LasHeader& header, LasExtraBytes& extra)
-{
-  std::array<char, description_size> bytes{};
-  if ((extra.vlr->end - extra.vlr->content) % description_size != 0)
-    reader.fail ("its Extra Bytes VLR ends within a description");
-  reader.goTo (extra.vlr->content);
-  for (auto at = extra.vlr->content; at < extra.vlr->end; at += description_size) {
-    reader.read (bytes.data(), bytes.size());
-    const auto type = fromLittleEndian<std::uint8_t> (&bytes[2]);
-    const std::uint64_t length =
-        extraBytesLength (type, fromLittleEndian<std::uint8_t> (&bytes[3]));
-    if (length == 0)
-      reader.fail ("its Extra Bytes VLR has an unknown type, " + std::to_string (type));
-    extra.fields.push_back (
-        {textIn (&bytes[4], name_length), type, extra.described_end});
-    extra.described_end += length;
-  }
-  if (extra.described_end > header.record_length)
-    reader.fail ("its Extra Bytes VLR describes more bytes than its records have");
 }
 
 std::string
@@ -210,15 +188,55 @@ readLasHeader (HeaderReader& reader)
     reader.fail ("it ends within its header");
   LasHeader header = fieldsOf (bytes);
   check (header, reader);
-  header.format_length = format_lengths.at (header.format);
   header.points = std::max<std::uint64_t> (header.points, header.legacy_points);
   return header;
 }
 
+LasFrame::LasFrame (const std::string& name)
+: file (name), reader (name, "LAS"), header (readLasHeader (reader))
+{
+  constexpr std::uint16_t laszip_id = 22204;
+  vlrs_end = header.size;
+  described_end = format_lengths.at (header.format);
+  const auto set =
+      [&] (std::optional<LasVlr>& single, const LasVlr& vlr, const char* kind) {
+        if (single)
+          reader.fail (std::string ("it has two ") + kind + " VLRs");
+        single = vlr;
+      };
+  for (const LasVlr& vlr : vlrsIn (
+           reader, header.size, header.points_offset, header.vlr_count, vlr_header)) {
+    vlrs_end = vlr.end;
+    if (vlr.user == "laszip encoded" && vlr.id == laszip_id)
+      set (laszip, vlr, "LASzip");
+    if (describesExtraBytes (vlr))
+      set (extra_bytes, vlr, "Extra Bytes");
+  }
+  if (extra_bytes)
+    readDescriptions();
+}
+
 void
-checkLasCount (const HeaderReader& reader,
-               const LasHeader& header,
-               const std::string& file)
+LasFrame::readDescriptions()
+{
+  if (extra_bytes->size() % description_size != 0)
+    reader.fail ("its Extra Bytes VLR ends within a description");
+  const std::string content = bytes (extra_bytes->content, extra_bytes->end);
+  for (std::size_t at = 0; at < content.size(); at += description_size) {
+    const auto type = fromLittleEndian<std::uint8_t> (&content[at + 2]);
+    const std::uint64_t length =
+        extraBytesLength (type, fromLittleEndian<std::uint8_t> (&content[at + 3]));
+    if (length == 0)
+      reader.fail ("its Extra Bytes VLR has an unknown type, " + std::to_string (type));
+    fields_.push_back ({textIn (&content[at + 4], name_length), type, described_end});
+    described_end += length;
+  }
+  if (described_end > header.record_length)
+    reader.fail ("its Extra Bytes VLR describes more bytes than its records have");
+}
+
+void
+LasFrame::checkCount() const
 {
   constexpr auto most = std::numeric_limits<pcl::index_t>::max();
   if (header.points == 0)
@@ -229,21 +247,33 @@ checkLasCount (const HeaderReader& reader,
                          std::to_string (most) + "; split it into tiles");
 }
 
-std::string
-readLasFront (HeaderReader& reader, const LasHeader& header)
+void
+LasFrame::checkEvlrs()
 {
-  std::string front (header.points_offset, '\0');
-  reader.goTo (0);
-  reader.read (front.data(), front.size());
-  return front;
+  if (header.evlr_count == 0)
+    return;
+  if (header.evlr_offset < header.pointsEnd() || header.evlr_offset > reader.fileSize())
+    reader.fail ("its offset to extended variable length records is within its points "
+                 "or behind its end");
+  const auto vlrs = vlrsIn (
+      reader, header.evlr_offset, reader.fileSize(), header.evlr_count, evlr_header);
+  if (std::any_of (vlrs.begin(), vlrs.end(), describesExtraBytes))
+    reader.fail ("its Extra Bytes are described behind its points");
+}
+
+std::string
+LasFrame::bytes (std::uint64_t begin, std::uint64_t end)
+{
+  std::string bytes (end - begin, '\0');
+  reader.goTo (begin);
+  reader.read (bytes.data(), bytes.size());
+  return bytes;
 }
 
 void
-relocateLas (const HeaderReader& reader,
-             const LasHeader& header,
-             std::uint64_t points_end,
-             std::int64_t points_growth,
-             std::string& front)
+LasFrame::relocate (std::uint64_t points_end,
+                    std::int64_t points_growth,
+                    std::string& front) const
 {
   setNumber (
       front, las_field::points_offset, static_cast<std::uint32_t> (front.size()));
@@ -262,82 +292,34 @@ relocateLas (const HeaderReader& reader,
 }
 
 void
-copyRest (HeaderReader& reader, std::uint64_t begin, std::ostream& stream)
+LasFrame::copyRest (std::uint64_t begin, std::ostream& stream)
 {
   constexpr std::uint64_t block = 1U << 20U;
-  std::vector<char> bytes;
-  reader.goTo (begin);
-  for (std::uint64_t left = reader.fileSize() - begin; left > 0; left -= bytes.size()) {
-    bytes.resize (std::min (block, left));
-    reader.read (bytes.data(), bytes.size());
-    stream.write (bytes.data(), static_cast<std::streamsize> (bytes.size()));
-  }
-}
-
-LasExtraBytes
-readLasVlrs (HeaderReader& reader, const LasHeader& header)
-{
-  constexpr std::uint16_t laszip_id = 22204;
-  LasExtraBytes extra;
-  extra.vlrs_end = header.size;
-  extra.described_end = header.format_length;
-  const auto set =
-      [&] (std::optional<LasVlr>& single, const LasVlr& vlr, const char* name) {
-        if (single)
-          reader.fail (std::string ("it has two ") + name + " VLRs");
-        single = vlr;
-      };
-  for (const LasVlr& vlr : vlrsIn (
-           reader, header.size, header.points_offset, header.vlr_count, vlr_header)) {
-    extra.vlrs_end = vlr.end;
-    if (vlr.user == "laszip encoded" && vlr.id == laszip_id)
-      set (extra.laszip, vlr, "LASzip");
-    if (describesExtraBytes (vlr))
-      set (extra.vlr, vlr, "Extra Bytes");
-  }
-  if (extra.vlr)
-    readDescriptions (reader, header, extra);
-  return extra;
-}
-
-void
-checkLasEvlrs (HeaderReader& reader, const LasHeader& header)
-{
-  if (header.evlr_count == 0)
-    return;
-  if (header.evlr_offset < header.pointsEnd() || header.evlr_offset > reader.fileSize())
-    reader.fail ("its offset to extended variable length records is within its points "
-                 "or behind its end");
-  const auto vlrs = vlrsIn (
-      reader, header.evlr_offset, reader.fileSize(), header.evlr_count, evlr_header);
-  if (std::any_of (vlrs.begin(), vlrs.end(), describesExtraBytes))
-    reader.fail ("its Extra Bytes are described behind its points");
+  for (const std::uint64_t size = reader.fileSize(); begin < size; begin += block)
+    stream << bytes (begin, std::min (size, begin + block));
 }
 
 std::optional<std::uint64_t>
-LasExtraBytes::placeOf (const LasField& field) const
+LasFrame::placeOf (const LasField& field) const
 {
-  for (const LasDescribedField& described : fields)
+  for (const DescribedField& described : fields_)
     if (described.name == field.name && described.type == field.type)
       return described.place;
   return {};
 }
 
 bool
-LasExtraBytes::hasNamed (const LasField& field) const
+LasFrame::hasNamed (const LasField& field) const
 {
-  return std::any_of (
-      fields.begin(), fields.end(), [&] (const LasDescribedField& described) {
-        return described.name == field.name;
-      });
+  return std::any_of (fields_.begin(), fields_.end(), [&] (const auto& described) {
+    return described.name == field.name;
+  });
 }
 
 std::string
-descriptionsOf (const std::vector<LasField>& added,
-                const LasHeader& header,
-                const LasExtraBytes& extra)
+LasFrame::descriptionsOf (const std::vector<LasField>& added) const
 {
-  const std::uint64_t unknown = header.record_length - extra.described_end;
+  const std::uint64_t unknown = header.record_length - described_end;
   // Byte by byte: CloudCompare takes any number of undocumented bytes for one
   // (LasExtraScalarField::elementSize) and looks for what follows in the wrong place.
   constexpr std::uint64_t max_single = 64, longest = 255;
@@ -350,8 +332,14 @@ descriptionsOf (const std::vector<LasField>& added,
     left -= length;
   }
   for (const LasField& field : added)
-    bytes += descriptionOf (field.type, 0, field.name, field.text);
+    bytes += descriptionOf (field);
   return bytes;
+}
+
+std::string
+descriptionOf (const LasField& field)
+{
+  return descriptionOf (field.type, 0, field.name, field.text);
 }
 
 std::string

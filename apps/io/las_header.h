@@ -67,8 +67,6 @@ struct LasHeader {
   std::uint8_t format = 0;
   bool says_laz = false;
   std::uint16_t record_length = 0;
-  /** \brief Bytes of a record that its point format has a meaning for. */
-  std::uint16_t format_length = 0;
   /** \brief The larger of both numbers. */
   std::uint64_t points = 0;
   std::uint32_t legacy_points = 0;
@@ -90,37 +88,17 @@ struct LasHeader {
 LasHeader
 readLasHeader (HeaderReader& reader);
 
-/** \brief \throws WorkError if the file has no points, or more than PCL's indices can
- * tell apart */
-void
-checkLasCount (const HeaderReader& reader,
-               const LasHeader& header,
-               const std::string& file);
-
-/** \brief All that is in front of the points, for a copy to change. */
-std::string
-readLasFront (HeaderReader& reader, const LasHeader& header);
-
-/** \brief Lets the front of a copy say where its points begin and where all is that is
- * behind them.
- * \param[in] points_end where the points end in the file
- * \param[in] points_growth how many bytes more the points have in the copy */
-void
-relocateLas (const HeaderReader& reader,
-             const LasHeader& header,
-             std::uint64_t points_end,
-             std::int64_t points_growth,
-             std::string& front);
-
-/** \brief Copies the file from \p begin to its end. */
-void
-copyRest (HeaderReader& reader, std::uint64_t begin, std::ostream& stream);
-
 /** \brief A variable length record: where it begins, its content, and its end. */
 struct LasVlr {
   std::uint64_t begin = 0, content = 0, end = 0;
   std::string user;
   std::uint16_t id = 0;
+
+  std::uint64_t
+  size () const
+  {
+    return end - content;
+  }
 };
 
 /** \brief A field of four bytes among the extra bytes of a record. */
@@ -136,25 +114,38 @@ inline const LasField label_field = {"label", 5, "uint32", "0: on no plane"};
 inline const LasField distance_field = {
     "distance", 9, "float", "to its plane; NaN: on none"};
 
-/** \brief A field that a file has. */
-struct LasDescribedField {
-  std::string name;
-  std::uint8_t type;
-  /** \brief Where it is in a record. */
-  std::uint64_t place;
-};
+/** \brief A LAS file but for its points, which may be compressed. */
+struct LasFrame {
+  /** \throws WorkError if the header makes no sense, a variable length record does not
+   * fit in front of the points, or they describe more extra bytes than there are */
+  explicit LasFrame (const std::string& file);
 
-/** \brief What the variable length records say about the extra bytes of a record. */
-struct LasExtraBytes {
-  /** \brief Where the last variable length record ends. */
-  std::uint64_t vlrs_end = 0;
-  /** \brief The one that describes extra bytes, if any does. */
-  std::optional<LasVlr> vlr;
-  /** \brief Where the extra bytes end that it describes, in a record. */
-  std::uint64_t described_end = 0;
-  std::vector<LasDescribedField> fields;
-  /** \brief What LASzip needs to decompress the points, if they are compressed. */
-  std::optional<LasVlr> laszip;
+  /** \throws WorkError if the file has no points, or more than PCL's indices can tell
+   * apart */
+  void
+  checkCount () const;
+
+  /** \brief Walks through the extended variable length records behind the points.
+   * \throws WorkError if one is not, or reaches beyond the end of the file */
+  void
+  checkEvlrs ();
+
+  /** \brief So many bytes of the file. */
+  std::string
+  bytes (std::uint64_t begin, std::uint64_t end);
+
+  /** \brief Lets the front of a copy say where its points begin and where all is that
+   * is behind them.
+   * \param[in] points_end where the points end in the file
+   * \param[in] points_growth how many bytes more the points have in the copy */
+  void
+  relocate (std::uint64_t points_end,
+            std::int64_t points_growth,
+            std::string& front) const;
+
+  /** \brief Copies the file from \p begin to its end. */
+  void
+  copyRest (std::uint64_t begin, std::ostream& stream);
 
   /** \brief Where a field of that name and type is in a record, if there is one. */
   std::optional<std::uint64_t>
@@ -163,26 +154,39 @@ struct LasExtraBytes {
   /** \brief Whether there is a field of that name, of whatever type. */
   bool
   hasNamed (const LasField& field) const;
+
+  /** \brief The descriptions of fields behind all bytes of a record, for the end of the
+   * content of \ref extra_bytes: bytes not described yet come before them. */
+  std::string
+  descriptionsOf (const std::vector<LasField>& added) const;
+
+  std::string file;
+  HeaderReader reader;
+  LasHeader header;
+  /** \brief Where the last variable length record ends. */
+  std::uint64_t vlrs_end = 0;
+  /** \brief What describes the extra bytes of a record, and what LASzip needs to
+   * decompress the points. */
+  std::optional<LasVlr> extra_bytes, laszip;
+  /** \brief Where the extra bytes end that are described, in a record. */
+  std::uint64_t described_end = 0;
+
+private:
+  struct DescribedField {
+    std::string name;
+    std::uint8_t type;
+    std::uint64_t place;
+  };
+
+  void
+  readDescriptions ();
+
+  std::vector<DescribedField> fields_;
 };
 
-/** \brief Walks through the variable length records in front of the points.
- * \throws WorkError if one does not fit in there, or if they describe more extra bytes
- * than there are */
-LasExtraBytes
-readLasVlrs (HeaderReader& reader, const LasHeader& header);
-
-/** \brief Walks through the extended variable length records, which are behind the
- * points.
- * \throws WorkError if one is not, or reaches beyond the end of the file */
-void
-checkLasEvlrs (HeaderReader& reader, const LasHeader& header);
-
-/** \brief The descriptions of fields behind all bytes of a record, for the end of the
- * content of \ref LasExtraBytes::vlr: bytes not described yet come before them. */
+/** \brief How an Extra Bytes VLR says what a field is. */
 std::string
-descriptionsOf (const std::vector<LasField>& added,
-                const LasHeader& header,
-                const LasExtraBytes& extra);
+descriptionOf (const LasField& field);
 
 std::string
 extraBytesVlr (const std::string& content);
