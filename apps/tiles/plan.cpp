@@ -54,14 +54,13 @@ isEmptyLas (const std::string& file)
   return readLasHeader (reader).points == 0;
 }
 
+/** \brief By the names of the files, then those of the folders. */
 std::vector<std::string>
 sorted (std::vector<std::string> files)
 {
-  const auto name = [] (const std::string& file) {
-    return std::make_pair (fs::path (file).filename().string(), file);
-  };
-  std::sort (files.begin(), files.end(), [&] (const auto& a, const auto& b) {
-    return name (a) < name (b);
+  std::sort (files.begin(), files.end(), [] (const auto& a, const auto& b) {
+    return std::pair (fs::path (a).filename().string(), a) <
+           std::pair (fs::path (b).filename().string(), b);
   });
   return files;
 }
@@ -75,11 +74,11 @@ cellsOfTile (const PlanOptions& options, double cell)
     return usual;
   constexpr auto step = TileGrid::cells_of_coarsest;
   const double cells = step * std::round (*options.tile / (step * cell));
-  if (cells < static_cast<double> (TileGrid::halo))
+  if (cells < double (TileGrid::halo))
     throw UsageError ("--tile",
                       "is less than " + std::to_string (TileGrid::halo) +
                           " cells wide; give a larger one or a smaller --cell");
-  if (cells > static_cast<double> (TileGrid::most_cells))
+  if (cells > double (TileGrid::most_cells))
     throw UsageError ("--tile",
                       "is more than " + std::to_string (TileGrid::most_cells) +
                           " cells wide; give a smaller one or a larger --cell");
@@ -103,15 +102,6 @@ checkReach (const TileGrid& grid,
   text << "cells of " << grid.cell() << " reach " << grid.reach() << " from zero, and "
        << file << " has points farther away; give a larger one";
   throw UsageError ("--cell", text.str());
-}
-
-bool
-hasLengths (const Plan& plan)
-{
-  return plan.cell > 0.0 && std::isfinite (plan.cell) &&
-         plan.cells_of_tile % TileGrid::cells_of_coarsest == 0 &&
-         plan.cells_of_tile >= TileGrid::halo &&
-         plan.cells_of_tile <= TileGrid::most_cells;
 }
 
 /** \return 0 where most places are one */
@@ -250,10 +240,9 @@ toText (const Plan& plan)
 Plan
 loadPlan (const PlanFile& file)
 {
-  std::ifstream stream (file.name);
-  if (fs::is_directory (file.name))
-    stream.close(); // to read one throws
   try {
+    // A folder, which to read throws, is no plan either.
+    std::ifstream stream (fs::is_directory (file.name) ? "" : file.name);
     const auto json = nlohmann::json::parse (stream);
     Plan plan;
     if (json.value ("format", 1) != format_of_files)
@@ -268,7 +257,10 @@ loadPlan (const PlanFile& file)
                               input.at ("bytes"),
                               input.at ("written"),
                               input.at ("points")});
-    if (hasLengths (plan))
+    if (plan.cell > 0.0 && std::isfinite (plan.cell) &&
+        plan.cells_of_tile % TileGrid::cells_of_coarsest == 0 &&
+        plan.cells_of_tile >= TileGrid::halo &&
+        plan.cells_of_tile <= TileGrid::most_cells)
       return plan;
   }
   catch (const nlohmann::json::exception&) {

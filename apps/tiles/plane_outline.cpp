@@ -171,16 +171,6 @@ withinReach (std::vector<Site> sites)
   return sites;
 }
 
-void
-construct (const std::vector<Site>& sites, Diagram& diagram)
-{
-  boost::polygon::voronoi_builder<std::int32_t> builder;
-  for (const Site& site : sites)
-    builder.insert_point (static_cast<std::int32_t> (site.u - sites.front().u),
-                          static_cast<std::int32_t> (site.v - sites.front().v));
-  builder.construct (&diagram);
-}
-
 /** \brief Whether the sites around a vertex of the diagram make a triangle, or a
  * polygon of sites on one circle, that is small enough and the tile's. */
 bool
@@ -198,29 +188,6 @@ isKept (const Vertex& vertex, const std::vector<Site>& sites, double radius)
   const double du = vertex.x() - static_cast<double> (first->u - sites.front().u);
   const double dv = vertex.y() - static_cast<double> (first->v - sites.front().v);
   return first->point.is_own && du * du + dv * dv <= radius * radius;
-}
-
-/** \brief Takes out what has an opposite. */
-std::vector<OutlineEdge>
-withoutOpposites (std::vector<OutlineEdge> edges)
-{
-  const auto ends = [] (const OutlineEdge& edge) {
-    return std::minmax (edge.from, edge.to);
-  };
-  std::sort (edges.begin(), edges.end(), [&] (const auto& a, const auto& b) {
-    return std::tuple (ends (a), a.from) < std::tuple (ends (b), b.from);
-  });
-  std::vector<OutlineEdge> left;
-  std::size_t first_alike = 0;
-  for (const OutlineEdge& edge : edges) {
-    if (left.size() <= first_alike || ends (left.back()) != ends (edge))
-      first_alike = left.size();
-    if (left.size() > first_alike && left.back().from == edge.to)
-      left.pop_back();
-    else
-      left.push_back (edge);
-  }
-  return left;
 }
 
 /** \brief Where edges meet, and where those that no ring has taken go. */
@@ -280,13 +247,21 @@ follow (Corner* corner, std::vector<PlanarPoints>& rings)
     on_path->is_on_path = false;
 }
 
-/** \brief Closed lines along edges that never meet a corner twice. */
+/** \brief Closed lines along edges that have no opposite and never meet a corner twice.
+ */
 std::vector<PlanarPoints>
 ringsAlong (const std::vector<OutlineEdge>& edges, const PlaneFrame& frame, double unit)
 {
-  std::map<LatticePlace, Corner> corners;
+  // How many more edges go from one end to the other than back.
+  std::map<std::pair<LatticePlace, LatticePlace>, int> surplus;
   for (const OutlineEdge& edge : edges)
-    corners[edge.from].next.push_back (&corners[edge.to]);
+    surplus[std::minmax (edge.from, edge.to)] += edge.from < edge.to ? 1 : -1;
+  std::map<LatticePlace, Corner> corners;
+  for (const auto& [ends, count] : surplus)
+    for (int i = 0; i < std::abs (count); ++i) {
+      Corner &first = corners[ends.first], &second = corners[ends.second];
+      count > 0 ? first.next.push_back (&second) : second.next.push_back (&first);
+    }
   for (auto& [place, corner] : corners)
     corner.point = frame.toPlane (
         unit * Eigen::Map<const Eigen::Matrix<std::int64_t, 3, 1>> (place.data())
@@ -357,6 +332,20 @@ struct SignedRing {
   }
 };
 
+/** \brief By falling area. */
+std::vector<SignedRing>
+signedRings (const std::vector<PlanarPoints>& traced, double unit)
+{
+  std::vector<SignedRing> rings;
+  for (const PlanarPoints& with_spikes : traced)
+    if (const PlanarPoints ring = withoutSpikes (with_spikes, unit); ring.size() >= 3)
+      rings.emplace_back (ring);
+  std::stable_sort (rings.begin(), rings.end(), [] (const auto& a, const auto& b) {
+    return std::abs (a.area) > std::abs (b.area);
+  });
+  return rings;
+}
+
 } // namespace
 
 double
@@ -377,8 +366,12 @@ outlineEdges (const std::vector<OutlinePoint>& points,
   TakenSquares squares = squaresOf (sites);
   const double radius = cell * radiusFor (sites.size(), squares.size());
   sites = withinReach (thinned (sites, squares));
+  boost::polygon::voronoi_builder<std::int32_t> builder;
+  for (const Site& site : sites)
+    builder.insert_point (static_cast<std::int32_t> (site.u - sites.front().u),
+                          static_cast<std::int32_t> (site.v - sites.front().v));
   Diagram diagram;
-  construct (sites, diagram);
+  builder.construct (&diagram);
   constexpr std::size_t kept = 1;
   for (const Vertex& vertex : diagram.vertices())
     vertex.color (isKept (vertex, sites, radius) ? kept : 0);
@@ -397,20 +390,15 @@ outlineEdges (const std::vector<OutlinePoint>& points,
 }
 
 std::vector<PlanarRings>
-outlineOf (std::vector<OutlineEdge> edges,
+outlineOf (const std::vector<OutlineEdge>& edges,
            const PlaneFrame& frame,
            double unit,
            double points,
            double min_area)
 {
-  std::vector<SignedRing> rings, parts;
-  for (const PlanarPoints& traced :
-       ringsAlong (withoutOpposites (std::move (edges)), frame, unit))
-    if (const PlanarPoints ring = withoutSpikes (traced, unit); ring.size() >= 3)
-      rings.emplace_back (ring);
-  std::stable_sort (rings.begin(), rings.end(), [] (const auto& a, const auto& b) {
-    return std::abs (a.area) > std::abs (b.area);
-  });
+  const std::vector<SignedRing> rings =
+      signedRings (ringsAlong (edges, frame, unit), unit);
+  std::vector<SignedRing> parts;
   std::vector<PlanarRings> outline;
   double area = 0.0;
   for (const SignedRing& ring : rings)

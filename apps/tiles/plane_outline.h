@@ -56,7 +56,7 @@ outlineEdges (const std::vector<OutlinePoint>& points,
  * \param[in] points on the plane, which give their spacing
  * \param[in] min_area of a part beside the largest, and of a hole [m^2] */
 std::vector<PlanarRings>
-outlineOf (std::vector<OutlineEdge> edges,
+outlineOf (const std::vector<OutlineEdge>& edges,
            const PlaneFrame& frame,
            double unit,
            double points,

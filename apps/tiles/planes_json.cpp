@@ -54,11 +54,8 @@ extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plan
     for (OutlineEdge& edge : edges)
       std::swap (edge.from, edge.to);
   const double min_area = std::pow (1.5 * plan.cell, 2);
-  const std::vector<PlanarRings> outline = outlineOf (std::move (edges),
-                                                      frame,
-                                                      outlineUnit (plan.cell),
-                                                      segment.moments.count,
-                                                      min_area);
+  const std::vector<PlanarRings> outline = outlineOf (
+      edges, frame, outlineUnit (plan.cell), segment.moments.count, min_area);
   PlanarPoints corners;
   for (const PlanarRings& part : outline)
     corners.insert (corners.end(), part.front().begin(), part.front().end());
