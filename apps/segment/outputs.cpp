@@ -19,7 +19,6 @@
 #include <picture/picture.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -29,9 +28,9 @@
 #include <limits>
 #include <locale>
 #include <numeric>
-#include <optional>
 #include <ostream>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -70,14 +69,15 @@ planeFile (std::size_t id, const PlaneSegment& plane, const std::string& extensi
   return name.str();
 }
 
-std::vector<fs::path>
+std::set<std::string>
 planeFilesIn (const fs::path& folder)
 {
-  std::vector<fs::path> files;
+  std::set<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator (folder))
-    if (entry.is_regular_file() && isPlaneFile (entry.path().filename().string()))
-      files.push_back (entry.path());
-  return files;
+    if (const std::string name = entry.path().filename().string();
+        entry.is_regular_file() && isPlaneFile (name))
+      names.insert (name);
+  return names;
 }
 
 fs::path
@@ -96,19 +96,18 @@ exchangePlanes (const fs::path& folder, const fs::path& with)
   // Other runs that exchange the planes of the folder wait for this one.
   const FolderLock lock (folder);
   lock.wait();
-  std::vector<fs::path> stale = planeFilesIn (folder);
-  const std::vector<fs::path> written = planeFilesIn (with);
-  for (const fs::path& file : written)
-    if (const fs::path target = folder / file.filename(); fs::is_directory (target))
-      throw fs::filesystem_error (target.string(),
+  std::set<std::string> stale = planeFilesIn (folder);
+  const std::set<std::string> written = planeFilesIn (with);
+  for (const std::string& name : written)
+    if (fs::is_directory (folder / name))
+      throw fs::filesystem_error (name,
                                   std::make_error_code (std::errc::is_a_directory));
-  for (const fs::path& file : written) {
-    const fs::path target = folder / file.filename();
-    fs::rename (file, target);
-    stale.erase (std::remove (stale.begin(), stale.end(), target), stale.end());
+  for (const std::string& name : written) {
+    fs::rename (with / name, folder / name);
+    stale.erase (name);
   }
-  for (const fs::path& file : stale)
-    fs::remove (file);
+  for (const std::string& name : stale)
+    fs::remove (folder / name);
 }
 
 /** \brief Polygons with a color for each corner, or lines. */

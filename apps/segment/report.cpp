@@ -10,7 +10,6 @@
 
 #include <iomanip>
 #include <ostream>
-#include <sstream>
 
 namespace pcl_ops::apps {
 
@@ -30,15 +29,13 @@ printPlane (std::size_t id,
             std::ostream& stream)
 {
   const Plane plane = segment.plane();
+  const Eigen::Vector3d& normal = plane.normal;
   stream << std::setw (4) << id << "  " << std::left << std::setw (10)
          << toString (segment.orientation) << std::right << " " << std::setw (9)
          << segment.inliers.size() << std::setprecision (1) << " " << std::setw (6)
          << share (segment.inliers.size(), points) << std::setprecision (4);
-  for (const double number : {segment.rms(),
-                              plane.normal.x(),
-                              plane.normal.y(),
-                              plane.normal.z(),
-                              plane.offset})
+  for (const double number :
+       {segment.rms(), normal.x(), normal.y(), normal.z(), plane.offset})
     stream << " " << std::setw (9) << number;
   stream << "\n";
 }
@@ -47,22 +44,20 @@ void
 printPlanes (const Report& report, std::ostream& stream)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
-  const std::size_t points = report.points;
   constexpr std::size_t most_rows = 20;
   stream << "  id  orientation   points      %       rms         a         b         c"
             "         d\n";
-  std::size_t covered = 0;
+  std::size_t rest = report.points;
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    covered += planes[i].inliers.size();
+    rest -= planes[i].inliers.size();
     if (i < most_rows)
-      printPlane (report.ids[i], planes[i], points, stream);
+      printPlane (report.ids[i], planes[i], report.points, stream);
   }
   if (planes.size() > most_rows)
     stream << "      and " << planes.size() - most_rows
            << " smaller ones: --planes FILE.json has them all\n";
-  stream << "      no plane   " << std::setw (9) << points - covered
-         << std::setprecision (1) << " " << std::setw (6)
-         << share (points - covered, points) << "\n";
+  stream << "      no plane   " << std::setw (9) << rest << std::setprecision (1) << " "
+         << std::setw (6) << share (rest, report.points) << "\n";
 }
 
 std::string
@@ -73,40 +68,22 @@ countsOf (const Report& report)
          (planes == 1 ? " plane" : " planes");
 }
 
-/** \brief What to say where there is nothing or little to show; empty elsewhere. */
-std::string
-adviceOf (const Report& report)
-{
-  const Detected& detected = report.detected;
-  if (detected.planes.empty())
-    return "No plane found: " + detected.advice + ".";
-  return detected.advice.empty()
-             ? ""
-             : "Hardly any point is on a plane: " + detected.advice + ".";
-}
-
-/** \brief How many planes were not chosen beside those that were; empty for none. */
-std::string
-droppedBeside (const Report& report)
-{
-  const Dropped& dropped = report.dropped;
-  if (report.detected.planes.empty() || dropped.by_option.empty())
-    return "";
-  return "Dropped " + std::to_string (dropped.found - report.detected.planes.size()) +
-         " of " + std::to_string (dropped.found) + " planes: " + dropped.reasons() +
-         ".";
-}
-
 /** \brief The lines under the table, and after the counts of a summary. */
 std::vector<std::string>
 remarksOn (const Report& report)
 {
+  const Detected& detected = report.detected;
+  const std::size_t left = detected.planes.size(), found = report.dropped.found;
   std::vector<std::string> remarks;
-  for (const std::string& line : {droppedBeside (report), adviceOf (report)})
-    if (!line.empty())
-      remarks.push_back (line);
-  const std::vector<std::string>& hints = report.detected.hints;
-  remarks.insert (remarks.end(), hints.begin(), hints.end());
+  if (left > 0 && !report.dropped.by_option.empty())
+    remarks.push_back ("Dropped " + std::to_string (found - left) + " of " +
+                       std::to_string (found) + " planes: " + report.dropped.reasons() +
+                       ".");
+  if (left == 0)
+    remarks.push_back ("No plane found: " + detected.advice + ".");
+  else if (!detected.advice.empty())
+    remarks.push_back ("Hardly any point is on a plane: " + detected.advice + ".");
+  remarks.insert (remarks.end(), detected.hints.begin(), detected.hints.end());
   return remarks;
 }
 

@@ -3,47 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <cli/progress.h>
-#include <support/text.h>
+#include <support/temporary_folder.h>
+#include <sys/stat.h>
 
 #include <atomic>
 #include <chrono>
-#include <future>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace pcl_ops::apps;
 
 namespace {
-
-/** \brief Says when a text has been written to it. */
-class WatchedBuffer : public std::stringbuf {
-public:
-  explicit WatchedBuffer (std::string awaited) : awaited_ (std::move (awaited)) {}
-
-  void
-  wait ()
-  {
-    written_.get_future().wait();
-  }
-
-private:
-  int
-  sync () override
-  {
-    if (!is_written_ && str().find (awaited_) != std::string::npos) {
-      is_written_ = true;
-      written_.set_value();
-    }
-    return 0;
-  }
-
-  std::string awaited_;
-  bool is_written_ = false;
-  std::promise<void> written_;
-};
 
 constexpr std::chrono::milliseconds seldom = std::chrono::seconds (10), always{0};
 const std::string erased = "\r\033[K";
@@ -80,11 +53,16 @@ TEST (Progress, SaysHowFarItIsInAWayThatFitsTheStream)
 
 TEST (StageLines, TellTheStageOnceInAWhile)
 {
-  WatchedBuffer buffer ("a.pcd: finding planes, 0 s so far\n");
-  std::ostream terminal (&buffer);
+  const TemporaryFolder folder;
+  const std::string pipe = folder / "terminal";
+  ASSERT_EQ (::mkfifo (pipe.c_str(), 0600), 0);
+  std::fstream reader (pipe);
+  std::ofstream terminal (pipe);
   StageLines lines (terminal, std::chrono::milliseconds (1));
   lines.begin ("a.pcd: finding planes");
-  buffer.wait(); // or the test runs out of its time
+  std::string line;
+  while (line != "a.pcd: finding planes, 0 s so far") // or the test runs out of time
+    ASSERT_TRUE (std::getline (reader, line));
 }
 
 TEST (StageLines, AreSilentWhereAllIsDoneBefore)

@@ -3,7 +3,7 @@
 #include <io/laz_file.h>
 #include <segment/segment_program.h>
 
-#include <fstream>
+#include <functional>
 #include <optional>
 #include <sstream>
 
@@ -210,6 +210,26 @@ class Failures : public Failing, public testing::WithParamInterface<Output> {
 protected:
   Failures() : Failing (GetParam()) {}
 
+  /** \brief Looks at the end of a run with a trouble at the first write, at the second
+   * and so on, until one ends well. */
+  void
+  expectAtEveryWrite (const std::string& trouble,
+                      const std::function<void (const Outcome&)>& expect) const
+  {
+    int write = 1;
+    for (; write < most_writes; ++write) {
+      SCOPED_TRACE (trouble + std::to_string (write));
+      const Outcome ending = failing (trouble + std::to_string (write));
+      if (ending.exit_code == 0)
+        break;
+      expect (ending);
+      if (HasFailure())
+        return;
+    }
+    EXPECT_GT (write, 1) << "nothing was written";
+    EXPECT_LT (write, most_writes);
+  }
+
   /** \brief A name of so many characters. */
   static std::string
   nameOfLength (std::size_t length)
@@ -232,33 +252,18 @@ INSTANTIATE_TEST_SUITE_P (All, Failures, testing::ValuesIn (allOutputs()), nameO
 
 TEST_P (Failures, ADiskThatIsFullAtAnyWriteIsSaidAndHarmsNothing)
 {
-  int write = 1;
-  for (; write < most_writes; ++write) {
-    SCOPED_TRACE ("full at write " + std::to_string (write));
-    const Outcome ending = failing ("FULL_AT_WRITE=" + std::to_string (write));
-    if (ending.exit_code == 0)
-      break;
+  expectAtEveryWrite ("FULL_AT_WRITE=", [this] (const Outcome& ending) {
     expectPromise (ending, GetParam().file);
-    if (HasFailure())
-      return;
     protect(); // or a run of many files goes on
-  }
-  EXPECT_GT (write, 1) << "nothing was written";
-  EXPECT_LT (write, most_writes);
+  });
 }
 
 TEST_P (Failures, ARunKilledAtAnyWriteLeavesTheOldFileAndIsRunAgain)
 {
-  int write = 1;
-  for (; write < most_writes; ++write) {
-    SCOPED_TRACE ("killed at write " + std::to_string (write));
-    const Outcome ending = failing ("KILLED_AT_WRITE=" + std::to_string (write));
-    if (ending.exit_code == 0)
-      break;
+  expectAtEveryWrite ("KILLED_AT_WRITE=", [this] (const Outcome& ending) {
     EXPECT_EQ (ending.exit_code, killed) << ending.err;
-    ASSERT_TRUE (isAsBefore());
-  }
-  EXPECT_GT (write, 1) << "nothing was written";
+    EXPECT_TRUE (isAsBefore());
+  });
   EXPECT_FALSE (isAsBefore()) << "the last run was not hindered";
 }
 

@@ -352,11 +352,4 @@ TEST_F (SegmentPipe, LeavesNoTemporaryFileWhenInterrupted)
   EXPECT_EQ (temporary_.fileCount(), 0u);
 }
 
-TEST_F (SegmentPipe, PrintsATableWhereThePlanesGoToAFile)
-{
-  const Outcome done = pipe ("in.pcd", "- --planes p.csv");
-  EXPECT_EQ (done.out.find ("standard input: 5001 points, 2 planes"), 0u) << done.out;
-  EXPECT_EQ (lines (contentOf (folder_ / "p.csv")), 3u);
-}
-
 } // namespace
