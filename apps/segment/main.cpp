@@ -85,7 +85,16 @@ public:
     for (const std::string& problem : batch_.problems)
       print ({Status::Failed, problem});
     runInParallel (statuses_.size(), options_.jobs, [this] (std::size_t i) {
-      finish (i, statusOf (i));
+      try {
+        finish (i, statusOf (i));
+      }
+      catch (...) {
+        // No memory even to say so: those behind must not wait for this one.
+        const std::lock_guard<std::mutex> lock (mutex_);
+        is_given_up_ = true;
+        is_next_.notify_all();
+        throw;
+      }
     });
     progress_.erase();
     return conclude();
@@ -101,7 +110,9 @@ private:
     for (PlaneSegment& plane : planes)
       plane.moveBy (-sensor);
     std::unique_lock<std::mutex> lock (mutex_);
-    is_next_.wait (lock, [&] { return finished_ == i; });
+    is_next_.wait (lock, [&] { return finished_ == i || is_given_up_; });
+    if (is_given_up_)
+      throw Interrupted();
     return tracker_.track (planes, poses_[i] * Eigen::Translation3d (sensor));
   }
 
@@ -190,6 +201,7 @@ private:
   std::vector<std::optional<Status>> statuses_;
   /** \brief So many from the first on have a status, which is printed. */
   std::size_t finished_ = 0;
+  bool is_given_up_ = false;
   /** \brief Of each end. */
   std::array<std::size_t, 3> counts_{};
 };
