@@ -42,11 +42,9 @@ drawWall (const WallRange& wall, double chance_of_opening, Random& random)
  * space for them; those for which there is none are left out. */
 struct Furnisher {
   Random random;
-  /** \brief The first of the four that a room has. */
-  int walls;
+  int walls; // the first of the four that a room has
   Room room = {};
-  /** \brief The floor below the pieces. */
-  std::vector<AlignedBox2d> occupied = {};
+  std::vector<AlignedBox2d> occupied = {}; // the floor below the pieces
 
   /** \param[in] smallest, largest length, width and height [m] */
   void

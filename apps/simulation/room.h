@@ -10,9 +10,8 @@ namespace pcl_ops::simulation {
  * of the floor. The walls are turned by \ref yaw against the x and y axes. */
 struct Room {
   Scene scene;
-  /** \brief Length, width and height [m]. */
-  Vector3d size = Vector3d::Zero();
-  double yaw = 0.0; // [rad]
+  Vector3d size = Vector3d::Zero(); // length, width and height [m]
+  double yaw = 0.0;                 // [rad]
 };
 
 /** \brief Draws a room with doors, niches, furniture, tilted boards and round clutter.

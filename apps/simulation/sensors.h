@@ -34,9 +34,7 @@ using Field = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
 
 /** \brief What is before each pixel. */
 struct DepthImage {
-  /** \brief Distance along the camera's z axis [m]; infinite: nothing. */
-  Field depth;
-  /** \brief Row by row. */
+  Field depth; // along the camera's z axis [m]; infinite: nothing
   std::vector<SurfaceId> surface;
 };
 
@@ -45,7 +43,6 @@ struct DepthImage {
  * edges are exact. */
 using Jitter = std::array<Field, 2>;
 
-/** \brief Casts a ray through every pixel. */
 DepthImage
 castDepthImage (const Scene& scene,
                 const DepthCamera& camera,
@@ -81,12 +78,9 @@ constexpr double lidar_sigma = 0.02;
  * single one along a rosette whose gaps the next scans fill. */
 struct Lidar {
   std::string name;
-  /** \brief How many at once, and how often in a scan. */
-  int beams, steps;
-  /** \brief Elevations of the outer beams; of a rosette those of its edge [degree]. */
-  double highest, lowest;
-  /** \brief Readings beyond are lost [m]. */
-  double farthest;
+  int beams, steps;       // how many at once, and how often in a scan
+  double highest, lowest; // elevations of the outer beams or the edge [degree]
+  double farthest;        // readings beyond are lost [m]
 
   bool
   isRosette () const

@@ -3,7 +3,6 @@
 #include "shapes.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl_ops::simulation {
 
@@ -108,15 +107,6 @@ drawBoard (const Shape& ground, Random& random)
 }
 
 } // namespace
-
-double
-RoundShape::area() const
-{
-  return kind == Kind::Cylinder ? share * (4.0 * pi * radius * height)
-         : kind == Kind::Cone   ? share * (pi * radius * std::hypot (radius, height))
-         : kind == Kind::Torus  ? share * (4.0 * pi * pi * radius * height)
-                                : 2.0 * pi * radius * height;
-}
 
 SurfacePoint
 drawPoint (const RoundShape& shape, Random& random)

@@ -4,6 +4,8 @@
 
 #include "simulated_cloud.h"
 
+#include <cmath>
+
 namespace pcl_ops::simulation {
 
 /** \brief A round surface about an upright axis, or a part of one. */
@@ -11,17 +13,19 @@ struct RoundShape {
   /** \brief A dome is the top of a sphere; a cylinder has no ends, a cone no base. */
   enum class Kind { Dome, Cylinder, Cone, Torus };
   Kind kind = Kind::Dome;
-  /** \brief Of the dome its sphere's; of the cone its apex. */
-  Vector3d center = Vector3d::Zero();
-  /** \brief Of the sphere, the cylinder, the cone's base or the torus's ring [m]. */
-  double radius = 1.0;
-  /** \brief Of the dome or the cone, half that of the cylinder or the torus [m]. */
-  double height = 0.1;
-  /** \brief Of a full turn, around the direction +y from the axis; 1 of a dome. */
-  double share = 1.0;
+  Vector3d center = Vector3d::Zero(); // of the dome its sphere's; of the cone its apex
+  double radius = 1.0; // of sphere, cylinder, the cone's base or the torus's ring [m]
+  double height = 0.1; // of dome or cone, half that of cylinder or torus [m]
+  double share = 1.0;  // of a turn, around +y from the axis; 1 of a dome
 
   double
-  area () const;
+  area () const
+  {
+    return kind == Kind::Cylinder ? share * (4.0 * pi * radius * height)
+           : kind == Kind::Cone   ? share * (pi * radius * std::hypot (radius, height))
+           : kind == Kind::Torus  ? share * (4.0 * pi * pi * radius * height)
+                                  : 2.0 * pi * radius * height;
+  }
 };
 
 SurfacePoint

@@ -14,11 +14,9 @@ namespace pcl_ops::simulation {
 struct Simulation {
   std::string scene = "room";
   Seed seed = 1;
-  /** \brief Of rooms, corners with furniture and walks. */
-  DepthCamera camera = {};
+  DepthCamera camera = {}; // of rooms, corners with furniture and walks
   bool has_raw_depth = false;
-  /** \brief Of streets and drives. */
-  std::string sensor = "lidar-64";
+  std::string sensor = "lidar-64"; // of streets and drives
   double noise = 1.0;
   /** \brief Of scans from everywhere; none: as many as such a scene usually has, and
    * rooms are seen by the camera. */
@@ -34,8 +32,7 @@ simulate (const Simulation& simulation);
 struct SensorView {
   Scene scene;
   Poses poses;
-  /** \brief At each of the poses. */
-  std::function<Scan (std::size_t frame)> scan;
+  std::function<Scan (std::size_t frame)> scan; // at each of the poses
 };
 
 /** \brief The view of a camera in a room or on a walk, of a lidar in a street or on a

@@ -145,12 +145,9 @@ drawTree (Random& random)
  * road, y = 0 the curb, z up from the road. */
 struct Roadside {
   Isometry3d pose;
-  double length;
-  /** \brief Height of the curb, and of the sidewalk from the curb to the gardens [m].
-   */
-  double curb, sidewalk;
-  /** \brief How the sidewalk rises from the curb on. */
-  double slope;
+  double length, curb; // and height of the curb [m]
+  double sidewalk;     // from the curb to the gardens [m]
+  double slope;        // how the ground rises from the curb on
 
   Isometry3d
   onGround (double x, double y) const

@@ -10,9 +10,8 @@ namespace pcl_ops::simulation {
  * direction is turned by \ref yaw against the x axis. */
 struct Street {
   Scene scene;
-  /** \brief Of the street, and of the road between the curbs [m]. */
-  double length = 0.0, width = 0.0;
-  double yaw = 0.0; // [rad]
+  double length = 0.0, width = 0.0; // width of the road between the curbs [m]
+  double yaw = 0.0;                 // [rad]
 };
 
 /** \brief Draws a road between curbs and sloping sidewalks, with houses, parked cars,

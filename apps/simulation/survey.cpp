@@ -13,11 +13,8 @@ namespace {
  * shoulders to a point. */
 struct Facade {
   Shape rectangle;
-  /** \brief Height of the shoulders as a share of the rectangle's; 1 without a gable.
-   */
-  double shoulders = 1.0;
-  /** \brief Of its points, relative to walls and roofs. */
-  double density = 1.0;
+  double shoulders = 1.0; // their height as a share of the rectangle's
+  double density = 1.0;   // of its points, relative to walls and roofs
 
   /** \brief Whether a point of the rectangle is none of air beside a gable. */
   bool

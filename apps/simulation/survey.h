@@ -8,21 +8,17 @@ namespace pcl_ops::simulation {
 
 /** \brief Four walls and a gable roof; the ridge is along the length. */
 struct House {
-  /** \brief Center of the building on the ground [m]. */
-  Vector3d center = Vector3d::Zero();
-  /** \brief Of the length against the x axis [rad]. */
-  double yaw = 0.0;
-  double length = 15.0, width = 11.0;
-  /** \brief Heights of the roof's lower and upper edges [m]. */
-  double eaves = 5.0, ridge = 8.0;
+  Vector3d center = Vector3d::Zero(); // of the building on the ground [m]
+  double yaw = 0.0;                   // of the length against the x axis [rad]
+  double length = 15.0, width = 11.0; // [m]
+  double eaves = 5.0, ridge = 8.0;    // heights of the roof's edges [m]
 };
 
 /** \brief Houses on a square of ground; z is up, z = 0 the ground, the origin its
  * middle. */
 struct Survey {
   std::vector<House> houses;
-  /** \brief Edge of the ground [m]. */
-  double width = 0.0;
+  double width = 0.0; // edge of the ground [m]
 };
 
 /** \brief Standard deviation of a surveyed point along each axis [m]. */

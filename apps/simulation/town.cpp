@@ -36,11 +36,8 @@ struct Side {
 Random
 randomAt (Seed seed, const Place& place, std::uint32_t what)
 {
-  return Random (std::seed_seq{seed,
-                               std::uint32_t (Purpose::Town),
-                               std::uint32_t (place.x()),
-                               std::uint32_t (place.y()),
-                               what});
+  const auto x = std::uint32_t (place.x()), y = std::uint32_t (place.y());
+  return Random (std::seed_seq{seed, std::uint32_t (Purpose::Town), x, y, what});
 }
 
 /** \brief Outer walls, slopes of the roof, the floor above the ground, and the walls

@@ -13,10 +13,8 @@ namespace pcl_ops::simulation {
  * a place are the same however large the town is and wherever borders of tiles are. */
 struct Town {
   Seed seed = 1;
-  /** \brief Along each side. */
-  std::uint32_t tiles = 1;
-  /** \brief Edge of a tile [m]. */
-  double tile = 100.0;
+  std::uint32_t tiles = 1; // along each side
+  double tile = 100.0;     // edge of one [m]
   /** \brief South-western corner: far from zero, as such coordinates are [m]. */
   Vector3d corner = {691'000.0, 5'334'000.0, 519.0};
 };
