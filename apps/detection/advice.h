@@ -3,9 +3,6 @@
 #pragma once
 
 #include <io/shifted_cloud.h>
-#include <pcl_ops/fast_sampling_plane_filtering.h>
-#include <pcl_ops/kernel_hough_transform.h>
-#include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/plane.h>
 
 #include <string>
@@ -13,27 +10,14 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Whether so few of the points with coordinates are on planes that most likely
- * a parameter does not fit the cloud; also if there are no such points. */
-bool
-isHardlyCovered (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes);
-
-/** \brief Which parameter to change where a detector found no plane or, as \ref
- * isHardlyCovered says, next to none, as the end of a sentence. Looks at how the
- * threshold relates to the cloud's extent, which tells millimeters from meters, and,
- * for OPS, at how many points are sampled, for FSPF at how many points its spheres
- * hold. */
+/** \brief Which parameter to change where a detector found no plane, or so few of the
+ * points with coordinates are on planes that most likely a parameter does not fit the
+ * cloud. The end of a sentence; empty elsewhere.
+ * \tparam Parameters those of OPS, FSPF or 3D-KHT */
+template <typename Parameters>
 std::string
-adviceFor (const OrientedPointSamplingParameters& parameters,
+adviceFor (const Parameters& parameters,
            const XyzCloud& cloud,
-           bool found_none);
-std::string
-adviceFor (const FastSamplingPlaneFilteringParameters& parameters,
-           const XyzCloud& cloud,
-           bool found_none);
-std::string
-adviceFor (const KernelHoughTransformParameters& parameters,
-           const XyzCloud& cloud,
-           bool found_none);
+           const std::vector<PlaneSegment>& planes);
 
 } // namespace pcl_ops::apps

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods.h"
 
+#include <boost/format.hpp>
+
 #include "advice.h"
 #include "number_options.h"
 #include "plane_json.h"
@@ -12,10 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <new>
-#include <sstream>
-#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -37,8 +36,9 @@ relate (const GivenNumbers& given, std::size_t points, OpsParameters& parameters
   const int k = parameters.k;
   if (k > OpsParameters().k && static_cast<std::size_t> (k) > points)
     throw UsageError ("--k",
-                      std::to_string (k) + " is more than the points of the cloud, " +
-                          std::to_string (points) + "; give a smaller number");
+                      str (boost::format ("%1% is more than the points of the cloud, "
+                                          "%2%; give a smaller number") %
+                           k % points));
 }
 
 /** \brief Where one radius is given the other follows: r2 = 2 r1, where the paper finds
@@ -59,8 +59,9 @@ relate (const GivenNumbers& given, std::size_t, FspfParameters& parameters)
                       "is below --inner-radius; leave one of them out or raise it");
 }
 
+template <typename Parameters>
 void
-relate (const GivenNumbers&, std::size_t, KhtParameters&)
+relate (const GivenNumbers&, std::size_t, Parameters&)
 {}
 
 // Settings that no option changes.
@@ -72,15 +73,16 @@ addFixed (const OpsParameters& p, Settings& settings)
 }
 
 void
-addFixed (const FspfParameters&, Settings&)
-{}
-
-void
 addFixed (const KhtParameters& p, Settings& settings)
 {
   settings["refit"] = p.refit.enabled;
   settings["merging"] = p.merging.enabled;
 }
+
+template <typename Parameters>
+void
+addFixed (const Parameters&, Settings&)
+{}
 
 /** \brief The preset with the options that were given. */
 template <typename Parameters>
@@ -117,11 +119,10 @@ hintOnMinInliers (const GivenNumbers& given,
     throw std::bad_alloc();
   if (left == planes.size() || least_ratio * left > planes.size())
     return;
-  const std::string number = std::to_string (asked);
   detected.hints.push_back (
-      "--min-inliers " + number + " counts samples, not points, and leaves " +
-      std::to_string (left) + " of " + std::to_string (planes.size()) +
-      " planes: --min-points " + number + " counts points");
+      str (boost::format ("--min-inliers %1% counts samples, not points, and leaves "
+                          "%2% of %3% planes: --min-points %1% counts points") %
+           asked % left % planes.size()));
 }
 
 template <typename Detector>
@@ -166,8 +167,7 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   detected.settings = reportOf (options.preset, parameters);
   detected.up = parameters.up_axis;
   hintOnMinInliers (options.numbers, detector, detected);
-  if (isHardlyCovered (*cloud, detected.planes))
-    detected.advice = adviceFor (parameters, *cloud, detected.planes.empty());
+  detected.advice = adviceFor (parameters, *cloud, detected.planes);
   return detected;
 }
 
@@ -176,20 +176,16 @@ template <typename Parameters>
 std::map<std::string, std::string>
 presetNotes ()
 {
-  const auto text = [] (const auto& number) {
-    std::ostringstream stream;
-    stream << settingOf (number).template get<double>();
-    return stream.str();
-  };
   std::map<std::string, std::string> notes;
-  Parameters usual, paper = Parameters::paper();
-  visitOwn (usual, [&] (const auto& name, const auto& number, const NumberOption&) {
-    notes[name] = text (number);
-  });
-  visitOwn (paper, [&] (const auto& name, const auto& number, const NumberOption&) {
-    if (notes[name] != text (number))
-      notes[name] += "; paper " + text (number);
-  });
+  for (Parameters preset : {Parameters(), Parameters::paper()})
+    visitOwn (preset, [&] (const char* name, const auto& number, const NumberOption&) {
+      const std::string value = str (boost::format ("%1%") % number);
+      std::string& note = notes[name];
+      if (note.empty())
+        note = value;
+      else if (note != value)
+        note += "; paper " + value;
+    });
   return notes;
 }
 
@@ -204,6 +200,14 @@ methodOf (const std::string& name, const std::string& title)
   return {name, title, declare_options, detectBy<Detector>};
 }
 
+OpsParameters
+defaultWith (const GivenNumbers& numbers)
+{
+  OpsParameters parameters;
+  apply (numbers, parameters);
+  return parameters;
+}
+
 /** \brief The axis, or why there is none. */
 struct UpSearch {
   std::optional<UpAxis> found;
@@ -215,8 +219,7 @@ findUp (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 {
   if (!isSeenFromItsOrigin (*cloud))
     return {std::nullopt, "the cloud was not seen from its VIEWPOINT"};
-  OrientedPointSamplingParameters given;
-  apply (options.numbers, given);
+  const OpsParameters given = defaultWith (options.numbers);
   OrientedPointSampling<pcl::PointXYZ> ops;
   ops.setSeed (given.seed);
   ops.setNumberOfThreads (given.threads);
@@ -228,39 +231,14 @@ findUp (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 }
 
 std::string
-textOf (const Eigen::Vector3f& vector)
-{
-  const Eigen::IOFormat with_commas (4, Eigen::DontAlignCols, ",", ",");
-  std::ostringstream text;
-  text << vector.transpose().format (with_commas);
-  return text.str();
-}
-
-std::string
 noteOn (const UpSearch& search, const Eigen::Vector3f& used)
 {
-  std::ostringstream note;
+  const std::string axis =
+      str (boost::format ("%.4g,%.4g,%.4g") % used.x() % used.y() % used.z());
   if (search.found)
-    note << "Up axis: " << textOf (used) << ", confidence " << std::fixed
-         << std::setprecision (2) << search.found->confidence;
-  else
-    note << "Up axis: " << search.problem << ", " << textOf (used)
-         << " is used; give --up x,y,z";
-  return note.str();
-}
-
-std::string
-roundedTextOf (const Eigen::Vector3d& vector)
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision (2);
-  for (const double number : {vector.x(), vector.y(), vector.z()}) {
-    constexpr double hundred = 100.0;
-    // The sum turns -0 into 0.
-    text << (text.tellp() > 0 ? ", " : "")
-         << std::round (hundred * number) / hundred + 0.0;
-  }
-  return text.str();
+    return str (boost::format ("Up axis: %1%, confidence %2$.2f") % axis %
+                search.found->confidence);
+  return "Up axis: " + search.problem + ", " + axis + " is used; give --up x,y,z";
 }
 
 /** \brief Names another axis than the one used where the planes are sure of it. Costs
@@ -268,8 +246,7 @@ roundedTextOf (const Eigen::Vector3d& vector)
 void
 hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detected)
 {
-  OrientedPointSamplingParameters given;
-  apply (options.numbers, given);
+  const OpsParameters given = defaultWith (options.numbers);
   const auto found =
       estimateUpAxis (detected.planes, cloud.sensor_origin_.head<3>().cast<double>());
   if (!found)
@@ -280,8 +257,13 @@ hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detec
   if (cosine >= std::cos (given.angle_tolerance) || !isSeenFromItsOrigin (cloud))
     return;
   detected.suggested_up = found->direction;
-  detected.hints.push_back ("planes suggest that up is " +
-                            roundedTextOf (found->direction) + ": --up auto");
+  constexpr double hundred = 100.0;
+  // The sum turns -0 into 0.
+  const Eigen::Array3d rounded =
+      (hundred * found->direction.array()).round() / hundred + 0.0;
+  detected.hints.push_back (
+      str (boost::format ("planes suggest that up is %.2f, %.2f, %.2f: --up auto") %
+           rounded.x() % rounded.y() % rounded.z()));
 }
 
 /** \brief Whether estimates are as sure of the planes as they say. */
@@ -404,10 +386,8 @@ checkMethodOptions (const CommandLine& line, const Method& chosen)
 double
 voxelStepOf (const DetectorOptions& options)
 {
-  OrientedPointSamplingParameters parameters;
-  apply (options.numbers, parameters);
-  const double edge = parameters.surfels.voxel_size.value_or (0.0);
-  return std::ldexp (edge, parameters.surfels.resolutions - 1);
+  const OpsParameters::Surfels surfels = defaultWith (options.numbers).surfels;
+  return std::ldexp (surfels.voxel_size.value_or (0.0), surfels.resolutions - 1);
 }
 
 } // namespace pcl_ops::apps

@@ -24,16 +24,6 @@ struct NumberOption {
   const char* help;
 };
 
-/** \brief An angle that is an option in degrees. */
-struct Degrees {
-  double& radians;
-};
-
-/** \brief A length whose option is 0 where it is not given. */
-struct ZeroIfNone {
-  std::optional<double>& length;
-};
-
 constexpr double points_of_a_plane = 3;
 
 /** \brief Calls \p visit (name, number, option) for what all detectors have. */
@@ -47,11 +37,15 @@ visitOwn (PlaneDetectorParameters& p, const Visit& visit)
   visit ("merge-distance",
          p.merging.distance_threshold,
          {"M", Range::from (0), "planes this near are one (--threshold; ops: auto)"});
+  const double usual = toDegrees (p.angle_tolerance);
+  double degrees = usual;
   visit ("angle-tolerance",
-         Degrees{p.angle_tolerance},
+         degrees,
          {"DEG",
           Range::from (0).upTo (90),
           "largest tilt of horizontal and vertical planes (7)"});
+  if (degrees != usual)
+    p.angle_tolerance = toRadians (degrees);
   visit ("seed", p.seed, {"S", Range::from (0), "same seed, same result (42)"});
   visit (
       "threads",
@@ -77,9 +71,11 @@ visitOwn (OrientedPointSamplingParameters& p, const Visit& visit)
   visit ("probability",
          p.paper_only.probability,
          {"P", Range::above (0).below (1), "of drawing a point of the largest plane"});
+  double edge = p.surfels.voxel_size.value_or (0.0);
   visit ("cell",
-         ZeroIfNone{p.surfels.voxel_size},
+         edge,
          {"M", Range::from (0), "edge of a voxel; 0: by the number of points"});
+  p.surfels.voxel_size = edge == 0.0 ? std::nullopt : std::make_optional (edge);
 }
 
 template <typename Visit>
@@ -137,27 +133,17 @@ visitAll (Parameters& parameters, const Visit& visit)
   visitOwn (static_cast<PlaneDetectorParameters&> (parameters), visit);
 }
 
-/** \brief Sets a number to what the text of an option says.
+/** \brief The number that the text of an option says, for one like \p number.
  * \throws UsageError if it is none or out of range */
 template <typename Number>
-void
-setNumber (const std::string& name,
-           const std::string& text,
-           const Range& range,
-           Number&& number)
+auto
+parsed (const std::string& name,
+        const std::string& text,
+        const NumberOption& option,
+        const Number& /* number */)
 {
-  using Type = std::decay_t<Number>;
-  if constexpr (std::is_arithmetic_v<Type>)
-    number = parseNumber<Type> ("--" + name, text, range);
-  else {
-    const auto real = parseNumber<double> ("--" + name, text, range);
-    if constexpr (std::is_same_v<Type, Degrees>)
-      number.radians = toRadians (real);
-    else if constexpr (std::is_same_v<Type, ZeroIfNone>)
-      number.length = real == 0.0 ? std::optional<double>() : real;
-    else
-      number = real;
-  }
+  using Value = std::conditional_t<std::is_arithmetic_v<Number>, Number, double>;
+  return parseNumber<Value> ("--" + name, text, option.range);
 }
 
 template <typename Number>
@@ -166,24 +152,20 @@ settingOf (const Number& number)
 {
   if constexpr (std::is_arithmetic_v<Number>)
     return number;
-  else if constexpr (std::is_same_v<Number, Degrees>)
-    return toDegrees (number.radians);
-  else if constexpr (std::is_same_v<Number, ZeroIfNone>)
-    return number.length.value_or (0.0);
   else
     return number ? Settings (*number) : Settings ("auto");
 }
 
 /** \brief Sets the parameters whose options were given.
- * \throws UsageError as \ref setNumber */
+ * \throws UsageError as \ref parsed */
 template <typename Parameters>
 void
 apply (const GivenNumbers& given, Parameters& parameters)
 {
   visitAll (parameters,
-            [&] (const std::string& name, auto&& number, const NumberOption& option) {
+            [&] (const char* name, auto& number, const NumberOption& option) {
               if (const auto text = given.find (name); text != given.end())
-                setNumber (name, text->second, option.range, number);
+                number = parsed (name, text->second, option, number);
             });
 }
 
@@ -197,21 +179,18 @@ declare (Parameters parameters,
          CommandLine& line,
          GivenNumbers& given)
 {
-  visitOwn (
-      parameters,
-      [&] (const std::string& name, const auto& number, const NumberOption& option) {
-        using Type = std::decay_t<decltype (number)>;
-        using Number = std::conditional_t<std::is_arithmetic_v<Type>, Type, double>;
-        const auto note = notes.find (name);
-        line.addValue (name,
-                       option.placeholder,
-                       option.help +
-                           (note == notes.end() ? "" : " (" + note->second + ")"),
-                       [=, range = option.range, &given] (const std::string& text) {
-                         parseNumber<Number> ("--" + name, text, range);
-                         given[name] = text;
-                       });
-      });
+  visitOwn (parameters,
+            [&] (const char* name, auto number, const NumberOption& option) {
+              const auto note = notes.find (name);
+              line.addValue (name,
+                             option.placeholder,
+                             option.help +
+                                 (note == notes.end() ? "" : " (" + note->second + ")"),
+                             [=, &given] (const std::string& text) {
+                               parsed (name, text, option, number);
+                               given[name] = text;
+                             });
+            });
 }
 
 } // namespace pcl_ops::apps

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_choice.h"
 
+#include <boost/algorithm/string/split.hpp>
+
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <detection/plane_json.h>
@@ -9,8 +11,6 @@
 #include <pcl_ops/orientation.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <sstream>
 
 namespace pcl_ops::apps {
 
@@ -24,26 +24,31 @@ underscored (std::string option)
   return option;
 }
 
-Dropped
-droppedOf (const PlaneChoice& choice, std::size_t found, const DroppedPlanes& dropped)
+/** \brief An option with its value and how many planes it dropped. */
+struct OptionReport {
+  const char* option;
+  Settings setting;
+  std::size_t dropped;
+};
+
+std::vector<OptionReport>
+reportsOf (const PlaneChoice& choice, const DroppedPlanes& dropped = {})
 {
-  Dropped result{found, {}};
-  const bool is_largest = choice.only == "largest";
-  const std::vector<std::pair<std::string, std::size_t>> counts = {
-      {"only", dropped.by_orientation + (is_largest ? dropped.by_number : 0)},
-      {"direction", dropped.by_direction},
-      {"slope", dropped.by_slope},
-      {"min-points", dropped.by_points},
-      {"min-area", dropped.by_area},
-      {"min-width", dropped.by_width},
-      {"max-area", dropped.by_max_area},
-      {"max-width", dropped.by_max_width},
-      {"size", dropped.by_size},
-      {"max-planes", is_largest ? 0 : dropped.by_number}};
-  for (const auto& [option, count] : counts)
-    if (count > 0)
-      result.by_option.emplace_back (option, count);
-  return result;
+  const PlaneFilter& filter = choice.filter;
+  const std::size_t by_only = choice.only == "largest" ? dropped.by_number : 0;
+  return {{"only", choice.only, dropped.by_orientation + by_only},
+          {"direction",
+           filter.direction.value_or (Eigen::Vector3d::Zero()),
+           dropped.by_direction},
+          {"within", choice.within, 0},
+          {"slope", choice.slope.value_or (std::array<double, 2>()), dropped.by_slope},
+          {"min-points", filter.min_points, dropped.by_points},
+          {"min-area", filter.min_area, dropped.by_area},
+          {"min-width", filter.min_width, dropped.by_width},
+          {"max-area", filter.max_area.value_or (0.0), dropped.by_max_area},
+          {"max-width", filter.max_width.value_or (0.0), dropped.by_max_width},
+          {"size", filter.size.value_or (std::array<double, 3>()), dropped.by_size},
+          {"max-planes", filter.max_planes.value_or (0), dropped.by_number - by_only}};
 }
 
 /** \brief Declares an option of several numbers in a range. */
@@ -59,14 +64,11 @@ addNumbers (CommandLine& line,
   line.addValue (name, placeholder, help, [=, &target] (const std::string& text) {
     const std::string option = "--" + name;
     std::array<double, count> numbers{};
-    std::istringstream parts (text + ",");
-    std::string part;
-    for (double& number : numbers) {
-      if (!std::getline (parts, part, ','))
-        throw UsageError (option, text + " is not " + placeholder + "; give just that");
-      number = parseNumber<double> (option, part, range);
-    }
-    if (std::getline (parts, part))
+    std::vector<std::string> parts;
+    boost::split (parts, text, [] (char letter) { return letter == ','; });
+    for (std::size_t i = 0; i < std::min (count, parts.size()); ++i)
+      numbers[i] = parseNumber<double> (option, parts[i], range);
+    if (parts.size() != count)
       throw UsageError (option, text + " is not " + placeholder + "; give just that");
     target = numbers;
   });
@@ -125,16 +127,15 @@ declareChoice (CommandLine& line, PlaneChoice& choice)
               choice.slope,
               "angles to the horizontal from MIN to MAX degrees");
   const Range size = Range::from (0);
-  line.addNumber ("min-points", "N", size, filter.min_points, "fewest points");
-  line.addNumber (
-      "min-area", "M2", size, filter.min_area, "smallest area inside the outline");
-  line.addNumber ("min-width",
-                  "M",
-                  size,
-                  filter.min_width,
-                  "smallest width of the rectangle around it");
-  line.addNumber ("max-area", "M2", size, filter.max_area, "largest area");
-  line.addNumber ("max-width", "M", size, filter.max_width, "largest width");
+  const auto number = [&] (auto name, auto placeholder, auto& target, auto help) {
+    line.addNumber (name, placeholder, size, target, help);
+  };
+  number ("min-points", "N", filter.min_points, "fewest points");
+  number ("min-area", "M2", filter.min_area, "smallest area inside the outline");
+  number (
+      "min-width", "M", filter.min_width, "smallest width of the rectangle around it");
+  number ("max-area", "M2", filter.max_area, "largest area");
+  number ("max-width", "M", filter.max_width, "largest width");
   addNumbers (line,
               "size",
               "W,H,TOLERANCE",
@@ -160,19 +161,7 @@ finishChoice (const CommandLine& line, PlaneChoice& choice)
     throw UsageError ("--slope", "ends below where it begins; give MIN,MAX");
   if (line.isGiven ("within") && !line.isGiven ("direction"))
     throw UsageError ("--within", "is about --direction x,y,z; give it, too");
-  const std::pair<const char*, Settings> settings[] = {
-      {"only", choice.only},
-      {"direction", filter.direction.value_or (Eigen::Vector3d::Zero())},
-      {"within", choice.within},
-      {"slope", choice.slope.value_or (std::array<double, 2>())},
-      {"min-points", filter.min_points},
-      {"min-area", filter.min_area},
-      {"min-width", filter.min_width},
-      {"max-area", filter.max_area.value_or (0.0)},
-      {"max-width", filter.max_width.value_or (0.0)},
-      {"size", filter.size.value_or (std::array<double, 3>())},
-      {"max-planes", filter.max_planes.value_or (0)}};
-  for (const auto& [name, setting] : settings) {
+  for (const auto& [name, setting, none_dropped] : reportsOf (choice)) {
     const std::string option = name;
     // The angle is told wherever it matters.
     if (line.isGiven (option == "within" ? "direction" : option))
@@ -197,7 +186,10 @@ chosenOf (const PlaneChoice& choice,
     filter.slope = {toRadians ((*choice.slope)[0]), toRadians ((*choice.slope)[1])};
   DroppedPlanes counts;
   std::vector<std::size_t> kept = keptPlanes (planes, filter, extent_of, counts);
-  dropped = droppedOf (choice, planes.size(), counts);
+  dropped = {planes.size(), {}};
+  for (const auto& [option, setting, count] : reportsOf (choice, counts))
+    if (count > 0)
+      dropped.by_option.emplace_back (option, count);
   return kept;
 }
 

@@ -39,63 +39,51 @@ areaFromAbove (const Ring& ring)
   return area;
 }
 
-/** \brief How a format writes rings. */
+/** \brief How a format writes lists in lists, down to corners. */
 struct Notation {
   const char *begin_list, *begin_corner, *between_numbers, *end_corner, *end_list;
-};
+  int decimals;
 
-constexpr Notation wkt = {"(", "", " ", "", ")"};
-constexpr Notation json = {"[", "[", ",", "]", "]"};
+  void
+  write (const Eigen::Vector3d& corner, std::ostream& stream) const
+  {
+    // A coordinate that is rounded to zero has no sign.
+    const double smallest = 0.5 * std::pow (10.0, -decimals);
+    const Eigen::Vector3d shown =
+        (corner.array().abs() <= smallest).select (0.0, corner);
+    stream << begin_corner << shown.x() << between_numbers << shown.y()
+           << between_numbers << shown.z() << end_corner;
+  }
 
-void
-writeCorner (const Eigen::Vector3d& corner,
-             const Notation& notation,
-             int decimals,
-             std::ostream& stream)
-{
-  // A coordinate that is rounded to zero has no sign.
-  const double smallest = 0.5 * std::pow (10.0, -decimals);
-  stream << notation.begin_corner;
-  for (Eigen::Index axis = 0; axis < 3; ++axis)
-    stream << (axis > 0 ? notation.between_numbers : "")
-           << (std::abs (corner[axis]) <= smallest ? 0.0 : corner[axis]);
-  stream << notation.end_corner;
-}
-
-void
-writeRings (const Rings& rings,
-            const Notation& notation,
-            int decimals,
-            std::ostream& stream)
-{
-  stream << notation.begin_list;
-  for (const Ring& ring : rings) {
-    stream << (&ring == &rings.front() ? "" : ",") << notation.begin_list;
-    for (const Eigen::Vector3d& corner : ring) {
-      writeCorner (corner, notation, decimals, stream);
-      stream << ",";
+  template <typename Part>
+  void
+  write (const std::vector<Part>& parts, std::ostream& stream) const
+  {
+    stream << begin_list;
+    for (const Part& part : parts) {
+      stream << (&part == &parts.front() ? "" : ",");
+      write (part, stream);
     }
-    writeCorner (ring.front(), notation, decimals, stream);
-    stream << notation.end_list;
+    stream << end_list;
   }
-  stream << notation.end_list;
-}
 
-std::string
-written (const Polygons& polygons, const Notation& notation, int decimals)
-{
-  std::ostringstream text;
-  text.imbue (std::locale::classic());
-  text << std::fixed << std::setprecision (decimals);
-  const bool is_list = polygons.size() > 1;
-  text << (is_list ? notation.begin_list : "");
-  for (const Rings& rings : polygons) {
-    text << (&rings == &polygons.front() ? "" : ",");
-    writeRings (rings, notation, decimals, text);
+  /** \brief One polygon without the list around it, rings closed. */
+  std::string
+  text (Polygons polygons) const
+  {
+    std::ostringstream text;
+    text.imbue (std::locale::classic());
+    text << std::fixed << std::setprecision (decimals);
+    for (Rings& rings : polygons)
+      for (Ring& ring : rings)
+        ring.push_back (ring.front());
+    if (polygons.size() == 1)
+      write (polygons.front(), text);
+    else
+      write (polygons, text);
+    return text.str();
   }
-  text << (is_list ? notation.end_list : "");
-  return text.str();
-}
+};
 
 using Corner = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
 
@@ -115,49 +103,47 @@ beginAtCorner (Ring& ring)
   std::rotate (ring.begin(), farthest, ring.end());
 }
 
-struct FittedLine {
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
-};
+using Line = Eigen::ParametrizedLine<double, 3>;
 
-/** \param[in] first, last positions in the ring, which goes on at its beginning */
-FittedLine
+/** \brief The line fitted to corners.
+ * \param[in] first, last positions in the ring, which goes on at its beginning */
+Line
 lineAlong (const Ring& ring, std::size_t first, std::size_t last)
 {
-  FittedLine line;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   const auto number = static_cast<double> (last - first + 1);
   for (std::size_t i = first; i <= last; ++i)
-    line.middle += (ring[i % ring.size()] - ring[first]) / number;
-  line.middle += ring[first];
+    middle += (ring[i % ring.size()] - ring[first]) / number;
+  middle += ring[first];
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (std::size_t i = first; i <= last; ++i) {
-    const Eigen::Vector3d off = ring[i % ring.size()] - line.middle;
+    const Eigen::Vector3d off = ring[i % ring.size()] - middle;
     spread += off * off.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes (spread);
-  line.direction = axes.eigenvectors().col (2);
-  return line;
+  return {middle, axes.eigenvectors().col (2)};
 }
 
 /** \brief Where two sides meet, or the corner between them where they are nearly
  * parallel or meet farther from it than the tolerance. */
 Eigen::Vector3d
-meetingOf (const FittedLine& a,
-           const FittedLine& b,
+meetingOf (const Line& a,
+           const Line& b,
            const Eigen::Vector3d& corner,
            double tolerance)
 {
   constexpr double least_squared_sine = 0.07; // 15 degrees
-  const double cosine = a.direction.dot (b.direction);
+  const double cosine = a.direction().dot (b.direction());
   const double squared_sine = 1.0 - cosine * cosine;
   if (squared_sine < least_squared_sine)
     return corner;
-  const Eigen::Vector3d between = a.middle - b.middle;
-  const double along_a = a.direction.dot (between), along_b = b.direction.dot (between);
+  const Eigen::Vector3d between = a.origin() - b.origin();
+  const double along_a = a.direction().dot (between);
+  const double along_b = b.direction().dot (between);
   const double t = (cosine * along_b - along_a) / squared_sine;
   const double s = (along_b - cosine * along_a) / squared_sine;
   const Eigen::Vector3d meeting =
-      0.5 * (a.middle + t * a.direction + b.middle + s * b.direction);
+      0.5 * (a.pointAt (t) + b.origin() + s * b.direction());
   return (meeting - corner).norm() <= tolerance ? meeting : corner;
 }
 
@@ -165,20 +151,16 @@ meetingOf (const FittedLine& a,
  * the farthest corners alone cut off what noise took from others.
  * \param[in] ring as it was \param[in] kept positions of the corners left of it */
 Ring
-withFittedSides (const Ring& ring,
-                 const std::vector<std::size_t>& kept,
-                 double tolerance)
+withFittedSides (const Ring& ring, std::vector<std::size_t> kept, double tolerance)
 {
-  std::vector<FittedLine> sides;
-  for (std::size_t k = 0; k < kept.size(); ++k)
-    sides.push_back (lineAlong (
-        ring, kept[k], k + 1 < kept.size() ? kept[k + 1] : ring.size() + kept[0]));
+  kept.push_back (ring.size() + kept.front());
   Ring fitted;
-  for (std::size_t k = 0; k < kept.size(); ++k)
-    fitted.push_back (meetingOf (sides[(k + kept.size() - 1) % kept.size()],
-                                 sides[k],
-                                 ring[kept[k]],
-                                 tolerance));
+  Line last = lineAlong (ring, kept[kept.size() - 2], kept.back());
+  for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
+    const Line next = lineAlong (ring, kept[k], kept[k + 1]);
+    fitted.push_back (meetingOf (last, next, ring[kept[k]], tolerance));
+    last = next;
+  }
   return fitted;
 }
 
@@ -198,7 +180,7 @@ withFewerCorners (Ring ring, double tolerance)
     if (ring[i] == Eigen::Vector3d (corner.get<0>(), corner.get<1>(), corner.get<2>()))
       kept.push_back (i);
   }
-  return withFittedSides (ring, kept, tolerance);
+  return kept.empty() ? Ring() : withFittedSides (ring, kept, tolerance);
 }
 
 using PlaneTable = nlohmann::ordered_json;
@@ -292,9 +274,8 @@ Rings
 seenFromAbove (Rings rings)
 {
   for (Ring& ring : rings) {
-    const bool is_hole = &ring != &rings.front();
     const double area = areaFromAbove (ring);
-    if (is_hole ? area > 0.0 : area < 0.0)
+    if (&ring == &rings.front() ? area < 0.0 : area > 0.0)
       std::reverse (ring.begin(), ring.end());
   }
   return rings;
@@ -309,8 +290,7 @@ simplified (Rings rings, double tolerance)
   Rings simple;
   for (const Ring& ring : rings) {
     Ring fewer = withFewerCorners (ring, tolerance);
-    const bool has_area = fewer.size() >= corners_of_an_area;
-    if (has_area)
+    if (fewer.size() >= corners_of_an_area)
       simple.push_back (std::move (fewer));
     else if (simple.empty())
       return {ring};
@@ -322,12 +302,11 @@ int
 decimalsFor (const std::vector<double>& widths)
 {
   constexpr int min_decimals = 3, max_decimals = 12;
-  int decimals = min_decimals;
+  double decimals = min_decimals;
   for (const double width : widths)
     if (width > 0.0)
-      decimals = std::max (
-          decimals, static_cast<int> (std::ceil (min_decimals - std::log10 (width))));
-  return std::min (decimals, max_decimals);
+      decimals = std::max (decimals, std::ceil (min_decimals - std::log10 (width)));
+  return static_cast<int> (std::min<double> (decimals, max_decimals));
 }
 
 std::string
@@ -336,7 +315,7 @@ toWkt (const Polygons& polygons, int decimals)
   if (polygons.empty())
     return "POLYGON Z EMPTY";
   return (polygons.size() > 1 ? "MULTIPOLYGON Z " : "POLYGON Z ") +
-         written (polygons, wkt, decimals);
+         Notation{"(", "", " ", "", ")", decimals}.text (polygons);
 }
 
 std::string
@@ -346,7 +325,7 @@ toGeoJsonGeometry (const Polygons& polygons, int decimals)
     return "null";
   return std::string (R"({"type":")") +
          (polygons.size() > 1 ? "MultiPolygon" : "Polygon") + R"(","coordinates":)" +
-         written (polygons, json, decimals) + "}";
+         Notation{"[", "[", ",", "]", "]", decimals}.text (polygons) + "}";
 }
 
 void

@@ -4,6 +4,7 @@
 
 #include <detection/advice.h>
 #include <detection/plane_map.h>
+#include <pcl_ops/oriented_point_sampling.h>
 
 #include <algorithm>
 #include <limits>
@@ -118,7 +119,7 @@ isHardlyCoveredBy (int covered)
   PlaneSegment plane;
   for (int i = 0; i < covered; ++i)
     plane.inliers.push_back (2 * i);
-  return apps::isHardlyCovered (cloud, {plane});
+  return !adviceFor (OrientedPointSamplingParameters(), cloud, {plane}).empty();
 }
 
 } // namespace
@@ -128,5 +129,6 @@ TEST (Advice, IsGivenWherePlanesHaveLessThanATwentiethOfTheReadings)
   EXPECT_TRUE (isHardlyCoveredBy (0));
   EXPECT_TRUE (isHardlyCoveredBy (4));
   EXPECT_FALSE (isHardlyCoveredBy (5));
-  EXPECT_TRUE (apps::isHardlyCovered ({}, {}));
+  EXPECT_EQ (adviceFor (OrientedPointSamplingParameters(), {}, {}),
+             "every point is NaN or infinite");
 }
