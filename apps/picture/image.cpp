@@ -25,24 +25,9 @@ constexpr int dot = 3; // edge of a dot of a letter, and of a margin [pixel]
 
 /** \brief Letters of 3 x 5 dots: an octal digit for each row from above. */
 constexpr std::string_view letters = "0125.ACEHILNOPRTVZ";
-constexpr std::array<unsigned, letters.size()> dots_of_letters = {{075557,
-                                                                   026227,
-                                                                   071747,
-                                                                   074717,
-                                                                   000002,
-                                                                   025755,
-                                                                   034443,
-                                                                   074647,
-                                                                   055755,
-                                                                   072227,
-                                                                   044447,
-                                                                   065555,
-                                                                   025552,
-                                                                   065644,
-                                                                   065655,
-                                                                   072222,
-                                                                   055552,
-                                                                   071247}};
+constexpr std::string_view rows_of_letters =
+    "755572622771747747170000225755344437464755755722274444765555255526564465655"
+    "722225555271247";
 
 constexpr int margin = 12;
 
@@ -128,14 +113,9 @@ addScaleBar (const MapScale& scale, Image& image)
 void
 Image::paint (int column, int row, const pcl::RGB& color, float brightness)
 {
-  const std::size_t first =
-      3U * (static_cast<std::size_t> (row) * width + static_cast<std::size_t> (column));
-  const auto dimmed = [brightness] (std::uint8_t part) {
-    return static_cast<std::uint8_t> (std::lround (brightness * float (part)));
-  };
-  bytes[first] = dimmed (color.r);
-  bytes[first + 1] = dimmed (color.g);
-  bytes[first + 2] = dimmed (color.b);
+  std::uint8_t* byte = &bytes[3U * static_cast<std::size_t> (row * width + column)];
+  for (const std::uint8_t part : {color.r, color.g, color.b})
+    *byte++ = static_cast<std::uint8_t> (std::lround (brightness * float (part)));
 }
 
 void
@@ -149,16 +129,16 @@ Image::fill (int column, int row, int last_column, int last_row, const pcl::RGB&
 int
 Image::write (int column, int row, const std::string& text)
 {
-  constexpr int columns = 3, rows = 5;
+  constexpr std::size_t columns = 3, rows = 5;
   for (const char letter : text) {
     const std::size_t known = letters.find (letter);
-    const unsigned dots = known < letters.size() ? dots_of_letters.at (known) : 0U;
-    for (int i = 0; i < rows * columns; ++i)
-      if (dots >> unsigned (rows * columns - 1 - i) & 1U) {
-        const int x = column + dot * (i % columns), y = row + dot * (i / columns);
+    for (std::size_t i = 0; known < letters.size() && i < rows * columns; ++i)
+      if (rows_of_letters[rows * known + i / columns] >> (2 - i % columns) & 1) {
+        const int x = column + dot * int (i % columns),
+                  y = row + dot * int (i / columns);
         fill (x, y, x + dot, y + dot, {0, 0, 0});
       }
-    column += dot * (columns + 1);
+    column += dot * int (columns + 1);
   }
   return column;
 }
@@ -174,11 +154,8 @@ Image::addLegend (int lines)
       {"NO PLANE", colorOfLabel (0)}};
   const int left = half_width + gap;
   int row = height - lines * line;
-  fill (left,
-        height - legend_height,
-        left + box + longest + 3 * dot,
-        height,
-        {255, 255, 255});
+  const int right = left + box + longest + 3 * dot;
+  fill (left, height - legend_height, right, height, {255, 255, 255});
   for (int i = 0; i < lines; ++i, row += line) {
     fill (left + dot, row, left + dot + box, row + box, entries[i].second);
     write (left + 3 * dot + box, row, entries[i].first);

@@ -26,11 +26,6 @@ constexpr float far = std::numeric_limits<float>::infinity();
 /** \brief Side of the parts of the image that are looked at as one [pixel]. */
 constexpr int part = 16;
 
-using Offset = std::pair<int, int>;
-
-constexpr std::array<Offset, 8> neighbors = {
-    {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
-
 struct Dot {
   pcl::index_t point;
   float column, row, depth;
@@ -43,16 +38,15 @@ projectPoints (const XyzCloud& cloud,
                int height,
                const std::function<bool (pcl::index_t)>& is_shown)
 {
+  const Eigen::Array2f size = Eigen::Array2i (width, height).cast<float>();
   std::vector<Dot> dots;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const auto index = static_cast<pcl::index_t> (i);
     if (!pcl::isXYZFinite (cloud[i]) || !is_shown (index))
       continue;
     const Eigen::Vector3f pixel = view.project (cloud[i].getVector3fMap());
-    const bool is_inside = pixel.z() > 0.0f && pixel.x() >= 0.0f &&
-                           pixel.x() < static_cast<float> (width) &&
-                           pixel.y() >= 0.0f && pixel.y() < static_cast<float> (height);
-    if (is_inside)
+    if (pixel.z() > 0.0f && (pixel.head<2>().array() >= 0.0f).all() &&
+        (pixel.head<2>().array() < size).all())
       dots.push_back ({index, pixel.x(), pixel.y(), pixel.z()});
   }
   return dots;
@@ -112,7 +106,7 @@ drawDot (const Dot& dot, float half_side, Raster& raster)
   };
   const auto [left, right] = range (dot.column, raster.width);
   const auto [top, bottom] = range (dot.row, raster.height);
-  for (int row = top; row < bottom; ++row) {
+  for (int row = top; row < bottom; ++row)
     for (int column = left; column < right; ++column) {
       const std::size_t pixel = raster.at (column, row);
       if (dot.depth < raster.depths[pixel]) {
@@ -120,20 +114,22 @@ drawDot (const Dot& dot, float half_side, Raster& raster)
         raster.points[pixel] = dot.point;
       }
     }
-  }
 }
 
-/** \brief Calls \p visit with every pixel inside the border and those around it. */
+/** \brief Calls \p visit with every pixel inside the border and the eight around it,
+ * from above. */
 template <typename Visit>
 void
 forEachInnerPixel (const Raster& raster, Visit&& visit)
 {
+  const std::size_t line = raster.at (0, 1);
   for (int row = 1; row + 1 < raster.height; ++row)
     for (int column = 1; column + 1 < raster.width; ++column) {
-      std::array<std::size_t, neighbors.size()> around{};
-      for (std::size_t i = 0; i < around.size(); ++i)
-        around[i] = raster.at (column + neighbors[i].first, row + neighbors[i].second);
-      visit (raster.at (column, row), around);
+      const std::size_t i = raster.at (column, row), above = i - line, below = i + line;
+      visit (
+          i,
+          std::array{
+              above - 1, above, above + 1, i - 1, i + 1, below - 1, below, below + 1});
     }
 }
 
@@ -169,25 +165,6 @@ facing (const PlaneSegment& plane, const View& view, const Eigen::Vector3f& poin
   return grazing + (1.0f - grazing) * std::abs (plane.normal.cast<float>().dot (ray));
 }
 
-using ColorOfPoint = std::function<pcl::RGB (pcl::index_t)>;
-
-void
-paintHalf (const Raster& raster,
-           const std::vector<float>& brightness,
-           int first_column,
-           const ColorOfPoint& color,
-           Image& image)
-{
-  for (int row = 0; row < raster.height; ++row) {
-    for (int column = 0; column < raster.width; ++column) {
-      const std::size_t pixel = raster.at (column, row);
-      const pcl::index_t point = raster.points[pixel];
-      if (point != Raster::nothing)
-        image.paint (first_column + column, row, color (point), brightness[pixel]);
-    }
-  }
-}
-
 } // namespace
 
 Raster
@@ -197,14 +174,9 @@ drawPoints (const XyzCloud& cloud,
             int height,
             const std::function<bool (pcl::index_t)>& is_shown)
 {
-  const std::size_t pixels =
-      static_cast<std::size_t> (width) * static_cast<std::size_t> (height);
-  Raster raster;
-  raster.width = width;
-  raster.height = height;
-  raster.points.assign (pixels, Raster::nothing);
-  raster.depths.assign (pixels, far);
-
+  Raster raster{width, height, {}, {}};
+  raster.points.assign (raster.at (0, height), Raster::nothing);
+  raster.depths.assign (raster.at (0, height), far);
   const std::vector<Dot> dots = projectPoints (cloud, view, width, height, is_shown);
   const std::vector<float> half_sides = halfSidesOf (dots, width, height);
   for (std::size_t i = 0; i < dots.size(); ++i)
@@ -252,25 +224,26 @@ savePicture (const std::string& file,
   };
   const Raster raster =
       drawPoints (cloud, view, Image::half_width, Image::height, is_shown);
-  std::vector<float> brightness = shadeDepths (raster);
-  for (std::size_t pixel = 0; pixel < brightness.size(); ++pixel) {
-    const pcl::index_t point = raster.points[pixel];
-    if (point != Raster::nothing && label (point) != 0)
-      brightness[pixel] *=
-          facing (planes[label (point) - 1], view, cloud[point].getVector3fMap());
-  }
-
+  const std::vector<float> brightness = shadeDepths (raster);
   Image image;
-  const auto plane_color = [&] (pcl::index_t point) {
-    const std::uint32_t position = label (point);
-    return colorOfLabel (position == 0 || ids.empty() ? position : ids[position - 1]);
-  };
-  const auto class_color = [&] (pcl::index_t point) {
-    return label (point) == 0 ? colorOfLabel (0)
-                              : colorOf (planes[label (point) - 1].orientation);
-  };
-  paintHalf (raster, brightness, 0, plane_color, image);
-  paintHalf (raster, brightness, Image::half_width + Image::gap, class_color, image);
+  for (int row = 0; row < raster.height; ++row)
+    for (int column = 0; column < raster.width; ++column) {
+      const std::size_t pixel = raster.at (column, row);
+      const pcl::index_t point = raster.points[pixel];
+      if (point == Raster::nothing)
+        continue;
+      const std::uint32_t position = label (point);
+      pcl::RGB by_plane = colorOfLabel (0), by_class = by_plane;
+      float light = brightness[pixel];
+      if (position != 0) {
+        const PlaneSegment& plane = planes[position - 1];
+        by_plane = colorOfLabel (ids.empty() ? position : ids[position - 1]);
+        by_class = colorOf (plane.orientation);
+        light *= facing (plane, view, cloud[point].getVector3fMap());
+      }
+      image.paint (column, row, by_plane, light);
+      image.paint (Image::half_width + Image::gap + column, row, by_class, light);
+    }
   image.addLegend();
   savePng (file, image);
 }

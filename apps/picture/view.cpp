@@ -10,7 +10,6 @@
 #include <numbers/statistics.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pcl_ops::apps {
@@ -48,13 +47,14 @@ somePointsOn (const std::vector<PlaneSegment>& planes, const XyzCloud& cloud)
   return points;
 }
 
-Eigen::AlignedBox3f
-boxOf (const Points& points)
+template <int size>
+Eigen::AlignedBox<float, size>
+boxOf (const std::vector<Eigen::Matrix<float, size, 1>>& points)
 {
-  Eigen::AlignedBox3f box;
-  for (int axis = 0; axis < 3; ++axis) {
+  Eigen::AlignedBox<float, size> box;
+  for (int axis = 0; axis < size; ++axis) {
     std::vector<float> coordinates;
-    for (const Eigen::Vector3f& point : points)
+    for (const auto& point : points)
       coordinates.push_back (point[axis]);
     box.min()[axis] = quantile (coordinates, outliers);
     box.max()[axis] = quantile (coordinates, 1.0 - outliers);
@@ -149,24 +149,17 @@ fit (const Points& points, int width, int height, View& view)
   constexpr float filled = 0.95f;
   view.focal = 1.0f;
   view.center.setZero();
-  std::array<std::vector<float>, 2> image;
-  for (const Eigen::Vector3f& point : points) {
-    const Eigen::Vector3f pixel = view.project (point);
-    if (pixel.z() > 0.0f) {
-      image[0].push_back (pixel.x());
-      image[1].push_back (pixel.y());
-    }
-  }
-  if (image[0].empty())
+  std::vector<Eigen::Vector2f> image;
+  for (const Eigen::Vector3f& point : points)
+    if (const Eigen::Vector3f pixel = view.project (point); pixel.z() > 0.0f)
+      image.emplace_back (pixel.head<2>());
+  if (image.empty())
     return;
-  const Eigen::Vector2f low (quantile (image[0], outliers),
-                             quantile (image[1], outliers));
-  const Eigen::Vector2f high (quantile (image[0], 1.0 - outliers),
-                              quantile (image[1], 1.0 - outliers));
-  const Eigen::Vector2f size (static_cast<float> (width), static_cast<float> (height));
+  const Eigen::AlignedBox2f box = boxOf (image);
+  const Eigen::Vector2f size = Eigen::Vector2i (width, height).cast<float>();
   constexpr float smallest = 1e-6f;
-  view.focal = filled * (size.array() / (high - low).array().max (smallest)).minCoeff();
-  view.center = size / 2.0f - view.focal * (low + high) / 2.0f;
+  view.focal = filled * (size.array() / box.sizes().array().max (smallest)).minCoeff();
+  view.center = size / 2.0f - view.focal * box.center();
 }
 
 } // namespace

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "found_planes.h"
 
+#include <boost/format.hpp>
+
 #include <detection/methods.h>
 #include <pcl_ops/plane_extent.h>
 #include <picture/colors.h>
-
-#include <iomanip>
-#include <sstream>
 
 namespace pcl_ops::apps {
 
@@ -16,11 +15,8 @@ namespace {
 std::string
 methodAfter (const std::string& name)
 {
-  const std::vector<Method>& methods = allMethods();
-  for (std::size_t i = 0; i + 1 < methods.size(); ++i)
-    if (methods[i].name == name)
-      return methods[i + 1].name;
-  return methods.front().name;
+  const Method* const next = &methodCalled (name) + 1;
+  return (next > &allMethods().back() ? allMethods().front() : *next).name;
 }
 
 } // namespace
@@ -97,14 +93,11 @@ planeText (const FoundPlanes& found,
   const double area = planeExtent (*found.cloud, segment).area;
   segment.centroid += shift;
   const Plane plane = segment.plane();
-  std::ostringstream text;
-  text << "plane " << state.selected << ": " << toString (segment.orientation) << ", "
-       << segment.inliers.size() << " points, area " << std::fixed
-       << std::setprecision (3) << area << "\n"
-       << std::setprecision (4) << std::showpos << plane.normal.x() << " x "
-       << plane.normal.y() << " y " << plane.normal.z() << " z " << plane.offset
-       << " = 0";
-  return text.str();
+  return str (boost::format ("plane %1%: %2%, %3% points, area %4$.3f\n"
+                             "%5$+.4f x %6$+.4f y %7$+.4f z %8$+.4f = 0") %
+              state.selected % toString (segment.orientation) % segment.inliers.size() %
+              area % plane.normal.x() % plane.normal.y() % plane.normal.z() %
+              plane.offset);
 }
 
 std::string
@@ -113,11 +106,12 @@ statusText (const FoundPlanes& found,
             const Eigen::Vector3d& shift)
 {
   const Detected& detected = found.detected;
-  std::ostringstream text;
-  text << (state.help ? keysText() + "\n\n" : "") << found.labels.size() << " points\n"
-       << methodCalled (state.method).title << ", " << state.preset << " preset\n"
-       << detected.planes.size()
-       << (detected.planes.size() == 1 ? " plane" : " planes");
+  const std::size_t planes = detected.planes.size();
+  std::string text =
+      str (boost::format ("%1%%2% points\n%3%, %4% preset\n%5% plane%6%") %
+           (state.help ? keysText() + "\n\n" : "") % found.labels.size() %
+           methodCalled (state.method).title % state.preset % planes %
+           (planes == 1 ? "" : "s"));
   std::vector<std::string> notes = detected.hints;
   notes.push_back (detected.up_note);
   if (detected.planes.empty())
@@ -125,8 +119,8 @@ statusText (const FoundPlanes& found,
   if (state.selected != 0)
     notes.push_back (planeText (found, state, shift));
   for (const std::string& note : notes)
-    text << (note.empty() ? "" : "\n") << note;
-  return text.str();
+    text += (note.empty() ? "" : "\n") + note;
+  return text;
 }
 
 } // namespace pcl_ops::apps

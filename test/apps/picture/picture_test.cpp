@@ -58,50 +58,37 @@ viewOf (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes = {})
   return chooseView (cloud, planes, z_axis, image_width, image_height);
 }
 
-/** \brief Whether the image has the first point right of, or below, the second. */
-bool
-isRightOf (const View& view,
-           const Eigen::Vector3f& first,
-           const Eigen::Vector3f& second)
-{
-  return view.project (first).x() > view.project (second).x();
-}
-bool
-isBelow (const View& view, const Eigen::Vector3f& first, const Eigen::Vector3f& second)
-{
-  return view.project (first).y() > view.project (second).y();
-}
-
 } // namespace
 
-TEST (View, ShowsACameraFrameAsTheCameraSawIt)
+TEST (View, HasTheSensorsRightAndDownOrGravity)
 {
-  XyzCloud wall;
-  addSquare (wall, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
-  const View view = viewOf (wall);
-  EXPECT_TRUE (isRightOf (view, {1, 0, 3}, {0, 0, 3}));
-  EXPECT_TRUE (isBelow (view, {0, 1, 3}, {0, 0, 3}));
-}
-
-TEST (View, FollowsTheSensorsOrientation)
-{
-  XyzCloud wall;
-  addSquare (wall, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
-  wall.sensor_orientation_ =
-      Eigen::AngleAxisf (static_cast<float> (M_PI), Eigen::Vector3f::UnitZ());
-  const View view = viewOf (wall);
-  EXPECT_TRUE (isRightOf (view, {-1, 0, 3}, {0, 0, 3}));
-  EXPECT_TRUE (isBelow (view, {0, -1, 3}, {0, 0, 3}));
-}
-
-TEST (View, KeepsGravityDownWhereTheSensorLooksSideways)
-{
-  XyzCloud wall;
-  addSquare (wall, {5, 0, 1}, {0, 1, 0}, {0, 0, 1});
-  wall.sensor_origin_ = Eigen::Vector4f (0, 0, 1, 0);
-  const View view = viewOf (wall);
-  EXPECT_TRUE (isBelow (view, {5, 0, 0}, {5, 0, 1}));
-  EXPECT_TRUE (isRightOf (view, {5, -1, 1}, {5, 0, 1}));
+  const Eigen::Vector3f x_axis (1, 0, 0), y_axis (0, 1, 0);
+  const struct {
+    const char* sensor;
+    float turned; // about its z axis
+    Eigen::Vector3f eye, center, u, v, right, down;
+  } rows[] = {
+      {"camera", 0.0f, {0, 0, 0}, {0, 0, 3}, x_axis, y_axis, x_axis, y_axis},
+      {"upside down",
+       float (M_PI),
+       {0, 0, 0},
+       {0, 0, 3},
+       x_axis,
+       y_axis,
+       -x_axis,
+       -y_axis},
+      {"looks sideways", 0.0f, {0, 0, 1}, {5, 0, 1}, y_axis, z_axis, -y_axis, -z_axis}};
+  for (const auto& row : rows) {
+    SCOPED_TRACE (row.sensor);
+    XyzCloud wall;
+    addSquare (wall, row.center, row.u, row.v);
+    wall.sensor_origin_.head<3>() = row.eye;
+    wall.sensor_orientation_ = Eigen::AngleAxisf (row.turned, z_axis);
+    const View view = viewOf (wall);
+    const Eigen::Vector3f middle = view.project (row.center);
+    EXPECT_GT (view.project (row.center + row.right).x(), middle.x());
+    EXPECT_GT (view.project (row.center + row.down).y(), middle.y());
+  }
 }
 
 TEST (View, LooksFromAboveIntoARoomAroundTheSensor)
@@ -114,7 +101,7 @@ TEST (View, LooksFromAboveIntoARoomAroundTheSensor)
   const View view = viewOf (room, planes);
   EXPECT_TRUE (view.hides_backs);
   EXPECT_GT (view.eye.z(), 1.0f);
-  EXPECT_TRUE (isBelow (view, {0, 0, -1}, {0, 0, 1}));
+  EXPECT_GT (view.project ({0, 0, -1}).y(), view.project ({0, 0, 1}).y());
 }
 
 TEST (View, FillsTheImage)
