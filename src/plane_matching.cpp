@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Cholesky>
+
 #include "geometry/angles.h"
 #include "matching/patch.h"
-#include "matching/pose_belief.h"
 #include <pcl_ops/plane_detector.h>
 #include <pcl_ops/plane_matching.h>
 
@@ -16,8 +17,145 @@ namespace pcl_ops {
 namespace {
 
 using namespace internal;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
 
 using Patches = std::vector<std::optional<Patch>>;
+
+/** \brief Covariance of (slope along, slope across, height) of a patch over its axes,
+ * at its center. Neighboring points err alike and surfaces are not quite flat, so that
+ * a mean over all points is no better than one of them: \ref planeCovariance without
+ * its division by the number of points. */
+Matrix3d
+covarianceOf (const Patch& patch)
+{
+  // Coordinates in single precision.
+  constexpr double rounding = 1e-5;
+  const double size = patch.half.maxCoeff();
+  const double noise = patch.noise + rounding * rounding * size * size;
+  const Eigen::Array2d spread = patch.half.array().square() / 3.0;
+  return Vector3d (noise / spread.x(), noise / spread.y(), noise).asDiagonal();
+}
+
+/** \brief The parameters over other axes, at a place that many meters along the old. */
+Matrix3d
+transfer (const Eigen::Matrix2d& turn, const Eigen::Vector2d& place)
+{
+  Matrix3d result = Matrix3d::Identity();
+  result.topLeftCorner<2, 2>() = turn;
+  result.bottomLeftCorner<1, 2>() = place.transpose();
+  return result;
+}
+
+/** \param[in] motion a rotation vector about the frame's origin and a shift */
+Eigen::Isometry3d
+turnedAndShifted (Eigen::Isometry3d pose, const Eigen::Matrix<double, 6, 1>& motion)
+{
+  const Vector3d rotation = motion.head<3>();
+  const double angle = rotation.norm();
+  if (angle > 0.0)
+    pose.linear() =
+        Eigen::AngleAxisd (angle, rotation / angle).toRotationMatrix() * pose.linear();
+  pose.translation() += motion.tail<3>();
+  return pose;
+}
+
+/** \brief How the second of two patches lies over the first. */
+struct Mismatch {
+  /** \brief Slopes along the two axes of the first, and the height of the second's
+   * center over it [m]. */
+  Vector3d heights;
+  /** \brief Covariance of \ref heights by what both patches are off. */
+  Matrix3d covariance;
+  /** \brief How they change with a rotation vector about the origin of the second's
+   * frame, and a shift. */
+  Eigen::Matrix<double, 3, 6> by_motion;
+};
+
+/** \brief What is known of the pose of a frame in another: a pose, and the covariance
+ * of its error, a rotation vector [rad] about the frame's origin and a shift [m], both
+ * along the axes of the other. */
+struct PoseBelief {
+  Eigen::Isometry3d pose;
+  Eigen::Matrix<double, 6, 6> covariance;
+
+  PoseBelief (const Eigen::Isometry3d& given, const PlaneMatchingParameters& parameters)
+  : pose (given)
+  {
+    Eigen::Matrix<double, 6, 1> errors;
+    errors << Vector3d::Constant (parameters.rotation_error),
+        Vector3d::Constant (parameters.translation_error);
+    covariance = errors.cwiseAbs2().asDiagonal();
+  }
+
+  /** \param[in] fixed in the other frame
+   * \param[in] seen in the frame of the pose, on the side of \p fixed or not */
+  Mismatch
+  mismatchOf (const Patch& fixed, const Patch& seen) const
+  {
+    const Patch over = moved (pose, seen);
+    const Eigen::Matrix<double, 3, 2> axes = fixed.axes.leftCols<2>();
+    const Vector3d normal = fixed.normal();
+    const Vector3d between = over.center - fixed.center;
+    Mismatch mismatch;
+    // Which side was seen does not matter: no sign to turn.
+    const Eigen::Vector2d slopes =
+        -axes.transpose() * over.normal() / over.normal().dot (normal);
+    mismatch.heights << slopes, normal.dot (between);
+    const Matrix3d of_fixed =
+        transfer (Eigen::Matrix2d::Identity(), axes.transpose() * between);
+    const Matrix3d of_seen =
+        transfer (axes.transpose() * over.axes.leftCols<2>(), Eigen::Vector2d::Zero());
+    mismatch.covariance = of_fixed * covarianceOf (fixed) * of_fixed.transpose() +
+                          of_seen * covarianceOf (seen) * of_seen.transpose();
+    const Vector3d lever = over.center - pose.translation();
+    mismatch.by_motion.setZero();
+    mismatch.by_motion.row (0).head<3>() = -normal.cross (axes.col (0));
+    mismatch.by_motion.row (1).head<3>() = -normal.cross (axes.col (1));
+    mismatch.by_motion.row (2) << lever.cross (normal).transpose(), normal.transpose();
+    return mismatch;
+  }
+
+  Matrix3d
+  expectedCovariance (const Mismatch& mismatch) const
+  {
+    return mismatch.covariance +
+           mismatch.by_motion * covariance * mismatch.by_motion.transpose();
+  }
+
+  /** \brief The squared Mahalanobis distance: what both patches and the pose may be off
+   * explains a mismatch the better, the smaller it is. */
+  double
+  squaredDistance (const Mismatch& mismatch) const
+  {
+    return mismatch.heights.dot (
+        expectedCovariance (mismatch).ldlt().solve (mismatch.heights));
+  }
+
+  /** \brief Lets the pose follow from two patches that are one plane (the update of an
+   * iterated extended Kalman filter). */
+  void
+  update (const Patch& fixed, const Patch& seen)
+  {
+    constexpr int iterations = 3; // a turn of 20 degrees is not linear
+    const Eigen::Isometry3d before = pose;
+    Eigen::Matrix<double, 6, 1> motion = Eigen::Matrix<double, 6, 1>::Zero();
+    Eigen::Matrix<double, 6, 6> explained;
+    for (int i = 0; i < iterations; ++i) {
+      const Mismatch mismatch = mismatchOf (fixed, seen);
+      const auto& jacobian = mismatch.by_motion;
+      const Eigen::Matrix<double, 6, 3> gain = expectedCovariance (mismatch)
+                                                   .ldlt()
+                                                   .solve (jacobian * covariance)
+                                                   .transpose();
+      motion = -gain * (mismatch.heights - jacobian * motion);
+      pose = turnedAndShifted (before, motion);
+      explained = gain * jacobian * covariance;
+    }
+    covariance -= explained;
+    covariance = 0.5 * (covariance + covariance.transpose()).eval();
+  }
+};
 
 /** \brief Slopes of planes at more than this to each other are no small errors. */
 constexpr double least_cosine = 0.7;
@@ -43,22 +181,6 @@ struct Pair {
   double score;
 };
 
-/** \brief The share of the smaller of two patches over the other, as \ref
- * PlaneMatchingParameters::min_overlap has it, and of both together. */
-struct Overlap {
-  double of_smaller = 0.0, of_both = 0.0;
-};
-
-Overlap
-overlapOf (const Patch& fixed, const Patch& over)
-{
-  const double common = commonArea (fixed, over);
-  if (!(common > 0.0))
-    return {};
-  return {common / std::min (fixed.area(), over.area()),
-          common / (fixed.area() + over.area() - common)};
-}
-
 /** \return nothing for planes that cannot be one */
 std::optional<Pair>
 pairOf (const Patches& previous,
@@ -71,19 +193,21 @@ pairOf (const Patches& previous,
   if (!previous[p] || !current[c])
     return std::nullopt;
   const Patch &fixed = *previous[p], &seen = *current[c];
-  const Patch over = moved (belief.pose(), seen);
+  const Patch over = moved (belief.pose, seen);
   if (std::abs (over.normal().dot (fixed.normal())) < least_cosine)
     return std::nullopt;
   const double distance = belief.squaredDistance (belief.mismatchOf (fixed, seen));
   if (!(distance <= largest_squared_distance))
     return std::nullopt;
-  const Overlap overlap = overlapOf (fixed, over);
+  const double common = commonArea (fixed, over);
   constexpr double but_for_rounding = 1.0 - 1e-9;
-  if (!(overlap.of_both > 0.0 && overlap.of_smaller >= but_for_rounding * min_overlap))
+  const double needed = min_overlap * std::min (fixed.area(), over.area());
+  if (!(common > 0.0 && common >= but_for_rounding * needed))
     return std::nullopt;
+  const double overlap = common / (fixed.area() + over.area() - common);
   // The root of the likelihood: frames cut a surface out differently, so that planes
   // of it differ by more than noise, and how they overlap has to count, too.
-  return Pair{p, c, overlap.of_both * std::exp (-0.25 * distance)};
+  return Pair{p, c, overlap * std::exp (-0.25 * distance)};
 }
 
 /** \brief Lets the pose follow from the planes, the largest first: the less sure it is
@@ -178,13 +302,12 @@ matchPlanes (const std::vector<PlaneSegment>& previous,
   detail::throwOn (pose.matrix().allFinite() ? "" : "the pose must be finite");
   const Patches before = patchesOf (previous), now = patchesOf (current);
   const double min_overlap = parameters.min_overlap;
-  const PoseBelief given (
-      pose, parameters.rotation_error, parameters.translation_error);
-  const PoseBelief belief = registered (before, now, given, min_overlap);
+  const PoseBelief belief =
+      registered (before, now, PoseBelief (pose, parameters), min_overlap);
   return {oneToOne (pairsByScore (before, now, belief, min_overlap),
                     previous.size(),
                     current.size()),
-          belief.pose()};
+          belief.pose};
 }
 
 } // namespace pcl_ops

@@ -107,55 +107,16 @@ public:
   using ConstPtr = pcl::shared_ptr<const FastSamplingPlaneFiltering<PointT>>;
 
   /** \brief r1: radius of the sphere a hypothesis' three points are from [m]. */
-  void
-  setInnerRadius (double radius)
-  {
-    parameters_.local.inner_radius = radius;
-  }
-  double
-  getInnerRadius () const
-  {
-    return parameters_.local.inner_radius;
-  }
+  PCL_OPS_PARAMETER (double, InnerRadius, local.inner_radius)
 
   /** \brief r2: radius of the sphere a hypothesis is tested in, r1 or more [m]. */
-  void
-  setOuterRadius (double radius)
-  {
-    parameters_.local.outer_radius = radius;
-  }
-  double
-  getOuterRadius () const
-  {
-    return parameters_.local.outer_radius;
-  }
+  PCL_OPS_PARAMETER (double, OuterRadius, local.outer_radius)
 
   /** \brief N_loc: points each hypothesis is tested on, 3 or more. */
-  void
-  setLocalSamples (unsigned samples)
-  {
-    parameters_.local.local_samples = samples;
-  }
-  unsigned
-  getLocalSamples () const
-  {
-    return parameters_.local.local_samples;
-  }
+  PCL_OPS_PARAMETER (unsigned, LocalSamples, local.local_samples)
 
   /** \brief alpha_min: a hypothesis needs more than this share of inliers, 0 to 1. */
-  void
-  setMinInlierFraction (double fraction)
-  {
-    parameters_.local.min_inlier_fraction = fraction;
-  }
-  double
-  getMinInlierFraction () const
-  {
-    return parameters_.local.min_inlier_fraction;
-  }
-
-private:
-  using PlaneDetector<PointT, FastSamplingPlaneFilteringParameters>::parameters_;
+  PCL_OPS_PARAMETER (double, MinInlierFraction, local.min_inlier_fraction)
 };
 
 } // namespace pcl_ops

