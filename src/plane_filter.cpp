@@ -34,12 +34,6 @@ areBounds (double low, double high)
   return isSize (low) && isSize (high) && low <= high;
 }
 
-bool
-isWithin (const std::array<double, 2>& bounds, double number)
-{
-  return number >= bounds[0] && number <= bounds[1];
-}
-
 /** \param[in] size two sides and a tolerance */
 bool
 hasSize (const PlaneExtent& extent, const std::array<double, 3>& size)
@@ -49,65 +43,47 @@ hasSize (const PlaneExtent& extent, const std::array<double, 3>& size)
          std::abs (extent.width - low) <= size[2];
 }
 
-/** \brief A filter whose directions have length 1. */
-class PlaneTest {
-public:
-  PlaneTest (const PlaneFilter& filter, const ExtentOfPlane& extent_of)
-  : filter_ (filter), extent_of_ (extent_of)
-  {
-    filter_.up_axis.stableNormalize();
-    if (filter_.direction)
-      filter_.direction->stableNormalize();
-  }
+/** \return where an extent counts that is dropped; nullptr for one that is kept */
+Count
+failureOf (const PlaneExtent& extent, const PlaneFilter& filter)
+{
+  if (extent.area < filter.min_area)
+    return &DroppedPlanes::by_area;
+  if (extent.width < filter.min_width)
+    return &DroppedPlanes::by_width;
+  if (filter.max_area && extent.area > *filter.max_area)
+    return &DroppedPlanes::by_max_area;
+  if (filter.max_width && extent.width > *filter.max_width)
+    return &DroppedPlanes::by_max_width;
+  if (filter.size && !hasSize (extent, *filter.size))
+    return &DroppedPlanes::by_size;
+  return nullptr;
+}
 
-  /** \return where a plane counts that is dropped; nullptr for one that is kept */
-  Count
-  failureOf (const PlaneSegment& plane) const
-  {
-    if (filter_.orientation && plane.orientation != *filter_.orientation)
-      return &DroppedPlanes::by_orientation;
-    if (filter_.direction &&
-        orientationOf (plane.normal, *filter_.direction, filter_.direction_tolerance) !=
-            Orientation::Horizontal)
-      return &DroppedPlanes::by_direction;
-    if (filter_.slope &&
-        !isWithin (*filter_.slope, slopeOf (plane.normal, filter_.up_axis)))
-      return &DroppedPlanes::by_slope;
-    const double points = plane.inliers.empty()
-                              ? plane.moments.count
-                              : static_cast<double> (plane.inliers.size());
-    if (points < static_cast<double> (filter_.min_points))
-      return &DroppedPlanes::by_points;
-    return asksForExtent() ? failureOf (extent_of_ (plane)) : nullptr;
-  }
-
-private:
-  bool
-  asksForExtent () const
-  {
-    return filter_.min_area > 0.0 || filter_.min_width > 0.0 || filter_.max_area ||
-           filter_.max_width || filter_.size;
-  }
-
-  Count
-  failureOf (const PlaneExtent& extent) const
-  {
-    if (extent.area < filter_.min_area)
-      return &DroppedPlanes::by_area;
-    if (extent.width < filter_.min_width)
-      return &DroppedPlanes::by_width;
-    if (filter_.max_area && extent.area > *filter_.max_area)
-      return &DroppedPlanes::by_max_area;
-    if (filter_.max_width && extent.width > *filter_.max_width)
-      return &DroppedPlanes::by_max_width;
-    if (filter_.size && !hasSize (extent, *filter_.size))
-      return &DroppedPlanes::by_size;
-    return nullptr;
-  }
-
-  PlaneFilter filter_;
-  const ExtentOfPlane& extent_of_;
-};
+/** \brief The same of a plane. \param[in] filter its directions have length 1 */
+Count
+failureOf (const PlaneSegment& plane,
+           const PlaneFilter& filter,
+           const ExtentOfPlane& extent_of)
+{
+  if (filter.orientation && plane.orientation != *filter.orientation)
+    return &DroppedPlanes::by_orientation;
+  if (filter.direction &&
+      orientationOf (plane.normal, *filter.direction, filter.direction_tolerance) !=
+          Orientation::Horizontal)
+    return &DroppedPlanes::by_direction;
+  const double slope = slopeOf (plane.normal, filter.up_axis);
+  if (filter.slope && !(slope >= (*filter.slope)[0] && slope <= (*filter.slope)[1]))
+    return &DroppedPlanes::by_slope;
+  const double points = plane.inliers.empty()
+                            ? plane.moments.count
+                            : static_cast<double> (plane.inliers.size());
+  if (points < static_cast<double> (filter.min_points))
+    return &DroppedPlanes::by_points;
+  const bool asks_for_extent = filter.min_area > 0.0 || filter.min_width > 0.0 ||
+                               filter.max_area || filter.max_width || filter.size;
+  return asks_for_extent ? failureOf (extent_of (plane), filter) : nullptr;
+}
 
 } // namespace
 
@@ -143,10 +119,13 @@ keptPlanes (const std::vector<PlaneSegment>& planes,
             DroppedPlanes& dropped)
 {
   detail::throwOn (validate (filter));
-  const PlaneTest test (filter, extent_of);
+  PlaneFilter unit = filter;
+  unit.up_axis.stableNormalize();
+  if (unit.direction)
+    unit.direction->stableNormalize();
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < planes.size(); ++i)
-    if (const Count count = test.failureOf (planes[i]))
+    if (const Count count = failureOf (planes[i], unit, extent_of))
       ++(dropped.*count);
     else
       kept.push_back (i);

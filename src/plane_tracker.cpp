@@ -15,25 +15,19 @@ namespace {
  * the last three frames or so. */
 constexpr double kept_share = 0.7;
 
-/** \brief The moments about their centroid, as seen from another frame. */
-Moments
-moved (const Eigen::Isometry3d& motion, const Moments& moments)
-{
-  return Moments::of (moments.count,
-                      motion * moments.centroid(),
-                      motion.linear() * moments.covariance() *
-                          motion.linear().transpose());
-}
-
-/** \brief A plane in the common frame. */
+/** \brief A plane in the common frame, without inliers. */
 PlaneSegment
 moved (const Eigen::Isometry3d& motion, const PlaneSegment& plane)
 {
+  const Eigen::Matrix3d turn = motion.linear();
+  const Moments& moments = plane.moments;
   PlaneSegment result;
   result.centroid = motion * plane.centroid;
-  result.normal = motion.linear() * plane.normal;
+  result.normal = turn * plane.normal;
   result.orientation = plane.orientation;
-  result.moments = moved (motion, plane.moments);
+  result.moments = Moments::of (moments.count,
+                                motion * moments.centroid(),
+                                turn * moments.covariance() * turn.transpose());
   return result;
 }
 
@@ -125,14 +119,14 @@ PlaneTracker::track (const std::vector<PlaneSegment>& planes,
   std::vector<std::uint32_t> numbers;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const PlaneSegment seen = moved (pose_, planes[i]);
-    const std::int32_t match = matches.previous[i];
-    if (match == no_plane)
+    auto match = static_cast<std::size_t> (matches.previous[i]);
+    if (matches.previous[i] == no_plane) {
+      match = remembered_.size();
       remembered_.push_back ({++last_number_, seen, {}, frames_});
+    }
     else
-      renew (remembered_[static_cast<std::size_t> (match)].plane, seen);
-    TrackedPlane& tracked = match == no_plane
-                                ? remembered_.back()
-                                : remembered_[static_cast<std::size_t> (match)];
+      renew (remembered_[match].plane, seen);
+    TrackedPlane& tracked = remembered_[match];
     widen (tracked.extent, seen);
     tracked.last_seen = frames_;
     ++tracked.times_seen;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl_ops {
 
@@ -51,13 +52,11 @@ facesOf (const std::vector<PlaneSegment>& planes)
     if (!isUsable (plane))
       continue;
     const double count = plane.moments.count;
-    faces.each.push_back ({plane.normal,
-                           plane.centroid,
-                           plane.moments.covariance(),
-                           count,
-                           std::sqrt (count)});
+    const double weight = std::sqrt (count);
+    const Matrix3d covariance = plane.moments.covariance();
+    faces.each.push_back ({plane.normal, plane.centroid, covariance, count, weight});
     points += count;
-    weights += std::sqrt (count);
+    weights += weight;
   }
   for (Face& face : faces.each) {
     face.points /= points;
@@ -76,10 +75,8 @@ facesOf (const std::vector<PlaneSegment>& planes)
 double
 closeness (double deviation, double limit)
 {
-  if (deviation >= limit)
-    return 0.0;
   const double rest = 1.0 - (deviation / limit) * (deviation / limit);
-  return rest * rest;
+  return deviation >= limit ? 0.0 : rest * rest;
 }
 
 /** \brief How horizontal a plane is if \p axis is up. */
@@ -115,17 +112,24 @@ fittedAxis (const Faces& faces, Vector3d axis, double tolerance)
   return axis;
 }
 
+/** \brief By falling value. */
+template <typename Item>
+std::vector<Item>
+sorted (std::vector<Item> items, double Item::*value)
+{
+  std::stable_sort (items.begin(), items.end(), [=] (const Item& a, const Item& b) {
+    return a.*value > b.*value;
+  });
+  return items;
+}
+
 /** \brief The largest planes' normals, and the directions across two of them. */
 std::vector<Vector3d>
 axesToTry (const Faces& faces)
 {
   constexpr std::size_t most_planes = 12;
   constexpr double least_sine = 0.5;
-  std::vector<Face> largest = faces.each;
-  std::stable_sort (
-      largest.begin(), largest.end(), [] (const Face& first, const Face& second) {
-        return first.weight > second.weight;
-      });
+  std::vector<Face> largest = sorted (faces.each, &Face::weight);
   largest.resize (std::min (largest.size(), most_planes));
   std::vector<Vector3d> axes;
   for (std::size_t i = 0; i < largest.size(); ++i) {
@@ -139,7 +143,8 @@ axesToTry (const Faces& faces)
   return axes;
 }
 
-/** \brief An axis, either way, with the share of the planes along and across it. */
+/** \brief An axis, either way, with the share of the planes along and across it; or a
+ * direction with its evidence. */
 struct Candidate {
   Vector3d axis;
   double support;
@@ -162,11 +167,7 @@ candidatesOf (const Faces& faces, const UpAxisParameters& parameters)
     if (std::min (horizontal, vertical) >= parameters.min_share)
       all.push_back ({axis, horizontal + vertical});
   }
-  std::stable_sort (
-      all.begin(), all.end(), [] (const Candidate& first, const Candidate& second) {
-        return first.support > second.support;
-      });
-  for (const Candidate& candidate : all)
+  for (const Candidate& candidate : sorted (std::move (all), &Candidate::support))
     if (std::none_of (distinct.begin(), distinct.end(), [&] (const Candidate& other) {
           return std::abs (other.axis.dot (candidate.axis)) > same_axis;
         }))
@@ -255,11 +256,7 @@ estimateUpAxis (const std::vector<PlaneSegment>& planes,
   const Faces faces = facesOf (planes);
   if (faces.each.empty() || !viewpoint.allFinite() || !validate (parameters).empty())
     return std::nullopt;
-  struct Direction {
-    Vector3d up;
-    double evidence;
-  };
-  std::vector<Direction> directions;
+  std::vector<Candidate> directions;
   for (const Candidate& candidate : candidatesOf (faces, parameters))
     for (const double sign : {1.0, -1.0}) {
       const Vector3d up = sign * candidate.axis;
@@ -268,18 +265,18 @@ estimateUpAxis (const std::vector<PlaneSegment>& planes,
     }
   if (directions.empty())
     return std::nullopt;
-  const Direction best = *std::max_element (
+  const Candidate best = *std::max_element (
       directions.begin(), directions.end(), [] (const auto& first, const auto& second) {
-        return first.evidence < second.evidence;
+        return first.support < second.support;
       });
   double likelihoods = 0.0;
-  for (const Direction& direction : directions)
-    likelihoods += std::exp (direction.evidence - best.evidence);
-  const UpAxis found{best.up.normalized(), 1.0 / likelihoods};
+  for (const Candidate& direction : directions)
+    likelihoods += std::exp (direction.support - best.support);
+  const UpAxis found{best.axis.normalized(), 1.0 / likelihoods};
   if (!(found.confidence >= parameters.min_confidence))
     return std::nullopt;
   if (parameters.min_confidence > 0.0 &&
-      seesFloorAndCeiling (best.up, faces, viewpoint, parameters.angle_tolerance))
+      seesFloorAndCeiling (best.axis, faces, viewpoint, parameters.angle_tolerance))
     return std::nullopt;
   return found;
 }

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace pcl_ops {
@@ -17,18 +17,9 @@ namespace {
 
 using namespace internal;
 
-/** \brief A point as seen from the place: in a cell of the cube of directions, so far
- * away. */
-struct Sighting {
-  std::uint32_t cell;
-  float range;
-
-  friend bool
-  operator<(const Sighting& a, const Sighting& b)
-  {
-    return std::tie (a.cell, a.range) < std::tie (b.cell, b.range);
-  }
-};
+/** \brief A point as seen from the place: its cell of the cube of directions, and how
+ * far away it is. */
+using Sighting = std::pair<std::uint32_t, float>;
 
 std::uint32_t
 cellOf (const Eigen::Vector3d& offset)
@@ -54,7 +45,7 @@ sightingsFrom (const Eigen::Vector3d& place, const Coordinates& points)
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d offset = points[i] - place;
     if (const double range = offset.norm(); range > 0.0)
-      sightings.push_back ({cellOf (offset), static_cast<float> (range)});
+      sightings.emplace_back (cellOf (offset), static_cast<float> (range));
   }
   std::sort (sightings.begin(), sightings.end());
   return sightings;
@@ -69,7 +60,7 @@ areOfTwoSurfaces (const Sighting* first, std::size_t number)
   constexpr std::size_t least_share = 5;
   const std::size_t least = (number + least_share - 1) / least_share;
   for (std::size_t i = least; i <= number - least; ++i)
-    if (first[i].range > smallest_ratio * first[i - 1].range)
+    if (first[i].second > smallest_ratio * first[i - 1].second)
       return true;
   return false;
 }
@@ -90,7 +81,7 @@ detail::occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoi
       sightingsFrom (viewpoint - points.origin, samplePoints (points, looked_at));
   std::size_t hidden = 0, told = 0;
   for (std::size_t first = 0, last = 0; first < sightings.size(); first = last) {
-    while (last < sightings.size() && sightings[last].cell == sightings[first].cell)
+    while (last < sightings.size() && sightings[last].first == sightings[first].first)
       ++last;
     const std::size_t number = last - first;
     if (number < fewest)

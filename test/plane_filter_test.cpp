@@ -1,19 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include "scene.h"
 #include <pcl_ops/plane_filter.h>
 
+#include <array>
 #include <stdexcept>
 
 using Eigen::Vector3d;
-using pcl_ops::DroppedPlanes;
-using pcl_ops::filterPlanes;
-using pcl_ops::Orientation;
-using pcl_ops::PlaneExtent;
-using pcl_ops::PlaneFilter;
-using pcl_ops::PlaneSegment;
+using namespace pcl_ops;
 
 namespace {
 
@@ -79,71 +73,48 @@ TEST (PlaneFilter, KeepsAllByDefault)
   EXPECT_EQ (planes.size(), 3u);
 }
 
-TEST (PlaneFilter, KeepsAnOrientation)
+TEST (PlaneFilter, KeepsWhatItIsAskedFor)
 {
-  PlaneFilter filter;
-  filter.orientation = Orientation::Vertical;
-  EXPECT_EQ (left (filter, &DroppedPlanes::by_orientation), Sizes{300});
-}
-
-TEST (PlaneFilter, KeepsNormalsWithinTheAngleOfADirectionOrItsOpposite)
-{
-  PlaneFilter filter;
-  filter.direction = Vector3d (0, 0, -7);
-  EXPECT_EQ (left (filter, &DroppedPlanes::by_direction), Sizes{400});
-  filter.direction_tolerance = 29.9_deg;
-  EXPECT_EQ (left (filter, &DroppedPlanes::by_direction), Sizes{400});
-  filter.direction_tolerance = 30.1_deg;
-  EXPECT_EQ (left (filter, &DroppedPlanes::by_direction), (Sizes{400, 200}));
-  filter.direction_tolerance = 90_deg;
-  EXPECT_EQ (left (filter, &DroppedPlanes::by_direction), (Sizes{400, 300, 200}));
-}
-
-TEST (PlaneFilter, KeepsPlanesOfEnoughPointsAreaAndWidth)
-{
-  PlaneFilter points, area, width;
-  points.min_points = 300;
-  area.min_area = 25.0;
-  width.min_width = 3.5;
-  EXPECT_EQ (left (points, &DroppedPlanes::by_points), (Sizes{400, 300}));
-  EXPECT_EQ (left (area, &DroppedPlanes::by_area), (Sizes{400, 300}));
-  EXPECT_EQ (left (width, &DroppedPlanes::by_width), Sizes{400});
-}
-
-TEST (PlaneFilter, KeepsPlanesUpToAnAreaAndAWidth)
-{
-  PlaneFilter area, width;
-  area.max_area = 30.0;
-  width.max_width = 2.5;
-  EXPECT_EQ (left (area, &DroppedPlanes::by_max_area), (Sizes{300, 200}));
-  EXPECT_EQ (left (width, &DroppedPlanes::by_max_width), Sizes{200});
-  area.min_area = 30.0;
-  std::vector<PlaneSegment> planes = house();
-  EXPECT_EQ (filterPlanes (planes, area, extentByPoints).total(), 2u);
-  EXPECT_EQ (planes.front().inliers.size(), 300u);
-}
-
-TEST (PlaneFilter, KeepsSlopes)
-{
-  PlaneFilter filter;
-  filter.slope = {5_deg, 29.9_deg};
-  EXPECT_EQ (left (filter, &DroppedPlanes::by_slope), Sizes{});
-  filter.slope = {5_deg, 30.1_deg};
-  EXPECT_EQ (left (filter, &DroppedPlanes::by_slope), Sizes{200});
-  filter.up_axis = Vector3d (3, 0, 0);
-  filter.slope = {0.0, 60.1_deg};
-  EXPECT_EQ (left (filter, &DroppedPlanes::by_slope), (Sizes{300, 200}));
-}
-
-TEST (PlaneFilter, KeepsRectanglesOfASizeEitherWayRound)
-{
-  PlaneFilter filter;
-  filter.size = {10.0, 3.0, 0.01};
-  EXPECT_EQ (left (filter, &DroppedPlanes::by_size), Sizes{300});
-  filter.size = {2.5, 10.4, 0.51};
-  EXPECT_EQ (left (filter, &DroppedPlanes::by_size), (Sizes{300, 200}));
-  filter.size = {2.5, 11.0, 0.51};
-  EXPECT_EQ (left (filter, &DroppedPlanes::by_size), Sizes{});
+  using F = PlaneFilter;
+  using D = DroppedPlanes;
+  using Slopes = std::array<double, 2>;
+  using Size = std::array<double, 3>;
+  const auto with = [] (auto member, auto value, F others = F()) {
+    others.*member = value;
+    return others;
+  };
+  const auto towards = [&] (const Vector3d& direction, double tolerance) {
+    return with (&F::direction, direction, with (&F::direction_tolerance, tolerance));
+  };
+  const F along_x = with (&F::up_axis, Vector3d (3, 0, 0));
+  const F many = with (&F::min_points, 201);
+  const struct {
+    F filter;
+    std::size_t D::*reason;
+    Sizes left;
+  } rows[] = {
+      {with (&F::orientation, Orientation::Vertical), &D::by_orientation, {300}},
+      {with (&F::direction, Vector3d (0, 0, -7)), &D::by_direction, {400}},
+      {towards ({0, 0, -7}, 29.9_deg), &D::by_direction, {400}},
+      {towards ({0, 0, -7}, 30.1_deg), &D::by_direction, {400, 200}},
+      {towards ({0, 0, 1}, 90_deg), &D::by_direction, {400, 300, 200}},
+      {with (&F::min_points, 300), &D::by_points, {400, 300}},
+      {with (&F::min_area, 25.0), &D::by_area, {400, 300}},
+      {with (&F::min_width, 3.5), &D::by_width, {400}},
+      {with (&F::max_area, 30.0), &D::by_max_area, {300, 200}},
+      {with (&F::max_width, 2.5), &D::by_max_width, {200}},
+      {with (&F::slope, Slopes{5_deg, 29.9_deg}), &D::by_slope, {}},
+      {with (&F::slope, Slopes{5_deg, 30.1_deg}), &D::by_slope, {200}},
+      {with (&F::slope, Slopes{0, 60.1_deg}, along_x), &D::by_slope, {300, 200}},
+      {with (&F::size, Size{10.0, 3.0, 0.01}), &D::by_size, {300}},
+      {with (&F::size, Size{2.5, 10.4, 0.51}), &D::by_size, {300, 200}},
+      {with (&F::size, Size{2.5, 11.0, 0.51}), &D::by_size, {}},
+      {with (&F::max_planes, 2), &D::by_number, {400, 300}},
+      {with (&F::max_planes, 2, many), &D::by_points, {400, 300}}};
+  for (std::size_t row = 0; row < std::size (rows); ++row) {
+    SCOPED_TRACE (row);
+    EXPECT_EQ (left (rows[row].filter, rows[row].reason), rows[row].left);
+  }
 }
 
 TEST (PlaneFilter, CountsThePointsOfMomentsWhereThereAreNoInliers)
@@ -154,15 +125,6 @@ TEST (PlaneFilter, CountsThePointsOfMomentsWhereThereAreNoInliers)
   planes[1].moments.count = 5.0;
   EXPECT_EQ (filterPlanes (planes, filter, neverAsked).by_points, 1u);
   EXPECT_EQ (planes.at (0).moments.count, 5.0);
-}
-
-TEST (PlaneFilter, KeepsTheFirstOfThoseLeft)
-{
-  PlaneFilter filter;
-  filter.max_planes = 2;
-  EXPECT_EQ (left (filter, &DroppedPlanes::by_number), (Sizes{400, 300}));
-  filter.min_points = 201;
-  EXPECT_EQ (left (filter, &DroppedPlanes::by_points), (Sizes{400, 300}));
 }
 
 TEST (PlaneFilter, AsksForTheExtentsOfNoneThatIsDroppedAnyway)

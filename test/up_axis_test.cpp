@@ -1,20 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include "plane_board.h"
 #include "scene.h"
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/up_axis.h>
 
-#include <limits>
-
-using namespace pcl_ops::internal;
-
 using Eigen::Vector3d;
-using pcl_ops::estimateUpAxis;
-using pcl_ops::Orientation;
-using pcl_ops::PlaneSegment;
+using namespace pcl_ops;
 
 namespace {
 
@@ -68,19 +60,13 @@ angleOf (const Vector3d& found, const Vector3d& truth)
 
 } // namespace
 
-TEST (UpAxis, IsWhereTheFloorFacesAndTheWallsStand)
-{
-  const auto found = estimateUpAxis (furnishedRoom(), eye);
-  ASSERT_TRUE (found.has_value());
-  EXPECT_LE (angleOf (found->direction, up), 0.1_deg);
-  EXPECT_GE (found->confidence, 0.7);
-  EXPECT_LE (found->confidence, 1.0);
-}
-
-TEST (UpAxis, TurnsWithTheRoom)
+TEST (UpAxis, IsWhereTheFloorFacesAndTheWallsStandHoweverTheRoomIsTurned)
 {
   const auto upright = estimateUpAxis (furnishedRoom(), eye);
   ASSERT_TRUE (upright.has_value());
+  EXPECT_LE (angleOf (upright->direction, up), 0.1_deg);
+  EXPECT_GE (upright->confidence, 0.7);
+  EXPECT_LE (upright->confidence, 1.0);
   RandomGenerator generator (seedOfTest());
   for (int i = 0; i < 50; ++i) {
     Eigen::Isometry3d pose (drawTurn (generator));
@@ -113,10 +99,10 @@ TEST (UpAxis, DoesNotDependOnTheUnit)
 
 TEST (UpAxis, IsTakenByADetectorInEitherPrecision)
 {
-  pcl_ops::OrientedPointSampling<pcl::PointXYZ> ops;
-  ops.setUpAxis (pcl_ops::cameraUp());
+  OrientedPointSampling<pcl::PointXYZ> ops;
+  ops.setUpAxis (cameraUp());
   EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f (0, -1, 0));
-  ops.setUpAxis (pcl_ops::UpAxis().direction);
+  ops.setUpAxis (UpAxis().direction);
   EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f::UnitZ());
   ops.setUpAxis (-Eigen::Vector3f::UnitX());
   EXPECT_EQ (ops.getUpAxis(), Eigen::Vector3f (-1, 0, 0));
@@ -155,7 +141,7 @@ TEST (UpAxis, CannotBeToldInTheCornerOfACube)
       seenFrom (diagonal, {{0, 0, 0}, {0, 2, 0}, {0, 0, 2}}),
       seenFrom (diagonal, {{0, 0, 0}, {0, 0, 2}, {2, 0, 0}})};
   EXPECT_FALSE (estimateUpAxis (planes, diagonal).has_value());
-  pcl_ops::UpAxisParameters parameters;
+  UpAxisParameters parameters;
   parameters.min_confidence = 0.0;
   const auto guess = estimateUpAxis (planes, diagonal, parameters);
   ASSERT_TRUE (guess.has_value());
@@ -180,40 +166,33 @@ TEST (UpAxis, CannotBeToldAllAroundARoomWithACeiling)
   EXPECT_FALSE (estimateUpAxis (planes, middle));
 }
 
-TEST (UpAxis, RefusesWhatIsNotFiniteOrOutOfItsRange)
+TEST (UpAxis, RefusesWhatIsNotFiniteOrOutOfItsRangeAndLeavesOutBrokenPlanes)
 {
   for (const Vector3d& nowhere :
        {Vector3d (not_a_number, 0, 0), Vector3d (0, infinite, 0)})
     EXPECT_FALSE (estimateUpAxis (furnishedRoom(), nowhere).has_value());
-  pcl_ops::UpAxisParameters in_degrees;
+  UpAxisParameters in_degrees;
   in_degrees.angle_tolerance = 7.0;
   EXPECT_FALSE (estimateUpAxis (furnishedRoom(), eye, in_degrees).has_value());
-}
-
-TEST (UpAxis, LeavesOutBrokenPlanes)
-{
   std::vector<PlaneSegment> planes = furnishedRoom();
-  PlaneSegment broken = planes.front();
-  broken.normal.x() = not_a_number;
-  planes.push_back (broken);
   planes.push_back (PlaneSegment()); // no points
+  planes.push_back (planes.front());
+  planes.back().normal.x() = not_a_number;
   const auto with = estimateUpAxis (planes, eye);
-  const auto without = estimateUpAxis (furnishedRoom(), eye);
-  ASSERT_TRUE (with && without);
-  EXPECT_EQ (with->direction, without->direction);
-  EXPECT_EQ (with->confidence, without->confidence);
+  ASSERT_TRUE (with);
+  EXPECT_EQ (with->confidence, estimateUpAxis (furnishedRoom(), eye)->confidence);
 }
 
 TEST (NameOrientations, NamesPlanesForAnAxisUnlessItIsNone)
 {
   std::vector<PlaneSegment> planes = furnishedRoom();
-  ASSERT_TRUE (pcl_ops::nameOrientations (planes, {1, 0, 1}, 7_deg));
+  ASSERT_TRUE (nameOrientations (planes, {1, 0, 1}, 7_deg));
   EXPECT_EQ (planes[0].orientation, Orientation::Other);
-  ASSERT_TRUE (pcl_ops::nameOrientations (planes, 5.0 * up, 7_deg));
-  EXPECT_FALSE (pcl_ops::nameOrientations (planes, Vector3d::Zero(), 7_deg));
-  EXPECT_FALSE (pcl_ops::nameOrientations (planes, {not_a_number, 0, 1}, 7_deg));
-  EXPECT_FALSE (pcl_ops::nameOrientations (planes, up, -1_deg));
-  EXPECT_FALSE (pcl_ops::nameOrientations (planes, up, not_a_number));
+  ASSERT_TRUE (nameOrientations (planes, 5.0 * up, 7_deg));
+  EXPECT_FALSE (nameOrientations (planes, Vector3d::Zero(), 7_deg));
+  EXPECT_FALSE (nameOrientations (planes, {not_a_number, 0, 1}, 7_deg));
+  EXPECT_FALSE (nameOrientations (planes, up, -1_deg));
+  EXPECT_FALSE (nameOrientations (planes, up, not_a_number));
   EXPECT_EQ (planes[0].orientation, Orientation::Horizontal);
   EXPECT_EQ (planes[1].orientation, Orientation::Vertical);
 }

@@ -1,15 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include "scene.h"
 #include <pcl_ops/visibility.h>
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Eigen::Vector3d;
-using pcl_ops::CloudView;
-using pcl_ops::isSeenFrom;
-using pcl_ops::isSeenFromItsOrigin;
+using namespace pcl_ops;
 using pcl_ops::detail::occludedFraction;
 
 namespace {

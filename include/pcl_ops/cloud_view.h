@@ -17,9 +17,7 @@ namespace pcl_ops {
 struct CloudView {
   CloudView() = default;
 
-  /** \brief What a function of the library that takes a view makes of a cloud.
-   * \tparam PointT a point type with x, y, z side by side, as PCL_ADD_POINT4D gives
-   * them */
+  /** \tparam PointT a type with x, y, z side by side, as PCL_ADD_POINT4D gives them */
   template <typename PointT>
   CloudView (const pcl::PointCloud<PointT>& cloud)
   : first (cloud.empty() ? nullptr : &cloud[0].x)
@@ -51,7 +49,6 @@ struct CloudView {
           "the positions in the buffer must be aligned floats");
   }
 
-  /** \brief x, y and z of a point. */
   const float*
   operator[] (std::size_t i) const
   {

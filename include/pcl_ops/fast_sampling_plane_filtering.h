@@ -16,12 +16,9 @@ struct PCL_OPS_EXPORT FastSamplingPlaneFilteringParameters : PlaneDetectorParame
 
   /** \brief How planes are sampled in spheres (paper section III-B, Algorithm 2). */
   struct Local {
-    /** \brief Which points of a sphere are the inliers of its plane: the paper says
-     * both.
-     */
+    /** \brief The inliers of a sphere's plane: the paper says both. */
     enum class Inliers {
-      /** \brief All points of the sphere within theta_h of the hypothesis (its text).
-       */
+      /** \brief All points of the sphere within theta_h of it (its text). */
       Sphere,
       /** \brief Those of the N_loc tested points that are (its Algorithm 2). */
       Samples
@@ -40,14 +37,12 @@ struct PCL_OPS_EXPORT FastSamplingPlaneFilteringParameters : PlaneDetectorParame
     /** \brief N_max, as a multiple of the number of points: sampling ends at so many
      * inliers, a point counted as often as it is one. */
     double max_inliers_per_point = 2.0;
-    /** \brief K_max, as a multiple of the number of points: sampling ends after so many
-     * hypotheses. */
+    /** \brief K_max: hypotheses sampling ends after, as a multiple of the points. */
     double max_hypotheses_per_point = 1.0;
-    /** \brief Points looked at in all spheres together, and 100 for each sphere, as a
-     * multiple of the number of points, before sampling gives up: in dense noise, among
-     * equal points, or where radii are far too large for the distance threshold or far
-     * too small, K_max would take hours. Not in the paper; clouds of rooms come to some
-     * 10, with Inliers::Samples to 100. */
+    /** \brief Points looked at in all spheres, and 100 for each, as a multiple of the
+     * number of points, before sampling gives up: in dense noise, among equal points,
+     * or with radii far from right K_max would take hours. Not in the paper; clouds of
+     * rooms come to some 10, with Inliers::Samples to 100. */
     double max_visits_per_point = 100.0;
   };
 
@@ -60,15 +55,13 @@ struct PCL_OPS_EXPORT FastSamplingPlaneFilteringParameters : PlaneDetectorParame
   paper ();
 };
 
-/** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is.
- */
+/** \brief What is wrong with parameters, as a sentence; empty if nothing is. */
 PCL_OPS_EXPORT std::string
 validate (const FastSamplingPlaneFilteringParameters& parameters);
 
 namespace detail {
 
-/** \brief The work behind the class, for clouds of all point types.
- * \param[in] input, parameters ones \c validate finds nothing wrong with */
+/** \brief The work behind the class; validate has found nothing wrong. */
 PCL_OPS_EXPORT Detection
 detect (const DetectorInput& input,
         const FastSamplingPlaneFilteringParameters& parameters);
@@ -83,13 +76,11 @@ detect (const DetectorInput& input,
  * extraction and merging from depth images", IROS 2012, in spheres instead of image
  * windows.
  *
- * Unlike those of the other detectors its planes, hundreds of small ones, are merged
- * before points are assigned to them: extended through a whole room, each would take
- * points of others. Each point goes to the largest merged plane within theta_h.
+ * Its planes, hundreds of small ones, are merged before points are assigned to them:
+ * each point goes to the largest merged plane within theta_h.
  *
  * Without \c setSearchMethod spheres are found in a grid of voxels, several times
- * faster than by a kd-tree. A search method of the user gives the same spheres with
- * their points in another order, and so other random draws from them.
+ * faster than by a kd-tree, and in another order: other points are drawn from them.
  *
  * \code
  * pcl_ops::FastSamplingPlaneFiltering<pcl::PointXYZ> fspf;

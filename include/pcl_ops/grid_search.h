@@ -17,9 +17,9 @@ namespace pcl_ops {
  * about a third of the time of pcl::KdTreeFLANN: worth most where few of the points are
  * asked for.
  *
- * Points are divided into a tree of boxes. Points with a NaN or infinite coordinate are
- * left out. Distances are those of pcl::search::KdTree to the last bit; neighbors at
- * the same distance come by their index. Any number of threads may search at once.
+ * Points with a NaN or infinite coordinate are left out. Distances are those of
+ * pcl::search::KdTree to the last bit; neighbors at the same distance come by their
+ * index. Any number of threads may search at once.
  * \tparam PointT a point type with x, y, z */
 template <typename PointT>
 class GridSearch : public pcl::search::Search<PointT> {
@@ -36,8 +36,7 @@ public:
   using Base::nearestKSearch;
   using Base::radiusSearch;
 
-  /** \param[in] sorted whether neighbors come by rising distance, as setSortedResults
-   */
+  /** \param[in] sorted whether neighbors come by rising distance */
   explicit GridSearch (bool sorted = true);
 
   /** \brief Builds the tree; later changes of the cloud are not seen.
@@ -47,11 +46,7 @@ public:
   setInputCloud (const PointCloudConstPtr& cloud,
                  const IndicesConstPtr& indices = IndicesConstPtr()) override;
 
-  /** \brief Finds the nearest points.
-   * \param[in] point any position
-   * \param[in] k most neighbors; fewer are found where the input has fewer
-   * \param[out] k_indices of the neighbors in the input cloud
-   * \param[out] k_sqr_distances [m^2]
+  /** \brief Finds the k nearest points, fewer where the input has fewer.
    * \return the number found; 0 without input or for a point that is not finite */
   int
   nearestKSearch (const PointT& point,
@@ -59,12 +54,8 @@ public:
                   pcl::Indices& k_indices,
                   std::vector<float>& k_sqr_distances) const override;
 
-  /** \brief Finds the points at most a radius away.
-   * \param[in] point any position
-   * \param[in] radius [m]
-   * \param[out] k_indices of the neighbors in the input cloud
-   * \param[out] k_sqr_distances [m^2]
-   * \param[in] max_nn most neighbors, the nearest ones; 0: all
+  /** \brief Finds the points at most a radius away, the nearest max_nn of them, if that
+   * is not 0.
    * \return the number found; 0 without input, for a point that is not finite or a
    * radius below 0 */
   int

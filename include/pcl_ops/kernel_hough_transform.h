@@ -21,20 +21,18 @@ struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
     std::size_t min_samples = 30;
     /** \brief s_level: the first level whose nodes are tested; the root is level 0. */
     int first_level = 5;
-    /** \brief s_alpha: the thickness l1 / l2 of a coplanar node is below 1 / s_alpha.
-     */
+    /** \brief s_alpha: the thickness l1 / l2 of coplanar nodes is below 1 / s_alpha. */
     double s_alpha = 25.0;
-    /** \brief s_beta: the elongation l2 / l3 of a coplanar node is above 1 / s_beta. */
+    /** \brief s_beta: the elongation l2 / l3 of coplanar nodes is above 1 / s_beta. */
     double s_beta = 6.0;
-    /** \brief Nodes of this level, up to 60, are not split any more, so that many equal
-     * points end. */
+    /** \brief Nodes of this level, up to 60, are not split: many equal points end. */
     int max_level = 20;
   };
 
   /** \brief How planes are freed from the accumulator's bins. */
   struct Refit {
-    /** \brief Off: planes stay at their bins' centers, quantized as they are, and are
-     * unbounded: each point goes to the first plane within theta_h. */
+    /** \brief Off: planes stay at their bins' centers and have no end: each point goes
+     * to the first one within theta_h. */
     bool enabled = true;
     /** \brief Smallest share of all points that the clusters of a plane hold. */
     double min_share = 0.001;
@@ -60,15 +58,13 @@ struct PCL_OPS_EXPORT KernelHoughTransformParameters : PlaneDetectorParameters {
   paper ();
 };
 
-/** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is.
- */
+/** \brief What is wrong with parameters, as a sentence; empty if nothing is. */
 PCL_OPS_EXPORT std::string
 validate (const KernelHoughTransformParameters& parameters);
 
 namespace detail {
 
-/** \brief The work behind the class, for clouds of all point types.
- * \param[in] input, parameters ones \c validate finds nothing wrong with */
+/** \brief The work behind the class; validate has found nothing wrong. */
 PCL_OPS_EXPORT Detection
 detect (const DetectorInput& input, const KernelHoughTransformParameters& parameters);
 
@@ -79,13 +75,10 @@ detect (const DetectorInput& input, const KernelHoughTransformParameters& parame
  * Limberger & Oliveira, "Real-time detection of planar regions in unorganized point
  * clouds", Pattern Recognition 48(6), 2015.
  *
- * The preset \c paper () has the method's known weak points: normals quantized to the
- * accumulator's bins, no fit to the points, planes without end, and a point's plane
- * decided by the planes' order. The defaults fit the planes to their clusters, end them
- * where the clusters do and merge planes as all detectors of this library do.
- *
- * It needs no neighbor search and draws no random numbers: \c setSearchMethod and
- * \c setSeed change nothing.
+ * The preset \c paper () is the method as published: normals quantized to the
+ * accumulator's bins, planes without end, and a point's plane decided by their order.
+ * The defaults fit planes to their clusters, end them where the clusters do and merge
+ * them. \c setSearchMethod and \c setSeed change nothing.
  *
  * \code
  * pcl_ops::KernelHoughTransform<pcl::PointXYZ> kht;

@@ -30,16 +30,13 @@ toString (Orientation orientation);
  * \param[in] normal unit normal, either sign
  * \param[in] up unit vector against gravity, in the same frame
  * \param[in] tolerance largest angle between the normal and the up axis (horizontal) or
- * the plane perpendicular to it (vertical) [rad]
- * \return Horizontal, Vertical, or Other where neither is within the tolerance */
+ * the plane perpendicular to it (vertical) [rad] */
 PCL_OPS_EXPORT Orientation
 orientationOf (const Eigen::Vector3d& normal,
                const Eigen::Vector3d& up,
                double tolerance);
 
-/** \brief The angle between a plane and the horizontal, 0 to pi/2 [rad].
- * \param[in] normal unit normal, either sign
- * \param[in] up unit vector against gravity, in the same frame */
+/** \brief The angle between a plane and the horizontal, 0 to pi/2 [rad]. */
 PCL_OPS_EXPORT double
 slopeOf (const Eigen::Vector3d& normal, const Eigen::Vector3d& up);
 

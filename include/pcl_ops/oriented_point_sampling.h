@@ -65,8 +65,7 @@ struct PaperParameters {
 PCL_OPS_EXPORT double
 voxelSizeFor (const CloudView& points, double wanted_voxels);
 
-/** \brief Parameters of OrientedPointSampling; the defaults are the recommended ones.
- */
+/** \brief Parameters of OrientedPointSampling; the defaults are recommended. */
 struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters {
   /** \brief Of the class, for messages. */
   static constexpr const char* class_name = "OrientedPointSampling";
@@ -90,13 +89,10 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
     /** \brief Largest rms distance of a surfel's points to its plane in units of the
      * noise around it. */
     double noise_factor = 2.0;
-    /** \brief Largest angle between a surfel's normal and its plane's [rad]; 30
-     * degrees.
-     */
+    /** \brief Largest angle between a surfel and its plane [rad]; 30 degrees. */
     double angle_threshold = 0.52359877559829882;
-    /** \brief Planes are looked for among surfels up to this thickness: the noise over
-     * the spread in the surfel's narrow direction, 0 for an exact plane, 1 for a ball.
-     */
+    /** \brief Largest thickness of the surfels planes are looked for among: noise over
+     * the spread in the narrow direction, 0 for an exact plane, 1 for a ball. */
     double sure_thickness = 0.24;
     /** \brief The same of the voxels of half the edge, the last to be looked at. */
     double max_thickness = 0.3;
@@ -131,15 +127,13 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
   paper ();
 };
 
-/** \brief What is wrong with a set of parameters, as a sentence; empty if nothing is.
- */
+/** \brief What is wrong with parameters, as a sentence; empty if nothing is. */
 PCL_OPS_EXPORT std::string
 validate (const OrientedPointSamplingParameters& parameters);
 
 namespace detail {
 
-/** \brief The work behind the class, for clouds of all point types.
- * \param[in] input, parameters ones \c validate finds nothing wrong with */
+/** \brief The work behind the class; validate has found nothing wrong. */
 PCL_OPS_EXPORT Detection
 detect (const DetectorInput& input, const OrientedPointSamplingParameters& parameters);
 
@@ -169,8 +163,8 @@ public:
   /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1. */
   PCL_OPS_PARAMETER (double, SamplingRate, sampling_rate)
 
-  /** \brief k: neighbors of each sample its normal comes from, 2 or more; the normal
-   * of a surfel comes from at least half as many points. */
+  /** \brief k: neighbors of each sample its normal comes from, 2 or more; that of a
+   * surfel comes from half as many points or more. */
   PCL_OPS_PARAMETER (int, KSearch, k)
 
   /** \brief theta_N: a plane needs more inliers than this among the samples. */

@@ -20,10 +20,8 @@
 namespace pcl_ops {
 
 /** \brief Count, sum and sum of outer products of a set of points: all that a least
- * squares plane needs, additive, so that joining two sets costs O(1).
- *
- * The sums are in double and taken about \ref origin, which should lie near the points:
- * that keeps them exact enough for clouds 10^6 m from the frame's zero. */
+ * squares plane needs. The sums are taken about \ref origin, which should lie near the
+ * points: that keeps them exact enough for clouds 10^6 m from the frame's zero. */
 struct PCL_OPS_EXPORT Moments {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   double count = 0.0;
@@ -31,8 +29,7 @@ struct PCL_OPS_EXPORT Moments {
   /** \brief xx xy xz yy yz zz */
   std::array<double, 6> products{};
 
-  /** \brief The moments of \p count points of which only the mean and the population
-   * covariance are known. */
+  /** \brief Of points of which only mean and population covariance are known. */
   static Moments
   of (double count, const Eigen::Vector3d& mean, const Eigen::Matrix3d& covariance);
 
@@ -107,8 +104,7 @@ struct Plane {
 
 namespace detail {
 
-/** \brief Mean squared distance of a set of points to a plane in the frame of the
- * moments' origin [m^2]; undefined for count 0. */
+/** \brief Mean squared distance of points to a plane [m^2]; undefined for count 0. */
 inline double
 meanSquaredDistance (const Moments& moments, const Plane& plane)
 {
@@ -140,8 +136,7 @@ struct PlaneFit {
 };
 
 /** \brief The plane with the smallest sum of squared distances (centered, in double).
- * \return nothing for fewer than three points or if they are on one line or all equal
- */
+ * \return nothing for fewer than three points, for a line or all equal ones */
 PCL_OPS_EXPORT std::optional<PlaneFit>
 fitPlane (const Moments& moments);
 
@@ -179,7 +174,6 @@ struct PCL_OPS_EXPORT PlaneSegment {
   /** \brief Ascending indices into the input cloud. */
   pcl::Indices inliers;
 
-  /** \brief The plane equation's normal and offset in the frame of the input cloud. */
   Plane
   plane () const
   {
@@ -190,8 +184,7 @@ struct PCL_OPS_EXPORT PlaneSegment {
   double
   rms () const;
 
-  /** \brief Takes the plane into a frame whose origin lies at -shift: the points of its
-   * cloud have \p shift added there. */
+  /** \brief Adds a shift to the points of its cloud. */
   void
   moveBy (const Eigen::Vector3d& shift)
   {
@@ -230,8 +223,7 @@ struct PlaneCovariance {
  * right for noise along the normal that is independent from point to point; in images
  * of depth cameras neighbors err alike, and errors are some 7 times larger: give the
  * cloud, too.
- * \return nothing for fewer than four inliers, or if they are on one line or all equal
- */
+ * \return nothing for fewer than four inliers, for a line or all equal ones */
 PCL_OPS_EXPORT std::optional<PlaneCovariance>
 planeCovariance (const PlaneSegment& plane);
 
@@ -242,16 +234,10 @@ planeCovariance (const PlaneSegment& plane);
  * independent from block to block only: with g the sum of (s, t, 1) h in each of B
  * blocks, matrix = f^2 B / (B - 3) (A^T A)^-1 (sum of g g^T) (A^T A)^-1 (the
  * cluster-robust covariance of Liang & Zeger, 1986). rms^2 / matrix (2, 2) is the
- * effective number of points.
- *
- * f = 1.7 is measured: frames cut a surface out differently, and errors as long as the
- * plane are fitted. With it the normalized errors |z| of planes of 5,000 points and
- * more, matched over exact poses in three simulated walks with correlated noise, have a
- * median of 0.53 to 0.75 (0.67 for a normal distribution) and nine in ten are below
- * 2.1; of 1,000 points and more 0.57 to 0.82, and 2.5. Independent noise alone gives
- * 0.4.
- * \param[in] cloud the input cloud the plane was found in
- * \param[in] plane its inliers are indices into that cloud
+ * effective number of points. f = 1.7 is measured: frames cut a surface out
+ * differently, and errors as long as the plane are fitted. The normalized errors |z| of
+ * planes matched over exact poses then have a median of 0.53 to 0.75 (0.67 for a normal
+ * distribution).
  * \return nothing where the moments alone give none, or the inliers lie in fewer than
  * four blocks */
 PCL_OPS_EXPORT std::optional<PlaneCovariance>
@@ -261,8 +247,7 @@ planeCovariance (const CloudView& cloud, const PlaneSegment& plane);
  * \param[in,out] planes only their orientation changes
  * \param[in] up against gravity, any length but 0
  * \param[in] tolerance largest angle to be horizontal or vertical, 0 to pi/2 [rad]
- * \return false, with the planes as they were, where up is zero or not finite or the
- * tolerance out of range */
+ * \return false, with the planes as they were, where one of them is out of range */
 PCL_OPS_EXPORT bool
 nameOrientations (std::vector<PlaneSegment>& planes,
                   const Eigen::Vector3d& up,

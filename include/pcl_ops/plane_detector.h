@@ -23,11 +23,7 @@ namespace pcl_ops {
 
 namespace detail {
 
-/** \brief Planes as PCL has them.
- * \param[in,out] planes their inliers are moved out
- * \param[in] header of the cloud
- * \param[out] coefficients a b c d of each
- * \param[out] inliers of each */
+/** \brief Planes as PCL has them; their inliers are moved out. */
 PCL_OPS_EXPORT void
 toModels (std::vector<PlaneSegment>& planes,
           const pcl::PCLHeader& header,
@@ -171,9 +167,8 @@ public:
     return parameters_;
   }
 
-  /** \brief theta_h: largest distance of a point to its plane [m]. 0 stands for none:
-   * it follows the noise of the cloud, which only OPS on surfels, its default, allows.
-   */
+  /** \brief theta_h: largest distance of a point to its plane [m]. 0: it follows the
+   * noise of the cloud, which only OPS on surfels, its default, allows. */
   void
   setDistanceThreshold (double threshold)
   {

@@ -65,8 +65,8 @@ struct PlaneCorner {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/** \brief Where planes meet, in the frame of the planes; both lists in ascending order
- * of their planes, edges of the same two planes along their line. */
+/** \brief Where planes meet; both lists in ascending order of their planes, edges of
+ * the same two planes along their line. */
 struct PlaneEdges {
   std::vector<PlaneEdge> edges;
   std::vector<PlaneCorner> corners;
@@ -78,18 +78,13 @@ struct PlaneEdges {
  * the middle of their centroids: p = a n1 + b n2 with [1 c; c 1] [a b]^T = -[d1 d2]^T,
  * c = n1 . n2 (Goldman, Intersection of two lines in three-space and of three planes,
  * Graphics Gems, 1990). An edge is a stretch of it along which each of the two has
- * inliers within reach; hulls are not asked, for that of an L covers what is no floor.
- * So planes whose equations cross far from their points have no edge, a wall with a
- * door has two on the floor, and a plane may end on the middle of another.
- * Three planes meet where [n1 n2 n3]^T x = -[d1 d2 d3]^T. That is a corner where each
- * two of them have an edge that comes so near that the gap is bridged; ends of edges
- * there are drawn to it.
- * Distances are taken from an origin between the planes, so that places are exact
- * 10^6 m from zero, too. There are no threads and no draws: the same planes give the
- * same edges, in whatever order their inliers are.
+ * inliers within reach, so that a wall with a door has two on the floor, and a plane
+ * may end on the middle of another. Three planes meet where [n1 n2 n3]^T x = -[d1 d2
+ * d3]^T. That is a corner where each two of them have an edge that comes so near that
+ * the gap is bridged; ends of edges there are drawn to it. Places are exact 10^6 m from
+ * zero, too, whatever the order of the inliers.
  * \param[in] cloud the input cloud the planes were found in
- * \param[in] planes as a detector gives them; those with a normal or centroid that is
- * not finite meet none
+ * \param[in] planes as a detector gives them; those that are not finite meet none
  * \param[in] parameters ones \ref validate finds nothing wrong with
  * \param[in] shift zero of the cloud's frame in that of the planes: for planes that
  * were moved back to where single precision could not follow

@@ -107,19 +107,14 @@ extentOf (const PlanarRings& rings,
           const PlanarPoints& points,
           const PlaneFrame& frame);
 
-/** \brief The inliers of a plane, projected onto it.
- * \param[in] cloud the input cloud the plane was found in
- * \param[in] plane its inliers are indices into that cloud
- * \param[in] frame the plane to project onto */
+/** \brief The inliers of a plane in a cloud, projected onto a frame. */
 PCL_OPS_EXPORT PlanarPoints
 pointsOnPlane (const CloudView& cloud,
                const PlaneSegment& plane,
                const PlaneFrame& frame);
 
-/** \brief Extent, area and convex hull of a plane; at least 99 % of its inliers lie
- * inside (\ref convexHull).
- * \param[in] cloud the input cloud the plane was found in
- * \param[in] plane as a detector gives it */
+/** \brief Extent, area and convex hull of a plane in its input cloud; at least 99 % of
+ * its inliers lie inside (\ref convexHull). */
 PCL_OPS_EXPORT PlaneExtent
 planeExtent (const CloudView& cloud, const PlaneSegment& plane);
 

@@ -34,8 +34,7 @@ struct PlaneFilter {
   /** \brief Against gravity, for \ref slope: a vector of any length but 0, in the frame
    * of the planes. */
   Eigen::Vector3d up_axis = Eigen::Vector3d::UnitZ();
-  /** \brief Fewest points: inliers, or those of the moments where there are no inliers.
-   */
+  /** \brief Fewest points: inliers, or of the moments where there are none. */
   std::size_t min_points = 0;
   /** \brief Smallest area inside the outline [m^2]. */
   double min_area = 0.0;
@@ -56,8 +55,7 @@ struct PlaneFilter {
 PCL_OPS_EXPORT std::string
 validate (const PlaneFilter& filter);
 
-/** \brief How many planes a filter dropped. A plane counts once, for the first of these
- * it fails. */
+/** \brief How many planes a filter dropped, each for the first of these it fails. */
 struct DroppedPlanes {
   std::size_t by_orientation = 0;
   std::size_t by_direction = 0;
@@ -94,22 +92,14 @@ keptPlanes (const std::vector<PlaneSegment>& planes,
             const ExtentOfPlane& extent_of,
             DroppedPlanes& dropped);
 
-/** \brief Drops the planes that a filter does not keep; the others stay in their order.
- * \param[in,out] planes in any frame
- * \param[in] filter one \ref validate finds nothing wrong with
- * \param[in] extent_of asked only for planes whose area or width decides
- * \return how many were dropped, and why
- * \throw std::invalid_argument if there is a problem, with the planes as they were */
+/** \brief Drops the planes that a filter does not keep, as \ref keptPlanes says.
+ * \return how many were dropped, and why */
 PCL_OPS_EXPORT DroppedPlanes
 filterPlanes (std::vector<PlaneSegment>& planes,
               const PlaneFilter& filter,
               const ExtentOfPlane& extent_of);
 
-/** \brief The same with the extents of \ref planeExtent.
- * \param[in,out] planes in the frame of the cloud
- * \param[in] filter one \ref validate finds nothing wrong with
- * \param[in] cloud the input cloud the planes were found in
- * \return how many were dropped, and why */
+/** \brief The same with the extents of \ref planeExtent in the input cloud. */
 PCL_OPS_EXPORT DroppedPlanes
 filterPlanes (std::vector<PlaneSegment>& planes,
               const PlaneFilter& filter,

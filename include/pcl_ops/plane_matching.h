@@ -18,11 +18,9 @@ struct PlaneMatchingParameters {
   /** \brief How far the rotation of the pose is off about any axis, one standard
    * deviation [rad]; default 3 degrees. Errors of up to 20 degrees are corrected. */
   double rotation_error = 0.05235987755982989;
-  /** \brief How far its translation is off along any axis, one standard deviation [m].
-   */
+  /** \brief The same of its translation along any axis [m]. */
   double translation_error = 0.05;
-  /** \brief Smallest share of the smaller of two planes that lies over the other, 0 to
-   * 1. */
+  /** \brief Smallest share of the smaller of two planes over the other, 0 to 1. */
   double min_overlap = 0.3;
 };
 
@@ -44,18 +42,15 @@ struct PlaneMatches {
  * Two planes are one if their equations agree and they overlap. Equations agree if what
  * differs, two slopes and a height, lies within three standard deviations of what the
  * pose and both fits may be off; for a fit, that is \ref planeCovariance without its
- * division by the number of points, as neighboring points err alike. There is no
- * threshold in degrees or meters. Where a plane ends is known by its moments, as the
- * rectangle that has the same.
+ * division by the number of points, as neighboring points err alike. Where a plane ends
+ * is known by its moments, as the rectangle that has the same.
  *
- * The larger planes mend the pose first, each by an update of an iterated Kalman
+ * The larger planes correct the pose first, each by an update of an iterated Kalman
  * filter; then all pairs are looked at with the pose that came of it, the best first:
  * those with the largest product of intersection over union and the root of the
- * likelihood. The sides of a plane are not told apart, as normals of a floor at the
- * height of the viewpoint go either way.
- *
- * The result does not depend on the order of the planes but for ties.
- * \param[in] previous planes of one frame; of their moments and normals alone
+ * likelihood. The sides of a plane are not told apart. The result does not depend on
+ * the order of the planes but for ties.
+ * \param[in] previous planes of one frame, of which moments and normals are looked at
  * \param[in] current planes of the other frame
  * \param[in] pose the current frame in the previous: a point p of the current frame is
  * pose * p in the previous one. The error of its rotation is about the current frame's

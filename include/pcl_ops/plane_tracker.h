@@ -53,10 +53,8 @@ public:
    * \param[in] pose the frame in a common one: a point p of the frame is pose * p
    * there. Only how it moved since the frame before counts, so that poses may drift;
    * the same for all frames if the sensor stands still
-   *
    * \return the number of each plane, all different; planes that were not seen before
    * get new ones, in their order
-   *
    * \throw std::invalid_argument if the pose is not finite */
   std::vector<std::uint32_t>
   track (const std::vector<PlaneSegment>& planes, const Eigen::Isometry3d& pose);

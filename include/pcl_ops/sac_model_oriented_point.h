@@ -28,10 +28,8 @@ public:
   using Ptr = pcl::shared_ptr<SampleConsensusModelOrientedPoint<PointNT>>;
   using ConstPtr = pcl::shared_ptr<const SampleConsensusModelOrientedPoint<PointNT>>;
 
-  /** \brief The model over all points of a cloud.
-   * \param[in] cloud points with unit normals
-   * \param[in] random true: seed from the clock, as PCL does; false: PCL's fixed seed
-   */
+  /** \param[in] cloud points with unit normals
+   * \param[in] random true: seed from the clock, as PCL does; false: its fixed seed */
   explicit SampleConsensusModelOrientedPoint (const PointCloudConstPtr& cloud,
                                               bool random = false);
 
@@ -40,8 +38,7 @@ public:
                                      const pcl::Indices& indices,
                                      bool random = false);
 
-  /** \brief Seeds the draws of this model and starts them over; PCL itself offers no
-   * way to. */
+  /** \brief Seeds the draws and starts them over; PCL itself offers no way to. */
   void
   setSeed (std::uint32_t seed);
 

@@ -39,23 +39,20 @@ validate (const UpAxisParameters& parameters);
  *
  * Directions that floor and walls can agree on are the normals of the larger planes and
  * the cross products of two of them, each turned to where the planes within the
- * tolerance fit best. A room mostly has three, so six ways to be up. What tells them
- * apart: much faces up, as floor, seats and table tops seen from above; some planes are
- * vertical; the sensor looks ahead rather than along the axis; rooms are wider than
- * high; and most things are below the middle of the heights, for they stand on the
- * floor. A logistic model of these five, fitted to simulated rooms, gives each
- * direction its probability.
+ * tolerance fit best. What tells which of them is up: much faces up, as floor, seats
+ * and table tops do; some planes are vertical; the sensor looks ahead rather than along
+ * the axis; rooms are wider than high; and most things are below the middle of the
+ * heights. A logistic model of these five, fitted to simulated rooms, gives each
+ * direction its probability, in any unit and frame.
  *
- * All of it is relative: no unit, no number of points, no frame. It counts on a room or
- * a corridor; on a sensor whose origin is known and that looks level or somewhat down.
- * A scan all around may look any way, but must not see floor and ceiling: it has no
- * answer then.
+ * It counts on a room or a corridor, and on a sensor whose origin is known and that
+ * looks level or somewhat down. A scan all around must not see floor and ceiling: it
+ * has no answer then.
  * \param[in] planes as PlaneDetector::segment gives them: normals towards the sensor
  * \param[in] viewpoint origin of the sensor, in the frame of the planes
  * \param[in] parameters tolerance, and how sure an answer has to be
- * \return nothing where the planes cannot tell: there are none, or none across the
- * others, or two directions are about as likely; or where an argument is not finite
- * or a parameter out of its range */
+ * \return nothing where the planes cannot tell, or an argument is not finite or out of
+ * its range */
 PCL_OPS_EXPORT std::optional<UpAxis>
 estimateUpAxis (const std::vector<PlaneSegment>& planes,
                 const Eigen::Vector3d& viewpoint,

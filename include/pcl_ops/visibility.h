@@ -15,11 +15,9 @@ namespace detail {
  * with points much nearer or farther: about 0.03 at the edges of things where a cloud
  * was taken from that place, 0.1 to 0.3 where it was not, say because it is in the
  * frame of a world and VIEWPOINT says 0 0 0 all the same.
- * \param[in] cloud of any size; some 60,000 of its points are looked at, the same ones in
- * any order; NaN and infinite ones are left out
+ * \param[in] cloud some 60,000 finite points of it are looked at, whatever their order
  * \param[in] viewpoint the place, in the frame of the cloud
- * \return 0 to 1; 0 where no direction has points enough to tell, or the place is not
- * finite */
+ * \return 0 to 1; 0 where no direction has points enough, or the place is not finite */
 PCL_OPS_EXPORT double
 occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoint);
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace pcl_ops::internal {
@@ -49,12 +50,6 @@ reaches (const Plane& plane, const Box& box, double threshold)
   return std::abs (plane.distance (box.centre)) <= threshold + reach + rounding;
 }
 
-bool
-isZero (float distance)
-{
-  return distance == 0.0f;
-}
-
 // Points begin .. end - 1, at most block_size.
 void
 assignBlock (const Coordinates& points,
@@ -73,25 +68,21 @@ assignBlock (const Coordinates& points,
     if (!reaches (planes[p], box, threshold))
       continue;
     // Of thousands of planes the first hundreds have all points.
+    const float* const last = best.data() + (end - begin);
     if (rule == AssignmentRule::First && ++compared % planes_between_looks == 0 &&
-        std::all_of (best.begin(),
-                     best.begin() + static_cast<std::ptrdiff_t> (end - begin),
-                     isZero))
+        std::count (std::as_const (best).data(), last, 0.0f) == last - best.data())
       return;
     const auto label = static_cast<std::int32_t> (p);
     std::int32_t* const label_of = labels.data();
     // A distance no later plane can beat makes the first plane final.
     const float won = rule == AssignmentRule::First ? 0.0f : 1.0f;
-    forDistances (FloatPlane (planes[p]),
-                  points,
-                  begin,
-                  end,
-                  [=, &best] (std::size_t i, float distance) {
-                    float& nearest = best[i - begin];
-                    const bool closer = distance < nearest;
-                    label_of[i] = closer ? label : label_of[i];
-                    nearest = closer ? won * distance : nearest;
-                  });
+    const auto assign = [=, &best] (std::size_t i, float distance) {
+      float& nearest = best[i - begin];
+      const bool closer = distance < nearest;
+      label_of[i] = closer ? label : label_of[i];
+      nearest = closer ? won * distance : nearest;
+    };
+    forDistances (FloatPlane (planes[p]), points, begin, end, assign);
   }
 }
 
@@ -106,19 +97,13 @@ assignPoints (const Coordinates& points,
 {
   const auto threshold = static_cast<float> (distance_threshold);
   Labels labels (points.size(), no_plane);
-  parallelFor (threads,
-               points.size(),
-               points_of_a_task,
-               [&] (std::size_t begin, std::size_t end) {
-                 for (std::size_t i = begin; i < end; i += block_size)
-                   assignBlock (points,
-                                i,
-                                std::min (i + block_size, end),
-                                planes,
-                                threshold,
-                                rule,
-                                labels);
-               });
+  const auto assign = [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; i += block_size) {
+      const std::size_t last = std::min (i + block_size, end);
+      assignBlock (points, i, last, planes, threshold, rule, labels);
+    }
+  };
+  parallelFor (threads, points.size(), points_of_a_task, assign);
   return labels;
 }
 
@@ -131,17 +116,15 @@ momentsOfLabels (const Coordinates& points,
   // Of thousands of planes the sums of a piece take more memory than its points.
   constexpr std::size_t points_per_plane = 8;
   // Sums per piece, added up in order: the same digits for any number of threads.
-  const auto partial = parallelPieces (
-      threads,
-      points.size(),
-      std::max (points_of_a_task, points_per_plane * number),
-      [&] (std::size_t begin, std::size_t end) {
-        std::vector<Moments> moments (number);
-        for (std::size_t i = begin; i < end; ++i)
-          if (const auto label = static_cast<std::size_t> (labels[i]); label < number)
-            moments[label].add (points.x[i], points.y[i], points.z[i]);
-        return moments;
-      });
+  const auto sum = [&] (std::size_t begin, std::size_t end) {
+    std::vector<Moments> moments (number);
+    for (std::size_t i = begin; i < end; ++i)
+      if (const auto label = static_cast<std::size_t> (labels[i]); label < number)
+        moments[label].add (points.x[i], points.y[i], points.z[i]);
+    return moments;
+  };
+  const std::size_t grain = std::max (points_of_a_task, points_per_plane * number);
+  const auto partial = parallelPieces (threads, points.size(), grain, sum);
   std::vector<Moments> moments (number);
   for (const std::vector<Moments>& piece : partial)
     for (std::size_t p = 0; p < number; ++p)
@@ -162,33 +145,20 @@ assignToUnboundedPlanes (const Coordinates& points,
   return assigned;
 }
 
-namespace {
-
-bool
-changesNothing (const Labels& merged_into)
-{
-  for (std::size_t p = 0; p < merged_into.size(); ++p)
-    if (merged_into[p] != static_cast<std::int32_t> (p))
-      return false;
-  return true;
-}
-
-} // namespace
-
 void
 relabel (Labels& labels, const Labels& merged_into, unsigned threads)
 {
   constexpr std::size_t labels_per_piece = 65536;
-  if (changesNothing (merged_into))
+  Labels unchanged (merged_into.size());
+  std::iota (unchanged.begin(), unchanged.end(), 0);
+  if (merged_into == unchanged)
     return;
-  parallelFor (threads,
-               labels.size(),
-               labels_per_piece,
-               [&] (std::size_t begin, std::size_t end) {
-                 for (std::size_t i = begin; i < end; ++i)
-                   if (labels[i] != no_plane)
-                     labels[i] = merged_into[static_cast<std::size_t> (labels[i])];
-               });
+  const auto replace = [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (labels[i] != no_plane)
+        labels[i] = merged_into[static_cast<std::size_t> (labels[i])];
+  };
+  parallelFor (threads, labels.size(), labels_per_piece, replace);
 }
 
 } // namespace pcl_ops::internal

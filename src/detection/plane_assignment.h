@@ -18,12 +18,10 @@ struct AssignedPoints {
   std::vector<Moments> moments;
 };
 
-/** \brief Assigns every point to a plane.
- * \param[in] points the points
- * \param[in] planes the planes, in the frame of the points
+/** \brief Assigns every point to a plane in the frame of the points.
  * \param[in] distance_threshold theta_h: largest distance of a point to its plane [m]
  * \param[in] rule which plane gets a point that several could have
- * \param[in] threads number of threads; 0: all. The result does not depend on it
+ * \param[in] threads 0: all. The result does not depend on it
  * \return one label a point */
 Labels
 assignPoints (const Coordinates& points,
@@ -33,10 +31,8 @@ assignPoints (const Coordinates& points,
               unsigned threads);
 
 /** \brief Moments of the points of each label, about the zero of their frame.
- * \param[in] points the points
  * \param[in] labels one per point; labels outside 0 .. number - 1 are left out
- * \param[in] number how many planes there are
- * \param[in] threads number of threads; 0: all. The result does not depend on it */
+ * \param[in] threads 0: all. The result does not depend on it */
 std::vector<Moments>
 momentsOfLabels (const Coordinates& points,
                  const Labels& labels,

@@ -76,16 +76,6 @@ absorb (Group& larger, const Group& smaller)
   return true;
 }
 
-// Every pair of planes whose normals are too far apart is left out by this alone: of
-// thousands of planes there are millions of pairs. Rounding included.
-double
-leastCosine (double angle_threshold)
-{
-  constexpr double right_angle = 1.5707963267948966;
-  constexpr double rounding = 1e-9;
-  return std::cos (std::min (angle_threshold, right_angle)) - rounding;
-}
-
 // One sweep over all pairs; true if any was merged.
 bool
 mergeOnce (std::vector<Group>& groups,
@@ -93,7 +83,10 @@ mergeOnce (std::vector<Group>& groups,
            double distance_threshold,
            double noise_factor)
 {
-  const double least_cosine = leastCosine (angle_threshold);
+  // Every pair of planes whose normals are too far apart is left out by this alone: of
+  // thousands of planes there are millions of pairs. Rounding included.
+  const double right_angle = std::acos (0.0);
+  const double least_cosine = std::cos (std::min (angle_threshold, right_angle)) - 1e-9;
   std::vector<Eigen::Vector3d> normals;
   for (const Group& group : groups)
     normals.push_back (group.fit.plane.normal);

@@ -19,6 +19,16 @@ namespace pcl_ops::internal {
 using RingPoint = boost::geometry::model::d2::point_xy<double>;
 using Ring = boost::geometry::model::ring<RingPoint, false, false>;
 
+inline PlanarPoints
+finiteOf (const PlanarPoints& points)
+{
+  PlanarPoints finite;
+  for (const Eigen::Vector2d& point : points)
+    if (point.allFinite())
+      finite.push_back (point);
+  return finite;
+}
+
 /** \brief The power of two that takes coordinates to about 1 where they are below it,
  * as Boost's predicates have an absolute tolerance there, or beyond a thousand
  * kilometers, as these predicates fail for points over many decades; else 1. */

@@ -5,7 +5,6 @@
 #include "base/random.h"
 #include "extent/planar_ring.h"
 #include "geometry/planar_area.h"
-#include "geometry/plane_axes.h"
 #include <pcl_ops/plane_extent.h>
 
 #include <algorithm>
@@ -232,16 +231,6 @@ rectangleAlongLine (const PlanarPoints& points)
   Rectangle rectangle = rectangleAlong (directionOf (points), points);
   rectangle.low.y() = rectangle.high.y() = rectangle.center().dot (rectangle.left());
   return rectangle;
-}
-
-PlanarPoints
-finiteOf (const PlanarPoints& points)
-{
-  PlanarPoints finite;
-  for (const Eigen::Vector2d& point : points)
-    if (point.allFinite())
-      finite.push_back (point);
-  return finite;
 }
 
 } // namespace

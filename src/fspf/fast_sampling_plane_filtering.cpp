@@ -14,16 +14,6 @@ namespace pcl_ops {
 namespace internal {
 namespace {
 
-std::vector<Plane>
-planesOf (const MergedPlanes& merged)
-{
-  std::vector<Plane> planes;
-  planes.reserve (merged.fits.size());
-  for (const PlaneFit& fit : merged.fits)
-    planes.push_back (fit.plane);
-  return planes;
-}
-
 LabelledPlanes
 detectBySpheres (const DetectorInput& input,
                  const Points& points,
@@ -44,8 +34,11 @@ detectBySpheres (const DetectorInput& input,
   const MergedPlanes merged = mergePlanes (local.moments, merging);
   clock.lap (durations.merging);
   // every point of P, not of the spheres alone, to the largest plane within theta_h
+  std::vector<Plane> planes;
+  for (const PlaneFit& fit : merged.fits)
+    planes.push_back (fit.plane);
   AssignedPoints assigned = assignToUnboundedPlanes (
-      points, planesOf (merged), theta_h, AssignmentRule::First, parameters.threads);
+      points, planes, theta_h, AssignmentRule::First, parameters.threads);
   clock.lap (durations.assignment);
   // fitted to their points, and merged where they have become coplanar
   LabelledPlanes found =
@@ -81,21 +74,14 @@ FastSamplingPlaneFilteringParameters::paper()
   return parameters;
 }
 
-namespace {
-
-bool
-isAboveZero (double value)
-{
-  return value > 0.0 && std::isnormal (value);
-}
-
-} // namespace
-
 std::string
 validate (const FastSamplingPlaneFilteringParameters& parameters)
 {
   constexpr unsigned points_of_a_plane = 3;
   const FastSamplingPlaneFilteringParameters::Local& local = parameters.local;
+  const auto isAboveZero = [] (double value) {
+    return value > 0.0 && std::isnormal (value);
+  };
   if (!isAboveZero (local.inner_radius))
     return "the inner radius must be a length above 0";
   if (!(isAboveZero (local.outer_radius) && local.outer_radius >= local.inner_radius))

@@ -45,23 +45,24 @@ drawFrom (const Indices& positions, RandomGenerator& generator)
   return positions[drawBelow (generator, size)];
 }
 
-/** The samples of a hypothesis that passes the local test; none of one that fails. */
+/** The samples of a hypothesis that passes the local test, with more than alpha_min
+ * N_loc inliers; none of one that fails. The test ends as soon as the samples not yet
+ * drawn cannot change it. */
 Indices
 passTest (const Hypothesis& hypothesis,
           const Indices& sphere,
           const LocalSamplingParameters& parameters,
           RandomGenerator& generator)
 {
+  const double needed = parameters.min_inlier_fraction * parameters.local_samples;
   Indices samples;
   unsigned inliers = 0;
-  while (samples.size() < parameters.local_samples) {
+  for (unsigned to_come = parameters.local_samples; to_come > 0;) {
     samples.push_back (drawFrom (sphere, generator));
     inliers += hypothesis.isInlier (samples.back());
-    const auto drawn = static_cast<unsigned> (samples.size());
-    const LocalVerdict verdict = localVerdict (drawn, inliers, parameters);
-    if (verdict == LocalVerdict::Rejected)
+    if (inliers + --to_come <= needed)
       return {};
-    if (verdict == LocalVerdict::Accepted &&
+    if (inliers > needed &&
         parameters.inliers == LocalSamplingParameters::Inliers::Sphere)
       break;
   }
@@ -91,18 +92,6 @@ drawHypothesis (const Coordinates& points,
     first = first.isZero (0.0) ? edge : Eigen::Vector3d::Zero();
   }
   return std::nullopt;
-}
-
-LocalVerdict
-localVerdict (unsigned drawn,
-              unsigned inliers,
-              const LocalSamplingParameters& parameters)
-{
-  const unsigned to_come = parameters.local_samples - drawn;
-  const double needed = parameters.min_inlier_fraction * parameters.local_samples;
-  if (inliers > needed)
-    return LocalVerdict::Accepted;
-  return inliers + to_come > needed ? LocalVerdict::Open : LocalVerdict::Rejected;
 }
 
 namespace {

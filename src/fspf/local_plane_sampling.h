@@ -37,19 +37,6 @@ drawHypothesis (const Coordinates& points,
                 double inner_radius,
                 RandomGenerator& generator);
 
-/** \brief What a local test is certain to end with. */
-enum class LocalVerdict { Open, Accepted, Rejected };
-
-/** \brief The verdict as soon as the samples not yet drawn cannot change it.
- * \param[in] drawn samples so far, at most N_loc
- * \param[in] inliers those of them that are inliers
- * \param[in] parameters N_loc and alpha_min
- * \return Accepted: more than alpha_min N_loc inliers; Rejected: no way to as many */
-LocalVerdict
-localVerdict (unsigned drawn,
-              unsigned inliers,
-              const LocalSamplingParameters& parameters);
-
 /** \brief Planes found in spheres. */
 struct LocalPlanes {
   /** \brief Moments of each plane's inliers about the zero of the points' frame, in the

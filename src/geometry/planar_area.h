@@ -2,11 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <vector>
 
 namespace pcl_ops::internal {
+
+/** \brief The axes u and v of a plane, as columns: a right-handed frame with its unit
+ * normal as the third axis. They depend on the normal alone. */
+inline Eigen::Matrix<double, 3, 2>
+planeAxes (const Eigen::Vector3d& normal)
+{
+  Eigen::Matrix<double, 3, 2> axes;
+  axes.col (0) = normal.unitOrthogonal();
+  axes.col (1) = normal.cross (axes.col (0));
+  return axes;
+}
 
 /** \brief Twice the area between two directions; above 0 where the second is to the
  * left of the first. */

@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "geometry/angles.h"
-#include "geometry/plane_axes.h"
 #include <pcl_ops/plane.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace pcl_ops {
 
@@ -91,6 +90,33 @@ PlaneSegment::rms() const
   const double variance = normal.dot (moments.covariance() * normal);
   const double beside = normal.dot (moments.centroid() - centroid);
   return std::sqrt (std::max (0.0, variance + beside * beside));
+}
+
+const char*
+toString (Orientation orientation)
+{
+  const bool is_horizontal = orientation == Orientation::Horizontal;
+  const bool is_vertical = orientation == Orientation::Vertical;
+  return is_horizontal ? "horizontal" : is_vertical ? "vertical" : "other";
+}
+
+Orientation
+orientationOf (const Eigen::Vector3d& normal,
+               const Eigen::Vector3d& up,
+               double tolerance)
+{
+  const double height = std::min (1.0, std::abs (normal.dot (up)));
+  if (std::acos (height) <= tolerance)
+    return Orientation::Horizontal;
+  if (std::asin (height) <= tolerance)
+    return Orientation::Vertical;
+  return Orientation::Other;
+}
+
+double
+slopeOf (const Eigen::Vector3d& normal, const Eigen::Vector3d& up)
+{
+  return std::atan2 (normal.cross (up).norm(), std::abs (normal.dot (up)));
 }
 
 bool

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/plane_axes.h"
+#include "geometry/planar_area.h"
 #include <pcl_ops/plane.h>
 
 #include <cmath>

@@ -68,12 +68,12 @@ roundedMedian (std::array<std::vector<float>, 3>& values)
   constexpr double deviations = 16.0;
   Eigen::Vector3d median;
   double deviation = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    median[static_cast<Eigen::Index> (axis)] = medianOf (values[axis]);
-    for (float& value : values[axis])
-      value = std::abs (value -
-                        static_cast<float> (median[static_cast<Eigen::Index> (axis)]));
-    deviation = std::max (deviation, medianOf (values[axis]));
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    std::vector<float>& along = values[static_cast<std::size_t> (axis)];
+    median[axis] = medianOf (along);
+    for (float& value : along)
+      value = std::abs (value - static_cast<float> (median[axis]));
+    deviation = std::max (deviation, medianOf (along));
   }
   if (!(deviation > 0.0 && std::isfinite (deviation)))
     return median;
@@ -89,19 +89,15 @@ usualPosition (const CloudView& cloud, const pcl::Indices& indices)
   constexpr std::size_t looked_at = 100;
   const std::size_t stride = indices.size() / looked_at + 1;
   std::array<std::vector<float>, 3> values;
-  for (std::size_t begin = 0; begin < indices.size(); begin += stride) {
-    const auto end = indices.begin() + static_cast<std::ptrdiff_t> (
-                                           std::min (begin + stride, indices.size()));
-    const auto finite = std::find_if (
-        indices.begin() + static_cast<std::ptrdiff_t> (begin), end, [&] (auto index) {
-          const float* const position = positionOf (cloud, index);
-          return isFinite (position[0], position[1], position[2]);
-        });
-    if (finite == end)
-      continue;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      values[axis].push_back (positionOf (cloud, *finite)[axis]);
-  }
+  for (std::size_t begin = 0; begin < indices.size(); begin += stride)
+    for (std::size_t i = begin; i < std::min (begin + stride, indices.size()); ++i) {
+      const float* const position = positionOf (cloud, indices[i]);
+      if (!isFinite (position[0], position[1], position[2]))
+        continue;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        values[axis].push_back (position[axis]);
+      break;
+    }
   return roundedMedian (values);
 }
 
@@ -117,19 +113,17 @@ copyPoints (const CloudView& cloud,
   const Eigen::Vector3f origin = points.origin.cast<float>();
   points.resize (indices.size());
   std::atomic<bool> all_finite (true);
-  parallelFor (threads,
-               indices.size(),
-               points_per_piece,
-               [&] (std::size_t begin, std::size_t end) {
-                 for (std::size_t i = begin; i < end; ++i) {
-                   const float* const position = positionOf (cloud, indices[i]);
-                   points.x[i] = position[0] - origin.x();
-                   points.y[i] = position[1] - origin.y();
-                   points.z[i] = position[2] - origin.z();
-                 }
-                 if (!areFinite (points, begin, end))
-                   all_finite = false;
-               });
+  const auto copy = [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const float* const position = positionOf (cloud, indices[i]);
+      points.x[i] = position[0] - origin.x();
+      points.y[i] = position[1] - origin.y();
+      points.z[i] = position[2] - origin.z();
+    }
+    if (!areFinite (points, begin, end))
+      all_finite = false;
+  };
+  parallelFor (threads, indices.size(), points_per_piece, copy);
   return all_finite;
 }
 
@@ -203,15 +197,12 @@ samplePoints (const Coordinates& positions, std::size_t wanted)
   Coordinates some;
   for (std::size_t begin = 0; begin < positions.size(); begin += at_once) {
     const std::size_t number = std::min (at_once, positions.size() - begin);
-    hashAll (&positions.x[begin],
-             &positions.y[begin],
-             &positions.z[begin],
-             number,
-             hashes.data());
+    const float *x = &positions.x[begin], *y = &positions.y[begin],
+                *z = &positions.z[begin];
+    hashAll (x, y, z, number, hashes.data());
     for (std::size_t i = 0; i < number; ++i)
       if (hashes[i] <= last_taken)
-        some.add (
-            positions.x[begin + i], positions.y[begin + i], positions.z[begin + i]);
+        some.add (x[i], y[i], z[i]);
   }
   return some;
 }

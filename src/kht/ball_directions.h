@@ -50,8 +50,7 @@ public:
     return rows_[direction];
   }
 
-  /** \brief The direction of a patch of a row; any whole number wraps around the row.
-   */
+  /** \brief The direction of a patch of a row; any number wraps around the row. */
   std::uint32_t
   patchOfRow (int row, int patch) const;
 

@@ -5,7 +5,6 @@
 #include "kht/spherical_accumulator.h"
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 #include <queue>
 #include <utility>
@@ -88,16 +87,6 @@ clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& found)
   return edge_weight * cluster.edge / found.root.edge + count_weight * count_share;
 }
 
-PlaneKernel
-kernelOf (const CoplanarCluster& cluster, const OctreeClusters& found)
-{
-  return planeKernel (cluster.fit.plane,
-                      cluster.fit.centroid,
-                      cluster.moments.covariance(),
-                      found.root.center,
-                      clusterWeight (cluster, found));
-}
-
 std::vector<HoughPlane>
 voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num)
 {
@@ -108,7 +97,13 @@ voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num)
   const HoughSpace& space = accumulator.space();
   KernelVotes votes;
   for (std::uint32_t c = 0; c < found.clusters.size(); ++c) {
-    castVotes (kernelOf (found.clusters[c], found), space, votes);
+    const CoplanarCluster& cluster = found.clusters[c];
+    const PlaneKernel kernel = planeKernel (cluster.fit.plane,
+                                            cluster.fit.centroid,
+                                            cluster.moments.covariance(),
+                                            found.root.center,
+                                            clusterWeight (cluster, found));
+    castVotes (kernel, space, votes);
     accumulator.add (votes, c);
   }
   std::vector<HoughPlane> planes;
@@ -136,10 +131,9 @@ refitPlanes (const std::vector<HoughPlane>& planes,
     const auto [last_weight, plane] = ranks.top();
     ranks.pop();
     ClusterList clusters;
-    std::copy_if (planes[plane].clusters.begin(),
-                  planes[plane].clusters.end(),
-                  std::back_inserter (clusters),
-                  [&] (std::uint32_t cluster) { return is_free[cluster]; });
+    for (const std::uint32_t cluster : planes[plane].clusters)
+      if (is_free[cluster])
+        clusters.push_back (cluster);
     const double weight = weightOf (clusters, found);
     if (weight < last_weight) {
       ranks.push ({weight, plane});

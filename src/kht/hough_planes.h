@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kht/kernel_votes.h"
 #include "kht/octree_clusters.h"
 #include <pcl_ops/plane.h>
 
@@ -23,16 +22,10 @@ struct HoughPlane {
 double
 clusterWeight (const CoplanarCluster& cluster, const OctreeClusters& found);
 
-/** \brief The kernel a cluster votes with, in a ball around the root's center. */
-PlaneKernel
-kernelOf (const CoplanarCluster& cluster, const OctreeClusters& found);
-
 /** \brief The planes that clusters agree on: each votes in an accumulator ball around
  * the cloud's centroid, and peaks are planes (Limberger & Oliveira 2015, sections 3.2
- * to 3.4). \param[in] found the clusters \param[in] phi_num, rho_num steps of the
- * accumulator from pole to pole and outwards \return the planes at their bins' centers,
- * in the frame of the points, by the falling sum of their clusters' weights; they share
- * clusters */
+ * to 3.4), at their bins' centers, by the falling sum of their clusters' weights; they
+ * share clusters. */
 std::vector<HoughPlane>
 voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num);
 
@@ -40,8 +33,6 @@ voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num);
  * The plane with the largest weight of free clusters is fitted to them, takes all free
  * clusters whose rms distance to it is at most half of theta_h and is fitted again, so
  * that clusters too small for a good normal go to the large plane they lie on.
- * \param[in] planes planes and who voted for them
- * \param[in] found the clusters
  * \param[in] min_share planes whose clusters hold less of all points are dropped
  * \param[in] distance_threshold theta_h [m]
  * \return the planes in the order they took clusters; they share none */

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/stage_clock.h"
+#include "bounded/bounded_assignment.h"
+#include "bounded/noise_measurement.h"
+#include "bounded/plane_growing.h"
 #include "detection/labelled_planes.h"
-#include "kht/cluster_assignment.h"
 #include "kht/hough_planes.h"
-#include "kht/octree_clusters.h"
+#include "voxels/voxel_size.h"
 #include <pcl_ops/kernel_hough_transform.h>
 
 #include <string>
@@ -14,6 +16,154 @@ namespace pcl_ops {
 
 namespace internal {
 namespace {
+
+// Into how many voxels a cloud is divided to follow its planes' outlines.
+constexpr double wanted_voxels = 9000.0;
+
+/** Blocks of the octree lie together, so that most planes are far from most blocks. */
+Labels
+assignOctreePoints (const OctreeClusters& found,
+                    std::size_t size,
+                    const std::vector<Plane>& planes,
+                    const KernelHoughTransformParameters& parameters)
+{
+  Coordinates points;
+  for (const OctreePoint& point : found.points)
+    points.add (point.x, point.y, point.z);
+  const double theta_h = *parameters.distance_threshold;
+  const Labels in_octree_order =
+      assignPoints (points, planes, theta_h, AssignmentRule::First, parameters.threads);
+  Labels labels (size, no_plane);
+  for (std::size_t i = 0; i < in_octree_order.size(); ++i)
+    labels[found.points[i].index] = in_octree_order[i];
+  return labels;
+}
+
+/** Each voxel goes to the plane of the first cluster that has a point in it. */
+BoundedPlanes
+voxelsOfClusters (const std::vector<HoughPlane>& planes,
+                  const OctreeClusters& found,
+                  const VoxelizedPoints& voxelized)
+{
+  const Indices voxel_of_point = voxelsOfPoints (voxelized.grid, voxelized.order);
+  BoundedPlanes voxels;
+  voxels.plane_of_voxel.assign (voxelized.grid.size(), no_plane);
+  for (const HoughPlane& plane : planes) {
+    const auto label = static_cast<std::int32_t> (voxels.planes.size());
+    voxels.planes.push_back (plane.plane);
+    for (const std::uint32_t c : plane.clusters) {
+      const CoplanarCluster& cluster = found.clusters[c];
+      for (std::uint32_t i = cluster.begin; i < cluster.end; ++i) {
+        const std::uint32_t voxel = voxel_of_point[found.points[i].index];
+        if (voxels.plane_of_voxel[voxel] == no_plane)
+          voxels.plane_of_voxel[voxel] = label;
+      }
+    }
+  }
+  return voxels;
+}
+
+/** Takes voxels off planes that their points are not on. */
+void
+releaseVoxels (const VoxelGrid& grid, BoundedPlanes& planes)
+{
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    if (std::int32_t& plane = planes.plane_of_voxel[i]; plane != no_plane) {
+      const auto p = static_cast<std::size_t> (plane);
+      const double limit = noises_of_a_voxel * planes.noise[p];
+      if (meanSquaredDistance (grid.moments[i], planes.planes[p]) > limit * limit)
+        plane = no_plane;
+    }
+}
+
+/** Grows and merges planes on their voxels. */
+void
+settleVoxels (const VoxelGrid& grid,
+              const KernelHoughTransformParameters& parameters,
+              BoundedPlanes& planes)
+{
+  measureNoise (grid, parameters.threads, planes);
+  releaseVoxels (grid, planes);
+  growPlanes (grid, parameters.distance_threshold, parameters.threads, planes);
+  renumberPlanes (mergePlanes (momentsOfPlanes (grid, planes), mergingOf (parameters)),
+                  planes);
+  measureNoise (grid, parameters.threads, planes);
+}
+
+/** Replaces each least squares plane by the plane its points were assigned to, with the
+ * centroid moved onto it: the first one's where planes were merged. */
+void
+restorePlanes (MergedPlanes& merged, const std::vector<Plane>& planes)
+{
+  for (std::size_t i = planes.size(); i-- > 0;)
+    if (const std::int32_t group = merged.merged_into[i]; group != no_plane)
+      merged.fits[static_cast<std::size_t> (group)].plane = planes[i];
+  for (PlaneFit& fit : merged.fits)
+    fit.centroid -= fit.plane.distance (fit.centroid) * fit.plane.normal;
+}
+
+/** Planes without end: \ref assignPoints, block by block of the octree, where most
+ * planes are far away, and \ref mergePlanes. */
+LabelledPlanes
+assignToUnboundedPlanes (const Points& points,
+                         const OctreeClusters& found,
+                         const std::vector<HoughPlane>& hough_planes,
+                         const KernelHoughTransformParameters& parameters,
+                         StageDurations& durations)
+{
+  StageClock clock;
+  std::vector<Plane> planes;
+  for (const HoughPlane& plane : hough_planes)
+    planes.push_back (plane.plane);
+  AssignedPoints assigned;
+  assigned.labels = assignOctreePoints (found, points.size(), planes, parameters);
+  clock.lap (durations.assignment);
+  assigned.moments =
+      momentsOfLabels (points, assigned.labels, planes.size(), parameters.threads);
+  LabelledPlanes merged =
+      mergeAssigned (std::move (assigned), mergingOf (parameters), parameters.threads);
+  restorePlanes (merged.planes, planes);
+  clock.lap (durations.merging);
+  return merged;
+}
+
+/** Planes that hold what their clusters cover and what they grow into: merging first,
+ * on the voxels of a grid, and then \ref assignToBoundedPlanes of voxels. */
+LabelledPlanes
+assignToOutlinedPlanes (const Points& points,
+                        const OctreeClusters& found,
+                        const std::vector<HoughPlane>& hough_planes,
+                        const KernelHoughTransformParameters& parameters,
+                        StageDurations& durations)
+{
+  if (hough_planes.empty())
+    return {Labels (points.size(), no_plane), {}, 0};
+  constexpr double follows_noise_up_to = 4.0;
+  StageClock clock;
+  VoxelizedPoints voxelized =
+      voxelize (points, voxelSizeFor (points, wanted_voxels), parameters.threads);
+  connect (voxelized.grid, parameters.threads);
+  clock.lap (durations.search);
+  BoundedPlanes planes = voxelsOfClusters (hough_planes, found, voxelized);
+  settleVoxels (voxelized.grid, parameters, planes);
+  clock.lap (durations.merging);
+  AssignedPoints assigned{Labels (points.size(), no_plane), {}};
+  assignToBoundedPlanes (points,
+                         voxelized.order,
+                         voxelized.grid,
+                         planes,
+                         parameters.distance_threshold,
+                         follows_noise_up_to,
+                         parameters.threads,
+                         {},
+                         assigned);
+  MergingParameters keep_apart;
+  keep_apart.enabled = false;
+  LabelledPlanes kept =
+      mergeAssigned (std::move (assigned), keep_apart, parameters.threads);
+  clock.lap (durations.assignment);
+  return kept;
+}
 
 LabelledPlanes
 detectByVotes (const Points& points,
@@ -56,16 +206,6 @@ detail::detect (const DetectorInput& input,
       });
 }
 
-namespace {
-
-constexpr int max_phi = 1000;
-constexpr int max_rho = 10000;
-// Each level of an octree is a call within a call; nodes are below any noise long
-// before.
-constexpr int max_levels = 60;
-
-} // namespace
-
 KernelHoughTransformParameters::KernelHoughTransformParameters()
 {
   clusters.first_level = 3;
@@ -88,6 +228,10 @@ KernelHoughTransformParameters::paper()
 std::string
 validate (const KernelHoughTransformParameters& parameters)
 {
+  constexpr int max_phi = 1000;
+  constexpr int max_rho = 10000;
+  // Each level is a call within a call; nodes are below any noise long before.
+  constexpr int max_levels = 60;
   const KernelHoughTransformParameters::Clusters& clusters = parameters.clusters;
   if (parameters.phi_num < 2 || parameters.phi_num > max_phi)
     return "phi_num must be between 2 and " + std::to_string (max_phi);

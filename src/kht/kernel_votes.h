@@ -21,11 +21,9 @@ struct PlaneKernel {
 
 /** \brief The kernel of a set of points near a plane: the points' covariance carried
  * over to the plane's parameters, Sigma_rpt = J Sigma_xyz J^T, plus 1e-5 on (rho, rho).
- * \param[in] plane the points' plane; the sign of its normal means nothing
- * \param[in] centroid the points' centroid
+ * \param[in] plane the sign of its normal means nothing
  * \param[in] covariance Sigma_xyz, the points' population covariance
- * \param[in] center center of the ball, in the same frame
- * \param[in] weight factor of its density */
+ * \param[in] center of the ball, in the same frame */
 PlaneKernel
 planeKernel (const Plane& plane,
              const Eigen::Vector3d& centroid,

@@ -80,8 +80,7 @@ struct OctreeClusters {
 /** \brief Splits the cloud's bounding cube in eight until the points of a node lie near
  * a plane or are too few. From the first level on, a node whose covariance passes the
  * test drops the points farther than a tenth of its edge from its plane and becomes a
- * cluster. \param[in] points finite positions \param[in] parameters when to stop
- * \param[in] threads number of threads; 0: all. The result does not depend on it
+ * cluster. The result does not depend on the number of threads.
  * \return the clusters in Morton order of the first levels; none for an empty cloud or
  * one whose points are all equal */
 OctreeClusters

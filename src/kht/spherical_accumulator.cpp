@@ -46,7 +46,7 @@ private:
   isHighestOf (std::uint32_t column, std::uint32_t direction, int bin) const
   {
     const float height = heights_[direction][bin];
-    const auto& heights = heights_[column];
+    const float* const heights = heights_[column];
     for (int other = bin - 2; other <= bin + 2; ++other)
       if (heights[other] > height ||
           (heights[other] == height && isBefore (column, other, direction, bin)))
@@ -70,17 +70,6 @@ private:
 
 } // namespace
 
-float*
-BallColumns::write (std::uint32_t direction, int begin, int end)
-{
-  Column& column = columns_[direction];
-  if (column.bins.empty())
-    column = {no_votes_.bins, begin, end};
-  column.begin = std::min (column.begin, begin);
-  column.end = std::max (column.end, end);
-  return column.bins.data() + margin + begin;
-}
-
 void
 BallColumns::mirrorCenter (const BallDirections& directions)
 {
@@ -88,7 +77,7 @@ BallColumns::mirrorCenter (const BallDirections& directions)
     const float first = (*this)[direction][0], second = (*this)[direction][1];
     if (first == 0.0f && second == 0.0f)
       continue;
-    float* const mirrored = write (directions.opposite (direction), 0, 0);
+    float* const mirrored = write (directions.opposite (direction));
     mirrored[-1] = first;
     mirrored[-2] = second;
   }
@@ -105,10 +94,9 @@ SphericalAccumulator::add (const KernelVotes& votes, std::uint32_t voter)
 {
   for (const VoteRay& ray : votes.rays) {
     const int end = ray.first_bin + static_cast<int> (ray.length);
-    float* const bins = votes_.write (ray.direction, ray.first_bin, end);
-    const float* const values = votes.values.data() + ray.first_value;
+    float* const bins = votes_.write (ray.direction) + ray.first_bin;
     for (std::uint32_t i = 0; i < ray.length; ++i)
-      bins[i] += values[i];
+      bins[i] += votes.values[ray.first_value + i];
     voters_[ray.direction].push_back ({voter, ray.first_bin, end});
   }
 }
@@ -123,19 +111,18 @@ SphericalAccumulator::smoothedVotes() const
     if (votes_.isEmpty (direction))
       continue;
     const auto beside = directions.beside (direction);
-    const BallColumns::Column &own = votes_[direction], &north = votes_[beside[0]],
-                              &south = votes_[beside[1]], &west = votes_[beside[2]],
-                              &east = votes_[beside[3]];
-    float* const result = smoothed.write (direction, own.begin, own.end);
-    for (int bin = own.begin; bin < own.end; ++bin) {
+    const float *own = votes_[direction], *north = votes_[beside[0]],
+                *south = votes_[beside[1]], *west = votes_[beside[2]],
+                *east = votes_[beside[3]];
+    float* const result = smoothed.write (direction);
+    for (int bin = 0; bin < space_.rho_num; ++bin) {
       const float neighbors =
           own[bin - 1] + own[bin + 1] + north[bin] + south[bin] + west[bin] + east[bin];
       const float sum = own_weight * own[bin] + neighbor_weight * neighbors;
-      result[bin - own.begin] = own[bin] > 0.0f ? sum : 0.0f;
+      result[bin] = own[bin] > 0.0f ? sum : 0.0f;
     }
     if (own[0] > 0.0f)
-      result[-own.begin] +=
-          neighbor_weight * votes_[directions.opposite (direction)][0];
+      result[0] += neighbor_weight * votes_[directions.opposite (direction)][0];
   }
   return smoothed;
 }
@@ -148,8 +135,8 @@ SphericalAccumulator::peaks() const
   const PeakTest test (heights, space_.directions);
   std::vector<HoughPeak> peaks;
   for (std::uint32_t direction = 0; direction < space_.directions.size(); ++direction) {
-    const BallColumns::Column& column = heights[direction];
-    for (int bin = column.begin; bin < column.end; ++bin)
+    const float* const column = heights[direction];
+    for (int bin = 0; bin < space_.rho_num; ++bin)
       if (column[bin] > 0.0f && test.isPeak (direction, bin))
         peaks.push_back ({direction, bin, column[bin], votersAround (direction, bin)});
   }

@@ -11,43 +11,35 @@
 namespace pcl_ops::internal {
 
 /** \brief A number for each bin of a ball. A direction gets its bins when it is first
- * written to, so that memory goes with the directions that occur. */
+ * written to, so that memory goes with the directions that occur. Two bins more at
+ * either end may be read as well: those below 0 are the opposite direction's, once
+ * \ref mirrorCenter has been called. */
 class BallColumns {
 public:
-  /** \brief The bins of a direction. Two more at either end may be read as well: those
-   * below 0 are the opposite direction's, once \ref mirrorCenter has been called. */
-  struct Column {
-    std::vector<float> bins;
-    /** \brief Bins that may be other than 0, those at either end left out. */
-    int begin = 0, end = 0;
-
-    float
-    operator[] (int bin) const
-    {
-      return bins[static_cast<std::size_t> (bin + margin)];
-    }
-  };
-
   BallColumns (std::size_t directions, int rho_num)
-  : columns_ (directions)
-  , no_votes_{std::vector<float> (static_cast<std::size_t> (rho_num + 2 * margin))}
+  : columns_ (directions), no_votes_ (static_cast<std::size_t> (rho_num + 2 * margin))
   {}
 
-  /** \brief Whether nothing was written to a direction. */
   bool
   isEmpty (std::uint32_t direction) const
   {
-    return columns_[direction].bins.empty();
+    return columns_[direction].empty();
   }
 
-  /** \brief The bins of a direction from begin on, to write to those before end. */
-  float*
-  write (std::uint32_t direction, int begin, int end);
-
-  const Column&
+  /** \brief The bins of a direction, the first one at 0. */
+  const float*
   operator[] (std::uint32_t direction) const
   {
-    return isEmpty (direction) ? no_votes_ : columns_[direction];
+    return (isEmpty (direction) ? no_votes_ : columns_[direction]).data() + margin;
+  }
+
+  /** \brief The same to write to. */
+  float*
+  write (std::uint32_t direction)
+  {
+    if (isEmpty (direction))
+      columns_[direction] = no_votes_;
+    return columns_[direction].data() + margin;
   }
 
   /** \brief Copies what lies next to the center to before the opposite direction's
@@ -58,8 +50,8 @@ public:
 private:
   static constexpr int margin = 2;
 
-  std::vector<Column> columns_;
-  Column no_votes_;
+  std::vector<std::vector<float>> columns_;
+  std::vector<float> no_votes_;
 };
 
 /** \brief A bin of the accumulator that stands out. */

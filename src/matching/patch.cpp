@@ -3,7 +3,6 @@
 #include "matching/patch.h"
 
 #include "geometry/planar_area.h"
-#include "geometry/plane_axes.h"
 
 #include <cmath>
 #include <vector>

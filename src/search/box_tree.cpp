@@ -189,10 +189,10 @@ grow (const Item* first, const Range& items, std::vector<Node>& nodes)
   const auto number = static_cast<std::uint32_t> (nodes.size());
   nodes.emplace_back();
   for (const Range& range : split (items)) {
+    const auto begin = static_cast<std::uint32_t> (range.begin - first);
+    const auto size = static_cast<std::uint32_t> (range.end - range.begin);
     const Child child =
-        range.isLeaf() ? Child{static_cast<std::uint32_t> (range.begin - first),
-                               static_cast<std::uint32_t> (range.end - range.begin)}
-                       : Child{grow (first, range, nodes), 0};
+        range.isLeaf() ? Child{begin, size} : Child{grow (first, range, nodes), 0};
     Node& node = nodes[number];
     const std::uint32_t i = node.number++;
     node.children[i] = child;
@@ -238,3 +238,27 @@ BoxTree::find (const NeighborQuery& query,
 }
 
 } // namespace pcl_ops::internal
+
+namespace pcl_ops::detail {
+
+std::shared_ptr<const internal::BoxTree>
+buildBoxTree (const CloudView& cloud, const pcl::Indices& indices)
+{
+  constexpr unsigned one_thread = 1;
+  const internal::Points points = internal::finitePoints (cloud, indices, one_thread);
+  return std::make_shared<const internal::BoxTree> (points, cloud);
+}
+
+void
+findNeighbors (const internal::BoxTree* tree,
+               const NeighborQuery& query,
+               pcl::Indices& indices,
+               std::vector<float>& squared_distances)
+{
+  indices.clear();
+  squared_distances.clear();
+  if (tree && query.position.allFinite())
+    tree->find (query, indices, squared_distances);
+}
+
+} // namespace pcl_ops::detail

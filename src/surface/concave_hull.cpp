@@ -28,25 +28,15 @@ toPoint (const Eigen::Vector2d& point)
   return {point.x(), point.y()};
 }
 
-Ring
-toRing (const PlanarPoints& outline)
-{
-  Ring ring;
-  std::transform (outline.begin(), outline.end(), std::back_inserter (ring), toPoint);
-  return ring;
-}
-
 PlanarPoints
 pointsWithin (const PlanarPoints& outline, const PlanarPoints& points)
 {
-  const Ring ring = toRing (outline);
+  Ring ring;
+  std::transform (outline.begin(), outline.end(), std::back_inserter (ring), toPoint);
   PlanarPoints within;
-  std::copy_if (points.begin(),
-                points.end(),
-                std::back_inserter (within),
-                [&] (const Eigen::Vector2d& point) {
-                  return geometry::covered_by (toPoint (point), ring);
-                });
+  for (const Eigen::Vector2d& point : points)
+    if (geometry::covered_by (toPoint (point), ring))
+      within.push_back (point);
   return within;
 }
 
@@ -165,12 +155,6 @@ withHoles (const std::vector<Ring>& rings, double least, double tolerance)
   return outline;
 }
 
-PlanarRings
-onlyOuter (const PlanarPoints& outline)
-{
-  return outline.empty() ? PlanarRings() : PlanarRings{outline};
-}
-
 /** \brief Repeated ones, as of rounded coordinates, say nothing of the spacing. */
 std::size_t
 numberOfPlaces (PlanarPoints points)
@@ -210,9 +194,8 @@ outlineAround (const PlanarPoints& points, double alpha)
   double radius = alpha > 0.0 ? alpha : spacings_per_alpha * spacing;
   const WeightedPoints thinned = thinInside (inside, radius / cells_per_alpha);
   constexpr std::size_t min_for_qhull = 4;
-  if (thinned.points.size() < min_for_qhull)
-    return onlyOuter (convex);
-  for (int attempt = 0; attempt < max_attempts; ++attempt) {
+  const int attempts = thinned.points.size() < min_for_qhull ? 0 : max_attempts;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
     const std::vector<Ring> rings = ringsOf (thinned.points, radius);
     if (!rings.empty() && geometry::is_valid (rings.front()) &&
         static_cast<double> (weightWithin (rings.front(), thinned)) >=
@@ -222,7 +205,7 @@ outlineAround (const PlanarPoints& points, double alpha)
     }
     radius *= growth;
   }
-  return onlyOuter (convex);
+  return {convex};
 }
 
 } // namespace
@@ -230,11 +213,7 @@ outlineAround (const PlanarPoints& points, double alpha)
 PlanarRings
 concaveOutline (const PlanarPoints& points, double alpha)
 {
-  PlanarPoints finite;
-  std::copy_if (points.begin(),
-                points.end(),
-                std::back_inserter (finite),
-                [] (const Eigen::Vector2d& point) { return point.allFinite(); });
+  PlanarPoints finite = finiteOf (points);
   const double scale = unitScale (finite);
   PlanarRings rings = outlineAround (scaled (scale, std::move (finite)), scale * alpha);
   for (PlanarPoints& ring : rings)

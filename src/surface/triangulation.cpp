@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -206,13 +205,11 @@ triangulate (const PlanarRings& rings)
   if (rings.empty() || rings.front().empty())
     return {};
   PlanarRings filled;
-  std::copy_if (rings.begin(),
-                rings.end(),
-                std::back_inserter (filled),
-                [] (const PlanarPoints& ring) { return !ring.empty(); });
   PlanarPoints corners;
   double area = 0.0;
-  for (const PlanarPoints& ring : filled) {
+  for (const PlanarPoints& ring : rings) {
+    if (!ring.empty())
+      filled.push_back (ring);
     corners.insert (corners.end(), ring.begin(), ring.end());
     area += areaOf (ring);
   }

@@ -40,10 +40,6 @@ TEST (ParallelFor, CoversEveryItemOnce)
   const std::vector<Piece> expected{{0, 4}, {4, 8}, {8, 10}};
   for (const unsigned threads : {0u, 1u, 2u, 4u})
     EXPECT_EQ (piecesOf (threads, 10, 4), expected) << threads << " threads";
-}
-
-TEST (ParallelFor, HasNothingToDoForNoItems)
-{
   EXPECT_TRUE (piecesOf (2, 0, 4).empty());
 }
 

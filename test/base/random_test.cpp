@@ -1,21 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include "base/random.h"
 #include "scene.h"
 
-#include <algorithm>
 #include <array>
 
 using namespace pcl_ops::internal;
-
-TEST (RandomGenerator, IsTheOneTheStandardDefines)
-{
-  RandomGenerator generator;
-  generator.discard (9999);
-  EXPECT_EQ (generator(), 4123659995u); // [rand.predef], the 10000th value of mt19937
-}
 
 TEST (DrawBelow, StaysBelowItsBoundOrIsZero)
 {

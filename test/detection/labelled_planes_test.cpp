@@ -2,12 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detection/labelled_planes.h"
 #include "grid_scene.h"
-#include "scene.h"
 
-using pcl_ops::Labels;
-using pcl_ops::MergingParameters;
-using pcl_ops::no_plane;
-using pcl_ops::PlaneDetectorParameters;
+using namespace pcl_ops;
 using namespace pcl_ops::internal;
 
 TEST (MergeAssigned, FitsThePlanesToTheirPointsAndRelabelsThem)

@@ -1,17 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include "detection/plane_assignment.h"
 #include "grid_scene.h"
 
 using namespace pcl_ops::internal;
 
-using pcl_ops::AssignmentRule;
-using pcl_ops::Labels;
-using pcl_ops::Moments;
-using pcl_ops::no_plane;
-using pcl_ops::Plane;
+using namespace pcl_ops;
 
 namespace {
 
@@ -125,27 +119,5 @@ TEST (MomentsOfLabels, AreThoseOfThePointsOfEachLabel)
     EXPECT_EQ (moments[p].count, expected[p].count);
     EXPECT_TRUE (moments[p].sum.isApprox (expected[p].sum, 1e-9));
     EXPECT_TRUE (moments[p].covariance().isApprox (expected[p].covariance(), 1e-9));
-  }
-}
-
-TEST (MomentsOfLabels, LeaveOutLabelsOfNoPlane)
-{
-  const auto moments =
-      momentsOfLabels (pointsAtHeights ({1, 2, 3, 4}), {0, no_plane, 7, 0}, 2, 1);
-  ASSERT_EQ (moments.size(), 2u);
-  EXPECT_EQ (moments[0].count, 2.0);
-  EXPECT_EQ (moments[0].sum.z(), 5.0);
-  EXPECT_EQ (moments[1].count, 0.0);
-}
-
-TEST (MomentsOfLabels, AreTheSameToTheLastBitForAnyNumberOfThreads)
-{
-  const Coordinates points = pointsInACube (100000, 2_m);
-  const Labels labels (points.size(), 0);
-  const auto one = momentsOfLabels (points, labels, 1, 1);
-  for (const unsigned threads : {0u, 2u, 4u}) {
-    const auto many = momentsOfLabels (points, labels, 1, threads);
-    EXPECT_EQ (many[0].sum, one[0].sum);
-    EXPECT_EQ (many[0].products, one[0].products);
   }
 }

@@ -1,19 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include "scene.h"
 #include <pcl_ops/plane_merging.h>
 
 using namespace pcl_ops::internal;
 
-using pcl_ops::Labels;
-using pcl_ops::mergePlanes;
-using pcl_ops::MergingParameters;
-using pcl_ops::Moments;
-using pcl_ops::no_plane;
-using pcl_ops::PlaneFit;
-using pcl_ops::detail::areCoplanar;
+using namespace pcl_ops;
 
 namespace {
 

@@ -6,12 +6,7 @@
 #include <stdexcept>
 
 using Eigen::Vector3d;
-using pcl_ops::findPlaneEdges;
-using pcl_ops::PlaneCorner;
-using pcl_ops::PlaneEdge;
-using pcl_ops::PlaneEdgeParameters;
-using pcl_ops::PlaneEdges;
-using pcl_ops::PlaneSegment;
+using namespace pcl_ops;
 
 namespace {
 
@@ -84,8 +79,6 @@ expectRuns (const PlaneEdge& edge, Vector3d from, Vector3d to, double tolerance)
   EXPECT_LT ((edge.to - to).norm(), tolerance) << edge.to.transpose();
 }
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
 } // namespace
 
 TEST (PlaneEdges, OfTheCornerOfARoomAreThreeThatMeetThere)
@@ -102,31 +95,6 @@ TEST (PlaneEdges, OfTheCornerOfARoomAreThreeThatMeetThere)
     EXPECT_LT (std::min (edge.from.norm(), edge.to.norm()), 1e-6) << "drawn to it";
 }
 
-TEST (PlaneEdges, OfParallelWallsAreNone)
-{
-  EXPECT_TRUE (edgesOf (Scene().wall ({0, 0}, {4, 0}, 2_m).wall ({0, 1}, {4, 1}, 2_m))
-                   .edges.empty());
-}
-
-TEST (PlaneEdges, NeedTheAngleAskedFor)
-{
-  const auto edgesAt = [] (double angle, double min_angle) {
-    PlaneEdgeParameters parameters;
-    parameters.min_angle = min_angle;
-    return edgesOf (Scene().floor (2_m, 2_m).surface (
-                        {2, 0, 0},
-                        {2 * std::cos (angle), 0, 2 * std::sin (angle)},
-                        {0, 2, 0}),
-                    parameters)
-        .edges;
-  };
-  EXPECT_TRUE (edgesAt (10_deg, 15_deg).empty());
-  const auto edges = edgesAt (20_deg, 15_deg);
-  ASSERT_EQ (edges.size(), 1u);
-  EXPECT_NEAR (edges[0].angle, 20_deg, 1e-9);
-  EXPECT_NEAR (edges[0].length(), 2_m, 10_cm);
-}
-
 TEST (PlaneEdges, NeedPointsOfBothPlanesBesideTheLine)
 {
   Scene table;
@@ -136,13 +104,6 @@ TEST (PlaneEdges, NeedPointsOfBothPlanesBesideTheLine)
   ASSERT_EQ (found.edges.size(), 1u) << "of apron and top";
   expectRuns (edgeBetween (found, 1, 2), {1, 1, 0.7}, {2, 1, 0.7}, 5_cm);
   EXPECT_TRUE (found.corners.empty());
-}
-
-TEST (PlaneEdges, NeedPointsOfBothPlanesAtTheSamePlace)
-{
-  Scene hall; // one line, a floor along its beginning, a wall along its end
-  hall.floor (2_m, 2_m).surface ({2.5, 0, 0}, {2, 0, 0}, {0, 0, 2});
-  EXPECT_TRUE (edgesOf (hall).edges.empty());
 }
 
 TEST (PlaneEdges, DoNotBelieveTheHullOfAnL)
@@ -193,34 +154,46 @@ TEST (PlaneEdges, HaveNoCornerWhereOneEndsEarlier)
   EXPECT_TRUE (found.corners.empty()) << "edges of each two, at no common place";
 }
 
-TEST (PlaneEdges, ShorterThanTheLeastLengthAreLeftOut)
+TEST (PlaneEdges, AreAsManyAsPlanesMeet)
 {
-  PlaneEdgeParameters parameters;
-  parameters.min_length = 2.8_m;
-  const PlaneEdges found = edgesOf (corner(), parameters);
-  EXPECT_EQ (found.edges.size(), 2u);
-  EXPECT_TRUE (found.corners.empty()) << "a corner has three edges";
-}
-
-TEST (PlaneEdges, ReachFartherWhereNoiseIsStronger)
-{
-  const auto edgesWith = [] (double noise) {
-    Scene scene; // the wall's lowest points are 7 cm above the floor
-    scene.floor (2_m, 1_m).surface ({0, 0, 0.07}, {2, 0, 0}, {0, 0, 1});
-    return edgesOf (scene.spacing (1_cm).noise (noise)).edges;
+  const auto with = [] (auto member, double value) {
+    PlaneEdgeParameters parameters;
+    parameters.*member = value;
+    return parameters;
   };
-  EXPECT_TRUE (edgesWith (1_mm).empty()) << "it ends above";
-  EXPECT_EQ (edgesWith (2_cm).size(), 1u) << "which noise may do as well";
-}
-
-TEST (PlaneEdges, ReachAsFarAsAsked)
-{
-  Scene scene;
-  scene.floor (2_m, 2_m).surface ({0, 0, 0.3}, {2, 0, 0}, {0, 0, 2}); // 0.3 m above
-  EXPECT_TRUE (edgesOf (scene).edges.empty());
-  PlaneEdgeParameters far;
-  far.reach = 0.4_m;
-  EXPECT_EQ (edgesOf (scene, far).edges.size(), 1u);
+  const auto ramp = [] (double angle) {
+    const Vector3d up (2 * std::cos (angle), 0, 2 * std::sin (angle));
+    return Scene().floor (2_m, 2_m).surface ({2, 0, 0}, up, {0, 2, 0});
+  };
+  const auto wallAt = [] (double x, double height) {
+    return Scene().floor (2_m, 1_m).surface ({x, 0, height}, {2, 0, 0}, {0, 0, 1});
+  };
+  const auto steep = with (&PlaneEdgeParameters::min_angle, 15_deg);
+  const Scene parallel = Scene().wall ({0, 0}, {4, 0}, 2).wall ({0, 1}, {4, 1}, 2);
+  const Scene above = wallAt (0.0, 0.07).spacing (1_cm);
+  const struct {
+    const char* planes;
+    Scene scene;
+    PlaneEdgeParameters parameters;
+    std::size_t edges;
+  } rows[] = {
+      {"parallel walls", parallel, {}, 0},
+      {"a slope of 10 degrees", ramp (10_deg), steep, 0},
+      {"one of 20", ramp (20_deg), steep, 1},
+      {"one line, but not at the same places", wallAt (2.5, 0.0), {}, 0},
+      {"a wall that ends above the floor", wallAt (0.0, 0.3), {}, 0},
+      {"in reach", wallAt (0.0, 0.3), with (&PlaneEdgeParameters::reach, 0.4), 1},
+      {"7 cm above", Scene (above).noise (1_mm), {}, 0},
+      {"which noise may do as well", Scene (above).noise (2_cm), {}, 1},
+      {"an edge too short", corner(), with (&PlaneEdgeParameters::min_length, 2.8), 2}};
+  for (const auto& row : rows) {
+    const PlaneEdges found = edgesOf (row.scene, row.parameters);
+    EXPECT_EQ (found.edges.size(), row.edges) << row.planes;
+    EXPECT_TRUE (found.corners.empty()) << row.planes << ": a corner has three edges";
+  }
+  const PlaneEdge along = edgesOf (ramp (20_deg)).edges.at (0);
+  EXPECT_NEAR (along.angle, 20_deg, 1e-9);
+  EXPECT_NEAR (along.length(), 2_m, 10_cm);
 }
 
 TEST (PlaneEdges, AreExactAThousandKilometersFromZero)
@@ -265,20 +238,16 @@ TEST (PlaneEdges, BeginInTheCornerThatIsNearBothEnds)
     EXPECT_EQ (std::min ((edge.from - at).norm(), (edge.to - at).norm()), 0.0);
 }
 
-TEST (PlaneEdges, OfNothingAreNone)
+TEST (PlaneEdges, OfNothingOrAPlaneThatIsNotFiniteAreNone)
 {
   const pcl::PointCloud<pcl::PointXYZ> empty;
   EXPECT_TRUE (findPlaneEdges (empty, {}).edges.empty());
   EXPECT_TRUE (findPlaneEdges (empty, std::vector<PlaneSegment> (3)).edges.empty());
-}
-
-TEST (PlaneEdges, OfAPlaneThatIsNotFiniteAreNone)
-{
   const LabelledScene built = corner().build();
   std::vector<PlaneSegment> planes = planesOf (built);
-  planes[1].normal.setConstant (not_a_number);
+  planes[1].normal.setConstant (std::nan (""));
   EXPECT_EQ (findPlaneEdges (*built.cloud, planes).edges.size(), 1u);
-  planes[0].centroid.setConstant (not_a_number);
+  planes[0].centroid.setConstant (std::nan (""));
   EXPECT_TRUE (findPlaneEdges (*built.cloud, planes).edges.empty());
 }
 

@@ -6,9 +6,7 @@
 
 using namespace pcl_ops::internal;
 
-using pcl_ops::PlanarPoints;
-using pcl_ops::PlaneExtent;
-using pcl_ops::PlaneFrame;
+using namespace pcl_ops;
 
 namespace {
 

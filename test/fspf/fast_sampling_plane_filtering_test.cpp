@@ -4,8 +4,6 @@
 #include <pcl/search/kdtree.h>
 #include <pcl/search/octree.h>
 
-#include <gtest/gtest.h>
-
 #include "presets.h"
 #include "scene.h"
 #include <pcl_ops/fast_sampling_plane_filtering.h>

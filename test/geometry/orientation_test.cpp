@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include "scene.h"
 #include <pcl_ops/orientation.h>
 
-using pcl_ops::Orientation;
-using pcl_ops::orientationOf;
+using namespace pcl_ops;
 
 namespace {
 

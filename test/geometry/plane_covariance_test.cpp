@@ -1,16 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include <Eigen/LU>
 
 #include "scene.h"
-#include <pcl_ops/plane.h>
 #include <pcl_ops/plane_extent.h>
 
-using pcl_ops::PlaneCovariance;
-using pcl_ops::planeCovariance;
-using pcl_ops::PlaneSegment;
+using namespace pcl_ops;
 
 namespace {
 
@@ -34,7 +29,7 @@ fittedTo (const Cloud& cloud)
 {
   PlaneSegment plane = planeOfPoints (
       cloud, upTo<pcl::Indices> (cloud.size()), Eigen::Vector3d::UnitZ());
-  plane.normal = pcl_ops::fitPlane (plane.moments)->plane.normal;
+  plane.normal = fitPlane (plane.moments)->plane.normal;
   return plane;
 }
 
@@ -111,7 +106,7 @@ TEST (PlaneCovariance, HasTheAxesOfThePlanesFrame)
 {
   RandomGenerator generator (seedOfTest());
   const PlaneSegment plane = fittedTo (drawBoard (50, 1_mm, generator));
-  const pcl_ops::PlaneFrame frame (plane.centroid, plane.normal);
+  const PlaneFrame frame (plane.centroid, plane.normal);
   const auto covariance = planeCovariance (plane);
   EXPECT_EQ (frame.directionInSpace ({1, 0}), covariance->axes.col (0));
   EXPECT_EQ (frame.directionInSpace ({0, 1}), covariance->axes.col (1));
@@ -141,14 +136,11 @@ TEST (PlaneCovariance, OfACloudDoesNotShrinkWherePointsAreRepeated)
 
 TEST (PlaneCovariance, IsNoneWithoutAPlane)
 {
-  PlaneSegment plane;
-  EXPECT_FALSE (planeCovariance (plane)) << "no points";
+  PlaneSegment empty, line, residual_free;
   for (const double x : {0.0, 1.0, 2.0, 3.0, 4.0})
-    plane.moments.add (x, x, 0.0);
-  EXPECT_FALSE (planeCovariance (plane)) << "a line";
-  plane = PlaneSegment();
-  plane.moments.add (0, 0, 0);
-  plane.moments.add (1, 0, 0);
-  plane.moments.add (0, 1, 0);
-  EXPECT_FALSE (planeCovariance (plane)) << "three points have no residual";
+    line.moments.add (x, x, 0.0);
+  for (const double x : {0.0, 1.0, 2.0})
+    residual_free.moments.add (x, x * x, 0.0);
+  for (const PlaneSegment& plane : {empty, line, residual_free})
+    EXPECT_FALSE (planeCovariance (plane)) << plane.moments.count;
 }

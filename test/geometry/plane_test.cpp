@@ -1,19 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include <Eigen/SVD>
 
 #include "scene.h"
-#include <pcl_ops/plane.h>
-
-#include <cmath>
 
 using namespace pcl_ops::internal;
 
-using pcl_ops::fitPlane;
-using pcl_ops::Moments;
-using pcl_ops::Plane;
+using namespace pcl_ops;
 
 namespace {
 
@@ -155,14 +148,6 @@ TEST (Moments, DoNotMindBeingAddedToThemselves)
   twice += twice;
   EXPECT_EQ (twice.count, 400.0);
   EXPECT_LT ((twice.centroid() - centroid).norm(), 1e-12);
-}
-
-TEST (PlaneThrough, ContainsItsPoint)
-{
-  const Plane plane = pcl_ops::planeThrough ({1, 2, 3}, Eigen::Vector3d::UnitZ());
-  EXPECT_EQ (plane.distance ({5, 6, 3}), 0.0);
-  EXPECT_EQ (plane.distance ({5, 6, 4}), 1.0);
-  EXPECT_EQ (plane.distance ({5, 6, 1}), -2.0);
 }
 
 TEST (PlaneSegment, MeasuresTheRmsDistanceOfItsInliersToItself)

@@ -113,28 +113,45 @@ TEST (KernelHoughTransform, EndsPlanesWhereTheirClustersEnd)
     EXPECT_NE (plane.inliers.back(), dust);
 }
 
-TEST (KernelHoughTransform, CountsPlanesBeforeAnyWereMerged)
+TEST (KernelHoughTransform, GrowsPlanesOverPlacesWithoutACluster)
 {
-  Detector kht;
-  const LabelledScene scene = box();
-  kht.setInputCloud (scene.cloud);
-  MergingParameters merging;
-  merging.distance_threshold = 1.6_m; // top and bottom are 1.5 m apart
-  kht.setMergingParameters (merging);
-  std::vector<PlaneSegment> planes;
-  ASSERT_TRUE (kht.segment (planes));
-  EXPECT_LT (planes.size(), 6u);
-  EXPECT_GE (kht.getNumberOfPlanesBeforeMerging(), 6u);
+  LabelledScene scene = Scene().floor (2_m, 2_m).spacing (1_cm).noise (2_mm).build();
+  Scene sparse = Scene().surface ({2, 0, 0}, {1, 0, 0}, {0, 2, 0});
+  *scene.cloud += *sparse.spacing (2_cm).noise (2_mm).build().cloud;
+  Parameters parameters;
+  parameters.clusters.min_samples = 400; // which no node of the sparse part has
+  EXPECT_GT (planesOf (scene, parameters).at (0).inliers.size(),
+             97_percent * scene.cloud->size());
 }
 
-TEST (KernelHoughTransform, LeavesPublishedPlanesAtBinCenters)
+TEST (KernelHoughTransform, CountsPlanesBeforeAnyWereMerged)
+{
+  const LabelledScene scene = box();
+  for (Parameters parameters : {Parameters(), published (30, 300)}) {
+    Detector kht;
+    kht.setInputCloud (scene.cloud);
+    parameters.merging.enabled = true;
+    parameters.merging.distance_threshold = 1.6_m; // top and bottom are 1.5 m apart
+    kht.setParameters (parameters);
+    std::vector<PlaneSegment> planes;
+    ASSERT_TRUE (kht.segment (planes));
+    EXPECT_LT (planes.size(), 6u);
+    EXPECT_GE (kht.getNumberOfPlanesBeforeMerging(), 6u);
+  }
+}
+
+TEST (KernelHoughTransform, LeavesPublishedPlanesAtBinCentersWithAllPointsNearThem)
 {
   const BallDirections directions (30);
-  for (const PlaneSegment& plane : planesOf (box(), published (30, 300))) {
+  const LabelledScene scene = box();
+  std::size_t points = 0;
+  for (const PlaneSegment& plane : planesOf (scene, published (30, 300))) {
+    points += plane.inliers.size();
     double nearest = -1.0;
     for (std::uint32_t d = 0; d < directions.size(); ++d)
       nearest =
           std::max (nearest, std::abs (directions.vectorOf (d).dot (plane.normal)));
     EXPECT_GT (nearest, 1.0 - 1e-12);
   }
+  EXPECT_GT (points, 95_percent * scene.cloud->size());
 }

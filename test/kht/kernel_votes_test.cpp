@@ -1,15 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include <Eigen/LU>
 
 #include "kht/kernel_votes.h"
 #include "scene.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 
 using namespace pcl_ops::internal;
@@ -116,15 +111,6 @@ centerOf (const Bin& bin)
                           space.directions.thetaOf (bin.first));
 }
 
-Eigen::Vector3d
-widthOf (const Bin& bin)
-{
-  const int row = space.directions.rowOf (bin.first);
-  return Eigen::Vector3d (space.rho_step,
-                          space.directions.phiStep(),
-                          2.0 * pi / space.directions.patchesOfRow (row));
-}
-
 /** The density at a bin seen from either side of the poles and any number of turns on.
  */
 double
@@ -162,8 +148,11 @@ double
 massOf (const std::map<Bin, double>& votes)
 {
   double mass = 0.0;
-  for (const auto& [bin, vote] : votes)
-    mass += vote * widthOf (bin).prod();
+  for (const auto& [bin, vote] : votes) {
+    const int row = space.directions.rowOf (bin.first);
+    const double theta_step = 2.0 * pi / space.directions.patchesOfRow (row);
+    mass += vote * space.rho_step * space.directions.phiStep() * theta_step;
+  }
   return mass;
 }
 
@@ -172,26 +161,18 @@ constexpr double mass_within_two_deviations = 0.7385;
 
 } // namespace
 
-TEST (PlaneKernel, LiesAtThePlaneSeenFromTheCenter)
-{
-  const double rho = (centroid - center).dot (normal);
-  EXPECT_LT ((kernelOf (normal).mean - sphericalOf (rho * normal)).norm(), 1e-12);
-  EXPECT_EQ (kernelOf (normal).weight, 0.5);
-}
-
-TEST (PlaneKernel, DoesNotDependOnTheNormalsSign)
-{
-  EXPECT_EQ (kernelOf (normal).mean, kernelOf (-normal).mean);
-  EXPECT_EQ (kernelOf (normal).covariance, kernelOf (-normal).covariance);
-}
-
-TEST (PlaneKernel, CarriesThePointsCovarianceOver)
+TEST (PlaneKernel, IsThePlaneSeenFromTheCenterWithThePointsCovarianceCarriedOver)
 {
   const Eigen::Vector3d p = (centroid - center).dot (normal) * normal;
   const Eigen::Matrix3d jacobian = jacobianAt (p);
   Eigen::Matrix3d expected = jacobian * someCovariance() * jacobian.transpose();
   expected (0, 0) += 1e-5;
-  EXPECT_LT ((kernelOf (normal).covariance - expected).norm(), 1e-6 * expected.norm());
+  for (const double sign : {1.0, -1.0}) {
+    const PlaneKernel kernel = kernelOf (sign * normal);
+    EXPECT_LT ((kernel.mean - sphericalOf (p)).norm(), 1e-12);
+    EXPECT_LT ((kernel.covariance - expected).norm(), 1e-6 * expected.norm());
+    EXPECT_EQ (kernel.weight, 0.5);
+  }
 }
 
 TEST (PlaneKernel, IsFiniteAtThePolesAndThroughTheCenter)
@@ -254,12 +235,6 @@ TEST (KernelVotes, SumUpToTheMassWithinTwoDeviationsAlsoAcrossTheCenter)
   }
 }
 
-TEST (KernelVotes, EndAtTheLastRho)
-{
-  for (const auto& [bin, vote] : votesOf (kernelAt (1.99, 1.5, 2.0)))
-    EXPECT_LT (bin.second, space.rho_num);
-}
-
 TEST (KernelVotes, CountOncePerBin)
 {
   PlaneKernel endless = kernelAt (0.01, 0.02, 1.0);
@@ -297,24 +272,26 @@ TEST (KernelVotes, StayAroundTheKernelForAnEndlessSpread)
     EXPECT_GT (votes.size(), 100u);
     for (const auto& [bin, vote] : votes) {
       const Eigen::Vector3d direction = space.directions.vectorOf (bin.first);
-      const Eigen::Vector3d normal (std::sin (phi) * std::cos (2.0),
-                                    std::sin (phi) * std::sin (2.0),
-                                    std::cos (phi));
+      const Eigen::AngleAxisd turn (2.0, Eigen::Vector3d::UnitZ());
+      const Eigen::Vector3d normal =
+          turn * Eigen::Vector3d (std::sin (phi), 0, std::cos (phi));
       ASSERT_LT (angleBetween (direction, normal), 20_deg);
       ASSERT_NEAR (space.rhoOf (bin.second), 1.0, 33_cm);
     }
   }
 }
 
-TEST (KernelVotes, EndWhereTheLikeliestAzimuthIsManyTurnsAway)
+TEST (KernelVotes, EndAtTheLastRhoAndWhereTheLikeliestAzimuthIsManyTurnsAway)
 {
-  PlaneKernel kernel = kernelAt (1.0, 1.2, 2.0);
-  kernel.covariance = Eigen::Vector3d (1e-4, 1e-4, 1e24).asDiagonal();
-  kernel.covariance (1, 2) = kernel.covariance (2, 1) = 0.999e10;
-  for (const auto& [bin, vote] : votesOf (kernel)) {
-    EXPECT_LT (bin.first, space.directions.size());
-    EXPECT_TRUE (std::isfinite (vote));
-  }
+  PlaneKernel turns = kernelAt (1.0, 1.2, 2.0);
+  turns.covariance = Eigen::Vector3d (1e-4, 1e-4, 1e24).asDiagonal();
+  turns.covariance (1, 2) = turns.covariance (2, 1) = 0.999e10;
+  for (const PlaneKernel& kernel : {turns, kernelAt (1.99, 1.5, 2.0)})
+    for (const auto& [bin, vote] : votesOf (kernel)) {
+      EXPECT_LT (bin.first, space.directions.size());
+      EXPECT_LT (bin.second, space.rho_num);
+      EXPECT_TRUE (std::isfinite (vote));
+    }
 }
 
 TEST (KernelVotes, AreNoneWithoutACovariance)

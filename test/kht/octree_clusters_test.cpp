@@ -1,12 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include "grid_scene.h"
 #include "kht/octree_clusters.h"
-
-#include <algorithm>
-#include <cmath>
 
 using namespace pcl_ops::internal;
 
@@ -151,22 +146,17 @@ TEST (OctreeClusters, DropPointsFarFromTheirPlane)
   EXPECT_LT (found.clusters[0].fit.variances[0], 1e-12);
 }
 
-TEST (OctreeClusters, BeginAtTheFirstLevel)
+TEST (OctreeClusters, BeginAtTheFirstLevelWithTheMinimumOfSamples)
 {
-  Coordinates points;
+  Coordinates points, few;
   addGrid (points, level, 200);
   for (const int first_level : {0, 2, 5, 6})
     for (const CoplanarCluster& cluster : clustersOf (points, first_level).clusters)
       EXPECT_EQ (cluster.level, first_level);
-}
-
-TEST (OctreeClusters, NeedTheMinimumOfSamples)
-{
-  Coordinates points;
-  addGrid (points, level, 5);
-  EXPECT_TRUE (clustersOf (points, 0).clusters.empty());
-  addGrid (points, level, 4);
-  EXPECT_FALSE (clustersOf (points, 0).clusters.empty());
+  addGrid (few, level, 5);
+  EXPECT_TRUE (clustersOf (few, 0).clusters.empty());
+  addGrid (few, level, 4);
+  EXPECT_FALSE (clustersOf (few, 0).clusters.empty());
 }
 
 TEST (OctreeClusters, EndAtManyEqualPointsOnTheDeepestLevelThereMayBe)

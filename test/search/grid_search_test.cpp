@@ -3,8 +3,6 @@
 #include <pcl/common/point_tests.h>
 #include <pcl/search/kdtree.h>
 
-#include <gtest/gtest.h>
-
 #include "scene.h"
 #include <pcl_ops/grid_search.h>
 
@@ -190,49 +188,34 @@ queriesFor (const Cloud& cloud)
   return queries;
 }
 
-class GridSearchOn : public ::testing::TestWithParam<std::string> {};
-
-std::vector<std::string>
-namesOfClouds ()
-{
-  std::vector<std::string> names;
-  for (const auto& [name, build] : clouds)
-    names.push_back (name);
-  return names;
-}
-
 } // namespace
 
-TEST_P (GridSearchOn, FindsWhatLookingAtAllPointsFinds)
+TEST (GridSearch, FindsWhatLookingAtAllPointsFinds)
 {
-  const auto cloud = clouds.at (GetParam())();
-  Search search;
-  search.setInputCloud (cloud);
-  for (const PointXYZ& query : queriesFor (*cloud)) {
-    const Neighbors all = bruteForce (*cloud, query);
-    for (const std::size_t k : {1, 10, 31, 500}) {
-      const Neighbors found = nearest (search, query, static_cast<int> (k));
-      ASSERT_EQ (found.indices.size(), std::min (k, all.indices.size()));
-      const std::set<int> different (found.indices.begin(), found.indices.end());
-      EXPECT_EQ (different.size(), found.indices.size());
-      for (std::size_t i = 0; i < found.indices.size(); ++i) {
-        EXPECT_EQ (found.squared_distances[i], all.squared_distances[i]);
-        EXPECT_EQ (found.squared_distances[i],
-                   squaredDistance ((*cloud)[found.indices[i]], query));
+  for (const auto& [name, build] : clouds) {
+    SCOPED_TRACE (name);
+    const auto cloud = build();
+    Search search;
+    search.setInputCloud (cloud);
+    for (const PointXYZ& query : queriesFor (*cloud)) {
+      const Neighbors all = bruteForce (*cloud, query);
+      for (const std::size_t k : {1, 10, 31, 500}) {
+        const Neighbors found = nearest (search, query, static_cast<int> (k));
+        ASSERT_EQ (found.indices.size(), std::min (k, all.indices.size()));
+        const std::set<int> different (found.indices.begin(), found.indices.end());
+        EXPECT_EQ (different.size(), found.indices.size());
+        for (std::size_t i = 0; i < found.indices.size(); ++i) {
+          const float distance = found.squared_distances[i];
+          EXPECT_EQ (distance, all.squared_distances[i]);
+          EXPECT_EQ (distance, squaredDistance ((*cloud)[found.indices[i]], query));
+        }
       }
-    }
-    for (const double radius : {0_m, 1_mm, 10_cm, 1_m, 1e6_m}) {
-      const auto squared_radius = static_cast<float> (radius * radius);
-      EXPECT_EQ (within (search, query, radius),
-                 bruteForce (*cloud, query, squared_radius));
+      for (const double radius : {0_m, 1_mm, 10_cm, 1_m, 1e6_m})
+        EXPECT_EQ (within (search, query, radius),
+                   bruteForce (*cloud, query, static_cast<float> (radius * radius)));
     }
   }
 }
-
-INSTANTIATE_TEST_SUITE_P (Clouds,
-                          GridSearchOn,
-                          ::testing::ValuesIn (namesOfClouds()),
-                          [] (const auto& test) { return test.param; });
 
 TEST (GridSearch, GivesTheNearestOfThoseWithinTheRadius)
 {
@@ -256,7 +239,7 @@ TEST (GridSearch, UnsortedGivesTheSameNeighbors)
   EXPECT_TRUE (std::is_permutation (indices.begin(), indices.end(), others.begin()));
 }
 
-TEST (GridSearch, SearchesTheGivenIndicesAlone)
+TEST (GridSearch, SearchesTheGivenIndicesAndTheLastCloudAlone)
 {
   const auto cloud = uniformVolume();
   const auto indices = pcl::make_shared<pcl::Indices> (pcl::Indices{70, 7, 700, 7});
@@ -269,6 +252,8 @@ TEST (GridSearch, SearchesTheGivenIndicesAlone)
   std::vector<float> squared_distances;
   search.nearestKSearch (1, 1, found, squared_distances);
   EXPECT_EQ (found, pcl::Indices{7}) << "nearest to the second of them";
+  search.setInputCloud (onePoint());
+  EXPECT_EQ (nearest (search, {0, 0, 0}, 5).indices, pcl::Indices{0}) << "alone";
 }
 
 TEST (GridSearch, FindsNothingWhereThereIsNothing)
@@ -284,12 +269,4 @@ TEST (GridSearch, FindsNothingWhereThereIsNothing)
   EXPECT_TRUE (within (search, query, -9_m).indices.empty()) << "below zero";
   const PointXYZ nowhere (std::numeric_limits<float>::quiet_NaN(), 0, 0);
   EXPECT_TRUE (nearest (search, nowhere, 5).indices.empty()) << "of no position";
-}
-
-TEST (GridSearch, ForgetsTheCloudBefore)
-{
-  Search search;
-  search.setInputCloud (uniformVolume());
-  search.setInputCloud (onePoint());
-  EXPECT_EQ (nearest (search, {0, 0, 0}, 5).indices, pcl::Indices{0});
 }

@@ -1,19 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <boost/geometry.hpp>
-
+#include "extent/planar_ring.h"
+#include "geometry/planar_area.h"
 #include "scene.h"
 #include <pcl_ops/surface/concave_hull.h>
 
-using pcl_ops::concaveOutline;
-using pcl_ops::PlanarPoints;
+using namespace pcl_ops;
+using namespace pcl_ops::internal;
 
 namespace {
 
-const pcl_ops::PlaneFrame ground (Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ());
-
-using Point = boost::geometry::model::d2::point_xy<double>;
-using Ring = boost::geometry::model::ring<Point, false, false>;
+const PlaneFrame ground (Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ());
 
 Ring
 toRing (const PlanarPoints& outline)
@@ -28,14 +25,8 @@ toRing (const PlanarPoints& outline)
 PlanarPoints
 concaveHull (const PlanarPoints& points, double alpha = 0.0)
 {
-  const pcl_ops::PlanarRings rings = concaveOutline (points, alpha);
+  const PlanarRings rings = concaveOutline (points, alpha);
   return rings.empty() ? PlanarPoints() : rings.front();
-}
-
-double
-areaOf (const PlanarPoints& outline)
-{
-  return boost::geometry::area (toRing (outline));
 }
 
 /** \brief Share of the points inside, or nearer than 1 um to the outline. */
@@ -44,7 +35,7 @@ shareInside (const PlanarPoints& points, const PlanarPoints& outline)
 {
   const Ring ring = toRing (outline);
   const auto inside = std::count_if (points.begin(), points.end(), [&] (const auto& p) {
-    return boost::geometry::distance (Point (p.x(), p.y()), ring) < 1e-6;
+    return boost::geometry::distance (RingPoint (p.x(), p.y()), ring) < 1e-6;
   });
   return static_cast<double> (inside) / static_cast<double> (points.size());
 }
@@ -54,7 +45,7 @@ shareInside (const PlanarPoints& points, const PlanarPoints& outline)
 bool
 isInL (const Eigen::Vector2d& point)
 {
-  return point.x() <= 0.5 || point.y() <= 0.5;
+  return point.maxCoeff() <= 2.0 + 1e-9 && point.minCoeff() <= 0.5;
 }
 
 /** \brief A wall of 3 m x 2.5 m with a window of 1 m x 0.8 m, in a grid of 2 cm. */
@@ -71,19 +62,26 @@ wallWithWindow ()
 
 constexpr double area_of_l = 1.75;
 
+/** \brief Points of a square of 3 m, drawn until there are so many of a shape. */
+template <typename Shape>
 PlanarPoints
-scatteredL (int points, double noise)
+scattered (std::size_t number, double noise, Shape&& isInShape)
 {
   RandomGenerator generator (seedOfTest());
-  PlanarPoints l;
-  while (l.size() < static_cast<std::size_t> (points)) {
-    const double x = 2.0 * drawUnit (generator);
-    const double y = 2.0 * drawUnit (generator);
-    if (isInL ({x, y}))
-      l.emplace_back (x + noise * drawNormal (generator),
-                      y + noise * drawNormal (generator));
+  PlanarPoints points;
+  while (points.size() < number) {
+    const double x = 3.0 * drawUnit (generator), y = 3.0 * drawUnit (generator);
+    if (isInShape ({x, y}))
+      points.emplace_back (x + noise * drawNormal (generator),
+                           y + noise * drawNormal (generator));
   }
-  return l;
+  return points;
+}
+
+PlanarPoints
+scatteredL (std::size_t number, double noise)
+{
+  return scattered (number, noise, isInL);
 }
 
 PlanarPoints
@@ -102,14 +100,14 @@ gridOfL ()
 TEST (ConcaveHull, FollowsAnLWhereTheConvexHullDoesNot)
 {
   const PlanarPoints l = gridOfL();
-  EXPECT_NEAR (areaOf (pcl_ops::convexHull (l)), 2.875, 1e-6);
+  EXPECT_NEAR (areaOf (convexHull (l)), 2.875, 1e-6);
   EXPECT_NEAR (areaOf (concaveHull (l)) / area_of_l, 1.0, 1_percent);
   EXPECT_NEAR (areaOf (concaveHull (l, 100.0)), 2.875, 0.01) << "with a radius given";
 }
 
 TEST (ConcaveHull, HasTheAreaOfScatteredPointsAndNearlyAllInside)
 {
-  for (const int points : {3000, 30000, 100000})
+  for (const std::size_t points : {3000, 30000, 100000})
     for (const double noise : {0.0, 5_mm}) {
       const PlanarPoints l = scatteredL (points, noise);
       const PlanarPoints hull = concaveHull (l);
@@ -136,25 +134,20 @@ TEST (ConcaveHull, GoesAroundAllPartsOfAPlane)
   EXPECT_GE (shareInside (parts, concaveHull (parts)), 99_percent);
 }
 
-TEST (ConcaveHull, OfPointsThatSpanNoAreaIsEmpty)
+TEST (ConcaveHull, OfPointsThatSpanNoAreaIsEmptyAndOfThreeTheirTriangle)
 {
   PlanarPoints line;
   for (int i = 0; i < 1000; ++i)
     line.emplace_back (0.1 * i, 0.2 * i);
-  EXPECT_TRUE (concaveHull ({}).empty());
-  EXPECT_TRUE (concaveHull ({{1, 2}, {3, 4}}).empty());
-  EXPECT_TRUE (concaveHull (line).empty());
-  EXPECT_TRUE (concaveHull (PlanarPoints (1000, Eigen::Vector2d (1, 2))).empty());
-}
-
-TEST (ConcaveHull, OfThreePointsIsTheirTriangle)
-{
+  for (const PlanarPoints& points :
+       {PlanarPoints{}, {{1, 2}, {3, 4}}, line, PlanarPoints (1000, {1, 2})})
+    EXPECT_TRUE (concaveHull (points).empty());
   EXPECT_NEAR (areaOf (concaveHull ({{0, 0}, {1, 0}, {0, 1}})), 0.5, 1e-9);
 }
 
 TEST (ConcaveOutline, HasTheWindowOfAWallAsAHole)
 {
-  const pcl_ops::PlanarRings outline = concaveOutline (wallWithWindow());
+  const PlanarRings outline = concaveOutline (wallWithWindow());
   ASSERT_EQ (outline.size(), 2u);
   EXPECT_NEAR (areaOf (outline[0]), 7.5, 1_percent * 7.5);
   EXPECT_NEAR (areaOf (outline[1]), -0.8, 5_percent) << "clockwise";
@@ -167,16 +160,10 @@ TEST (ConcaveOutline, HasTheWindowOfAWallAsAHole)
 
 TEST (ConcaveOutline, HasTheWindowOfScatteredNoisyPoints)
 {
-  RandomGenerator generator (seedOfTest());
-  PlanarPoints wall;
-  while (wall.size() < 30000) {
-    const double x = 3.0 * drawUnit (generator);
-    const double y = 2.5 * drawUnit (generator);
-    if (!(x > 1.0 && x < 2.0 && y > 1.0 && y < 1.8))
-      wall.emplace_back (x + 5_mm * drawNormal (generator),
-                         y + 5_mm * drawNormal (generator));
-  }
-  const pcl_ops::PlanarRings outline = concaveOutline (wall);
+  const auto is_in_wall = [] (const Eigen::Vector2d& p) {
+    return p.y() < 2.5 && !(p.x() > 1.0 && p.x() < 2.0 && p.y() > 1.0 && p.y() < 1.8);
+  };
+  const PlanarRings outline = concaveOutline (scattered (30000, 5_mm, is_in_wall));
   ASSERT_EQ (outline.size(), 2u);
   EXPECT_NEAR (areaOf (outline[1]), -0.8, 10_percent);
 }
@@ -191,30 +178,25 @@ TEST (ConcaveOutline, HasNoHolesThatAreNextToNothing)
 {
   // Through the first three goes a circle of radius 1.001 without points in it, and
   // none as large through others: a hole 2 long and 0.2 wide.
-  const PlanarPoints points = {{-0.9985, 0.1},
-                               {-0.9985, -0.1},
-                               {0.9985, 0.0},
-                               {0.0, 1.05},
-                               {0.0, -1.05},
-                               {-1.0, 1.0},
-                               {-1.0, -1.0},
-                               {1.0, 1.0},
-                               {1.0, -1.0},
-                               {-1.9, 0.5},
-                               {-1.9, -0.5},
-                               {1.9, 0.5},
-                               {1.9, -0.5}};
+  PlanarPoints points = {{-0.9985, 0.1}, {-0.9985, -0.1}, {0.9985, 0.0}};
+  for (const double sign : {1.0, -1.0}) {
+    points.emplace_back (0.0, sign * 1.05);
+    for (const Eigen::Vector2d& corner : {Eigen::Vector2d (1.0, 1.0), {1.9, 0.5}}) {
+      points.emplace_back (corner.x(), sign * corner.y());
+      points.emplace_back (-corner.x(), sign * corner.y());
+    }
+  }
   EXPECT_EQ (concaveOutline (points, 1.0).size(), 1u);
 }
 
 TEST (ConcaveOutline, OfAWallOfAnySizeIsTheSame)
 {
-  const pcl_ops::PlanarRings expected = concaveOutline (wallWithWindow());
+  const PlanarRings expected = concaveOutline (wallWithWindow());
   for (const double size : {1e-40, 1e-9, 1e-6, 1e-3, 1e6}) {
     PlanarPoints wall = wallWithWindow();
     for (Eigen::Vector2d& point : wall)
       point *= size;
-    const pcl_ops::PlanarRings outline = concaveOutline (wall);
+    const PlanarRings outline = concaveOutline (wall);
     ASSERT_EQ (outline.size(), 2u) << size;
     for (const std::size_t ring : {0, 1})
       EXPECT_NEAR (
@@ -231,7 +213,7 @@ TEST (ConcaveOutline, OfRoundedCoordinatesHasNoHoles)
     while (wall.size() < 20000)
       wall.emplace_back (step * std::round (2.0 * drawUnit (generator) / step),
                          step * std::round (1.0 * drawUnit (generator) / step));
-    const pcl_ops::PlanarRings outline = concaveOutline (wall);
+    const PlanarRings outline = concaveOutline (wall);
     ASSERT_EQ (outline.size(), 1u) << step;
     EXPECT_NEAR (areaOf (outline[0]), 2.0, 1e-9) << step;
   }
@@ -244,7 +226,7 @@ TEST (ConcaveOutline, HasHolesByFallingArea)
     return (point - Eigen::Vector2d (2.5, 2.0)).lpNorm<Eigen::Infinity>() < 0.2;
   };
   wall.erase (std::remove_if (wall.begin(), wall.end(), is_vent), wall.end());
-  const pcl_ops::PlanarRings outline = concaveOutline (wall);
+  const PlanarRings outline = concaveOutline (wall);
   ASSERT_EQ (outline.size(), 3u);
   EXPECT_LT (areaOf (outline[1]), areaOf (outline[2]));
 }
@@ -252,8 +234,7 @@ TEST (ConcaveOutline, HasHolesByFallingArea)
 TEST (ConcaveOutline, TakesItsHolesOffTheArea)
 {
   const PlanarPoints wall = wallWithWindow();
-  const pcl_ops::PlaneExtent extent =
-      pcl_ops::extentOf (concaveOutline (wall), wall, ground);
+  const PlaneExtent extent = extentOf (concaveOutline (wall), wall, ground);
   EXPECT_NEAR (extent.area, 7.5 - 0.8, 1_percent * 7.5);
   ASSERT_EQ (extent.holes.size(), 1u);
   ASSERT_EQ (extent.rings().size(), 2u);

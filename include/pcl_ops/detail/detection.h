@@ -19,7 +19,7 @@ namespace pcl_ops::detail {
 struct NeighborSearch {
   /** \brief The k points nearest to a point of the cloud, itself included. */
   std::function<void (pcl::index_t, int k, pcl::Indices&, std::vector<float>&)> nearest;
-  /** \brief The points at most a radius [m] from a point of the cloud, itself included.
+  /** \brief The points up to a radius [m] from a point of the cloud, itself included.
    */
   std::function<void (pcl::index_t, double radius, pcl::Indices&, std::vector<float>&)>
       within;
@@ -30,8 +30,7 @@ struct NeighborSearch {
 /** \brief What a detector works on. */
 struct DetectorInput {
   CloudView cloud;
-  /** \brief The points to use, each within the cloud, in any order, given twice or not.
-   */
+  /** \brief The points to use, within the cloud, in any order, given twice or not. */
   const pcl::Indices& indices;
   /** \brief Where the sensor was, in the frame of the cloud. */
   Eigen::Vector3d viewpoint;
@@ -53,13 +52,11 @@ struct Detection {
   std::size_t planes_before_merging = 0;
 };
 
-/** \brief For misuse.
- * \throw std::invalid_argument if there is a problem */
+/** \brief Throws std::invalid_argument if there is a problem. */
 PCL_OPS_EXPORT void
 throwOn (const std::string& problem);
 
-/** \brief Does what \c detect (input, parameters), the work of a detector, does.
- * \throw std::invalid_argument if something is wrong with an argument */
+/** \brief The same of both arguments, then the work of a detector. */
 template <typename Parameters>
 Detection
 detectChecked (const DetectorInput& input, const Parameters& parameters)

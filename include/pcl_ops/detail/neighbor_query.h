@@ -31,18 +31,13 @@ struct NeighborQuery {
   bool sorted = true;
 };
 
-/** \brief GridSearch for a cloud of any point type: builds a tree of boxes over the
- * finite ones of some points.
- * \param[in] cloud not needed afterwards
- * \param[in] indices the points to search among, each within the cloud */
+/** \brief GridSearch for a cloud of any point type, which is not needed afterwards:
+ * builds a tree of boxes over the finite ones of some points. */
 PCL_OPS_EXPORT std::shared_ptr<const internal::BoxTree>
 buildBoxTree (const CloudView& cloud, const pcl::Indices& indices);
 
-/** \brief Finds the nearest points within a radius.
- * \param[in] tree what \ref buildBoxTree gave; nothing is found where there is none
- * \param[in] query nothing is found where its position is not finite
- * \param[out] indices of the neighbors in the cloud
- * \param[out] squared_distances [m^2] */
+/** \brief Finds the nearest points within a radius, with their squared distances [m^2];
+ * nothing without a tree or a finite position. */
 PCL_OPS_EXPORT void
 findNeighbors (const internal::BoxTree* tree,
                const NeighborQuery& query,

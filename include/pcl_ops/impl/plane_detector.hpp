@@ -7,9 +7,8 @@
 
 namespace pcl_ops::detail {
 
-/** \brief A search over some points of a cloud, both of which must outlive what is
- * returned.
- * \param[in] finite empty: the whole cloud */
+/** \brief A search over some points of a cloud, all if there are none; both must
+ * outlive what is returned. */
 template <typename PointT>
 NeighborSearch
 neighborSearch (pcl::search::Search<PointT>& search,

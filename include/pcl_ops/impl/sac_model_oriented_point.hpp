@@ -80,9 +80,8 @@ SampleConsensusModelOrientedPoint<PointNT>::optimizeModelCoefficients (
       (*this->input_)[inliers.front()].getVector3fMap().template cast<double>();
   for (const pcl::index_t i : inliers) {
     const PointNT& point = (*this->input_)[i];
-    moments.add (point.x - moments.origin.x(),
-                 point.y - moments.origin.y(),
-                 point.z - moments.origin.z());
+    const Eigen::Vector3d& o = moments.origin;
+    moments.add (point.x - o.x(), point.y - o.y(), point.z - o.z());
   }
   const std::optional<PlaneFit> fit = fitPlane (moments);
   if (!fit)

@@ -12,9 +12,8 @@ namespace pcl_ops {
  * the shape of a set of points in the plane, 1983).
  *
  * The radius grows until the outline is a single one with at least 99 % of the points
- * inside; the convex hull is what it ends in. Holes are windows as well as shadows: a
- * place without points wide enough for a circle of that radius. Points in the middle of
- * a hole are no hole in it. Points clearly inside are thinned first.
+ * inside; the convex hull is what it ends in. Holes are places without points wide
+ * enough for a circle of that radius. Points clearly inside are thinned first.
  * \param[in] points in any order; those with a NaN or infinite coordinate are left out
  * \param[in] alpha the radius to begin with [m]; 0: six times the mean distance between
  * neighboring points
@@ -23,10 +22,8 @@ namespace pcl_ops {
 PCL_OPS_EXPORT PlanarRings
 concaveOutline (const PlanarPoints& points, double alpha = 0.0);
 
-/** \brief As \ref planeExtent, with the concave outline as its hull, and its holes.
- * \param[in] cloud the input cloud the plane was found in
- * \param[in] plane as a detector gives it
- * \param[in] alpha as for \ref concaveOutline */
+/** \brief As \ref planeExtent, with the \ref concaveOutline as its hull, and its holes.
+ */
 PCL_OPS_EXPORT PlaneExtent
 concavePlaneExtent (const CloudView& cloud,
                     const PlaneSegment& plane,
