@@ -98,16 +98,52 @@ public:
   using ConstPtr = pcl::shared_ptr<const FastSamplingPlaneFiltering<PointT>>;
 
   /** \brief r1: radius of the sphere a hypothesis' three points are from [m]. */
-  PCL_OPS_PARAMETER (double, InnerRadius, local.inner_radius)
+  void
+  setInnerRadius (double radius)
+  {
+    this->parameters_.local.inner_radius = radius;
+  }
+  double
+  getInnerRadius () const
+  {
+    return this->parameters_.local.inner_radius;
+  }
 
   /** \brief r2: radius of the sphere a hypothesis is tested in, r1 or more [m]. */
-  PCL_OPS_PARAMETER (double, OuterRadius, local.outer_radius)
+  void
+  setOuterRadius (double radius)
+  {
+    this->parameters_.local.outer_radius = radius;
+  }
+  double
+  getOuterRadius () const
+  {
+    return this->parameters_.local.outer_radius;
+  }
 
   /** \brief N_loc: points each hypothesis is tested on, 3 or more. */
-  PCL_OPS_PARAMETER (unsigned, LocalSamples, local.local_samples)
+  void
+  setLocalSamples (unsigned samples)
+  {
+    this->parameters_.local.local_samples = samples;
+  }
+  unsigned
+  getLocalSamples () const
+  {
+    return this->parameters_.local.local_samples;
+  }
 
   /** \brief alpha_min: a hypothesis needs more than this share of inliers, 0 to 1. */
-  PCL_OPS_PARAMETER (double, MinInlierFraction, local.min_inlier_fraction)
+  void
+  setMinInlierFraction (double fraction)
+  {
+    this->parameters_.local.min_inlier_fraction = fraction;
+  }
+  double
+  getMinInlierFraction () const
+  {
+    return this->parameters_.local.min_inlier_fraction;
+  }
 };
 
 } // namespace pcl_ops

@@ -96,20 +96,52 @@ public:
   using ConstPtr = pcl::shared_ptr<const KernelHoughTransform<PointT>>;
 
   /** \brief phi_num: steps of the accumulator from pole to pole, 2 .. 1000. */
-  PCL_OPS_PARAMETER (int, PhiNum, phi_num)
+  void
+  setPhiNum (int number)
+  {
+    this->parameters_.phi_num = number;
+  }
+  int
+  getPhiNum () const
+  {
+    return this->parameters_.phi_num;
+  }
 
   /** \brief rho_num: steps of the accumulator from its center outwards, 2 .. 10000. */
-  PCL_OPS_PARAMETER (int, RhoNum, rho_num)
+  void
+  setRhoNum (int number)
+  {
+    this->parameters_.rho_num = number;
+  }
+  int
+  getRhoNum () const
+  {
+    return this->parameters_.rho_num;
+  }
 
   /** \brief Minimum samples, s_level, s_alpha and s_beta of the clusters. */
-  PCL_OPS_PARAMETER (const KernelHoughTransformParameters::Clusters&,
-                     ClusterParameters,
-                     clusters)
+  void
+  setClusterParameters (const KernelHoughTransformParameters::Clusters& parameters)
+  {
+    this->parameters_.clusters = parameters;
+  }
+  const KernelHoughTransformParameters::Clusters&
+  getClusterParameters () const
+  {
+    return this->parameters_.clusters;
+  }
 
   /** \brief Whether and how planes are fitted to their clusters. */
-  PCL_OPS_PARAMETER (const KernelHoughTransformParameters::Refit&,
-                     RefitParameters,
-                     refit)
+  void
+  setRefitParameters (const KernelHoughTransformParameters::Refit& parameters)
+  {
+    this->parameters_.refit = parameters;
+  }
+  const KernelHoughTransformParameters::Refit&
+  getRefitParameters () const
+  {
+    return this->parameters_.refit;
+  }
 };
 
 } // namespace pcl_ops

@@ -161,18 +161,54 @@ public:
   using ConstPtr = pcl::shared_ptr<const OrientedPointSampling<PointT>>;
 
   /** \brief alpha_s: share of the points that get a normal, above 0 and up to 1. */
-  PCL_OPS_PARAMETER (double, SamplingRate, sampling_rate)
+  void
+  setSamplingRate (double rate)
+  {
+    this->parameters_.sampling_rate = rate;
+  }
+  double
+  getSamplingRate () const
+  {
+    return this->parameters_.sampling_rate;
+  }
 
   /** \brief k: neighbors of each sample its normal comes from, 2 or more; that of a
    * surfel comes from half as many points or more. */
-  PCL_OPS_PARAMETER (int, KSearch, k)
+  void
+  setKSearch (int k)
+  {
+    this->parameters_.k = k;
+  }
+  int
+  getKSearch () const
+  {
+    return this->parameters_.k;
+  }
 
   /** \brief theta_N: a plane needs more inliers than this among the samples. */
-  PCL_OPS_PARAMETER (unsigned, MinInliers, min_inliers)
+  void
+  setMinInliers (unsigned min_inliers)
+  {
+    this->parameters_.min_inliers = min_inliers;
+  }
+  unsigned
+  getMinInliers () const
+  {
+    return this->parameters_.min_inliers;
+  }
 
   /** \brief p: probability that RANSAC draws an inlier of the largest plane, above 0
    * and below 1. Belongs to the paper preset: surfels, the default, are not drawn. */
-  PCL_OPS_PARAMETER (double, Probability, paper_only.probability)
+  void
+  setProbability (double probability)
+  {
+    this->parameters_.paper_only.probability = probability;
+  }
+  double
+  getProbability () const
+  {
+    return this->parameters_.paper_only.probability;
+  }
 };
 
 } // namespace pcl_ops

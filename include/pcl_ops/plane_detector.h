@@ -56,11 +56,6 @@ toRegions (const pcl::PointCloud<PointT>& cloud,
 
 } // namespace detail
 
-// A setter and the getter of a parameter.
-#define PCL_OPS_PARAMETER(type, Name, parameter)                                       \
-  void set##Name (type value) { this->parameters_.parameter = value; }                 \
-  type get##Name() const { return this->parameters_.parameter; }
-
 /** \brief The calls all detectors share: PCL's ways to hand in a cloud and to take
  * planes out. A detector derives from it; for its parameters there are a \c validate
  * (parameters) and a \c detail::detect (input, parameters), which does the work for all
@@ -202,17 +197,53 @@ public:
   }
 
   /** \brief Largest angle to be horizontal or vertical [rad]. */
-  PCL_OPS_PARAMETER (double, AngleTolerance, angle_tolerance)
+  void
+  setAngleTolerance (double tolerance)
+  {
+    parameters_.angle_tolerance = tolerance;
+  }
+  double
+  getAngleTolerance () const
+  {
+    return parameters_.angle_tolerance;
+  }
 
   /** \brief Same seed, same result, whatever the number of threads. OPS on surfels, its
    * default, and 3D-KHT draw nothing. */
-  PCL_OPS_PARAMETER (std::uint32_t, Seed, seed)
+  void
+  setSeed (std::uint32_t seed)
+  {
+    parameters_.seed = seed;
+  }
+  std::uint32_t
+  getSeed () const
+  {
+    return parameters_.seed;
+  }
 
   /** \brief Number of threads; 0: all. */
-  PCL_OPS_PARAMETER (unsigned, NumberOfThreads, threads)
+  void
+  setNumberOfThreads (unsigned threads)
+  {
+    parameters_.threads = threads;
+  }
+  unsigned
+  getNumberOfThreads () const
+  {
+    return parameters_.threads;
+  }
 
   /** \brief Thresholds of the merging process (paper section III-C). */
-  PCL_OPS_PARAMETER (const MergingParameters&, MergingParameters, merging)
+  void
+  setMergingParameters (const MergingParameters& parameters)
+  {
+    parameters_.merging = parameters;
+  }
+  const MergingParameters&
+  getMergingParameters () const
+  {
+    return parameters_.merging;
+  }
 
   /** \brief Any neighbor search, in place of the library's own; its input cloud is set
    * by the detector. OPS on surfels, its default, and 3D-KHT need none and ask none. */
