@@ -126,26 +126,20 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
   return true;
 }
 
-bool
-isUtf8 (const std::string& text)
-{
-  try {
-    return !nlohmann::json (text).dump().empty();
-  }
-  catch (const nlohmann::json::type_error&) {
-    return false;
-  }
-}
-
 /** \brief Refuses a name that the lists of inputs and of planes could not have. */
 void
 checkName (const std::string& file)
 {
-  const fs::path path = fs::absolute (file);
-  if (!isUtf8 (path.filename().string()))
-    throw WorkError (file, "its name is not UTF-8; rename it");
-  if (!isUtf8 (path.lexically_normal().string()))
-    throw WorkError (file, "the name of a folder it is in is not UTF-8; rename it");
+  const fs::path path = fs::absolute (file).lexically_normal();
+  const std::pair<fs::path, const char*> parts[] = {
+      {path.filename(), "its name"}, {path, "the name of a folder it is in"}};
+  for (const auto& [name, subject] : parts)
+    try {
+      nlohmann::json (name.string()).dump();
+    }
+    catch (const nlohmann::json::type_error&) {
+      throw WorkError (file, subject + std::string (" is not UTF-8; rename it"));
+    }
 }
 
 /** \brief Leaves out links to files that are there already, as their points would count
@@ -245,13 +239,17 @@ struct TileRun {
     std::vector<std::uint64_t> points_of_input;
     for (const PlannedInput& input : plan.inputs)
       points_of_input.push_back (input.points);
+    const auto share_inputs =
+        [&] (const std::string& phase, const auto& is_done, const auto& work) {
+          share (points_of_input, "inputs " + phase, is_done, [&] (std::size_t i) {
+            inMemory (plan.inputs[i].file, "give fewer --jobs", [&] {
+              work (plan, folder, i);
+            });
+          });
+          finish (phase);
+        };
     const auto is_sorted = [&] (std::size_t i) { return isThere (folder.cells (i)); };
-    share (points_of_input, "inputs sorted", is_sorted, [&] (std::size_t i) {
-      inMemory (plan.inputs[i].file, "give fewer --jobs", [&] {
-        partitionInput (plan, folder, i);
-      });
-    });
-    finish ("sorted");
+    share_inputs ("sorted", is_sorted, partitionInput);
     const SortedPoints points (plan, folder);
     const auto is_found = [&] (std::size_t i) {
       return isThere (folder.ofTile (points.tiles[i], ".planes"));
@@ -268,12 +266,7 @@ struct TileRun {
     const auto is_labelled = [&] (std::size_t i) {
       return isThere (folder.mark (i)) && isThere (outputOf (plan, folder, i));
     };
-    share (points_of_input, "inputs labelled", is_labelled, [&] (std::size_t i) {
-      inMemory (plan.inputs[i].file, "give fewer --jobs", [&] {
-        labelInput (plan, folder, i);
-      });
-    });
-    finish ("labelled");
+    share_inputs ("labelled", is_labelled, labelInput);
     return times;
   }
 
@@ -324,11 +317,10 @@ struct TileRun {
 bool
 isDone (const Plan& plan, const RunFolder& folder)
 {
-  bool all_are_there =
-      isThere (folder.work (run_file::end)) && isThere (folder.output (planes_file));
   for (std::size_t i = 0; i < plan.inputs.size(); ++i)
-    all_are_there = all_are_there && isThere (outputOf (plan, folder, i));
-  return all_are_there;
+    if (!isThere (outputOf (plan, folder, i)))
+      return false;
+  return isThere (folder.work (run_file::end)) && isThere (folder.output (planes_file));
 }
 
 PlanFile

@@ -186,15 +186,6 @@ hasChanged (const PlannedInput& input)
   return input.bytes != now.bytes || input.written != now.written;
 }
 
-std::uint64_t
-Plan::points() const
-{
-  std::uint64_t sum = 0;
-  for (const PlannedInput& input : inputs)
-    sum += input.points;
-  return sum;
-}
-
 Plan
 makePlan (std::vector<std::string> files, const PlanOptions& options)
 {

@@ -42,7 +42,13 @@ struct Plan {
   }
 
   std::uint64_t
-  points () const;
+  points () const
+  {
+    std::uint64_t sum = 0;
+    for (const PlannedInput& input : inputs)
+      sum += input.points;
+    return sum;
+  }
 };
 
 /** \brief A file that has a plan, or will have. */

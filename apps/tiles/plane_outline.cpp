@@ -55,11 +55,11 @@ sitesOf (const std::vector<OutlinePoint>& points,
   auto v = static_cast<std::size_t> ((axis + 2) % 3);
   if (normal[axis] < 0.0)
     std::swap (u, v);
+  const auto square_of = [cell] (std::int64_t along) {
+    return static_cast<std::int64_t> (std::floor (double (along) / cell));
+  };
   std::vector<Site> sites;
   sites.reserve (points.size());
-  const auto square_of = [cell] (std::int64_t along) {
-    return static_cast<std::int64_t> (std::floor (static_cast<double> (along) / cell));
-  };
   for (const OutlinePoint& point : points) {
     const std::int64_t along_u = point.place[u], along_v = point.place[v];
     sites.push_back (
@@ -185,8 +185,8 @@ isKept (const Vertex& vertex, const std::vector<Site>& sites, double radius)
     edge = edge->rot_next();
   }
   while (edge != vertex.incident_edge());
-  const double du = vertex.x() - static_cast<double> (first->u - sites.front().u);
-  const double dv = vertex.y() - static_cast<double> (first->v - sites.front().v);
+  const double du = vertex.x() - double (first->u - sites.front().u);
+  const double dv = vertex.y() - double (first->v - sites.front().v);
   return first->point.is_own && du * du + dv * dv <= radius * radius;
 }
 
