@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The pcl_ops authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The plots of report.py, by matplotlib."""
-import csv
 from collections import defaultdict
 
 import matplotlib
@@ -21,11 +20,6 @@ OURS = ("ops", "ops-3-30", "kht", "fspf")
 IN_STRIP = ("truth", "ops", "pcl-sac", "pcl-region-growing", "cgal-ransac",
             "cgal-region-growing", "open3d", "voxel-octree")
 MEASURED = "-measured"
-
-
-def rows_of(file):
-    with open(file, newline="", encoding="utf-8") as stream:
-        return list(csv.DictReader(stream))
 
 
 def finish(axes, x_label, y_label, file):
@@ -94,9 +88,9 @@ def label_dots(axes, dots):
         taken.append(box)
 
 
-def plot_comparison(folder):
+def plot_comparison(rows, folder):
     """F-score over the time per million points, a panel each for rooms and streets."""
-    rows = [row for row in rows_of(folder / "comparison.csv") if row["f_score"]]
+    rows = [row for row in rows if row["f_score"]]
     names = [name for name in ("rooms", "streets") if name in {row["data_set"] for row in rows}]
     if not names:
         return
@@ -193,7 +187,7 @@ def better_of(truth, files):
     return best[0]
 
 
-def plot_strips(folder):
+def plot_strips(_, folder):
     """Of each cloud in labels/ (pcl_ops_evaluate run --labels): every method's planes."""
     for truth in sorted((folder / "labels").rglob("truth.pcd")):
         results = {name: [file for file in (truth.with_name(name + end + ".pcd")
@@ -245,8 +239,7 @@ def plot_throughput(rows, folder):
     save(figure, folder / "throughput.png")
 
 
-def plot_scaling(folder):
-    rows = rows_of(folder / "scaling.csv")
+def plot_scaling(rows, folder):
     plot_throughput(rows, folder)
     for series in dict.fromkeys(row["series"] for row in rows if row["series"] != "threads"):
         per_point = series == "points"

@@ -208,9 +208,9 @@ def write_comparison(means_of_sets, folder):
                                 for column in SUMMARY] + [seconds and f"{seconds:.3g}"])
 
 
-def report_results(folder):
+def report_results(all_rows, folder):
     groups = defaultdict(list)
-    for row in rows_of(folder / "results.csv"):
+    for row in all_rows:
         groups[row["data_set"], row["truth"]].append(row)
     report, means_of_sets = "", {}
     for (data_set, truth), rows in sorted(groups.items()):
@@ -241,7 +241,7 @@ def main():
              figures and figures.plot_scaling]
     for name, report in zip(known, [report_results, *plots]):
         if report and (folder / name).exists():
-            report(folder)
+            report(rows_of(folder / name) if name.endswith(".csv") else None, folder)
     return 0
 
 

@@ -239,13 +239,13 @@ loadLabeledCloud (const std::string& file, bool needs_labels)
   });
 }
 
-LabeledClouds
+std::pair<LabeledCloud, LabeledCloud>
 loadLabeledClouds (const std::string& truth_file,
                    const std::string& result_file,
                    std::size_t min_plane_points)
 {
-  LabeledClouds clouds{loadLabeledCloud (truth_file, true),
-                       loadLabeledCloud (result_file, true)};
+  std::pair clouds{loadLabeledCloud (truth_file, true),
+                   loadLabeledCloud (result_file, true)};
   auto& [truth, result] = clouds;
   if (truth.cloud->size() != result.cloud->size())
     throw WorkError (result_file,

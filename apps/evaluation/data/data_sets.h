@@ -28,16 +28,11 @@ struct LabeledCloud {
 LabeledCloud
 loadLabeledCloud (const std::string& file, bool needs_labels = false);
 
-/** \brief Two labelings of a cloud. */
-struct LabeledClouds {
-  LabeledCloud truth, result;
-};
-
-/** \brief Reads two files that label the same points in the same order.
+/** \brief Reads the truth and a result that label the same points in the same order.
  * \param[in] min_plane_points true planes with fewer points become none
  * \throw apps::WorkError naming the file that has no labels, or \p result_file if the
  * number of points or their coordinates differ */
-LabeledClouds
+std::pair<LabeledCloud, LabeledCloud>
 loadLabeledClouds (const std::string& truth_file,
                    const std::string& result_file,
                    std::size_t min_plane_points);

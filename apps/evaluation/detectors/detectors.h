@@ -59,16 +59,12 @@ now (Clock clock)
 
 /** \brief Runs something and adds its time to a duration [ms]. */
 template <typename Work>
-auto
-timed (double& duration, Clock clock, Work&& work)
+void
+timed (double& duration, Clock clock, const Work& work)
 {
-  struct Watch {
-    double& duration;
-    Clock clock;
-    double start;
-    ~Watch() { duration += now (clock) - start; }
-  } const watch{duration, clock, now (clock)};
-  return work();
+  const double start = now (clock);
+  work();
+  duration += now (clock) - start;
 }
 
 /** \brief Runs a detector of this project.

@@ -38,20 +38,20 @@ pcd (int points, const std::string& rows)
          "\nDATA ascii\n" + rows;
 }
 
-/** A floor of side x side points, 2 cm apart; label(i) of the i-th. */
-template <typename LabelOf>
+/** A floor of side x side points, 2 cm apart, of which the first 60 have a label and
+ * the others another one. */
 std::string
-floorOf (int side, LabelOf label)
+floorOf (int side, const char* label, const char* other, char separator = ' ')
 {
   std::ostringstream rows;
   for (int i = 0; i < side * side; ++i)
-    rows << 0.02 * (i % side) << ' ' << 0.02 * (i / side) << " 0 " << label (i) << '\n';
-  return pcd (side * side, rows.str());
+    rows << 0.02 * (i % side) << separator << 0.02 * (i / side) << separator << 0
+         << separator << (i < 60 ? label : other) << '\n';
+  return separator == ' ' ? pcd (side * side, rows.str()) : rows.str();
 }
 
-const std::string one_plane = floorOf (10, [] (int) { return 1; });
-const std::string two_halves = floorOf (10, [] (int i) { return i < 60 ? 4 : 9; });
-const std::string no_plane = floorOf (10, [] (int) { return 0; });
+const std::string one_plane = floorOf (10, "1", "1"), no_plane = floorOf (10, "0", "0"),
+                  two_halves = floorOf (10, "4", "9");
 
 TEST_F (EvaluateProgram, ComparesTwoLabeledCloudsAsJsonAndAsText)
 {
@@ -84,13 +84,8 @@ TEST_F (EvaluateProgram, AnEmptyTruthIsSaidButCompared)
 
 TEST_F (EvaluateProgram, ComparesTextByItsColumnOfLabels)
 {
-  std::ostringstream rows;
-  rows << "x,y,z,label\n";
-  for (int i = 0; i < 100; ++i)
-    rows << 0.02 * (i % 10) << ',' << 0.02 * (i / 10) << ",0," << (i < 60 ? 4 : 9)
-         << '\n';
   folder_.write ("truth.pcd", one_plane);
-  folder_.write ("result.csv", rows.str());
+  folder_.write ("result.csv", "x,y,z,label\n" + floorOf (10, "4", "9", ','));
   EXPECT_EQ (jsonOf ("compare truth.pcd result.csv")["segmentation_accuracy"], 0.6);
   folder_.write ("half.csv", "x,y,z,label\n1,2,3,1.5\n");
   expectRefused ("compare half.csv half.csv", "half.csv: ");
@@ -99,7 +94,7 @@ TEST_F (EvaluateProgram, ComparesTextByItsColumnOfLabels)
 TEST_F (EvaluateProgram, CloudsThatDoNotBelongTogetherAreErrors)
 {
   folder_.write ("truth.pcd", one_plane);
-  folder_.write ("larger.pcd", floorOf (11, [] (int) { return 1; }));
+  folder_.write ("larger.pcd", floorOf (11, "1", "1"));
   folder_.write ("moved.pcd",
                  std::string (one_plane).replace (
                      one_plane.find ("\n0 0 0 1\n"), 9, "\n9 9 9 1\n"));
@@ -117,7 +112,7 @@ TEST_F (EvaluateProgram, HelpAndVersionEndWithZero)
 TEST_F (EvaluateProgram, ARunWritesRowsAndLeavesOutBrokenClouds)
 {
   std::filesystem::create_directories (folder_ / "clouds");
-  folder_.write ("clouds/floor.pcd", floorOf (60, [] (int) { return 1; }));
+  folder_.write ("clouds/floor.pcd", floorOf (60, "1", "1"));
   const std::string command = "run out clouds:clouds --detectors ops";
   for (const char* rows : {"1", "0"})
     EXPECT_TRUE (contains (expectDone (command).out,
@@ -135,7 +130,7 @@ TEST_F (EvaluateProgram, CountsPlanesThatKeepTheirNumber)
     std::string rows;
     for (const char label : labels)
       rows += std::to_string (rows.size()) + " 0 0 " + label + '\n';
-    folder_.write (name, pcd (static_cast<int> (labels.size()), rows));
+    folder_.write (name, pcd (int (labels.size()), rows));
   };
   std::filesystem::create_directories (folder_ / "truth");
   std::filesystem::create_directories (folder_ / "result");
@@ -292,11 +287,12 @@ TEST_F (PlanesCommand, NamesFileAndKeyOfWhatIsWrong)
     folder_.write ("bad.json", text);
     expect (complaint);
   }
+  const Json plane = square (1, true, 0, 0, 0);
   for (const std::string key :
        {"id", "orientation", "points", "centroid", "rms", "coefficients"}) {
-    Json plane = square (1, true, 0, 0, 0);
-    plane.erase (key);
-    write ("bad.json", {square (1, true, 0, 0, 0), plane});
+    Json without = plane;
+    without.erase (key);
+    write ("bad.json", {plane, without});
     expect ("planes[1]." + key + " is missing");
   }
   const std::tuple<const char*, Json, const char*> wrong[] = {
@@ -315,9 +311,9 @@ TEST_F (PlanesCommand, NamesFileAndKeyOfWhatIsWrong)
       {"coefficients", {1e308, 1e308, 1e308, 1}, "coefficients[0] is too large"},
       {"hull", {{0, 0, 0}, {1, 0, 0}, {1, -1e200, 0}}, "hull[2][1] is too large"}};
   for (const auto& [key, value, complaint] : wrong) {
-    Json plane = square (1, true, 0, 0, 0);
-    plane[key] = value;
-    write ("bad.json", {plane});
+    Json bad = plane;
+    bad[key] = value;
+    write ("bad.json", {bad});
     expect (std::string ("planes[0].") + complaint);
   }
 }
