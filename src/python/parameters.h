@@ -6,6 +6,13 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#if defined(PYBIND11_HAS_NATIVE_ENUM) // pybind11 3 has a caster of its own
+template <typename E>
+struct pybind11::detail::
+    type_caster_enum_type_enabled<E, std::enable_if_t<std::is_enum_v<E>>>
+: std::false_type {};
+#endif
+
 /** \brief Enumerations are words in Python. */
 template <typename E>
 struct pybind11::detail::type_caster<E, std::enable_if_t<std::is_enum_v<E>>> {

@@ -233,18 +233,18 @@ TEST (Parameters, NeedADistanceThresholdButForSurfels)
     parameters.distance_threshold.reset();
     return validate (parameters);
   };
-  const std::string words = "the distance threshold must be a length above 0";
+  const std::string message = "the distance threshold must be a length above 0";
   EXPECT_EQ (problem (OpsParameters()), "");
-  EXPECT_EQ (problem (OpsParameters::paper()), words);
-  EXPECT_EQ (problem (FspfParameters()), words);
-  EXPECT_EQ (problem (KhtParameters()), words);
+  EXPECT_EQ (problem (OpsParameters::paper()), message);
+  EXPECT_EQ (problem (FspfParameters()), message);
+  EXPECT_EQ (problem (KhtParameters()), message);
 }
 
 // Every field of every preset: a default that changes changes results.
 
 TEST (Presets, DefaultsAreTheRecommendedParameters)
 {
-  const std::string of_all = "seed 42, threads 1, merging_enabled 1, "
+  const std::string shared = "seed 42, threads 1, merging_enabled 1, "
                              "merging_angle_threshold 7, "
                              "merging_distance_threshold none, "
                              "merging_noise_factor none, up 0 0 1, angle_tolerance 7";
@@ -257,19 +257,19 @@ TEST (Presets, DefaultsAreTheRecommendedParameters)
              "surfels_angle_threshold 30, surfels_sure_thickness 0.24, "
              "surfels_max_thickness 0.3, surfels_absorption_noise_factor 3.5, "
              "surfels_assignment_noise_factor 5, distance_threshold none, " +
-                 of_all);
+                 shared);
   EXPECT_EQ (textOf (valuesOf (FspfParameters()), {}),
              "inner_radius 0.1, outer_radius 0.2, local_samples 80, "
              "min_inlier_fraction 0.8, local_inliers sphere, max_inliers_per_point 2, "
              "max_hypotheses_per_point 1, max_visits_per_point 100, "
              "distance_threshold 0.05, " +
-                 of_all);
+                 shared);
   EXPECT_EQ (
       textOf (valuesOf (KhtParameters()), {}),
       "phi_num 30, rho_num 300, clusters_min_samples 30, clusters_first_level 3, "
       "clusters_s_alpha 15, clusters_s_beta 6, clusters_max_level 20, "
       "refit_enabled 1, refit_min_share 0.001, distance_threshold 0.05, " +
-          of_all);
+          shared);
   EXPECT_EQ (textOf (valuesOf (pcl_ops::UpAxisParameters()), {}),
              "angle_tolerance 7, min_share 0.02, min_confidence 0.7");
 }
