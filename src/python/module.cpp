@@ -11,6 +11,7 @@
 #include <pcl_ops/visibility.h>
 #include <pybind11/numpy.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace pcl_ops::python {

@@ -65,8 +65,9 @@ def named_parameters(*lists: str) -> Callable[[Any], Any]:
         for one in lists:
             for name, (value, kind) in parameters_of(getattr(_pcl_ops, one)()).items():
                 # Methods have defaults of their own.
-                shown[name] = inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, annotation=kind,
-                                                default=value if len(lists) == 1 else ...)
+                default = value if len(lists) == 1 else ...
+                shown[name] = inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY,
+                                                default=default, annotation=kind)
         function.__signature__ = signature.replace(parameters=list(shown.values()))
         return function
 
