@@ -23,8 +23,7 @@ namespace pcl_ops::apps {
 
 class CommandLine;
 
-/** \brief What a detector was run with, in the order of a report; null where a value is
- * not known. */
+/** \brief What a detector was run with, in the order of a report. */
 using Settings = nlohmann::ordered_json;
 
 /** \brief The texts of numbers that were given, by the names of their options. */
@@ -51,8 +50,7 @@ struct Detected {
   std::optional<Eigen::Vector3d> suggested_up;
   /** \brief Lines on options that most likely serve the user better. */
   std::vector<std::string> hints;
-  /** \brief Which parameter most likely stands in the way where no plane or next to
-   * none was found; empty elsewhere. */
+  /** \brief That of \ref adviceFor. */
   std::string advice;
 };
 
@@ -77,7 +75,7 @@ struct Method {
 const std::vector<Method>&
 allMethods ();
 
-/** \brief The method of that name, which must be one of \ref allMethods. */
+/** \param[in] name of one of \ref allMethods */
 const Method&
 methodCalled (const std::string& name);
 
@@ -92,21 +90,15 @@ constexpr std::array<Stage, 6> detection_stages = {
      {"merging", &StageDurations::merging},
      {"detection", &StageDurations::detection}}};
 
-/** \brief The planes a method finds; by `--up auto` named, and for the paper's strategy
- * 2 found, with the up axis of the cloud's own planes.
- *
- * The axis is that of the default preset's planes, whatever the method: its confidence
- * was measured on those. Where they cannot tell, the default axis is used.
- *
- * Where no axis was asked for and planes of the default preset are sure of another one
- * than the default, a hint names it. */
+/** \brief The planes a method finds; by `--up auto` with the up axis of the cloud's own
+ * planes, or the default one where they cannot tell. Whatever the method, those planes
+ * are of the default preset: the confidence was measured on them. Where no axis was
+ * asked for and they are sure of another one than the default, a hint names it. */
 Detected
 runMethod (const Method& method,
            const DetectorOptions& options,
            const XyzCloud::ConstPtr& cloud);
 
-/** \brief Declares --method, the options all methods share, and under a title for each
- * method its own. */
 void
 declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& options);
 

@@ -22,7 +22,6 @@ struct PlaneChoice {
   double within = 10.0;
   /** \brief Smallest and largest angle to the horizontal [degree]. */
   std::optional<std::array<double, 2>> slope;
-  /** \brief All else. */
   PlaneFilter filter;
   /** \brief What was given, as reports tell it. */
   Settings given = Settings::object();

@@ -11,21 +11,6 @@
 
 namespace pcl_ops::apps {
 
-namespace {
-
-nlohmann::ordered_json
-toObject (const PlaneExtent& extent)
-{
-  nlohmann::ordered_json object;
-  object["length"] = extent.length;
-  object["width"] = extent.width;
-  object["center"] = extent.center;
-  object["axes"] = {extent.long_axis, extent.short_axis};
-  return object;
-}
-
-} // namespace
-
 std::string
 jsonText (const nlohmann::ordered_json& json)
 {
@@ -90,7 +75,10 @@ planeObject (std::size_t id,
   object["aspect"] =
       attitude.aspect ? nlohmann::ordered_json (*attitude.aspect) : nullptr;
   object["height"] = attitude.height;
-  object["extent"] = toObject (extent);
+  object["extent"] = {{"length", extent.length},
+                      {"width", extent.width},
+                      {"center", extent.center},
+                      {"axes", {extent.long_axis, extent.short_axis}}};
   object["hull"] = extent.hull;
   object["holes"] = extent.holes;
   if (!parts.empty())

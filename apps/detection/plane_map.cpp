@@ -211,7 +211,7 @@ decimalsOf (const PlaneTable& planes)
 {
   std::vector<double> widths;
   for (const PlaneTable& plane : planes)
-    widths.push_back (plane.at ("extent").at ("width").get<double>());
+    widths.push_back (plane.at ("extent").at ("width"));
   return decimalsFor (widths);
 }
 
@@ -233,11 +233,10 @@ toCsv (const PlaneTable& planes, const MapOptions& options)
   csv += "wkt\n";
   const int decimals = decimalsOf (planes);
   for (const PlaneTable& plane : planes) {
-    for (const auto& [name, value] : columnsOf (plane))
-      csv += (value.is_string() ? value.get<std::string>()
-              : value.is_null() ? ""
-                                : value.dump()) +
-             ",";
+    for (const auto& [name, value] : columnsOf (plane)) {
+      const std::string text = value.is_null() ? "" : value.dump();
+      csv += (value.is_string() ? std::string (value) : text) + ",";
+    }
     csv += "\"" + toWkt (outlineOf (plane, options), decimals) + "\"\n";
   }
   return csv;
@@ -256,8 +255,8 @@ toGeoJson (const PlaneTable& planes, const MapOptions& options)
     PlaneTable properties;
     for (const auto& [name, value] : columnsOf (plane)) {
       const std::string column = name;
-      const bool is_normal = column.rfind ("normal_", 0) == 0;
-      properties[is_normal ? "n" + column.substr (column.size() - 1) : column] = value;
+      properties[column.rfind ("normal_", 0) == 0 ? "n" + column.substr (7) : column] =
+          value;
     }
     text +=
         (&plane == &planes.front() ? "\n" : ",\n") +
@@ -337,10 +336,8 @@ declareMap (CommandLine& line, MapOptions& options)
       "reference system to name in --planes FILE.geojson",
       [&options] (const std::string& text) {
         if (!std::regex_match (text, std::regex (prefix_of_crs + "[0-9]{1,7}")))
-          throw UsageError ("--crs",
-                            "'" + text +
-                                "' is not EPSG:N; give a number, as "
-                                "EPSG:25832");
+          throw UsageError (
+              "--crs", "'" + text + "' is not EPSG:N; give a number, as EPSG:25832");
         options.crs = text;
       });
   line.addNumber ("simplify",

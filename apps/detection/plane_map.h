@@ -14,15 +14,13 @@ namespace pcl_ops::apps {
 /** \brief Corners of a closed line, the first not repeated. */
 using Ring = std::vector<Eigen::Vector3d>;
 
-/** \brief The outline of a plane, then those of holes in it; none where it has no area.
- */
+/** \brief The outline of a plane, then its holes; none where it has no area. */
 using Rings = std::vector<Ring>;
 
 using Polygons = std::vector<Rings>;
 
-/** \brief The same with the outline counter-clockwise and holes clockwise as seen from
- * above, as maps want it. Vertical rings, which are lines from there, stay as they are.
- */
+/** \brief Turns outlines counter-clockwise and holes clockwise as seen from above, as
+ * maps want it; vertical rings stay as they are. */
 Rings
 seenFromAbove (Rings rings);
 
@@ -50,17 +48,13 @@ toGeoJsonGeometry (const Polygons& polygons, int decimals);
 
 class CommandLine;
 
-/** \brief How planes are drawn in a .csv or .geojson. */
 struct MapOptions {
-  /** \brief "EPSG:N", the reference system of the coordinates; empty where not named.
-   */
+  /** \brief "EPSG:N", the reference system of the coordinates; empty: not named. */
   std::string crs;
-  /** \brief Corners of outlines that are so near to a straight line between others are
-   * left out [m]; 0: none. */
+  /** \brief The tolerance of \ref simplified. */
   double simplify = 0.0;
 };
 
-/** \brief Declares --crs and --simplify. */
 void
 declareMap (CommandLine& line, MapOptions& options);
 
@@ -69,12 +63,9 @@ declareMap (CommandLine& line, MapOptions& options);
 void
 checkMap (const CommandLine& line, const std::string& planes);
 
-/** \brief The text of a list of planes in the format that the name of a file asks for.
- *
- * .json: the list as it is. .csv: one line per plane under a line of names, the last of
- * which is `wkt`, its outline: programs that know the columns before it, or all by
- * name, need not know it, and those for maps draw it. .geojson: a feature for each
- * plane, in a line, whose properties are numbers, as GDAL's formats have no lists.
+/** \brief The text of a list of planes in the format that the name of a file asks for:
+ * .json as it is; .csv with the outline, which maps draw, as the last column; .geojson
+ * with numbers as properties, as GDAL's formats have no lists.
  * \param[in] list an object whose "planes" are those of \ref planeObject */
 std::string
 planesFor (const std::string& file,

@@ -30,33 +30,29 @@ reversed (Ring ring)
 
 } // namespace
 
-TEST (Outlines, AreWrittenClosedWithTheirHoles)
+TEST (Outlines, AreWrittenClosedWithTheirHolesAndParts)
 {
-  const Rings rings = {{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}},
+  const Rings first = {{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}},
                        {{1, 1, 1}, {1, 2, 1}, {2, 1, 1}}};
-  EXPECT_EQ (toWkt ({rings}, 0),
-             "POLYGON Z ((0 0 1,4 0 1,0 4 1,0 0 1),(1 1 1,1 2 1,2 1 1,1 1 1))");
-  EXPECT_EQ (toGeoJsonGeometry ({rings}, 0),
-             R"({"type":"Polygon","coordinates":[[[0,0,1],[4,0,1],[0,4,1],[0,0,1]],)"
-             R"([[1,1,1],[1,2,1],[2,1,1],[1,1,1]]]})");
-}
-
-TEST (Outlines, OfNoAreaAreEmpty)
-{
-  EXPECT_EQ (toWkt ({}, 3), "POLYGON Z EMPTY");
-  EXPECT_EQ (toGeoJsonGeometry ({}, 3), "null");
-}
-
-TEST (Outlines, OfSeveralPartsAreMultiPolygons)
-{
-  const Rings one = {{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}};
   const Rings other = {{{5, 5, 1}, {6, 5, 1}, {6, 6, 1}}};
-  EXPECT_EQ (
-      toWkt ({one, other}, 0),
-      "MULTIPOLYGON Z (((0 0 1,4 0 1,0 4 1,0 0 1)),((5 5 1,6 5 1,6 6 1,5 5 1)))");
-  EXPECT_EQ (toGeoJsonGeometry ({one, other}, 0),
-             R"({"type":"MultiPolygon","coordinates":[[[[0,0,1],[4,0,1],[0,4,1],)"
-             R"([0,0,1]]],[[[5,5,1],[6,5,1],[6,6,1],[5,5,1]]]]})");
+  const std::string first_wkt = "((0 0 1,4 0 1,0 4 1,0 0 1),(1 1 1,1 2 1,2 1 1,1 1 1))";
+  const std::string first_json =
+      "[[[0,0,1],[4,0,1],[0,4,1],[0,0,1]],[[1,1,1],[1,2,1],[2,1,1],[1,1,1]]]";
+  const struct {
+    Polygons polygons;
+    std::string wkt, json;
+  } rows[] = {{{}, "POLYGON Z EMPTY", "null"},
+              {{first},
+               "POLYGON Z " + first_wkt,
+               R"({"type":"Polygon","coordinates":)" + first_json + "}"},
+              {{first, other},
+               "MULTIPOLYGON Z (" + first_wkt + ",((5 5 1,6 5 1,6 6 1,5 5 1)))",
+               R"({"type":"MultiPolygon","coordinates":[)" + first_json +
+                   ",[[[5,5,1],[6,5,1],[6,6,1],[5,5,1]]]]}"}};
+  for (const auto& row : rows) {
+    EXPECT_EQ (toWkt (row.polygons, 0), row.wkt);
+    EXPECT_EQ (toGeoJsonGeometry (row.polygons, 0), row.json);
+  }
 }
 
 TEST (Outlines, LoseCornersNearAStraightLine)
@@ -102,33 +98,20 @@ TEST (Outlines, HaveDecimalsForTheNarrowestPlane)
   EXPECT_EQ (decimalsFor ({1e-30}), 12);
 }
 
-namespace {
-
-/** \brief Whether of 100 readings and as many missing ones \p covered on a plane are
- * next to none. */
-bool
-isHardlyCoveredBy (int covered)
-{
-  constexpr int readings = 100;
-  constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  for (int i = 0; i < readings; ++i) {
-    cloud.push_back ({static_cast<float> (i), 0, 0});
-    cloud.push_back ({not_a_number, not_a_number, not_a_number});
-  }
-  PlaneSegment plane;
-  for (int i = 0; i < covered; ++i)
-    plane.inliers.push_back (2 * i);
-  return !adviceFor (OrientedPointSamplingParameters(), cloud, {plane}).empty();
-}
-
-} // namespace
-
 TEST (Advice, IsGivenWherePlanesHaveLessThanATwentiethOfTheReadings)
 {
-  EXPECT_TRUE (isHardlyCoveredBy (0));
-  EXPECT_TRUE (isHardlyCoveredBy (4));
-  EXPECT_FALSE (isHardlyCoveredBy (5));
-  EXPECT_EQ (adviceFor (OrientedPointSamplingParameters(), {}, {}),
-             "every point is NaN or infinite");
+  constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+  const OrientedPointSamplingParameters ops;
+  XyzCloud cloud;
+  for (int i = 0; i < 100; ++i) {
+    cloud.emplace_back (static_cast<float> (i), 0.0f, 0.0f);
+    cloud.emplace_back (not_a_number, not_a_number, not_a_number);
+  }
+  for (const auto& [inliers, is_hardly_covered] :
+       {std::pair (0, true), std::pair (4, true), std::pair (5, false)}) {
+    PlaneSegment plane;
+    plane.inliers.resize (inliers);
+    EXPECT_NE (adviceFor (ops, cloud, {plane}).empty(), is_hardly_covered) << inliers;
+  }
+  EXPECT_EQ (adviceFor (ops, {}, {}), "every point is NaN or infinite");
 }
