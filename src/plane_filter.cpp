@@ -8,7 +8,6 @@
 #include <cmath>
 
 namespace pcl_ops {
-
 namespace {
 
 using namespace internal;

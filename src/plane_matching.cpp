@@ -13,7 +13,6 @@
 #include <optional>
 
 namespace pcl_ops {
-
 namespace {
 
 using namespace internal;
@@ -168,7 +167,6 @@ Patches
 patchesOf (const std::vector<PlaneSegment>& planes)
 {
   Patches patches;
-  patches.reserve (planes.size());
   for (const PlaneSegment& plane : planes)
     patches.push_back (patchOf (plane));
   return patches;

@@ -8,7 +8,6 @@
 #include <cmath>
 
 namespace pcl_ops {
-
 namespace {
 
 /** \brief How much what was seen before still counts in a new frame: the moments follow
@@ -40,21 +39,15 @@ rigid (Eigen::Isometry3d motion)
   return motion;
 }
 
-Moments
-scaled (double factor, Moments moments)
-{
-  moments.count *= factor;
-  moments.sum *= factor;
-  for (double& product : moments.products)
-    product *= factor;
-  return moments;
-}
-
 /** \brief The plane as it is seen now, as far as it reached before, too. */
 void
 renew (PlaneSegment& known, const PlaneSegment& seen)
 {
-  Moments moments = scaled (kept_share, known.moments);
+  Moments moments = known.moments;
+  moments.count *= kept_share;
+  moments.sum *= kept_share;
+  for (double& product : moments.products)
+    product *= kept_share;
   moments += seen.moments;
   known = seen;
   known.moments = moments.about (seen.centroid);

@@ -11,7 +11,6 @@
 #include <utility>
 
 namespace pcl_ops {
-
 namespace {
 
 using Eigen::Matrix3d;

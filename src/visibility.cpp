@@ -12,7 +12,6 @@
 #include <vector>
 
 namespace pcl_ops {
-
 namespace {
 
 using namespace internal;

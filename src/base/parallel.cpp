@@ -21,15 +21,12 @@
 #include <vector>
 
 namespace pcl_ops::internal {
-
 namespace {
 
 class Workers {
 public:
-  /** \brief Never destroyed: the threads end with the process. To wait for them would
-   * be in vain in a process that is the copy of another one, which has none of its
-   * threads.
-   */
+  /** \brief Never destroyed: the threads end with the process. The copy of a process
+   * has none of them to wait for. */
   static Workers&
   ofTheProcess ()
   {
@@ -40,25 +37,21 @@ public:
   void
   call (std::size_t number, const std::function<void()>& task)
   {
-    startUpTo (number);
+    {
+      const std::lock_guard<std::mutex> lock (guard_);
+      try {
+        for (; started_ < number; ++started_)
+          std::thread ([this] { serve(); }).detach();
+      }
+      catch (const std::system_error&) {
+        // As many as there are will do.
+      }
+    }
     for (std::size_t i = 0; i < number; ++i)
       boost::asio::post (tasks_, task);
   }
 
 private:
-  void
-  startUpTo (std::size_t number)
-  {
-    const std::lock_guard<std::mutex> lock (guard_);
-    try {
-      for (; started_ < number; ++started_)
-        std::thread ([this] { serve(); }).detach();
-    }
-    catch (const std::system_error&) {
-      // As many as there are will do.
-    }
-  }
-
   // The next task of a detector mostly comes at once: sooner than a thread wakes up.
   void
   serve ()
@@ -94,12 +87,6 @@ public:
   , body_ (body)
   , is_taken_ (number_)
   {}
-
-  std::size_t
-  number () const
-  {
-    return number_;
-  }
 
   /** \brief Does pieces until all have been taken. Each thread begins elsewhere, in
    * every call at the same place: what it made in the last one is in its cache.
@@ -151,16 +138,6 @@ private:
   std::exception_ptr thrown_;
 };
 
-/** \brief How many other threads to call. */
-std::size_t
-helpersFor (unsigned threads, std::size_t pieces)
-{
-  // More than these only cost.
-  constexpr std::size_t most = 256;
-  const std::size_t wanted = threads ? threads : availableProcessors();
-  return std::min ({wanted, pieces, most}) - 1;
-}
-
 } // namespace
 
 std::size_t
@@ -191,7 +168,10 @@ parallelFor (unsigned threads,
   // Shared with helpers that come when all is done: nobody waits for a thread that the
   // system has no processor for.
   const auto pieces = std::make_shared<Pieces> (size, grain, body);
-  const std::size_t helpers = helpersFor (threads, pieces->number());
+  constexpr std::size_t max_threads = 256; // more only cost
+  const std::size_t wanted = threads ? threads : availableProcessors();
+  const std::size_t number = (size + grain - 1) / grain;
+  const std::size_t helpers = std::min ({wanted, number, max_threads}) - 1;
   for (std::size_t i = 1; i <= helpers; ++i) {
     const double begin = static_cast<double> (i) / static_cast<double> (helpers + 1);
     callOnWorkers (1, [pieces, begin] { pieces->takeTurns (begin); });

@@ -12,19 +12,16 @@ namespace pcl_ops::internal {
 std::size_t
 availableProcessors ();
 
-/** \brief Has a task called by up to so many other threads, each when it has time:
- * after this has returned, and perhaps never. The threads are started when first
- * needed, fewer where the system starts no more, and sleep in between. \param[in]
- * number of calls \param[in] task called concurrently; must not throw */
+/** \brief Has a task, which must not throw, called by up to so many other threads, each
+ * when it has time: after this has returned, and perhaps never. The threads are started
+ * when first needed, fewer where the system starts no more, and sleep in between. */
 void
 callOnWorkers (std::size_t number, const std::function<void()>& task);
 
 /** \brief Calls \p body (begin, end) for pieces of 0 .. size - 1 that cover it once:
  * the only place of the library that knows threads. The pieces depend on \p size and \p
  * grain alone, so what a body computes per piece is the same for any thread count.
- * \param[in] threads number of threads; 0: as many as the machine has; fewer where the
- * system starts no more
- * \param[in] size number of items
+ * \param[in] threads 0: as many as the machine has; fewer where the system starts no more
  * \param[in] grain items per piece, 1 or more
  * \param[in] body called once a piece, concurrently; what it throws is thrown on after
  * the other pieces are done */

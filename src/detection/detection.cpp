@@ -10,7 +10,6 @@
 #include <type_traits>
 
 namespace pcl_ops::detail {
-
 namespace {
 
 // Negative ones are the largest. Without a way out of the loop, so that it is
@@ -49,21 +48,20 @@ throwOn (const std::string& problem)
 } // namespace pcl_ops::detail
 
 namespace pcl_ops {
-
 using namespace internal;
-
 namespace {
 
 std::string
 validate (const MergingParameters& merging)
 {
+  const auto isSize = [] (double number) {
+    return number >= 0.0 && std::isfinite (number);
+  };
   if (!(merging.angle_threshold >= 0.0 && merging.angle_threshold <= right_angle))
     return "the merging angle must be between 0 and pi/2 (radians)";
-  if (merging.distance_threshold && !(*merging.distance_threshold >= 0.0 &&
-                                      std::isfinite (*merging.distance_threshold)))
+  if (!isSize (merging.distance_threshold.value_or (0.0)))
     return "the merging distance must be a length, or not be given";
-  if (merging.noise_factor &&
-      !(*merging.noise_factor >= 0.0 && std::isfinite (*merging.noise_factor)))
+  if (!isSize (merging.noise_factor.value_or (0.0)))
     return "the merging noise factor must be 0 or more, or not be given";
   return {};
 }
@@ -73,9 +71,8 @@ validate (const MergingParameters& merging)
 std::string
 validate (const PlaneDetectorParameters& parameters)
 {
-  if (parameters.distance_threshold &&
-      !(*parameters.distance_threshold > 0.0 &&
-        std::isfinite (*parameters.distance_threshold)))
+  const double theta_h = parameters.distance_threshold.value_or (1.0);
+  if (!(theta_h > 0.0 && std::isfinite (theta_h)))
     return "the distance threshold must be a length above 0";
   if (!parameters.up_axis.allFinite() || parameters.up_axis.isZero (0.0f))
     return "the up axis must be a finite vector other than zero";

@@ -5,7 +5,6 @@
 #include <utility>
 
 namespace pcl_ops::internal {
-
 namespace {
 
 PlaneSegment
@@ -31,7 +30,6 @@ addInliers (const Points& points,
             std::vector<PlaneSegment>& segments)
 {
   std::vector<pcl::index_t*> next;
-  next.reserve (segments.size());
   for (PlaneSegment& segment : segments)
     next.push_back (segment.inliers.data());
   for (std::size_t i = 0; i < labels.size();) {
@@ -68,7 +66,6 @@ toSegments (const Points& points,
             const Eigen::Vector3d& viewpoint)
 {
   std::vector<PlaneSegment> segments;
-  segments.reserve (found.planes.fits.size());
   for (std::size_t p = 0; p < found.planes.fits.size(); ++p)
     segments.push_back (toSegment (
         found.planes.moments[p], found.planes.fits[p], viewpoint - points.origin));

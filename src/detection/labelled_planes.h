@@ -5,10 +5,7 @@
 #include "base/stage_clock.h"
 #include "detection/plane_assignment.h"
 #include "geometry/points.h"
-#include <pcl_ops/orientation.h>
-#include <pcl_ops/plane.h>
 #include <pcl_ops/plane_detector.h>
-#include <pcl_ops/plane_merging.h>
 
 #include <cstddef>
 #include <vector>
@@ -40,18 +37,17 @@ mergeAssigned (AssignedPoints assigned,
                const MergingParameters& parameters,
                unsigned threads);
 
-/** \brief The planes in the frame of the input cloud, by falling size.
- * \param[in] points with their index in the input cloud
- * \param[in] found the planes and the points on them
- * \param[in] viewpoint origin of the sensor: normals point to its side */
+/** \brief The planes in the frame of the input cloud, by falling size, their normals
+ * towards the viewpoint. */
 std::vector<PlaneSegment>
 toSegments (const Points& points,
             const LabelledPlanes& found,
             const Eigen::Vector3d& viewpoint);
 
 /** \brief What all detectors begin and end with: the finite points, and the planes
- * among them in the frame of the input cloud. \param[in] detect (points, durations) ->
- * LabelledPlanes \param[in] step of the local frame's zero, \ref finitePoints */
+ * among them in the frame of the input cloud.
+ * \param[in] detect (points, durations) -> LabelledPlanes
+ * \param[in] step of the local frame's zero, \ref finitePoints */
 template <typename Detect>
 Detection
 detectInFinitePoints (const DetectorInput& input,

@@ -12,7 +12,6 @@
 #include <utility>
 
 namespace pcl_ops::internal {
-
 namespace {
 
 // So few that they lie close together where neighbors in the list are neighbors in

@@ -8,9 +8,7 @@
 #include <utility>
 
 namespace pcl_ops {
-
 using namespace internal;
-
 namespace {
 
 struct Group {

@@ -14,7 +14,6 @@
 #include <utility>
 
 namespace pcl_ops {
-
 namespace {
 
 using namespace internal;
@@ -265,12 +264,11 @@ bool
 comesTo (const Meeting& meeting, const Vector3d& point)
 {
   const double place = meeting.line.direction.dot (point - meeting.line.origin);
-  return std::any_of (meeting.intervals.begin(),
-                      meeting.intervals.end(),
-                      [&] (const Interval& interval) {
-                        return place >= interval.from - meeting.max_gap &&
-                               place <= interval.to + meeting.max_gap;
-                      });
+  for (const Interval& interval : meeting.intervals)
+    if (place >= interval.from - meeting.max_gap &&
+        place <= interval.to + meeting.max_gap)
+      return true;
+  return false;
 }
 
 /** \brief The points that three planes have in common, where an interval of each two of
@@ -348,12 +346,6 @@ edgeOf (const Interval& interval,
   return edge;
 }
 
-bool
-isLength (const std::optional<double>& number)
-{
-  return !number || (*number >= 0.0 && std::isfinite (*number));
-}
-
 std::string
 validate (const CloudView& cloud, const std::vector<PlaneSegment>& planes)
 {
@@ -369,6 +361,9 @@ validate (const CloudView& cloud, const std::vector<PlaneSegment>& planes)
 std::string
 validate (const PlaneEdgeParameters& parameters)
 {
+  const auto isLength = [] (const std::optional<double>& number) {
+    return !number || (*number >= 0.0 && std::isfinite (*number));
+  };
   if (!isLength (parameters.reach))
     return "the reach must be a length from 0, or not be given";
   if (!isLength (parameters.max_gap))

@@ -13,9 +13,7 @@
 #include <utility>
 
 namespace pcl_ops {
-
 using namespace internal;
-
 namespace {
 
 /** \brief How far inside a convex hull each point lies; below 0 outside. */

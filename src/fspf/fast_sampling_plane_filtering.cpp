@@ -3,7 +3,6 @@
 #include "base/stage_clock.h"
 #include "detection/labelled_planes.h"
 #include "fspf/local_plane_sampling.h"
-#include "fspf/spheres.h"
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 
 #include <cmath>

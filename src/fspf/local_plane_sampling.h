@@ -5,7 +5,6 @@
 #include "base/random.h"
 #include "geometry/points.h"
 #include <pcl_ops/fast_sampling_plane_filtering.h>
-#include <pcl_ops/plane.h>
 
 #include <cstdint>
 #include <functional>
@@ -22,8 +21,21 @@ using LocalSamplingParameters = FastSamplingPlaneFilteringParameters::Local;
  * if it is nearly empty in a crowd */
 using SphereFinder = std::function<std::size_t (std::uint32_t center, Indices& sphere)>;
 
+/** \brief Points in the order a search has them, and the spheres around each. */
+struct Spheres {
+  Coordinates points;
+  SphereFinder find;
+};
+
+/** \brief Spheres of radius r2 by the user's search, or, several times faster, in a
+ * grid of voxels; input and points are used as long as the spheres are. */
+Spheres
+spheresAround (const DetectorInput& input,
+               const Points& points,
+               double radius,
+               unsigned threads);
+
 /** \brief A point and the plane through it and two others near it.
- * \param[in] points the points
  * \param[in] origin position of p_r0
  * \param[in] sphere positions of the points around it, at least one
  * \param[in] inner_radius r1: how far away p_r1 and p_r2 may be [m]
@@ -50,9 +62,6 @@ struct LocalPlanes {
  *
  * Spheres with fewer than N_loc points have no plane. As in the paper, points stay in
  * the game when a plane has taken them: spheres overlap, merging joins their planes.
- * \param[in] points the points
- * \param[in] find_sphere gives the points within r2 of a point
- * \param[in] parameters radii, test and limits
  * \param[in] distance_threshold theta_h: largest distance of an inlier [m]
  * \param[in] seed the same seed finds the same planes */
 LocalPlanes

@@ -12,9 +12,7 @@
 #include <cmath>
 
 namespace pcl_ops {
-
 using namespace internal;
-
 namespace {
 
 /** \brief Adds a symmetric matrix to products in the order of Moments. */

@@ -8,7 +8,6 @@
 #include <utility>
 
 namespace pcl_ops {
-
 namespace {
 
 using Eigen::Matrix3d;
@@ -34,12 +33,9 @@ blocksOf (const CloudView& cloud,
     if (!offset.allFinite())
       continue;
     const Eigen::Vector2d place = axes.transpose() * offset;
-    const auto number = [&] (double along) {
-      return static_cast<int> (std::floor (along / side));
-    };
+    const Eigen::Array2i block = (place / side).array().floor().cast<int>();
     Vector3d& sum =
-        blocks.try_emplace ({number (place.x()), number (place.y())}, Vector3d::Zero())
-            .first->second;
+        blocks.try_emplace ({block.x(), block.y()}, Vector3d::Zero()).first->second;
     sum += plane.normal.dot (offset) * Vector3d (place.x(), place.y(), 1.0);
   }
   return blocks;

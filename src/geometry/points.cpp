@@ -14,7 +14,6 @@
 #include <limits>
 
 namespace pcl_ops::internal {
-
 namespace {
 
 // Whether indices follow each other without a gap.

@@ -73,23 +73,19 @@ using Indices = std::vector<std::uint32_t>;
 Coordinates
 selected (const Coordinates& points, const Indices& numbers);
 
-/** \brief Some of the points, the same ones whatever their order.
- * \param[in] positions all
- * \param[in] wanted about so many, or all where there are fewer */
+/** \brief About so many of the points, the same ones whatever their order. */
 Coordinates
 samplePoints (const Coordinates& positions, std::size_t wanted);
 
-/** \brief The median, or the upper of the two middle ones; 0 for no values.
- * \param[in,out] values reordered */
+/** \brief The median, or the upper of the two middle ones; 0 for no values. Reorders.
+ */
 double
 medianOf (std::vector<float>& values);
 
 /** \brief Drops points with a NaN or infinite coordinate, once and for all stages.
  * is_dense is not believed: clouds that wrongly claim it exist.
- * \param[in] cloud the input cloud
- * \param[in] indices the points of it to use; each within the cloud, in any order,
- * given twice or not
- * \param[in] threads number of threads; 0: all. The result does not depend on it
+ * \param[in] indices of the cloud's points to use, in any order, given twice or not
+ * \param[in] threads 0: all. The result does not depend on it
  * \param[in] step the origin is a whole multiple of it along each axis; 0: of whatever
  * suits the points
  * \return the finite ones, each once; their origin is near most of them */

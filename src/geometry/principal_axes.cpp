@@ -9,7 +9,6 @@
 #include <cmath>
 
 namespace pcl_ops::internal {
-
 namespace {
 
 // Matrices side by side: every loop below runs over them, as wide as the processor is.
@@ -20,29 +19,9 @@ struct SymmetricMatrices {
   Lanes xx, xy, xz, yy, yz, zz;
 };
 
-struct Directions {
-  Lanes x, y, z;
-};
-
 struct Axes {
-  Directions normal;
-  Lanes smallest, middle, largest;
+  Lanes x, y, z, smallest, middle, largest;
 };
-
-// Divides by the traces and returns them; 0 for a matrix without one.
-inline Lanes
-normalize (SymmetricMatrices& m)
-{
-  Lanes scale;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    const double trace = m.xx[i] + m.yy[i] + m.zz[i];
-    scale[i] = trace > 0.0 ? trace : 0.0;
-    const double inverse = trace > 0.0 ? 1.0 / trace : 0.0;
-    for (Lanes* entry : {&m.xx, &m.xy, &m.xz, &m.yy, &m.yz, &m.zz})
-      (*entry)[i] = trace > 0.0 ? inverse * (*entry)[i] : 0.0;
-  }
-  return scale;
-}
 
 // The trace is one: the smallest of three can be no more.
 constexpr double largest_smallest = 1.0 / 3.0;
@@ -50,19 +29,14 @@ constexpr double largest_smallest = 1.0 / 3.0;
 // Where Newton's method starts. Without its cubic term the polynomial has a root just
 // above, which for flat sets of points is near enough; zero is on the near side of all
 // roots, if far away.
-inline Lanes
-startOfRoots (const Lanes& minors, const Lanes& determinant)
+inline double
+startOfRoot (double minors, double determinant)
 {
-  Lanes root;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    const double discriminant =
-        std::max (0.0, minors[i] * minors[i] - 4.0 * determinant[i]);
-    const double start = 2.0 * determinant[i] / (minors[i] + std::sqrt (discriminant));
-    const double slope = (3.0 * start - 2.0) * start + minors[i];
-    const bool is_below = start <= largest_smallest && slope > 0.25 * minors[i];
-    root[i] = is_below ? start : 0.0;
-  }
-  return root;
+  const double discriminant = std::max (0.0, minors * minors - 4.0 * determinant);
+  const double start = 2.0 * determinant / (minors + std::sqrt (discriminant));
+  const double slope = (3.0 * start - 2.0) * start + minors;
+  const bool is_below = start <= largest_smallest && slope > 0.25 * minors;
+  return is_below ? start : 0.0;
 }
 
 // Smallest roots of x^3 - x^2 + minors x - determinant.
@@ -73,7 +47,9 @@ smallestRoots (const Lanes& minors, const Lanes& determinant)
   constexpr double precision = 1e-13;
   // Less steep it is a line's, whose two smallest roots are zero to within rounding.
   constexpr double least_slope = 1e-14;
-  Lanes root = startOfRoots (minors, determinant);
+  Lanes root;
+  for (std::size_t i = 0; i < lanes; ++i)
+    root[i] = startOfRoot (minors[i], determinant[i]);
   double farthest = 1.0;
   for (int n = 0; n < most_steps && farthest > precision; ++n) {
     farthest = 0.0;
@@ -93,11 +69,10 @@ smallestRoots (const Lanes& minors, const Lanes& determinant)
 
 // The unit vectors all rows of rank two matrices are perpendicular to: the longest of
 // the products of two rows; zero where the rows are parallel to within rounding.
-inline Directions
-nullDirections (const SymmetricMatrices& m)
+inline void
+findNormals (const SymmetricMatrices& m, Axes& axes)
 {
   constexpr double smallest_norm = 1e-13;
-  Directions direction;
   for (std::size_t i = 0; i < lanes; ++i) {
     double x = m.xy[i] * m.yz[i] - m.xz[i] * m.yy[i];
     double y = m.xz[i] * m.xy[i] - m.xx[i] * m.yz[i];
@@ -119,20 +94,23 @@ nullDirections (const SymmetricMatrices& m)
           m.xz[i] * m.xy[i] - m.yz[i] * m.xx[i]);
     const double norm = std::sqrt (squared);
     const double inverse = norm > smallest_norm ? 1.0 / norm : 0.0;
-    direction.x[i] = norm > smallest_norm ? x * inverse : 0.0;
-    direction.y[i] = norm > smallest_norm ? y * inverse : 0.0;
-    direction.z[i] = norm > smallest_norm ? z * inverse : 0.0;
+    axes.x[i] = norm > smallest_norm ? x * inverse : 0.0;
+    axes.y[i] = norm > smallest_norm ? y * inverse : 0.0;
+    axes.z[i] = norm > smallest_norm ? z * inverse : 0.0;
   }
-  return direction;
 }
 
 PCL_OPS_VECTORIZED
 void
 findAxes (SymmetricMatrices& m, Axes& axes)
 {
-  const Lanes scale = normalize (m);
-  Lanes minors, determinant;
+  Lanes scale, minors, determinant;
   for (std::size_t i = 0; i < lanes; ++i) {
+    const double trace = m.xx[i] + m.yy[i] + m.zz[i];
+    scale[i] = trace > 0.0 ? trace : 0.0;
+    const double inverse = trace > 0.0 ? 1.0 / trace : 0.0;
+    for (Lanes* entry : {&m.xx, &m.xy, &m.xz, &m.yy, &m.yz, &m.zz})
+      (*entry)[i] = trace > 0.0 ? inverse * (*entry)[i] : 0.0;
     const double yz = m.yy[i] * m.zz[i] - m.yz[i] * m.yz[i];
     minors[i] = m.xx[i] * m.yy[i] - m.xy[i] * m.xy[i] + m.xx[i] * m.zz[i] -
                 m.xz[i] * m.xz[i] + yz;
@@ -148,11 +126,10 @@ findAxes (SymmetricMatrices& m, Axes& axes)
     axes.smallest[i] = scale[i] * smallest[i];
     axes.middle[i] = scale[i] * (product / largest);
     axes.largest[i] = scale[i] * largest;
-    m.xx[i] -= smallest[i];
-    m.yy[i] -= smallest[i];
-    m.zz[i] -= smallest[i];
+    for (Lanes* entry : {&m.xx, &m.yy, &m.zz})
+      (*entry)[i] -= smallest[i];
   }
-  axes.normal = nullDirections (m);
+  findNormals (m, axes);
 }
 
 } // namespace
@@ -175,8 +152,7 @@ principalAxes (const Eigen::Matrix3d* matrices, std::size_t number, PrincipalAxe
     findAxes (batch, found);
     for (std::size_t i = 0; i < std::min (lanes, number - begin); ++i) {
       axes[begin + i].values = {found.smallest[i], found.middle[i], found.largest[i]};
-      axes[begin + i].normal = {
-          found.normal.x[i], found.normal.y[i], found.normal.z[i]};
+      axes[begin + i].normal = {found.x[i], found.y[i], found.z[i]};
     }
   }
 }

@@ -22,15 +22,12 @@ struct PrincipalAxes {
  * Closed form but for the smallest eigenvalue, which Newton's method finds from below:
  * the characteristic polynomial is concave there, so that it cannot overshoot, and for
  * the flat sets of interest two or three steps suffice.
- * \param[in] matrices \p number of them
- * \param[in] number how many
- * \param[out] axes \p number of them; zero for a matrix without a positive trace */
+ * \param[out] axes zero for a matrix without a positive trace */
 void
 principalAxes (const Eigen::Matrix3d* matrices,
                std::size_t number,
                PrincipalAxes* axes);
 
-/** \brief Principal axes of a single matrix. */
 PrincipalAxes
 principalAxes (const Eigen::Matrix3d& matrix);
 

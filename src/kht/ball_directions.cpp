@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kht/ball_directions.h"
 
-#include "geometry/angles.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -17,12 +15,6 @@ BallDirections::BallDirections (int phi_num) : row_begins_ (1, 0)
     rows_.insert (rows_.end(), patches, static_cast<std::uint16_t> (row));
     row_begins_.push_back (static_cast<std::uint32_t> (rows_.size()));
   }
-}
-
-double
-BallDirections::phiStep() const
-{
-  return pi / phiNum();
 }
 
 std::uint32_t
@@ -42,12 +34,6 @@ BallDirections::at (int row, double theta) const
   const double turns = theta / (2.0 * pi) + (beyond_pole ? 0.5 : 0.0);
   const double patch = std::floor (turns * patchesOfRow (reflected));
   return patchOfRow (reflected, static_cast<int> (patch));
-}
-
-double
-BallDirections::phiOf (std::uint32_t direction) const
-{
-  return rowOf (direction) * phiStep();
 }
 
 double
@@ -87,10 +73,8 @@ BallDirections::beside (std::uint32_t direction) const
   const int row = rowOf (direction);
   const double theta = thetaOf (direction);
   const int patch = static_cast<int> (direction - row_begins_[row]);
-  return {at (row - 1, theta),
-          at (row + 1, theta),
-          patchOfRow (row, patch - 1),
-          patchOfRow (row, patch + 1)};
+  const std::uint32_t west = patchOfRow (row, patch - 1);
+  return {at (row - 1, theta), at (row + 1, theta), west, patchOfRow (row, patch + 1)};
 }
 
 std::vector<std::uint32_t>
@@ -98,7 +82,6 @@ BallDirections::around (std::uint32_t direction) const
 {
   const std::array<std::uint32_t, 4> sides = beside (direction);
   std::vector<std::uint32_t> found;
-  found.reserve (9);
   for (const std::uint32_t middle : {sides[0], direction, sides[1]}) {
     const int row = rowOf (middle);
     const int patch = static_cast<int> (middle - row_begins_[row]);

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "geometry/angles.h"
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -35,7 +37,10 @@ public:
 
   /** \brief Angle between two rows [rad]. */
   double
-  phiStep () const;
+  phiStep () const
+  {
+    return pi / phiNum();
+  }
 
   /** \brief Number of patches of a row 0 .. phi_num. */
   int
@@ -63,7 +68,10 @@ public:
 
   /** \brief The polar angle and azimuth of a direction's center [rad]. */
   double
-  phiOf (std::uint32_t direction) const;
+  phiOf (std::uint32_t direction) const
+  {
+    return rowOf (direction) * phiStep();
+  }
   double
   thetaOf (std::uint32_t direction) const;
 

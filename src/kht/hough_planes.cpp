@@ -55,24 +55,16 @@ freeNear (const Plane& plane,
   return near;
 }
 
-/** A plane's weight when it was last looked at; free clusters only become fewer. */
-struct Rank {
-  double weight;
-  std::size_t plane;
+/** Planes by the weight they had when last looked at; of equal ones, by numbers below
+ * zero, the first. Free clusters only become fewer. */
+using Ranks = std::priority_queue<std::pair<double, std::ptrdiff_t>>;
 
-  bool
-  operator<(const Rank& other) const
-  {
-    return weight != other.weight ? weight < other.weight : plane > other.plane;
-  }
-};
-
-std::priority_queue<Rank>
+Ranks
 rankPlanes (const std::vector<HoughPlane>& planes, const OctreeClusters& found)
 {
-  std::priority_queue<Rank> ranks;
+  Ranks ranks;
   for (std::size_t p = 0; p < planes.size(); ++p)
-    ranks.push ({weightOf (planes[p].clusters, found), p});
+    ranks.emplace (weightOf (planes[p].clusters, found), -std::ptrdiff_t (p));
   return ranks;
 }
 
@@ -114,7 +106,7 @@ voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num)
   }
   std::vector<HoughPlane> sorted;
   for (auto ranks = rankPlanes (planes, found); !ranks.empty(); ranks.pop())
-    sorted.push_back (std::move (planes[ranks.top().plane]));
+    sorted.push_back (std::move (planes[-ranks.top().second]));
   return sorted;
 }
 
@@ -128,15 +120,15 @@ refitPlanes (const std::vector<HoughPlane>& planes,
   std::vector<bool> is_free (found.clusters.size(), true);
   std::vector<HoughPlane> refitted;
   for (auto ranks = rankPlanes (planes, found); !ranks.empty();) {
-    const auto [last_weight, plane] = ranks.top();
+    const auto [last_weight, rank] = ranks.top();
     ranks.pop();
     ClusterList clusters;
-    for (const std::uint32_t cluster : planes[plane].clusters)
+    for (const std::uint32_t cluster : planes[-rank].clusters)
       if (is_free[cluster])
         clusters.push_back (cluster);
     const double weight = weightOf (clusters, found);
     if (weight < last_weight) {
-      ranks.push ({weight, plane});
+      ranks.emplace (weight, rank);
       continue;
     }
     Moments moments = momentsOf (clusters, found);

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kht/kernel_votes.h"
 
-#include "geometry/angles.h"
-
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace pcl_ops::internal {
 namespace {
@@ -62,16 +61,12 @@ public:
     ratio_change_ = std::exp (-space.rho_step * space.rho_step / rho_variance_);
   }
 
-  /** False for a covariance that is not positive definite. */
-  bool
-  isDefined () const
-  {
-    return std::isfinite (peak_) && peak_ > 0.0;
-  }
-
   void
   castAll ()
   {
+    // Not so where a covariance is not positive definite.
+    if (!(std::isfinite (peak_) && peak_ > 0.0))
+      return;
     const double step = space_.directions.phiStep();
     const double reach = std::min (
         std::sqrt (largest_squared_distance) * phi_deviation_, max_directions * step);
@@ -139,12 +134,14 @@ private:
     const int last =
         bounded (std::floor ((middle + reach) / step - 0.5), -bins - 1, bins - 1);
     const double height = peak_ * std::exp (-0.5 * distance);
-    if (last >= 0 && last >= first) {
+    if (last < first)
+      return;
+    if (last >= 0) {
       const int from = std::max (first, 0);
       const double start = space_.rhoOf (from) - middle;
       addRay (direction, from, last - from + 1, start, step, height);
     }
-    if (first < 0 && last >= first) {
+    if (first < 0) {
       has_wrapped_ = true;
       const int from = std::min (last, -1);
       const double start = space_.rhoOf (from) - middle;
@@ -192,12 +189,8 @@ private:
     if (squaredDistance (offset) + rho_offset * rho_offset / rho_variance_ <=
         largest_squared_distance)
       return;
-    addRay (direction,
-            bin,
-            1,
-            0.0,
-            0.0,
-            peak_ * std::exp (-0.5 * largest_squared_distance));
+    const double height = peak_ * std::exp (-0.5 * largest_squared_distance);
+    addRay (direction, bin, 1, 0.0, 0.0, height);
   }
 
   void
@@ -205,15 +198,12 @@ private:
   {
     std::vector<VoteRay>& rays = votes_.rays;
     std::sort (rays.begin(), rays.end(), [] (const VoteRay& a, const VoteRay& b) {
-      return a.direction != b.direction ? a.direction < b.direction
-                                        : a.first_value < b.first_value;
+      return std::tie (a.direction, a.first_value) <
+             std::tie (b.direction, b.first_value);
     });
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      for (std::size_t j = i + 1; j < rays.size(); ++j) {
-        if (rays[i].direction != rays[j].direction)
-          break;
-        keepLargerVote (rays[i], rays[j]);
-      }
+    for (auto a = rays.begin(); a != rays.end(); ++a)
+      for (auto b = a + 1; b != rays.end() && b->direction == a->direction; ++b)
+        keepLargerVote (*a, *b);
   }
 
   void
@@ -304,9 +294,7 @@ castVotes (const PlaneKernel& kernel, const HoughSpace& space, KernelVotes& vote
 {
   votes.rays.clear();
   votes.values.clear();
-  VoteCaster caster (kernel, space, votes);
-  if (caster.isDefined())
-    caster.castAll();
+  VoteCaster (kernel, space, votes).castAll();
 }
 
 } // namespace pcl_ops::internal

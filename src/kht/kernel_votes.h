@@ -57,9 +57,8 @@ struct KernelVotes {
  * lost. Rows beyond a pole are those of the pole's other side, half a turn on; negative
  * rho is positive rho in the opposite direction; votes beyond the last rho are dropped.
  * A kernel counts once per bin, with its largest vote: where its votes meet themselves
- * around a pole or the center, the smaller is 0.
- * \param[in] kernel a kernel with a positive definite covariance; others have no votes
- * \param[in] space the bins
+ * around a pole or the center, the smaller is 0. Only kernels with a positive definite
+ * covariance have votes.
  * \param[out] votes overwritten; its memory is used again */
 void
 castVotes (const PlaneKernel& kernel, const HoughSpace& space, KernelVotes& votes);

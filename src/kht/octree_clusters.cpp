@@ -61,10 +61,9 @@ fenceOf (const Coordinates& points)
   std::tie (low.x(), high.x()) = middleOf (points.x);
   std::tie (low.y(), high.y()) = middleOf (points.y);
   std::tie (low.z(), high.z()) = middleOf (points.z);
-  double width = (high - low).maxCoeff();
+  const double spread = (high - low).maxCoeff();
   // Where nearly all points are equal nothing tells how far the others may be.
-  if (!(width > 0.0))
-    width = std::numeric_limits<double>::infinity();
+  const double width = spread > 0.0 ? spread : std::numeric_limits<double>::infinity();
   return {low - Eigen::Vector3d::Constant (width),
           high + Eigen::Vector3d::Constant (width)};
 }
@@ -186,11 +185,7 @@ private:
   bool
   addIfCoplanar (const OctreeNode& node)
   {
-    CoplanarCluster cluster;
-    cluster.edge = node.edge;
-    cluster.level = node.level;
-    cluster.begin = node.begin;
-    cluster.end = node.end;
+    CoplanarCluster cluster{{}, {}, node.edge, node.level, node.begin, node.end};
     std::optional<PlaneFit> fit = fitTo (cluster);
     if (!fit || !isCoplanar (fit->variances))
       return false;

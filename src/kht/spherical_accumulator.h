@@ -76,9 +76,7 @@ public:
     return space_;
   }
 
-  /** \brief Adds the votes of a kernel.
-   * \param[in] votes its votes, as \ref castVotes gives them
-   * \param[in] voter what peaks will call it */
+  /** \brief Adds the votes of a kernel, which peaks will know by its number. */
   void
   add (const KernelVotes& votes, std::uint32_t voter);
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 namespace pcl_ops::internal {
-
 namespace {
 
 using Eigen::Vector2d;

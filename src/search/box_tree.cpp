@@ -12,7 +12,6 @@
 #include <utility>
 
 namespace pcl_ops::internal {
-
 namespace {
 
 using Node = BoxTree::Node;
@@ -80,11 +79,11 @@ postponeChildren (const std::vector<Node>& nodes,
   squaredDistances (node, position, distances);
   const std::size_t first = postponed.number;
   for (std::uint32_t i = 0; i < node.number; ++i) {
-    if (!candidates.mayTake (distances[i]))
+    const std::uint64_t distance = NearestCandidates::bitsOf (distances[i]);
+    if (!candidates.mayTake (distance))
       continue;
-    const std::uint64_t child = std::uint64_t (NearestCandidates::bitsOf (distances[i]))
-                                    << Postponed::child_bits |
-                                (number * BoxTree::most_children + i);
+    const std::uint64_t child =
+        distance << Postponed::child_bits | (number * BoxTree::most_children + i);
     std::size_t place = postponed.number++;
     for (; place > first && postponed.children[place - 1] < child; --place)
       postponed.children[place] = postponed.children[place - 1];
@@ -103,7 +102,7 @@ visit (const std::vector<Node>& nodes,
   postponeChildren (nodes, 0, position, candidates, postponed);
   while (postponed.number > 0) {
     const std::uint64_t next = postponed.children[--postponed.number];
-    if (!candidates.mayTakeBits (next >> Postponed::child_bits))
+    if (!candidates.mayTake (next >> Postponed::child_bits))
       continue;
     const auto slot = static_cast<std::uint32_t> (next);
     const Child& child =

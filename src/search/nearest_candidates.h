@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <vector>
 
 namespace pcl_ops::internal {
@@ -27,24 +26,15 @@ public:
   }
 
   NearestCandidates (std::size_t most, float squared_radius)
-  : most_ (most), limit_ (bitsOf (squared_radius) + 1)
-  {
-    constexpr std::size_t fewest_more = 16;
-    const std::size_t more = std::max (most / 2, fewest_more);
-    shrink_at_ =
-        most > std::numeric_limits<std::size_t>::max() - more ? most : most + more;
-    constexpr std::size_t usual_room = 128;
-    keys_.resize (std::min (usual_room, shrink_at_));
-  }
+  : most_ (most)
+  , shrink_at_ (most + std::max (most / 2, min_more))
+  , limit_ (bitsOf (squared_radius) + 1)
+  , keys_ (std::min (usual_room, shrink_at_))
+  {}
 
-  /** \brief Whether points so far away may be among the nearest still. */
+  /** \brief Whether points so far away, as bits, may be among the nearest still. */
   bool
-  mayTake (float squared_distance) const
-  {
-    return mayTakeBits (bitsOf (squared_distance));
-  }
-  bool
-  mayTakeBits (std::uint64_t squared_distance) const
+  mayTake (std::uint64_t squared_distance) const
   {
     return squared_distance < limit_;
   }
@@ -88,6 +78,8 @@ private:
   /** \brief Distance and index in one: sorted by both. */
   using Key = std::uint64_t;
   static constexpr int index_bits = 32;
+  static constexpr std::size_t min_more = 16;
+  static constexpr std::size_t usual_room = 128;
   static_assert (sizeof (pcl::index_t) * 8 <= index_bits, "an index fits into a key");
 
   void

@@ -15,9 +15,7 @@
 #include <utility>
 
 namespace pcl_ops {
-
 using namespace internal;
-
 namespace {
 
 namespace geometry = boost::geometry;

@@ -10,7 +10,6 @@
 #include <optional>
 
 namespace pcl_ops {
-
 namespace {
 
 using namespace internal;

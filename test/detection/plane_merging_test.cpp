@@ -116,25 +116,34 @@ TEST (AreCoplanar, TheDistanceOfOneCentroidAloneKeepsPlanesApart)
   EXPECT_FALSE (areCoplanarAsUsual (second, first));
 }
 
-TEST (Merge, AllowsNoisyPlanesTheDistanceTheirNoiseExplains)
+TEST (Merge, ByNoiseJoinsWhatTheNoiseExplainsWithinTheAngle)
 {
   // Points 3 cm off either side of each: 5 cm apart they are 5.8 cm from the other.
-  const std::vector<Moments> apart = {noisySquare ({0, 0, 0}, 3_cm),
-                                      noisySquare ({2, 0, 5_cm}, 3_cm)};
-  EXPECT_EQ (mergePlanes (apart, byNoise (1.8)).fits.size(), 2u);
-  EXPECT_EQ (mergePlanes (apart, byNoise (2.1)).fits.size(), 1u);
-}
-
-TEST (Merge, ByNoiseKeepsAThickPlaneFromTakingACleanOne)
-{
+  const Moments noisy = noisySquare ({0, 0, 0}, 3_cm);
+  const Moments above = noisySquare ({2, 0, 5_cm}, 3_cm);
+  const Moments tilted = noisySquare ({0.5, 0, 0}, 3_cm, 30_cm, 8_deg);
   // Of 9 cm of noise a plane with 1 cm may count on 6 cm.
   const Moments thick = noisySquare ({0, 0, 0}, 9_cm);
-  const auto planes = [&] (double noise) {
-    return mergePlanes ({thick, noisySquare ({2, 0, 15_cm}, noise)}, byNoise (2.0))
-        .fits.size();
-  };
-  EXPECT_EQ (planes (1_cm), 2u);
-  EXPECT_EQ (planes (2_cm), 1u);
+  const Moments clean = noisySquare ({2, 0, 15_cm}, 1_cm);
+  const Moments rough = noisySquare ({2, 0, 15_cm}, 2_cm);
+  const Moments flat = momentsOf (square ({0, 0, 0}));
+  const Moments beside = momentsOf (square ({5, 3, 0}));
+  const struct {
+    Moments first, second;
+    double noise_factor;
+    std::size_t planes;
+  } rows[] = {{noisy, above, 1.8, 2},
+              {noisy, above, 2.1, 1},
+              {noisy, tilted, 2.0, 2},
+              {thick, clean, 2.0, 2},
+              {thick, rough, 2.0, 1},
+              {flat, beside, 1.5, 1}};
+  for (std::size_t row = 0; row < std::size (rows); ++row) {
+    const auto& [first, second, noise_factor, planes] = rows[row];
+    EXPECT_EQ (mergePlanes ({first, second}, byNoise (noise_factor)).fits.size(),
+               planes)
+        << row;
+  }
 }
 
 TEST (Merge, ByNoiseCarriesNoSmallPlaneOnToTheCentroidOfALargeOne)
@@ -145,20 +154,6 @@ TEST (Merge, ByNoiseCarriesNoSmallPlaneOnToTheCentroidOfALargeOne)
   const Moments piece = noisySquare ({10, 0, 0}, 1_cm, 30_cm, 2_deg);
   EXPECT_FALSE (areCoplanar (*fitPlane (wall), *fitPlane (piece), 7_deg, 5_cm));
   EXPECT_EQ (mergePlanes ({wall, piece}, byNoise (1.5)).fits.size(), 1u);
-}
-
-TEST (Merge, ByNoiseJoinsPartsWithoutAnyNoise)
-{
-  const std::vector<Moments> parts = {momentsOf (square ({0, 0, 0})),
-                                      momentsOf (square ({5, 3, 0}))};
-  EXPECT_EQ (mergePlanes (parts, byNoise (1.5)).fits.size(), 1u);
-}
-
-TEST (Merge, ByNoiseStillAsksForTheAngle)
-{
-  const Moments first = noisySquare ({0, 0, 0}, 3_cm);
-  const Moments second = noisySquare ({0.5, 0, 0}, 3_cm, 30_cm, 8_deg);
-  EXPECT_EQ (mergePlanes ({first, second}, byNoise (2.0)).fits.size(), 2u);
 }
 
 TEST (Merge, IsTheFitOfAllPoints)

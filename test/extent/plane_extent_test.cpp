@@ -85,6 +85,13 @@ shareInside (const Cloud& cloud,
 
 const PlaneFrame ground (Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ());
 
+/** \brief That of the convex hull of points of the ground. */
+PlaneExtent
+extentOnGround (const PlanarPoints& points)
+{
+  return pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground);
+}
+
 /** \brief The extent of points of the ground that span no area. */
 PlaneExtent
 flatExtent (const std::vector<Eigen::Vector3d>& positions)
@@ -92,20 +99,12 @@ flatExtent (const std::vector<Eigen::Vector3d>& positions)
   PlanarPoints points;
   for (const Eigen::Vector3d& position : positions)
     points.push_back (ground.toPlane (position));
-  const PlaneExtent extent =
-      pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground);
+  const PlaneExtent extent = extentOnGround (points);
   EXPECT_TRUE (extent.hull.empty());
   EXPECT_EQ (extent.area, 0.0);
   EXPECT_EQ (extent.width, 0.0);
   expectRightHanded (extent, Eigen::Vector3d::UnitZ());
   return extent;
-}
-
-/** \brief That of the convex hull of points of the ground. */
-PlaneExtent
-extentOnGround (const PlanarPoints& points)
-{
-  return pcl_ops::extentOf ({pcl_ops::convexHull (points)}, points, ground);
 }
 
 /** \brief Points of a turned plane whose coordinates have any size from 1e-10 to
@@ -200,10 +199,9 @@ TEST (PlaneExtent, TurnsAndMovesWithThePoints)
 TEST (PlaneExtent, OfABoardFarAwayIsThatOfABoardNearBy)
 {
   // At 10^6 m the numbers of a float are 6 cm apart: a board of 100 m feels only that.
-  Cloud cloud;
-  for (const Eigen::Vector2d& p : lattice (100))
-    if (p.y() <= 60)
-      cloud.push_back (toPoint ({1e6 + p.x(), -1e6 + p.y(), 1e6}));
+  Cloud cloud = gridOf (1_m, 0.6_m);
+  for (pcl::PointXYZ& point : cloud)
+    point = toPoint ({1e6 + 100.0 * point.x, -1e6 + 100.0 * point.y, 1e6});
   const PlaneExtent extent = extentOf (cloud);
   EXPECT_NEAR (extent.area, 6000.0, 60.0);
   EXPECT_NEAR (extent.length, 100.0, 1.0);
@@ -218,17 +216,6 @@ TEST (PlaneExtent, IgnoresAFewPointsThatStrayFarOutside)
   expectBoard (extentOf (cloud), 5_percent);
 }
 
-TEST (PlaneExtent, OfATriangleHasHalfTheAreaOfItsRectangle)
-{
-  Cloud triangle;
-  for (int x = 0; x <= 100; ++x)
-    for (int y = 0; y <= 100 - x; ++y)
-      triangle.push_back (toPoint ({0.01 * x, 0.01 * y, 0.0}));
-  const PlaneExtent extent = extentOf (triangle);
-  EXPECT_NEAR (extent.area, 0.5, 1e-6);
-  EXPECT_NEAR (extent.length * extent.width, 1.0, 1e-6);
-}
-
 TEST (PlaneExtent, DoesNotDependOnTheOrderOfThePoints)
 {
   Cloud cloud = scatteredBoard (1500, 5_mm);
@@ -239,10 +226,9 @@ TEST (PlaneExtent, DoesNotDependOnTheOrderOfThePoints)
   EXPECT_EQ (reversed.hull.size(), extent.hull.size());
 }
 
-TEST (PlaneExtent, OfNoPointsIsNothing) { EXPECT_EQ (flatExtent ({}).length, 0.0); }
-
-TEST (PlaneExtent, OfEqualPointsIsAPoint)
+TEST (PlaneExtent, OfNoPointsIsNothingAndOfEqualOnesAPoint)
 {
+  EXPECT_EQ (flatExtent ({}).length, 0.0);
   for (const std::size_t number : {1u, 2u, 3u, 5000u}) {
     const PlaneExtent extent =
         flatExtent (std::vector<Eigen::Vector3d> (number, {3.0, 4.0, 0.0}));
@@ -270,7 +256,9 @@ TEST (PlaneExtent, OfALineAndOnePointBesideItIsATriangle)
   PlanarPoints points (1, Eigen::Vector2d (0.5, 1.0));
   for (int i = 0; i <= 1000; ++i)
     points.emplace_back (0.001 * i, 0.0);
-  EXPECT_NEAR (extentOnGround (points).area, 0.5, 1e-9);
+  const PlaneExtent extent = extentOnGround (points);
+  EXPECT_NEAR (extent.area, 0.5, 1e-9);
+  EXPECT_NEAR (extent.length * extent.width, 1.0, 1e-6);
 }
 
 TEST (PlaneExtent, LeavesOutPointsThatAreNotFinite)

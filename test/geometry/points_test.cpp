@@ -17,11 +17,10 @@ constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
 pcl::PointCloud<pcl::PointXYZ>
-cloudOf (const std::vector<pcl::PointXYZ>& points)
+cloudOf (std::initializer_list<pcl::PointXYZ> points)
 {
   pcl::PointCloud<pcl::PointXYZ> cloud;
-  for (const pcl::PointXYZ& point : points)
-    cloud.push_back (point);
+  cloud.insert (cloud.end(), points.begin(), points.end());
   return cloud;
 }
 

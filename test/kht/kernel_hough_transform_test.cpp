@@ -128,11 +128,19 @@ TEST (KernelHoughTransform, CountsPlanesBeforeAnyWereMerged)
 {
   const LabelledScene scene = box();
   for (Parameters parameters : {Parameters(), published (30, 300)}) {
-    Detector kht;
-    kht.setInputCloud (scene.cloud);
     parameters.merging.enabled = true;
     parameters.merging.distance_threshold = 1.6_m; // top and bottom are 1.5 m apart
-    kht.setParameters (parameters);
+    Detector kht;
+    kht.setInputCloud (scene.cloud);
+    kht.setPhiNum (parameters.phi_num);
+    kht.setRhoNum (parameters.rho_num);
+    kht.setClusterParameters (parameters.clusters);
+    kht.setRefitParameters (parameters.refit);
+    kht.setMergingParameters (parameters.merging);
+    EXPECT_EQ (kht.getPhiNum(), 30);
+    EXPECT_EQ (kht.getRhoNum(), 300);
+    EXPECT_EQ (kht.getClusterParameters().s_alpha, parameters.clusters.s_alpha);
+    EXPECT_EQ (kht.getRefitParameters().enabled, parameters.refit.enabled);
     std::vector<PlaneSegment> planes;
     ASSERT_TRUE (kht.segment (planes));
     EXPECT_LT (planes.size(), kht.getNumberOfPlanesBeforeMerging());

@@ -111,17 +111,6 @@ TEST (OctreeClusters, ShareNoPoint)
   EXPECT_EQ (std::count (is_there.begin(), is_there.end(), false), 0);
 }
 
-TEST (OctreeClusters, HaveNoPointOutsideTheirRoot)
-{
-  Coordinates points;
-  points.add (1e6f, 1e6f, 0.0f);
-  addGrid (points, level, 100);
-  const OctreeClusters found = clustersOf (points, 0);
-  ASSERT_EQ (found.clusters.size(), 1u);
-  EXPECT_EQ (found.clusters[0].size(), 10000u);
-  EXPECT_EQ (found.points.back().index, 0u) << "but it is still there";
-}
-
 TEST (OctreeClusters, AreCutWhereTwoPlanesMeet)
 {
   Coordinates points;
@@ -135,15 +124,20 @@ TEST (OctreeClusters, AreCutWhereTwoPlanesMeet)
   }
 }
 
-TEST (OctreeClusters, DropPointsFarFromTheirPlane)
+TEST (OctreeClusters, DropPointsFarFromTheirPlaneAndOutsideTheirRoot)
 {
-  Coordinates points;
+  Coordinates points, stray;
   addGrid (points, level, 100);
   addGrid (points, Surface{{0.0, 0.0, 1.0}, {0.1, 0.0, 0.0}, {0.0, 0.1, 0.0}}, 3);
-  const OctreeClusters found = clustersOf (points, 0);
-  ASSERT_EQ (found.clusters.size(), 1u);
-  EXPECT_EQ (found.clusters[0].size(), 10000u);
-  EXPECT_LT (found.clusters[0].fit.variances[0], 1e-12);
+  stray.add (1e6f, 1e6f, 0.0f);
+  addGrid (stray, level, 100);
+  for (const Coordinates& all : {points, stray}) {
+    const OctreeClusters found = clustersOf (all, 0);
+    ASSERT_EQ (found.clusters.size(), 1u);
+    EXPECT_EQ (found.clusters[0].size(), 10000u);
+    EXPECT_LT (found.clusters[0].fit.variances[0], 1e-12);
+    EXPECT_EQ (found.points.size(), all.size()) << "they are still there";
+  }
 }
 
 TEST (OctreeClusters, BeginAtTheFirstLevelWithTheMinimumOfSamples)

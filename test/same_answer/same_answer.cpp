@@ -63,10 +63,10 @@ check (const std::string& name,
   const std::uint32_t planes = *std::max_element (labels.begin(), labels.end());
   printLine (cloud_name, name, planes, hashOf (labels));
   all_planes += planes;
-  const bool is_same = labels == labels_with (1);
-  if (!is_same)
-    std::cerr << cloud_name << ", " << name << ": other planes on one thread\n";
-  return is_same;
+  if (labels == labels_with (1))
+    return true;
+  std::cerr << cloud_name << ", " << name << ": other planes on one thread\n";
+  return false;
 }
 
 /** \brief The same of all detectors, by default and as in their papers. */

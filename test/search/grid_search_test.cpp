@@ -45,71 +45,51 @@ uniformVolume ()
 }
 
 Cloud::Ptr
-surfaces ()
-{
-  return room().spacing (10_cm).build().cloud;
-}
-
-Cloud::Ptr
 onePoint ()
 {
   return randomCloud (1, [] (auto&) { return PointXYZ (1, 2, 3); });
 }
 
 /** Clouds that are hard on a search in one way or another. */
-const std::map<std::string, Cloud::Ptr (*)()> clouds = {
-    {"UniformVolume", uniformVolume},
-    {"Surfaces", surfaces},
-    {"OnePoint", onePoint},
-    // Most points within a millimeter, the others over a kilometer.
-    {"Clusters",
-     [] {
-       return randomCloud (4000, [] (auto& g) {
-         return drawInCube (g, drawUnit (g) < 0.9 ? 1_mm : 1000_m);
-       });
-     }},
-    {"Duplicates",
-     [] {
-       return randomCloud (2000, [] (auto& g) {
-         const auto i = static_cast<float> (drawBelow (g, 7));
-         return PointXYZ (i, 2.0f * i, -i);
-       });
-     }},
-    {"AllEqual",
-     [] { return randomCloud (1000, [] (auto&) { return PointXYZ (1, 2, 3); }); }},
-    {"Line",
-     [] {
-       return randomCloud (2000, [] (auto& g) {
-         const auto t = static_cast<float> (drawUnit (g));
-         return PointXYZ (t, 2.0f * t, 3.0f * t);
-       });
-     }},
-    // The same relative distance between neighbors at every scale.
-    {"EverySmallerSteps",
-     [] {
-       return randomCloud (2000, [] (auto& g) {
-         return drawInCube (g, std::pow (10.0, 12.0 * drawUnit (g) - 9.0));
-       });
-     }},
-    {"FarFromZero",
-     [] {
-       return room().spacing (10_cm).movedBy ({1e6, -2e6, 1e6}).build().cloud;
-     }},
-    {"NotFinite",
-     [] {
-       const auto cloud = uniformVolume();
-       for (std::size_t i = 0; i < cloud->size(); i += 2)
-         (*cloud)[i].y = std::numeric_limits<float>::quiet_NaN();
-       (*cloud)[1].z = std::numeric_limits<float>::infinity();
-       return cloud;
-     }},
-    {"VolumeBesideStrayPoints", [] {
-       const auto cloud = uniformVolume();
-       for (const PointXYZ& stray :
-            {PointXYZ (1e7f, 0, 0), PointXYZ (-1e12f, 1e12f, 0)})
-         cloud->push_back (stray);
-       return cloud;
-     }}};
+std::map<std::string, Cloud::Ptr>
+clouds ()
+{
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const Cloud::Ptr broken = uniformVolume(), beside_strays = uniformVolume();
+  for (std::size_t i = 0; i < broken->size(); i += 2)
+    (*broken)[i].y = nan;
+  (*broken)[1].z = std::numeric_limits<float>::infinity();
+  beside_strays->push_back ({1e7f, 0, 0});
+  beside_strays->push_back ({-1e12f, 1e12f, 0});
+  const auto draw_clusters = [] (auto& g) {
+    return drawInCube (g, drawUnit (g) < 0.9 ? 1_mm : 1000_m);
+  };
+  const auto draw_duplicates = [] (auto& g) {
+    const auto i = static_cast<float> (drawBelow (g, 7));
+    return PointXYZ (i, 2.0f * i, -i);
+  };
+  const auto draw_line = [] (auto& g) {
+    const auto t = static_cast<float> (drawUnit (g));
+    return PointXYZ (t, 2.0f * t, 3.0f * t);
+  };
+  // The same relative distance between neighbors at every scale.
+  const auto draw_steps = [] (auto& g) {
+    return drawInCube (g, std::pow (10.0, 12.0 * drawUnit (g) - 9.0));
+  };
+  const auto draw_equal = [] (auto&) { return PointXYZ (1, 2, 3); };
+  Scene surfaces = room().spacing (10_cm);
+  return {{"UniformVolume", uniformVolume()},
+          {"Surfaces", surfaces.build().cloud},
+          {"OnePoint", onePoint()},
+          {"Clusters", randomCloud (4000, draw_clusters)},
+          {"Duplicates", randomCloud (2000, draw_duplicates)},
+          {"AllEqual", randomCloud (1000, draw_equal)},
+          {"Line", randomCloud (2000, draw_line)},
+          {"EverySmallerSteps", randomCloud (2000, draw_steps)},
+          {"FarFromZero", surfaces.movedBy ({1e6, -2e6, 1e6}).build().cloud},
+          {"NotFinite", broken},
+          {"VolumeBesideStrayPoints", beside_strays}};
+}
 
 struct Neighbors {
   pcl::Indices indices;
@@ -192,9 +172,8 @@ queriesFor (const Cloud& cloud)
 
 TEST (GridSearch, FindsWhatLookingAtAllPointsFinds)
 {
-  for (const auto& [name, build] : clouds) {
+  for (const auto& [name, cloud] : clouds()) {
     SCOPED_TRACE (name);
-    const auto cloud = build();
     Search search;
     search.setInputCloud (cloud);
     for (const PointXYZ& query : queriesFor (*cloud)) {

@@ -4,14 +4,16 @@
 
 #include "search/nearest_candidates.h"
 
+#include <limits>
+
 using namespace pcl_ops::internal;
 
 TEST (NearestCandidates, StopTakingWhatIsFarther)
 {
   NearestCandidates candidates (1, std::numeric_limits<float>::infinity());
-  EXPECT_TRUE (candidates.mayTake (5.0f));
+  EXPECT_TRUE (candidates.mayTake (NearestCandidates::bitsOf (5.0f)));
   const std::vector<float> near (50, 1.0f);
   const pcl::Indices indices (50, 7);
   candidates.add (near.data(), indices.data(), 50);
-  EXPECT_FALSE (candidates.mayTake (5.0f));
+  EXPECT_FALSE (candidates.mayTake (NearestCandidates::bitsOf (5.0f)));
 }
