@@ -23,25 +23,27 @@ cloudOf (std::size_t size, const std::function<pcl::PointXYZ (float)>& point)
   return cloud;
 }
 
-/** \brief The paper's algorithm, with enough samples for a small scene. */
+/** \brief With enough samples for a small scene. */
 inline Ops
-paperOn (const Cloud::ConstPtr& cloud)
+opsOn (const Cloud::ConstPtr& cloud, const Ops::Parameters& parameters)
 {
   Ops ops;
-  ops.setParameters (pcl_ops::OrientedPointSamplingParameters::paper());
+  ops.setParameters (parameters);
   ops.setSamplingRate (0.1);
   ops.setInputCloud (cloud);
   return ops;
 }
 
-/** \brief The recommended parameters, with enough samples for a small scene. */
+inline Ops
+paperOn (const Cloud::ConstPtr& cloud)
+{
+  return opsOn (cloud, Ops::Parameters::paper());
+}
+
 inline Ops
 defaultsOn (const Cloud::ConstPtr& cloud)
 {
-  Ops ops;
-  ops.setSamplingRate (0.1);
-  ops.setInputCloud (cloud);
-  return ops;
+  return opsOn (cloud, {});
 }
 
 inline pcl_ops::MergingParameters
