@@ -8,7 +8,6 @@
 #include <boost/interprocess/anonymous_shared_memory.hpp>
 
 #include <detection/methods.h>
-#include <evaluation/detectors/detector_run.h>
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <simulation/simulated_cloud.h>
