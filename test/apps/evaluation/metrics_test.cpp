@@ -72,7 +72,8 @@ a plane where there is none is noise | 20x0 | 10x1 10x0 |
   segmentation_accuracy 0 segmentation_accuracy_all .5 precision 0 noise 1;
 nothing to find and nothing found is perfect | 20x0 | 20x0 | segmentation_accuracy 1 f_score 1;
 the points of the assigned planes count | 10x1 10x2 | 8x1 2x2 9x2 1x0 | segmentation_accuracy .85;
-a found plane is assigned only once | 10x1 10x2 | 20x1 | segmentation_accuracy .5;
+a found plane is assigned only once | 10x1 10x2 | 20x1 |
+  segmentation_accuracy .5 recall .5 precision 1;
 points rightly on no plane count in one of the accuracies | 10x1 10x0 | 8x1 8x0 4x2 |
   segmentation_accuracy .8 segmentation_accuracy_all .7;
 half of the points off planes are called planes | 20x0 | 6x1 4x2 10x0 |
@@ -96,7 +97,7 @@ a found plane over two true ones is under-segmented | 10x1 10x2 | 20x1 |
 parts that leave most of the plane open are noise | 20x1 | 4x1 4x2 12x0 |
   over_segmentation 0 noise 1 missed 1;
 halves of one plane match it only once | 20x1 | 10x1 10x2 |
-  segmentation_accuracy .5 recall 1 precision .5;)";
+  segmentation_accuracy .5 recall 1 precision .5 mean_iou .5;)";
 
 TEST (Metrics, AreWhatTheirDefinitionSays)
 {
