@@ -4,13 +4,11 @@
 
 #include <pcl/common/io.h>
 
+#include "cloud_formats.h"
 #include "inputs.h"
 #include "las_file.h"
 #include "laz_file.h"
 #include "output_file.h"
-#include "pcd_file.h"
-#include "ply_file.h"
-#include "text_file.h"
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <unistd.h>
@@ -28,19 +26,12 @@ namespace pcl_ops::apps {
 
 namespace {
 
-[[noreturn]] void
-failGzip (const std::string& file)
-{
-  throw WorkError (file, "is compressed (gzip); decompress it, e.g. by gunzip");
-}
-
-/** \brief Finds it by its first bytes, whatever the extension. */
-void
-refuseGzip (const std::string& file)
+/** \brief By its first bytes. */
+bool
+isGzip (const std::string& file)
 {
   std::ifstream stream (file, std::ios::binary);
-  if (stream.get() == 0x1f && stream.get() == 0x8b)
-    failGzip (file);
+  return stream.get() == 0x1f && stream.get() == 0x8b;
 }
 
 void
@@ -122,10 +113,8 @@ partOf (const FileCloud& cloud,
 bool
 isCloudFile (const std::string& file)
 {
-  const std::string extension = extensionOf (file);
-  return extension == ".pcd" || extension == ".ply" || extension == ".las" ||
-         (extension == ".laz" && hasLaszip()) || extension == ".xyz" ||
-         extension == ".pts";
+  return hasExtension (file, {".pcd", ".ply", ".las", ".xyz", ".pts"}) ||
+         (hasLaszip() && isLazName (file));
 }
 
 bool
@@ -138,13 +127,15 @@ FileCloud
 loadCloud (const std::string& file)
 {
   const std::string extension = extensionOf (file);
+  const WorkError gzip (file, "is compressed (gzip); decompress it, e.g. by gunzip");
   if (extension == ".gz")
-    failGzip (file);
+    throw gzip;
   if (!hasCloudExtension (file))
     throw UsageError (
         file, std::string ("has an unknown extension; give ") + cloud_file_kinds);
   checkReadable (file, cloud_file_kinds);
-  refuseGzip (file);
+  if (isGzip (file))
+    throw gzip;
   FileCloud cloud;
   if (extension == ".pcd")
     cloud = readPcd (file);
@@ -213,6 +204,25 @@ saveCloud (const std::string& file, const FileCloud& cloud, const SetFields& set
                       static_cast<std::streamsize> (part.points.data.size()));
     }
   });
+}
+
+void
+saveLabeledPcd (const std::string& file, const pcl::PointCloud<pcl::PointXYZL>& cloud)
+{
+  FileCloud packed{{}, cloud.sensor_origin_, cloud.sensor_orientation_};
+  pcl::PCLPointCloud2& points = packed.points;
+  for (const char* axis : {"x", "y", "z"})
+    addField (axis, numberType (pcl::PCLPointField::FLOAT32), 1, points);
+  points.width = cloud.width;
+  points.height = cloud.height;
+  std::vector<std::uint32_t> labels;
+  for (const pcl::PointXYZL& point : cloud) {
+    const auto* const bytes = reinterpret_cast<const std::uint8_t*> (point.data);
+    points.data.insert (points.data.end(), bytes, bytes + points.point_step);
+    labels.push_back (point.label);
+  }
+  setField (packed, "label", pcl::PCLPointField::UINT32, labels.data());
+  saveCloud (file, packed);
 }
 
 FileCloud

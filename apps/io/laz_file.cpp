@@ -26,7 +26,7 @@ isLazName (const std::string& file)
 bool
 isLasName (const std::string& file)
 {
-  return extensionOf (file) == ".las" || isLazName (file);
+  return hasExtension (file, {".las", ".laz"});
 }
 
 bool

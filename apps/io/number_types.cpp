@@ -80,13 +80,8 @@ typeOf (std::uint8_t id,
         std::string_view ply_name = {},
         std::string_view ply_name_with_bits = {})
 {
-  return {id,
-          kind,
-          sizeof (Number),
-          ply_name,
-          ply_name_with_bits,
-          read<Number>,
-          parse<Number>};
+  constexpr std::size_t size = sizeof (Number);
+  return {id, kind, size, ply_name, ply_name_with_bits, read<Number>, parse<Number>};
 }
 
 constexpr std::array<NumberType, 10> types = {

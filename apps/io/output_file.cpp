@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_file.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/join.hpp>
+
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <fcntl.h>
@@ -11,13 +14,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <locale>
 #include <system_error>
 #include <utility>
 
@@ -150,11 +153,15 @@ makeFolder (const std::string& folder)
 std::string
 extensionOf (const std::string& file)
 {
-  std::string extension = fs::path (file).extension().string();
-  std::transform (extension.begin(), extension.end(), extension.begin(), [] (char c) {
-    return static_cast<char> (std::tolower (static_cast<unsigned char> (c)));
-  });
-  return extension;
+  return boost::algorithm::to_lower_copy (fs::path (file).extension().string(),
+                                          std::locale::classic());
+}
+
+bool
+hasExtension (const std::string& file, const std::vector<std::string>& extensions)
+{
+  return std::find (extensions.begin(), extensions.end(), extensionOf (file)) !=
+         extensions.end();
 }
 
 void
@@ -162,15 +169,10 @@ checkExtension (const std::string& option,
                 const std::string& file,
                 const std::vector<std::string>& extensions)
 {
-  if (file.empty())
-    return;
-  const std::string extension = extensionOf (file);
-  if (std::find (extensions.begin(), extensions.end(), extension) == extensions.end()) {
-    std::string list;
-    for (const std::string& known : extensions)
-      list += (list.empty() ? "" : " or ") + known;
-    throw UsageError (option, file + " has an unknown extension; give a file " + list);
-  }
+  if (!file.empty() && !hasExtension (file, extensions))
+    throw UsageError (option,
+                      file + " has an unknown extension; give a file " +
+                          boost::algorithm::join (extensions, " or "));
 }
 
 bool

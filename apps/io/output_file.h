@@ -44,6 +44,10 @@ makeFolder (const std::string& folder);
 std::string
 extensionOf (const std::string& file);
 
+/** \brief Whether that is one of these. */
+bool
+hasExtension (const std::string& file, const std::vector<std::string>& extensions);
+
 /** \brief Refuses a file, unless its name is empty, whose extension is none of these.
  * \param[in] option or argument that names it \throws UsageError */
 void

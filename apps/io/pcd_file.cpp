@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pcd_file.h"
-
-#include "cloud_file.h"
+#include "cloud_formats.h"
 #include "header_reader.h"
 #include "number_types.h"
 

@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ply_file.h"
-
 #include <boost/endian/conversion.hpp>
 
-#include "cloud_file.h"
+#include "cloud_formats.h"
 #include "header_reader.h"
 #include "number_types.h"
 
@@ -246,15 +244,17 @@ struct Target {
   bool becomes_float;
 };
 
+/** \brief By their places in PCL's packed color. */
+constexpr std::array<const char*, 4> color_names = {"blue", "green", "red", "alpha"};
+
 /** \brief Of a color that is one byte: its place in PCL's packed one, or -1. */
 int
 placeInColor (const PlyProperty& property)
 {
-  const std::array<std::string, 4> names = {"blue", "green", "red", "alpha"};
-  if (property.type->id != PCLPointField::UINT8)
-    return -1;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (property.name == names[i] || property.name == "diffuse_" + names[i])
+  for (std::size_t i = 0; i < color_names.size(); ++i)
+    if (property.type->id == PCLPointField::UINT8 &&
+        (property.name == color_names[i] ||
+         property.name == std::string ("diffuse_") + color_names[i]))
       return static_cast<int> (i);
   return -1;
 }
@@ -367,8 +367,6 @@ minSize (const PlyElement& element, bool is_text)
   return bytes;
 }
 
-using pcl::PCLPointField;
-
 struct VertexProperty {
   std::string name;
   const NumberType* type;
@@ -389,11 +387,11 @@ VertexProperties
 colorProperties (const PCLPointField& field)
 {
   VertexProperties properties;
-  const std::array<const char*, 4> names = {"red", "green", "blue", "alpha"};
-  const std::array<pcl::uindex_t, 4> places = {2, 1, 0, 3};
-  for (std::size_t i = 0; i < field.name.size(); ++i)
-    properties.push_back (
-        {names[i], &numberType (PCLPointField::UINT8), field.offset + places[i]});
+  for (const pcl::uindex_t place : {2u, 1u, 0u, 3u})
+    if (properties.size() < field.name.size()) // three or four letters: rgb, rgba
+      properties.push_back ({color_names.at (place),
+                             &numberType (PCLPointField::UINT8),
+                             field.offset + place});
   return properties;
 }
 
@@ -438,21 +436,6 @@ propertiesOf (const pcl::PCLPointCloud2& points)
       }
   }
   return properties;
-}
-
-void
-appendNumber (const std::uint8_t* point,
-              const VertexProperty& property,
-              std::string& bytes)
-{
-  const NumberType& type = *property.type;
-  const std::uint8_t* const number = point + property.offset;
-  if (!type.ply_name.empty()) {
-    bytes.append (reinterpret_cast<const char*> (number), type.size);
-    return;
-  }
-  const double converted = type.read (number);
-  bytes.append (reinterpret_cast<const char*> (&converted), sizeof (converted));
 }
 
 } // namespace
@@ -501,8 +484,13 @@ plyVertices (const pcl::PCLPointCloud2& points)
   const VertexProperties properties = propertiesOf (points);
   std::string bytes;
   for (std::size_t i = 0; i < sizeOf (points); ++i)
-    for (const VertexProperty& property : properties)
-      appendNumber (points.data.data() + i * points.point_step, property, bytes);
+    for (const auto& [name, type, offset] : properties) {
+      const std::uint8_t* number = points.data.data() + i * points.point_step + offset;
+      const double converted = type->ply_name.empty() ? type->read (number) : 0.0;
+      if (type->ply_name.empty())
+        number = reinterpret_cast<const std::uint8_t*> (&converted);
+      bytes.append (reinterpret_cast<const char*> (number), type->size);
+    }
   return bytes;
 }
 

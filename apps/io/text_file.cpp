@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "text_file.h"
-
 #include <pcl/types.h>
 
-#include "cloud_file.h"
+#include <boost/algorithm/string/case_conv.hpp>
+
+#include "cloud_formats.h"
 #include "header_reader.h"
 #include "output_file.h"
 #include <cli/errors.h>
@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <locale>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -60,9 +61,7 @@ plainName (const std::string& name)
 {
   std::string plain = name.substr (0, name.find_first_of ("[("));
   plain.resize (plain.find_last_not_of (" \t_") + 1);
-  for (char& c : plain)
-    c = static_cast<char> (std::tolower (static_cast<unsigned char> (c)));
-  return plain;
+  return boost::algorithm::to_lower_copy (plain, std::locale::classic());
 }
 
 /** \brief Where an axis is among the names: as the field is called, or else by the
@@ -186,19 +185,27 @@ public:
   {
     readHead();
     pcl::PCLPointCloud2 cloud;
-    setFields (cloud);
+    const std::size_t columns = numbers_.size();
+    for (const std::string& name : fieldNames (file_, names_, columns))
+      addField (name, numberType (pcl::PCLPointField::FLOAT64), 1, cloud);
     // Lines are about as long as the first.
     const std::uint64_t expected = reader_.fileSize() / (line_.size() + 1) + 1;
     cloud.data.reserve (std::min (expected, promised_.value_or (expected)) *
                         cloud.point_step);
     std::uint64_t points = 0;
     do {
+      if (points > 0)
+        readNumbers();
+      words_.expectNumbers (columns);
       const auto* const bytes = reinterpret_cast<const std::uint8_t*> (numbers_.data());
       cloud.data.insert (cloud.data.end(), bytes, bytes + cloud.point_step);
-      ++points;
-      checkPoints (points);
+      if (++points > promised_.value_or (points))
+        reader_.failAtLine ("is more than its header promises");
+      if (points >
+          static_cast<std::uint64_t> (std::numeric_limits<pcl::index_t>::max()))
+        reader_.fail ("it has more points than an index can tell apart");
     }
-    while (readPoint());
+    while (nextLine());
     if (promised_ && points < *promised_)
       reader_.failTruncated();
     cloud.width = static_cast<pcl::uindex_t> (points);
@@ -295,41 +302,12 @@ private:
   }
 
   void
-  setFields (pcl::PCLPointCloud2& cloud) const
-  {
-    cloud.point_step = 0;
-    const NumberType& type = numberType (pcl::PCLPointField::FLOAT64);
-    for (const std::string& name : fieldNames (file_, names_, numbers_.size()))
-      addField (name, type, 1, cloud);
-  }
-
-  void
-  checkPoints (std::uint64_t points) const
-  {
-    if (promised_ && points > *promised_)
-      reader_.failAtLine ("is more than its header promises");
-    if (points > static_cast<std::uint64_t> (std::numeric_limits<pcl::index_t>::max()))
-      reader_.fail ("it has more points than an index can tell apart");
-  }
-
-  void
   readNumbers ()
   {
     words_.take (line_, separator_);
     numbers_.resize (words_.size());
     for (std::size_t i = 0; i < numbers_.size(); ++i)
       numbers_[i] = words_.number (i);
-  }
-
-  bool
-  readPoint ()
-  {
-    const std::size_t count = numbers_.size();
-    if (!nextLine())
-      return false;
-    readNumbers();
-    words_.expectNumbers (count);
-    return true;
   }
 
   std::string file_;
@@ -348,9 +326,7 @@ private:
 bool
 isTextFile (const std::string& file)
 {
-  const std::string extension = extensionOf (file);
-  return extension == ".xyz" || extension == ".txt" || extension == ".pts" ||
-         extension == ".csv";
+  return hasExtension (file, {".xyz", ".txt", ".pts", ".csv"});
 }
 
 pcl::PCLPointCloud2

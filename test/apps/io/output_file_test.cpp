@@ -130,26 +130,22 @@ TEST_F (OutputFile, WritesThroughALinkAndKeepsPermissions)
 
 TEST_F (OutputFile, NamesWhatIsInTheWay)
 {
-  const auto complaint = [] (const std::string& name) {
-    return complaintOf ([&] { checkWritable (name); });
-  };
-  EXPECT_EQ (complaint (folder_ / "fine.pcd"), "");
-  EXPECT_EQ (complaint (folder_.path()),
-             folder_.path() + ": is a folder; give the name of a file in it");
-  EXPECT_EQ (complaint (folder_ / "no/a.pcd"),
-             folder_ / "no/a.pcd" +
-                 ": its folder does not exist; create it or give another name");
-  EXPECT_EQ (complaint ("/dev/null"),
-             "/dev/null: is no regular file; give another name");
-  EXPECT_EQ (complaint (""), "'': is no file name; give one to write to");
-  const std::string longest = folder_ / std::string (255, 'n');
-  EXPECT_EQ (complaint (longest), "");
-  EXPECT_EQ (complaint (longest + "n"),
-             longest + "n: has a name that is too long; give a shorter one");
   fs::create_symlink ("itself.csv", folder_ / "itself.csv");
-  EXPECT_EQ (complaint (folder_ / "itself.csv"),
-             folder_ / "itself.csv" +
-                 ": is a link that leads nowhere; give another name");
+  const std::string longest = folder_ / std::string (255, 'n');
+  const std::pair<std::string, std::string> rows[] = {
+      {folder_ / "fine.pcd", ""},
+      {longest, ""},
+      {longest + "n", "has a name that is too long; give a shorter one"},
+      {folder_.path(), "is a folder; give the name of a file in it"},
+      {folder_ / "no/a.pcd",
+       "its folder does not exist; create it or give another name"},
+      {"/dev/null", "is no regular file; give another name"},
+      {folder_ / "itself.csv", "is a link that leads nowhere; give another name"}};
+  for (const auto& [name, complaint] : rows)
+    EXPECT_EQ (complaintOf ([&, file = name] { checkWritable (file); }),
+               complaint.empty() ? "" : name + ": " + complaint);
+  EXPECT_EQ (complaintOf ([] { checkWritable (""); }),
+             "'': is no file name; give one to write to");
 }
 
 TEST_F (OutputFile, KnowsAFileByAnyName)
