@@ -19,10 +19,12 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-class Inputs : public testing::Test {
+class InFolder : public testing::Test {
 protected:
   TemporaryFolder folder_;
 };
+using Inputs = InFolder;
+using OutputFile = InFolder;
 
 TEST_F (Inputs, HaveALinkToNowhereThatIsNamedLikeAPattern)
 {
@@ -57,11 +59,6 @@ TEST_F (Inputs, LeaveACloudThatDoesNotExistToItsReader)
     EXPECT_EQ (found.problems, Names{});
   }
 }
-
-class OutputFile : public testing::Test {
-protected:
-  TemporaryFolder folder_;
-};
 
 TEST_F (OutputFile, ReplacesTheTargetInOneStep)
 {
