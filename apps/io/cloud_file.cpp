@@ -206,25 +206,6 @@ saveCloud (const std::string& file, const FileCloud& cloud, const SetFields& set
   });
 }
 
-void
-saveLabeledPcd (const std::string& file, const pcl::PointCloud<pcl::PointXYZL>& cloud)
-{
-  FileCloud packed{{}, cloud.sensor_origin_, cloud.sensor_orientation_};
-  pcl::PCLPointCloud2& points = packed.points;
-  for (const char* axis : {"x", "y", "z"})
-    addField (axis, numberType (pcl::PCLPointField::FLOAT32), 1, points);
-  points.width = cloud.width;
-  points.height = cloud.height;
-  std::vector<std::uint32_t> labels;
-  for (const pcl::PointXYZL& point : cloud) {
-    const auto* const bytes = reinterpret_cast<const std::uint8_t*> (point.data);
-    points.data.insert (points.data.end(), bytes, bytes + points.point_step);
-    labels.push_back (point.label);
-  }
-  setField (packed, "label", pcl::PCLPointField::UINT32, labels.data());
-  saveCloud (file, packed);
-}
-
 FileCloud
 loadStandardInput ()
 {

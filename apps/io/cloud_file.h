@@ -3,8 +3,6 @@
 #pragma once
 
 #include <pcl/PCLPointCloud2.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
 
 #include <Eigen/Geometry>
 
@@ -90,11 +88,6 @@ void
 saveCloud (const std::string& file,
            const FileCloud& cloud,
            const SetFields& set_fields = {});
-
-/** \brief Writes a binary PCD without the padding of pcl::PointXYZL.
- * \throws WorkError if it cannot be written */
-void
-saveLabeledPcd (const std::string& file, const pcl::PointCloud<pcl::PointXYZL>& cloud);
 
 /** \brief What stands for the standard streams where a file name is expected. */
 inline constexpr const char* standard_stream = "-";

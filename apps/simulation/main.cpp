@@ -8,7 +8,7 @@
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <cli/progress.h>
-#include <io/cloud_file.h>
+#include <io/labeled_pcd.h>
 #include <io/las_file.h>
 #include <io/output_file.h>
 #include <io/pose_file.h>

@@ -90,6 +90,13 @@ struct PointCloud {
   using Ptr = std::shared_ptr<PointCloud>;
   using ConstPtr = std::shared_ptr<const PointCloud>;
 
+  PointCloud() = default;
+  PointCloud (const PointCloud& other, const Indices& indices)
+  {
+    for (const index_t i : indices)
+      points.push_back (other[static_cast<std::size_t> (i)]);
+  }
+
   // clang-format off
   bool empty () const { return points.empty(); }
   std::size_t size () const { return points.size(); }

@@ -9,7 +9,7 @@
 #include <cli/progress.h>
 #include <detection/methods.h>
 #include <evaluation/metrics/metrics.h>
-#include <io/cloud_file.h>
+#include <io/labeled_pcd.h>
 #include <io/output_file.h>
 
 #include <algorithm>
