@@ -74,11 +74,12 @@ struct Mismatch {
 /** \brief What is known of the pose of a frame in another: a pose, and the covariance
  * of its error, a rotation vector [rad] about the frame's origin and a shift [m], both
  * along the axes of the other. */
-struct PoseBelief {
+struct PoseEstimate {
   Eigen::Isometry3d pose;
   Eigen::Matrix<double, 6, 6> covariance;
 
-  PoseBelief (const Eigen::Isometry3d& given, const PlaneMatchingParameters& parameters)
+  PoseEstimate (const Eigen::Isometry3d& given,
+                const PlaneMatchingParameters& parameters)
   : pose (given)
   {
     Eigen::Matrix<double, 6, 1> errors;
@@ -157,7 +158,7 @@ struct PoseBelief {
 };
 
 /** \brief Slopes of planes at more than this to each other are no small errors. */
-constexpr double least_cosine = 0.7;
+constexpr double min_cosine = 0.7;
 
 /** \brief Of three numbers with a normal distribution, 99.7 % have a smaller sum of
  * squares: three standard deviations. */
@@ -185,14 +186,14 @@ pairOf (const Patches& previous,
         std::size_t p,
         const Patches& current,
         std::size_t c,
-        const PoseBelief& belief,
+        const PoseEstimate& belief,
         double min_overlap)
 {
   if (!previous[p] || !current[c])
     return std::nullopt;
   const Patch &fixed = *previous[p], &seen = *current[c];
   const Patch over = moved (belief.pose, seen);
-  if (std::abs (over.normal().dot (fixed.normal())) < least_cosine)
+  if (std::abs (over.normal().dot (fixed.normal())) < min_cosine)
     return std::nullopt;
   const double distance = belief.squaredDistance (belief.mismatchOf (fixed, seen));
   if (!(distance <= largest_squared_distance))
@@ -210,10 +211,10 @@ pairOf (const Patches& previous,
 
 /** \brief Lets the pose follow from the planes, the largest first: the less sure it is
  * the more it needs those that cannot be mistaken. */
-PoseBelief
+PoseEstimate
 registered (const Patches& previous,
             const Patches& current,
-            PoseBelief belief,
+            PoseEstimate belief,
             double min_overlap)
 {
   const auto area = [&] (std::size_t c) {
@@ -245,7 +246,7 @@ registered (const Patches& previous,
 std::vector<Pair>
 pairsByScore (const Patches& previous,
               const Patches& current,
-              const PoseBelief& belief,
+              const PoseEstimate& belief,
               double min_overlap)
 {
   std::vector<Pair> pairs;
@@ -300,8 +301,8 @@ matchPlanes (const std::vector<PlaneSegment>& previous,
   detail::throwOn (pose.matrix().allFinite() ? "" : "the pose must be finite");
   const Patches before = patchesOf (previous), now = patchesOf (current);
   const double min_overlap = parameters.min_overlap;
-  const PoseBelief belief =
-      registered (before, now, PoseBelief (pose, parameters), min_overlap);
+  const PoseEstimate belief =
+      registered (before, now, PoseEstimate (pose, parameters), min_overlap);
   return {oneToOne (pairsByScore (before, now, belief, min_overlap),
                     previous.size(),
                     current.size()),

@@ -127,7 +127,7 @@ std::vector<Vector3d>
 axesToTry (const Faces& faces)
 {
   constexpr std::size_t most_planes = 12;
-  constexpr double least_sine = 0.5;
+  constexpr double min_sine = 0.5;
   std::vector<Face> largest = sorted (faces.each, &Face::weight);
   largest.resize (std::min (largest.size(), most_planes));
   std::vector<Vector3d> axes;
@@ -135,7 +135,7 @@ axesToTry (const Faces& faces)
     axes.push_back (largest[i].normal);
     for (std::size_t j = 0; j < i; ++j) {
       const Vector3d across = largest[i].normal.cross (largest[j].normal);
-      if (across.norm() > least_sine)
+      if (across.norm() > min_sine)
         axes.push_back (across.normalized());
     }
   }
@@ -221,12 +221,11 @@ seesFloorAndCeiling (const Vector3d& up,
                      double tolerance)
 {
   // Cameras have 0.6 and more.
-  constexpr double least_directedness = 0.3;
+  constexpr double min_directedness = 0.3;
   constexpr double min_share = 0.05;
   const double squared_gaze = (faces.mean - viewpoint).squaredNorm();
   const double limit = std::sin (tolerance);
-  return squared_gaze <
-             least_directedness * (squared_gaze + faces.covariance.trace()) &&
+  return squared_gaze < min_directedness * (squared_gaze + faces.covariance.trace()) &&
          facingShare (faces, up, limit) >= min_share &&
          facingShare (faces, -up, limit) >= min_share;
 }

@@ -56,8 +56,8 @@ bool
 areOfTwoSurfaces (const Sighting* first, std::size_t number)
 {
   constexpr float smallest_ratio = 1.15f;
-  constexpr std::size_t least_share = 5;
-  const std::size_t least = (number + least_share - 1) / least_share;
+  constexpr std::size_t min_share = 5;
+  const std::size_t least = (number + min_share - 1) / min_share;
   for (std::size_t i = least; i <= number - least; ++i)
     if (first[i].second > smallest_ratio * first[i - 1].second)
       return true;

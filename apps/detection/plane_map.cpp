@@ -132,10 +132,10 @@ meetingOf (const Line& a,
            const Eigen::Vector3d& corner,
            double tolerance)
 {
-  constexpr double least_squared_sine = 0.07; // 15 degrees
+  constexpr double min_squared_sine = 0.07; // 15 degrees
   const double cosine = a.direction().dot (b.direction());
   const double squared_sine = 1.0 - cosine * cosine;
-  if (squared_sine < least_squared_sine)
+  if (squared_sine < min_squared_sine)
     return corner;
   const Eigen::Vector3d between = a.origin() - b.origin();
   const double along_a = a.direction().dot (between);

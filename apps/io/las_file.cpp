@@ -213,7 +213,7 @@ LasFile::forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit)
 }
 
 std::string
-LasFile::problemOf (const std::vector<LasField>& fields) const
+LasFile::validate (const std::vector<LasField>& fields) const
 {
   const std::vector<LasField> added = missingOf (fields, frame_);
   if (added.empty())

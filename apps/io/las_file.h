@@ -56,7 +56,7 @@ public:
   /** \brief Why there can be no such fields beside all else, with the fix; empty where
    * there can. */
   std::string
-  problemOf (const std::vector<LasField>& fields) const;
+  validate (const std::vector<LasField>& fields) const;
 
   /** \brief Writes every byte of the file with further fields, each in place of the one
    * of its name that the file has.

@@ -235,19 +235,19 @@ checkBatch (const SegmentOptions& options)
   }
 }
 
-struct Claim {
+struct Owner {
   std::string name;
   const Task* task;
 };
 
 /** \brief Who writes what, by absolute names. */
-using Claims = std::map<std::string, Claim>;
+using Owners = std::map<std::string, Owner>;
 
 void
-claim (const std::string& output, const Task& task, Claims& claims)
+own (const std::string& output, const Task& task, Owners& owners)
 {
   const auto [first, is_new] =
-      claims.emplace (resolvedName (output), Claim{output, &task});
+      owners.emplace (resolvedName (output), Owner{output, &task});
   if (is_new)
     return;
   if (first->second.task == &task)
@@ -265,15 +265,15 @@ checkClashes (const std::vector<Task>& tasks,
               const std::string& poses,
               const std::string& fix)
 {
-  Claims files, folders;
+  Owners files, folders;
   for (const Task& task : tasks) {
     for (const std::string& file : task.outputs.files()) {
-      claim (file, task, files);
+      own (file, task, files);
       if (isSameFile (task.input, file))
         throw UsageError (file, "is the input, too; " + fix);
     }
     if (!task.outputs.planes_dir.empty())
-      claim (task.outputs.planes_dir, task, folders);
+      own (task.outputs.planes_dir, task, folders);
   }
   const auto is_in_folder = [&folders] (const fs::path& file) {
     return folders.count (file.parent_path().string()) > 0;

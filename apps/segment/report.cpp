@@ -44,17 +44,17 @@ void
 printPlanes (const Report& report, std::ostream& stream)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
-  constexpr std::size_t most_rows = 20;
+  constexpr std::size_t max_rows = 20;
   stream << "  id  orientation   points      %       rms         a         b         c"
             "         d\n";
   std::size_t rest = report.points;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     rest -= planes[i].inliers.size();
-    if (i < most_rows)
+    if (i < max_rows)
       printPlane (report.ids[i], planes[i], report.points, stream);
   }
-  if (planes.size() > most_rows)
-    stream << "      and " << planes.size() - most_rows
+  if (planes.size() > max_rows)
+    stream << "      and " << planes.size() - max_rows
            << " smaller ones: --planes FILE.json has them all\n";
   stream << "      no plane   " << std::setw (9) << rest << std::setprecision (1) << " "
          << std::setw (6) << share (rest, report.points) << "\n";

@@ -58,7 +58,7 @@ checkTakesLabels (const SegmentOptions& options,
   std::vector<LasField> fields = {label_field};
   if (options.distances)
     fields.push_back (distance_field);
-  const std::string problem = cloud.las->problemOf (fields);
+  const std::string problem = cloud.las->validate (fields);
   if (!problem.empty())
     throw WorkError (nameOfInput (task), problem);
 }

@@ -78,9 +78,9 @@ cellsOfTile (const PlanOptions& options, double cell)
     throw UsageError ("--tile",
                       "is less than " + std::to_string (TileGrid::halo) +
                           " cells wide; give a larger one or a smaller --cell");
-  if (cells > double (TileGrid::most_cells))
+  if (cells > double (TileGrid::max_cells))
     throw UsageError ("--tile",
-                      "is more than " + std::to_string (TileGrid::most_cells) +
+                      "is more than " + std::to_string (TileGrid::max_cells) +
                           " cells wide; give a smaller one or a larger --cell");
   return static_cast<std::int64_t> (cells);
 }
@@ -91,12 +91,12 @@ checkReach (const TileGrid& grid,
             const std::string& file,
             const std::vector<Eigen::Vector3d>& places)
 {
-  constexpr double fewest_reached = 0.9;
+  constexpr double min_reached = 0.9;
   const auto reached =
       std::count_if (places.begin(), places.end(), [&grid] (const auto& place) {
         return grid.reaches (place);
       });
-  if (double (reached) >= fewest_reached * double (places.size()))
+  if (double (reached) >= min_reached * double (places.size()))
     return;
   std::ostringstream text;
   text << "cells of " << grid.cell() << " reach " << grid.reach() << " from zero, and "
@@ -141,7 +141,7 @@ lookAt (const std::vector<std::string>& files)
       continue;
     }
     PointFile points (file);
-    if (const std::string problem = points.problemOfLabels(); !problem.empty())
+    if (const std::string problem = points.validateLabels(); !problem.empty())
       throw WorkError (file, problem);
     const auto place = [&points] (std::uint64_t i) { return points.place (i); };
     samples.inputs.push_back (stateOf (file));
@@ -251,7 +251,7 @@ loadPlan (const PlanFile& file)
     if (plan.cell > 0.0 && std::isfinite (plan.cell) &&
         plan.cells_of_tile % TileGrid::cells_of_coarsest == 0 &&
         plan.cells_of_tile >= TileGrid::halo &&
-        plan.cells_of_tile <= TileGrid::most_cells)
+        plan.cells_of_tile <= TileGrid::max_cells)
       return plan;
   }
   catch (const nlohmann::json::exception&) {

@@ -72,23 +72,23 @@ private:
 /** \brief Counts the cells that pieces of two tiles share.
  * \param[in] first_of_a, first_of_b positions of the tiles' first pieces */
 void
-countVotes (const std::vector<Claim>& a,
-            const std::vector<Claim>& b,
+countVotes (const std::vector<BorderVoxel>& a,
+            const std::vector<BorderVoxel>& b,
             std::size_t first_of_a,
             std::size_t first_of_b,
             std::vector<Pair>& pairs)
 {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> votes;
   auto in_b = b.begin();
-  for (const Claim& claim : a) {
-    while (in_b != b.end() && in_b->cell < claim.cell)
+  for (const BorderVoxel& voxel : a) {
+    while (in_b != b.end() && in_b->cell < voxel.cell)
       ++in_b;
-    for (auto other = in_b; other != b.end() && other->cell == claim.cell; ++other)
-      ++votes[{claim.piece, other->piece}];
+    for (auto other = in_b; other != b.end() && other->cell == voxel.cell; ++other)
+      ++votes[{voxel.piece, other->piece}];
   }
-  constexpr std::uint32_t fewest_votes = 3;
+  constexpr std::uint32_t min_votes = 3;
   for (const auto& [pieces, count] : votes)
-    if (count >= fewest_votes)
+    if (count >= min_votes)
       pairs.push_back ({first_of_a + pieces.first, first_of_b + pieces.second, count});
 }
 
@@ -110,8 +110,11 @@ pairsOf (const std::vector<TileKey>& tiles,
       if (!own)
         own = load (tiles[i]);
       const auto other = static_cast<std::size_t> (found - tiles.begin());
-      countVotes (
-          own->claims, load (next).claims, first_piece[i], first_piece[other], pairs);
+      countVotes (own->border_voxels,
+                  load (next).border_voxels,
+                  first_piece[i],
+                  first_piece[other],
+                  pairs);
     }
   }
   std::stable_sort (pairs.begin(), pairs.end(), [] (const Pair& a, const Pair& b) {

@@ -37,7 +37,7 @@ struct JoinedPlanes {
  * are one plane if the library's merging says so of all that has been joined with
  * either before, pairs with most votes first.
  * \param[in] tiles sorted
- * \param[in] load the planes of a tile; asked several times, so that not all claims are
+ * \param[in] load the planes of a tile; asked several times, so that not all of them are
  * in memory */
 JoinedPlanes
 joinPlanes (const std::vector<TileKey>& tiles,

@@ -68,9 +68,9 @@ public:
 
   /** \brief Why there can be no labels, with the fix; empty where there can. */
   std::string
-  problemOfLabels () const
+  validateLabels () const
   {
-    return las_ ? las_->problemOf ({label_field}) : "";
+    return las_ ? las_->validate ({label_field}) : "";
   }
 
 private:

@@ -26,7 +26,7 @@ public:
   /** \brief How far around a tile points are looked at: normals come from the nearest
    * three of the coarsest voxels, and planes grow and are joined voxel by voxel. */
   static constexpr std::int64_t halo = 12;
-  static constexpr std::int64_t most_cells = 1'000'000'000;
+  static constexpr std::int64_t max_cells = 1'000'000'000;
 
   /** \param[in] cell edge [m]
    * \param[in] cells_of_tile along an edge, a multiple of \ref cells_of_coarsest and at
@@ -46,7 +46,7 @@ public:
   double
   reach () const
   {
-    return static_cast<double> (most_cells) * cell_;
+    return static_cast<double> (max_cells) * cell_;
   }
 
   /** \brief Whether a point has coordinates, and such that cells can be counted. */

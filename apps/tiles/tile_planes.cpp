@@ -64,14 +64,14 @@ inputsOf (const PlaneSegment& plane, const TilePoints& points)
 
 /** \param[in] own how many of the inliers, the first, are the tile's own
  * \param[in] number of the piece
- * \param[in,out] claims get the cells of the plane that other tiles look at, too */
+ * \param[in,out] border_voxels get the cells of the plane that other tiles look at, too */
 Piece
 pieceOf (const PlaneSegment& plane,
          const TilePoints& points,
          const TileGrid& grid,
          std::size_t own,
          std::uint32_t number,
-         std::vector<Claim>& claims)
+         std::vector<BorderVoxel>& border_voxels)
 {
   const CellKey frame = grid.frameOf (points.tile);
   const Eigen::Vector3d corner = grid.cornerOf (frame);
@@ -90,14 +90,14 @@ pieceOf (const PlaneSegment& plane,
     if (outline[i].is_own)
       piece.own.add (corner + local);
     CellKey cell = grid.cellOf (local);
-    Claim claim{{}, number};
+    BorderVoxel voxel{{}, number};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto k = static_cast<Eigen::Index> (axis);
       outline[i].place[axis] = std::llround ((corner[k] + local[k]) / unit);
-      claim.cell[axis] = static_cast<std::int32_t> (cell[axis] += frame[axis]);
+      voxel.cell[axis] = static_cast<std::int32_t> (cell[axis] += frame[axis]);
     }
     if (!grid.isInside (points.tile, cell))
-      claims.push_back (claim);
+      border_voxels.push_back (voxel);
   }
   piece.edges = outlineEdges (outline, plane.normal, grid.cell() / unit);
   return piece;
@@ -114,7 +114,7 @@ saveTilePlanes (const std::string& file, const TilePlanes& planes)
     write (&pieces, 1);
     for (const Piece& piece : planes.pieces)
       transfer (write, piece);
-    write (planes.claims);
+    write (planes.border_voxels);
   });
 }
 
@@ -126,7 +126,7 @@ loadTilePlanes (const std::string& file)
   std::uint64_t pieces = 0;
   for (read (&pieces, 1); planes.pieces.size() < pieces;)
     transfer (read, planes.pieces.emplace_back());
-  read (planes.claims);
+  read (planes.border_voxels);
   return planes;
 }
 
@@ -137,7 +137,7 @@ detectInTile (const TileGrid& grid, const TilePoints& points)
   for (const auto& [input, count] : points.own_of_input)
     own_points += count;
   TileDetection found{{}, std::vector<std::uint32_t> (own_points, 0)};
-  auto& [pieces, claims] = found.planes;
+  auto& [pieces, border_voxels] = found.planes;
   for (const PlaneSegment& plane : detectIn (grid, points)) {
     const auto begin = plane.inliers.begin();
     const auto end = std::lower_bound (
@@ -149,14 +149,18 @@ detectInTile (const TileGrid& grid, const TilePoints& points)
                                grid,
                                static_cast<std::size_t> (end - begin),
                                static_cast<std::uint32_t> (pieces.size()),
-                               claims));
+                               border_voxels));
     for (auto index = begin; index != end; ++index)
       found.labels[static_cast<std::size_t> (*index)] =
           static_cast<std::uint32_t> (pieces.size());
   }
-  std::sort (claims.begin(), claims.end());
-  const auto are_equal = [] (const Claim& a, const Claim& b) { return !(a < b); };
-  claims.erase (std::unique (claims.begin(), claims.end(), are_equal), claims.end());
+  std::sort (border_voxels.begin(), border_voxels.end());
+  const auto are_equal = [] (const BorderVoxel& a, const BorderVoxel& b) {
+    return !(a < b);
+  };
+  border_voxels.erase (
+      std::unique (border_voxels.begin(), border_voxels.end(), are_equal),
+      border_voxels.end());
   return found;
 }
 

@@ -32,12 +32,12 @@ struct Piece {
 };
 
 /** \brief A cell near the border of a tile with points on a piece. */
-struct Claim {
+struct BorderVoxel {
   std::array<std::int32_t, 3> cell{};
   std::uint32_t piece = 0;
 
   friend bool
-  operator<(const Claim& a, const Claim& b)
+  operator<(const BorderVoxel& a, const BorderVoxel& b)
   {
     return std::tie (a.cell, a.piece) < std::tie (b.cell, b.piece);
   }
@@ -48,7 +48,7 @@ struct TilePlanes {
   /** \brief By falling size as seen in the tile and its halo. */
   std::vector<Piece> pieces;
   /** \brief Sorted, each once. */
-  std::vector<Claim> claims;
+  std::vector<BorderVoxel> border_voxels;
 };
 
 /** \brief Writes it in one step. \throws WorkError if it cannot be written */

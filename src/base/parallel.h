@@ -35,7 +35,7 @@ parallelFor (unsigned threads,
  * the rest as \ref parallelFor. */
 template <typename Body>
 auto
-parallelPieces (unsigned threads, std::size_t size, std::size_t grain, Body&& body)
+parallelChunks (unsigned threads, std::size_t size, std::size_t grain, Body&& body)
 {
   std::vector<decltype (body (size, size))> pieces ((size + grain - 1) / grain);
   parallelFor (threads, size, grain, [&] (std::size_t begin, std::size_t end) {

@@ -71,8 +71,8 @@ Bending
 bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit)
 {
   Bending bending;
-  constexpr std::size_t fewest = 8;
-  if (voxels.size() < fewest)
+  constexpr std::size_t min_voxels = 8;
+  if (voxels.size() < min_voxels)
     return bending;
   const std::vector<Moments>& moments = grid.moments;
   const Moments all = momentsOf (grid, voxels);

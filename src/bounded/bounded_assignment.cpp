@@ -143,7 +143,7 @@ assignToBoundedPlanes (const Coordinates& points,
                               distance_threshold.has_value(),
                               assigned.labels};
   const auto pieces =
-      parallelPieces (threads, grid.size(), voxels_at_once, [&] (auto begin, auto end) {
+      parallelChunks (threads, grid.size(), voxels_at_once, [&] (auto begin, auto end) {
         std::vector<Moments> moments (planes.size());
         Labels around;
         for (std::size_t voxel = begin; voxel < end; ++voxel)

@@ -9,7 +9,7 @@
 namespace pcl_ops::internal {
 
 /** \brief A voxel of fewer points does not tell the noise of its points. */
-inline constexpr double fewest_points_of_noise = 16.0;
+inline constexpr double min_points_of_noise = 16.0;
 
 /** \brief No noise is measured more finely than this [m]. */
 inline double

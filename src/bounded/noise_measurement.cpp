@@ -37,7 +37,7 @@ distanceOf (const VoxelGrid& grid, const BoundedPlanes& planes, std::size_t voxe
 void
 measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes)
 {
-  constexpr std::size_t fewest_inside = 3;
+  constexpr std::size_t min_inside = 3;
   std::vector<Distance> distances (grid.size());
   forVoxels (grid, threads, [&] (std::size_t i) {
     if (planes.plane_of_voxel[i] != no_plane)
@@ -57,7 +57,7 @@ measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes)
     if (!all[p].empty())
       planes.noise[p] =
           std::max (std::sqrt (static_cast<double> (medianOf (
-                        inside[p].size() >= fewest_inside ? inside[p] : all[p]))),
+                        inside[p].size() >= min_inside ? inside[p] : all[p]))),
                     smallestNoise (grid));
 }
 

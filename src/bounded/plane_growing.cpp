@@ -84,7 +84,7 @@ growPlanes (const VoxelGrid& grid,
   Indices open = openVoxels (planes.plane_of_voxel);
   while (!open.empty()) {
     Labels nearest (open.size());
-    parallelFor (threads, open.size(), voxels_per_piece, [&] (auto begin, auto end) {
+    parallelFor (threads, open.size(), voxels_per_chunk, [&] (auto begin, auto end) {
       for (std::size_t i = begin; i < end; ++i)
         nearest[i] = nearestPlaneAround (grid, planes, limits, open[i]);
     });

@@ -16,14 +16,14 @@ namespace {
 std::vector<char>
 voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_voxel)
 {
-  constexpr double fewest_points = 8.0;
+  constexpr double min_points = 8.0;
   std::vector<char> is_refined (grid.size(), 0);
   forVoxels (grid, threads, [&] (std::size_t i) {
     const VoxelRange& around = grid.neighbors[i];
     is_refined[i] =
         std::any_of (around.begin(), around.end(), [&] (std::uint32_t neighbor) {
           return plane_of_voxel[neighbor] == no_plane &&
-                 grid.moments[neighbor].count >= fewest_points;
+                 grid.moments[neighbor].count >= min_points;
         });
   });
   return is_refined;

@@ -123,7 +123,7 @@ momentsOfLabels (const Coordinates& points,
     return moments;
   };
   const std::size_t grain = std::max (points_of_a_task, points_per_plane * number);
-  const auto partial = parallelPieces (threads, points.size(), grain, sum);
+  const auto partial = parallelChunks (threads, points.size(), grain, sum);
   std::vector<Moments> moments (number);
   for (const std::vector<Moments>& piece : partial)
     for (std::size_t p = 0; p < number; ++p)

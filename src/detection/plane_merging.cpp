@@ -84,7 +84,7 @@ mergeOnce (std::vector<Group>& groups,
   // Every pair of planes whose normals are too far apart is left out by this alone: of
   // thousands of planes there are millions of pairs. Rounding included.
   const double right_angle = std::acos (0.0);
-  const double least_cosine = std::cos (std::min (angle_threshold, right_angle)) - 1e-9;
+  const double min_cosine = std::cos (std::min (angle_threshold, right_angle)) - 1e-9;
   std::vector<Eigen::Vector3d> normals;
   for (const Group& group : groups)
     normals.push_back (group.fit.plane.normal);
@@ -101,7 +101,7 @@ mergeOnce (std::vector<Group>& groups,
     if (is_absorbed[i])
       continue;
     for (std::size_t j = i + 1; j < groups.size(); ++j)
-      if (std::abs (normals[i].dot (normals[j])) > least_cosine && !is_absorbed[j] &&
+      if (std::abs (normals[i].dot (normals[j])) > min_cosine && !is_absorbed[j] &&
           absorbs (groups[i], groups[j])) {
         is_absorbed[j] = true;
         normals[i] = groups[i].fit.plane.normal;

@@ -33,9 +33,9 @@ struct FixedRadiusSearch {
   {
     // Voxels that hold next to no points cost, too.
     constexpr double points_per_voxel = 16.0;
-    const double most_voxels =
+    const double max_voxels =
         std::max (1.0, static_cast<double> (positions.size()) / points_per_voxel);
-    const double edge = std::max (radius, voxelSizeFor (positions, most_voxels));
+    const double edge = std::max (radius, voxelSizeFor (positions, max_voxels));
     VoxelizedPoints voxelized = voxelize (positions, edge, threads);
     connect (voxelized.grid, threads);
     neighbors_of_voxel = std::move (voxelized.grid.neighbors);

@@ -83,7 +83,7 @@ roundedMedian (std::array<std::vector<float>, 3>& values)
 // Near the median of some of the points: near most of them, wherever a few stray to,
 // and whatever their order; zero for no points.
 Eigen::Vector3d
-usualPosition (const CloudView& cloud, const pcl::Indices& indices)
+localOrigin (const CloudView& cloud, const pcl::Indices& indices)
 {
   constexpr std::size_t looked_at = 100;
   const std::size_t stride = indices.size() / looked_at + 1;
@@ -230,7 +230,7 @@ finitePoints (const CloudView& cloud,
     return finitePoints (cloud, sorted, threads, step);
   }
   Points points;
-  points.origin = usualPosition (cloud, indices);
+  points.origin = localOrigin (cloud, indices);
   // Points are moved in single precision: by as much as it can tell.
   if (step > 0.0)
     points.origin = ((points.origin / step).array().round() * step)

@@ -46,7 +46,7 @@ smallestRoots (const Lanes& minors, const Lanes& determinant)
   constexpr int most_steps = 60;
   constexpr double precision = 1e-13;
   // Less steep it is a line's, whose two smallest roots are zero to within rounding.
-  constexpr double least_slope = 1e-14;
+  constexpr double min_slope = 1e-14;
   Lanes root;
   for (std::size_t i = 0; i < lanes; ++i)
     root[i] = startOfRoot (minors[i], determinant[i]);
@@ -57,7 +57,7 @@ smallestRoots (const Lanes& minors, const Lanes& determinant)
       const double value =
           ((root[i] - 1.0) * root[i] + minors[i]) * root[i] - determinant[i];
       const double slope = (3.0 * root[i] - 2.0) * root[i] + minors[i];
-      const double step = slope > least_slope ? value / slope : 0.0;
+      const double step = slope > min_slope ? value / slope : 0.0;
       root[i] -= step;
       farthest = std::max (farthest, std::abs (step));
     }

@@ -294,7 +294,7 @@ findCoplanarClusters (const Coordinates& points,
       sortIntoCubes (root, sorted_level, point_at, result.points.data());
   const int start_level = std::clamp (parameters.first_level, 0, max_start_level);
   const auto found =
-      parallelPieces (threads,
+      parallelChunks (threads,
                       std::size_t (1) << (3 * start_level),
                       1,
                       [&] (std::size_t code, std::size_t) {

@@ -43,10 +43,10 @@ orient (const VoxelGrid& grid,
         const Labels& plane_of_voxel)
 {
   const SurfelParameters& surfels = parameters.surfels;
-  const double least_points = std::max (
+  const double min_points = std::max (
       parameters.k / times_k, surfels.min_average_voxels * meanPointsPerVoxel (grid));
   return findSurfels (
-      grid, surfels.resolutions, least_points, parameters.threads, plane_of_voxel);
+      grid, surfels.resolutions, min_points, parameters.threads, plane_of_voxel);
 }
 
 void

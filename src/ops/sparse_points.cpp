@@ -15,7 +15,7 @@ namespace pcl_ops::internal {
 namespace {
 
 std::vector<char>
-sparseVoxels (const VoxelGrid& grid, double least_points)
+sparseVoxels (const VoxelGrid& grid, double min_points)
 {
   std::vector<char> is_sparse (grid.size());
   for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -25,7 +25,7 @@ sparseVoxels (const VoxelGrid& grid, double least_points)
                                     0.0,
                                     [&grid] (double points, std::uint32_t voxel) {
                                       return points + grid.moments[voxel].count;
-                                    }) < least_points;
+                                    }) < min_points;
   }
   return is_sparse;
 }
@@ -75,13 +75,13 @@ Indices
 sparsePoints (const VoxelGrid& grid,
               const Indices& order,
               const Labels& labels,
-              double least_points)
+              double min_points)
 {
-  constexpr std::size_t least_share = 100;
-  constexpr std::size_t most_share = 2;
-  const std::vector<char> is_sparse = sparseVoxels (grid, least_points);
+  constexpr std::size_t min_share = 100;
+  constexpr std::size_t max_share = 2;
+  const std::vector<char> is_sparse = sparseVoxels (grid, min_points);
   Indices sparse;
-  if (pointsIn (is_sparse, grid) * least_share < labels.size())
+  if (pointsIn (is_sparse, grid) * min_share < labels.size())
     return sparse;
   for (std::size_t voxel = 0; voxel < grid.size(); ++voxel)
     if (is_sparse[voxel] != 0)
@@ -89,8 +89,8 @@ sparsePoints (const VoxelGrid& grid,
         if (labels[order[i]] == no_plane)
           sparse.push_back (order[i]);
   std::sort (sparse.begin(), sparse.end());
-  const bool is_cloud = sparse.size() * least_share >= labels.size() &&
-                        sparse.size() * most_share <= labels.size();
+  const bool is_cloud = sparse.size() * min_share >= labels.size() &&
+                        sparse.size() * max_share <= labels.size();
   return is_cloud ? sparse : Indices();
 }
 

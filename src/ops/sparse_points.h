@@ -15,14 +15,14 @@ namespace pcl_ops::internal {
  * \param[in] grid voxels with their neighbors
  * \param[in] order numbers of all points, voxel after voxel
  * \param[in] labels plane of each point, or no_plane
- * \param[in] least_points fewest points of voxels that can tell
+ * \param[in] min_points fewest points of voxels that can tell
  * \return them, or none where they are not a cloud of their own: less than a hundredth
  * of all points, or more than half, whose voxels these are */
 Indices
 sparsePoints (const VoxelGrid& grid,
               const Indices& order,
               const Labels& labels,
-              double least_points);
+              double min_points);
 
 /** \brief Takes planes from sparse points that scatter far more than those of the dense
  * ones, and a quarter as far or more as they are from each other: voxels as large as

@@ -220,8 +220,7 @@ coarserLevel (const VoxelGrid& finest, const Level& last, unsigned threads)
 bool
 hidesSurfaces (const Surfel& surfel, const Moments& voxel, double smallest_noise)
 {
-  if (voxel.count < fewest_points_of_noise ||
-      surfel.noise <= other_noise * smallest_noise)
+  if (voxel.count < min_points_of_noise || surfel.noise <= other_noise * smallest_noise)
     return false;
   // Of a plane through the voxel's points, which takes three of them to fit.
   const double own =
@@ -234,14 +233,14 @@ hidesSurfaces (const Surfel& surfel, const Moments& voxel, double smallest_noise
 std::vector<std::optional<Surfel>>
 findSurfels (const VoxelGrid& grid,
              int resolutions,
-             double least_points,
+             double min_points,
              unsigned threads,
              const Labels& plane_of_voxel)
 {
   std::vector<Level> levels;
   for (int l = 0; l < resolutions; ++l) {
     levels.push_back (l == 0 ? Level() : coarserLevel (grid, levels.back(), threads));
-    findNormals (levels.back().gridOr (grid), least_points, threads, levels.back());
+    findNormals (levels.back().gridOr (grid), min_points, threads, levels.back());
   }
   std::vector<std::optional<Surfel>> normals (grid.size());
   forVoxels (grid, threads, [&] (std::size_t i) {

@@ -30,13 +30,13 @@ struct Surfel {
  * (the idea of Kuwahara's edge-preserving filter).
  * \param[in] grid the voxels
  * \param[in] resolutions grids, each of twice the voxel size of the one before
- * \param[in] least_points fewest points of a neighborhood
+ * \param[in] min_points fewest points of a neighborhood
  * \param[in] threads number of threads; 0: all. The result does not depend on it
  * \param[in] plane_of_voxel voxels on planes need no surfel; empty: none has one */
 std::vector<std::optional<Surfel>>
 findSurfels (const VoxelGrid& grid,
              int resolutions,
-             double least_points,
+             double min_points,
              unsigned threads,
              const Labels& plane_of_voxel = {});
 

@@ -23,11 +23,11 @@ wantedVoxels (std::size_t points, double sampling_rate)
 {
   constexpr double voxels_per_sample = 2.0 / 3.0;
   constexpr double reference_points = 300000.0;
-  constexpr double fewest_points_per_voxel = 5.0;
+  constexpr double min_points_per_voxel = 5.0;
   const auto number = static_cast<double> (points);
   const double samples =
       sampling_rate * reference_points * std::cbrt (number / reference_points);
-  return std::min (voxels_per_sample * samples, number / fewest_points_per_voxel);
+  return std::min (voxels_per_sample * samples, number / min_points_per_voxel);
 }
 
 // Single precision rounds coordinates far from zero to steps, which are planes to
@@ -48,7 +48,7 @@ noiseOfFlatVoxels (const VoxelGrid& grid)
   constexpr double smallest_share = 1e-4;
   std::vector<float> noise;
   for (const Moments& voxel : grid.moments)
-    if (voxel.count >= fewest_points_of_noise) {
+    if (voxel.count >= min_points_of_noise) {
       const double own = std::sqrt (principalAxes (voxel.covariance()).values[0]);
       if (own > smallest_share * grid.voxel_size)
         noise.push_back (static_cast<float> (own));
@@ -81,12 +81,12 @@ voxelSizeByNoise (const VoxelGrid& grid)
 {
   constexpr double enough_points = 12.0;
   constexpr double many_points = 128.0;
-  constexpr double least_contrast = 1.7;
+  constexpr double min_contrast = 1.7;
   constexpr double largest_noise_share = 0.014;
   // However many points are at one place, the whole cloud has to have voxels.
   constexpr double smallest_share = 1.0 / 16.0;
   const double points = meanPointsAroundPoints (grid);
-  const bool is_uneven = points > least_contrast * meanPointsPerVoxel (grid);
+  const bool is_uneven = points > min_contrast * meanPointsPerVoxel (grid);
   if (points < (is_uneven ? enough_points : many_points))
     return grid.voxel_size;
   const double by_points =

@@ -24,7 +24,7 @@ squaredDistances (const Node& node,
                   const Eigen::Vector3f& position,
                   OfChildren& distances)
 {
-  using Values = Eigen::Array<float, BoxTree::most_children, 1>;
+  using Values = Eigen::Array<float, BoxTree::max_children, 1>;
   const auto outside = [] (const OfChildren& low, float value, const OfChildren& high) {
     const Eigen::Map<const Values> l (low.data()), h (high.data());
     return (l - value).max (value - h).max (0.0f).square().eval();
@@ -42,7 +42,7 @@ visitLeaf (const Child& leaf,
            const Eigen::Vector3f& position,
            NearestCandidates& candidates)
 {
-  std::array<float, BoxTree::most_points_of_leaf> distances;
+  std::array<float, BoxTree::max_points_of_leaf> distances;
   const float x = position.x(), y = position.y(), z = position.z();
   const float* const px = points.x.data() + leaf.first;
   const float* const py = points.y.data() + leaf.first;
@@ -62,7 +62,7 @@ struct Postponed {
   // nodes divides three times.
   static constexpr std::size_t most_levels = 78 / 3;
 
-  std::array<std::uint64_t, most_levels * BoxTree::most_children> children;
+  std::array<std::uint64_t, most_levels * BoxTree::max_children> children;
   std::size_t number = 0;
 };
 
@@ -83,7 +83,7 @@ postponeChildren (const std::vector<Node>& nodes,
     if (!candidates.mayTake (distance))
       continue;
     const std::uint64_t child =
-        distance << Postponed::child_bits | (number * BoxTree::most_children + i);
+        distance << Postponed::child_bits | (number * BoxTree::max_children + i);
     std::size_t place = postponed.number++;
     for (; place > first && postponed.children[place - 1] < child; --place)
       postponed.children[place] = postponed.children[place - 1];
@@ -106,7 +106,7 @@ visit (const std::vector<Node>& nodes,
       continue;
     const auto slot = static_cast<std::uint32_t> (next);
     const Child& child =
-        nodes[slot / BoxTree::most_children].children[slot % BoxTree::most_children];
+        nodes[slot / BoxTree::max_children].children[slot % BoxTree::max_children];
     if (child.size > 0)
       visitLeaf (child, points, index, position, candidates);
     else
@@ -135,7 +135,7 @@ struct Range {
   bool
   isLeaf () const
   {
-    return end - begin <= std::ptrdiff_t (BoxTree::most_points_of_leaf);
+    return end - begin <= std::ptrdiff_t (BoxTree::max_points_of_leaf);
   }
 };
 
@@ -151,8 +151,8 @@ divide (const Range& items)
     return item.position[side] < center;
   });
   const std::ptrdiff_t size = items.end - items.begin;
-  constexpr std::ptrdiff_t least_share = 4;
-  if (least_share * std::min (middle - items.begin, items.end - middle) >= size)
+  constexpr std::ptrdiff_t min_share = 4;
+  if (min_share * std::min (middle - items.begin, items.end - middle) >= size)
     return middle;
   Item* const median = items.begin + size / 2;
   std::nth_element (
@@ -166,7 +166,7 @@ std::vector<Range>
 split (const Range& items)
 {
   std::vector<Range> ranges{items}, halves;
-  for (std::size_t most = 2; most <= BoxTree::most_children; most *= 2) {
+  for (std::size_t most = 2; most <= BoxTree::max_children; most *= 2) {
     halves.clear();
     for (const Range& range : ranges)
       if (range.isLeaf())

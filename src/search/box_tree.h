@@ -18,12 +18,12 @@ namespace pcl_ops::internal {
  * found exactly. Once built it never changes: any number of threads may search it. */
 class BoxTree {
 public:
-  static constexpr std::size_t most_children = 8;
+  static constexpr std::size_t max_children = 8;
   /** \brief Leaves have fewer points, or as many: their distances are computed at once.
    */
-  static constexpr std::uint32_t most_points_of_leaf = 40;
+  static constexpr std::uint32_t max_points_of_leaf = 40;
 
-  using OfChildren = std::array<float, most_children>;
+  using OfChildren = std::array<float, max_children>;
 
   /** \brief Where the points of a child are. */
   struct Child {
@@ -36,7 +36,7 @@ public:
   /** \brief The bounding boxes of all children side by side: one loop tests them. */
   struct Node {
     OfChildren low_x, low_y, low_z, high_x, high_y, high_z;
-    std::array<Child, most_children> children;
+    std::array<Child, max_children> children;
     std::uint32_t number = 0;
   };
 

@@ -26,7 +26,7 @@ public:
   }
 
   NearestCandidates (std::size_t most, float squared_radius)
-  : most_ (most)
+  : max_ (most)
   , shrink_at_ (most + std::max (most / 2, min_more))
   , limit_ (bitsOf (squared_radius) + 1)
   , keys_ (std::min (usual_room, shrink_at_))
@@ -61,7 +61,7 @@ public:
   void
   take (bool sorted, pcl::Indices& indices, std::vector<float>& squared_distances)
   {
-    if (number_ > most_)
+    if (number_ > max_)
       shrink();
     if (sorted)
       std::sort (keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t> (number_));
@@ -85,14 +85,14 @@ private:
   void
   shrink ()
   {
-    const auto farthest = keys_.begin() + static_cast<std::ptrdiff_t> (most_ - 1);
+    const auto farthest = keys_.begin() + static_cast<std::ptrdiff_t> (max_ - 1);
     std::nth_element (
         keys_.begin(), farthest, keys_.begin() + static_cast<std::ptrdiff_t> (number_));
-    number_ = most_;
+    number_ = max_;
     limit_ = static_cast<std::uint32_t> (*farthest >> index_bits) + 1;
   }
 
-  std::size_t most_;
+  std::size_t max_;
   std::size_t shrink_at_;
   /** \brief Points nearer than this, as bits, are collected. */
   std::uint32_t limit_;

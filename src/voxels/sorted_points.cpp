@@ -142,7 +142,7 @@ sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads)
   const auto voxels_per_meter = static_cast<float> (1.0 / voxel_size);
   // Each piece where its points are; then without gaps.
   PointRuns runs (positions.size());
-  const std::vector<std::size_t> pieces = parallelPieces (
+  const std::vector<std::size_t> pieces = parallelChunks (
       threads, positions.size(), points_per_piece, [&] (auto begin, auto end) {
         return findRuns (positions, voxels_per_meter, begin, end, runs.begin() + begin);
       });

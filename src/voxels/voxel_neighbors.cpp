@@ -126,7 +126,7 @@ neighborsBelow (const std::vector<MortonCode>& codes,
 {
   const std::vector<std::uint32_t> first_child =
       firstChildren (parents, around_parents.size());
-  const auto pieces = parallelPieces (
+  const auto pieces = parallelChunks (
       threads, around_parents.size(), parents_per_piece, [&] (auto begin, auto end) {
         VoxelNeighbors piece;
         for (std::size_t p = begin; p < end; ++p) {

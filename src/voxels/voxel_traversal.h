@@ -8,7 +8,7 @@
 namespace pcl_ops::internal {
 
 /** \brief Voxels that one thread looks at in turn. */
-constexpr std::size_t voxels_per_piece = 1024;
+constexpr std::size_t voxels_per_chunk = 1024;
 
 /** \brief Calls visit (voxel) for every voxel, some at the same time. */
 template <typename Visit>
@@ -16,7 +16,7 @@ void
 forVoxels (const VoxelGrid& grid, unsigned threads, Visit&& visit)
 {
   parallelFor (
-      threads, grid.size(), voxels_per_piece, [&] (std::size_t begin, std::size_t end) {
+      threads, grid.size(), voxels_per_chunk, [&] (std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
           visit (i);
       });

@@ -86,7 +86,7 @@ TEST (ParallelFor, HandsOnWhatABodyThrows)
 TEST (ParallelPieces, ComeInTheOrderOfThePiecesForAnyNumberOfThreads)
 {
   for (const unsigned threads : {1u, 2u, 8u}) {
-    const auto ends = parallelPieces (
+    const auto ends = parallelChunks (
         threads, 10, 4, [] (std::size_t, std::size_t end) { return end; });
     EXPECT_EQ (ends, (std::vector<std::size_t>{4, 8, 10}));
   }

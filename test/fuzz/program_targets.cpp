@@ -100,7 +100,7 @@ loadLas (const Bytes& bytes)
 {
   static const TemporaryFile file (".las"), labelled_file ("_labelled.las");
   load (bytes, file, [] (const apps::FileCloud& cloud) {
-    if (!cloud.las->problemOf ({apps::label_field}).empty())
+    if (!cloud.las->validate ({apps::label_field}).empty())
       return;
     std::vector<std::uint32_t> labels (cloud.size());
     std::iota (labels.begin(), labels.end(), 1U);

@@ -10,7 +10,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-constexpr double least_points = 30.0;
+constexpr double min_points = 30.0;
 
 /** \brief A dense square of 14,400 points, and a sparse one in another place, of so
  * many points a meter from each other, in voxels of 10 cm. */
@@ -29,7 +29,7 @@ sparseAmong (const VoxelLevels& voxels, std::int32_t label = no_plane)
 {
   const Indices& order = voxels.finest.order;
   const pcl_ops::Labels labels (order.size(), label);
-  return sparsePoints (voxels.coarse.grid, order, labels, least_points);
+  return sparsePoints (voxels.coarse.grid, order, labels, min_points);
 }
 
 } // namespace

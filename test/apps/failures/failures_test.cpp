@@ -204,7 +204,7 @@ allOutputs ()
   return outputs;
 }
 
-constexpr int most_writes = 100;
+constexpr int max_writes = 100;
 
 class Failures : public Failing, public testing::WithParamInterface<Output> {
 protected:
@@ -217,7 +217,7 @@ protected:
                       const std::function<void (const Outcome&)>& expect) const
   {
     int write = 1;
-    for (; write < most_writes; ++write) {
+    for (; write < max_writes; ++write) {
       SCOPED_TRACE (trouble + std::to_string (write));
       const Outcome ending = failing (trouble + std::to_string (write));
       if (ending.exit_code == 0)
@@ -227,7 +227,7 @@ protected:
         return;
     }
     EXPECT_GT (write, 1) << "nothing was written";
-    EXPECT_LT (write, most_writes);
+    EXPECT_LT (write, max_writes);
   }
 
   /** \brief A name of so many characters. */

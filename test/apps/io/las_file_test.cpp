@@ -192,14 +192,14 @@ TEST_F (LasFileTest, SaysWhyItCannotBeLabelled)
   LasRecipe other;
   other.extra = {"12", "34"};
   other.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("label", 3))};
-  EXPECT_EQ (load (other).las->problemOf ({label_field}),
+  EXPECT_EQ (load (other).las->validate ({label_field}),
              "has an extra-bytes field label that is no uint32; rename it or give an "
              "OUTPUT.pcd");
   LasRecipe full;
   full.extra.assign (2, std::string (65535 - lasFormatLength (6), 'e'));
-  EXPECT_EQ (load (full).las->problemOf ({label_field}),
+  EXPECT_EQ (load (full).las->validate ({label_field}),
              "has no room for a further extra-bytes field; give an OUTPUT.pcd");
-  EXPECT_EQ (load (LasRecipe{}).las->problemOf ({label_field}), "");
+  EXPECT_EQ (load (LasRecipe{}).las->validate ({label_field}), "");
 }
 
 TEST_F (LasFileTest, IsWrittenAgainAfterItWasRemoved)

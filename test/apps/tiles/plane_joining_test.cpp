@@ -88,14 +88,14 @@ wall (int first, int last, double y, const Eigen::Vector3d& far = {0, 0, 0})
 }
 
 /** \brief The cells that a wall is in around x, between two tiles. */
-std::vector<Claim>
-claimsAround (int x, int height, std::uint32_t piece)
+std::vector<BorderVoxel>
+borderVoxelsAround (int x, int height, std::uint32_t piece)
 {
-  std::vector<Claim> claims;
+  std::vector<BorderVoxel> border_voxels;
   for (int i = x - 2; i < x + 2; ++i)
     for (int z = 0; z < height; ++z)
-      claims.push_back ({{i, 0, z}, piece});
-  return claims;
+      border_voxels.push_back ({{i, 0, z}, piece});
+  return border_voxels;
 }
 
 /** \brief Tiles in a row along x, each with its planes. */
@@ -110,7 +110,7 @@ joined (const Row& row)
     tiles.push_back ({static_cast<std::int64_t> (i), 0});
   return joinPlanes (tiles, [&row] (const TileKey& tile) {
     TilePlanes planes = row[static_cast<std::size_t> (tile[0])];
-    std::sort (planes.claims.begin(), planes.claims.end());
+    std::sort (planes.border_voxels.begin(), planes.border_voxels.end());
     return planes;
   });
 }
@@ -119,8 +119,8 @@ joined (const Row& row)
 Row
 twoTiles (double y_of_first, double y_of_second, int height = 3)
 {
-  return {{{wall (0, 10, y_of_first)}, claimsAround (10, height, 0)},
-          {{wall (10, 20, y_of_second)}, claimsAround (10, height, 0)}};
+  return {{{wall (0, 10, y_of_first)}, borderVoxelsAround (10, height, 0)},
+          {{wall (10, 20, y_of_second)}, borderVoxelsAround (10, height, 0)}};
 }
 
 TEST (PlaneJoining, MakesOneOfAWallOnBothSidesOfABorder)
@@ -144,7 +144,7 @@ TEST (PlaneJoining, LeavesPlanesThatAreApartOrShareHardlyACell)
   EXPECT_EQ (joined (twoTiles (5.0, 5.1)).planes.size(), 2u) << "10 cm";
   Row row = twoTiles (5.0, 5.0);
   for (const std::size_t shared : {2, 0}) {
-    row[1].claims.resize (shared);
+    row[1].border_voxels.resize (shared);
     EXPECT_EQ (joined (row).planes.size(), 2u) << shared;
   }
   row = twoTiles (5.0, 5.0);
@@ -164,9 +164,9 @@ TEST (PlaneJoining, FollowsAWallThroughTwentyTilesFarFromZero)
   Row row;
   for (int i = 0; i < 20; ++i) {
     TilePlanes planes{{wall (10 * i, 10 * i + 10, 5.0, far)},
-                      claimsAround (10 * i, 3, 0)};
-    for (const Claim& claim : claimsAround (10 * i + 10, 3, 0))
-      planes.claims.push_back (claim);
+                      borderVoxelsAround (10 * i, 3, 0)};
+    for (const BorderVoxel& voxel : borderVoxelsAround (10 * i + 10, 3, 0))
+      planes.border_voxels.push_back (voxel);
     row.push_back (planes);
   }
   const JoinedPlanes found = joined (row);

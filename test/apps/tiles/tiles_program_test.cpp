@@ -87,7 +87,7 @@ TEST_F (TilesProgram, IsPclOpsSegmentWhereThereIsOneTile)
 
 TEST_F (TilesProgram, FindsInManyTilesThePlanesOfOne)
 {
-  constexpr double fewest_points = 50 * 20; // 50 cells and more
+  constexpr double min_points = 50 * 20; // 50 cells and more
   makeTown ("--points 200000 --tiles 1");
   expectDone ("town --output-dir one --cell 1 --tile 100000");
   expectDone ("town --output-dir many --cell 1 --tile 24");
@@ -102,7 +102,7 @@ TEST_F (TilesProgram, FindsInManyTilesThePlanesOfOne)
   for (std::uint32_t p = 1; p <= one.at ("planes").size(); ++p) {
     SCOPED_TRACE (p);
     const nlohmann::json& plane = one.at ("planes").at (p - 1);
-    if (plane.at ("points") < fewest_points)
+    if (plane.at ("points") < min_points)
       continue;
     ++large;
     std::pair<double, std::uint32_t> match; // points shared, label
