@@ -55,34 +55,20 @@ readOptions (int argc, const char* const* argv, Options& options)
       "a .pcd, .ply, .las or text file, a folder of them, simulated:N,N,... (scans of "
       "a whole room with N points), rooms:FIRST-LAST, streets:FIRST-LAST (images and "
       "scans by seed) or sunrgbd:FOLDER");
-  line.addText ("json", "FILE", options.json_file, "write every number as JSON");
-  line.addNumber ("runs",
-                  "N",
-                  runs,
-                  measures.runs,
-                  "take the best of N; what has taken 20 s is not repeated (5)");
-  line.addNumber ("peer-runs",
-                  "N",
-                  runs,
-                  measures.peer_runs,
-                  "of others' detectors, which take seconds (1)");
-  line.addFlag ("no-peers", no_peers, "leave these out");
-  line.addNumber (
-      "seed", "S", apps::Range::from (0), measures.seed, "of detectors (42)");
-  line.addNumber ("memory-points",
-                  "N",
-                  apps::Range::from (1).upTo (1e8),
-                  options.memory_points,
-                  "size of the simulated scan peak memory is measured on (3000000)");
-  line.addText ("scaling",
-                "FOLDER",
-                options.scaling_folder,
-                "write times over points, threads, sampling rate and planes: "
-                "scaling.csv");
-  line.addText ("scaling-points",
-                "N,N,...",
-                options.scaling_points,
-                "sizes for that (" + options.scaling_points + ")");
+  line.add ("json FILE", options.json_file).help ("write every number as JSON");
+  line.add ("runs N", measures.runs, runs)
+      .help ("take the best of N; what has taken 20 s is not repeated (5)");
+  line.add ("peer-runs N", measures.peer_runs, runs)
+      .help ("of others' detectors, which take seconds (1)");
+  line.add ("no-peers", no_peers).help ("leave these out");
+  line.add ("seed S", measures.seed, apps::Range::from (0)).help ("of detectors (42)");
+  line.add ("memory-points N", options.memory_points, apps::Range::from (1).upTo (1e8))
+      .help ("size of the simulated scan peak memory is measured on (3000000)");
+  line.add ("scaling FOLDER", options.scaling_folder)
+      .help ("write times over points, threads, sampling rate and planes: "
+             "scaling.csv");
+  line.add ("scaling-points N,N,...", options.scaling_points)
+      .help ("sizes for that (" + options.scaling_points + ")");
   if (!line.parse (argc, argv))
     return false;
   line.forbidTogether ("no-peers", "peer-runs");

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include "errors.h"
 
 #include <algorithm>
@@ -75,7 +77,8 @@ explained (const OptionGroup& group, std::size_t width)
   const std::size_t column = std::clamp (width + around, min_column, help_width / 2);
   std::string text = "\n" + group.title + ":\n";
   for (const Option& option : group.options)
-    text += entry ("--" + option.name + " " + option.placeholder, option.help, column);
+    text +=
+        entry ("--" + option.name + " " + option.placeholder, option.meaning, column);
   return text;
 }
 
@@ -200,6 +203,12 @@ parseUpAxis (const std::string& option, const std::string& text)
 }
 
 std::string
+nameOf (const std::string& usage)
+{
+  return usage.substr (0, usage.find (' '));
+}
+
+std::string
 CommandLine::usage() const
 {
   std::string derived, text, before = "Usage: ";
@@ -254,8 +263,8 @@ CommandLine::CommandLine (const std::string& program,
                           const std::string& version)
 : program_ (program), summary_ (summary), version_ (version), groups_{{"Options"}}
 {
-  addValue ("help", "", "print this and exit", {});
-  addValue ("version", "", "print the version and exit", {});
+  add ("help", StoreText()).help ("print this and exit");
+  add ("version", StoreText()).help ("print the version and exit");
 }
 
 void
@@ -288,54 +297,48 @@ void
 CommandLine::beginGroup (const std::string& title)
 {
   if (groups_.size() == 1)
-    groups_.front().options.push_back (
-        {"help-all", "", "explain the options of the groups below, too", {}});
+    add ("help-all", StoreText()).help ("explain the options of the groups below, too");
   groups_.push_back ({title});
 }
 
-void
-CommandLine::addFlag (const std::string& name, bool& target, const std::string& help)
+Option&
+CommandLine::add (const std::string& usage, const StoreText& store)
 {
-  addValue (name, "", help, [&target] (const std::string&) { target = true; });
+  const std::string name = nameOf (usage);
+  const std::string placeholder =
+      usage.substr (std::min (usage.size(), name.size() + 1));
+  std::vector<Option>& options = groups_.back().options;
+  options.push_back ({name, placeholder, store});
+  return options.back();
 }
 
-void
-CommandLine::addText (const std::string& name,
-                      const std::string& placeholder,
-                      std::string& target,
-                      const std::string& help)
+Option&
+CommandLine::add (const std::string& usage, bool& target)
 {
-  addValue (name, placeholder, help, [name, &target] (const std::string& text) {
+  return add (usage, [&target] (const std::string&) { target = true; });
+}
+
+Option&
+CommandLine::add (const std::string& usage, std::string& target)
+{
+  return add (usage, [name = nameOf (usage), &target] (const std::string& text) {
     requireText ("--" + name, text);
     target = text;
   });
 }
 
-void
-CommandLine::addChoice (const std::string& name,
-                        const std::vector<std::string>& choices,
-                        std::string& target,
-                        const std::string& help,
-                        const std::string& placeholder)
+Option&
+CommandLine::add (const std::string& usage,
+                  std::string& target,
+                  const std::vector<std::string>& choices)
 {
-  std::string list;
-  for (const std::string& choice : choices)
-    list += (list.empty() ? "" : "|") + choice;
+  const std::string name = nameOf (usage), list = boost::join (choices, "|");
   const auto store = [name, choices, list, &target] (const std::string& text) {
     if (std::find (choices.begin(), choices.end(), text) == choices.end())
       throw UsageError ("--" + name, "'" + text + "' is unknown; give " + list);
     target = text;
   };
-  addValue (name, placeholder.empty() ? list : placeholder, help, store);
-}
-
-void
-CommandLine::addValue (const std::string& name,
-                       const std::string& placeholder,
-                       const std::string& help,
-                       const StoreText& store)
-{
-  groups_.back().options.push_back ({name, placeholder, help, store});
+  return add (name == usage ? name + " " + list : usage, store);
 }
 
 const Option&

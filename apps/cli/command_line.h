@@ -101,9 +101,20 @@ struct Argument {
 
 /** \brief An option; without a placeholder it has no value. */
 struct Option {
-  std::string name, placeholder, help;
+  std::string name, placeholder;
   StoreText store;
+  std::string meaning = {};
+
+  void
+  help (const std::string& text)
+  {
+    meaning = text;
+  }
 };
+
+/** \brief The name in "name PLACEHOLDER". */
+std::string
+nameOf (const std::string& usage);
 
 struct OptionGroup {
   std::string title;
@@ -144,62 +155,51 @@ public:
   void
   beginGroup (const std::string& title);
 
-  void
-  addFlag (const std::string& name, bool& target, const std::string& help);
+  /** \brief Declares an option whose value is given to \p store, which may throw a
+   * UsageError.
+   * \param[in] usage "name PLACEHOLDER", or only "name" where the option has no value
+   * \return the option, whose help is to follow: add ("jobs N", store).help ("...") */
+  Option&
+  add (const std::string& usage, const StoreText& store);
+
+  /** \brief Declares a flag. */
+  Option&
+  add (const std::string& usage, bool& target);
 
   /** \brief Declares an option whose value is any text but an empty one. */
-  void
-  addText (const std::string& name,
-           const std::string& placeholder,
-           std::string& target,
-           const std::string& help);
+  Option&
+  add (const std::string& usage, std::string& target);
 
-  /** \brief Declares an option whose value is one of \p choices.
-   * \param[in] placeholder in the help; empty for the list of choices */
-  void
-  addChoice (const std::string& name,
-             const std::vector<std::string>& choices,
-             std::string& target,
-             const std::string& help,
-             const std::string& placeholder = "");
+  /** \brief Declares an option whose value is one of \p choices, which are also its
+   * placeholder where \p usage has none. */
+  Option&
+  add (const std::string& usage,
+       std::string& target,
+       const std::vector<std::string>& choices);
 
   /** \brief Declares an option with a number.
    * \param[out] target an int, std::uint32_t, std::size_t, float or double, or a
    * std::optional of one */
   template <typename Target>
-  void
-  addNumber (const std::string& name,
-             const std::string& placeholder,
-             const Range& range,
-             Target& target,
-             const std::string& help)
+  Option&
+  add (const std::string& usage, Target& target, const Range& range)
   {
-    addValue (
-        name, placeholder, help, [name, range, &target] (const std::string& text) {
-          target =
-              parseNumber<typename NumberOf<Target>::type> ("--" + name, text, range);
-        });
+    const std::string option = "--" + nameOf (usage);
+    return add (usage, [option, range, &target] (const std::string& text) {
+      target = parseNumber<typename NumberOf<Target>::type> (option, text, range);
+    });
   }
 
   /** \brief Declares --up, a direction or "camera".
    * \param[out] target an Eigen::Vector3f or a std::optional of one */
   template <typename Target>
-  void
-  addUpAxis (Target& target, const std::string& help)
+  Option&
+  addUpAxis (Target& target)
   {
-    addValue ("up", "x,y,z", help, [&target] (const std::string& text) {
+    return add ("up x,y,z", [&target] (const std::string& text) {
       target = parseUpAxis ("--up", text);
     });
   }
-
-  /** \brief Declares an option whose value is given to \p store, which may throw a
-   * UsageError.
-   * \param[in] placeholder of the value in the help; empty: the option has no value */
-  void
-  addValue (const std::string& name,
-            const std::string& placeholder,
-            const std::string& help,
-            const StoreText& store);
 
   /** \brief Stores what the command line says, or prints the help or the version.
    * \return false if it printed and the program is done

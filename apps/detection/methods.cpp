@@ -282,18 +282,15 @@ groupOf (const Method& method)
 void
 declareShared (CommandLine& line, DetectorOptions& options)
 {
-  line.addChoice ("preset",
-                  {"default", "paper"},
-                  options.preset,
-                  "recommended parameters, or the paper's best ones");
-  line.addValue ("up",
-                 "x,y,z",
-                 "direction against gravity, camera or auto (0,0,1)",
-                 [&options] (const std::string& text) {
-                   options.finds_up = text == "auto";
-                   if (!options.finds_up)
-                     options.up = parseUpAxis ("--up", text);
-                 });
+  line.add ("preset", options.preset, {"default", "paper"})
+      .help ("recommended parameters, or the paper's best ones");
+  line.add ("up x,y,z",
+            [&options] (const std::string& text) {
+              options.finds_up = text == "auto";
+              if (!options.finds_up)
+                options.up = parseUpAxis ("--up", text);
+            })
+      .help ("direction against gravity, camera or auto (0,0,1)");
   declare (PlaneDetectorParameters(), {}, line, options.numbers);
 }
 
@@ -363,7 +360,7 @@ declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& o
   std::vector<std::string> names;
   for (const Method& known : allMethods())
     names.push_back (known.name);
-  line.addChoice ("method", names, method, "the detector (ops)");
+  line.add ("method", method, names).help ("the detector (ops)");
   declareShared (line, options);
   for (const Method& known : allMethods()) {
     line.beginGroup (groupOf (known));

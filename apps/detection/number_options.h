@@ -182,14 +182,13 @@ declare (Parameters parameters,
   visitOwn (parameters,
             [&] (const char* name, auto number, const NumberOption& option) {
               const auto note = notes.find (name);
-              line.addValue (name,
-                             option.placeholder,
-                             option.help +
-                                 (note == notes.end() ? "" : " (" + note->second + ")"),
-                             [=, &given] (const std::string& text) {
-                               parsed (name, text, option, number);
-                               given[name] = text;
-                             });
+              line.add (std::string (name) + " " + option.placeholder,
+                        [=, &given] (const std::string& text) {
+                          parsed (name, text, option, number);
+                          given[name] = text;
+                        })
+                  .help (option.help +
+                         (note == notes.end() ? "" : " (" + note->second + ")"));
             });
 }
 

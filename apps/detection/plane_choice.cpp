@@ -53,23 +53,23 @@ reportsOf (const PlaneChoice& choice, const DroppedPlanes& dropped = {})
 
 /** \brief Declares an option of several numbers in a range. */
 template <std::size_t count>
-void
+Option&
 addNumbers (CommandLine& line,
-            const std::string& name,
-            const std::string& placeholder,
-            const Range& range,
+            const std::string& usage,
             std::optional<std::array<double, count>>& target,
-            const std::string& help)
+            const Range& range)
 {
-  line.addValue (name, placeholder, help, [=, &target] (const std::string& text) {
-    const std::string option = "--" + name;
+  return line.add (usage, [=, &target] (const std::string& text) {
+    const std::string name = nameOf (usage), option = "--" + name;
     std::array<double, count> numbers{};
     std::vector<std::string> parts;
     boost::split (parts, text, [] (char letter) { return letter == ','; });
     for (std::size_t i = 0; i < std::min (count, parts.size()); ++i)
       numbers[i] = parseNumber<double> (option, parts[i], range);
     if (parts.size() != count)
-      throw UsageError (option, text + " is not " + placeholder + "; give just that");
+      throw UsageError (option,
+                        text + " is not " + usage.substr (name.size() + 1) +
+                            "; give just that");
     target = numbers;
   });
 }
@@ -103,50 +103,29 @@ declareChoice (CommandLine& line, PlaneChoice& choice)
   constexpr double right_angle = 90;
   PlaneFilter& filter = choice.filter;
   line.beginGroup (title_of_choice);
-  line.addChoice ("only",
-                  {"horizontal", "vertical", "other", "largest"},
-                  choice.only,
-                  "horizontal, vertical, other or largest only",
-                  "WHICH");
-  line.addValue ("direction",
-                 "x,y,z",
-                 "planes whose normal points along it, or against it",
-                 [&filter] (const std::string& text) {
-                   filter.direction =
-                       parseDirection ("--direction", text).cast<double>();
-                 });
-  line.addNumber ("within",
-                  "DEG",
-                  Range::from (0).upTo (right_angle),
-                  choice.within,
-                  "largest angle of a normal to --direction (10)");
-  addNumbers (line,
-              "slope",
-              "MIN,MAX",
-              Range::from (0).upTo (right_angle),
-              choice.slope,
-              "angles to the horizontal from MIN to MAX degrees");
+  line.add ("only WHICH", choice.only, {"horizontal", "vertical", "other", "largest"})
+      .help ("horizontal, vertical, other or largest only");
+  line.add ("direction x,y,z",
+            [&filter] (const std::string& text) {
+              filter.direction = parseDirection ("--direction", text).cast<double>();
+            })
+      .help ("planes whose normal points along it, or against it");
+  line.add ("within DEG", choice.within, Range::from (0).upTo (right_angle))
+      .help ("largest angle of a normal to --direction (10)");
+  addNumbers (line, "slope MIN,MAX", choice.slope, Range::from (0).upTo (right_angle))
+      .help ("angles to the horizontal from MIN to MAX degrees");
   const Range size = Range::from (0);
-  const auto number = [&] (auto name, auto placeholder, auto& target, auto help) {
-    line.addNumber (name, placeholder, size, target, help);
-  };
-  number ("min-points", "N", filter.min_points, "fewest points");
-  number ("min-area", "M2", filter.min_area, "smallest area inside the outline");
-  number (
-      "min-width", "M", filter.min_width, "smallest width of the rectangle around it");
-  number ("max-area", "M2", filter.max_area, "largest area");
-  number ("max-width", "M", filter.max_width, "largest width");
-  addNumbers (line,
-              "size",
-              "W,H,TOLERANCE",
-              size,
-              filter.size,
-              "rectangles of W by H, each within TOLERANCE");
-  line.addNumber ("max-planes",
-                  "N",
-                  Range::from (1),
-                  filter.max_planes,
-                  "the N largest of those the others leave");
+  line.add ("min-points N", filter.min_points, size).help ("fewest points");
+  line.add ("min-area M2", filter.min_area, size)
+      .help ("smallest area inside the outline");
+  line.add ("min-width M", filter.min_width, size)
+      .help ("smallest width of the rectangle around it");
+  line.add ("max-area M2", filter.max_area, size).help ("largest area");
+  line.add ("max-width M", filter.max_width, size).help ("largest width");
+  addNumbers (line, "size W,H,TOLERANCE", filter.size, size)
+      .help ("rectangles of W by H, each within TOLERANCE");
+  line.add ("max-planes N", filter.max_planes, Range::from (1))
+      .help ("the N largest of those the others leave");
 }
 
 void

@@ -330,21 +330,17 @@ toGeoJsonGeometry (const Polygons& polygons, int decimals)
 void
 declareMap (CommandLine& line, MapOptions& options)
 {
-  line.addValue (
-      "crs",
-      "EPSG:N",
-      "reference system to name in --planes FILE.geojson",
-      [&options] (const std::string& text) {
-        if (!std::regex_match (text, std::regex (prefix_of_crs + "[0-9]{1,7}")))
-          throw UsageError (
-              "--crs", "'" + text + "' is not EPSG:N; give a number, as EPSG:25832");
-        options.crs = text;
-      });
-  line.addNumber ("simplify",
-                  "M",
-                  Range::from (0),
-                  options.simplify,
-                  "straighten outlines in .csv and .geojson, by M at most (0)");
+  line.add ("crs EPSG:N",
+            [&options] (const std::string& text) {
+              if (!std::regex_match (text, std::regex (prefix_of_crs + "[0-9]{1,7}")))
+                throw UsageError ("--crs",
+                                  "'" + text +
+                                      "' is not EPSG:N; give a number, as EPSG:25832");
+              options.crs = text;
+            })
+      .help ("reference system to name in --planes FILE.geojson");
+  line.add ("simplify M", options.simplify, Range::from (0))
+      .help ("straighten outlines in .csv and .geojson, by M at most (0)");
 }
 
 void

@@ -55,48 +55,24 @@ readOptions (int argc,
       PCL_OPS_VERSION);
   line.addArgument ("OUTPUT", folder, "folder of the results");
   line.addArguments ("DATASET", data_sets, data_set_help);
-  line.addUpAxis (up, "against gravity in clouds; camera: 0,-1,0 (0,0,1)");
-  line.addNumber ("truth-neighbors",
-                  "K",
-                  Range::from (3).upTo (10'000),
-                  plan.truth.neighbors,
-                  "neighborhood of grown truth (100)");
-  line.addNumber ("min-plane-points",
-                  "N",
-                  Range::from (0),
-                  plan.truth.min_points,
-                  "true planes with fewer points are none (50)");
-  line.addText ("detectors",
-                "LIST",
-                detectors,
-                "names and groups, see pcl_ops_evaluate detectors (all)");
-  line.addNumber ("jobs",
-                  "N",
-                  Range::from (1).upTo (256),
-                  plan.jobs,
-                  "clouds at a time; only 1 leaves times undisturbed (1)");
-  line.addText ("labels",
-                "FOLDER",
-                plan.labels_folder,
-                "save each new result, and the truth, as a labeled cloud");
-  line.addNumber ("threshold",
-                  "M",
-                  Range::above (0),
-                  plan.settings.peer_threshold,
-                  "distance to a plane that detectors of others are given (0.05)");
-  line.addNumber (
-      "peers-noise",
-      "M",
-      Range::above (0),
-      plan.settings.peer_noise,
-      "noise that those of the group peers-measured are tuned to (measured)");
-  line.addNumber ("time-limit",
-                  "S",
-                  Range::from (0).upTo (1e6),
-                  plan.time_limit,
-                  "for a detector of others on a cloud, 0 for none (600)");
-  line.addNumber (
-      "seed", "S", Range::from (0), plan.settings.seed, "of detectors (42)");
+  line.addUpAxis (up).help ("against gravity in clouds; camera: 0,-1,0 (0,0,1)");
+  line.add ("truth-neighbors K", plan.truth.neighbors, Range::from (3).upTo (10'000))
+      .help ("neighborhood of grown truth (100)");
+  line.add ("min-plane-points N", plan.truth.min_points, Range::from (0))
+      .help ("true planes with fewer points are none (50)");
+  line.add ("detectors LIST", detectors)
+      .help ("names and groups, see pcl_ops_evaluate detectors (all)");
+  line.add ("jobs N", plan.jobs, Range::from (1).upTo (256))
+      .help ("clouds at a time; only 1 leaves times undisturbed (1)");
+  line.add ("labels FOLDER", plan.labels_folder)
+      .help ("save each new result, and the truth, as a labeled cloud");
+  line.add ("threshold M", plan.settings.peer_threshold, Range::above (0))
+      .help ("distance to a plane that detectors of others are given (0.05)");
+  line.add ("peers-noise M", plan.settings.peer_noise, Range::above (0))
+      .help ("noise that those of the group peers-measured are tuned to (measured)");
+  line.add ("time-limit S", plan.time_limit, Range::from (0).upTo (1e6))
+      .help ("for a detector of others on a cloud, 0 for none (600)");
+  line.add ("seed S", plan.settings.seed, Range::from (0)).help ("of detectors (42)");
   if (!line.parse (argc, argv))
     return false;
   plan.configurations = selectConfigurations (detectors);

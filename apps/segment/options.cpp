@@ -52,57 +52,36 @@ struct OutputOption {
   std::string Outputs::*output;
   /** \brief Those a file can have; none for a folder. */
   std::vector<std::string> extensions;
-  const char* placeholder = "FILE";
 };
 
 /** \brief All but OUTPUT, whose formats are not the same in every build. */
 const OutputOption output_options[] = {
     {"planes", &Outputs::planes, {".json", ".csv", ".geojson"}},
-    {"image", &Outputs::image, {".png"}, "FILE.png"},
+    {"image", &Outputs::image, {".png"}},
     {"mesh", &Outputs::mesh, {".ply", ".vtk"}},
     {"edges", &Outputs::edges, {".ply", ".vtk", ".json"}},
     {"rest", &Outputs::rest, {".pcd", ".ply"}},
-    {"planes-dir", &Outputs::planes_dir, {}, "DIR"}};
-
-void
-declareOutput (CommandLine& line,
-               const std::string& name,
-               Outputs& outputs,
-               const std::string& help)
-{
-  for (const OutputOption& option : output_options)
-    if (option.name == name)
-      line.addText (name, option.placeholder, outputs.*option.output, help);
-}
+    {"planes-dir", &Outputs::planes_dir, {}}};
 
 void
 declareOutputs (CommandLine& line, SegmentOptions& options)
 {
   Outputs& outputs = options.outputs;
-  line.addText ("output-dir",
-                "DIR",
-                options.output_dir,
-                "write DIR/NAME.pcd, .json for each INPUT NAME.pcd;\n"
-                "below, {} in FILE and DIR stands for NAME");
-  line.addNumber ("jobs",
-                  "N",
-                  Range::from (0).upTo (256),
-                  options.jobs,
-                  "INPUTs at a time; 0: one for each processor (1)");
-  declareOutput (line,
-                 "planes",
-                 outputs,
-                 "write the planes: .json, .csv, .geojson or - (printed)");
-  declareOutput (line, "image", outputs, "write a picture of the planes");
-  declareOutput (line, "mesh", outputs, "write the hulls as a .ply or .vtk mesh");
-  line.addChoice ("hull",
-                  {"convex", "concave"},
-                  options.hull,
-                  "outline of a plane in --planes, --mesh (convex)");
-  line.addFlag ("keep-color", options.keep_color, "keep the input's rgb in OUTPUT");
-  line.addFlag (
-      "distances", options.distances, "add each point's signed distance to its plane");
-  line.addFlag ("quiet", options.quiet, "print no table");
+  line.add ("output-dir DIR", options.output_dir)
+      .help ("write DIR/NAME.pcd, .json for each INPUT NAME.pcd;\n"
+             "below, {} in FILE and DIR stands for NAME");
+  line.add ("jobs N", options.jobs, Range::from (0).upTo (256))
+      .help ("INPUTs at a time; 0: one for each processor (1)");
+  line.add ("planes FILE", outputs.planes)
+      .help ("write the planes: .json, .csv, .geojson or - (printed)");
+  line.add ("image FILE.png", outputs.image).help ("write a picture of the planes");
+  line.add ("mesh FILE", outputs.mesh).help ("write the hulls as a .ply or .vtk mesh");
+  line.add ("hull", options.hull, {"convex", "concave"})
+      .help ("outline of a plane in --planes, --mesh (convex)");
+  line.add ("keep-color", options.keep_color).help ("keep the input's rgb in OUTPUT");
+  line.add ("distances", options.distances)
+      .help ("add each point's signed distance to its plane");
+  line.add ("quiet", options.quiet).help ("print no table");
 }
 
 void
@@ -111,38 +90,29 @@ declareFurtherOutputs (CommandLine& line, SegmentOptions& options)
   Outputs& outputs = options.outputs;
   line.beginGroup ("Further outputs");
   declareMap (line, options.map);
-  declareOutput (
-      line, "edges", outputs, "write where planes meet: .ply, .vtk or .json");
-  declareOutput (line, "rest", outputs, "write the points on no plane: .pcd or .ply");
-  declareOutput (
-      line, "planes-dir", outputs, "write each plane: plane_001_horizontal.pcd, ...");
-  line.addChoice ("format",
-                  {"pcd", "ply"},
-                  options.format,
-                  "of clouds in --output-dir and --planes-dir (pcd)");
+  line.add ("edges FILE", outputs.edges)
+      .help ("write where planes meet: .ply, .vtk or .json");
+  line.add ("rest FILE", outputs.rest)
+      .help ("write the points on no plane: .pcd or .ply");
+  line.add ("planes-dir DIR", outputs.planes_dir)
+      .help ("write each plane: plane_001_horizontal.pcd, ...");
+  line.add ("format", options.format, {"pcd", "ply"})
+      .help ("of clouds in --output-dir and --planes-dir (pcd)");
 }
 
 void
 declareTracking (CommandLine& line, TrackOptions& options)
 {
   line.beginGroup ("Clouds in sequence, with --output-dir");
-  line.addFlag (
-      "track", options.is_on, "label and id of a plane are the same in all INPUTs");
-  line.addText ("poses",
-                "FILE",
-                options.poses,
-                "where the sensor was: a line \"timestamp tx ty tz qx qy qz qw\" for "
-                "each INPUT (it hardly moves)");
-  line.addNumber ("rotation-error",
-                  "DEG",
-                  Range::from (0).upTo (90),
-                  options.rotation_error,
-                  "how far a turn from INPUT to INPUT is off (3)");
-  line.addNumber ("translation-error",
-                  "M",
-                  Range::from (0),
-                  options.translation_error,
-                  "how far a move from INPUT to INPUT is off (0.05)");
+  line.add ("track", options.is_on)
+      .help ("label and id of a plane are the same in all INPUTs");
+  line.add ("poses FILE", options.poses)
+      .help ("where the sensor was: a line \"timestamp tx ty tz qx qy qz qw\" for "
+             "each INPUT (it hardly moves)");
+  line.add ("rotation-error DEG", options.rotation_error, Range::from (0).upTo (90))
+      .help ("how far a turn from INPUT to INPUT is off (3)");
+  line.add ("translation-error M", options.translation_error, Range::from (0))
+      .help ("how far a move from INPUT to INPUT is off (0.05)");
 }
 
 /** \brief Sorts out what the arguments are: INPUT and OUTPUT, or all inputs. */

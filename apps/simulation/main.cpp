@@ -69,48 +69,32 @@ declareScene (CommandLine& line, SimulationOptions& options)
   line.addArgument ("OUTPUT.pcd",
                     options.output,
                     "the cloud to write (binary); of town, walk and drive the folder");
-  line.addChoice (
-      "scene",
-      {"room", "furniture", "survey", "shapes", "town", "walk", "street", "drive"},
-      simulation.scene,
-      "a room, a corner of one with boards on posts, 36 houses on a ground, "
-      "round shapes beside a ground, terraces of houses in tiles of .las, "
-      "a camera's way through a room, a street around a lidar, "
-      "a lidar's way along a street (room)");
-  line.addNumber ("seed",
-                  "S",
-                  Range::from (0).upTo (std::numeric_limits<std::uint32_t>::max()),
-                  simulation.seed,
-                  "which room, furniture, houses, shapes or street (1)");
-  line.addNumber ("points",
-                  "N",
-                  Range::from (1).upTo (max_points_of_town),
-                  simulation.points,
-                  "scan the whole room with N points instead of one camera image; "
-                  "points of survey (600000), shapes (250000), about those of town "
-                  "(1000000)");
-  line.addNumber ("tiles",
-                  "N",
-                  Range::from (1).upTo (1e6),
-                  options.tiles,
-                  "tiles of town, rounded up to a square number (4)");
-  line.addNumber ("frames",
-                  "N",
-                  Range::from (1).upTo (1000),
-                  options.frames,
-                  "clouds of walk and drive (50)");
+  line.add (
+          "scene",
+          simulation.scene,
+          {"room", "furniture", "survey", "shapes", "town", "walk", "street", "drive"})
+      .help ("a room, a corner of one with boards on posts, 36 houses on a ground, "
+             "round shapes beside a ground, terraces of houses in tiles of .las, "
+             "a camera's way through a room, a street around a lidar, "
+             "a lidar's way along a street (room)");
+  line.add ("seed S",
+            simulation.seed,
+            Range::from (0).upTo (std::numeric_limits<std::uint32_t>::max()))
+      .help ("which room, furniture, houses, shapes or street (1)");
+  line.add ("points N", simulation.points, Range::from (1).upTo (max_points_of_town))
+      .help ("scan the whole room with N points instead of one camera image; "
+             "points of survey (600000), shapes (250000), about those of town "
+             "(1000000)");
+  line.add ("tiles N", options.tiles, Range::from (1).upTo (1e6))
+      .help ("tiles of town, rounded up to a square number (4)");
+  line.add ("frames N", options.frames, Range::from (1).upTo (1000))
+      .help ("clouds of walk and drive (50)");
   // Beyond, an error is no small motion [degree, cm].
   const Range small_motion = Range::from (0).upTo (30);
-  line.addNumber ("pose-error",
-                  "X",
-                  small_motion,
-                  options.pose_errors.each,
-                  "degrees and cm each pose of these is off in poses.txt (0)");
-  line.addNumber ("drift",
-                  "X",
-                  small_motion,
-                  options.pose_errors.drift,
-                  "degrees and cm their way is off from pose to pose (0)");
+  line.add ("pose-error X", options.pose_errors.each, small_motion)
+      .help ("degrees and cm each pose of these is off in poses.txt (0)");
+  line.add ("drift X", options.pose_errors.drift, small_motion)
+      .help ("degrees and cm their way is off from pose to pose (0)");
 }
 
 void
@@ -120,29 +104,25 @@ declareSensor (CommandLine& line, SimulationOptions& options)
   const auto upTo = [] (double highest) { return Range::from (0).upTo (highest); };
   // For which a neighborhood of pixels still means something [px].
   const Range image_size = Range::from (16).upTo (4096);
-  line.addNumber ("width", "W", image_size, simulation.camera.width, "columns (640)");
-  line.addNumber ("height", "H", image_size, simulation.camera.height, "rows (480)");
-  line.addNumber ("noise", "X", upTo (10), simulation.noise, "factor on the noise (1)");
-  line.addValue ("profile",
-                 "correlated|raw",
-                 "the noise: smoothed depth, raw depth (correlated)",
-                 [&simulation] (const std::string& profile) {
-                   simulation.has_raw_depth = profile == "raw";
-                   if (profile != "raw" && profile != "correlated")
-                     throw UsageError ("--profile", "is none; give correlated or raw");
-                 });
+  line.add ("width W", simulation.camera.width, image_size).help ("columns (640)");
+  line.add ("height H", simulation.camera.height, image_size).help ("rows (480)");
+  line.add ("noise X", simulation.noise, upTo (10)).help ("factor on the noise (1)");
+  line.add ("profile correlated|raw",
+            [&simulation] (const std::string& profile) {
+              simulation.has_raw_depth = profile == "raw";
+              if (profile != "raw" && profile != "correlated")
+                throw UsageError ("--profile", "is none; give correlated or raw");
+            })
+      .help ("the noise: smoothed depth, raw depth (correlated)");
   std::vector<std::string> lidars;
   for (const Lidar& lidar : knownLidars())
     lidars.push_back (lidar.name);
-  line.addChoice ("sensor",
-                  lidars,
-                  simulation.sensor,
-                  "lidar of street and drive: rotating with that many beams, or one "
-                  "beam along a rosette (lidar-64)");
-  line.addFlag ("organized",
-                simulation.organized,
-                "keep pixels or rays without a reading as NaN");
-  line.addFlag ("quiet", options.quiet, "print nothing");
+  line.add ("sensor", simulation.sensor, lidars)
+      .help ("lidar of street and drive: rotating with that many beams, or one "
+             "beam along a rosette (lidar-64)");
+  line.add ("organized", simulation.organized)
+      .help ("keep pixels or rays without a reading as NaN");
+  line.add ("quiet", options.quiet).help ("print nothing");
 }
 
 /** \brief Refuses options that the scene has no use for. */

@@ -86,37 +86,22 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
   CommandLine line (program_name, summary, PCL_OPS_VERSION);
   line.setUsage ({"INPUT... --output-dir DIR [options]"}, in_and_out);
   line.addArguments ("INPUT", options.inputs, "");
-  line.addText ("output-dir", "DIR", options.output_dir, "where the outputs go");
-  line.addNumber ("cell",
-                  "M",
-                  Range::above (0),
-                  options.plan.cell,
-                  "edge of a cell (by the density: some 20 points in one)");
-  line.addNumber ("tile",
-                  "M",
-                  Range::above (0),
-                  options.plan.tile,
-                  "edge of a tile, rounded to 4 cells (256 cells)");
-  line.addNumber ("jobs",
-                  "N",
-                  Range::from (0).upTo (most_jobs),
-                  options.jobs,
-                  "tiles at a time; 0: one for each processor (1)");
-  line.addText ("plan",
-                "FILE",
-                options.plan_file,
-                "the plan to follow; written if there is none (DIR/work/plan.json)");
-  line.addText ("planes",
-                "FILE",
-                options.planes.file,
-                "write planes, all or those to keep: .geojson, .csv or .json");
-  line.addText ("image",
-                "FILE.png",
-                options.planes.image,
-                "draw the same planes from above, by plane and by orientation");
+  line.add ("output-dir DIR", options.output_dir).help ("where the outputs go");
+  line.add ("cell M", options.plan.cell, Range::above (0))
+      .help ("edge of a cell (by the density: some 20 points in one)");
+  line.add ("tile M", options.plan.tile, Range::above (0))
+      .help ("edge of a tile, rounded to 4 cells (256 cells)");
+  line.add ("jobs N", options.jobs, Range::from (0).upTo (most_jobs))
+      .help ("tiles at a time; 0: one for each processor (1)");
+  line.add ("plan FILE", options.plan_file)
+      .help ("the plan to follow; written if there is none (DIR/work/plan.json)");
+  line.add ("planes FILE", options.planes.file)
+      .help ("write planes, all or those to keep: .geojson, .csv or .json");
+  line.add ("image FILE.png", options.planes.image)
+      .help ("draw the same planes from above, by plane and by orientation");
   declareMap (line, options.planes.map);
-  line.addFlag ("dry-run", options.dry_run, "print the plan, and do nothing");
-  line.addFlag ("quiet", options.quiet, "print nothing");
+  line.add ("dry-run", options.dry_run).help ("print the plan, and do nothing");
+  line.add ("quiet", options.quiet).help ("print nothing");
   declareChoice (line, options.planes.choice);
   if (!line.parse (argc, argv))
     return false;

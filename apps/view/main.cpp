@@ -54,14 +54,10 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
   CommandLine line ("pcl_ops_view", summary, PCL_OPS_VERSION);
   line.addArgument (
       "CLOUD", options.input, "the cloud, a .pcd, .ply, .las or text file");
-  line.addChoice ("color",
-                  {"planes", "orientations"},
-                  state.coloring,
-                  "what the colors show (planes)");
-  line.addText ("screenshot",
-                "FILE.png",
-                options.screenshot,
-                "write the first view to a file and open no window");
+  line.add ("color", state.coloring, {"planes", "orientations"})
+      .help ("what the colors show (planes)");
+  line.add ("screenshot FILE.png", options.screenshot)
+      .help ("write the first view to a file and open no window");
   declareMethodOptions (line, state.method, options.detector);
   if (!line.parse (argc, argv))
     return false;

@@ -162,8 +162,8 @@ edgesCommand (int argc, const char* const* argv)
       PCL_OPS_VERSION);
   line.addArguments ("DATASET", texts, data_set_help);
   bool json = false;
-  line.addFlag ("json", json, "print JSON instead of text");
-  line.addUpAxis (up, "against gravity in clouds; camera: 0,-1,0 (0,0,1)");
+  line.add ("json", json).help ("print JSON instead of text");
+  line.addUpAxis (up).help ("against gravity in clouds; camera: 0,-1,0 (0,0,1)");
   if (!line.parse (argc, argv))
     return apps::ExitCode::done;
   Answer edges = Answer::array();

@@ -224,13 +224,10 @@ compareCommand (int argc, const char* const* argv)
   line.addArgument ("TRUTH", truth_file, "the true planes, .pcd, .ply, .las or text");
   line.addArgument (
       "RESULT", result_file, "the planes found, .pcd, .ply, .las or text");
-  line.addUpAxis (up, "direction against gravity; camera: 0,-1,0 (0,0,1)");
-  line.addNumber ("min-plane-points",
-                  "N",
-                  apps::Range::from (0),
-                  min_plane_points,
-                  "true planes with fewer points count as no plane (1)");
-  line.addFlag ("json", json, "print JSON instead of text");
+  line.addUpAxis (up).help ("direction against gravity; camera: 0,-1,0 (0,0,1)");
+  line.add ("min-plane-points N", min_plane_points, apps::Range::from (0))
+      .help ("true planes with fewer points count as no plane (1)");
+  line.add ("json", json).help ("print JSON instead of text");
   if (!line.parse (argc, argv))
     return apps::ExitCode::done;
   const auto [truth, result] =
@@ -259,18 +256,12 @@ trackCommand (int argc, const char* const* argv)
   line.addArgument ("TRUTH", truth_folder, "folder of the true planes");
   line.addArgument (
       "RESULT", result_folder, "folder of the planes found, by the same names");
-  line.addNumber ("min-plane-points",
-                  "N",
-                  apps::Range::from (0),
-                  min_plane_points,
-                  "true planes with fewer points in a cloud are not in it (1)");
-  line.addText (
-      "poses",
-      "FILE",
-      poses,
-      "true poses of the sensor, one line per cloud: tells how planes differ\n"
-      "from cloud to cloud over what planeCovariance allows");
-  line.addFlag ("json", json, "print JSON instead of text");
+  line.add ("min-plane-points N", min_plane_points, apps::Range::from (0))
+      .help ("true planes with fewer points in a cloud are not in it (1)");
+  line.add ("poses FILE", poses)
+      .help ("true poses of the sensor, one line per cloud: tells how planes differ\n"
+             "from cloud to cloud over what planeCovariance allows");
+  line.add ("json", json).help ("print JSON instead of text");
   if (line.parse (argc, argv))
     print (answerOf (keptIn (truth_folder, result_folder, poses, min_plane_points)),
            json);

@@ -40,12 +40,12 @@ struct Detector {
   {
     CommandLine line ("detect", "Detects.", "1.2.3");
     line.addArgument ("INPUT", input, "a cloud");
-    line.addChoice ("method", {"ops", "fspf"}, method, "the algorithm");
-    line.addText ("image", "FILE", image, "a picture");
-    line.addNumber ("threshold", "M", Range::above (0), threshold, "distance");
-    line.addNumber ("k", "K", Range::from (3).upTo (100), k, "neighbors");
-    line.addUpAxis (up, "axis");
-    line.addFlag ("quiet", quiet, "no table");
+    line.add ("method", method, {"ops", "fspf"}).help ("the algorithm");
+    line.add ("image FILE", image).help ("a picture");
+    line.add ("threshold M", threshold, Range::above (0)).help ("distance");
+    line.add ("k K", k, Range::from (3).upTo (100)).help ("neighbors");
+    line.addUpAxis (up).help ("axis");
+    line.add ("quiet", quiet).help ("no table");
     complaint = complaintOf ([&] {
       proceeds = parse (line, arguments);
       line.forbidTogether ("quiet", "image");
@@ -118,11 +118,11 @@ TEST (CommandLine, TellsTheOptionsOfAGroupThatWereGiven)
 {
   CommandLine line ("detect", "Detects.", "1.0");
   std::optional<int> k, bins, samples, size;
-  line.addNumber ("k", "K", Range::any(), k, "neighbors");
+  line.add ("k K", k, Range::any()).help ("neighbors");
   line.beginGroup ("Hough");
-  line.addNumber ("bins", "N", Range::any(), bins, "of the accumulator");
-  line.addNumber ("samples", "N", Range::any(), samples, "of a cluster");
-  line.addNumber ("size", "N", Range::any(), size, "of a cluster");
+  line.add ("bins N", bins, Range::any()).help ("of the accumulator");
+  line.add ("samples N", samples, Range::any()).help ("of a cluster");
+  line.add ("size N", size, Range::any()).help ("of a cluster");
   ASSERT_TRUE (parse (line, {"--k", "3", "--samples", "4"}));
   EXPECT_EQ (samples, 4);
   EXPECT_EQ (line.givenOf ("Hough"), std::vector<std::string>{"samples"});
@@ -148,7 +148,7 @@ TEST (CommandLine, HelpsInTwoColumnsAndBreaksLinesBetweenWords)
   const std::string full = "as many words as a line of 79 columns can hold, and no";
   line.addArgument ("INPUT", value, "a cloud");
   line.addArgument ("OUTPUT.pcd", value, "the same with labels");
-  line.addText ("detector", "FILE", value, full + " more");
+  line.add ("detector FILE", value).help (full + " more");
   EXPECT_TRUE (contains (line.help(),
                          "\nArguments:\n  INPUT        a cloud\n  OUTPUT.pcd   the"));
   EXPECT_TRUE (contains (line.help(),
