@@ -46,7 +46,7 @@ readOptions (int argc, const char* const* argv, Options& options)
       "pcl::KdTreeFLANN's construction and other plane detectors, in one process, and\n"
       "prints it in Markdown.",
       PCL_OPS_VERSION);
-  const apps::Range runs = apps::Range::from (1).upTo (1000);
+  const apps::Range runs = apps::from (1).upTo (1000);
   MeasureParameters& measures = options.measures;
   bool no_peers = false;
   line.addArgument (
@@ -61,8 +61,8 @@ readOptions (int argc, const char* const* argv, Options& options)
   line.add ("peer-runs N", measures.peer_runs, runs)
       .help ("of others' detectors, which take seconds (1)");
   line.add ("no-peers", no_peers).help ("leave these out");
-  line.add ("seed S", measures.seed, apps::Range::from (0)).help ("of detectors (42)");
-  line.add ("memory-points N", options.memory_points, apps::Range::from (1).upTo (1e8))
+  line.add ("seed S", measures.seed, apps::from (0)).help ("of detectors (42)");
+  line.add ("memory-points N", options.memory_points, apps::from (1).upTo (1e8))
       .help ("size of the simulated scan peak memory is measured on (3000000)");
   line.add ("scaling FOLDER", options.scaling_folder)
       .help ("write times over points, threads, sampling rate and planes: "

@@ -183,7 +183,7 @@ parseDirection (const std::string& option, const std::string& text)
   Eigen::Index count = 0;
   for (; std::getline (parts, part, ','); ++count) {
     if (count < 3)
-      direction[count] = parseNumber<float> (option, part, Range::any());
+      direction[count] = parseNumber<float> (option, part, Range());
   }
   if (count != 3)
     throw UsageError (option,

@@ -23,21 +23,6 @@ struct Range {
   double highest = std::numeric_limits<double>::infinity();
   bool highest_included = false;
 
-  static Range
-  any ()
-  {
-    return {};
-  }
-  static Range
-  above (double bound)
-  {
-    return {bound, false};
-  }
-  static Range
-  from (double bound)
-  {
-    return {bound, true};
-  }
   Range
   upTo (double bound) const
   {
@@ -56,6 +41,18 @@ struct Range {
   text () const;
 };
 
+inline Range
+above (double bound)
+{
+  return {bound, false};
+}
+
+inline Range
+from (double bound)
+{
+  return {bound, true};
+}
+
 /** \brief The number a text stands for.
  * \param[in] option names the option in the error
  * \param[in] of_type what the type can be; whole numbers only, where it is such a one
@@ -72,7 +69,7 @@ Number
 parseNumber (const std::string& option, const std::string& text, const Range& range)
 {
   using Limits = std::numeric_limits<Number>;
-  const Range from_lowest = Range::from (static_cast<double> (Limits::lowest()));
+  const Range from_lowest = from (static_cast<double> (Limits::lowest()));
   // The largest integer may be no double, the one behind it always is.
   const Range of_type = Limits::is_integer
                             ? from_lowest.below (std::ldexp (1.0, Limits::digits))

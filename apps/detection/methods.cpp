@@ -139,11 +139,11 @@ reportOf (const std::string& preset, Parameters parameters)
   settings["preset"] = preset;
   settings["up"] = Eigen::Vector3d (parameters.up_axis.template cast<double>());
   addFixed (parameters, settings);
-  visitAll (parameters,
-            [&] (std::string name, const auto& number, const NumberOption&) {
-              std::replace (name.begin(), name.end(), '-', '_');
-              settings[name] = settingOf (number);
-            });
+  visitAll (parameters, [&] (const auto& number, const NumberOption& option) {
+    std::string name = nameOf (option.usage);
+    std::replace (name.begin(), name.end(), '-', '_');
+    settings[name] = settingOf (number);
+  });
   return settings;
 }
 
@@ -178,9 +178,9 @@ presetNotes ()
 {
   std::map<std::string, std::string> notes;
   for (Parameters preset : {Parameters(), Parameters::paper()})
-    visitOwn (preset, [&] (const char* name, const auto& number, const NumberOption&) {
+    visitOwn (preset, [&] (const auto& number, const NumberOption& option) {
       const std::string value = str (boost::format ("%1%") % number);
-      std::string& note = notes[name];
+      std::string& note = notes[nameOf (option.usage)];
       if (note.empty())
         note = value;
       else if (note != value)

@@ -16,41 +16,39 @@
 
 namespace pcl_ops::apps {
 
-/** \brief What there is to say about a parameter that is a number, besides the name of
- * its option; in reports that has '_' for '-'. */
+/** \brief What there is to say about a parameter that is a number; its name in the
+ * usage has '_' for '-' in reports. */
 struct NumberOption {
-  const char* placeholder;
+  const char* usage;
   Range range;
   const char* help;
 };
 
 constexpr double points_of_a_plane = 3;
 
-/** \brief Calls \p visit (name, number, option) for what all detectors have. */
+/** \brief Calls \p visit (number, option) for what all detectors have. */
 template <typename Visit>
 void
 visitOwn (PlaneDetectorParameters& p, const Visit& visit)
 {
-  visit ("threshold",
-         p.distance_threshold,
-         {"M", Range::above (0), "farthest point of a plane (0.05; ops: auto)"});
-  visit ("merge-distance",
-         p.merging.distance_threshold,
-         {"M", Range::from (0), "planes this near are one (--threshold; ops: auto)"});
+  visit (p.distance_threshold,
+         {"threshold M", above (0), "farthest point of a plane (0.05; ops: auto)"});
+  visit (p.merging.distance_threshold,
+         {"merge-distance M",
+          from (0),
+          "planes this near are one (--threshold; ops: auto)"});
   const double usual = toDegrees (p.angle_tolerance);
   double degrees = usual;
-  visit ("angle-tolerance",
-         degrees,
-         {"DEG",
-          Range::from (0).upTo (90),
+  visit (degrees,
+         {"angle-tolerance DEG",
+          from (0).upTo (90),
           "largest tilt of horizontal and vertical planes (7)"});
   if (degrees != usual)
     p.angle_tolerance = toRadians (degrees);
-  visit ("seed", p.seed, {"S", Range::from (0), "same seed, same result (42)"});
+  visit (p.seed, {"seed S", from (0), "same seed, same result (42)"});
   visit (
-      "threads",
       p.threads,
-      {"T", Range::from (0).upTo (1024), "0 for all; the result stays the same (1)"});
+      {"threads T", from (0).upTo (1024), "0 for all; the result stays the same (1)"});
 }
 
 /** \brief The same for what one detector has alone; the values of the presets follow in
@@ -59,22 +57,18 @@ template <typename Visit>
 void
 visitOwn (OrientedPointSamplingParameters& p, const Visit& visit)
 {
-  visit ("sampling-rate",
-         p.sampling_rate,
-         {"R", Range::above (0).upTo (1), "share of the points that get a normal"});
-  visit ("k",
-         p.k,
-         {"K", Range::from (2), "neighbors of a normal; on surfels the fewest points"});
-  visit ("min-inliers",
-         p.min_inliers,
-         {"N", Range::from (1), "a plane has more sampled points than this"});
-  visit ("probability",
-         p.paper_only.probability,
-         {"P", Range::above (0).below (1), "of drawing a point of the largest plane"});
+  visit (
+      p.sampling_rate,
+      {"sampling-rate R", above (0).upTo (1), "share of the points that get a normal"});
+  visit (p.k, {"k K", from (2), "neighbors of a normal; on surfels the fewest points"});
+  visit (p.min_inliers,
+         {"min-inliers N", from (1), "a plane has more sampled points than this"});
+  visit (p.paper_only.probability,
+         {"probability P",
+          above (0).below (1),
+          "of drawing a point of the largest plane"});
   double edge = p.surfels.voxel_size.value_or (0.0);
-  visit ("cell",
-         edge,
-         {"M", Range::from (0), "edge of a voxel; 0: by the number of points"});
+  visit (edge, {"cell M", from (0), "edge of a voxel; 0: by the number of points"});
   p.surfels.voxel_size = edge == 0.0 ? std::nullopt : std::make_optional (edge);
 }
 
@@ -83,21 +77,19 @@ void
 visitOwn (FastSamplingPlaneFilteringParameters& p, const Visit& visit)
 {
   FastSamplingPlaneFilteringParameters::Local& local = p.local;
-  visit ("inner-radius",
-         local.inner_radius,
-         {"M", Range::above (0), "three points this near make a hypothesis"});
-  visit ("outer-radius",
-         local.outer_radius,
-         {"M", Range::above (0), "it is tested on points this near"});
-  visit ("local-samples",
-         local.local_samples,
-         {"N", Range::from (points_of_a_plane), "it is tested on so many of them"});
-  visit ("min-inlier-share",
-         local.min_inlier_fraction,
-         {"R", Range::from (0).below (1), "a larger share of these must be inliers"});
-  visit ("inliers-per-point",
-         local.max_inliers_per_point,
-         {"R", Range::above (0), "sampling ends at so many inliers"});
+  visit (local.inner_radius,
+         {"inner-radius M", above (0), "three points this near make a hypothesis"});
+  visit (local.outer_radius,
+         {"outer-radius M", above (0), "it is tested on points this near"});
+  visit (
+      local.local_samples,
+      {"local-samples N", from (points_of_a_plane), "it is tested on so many of them"});
+  visit (local.min_inlier_fraction,
+         {"min-inlier-share R",
+          from (0).below (1),
+          "a larger share of these must be inliers"});
+  visit (local.max_inliers_per_point,
+         {"inliers-per-point R", above (0), "sampling ends at so many inliers"});
 }
 
 template <typename Visit>
@@ -105,23 +97,17 @@ void
 visitOwn (KernelHoughTransformParameters& p, const Visit& visit)
 {
   auto& clusters = p.clusters;
+  visit (p.phi_num, {"phi-num N", from (2).upTo (1000), "steps of half a turn"});
+  visit (p.rho_num,
+         {"rho-num N", from (2).upTo (10000), "steps out to the farthest point"});
   visit (
-      "phi-num", p.phi_num, {"N", Range::from (2).upTo (1000), "steps of half a turn"});
-  visit ("rho-num",
-         p.rho_num,
-         {"N", Range::from (2).upTo (10000), "steps out to the farthest point"});
-  visit ("min-samples",
-         clusters.min_samples,
-         {"N", Range::from (points_of_a_plane), "smaller octree nodes are left out"});
-  visit ("s-level",
-         clusters.first_level,
-         {"N", Range::from (0).upTo (20), "first level of the octree that is tested"});
-  visit ("s-alpha",
-         clusters.s_alpha,
-         {"R", Range::above (0), "larger: a node must be thinner to count as flat"});
-  visit ("s-beta",
-         clusters.s_beta,
-         {"R", Range::above (0), "larger: it may be more elongated"});
+      clusters.min_samples,
+      {"min-samples N", from (points_of_a_plane), "smaller octree nodes are left out"});
+  visit (clusters.first_level,
+         {"s-level N", from (0).upTo (20), "first level of the octree that is tested"});
+  visit (clusters.s_alpha,
+         {"s-alpha R", above (0), "larger: a node must be thinner to count as flat"});
+  visit (clusters.s_beta, {"s-beta R", above (0), "larger: it may be more elongated"});
 }
 
 /** \brief The same for all that a detector has. */
@@ -137,13 +123,10 @@ visitAll (Parameters& parameters, const Visit& visit)
  * \throws UsageError if it is none or out of range */
 template <typename Number>
 auto
-parsed (const std::string& name,
-        const std::string& text,
-        const NumberOption& option,
-        const Number& /* number */)
+parsed (const std::string& text, const NumberOption& option, const Number& /* number */)
 {
   using Value = std::conditional_t<std::is_arithmetic_v<Number>, Number, double>;
-  return parseNumber<Value> ("--" + name, text, option.range);
+  return parseNumber<Value> ("--" + nameOf (option.usage), text, option.range);
 }
 
 template <typename Number>
@@ -162,11 +145,10 @@ template <typename Parameters>
 void
 apply (const GivenNumbers& given, Parameters& parameters)
 {
-  visitAll (parameters,
-            [&] (const char* name, auto& number, const NumberOption& option) {
-              if (const auto text = given.find (name); text != given.end())
-                number = parsed (name, text->second, option, number);
-            });
+  visitAll (parameters, [&] (auto& number, const NumberOption& option) {
+    if (const auto text = given.find (nameOf (option.usage)); text != given.end())
+      number = parsed (text->second, option, number);
+  });
 }
 
 /** \brief Declares the options of what these parameters have alone.
@@ -179,17 +161,16 @@ declare (Parameters parameters,
          CommandLine& line,
          GivenNumbers& given)
 {
-  visitOwn (parameters,
-            [&] (const char* name, auto number, const NumberOption& option) {
-              const auto note = notes.find (name);
-              line.add (std::string (name) + " " + option.placeholder,
-                        [=, &given] (const std::string& text) {
-                          parsed (name, text, option, number);
-                          given[name] = text;
-                        })
-                  .help (option.help +
-                         (note == notes.end() ? "" : " (" + note->second + ")"));
-            });
+  visitOwn (parameters, [&] (auto number, const NumberOption& option) {
+    const std::string name = nameOf (option.usage);
+    const auto note = notes.find (name);
+    line.add (option.usage,
+              [=, &given] (const std::string& text) {
+                parsed (text, option, number);
+                given[name] = text;
+              })
+        .help (option.help + (note == notes.end() ? "" : " (" + note->second + ")"));
+  });
 }
 
 } // namespace pcl_ops::apps

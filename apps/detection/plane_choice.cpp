@@ -110,11 +110,11 @@ declareChoice (CommandLine& line, PlaneChoice& choice)
               filter.direction = parseDirection ("--direction", text).cast<double>();
             })
       .help ("planes whose normal points along it, or against it");
-  line.add ("within DEG", choice.within, Range::from (0).upTo (right_angle))
+  line.add ("within DEG", choice.within, from (0).upTo (right_angle))
       .help ("largest angle of a normal to --direction (10)");
-  addNumbers (line, "slope MIN,MAX", choice.slope, Range::from (0).upTo (right_angle))
+  addNumbers (line, "slope MIN,MAX", choice.slope, from (0).upTo (right_angle))
       .help ("angles to the horizontal from MIN to MAX degrees");
-  const Range size = Range::from (0);
+  const Range size = from (0);
   line.add ("min-points N", filter.min_points, size).help ("fewest points");
   line.add ("min-area M2", filter.min_area, size)
       .help ("smallest area inside the outline");
@@ -124,7 +124,7 @@ declareChoice (CommandLine& line, PlaneChoice& choice)
   line.add ("max-width M", filter.max_width, size).help ("largest width");
   addNumbers (line, "size W,H,TOLERANCE", filter.size, size)
       .help ("rectangles of W by H, each within TOLERANCE");
-  line.add ("max-planes N", filter.max_planes, Range::from (1))
+  line.add ("max-planes N", filter.max_planes, from (1))
       .help ("the N largest of those the others leave");
 }
 

@@ -339,7 +339,7 @@ declareMap (CommandLine& line, MapOptions& options)
               options.crs = text;
             })
       .help ("reference system to name in --planes FILE.geojson");
-  line.add ("simplify M", options.simplify, Range::from (0))
+  line.add ("simplify M", options.simplify, from (0))
       .help ("straighten outlines in .csv and .geojson, by M at most (0)");
 }
 

@@ -16,7 +16,8 @@ namespace {
 
 using namespace pcl_ops;
 using namespace pcl_ops::evaluation;
-using apps::Range;
+using apps::above;
+using apps::from;
 
 constexpr const char* program_name = "pcl_ops_evaluate";
 
@@ -56,23 +57,23 @@ readOptions (int argc,
   line.addArgument ("OUTPUT", folder, "folder of the results");
   line.addArguments ("DATASET", data_sets, data_set_help);
   line.addUpAxis (up).help ("against gravity in clouds; camera: 0,-1,0 (0,0,1)");
-  line.add ("truth-neighbors K", plan.truth.neighbors, Range::from (3).upTo (10'000))
+  line.add ("truth-neighbors K", plan.truth.neighbors, from (3).upTo (10'000))
       .help ("neighborhood of grown truth (100)");
-  line.add ("min-plane-points N", plan.truth.min_points, Range::from (0))
+  line.add ("min-plane-points N", plan.truth.min_points, from (0))
       .help ("true planes with fewer points are none (50)");
   line.add ("detectors LIST", detectors)
       .help ("names and groups, see pcl_ops_evaluate detectors (all)");
-  line.add ("jobs N", plan.jobs, Range::from (1).upTo (256))
+  line.add ("jobs N", plan.jobs, from (1).upTo (256))
       .help ("clouds at a time; only 1 leaves times undisturbed (1)");
   line.add ("labels FOLDER", plan.labels_folder)
       .help ("save each new result, and the truth, as a labeled cloud");
-  line.add ("threshold M", plan.settings.peer_threshold, Range::above (0))
+  line.add ("threshold M", plan.settings.peer_threshold, above (0))
       .help ("distance to a plane that detectors of others are given (0.05)");
-  line.add ("peers-noise M", plan.settings.peer_noise, Range::above (0))
+  line.add ("peers-noise M", plan.settings.peer_noise, above (0))
       .help ("noise that those of the group peers-measured are tuned to (measured)");
-  line.add ("time-limit S", plan.time_limit, Range::from (0).upTo (1e6))
+  line.add ("time-limit S", plan.time_limit, from (0).upTo (1e6))
       .help ("for a detector of others on a cloud, 0 for none (600)");
-  line.add ("seed S", plan.settings.seed, Range::from (0)).help ("of detectors (42)");
+  line.add ("seed S", plan.settings.seed, from (0)).help ("of detectors (42)");
   if (!line.parse (argc, argv))
     return false;
   plan.configurations = selectConfigurations (detectors);

@@ -70,7 +70,7 @@ declareOutputs (CommandLine& line, SegmentOptions& options)
   line.add ("output-dir DIR", options.output_dir)
       .help ("write DIR/NAME.pcd, .json for each INPUT NAME.pcd;\n"
              "below, {} in FILE and DIR stands for NAME");
-  line.add ("jobs N", options.jobs, Range::from (0).upTo (256))
+  line.add ("jobs N", options.jobs, from (0).upTo (256))
       .help ("INPUTs at a time; 0: one for each processor (1)");
   line.add ("planes FILE", outputs.planes)
       .help ("write the planes: .json, .csv, .geojson or - (printed)");
@@ -109,9 +109,9 @@ declareTracking (CommandLine& line, TrackOptions& options)
   line.add ("poses FILE", options.poses)
       .help ("where the sensor was: a line \"timestamp tx ty tz qx qy qz qw\" for "
              "each INPUT (it hardly moves)");
-  line.add ("rotation-error DEG", options.rotation_error, Range::from (0).upTo (90))
+  line.add ("rotation-error DEG", options.rotation_error, from (0).upTo (90))
       .help ("how far a turn from INPUT to INPUT is off (3)");
-  line.add ("translation-error M", options.translation_error, Range::from (0))
+  line.add ("translation-error M", options.translation_error, from (0))
       .help ("how far a move from INPUT to INPUT is off (0.05)");
 }
 

@@ -55,6 +55,7 @@ struct SimulationOptions {
 };
 
 using apps::CommandLine;
+using apps::from;
 using apps::Range;
 using apps::UsageError;
 
@@ -79,18 +80,18 @@ declareScene (CommandLine& line, SimulationOptions& options)
              "a lidar's way along a street (room)");
   line.add ("seed S",
             simulation.seed,
-            Range::from (0).upTo (std::numeric_limits<std::uint32_t>::max()))
+            from (0).upTo (std::numeric_limits<std::uint32_t>::max()))
       .help ("which room, furniture, houses, shapes or street (1)");
-  line.add ("points N", simulation.points, Range::from (1).upTo (max_points_of_town))
+  line.add ("points N", simulation.points, from (1).upTo (max_points_of_town))
       .help ("scan the whole room with N points instead of one camera image; "
              "points of survey (600000), shapes (250000), about those of town "
              "(1000000)");
-  line.add ("tiles N", options.tiles, Range::from (1).upTo (1e6))
+  line.add ("tiles N", options.tiles, from (1).upTo (1e6))
       .help ("tiles of town, rounded up to a square number (4)");
-  line.add ("frames N", options.frames, Range::from (1).upTo (1000))
+  line.add ("frames N", options.frames, from (1).upTo (1000))
       .help ("clouds of walk and drive (50)");
   // Beyond, an error is no small motion [degree, cm].
-  const Range small_motion = Range::from (0).upTo (30);
+  const Range small_motion = from (0).upTo (30);
   line.add ("pose-error X", options.pose_errors.each, small_motion)
       .help ("degrees and cm each pose of these is off in poses.txt (0)");
   line.add ("drift X", options.pose_errors.drift, small_motion)
@@ -101,9 +102,9 @@ void
 declareSensor (CommandLine& line, SimulationOptions& options)
 {
   Simulation& simulation = options.simulation;
-  const auto upTo = [] (double highest) { return Range::from (0).upTo (highest); };
+  const auto upTo = [] (double highest) { return from (0).upTo (highest); };
   // For which a neighborhood of pixels still means something [px].
-  const Range image_size = Range::from (16).upTo (4096);
+  const Range image_size = from (16).upTo (4096);
   line.add ("width W", simulation.camera.width, image_size).help ("columns (640)");
   line.add ("height H", simulation.camera.height, image_size).help ("rows (480)");
   line.add ("noise X", simulation.noise, upTo (10)).help ("factor on the noise (1)");

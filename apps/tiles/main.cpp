@@ -87,11 +87,11 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
   line.setUsage ({"INPUT... --output-dir DIR [options]"}, in_and_out);
   line.addArguments ("INPUT", options.inputs, "");
   line.add ("output-dir DIR", options.output_dir).help ("where the outputs go");
-  line.add ("cell M", options.plan.cell, Range::above (0))
+  line.add ("cell M", options.plan.cell, above (0))
       .help ("edge of a cell (by the density: some 20 points in one)");
-  line.add ("tile M", options.plan.tile, Range::above (0))
+  line.add ("tile M", options.plan.tile, above (0))
       .help ("edge of a tile, rounded to 4 cells (256 cells)");
-  line.add ("jobs N", options.jobs, Range::from (0).upTo (most_jobs))
+  line.add ("jobs N", options.jobs, from (0).upTo (most_jobs))
       .help ("tiles at a time; 0: one for each processor (1)");
   line.add ("plan FILE", options.plan_file)
       .help ("the plan to follow; written if there is none (DIR/work/plan.json)");

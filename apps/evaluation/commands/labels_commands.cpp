@@ -225,7 +225,7 @@ compareCommand (int argc, const char* const* argv)
   line.addArgument (
       "RESULT", result_file, "the planes found, .pcd, .ply, .las or text");
   line.addUpAxis (up).help ("direction against gravity; camera: 0,-1,0 (0,0,1)");
-  line.add ("min-plane-points N", min_plane_points, apps::Range::from (0))
+  line.add ("min-plane-points N", min_plane_points, apps::from (0))
       .help ("true planes with fewer points count as no plane (1)");
   line.add ("json", json).help ("print JSON instead of text");
   if (!line.parse (argc, argv))
@@ -256,7 +256,7 @@ trackCommand (int argc, const char* const* argv)
   line.addArgument ("TRUTH", truth_folder, "folder of the true planes");
   line.addArgument (
       "RESULT", result_folder, "folder of the planes found, by the same names");
-  line.add ("min-plane-points N", min_plane_points, apps::Range::from (0))
+  line.add ("min-plane-points N", min_plane_points, apps::from (0))
       .help ("true planes with fewer points in a cloud are not in it (1)");
   line.add ("poses FILE", poses)
       .help ("true poses of the sensor, one line per cloud: tells how planes differ\n"

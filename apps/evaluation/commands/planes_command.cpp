@@ -251,13 +251,13 @@ planesCommand (int argc, const char* const* argv)
       PCL_OPS_VERSION);
   line.addArgument ("A", first, "planes, .json");
   line.addArgument ("B", second, "planes, .json");
-  line.add ("rotation-error DEG", rotation_error, apps::Range::from (0).upTo (90))
+  line.add ("rotation-error DEG", rotation_error, apps::from (0).upTo (90))
       .help ("how far one frame may be turned against the other (" +
              decimal (rotation_error, 0) + ")");
-  line.add ("translation-error M", matching.translation_error, apps::Range::from (0))
+  line.add ("translation-error M", matching.translation_error, apps::from (0))
       .help ("how far it may be moved (" + decimal (matching.translation_error, 2) +
              ")");
-  line.add ("min-overlap X", matching.min_overlap, apps::Range::from (0).upTo (1))
+  line.add ("min-overlap X", matching.min_overlap, apps::from (0).upTo (1))
       .help ("share of the smaller plane that has to lie over the other (" +
              decimal (matching.min_overlap, 1) + ")");
   line.add ("json", json).help ("print JSON instead of text");

@@ -73,7 +73,7 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
   // More than anybody waits for; keeps a typing error from filling the memory.
   constexpr std::uint32_t max_scenes = 100'000;
   const auto seed = [&scenes] (const std::string& text) {
-    return apps::parseNumber<std::uint32_t> (scenes.name, text, apps::Range::from (0));
+    return apps::parseNumber<std::uint32_t> (scenes.name, text, apps::from (0));
   };
   const std::size_t dash = seeds.find ('-'); // npos + 1 is 0: the whole text again
   const std::uint32_t first = seed (seeds.substr (0, dash)),
@@ -100,7 +100,7 @@ DataSet
 scansDataSet (const std::string& name, const std::string& sizes)
 {
   // A point takes 16 bytes, and 56 more while it is simulated.
-  const apps::Range of_points = apps::Range::from (1).upTo (1e8);
+  const apps::Range of_points = apps::from (1).upTo (1e8);
   DataSet clouds;
   std::istringstream list (sizes);
   for (std::string size; std::getline (list, size, ',');) {

@@ -42,8 +42,8 @@ struct Detector {
     line.addArgument ("INPUT", input, "a cloud");
     line.add ("method", method, {"ops", "fspf"}).help ("the algorithm");
     line.add ("image FILE", image).help ("a picture");
-    line.add ("threshold M", threshold, Range::above (0)).help ("distance");
-    line.add ("k K", k, Range::from (3).upTo (100)).help ("neighbors");
+    line.add ("threshold M", threshold, above (0)).help ("distance");
+    line.add ("k K", k, from (3).upTo (100)).help ("neighbors");
     line.addUpAxis (up).help ("axis");
     line.add ("quiet", quiet).help ("no table");
     complaint = complaintOf ([&] {
@@ -97,20 +97,20 @@ TEST (CommandLine, TellsGivenOptionsFromDefaults)
 TEST (CommandLine, RefusesWholeNumbersThatAreTooLargeForTheirType)
 {
   const auto expect_too_large = [] (auto type, const std::string& text) {
-    EXPECT_EQ (complaintOf (
-                   [&] { parseNumber<decltype (type)> ("n", text, Range::from (1)); }),
-               "n: " + text + " is out of range; give a whole number from 1 on");
+    EXPECT_EQ (
+        complaintOf ([&] { parseNumber<decltype (type)> ("n", text, from (1)); }),
+        "n: " + text + " is out of range; give a whole number from 1 on");
   };
   // The largest of 64 bits is no double: the next one is 2^64.
   expect_too_large (std::size_t{}, "18446744073709551615");
   expect_too_large (std::size_t{}, "18446744073709551616");
   expect_too_large (std::uint32_t{}, "4294967296");
   expect_too_large (int{}, "2147483648");
-  EXPECT_EQ (parseNumber<std::size_t> ("n", "9223372036854775808", Range::from (1)),
+  EXPECT_EQ (parseNumber<std::size_t> ("n", "9223372036854775808", from (1)),
              9223372036854775808U);
-  EXPECT_EQ (parseNumber<std::uint32_t> ("n", "4294967295", Range::from (1)),
+  EXPECT_EQ (parseNumber<std::uint32_t> ("n", "4294967295", from (1)),
              std::numeric_limits<std::uint32_t>::max());
-  EXPECT_EQ (parseNumber<int> ("n", "-2147483648", Range::any()),
+  EXPECT_EQ (parseNumber<int> ("n", "-2147483648", Range()),
              std::numeric_limits<int>::lowest());
 }
 
@@ -118,11 +118,11 @@ TEST (CommandLine, TellsTheOptionsOfAGroupThatWereGiven)
 {
   CommandLine line ("detect", "Detects.", "1.0");
   std::optional<int> k, bins, samples, size;
-  line.add ("k K", k, Range::any()).help ("neighbors");
+  line.add ("k K", k, Range()).help ("neighbors");
   line.beginGroup ("Hough");
-  line.add ("bins N", bins, Range::any()).help ("of the accumulator");
-  line.add ("samples N", samples, Range::any()).help ("of a cluster");
-  line.add ("size N", size, Range::any()).help ("of a cluster");
+  line.add ("bins N", bins, Range()).help ("of the accumulator");
+  line.add ("samples N", samples, Range()).help ("of a cluster");
+  line.add ("size N", size, Range()).help ("of a cluster");
   ASSERT_TRUE (parse (line, {"--k", "3", "--samples", "4"}));
   EXPECT_EQ (samples, 4);
   EXPECT_EQ (line.givenOf ("Hough"), std::vector<std::string>{"samples"});
