@@ -106,6 +106,14 @@ TEST (Bending, OfASlightlyBowedWallIsNoCurvature)
   EXPECT_FALSE (isCurved (bendingOfAll (gridOver (2_m, 1_cm, bowedWall))));
 }
 
+TEST (Bending, ThatExplainsLittleOfTheUnevennessIsNoCurvature)
+{
+  Bending bending = bendingOfAll (gridOver (50_cm, 0.0, barrel));
+  ASSERT_TRUE (isCurved (bending));
+  bending.explained = 30_percent;
+  EXPECT_FALSE (isCurved (bending));
+}
+
 TEST (Bending, IsOfEightVoxelsOrMore)
 {
   const VoxelGrid grid = gridOver (50_cm, 0.0, barrel);
