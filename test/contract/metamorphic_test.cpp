@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl/common/io.h>
 #include <pcl/common/transforms.h>
 
 #include "presets.h"
@@ -60,7 +61,9 @@ turn (Variant& variant, const Eigen::Vector3d& axis)
 void
 reorder (Variant& variant, const pcl::Indices& order)
 {
-  variant.cloud = pcl::make_shared<Cloud> (*variant.cloud, order);
+  const auto ordered = pcl::make_shared<Cloud>();
+  pcl::copyPointCloud (*variant.cloud, order, *ordered);
+  variant.cloud = ordered;
   variant.original = order;
 }
 

@@ -198,7 +198,8 @@ TEST_F (SegmentTrack, GivesAPlaneTheSameLabelIdColorAndFileInAllClouds)
     EXPECT_EQ (floorIn (scan), before) << scan;
     EXPECT_EQ (namesIn ("out/" + scan).count (file), 1u) << scan;
     EXPECT_EQ (loaded ("out/" + scan + ".pcd")[0].rgba, loaded ("out/a.pcd")[0].rgba);
-    for (const auto& plane : jsonIn ("out/" + scan + ".json")["planes"])
+    const auto answer = jsonIn ("out/" + scan + ".json");
+    for (const auto& plane : answer.at ("planes"))
       EXPECT_EQ (plane["id"] == before, plane["orientation"] == "horizontal") << scan;
   }
 }
