@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/common/io.h>
 #include <pcl/common/transforms.h>
 
 #include "presets.h"
@@ -61,8 +60,10 @@ turn (Variant& variant, const Eigen::Vector3d& axis)
 void
 reorder (Variant& variant, const pcl::Indices& order)
 {
+  // pcl::copyPointCloud takes as many indices as points for all in their order.
   const auto ordered = pcl::make_shared<Cloud>();
-  pcl::copyPointCloud (*variant.cloud, order, *ordered);
+  for (const pcl::index_t i : order)
+    ordered->push_back ((*variant.cloud)[i]);
   variant.cloud = ordered;
   variant.original = order;
 }
