@@ -31,6 +31,19 @@ parallelFor (unsigned threads,
              std::size_t grain,
              const std::function<void (std::size_t begin, std::size_t end)>& body);
 
+/** \brief Calls \p visit (i) for each of 0 .. size - 1; the rest as \ref parallelFor.
+ */
+template <typename Visit>
+void
+forEach (unsigned threads, std::size_t size, Visit&& visit)
+{
+  constexpr std::size_t at_once = 1024;
+  parallelFor (threads, size, at_once, [&] (std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      visit (i);
+  });
+}
+
 /** \brief What \p body (begin, end) returns for each piece, in the order of the pieces;
  * the rest as \ref parallelFor. */
 template <typename Body>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bounded/noise_measurement.h"
 
+#include "base/parallel.h"
 #include "bounded/noise_floors.h"
-#include "voxels/voxel_traversal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes)
 {
   constexpr std::size_t min_inside = 3;
   std::vector<Distance> distances (grid.size());
-  forVoxels (grid, threads, [&] (std::size_t i) {
+  forEach (threads, grid.size(), [&] (std::size_t i) {
     if (planes.plane_of_voxel[i] != no_plane)
       distances[i] = distanceOf (grid, planes, i);
   });

@@ -4,7 +4,6 @@
 
 #include "base/parallel.h"
 #include "bounded/noise_floors.h"
-#include "voxels/voxel_traversal.h"
 
 #include <algorithm>
 #include <limits>
@@ -84,9 +83,8 @@ growPlanes (const VoxelGrid& grid,
   Indices open = openVoxels (planes.plane_of_voxel);
   while (!open.empty()) {
     Labels nearest (open.size());
-    parallelFor (threads, open.size(), voxels_per_chunk, [&] (auto begin, auto end) {
-      for (std::size_t i = begin; i < end; ++i)
-        nearest[i] = nearestPlaneAround (grid, planes, limits, open[i]);
+    forEach (threads, open.size(), [&] (std::size_t i) {
+      nearest[i] = nearestPlaneAround (grid, planes, limits, open[i]);
     });
     Indices taken;
     for (std::size_t i = 0; i < open.size(); ++i)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bounded/refinement.h"
 
+#include "base/parallel.h"
 #include "bounded/plane_growing.h"
-#include "voxels/voxel_traversal.h"
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_
 {
   constexpr double min_points = 8.0;
   std::vector<char> is_refined (grid.size(), 0);
-  forVoxels (grid, threads, [&] (std::size_t i) {
+  forEach (threads, grid.size(), [&] (std::size_t i) {
     const VoxelRange& around = grid.neighbors[i];
     is_refined[i] =
         std::any_of (around.begin(), around.end(), [&] (std::uint32_t neighbor) {
@@ -63,7 +63,7 @@ inheritedPlanes (const BoundedPlanes& planes,
                  unsigned threads)
 {
   Labels inherited (finer.size(), no_plane);
-  forVoxels (finer, threads, [&] (std::size_t i) {
+  forEach (threads, finer.size(), [&] (std::size_t i) {
     const std::int32_t plane = planes.plane_of_voxel[coarse_of_finest[voxels[i]]];
     if (plane == no_plane)
       return;

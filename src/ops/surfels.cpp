@@ -6,10 +6,10 @@
 #include "bounded/noise_floors.h"
 #include "geometry/noise_ratios.h"
 #include "geometry/principal_axes.h"
-#include "voxels/voxel_traversal.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl_ops::internal {
 
@@ -29,23 +29,17 @@ normalOf (const Moments& surroundings, const PrincipalAxes& axes)
 // further.
 constexpr double flat_enough = 0.2;
 
-// One resolution: a grid and the plane around each of its voxels.
+// The planes around the voxels of one resolution.
 struct Level {
-  /** \brief Empty for the finest level, as is the next. */
-  VoxelGrid grid;
-  std::vector<std::uint32_t> voxel_of_finest;
+  const VoxelNeighbors& neighbors;
+  /** \brief Empty for the finest level. */
+  Indices voxel_of_finest;
   std::vector<std::optional<Surfel>> normals;
   /** \brief Of the normals, apart because most are looked at for this only; 1 where
    * there is none. */
   std::vector<double> thickness;
   /** \brief For each voxel the one around it, or itself, with the least thickness. */
-  std::vector<std::uint32_t> flattest_around;
-
-  const VoxelGrid&
-  gridOr (const VoxelGrid& finest) const
-  {
-    return voxel_of_finest.empty() ? finest : grid;
-  }
+  Indices flattest_around;
 
   std::size_t
   voxelHolding (std::size_t finest_voxel) const
@@ -54,14 +48,22 @@ struct Level {
   }
 };
 
-Moments
-momentsAround (const VoxelGrid& grid, std::size_t voxel)
-{
-  Moments surroundings;
-  for (const std::uint32_t neighbor : grid.neighbors[voxel])
-    surroundings.addAligned (grid.moments[neighbor]);
-  return surroundings;
-}
+// The voxels of one resolution, and what a normal takes.
+struct Surroundings {
+  const VoxelNeighbors& neighbors;
+  const std::vector<Moments>& moments;
+  double voxel_size;
+  double min_points;
+
+  Moments
+  around (std::size_t voxel) const
+  {
+    Moments sum;
+    for (const std::uint32_t neighbor : neighbors[voxel])
+      sum.addAligned (moments[neighbor]);
+    return sum;
+  }
+};
 
 // Whether points cover a surface: what is narrower than a voxel is a line, and has a
 // plane along any direction.
@@ -74,57 +76,79 @@ isSurface (const PrincipalAxes& axes, double voxel_size)
 
 // The normals of a range of voxels.
 void
-findNormals (const VoxelGrid& grid,
-             double min_points,
+findNormals (const Surroundings& surroundings,
              std::size_t begin,
              std::size_t end,
              Level& level)
 {
-  std::vector<std::size_t> voxels;
-  std::vector<Moments> surroundings;
+  Indices voxels;
+  std::vector<Moments> moments;
   std::vector<Eigen::Matrix3d> covariances;
   voxels.reserve (end - begin);
-  surroundings.reserve (end - begin);
+  moments.reserve (end - begin);
   covariances.reserve (end - begin);
   for (std::size_t i = begin; i < end; ++i) {
-    const Moments moments = momentsAround (grid, i);
-    if (moments.count < min_points)
+    const Moments around = surroundings.around (i);
+    if (around.count < surroundings.min_points)
       continue;
-    voxels.push_back (i);
-    surroundings.push_back (moments);
-    covariances.push_back (moments.covariance());
+    voxels.push_back (static_cast<std::uint32_t> (i));
+    moments.push_back (around);
+    covariances.push_back (around.covariance());
   }
   std::vector<PrincipalAxes> axes (voxels.size());
   principalAxes (covariances.data(), voxels.size(), axes.data());
   for (std::size_t i = 0; i < voxels.size(); ++i) {
-    if (axes[i].normal.isZero() || !isSurface (axes[i], grid.voxel_size))
+    if (axes[i].normal.isZero() || !isSurface (axes[i], surroundings.voxel_size))
       continue;
-    const Surfel normal = normalOf (surroundings[i], axes[i]);
+    const Surfel normal = normalOf (moments[i], axes[i]);
     level.normals[voxels[i]] = normal;
     level.thickness[voxels[i]] = normal.thickness;
   }
 }
 
-void
-findNormals (const VoxelGrid& grid, double min_points, unsigned threads, Level& level)
+Level
+levelOf (const Surroundings& surroundings, Indices voxel_of_finest, unsigned threads)
 {
   // So few that what is noted of them stays in the processor's first cache.
   constexpr std::size_t voxels_at_once = 128;
-  level.normals.resize (grid.size());
-  level.thickness.resize (grid.size(), 1.0);
-  parallelFor (
-      threads, grid.size(), voxels_at_once, [&] (std::size_t begin, std::size_t end) {
-        findNormals (grid, min_points, begin, end, level);
-      });
-  level.flattest_around.resize (grid.size());
-  forVoxels (grid, threads, [&] (std::size_t i) {
-    level.flattest_around[i] =
-        *std::min_element (grid.neighbors[i].begin(),
-                           grid.neighbors[i].end(),
-                           [&level] (std::uint32_t a, std::uint32_t b) {
-                             return level.thickness[a] < level.thickness[b];
-                           });
+  const std::size_t size = surroundings.moments.size();
+  Level level{surroundings.neighbors, std::move (voxel_of_finest), {}, {}, {}};
+  level.normals.resize (size);
+  level.thickness.resize (size, 1.0);
+  level.flattest_around.resize (size);
+  parallelFor (threads, size, voxels_at_once, [&] (auto begin, auto end) {
+    findNormals (surroundings, begin, end, level);
   });
+  forEach (threads, size, [&] (std::size_t i) {
+    const VoxelRange around = level.neighbors[i];
+    level.flattest_around[i] = *std::min_element (
+        around.begin(), around.end(), [&level] (std::uint32_t a, std::uint32_t b) {
+          return level.thickness[a] < level.thickness[b];
+        });
+  });
+  return level;
+}
+
+// Grids, each of twice the voxel size of the one before, as far as the octree goes.
+std::vector<Level>
+findLevels (const VoxelGrid& grid, int resolutions, double min_points, unsigned threads)
+{
+  std::vector<Level> levels{levelOf (
+      {grid.neighbors, grid.moments, grid.voxel_size, min_points}, {}, threads)};
+  std::vector<Moments> moments;
+  const auto wanted = static_cast<std::size_t> (resolutions - 1);
+  for (std::size_t l = 0; l < std::min (wanted, grid.larger.size()); ++l) {
+    const LargerVoxels& larger = grid.larger[l];
+    moments = momentsOf (l == 0 ? grid.moments : moments, larger);
+    Indices voxel_of_finest (grid.size());
+    for (std::size_t i = 0; i < grid.size(); ++i)
+      voxel_of_finest[i] = larger.holding[levels.back().voxelHolding (i)];
+    const double voxel_size = std::ldexp (grid.voxel_size, static_cast<int> (l) + 1);
+    levels.push_back (levelOf ({larger.neighbors, moments, voxel_size, min_points},
+                               std::move (voxel_of_finest),
+                               threads));
+  }
+  return levels;
 }
 
 // The flattest of the planes around a voxel of a level that the finest voxel lies in.
@@ -137,7 +161,7 @@ public:
   /** \brief Considers the planes around a voxel of a level. The flattest may mostly
    * serve, and spares a look at the others. */
   void
-  considerAll (const Level& level, std::size_t at, const VoxelGrid& finest)
+  considerAll (const Level& level, std::size_t at)
   {
     const std::uint32_t flattest = level.flattest_around[at];
     if (level.thickness[flattest] >= thickness_)
@@ -145,7 +169,7 @@ public:
     consider (level, flattest);
     if (best_ == &*level.normals[flattest])
       return;
-    for (const std::uint32_t candidate : level.gridOr (finest).neighbors[at])
+    for (const std::uint32_t candidate : level.neighbors[at])
       consider (level, candidate);
   }
 
@@ -192,27 +216,13 @@ surfelOf (std::size_t voxel, const VoxelGrid& finest, const std::vector<Level>& 
     // Where nothing around is flat enough, a coarser level is likely to have better.
     if (plane.thickness() >= flat_enough &&
         level.thickness[level.flattest_around[at]] < flat_enough)
-      plane.considerAll (level, at, finest);
+      plane.considerAll (level, at);
     if (plane.thickness() < flat_enough)
       return *plane.best();
   }
   for (auto level = levels.rbegin(); level != levels.rend(); ++level)
-    plane.considerAll (*level, level->voxelHolding (voxel), finest);
+    plane.considerAll (*level, level->voxelHolding (voxel));
   return plane.best() ? std::optional<Surfel> (*plane.best()) : std::nullopt;
-}
-
-// The level after the last one.
-Level
-coarserLevel (const VoxelGrid& finest, const Level& last, unsigned threads)
-{
-  CoarserGrid coarser = coarsen (last.gridOr (finest));
-  connect (coarser.grid, threads);
-  Level level;
-  level.grid = std::move (coarser.grid);
-  level.voxel_of_finest.resize (finest.size());
-  for (std::size_t i = 0; i < finest.size(); ++i)
-    level.voxel_of_finest[i] = coarser.voxel_of_finer[last.voxelHolding (i)];
-  return level;
 }
 
 // Whether a voxel's surroundings are far noisier than its own points: not noise, then,
@@ -237,13 +247,9 @@ findSurfels (const VoxelGrid& grid,
              unsigned threads,
              const Labels& plane_of_voxel)
 {
-  std::vector<Level> levels;
-  for (int l = 0; l < resolutions; ++l) {
-    levels.push_back (l == 0 ? Level() : coarserLevel (grid, levels.back(), threads));
-    findNormals (levels.back().gridOr (grid), min_points, threads, levels.back());
-  }
+  const std::vector<Level> levels = findLevels (grid, resolutions, min_points, threads);
   std::vector<std::optional<Surfel>> normals (grid.size());
-  forVoxels (grid, threads, [&] (std::size_t i) {
+  forEach (threads, grid.size(), [&] (std::size_t i) {
     if (!plane_of_voxel.empty() && plane_of_voxel[i] != no_plane)
       return;
     normals[i] = surfelOf (i, grid, levels);

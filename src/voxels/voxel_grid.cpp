@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxels/voxel_grid.h"
 
+#include "base/parallel.h"
 #include "voxels/sorted_points.h"
-#include "voxels/voxel_traversal.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl_ops::internal {
 
@@ -74,7 +75,7 @@ voxelize (const Coordinates& positions, double voxel_size, unsigned threads)
   const Indices first_run = divide (runs, grid);
   grid.moments.resize (grid.size());
   voxelized.order.resize (positions.size());
-  forVoxels (grid, threads, [&] (std::size_t voxel) {
+  forEach (threads, grid.size(), [&] (std::size_t voxel) {
     grid.moments[voxel] = addUp (positions,
                                  runs.begin() + first_run[voxel],
                                  runs.begin() + first_run[voxel + 1],
@@ -86,7 +87,18 @@ voxelize (const Coordinates& positions, double voxel_size, unsigned threads)
 void
 connect (VoxelGrid& grid, unsigned threads)
 {
-  grid.neighbors = neighborsOf (grid.codes, threads);
+  ConnectedVoxels voxels = connected (grid.codes, threads);
+  grid.neighbors = std::move (voxels.neighbors);
+  grid.larger = std::move (voxels.larger);
+}
+
+std::vector<Moments>
+momentsOf (const std::vector<Moments>& moments, const LargerVoxels& larger)
+{
+  std::vector<Moments> sums (larger.codes.size());
+  for (std::size_t i = 0; i < moments.size(); ++i)
+    sums[larger.holding[i]].addAligned (moments[i]);
+  return sums;
 }
 
 Indices
@@ -102,21 +114,16 @@ voxelsOfPoints (const VoxelGrid& grid, const Indices& order)
 CoarserGrid
 coarsen (const VoxelGrid& finer)
 {
+  LargerVoxels larger = largerVoxels (finer.codes);
   CoarserGrid coarser;
   VoxelGrid& grid = coarser.grid;
   grid.voxel_size = 2.0 * finer.voxel_size;
-  coarser.voxel_of_finer.reserve (finer.size());
-  // More than most surfaces need: copies of moments cost more than their memory.
-  grid.moments.reserve (finer.size() / 2);
-  for (std::size_t i = 0; i < finer.size(); ++i) {
-    if (grid.size() == 0 || grid.codes.back() != finer.codes[i] >> 3) {
-      grid.codes.push_back (finer.codes[i] >> 3);
+  grid.moments = momentsOf (finer.moments, larger);
+  for (std::size_t i = 0; i < finer.size(); ++i)
+    if (larger.holding[i] == grid.first_point.size())
       grid.first_point.push_back (finer.first_point[i]);
-      grid.moments.emplace_back();
-    }
-    grid.moments.back().addAligned (finer.moments[i]);
-    coarser.voxel_of_finer.push_back (static_cast<std::uint32_t> (grid.size() - 1));
-  }
+  grid.codes = std::move (larger.codes);
+  coarser.voxel_of_finer = std::move (larger.holding);
   return coarser;
 }
 

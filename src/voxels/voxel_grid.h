@@ -23,8 +23,10 @@ struct VoxelGrid {
   Indices first_point;
   /** \brief Moments of each voxel's points about the zero of their frame. */
   std::vector<Moments> moments;
-  /** \brief Empty until \ref connect. */
+  /** \brief Empty until \ref connect, as is the next. */
   VoxelNeighbors neighbors;
+  /** \brief The larger voxels that hold these, from twice the edge up. */
+  std::vector<LargerVoxels> larger;
 
   std::size_t
   size () const
@@ -58,6 +60,12 @@ voxelize (const Coordinates& positions, double voxel_size, unsigned threads);
 /** \brief Finds the neighbors of each voxel. */
 void
 connect (VoxelGrid& grid, unsigned threads);
+
+/** \brief Moments of larger voxels.
+ * \param[in] moments of the voxels that they hold
+ * \param[in] larger voxels of twice the edge */
+std::vector<Moments>
+momentsOf (const std::vector<Moments>& moments, const LargerVoxels& larger);
 
 /** \brief The voxel of each point.
  * \param[in] grid the voxels

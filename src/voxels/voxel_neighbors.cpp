@@ -6,6 +6,7 @@
 
 #include <array>
 #include <numeric>
+#include <utility>
 
 namespace pcl_ops::internal {
 
@@ -57,20 +58,6 @@ placesOfChildren ()
 // The first of the 3 x 3 x 3 around each child.
 constexpr std::array<std::uint8_t, 8> first_around{0, 1, 4, 5, 16, 17, 20, 21};
 
-// The voxels of twice the edge that hold others, in their order.
-std::vector<std::uint32_t>
-parentsOf (const std::vector<MortonCode>& codes, std::vector<MortonCode>& codes_above)
-{
-  std::vector<std::uint32_t> parents;
-  parents.reserve (codes.size());
-  for (const MortonCode code : codes) {
-    if (codes_above.empty() || codes_above.back() != code >> 3)
-      codes_above.push_back (code >> 3);
-    parents.push_back (static_cast<std::uint32_t> (codes_above.size() - 1));
-  }
-  return parents;
-}
-
 // Where the children of each parent begin, and where the last one's end.
 std::vector<std::uint32_t>
 firstChildren (const std::vector<std::uint32_t>& parents, std::size_t number)
@@ -120,12 +107,12 @@ add (const ChildrenAround& children, unsigned first, VoxelNeighbors& neighbors)
 // Found among the children of their parents' neighbors.
 VoxelNeighbors
 neighborsBelow (const std::vector<MortonCode>& codes,
-                const std::vector<std::uint32_t>& parents,
-                const VoxelNeighbors& around_parents,
+                const LargerVoxels& above,
                 unsigned threads)
 {
+  const VoxelNeighbors& around_parents = above.neighbors;
   const std::vector<std::uint32_t> first_child =
-      firstChildren (parents, around_parents.size());
+      firstChildren (above.holding, above.codes.size());
   const auto pieces = parallelChunks (
       threads, around_parents.size(), parents_per_piece, [&] (auto begin, auto end) {
         VoxelNeighbors piece;
@@ -159,19 +146,36 @@ VoxelNeighbors::append (const VoxelNeighbors& other)
   places_.insert (places_.end(), other.places_.begin(), other.places_.end());
 }
 
-VoxelNeighbors
-neighborsOf (const std::vector<MortonCode>& codes, unsigned threads)
+LargerVoxels
+largerVoxels (const std::vector<MortonCode>& codes)
 {
-  VoxelNeighbors neighbors;
-  if (codes.size() == 1) {
-    const std::uint32_t itself = 0;
-    neighbors.add (&itself, 1, middle);
+  LargerVoxels larger;
+  larger.holding.reserve (codes.size());
+  for (const MortonCode code : codes) {
+    if (larger.codes.empty() || larger.codes.back() != code >> 3)
+      larger.codes.push_back (code >> 3);
+    larger.holding.push_back (static_cast<std::uint32_t> (larger.codes.size() - 1));
   }
-  if (codes.size() < 2)
-    return neighbors;
-  std::vector<MortonCode> codes_above;
-  const std::vector<std::uint32_t> parents = parentsOf (codes, codes_above);
-  return neighborsBelow (codes, parents, neighborsOf (codes_above, threads), threads);
+  return larger;
+}
+
+ConnectedVoxels
+connected (const std::vector<MortonCode>& codes, unsigned threads)
+{
+  ConnectedVoxels voxels;
+  std::vector<LargerVoxels>& larger = voxels.larger;
+  const auto codesBelow = [&] (std::size_t level) -> const std::vector<MortonCode>& {
+    return level == 0 ? codes : larger[level - 1].codes;
+  };
+  while (codesBelow (larger.size()).size() > 1)
+    larger.push_back (largerVoxels (codesBelow (larger.size())));
+  if (const std::uint32_t itself = 0; !codes.empty())
+    voxels.neighbors.add (&itself, 1, middle);
+  for (std::size_t level = larger.size(); level-- > 0;) {
+    larger[level].neighbors = std::move (voxels.neighbors);
+    voxels.neighbors = neighborsBelow (codesBelow (level), larger[level], threads);
+  }
+  return voxels;
 }
 
 } // namespace pcl_ops::internal

@@ -72,10 +72,30 @@ private:
   std::vector<std::uint64_t> places_;
 };
 
-/** \brief The neighbors of voxels, from the root of the octree down.
+/** \brief Voxels of twice the edge, which hold 2 x 2 x 2 others each. */
+struct LargerVoxels {
+  std::vector<MortonCode> codes;
+  /** \brief For each smaller voxel the one here that holds it. */
+  std::vector<std::uint32_t> holding;
+  VoxelNeighbors neighbors;
+};
+
+/** \brief The voxels that hold others, without neighbors.
+ * \param[in] codes of the others, ascending, each once */
+LargerVoxels
+largerVoxels (const std::vector<MortonCode>& codes);
+
+/** \brief The neighbors of voxels, and the levels of the octree above them. */
+struct ConnectedVoxels {
+  VoxelNeighbors neighbors;
+  /** \brief From twice the edge up to the root. */
+  std::vector<LargerVoxels> larger;
+};
+
+/** \brief Finds the neighbors of voxels, from the root of the octree down.
  * \param[in] codes of the voxels, ascending, each once
  * \param[in] threads number of threads; 0: all. The result does not depend on it */
-VoxelNeighbors
-neighborsOf (const std::vector<MortonCode>& codes, unsigned threads);
+ConnectedVoxels
+connected (const std::vector<MortonCode>& codes, unsigned threads);
 
 } // namespace pcl_ops::internal

@@ -21,7 +21,7 @@ TEST (VoxelNeighbors, AreThoseThatBruteForceFinds)
   // Sparse and dense: nearly every voxel alone, and nearly all occupied.
   for (const double edge : {0.2, 0.5, 1.5}) {
     const VoxelGrid grid = voxelize (pointsInACube (400, 9.0), edge, 1).grid;
-    const VoxelNeighbors neighbors = neighborsOf (grid.codes, 1);
+    const VoxelNeighbors neighbors = connected (grid.codes, 1).neighbors;
     ASSERT_EQ (neighbors.size(), grid.size());
     for (std::size_t a = 0; a < grid.size(); ++a) {
       Indices expected;
@@ -41,7 +41,7 @@ TEST (VoxelNeighbors, ReachAcrossTheBordersOfAllLargerVoxels)
   const std::int32_t middle = (1 << 20) - key_offset;
   const std::vector<MortonCode> codes{mortonCode (middle - 1, middle - 1, middle - 1),
                                       mortonCode (middle, middle, middle)};
-  const VoxelNeighbors neighbors = neighborsOf (codes, 1);
+  const VoxelNeighbors neighbors = connected (codes, 1).neighbors;
   for (const std::size_t voxel : {0, 1})
     EXPECT_EQ (Indices (neighbors[voxel].begin(), neighbors[voxel].end()),
                (Indices{0, 1}));
@@ -50,9 +50,9 @@ TEST (VoxelNeighbors, ReachAcrossTheBordersOfAllLargerVoxels)
 TEST (VoxelNeighbors, OfOneVoxelAreItself)
 {
   for (const MortonCode code : {MortonCode (0), mortonCode (5, -6, 7)}) {
-    const VoxelNeighbors neighbors = neighborsOf ({code}, 1);
+    const VoxelNeighbors neighbors = connected ({code}, 1).neighbors;
     ASSERT_EQ (neighbors.size(), 1u);
     EXPECT_EQ (Indices (neighbors[0].begin(), neighbors[0].end()), (Indices{0}));
   }
-  EXPECT_EQ (neighborsOf ({}, 1).size(), 0u);
+  EXPECT_EQ (connected ({}, 1).neighbors.size(), 0u);
 }
