@@ -160,17 +160,15 @@ private:
   std::vector<char> is_curved_;
 };
 
-Indices
+// Voxels with their thickness, the thinnest first.
+std::vector<std::pair<double, std::uint32_t>>
 byThickness (const Surfels& surfels)
 {
-  Indices order;
+  std::vector<std::pair<double, std::uint32_t>> order;
   for (std::size_t i = 0; i < surfels.size(); ++i)
     if (surfels[i])
-      order.push_back (static_cast<std::uint32_t> (i));
-  std::stable_sort (
-      order.begin(), order.end(), [&surfels] (std::uint32_t a, std::uint32_t b) {
-        return surfels[a]->thickness < surfels[b]->thickness;
-      });
+      order.emplace_back (surfels[i]->thickness, static_cast<std::uint32_t> (i));
+  std::sort (order.begin(), order.end());
   return order;
 }
 
@@ -185,7 +183,7 @@ extractSurfelPlanes (const VoxelGrid& grid,
   planes.plane_of_voxel.resize (grid.size(), no_plane);
   SurfelSpread spread (grid, surfels, parameters, planes.plane_of_voxel);
   CurvedSurfaces curved (grid, surfels, parameters.angle_threshold);
-  for (const std::uint32_t seed : byThickness (surfels)) {
+  for (const auto& [thickness, seed] : byThickness (surfels)) {
     if (!spread.isOpen (seed))
       continue;
     const SurfelPatch patch = spread.from (seed);
