@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <utility>
@@ -11,6 +12,8 @@
 namespace pcl_ops::internal {
 
 namespace {
+
+using Indices = std::vector<std::uint32_t>;
 
 constexpr std::size_t parents_per_piece = 256;
 constexpr std::uint64_t three = 0x7;
@@ -59,10 +62,10 @@ placesOfChildren ()
 constexpr std::array<std::uint8_t, 8> first_around{0, 1, 4, 5, 16, 17, 20, 21};
 
 // Where the children of each parent begin, and where the last one's end.
-std::vector<std::uint32_t>
-firstChildren (const std::vector<std::uint32_t>& parents, std::size_t number)
+Indices
+firstChildren (const Indices& parents, std::size_t number)
 {
-  std::vector<std::uint32_t> first (number + 1, 0);
+  Indices first (number + 1, 0);
   for (const std::uint32_t parent : parents)
     ++first[parent + 1];
   std::partial_sum (first.begin(), first.end(), first.begin());
@@ -72,13 +75,13 @@ firstChildren (const std::vector<std::uint32_t>& parents, std::size_t number)
 // The children of a voxel and those around them.
 ChildrenAround
 childrenAround (const std::vector<MortonCode>& codes,
-                const std::vector<std::uint32_t>& first_child,
+                const Indices& first_child,
                 const VoxelNeighbors& around_parents,
                 std::size_t parent)
 {
   static constexpr auto places_of_children = placesOfChildren();
   ChildrenAround children;
-  std::uint64_t places = around_parents.places (parent);
+  std::uint64_t places = around_parents.places[parent];
   for (const std::uint32_t neighbor : around_parents[parent]) {
     const auto& places_here = places_of_children[lowestBit (places)];
     places &= places - 1;
@@ -92,59 +95,49 @@ childrenAround (const std::vector<MortonCode>& codes,
   return children;
 }
 
-// Appends a child with those around it.
-void
-add (const ChildrenAround& children, unsigned first, VoxelNeighbors& neighbors)
-{
-  const std::uint64_t places = children.places >> first & all_around;
-  std::array<std::uint32_t, 27> found;
-  std::size_t number = 0;
-  for (std::uint64_t left = places; left != 0; left &= left - 1)
-    found[number++] = children.voxels[first + lowestBit (left)];
-  neighbors.add (found.data(), number, places);
-}
-
 // Found among the children of their parents' neighbors.
 VoxelNeighbors
 neighborsBelow (const std::vector<MortonCode>& codes,
                 const LargerVoxels& above,
                 unsigned threads)
 {
-  const VoxelNeighbors& around_parents = above.neighbors;
-  const std::vector<std::uint32_t> first_child =
-      firstChildren (above.holding, above.codes.size());
+  constexpr std::size_t most = 27;
+  const std::size_t parents = above.codes.size();
+  const Indices first_child = firstChildren (above.holding, parents);
+  VoxelNeighbors around;
+  around.places.resize (codes.size());
+  around.begin.resize (codes.size() + 1);
   const auto pieces = parallelChunks (
-      threads, around_parents.size(), parents_per_piece, [&] (auto begin, auto end) {
-        VoxelNeighbors piece;
+      threads, parents, parents_per_piece, [&] (std::size_t begin, std::size_t end) {
+        Indices found (most * (first_child[end] - first_child[begin]));
+        std::uint32_t* next = found.data();
         for (std::size_t p = begin; p < end; ++p) {
-          if (first_child[p] == first_child[p + 1])
-            continue;
           const ChildrenAround children =
-              childrenAround (codes, first_child, around_parents, p);
-          for (std::uint32_t child = first_child[p]; child < first_child[p + 1];
-               ++child)
-            add (children, first_around[codes[child] & 7], piece);
+              childrenAround (codes, first_child, above.neighbors, p);
+          for (std::uint32_t i = first_child[p]; i < first_child[p + 1]; ++i) {
+            const unsigned first = first_around[codes[i] & 7];
+            const std::uint32_t* const own = next;
+            around.places[i] = children.places >> first & all_around;
+            for (std::uint64_t left = around.places[i]; left != 0; left &= left - 1)
+              *next++ = children.voxels[first + lowestBit (left)];
+            around.begin[i + 1] = static_cast<std::uint32_t> (next - own);
+          }
         }
-        return piece;
+        found.resize (static_cast<std::size_t> (next - found.data()));
+        return found;
       });
-  VoxelNeighbors neighbors;
-  for (const VoxelNeighbors& piece : pieces)
-    neighbors.append (piece);
-  return neighbors;
+  std::partial_sum (around.begin.begin(), around.begin.end(), around.begin.begin());
+  around.neighbors.resize (around.begin.back());
+  parallelFor (threads, pieces.size(), 1, [&] (std::size_t piece, std::size_t) {
+    std::copy (pieces[piece].begin(),
+               pieces[piece].end(),
+               around.neighbors.data() +
+                   around.begin[first_child[piece * parents_per_piece]]);
+  });
+  return around;
 }
 
 } // namespace
-
-void
-VoxelNeighbors::append (const VoxelNeighbors& other)
-{
-  const auto before = static_cast<std::uint32_t> (neighbors_.size());
-  neighbors_.insert (
-      neighbors_.end(), other.neighbors_.begin(), other.neighbors_.end());
-  for (std::size_t i = 1; i < other.begin_.size(); ++i)
-    begin_.push_back (before + other.begin_[i]);
-  places_.insert (places_.end(), other.places_.begin(), other.places_.end());
-}
 
 LargerVoxels
 largerVoxels (const std::vector<MortonCode>& codes)
@@ -169,8 +162,8 @@ connected (const std::vector<MortonCode>& codes, unsigned threads)
   };
   while (codesBelow (larger.size()).size() > 1)
     larger.push_back (largerVoxels (codesBelow (larger.size())));
-  if (const std::uint32_t itself = 0; !codes.empty())
-    voxels.neighbors.add (&itself, 1, middle);
+  if (!codes.empty())
+    voxels.neighbors = {{0}, {0, 1}, {middle}};
   for (std::size_t level = larger.size(); level-- > 0;) {
     larger[level].neighbors = std::move (voxels.neighbors);
     voxels.neighbors = neighborsBelow (codesBelow (level), larger[level], threads);

@@ -30,46 +30,27 @@ struct VoxelRange {
 
 /** \brief For each voxel the occupied ones among its 26 neighbors and, in the middle,
  * itself: most are empty where points are on surfaces. */
-class VoxelNeighbors {
-public:
+struct VoxelNeighbors {
+  /** \brief Those of a voxel after those of the one before, by their places. */
+  std::vector<std::uint32_t> neighbors;
+  /** \brief Where those of each voxel begin, and where those of the last one end. */
+  std::vector<std::uint32_t> begin = {0};
+  /** \brief Where they are: bit x + 4 y + 16 z for the place x, y, z, each 0 to 2; 1,
+   * 1, 1 is the middle. */
+  std::vector<std::uint64_t> places;
+
   VoxelRange
   operator[] (std::size_t voxel) const
   {
-    return {neighbors_.data() + begin_[voxel], neighbors_.data() + begin_[voxel + 1]};
+    return {neighbors.data() + begin[voxel], neighbors.data() + begin[voxel + 1]};
   }
 
   /** \brief Number of voxels. */
   std::size_t
   size () const
   {
-    return begin_.size() - 1;
+    return places.size();
   }
-
-  /** \brief Where they are: bit x + 4 y + 16 z for the place x, y, z, each 0 to 2; 1,
-   * 1, 1 is the middle. They are listed in this order. */
-  std::uint64_t
-  places (std::size_t voxel) const
-  {
-    return places_[voxel];
-  }
-
-  /** \brief Appends the next voxel with its \p number neighbors. */
-  void
-  add (const std::uint32_t* neighbors, std::size_t number, std::uint64_t places)
-  {
-    neighbors_.insert (neighbors_.end(), neighbors, neighbors + number);
-    begin_.push_back (static_cast<std::uint32_t> (neighbors_.size()));
-    places_.push_back (places);
-  }
-
-  /** \brief Appends the voxels of another part of the grid. */
-  void
-  append (const VoxelNeighbors& other);
-
-private:
-  std::vector<std::uint32_t> neighbors_;
-  std::vector<std::uint32_t> begin_{0};
-  std::vector<std::uint64_t> places_;
 };
 
 /** \brief Voxels of twice the edge, which hold 2 x 2 x 2 others each. */
