@@ -4,7 +4,7 @@
 
 #include "base/parallel.h"
 #include "bounded/noise_floors.h"
-#include "geometry/float_plane.h"
+#include "bounded/plane_bands.h"
 #include "geometry/noise_ratios.h"
 
 #include <algorithm>
@@ -17,15 +17,6 @@ namespace {
 // Each with moments of all planes.
 constexpr std::size_t voxels_at_once = 4096;
 
-/** \brief A plane as its points see it. */
-struct Candidate {
-  FloatPlane surface;
-  /** \brief Largest distance of a point [m]. */
-  float band;
-  /** \brief Largest rms distance of a voxel that is as a whole on the plane [m]. */
-  double noise_of_voxels;
-};
-
 // The planes of the voxels around one, each once.
 void
 findPlanesAround (const VoxelGrid& grid,
@@ -36,9 +27,7 @@ findPlanesAround (const VoxelGrid& grid,
   around.clear();
   for (const std::uint32_t neighbor : grid.neighbors[voxel]) {
     const std::int32_t plane = planes.plane_of_voxel[neighbor];
-    if (plane != no_plane &&
-        std::find (around.begin(), around.end(), plane) == around.end())
-      around.push_back (plane);
+    addOnce (plane, around);
   }
 }
 
@@ -48,33 +37,17 @@ struct Assignment {
   const Indices& order;
   const VoxelGrid& grid;
   const BoundedPlanes& planes;
-  const std::vector<Candidate>& candidates;
+  const std::vector<PlaneBand>& bands;
   // A threshold that was asked for is promised to every point.
   bool every_point_counts;
   Labels& labels;
-
-  std::int32_t
-  nearestOf (const Labels& around, std::uint32_t point) const
-  {
-    std::int32_t nearest = no_plane;
-    float best = 1.0f;
-    for (const std::int32_t plane : around) {
-      const Candidate& candidate = candidates[static_cast<std::size_t> (plane)];
-      const float relative = candidate.surface.distance (
-                                 points.x[point], points.y[point], points.z[point]) /
-                             candidate.band;
-      nearest = relative < best ? plane : nearest;
-      best = std::min (best, relative);
-    }
-    return nearest;
-  }
 
   /** \brief Whether the points of a voxel are on a plane as noise is, so that none
    * needs to be looked at. */
   bool
   isAllOn (std::size_t plane, std::size_t voxel) const
   {
-    const double limit = candidates[plane].noise_of_voxels;
+    const double limit = like_noise * planes.noise[plane];
     return !every_point_counts &&
            meanSquaredDistance (grid.moments[voxel], planes.planes[plane]) <
                limit * limit;
@@ -93,7 +66,7 @@ struct Assignment {
     }
     for (std::uint32_t i = begin; i < end; ++i) {
       const std::uint32_t point = order[i];
-      const std::int32_t plane = nearestOf (around, point);
+      const std::int32_t plane = nearestOf (around, bands, points, point);
       labels[point] = plane;
       if (plane != no_plane)
         moments[static_cast<std::size_t> (plane)].add (
@@ -102,20 +75,19 @@ struct Assignment {
   }
 };
 
-std::vector<Candidate>
-candidatesOf (const BoundedPlanes& planes,
-              double smallest_band,
-              double largest_band,
-              double noise_factor)
+std::vector<PlaneBand>
+bandsOf (const BoundedPlanes& planes,
+         double smallest_band,
+         double largest_band,
+         double noise_factor)
 {
-  std::vector<Candidate> candidates;
+  std::vector<PlaneBand> bands;
   for (std::size_t p = 0; p < planes.size(); ++p)
-    candidates.push_back (
+    bands.push_back (
         {FloatPlane (planes.planes[p]),
-         static_cast<float> (
-             std::clamp (noise_factor * planes.noise[p], smallest_band, largest_band)),
-         like_noise * planes.noise[p]});
-  return candidates;
+         static_cast<float> (std::clamp (
+             noise_factor * planes.noise[p], smallest_band, largest_band))});
+  return bands;
 }
 
 } // namespace
@@ -133,13 +105,13 @@ assignToBoundedPlanes (const Coordinates& points,
 {
   const double limit =
       distance_threshold.value_or (std::numeric_limits<double>::infinity());
-  const std::vector<Candidate> candidates =
-      candidatesOf (planes, smallestBand (grid, limit), limit, noise_factor);
+  const std::vector<PlaneBand> bands =
+      bandsOf (planes, smallestBand (grid, limit), limit, noise_factor);
   const Assignment assignment{points,
                               order,
                               grid,
                               planes,
-                              candidates,
+                              bands,
                               distance_threshold.has_value(),
                               assigned.labels};
   const auto pieces =

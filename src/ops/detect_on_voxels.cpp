@@ -8,6 +8,7 @@
 #include "bounded/plane_growing.h"
 #include "bounded/refinement.h"
 #include "geometry/noise_ratios.h"
+#include "ops/plane_extension.h"
 #include "ops/sparse_points.h"
 #include "ops/surfel_extraction.h"
 #include "ops/voxel_choice.h"
@@ -148,21 +149,14 @@ labelPoints (const Points& points,
              StageDurations& durations,
              std::size_t& found);
 
-// Looks for planes among points too sparse for the voxels of the others.
+// Looks for planes among some of the points, which another voxel size does justice.
 void
-labelSparsePoints (const Points& points,
-                   const VoxelLevels& voxels,
-                   const Parameters& parameters,
-                   StageDurations& durations,
-                   AssignedPoints& assigned)
+labelAnew (const Points& points,
+           const Indices& numbers,
+           const Parameters& parameters,
+           StageDurations& durations,
+           AssignedPoints& assigned)
 {
-  // Voxels of a given size do not change with the points.
-  if (parameters.surfels.voxel_size)
-    return;
-  const Indices numbers = sparsePoints (
-      voxels.coarse.grid, voxels.finest.order, assigned.labels, times_k * parameters.k);
-  if (numbers.empty())
-    return;
   Points sparse;
   static_cast<Coordinates&> (sparse) = selected (points, numbers);
   sparse.origin = points.origin;
@@ -180,6 +174,32 @@ labelSparsePoints (const Points& points,
       mergePlanes (assigned.moments, mergingByNoise (parameters.merging));
   relabel (assigned.labels, merged.merged_into, parameters.threads);
   assigned.moments = std::move (merged.moments);
+}
+
+// Labels the points that are too sparse for the voxels of the others.
+void
+labelSparsePoints (const Points& points,
+                   const VoxelLevels& voxels,
+                   const Parameters& parameters,
+                   StageDurations& durations,
+                   AssignedPoints& assigned)
+{
+  // Voxels of a given size do not change with the points.
+  if (parameters.surfels.voxel_size)
+    return;
+  const VoxelGrid& grid = voxels.coarse.grid;
+  const Indices& order = voxels.finest.order;
+  const Indices sparse = sparseVoxels (grid, times_k * parameters.k);
+  const Indices numbers = sparsePoints (grid, sparse, order, assigned.labels);
+  if (!numbers.empty())
+    labelAnew (points, numbers, parameters, durations, assigned);
+  extendPlanes (points,
+                order,
+                grid,
+                sparse,
+                parameters.surfels.resolutions,
+                parameters.distance_threshold,
+                assigned);
 }
 
 // The straight line of OPS on voxels. found: planes before they are joined.

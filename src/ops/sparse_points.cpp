@@ -14,30 +14,17 @@ namespace pcl_ops::internal {
 
 namespace {
 
-std::vector<char>
-sparseVoxels (const VoxelGrid& grid, double min_points)
-{
-  std::vector<char> is_sparse (grid.size());
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    const VoxelRange& around = grid.neighbors[i];
-    is_sparse[i] = std::accumulate (around.begin(),
-                                    around.end(),
-                                    0.0,
-                                    [&grid] (double points, std::uint32_t voxel) {
-                                      return points + grid.moments[voxel].count;
-                                    }) < min_points;
-  }
-  return is_sparse;
-}
+// Fewer points than one in so many are left alone.
+constexpr std::size_t min_share = 100;
 
-std::size_t
-pointsIn (const std::vector<char>& is_sparse, const VoxelGrid& grid)
+// Of a voxel and those around it.
+double
+pointsAround (const VoxelGrid& grid, std::size_t voxel)
 {
   double points = 0.0;
-  for (std::size_t i = 0; i < grid.size(); ++i)
-    if (is_sparse[i] != 0)
-      points += grid.moments[i].count;
-  return static_cast<std::size_t> (points);
+  for (const std::uint32_t neighbor : grid.neighbors[voxel])
+    points += grid.moments[neighbor].count;
+  return points;
 }
 
 // Whether points do not tell a plane from a mist: they scatter farther than most points
@@ -72,22 +59,33 @@ squaredNoise (const std::vector<Moments>& planes)
 } // namespace
 
 Indices
-sparsePoints (const VoxelGrid& grid,
-              const Indices& order,
-              const Labels& labels,
-              double min_points)
+sparseVoxels (const VoxelGrid& grid, double min_points)
 {
-  constexpr std::size_t min_share = 100;
-  constexpr std::size_t max_share = 2;
-  const std::vector<char> is_sparse = sparseVoxels (grid, min_points);
   Indices sparse;
-  if (pointsIn (is_sparse, grid) * min_share < labels.size())
-    return sparse;
-  for (std::size_t voxel = 0; voxel < grid.size(); ++voxel)
-    if (is_sparse[voxel] != 0)
-      for (std::uint32_t i = grid.first_point[voxel]; i < grid.endOfPoints (voxel); ++i)
-        if (labels[order[i]] == no_plane)
-          sparse.push_back (order[i]);
+  double points = 0.0;
+  double all_points = 0.0;
+  for (std::uint32_t i = 0; i < grid.size(); ++i) {
+    all_points += grid.moments[i].count;
+    if (pointsAround (grid, i) >= min_points)
+      continue;
+    sparse.push_back (i);
+    points += grid.moments[i].count;
+  }
+  return points * min_share < all_points ? Indices() : sparse;
+}
+
+Indices
+sparsePoints (const VoxelGrid& grid,
+              const Indices& voxels,
+              const Indices& order,
+              const Labels& labels)
+{
+  constexpr std::size_t max_share = 2;
+  Indices sparse;
+  for (const std::uint32_t voxel : voxels)
+    for (std::uint32_t i = grid.first_point[voxel]; i < grid.endOfPoints (voxel); ++i)
+      if (labels[order[i]] == no_plane)
+        sparse.push_back (order[i]);
   std::sort (sparse.begin(), sparse.end());
   const bool is_cloud = sparse.size() * min_share >= labels.size() &&
                         sparse.size() * max_share <= labels.size();

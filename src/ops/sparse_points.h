@@ -9,20 +9,26 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The points on no plane whose voxels, with those around, hold too few points
- * to tell: where a cloud is far sparser than in most of its voxels, another voxel size
- * does it justice.
+/** \brief The voxels that hold, with those around, too few points to tell: where a
+ * cloud is far sparser than in most of its voxels.
  * \param[in] grid voxels with their neighbors
+ * \param[in] min_points fewest points of voxels that can tell
+ * \return them, or none where they hold less than a hundredth of the points */
+Indices
+sparseVoxels (const VoxelGrid& grid, double min_points);
+
+/** \brief The points on no plane in such voxels: another voxel size does them justice.
+ * \param[in] grid the voxels
+ * \param[in] voxels those of \ref sparseVoxels
  * \param[in] order numbers of all points, voxel after voxel
  * \param[in] labels plane of each point, or no_plane
- * \param[in] min_points fewest points of voxels that can tell
  * \return them, or none where they are not a cloud of their own: less than a hundredth
  * of all points, or more than half, whose voxels these are */
 Indices
 sparsePoints (const VoxelGrid& grid,
+              const Indices& voxels,
               const Indices& order,
-              const Labels& labels,
-              double min_points);
+              const Labels& labels);
 
 /** \brief Takes planes from sparse points that scatter far more than those of the dense
  * ones, and a quarter as far or more as they are from each other: voxels as large as

@@ -166,6 +166,19 @@ TEST (DefaultPath, FindsASparseGroundBesideADenseBoard)
                    sampled (board, 1.0 / std::sqrt (1e5), 1_mm));
 }
 
+TEST (DefaultPath, LetsAGroundGoOnInTheRingsOfALidar)
+{
+  // Two lines of points, too few for a plane of their own.
+  auto scene = Scene().floor (2, 2).spacing (2_cm).noise (2_mm).build();
+  const std::size_t on_floor = scene.cloud->size();
+  for (const float x : {2.4f, 2.7f})
+    for (int i = 0; i < 80; ++i)
+      scene.cloud->push_back ({x, 0.025f * i, i % 2 == 0 ? 0.002f : -0.002f});
+  const auto planes = planesAmong (scene.cloud);
+  ASSERT_EQ (planes.size(), 1u);
+  EXPECT_GT (planes[0].inliers.size(), on_floor + 130) << "of 160";
+}
+
 TEST (DefaultPath, FindsAPlaneWithAThousandTimesTheNoiseOfAnother)
 {
   const Surface wall = {{-3, 0, 0}, {0, 20, 0}, {0, 0, 20}};

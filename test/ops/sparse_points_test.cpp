@@ -29,7 +29,8 @@ sparseAmong (const VoxelLevels& voxels, std::int32_t label = no_plane)
 {
   const Indices& order = voxels.finest.order;
   const pcl_ops::Labels labels (order.size(), label);
-  return sparsePoints (voxels.coarse.grid, order, labels, min_points);
+  const VoxelGrid& grid = voxels.coarse.grid;
+  return sparsePoints (grid, sparseVoxels (grid, min_points), order, labels);
 }
 
 } // namespace

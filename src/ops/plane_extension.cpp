@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ops/plane_extension.h"
+
+#include "bounded/noise_floors.h"
+#include "bounded/plane_bands.h"
+#include "geometry/noise_ratios.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace pcl_ops::internal {
+
+namespace {
+
+std::vector<PlaneBand>
+bandsOf (const std::vector<Moments>& planes, double smallest_noise, double limit)
+{
+  std::vector<PlaneBand> bands (planes.size());
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    if (const std::optional<PlaneFit> fit = fitPlane (planes[p])) {
+      const double noise = std::max (std::sqrt (fit->variances[0]), smallest_noise);
+      bands[p] = {FloatPlane (fit->plane),
+                  static_cast<float> (std::min (like_noise * noise, limit))};
+    }
+  return bands;
+}
+
+// The planes that the points of each larger voxel are on.
+std::vector<Labels>
+planesIn (const LargerVoxels& larger,
+          const VoxelGrid& grid,
+          const Indices& order,
+          const Labels& labels)
+{
+  std::vector<Labels> planes (larger.codes.size());
+  for (std::size_t voxel = 0; voxel < grid.size(); ++voxel) {
+    std::int32_t last = no_plane;
+    for (std::uint32_t i = grid.first_point[voxel]; i < grid.endOfPoints (voxel); ++i) {
+      if (labels[order[i]] != last)
+        addOnce (labels[order[i]], planes[larger.holding[voxel]]);
+      last = labels[order[i]];
+    }
+  }
+  return planes;
+}
+
+std::vector<Labels>
+planesIn (const LargerVoxels& larger, const std::vector<Labels>& planes)
+{
+  std::vector<Labels> joined (larger.codes.size());
+  for (std::size_t voxel = 0; voxel < planes.size(); ++voxel)
+    for (const std::int32_t plane : planes[voxel])
+      addOnce (plane, joined[larger.holding[voxel]]);
+  return joined;
+}
+
+/** \brief A point that had no plane, and the voxel that it is in. */
+struct OpenPoint {
+  std::uint32_t point;
+  std::uint32_t voxel;
+};
+
+std::vector<OpenPoint>
+openPoints (const VoxelGrid& grid,
+            const Indices& voxels,
+            const Indices& order,
+            const Labels& labels)
+{
+  std::vector<OpenPoint> open;
+  for (const std::uint32_t voxel : voxels)
+    for (std::uint32_t i = grid.first_point[voxel]; i < grid.endOfPoints (voxel); ++i)
+      if (labels[order[i]] == no_plane)
+        open.push_back ({order[i], voxel});
+  return open;
+}
+
+// The planes of the voxels around one, each once.
+Labels
+planesAround (const VoxelNeighbors& neighbors,
+              std::size_t voxel,
+              const std::vector<Labels>& planes)
+{
+  Labels around;
+  for (const std::uint32_t neighbor : neighbors[voxel])
+    for (const std::int32_t plane : planes[neighbor])
+      addOnce (plane, around);
+  return around;
+}
+
+} // namespace
+
+void
+extendPlanes (const Coordinates& points,
+              const Indices& order,
+              const VoxelGrid& grid,
+              const Indices& voxels,
+              int levels,
+              std::optional<double> distance_threshold,
+              AssignedPoints& assigned)
+{
+  Labels& labels = assigned.labels;
+  const std::vector<PlaneBand> bands =
+      bandsOf (assigned.moments,
+               smallestNoise (grid),
+               distance_threshold.value_or (std::numeric_limits<double>::infinity()));
+  std::vector<OpenPoint> open = openPoints (grid, voxels, order, labels);
+  std::vector<Labels> planes;
+  const auto wanted = static_cast<std::size_t> (levels);
+  for (std::size_t l = 0; l < std::min (wanted, grid.larger.size()); ++l) {
+    const LargerVoxels& larger = grid.larger[l];
+    planes =
+        l == 0 ? planesIn (larger, grid, order, labels) : planesIn (larger, planes);
+    for (OpenPoint& at : open)
+      at.voxel = larger.holding[at.voxel];
+    Labels around;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const auto [point, voxel] = open[i];
+      if (i == 0 || voxel != open[i - 1].voxel)
+        around = planesAround (larger.neighbors, voxel, planes);
+      if (labels[point] == no_plane)
+        labels[point] = nearestOf (around, bands, points, point);
+    }
+    for (const auto& [point, voxel] : open)
+      addOnce (labels[point], planes[voxel]);
+  }
+  for (const auto& [point, voxel] : open)
+    if (labels[point] != no_plane)
+      assigned.moments[static_cast<std::size_t> (labels[point])].add (
+          points.x[point], points.y[point], points.z[point]);
+}
+
+} // namespace pcl_ops::internal

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "detection/plane_assignment.h"
+#include "geometry/points.h"
+#include "voxels/voxel_grid.h"
+
+#include <optional>
+
+namespace pcl_ops::internal {
+
+/** \brief Lets planes go on where points are sparse, as the rings of a lidar on the
+ * ground are: a point on no plane goes to the nearest, in units of its noise, of the
+ * planes in the larger voxels around, first in those of twice the edge.
+ * \param[in] points all points
+ * \param[in] order their numbers, voxel after voxel
+ * \param[in] grid voxels with their neighbors
+ * \param[in] voxels those with sparse points
+ * \param[in] levels how many times the edge is doubled
+ * \param[in] distance_threshold theta_h: largest distance [m], if any
+ * \param[in,out] assigned labels of all points, and the moments of each plane's, which
+ * the new ones are added to */
+void
+extendPlanes (const Coordinates& points,
+              const Indices& order,
+              const VoxelGrid& grid,
+              const Indices& voxels,
+              int levels,
+              std::optional<double> distance_threshold,
+              AssignedPoints& assigned);
+
+} // namespace pcl_ops::internal
