@@ -118,12 +118,10 @@ writeFile (const std::string& file,
   const TemporaryPath temporary (newFileIn (target.parent_path(), file));
   std::ofstream stream (temporary.path(), std::ios::binary);
   write (stream);
-  const std::streamoff size = stream.tellp();
   stream.close();
-  std::error_code error;
-  if (!stream ||
-      size != static_cast<std::streamoff> (fs::file_size (temporary.path(), error)))
+  if (!stream)
     failToWrite (file);
+  std::error_code error;
   if (fs::exists (target, error))
     fs::permissions (temporary.path(), fs::status (target).permissions(), error);
   if (std::rename (temporary.path().c_str(), target.c_str()) != 0)

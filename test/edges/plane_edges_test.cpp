@@ -149,9 +149,13 @@ TEST (PlaneEdges, HaveNoCornerWhereOneEndsEarlier)
   scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m).wall ({0, 1}, {0, 3}, 2.5_m);
   scene.surface ({0, 0, 1.5}, {0, 1, 0}, {0, 0, 1}); // but for its upper end
   const LabelledScene built = withLastIn (2, scene);
-  const PlaneEdges found = findPlaneEdges (*built.cloud, planesOf (built));
-  EXPECT_EQ (found.edges.size(), 3u);
-  EXPECT_TRUE (found.corners.empty()) << "edges of each two, at no common place";
+  std::vector<PlaneSegment> planes = planesOf (built);
+  for (int order = 0; order < 3; ++order) {
+    const PlaneEdges found = findPlaneEdges (*built.cloud, planes);
+    EXPECT_EQ (found.edges.size(), 3u);
+    EXPECT_TRUE (found.corners.empty()) << "edges of each two, at no common place";
+    std::rotate (planes.begin(), planes.begin() + 1, planes.end());
+  }
 }
 
 TEST (PlaneEdges, AreAsManyAsPlanesMeet)

@@ -53,7 +53,7 @@ TEST (RootCube, HoldsAllPointsAroundTheirCentroid)
 TEST (RootCube, IsThatOfAllOthersWhereOnePointIsFarAway)
 {
   const RootCube alone = rootCubeOf (cornersOfACube());
-  for (const float far : {20.0f, 1e6f, -1e38f}) {
+  for (const float far : {20.0f, 1e6f, -1e6f, -1e38f}) {
     Coordinates points = cornersOfACube();
     points.add (far, far, far);
     const RootCube root = rootCubeOf (points);
@@ -122,6 +122,13 @@ TEST (OctreeClusters, AreCutWhereTwoPlanesMeet)
     const double to_wall = angleBetween (cluster.fit.plane.normal, upright.normal());
     EXPECT_LT (std::min (to_floor, to_wall), 0.1);
   }
+}
+
+TEST (OctreeClusters, AreNoNarrowStrips)
+{
+  Coordinates points;
+  addGrid (points, Surface{{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {0.0, 0.4, 0.0}}, 100);
+  EXPECT_GT (clustersOf (points, 0).clusters.size(), 1u);
 }
 
 TEST (OctreeClusters, DropPointsFarFromTheirPlaneAndOutsideTheirRoot)

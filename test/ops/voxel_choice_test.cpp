@@ -65,6 +65,19 @@ TEST (VoxelChoice, LeavesPointsEnoughInAVoxel)
     EXPECT_GT (meanPointsPerVoxel (gridOfFloors (apart, many, few_voxels)), 8.0);
 }
 
+TEST (VoxelChoice, LeavesPointsEnoughInAVoxelOfASmallCloud)
+{
+  EXPECT_GT (meanPointsPerVoxel (gridOfFloors (4_cm, 23, 0.03)), 3.0);
+}
+
+TEST (VoxelChoice, IsLargerThanTheStepsOfSinglePrecision)
+{
+  Points points;
+  addGrid (points, {{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}, many);
+  points.origin = {0.0, 1e6, 0.0}; // steps of 6.25 cm
+  EXPECT_GE (voxelizeByNoise (points, few_voxels, 1).coarse.grid.voxel_size, 1_m);
+}
+
 TEST (VoxelChoice, TakesLargerVoxelsForFewerSamples)
 {
   EXPECT_GT (gridOfFloors (4_cm, many, few_voxels).voxel_size,
