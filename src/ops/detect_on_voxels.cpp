@@ -190,13 +190,14 @@ labelSparsePoints (const Points& points,
   const VoxelGrid& grid = voxels.coarse.grid;
   const Indices& order = voxels.finest.order;
   const Indices sparse = sparseVoxels (grid, times_k * parameters.k);
-  const Indices numbers = sparsePoints (grid, sparse, order, assigned.labels);
+  const auto open = [&] { return openPoints (grid, sparse, order, assigned.labels); };
+  const Indices numbers = sparsePoints (open(), points.size());
   if (!numbers.empty())
     labelAnew (points, numbers, parameters, durations, assigned);
   extendPlanes (points,
                 order,
                 grid,
-                sparse,
+                open(),
                 parameters.surfels.resolutions,
                 parameters.distance_threshold,
                 assigned);

@@ -59,26 +59,6 @@ planesIn (const LargerVoxels& larger, const std::vector<Labels>& planes)
   return joined;
 }
 
-/** \brief A point that had no plane, and the voxel that it is in. */
-struct OpenPoint {
-  std::uint32_t point;
-  std::uint32_t voxel;
-};
-
-std::vector<OpenPoint>
-openPoints (const VoxelGrid& grid,
-            const Indices& voxels,
-            const Indices& order,
-            const Labels& labels)
-{
-  std::vector<OpenPoint> open;
-  for (const std::uint32_t voxel : voxels)
-    for (std::uint32_t i = grid.first_point[voxel]; i < grid.endOfPoints (voxel); ++i)
-      if (labels[order[i]] == no_plane)
-        open.push_back ({order[i], voxel});
-  return open;
-}
-
 // The planes of the voxels around one, each once.
 Labels
 planesAround (const VoxelNeighbors& neighbors,
@@ -98,7 +78,7 @@ void
 extendPlanes (const Coordinates& points,
               const Indices& order,
               const VoxelGrid& grid,
-              const Indices& voxels,
+              std::vector<OpenPoint> open,
               int levels,
               std::optional<double> distance_threshold,
               AssignedPoints& assigned)
@@ -108,7 +88,6 @@ extendPlanes (const Coordinates& points,
       bandsOf (assigned.moments,
                smallestNoise (grid),
                distance_threshold.value_or (std::numeric_limits<double>::infinity()));
-  std::vector<OpenPoint> open = openPoints (grid, voxels, order, labels);
   std::vector<Labels> planes;
   const auto wanted = static_cast<std::size_t> (levels);
   for (std::size_t l = 0; l < std::min (wanted, grid.larger.size()); ++l) {

@@ -4,9 +4,11 @@
 
 #include "detection/plane_assignment.h"
 #include "geometry/points.h"
+#include "ops/sparse_points.h"
 #include "voxels/voxel_grid.h"
 
 #include <optional>
+#include <vector>
 
 namespace pcl_ops::internal {
 
@@ -16,7 +18,7 @@ namespace pcl_ops::internal {
  * \param[in] points all points
  * \param[in] order their numbers, voxel after voxel
  * \param[in] grid voxels with their neighbors
- * \param[in] voxels those with sparse points
+ * \param[in] open those on no plane where points are sparse, voxel after voxel
  * \param[in] levels how many times the edge is doubled
  * \param[in] distance_threshold theta_h: largest distance [m], if any
  * \param[in,out] assigned labels of all points, and the moments of each plane's, which
@@ -25,7 +27,7 @@ void
 extendPlanes (const Coordinates& points,
               const Indices& order,
               const VoxelGrid& grid,
-              const Indices& voxels,
+              std::vector<OpenPoint> open,
               int levels,
               std::optional<double> distance_threshold,
               AssignedPoints& assigned);

@@ -74,22 +74,31 @@ sparseVoxels (const VoxelGrid& grid, double min_points)
   return points * min_share < all_points ? Indices() : sparse;
 }
 
-Indices
-sparsePoints (const VoxelGrid& grid,
-              const Indices& voxels,
-              const Indices& order,
-              const Labels& labels)
+std::vector<OpenPoint>
+openPoints (const VoxelGrid& grid,
+            const Indices& voxels,
+            const Indices& order,
+            const Labels& labels)
 {
-  constexpr std::size_t max_share = 2;
-  Indices sparse;
+  std::vector<OpenPoint> open;
   for (const std::uint32_t voxel : voxels)
     for (std::uint32_t i = grid.first_point[voxel]; i < grid.endOfPoints (voxel); ++i)
       if (labels[order[i]] == no_plane)
-        sparse.push_back (order[i]);
+        open.push_back ({order[i], voxel});
+  return open;
+}
+
+Indices
+sparsePoints (const std::vector<OpenPoint>& open, std::size_t all)
+{
+  constexpr std::size_t max_share = 2;
+  Indices sparse;
+  if (open.size() * min_share < all || open.size() * max_share > all)
+    return sparse;
+  for (const auto& [point, voxel] : open)
+    sparse.push_back (point);
   std::sort (sparse.begin(), sparse.end());
-  const bool is_cloud = sparse.size() * min_share >= labels.size() &&
-                        sparse.size() * max_share <= labels.size();
-  return is_cloud ? sparse : Indices();
+  return sparse;
 }
 
 void

@@ -7,6 +7,10 @@
 #include "voxels/voxel_grid.h"
 #include <pcl_ops/plane_merging.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 namespace pcl_ops::internal {
 
 /** \brief The voxels that hold, with those around, too few points to tell: where a
@@ -17,18 +21,30 @@ namespace pcl_ops::internal {
 Indices
 sparseVoxels (const VoxelGrid& grid, double min_points);
 
-/** \brief The points on no plane in such voxels: another voxel size does them justice.
+/** \brief A point on no plane, and the voxel that it is in. */
+struct OpenPoint {
+  std::uint32_t point;
+  std::uint32_t voxel;
+};
+
+/** \brief The points on no plane in some voxels, voxel after voxel.
  * \param[in] grid the voxels
- * \param[in] voxels those of \ref sparseVoxels
+ * \param[in] voxels numbers of some of them
  * \param[in] order numbers of all points, voxel after voxel
- * \param[in] labels plane of each point, or no_plane
- * \return them, or none where they are not a cloud of their own: less than a hundredth
- * of all points, or more than half, whose voxels these are */
+ * \param[in] labels plane of each point, or no_plane */
+std::vector<OpenPoint>
+openPoints (const VoxelGrid& grid,
+            const Indices& voxels,
+            const Indices& order,
+            const Labels& labels);
+
+/** \brief The points, ascending, that another voxel size does justice.
+ * \param[in] open those of \ref sparseVoxels
+ * \param[in] all number of all points
+ * \return none where they are not a cloud of their own: less than a hundredth of all
+ * points, or more than half, whose voxels these are */
 Indices
-sparsePoints (const VoxelGrid& grid,
-              const Indices& voxels,
-              const Indices& order,
-              const Labels& labels);
+sparsePoints (const std::vector<OpenPoint>& open, std::size_t all);
 
 /** \brief Takes planes from sparse points that scatter far more than those of the dense
  * ones, and a quarter as far or more as they are from each other: voxels as large as

@@ -42,10 +42,12 @@ struct FloorAndRows {
       assigned.labels[i] = 0;
       assigned.moments[0].add (points.x[i], points.y[i], points.z[i]);
     }
+    const VoxelGrid& grid = voxels.coarse.grid;
+    const Indices& order = voxels.finest.order;
     extendPlanes (points,
-                  voxels.finest.order,
-                  voxels.coarse.grid,
-                  all,
+                  order,
+                  grid,
+                  openPoints (grid, all, order, assigned.labels),
                   levels,
                   distance_threshold,
                   assigned);

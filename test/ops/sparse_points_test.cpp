@@ -30,7 +30,8 @@ sparseAmong (const VoxelLevels& voxels, std::int32_t label = no_plane)
   const Indices& order = voxels.finest.order;
   const pcl_ops::Labels labels (order.size(), label);
   const VoxelGrid& grid = voxels.coarse.grid;
-  return sparsePoints (grid, sparseVoxels (grid, min_points), order, labels);
+  return sparsePoints (
+      openPoints (grid, sparseVoxels (grid, min_points), order, labels), order.size());
 }
 
 } // namespace
