@@ -17,16 +17,24 @@ namespace pcl_ops::internal {
 
 namespace {
 
+// Planes that are narrower than a voxel go on nowhere, as those of a car would across
+// the street: they get no band.
 std::vector<PlaneBand>
-bandsOf (const std::vector<Moments>& planes, double smallest_noise, double limit)
+bandsOf (const std::vector<Moments>& planes,
+         double voxel_size,
+         double smallest_noise,
+         double limit)
 {
   std::vector<PlaneBand> bands (planes.size());
-  for (std::size_t p = 0; p < planes.size(); ++p)
-    if (const std::optional<PlaneFit> fit = fitPlane (planes[p])) {
-      const double noise = std::max (std::sqrt (fit->variances[0]), smallest_noise);
-      bands[p] = {FloatPlane (fit->plane),
-                  static_cast<float> (std::min (like_noise * noise, limit))};
-    }
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const std::optional<PlaneFit> fit = fitPlane (planes[p]);
+    // Of a strip that is evenly covered the width is sqrt (12) deviations.
+    if (!fit || 12.0 * fit->variances[1] < voxel_size * voxel_size)
+      continue;
+    const double noise = std::max (std::sqrt (fit->variances[0]), smallest_noise);
+    bands[p] = {FloatPlane (fit->plane),
+                static_cast<float> (std::min (like_noise * noise, limit))};
+  }
   return bands;
 }
 
@@ -84,14 +92,16 @@ extendPlanes (const Coordinates& points,
               AssignedPoints& assigned)
 {
   Labels& labels = assigned.labels;
-  const std::vector<PlaneBand> bands =
-      bandsOf (assigned.moments,
-               smallestNoise (grid),
-               distance_threshold.value_or (std::numeric_limits<double>::infinity()));
+  const double limit =
+      distance_threshold.value_or (std::numeric_limits<double>::infinity());
+  double voxel_size = grid.voxel_size;
   std::vector<Labels> planes;
   const auto wanted = static_cast<std::size_t> (levels);
   for (std::size_t l = 0; l < std::min (wanted, grid.larger.size()); ++l) {
     const LargerVoxels& larger = grid.larger[l];
+    voxel_size *= 2.0;
+    const std::vector<PlaneBand> bands =
+        bandsOf (assigned.moments, voxel_size, smallestNoise (grid), limit);
     planes =
         l == 0 ? planesIn (larger, grid, order, labels) : planesIn (larger, planes);
     for (OpenPoint& at : open)

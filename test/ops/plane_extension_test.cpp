@@ -19,7 +19,10 @@ struct FloorAndRows {
   static constexpr int on_floor = 2304, of_row = 20;
   Coordinates points;
 
-  FloorAndRows() { addGrid (points, {{0, 0, 0}, {1.6, 0, 0}, {0, 1.6, 0}}, 48, 1_mm); }
+  explicit FloorAndRows (double width = 1.6)
+  {
+    addGrid (points, {{0, 0, 0}, {1.6, 0, 0}, {0, width, 0}}, 48, 1_mm);
+  }
 
   FloorAndRows&
   row (double x, double height)
@@ -82,6 +85,11 @@ TEST (PlaneExtension, GoesOnFromPointsThatItTook)
 {
   EXPECT_EQ (FloorAndRows().row (2.9, 0.0).extended (3), (Labels{no_plane}));
   EXPECT_EQ (FloorAndRows().row (1.9, 0.0).row (2.9, 0.0).extended (3), (Labels{0, 0}));
+}
+
+TEST (PlaneExtension, IsNoneOfPlanesNarrowerThanTheVoxels)
+{
+  EXPECT_EQ (FloorAndRows (0.2).row (1.9, 0.0).extended (3), (Labels{no_plane}));
 }
 
 TEST (PlaneExtension, LeavesPointsBesideThePlaneAlone)
