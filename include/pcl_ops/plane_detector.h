@@ -182,8 +182,8 @@ public:
   {
     parameters_.up_axis = up_axis;
   }
-  /** \brief The same in double precision, as \ref estimateUpAxis and \ref cameraUp give
-   * it. */
+  /** \brief The same in double precision, as estimateUpAxis() and cameraUp() give it.
+   */
   template <typename Derived>
   void
   setUpAxis (const Eigen::MatrixBase<Derived>& up_axis)

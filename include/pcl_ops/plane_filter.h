@@ -31,8 +31,8 @@ struct PlaneFilter {
   /** \brief Smallest and largest angle between the plane and the horizontal [rad], of
    * 0 to pi/2. Not given: any. */
   std::optional<std::array<double, 2>> slope;
-  /** \brief Against gravity, for \ref slope: a vector of any length but 0, in the frame
-   * of the planes. */
+  /** \brief For \ref slope, against gravity, in the frame of the planes; of any length
+   * but 0. */
   Eigen::Vector3d up_axis = Eigen::Vector3d::UnitZ();
   /** \brief Fewest points: inliers, or of the moments where there are none. */
   std::size_t min_points = 0;
