@@ -3,6 +3,7 @@
 #include "voxels/sorted_points.h"
 
 #include "base/parallel.h"
+#include "base/radix_sort.h"
 #include "base/vectorized.h"
 
 #include <algorithm>
@@ -61,78 +62,6 @@ findRuns (const Coordinates& positions,
   return all;
 }
 
-// A type of its own, so that sorting calls it in place.
-struct ComesFirst {
-  bool
-  operator() (const PointRun& a, const PointRun& b) const
-  {
-    return a.code != b.code ? a.code < b.code : a.first < b.first;
-  }
-};
-
-constexpr int digit_bits = 8;
-constexpr std::size_t digits = 1 << digit_bits;
-constexpr std::ptrdiff_t few = 96;
-
-/** \brief Where the runs of each digit begin, and where those of the last end. */
-using DigitBounds = std::array<PointRun*, digits + 1>;
-
-// Sorts runs by eight bits of their codes, in place (American flag sort: McIlroy,
-// Bostic & McIlroy, Computing Systems 1993).
-DigitBounds
-permuteByDigit (PointRun* begin, PointRun* end, int lowest_bit)
-{
-  const int bit = std::max (0, lowest_bit);
-  const auto digitOf = [bit] (const PointRun& run) {
-    return static_cast<std::size_t> (run.code >> bit & (digits - 1));
-  };
-  std::array<std::ptrdiff_t, digits> number{};
-  for (const PointRun* run = begin; run != end; ++run)
-    ++number[digitOf (*run)];
-  DigitBounds bounds;
-  bounds[0] = begin;
-  for (std::size_t digit = 0; digit < digits; ++digit)
-    bounds[digit + 1] = bounds[digit] + number[digit];
-  DigitBounds next = bounds;
-  for (std::size_t digit = 0; digit < digits; ++digit)
-    while (next[digit] != bounds[digit + 1]) {
-      const std::size_t own = digitOf (*next[digit]);
-      if (own == digit)
-        ++next[digit];
-      else
-        std::swap (*next[digit], *next[own]++);
-    }
-  return bounds;
-}
-
-// Sorts runs whose codes have the same bits above lowest_bit + 8.
-void
-sortByDigits (PointRun* begin, PointRun* end, int lowest_bit)
-{
-  if (end - begin <= few || lowest_bit <= -digit_bits)
-    return std::sort (begin, end, ComesFirst());
-  const DigitBounds bounds = permuteByDigit (begin, end, lowest_bit);
-  for (std::size_t digit = 0; digit < digits; ++digit)
-    if (bounds[digit + 1] - bounds[digit] > 1)
-      sortByDigits (bounds[digit], bounds[digit + 1], lowest_bit - digit_bits);
-}
-
-void
-sortByCode (const PointRuns& runs, unsigned threads)
-{
-  MortonCode differing = 0;
-  for (const PointRun& run : runs)
-    differing |= run.code ^ runs[0].code;
-  int bits = 0;
-  while (differing >> bits != 0)
-    ++bits;
-  const int lowest_bit = bits - digit_bits;
-  const DigitBounds bounds = permuteByDigit (runs.begin(), runs.end(), lowest_bit);
-  parallelFor (threads, digits, 1, [&] (std::size_t digit, std::size_t) {
-    sortByDigits (bounds[digit], bounds[digit + 1], lowest_bit - digit_bits);
-  });
-}
-
 } // namespace
 
 PointRuns
@@ -151,8 +80,13 @@ sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads)
     std::copy (piece, piece + pieces[p], runs.end());
     runs.resize (runs.size() + pieces[p]);
   }
-  sortByCode (runs, threads);
-  return runs;
+  PointRuns spare (runs.size());
+  const auto codeOf = [] (const PointRun& run) { return run.code; };
+  if (radixSort (threads, runs.begin(), runs.size(), spare.begin(), codeOf) ==
+      runs.begin())
+    return runs;
+  spare.resize (runs.size());
+  return spare;
 }
 
 } // namespace pcl_ops::internal
