@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -109,8 +110,10 @@ neighborsBelow (const std::vector<MortonCode>& codes,
   around.begin.resize (codes.size() + 1);
   const auto pieces = parallelChunks (
       threads, parents, parents_per_piece, [&] (std::size_t begin, std::size_t end) {
-        Indices found (most * (first_child[end] - first_child[begin]));
-        std::uint32_t* next = found.data();
+        // Not a vector, whose zeros take longer than what overwrites them.
+        std::unique_ptr<std::uint32_t[]> found (
+            new std::uint32_t[most * (first_child[end] - first_child[begin])]);
+        std::uint32_t* next = found.get();
         for (std::size_t p = begin; p < end; ++p) {
           const ChildrenAround children =
               childrenAround (codes, first_child, above.neighbors, p);
@@ -123,16 +126,16 @@ neighborsBelow (const std::vector<MortonCode>& codes,
             around.begin[i + 1] = static_cast<std::uint32_t> (next - own);
           }
         }
-        found.resize (static_cast<std::size_t> (next - found.data()));
         return found;
       });
   std::partial_sum (around.begin.begin(), around.begin.end(), around.begin.begin());
   around.neighbors.resize (around.begin.back());
   parallelFor (threads, pieces.size(), 1, [&] (std::size_t piece, std::size_t) {
-    std::copy (pieces[piece].begin(),
-               pieces[piece].end(),
-               around.neighbors.data() +
-                   around.begin[first_child[piece * parents_per_piece]]);
+    const std::size_t first = piece * parents_per_piece;
+    const std::uint32_t begin = around.begin[first_child[first]];
+    const std::uint32_t end =
+        around.begin[first_child[std::min (first + parents_per_piece, parents)]];
+    std::copy_n (pieces[piece].get(), end - begin, around.neighbors.data() + begin);
   });
   return around;
 }
