@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "geometry/angles.h"
+#include "geometry/principal_axes.h"
 #include <pcl_ops/plane.h>
 
 #include <algorithm>
@@ -68,9 +68,8 @@ fitPlane (const Moments& moments)
 {
   if (moments.count < 3.0)
     return std::nullopt;
-  const Eigen::Matrix3d covariance = moments.covariance();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (covariance);
-  const Eigen::Vector3d variances = solver.eigenvalues().cwiseMax (0.0);
+  const internal::PrincipalAxes axes = internal::principalAxes (moments.covariance());
+  const Eigen::Vector3d& variances = axes.values;
   // Rounding of the inputs (single precision) alone can give a line this much width.
   constexpr double smallest_width = 1e-5;
   if (!(variances[1] > smallest_width * smallest_width * variances[2]))
@@ -78,7 +77,7 @@ fitPlane (const Moments& moments)
   PlaneFit fit;
   fit.centroid = moments.centroid();
   fit.variances = variances;
-  fit.plane = planeThrough (fit.centroid, solver.eigenvectors().col (0));
+  fit.plane = planeThrough (fit.centroid, axes.normal);
   return fit;
 }
 
