@@ -91,6 +91,8 @@ extendPlanes (const Coordinates& points,
               std::optional<double> distance_threshold,
               AssignedPoints& assigned)
 {
+  if (open.empty())
+    return;
   Labels& labels = assigned.labels;
   const double limit =
       distance_threshold.value_or (std::numeric_limits<double>::infinity());

@@ -95,9 +95,12 @@ sparsePoints (const std::vector<OpenPoint>& open, std::size_t all)
   Indices sparse;
   if (open.size() * min_share < all || open.size() * max_share > all)
     return sparse;
+  std::vector<char> is_open (all, 0);
   for (const auto& [point, voxel] : open)
-    sparse.push_back (point);
-  std::sort (sparse.begin(), sparse.end());
+    is_open[point] = 1;
+  for (std::uint32_t point = 0; point < all; ++point)
+    if (is_open[point] != 0)
+      sparse.push_back (point);
   return sparse;
 }
 

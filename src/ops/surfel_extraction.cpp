@@ -160,14 +160,14 @@ private:
   std::vector<char> is_curved_;
 };
 
-// Voxels with their thickness, the thinnest first.
+// Open voxels with their thickness, the thinnest first.
 std::vector<std::pair<double, std::uint32_t>>
-byThickness (const Surfels& surfels)
+byThickness (const Surfels& surfels, const SurfelSpread& spread)
 {
   std::vector<std::pair<double, std::uint32_t>> order;
-  for (std::size_t i = 0; i < surfels.size(); ++i)
-    if (surfels[i])
-      order.emplace_back (surfels[i]->thickness, static_cast<std::uint32_t> (i));
+  for (std::uint32_t i = 0; i < surfels.size(); ++i)
+    if (spread.isOpen (i))
+      order.emplace_back (surfels[i]->thickness, i);
   std::sort (order.begin(), order.end());
   return order;
 }
@@ -183,7 +183,7 @@ extractSurfelPlanes (const VoxelGrid& grid,
   planes.plane_of_voxel.resize (grid.size(), no_plane);
   SurfelSpread spread (grid, surfels, parameters, planes.plane_of_voxel);
   CurvedSurfaces curved (grid, surfels, parameters.angle_threshold);
-  for (const auto& [thickness, seed] : byThickness (surfels)) {
+  for (const auto& [thickness, seed] : byThickness (surfels, spread)) {
     if (!spread.isOpen (seed))
       continue;
     const SurfelPatch patch = spread.from (seed);
