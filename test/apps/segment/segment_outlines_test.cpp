@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl/io/ply_io.h>
-
 #include <Eigen/Geometry>
 
 #include "segment_program.h"
@@ -100,22 +98,7 @@ TEST_F (Segment, WritesHullsAsAMeshThatLiesOnTheCloudInPclViewer)
   }
 }
 
-TEST_F (Segment, DrawsAMeshInTheColorsOfTheLabels)
-{
-  const LabelledCloud cloud = label ("in.pcd", "--mesh m.ply --only horizontal");
-  pcl::PointCloud<pcl::PointXYZRGB> corners;
-  ASSERT_EQ (pcl::io::loadPLYFile (folder_ / "m.ply", corners), 0);
-  for (const pcl::PointXYZRGB& corner : corners)
-    EXPECT_EQ (corner.rgba & 0xffffff, cloud[0].rgba & 0xffffff);
-}
-
-#ifndef PCL_OPS_WITH_SURFACE
-TEST_F (Segment, SaysHowToGetConcaveHulls)
-{
-  expectRefused (
-      "in.pcd --mesh m.ply --hull concave", "--hull: concave is not in this build", 2);
-}
-#else
+#ifdef PCL_OPS_WITH_SURFACE
 TEST_F (Segment, CutsWindowsOutOfConcaveHulls)
 {
   InputCloud wall; // 3 m by 2 m, with a window of 1 m by 0.8 m

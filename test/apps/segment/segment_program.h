@@ -16,18 +16,14 @@
 #include <cstdint>
 #include <iomanip>
 #include <limits>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 using InputCloud = pcl::PointCloud<pcl::PointXYZI>;
-using LabelledCloud = pcl::PointCloud<pcl::PointXYZRGBL>;
 
 inline constexpr int points_of_side = 50;
 inline constexpr int points_of_plane = points_of_side * points_of_side;
-/** \brief The reading without coordinates between floor and wall. */
-inline constexpr int missing_reading = points_of_plane;
 
 /** \brief Adds a grid of points; the intensity of each is its index. */
 inline void
@@ -113,50 +109,4 @@ protected:
   {
     return nlohmann::json::parse (expectDone (arguments + " --planes -").out);
   }
-
-  /** \brief Ends the program by SIGTERM as soon as a condition of the shell holds, at
-   * the latest after some ten seconds. */
-  Outcome
-  runAndTerminate (const std::string& environment,
-                   const std::string& arguments,
-                   const std::string& condition) const
-  {
-    return run (arguments + " & segment=$!; n=0; until " + condition +
-                    " || [ $n -gt 1000 ]; do sleep 0.01; n=$((n + 1)); done; "
-                    "kill -TERM $segment; wait $segment; }",
-                "{ " + environment);
-  }
-
-  template <typename Cloud = LabelledCloud>
-  Cloud
-  loaded (const std::string& file) const
-  {
-    Cloud cloud;
-    EXPECT_EQ (pcl::io::loadPCDFile (folder_ / file, cloud), 0) << file;
-    return cloud;
-  }
-
-  /** \brief The labelled cloud the program makes of a file. */
-  LabelledCloud
-  label (const std::string& input, const std::string& options = "") const
-  {
-    expectDone (input + " labelled.pcd " + options);
-    return loaded ("labelled.pcd");
-  }
 };
-
-inline std::vector<std::uint32_t>
-labelsOf (const LabelledCloud& cloud)
-{
-  std::vector<std::uint32_t> labels;
-  for (const pcl::PointXYZRGBL& point : cloud)
-    labels.push_back (point.label);
-  return labels;
-}
-
-/** \brief The labels of the points from \p begin to before \p end. */
-inline std::set<std::uint32_t>
-distinct (const std::vector<std::uint32_t>& labels, int begin, int end)
-{
-  return {labels.begin() + begin, labels.begin() + end};
-}

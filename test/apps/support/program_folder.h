@@ -33,11 +33,13 @@ class ProgramFolder : public testing::Test {
 protected:
   explicit ProgramFolder (std::string program) : program_ (std::move (program)) {}
 
-  /** \brief Runs a command of the shell in the folder. */
+  /** \brief Runs commands of the shell in the folder, which find all programs. */
   Outcome
-  shell (const std::string& command) const
+  shell (const std::string& commands) const
   {
-    const std::string line = "cd '" + folder_.path() + "' && " + command + " >'" +
+    const std::string programs = std::filesystem::path (program_).parent_path();
+    const std::string line = "PATH='" + programs + "':\"$PATH\"; cd '" +
+                             folder_.path() + "' && { " + commands + "\n} >'" +
                              streams_ / "out" + "' 2>'" + streams_ / "err" + "'";
     const int status = std::system (line.c_str());
     return {WEXITSTATUS (status),

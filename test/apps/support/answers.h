@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <io/cloud_file.h>
+#include <io/output_file.h>
+#include <nlohmann/json.hpp>
+#include <support/program_folder.h>
+
+#include <cmath>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+/** \brief What a command of a table has to leave at some place. */
+struct Answer {
+  std::string command, place, what;
+};
+
+/** \brief The rows below a heading, whose commands share a folder. */
+struct Answers {
+  std::string heading;
+  std::vector<Answer> rows;
+
+  friend std::ostream&
+  operator<< (std::ostream& stream, const Answers& answers)
+  {
+    return stream << answers.heading;
+  }
+};
+
+/** \brief Reads a table of segment/answers.tsv's kind. */
+inline std::vector<Answers>
+answersIn (const std::string& file)
+{
+  std::ifstream stream (file);
+  std::vector<Answers> all;
+  for (std::string line; std::getline (stream, line);) {
+    if (line.substr (0, 3) == "## ")
+      all.push_back ({line.substr (3), {}});
+    else if (!line.empty() && line[0] != '#') {
+      std::istringstream columns (line);
+      Answer& row = all.back().rows.emplace_back();
+      for (std::string* column : {&row.command, &row.place, &row.what})
+        std::getline (columns, *column, '\t');
+    }
+  }
+  return all;
+}
+
+inline std::string
+nameOfAnswers (const testing::TestParamInfo<Answers>& info)
+{
+  return std::regex_replace (info.param.heading, std::regex ("[^A-Za-z0-9]+"), "_");
+}
+
+/** \brief The width of a cloud, its sensor's place, and the type and the values of each
+ * field: numbers, null where there is none, and colors as red, green and blue. */
+inline nlohmann::json
+toJson (const pcl_ops::apps::FileCloud& cloud)
+{
+  nlohmann::json json = {
+      {"width", cloud.points.width},
+      {"origin", {cloud.origin[0], cloud.origin[1], cloud.origin[2]}}};
+  for (const pcl::PCLPointField& field : cloud.points.fields) {
+    const pcl_ops::apps::NumberType& type = pcl_ops::apps::numberType (field.datatype);
+    json["types"][field.name] = type.kind + std::to_string (type.size);
+    nlohmann::json& values = json[field.name] = nlohmann::json::array();
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const std::uint8_t* const bytes =
+          &cloud.points.data[i * cloud.points.point_step + field.offset];
+      const double value = type.read (bytes);
+      if (field.name == "rgb" && type.size == 4)
+        values.push_back ({bytes[2], bytes[1], bytes[0]});
+      else
+        values.push_back (std::isfinite (value) ? nlohmann::json (value) : nullptr);
+    }
+  }
+  return json;
+}
+
+/** \brief Runs the commands of a table, each section in a folder of its own. */
+class AnswersFolder : public ProgramFolder,
+                      public testing::WithParamInterface<Answers> {
+protected:
+  using ProgramFolder::ProgramFolder;
+  using Json = nlohmann::json;
+
+  /** \brief Whether two values are the same but for rounded numbers. */
+  static bool
+  isNear (const Json& value, const Json& expected)
+  {
+    if (value.is_number() && expected.is_number())
+      return std::abs (value.get<double>() - expected.get<double>()) < 1e-3;
+    if (!value.is_array() || value.size() != expected.size())
+      return value == expected;
+    return std::equal (value.begin(), value.end(), expected.begin(), isNear);
+  }
+
+  std::string
+  textAt (const std::string& place) const
+  {
+    const bool is_printed = place.empty() || place == "out";
+    return is_printed       ? done_.out
+           : place == "err" ? done_.err
+                            : contentOf (folder_ / place);
+  }
+
+  /** \return discarded where it is missing */
+  Json
+  valueAt (const std::string& place) const
+  {
+    std::smatch parts;
+    std::regex_match (
+        place, parts, std::regex (R"(([^#]*)#([^.]*)(\.(\d+)-(\d+))?(\.size)?)"));
+    const std::string file = parts[1];
+    const Json json = pcl_ops::apps::hasCloudExtension (file)
+                          ? toJson (pcl_ops::apps::loadCloud (folder_ / file))
+                          : Json::parse (textAt (file));
+    const Json::json_pointer pointer (parts[2]);
+    Json value =
+        json.contains (pointer) ? json[pointer] : Json (Json::value_t::discarded);
+    if (parts[3].matched) {
+      const auto first = value.begin() + std::stol (parts[4]),
+                 last = value.begin() + std::stol (parts[5]);
+      value = std::set<Json> (first, last + 1);
+    }
+    return parts[6].matched ? Json (value.size()) : value;
+  }
+
+  void
+  expectValue (const Json& value, const std::string& what) const
+  {
+    if (what == "absent")
+      EXPECT_TRUE (value.is_discarded()) << value;
+    else if (what[0] == '=')
+      EXPECT_TRUE (!value.is_discarded() && value == valueAt (what.substr (1)))
+          << "is another value";
+    else
+      EXPECT_TRUE (isNear (value, Json::parse (what))) << value << " is not " << what;
+  }
+
+  void
+  expectText (const std::string& place, const std::string& what) const
+  {
+    const bool is_absent = place[0] == '!', is_all = what[0] == '=';
+    const std::string text = textAt (place.substr (is_absent ? 1 : 0));
+    const std::string part =
+        Json::parse ('"' + what.substr (is_all ? 1 : 0) + '"').get<std::string>();
+    if (is_all)
+      EXPECT_EQ (text, part);
+    else
+      EXPECT_EQ (text.find (part) == std::string::npos, is_absent) << text;
+  }
+
+  void
+  expectAnswers ()
+  {
+    std::string command, last;
+    for (const Answer& row : GetParam().rows) {
+      const auto& [begin, place, what] = row;
+      if (!begin.empty())
+        command = begin;
+      const std::string line = command + (place[0] == '#' ? " --planes -" : "");
+      SCOPED_TRACE (line + ": " + place);
+      const bool fails = place.substr (0, 5) == "exit ";
+      if (!begin.empty() || line != last) {
+        done_ = shell (line);
+        EXPECT_EQ (done_.exit_code, fails ? std::stoi (place.substr (5)) : 0)
+            << done_.err;
+      }
+      last = line;
+      if (place.find ('#') != std::string::npos)
+        expectValue (valueAt (place), what);
+      else if (!place.empty())
+        expectText (fails ? "err" : place, what);
+    }
+  }
+
+private:
+  Outcome done_{};
+};
