@@ -65,21 +65,4 @@ TEST_F (SegmentDistances, AreThoseOfUtmCoordinatesInEveryFormatAndInABatch)
   }
 }
 
-TEST_F (SegmentDistances, AreDescribedBesideTheLabelInALas)
-{
-  writeLas();
-  expectDone ("in.las out.las --distances");
-  // LAS 1.4 R15, table 24: type 5 is an unsigned long, 9 a float, at 2; the name at 4.
-  const std::string las = contentOf (folder_ / "out.las");
-  constexpr std::size_t vlr_header = 54, description = 192;
-  const std::size_t label = lasHeaderSize (4) + vlr_header,
-                    distance = label + description;
-  EXPECT_EQ (las.substr (label + 2, 1), "\5");
-  EXPECT_EQ (las.substr (label + 4, 6), std::string ("label\0", 6));
-  EXPECT_EQ (las.substr (distance + 2, 1), "\x9");
-  EXPECT_EQ (las.substr (distance + 4, 9), std::string ("distance\0", 9));
-  expectDone ("out.las again.las --distances");
-  EXPECT_TRUE (contentOf (folder_ / "again.las") == las) << "in their own place";
-}
-
 } // namespace

@@ -5,10 +5,8 @@
 #include "segment_program.h"
 
 #include <cmath>
-#include <iomanip>
 #include <map>
 #include <sstream>
-#include <utility>
 
 namespace {
 
@@ -136,63 +134,5 @@ TEST_F (Segment, CutsWindowsOutOfConcaveHulls)
   EXPECT_EQ (jsonOf (large + "concave")["planes"].size(), 0u);
 }
 #endif
-
-/** \brief The program with far.pcd: floor and two walls of 2 m by 2 m, which meet far
- * from zero, in text with double precision. */
-class SegmentEdges : public Segment {
-protected:
-  SegmentEdges()
-  {
-    std::ostringstream text;
-    text << std::setprecision (16)
-         << "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nWIDTH 7500\nHEIGHT 1\n"
-            "POINTS 7500\nDATA ascii\n";
-    for (int i = 0; i < points_of_plane; ++i) {
-      const double s = (i / points_of_side + 0.5) * 2.0 / points_of_side;
-      const double t = (i % points_of_side + 0.5) * 2.0 / points_of_side;
-      for (const Vector3d& place : {Vector3d (s, t, 0), {0, s, t}, {t, 0, s}})
-        text << (corner_ + place).transpose() << "\n";
-    }
-    folder_.write ("far.pcd", text.str());
-  }
-
-  const Vector3d corner_{448261.25, 5411932.5, 312.125};
-};
-
-TEST_F (SegmentEdges, WritesWherePlanesMeetToTheMillimeterFarFromZero)
-{
-  EXPECT_EQ (expectDone ("far.pcd --edges e.json").err, "");
-  const Json json = jsonIn ("e.json");
-  ASSERT_EQ (json["edges"].size(), 3u);
-  ASSERT_EQ (json["corners"].size(), 1u);
-  EXPECT_LT ((toVector (json["corners"][0]["position"]) - corner_).norm(), 1e-3);
-  EXPECT_EQ (json["corners"][0]["planes"], Json ({1, 2, 3}));
-  for (const Json& edge : json["edges"]) {
-    const Vector3d from = toVector (edge["from"]), to = toVector (edge["to"]);
-    EXPECT_NEAR (edge["angle"].get<double>(), 90.0, 0.01);
-    EXPECT_NEAR (edge["length"].get<double>(), (to - from).norm(), 1e-6);
-    EXPECT_NEAR ((to - from).norm(), 2.0, 0.1);
-    EXPECT_LT (std::min ((from - corner_).norm(), (to - corner_).norm()), 1e-3);
-  }
-}
-
-TEST_F (SegmentEdges, WritesEdgesAsWiresThatShareTheirCorner)
-{
-  expectDone ("far.pcd --edges e.ply");
-  const Drawing wires = readDrawing (contentOf (folder_ / "e.ply"));
-  ASSERT_EQ (wires.cells.size(), 3u);
-  ASSERT_EQ (wires.points.size(), 4u);
-  EXPECT_LT ((wires.points[0] - corner_).norm(), 1e-3);
-  std::set<std::pair<int, int>> planes;
-  for (const std::vector<int>& edge : wires.cells) {
-    EXPECT_EQ (std::min (edge.at (0), edge.at (1)), 0) << "the corner";
-    planes.emplace (edge.at (2), edge.at (3));
-  }
-  EXPECT_EQ (planes, (std::set<std::pair<int, int>>{{1, 2}, {1, 3}, {2, 3}}));
-  expectDone ("far.pcd --edges e.vtk --quiet");
-  const std::string text = contentOf (folder_ / "e.vtk");
-  for (const char* part : {"POINTS 4 double\n", "VERTICES 1 2\n1 0\n", "LINES 3 9\n"})
-    EXPECT_TRUE (contains (text, part));
-}
 
 } // namespace

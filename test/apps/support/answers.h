@@ -91,15 +91,18 @@ protected:
   using ProgramFolder::ProgramFolder;
   using Json = nlohmann::json;
 
-  /** \brief Whether two values are the same but for rounded numbers. */
+  /** \brief Whether two values are the same but for numbers that differ by less. */
   static bool
-  isNear (const Json& value, const Json& expected)
+  isNear (const Json& value, const Json& expected, double tolerance)
   {
     if (value.is_number() && expected.is_number())
-      return std::abs (value.get<double>() - expected.get<double>()) < 1e-3;
+      return std::abs (value.get<double>() - expected.get<double>()) < tolerance;
     if (!value.is_array() || value.size() != expected.size())
       return value == expected;
-    return std::equal (value.begin(), value.end(), expected.begin(), isNear);
+    return std::equal (value.begin(),
+                       value.end(),
+                       expected.begin(),
+                       [&] (auto& a, auto& b) { return isNear (a, b, tolerance); });
   }
 
   std::string
@@ -121,7 +124,7 @@ protected:
     const std::string file = parts[1];
     const Json json = pcl_ops::apps::hasCloudExtension (file)
                           ? toJson (pcl_ops::apps::loadCloud (folder_ / file))
-                          : Json::parse (textAt (file));
+                          : Json::parse (textAt (file), nullptr, false);
     const Json::json_pointer pointer (parts[2]);
     Json value =
         json.contains (pointer) ? json[pointer] : Json (Json::value_t::discarded);
@@ -141,8 +144,13 @@ protected:
     else if (what[0] == '=')
       EXPECT_TRUE (!value.is_discarded() && value == valueAt (what.substr (1)))
           << "is another value";
-    else
-      EXPECT_TRUE (isNear (value, Json::parse (what))) << value << " is not " << what;
+    else {
+      const std::size_t end = what.find (" +- ");
+      const double tolerance =
+          end == std::string::npos ? 1e-3 : std::stod (what.substr (end + 4));
+      EXPECT_TRUE (isNear (value, Json::parse (what.substr (0, end)), tolerance))
+          << value << " is not " << what;
+    }
   }
 
   void
