@@ -3,11 +3,11 @@
 #include "tiles_program.h"
 #include <io/laz_file.h>
 #include <numbers/random.h>
+#include <support/answers.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <set>
 #include <tuple>
 
 namespace fs = std::filesystem;
@@ -40,22 +40,60 @@ wall ()
   return points;
 }
 
-class TilesProgram : public Tiles {
+using TilesProgram = Tiles;
+
+void
+save (const std::string& file,
+      const std::vector<LasPoint>& points,
+      const Eigen::Vector3d& place = far_away)
+{
+  apps::saveLas (file, points, 0.001, place);
+}
+
+/** \brief The same wall from 20 m on, in centimeters, with an offset 5 km farther. */
+void
+saveEast (const std::string& file)
+{
+  const Eigen::Vector3d farther = far_away + Eigen::Vector3d (5000.0, -5000.0, 0.0);
+  std::vector<LasPoint> east = wall();
+  for (LasPoint& point : east) {
+    point.raw[0] += 20'000;
+    for (int axis = 0; axis < 3; ++axis)
+      point.raw[axis] = static_cast<std::int32_t> (
+          std::lround (0.1 * point.raw[axis] - 100.0 * (farther - far_away)[axis]));
+  }
+  apps::saveLas (file, east, 0.01, farther);
+}
+
+/** \brief A folder with the files of answers.tsv. */
+class TilesAnswers : public AnswersFolder {
 protected:
-  void
-  save (const std::string& name, const std::vector<LasPoint>& points) const
+  TilesAnswers() : AnswersFolder (PCL_OPS_TILES_PROGRAM)
   {
-    apps::saveLas (folder_ / name, points, 0.001, far_away);
+    const std::vector<LasPoint> all = wall();
+    save (folder_ / "wall.las", all);
+    saveEast (folder_ / "east.las");
+    save (folder_ / "zero.las", {});
+    save (folder_ / "yonder.las", all, {0, 1e12, 0});
+    save (folder_ / "one.las", {all.begin(), all.end() - 600});
+    save (folder_ / "two.las", {all.begin() + 600, all.end()});
   }
 };
 
+INSTANTIATE_TEST_SUITE_P (All,
+                          TilesAnswers,
+                          testing::ValuesIn (answersIn (PCL_OPS_ANSWERS)),
+                          nameOfAnswers);
+
 } // namespace
+
+TEST_P (TilesAnswers, AreThoseOfTheTable) { expectAnswers(); }
 
 TEST_F (TilesProgram, TakesALazForALas)
 {
   if (!apps::hasLaszip())
     GTEST_SKIP() << "LASzip is missing";
-  save ("wall.las", wall());
+  save (folder_ / "wall.las", wall());
   fs::create_directory (folder_ / "packed");
   {
     std::ofstream stream (folder_ / "packed/wall.laz", std::ios::binary);
@@ -69,20 +107,6 @@ TEST_F (TilesProgram, TakesALazForALas)
   }
   EXPECT_TRUE (contentOf (folder_ / "out/wall.las") ==
                contentOf (folder_ / "plain/wall.las"));
-}
-
-TEST_F (TilesProgram, IsPclOpsSegmentWhereThereIsOneTile)
-{
-  makeTown ("--points 60000 --tiles 1");
-  expectDone ("town --output-dir out --cell 1.2 --tile 100000");
-  ASSERT_EQ (listIn ("out").at ("tiles"), 1);
-  const Outcome segmented =
-      shell ("'" PCL_OPS_SEGMENT_PROGRAM "' town/town_000_000.las one.las --cell 1.2");
-  ASSERT_EQ (segmented.exit_code, 0) << segmented.err;
-  EXPECT_EQ (contentOf (folder_ / "out/town_000_000.las"),
-             contentOf (folder_ / "one.las"));
-  const std::vector<std::uint32_t> labels = labelsIn ("one.las");
-  EXPECT_GT (std::set<std::uint32_t> (labels.begin(), labels.end()).size(), 5u);
 }
 
 TEST_F (TilesProgram, FindsInManyTilesThePlanesOfOne)
@@ -124,75 +148,6 @@ TEST_F (TilesProgram, FindsInManyTilesThePlanesOfOne)
   EXPECT_GT (large, 10u);
 }
 
-TEST_F (TilesProgram, GivesTheSameBytesForAnyNumberOfJobsAndOrderOfInputs)
-{
-  makeTown();
-  const std::string planes = " --planes planes.geojson";
-  expectDone ("town --output-dir one --tile 30" + planes);
-  const std::string map = contentOf (folder_ / "planes.geojson");
-  const auto expected = outputsIn ("one");
-  ASSERT_EQ (expected.size(), 5u);
-  for (const char* inputs : {"town --jobs 2",
-                             "town --jobs 3",
-                             "town/town_001_001.las town/town_000_000.las "
-                             "town/town_001_000.las town/town_000_001.las"}) {
-    fs::remove_all (folder_ / "other");
-    expectDone (inputs + std::string (" --output-dir other --tile 30") + planes);
-    EXPECT_EQ (outputsIn ("other"), expected) << inputs;
-    EXPECT_EQ (contentOf (folder_ / "planes.geojson"), map) << inputs;
-  }
-}
-
-TEST_F (TilesProgram, LabelsPcdAndPlyWithColors)
-{
-  makeTown ("--points 20000 --tiles 1");
-  shell ("'" PCL_OPS_SEGMENT_PROGRAM "' town/town_000_000.las a.pcd");
-  expectDone ("a.pcd --output-dir out");
-  const apps::FileCloud cloud = apps::loadCloud (folder_ / "out/a.pcd");
-  EXPECT_EQ (fieldOf (cloud, "rgb").name, "rgb");
-  const std::vector<std::uint32_t> labels = labelsIn ("out/a.pcd");
-  EXPECT_GT (*std::max_element (labels.begin(), labels.end()), 3u);
-}
-
-TEST_F (TilesProgram, JoinsAWallOfTilesWithTheirOwnScaleAndOffset)
-{
-  const std::vector<LasPoint> west = wall();
-  std::vector<LasPoint> east = west;
-  // In centimeters, from 5 km farther.
-  const Eigen::Vector3d farther = far_away + Eigen::Vector3d (5000.0, -5000.0, 0.0);
-  for (LasPoint& point : east) {
-    point.raw[0] += 20'000;
-    for (int axis = 0; axis < 3; ++axis)
-      point.raw[axis] = static_cast<std::int32_t> (
-          std::lround (0.1 * point.raw[axis] - 100.0 * (farther - far_away)[axis]));
-  }
-  save ("west.las", west);
-  apps::saveLas (folder_ / "east.las", east, 0.01, farther);
-  expectDone ("west.las east.las --output-dir out --cell 0.5 --tile 10");
-  const nlohmann::json list = listIn ("out"), planes = list.at ("planes");
-  ASSERT_EQ (planes.size(), 1u);
-  EXPECT_GE (list.at ("tiles"), 4);
-  EXPECT_EQ (planes.at (0).at ("tiles").size(), list.at ("tiles"));
-  EXPECT_EQ (planes.at (0).at ("points"), west.size() + east.size());
-  EXPECT_NEAR (toVector (planes.at (0)["centroid"]).y(), far_away.y(), 0.01);
-  EXPECT_NEAR (planes.at (0).at ("extent").at ("length"), 40.0, 0.5);
-  EXPECT_NEAR (toVector (planes.at (0)["centroid"]).x(), far_away.x() + 20.0, 0.1);
-}
-
-TEST_F (TilesProgram, LabelsInputsThatOverlapEachWithAllItsPoints)
-{
-  const std::vector<LasPoint> all = wall();
-  save ("one.las", {all.begin(), all.end() - 600});
-  save ("two.las", {all.begin() + 600, all.end()});
-  expectDone ("one.las two.las --output-dir out --cell 0.5 --tile 10");
-  const nlohmann::json list = listIn ("out");
-  ASSERT_EQ (list.at ("planes").size(), 1u);
-  EXPECT_EQ (list.at ("points"), 2800);
-  EXPECT_EQ (list.at ("planes").at (0).at ("points"), 2800);
-  for (const char* name : {"out/one.las", "out/two.las"})
-    EXPECT_EQ (labelsIn (name), std::vector<std::uint32_t> (1400, 1u));
-}
-
 TEST_F (TilesProgram, WritesTheChosenPlanesOfAFinishedRunToo)
 {
   makeTown();
@@ -223,145 +178,4 @@ TEST_F (TilesProgram, WritesTheChosenPlanesOfAFinishedRunToo)
   EXPECT_EQ (contentOf (folder_ / "p.png").find ("PNG"), 1u);
   EXPECT_TRUE (contains (few.out, all + "; p.csv: 2 planes, dropped "));
   EXPECT_EQ (lines (contentOf (folder_ / "p.csv")), 3u);
-}
-
-TEST_F (TilesProgram, DrawsASteepRoofThroughManyTilesAsOne)
-{
-  apps::Random random (3);
-  std::string text;
-  for (int i = 0; i < 60'000; ++i) {
-    const double x = 100.0 * random.unit(), y = 20.0 * random.unit();
-    const double noise = 0.03 * random.unit();
-    // The ridge is turned by 30 degrees.
-    text += std::to_string (0.866 * x - 0.5 * y) + " " +
-            std::to_string (0.5 * x + 0.866 * y) + " " + std::to_string (y + noise) +
-            "\n";
-  }
-  folder_.write ("roof.xyz", text);
-  expectDone ("roof.xyz --output-dir out --cell 0.9 --tile 12");
-  const nlohmann::json planes = listIn ("out").at ("planes");
-  ASSERT_EQ (planes.size(), 1u);
-  EXPECT_NEAR (planes[0].at ("area"), 2000.0 * std::sqrt (2.0), 30.0);
-  EXPECT_TRUE (planes[0].at ("holes").empty());
-  EXPECT_FALSE (planes[0].contains ("parts"));
-  EXPECT_NEAR (planes[0].at ("slope"), 45.0, 0.1);
-  EXPECT_NEAR (planes[0].at ("aspect"), 150.0, 0.1) << "down to the south-east";
-}
-
-TEST_F (TilesProgram, SaysWhatItWouldDoAndLeavesOutATileWithoutPoints)
-{
-  makeTown ("--points 2000 --tiles 4");
-  save ("town/zero.las", {});
-  const Outcome plan = expectDone ("town --output-dir out --tile 30 --dry-run");
-  EXPECT_TRUE (contains (plan.out, "points of 4 inputs"));
-  EXPECT_FALSE (fs::exists (folder_ / "out"));
-  const Outcome done = expectDone ("town --output-dir out");
-  EXPECT_EQ (done.err, "pcl_ops_tiles: town/zero.las: has no points; it is left out\n");
-  for (const char* damaged : {"", "{}", R"({"planes":[{"id":1}]})"}) {
-    folder_.write ("out/planes.json", damaged);
-    EXPECT_TRUE (contains (run ("town --output-dir out --planes p.csv").err,
-                           "out/planes.json: is no list of planes; remove it and run "
-                           "it again\n"));
-  }
-}
-
-TEST_F (TilesProgram, CountsAFileAndLinksToItOnce)
-{
-  makeTown ("--points 20000 --tiles 1");
-  const fs::path town = folder_ / "town/town_000_000.las";
-  fs::create_directory (folder_ / "links");
-  fs::create_symlink (town, folder_ / "links/a.las");
-  fs::create_hard_link (town, folder_ / "town/z.las");
-  expectDone ("town/town_000_000.las --output-dir once");
-  for (const char* inputs : {"links town", "town links"}) {
-    const Outcome done = expectDone (inputs + std::string (" --output-dir out"));
-    EXPECT_EQ (done.err,
-               "pcl_ops_tiles: town/z.las: is the same file as town/town_000_000.las; "
-               "it is left out\npcl_ops_tiles: links/a.las: is the same file as "
-               "town/town_000_000.las; it is left out\n");
-    EXPECT_EQ (outputsIn ("out"), outputsIn ("once"));
-  }
-}
-
-TEST_F (TilesProgram, NamesTheInputThatIsTooFarAwayAndLeavesOutStrayPoints)
-{
-  save ("wall.las", wall());
-  apps::saveLas (folder_ / "yonder.las", wall(), 0.001, Eigen::Vector3d (0, 1e12, 0));
-  expectRefused ("wall.las yonder.las --output-dir out --cell 0.5",
-                 "--cell: cells of 0.5 reach 5e+08 from zero, and " +
-                     (folder_ / "yonder.las") +
-                     " has points farther away; give a larger one",
-                 2);
-  std::string text = "1 1e300 1\n";
-  for (const LasPoint& point : wall())
-    for (int axis = 0; axis < 3; ++axis)
-      text += std::to_string (0.001 * point.raw[axis]) + (axis < 2 ? " " : "\n");
-  folder_.write ("stray.xyz", text);
-  expectDone ("stray.xyz --output-dir out --cell 0.5");
-  EXPECT_EQ (listIn ("out").at ("planes").at (0).at ("points"), wall().size());
-}
-
-TEST_F (TilesProgram, AsksToRenameWhatIsNoUtf8)
-{
-  const std::string latin = "W\xe4nde";
-  fs::create_directory (folder_ / latin);
-  save ("wall.las", wall());
-  save (latin + "/wall.las", wall());
-  save (latin + ".las", wall());
-  save ("W\xc3\xa4nde.las", wall());
-  for (const std::string& subject :
-       {latin + ".las: its name", latin + "/wall.las: the name of a folder it is in"}) {
-    const std::string file = subject.substr (0, subject.find (':'));
-    expectRefused (file + " --output-dir out", subject + " is not UTF-8; rename it");
-    EXPECT_FALSE (fs::exists (folder_ / "out/work/plan.json"));
-  }
-  expectDone ("W\xc3\xa4nde.las --output-dir " + latin + "/out --cell 0.5");
-  EXPECT_EQ (listIn (latin + "/out").at ("planes").at (0).at ("inputs").at (0),
-             "W\xc3\xa4nde.las");
-}
-
-TEST_F (TilesProgram, RefusesAPlanOfAnotherVersionOrWithoutLengths)
-{
-  makeTown ("--points 2000 --tiles 1");
-  expectDone ("town --output-dir out --plan plan.json");
-  const nlohmann::json plan = jsonIn ("plan.json");
-  nlohmann::json changes = {{{"format", plan["format"].get<int>() - 1}}};
-  for (const std::int64_t cells : {0L, -40L, 13L, 4'000'000'000L})
-    changes.push_back ({{"cells_of_tile", cells}});
-  for (const nlohmann::json& change : changes) {
-    nlohmann::json other = plan;
-    other.update (change);
-    folder_.write ("plan.json", other.dump());
-    const std::string problem = change.contains ("format")
-                                    ? "is the plan of another version of this program"
-                                    : "is no plan";
-    expectRefused ("town --output-dir other --plan plan.json",
-                   "plan.json: " + problem + "; remove it or give another --plan\n");
-  }
-}
-
-TEST_F (TilesProgram, RefusesThePlanOfAnotherRunWhateverItIsCalled)
-{
-  makeTown ("--points 20000 --tiles 1");
-  fs::copy (folder_ / "town", folder_ / "more");
-  expectDone ("town --output-dir out --plan a.json");
-  expectDone ("town --output-dir other --plan b.json --cell 3");
-  const auto expected = outputsIn ("out");
-  const std::string plan = "out/work/plan.json: is ",
-                    fix = "; remove its folder or give another --output-dir\n";
-  const std::pair<const char*, std::string> rows[] = {
-      {"town --output-dir out --cell 3",
-       plan + "the plan of another run (--cell was another one)" + fix},
-      {"more --output-dir out --plan c.json --cell 3",
-       plan + "the plan of another run (more/town_000_000.las is not in it)" + fix},
-      {"town --output-dir out --plan b.json", plan + "another plan than b.json" + fix},
-      {"town --output-dir third --plan b.json --cell 2",
-       "b.json: is the plan of another run (--cell was another one); remove it or give "
-       "another --plan\n"}};
-  for (const auto& [arguments, complaint] : rows)
-    expectRefused (arguments, complaint);
-  EXPECT_EQ (outputsIn ("out"), expected);
-  EXPECT_FALSE (fs::exists (folder_ / "c.json"));
-  expectDone ("town --output-dir out --plan c.json");
-  EXPECT_EQ (contentOf (folder_ / "c.json"), contentOf (folder_ / "a.json"));
 }
