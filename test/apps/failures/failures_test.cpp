@@ -11,14 +11,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** \brief A program that writes one file of its many, and what is known of that. */
+/** \brief A row of outputs.tsv. */
 struct Output {
-  /** \brief The command without "pcl_ops_"; OUT stands for the name of the output. */
-  std::string name, command;
-  /** \brief What OUT stands for. */
-  std::string file;
-  /** \brief A file that has to be as it was after a failure; empty for \ref file. */
-  std::string kept = {};
+  std::string name, command, file, kept = {};
+
+  std::string
+  program () const
+  {
+    return command.substr (0, command.find (' '));
+  }
 };
 
 std::ostream&
@@ -33,7 +34,8 @@ constexpr int killed = 128 + 9;
 /** \brief A folder in which things fail. */
 class Failing : public ProgramFolder {
 protected:
-  explicit Failing (const Output& output = {}) : ProgramFolder (""), output_ (output)
+  explicit Failing (const Output& output = {})
+  : ProgramFolder (PCL_OPS_SEGMENT_PROGRAM), output_ (output)
   {
     fs::create_directories (folder_ / "clouds");
     for (const char* file : {"in.pcd", "clouds/scene.pcd"})
@@ -63,7 +65,7 @@ protected:
            const std::string& before = "",
            const std::optional<std::string>& file = {}) const
   {
-    std::string command = "'" + programs_ + "/pcl_ops_'" + output_.command;
+    std::string command = output_.command;
     command.replace (command.find ("OUT"), 3, "'" + file.value_or (output_.file) + "'");
     const std::string preload =
         trouble.empty() ? "" : "env LD_PRELOAD='" PCL_OPS_FAILING_CALLS "' " + trouble;
@@ -87,9 +89,8 @@ protected:
                  const std::string& culprit,
                  int exit_code = 1) const
   {
-    const std::string program = output_.command.substr (0, output_.command.find (' '));
     EXPECT_EQ (done.exit_code, exit_code) << done.err;
-    EXPECT_EQ (done.err.rfind ("pcl_ops_" + program + ": ", 0), 0u) << done.err;
+    EXPECT_EQ (done.err.rfind (output_.program() + ": ", 0), 0u) << done.err;
     EXPECT_EQ (lines (done.err), 1u) << done.err;
     EXPECT_TRUE (contains (done.err, culprit));
     EXPECT_TRUE (contains (done.err, ";")) << "no fix";
@@ -129,8 +130,6 @@ protected:
   Output output_;
 
 private:
-  const std::string programs_ = fs::path (PCL_OPS_SEGMENT_PROGRAM).parent_path();
-
   std::string
   kept () const
   {
@@ -150,57 +149,17 @@ private:
   }
 };
 
-/** \brief Every output of every program that needs no display. */
 std::vector<Output>
 allOutputs ()
 {
-  std::vector<Output> outputs = {
-      {"Cloud", "segment in.pcd OUT", "out/a.pcd"},
-      {"Ply", "segment in.pcd OUT", "out/a.ply"},
-      {"Las", "segment in.las OUT", "out/a.las"},
-      {"LasDistances", "segment in.las OUT --distances", "out/a.las"},
-      {"OfText", "segment in.xyz OUT", "out/a.pcd"},
-      {"Threads", "segment in.pcd OUT --threads 4", "out/a.pcd"},
-      {"Rest", "segment in.pcd --rest OUT", "out/a.pcd"},
-      {"PlyRest", "segment in.pcd --rest OUT", "out/a.ply"},
-      {"Json", "segment in.pcd --planes OUT", "out/a.json"},
-      {"GeoJson", "segment in.pcd --planes OUT", "out/a.geojson"},
-      {"Csv", "segment in.pcd --planes OUT", "out/a.csv"},
-      {"Picture", "segment in.pcd --image OUT", "out/a.png"},
-      {"PlyMesh", "segment in.pcd --mesh OUT", "out/a.ply"},
-      {"VtkMesh", "segment in.pcd --mesh OUT", "out/a.vtk"},
-      {"PlyEdges", "segment in.pcd --edges OUT", "out/a.ply"},
-      {"VtkEdges", "segment in.pcd --edges OUT", "out/a.vtk"},
-      {"JsonEdges", "segment in.pcd --edges OUT", "out/a.json"},
-      {"Planes", "segment in.pcd --planes-dir OUT", "out", "out/plane_017_other.pcd"},
-      {"PlyPlanes",
-       "segment in.pcd --format ply --planes-dir OUT",
-       "out",
-       "out/plane_017_other.pcd"},
-      {"PlyBatch",
-       "segment in.pcd --format ply --output-dir OUT",
-       "out",
-       "out/in.json"},
-      {"Batch", "segment in.pcd --output-dir OUT", "out", "out/in.json"},
-      {"Track",
-       "segment clouds --output-dir OUT --track --poses poses.txt --jobs 2",
-       "out",
-       "out/scene.json"},
-      {"Walk",
-       "simulate OUT --scene walk --frames 2 --width 16 --height 16",
-       "out",
-       "out/poses.txt"},
-      {"Tiles", "tiles in.las --output-dir OUT", "out", "out/planes.json"},
-      {"Town", "simulate OUT --scene town --points 500", "out", "out/town_001_001.las"},
-      {"Simulated", "simulate OUT --points 500", "out/a.pcd"}};
-#ifdef PCL_OPS_BENCHMARK_PROGRAM
-  const std::string measured = "benchmark simulated:500 --no-peers --runs 1 "
-                               "--memory-points 500 --scaling-points 500,1000 ";
-  outputs.push_back ({"Numbers", measured + "--json OUT", "out/a.json"});
-  outputs.push_back ({"Scaling", measured + "--scaling OUT", "out", "out/scaling.csv"});
-#endif
-  if (pcl_ops::apps::hasLaszip())
-    outputs.push_back ({"Laz", "segment in.las OUT", "out/a.laz"});
+  std::vector<Output> outputs;
+  for (std::vector<std::string> row : tableIn (PCL_OPS_OUTPUTS)) {
+    row.resize (4);
+    const Output output{row[0], row[1], row[2], row[3]};
+    const std::string program = std::string (PCL_OPS_PROGRAMS "/") + output.program();
+    if (fs::exists (program) && (output.name != "Laz" || pcl_ops::apps::hasLaszip()))
+      outputs.push_back (output);
+  }
   return outputs;
 }
 
@@ -297,7 +256,7 @@ TEST_P (Failures, NoThreadIsNoFailure)
 
 TEST_F (Failing, NoThreadKeepsABatchFromItsClouds)
 {
-  output_ = {"", "segment in.pcd clouds --output-dir OUT --jobs 4", "out"};
+  output_ = {"", "pcl_ops_segment in.pcd clouds --output-dir OUT --jobs 4", "out"};
   const Outcome ending = failing ("THREADS_TO_START=0");
   EXPECT_EQ (ending.exit_code, 0) << ending.err;
   EXPECT_TRUE (fs::exists (folder_ / "out/scene.json"));
@@ -305,7 +264,7 @@ TEST_F (Failing, NoThreadKeepsABatchFromItsClouds)
 
 TEST_F (Failing, MemoryIsNotTakenForADamagedCloud)
 {
-  output_ = {"", "segment in.pcd OUT --quiet", "out/a.pcd"};
+  output_ = {"", "pcl_ops_segment in.pcd OUT --quiet", "out/a.pcd"};
   pcl::io::savePCDFileBinary (folder_ / "in.pcd", floorAndWall (500));
   protect();
   expectMemoryIsMissed();
@@ -313,14 +272,14 @@ TEST_F (Failing, MemoryIsNotTakenForADamagedCloud)
 
 TEST_F (Failing, LimitOfTheUserForFilesIsNotTheProgramsEnd)
 {
-  output_ = {"", "segment in.pcd OUT", "out/a.pcd"};
+  output_ = {"", "pcl_ops_segment in.pcd OUT", "out/a.pcd"};
   protect();
   expectPromise (failing ("", "ulimit -f 1"), "a.pcd");
 }
 
 TEST_F (Failing, PipeIsSaidToNeedRoomForTemporaryFiles)
 {
-  output_ = {"", "segment - OUT <in.pcd", "out/a.pcd"};
+  output_ = {"", "pcl_ops_segment - OUT <in.pcd", "out/a.pcd"};
   protect();
   expectPromise (failing ("FULL_AT_WRITE=1", "export TMPDIR=."), "standard input");
 }
