@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
 
+#include "apps/support/text.h"
 #include "fuzz_targets.h"
 #include "python/parameter_names.h"
 #include "scene.h"
@@ -15,7 +16,6 @@ namespace pcl_ops::fuzz {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t max_points = 1200;
 constexpr std::size_t max_points_of_a_shape = 400;
 
@@ -58,44 +58,21 @@ private:
   std::size_t next_ = 0;
 };
 
-/** What numbers may become. */
-const std::map<std::string, std::vector<double>> other_values = {
-    {"distance_threshold", {1e-30, 1e-3, 0.5, 1e30, 0.0, -1.0, nan}},
-    {"seed", {0, 1, 4294967295}},
-    {"angle_tolerance", {0.0, 0.5, 1.5, 2.0, nan}},
-    {"merging_angle_threshold", {0.0, 0.5, 1.5, -1.0, nan}},
-    {"merging_distance_threshold", {0.0, 1e-30, 1.0, 1e30, nan}},
-    {"merging_noise_factor", {0.0, 1.0, 1e30, nan}},
-    {"up", {1.0, 1e-40, 1e30, nan}},
-    {"sampling_rate", {1e-9, 0.001, 0.3, 1.0, 0.0, 2.0, nan}},
-    {"k", {2, 3, 100, 2147483647, 1, -1}},
-    {"min_inliers", {0, 1, 3, 200, 4294967295}},
-    {"normal_sigma", {1e-30, 0.01, 1e30, 0.0, nan}},
-    {"probability", {1e-9, 0.5, 0.999999999, 1.0, nan}},
-    {"surfels_voxel_size", {1e-40, 1e-6, 0.01, 1.0, 1e9, 1e38, 0.0, nan}},
-    {"surfels_resolutions", {1, 2, 10, 0, 11}},
-    {"surfels_min_average_voxels", {0.0, 1.0, 1000.0, 1e300, -1.0, nan}},
-    {"surfels_noise_factor", {0.0, 0.1, 100.0, 1e300, nan}},
-    {"surfels_angle_threshold", {0.0, 0.01, 1.5, 2.0, nan}},
-    {"surfels_sure_thickness", {0.0, 0.01, 1.0, 2.0, nan}},
-    {"surfels_max_thickness", {0.0, 0.01, 1.0, 2.0, nan}},
-    {"surfels_absorption_noise_factor", {0.0, 100.0, 1e300, nan}},
-    {"surfels_assignment_noise_factor", {0.0, 0.1, 100.0, 1e300, nan}},
-    {"inner_radius", {1e-30, 0.01, 1.0, 1e30, 1e-310, nan}},
-    {"outer_radius", {0.01, 0.5, 1.0, 1e30, 0.0, nan}},
-    {"local_samples", {3, 10, 1000, 4294967295, 2}},
-    {"min_inlier_fraction", {0.0, 0.3, 0.999, 1.0, nan}},
-    {"max_inliers_per_point", {0.1, 5.0, 1e30, 0.0, nan}},
-    {"max_hypotheses_per_point", {0.01, 3.0, 0.0, nan}},
-    {"max_visits_per_point", {1.0, 500.0, 0.0, nan}},
-    {"phi_num", {2, 3, 7, 180, 1, 1001}},
-    {"rho_num", {2, 3, 50, 2000, 1, 10001}},
-    {"clusters_min_samples", {3, 10, 0}},
-    {"clusters_first_level", {0, 1, 6, 20, -1}},
-    {"clusters_s_alpha", {1e-3, 1.0, 1e9, 0.0, nan}},
-    {"clusters_s_beta", {1e-3, 1.0, 1e9, 0.0, nan}},
-    {"clusters_max_level", {0, 5, 30, 1000, 2147483647}},
-    {"refit_min_share", {0.0, 0.5, 1.0, 2.0, nan}}};
+/** \brief What numbers may become, by the names of parameters. */
+const std::map<std::string, std::vector<double>>&
+otherValues ()
+{
+  static const auto values = [] {
+    std::map<std::string, std::vector<double>> all;
+    for (std::vector<std::string> row : tableIn (PCL_OPS_PARAMETERS)) {
+      row.resize (8);
+      if (!row[7].empty())
+        all[row[1]] = numbersIn (row[7]);
+    }
+    return all;
+  }();
+  return values;
+}
 
 /** Leaves each parameter but two as it is for most bytes, else takes another value. */
 template <typename Parameters>
@@ -115,9 +92,9 @@ vary (ByteReader& bytes, Parameters& parameters)
     else if constexpr (std::is_same_v<Value, bool>)
       value = chosen % 2 == 1;
     else if constexpr (std::is_same_v<Value, Eigen::Vector3f>)
-      value.x() = static_cast<float> (other_of (other_values.at (name)));
+      value.x() = static_cast<float> (other_of (otherValues().at (name)));
     else
-      value = static_cast<Value> (other_of (other_values.at (name)));
+      value = static_cast<Value> (other_of (otherValues().at (name)));
   });
 }
 

@@ -9,6 +9,7 @@
 #include <detection/methods.h>
 #include <io/cloud_file.h>
 #include <io/las_file.h>
+#include <io/output_file.h>
 #include <io/shifted_cloud.h>
 #include <unistd.h>
 
@@ -29,33 +30,28 @@ namespace {
 class TemporaryFile {
 public:
   explicit TemporaryFile (const std::string& extension)
-  {
-    namespace fs = std::filesystem;
-    const fs::path in_memory = "/dev/shm";
-    const fs::path folder =
-        ::access (in_memory.c_str(), W_OK) == 0 ? in_memory : fs::temp_directory_path();
-    path_ = folder / ("pcl_ops_fuzz_" + std::to_string (::getpid()) + extension);
-  }
-  TemporaryFile (const TemporaryFile&) = delete;
-  TemporaryFile&
-  operator= (const TemporaryFile&) = delete;
-  ~TemporaryFile()
-  {
-    std::error_code ignored;
-    std::filesystem::remove (path_, ignored);
-  }
+  : file_ (folder() / ("pcl_ops_fuzz_" + std::to_string (::getpid()) + extension))
+  {}
 
   std::string
   write (const Bytes& bytes) const
   {
-    std::ofstream (path_, std::ios::binary)
+    std::ofstream (file_.path(), std::ios::binary)
         .write (reinterpret_cast<const char*> (bytes.data()),
                 static_cast<std::streamsize> (bytes.size()));
-    return path_.string();
+    return file_.path().string();
   }
 
 private:
-  std::filesystem::path path_;
+  static std::filesystem::path
+  folder ()
+  {
+    const char* const in_memory = "/dev/shm";
+    return ::access (in_memory, W_OK) == 0 ? in_memory
+                                           : std::filesystem::temp_directory_path();
+  }
+
+  apps::TemporaryPath file_;
 };
 
 template <typename Use>

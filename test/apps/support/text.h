@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -54,4 +55,15 @@ tableIn (const std::string& file)
       rows.back().push_back (column);
   }
   return rows;
+}
+
+/** \brief The numbers between the blanks of a text; also nan, inf and 1e-320. */
+inline std::vector<double>
+numbersIn (const std::string& text)
+{
+  std::istringstream words (text);
+  std::vector<double> numbers;
+  for (std::string word; words >> word;)
+    numbers.push_back (std::strtod (word.c_str(), nullptr));
+  return numbers;
 }
