@@ -4,7 +4,6 @@
 
 #include "options.h"
 #include "report.h"
-#include "segment_cloud.h"
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <cli/progress.h>

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segment_cloud.h"
-
+#include "report.h"
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <detection/methods.h>
