@@ -201,10 +201,10 @@ textOf (const Plan& plan)
 {
   std::ostringstream text;
   text << plan.points() << " points of " << plan.inputs.size()
-       << (plan.inputs.size() == 1 ? " input" : " inputs") << ", cells of " << plan.cell
-       << ", about " << plan.likely_tiles
+       << (plan.inputs.size() == 1 ? " input" : " inputs") << ", cells of "
+       << plan.grid.edge << ", about " << plan.likely_tiles
        << (plan.likely_tiles == 1 ? " tile of " : " tiles of ")
-       << plan.cell * static_cast<double> (plan.cells_of_tile);
+       << plan.grid.edgeOfTile();
   return text.str();
 }
 

@@ -151,7 +151,7 @@ isThere (const std::string& file)
 void
 partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input)
 {
-  const TileGrid grid = plan.grid();
+  const TileGrid& grid = plan.grid;
   PointFile points (plan.inputs[input].file);
   writeFile (folder.cells (input), [&] (std::ostream& stream) {
     CellFileWriter writer (stream);
@@ -193,7 +193,7 @@ detectTile (const Plan& plan,
             const TileKey& tile)
 {
   const TilePoints seen = pointsOf (points, tile);
-  const TileDetection found = detectInTile (plan.grid(), seen);
+  const TileDetection found = detectInTile (plan.grid, seen);
   const std::uint32_t* labels = found.labels.data();
   for (const auto& [input, count] : seen.own_of_input) {
     writeFile (folder.labels (tile, input), [&, count = count] (std::ostream& stream) {
@@ -221,7 +221,7 @@ joinTiles (const Plan& plan, const RunFolder& folder, const SortedPoints& points
 void
 labelInput (const Plan& plan, const RunFolder& folder, std::size_t input)
 {
-  const TileGrid grid = plan.grid();
+  const TileGrid& grid = plan.grid;
   std::map<TileKey, TileLabels> tiles;
   auto last = tiles.end();
   checkIsAsPlanned (plan.inputs[input], folder);

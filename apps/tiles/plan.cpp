@@ -99,7 +99,7 @@ checkReach (const TileGrid& grid,
   if (double (reached) >= min_reached * double (places.size()))
     return;
   std::ostringstream text;
-  text << "cells of " << grid.cell() << " reach " << grid.reach() << " from zero, and "
+  text << "cells of " << grid.edge << " reach " << grid.reach() << " from zero, and "
        << file << " has points farther away; give a larger one";
   throw UsageError ("--cell", text.str());
 }
@@ -196,18 +196,19 @@ makePlan (std::vector<std::string> files, const PlanOptions& options)
   const std::vector<Eigen::Vector3d> some = evenSample (samples);
   Plan plan;
   plan.inputs = inputs;
-  plan.cell = options.cell ? *options.cell : cellEdgeFor (some, *usual, plan.points());
-  plan.cells_of_tile = cellsOfTile (options, plan.cell);
+  TileGrid& grid = plan.grid;
+  grid.edge = options.cell ? *options.cell : cellEdgeFor (some, *usual, plan.points());
+  grid.cells_of_tile = cellsOfTile (options, grid.edge);
   for (std::size_t i = 0; i < places.size(); ++i)
-    checkReach (plan.grid(), inputs[i].file, places[i]);
-  checkReach (plan.grid(), inputs.front().file, {*usual});
+    checkReach (grid, inputs[i].file, places[i]);
+  checkReach (grid, inputs.front().file, {*usual});
   constexpr auto step = TileGrid::cells_of_coarsest;
   for (int axis = 0; axis < 3; ++axis)
-    plan.place[axis] = step * std::llround ((*usual)[axis] / (step * plan.cell));
+    grid.place[axis] = step * std::llround ((*usual)[axis] / (step * grid.edge));
   std::set<TileKey> tiles;
   for (const Eigen::Vector3d& place : some)
-    if (plan.grid().reaches (place))
-      tiles.insert (plan.grid().tileOf (plan.grid().cellOf (place)));
+    if (grid.reaches (place))
+      tiles.insert (grid.tileOf (grid.cellOf (place)));
   plan.likely_tiles = tiles.size();
   return plan;
 }
@@ -216,9 +217,9 @@ std::string
 toText (const Plan& plan)
 {
   nlohmann::ordered_json json = {{"format", format_of_files},
-                                 {"cell", plan.cell},
-                                 {"cells_of_tile", plan.cells_of_tile},
-                                 {"place", plan.place},
+                                 {"cell", plan.grid.edge},
+                                 {"cells_of_tile", plan.grid.cells_of_tile},
+                                 {"place", plan.grid.place},
                                  {"likely_tiles", plan.likely_tiles}};
   for (const PlannedInput& input : plan.inputs)
     json["inputs"].push_back ({{"file", input.file},
@@ -239,19 +240,20 @@ loadPlan (const PlanFile& file)
     if (json.value ("format", 1) != format_of_files)
       throw WorkError (file.name,
                        "is the plan of another version of this program; " + file.mend);
-    json.at ("cell").get_to (plan.cell);
-    json.at ("cells_of_tile").get_to (plan.cells_of_tile);
-    json.at ("place").get_to (plan.place);
+    TileGrid& grid = plan.grid;
+    json.at ("cell").get_to (grid.edge);
+    json.at ("cells_of_tile").get_to (grid.cells_of_tile);
+    json.at ("place").get_to (grid.place);
     json.at ("likely_tiles").get_to (plan.likely_tiles);
     for (const auto& input : json.at ("inputs"))
       plan.inputs.push_back ({input.at ("file"),
                               input.at ("bytes"),
                               input.at ("written"),
                               input.at ("points")});
-    if (plan.cell > 0.0 && std::isfinite (plan.cell) &&
-        plan.cells_of_tile % TileGrid::cells_of_coarsest == 0 &&
-        plan.cells_of_tile >= TileGrid::halo &&
-        plan.cells_of_tile <= TileGrid::max_cells)
+    if (grid.edge > 0.0 && std::isfinite (grid.edge) &&
+        grid.cells_of_tile % TileGrid::cells_of_coarsest == 0 &&
+        grid.cells_of_tile >= TileGrid::halo &&
+        grid.cells_of_tile <= TileGrid::max_cells)
       return plan;
   }
   catch (const nlohmann::json::exception&) {
@@ -288,9 +290,9 @@ checkIsFor (const Plan& plan,
   if (known < plan.inputs.size())
     refuse ("it has " + std::to_string (plan.inputs.size()) + " inputs, not " +
             std::to_string (known));
-  if (options.cell && *options.cell != plan.cell)
+  if (options.cell && *options.cell != plan.grid.edge)
     refuse ("--cell was another one");
-  if (options.tile && cellsOfTile (options, plan.cell) != plan.cells_of_tile)
+  if (options.tile && cellsOfTile (options, plan.grid.edge) != plan.grid.cells_of_tile)
     refuse ("--tile was another one");
 }
 

@@ -29,17 +29,9 @@ hasChanged (const PlannedInput& input);
 struct Plan {
   /** \brief By name. */
   std::vector<PlannedInput> inputs;
-  double cell = 0.0;
-  std::int64_t cells_of_tile = 0;
-  /** \brief A cell near the points of the first input. */
-  CellKey place{};
+  /** \brief Its place is near the points of the first input. */
+  TileGrid grid;
   std::uint64_t likely_tiles = 0;
-
-  TileGrid
-  grid () const
-  {
-    return {cell, cells_of_tile, place};
-  }
 
   std::uint64_t
   points () const

@@ -53,9 +53,9 @@ extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plan
   if (plane.normal.dot (segment.normal) < 0.0)
     for (OutlineEdge& edge : edges)
       std::swap (edge.from, edge.to);
-  const double min_area = std::pow (1.5 * plan.cell, 2);
+  const double min_area = std::pow (1.5 * plan.grid.edge, 2);
   const std::vector<PlanarRings> outline = outlineOf (
-      edges, frame, outlineUnit (plan.cell), segment.moments.count, min_area);
+      edges, frame, outlineUnit (plan.grid.edge), segment.moments.count, min_area);
   PlanarPoints corners;
   for (const PlanarRings& part : outline)
     corners.insert (corners.end(), part.front().begin(), part.front().end());
@@ -172,8 +172,8 @@ toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& pla
   nameOrientations (segments, Eigen::Vector3d::UnitZ(), tolerance);
   turnUp (segments, Eigen::Vector3d::UnitZ());
   Json json = {{"points", plan.points()},
-               {"cell", plan.cell},
-               {"tile", plan.cell * static_cast<double> (plan.cells_of_tile)},
+               {"cell", plan.grid.edge},
+               {"tile", plan.grid.edgeOfTile()},
                {"tiles", tiles},
                {"planes", Json::array()}};
   for (std::size_t i = 0; i < planes.size(); ++i)

@@ -19,8 +19,7 @@ using TileKey = std::array<std::int64_t, 2>;
 
 /** \brief Cells on a lattice from absolute zero, and square tiles of whole columns of
  * them. Cells and tiles are half-open: a point is in exactly one. */
-class TileGrid {
-public:
+struct TileGrid {
   /** \brief Voxels of the coarsest resolution of normals are so many cells wide. */
   static constexpr std::int64_t cells_of_coarsest = 4;
   /** \brief How far around a tile points are looked at: normals come from the nearest
@@ -28,25 +27,26 @@ public:
   static constexpr std::int64_t halo = 12;
   static constexpr std::int64_t max_cells = 1'000'000'000;
 
-  /** \param[in] cell edge [m]
-   * \param[in] cells_of_tile along an edge, a multiple of \ref cells_of_coarsest and at
-   * least \ref halo
-   * \param[in] place near the points, in whole coarsest voxels */
-  TileGrid (double cell, std::int64_t cells_of_tile, const CellKey& place)
-  : cell_ (cell), cells_of_tile_ (cells_of_tile), place_ (place)
-  {}
+  /** \brief Edge of a cell [m]. */
+  double edge = 0.0;
+  /** \brief Along an edge of a tile: a multiple of \ref cells_of_coarsest and at least
+   * \ref halo. */
+  std::int64_t cells_of_tile = 0;
+  /** \brief Near the points, in whole coarsest voxels. */
+  CellKey place{};
 
+  /** \brief Edge of a tile [m]. */
   double
-  cell () const
+  edgeOfTile () const
   {
-    return cell_;
+    return edge * static_cast<double> (cells_of_tile);
   }
 
   /** \brief How far from zero cells can be counted [m]. */
   double
   reach () const
   {
-    return static_cast<double> (max_cells) * cell_;
+    return static_cast<double> (max_cells) * edge;
   }
 
   /** \brief Whether a point has coordinates, and such that cells can be counted. */
@@ -60,7 +60,7 @@ public:
   cellOf (const Eigen::Vector3d& point) const
   {
     const auto along = [this] (double coordinate) {
-      return static_cast<std::int64_t> (std::floor (coordinate / cell_));
+      return static_cast<std::int64_t> (std::floor (coordinate / edge));
     };
     return {along (point.x()), along (point.y()), along (point.z())};
   }
@@ -69,8 +69,8 @@ public:
   tileOf (const CellKey& cell) const
   {
     const auto along = [this] (std::int64_t key) {
-      const std::int64_t tile = key / cells_of_tile_;
-      return tile * cells_of_tile_ > key ? tile - 1 : tile;
+      const std::int64_t tile = key / cells_of_tile;
+      return tile * cells_of_tile > key ? tile - 1 : tile;
     };
     return {along (cell[0]), along (cell[1])};
   }
@@ -80,8 +80,8 @@ public:
   isInside (const TileKey& tile, const CellKey& cell) const
   {
     const auto along = [&] (std::size_t axis) {
-      const std::int64_t inside = cell[axis] - tile[axis] * cells_of_tile_;
-      return inside >= halo && inside < cells_of_tile_ - halo;
+      const std::int64_t inside = cell[axis] - tile[axis] * cells_of_tile;
+      return inside >= halo && inside < cells_of_tile - halo;
     };
     return along (0) && along (1);
   }
@@ -92,16 +92,16 @@ public:
   frameOf (const TileKey& tile) const
   {
     const auto along = [&] (std::size_t axis) {
-      const std::int64_t first = tile[axis] * cells_of_tile_;
-      return std::clamp (place_[axis], first, first + cells_of_tile_);
+      const std::int64_t first = tile[axis] * cells_of_tile;
+      return std::clamp (place[axis], first, first + cells_of_tile);
     };
-    return {along (0), along (1), place_[2]};
+    return {along (0), along (1), place[2]};
   }
 
   Eigen::Vector3d
   cornerOf (const CellKey& cell) const
   {
-    return cell_ *
+    return edge *
            Eigen::Vector3d (double (cell[0]), double (cell[1]), double (cell[2]));
   }
 
@@ -113,19 +113,14 @@ public:
   {
     const TileKey own = tileOf (cell);
     const auto sees = [&] (std::size_t axis, std::int64_t step) {
-      const std::int64_t inside = cell[axis] - own[axis] * cells_of_tile_;
-      return step == 0 || (step < 0 ? inside < halo : inside >= cells_of_tile_ - halo);
+      const std::int64_t inside = cell[axis] - own[axis] * cells_of_tile;
+      return step == 0 || (step < 0 ? inside < halo : inside >= cells_of_tile - halo);
     };
     for (std::int64_t dx = -1; dx <= 1; ++dx)
       for (std::int64_t dy = -1; dy <= 1; ++dy)
         if ((dx != 0 || dy != 0) && sees (0, dx) && sees (1, dy))
           visit (TileKey{own[0] + dx, own[1] + dy});
   }
-
-private:
-  double cell_;
-  std::int64_t cells_of_tile_;
-  CellKey place_;
 };
 
 } // namespace pcl_ops::apps

@@ -34,7 +34,7 @@ std::vector<PlaneSegment>
 detectIn (const TileGrid& grid, const TilePoints& points)
 {
   OrientedPointSamplingParameters parameters;
-  parameters.surfels.voxel_size = grid.cell();
+  parameters.surfels.voxel_size = grid.edge;
   CloudView view;
   view.first = points.points.front().data();
   view.stride = 3;
@@ -75,9 +75,9 @@ pieceOf (const PlaneSegment& plane,
 {
   const CellKey frame = grid.frameOf (points.tile);
   const Eigen::Vector3d corner = grid.cornerOf (frame);
-  const double unit = outlineUnit (grid.cell());
+  const double unit = outlineUnit (grid.edge);
   Piece piece;
-  piece.own.unit = latticeFor (grid.cell());
+  piece.own.unit = latticeFor (grid.edge);
   piece.all = plane.moments;
   piece.all.origin += corner;
   piece.normal = plane.normal;
@@ -99,7 +99,7 @@ pieceOf (const PlaneSegment& plane,
     if (!grid.isInside (points.tile, cell))
       border_voxels.push_back (voxel);
   }
-  piece.edges = outlineEdges (outline, plane.normal, grid.cell() / unit);
+  piece.edges = outlineEdges (outline, plane.normal, grid.edge / unit);
   return piece;
 }
 

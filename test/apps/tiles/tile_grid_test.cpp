@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 namespace {
 
 /** \brief Cells of half a meter, tiles of 24 of them, 12 m. */
-const TileGrid grid (0.5, 24, {0, 0, 0});
+const TileGrid grid{0.5, 24, {0, 0, 0}};
 
 std::set<TileKey>
 tilesAround (double x, double y)
@@ -48,7 +48,7 @@ TEST (TileGrid, ShowsAPointToTilesWhoseHaloItIsIn)
   // 12 cells are 6 m: half a tile.
   EXPECT_EQ (tilesAround (5.9, 5.9), (std::set<TileKey>{{-1, 0}, {0, -1}, {-1, -1}}));
   EXPECT_EQ (tilesAround (6.1, 5.9), (std::set<TileKey>{{1, 0}, {0, -1}, {1, -1}}));
-  const TileGrid wide (0.5, 240, {0, 0, 0});
+  const TileGrid wide{0.5, 240, {0, 0, 0}};
   int others = 0;
   wide.forTilesAround ({120, 120, 0}, [&others] (const TileKey&) { ++others; });
   EXPECT_EQ (others, 0) << "far from all borders";
@@ -60,7 +60,7 @@ TEST (TileGrid, ShowsAPointToTilesWhoseHaloItIsIn)
 TEST (TileGrid, HasFramesInWholeCoarsestVoxelsNearThePlaceOfAllTiles)
 {
   const CellKey place{100, -52, 8};
-  const TileGrid near_place (0.5, 24, place);
+  const TileGrid near_place{0.5, 24, place};
   EXPECT_EQ (near_place.frameOf ({4, -3}), place) << "the place is in this tile";
   EXPECT_EQ (near_place.frameOf ({6, 0}), (CellKey{144, 0, 8}));
   EXPECT_EQ (near_place.frameOf ({0, -9}), (CellKey{24, -192, 8}));
