@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tiles_program.h"
+#include <io/las_file.h>
 #include <io/laz_file.h>
 #include <numbers/random.h>
 #include <support/answers.h>
+#include <support/cloud_values.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <tuple>
+#include <map>
 
 namespace fs = std::filesystem;
 
@@ -39,8 +40,6 @@ wall ()
   }
   return points;
 }
-
-using TilesProgram = Tiles;
 
 void
 save (const std::string& file,
@@ -80,6 +79,17 @@ protected:
   }
 };
 
+class TilesProgram : public ProgramFolder {
+protected:
+  TilesProgram() : ProgramFolder (PCL_OPS_TILES_PROGRAM) {}
+
+  std::vector<std::uint32_t>
+  labelsIn (const std::string& name) const
+  {
+    return valuesOf<std::uint32_t> (apps::loadCloud (folder_ / name), "label");
+  }
+};
+
 INSTANTIATE_TEST_SUITE_P (All,
                           TilesAnswers,
                           testing::ValuesIn (answersIn (PCL_OPS_ANSWERS)),
@@ -112,10 +122,11 @@ TEST_F (TilesProgram, TakesALazForALas)
 TEST_F (TilesProgram, FindsInManyTilesThePlanesOfOne)
 {
   constexpr double min_points = 50 * 20; // 50 cells and more
-  makeTown ("--points 200000 --tiles 1");
+  shell ("pcl_ops_simulate town --scene town --points 200000 --tiles 1");
   expectDone ("town --output-dir one --cell 1 --tile 100000");
   expectDone ("town --output-dir many --cell 1 --tile 24");
-  const nlohmann::json one = listIn ("one"), many = listIn ("many");
+  const nlohmann::json one = jsonIn ("one/planes.json"),
+                       many = jsonIn ("many/planes.json");
   ASSERT_GT (many.at ("tiles"), 9);
   const std::vector<std::uint32_t> in_one = labelsIn ("one/town_000_000.las"),
                                    in_many = labelsIn ("many/town_000_000.las");
@@ -146,36 +157,4 @@ TEST_F (TilesProgram, FindsInManyTilesThePlanesOfOne)
     EXPECT_LE (std::abs (offset), 0.001);
   }
   EXPECT_GT (large, 10u);
-}
-
-TEST_F (TilesProgram, WritesTheChosenPlanesOfAFinishedRunToo)
-{
-  makeTown();
-  const Outcome whole = run ("town --output-dir out --tile 30");
-  const nlohmann::json list = listIn ("out");
-  const std::string all = std::to_string (list.at ("planes").size()) + " planes";
-  EXPECT_TRUE (contains (whole.out, "planes.json, " + all + "\n"));
-  const auto before = outputsIn ("out");
-  expectDone ("town --output-dir out --quiet --planes roofs.geojson --slope 5,80 "
-              "--min-area 20 --simplify 0.5 --crs EPSG:25832");
-  EXPECT_EQ (outputsIn ("out"), before);
-  const auto map = jsonIn ("roofs.geojson");
-  EXPECT_EQ (map.at ("crs").at ("properties").at ("name"),
-             "urn:ogc:def:crs:EPSG::25832");
-  std::size_t roofs = 0;
-  for (const auto& plane : list.at ("planes"))
-    roofs += plane.at ("orientation") == "other" && plane.at ("area") >= 20.0 ? 1 : 0;
-  EXPECT_GE (roofs, 2u);
-  ASSERT_EQ (map.at ("features").size(), roofs);
-  for (const auto& feature : map.at ("features")) {
-    const auto& properties = feature.at ("properties");
-    EXPECT_EQ (properties.at ("orientation"), "other");
-    EXPECT_GT (properties.at ("nz"), 0.0) << "normals of surveys point up";
-    EXPECT_LE (feature.at ("geometry").at ("coordinates").at (0).size(), 12u);
-  }
-  const Outcome few =
-      run ("town --output-dir out --planes p.csv --image p.png --max-planes 2");
-  EXPECT_EQ (contentOf (folder_ / "p.png").find ("PNG"), 1u);
-  EXPECT_TRUE (contains (few.out, all + "; p.csv: 2 planes, dropped "));
-  EXPECT_EQ (lines (contentOf (folder_ / "p.csv")), 3u);
 }
