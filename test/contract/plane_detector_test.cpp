@@ -138,11 +138,6 @@ using Detectors = ::testing::Types<Ops,
                                    pcl_ops::KernelHoughTransform<pcl::PointXYZ>>;
 TYPED_TEST_SUITE (PlaneDetector, Detectors);
 
-TYPED_TEST (PlaneDetector, FindsEverySurfaceOfARoom)
-{
-  expectHasEverySurface (planesOf (this->detector), this->room);
-}
-
 TYPED_TEST (PlaneDetector, FindsNothingWhereThereIsNoPlaneAndCallsThatSuccess)
 {
   for (const auto& [name, cloud] : cloudsWithoutAPlane()) {
@@ -233,16 +228,14 @@ TYPED_TEST (PlaneDetector, SortsPlanesByFallingSizeAndTheirDisjointIndices)
   this->use (cloud);
   const auto planes = inliersOf (this->detector);
   ASSERT_EQ (planes.size(), 4u);
-  std::vector<bool> taken (cloud->size(), false);
+  std::set<pcl::index_t> taken;
   std::size_t last_size = cloud->size();
   for (const pcl::Indices& inliers : planes) {
     EXPECT_LE (inliers.size(), last_size);
     last_size = inliers.size();
     EXPECT_TRUE (std::is_sorted (inliers.begin(), inliers.end()));
-    for (const pcl::index_t i : inliers) {
-      EXPECT_FALSE (taken.at (i)) << "point " << i << " is twice on planes";
-      taken[i] = true;
-    }
+    for (const pcl::index_t i : inliers)
+      EXPECT_TRUE (taken.insert (i).second) << "point " << i << " is twice on planes";
   }
 }
 
@@ -293,7 +286,7 @@ TYPED_TEST (PlaneDetector, NamesTheOrientationOfEachPlane)
   EXPECT_EQ (planes[2].orientation, Orientation::Other);
 }
 
-TYPED_TEST (PlaneDetector, WorksOnALargeCloudThenASmallOneThenALargeOne)
+TYPED_TEST (PlaneDetector, FindsEverySurfaceOfALargeCloudThenASmallOneThenALargeOne)
 {
   TypeParam detector;
   std::vector<PlaneSegment> planes;

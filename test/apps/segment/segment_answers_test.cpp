@@ -6,8 +6,6 @@
 #include <io/laz_file.h>
 #include <support/answers.h>
 
-#include <tuple>
-
 namespace {
 
 using Eigen::Vector3f;
@@ -54,7 +52,6 @@ protected:
     saveKindsOfFiles();
     saveScenes();
     saveRooms();
-    saveSlopes();
     saveSequences();
   }
 
@@ -88,9 +85,6 @@ protected:
     }
     folder_.write ("in.csv", "x,y,z,number\n" + squareText (50, 120.789, ","));
     folder_.write ("utm.xyz", squareText (points_of_side, 100));
-    folder_.write ("one.xyz", "1 2 3\n");
-    folder_.write ("two.xyz", "1 2 3\n1 2 4\n");
-    folder_.write ("three.xyz", "1 2 3\n1 2 4\n1 3 3\n");
   }
 
   void
@@ -103,6 +97,7 @@ protected:
     board.resize (points_of_plane);
     addGrid (board, {0, 0, 2}, {0, 0.01f, 0}, 30, {0.02f, 0, 0.02f * 0.57735f}, 50);
     save ("board.pcd", board);
+    save ("ceiling.pcd", floorAndWall(), {0.5f, 1.0f, -2.0f});
     InputCloud floors = floorAndWall (100);
     save ("room.pcd", floors);
     floors.resize (100 * 100);
@@ -134,21 +129,6 @@ protected:
     InputCloud wall;
     addGrid (wall, {0, 0, 2}, x, 60, y, 60);
     save ("wall.pcd", wall);
-  }
-
-  void
-  saveSlopes () const
-  {
-    const Vector3f rise = 0.70711f * z;
-    for (const auto& [name, along_x, along_y] :
-         {std::tuple ("slope_north_east.pcd", -1, -1),
-          std::tuple ("slope_south_east.pcd", -1, 1),
-          std::tuple ("slope_south_west.pcd", 1, 1),
-          std::tuple ("slope_north_west.pcd", 1, -1)}) {
-      InputCloud slope;
-      addGrid (slope, {0, 0, 3}, x + along_x * rise, 50, y + along_y * rise, 50);
-      save (name, slope);
-    }
   }
 
   /** \brief The planes of the second scan and the third would be numbered otherwise, as

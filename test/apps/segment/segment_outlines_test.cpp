@@ -13,23 +13,6 @@ namespace {
 using Eigen::Vector3d;
 using Json = nlohmann::json;
 
-TEST_F (Segment, WritesOutlinesOfFloorsAndCeilingsAsMapsWantThem)
-{
-  for (const float height : {1.5f, -2.0f}) {
-    InputCloud room = floorAndWall();
-    room.sensor_origin_.z() = height;
-    save ("in.pcd", room);
-    expectDone ("in.pcd --only horizontal --planes p.geojson");
-    const Json feature = jsonIn ("p.geojson")["features"].at (0);
-    EXPECT_EQ (feature["properties"]["nz"].get<double>() > 0.0, height > 0.0f);
-    const Json& ring = feature["geometry"]["coordinates"][0];
-    const Vector3d first = toVector (ring[1]) - toVector (ring[0]);
-    EXPECT_GT (first.cross (toVector (ring[2]) - toVector (ring[1])).z(), 0.0)
-        << "RFC 7946, 3.1.6: counterclockwise";
-    EXPECT_EQ (ring.front(), ring.back()) << "RFC 7946, 3.1.6: closed";
-  }
-}
-
 /** \brief A .ply or .vtk in text, as others read it. */
 struct Drawing {
   std::vector<Vector3d> points;

@@ -13,7 +13,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -80,17 +79,6 @@ protected:
   jsonIn (const std::string& file) const
   {
     return nlohmann::json::parse (contentOf (folder_ / file));
-  }
-
-  /** \brief Names in a folder; those that start with a dot, too. */
-  std::set<std::string>
-  namesIn (const std::string& name) const
-  {
-    std::set<std::string> names;
-    if (std::filesystem::exists (folder_ / name))
-      for (const auto& entry : std::filesystem::directory_iterator (folder_ / name))
-        names.insert (entry.path().filename().string());
-    return names;
   }
 
   std::string program_;
