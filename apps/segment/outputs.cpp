@@ -4,6 +4,8 @@
 #include <pcl/point_types.h>
 #include <pcl/types.h>
 
+#include <boost/format.hpp>
+
 #include "report.h"
 #include <cli/errors.h>
 #include <detection/plane_json.h>
@@ -23,7 +25,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <locale>
@@ -31,7 +32,6 @@
 #include <ostream>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -63,10 +63,8 @@ pointsOf (const FileCloud& cloud, const pcl::Indices& indices)
 std::string
 planeFile (std::size_t id, const PlaneSegment& plane, const std::string& extension)
 {
-  std::ostringstream name;
-  name << "plane_" << std::setfill ('0') << std::setw (3) << id << "_"
-       << toString (plane.orientation) << extension;
-  return name.str();
+  return str (boost::format ("plane_%03d_%s%s") % id % toString (plane.orientation) %
+              extension);
 }
 
 std::set<std::string>

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report.h"
 
+#include <boost/format.hpp>
+
 #include <detection/methods.h>
 #include <detection/plane_json.h>
 #include <nlohmann/json.hpp>
 #include <numbers/statistics.h>
 #include <pcl_ops/orientation.h>
 
-#include <iomanip>
 #include <ostream>
 
 namespace pcl_ops::apps {
@@ -30,14 +31,10 @@ printPlane (std::size_t id,
 {
   const Plane plane = segment.plane();
   const Eigen::Vector3d& normal = plane.normal;
-  stream << std::setw (4) << id << "  " << std::left << std::setw (10)
-         << toString (segment.orientation) << std::right << " " << std::setw (9)
-         << segment.inliers.size() << std::setprecision (1) << " " << std::setw (6)
-         << share (segment.inliers.size(), points) << std::setprecision (4);
-  for (const double number :
-       {segment.rms(), normal.x(), normal.y(), normal.z(), plane.offset})
-    stream << " " << std::setw (9) << number;
-  stream << "\n";
+  const std::size_t size = segment.inliers.size();
+  stream << boost::format ("%4d  %-10s %9d %6.1f %9.4f %9.4f %9.4f %9.4f %9.4f\n") %
+                id % toString (segment.orientation) % size % share (size, points) %
+                segment.rms() % normal.x() % normal.y() % normal.z() % plane.offset;
 }
 
 void
@@ -56,8 +53,8 @@ printPlanes (const Report& report, std::ostream& stream)
   if (planes.size() > max_rows)
     stream << "      and " << planes.size() - max_rows
            << " smaller ones: --planes FILE.json has them all\n";
-  stream << "      no plane   " << std::setw (9) << rest << std::setprecision (1) << " "
-         << std::setw (6) << share (rest, report.points) << "\n";
+  stream << boost::format ("      no plane   %9d %6.1f\n") % rest %
+                share (rest, report.points);
 }
 
 std::string
@@ -92,17 +89,16 @@ remarksOn (const Report& report)
 void
 printTable (const Report& report, std::ostream& stream)
 {
-  stream << std::fixed << report.input << ": " << countsOf (report) << " ("
-         << report.method << ")\n";
+  stream << report.input << ": " << countsOf (report) << " (" << report.method << ")\n";
   if (!report.detected.planes.empty())
     printPlanes (report, stream);
   if (!report.detected.up_note.empty())
     stream << report.detected.up_note << "\n";
   for (const std::string& line : remarksOn (report))
     stream << line << "\n";
-  stream << "Times [ms]:" << std::setprecision (1);
+  stream << "Times [ms]:";
   for (const auto& [name, duration] : detection_stages)
-    stream << " " << name << " " << report.detected.timing.*duration;
+    stream << boost::format (" %s %.1f") % name % (report.detected.timing.*duration);
   stream << "\n";
 }
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <boost/format.hpp>
+
 #include "phases.h"
 #include "plan.h"
 #include "planes_json.h"
@@ -18,12 +20,10 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
-#include <iomanip>
 #include <iostream>
 #include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -199,13 +199,11 @@ checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& opt
 std::string
 textOf (const Plan& plan)
 {
-  std::ostringstream text;
-  text << plan.points() << " points of " << plan.inputs.size()
-       << (plan.inputs.size() == 1 ? " input" : " inputs") << ", cells of "
-       << plan.grid.edge << ", about " << plan.likely_tiles
-       << (plan.likely_tiles == 1 ? " tile of " : " tiles of ")
-       << plan.grid.edgeOfTile();
-  return text.str();
+  const std::size_t inputs = plan.inputs.size();
+  return str (
+      boost::format ("%d points of %d input%s, cells of %g, about %d tile%s of %g") %
+      plan.points() % inputs % (inputs == 1 ? "" : "s") % plan.grid.edge %
+      plan.likely_tiles % (plan.likely_tiles == 1 ? "" : "s") % plan.grid.edgeOfTile());
 }
 
 /** \brief A run of all phases, as one of the ranks has it. */
@@ -261,10 +259,8 @@ struct TileRun {
   {
     ranks.meet();
     const auto now = std::chrono::steady_clock::now();
-    std::ostringstream text;
-    text << std::fixed << std::setprecision (1) << (times.empty() ? "" : ", ") << phase
-         << " in " << std::chrono::duration<double> (now - start).count() << " s";
-    times += text.str();
+    times += str (boost::format ("%s%s in %.1f s") % (times.empty() ? "" : ", ") %
+                  phase % std::chrono::duration<double> (now - start).count());
     start = now;
   }
 

@@ -4,6 +4,8 @@
 
 #include <pcl/point_types.h>
 
+#include <boost/format.hpp>
+
 #include "point_file.h"
 #include <cli/errors.h>
 #include <cli/program.h>
@@ -20,7 +22,6 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -98,10 +99,10 @@ checkReach (const TileGrid& grid,
       });
   if (double (reached) >= min_reached * double (places.size()))
     return;
-  std::ostringstream text;
-  text << "cells of " << grid.edge << " reach " << grid.reach() << " from zero, and "
-       << file << " has points farther away; give a larger one";
-  throw UsageError ("--cell", text.str());
+  throw UsageError ("--cell",
+                    str (boost::format ("cells of %g reach %g from zero, and %s has "
+                                        "points farther away; give a larger one") %
+                         grid.edge % grid.reach() % file));
 }
 
 /** \return 0 where most places are one */
