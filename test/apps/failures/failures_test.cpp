@@ -252,14 +252,7 @@ TEST_P (Failures, NoThreadIsNoFailure)
 {
   const Outcome ending = failing ("THREADS_TO_START=0");
   EXPECT_EQ (ending.exit_code, 0) << ending.err;
-}
-
-TEST_F (Failing, NoThreadKeepsABatchFromItsClouds)
-{
-  output_ = {"", "pcl_ops_segment in.pcd clouds --output-dir OUT --jobs 4", "out"};
-  const Outcome ending = failing ("THREADS_TO_START=0");
-  EXPECT_EQ (ending.exit_code, 0) << ending.err;
-  EXPECT_TRUE (fs::exists (folder_ / "out/scene.json"));
+  EXPECT_FALSE (isAsBefore());
 }
 
 TEST_F (Failing, MemoryIsNotTakenForADamagedCloud)

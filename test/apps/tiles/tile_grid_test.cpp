@@ -99,14 +99,6 @@ TEST (CellEdge, HoldsSomeTwentyPointsOfThoseThatAreNotAtOnePlace)
 
 using Parts = std::vector<std::size_t>;
 
-TEST (Ranks, AreOneWhereNobodyStartedMore)
-{
-  const Ranks ranks;
-  EXPECT_EQ (ranks.size, 1u);
-  EXPECT_EQ (ranks.rank, 0u);
-  ranks.meet();
-}
-
 TEST (Ranks, ShareTheWorkEvenlyTheLargestPartsFirst)
 {
   const std::vector<std::uint64_t> parts = {1, 6, 2, 3, 4};
