@@ -199,13 +199,10 @@ protected:
   }
 };
 
-std::string
-nameOf (const testing::TestParamInfo<Output>& info)
-{
-  return info.param.name;
-}
-
-INSTANTIATE_TEST_SUITE_P (All, Failures, testing::ValuesIn (allOutputs()), nameOf);
+INSTANTIATE_TEST_SUITE_P (All,
+                          Failures,
+                          testing::ValuesIn (allOutputs()),
+                          [] (const auto& info) { return info.param.name; });
 
 } // namespace
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cli/errors.h>
 #include <support/temporary_folder.h>
 #include <support/text.h>
 #include <tiles/cell_file.h>
@@ -72,13 +71,6 @@ TEST (CellFile, HasThePointsOfEachKeyInTheirOrder)
   cells.read ({-3, 7, 1}, none);
   EXPECT_TRUE (none.empty());
   EXPECT_EQ (cells.count ({1, 0, 0}), 0u);
-}
-
-TEST (CellFile, SaysThatItIsDamaged)
-{
-  const TemporaryFolder folder;
-  const std::string file = folder.write ("0.cells", "1234");
-  EXPECT_THROW (CellFile{file}, WorkError);
 }
 
 } // namespace

@@ -82,12 +82,6 @@ protected:
 class TilesProgram : public ProgramFolder {
 protected:
   TilesProgram() : ProgramFolder (PCL_OPS_TILES_PROGRAM) {}
-
-  std::vector<std::uint32_t>
-  labelsIn (const std::string& name) const
-  {
-    return valuesOf<std::uint32_t> (apps::loadCloud (folder_ / name), "label");
-  }
 };
 
 INSTANTIATE_TEST_SUITE_P (All,
@@ -128,8 +122,11 @@ TEST_F (TilesProgram, FindsInManyTilesThePlanesOfOne)
   const nlohmann::json one = jsonIn ("one/planes.json"),
                        many = jsonIn ("many/planes.json");
   ASSERT_GT (many.at ("tiles"), 9);
-  const std::vector<std::uint32_t> in_one = labelsIn ("one/town_000_000.las"),
-                                   in_many = labelsIn ("many/town_000_000.las");
+  const auto labels_in = [&] (const std::string& folder) {
+    const std::string file = folder_ / (folder + "/town_000_000.las");
+    return valuesOf<std::uint32_t> (apps::loadCloud (file), "label");
+  };
+  const auto in_one = labels_in ("one"), in_many = labels_in ("many");
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> counts;
   for (std::size_t i = 0; i < in_one.size(); ++i)
     ++counts[{in_one[i], in_many[i]}];
