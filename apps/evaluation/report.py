@@ -22,55 +22,6 @@ try:
 except ImportError:
     figures = None
 
-# What the paper reports (Sun & Mordohai, ICRA 2019, Tables I to IV and section IV-B), on
-# SUN RGB-D with one thread of an Intel Core i7-7700: classification accuracy [%], time
-# before merging [s], of merging [s], in total [s]; None: not given.
-TABLES = {
-    "Table I, FSPF by radii [m]": {
-        "fspf-0.03-0.03": (61.34, 0.0974, 0.1895, 0.2997),
-        "fspf-0.05-0.05": (68.07, 0.1102, 0.2103, 0.3003),
-        "fspf-0.07-0.07": (69.68, 0.2106, 0.1937, 0.4043),
-        "fspf-0.1-0.1": (71.14, 0.2479, 0.2145, 0.4642),
-        "fspf-0.3-0.3": (73.12, 2.6423, 0.3293, 2.9716),
-        "fspf-0.03-0.06": (69.01, 0.1139, 0.2415, 0.3554),
-        "fspf-0.05-0.1": (71.11, 0.1973, 0.2487, 0.4460),
-        "fspf-0.07-0.14": (72.50, 0.3441, 0.2785, 0.6226),
-        "fspf-0.1-0.2": (73.61, 0.7277, 0.3180, 1.0457),
-        "fspf-0.3-0.6": (66.26, 2.7624, 0.4960, 3.2584),
-    },
-    "Table II, 3D-KHT by angular and radial bins": {
-        "kht-30-300": (67.08, None, None, 0.0837),
-        "kht-40-400": (67.86, None, None, 0.1448),
-        "kht-60-600": (69.53, None, None, 0.3674),
-        "kht-80-800": (71.01, None, None, 0.7941),
-    },
-    "Table III, OPS by sampling rate [%] and neighbors; s1: strategy 1": {
-        "ops-0.3-10": (71.52, 0.0244, None, 0.0359),
-        "ops-0.3-20": (72.18, 0.0347, None, 0.0460),
-        "ops-0.3-30": (72.29, 0.0458, None, 0.0565),
-        "ops-0.5-10": (77.11, 0.0452, None, 0.0625),
-        "ops-0.5-20": (77.48, 0.0644, None, 0.0803),
-        "ops-0.5-30": (77.59, 0.0833, None, 0.0987),
-        "ops-0.7-10": (80.04, 0.0656, None, 0.0853),
-        "ops-0.7-20": (80.28, 0.0906, None, 0.1093),
-        "ops-0.7-30": (80.34, 0.1184, None, 0.1363),
-        "ops-1-10": (82.55, 0.1008, None, 0.1233),
-        "ops-1-20": (82.66, 0.1375, None, 0.1587),
-        "ops-1-30": (82.71, 0.1759, None, 0.1967),
-        "ops-3-10": (86.91, 0.4092, None, 0.4377),
-        "ops-3-20": (87.23, 0.5096, None, 0.5366),
-        "ops-3-30": (87.39, 0.6188, None, 0.6455),
-        "ops-s1-3-10": (74.25, None, None, None),
-        "ops-s1-3-20": (75.04, None, None, None),
-        "ops-s1-3-30": (75.89, None, None, None),
-    },
-}
-# Table IV: segmentation accuracy [%], planes before merging and in the end per cloud.
-BEST = {
-    "fspf-0.07-0.14": (74.72, 386.92, 29.44),
-    "kht-80-800": (62.26, None, None),
-    "ops-3-30": (82.99, 34.62, 27.59),
-}
 TRUE_PLANES = 25.38  # of the paper, per cloud
 STAGES = ("search", "normals", "extraction", "assignment", "merging", "detection")
 
@@ -78,6 +29,14 @@ STAGES = ("search", "normals", "extraction", "assignment", "merging", "detection
 def rows_of(file):
     with open(file, newline="", encoding="utf-8") as stream:
         return list(csv.DictReader(stream))
+
+
+# What the paper reports (Sun & Mordohai, ICRA 2019, Tables I to IV and section IV-B), on
+# SUN RGB-D with one thread of an Intel Core i7-7700: accuracies [%], times [s] and planes per
+# cloud; NaN: not given.
+PAPER = {row["configuration"]: {"table": row["table"], **{
+    name: float(value or "nan") for name, value in list(row.items())[2:]}}
+         for row in rows_of(pathlib.Path(__file__).with_name("paper.csv"))}
 
 
 def means_of(rows):
@@ -100,7 +59,7 @@ def means_of(rows):
 
 def text(number, decimals):
     """A number; "-" where there is none, as of a detector that took too long."""
-    return "-" if number is None or math.isnan(number) else f"{number:.{decimals}f}"
+    return "-" if math.isnan(number) else f"{number:.{decimals}f}"
 
 
 def table(title, header, rows):
@@ -130,37 +89,36 @@ def metrics_table(name, means):
 
 
 def paper_tables(name, means):
+    tables, best = defaultdict(list), []
+    for configuration, paper in PAPER.items():
+        if configuration not in means:
+            continue
+        mean = means[configuration]
+        seconds, of_merging = mean["detection_ms"] / 1e3, mean["merging_ms"] / 1e3
+        cells = [configuration, str(mean["clouds"]),
+                 text(100 * mean["classification_accuracy"], 2),
+                 text(paper["classification_accuracy"], 2)]
+        for ours, column in ((seconds - of_merging, "seconds_before_merging"),
+                             (of_merging, "seconds_of_merging"), (seconds, "seconds")):
+            cells += [text(ours, 4), text(paper[column], 4)]
+        tables[paper["table"]].append(cells)
+        if not math.isnan(paper["segmentation_accuracy"]):
+            best.append([configuration, text(100 * mean["segmentation_accuracy"], 2),
+                         text(paper["segmentation_accuracy"], 2)])
     header = ["configuration", "clouds", "accuracy %", "paper", "before merging s", "paper",
               "merging s", "paper", "total s", "paper"]
-    report = ""
-    for title, figures in TABLES.items():
-        rows = []
-        for configuration, (accuracy, detection, merging, total) in figures.items():
-            if configuration not in means:
-                continue
-            mean = means[configuration]
-            seconds = mean["detection_ms"] / 1e3
-            of_merging = mean["merging_ms"] / 1e3
-            rows.append([configuration, str(mean["clouds"]),
-                         text(100 * mean["classification_accuracy"], 2), text(accuracy, 2),
-                         text(seconds - of_merging, 4), text(detection, 4),
-                         text(of_merging, 4), text(merging, 4),
-                         text(seconds, 4), text(total, 4)])
-        report += table(f"{title}: {name}", header, rows)
-    rows = [[configuration, text(100 * means[configuration]["segmentation_accuracy"], 2),
-             text(figures[0], 2)]
-            for configuration, figures in BEST.items() if configuration in means]
+    report = "".join(table(f"{title}: {name}", header, rows) for title, rows in tables.items())
     return report + table(f"Table IV, segmentation accuracy: {name}",
-                          ["configuration", "accuracy %", "paper"], rows)
+                          ["configuration", "accuracy %", "paper"], best)
 
 
 def other_tables(name, means):
     planes, stages = [], []
     for configuration, mean in means.items():
-        _, before, found = BEST.get(configuration, (None, None, None))
-        planes.append([configuration, text(mean["planes_before_merging"], 2), text(before, 2),
-                       text(mean["result_planes"], 2), text(found, 2),
-                       text(mean["truth_planes"], 2)])
+        paper = PAPER.get(configuration, {})
+        planes.append([configuration, *(text(of.get(column, math.nan), 2) for of, column in (
+            (mean, "planes_before_merging"), (paper, "planes_before_merging"),
+            (mean, "result_planes"), (paper, "planes"), (mean, "truth_planes")))])
         stages.append([configuration] + [text(mean[stage + "_ms"] / 1e3, 4) for stage in STAGES] +
                       [text(1e3 * mean["detection_ms"] / mean["points"], 3)])
     report = table(f"Planes per cloud (the paper's truth: {TRUE_PLANES}): {name}",
