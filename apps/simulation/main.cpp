@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/format.hpp>
 
+#include "scenes.h"
 #include "simulate.h"
-#include "town.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
@@ -133,7 +133,7 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
   const Simulation& simulation = options.simulation;
   const std::string& scene = simulation.scene;
   const bool is_town = scene == "town", is_walk = scene == "walk";
-  const bool has_lidar = options.isOfAny ({"street", "drive"});
+  const bool has_lidar = simulation.hasLidar();
   const auto refuse =
       [&line] (const std::string& option, bool is_wrong, const std::string& problem) {
         if (is_wrong && line.isGiven (option))

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "room.h"
-
 #include "furniture.h"
+#include "scenes.h"
 #include "sensors.h"
 
 #include <algorithm>
@@ -43,7 +42,7 @@ drawWall (const WallRange& wall, double chance_of_opening, Random& random)
 struct Furnisher {
   Random random;
   int walls; // the first of the four that a room has
-  Room room = {};
+  Site room = {};
   std::vector<AlignedBox2d> occupied = {}; // the floor below the pieces
 
   /** \param[in] smallest, largest length, width and height [m] */
@@ -157,7 +156,7 @@ using Way = std::function<Isometry3d (double share)>;
 
 /** \brief Around the middle of a room. */
 Way
-drawWayAround (const Room& room, Random& random)
+drawWayAround (const Site& room, Random& random)
 {
   constexpr double steps = 16.0, rise = 0.03; // rise [m]
   constexpr double sway = 2.0 * pi / 180.0;
@@ -188,7 +187,7 @@ posesOn (const Way& way, std::size_t frames)
 /** \brief Frames on the first of some ways whose worst view shows the most surfaces.
  * \param[in] views of each way that are looked at */
 Poses
-drawBest (const Room& room,
+drawBest (const Site& room,
           int ways,
           std::size_t views,
           std::size_t frames,
@@ -210,7 +209,7 @@ drawBest (const Room& room,
 
 } // namespace
 
-Room
+Site
 makeRoom (Seed seed)
 {
   // For each piece at a wall and each in the room [m^2].
@@ -230,7 +229,7 @@ makeRoom (Seed seed)
   return furnisher.room;
 }
 
-Room
+Site
 makeFurnishedCorner (Seed seed)
 {
   Furnisher furnisher{randomFor (Purpose::Corner, seed), 2};
@@ -260,7 +259,7 @@ countVisibleSurfaces (const Scene& scene, const Isometry3d& pose)
 }
 
 Isometry3d
-drawCameraPose (const Room& room, Seed seed)
+drawCameraPose (const Site& room, Seed seed)
 {
   Random random = randomFor (Purpose::CameraPose, seed);
   const auto draw = [&] () -> Way {
@@ -281,7 +280,7 @@ drawCameraPose (const Room& room, Seed seed)
 }
 
 Poses
-drawWalk (const Room& room, std::size_t frames, Seed seed)
+drawWalk (const Site& room, std::size_t frames, Seed seed)
 {
   Random random = randomFor (Purpose::Walk, seed);
   return drawBest (room, 8, 12, frames, [&] { return drawWayAround (room, random); });

@@ -8,6 +8,7 @@
 #include <numbers/random.h>
 #include <pcl_ops/plane.h>
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -76,14 +77,23 @@ using SurfaceId = std::uint32_t;
 /** \brief Not a plane: round things, and strips too narrow to be called a surface. */
 constexpr SurfaceId no_surface = 0;
 
-/** \brief A rectangle seen from both sides, a sphere, or a closed cylinder along u. */
+/** \brief A rectangle seen from both sides, a sphere, or a cylinder along u. Rays meet
+ * no other shapes: a dome, the top of a sphere; a cone about an upright axis, without
+ * its base; a torus about one. */
 struct Shape {
-  enum class Kind { Rectangle, Sphere, Cylinder };
+  enum class Kind { Rectangle, Sphere, Cylinder, Dome, Cone, Torus };
   Kind kind = Kind::Rectangle;
-  Vector3d center = Vector3d::Zero(), u = Vector3d::UnitX(), v = Vector3d::UnitY();
-  /** \brief Half the edges; half_v is the radius of what is round. */
+  /** \brief Of a dome its sphere's, of a cone its apex. */
+  Vector3d center = Vector3d::Zero();
+  Vector3d u = Vector3d::UnitX(), v = Vector3d::UnitY();
+  /** \brief Half the edges [m]. Of what is round half_v is the radius (of a cone of its
+   * base, of a torus of its ring), half_u the height of a dome or a cone, and half that
+   * of a cylinder or a torus. */
   double half_u = 0.5, half_v = 0.5;
   SurfaceId surface = no_surface;
+  /** \brief Part of a turn that there is of a cylinder, cone or torus about an upright
+   * axis, around +y from there. */
+  double share = 1.0;
 
   Vector3d
   normal () const
@@ -101,9 +111,12 @@ struct Shape {
   double
   area () const
   {
-    return kind == Kind::Sphere     ? 4.0 * pi * half_v * half_v
-           : kind == Kind::Cylinder ? 4.0 * pi * half_v * half_u
-                                    : 4.0 * half_u * half_v;
+    return share * (kind == Kind::Rectangle  ? 4.0 * half_u * half_v
+                    : kind == Kind::Sphere   ? 4.0 * pi * half_v * half_v
+                    : kind == Kind::Cylinder ? 4.0 * pi * half_v * half_u
+                    : kind == Kind::Dome     ? 2.0 * pi * half_v * half_u
+                    : kind == Kind::Cone     ? pi * half_v * std::hypot (half_v, half_u)
+                                             : 4.0 * pi * pi * half_v * half_u);
   }
 };
 

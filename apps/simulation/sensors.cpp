@@ -180,9 +180,7 @@ scanByCamera (const Scene& scene,
   DepthImage image = castDepthImage (scene, camera, pose, jitter);
   if (is_noisy)
     disturbDepths (image, camera, noise, random);
-  Scan scan;
-  scan.columns = std::size_t (camera.width);
-  scan.rows = std::size_t (camera.height);
+  Scan scan{std::size_t (camera.width), std::size_t (camera.height)};
   scan.surfaces = std::move (image.surface);
   for (int row = 0; row < camera.height; ++row)
     for (int column = 0; column < camera.width; ++column) {
@@ -222,10 +220,7 @@ scanAround (const Scene& scene,
             std::size_t number)
 {
   Random random = randomFor (Purpose::LidarNoise, seed);
-  Scan scan;
-  scan.columns = std::size_t (lidar.steps);
-  scan.rows = std::size_t (lidar.beams);
-  scan.column_by_column = true;
+  Scan scan{std::size_t (lidar.steps), std::size_t (lidar.beams), true};
   const std::size_t rays = scan.columns * scan.rows;
   scan.points.assign (rays, Vector3d::Constant (std::nan ("")));
   scan.surfaces.assign (rays, no_surface);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "shapes.h"
+#include "scenes.h"
 
 #include <algorithm>
 
@@ -8,65 +8,48 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-using Round = RoundShape::Kind;
+using Kind = Shape::Kind;
 
 /** \brief From which the sizes of a small shape and of a large one are drawn [m];
  * heights of domes follow from their radii. The large height of a cone is in multiples
  * of its radius, that of a torus of the smallest large radius. */
 constexpr struct ShapeSizes {
-  Round kind;
+  Kind kind;
   struct {
     double lower, upper;
   } small_radius, small_height, large_height;
-} sizes_of_shapes[] = {{Round::Dome, {0.3, 0.6}, {0.0, 0.0}, {0.0, 0.0}},
-                       {Round::Cylinder, {0.15, 0.4}, {0.5, 1.0}, {0.5, 0.8}},
-                       {Round::Cone, {0.3, 0.6}, {0.8, 1.6}, {0.7, 1.0}},
-                       {Round::Torus, {0.4, 0.6}, {0.1, 0.2}, {0.3, 0.5}}};
+} sizes_of_shapes[] = {{Kind::Dome, {0.3, 0.6}, {0.0, 0.0}, {0.0, 0.0}},
+                       {Kind::Cylinder, {0.15, 0.4}, {0.5, 1.0}, {0.5, 0.8}},
+                       {Kind::Cone, {0.3, 0.6}, {0.8, 1.6}, {0.7, 1.0}},
+                       {Kind::Torus, {0.4, 0.6}, {0.1, 0.2}, {0.3, 0.5}}};
 
-SurfacePoint
-drawOfWhole (const RoundShape& shape, Random& random)
+/** \brief About an upright axis.
+ * \param[in] share of a turn */
+Shape
+makeRound (
+    Kind kind, const Vector3d& center, double radius, double height, double share = 1.0)
 {
-  const double radius = shape.radius, height = shape.height;
-  const Vector3d &center = shape.center, up = Vector3d::UnitZ();
-  if (shape.kind == Round::Dome)
-    return drawAbove (1.0 - height / radius, center, radius, random);
-  if (shape.kind == Round::Cylinder)
-    return drawPoint (
-        Shape{Shape::Kind::Cylinder, center, up, Vector3d::Zero(), height, radius},
-        random);
-  const Vector3d across = drawAcross (random);
-  if (shape.kind == Round::Cone) {
-    // The share of area above grows with the square of the distance from the apex.
-    const double down = std::sqrt (random.unit());
-    return {center + down * (radius * across - height * up),
-            (height * across + radius * up).normalized()};
-  }
-  double around_tube = 0.0;
-  do // the outer side of the ring is longer than the inner one
-    around_tube = random.between (0, 2.0 * pi);
-  while (
-      !random.chance ((radius + height * std::cos (around_tube)) / (radius + height)));
-  const Vector3d normal = std::cos (around_tube) * across + std::sin (around_tube) * up;
-  return {center + radius * across + height * normal, normal};
+  const Vector3d up = Vector3d::UnitZ(), none = Vector3d::Zero();
+  return {kind, center, up, none, height, radius, no_surface, share};
 }
 
 /** \brief Beside the ground, which begins at y = 0.
  * \param[in] position in the row, from 0 to 3 */
-RoundShape
+Shape
 drawSmall (const ShapeSizes& sizes, int position, Random& random)
 {
   constexpr double distance = 1.8, row = -1.2; // room for the two largest [m]
   const auto& [lowest_radius, highest_radius] = sizes.small_radius;
   const auto& [lowest, highest] = sizes.small_height;
   const double radius = random.between (lowest_radius, highest_radius);
-  const bool is_sphere = sizes.kind == Round::Dome;
+  const bool is_sphere = sizes.kind == Kind::Dome;
   const double height = is_sphere ? 2.0 * radius : random.between (lowest, highest);
   const double z = is_sphere ? radius : height;
-  return {sizes.kind, {(position - 1.5) * distance, row, z}, radius, height};
+  return makeRound (sizes.kind, {(position - 1.5) * distance, row, z}, radius, height);
 }
 
 /** \brief Behind the small ones. */
-RoundShape
+Shape
 drawLarge (const ShapeSizes& sizes, int position, Random& random)
 {
   constexpr double distance = 3.0, row = -3.8;    // [m]
@@ -74,10 +57,10 @@ drawLarge (const ShapeSizes& sizes, int position, Random& random)
   const double x = (position - 1.5) * distance;
   // Of equal chance for each octave.
   const double radius = smallest * std::pow (largest / smallest, random.unit());
-  const double unit = sizes.kind == Round::Cone    ? radius
-                      : sizes.kind == Round::Torus ? smallest
-                                                   : 1.0;
-  const bool is_dome = sizes.kind == Round::Dome;
+  const double unit = sizes.kind == Kind::Cone    ? radius
+                      : sizes.kind == Kind::Torus ? smallest
+                                                  : 1.0;
+  const bool is_dome = sizes.kind == Kind::Dome;
   const auto& [lowest, highest] = sizes.large_height;
   double height = is_dome ? 0.0 : unit * random.between (lowest, highest);
   // 2 to 2.4 m long, so that it bends by far more than the noise however large the
@@ -85,9 +68,9 @@ drawLarge (const ShapeSizes& sizes, int position, Random& random)
   const double length = std::min (random.between (2.0, 2.4), 2.0 * radius);
   const double share = length / (2.0 * pi * radius);
   if (!is_dome)
-    return {sizes.kind, {x, row - radius, height}, radius, height, share};
+    return makeRound (sizes.kind, {x, row - radius, height}, radius, height, share);
   height = radius * (1.0 - std::cos (pi * share));
-  return {sizes.kind, {x, row, height - radius}, radius, height};
+  return makeRound (sizes.kind, {x, row, height - radius}, radius, height);
 }
 
 /** \brief A board on the middle of the ground, turned about the vertical and leaning
@@ -108,39 +91,22 @@ drawBoard (const Shape& ground, Random& random)
 
 } // namespace
 
-SurfacePoint
-drawPoint (const RoundShape& shape, Random& random)
-{
-  const SurfacePoint whole = drawOfWhole (shape, random);
-  if (!(shape.share < 1.0))
-    return whole;
-  // Turned about the axis into the part.
-  const Vector3d local = whole.position - shape.center;
-  const double around = std::atan2 (-local.x(), local.y());
-  const Eigen::AngleAxisd turn ((shape.share - 1.0) * around, Vector3d::UnitZ());
-  return {shape.center + turn * local, turn * whole.normal};
-}
-
 SimulatedCloud
 simulateShapes (std::size_t points, double noise, Seed seed)
 {
   Random random = randomFor (Purpose::Shapes, seed);
-  std::vector<ScannedSurface> surfaces;
-  const auto add = [&surfaces] (const auto& shape, SurfaceId surface) {
-    surfaces.push_back ({shape.area(), surface, [shape] (Random& random) {
-                           return drawPoint (shape, random);
-                         }});
-  };
+  std::vector<Shape> shapes;
   for (int i = 0; i < 4; ++i)
-    add (drawSmall (sizes_of_shapes[i], i, random), no_surface);
-  const Shape ground = makeRectangle ({0, 2, 0}, {6, 0, 0}, {0, 4, 0});
-  const Shape board = drawBoard (ground, random);
+    shapes.push_back (drawSmall (sizes_of_shapes[i], i, random));
+  Shape ground = makeRectangle ({0, 2, 0}, {6, 0, 0}, {0, 4, 0});
+  Shape board = drawBoard (ground, random);
   for (int i = 0; i < 4; ++i)
-    add (drawLarge (sizes_of_shapes[i], i, random), no_surface);
-  add (ground, 1);
-  add (board, 2);
+    shapes.push_back (drawLarge (sizes_of_shapes[i], i, random));
+  ground.surface = 1;
+  board.surface = 2;
+  shapes.insert (shapes.end(), {ground, board});
   Random scan = randomFor (Purpose::ShapesScan, seed);
-  return labeledBySize (drawPoints (surfaces, points, noise * shapes_sigma, scan),
+  return labeledBySize (drawPoints (shapes, points, noise * shapes_sigma, scan),
                         {ground.plane(), board.plane()});
 }
 

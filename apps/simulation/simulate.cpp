@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulate.h"
 
-#include "room.h"
-#include "shapes.h"
-#include "street.h"
-#include "survey.h"
+#include "scenes.h"
 
 #include <cmath>
 
@@ -13,10 +10,11 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-Room
-roomOf (const Simulation& simulation)
+Site
+siteOf (const Simulation& simulation)
 {
   return simulation.scene == "furniture" ? makeFurnishedCorner (simulation.seed)
+         : simulation.hasLidar()         ? makeStreet (simulation.seed)
                                          : makeRoom (simulation.seed);
 }
 
@@ -45,26 +43,23 @@ viewOf (const Simulation& simulation, std::size_t frames)
 {
   const std::string& name = simulation.scene;
   const Seed seed = simulation.seed;
-  if (name == "street" || name == "drive") {
-    const Street street = makeStreet (seed);
-    const Poses poses = name == "drive" ? drawDrive (street, frames, seed)
-                                        : Poses{drawSensorPose (street, seed)};
-    const Lidar lidar = lidarOf (simulation.sensor);
-    const auto scan = [=, noise = simulation.noise] (std::size_t frame) {
-      const std::uint32_t of_frame = seed + std::uint32_t (frame);
-      return scanAround (street.scene, lidar, poses[frame], noise, of_frame, frame);
-    };
-    return {street.scene, poses, scan};
-  }
-  const Room room = roomOf (simulation);
-  const Poses poses = name == "walk" ? drawWalk (room, frames, seed)
-                                     : Poses{drawCameraPose (room, seed)};
-  const CameraNoise noise{simulation.noise, simulation.has_raw_depth};
-  const auto scan = [=, camera = simulation.camera] (std::size_t frame) {
+  const Site site = siteOf (simulation);
+  const Poses poses = name == "walk"          ? drawWalk (site, frames, seed)
+                      : name == "drive"       ? drawDrive (site, frames, seed)
+                      : simulation.hasLidar() ? Poses{drawSensorPose (site, seed)}
+                                              : Poses{drawCameraPose (site, seed)};
+  const auto scan = [=] (std::size_t frame) {
     const std::uint32_t of_frame = seed + std::uint32_t (frame);
-    return scanByCamera (room.scene, camera, poses[frame], noise, of_frame);
+    const double noise = simulation.noise;
+    if (simulation.hasLidar()) {
+      const Lidar lidar = lidarOf (simulation.sensor);
+      return scanAround (site.scene, lidar, poses[frame], noise, of_frame, frame);
+    }
+    const CameraNoise of_camera{noise, simulation.has_raw_depth};
+    return scanByCamera (
+        site.scene, simulation.camera, poses[frame], of_camera, of_frame);
   };
-  return {room.scene, poses, scan};
+  return {site.scene, poses, scan};
 }
 
 SimulatedCloud
@@ -80,7 +75,7 @@ simulate (const Simulation& simulation)
   if (simulation.scene == "shapes")
     return simulateShapes (pointsOr (points_of_shapes), noise, seed);
   if (simulation.points)
-    return scanDensely (roomOf (simulation).scene, pointsOr (0), noise, seed);
+    return scanDensely (siteOf (simulation).scene, pointsOr (0), noise, seed);
   const SensorView view = viewOf (simulation);
   return labeledBySize (
       toSurfaceCloud (view.scan (0), view.poses[0], simulation.organized),

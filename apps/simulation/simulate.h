@@ -22,6 +22,12 @@ struct Simulation {
    * rooms are seen by the camera. */
   std::optional<double> points = std::nullopt;
   bool organized = false;
+
+  bool
+  hasLidar () const
+  {
+    return scene == "street" || scene == "drive";
+  }
 };
 
 /** \brief A cloud of any scene but a walk, a drive and a town. */

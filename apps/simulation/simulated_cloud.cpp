@@ -4,10 +4,72 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
 namespace pcl_ops::simulation {
+
+namespace {
+
+using Kind = Shape::Kind;
+
+/** \brief A direction across the z axis. */
+Vector3d
+drawAcross (Random& random)
+{
+  const double around = random.between (0, 2.0 * pi);
+  return {std::cos (around), std::sin (around), 0.0};
+}
+
+SurfacePoint
+drawOnConeOrTorus (const Shape& shape, Random& random)
+{
+  const double radius = shape.half_v, height = shape.half_u;
+  const Vector3d across = drawAcross (random), up = Vector3d::UnitZ();
+  if (shape.kind == Kind::Cone) {
+    // The share of area above grows with the square of the distance from the apex.
+    const double down = std::sqrt (random.unit());
+    return {shape.center + down * (radius * across - height * up),
+            (height * across + radius * up).normalized()};
+  }
+  double around_tube = 0.0;
+  do // the outer side of the ring is longer than the inner one
+    around_tube = random.between (0, 2.0 * pi);
+  while (
+      !random.chance ((radius + height * std::cos (around_tube)) / (radius + height)));
+  const Vector3d normal = std::cos (around_tube) * across + std::sin (around_tube) * up;
+  return {shape.center + radius * across + height * normal, normal};
+}
+
+/** \brief A point of a shape as if its share were 1. */
+SurfacePoint
+drawOfWhole (const Shape& shape, Random& random)
+{
+  if (shape.kind == Kind::Cone || shape.kind == Kind::Torus)
+    return drawOnConeOrTorus (shape, random);
+  if (shape.kind == Kind::Rectangle) {
+    const double u = random.between (-1, 1) * shape.half_u;
+    const double v = random.between (-1, 1) * shape.half_v;
+    return {shape.center + u * shape.u + v * shape.v, shape.normal()};
+  }
+  if (shape.kind == Kind::Cylinder) {
+    const Vector3d across = shape.u.unitOrthogonal();
+    const double around = random.between (0, 2.0 * pi);
+    const Vector3d normal =
+        std::cos (around) * across + std::sin (around) * shape.u.cross (across);
+    const double along = random.between (-1, 1) * shape.half_u;
+    return {shape.center + along * shape.u + shape.half_v * normal, normal};
+  }
+  // Slices of a sphere of equal height have equal area (Archimedes).
+  const bool is_dome = shape.kind == Kind::Dome;
+  const double z = random.between (is_dome ? 1.0 - shape.half_u / shape.half_v : -1, 1);
+  const double across = std::sqrt (1.0 - z * z);
+  const Vector3d normal = across * drawAcross (random) + z * Vector3d::UnitZ();
+  return {shape.center + shape.half_v * normal, normal};
+}
+
+} // namespace
 
 SimulatedCloud
 labeledBySize (LabeledCloud cloud, const std::vector<Plane>& surfaces)
@@ -65,64 +127,41 @@ toSurfaceCloud (const Scan& scan, const Isometry3d& pose, bool organized)
   return cloud;
 }
 
-Vector3d
-drawAcross (Random& random)
-{
-  const double around = random.between (0, 2.0 * pi);
-  return {std::cos (around), std::sin (around), 0.0};
-}
-
-// Slices of equal height have equal area (Archimedes).
-SurfacePoint
-drawAbove (double lowest, const Vector3d& center, double radius, Random& random)
-{
-  const double z = random.between (lowest, 1);
-  const double across = std::sqrt (1.0 - z * z);
-  const Vector3d normal = across * drawAcross (random) + z * Vector3d::UnitZ();
-  return {center + radius * normal, normal};
-}
-
 SurfacePoint
 drawPoint (const Shape& shape, Random& random)
 {
-  if (shape.kind == Shape::Kind::Sphere)
-    return drawAbove (-1.0, shape.center, shape.half_v, random);
-  if (shape.kind == Shape::Kind::Rectangle) {
-    const double u = random.between (-1, 1) * shape.half_u;
-    const double v = random.between (-1, 1) * shape.half_v;
-    return {shape.center + u * shape.u + v * shape.v, shape.normal()};
-  }
-  const Vector3d across = shape.u.unitOrthogonal();
-  const double around = random.between (0, 2.0 * pi);
-  const Vector3d normal =
-      std::cos (around) * across + std::sin (around) * shape.u.cross (across);
-  const double along = random.between (-1, 1) * shape.half_u;
-  return {shape.center + along * shape.u + shape.half_v * normal, normal};
+  const SurfacePoint whole = drawOfWhole (shape, random);
+  if (!(shape.share < 1.0))
+    return whole;
+  // Turned about the axis into the part.
+  const Vector3d local = whole.position - shape.center;
+  const double around = std::atan2 (-local.x(), local.y());
+  const Eigen::AngleAxisd turn ((shape.share - 1.0) * around, Vector3d::UnitZ());
+  return {shape.center + turn * local, turn * whole.normal};
 }
 
 LabeledCloud
-drawPoints (const std::vector<ScannedSurface>& surfaces,
+drawPoints (const std::vector<Shape>& shapes,
             std::size_t points,
             double sigma,
             Random& random)
 {
   LabeledCloud cloud;
   double whole_area = 0.0, area_so_far = 0.0;
-  for (const ScannedSurface& surface : surfaces)
-    whole_area += surface.area;
+  for (const Shape& shape : shapes)
+    whole_area += shape.area();
   if (!(whole_area > 0.0))
     return cloud;
   cloud.reserve (points);
-  for (const ScannedSurface& surface : surfaces) {
-    area_so_far += surface.area;
+  for (const Shape& shape : shapes) {
+    area_so_far += shape.area();
     // Rounding the running total gives every shape its share and all of them \p points.
     const double share = std::min (1.0, area_so_far / whole_area);
     const auto end = std::size_t (std::llround (share * double (points)));
     while (cloud.size() < end) {
-      const SurfacePoint exact = surface.draw (random);
+      const SurfacePoint exact = drawPoint (shape, random);
       const double error = sigma * random.gaussian();
-      cloud.push_back (
-          pointAt (exact.position + error * exact.normal, surface.surface));
+      cloud.push_back (pointAt (exact.position + error * exact.normal, shape.surface));
     }
   }
   return cloud;
@@ -131,17 +170,15 @@ drawPoints (const std::vector<ScannedSurface>& surfaces,
 SimulatedCloud
 scanDensely (const Scene& scene, std::size_t points, double noise, Seed seed)
 {
-  std::vector<ScannedSurface> surfaces;
+  std::vector<Shape> shapes;
   for (const Body& body : scene.bodies)
-    for (const Shape::Kind kind :
-         {Shape::Kind::Rectangle, Shape::Kind::Sphere, Shape::Kind::Cylinder})
-      for (const Shape& shape : body.shapes)
-        if (shape.kind == kind)
-          surfaces.push_back ({shape.area(), shape.surface, [&shape] (Random& random) {
-                                 return drawPoint (shape, random);
-                               }});
+    for (const Kind kind : {Kind::Rectangle, Kind::Sphere, Kind::Cylinder})
+      std::copy_if (body.shapes.begin(),
+                    body.shapes.end(),
+                    std::back_inserter (shapes),
+                    [kind] (const Shape& shape) { return shape.kind == kind; });
   Random random = randomFor (Purpose::DenseScan, seed);
-  LabeledCloud cloud = drawPoints (surfaces, points, noise * laser_sigma, random);
+  LabeledCloud cloud = drawPoints (shapes, points, noise * laser_sigma, random);
   if (!cloud.empty()) {
     Eigen::AlignedBox3d shell;
     for (const Shape& shape : scene.bodies.front().shapes)

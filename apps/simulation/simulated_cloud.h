@@ -7,7 +7,6 @@
 
 #include "scene.h"
 
-#include <functional>
 #include <vector>
 
 namespace pcl_ops::simulation {
@@ -41,8 +40,8 @@ struct Scan {
    * lidar, and not those of a row. */
   bool column_by_column = false;
   /** \brief In the sensor's frame [m]; NaN: no reading. */
-  std::vector<Vector3d> points;
-  std::vector<SurfaceId> surfaces;
+  std::vector<Vector3d> points = {};
+  std::vector<SurfaceId> surfaces = {};
 };
 
 /** \brief The points of a scan, each with its surface.
@@ -58,31 +57,16 @@ struct SurfacePoint {
   Vector3d position, normal;
 };
 
-/** \brief A surface and a uniform draw of its points. */
-struct ScannedSurface {
-  double area;
-  SurfaceId surface;
-  std::function<SurfacePoint (Random&)> draw;
-};
-
-/** \brief A direction across the z axis. */
-Vector3d
-drawAcross (Random& random);
-
-/** \brief A point of a sphere above some height, in multiples of the radius. */
-SurfacePoint
-drawAbove (double lowest, const Vector3d& center, double radius, Random& random);
-
-/** \brief Of a cylinder from its side only. */
+/** \brief A uniform draw: of a cylinder from its side only. */
 SurfacePoint
 drawPoint (const Shape& shape, Random& random);
 
-/** \brief Points spread over surfaces by area, one surface after the other, with its
- * identity as label.
- * \param[in] points exact number of points; none if the surfaces have no area
+/** \brief Points spread over shapes by area, one shape after the other, with its
+ * surface as label.
+ * \param[in] points exact number of points; none if the shapes have no area
  * \param[in] sigma standard deviation along the normal [m] */
 LabeledCloud
-drawPoints (const std::vector<ScannedSurface>& surfaces,
+drawPoints (const std::vector<Shape>& shapes,
             std::size_t points,
             double sigma,
             Random& random);

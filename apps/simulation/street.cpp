@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "street.h"
+#include "scenes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -225,11 +225,11 @@ addRows (Scene& scene, const Roadside& side, Random& random)
 }
 
 void
-addSide (Street& street, const Isometry3d& pose, Random& random)
+addSide (Site& street, const Isometry3d& pose, Random& random)
 {
   Roadside side{};
-  side.pose = pose * at ({0, -0.5 * street.width, 0});
-  side.length = street.length;
+  side.pose = pose * at ({0, -0.5 * street.size.y(), 0});
+  side.length = street.size.x();
   side.curb = random.between (0.10, 0.15);
   side.sidewalk = random.between (2.5, 4.0);
   side.slope = random.between (0.02, 0.03);
@@ -245,25 +245,25 @@ addSide (Street& street, const Isometry3d& pose, Random& random)
 
 /** \brief A place on the right lane. */
 Isometry3d
-onLane (const Street& street, double x)
+onLane (const Site& street, double x)
 {
-  return turnZ (street.yaw) * at ({x, -0.15 * street.width, 0});
+  return turnZ (street.yaw) * at ({x, -0.15 * street.size.y(), 0});
 }
 
 } // namespace
 
-Street
+Site
 makeStreet (Seed seed)
 {
   Random random = randomFor (Purpose::Street, seed);
-  Street street;
-  street.length = random.between (120, 160);
-  street.width = random.between (10, 12);
+  Site street;
+  street.size.x() = random.between (120, 160);
+  street.size.y() = random.between (10, 12);
   street.yaw = random.angle (0, 360);
   const Isometry3d pose = turnZ (street.yaw);
   Body road;
   road.addSurface (
-      makeRectangle ({0, 0, 0}, {street.length, 0, 0}, {0, street.width, 0}));
+      makeRectangle ({0, 0, 0}, {street.size.x(), 0, 0}, {0, street.size.y(), 0}));
   street.scene.add (road, pose);
   for (const double half_turns : {0.0, 1.0})
     addSide (street, pose * turnZ (half_turns * pi), random);
@@ -271,7 +271,7 @@ makeStreet (Seed seed)
 }
 
 Isometry3d
-drawSensorPose (const Street& street, Seed seed)
+drawSensorPose (const Site& street, Seed seed)
 {
   Random random = randomFor (Purpose::SensorPose, seed);
   const double x = random.between (-20, 20), y = random.between (-0.3, 0.3);
@@ -282,7 +282,7 @@ drawSensorPose (const Street& street, Seed seed)
 }
 
 Poses
-drawDrive (const Street& street, std::size_t frames, Seed seed)
+drawDrive (const Site& street, std::size_t frames, Seed seed)
 {
   constexpr double longest_step = 1.0; // [m]
   constexpr double sway = 0.2;         // [m]
@@ -292,7 +292,7 @@ drawDrive (const Street& street, std::size_t frames, Seed seed)
   const double phase = random.between (0.0, 2.0 * pi);
   const double height = random.between (1.7, 1.9);
   const double steps = double (std::max<std::size_t> (frames, 2) - 1);
-  const double way = std::min (0.5 * street.length, longest_step * steps);
+  const double way = std::min (0.5 * street.size.x(), longest_step * steps);
   Poses poses;
   for (std::size_t i = 0; i < frames; ++i) {
     const double x = (double (i) / steps - 0.5) * way;

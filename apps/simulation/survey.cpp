@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "survey.h"
+#include "scenes.h"
 
 #include <algorithm>
 #include <cmath>

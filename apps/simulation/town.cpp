@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "town.h"
-
-#include "survey.h"
+#include "scenes.h"
 
 #include <cmath>
 

@@ -6,8 +6,7 @@
 
 #include <benchmark/measures.h>
 #include <numbers/random.h>
-#include <simulation/room.h>
-#include <simulation/simulated_cloud.h>
+#include <simulation/scenes.h>
 
 #include <cctype>
 #include <cmath>

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scenes.h"
-#include <simulation/shapes.h>
+#include <simulation/scenes.h>
 #include <simulation/simulate.h>
-#include <simulation/survey.h>
 
 using namespace pcl_ops::simulation;
 

@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scenes.h"
 #include <simulation/furniture.h>
-#include <simulation/room.h>
-#include <simulation/shapes.h>
-#include <simulation/street.h>
-#include <simulation/survey.h>
-#include <simulation/town.h>
+#include <simulation/scenes.h>
 
 #include <array>
 #include <map>
@@ -119,7 +115,7 @@ TEST (Corner, HasPiecesApartFromEachOtherWithinTheWalls)
 {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE (seed);
-    const Room corner = makeFurnishedCorner (seed);
+    const Site corner = makeFurnishedCorner (seed);
     EXPECT_GE (corner.scene.bodies.size(), 4u);
     const Vector3d half (0.5 * corner.size.x(), 0.5 * corner.size.y(), 1e9);
     const Eigen::AlignedBox3d room (Vector3d (-half.x(), -half.y(), 0.0), half);
@@ -213,34 +209,37 @@ TEST (Shapes, AreTwoPlanesAndPointsOnNone)
 
 TEST (SurfacePoints, AreDenseEvenlyInTheRangeOfTheirShape)
 {
-  using Kind = RoundShape::Kind;
-  const Vector3d center = Vector3d::Zero();
+  using Kind = Shape::Kind;
   const auto heightOf = [] (const Vector3d& p) { return p.z(); };
   const auto radiusOf = [] (const Vector3d& p) { return p.head<2>().norm(); };
   const auto aroundOf = [] (const Vector3d& p) { // from +y
     return std::abs (std::atan2 (p.x(), p.y()));
   };
   const struct {
-    RoundShape shape;
+    Kind kind;
+    double radius, height, share; // of the shape
     double (*measure) (const Vector3d&);
     double lowest, limit, highest;
     double share_below; // the limit
-  } rows[] = {
-      {{Kind::Cone, center, 0.5, 1.0}, heightOf, -1.0, -0.5, 0.0, 0.75},
-      {{Kind::Dome, center, 1.0, 0.2}, heightOf, 0.8, 0.9, 1.0, 0.5}, // Archimedes
-      {{Kind::Torus, center, 0.5, 0.15}, radiusOf, 0.35, 0.5, 0.65, 0.5 - 0.3 / pi},
-      {{Kind::Cylinder, center, 0.1, 0.5, 0.25}, aroundOf, 0, pi / 8, pi / 4, 0.5}};
+  } rows[] = {{Kind::Cone, 0.5, 1.0, 1.0, heightOf, -1.0, -0.5, 0.0, 0.75},
+              {Kind::Dome, 1.0, 0.2, 1.0, heightOf, 0.8, 0.9, 1.0, 0.5}, // Archimedes
+              {Kind::Torus, 0.5, 0.15, 1.0, radiusOf, 0.35, 0.5, 0.65, 0.5 - 0.3 / pi},
+              {Kind::Cylinder, 0.1, 0.5, 0.25, aroundOf, 0, pi / 8, pi / 4, 0.5}};
   for (const auto& row : rows) {
+    Shape shape{row.kind, origin.translation(), Vector3d::UnitZ()};
+    shape.half_u = row.height;
+    shape.half_v = row.radius;
+    shape.share = row.share;
     Random random (7);
     int below = 0;
     for (int i = 0; i < 10000; ++i) {
-      const SurfacePoint point = drawPoint (row.shape, random);
+      const SurfacePoint point = drawPoint (shape, random);
       const double measured = row.measure (point.position);
       EXPECT_GE (measured, row.lowest - 1e-9);
       EXPECT_LE (measured, row.highest + 1e-9);
       below += measured < row.limit;
       const double outwards = point.normal.dot (point.position);
-      EXPECT_TRUE (row.shape.kind == Kind::Torus || outwards >= -1e-9) << outwards;
+      EXPECT_TRUE (row.kind == Kind::Torus || outwards >= -1e-9) << outwards;
     }
     EXPECT_NEAR (below, 1e4 * row.share_below, 200) << row.limit;
   }

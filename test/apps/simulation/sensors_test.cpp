@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scenes.h"
-#include <simulation/room.h>
+#include <simulation/scenes.h>
 #include <simulation/simulate.h>
-#include <simulation/street.h>
 
 #include <set>
 
@@ -162,7 +161,7 @@ TEST (Lidar, ReadsNothingBeyondItsRangeInRowsOfABeam)
 TEST (Walk, StaysInTheRoomAndSeesSurfacesAllTheWay)
 {
   for (std::uint32_t seed = 16; seed <= 25; ++seed) {
-    const Room room = makeRoom (seed);
+    const Site room = makeRoom (seed);
     for (const Isometry3d& pose : drawWalk (room, 12, seed)) {
       const Vector3d inside = turnZ (-room.yaw) * pose.translation();
       EXPECT_LT (std::abs (inside.x()), 0.5 * room.size.x());
@@ -186,12 +185,12 @@ TEST (Walk, GoesInSmallStepsAndLooksMostWaysInTheEnd)
 
 TEST (Drive, GoesInSmallStepsAboveTheRoad)
 {
-  const Street street = makeStreet (1);
+  const Site street = makeStreet (1);
   const Poses poses = drawDrive (street, 20, 1);
   ASSERT_EQ (poses.size(), 20u);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     EXPECT_NEAR (poses[i].translation().z(), 1.8, 0.11);
-    EXPECT_LT (poses[i].translation().head<2>().norm(), 0.25 * street.length + 1.0);
+    EXPECT_LT (poses[i].translation().head<2>().norm(), 0.25 * street.size.x() + 1.0);
     EXPECT_LT (i > 0 ? stepOf (poses, i) : 0.0, 1.1);
   }
 }
