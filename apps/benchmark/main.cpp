@@ -21,6 +21,7 @@ using namespace pcl_ops;
 using namespace pcl_ops::benchmark;
 using evaluation::CloudSource;
 using evaluation::DataSet;
+using evaluation::dataSetOf;
 using evaluation::XyzCloud;
 using Json = nlohmann::ordered_json;
 
@@ -214,16 +215,10 @@ printMethod (const Json& report)
 }
 
 DataSet
-dataSet (const std::string& text)
-{
-  return evaluation::dataSetOf (text, Eigen::Vector3d::UnitZ());
-}
-
-DataSet
 growingScans (const std::string& sizes)
 {
   try {
-    return dataSet ("simulated:" + sizes);
+    return dataSetOf ("simulated:" + sizes);
   }
   catch (const apps::UsageError&) {
     throw apps::UsageError ("--scaling-points",
@@ -240,7 +235,7 @@ run (int argc, const char* const* argv)
   const std::string& input = options.input;
   const bool is_path =
       input.find (':') == std::string::npos || std::filesystem::exists (input);
-  const DataSet clouds = dataSet (is_path ? "clouds:" + input : input);
+  const DataSet clouds = dataSetOf (is_path ? "clouds:" + input : input);
   const DataSet growing = growingScans (options.scaling_points);
   if (!options.json_file.empty())
     apps::checkWritable (options.json_file);
@@ -262,7 +257,7 @@ run (int argc, const char* const* argv)
   report["clouds"] = figuresOfAll (clouds, options.measures, left_out);
   notify ("memory");
   const std::string scan = "simulated:" + std::to_string (options.memory_points);
-  report["peak_memory"] = peakOn (dataSet (scan).front().load().cloud);
+  report["peak_memory"] = peakOn (dataSetOf (scan).front().load().cloud);
   notify ("");
   printMethod (report);
   if (!options.scaling_folder.empty()) {

@@ -8,7 +8,6 @@
 #include <boost/interprocess/anonymous_shared_memory.hpp>
 
 #include <detection/methods.h>
-#include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <simulation/simulated_cloud.h>
 
@@ -32,25 +31,10 @@ namespace pcl_ops::benchmark {
 namespace {
 
 using evaluation::Clock;
-using Ops = OrientedPointSampling<pcl::PointXYZ>;
+using evaluation::runDetector;
 
-/** \brief A detector with all its parameters, threads too: of one thread processor
- * time, which other programs disturb less, of more wall time. */
-template <typename Detector>
-Measure
-detectorMeasure (const std::string& name,
-                 std::size_t runs,
-                 const typename Detector::Parameters& parameters,
-                 const XyzCloud::ConstPtr& cloud)
-{
-  const Clock clock = parameters.threads == 1 ? Clock::Processor : Clock::Wall;
-  return {
-      name, runs, [=] {
-        return evaluation::runDetector<Detector> (parameters, cloud, clock).durations;
-      }};
-}
-
-/** \brief The presets on a cloud.
+/** \brief The presets on a cloud: of one thread processor time, which other programs
+ * disturb less, of more wall time.
  * \param[in] sampling_rate that of the preset where there is none */
 std::vector<Measure>
 presetsOn (const XyzCloud::ConstPtr& cloud,
@@ -58,16 +42,41 @@ presetsOn (const XyzCloud::ConstPtr& cloud,
            unsigned threads = 1,
            std::optional<double> sampling_rate = std::nullopt)
 {
+  using Ops = OrientedPointSampling<pcl::PointXYZ>;
+  const Clock clock = threads == 1 ? Clock::Processor : Clock::Wall;
   std::vector<Measure> measures;
   for (const bool of_paper : {false, true}) {
     auto parameters = of_paper ? Ops::Parameters::paper() : Ops::Parameters{};
     parameters.seed = measuring.seed;
     parameters.threads = threads;
     parameters.sampling_rate = sampling_rate.value_or (parameters.sampling_rate);
-    measures.push_back (detectorMeasure<Ops> (
-        of_paper ? "ops paper" : "ops", measuring.runs, parameters, cloud));
+    measures.push_back ({of_paper ? "ops paper" : "ops", measuring.runs, [=] {
+                           return runDetector<Ops> (parameters, cloud, clock).durations;
+                         }});
   }
   return measures;
+}
+
+/** \brief A detector of the evaluation on a cloud. One of others may take any time:
+ * then it is said and ended. */
+Measure
+measureOf (const evaluation::Configuration& detector,
+           const XyzCloud::ConstPtr& cloud,
+           std::size_t runs,
+           std::uint32_t seed)
+{
+  return {detector.name, runs, [=] {
+            constexpr unsigned time_limit = 600; // [s]
+            evaluation::RunSettings settings;
+            settings.seed = seed;
+            settings.clock = Clock::Processor;
+            if (const auto run = runLimited (detector, cloud, settings, time_limit))
+              return run->durations;
+            std::cerr << detector.name << ": stopped after " << time_limit << " s\n";
+            StageDurations durations;
+            durations.detection = 1e3 * time_limit;
+            return durations;
+          }};
 }
 
 /** \brief What no method is faster than: a copy of the cloud onto memory that is there
@@ -94,30 +103,13 @@ leastMeasures (const XyzCloud::ConstPtr& cloud, std::size_t runs)
 std::vector<Measure>
 allOn (const XyzCloud::ConstPtr& cloud, const MeasureParameters& measuring)
 {
-  using Kht = KernelHoughTransform<pcl::PointXYZ>;
   std::vector<Measure> measures = presetsOn (cloud, measuring);
-  measures.push_back (detectorMeasure<Kht> ("kht", measuring.runs, {}, cloud));
+  const evaluation::Configuration kht =
+      evaluation::selectConfigurations ("kht").front();
+  measures.push_back (measureOf (kht, cloud, measuring.runs, measuring.seed));
   for (const Measure& least : leastMeasures (cloud, measuring.runs))
     measures.push_back (least);
   return measures;
-}
-
-/** \brief A detector of others may take any time: then it is said and ended. */
-StageDurations
-durationsOf (const evaluation::Configuration& detector,
-             const XyzCloud::ConstPtr& cloud,
-             std::uint32_t seed)
-{
-  constexpr unsigned time_limit = 600; // [s]
-  evaluation::RunSettings settings;
-  settings.seed = seed;
-  settings.clock = Clock::Processor;
-  if (const auto run = evaluation::runLimited (detector, cloud, settings, time_limit))
-    return run->durations;
-  std::cerr << detector.name << ": stopped after " << time_limit << " s\n";
-  StageDurations durations;
-  durations.detection = 1e3 * time_limit;
-  return durations;
 }
 
 /** A number in /proc/self/status [byte]; NaN if there is none. */
@@ -169,20 +161,14 @@ std::vector<Measure>
 measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters)
 {
   std::vector<Measure> measures = leastMeasures (cloud, parameters.runs);
-  Ops::Parameters two_threads;
-  two_threads.seed = parameters.seed;
-  two_threads.threads = 2;
-  measures.push_back (
-      detectorMeasure<Ops> ("ops, two threads", parameters.runs, two_threads, cloud));
+  measures.push_back (presetsOn (cloud, parameters, 2).front());
+  measures.back().name = "ops, two threads";
   for (const auto& [names, runs] :
        {std::pair ("ops,ops-3-30,ops-0.3-10,kht,fspf-0.07-0.14", parameters.runs),
         {"peers", parameters.peer_runs}})
     for (const auto& detector : evaluation::selectConfigurations (names))
       if (runs > 0 && !detector.needs_image)
-        measures.push_back (
-            {detector.name, runs, [detector, cloud, seed = parameters.seed] {
-               return durationsOf (detector, cloud, seed);
-             }});
+        measures.push_back (measureOf (detector, cloud, runs, parameters.seed));
   return measures;
 }
 

@@ -76,7 +76,8 @@ extern const char* const data_set_help;
  * \throw apps::UsageError for any other text, apps::WorkError if the folder has no
  * cloud */
 DataSet
-dataSetOf (const std::string& text, const Eigen::Vector3d& up);
+dataSetOf (const std::string& text,
+           const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ());
 
 /** \brief The same of several, for a direction of any length. */
 std::vector<DataSet>
