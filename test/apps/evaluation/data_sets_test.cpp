@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cli/errors.h>
 #include <evaluation/data/data_sets.h>
-#include <support/temporary_folder.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -14,12 +12,6 @@ namespace {
 using namespace pcl_ops::evaluation;
 using Eigen::Vector3f;
 namespace fs = std::filesystem;
-
-DataSet
-dataSet (const std::string& text)
-{
-  return dataSetOf (text, Eigen::Vector3d::UnitZ());
-}
 
 TEST (DataSets, ScenesAreACloudForEachSeed)
 {
@@ -32,7 +24,7 @@ TEST (DataSets, ScenesAreACloudForEachSeed)
                                    {"streets-32", "street-0011"},
                                    {"streets-16", "street-0011"},
                                    {"streets-livox", "street-0011"}}) {
-    const DataSet scenes = dataSet (kind + std::string (":9-11"));
+    const DataSet scenes = dataSetOf (kind + std::string (":9-11"));
     EXPECT_EQ (scenes.at (0).data_set, kind);
     ASSERT_EQ (scenes.size(), 3u);
     EXPECT_EQ (scenes[2].name, last);
@@ -52,7 +44,7 @@ TEST (DataSets, SimulatedCloudsComeWithTheirTruthAndAreRepeatable)
               {"rooms:2", 10, true, 0.5f}};
   for (const auto& row : rows) {
     SCOPED_TRACE (row.text);
-    const CloudSource source = dataSet (row.text).at (0);
+    const CloudSource source = dataSetOf (row.text).at (0);
     const EvaluationCloud cloud = source.load(), again = source.load();
     ASSERT_TRUE (cloud.truth);
     EXPECT_EQ (cloud.truth->size(), cloud.cloud->size());
@@ -61,21 +53,6 @@ TEST (DataSets, SimulatedCloudsComeWithTheirTruthAndAreRepeatable)
     EXPECT_EQ (bool (cloud.image), row.is_image);
     EXPECT_GT (cloud.cloud->sensor_origin_.z(), row.min_height);
   }
-}
-
-TEST (DataSets, RangesOfSeedsAreNeitherEmptyNorEndless)
-{
-  for (const char* text : {"rooms:3-1", "shapes:1-9999999", "rooms:0-4000000000"})
-    EXPECT_THROW (dataSet (text), pcl_ops::apps::UsageError) << text;
-}
-
-TEST (DataSets, AFolderOfCloudsGivesItsName)
-{
-  const TemporaryFolder folder;
-  fs::create_directories (folder / "roofs");
-  const std::string file = folder.write ("roofs/one.xyz", "1 2 3\n");
-  EXPECT_EQ (dataSet ("clouds:" + folder / "roofs").at (0).data_set, "roofs");
-  EXPECT_EQ (dataSet ("clouds:" + file).at (0).data_set, "clouds");
 }
 
 /** A square of n x n points, 2 cm apart, spanned by x and another axis. */
@@ -146,7 +123,7 @@ TEST (RegionGrowing, FindsTheExactPlanesOfARenderedRoom)
   const auto file = fs::path (PCL_OPS_DATA_DIR) / "clouds/icl_nuim_lr_frame0_gt.pcd";
   if (!fs::exists (file))
     GTEST_SKIP() << "no " << file;
-  const EvaluationCloud cloud = dataSet ("clouds:" + file.string()).at (0).load();
+  const EvaluationCloud cloud = dataSetOf ("clouds:" + file.string()).at (0).load();
   const PlaneLabels grown = growRegions (*cloud.cloud, 30);
   EXPECT_GT (compareLabels (*cloud.cloud, *cloud.truth, grown).named[1].second, 0.9);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <evaluation/metrics/metrics.h>
+#include <support/text.h>
 
 #include <algorithm>
 #include <limits>
@@ -10,7 +11,6 @@
 #include <numeric>
 #include <random>
 #include <sstream>
-#include <tuple>
 
 namespace {
 
@@ -49,70 +49,23 @@ metricsOf (const PlaneLabels& truth, const PlaneLabels& result)
   const Metrics metrics = compareLabels (floorAndWall(), truth, result);
   std::map<std::string, double> named (metrics.named.begin(), metrics.named.end());
   named[off_planes_name] = metrics.points_off_planes_called_planes;
+  for (const auto& count : namedCounts (metrics))
+    named.insert (count);
   return named;
 }
 
-TEST (Metrics, TheTruthItselfIsPerfectWhateverThePlanesAreCalled)
-{
-  for (const auto& [name, value] : metricsOf (floor_and_wall, runs ("10x900 10x7"))) {
-    const std::string error = name.substr (0, name.find ("_75"));
-    const bool is_error = error == "over_segmentation" ||
-                          error == "under_segmentation" || error == "noise" ||
-                          error == "missed" || error == off_planes_name;
-    EXPECT_EQ (value, is_error ? 0.0 : 1.0) << name;
-  }
-}
-
-/** What, the truth, the result, and some metrics they have. */
-constexpr const char* comparisons = R"(
-nothing found leaves only the ten of no plane right | 10x1 10x0 | 20x0 |
-  classification_accuracy .5 segmentation_accuracy 0 segmentation_accuracy_all .5
-  precision 0 recall 0 missed 1;
-a plane where there is none is noise | 20x0 | 10x1 10x0 |
-  segmentation_accuracy 0 segmentation_accuracy_all .5 precision 0 noise 1;
-nothing to find and nothing found is perfect | 20x0 | 20x0 | segmentation_accuracy 1 f_score 1;
-the points of the assigned planes count | 10x1 10x2 | 8x1 2x2 9x2 1x0 | segmentation_accuracy .85;
-a found plane is assigned only once | 10x1 10x2 | 20x1 |
-  segmentation_accuracy .5 recall .5 precision 1;
-points rightly on no plane count in one of the accuracies | 10x1 10x0 | 8x1 8x0 4x2 |
-  segmentation_accuracy .8 segmentation_accuracy_all .7;
-half of the points off planes are called planes | 20x0 | 6x1 4x2 10x0 |
-  points_off_planes_called_planes .5;
-points on a true plane are not off planes | 10x1 10x0 | 14x1 6x0 |
-  points_off_planes_called_planes .4;
-no point is off planes | 20x1 | 20x1 | points_off_planes_called_planes 0;
-classes are those of the planes: five points on a line span none |
-  10x1 10x2 | 5x1 5x3 10x0 | classification_accuracy 0;
-floor with an IoU of 0.6, wall with one of 0.9 | 10x1 10x2 | 6x1 4x0 9x2 1x0 |
-  recall 1 mean_iou .75 panoptic_quality .75 precision_75 .5 recall_75 .5
-  panoptic_quality_75 .45 missed_75 .5 noise_75 .5;
-precision and recall have their own denominators |
-  5x1 5x2 5x3 5x0 | 5x1 5x2 5x0 3x4 2x5 |
-  precision .5 recall .6666666666666666 f_score .5714285714285714 noise .5
-  missed .3333333333333333;
-a true plane in three parts is over-segmented, the parts are explained |
-  10x1 10x2 | 4x1 3x2 3x3 10x4 | over_segmentation .5 under_segmentation 0 missed 0 noise 0;
-a found plane over two true ones is under-segmented | 10x1 10x2 | 20x1 |
-  under_segmentation_75 1 over_segmentation_75 0 missed_75 0 noise_75 0;
-parts that leave most of the plane open are noise | 20x1 | 4x1 4x2 12x0 |
-  over_segmentation 0 noise 1 missed 1;
-halves of one plane match it only once | 20x1 | 10x1 10x2 |
-  segmentation_accuracy .5 recall 1 precision .5 mean_iou .5;)";
-
 TEST (Metrics, AreWhatTheirDefinitionSays)
 {
-  std::istringstream rows (comparisons);
-  for (std::string what, truth, result, expected; std::getline (rows, what, '|');) {
-    std::getline (rows, truth, '|');
-    std::getline (rows, result, '|');
-    std::getline (rows, expected, ';');
-    SCOPED_TRACE (what);
-    const auto metrics = metricsOf (runs (truth), runs (result));
-    std::istringstream stream (expected);
+  const auto rows = tableIn (PCL_OPS_METRICS);
+  ASSERT_FALSE (rows.empty());
+  for (const auto& row : rows) {
+    SCOPED_TRACE (row.at (0));
+    const auto metrics = metricsOf (runs (row.at (1)), runs (row.at (2)));
+    std::istringstream expected (row.at (3));
     std::string name;
-    for (double value = -1.0; stream >> name >> value;)
+    for (double value = -1.0; expected >> name >> value;)
       EXPECT_DOUBLE_EQ (metrics.at (name), value) << name;
-    EXPECT_TRUE (stream.eof());
+    EXPECT_TRUE (expected.eof());
   }
 }
 
@@ -165,37 +118,15 @@ planesIn (const SizeClasses& classes)
   return planes;
 }
 
-/** True planes of so many points, of each of which the result has the first share. */
-Metrics
-metricsOfSizes (const std::vector<std::size_t>& sizes, double share_found)
-{
-  PlaneLabels truth, result;
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    truth.resize (truth.size() + sizes[i], std::uint32_t (i + 1));
-    result.resize (result.size() + std::size_t (share_found * double (sizes[i])),
-                   std::uint32_t (i + 1));
-    result.resize (truth.size(), 0);
-  }
-  return compareLabels (XyzCloud (std::uint32_t (truth.size()), 1), truth, result);
-}
-
 TEST (SizeClasses, ATruePlaneBelongsToTheClassOfItsPoints)
 {
-  const Metrics metrics = metricsOfSizes (
-      {1, 199, 200, 499, 500, 999, 1000, 2999, 3000, 9999, 10000, 30000}, 1.0);
-  EXPECT_EQ (planesIn (metrics.by_size), (std::vector<std::size_t> (6, 2)));
-}
-
-TEST (SizeClasses, CountThePlanesFoundAtBothOverlaps)
-{
-  for (const auto& [share, at_50, at_75] :
-       {std::tuple (0.0, 0.0, 0.0), {0.6, 2.0, 0.0}, {1.0, 2.0, 2.0}}) {
-    const NamedValues counts = namedCounts (metricsOfSizes ({100, 150}, share));
-    EXPECT_EQ (counts[0], std::pair (std::string ("planes_by_points_below_200"), 2.0));
-    EXPECT_EQ (counts[1].second, at_50) << share;
-    EXPECT_EQ (counts[2].second, at_75) << share;
-    EXPECT_EQ (counts.back().first, "found_75_by_width_from_1");
-  }
+  PlaneLabels labels;
+  for (const std::size_t size :
+       {1, 199, 200, 499, 500, 999, 1000, 2999, 3000, 9999, 10000, 30000})
+    labels.insert (labels.end(), size, std::uint32_t (labels.size() + 1));
+  const XyzCloud cloud (std::uint32_t (labels.size()), 1);
+  EXPECT_EQ (planesIn (compareLabels (cloud, labels, labels).by_size),
+             (std::vector<std::size_t> (6, 2)));
 }
 
 TEST (Widths, DivideTruePlanesIntoClasses)

@@ -4,7 +4,6 @@
 
 #include <cli/errors.h>
 #include <evaluation/data/data_sets.h>
-#include <png.h>
 #include <support/temporary_folder.h>
 #include <support/text.h>
 
@@ -17,27 +16,11 @@ using namespace pcl_ops::evaluation;
 using Eigen::Vector3f;
 namespace fs = std::filesystem;
 
-/** A gray PNG of one row of two pixels, big-endian. */
+/** An image of one row of two pixels, which its name tells. */
 std::string
-png (int bits, std::string row)
+png (const std::string& name)
 {
-  std::string bytes;
-  png_structp png = png_create_write_struct (PNG_LIBPNG_VER_STRING, {}, {}, {});
-  png_infop info = png_create_info_struct (png);
-  png_set_write_fn (
-      png,
-      &bytes,
-      [] (png_structp stream, png_bytep data, std::size_t size) {
-        static_cast<std::string*> (png_get_io_ptr (stream))
-            ->append (reinterpret_cast<const char*> (data), size);
-      },
-      nullptr);
-  png_set_IHDR (png, info, 2, 1, bits, PNG_COLOR_TYPE_GRAY, 0, 0, 0);
-  png_write_info (png, info);
-  png_write_row (png, reinterpret_cast<png_bytep> (row.data()));
-  png_write_end (png, info);
-  png_destroy_write_struct (&png, &info);
-  return bytes;
+  return contentOf (PCL_OPS_DEPTH_IMAGES "/" + name + ".png");
 }
 
 void
@@ -47,8 +30,8 @@ write (const fs::path& file, const std::string& text)
   std::ofstream (file, std::ios::binary) << text;
 }
 
-/** Two pixels, 0x0010 and 0x0018: 2 mm and 3 mm as SUN RGB-D stores them. */
-const std::string two_pixels = png (16, {"\0\x10\0\x18", 4});
+/** Stored as 0x0010 and 0x0018. */
+const std::string two_pixels = png ("2mm_3mm");
 
 /** A data set of one frame: focal length 1 pixel, center (0, 0), camera level. */
 class SunRgbdTest : public testing::Test {
@@ -96,8 +79,7 @@ TEST_F (SunRgbdTest, ATiltedCameraIsTurnedUprightByTheLatestExtrinsics)
 
 TEST_F (SunRgbdTest, PixelsWithoutReadingGiveNoPointAndFarOnesAreClipped)
 {
-  // 0, and 0xFFFF = 65.535 m
-  write (frame / "depth" / "0001.png", png (16, {"\0\0\xff\xff", 4}));
+  write (frame / "depth" / "0001.png", png ("none_65m"));
   const EvaluationCloud cloud = read();
   ASSERT_EQ (cloud.cloud->size(), 1u);
   EXPECT_FLOAT_EQ ((*cloud.cloud)[0].y, 8.0f);
@@ -156,7 +138,7 @@ TEST_F (SunRgbdTest, EveryTruncationAndDamagedByteOfAnImageIsAnError)
 
 TEST_F (SunRgbdTest, ImagesOfOtherPixelsAreErrors)
 {
-  write (frame / "depth" / "0001.png", png (8, "ab"));
+  write (frame / "depth" / "0001.png", png ("8bit"));
   EXPECT_TRUE (contains (errorOfReading(), "16-bit gray"));
 }
 
