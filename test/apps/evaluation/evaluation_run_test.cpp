@@ -104,15 +104,6 @@ TEST_F (EvaluationRunTest, WritesARowForEachCloudAndConfiguration)
   EXPECT_EQ (column ("detection_ms"), Cells (4, "1500"));
 }
 
-TEST_F (EvaluationRunTest, QuotesNamesWhereTheyNeedIt)
-{
-  plan.clouds = {rowOfPoints ("b, \"c\"\nd")};
-  EXPECT_EQ (run().new_rows, 2u);
-  EXPECT_TRUE (
-      contains (contentOf (file), "rows,\"b, \"\"c\"\" d\",exact,half-right,"));
-  EXPECT_EQ (run().new_rows, 0u);
-}
-
 TEST_F (EvaluationRunTest, SavesTheTruthAndTheLabelsOfNewRows)
 {
   plan.labels_folder = folder / "labels";
@@ -186,20 +177,6 @@ TEST_F (EvaluationRunTest, WhatNeedsAnImageRunsOnImagesOnly)
 {
   plan.configurations[0].needs_image = true;
   EXPECT_EQ (run().new_rows, 2u);
-}
-
-TEST_F (EvaluationRunTest, AFileThatIsUnwritableOrOfAnotherVersionIsLeftAlone)
-{
-  run();
-  std::string older = contentOf (file);
-  older.resize (older.find (",points_off_planes_called_planes"));
-  for (const std::string& text : {std::string ("name,value\nx,1\n"), older + '\n'}) {
-    folder.write ("results.csv", text);
-    EXPECT_THROW (run(), pcl_ops::apps::WorkError);
-    EXPECT_EQ (contentOf (file), text);
-  }
-  file = folder / "missing/results.csv";
-  EXPECT_THROW (run(), pcl_ops::apps::WorkError);
 }
 
 TEST_F (EvaluationRunTest, AFullDiskLeavesTheRowsThatHadRoom)

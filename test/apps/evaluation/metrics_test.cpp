@@ -40,72 +40,35 @@ runs (const std::string& text)
   return labels;
 }
 
-const PlaneLabels floor_and_wall = runs ("10x1 10x2"), floor_only = runs ("10x1 10x0");
-
-/** By published name. */
-std::map<std::string, double>
-metricsOf (const PlaneLabels& truth, const PlaneLabels& result)
-{
-  const Metrics metrics = compareLabels (floorAndWall(), truth, result);
-  std::map<std::string, double> named (metrics.named.begin(), metrics.named.end());
-  named[off_planes_name] = metrics.points_off_planes_called_planes;
-  for (const auto& count : namedCounts (metrics))
-    named.insert (count);
-  return named;
-}
-
 TEST (Metrics, AreWhatTheirDefinitionSays)
 {
   const auto rows = tableIn (PCL_OPS_METRICS);
   ASSERT_FALSE (rows.empty());
   for (const auto& row : rows) {
     SCOPED_TRACE (row.at (0));
-    const auto metrics = metricsOf (runs (row.at (1)), runs (row.at (2)));
+    const Metrics metrics =
+        compareLabels (floorAndWall(), runs (row.at (1)), runs (row.at (2)));
+    std::map<std::string, double> named{
+        {off_planes_name, metrics.points_off_planes_called_planes}};
+    for (const NamedValues& values : {metrics.named, namedCounts (metrics)})
+      named.insert (values.begin(), values.end());
     std::istringstream expected (row.at (3));
     std::string name;
     for (double value = -1.0; expected >> name >> value;)
-      EXPECT_DOUBLE_EQ (metrics.at (name), value) << name;
+      EXPECT_DOUBLE_EQ (named.at (name), value) << name;
     EXPECT_TRUE (expected.eof());
   }
 }
 
-TEST (Metrics, ClassesFollowTheUpAxis)
-{
-  // Found is the floor alone: right are its points, and those of the wall where it is
-  // neither horizontal nor vertical, like points on no plane.
-  for (const auto& [up, right] : {std::pair (Eigen::Vector3d (0, 0, 1), 0.5),
-                                  {Eigen::Vector3d (1, 0, 1).normalized(), 1.0}}) {
-    const auto metrics =
-        compareLabels (floorAndWall(), floor_and_wall, floor_only, {up});
-    EXPECT_EQ (metrics.named[0].second, right);
-  }
-}
-
-TEST (Metrics, PointsWithoutCoordinatesDoNotCount)
-{
-  XyzCloud cloud = floorAndWall();
-  for (std::size_t i = 0; i < 5; ++i)
-    cloud[i].x = std::numeric_limits<float>::quiet_NaN();
-  const Metrics metrics = compareLabels (cloud, floor_and_wall, runs ("5x0 5x1 10x2"));
-  EXPECT_EQ (metrics.points, 15u);
-  EXPECT_EQ (metrics.named[1].second, 1.0);
-}
-
 TEST (Metrics, LabelsThatAreNoneOfPlanesAreRefused)
 {
-  EXPECT_THROW (compareLabels (floorAndWall(), floor_only, PlaneLabels (19, 1)),
-                std::invalid_argument);
+  EXPECT_THROW (
+      compareLabels (floorAndWall(), PlaneLabels (20, 1), PlaneLabels (19, 1)),
+      std::invalid_argument);
   PlaneLabels one_a_point (20'000); // refused before memory is
   std::iota (one_a_point.begin(), one_a_point.end(), 1u);
   EXPECT_THROW (compareLabels (XyzCloud (20'000, 1), one_a_point, one_a_point),
                 std::length_error);
-}
-
-TEST (DropSmallPlanes, LeavesPlanesOfTheSizeAsked)
-{
-  PlaneLabels labels = runs ("50x1 49x2 3x0");
-  dropSmallPlanes (labels, 50);
-  EXPECT_EQ (labels, runs ("50x1 52x0"));
 }
 
 /** \brief How many planes there are in each class. */
