@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cli/errors.h>
 #include <evaluation/detectors/detectors.h>
 #include <evaluation/detectors/peers.h>
 
@@ -25,18 +24,6 @@ floorWithNoise (double sigma)
     for (int j = 0; j < 60; ++j)
       cloud->push_back (pcl::PointXYZ (0.02f * i, 0.02f * j, noise (generator)));
   return cloud;
-}
-
-TEST (Detectors, NamesAndGroupsSelectEachConfigurationOnce)
-{
-  EXPECT_EQ (selectConfigurations ("ops").size(), 1u);
-  EXPECT_EQ (selectConfigurations ("table3").size(),
-             18u); // 15 rows, 3 of strategy 1
-  EXPECT_EQ (selectConfigurations ("table3,ops-3-30").size(), 18u);
-  EXPECT_EQ (selectConfigurations ("all,ablation").size(), allConfigurations().size());
-  EXPECT_EQ (selectConfigurations ("peers").size(),
-             selectConfigurations ("peers-measured").size());
-  EXPECT_THROW (selectConfigurations ("ops,opps"), pcl_ops::apps::UsageError);
 }
 
 TEST (Detectors, EveryOneFindsAFloorAndSaysHowLongItTook)

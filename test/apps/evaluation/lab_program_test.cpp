@@ -24,7 +24,9 @@ protected:
   Outcome
   runCommand (const std::string& command) const
   {
-    return shell ("{ PATH=\"" PCL_OPS_PROGRAMS ":$PATH\"; " + command + "; }");
+    return shell ("{ PATH=\"" PCL_OPS_PROGRAMS ":$PATH\"; PYTHON='" PCL_OPS_PYTHON3
+                  "'; REPORT='" PCL_OPS_REPORT "'; " +
+                  command + "; }");
   }
 
   static void
@@ -94,6 +96,13 @@ protected:
 TEST_F (LabProgram, Simulates) { expectTable ("simulate"); }
 
 TEST_F (LabProgram, Evaluates) { expectTable ("evaluate"); }
+
+TEST_F (LabProgram, Reports)
+{
+  if (!fs::exists (PCL_OPS_PYTHON3))
+    GTEST_SKIP() << "no Python";
+  expectTable ("report");
+}
 
 TEST_F (LabProgram, Benchmarks)
 {
