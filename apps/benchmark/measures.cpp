@@ -84,7 +84,7 @@ measureOf (const evaluation::Configuration& detector,
 std::vector<Measure>
 leastMeasures (const XyzCloud::ConstPtr& cloud, std::size_t runs)
 {
-  const auto measureOf = [runs] (const char* name, const std::function<void()>& work) {
+  const auto timeOf = [runs] (const char* name, const std::function<void()>& work) {
     return Measure{name, runs, [work] {
                      StageDurations durations;
                      evaluation::timed (durations.detection, Clock::Processor, work);
@@ -92,9 +92,9 @@ leastMeasures (const XyzCloud::ConstPtr& cloud, std::size_t runs)
                    }};
   };
   const auto copy = std::make_shared<XyzCloud> (*cloud);
-  return {measureOf ("copy of the cloud",
-                     [=] { std::copy (cloud->begin(), cloud->end(), copy->begin()); }),
-          measureOf ("KdTreeFLANN construction", [cloud] {
+  return {timeOf ("copy of the cloud",
+                  [=] { std::copy (cloud->begin(), cloud->end(), copy->begin()); }),
+          timeOf ("KdTreeFLANN construction", [cloud] {
             pcl::KdTreeFLANN<pcl::PointXYZ>().setInputCloud (cloud);
           })};
 }

@@ -116,7 +116,7 @@ declareSensor (CommandLine& line, SimulationOptions& options)
             })
       .help ("the noise: smoothed depth, raw depth (correlated)");
   std::vector<std::string> lidars;
-  for (const Lidar& lidar : knownLidars())
+  for (const Lidar& lidar : known_lidars)
     lidars.push_back (lidar.name);
   line.add ("sensor", simulation.sensor, lidars)
       .help ("lidar of street and drive: rotating with that many beams, or one "

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -192,23 +193,12 @@ scanByCamera (const Scene& scene,
   return scan;
 }
 
-const std::vector<Lidar>&
-knownLidars ()
-{
-  static const std::vector<Lidar> lidars = {{"lidar-64", 64, 1900, 2.0, -24.8, 120.0},
-                                            {"lidar-32", 32, 1080, 10.0, -30.0, 100.0},
-                                            {"lidar-16", 16, 1800, 15.0, -15.0, 100.0},
-                                            {"livox", 1, 100'000, 35.0, -35.0, 120.0}};
-  return lidars;
-}
-
 Lidar
 lidarOf (const std::string& name)
 {
-  const std::vector<Lidar>& lidars = knownLidars();
-  return *std::find_if (lidars.begin(), lidars.end() - 1, [&name] (const Lidar& lidar) {
-    return lidar.name == name;
-  });
+  return *std::find_if (std::begin (known_lidars),
+                        std::end (known_lidars) - 1,
+                        [&name] (const Lidar& lidar) { return lidar.name == name; });
 }
 
 Scan

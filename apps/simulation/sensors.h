@@ -77,7 +77,7 @@ constexpr double lidar_sigma = 0.02;
  * one above the other, highest first, and so around clockwise; or with \ref beams 1 a
  * single one along a rosette whose gaps the next scans fill. */
 struct Lidar {
-  std::string name;
+  const char* name;
   int beams, steps;       // how many at once, and how often in a scan
   double highest, lowest; // elevations of the outer beams or the edge [degree]
   double farthest;        // readings beyond are lost [m]
@@ -90,10 +90,12 @@ struct Lidar {
 };
 
 /** \brief Lidars like a Velodyne HDL-64E, HDL-32E or VLP-16 and a Livox Avia. */
-const std::vector<Lidar>&
-knownLidars ();
+constexpr Lidar known_lidars[] = {{"lidar-64", 64, 1900, 2.0, -24.8, 120.0},
+                                  {"lidar-32", 32, 1080, 10.0, -30.0, 100.0},
+                                  {"lidar-16", 16, 1800, 15.0, -15.0, 100.0},
+                                  {"livox", 1, 100'000, 35.0, -35.0, 120.0}};
 
-/** \brief That of a name: lidar-64, lidar-32, lidar-16 or livox. */
+/** \brief That of a name; of another one the last. */
 Lidar
 lidarOf (const std::string& name);
 

@@ -70,20 +70,14 @@ terraceAt (Seed seed, const Place& place)
 }
 
 /** \brief From the frame of the streets to that of the tiles. */
-Eigen::Matrix3d
-directionOfStreets ()
-{
-  constexpr double degrees = 12.0;
-  return turnZ (degrees * pi / 180.0).linear();
-}
+const Eigen::Matrix3d streets_to_tiles = turnZ (12.0 * pi / 180.0).linear();
 
 /** \brief The places of a lattice in the frame of the streets that may reach into a
  * square. */
 AlignedBox2i
 placesAround (const AlignedBox2d& square, const Vector2d& pitch, double margin)
 {
-  const Eigen::Matrix2d to_streets =
-      directionOfStreets().topLeftCorner<2, 2>().transpose();
+  const Eigen::Matrix2d to_streets = streets_to_tiles.topLeftCorner<2, 2>().transpose();
   AlignedBox2d around;
   for (int corner = 0; corner < 4; ++corner)
     around.extend (to_streets * square.corner (AlignedBox2d::CornerType (corner)));
@@ -98,7 +92,6 @@ struct TileSurvey {
   AlignedBox2d tile;
   double sigma;
   std::vector<TownPoint> points = {};
-  Eigen::Matrix3d turn = directionOfStreets();
 
   void
   addSide (const Side& side, Random& seeds, std::uint32_t label)
@@ -116,7 +109,7 @@ struct TileSurvey {
   Vector3d
   placeOn (const Side& patch, double u, double v) const
   {
-    return turn * (patch.corner + u * patch.along + v * patch.up);
+    return streets_to_tiles * (patch.corner + u * patch.along + v * patch.up);
   }
 
   void
