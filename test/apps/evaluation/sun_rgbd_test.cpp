@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cli/errors.h>
 #include <evaluation/data/data_sets.h>
 #include <support/temporary_folder.h>
 #include <support/text.h>
@@ -16,11 +15,11 @@ using namespace pcl_ops::evaluation;
 using Eigen::Vector3f;
 namespace fs = std::filesystem;
 
-/** An image of one row of two pixels, which its name tells. */
+/** Of an image of one row of two pixels. */
 std::string
 png (const std::string& name)
 {
-  return contentOf (PCL_OPS_DEPTH_IMAGES "/" + name + ".png");
+  return contentOf (PCL_OPS_INPUTS "/" + name + ".png");
 }
 
 void
@@ -30,8 +29,8 @@ write (const fs::path& file, const std::string& text)
   std::ofstream (file, std::ios::binary) << text;
 }
 
-/** Stored as 0x0010 and 0x0018. */
-const std::string two_pixels = png ("2mm_3mm");
+/** 2 mm and 3 mm, stored as 0x0010 and 0x0018. */
+const std::string two_pixels = png ("frames/kv2/room/frame/depth/0001");
 
 /** A data set of one frame: focal length 1 pixel, center (0, 0), camera level. */
 class SunRgbdTest : public testing::Test {
@@ -42,9 +41,7 @@ protected:
 
   SunRgbdTest()
   {
-    write (frame / "depth" / "0001.png", two_pixels);
-    write (frame / "intrinsics.txt", "1 0 0\n0 1 0\n0 0 1\n");
-    write (frame / "extrinsics" / "1.txt", "1 0 0 0\n0 1 0 0\n0 0 1 0\n");
+    fs::copy (PCL_OPS_INPUTS "/frames", root, fs::copy_options::recursive);
   }
 
   EvaluationCloud
@@ -85,39 +82,6 @@ TEST_F (SunRgbdTest, PixelsWithoutReadingGiveNoPointAndFarOnesAreClipped)
   EXPECT_FLOAT_EQ ((*cloud.cloud)[0].y, 8.0f);
 }
 
-TEST_F (SunRgbdTest, FramesAreFoundAtAnyDepthAndReadLate)
-{
-  write (root / "kv1" / "a" / "b" / "c" / "depth_bfx" / "1.png", two_pixels);
-  const DataSet set = sunRgbdDataSet (root.string(), true);
-  ASSERT_EQ (set.size(), 2u);
-  EXPECT_EQ (set[0].name, "kv1/a/b/c");
-  EXPECT_THROW (set[0].load(), pcl_ops::apps::WorkError);
-  EXPECT_EQ (set[1].load().cloud->size(), 2u);
-}
-
-TEST_F (SunRgbdTest, FilesThatAreMissingAreNamed)
-{
-  fs::remove (frame / "depth" / "0001.png");
-  EXPECT_TRUE (contains (errorOfReading(), "has no .png file"));
-  fs::remove (frame / "intrinsics.txt");
-  EXPECT_TRUE (contains (errorOfReading(), "intrinsics.txt: cannot be read"));
-}
-
-TEST_F (SunRgbdTest, MalformedMatricesAreNamed)
-{
-  write (frame / "extrinsics" / "1.txt", "2 0 0 0\n0 1 0 0\n0 0 1 0\n");
-  EXPECT_TRUE (contains (errorOfReading(), "no rotation"));
-  for (const char* text : {"1 0 0\n0 1",
-                           "1 0 0 a 1 0 0 0 1",
-                           "1 0 0 0 1 0 0 0 1 7",
-                           "0 0 0 0 0 0 0 0 1",
-                           "nan 0 0 0 1 0 0 0 1",
-                           ""}) {
-    write (frame / "intrinsics.txt", text);
-    EXPECT_TRUE (contains (errorOfReading(), "intrinsics.txt")) << text;
-  }
-}
-
 TEST_F (SunRgbdTest, EveryTruncationAndDamagedByteOfAnImageIsAnError)
 {
   const auto expectError = [&] (const std::string& bytes) {
@@ -134,12 +98,6 @@ TEST_F (SunRgbdTest, EveryTruncationAndDamagedByteOfAnImageIsAnError)
     if (i < two_pixels.size() - checksum)
       expectError (damaged);
   }
-}
-
-TEST_F (SunRgbdTest, ImagesOfOtherPixelsAreErrors)
-{
-  write (frame / "depth" / "0001.png", png ("8bit"));
-  EXPECT_TRUE (contains (errorOfReading(), "16-bit gray"));
 }
 
 TEST (SunRgbd, RealFramesStandUpright)

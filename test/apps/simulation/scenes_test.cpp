@@ -198,15 +198,6 @@ TEST (Street, WindowsOfAHouseAreOnePlaneBehindTheFacade)
   EXPECT_GT (houses, 10);
 }
 
-TEST (Shapes, AreTwoPlanesAndPointsOnNone)
-{
-  const auto simulated = simulateShapes (5000, 1.0, 7);
-  EXPECT_EQ (simulated.planes.size(), 2u);
-  const auto isOnNone = [] (const auto& point) { return point.label == 0; };
-  EXPECT_GT (std::count_if (simulated.cloud.begin(), simulated.cloud.end(), isOnNone),
-             1000);
-}
-
 TEST (SurfacePoints, AreDenseEvenlyInTheRangeOfTheirShape)
 {
   using Kind = Shape::Kind;

@@ -13,48 +13,6 @@ using namespace pcl_ops::evaluation;
 using Eigen::Vector3f;
 namespace fs = std::filesystem;
 
-TEST (DataSets, ScenesAreACloudForEachSeed)
-{
-  for (const auto& [kind, last] : {std::pair ("rooms", "room-0011"),
-                                   {"rooms-raw", "room-0011"},
-                                   {"furniture", "furniture-0011"},
-                                   {"survey", "survey-0011"},
-                                   {"shapes", "shapes-0011"},
-                                   {"streets", "street-0011"},
-                                   {"streets-32", "street-0011"},
-                                   {"streets-16", "street-0011"},
-                                   {"streets-livox", "street-0011"}}) {
-    const DataSet scenes = dataSetOf (kind + std::string (":9-11"));
-    EXPECT_EQ (scenes.at (0).data_set, kind);
-    ASSERT_EQ (scenes.size(), 3u);
-    EXPECT_EQ (scenes[2].name, last);
-  }
-}
-
-TEST (DataSets, SimulatedCloudsComeWithTheirTruthAndAreRepeatable)
-{
-  const struct {
-    const char* text;
-    std::size_t min_planes;
-    bool is_image;
-    float min_height; // of the sensor
-  } rows[] = {{"shapes:1", 2, false, -1.0f},
-              {"furniture:1", 10, true, 0.5f},
-              {"streets-16:1", 10, false, 0.5f},
-              {"rooms:2", 10, true, 0.5f}};
-  for (const auto& row : rows) {
-    SCOPED_TRACE (row.text);
-    const CloudSource source = dataSetOf (row.text).at (0);
-    const EvaluationCloud cloud = source.load(), again = source.load();
-    ASSERT_TRUE (cloud.truth);
-    EXPECT_EQ (cloud.truth->size(), cloud.cloud->size());
-    EXPECT_GE (planeIds (*cloud.truth).size(), row.min_planes);
-    EXPECT_EQ (cloud.truth, again.truth);
-    EXPECT_EQ (bool (cloud.image), row.is_image);
-    EXPECT_GT (cloud.cloud->sensor_origin_.z(), row.min_height);
-  }
-}
-
 /** A square of n x n points, 2 cm apart, spanned by x and another axis. */
 void
 addSquare (XyzCloud& cloud, int n, const Vector3f& corner, const Vector3f& axis)
