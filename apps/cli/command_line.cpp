@@ -4,8 +4,6 @@
 
 #include <boost/algorithm/string/join.hpp>
 
-#include "errors.h"
-
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -177,17 +175,12 @@ parseNumber (const std::string& option,
 Eigen::Vector3f
 parseDirection (const std::string& option, const std::string& text)
 {
-  Eigen::Vector3f direction;
-  std::istringstream parts (text + ",");
-  std::string part;
-  Eigen::Index count = 0;
-  for (; std::getline (parts, part, ','); ++count) {
-    if (count < 3)
-      direction[count] = parseNumber<float> (option, part, Range());
-  }
-  if (count != 3)
-    throw UsageError (option,
-                      "'" + text + "' is not x,y,z; give three numbers, as 0,0,1");
+  const auto numbers = parseNumbers<float, 3> (
+      option,
+      text,
+      Range(),
+      "'" + text + "' is not x,y,z; give three numbers, as 0,0,1");
+  const Eigen::Vector3f direction (numbers.data());
   if (!(direction.norm() > 0.0f))
     throw UsageError (option, text + " is no direction; give one such as 0,0,1");
   return direction;

@@ -4,12 +4,16 @@
 
 #include <Eigen/Core>
 
+#include "errors.h"
+
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -76,6 +80,27 @@ parseNumber (const std::string& option, const std::string& text, const Range& ra
                             : from_lowest.upTo (static_cast<double> (Limits::max()));
   return static_cast<Number> (
       parseNumber (option, text, range, of_type, Limits::is_integer));
+}
+
+/** \brief The numbers of a text such as "1,2,3".
+ * \param[in] problem said of a text with more or fewer, and the fix
+ * \throws UsageError of it, or as \ref parseNumber */
+template <typename Number, std::size_t count>
+std::array<Number, count>
+parseNumbers (const std::string& option,
+              const std::string& text,
+              const Range& range,
+              const std::string& problem)
+{
+  std::array<Number, count> numbers{};
+  std::size_t found = 0;
+  std::istringstream parts (text + ",");
+  for (std::string part; std::getline (parts, part, ','); ++found)
+    if (found < count)
+      numbers[found] = parseNumber<Number> (option, part, range);
+  if (found != count)
+    throw UsageError (option, problem);
+  return numbers;
 }
 
 /** \brief A vector "x,y,z" other than zero.

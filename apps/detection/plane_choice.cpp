@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_choice.h"
 
-#include <boost/algorithm/string/split.hpp>
-
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <detection/plane_json.h>
@@ -60,17 +58,12 @@ addNumbers (CommandLine& line,
             const Range& range)
 {
   return line.add (usage, [=, &target] (const std::string& text) {
-    const std::string name = nameOf (usage), option = "--" + name;
-    std::array<double, count> numbers{};
-    std::vector<std::string> parts;
-    boost::split (parts, text, [] (char letter) { return letter == ','; });
-    for (std::size_t i = 0; i < std::min (count, parts.size()); ++i)
-      numbers[i] = parseNumber<double> (option, parts[i], range);
-    if (parts.size() != count)
-      throw UsageError (option,
-                        text + " is not " + usage.substr (name.size() + 1) +
-                            "; give just that");
-    target = numbers;
+    const std::string name = nameOf (usage);
+    target = parseNumbers<double, count> (
+        "--" + name,
+        text,
+        range,
+        text + " is not " + usage.substr (name.size() + 1) + "; give just that");
   });
 }
 
