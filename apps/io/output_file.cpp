@@ -60,6 +60,40 @@ newFileIn (const fs::path& folder, const std::string& file)
   }
 }
 
+[[noreturn]] void
+failToSpool (const std::string& subject, const std::string& name)
+{
+  throw WorkError (subject,
+                   "cannot be copied to " + name + " (" + std::strerror (errno) +
+                       "); set TMPDIR to a folder with more space");
+}
+
+/** \brief A new file in the folder for temporary files. */
+std::string
+newSpool (const std::string& extension, const std::string& subject)
+{
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path (error);
+  if (error)
+    throw WorkError ("TMPDIR", "is no folder; set it to one for temporary files");
+  std::string name = folder / ("pcl_ops_XXXXXX" + extension);
+  const int file = ::mkstemps (name.data(), static_cast<int> (extension.size()));
+  if (file < 0)
+    failToSpool (subject, name);
+  ::close (file);
+  return name;
+}
+
+/** \return whether every byte is there */
+bool
+fillFile (const fs::path& path, const std::function<void (std::ostream& stream)>& write)
+{
+  std::ofstream stream (path, std::ios::binary);
+  write (stream);
+  stream.close();
+  return bool (stream);
+}
+
 /** \brief Refuses what is there under the name of a file to write. */
 void
 checkTarget (const std::string& file, const fs::path& target)
@@ -116,10 +150,7 @@ writeFile (const std::string& file,
   // Renaming replaces the file and not a link to it.
   const fs::path target = resolvedName (file);
   const TemporaryPath temporary (newFileIn (target.parent_path(), file));
-  std::ofstream stream (temporary.path(), std::ios::binary);
-  write (stream);
-  stream.close();
-  if (!stream)
+  if (!fillFile (temporary.path(), write))
     failToWrite (file);
   std::error_code error;
   if (fs::exists (target, error))
@@ -182,37 +213,14 @@ isSameFile (const std::string& first, const std::string& second)
 }
 
 Spool::Spool (const std::string& extension, std::string subject)
-: subject_ (std::move (subject))
-{
-  std::error_code error;
-  const fs::path folder = fs::temp_directory_path (error);
-  if (error)
-    throw WorkError ("TMPDIR", "is no folder; set it to one for temporary files");
-  name_ = (folder / ("pcl_ops_XXXXXX" + extension)).string();
-  const int file = ::mkstemps (name_.data(), static_cast<int> (extension.size()));
-  if (file < 0)
-    fail();
-  ::close (file);
-}
-
-Spool::~Spool() { ::unlink (name_.c_str()); }
+: subject_ (std::move (subject)), file_ (newSpool (extension, subject_))
+{}
 
 void
 Spool::fill (const std::function<void (std::ostream& stream)>& write) const
 {
-  std::ofstream stream (name_, std::ios::binary);
-  write (stream);
-  stream.close();
-  if (!stream)
-    fail();
-}
-
-void
-Spool::fail() const
-{
-  throw WorkError (subject_,
-                   "cannot be copied to " + name_ + " (" + std::strerror (errno) +
-                       "); set TMPDIR to a folder with more space");
+  if (!fillFile (file_.path(), write))
+    failToSpool (subject_, name());
 }
 
 FolderLock::FolderLock (const std::string& folder)

@@ -97,10 +97,6 @@ public:
    * \param[in] subject what complaints are about
    * \throws WorkError if there can be none */
   Spool (const std::string& extension, std::string subject);
-  Spool (const Spool&) = delete;
-  Spool&
-  operator= (const Spool&) = delete;
-  ~Spool();
 
   /** \brief Writes all of it.
    * \param[in] write need not look at the state of the stream
@@ -108,17 +104,15 @@ public:
   void
   fill (const std::function<void (std::ostream& stream)>& write) const;
 
-  const std::string&
+  std::string
   name () const
   {
-    return name_;
+    return file_.path().string();
   }
 
 private:
-  [[noreturn]] void
-  fail () const;
-
-  std::string subject_, name_;
+  std::string subject_;
+  TemporaryPath file_;
 };
 
 /** \brief A folder that one run has to itself until it ends, however it ends. Where the
