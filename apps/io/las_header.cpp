@@ -163,18 +163,6 @@ extraBytesLength (std::uint8_t type, std::uint8_t options)
   return count > 3 ? 0 : count * lengths.at ((type - 1U) % lengths.size());
 }
 
-std::string
-descriptionOf (std::uint8_t type,
-               std::uint8_t options,
-               const std::string& name,
-               const std::string& text)
-{
-  std::string bytes = littleEndian<std::uint16_t> (0) + littleEndian (type) +
-                      littleEndian (options) + padded (name, name_length);
-  bytes.resize (description_size - name_length, '\0');
-  return bytes + padded (text, name_length);
-}
-
 } // namespace
 
 LasHeader
@@ -325,10 +313,9 @@ LasFrame::descriptionsOf (const std::vector<LasField>& added) const
   constexpr std::uint64_t max_single = 64, longest = 255;
   std::string bytes;
   for (std::uint64_t left = unknown; left > 0;) {
-    const std::uint64_t length =
-        unknown > max_single ? std::min (left, longest) : std::uint64_t (1);
-    bytes +=
-        descriptionOf (undocumented_type, static_cast<std::uint8_t> (length), "", "");
+    const auto length =
+        std::uint8_t (unknown > max_single ? std::min (left, longest) : 1);
+    bytes += descriptionOf ({"", undocumented_type, "", "", length});
     left -= length;
   }
   for (const LasField& field : added)
@@ -339,7 +326,11 @@ LasFrame::descriptionsOf (const std::vector<LasField>& added) const
 std::string
 descriptionOf (const LasField& field)
 {
-  return descriptionOf (field.type, 0, field.name, field.text);
+  const std::string begin = littleEndian<std::uint16_t> (0) +
+                            littleEndian (field.type) + littleEndian (field.options) +
+                            padded (field.name, name_length);
+  return padded (begin, description_size - name_length) +
+         padded (field.text, name_length);
 }
 
 std::string

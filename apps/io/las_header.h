@@ -108,6 +108,8 @@ struct LasField {
   std::uint8_t type;
   const char* type_name;
   std::string text;
+  /** \brief Of undocumented bytes, their number. */
+  std::uint8_t options = 0;
 };
 
 inline const LasField label_field = {"label", 5, "uint32", "0: on no plane"};
