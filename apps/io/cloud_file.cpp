@@ -26,6 +26,40 @@ namespace pcl_ops::apps {
 
 namespace {
 
+FileCloud
+readLas (const std::string& file)
+{
+  FileCloud cloud;
+  cloud.las = openLas (file);
+  cloud.points = cloud.las->readPoints();
+  return cloud;
+}
+
+struct Format {
+  const char* extension;
+  FileCloud (*read) (const std::string& file);
+  /** \brief As \ref isCloudFile and \ref FileCloud have it. */
+  bool is_cloud_file, is_survey;
+};
+
+/** \return nullptr where the extension is that of no cloud */
+const Format*
+formatOf (const std::string& file)
+{
+  static const Format formats[] = {{".pcd", readPcd, true, false},
+                                   {".ply", readPly, true, false},
+                                   {".las", readLas, true, true},
+                                   {".laz", readLas, hasLaszip(), true},
+                                   {".xyz", readTextCloud, true, true},
+                                   {".pts", readTextCloud, true, true},
+                                   {".txt", readTextCloud, false, true},
+                                   {".csv", readTextCloud, false, true}};
+  for (const Format& format : formats)
+    if (extensionOf (file) == format.extension)
+      return &format;
+  return nullptr;
+}
+
 /** \brief By its first bytes. */
 bool
 isGzip (const std::string& file)
@@ -113,47 +147,37 @@ partOf (const FileCloud& cloud,
 bool
 isCloudFile (const std::string& file)
 {
-  return hasExtension (file, {".pcd", ".ply", ".las", ".xyz", ".pts"}) ||
-         (hasLaszip() && isLazName (file));
+  const Format* const format = formatOf (file);
+  return format != nullptr && format->is_cloud_file;
 }
 
 bool
 hasCloudExtension (const std::string& file)
 {
-  return isCloudFile (file) || isTextFile (file) || isLasName (file);
+  return formatOf (file) != nullptr;
 }
 
 FileCloud
 loadCloud (const std::string& file)
 {
-  const std::string extension = extensionOf (file);
   const WorkError gzip (file, "is compressed (gzip); decompress it, e.g. by gunzip");
-  if (extension == ".gz")
+  if (extensionOf (file) == ".gz")
     throw gzip;
-  if (!hasCloudExtension (file))
+  const Format* const format = formatOf (file);
+  if (format == nullptr)
     throw UsageError (
         file, std::string ("has an unknown extension; give ") + cloud_file_kinds);
   checkReadable (file, cloud_file_kinds);
   if (isGzip (file))
     throw gzip;
-  FileCloud cloud;
-  if (extension == ".pcd")
-    cloud = readPcd (file);
-  else if (extension == ".ply")
-    cloud = readPly (file);
-  else if (isTextFile (file))
-    cloud.points = readTextCloud (file);
-  else {
-    cloud.las = openLas (file);
-    cloud.points = cloud.las->readPoints();
-  }
+  FileCloud cloud = format->read (file);
   for (const char* axis : {"x", "y", "z"})
     if (!hasField (cloud, axis))
       throw WorkError (file,
                        std::string ("has no field ") + axis +
                            "; give a cloud with x, y and z");
   makePoseValid (cloud);
-  cloud.is_survey = extension != ".pcd" && extension != ".ply";
+  cloud.is_survey = format->is_survey;
   return cloud;
 }
 
@@ -231,17 +255,17 @@ loadStandardInput ()
 
 void
 addField (const std::string& name,
-          const NumberType& type,
-          pcl::uindex_t count,
-          pcl::PCLPointCloud2& points)
+          std::uint8_t datatype,
+          pcl::PCLPointCloud2& points,
+          pcl::uindex_t count)
 {
   pcl::PCLPointField field;
   field.name = name;
   field.offset = points.point_step;
-  field.datatype = type.id;
+  field.datatype = datatype;
   field.count = count;
   points.fields.push_back (field);
-  points.point_step += static_cast<pcl::uindex_t> (count * type.size);
+  points.point_step += static_cast<pcl::uindex_t> (count * numberType (datatype).size);
 }
 
 bool

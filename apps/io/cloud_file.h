@@ -110,12 +110,13 @@ sizeOf (const pcl::PCLPointCloud2& points)
   return static_cast<std::size_t> (points.width) * points.height;
 }
 
-/** \brief Declares a field behind those that a point has. */
+/** \brief Declares a field behind those that a point has.
+ * \param[in] datatype as in pcl::PCLPointField */
 void
 addField (const std::string& name,
-          const NumberType& type,
-          pcl::uindex_t count,
-          pcl::PCLPointCloud2& points);
+          std::uint8_t datatype,
+          pcl::PCLPointCloud2& points,
+          pcl::uindex_t count = 1);
 
 /** \brief Whether the cloud has a field of that name. */
 bool

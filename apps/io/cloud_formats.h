@@ -35,11 +35,6 @@ plyHeader (const pcl::PCLPointCloud2& points);
 std::string
 plyVertices (const pcl::PCLPointCloud2& points);
 
-/** \brief Whether a file has the extension of a cloud that is text: .xyz, .txt, .pts or
- * .csv. */
-bool
-isTextFile (const std::string& file);
-
 /** \brief Reads a cloud of a line for each point: x, y and z and further columns of
  * numbers, each a field in double precision, separated by blanks, commas or semicolons.
  *
@@ -51,7 +46,7 @@ isTextFile (const std::string& file);
  * a word every line it does not understand, which is how a decimal comma or a cut file
  * becomes another cloud.
  * \throws WorkError naming the line at fault, or if there is no point */
-pcl::PCLPointCloud2
+FileCloud
 readTextCloud (const std::string& file);
 
 } // namespace pcl_ops::apps

@@ -21,7 +21,7 @@ saveLabeledPcd (const std::string& file, const pcl::PointCloud<pcl::PointXYZL>& 
   FileCloud packed{{}, cloud.sensor_origin_, cloud.sensor_orientation_};
   pcl::PCLPointCloud2& points = packed.points;
   for (const char* axis : {"x", "y", "z"})
-    addField (axis, numberType (pcl::PCLPointField::FLOAT32), 1, points);
+    addField (axis, pcl::PCLPointField::FLOAT32, points);
   points.width = cloud.width;
   points.height = cloud.height;
   std::vector<std::uint32_t> labels;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "las_file.h"
 
+#include <Eigen/Geometry>
+
 #include "cloud_file.h"
 #include "las_header.h"
 #include "laz_file.h"
@@ -44,15 +46,6 @@ placeOf (const char* record, const LasHeader& header)
                              fromLittleEndian<std::int32_t> (record + length),
                              fromLittleEndian<std::int32_t> (record + 2 * length));
   return raw.cwiseProduct (header.scale) + header.offset;
-}
-
-/** \brief Those of the fields that the file has not. */
-std::vector<LasField>
-missingOf (std::vector<LasField> fields, const LasFrame& las)
-{
-  const auto is_there = [&] (const LasField& field) { return las.placeOf (field); };
-  fields.erase (std::remove_if (fields.begin(), fields.end(), is_there), fields.end());
-  return fields;
 }
 
 /** \brief What is in front of the points where their records have further fields. */
@@ -106,22 +99,6 @@ saveWith (const std::string& file, LasFile& las, const std::vector<LasColumn>& c
 
 constexpr std::uint16_t header_size = 227, record_size = 20, labeled_size = 24;
 
-/** \brief Lowest and highest place along an axis. */
-std::array<double, 2>
-boundsOf (const std::vector<LasPoint>& points,
-          std::size_t axis,
-          double scale,
-          double offset)
-{
-  std::int32_t low = std::numeric_limits<std::int32_t>::max();
-  std::int32_t high = std::numeric_limits<std::int32_t>::min();
-  for (const LasPoint& point : points) {
-    low = std::min (low, point.raw[axis]);
-    high = std::max (high, point.raw[axis]);
-  }
-  return {low * scale + offset, high * scale + offset};
-}
-
 std::string
 headerOf (const std::vector<LasPoint>& points,
           double scale,
@@ -142,13 +119,16 @@ headerOf (const std::vector<LasPoint>& points,
   setNumber (bytes, las_field::record_length, labeled_size);
   setNumber (bytes, las_field::legacy_points, count);
   setNumber (bytes, las_field::legacy_points + sizeof (count), count); // first returns
+  Eigen::AlignedBox<std::int32_t, 3> box;
+  for (const LasPoint& point : points)
+    box.extend (Eigen::Map<const Eigen::Vector3i> (point.raw.data()));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double zero = offset[static_cast<Eigen::Index> (axis)];
-    const auto [low, high] = boundsOf (points, axis, scale, zero);
+    const auto i = static_cast<Eigen::Index> (axis);
     setNumber (bytes, las_field::scale + 8 * axis, scale);
-    setNumber (bytes, las_field::offset + 8 * axis, zero);
-    setNumber (bytes, las_field::bounds + 16 * axis, high);
-    setNumber (bytes, las_field::bounds + 16 * axis + 8, low);
+    setNumber (bytes, las_field::offset + 8 * axis, offset[i]);
+    setNumber (bytes, las_field::bounds + 16 * axis, box.max()[i] * scale + offset[i]);
+    setNumber (
+        bytes, las_field::bounds + 16 * axis + 8, box.min()[i] * scale + offset[i]);
   }
   return bytes;
 }
@@ -170,15 +150,12 @@ LasFile::readPoints()
 {
   constexpr std::size_t intensity = 12;
   pcl::PCLPointCloud2 cloud;
-  const auto add = [&] (const char* name, std::uint8_t type) {
-    addField (name, numberType (type), 1, cloud);
-  };
   for (const char* axis : {"x", "y", "z"})
-    add (axis, PCLPointField::FLOAT64);
-  add ("intensity", PCLPointField::FLOAT32);
+    addField (axis, PCLPointField::FLOAT64, cloud);
+  addField ("intensity", PCLPointField::FLOAT32, cloud);
   const std::optional<std::uint64_t> label = frame_.placeOf (label_field);
   if (label)
-    add ("label", PCLPointField::UINT32);
+    addField ("label", PCLPointField::UINT32, cloud);
   cloud.width = static_cast<pcl::uindex_t> (frame_.header.points);
   cloud.height = 1;
   cloud.row_step = cloud.point_step * cloud.width;
@@ -215,13 +192,17 @@ LasFile::forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit)
 std::string
 LasFile::validate (const std::vector<LasField>& fields) const
 {
-  const std::vector<LasField> added = missingOf (fields, frame_);
-  if (added.empty())
-    return "";
-  for (const LasField& field : added)
+  std::vector<LasField> added;
+  for (const LasField& field : fields) {
+    if (frame_.placeOf (field))
+      continue;
     if (frame_.hasNamed (field))
       return "has an extra-bytes field " + field.name + " that is no " +
              field.type_name + "; rename it or give an OUTPUT.pcd";
+    added.push_back (field);
+  }
+  if (added.empty())
+    return "";
   constexpr std::uint64_t max_short = std::numeric_limits<std::uint16_t>::max();
   const std::uint64_t described = frame_.extra_bytes ? frame_.extra_bytes->size() : 0;
   const std::uint64_t description = frame_.descriptionsOf (added).size();

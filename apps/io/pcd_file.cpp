@@ -87,7 +87,7 @@ readFields (const HeaderReader& reader,
     const std::uint64_t count = reader.number ("COUNT", counts[i]);
     if (count == 0 || count > max_count)
       reader.fail ("COUNT " + counts[i] + " is out of range");
-    addField (names[i], *type, static_cast<pcl::uindex_t> (count), points);
+    addField (names[i], type->id, points, static_cast<pcl::uindex_t> (count));
     bytes += count * type->size;
     if (bytes > max_bytes)
       reader.fail ("its points do not have 1 to " + std::to_string (max_bytes) +

@@ -27,12 +27,17 @@ struct PlyProperty {
   const NumberType* type = nullptr;
   /** \brief Type of the length in front of a list; nullptr: no list. */
   const NumberType* length_type = nullptr;
+  /** \brief Where the number is in a point, in bytes, and whether it is a float there.
+   */
+  pcl::uindex_t offset = 0;
+  bool becomes_float = false;
 };
+using PlyProperties = std::vector<PlyProperty>;
 
 struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
-  std::vector<PlyProperty> properties;
+  PlyProperties properties;
 };
 
 struct PlyHeader {
@@ -237,13 +242,6 @@ private:
   std::size_t next_word_ = 0;
 };
 
-/** \brief Where a number of a vertex goes to in a point, in bytes. */
-struct Target {
-  const NumberType* type;
-  pcl::uindex_t offset;
-  bool becomes_float;
-};
-
 /** \brief By their places in PCL's packed color. */
 constexpr std::array<const char*, 4> color_names = {"blue", "green", "red", "alpha"};
 
@@ -260,35 +258,31 @@ placeInColor (const PlyProperty& property)
 }
 
 /** \brief As PCL names fields: normals, and the intensity as a float. */
-Target
-addProperty (const PlyProperty& property, pcl::PCLPointCloud2& points)
+void
+addProperty (PlyProperty& property, pcl::PCLPointCloud2& points)
 {
-  const NumberType& float_type = numberType (PCLPointField::FLOAT32);
   const std::string& name = property.name;
   const bool is_normal = name == "nx" || name == "ny" || name == "nz";
-  const bool becomes_float =
-      name == "intensity" && property.type->id == PCLPointField::UINT8;
-  const Target target{property.type, points.point_step, becomes_float};
+  const std::uint8_t type = property.type->id, real = PCLPointField::FLOAT32;
+  property.becomes_float = name == "intensity" && type == PCLPointField::UINT8;
+  property.offset = points.point_step;
   addField (is_normal ? "normal_" + name.substr (1) : name,
-            becomes_float ? float_type : *property.type,
-            1,
+            property.becomes_float ? real : type,
             points);
-  return target;
 }
 
-std::vector<Target>
-addFields (const PlyElement& vertex, pcl::PCLPointCloud2& points)
+void
+addFields (PlyElement& vertex, pcl::PCLPointCloud2& points)
 {
-  std::vector<Target> targets;
   std::size_t color = 0; // one after its index
-  for (const PlyProperty& property : vertex.properties) {
+  for (PlyProperty& property : vertex.properties) {
     const int place = placeInColor (property);
     if (place < 0) {
-      targets.push_back (addProperty (property, points));
+      addProperty (property, points);
       continue;
     }
     if (color == 0) {
-      addField ("rgb", numberType (PCLPointField::FLOAT32), 1, points);
+      addField ("rgb", PCLPointField::FLOAT32, points);
       color = points.fields.size();
     }
     PCLPointField& field = points.fields[color - 1];
@@ -296,27 +290,26 @@ addFields (const PlyElement& vertex, pcl::PCLPointCloud2& points)
       field.name = "rgba";
       field.datatype = PCLPointField::UINT32;
     }
-    targets.push_back (
-        {property.type, field.offset + static_cast<pcl::uindex_t> (place), false});
+    property.offset = field.offset + static_cast<pcl::uindex_t> (place);
   }
-  return targets;
 }
 
 void
-readVertices (PlyData& data, const PlyElement& vertex, pcl::PCLPointCloud2& points)
+readVertices (PlyData& data, PlyElement& vertex, pcl::PCLPointCloud2& points)
 {
-  const std::vector<Target> targets = addFields (vertex, points);
+  addFields (vertex, points);
   points.data.resize (vertex.count * points.point_step);
-  for (std::uint64_t i = 0; i < vertex.count && !targets.empty(); ++i) {
-    std::uint8_t* const point = points.data.data() + i * points.point_step;
+  for (std::size_t i = 0; i < points.data.size(); i += points.point_step) {
     data.beginRow (vertex);
-    for (const Target& target : targets)
-      if (target.becomes_float) {
-        const auto number = static_cast<float> (data.number (*target.type));
-        std::memcpy (point + target.offset, &number, sizeof (number));
+    for (const PlyProperty& property : vertex.properties) {
+      std::uint8_t* const bytes = &points.data[i + property.offset];
+      if (property.becomes_float) {
+        const auto number = static_cast<float> (data.number (*property.type));
+        std::memcpy (bytes, &number, sizeof (number));
       }
       else
-        data.read (*target.type, point + target.offset);
+        data.read (*property.type, bytes);
+    }
   }
 }
 
@@ -367,13 +360,6 @@ minSize (const PlyElement& element, bool is_text)
   return bytes;
 }
 
-struct VertexProperty {
-  std::string name;
-  const NumberType* type;
-  pcl::uindex_t offset;
-};
-using VertexProperties = std::vector<VertexProperty>;
-
 /** \brief Whether it is PCL's packed color, which a column of a text is not. */
 bool
 isColor (const PCLPointField& field)
@@ -383,22 +369,22 @@ isColor (const PCLPointField& field)
 }
 
 /** \brief The properties of PCL's packed color, whose lowest byte is blue. */
-VertexProperties
+PlyProperties
 colorProperties (const PCLPointField& field)
 {
-  VertexProperties properties;
+  const NumberType* const type = &numberType (PCLPointField::UINT8);
+  PlyProperties properties;
   for (const pcl::uindex_t place : {2u, 1u, 0u, 3u})
     if (properties.size() < field.name.size()) // three or four letters: rgb, rgba
-      properties.push_back ({color_names.at (place),
-                             &numberType (PCLPointField::UINT8),
-                             field.offset + place});
+      properties.push_back (
+          {color_names.at (place), type, nullptr, field.offset + place});
   return properties;
 }
 
-VertexProperties
+PlyProperties
 numberProperties (const PCLPointField& field)
 {
-  VertexProperties properties;
+  PlyProperties properties;
   const NumberType& type = numberType (field.datatype);
   const bool is_normal =
       field.name == "normal_x" || field.name == "normal_y" || field.name == "normal_z";
@@ -406,35 +392,33 @@ numberProperties (const PCLPointField& field)
   for (pcl::uindex_t i = 0; i < field.count; ++i)
     properties.push_back ({field.count == 1 ? name : name + "_" + std::to_string (i),
                            &type,
+                           nullptr,
                            field.offset + static_cast<pcl::uindex_t> (i * type.size)});
   return properties;
 }
 
 /** \brief Those of a cloud. A name that another has, colors before all, gets a _ more.
  */
-VertexProperties
+PlyProperties
 propertiesOf (const pcl::PCLPointCloud2& points)
 {
+  const auto& fields = points.fields;
+  const auto color = std::find_if (fields.begin(), fields.end(), isColor);
+  const PlyProperties colors =
+      color == fields.end() ? PlyProperties() : colorProperties (*color);
   std::set<std::string> taken;
-  const PCLPointField* color = nullptr;
-  for (const PCLPointField& field : points.fields)
-    if (color == nullptr && isColor (field)) {
-      color = &field;
-      for (const VertexProperty& property : colorProperties (field))
-        taken.insert (property.name);
-    }
-  VertexProperties properties;
-  for (const PCLPointField& field : points.fields) {
-    if (&field == color)
-      for (const VertexProperty& property : colorProperties (field))
-        properties.push_back (property);
-    else if (!isColor (field) && field.name != "_") // bytes that are nothing in PCD
-      for (VertexProperty& property : numberProperties (field)) {
+  for (const PlyProperty& property : colors)
+    taken.insert (property.name);
+  PlyProperties properties;
+  for (auto field = fields.begin(); field != fields.end(); ++field)
+    if (field == color)
+      properties.insert (properties.end(), colors.begin(), colors.end());
+    else if (!isColor (*field) && field->name != "_") // bytes that are nothing in PCD
+      for (PlyProperty& property : numberProperties (*field)) {
         while (!taken.insert (property.name).second)
           property.name += "_";
         properties.push_back (property);
       }
-  }
   return properties;
 }
 
@@ -452,7 +436,7 @@ readPly (const std::string& file)
     reader.failTruncated();
   FileCloud cloud;
   PlyData data (reader, header);
-  for (const PlyElement& element : header.elements)
+  for (PlyElement& element : header.elements)
     if (element.name == "vertex")
       readVertices (data, element, cloud.points);
     else
@@ -470,7 +454,7 @@ plyHeader (const pcl::PCLPointCloud2& points)
     header += "obj_info num_cols " + std::to_string (points.width) +
               "\nobj_info num_rows " + std::to_string (points.height) + "\n";
   header += "element vertex " + std::to_string (sizeOf (points)) + "\n";
-  for (const VertexProperty& property : propertiesOf (points)) {
+  for (const PlyProperty& property : propertiesOf (points)) {
     const std::string_view type = property.type->ply_name;
     header += "property " + std::string (type.empty() ? "double" : type) + " " +
               property.name + "\n";
@@ -481,15 +465,17 @@ plyHeader (const pcl::PCLPointCloud2& points)
 std::string
 plyVertices (const pcl::PCLPointCloud2& points)
 {
-  const VertexProperties properties = propertiesOf (points);
+  const PlyProperties properties = propertiesOf (points);
   std::string bytes;
   for (std::size_t i = 0; i < sizeOf (points); ++i)
-    for (const auto& [name, type, offset] : properties) {
-      const std::uint8_t* number = points.data.data() + i * points.point_step + offset;
-      const double converted = type->ply_name.empty() ? type->read (number) : 0.0;
-      if (type->ply_name.empty())
+    for (const PlyProperty& property : properties) {
+      const NumberType& type = *property.type;
+      const std::uint8_t* number =
+          &points.data[i * points.point_step + property.offset];
+      const double converted = type.ply_name.empty() ? type.read (number) : 0.0;
+      if (type.ply_name.empty())
         number = reinterpret_cast<const std::uint8_t*> (&converted);
-      bytes.append (reinterpret_cast<const char*> (number), type->size);
+      bytes.append (reinterpret_cast<const char*> (number), type.size);
     }
   return bytes;
 }

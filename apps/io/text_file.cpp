@@ -6,7 +6,6 @@
 
 #include "cloud_formats.h"
 #include "header_reader.h"
-#include "output_file.h"
 #include <cli/errors.h>
 
 #include <algorithm>
@@ -184,21 +183,23 @@ public:
   read ()
   {
     readHead();
+    const NumberType& type = numberType (pcl::PCLPointField::FLOAT64);
     pcl::PCLPointCloud2 cloud;
-    const std::size_t columns = numbers_.size();
+    const std::size_t columns = words_.size();
     for (const std::string& name : fieldNames (file_, names_, columns))
-      addField (name, numberType (pcl::PCLPointField::FLOAT64), 1, cloud);
+      addField (name, pcl::PCLPointField::FLOAT64, cloud);
     // Lines are about as long as the first.
     const std::uint64_t expected = reader_.fileSize() / (line_.size() + 1) + 1;
     cloud.data.reserve (std::min (expected, promised_.value_or (expected)) *
                         cloud.point_step);
     std::uint64_t points = 0;
     do {
-      if (points > 0)
-        readNumbers();
+      words_.take (line_, separator_);
       words_.expectNumbers (columns);
-      const auto* const bytes = reinterpret_cast<const std::uint8_t*> (numbers_.data());
-      cloud.data.insert (cloud.data.end(), bytes, bytes + cloud.point_step);
+      cloud.data.resize (cloud.data.size() + cloud.point_step);
+      std::uint8_t* const point = cloud.data.data() + points * cloud.point_step;
+      for (std::size_t i = 0; i < columns; ++i)
+        words_.read (i, type, point + cloud.fields[i].offset);
       if (++points > promised_.value_or (points))
         reader_.failAtLine ("is more than its header promises");
       if (points >
@@ -259,7 +260,9 @@ private:
         continue;
       }
       separator_ = separatorOf (line_);
-      readNumbers();
+      words_.take (line_, separator_);
+      for (std::size_t i = 0; i < words_.size(); ++i)
+        words_.number (i); // is one
       if (is_number_of_points) {
         promised_ = reader_.count ("its number of points", words[0]);
         continue;
@@ -286,7 +289,7 @@ private:
   void
   checkColumns ()
   {
-    const std::size_t count = numbers_.size();
+    const std::size_t count = words_.size();
     if (count < 3)
       reader_.failAtLine ("has " + std::to_string (count) +
                           (count == 1 ? " number" : " numbers") +
@@ -301,15 +304,6 @@ private:
       names_ = comment_names_;
   }
 
-  void
-  readNumbers ()
-  {
-    words_.take (line_, separator_);
-    numbers_.resize (words_.size());
-    for (std::size_t i = 0; i < numbers_.size(); ++i)
-      numbers_[i] = words_.number (i);
-  }
-
   std::string file_;
   HeaderReader reader_;
   NumberLines words_{reader_};
@@ -318,21 +312,14 @@ private:
   std::optional<std::uint64_t> promised_;
   char separator_ = ' ';
   bool has_points_ = false;
-  std::vector<double> numbers_;
 };
 
 } // namespace
 
-bool
-isTextFile (const std::string& file)
-{
-  return hasExtension (file, {".xyz", ".txt", ".pts", ".csv"});
-}
-
-pcl::PCLPointCloud2
+FileCloud
 readTextCloud (const std::string& file)
 {
-  return TextReader (file).read();
+  return {TextReader (file).read()};
 }
 
 } // namespace pcl_ops::apps

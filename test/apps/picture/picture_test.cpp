@@ -216,7 +216,7 @@ TEST (LabelledCloud, IsSavedWithoutRoomForAnother)
   cloud.points.width = size;
   cloud.points.height = 1;
   for (const char* name : {"x", "y", "z"})
-    addField (name, numberType (pcl::PCLPointField::UINT8), 1, cloud.points);
+    addField (name, pcl::PCLPointField::UINT8, cloud.points);
   cloud.points.data.resize (cloud.points.point_step * size);
   std::vector<std::uint32_t> labels (size);
   std::iota (labels.begin(), labels.end(), 0U);
