@@ -26,38 +26,28 @@ protected:
 using Inputs = InFolder;
 using OutputFile = InFolder;
 
-TEST_F (Inputs, HaveALinkToNowhereThatIsNamedLikeAPattern)
+TEST_F (Inputs, AreWhatNamesAndPatternsStandFor)
 {
-  const std::string link = folder_ / "scan*.pcd";
-  std::filesystem::create_symlink ("gone", link);
-  const InputFiles found = findInputs ({folder_ / "*.pcd"});
-  EXPECT_EQ (found.files, Names{link});
-  EXPECT_EQ (found.problems, Names{});
-}
-
-TEST_F (Inputs, HaveTheCloudsOfAFolderThatIsNamedLikeAPattern)
-{
-  std::filesystem::create_directory (folder_ / "scans[1]");
-  const std::string cloud = folder_.write ("scans[1]/a.pcd", "");
-  EXPECT_EQ (findInputs ({folder_ / "scans*"}).files, Names{cloud});
-}
-
-TEST_F (Inputs, DoNotHaveAFolderThatDoesNotExist)
-{
-  const std::string mistyped = folder_ / "nodir";
-  const InputFiles found = findInputs ({mistyped});
-  EXPECT_EQ (found.files, Names{});
-  EXPECT_EQ (found.problems, Names{mistyped + ": does not exist; check the name"});
-}
-
-TEST_F (Inputs, LeaveACloudThatDoesNotExistToItsReader)
-{
-  for (const std::string& name :
-       {folder_ / "gone.pcd", folder_ / "gone.txt", folder_ / "gone.laz"}) {
-    const InputFiles found = findInputs ({name});
-    EXPECT_EQ (found.files, Names{name});
+  fs::create_symlink ("gone", folder_ / "scan*.pcd");
+  fs::create_directory (folder_ / "scans[1]");
+  folder_.write ("scans[1]/a.pcd", "");
+  const std::pair<const char*, const char*> rows[] = {
+      // What is named like a pattern: a link to nowhere, a folder.
+      {"*.pcd", "scan*.pcd"},
+      {"scans*", "scans[1]/a.pcd"},
+      // A cloud that does not exist is left to its reader.
+      {"gone.pcd", "gone.pcd"},
+      {"gone.txt", "gone.txt"},
+      {"gone.laz", "gone.laz"}};
+  for (const auto& [name, file] : rows) {
+    const InputFiles found = findInputs ({folder_ / name});
+    EXPECT_EQ (found.files, Names{folder_ / file});
     EXPECT_EQ (found.problems, Names{});
   }
+  const std::string mistyped = folder_ / "nodir";
+  const InputFiles none = findInputs ({mistyped});
+  EXPECT_EQ (none.files, Names{});
+  EXPECT_EQ (none.problems, Names{mistyped + ": does not exist; check the name"});
 }
 
 TEST_F (OutputFile, ReplacesTheTargetInOneStep)
@@ -105,23 +95,17 @@ TEST_F (OutputFile, LeavesTemporaryFilesOfOthersAlone)
     EXPECT_EQ (contentOf (folder_ / (start + std::to_string (i))), "precious");
 }
 
-TEST_F (OutputFile, FollowsALinkToAFileThatDoesNotExistYet)
+TEST_F (OutputFile, IsWrittenThroughLinksBeforeItExistsAndAfterAndKeepsPermissions)
 {
   fs::create_symlink ("second.csv", folder_ / "first.csv");
-  fs::create_symlink ("real.csv", folder_ / "second.csv");
-  writeTextFile (folder_ / "first.csv", "new");
-  EXPECT_TRUE (fs::is_symlink (folder_ / "first.csv"));
-  EXPECT_EQ (contentOf (folder_ / "real.csv"), "new");
-}
-
-TEST_F (OutputFile, WritesThroughALinkAndKeepsPermissions)
-{
-  writeTextFile (folder_ / "real.csv", "old");
-  fs::permissions (folder_ / "real.csv", fs::perms (0600));
-  fs::create_symlink (folder_ / "real.csv", folder_ / "link.csv");
-  writeTextFile (folder_ / "link.csv", "new");
-  EXPECT_TRUE (fs::is_symlink (folder_ / "link.csv"));
-  EXPECT_EQ (contentOf (folder_ / "real.csv"), "new");
+  fs::create_symlink (folder_ / "real.csv", folder_ / "second.csv");
+  for (const char* text : {"old", "new"}) {
+    writeTextFile (folder_ / "first.csv", text);
+    EXPECT_TRUE (fs::is_symlink (folder_ / "first.csv"));
+    EXPECT_EQ (contentOf (folder_ / "real.csv"), text);
+    if (text == std::string ("old"))
+      fs::permissions (folder_ / "real.csv", fs::perms (0600));
+  }
   EXPECT_EQ (fs::status (folder_ / "real.csv").permissions(), fs::perms (0600));
 }
 

@@ -4,14 +4,12 @@
 
 #include <Eigen/Geometry>
 
-#include <io/cloud_file.h>
 #include <picture/colors.h>
 #include <picture/image.h>
 #include <picture/picture.h>
 #include <picture/view.h>
-#include <support/temporary_folder.h>
+#include <support/cloud_values.h>
 
-#include <cstring>
 #include <fstream>
 #include <numeric>
 #include <set>
@@ -62,6 +60,7 @@ viewOf (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes = {})
 
 TEST (View, HasTheSensorsRightAndDownOrGravity)
 {
+  constexpr float pi = 3.1415927f;
   const Eigen::Vector3f x_axis (1, 0, 0), y_axis (0, 1, 0);
   const struct {
     const char* sensor;
@@ -69,14 +68,7 @@ TEST (View, HasTheSensorsRightAndDownOrGravity)
     Eigen::Vector3f eye, center, u, v, right, down;
   } rows[] = {
       {"camera", 0.0f, {0, 0, 0}, {0, 0, 3}, x_axis, y_axis, x_axis, y_axis},
-      {"upside down",
-       float (M_PI),
-       {0, 0, 0},
-       {0, 0, 3},
-       x_axis,
-       y_axis,
-       -x_axis,
-       -y_axis},
+      {"upside down", pi, {0, 0, 0}, {0, 0, 3}, x_axis, y_axis, -x_axis, -y_axis},
       {"looks sideways", 0.0f, {0, 0, 1}, {5, 0, 1}, y_axis, z_axis, -y_axis, -z_axis}};
   for (const auto& row : rows) {
     SCOPED_TRACE (row.sensor);
@@ -127,31 +119,24 @@ TEST (View, ExistsForACloudOfNothingOrOfOnePoint)
   EXPECT_TRUE (pixel.allFinite()) << pixel.transpose();
 }
 
-TEST (Raster, ShowsTheNearestOfAllPointsWithoutGaps)
+TEST (Raster, ShowsTheNearestOfAllPointsWithoutGapsAndNoneOfThoseNotShown)
 {
   XyzCloud cloud;
   addSquare (cloud, {0, 0, 4}, {1, 0, 0}, {0, 1, 0});
-  const std::size_t far = cloud.size();
+  const auto far = static_cast<pcl::index_t> (cloud.size());
   addSquare (cloud, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
-  const View view = viewOf (cloud);
-  const Raster raster = drawPoints (
-      cloud, view, image_width, image_height, [] (pcl::index_t) { return true; });
+  const auto draw = [&] (bool is_shown) {
+    return drawPoints (
+        cloud, viewOf (cloud), image_width, image_height, [&] (pcl::index_t) {
+          return is_shown;
+        });
+  };
+  const Raster raster = draw (true);
   for (int row = image_height / 3; row < 2 * image_height / 3; ++row)
     for (int column = image_width / 3; column < 2 * image_width / 3; ++column)
-      ASSERT_GE (raster.points[raster.at (column, row)],
-                 static_cast<pcl::index_t> (far))
+      ASSERT_GE (raster.points[raster.at (column, row)], far)
           << "at " << column << ", " << row;
-}
-
-TEST (Raster, LeavesOutWhatIsNotShown)
-{
-  XyzCloud cloud;
-  addSquare (cloud, {0, 0, 3}, {1, 0, 0}, {0, 1, 0});
-  const Raster raster =
-      drawPoints (cloud, viewOf (cloud), image_width, image_height, [] (pcl::index_t) {
-        return false;
-      });
-  for (const pcl::index_t point : raster.points)
+  for (const pcl::index_t point : draw (false).points)
     ASSERT_EQ (point, Raster::nothing);
 }
 
@@ -227,14 +212,7 @@ TEST (LabelledCloud, IsSavedWithoutRoomForAnother)
     saveLabelledCloud (folder / name, cloud, labels, distances, false);
     EXPECT_LT (statusBytes ("VmHWM") - before, 2 * size) << name;
   }
-  // x, y, z, distance, label, rgb
   const FileCloud saved = loadCloud (folder / "a.pcd");
-  for (const std::size_t i : {std::size_t (0), size / 2, size - 1}) {
-    float distance = 0.0f;
-    std::uint32_t label = 0;
-    std::memcpy (&distance, &saved.points.data[15 * i + 3], sizeof (distance));
-    std::memcpy (&label, &saved.points.data[15 * i + 7], sizeof (label));
-    EXPECT_EQ (label, labels[i]);
-    EXPECT_EQ (distance, distances[i]);
-  }
+  EXPECT_TRUE (valuesOf<std::uint32_t> (saved, "label") == labels);
+  EXPECT_TRUE (valuesOf<float> (saved, "distance") == distances);
 }
