@@ -55,7 +55,16 @@ HeaderReader::HeaderReader (const std::string& file, std::string format)
 Words
 HeaderReader::nextLine (const std::string& last)
 {
-  if (!readHeaderLine())
+  constexpr std::uint64_t longest_header = 1U << 20U;
+  ++lines_;
+  line_.clear();
+  char c = '\0';
+  for (std::uint64_t i = position(); i < longest_header && stream_.get (c); ++i) {
+    if (c == '\n')
+      break;
+    line_ += c;
+  }
+  if (c != '\n')
     fail (stream_ ? "its header is longer than 1 MiB"
                   : "its header has no line " + last);
   std::istringstream parts (line_);
@@ -63,21 +72,6 @@ HeaderReader::nextLine (const std::string& last)
   for (std::string word; parts >> word;)
     words.push_back (word);
   return words;
-}
-
-bool
-HeaderReader::readHeaderLine()
-{
-  constexpr std::uint64_t longest_header = 1U << 20U;
-  ++lines_;
-  line_.clear();
-  char c = '\0';
-  for (std::uint64_t end = position(); end < longest_header && stream_.get (c); ++end) {
-    if (c == '\n')
-      return true;
-    line_ += c;
-  }
-  return false;
 }
 
 bool

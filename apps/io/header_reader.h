@@ -70,10 +70,6 @@ public:
   failEmpty () const;
 
 private:
-  /** \return false where it does not end within what a header may have */
-  bool
-  readHeaderLine ();
-
   std::string file_, format_, line_;
   std::ifstream stream_;
   std::uint64_t file_size_ = 0, lines_ = 0;
