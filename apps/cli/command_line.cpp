@@ -3,6 +3,7 @@
 #include "command_line.h"
 
 #include <boost/algorithm/string/join.hpp>
+#include <boost/format.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -21,10 +22,7 @@ namespace {
 std::string
 shortText (double number)
 {
-  std::ostringstream text;
-  text.precision (10);
-  text << number;
-  return text.str();
+  return str (boost::format ("%.10g") % number);
 }
 
 constexpr std::size_t help_width = 80;

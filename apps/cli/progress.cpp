@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "progress.h"
 
+#include <boost/format.hpp>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <exception>
-#include <iomanip>
-#include <sstream>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -94,15 +94,12 @@ durationText (double seconds)
 {
   constexpr long minute = 60, hour = 60 * minute;
   const long total = std::lround (std::max (0.0, seconds));
-  std::ostringstream text;
-  text << std::setfill ('0');
+  using boost::format;
   if (total < minute)
-    text << total << " s";
-  else if (total < hour)
-    text << total / minute << " min " << std::setw (2) << total % minute << " s";
-  else
-    text << total / hour << " h " << std::setw (2) << total % hour / minute << " min";
-  return text.str();
+    return str (format ("%d s") % total);
+  if (total < hour)
+    return str (format ("%d min %02d s") % (total / minute) % (total % minute));
+  return str (format ("%d h %02d min") % (total / hour) % (total % hour / minute));
 }
 
 StageLines::StageLines (std::ostream& stream, std::chrono::milliseconds between)

@@ -9,7 +9,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -22,15 +21,15 @@ saveLabeledPcd (const std::string& file, const pcl::PointCloud<pcl::PointXYZL>& 
   pcl::PCLPointCloud2& points = packed.points;
   for (const char* axis : {"x", "y", "z"})
     addField (axis, pcl::PCLPointField::FLOAT32, points);
+  addField ("label", pcl::PCLPointField::UINT32, points);
   points.width = cloud.width;
   points.height = cloud.height;
-  std::vector<std::uint32_t> labels;
   for (const pcl::PointXYZL& point : cloud) {
-    const auto* const bytes = reinterpret_cast<const std::uint8_t*> (point.data);
-    points.data.insert (points.data.end(), bytes, bytes + points.point_step);
-    labels.push_back (point.label);
+    const auto* const place = reinterpret_cast<const std::uint8_t*> (point.data);
+    const auto* const label = reinterpret_cast<const std::uint8_t*> (&point.label);
+    points.data.insert (points.data.end(), place, place + 3 * sizeof (float));
+    points.data.insert (points.data.end(), label, label + sizeof (point.label));
   }
-  setField (packed, "label", pcl::PCLPointField::UINT32, labels.data());
   saveCloud (file, packed);
 }
 

@@ -4,6 +4,8 @@
 
 #include <pcl/common/point_tests.h>
 
+#include <boost/format.hpp>
+
 #include <Eigen/Geometry>
 
 #include <numbers/statistics.h>
@@ -12,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
+using boost::format;
 using Places = std::vector<Eigen::Vector3d>;
 
 /** \brief The median of each coordinate: near most of the places, wherever a few stray
@@ -89,21 +91,11 @@ countFar (Places places)
 }
 
 std::string
-rounded (double number, int digits)
-{
-  std::ostringstream text;
-  text.precision (digits);
-  text << number;
-  return text.str();
-}
-
-std::string
 perCent (std::size_t count, std::size_t all)
 {
-  constexpr double hundred = 100.0, nearly_all = 99.5;
-  const double share =
-      hundred * static_cast<double> (count) / static_cast<double> (all);
-  return rounded (share, share < nearly_all ? 2 : 3);
+  constexpr double nearly_all = 99.5;
+  const double share = 100.0 * static_cast<double> (count) / static_cast<double> (all);
+  return str (format (share < nearly_all ? "%.2g %%" : "%.3g %%") % share);
 }
 
 } // namespace
@@ -143,7 +135,6 @@ damageOf (const ShiftedCloud& shifted)
   constexpr std::size_t min_places = 10;
   // One per cent, and room for what a sample may miss of it.
   constexpr double far_share = 0.005;
-  constexpr int utm_digits = 10; // to the millimeter
   const Places places = someOf (*shifted.cloud);
   if (places.size() < min_places)
     return "";
@@ -151,13 +142,13 @@ damageOf (const ShiftedCloud& shifted)
   const Eigen::Vector3d place = shared_place + shifted.shift;
   const std::size_t far = countFar (places);
   if (2 * shared > places.size())
-    return "looks damaged: " + perCent (shared, places.size()) +
-           " % of its points are at (" + rounded (place.x(), utm_digits) + ", " +
-           rounded (place.y(), utm_digits) + ", " + rounded (place.z(), utm_digits) +
-           "); leave missing readings out or write them as NaN";
+    // UTM to the millimeter
+    return str (format ("looks damaged: %s of its points are at (%.10g, %.10g, %.10g); "
+                        "leave missing readings out or write them as NaN") %
+                perCent (shared, places.size()) % place.x() % place.y() % place.z());
   if (static_cast<double> (far) > far_share * static_cast<double> (places.size()))
     return "looks damaged: " + perCent (far, places.size()) +
-           " % of its points are more than 1000 times as far away as the rest is wide; "
+           " of its points are more than 1000 times as far away as the rest is wide; "
            "leave them out";
   return "";
 }
