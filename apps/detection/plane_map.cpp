@@ -87,15 +87,23 @@ struct Notation {
 
 using Corner = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
 
+/** \brief The middle of corners.
+ * \param[in] first, last positions in the ring, which goes on at its beginning */
+Eigen::Vector3d
+middleOf (const Ring& ring, std::size_t first, std::size_t last)
+{
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (std::size_t i = first; i <= last; ++i)
+    middle += (ring[i % ring.size()] - ring[first]) / double (last - first + 1);
+  return middle + ring[first];
+}
+
 /** \brief Begins a ring with the corner farthest from the middle, which no line between
  * others is near to. */
 void
 beginAtCorner (Ring& ring)
 {
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& corner : ring)
-    middle += (corner - ring.front()) / static_cast<double> (ring.size());
-  middle += ring.front();
+  const Eigen::Vector3d middle = middleOf (ring, 0, ring.size() - 1);
   const auto farthest =
       std::max_element (ring.begin(), ring.end(), [&] (const auto& a, const auto& b) {
         return (a - middle).squaredNorm() < (b - middle).squaredNorm();
@@ -105,16 +113,11 @@ beginAtCorner (Ring& ring)
 
 using Line = Eigen::ParametrizedLine<double, 3>;
 
-/** \brief The line fitted to corners.
- * \param[in] first, last positions in the ring, which goes on at its beginning */
+/** \brief The line fitted to corners: those of \ref middleOf. */
 Line
 lineAlong (const Ring& ring, std::size_t first, std::size_t last)
 {
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  const auto number = static_cast<double> (last - first + 1);
-  for (std::size_t i = first; i <= last; ++i)
-    middle += (ring[i % ring.size()] - ring[first]) / number;
-  middle += ring[first];
+  const Eigen::Vector3d middle = middleOf (ring, first, last);
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (std::size_t i = first; i <= last; ++i) {
     const Eigen::Vector3d off = ring[i % ring.size()] - middle;
