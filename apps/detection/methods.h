@@ -26,8 +26,8 @@ class CommandLine;
 /** \brief What a detector was run with, in the order of a report. */
 using Settings = nlohmann::ordered_json;
 
-/** \brief The texts of numbers that were given, by the names of their options. */
-using GivenNumbers = std::map<std::string, std::string>;
+/** \brief The numbers that were given, by the names of their options. */
+using GivenNumbers = std::map<std::string, double>;
 
 /** \brief The options of all detectors; those not given keep the preset's value. */
 struct DetectorOptions {

@@ -9,7 +9,6 @@
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -119,15 +118,9 @@ visitAll (Parameters& parameters, const Visit& visit)
   visitOwn (static_cast<PlaneDetectorParameters&> (parameters), visit);
 }
 
-/** \brief The number that the text of an option says, for one like \p number.
- * \throws UsageError if it is none or out of range */
+/** \brief What a parameter has where it is given. */
 template <typename Number>
-auto
-parsed (const std::string& text, const NumberOption& option, const Number& /* number */)
-{
-  using Value = std::conditional_t<std::is_arithmetic_v<Number>, Number, double>;
-  return parseNumber<Value> ("--" + nameOf (option.usage), text, option.range);
-}
+using ValueOf = std::conditional_t<std::is_arithmetic_v<Number>, Number, double>;
 
 template <typename Number>
 Settings
@@ -139,15 +132,15 @@ settingOf (const Number& number)
     return number ? Settings (*number) : Settings ("auto");
 }
 
-/** \brief Sets the parameters whose options were given.
- * \throws UsageError as \ref parsed */
+/** \brief Sets the parameters whose options were given. */
 template <typename Parameters>
 void
 apply (const GivenNumbers& given, Parameters& parameters)
 {
   visitAll (parameters, [&] (auto& number, const NumberOption& option) {
-    if (const auto text = given.find (nameOf (option.usage)); text != given.end())
-      number = parsed (text->second, option, number);
+    using Value = ValueOf<std::decay_t<decltype (number)>>;
+    if (const auto found = given.find (nameOf (option.usage)); found != given.end())
+      number = static_cast<Value> (found->second);
   });
 }
 
@@ -161,13 +154,14 @@ declare (Parameters parameters,
          CommandLine& line,
          GivenNumbers& given)
 {
-  visitOwn (parameters, [&] (auto number, const NumberOption& option) {
+  visitOwn (parameters, [&] (auto& number, const NumberOption& option) {
+    using Value = ValueOf<std::decay_t<decltype (number)>>;
     const std::string name = nameOf (option.usage);
     const auto note = notes.find (name);
     line.add (option.usage,
               [=, &given] (const std::string& text) {
-                parsed (text, option, number);
-                given[name] = text;
+                given[name] = static_cast<double> (
+                    parseNumber<Value> ("--" + name, text, option.range));
               })
         .help (option.help + (note == notes.end() ? "" : " (" + note->second + ")"));
   });
