@@ -30,6 +30,16 @@ isLasName (const std::string& file)
 }
 
 bool
+hasLaszip ()
+{
+#ifdef PCL_OPS_WITH_LASZIP
+  return true;
+#else
+  return false;
+#endif
+}
+
+bool
 isCompressedLas (const std::string& file)
 {
   const LasFrame las (file);
@@ -244,12 +254,6 @@ checkCompression (LasFrame& las)
 
 } // namespace
 
-bool
-hasLaszip ()
-{
-  return true;
-}
-
 void
 decompressLaz (const std::string& file, std::ostream& stream)
 {
@@ -293,12 +297,6 @@ compressLas (const std::string& file, std::ostream& stream)
 }
 
 #else
-
-bool
-hasLaszip ()
-{
-  return false;
-}
 
 void
 decompressLaz (const std::string& file, std::ostream&)

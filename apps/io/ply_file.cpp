@@ -38,6 +38,7 @@ struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
   PlyProperties properties;
+  bool has_lists = false;
 };
 
 struct PlyHeader {
@@ -97,6 +98,7 @@ readProperty (const HeaderReader& reader, const Words& words, PlyHeader& header)
   element.properties.push_back ({words.back(),
                                  typeOf (reader, words[words.size() - 2]),
                                  is_list ? typeOf (reader, words[2]) : nullptr});
+  element.has_lists = element.has_lists || is_list;
 }
 
 void
@@ -161,14 +163,9 @@ public:
   beginRow (const PlyElement& element)
   {
     next_word_ = 0;
-    if (!is_text_)
-      return;
-    lines_.next();
-    const bool has_lists = std::any_of (
-        element.properties.begin(),
-        element.properties.end(),
-        [] (const auto& property) { return property.length_type != nullptr; });
-    if (!has_lists)
+    if (is_text_)
+      lines_.next();
+    if (is_text_ && !element.has_lists)
       lines_.expectNumbers (element.properties.size());
   }
 
