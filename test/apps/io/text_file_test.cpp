@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,20 +32,7 @@ placeOf (const FileCloud& cloud, std::size_t point)
   return CoordinateReader (cloud) (point);
 }
 
-class TextFile : public CloudFolder {
-protected:
-  FileCloud
-  load (const std::string& text, const std::string& name = "in.xyz") const
-  {
-    return CloudFolder::load (name, text);
-  }
-
-  std::string
-  complaintAbout (const std::string& text, const std::string& name = "in.xyz") const
-  {
-    return CloudFolder::complaintAbout (name, text);
-  }
-};
+using TextFile = CloudFolder;
 
 } // namespace
 
@@ -61,7 +47,7 @@ TEST_F (TextFile, KeepsMillimetersOfUtmWhateverTheSeparator)
         "  500000.123 ; 5400000.456 ; 120.789\n\n\n-500001.001;5400000.457;-1e-3\n",
         "500000.123, 5400000.456,\t120.789 \n-500001.001, 5400000.457,\t-0.001\n"}) {
     SCOPED_TRACE (text);
-    const FileCloud cloud = load (text);
+    const FileCloud cloud = load ("in.xyz", text);
     ASSERT_EQ (cloud.size(), 2u);
     EXPECT_EQ (fieldsOf (cloud), (std::vector<std::string>{"x", "y", "z"}));
     EXPECT_EQ (placeOf (cloud, 0), first);
@@ -72,7 +58,7 @@ TEST_F (TextFile, KeepsMillimetersOfUtmWhateverTheSeparator)
 TEST_F (TextFile, IsReadByEachOfItsExtensionsAndInFoldersByThoseOfClouds)
 {
   for (const char* name : {"a.xyz", "a.txt", "a.pts", "a.csv", "a.XYZ"})
-    EXPECT_EQ (load ("1 2 3\n", name).size(), 1u) << name;
+    EXPECT_EQ (load (name, "1 2 3\n").size(), 1u) << name;
   for (const char* name : {"a.xyz", "a.pts"})
     EXPECT_TRUE (isCloudFile (name)) << name;
   for (const char* name : {"README.txt", "planes.csv"})
@@ -97,7 +83,7 @@ TEST_F (TextFile, NamesItsFieldsAndFindsTheCoordinatesAmongThem)
       {"H,X [m],Z,Y,x,i\n7,6,3,2,1,4\n", {"H", "X_[m]", "z", "y", "x", "i"}}};
   for (const auto& [text, fields] : rows) {
     SCOPED_TRACE (text);
-    const FileCloud cloud = load (text);
+    const FileCloud cloud = load ("in.xyz", text);
     ASSERT_EQ (cloud.size(), 1u);
     EXPECT_EQ (fieldsOf (cloud), fields);
     EXPECT_EQ (placeOf (cloud, 0), Eigen::Vector3d (1, 2, 3));
@@ -115,7 +101,8 @@ TEST_F (TextFile, KnowsCoordinatesByOtherNamesAndWithUnits)
                             "Points:0,Points:1,Points:2",
                             "x,y,elevation"}) {
     SCOPED_TRACE (names);
-    const FileCloud cloud = load (std::string ("id,") + names + "\n7,1,2,3\n");
+    const FileCloud cloud =
+        load ("in.xyz", std::string ("id,") + names + "\n7,1,2,3\n");
     EXPECT_EQ (fieldsOf (cloud), (std::vector<std::string>{"id", "x", "y", "z"}));
     EXPECT_EQ (placeOf (cloud, 0), Eigen::Vector3d (1, 2, 3));
   }
@@ -126,7 +113,7 @@ TEST_F (TextFile, LeavesCommentsEmptyLinesAndItsNumberOfPointsOut)
   for (const char* text : {"# a scan\n#\n// of today\n\n1 2 3\n \t\n# more\n4 5 6",
                            "2\n1 2 3 -100\n4 5 6 -99\n",
                            "//X Y Z\n2\n1 2 3\n4 5 6\n"}) {
-    const FileCloud cloud = load (text);
+    const FileCloud cloud = load ("in.xyz", text);
     ASSERT_EQ (cloud.size(), 2u) << text;
     EXPECT_EQ (placeOf (cloud, 1), Eigen::Vector3d (4, 5, 6)) << text;
   }
@@ -134,25 +121,26 @@ TEST_F (TextFile, LeavesCommentsEmptyLinesAndItsNumberOfPointsOut)
 
 TEST_F (TextFile, HasPointsWithoutCoordinates)
 {
-  const FileCloud cloud = load ("nan nan nan\n1 2 inf\n");
+  const FileCloud cloud = load ("in.xyz", "nan nan nan\n1 2 inf\n");
   ASSERT_EQ (cloud.size(), 2u);
   EXPECT_TRUE (std::isnan (placeOf (cloud, 0).x()));
   EXPECT_TRUE (std::isinf (placeOf (cloud, 1).z()));
   // pandas leaves out what is missing.
-  const FileCloud missing = load ("x,y,z,i\n,,,5\n1,2,3,\n");
+  const FileCloud missing = load ("in.xyz", "x,y,z,i\n,,,5\n1,2,3,\n");
   ASSERT_EQ (missing.size(), 2u);
   EXPECT_TRUE (std::isnan (placeOf (missing, 0).y()));
   EXPECT_TRUE (std::isnan (valuesOf<double> (missing, "i")[1]));
-  EXPECT_EQ (placeOf (load ("1e-999 -1e-999 +1e-999\n"), 0), Eigen::Vector3d (0, 0, 0));
+  EXPECT_EQ (placeOf (load ("in.xyz", "1e-999 -1e-999 +1e-999\n"), 0),
+             Eigen::Vector3d (0, 0, 0));
 }
 
 TEST_F (TextFile, IsRefusedAsWhatItIsNot)
 {
-  EXPECT_TRUE (contains (complaintAbout ("\xff\xfe\x31"), "UTF-16"));
+  EXPECT_TRUE (contains (complaintAbout ("in.xyz", "\xff\xfe\x31"), "UTF-16"));
   std::filesystem::create_directory (folder_ / "folder.csv");
   EXPECT_THROW (loadCloud (folder_ / "folder.csv"), WorkError);
   const std::string wide = "1" + std::string (2000, ',') + "\n";
-  EXPECT_TRUE (contains (complaintAbout (wide), "more than 1000 numbers"));
+  EXPECT_TRUE (contains (complaintAbout ("in.xyz", wide), "more than 1000 numbers"));
 }
 
 TEST_F (TextFile, ThatCannotBeReadSaysSo)
@@ -169,7 +157,7 @@ TEST_F (TextFile, ThatIsCompressedIsSaidToBe)
   const std::string gzip = "\x1f\x8b\x08 and so on";
   for (const char* name :
        {"in.xyz.gz", "in.xyz", "in.csv", "in.pcd", "in.ply", "in.las"})
-    EXPECT_EQ (complaintAbout (gzip, name),
+    EXPECT_EQ (complaintAbout (name, gzip),
                "is compressed (gzip); decompress it, e.g. by gunzip")
         << name;
 }
@@ -178,7 +166,7 @@ TEST_F (TextFile, TakesNoMoreMemoryThanItHasPointsFor)
 {
   // A million empty lines are no million points.
   std::string text = "1 2 3\n" + std::string (1000000, '\n');
-  EXPECT_LT (load (text).points.data.capacity(), 10u * text.size());
+  EXPECT_LT (load ("in.xyz", text).points.data.capacity(), 10u * text.size());
   text = "1 2 3\n4 5 6\n" + std::string (1000000, '#');
-  EXPECT_LT (load (text).points.data.capacity(), 10u * text.size());
+  EXPECT_LT (load ("in.xyz", text).points.data.capacity(), 10u * text.size());
 }
