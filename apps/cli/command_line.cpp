@@ -8,10 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cmath>
 #include <iostream>
-#include <limits>
-#include <sstream>
 #include <system_error>
 #include <utility>
 

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_json.h"
 
-#include <nlohmann/json.hpp>
 #include <numbers/angles.h>
-#include <pcl_ops/orientation.h>
-#include <pcl_ops/plane_extent.h>
 
 #include <cmath>
 

@@ -9,7 +9,6 @@
 #include <pcl_ops/plane_extent.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

@@ -21,7 +21,6 @@
 #include <regex>
 #include <sstream>
 #include <utility>
-#include <vector>
 
 namespace pcl_ops::apps {
 

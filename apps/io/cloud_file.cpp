@@ -19,7 +19,6 @@
 #include <cstring>
 #include <fstream>
 #include <ostream>
-#include <string>
 #include <vector>
 
 namespace pcl_ops::apps {

@@ -5,12 +5,10 @@
 #include <Eigen/Geometry>
 
 #include "cloud_file.h"
-#include "las_header.h"
 #include "laz_file.h"
 #include "output_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <limits>
 #include <optional>

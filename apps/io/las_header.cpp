@@ -10,7 +10,6 @@
 #include <array>
 #include <limits>
 #include <ostream>
-#include <vector>
 
 namespace pcl_ops::apps {
 

@@ -16,13 +16,9 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <locale>
-#include <system_error>
-#include <utility>
 
 namespace fs = std::filesystem;
 

@@ -11,11 +11,8 @@
 #include <numbers/statistics.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <utility>
-#include <vector>
 
 namespace pcl_ops::apps {
 

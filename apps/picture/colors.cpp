@@ -4,10 +4,7 @@
 
 #include <pcl/common/colors.h>
 
-#include <io/cloud_file.h>
-
 #include <algorithm>
-#include <vector>
 
 namespace pcl_ops::apps {
 

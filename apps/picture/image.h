@@ -8,7 +8,6 @@
 
 #include <pcl_ops/orientation.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -6,15 +6,12 @@
 
 #include "colors.h"
 #include "image.h"
-#include "view.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numeric>
-#include <string>
 #include <utility>
 
 namespace pcl_ops::apps {
