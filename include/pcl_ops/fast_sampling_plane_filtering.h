@@ -82,13 +82,7 @@ detect (const DetectorInput& input,
  * Without \c setSearchMethod spheres are found in a grid of voxels, several times
  * faster than by a kd-tree, and in another order: other points are drawn from them.
  *
- * \code
- * pcl_ops::FastSamplingPlaneFiltering<pcl::PointXYZ> fspf;
- * fspf.setInputCloud (cloud);
- * std::vector<pcl::ModelCoefficients> coefficients;
- * std::vector<pcl::PointIndices> inliers;
- * fspf.segment (coefficients, inliers);
- * \endcode
+ * Its calls are those of OrientedPointSampling.
  * \ingroup segmentation */
 template <typename PointT>
 class FastSamplingPlaneFiltering

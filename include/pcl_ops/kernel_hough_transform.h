@@ -80,13 +80,7 @@ detect (const DetectorInput& input, const KernelHoughTransformParameters& parame
  * The defaults fit planes to their clusters, end them where the clusters do and merge
  * them. \c setSearchMethod and \c setSeed change nothing.
  *
- * \code
- * pcl_ops::KernelHoughTransform<pcl::PointXYZ> kht;
- * kht.setInputCloud (cloud);
- * std::vector<pcl::ModelCoefficients> coefficients;
- * std::vector<pcl::PointIndices> inliers;
- * kht.segment (coefficients, inliers);
- * \endcode
+ * Its calls are those of OrientedPointSampling.
  * \ingroup segmentation */
 template <typename PointT>
 class KernelHoughTransform
