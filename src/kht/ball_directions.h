@@ -6,7 +6,9 @@
 
 #include "geometry/angles.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -17,85 +19,134 @@ namespace pcl_ops::internal {
  * max (1, round (2 phi_num sin phi)) patches of azimuth theta, so that all patches have
  * about the same area. A direction is the number of a patch, row by row from the north
  * pole. */
-class BallDirections {
-public:
-  /** \brief \param[in] phi_num number of steps from pole to pole, at least 1 */
-  explicit BallDirections (int phi_num);
+struct BallDirections {
+  /** \brief Number of steps from pole to pole, at least 1. */
+  int phi_num;
+  /** \brief Angle between two rows [rad]. */
+  double phi_step;
+  /** \brief The row of each direction, 0 .. phi_num. */
+  std::vector<std::uint16_t> row_of;
+  /** \brief Where each row begins, and where the last one ends. */
+  std::vector<std::uint32_t> row_begins;
 
-  int
-  phiNum () const
+  explicit BallDirections (int steps)
+  : phi_num (steps), phi_step (pi / steps), row_begins (1, 0)
   {
-    return static_cast<int> (row_begins_.size()) - 2;
+    for (int row = 0; row <= phi_num; ++row) {
+      const double circumference = 2.0 * phi_num * std::sin (row * pi / phi_num);
+      const long patches = std::max (1L, std::lround (circumference));
+      row_of.insert (row_of.end(), patches, static_cast<std::uint16_t> (row));
+      row_begins.push_back (static_cast<std::uint32_t> (row_of.size()));
+    }
   }
 
   /** \brief Number of directions. */
   std::size_t
   size () const
   {
-    return rows_.size();
+    return row_of.size();
   }
 
-  /** \brief Angle between two rows [rad]. */
-  double
-  phiStep () const
-  {
-    return pi / phiNum();
-  }
-
-  /** \brief Number of patches of a row 0 .. phi_num. */
+  /** \brief Number of patches of a row. */
   int
   patchesOfRow (int row) const
   {
-    return static_cast<int> (row_begins_[row + 1] - row_begins_[row]);
-  }
-
-  int
-  rowOf (std::uint32_t direction) const
-  {
-    return rows_[direction];
+    return static_cast<int> (row_begins[row + 1] - row_begins[row]);
   }
 
   /** \brief The direction of a patch of a row; any number wraps around the row. */
   std::uint32_t
-  patchOfRow (int row, int patch) const;
+  patchOfRow (int row, int patch) const
+  {
+    const int patches = patchesOfRow (row);
+    const int wrapped = patch % patches;
+    return row_begins[row] +
+           static_cast<std::uint32_t> (wrapped < 0 ? wrapped + patches : wrapped);
+  }
 
   /** \brief The direction that holds an azimuth.
    * \param[in] row -phi_num .. 2 phi_num; a row beyond a pole is the row as far on the
    * pole's other side, half a turn on
    * \param[in] theta azimuth, any [rad] */
   std::uint32_t
-  at (int row, double theta) const;
+  at (int row, double theta) const
+  {
+    const bool beyond_pole = row < 0 || row > phi_num;
+    const int reflected = row < 0 ? -row : beyond_pole ? 2 * phi_num - row : row;
+    const double turns = theta / (2.0 * pi) + (beyond_pole ? 0.5 : 0.0);
+    const double patch = std::floor (turns * patchesOfRow (reflected));
+    return patchOfRow (reflected, static_cast<int> (patch));
+  }
 
   /** \brief The polar angle and azimuth of a direction's center [rad]. */
   double
   phiOf (std::uint32_t direction) const
   {
-    return rowOf (direction) * phiStep();
+    return row_of[direction] * phi_step;
   }
   double
-  thetaOf (std::uint32_t direction) const;
+  thetaOf (std::uint32_t direction) const
+  {
+    const int row = row_of[direction];
+    return 2.0 * pi * (direction - row_begins[row] + 0.5) / patchesOfRow (row);
+  }
 
   /** \brief The unit vector of a direction's center. */
   Eigen::Vector3d
-  vectorOf (std::uint32_t direction) const;
+  vectorOf (std::uint32_t direction) const
+  {
+    const int row = row_of[direction];
+    if (row == 0 || row == phi_num)
+      return Eigen::Vector3d (0.0, 0.0, row == 0 ? 1.0 : -1.0);
+    const double phi = phiOf (direction), theta = thetaOf (direction);
+    return Eigen::Vector3d (std::sin (phi) * std::cos (theta),
+                            std::sin (phi) * std::sin (theta),
+                            std::cos (phi));
+  }
 
   /** \brief The direction at the other side of the ball; its own opposite is the first
    * again. */
   std::uint32_t
-  opposite (std::uint32_t direction) const;
+  opposite (std::uint32_t direction) const
+  {
+    const int row = row_of[direction];
+    const int patches = patchesOfRow (row);
+    // Half a turn ends between two patches where their number is odd: the northern half
+    // then goes to the later one and the southern half back.
+    const int half_turn = 2 * row <= phi_num ? (patches + 1) / 2 : patches / 2;
+    const int patch = static_cast<int> (direction - row_begins[row]);
+    return patchOfRow (phi_num - row, patch + half_turn);
+  }
 
   /** \brief The directions across the four sides of a patch. */
   std::array<std::uint32_t, 4>
-  beside (std::uint32_t direction) const;
+  beside (std::uint32_t direction) const
+  {
+    const int row = row_of[direction];
+    const double theta = thetaOf (direction);
+    const int patch = static_cast<int> (direction - row_begins[row]);
+    const std::uint32_t west = patchOfRow (row, patch - 1);
+    return {
+        at (row - 1, theta), at (row + 1, theta), west, patchOfRow (row, patch + 1)};
+  }
 
   /** \brief The 3 x 3 patches around a direction, itself included: in each of three
    * rows the patch at its azimuth and one to either side. Each once, ascending. */
   std::vector<std::uint32_t>
-  around (std::uint32_t direction) const;
-
-private:
-  std::vector<std::uint32_t> row_begins_;
-  std::vector<std::uint16_t> rows_;
+  around (std::uint32_t direction) const
+  {
+    const std::array<std::uint32_t, 4> sides = beside (direction);
+    std::vector<std::uint32_t> found;
+    for (const std::uint32_t middle : {sides[0], direction, sides[1]}) {
+      const int row = row_of[middle];
+      const int patch = static_cast<int> (middle - row_begins[row]);
+      for (const int offset : {-1, 0, 1})
+        found.push_back (patchOfRow (row, patch + offset));
+    }
+    std::sort (found.begin(), found.end());
+    found.erase (std::unique (found.begin(), found.end()), found.end());
+    return found;
+  }
 };
 
 /** \brief Planes as (direction of the normal, distance rho from the ball's center). */

@@ -86,12 +86,11 @@ voteForPlanes (const OctreeClusters& found, int phi_num, int rho_num)
     return {};
   SphericalAccumulator accumulator (
       {BallDirections (phi_num), rho_num, found.root.radius / rho_num});
-  const HoughSpace& space = accumulator.space();
+  const HoughSpace& space = accumulator.space;
   KernelVotes votes;
   for (std::uint32_t c = 0; c < found.clusters.size(); ++c) {
     const CoplanarCluster& cluster = found.clusters[c];
-    const PlaneKernel kernel = planeKernel (cluster.fit.plane,
-                                            cluster.fit.centroid,
+    const PlaneKernel kernel = planeKernel (cluster.fit,
                                             cluster.moments.covariance(),
                                             found.root.center,
                                             clusterWeight (cluster, found));

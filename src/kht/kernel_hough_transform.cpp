@@ -20,25 +20,6 @@ namespace {
 // Into how many voxels a cloud is divided to follow its planes' outlines.
 constexpr double wanted_voxels = 9000.0;
 
-/** Blocks of the octree lie together, so that most planes are far from most blocks. */
-Labels
-assignOctreePoints (const OctreeClusters& found,
-                    std::size_t size,
-                    const std::vector<Plane>& planes,
-                    const KernelHoughTransformParameters& parameters)
-{
-  Coordinates points;
-  for (const OctreePoint& point : found.points)
-    points.add (point.x, point.y, point.z);
-  const double theta_h = *parameters.distance_threshold;
-  const Labels in_octree_order =
-      assignPoints (points, planes, theta_h, AssignmentRule::First, parameters.threads);
-  Labels labels (size, no_plane);
-  for (std::size_t i = 0; i < in_octree_order.size(); ++i)
-    labels[found.points[i].index] = in_octree_order[i];
-  return labels;
-}
-
 /** Each voxel goes to the plane of the first cluster that has a point in it. */
 BoundedPlanes
 voxelsOfClusters (const std::vector<HoughPlane>& planes,
@@ -111,17 +92,24 @@ assignToUnboundedPlanes (const Points& points,
                          const KernelHoughTransformParameters& parameters,
                          StageDurations& durations)
 {
+  const unsigned threads = parameters.threads;
+  const double theta_h = *parameters.distance_threshold;
   StageClock clock;
   std::vector<Plane> planes;
   for (const HoughPlane& plane : hough_planes)
     planes.push_back (plane.plane);
-  AssignedPoints assigned;
-  assigned.labels = assignOctreePoints (found, points.size(), planes, parameters);
+  Coordinates in_octree_order;
+  for (const OctreePoint& point : found.points)
+    in_octree_order.add (point.x, point.y, point.z);
+  const Labels labels =
+      assignPoints (in_octree_order, planes, theta_h, AssignmentRule::First, threads);
+  AssignedPoints assigned{Labels (points.size(), no_plane), {}};
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    assigned.labels[found.points[i].index] = labels[i];
   clock.lap (durations.assignment);
-  assigned.moments =
-      momentsOfLabels (points, assigned.labels, planes.size(), parameters.threads);
+  assigned.moments = momentsOfLabels (points, assigned.labels, planes.size(), threads);
   LabelledPlanes merged =
-      mergeAssigned (std::move (assigned), mergingOf (parameters), parameters.threads);
+      mergeAssigned (std::move (assigned), mergingOf (parameters), threads);
   restorePlanes (merged.planes, planes);
   clock.lap (durations.merging);
   return merged;

@@ -67,10 +67,10 @@ public:
     // Not so where a covariance is not positive definite.
     if (!(std::isfinite (peak_) && peak_ > 0.0))
       return;
-    const double step = space_.directions.phiStep();
+    const double step = space_.directions.phi_step;
     const double reach = std::min (
         std::sqrt (largest_squared_distance) * phi_deviation_, max_directions * step);
-    const int phi_num = space_.directions.phiNum();
+    const int phi_num = space_.directions.phi_num;
     const int first =
         bounded (std::ceil ((mean_phi_ - reach) / step), -phi_num, 2 * phi_num);
     const int last =
@@ -92,10 +92,10 @@ private:
   castRow (int row)
   {
     const BallDirections& directions = space_.directions;
-    const int phi_num = directions.phiNum();
+    const int phi_num = directions.phi_num;
     const bool beyond_pole = row < 0 || row > phi_num;
     const int reflected = row < 0 ? -row : beyond_pole ? 2 * phi_num - row : row;
-    const double phi_offset = row * directions.phiStep() - mean_phi_;
+    const double phi_offset = row * directions.phi_step - mean_phi_;
     const double room = largest_squared_distance -
                         phi_offset * phi_offset / (phi_deviation_ * phi_deviation_);
     if (room < 0.0)
@@ -139,14 +139,14 @@ private:
     if (last >= 0) {
       const int from = std::max (first, 0);
       const double start = space_.rhoOf (from) - middle;
-      addRay (direction, from, last - from + 1, start, step, height);
+      addRay (direction, from, last + 1, start, step, height);
     }
     if (first < 0) {
       has_wrapped_ = true;
       const int from = std::min (last, -1);
       const double start = space_.rhoOf (from) - middle;
       const std::uint32_t opposite = space_.directions.opposite (direction);
-      addRay (opposite, -1 - from, from - first + 1, start, -step, height);
+      addRay (opposite, -1 - from, -first, start, -step, height);
     }
   }
 
@@ -154,8 +154,8 @@ private:
    * by a constant factor, so that no bin costs an exponential. */
   void
   addRay (std::uint32_t direction,
-          int first_bin,
-          int length,
+          int begin,
+          int end,
           double offset,
           double step,
           double height)
@@ -163,9 +163,8 @@ private:
     double value = height * std::exp (-0.5 * offset * offset / rho_variance_);
     double ratio = std::exp (-step * (offset + 0.5 * step) / rho_variance_);
     const auto first_value = static_cast<std::uint32_t> (votes_.values.size());
-    votes_.rays.push_back (
-        {direction, first_bin, static_cast<std::uint32_t> (length), first_value});
-    for (int i = 0; i < length; ++i) {
+    votes_.rays.push_back ({direction, begin, end, first_value});
+    for (int bin = begin; bin < end; ++bin) {
       votes_.values.push_back (static_cast<float> (value));
       value *= ratio;
       ratio *= ratio_change_;
@@ -176,7 +175,7 @@ private:
   castOwnBin ()
   {
     const BallDirections& directions = space_.directions;
-    const int row = static_cast<int> (std::lround (mean_phi_ / directions.phiStep()));
+    const int row = static_cast<int> (std::lround (mean_phi_ / directions.phi_step));
     const std::uint32_t direction = directions.at (row, mean_theta_);
     const int bin =
         std::min (static_cast<int> (mean_rho_ / space_.rho_step), space_.rho_num - 1);
@@ -190,7 +189,7 @@ private:
         largest_squared_distance)
       return;
     const double height = peak_ * std::exp (-0.5 * largest_squared_distance);
-    addRay (direction, bin, 1, 0.0, 0.0, height);
+    addRay (direction, bin, bin + 1, 0.0, 0.0, height);
   }
 
   void
@@ -209,11 +208,10 @@ private:
   void
   keepLargerVote (const VoteRay& a, const VoteRay& b)
   {
-    const int end = std::min (a.first_bin + static_cast<int> (a.length),
-                              b.first_bin + static_cast<int> (b.length));
-    for (int bin = std::max (a.first_bin, b.first_bin); bin < end; ++bin) {
-      float& of_a = votes_.values[a.first_value + (bin - a.first_bin)];
-      float& of_b = votes_.values[b.first_value + (bin - b.first_bin)];
+    const int end = std::min (a.end, b.end);
+    for (int bin = std::max (a.begin, b.begin); bin < end; ++bin) {
+      float& of_a = votes_.values[a.first_value + (bin - a.begin)];
+      float& of_b = votes_.values[b.first_value + (bin - b.begin)];
       (of_a < of_b ? of_a : of_b) = 0.0f;
     }
   }
@@ -255,15 +253,13 @@ private:
 } // namespace
 
 PlaneKernel
-planeKernel (const Plane& plane,
-             const Eigen::Vector3d& centroid,
+planeKernel (const PlaneFit& fit,
              const Eigen::Matrix3d& covariance,
              const Eigen::Vector3d& center,
              double weight)
 {
-  const double signed_rho = (centroid - center).dot (plane.normal);
-  const Eigen::Vector3d normal =
-      signed_rho < 0.0 ? Eigen::Vector3d (-plane.normal) : plane.normal;
+  const double signed_rho = (fit.centroid - center).dot (fit.plane.normal);
+  const Eigen::Vector3d normal = (signed_rho < 0.0 ? -1.0 : 1.0) * fit.plane.normal;
   const double rho = std::abs (signed_rho);
   const double theta = std::atan2 (normal.y(), normal.x());
   const double horizontal = std::hypot (normal.x(), normal.y());

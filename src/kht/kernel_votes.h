@@ -21,12 +21,11 @@ struct PlaneKernel {
 
 /** \brief The kernel of a set of points near a plane: the points' covariance carried
  * over to the plane's parameters, Sigma_rpt = J Sigma_xyz J^T, plus 1e-5 on (rho, rho).
- * \param[in] plane the sign of its normal means nothing
+ * \param[in] fit the sign of its normal means nothing
  * \param[in] covariance Sigma_xyz, the points' population covariance
  * \param[in] center of the ball, in the same frame */
 PlaneKernel
-planeKernel (const Plane& plane,
-             const Eigen::Vector3d& centroid,
+planeKernel (const PlaneFit& fit,
              const Eigen::Matrix3d& covariance,
              const Eigen::Vector3d& center,
              double weight);
@@ -34,9 +33,8 @@ planeKernel (const Plane& plane,
 /** \brief A kernel's votes along rho in one direction. */
 struct VoteRay {
   std::uint32_t direction = 0;
-  /** \brief Its bins are first_bin .. first_bin + length - 1. */
-  std::int32_t first_bin = 0;
-  std::uint32_t length = 0;
+  /** \brief Its bins are those from begin to before end. */
+  std::int32_t begin = 0, end = 0;
   /** \brief Where its values begin in \ref KernelVotes::values. */
   std::uint32_t first_value = 0;
 };

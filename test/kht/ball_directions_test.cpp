@@ -5,32 +5,30 @@
 
 using namespace pcl_ops::internal;
 
-namespace {
-
-/** Even and odd numbers of rows. */
-const int sizes[] = {4, 7, 30, 80};
-
-} // namespace
-
 TEST (BallDirections, HaveAboutTheSameAreaAndOnePatchOnEachPole)
 {
   const BallDirections ball (30);
   for (int row = 1; row < 30; ++row) {
     const double area =
-        ball.phiStep() * std::sin (row * pi / 30) * 2.0 * pi / ball.patchesOfRow (row);
-    EXPECT_NEAR (area / (ball.phiStep() * ball.phiStep()), 1.0, 0.1);
+        ball.phi_step * std::sin (row * pi / 30) * 2.0 * pi / ball.patchesOfRow (row);
+    EXPECT_NEAR (area / (ball.phi_step * ball.phi_step), 1.0, 0.1);
   }
   EXPECT_EQ (ball.patchesOfRow (30), 1);
   EXPECT_EQ (ball.vectorOf (0), Eigen::Vector3d::UnitZ());
   EXPECT_EQ (ball.around (0).size(), 1u + ball.patchesOfRow (1));
 }
 
-TEST (BallDirections, HoldTheirOwnCenters)
+TEST (BallDirections, HoldTheirOwnCentersAndHaveAnOppositeThatPointsAway)
 {
-  for (const int phi_num : sizes) {
+  for (const int phi_num : {4, 7, 30, 80}) { // even and odd numbers of rows
     const BallDirections ball (phi_num);
-    for (std::uint32_t direction = 0; direction < ball.size(); ++direction)
-      ASSERT_EQ (ball.at (ball.rowOf (direction), ball.thetaOf (direction)), direction);
+    for (std::uint32_t direction = 0; direction < ball.size(); ++direction) {
+      ASSERT_EQ (ball.at (ball.row_of[direction], ball.thetaOf (direction)), direction);
+      const std::uint32_t opposite = ball.opposite (direction);
+      EXPECT_LT (ball.vectorOf (direction).dot (ball.vectorOf (opposite)),
+                 -std::cos (ball.phi_step));
+      EXPECT_EQ (ball.opposite (opposite), direction);
+    }
   }
 }
 
@@ -45,19 +43,6 @@ TEST (BallDirections, WrapAroundTheirRowAndGoOnBeyondAPoleHalfATurnAway)
   EXPECT_EQ (ball.at (32, 1.0), ball.at (28, 1.0 + pi));
 }
 
-TEST (BallDirections, HaveAnOppositeThatPointsAway)
-{
-  for (const int phi_num : sizes) {
-    const BallDirections ball (phi_num);
-    for (std::uint32_t direction = 0; direction < ball.size(); ++direction) {
-      const std::uint32_t opposite = ball.opposite (direction);
-      EXPECT_LT (ball.vectorOf (direction).dot (ball.vectorOf (opposite)),
-                 -std::cos (ball.phiStep()));
-      EXPECT_EQ (ball.opposite (opposite), direction);
-    }
-  }
-}
-
 TEST (BallDirections, AreSurroundedByTheirSides)
 {
   const BallDirections ball (30);
@@ -69,6 +54,6 @@ TEST (BallDirections, AreSurroundedByTheirSides)
     for (const std::uint32_t near : around)
       EXPECT_LT (std::acos (std::min (
                      1.0, ball.vectorOf (near).dot (ball.vectorOf (direction)))),
-                 2.2 * ball.phiStep());
+                 2.2 * ball.phi_step);
   }
 }

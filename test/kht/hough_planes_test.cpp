@@ -16,19 +16,13 @@ const Surface bottom{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}};
 const Surface wall{{0.0, 0.0, 0.1}, {0.0, 2.0, 0.0}, {0.0, 0.0, 1.9}};
 const Surface shelf{{1.5, 0.5, 1.0}, {0.4, 0.0, 0.0}, {0.0, 0.4, 0.0}};
 
-Coordinates
-corner (double noise)
+OctreeClusters
+clustersOfCorner (double noise)
 {
   Coordinates points;
   addGrid (points, bottom, 100, noise);
   addGrid (points, wall, 100, noise);
   addGrid (points, shelf, 20, noise);
-  return points;
-}
-
-OctreeClusters
-clustersOf (const Coordinates& points)
-{
   OctreeClusterParameters parameters;
   parameters.first_level = 3;
   return findCoplanarClusters (points, parameters);
@@ -49,7 +43,7 @@ TEST (HoughPlanes, WeighAClusterByItsEdgeAndPoints)
 
 TEST (HoughPlanes, ComeByFallingWeight)
 {
-  const OctreeClusters found = clustersOf (corner (1_mm));
+  const OctreeClusters found = clustersOfCorner (1_mm);
   double before = std::numeric_limits<double>::infinity();
   for (const HoughPlane& plane : voteForPlanes (found, 45, 200)) {
     double weight = 0.0;
@@ -62,7 +56,7 @@ TEST (HoughPlanes, ComeByFallingWeight)
 
 TEST (HoughPlanes, ShareNoClusterWhenRefitted)
 {
-  const OctreeClusters found = clustersOf (corner (1_cm));
+  const OctreeClusters found = clustersOfCorner (1_cm);
   std::vector<HoughPlane> voted = voteForPlanes (found, 30, 100);
   for (std::size_t i = 0, size = voted.size(); i < size; ++i)
     voted.push_back (HoughPlane (voted[i])); // as if two peaks were of one surface
@@ -74,7 +68,7 @@ TEST (HoughPlanes, ShareNoClusterWhenRefitted)
 
 TEST (HoughPlanes, AreDroppedBelowTheSmallestShare)
 {
-  const OctreeClusters found = clustersOf (corner (1_mm));
+  const OctreeClusters found = clustersOfCorner (1_mm);
   const std::vector<HoughPlane> voted = voteForPlanes (found, 30, 100);
   constexpr double share_of_shelf = 400.0 / 20400.0;
   for (const double share : {0.5, 2.0}) {

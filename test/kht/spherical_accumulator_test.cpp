@@ -17,11 +17,8 @@ const HoughSpace coarse_space{BallDirections (12), 40, 0.05};
 KernelVotes
 votesFor (const Bin& bin, std::vector<float> values)
 {
-  KernelVotes votes;
-  votes.rays.push_back (
-      {bin.first, bin.second, static_cast<std::uint32_t> (values.size()), 0});
-  votes.values = std::move (values);
-  return votes;
+  const int end = bin.second + static_cast<int> (values.size());
+  return {{{bin.first, bin.second, end, 0}}, std::move (values)};
 }
 
 KernelVotes
@@ -40,8 +37,8 @@ float
 votesOf (const SphericalAccumulator& accumulator, std::uint32_t direction, int bin)
 {
   if (bin < 0)
-    return accumulator.votesOf (coarse_space.directions.opposite (direction), -1 - bin);
-  return bin < coarse_space.rho_num ? accumulator.votesOf (direction, bin) : 0.0f;
+    return accumulator.votes[coarse_space.directions.opposite (direction)][-1 - bin];
+  return bin < coarse_space.rho_num ? accumulator.votes[direction][bin] : 0.0f;
 }
 
 float
@@ -63,7 +60,7 @@ peaksByWalking (const SphericalAccumulator& accumulator)
   for (std::uint32_t direction = 0; direction < coarse_space.directions.size();
        ++direction)
     for (int bin = 0; bin < coarse_space.rho_num; ++bin)
-      if (accumulator.votesOf (direction, bin) > 0.0f)
+      if (accumulator.votes[direction][bin] > 0.0f)
         bins.emplace_back (-smoothed (accumulator, {direction, bin}), direction, bin);
   std::sort (bins.begin(), bins.end());
   std::set<Bin> marked, peaks;
@@ -85,9 +82,9 @@ TEST (SphericalAccumulator, AddsVotesUp)
   SphericalAccumulator accumulator (coarse_space);
   accumulator.add (votesFor ({5, 10}, {1.0f, 2.0f}), 0);
   accumulator.add (votesFor ({5, 11}, {4.0f}), 1);
-  EXPECT_EQ (accumulator.votesOf (5, 10), 1.0f);
-  EXPECT_EQ (accumulator.votesOf (5, 11), 6.0f);
-  EXPECT_EQ (accumulator.votesOf (6, 10), 0.0f);
+  EXPECT_EQ (accumulator.votes[5][10], 1.0f);
+  EXPECT_EQ (accumulator.votes[5][11], 6.0f);
+  EXPECT_EQ (accumulator.votes[6][10], 0.0f);
 }
 
 TEST (SphericalAccumulator, PeaksOnceForAKernelAcrossTheCenterOrAPole)
