@@ -173,6 +173,12 @@ patchesOf (const std::vector<PlaneSegment>& planes)
   return patches;
 }
 
+/** \brief What is matched. */
+struct Frames {
+  Patches previous, current;
+  double min_overlap;
+};
+
 /** \brief A pair of planes that may be one. */
 struct Pair {
   std::size_t previous, current;
@@ -182,16 +188,11 @@ struct Pair {
 
 /** \return nothing for planes that cannot be one */
 std::optional<Pair>
-pairOf (const Patches& previous,
-        std::size_t p,
-        const Patches& current,
-        std::size_t c,
-        const PoseEstimate& belief,
-        double min_overlap)
+pairOf (const Frames& frames, std::size_t p, std::size_t c, const PoseEstimate& belief)
 {
-  if (!previous[p] || !current[c])
+  if (!frames.previous[p] || !frames.current[c])
     return std::nullopt;
-  const Patch &fixed = *previous[p], &seen = *current[c];
+  const Patch &fixed = *frames.previous[p], &seen = *frames.current[c];
   const Patch over = moved (belief.pose, seen);
   if (std::abs (over.normal().dot (fixed.normal())) < min_cosine)
     return std::nullopt;
@@ -200,7 +201,7 @@ pairOf (const Patches& previous,
     return std::nullopt;
   const double common = commonArea (fixed, over);
   constexpr double but_for_rounding = 1.0 - 1e-9;
-  const double needed = min_overlap * std::min (fixed.area(), over.area());
+  const double needed = frames.min_overlap * std::min (fixed.area(), over.area());
   if (!(common > 0.0 && common >= but_for_rounding * needed))
     return std::nullopt;
   const double overlap = common / (fixed.area() + over.area() - common);
@@ -212,11 +213,9 @@ pairOf (const Patches& previous,
 /** \brief Lets the pose follow from the planes, the largest first: the less sure it is
  * the more it needs those that cannot be mistaken. */
 PoseEstimate
-registered (const Patches& previous,
-            const Patches& current,
-            PoseEstimate belief,
-            double min_overlap)
+registered (const Frames& frames, PoseEstimate belief)
 {
+  const Patches &previous = frames.previous, &current = frames.current;
   const auto area = [&] (std::size_t c) {
     return current[c] ? current[c]->area() : 0.0;
   };
@@ -231,7 +230,7 @@ registered (const Patches& previous,
     for (std::size_t p = 0; p < previous.size(); ++p) {
       if (is_taken[p])
         continue;
-      const auto pair = pairOf (previous, p, current, c, belief, min_overlap);
+      const auto pair = pairOf (frames, p, c, belief);
       if (pair && (!best || pair->score > best->score))
         best = pair;
     }
@@ -243,30 +242,21 @@ registered (const Patches& previous,
   return belief;
 }
 
-std::vector<Pair>
-pairsByScore (const Patches& previous,
-              const Patches& current,
-              const PoseEstimate& belief,
-              double min_overlap)
+/** \brief Each plane in one pair at most, the best pairs first. */
+Labels
+oneToOne (const Frames& frames, const PoseEstimate& belief)
 {
   std::vector<Pair> pairs;
-  for (std::size_t c = 0; c < current.size(); ++c)
-    for (std::size_t p = 0; p < previous.size(); ++p)
-      if (const auto pair = pairOf (previous, p, current, c, belief, min_overlap))
+  for (std::size_t c = 0; c < frames.current.size(); ++c)
+    for (std::size_t p = 0; p < frames.previous.size(); ++p)
+      if (const auto pair = pairOf (frames, p, c, belief))
         pairs.push_back (*pair);
   std::stable_sort (
       pairs.begin(), pairs.end(), [] (const Pair& one, const Pair& other) {
         return one.score > other.score;
       });
-  return pairs;
-}
-
-/** \brief Each plane in one pair at most, the best pairs first. */
-Labels
-oneToOne (const std::vector<Pair>& pairs, std::size_t previous, std::size_t current)
-{
-  Labels labels (current, no_plane);
-  std::vector<bool> is_taken (previous, false);
+  Labels labels (frames.current.size(), no_plane);
+  std::vector<bool> is_taken (frames.previous.size(), false);
   for (const Pair& pair : pairs) {
     if (labels[pair.current] != no_plane || is_taken[pair.previous])
       continue;
@@ -299,14 +289,10 @@ matchPlanes (const std::vector<PlaneSegment>& previous,
 {
   detail::throwOn (validate (parameters));
   detail::throwOn (pose.matrix().allFinite() ? "" : "the pose must be finite");
-  const Patches before = patchesOf (previous), now = patchesOf (current);
-  const double min_overlap = parameters.min_overlap;
-  const PoseEstimate belief =
-      registered (before, now, PoseEstimate (pose, parameters), min_overlap);
-  return {oneToOne (pairsByScore (before, now, belief, min_overlap),
-                    previous.size(),
-                    current.size()),
-          belief.pose};
+  const Frames frames{
+      patchesOf (previous), patchesOf (current), parameters.min_overlap};
+  const PoseEstimate belief = registered (frames, PoseEstimate (pose, parameters));
+  return {oneToOne (frames, belief), belief.pose};
 }
 
 } // namespace pcl_ops
