@@ -95,63 +95,50 @@ TEST (MatchPlanes, TakesPosesThatAreFarOffIfToldSo)
     }
 }
 
-TEST (MatchPlanes, DoesNotMatchWhatThePoseCannotExplain)
+TEST (MatchPlanes, MatchesWhatOverlapsAndThePoseAndTheNoiseExplain)
 {
-  const Planes floor = {board ({0, 0, 0}, Vector3d::UnitZ(), {1, 1})};
-  const Planes table = {board ({0, 0, 0.3}, Vector3d::UnitZ(), {1, 1})};
-  EXPECT_EQ (matchPlanes (floor, table).previous, (Labels{no_plane}));
-  PlaneMatchingParameters loose;
-  loose.translation_error = 0.2;
-  EXPECT_EQ (matchPlanes (floor, table, stays, loose).previous, (Labels{0}));
-}
-
-TEST (MatchPlanes, TellsPlanesOfOneEquationApartByWhereTheyEnd)
-{
-  const Planes doors = {board ({0, 0, 0}, Vector3d::UnitY(), {1, 2}),
-                        board ({1.5, 0, 0}, Vector3d::UnitY(), {1, 2})};
-  EXPECT_EQ (matchPlanes (doors, {doors[1], doors[0]}).previous, (Labels{1, 0}));
-  EXPECT_EQ (matchPlanes ({doors[0]}, {doors[1]}).previous, (Labels{no_plane}));
-}
-
-TEST (MatchPlanes, AsksForTheOverlapGiven)
-{
-  const Planes before = {board ({0, 0, 0}, Vector3d::UnitZ(), {2, 1})};
-  const Planes now = {board ({1, 0, 0}, Vector3d::UnitZ(), {2, 1})}; // half over it
-  PlaneMatchingParameters parameters;
-  parameters.min_overlap = 0.4;
-  EXPECT_EQ (matchPlanes (before, now, stays, parameters).previous, (Labels{0}));
-  parameters.min_overlap = 0.6;
-  EXPECT_EQ (matchPlanes (before, now, stays, parameters).previous, (Labels{no_plane}));
-}
-
-TEST (MatchPlanes, GivesAPreviousPlaneToTheOneThatOverlapsItMost)
-{
-  const Planes wall = {board ({0, 0, 0}, Vector3d::UnitY(), {4, 2})};
-  const Planes pieces = {board ({-1.5, 0, 0}, Vector3d::UnitY(), {0.8, 2}),
-                         board ({0.5, 0, 0}, Vector3d::UnitY(), {3, 2})};
-  EXPECT_EQ (matchPlanes (wall, pieces).previous, (Labels{no_plane, 0}));
-}
-
-TEST (MatchPlanes, NeedsNoThresholdOfItsOwnForNoisyPlanes)
-{
+  const auto with = [] (double translation_error, double min_overlap) {
+    PlaneMatchingParameters parameters;
+    parameters.translation_error = translation_error;
+    parameters.min_overlap = min_overlap;
+    return parameters;
+  };
   PlaneMatchingParameters exact;
   exact.rotation_error = exact.translation_error = 0.0;
-  const auto isMatched = [&] (double noise) {
-    const Planes before = {board ({0, 0, 0}, Vector3d::UnitZ(), {2, 2}, noise)};
-    const Planes now = {board ({0, 0, 0.05}, Vector3d::UnitZ(), {2, 2}, noise)};
-    return matchPlanes (before, now, stays, exact).previous[0] == 0;
+  const auto level = [] (double x, double z, double width, double noise = 0.002) {
+    return board ({x, 0, z}, Vector3d::UnitZ(), {width, 1}, noise);
   };
-  EXPECT_FALSE (isMatched (0.002));
-  EXPECT_TRUE (isMatched (0.03));
-}
-
-TEST (MatchPlanes, HasNoMatchForWhatIsNoPlane)
-{
-  const Planes all = corner();
-  EXPECT_EQ (matchPlanes ({PlaneSegment(), all[0]}, {all[0], PlaneSegment()}).previous,
-             (Labels{1, no_plane}));
-  EXPECT_TRUE (matchPlanes (all, {}).previous.empty());
-  EXPECT_EQ (matchPlanes ({}, {all[0]}).previous, (Labels{no_plane}));
+  const auto upright = [] (double x, double width) {
+    return board ({x, 0, 0}, Vector3d::UnitY(), {width, 2});
+  };
+  const PlaneSegment floor = level (0, 0, 1), table = level (0, 0.3, 1), none{};
+  const PlaneSegment door = upright (0, 1), other_door = upright (1.5, 1);
+  const Planes pieces = {upright (-1.5, 0.8), upright (0.5, 3)};
+  const struct {
+    const char* planes;
+    Planes previous, current;
+    PlaneMatchingParameters parameters;
+    Labels expected;
+  } rows[] = {
+      {"farther than the pose is off", {floor}, {table}, {}, {no_plane}},
+      {"as far as it is", {floor}, {table}, with (0.2, 0.3), {0}},
+      {"one equation", {door, other_door}, {other_door, door}, {}, {1, 0}},
+      {"but not the same ends", {door}, {other_door}, {}, {no_plane}},
+      {"half over it", {level (0, 0, 2)}, {level (1, 0, 2)}, with (0.05, 0.4), {0}},
+      {"not enough",
+       {level (0, 0, 2)},
+       {level (1, 0, 2)},
+       with (0.05, 0.6),
+       {no_plane}},
+      {"the one that overlaps most", {upright (0, 4)}, pieces, {}, {no_plane, 0}},
+      {"5 cm apart", {level (0, 0, 2)}, {level (0, 0.05, 2)}, exact, {no_plane}},
+      {"noisy", {level (0, 0, 2, 0.03)}, {level (0, 0.05, 2, 0.03)}, exact, {0}},
+      {"what is none", {none, floor}, {floor, none}, {}, {1, no_plane}},
+      {"nothing in the next", {floor}, {}, {}, {}},
+      {"nothing before", {}, {floor}, {}, {no_plane}}};
+  for (const auto& [name, previous, current, parameters, expected] : rows)
+    EXPECT_EQ (matchPlanes (previous, current, stays, parameters).previous, expected)
+        << name;
 }
 
 TEST (MatchPlanes, RefusesWrongArguments)
