@@ -9,17 +9,7 @@ using namespace pcl_ops;
 
 namespace {
 
-/** \brief Thresholds of 7 degrees and 5 cm. */
-MergingParameters
-sevenDegreesAndFiveCentimeters ()
-{
-  MergingParameters parameters;
-  parameters.angle_threshold = 7_deg;
-  parameters.distance_threshold = 5_cm;
-  return parameters;
-}
-
-const MergingParameters usual = sevenDegreesAndFiveCentimeters();
+constexpr MergingParameters usual{true, 7_deg, 5_cm, {}};
 
 /** \brief A square of 1 m x 1 m about a centre, tilted about the y axis. */
 Surface
@@ -60,22 +50,13 @@ noisySquare (const Eigen::Vector3d& centre,
 MergingParameters
 byNoise (double noise_factor)
 {
-  MergingParameters parameters;
-  parameters.distance_threshold = 0.0;
-  parameters.noise_factor = noise_factor;
-  return parameters;
+  return {true, 7_deg, 0.0, noise_factor};
 }
 
 PlaneFit
 fitOf (const Surface& surface)
 {
   return fitPlane (momentsOf (surface)).value();
-}
-
-bool
-areCoplanarAsUsual (const Surface& first, const Surface& second)
-{
-  return areCoplanar (fitOf (first), fitOf (second), 7_deg, 5_cm);
 }
 
 Moments
@@ -89,31 +70,27 @@ lineOfPoints ()
 
 } // namespace
 
-TEST (AreCoplanar, TwoPartsOfOneFloorWhateverTheSignOfTheNormals)
+TEST (AreCoplanar, ByTheAngleAndBothDistancesWhateverTheSignOfTheNormals)
 {
-  EXPECT_TRUE (areCoplanarAsUsual (square ({0, 0, 0}), square ({5, 3, 0})));
-  PlaneFit flipped = fitOf (square ({5, 3, 0}));
-  flipped.plane.normal = -flipped.plane.normal;
-  flipped.plane.offset = -flipped.plane.offset;
-  EXPECT_TRUE (areCoplanar (fitOf (square ({0, 0, 0})), flipped, 7_deg, 5_cm));
-}
-
-TEST (AreCoplanar, TheAngleAloneKeepsPlanesApart)
-{
-  // Both centroids lie on both planes.
-  EXPECT_FALSE (areCoplanarAsUsual (square ({0, 0, 0}), square ({0, 0, 0}, 8_deg)));
-  EXPECT_TRUE (areCoplanarAsUsual (square ({0, 0, 0}), square ({0, 0, 0}, 6_deg)));
-}
-
-TEST (AreCoplanar, TheDistanceOfOneCentroidAloneKeepsPlanesApart)
-{
-  // The second plane is 20 cm up after 10 m but tilted by 1 degree: it passes through
-  // the first centroid.
-  const Surface first = square ({0, 0, 0});
-  const Surface second = square ({10, 0, 0.2}, -std::atan (0.02));
-  EXPECT_LT (std::abs (fitOf (second).plane.distance (first.centre())), 1_mm);
-  EXPECT_FALSE (areCoplanarAsUsual (first, second));
-  EXPECT_FALSE (areCoplanarAsUsual (second, first));
+  const PlaneFit floor = fitOf (square ({0, 0, 0}));
+  const struct {
+    const char* plane;
+    PlaneFit fit;
+    bool are_one;
+  } rows[] = {{"another part of the floor", fitOf (square ({5, 3, 0})), true},
+              {"one through its centroid", fitOf (square ({0, 0, 0}, 6_deg)), true},
+              {"a steeper one", fitOf (square ({0, 0, 0}, 8_deg)), false},
+              {"one 20 cm up after 10 m, which passes through the floor's centroid",
+               fitOf (square ({10, 0, 0.2}, -std::atan (0.02))),
+               false}};
+  EXPECT_LT (std::abs (rows[3].fit.plane.distance (floor.centroid)), 1_mm);
+  for (const auto& [plane, fit, are_one] : rows) {
+    PlaneFit flipped = fit;
+    flipped.plane = {-fit.plane.normal, -fit.plane.offset};
+    EXPECT_EQ (areCoplanar (floor, fit, 7_deg, 5_cm), are_one) << plane;
+    EXPECT_EQ (areCoplanar (fit, floor, 7_deg, 5_cm), are_one) << plane;
+    EXPECT_EQ (areCoplanar (floor, flipped, 7_deg, 5_cm), are_one) << plane;
+  }
 }
 
 TEST (Merge, ByNoiseJoinsWhatTheNoiseExplainsWithinTheAngle)
@@ -170,11 +147,10 @@ TEST (Merge, IsTheFitOfAllPoints)
 
 TEST (Merge, ChainsThroughPlanesThatPassOnlyPairwise)
 {
-  // 10 degrees from end to end, 5 between neighbors.
+  // 8 degrees from end to end, which is too much; 5 and 3 between neighbors.
   const std::vector<Moments> bend{momentsOf (square ({0, 0, 0}), 20),
                                   momentsOf (square ({0, 0, 0}, 5_deg), 19),
                                   momentsOf (square ({0, 0, 0}, 8_deg), 5)};
-  EXPECT_FALSE (areCoplanarAsUsual (square ({0, 0, 0}), square ({0, 0, 0}, 8_deg)));
   EXPECT_EQ (mergePlanes (bend, usual).merged_into, (Labels{0, 0, 0}));
 }
 

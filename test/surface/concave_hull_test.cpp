@@ -79,12 +79,6 @@ scattered (std::size_t number, double noise, Shape&& isInShape)
 }
 
 PlanarPoints
-scatteredL (std::size_t number, double noise)
-{
-  return scattered (number, noise, isInL);
-}
-
-PlanarPoints
 gridOfL ()
 {
   PlanarPoints l;
@@ -105,25 +99,18 @@ TEST (ConcaveHull, FollowsAnLWhereTheConvexHullDoesNot)
   EXPECT_NEAR (areaOf (concaveHull (l, 100.0)), 2.875, 0.01) << "with a radius given";
 }
 
-TEST (ConcaveHull, HasTheAreaOfScatteredPointsAndNearlyAllInside)
+TEST (ConcaveHull, HasTheAreaOfScatteredPointsAndNearlyAllInsideTheSameEveryTime)
 {
   for (const std::size_t points : {3000, 30000, 100000})
     for (const double noise : {0.0, 5_mm}) {
-      const PlanarPoints l = scatteredL (points, noise);
+      const PlanarPoints l = scattered (points, noise, isInL);
       const PlanarPoints hull = concaveHull (l);
       EXPECT_NEAR (areaOf (hull) / area_of_l, 1.0, 5_percent)
           << points << ", " << noise << " m of noise";
       EXPECT_GE (shareInside (l, hull), 99_percent) << points;
+      EXPECT_TRUE (boost::geometry::is_valid (toRing (hull))) << "crosses itself";
+      EXPECT_EQ (concaveHull (l), hull);
     }
-}
-
-TEST (ConcaveHull, RunsCounterClockwiseWithoutCrossingItselfTheSameEveryTime)
-{
-  const PlanarPoints l = scatteredL (5000, 5_mm);
-  const PlanarPoints hull = concaveHull (l);
-  EXPECT_GT (areaOf (hull), 0.0);
-  EXPECT_TRUE (boost::geometry::is_valid (toRing (hull)));
-  EXPECT_EQ (concaveHull (l), hull);
 }
 
 TEST (ConcaveHull, GoesAroundAllPartsOfAPlane)
@@ -145,9 +132,10 @@ TEST (ConcaveHull, OfPointsThatSpanNoAreaIsEmptyAndOfThreeTheirTriangle)
   EXPECT_NEAR (areaOf (concaveHull ({{0, 0}, {1, 0}, {0, 1}})), 0.5, 1e-9);
 }
 
-TEST (ConcaveOutline, HasTheWindowOfAWallAsAHole)
+TEST (ConcaveOutline, HasTheWindowOfAWallAsAHoleAndTakesItOffTheArea)
 {
-  const PlanarRings outline = concaveOutline (wallWithWindow());
+  const PlanarPoints wall = wallWithWindow();
+  const PlanarRings outline = concaveOutline (wall);
   ASSERT_EQ (outline.size(), 2u);
   EXPECT_NEAR (areaOf (outline[0]), 7.5, 1_percent * 7.5);
   EXPECT_NEAR (areaOf (outline[1]), -0.8, 5_percent) << "clockwise";
@@ -155,7 +143,12 @@ TEST (ConcaveOutline, HasTheWindowOfAWallAsAHole)
     EXPECT_NEAR (corner.x(), 1.5, 0.5 + 1e-9);
     EXPECT_NEAR (corner.y(), 1.4, 0.4 + 1e-9);
   }
-  EXPECT_EQ (concaveHull (wallWithWindow()), outline[0]) << "the hull fills it";
+  const PlaneExtent extent = extentOf (outline, wall, ground);
+  EXPECT_NEAR (extent.area, 7.5 - 0.8, 1_percent * 7.5);
+  ASSERT_EQ (extent.holes.size(), 1u);
+  ASSERT_EQ (extent.rings().size(), 2u);
+  EXPECT_EQ (extent.rings()[0], extent.hull);
+  EXPECT_NEAR (extent.length, 3.0, 1e-6) << "of the outer ring";
 }
 
 TEST (ConcaveOutline, HasTheWindowOfScatteredNoisyPoints)
@@ -171,7 +164,7 @@ TEST (ConcaveOutline, HasTheWindowOfScatteredNoisyPoints)
 TEST (ConcaveOutline, OfAFullSurfaceHasNoHole)
 {
   EXPECT_EQ (concaveOutline (gridOfL()).size(), 1u);
-  EXPECT_EQ (concaveOutline (scatteredL (30000, 5_mm)).size(), 1u);
+  EXPECT_EQ (concaveOutline (scattered (30000, 5_mm, isInL)).size(), 1u);
 }
 
 TEST (ConcaveOutline, HasNoHolesThatAreNextToNothing)
@@ -229,15 +222,4 @@ TEST (ConcaveOutline, HasHolesByFallingArea)
   const PlanarRings outline = concaveOutline (wall);
   ASSERT_EQ (outline.size(), 3u);
   EXPECT_LT (areaOf (outline[1]), areaOf (outline[2]));
-}
-
-TEST (ConcaveOutline, TakesItsHolesOffTheArea)
-{
-  const PlanarPoints wall = wallWithWindow();
-  const PlaneExtent extent = extentOf (concaveOutline (wall), wall, ground);
-  EXPECT_NEAR (extent.area, 7.5 - 0.8, 1_percent * 7.5);
-  ASSERT_EQ (extent.holes.size(), 1u);
-  ASSERT_EQ (extent.rings().size(), 2u);
-  EXPECT_EQ (extent.rings()[0], extent.hull);
-  EXPECT_NEAR (extent.length, 3.0, 1e-6) << "of the outer ring";
 }
