@@ -4,10 +4,13 @@
 
 #include <Eigen/Geometry>
 
+#include "geometry/planar_area.h"
 #include <pcl_ops/plane.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
+#include <vector>
 
 namespace pcl_ops::internal {
 
@@ -35,20 +38,90 @@ struct Patch {
 
 /** \return nothing for fewer than three points, or if they are on one line or all equal
  */
-std::optional<Patch>
-patchOf (const PlaneSegment& plane);
+inline std::optional<Patch>
+patchOf (const PlaneSegment& plane)
+{
+  const std::optional<PlaneFit> fit = fitPlane (plane.moments);
+  if (!fit)
+    return std::nullopt;
+  const Eigen::Matrix3d covariance = plane.moments.covariance();
+  // Its own normal rather than the fit's: nothing else would be the plane of the user.
+  const Eigen::Matrix<double, 3, 2> in_plane = planeAxes (plane.normal);
+  const Eigen::Matrix2d spread = in_plane.transpose() * covariance * in_plane;
+  // The direction of the larger variance, in closed form.
+  const double angle =
+      0.5 * std::atan2 (2.0 * spread (0, 1), spread (0, 0) - spread (1, 1));
+  const Eigen::Vector2d along (std::cos (angle), std::sin (angle));
+  const Eigen::Vector2d across (-along.y(), along.x());
+  Patch patch;
+  // Of a plane seen in several frames the moments are of all, the centroid of the last.
+  const Eigen::Vector3d middle = plane.moments.centroid();
+  patch.center = middle - plane.normal.dot (middle - plane.centroid) * plane.normal;
+  patch.axes << in_plane * along, in_plane * across, plane.normal;
+  // A side 2 h has the variance h^2 / 3.
+  patch.half = {std::sqrt (std::max (0.0, 3.0 * along.dot (spread * along))),
+                std::sqrt (std::max (0.0, 3.0 * across.dot (spread * across)))};
+  const double rms = plane.rms();
+  patch.noise = rms * rms;
+  return patch;
+}
 
 /** \brief The same in another frame. */
-Patch
-moved (const Eigen::Isometry3d& motion, Patch patch);
+inline Patch
+moved (const Eigen::Isometry3d& motion, Patch patch)
+{
+  patch.center = motion * patch.center;
+  patch.axes = motion.linear() * patch.axes;
+  return patch;
+}
 
 /** \brief In order around the patch. */
-std::array<Eigen::Vector3d, 4>
-cornersOf (const Patch& patch);
+inline std::array<Eigen::Vector3d, 4>
+cornersOf (const Patch& patch)
+{
+  const Eigen::Vector3d along = patch.half.x() * patch.axes.col (0);
+  const Eigen::Vector3d across = patch.half.y() * patch.axes.col (1);
+  return {patch.center + along + across,
+          patch.center - along + across,
+          patch.center - along - across,
+          patch.center + along - across};
+}
+
+/** \brief The part of a convex polygon where sign * coordinate <= bound (Sutherland &
+ * Hodgman, "Reentrant polygon clipping", 1974). */
+inline std::vector<Eigen::Vector2d>
+clipped (const std::vector<Eigen::Vector2d>& polygon,
+         Eigen::Index axis,
+         double sign,
+         double bound)
+{
+  std::vector<Eigen::Vector2d> inside;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector2d& from = polygon[i];
+    const Eigen::Vector2d& to = polygon[(i + 1) % polygon.size()];
+    const double start = bound - sign * from[axis], end = bound - sign * to[axis];
+    if (start >= 0.0)
+      inside.push_back (from);
+    if ((start >= 0.0) != (end >= 0.0))
+      inside.push_back (from + start / (start - end) * (to - from));
+  }
+  return inside;
+}
 
 /** \brief The area two patches have in common once the second is projected onto the
  * first [m^2]. */
-double
-commonArea (const Patch& first, const Patch& second);
+inline double
+commonArea (const Patch& first, const Patch& second)
+{
+  const Eigen::Matrix<double, 3, 2> axes = first.axes.leftCols<2>();
+  std::vector<Eigen::Vector2d> corners;
+  for (const Eigen::Vector3d& corner : cornersOf (second))
+    corners.push_back (axes.transpose() * (corner - first.center));
+  for (const Eigen::Index axis : {0, 1})
+    for (const double sign : {1.0, -1.0})
+      corners = clipped (corners, axis, sign, first.half[axis]);
+  // Planes that face each other see their corners the other way round.
+  return std::abs (areaOf (corners));
+}
 
 } // namespace pcl_ops::internal
