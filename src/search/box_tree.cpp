@@ -18,21 +18,19 @@ using Node = BoxTree::Node;
 using Child = BoxTree::Child;
 using OfChildren = BoxTree::OfChildren;
 
+using Distances = Eigen::Array<float, BoxTree::max_children, 1>;
+
 // Rounded as the distances of points are, it is never more than theirs.
-void
-squaredDistances (const Node& node,
-                  const Eigen::Vector3f& position,
-                  OfChildren& distances)
+Distances
+squaredDistances (const Node& node, const Eigen::Vector3f& position)
 {
-  using Values = Eigen::Array<float, BoxTree::max_children, 1>;
   const auto outside = [] (const OfChildren& low, float value, const OfChildren& high) {
-    const Eigen::Map<const Values> l (low.data()), h (high.data());
+    const Eigen::Map<const Distances> l (low.data()), h (high.data());
     return (l - value).max (value - h).max (0.0f).square().eval();
   };
-  Eigen::Map<Values> (distances.data()) =
-      outside (node.low_x, position.x(), node.high_x) +
-      outside (node.low_y, position.y(), node.high_y) +
-      outside (node.low_z, position.z(), node.high_z);
+  return outside (node.low_x, position.x(), node.high_x) +
+         outside (node.low_y, position.y(), node.high_y) +
+         outside (node.low_z, position.z(), node.high_z);
 }
 
 void
@@ -75,8 +73,7 @@ postponeChildren (const std::vector<Node>& nodes,
                   Postponed& postponed)
 {
   const Node& node = nodes[number];
-  OfChildren distances;
-  squaredDistances (node, position, distances);
+  const Distances distances = squaredDistances (node, position);
   const std::size_t first = postponed.number;
   for (std::uint32_t i = 0; i < node.number; ++i) {
     const std::uint64_t distance = NearestCandidates::bitsOf (distances[i]);
