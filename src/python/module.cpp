@@ -27,11 +27,10 @@ using PlaneSegments = std::vector<PlaneSegment>;
 CloudView
 viewOf (const PointRows& points)
 {
-  CloudView view;
-  view.first = points.data();
-  view.stride = static_cast<std::size_t> (points.strides (0)) / sizeof (float);
-  view.size = static_cast<std::size_t> (points.shape (0));
-  return view;
+  return {points.data(),
+          0,
+          static_cast<std::size_t> (points.strides (0)),
+          static_cast<std::size_t> (points.shape (0))};
 }
 
 /** \brief u and v as rows, as numpy has vectors. */
