@@ -53,10 +53,6 @@ getFieldIndex (const PCLPointCloud2& cloud, const std::string& name)
   return -1;
 }
 
-struct RGB {
-  std::uint32_t rgba = 0;
-};
-
 struct PointXYZ {
   PointXYZ (float x_ = 0.0F, float y_ = 0.0F, float z_ = 0.0F) : x (x_), y (y_), z (z_)
   {}
@@ -131,12 +127,6 @@ struct PointIndices {
 namespace search {
 template <typename PointT>
 class Search;
-}
-
-constexpr double
-deg2rad (double degrees)
-{
-  return degrees / 180.0 * 3.14159265358979323846;
 }
 
 // Nothing is printed that could be silenced.
