@@ -27,10 +27,9 @@ planesOf (const LabelledScene& scene)
 }
 
 PlaneEdges
-edgesOf (Scene scene, const PlaneEdgeParameters& parameters = {})
+edgesOf (const LabelledScene& scene, const PlaneEdgeParameters& parameters = {})
 {
-  const LabelledScene built = scene.build();
-  return findPlaneEdges (*built.cloud, planesOf (built), parameters);
+  return findPlaneEdges (*scene.cloud, planesOf (scene), parameters);
 }
 
 /** \brief The scene with its last surface as a part of the plane of another. */
@@ -83,7 +82,7 @@ expectRuns (const PlaneEdge& edge, Vector3d from, Vector3d to, double tolerance)
 
 TEST (PlaneEdges, OfTheCornerOfARoomAreThreeThatMeetThere)
 {
-  const PlaneEdges found = edgesOf (corner());
+  const PlaneEdges found = edgesOf (corner().build());
   EXPECT_EQ (found.edges.size(), 3u);
   expectRuns (edgeBetween (found, 0, 1), {0, 0, 0}, {4, 0, 0}, 5_cm);
   expectRuns (edgeBetween (found, 0, 2), {0, 0, 0}, {0, 3, 0}, 5_cm);
@@ -100,7 +99,7 @@ TEST (PlaneEdges, NeedPointsOfBothPlanesBesideTheLine)
   Scene table;
   table.floor (4_m, 4_m).surface ({1, 1, 0.7}, {1, 0, 0}, {0, 1, 0}); // its top
   table.surface ({1, 1, 0.4}, {1, 0, 0}, {0, 0, 0.3}); // an apron that ends above
-  const PlaneEdges found = edgesOf (table);
+  const PlaneEdges found = edgesOf (table.build());
   ASSERT_EQ (found.edges.size(), 1u) << "of apron and top";
   expectRuns (edgeBetween (found, 1, 2), {1, 1, 0.7}, {2, 1, 0.7}, 5_cm);
   EXPECT_TRUE (found.corners.empty());
@@ -111,8 +110,7 @@ TEST (PlaneEdges, DoNotBelieveTheHullOfAnL)
   Scene scene; // the wall stands where the floor is not, but its hull is
   scene.surface ({0, 0, 0}, {4, 0, 0}, {0, 1, 0}).wall ({3, 2}, {4, 2}, 2_m);
   scene.surface ({0, 1, 0}, {1, 0, 0}, {0, 3, 0});
-  const LabelledScene built = withLastIn (0, scene);
-  EXPECT_TRUE (findPlaneEdges (*built.cloud, planesOf (built)).edges.empty());
+  EXPECT_TRUE (edgesOf (withLastIn (0, scene)).edges.empty());
 }
 
 TEST (PlaneEdges, AreTwoWhereADoorOpens)
@@ -120,7 +118,7 @@ TEST (PlaneEdges, AreTwoWhereADoorOpens)
   Scene scene;
   scene.floor (4_m, 3_m).wall ({0, 1}, {1, 1}, 2.5_m).wall ({2, 1}, {4, 1}, 2.5_m);
   const LabelledScene built = withLastIn (1, scene);
-  const PlaneEdges found = findPlaneEdges (*built.cloud, planesOf (built));
+  const PlaneEdges found = edgesOf (built);
   ASSERT_EQ (found.edges.size(), 2u);
   const bool is_upwards = found.edges[0].from.x() < found.edges[1].from.x();
   expectRuns (found.edges[is_upwards ? 0 : 1], {0, 1, 0}, {1, 1, 0}, 10_cm);
@@ -128,14 +126,14 @@ TEST (PlaneEdges, AreTwoWhereADoorOpens)
 
   PlaneEdgeParameters closed;
   closed.max_gap = 1.2_m;
-  EXPECT_EQ (findPlaneEdges (*built.cloud, planesOf (built), closed).edges.size(), 1u);
+  EXPECT_EQ (edgesOf (built, closed).edges.size(), 1u);
 }
 
 TEST (PlaneEdges, GoOnWhereAWallStandsOnTheMiddleOfAnother)
 {
   Scene scene;
   scene.floor (4_m, 3_m).wall ({0, 0}, {4, 0}, 2.5_m).wall ({2, 0}, {2, 3}, 2.5_m);
-  const PlaneEdges found = edgesOf (scene);
+  const PlaneEdges found = edgesOf (scene.build());
   EXPECT_EQ (found.edges.size(), 3u);
   expectRuns (edgeBetween (found, 0, 1), {0, 0, 0}, {4, 0, 0}, 10_cm);
   expectRuns (edgeBetween (found, 1, 2), {2, 0, 0}, {2, 0, 2.5}, 10_cm);
@@ -191,11 +189,11 @@ TEST (PlaneEdges, AreAsManyAsPlanesMeet)
       {"which noise may do as well", Scene (above).noise (2_cm), {}, 1},
       {"an edge too short", corner(), with (&PlaneEdgeParameters::min_length, 2.8), 2}};
   for (const auto& row : rows) {
-    const PlaneEdges found = edgesOf (row.scene, row.parameters);
+    const PlaneEdges found = edgesOf (Scene (row.scene).build(), row.parameters);
     EXPECT_EQ (found.edges.size(), row.edges) << row.planes;
     EXPECT_TRUE (found.corners.empty()) << row.planes << ": a corner has three edges";
   }
-  const PlaneEdge along = edgesOf (ramp (20_deg)).edges.at (0);
+  const PlaneEdge along = edgesOf (ramp (20_deg).build()).edges.at (0);
   EXPECT_NEAR (along.angle, 20_deg, 1e-9);
   EXPECT_NEAR (along.length(), 2_m, 10_cm);
 }
@@ -231,11 +229,9 @@ TEST (PlaneEdges, AreTheSameInWhateverOrderThePointsAre)
 
 TEST (PlaneEdges, BeginInTheCornerThatIsNearBothEnds)
 {
-  const LabelledScene built = corner().build();
   PlaneEdgeParameters far_reaching;
   far_reaching.max_gap = 100.0;
-  const PlaneEdges found =
-      findPlaneEdges (*built.cloud, planesOf (built), far_reaching);
+  const PlaneEdges found = edgesOf (corner().build(), far_reaching);
   ASSERT_EQ (found.corners.size(), 1u);
   const Eigen::Vector3d at = found.corners[0].position;
   EXPECT_EQ (found.edges.size(), 3u);
@@ -261,8 +257,7 @@ TEST (PlaneEdges, OfWrongParametersOrAnotherCloudAreRefused)
   const LabelledScene built = corner().build();
   PlaneEdgeParameters wrong;
   wrong.reach = -1.0;
-  EXPECT_THROW (findPlaneEdges (*built.cloud, planesOf (built), wrong),
-                std::invalid_argument);
+  EXPECT_THROW (edgesOf (built, wrong), std::invalid_argument);
   EXPECT_THROW (findPlaneEdges (pcl::PointCloud<pcl::PointXYZ>(), planesOf (built)),
                 std::invalid_argument);
 }
