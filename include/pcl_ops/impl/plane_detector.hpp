@@ -20,18 +20,14 @@ neighborSearch (pcl::search::Search<PointT>& search,
       cloud, finite.empty() ? nullptr : pcl::make_shared<const pcl::Indices> (finite));
   const pcl::PointCloud<PointT>& points = *cloud;
   NeighborSearch neighbors;
-  neighbors.nearest = [&search, &points] (pcl::index_t point,
-                                          int k,
-                                          pcl::Indices& nearest,
-                                          std::vector<float>& squared_distances) {
-    search.nearestKSearch (points[point], k, nearest, squared_distances);
-  };
-  neighbors.within = [&search, &points] (pcl::index_t point,
-                                         double radius,
-                                         pcl::Indices& within,
-                                         std::vector<float>& squared_distances) {
-    search.radiusSearch (points[point], radius, within, squared_distances);
-  };
+  neighbors.nearest =
+      [&search, &points] (auto point, int k, auto& nearest, auto& squared_distances) {
+        search.nearestKSearch (points[point], k, nearest, squared_distances);
+      };
+  neighbors.within =
+      [&search, &points] (auto point, double r, auto& within, auto& squared_distances) {
+        search.radiusSearch (points[point], r, within, squared_distances);
+      };
   // Only GridSearch and kd-trees are known to be safe to ask from several threads at
   // once.
   const std::string& name = search.getName();
