@@ -7,7 +7,9 @@
 #include <pcl_ops/detail/neighbor_query.h>
 #include <pcl_ops/export.h>
 
+#include <algorithm>
 #include <memory>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -37,14 +39,25 @@ public:
   using Base::radiusSearch;
 
   /** \param[in] sorted whether neighbors come by rising distance */
-  explicit GridSearch (bool sorted = true);
+  explicit GridSearch (bool sorted = true) : Base ("GridSearch", sorted) {}
 
   /** \brief Builds the tree; later changes of the cloud are not seen.
    * \param[in] cloud the cloud that results are indices into
    * \param[in] indices the points to search among, each within the cloud; none: all */
   Accepted
   setInputCloud (const PointCloudConstPtr& cloud,
-                 const IndicesConstPtr& indices = IndicesConstPtr()) override;
+                 const IndicesConstPtr& indices = IndicesConstPtr()) override
+  {
+    pcl::Indices used;
+    if (indices)
+      used = *indices;
+    else if (cloud) {
+      used.resize (cloud->size());
+      std::iota (used.begin(), used.end(), 0);
+    }
+    tree_ = cloud ? detail::buildBoxTree (CloudView (*cloud), used) : nullptr;
+    return Base::setInputCloud (cloud, indices);
+  }
 
   /** \brief Finds the k nearest points, fewer where the input has fewer.
    * \return the number found; 0 without input or for a point that is not finite */
@@ -52,7 +65,12 @@ public:
   nearestKSearch (const PointT& point,
                   int k,
                   pcl::Indices& k_indices,
-                  std::vector<float>& k_sqr_distances) const override;
+                  std::vector<float>& k_sqr_distances) const override
+  {
+    detail::NeighborQuery query;
+    query.max_neighbors = static_cast<std::size_t> (std::max (k, 0));
+    return find (point, query, k_indices, k_sqr_distances);
+  }
 
   /** \brief Finds the points at most a radius away, the nearest max_nn of them, if that
    * is not 0.
@@ -63,14 +81,29 @@ public:
                 double radius,
                 pcl::Indices& k_indices,
                 std::vector<float>& k_sqr_distances,
-                unsigned int max_nn = 0) const override;
+                unsigned int max_nn = 0) const override
+  {
+    detail::NeighborQuery query;
+    query.squared_radius = static_cast<float> (radius * radius);
+    if (max_nn > 0)
+      query.max_neighbors = max_nn;
+    if (!(radius >= 0.0))
+      query.max_neighbors = 0;
+    return find (point, query, k_indices, k_sqr_distances);
+  }
 
 private:
   int
   find (const PointT& point,
         detail::NeighborQuery query,
         pcl::Indices& indices,
-        std::vector<float>& squared_distances) const;
+        std::vector<float>& squared_distances) const
+  {
+    query.position = point.getVector3fMap();
+    query.sorted = this->sorted_results_;
+    detail::findNeighbors (tree_.get(), query, indices, squared_distances);
+    return static_cast<int> (indices.size());
+  }
 
   std::shared_ptr<const internal::BoxTree> tree_;
 };
