@@ -12,27 +12,20 @@ namespace {
 
 /** \brief The areas of the triangles, each of which runs counter-clockwise. */
 double
-areaOfTriangles (const std::vector<pcl_ops::Triangle>& triangles,
-                 const PlanarPoints& corners)
-{
-  double area = 0.0;
-  for (const pcl_ops::Triangle& triangle : triangles) {
-    const Eigen::Vector2d first = corners[triangle[1]] - corners[triangle[0]];
-    const Eigen::Vector2d second = corners[triangle[2]] - corners[triangle[0]];
-    const double twice = first.x() * second.y() - first.y() * second.x();
-    EXPECT_GE (twice, 0.0);
-    area += 0.5 * twice;
-  }
-  return area;
-}
-
-double
 areaOfTriangles (const pcl_ops::PlanarRings& rings)
 {
   PlanarPoints corners;
   for (const PlanarPoints& ring : rings)
     corners.insert (corners.end(), ring.begin(), ring.end());
-  return areaOfTriangles (pcl_ops::triangulate (rings), corners);
+  double area = 0.0;
+  for (const auto& [a, b, c] : pcl_ops::triangulate (rings)) {
+    const Eigen::Vector2d first = corners[b] - corners[a];
+    const Eigen::Vector2d second = corners[c] - corners[a];
+    const double twice = first.x() * second.y() - first.y() * second.x();
+    EXPECT_GE (twice, 0.0);
+    area += 0.5 * twice;
+  }
+  return area;
 }
 
 const PlanarPoints square_of_three = {{0, 0}, {3, 0}, {3, 3}, {0, 3}};
