@@ -151,48 +151,6 @@ passTest (const Hypothesis& hypothesis,
   return samples;
 }
 
-} // namespace
-
-Spheres
-spheresAround (const DetectorInput& input,
-               const Points& points,
-               double radius,
-               unsigned threads)
-{
-  if (input.search_over && points.size() > 0)
-    return spheresByUsersSearch (input, points, radius);
-  const auto search =
-      std::make_shared<const FixedRadiusSearch> (points, radius, threads);
-  return {search->points, [search] (std::uint32_t center, Indices& sphere) {
-            return search->find (center, sphere);
-          }};
-}
-
-std::optional<Plane>
-drawHypothesis (const Coordinates& points,
-                std::uint32_t origin,
-                const Indices& sphere,
-                double inner_radius,
-                RandomGenerator& generator)
-{
-  // Narrower than a thousandth of its length a triangle is a line.
-  constexpr double smallest_sine = 1e-3;
-  const Eigen::Vector3d p0 = points[origin];
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();
-  for (int draw = 0; draw < max_draws; ++draw) {
-    const Eigen::Vector3d edge = points[drawFrom (sphere, generator)] - p0;
-    if (edge.isZero (0.0) || edge.squaredNorm() > inner_radius * inner_radius)
-      continue;
-    const Eigen::Vector3d cross = first.cross (edge);
-    if (cross.norm() > smallest_sine * first.norm() * edge.norm())
-      return planeThrough (p0, cross.normalized());
-    first = first.isZero (0.0) ? edge : Eigen::Vector3d::Zero();
-  }
-  return std::nullopt;
-}
-
-namespace {
-
 /** What a sphere costs, in points visited: the search looks at three times as many as
  * there are in a sphere on a surface, at more in noise; an empty sphere costs, too. */
 double
@@ -234,6 +192,44 @@ planeAround (const Coordinates& points,
 }
 
 } // namespace
+
+Spheres
+spheresAround (const DetectorInput& input,
+               const Points& points,
+               double radius,
+               unsigned threads)
+{
+  if (input.search_over && points.size() > 0)
+    return spheresByUsersSearch (input, points, radius);
+  const auto search =
+      std::make_shared<const FixedRadiusSearch> (points, radius, threads);
+  return {search->points, [search] (std::uint32_t center, Indices& sphere) {
+            return search->find (center, sphere);
+          }};
+}
+
+std::optional<Plane>
+drawHypothesis (const Coordinates& points,
+                std::uint32_t origin,
+                const Indices& sphere,
+                double inner_radius,
+                RandomGenerator& generator)
+{
+  // Narrower than a thousandth of its length a triangle is a line.
+  constexpr double smallest_sine = 1e-3;
+  const Eigen::Vector3d p0 = points[origin];
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  for (int draw = 0; draw < max_draws; ++draw) {
+    const Eigen::Vector3d edge = points[drawFrom (sphere, generator)] - p0;
+    if (edge.isZero (0.0) || edge.squaredNorm() > inner_radius * inner_radius)
+      continue;
+    const Eigen::Vector3d cross = first.cross (edge);
+    if (cross.norm() > smallest_sine * first.norm() * edge.norm())
+      return planeThrough (p0, cross.normalized());
+    first = first.isZero (0.0) ? edge : Eigen::Vector3d::Zero();
+  }
+  return std::nullopt;
+}
 
 LocalPlanes
 sampleLocalPlanes (const Coordinates& points,
