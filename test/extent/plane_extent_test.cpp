@@ -94,11 +94,8 @@ extentOnGround (const PlanarPoints& points)
 
 /** \brief The extent of points of the ground that span no area. */
 PlaneExtent
-flatExtent (const std::vector<Eigen::Vector3d>& positions)
+flatExtent (const PlanarPoints& points)
 {
-  PlanarPoints points;
-  for (const Eigen::Vector3d& position : positions)
-    points.push_back (ground.toPlane (position));
   const PlaneExtent extent = extentOnGround (points);
   EXPECT_TRUE (extent.hull.empty());
   EXPECT_EQ (extent.area, 0.0);
@@ -212,24 +209,25 @@ TEST (PlaneExtent, OfNoPointsIsNothingAndOfEqualOnesAPoint)
 {
   EXPECT_EQ (flatExtent ({}).length, 0.0);
   for (const std::size_t number : {1u, 2u, 3u, 5000u}) {
-    const PlaneExtent extent =
-        flatExtent (std::vector<Eigen::Vector3d> (number, {3.0, 4.0, 0.0}));
+    const Eigen::Vector2d place (3.0, 4.0);
+    const PlaneExtent extent = flatExtent (PlanarPoints (number, place));
     EXPECT_EQ (extent.length, 0.0);
-    EXPECT_TRUE (extent.center.isApprox (Eigen::Vector3d (3.0, 4.0, 0.0)));
+    EXPECT_TRUE (extent.center.isApprox (ground.toSpace (place)));
   }
 }
 
 TEST (PlaneExtent, OfTwoPointsOrManyOnOneLineIsThatLine)
 {
-  std::vector<Eigen::Vector3d> line;
+  PlanarPoints line;
   for (int i = 0; i < 5000; ++i)
-    line.emplace_back (1.0 + 0.3 * i, 2.0 - 0.7 * i, 0.0);
-  for (const auto& points : {line, {{1.0, 1.0, 0.0}, {4.0, 5.0, 0.0}}}) {
+    line.emplace_back (1.0 + 0.3 * i, 2.0 - 0.7 * i);
+  for (const auto& points : {line, {{1.0, 1.0}, {4.0, 5.0}}}) {
     const PlaneExtent extent = flatExtent (points);
-    const Eigen::Vector3d along = points.back() - points.front();
-    EXPECT_NEAR (extent.length, along.norm(), 1e-6);
-    EXPECT_TRUE (extent.center.isApprox (0.5 * (points.front() + points.back())));
-    EXPECT_LT (angleBetween (extent.long_axis, along), 1e-6);
+    const Eigen::Vector3d from = ground.toSpace (points.front());
+    const Eigen::Vector3d to = ground.toSpace (points.back());
+    EXPECT_NEAR (extent.length, (to - from).norm(), 1e-6);
+    EXPECT_TRUE (extent.center.isApprox (0.5 * (from + to)));
+    EXPECT_LT (angleBetween (extent.long_axis, to - from), 1e-6);
   }
 }
 
