@@ -143,13 +143,15 @@ keepFinite (Points& points)
   points.index.resize (left);
 }
 
-// A number as good as drawn, but the same for a position wherever it stands, and in any
-// unit that is a power of two: exponents are left out.
+// A number as good as drawn, but the same for a position wherever it stands, in any
+// unit that is a power of two, as exponents are left out, and however its last digits
+// are rounded.
 inline std::uint32_t
 hashOf (float x, float y, float z)
 {
   const auto bits = [] (float value) {
-    constexpr std::uint32_t sign_and_mantissa = 0x807fffff;
+    // Twelve bits of the mantissa: a millimeter at four meters.
+    constexpr std::uint32_t sign_and_mantissa = 0x807ff800;
     std::uint32_t same;
     std::memcpy (&same, &value, sizeof same);
     return same & sign_and_mantissa;

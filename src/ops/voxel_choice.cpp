@@ -91,9 +91,9 @@ voxelSizeByNoise (const VoxelGrid& grid)
     return grid.voxel_size;
   const double by_points =
       std::max (smallest_share, std::sqrt (enough_points / points));
-  return std::clamp (noiseOfFlatVoxels (grid) / largest_noise_share,
-                     by_points * grid.voxel_size,
-                     grid.voxel_size);
+  return roundNumber (std::clamp (noiseOfFlatVoxels (grid) / largest_noise_share,
+                                  by_points * grid.voxel_size,
+                                  grid.voxel_size));
 }
 
 } // namespace

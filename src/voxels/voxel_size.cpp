@@ -53,6 +53,15 @@ diagonal (const Coordinates& positions)
 } // namespace
 
 double
+roundNumber (double size)
+{
+  const double power = std::pow (10.0, std::floor (std::log10 (size)));
+  const double digits = size / power;
+  const double step = power * (digits < 2.0 ? 0.1 : digits < 5.0 ? 0.25 : 1.0);
+  return std::round (size / step) * step;
+}
+
+double
 voxelSizeFor (const Coordinates& positions, double wanted_voxels)
 {
   constexpr std::size_t looked_at = 8192;
@@ -75,7 +84,7 @@ voxelSizeFor (const Coordinates& positions, double wanted_voxels)
       break;
     voxel_size *= std::sqrt (ratio);
   }
-  return voxel_size * std::sqrt (counted / wanted_voxels);
+  return roundNumber (voxel_size * std::sqrt (counted / wanted_voxels));
 }
 
 } // namespace pcl_ops::internal

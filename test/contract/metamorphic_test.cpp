@@ -85,6 +85,12 @@ const std::map<std::string, void (*) (Variant&)> changes = {
        const Eigen::Vector3d shift (1000, -1000, 100);
        move (v, [&] (const auto& p) -> Eigen::Vector3d { return p + shift; });
      }},
+    {"rounded_to_um",
+     [] (Variant& v) {
+       move (v, [] (const auto& p) -> Eigen::Vector3d {
+         return 1e-6 * (1e6 * p).array().round().matrix();
+       });
+     }},
     {"in_millimeters", [] (Variant& v) { scale (v, 1000.0); }},
     {"in_kilometers", [] (Variant& v) { scale (v, 0.001); }},
     {"turned_about_z", [] (Variant& v) { turn (v, Eigen::Vector3d::UnitZ()); }},

@@ -3,6 +3,8 @@
 #include "grid_scene.h"
 #include "voxels/voxel_size.h"
 
+#include <map>
+
 using namespace pcl_ops::internal;
 
 TEST (VoxelSize, FillsAboutAsManyVoxelsAsWanted)
@@ -36,6 +38,31 @@ TEST (VoxelSize, DoesNotDependOnTheOrderOfThePoints)
   for (std::size_t i = points.size(); i-- > 0;)
     reversed.add (points.x[i], points.y[i], points.z[i]);
   EXPECT_EQ (voxelSizeFor (reversed, 1000.0), voxelSizeFor (points, 1000.0));
+}
+
+TEST (VoxelSize, IsTheSameForCoordinatesRoundedOtherwise)
+{
+  const Coordinates points = pointsInACube (50000, 4.0);
+  Coordinates rounded = points;
+  for (float& x : rounded.x)
+    x += 1e-6f;
+  for (double wanted = 500.0; wanted < 1500.0; wanted += 100.0)
+    EXPECT_EQ (voxelSizeFor (rounded, wanted), voxelSizeFor (points, wanted));
+}
+
+TEST (VoxelSize, IsARoundNumber)
+{
+  for (const auto& [size, expected] : std::map<double, double>{{0.0104, 0.01},
+                                                               {0.0512, 0.05},
+                                                               {0.057, 0.06},
+                                                               {1.06, 1.1},
+                                                               {2.1, 2.0},
+                                                               {3.9, 4.0},
+                                                               {9.7, 10.0},
+                                                               {730.0, 700.0}}) {
+    EXPECT_DOUBLE_EQ (roundNumber (size), expected);
+    EXPECT_NEAR (roundNumber (1000.0 * size) / expected, 1000.0, 1e-9);
+  }
 }
 
 TEST (VoxelSize, IsZeroForPointsThatSpanNothing)
