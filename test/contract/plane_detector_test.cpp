@@ -447,7 +447,7 @@ TYPED_TEST (PlaneDetector, FindsAnExactPlaneOnAGrid)
 TYPED_TEST (PlaneDetector, FindsTwoParallelPlanesIfFartherApartThanTheThreshold)
 {
   for (const double apart : {1_cm, 15_cm}) {
-    this->use (Scene().floor (3, 3).floor (3, 2.5, apart).spacing (2_cm).build().cloud);
+    this->use (Scene().floor (3, 3).floor (3, 3, apart).spacing (2_cm).build().cloud);
     this->detector.setDistanceThreshold (5_cm);
     EXPECT_EQ (planesOf (this->detector).size(), apart < 5_cm ? 1u : 2u);
   }
