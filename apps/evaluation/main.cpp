@@ -91,6 +91,9 @@ runCommand (int argc, const char* const* argv)
     return apps::ExitCode::done;
   apps::makeFolder (folder);
   const auto file = std::filesystem::path (folder) / "results.csv";
+  if (std::filesystem::is_directory (file))
+    throw apps::WorkError (file.string(),
+                           "is a folder; remove it or give another OUTPUT");
   const EvaluationSummary summary =
       evaluate (plan, file.string(), std::cerr, isatty (STDERR_FILENO) == 1);
   std::cout << summary.clouds << " clouds evaluated, " << summary.new_rows
