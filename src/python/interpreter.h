@@ -4,14 +4,17 @@
 
 #include <pybind11/pybind11.h>
 
+#include <chrono>
 #include <exception>
+#include <thread>
 
 namespace pcl_ops::python {
 
 /** \brief Lets other threads of Python run during some work that does not touch it.
  *
- * Not pybind11's gil_scoped_release: where Python ends meanwhile, PyEval_RestoreThread
- * ends the thread by unwinding it, and from a destructor that would end the program. */
+ * Where Python ends meanwhile, PyEval_RestoreThread ends the thread by unwinding it:
+ * the frames above would let go of Python's objects, which are no longer theirs to
+ * count. The thread sleeps instead until the process has ended. */
 template <typename Work>
 void
 whileOthersRun (const Work& work)
@@ -24,7 +27,13 @@ whileOthersRun (const Work& work)
   catch (...) {
     problem = std::current_exception();
   }
-  PyEval_RestoreThread (state);
+  try {
+    PyEval_RestoreThread (state);
+  }
+  catch (...) {
+    while (true)
+      std::this_thread::sleep_for (std::chrono::hours (1));
+  }
   if (problem)
     std::rethrow_exception (problem);
 }
