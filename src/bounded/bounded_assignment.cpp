@@ -66,7 +66,7 @@ struct Assignment {
     }
     for (std::uint32_t i = begin; i < end; ++i) {
       const std::uint32_t point = order[i];
-      const std::int32_t plane = nearestOf (around, bands, points, point);
+      const std::int32_t plane = likeliestOf (around, bands, points, point);
       labels[point] = plane;
       if (plane != no_plane)
         moments[static_cast<std::size_t> (plane)].add (
@@ -77,16 +77,16 @@ struct Assignment {
 
 std::vector<PlaneBand>
 bandsOf (const BoundedPlanes& planes,
-         double smallest_band,
+         double smallest_noise,
          double largest_band,
          double noise_factor)
 {
   std::vector<PlaneBand> bands;
-  for (std::size_t p = 0; p < planes.size(); ++p)
-    bands.push_back (
-        {FloatPlane (planes.planes[p]),
-         static_cast<float> (std::clamp (
-             noise_factor * planes.noise[p], smallest_band, largest_band))});
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const double noise = std::max (planes.noise[p], smallest_noise);
+    bands.emplace_back (
+        planes.planes[p], noise, std::min (noise_factor * noise, largest_band));
+  }
   return bands;
 }
 
@@ -106,7 +106,7 @@ assignToBoundedPlanes (const Coordinates& points,
   const double limit =
       distance_threshold.value_or (std::numeric_limits<double>::infinity());
   const std::vector<PlaneBand> bands =
-      bandsOf (planes, smallestBand (grid, limit), limit, noise_factor);
+      bandsOf (planes, smallestNoise (grid), limit, noise_factor);
   const Assignment assignment{points,
                               order,
                               grid,

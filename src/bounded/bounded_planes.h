@@ -15,7 +15,7 @@ namespace pcl_ops::internal {
 /** \brief Planes with the voxels that support them: what bounds each to its surface. */
 struct BoundedPlanes {
   std::vector<Plane> planes;
-  /** \brief Of each plane, the rms distance of the points it is alone with [m]. */
+  /** \brief Of each plane, the rms distance of its points [m]. */
   std::vector<double> noise;
   /** \brief Plane of each voxel, or no_plane. */
   Labels plane_of_voxel;

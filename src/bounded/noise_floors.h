@@ -4,8 +4,6 @@
 
 #include "voxels/voxel_grid.h"
 
-#include <algorithm>
-
 namespace pcl_ops::internal {
 
 /** \brief A voxel of fewer points does not tell the noise of its points. */
@@ -17,14 +15,6 @@ smallestNoise (const VoxelGrid& grid)
 {
   constexpr double share_of_a_voxel = 0.03;
   return share_of_a_voxel * grid.voxel_size;
-}
-
-/** \brief Distances below this always count as on the plane [m]. */
-inline double
-smallestBand (const VoxelGrid& grid, double distance_limit)
-{
-  constexpr double share_of_a_voxel = 0.2;
-  return std::min (distance_limit, share_of_a_voxel * grid.voxel_size);
 }
 
 } // namespace pcl_ops::internal

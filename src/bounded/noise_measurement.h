@@ -6,10 +6,8 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Measures the noise of planes where each is alone: of its voxels with none but
- * its own around, the median of the rms distances of their points to the plane. Voxels
- * at its border hold points of other surfaces, too; they count where there are no
- * others. At least \ref smallestNoise.
+/** \brief Measures the noise of planes: the median of the rms distances of the points
+ * of their voxels to the plane. At least \ref smallestNoise.
  * \param[in] grid the voxels
  * \param[in] threads number of threads; 0: all. The result does not depend on it
  * \param[in,out] planes whose noise is set; a plane without voxels here keeps its noise

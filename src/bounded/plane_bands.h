@@ -7,39 +7,57 @@
 #include <pcl_ops/plane.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pcl_ops::internal {
 
-/** \brief A plane as its points see it. */
+/** \brief A plane as its points see it: they scatter about it as noise does. */
 struct PlaneBand {
   FloatPlane surface;
   /** \brief Largest distance of a point [m]. */
   float band = 0.0f;
+  /** \brief 1 / sigma^2 of the noise [1/m^2]. */
+  float weight = 0.0f;
+  /** \brief 2 ln sigma, sigma in m. */
+  float spread = 0.0f;
+
+  PlaneBand() = default;
+
+  /** \param[in] noise sigma [m], above 0 */
+  PlaneBand (const Plane& plane, double noise, double largest_distance)
+  : surface (plane)
+  , band (static_cast<float> (largest_distance))
+  , weight (static_cast<float> (1.0 / (noise * noise)))
+  , spread (static_cast<float> (2.0 * std::log (noise)))
+  {}
 };
 
-/** \brief Of some planes the one that a point is nearest to, in units of their bands,
- * or no_plane.
+/** \brief Of some planes the one that a point most likely is of, or no_plane: the one
+ * with the least d^2 / sigma^2 + 2 ln sigma. Where a clean plane meets a noisy one, its
+ * points are near both.
  * \param[in] planes positions of the planes that are asked for
  * \param[in] bands of all planes */
 inline std::int32_t
-nearestOf (const Labels& planes,
-           const std::vector<PlaneBand>& bands,
-           const Coordinates& points,
-           std::uint32_t point)
+likeliestOf (const Labels& planes,
+             const std::vector<PlaneBand>& bands,
+             const Coordinates& points,
+             std::uint32_t point)
 {
-  std::int32_t nearest = no_plane;
-  float best = 1.0f;
+  std::int32_t likeliest = no_plane;
+  float best = std::numeric_limits<float>::infinity();
   for (const std::int32_t plane : planes) {
     const PlaneBand& candidate = bands[static_cast<std::size_t> (plane)];
-    const float relative =
-        candidate.surface.distance (points.x[point], points.y[point], points.z[point]) /
-        candidate.band;
-    nearest = relative < best ? plane : nearest;
-    best = std::min (best, relative);
+    const float distance =
+        candidate.surface.distance (points.x[point], points.y[point], points.z[point]);
+    const float cost = candidate.weight * distance * distance + candidate.spread;
+    const bool is_likelier = distance < candidate.band && cost < best;
+    likeliest = is_likelier ? plane : likeliest;
+    best = is_likelier ? cost : best;
   }
-  return nearest;
+  return likeliest;
 }
 
 /** \brief Adds a plane to some, each of which is there once. */

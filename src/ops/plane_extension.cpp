@@ -32,8 +32,7 @@ bandsOf (const std::vector<Moments>& planes,
     if (!fit || 12.0 * fit->variances[1] < voxel_size * voxel_size)
       continue;
     const double noise = std::max (std::sqrt (fit->variances[0]), smallest_noise);
-    bands[p] = {FloatPlane (fit->plane),
-                static_cast<float> (std::min (like_noise * noise, limit))};
+    bands[p] = PlaneBand (fit->plane, noise, std::min (like_noise * noise, limit));
   }
   return bands;
 }
@@ -114,7 +113,7 @@ extendPlanes (const Coordinates& points,
       if (i == 0 || voxel != open[i - 1].voxel)
         around = planesAround (larger.neighbors, voxel, planes);
       if (labels[point] == no_plane)
-        labels[point] = nearestOf (around, bands, points, point);
+        labels[point] = likeliestOf (around, bands, points, point);
     }
     for (const auto& [point, voxel] : open)
       addOnce (labels[point], planes[voxel]);

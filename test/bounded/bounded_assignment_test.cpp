@@ -56,6 +56,21 @@ TEST (BoundedAssignment, GivesAPointBetweenTwoPlanesToTheNoisierOne)
   }
 }
 
+TEST (BoundedAssignment, GivesAPointThatIsOnBothOfTwoPlanesToTheCleanerOne)
+{
+  // As the test before, but both planes are within a millimeter of the points.
+  VoxelScene scene ({{ground}});
+  scene.planes.planes = {Plane{Eigen::Vector3d::UnitZ(), -0.049},
+                         Plane{Eigen::Vector3d::UnitZ(), -0.051}};
+  scene.label (1, [] (const auto& at) { return at.x() > 1.0; });
+  for (const std::int32_t cleaner : {0, 1}) {
+    scene.planes.noise = {cleaner == 0 ? 1_cm : 4_cm, cleaner == 1 ? 1_cm : 4_cm};
+    const Labels labels = assign (scene).labels;
+    for (std::size_t i = 0; i < scene.points.size(); ++i)
+      EXPECT_TRUE (std::abs (scene.points.x[i] - 1.0f) > 0.1f || labels[i] == cleaner);
+  }
+}
+
 TEST (BoundedAssignment, TakesPointsUpToAMultipleOfTheNoise)
 {
   // Four times 6 mm; each point in a voxel of its own, above the ground's.
