@@ -14,12 +14,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <ostream>
-#include <vector>
+#include <sstream>
 
 namespace pcl_ops::apps {
 
@@ -59,7 +59,6 @@ formatOf (const std::string& file)
   return nullptr;
 }
 
-/** \brief By its first bytes. */
 bool
 isGzip (const std::string& file)
 {
@@ -101,31 +100,22 @@ readInput (std::vector<char>& buffer)
   return filled;
 }
 
-constexpr std::size_t start_length = 64;
-
-/** \param[in] start the first bytes of a cloud */
+/** \param[in] start of a cloud, as long as the longest header */
 std::string
 extensionOfContent (const std::string& start)
 {
-  const auto begins_with = [&] (const std::string& text) {
-    return start.compare (0, text.size(), text) == 0;
-  };
-  const std::string utf8_mark = "\xef\xbb\xbf";
-  if (begins_with (utf8_mark))
-    return extensionOfContent (start.substr (utf8_mark.size()));
-  if (begins_with ("LASF"))
+  if (start.compare (0, 4, "LASF") == 0)
     return ".las";
-  if (begins_with ("ply"))
-    return ".ply";
-  // A PCD begins with a word or a comment, which a text may, too.
-  const std::size_t first = start.find_first_not_of (" \t\r\n");
-  const bool is_number =
-      first != std::string::npos &&
-      std::string ("+-.0123456789").find (start[first]) != std::string::npos;
-  return is_number || begins_with ("//") ? ".xyz" : ".pcd";
+  std::istringstream lines (start);
+  std::string line, word;
+  while (std::getline (lines, line))
+    if (std::istringstream (line) >> word && word[0] != '#') {
+      const bool is_text = std::iscntrl (static_cast<unsigned char> (word[0])) == 0;
+      return word == "ply" ? ".ply" : is_text && !isPcdKey (word) ? ".xyz" : ".pcd";
+    }
+  return ".pcd";
 }
 
-/** \brief Points of a cloud from \p first on, with the fields that are set for them. */
 FileCloud
 partOf (const FileCloud& cloud,
         std::size_t first,
@@ -237,9 +227,8 @@ loadStandardInput ()
     throw UsageError (standard_input, "is the terminal; pipe a PCD into the program");
   std::vector<char> buffer (buffer_size);
   std::size_t count = readInput (buffer);
-  const Spool spool (
-      extensionOfContent (std::string (buffer.data(), std::min (count, start_length))),
-      standard_input);
+  const Spool spool (extensionOfContent (std::string (buffer.data(), count)),
+                     standard_input);
   spool.fill ([&] (std::ostream& stream) {
     for (; count > 0 && stream; count = readInput (buffer))
       stream.write (buffer.data(), static_cast<std::streamsize> (count));
@@ -258,12 +247,11 @@ addField (const std::string& name,
           pcl::PCLPointCloud2& points,
           pcl::uindex_t count)
 {
-  pcl::PCLPointField field;
+  pcl::PCLPointField& field = points.fields.emplace_back();
   field.name = name;
   field.offset = points.point_step;
   field.datatype = datatype;
   field.count = count;
-  points.fields.push_back (field);
   points.point_step += static_cast<pcl::uindex_t> (count * numberType (datatype).size);
 }
 

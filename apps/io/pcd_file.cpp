@@ -6,16 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <locale>
 #include <map>
 #include <sstream>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -27,23 +22,13 @@ using PcdHeader = std::map<std::string, Words>;
 PcdHeader
 readHeader (HeaderReader& reader)
 {
-  constexpr std::array<std::string_view, 10> known_keys = {"VERSION",
-                                                           "FIELDS",
-                                                           "SIZE",
-                                                           "TYPE",
-                                                           "COUNT",
-                                                           "WIDTH",
-                                                           "HEIGHT",
-                                                           "VIEWPOINT",
-                                                           "POINTS",
-                                                           "DATA"};
   PcdHeader header;
   while (header.count ("DATA") == 0) {
     Words words = reader.nextLine ("DATA");
     if (words.empty() || words[0][0] == '#')
       continue;
     const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
-    if (std::find (known_keys.begin(), known_keys.end(), key) == known_keys.end())
+    if (!isPcdKey (key))
       reader.fail ("its line " + key + " is unknown");
     if (!header.emplace (key, Words (words.begin() + 1, words.end())).second)
       reader.fail ("its line " + key + " is there twice");
@@ -84,7 +69,7 @@ readFields (const HeaderReader& reader,
     const NumberType* const type = findPcdType (types[i], sizes[i]);
     if (type == nullptr)
       reader.fail ("TYPE " + types[i] + " with SIZE " + sizes[i] + " does not exist");
-    const std::uint64_t count = reader.number ("COUNT", counts[i]);
+    const std::uint64_t count = reader.count ("COUNT", counts[i]);
     if (count == 0 || count > max_count)
       reader.fail ("COUNT " + counts[i] + " is out of range");
     addField (names[i], type->id, points, static_cast<pcl::uindex_t> (count));
@@ -237,6 +222,14 @@ readBinary (HeaderReader& reader, pcl::PCLPointCloud2& points)
 }
 
 } // namespace
+
+bool
+isPcdKey (const std::string& word)
+{
+  static const std::string keys =
+      " VERSION FIELDS COLUMNS SIZE TYPE COUNT WIDTH HEIGHT VIEWPOINT POINTS DATA ";
+  return keys.find (" " + word + " ") != std::string::npos;
+}
 
 FileCloud
 readPcd (const std::string& file)
