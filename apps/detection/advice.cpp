@@ -13,8 +13,6 @@
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace pcl_ops::apps {
@@ -25,14 +23,15 @@ using boost::format;
 using Points = std::vector<Eigen::Vector3f>;
 using Planes = std::vector<PlaneSegment>;
 
-/** \brief Says that the unit may be the millimeter; empty if nothing tells so.
- * \param[in] lengths the options with a length
- * \param[in] threshold none if it follows the noise */
+/** \brief Says that the unit may be the millimeter; empty if nothing tells so. */
+template <typename Parameters>
 std::string
-adviceOnUnit (const Points& points,
-              const char* lengths,
-              const std::optional<double>& threshold)
+adviceOnUnit (const Parameters& parameters, const Points& points)
 {
+  constexpr bool is_fspf =
+      std::is_same_v<Parameters, FastSamplingPlaneFilteringParameters>;
+  // On surfels the noise sets the distance unless the user does.
+  const std::optional<double>& threshold = parameters.distance_threshold;
   // A room of 10 m in millimeters; no scene in meters is that large for 5 cm.
   constexpr double max_extent_in_thresholds = 40000.0;
   Eigen::AlignedBox3d box;
@@ -43,7 +42,8 @@ adviceOnUnit (const Points& points,
     return "";
   return str (format ("the cloud is %1% wide: if its unit is the millimeter, give %2% "
                       "in millimeters, too (threshold now %3%)") %
-              extent % lengths % *threshold);
+              extent % (is_fspf ? "--threshold and --inner-radius" : "--threshold") %
+              *threshold);
 }
 
 /** \brief How many points there typically are in the spheres around points. */
@@ -74,11 +74,7 @@ advice (const OrientedPointSamplingParameters& parameters, const Points& points,
                         "--min-inliers") %
                 samples % points.size() % parameters.min_inliers %
                 parameters.sampling_rate);
-  // On surfels the noise sets the distance unless the user does.
   const std::optional<double>& threshold = parameters.distance_threshold;
-  const std::string on_unit = adviceOnUnit (points, "--threshold", threshold);
-  if (!on_unit.empty())
-    return on_unit;
   return str (format ("lower --min-inliers (%1%) or raise --sampling-rate (%2%) if the "
                       "planes are small, raise --threshold (%3%) if the points are "
                       "noisy") %
@@ -91,11 +87,6 @@ advice (const FastSamplingPlaneFilteringParameters& parameters,
         const Points& points,
         bool)
 {
-  const std::optional<double>& threshold = parameters.distance_threshold;
-  const std::string on_unit =
-      adviceOnUnit (points, "--threshold and --inner-radius", threshold);
-  if (!on_unit.empty())
-    return on_unit;
   const auto& local = parameters.local;
   const double held = medianSphereSize (points, local.outer_radius);
   if (held < local.local_samples)
@@ -106,18 +97,15 @@ advice (const FastSamplingPlaneFilteringParameters& parameters,
   return str (format ("raise --threshold (%1%) or lower --min-inlier-share (%2%) if "
                       "the points are noisy, lower --outer-radius (%3%) if the planes "
                       "are small") %
-              *threshold % local.min_inlier_fraction % local.outer_radius);
+              *parameters.distance_threshold % local.min_inlier_fraction %
+              local.outer_radius);
 }
 
 std::string
 advice (const KernelHoughTransformParameters& parameters,
-        const Points& points,
+        const Points&,
         bool found_none)
 {
-  const std::optional<double>& threshold = parameters.distance_threshold;
-  const std::string on_unit = adviceOnUnit (points, "--threshold", threshold);
-  if (!on_unit.empty())
-    return on_unit;
   const auto& clusters = parameters.clusters;
   if (found_none)
     return str (format ("no octree node from --s-level %1% on is flat and has "
@@ -126,7 +114,7 @@ advice (const KernelHoughTransformParameters& parameters,
                 clusters.first_level % clusters.min_samples % clusters.s_alpha);
   return str (format ("few octree nodes are flat: raise --threshold (%1%), or lower "
                       "--min-samples (%2%) for more of them") %
-              *threshold % clusters.min_samples);
+              *parameters.distance_threshold % clusters.min_samples);
 }
 
 } // namespace
@@ -150,7 +138,8 @@ adviceFor (const Parameters& parameters, const XyzCloud& cloud, const Planes& pl
   for (const pcl::PointXYZ& point : cloud)
     if (pcl::isFinite (point))
       points.emplace_back (point.getVector3fMap());
-  return advice (parameters, points, planes.empty());
+  const std::string on_unit = adviceOnUnit (parameters, points);
+  return on_unit.empty() ? advice (parameters, points, planes.empty()) : on_unit;
 }
 
 template std::string

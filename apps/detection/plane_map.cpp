@@ -15,12 +15,9 @@
 #include <io/output_file.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <locale>
 #include <regex>
-#include <sstream>
-#include <utility>
 
 namespace pcl_ops::apps {
 
@@ -185,6 +182,24 @@ withFewerCorners (Ring ring, double tolerance)
   return kept.empty() ? Ring() : withFittedSides (ring, kept, tolerance);
 }
 
+/** \brief Leaves out corners that are near a straight line between others (Douglas &
+ * Peucker), and moves those left to where lines fitted to the sides meet. Holes that
+ * have no area then are left out. */
+Rings
+simplified (const Rings& rings, double tolerance)
+{
+  constexpr std::size_t corners_of_an_area = 3;
+  Rings simple;
+  for (const Ring& ring : rings) {
+    Ring fewer = withFewerCorners (ring, tolerance);
+    if (fewer.size() >= corners_of_an_area)
+      simple.push_back (std::move (fewer));
+    else if (simple.empty())
+      return {ring};
+  }
+  return simple;
+}
+
 using PlaneTable = nlohmann::ordered_json;
 
 const std::string prefix_of_crs = "EPSG:";
@@ -208,22 +223,57 @@ columnsOf (const PlaneTable& plane)
           {"aspect", plane.at ("aspect")}, {"height", plane.at ("height")}};
 }
 
+/** \brief Of coordinates: three, or as many as a thousandth of the narrowest plane
+ * takes. */
 int
-decimalsOf (const PlaneTable& planes)
+decimalsFor (const PlaneTable& planes)
 {
-  std::vector<double> widths;
+  constexpr int min_decimals = 3, max_decimals = 12;
+  double decimals = min_decimals;
   for (const PlaneTable& plane : planes)
-    widths.push_back (plane.at ("extent").at ("width"));
-  return decimalsFor (widths);
+    if (const double width = plane.at ("extent").at ("width"); width > 0.0)
+      decimals = std::max (decimals, std::ceil (min_decimals - std::log10 (width)));
+  return static_cast<int> (std::min<double> (decimals, max_decimals));
 }
 
+/** \brief Simplified, counter-clockwise and its holes clockwise as seen from above, as
+ * maps want it; vertical rings stay as they are. */
 Polygons
 outlineOf (const PlaneTable& plane, const MapOptions& options)
 {
   Polygons polygons = polygonsIn (plane);
-  for (Rings& rings : polygons)
-    rings = seenFromAbove (simplified (std::move (rings), options.simplify));
+  for (Rings& rings : polygons) {
+    if (options.simplify > 0.0)
+      rings = simplified (rings, options.simplify);
+    for (Ring& ring : rings) {
+      const double area = areaFromAbove (ring);
+      if (&ring == &rings.front() ? area < 0.0 : area > 0.0)
+        std::reverse (ring.begin(), ring.end());
+    }
+  }
   return polygons;
+}
+
+/** \brief As "POLYGON Z ((x y z, ...), ...)" of OGC 06-103r4, or as a MULTIPOLYGON Z.
+ */
+std::string
+toWkt (const Polygons& polygons, int decimals)
+{
+  if (polygons.empty())
+    return "POLYGON Z EMPTY";
+  return (polygons.size() > 1 ? "MULTIPOLYGON Z " : "POLYGON Z ") +
+         Notation{"(", "", " ", "", ")", decimals}.text (polygons);
+}
+
+/** \brief As a geometry of GeoJSON (RFC 7946); null for none. */
+std::string
+toGeoJsonGeometry (const Polygons& polygons, int decimals)
+{
+  if (polygons.empty())
+    return "null";
+  return std::string (R"({"type":")") +
+         (polygons.size() > 1 ? "MultiPolygon" : "Polygon") + R"(","coordinates":)" +
+         Notation{"[", "[", ",", "]", "]", decimals}.text (polygons) + "}";
 }
 
 std::string
@@ -233,7 +283,7 @@ toCsv (const PlaneTable& planes, const MapOptions& options)
   for (const auto& [name, value] : columnsOf (planeObject (0, {}, {}, {})))
     csv += std::string (name) + ",";
   csv += "wkt\n";
-  const int decimals = decimalsOf (planes);
+  const int decimals = decimalsFor (planes);
   for (const PlaneTable& plane : planes) {
     for (const auto& [name, value] : columnsOf (plane)) {
       const std::string text = value.is_null() ? "" : value.dump();
@@ -252,7 +302,7 @@ toGeoJson (const PlaneTable& planes, const MapOptions& options)
     text += R"("crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::)" +
             options.crs.substr (prefix_of_crs.size()) + "\"}},";
   text += "\"features\":[";
-  const int decimals = decimalsOf (planes);
+  const int decimals = decimalsFor (planes);
   for (const PlaneTable& plane : planes) {
     PlaneTable properties;
     for (const auto& [name, value] : columnsOf (plane)) {
@@ -270,64 +320,6 @@ toGeoJson (const PlaneTable& planes, const MapOptions& options)
 }
 
 } // namespace
-
-Rings
-seenFromAbove (Rings rings)
-{
-  for (Ring& ring : rings) {
-    const double area = areaFromAbove (ring);
-    if (&ring == &rings.front() ? area < 0.0 : area > 0.0)
-      std::reverse (ring.begin(), ring.end());
-  }
-  return rings;
-}
-
-Rings
-simplified (Rings rings, double tolerance)
-{
-  if (tolerance == 0.0)
-    return rings;
-  constexpr std::size_t corners_of_an_area = 3;
-  Rings simple;
-  for (const Ring& ring : rings) {
-    Ring fewer = withFewerCorners (ring, tolerance);
-    if (fewer.size() >= corners_of_an_area)
-      simple.push_back (std::move (fewer));
-    else if (simple.empty())
-      return {ring};
-  }
-  return simple;
-}
-
-int
-decimalsFor (const std::vector<double>& widths)
-{
-  constexpr int min_decimals = 3, max_decimals = 12;
-  double decimals = min_decimals;
-  for (const double width : widths)
-    if (width > 0.0)
-      decimals = std::max (decimals, std::ceil (min_decimals - std::log10 (width)));
-  return static_cast<int> (std::min<double> (decimals, max_decimals));
-}
-
-std::string
-toWkt (const Polygons& polygons, int decimals)
-{
-  if (polygons.empty())
-    return "POLYGON Z EMPTY";
-  return (polygons.size() > 1 ? "MULTIPOLYGON Z " : "POLYGON Z ") +
-         Notation{"(", "", " ", "", ")", decimals}.text (polygons);
-}
-
-std::string
-toGeoJsonGeometry (const Polygons& polygons, int decimals)
-{
-  if (polygons.empty())
-    return "null";
-  return std::string (R"({"type":")") +
-         (polygons.size() > 1 ? "MultiPolygon" : "Polygon") + R"(","coordinates":)" +
-         Notation{"[", "[", ",", "]", "]", decimals}.text (polygons) + "}";
-}
 
 void
 declareMap (CommandLine& line, MapOptions& options)

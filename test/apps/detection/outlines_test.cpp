@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <detection/advice.h>
-#include <detection/plane_map.h>
+#include <detection/plane_json.h>
 #include <pcl_ops/oriented_point_sampling.h>
 
 #include <algorithm>
@@ -14,44 +16,69 @@ using namespace pcl_ops::apps;
 
 namespace {
 
-/** \brief A square around a point, counter-clockwise as seen from above. */
-Ring
-square (double half)
-{
-  return {{-half, -half, 1}, {half, -half, 1}, {half, half, 1}, {-half, half, 1}};
-}
+/** \brief What a list says of a plane with this outline and these parts beside it,
+ * where the other plane is 5 m wide. */
+struct Written {
+  std::string wkt, json;
 
-Ring
-reversed (Ring ring)
+  explicit Written (const PlaneExtent& extent,
+                    const Polygons& parts = {},
+                    double simplify = 0.0)
+  {
+    PlaneExtent other;
+    other.width = 5.0;
+    const nlohmann::ordered_json list = {
+        {"planes",
+         nlohmann::ordered_json::array ({planeObject (1, {}, extent, {}, parts),
+                                         planeObject (2, {}, other, {})})}};
+    const std::string csv = planesFor ("a.csv", list, {"", simplify});
+    const std::size_t begin = csv.find ('"') + 1;
+    wkt = csv.substr (begin, csv.find ('"', begin) - begin);
+    const std::string text = planesFor ("a.geojson", list, {"", simplify});
+    json = nlohmann::json::parse (text)["features"][0]["geometry"].dump();
+  }
+};
+
+PlaneExtent
+extentOf (const Ring& hull, const Rings& holes = {}, double width = 0.0)
 {
-  std::reverse (ring.begin(), ring.end());
-  return ring;
+  PlaneExtent extent;
+  extent.hull = hull;
+  extent.holes = holes;
+  extent.width = width;
+  return extent;
 }
 
 } // namespace
 
-TEST (Outlines, AreWrittenClosedWithTheirHolesAndParts)
+TEST (Outlines, AreClosedWithTheirHolesAndPartsAndCounterClockwiseSeenFromAbove)
 {
-  const Rings first = {{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}},
-                       {{1, 1, 1}, {1, 2, 1}, {2, 1, 1}}};
-  const Rings other = {{{5, 5, 1}, {6, 5, 1}, {6, 6, 1}}};
+  const Ring hull = {{0, 0, 1}, {4, 0, 1}, {0, 4, 1}},
+             clockwise = {hull.rbegin(), hull.rend()};
+  const Ring hole = {{1, 1, 1}, {1, 2, 1}, {2, 1, 1}},
+             turned = {hole.rbegin(), hole.rend()};
+  const Rings part = {{{5, 5, 1}, {6, 5, 1}, {6, 6, 1}}};
   const std::string first_wkt = "((0 0 1,4 0 1,0 4 1,0 0 1),(1 1 1,1 2 1,2 1 1,1 1 1))";
   const std::string first_json =
       "[[[0,0,1],[4,0,1],[0,4,1],[0,0,1]],[[1,1,1],[1,2,1],[2,1,1],[1,1,1]]]";
   const struct {
-    Polygons polygons;
+    PlaneExtent extent;
+    Polygons parts;
     std::string wkt, json;
-  } rows[] = {{{}, "POLYGON Z EMPTY", "null"},
-              {{first},
+  } rows[] = {{{}, {}, "POLYGON Z EMPTY", "null"},
+              {extentOf (clockwise, {turned}),
+               {},
                "POLYGON Z " + first_wkt,
-               R"({"type":"Polygon","coordinates":)" + first_json + "}"},
-              {{first, other},
+               R"({"coordinates":)" + first_json + R"(,"type":"Polygon"})"},
+              {extentOf (hull, {hole}),
+               {part},
                "MULTIPOLYGON Z (" + first_wkt + ",((5 5 1,6 5 1,6 6 1,5 5 1)))",
-               R"({"type":"MultiPolygon","coordinates":[)" + first_json +
-                   ",[[[5,5,1],[6,5,1],[6,6,1],[5,5,1]]]]}"}};
+               R"({"coordinates":[)" + first_json +
+                   R"(,[[[5,5,1],[6,5,1],[6,6,1],[5,5,1]]]],"type":"MultiPolygon"})"}};
   for (const auto& row : rows) {
-    EXPECT_EQ (toWkt (row.polygons, 0), row.wkt);
-    EXPECT_EQ (toGeoJsonGeometry (row.polygons, 0), row.json);
+    const Written written (row.extent, row.parts);
+    EXPECT_EQ (boost::replace_all_copy (written.wkt, ".000", ""), row.wkt);
+    EXPECT_EQ (boost::replace_all_copy (written.json, ".0", ""), row.json);
   }
 }
 
@@ -66,36 +93,27 @@ TEST (Outlines, LoseCornersNearAStraightLine)
                        {3, 3.9, 0},
                        {0, 4, 0},
                        {0.1, 2, 0}};
-  const Ring hole = {{1, 1, 0}, {1, 2, 0}, {1.1, 1, 0}};
-  EXPECT_EQ (simplified ({jagged, hole}, 0.0), (Rings{jagged, hole}));
-  const Rings simple = simplified ({jagged, hole}, 0.3);
-  ASSERT_EQ (simple.size(), 1u) << "the hole has no area left";
-  EXPECT_EQ (simple[0].size(), 4u);
-  EXPECT_EQ (simplified ({hole}, 9.0), Rings{hole}) << "an outline stays one";
+  const Ring narrow = {{1, 1, 0}, {1, 2, 0}, {1.1, 1, 0}};
+  const auto corners = [] (const Written& written) {
+    return std::count (written.wkt.begin(), written.wkt.end(), ',');
+  };
+  EXPECT_EQ (corners (Written (extentOf (jagged, {narrow}))), 9 + 1 + 3);
+  EXPECT_EQ (corners (Written (extentOf (jagged, {narrow}), {}, 0.3)), 4)
+      << "the hole has no area left";
+  EXPECT_EQ (corners (Written (extentOf (narrow), {}, 9.0)), 3)
+      << "an outline stays one";
 }
 
-TEST (Outlines, GoRoundPlanesToTheLeftAndRoundHolesToTheRight)
+TEST (Outlines, HaveMillimetersFarFromZeroAndDecimalsForTheNarrowestPlane)
 {
-  const Ring around = square (2), hole = reversed (square (1));
-  const Rings expected = {around, hole};
-  EXPECT_EQ (seenFromAbove ({around, hole}), expected);
-  EXPECT_EQ (seenFromAbove ({reversed (around), reversed (hole)}), expected);
-  const Rings wall = {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}}};
-  EXPECT_EQ (seenFromAbove (wall), wall);
-}
-
-TEST (Outlines, HaveMillimetersFarFromZeroAndNoExponents)
-{
-  EXPECT_EQ (toWkt ({{{{5400000.1234, 1e-7, -1e-7}}}}, 3),
+  const Ring point = {{5400000.1234, 1e-7, -1e-7}};
+  const std::pair<double, int> rows[] = {{0.0, 3}, {5000.0, 3}, {0.04, 5}, {1e-30, 12}};
+  EXPECT_EQ (Written (extentOf (point)).wkt,
              "POLYGON Z ((5400000.123 0.000 0.000,5400000.123 0.000 0.000))");
-}
-
-TEST (Outlines, HaveDecimalsForTheNarrowestPlane)
-{
-  EXPECT_EQ (decimalsFor ({}), 3);
-  EXPECT_EQ (decimalsFor ({5000.0, 0.0}), 3);
-  EXPECT_EQ (decimalsFor ({5.0, 0.04}), 5);
-  EXPECT_EQ (decimalsFor ({1e-30}), 12);
+  for (const auto& [width, decimals] : rows) {
+    const std::string wkt = Written (extentOf (point, {}, width)).wkt;
+    EXPECT_EQ (wkt.find (' ', wkt.find ('.')) - wkt.find ('.') - 1, decimals) << wkt;
+  }
 }
 
 TEST (Advice, IsGivenWherePlanesHaveLessThanATwentiethOfTheReadings)
