@@ -7,10 +7,6 @@
 #include <support/text.h>
 
 #include <cstdint>
-#include <limits>
-#include <optional>
-#include <string>
-#include <vector>
 
 using namespace pcl_ops::apps;
 
@@ -25,11 +21,9 @@ parse (CommandLine& line, Arguments arguments)
   return line.parse (static_cast<int> (arguments.size()), arguments.data());
 }
 
-/** \brief A program with one option of each kind. */
 struct Detector {
-  std::string input, method = "ops", image;
+  std::string input;
   double threshold = 0.05;
-  std::optional<int> k;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   bool quiet = false;
   bool proceeds = false;
@@ -40,16 +34,10 @@ struct Detector {
   {
     CommandLine line ("detect", "Detects.", "1.2.3");
     line.addArgument ("INPUT", input, "a cloud");
-    line.add ("method", method, {"ops", "fspf"}).help ("the algorithm");
-    line.add ("image FILE", image).help ("a picture");
     line.add ("threshold M", threshold, above (0)).help ("distance");
-    line.add ("k K", k, from (3).upTo (100)).help ("neighbors");
     line.addUpAxis (up).help ("axis");
     line.add ("quiet", quiet).help ("no table");
-    complaint = complaintOf ([&] {
-      proceeds = parse (line, arguments);
-      line.forbidTogether ("quiet", "image");
-    });
+    complaint = complaintOf ([&] { proceeds = parse (line, arguments); });
   }
 };
 
@@ -83,17 +71,6 @@ TEST (CommandLine, TakesNegativeNumbersAndTheCameraForUp)
   EXPECT_EQ (Detector ({"a", "--up", "camera"}).up, Eigen::Vector3f (0, -1, 0));
 }
 
-TEST (CommandLine, TellsGivenOptionsFromDefaults)
-{
-  const Detector with ({"in.pcd", "-k", "30", "--quiet"}), without ({"in.pcd"});
-  EXPECT_EQ (with.k, 30);
-  EXPECT_TRUE (with.quiet);
-  EXPECT_FALSE (without.k);
-  EXPECT_FALSE (without.quiet);
-  EXPECT_EQ (Detector ({"a", "--quiet", "--image", "x.png"}).complaint,
-             "--quiet: contradicts --image; give only one of them");
-}
-
 TEST (CommandLine, RefusesWholeNumbersThatAreTooLargeForTheirType)
 {
   const auto expect_too_large = [] (auto type, const std::string& text) {
@@ -112,22 +89,6 @@ TEST (CommandLine, RefusesWholeNumbersThatAreTooLargeForTheirType)
              std::numeric_limits<std::uint32_t>::max());
   EXPECT_EQ (parseNumber<int> ("n", "-2147483648", Range()),
              std::numeric_limits<int>::lowest());
-}
-
-TEST (CommandLine, TellsTheOptionsOfAGroupThatWereGiven)
-{
-  CommandLine line ("detect", "Detects.", "1.0");
-  std::optional<int> k, bins, samples, size;
-  line.add ("k K", k, Range()).help ("neighbors");
-  line.beginGroup ("Hough");
-  line.add ("bins N", bins, Range()).help ("of the accumulator");
-  line.add ("samples N", samples, Range()).help ("of a cluster");
-  line.add ("size N", size, Range()).help ("of a cluster");
-  ASSERT_TRUE (parse (line, {"--k", "3", "--samples", "4"}));
-  EXPECT_EQ (samples, 4);
-  EXPECT_EQ (line.givenOf ("Hough"), std::vector<std::string>{"samples"});
-  EXPECT_THROW (parse (line, {"--s", "4"}), UsageError) << "it is ambiguous";
-  EXPECT_TRUE (contains (line.help(), "\nHough:\n  --bins"));
 }
 
 TEST (CommandLine, PrintsHelpAndVersion)

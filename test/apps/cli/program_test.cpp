@@ -8,11 +8,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
-#include <functional>
-#include <new>
-#include <stdexcept>
-#include <string>
 #include <thread>
 
 using namespace pcl_ops::apps;

@@ -7,11 +7,8 @@
 #include <sys/stat.h>
 
 #include <atomic>
-#include <chrono>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 using namespace pcl_ops::apps;

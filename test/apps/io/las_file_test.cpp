@@ -10,8 +10,6 @@
 
 #include <cmath>
 #include <limits>
-#include <string>
-#include <vector>
 
 using namespace pcl_ops::apps;
 
@@ -168,27 +166,13 @@ TEST_F (LasFileTest, ReadsAndReplacesTheLabelsItWrote)
   EXPECT_TRUE (contentOf (folder_ / "again.las") == labelled (LasRecipe{}, {3, 4}));
 }
 
-TEST_F (LasFileTest, SaysWhyItCannotBeLabelled)
+TEST_F (LasFileTest, SaysThatItHasNoRoomForLabels)
 {
-  LasRecipe other;
-  other.extra = {"12", "34"};
-  other.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("label", 3))};
-  EXPECT_EQ (load (other).las->validate ({label_field}),
-             "has an extra-bytes field label that is no uint32; rename it or give an "
-             "OUTPUT.pcd");
   LasRecipe full;
   full.extra.assign (2, std::string (65535 - lasFormatLength (6), 'e'));
   EXPECT_EQ (load (full).las->validate ({label_field}),
              "has no room for a further extra-bytes field; give an OUTPUT.pcd");
   EXPECT_EQ (load (LasRecipe{}).las->validate ({label_field}), "");
-}
-
-TEST_F (LasFileTest, IsWrittenAgainAfterItWasRemoved)
-{
-  const FileCloud cloud = load (LasRecipe{});
-  std::filesystem::remove (folder_ / "cloud.las");
-  saveLabelledLas (folder_ / "out.las", *cloud.las, {1, 2});
-  EXPECT_EQ (loadCloud (folder_ / "out.las").size(), 2u);
 }
 
 TEST_F (LasFileTest, NamesWhatIsWrongWithItsHeaderAndItsRecords)

@@ -10,13 +10,6 @@
 #include <support/las_bytes.h>
 #include <support/temporary_folder.h>
 
-#include <cstdint>
-#include <fstream>
-#include <functional>
-#include <new>
-#include <string>
-#include <vector>
-
 using namespace pcl_ops::apps;
 
 namespace {

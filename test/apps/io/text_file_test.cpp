@@ -10,8 +10,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <string>
-#include <vector>
 
 using namespace pcl_ops::apps;
 
@@ -150,16 +148,6 @@ TEST_F (TextFile, ThatCannotBeReadSaysSo)
   const std::string file = folder_.write ("in.xyz", "1 2 3\n");
   std::filesystem::permissions (file, std::filesystem::perms::none);
   EXPECT_THROW (loadCloud (file), WorkError);
-}
-
-TEST_F (TextFile, ThatIsCompressedIsSaidToBe)
-{
-  const std::string gzip = "\x1f\x8b\x08 and so on";
-  for (const char* name :
-       {"in.xyz.gz", "in.xyz", "in.csv", "in.pcd", "in.ply", "in.las"})
-    EXPECT_EQ (complaintAbout (name, gzip),
-               "is compressed (gzip); decompress it, e.g. by gunzip")
-        << name;
 }
 
 TEST_F (TextFile, TakesNoMoreMemoryThanItHasPointsFor)
