@@ -40,7 +40,6 @@ wrapped (std::string line,
   return text + line + "\n";
 }
 
-/** \brief A name and its meaning in two columns. */
 std::string
 entry (const std::string& name, const std::string& meaning, std::size_t column)
 {
@@ -91,7 +90,6 @@ looksLikeOption (const std::string& token)
          (token[1] == '-' || std::isalpha (static_cast<unsigned char> (token[1])) != 0);
 }
 
-/** \brief The name in `--long`, `--long=x` and `-long`. */
 std::string
 nameIn (const std::string& token)
 {

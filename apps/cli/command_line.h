@@ -14,13 +14,12 @@
 #include <optional>
 #include <set>
 #include <sstream>
-#include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
 
-/** \brief The numbers an option takes; its text ("above 0 and up to 1") is part of the
- * error message. */
+/** \brief The numbers an option takes; its text, "above 0 and up to 1", is for errors.
+ */
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();
   bool lowest_included = false;
@@ -57,10 +56,8 @@ from (double bound)
   return {bound, true};
 }
 
-/** \brief The number a text stands for.
- * \param[in] option names the option in the error
- * \param[in] of_type what the type can be; whole numbers only, where it is such a one
- * \throws UsageError if the text is no number or the number is out of a range */
+/** \param[in] of_type what the type can be; whole numbers only, where it is such a one
+ * \throws UsageError about the option if the text is no number in both ranges */
 double
 parseNumber (const std::string& option,
              const std::string& text,
@@ -103,13 +100,11 @@ parseNumbers (const std::string& option,
   return numbers;
 }
 
-/** \brief A vector "x,y,z" other than zero.
- * \throws UsageError if the text is anything else */
+/** \brief A vector "x,y,z" other than zero; else a UsageError. */
 Eigen::Vector3f
 parseDirection (const std::string& option, const std::string& text);
 
-/** \brief The same, or "camera" for up in the optical frame of a level camera.
- * \throws UsageError if the text is anything else */
+/** \brief The same, or "camera" for up in the optical frame of a level camera. */
 Eigen::Vector3f
 parseUpAxis (const std::string& option, const std::string& text);
 
@@ -143,16 +138,12 @@ struct OptionGroup {
   std::vector<Option> options = {};
 };
 
-/** \brief The command line of a program: `--long x`, `--long=x` and PCL's single dash
- * `-long x`, each also by the start of its name, positional arguments, --help and
- * --version, and errors of one line. Declare arguments and options with where to store
- * them, then parse. A target of type std::optional tells whether its option was given.
- */
+/** \brief The command line of a program: `--long x`, `--long=x` and PCL's `-long x`,
+ * each also by the start of its name, positional arguments, --help and --version.
+ * Declare arguments and options with where to store them, then parse. */
 class CommandLine {
 public:
-  /** \param[in] program the name, with the subcommand where there is one
-   * \param[in] summary what the program does, the top of --help
-   * \param[in] version what --version prints after the name */
+  /** \param[in] program the name, with the subcommand where there is one */
   CommandLine (const std::string& program,
                const std::string& summary,
                const std::string& version);
@@ -160,48 +151,42 @@ public:
   void
   addArgument (const std::string& name, std::string& target, const std::string& help);
 
-  /** \brief Declares that one or more positional arguments may follow. */
+  /** \brief One or more. */
   void
   addArguments (const std::string& name,
                 std::vector<std::string>& targets,
                 const std::string& help);
 
-  /** \brief Replaces what --help derives from the arguments after "Usage: program".
-   * \param[in] ways to call the program, one a line
-   * \param[in] explanation below the summary */
+  /** \brief Replaces what --help derives from the arguments after "Usage: program"; the
+   * explanation goes below the summary. */
   void
   setUsage (const std::vector<std::string>& ways, const std::string& explanation);
 
-  /** \brief Lists the options declared from now on under a title of their own, with a
-   * line of names in --help; --help-all explains them. */
+  /** \brief Begins a group of options, of which --help lists the names and --help-all
+   * the rest. */
   void
   beginGroup (const std::string& title);
 
-  /** \brief Declares an option whose value is given to \p store, which may throw a
-   * UsageError.
+  /** \brief Declares an option: add ("jobs N", store).help ("...").
    * \param[in] usage "name PLACEHOLDER", or only "name" where the option has no value
-   * \return the option, whose help is to follow: add ("jobs N", store).help ("...") */
+   * \param[in] store may throw a UsageError */
   Option&
   add (const std::string& usage, const StoreText& store);
 
-  /** \brief Declares a flag. */
   Option&
   add (const std::string& usage, bool& target);
 
-  /** \brief Declares an option whose value is any text but an empty one. */
+  /** \brief Any text but an empty one. */
   Option&
   add (const std::string& usage, std::string& target);
 
-  /** \brief Declares an option whose value is one of \p choices, which are also its
-   * placeholder where \p usage has none. */
+  /** \brief One of \p choices, which are the placeholder where \p usage has none. */
   Option&
   add (const std::string& usage,
        std::string& target,
        const std::vector<std::string>& choices);
 
-  /** \brief Declares an option with a number.
-   * \param[out] target an int, std::uint32_t, std::size_t, float or double, or a
-   * std::optional of one */
+  /** \param[out] target a number, or a std::optional of one */
   template <typename Target>
   Option&
   add (const std::string& usage, Target& target, const Range& range)
@@ -212,8 +197,7 @@ public:
     });
   }
 
-  /** \brief Declares --up, a direction or "camera".
-   * \param[out] target an Eigen::Vector3f or a std::optional of one */
+  /** \brief Declares --up, a direction or "camera". */
   template <typename Target>
   Option&
   addUpAxis (Target& target)
@@ -225,8 +209,7 @@ public:
 
   /** \brief Stores what the command line says, or prints the help or the version.
    * \return false if it printed and the program is done
-   * \throws UsageError on anything undeclared, missing, ambiguous, given twice or out
-   * of range */
+   * \throws UsageError on anything undeclared, missing, ambiguous, given twice, wrong */
   bool
   parse (int argc, const char* const* argv);
 
@@ -240,14 +223,9 @@ public:
   void
   forbidTogether (const std::string& first, const std::string& second) const;
 
-  /** \brief The text of --help, which explains the options of the first group and names
-   * the others. */
+  /** \brief The text of --help. */
   std::string
   help () const;
-
-  /** \brief The text of --help-all. */
-  std::string
-  fullHelp () const;
 
 private:
   template <typename T>
@@ -259,19 +237,21 @@ private:
     using type = T;
   };
 
-  /** \brief The option of that name, or the only one whose name begins so. */
+  /** \brief Of that name, or the only one whose name begins so. */
   const Option&
   find (const std::string& start) const;
 
   void
   storeArguments (const std::vector<std::string>& given) const;
 
+  std::string
+  fullHelp () const;
+
   /** \brief What is in front of the options in the help. */
   std::string
   usage () const;
 
   std::string program_, summary_, version_, explanation_;
-  /** \brief To call the program: what follows its name. */
   std::vector<std::string> ways_;
   std::vector<Argument> arguments_;
   /** \brief New options go to the last. */

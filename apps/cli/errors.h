@@ -9,8 +9,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief What a program ends with where it cannot go on. Its text reads "subject: what
- * is wrong; what to do", where the subject is the option or file it is about. */
+/** \brief What a program ends with where it cannot go on: "option or file: what is
+ * wrong; what to do". */
 struct ProgramError : std::runtime_error {
   ProgramError (const std::string& subject, std::string what_and_fix)
   : std::runtime_error (subject + ": " + what_and_fix)
@@ -34,10 +34,8 @@ struct OutputError : WorkError {
   using WorkError::WorkError;
 };
 
-/** \brief Calls \p work and returns what it returns.
- * \param[in] subject what the memory is needed for: an option or file
- * \param[in] fix what to do where there is too little
- * \throws WorkError of these where it runs out, and whatever else \p work throws */
+/** \brief What \p work returns.
+ * \throws WorkError with this fix where the memory runs out */
 template <typename Work>
 auto
 inMemory (const std::string& subject, const std::string& fix, Work&& work)

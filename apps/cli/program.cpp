@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <ctime>
 #include <iostream>
-#include <new>
 
 namespace pcl_ops::apps {
 

@@ -10,8 +10,7 @@ namespace pcl_ops::apps {
 
 enum ExitCode : int { done = 0, work_failed = 1, wrong_usage = 2 };
 
-/** \brief What the program that \ref runProgram runs says about a problem: one line,
- * without its end. */
+/** \brief What \ref runProgram says about a problem: one line, without its end. */
 std::string
 errorLine (std::string message);
 
@@ -19,12 +18,10 @@ errorLine (std::string message);
 void
 warn (const std::string& message);
 
-/** \brief Runs the body of a program and turns what it throws into one line on stderr
- * and an exit code. Silences PCL's own console output, which would make it more than a
- * line, and lets a file that outgrows the user's limit be one that cannot be written
- * instead of the program's end. \param[in] name of the program, in front of the line
- * \param[in] body returns the exit code of a run that threw nothing \return the exit
- * code; work_failed if the standard output could not be written */
+/** \brief Runs the body of a program, which returns the exit code, and turns what it
+ * throws, or that the standard output cannot be written, into one line on stderr and an
+ * exit code. Silences PCL's console, and lets a file that outgrows the user's limit be
+ * one that cannot be written instead of the program's end. */
 int
 runProgram (const std::string& name, const std::function<int()>& body);
 
@@ -33,10 +30,9 @@ struct Interrupted : std::runtime_error {
   {}
 };
 
-/** \brief Lets the program end tidily on Ctrl-C, a termination or a closed terminal:
- * from now on the first of these signals is noted for \ref isInterrupted, and one that
- * comes more than half a second later ends the program as ever. Signals that are
- * ignored stay so. */
+/** \brief From now on the first Ctrl-C, termination or closed terminal is noted for
+ * \ref isInterrupted, and one more than half a second later ends the program as ever.
+ * Signals that are ignored stay so. */
 void
 noteInterruptions ();
 
@@ -47,12 +43,12 @@ ignoreClosedPipes ();
 bool
 isInterrupted ();
 
-/** \brief \throws Interrupted if the program should stop */
+/** \throws Interrupted if it is */
 void
 stopIfInterrupted ();
 
-/** \brief Ends the program by the signal that was noted, so that a shell sees it
- * (130 after Ctrl-C) and a loop in it stops, too. Does nothing if none was. */
+/** \brief Ends the program by the signal that was noted, if one was, so that a loop of
+ * a shell stops, too. */
 void
 endAsInterrupted ();
 

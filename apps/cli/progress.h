@@ -16,8 +16,7 @@ namespace pcl_ops::apps {
 enum class ProgressStyle {
   /** \brief A bar with the time left, for terminals: it overwrites itself. */
   Bar,
-  /** \brief Plain lines, one in ten seconds at most and none where all is done before:
-   * for files, in which somebody looks whether a long run goes on. */
+  /** \brief One in ten seconds at most and none where all is done before, for files. */
   Lines,
   None
 };
@@ -31,23 +30,19 @@ progressStyleOf (bool is_terminal)
 /** \brief Tells how far a long run is. May be used by several threads. */
 class Progress {
 public:
-  /** \param[in] steps number of calls of \ref step to come
-   * \param[in] stream where to write
-   * \param[in] noun what a step is about, in the plural
+  /** \param[in] noun what a step is about, in the plural
    * \param[in] between time from one line to the next */
   Progress (std::size_t steps,
             std::ostream& stream,
             ProgressStyle style,
             std::string noun = "clouds",
             std::chrono::milliseconds between = std::chrono::seconds (10));
-  /** \brief Takes the bar away where the run ended before its last step. */
   ~Progress();
 
   void
   step ();
 
-  /** \brief Writes a line of its own to the stream of the progress or to another one
-   * that may be the same terminal; a bar moves below it. */
+  /** \brief Writes a line to a stream that may be the same terminal, above a bar. */
   void
   note (const std::string& line, std::ostream& stream);
   void
@@ -56,6 +51,7 @@ public:
     note (line, stream_);
   }
 
+  /** \brief Takes the bar away. */
   void
   erase ();
 
@@ -76,17 +72,15 @@ private:
   std::mutex mutex_;
 };
 
-/** \brief A duration as a person says it: "42 s", "3 min 07 s", "2 h 05 min". */
+/** \brief "42 s", "3 min 07 s", "2 h 05 min". */
 std::string
 durationText (double seconds);
 
-/** \brief Tells at which stage of a long work a program is, where its steps are too few
- * to count: a line each ten seconds, and none where all is done before. Without room
- * for one more thread it is silent. */
+/** \brief Tells the stage of a long work of few steps: a line each ten seconds, and
+ * none where all is done before. Without room for one more thread it is silent. */
 class StageLines {
 public:
-  /** \param[in] stream used by a thread of its own until \ref end
-   * \param[in] between time from one line to the next */
+  /** \param[in] stream used by a thread of its own until \ref end */
   explicit StageLines (std::ostream& stream,
                        std::chrono::milliseconds between = std::chrono::seconds (10));
   ~StageLines();
@@ -113,11 +107,10 @@ private:
   std::thread thread_;
 };
 
-/** \brief Calls \p work with 0, 1, ... \p count - 1, begun in this order, several at a
- * time. What it throws ends the run once the calls under way have returned, and is
- * thrown again.
- * \param[in] jobs calls at a time; 0: as many as there are processors; fewer where the
- * system starts no more threads */
+/** \brief Calls \p work with 0, 1, ... \p count - 1, begun in this order. What it
+ * throws ends the run once the calls under way have returned, and is thrown again.
+ * \param[in] jobs calls at a time, fewer where the system starts no more threads; 0: as
+ * many as there are processors */
 void
 runInParallel (std::size_t count,
                unsigned jobs,

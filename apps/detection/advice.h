@@ -5,15 +5,10 @@
 #include <io/shifted_cloud.h>
 #include <pcl_ops/plane.h>
 
-#include <string>
-#include <vector>
-
 namespace pcl_ops::apps {
 
-/** \brief Which parameter to change where a detector found no plane, or so few of the
- * points with coordinates are on planes that most likely a parameter does not fit the
- * cloud. The end of a sentence; empty elsewhere.
- * \tparam Parameters those of OPS, FSPF or 3D-KHT */
+/** \brief Which parameter to change where so few of the points with coordinates are on
+ * planes that most likely one does not fit the cloud: the end of a sentence. */
 template <typename Parameters>
 std::string
 adviceFor (const Parameters& parameters,

@@ -9,14 +9,11 @@
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
 
-#include <optional>
 #include <string>
 #include <type_traits>
 
 namespace pcl_ops::apps {
 
-/** \brief What there is to say about a parameter that is a number; its name in the
- * usage has '_' for '-' in reports. */
 struct NumberOption {
   const char* usage;
   Range range;
@@ -50,8 +47,8 @@ visitOwn (PlaneDetectorParameters& p, const Visit& visit)
       {"threads T", from (0).upTo (1024), "0 for all; the result stays the same (1)"});
 }
 
-/** \brief The same for what one detector has alone; the values of the presets follow in
- * the help. */
+/** \brief For what one detector has alone; the help goes on with the presets' values.
+ */
 template <typename Visit>
 void
 visitOwn (OrientedPointSamplingParameters& p, const Visit& visit)
@@ -109,7 +106,7 @@ visitOwn (KernelHoughTransformParameters& p, const Visit& visit)
   visit (clusters.s_beta, {"s-beta R", above (0), "larger: it may be more elongated"});
 }
 
-/** \brief The same for all that a detector has. */
+/** \brief For all that a detector has. */
 template <typename Parameters, typename Visit>
 void
 visitAll (Parameters& parameters, const Visit& visit)
@@ -118,7 +115,6 @@ visitAll (Parameters& parameters, const Visit& visit)
   visitOwn (static_cast<PlaneDetectorParameters&> (parameters), visit);
 }
 
-/** \brief What a parameter has where it is given. */
 template <typename Number>
 using ValueOf = std::conditional_t<std::is_arithmetic_v<Number>, Number, double>;
 
@@ -145,8 +141,7 @@ apply (const GivenNumbers& given, Parameters& parameters)
 }
 
 /** \brief Declares the options of what these parameters have alone.
- * \param[in] notes what follows the help of an option, by its name
- * \param[out] given those on the parsed line, checked */
+ * \param[in] notes what follows the help of an option, by its name */
 template <typename Parameters>
 void
 declare (Parameters parameters,

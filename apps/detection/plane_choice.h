@@ -3,14 +3,11 @@
 #pragma once
 
 #include "methods.h"
-#include <nlohmann/json.hpp>
 #include <pcl_ops/plane_filter.h>
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace pcl_ops::apps {
@@ -23,14 +20,13 @@ struct PlaneChoice {
   /** \brief Smallest and largest angle to the horizontal [degree]. */
   std::optional<std::array<double, 2>> slope;
   PlaneFilter filter;
-  /** \brief What was given, as reports tell it. */
+  /** \brief For reports. */
   Settings given = Settings::object();
 };
 
 struct Dropped {
   std::size_t found = 0;
-  /** \brief How many were dropped by which option, "min-area"; only options that
-   * dropped any. */
+  /** \brief By which option, "min-area", how many were dropped, if any. */
   std::vector<std::pair<std::string, std::size_t>> by_option;
 
   /** \brief "1 by --direction, 2 by --min-area"; empty where none was dropped. */
@@ -43,16 +39,14 @@ inline constexpr const char* title_of_choice = "Planes to keep";
 void
 declareChoice (CommandLine& line, PlaneChoice& choice);
 
-/** \brief Completes a choice by what is on the parsed line.
- * \throws UsageError if an option was given without the one it is about, or bounds
+/** \throws UsageError if an option was given without the one it is about, or bounds
  * leave nothing between them */
 void
 finishChoice (const CommandLine& line, PlaneChoice& choice);
 
 /** \brief The positions of the chosen planes.
  * \param[in] up against gravity, in the frame of the planes
- * \param[in] extent_of where a plane ends that may be too small or too large
- * \param[out] dropped what became of the others */
+ * \param[in] extent_of asked for planes that may be too small or too large */
 std::vector<std::size_t>
 chosenOf (const PlaneChoice& choice,
           const std::vector<PlaneSegment>& planes,
@@ -60,9 +54,7 @@ chosenOf (const PlaneChoice& choice,
           const ExtentOfPlane& extent_of,
           Dropped& dropped);
 
-/** \brief Keeps the chosen planes and forgets the others, whose points then count as on
- * no plane; ids follow the size of those kept. Where none is left, the advice says why.
- * \param[in] extent_of as \ref chosenOf */
+/** \brief Keeps the chosen planes alone. Where none is left, the advice says why. */
 Dropped
 keepChosen (const PlaneChoice& choice,
             const ExtentOfPlane& extent_of,

@@ -3,18 +3,14 @@
 #pragma once
 
 #include "plane_map.h"
-#include <nlohmann/json.hpp>
 #include <pcl_ops/orientation.h>
 #include <pcl_ops/plane.h>
 #include <pcl_ops/plane_extent.h>
 
 #include <cstddef>
 #include <optional>
-#include <string>
-#include <vector>
 
-/** \brief Vectors are lists of three numbers; so rings are lists of lists, and so on.
- */
+/** \brief Vectors are lists of three numbers. */
 template <>
 struct nlohmann::adl_serializer<Eigen::Vector3d> {
   template <typename Json>
@@ -35,11 +31,9 @@ struct nlohmann::adl_serializer<Eigen::Vector3d> {
 
 namespace pcl_ops::apps {
 
-/** \brief What a file of JSON has: lines, indented. */
 std::string
 jsonText (const nlohmann::ordered_json& json);
 
-/** \return nothing for what is no name of one */
 std::optional<Orientation>
 orientationCalled (const std::string& name);
 
@@ -57,8 +51,8 @@ struct Attitude {
 Attitude
 attitudeOf (const PlaneSegment& plane, const Eigen::Vector3d& up);
 
-/** \brief Turns the normals that are not those of vertical planes up: those of a
- * survey, which no single sensor has seen. */
+/** \brief Turns the normals of planes up that are not vertical: in a survey, which no
+ * single sensor has seen. */
 void
 turnUp (std::vector<PlaneSegment>& planes, const Eigen::Vector3d& up);
 

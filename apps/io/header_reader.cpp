@@ -11,7 +11,6 @@
 #include <charconv>
 #include <limits>
 #include <sstream>
-#include <utility>
 
 namespace pcl_ops::apps {
 
@@ -102,21 +101,13 @@ HeaderReader::read (char* bytes, std::size_t count)
 }
 
 std::uint64_t
-HeaderReader::number (const std::string& what, const std::string& text) const
+HeaderReader::count (const std::string& what, const std::string& text) const
 {
+  constexpr std::uint64_t most = std::numeric_limits<pcl::index_t>::max();
   std::uint64_t value = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars (text.data(), end, value);
-  if (error != std::errc() || rest != end)
-    fail (what + " " + text + " is out of range");
-  return value;
-}
-
-std::uint64_t
-HeaderReader::count (const std::string& what, const std::string& text) const
-{
-  const std::uint64_t value = number (what, text);
-  if (value > static_cast<std::uint64_t> (std::numeric_limits<pcl::index_t>::max()))
+  if (error != std::errc() || rest != end || value > most)
     fail (what + " " + text + " is out of range");
   return value;
 }

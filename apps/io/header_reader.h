@@ -4,30 +4,24 @@
 
 #include "number_types.h"
 
-#include <cstdint>
 #include <fstream>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace pcl_ops::apps {
 
 using Words = std::vector<std::string>;
 
-/** \brief Reads the header in front of a cloud file's data, text in most formats, and
- * the data that is looked at here, and words the complaints about them. */
+/** \brief Reads a cloud file: lines of its header, and bytes; words the complaints. */
 class HeaderReader {
 public:
   /** \param[in] format e.g. "PCD", for the complaints */
   HeaderReader (const std::string& file, std::string format);
 
-  /** \brief The words of the next line.
-   * \throws WorkError if the file or the first MiB of it ends before the line \p last,
-   * which ends the header */
+  /** \brief The words of the next line of a header.
+   * \throws WorkError if the file or its first MiB ends before the line \p last of it */
   Words
   nextLine (const std::string& last);
 
-  /** \brief Offset of the next byte. */
   std::uint64_t
   position ();
 
@@ -43,23 +37,18 @@ public:
   void
   read (char* bytes, std::size_t count);
 
-  /** \brief The next line as it is, without its end. \return false where there is none
-   */
+  /** \return false where there is no further line */
   bool
   readLine (std::string& line);
 
-  /** \brief A whole number from 0 on. */
-  std::uint64_t
-  number (const std::string& what, const std::string& text) const;
-
-  /** \brief A number of points: as many as PCL's indices can tell apart. */
+  /** \brief Of points: as many as PCL's indices can tell apart. */
   std::uint64_t
   count (const std::string& what, const std::string& text) const;
 
   [[noreturn]] void
   fail (const std::string& reason) const;
 
-  /** \param[in] reason what is wrong with the line that was read last */
+  /** \brief About the line that was read last. */
   [[noreturn]] void
   failAtLine (const std::string& reason) const;
 
@@ -76,27 +65,24 @@ private:
 };
 
 /** \brief The words of a line, without blanks around them.
- * \param[in] separator a comma or semicolon between words, of which some may be empty;
- * a space: blanks alone are between them */
+ * \param[in] separator between words that may be empty; a space: any blanks */
 void
 splitWords (std::string_view line,
             char separator,
             std::vector<std::string_view>& words);
 
-/** \brief The lines of a cloud's data that is text. What is no number is refused;
- * PCL's readers make points at zero or without coordinates of it. */
+/** \brief The lines of data that are text. What is no number is refused; PCL's readers
+ * make points at zero or without coordinates of it. */
 class NumberLines {
 public:
-  /** \param[in] reader at the end of the header */
   explicit NumberLines (HeaderReader& reader) : reader_ (reader) {}
 
-  /** \brief Goes on to the next line, which has words between blanks.
-   * \return false where the line has not a single character
-   * \throws WorkError if there is no further line */
+  /** \brief Goes on to the next line. \return false where it has not a single character
+   * \throws WorkError if there is none */
   bool
   next ();
 
-  /** \brief Takes the line that the reader read last; see \ref splitWords. */
+  /** \brief Takes the line that was read last; see \ref splitWords. */
   void
   take (std::string line, char separator);
 
@@ -118,7 +104,7 @@ public:
   void
   expectNumbers (std::size_t count) const;
 
-  /** \throws WorkError if there is more than white space left */
+  /** \throws WorkError if there is more than blanks left */
   void
   expectEnd ();
 

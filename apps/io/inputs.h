@@ -8,17 +8,15 @@
 namespace pcl_ops::apps {
 
 struct InputFiles {
-  /** \brief In the order of the names; those of a folder or pattern sorted. Each once.
-   */
+  /** \brief By the names, those of a folder or pattern sorted. Each once. */
   std::vector<std::string> files;
   /** \brief What is wrong with names that stand for no cloud, "name: what; fix". */
   std::vector<std::string> problems;
 };
 
-/** \brief Looks up names of files, folders and patterns. A folder stands for the clouds
- * in it (\ref isCloudFile), but not in its subfolders; a pattern with *, ? or [ for
- * what it stands for in a shell. A file is taken as it is, even one that does not
- * exist if it has the extension of a cloud. */
+/** \brief Looks up names of files, of folders, which stand for the clouds in them (\ref
+ * isCloudFile), and of patterns of the shell. A file is taken as it is, even one that
+ * does not exist if it has the extension of a cloud. */
 InputFiles
 findInputs (const std::vector<std::string>& names);
 
@@ -27,14 +25,12 @@ findInputs (const std::vector<std::string>& names);
 void
 checkIsOneCloud (const std::string& name);
 
-/** \brief Finds out whether a file can be read.
- * \param[in] kind of the file wanted, "a .json file", for the message
+/** \param[in] kind of the file wanted, "a .json file", for the message
  * \throws WorkError if it does not exist or is a folder or a device */
 void
 checkReadable (const std::string& file, const std::string& kind);
 
-/** \brief The content of a file that is text.
- * \throws WorkError as \ref checkReadable, or if it cannot be read */
+/** \throws WorkError as \ref checkReadable, or if it cannot be read */
 std::string
 readTextFile (const std::string& file, const std::string& kind);
 

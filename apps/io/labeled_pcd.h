@@ -12,8 +12,7 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Writes a binary PCD without the padding of pcl::PointXYZL.
- * \throws WorkError if it cannot be written */
+/** \brief Writes a binary PCD without the padding of pcl::PointXYZL. */
 inline void
 saveLabeledPcd (const std::string& file, const pcl::PointCloud<pcl::PointXYZL>& cloud)
 {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "las_file.h"
 
-#include <Eigen/Geometry>
-
 #include "cloud_file.h"
 #include "laz_file.h"
 #include "output_file.h"
@@ -12,7 +10,6 @@
 #include <cstring>
 #include <limits>
 #include <optional>
-#include <ostream>
 
 namespace pcl_ops::apps {
 

@@ -4,38 +4,29 @@
 
 #include <pcl/PCLPointCloud2.h>
 
-#include <Eigen/Core>
-
 #include "las_header.h"
 
 #include <array>
-#include <cstdint>
 #include <functional>
-#include <iosfwd>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace pcl_ops::apps {
 
-/** \brief The label of the next point, given where that is. */
+/** \brief Of the next point, given where that is. */
 using LabelOfPlace = std::function<std::uint32_t (const Eigen::Vector3d&)>;
 
-/** \brief A field that a copy has in its extra bytes, and its four bytes of the next
- * point. */
+/** \brief A field of extra bytes, and its four of the next point. */
 using LasColumn = std::pair<LasField, LabelOfPlace>;
 
-/** \brief A LAS file, versions 1.2 to 1.4. It stays open, so that all that is no
- * coordinate need not be in memory to be written again, and may be removed meanwhile.
- */
+/** \brief A LAS file, versions 1.2 to 1.4. It stays open, so that what is no coordinate
+ * need not be in memory to be written again, and may be removed meanwhile. */
 class LasFile {
 public:
-  /** \brief Checks all but the points.
-   * \throws WorkError if it is none, compressed, or does not hold what it promises */
+  /** \throws WorkError if it is none, compressed, or does not hold what it promises */
   explicit LasFile (const std::string& file);
 
-  /** \brief The points with x, y and z in double precision, intensity, and label where
-   * there is one. */
+  /** \brief With x, y and z in double precision, intensity, and label if there is one.
+   */
   pcl::PCLPointCloud2
   readPoints ();
 
@@ -48,20 +39,16 @@ public:
   Eigen::Vector3d
   place (std::uint64_t point);
 
-  /** \brief Calls \p visit with the place of each point, in their order, with a block
-   * of them in memory. */
+  /** \brief Visits the places of all points, with a block of them in memory. */
   void
   forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit);
 
-  /** \brief Why there can be no such fields beside all else, with the fix; empty where
-   * there can. */
+  /** \brief Why there can be no such fields beside all else, with the fix, or empty. */
   std::string
   validate (const std::vector<LasField>& fields) const;
 
   /** \brief Writes every byte of the file with further fields, each in place of the one
-   * of its name that the file has.
-   * \param[in] columns are asked for each point, in their order
-   * \throws WorkError if the file was cut meanwhile */
+   * of its name that there is. \throws WorkError if the file was cut meanwhile */
   void
   writeWith (const std::vector<LasColumn>& columns, std::ostream& stream);
 
@@ -69,13 +56,11 @@ private:
   LasFrame frame_;
 };
 
-/** \brief Writes it labeled in one step (\ref writeFile).
- * \throws WorkError if it cannot be written */
+/** \brief Writes it labeled by \ref writeFile. */
 void
 saveLabelledLas (const std::string& file, LasFile& las, const LabelOfPlace& label);
 
-/** \brief The same with a label for each point and, unless there are none, its distance
- * to its plane. */
+/** \brief The same with a label and, unless there are none, a distance per point. */
 void
 saveLabelledLas (const std::string& file,
                  LasFile& las,
@@ -88,8 +73,8 @@ struct LasPoint {
   std::uint32_t label = 0;
 };
 
-/** \brief Writes a LAS 1.2 of point data record format 0 in one step, with the labels
- * in its extra bytes. \throws WorkError if it cannot be written */
+/** \brief Writes a LAS 1.2 of point data record format 0 by \ref writeFile, with the
+ * labels in its extra bytes. */
 void
 saveLas (const std::string& file,
          const std::vector<LasPoint>& points,

@@ -13,7 +13,6 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -27,7 +26,6 @@ fromLittleEndian (const char* bytes)
       reinterpret_cast<const unsigned char*> (bytes));
 }
 
-/** \brief The bytes of a number, the lowest first. */
 template <typename Number>
 std::string
 littleEndian (Number number)
@@ -39,7 +37,6 @@ littleEndian (Number number)
   return bytes;
 }
 
-/** \brief Puts the bytes of a number in place of some. */
 template <typename Number>
 void
 setNumber (std::string& bytes, std::size_t place, Number number)
@@ -47,7 +44,7 @@ setNumber (std::string& bytes, std::size_t place, Number number)
   bytes.replace (place, sizeof (number), littleEndian (number));
 }
 
-/** \brief Where fields of a public header block begin. */
+/** \brief Where the fields of the public header block begin. */
 namespace las_field {
 inline constexpr std::size_t major_version = 24, minor_version = 25, header_size = 94,
                              points_offset = 96, vlr_count = 100, format = 104,
@@ -56,7 +53,7 @@ inline constexpr std::size_t major_version = 24, minor_version = 25, header_size
                              evlr_offset = 235, evlr_count = 243, points = 247;
 } // namespace las_field
 
-/** \brief The public header block of a LAS file, as far as its points need it. */
+/** \brief The public header block of a LAS, as far as its points need it. */
 struct LasHeader {
   /** \brief 1.2, 1.3 or 1.4. */
   std::uint8_t major_version = 0, minor_version = 0;
@@ -82,13 +79,12 @@ struct LasHeader {
   }
 };
 
-/** \brief Reads the public header block, without the variable length records and
- * without a look at whether the file holds its points.
+/** \brief Without a look at whether the file holds its points.
  * \throws WorkError if it makes no sense */
 LasHeader
 readLasHeader (HeaderReader& reader);
 
-/** \brief A variable length record: where it begins, its content, and its end. */
+/** \brief Where a variable length record begins, its content, and its end. */
 struct LasVlr {
   std::uint64_t begin = 0, content = 0, end = 0;
   std::string user;
@@ -127,50 +123,45 @@ struct LasFrame {
   void
   checkCount () const;
 
-  /** \brief Walks through the extended variable length records behind the points.
-   * \throws WorkError if one is not, or reaches beyond the end of the file */
+  /** \throws WorkError if an extended variable length record is not behind the points,
+   * or reaches beyond the end of the file */
   void
   checkEvlrs ();
 
-  /** \brief So many bytes of the file. */
   std::string
   bytes (std::uint64_t begin, std::uint64_t end);
 
-  /** \brief Lets the front of a copy say where its points begin and where all is that
-   * is behind them.
-   * \param[in] points_end where the points end in the file
-   * \param[in] points_growth how many bytes more the points have in the copy */
+  /** \brief Lets the front of a copy say where its points and all behind them are.
+   * \param[in] points_end in the file
+   * \param[in] points_growth how many bytes more they have in the copy */
   void
   relocate (std::uint64_t points_end,
             std::int64_t points_growth,
             std::string& front) const;
 
-  /** \brief Copies the file from \p begin to its end. */
   void
   copyRest (std::uint64_t begin, std::ostream& stream);
 
-  /** \brief Where a field of that name and type is in a record, if there is one. */
+  /** \brief Where a field of that name and type is in a record. */
   std::optional<std::uint64_t>
   placeOf (const LasField& field) const;
 
-  /** \brief Whether there is a field of that name, of whatever type. */
+  /** \brief Of whatever type. */
   bool
   hasNamed (const LasField& field) const;
 
-  /** \brief The descriptions of fields behind all bytes of a record, for the end of the
-   * content of \ref extra_bytes: bytes not described yet come before them. */
+  /** \brief What the content of \ref extra_bytes goes on with where fields are added to
+   * a record: bytes not described yet come before them. */
   std::string
   descriptionsOf (const std::vector<LasField>& added) const;
 
   std::string file;
   HeaderReader reader;
   LasHeader header;
-  /** \brief Where the last variable length record ends. */
   std::uint64_t vlrs_end = 0;
-  /** \brief What describes the extra bytes of a record, and what LASzip needs to
-   * decompress the points. */
+  /** \brief What describes the extra bytes of a record, and compressed points. */
   std::optional<LasVlr> extra_bytes, laszip;
-  /** \brief Where the extra bytes end that are described, in a record. */
+  /** \brief Where they end in a record. */
   std::uint64_t described_end = 0;
 
 private:
@@ -193,7 +184,7 @@ descriptionOf (const LasField& field);
 std::string
 extraBytesVlr (const std::string& content);
 
-/** \brief Where the two-byte length of the content is in the header of one. */
+/** \brief Where it has the two-byte length of its content. */
 inline constexpr std::uint64_t vlr_length_field = 20;
 
 } // namespace pcl_ops::apps

@@ -12,8 +12,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <new>
-#include <ostream>
 
 namespace pcl_ops::apps {
 

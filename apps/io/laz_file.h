@@ -11,11 +11,10 @@ namespace pcl_ops::apps {
 bool
 hasLaszip ();
 
-/** \brief Whether a file is called .laz. */
 bool
 isLazName (const std::string& file);
 
-/** \brief Whether a file is called .las or .laz. */
+/** \brief Also of a .laz. */
 bool
 isLasName (const std::string& file);
 
@@ -24,13 +23,13 @@ isLasName (const std::string& file);
 bool
 isCompressedLas (const std::string& file);
 
-/** \brief Writes the LAS that was compressed, to the byte.
- * \throws WorkError if the file is damaged or LASzip is missing, and Interrupted */
+// Both throw a WorkError if the file is damaged or LASzip is missing, and Interrupted.
+
+/** \brief Writes the LAS that was compressed, to the byte. */
 void
 decompressLaz (const std::string& file, std::ostream& stream);
 
-/** \brief Writes a LAS file with compressed points and every other byte kept.
- * \throws WorkError if the file is damaged or LASzip is missing, and Interrupted */
+/** \brief Writes a LAS with compressed points and every other byte kept. */
 void
 compressLas (const std::string& file, std::ostream& stream);
 

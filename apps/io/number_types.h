@@ -9,7 +9,6 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Reads a number from its bytes. */
 using NumberReader = double (*) (const std::uint8_t* bytes);
 
 /** \brief A type of the numbers in a cloud's fields. */
@@ -22,23 +21,21 @@ struct NumberType {
   /** \brief In PLY, in both spellings; empty for 64-bit integers. */
   std::string_view ply_name, ply_name_with_bits;
   NumberReader read;
-  /** \brief Puts the number that a text says into bytes: also `nan`, `inf` and
-   * `infinity`, but none that is too large for double precision. An integer ends at its
-   * decimals, as in PCL.
+  /** \brief Puts a number into bytes: also `nan`, `inf` and `infinity`, but none that
+   * is too large for double precision. An integer ends at its decimals, as in PCL.
    * \param[in] text is followed by a character that is no part of it
    * \return false for anything else */
   bool (*parse) (std::string_view text, std::uint8_t* bytes);
 };
 
-/** \param[in] id one of \ref NumberType::id */
 const NumberType&
 numberType (std::uint8_t id);
 
-/** \return nullptr if there is none of that kind and size */
+// nullptr for none:
+
 const NumberType*
 findPcdType (const std::string& kind, const std::string& size);
 
-/** \return nullptr if there is none of that name */
 const NumberType*
 findPlyType (std::string_view name);
 

@@ -14,23 +14,20 @@
 namespace pcl_ops::apps {
 
 /** \brief Finds out before the work whether \ref writeFile can succeed later.
- * \throws WorkError that names the file, what is in the way and the fix, e.g. if its
- * folder does not exist or the name is that of a folder, a device or a protected file
- */
+ * \throws WorkError that names what is in the way, as a missing folder, and the fix */
 void
 checkWritable (const std::string& file);
 
 /** \brief Writes a file in one step: \p write fills a temporary file in the same
- * folder, which takes the name \p file once every byte is known to be there. If
- * anything fails, the temporary file is removed and an existing \p file stays as it
- * was. All outputs go this way: \p write gets no name, so that it cannot write past the
- * check. \param[in] write need not look at the state of the stream \throws WorkError as
- * \ref checkWritable or if the disk is full, and whatever \p write throws */
+ * folder, which takes the name \p file once every byte is known to be there; if
+ * anything fails, an existing \p file stays as it was. All outputs go this way.
+ * \param[in] write need not look at the state of the stream
+ * \throws WorkError as \ref checkWritable or if the disk is full, and what \p write does
+ */
 void
 writeFile (const std::string& file,
            const std::function<void (std::ostream& stream)>& write);
 
-/** \brief \ref writeFile with a text. */
 void
 writeTextFile (const std::string& file, const std::string& text);
 
@@ -39,34 +36,30 @@ writeTextFile (const std::string& file, const std::string& text);
 void
 makeFolder (const std::string& folder);
 
-/** \brief The lower case extension with its dot, e.g. ".pcd"; empty if there is none.
- */
+/** \brief In lower case with its dot, ".pcd"; empty if there is none. */
 std::string
 extensionOf (const std::string& file);
 
-/** \brief Whether that is one of these. */
 bool
 hasExtension (const std::string& file, const std::vector<std::string>& extensions);
 
-/** \brief Refuses a file, unless its name is empty, whose extension is none of these.
- * \param[in] option or argument that names it \throws UsageError */
+/** \throws UsageError about the option or argument that names a file with another
+ * extension; an empty name is fine */
 void
 checkExtension (const std::string& option,
                 const std::string& file,
                 const std::vector<std::string>& extensions);
 
-/** \brief The absolute name of a file, through links in its folder and its own; the
- * file need not exist. */
+/** \brief The absolute name of a file, which need not exist, through links. */
 std::string
 resolvedName (const std::string& file);
 
-/** \brief Whether both names lead to the same file, also through links and other
- * spellings of the folder; the files need not exist. */
+/** \brief Whether both names lead to the same file, which need not exist. */
 bool
 isSameFile (const std::string& first, const std::string& second);
 
-/** \brief Removes a file, or a folder with all in it, at the end of its life, unless
- * that has been renamed by then. */
+/** \brief A file, or a folder with all in it, that is removed at the end of its life
+ * unless it has been renamed by then. */
 class TemporaryPath {
 public:
   explicit TemporaryPath (std::filesystem::path path) : path_ (std::move (path)) {}
@@ -89,18 +82,14 @@ private:
   std::filesystem::path path_;
 };
 
-/** \brief A new file in the folder for temporary files ($TMPDIR), removed at the end of
- * its life: on its way into or out of what takes files only. */
+/** \brief A new temporary file ($TMPDIR) for what takes files only. */
 class Spool {
 public:
-  /** \param[in] extension of the file, with its dot
-   * \param[in] subject what complaints are about
+  /** \param[in] subject what complaints are about
    * \throws WorkError if there can be none */
   Spool (const std::string& extension, std::string subject);
 
-  /** \brief Writes all of it.
-   * \param[in] write need not look at the state of the stream
-   * \throws WorkError if not all is there, and whatever \p write throws */
+  /** \brief As \ref writeFile does. */
   void
   fill (const std::function<void (std::ostream& stream)>& write) const;
 
@@ -115,11 +104,10 @@ private:
   TemporaryPath file_;
 };
 
-/** \brief A folder that one run has to itself until it ends, however it ends. Where the
- * file system knows no locks, it is as if this were the only run. */
+/** \brief A folder that one run has to itself until it ends, however it ends; where the
+ * file system knows no locks, each has it. */
 class FolderLock {
 public:
-  /** \param[in] folder that is there */
   explicit FolderLock (const std::string& folder);
   FolderLock (const FolderLock&) = delete;
   FolderLock&
@@ -130,7 +118,7 @@ public:
   void
   wait () const;
 
-  /** \return whether no other run has it */
+  /** \return false if another run has it */
   bool
   take () const;
 

@@ -9,12 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <map>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -27,8 +24,7 @@ struct PlyProperty {
   const NumberType* type = nullptr;
   /** \brief Type of the length in front of a list; nullptr: no list. */
   const NumberType* length_type = nullptr;
-  /** \brief Where the number is in a point, in bytes, and whether it is a float there.
-   */
+  /** \brief In a point. */
   pcl::uindex_t offset = 0;
   bool becomes_float = false;
 };
@@ -46,7 +42,7 @@ struct PlyHeader {
   std::string format;
   /** \brief In the order of the data. */
   std::vector<PlyElement> elements;
-  /** \brief "obj_info num_cols N" and "num_rows N". */
+  /** \brief "obj_info num_cols N" and "num_rows N", then the numbers of a camera. */
   std::map<std::string, double> grid;
 
   /** \return nullptr if there is none of that name */
@@ -189,17 +185,18 @@ public:
     return type.read (bytes);
   }
 
-  /** \brief A number, or those of a list. */
-  void
-  readProperty (const PlyProperty& property, std::vector<double>& numbers)
+  /** \return the last of a list, or the number that is none; 0 of an empty list */
+  double
+  readProperty (const PlyProperty& property)
   {
     const double count =
         property.length_type == nullptr ? 1.0 : number (*property.length_type);
     if (!(count >= 0.0))
       failAtList();
-    numbers.clear();
+    double last = 0.0;
     for (double i = 0.0; i < count; ++i)
-      numbers.push_back (number (*property.type));
+      last = number (*property.type);
+    return last;
   }
 
   void
@@ -316,16 +313,12 @@ readOther (PlyData& data,
            const PlyElement& element,
            std::map<std::string, double>& grid)
 {
-  const std::map<std::string, std::string> sizes = {{"viewportx", "num_cols"},
-                                                    {"viewporty", "num_rows"}};
-  std::vector<double> numbers;
   for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
     data.beginRow (element);
     for (const PlyProperty& property : element.properties) {
-      data.readProperty (property, numbers);
-      const auto size = sizes.find (property.name);
-      if (element.name == "camera" && size != sizes.end() && !numbers.empty())
-        grid[size->second] = numbers[0];
+      const double number = data.readProperty (property);
+      if (element.name == "camera")
+        grid[property.name] = number;
     }
     data.endRow();
   }
@@ -336,7 +329,11 @@ organize (std::uint64_t size,
           std::map<std::string, double>& grid,
           pcl::PCLPointCloud2& points)
 {
-  const double width = grid["num_cols"], height = grid["num_rows"];
+  const auto size_of = [&] (const char* of_camera, const char* of_info) {
+    return grid.count (of_camera) > 0 ? grid[of_camera] : grid[of_info];
+  };
+  const double width = size_of ("viewportx", "num_cols");
+  const double height = size_of ("viewporty", "num_rows");
   const bool fits = width * height == static_cast<double> (size) && width >= 1.0 &&
                     width == std::floor (width) && height == std::floor (height);
   points.width = static_cast<pcl::uindex_t> (fits ? width : static_cast<double> (size));

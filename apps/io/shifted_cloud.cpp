@@ -10,7 +10,6 @@
 
 #include <numbers/statistics.h>
 
-#include <algorithm>
 #include <map>
 #include <utility>
 

@@ -12,44 +12,35 @@
 #include "number_types.h"
 
 #include <array>
-#include <cstddef>
-#include <functional>
-#include <string>
 #include <vector>
 
 namespace pcl_ops::apps {
 
-/** \brief What planes are looked for in: coordinates alone, in single
- * precision. */
 using XyzCloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/** \brief The coordinates alone, in single precision. */
+/** \brief What planes are looked for in: coordinates alone, in single precision. */
 struct ShiftedCloud {
-  /** \brief Every point in the file's order, NaN too, relative to \ref shift; with the
-   * sensor's pose in that frame. */
+  /** \brief Every point, NaN too, and the sensor's pose relative to \ref shift. */
   XyzCloud::Ptr cloud;
-  /** \brief Zero of that frame in the file's frame: near most points where the file has
-   * double precision, which single would lose far from zero; else zero. */
+  /** \brief In the file's frame: near most points where the file has double precision,
+   * which single would lose far from zero; else zero. */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
 };
 
-/** \brief The coordinates of a cloud whose x, y and z may be of any number type.
- * \param[in] step the shift is near most points, at a whole multiple of it along each
+/** \param[in] step the shift is near most points, at a whole multiple of it along each
  * axis, whatever the precision; 0: not asked for */
 ShiftedCloud
 shiftedCloudOf (const FileCloud& cloud, double step = 0.0);
 
 /** \brief What makes a cloud look damaged though it can be read, with the fix: most of
- * its points are at one place, or some are a thousand times as far away as the rest is
- * wide. Empty where nothing does. Places are those of the file. Some thousand of the
- * points tell. */
+ * some thousand points are at one place, or some are a thousand times as far away as
+ * the rest is wide. Empty where nothing does. */
 std::string
 damageOf (const ShiftedCloud& shifted);
 
-/** \brief The three coordinates of each point, whatever their type. */
+/** \brief The three coordinates of each point of a cloud, whatever their type. */
 class CoordinateReader {
 public:
-  /** \param[in] cloud has x, y and z, and is used as long as this is */
   explicit CoordinateReader (const FileCloud& cloud) : cloud_ (cloud.points)
   {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -83,19 +74,15 @@ private:
   bool is_single_ = true;
 };
 
-/** \brief Of a point, by its index. */
 using PlaceOf = std::function<Eigen::Vector3d (std::size_t)>;
 
-/** \brief Places of some of the points, evenly spread over their order, without those
- * that are not finite. */
+/** \brief Finite ones of some points, evenly spread over their order. */
 std::vector<Eigen::Vector3d>
 somePlaces (std::size_t size, const PlaceOf& place, std::size_t looked_at);
 
-/** \brief A place near most points of a cloud: one outlier must not leave the others
- * without digits. Zero where no point is finite.
- * \param[in] size of the cloud
- * \param[in] place of a point; some thousand are looked at, or as many as it takes to
- * find a finite one */
+/** \brief A place near most points: one outlier must not leave the others without
+ * digits. Zero where no point is finite. Some thousand are looked at, or as many as it
+ * takes to find a finite one. */
 Eigen::Vector3d
 usualPlace (std::size_t size, const PlaceOf& place);
 

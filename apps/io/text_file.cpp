@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -19,8 +18,6 @@
 #include <optional>
 #include <set>
 #include <string_view>
-#include <system_error>
-#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -37,21 +34,14 @@ constexpr std::array<Axis, 3> axes = {
      {"y", {"y", "northing", "north", "n", "points:1"}},
      {"z", {"z", "elevation", "height", "h", "points:2"}}}};
 
-bool
-isNumber (const std::string& word)
-{
-  double number = 0.0;
-  const char* const end = word.data() + word.size();
-  const auto [rest, error] = std::from_chars (word.data(), end, number);
-  return error != std::errc::invalid_argument && rest == end;
-}
-
 /** \brief Also one with letters beyond ASCII. */
 bool
 isName (const std::string& word)
 {
   const auto first = static_cast<unsigned char> (word[0]);
-  return (std::isalpha (first) != 0 || first == '_' || first > 127) && !isNumber (word);
+  std::uint8_t number[sizeof (double)];
+  return (std::isalpha (first) != 0 || first == '_' || first > 127) &&
+         !numberType (pcl::PCLPointField::FLOAT64).parse (word, number);
 }
 
 /** \brief A name in small letters without the unit in brackets behind it. */
@@ -63,8 +53,7 @@ plainName (const std::string& name)
   return boost::algorithm::to_lower_copy (plain, std::locale::classic());
 }
 
-/** \brief Where an axis is among the names: as the field is called, or else by the
- * first of its other names that there is. */
+/** \brief As the field is called, or else by the first of its names that there is. */
 Words::const_iterator
 findAxis (const Words& names, const Axis& axis)
 {
@@ -92,8 +81,7 @@ fieldName (std::string name)
 
 constexpr std::size_t max_columns = 1000;
 
-/** \brief What the words of a line of text are separated by: a semicolon or a comma if
- * there is one, else a space, which stands for all blanks. */
+/** \brief Of the words of a line, as \ref splitWords has it. */
 char
 separatorOf (const std::string& line)
 {
@@ -118,18 +106,17 @@ wordsOf (const std::string& line)
   return words;
 }
 
-/** \brief Whether these can be names of columns: none begins as a number does. */
+/** \brief Whether these can be names of columns: one is, and none begins as a number.
+ */
 bool
 areNames (const Words& words)
 {
-  const auto is_empty = [] (const std::string& word) { return word.empty(); };
-  return !std::all_of (words.begin(), words.end(), is_empty) &&
-         std::all_of (words.begin(), words.end(), [&] (const std::string& word) {
-           return is_empty (word) || isName (word);
+  return std::any_of (words.begin(), words.end(), isName) &&
+         std::all_of (words.begin(), words.end(), [] (const std::string& word) {
+           return word.empty() || isName (word);
          });
 }
 
-/** \brief Whether x, y and z are among them, or what else these are called. */
 bool
 nameCoordinates (const Words& words)
 {
@@ -138,13 +125,9 @@ nameCoordinates (const Words& words)
   });
 }
 
-/** \brief The fields that the columns of a text become. Those called x, y and z are the
- * coordinates, or easting, northing and elevation, whatever the case and the unit in
- * brackets behind; where no column has a name, the first three are. All others keep
- * their names as far as those of a field can be so, or are field_4, field_5, ...
- * \param[in] file of the text, for messages
- * \param[in] names of the columns; empty for none
- * \param[in] count of the columns, at least three
+/** \brief The fields that columns become: coordinates by \ref findAxis, the first three
+ * where there are no names. The others keep their names as far as a field can have
+ * them, or are field_4, field_5, ...
  * \throws WorkError where columns have names, but a coordinate has none */
 Words
 fieldNames (const std::string& file, const Words& names, std::size_t count)
@@ -241,8 +224,7 @@ private:
   readComment (const std::string& comment)
   {
     const std::size_t begin = comment.find_first_not_of ("#/ \t");
-    const Words words =
-        begin == std::string::npos ? Words() : wordsOf (comment.substr (begin));
+    const Words words = wordsOf (comment.substr (std::min (begin, comment.size())));
     if (nameCoordinates (words))
       comment_names_ = words;
   }

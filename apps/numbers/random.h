@@ -12,8 +12,8 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Random numbers that are the same with every compiler: the C++ standard fixes
- * the output of std::mt19937, but not that of the std:: distributions. */
+/** \brief The same numbers with every compiler: the standard fixes the output of
+ * std::mt19937, but not that of the std:: distributions. */
 class Random {
 public:
   explicit Random (std::uint32_t seed) : generator_ (seed) {}
@@ -25,8 +25,7 @@ public:
     return generator_();
   }
 
-  /** \brief Unbiased draw from 0 .. bound - 1 (Lemire 2019, multiply and reject).
-   * \param[in] bound number of outcomes; 0 is treated as 1 */
+  /** \brief From 0 .. bound - 1, unbiased (Lemire 2019); 0 is treated as 1. */
   std::uint32_t
   below (std::uint32_t bound)
   {
@@ -40,35 +39,33 @@ public:
     return std::uint32_t (product >> 32);
   }
 
-  /** \brief Uniform draw from [0, 1) with 32 random bits. */
+  /** \brief Uniform in [0, 1), of 32 random bits. */
   double
   unit ()
   {
     return bits() * (1.0 / 4294967296.0);
   }
 
-  /** \brief Uniform draw from [lower, upper). */
   double
   between (double lower, double upper)
   {
     return lower + (upper - lower) * unit();
   }
 
-  /** \brief Uniform draw of an angle [rad] between two given in degrees. */
+  /** \return [rad] */
   double
   angle (double lower_degrees, double upper_degrees)
   {
     return between (lower_degrees, upper_degrees) * pi / 180.0;
   }
 
-  /** \brief True with the given probability. */
   bool
   chance (double probability)
   {
     return unit() < probability;
   }
 
-  /** \brief Draw from the standard normal distribution (Box & Muller 1958). */
+  /** \brief Standard normal (Box & Muller 1958). */
   double
   gaussian ()
   {
@@ -76,8 +73,7 @@ public:
     return radius * std::cos (2.0 * pi * unit());
   }
 
-  /** \brief Uniform draw from a box, z first: the compiler chooses the order in which
-   * arguments of one call are drawn. Takes no random number for an edge of length 0. */
+  /** \brief Uniform, z first, without a draw for an edge of length 0. */
   Eigen::Vector3d
   inBox (const Eigen::Vector3d& lower, const Eigen::Vector3d& upper)
   {

@@ -13,19 +13,16 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Color of a point by its label: gray for 0, a distinct one per plane.
- */
+/** \brief Gray for 0, a distinct one per plane. */
 pcl::RGB
 colorOfLabel (std::uint32_t label);
 
 pcl::RGB
 colorOf (Orientation orientation);
 
-/** \brief Writes a cloud as a .pcd or .ply with a label and a color for each point.
- * \param[in] labels per point, 0 for no plane
+/** \brief Writes a .pcd or .ply with a label and a color for each point.
  * \param[in] distances per point, for a field of that name, or none
- * \param[in] keeps_color whether the input's colors stay, where it has any
- * \throws WorkError if it cannot be written */
+ * \param[in] keeps_color whether the input's colors stay, where it has any */
 void
 saveLabelledCloud (const std::string& file,
                    const FileCloud& cloud,

@@ -14,7 +14,6 @@
 #include <map>
 #include <sstream>
 #include <string_view>
-#include <utility>
 
 namespace pcl_ops::apps {
 
@@ -125,7 +124,7 @@ Image::fill (int column, int row, int last_column, int last_row, const pcl::RGB&
       paint (x, y, color);
 }
 
-int
+void
 Image::write (int column, int row, const std::string& text)
 {
   constexpr std::size_t columns = 3, rows = 5;
@@ -139,7 +138,6 @@ Image::write (int column, int row, const std::string& text)
       }
     column += dot * int (columns + 1);
   }
-  return column;
 }
 
 void

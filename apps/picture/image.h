@@ -29,24 +29,20 @@ struct Image {
   void
   paint (int column, int row, const pcl::RGB& color, float brightness = 1.0f);
 
-  /** \brief A rectangle in one color; columns and rows from the first up to the last.
-   */
   void
   fill (int column, int row, int last_column, int last_row, const pcl::RGB& color);
 
   /** \brief Writes capitals, digits and points in black, from their upper left corner.
-   * \return the column behind the text */
-  int
+   */
+  void
   write (int column, int row, const std::string& text);
 
-  /** \brief What the colors of orientations mean, in the lower left corner of the right
-   * half.
+  /** \brief What the colors of orientations mean, in the right half.
    * \param[in] lines all, or without the gray of no plane */
   void
   addLegend (int lines = 4);
 };
 
-/** \throws WorkError if the file cannot be written */
 void
 savePng (const std::string& file, const Image& image);
 
@@ -54,7 +50,7 @@ savePng (const std::string& file, const Image& image);
 struct MapShape {
   std::uint32_t id = 0;
   Orientation orientation = Orientation::Other;
-  /** \brief Whose z is drawn above that of others: the centroid's. */
+  /** \brief The centroid's z; the higher is drawn above the lower. */
   double height = 0.0;
   /** \brief Outlines and holes, in any order. */
   std::vector<std::vector<Eigen::Vector3d>> rings;

@@ -4,8 +4,6 @@
 
 #include <pcl/types.h>
 
-#include <Eigen/Core>
-
 #include "view.h"
 #include <io/shifted_cloud.h>
 #include <pcl_ops/plane.h>
@@ -13,7 +11,6 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -25,7 +22,7 @@ struct Raster {
   int height = 0;
   /** \brief Row by row; nothing where no point is seen. */
   std::vector<pcl::index_t> points;
-  /** \brief Depth along the viewing direction; infinite where no point is seen. */
+  /** \brief Along the viewing direction; infinite where no point is seen. */
   std::vector<float> depths;
 
   std::size_t
@@ -37,8 +34,7 @@ struct Raster {
 };
 
 /** \brief Draws points as squares just large enough to close the gaps between them, the
- * nearest in front.
- * \param[in] is_shown tells which points to draw; NaN points never are */
+ * nearest in front; NaN points never are. */
 Raster
 drawPoints (const XyzCloud& cloud,
             const View& view,
@@ -52,14 +48,11 @@ drawPoints (const XyzCloud& cloud,
 std::vector<float>
 shadeDepths (const Raster& raster);
 
-/** \brief Writes a PNG with two views of a cloud side by side: left each plane in its
- * own color, right in the color of its orientation class, with a legend; gray for no
- * plane. Needs no display.
- * \param[in] cloud with the sensor's pose, from whose side it is seen (\ref chooseView)
+/** \brief Writes a PNG with two pictures of a cloud (\ref chooseView): left each plane
+ * in its own color, right in that of its orientation, with a legend; gray for no plane.
  * \param[in] labels per point: 0 for no plane, else its position in \p planes plus 1
  * \param[in] up direction against gravity
- * \param[in] ids of the planes, which have their colors by them; empty: 1, 2, ...
- * \throws WorkError if the file cannot be written */
+ * \param[in] ids of the planes, which have their colors by them; empty: 1, 2, ... */
 void
 savePicture (const std::string& file,
              const XyzCloud& cloud,

@@ -9,9 +9,6 @@
 
 #include <numbers/statistics.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace pcl_ops::apps {
 
 namespace {

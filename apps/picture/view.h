@@ -2,19 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
 #include <io/shifted_cloud.h>
 #include <pcl_ops/plane.h>
-
-#include <vector>
 
 namespace pcl_ops::apps {
 
 struct View {
   Eigen::Vector3f eye = Eigen::Vector3f::Zero();
-  /** \brief Rows: the image's right, its down and the viewing direction, unit vectors
-   * in the frame of the cloud. */
+  /** \brief Rows: the image's right and down and the viewing direction, unit vectors.
+   */
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
   /** \brief Focal length and principal point [pixel]. */
   float focal = 1.0f;
@@ -23,8 +19,7 @@ struct View {
    * looked into from outside. */
   bool hides_backs = false;
 
-  /** \brief Pixel coordinates and depth along the viewing direction, which is not
-   * positive for points behind the camera. */
+  /** \brief Pixel and depth, which is not positive behind the camera. */
   Eigen::Vector3f
   project (const Eigen::Vector3f& point) const
   {
@@ -37,7 +32,6 @@ struct View {
 
 /** \brief A view that shows a cloud as its sensor saw it; or, where the points lie all
  * around the sensor or too far away to have been seen from it, from above at a slant.
- * \param[in] cloud with the sensor's pose
  * \param[in] planes whose normals point to the sensor
  * \param[in] up direction against gravity
  * \param[in] width, height of the image [pixel], which the cloud will fill */
