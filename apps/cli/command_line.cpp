@@ -218,29 +218,21 @@ CommandLine::usage() const
 }
 
 std::string
-CommandLine::help() const
+CommandLine::help (bool is_full) const
 {
-  std::string text = usage() + explained (groups_.front(), widthOf (groups_.front()));
+  std::size_t width = widthOf (groups_.front());
+  if (is_full) // help2man wants two blanks in front of every meaning
+    for (const OptionGroup& group : groups_)
+      width = std::max (width, widthOf (group) + 1);
+  std::string text = usage() + explained (groups_.front(), width);
   for (std::size_t i = 1; i < groups_.size(); ++i) {
     std::string names;
     for (const Option& option : groups_[i].options)
       names += " --" + option.name;
-    text += (i == 1 ? "\n" : "") + groups_[i].title + ":\n" +
-            wrapped (" ", names, 2, help_width);
+    text += is_full ? explained (groups_[i], width)
+                    : (i == 1 ? "\n" : "") + groups_[i].title + ":\n" +
+                          wrapped (" ", names, 2, help_width);
   }
-  return text;
-}
-
-std::string
-CommandLine::fullHelp() const
-{
-  std::string text = usage();
-  std::size_t width = 0;
-  for (const OptionGroup& group : groups_)
-    width = std::max (width, widthOf (group));
-  // help2man wants two blanks in front of every meaning.
-  for (const OptionGroup& group : groups_)
-    text += explained (group, width + 1);
   return text;
 }
 
@@ -386,7 +378,7 @@ CommandLine::parse (int argc, const char* const* argv)
       throw UsageError ("--" + option.name, "is given twice; keep one");
   }
   if (isGiven ("help") || isGiven ("help-all"))
-    std::cout << (isGiven ("help") ? help() : fullHelp());
+    std::cout << help (!isGiven ("help"));
   else if (isGiven ("version"))
     std::cout << program_ << " " << version_ << "\n";
   else {

@@ -223,9 +223,9 @@ public:
   void
   forbidTogether (const std::string& first, const std::string& second) const;
 
-  /** \brief The text of --help. */
+  /** \brief The text of --help, or of --help-all. */
   std::string
-  help () const;
+  help (bool is_full = false) const;
 
 private:
   template <typename T>
@@ -243,9 +243,6 @@ private:
 
   void
   storeArguments (const std::vector<std::string>& given) const;
-
-  std::string
-  fullHelp () const;
 
   /** \brief What is in front of the options in the help. */
   std::string

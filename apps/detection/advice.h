@@ -2,10 +2,127 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/common/point_tests.h>
+
+#include <boost/format.hpp>
+
+#include <Eigen/Geometry>
+
 #include <io/shifted_cloud.h>
-#include <pcl_ops/plane.h>
+#include <numbers/statistics.h>
+#include <pcl_ops/fast_sampling_plane_filtering.h>
+#include <pcl_ops/kernel_hough_transform.h>
+#include <pcl_ops/oriented_point_sampling.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <type_traits>
 
 namespace pcl_ops::apps {
+
+using FinitePoints = std::vector<Eigen::Vector3f>;
+
+/** \brief Says that the unit may be the millimeter; empty if nothing tells so. */
+template <typename Parameters>
+std::string
+adviceOnUnit (const Parameters& parameters, const FinitePoints& points)
+{
+  constexpr bool is_fspf =
+      std::is_same_v<Parameters, FastSamplingPlaneFilteringParameters>;
+  // On surfels the noise sets the distance unless the user does.
+  const std::optional<double>& threshold = parameters.distance_threshold;
+  // A room of 10 m in millimeters; no scene in meters is that large for 5 cm.
+  constexpr double max_extent_in_thresholds = 40000.0;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& point : points)
+    box.extend (point.cast<double>());
+  const double extent = box.diagonal().norm();
+  if (!threshold || extent <= max_extent_in_thresholds * *threshold)
+    return "";
+  return str (
+      boost::format ("the cloud is %1% wide: if its unit is the millimeter, give %2% "
+                     "in millimeters, too (threshold now %3%)") %
+      extent % (is_fspf ? "--threshold and --inner-radius" : "--threshold") %
+      *threshold);
+}
+
+/** \brief How many points there typically are in the spheres around points. */
+inline double
+medianSphereSize (const FinitePoints& points, double radius)
+{
+  constexpr std::size_t spheres = 101;
+  const auto squared = static_cast<float> (radius * radius);
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < spheres; ++i) {
+    const Eigen::Vector3f& center = points[i * points.size() / spheres];
+    const auto size = std::count_if (points.begin(), points.end(), [&] (auto& point) {
+      return (point - center).squaredNorm() <= squared;
+    });
+    sizes.push_back (static_cast<double> (size));
+  }
+  return quantile (sizes, 0.5);
+}
+
+inline std::string
+adviceOn (const OrientedPointSamplingParameters& parameters,
+          const FinitePoints& points,
+          bool)
+{
+  const double samples =
+      std::floor (parameters.sampling_rate * static_cast<double> (points.size()));
+  if (parameters.sampling == Sampling::Points && samples <= parameters.min_inliers)
+    return str (
+        boost::format ("only %1% of %2% points were sampled and a plane needs more "
+                       "than --min-inliers %3%: raise --sampling-rate (%4%) or lower "
+                       "--min-inliers") %
+        samples % points.size() % parameters.min_inliers % parameters.sampling_rate);
+  const std::optional<double>& threshold = parameters.distance_threshold;
+  return str (
+      boost::format ("lower --min-inliers (%1%) or raise --sampling-rate (%2%) if the "
+                     "planes are small, raise --threshold (%3%) if the points are "
+                     "noisy") %
+      parameters.min_inliers % parameters.sampling_rate %
+      (threshold ? std::to_string (*threshold) : "auto"));
+}
+
+inline std::string
+adviceOn (const FastSamplingPlaneFilteringParameters& parameters,
+          const FinitePoints& points,
+          bool)
+{
+  const auto& local = parameters.local;
+  const double held = medianSphereSize (points, local.outer_radius);
+  if (held < local.local_samples)
+    return str (
+        boost::format ("half of the spheres of --outer-radius %1% hold %2% points or "
+                       "fewer and --local-samples %3% are needed: raise the radius or "
+                       "lower the samples") %
+        local.outer_radius % held % local.local_samples);
+  return str (
+      boost::format ("raise --threshold (%1%) or lower --min-inlier-share (%2%) if "
+                     "the points are noisy, lower --outer-radius (%3%) if the planes "
+                     "are small") %
+      *parameters.distance_threshold % local.min_inlier_fraction % local.outer_radius);
+}
+
+inline std::string
+adviceOn (const KernelHoughTransformParameters& parameters,
+          const FinitePoints&,
+          bool found_none)
+{
+  const auto& clusters = parameters.clusters;
+  if (found_none)
+    return str (
+        boost::format ("no octree node from --s-level %1% on is flat and has "
+                       "--min-samples %2% points: lower either, or --s-alpha (%3%) if "
+                       "the points are noisy") %
+        clusters.first_level % clusters.min_samples % clusters.s_alpha);
+  return str (
+      boost::format ("few octree nodes are flat: raise --threshold (%1%), or lower "
+                     "--min-samples (%2%) for more of them") %
+      *parameters.distance_threshold % clusters.min_samples);
+}
 
 /** \brief Which parameter to change where so few of the points with coordinates are on
  * planes that most likely one does not fit the cloud: the end of a sentence. */
@@ -13,6 +130,25 @@ template <typename Parameters>
 std::string
 adviceFor (const Parameters& parameters,
            const XyzCloud& cloud,
-           const std::vector<PlaneSegment>& planes);
+           const std::vector<PlaneSegment>& planes)
+{
+  constexpr double min_share = 0.05;
+  const auto readings = std::count_if (
+      cloud.begin(), cloud.end(), [] (auto& point) { return pcl::isFinite (point); });
+  std::size_t covered = 0;
+  for (const PlaneSegment& plane : planes)
+    covered += plane.inliers.size();
+  if (covered > 0 &&
+      static_cast<double> (covered) >= min_share * static_cast<double> (readings))
+    return "";
+  if (readings == 0)
+    return "every point is NaN or infinite";
+  FinitePoints points;
+  for (const pcl::PointXYZ& point : cloud)
+    if (pcl::isFinite (point))
+      points.emplace_back (point.getVector3fMap());
+  const std::string on_unit = adviceOnUnit (parameters, points);
+  return on_unit.empty() ? adviceOn (parameters, points, planes.empty()) : on_unit;
+}
 
 } // namespace pcl_ops::apps

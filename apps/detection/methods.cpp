@@ -208,17 +208,10 @@ defaultWith (const GivenNumbers& numbers)
   return parameters;
 }
 
-/** \brief The axis, or why there is none. */
-struct UpSearch {
-  std::optional<UpAxis> found;
-  std::string problem;
-};
-
-UpSearch
+/** \brief By planes of the default preset. */
+std::optional<UpAxis>
 findUp (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 {
-  if (!isSeenFromItsOrigin (*cloud))
-    return {std::nullopt, "the cloud was not seen from its VIEWPOINT"};
   const OpsParameters given = defaultWith (options.numbers);
   OrientedPointSampling<pcl::PointXYZ> ops;
   ops.setSeed (given.seed);
@@ -226,19 +219,21 @@ findUp (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   ops.setInputCloud (cloud);
   std::vector<PlaneSegment> planes;
   ops.segment (planes);
-  return {estimateUpAxis (planes, cloud->sensor_origin_.head<3>().cast<double>()),
-          "the planes cannot tell"};
+  return estimateUpAxis (planes, cloud->sensor_origin_.head<3>().cast<double>());
 }
 
 std::string
-noteOn (const UpSearch& search, const Eigen::Vector3f& used)
+noteOn (const std::optional<UpAxis>& found, bool is_seen, const Eigen::Vector3f& used)
 {
   const std::string axis =
       str (boost::format ("%.4g,%.4g,%.4g") % used.x() % used.y() % used.z());
-  if (search.found)
+  if (found)
     return str (boost::format ("Up axis: %1%, confidence %2$.2f") % axis %
-                search.found->confidence);
-  return "Up axis: " + search.problem + ", " + axis + " is used; give --up x,y,z";
+                found->confidence);
+  return std::string ("Up axis: ") +
+         (is_seen ? "the planes cannot tell, "
+                  : "the cloud was not seen from its VIEWPOINT, ") +
+         axis + " is used; give --up x,y,z";
 }
 
 /** \brief Names another axis than the one used where the planes are sure of it. Costs
@@ -342,13 +337,13 @@ runMethod (const Method& method,
       hintOnUp (options, *cloud, detected);
     return detected;
   }
-  const UpSearch search = findUp (options, cloud);
-  const std::optional<UpAxis>& found = search.found;
+  const bool is_seen = isSeenFromItsOrigin (*cloud);
+  const std::optional<UpAxis> found = is_seen ? findUp (options, cloud) : std::nullopt;
   DetectorOptions known = options;
   if (found)
     known.up = found->direction.cast<float>();
   Detected detected = method.detect (known, cloud);
-  detected.up_note = noteOn (search, detected.up);
+  detected.up_note = noteOn (found, is_seen, detected.up);
   detected.settings["up_confidence"] =
       found ? Settings (found->confidence) : Settings();
   return detected;

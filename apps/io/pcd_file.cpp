@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <limits>
 #include <locale>
 #include <map>
@@ -110,11 +109,10 @@ readViewpoint (const HeaderReader& reader, const PcdHeader& header, FileCloud& c
     return;
   std::array<float, 7> numbers{};
   bool are_numbers = line->second.size() == numbers.size();
-  for (std::size_t i = 0; are_numbers && i < numbers.size(); ++i) {
-    char* end = nullptr;
-    numbers[i] = std::strtof (line->second[i].c_str(), &end);
-    are_numbers = *end == '\0';
-  }
+  for (std::size_t i = 0; are_numbers && i < numbers.size(); ++i)
+    are_numbers =
+        numberType (pcl::PCLPointField::FLOAT32)
+            .parse (line->second[i], reinterpret_cast<std::uint8_t*> (&numbers[i]));
   if (!are_numbers)
     reader.fail ("VIEWPOINT is not seven numbers");
   cloud.origin << numbers[0], numbers[1], numbers[2], 0.0f;

@@ -162,26 +162,9 @@ facing (const PlaneSegment& plane, const View& view, const Eigen::Vector3f& poin
   return grazing + (1.0f - grazing) * std::abs (plane.normal.cast<float>().dot (ray));
 }
 
-} // namespace
-
-Raster
-drawPoints (const XyzCloud& cloud,
-            const View& view,
-            int width,
-            int height,
-            const std::function<bool (pcl::index_t)>& is_shown)
-{
-  Raster raster{width, height, {}, {}};
-  raster.points.assign (raster.at (0, height), Raster::nothing);
-  raster.depths.assign (raster.at (0, height), far);
-  const std::vector<Dot> dots = projectPoints (cloud, view, width, height, is_shown);
-  const std::vector<float> half_sides = halfSidesOf (dots, width, height);
-  for (std::size_t i = 0; i < dots.size(); ++i)
-    drawDot (dots[i], half_sides[i], raster);
-  closeHoles (raster);
-  return raster;
-}
-
+/** \brief Brightness of each pixel, 0 to 1: pixels behind a near neighbor are darker,
+ * which brings out edges and shape (eye-dome lighting; Boucheny, PhD thesis, Universite
+ * Joseph Fourier, 2009). */
 std::vector<float>
 shadeDepths (const Raster& raster)
 {
@@ -200,6 +183,26 @@ shadeDepths (const Raster& raster)
         std::exp (-strength * obscurance / static_cast<float> (around.size()) * 2.0f);
   });
   return brightness;
+}
+
+} // namespace
+
+Raster
+drawPoints (const XyzCloud& cloud,
+            const View& view,
+            int width,
+            int height,
+            const std::function<bool (pcl::index_t)>& is_shown)
+{
+  Raster raster{width, height, {}, {}};
+  raster.points.assign (raster.at (0, height), Raster::nothing);
+  raster.depths.assign (raster.at (0, height), far);
+  const std::vector<Dot> dots = projectPoints (cloud, view, width, height, is_shown);
+  const std::vector<float> half_sides = halfSidesOf (dots, width, height);
+  for (std::size_t i = 0; i < dots.size(); ++i)
+    drawDot (dots[i], half_sides[i], raster);
+  closeHoles (raster);
+  return raster;
 }
 
 void

@@ -42,12 +42,6 @@ drawPoints (const XyzCloud& cloud,
             int height,
             const std::function<bool (pcl::index_t)>& is_shown);
 
-/** \brief Brightness of each pixel, 0 to 1: pixels behind a near neighbor are darker,
- * which brings out edges and shape (eye-dome lighting; Boucheny, PhD thesis, Universite
- * Joseph Fourier, 2009). */
-std::vector<float>
-shadeDepths (const Raster& raster);
-
 /** \brief Writes a PNG with two pictures of a cloud (\ref chooseView): left each plane
  * in its own color, right in that of its orientation, with a legend; gray for no plane.
  * \param[in] labels per point: 0 for no plane, else its position in \p planes plus 1

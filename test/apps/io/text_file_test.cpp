@@ -74,6 +74,13 @@ TEST_F (TextFile, NamesItsFieldsAndFindsTheCoordinatesAmongThem)
       {"\xef\xbb\xbfX;Y;Z;I\n1;2;3;4\n", {"x", "y", "z", "I"}},
       {"East North Height Height\n1 2 3 4\n", {"x", "y", "z", "Height"}},
       {",z,y,x,i\n0,3,2,1,4\n", {"field_1", "z", "y", "x", "i"}},
+      {"X [m],Y [m],Z [m],i\n1,2,3,4\n", {"x", "y", "z", "i"}},
+      {"X(m),Y(m),Z(m),i\n1,2,3,4\n", {"x", "y", "z", "i"}},
+      {"Easting,Northing,Elevation,i\n1,2,3,4\n", {"x", "y", "z", "i"}},
+      {"easting [m],northing [m],height [m],i\n1,2,3,4\n", {"x", "y", "z", "i"}},
+      {"E,N,H,i\n1,2,3,4\n", {"x", "y", "z", "i"}},
+      {"Points:0,Points:1,Points:2,i\n1,2,3,4\n", {"x", "y", "z", "i"}},
+      {"x,y,elevation,i\n1,2,3,4\n", {"x", "y", "z", "i"}},
       // Without names, and with some that no field can have.
       {"1 2 3 5 4\n", {"x", "y", "z", "field_4", "field_5"}},
       {"x,y,z,a,a,_,\n1,2,3,7,6,5,4\n",
@@ -86,23 +93,6 @@ TEST_F (TextFile, NamesItsFieldsAndFindsTheCoordinatesAmongThem)
     EXPECT_EQ (fieldsOf (cloud), fields);
     EXPECT_EQ (placeOf (cloud, 0), Eigen::Vector3d (1, 2, 3));
     EXPECT_EQ (valuesOf<double> (cloud, fields.back())[0], 4.0);
-  }
-}
-
-TEST_F (TextFile, KnowsCoordinatesByOtherNamesAndWithUnits)
-{
-  for (const char* names : {"X [m],Y [m],Z [m]",
-                            "X(m),Y(m),Z(m)",
-                            "Easting,Northing,Elevation",
-                            "easting [m],northing [m],height [m]",
-                            "E,N,H",
-                            "Points:0,Points:1,Points:2",
-                            "x,y,elevation"}) {
-    SCOPED_TRACE (names);
-    const FileCloud cloud =
-        load ("in.xyz", std::string ("id,") + names + "\n7,1,2,3\n");
-    EXPECT_EQ (fieldsOf (cloud), (std::vector<std::string>{"id", "x", "y", "z"}));
-    EXPECT_EQ (placeOf (cloud, 0), Eigen::Vector3d (1, 2, 3));
   }
 }
 
