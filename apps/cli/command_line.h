@@ -18,8 +18,7 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The numbers an option takes; its text, "above 0 and up to 1", is for errors.
- */
+/** \brief The numbers an option takes; "above 0 and up to 1" in errors. */
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();
   bool lowest_included = false;

@@ -81,9 +81,7 @@ constexpr std::array<Stage, 6> detection_stages = {
 
 /** \brief The planes a method finds; by `--up auto` with the up axis of the planes of
  * the default preset, on which the confidence was measured, or the default axis where
- * they cannot tell. Where no axis was asked for and they are sure of another, a hint
- * names it.
- */
+ * they cannot tell. A hint names another one where none was asked for. */
 Detected
 runMethod (const Method& method,
            const DetectorOptions& options,

@@ -47,8 +47,7 @@ visitOwn (PlaneDetectorParameters& p, const Visit& visit)
       {"threads T", from (0).upTo (1024), "0 for all; the result stays the same (1)"});
 }
 
-/** \brief For what one detector has alone; the help goes on with the presets' values.
- */
+/** \brief For what one detector has; the help goes on with the presets' values. */
 template <typename Visit>
 void
 visitOwn (OrientedPointSamplingParameters& p, const Visit& visit)

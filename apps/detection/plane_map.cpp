@@ -254,8 +254,7 @@ outlineOf (const PlaneTable& plane, const MapOptions& options)
   return polygons;
 }
 
-/** \brief As "POLYGON Z ((x y z, ...), ...)" of OGC 06-103r4, or as a MULTIPOLYGON Z.
- */
+/** \brief As "POLYGON Z ((x y z, ...), ...)" (OGC 06-103r4), or a MULTIPOLYGON Z. */
 std::string
 toWkt (const Polygons& polygons, int decimals)
 {

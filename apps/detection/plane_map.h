@@ -31,8 +31,7 @@ struct MapOptions {
 void
 declareMap (CommandLine& line, MapOptions& options);
 
-/** \throws UsageError if an option was given that a file of this name knows nothing of
- */
+/** \throws UsageError if an option was given that has no meaning to a file so called */
 void
 checkMap (const CommandLine& line, const std::string& planes);
 

@@ -58,8 +58,7 @@ inline constexpr const char* folder_extensions = ".pcd, .ply, .las, .xyz or .pts
 /** \brief Reads a cloud, .laz where LASzip is. The readers are our own: PCL's crash on
  * broken headers, and are in a library that loads VTK and more.
  * \throws UsageError for another extension, WorkError if the file is missing, a folder,
- * compressed as a whole, malformed, truncated or without points, or has no x, y and z
- */
+ * gzip, malformed, truncated or without points, or has no x, y and z */
 FileCloud
 loadCloud (const std::string& file);
 
@@ -97,8 +96,7 @@ inline constexpr const char* standard_input = "standard input";
 FileCloud
 loadStandardInput ();
 
-/** \brief Declares a field of a pcl::PCLPointField::PointFieldTypes behind the others.
- */
+/** \brief Declares a field behind the others, of a type of pcl::PCLPointField. */
 void
 addField (const std::string& name,
           std::uint8_t datatype,

@@ -48,8 +48,7 @@ addFolder (const std::string& folder, InputFiles& found)
   found.files.insert (found.files.end(), clouds.begin(), clouds.end());
 }
 
-/** \brief A match is no pattern, whatever its name and even if it is a link to nowhere.
- */
+/** \brief A match is no pattern, even if called like one or a link to nowhere. */
 void
 addPattern (const std::string& pattern, InputFiles& found)
 {

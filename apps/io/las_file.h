@@ -25,8 +25,7 @@ public:
   /** \throws WorkError if it is none, compressed, or does not hold what it promises */
   explicit LasFile (const std::string& file);
 
-  /** \brief With x, y and z in double precision, intensity, and label if there is one.
-   */
+  /** \brief With x, y, z in double precision, intensity, and label if there is one. */
   pcl::PCLPointCloud2
   readPoints ();
 

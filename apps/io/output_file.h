@@ -22,8 +22,7 @@ checkWritable (const std::string& file);
  * folder, which takes the name \p file once every byte is known to be there; if
  * anything fails, an existing \p file stays as it was. All outputs go this way.
  * \param[in] write need not look at the state of the stream
- * \throws WorkError as \ref checkWritable or if the disk is full, and what \p write does
- */
+ * \throws WorkError as \ref checkWritable or if the disk is full, what \p write does */
 void
 writeFile (const std::string& file,
            const std::function<void (std::ostream& stream)>& write);

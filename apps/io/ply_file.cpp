@@ -49,24 +49,14 @@ struct PlyHeader {
   const PlyElement*
   find (const std::string& name) const
   {
-    const auto found =
-        std::find_if (elements.begin(),
-                      elements.end(),
-                      [&] (const PlyElement& element) { return element.name == name; });
-    return found == elements.end() ? nullptr : &*found;
+    for (const PlyElement& element : elements)
+      if (element.name == name)
+        return &element;
+    return nullptr;
   }
 };
 
 constexpr std::size_t max_elements = 1000, max_properties = 10000;
-
-const NumberType*
-typeOf (const HeaderReader& reader, const std::string& name)
-{
-  const NumberType* const type = findPlyType (name);
-  if (type == nullptr)
-    reader.fail ("the property type " + name + " does not exist");
-  return type;
-}
 
 void
 readElement (const HeaderReader& reader, const Words& words, PlyHeader& header)
@@ -87,13 +77,19 @@ readProperty (const HeaderReader& reader, const Words& words, PlyHeader& header)
   const bool is_list = words.size() == 5 && words[1] == "list";
   if (header.elements.empty() || (words.size() != 3 && !is_list))
     reader.fail ("its line property is incomplete");
+  const auto type_of = [&] (const std::string& name) {
+    const NumberType* const type = findPlyType (name);
+    if (type == nullptr)
+      reader.fail ("the property type " + name + " does not exist");
+    return type;
+  };
   PlyElement& element = header.elements.back();
   if (element.properties.size() == max_properties)
     reader.fail ("its element " + element.name + " has more than " +
                  std::to_string (max_properties) + " properties");
   element.properties.push_back ({words.back(),
-                                 typeOf (reader, words[words.size() - 2]),
-                                 is_list ? typeOf (reader, words[2]) : nullptr});
+                                 type_of (words[words.size() - 2]),
+                                 is_list ? type_of (words[2]) : nullptr});
   element.has_lists = element.has_lists || is_list;
 }
 
@@ -117,8 +113,6 @@ checkHeader (const HeaderReader& reader, const PlyHeader& header)
     reader.failEmpty();
 }
 
-/** \throws WorkError naming the line at fault, or if there are no vertices or they have
- * lists or twice the same property */
 PlyHeader
 readPlyHeader (HeaderReader& reader)
 {
@@ -286,41 +280,34 @@ addFields (PlyElement& vertex, pcl::PCLPointCloud2& points)
     }
     property.offset = field.offset + static_cast<pcl::uindex_t> (place);
   }
-}
-
-void
-readVertices (PlyData& data, PlyElement& vertex, pcl::PCLPointCloud2& points)
-{
-  addFields (vertex, points);
   points.data.resize (vertex.count * points.point_step);
-  for (std::size_t i = 0; i < points.data.size(); i += points.point_step) {
-    data.beginRow (vertex);
-    for (const PlyProperty& property : vertex.properties) {
-      std::uint8_t* const bytes = &points.data[i + property.offset];
-      if (property.becomes_float) {
-        const auto number = static_cast<float> (data.number (*property.type));
-        std::memcpy (bytes, &number, sizeof (number));
-      }
-      else
-        data.read (*property.type, bytes);
-    }
-  }
 }
 
-/** \brief Skips an element, except for what PCL's camera says about the cloud. */
+/** \brief Keeps vertices, and of the others what PCL's camera says about the cloud. */
 void
-readOther (PlyData& data,
-           const PlyElement& element,
-           std::map<std::string, double>& grid)
+readRows (PlyData& data,
+          const PlyElement& element,
+          pcl::PCLPointCloud2& points,
+          std::map<std::string, double>& grid)
 {
+  const bool is_vertex = element.name == "vertex";
+  std::uint8_t* point = points.data.data();
   for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
     data.beginRow (element);
     for (const PlyProperty& property : element.properties) {
+      if (is_vertex && !property.becomes_float) {
+        data.read (*property.type, point + property.offset);
+        continue;
+      }
       const double number = data.readProperty (property);
-      if (element.name == "camera")
+      const auto single = static_cast<float> (number);
+      if (is_vertex)
+        std::memcpy (point + property.offset, &single, sizeof (single));
+      else if (element.name == "camera")
         grid[property.name] = number;
     }
     data.endRow();
+    point += is_vertex ? points.point_step : 0;
   }
 }
 
@@ -391,8 +378,7 @@ numberProperties (const PCLPointField& field)
   return properties;
 }
 
-/** \brief Those of a cloud. A name that another has, colors before all, gets a _ more.
- */
+/** \brief Of a cloud. A name that another has, colors before all, gets a _ more. */
 PlyProperties
 propertiesOf (const pcl::PCLPointCloud2& points)
 {
@@ -430,11 +416,11 @@ readPly (const std::string& file)
     reader.failTruncated();
   FileCloud cloud;
   PlyData data (reader, header);
-  for (PlyElement& element : header.elements)
+  for (PlyElement& element : header.elements) {
     if (element.name == "vertex")
-      readVertices (data, element, cloud.points);
-    else
-      readOther (data, element, header.grid);
+      addFields (element, cloud.points);
+    readRows (data, element, cloud.points, header.grid);
+  }
   data.end();
   organize (header.find ("vertex")->count, header.grid, cloud.points);
   return cloud;

@@ -106,8 +106,7 @@ wordsOf (const std::string& line)
   return words;
 }
 
-/** \brief Whether these can be names of columns: one is, and none begins as a number.
- */
+/** \brief Whether these can be names of columns: one is, none is a number. */
 bool
 areNames (const Words& words)
 {

@@ -10,8 +10,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief PCL's distinct colors without those that could be taken for no plane's gray.
- */
+/** \brief PCL's distinct colors without those that look like no plane's gray. */
 std::vector<pcl::RGB>
 palette ()
 {

@@ -32,8 +32,7 @@ struct Image {
   void
   fill (int column, int row, int last_column, int last_row, const pcl::RGB& color);
 
-  /** \brief Writes capitals, digits and points in black, from their upper left corner.
-   */
+  /** \brief Writes capitals, digits and points in black, from the upper left corner. */
   void
   write (int column, int row, const std::string& text);
 

@@ -15,8 +15,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
 
-/** \brief The share of points at either end that no view is fitted to: flying points.
- */
+/** \brief The share of points at either end that no view is fitted to. */
 constexpr double outliers = 0.005;
 
 /** \brief How many points a view is fitted to; more would not change it. */

@@ -9,8 +9,7 @@ namespace pcl_ops::apps {
 
 struct View {
   Eigen::Vector3f eye = Eigen::Vector3f::Zero();
-  /** \brief Rows: the image's right and down and the viewing direction, unit vectors.
-   */
+  /** \brief Rows: the image's right and down and the viewing direction. */
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
   /** \brief Focal length and principal point [pixel]. */
   float focal = 1.0f;

@@ -29,8 +29,7 @@ add (XyzCloud& cloud, const Eigen::Vector3f& point)
   cloud.emplace_back (point.x(), point.y(), point.z());
 }
 
-/** \brief A square of 2 m around a point, spanned by two unit vectors, and its plane.
- */
+/** \brief A square of 2 m around a point, along two unit vectors, and its plane. */
 PlaneSegment
 addSquare (XyzCloud& cloud,
            const Eigen::Vector3f& center,
