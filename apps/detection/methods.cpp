@@ -64,39 +64,6 @@ void
 relate (const GivenNumbers&, std::size_t, Parameters&)
 {}
 
-// Settings that no option changes.
-
-void
-addFixed (const OpsParameters& p, Settings& settings)
-{
-  settings["sampling"] = p.sampling == Sampling::Surfels ? "surfels" : "points";
-}
-
-void
-addFixed (const KhtParameters& p, Settings& settings)
-{
-  settings["refit"] = p.refit.enabled;
-  settings["merging"] = p.merging.enabled;
-}
-
-template <typename Parameters>
-void
-addFixed (const Parameters&, Settings&)
-{}
-
-/** \brief The preset with the options that were given. */
-template <typename Parameters>
-Parameters
-parametersOf (const DetectorOptions& options, std::size_t points)
-{
-  Parameters parameters =
-      options.preset == "paper" ? Parameters::paper() : Parameters();
-  parameters.up_axis = options.up.value_or (parameters.up_axis);
-  apply (options.numbers, parameters);
-  relate (options.numbers, points, parameters);
-  return parameters;
-}
-
 /** \brief Says that samples are counted where more than the default were asked for, as
  * if they were points, and hardly a plane is left. */
 void
@@ -130,7 +97,8 @@ void
 hintOnMinInliers (const GivenNumbers&, const Detector&, const Detected&)
 {}
 
-/** \brief All parameters for a report, under the names of their options. */
+/** \brief All parameters for a report, under the names of their options, and what no
+ * option changes. */
 template <typename Parameters>
 Settings
 reportOf (const std::string& preset, Parameters parameters)
@@ -138,11 +106,20 @@ reportOf (const std::string& preset, Parameters parameters)
   Settings settings;
   settings["preset"] = preset;
   settings["up"] = Eigen::Vector3d (parameters.up_axis.template cast<double>());
-  addFixed (parameters, settings);
+  if constexpr (std::is_same_v<Parameters, OpsParameters>)
+    settings["sampling"] =
+        parameters.sampling == Sampling::Surfels ? "surfels" : "points";
+  if constexpr (std::is_same_v<Parameters, KhtParameters>) {
+    settings["refit"] = parameters.refit.enabled;
+    settings["merging"] = parameters.merging.enabled;
+  }
   visitAll (parameters, [&] (const auto& number, const NumberOption& option) {
     std::string name = nameOf (option.usage);
     std::replace (name.begin(), name.end(), '-', '_');
-    settings[name] = settingOf (number);
+    if constexpr (std::is_arithmetic_v<std::decay_t<decltype (number)>>)
+      settings[name] = number;
+    else
+      settings[name] = number ? Settings (*number) : Settings ("auto");
   });
   return settings;
 }
@@ -152,7 +129,11 @@ Detected
 detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
 {
   using Parameters = typename Detector::Parameters;
-  const auto parameters = parametersOf<Parameters> (options, cloud->size());
+  Parameters parameters =
+      options.preset == "paper" ? Parameters::paper() : Parameters();
+  parameters.up_axis = options.up.value_or (parameters.up_axis);
+  apply (options.numbers, parameters);
+  relate (options.numbers, cloud->size(), parameters);
   const std::string problem = validate (parameters);
   if (!problem.empty())
     throw UsageError (Detector::className(), problem + "; see --help");
@@ -171,7 +152,7 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   return detected;
 }
 
-/** \brief The values of an option in both presets, by its name. */
+/** \brief Of both presets, by the name of an option. */
 template <typename Parameters>
 std::map<std::string, std::string>
 presetNotes ()
@@ -261,32 +242,10 @@ hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detec
            rounded.x() % rounded.y() % rounded.z()));
 }
 
-/** \brief Whether estimates are as sure of the planes as they say. */
-bool
-findsPlanesByDefault (const Method& method, const DetectorOptions& options)
-{
-  return method.name == allMethods().front().name && options.preset == "default";
-}
-
 std::string
 groupOf (const Method& method)
 {
   return "Options of --method " + method.name + ", " + method.title;
-}
-
-void
-declareShared (CommandLine& line, DetectorOptions& options)
-{
-  line.add ("preset", options.preset, {"default", "paper"})
-      .help ("recommended parameters, or the paper's best ones");
-  line.add ("up x,y,z",
-            [&options] (const std::string& text) {
-              options.finds_up = text == "auto";
-              if (!options.finds_up)
-                options.up = parseUpAxis ("--up", text);
-            })
-      .help ("direction against gravity, camera or auto (0,0,1)");
-  declare (PlaneDetectorParameters(), {}, line, options.numbers);
 }
 
 } // namespace
@@ -333,7 +292,9 @@ runMethod (const Method& method,
 {
   if (!options.finds_up) {
     Detected detected = method.detect (options, cloud);
-    if (!options.up && findsPlanesByDefault (method, options))
+    // Of other planes estimates are less sure than they say.
+    if (!options.up && method.name == allMethods().front().name &&
+        options.preset == "default")
       hintOnUp (options, *cloud, detected);
     return detected;
   }
@@ -356,7 +317,16 @@ declareMethodOptions (CommandLine& line, std::string& method, DetectorOptions& o
   for (const Method& known : allMethods())
     names.push_back (known.name);
   line.add ("method", method, names).help ("the detector (ops)");
-  declareShared (line, options);
+  line.add ("preset", options.preset, {"default", "paper"})
+      .help ("recommended parameters, or the paper's best ones");
+  line.add ("up x,y,z",
+            [&options] (const std::string& text) {
+              options.finds_up = text == "auto";
+              if (!options.finds_up)
+                options.up = parseUpAxis ("--up", text);
+            })
+      .help ("direction against gravity, camera or auto (0,0,1)");
+  declare (PlaneDetectorParameters(), {}, line, options.numbers);
   for (const Method& known : allMethods()) {
     line.beginGroup (groupOf (known));
     known.declare_options (line, options.numbers);

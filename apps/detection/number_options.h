@@ -117,16 +117,6 @@ visitAll (Parameters& parameters, const Visit& visit)
 template <typename Number>
 using ValueOf = std::conditional_t<std::is_arithmetic_v<Number>, Number, double>;
 
-template <typename Number>
-Settings
-settingOf (const Number& number)
-{
-  if constexpr (std::is_arithmetic_v<Number>)
-    return number;
-  else
-    return number ? Settings (*number) : Settings ("auto");
-}
-
 /** \brief Sets the parameters whose options were given. */
 template <typename Parameters>
 void

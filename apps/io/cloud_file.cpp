@@ -59,13 +59,6 @@ formatOf (const std::string& file)
   return nullptr;
 }
 
-bool
-isGzip (const std::string& file)
-{
-  std::ifstream stream (file, std::ios::binary);
-  return stream.get() == 0x1f && stream.get() == 0x8b;
-}
-
 void
 makePoseValid (FileCloud& cloud)
 {
@@ -157,7 +150,8 @@ loadCloud (const std::string& file)
     throw UsageError (
         file, std::string ("has an unknown extension; give ") + cloud_file_kinds);
   checkReadable (file, cloud_file_kinds);
-  if (isGzip (file))
+  std::ifstream stream (file, std::ios::binary);
+  if (stream.get() == 0x1f && stream.get() == 0x8b)
     throw gzip;
   FileCloud cloud = format->read (file);
   for (const char* axis : {"x", "y", "z"})

@@ -90,24 +90,6 @@ fillFile (const fs::path& path, const std::function<void (std::ostream& stream)>
   return bool (stream);
 }
 
-/** \brief Refuses what is there under the name of a file to write. */
-void
-checkTarget (const std::string& file, const fs::path& target)
-{
-  std::error_code error;
-  const fs::file_status status = fs::status (target, error);
-  if (error == std::errc::filename_too_long)
-    throw WorkError (file, "has a name that is too long; give a shorter one");
-  if (error == std::errc::too_many_symbolic_link_levels)
-    throw WorkError (file, "is a link that leads nowhere; give another name");
-  if (fs::is_directory (status))
-    throw WorkError (file, "is a folder; give the name of a file in it");
-  if (fs::exists (status) && !fs::is_regular_file (status))
-    throw WorkError (file, "is no regular file; give another name");
-  if (fs::exists (status) && ::access (target.c_str(), W_OK) != 0)
-    throw WorkError (file, "is write-protected; give another name");
-}
-
 } // namespace
 
 std::string
@@ -128,14 +110,27 @@ checkWritable (const std::string& file)
 {
   const fs::path target = resolvedName (file);
   const fs::path folder = target.parent_path();
-  std::error_code error;
-  if (file.empty() || !target.has_filename())
-    throw WorkError ("'" + file + "'", "is no file name; give one to write to");
-  checkTarget (file, target);
-  if (!fs::is_directory (folder, error))
-    throw WorkError (file, "its folder does not exist; create it or give another name");
-  if (::access (folder.c_str(), W_OK | X_OK) != 0)
-    throw WorkError (file, "its folder cannot be written to; choose another one");
+  std::error_code error, of_folder;
+  const fs::file_status status = fs::status (target, error);
+  const bool exists = fs::exists (status);
+  const std::pair<bool, const char*> problems[] = {
+      {file.empty() || !target.has_filename(), "is no file name; give one to write to"},
+      {error == std::errc::filename_too_long,
+       "has a name that is too long; give a shorter one"},
+      {error == std::errc::too_many_symbolic_link_levels,
+       "is a link that leads nowhere; give another name"},
+      {fs::is_directory (status), "is a folder; give the name of a file in it"},
+      {exists && !fs::is_regular_file (status),
+       "is no regular file; give another name"},
+      {exists && ::access (target.c_str(), W_OK) != 0,
+       "is write-protected; give another name"},
+      {!fs::is_directory (folder, of_folder),
+       "its folder does not exist; create it or give another name"},
+      {::access (folder.c_str(), W_OK | X_OK) != 0,
+       "its folder cannot be written to; choose another one"}};
+  for (const auto& [is_so, problem] : problems)
+    if (is_so)
+      throw WorkError (file.empty() ? "''" : file, problem);
 }
 
 void

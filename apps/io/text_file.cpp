@@ -116,14 +116,6 @@ areNames (const Words& words)
          });
 }
 
-bool
-nameCoordinates (const Words& words)
-{
-  return std::all_of (axes.begin(), axes.end(), [&] (const Axis& axis) {
-    return findAxis (words, axis) != words.end();
-  });
-}
-
 /** \brief The fields that columns become: coordinates by \ref findAxis, the first three
  * where there are no names. The others keep their names as far as a field can have
  * them, or are field_4, field_5, ...
@@ -224,7 +216,10 @@ private:
   {
     const std::size_t begin = comment.find_first_not_of ("#/ \t");
     const Words words = wordsOf (comment.substr (std::min (begin, comment.size())));
-    if (nameCoordinates (words))
+    const auto has_name = [&] (const Axis& axis) {
+      return findAxis (words, axis) != words.end();
+    };
+    if (std::all_of (axes.begin(), axes.end(), has_name))
       comment_names_ = words;
   }
 

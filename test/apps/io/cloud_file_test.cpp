@@ -301,21 +301,11 @@ TEST_F (CloudFile, ReadsBinaryOfEitherOrderAndListsOfAnyLength)
   }
 }
 
-TEST_F (CloudFile, NoticesTruncatedData)
+TEST_F (CloudFile, RefusesCompressedDataThatAreCutOrCannotHoldWhatIsPromised)
 {
-  EXPECT_EQ (complaintAbout ("header.pcd", pcd_header), truncated);
-  pcl::io::savePCDFileBinary (folder_ / "binary.pcd", threePoints());
-  pcl::io::savePCDFileBinaryCompressed (folder_ / "compressed.pcd", threePoints());
-  pcl::io::savePLYFileBinary (folder_ / "binary.ply", threePoints());
-  for (const char* name : {"binary.pcd", "compressed.pcd", "binary.ply"}) {
-    const std::string whole = contentOf (folder_ / name);
-    EXPECT_EQ (complaintAbout (name, whole.substr (0, whole.size() - 20)), truncated)
-        << name;
-  }
-}
-
-TEST_F (CloudFile, RefusesHeadersThatPromiseMoreThanTheirDataCanHold)
-{
+  pcl::io::savePCDFileBinaryCompressed (folder_ / "a.pcd", threePoints());
+  const std::string whole = contentOf (folder_ / "a.pcd");
+  EXPECT_EQ (complaintAbout ("a.pcd", whole.substr (0, whole.size() - 20)), truncated);
   const std::uint32_t sizes[] = {50, 3'600'000'000};
   std::string bomb = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 300000000\nHEIGHT 1\n"
                      "POINTS 300000000\nDATA binary_compressed\n";

@@ -26,12 +26,6 @@ floorOfPoints ()
   return cloud;
 }
 
-std::string
-damageOf (const XyzCloud& cloud, const Eigen::Vector3d& shift = Eigen::Vector3d::Zero())
-{
-  return pcl_ops::apps::damageOf (ShiftedCloud{cloud.makeShared(), shift});
-}
-
 /** \brief Moves a share of a cloud's points, spread over it.
  * \param[in] one_of how many points there are for each that is moved */
 XyzCloud
@@ -47,63 +41,58 @@ withMoved (XyzCloud cloud, int one_of, const pcl::PointXYZ& place, float step)
 
 } // namespace
 
-TEST (CloudDamage, IsNoneOfUsualClouds)
+TEST (CloudDamage, IsSeenWhereMostPointsAreAtOnePlaceOrOnePerCentIsVeryFarAway)
 {
   constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-  XyzCloud missing = floorOfPoints(), dense_spot;
-  for (std::size_t i = 0; i < 9000; ++i)
-    missing[i] = {not_a_number, not_a_number, not_a_number};
+  const pcl::PointXYZ no_reading (not_a_number, not_a_number, not_a_number);
+  const XyzCloud floor = floorOfPoints(), same (100, 1, {1.0f, 2.0f, 3.0f});
+  XyzCloud missing = floor, zeros = floor, at_place = floor, dense_spot,
+           but_few (1000, 1, {1.0f, 2.0f, 3.0f});
+  for (std::size_t i = 0; i < 9000; ++i) {
+    missing[i] = no_reading;
+    zeros[i] = i % 3 == 0 ? pcl::PointXYZ (0.0f, 0.0f, 0.0f) : no_reading;
+  }
+  for (std::size_t i = 0; i < 6000; ++i)
+    at_place[i] = {1.0f, 0.0f, -0.5f};
+  for (std::size_t i = 0; i < 4; ++i)
+    but_few[i].x += static_cast<float> (i);
   for (int i = -5000; i <= 5000; ++i) {
     const auto place = static_cast<float> (i);
     const bool is_in_spot = std::abs (i) < 1000;
     dense_spot.emplace_back (is_in_spot ? 1e-6f * place : place, 0.0f, 0.0f);
   }
-  const XyzCloud floor = floorOfPoints();
-  const std::pair<const char*, XyzCloud> rows[] = {
-      {"a floor", floor},
-      {"a handful of points", XyzCloud (3, 1, {1.0f, 2.0f, 3.0f})},
-      {"no points", XyzCloud()},
-      {"most readings are missing", missing},
-      {"most points are far from a dense spot", dense_spot},
-      {"a third at one place", withMoved (floor, 3, {0.0f, 0.0f, 0.0f}, 0.0f)},
-      {"few are far away", withMoved (floor, 1000, {1e6f, 0, 0}, 1e3f)},
-      {"one per cent is not that far", withMoved (floor, 97, {1e3f, 0, 0}, 1.0f)}};
-  for (const auto& [name, cloud] : rows)
-    EXPECT_EQ (damageOf (cloud), "") << name;
-}
-
-TEST (CloudDamage, IsSeenWhereMostPointsAreAtOnePlaceOrOnePerCentIsVeryFarAway)
-{
-  constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-  XyzCloud at_place = floorOfPoints(), missing = floorOfPoints();
-  for (std::size_t i = 0; i < 6000; ++i)
-    at_place[i] = {1.0f, 0.0f, -0.5f};
-  for (std::size_t i = 0; i < 9000; ++i)
-    missing[i] = i % 3 == 0 ? pcl::PointXYZ (0.0f, 0.0f, 0.0f)
-                            : pcl::PointXYZ (not_a_number, not_a_number, not_a_number);
-  const XyzCloud same (100, 1, {1.0f, 2.0f, 3.0f});
-  XyzCloud but_few (1000, 1, {1.0f, 2.0f, 3.0f});
-  for (std::size_t i = 0; i < 4; ++i)
-    but_few[i].x += static_cast<float> (i);
   const Eigen::Vector3d zero (0, 0, 0), far (512345.001, 5412345.002, 99.003);
   const std::string fix = "leave missing readings out or write them as NaN";
   const struct {
+    const char* name;
     XyzCloud cloud;
     Eigen::Vector3d shift;
     std::string damage;
   } rows[] = {
-      {at_place, zero, "60 % of its points are at (1, 0, -0.5); " + fix},
-      {at_place,
+      {"a floor", floor, zero, ""},
+      {"a handful of points", XyzCloud (3, 1, {1.0f, 2.0f, 3.0f}), zero, ""},
+      {"no points", XyzCloud(), zero, ""},
+      {"most readings are missing", missing, zero, ""},
+      {"most points are far from a dense spot", dense_spot, zero, ""},
+      {"a third at one place", withMoved (floor, 3, {0, 0, 0}, 0.0f), zero, ""},
+      {"few are far away", withMoved (floor, 1000, {1e6f, 0, 0}, 1e3f), zero, ""},
+      {"not that far", withMoved (floor, 97, {1e3f, 0, 0}, 1.0f), zero, ""},
+      {"at one", at_place, zero, "60 % of its points are at (1, 0, -0.5); " + fix},
+      {"in UTM",
+       at_place,
        far,
        "60 % of its points are at (512346.001, 5412345.002, 98.503); " + fix},
-      {same, zero, "100 % of its points are at (1, 2, 3); " + fix},
-      {but_few, zero, "99.7 % of its points are at (1, 2, 3); " + fix},
-      {missing, zero, "75 % of its points are at (0, 0, 0); " + fix},
+      {"all", same, zero, "100 % of its points are at (1, 2, 3); " + fix},
+      {"nearly all", but_few, zero, "99.7 % of its points are at (1, 2, 3); " + fix},
+      {"zeros", zeros, zero, "75 % of its points are at (0, 0, 0); " + fix},
       // Each in a kilometer of its own, 1,000 km away.
-      {withMoved (floorOfPoints(), 97, {1e6f, 0, 0}, 1e3f),
+      {"far away",
+       withMoved (floor, 97, {1e6f, 0, 0}, 1e3f),
        zero,
        "1 % of its points are more than 1000 times as far away as the rest is wide; "
        "leave them out"}};
-  for (const auto& [cloud, shift, damage] : rows)
-    EXPECT_EQ (damageOf (cloud, shift), "looks damaged: " + damage);
+  for (const auto& [name, cloud, shift, damage] : rows)
+    EXPECT_EQ (damageOf (ShiftedCloud{cloud.makeShared(), shift}),
+               (damage.empty() ? "" : "looks damaged: ") + damage)
+        << name;
 }
