@@ -97,8 +97,7 @@ nameIn (const std::string& token)
   return token == "-h" ? "help" : token.substr (begin, token.find ('=') - begin);
 }
 
-/** \brief The value of an option, behind its equals sign or in the next token, to which
- * \p token goes on; none where the option has none. */
+/** \brief The value of an option, if it has one; goes on to the token that has it. */
 std::string
 takeValue (const Option& option, const char* const*& token, const char* const* end)
 {

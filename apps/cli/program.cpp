@@ -98,8 +98,7 @@ runProgram (const std::string& name, const std::function<int()>& body)
   }
   catch (const std::exception& error) {
     const std::string reason = error.what();
-    // What libstdc++ says where a locale of the user's finds no room, or does not
-    // exist.
+    // Of libstdc++, where the user's locale finds no room or does not exist.
     const bool is_about_language =
         reason.find ("_S_create_c_locale") != std::string::npos;
     return fail (is_about_language ? "LANG cannot be set up: not enough memory, or it "

@@ -170,8 +170,7 @@ runInParallel (std::size_t count,
       threads.emplace_back (take_turns);
   }
   catch (const std::exception&) {
-    // No memory or no right for one more: those there are do the work, this one at
-    // least.
+    // Those there are do the work, this one at least.
   }
   take_turns();
   for (std::thread& thread : threads)

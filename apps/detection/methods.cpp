@@ -31,8 +31,7 @@ relate (const GivenNumbers& given, std::size_t points, OpsParameters& parameters
 {
   if (given.count ("cell") > 0 && parameters.sampling != Sampling::Surfels)
     throw UsageError ("--cell", "has no meaning to --preset paper; leave it out");
-  // More neighbors than points take as long as if there were so many points. The
-  // default is fine for any cloud.
+  // Too many take as long as if there were so many points.
   const int k = parameters.k;
   if (k > OpsParameters().k && static_cast<std::size_t> (k) > points)
     throw UsageError ("--k",

@@ -23,8 +23,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Twice the area within a ring as seen from above, negative for a clockwise
- * one. */
+/** \brief Twice that within a ring, negative for a clockwise one. */
 double
 areaFromAbove (const Ring& ring)
 {
@@ -83,8 +82,7 @@ struct Notation {
 
 using Corner = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
 
-/** \brief The middle of corners.
- * \param[in] first, last positions in the ring, which goes on at its beginning */
+/** \param[in] first, last positions of corners in the ring, which is closed */
 Eigen::Vector3d
 middleOf (const Ring& ring, std::size_t first, std::size_t last)
 {
@@ -94,8 +92,7 @@ middleOf (const Ring& ring, std::size_t first, std::size_t last)
   return middle + ring[first];
 }
 
-/** \brief Begins a ring with the corner farthest from the middle, which no line between
- * others is near to. */
+/** \brief Begins a ring with the corner farthest from the middle, which stays. */
 void
 beginAtCorner (Ring& ring)
 {
@@ -109,7 +106,7 @@ beginAtCorner (Ring& ring)
 
 using Line = Eigen::ParametrizedLine<double, 3>;
 
-/** \brief The line fitted to corners: those of \ref middleOf. */
+/** \brief The line fitted to corners as \ref middleOf has them. */
 Line
 lineAlong (const Ring& ring, std::size_t first, std::size_t last)
 {
@@ -123,8 +120,8 @@ lineAlong (const Ring& ring, std::size_t first, std::size_t last)
   return {middle, axes.eigenvectors().col (2)};
 }
 
-/** \brief Where two sides meet, or the corner between them where they are nearly
- * parallel or meet farther from it than the tolerance. */
+/** \brief Where two sides meet, or their corner where they are nearly parallel or meet
+ * farther from it than the tolerance. */
 Eigen::Vector3d
 meetingOf (const Line& a,
            const Line& b,
@@ -146,9 +143,8 @@ meetingOf (const Line& a,
   return (meeting - corner).norm() <= tolerance ? meeting : corner;
 }
 
-/** \brief Moves corners to where lines through all there was along their sides meet:
- * the farthest corners alone cut off what noise took from others.
- * \param[in] ring as it was \param[in] kept positions of the corners left of it */
+/** \brief Moves the corners that are kept to where lines through all there was along
+ * their sides meet: by themselves they cut off what noise took from others. */
 Ring
 withFittedSides (const Ring& ring, std::vector<std::size_t> kept, double tolerance)
 {

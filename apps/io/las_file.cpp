@@ -19,7 +19,6 @@ using pcl::PCLPointField;
 
 constexpr std::uint64_t field_length = sizeof (std::uint32_t);
 
-/** \brief Calls \p visit (bytes) for each record. */
 template <typename Visit>
 void
 forRecords (LasFrame& las, Visit&& visit)
@@ -72,7 +71,6 @@ frontWith (const std::vector<LasField>& fields, LasFrame& las)
   return front;
 }
 
-/** \brief Puts a number of any type into the bytes of a point. */
 template <typename Number>
 void
 append (Number number, std::uint8_t*& point)

@@ -22,8 +22,7 @@ constexpr std::array<std::uint16_t, 3> header_lengths = {227, 235, 375};
 constexpr std::array<std::uint16_t, 11> format_lengths = {
     20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
 
-/** \brief What a header says, whether it makes sense or not.
- * \param[in] bytes as many as the longest has */
+/** \param[in] bytes as many as the longest header has */
 LasHeader
 fieldsOf (const std::string& bytes)
 {
@@ -97,7 +96,6 @@ constexpr std::uint16_t extra_bytes_id = 4;
 constexpr std::uint8_t undocumented_type = 0;
 constexpr const char* specification = "LASF_Spec";
 
-/** \brief Text up to the first zero. */
 std::string
 textIn (const char* bytes, std::size_t length)
 {
@@ -150,7 +148,7 @@ describesExtraBytes (const LasVlr& vlr)
   return vlr.user == specification && vlr.id == extra_bytes_id;
 }
 
-/** \brief How long the extra bytes of a type are; 0 for one that does not exist. */
+/** \return 0 for a type that does not exist */
 std::uint64_t
 extraBytesLength (std::uint8_t type, std::uint8_t options)
 {

@@ -60,7 +60,7 @@ failDamagedPoints (const std::string& file)
                    "or write it again");
 }
 
-/** \brief One reader or writer of LASzip. */
+/** \brief A reader or writer. */
 class Laszip {
 public:
   explicit Laszip (const std::string& file) : file_ (file)
@@ -81,7 +81,6 @@ public:
     laszip_destroy (handle_);
   }
 
-  /** \param[in] failed what its functions return */
   void
   check (laszip_I32 failed) const
   {
@@ -89,14 +88,13 @@ public:
       return;
     laszip_CHAR* reason = nullptr;
     laszip_get_error (handle_, &reason);
-    // So it calls what it catches and did not throw: that there is no memory.
+    // So it says that there is no memory.
     if (reason != nullptr && std::string (reason).rfind ("internal error", 0) == 0)
       throw std::bad_alloc();
     failDamagedPoints (file_);
   }
 
-  /** \brief Leaves a writer as it is that could not write: LASzip crashes where it is
-   * to end what failed. */
+  /** \brief Leaves a writer that failed as it is: LASzip would crash. */
   void
   abandon ()
   {
@@ -129,8 +127,7 @@ private:
   laszip_POINTER handle_ = nullptr;
 };
 
-/** \brief The variable length record that goes with compressed points.
- * \throws WorkError if LASzip cannot compress such points */
+/** \throws WorkError if LASzip cannot compress such points */
 std::string
 laszipVlr (const LasFrame& las)
 {
@@ -144,9 +141,7 @@ laszipVlr (const LasFrame& las)
 
 enum class PointsAs { Plain, Compressed };
 
-/** \brief Writes the points of a file, compressed or not, in either way, from where the
- * stream is.
- * \throws WorkError if they are damaged, and Interrupted */
+/** \throws WorkError if the points are damaged, and Interrupted */
 void
 convertPoints (const LasFrame& las, PointsAs form, std::ostream& stream)
 {
@@ -188,8 +183,7 @@ endOfCompressed (const LasFrame& las)
 }
 
 /** \brief The LASzip VLR's content.
- * \throws WorkError if it does not describe such points: LASzip believes it, and would
- * crash */
+ * \throws WorkError if it does not describe such points: LASzip would crash */
 std::string
 checkedDescription (LasFrame& las, const LasVlr& laszip)
 {
@@ -214,9 +208,8 @@ checkedDescription (LasFrame& las, const LasVlr& laszip)
 }
 
 /** \brief Refuses points that LASzip would crash at: their description is wrong, or the
- * table of their chunks is not where it is said to be or has another length (LASzip
- * allocates what it says). On chunks see M. Isenburg, LASzip: lossless compression of
- * lidar data, Photogrammetric Engineering and Remote Sensing 79 (2), 2013. */
+ * table of their chunks is elsewhere or has another length. On chunks see M. Isenburg,
+ * LASzip, Photogrammetric Engineering and Remote Sensing 79 (2), 2013. */
 void
 checkCompression (LasFrame& las)
 {

@@ -26,7 +26,6 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Says what the last call of the system failed for. */
 [[noreturn]] void
 failToWrite (const std::string& file)
 {
@@ -35,8 +34,7 @@ failToWrite (const std::string& file)
                          "); make room or give another name");
 }
 
-/** \brief A new file in a folder that has a short name of its own, among all programs
- * that write there. */
+/** \brief A new file, of a short name that no other program has there. */
 fs::path
 newFileIn (const fs::path& folder, const std::string& file)
 {
@@ -64,7 +62,6 @@ failToSpool (const std::string& subject, const std::string& name)
                        "); set TMPDIR to a folder with more space");
 }
 
-/** \brief A new file in the folder for temporary files. */
 std::string
 newSpool (const std::string& extension, const std::string& subject)
 {

@@ -15,7 +15,7 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief The lines of a header by their first words. */
+/** \brief By the first words of lines. */
 using PcdHeader = std::map<std::string, Words>;
 
 PcdHeader
@@ -79,7 +79,6 @@ readFields (const HeaderReader& reader,
   }
 }
 
-/** \brief POINTS, which has to agree with WIDTH and HEIGHT where they are given. */
 void
 readSize (const HeaderReader& reader,
           const PcdHeader& header,
@@ -146,9 +145,9 @@ readText (HeaderReader& reader, pcl::PCLPointCloud2& points)
   lines.expectEnd();
 }
 
-/** \brief Decompresses LZF (M. Lehmann's LibLZF), as in a compressed PCD. PCL's
- * function is in a library that loads VTK and more. \param[out] bytes has the size that
- * is expected \return false if the compressed bytes do not make as many */
+/** \brief Decompresses LZF (M. Lehmann's LibLZF) without PCL's library, which loads
+ * VTK.
+ * \return false if the compressed bytes do not make as many as expected */
 bool
 decompressLzf (const std::vector<std::uint8_t>& compressed,
                std::vector<std::uint8_t>& bytes)

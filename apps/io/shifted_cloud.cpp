@@ -20,8 +20,7 @@ namespace {
 using boost::format;
 using Places = std::vector<Eigen::Vector3d>;
 
-/** \brief The median of each coordinate: near most of the places, wherever a few stray
- * to; NaN for none. */
+/** \brief The median of each coordinate; NaN for no places. */
 Eigen::Vector3d
 medianPlace (const Places& places)
 {
@@ -36,7 +35,7 @@ medianPlace (const Places& places)
   return median;
 }
 
-/** \brief Points spread over a cloud, those without coordinates left out: a share of
+/** \brief Points spread over a cloud, but for those without coordinates: a share of
  * them is one of the cloud. */
 Places
 someOf (const XyzCloud& cloud)
@@ -64,8 +63,7 @@ mostSharedPlace (const Places& places)
   return {Eigen::Vector3d (most->first.data()), most->second};
 }
 
-/** \brief How many are beyond a thousand diagonals of all that are nearer to the
- * middle, if these are the larger half. */
+/** \brief How many are beyond a thousand diagonals of the nearer half or more. */
 std::size_t
 countFar (Places places)
 {

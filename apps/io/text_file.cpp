@@ -190,8 +190,7 @@ public:
   }
 
 private:
-  /** \brief Goes on to the next line that is neither empty nor a comment. \return false
-   * where there is none */
+  /** \brief Goes on to a line that is neither empty nor a comment, if there is one. */
   bool
   nextLine ()
   {

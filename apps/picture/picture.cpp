@@ -49,8 +49,7 @@ projectPoints (const XyzCloud& cloud,
   return dots;
 }
 
-/** \brief Half the side of a square [pixel] such that so many in a part of the image
- * cover it about twice. */
+/** \brief [pixel] of squares of which so many cover a part of the image twice. */
 float
 halfSideOf (float dots_in_part)
 {
@@ -59,8 +58,7 @@ halfSideOf (float dots_in_part)
   return overlap * std::sqrt (pixels_per_dot) / 2.0f;
 }
 
-/** \brief Half the side of the square of each dot [pixel], from how many dots share its
- * part of the image; those behind others, in another layer, do not count. */
+/** \brief Of each dot, by how many share its part of the image in the front layer. */
 std::vector<float>
 halfSidesOf (const std::vector<Dot>& dots, int width, int height)
 {
@@ -113,8 +111,7 @@ drawDot (const Dot& dot, float half_side, Raster& raster)
     }
 }
 
-/** \brief Calls \p visit with every pixel inside the border and the eight around it,
- * from above. */
+/** \brief Visits every pixel inside the border with the eight around it. */
 template <typename Visit>
 void
 forEachInnerPixel (const Raster& raster, Visit&& visit)

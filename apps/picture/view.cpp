@@ -68,8 +68,7 @@ axesOf (const Eigen::Vector3f& forward, const Eigen::Vector3f& down)
   return axes;
 }
 
-/** \brief Mean direction of the points from the eye, and the angle around it that holds
- * nearly all of them. */
+/** \brief The mean direction of points, and the angle that holds nearly all. */
 struct Cone {
   Eigen::Vector3f axis = Eigen::Vector3f::UnitZ();
   float half_angle = 0.0f;
@@ -111,8 +110,7 @@ downOf (const Eigen::Quaternionf& orientation,
   return forward.unitOrthogonal();
 }
 
-/** \brief The slanting direction from which the planes' fronts are seen best.
- * \return unit vector from the cloud to the eye */
+/** \return unit vector to the eye that sees the planes' fronts best */
 Eigen::Vector3f
 bestSlant (const std::vector<PlaneSegment>& planes, const Eigen::Vector3f& up)
 {
