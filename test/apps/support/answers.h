@@ -18,12 +18,12 @@
 #include <string>
 #include <vector>
 
-/** \brief What a command of a table has to leave at some place. */
+/** What a command of a table has to leave at some place. */
 struct Answer {
   std::string command, place, what;
 };
 
-/** \brief The rows below a heading, whose commands share a folder. */
+/** The rows below a heading, whose commands share a folder. */
 struct Answers {
   std::string heading;
   std::vector<Answer> rows;
@@ -35,7 +35,7 @@ struct Answers {
   }
 };
 
-/** \brief Reads a table of segment/answers.tsv's kind. */
+/** Reads a table of segment/answers.tsv's kind. */
 inline std::vector<Answers>
 answersIn (const std::string& file)
 {
@@ -60,8 +60,8 @@ nameOfAnswers (const testing::TestParamInfo<Answers>& info)
   return std::regex_replace (info.param.heading, std::regex ("[^A-Za-z0-9]+"), "_");
 }
 
-/** \brief The width of a cloud, its sensor's place, and the type and the values of each
- * field: numbers, null where there is none, and colors as red, green and blue. */
+/** The width of a cloud, its sensor's place, and the type and the values of each field:
+ * numbers, null where there is none, and colors as red, green and blue. */
 inline nlohmann::json
 toJson (const pcl_ops::apps::FileCloud& cloud)
 {
@@ -85,14 +85,14 @@ toJson (const pcl_ops::apps::FileCloud& cloud)
   return json;
 }
 
-/** \brief Runs the commands of a table, each section in a folder of its own. */
+/** Runs the commands of a table, each section in a folder of its own. */
 class AnswersFolder : public ProgramFolder,
                       public testing::WithParamInterface<Answers> {
 protected:
   using ProgramFolder::ProgramFolder;
   using Json = nlohmann::json;
 
-  /** \brief Whether two values are the same but for numbers that differ by less. */
+  /** Whether two values are the same but for numbers that differ by less. */
   static bool
   isNear (const Json& value, const Json& expected, double tolerance)
   {
@@ -145,6 +145,10 @@ protected:
     else if (what[0] == '=')
       EXPECT_TRUE (!value.is_discarded() && value == valueAt (what.substr (1)))
           << "is another value";
+    else if (what[0] == '>')
+      EXPECT_GT (value.get<double>(), std::stod (what.substr (1)));
+    else if (what[0] == '<')
+      EXPECT_LT (value.get<double>(), std::stod (what.substr (1)));
     else {
       const std::size_t end = what.find (" +- ");
       const double tolerance =
@@ -157,12 +161,16 @@ protected:
   void
   expectText (const std::string& place, const std::string& what) const
   {
-    const bool is_absent = place[0] == '!', is_all = what[0] == '=';
-    const std::string text = textAt (place.substr (is_absent ? 1 : 0));
+    const bool is_absent = place[0] == '!';
+    const bool is_all = what[0] == '=', is_begin = what[0] == '^';
+    const std::string text = textAt (place.substr (is_absent));
     const std::string part =
-        Json::parse ('"' + what.substr (is_all ? 1 : 0) + '"').get<std::string>();
+        Json::parse ('"' + what.substr (is_all || is_begin) + '"').get<std::string>();
     if (is_all)
       EXPECT_EQ (text, part);
+    else if (is_begin)
+      EXPECT_TRUE (text.rfind (part, 0) == 0 && (place != "err" || lines (text) == 1))
+          << text;
     else
       EXPECT_EQ (text.find (part) == std::string::npos, is_absent) << text;
   }
