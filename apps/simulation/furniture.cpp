@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "furniture.h"
+#include "scenes.h"
 
-#include <cmath>
 #include <utility>
 
 namespace pcl_ops::simulation {
@@ -17,7 +16,7 @@ addStandingBox (Body& body, const Vector3d& foot, const Vector3d& size)
   body.addBox (at (center), size, HiddenFace::Bottom);
 }
 
-/** \brief A slab on four round legs; \p size is its outer extent. */
+/** \param[in] size outer extent */
 Body
 slabOnLegs (const Vector3d& size, double thickness, double leg_radius)
 {
@@ -32,7 +31,7 @@ slabOnLegs (const Vector3d& size, double thickness, double leg_radius)
   return slab;
 }
 
-/** \brief Books standing in a row from \p start along x. */
+/** In a row from \p start along x. */
 void
 addBooks (Body& body, const Vector3d& start, double width, Random& random)
 {
@@ -54,7 +53,7 @@ drawTable (Random& random)
   return table;
 }
 
-/** \brief A table with a monitor, an open laptop, books and a mug. */
+/** With a monitor, an open laptop, books and a mug. */
 Body
 drawDesk (Random& random)
 {
@@ -91,7 +90,6 @@ drawCupboard (Random& random)
   return cupboard;
 }
 
-/** \brief Open shelves with books. */
 Body
 drawShelf (Random& random)
 {
@@ -151,7 +149,7 @@ drawChair (Random& random)
   return chair;
 }
 
-/** \brief A cardboard box or two, one turned on the other. */
+/** One box or two, one turned on the other. */
 Body
 drawCartons (Random& random)
 {
@@ -166,7 +164,7 @@ drawCartons (Random& random)
   return cartons;
 }
 
-/** \brief A panel of any tilt and roll on a round post. */
+/** On a round post. */
 Body
 drawTiltedPanel (Random& random)
 {
@@ -180,10 +178,10 @@ drawTiltedPanel (Random& random)
   return panel;
 }
 
-/** \brief Thicknesses of boards and posts [m]. */
+/** Of boards and posts [m]. */
 constexpr double thinnest = 0.02, thickest = 0.06;
 
-/** \brief Posts on one side stand farther in than those on the other, and each board is
+/** Posts on one side stand farther in than those on the other, and each board is
  * smaller than the one below, so that no two faces are in one plane.
  * \param[in] size of the lowest board [m]
  * \param[in] pitch from board to board [m] */

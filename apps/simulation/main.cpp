@@ -14,30 +14,27 @@
 #include <io/pose_file.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <limits>
-#include <optional>
 #include <set>
 
 namespace {
 
+using namespace pcl_ops::apps;
 using namespace pcl_ops::simulation;
-namespace apps = pcl_ops::apps;
 namespace fs = std::filesystem;
 
 constexpr const char* program_name = "pcl_ops_simulate";
 
-/** \brief Their output is a folder. */
+/** Their output is a folder. */
 const std::set<std::string> scenes_of_files = {"town", "walk", "drive"};
 
-/** \brief What the command line asks for. */
 struct SimulationOptions {
   std::string output;
   Simulation simulation;
   double tiles = 4;
   std::uint32_t frames = 50;
+  std::string profile = "correlated";
   PoseErrors pose_errors;
   bool quiet = false;
 
@@ -54,13 +51,8 @@ struct SimulationOptions {
   }
 };
 
-using apps::CommandLine;
-using apps::from;
-using apps::Range;
-using apps::UsageError;
-
-/** \brief A point takes 32 bytes, and 16 more while it is written; those of a town are
- * never all in memory. */
+/** A point takes 32 bytes, and 16 more while it is written; those of a town are never
+ * all in memory. */
 constexpr double max_points = 1e7, max_points_of_town = 1e12;
 
 void
@@ -102,18 +94,13 @@ void
 declareSensor (CommandLine& line, SimulationOptions& options)
 {
   Simulation& simulation = options.simulation;
-  const auto upTo = [] (double highest) { return from (0).upTo (highest); };
   // For which a neighborhood of pixels still means something [px].
   const Range image_size = from (16).upTo (4096);
   line.add ("width W", simulation.camera.width, image_size).help ("columns (640)");
   line.add ("height H", simulation.camera.height, image_size).help ("rows (480)");
-  line.add ("noise X", simulation.noise, upTo (10)).help ("factor on the noise (1)");
-  line.add ("profile correlated|raw",
-            [&simulation] (const std::string& profile) {
-              simulation.has_raw_depth = profile == "raw";
-              if (profile != "raw" && profile != "correlated")
-                throw UsageError ("--profile", "is none; give correlated or raw");
-            })
+  line.add ("noise X", simulation.noise, from (0).upTo (10))
+      .help ("factor on the noise (1)");
+  line.add ("profile", options.profile, {"correlated", "raw"})
       .help ("the noise: smoothed depth, raw depth (correlated)");
   std::vector<std::string> lidars;
   for (const Lidar& lidar : known_lidars)
@@ -126,7 +113,6 @@ declareSensor (CommandLine& line, SimulationOptions& options)
   line.add ("quiet", options.quiet).help ("print nothing");
 }
 
-/** \brief Refuses options that the scene has no use for. */
 void
 checkOptions (const CommandLine& line, const SimulationOptions& options)
 {
@@ -154,8 +140,7 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
   refuse ("points",
           !is_town && simulation.points.value_or (1) > max_points,
           "is more than 10000000, which only --scene town takes; give fewer");
-  if (!options.isOfAny (scenes_of_files) &&
-      apps::extensionOf (options.output) != ".pcd")
+  if (!options.isOfAny (scenes_of_files) && extensionOf (options.output) != ".pcd")
     throw UsageError (options.output, "has an unknown extension; give a .pcd file");
   for (const std::string of_camera : {"width", "height", "profile", "organized"}) {
     line.forbidTogether ("points", of_camera);
@@ -165,9 +150,7 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
   }
 }
 
-/** \brief Writes files one after the other into the output folder.
- * \param[in] fix what to do where the memory is too small for one
- * \param[in] nameOf gives the name of each
+/** \param[in] fix what to do where the memory is too small for a file
  * \param[in] save writes one and returns its number of points
  * \return what to say about them */
 template <typename NameOf, typename Save>
@@ -179,16 +162,16 @@ writeFiles (const SimulationOptions& options,
             const NameOf& nameOf,
             const Save& save)
 {
-  using Style = apps::ProgressStyle;
+  using Style = ProgressStyle;
   const bool is_terminal = ::isatty (STDERR_FILENO) == 1;
-  const Style style = options.quiet ? Style::None : apps::progressStyleOf (is_terminal);
-  apps::makeFolder (options.output);
-  apps::Progress progress (count, std::cerr, style, noun);
+  const Style style = options.quiet ? Style::None : progressStyleOf (is_terminal);
+  makeFolder (options.output);
+  Progress progress (count, std::cerr, style, noun);
   std::uint64_t files = 0, points = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::string file = options.inFolder (nameOf (i));
-    apps::stopIfInterrupted();
-    points += apps::inMemory (file, fix, [&] { return save (i, file); });
+    stopIfInterrupted();
+    points += inMemory (file, fix, [&] { return save (i, file); });
     files += fs::exists (file);
     progress.step();
   }
@@ -196,8 +179,7 @@ writeFiles (const SimulationOptions& options,
               files);
 }
 
-/** \brief Writes each tile as town_000_000.las and so on, column and row, with one tile
- * in memory. Tiles without points have no file. */
+/** Tiles without points have no file. */
 std::string
 writeTown (const SimulationOptions& options)
 {
@@ -205,30 +187,29 @@ writeTown (const SimulationOptions& options)
   const Simulation& simulation = options.simulation;
   const Town town =
       makeTown (simulation.seed, simulation.points.value_or (1e6), options.tiles);
-  const auto columnOf = [&] (std::size_t i) { return std::uint32_t (i % town.tiles); };
-  const auto rowOf = [&] (std::size_t i) { return std::uint32_t (i / town.tiles); };
-  const auto nameOf = [&] (std::size_t i) {
-    return str (boost::format ("town_%03u_%03u.las") % columnOf (i) % rowOf (i));
+  const auto nameOf = [&town] (std::size_t i) {
+    return str (boost::format ("town_%03u_%03u.las") % (i % town.tiles) %
+                (i / town.tiles));
   };
   const auto save = [&] (std::size_t i, const std::string& file) {
-    std::vector<apps::LasPoint> points;
-    for (const TownPoint& point :
-         surveyTile (town, columnOf (i), rowOf (i), simulation.noise)) {
-      apps::LasPoint& record = points.emplace_back();
+    const auto column = std::uint32_t (i % town.tiles),
+               row = std::uint32_t (i / town.tiles);
+    std::vector<LasPoint> points;
+    for (const TownPoint& point : surveyTile (town, column, row, simulation.noise)) {
+      LasPoint& record = points.emplace_back();
       record.label = point.label;
       const Eigen::Vector3d local = (point.position - town.corner) / millimeter;
       for (int axis = 0; axis < 3; ++axis)
         record.raw[axis] = std::int32_t (std::lround (local[axis]));
     }
     if (!points.empty())
-      apps::saveLas (file, points, millimeter, town.corner);
+      saveLas (file, points, millimeter, town.corner);
     return points.size();
   };
   const std::size_t tiles = std::size_t (town.tiles) * town.tiles;
   return writeFiles (options, tiles, "tiles", "give more --tiles", nameOf, save);
 }
 
-/** \brief Writes frames as frame_000.pcd and so on, and poses. */
 std::string
 writeWay (const SimulationOptions& options)
 {
@@ -241,7 +222,7 @@ writeWay (const SimulationOptions& options)
   const auto save = [&] (std::size_t i, const std::string& file) {
     const auto cloud = toSurfaceCloud (
         way.scan (i), Eigen::Isometry3d::Identity(), simulation.organized);
-    apps::saveLabeledPcd (file, cloud);
+    saveLabeledPcd (file, cloud);
     return cloud.size();
   };
   const std::string summary =
@@ -249,39 +230,38 @@ writeWay (const SimulationOptions& options)
   // Those of a longer walk before it would be taken for frames of this one.
   for (std::size_t i = options.frames; fs::remove (options.inFolder (nameOf (i)));)
     ++i;
-  apps::savePoses (options.inFolder ("poses.txt"),
-                   measured (way.poses, options.pose_errors, simulation.seed));
+  savePoses (options.inFolder ("poses.txt"),
+             measured (way.poses, options.pose_errors, simulation.seed));
   return summary;
 }
 
-/** \brief Writes files one after the other, and ends behind one of them on Ctrl-C. */
 void
 runFiles (const SimulationOptions& options)
 {
-  apps::noteInterruptions();
+  noteInterruptions();
   try {
     const std::string summary =
         options.simulation.scene == "town" ? writeTown (options) : writeWay (options);
     if (!options.quiet)
       std::cout << summary;
   }
-  catch (const apps::Interrupted&) {
-    throw apps::WorkError (
-        options.output, "interrupted: its files are whole, but not all; run it again");
+  catch (const Interrupted&) {
+    throw WorkError (options.output,
+                     "interrupted: its files are whole, but not all; run it again");
   }
 }
 
 void
 runCloud (const SimulationOptions& options)
 {
-  apps::checkWritable (options.output);
-  std::optional<apps::StageLines> lines;
+  checkWritable (options.output);
+  std::optional<StageLines> lines;
   if (!options.quiet)
     lines.emplace (std::cerr).begin (options.output + ": simulating");
   const SimulatedCloud simulated =
-      apps::inMemory (options.output, "give fewer --points or a smaller image", [&] {
+      inMemory (options.output, "give fewer --points or a smaller image", [&] {
         SimulatedCloud cloud = simulate (options.simulation);
-        apps::saveLabeledPcd (options.output, cloud.cloud);
+        saveLabeledPcd (options.output, cloud.cloud);
         return cloud;
       });
   lines.reset();
@@ -302,10 +282,11 @@ run (int argc, const char* const* argv)
   declareScene (line, options);
   declareSensor (line, options);
   if (!line.parse (argc, argv)) // the answer was --help or --version
-    return apps::ExitCode::done;
+    return ExitCode::done;
   checkOptions (line, options);
+  options.simulation.has_raw_depth = options.profile == "raw";
   options.isOfAny (scenes_of_files) ? runFiles (options) : runCloud (options);
-  return apps::ExitCode::done;
+  return ExitCode::done;
 }
 
 } // namespace
@@ -313,8 +294,8 @@ run (int argc, const char* const* argv)
 int
 main (int argc, char** argv)
 {
-  const int code = apps::runProgram (program_name, [&] { return run (argc, argv); });
-  if (code != apps::ExitCode::done)
-    apps::endAsInterrupted();
+  const int code = runProgram (program_name, [&] { return run (argc, argv); });
+  if (code != ExitCode::done)
+    endAsInterrupted();
   return code;
 }

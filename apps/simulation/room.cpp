@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "furniture.h"
 #include "scenes.h"
 #include "sensors.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
 
@@ -15,7 +13,7 @@ namespace {
 
 using Eigen::AlignedBox2d;
 
-/** \brief Maybe with a window niche or a door whose leaf is set back. */
+/** Maybe with a window niche or a door whose leaf is set back. */
 Body
 drawWall (const WallRange& wall, double chance_of_opening, Random& random)
 {
@@ -37,8 +35,7 @@ drawWall (const WallRange& wall, double chance_of_opening, Random& random)
   return body;
 }
 
-/** \brief Draws a room, then places pieces of furniture one by one where there is still
- * space for them; those for which there is none are left out. */
+/** Draws a room, then places pieces one by one where there is still space for them. */
 struct Furnisher {
   Random random;
   int walls; // the first of the four that a room has
@@ -69,9 +66,8 @@ struct Furnisher {
     room.scene.add (shell, turnZ (room.yaw));
   }
 
-  /** \brief Puts what stands at the origin with its back towards -y against a wall.
-   * \param[in] along shift along the wall from its middle [m]
-   * \param[in] gap from the wall's plane [m] */
+  /** \param[in] along from the middle of the wall [m]
+   * \param[in] gap from its plane [m] */
   Isometry3d
   poseAtWall (int wall, double along, double gap) const
   {
@@ -79,7 +75,6 @@ struct Furnisher {
     return turnZ (0.5 * pi * wall) * at ({along, gap - to_wall, 0});
   }
 
-  /** \brief With its back to some wall. */
   void
   placeAtWall (const Body& piece)
   {
@@ -92,7 +87,6 @@ struct Furnisher {
     });
   }
 
-  /** \brief Turned in any way. */
   void
   placeAnywhere (const Body& piece)
   {
@@ -117,8 +111,7 @@ struct Furnisher {
     }
   }
 
-  /** \brief Takes the part of the floor, parallel to the walls, that a piece covers.
-   * \return false if it is not free */
+  /** Takes the part of the floor that a piece covers, if it is free. */
   bool
   occupy (const Vector2d& footprint, const Isometry3d& pose)
   {
@@ -142,7 +135,7 @@ struct Furnisher {
 
 constexpr double whole_turn = 2.0 * pi;
 
-/** \brief Of a camera that looks in a level direction of length 1. */
+/** \param[in] level the direction it looks in, of length 1 */
 Isometry3d
 upright (const Vector3d& eye, const Vector3d& level)
 {
@@ -151,10 +144,8 @@ upright (const Vector3d& eye, const Vector3d& level)
   return pose;
 }
 
-/** \brief Where a camera is after some share of its way. */
 using Way = std::function<Isometry3d (double share)>;
 
-/** \brief Around the middle of a room. */
 Way
 drawWayAround (const Site& room, Random& random)
 {
@@ -184,8 +175,7 @@ posesOn (const Way& way, std::size_t frames)
   return poses;
 }
 
-/** \brief Frames on the first of some ways whose worst view shows the most surfaces.
- * \param[in] views of each way that are looked at */
+/** Frames on the first of some ways whose worst view shows the most surfaces. */
 Poses
 drawBest (const Site& room,
           int ways,

@@ -3,7 +3,6 @@
 #include "scene.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl_ops::simulation {
 
@@ -13,7 +12,7 @@ using Kind = Shape::Kind;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/** \brief What Eigen::BVIntersect asks on its way to the nearest shape. */
+/** What Eigen::BVIntersect asks on its way to the nearest shape. */
 struct RayCast {
   const Vector3d &origin, &direction;
   Hit closest = {};
@@ -30,7 +29,7 @@ struct RayCast {
     return is_inside ? distance : infinite;
   }
 
-  /** \brief A closed cylinder is the part of an endless one between two planes. */
+  /** A closed cylinder is the part of an endless one between two planes. */
   double
   distanceToRound (const Shape& shape) const
   {
@@ -57,7 +56,7 @@ struct RayCast {
     return enter <= leave ? enter : infinite;
   }
 
-  /** \brief Whether something nearer may be in a box. */
+  /** Whether something nearer may be in a box. */
   bool
   intersectVolume (const Eigen::AlignedBox3d& box) const
   {

@@ -23,8 +23,8 @@ using Eigen::Vector3d;
 
 using Seed = std::uint32_t;
 
-/** \brief What random numbers are for. Each purpose has its own stream, so that a seed
- * gives the same scene whatever the camera and the noise. */
+/** Each has random numbers of its own, so that a seed gives the same scene whatever the
+ * camera and the noise. */
 enum class Purpose : std::uint32_t {
   Room = 1,
   CameraPose,
@@ -56,7 +56,7 @@ at (const Vector3d& place)
   return Isometry3d (Eigen::Translation3d (place));
 }
 
-/** \brief A turn about the axis x (0), y (1) or z (2) by an angle [rad]. */
+/** A turn about the axis x (0), y (1) or z (2) by an angle [rad]. */
 template <int axis>
 Isometry3d
 turn (double angle)
@@ -66,33 +66,31 @@ turn (double angle)
 
 constexpr auto turnX = turn<0>, turnY = turn<1>, turnZ = turn<2>;
 
-/** \brief Where the sensor is in each frame: from its own frame to that of the scene.
- */
+/** From the sensor's frame to that of the scene. */
 using Poses = std::vector<Isometry3d>;
 
-/** \brief Identity of a flat surface, from 1; rectangles that are pieces of the same
- * surface share it. */
+/** From 1; rectangles that are pieces of one flat surface share it. */
 using SurfaceId = std::uint32_t;
 
-/** \brief Not a plane: round things, and strips too narrow to be called a surface. */
+/** Not a plane: round things, and strips too narrow to be called a surface. */
 constexpr SurfaceId no_surface = 0;
 
-/** \brief A rectangle seen from both sides, a sphere, or a cylinder along u. Rays meet
- * no other shapes: a dome, the top of a sphere; a cone about an upright axis, without
- * its base; a torus about one. */
+/** A rectangle seen from both sides, a sphere, or a cylinder along u. Rays meet no
+ * other shapes: a dome, the top of a sphere; a cone about an upright axis, without its
+ * base; a torus about one. */
 struct Shape {
   enum class Kind { Rectangle, Sphere, Cylinder, Dome, Cone, Torus };
   Kind kind = Kind::Rectangle;
-  /** \brief Of a dome its sphere's, of a cone its apex. */
+  /** Of a dome its sphere's, of a cone its apex. */
   Vector3d center = Vector3d::Zero();
   Vector3d u = Vector3d::UnitX(), v = Vector3d::UnitY();
-  /** \brief Half the edges [m]. Of what is round half_v is the radius (of a cone of its
-   * base, of a torus of its ring), half_u the height of a dome or a cone, and half that
-   * of a cylinder or a torus. */
+  /** Half the edges [m]. Of what is round half_v is the radius (of a cone of its base,
+   * of a torus of its ring), half_u the height of a dome or a cone, and half that of a
+   * cylinder or a torus. */
   double half_u = 0.5, half_v = 0.5;
   SurfaceId surface = no_surface;
-  /** \brief Part of a turn that there is of a cylinder, cone or torus about an upright
-   * axis, around +y from there. */
+  /** Part of a turn that there is of a cylinder, cone or torus about an upright axis,
+   * around +y from there. */
   double share = 1.0;
 
   Vector3d
@@ -107,7 +105,7 @@ struct Shape {
     return planeThrough (center, normal());
   }
 
-  /** \brief Without the ends of a cylinder. */
+  /** Without the ends of a cylinder. */
   double
   area () const
   {
@@ -120,15 +118,15 @@ struct Shape {
   }
 };
 
-/** \brief Around a shape; of that name because Eigen's tree asks for it. */
+/** Eigen's tree asks for this name. */
 Eigen::AlignedBox3d
 bounding_box (const Shape& shape);
 
-/** \brief With edges at right angles. */
+/** With edges at right angles. */
 Shape
 makeRectangle (const Vector3d& center, const Vector3d& edge_u, const Vector3d& edge_v);
 
-/** \brief A rectangle in a wall's frame: x along it, z up, y < 0 behind it [m]. */
+/** A rectangle in a wall's frame: x along it, z up, y < 0 behind it [m]. */
 struct WallRange {
   double left, right, bottom, top;
 
@@ -141,26 +139,23 @@ struct WallRange {
   }
 };
 
-/** \brief The faces of a box that are left out because nothing can see them. */
+/** The faces of a box that are left out because nothing can see them. */
 enum class HiddenFace { None, Bottom, BottomAndTop };
 
-/** \brief A piece of furniture or the shell of a room; its surfaces are numbered from 1
- * within the body. */
+/** A piece of furniture or the shell of a room, with its surfaces numbered from 1. */
 struct Body {
-  /** \brief Extent of furniture on the floor along x and y [m]. */
+  /** Extent of furniture on the floor along x and y [m]. */
   Vector2d footprint = Vector2d::Zero();
   std::vector<Shape> shapes = {};
   SurfaceId surface_count = 0;
-  /** \brief What is narrower is not called a plane [m]: in most scenes the edges of
-   * boards, below the distance threshold of the paper. */
+  /** What is narrower is called no plane [m]: usually the edges of boards. */
   double narrowest_surface = 0.05;
 
-  /** \brief Adds a rectangle with a surface of its own, or \ref no_surface if it is
-   * narrower than \ref narrowest_surface. */
+  /** Adds a rectangle with a surface of its own, unless it is too narrow. */
   void
   addSurface (const Shape& rectangle);
 
-  /** \brief The same, from the middle of one edge to that of the opposite one. */
+  /** From the middle of one edge to that of the opposite one. */
   void
   addFace (const Vector3d& from, const Vector3d& to, const Vector3d& edge)
   {
@@ -174,8 +169,7 @@ struct Body {
     shapes.back().half_v = radius;
   }
 
-  /** \param[in] axis of length 1
-   * \param[in] half the length [m] */
+  /** \param[in] axis of length 1 */
   void
   addCylinder (const Vector3d& center, const Vector3d& axis, double half, double radius)
   {
@@ -183,7 +177,7 @@ struct Body {
         {Shape::Kind::Cylinder, center, axis, Vector3d::Zero(), half, radius});
   }
 
-  /** \brief An upright cylinder on \p foot. */
+  /** An upright cylinder on \p foot. */
   void
   addPole (const Vector3d& foot, double height, double radius)
   {
@@ -191,32 +185,29 @@ struct Body {
     addCylinder (foot + 0.5 * height * up, up, 0.5 * height, radius);
   }
 
-  /** \param[in] pose from the frame of the box, zero at its center, to the body's */
+  /** Around the origin of the pose. */
   void
   addBox (const Isometry3d& pose,
           const Vector3d& size,
           HiddenFace hidden = HiddenFace::None);
 
-  /** \brief Adds a wall around a hole, one surface, with the hole's back and sides. */
+  /** Adds a wall around a hole, one surface, with the hole's back and sides. */
   void
   addWallAround (const WallRange& wall, const WallRange& hole, double depth);
 
-  /** \brief Adds all shapes of \p part, moved by \p pose, with surfaces of their own.
-   */
+  /** With surfaces of their own. */
   void
   addPart (const Body& part, const Isometry3d& pose);
 
-  /** \brief Gives rectangles in one plane the surface of the first of them. */
+  /** Gives rectangles in one plane the surface of the first of them. */
   void
   joinCoplanar ();
 };
 
-/** \brief Everything a sensor can see. */
 struct Scene {
   std::vector<Body> bodies;
   SurfaceId surface_count = 0;
 
-  /** \brief Adds a body; its surfaces get the scene's next identities. */
   void
   add (const Body& body, const Isometry3d& pose)
   {
@@ -227,17 +218,16 @@ struct Scene {
   }
 };
 
-/** \brief The plane of each surface, surface 1 first. */
+/** That of surface 1 first. */
 std::vector<Plane>
 surfacePlanes (const Scene& scene);
 
-/** \brief Where a ray meets a scene: at origin + distance * direction, if anywhere. */
+/** At origin + distance * direction. */
 struct Hit {
   double distance = std::numeric_limits<double>::infinity();
   SurfaceId surface = no_surface;
 };
 
-/** \brief All shapes of a scene in Eigen's hierarchy of bounding volumes. */
 using ShapeTree = Eigen::KdBVH<double, 3, Shape>;
 
 ShapeTree

@@ -3,21 +3,19 @@
 #include "sensors.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 namespace pcl_ops::simulation {
 
 namespace {
 
-/** \brief Readings outside are lost [m]. */
+/** Readings outside are lost [m]. */
 constexpr double nearest = 0.5, farthest = 8.0;
 constexpr double no_reading = std::numeric_limits<double>::infinity();
 
-/** \brief A standard normal value for each pixel; with the correlated profile alike for
- * neighbors: white noise filtered by a Gaussian and brought back to variance 1. */
+/** Standard normal values, with the correlated profile alike for neighbors: white noise
+ * filtered by a Gaussian and brought back to variance 1. */
 Field
 drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
 {
@@ -40,7 +38,7 @@ drawField (const DepthCamera& camera, const CameraNoise& noise, Random& random)
   return field;
 }
 
-/** \brief Lets pixels at depth edges fly between the two sides, or loses them. */
+/** Lets pixels at depth edges fly between the two sides, or loses them. */
 void
 disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
 {
@@ -71,7 +69,7 @@ disturbEdges (DepthImage& image, const CameraNoise& noise, Random& random)
       }
 }
 
-/** \brief Adds all noise but that of the rays' directions. */
+/** All noise but that of the rays' directions. */
 void
 disturbDepths (DepthImage& image,
                const DepthCamera& camera,
@@ -109,8 +107,8 @@ rotatingRay (const Lidar& lidar, int step, int beam)
           std::sin (elevation)};
 }
 
-/** \brief The beam goes through two prisms that turn against each other, each of which
- * bends it by half of what both do together. */
+/** The beam goes through two prisms that turn against each other, each of which bends
+ * it by half of what both do together. */
 Vector3d
 rosetteRay (const Lidar& lidar, std::size_t ray)
 {

@@ -6,18 +6,17 @@
 
 #include <array>
 #include <string>
-#include <vector>
 
 namespace pcl_ops::simulation {
 
-/** \brief Of a Kinect's depth image of 640 columns [px]. */
+/** Of a Kinect's depth image of 640 columns [px]. */
 constexpr double kinect_focal_length = 525.0;
 
-/** \brief A pinhole depth camera in the room. Its axes: x right, y down, z forward. */
+/** Its axes: x right, y down, z forward. */
 struct DepthCamera {
   int width = 640, height = 480;
 
-  /** \brief The ray of a pixel in the camera's frame, of length 1 along z. */
+  /** Of length 1 along z. */
   Vector3d
   ray (double column, double row) const
   {
@@ -29,18 +28,16 @@ struct DepthCamera {
   }
 };
 
-/** \brief A number for each pixel. */
+/** A number for each pixel. */
 using Field = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/** \brief What is before each pixel. */
 struct DepthImage {
   Field depth; // along the camera's z axis [m]; infinite: nothing
   std::vector<SurfaceId> surface;
 };
 
-/** \brief How many columns and rows beside its place each pixel looks: this frays the
- * edges, while the depth is that of the surface it sees at the pixel's place. Empty:
- * edges are exact. */
+/** How many columns and rows beside its place each pixel looks: this frays the edges,
+ * while the depth is that of the surface it sees at the pixel's place. */
 using Jitter = std::array<Field, 2>;
 
 DepthImage
@@ -50,19 +47,18 @@ castDepthImage (const Scene& scene,
                 const Jitter& jitter = {});
 
 struct CameraNoise {
-  /** \brief Factor on all noise; 1 as measured on a Kinect, 0 none at all. */
+  /** Factor on all noise; 1 as measured on a Kinect, 0 none at all. */
   double scale = 1.0;
-  /** \brief Each pixel errs by itself and the disparity comes in steps of 1/8 px; else
-   * the depth is smoothed: neighboring pixels err alike. */
+  /** Each pixel errs by itself and the disparity comes in steps of 1/8 px; else the
+   * depth is smoothed: neighboring pixels err alike. */
   bool is_raw = false;
-  /** \brief Standard deviation s of the Gaussian filter of smoothed depth [px]: at a
-   * distance d the correlation is exp (-d^2 / (4 s^2)). */
+  /** Standard deviation s of the Gaussian filter of smoothed depth [px]: at a distance
+   * d the correlation is exp (-d^2 / (4 s^2)). */
   double smoothing = 3.0;
 };
 
-/** \brief What a camera measures, in its frame: rays wander sideways, depths are noisy,
- * pixels at depth edges fly between the two sides, on no surface, or are lost, as is
- * what is out of range. */
+/** Rays wander sideways, depths are noisy, pixels at depth edges fly between the two
+ * sides, on no surface, or are lost, as is what is out of range. */
 Scan
 scanByCamera (const Scene& scene,
               const DepthCamera& camera,
@@ -70,12 +66,12 @@ scanByCamera (const Scene& scene,
               const CameraNoise& noise,
               Seed seed);
 
-/** \brief Standard deviation of a lidar's distances [m]. */
+/** Standard deviation of a lidar's distances [m]. */
 constexpr double lidar_sigma = 0.02;
 
-/** \brief A lidar in its axes: x forward, y left, z up. It sends some beams at once,
- * one above the other, highest first, and so around clockwise; or with \ref beams 1 a
- * single one along a rosette whose gaps the next scans fill. */
+/** A lidar in its axes: x forward, y left, z up. It sends some beams at once, one above
+ * the other, highest first, and so around clockwise; or with \ref beams 1 a single one
+ * along a rosette whose gaps the next scans fill. */
 struct Lidar {
   const char* name;
   int beams, steps;       // how many at once, and how often in a scan
@@ -89,20 +85,17 @@ struct Lidar {
   }
 };
 
-/** \brief Lidars like a Velodyne HDL-64E, HDL-32E or VLP-16 and a Livox Avia. */
+/** Like a Velodyne HDL-64E, HDL-32E, VLP-16 and a Livox Avia. */
 constexpr Lidar known_lidars[] = {{"lidar-64", 64, 1900, 2.0, -24.8, 120.0},
                                   {"lidar-32", 32, 1080, 10.0, -30.0, 100.0},
                                   {"lidar-16", 16, 1800, 15.0, -15.0, 100.0},
                                   {"livox", 1, 100'000, 35.0, -35.0, 120.0}};
 
-/** \brief That of a name; of another one the last. */
+/** That of a name; of another one the last. */
 Lidar
 lidarOf (const std::string& name);
 
-/** \brief Casts all rays of a scan from where the lidar is; distances are noisy.
- * \param[in] pose from the lidar's frame to that of the scene
- * \param[in] number of the scan in a row of them: a rosette goes on where the last
- * scan ended */
+/** \param[in] number of the scan: a rosette goes on where the last scan ended */
 Scan
 scanAround (const Scene& scene,
             const Lidar& lidar,

@@ -10,9 +10,8 @@ namespace {
 
 using Kind = Shape::Kind;
 
-/** \brief From which the sizes of a small shape and of a large one are drawn [m];
- * heights of domes follow from their radii. The large height of a cone is in multiples
- * of its radius, that of a torus of the smallest large radius. */
+/** Ranges of sizes [m]; heights of domes follow from their radii. The large height of a
+ * cone is in multiples of its radius, that of a torus of the smallest large radius. */
 constexpr struct ShapeSizes {
   Kind kind;
   struct {
@@ -23,7 +22,7 @@ constexpr struct ShapeSizes {
                        {Kind::Cone, {0.3, 0.6}, {0.8, 1.6}, {0.7, 1.0}},
                        {Kind::Torus, {0.4, 0.6}, {0.1, 0.2}, {0.3, 0.5}}};
 
-/** \brief About an upright axis.
+/** About an upright axis.
  * \param[in] share of a turn */
 Shape
 makeRound (
@@ -33,7 +32,7 @@ makeRound (
   return {kind, center, up, none, height, radius, no_surface, share};
 }
 
-/** \brief Beside the ground, which begins at y = 0.
+/** Beside the ground, which begins at y = 0.
  * \param[in] position in the row, from 0 to 3 */
 Shape
 drawSmall (const ShapeSizes& sizes, int position, Random& random)
@@ -48,7 +47,7 @@ drawSmall (const ShapeSizes& sizes, int position, Random& random)
   return makeRound (sizes.kind, {(position - 1.5) * distance, row, z}, radius, height);
 }
 
-/** \brief Behind the small ones. */
+/** Behind the small ones. */
 Shape
 drawLarge (const ShapeSizes& sizes, int position, Random& random)
 {
@@ -73,8 +72,7 @@ drawLarge (const ShapeSizes& sizes, int position, Random& random)
   return makeRound (sizes.kind, {x, row, height - radius}, radius, height);
 }
 
-/** \brief A board on the middle of the ground, turned about the vertical and leaning
- * back a little. */
+/** On the middle of the ground, turned about the vertical and leaning back a little. */
 Shape
 drawBoard (const Shape& ground, Random& random)
 {

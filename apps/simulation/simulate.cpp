@@ -4,8 +4,6 @@
 
 #include "scenes.h"
 
-#include <cmath>
-
 namespace pcl_ops::simulation {
 
 namespace {
@@ -18,7 +16,6 @@ siteOf (const Simulation& simulation)
                                          : makeRoom (simulation.seed);
 }
 
-/** \brief A small motion of so many degrees and centimeters as root mean square. */
 Isometry3d
 drawError (Random& random, double size)
 {

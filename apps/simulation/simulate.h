@@ -6,11 +6,9 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 
 namespace pcl_ops::simulation {
 
-/** \brief What is simulated: a scene of which name and how it is seen. */
 struct Simulation {
   std::string scene = "room";
   Seed seed = 1;
@@ -18,8 +16,8 @@ struct Simulation {
   bool has_raw_depth = false;
   std::string sensor = "lidar-64"; // of streets and drives
   double noise = 1.0;
-  /** \brief Of scans from everywhere; none: as many as such a scene usually has, and
-   * rooms are seen by the camera. */
+  /** Of scans from everywhere; none: as many as usual, and rooms are seen by the
+   * camera. */
   std::optional<double> points = std::nullopt;
   bool organized = false;
 
@@ -30,31 +28,28 @@ struct Simulation {
   }
 };
 
-/** \brief A cloud of any scene but a walk, a drive and a town. */
+/** A cloud of any scene but a walk, a drive and a town. */
 SimulatedCloud
 simulate (const Simulation& simulation);
 
-/** \brief What a sensor sees of a scene from where it stands, or on its way. */
 struct SensorView {
   Scene scene;
   Poses poses;
   std::function<Scan (std::size_t frame)> scan; // at each of the poses
 };
 
-/** \brief The view of a camera in a room or on a walk, of a lidar in a street or on a
- * drive.
- * \param[in] frames of a walk or a drive */
+/** Of a camera in a room or on a walk, of a lidar in a street or on a drive. */
 SensorView
 viewOf (const Simulation& simulation, std::size_t frames = 1);
 
-/** \brief How far poses are off, as root mean square: a turn of so many degrees about
- * the sensor, and a shift of so many centimeters. */
+/** As root mean square: a turn of so many degrees and a shift of so many
+ * centimeters. */
 struct PoseErrors {
-  /** \brief Of each pose by itself, and of each step between two: these add up. */
+  /** Of each pose by itself, and of each step between two: these add up. */
   double each = 0.0, drift = 0.0;
 };
 
-/** \brief Poses as a measurement would have them. */
+/** Poses as a measurement would have them. */
 Poses
 measured (const Poses& poses, const PoseErrors& errors, Seed seed);
 

@@ -3,8 +3,6 @@
 #include "simulated_cloud.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -14,7 +12,6 @@ namespace {
 
 using Kind = Shape::Kind;
 
-/** \brief A direction across the z axis. */
 Vector3d
 drawAcross (Random& random)
 {
@@ -42,7 +39,7 @@ drawOnConeOrTorus (const Shape& shape, Random& random)
   return {shape.center + radius * across + height * normal, normal};
 }
 
-/** \brief A point of a shape as if its share were 1. */
+/** A point of a shape as if its share were 1. */
 SurfacePoint
 drawOfWhole (const Shape& shape, Random& random)
 {
@@ -173,10 +170,9 @@ scanDensely (const Scene& scene, std::size_t points, double noise, Seed seed)
   std::vector<Shape> shapes;
   for (const Body& body : scene.bodies)
     for (const Kind kind : {Kind::Rectangle, Kind::Sphere, Kind::Cylinder})
-      std::copy_if (body.shapes.begin(),
-                    body.shapes.end(),
-                    std::back_inserter (shapes),
-                    [kind] (const Shape& shape) { return shape.kind == kind; });
+      for (const Shape& shape : body.shapes)
+        if (shape.kind == kind)
+          shapes.push_back (shape);
   Random random = randomFor (Purpose::DenseScan, seed);
   LabeledCloud cloud = drawPoints (shapes, points, noise * laser_sigma, random);
   if (!cloud.empty()) {

@@ -3,7 +3,6 @@
 #include "scenes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -11,8 +10,8 @@ namespace pcl_ops::simulation {
 
 namespace {
 
-/** \brief Adds the walls beside the neighbors, which the ground hides below z = 0, and
- * often the slope of a gable roof towards the street, which hides the other one. */
+/** Walls beside the neighbors, which the ground hides below z = 0, and often the slope
+ * of a gable roof towards the street, which hides the other one. */
 void
 addSidesAndRoof (Body& house, double width, double eaves, Random& random)
 {
@@ -30,13 +29,12 @@ addSidesAndRoof (Body& house, double width, double eaves, Random& random)
                  {width, 0, 0});
 }
 
-/** \brief Sizes of a window or a door [m]. */
+/** [m] */
 struct Opening {
   double width, height, sill, depth;
 };
 
-/** \brief A facade towards +y with windows and a door; its middle stands on the origin.
- * All windows are equally deep. Faces in one plane are one surface.
+/** Its facade towards +y stands on the origin. All windows are equally deep.
  * \param[in] width of the facade [m] */
 Body
 drawTownHouse (double width, Random& random)
@@ -75,8 +73,7 @@ drawTownHouse (double width, Random& random)
   return house;
 }
 
-/** \brief A car along x on round wheels; the triangles beside its slanted windows are
- * open. */
+/** Along x on round wheels; the triangles beside its slanted windows are open. */
 Body
 drawCar (Random& random)
 {
@@ -110,8 +107,7 @@ drawCar (Random& random)
   return car;
 }
 
-/** \brief Adds leaves, each a small ball, spread evenly in a ball.
- * \param[in] lowest leaves are above [m] */
+/** Adds leaves, small balls, evenly in a ball where it is above the lowest. */
 void
 addLeaves (
     Body& plant, const Vector3d& middle, double crown, double lowest, Random& random)
@@ -130,7 +126,7 @@ addLeaves (
   }
 }
 
-/** \brief A trunk and a crown of scattered leaves: no planes. */
+/** A trunk and a crown of leaves. */
 Body
 drawTree (Random& random)
 {
@@ -141,8 +137,8 @@ drawTree (Random& random)
   return tree;
 }
 
-/** \brief One side of the street, in a frame of its own: x along it, y towards the
- * road, y = 0 the curb, z up from the road. */
+/** In a frame of its own: x along the street, y towards the road, y = 0 the curb, z up
+ * from the road. */
 struct Roadside {
   Isometry3d pose;
   double length, curb; // and height of the curb [m]
@@ -197,7 +193,6 @@ addHouses (Scene& scene, const Roadside& side, Random& random)
   }
 }
 
-/** \brief Parked cars, and trees and poles on the edge of the sidewalk. */
 void
 addRows (Scene& scene, const Roadside& side, Random& random)
 {
@@ -243,7 +238,6 @@ addSide (Site& street, const Isometry3d& pose, Random& random)
   addRows (street.scene, side, random);
 }
 
-/** \brief A place on the right lane. */
 Isometry3d
 onLane (const Site& street, double x)
 {

@@ -3,20 +3,17 @@
 #include "scenes.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl_ops::simulation {
 
 namespace {
 
-/** \brief A rectangle, or with a gable the pentagon in it that narrows evenly above the
- * shoulders to a point. */
+/** A rectangle, or with a gable the pentagon in it above the shoulders. */
 struct Facade {
   Shape rectangle;
   double shoulders = 1.0; // their height as a share of the rectangle's
   double density = 1.0;   // of its points, relative to walls and roofs
 
-  /** \brief Whether a point of the rectangle is none of air beside a gable. */
   bool
   has (const Vector3d& point) const
   {
@@ -41,7 +38,6 @@ covers (const House& house, const Vector3d& point)
          std::abs (local.y()) < 0.5 * house.width;
 }
 
-/** \brief Walls and slopes of all houses, then the ground. */
 std::vector<Facade>
 facadesOf (const Survey& survey)
 {
@@ -77,17 +73,17 @@ facadesOf (const Survey& survey)
 } // namespace
 
 Survey
-makeSurvey (Seed seed, std::size_t houses)
+makeSurvey (Seed seed)
 {
   constexpr double width_of_lot = 30.0; // the ground each house has for itself [m]
+  constexpr int lots_in_a_row = 6;
   Random random = randomFor (Purpose::Survey, seed);
-  const auto lots_in_a_row = std::size_t (std::ceil (std::sqrt (double (houses))));
   Survey survey;
-  survey.width = double (lots_in_a_row) * width_of_lot;
+  survey.width = lots_in_a_row * width_of_lot;
   const double first = 0.5 * (width_of_lot - survey.width);
-  for (std::size_t i = 0; i < houses; ++i) {
+  for (int i = 0; i < lots_in_a_row * lots_in_a_row; ++i) {
     House& house = survey.houses.emplace_back();
-    const double column = double (i % lots_in_a_row), row = double (i / lots_in_a_row);
+    const int column = i % lots_in_a_row, row = i / lots_in_a_row;
     house.center.x() = first + column * width_of_lot + random.between (-4, 4);
     house.center.y() = first + row * width_of_lot + random.between (-4, 4);
     house.yaw = random.angle (0, 180);
@@ -102,8 +98,6 @@ makeSurvey (Seed seed, std::size_t houses)
 SimulatedCloud
 scanSurvey (const Survey& survey, std::size_t points, double noise, Seed seed)
 {
-  if (survey.houses.empty())
-    return {};
   const std::vector<Facade> facades = facadesOf (survey);
   std::vector<Plane> planes;
   std::vector<double> weights; // running total of area times density

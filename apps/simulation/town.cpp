@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenes.h"
 
-#include <cmath>
-
 namespace pcl_ops::simulation {
 
 namespace {
@@ -11,21 +9,21 @@ namespace {
 using Eigen::AlignedBox2d;
 using Eigen::AlignedBox2i;
 
-/** \brief Points of a square meter of surface. */
+/** Points of a square meter. */
 constexpr double density = 30.0;
-/** \brief Streets are so far apart, and terraces begin so far apart along them [m]. */
+/** [m] */
 constexpr double street_pitch = 44.0, terrace_pitch = 170.0;
 constexpr double width_of_house = 15.0;
-/** \brief Of a terrace and all it may be shifted by, from its middle [m]. */
+/** Half the length of a terrace, and all it may be shifted by [m]. */
 constexpr double reach_of_terrace = 90.0;
 constexpr double edge_of_patch = 8.0; // [m]
-/** \brief More than any terrace has. */
+/** More than any terrace has. */
 constexpr std::uint32_t sides_of_terrace = 20;
 
-/** \brief A place on the lattice of terraces or of patches of the ground. */
+/** Of the lattice of terraces or of patches of the ground. */
 using Place = Eigen::Vector2i;
 
-/** \brief A rectangle from a corner along two sides that are at right angles. */
+/** A rectangle from a corner along two sides that are at right angles. */
 struct Side {
   Vector3d corner, along, up;
 };
@@ -38,8 +36,8 @@ randomAt (Seed seed, const Place& place, std::uint32_t what)
   return Random (std::seed_seq{seed, std::uint32_t (Purpose::Town), x, y, what});
 }
 
-/** \brief Outer walls, slopes of the roof, the floor above the ground, and the walls
- * between houses, in the frame of the streets. */
+/** Outer walls, slopes, the floor above the ground, and walls between houses, in the
+ * frame of the streets. */
 std::vector<Side>
 terraceAt (Seed seed, const Place& place)
 {
@@ -69,11 +67,10 @@ terraceAt (Seed seed, const Place& place)
   return sides;
 }
 
-/** \brief From the frame of the streets to that of the tiles. */
+/** From the frame of the streets to that of the tiles. */
 const Eigen::Matrix3d streets_to_tiles = turnZ (12.0 * pi / 180.0).linear();
 
-/** \brief The places of a lattice in the frame of the streets that may reach into a
- * square. */
+/** Those that may reach into a square, in the frame of the streets. */
 AlignedBox2i
 placesAround (const AlignedBox2d& square, const Vector2d& pitch, double margin)
 {
@@ -86,7 +83,7 @@ placesAround (const AlignedBox2d& square, const Vector2d& pitch, double margin)
   return {low.floor().cast<int>().matrix(), high.ceil().cast<int>().matrix()};
 }
 
-/** \brief Takes the points of a tile out of the patches that reach into it. */
+/** Takes the points of a tile out of the patches that reach into it. */
 struct TileSurvey {
   const Town& town;
   AlignedBox2d tile;

@@ -8,13 +8,13 @@ using namespace pcl_ops::simulation;
 
 namespace {
 
-/** \brief A scene and how it is seen. */
+/** A scene and how it is seen. */
 struct Kind {
   const char* scene;
   std::optional<double> points;
-  /** \brief Of points, by how far they are from the origin [m]. */
+  /** Of points, by how far they are from the origin [m]. */
   double largest_rounding;
-  /** \brief Of the distance to the plane; 0: it grows with the depth [m]. */
+  /** Of the distance to the plane; 0: it grows with the depth [m]. */
   double sigma;
   std::size_t min_planes;
   const char* sensor = "lidar-16";

@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scenes.h"
-#include <simulation/furniture.h>
 #include <simulation/scenes.h>
 
-#include <array>
 #include <map>
 #include <set>
 
@@ -12,7 +10,7 @@ using namespace pcl_ops::simulation;
 
 namespace {
 
-/** \brief Of what is turned by that angle about the vertical before. */
+/** Of what is turned by that angle about the vertical before. */
 Eigen::AlignedBox3d
 boxAround (const Body& body, double turn)
 {
@@ -32,7 +30,7 @@ areInOnePlane (const Shape& a, const Shape& b)
          std::abs (a.normal().dot (b.center - a.center)) < slightest_offset;
 }
 
-/** \brief Position and label of the points of all tiles. */
+/** Position and label of the points of all tiles. */
 std::set<std::array<double, 4>>
 allPoints (const Town& town)
 {
@@ -130,21 +128,12 @@ TEST (Corner, HasPiecesApartFromEachOtherWithinTheWalls)
   }
 }
 
-TEST (Survey, HasAGroundAndSixPlanesForEachHouse)
-{
-  for (const std::size_t houses : {1u, 3u, 5u}) {
-    const auto simulated = scanSurvey (makeSurvey (7, houses), 5000 * houses, 1.0, 7);
-    EXPECT_EQ (simulated.planes.size(), 1 + 6 * houses);
-    for (const auto& point : simulated.cloud)
-      ASSERT_GT (point.label, 0u);
-  }
-}
-
 TEST (Survey, HasNoGroundInAHouseAndNothingOutOfTheRoof)
 {
   const House house; // in the middle of its ground, with a ridge along x
   const double rise = 2.0 * (house.ridge - house.eaves) / house.width;
   for (const auto& point : scanSurvey ({{house}, 30.0}, 5000, 0.0, 7).cloud) {
+    EXPECT_GT (point.label, 0u);
     const bool is_inside = std::abs (point.x) < 7.4f && std::abs (point.y) < 5.4f;
     EXPECT_FALSE (is_inside && point.z < 4.9f);
     const double roof = house.ridge - rise * std::abs (point.y);

@@ -10,7 +10,7 @@ using namespace pcl_ops::simulation;
 
 namespace {
 
-/** \brief Of the depth of a wall, for each pixel [m]. */
+/** Of the depth of a wall, for each pixel [m]. */
 Field
 errorsOn (double depth, const CameraNoise& noise)
 {
@@ -21,7 +21,7 @@ errorsOn (double depth, const CameraNoise& noise)
   return errors;
 }
 
-/** \brief Correlation of the errors of pixels that are some columns apart. */
+/** Correlation of the errors of pixels that are some columns apart. */
 double
 correlation (const Field& errors, Eigen::Index lag)
 {
@@ -30,7 +30,7 @@ correlation (const Field& errors, Eigen::Index lag)
          errors.square().mean();
 }
 
-/** \brief A lidar inside of a box, which all rays meet. */
+/** A lidar inside of a box, which all rays meet. */
 Scan
 scanInABox (const Lidar& lidar, std::size_t number = 0, double noise = 0.0)
 {

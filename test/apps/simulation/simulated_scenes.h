@@ -7,19 +7,17 @@
 #include <simulation/sensors.h>
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace pcl_ops::simulation {
 
-/** \brief A few ulp of single precision at room size [m]. */
+/** A few ulp of single precision at room size [m]. */
 constexpr double rounding = 2e-6;
 
 constexpr double degree = pi / 180.0;
 
 inline const Isometry3d origin = Isometry3d::Identity();
 
-/** \brief Adds a wall of 40 m x 40 m across the z axis. */
+/** Adds a wall of 40 m x 40 m across the z axis. */
 inline void
 addWall (Scene& scene, double x, double depth)
 {
@@ -28,7 +26,7 @@ addWall (Scene& scene, double x, double depth)
   scene.add (wall, at ({x, 0, depth}));
 }
 
-/** \brief A wall across the view of a camera at the origin, larger than the view. */
+/** A wall across the view of a camera at the origin, larger than the view. */
 inline Scene
 wallAt (double depth)
 {
@@ -37,7 +35,7 @@ wallAt (double depth)
   return scene;
 }
 
-/** \brief A near wall that covers the left half of the view before a far one. */
+/** A near wall that covers the left half of the view before a far one. */
 inline Scene
 stepScene (double near, double far)
 {
