@@ -19,17 +19,14 @@ namespace {
 
 using namespace pcl_ops;
 using namespace pcl_ops::benchmark;
-using evaluation::CloudSource;
-using evaluation::DataSet;
-using evaluation::dataSetOf;
-using evaluation::XyzCloud;
+using namespace pcl_ops::apps;
+using namespace pcl_ops::evaluation;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* program_name = "pcl_ops_benchmark";
 
-/** \brief What the command line says. */
 struct Options {
-  /** \brief A data set of evaluation::dataSetOf, or a file or folder. */
+  /** Of dataSetOf, or a file or folder. */
   std::string input;
   std::string json_file, scaling_folder; // empty: not wanted
   std::string scaling_points = "30000,100000,300000,1000000,3000000,10000000";
@@ -41,13 +38,13 @@ struct Options {
 bool
 readOptions (int argc, const char* const* argv, Options& options)
 {
-  apps::CommandLine line (
+  CommandLine line (
       program_name,
       "Measures how fast planes are found and how much memory that takes, against\n"
       "pcl::KdTreeFLANN's construction and other plane detectors, in one process, and\n"
       "prints it in Markdown.",
       PCL_OPS_VERSION);
-  const apps::Range runs = apps::from (1).upTo (1000);
+  const Range runs = from (1).upTo (1000);
   MeasureParameters& measures = options.measures;
   bool no_peers = false;
   line.addArgument (
@@ -62,8 +59,8 @@ readOptions (int argc, const char* const* argv, Options& options)
   line.add ("peer-runs N", measures.peer_runs, runs)
       .help ("of others' detectors, which take seconds (1)");
   line.add ("no-peers", no_peers).help ("leave these out");
-  line.add ("seed S", measures.seed, apps::from (0)).help ("of detectors (42)");
-  line.add ("memory-points N", options.memory_points, apps::from (1).upTo (1e8))
+  line.add ("seed S", measures.seed, from (0)).help ("of detectors (42)");
+  line.add ("memory-points N", options.memory_points, from (1).upTo (1e8))
       .help ("size of the simulated scan peak memory is measured on (3000000)");
   line.add ("scaling FOLDER", options.scaling_folder)
       .help ("write times over points, threads, sampling rate and planes: "
@@ -78,7 +75,6 @@ readOptions (int argc, const char* const* argv, Options& options)
   return true;
 }
 
-/** Says on a terminal what is being done. */
 void
 notify (const std::string& what)
 {
@@ -99,38 +95,34 @@ compilerAndFlags ()
 #endif
 }
 
-/** The peak memory of the default preset. */
 Json
 peakOn (const XyzCloud::ConstPtr& cloud)
 {
   return {{"points", cloud->size()},
           {"cloud_bytes", double (cloud->size() * sizeof (pcl::PointXYZ))},
-          {"extra_bytes",
-           peakMemoryOn (cloud, evaluation::selectConfigurations ("ops").front())}};
+          {"extra_bytes", peakMemoryOn (cloud, selectConfigurations ("ops").front())}};
 }
 
 std::string
 peakText (const Json& peak)
 {
   const auto megabytes = [&peak] (const char* key) {
-    return evaluation::decimal (peak[key].get<double>() / 1e6, 1);
+    return decimal (peak[key].get<double>() / 1e6, 1);
   };
   return peak["points"].dump() + " points take " + megabytes ("cloud_bytes") +
          " MB, the default preset " + megabytes ("extra_bytes") +
          " MB more at its peak.\n";
 }
 
-/** Prints Markdown: the times on a cloud. */
 void
 printTimes (const Json& figures)
 {
-  using evaluation::decimal;
   const double points = figures["points"];
   const double of_default = figures["times"]["ops"]["detection_ms"];
   Json table = Json::array();
   for (const auto& [name, time] : figures["times"].items()) {
     Json row{{"measure", name}, {"runs", time["runs"]}};
-    for (const auto& stage : apps::detection_stages) {
+    for (const auto& stage : detection_stages) {
       const double milliseconds = time[std::string (stage.first) + "_ms"];
       row[stage.first] = milliseconds > 0.0 ? decimal (milliseconds, 1) : "";
     }
@@ -141,10 +133,9 @@ printTimes (const Json& figures)
   }
   const std::string title = "Times [ms], " + figures["name"].get<std::string>() + ", " +
                             figures["points"].dump() + " points";
-  std::cout << evaluation::tableOf (title, table) << std::flush;
+  std::cout << tableOf (title, table) << std::flush;
 }
 
-/** Measures on a cloud and prints the times. */
 Json
 figuresOf (const CloudSource& source, const MeasureParameters& parameters)
 {
@@ -158,7 +149,7 @@ figuresOf (const CloudSource& source, const MeasureParameters& parameters)
        measureInTurns (measuresOf (cloud, parameters), notifyOf)) {
     Json& measure = figures["times"][time.name];
     measure["runs"] = time.runs;
-    for (const auto& [stage, duration] : apps::detection_stages)
+    for (const auto& [stage, duration] : detection_stages)
       measure[std::string (stage) + "_ms"] = time.durations.*duration;
   }
   figures["peak_memory"] = peakOn (cloud);
@@ -176,20 +167,19 @@ figuresOfAll (const DataSet& clouds,
   Json all = Json::array();
   for (const CloudSource& source : clouds)
     try {
-      all.push_back (apps::inMemory (source.name, "give a smaller cloud", [&] {
+      all.push_back (inMemory (source.name, "give a smaller cloud", [&] {
         return figuresOf (source, parameters);
       }));
     }
-    catch (const apps::WorkError& error) {
+    catch (const WorkError& error) {
       if (++left_out == clouds.size())
         throw;
       notify ("");
-      apps::warn (std::string ("left out: ") + error.what());
+      warn (std::string ("left out: ") + error.what());
     }
   return all;
 }
 
-/** Prints Markdown: how all this was measured, and the peak memory. */
 void
 printMethod (const Json& report)
 {
@@ -220,9 +210,9 @@ growingScans (const std::string& sizes)
   try {
     return dataSetOf ("simulated:" + sizes);
   }
-  catch (const apps::UsageError&) {
-    throw apps::UsageError ("--scaling-points",
-                            sizes + " is no list of sizes; give some as 30000,300000");
+  catch (const UsageError&) {
+    throw UsageError ("--scaling-points",
+                      sizes + " is no list of sizes; give some as 30000,300000");
   }
 }
 
@@ -231,16 +221,16 @@ run (int argc, const char* const* argv)
 {
   Options options;
   if (!readOptions (argc, argv, options))
-    return apps::ExitCode::done;
+    return ExitCode::done;
   const std::string& input = options.input;
   const bool is_path =
       input.find (':') == std::string::npos || std::filesystem::exists (input);
   const DataSet clouds = dataSetOf (is_path ? "clouds:" + input : input);
   const DataSet growing = growingScans (options.scaling_points);
   if (!options.json_file.empty())
-    apps::checkWritable (options.json_file);
+    checkWritable (options.json_file);
   if (!options.scaling_folder.empty())
-    apps::makeFolder (options.scaling_folder);
+    makeFolder (options.scaling_folder);
 
   std::size_t left_out = 0;
   const std::string cpu = valueIn ("/proc/cpuinfo", "model name");
@@ -262,13 +252,13 @@ run (int argc, const char* const* argv)
   printMethod (report);
   if (!options.scaling_folder.empty()) {
     const auto file = std::filesystem::path (options.scaling_folder) / "scaling.csv";
-    apps::writeTextFile (file.string(),
-                         measureScaling (clouds, growing, options.measures, notify));
+    writeTextFile (file.string(),
+                   measureScaling (clouds, growing, options.measures, notify));
     notify ("");
   }
   if (!options.json_file.empty())
-    apps::writeTextFile (options.json_file, report.dump (2) + "\n");
-  return left_out == 0 ? apps::ExitCode::done : apps::ExitCode::work_failed;
+    writeTextFile (options.json_file, report.dump (2) + "\n");
+  return left_out == 0 ? ExitCode::done : ExitCode::work_failed;
 }
 
 } // namespace
@@ -276,5 +266,5 @@ run (int argc, const char* const* argv)
 int
 main (int argc, char** argv)
 {
-  return apps::runProgram (program_name, [&] { return run (argc, argv); });
+  return runProgram (program_name, [&] { return run (argc, argv); });
 }

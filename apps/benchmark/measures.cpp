@@ -16,11 +16,9 @@
 #endif
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
@@ -28,14 +26,12 @@
 
 namespace pcl_ops::benchmark {
 
+using namespace evaluation;
+
 namespace {
 
-using evaluation::Clock;
-using evaluation::runDetector;
-
-/** \brief The presets on a cloud: of one thread processor time, which other programs
- * disturb less, of more wall time.
- * \param[in] sampling_rate that of the preset where there is none */
+/** Of one thread processor time, which other programs disturb less.
+ * \param[in] sampling_rate none: that of the preset */
 std::vector<Measure>
 presetsOn (const XyzCloud::ConstPtr& cloud,
            const MeasureParameters& measuring,
@@ -43,7 +39,6 @@ presetsOn (const XyzCloud::ConstPtr& cloud,
            std::optional<double> sampling_rate = std::nullopt)
 {
   using Ops = OrientedPointSampling<pcl::PointXYZ>;
-  const Clock clock = threads == 1 ? Clock::Processor : Clock::Wall;
   std::vector<Measure> measures;
   for (const bool of_paper : {false, true}) {
     auto parameters = of_paper ? Ops::Parameters::paper() : Ops::Parameters{};
@@ -51,25 +46,23 @@ presetsOn (const XyzCloud::ConstPtr& cloud,
     parameters.threads = threads;
     parameters.sampling_rate = sampling_rate.value_or (parameters.sampling_rate);
     measures.push_back ({of_paper ? "ops paper" : "ops", measuring.runs, [=] {
-                           return runDetector<Ops> (parameters, cloud, clock).durations;
+                           return runDetector<Ops> (parameters, cloud).durations;
                          }});
   }
   return measures;
 }
 
-/** \brief A detector of the evaluation on a cloud. One of others may take any time:
- * then it is said and ended. */
+/** One of others may take any time: then it is said and ended. */
 Measure
-measureOf (const evaluation::Configuration& detector,
+measureOf (const Configuration& detector,
            const XyzCloud::ConstPtr& cloud,
            std::size_t runs,
            std::uint32_t seed)
 {
   return {detector.name, runs, [=] {
             constexpr unsigned time_limit = 600; // [s]
-            evaluation::RunSettings settings;
+            RunSettings settings;
             settings.seed = seed;
-            settings.clock = Clock::Processor;
             if (const auto run = runLimited (detector, cloud, settings, time_limit))
               return run->durations;
             std::cerr << detector.name << ": stopped after " << time_limit << " s\n";
@@ -79,15 +72,13 @@ measureOf (const evaluation::Configuration& detector,
           }};
 }
 
-/** \brief What no method is faster than: a copy of the cloud onto memory that is there
- * already, and building pcl::KdTreeFLANN. */
 std::vector<Measure>
 leastMeasures (const XyzCloud::ConstPtr& cloud, std::size_t runs)
 {
   const auto timeOf = [runs] (const char* name, const std::function<void()>& work) {
     return Measure{name, runs, [work] {
                      StageDurations durations;
-                     evaluation::timed (durations.detection, Clock::Processor, work);
+                     timed (durations.detection, work);
                      return durations;
                    }};
   };
@@ -99,16 +90,14 @@ leastMeasures (const XyzCloud::ConstPtr& cloud, std::size_t runs)
           })};
 }
 
-/** \brief The presets, 3D-KHT, and what no method is faster than. */
 std::vector<Measure>
 allOn (const XyzCloud::ConstPtr& cloud, const MeasureParameters& measuring)
 {
   std::vector<Measure> measures = presetsOn (cloud, measuring);
-  const evaluation::Configuration kht =
-      evaluation::selectConfigurations ("kht").front();
+  const auto kht = selectConfigurations ("kht").front();
   measures.push_back (measureOf (kht, cloud, measuring.runs, measuring.seed));
-  for (const Measure& least : leastMeasures (cloud, measuring.runs))
-    measures.push_back (least);
+  const std::vector<Measure> least = leastMeasures (cloud, measuring.runs);
+  measures.insert (measures.end(), least.begin(), least.end());
   return measures;
 }
 
@@ -166,15 +155,14 @@ measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters
   for (const auto& [names, runs] :
        {std::pair ("ops,ops-3-30,ops-0.3-10,kht,fspf-0.07-0.14", parameters.runs),
         {"peers", parameters.peer_runs}})
-    for (const auto& detector : evaluation::selectConfigurations (names))
+    for (const auto& detector : selectConfigurations (names))
       if (runs > 0 && !detector.needs_image)
         measures.push_back (measureOf (detector, cloud, runs, parameters.seed));
   return measures;
 }
 
 double
-peakMemoryOn (const XyzCloud::ConstPtr& cloud,
-              const evaluation::Configuration& detector)
+peakMemoryOn (const XyzCloud::ConstPtr& cloud, const Configuration& detector)
 {
   // The pages of the program itself are resident once a small cloud has used them.
   constexpr std::size_t small = 5000;
@@ -197,7 +185,7 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud,
     growth = statusBytes ("VmHWM") - before;
   };
   try {
-    evaluation::runInChild (measure, 0);
+    runInChild (measure, 0);
   }
   catch (const std::runtime_error&) { // the number stays NaN
   }
@@ -207,25 +195,25 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud,
 simulation::Scene
 makeBoards (unsigned number)
 {
+  using namespace simulation;
   constexpr double spacing = 2.0; // [m]; a board is 1 m wide
   // No two of its multiples are near each other on the circle [rad].
   constexpr double golden_angle = 2.399963229728653;
   constexpr double steepest = 0.5; // [rad]
   const auto columns = unsigned (std::ceil (std::sqrt (double (number))));
-  simulation::Body board;
+  Body board;
   board.addSurface ({});
-  simulation::Scene scene;
+  Scene scene;
   for (unsigned i = 0; i < number; ++i)
     scene.add (board,
-               simulation::at ({spacing * (i % columns), spacing * (i / columns), 0}) *
-                   simulation::turnZ (golden_angle * i) *
-                   simulation::turnX (steepest * i / number));
+               at ({spacing * (i % columns), spacing * (i / columns), 0}) *
+                   turnZ (golden_angle * i) * turnX (steepest * i / number));
   return scene;
 }
 
 std::string
-measureScaling (const evaluation::DataSet& clouds,
-                const evaluation::DataSet& growing,
+measureScaling (const DataSet& clouds,
+                const DataSet& growing,
                 const MeasureParameters& parameters,
                 const Notify& notify)
 {
@@ -249,7 +237,7 @@ measureScaling (const evaluation::DataSet& clouds,
   };
   const XyzCloud::ConstPtr cloud = clouds.front().load().cloud;
   const unsigned most = std::max (2u, std::thread::hardware_concurrency());
-  for (const evaluation::CloudSource& source : clouds) {
+  for (const CloudSource& source : clouds) {
     name = source.name;
     const XyzCloud::ConstPtr kind = source.load().cloud;
     add ("threads", 1, kind, allOn (kind, parameters));
@@ -265,7 +253,7 @@ measureScaling (const evaluation::DataSet& clouds,
     pcl::copyPointCloud (scan.cloud, *boards);
     add ("planes", planes, boards, allOn (boards, parameters));
   }
-  for (const evaluation::CloudSource& source : growing) {
+  for (const CloudSource& source : growing) {
     name = source.name;
     notify ("simulating " + name);
     const XyzCloud::ConstPtr scan = source.load().cloud;

@@ -15,9 +15,8 @@
 namespace {
 
 using namespace pcl_ops;
+using namespace pcl_ops::apps;
 using namespace pcl_ops::evaluation;
-using apps::above;
-using apps::from;
 
 constexpr const char* program_name = "pcl_ops_evaluate";
 
@@ -40,15 +39,13 @@ constexpr const char* help =
 
 /** \return false if the answer was --help or --version */
 bool
-readOptions (int argc,
-             const char* const* argv,
-             EvaluationPlan& plan,
-             std::string& folder)
+readOptions (int argc, const char* const* argv, EvaluationPlan& plan)
 {
+  std::string folder;
   std::vector<std::string> data_sets;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   std::string detectors = "all";
-  apps::CommandLine line (
+  CommandLine line (
       "pcl_ops_evaluate run",
       "Runs detectors over data sets and writes results.csv, of which report.py makes\n"
       "tables and plots. Run it again to go on after a stop: rows that are there are\n"
@@ -79,6 +76,8 @@ readOptions (int argc,
   plan.configurations = selectConfigurations (detectors);
   for (const DataSet& data_set : dataSetsOf (data_sets, up))
     plan.clouds.insert (plan.clouds.end(), data_set.begin(), data_set.end());
+  makeFolder (folder);
+  plan.file = (std::filesystem::path (folder) / "results.csv").string();
   return true;
 }
 
@@ -86,33 +85,29 @@ int
 runCommand (int argc, const char* const* argv)
 {
   EvaluationPlan plan;
-  std::string folder;
-  if (!readOptions (argc, argv, plan, folder))
-    return apps::ExitCode::done;
-  apps::makeFolder (folder);
-  const auto file = std::filesystem::path (folder) / "results.csv";
-  if (std::filesystem::is_directory (file))
-    throw apps::WorkError (file.string(),
-                           "is a folder; remove it or give another OUTPUT");
+  if (!readOptions (argc, argv, plan))
+    return ExitCode::done;
+  if (std::filesystem::is_directory (plan.file))
+    throw WorkError (plan.file, "is a folder; remove it or give another OUTPUT");
   const EvaluationSummary summary =
-      evaluate (plan, file.string(), std::cerr, isatty (STDERR_FILENO) == 1);
+      evaluate (plan, std::cerr, isatty (STDERR_FILENO) == 1);
   std::cout << summary.clouds << " clouds evaluated, " << summary.new_rows
             << " new rows; " << summary.broken_clouds << " clouds left out, "
             << summary.failed_runs << " runs failed, " << summary.stopped_runs
             << " stopped\n";
   const bool is_complete = summary.broken_clouds == 0 && summary.failed_runs == 0;
-  return is_complete ? apps::ExitCode::done : apps::ExitCode::work_failed;
+  return is_complete ? ExitCode::done : ExitCode::work_failed;
 }
 
 int
 detectorsCommand (int argc, const char* const* argv)
 {
-  apps::CommandLine line (
+  CommandLine line (
       "pcl_ops_evaluate detectors",
       "Lists the configurations a run can have, their groups and versions.",
       PCL_OPS_VERSION);
   if (!line.parse (argc, argv))
-    return apps::ExitCode::done;
+    return ExitCode::done;
   for (const Configuration& configuration : allConfigurations()) {
     std::cout << configuration.name;
     for (const std::string& group : configuration.groups)
@@ -121,7 +116,7 @@ detectorsCommand (int argc, const char* const* argv)
     std::cout << ", " << (version.empty() ? "pcl_ops " PCL_OPS_VERSION : version)
               << '\n';
   }
-  return apps::ExitCode::done;
+  return ExitCode::done;
 }
 
 int
@@ -136,17 +131,17 @@ dispatch (int argc, const char* const* argv)
   const std::string name = argc > 1 ? argv[1] : "";
   if (name == "--help" || name == "-help" || name == "-h") {
     std::cout << help;
-    return apps::ExitCode::done;
+    return ExitCode::done;
   }
   if (name == "--version" || name == "-version") {
     std::cout << program_name << ' ' << PCL_OPS_VERSION << '\n';
-    return apps::ExitCode::done;
+    return ExitCode::done;
   }
   const auto command = commands.find (name);
   if (command == commands.end())
-    throw apps::UsageError (name.empty() ? "command" : name,
-                            name.empty() ? "is missing; see --help"
-                                         : "is no command; see --help");
+    throw UsageError (name.empty() ? "command" : name,
+                      name.empty() ? "is missing; see --help"
+                                   : "is no command; see --help");
   return command->second (argc - 1, argv + 1);
 }
 
@@ -155,5 +150,5 @@ dispatch (int argc, const char* const* argv)
 int
 main (int argc, char** argv)
 {
-  return apps::runProgram (program_name, [&] { return dispatch (argc, argv); });
+  return runProgram (program_name, [&] { return dispatch (argc, argv); });
 }

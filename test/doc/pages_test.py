@@ -89,22 +89,13 @@ def expected_row(header, label, table):
     return [label, *cells]
 
 
-def counted(column, table):
-    """A column with the number of its clouds, if it names one."""
-    name, count = re.match(r"(.*?)(?: \((\d+)\))?$", column).groups()
-    clouds = {int(row["clouds"]) + int(row["stopped"])
-              for (data_set, _), row in table.items() if count and data_set == DATA_SETS[name]}
-    return f"{name} ({max(clouds)})" if clouds else column
-
-
 def fill_tables(page):
     """Brings a page's tables of comparisons up to date."""
     table, text = compared(), page.read_text()
     for header, _, *rows in comparison_tables(page):
-        now = [header[0], *(counted(column, table) for column in header[1:])]
-        lines = [(header, now), *((row, expected_row(now, row[0], table)) for row in rows)]
-        for old, new in lines:
-            text = text.replace(f"| {' | '.join(old)} |\n", f"| {' | '.join(new)} |\n")
+        for row in rows:
+            new = expected_row(header, row[0], table)
+            text = text.replace(f"| {' | '.join(row)} |\n", f"| {' | '.join(new)} |\n")
     page.write_text(text)
 
 

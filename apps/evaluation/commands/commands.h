@@ -4,7 +4,7 @@
 
 namespace pcl_ops::evaluation {
 
-/** \brief A command of pcl_ops_evaluate, which --help explains.
+/** A command of pcl_ops_evaluate, which --help explains.
  * \param[in] argc, argv the command line from the command on
  * \return the exit code */
 using Command = int (int argc, const char* const* argv);

@@ -18,15 +18,17 @@
 
 namespace pcl_ops::evaluation {
 
+using namespace apps;
+
 namespace {
 
 constexpr double farthest = 0.05; // [m]
 
-/** \brief A length or number, and how much of it was found; NaN of nothing. */
+/** NaN of nothing. */
 struct Share {
   double part = 0.0, whole = 0.0;
 
-  /** \brief Adds an edge, and how much of it is near by the distances along it. */
+  /** \param[in] distances along the edge */
   void
   add (const PlaneEdge& edge, const std::vector<double>& distances)
   {
@@ -37,16 +39,14 @@ struct Share {
   }
 };
 
-/** \brief Of true and found edges, which share lies where the other's are. */
+/** Of true and found edges, which share lies where the other's are. */
 struct EdgeScore {
   Share walls, found, is_true, corners_found, corners_true;
-  /** \brief How far the found edges are off, at each centimeter of the true ones that
-   * were found, and the corners [m]. */
+  /** At each centimeter of true edges that were found, and of corners [m]. */
   std::vector<double> edge_errors, corner_errors;
 };
 
-/** \brief For each centimeter of an edge the distance to the nearest of the others that
- * runs alike; infinite where there is none near. */
+/** For each centimeter to the nearest of the others that runs alike, if any. */
 std::vector<double>
 distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
 {
@@ -70,7 +70,7 @@ distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
   return distances;
 }
 
-/** \brief Pairs corners off, the nearest first found for each true one. */
+/** Pairs corners off, the nearest first found for each true one. */
 void
 addCorners (const std::vector<PlaneCorner>& truth,
             std::vector<PlaneCorner> found,
@@ -95,8 +95,6 @@ addCorners (const std::vector<PlaneCorner>& truth,
   }
 }
 
-/** \brief Compares the edges of the planes of the true labels with those of the planes
- * that the default preset finds. */
 void
 addCloud (const EvaluationCloud& cloud, EdgeScore& score)
 {
@@ -117,10 +115,9 @@ addCloud (const EvaluationCloud& cloud, EdgeScore& score)
     if (edge.length() >= wall_length &&
         sides == std::set{Orientation::Horizontal, Orientation::Vertical})
       score.walls.add (edge, distances);
-    std::copy_if (distances.begin(),
-                  distances.end(),
-                  std::back_inserter (score.edge_errors),
-                  [] (double distance) { return distance <= farthest; });
+    for (const double distance : distances)
+      if (distance <= farthest)
+        score.edge_errors.push_back (distance);
   }
   for (const PlaneEdge& edge : found.edges)
     score.is_true.add (edge, distancesAlong (edge, truth.edges));
@@ -131,7 +128,7 @@ Answer
 answerOf (const std::string& data_set, const EdgeScore& score)
 {
   const auto millimeters = [] (const std::vector<double>& errors, double share) {
-    return 1e3 * apps::quantile (errors, share);
+    return 1e3 * quantile (errors, share);
   };
   const auto value = [] (const Share& share) { return share.part / share.whole; };
   return {{"data_set", data_set},
@@ -152,7 +149,7 @@ edgesCommand (int argc, const char* const* argv)
 {
   std::vector<std::string> texts;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
-  apps::CommandLine line (
+  CommandLine line (
       "pcl_ops_evaluate edges",
       "Tells how well it is found where planes meet: compares the edges and corners\n"
       "of planes found by the default preset with those of the true planes, by "
@@ -165,15 +162,15 @@ edgesCommand (int argc, const char* const* argv)
   line.add ("json", json).help ("print JSON instead of text");
   line.addUpAxis (up).help ("against gravity in clouds; camera: 0,-1,0 (0,0,1)");
   if (!line.parse (argc, argv))
-    return apps::ExitCode::done;
+    return ExitCode::done;
   Answer edges = Answer::array();
   for (const DataSet& data_set : dataSetsOf (texts, up)) {
     EdgeScore score;
     for (const CloudSource& source : data_set) {
-      apps::inMemory (source.name, "give a smaller cloud", [&] {
+      inMemory (source.name, "give a smaller cloud", [&] {
         const EvaluationCloud cloud = source.load();
         if (!cloud.truth)
-          throw apps::WorkError (source.name, "has no true labels; give another cloud");
+          throw WorkError (source.name, "has no true labels; give another cloud");
         addCloud (cloud, score);
       });
       std::cerr << source.data_set << ' ' << source.name << std::endl;
@@ -181,7 +178,7 @@ edgesCommand (int argc, const char* const* argv)
     edges.push_back (answerOf (data_set.front().data_set, score));
   }
   print ({{"edges", edges}}, json);
-  return apps::ExitCode::done;
+  return ExitCode::done;
 }
 
 } // namespace pcl_ops::evaluation

@@ -8,7 +8,6 @@
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <evaluation/data/data_sets.h>
-#include <evaluation/metrics/metrics.h>
 #include <evaluation/report/answer.h>
 #include <io/inputs.h>
 #include <io/pose_file.h>
@@ -16,10 +15,11 @@
 
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <set>
 
 namespace pcl_ops::evaluation {
+
+using namespace apps;
 
 namespace {
 
@@ -55,14 +55,12 @@ answerOf (const Metrics& metrics)
   return answer;
 }
 
-/** A plane as one cloud of a sequence shows it, in the common frame. */
+/** As one cloud of a sequence shows it, in the common frame. */
 struct PlaneSighting {
   Vector3d centroid, normal;
   PlaneCovariance covariance;
 };
 
-/** \param[in] pose from the cloud's frame to the common one
- * \return nothing for planes without a covariance */
 std::optional<PlaneSighting>
 sightingOf (const XyzCloud& cloud,
             const PlaneSegment& plane,
@@ -76,9 +74,8 @@ sightingOf (const XyzCloud& cloud,
       pose * plane.centroid, pose.linear() * plane.normal, *covariance};
 }
 
-/** How well the planes of a sequence of clouds keep their numbers. Of true planes those
- * count that are found in two clouds and more: by one plane with more than half of
- * their common points in common. */
+/** Of true planes those count that are found in two clouds and more: by one plane with
+ * more than half of their common points in common. */
 struct KeptNumbers {
   struct History {
     std::set<std::uint32_t> numbers;
@@ -87,12 +84,11 @@ struct KeptNumbers {
     std::optional<PlaneSighting> seen;
   };
 
-  /** By the label of the true plane, which is the same in all clouds. */
+  /** By the label of the true plane. */
   std::map<std::uint32_t, History> histories;
   /** Also of planes that are no true ones. */
   std::set<std::uint32_t> numbers;
-  /** Times a true plane is found after the first; times it has the number it had when
-   * it was found before. */
+  /** Times a true plane is found again, and has the number it had before. */
   std::size_t sightings = 0, sightings_kept = 0;
   /** How far sightings that keep their number differ from the one before, over what
    * their covariances allow: absolute values with a median of 0.67 and 90 % below 1.64
@@ -100,7 +96,6 @@ struct KeptNumbers {
    * the second's centroid over the first, and of the slopes along both axes of it. */
   std::vector<double> offset_errors, tilt_errors;
 
-  /** Adds the next cloud. \param[in] pose for the errors; not given: none */
   void
   add (const PlaneLabels& truth,
        const LabeledCloud& result,
@@ -161,19 +156,19 @@ keptIn (const std::string& truth_folder,
         const std::string& poses_file,
         std::size_t min_plane_points)
 {
-  const auto [files, problems] = apps::findInputs ({truth_folder});
+  const auto [files, problems] = findInputs ({truth_folder});
   if (!problems.empty())
-    throw apps::WorkError ("TRUTH", problems.front());
+    throw WorkError ("TRUTH", problems.front());
   std::vector<Eigen::Isometry3d> poses;
   if (!poses_file.empty())
-    poses = apps::loadPoses (poses_file);
+    poses = loadPoses (poses_file);
   if (!poses.empty() && poses.size() != files.size())
-    throw apps::WorkError (poses_file,
-                           "has " + std::to_string (poses.size()) + " poses for " +
-                               std::to_string (files.size()) + " clouds");
+    throw WorkError (poses_file,
+                     "has " + std::to_string (poses.size()) + " poses for " +
+                         std::to_string (files.size()) + " clouds");
   KeptNumbers kept;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    apps::stopIfInterrupted();
+    stopIfInterrupted();
     const auto name = std::filesystem::path (files[i]).filename();
     const auto [truth, result] =
         loadLabeledClouds (files[i], (result_folder / name).string(), min_plane_points);
@@ -202,8 +197,8 @@ answerOf (const KeptNumbers& kept)
   if (!kept.offset_errors.empty())
     for (const auto& [name, errors] : {std::pair ("offset_errors", kept.offset_errors),
                                        {"tilt_errors", kept.tilt_errors}}) {
-      answer[std::string (name) + "_median"] = apps::quantile (errors, 0.5);
-      answer[std::string (name) + "_90"] = apps::quantile (errors, 0.9);
+      answer[std::string (name) + "_median"] = quantile (errors, 0.5);
+      answer[std::string (name) + "_90"] = quantile (errors, 0.9);
     }
   return answer;
 }
@@ -217,27 +212,27 @@ compareCommand (int argc, const char* const* argv)
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   std::size_t min_plane_points = 1;
   bool json = false;
-  apps::CommandLine line ("pcl_ops_evaluate compare",
-                          "Compares the planes of two labeled clouds of the same "
-                          "points (field label, 0: no plane).",
-                          PCL_OPS_VERSION);
+  CommandLine line ("pcl_ops_evaluate compare",
+                    "Compares the planes of two labeled clouds of the same "
+                    "points (field label, 0: no plane).",
+                    PCL_OPS_VERSION);
   line.addArgument ("TRUTH", truth_file, "the true planes, .pcd, .ply, .las or text");
   line.addArgument (
       "RESULT", result_file, "the planes found, .pcd, .ply, .las or text");
   line.addUpAxis (up).help ("direction against gravity; camera: 0,-1,0 (0,0,1)");
-  line.add ("min-plane-points N", min_plane_points, apps::from (0))
+  line.add ("min-plane-points N", min_plane_points, from (0))
       .help ("true planes with fewer points count as no plane (1)");
   line.add ("json", json).help ("print JSON instead of text");
   if (!line.parse (argc, argv))
-    return apps::ExitCode::done;
+    return ExitCode::done;
   const auto [truth, result] =
       loadLabeledClouds (truth_file, result_file, min_plane_points);
   const Metrics metrics = compareLabels (
       *truth.cloud, truth.labels, result.labels, {up.cast<double>().normalized()});
   if (metrics.truth_planes == 0)
-    apps::warn (truth_file + ": has no plane; all that can be right is to find none");
+    warn (truth_file + ": has no plane; all that can be right is to find none");
   print (answerOf (metrics), json);
-  return apps::ExitCode::done;
+  return ExitCode::done;
 }
 
 int
@@ -246,7 +241,7 @@ trackCommand (int argc, const char* const* argv)
   std::string truth_folder, result_folder, poses;
   std::size_t min_plane_points = 1;
   bool json = false;
-  apps::CommandLine line (
+  CommandLine line (
       "pcl_ops_evaluate track",
       "Tells how many planes keep their number in a sequence of labeled clouds, as\n"
       "pcl_ops_segment --track writes it. The true label of a plane has to be the "
@@ -256,7 +251,7 @@ trackCommand (int argc, const char* const* argv)
   line.addArgument ("TRUTH", truth_folder, "folder of the true planes");
   line.addArgument (
       "RESULT", result_folder, "folder of the planes found, by the same names");
-  line.add ("min-plane-points N", min_plane_points, apps::from (0))
+  line.add ("min-plane-points N", min_plane_points, from (0))
       .help ("true planes with fewer points in a cloud are not in it (1)");
   line.add ("poses FILE", poses)
       .help ("true poses of the sensor, one line per cloud: tells how planes differ\n"
@@ -265,7 +260,7 @@ trackCommand (int argc, const char* const* argv)
   if (line.parse (argc, argv))
     print (answerOf (keptIn (truth_folder, result_folder, poses, min_plane_points)),
            json);
-  return apps::ExitCode::done;
+  return ExitCode::done;
 }
 
 } // namespace pcl_ops::evaluation

@@ -7,17 +7,17 @@
 #include <detection/plane_json.h>
 #include <evaluation/report/answer.h>
 #include <io/inputs.h>
-#include <nlohmann/json.hpp>
 #include <numbers/angles.h>
 #include <pcl_ops/plane_matching.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace pcl_ops::evaluation {
+
+using namespace apps;
 
 namespace {
 
@@ -27,10 +27,10 @@ using Eigen::Vector3d;
 
 constexpr const char* fix =
     "; give planes as pcl_ops_segment --planes FILE.json and pcl_ops_tiles write them";
-/** \brief Beyond any cloud in single precision, and its fourth power is finite. */
+/** Beyond any cloud in single precision, and its fourth power is finite. */
 constexpr double largest = 1e40;
 
-/** \brief A value in a file, with the keys that lead to it. */
+/** A value in a file, with the keys that lead to it. */
 struct Entry {
   const std::string& file;
   std::string name;
@@ -40,7 +40,7 @@ struct Entry {
   require (bool is_fine, const std::string& problem) const
   {
     if (!is_fine)
-      throw apps::WorkError (file, name + " " + problem + fix);
+      throw WorkError (file, name + " " + problem + fix);
   }
 
   bool
@@ -52,9 +52,11 @@ struct Entry {
   Entry
   at (const char* key) const
   {
-    const std::string full = name.empty() ? key : name + "." + key;
-    Entry{file, full, value}.require (has (key), "is missing");
-    return {file, full, value.at (key)};
+    const Entry entry{file,
+                      name.empty() ? key : name + "." + key,
+                      has (key) ? value.at (key) : value};
+    entry.require (has (key), "is missing");
+    return entry;
   }
 
   std::vector<Entry>
@@ -86,13 +88,13 @@ struct Entry {
     require (entries.size() == size, "has not " + std::to_string (size) + " numbers");
     Eigen::Matrix<double, size, 1> result;
     for (int i = 0; i < size; ++i)
-      result[i] = entries[static_cast<std::size_t> (i)].number();
+      result[i] = entries[std::size_t (i)].number();
     return result;
   }
 };
 
-/** \brief Moves a plane to the middle of its hull and gives it the moments of points
- * spread evenly inside; without a hull they reach without an end. */
+/** Moves a plane to the middle of its hull, with the moments of points spread evenly
+ * inside; without a hull they reach without an end. */
 void
 setExtent (const std::vector<Vector3d>& hull,
            double rms,
@@ -136,7 +138,7 @@ planeOf (const Entry& entry)
   const double count = entry.at ("points").number (1.0);
   const double rms = entry.at ("rms").number (0.0);
   const Entry orientation = entry.at ("orientation");
-  const auto known = apps::orientationCalled (
+  const auto known = orientationCalled (
       orientation.value.is_string() ? orientation.value.get<std::string>() : "");
   orientation.require (known.has_value(), "is not horizontal, vertical or other");
   plane.orientation = *known;
@@ -153,7 +155,7 @@ planeOf (const Entry& entry)
   return plane;
 }
 
-/** \brief The planes of a file, as far as it tells of them: without inliers. */
+/** Without inliers. */
 struct PlaneList {
   std::vector<std::uint64_t> ids;
   std::vector<PlaneSegment> planes;
@@ -162,10 +164,10 @@ struct PlaneList {
 PlaneList
 loadPlaneList (const std::string& file)
 {
-  const std::string text = apps::readTextFile (file, "a .json file of planes");
+  const std::string text = readTextFile (file, "a .json file of planes");
   const Json json = Json::parse (text, nullptr, false);
   if (json.is_discarded())
-    throw apps::WorkError (file, std::string ("is no JSON") + fix);
+    throw WorkError (file, std::string ("is no JSON") + fix);
   PlaneList list;
   for (const Entry& entry : Entry{file, "", json}.at ("planes").list()) {
     const Entry id = entry.at ("id");
@@ -176,7 +178,7 @@ loadPlaneList (const std::string& file)
   return list;
 }
 
-/** Matched about the middle of the first result: the error of a rotation is about
+/** About the middle of the first result, where the error of a rotation is about
  * zero. */
 PlaneMatches
 matchAboutMiddle (std::vector<PlaneSegment> first,
@@ -192,8 +194,6 @@ matchAboutMiddle (std::vector<PlaneSegment> first,
   return matchPlanes (first, second, Eigen::Isometry3d::Identity(), parameters);
 }
 
-/** What two results have in common. Angles and offsets are those of the planes as they
- * are. */
 Answer
 comparePlanes (const PlaneList& first,
                const PlaneList& second,
@@ -218,7 +218,7 @@ comparePlanes (const PlaneList& first,
     matched.push_back ({{"a", first.ids[i]},
                         {"b", second.ids[partner]},
                         {"orientation", toString (one.orientation)},
-                        {"angle", apps::toDegrees (angleBetween (one, other))},
+                        {"angle", toDegrees (angleBetween (one, other))},
                         {"offset", one.plane().distance (other.centroid)},
                         {"points_a", std::size_t (one.moments.count)},
                         {"points_b", std::size_t (other.moments.count)}});
@@ -229,7 +229,7 @@ comparePlanes (const PlaneList& first,
           {"matched", matched},
           {"only_a", only_a},
           {"only_b", only_b},
-          {"angle_of_b", apps::toDegrees (angle)},
+          {"angle_of_b", toDegrees (angle)},
           {"shift_of_b", matches.pose.translation().norm()}};
 }
 
@@ -240,9 +240,9 @@ planesCommand (int argc, const char* const* argv)
 {
   std::string first, second;
   PlaneMatchingParameters matching;
-  double rotation_error = apps::toDegrees (matching.rotation_error);
+  double rotation_error = toDegrees (matching.rotation_error);
   bool json = false;
-  apps::CommandLine line (
+  CommandLine line (
       "pcl_ops_evaluate planes",
       "Tells which planes of two results are one, and how far they are apart. The\n"
       "results are those of clouds in one frame: --planes FILE.json of "
@@ -251,22 +251,19 @@ planesCommand (int argc, const char* const* argv)
       PCL_OPS_VERSION);
   line.addArgument ("A", first, "planes, .json");
   line.addArgument ("B", second, "planes, .json");
-  line.add ("rotation-error DEG", rotation_error, apps::from (0).upTo (90))
-      .help ("how far one frame may be turned against the other (" +
-             decimal (rotation_error, 0) + ")");
-  line.add ("translation-error M", matching.translation_error, apps::from (0))
-      .help ("how far it may be moved (" + decimal (matching.translation_error, 2) +
-             ")");
-  line.add ("min-overlap X", matching.min_overlap, apps::from (0).upTo (1))
-      .help ("share of the smaller plane that has to lie over the other (" +
-             decimal (matching.min_overlap, 1) + ")");
+  line.add ("rotation-error DEG", rotation_error, from (0).upTo (90))
+      .help ("how far one frame may be turned against the other (3)");
+  line.add ("translation-error M", matching.translation_error, from (0))
+      .help ("how far it may be moved (0.05)");
+  line.add ("min-overlap X", matching.min_overlap, from (0).upTo (1))
+      .help ("share of the smaller plane that has to lie over the other (0.3)");
   line.add ("json", json).help ("print JSON instead of text");
   if (!line.parse (argc, argv))
-    return apps::ExitCode::done;
-  matching.rotation_error = apps::toRadians (rotation_error);
+    return ExitCode::done;
+  matching.rotation_error = toRadians (rotation_error);
   const PlaneList planes = loadPlaneList (first);
   print (comparePlanes (planes, loadPlaneList (second), matching), json);
-  return apps::ExitCode::done;
+  return ExitCode::done;
 }
 
 } // namespace pcl_ops::evaluation

@@ -6,20 +6,21 @@
 #include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
 
+#include <boost/format.hpp>
+
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <io/cloud_file.h>
 #include <simulation/simulate.h>
 
-#include <cmath>
 #include <filesystem>
-#include <iomanip>
-#include <limits>
 #include <set>
 #include <sstream>
 
 namespace pcl_ops::evaluation {
+
+using namespace apps;
 
 const char* const data_set_help =
     "sunrgbd:FOLDER or sunrgbd-raw:FOLDER (refined or raw depth), "
@@ -37,8 +38,6 @@ const char* const data_set_help =
 namespace {
 
 namespace fs = std::filesystem;
-using apps::UsageError;
-using apps::WorkError;
 
 EvaluationCloud
 simulated (const simulation::Simulation& simulation)
@@ -52,7 +51,6 @@ simulated (const simulation::Simulation& simulation)
   return finiteOf (cloud, labels);
 }
 
-/** Data sets of scenes by seed. */
 const struct Scenes {
   const char *name, *scene, *sensor = "";
   bool has_raw_depth = false;
@@ -73,11 +71,11 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
   // More than anybody waits for; keeps a typing error from filling the memory.
   constexpr std::uint32_t max_scenes = 100'000;
   const auto seed = [&scenes] (const std::string& text) {
-    return apps::parseNumber<std::uint32_t> (scenes.name, text, apps::from (0));
+    return parseNumber<std::uint32_t> (scenes.name, text, from (0));
   };
   const std::size_t dash = seeds.find ('-'); // npos + 1 is 0: the whole text again
-  const std::uint32_t first = seed (seeds.substr (0, dash)),
-                      last = seed (seeds.substr (dash + 1));
+  const auto first = seed (seeds.substr (0, dash)),
+             last = seed (seeds.substr (dash + 1));
   if (last < first || last - first >= max_scenes)
     throw UsageError (scenes.name + (':' + seeds), "is no range of seeds such as 1-20");
   DataSet clouds;
@@ -88,10 +86,9 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
   simulation.organized = simulation.scene == "room" || simulation.scene == "furniture";
   for (std::uint32_t i = 0; i <= last - first; ++i) {
     simulation.seed = first + i;
-    std::ostringstream name;
-    name << scenes.scene << '-' << std::setw (4) << std::setfill ('0') << first + i;
-    clouds.push_back (
-        {scenes.name, name.str(), [simulation] { return simulated (simulation); }});
+    clouds.push_back ({scenes.name,
+                       str (boost::format ("%s-%04u") % scenes.scene % (first + i)),
+                       [simulation] { return simulated (simulation); }});
   }
   return clouds;
 }
@@ -100,12 +97,12 @@ DataSet
 scansDataSet (const std::string& name, const std::string& sizes)
 {
   // A point takes 16 bytes, and 56 more while it is simulated.
-  const apps::Range of_points = apps::from (1).upTo (1e8);
+  const Range of_points = from (1).upTo (1e8);
   DataSet clouds;
   std::istringstream list (sizes);
   for (std::string size; std::getline (list, size, ',');) {
     simulation::Simulation scan;
-    scan.points = apps::parseNumber<double> (name, size, of_points);
+    scan.points = parseNumber<double> (name, size, of_points);
     clouds.push_back ({name, "scan-" + size, [scan] { return simulated (scan); }});
   }
   if (clouds.empty())
@@ -133,14 +130,14 @@ cloudsDataSet (const std::string& path, const Eigen::Vector3d& up)
   const bool is_folder = fs::is_directory (path, error);
   std::set<fs::path> files;
   if (!is_folder)
-    files.insert (path);
+    files = {path};
   for (fs::recursive_directory_iterator entry (path, error), end; entry != end;
        entry.increment (error))
-    if (apps::isCloudFile (entry->path().string()))
+    if (isCloudFile (entry->path().string()))
       files.insert (entry->path());
   if (files.empty())
     throw WorkError (path,
-                     std::string ("has no ") + apps::folder_extensions +
+                     std::string ("has no ") + folder_extensions +
                          " file; give a folder with clouds");
   const fs::path folder = is_folder ? fs::path (path) : fs::path (path).parent_path();
   const std::string name = is_folder ? folder.filename().string() : "";
@@ -158,14 +155,14 @@ labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
   const int index = pcl::getFieldIndex (cloud, "label");
   if (index < 0)
     throw WorkError (file, "has no field label; give a cloud with labels");
-  const pcl::PCLPointField& field = cloud.fields[static_cast<std::size_t> (index)];
-  const apps::NumberType& type = apps::numberType (field.datatype);
+  const pcl::PCLPointField& field = cloud.fields[std::size_t (index)];
+  const NumberType& type = numberType (field.datatype);
   // Double precision is that of texts, which have no other.
   const bool is_integer = type.kind != 'F' && type.size <= 4;
   if (!is_integer && field.datatype != pcl::PCLPointField::FLOAT64)
     throw WorkError (file, "its label is no integer of up to 4 bytes; convert it");
   constexpr double largest = std::numeric_limits<std::uint32_t>::max();
-  PlaneLabels labels (static_cast<std::size_t> (cloud.width) * cloud.height);
+  PlaneLabels labels (std::size_t (cloud.width) * cloud.height);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const double label = type.read (&cloud.data[i * cloud.point_step + field.offset]);
     if (!(label >= 0.0 && label <= largest && label == std::floor (label)))
@@ -173,7 +170,7 @@ labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
                        "point " + std::to_string (i) +
                            " has a label that is no whole number from 0 on; 0 means no "
                            "plane");
-    labels[i] = static_cast<std::uint32_t> (label);
+    labels[i] = std::uint32_t (label);
   }
   return labels;
 }
@@ -226,15 +223,15 @@ dataSetsOf (const std::vector<std::string>& texts, const Eigen::Vector3f& up)
 LabeledCloud
 loadLabeledCloud (const std::string& file, bool needs_labels)
 {
-  return apps::inMemory (file, "give a smaller cloud", [&] {
-    const apps::FileCloud cloud = apps::loadCloud (file);
+  return inMemory (file, "give a smaller cloud", [&] {
+    const FileCloud cloud = loadCloud (file);
     PlaneLabels labels;
-    if (needs_labels || apps::hasField (cloud, "label"))
+    if (needs_labels || hasField (cloud, "label"))
       labels = labelsIn (cloud.points, file);
-    const apps::ShiftedCloud shifted = apps::shiftedCloudOf (cloud);
-    const std::string damage = apps::damageOf (shifted);
+    const ShiftedCloud shifted = shiftedCloudOf (cloud);
+    const std::string damage = damageOf (shifted);
     if (!damage.empty())
-      apps::warn (file + ": " + damage);
+      warn (file + ": " + damage);
     return LabeledCloud{shifted.cloud, shifted.shift, labels};
   });
 }

@@ -8,7 +8,6 @@
 #include <png.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -43,7 +42,7 @@ lastFileIn (const fs::path& folder, const std::string& extension)
   return last;
 }
 
-/** A matrix as text, row by row, with nothing behind it. */
+/** With nothing behind it. */
 template <int Rows, int Columns>
 Eigen::Matrix<double, Rows, Columns>
 readMatrix (const fs::path& file)
@@ -62,7 +61,6 @@ readMatrix (const fs::path& file)
   return matrix;
 }
 
-/** A value for each pixel, row by row from the top. */
 using DepthImage =
     Eigen::Matrix<std::uint16_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -120,7 +118,7 @@ cloudOf (const DepthImage& image,
     const std::uint16_t stored = image.data()[i];
     if (stored == 0)
       continue;
-    const auto millimeters = static_cast<std::uint16_t> (stored >> 3 | stored << 13);
+    const auto millimeters = std::uint16_t (stored >> 3 | stored << 13);
     const double depth = std::min (millimeters * meters_per_unit, max_depth);
     const double x = (i % image.cols() - intrinsics (0, 2)) / intrinsics (0, 0) * depth;
     const double y = (i / image.cols() - intrinsics (1, 2)) / intrinsics (1, 1) * depth;

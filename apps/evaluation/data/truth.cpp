@@ -18,12 +18,11 @@ constexpr double max_distance = 0.05; // to a region's plane [m]
 constexpr double refit_growth = 1.3;
 constexpr double points_of_first_fit = 10.0;
 
-/** What the neighborhood of a point tells. */
 struct Surfel {
   Eigen::Vector3d position;
   pcl::Indices neighbors;
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-  /** Share of the smallest variance; infinite where there is no normal. */
+  /** Infinite where there is no normal. */
   float curvature = std::numeric_limits<float>::infinity();
 };
 
@@ -48,19 +47,19 @@ surfelsOf (const XyzCloud& cloud, int neighbors)
       addTo (moments, surfels[j].position);
     if (const std::optional<PlaneFit> fit = fitPlane (moments)) {
       surfel.normal = fit->plane.normal.cast<float>();
-      surfel.curvature = static_cast<float> (fit->variances[0] / fit->variances.sum());
+      surfel.curvature = float (fit->variances[0] / fit->variances.sum());
     }
   }
   return surfels;
 }
 
-/** The points of a region, which are taken from then on. */
+/** They are taken from then on. */
 pcl::PointIndices
 regionFrom (pcl::index_t seed,
             const std::vector<Surfel>& surfels,
             std::vector<bool>& is_taken)
 {
-  const auto min_cosine = static_cast<float> (std::cos (paper_angle_tolerance));
+  const auto min_cosine = float (std::cos (paper_angle_tolerance));
   Moments moments;
   moments.origin = surfels[seed].position;
   moments.add (0.0, 0.0, 0.0);

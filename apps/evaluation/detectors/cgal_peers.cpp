@@ -58,8 +58,8 @@ orientedPointsOf (const PeerTask& task)
   for (const pcl::PointXYZ& point : *task.cloud)
     points.emplace_back (Kernel::Point_3 (point.x, point.y, point.z),
                          Kernel::Vector_3 (0, 0, 0),
-                         static_cast<pcl::index_t> (points.size()));
-  timed (task.normals, task.settings.clock, [&] {
+                         pcl::index_t (points.size()));
+  timed (task.normals, [&] {
     CGAL::pca_estimate_normals<CGAL::Sequential_tag> (
         points,
         neighborsFor (task),
@@ -79,10 +79,11 @@ planeOf (const OrientedPoints& points, const std::vector<std::size_t>& members)
 
 namespace growing = CGAL::Shape_detection::Point_set;
 
-#if CGAL_VERSION_NR < 1050600000
 std::vector<std::vector<std::size_t>>
 regionsOf (const OrientedPoints& points, unsigned neighbors, float threshold)
 {
+  std::vector<std::vector<std::size_t>> regions;
+#if CGAL_VERSION_NR < 1050600000
   using Query = growing::K_neighbor_query<Kernel, OrientedPoints, PointMap>;
   using Region = growing::
       Least_squares_plane_fit_region<Kernel, OrientedPoints, PointMap, NormalMap>;
@@ -95,14 +96,8 @@ regionsOf (const OrientedPoints& points, unsigned neighbors, float threshold)
   CGAL::Shape_detection::
       Region_growing<OrientedPoints, Query, Region, typename Sorting::Seed_map>
           region_growing (points, query, region, sorting.seed_map());
-  std::vector<std::vector<std::size_t>> regions;
   region_growing.detect (std::back_inserter (regions));
-  return regions;
-}
 #else
-std::vector<std::vector<std::size_t>>
-regionsOf (const OrientedPoints& points, unsigned neighbors, float threshold)
-{
   CGAL::Point_set_3<Kernel::Point_3> set (true); // with normals
   for (const OrientedPoint& point : points)
     set.insert (std::get<0> (point), std::get<1> (point));
@@ -119,12 +114,11 @@ regionsOf (const OrientedPoints& points, unsigned neighbors, float threshold)
       CGAL::Shape_detection::Region_growing<decltype (query), decltype (region)>;
   std::vector<Growing::Primitive_and_region> grown;
   Growing (set, sorting.ordered(), query, region).detect (std::back_inserter (grown));
-  std::vector<std::vector<std::size_t>> regions;
   for (const auto& [plane, members] : grown)
     regions.emplace_back (members.begin(), members.end());
+#endif
   return regions;
 }
-#endif
 
 } // namespace
 

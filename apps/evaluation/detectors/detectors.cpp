@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detectors.h"
 
+#include <boost/format.hpp>
 #include <boost/interprocess/anonymous_shared_memory.hpp>
 
 #include "peers.h"
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <csignal>
 #include <cstring>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -27,13 +27,10 @@ using Ops = OrientedPointSampling<pcl::PointXYZ>;
 using Fspf = FastSamplingPlaneFiltering<pcl::PointXYZ>;
 using Kht = KernelHoughTransform<pcl::PointXYZ>;
 
-/** PREFIX-FIRST-SECOND with numbers as a table shows them: 0.07, 3, 80. */
 std::string
 rowName (const char* prefix, double first, double second)
 {
-  std::ostringstream name;
-  name << prefix << '-' << first << '-' << second;
-  return name.str();
+  return str (boost::format ("%1%-%2%-%3%") % prefix % first % second);
 }
 
 template <typename Detector>
@@ -48,7 +45,7 @@ add (std::vector<Configuration>& all,
     complete.up_axis = settings.up.cast<float>();
     complete.seed = settings.seed;
     complete.threads = 1;
-    return runDetector<Detector> (complete, cloud, settings.clock);
+    return runDetector<Detector> (complete, cloud);
   };
   all.push_back ({name, {group}, run});
   for (const char* best_of_paper : {"ops-3-30", "fspf-0.07-0.14", "kht-80-800"})

@@ -31,8 +31,7 @@ namespace pcl_ops::evaluation {
 
 namespace {
 
-/** Of the points that our default finds on planes, as root mean square [m]. What a
- * neighborhood shows is less where points near each other err alike. */
+/** Of the points that our default finds on planes, as root mean square [m]. */
 double
 noiseOf (const XyzCloud::ConstPtr& cloud)
 {
@@ -93,10 +92,8 @@ valuesFor (const XyzCloud::ConstPtr& cloud,
            const RunSettings& settings,
            ValuesFrom source)
 {
-  PeerValues values;
-  values.threshold = settings.peer_threshold;
-  values.gap = 2.0 * settings.peer_threshold;
-  values.noise = settings.peer_threshold / 3.0;
+  const double threshold = settings.peer_threshold;
+  PeerValues values{threshold, 30, 2.0 * threshold, threshold / 3.0};
   if (source == ValuesFrom::Tutorial || cloud->empty())
     return values;
   values.noise = settings.peer_noise ? *settings.peer_noise : noiseOf (cloud);
@@ -109,9 +106,9 @@ valuesFor (const XyzCloud::ConstPtr& cloud,
   // A plane through k points spread evenly over a disk of radius r errs by an angle of
   // 2 noise / (r sqrt (k)), and r = spacing sqrt (k / pi).
   constexpr double angle = 3.0 * M_PI / 180.0;
-  constexpr double fewest = 30, most = 200; // at least the tutorial's
+  constexpr double most = 200;
   const double wanted = 2.0 * std::sqrt (M_PI) * values.noise / (spacing * angle);
-  values.neighbors = int (std::clamp (wanted, fewest, most));
+  values.neighbors = int (std::clamp<double> (wanted, values.neighbors, most));
   return values;
 }
 
@@ -139,7 +136,7 @@ addPeers (std::vector<Configuration>& configurations)
                                                   const RunSettings& settings) {
         const PeerValues values = valuesFor (cloud, settings, source);
         DetectorRun run;
-        timed (run.durations.detection, settings.clock, [&] {
+        timed (run.durations.detection, [&] {
           const auto planes =
               detect ({cloud, settings, values, source, run.durations.normals});
           run.planes_before_merging = planes.size();
@@ -208,7 +205,7 @@ planesByPclRegionGrowing (const PeerTask& task)
 {
   pcl::search::KdTree<pcl::PointXYZ>::Ptr tree (new pcl::search::KdTree<pcl::PointXYZ>);
   const Normals::Ptr normals (new Normals);
-  timed (task.normals, task.settings.clock, [&] {
+  timed (task.normals, [&] {
     pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
     estimation.setInputCloud (task.cloud);
     estimation.setSearchMethod (tree);
@@ -237,7 +234,7 @@ planesInImage (const PeerTask& task)
   constexpr float max_depth_change = 0.03f, smoothing = 20.0f;
   const XyzCloud::Ptr image = inAxesOfCamera (*task.settings.image);
   const Normals::Ptr normals (new Normals);
-  timed (task.normals, task.settings.clock, [&] {
+  timed (task.normals, [&] {
     pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
     estimation.setNormalEstimationMethod (estimation.COVARIANCE_MATRIX);
     estimation.setMaxDepthChangeFactor (max_depth_change);

@@ -20,9 +20,7 @@ namespace pcl_ops::evaluation {
 namespace {
 
 constexpr int layers = 4;
-/** Of a voxel, to be fitted a plane. */
 constexpr std::size_t min_points_of_voxel = 5;
-/** Of a plane after merging; as for the other detectors. */
 constexpr std::size_t min_points_of_plane = 50;
 
 struct VoxelOctree {
@@ -33,8 +31,7 @@ struct VoxelOctree {
   std::vector<Moments> moments = {};
   std::vector<pcl::Indices> points = {};
 
-  /** Adds the planes among the points of a voxel.
-   * \param[in] layer 0 for the largest voxels */
+  /** \param[in] layer 0 for the largest voxels */
   void
   add (const pcl::Indices& members,
        const Eigen::Vector3d& center,

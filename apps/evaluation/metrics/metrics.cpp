@@ -15,11 +15,12 @@
 
 namespace pcl_ops::evaluation {
 
+using namespace apps;
+
 namespace {
 
-/** The points of the one-to-one assignment of planes that has most points in common
- * (the paper's Hungarian assignment, section IV).
- * \throw std::length_error for more labels than any segmentation into planes has */
+/** Of the one-to-one assignment of planes that has most points in common (the paper's
+ * Hungarian assignment, section IV). */
 std::size_t
 pointsOfAssignment (const Confusion& confusion)
 {
@@ -32,13 +33,12 @@ pointsOfAssignment (const Confusion& confusion)
                              " labels are too many for planes");
   Eigen::MatrixXd common = Eigen::MatrixXd::Zero (rows, columns);
   for (const Overlap& overlap : confusion.overlaps)
-    common (overlap.truth, overlap.result) = static_cast<double> (overlap.points);
-  return static_cast<std::size_t> (maximumAssignment (
+    common (overlap.truth, overlap.result) = double (overlap.points);
+  return std::size_t (maximumAssignment (
       rows > columns ? Eigen::MatrixXd (common.transpose()) : common));
 }
 
-/** Points whose true and found plane have the same class: Other for no plane, and where
- * the points of a label span none. */
+/** Other is the class of no plane, and where the points of a label span none. */
 double
 classificationAccuracy (const Confusion& confusion,
                         const std::vector<PlaneSegment>& truth,
@@ -52,13 +52,12 @@ classificationAccuracy (const Confusion& confusion,
   for (std::size_t i = 0; i < points; ++i)
     right += classOf (truth, confusion.truth.of_point[i]) ==
              classOf (result, confusion.result.of_point[i]);
-  return apps::fraction (right, points, 1.0);
+  return fraction (right, points, 1.0);
 }
 
-/** What has been said about each plane of one side. */
+/** About each plane of one side. */
 struct Verdicts {
   const PlaneIds& planes;
-  /** Of the plane of this side. */
   std::uint32_t Overlap::*id;
   std::vector<bool> matched = std::vector<bool> (planes.size(), false);
   /** Broken up (a true plane) or swallowing several (a found one). */
@@ -76,8 +75,8 @@ struct Verdicts {
   }
 };
 
-/** Marks every plane of the side \p wholes on which two or more planes of the other
- * side lie, and which they together cover, both by the threshold. */
+/** Marks planes of \p wholes on which two or more planes of the other side lie, and
+ * which they together cover, both by the threshold. */
 void
 markSplits (const Confusion& confusion,
             double threshold,
@@ -85,7 +84,7 @@ markSplits (const Confusion& confusion,
             Verdicts& others)
 {
   const auto reaches = [threshold] (std::size_t points, std::size_t all) {
-    return static_cast<double> (points) >= threshold * static_cast<double> (all);
+    return double (points) >= threshold * double (all);
   };
   std::vector<std::size_t> parts (wholes.planes.size(), 0), covered = parts;
   std::vector<Overlap> on_whole;
@@ -102,10 +101,8 @@ markSplits (const Confusion& confusion,
       others.part[overlap.*others.id] = true;
 }
 
-/** What is said about the planes of both sides. */
 struct Matching {
   Verdicts truth, result;
-  /** Of the pairs of planes that are one. */
   double iou_sum = 0.0;
 };
 
@@ -136,7 +133,6 @@ matchPlanes (const Confusion& confusion, double threshold)
   return matching;
 }
 
-/** Planes as instances. */
 void
 addInstanceMetrics (const Matching& matching,
                     const std::string& suffix,
@@ -150,19 +146,18 @@ addInstanceMetrics (const Matching& matching,
   };
   const std::size_t matches = count (truth.matched), all = truth_planes + result_planes;
   const double both_empty = all == 0 ? 1.0 : 0.0;
-  const double f_score = apps::fraction (2 * matches, all, both_empty);
+  const double f_score = fraction (2 * matches, all, both_empty);
   const double mean_iou = matches == 0 ? both_empty : iou_sum / double (matches);
   for (const auto& [name, value] : NamedValues{
-           {"precision", apps::fraction (matches, result_planes, both_empty)},
-           {"recall", apps::fraction (matches, truth_planes, both_empty)},
+           {"precision", fraction (matches, result_planes, both_empty)},
+           {"recall", fraction (matches, truth_planes, both_empty)},
            {"f_score", f_score},
            {"mean_iou", mean_iou},
            {"panoptic_quality", mean_iou * f_score},
-           {"over_segmentation", apps::fraction (count (truth.split), truth_planes, 0)},
-           {"under_segmentation",
-            apps::fraction (count (result.split), result_planes, 0)},
-           {"noise", apps::fraction (result.unexplained(), result_planes, 0)},
-           {"missed", apps::fraction (truth.unexplained(), truth_planes, 0)}})
+           {"over_segmentation", fraction (count (truth.split), truth_planes, 0)},
+           {"under_segmentation", fraction (count (result.split), result_planes, 0)},
+           {"noise", fraction (result.unexplained(), result_planes, 0)},
+           {"missed", fraction (truth.unexplained(), truth_planes, 0)}})
     named.emplace_back (name + suffix, value);
 }
 
@@ -211,7 +206,7 @@ labelsOf (const std::vector<pcl::PointIndices>& planes, std::size_t points)
   PlaneLabels labels (points, 0);
   for (std::size_t plane = 0; plane < planes.size(); ++plane)
     for (const pcl::index_t i : planes[plane].indices)
-      labels[static_cast<std::size_t> (i)] = static_cast<std::uint32_t> (plane + 1);
+      labels[std::size_t (i)] = std::uint32_t (plane + 1);
   return labels;
 }
 
@@ -221,7 +216,7 @@ finitePointsOf (const XyzCloud& cloud)
   pcl::Indices finite;
   for (std::size_t i = 0; i < cloud.size(); ++i)
     if (pcl::isXYZFinite (cloud[i]))
-      finite.push_back (static_cast<pcl::index_t> (i));
+      finite.push_back (pcl::index_t (i));
   return finite;
 }
 
@@ -230,7 +225,7 @@ selectLabels (const PlaneLabels& labels, const pcl::Indices& points)
 {
   PlaneLabels selected;
   for (const pcl::index_t i : points)
-    selected.push_back (labels[static_cast<std::size_t> (i)]);
+    selected.push_back (labels[std::size_t (i)]);
   return selected;
 }
 
@@ -243,7 +238,7 @@ planeIds (const PlaneLabels& labels)
   PlaneIds ids;
   for (auto& [label, id] : id_of)
     if (label != 0) {
-      id = static_cast<std::uint32_t> (ids.size());
+      id = std::uint32_t (ids.size());
       ids.label.push_back (label);
     }
   ids.points.resize (ids.size());
@@ -278,7 +273,7 @@ planesOf (const XyzCloud& cloud,
     if (segment.inliers.empty())
       segment.moments.origin = point;
     addTo (segment.moments, point);
-    segment.inliers.push_back (static_cast<pcl::index_t> (i));
+    segment.inliers.push_back (pcl::index_t (i));
   }
   const Eigen::Vector3d sensor = cloud.sensor_origin_.head<3>().cast<double>();
   for (PlaneSegment& segment : segments) {
@@ -382,12 +377,12 @@ compareLabels (const XyzCloud& cloud,
       {"classification_accuracy",
        classificationAccuracy (confusion, truth_planes, result_planes)},
       {"segmentation_accuracy",
-       apps::fraction (right, all - off_planes, result_planes.empty() ? 1.0 : 0.0)},
-      {"segmentation_accuracy_all", apps::fraction (right + off_in_both, all, 1.0)}};
+       fraction (right, all - off_planes, result_planes.empty() ? 1.0 : 0.0)},
+      {"segmentation_accuracy_all", fraction (right + off_in_both, all, 1.0)}};
   addInstanceMetrics (at_50, "", metrics.named);
   addInstanceMetrics (at_75, "_75", metrics.named);
   metrics.points_off_planes_called_planes =
-      apps::fraction (off_planes - off_in_both, off_planes, 0.0);
+      fraction (off_planes - off_in_both, off_planes, 0.0);
   const std::vector<double> sizes (true_ids.points.begin(), true_ids.points.end());
   metrics.by_size = classesOf (at_50, at_75, sizes, {200, 500, 1000, 3000, 10'000});
   metrics.by_width =

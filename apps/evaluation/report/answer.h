@@ -10,18 +10,18 @@ namespace pcl_ops::evaluation {
 
 using Answer = nlohmann::ordered_json;
 
-/** \brief A number with a fixed number of decimals. */
+/** A number with a fixed number of decimals. */
 std::string
 decimal (double number, int decimals);
 
-/** \brief Objects of the same keys in Markdown with aligned columns, so that it reads
- * as well in a terminal: - for null, four decimals of numbers that are not whole.
+/** Objects of the same keys in Markdown with aligned columns, so that it reads as well
+ * in a terminal: - for null, four decimals of numbers that are not whole.
  * \param[in] list one object at least */
 std::string
 tableOf (const std::string& title, const Answer& list);
 
-/** \brief Prints what a command found: as JSON, or as a line for each value and a table
- * for each list of objects. */
+/** Prints what a command found: as JSON, or as a line for each value and a table for
+ * each list of objects. */
 void
 print (const Answer& answer, bool as_json);
 

@@ -8,7 +8,6 @@
 #include <cli/program.h>
 #include <cli/progress.h>
 #include <detection/methods.h>
-#include <evaluation/metrics/metrics.h>
 #include <io/labeled_pcd.h>
 #include <io/output_file.h>
 
@@ -18,10 +17,11 @@
 #include <iomanip>
 #include <limits>
 #include <mutex>
-#include <set>
 #include <sstream>
 
 namespace pcl_ops::evaluation {
+
+using namespace apps;
 
 namespace {
 
@@ -29,7 +29,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* fewer_at_a_time = "give a smaller cloud or fewer --jobs";
 
-/** The numbers of a row and their columns. */
 NamedValues
 namedValues (const Metrics& metrics = compareLabels ({}, {}, {}),
              const DetectorRun& run = {})
@@ -39,7 +38,7 @@ namedValues (const Metrics& metrics = compareLabels ({}, {}, {}),
                      {"result_planes", double (metrics.result_planes)},
                      {"planes_before_merging", double (run.planes_before_merging)}};
   values.insert (values.end(), metrics.named.begin(), metrics.named.end());
-  for (const auto& [stage, duration] : apps::detection_stages)
+  for (const auto& [stage, duration] : detection_stages)
     values.emplace_back (std::string (stage) + "_ms", run.durations.*duration);
   values.emplace_back (off_planes_name, metrics.points_off_planes_called_planes);
   const NamedValues counts = namedCounts (metrics);
@@ -70,7 +69,7 @@ csvCell (std::string text)
   return cell.str();
 }
 
-/** A CSV file that grows row by row. Its calls may be made by several threads. */
+/** Its calls may be made by several threads. */
 class ResultsFile {
 public:
   explicit ResultsFile (const std::string& file) : file_ (file)
@@ -83,7 +82,7 @@ public:
     std::istringstream rows (text.substr (0, complete));
     std::string line;
     if (std::getline (rows, line) && line != headerLine())
-      throw apps::WorkError (
+      throw WorkError (
           file,
           "has other columns than this version writes; give another output folder");
     while (std::getline (rows, line))
@@ -92,7 +91,7 @@ public:
     if (complete == 0)
       stream_ << headerLine() << '\n';
     if (!stream_.flush())
-      throw apps::OutputError (file, "cannot be written; give another output folder");
+      throw OutputError (file, "cannot be written; give another output folder");
   }
 
   /** \param[in] cells that the row begins with */
@@ -119,7 +118,7 @@ public:
       stream_.close();
       std::error_code ignored;
       fs::resize_file (file_, size, ignored); // without the part of a row that had room
-      throw apps::OutputError (
+      throw OutputError (
           file_,
           "cannot be written; make room and run it again, which goes on from here");
     }
@@ -133,11 +132,16 @@ private:
   mutable std::mutex mutex_;
 };
 
-/** One evaluation: what its threads share. */
+struct LoadedCloud {
+  const CloudSource& source;
+  EvaluationCloud loaded = {};
+  PlaneLabels truth = {};
+};
+
 struct Evaluation {
   const EvaluationPlan& plan;
   ResultsFile results;
-  apps::Progress progress;
+  Progress progress;
   EvaluationSummary summary = {};
   std::mutex counting = {};
 
@@ -147,7 +151,7 @@ struct Evaluation {
     const std::lock_guard<std::mutex> lock (counting);
     ++(summary.*what);
     if (!message.empty())
-      progress.note (apps::errorLine (message));
+      progress.note (errorLine (message));
   }
 
   std::string
@@ -169,66 +173,61 @@ struct Evaluation {
     const std::vector<Configuration>& all = plan.configurations;
     if (std::all_of (all.begin(), all.end(), is_there))
       return count (&EvaluationSummary::clouds);
-    EvaluationCloud cloud;
-    PlaneLabels truth;
+    LoadedCloud cloud{source};
     try {
-      apps::inMemory (source.name, fewer_at_a_time, [&] {
-        cloud = source.load();
-        truth = truthOf (cloud, plan.truth);
+      inMemory (source.name, fewer_at_a_time, [&] {
+        cloud.loaded = source.load();
+        cloud.truth = truthOf (cloud.loaded, plan.truth);
       });
     }
-    catch (const apps::OutputError&) {
+    catch (const OutputError&) {
       throw;
     }
     catch (const std::exception& error) {
       return count (&EvaluationSummary::broken_clouds,
                     std::string ("left out: ") + error.what());
     }
-    saveLabels (source, "truth", *cloud.cloud, truth);
+    saveLabels (cloud, "truth", cloud.truth);
     for (const Configuration& configuration : all)
-      if (!configuration.needs_image || cloud.image)
-        evaluateConfiguration (source, configuration, cloud, truth);
+      if (!configuration.needs_image || cloud.loaded.image)
+        evaluateConfiguration (cloud, configuration);
     count (&EvaluationSummary::clouds);
   }
 
   void
-  saveLabels (const CloudSource& source,
+  saveLabels (const LoadedCloud& cloud,
               const std::string& name,
-              const XyzCloud& cloud,
               const PlaneLabels& labels) const
   {
     if (plan.labels_folder.empty())
       return;
     pcl::PointCloud<pcl::PointXYZL> labeled;
-    pcl::copyPointCloud (cloud, labeled);
+    pcl::copyPointCloud (*cloud.loaded.cloud, labeled);
     for (std::size_t i = 0; i < labels.size(); ++i)
       labeled[i].label = labels[i];
     const fs::path folder =
-        fs::path (plan.labels_folder) / source.data_set / source.name;
-    apps::makeFolder (folder.string());
-    apps::saveLabeledPcd ((folder / (name + ".pcd")).string(), labeled);
+        fs::path (plan.labels_folder) / cloud.source.data_set / cloud.source.name;
+    makeFolder (folder.string());
+    saveLabeledPcd ((folder / (name + ".pcd")).string(), labeled);
   }
 
-  /** All numbers, or of a run that was stopped none but how long it took, so that it is
-   * not tried again. */
+  /** Of a run that was stopped none but how long it took, so that it is not tried
+   * again. */
   NamedValues
-  valuesOf (const CloudSource& source,
-            const Configuration& configuration,
-            const EvaluationCloud& cloud,
-            const PlaneLabels& truth)
+  valuesOf (const LoadedCloud& cloud, const Configuration& configuration)
   {
+    const EvaluationCloud& loaded = cloud.loaded;
     RunSettings settings = plan.settings;
-    settings.up = cloud.up;
-    settings.clock = Clock::Processor;
-    settings.image = cloud.image;
+    settings.up = loaded.up;
+    settings.image = loaded.image;
     if (const std::optional<DetectorRun> run =
-            runLimited (configuration, cloud.cloud, settings, plan.time_limit)) {
-      saveLabels (source, configuration.name, *cloud.cloud, run->labels);
-      return namedValues (compareLabels (*cloud.cloud, truth, run->labels, {cloud.up}),
-                          *run);
+            runLimited (configuration, loaded.cloud, settings, plan.time_limit)) {
+      saveLabels (cloud, configuration.name, run->labels);
+      return namedValues (
+          compareLabels (*loaded.cloud, cloud.truth, run->labels, {loaded.up}), *run);
     }
     count (&EvaluationSummary::stopped_runs,
-           configuration.name + " on " + source.name + ": stopped after " +
+           configuration.name + " on " + cloud.source.name + ": stopped after " +
                std::to_string (plan.time_limit) + " s; more by --time-limit");
     NamedValues values = namedValues();
     for (auto& [column, value] : values)
@@ -238,23 +237,21 @@ struct Evaluation {
   }
 
   void
-  evaluateConfiguration (const CloudSource& source,
-                         const Configuration& configuration,
-                         const EvaluationCloud& cloud,
-                         const PlaneLabels& truth)
+  evaluateConfiguration (const LoadedCloud& cloud, const Configuration& configuration)
   {
-    const std::string key = keyOf (source, cloud.truth.has_value(), configuration);
+    const std::string key =
+        keyOf (cloud.source, cloud.loaded.truth.has_value(), configuration);
     if (results.has (key))
       return;
     NamedValues values;
     try {
-      values = apps::inMemory (configuration.name, fewer_at_a_time, [&] {
-        return valuesOf (source, configuration, cloud, truth);
+      values = inMemory (configuration.name, fewer_at_a_time, [&] {
+        return valuesOf (cloud, configuration);
       });
     }
     catch (const std::exception& error) {
       return count (&EvaluationSummary::failed_runs,
-                    configuration.name + " failed on " + source.name + ": " +
+                    configuration.name + " failed on " + cloud.source.name + ": " +
                         error.what());
     }
     results.add (key, values);
@@ -265,16 +262,12 @@ struct Evaluation {
 } // namespace
 
 EvaluationSummary
-evaluate (const EvaluationPlan& plan,
-          const std::string& file,
-          std::ostream& messages,
-          bool is_terminal)
+evaluate (const EvaluationPlan& plan, std::ostream& messages, bool is_terminal)
 {
-  Evaluation evaluation{
-      plan,
-      ResultsFile (file),
-      {plan.clouds.size(), messages, apps::progressStyleOf (is_terminal)}};
-  apps::runInParallel (plan.clouds.size(), plan.jobs, [&] (std::size_t i) {
+  Evaluation evaluation{plan,
+                        ResultsFile (plan.file),
+                        {plan.clouds.size(), messages, progressStyleOf (is_terminal)}};
+  runInParallel (plan.clouds.size(), plan.jobs, [&] (std::size_t i) {
     evaluation.evaluateCloud (plan.clouds[i]);
     evaluation.progress.step();
   });

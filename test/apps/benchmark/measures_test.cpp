@@ -5,11 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <benchmark/measures.h>
-#include <numbers/random.h>
 #include <simulation/scenes.h>
-
-#include <cmath>
-#include <ctime>
 
 namespace {
 
@@ -84,7 +80,7 @@ cloudOf (const Draw& draw)
   return cloud;
 }
 
-/** \brief Points at distances of so many powers of ten [m]. */
+/** Points at distances of so many powers of ten [m]. */
 Cloud::Ptr
 logUniform (double lowest, double highest)
 {
@@ -93,8 +89,8 @@ logUniform (double lowest, double highest)
   });
 }
 
-/** \brief Noise, planes without noise, as many planes as there can be, points on all
- * scales, points in one place. */
+/** Noise, planes without noise, as many planes as there can be, points on all scales,
+ * points in one place. */
 std::vector<std::pair<const char*, Cloud::Ptr>>
 worstClouds ()
 {
@@ -129,8 +125,8 @@ worstClouds ()
            })}};
 }
 
-/** \brief No cloud costs a detector more than so many times the time per point, or the
- * memory, of a simulated room of as many points. */
+/** No cloud costs a detector more than so many times the time per point, or the memory,
+ * of a simulated room of as many points. */
 TEST (WorstCases, KeepTheBounds)
 {
   constexpr double time_bound = 20.0, memory_bound = 10.0;

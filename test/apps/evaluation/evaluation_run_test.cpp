@@ -5,7 +5,6 @@
 #include <boost/algorithm/string.hpp>
 
 #include <cli/errors.h>
-#include <evaluation/detectors/detectors.h>
 #include <evaluation/report/evaluation_run.h>
 #include <support/temporary_folder.h>
 #include <support/text.h>
@@ -36,18 +35,17 @@ rowOfPoints (const std::string& name)
           }};
 }
 
-/** Gives the first \p labeled of ten points a label; counts its calls. Its time is that
- * of the processor, which other programs do not change. */
+/** Gives the first \p labeled of ten points a label; counts its calls. */
 Configuration
 labeling (const std::string& name, std::size_t labeled, std::atomic<int>& calls)
 {
-  return {name, {}, [=, &calls] (const auto& cloud, const RunSettings& settings) {
+  return {name, {}, [=, &calls] (const auto& cloud, const RunSettings&) {
             ++calls;
             DetectorRun run;
             run.labels.assign (cloud->size(), 0);
             std::fill_n (run.labels.begin(), labeled, 1);
             run.planes_before_merging = 7;
-            run.durations.detection = settings.clock == Clock::Processor ? 1500.0 : 0.0;
+            run.durations.detection = 1500.0;
             return run;
           }};
 }
@@ -62,6 +60,7 @@ protected:
 
   EvaluationRunTest()
   {
+    plan.file = file;
     plan.truth.min_points = 1;
     plan.clouds = {rowOfPoints ("a"), rowOfPoints ("b")};
     plan.configurations = {labeling ("all-right", 10, calls),
@@ -71,7 +70,7 @@ protected:
   EvaluationSummary
   run ()
   {
-    return evaluate (plan, file, messages, false);
+    return evaluate (plan, messages, false);
   }
 
   /** The value of a column in each row. */
@@ -171,12 +170,6 @@ TEST_F (EvaluationRunTest, ADetectorThatFailsAndAPeerThatCrashesAreSaidAndCounte
   for (const char* message :
        {"failing failed on a: no memory", "failing here failed on a: no memory"})
     EXPECT_TRUE (contains (messages.str(), message));
-}
-
-TEST_F (EvaluationRunTest, WhatNeedsAnImageRunsOnImagesOnly)
-{
-  plan.configurations[0].needs_image = true;
-  EXPECT_EQ (run().new_rows, 2u);
 }
 
 TEST_F (EvaluationRunTest, AFullDiskLeavesTheRowsThatHadRoom)

@@ -71,7 +71,7 @@ TEST (Metrics, LabelsThatAreNoneOfPlanesAreRefused)
                 std::length_error);
 }
 
-/** \brief How many planes there are in each class. */
+/** How many planes there are in each class. */
 std::vector<std::size_t>
 planesIn (const SizeClasses& classes)
 {

@@ -7,7 +7,6 @@
 #include <support/text.h>
 
 #include <filesystem>
-#include <fstream>
 
 namespace {
 
@@ -22,13 +21,6 @@ png (const std::string& name)
   return contentOf (PCL_OPS_INPUTS "/" + name + ".png");
 }
 
-void
-write (const fs::path& file, const std::string& text)
-{
-  fs::create_directories (file.parent_path());
-  std::ofstream (file, std::ios::binary) << text;
-}
-
 /** 2 mm and 3 mm, stored as 0x0010 and 0x0018. */
 const std::string two_pixels = png ("frames/kv2/room/frame/depth/0001");
 
@@ -36,24 +28,17 @@ const std::string two_pixels = png ("frames/kv2/room/frame/depth/0001");
 class SunRgbdTest : public testing::Test {
 protected:
   TemporaryFolder folder;
-  fs::path root = folder.path();
-  fs::path frame = root / "kv2" / "room" / "frame";
+  std::string frame = "kv2/room/frame/";
 
   SunRgbdTest()
   {
-    fs::copy (PCL_OPS_INPUTS "/frames", root, fs::copy_options::recursive);
+    fs::copy (PCL_OPS_INPUTS "/frames", folder.path(), fs::copy_options::recursive);
   }
 
   EvaluationCloud
   read () const
   {
-    return sunRgbdDataSet (root.string(), true).at (0).load();
-  }
-
-  std::string
-  errorOfReading () const
-  {
-    return complaintOf ([this] { read(); });
+    return sunRgbdDataSet (folder.path(), true).at (0).load();
   }
 };
 
@@ -69,14 +54,14 @@ TEST_F (SunRgbdTest, ALevelCameraLooksAlongYWithZUp)
 TEST_F (SunRgbdTest, ATiltedCameraIsTurnedUprightByTheLatestExtrinsics)
 {
   // Looking straight down: the camera's forward axis is along gravity.
-  write (frame / "extrinsics" / "2.txt", "1 0 0 0\n0 0 1 0\n0 -1 0 0\n");
+  folder.write (frame + "extrinsics/2.txt", "1 0 0 0\n0 0 1 0\n0 -1 0 0\n");
   const pcl::PointXYZ point = (*read().cloud)[0];
   EXPECT_TRUE (point.getVector3fMap().isApprox (Vector3f (0, 0, -0.002f)));
 }
 
 TEST_F (SunRgbdTest, PixelsWithoutReadingGiveNoPointAndFarOnesAreClipped)
 {
-  write (frame / "depth" / "0001.png", png ("none_65m"));
+  folder.write (frame + "depth/0001.png", png ("none_65m"));
   const EvaluationCloud cloud = read();
   ASSERT_EQ (cloud.cloud->size(), 1u);
   EXPECT_FLOAT_EQ ((*cloud.cloud)[0].y, 8.0f);
@@ -85,8 +70,8 @@ TEST_F (SunRgbdTest, PixelsWithoutReadingGiveNoPointAndFarOnesAreClipped)
 TEST_F (SunRgbdTest, EveryTruncationAndDamagedByteOfAnImageIsAnError)
 {
   const auto expectError = [&] (const std::string& bytes) {
-    write (frame / "depth" / "0001.png", bytes);
-    EXPECT_TRUE (contains (errorOfReading(), "0001.png: "));
+    folder.write (frame + "depth/0001.png", bytes);
+    EXPECT_TRUE (contains (complaintOf ([this] { read(); }), "0001.png: "));
   };
   // But for the checksum of its end, which some versions of libpng pass over.
   constexpr std::size_t checksum = 4;
