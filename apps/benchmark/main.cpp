@@ -34,7 +34,6 @@ struct Options {
   MeasureParameters measures;
 };
 
-/** \return false if help or version was printed */
 bool
 readOptions (int argc, const char* const* argv, Options& options)
 {
@@ -158,7 +157,6 @@ figuresOf (const CloudSource& source, const MeasureParameters& parameters)
   return figures;
 }
 
-/** \param[out] left_out how many of several clouds could not be read */
 Json
 figuresOfAll (const DataSet& clouds,
               const MeasureParameters& parameters,

@@ -32,8 +32,7 @@ struct BestTime {
 using Notify = std::function<void (const std::string& what)>;
 
 /** Runs each measure once, then each a second time, and so on, so that a slow phase of
- * the machine hits all alike. What has taken \ref patience is not repeated.
- * \return the best of each in the order given */
+ * the machine hits all alike. What has taken \ref patience is not repeated. */
 std::vector<BestTime>
 measureInTurns (const std::vector<Measure>& measures, const Notify& notify);
 
@@ -46,10 +45,9 @@ struct MeasureParameters {
   std::uint32_t seed = 42;
 };
 
-/** What no method is faster than (a copy of the cloud onto memory that is there
- * already, and building pcl::KdTreeFLANN), the default preset on two threads, the
- * presets, and the detectors of others.
- * \param[in] cloud finite points */
+/** Copying the cloud onto memory that is there already and building pcl::KdTreeFLANN,
+ * which no method is faster than; the default preset on two threads, the presets, and
+ * the detectors of others. */
 std::vector<Measure>
 measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters);
 
@@ -64,13 +62,11 @@ peakMemoryOn (const XyzCloud::ConstPtr& cloud, const Configuration& detector);
 simulation::Scene
 makeBoards (unsigned number);
 
-/** Times of OPS, default and paper preset, where one thing grows at a time: points,
- * threads, sampling_rate (in per cent) or planes; but for the sampling rate also of
- * 3D-KHT and what no method is faster than.
+/** CSV of times of OPS, default and paper preset, where one thing grows at a time:
+ * points, threads, sampling_rate (in per cent) or planes; but for the sampling rate
+ * also of 3D-KHT and what no method is faster than.
  * \param[in] clouds for threads; the first for the sampling rate, and with its number
- * of points for the simulated boards of the planes
- * \param[in] growing clouds of growing size
- * \return CSV */
+ * of points for the simulated boards of the planes */
 std::string
 measureScaling (const DataSet& clouds,
                 const DataSet& growing,

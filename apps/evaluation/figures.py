@@ -176,24 +176,23 @@ def picture_of(points, colors, origin, axes, width=316, height=237):
 
 def better_of(truth, files):
     """Of a method's results the picture that has more points in their true colors."""
-    best = None, -1
     true_labels = labeled_points(truth)[1]
-    for file in files:
-        points, labels, origin, axes = labeled_points(file)
-        colors = colors_like(true_labels, labels)
-        right = np.count_nonzero(colors == true_labels)
-        if right > best[1]:
-            best = picture_of(points, colors, origin, axes), right
-    return best[0]
+    clouds = [labeled_points(file) for file in files]
+    colors = [colors_like(true_labels, labels) for _, labels, _, _ in clouds]
+    right = [np.count_nonzero(each == true_labels) for each in colors]
+    best = right.index(max(right))
+    points, _, origin, axes = clouds[best]
+    return picture_of(points, colors[best], origin, axes)
 
 
 def plot_strips(_, folder):
     """Of each cloud in labels/ (pcl_ops_evaluate run --labels): every method's planes."""
     for truth in sorted((folder / "labels").rglob("truth.pcd")):
-        results = {name: [file for file in (truth.with_name(name + end + ".pcd")
-                                            for end in ("", MEASURED)) if file.is_file()]
-                   for name in IN_STRIP}
-        results = {name: files for name, files in results.items() if files}
+        results = defaultdict(list)
+        for name in IN_STRIP:
+            for file in (truth.with_name(name + end + ".pcd") for end in ("", MEASURED)):
+                if file.is_file():
+                    results[name].append(file)
         columns = (len(results) + 1) // 2
         figure, panels = plt.subplots(2, columns, squeeze=False, figsize=(3.2 * columns, 5.3),
                                       gridspec_kw={"left": 0, "right": 1, "bottom": 0, "top": 0.95,

@@ -89,8 +89,7 @@ runCommand (int argc, const char* const* argv)
     return ExitCode::done;
   if (std::filesystem::is_directory (plan.file))
     throw WorkError (plan.file, "is a folder; remove it or give another OUTPUT");
-  const EvaluationSummary summary =
-      evaluate (plan, std::cerr, isatty (STDERR_FILENO) == 1);
+  const auto summary = evaluate (plan, std::cerr, isatty (STDERR_FILENO) == 1);
   std::cout << summary.clouds << " clouds evaluated, " << summary.new_rows
             << " new rows; " << summary.broken_clouds << " clouds left out, "
             << summary.failed_runs << " runs failed, " << summary.stopped_runs

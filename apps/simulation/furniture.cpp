@@ -16,7 +16,6 @@ addStandingBox (Body& body, const Vector3d& foot, const Vector3d& size)
   body.addBox (at (center), size, HiddenFace::Bottom);
 }
 
-/** \param[in] size outer extent */
 Body
 slabOnLegs (const Vector3d& size, double thickness, double leg_radius)
 {

@@ -123,8 +123,7 @@ Body::addBox (const Isometry3d& pose, const Vector3d& size, HiddenFace hidden)
   const Eigen::Matrix3d edges = size.asDiagonal();
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-0.5, 0.5}) {
-      const HiddenFace hides =
-          side < 0.0 ? HiddenFace::Bottom : HiddenFace::BottomAndTop;
+      const auto hides = side < 0.0 ? HiddenFace::Bottom : HiddenFace::BottomAndTop;
       if (axis == 2 && hidden >= hides)
         continue;
       const int u = (axis + 1) % 3, v = (axis + 2) % 3;

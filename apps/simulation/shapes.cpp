@@ -22,8 +22,7 @@ constexpr struct ShapeSizes {
                        {Kind::Cone, {0.3, 0.6}, {0.8, 1.6}, {0.7, 1.0}},
                        {Kind::Torus, {0.4, 0.6}, {0.1, 0.2}, {0.3, 0.5}}};
 
-/** About an upright axis.
- * \param[in] share of a turn */
+/** About an upright axis. */
 Shape
 makeRound (
     Kind kind, const Vector3d& center, double radius, double height, double share = 1.0)

@@ -39,7 +39,8 @@ struct Scan {
 };
 
 /** Labeled by surfaces.
- * \param[in] pose from the sensor's frame to that of the points, becomes the sensor's
+ * \param[in] pose from the sensor's frame to that of the points; becomes that of the
+ * cloud
  * \param[in] organized one point for each ray, row by row, NaN without a reading; else
  * one for each reading, in the order of the rays */
 LabeledCloud

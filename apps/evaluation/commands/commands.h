@@ -4,9 +4,7 @@
 
 namespace pcl_ops::evaluation {
 
-/** A command of pcl_ops_evaluate, which --help explains.
- * \param[in] argc, argv the command line from the command on
- * \return the exit code */
+/** Of pcl_ops_evaluate, explained by --help; returns the exit code. */
 using Command = int (int argc, const char* const* argv);
 
 Command compareCommand, planesCommand, trackCommand, edgesCommand;

@@ -24,11 +24,10 @@ namespace {
 
 constexpr double farthest = 0.05; // [m]
 
-/** NaN of nothing. */
+/** A length or number and how much of it was found; NaN of nothing. */
 struct Share {
   double part = 0.0, whole = 0.0;
 
-  /** \param[in] distances along the edge */
   void
   add (const PlaneEdge& edge, const std::vector<double>& distances)
   {
@@ -46,24 +45,25 @@ struct EdgeScore {
   std::vector<double> edge_errors, corner_errors;
 };
 
-/** For each centimeter to the nearest of the others that runs alike, if any. */
+/** For each centimeter the distance to the nearest of the others that runs alike, if
+ * any. */
 std::vector<double>
 distancesAlong (const PlaneEdge& edge, const std::vector<PlaneEdge>& others)
 {
   constexpr double max_samples = 1e5, sample_step = 0.01; // [m]
-  const Eigen::Vector3d direction = (edge.to - edge.from).normalized();
+  const Vector3d direction = (edge.to - edge.from).normalized();
   const int samples = int (std::min (max_samples, edge.length() / sample_step)) + 1;
   std::vector<double> distances (samples, std::numeric_limits<double>::infinity());
   for (const PlaneEdge& other : others) {
-    const Eigen::Vector3d along = other.to - other.from;
+    const Vector3d along = other.to - other.from;
     if (std::abs (direction.dot (along.normalized())) <
         std::cos (paper_angle_tolerance))
       continue;
     for (int sample = 0; sample < samples; ++sample) {
       const double place = (sample + 0.5) / samples;
-      const Eigen::Vector3d point = edge.from + place * (edge.to - edge.from);
+      const Vector3d point = edge.from + place * (edge.to - edge.from);
       const double share = along.dot (point - other.from) / along.squaredNorm();
-      const Eigen::Vector3d nearest = other.from + std::clamp (share, 0.0, 1.0) * along;
+      const Vector3d nearest = other.from + std::clamp (share, 0.0, 1.0) * along;
       distances[sample] = std::min (distances[sample], (nearest - point).norm());
     }
   }

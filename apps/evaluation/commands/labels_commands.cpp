@@ -24,7 +24,6 @@ using namespace apps;
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Vector3d;
 
 /** \tparam Size a whole number of points, or a width */
 template <typename Size>
@@ -149,12 +148,11 @@ struct KeptNumbers {
   }
 };
 
-/** \param[in] poses_file empty: none */
 KeptNumbers
 keptIn (const std::string& truth_folder,
         const std::filesystem::path& result_folder,
         const std::string& poses_file,
-        std::size_t min_plane_points)
+        std::size_t min_points)
 {
   const auto [files, problems] = findInputs ({truth_folder});
   if (!problems.empty())
@@ -171,7 +169,7 @@ keptIn (const std::string& truth_folder,
     stopIfInterrupted();
     const auto name = std::filesystem::path (files[i]).filename();
     const auto [truth, result] =
-        loadLabeledClouds (files[i], (result_folder / name).string(), min_plane_points);
+        loadLabeledClouds (files[i], (result_folder / name).string(), min_points);
     std::optional<Eigen::Isometry3d> pose;
     if (!poses.empty())
       pose = poses[i] * Eigen::Translation3d (result.shift);
@@ -210,7 +208,7 @@ compareCommand (int argc, const char* const* argv)
 {
   std::string truth_file, result_file;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
-  std::size_t min_plane_points = 1;
+  std::size_t min_points = 1;
   bool json = false;
   CommandLine line ("pcl_ops_evaluate compare",
                     "Compares the planes of two labeled clouds of the same "
@@ -220,13 +218,12 @@ compareCommand (int argc, const char* const* argv)
   line.addArgument (
       "RESULT", result_file, "the planes found, .pcd, .ply, .las or text");
   line.addUpAxis (up).help ("direction against gravity; camera: 0,-1,0 (0,0,1)");
-  line.add ("min-plane-points N", min_plane_points, from (0))
+  line.add ("min-plane-points N", min_points, from (0))
       .help ("true planes with fewer points count as no plane (1)");
   line.add ("json", json).help ("print JSON instead of text");
   if (!line.parse (argc, argv))
     return ExitCode::done;
-  const auto [truth, result] =
-      loadLabeledClouds (truth_file, result_file, min_plane_points);
+  const auto [truth, result] = loadLabeledClouds (truth_file, result_file, min_points);
   const Metrics metrics = compareLabels (
       *truth.cloud, truth.labels, result.labels, {up.cast<double>().normalized()});
   if (metrics.truth_planes == 0)
@@ -239,7 +236,7 @@ int
 trackCommand (int argc, const char* const* argv)
 {
   std::string truth_folder, result_folder, poses;
-  std::size_t min_plane_points = 1;
+  std::size_t min_points = 1;
   bool json = false;
   CommandLine line (
       "pcl_ops_evaluate track",
@@ -251,15 +248,14 @@ trackCommand (int argc, const char* const* argv)
   line.addArgument ("TRUTH", truth_folder, "folder of the true planes");
   line.addArgument (
       "RESULT", result_folder, "folder of the planes found, by the same names");
-  line.add ("min-plane-points N", min_plane_points, from (0))
+  line.add ("min-plane-points N", min_points, from (0))
       .help ("true planes with fewer points in a cloud are not in it (1)");
   line.add ("poses FILE", poses)
       .help ("true poses of the sensor, one line per cloud: tells how planes differ\n"
              "from cloud to cloud over what planeCovariance allows");
   line.add ("json", json).help ("print JSON instead of text");
   if (line.parse (argc, argv))
-    print (answerOf (keptIn (truth_folder, result_folder, poses, min_plane_points)),
-           json);
+    print (answerOf (keptIn (truth_folder, result_folder, poses, min_points)), json);
   return ExitCode::done;
 }
 

@@ -23,7 +23,6 @@ namespace {
 
 using Json = nlohmann::json;
 using Eigen::Matrix3d;
-using Eigen::Vector3d;
 
 constexpr const char* fix =
     "; give planes as pcl_ops_segment --planes FILE.json and pcl_ops_tiles write them";
@@ -185,7 +184,7 @@ matchAboutMiddle (std::vector<PlaneSegment> first,
                   std::vector<PlaneSegment> second,
                   const PlaneMatchingParameters& parameters)
 {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Vector3d sum = Vector3d::Zero();
   for (const PlaneSegment& plane : first)
     sum += plane.centroid;
   for (auto* planes : {&first, &second})
@@ -199,8 +198,7 @@ comparePlanes (const PlaneList& first,
                const PlaneList& second,
                const PlaneMatchingParameters& parameters)
 {
-  const PlaneMatches matches =
-      matchAboutMiddle (first.planes, second.planes, parameters);
+  const auto matches = matchAboutMiddle (first.planes, second.planes, parameters);
   std::vector<std::size_t> partner_of (first.planes.size(), second.planes.size());
   Answer matched = Answer::array(), only_a = matched, only_b = matched;
   for (std::size_t i = 0; i < second.planes.size(); ++i)

@@ -111,7 +111,7 @@ scansDataSet (const std::string& name, const std::string& sizes)
 }
 
 EvaluationCloud
-readCloud (const std::string& file, const Eigen::Vector3d& up)
+readCloud (const std::string& file, const Vector3d& up)
 {
   const LabeledCloud all = loadLabeledCloud (file);
   EvaluationCloud finite = finiteOf (all.cloud, all.labels);
@@ -122,7 +122,7 @@ readCloud (const std::string& file, const Eigen::Vector3d& up)
 }
 
 DataSet
-cloudsDataSet (const std::string& path, const Eigen::Vector3d& up)
+cloudsDataSet (const std::string& path, const Vector3d& up)
 {
   std::error_code error;
   if (!fs::exists (path, error))
@@ -192,7 +192,7 @@ finiteOf (const XyzCloud::ConstPtr& cloud, const PlaneLabels& labels)
 }
 
 DataSet
-dataSetOf (const std::string& text, const Eigen::Vector3d& up)
+dataSetOf (const std::string& text, const Vector3d& up)
 {
   const std::size_t colon = text.find (':');
   const std::string kind = text.substr (0, colon);
@@ -249,7 +249,7 @@ loadLabeledClouds (const std::string& truth_file,
                      "has " + std::to_string (result.cloud->size()) +
                          " points, the truth " + std::to_string (truth.cloud->size()) +
                          "; give two labelings of the same cloud");
-  const Eigen::Vector3d shift = result.shift - truth.shift;
+  const Vector3d shift = result.shift - truth.shift;
   // Share of the cloud's diagonal by which rounding in a text file may move a point.
   constexpr double max_rounding = 1e-3;
   pcl::PointXYZ lowest, highest;
@@ -258,7 +258,7 @@ loadLabeledClouds (const std::string& truth_file,
   const double tolerance = max_rounding * diagonal.cast<double>().norm();
   for (std::size_t i = 0; i < truth.cloud->size(); ++i) {
     const pcl::PointXYZ &expected = (*truth.cloud)[i], &found = (*result.cloud)[i];
-    const Eigen::Vector3d offset =
+    const Vector3d offset =
         (found.getVector3fMap() - expected.getVector3fMap()).cast<double>() + shift;
     const bool both_finite = pcl::isXYZFinite (expected) && pcl::isXYZFinite (found);
     if (both_finite && offset.norm() > tolerance)

@@ -11,7 +11,7 @@ namespace pcl_ops::evaluation {
 /** Every point in the file's order; zero of its frame is at -shift. */
 struct LabeledCloud {
   XyzCloud::Ptr cloud;
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  Vector3d shift = Vector3d::Zero();
   PlaneLabels labels;
 };
 
@@ -31,8 +31,8 @@ loadLabeledClouds (const std::string& truth_file,
 
 struct EvaluationCloud {
   XyzCloud::Ptr cloud;
-  std::optional<PlaneLabels> truth;              // exact, if there is one
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ(); // of length 1
+  std::optional<PlaneLabels> truth; // exact, if there is one
+  Vector3d up = Vector3d::UnitZ();  // against gravity, of length 1
   /** The organized cloud whose finite points these are, if any. */
   XyzCloud::ConstPtr image = nullptr;
 };
@@ -60,8 +60,7 @@ extern const char* const data_set_help;
  * \throw apps::UsageError for any other text, apps::WorkError if the folder has no
  * cloud */
 DataSet
-dataSetOf (const std::string& text,
-           const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ());
+dataSetOf (const std::string& text, const Vector3d& up = Vector3d::UnitZ());
 
 /** The same of several, for a direction of any length. */
 std::vector<DataSet>

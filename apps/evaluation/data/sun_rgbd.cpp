@@ -42,7 +42,7 @@ lastFileIn (const fs::path& folder, const std::string& extension)
   return last;
 }
 
-/** With nothing behind it. */
+/** As text, row by row, with nothing behind it. */
 template <int Rows, int Columns>
 Eigen::Matrix<double, Rows, Columns>
 readMatrix (const fs::path& file)
@@ -122,7 +122,7 @@ cloudOf (const DepthImage& image,
     const double depth = std::min (millimeters * meters_per_unit, max_depth);
     const double x = (i % image.cols() - intrinsics (0, 2)) / intrinsics (0, 0) * depth;
     const double y = (i / image.cols() - intrinsics (1, 2)) / intrinsics (1, 1) * depth;
-    const Eigen::Vector3d point (x, y, depth);
+    const Vector3d point (x, y, depth);
     (*cloud)[i].getVector3fMap() = (rotation * point).cast<float>();
   }
   return finiteOf (cloud, {});
@@ -145,8 +145,7 @@ readFrame (const fs::path& frame, bool is_raw)
                rotation.determinant() >= 0.0,
            pose,
            "holds no rotation; get the file again");
-  const fs::path file =
-      lastFileIn (frame / (is_raw ? raw_folder : refined_folder), ".png");
+  const auto file = lastFileIn (frame / (is_raw ? raw_folder : refined_folder), ".png");
   EvaluationCloud result = cloudOf (readDepthPng (file), intrinsics, rotation);
   require (!result.cloud->empty(), file, "has no reading at all; leave the frame out");
   return result;

@@ -19,7 +19,7 @@ constexpr double refit_growth = 1.3;
 constexpr double points_of_first_fit = 10.0;
 
 struct Surfel {
-  Eigen::Vector3d position;
+  Vector3d position;
   pcl::Indices neighbors;
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   /** Infinite where there is no normal. */

@@ -122,7 +122,7 @@ regionsOf (const OrientedPoints& points, unsigned neighbors, float threshold)
 
 } // namespace
 
-std::vector<pcl::PointIndices>
+Planes
 planesByCgalRansac (const PeerTask& task)
 {
   using Traits = CGAL::Shape_detection::
@@ -141,17 +141,17 @@ planesByCgalRansac (const PeerTask& task)
   parameters.normal_threshold = std::cos (pcl::deg2rad (normal_degrees));
   ransac.detect (parameters);
 
-  std::vector<pcl::PointIndices> planes;
+  Planes planes;
   for (const auto& shape : ransac.shapes())
     planes.push_back (planeOf (points, shape->indices_of_assigned_points()));
   return planes;
 }
 
-std::vector<pcl::PointIndices>
+Planes
 planesByCgalRegionGrowing (const PeerTask& task)
 {
   const OrientedPoints points = orientedPointsOf (task);
-  std::vector<pcl::PointIndices> planes;
+  Planes planes;
   for (const std::vector<std::size_t>& members :
        regionsOf (points, neighborsFor (task), float (task.values.threshold)))
     planes.push_back (planeOf (points, members));

@@ -22,7 +22,7 @@ constexpr double usual_peer_threshold = 0.05;
 
 /** What detectors are told beside the points; peers are those of others. */
 struct RunSettings {
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ(); // of length 1
+  Vector3d up = Vector3d::UnitZ(); // against gravity, of length 1
   std::uint32_t seed = 42;
   XyzCloud::ConstPtr image = nullptr;           // as of EvaluationCloud
   double peer_threshold = usual_peer_threshold; // distance to a plane [m]
@@ -40,8 +40,8 @@ now (clockid_t clock)
 }
 
 /** Adds the time of some work to a duration [ms]. The processor time of the calling
- * thread is the same while others use the machine, too, but leaves further threads out.
- */
+ * thread is the same while others use the machine, too, but leaves further threads
+ * out. */
 template <typename Work>
 void
 timed (double& duration, const Work& work, clockid_t clock = CLOCK_THREAD_CPUTIME_ID)

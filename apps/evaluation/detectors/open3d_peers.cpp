@@ -9,7 +9,7 @@
 
 namespace pcl_ops::evaluation {
 
-std::vector<pcl::PointIndices>
+Planes
 planesByOpen3d (const PeerTask& task)
 {
   constexpr int points_of_sample = 3, iterations = 1000;

@@ -153,13 +153,13 @@ addPeers (std::vector<Configuration>& configurations)
     }
 }
 
-std::vector<pcl::PointIndices>
+Planes
 peelPlanes (std::size_t points,
             const std::function<pcl::Indices (const pcl::IndicesPtr& rest)>& segment)
 {
   constexpr std::size_t max_planes = 40, min_inliers = 500;
   constexpr double share_left = 0.02;
-  std::vector<pcl::PointIndices> planes;
+  Planes planes;
   pcl::IndicesPtr rest (new pcl::Indices (points));
   std::iota (rest->begin(), rest->end(), 0);
   while (double (rest->size()) > share_left * double (points) &&
@@ -180,7 +180,7 @@ peelPlanes (std::size_t points,
   return planes;
 }
 
-std::vector<pcl::PointIndices>
+Planes
 planesByPclRansac (const PeerTask& task)
 {
   pcl::SACSegmentation<pcl::PointXYZ> segmentation;
@@ -200,7 +200,7 @@ planesByPclRansac (const PeerTask& task)
   });
 }
 
-std::vector<pcl::PointIndices>
+Planes
 planesByPclRegionGrowing (const PeerTask& task)
 {
   pcl::search::KdTree<pcl::PointXYZ>::Ptr tree (new pcl::search::KdTree<pcl::PointXYZ>);
@@ -220,12 +220,12 @@ planesByPclRegionGrowing (const PeerTask& task)
   growing.setSmoothnessThreshold (float (paper_angle_tolerance));
   growing.setCurvatureThreshold (1.0f); // as in PCL's tutorial: normals alone decide
   growing.setMinClusterSize (min_points_of_region);
-  std::vector<pcl::PointIndices> regions;
+  Planes regions;
   growing.extract (regions);
   return regions;
 }
 
-std::vector<pcl::PointIndices>
+Planes
 planesInImage (const PeerTask& task)
 {
   // What PCL's demo of it takes.
@@ -253,7 +253,7 @@ planesInImage (const PeerTask& task)
               Eigen::aligned_allocator<pcl::PlanarRegion<pcl::PointXYZ>>>
       regions;
   std::vector<pcl::ModelCoefficients> models;
-  std::vector<pcl::PointIndices> planes, of_labels, borders;
+  Planes planes, of_labels, borders;
   pcl::PointCloud<pcl::Label>::Ptr labels (new pcl::PointCloud<pcl::Label>);
   finder.segmentAndRefine (regions, models, planes, labels, of_labels, borders);
   pcl::Indices point_of;

@@ -32,7 +32,8 @@ struct PeerTask {
   double& normals; // where their time is to be added [ms]
 };
 
-using DetectAsPeer = std::vector<pcl::PointIndices> (const PeerTask& task);
+using Planes = std::vector<pcl::PointIndices>;
+using DetectAsPeer = Planes (const PeerTask& task);
 
 /** The loop of PCL's tutorial around SACSegmentation. */
 DetectAsPeer planesByPclRansac;
@@ -56,7 +57,7 @@ addPeers (std::vector<Configuration>& configurations);
  * points are on it, 2 % are left, or 40 are found.
  * \param[in] points of the cloud
  * \param[in] segment gives those on the largest plane of some, both ascending */
-std::vector<pcl::PointIndices>
+Planes
 peelPlanes (std::size_t points,
             const std::function<pcl::Indices (const pcl::IndicesPtr& rest)>& segment);
 

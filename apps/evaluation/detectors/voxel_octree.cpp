@@ -33,10 +33,7 @@ struct VoxelOctree {
 
   /** \param[in] layer 0 for the largest voxels */
   void
-  add (const pcl::Indices& members,
-       const Eigen::Vector3d& center,
-       double edge,
-       int layer)
+  add (const pcl::Indices& members, const Vector3d& center, double edge, int layer)
   {
     if (members.size() < min_points_of_voxel)
       return;
@@ -44,7 +41,7 @@ struct VoxelOctree {
     sums.origin = center;
     std::array<pcl::Indices, 8> octants;
     for (const pcl::index_t i : members) {
-      const Eigen::Vector3d point = cloud[i].getVector3fMap().cast<double>();
+      const Vector3d point = cloud[i].getVector3fMap().cast<double>();
       addTo (sums, point);
       const auto side = (point - center).array() > 0.0;
       octants[side[0] + 2 * side[1] + 4 * side[2]].push_back (i);
@@ -57,7 +54,7 @@ struct VoxelOctree {
     }
     for (int octant = 0; layer + 1 < layers && octant < 8; ++octant) {
       const Eigen::Array3d side (octant & 1, octant >> 1 & 1, octant >> 2 & 1);
-      const Eigen::Vector3d offset = 0.5 * edge * (side - 0.5);
+      const Vector3d offset = 0.5 * edge * (side - 0.5);
       add (octants[octant], center + offset, 0.5 * edge, layer + 1);
     }
   }
@@ -65,7 +62,7 @@ struct VoxelOctree {
 
 } // namespace
 
-std::vector<pcl::PointIndices>
+Planes
 planesInVoxelOctree (const PeerTask& task)
 {
   double edge = 1.0, max_eigenvalue = 0.01; // [m], [m^2]
@@ -92,7 +89,7 @@ planesInVoxelOctree (const PeerTask& task)
   MergingParameters merging;
   merging.distance_threshold = task.values.threshold;
   const MergedPlanes merged = mergePlanes (octree.moments, merging);
-  std::vector<pcl::PointIndices> planes (merged.moments.size());
+  Planes planes (merged.moments.size());
   for (std::size_t i = 0; i < octree.points.size(); ++i)
     if (merged.merged_into[i] != no_plane) {
       pcl::Indices& plane = planes[std::size_t (merged.merged_into[i])].indices;

@@ -55,7 +55,7 @@ classificationAccuracy (const Confusion& confusion,
   return fraction (right, points, 1.0);
 }
 
-/** About each plane of one side. */
+/** What is said about each plane of one side. */
 struct Verdicts {
   const PlaneIds& planes;
   std::uint32_t Overlap::*id;
@@ -161,8 +161,6 @@ addInstanceMetrics (const Matching& matching,
     named.emplace_back (name + suffix, value);
 }
 
-/** \param[in] sizes of the true planes
- * \param[in] limits between classes, ascending */
 SizeClasses
 classesOf (const Matching& at_50,
            const Matching& at_75,
@@ -269,16 +267,16 @@ planesOf (const XyzCloud& cloud,
     if (planes.of_point[i] == PlaneIds::none)
       continue;
     PlaneSegment& segment = segments[planes.of_point[i]];
-    const Eigen::Vector3d point = cloud[i].getVector3fMap().cast<double>();
+    const Vector3d point = cloud[i].getVector3fMap().cast<double>();
     if (segment.inliers.empty())
       segment.moments.origin = point;
     addTo (segment.moments, point);
     segment.inliers.push_back (pcl::index_t (i));
   }
-  const Eigen::Vector3d sensor = cloud.sensor_origin_.head<3>().cast<double>();
+  const Vector3d sensor = cloud.sensor_origin_.head<3>().cast<double>();
   for (PlaneSegment& segment : segments) {
     if (const std::optional<PlaneFit> fit = fitPlane (segment.moments)) {
-      const Eigen::Vector3d& normal = fit->plane.normal;
+      const Vector3d& normal = fit->plane.normal;
       segment.normal = fit->plane.distance (sensor) < 0.0 ? -normal : normal;
       segment.orientation = orientationOf (normal, parameters.up, parameters.tolerance);
     }

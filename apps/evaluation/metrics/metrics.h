@@ -15,6 +15,7 @@
 namespace pcl_ops::evaluation {
 
 using apps::XyzCloud;
+using Eigen::Vector3d;
 
 /** Of each point of a cloud; 0: on no plane. */
 using PlaneLabels = std::vector<std::uint32_t>;
@@ -23,7 +24,7 @@ using PlaneLabels = std::vector<std::uint32_t>;
 PlaneLabels
 labelsOf (const std::vector<pcl::PointIndices>& planes, std::size_t points);
 
-/** Those with coordinates. */
+/** Of the points that have coordinates. */
 pcl::Indices
 finitePointsOf (const XyzCloud& cloud);
 
@@ -54,16 +55,16 @@ dropSmallPlanes (PlaneLabels& labels, std::size_t min_points);
 
 /** Adds a point in the frame of the origin of the moments. */
 inline void
-addTo (Moments& moments, const Eigen::Vector3d& point)
+addTo (Moments& moments, const Vector3d& point)
 {
-  const Eigen::Vector3d local = point - moments.origin;
+  const Vector3d local = point - moments.origin;
   moments.add (local.x(), local.y(), local.z());
 }
 
-/** Of the paper's three classes. */
+/** How planes are divided into the paper's three classes. */
 struct ClassParameters {
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ(); // of length 1
-  double tolerance = paper_angle_tolerance;      // [rad]
+  Vector3d up = Vector3d::UnitZ();          // against gravity, of length 1
+  double tolerance = paper_angle_tolerance; // [rad]
 };
 
 /** Least squares through all finite points of a label, normals to the sensor's side;

@@ -94,7 +94,6 @@ public:
       throw OutputError (file, "cannot be written; give another output folder");
   }
 
-  /** \param[in] cells that the row begins with */
   bool
   has (const std::string& cells) const
   {

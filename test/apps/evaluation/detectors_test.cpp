@@ -58,31 +58,6 @@ TEST (Detectors, ProcessorTimeLeavesOutWhatOthersDo)
   EXPECT_LT (processor, 15.0);
 }
 
-/** A slanted wall fills the image of a camera, whose columns to the left read
- * nothing. */
-TEST (Detectors, ThoseForImagesFindAWallInOne)
-{
-  const XyzCloud::Ptr image (new XyzCloud (160, 120)), cloud (new XyzCloud);
-  for (std::uint32_t i = 0; i < image->size(); ++i) {
-    const float x = (float (i % 160) - 79.5f) / 131.25f;
-    const float y = (float (i / 160) - 59.5f) / 131.25f;
-    const float depth = 2.0f / (1.0f - 0.3f * x); // 2 m + 0.3 x
-    const bool is_read = i % 160 >= 10;
-    (*image)[i] = {depth * x, depth * y, is_read ? depth : std::nanf ("")};
-    if (is_read)
-      cloud->push_back ((*image)[i]);
-  }
-  RunSettings settings;
-  settings.image = image;
-  for (const char* name : {"pcl-organized", "pcl-organized-measured"}) {
-    const DetectorRun run = selectConfigurations (name)[0].run (cloud, settings);
-    ASSERT_EQ (run.labels.size(), cloud->size());
-    EXPECT_GT (std::count (run.labels.begin(), run.labels.end(), 1u),
-               std::ptrdiff_t (cloud->size() / 2))
-        << name;
-  }
-}
-
 TEST (PeerValues, AreThoseOfTheCloudOrAsGiven)
 {
   const XyzCloud::Ptr cloud = floorWithNoise (0.002);
