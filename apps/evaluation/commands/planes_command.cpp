@@ -23,6 +23,7 @@ namespace {
 
 using Json = nlohmann::json;
 using Eigen::Matrix3d;
+using Eigen::Vector3d;
 
 constexpr const char* fix =
     "; give planes as pcl_ops_segment --planes FILE.json and pcl_ops_tiles write them";
