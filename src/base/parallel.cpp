@@ -89,17 +89,22 @@ public:
   {}
 
   /** \brief Does pieces until all have been taken. Each thread begins elsewhere, in
-   * every call at the same place: what it made in the last one is in its cache.
-   * \param[in] begin share of the pieces before the first one, 0 up to 1 */
+   * every call at the same place: what it made in the last one is in its cache. */
   void
-  takeTurns (double begin)
+  takeTurns (std::size_t first = 0)
   {
-    const auto first = static_cast<std::size_t> (begin * static_cast<double> (number_));
     for (std::size_t i = 0; i < number_ && done_ < number_; ++i) {
       const std::size_t piece = (first + i) % number_;
       if (!is_taken_[piece].exchange (true))
         work (piece);
     }
+  }
+
+  /** \brief The same by one of some helpers, each of which begins elsewhere. */
+  void
+  help (std::size_t helpers)
+  {
+    takeTurns (number_ * ++helping_ / (helpers + 1));
   }
 
   /** \brief Waits for those that others have taken, and throws what one has thrown. */
@@ -132,7 +137,7 @@ private:
   std::size_t size_, grain_, number_;
   const PieceBody& body_;
   std::vector<std::atomic<bool>> is_taken_;
-  std::atomic<std::size_t> done_{0};
+  std::atomic<std::size_t> helping_{0}, done_{0};
   std::mutex guard_;
   std::condition_variable all_done_;
   std::exception_ptr thrown_;
@@ -172,11 +177,9 @@ parallelFor (unsigned threads,
   const std::size_t wanted = threads ? threads : availableProcessors();
   const std::size_t number = (size + grain - 1) / grain;
   const std::size_t helpers = std::min ({wanted, number, max_threads}) - 1;
-  for (std::size_t i = 1; i <= helpers; ++i) {
-    const double begin = static_cast<double> (i) / static_cast<double> (helpers + 1);
-    callOnWorkers (1, [pieces, begin] { pieces->takeTurns (begin); });
-  }
-  pieces->takeTurns (0.0);
+  if (helpers > 0)
+    callOnWorkers (helpers, [=] { pieces->help (helpers); });
+  pieces->takeTurns();
   pieces->waitForOthers();
 }
 

@@ -43,6 +43,18 @@ TEST (ParallelFor, CoversEveryItemOnce)
   EXPECT_TRUE (piecesOf (2, 0, 4).empty());
 }
 
+TEST (ParallelFor, IsDoneBySeveralThreadsWhereTheyHaveTime)
+{
+  constexpr unsigned threads = 6; // more than the test above has started
+  std::atomic<unsigned> arrived{0};
+  parallelFor (threads, threads, 1, [&] (std::size_t, std::size_t) {
+    // Nobody leaves before all are there.
+    for (++arrived; arrived < threads;)
+      std::this_thread::yield();
+  });
+  EXPECT_EQ (arrived, threads);
+}
+
 TEST (ParallelFor, TakesAnyNumberOfThreads)
 {
   constexpr unsigned absurd = std::numeric_limits<unsigned>::max();
@@ -59,18 +71,6 @@ TEST (ParallelFor, DoesNotWaitForThreadsThatHaveNoTime)
   callOnWorkers (threads, [until] { until.wait(); });
   EXPECT_EQ (piecesOf (threads, 1000, 1).size(), 1000u);
   all_done.set_value();
-}
-
-TEST (ParallelFor, IsDoneBySeveralThreadsWhereTheyHaveTime)
-{
-  constexpr unsigned threads = 3;
-  std::atomic<unsigned> arrived{0};
-  parallelFor (threads, threads, 1, [&] (std::size_t, std::size_t) {
-    // Nobody leaves before all are there.
-    for (++arrived; arrived < threads;)
-      std::this_thread::yield();
-  });
-  EXPECT_EQ (arrived, threads);
 }
 
 TEST (ParallelFor, HandsOnWhatABodyThrows)
