@@ -23,8 +23,7 @@ callOnWorkers (std::size_t number, const std::function<void()>& task);
  * grain alone, so what a body computes per piece is the same for any thread count.
  * \param[in] threads 0: as many as the machine has; fewer where the system starts no more
  * \param[in] grain items per piece, 1 or more
- * \param[in] body called once a piece, concurrently; what it throws is thrown on after
- * the other pieces are done */
+ * \param[in] body what it throws is thrown on after the other pieces are done */
 void
 parallelFor (unsigned threads,
              std::size_t size,

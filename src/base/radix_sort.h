@@ -50,8 +50,6 @@ sortByDigit (unsigned threads,
 
 /** \brief Sorts items by their keys, the lowest digits first; those of one key stay in
  * their order. Digits in which no keys differ are left out.
- * \param[in] threads number of threads; 0: all. The result does not depend on it
- * \param[in] items their place
  * \param[in] size fewer than 2^32
  * \param[in] spare room for as many
  * \param[in] keyOf returns the key of an item, 64 bits without a sign

@@ -11,9 +11,8 @@ namespace pcl_ops::internal {
  * C++ standard, the std:: distributions' is not: hence the draws below. */
 using RandomGenerator = std::mt19937;
 
-/** \brief Unbiased draw from 0 .. bound - 1 (Lemire 2019, multiply and reject).
- * \param[in,out] generator the generator, advanced by one draw or more
- * \param[in] bound number of outcomes; 0 is treated as 1 */
+/** \brief Unbiased draw from 0 .. bound - 1, of bound 0 as of 1 (Lemire 2019, multiply
+ * and reject). */
 inline std::uint32_t
 drawBelow (RandomGenerator& generator, std::uint32_t bound)
 {

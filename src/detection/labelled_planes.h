@@ -14,7 +14,6 @@ namespace pcl_ops::internal {
 
 /** \brief What a detector found, in the local frame of its points. */
 struct LabelledPlanes {
-  /** \brief For each point the position of its plane in \ref planes, or no_plane. */
   Labels labels;
   MergedPlanes planes;
   std::size_t planes_before_merging = 0;

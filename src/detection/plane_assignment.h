@@ -12,17 +12,13 @@ namespace pcl_ops::internal {
 
 /** \brief Points with their planes, and the planes' moments. */
 struct AssignedPoints {
-  /** \brief Plane of each point, or no_plane. */
   Labels labels;
   /** \brief Moments of the points of each plane about the zero of their frame. */
   std::vector<Moments> moments;
 };
 
-/** \brief Assigns every point to a plane in the frame of the points.
- * \param[in] distance_threshold theta_h: largest distance of a point to its plane [m]
- * \param[in] rule which plane gets a point that several could have
- * \param[in] threads 0: all. The result does not depend on it
- * \return one label a point */
+/** \brief Assigns every point to a plane in the frame of the points that is nearer than
+ * \p distance_threshold, theta_h [m]. */
 Labels
 assignPoints (const Coordinates& points,
               const std::vector<Plane>& planes,
@@ -30,9 +26,8 @@ assignPoints (const Coordinates& points,
               AssignmentRule rule,
               unsigned threads);
 
-/** \brief Moments of the points of each label, about the zero of their frame.
- * \param[in] labels one per point; labels outside 0 .. number - 1 are left out
- * \param[in] threads 0: all. The result does not depend on it */
+/** \brief Moments of the points of each label from 0 to number - 1, about the zero of
+ * their frame. */
 std::vector<Moments>
 momentsOfLabels (const Coordinates& points,
                  const Labels& labels,

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -19,7 +20,6 @@ namespace {
 using namespace internal;
 using Eigen::Vector3d;
 
-/** \brief From where to where on a line. */
 struct Interval {
   double from, to;
 };
@@ -361,15 +361,11 @@ validate (const CloudView& cloud, const std::vector<PlaneSegment>& planes)
 std::string
 validate (const PlaneEdgeParameters& parameters)
 {
-  const auto isLength = [] (const std::optional<double>& number) {
-    return !number || (*number >= 0.0 && std::isfinite (*number));
-  };
-  if (!isLength (parameters.reach))
-    return "the reach must be a length from 0, or not be given";
-  if (!isLength (parameters.max_gap))
-    return "the bridged gap must be a length from 0, or not be given";
-  if (!isLength (parameters.min_length))
-    return "the smallest length must be a length from 0, or not be given";
+  for (const auto& [name, length] : {std::pair ("reach", parameters.reach),
+                                     {"bridged gap", parameters.max_gap},
+                                     {"smallest length", parameters.min_length}})
+    if (length && !(*length >= 0.0 && std::isfinite (*length)))
+      return std::string ("the ") + name + " must be a length from 0, or not be given";
   if (!(parameters.min_angle > 0.0 && parameters.min_angle <= right_angle))
     return "the smallest angle must be above 0 and at most pi/2 (radians)";
   return {};

@@ -97,7 +97,6 @@ spheresByUsersSearch (const DetectorInput& input, const Points& points, double r
 /** Before a hypothesis is given up. */
 constexpr int max_draws = 1000;
 
-/** A plane with the test for its inliers. */
 struct Hypothesis {
   const Coordinates& points;
   FloatPlane plane;

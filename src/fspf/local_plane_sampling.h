@@ -38,9 +38,8 @@ spheresAround (const DetectorInput& input,
 /** \brief A point and the plane through it and two others near it.
  * \param[in] origin position of p_r0
  * \param[in] sphere positions of the points around it, at least one
- * \param[in] inner_radius r1: how far away p_r1 and p_r2 may be [m]
- * \param[in,out] generator draws p_r1 and p_r2, both anew while the three are not
- * different points or are on one line
+ * \param[in] inner_radius r1: how far away p_r1 and p_r2 may be [m]; both are drawn anew
+ * while the three are not different points or are on one line
  * \return nothing if a bounded number of draws gives no triangle */
 std::optional<Plane>
 drawHypothesis (const Coordinates& points,
@@ -49,7 +48,6 @@ drawHypothesis (const Coordinates& points,
                 double inner_radius,
                 RandomGenerator& generator);
 
-/** \brief Planes found in spheres. */
 struct LocalPlanes {
   /** \brief Moments of each plane's inliers about the zero of the points' frame, in the
    * order found. */
@@ -62,8 +60,7 @@ struct LocalPlanes {
  *
  * Spheres with fewer than N_loc points have no plane. As in the paper, points stay in
  * the game when a plane has taken them: spheres overlap, merging joins their planes.
- * \param[in] distance_threshold theta_h: largest distance of an inlier [m]
- * \param[in] seed the same seed finds the same planes */
+ * \param[in] distance_threshold theta_h: largest distance of an inlier [m] */
 LocalPlanes
 sampleLocalPlanes (const Coordinates& points,
                    const SphereFinder& find_sphere,

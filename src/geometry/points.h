@@ -57,7 +57,6 @@ struct Points : Coordinates {
    * the points are the whole cloud, as they mostly are: see \ref indexOf. */
   pcl::Indices index;
 
-  /** \brief Index of a point in the input cloud. */
   pcl::index_t
   indexOf (std::size_t point) const
   {
@@ -85,7 +84,6 @@ medianOf (std::vector<float>& values);
 /** \brief Drops points with a NaN or infinite coordinate, once and for all stages.
  * is_dense is not believed: clouds that wrongly claim it exist.
  * \param[in] indices of the cloud's points to use, in any order, given twice or not
- * \param[in] threads 0: all. The result does not depend on it
  * \param[in] step the origin is a whole multiple of it along each axis; 0: of whatever
  * suits the points
  * \return the finite ones, each once; their origin is near most of them */

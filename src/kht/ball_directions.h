@@ -20,9 +20,8 @@ namespace pcl_ops::internal {
  * about the same area. A direction is the number of a patch, row by row from the north
  * pole. */
 struct BallDirections {
-  /** \brief Number of steps from pole to pole, at least 1. */
+  /** \brief Steps from pole to pole, at least 1, and their length [rad]. */
   int phi_num;
-  /** \brief Angle between two rows [rad]. */
   double phi_step;
   /** \brief The row of each direction, 0 .. phi_num. */
   std::vector<std::uint16_t> row_of;
@@ -40,14 +39,12 @@ struct BallDirections {
     }
   }
 
-  /** \brief Number of directions. */
   std::size_t
   size () const
   {
     return row_of.size();
   }
 
-  /** \brief Number of patches of a row. */
   int
   patchesOfRow (int row) const
   {
@@ -91,7 +88,6 @@ struct BallDirections {
     return 2.0 * pi * (direction - row_begins[row] + 0.5) / patchesOfRow (row);
   }
 
-  /** \brief The unit vector of a direction's center. */
   Eigen::Vector3d
   vectorOf (std::uint32_t direction) const
   {

@@ -39,7 +39,6 @@ struct VoteRay {
   std::uint32_t first_value = 0;
 };
 
-/** \brief All votes of a kernel. */
 struct KernelVotes {
   std::vector<VoteRay> rays;
   std::vector<float> values;

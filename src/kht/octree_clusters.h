@@ -68,7 +68,6 @@ struct CoplanarCluster {
   }
 };
 
-/** \brief All clusters of a cloud. */
 struct OctreeClusters {
   RootCube root;
   std::vector<CoplanarCluster> clusters;
