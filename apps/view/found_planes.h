@@ -43,14 +43,6 @@ keysText ()
          "shift and click  say which plane this is";
 }
 
-/** \brief The name of the next method, after the last that of the first. */
-inline std::string
-methodAfter (const std::string& name)
-{
-  const Method* const next = &methodCalled (name) + 1;
-  return (next > &allMethods().back() ? allMethods().front() : *next).name;
-}
-
 /** \brief Changes a state as a key asks for. Other planes are shown without a selected
  * one. \return false if the key changes no state */
 inline bool
@@ -66,9 +58,11 @@ pressKey (char key, ViewState& state)
   case 'h':
     state.help = !state.help;
     return true;
-  case 'm':
-    state.method = methodAfter (state.method);
+  case 'm': {
+    const Method* const next = &methodCalled (state.method) + 1;
+    state.method = (next > &allMethods().back() ? &allMethods().front() : next)->name;
     break;
+  }
   case 'p':
     state.preset = state.preset == "paper" ? "default" : "paper";
     break;

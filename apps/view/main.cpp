@@ -136,7 +136,7 @@ public:
     viewer_.registerPointPickingCallback ([this] (const auto& event) {
       ViewState next = options_.state;
       const int point = event.getPointIndex();
-      next.selected = point < 0 ? 0 : found_.labels[index (point)];
+      next.selected = point < 0 ? 0 : found_.labels[finite_[point]];
       show (next);
       if (next.selected != 0)
         std::cout << planeText (found_, next, shift_) << std::endl;
@@ -163,12 +163,6 @@ public:
   }
 
 private:
-  std::size_t
-  index (int point) const
-  {
-    return static_cast<std::size_t> (finite_[static_cast<std::size_t> (point)]);
-  }
-
   /** \return whether PCLVisualizer does not get the key */
   bool
   onKey (vtkObject* /*caller*/, unsigned long event, void* /*data*/)
@@ -210,8 +204,7 @@ private:
     const auto points = pcl::make_shared<ColoredCloud>();
     for (std::size_t i = 0; i < finite_.size(); ++i) {
       const pcl::PointXYZ& point = (*found_.cloud)[finite_[i]];
-      const pcl::RGB color =
-          colorOfPoint (found_, options_.state, index (static_cast<int> (i)));
+      const pcl::RGB color = colorOfPoint (found_, options_.state, finite_[i]);
       points->emplace_back (point.x, point.y, point.z, color.r, color.g, color.b);
     }
     viewer_.updatePointCloud (ColoredCloud::ConstPtr (points));
@@ -264,7 +257,7 @@ view (const ViewOptions& options)
   pcl::Indices finite;
   for (std::size_t i = 0; i < shifted.cloud->size(); ++i)
     if (pcl::isXYZFinite ((*shifted.cloud)[i]))
-      finite.push_back (static_cast<pcl::index_t> (i));
+      finite.push_back (i);
   if (finite.empty())
     throw WorkError (options.input,
                      "has no point with finite coordinates, so there is nothing to "
