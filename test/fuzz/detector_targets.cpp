@@ -92,7 +92,7 @@ vary (ByteReader& bytes, Parameters& parameters)
     else if constexpr (std::is_same_v<Value, bool>)
       value = chosen % 2 == 1;
     else if constexpr (std::is_same_v<Value, Eigen::Vector3f>)
-      value.x() = static_cast<float> (other_of (otherValues().at (name)));
+      value.x() = other_of (otherValues().at (name));
     else
       value = static_cast<Value> (other_of (otherValues().at (name)));
   });
@@ -200,53 +200,36 @@ indicesFrom (ByteReader& bytes, std::size_t points)
   auto indices = pcl::make_shared<pcl::Indices>();
   for (std::size_t i = 0; i < points; ++i)
     if (kind != 12 || i % 3 == 0)
-      indices->push_back (kind < 14
-                              ? static_cast<pcl::index_t> (i)
-                              : static_cast<pcl::index_t> (drawBelow (
-                                    generator, static_cast<std::uint32_t> (points))));
+      indices->push_back (kind < 14 ? i : drawBelow (generator, points));
   if (kind == 15)
-    indices->push_back (static_cast<pcl::index_t> (generator()));
+    indices->push_back (generator());
   return indices;
 }
-
-/** 1 for most bytes, else 1e-45 to 1e38. */
-double
-scaleFrom (ByteReader& bytes)
-{
-  const auto chosen = bytes.take<std::uint8_t>();
-  return chosen < 168 ? 1.0 : std::pow (10.0, chosen - 168 - 45);
-}
-
-/** \brief A cloud and which of its points to use. */
-struct FuzzedCloud {
-  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud;
-  /** \brief None: the whole cloud. May be outside of it, double, or without order. */
-  pcl::IndicesPtr indices;
-};
 
 /** \brief Up to some 4,000 points as bytes say: planes, lines, balls, lattices, dust,
  * equal points, any bits as floats, points far away, not finite ones, all of it shrunk,
  * magnified or moved off. Bytes that were points themselves would hardly ever lie on a
- * plane. */
-FuzzedCloud
+ * plane.
+ * \return also which points to use, outside of it, double or without order; or none */
+std::pair<Cloud::Ptr, pcl::IndicesPtr>
 cloudFrom (ByteReader& bytes)
 {
-  const double scale = scaleFrom (bytes);
+  const auto chosen = bytes.take<std::uint8_t>();
+  const double scale = chosen < 168 ? 1.0 : std::pow (10.0, chosen - 168 - 45);
   const double shift = bytes.take<std::uint8_t>() < 192
                            ? 0.0
                            : std::pow (10.0, bytes.take<std::uint8_t>() % 12);
   ByteReader before_shapes = bytes;
   bytes.take<std::uint32_t>();
-  FuzzedCloud fuzzed{pcl::make_shared<Cloud>(), nullptr};
-  while (!bytes.isAtEnd() && fuzzed.cloud->size() < max_points)
-    addShape (bytes, *fuzzed.cloud);
-  for (pcl::PointXYZ& point : *fuzzed.cloud)
+  const auto cloud = pcl::make_shared<Cloud>();
+  while (!bytes.isAtEnd() && cloud->size() < max_points)
+    addShape (bytes, *cloud);
+  for (pcl::PointXYZ& point : *cloud)
     point.getVector3fMap() =
         (scale * point.getVector3fMap().cast<double>().array() + shift)
             .matrix()
             .cast<float>();
-  fuzzed.indices = indicesFrom (before_shapes, fuzzed.cloud->size());
-  return fuzzed;
+  return {cloud, indicesFrom (before_shapes, cloud->size())};
 }
 
 /** Planes by falling size with ascending indices of finite points, each of one plane
@@ -301,20 +284,20 @@ detect (const Bytes& bytes, typename Detector::Parameters parameters)
 {
   ByteReader reader (bytes);
   vary (reader, parameters);
-  const FuzzedCloud fuzzed = cloudFrom (reader);
+  const auto [cloud, indices] = cloudFrom (reader);
   Detector detector;
-  detector.setInputCloud (fuzzed.cloud);
-  if (fuzzed.indices)
-    detector.setIndices (fuzzed.indices);
+  detector.setInputCloud (cloud);
+  if (indices)
+    detector.setIndices (indices);
   parameters.threads = 1;
   detector.setParameters (parameters);
   Planes planes, again;
   const bool worked = detector.segment (planes);
   promise (worked || planes.empty(), "misuse gives no planes");
   promise (!worked || validate (parameters).empty(), "wrong parameters are misuse");
-  promiseOrderedPlanes (planes, *fuzzed.cloud);
-  if (fuzzed.indices)
-    promiseGivenPoints (planes, *fuzzed.indices);
+  promiseOrderedPlanes (planes, *cloud);
+  if (indices)
+    promiseGivenPoints (planes, *indices);
   detector.setNumberOfThreads (3);
   promise (detector.segment (again) == worked, "a second call does as the first");
   promiseEqual (planes, again);

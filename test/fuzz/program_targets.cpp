@@ -26,40 +26,26 @@ namespace pcl_ops::fuzz {
 
 namespace {
 
-/** A file for one input after the other; in memory where there is a folder for that. */
-class TemporaryFile {
-public:
-  explicit TemporaryFile (const std::string& extension)
-  : file_ (folder() / ("pcl_ops_fuzz_" + std::to_string (::getpid()) + extension))
-  {}
-
-  std::string
-  write (const Bytes& bytes) const
-  {
-    std::ofstream (file_.path(), std::ios::binary)
-        .write (reinterpret_cast<const char*> (bytes.data()),
-                static_cast<std::streamsize> (bytes.size()));
-    return file_.path().string();
-  }
-
-private:
-  static std::filesystem::path
-  folder ()
-  {
-    const char* const in_memory = "/dev/shm";
-    return ::access (in_memory, W_OK) == 0 ? in_memory
-                                           : std::filesystem::temp_directory_path();
-  }
-
-  apps::TemporaryPath file_;
-};
+/** The name of a file; in memory where there is a folder for that. */
+std::string
+nameWith (const std::string& ending)
+{
+  const std::string name = "pcl_ops_fuzz_" + std::to_string (::getpid()) + ending;
+  const char* const in_memory = "/dev/shm";
+  return (::access (in_memory, W_OK) == 0 ? in_memory
+                                          : std::filesystem::temp_directory_path()) /
+         name;
+}
 
 template <typename Use>
 void
-load (const Bytes& bytes, const TemporaryFile& file, Use&& use)
+load (const Bytes& bytes, const std::string& extension, Use&& use)
 {
+  const apps::TemporaryPath file (nameWith (extension));
+  std::ofstream (file.path(), std::ios::binary)
+      .write (reinterpret_cast<const char*> (bytes.data()), bytes.size());
   try {
-    const apps::FileCloud cloud = apps::loadCloud (file.write (bytes));
+    const apps::FileCloud cloud = apps::loadCloud (file.path());
     promise (cloud.size() > 0, "a cloud that was loaded has points");
     promise (cloud.points.data.size() == cloud.size() * cloud.points.point_step,
              "a cloud has as many bytes as its size says");
@@ -79,14 +65,13 @@ load (const Bytes& bytes, const TemporaryFile& file, Use&& use)
 void
 loadText (const Bytes& bytes)
 {
-  static const TemporaryFile file (".xyz"), copy ("_copy.pcd");
-  load (bytes, file, [] (const apps::FileCloud& cloud) {
+  load (bytes, ".xyz", [] (const apps::FileCloud& cloud) {
     for (const pcl::PCLPointField& field : cloud.points.fields)
       promise (field.datatype == pcl::PCLPointField::FLOAT64,
                "a column keeps the digits it has");
-    const std::string name = copy.write ({});
-    apps::saveCloud (name, cloud);
-    promise (apps::loadCloud (name).points.data == cloud.points.data,
+    const apps::TemporaryPath copy (nameWith ("_copy.pcd"));
+    apps::saveCloud (copy.path(), cloud);
+    promise (apps::loadCloud (copy.path()).points.data == cloud.points.data,
              "the names of columns are those of fields");
   });
 }
@@ -94,15 +79,14 @@ loadText (const Bytes& bytes)
 void
 loadLas (const Bytes& bytes)
 {
-  static const TemporaryFile file (".las"), labelled_file ("_labelled.las");
-  load (bytes, file, [] (const apps::FileCloud& cloud) {
+  load (bytes, ".las", [] (const apps::FileCloud& cloud) {
     if (!cloud.las->validate ({apps::label_field}).empty())
       return;
     std::vector<std::uint32_t> labels (cloud.size());
     std::iota (labels.begin(), labels.end(), 1U);
-    const std::string name = labelled_file.write ({});
-    apps::saveLabelledLas (name, *cloud.las, labels);
-    apps::FileCloud labelled = apps::loadCloud (name), expected = cloud;
+    const apps::TemporaryPath file (nameWith ("_labelled.las"));
+    apps::saveLabelledLas (file.path(), *cloud.las, labels);
+    apps::FileCloud labelled = apps::loadCloud (file.path()), expected = cloud;
     apps::setField (expected, "label", pcl::PCLPointField::UINT32, labels.data());
     promise (labelled.points.data == expected.points.data,
              "labels and points are read as they were written");
@@ -122,7 +106,7 @@ detectAsTold (const Bytes& bytes)
   std::string method = apps::allMethods().front().name;
   apps::DetectorOptions options;
   apps::declareMethodOptions (line, method, options);
-  if (!line.parse (static_cast<int> (argv.size()), argv.data()))
+  if (!line.parse (argv.size(), argv.data()))
     return;
   const apps::Method& chosen = apps::methodCalled (method);
   apps::checkMethodOptions (line, chosen);
@@ -158,19 +142,12 @@ const Targets&
 allTargets ()
 {
   static const Targets targets = [] {
-    Targets all = {{"pcd",
-                    [] (const Bytes& bytes) {
-                      static const TemporaryFile file (".pcd");
-                      load (bytes, file, [] (const auto&) {});
-                    }},
-                   {"ply",
-                    [] (const Bytes& bytes) {
-                      static const TemporaryFile file (".ply");
-                      load (bytes, file, [] (const auto&) {});
-                    }},
-                   {"las", loadLas},
-                   {"ascii", loadText},
-                   {"options", readOptions}};
+    Targets all = {
+        {"pcd", [] (const Bytes& bytes) { load (bytes, ".pcd", [] (auto&) {}); }},
+        {"ply", [] (const Bytes& bytes) { load (bytes, ".ply", [] (auto&) {}); }},
+        {"las", loadLas},
+        {"ascii", loadText},
+        {"options", readOptions}};
     all.merge (detectorTargets());
     return all;
   }();
