@@ -11,14 +11,11 @@
 #include <support/las_bytes.h>
 #include <support/program_folder.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <iomanip>
 #include <limits>
 #include <sstream>
 #include <string>
-#include <vector>
 
 using InputCloud = pcl::PointCloud<pcl::PointXYZI>;
 

@@ -46,33 +46,12 @@ protected:
             contentOf (streams_ / "err")};
   }
 
-  /** \brief Runs the program. \param[in] before what is in front of it */
   Outcome
-  run (const std::string& arguments, const std::string& before = "") const
+  expectDone (const std::string& arguments) const
   {
-    return shell (before + " '" + program_ + "' " + arguments);
-  }
-
-  Outcome
-  expectDone (const std::string& arguments, const std::string& before = "") const
-  {
-    const Outcome done = run (arguments, before);
+    const Outcome done = shell ("'" + program_ + "' " + arguments);
     EXPECT_EQ (done.exit_code, 0) << arguments << done.out << done.err;
     return done;
-  }
-
-  /** \brief A run that ends with a code after one line that begins with a complaint. */
-  void
-  expectRefused (const std::string& arguments,
-                 const std::string& complaint,
-                 int exit_code = 1,
-                 const std::string& before = "") const
-  {
-    const Outcome done = run (arguments, before);
-    const std::string name = std::filesystem::path (program_).filename().string();
-    EXPECT_EQ (done.exit_code, exit_code) << arguments;
-    EXPECT_EQ (done.err.find (name + ": " + complaint), 0u) << done.err;
-    EXPECT_EQ (lines (done.err), 1u) << done.err;
   }
 
   nlohmann::json
