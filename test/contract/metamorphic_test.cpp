@@ -122,27 +122,17 @@ const std::map<std::string, void (*) (Variant&)> changes = {
        v.cloud->sensor_origin_ = Eigen::Vector4f (-30.0f, 50.0f, -20.0f, 0.0f);
      }}};
 
-void
-scale (double unit, pcl_ops::PlaneDetectorParameters& parameters)
-{
-  if (parameters.distance_threshold)
-    *parameters.distance_threshold *= unit;
-}
-
-void
-scale (double unit, Fspf::Parameters& parameters)
-{
-  scale (unit, static_cast<pcl_ops::PlaneDetectorParameters&> (parameters));
-  parameters.local.inner_radius *= unit;
-  parameters.local.outer_radius *= unit;
-}
-
 template <typename Detector>
 Planes
 planesBy (Detector detector, const Variant& variant)
 {
   auto parameters = detector.getParameters();
-  scale (variant.unit, parameters);
+  if (parameters.distance_threshold)
+    *parameters.distance_threshold *= variant.unit;
+  if constexpr (std::is_same_v<Detector, Fspf>) {
+    parameters.local.inner_radius *= variant.unit;
+    parameters.local.outer_radius *= variant.unit;
+  }
   detector.setParameters (parameters);
   detector.setInputCloud (variant.cloud);
   return planesOf (detector);
@@ -170,7 +160,7 @@ agreement (const Planes& planes, const Planes& of_variant, const Variant& varian
   std::map<int, std::size_t> after; // planes from 1 of points of the original
   for (std::size_t p = 0; p < of_variant.size(); ++p)
     for (const pcl::index_t i : of_variant[p].inliers)
-      after[variant.original[static_cast<std::size_t> (i)]] = p + 1;
+      after[variant.original[i]] = p + 1;
   double on_planes = 0.0, kept = 0.0;
   for (const pcl_ops::PlaneSegment& plane : planes) {
     std::vector<double> shared (of_variant.size() + 1);
@@ -178,7 +168,7 @@ agreement (const Planes& planes, const Planes& of_variant, const Variant& varian
       ++shared[after[i]];
     shared[0] = 0.0; // on no plane
     kept += *std::max_element (shared.begin(), shared.end());
-    on_planes += static_cast<double> (plane.inliers.size());
+    on_planes += plane.inliers.size();
   }
   return on_planes > 0.0 ? kept / on_planes : 0.0;
 }

@@ -262,7 +262,7 @@ TYPED_TEST (PlaneDetector, DescribesThePointsOfEachPlane)
     EXPECT_LT ((plane.centroid - points.rowwise().mean()).norm(), 1e-6);
     EXPECT_NEAR (plane.rms(), std::sqrt (heights.array().square().mean()), 1e-6);
     EXPECT_LT (plane.rms(), 1_cm) << "1 mm of noise, and a little clutter";
-    EXPECT_EQ (plane.moments.count, static_cast<double> (plane.inliers.size()));
+    EXPECT_EQ (plane.moments.count, plane.inliers.size());
     const auto fit = fitPlane (plane.moments);
     ASSERT_TRUE (fit);
     EXPECT_LT (angleBetween (fit->plane.normal, plane.normal), 1e-6);
@@ -356,7 +356,7 @@ TYPED_TEST (PlaneDetector, UsesTheGivenIndicesAloneInAllFormsOfPclAndAnyOrder)
   pcl::Indices given;
   for (std::size_t i = 0; i < this->room.labels.size(); ++i)
     if (this->room.labels[i] == 0)
-      given.push_back (static_cast<pcl::index_t> (i));
+      given.push_back (i);
   const std::vector<pcl::Indices> floor{given};
   const auto point_indices = pcl::make_shared<pcl::PointIndices>();
   point_indices->indices = given;
@@ -416,7 +416,7 @@ TYPED_TEST (PlaneDetector, RefusesMisuseInWords)
 {
   TypeParam without_cloud;
   expectRefused (without_cloud, "no input cloud; call setInputCloud");
-  const auto end = static_cast<pcl::index_t> (this->room.cloud->size());
+  const pcl::index_t end = this->room.cloud->size();
   for (const auto& [indices, message] :
        std::vector<std::pair<pcl::Indices, std::string>>{
            {{}, "the indices are empty"},

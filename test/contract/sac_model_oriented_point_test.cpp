@@ -27,7 +27,7 @@ planeWithShare (double share, std::size_t size = 1000)
     const auto place = static_cast<float> (i);
     const auto x = static_cast<float> (drawUnit (generator));
     const auto y = static_cast<float> (drawUnit (generator));
-    const bool inlier = place < static_cast<double> (size) * share;
+    const bool inlier = place < size * share;
     cloud->push_back ({x, y, inlier ? 1.0f : 2.0f + place, 0, 0, 1});
   }
   return cloud;
