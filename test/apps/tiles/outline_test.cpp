@@ -120,8 +120,7 @@ TEST (Outline, OfTwoTilesIsThatOfOne)
   for (const bool is_east : {false, true}) {
     std::vector<OutlinePoint> seen;
     for (OutlinePoint point : placesIn (is_within)) {
-      const double beyond = (is_east ? 930.0 - static_cast<double> (point.place[0])
-                                     : static_cast<double> (point.place[0]) - 930.0);
+      const double beyond = (is_east ? 930.0 - point.place[0] : point.place[0] - 930.0);
       point.is_own = is_east ? beyond <= 0.0 : beyond < 0.0;
       if (beyond < 600.0)
         seen.push_back (point);

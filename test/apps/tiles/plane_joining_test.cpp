@@ -76,7 +76,7 @@ TEST (ExactMoments, TakeThePlaceOfTheLatticeNextToAPointIfAny)
 Piece
 wall (int first, int last, double y, const Eigen::Vector3d& far = {0, 0, 0})
 {
-  Random random (static_cast<std::uint32_t> (first));
+  Random random (first);
   Piece piece;
   piece.own.unit = unit;
   for (int x = 10 * first; x < 10 * last; ++x)
@@ -109,7 +109,7 @@ joined (const Row& row)
   for (std::size_t i = 0; i < row.size(); ++i)
     tiles.push_back ({static_cast<std::int64_t> (i), 0});
   return joinPlanes (tiles, [&row] (const TileKey& tile) {
-    TilePlanes planes = row[static_cast<std::size_t> (tile[0])];
+    TilePlanes planes = row[tile[0]];
     std::sort (planes.border_voxels.begin(), planes.border_voxels.end());
     return planes;
   });
@@ -121,14 +121,6 @@ twoTiles (double y_of_first, double y_of_second, int height = 3)
 {
   return {{{wall (0, 10, y_of_first)}, borderVoxelsAround (10, height, 0)},
           {{wall (10, 20, y_of_second)}, borderVoxelsAround (10, height, 0)}};
-}
-
-TEST (PlaneJoining, MakesOneOfAWallOnBothSidesOfABorder)
-{
-  const JoinedPlanes found = joined (twoTiles (5.0, 5.0));
-  ASSERT_EQ (found.planes.size(), 1u);
-  EXPECT_EQ (found.planes[0].tiles, (std::vector<TileKey>{{0, 0}, {1, 0}}));
-  EXPECT_EQ (found.numbers, (Numbers{{1}, {1}}));
 }
 
 TEST (PlaneJoining, AddsTheMomentsOfOwnPointsOnly)
@@ -172,6 +164,7 @@ TEST (PlaneJoining, FollowsAWallThroughTwentyTilesFarFromZero)
   const JoinedPlanes found = joined (row);
   ASSERT_EQ (found.planes.size(), 1u);
   EXPECT_EQ (found.planes[0].tiles.size(), 20u);
+  EXPECT_EQ (found.numbers, Numbers (20, {1}));
   EXPECT_NEAR (std::abs (found.planes[0].fit.plane.normal.y()), 1.0, 1e-6);
 }
 
