@@ -53,8 +53,7 @@ pointsOf (const FileCloud& cloud, const pcl::Indices& indices)
   FileCloud part = emptyLike (cloud, indices.size());
   part.points.data.reserve (indices.size() * step);
   for (const pcl::index_t index : indices) {
-    const std::uint8_t* const point =
-        cloud.points.data.data() + static_cast<std::size_t> (index) * step;
+    const std::uint8_t* const point = cloud.points.data.data() + index * step;
     part.points.data.insert (part.points.data.end(), point, point + step);
   }
   return part;
@@ -114,6 +113,8 @@ struct PolyData {
   /** \brief PCL's point types cannot read doubles, and single precision loses places
    * far from zero. */
   bool is_double;
+  /** \brief The same, as PLY and VTK call it. */
+  const char* type = is_double ? "double" : "float";
   std::vector<Eigen::Vector3d> points = {};
   std::vector<pcl::RGB> colors = {};
   std::vector<pcl::Indices> cells = {};
@@ -121,13 +122,6 @@ struct PolyData {
   std::vector<std::array<std::size_t, 2>> planes = {};
   std::size_t corners = 0;
 };
-
-/** \brief The type of coordinates, as PLY and VTK call it. */
-const char*
-typeOf (const PolyData& data)
-{
-  return data.is_double ? "double" : "float";
-}
 
 std::ostream&
 operator<< (std::ostream& stream, const pcl::Indices& cell)
@@ -145,7 +139,7 @@ writePlyHeader (const PolyData& data, std::ostream& stream)
 {
   stream << "ply\nformat ascii 1.0\nelement vertex " << data.points.size() << '\n';
   for (const char axis : {'x', 'y', 'z'})
-    stream << "property " << typeOf (data) << ' ' << axis << '\n';
+    stream << "property " << data.type << ' ' << axis << '\n';
   if (data.are_lines)
     stream << "element edge " << data.cells.size()
            << "\nproperty int vertex1\nproperty int vertex2\nproperty int plane1\n"
@@ -196,7 +190,7 @@ writeVtk (const PolyData& data, std::ostream& stream)
   stream << "# vtk DataFile Version 3.0\n"
          << (data.are_lines ? "edges" : "outlines")
          << " of planes\nASCII\nDATASET POLYDATA\nPOINTS " << data.points.size() << ' '
-         << typeOf (data) << '\n';
+         << data.type << '\n';
   for (const Eigen::Vector3d& point : data.points)
     stream << point.format (in_a_row) << '\n';
   if (data.are_lines) {
@@ -276,28 +270,13 @@ toLines (const PlaneEdges& found)
       std::size_t i = 0;
       while (i < lines.corners && lines.points[i] != end)
         ++i;
-      line.push_back (
-          static_cast<pcl::index_t> (i < lines.corners ? i : lines.points.size()));
+      line.push_back (i < lines.corners ? i : lines.points.size());
       if (i == lines.corners)
         lines.points.push_back (end);
     }
     lines.planes.push_back ({edge.planes[0], edge.planes[1]});
   }
   return lines;
-}
-
-/** \brief The same with the numbers of planes in place of their positions. */
-PlaneEdges
-numbered (PlaneEdges found, const std::vector<std::uint32_t>& ids)
-{
-  const auto number = [&ids] (auto& of_planes) {
-    for (auto& element : of_planes)
-      for (std::size_t& plane : element.planes)
-        plane = ids[plane];
-  };
-  number (found.edges);
-  number (found.corners);
-  return found;
 }
 
 std::string
@@ -325,10 +304,9 @@ distancesOf (const FileCloud& cloud, const std::vector<PlaneSegment>& planes)
   const CoordinateReader place (cloud);
   std::vector<float> distances (cloud.size(), std::numeric_limits<float>::quiet_NaN());
   for (const PlaneSegment& plane : planes)
-    for (const pcl::index_t inlier : plane.inliers) {
-      const auto i = static_cast<std::size_t> (inlier);
+    for (const std::size_t i : plane.inliers) {
       // From the centroid: an equation's offset has few digits left far from zero.
-      distances[i] = static_cast<float> (plane.normal.dot (place (i) - plane.centroid));
+      distances[i] = plane.normal.dot (place (i) - plane.centroid);
     }
   return distances;
 }
@@ -357,7 +335,7 @@ saveRest (const std::string& file,
   pcl::Indices rest;
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (labels[i] == 0 && pcl::isFinite ((*shifted.cloud)[i]))
-      rest.push_back (static_cast<pcl::index_t> (i));
+      rest.push_back (i);
   saveCloud (file, pointsOf (cloud, rest));
 }
 
@@ -405,7 +383,7 @@ saveMesh (const std::string& file,
     const Rings rings = report.extents[p].rings();
     if (rings.empty())
       continue;
-    const auto first = static_cast<pcl::index_t> (mesh.points.size());
+    const pcl::index_t first = mesh.points.size();
     for (pcl::Indices& face : facesOf (planes[p], report.extents[p].center, rings)) {
       for (pcl::index_t& corner : face)
         corner += first;
@@ -425,9 +403,15 @@ saveEdges (const std::string& file,
            const ShiftedCloud& shifted,
            const Report& report)
 {
-  const PlaneEdges edges = numbered (
-      findPlaneEdges (*shifted.cloud, report.detected.planes, {}, shifted.shift),
-      report.ids);
+  PlaneEdges edges =
+      findPlaneEdges (*shifted.cloud, report.detected.planes, {}, shifted.shift);
+  const auto number = [&] (auto& of_planes) {
+    for (auto& element : of_planes)
+      for (std::size_t& plane : element.planes)
+        plane = report.ids[plane];
+  };
+  number (edges.edges);
+  number (edges.corners);
   if (extensionOf (file) == ".json")
     return writeTextFile (file, toJson (edges));
   savePolyData (file, cloud, toLines (edges));

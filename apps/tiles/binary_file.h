@@ -24,8 +24,7 @@ public:
   operator() (const Number* numbers, std::size_t count)
   {
     static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
-    stream_.write (reinterpret_cast<const char*> (numbers),
-                   static_cast<std::streamsize> (count * sizeof (Number)));
+    stream_.write (reinterpret_cast<const char*> (numbers), count * sizeof (Number));
   }
 
   template <typename Number>
@@ -50,7 +49,7 @@ public:
   {
     if (!stream_)
       throw WorkError (file, "cannot be read; remove its folder and run it again");
-    size_ = static_cast<std::uint64_t> (stream_.tellg());
+    size_ = stream_.tellg();
     seek (0);
   }
 
@@ -63,7 +62,7 @@ public:
   void
   seek (std::uint64_t place)
   {
-    stream_.seekg (static_cast<std::streamoff> (place));
+    stream_.seekg (place);
   }
 
   template <typename Number>
@@ -71,8 +70,7 @@ public:
   operator() (Number* numbers, std::size_t count)
   {
     static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
-    if (!stream_.read (reinterpret_cast<char*> (numbers),
-                       static_cast<std::streamsize> (count * sizeof (Number))))
+    if (!stream_.read (reinterpret_cast<char*> (numbers), count * sizeof (Number)))
       fail();
   }
 

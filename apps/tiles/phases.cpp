@@ -34,7 +34,7 @@ pointsOf (const SortedPoints& points, const TileKey& tile)
     const CellFile& file = points.files[i];
     count += file.count (own) + file.count (halo);
     if (file.count (own) > 0)
-      all.own_of_input.emplace_back (static_cast<std::uint32_t> (i), file.count (own));
+      all.own_of_input.emplace_back (i, file.count (own));
   }
   all.points.reserve (count);
   for (const BlockKey& key : {own, halo})

@@ -116,8 +116,7 @@ unroundedEdgeFor (const std::vector<Eigen::Vector3d>& places,
   near_zero.resize (places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
     near_zero[i].getVector3fMap() = (places[i] - zero).cast<float>();
-  return voxelSizeFor (CloudView (near_zero),
-                       std::max (1.0, static_cast<double> (points) / points_of_cell));
+  return voxelSizeFor (CloudView (near_zero), std::max (1.0, points / points_of_cell));
 }
 
 /** \brief What inputs say of themselves. */
@@ -165,8 +164,7 @@ evenSample (const Samples& samples)
   // What the densest input has to say limits all.
   double per_point = 1.0;
   for (std::size_t i = 0; i < places.size(); ++i)
-    per_point =
-        std::min (per_point, static_cast<double> (places[i].size()) / points_of (i));
+    per_point = std::min (per_point, places[i].size() / points_of (i));
   std::vector<Eigen::Vector3d> even;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto wanted =

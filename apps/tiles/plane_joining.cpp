@@ -19,17 +19,6 @@ struct Pair {
   std::uint32_t votes;
 };
 
-/** \brief As Sampling::Surfels merges within a tile: the noise alone decides. */
-MergingParameters
-mergingByNoise ()
-{
-  constexpr double noise_factor_of_surfels = 1.5;
-  MergingParameters merging;
-  merging.distance_threshold = 0.0;
-  merging.noise_factor = noise_factor_of_surfels;
-  return merging;
-}
-
 class PieceGroups {
 public:
   explicit PieceGroups (const std::vector<Piece>& pieces) : root_ (pieces.size())
@@ -55,8 +44,11 @@ public:
     const auto [first, second] = std::minmax ({rootOf (a), rootOf (b)});
     if (first == second)
       return;
-    const MergedPlanes merged =
-        mergePlanes ({seen_[first], seen_[second]}, mergingByNoise());
+    // As Sampling::Surfels merges within a tile: the noise alone decides.
+    MergingParameters by_noise;
+    by_noise.distance_threshold = 0.0;
+    by_noise.noise_factor = 1.5;
+    const MergedPlanes merged = mergePlanes ({seen_[first], seen_[second]}, by_noise);
     if (merged.moments.size() != 1 || merged.merged_into[0] != merged.merged_into[1])
       return;
     root_[second] = first;
@@ -109,7 +101,7 @@ pairsOf (const std::vector<TileKey>& tiles,
         continue;
       if (!own)
         own = load (tiles[i]);
-      const auto other = static_cast<std::size_t> (found - tiles.begin());
+      const std::size_t other = found - tiles.begin();
       countVotes (own->border_voxels,
                   load (next).border_voxels,
                   first_piece[i],
@@ -163,7 +155,7 @@ numbersOf (const std::vector<Piece>& pieces, PieceGroups& groups)
   });
   std::vector<std::uint32_t> numbers (pieces.size());
   for (std::size_t k = 0; k < roots.size(); ++k)
-    numbers[roots[k]] = static_cast<std::uint32_t> (k + 1);
+    numbers[roots[k]] = k + 1;
   for (std::size_t i = 0; i < pieces.size(); ++i)
     numbers[i] = numbers[groups.rootOf (i)];
   return numbers;

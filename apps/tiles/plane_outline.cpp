@@ -153,7 +153,7 @@ thinned (const std::vector<Site>& sites, TakenSquares& squares)
 double
 radiusFor (std::size_t sites, std::size_t squares)
 {
-  const double density = static_cast<double> (sites) / static_cast<double> (squares);
+  const double density = double (sites) / double (squares);
   constexpr double dense = 8.0, sparse = 2.0;
   return density >= dense ? 1.5 : density >= sparse ? 3.0 : 6.0;
 }
@@ -368,8 +368,7 @@ outlineEdges (const std::vector<OutlinePoint>& points,
   sites = withinReach (thinned (sites, squares));
   boost::polygon::voronoi_builder<std::int32_t> builder;
   for (const Site& site : sites)
-    builder.insert_point (static_cast<std::int32_t> (site.u - sites.front().u),
-                          static_cast<std::int32_t> (site.v - sites.front().v));
+    builder.insert_point (site.u - sites.front().u, site.v - sites.front().v);
   Diagram diagram;
   builder.construct (&diagram);
   constexpr std::size_t kept = 1;

@@ -40,12 +40,7 @@ segmentOf (const JoinedPlane& plane)
 
 /** \brief Where a plane ends: the largest part, with the area of all and the rectangle
  * around them, and the others. */
-struct JoinedExtent {
-  PlaneExtent extent;
-  Polygons parts;
-};
-
-JoinedExtent
+std::pair<PlaneExtent, Polygons>
 extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plane)
 {
   const PlaneFrame frame (segment.centroid, segment.normal);
@@ -59,20 +54,20 @@ extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plan
   PlanarPoints corners;
   for (const PlanarRings& part : outline)
     corners.insert (corners.end(), part.front().begin(), part.front().end());
-  JoinedExtent whole{pcl_ops::extentOf ({convexHull (corners, 0.0)}, corners, frame),
-                     {}};
-  whole.extent.area = 0.0;
+  PlaneExtent whole = pcl_ops::extentOf ({convexHull (corners, 0.0)}, corners, frame);
+  Polygons others;
+  whole.area = 0.0;
   for (const PlanarRings& part : outline) {
     PlaneExtent of_part = pcl_ops::extentOf (part, part.front(), frame);
-    whole.extent.area += of_part.area;
+    whole.area += of_part.area;
     if (&part != &outline.front())
-      whole.parts.push_back (of_part.rings());
+      others.push_back (of_part.rings());
     else {
-      whole.extent.hull = std::move (of_part.hull);
-      whole.extent.holes = std::move (of_part.holes);
+      whole.hull = std::move (of_part.hull);
+      whole.holes = std::move (of_part.holes);
     }
   }
-  return whole;
+  return {std::move (whole), std::move (others)};
 }
 
 Json
@@ -81,12 +76,9 @@ toObject (const Plan& plan,
           const JoinedPlane& plane,
           const PlaneSegment& segment)
 {
-  const JoinedExtent whole = extentOf (plan, segment, plane);
-  Json object = planeObject (id,
-                             segment,
-                             whole.extent,
-                             attitudeOf (segment, Eigen::Vector3d::UnitZ()),
-                             whole.parts);
+  const auto [extent, others] = extentOf (plan, segment, plane);
+  Json object = planeObject (
+      id, segment, extent, attitudeOf (segment, Eigen::Vector3d::UnitZ()), others);
   const Moments& moments = segment.moments;
   object["moments"] = {{"origin", moments.origin},
                        {"count", moments.count},

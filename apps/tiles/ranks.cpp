@@ -31,8 +31,8 @@ Ranks::Ranks()
       state_ = std::make_shared<State>();
   if (!state_)
     return;
-  rank = static_cast<std::size_t> (state_->world.rank());
-  size = static_cast<std::size_t> (state_->world.size());
+  rank = state_->world.rank();
+  size = state_->world.size();
 }
 
 void

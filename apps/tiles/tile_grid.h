@@ -39,14 +39,14 @@ struct TileGrid {
   double
   edgeOfTile () const
   {
-    return edge * static_cast<double> (cells_of_tile);
+    return edge * cells_of_tile;
   }
 
   /** \brief How far from zero cells can be counted [m]. */
   double
   reach () const
   {
-    return static_cast<double> (max_cells) * edge;
+    return max_cells * edge;
   }
 
   /** \brief Whether a point has coordinates, and such that cells can be counted. */

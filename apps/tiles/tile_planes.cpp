@@ -20,7 +20,7 @@ void
 transfer (File& file, SomePiece& piece)
 {
   file (&piece.own.unit, 1);
-  file (piece.own.sums.data(), static_cast<std::size_t> (piece.own.sums.size()));
+  file (piece.own.sums.data(), piece.own.sums.size());
   file (piece.all.origin.data(), 3);
   file (&piece.all.count, 1);
   file (piece.all.sum.data(), 3);
@@ -84,7 +84,7 @@ pieceOf (const PlaneSegment& plane,
   piece.inputs = inputsOf (plane, points);
   std::vector<OutlinePoint> outline (plane.inliers.size());
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const auto index = static_cast<std::size_t> (plane.inliers[i]);
+    const std::size_t index = plane.inliers[i];
     const Eigen::Vector3d local = points.points[index].cast<double>();
     outline[i].is_own = i < own;
     if (outline[i].is_own)
@@ -94,7 +94,7 @@ pieceOf (const PlaneSegment& plane,
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto k = static_cast<Eigen::Index> (axis);
       outline[i].place[axis] = std::llround ((corner[k] + local[k]) / unit);
-      voxel.cell[axis] = static_cast<std::int32_t> (cell[axis] += frame[axis]);
+      voxel.cell[axis] = cell[axis] += frame[axis];
     }
     if (!grid.isInside (points.tile, cell))
       border_voxels.push_back (voxel);
@@ -144,15 +144,10 @@ detectInTile (const TileGrid& grid, const TilePoints& points)
         begin, plane.inliers.end(), static_cast<pcl::index_t> (own_points));
     if (begin == end)
       continue;
-    pieces.push_back (pieceOf (plane,
-                               points,
-                               grid,
-                               static_cast<std::size_t> (end - begin),
-                               static_cast<std::uint32_t> (pieces.size()),
-                               border_voxels));
+    pieces.push_back (
+        pieceOf (plane, points, grid, end - begin, pieces.size(), border_voxels));
     for (auto index = begin; index != end; ++index)
-      found.labels[static_cast<std::size_t> (*index)] =
-          static_cast<std::uint32_t> (pieces.size());
+      found.labels[*index] = pieces.size();
   }
   std::sort (border_voxels.begin(), border_voxels.end());
   const auto are_equal = [] (const BorderVoxel& a, const BorderVoxel& b) {

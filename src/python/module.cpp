@@ -82,7 +82,7 @@ defineSegment (py::module_& module)
       .def_property_readonly (
           "inliers", // read where they are, for as long as the plane lives
           [] (const PlaneSegment& p) {
-            const auto size = static_cast<Eigen::Index> (p.inliers.size());
+            const Eigen::Index size = p.inliers.size();
             return Eigen::Map<const Inliers> (p.inliers.data(), size);
           })
       .def_property_readonly ("axes", &axesOf)
@@ -164,7 +164,7 @@ merge (const PlaneSegments& planes, const MergePlanesParameters& parameters)
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (merged.merged_into[i] == no_plane)
       continue;
-    const auto into = static_cast<std::size_t> (merged.merged_into[i]);
+    const std::size_t into = merged.merged_into[i];
     PlaneSegment& whole = all[into];
     // It faces where its largest part did.
     if (planes[i].moments.count > largest[into]) {
