@@ -29,8 +29,9 @@ measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes)
   planes.noise.resize (planes.size(), smallestNoise (grid));
   for (std::size_t p = 0; p < planes.size(); ++p)
     if (!of_plane[p].empty())
-      planes.noise[p] = std::max (
-          std::sqrt (static_cast<double> (medianOf (of_plane[p]))), smallestNoise (grid));
+      planes.noise[p] =
+          std::max (std::sqrt (static_cast<double> (medianOf (of_plane[p]))),
+                    smallestNoise (grid));
 }
 
 } // namespace pcl_ops::internal

@@ -239,8 +239,9 @@ class Threads(unittest.TestCase):
             for call in (*(lambda method=method: pcl_ops.segment(cloud, method)
                            for method in ("ops", "fspf", "kht")),
                          lambda: pcl_ops.evaluate(truth, truth, cloud)):
-                # With the interpreter held there are none, but for one as it begins and ends.
-                self.assertGreater(max(ticks_during(call) for _ in range(3)), 5)
+                # With the interpreter held there are none, but for one as it begins and ends;
+                # on a busy machine there may be few in one call.
+                self.assertTrue(any(ticks_during(call) > 5 for _ in range(20)))
 
     def test_calls_at_once_find_the_same(self):
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
