@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/surfels.h"
 
+#include <Eigen/Cholesky>
+
 #include "base/parallel.h"
 #include "bounded/noise_floors.h"
 #include "geometry/noise_ratios.h"
@@ -232,10 +234,14 @@ hidesSurfaces (const Surfel& surfel, const Moments& voxel, double smallest_noise
 {
   if (voxel.count < min_points_of_noise || surfel.noise <= other_noise * smallest_noise)
     return false;
-  // Of a plane through the voxel's points, which takes three of them to fit.
-  const double own =
-      principalAxes (voxel.covariance()).values[0] * voxel.count / (voxel.count - 3.0);
-  return surfel.noise * surfel.noise > other_noise * other_noise * own;
+  // The least eigenvalue of the voxel's own covariance is above this if the rest is
+  // positive definite. It takes three points to fit a plane through them.
+  const double squared_limit = surfel.noise * surfel.noise /
+                               (other_noise * other_noise) * (voxel.count - 3.0) /
+                               voxel.count;
+  const Eigen::Matrix3d rest =
+      voxel.covariance() - squared_limit * Eigen::Matrix3d::Identity();
+  return rest.llt().info() != Eigen::Success;
 }
 
 } // namespace

@@ -46,13 +46,17 @@ double
 noiseOfFlatVoxels (const VoxelGrid& grid)
 {
   constexpr double smallest_share = 1e-4;
-  std::vector<float> noise;
+  std::vector<Eigen::Matrix3d> covariances;
   for (const Moments& voxel : grid.moments)
-    if (voxel.count >= min_points_of_noise) {
-      const double own = std::sqrt (principalAxes (voxel.covariance()).values[0]);
-      if (own > smallest_share * grid.voxel_size)
-        noise.push_back (static_cast<float> (own));
-    }
+    if (voxel.count >= min_points_of_noise)
+      covariances.push_back (voxel.covariance());
+  std::vector<PrincipalAxes> axes (covariances.size());
+  principalAxes (covariances.data(), covariances.size(), axes.data());
+  std::vector<float> noise;
+  for (const PrincipalAxes& voxel : axes)
+    if (const double own = std::sqrt (voxel.values[0]);
+        own > smallest_share * grid.voxel_size)
+      noise.push_back (static_cast<float> (own));
   const auto quarter = noise.begin() + static_cast<std::ptrdiff_t> (noise.size() / 4);
   std::nth_element (noise.begin(), quarter, noise.end());
   return noise.empty() ? 0.0 : *quarter;
