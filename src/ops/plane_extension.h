@@ -13,9 +13,8 @@
 namespace pcl_ops::internal {
 
 /** \brief Lets planes go on where points are sparse, as the rings of a lidar on the
- * ground are: a point on no plane goes to the nearest, in units of its noise, of the
- * planes in the larger voxels around, first in those of twice the edge; planes as wide
- * as these voxels.
+ * ground are: a point on no plane goes to the likeliest of the planes in the larger
+ * voxels around, first in those of twice the edge; planes as wide as these voxels.
  * \param[in] points all points
  * \param[in] order their numbers, voxel after voxel
  * \param[in] grid voxels with their neighbors
