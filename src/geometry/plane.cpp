@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -68,12 +69,18 @@ fitPlane (const Moments& moments)
 {
   if (moments.count < 3.0)
     return std::nullopt;
-  const internal::PrincipalAxes axes = internal::principalAxes (moments.covariance());
+  const Eigen::Matrix3d covariance = moments.covariance();
+  internal::PrincipalAxes axes = internal::principalAxes (covariance);
   const Eigen::Vector3d& variances = axes.values;
   // Rounding of the inputs (single precision) alone can give a line this much width.
   constexpr double smallest_width = 1e-5;
   if (!(variances[1] > smallest_width * smallest_width * variances[2]))
     return std::nullopt;
+  // Of a ball or a rod many directions would do, and the closed form has none.
+  if (axes.normal.isZero())
+    axes.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> (covariance)
+                      .eigenvectors()
+                      .col (0);
   PlaneFit fit;
   fit.centroid = moments.centroid();
   fit.variances = variances;

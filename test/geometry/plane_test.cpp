@@ -92,6 +92,23 @@ TEST (FitPlane, AgreesWithAnSvdOfTheCentredPoints)
   }
 }
 
+TEST (FitPlane, HasAUnitNormalWhereManyWouldDo)
+{
+  // The corners of a cube, and of a rod with a square section.
+  for (const double length : {1.0, 5.0}) {
+    PointList corners;
+    for (const double x : {0.0, length})
+      for (const double y : {0.0, 1.0})
+        for (const double z : {0.0, 1.0})
+          corners.emplace_back (x, y, z);
+    const std::optional<PlaneFit> fit =
+        fitPlane (::momentsOf (corners, Eigen::Vector3d::Zero()));
+    ASSERT_TRUE (fit);
+    EXPECT_NEAR (fit->plane.normal.norm(), 1.0, 1e-12);
+    EXPECT_NEAR (fit->variances[0], 0.25, 1e-6);
+  }
+}
+
 TEST (FitPlane, HasNothingToSayOfPointsThatSpanNoPlane)
 {
   PointList line, equal, broken = noisyPatch ({0, 0, 0}), infinite = broken;
