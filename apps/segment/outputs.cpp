@@ -297,7 +297,8 @@ toJson (const PlaneEdges& found)
 }
 
 /** \brief For each point of a cloud its signed distance to its plane, positive where
- * the normal points to [m]; NaN on no plane. \param[in] planes in the file's frame */
+ * the normal points to [m]; NaN on no plane.
+ * \param[in] planes in the file's frame */
 std::vector<float>
 distancesOf (const FileCloud& cloud, const std::vector<PlaneSegment>& planes)
 {

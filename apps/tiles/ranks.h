@@ -30,7 +30,8 @@ private:
 };
 
 /** \brief Which parts of some work are a rank's, so that all have about as much to do;
- * the largest first. \param[in] parts how much work each is */
+ * the largest first.
+ * \param[in] parts how much work each is */
 std::vector<std::size_t>
 shareOf (std::size_t rank, std::size_t ranks, const std::vector<std::uint64_t>& parts);
 

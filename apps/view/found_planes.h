@@ -44,7 +44,8 @@ keysText ()
 }
 
 /** \brief Changes a state as a key asks for. Other planes are shown without a selected
- * one. \return false if the key changes no state */
+ * one.
+ * \return false if the key changes no state */
 inline bool
 pressKey (char key, ViewState& state)
 {

@@ -20,10 +20,11 @@ struct Refinement {
 
 /** \brief Takes coarse voxels without a plane, and those next to them, to voxels of
  * half the edge. A voxel there keeps the plane of the coarse one that holds it if its
- * points lie on it. \param[in] finest voxels of half the edge of all points \param[in]
- * coarse the voxels that hold them \param[in] planes those found in coarse voxels, with
- * their noise \param[in] threads number of threads; 0: all. The result does not depend
- * on it */
+ * points lie on it.
+ * \param[in] finest voxels of half the edge of all points
+ * \param[in] coarse the voxels that hold them
+ * \param[in] planes those found in coarse voxels, with their noise
+ * \param[in] threads number of threads; 0: all. The result does not depend on it */
 Refinement
 refine (const VoxelGrid& finest,
         const CoarserGrid& coarse,

@@ -34,7 +34,8 @@ struct RootCube {
 /** \brief The cube around the centroid that holds the points, but for those far from
  * all others: farther from the middle 96 per cent of a coordinate than those of the
  * widest coordinate spread. One stray return would else make the nodes as coarse
- * as its distance. \return edge 0 for no points */
+ * as its distance.
+ * \return edge 0 for no points */
 RootCube
 rootCubeOf (const Coordinates& points);
 

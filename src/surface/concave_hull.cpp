@@ -58,7 +58,8 @@ isSurrounded (const Cells& cells, const Cell& cell)
 }
 
 /** \brief All points near the rim, and one for each square cell that has points in all
- * cells around it. \param[in] cell side of a cell [m] */
+ * cells around it.
+ * \param[in] cell side of a cell [m] */
 WeightedPoints
 thinInside (const PlanarPoints& points, double cell)
 {
@@ -132,7 +133,8 @@ cornersOf (const Ring& ring, double tolerance)
 }
 
 /** \brief The first ring as an outline, and those within it, not within each other, as
- * its holes. \param[in] least area of a hole [m^2] */
+ * its holes.
+ * \param[in] least area of a hole [m^2] */
 PlanarRings
 withHoles (const std::vector<Ring>& rings, double least, double tolerance)
 {

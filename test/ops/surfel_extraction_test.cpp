@@ -60,7 +60,8 @@ barrel (double radius)
 }
 
 /** \brief Every voxel with a surfel of its own, through its centroid, that a test may
- * change. \param[in] change (surfel, centroid) */
+ * change.
+ * \param[in] change (surfel, centroid) */
 template <typename Change>
 Surfels
 surfelsWith (const VoxelGrid& grid, Change&& change)
