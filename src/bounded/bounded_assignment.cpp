@@ -83,6 +83,7 @@ bandsOf (const BoundedPlanes& planes,
 {
   std::vector<PlaneBand> bands;
   for (std::size_t p = 0; p < planes.size(); ++p) {
+    // That of a plane without voxels here is 0.
     const double noise = std::max (planes.noise[p], smallest_noise);
     bands.emplace_back (
         planes.planes[p], noise, std::min (noise_factor * noise, largest_band));

@@ -17,7 +17,7 @@ namespace {
 struct Region {
   Plane plane;
   Moments moments;
-  /** \brief Of most of its points [m^2]. */
+  /** \brief Of the plane [m^2]. */
   double squared_noise = 0.0;
   /** \brief Planes that it touches, ascending. */
   std::vector<std::size_t> neighbors;

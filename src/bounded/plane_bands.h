@@ -14,15 +14,15 @@
 
 namespace pcl_ops::internal {
 
-/** \brief A plane as its points see it: they scatter about it as noise does. */
+/** \brief A plane and the noise of its points. */
 struct PlaneBand {
   FloatPlane surface;
   /** \brief Largest distance of a point [m]. */
   float band = 0.0f;
   /** \brief 1 / sigma^2 of the noise [1/m^2]. */
-  float weight = 0.0f;
+  float inverse_variance = 0.0f;
   /** \brief 2 ln sigma, sigma in m. */
-  float spread = 0.0f;
+  float log_variance = 0.0f;
 
   PlaneBand() = default;
 
@@ -30,14 +30,14 @@ struct PlaneBand {
   PlaneBand (const Plane& plane, double noise, double largest_distance)
   : surface (plane)
   , band (static_cast<float> (largest_distance))
-  , weight (static_cast<float> (1.0 / (noise * noise)))
-  , spread (static_cast<float> (2.0 * std::log (noise)))
+  , inverse_variance (static_cast<float> (1.0 / (noise * noise)))
+  , log_variance (static_cast<float> (2.0 * std::log (noise)))
   {}
 };
 
 /** \brief Of some planes the one that a point most likely is of, or no_plane: the one
- * with the least d^2 / sigma^2 + 2 ln sigma. Where a clean plane meets a noisy one, its
- * points are near both.
+ * with the least d^2 / sigma^2 + 2 ln sigma. Distances in units of sigma alone would
+ * give points of a clean plane to a noisy one that it meets.
  * \param[in] planes positions of the planes that are asked for
  * \param[in] bands of all planes */
 inline std::int32_t
@@ -52,7 +52,8 @@ likeliestOf (const Labels& planes,
     const PlaneBand& candidate = bands[static_cast<std::size_t> (plane)];
     const float distance =
         candidate.surface.distance (points.x[point], points.y[point], points.z[point]);
-    const float cost = candidate.weight * distance * distance + candidate.spread;
+    const float cost =
+        candidate.inverse_variance * distance * distance + candidate.log_variance;
     const bool is_likelier = distance < candidate.band && cost < best;
     likeliest = is_likelier ? plane : likeliest;
     best = is_likelier ? cost : best;

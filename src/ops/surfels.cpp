@@ -234,11 +234,11 @@ hidesSurfaces (const Surfel& surfel, const Moments& voxel, double smallest_noise
 {
   if (voxel.count < min_points_of_noise || surfel.noise <= other_noise * smallest_noise)
     return false;
-  // The least eigenvalue of the voxel's own covariance is above this if the rest is
-  // positive definite. It takes three points to fit a plane through them.
+  // A plane fits its own three points without noise: n - 3 are left to measure it.
   const double squared_limit = surfel.noise * surfel.noise /
                                (other_noise * other_noise) * (voxel.count - 3.0) /
                                voxel.count;
+  // Positive definite exactly if the least eigenvalue of the covariance is above.
   const Eigen::Matrix3d rest =
       voxel.covariance() - squared_limit * Eigen::Matrix3d::Identity();
   return rest.llt().info() != Eigen::Success;
