@@ -9,8 +9,8 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Assigns points to bounded planes: to the nearest, in units of the plane's
- * noise, of the planes whose support has a voxel within one voxel of the point.
+/** \brief Assigns points to bounded planes: to the likeliest of the planes whose
+ * support has a voxel within one voxel of the point, see \ref likeliestOf.
  * \param[in] points all points
  * \param[in] order their numbers, voxel after voxel
  * \param[in] grid voxels
