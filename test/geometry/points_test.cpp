@@ -6,6 +6,7 @@
 
 #include "geometry/points.h"
 
+#include <algorithm>
 #include <limits>
 
 using pcl_ops::CloudView;
@@ -100,6 +101,20 @@ TEST (FinitePoints, KeepTheirDigitsBesideOneStrayPoint)
         (inInputFrame (points, i) - cloud[i].getVector3fMap().cast<double>()).norm(),
         0.0,
         1e-6);
+}
+
+TEST (SamplePoints, AreTheSameInAnyOrder)
+{
+  Coordinates points, reversed;
+  for (int i = 1; i <= 1000; ++i) {
+    points.add (0.37f * i, 1.0f / i, 2.0f);
+    reversed.add (0.37f * (1001 - i), 1.0f / (1001 - i), 2.0f);
+  }
+  const std::vector<float> some = samplePoints (points, 100).x;
+  const std::vector<float> others = samplePoints (reversed, 100).x;
+  EXPECT_TRUE (std::equal (some.begin(), some.end(), others.rbegin(), others.rend()));
+  EXPECT_GT (some.size(), 50u);
+  EXPECT_LT (some.size(), 150u);
 }
 
 TEST (MedianOf, IsTheMiddleOrTheUpperOfTheTwo)
