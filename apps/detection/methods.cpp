@@ -6,7 +6,7 @@
 
 #include "advice.h"
 #include "number_options.h"
-#include "plane_json.h"
+#include "plane_list.h"
 #include <cli/errors.h>
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/up_axis.h>

@@ -4,7 +4,7 @@
 
 #include <cli/command_line.h>
 #include <cli/errors.h>
-#include <detection/plane_json.h>
+#include <detection/plane_list.h>
 #include <numbers/angles.h>
 #include <pcl_ops/orientation.h>
 

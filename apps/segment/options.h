@@ -4,7 +4,7 @@
 
 #include <detection/methods.h>
 #include <detection/plane_choice.h>
-#include <detection/plane_map.h>
+#include <detection/plane_list.h>
 
 #include <optional>
 #include <string>

@@ -8,8 +8,7 @@
 
 #include "report.h"
 #include <cli/errors.h>
-#include <detection/plane_json.h>
-#include <detection/plane_map.h>
+#include <detection/plane_list.h>
 #include <io/las_file.h>
 #include <io/laz_file.h>
 #include <io/output_file.h>

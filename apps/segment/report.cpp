@@ -5,7 +5,7 @@
 #include <boost/format.hpp>
 
 #include <detection/methods.h>
-#include <detection/plane_json.h>
+#include <detection/plane_list.h>
 #include <nlohmann/json.hpp>
 #include <numbers/statistics.h>
 #include <pcl_ops/orientation.h>
@@ -132,7 +132,7 @@ toJson (const Report& report)
   for (std::size_t i = 0; i < detected.planes.size(); ++i) {
     const PlaneSegment& plane = detected.planes[i];
     json["planes"].push_back (
-        planeObject (report.ids[i], plane, report.extents[i], attitudeOf (plane, up)));
+        planeObject (report.ids[i], plane, report.extents[i], up));
   }
   return json;
 }

@@ -4,7 +4,7 @@
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <detection/methods.h>
-#include <detection/plane_json.h>
+#include <detection/plane_list.h>
 #include <io/cloud_file.h>
 #include <io/las_file.h>
 #include <io/laz_file.h>

@@ -9,7 +9,7 @@
 #include "point_file.h"
 #include <cli/errors.h>
 #include <cli/program.h>
-#include <detection/plane_json.h>
+#include <detection/plane_list.h>
 #include <io/las_header.h>
 #include <io/laz_file.h>
 #include <io/output_file.h>

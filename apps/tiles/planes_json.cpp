@@ -4,7 +4,7 @@
 
 #include "plane_outline.h"
 #include <cli/errors.h>
-#include <detection/plane_json.h>
+#include <detection/plane_list.h>
 #include <io/inputs.h>
 #include <io/output_file.h>
 #include <pcl_ops/plane_extent.h>
@@ -77,8 +77,7 @@ toObject (const Plan& plan,
           const PlaneSegment& segment)
 {
   const auto [extent, others] = extentOf (plan, segment, plane);
-  Json object = planeObject (
-      id, segment, extent, attitudeOf (segment, Eigen::Vector3d::UnitZ()), others);
+  Json object = planeObject (id, segment, extent, Eigen::Vector3d::UnitZ(), others);
   const Moments& moments = segment.moments;
   object["moments"] = {{"origin", moments.origin},
                        {"count", moments.count},

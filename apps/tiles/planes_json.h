@@ -5,7 +5,7 @@
 #include "plan.h"
 #include "plane_joining.h"
 #include <detection/plane_choice.h>
-#include <detection/plane_map.h>
+#include <detection/plane_list.h>
 
 #include <string>
 

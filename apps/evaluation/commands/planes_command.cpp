@@ -4,7 +4,7 @@
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
-#include <detection/plane_json.h>
+#include <detection/plane_list.h>
 #include <evaluation/report/answer.h>
 #include <io/inputs.h>
 #include <numbers/angles.h>

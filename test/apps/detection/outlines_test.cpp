@@ -5,8 +5,7 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <detection/advice.h>
-#include <detection/plane_json.h>
-#include <pcl_ops/oriented_point_sampling.h>
+#include <detection/plane_list.h>
 
 #include <algorithm>
 #include <limits>
@@ -25,12 +24,13 @@ struct Written {
                     const Polygons& parts = {},
                     double simplify = 0.0)
   {
+    const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
     PlaneExtent other;
     other.width = 5.0;
     const nlohmann::ordered_json list = {
         {"planes",
-         nlohmann::ordered_json::array ({planeObject (1, {}, extent, {}, parts),
-                                         planeObject (2, {}, other, {})})}};
+         nlohmann::ordered_json::array (
+             {planeObject (1, {}, extent, up, parts), planeObject (2, {}, other)})}};
     const std::string csv = planesFor ("a.csv", list, {"", simplify});
     const std::size_t begin = csv.find ('"') + 1;
     wkt = csv.substr (begin, csv.find ('"', begin) - begin);

@@ -3,21 +3,27 @@
 // Boost 1.74 remarks in every build on a header it includes itself.
 #define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry.hpp>
+#include <boost/geometry/geometries/register/linestring.hpp>
+#include <boost/geometry/geometries/register/point.hpp>
 #undef BOOST_ALLOW_DEPRECATED_HEADERS
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-#include "plane_json.h"
-#include "plane_map.h"
+#include "plane_list.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <io/output_file.h>
+#include <numbers/angles.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <locale>
 #include <regex>
+
+BOOST_GEOMETRY_REGISTER_POINT_3D (Eigen::Vector3d, double, cs::cartesian, x(), y(), z())
+BOOST_GEOMETRY_REGISTER_LINESTRING (pcl_ops::apps::Ring)
 
 namespace pcl_ops::apps {
 
@@ -79,8 +85,6 @@ struct Notation {
     return text.str();
   }
 };
-
-using Corner = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
 
 /** \param[in] first, last positions of corners in the ring, which is closed */
 Eigen::Vector3d
@@ -163,18 +167,14 @@ Ring
 withFewerCorners (Ring ring, double tolerance)
 {
   beginAtCorner (ring);
-  boost::geometry::model::linestring<Corner> line, simple;
-  for (const Eigen::Vector3d& corner : ring)
-    line.emplace_back (corner.x(), corner.y(), corner.z());
-  line.push_back (line.front());
-  boost::geometry::simplify (line, simple, tolerance);
+  Ring closed = ring, simple;
+  closed.push_back (ring.front());
+  boost::geometry::simplify (closed, simple, tolerance);
   simple.pop_back();
   std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < ring.size() && kept.size() < simple.size(); ++i) {
-    const Corner& corner = simple[kept.size()];
-    if (ring[i] == Eigen::Vector3d (corner.get<0>(), corner.get<1>(), corner.get<2>()))
+  for (std::size_t i = 0; i < ring.size() && kept.size() < simple.size(); ++i)
+    if (ring[i] == simple[kept.size()])
       kept.push_back (i);
-  }
   return kept.empty() ? Ring() : withFittedSides (ring, kept, tolerance);
 }
 
@@ -196,17 +196,17 @@ simplified (const Rings& rings, double tolerance)
   return simple;
 }
 
-using PlaneTable = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
 const std::string prefix_of_crs = "EPSG:";
 
 /** \brief A plane's columns and their values; lists are taken apart. */
-std::vector<std::pair<const char*, PlaneTable>>
-columnsOf (const PlaneTable& plane)
+std::vector<std::pair<std::string, Json>>
+columnsOf (const Json& plane)
 {
-  const PlaneTable &coefficients = plane.at ("coefficients"),
-                   &centroid = plane.at ("centroid"), &normal = plane.at ("normal"),
-                   &extent = plane.at ("extent");
+  const Json &coefficients = plane.at ("coefficients"),
+             &centroid = plane.at ("centroid"), &normal = plane.at ("normal"),
+             &extent = plane.at ("extent");
   return {{"id", plane.at ("id")},         {"orientation", plane.at ("orientation")},
           {"points", plane.at ("points")}, {"a", coefficients.at (0)},
           {"b", coefficients.at (1)},      {"c", coefficients.at (2)},
@@ -222,11 +222,11 @@ columnsOf (const PlaneTable& plane)
 /** \brief Of coordinates: three, or as many as a thousandth of the narrowest plane
  * takes. */
 int
-decimalsFor (const PlaneTable& planes)
+decimalsFor (const Json& planes)
 {
   constexpr int min_decimals = 3, max_decimals = 12;
   double decimals = min_decimals;
-  for (const PlaneTable& plane : planes)
+  for (const Json& plane : planes)
     if (const double width = plane.at ("extent").at ("width"); width > 0.0)
       decimals = std::max (decimals, std::ceil (min_decimals - std::log10 (width)));
   return static_cast<int> (std::min<double> (decimals, max_decimals));
@@ -235,7 +235,7 @@ decimalsFor (const PlaneTable& planes)
 /** \brief Simplified, counter-clockwise and its holes clockwise as seen from above, as
  * maps want it; vertical rings stay as they are. */
 Polygons
-outlineOf (const PlaneTable& plane, const MapOptions& options)
+outlineOf (const Json& plane, const MapOptions& options)
 {
   Polygons polygons = polygonsIn (plane);
   for (Rings& rings : polygons) {
@@ -272,14 +272,14 @@ toGeoJsonGeometry (const Polygons& polygons, int decimals)
 }
 
 std::string
-toCsv (const PlaneTable& planes, const MapOptions& options)
+toCsv (const Json& planes, const MapOptions& options)
 {
   std::string csv;
-  for (const auto& [name, value] : columnsOf (planeObject (0, {}, {}, {})))
-    csv += std::string (name) + ",";
+  for (const auto& [name, value] : columnsOf (planeObject (0, {}, {})))
+    csv += name + ",";
   csv += "wkt\n";
   const int decimals = decimalsFor (planes);
-  for (const PlaneTable& plane : planes) {
+  for (const Json& plane : planes) {
     for (const auto& [name, value] : columnsOf (plane)) {
       const std::string text = value.is_null() ? "" : value.dump();
       csv += (value.is_string() ? std::string (value) : text) + ",";
@@ -290,7 +290,7 @@ toCsv (const PlaneTable& planes, const MapOptions& options)
 }
 
 std::string
-toGeoJson (const PlaneTable& planes, const MapOptions& options)
+toGeoJson (const Json& planes, const MapOptions& options)
 {
   std::string text = "{\"type\":\"FeatureCollection\",";
   if (!options.crs.empty())
@@ -298,13 +298,10 @@ toGeoJson (const PlaneTable& planes, const MapOptions& options)
             options.crs.substr (prefix_of_crs.size()) + "\"}},";
   text += "\"features\":[";
   const int decimals = decimalsFor (planes);
-  for (const PlaneTable& plane : planes) {
-    PlaneTable properties;
-    for (const auto& [name, value] : columnsOf (plane)) {
-      const std::string column = name;
-      properties[column.rfind ("normal_", 0) == 0 ? "n" + column.substr (7) : column] =
-          value;
-    }
+  for (const Json& plane : planes) {
+    Json properties;
+    for (const auto& [name, value] : columnsOf (plane))
+      properties[name.rfind ("normal_", 0) == 0 ? "n" + name.substr (7) : name] = value;
     text +=
         (&plane == &planes.front() ? "\n" : ",\n") +
         std::string ("{\"type\":\"Feature\",\"id\":") + plane.at ("id").dump() +
@@ -314,7 +311,91 @@ toGeoJson (const PlaneTable& planes, const MapOptions& options)
   return text + "\n]}\n";
 }
 
+/** \brief Where a plane goes down; null where it has no such direction. */
+Json
+aspectOf (const PlaneSegment& plane, const Eigen::Vector3d& up)
+{
+  const bool is_downward =
+      plane.orientation != Orientation::Vertical && plane.normal.dot (up) < 0.0;
+  const Eigen::Vector3d normal = is_downward ? -plane.normal : plane.normal;
+  if (up != Eigen::Vector3d::UnitZ() || normal.head<2>().isZero (0.0))
+    return nullptr;
+  constexpr double full_turn = 360.0;
+  const double angle = toDegrees (std::atan2 (normal.x(), normal.y()));
+  return angle < 0.0 ? angle + full_turn : angle;
+}
+
 } // namespace
+
+std::string
+jsonText (const Json& json)
+{
+  constexpr int indent = 2;
+  return json.dump (indent) + "\n";
+}
+
+std::optional<Orientation>
+orientationCalled (const std::string& name)
+{
+  for (const Orientation known :
+       {Orientation::Horizontal, Orientation::Vertical, Orientation::Other})
+    if (name == toString (known))
+      return known;
+  return {};
+}
+
+void
+turnUp (std::vector<PlaneSegment>& planes, const Eigen::Vector3d& up)
+{
+  for (PlaneSegment& plane : planes)
+    if (plane.orientation != Orientation::Vertical && plane.normal.dot (up) < 0.0)
+      plane.normal = -plane.normal;
+}
+
+Json
+planeObject (std::size_t id,
+             const PlaneSegment& segment,
+             const PlaneExtent& extent,
+             const Eigen::Vector3d& up,
+             const Polygons& parts)
+{
+  const Plane plane = segment.plane();
+  Json object;
+  object["id"] = id;
+  object["orientation"] = toString (segment.orientation);
+  object["points"] = static_cast<std::size_t> (segment.moments.count);
+  object["coefficients"] = {
+      plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset};
+  object["centroid"] = segment.centroid;
+  object["normal"] = segment.normal;
+  object["rms"] = segment.rms();
+  object["area"] = extent.area;
+  object["slope"] = toDegrees (slopeOf (segment.normal, up));
+  object["aspect"] = aspectOf (segment, up);
+  object["height"] = segment.centroid.dot (up);
+  object["extent"] = {{"length", extent.length},
+                      {"width", extent.width},
+                      {"center", extent.center},
+                      {"axes", {extent.long_axis, extent.short_axis}}};
+  object["hull"] = extent.hull;
+  object["holes"] = extent.holes;
+  if (!parts.empty())
+    object["parts"] = parts;
+  return object;
+}
+
+Polygons
+polygonsIn (const Json& plane)
+{
+  Rings largest = {plane.at ("hull").get<Ring>()};
+  if (largest.front().empty())
+    return {};
+  for (const auto& hole : plane.at ("holes"))
+    largest.push_back (hole.get<Ring>());
+  Polygons polygons = plane.value ("parts", Polygons());
+  polygons.insert (polygons.begin(), std::move (largest));
+  return polygons;
+}
 
 void
 declareMap (CommandLine& line, MapOptions& options)
@@ -344,7 +425,7 @@ checkMap (const CommandLine& line, const std::string& planes)
 }
 
 std::string
-planesFor (const std::string& file, const PlaneTable& list, const MapOptions& options)
+planesFor (const std::string& file, const Json& list, const MapOptions& options)
 {
   const std::string extension = extensionOf (file);
   if (extension == ".csv")
