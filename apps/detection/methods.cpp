@@ -7,8 +7,7 @@
 #include "advice.h"
 #include "number_options.h"
 #include "plane_list.h"
-#include <cli/errors.h>
-#include <pcl_ops/oriented_point_sampling.h>
+#include <pcl_ops/detect_planes.h>
 #include <pcl_ops/up_axis.h>
 #include <pcl_ops/visibility.h>
 
@@ -58,43 +57,38 @@ relate (const GivenNumbers& given, std::size_t, FspfParameters& parameters)
                       "is below --inner-radius; leave one of them out or raise it");
 }
 
-template <typename Parameters>
 void
-relate (const GivenNumbers&, std::size_t, Parameters&)
+relate (const GivenNumbers&, std::size_t, const KhtParameters&)
 {}
+
+Eigen::Vector3d
+sensorOf (const XyzCloud& cloud)
+{
+  return cloud.sensor_origin_.head<3>().cast<double>();
+}
 
 /** \brief Says that samples are counted where more than the default were asked for, as
  * if they were points, and hardly a plane is left. */
 void
 hintOnMinInliers (const GivenNumbers& given,
-                  OrientedPointSampling<pcl::PointXYZ>& detector,
+                  OpsParameters parameters,
+                  const XyzCloud& cloud,
                   Detected& detected)
 {
   // What is few to a room, and what share of its planes: others need no second run.
   constexpr std::size_t few = 5, least_ratio = 4;
-  OpsParameters parameters = detector.getParameters();
-  const unsigned asked = parameters.min_inliers;
+  const unsigned usual = OpsParameters().min_inliers,
+                 asked = std::exchange (parameters.min_inliers, usual);
   const std::size_t left = detected.planes.size();
-  if (given.count ("min-inliers") == 0 || asked <= OpsParameters().min_inliers ||
-      left > few)
+  if (given.count ("min-inliers") == 0 || asked <= usual || left > few)
     return;
-  parameters.min_inliers = OpsParameters().min_inliers;
-  detector.setParameters (parameters);
-  std::vector<PlaneSegment> planes;
-  if (!detector.segment (planes))
-    throw std::bad_alloc();
-  if (left == planes.size() || least_ratio * left > planes.size())
-    return;
-  detected.hints.push_back (
-      str (boost::format ("--min-inliers %1% counts samples, not points, and leaves "
-                          "%2% of %3% planes: --min-points %1% counts points") %
-           asked % left % planes.size()));
+  const std::size_t all = detectPlanes (cloud, parameters, sensorOf (cloud)).size();
+  if (left != all && least_ratio * left <= all)
+    detected.hints.push_back (
+        str (boost::format ("--min-inliers %1% counts samples, not points, and leaves "
+                            "%2% of %3% planes: --min-points %1% counts points") %
+             asked % left % all));
 }
-
-template <typename Detector>
-void
-hintOnMinInliers (const GivenNumbers&, const Detector&, const Detected&)
-{}
 
 /** \brief All parameters for a report, under the names of their options, and what no
  * option changes. */
@@ -146,7 +140,8 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   detected.timing = detector.getStageDurations();
   detected.settings = reportOf (options.preset, parameters);
   detected.up = parameters.up_axis;
-  hintOnMinInliers (options.numbers, detector, detected);
+  if constexpr (std::is_same_v<Parameters, OpsParameters>)
+    hintOnMinInliers (options.numbers, parameters, *cloud, detected);
   detected.advice = adviceFor (parameters, *cloud, detected.planes);
   return detected;
 }
@@ -190,16 +185,14 @@ defaultWith (const GivenNumbers& numbers)
 
 /** \brief By planes of the default preset. */
 std::optional<UpAxis>
-findUp (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
+findUp (const GivenNumbers& numbers, const XyzCloud& cloud)
 {
-  const OpsParameters given = defaultWith (options.numbers);
-  OrientedPointSampling<pcl::PointXYZ> ops;
-  ops.setSeed (given.seed);
-  ops.setNumberOfThreads (given.threads);
-  ops.setInputCloud (cloud);
-  std::vector<PlaneSegment> planes;
-  ops.segment (planes);
-  return estimateUpAxis (planes, cloud->sensor_origin_.head<3>().cast<double>());
+  const OpsParameters given = defaultWith (numbers);
+  OpsParameters parameters;
+  parameters.seed = given.seed;
+  parameters.threads = given.threads;
+  const Eigen::Vector3d sensor = sensorOf (cloud);
+  return estimateUpAxis (detectPlanes (cloud, parameters, sensor), sensor);
 }
 
 std::string
@@ -221,15 +214,14 @@ noteOn (const std::optional<UpAxis>& found, bool is_seen, const Eigen::Vector3f&
 void
 hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detected)
 {
-  const OpsParameters given = defaultWith (options.numbers);
-  const auto found =
-      estimateUpAxis (detected.planes, cloud.sensor_origin_.head<3>().cast<double>());
+  const auto found = estimateUpAxis (detected.planes, sensorOf (cloud));
   if (!found)
     return;
   // Planes have the same names upside down.
   const double cosine =
       std::abs (found->direction.dot (detected.up.cast<double>().normalized()));
-  if (cosine >= std::cos (given.angle_tolerance) || !isSeenFromItsOrigin (cloud))
+  if (cosine >= std::cos (defaultWith (options.numbers).angle_tolerance) ||
+      !isSeenFromItsOrigin (cloud))
     return;
   detected.suggested_up = found->direction;
   constexpr double hundred = 100.0;
@@ -298,7 +290,8 @@ runMethod (const Method& method,
     return detected;
   }
   const bool is_seen = isSeenFromItsOrigin (*cloud);
-  const std::optional<UpAxis> found = is_seen ? findUp (options, cloud) : std::nullopt;
+  const std::optional<UpAxis> found =
+      is_seen ? findUp (options.numbers, *cloud) : std::nullopt;
   DetectorOptions known = options;
   if (found)
     known.up = found->direction.cast<float>();

@@ -9,7 +9,6 @@
 #include <pcl_ops/kernel_hough_transform.h>
 #include <pcl_ops/oriented_point_sampling.h>
 
-#include <string>
 #include <type_traits>
 
 namespace pcl_ops::apps {
@@ -105,7 +104,6 @@ visitOwn (KernelHoughTransformParameters& p, const Visit& visit)
   visit (clusters.s_beta, {"s-beta R", above (0), "larger: it may be more elongated"});
 }
 
-/** \brief For all that a detector has. */
 template <typename Parameters, typename Visit>
 void
 visitAll (Parameters& parameters, const Visit& visit)
@@ -117,7 +115,6 @@ visitAll (Parameters& parameters, const Visit& visit)
 template <typename Number>
 using ValueOf = std::conditional_t<std::is_arithmetic_v<Number>, Number, double>;
 
-/** \brief Sets the parameters whose options were given. */
 template <typename Parameters>
 void
 apply (const GivenNumbers& given, Parameters& parameters)

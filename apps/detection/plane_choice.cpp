@@ -6,7 +6,6 @@
 #include <cli/errors.h>
 #include <detection/plane_list.h>
 #include <numbers/angles.h>
-#include <pcl_ops/orientation.h>
 
 #include <algorithm>
 
@@ -49,7 +48,6 @@ reportsOf (const PlaneChoice& choice, const DroppedPlanes& dropped = {})
           {"max-planes", filter.max_planes.value_or (0), dropped.by_number - by_only}};
 }
 
-/** \brief Declares an option of several numbers in a range. */
 template <std::size_t count>
 Option&
 addNumbers (CommandLine& line,

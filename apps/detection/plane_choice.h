@@ -5,11 +5,6 @@
 #include "methods.h"
 #include <pcl_ops/plane_filter.h>
 
-#include <array>
-#include <cstddef>
-#include <string>
-#include <vector>
-
 namespace pcl_ops::apps {
 
 struct PlaneChoice {
