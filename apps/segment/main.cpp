@@ -2,39 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
 
-#include "options.h"
 #include "report.h"
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <cli/progress.h>
-#include <io/cloud_file.h>
 #include <io/pose_file.h>
-#include <numbers/angles.h>
 #include <pcl_ops/plane_tracker.h>
 #include <unistd.h>
 
-#include <array>
 #include <condition_variable>
-#include <cstdint>
 #include <iostream>
 #include <mutex>
-#include <optional>
-#include <vector>
 
 namespace pcl_ops::apps {
 
 namespace {
-
-PlaneMatchingParameters
-parametersOf (const TrackOptions& options)
-{
-  PlaneMatchingParameters parameters;
-  if (options.rotation_error)
-    parameters.rotation_error = toRadians (*options.rotation_error);
-  if (options.translation_error)
-    parameters.translation_error = *options.translation_error;
-  return parameters;
-}
 
 std::vector<Eigen::Isometry3d>
 posesOf (const TrackOptions& options, std::size_t frames)
@@ -50,7 +32,6 @@ posesOf (const TrackOptions& options, std::size_t frames)
   return poses;
 }
 
-/** \brief What became of a cloud, in a line. */
 struct Status {
   enum { Done, Failed, Interrupted } end;
   std::string line = {};
@@ -67,7 +48,7 @@ public:
   BatchRun (const SegmentOptions& options, const Batch& batch)
   : options_ (options)
   , batch_ (batch)
-  , tracker_ (parametersOf (options.track))
+  , tracker_ (options.track.matching)
   , progress_ (batch.tasks.size(),
                std::cerr,
                ::isatty (STDERR_FILENO) == 1 ? ProgressStyle::Bar : ProgressStyle::None)
@@ -201,7 +182,6 @@ private:
   /** \brief So many from the first on have a status, which is printed. */
   std::size_t finished_ = 0;
   bool is_given_up_ = false;
-  /** \brief Of each end. */
   std::array<std::size_t, 3> counts_{};
 };
 

@@ -7,16 +7,14 @@
 #include "report.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
-#include <detection/methods.h>
-#include <io/cloud_file.h>
 #include <io/inputs.h>
 #include <io/laz_file.h>
 #include <io/output_file.h>
+#include <numbers/angles.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -109,9 +107,13 @@ declareTracking (CommandLine& line, TrackOptions& options)
   line.add ("poses FILE", options.poses)
       .help ("where the sensor was: a line \"timestamp tx ty tz qx qy qz qw\" for "
              "each INPUT (it hardly moves)");
-  line.add ("rotation-error DEG", options.rotation_error, from (0).upTo (90))
+  line.add ("rotation-error DEG",
+            [&options] (const std::string& text) {
+              options.matching.rotation_error = toRadians (
+                  parseNumber<double> ("--rotation-error", text, from (0).upTo (90)));
+            })
       .help ("how far a turn from INPUT to INPUT is off (3)");
-  line.add ("translation-error M", options.translation_error, from (0))
+  line.add ("translation-error M", options.matching.translation_error, from (0))
       .help ("how far a move from INPUT to INPUT is off (0.05)");
 }
 

@@ -5,8 +5,8 @@
 #include <detection/methods.h>
 #include <detection/plane_choice.h>
 #include <detection/plane_list.h>
+#include <pcl_ops/plane_matching.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,8 +34,7 @@ struct TrackOptions {
   bool is_on = false;
   /** \brief A file of poses; empty where the sensor hardly moves. */
   std::string poses;
-  /** \brief How far poses are off from one to the next, [degree] and [m]. */
-  std::optional<double> rotation_error, translation_error;
+  PlaneMatchingParameters matching;
 };
 
 struct SegmentOptions {

@@ -1,26 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/common/point_tests.h>
-#include <pcl/point_types.h>
-#include <pcl/types.h>
 
 #include <boost/format.hpp>
 
 #include "report.h"
 #include <cli/errors.h>
-#include <detection/plane_list.h>
 #include <io/las_file.h>
 #include <io/laz_file.h>
 #include <io/output_file.h>
-#include <nlohmann/json.hpp>
 #include <numbers/angles.h>
-#include <pcl_ops/orientation.h>
 #include <pcl_ops/plane_edges.h>
 #include <picture/colors.h>
 #include <picture/picture.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
@@ -32,7 +26,6 @@
 #include <regex>
 #include <set>
 #include <system_error>
-#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -118,7 +111,7 @@ struct PolyData {
   std::vector<pcl::RGB> colors = {};
   std::vector<pcl::Indices> cells = {};
   /** \brief Of lines: those of each, and how many points are shown by themselves. */
-  std::vector<std::array<std::size_t, 2>> planes = {};
+  std::vector<pcl::Indices> planes = {};
   std::size_t corners = 0;
 };
 
@@ -130,11 +123,10 @@ operator<< (std::ostream& stream, const pcl::Indices& cell)
   return stream;
 }
 
-/** \brief As text with blanks between the coordinates. */
 const Eigen::IOFormat in_a_row (Eigen::StreamPrecision, Eigen::DontAlignCols, " ", " ");
 
 void
-writePlyHeader (const PolyData& data, std::ostream& stream)
+writePly (const PolyData& data, std::ostream& stream)
 {
   stream << "ply\nformat ascii 1.0\nelement vertex " << data.points.size() << '\n';
   for (const char axis : {'x', 'y', 'z'})
@@ -148,23 +140,15 @@ writePlyHeader (const PolyData& data, std::ostream& stream)
               "element face "
            << data.cells.size()
            << "\nproperty list uint int vertex_indices\nend_header\n";
-}
-
-void
-writePly (const PolyData& data, std::ostream& stream)
-{
-  writePlyHeader (data, stream);
   for (std::size_t i = 0; i < data.points.size(); ++i) {
     stream << data.points[i].format (in_a_row);
     if (!data.are_lines)
-      for (const int part : {data.colors[i].r, data.colors[i].g, data.colors[i].b})
-        stream << ' ' << part;
+      stream << ' ' << data.colors[i].getRGBVector3i().format (in_a_row);
     stream << '\n';
   }
   for (std::size_t i = 0; i < data.cells.size(); ++i)
     if (data.are_lines)
-      stream << data.cells[i] << ' ' << data.planes[i][0] << ' ' << data.planes[i][1]
-             << '\n';
+      stream << data.cells[i] << ' ' << data.planes[i] << '\n';
     else
       stream << data.cells[i].size() << ' ' << data.cells[i] << '\n';
 }
@@ -202,8 +186,7 @@ writeVtk (const PolyData& data, std::ostream& stream)
   writeSection ("POLYGONS", data.cells, stream);
   stream << "POINT_DATA " << data.points.size() << "\nCOLOR_SCALARS colors 3\n";
   for (const pcl::RGB& color : data.colors)
-    stream << color.r / 255.0f << ' ' << color.g / 255.0f << ' ' << color.b / 255.0f
-           << '\n';
+    stream << (color.getRGBVector3i().cast<float>() / 255.0f).format (in_a_row) << '\n';
 }
 
 /** \brief Writes an ASCII file: a .ply in the file's frame, or a .vtk for pcl_viewer,
@@ -239,7 +222,7 @@ facesOf ([[maybe_unused]] const PlaneSegment& plane,
 #ifdef PCL_OPS_WITH_SURFACE
   const PlaneFrame frame (center, plane.normal);
   PlanarRings outline;
-  for (const std::vector<Eigen::Vector3d>& ring : rings) {
+  for (const Ring& ring : rings) {
     outline.emplace_back();
     for (const Eigen::Vector3d& corner : ring)
       outline.back().push_back (frame.toPlane (corner));
@@ -273,7 +256,7 @@ toLines (const PlaneEdges& found)
       if (i == lines.corners)
         lines.points.push_back (end);
     }
-    lines.planes.push_back ({edge.planes[0], edge.planes[1]});
+    lines.planes.emplace_back (edge.planes.begin(), edge.planes.end());
   }
   return lines;
 }
@@ -389,14 +372,13 @@ saveMesh (const std::string& file,
         corner += first;
       mesh.cells.push_back (face);
     }
-    for (const std::vector<Eigen::Vector3d>& ring : rings)
+    for (const Ring& ring : rings)
       mesh.points.insert (mesh.points.end(), ring.begin(), ring.end());
     mesh.colors.resize (mesh.points.size(), colorOfLabel (report.ids[p]));
   }
   savePolyData (file, cloud, std::move (mesh));
 }
 
-/** \brief Writes where planes meet, in double precision. */
 void
 saveEdges (const std::string& file,
            const FileCloud& cloud,
@@ -415,16 +397,6 @@ saveEdges (const std::string& file,
   if (extensionOf (file) == ".json")
     return writeTextFile (file, toJson (edges));
   savePolyData (file, cloud, toLines (edges));
-}
-
-void
-savePlanes (const std::string& file, const Report& report, const MapOptions& map)
-{
-  const std::string text = planesFor (file, toJson (report), map);
-  if (file == standard_stream)
-    std::cout << text;
-  else
-    writeTextFile (file, text);
 }
 
 } // namespace
@@ -464,8 +436,13 @@ saveOutputs (const SegmentOptions& options,
   if (!outputs.planes_dir.empty())
     savePlaneClouds (outputs.planes_dir, cloud, report, options.fileFormat());
   // Last: a pipe gets its JSON when the files are there.
-  if (!outputs.planes.empty())
-    savePlanes (outputs.planes, report, options.map);
+  if (outputs.planes.empty())
+    return;
+  const std::string text = planesFor (outputs.planes, toJson (report), options.map);
+  if (outputs.planes == standard_stream)
+    std::cout << text;
+  else
+    writeTextFile (outputs.planes, text);
 }
 
 } // namespace pcl_ops::apps

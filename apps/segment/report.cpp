@@ -4,11 +4,7 @@
 
 #include <boost/format.hpp>
 
-#include <detection/methods.h>
-#include <detection/plane_list.h>
-#include <nlohmann/json.hpp>
 #include <numbers/statistics.h>
-#include <pcl_ops/orientation.h>
 
 #include <ostream>
 
@@ -24,20 +20,6 @@ share (std::size_t part, std::size_t whole)
 }
 
 void
-printPlane (std::size_t id,
-            const PlaneSegment& segment,
-            std::size_t points,
-            std::ostream& stream)
-{
-  const Plane plane = segment.plane();
-  const Eigen::Vector3d& normal = plane.normal;
-  const std::size_t size = segment.inliers.size();
-  stream << boost::format ("%4d  %-10s %9d %6.1f %9.4f %9.4f %9.4f %9.4f %9.4f\n") %
-                id % toString (segment.orientation) % size % share (size, points) %
-                segment.rms() % normal.x() % normal.y() % normal.z() % plane.offset;
-}
-
-void
 printPlanes (const Report& report, std::ostream& stream)
 {
   const std::vector<PlaneSegment>& planes = report.detected.planes;
@@ -46,9 +28,14 @@ printPlanes (const Report& report, std::ostream& stream)
             "         d\n";
   std::size_t rest = report.points;
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    rest -= planes[i].inliers.size();
+    const std::size_t size = planes[i].inliers.size();
+    rest -= size;
+    const auto [normal, offset] = planes[i].plane();
     if (i < max_rows)
-      printPlane (report.ids[i], planes[i], report.points, stream);
+      stream << boost::format ("%4d  %-10s %9d %6.1f %9.4f %9.4f %9.4f %9.4f %9.4f\n") %
+                    report.ids[i] % toString (planes[i].orientation) % size %
+                    share (size, report.points) % planes[i].rms() % normal.x() %
+                    normal.y() % normal.z() % offset;
   }
   if (planes.size() > max_rows)
     stream << "      and " << planes.size() - max_rows
@@ -129,11 +116,10 @@ toJson (const Report& report)
     json["dropped"] = toObject (report.dropped);
   json["planes"] = nlohmann::ordered_json::array();
   const Eigen::Vector3d up = detected.up.cast<double>().normalized();
-  for (std::size_t i = 0; i < detected.planes.size(); ++i) {
-    const PlaneSegment& plane = detected.planes[i];
+  for (std::size_t i = 0; i < detected.planes.size(); ++i)
     json["planes"].push_back (
-        planeObject (report.ids[i], plane, report.extents[i], up));
-  }
+        planeObject (report.ids[i], detected.planes[i], report.extents[i], up));
+
   return json;
 }
 

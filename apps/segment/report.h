@@ -3,18 +3,8 @@
 #pragma once
 
 #include "options.h"
-#include <detection/methods.h>
-#include <detection/plane_choice.h>
-#include <io/shifted_cloud.h>
-#include <nlohmann/json.hpp>
-#include <pcl_ops/plane_extent.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <iosfwd>
-#include <string>
-#include <vector>
 
 namespace pcl_ops::apps {
 

@@ -3,17 +3,12 @@
 #include "report.h"
 #include <cli/errors.h>
 #include <cli/program.h>
-#include <detection/methods.h>
-#include <detection/plane_list.h>
-#include <io/cloud_file.h>
 #include <io/las_file.h>
 #include <io/laz_file.h>
-#include <io/shifted_cloud.h>
 
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <vector>
 
 #ifdef PCL_OPS_WITH_SURFACE
 #include <pcl_ops/surface/concave_hull.h>

@@ -5,9 +5,6 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
 
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
 #include <support/las_bytes.h>
 #include <support/program_folder.h>
 
@@ -15,7 +12,6 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
-#include <string>
 
 using InputCloud = pcl::PointCloud<pcl::PointXYZI>;
 
@@ -61,15 +57,14 @@ floorAndWall (int side = points_of_side)
 inline LasRecipe
 floorAndWallInLas ()
 {
-  constexpr float millimeters = 1000.0f;
   LasRecipe recipe;
   recipe.points.clear();
   for (const pcl::PointXYZI& point : floorAndWall())
-    if (std::isfinite (point.x))
-      recipe.points.push_back (
-          {static_cast<int> (std::lround (point.x * millimeters)),
-           static_cast<int> (std::lround (point.y * millimeters)),
-           static_cast<int> (std::lround (point.z * millimeters))});
+    if (std::isfinite (point.x)) {
+      const Eigen::Array3f millimeters = 1000.0f * point.getArray3fMap();
+      std::array<std::int32_t, 3>& raw = recipe.points.emplace_back();
+      Eigen::Map<Eigen::Array3i> (raw.data()) = millimeters.round().cast<int>();
+    }
   return recipe;
 }
 

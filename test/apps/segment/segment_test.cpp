@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/io/ply_io.h>
 
+#include <Eigen/Geometry>
+
 #include "segment_program.h"
 #include <io/laz_file.h>
 #include <support/answers.h>
+
+#include <optional>
+#include <tuple>
 
 namespace {
 
@@ -69,15 +74,12 @@ protected:
   }
 
   void
-  save (const std::string& file, InputCloud cloud, const Vector3f& sensor) const
+  save (const std::string& file,
+        InputCloud cloud,
+        const std::optional<Vector3f>& sensor = {}) const
   {
-    cloud.sensor_origin_.head<3>() = sensor;
-    save (file, cloud);
-  }
-
-  void
-  save (const std::string& file, const InputCloud& cloud) const
-  {
+    if (sensor)
+      cloud.sensor_origin_.head<3>() = *sensor;
     pcl::io::savePCDFileBinary (folder_ / file, cloud);
   }
 
@@ -111,7 +113,7 @@ protected:
     board.resize (points_of_plane);
     addGrid (board, {0, 0, 2}, {0, 0.01f, 0}, 30, {0.02f, 0, 0.02f * 0.57735f}, 50);
     save ("board.pcd", board);
-    save ("ceiling.pcd", floorAndWall(), {0.5f, 1.0f, -2.0f});
+    save ("ceiling.pcd", floorAndWall(), Vector3f (0.5f, 1.0f, -2.0f));
     InputCloud floors = floorAndWall (100);
     save ("room.pcd", floors);
     floors.resize (100 * 100);
@@ -136,10 +138,10 @@ protected:
     const InputCloud room = roomLyingOnItsSide();
     save ("lying.pcd", room);
     // From below the floor, which then stands before all the rest.
-    save ("elsewhere.pcd", room, {-2.0f, 2.0f, 1.0f});
+    save ("elsewhere.pcd", room, Vector3f (-2.0f, 2.0f, 1.0f));
     Eigen::Matrix3f turn;
     turn << 0, 1, 0, 0, 0, 1, 1, 0, 0;
-    save ("upright.pcd", moved (room, turn), {-1.0f, 0.8f, 1.3f});
+    save ("upright.pcd", moved (room, turn), Vector3f (-1.0f, 0.8f, 1.3f));
     InputCloud wall;
     addGrid (wall, {0, 0, 2}, x, 60, y, 60);
     save ("wall.pcd", wall);
@@ -162,13 +164,40 @@ protected:
     // This camera lies on its side: its y is up, which is z of the others.
     Eigen::Matrix3f turn;
     turn << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-    save ("turned.pcd", moved (larger, turn), {0.5f, 1.5f, -1.0f});
+    save ("turned.pcd", moved (larger, turn), Vector3f (0.5f, 1.5f, -1.0f));
     save ("dense.pcd", floorAndWall (300));
     folder_.write ("low.xyz", squareText (50, 0.0));
     folder_.write ("both.xyz", squareText (50, 0.0) + squareText (75, 2.0));
     folder_.write ("high.xyz", squareText (50, 0.5));
   }
 };
+
+/** \brief A .ply or .vtk in text, as others read it. */
+struct Drawing {
+  std::vector<Eigen::Vector3d> points;
+  /** \brief The numbers of each face. */
+  std::vector<std::vector<double>> faces;
+};
+
+Drawing
+readDrawing (const std::string& text)
+{
+  std::smatch points;
+  std::regex_search (text, points, std::regex ("(?:element vertex|POINTS) ([0-9]+)"));
+  // A .vtk goes on with the colors.
+  std::istringstream stream (text.substr (0, text.find ("POINT_DATA")));
+  Drawing drawing;
+  for (std::string line; std::getline (stream, line);) {
+    if (line.find_first_not_of ("0123456789.e+- ") < line.size())
+      continue;
+    const std::vector<double> numbers = numbersIn (line);
+    if (drawing.points.size() < std::stoul (points[1]))
+      drawing.points.emplace_back (numbers.at (0), numbers.at (1), numbers.at (2));
+    else
+      drawing.faces.push_back (numbers);
+  }
+  return drawing;
+}
 
 constexpr bool has_concave_hulls =
 #ifdef PCL_OPS_WITH_SURFACE
@@ -207,3 +236,58 @@ TEST_F (Segment, WritesDistancesTurnByTurnBehindTheRecordsOfALas)
   for (std::size_t i = 0; i < points_of_plane; ++i)
     ASSERT_NEAR (distance_of (i), i % 2 == 0 ? first : -first, 2e-4f) << i;
 }
+
+TEST_F (Segment, WritesHullsAsAMeshThatLiesOnTheCloudInPclViewer)
+{
+  // pcl_viewer moves a cloud by the pose of its sensor, and a mesh by nothing.
+  InputCloud posed = floorAndWall();
+  posed.sensor_orientation_ = Eigen::AngleAxisf (0.5f, Eigen::Vector3f::UnitY());
+  save ("posed.pcd", posed);
+  folder_.write ("utm.las", lasBytes (floorAndWallInLas()));
+  const Eigen::Isometry3d none = Eigen::Isometry3d::Identity();
+  const Eigen::Isometry3d pose =
+      Eigen::Translation3d (posed.sensor_origin_.head<3>().cast<double>()) *
+      posed.sensor_orientation_.cast<double>();
+  for (const auto& [cloud, mesh, moved] : {std::tuple ("posed.pcd", "m.ply", none),
+                                           std::tuple ("posed.pcd", "m.vtk", pose),
+                                           std::tuple ("utm.las", "m.ply", none),
+                                           std::tuple ("utm.las", "m.vtk", none)}) {
+    SCOPED_TRACE (cloud + std::string (" ") + mesh);
+    const nlohmann::json json = jsonOf (cloud + std::string (" --mesh ") + mesh);
+    const Drawing drawing = readDrawing (contentOf (folder_ / mesh));
+    EXPECT_GE (drawing.faces.size(), 2u);
+    std::size_t i = 0;
+    for (const nlohmann::json& plane : json["planes"])
+      for (const nlohmann::json& corner : plane["hull"])
+        EXPECT_LT ((drawing.points.at (i++) - moved * toVector (corner)).norm(), 1e-5);
+    EXPECT_EQ (i, drawing.points.size());
+  }
+}
+
+#ifdef PCL_OPS_WITH_SURFACE
+TEST_F (Segment, CutsWindowsOutOfConcaveHulls)
+{
+  InputCloud wall; // 3 m by 2 m, with a window of 1 m by 0.8 m
+  const Vector3f across (0.02f, 0, 0), upwards (0, 0, 0.02f);
+  addGrid (wall, {0, 2, 0}, across, 151, upwards, 41);
+  addGrid (wall, {0, 2, 1.6f}, across, 151, upwards, 21);
+  addGrid (wall, {0, 2, 0.82f}, across, 51, upwards, 39);
+  addGrid (wall, {2, 2, 0.82f}, across, 51, upwards, 39);
+  save ("wall.pcd", wall);
+  const nlohmann::json plane =
+      jsonOf ("wall.pcd --mesh m.ply --hull concave")["planes"][0];
+  ASSERT_EQ (plane["holes"].size(), 1u);
+  for (const nlohmann::json& corner : plane["holes"][0])
+    EXPECT_LT (std::abs (toVector (corner).x() - 1.5), 0.51);
+  const auto [corners, faces] = readDrawing (contentOf (folder_ / "m.ply"));
+  EXPECT_EQ (corners.size(), plane["hull"].size() + plane["holes"][0].size());
+  double area = 0.0;
+  for (const std::vector<double>& face : faces) {
+    const Eigen::Vector3d first = corners.at (std::size_t (face.at (1)));
+    area += 0.5 * (corners.at (std::size_t (face.at (2))) - first)
+                      .cross (corners.at (std::size_t (face.at (3))) - first)
+                      .norm();
+  }
+  EXPECT_NEAR (area, plane["area"].get<double>(), 1e-3) << "no face in the window";
+}
+#endif
