@@ -3,30 +3,23 @@
 #include <boost/format.hpp>
 
 #include "phases.h"
-#include "plan.h"
 #include "planes_json.h"
 #include "ranks.h"
 #include <cli/command_line.h>
-#include <cli/errors.h>
 #include <cli/program.h>
 #include <cli/progress.h>
 #include <io/inputs.h>
 #include <io/output_file.h>
-#include <nlohmann/json.hpp>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <map>
-#include <optional>
 #include <set>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -206,7 +199,6 @@ textOf (const Plan& plan)
       plan.likely_tiles % (plan.likely_tiles == 1 ? "" : "s") % plan.grid.edgeOfTile());
 }
 
-/** \brief A run of all phases, as one of the ranks has it. */
 struct TileRun {
   const Plan& plan;
   const RunFolder& folder;

@@ -2,18 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "phases.h"
 
-#include "binary_file.h"
-#include "plane_joining.h"
 #include "planes_json.h"
 #include "point_file.h"
-#include "tile_planes.h"
-#include <cli/errors.h>
 #include <io/inputs.h>
-#include <io/laz_file.h>
 #include <io/output_file.h>
-
-#include <algorithm>
-#include <map>
 
 namespace fs = std::filesystem;
 

@@ -2,16 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cell_file.h"
 #include "plan.h"
-#include "tile_grid.h"
+#include "run_files.h"
 
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <string>
 #include <system_error>
-#include <vector>
 
 namespace pcl_ops::apps {
 

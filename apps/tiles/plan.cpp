@@ -2,23 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan.h"
 
-#include <pcl/point_types.h>
-
 #include <boost/format.hpp>
 
 #include "point_file.h"
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <detection/plane_list.h>
-#include <io/las_header.h>
-#include <io/laz_file.h>
 #include <io/output_file.h>
-#include <io/shifted_cloud.h>
 #include <nlohmann/json.hpp>
 #include <pcl_ops/oriented_point_sampling.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -119,22 +112,20 @@ unroundedEdgeFor (const std::vector<Eigen::Vector3d>& places,
   return voxelSizeFor (CloudView (near_zero), std::max (1.0, points / points_of_cell));
 }
 
-/** \brief What inputs say of themselves. */
-struct Samples {
-  std::vector<PlannedInput> inputs;
-  /** \brief Some of each. */
-  std::vector<std::vector<Eigen::Vector3d>> places;
-  /** \brief Where the points of the first input are usually. */
-  std::optional<Eigen::Vector3d> usual;
+struct Sample {
+  PlannedInput input;
+  std::vector<Eigen::Vector3d> some_places;
+  /** \brief Where points are usually: of the first input alone. */
+  Eigen::Vector3d usual = Eigen::Vector3d::Zero();
 };
 
-Samples
+std::vector<Sample>
 lookAt (const std::vector<std::string>& files)
 {
   constexpr std::size_t most = 16384, fewest = 64;
   const std::size_t wanted =
       std::max (fewest, most / std::max<std::size_t> (1, files.size()));
-  Samples samples;
+  std::vector<Sample> samples;
   for (const std::string& file : files) {
     if (isEmptyLas (file)) {
       warn (file + ": has no points; it is left out");
@@ -144,34 +135,29 @@ lookAt (const std::vector<std::string>& files)
     if (const std::string problem = points.validateLabels(); !problem.empty())
       throw WorkError (file, problem);
     const auto place = [&points] (std::uint64_t i) { return points.place (i); };
-    samples.inputs.push_back (stateOf (file));
-    samples.inputs.back().points = points.size();
-    samples.places.push_back (somePlaces (points.size(), place, wanted));
-    if (!samples.usual)
-      samples.usual = usualPlace (points.size(), place);
+    Sample sample{stateOf (file), somePlaces (points.size(), place, wanted)};
+    sample.input.points = points.size();
+    if (samples.empty())
+      sample.usual = usualPlace (points.size(), place);
+    samples.push_back (std::move (sample));
   }
   return samples;
 }
 
 /** \brief Of places of each input so many that all inputs are as densely sampled. */
 std::vector<Eigen::Vector3d>
-evenSample (const Samples& samples)
+evenSample (const std::vector<Sample>& samples)
 {
-  const auto& [inputs, places, usual] = samples;
-  const auto points_of = [&inputs = inputs] (std::size_t i) {
-    return static_cast<double> (inputs[i].points);
-  };
   // What the densest input has to say limits all.
   double per_point = 1.0;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    per_point = std::min (per_point, places[i].size() / points_of (i));
+  for (const auto& [input, places, usual] : samples)
+    per_point = std::min (per_point, places.size() / double (input.points));
   std::vector<Eigen::Vector3d> even;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto wanted =
-        static_cast<std::size_t> (std::ceil (per_point * points_of (i)));
-    const std::size_t count = std::min (wanted, places[i].size());
+  for (const auto& [input, places, usual] : samples) {
+    const double wanted = std::ceil (per_point * double (input.points));
+    const std::size_t count = std::min (std::size_t (wanted), places.size());
     for (std::size_t k = 0; k < count; ++k)
-      even.push_back (places[i][k * places[i].size() / count]);
+      even.push_back (places[k * places.size() / count]);
   }
   return even;
 }
@@ -188,22 +174,23 @@ hasChanged (const PlannedInput& input)
 Plan
 makePlan (std::vector<std::string> files, const PlanOptions& options)
 {
-  const Samples samples = lookAt (sorted (std::move (files)));
-  const auto& [inputs, places, usual] = samples;
-  if (!usual)
+  const std::vector<Sample> samples = lookAt (sorted (std::move (files)));
+  if (samples.empty())
     throw WorkError ("INPUT", "has no points in any file; give clouds that have");
   const std::vector<Eigen::Vector3d> some = evenSample (samples);
+  const Eigen::Vector3d usual = samples.front().usual;
   Plan plan;
-  plan.inputs = inputs;
+  for (const Sample& sample : samples)
+    plan.inputs.push_back (sample.input);
   TileGrid& grid = plan.grid;
-  grid.edge = options.cell ? *options.cell : cellEdgeFor (some, *usual, plan.points());
+  grid.edge = options.cell ? *options.cell : cellEdgeFor (some, usual, plan.points());
   grid.cells_of_tile = cellsOfTile (options, grid.edge);
-  for (std::size_t i = 0; i < places.size(); ++i)
-    checkReach (grid, inputs[i].file, places[i]);
-  checkReach (grid, inputs.front().file, {*usual});
+  for (const Sample& sample : samples)
+    checkReach (grid, sample.input.file, sample.some_places);
+  checkReach (grid, plan.inputs.front().file, {usual});
   constexpr auto step = TileGrid::cells_of_coarsest;
   for (int axis = 0; axis < 3; ++axis)
-    grid.place[axis] = step * std::llround ((*usual)[axis] / (step * grid.edge));
+    grid.place[axis] = step * std::llround (usual[axis] / (step * grid.edge));
   std::set<TileKey> tiles;
   for (const Eigen::Vector3d& place : some)
     if (grid.reaches (place))

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
 #include "tile_grid.h"
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

@@ -4,11 +4,8 @@
 
 #include <pcl_ops/plane_merging.h>
 
-#include <algorithm>
-#include <array>
 #include <map>
 #include <numeric>
-#include <optional>
 
 namespace pcl_ops::apps {
 

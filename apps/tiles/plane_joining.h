@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tile_grid.h"
 #include "tile_planes.h"
 
-#include <cstdint>
 #include <functional>
-#include <vector>
 
 namespace pcl_ops::apps {
 

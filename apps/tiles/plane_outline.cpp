@@ -158,19 +158,6 @@ radiusFor (std::size_t sites, std::size_t squares)
   return density >= dense ? 1.5 : density >= sparse ? 3.0 : 6.0;
 }
 
-/** \brief Those within the reach of the diagram's coordinates of the first one. */
-std::vector<Site>
-withinReach (std::vector<Site> sites)
-{
-  constexpr std::int64_t reach = 1 << 30;
-  const Site first = sites.front();
-  const auto is_beyond = [&] (const Site& site) {
-    return std::abs (site.u - first.u) > reach || std::abs (site.v - first.v) > reach;
-  };
-  sites.erase (std::remove_if (sites.begin(), sites.end(), is_beyond), sites.end());
-  return sites;
-}
-
 /** \brief Whether the sites around a vertex of the diagram make a triangle, or a
  * polygon of sites on one circle, that is small enough and the tile's. */
 bool
@@ -365,10 +352,16 @@ outlineEdges (const std::vector<OutlinePoint>& points,
   std::vector<Site> sites = sitesOf (points, normal, cell);
   TakenSquares squares = squaresOf (sites);
   const double radius = cell * radiusFor (sites.size(), squares.size());
-  sites = withinReach (thinned (sites, squares));
+  sites = thinned (sites, squares);
+  const std::int64_t u = sites.front().u, v = sites.front().v;
+  const auto is_beyond = [u, v] (const Site& site) {
+    constexpr std::int64_t reach = 1 << 30; // of the diagram's coordinates
+    return std::abs (site.u - u) > reach || std::abs (site.v - v) > reach;
+  };
+  sites.erase (std::remove_if (sites.begin(), sites.end(), is_beyond), sites.end());
   boost::polygon::voronoi_builder<std::int32_t> builder;
   for (const Site& site : sites)
-    builder.insert_point (site.u - sites.front().u, site.v - sites.front().v);
+    builder.insert_point (site.u - u, site.v - v);
   Diagram diagram;
   builder.construct (&diagram);
   constexpr std::size_t kept = 1;

@@ -2,19 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planes_json.h"
 
-#include "plane_outline.h"
 #include <cli/errors.h>
-#include <detection/plane_list.h>
 #include <io/inputs.h>
 #include <io/output_file.h>
-#include <pcl_ops/plane_extent.h>
 #include <picture/image.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iterator>
-#include <utility>
 
 namespace fs = std::filesystem;
 

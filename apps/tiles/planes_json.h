@@ -7,14 +7,11 @@
 #include <detection/plane_choice.h>
 #include <detection/plane_list.h>
 
-#include <string>
-
 namespace pcl_ops::apps {
 
 std::string
 toJson (const Plan& plan, std::size_t tiles, const std::vector<JoinedPlane>& planes);
 
-/** \brief Which planes go where. */
 struct PlanesOutput {
   /** \brief .json, .csv or .geojson; empty for nowhere. */
   std::string file;

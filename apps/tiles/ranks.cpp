@@ -17,14 +17,15 @@
 namespace pcl_ops::apps {
 
 #ifdef PCL_OPS_WITH_MPI
-
 struct Ranks::State {
   boost::mpi::environment environment{boost::mpi::threading::funneled, false};
   boost::mpi::communicator world;
 };
+#endif
 
 Ranks::Ranks()
 {
+#ifdef PCL_OPS_WITH_MPI
   // Starting MPI takes its time.
   for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
     if (!state_ && std::getenv (variable) != nullptr)
@@ -33,11 +34,13 @@ Ranks::Ranks()
     return;
   rank = state_->world.rank();
   size = state_->world.size();
+#endif
 }
 
 void
 Ranks::meet() const
 {
+#ifdef PCL_OPS_WITH_MPI
   if (!state_)
     return;
   // A plain barrier would keep a processor busy that others could use.
@@ -48,28 +51,17 @@ Ranks::meet() const
   while (MPI_Test (&request, &all_are_here, MPI_STATUS_IGNORE) == MPI_SUCCESS &&
          all_are_here == 0)
     std::this_thread::sleep_for (nap);
+#endif
 }
 
 void
-Ranks::endAll (int exit_code) const
+Ranks::endAll ([[maybe_unused]] int exit_code) const
 {
+#ifdef PCL_OPS_WITH_MPI
   if (size > 1)
     state_->world.abort (exit_code);
-}
-
-#else
-
-Ranks::Ranks() = default;
-
-void
-Ranks::meet() const
-{}
-
-void
-Ranks::endAll (int) const
-{}
-
 #endif
+}
 
 std::vector<std::size_t>
 shareOf (std::size_t rank, std::size_t ranks, const std::vector<std::uint64_t>& parts)

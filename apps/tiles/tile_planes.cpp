@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tile_planes.h"
 
-#include "binary_file.h"
+#include "run_files.h"
 #include <io/output_file.h>
 #include <pcl_ops/detect_planes.h>
 
-#include <algorithm>
 #include <limits>
 #include <new>
 
@@ -14,7 +13,6 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief Reads or writes a piece. */
 template <typename File, typename SomePiece>
 void
 transfer (File& file, SomePiece& piece)

@@ -2,18 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
 #include "exact_moments.h"
 #include "plane_outline.h"
 #include "tile_grid.h"
 
-#include <array>
-#include <cstdint>
 #include <string>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace pcl_ops::apps {
 

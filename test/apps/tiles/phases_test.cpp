@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
 
 #include <support/temporary_folder.h>
 #include <support/text.h>
-#include <tiles/cell_file.h>
 #include <tiles/phases.h>
+#include <tiles/run_files.h>
 
 #include <chrono>
 #include <filesystem>
-#include <string>
 
 namespace fs = std::filesystem;
 using namespace pcl_ops::apps;

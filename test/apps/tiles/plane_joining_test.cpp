@@ -7,7 +7,6 @@
 #include <tiles/plane_joining.h>
 
 #include <algorithm>
-#include <vector>
 
 namespace {
 

@@ -9,7 +9,6 @@
 
 #include <set>
 #include <tuple>
-#include <vector>
 
 using namespace pcl_ops::apps;
 using Eigen::Vector3d;

@@ -11,8 +11,6 @@
 #include <fstream>
 #include <map>
 
-namespace fs = std::filesystem;
-
 namespace {
 
 using namespace pcl_ops;
@@ -76,6 +74,10 @@ protected:
     save (folder_ / "yonder.las", all, {0, 1e12, 0});
     save (folder_ / "one.las", {all.begin(), all.end() - 600});
     save (folder_ / "two.las", {all.begin() + 600, all.end()});
+    if (!apps::hasLaszip())
+      return;
+    std::ofstream stream (folder_ / "wall.laz", std::ios::binary);
+    apps::compressLas (folder_ / "wall.las", stream);
   }
 };
 
@@ -91,26 +93,9 @@ INSTANTIATE_TEST_SUITE_P (All,
 
 } // namespace
 
-TEST_P (TilesAnswers, AreThoseOfTheTable) { expectAnswers(); }
-
-TEST_F (TilesProgram, TakesALazForALas)
+TEST_P (TilesAnswers, AreThoseOfTheTable)
 {
-  if (!apps::hasLaszip())
-    GTEST_SKIP() << "LASzip is missing";
-  save (folder_ / "wall.las", wall());
-  fs::create_directory (folder_ / "packed");
-  {
-    std::ofstream stream (folder_ / "packed/wall.laz", std::ios::binary);
-    apps::compressLas (folder_ / "wall.las", stream);
-  }
-  expectDone ("wall.las --output-dir plain --cell 0.5 --tile 10");
-  expectDone ("packed --output-dir out --cell 0.5 --tile 10");
-  {
-    std::ofstream stream (folder_ / "out/wall.las", std::ios::binary);
-    apps::decompressLaz (folder_ / "out/wall.laz", stream);
-  }
-  EXPECT_TRUE (contentOf (folder_ / "out/wall.las") ==
-               contentOf (folder_ / "plain/wall.las"));
+  expectAnswers ({{"with LASzip:", apps::hasLaszip()}});
 }
 
 TEST_F (TilesProgram, FindsInManyTilesThePlanesOfOne)
