@@ -18,7 +18,9 @@ namespace pcl_ops::apps {
 
 /** \brief What the keys and clicks of the viewer change, but for the camera. */
 struct ViewState {
-  std::string method = "ops", preset = "default";
+  std::string method = "ops";
+  /** \brief Of which keys change the preset. */
+  DetectorOptions detector;
   /** \brief What colors show: "planes" or "orientations". */
   std::string coloring = "planes";
   /** \brief Whether the window lists the keys. */
@@ -65,7 +67,7 @@ pressKey (char key, ViewState& state)
     break;
   }
   case 'p':
-    state.preset = state.preset == "paper" ? "default" : "paper";
+    state.detector.preset = state.detector.preset == "paper" ? "default" : "paper";
     break;
   default:
     return false;
@@ -83,12 +85,10 @@ struct FoundPlanes {
 
 /** \throws UsageError or WorkError as the detector does */
 inline FoundPlanes
-findPlanes (const ViewState& state,
-            DetectorOptions options,
-            const XyzCloud::ConstPtr& cloud)
+findPlanes (const ViewState& state, const XyzCloud::ConstPtr& cloud)
 {
-  options.preset = state.preset;
-  FoundPlanes found{cloud, runMethod (methodCalled (state.method), options, cloud), {}};
+  FoundPlanes found{
+      cloud, runMethod (methodCalled (state.method), state.detector, cloud), {}};
   found.labels = labelsOf (found.detected.planes, cloud->size());
   return found;
 }
@@ -135,7 +135,7 @@ statusText (const FoundPlanes& found,
   std::string text =
       str (boost::format ("%1%%2% points\n%3%, %4% preset\n%5% plane%6%") %
            (state.help ? keysText() + "\n\n" : "") % found.labels.size() %
-           methodCalled (state.method).title % state.preset % planes %
+           methodCalled (state.method).title % state.detector.preset % planes %
            (planes == 1 ? "" : "s"));
   std::vector<std::string> notes = detected.hints;
   notes.push_back (detected.up_note);

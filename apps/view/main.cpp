@@ -9,10 +9,7 @@
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>
-#include <detection/methods.h>
-#include <io/cloud_file.h>
 #include <io/output_file.h>
-#include <io/shifted_cloud.h>
 #include <picture/view.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -38,7 +35,6 @@ constexpr int width = 1280, height = 960;
 struct ViewOptions {
   /** \brief The picture to make instead of opening a window; empty for a window. */
   std::string input, screenshot;
-  DetectorOptions detector;
   ViewState state;
 };
 
@@ -58,10 +54,9 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
       .help ("what the colors show (planes)");
   line.add ("screenshot FILE.png", options.screenshot)
       .help ("write the first view to a file and open no window");
-  declareMethodOptions (line, state.method, options.detector);
+  declareMethodOptions (line, state.method, state.detector);
   if (!line.parse (argc, argv))
     return false;
-  state.preset = options.detector.preset;
   if (options.screenshot.empty())
     return true;
   state.help = false;
@@ -99,7 +94,6 @@ checkDisplay ()
 #endif
 }
 
-/** \brief A window that shows one state after the other. */
 class Window {
 public:
   /** \param[in] finite the points with coordinates: VTK would stumble over the others
@@ -108,7 +102,7 @@ public:
   : options_ (options)
   , shift_ (shifted.shift)
   , finite_ (std::move (finite))
-  , found_ (findPlanes (options.state, options.detector, shifted.cloud))
+  , found_ (findPlanes (options.state, shifted.cloud))
   , viewer_ ("pcl_ops_view " + options.input, false)
   , window_ (*viewer_.getRenderWindow())
   {
@@ -187,8 +181,8 @@ private:
   {
     try {
       if (state.method != options_.state.method ||
-          state.preset != options_.state.preset)
-        found_ = findPlanes (state, options_.detector, found_.cloud);
+          state.detector.preset != options_.state.detector.preset)
+        found_ = findPlanes (state, found_.cloud);
       options_.state = state;
       draw();
     }

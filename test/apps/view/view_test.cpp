@@ -27,8 +27,8 @@ TEST (ViewState, KeysSwitchOneWayAndBack)
 {
   EXPECT_EQ (afterKeys ("2").coloring, "orientations");
   EXPECT_EQ (afterKeys ("21").coloring, "planes");
-  EXPECT_EQ (afterKeys ("p").preset, "paper");
-  EXPECT_EQ (afterKeys ("pp").preset, "default");
+  EXPECT_EQ (afterKeys ("p").detector.preset, "paper");
+  EXPECT_EQ (afterKeys ("pp").detector.preset, "default");
   EXPECT_EQ (afterKeys ("m").method, "fspf");
   EXPECT_EQ (afterKeys ("mmm").method, "ops");
   EXPECT_FALSE (afterKeys ("h").help);
@@ -51,7 +51,7 @@ TEST (FoundPlanes, AreThoseOfEveryMethodInTheirColorsAndInWords)
   for (const char* keys : {"", "m", "mm"}) {
     SCOPED_TRACE (keys);
     ViewState state = afterKeys (keys);
-    const FoundPlanes found = findPlanes (state, {}, table);
+    const FoundPlanes found = findPlanes (state, table);
     ASSERT_EQ (found.detected.planes.size(), 1u);
     const std::size_t in_the_air = table->size() - 1;
     EXPECT_EQ (found.labels[0], 1u);
