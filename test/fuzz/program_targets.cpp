@@ -11,41 +11,27 @@
 #include <io/las_file.h>
 #include <io/output_file.h>
 #include <io/shifted_cloud.h>
-#include <unistd.h>
 
 #include <deque>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <new>
 #include <numeric>
 #include <sstream>
-#include <vector>
 
 namespace pcl_ops::fuzz {
 
 namespace {
 
-/** The name of a file; in memory where there is a folder for that. */
-std::string
-nameWith (const std::string& ending)
-{
-  const std::string name = "pcl_ops_fuzz_" + std::to_string (::getpid()) + ending;
-  const char* const in_memory = "/dev/shm";
-  return (::access (in_memory, W_OK) == 0 ? in_memory
-                                          : std::filesystem::temp_directory_path()) /
-         name;
-}
-
 template <typename Use>
 void
 load (const Bytes& bytes, const std::string& extension, Use&& use)
 {
-  const apps::TemporaryPath file (nameWith (extension));
-  std::ofstream (file.path(), std::ios::binary)
-      .write (reinterpret_cast<const char*> (bytes.data()), bytes.size());
+  const apps::Spool file (extension, "fuzz");
+  file.fill ([&bytes] (std::ostream& stream) {
+    stream.write (reinterpret_cast<const char*> (bytes.data()), bytes.size());
+  });
   try {
-    const apps::FileCloud cloud = apps::loadCloud (file.path());
+    const apps::FileCloud cloud = apps::loadCloud (file.name());
     promise (cloud.size() > 0, "a cloud that was loaded has points");
     promise (cloud.points.data.size() == cloud.size() * cloud.points.point_step,
              "a cloud has as many bytes as its size says");
@@ -69,9 +55,9 @@ loadText (const Bytes& bytes)
     for (const pcl::PCLPointField& field : cloud.points.fields)
       promise (field.datatype == pcl::PCLPointField::FLOAT64,
                "a column keeps the digits it has");
-    const apps::TemporaryPath copy (nameWith ("_copy.pcd"));
-    apps::saveCloud (copy.path(), cloud);
-    promise (apps::loadCloud (copy.path()).points.data == cloud.points.data,
+    const apps::Spool copy (".pcd", "fuzz");
+    apps::saveCloud (copy.name(), cloud);
+    promise (apps::loadCloud (copy.name()).points.data == cloud.points.data,
              "the names of columns are those of fields");
   });
 }
@@ -84,9 +70,9 @@ loadLas (const Bytes& bytes)
       return;
     std::vector<std::uint32_t> labels (cloud.size());
     std::iota (labels.begin(), labels.end(), 1U);
-    const apps::TemporaryPath file (nameWith ("_labelled.las"));
-    apps::saveLabelledLas (file.path(), *cloud.las, labels);
-    apps::FileCloud labelled = apps::loadCloud (file.path()), expected = cloud;
+    const apps::Spool file (".las", "fuzz");
+    apps::saveLabelledLas (file.name(), *cloud.las, labels);
+    apps::FileCloud labelled = apps::loadCloud (file.name()), expected = cloud;
     apps::setField (expected, "label", pcl::PCLPointField::UINT32, labels.data());
     promise (labelled.points.data == expected.points.data,
              "labels and points are read as they were written");
@@ -117,9 +103,8 @@ detectAsTold (const Bytes& bytes)
                                                      .build()
                                                      .cloud;
   const apps::Detected found = chosen.detect (options, corner);
-  const std::vector<std::uint32_t> labels =
-      apps::labelsOf (found.planes, corner->size());
-  promise (labels.size() == corner->size(), "every point has a label");
+  promise (apps::labelsOf (found.planes, corner->size()).size() == corner->size(),
+           "every point has a label");
 }
 
 void
@@ -132,7 +117,7 @@ readOptions (const Bytes& bytes)
     detectAsTold (bytes);
   }
   catch (const apps::ProgramError& error) {
-    promise (std::string (error.what()).size() > 0, "an error says what is wrong");
+    promise (*error.what() != '\0', "an error says what is wrong");
   }
 }
 

@@ -2,13 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/console/print.h>
 
-#include <gtest/gtest.h>
-
+#include "apps/support/temporary_folder.h"
 #include "fuzz_targets.h"
-
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
 using namespace pcl_ops::fuzz;
 namespace fs = std::filesystem;
@@ -22,10 +17,8 @@ TEST (Replay, KeepsAllPromises)
     for (const auto& entry :
          fs::directory_iterator (PCL_OPS_FUZZ_CORPUS / fs::path (name))) {
       SCOPED_TRACE (entry.path().string());
-      std::ifstream file (entry.path(), std::ios::binary);
-      ASSERT_TRUE (file);
-      const Bytes bytes ((std::istreambuf_iterator<char> (file)), {});
-      EXPECT_NO_THROW (target (bytes));
+      const std::string bytes = contentOf (entry.path());
+      EXPECT_NO_THROW (target (Bytes (bytes.begin(), bytes.end())));
       ++inputs;
     }
     EXPECT_GT (inputs, 0u) << name;
