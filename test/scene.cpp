@@ -58,20 +58,15 @@ Scene::build()
 {
   LabelledScene scene{
       pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(), {}, surfaces_};
-  for (std::size_t i = 0; i < surfaces_.size(); ++i)
-    addSurface (scene, surfaces_[i], static_cast<int> (i));
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    const auto count = std::lround (surfaces_[i].area() / (spacing_ * spacing_));
+    for (long k = 0; k < count; ++k)
+      add (scene, drawPointOf (surfaces_[i], noise_, generator_), static_cast<int> (i));
+  }
   addClutter (scene);
   for (Surface& surface : scene.surfaces)
     surface.corner += shift_;
   return scene;
-}
-
-void
-Scene::addSurface (LabelledScene& scene, const Surface& surface, int label)
-{
-  const auto count = std::lround (surface.area() / (spacing_ * spacing_));
-  for (long i = 0; i < count; ++i)
-    add (scene, drawPointOf (surface, noise_, generator_), label);
 }
 
 void

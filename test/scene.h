@@ -167,8 +167,6 @@ private:
     scene.labels.push_back (label);
   }
   void
-  addSurface (LabelledScene& scene, const Surface& surface, int label);
-  void
   addClutter (LabelledScene& scene);
 
   RandomGenerator generator_;

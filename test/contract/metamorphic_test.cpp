@@ -7,7 +7,6 @@
 #include <pcl_ops/fast_sampling_plane_filtering.h>
 #include <pcl_ops/kernel_hough_transform.h>
 
-#include <functional>
 #include <map>
 
 // A cloud that is only written down in another way has the same planes. The share of
@@ -32,28 +31,18 @@ struct Variant {
   double unit = 1.0;
 };
 
-using Move = std::function<Eigen::Vector3d (const Eigen::Vector3d&)>;
-
+/** \param[in] unit the lengths of the moved cloud for one before */
 void
-move (Variant& variant, const Move& moved)
+move (Variant& variant, const Eigen::Affine3d& by, double unit = 1.0)
 {
-  for (pcl::PointXYZ& point : *variant.cloud)
-    point.getVector3fMap() =
-        moved (point.getVector3fMap().cast<double>()).cast<float>();
-}
-
-void
-scale (Variant& variant, double unit)
-{
-  move (variant, [&] (const auto& p) -> Eigen::Vector3d { return unit * p; });
+  pcl::transformPointCloud (*variant.cloud, *variant.cloud, by);
   variant.unit = unit;
 }
 
-void
-turn (Variant& variant, const Eigen::Vector3d& axis)
+Eigen::Affine3d
+turnAbout (const Eigen::Vector3d& axis)
 {
-  const Eigen::AngleAxisd by (0.7, axis.normalized());
-  move (variant, [&] (const auto& p) { return by * p; });
+  return Eigen::Affine3d (Eigen::AngleAxisd (0.7, axis.normalized()));
 }
 
 /** \brief Takes the points in an order. */
@@ -82,21 +71,27 @@ addOutliers (Variant& variant, double half_edge)
 const std::map<std::string, void (*) (Variant&)> changes = {
     {"shifted_by_1_km",
      [] (Variant& v) {
-       const Eigen::Vector3d shift (1000, -1000, 100);
-       move (v, [&] (const auto& p) -> Eigen::Vector3d { return p + shift; });
+       move (v, Eigen::Affine3d (Eigen::Translation3d (1000, -1000, 100)));
      }},
     {"rounded_to_um",
      [] (Variant& v) {
-       move (v, [] (const auto& p) -> Eigen::Vector3d {
-         return 1e-6 * (1e6 * p).array().round().matrix();
-       });
+       for (pcl::PointXYZ& point : *v.cloud)
+         point.getVector3fMap() =
+             (1e-6 * (1e6 * point.getVector3fMap().array().cast<double>()).round())
+                 .matrix()
+                 .cast<float>();
      }},
-    {"in_millimeters", [] (Variant& v) { scale (v, 1000.0); }},
-    {"in_kilometers", [] (Variant& v) { scale (v, 0.001); }},
-    {"turned_about_z", [] (Variant& v) { turn (v, Eigen::Vector3d::UnitZ()); }},
+    {"in_millimeters",
+     [] (Variant& v) { move (v, Eigen::Affine3d (Eigen::Scaling (1e3)), 1e3); }},
+    {"in_kilometers",
+     [] (Variant& v) { move (v, Eigen::Affine3d (Eigen::Scaling (1e-3)), 1e-3); }},
+    {"turned_about_z",
+     [] (Variant& v) {
+       move (v, turnAbout ({0, 0, 1}));
+     }},
     {"turned",
      [] (Variant& v) {
-       turn (v, {1, 2, 3});
+       move (v, turnAbout ({1, 2, 3}));
      }},
     {"permuted",
      [] (Variant& v) {

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <io/cloud_file.h>
 #include <io/output_file.h>
-#include <nlohmann/json.hpp>
 #include <support/program_folder.h>
 
 #include <cmath>
@@ -15,8 +12,6 @@
 #include <regex>
 #include <set>
 #include <sstream>
-#include <string>
-#include <vector>
 
 /** What a command of a table has to leave at some place. */
 struct Answer {

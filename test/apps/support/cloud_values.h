@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <io/cloud_file.h>
 #include <support/temporary_folder.h>
 #include <support/text.h>
 
 #include <cstring>
-#include <string>
-#include <vector>
 
 /** \brief A field of a cloud that must have it. */
 inline pcl::PCLPointField

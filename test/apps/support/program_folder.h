@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Core>
 
 #include <nlohmann/json.hpp>
@@ -13,7 +11,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <string>
 #include <utility>
 
 struct Outcome {
