@@ -39,18 +39,6 @@ without (const pcl::Indices& points, const Cloud::Ptr& cloud)
   return rest;
 }
 
-static pcl::SACSegmentation<pcl::PointXYZ>
-planeFinder ()
-{
-  pcl::SACSegmentation<pcl::PointXYZ> finder;
-  finder.setOptimizeCoefficients (true);
-  finder.setModelType (pcl::SACMODEL_PLANE);
-  finder.setMethodType (pcl::SAC_RANSAC);
-  finder.setMaxIterations (100);
-  finder.setDistanceThreshold (0.02);
-  return finder;
-}
-
 static std::vector<pcl::PointIndices>
 clustersOf (const Cloud::Ptr& cloud)
 {
@@ -67,7 +55,12 @@ clustersOf (const Cloud::Ptr& cloud)
 static Cloud::Ptr
 restByLoop (const Cloud::Ptr& cloud, std::size_t& planes)
 {
-  pcl::SACSegmentation<pcl::PointXYZ> finder = planeFinder();
+  pcl::SACSegmentation<pcl::PointXYZ> finder;
+  finder.setOptimizeCoefficients (true);
+  finder.setModelType (pcl::SACMODEL_PLANE);
+  finder.setMethodType (pcl::SAC_RANSAC);
+  finder.setMaxIterations (100);
+  finder.setDistanceThreshold (0.02);
   pcl::ModelCoefficients coefficients;
   pcl::PointIndices plane;
   Cloud::Ptr rest = cloud;
