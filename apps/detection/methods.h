@@ -68,16 +68,14 @@ allMethods ();
 const Method&
 methodCalled (const std::string& name);
 
-using Stage = std::pair<const char*, double StageDurations::*>;
-
 /** \brief The last is that of them all. */
-constexpr std::array<Stage, 6> detection_stages = {
-    {{"search", &StageDurations::search},
-     {"normals", &StageDurations::normals},
-     {"extraction", &StageDurations::extraction},
-     {"assignment", &StageDurations::assignment},
-     {"merging", &StageDurations::merging},
-     {"detection", &StageDurations::detection}}};
+constexpr std::pair<const char*, double StageDurations::*> detection_stages[] = {
+    {"search", &StageDurations::search},
+    {"normals", &StageDurations::normals},
+    {"extraction", &StageDurations::extraction},
+    {"assignment", &StageDurations::assignment},
+    {"merging", &StageDurations::merging},
+    {"detection", &StageDurations::detection}};
 
 /** \brief The planes a method finds; by `--up auto` with the up axis of the planes of
  * the default preset, on which the confidence was measured, or the default axis where

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <tuple>
 
 namespace fs = std::filesystem;
 
@@ -147,11 +148,7 @@ checkAreAbout (const CommandLine& line, const SegmentOptions& options)
   const bool has_cloud = is_batch || !outputs.cloud.empty();
   const bool has_hulls = is_batch || !outputs.planes.empty() || !outputs.mesh.empty() ||
                          line.isGiven ("min-area");
-  const struct {
-    std::string option;
-    bool has_subject;
-    std::string subject;
-  } rows[] = {
+  const std::tuple<std::string, bool, std::string> rows[] = {
       {"hull", has_hulls, "--planes, --mesh and --min-area; give one"},
       {"poses", is_tracked, "--track; give it, too"},
       {"rotation-error", is_tracked, "--track; give it, too"},
