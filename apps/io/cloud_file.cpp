@@ -59,18 +59,6 @@ formatOf (const std::string& file)
   return nullptr;
 }
 
-void
-makePoseValid (FileCloud& cloud)
-{
-  if (!cloud.origin.head<3>().allFinite())
-    cloud.origin.setZero();
-  const float norm = cloud.orientation.norm();
-  if (std::isfinite (norm) && norm > 0.0f)
-    cloud.orientation.normalize();
-  else
-    cloud.orientation.setIdentity();
-}
-
 /** \brief Fills the buffer as far as the input reaches. \return bytes read */
 std::size_t
 readInput (std::vector<char>& buffer)
@@ -159,7 +147,14 @@ loadCloud (const std::string& file)
       throw WorkError (file,
                        std::string ("has no field ") + axis +
                            "; give a cloud with x, y and z");
-  makePoseValid (cloud);
+  cloud.points.row_step = cloud.points.point_step * cloud.points.width;
+  if (!cloud.origin.head<3>().allFinite())
+    cloud.origin.setZero();
+  const float norm = cloud.orientation.norm();
+  if (std::isfinite (norm) && norm > 0.0f)
+    cloud.orientation.normalize();
+  else
+    cloud.orientation.setIdentity();
   cloud.is_survey = format->is_survey;
   return cloud;
 }

@@ -11,7 +11,16 @@ namespace pcl_ops::apps {
 
 using Words = std::vector<std::string>;
 
-/** \brief Reads a cloud file: lines of its header, and bytes; words the complaints. */
+/** \brief The words of a line, without blanks around them.
+ * \param[in] separator between words that may be empty; a space: any blanks */
+void
+splitWords (std::string_view line,
+            char separator,
+            std::vector<std::string_view>& words);
+
+/** \brief Reads a cloud file: lines of its header, bytes, and lines of numbers, of
+ * which what is no number is refused; PCL's readers make points at zero or without
+ * coordinates of it. Words the complaints. */
 class HeaderReader {
 public:
   /** \param[in] format e.g. "PCD", for the complaints */
@@ -41,6 +50,40 @@ public:
   bool
   readLine (std::string& line);
 
+  /** \brief Goes on to the next line of numbers.
+   * \return false where it has not a single character
+   * \throws WorkError if there is none */
+  bool
+  nextNumbers ();
+
+  /** \brief Takes the line that was read last for one of numbers; see \ref splitWords.
+   */
+  void
+  takeNumbers (std::string line, char separator);
+
+  /** \brief How many words the line of numbers has. */
+  std::size_t
+  wordCount () const
+  {
+    return words_.size();
+  }
+
+  /** \brief Puts a number of the line into bytes, NaN for an empty word.
+   * \throws WorkError if it is none or too large for its type */
+  void
+  readNumber (std::size_t word, const NumberType& type, std::uint8_t* bytes) const;
+
+  double
+  number (std::size_t word) const;
+
+  /** \throws WorkError unless the line has numbers only, and so many */
+  void
+  expectNumbers (std::size_t count) const;
+
+  /** \throws WorkError if there is more than blanks left */
+  void
+  expectEnd ();
+
   /** \brief Of points: as many as PCL's indices can tell apart. */
   std::uint64_t
   count (const std::string& what, const std::string& text) const;
@@ -60,58 +103,9 @@ public:
 
 private:
   std::string file_, format_, line_;
+  std::vector<std::string_view> words_;
   std::ifstream stream_;
   std::uint64_t file_size_ = 0, lines_ = 0;
-};
-
-/** \brief The words of a line, without blanks around them.
- * \param[in] separator between words that may be empty; a space: any blanks */
-void
-splitWords (std::string_view line,
-            char separator,
-            std::vector<std::string_view>& words);
-
-/** \brief The lines of data that are text. What is no number is refused; PCL's readers
- * make points at zero or without coordinates of it. */
-class NumberLines {
-public:
-  explicit NumberLines (HeaderReader& reader) : reader_ (reader) {}
-
-  /** \brief Goes on to the next line. \return false where it has not a single character
-   * \throws WorkError if there is none */
-  bool
-  next ();
-
-  /** \brief Takes the line that was read last; see \ref splitWords. */
-  void
-  take (std::string line, char separator);
-
-  std::size_t
-  size () const
-  {
-    return words_.size();
-  }
-
-  /** \brief Puts a number of the line into bytes, NaN for an empty word.
-   * \throws WorkError if it is none or too large for its type */
-  void
-  read (std::size_t word, const NumberType& type, std::uint8_t* bytes) const;
-
-  double
-  number (std::size_t word) const;
-
-  /** \throws WorkError unless the line has so many numbers */
-  void
-  expectNumbers (std::size_t count) const;
-
-  /** \throws WorkError if there is more than blanks left */
-  void
-  expectEnd ();
-
-private:
-  HeaderReader& reader_;
-  std::string line_;
-  std::vector<std::string_view> words_;
 };
 
 } // namespace pcl_ops::apps

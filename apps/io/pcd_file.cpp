@@ -129,20 +129,19 @@ readText (HeaderReader& reader, pcl::PCLPointCloud2& points)
   if (sizeOf (points) > (rest + 1) / (2 * numbers))
     reader.failTruncated();
   points.data.resize (sizeOf (points) * points.point_step);
-  NumberLines lines (reader);
   std::uint8_t* number = points.data.data();
   while (number != points.data.data() + points.data.size()) {
-    if (!lines.next())
+    if (!reader.nextNumbers())
       continue; // PCL's reader skips it, too
-    lines.expectNumbers (numbers);
+    reader.expectNumbers (numbers);
     std::size_t word = 0;
     for (const pcl::PCLPointField& field : points.fields) {
       const NumberType& type = numberType (field.datatype);
       for (pcl::uindex_t i = 0; i < field.count; ++i, number += type.size)
-        lines.read (word++, type, number);
+        reader.readNumber (word++, type, number);
     }
   }
-  lines.expectEnd();
+  reader.expectEnd();
 }
 
 /** \brief Decompresses LZF (M. Lehmann's LibLZF) without PCL's library, which loads
@@ -246,7 +245,6 @@ readPcd (const std::string& file)
     readCompressed (reader, cloud.points);
   else
     reader.fail ("DATA is not ascii, binary or binary_compressed");
-  cloud.points.row_step = cloud.points.point_step * cloud.points.width;
   return cloud;
 }
 

@@ -141,12 +141,11 @@ readPlyHeader (HeaderReader& reader)
 /** \brief The data of a PLY, number by number. */
 class PlyData {
 public:
-  PlyData (HeaderReader& reader, const PlyHeader& header)
-  : reader_ (reader), lines_ (reader), is_text_ (header.format == "ascii")
+  PlyData (HeaderReader& reader, const std::string& format)
+  : reader_ (reader), is_text_ (format == "ascii")
   {
     using boost::endian::order;
-    const bool is_big = header.format == "binary_big_endian";
-    is_swapped_ = is_big != (order::native == order::big);
+    is_swapped_ = (format == "binary_big_endian") != (order::native == order::big);
   }
 
   void
@@ -154,29 +153,19 @@ public:
   {
     next_word_ = 0;
     if (is_text_)
-      lines_.next();
+      reader_.nextNumbers();
     if (is_text_ && !element.has_lists)
-      lines_.expectNumbers (element.properties.size());
+      reader_.expectNumbers (element.properties.size());
   }
 
   void
   read (const NumberType& type, std::uint8_t* bytes)
   {
     if (is_text_)
-      return lines_.read (nextWord(), type, bytes);
+      return reader_.readNumber (nextWord(), type, bytes);
     reader_.read (reinterpret_cast<char*> (bytes), type.size);
     if (is_swapped_)
       std::reverse (bytes, bytes + type.size);
-  }
-
-  double
-  number (const NumberType& type)
-  {
-    if (is_text_)
-      return lines_.number (nextWord());
-    std::uint8_t bytes[sizeof (double)];
-    read (type, bytes);
-    return type.read (bytes);
   }
 
   /** \return the last of a list, or the number that is none; 0 of an empty list */
@@ -196,22 +185,25 @@ public:
   void
   endRow () const
   {
-    if (is_text_ && next_word_ != lines_.size())
+    if (is_text_ && next_word_ != reader_.wordCount())
       failAtList();
   }
 
-  void
-  end ()
+private:
+  double
+  number (const NumberType& type)
   {
     if (is_text_)
-      lines_.expectEnd();
+      return reader_.number (nextWord());
+    std::uint8_t bytes[sizeof (double)];
+    read (type, bytes);
+    return type.read (bytes);
   }
 
-private:
   std::size_t
   nextWord ()
   {
-    if (next_word_ == lines_.size())
+    if (next_word_ == reader_.wordCount())
       failAtList();
     return next_word_++;
   }
@@ -225,7 +217,6 @@ private:
   }
 
   HeaderReader& reader_;
-  NumberLines lines_;
   bool is_text_, is_swapped_ = false;
   std::size_t next_word_ = 0;
 };
@@ -245,28 +236,23 @@ placeInColor (const PlyProperty& property)
   return -1;
 }
 
-/** \brief As PCL names fields: normals, and the intensity as a float. */
-void
-addProperty (PlyProperty& property, pcl::PCLPointCloud2& points)
-{
-  const std::string& name = property.name;
-  const bool is_normal = name == "nx" || name == "ny" || name == "nz";
-  const std::uint8_t type = property.type->id, real = PCLPointField::FLOAT32;
-  property.becomes_float = name == "intensity" && type == PCLPointField::UINT8;
-  property.offset = points.point_step;
-  addField (is_normal ? "normal_" + name.substr (1) : name,
-            property.becomes_float ? real : type,
-            points);
-}
-
+/** \brief As PCL names fields: normals, a packed color, and the intensity as a float.
+ */
 void
 addFields (PlyElement& vertex, pcl::PCLPointCloud2& points)
 {
   std::size_t color = 0; // one after its index
   for (PlyProperty& property : vertex.properties) {
+    const std::string& name = property.name;
     const int place = placeInColor (property);
     if (place < 0) {
-      addProperty (property, points);
+      const bool is_normal = name == "nx" || name == "ny" || name == "nz";
+      const std::uint8_t type = property.type->id, real = PCLPointField::FLOAT32;
+      property.becomes_float = name == "intensity" && type == PCLPointField::UINT8;
+      property.offset = points.point_step;
+      addField (is_normal ? "normal_" + name.substr (1) : name,
+                property.becomes_float ? real : type,
+                points);
       continue;
     }
     if (color == 0) {
@@ -274,7 +260,7 @@ addFields (PlyElement& vertex, pcl::PCLPointCloud2& points)
       color = points.fields.size();
     }
     PCLPointField& field = points.fields[color - 1];
-    if (property.name == "alpha") {
+    if (name == "alpha") {
       field.name = "rgba";
       field.datatype = PCLPointField::UINT32;
     }
@@ -325,20 +311,6 @@ organize (std::uint64_t size,
                     width == std::floor (width) && height == std::floor (height);
   points.width = static_cast<pcl::uindex_t> (fits ? width : static_cast<double> (size));
   points.height = static_cast<pcl::uindex_t> (fits ? height : 1.0);
-  points.row_step = points.point_step * points.width;
-}
-
-/** \brief Fewest bytes of a row: lists may be empty, a number that is text is a digit
- * and a separator. */
-std::uint64_t
-minSize (const PlyElement& element, bool is_text)
-{
-  std::uint64_t bytes = 0;
-  for (const PlyProperty& property : element.properties)
-    bytes += is_text ? 2
-                     : (property.length_type == nullptr ? property.type->size
-                                                        : property.length_type->size);
-  return bytes;
 }
 
 /** \brief Whether it is PCL's packed color, which a column of a text is not. */
@@ -409,19 +381,26 @@ readPly (const std::string& file)
 {
   HeaderReader reader (file, "PLY");
   PlyHeader header = readPlyHeader (reader);
-  std::uint64_t bytes = 0;
+  const bool is_text = header.format == "ascii";
+  std::uint64_t min_bytes = 0;
   for (const PlyElement& element : header.elements)
-    bytes += element.count * minSize (element, header.format == "ascii");
-  if (reader.fileSize() - reader.position() + 1 < bytes)
+    for (const PlyProperty& property : element.properties) {
+      // Lists may be empty; a number that is text is a digit and a separator.
+      const NumberType* const binary =
+          property.length_type == nullptr ? property.type : property.length_type;
+      min_bytes += element.count * (is_text ? 2 : binary->size);
+    }
+  if (reader.fileSize() - reader.position() + 1 < min_bytes)
     reader.failTruncated();
   FileCloud cloud;
-  PlyData data (reader, header);
+  PlyData data (reader, header.format);
   for (PlyElement& element : header.elements) {
     if (element.name == "vertex")
       addFields (element, cloud.points);
     readRows (data, element, cloud.points, header.grid);
   }
-  data.end();
+  if (is_text)
+    reader.expectEnd();
   organize (header.find ("vertex")->count, header.grid, cloud.points);
   return cloud;
 }

@@ -23,16 +23,12 @@ namespace pcl_ops::apps {
 
 namespace {
 
-/** \brief A coordinate, and what surveyors and ParaView call it. */
-struct Axis {
-  const char* field;
-  std::array<const char*, 5> names;
-};
+/** \brief The field of a coordinate, and what surveyors and ParaView call it. */
+using Axis = std::array<const char*, 5>;
 
-constexpr std::array<Axis, 3> axes = {
-    {{"x", {"x", "easting", "east", "e", "points:0"}},
-     {"y", {"y", "northing", "north", "n", "points:1"}},
-     {"z", {"z", "elevation", "height", "h", "points:2"}}}};
+constexpr std::array<Axis, 3> axes = {{{"x", "easting", "east", "e", "points:0"},
+                                       {"y", "northing", "north", "n", "points:1"},
+                                       {"z", "elevation", "height", "h", "points:2"}}};
 
 /** \brief Also one with letters beyond ASCII. */
 bool
@@ -57,10 +53,10 @@ plainName (const std::string& name)
 Words::const_iterator
 findAxis (const Words& names, const Axis& axis)
 {
-  auto found = std::find (names.begin(), names.end(), axis.field);
-  for (std::size_t i = 0; i < axis.names.size() && found == names.end(); ++i)
+  auto found = std::find (names.begin(), names.end(), axis[0]);
+  for (std::size_t i = 0; i < axis.size() && found == names.end(); ++i)
     found = std::find_if (names.begin(), names.end(), [&] (const std::string& name) {
-      return plainName (name) == axis.names[i];
+      return plainName (name) == axis[i];
     });
   return found;
 }
@@ -130,10 +126,10 @@ fieldNames (const std::string& file, const Words& names, std::size_t count)
     if (!names.empty() && found == names.end())
       throw WorkError (
           file,
-          std::string ("has names of columns, but none is ") + axes[i].field +
+          std::string ("has names of columns, but none is ") + axes[i][0] +
               "; call the coordinates x, y and z, or remove the line of names");
-    fields[names.empty() ? i : std::size_t (found - names.begin())] = axes[i].field;
-    taken.insert (axes[i].field);
+    fields[names.empty() ? i : std::size_t (found - names.begin())] = axes[i][0];
+    taken.insert (axes[i][0]);
   }
   for (std::size_t i = 0; i < count; ++i) {
     if (!fields[i].empty())
@@ -159,7 +155,7 @@ public:
     readHead();
     const NumberType& type = numberType (pcl::PCLPointField::FLOAT64);
     pcl::PCLPointCloud2 cloud;
-    const std::size_t columns = words_.size();
+    const std::size_t columns = reader_.wordCount();
     for (const std::string& name : fieldNames (file_, names_, columns))
       addField (name, pcl::PCLPointField::FLOAT64, cloud);
     // Lines are about as long as the first.
@@ -168,12 +164,12 @@ public:
                         cloud.point_step);
     std::uint64_t points = 0;
     do {
-      words_.take (line_, separator_);
-      words_.expectNumbers (columns);
+      reader_.takeNumbers (line_, separator_);
+      reader_.expectNumbers (columns);
       cloud.data.resize (cloud.data.size() + cloud.point_step);
       std::uint8_t* const point = cloud.data.data() + points * cloud.point_step;
       for (std::size_t i = 0; i < columns; ++i)
-        words_.read (i, type, point + cloud.fields[i].offset);
+        reader_.readNumber (i, type, point + cloud.fields[i].offset);
       if (++points > promised_.value_or (points))
         reader_.failAtLine ("is more than its header promises");
       if (points >
@@ -185,7 +181,6 @@ public:
       reader_.failTruncated();
     cloud.width = static_cast<pcl::uindex_t> (points);
     cloud.height = 1;
-    cloud.row_step = cloud.point_step * cloud.width;
     return cloud;
   }
 
@@ -235,9 +230,9 @@ private:
         continue;
       }
       separator_ = separatorOf (line_);
-      words_.take (line_, separator_);
-      for (std::size_t i = 0; i < words_.size(); ++i)
-        words_.number (i); // is one
+      reader_.takeNumbers (line_, separator_);
+      for (std::size_t i = 0; i < reader_.wordCount(); ++i)
+        reader_.number (i); // is one
       if (is_number_of_points) {
         promised_ = reader_.count ("its number of points", words[0]);
         continue;
@@ -264,7 +259,7 @@ private:
   void
   checkColumns ()
   {
-    const std::size_t count = words_.size();
+    const std::size_t count = reader_.wordCount();
     if (count < 3)
       reader_.failAtLine ("has " + std::to_string (count) +
                           (count == 1 ? " number" : " numbers") +
@@ -281,7 +276,6 @@ private:
 
   std::string file_;
   HeaderReader reader_;
-  NumberLines words_{reader_};
   std::string line_;
   Words names_, comment_names_;
   std::optional<std::uint64_t> promised_;
