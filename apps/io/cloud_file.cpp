@@ -7,7 +7,6 @@
 #include "cloud_formats.h"
 #include "inputs.h"
 #include "las_file.h"
-#include "laz_file.h"
 #include "output_file.h"
 #include <cli/errors.h>
 #include <cli/program.h>
@@ -157,22 +156,6 @@ loadCloud (const std::string& file)
     cloud.orientation.setIdentity();
   cloud.is_survey = format->is_survey;
   return cloud;
-}
-
-std::shared_ptr<LasFile>
-openLas (const std::string& file)
-{
-  checkReadable (file, cloud_file_kinds);
-  if (!isCompressedLas (file))
-    return std::make_shared<LasFile> (file);
-  const Spool las (".las", file);
-  las.fill ([&] (std::ostream& stream) { decompressLaz (file, stream); });
-  try {
-    return std::make_shared<LasFile> (las.name());
-  }
-  catch (const WorkError& error) {
-    throw WorkError (file, error.problem);
-  }
 }
 
 FileCloud

@@ -62,12 +62,6 @@ inline constexpr const char* folder_extensions = ".pcd, .ply, .las, .xyz or .pts
 FileCloud
 loadCloud (const std::string& file);
 
-/** \brief Opens a .las, whose points are read later; those of a .laz are put into a
- * temporary file ($TMPDIR) first, which has no name while it is open.
- * \throws WorkError as \ref loadCloud */
-std::shared_ptr<LasFile>
-openLas (const std::string& file);
-
 /** \brief A cloud of so many points, whose bytes are to come, as another is. */
 FileCloud
 emptyLike (const FileCloud& cloud, std::size_t size);

@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "las_file.h"
 
+#include <Eigen/Geometry>
+
 #include "cloud_file.h"
-#include "laz_file.h"
+#include "inputs.h"
 #include "output_file.h"
+#include <cli/errors.h>
 
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <optional>
+#include <memory>
+#include <ostream>
 
 namespace pcl_ops::apps {
 
@@ -19,9 +23,17 @@ using pcl::PCLPointField;
 
 constexpr std::uint64_t field_length = sizeof (std::uint32_t);
 
+template <typename Number>
+void
+append (Number number, std::uint8_t*& point)
+{
+  std::memcpy (point, &number, sizeof (number));
+  point += sizeof (number);
+}
+
 template <typename Visit>
 void
-forRecords (LasFrame& las, Visit&& visit)
+forRecords (LasFile& las, Visit&& visit)
 {
   constexpr std::uint64_t block = 1U << 14U;
   const std::uint64_t end = las.header.pointsEnd(), length = las.header.record_length;
@@ -33,110 +45,136 @@ forRecords (LasFrame& las, Visit&& visit)
 }
 
 Eigen::Vector3d
-placeOf (const char* record, const LasHeader& header)
+placeIn (const char* record, const LasFile& las)
 {
-  constexpr std::size_t length = sizeof (std::int32_t);
-  const Eigen::Vector3d raw (fromLittleEndian<std::int32_t> (record),
-                             fromLittleEndian<std::int32_t> (record + length),
-                             fromLittleEndian<std::int32_t> (record + 2 * length));
-  return raw.cwiseProduct (header.scale) + header.offset;
+  const auto& point = *reinterpret_cast<const LasPoint*> (record);
+  const Eigen::Vector3d raw (point.raw[0], point.raw[1], point.raw[2]);
+  return raw.cwiseProduct (las.scale) + las.offset;
+}
+
+/** \brief Where a field of that name and type is in a record. */
+std::optional<std::uint64_t>
+placeOf (const LasField& field, const LasFile& las)
+{
+  for (const LasField& described : las.fields)
+    if (described.name == field.name && described.type == field.type)
+      return described.place;
+  return {};
+}
+
+/** \brief What the Extra Bytes VLR goes on with where fields are added to a record:
+ * bytes not described yet come before them. */
+std::string
+descriptionsOf (const std::vector<LasField>& added, const LasFile& las)
+{
+  const std::uint64_t unknown = las.header.record_length - las.fields_end;
+  // Byte by byte: CloudCompare takes any number of undocumented bytes for one
+  // (LasExtraScalarField::elementSize) and looks for what follows in the wrong place.
+  constexpr std::uint64_t max_single = 64, longest = 255;
+  std::string bytes;
+  for (std::uint64_t left = unknown; left > 0;) {
+    LasField undocumented;
+    undocumented.options =
+        std::uint8_t (unknown > max_single ? std::min (left, longest) : 1);
+    bytes += descriptionOf (undocumented);
+    left -= undocumented.options;
+  }
+  for (const LasField& field : added)
+    bytes += descriptionOf (field);
+  return bytes;
 }
 
 /** \brief What is in front of the points where their records have further fields. */
 std::string
-frontWith (const std::vector<LasField>& fields, LasFrame& las)
+frontWith (const std::vector<LasField>& fields, LasFile& las)
 {
   const LasHeader& header = las.header;
   std::string front = las.bytes (0, header.points_offset);
   if (fields.empty())
     return front;
   const std::uint64_t length = fields.size() * field_length;
-  const std::string description = las.descriptionsOf (fields);
-  setNumber (front,
-             las_field::record_length,
-             static_cast<std::uint16_t> (header.record_length + length));
+  const std::string description = descriptionsOf (fields, las);
+  LasHeader copy = header;
+  copy.record_length = static_cast<std::uint16_t> (header.record_length + length);
   if (las.extra_bytes) {
-    const LasVlr& vlr = *las.extra_bytes;
-    setNumber (front,
-               vlr.begin + vlr_length_field,
-               static_cast<std::uint16_t> (vlr.size() + description.size()));
-    front.insert (vlr.end, description);
+    const std::uint64_t size = las.extra_bytes->size() + description.size();
+    front.replace (las.extra_bytes->begin + vlr_length_field,
+                   sizeof (std::uint16_t),
+                   littleEndian (static_cast<std::uint16_t> (size)));
+    front.insert (las.extra_bytes->end, description);
   }
   else {
-    setNumber (front, las_field::vlr_count, header.vlr_count + 1);
+    ++copy.vlr_count;
     front.insert (las.vlrs_end, extraBytesVlr (description));
   }
-  las.relocate (
-      header.pointsEnd(), static_cast<std::int64_t> (length * header.points), front);
+  las.putHeader (
+      copy, header.pointsEnd(), static_cast<std::int64_t> (length * las.size()), front);
   return front;
 }
 
-template <typename Number>
 void
-append (Number number, std::uint8_t*& point)
+writeWith (const std::vector<LasColumn>& columns, LasFile& las, std::ostream& stream)
 {
-  std::memcpy (point, &number, sizeof (number));
-  point += sizeof (number);
+  std::vector<LasField> added;
+  std::vector<std::uint64_t> places;
+  std::uint64_t length = las.header.record_length;
+  for (const auto& [field, bits] : columns) {
+    const std::optional<std::uint64_t> place = placeOf (field, las);
+    places.push_back (place.value_or (length));
+    if (place)
+      continue;
+    added.push_back (field);
+    length += field_length;
+  }
+  stream << frontWith (added, las);
+  constexpr std::size_t block = 1U << 16U;
+  std::string records;
+  forRecords (las, [&] (const char* record) {
+    const std::size_t begin = records.size();
+    records.append (record, las.header.record_length);
+    records.resize (begin + length);
+    const Eigen::Vector3d place = placeIn (record, las);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      records.replace (
+          begin + places[i], field_length, littleEndian (columns[i].second (place)));
+    if (records.size() < block)
+      return;
+    stream << records;
+    records.clear();
+  });
+  stream << records;
+  las.copyRest (las.header.pointsEnd(), stream);
 }
 
-void
-saveWith (const std::string& file, LasFile& las, const std::vector<LasColumn>& columns)
-{
-  const auto write = [&] (std::ostream& stream) { las.writeWith (columns, stream); };
-  if (!isLazName (file))
-    return writeFile (file, write);
-  const Spool spool (".las", file);
-  spool.fill (write);
-  writeFile (file, [&] (std::ostream& stream) { compressLas (spool.name(), stream); });
-}
-
-constexpr std::uint16_t header_size = 227, record_size = 20, labeled_size = 24;
-
-std::string
+LasHeader
 headerOf (const std::vector<LasPoint>& points,
           double scale,
-          const Eigen::Vector3d& offset,
-          std::size_t vlr_size)
+          const Eigen::Vector3d& offset)
 {
-  constexpr std::size_t version = 24, software = 58;
-  std::string bytes = "LASF";
-  bytes.resize (header_size, '\0');
-  bytes.replace (version, 2, "\1\2");
-  bytes.replace (software, 7, "pcl_ops");
-  const auto count = static_cast<std::uint32_t> (points.size());
-  setNumber (bytes, las_field::header_size, header_size);
-  setNumber (bytes,
-             las_field::points_offset,
-             static_cast<std::uint32_t> (header_size + vlr_size));
-  setNumber (bytes, las_field::vlr_count, std::uint32_t (1));
-  setNumber (bytes, las_field::record_length, labeled_size);
-  setNumber (bytes, las_field::legacy_points, count);
-  setNumber (bytes, las_field::legacy_points + sizeof (count), count); // first returns
+  LasHeader header{};
+  header.signature = {'L', 'A', 'S', 'F'};
+  header.major_version = 1;
+  header.minor_version = 2;
+  std::strcpy (header.software.data(), "pcl_ops");
+  header.size = 227;
+  header.vlr_count = 1;
+  header.record_length = sizeof (LasPoint);
+  header.legacy_points = static_cast<std::uint32_t> (points.size());
+  header.legacy_points_by_return[0] = header.legacy_points;
   Eigen::AlignedBox<std::int32_t, 3> box;
   for (const LasPoint& point : points)
-    box.extend (Eigen::Map<const Eigen::Vector3i> (point.raw.data()));
+    box.extend (Eigen::Vector3i (point.raw[0], point.raw[1], point.raw[2]));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<Eigen::Index> (axis);
-    setNumber (bytes, las_field::scale + 8 * axis, scale);
-    setNumber (bytes, las_field::offset + 8 * axis, offset[i]);
-    setNumber (bytes, las_field::bounds + 16 * axis, box.max()[i] * scale + offset[i]);
-    setNumber (
-        bytes, las_field::bounds + 16 * axis + 8, box.min()[i] * scale + offset[i]);
+    header.scale.at (axis) = scale;
+    header.offset.at (axis) = offset[i];
+    header.bounds.at (2 * axis) = box.max()[i] * scale + offset[i];
+    header.bounds.at (2 * axis + 1) = box.min()[i] * scale + offset[i];
   }
-  return bytes;
+  return header;
 }
 
 } // namespace
-
-LasFile::LasFile (const std::string& file) : frame_ (file)
-{
-  const LasHeader& header = frame_.header;
-  if (header.points >
-      (frame_.reader.fileSize() - header.points_offset) / header.record_length)
-    frame_.reader.failTruncated();
-  frame_.checkCount();
-  frame_.checkEvlrs();
-}
 
 pcl::PCLPointCloud2
 LasFile::readPoints()
@@ -146,17 +184,15 @@ LasFile::readPoints()
   for (const char* axis : {"x", "y", "z"})
     addField (axis, PCLPointField::FLOAT64, cloud);
   addField ("intensity", PCLPointField::FLOAT32, cloud);
-  const std::optional<std::uint64_t> label = frame_.placeOf (label_field);
+  const std::optional<std::uint64_t> label = placeOf (label_field, *this);
   if (label)
     addField ("label", PCLPointField::UINT32, cloud);
-  cloud.width = static_cast<pcl::uindex_t> (frame_.header.points);
+  cloud.width = static_cast<pcl::uindex_t> (size());
   cloud.height = 1;
-  cloud.row_step = cloud.point_step * cloud.width;
-  cloud.data.resize (frame_.header.points * cloud.point_step);
+  cloud.data.resize (size() * cloud.point_step);
   std::uint8_t* point = cloud.data.data();
-  forRecords (frame_, [&] (const char* record) {
-    const Eigen::Vector3d place = placeOf (record, frame_.header);
-    for (const double coordinate : place)
+  forRecords (*this, [&] (const char* record) {
+    for (const double coordinate : placeIn (record, *this))
       append (coordinate, point);
     append (static_cast<float> (fromLittleEndian<std::uint16_t> (record + intensity)),
             point);
@@ -169,27 +205,27 @@ LasFile::readPoints()
 Eigen::Vector3d
 LasFile::place (std::uint64_t point)
 {
-  const LasHeader& header = frame_.header;
   const std::uint64_t begin = header.points_offset + point * header.record_length;
-  const std::string record = frame_.bytes (begin, begin + 3 * sizeof (std::int32_t));
-  return placeOf (record.data(), header);
+  return placeIn (bytes (begin, begin + 3 * sizeof (std::int32_t)).data(), *this);
 }
 
 void
 LasFile::forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit)
 {
-  forRecords (frame_,
-              [&] (const char* record) { visit (placeOf (record, frame_.header)); });
+  forRecords (*this, [&] (const char* record) { visit (placeIn (record, *this)); });
 }
 
 std::string
-LasFile::validate (const std::vector<LasField>& fields) const
+LasFile::validate (const std::vector<LasField>& wanted) const
 {
   std::vector<LasField> added;
-  for (const LasField& field : fields) {
-    if (frame_.placeOf (field))
+  for (const LasField& field : wanted) {
+    if (placeOf (field, *this))
       continue;
-    if (frame_.hasNamed (field))
+    const auto has_its_name = [&] (const auto& known) {
+      return known.name == field.name;
+    };
+    if (std::any_of (fields.begin(), fields.end(), has_its_name))
       return "has an extra-bytes field " + field.name + " that is no " +
              field.type_name + "; rename it or give an OUTPUT.pcd";
     added.push_back (field);
@@ -197,55 +233,54 @@ LasFile::validate (const std::vector<LasField>& fields) const
   if (added.empty())
     return "";
   constexpr std::uint64_t max_short = std::numeric_limits<std::uint16_t>::max();
-  const std::uint64_t described = frame_.extra_bytes ? frame_.extra_bytes->size() : 0;
-  const std::uint64_t description = frame_.descriptionsOf (added).size();
+  const std::uint64_t described = extra_bytes ? extra_bytes->size() : 0;
+  const std::uint64_t description = descriptionsOf (added, *this).size();
   const std::uint64_t with_vlr = extraBytesVlr ("").size() + description;
   if (described + description > max_short ||
-      frame_.header.record_length + added.size() * field_length > max_short ||
-      frame_.header.points_offset + with_vlr >
-          std::numeric_limits<std::uint32_t>::max())
+      header.record_length + added.size() * field_length > max_short ||
+      header.points_offset + with_vlr > std::numeric_limits<std::uint32_t>::max())
     return "has no room for a further extra-bytes field; give an OUTPUT.pcd";
   return "";
 }
 
-void
-LasFile::writeWith (const std::vector<LasColumn>& columns, std::ostream& stream)
+bool
+isLasName (const std::string& file)
 {
-  std::vector<LasField> added;
-  std::vector<std::uint64_t> places;
-  std::uint64_t length = frame_.header.record_length;
-  for (const auto& [field, bits] : columns) {
-    const std::optional<std::uint64_t> place = frame_.placeOf (field);
-    places.push_back (place.value_or (length));
-    if (place)
-      continue;
-    added.push_back (field);
-    length += field_length;
+  return hasExtension (file, {".las", ".laz"});
+}
+
+std::shared_ptr<LasFile>
+openLas (const std::string& file)
+{
+  checkReadable (file, cloud_file_kinds);
+  auto las = std::make_shared<LasFile> (file);
+  if (!las->isCompressed()) {
+    las->checkPoints();
+    return las;
   }
-  stream << frontWith (added, frame_);
-  constexpr std::size_t block = 1U << 16U;
-  std::string records;
-  forRecords (frame_, [&] (const char* record) {
-    const std::size_t begin = records.size();
-    records.append (record, frame_.header.record_length);
-    records.resize (begin + length);
-    const Eigen::Vector3d place = placeOf (record, frame_.header);
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      records.replace (
-          begin + places[i], field_length, littleEndian (columns[i].second (place)));
-    if (records.size() < block)
-      return;
-    stream << records;
-    records.clear();
-  });
-  stream << records;
-  frame_.copyRest (frame_.header.pointsEnd(), stream);
+  const Spool spool (".las", file);
+  spool.fill ([&] (std::ostream& stream) { decompressLaz (file, stream); });
+  try {
+    las = std::make_shared<LasFile> (spool.name());
+    las->checkPoints();
+    return las;
+  }
+  catch (const WorkError& error) {
+    throw WorkError (file, error.problem);
+  }
 }
 
 void
-saveLabelledLas (const std::string& file, LasFile& las, const LabelOfPlace& label)
+saveLasWith (const std::string& file,
+             LasFile& las,
+             const std::vector<LasColumn>& columns)
 {
-  saveWith (file, las, {{label_field, label}});
+  const auto write = [&] (std::ostream& stream) { writeWith (columns, las, stream); };
+  if (extensionOf (file) != ".laz")
+    return writeFile (file, write);
+  const Spool spool (".las", file);
+  spool.fill (write);
+  writeFile (file, [&] (std::ostream& stream) { compressLas (spool.name(), stream); });
 }
 
 void
@@ -254,17 +289,18 @@ saveLabelledLas (const std::string& file,
                  const std::vector<std::uint32_t>& labels,
                  const std::vector<float>& distances)
 {
-  std::size_t label = 0, distance = 0;
-  std::vector<LasColumn> columns = {
-      {label_field, [&] (const Eigen::Vector3d&) { return labels[label++]; }}};
+  const auto column = [] (const LasField& field, const auto& values) {
+    return LasColumn (field, [&values, i = 0U] (const Eigen::Vector3d&) mutable {
+      std::uint32_t bits;
+      static_assert (sizeof (bits) == sizeof (values[i]));
+      std::memcpy (&bits, &values[i++], sizeof (bits));
+      return bits;
+    });
+  };
+  std::vector<LasColumn> columns = {column (label_field, labels)};
   if (!distances.empty())
-    columns.push_back ({distance_field, [&] (const Eigen::Vector3d&) {
-                          std::uint32_t bits;
-                          static_assert (sizeof (bits) == sizeof (distances[0]));
-                          std::memcpy (&bits, &distances[distance++], sizeof (bits));
-                          return bits;
-                        }});
-  saveWith (file, las, columns);
+    columns.push_back (column (distance_field, distances));
+  saveLasWith (file, las, columns);
 }
 
 void
@@ -274,15 +310,12 @@ saveLas (const std::string& file,
          const Eigen::Vector3d& offset)
 {
   const std::string vlr = extraBytesVlr (descriptionOf (label_field));
+  LasHeader header = headerOf (points, scale, offset);
+  header.points_offset = static_cast<std::uint32_t> (header.size + vlr.size());
   writeFile (file, [&] (std::ostream& stream) {
-    stream << headerOf (points, scale, offset, vlr.size()) << vlr;
-    std::string record (labeled_size, '\0');
-    for (const LasPoint& point : points) {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        setNumber (record, axis * sizeof (std::int32_t), point.raw[axis]);
-      setNumber (record, record_size, point.label);
-      stream << record;
-    }
+    stream.write (reinterpret_cast<const char*> (&header), header.size) << vlr;
+    stream.write (reinterpret_cast<const char*> (points.data()),
+                  static_cast<std::streamsize> (points.size() * sizeof (LasPoint)));
   });
 }
 

@@ -8,7 +8,12 @@
 
 #include <array>
 #include <functional>
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -20,20 +25,37 @@ using LasColumn = std::pair<LasField, LabelOfPlace>;
 
 /** \brief A LAS file, versions 1.2 to 1.4. It stays open, so that what is no coordinate
  * need not be in memory to be written again, and may be removed meanwhile. */
-class LasFile {
-public:
-  /** \throws WorkError if it is none, compressed, or does not hold what it promises */
+struct LasFile {
+  /** \throws WorkError if it is none, a variable length record does not fit in front of
+   * the points, or they describe more extra bytes than there are */
   explicit LasFile (const std::string& file);
-
-  /** \brief With x, y, z in double precision, intensity, and label if there is one. */
-  pcl::PCLPointCloud2
-  readPoints ();
 
   std::uint64_t
   size () const
   {
-    return frame_.header.points;
+    return header.pointCount();
   }
+
+  /** \brief Whether its points are, whatever it is called. */
+  bool
+  isCompressed () const
+  {
+    return header.format != header.pointFormat() || laszip;
+  }
+
+  /** \throws WorkError if the file has no points, or more than PCL's indices can tell
+   * apart */
+  void
+  checkCount () const;
+
+  /** \throws WorkError as \ref checkCount, or if the file does not hold the points,
+   * which are not compressed, and what is behind them */
+  void
+  checkPoints ();
+
+  /** \brief With x, y, z in double precision, intensity, and label if there is one. */
+  pcl::PCLPointCloud2
+  readPoints ();
 
   Eigen::Vector3d
   place (std::uint64_t point);
@@ -44,20 +66,51 @@ public:
 
   /** \brief Why there can be no such fields beside all else, with the fix, or empty. */
   std::string
-  validate (const std::vector<LasField>& fields) const;
+  validate (const std::vector<LasField>& wanted) const;
 
-  /** \brief Writes every byte of the file with further fields, each in place of the one
-   * of its name that there is. \throws WorkError if the file was cut meanwhile */
+  std::string
+  bytes (std::uint64_t begin, std::uint64_t end);
+
+  /** \brief Lets the front of a copy say where its points and all behind them are.
+   * \param[in] points_end in the file
+   * \param[in] points_growth how many bytes more they have in the copy */
   void
-  writeWith (const std::vector<LasColumn>& columns, std::ostream& stream);
+  putHeader (LasHeader copy,
+             std::uint64_t points_end,
+             std::int64_t points_growth,
+             std::string& front) const;
 
-private:
-  LasFrame frame_;
+  void
+  copyRest (std::uint64_t begin, std::ostream& stream);
+
+  std::string file;
+  HeaderReader reader;
+  LasHeader header;
+  Eigen::Vector3d scale, offset;
+  std::uint64_t vlrs_end;
+  /** \brief What describes the extra bytes of a record, and compressed points. */
+  std::optional<LasVlr> extra_bytes, laszip;
+  /** \brief The extra bytes that are described, and where they end in a record. */
+  std::vector<LasField> fields;
+  std::uint64_t fields_end;
 };
 
-/** \brief Writes it labeled by \ref writeFile. */
+bool
+isLasName (const std::string& file);
+
+/** \brief Opens a .las, whose points are read later; those of a .laz are put into a
+ * temporary file ($TMPDIR) first, which has no name while it is open.
+ * \throws WorkError as \ref loadCloud */
+std::shared_ptr<LasFile>
+openLas (const std::string& file);
+
+/** \brief Writes every byte of a file with further fields, each in place of the one of
+ * its name that there is, by \ref writeFile. \throws WorkError if the file was cut
+ * meanwhile */
 void
-saveLabelledLas (const std::string& file, LasFile& las, const LabelOfPlace& label);
+saveLasWith (const std::string& file,
+             LasFile& las,
+             const std::vector<LasColumn>& columns);
 
 /** \brief The same with a label and, unless there are none, a distance per point. */
 void
@@ -66,11 +119,14 @@ saveLabelledLas (const std::string& file,
                  const std::vector<std::uint32_t>& labels,
                  const std::vector<float>& distances = {});
 
-/** \brief A point in units of the scale, relative to the offset, with its label. */
+/** \brief A record of point data record format 0 with a label: a point in units of the
+ * scale, relative to the offset, with which those of all formats begin. */
 struct LasPoint {
-  std::array<std::int32_t, 3> raw{};
-  std::uint32_t label = 0;
+  std::array<boost::endian::little_int32_t, 3> raw{};
+  std::array<char, 8> others{};
+  LasHeader::Long label = 0;
 };
+static_assert (sizeof (LasPoint) == 24, "without padding");
 
 /** \brief Writes a LAS 1.2 of point data record format 0 by \ref writeFile, with the
  * labels in its extra bytes. */
@@ -79,5 +135,19 @@ saveLas (const std::string& file,
          const std::vector<LasPoint>& points,
          double scale,
          const Eigen::Vector3d& offset);
+
+/** \brief Whether LASzip was there when this was built. */
+bool
+hasLaszip ();
+
+// Both throw a WorkError if the file is damaged or LASzip is missing, and Interrupted.
+
+/** \brief Writes the LAS that was compressed, to the byte. */
+void
+decompressLaz (const std::string& file, std::ostream& stream);
+
+/** \brief Writes a LAS with compressed points and every other byte kept. */
+void
+compressLas (const std::string& file, std::ostream& stream);
 
 } // namespace pcl_ops::apps

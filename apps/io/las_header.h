@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <boost/endian/conversion.hpp>
-
-#include <Eigen/Core>
+#include <boost/endian/arithmetic.hpp>
 
 #include "header_reader.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iosfwd>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl_ops::apps {
 
@@ -37,50 +35,56 @@ littleEndian (Number number)
   return bytes;
 }
 
-template <typename Number>
-void
-setNumber (std::string& bytes, std::size_t place, Number number)
-{
-  bytes.replace (place, sizeof (number), littleEndian (number));
-}
-
-/** \brief Where the fields of the public header block begin. */
-namespace las_field {
-inline constexpr std::size_t major_version = 24, minor_version = 25, header_size = 94,
-                             points_offset = 96, vlr_count = 100, format = 104,
-                             record_length = 105, legacy_points = 107, scale = 131,
-                             offset = 155, bounds = 179, waveform_offset = 227,
-                             evlr_offset = 235, evlr_count = 243, points = 247;
-} // namespace las_field
-
-/** \brief The public header block of a LAS, as far as its points need it. */
+/** \brief The public header block of a LAS 1.4, as its bytes are. In older versions it
+ * ends before the waveforms (1.2) or the extended variable length records (1.3). */
 struct LasHeader {
-  /** \brief 1.2, 1.3 or 1.4. */
-  std::uint8_t major_version = 0, minor_version = 0;
-  std::uint16_t size = 0;
-  std::uint32_t points_offset = 0;
-  std::uint32_t vlr_count = 0;
-  /** \brief Point data record format, 0 to 10, without the bits that say LAZ. */
-  std::uint8_t format = 0;
-  bool says_laz = false;
-  std::uint16_t record_length = 0;
-  /** \brief The larger of both numbers. */
-  std::uint64_t points = 0;
-  std::uint32_t legacy_points = 0;
-  Eigen::Vector3d scale, offset;
-  /** \brief Zero in versions that have none. */
-  std::uint64_t waveform_offset = 0, evlr_offset = 0;
-  std::uint32_t evlr_count = 0;
+  using Short = boost::endian::little_uint16_t;
+  using Long = boost::endian::little_uint32_t;
+  using LongLong = boost::endian::little_uint64_t;
+  using Vector = std::array<boost::endian::little_float64_t, 3>;
+
+  std::array<char, 4> signature;
+  Short source, encoding;
+  std::array<char, 16> project;
+  std::uint8_t major_version, minor_version;
+  std::array<char, 32> system, software;
+  Short day, year, size;
+  Long points_offset, vlr_count;
+  /** \brief Point data record format, 0 to 10, and bits that say LAZ. */
+  std::uint8_t format;
+  Short record_length;
+  Long legacy_points;
+  std::array<Long, 5> legacy_points_by_return;
+  Vector scale, offset;
+  /** \brief The largest and the smallest x, then y, then z. */
+  std::array<boost::endian::little_float64_t, 6> bounds;
+  LongLong waveform_offset, evlr_offset;
+  Long evlr_count;
+  LongLong points;
+  std::array<LongLong, 15> points_by_return;
+
+  std::uint8_t
+  pointFormat () const
+  {
+    return format & 0x3fU;
+  }
+
+  std::uint64_t
+  pointCount () const
+  {
+    return std::max<std::uint64_t> (points, legacy_points);
+  }
 
   std::uint64_t
   pointsEnd () const
   {
-    return points_offset + points * record_length;
+    return points_offset + pointCount() * record_length;
   }
 };
+static_assert (sizeof (LasHeader) == 375, "as in LAS 1.4");
 
-/** \brief Without a look at whether the file holds its points.
- * \throws WorkError if it makes no sense */
+/** \brief What an older version has not is zero. Without a look at whether the file
+ * holds its points. \throws WorkError if it makes no sense */
 LasHeader
 readLasHeader (HeaderReader& reader);
 
@@ -97,85 +101,25 @@ struct LasVlr {
   }
 };
 
-/** \brief A field of four bytes among the extra bytes of a record. */
+/** \brief Where it has the two-byte length of its content. */
+inline constexpr std::uint64_t vlr_length_field = 20;
+
+/** \brief A field among the extra bytes of a record. */
 struct LasField {
   std::string name;
-  /** \brief As Extra Bytes VLRs number it. */
-  std::uint8_t type;
-  const char* type_name;
-  std::string text;
+  /** \brief As Extra Bytes VLRs number it; 0 for bytes that are not documented. */
+  std::uint8_t type = 0;
+  const char* type_name = "";
+  std::string text = {};
   /** \brief Of undocumented bytes, their number. */
   std::uint8_t options = 0;
+  /** \brief In a record. */
+  std::uint64_t place = 0;
 };
 
 inline const LasField label_field = {"label", 5, "uint32", "0: on no plane"};
 inline const LasField distance_field = {
     "distance", 9, "float", "to its plane; NaN: on none"};
-
-/** \brief A LAS file but for its points, which may be compressed. */
-struct LasFrame {
-  /** \throws WorkError if the header makes no sense, a variable length record does not
-   * fit in front of the points, or they describe more extra bytes than there are */
-  explicit LasFrame (const std::string& file);
-
-  /** \throws WorkError if the file has no points, or more than PCL's indices can tell
-   * apart */
-  void
-  checkCount () const;
-
-  /** \throws WorkError if an extended variable length record is not behind the points,
-   * or reaches beyond the end of the file */
-  void
-  checkEvlrs ();
-
-  std::string
-  bytes (std::uint64_t begin, std::uint64_t end);
-
-  /** \brief Lets the front of a copy say where its points and all behind them are.
-   * \param[in] points_end in the file
-   * \param[in] points_growth how many bytes more they have in the copy */
-  void
-  relocate (std::uint64_t points_end,
-            std::int64_t points_growth,
-            std::string& front) const;
-
-  void
-  copyRest (std::uint64_t begin, std::ostream& stream);
-
-  /** \brief Where a field of that name and type is in a record. */
-  std::optional<std::uint64_t>
-  placeOf (const LasField& field) const;
-
-  /** \brief Of whatever type. */
-  bool
-  hasNamed (const LasField& field) const;
-
-  /** \brief What the content of \ref extra_bytes goes on with where fields are added to
-   * a record: bytes not described yet come before them. */
-  std::string
-  descriptionsOf (const std::vector<LasField>& added) const;
-
-  std::string file;
-  HeaderReader reader;
-  LasHeader header;
-  std::uint64_t vlrs_end = 0;
-  /** \brief What describes the extra bytes of a record, and compressed points. */
-  std::optional<LasVlr> extra_bytes, laszip;
-  /** \brief Where they end in a record. */
-  std::uint64_t described_end = 0;
-
-private:
-  struct DescribedField {
-    std::string name;
-    std::uint8_t type;
-    std::uint64_t place;
-  };
-
-  void
-  readDescriptions ();
-
-  std::vector<DescribedField> fields_;
-};
 
 /** \brief How an Extra Bytes VLR says what a field is. */
 std::string
@@ -183,8 +127,5 @@ descriptionOf (const LasField& field);
 
 std::string
 extraBytesVlr (const std::string& content);
-
-/** \brief Where it has the two-byte length of its content. */
-inline constexpr std::uint64_t vlr_length_field = 20;
 
 } // namespace pcl_ops::apps

@@ -1,48 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "laz_file.h"
-
-#include "las_header.h"
-#include "output_file.h"
+#include "las_file.h"
 #include <cli/errors.h>
 #ifdef PCL_OPS_WITH_LASZIP
 #include <cli/program.h>
 #include <laszip/laszip_api.h>
-#endif
 
 #include <algorithm>
 #include <limits>
+#include <memory>
+#include <ostream>
+#endif
 
 namespace pcl_ops::apps {
-
-bool
-isLazName (const std::string& file)
-{
-  return extensionOf (file) == ".laz";
-}
-
-bool
-isLasName (const std::string& file)
-{
-  return hasExtension (file, {".las", ".laz"});
-}
-
-bool
-hasLaszip ()
-{
-#ifdef PCL_OPS_WITH_LASZIP
-  return true;
-#else
-  return false;
-#endif
-}
-
-bool
-isCompressedLas (const std::string& file)
-{
-  const LasFrame las (file);
-  return las.header.says_laz || las.laszip;
-}
 
 #ifdef PCL_OPS_WITH_LASZIP
 
@@ -61,11 +31,10 @@ failDamagedPoints (const std::string& file)
 }
 
 /** \brief A reader or writer. */
-class Laszip {
-public:
-  explicit Laszip (const std::string& file) : file_ (file)
+struct Laszip {
+  explicit Laszip (std::string name) : file (std::move (name))
   {
-    if (laszip_create (&handle_) != 0)
+    if (laszip_create (&handle) != 0)
       throw std::bad_alloc();
   }
   Laszip (const Laszip&) = delete;
@@ -73,12 +42,12 @@ public:
   operator= (const Laszip&) = delete;
   ~Laszip()
   {
-    if (handle_ == nullptr)
+    if (handle == nullptr)
       return;
     // Whichever is open; it does not go by itself.
-    laszip_close_reader (handle_);
-    laszip_close_writer (handle_);
-    laszip_destroy (handle_);
+    laszip_close_reader (handle);
+    laszip_close_writer (handle);
+    laszip_destroy (handle);
   }
 
   void
@@ -87,105 +56,73 @@ public:
     if (failed == 0)
       return;
     laszip_CHAR* reason = nullptr;
-    laszip_get_error (handle_, &reason);
+    laszip_get_error (handle, &reason);
     // So it says that there is no memory.
     if (reason != nullptr && std::string (reason).rfind ("internal error", 0) == 0)
       throw std::bad_alloc();
-    failDamagedPoints (file_);
-  }
-
-  /** \brief Leaves a writer that failed as it is: LASzip would crash. */
-  void
-  abandon ()
-  {
-    handle_ = nullptr;
-  }
-
-  laszip_POINTER
-  handle () const
-  {
-    return handle_;
-  }
-
-  laszip_point*
-  point () const
-  {
-    laszip_point* point = nullptr;
-    check (laszip_get_point_pointer (handle_, &point));
-    return point;
+    failDamagedPoints (file);
   }
 
   void
   setForm (const LasHeader& header) const
   {
-    check (
-        laszip_set_point_type_and_size (handle_, header.format, header.record_length));
+    check (laszip_set_point_type_and_size (
+        handle, header.pointFormat(), header.record_length));
   }
 
-private:
-  std::string file_;
-  laszip_POINTER handle_ = nullptr;
+  std::string file;
+  laszip_POINTER handle = nullptr;
 };
 
 /** \throws WorkError if LASzip cannot compress such points */
 std::string
-laszipVlr (const LasFrame& las)
+laszipVlr (const LasFile& las)
 {
   const Laszip writer (las.file);
   writer.setForm (las.header);
   laszip_U8* bytes = nullptr;
   laszip_U32 size = 0;
-  writer.check (laszip_create_laszip_vlr (writer.handle(), &bytes, &size));
+  writer.check (laszip_create_laszip_vlr (writer.handle, &bytes, &size));
   return {reinterpret_cast<const char*> (bytes), size};
 }
 
-enum class PointsAs { Plain, Compressed };
-
 /** \throws WorkError if the points are damaged, and Interrupted */
 void
-convertPoints (const LasFrame& las, PointsAs form, std::ostream& stream)
+convertPoints (const LasFile& las, bool compresses, std::ostream& stream)
 {
   const std::string& file = las.file;
   constexpr std::uint64_t block = 1U << 14U;
   const Laszip reader (file);
   Laszip writer (file);
   laszip_BOOL is_compressed = 0;
-  reader.check (laszip_open_reader (reader.handle(), file.c_str(), &is_compressed));
+  reader.check (laszip_open_reader (reader.handle, file.c_str(), &is_compressed));
   writer.setForm (las.header);
-  writer.check (laszip_open_writer_stream (
-      writer.handle(), stream, form == PointsAs::Compressed ? 1 : 0, 1));
-  const laszip_point* const from = reader.point();
-  for (std::uint64_t i = 0; i < las.header.points; ++i) {
+  writer.check (
+      laszip_open_writer_stream (writer.handle, stream, compresses ? 1 : 0, 1));
+  laszip_point* from = nullptr;
+  reader.check (laszip_get_point_pointer (reader.handle, &from));
+  for (std::uint64_t i = 0; i < las.size(); ++i) {
     if (i % block == 0)
       stopIfInterrupted();
-    reader.check (laszip_read_point (reader.handle()));
-    writer.check (laszip_set_point (writer.handle(), from));
-    const laszip_I32 failed = laszip_write_point (writer.handle());
+    reader.check (laszip_read_point (reader.handle));
+    writer.check (laszip_set_point (writer.handle, from));
+    const laszip_I32 failed = laszip_write_point (writer.handle);
     if (!stream)
-      return writer.abandon(); // whose stream it is finds out
+      break;
     writer.check (failed);
   }
-  if (laszip_close_writer (writer.handle()) != 0)
-    writer.abandon();
-  if (stream && writer.handle() == nullptr)
+  if (stream && laszip_close_writer (writer.handle) == 0)
+    return;
+  // LASzip would crash if it closed a writer that failed.
+  writer.handle = nullptr;
+  if (stream) // else whose it is finds out
     throw std::bad_alloc();
-}
-
-/** \brief Where the points end: no field of a header says it. */
-std::uint64_t
-endOfCompressed (const LasFrame& las)
-{
-  std::uint64_t end = las.reader.fileSize();
-  for (const std::uint64_t next : {las.header.waveform_offset, las.header.evlr_offset})
-    if (next > las.header.points_offset)
-      end = std::min (end, next);
-  return end;
 }
 
 /** \brief The LASzip VLR's content.
  * \throws WorkError if it does not describe such points: LASzip would crash */
 std::string
-checkedDescription (LasFrame& las, const LasVlr& laszip)
+checkedDescription (LasFile& las, const LasVlr& laszip)
 {
   constexpr std::size_t free_begin = 4, free_end = 32, items = 34, item_size = 6,
                         version_at = 4, version_size = 2;
@@ -200,7 +137,7 @@ checkedDescription (LasFrame& las, const LasVlr& laszip)
   take (free_begin, free_end - free_begin);
   for (std::size_t item = items; item < expected.size(); item += item_size)
     take (item + version_at, version_size);
-  if (content[0] == in_one_chunk && las.header.format <= newest_in_one_chunk)
+  if (content[0] == in_one_chunk && las.header.pointFormat() <= newest_in_one_chunk)
     take (0, 1);
   if (content != expected)
     failDamagedPoints (las.file);
@@ -211,7 +148,7 @@ checkedDescription (LasFrame& las, const LasVlr& laszip)
  * table of their chunks is elsewhere or has another length. On chunks see M. Isenburg,
  * LASzip, Photogrammetric Engineering and Remote Sensing 79 (2), 2013. */
 void
-checkCompression (LasFrame& las)
+checkCompression (LasFile& las)
 {
   constexpr std::size_t chunk_size_at = 12;
   constexpr std::uint64_t head = 8;
@@ -240,7 +177,7 @@ checkCompression (LasFrame& las)
   const std::uint64_t chunks = fromLittleEndian<std::uint32_t> (&table_head[4]);
   // Each begins with a point that is not compressed.
   check (version == 0 && chunks > 0 && chunks <= (end - begin) / header.record_length);
-  check (size == of_any_size || chunks == (header.points + size - 1) / size);
+  check (size == of_any_size || chunks == (las.size() + size - 1) / size);
 }
 
 } // namespace
@@ -248,43 +185,55 @@ checkCompression (LasFrame& las)
 void
 decompressLaz (const std::string& file, std::ostream& stream)
 {
-  LasFrame las (file);
+  LasFile las (file);
   const LasHeader& header = las.header;
   las.checkCount();
   std::string front = las.bytes (0, header.points_offset);
-  setNumber (front, las_field::format, header.format);
+  LasHeader plain = header;
+  plain.format = header.pointFormat();
   if (las.laszip) {
     checkCompression (las);
-    setNumber (front, las_field::vlr_count, header.vlr_count - 1);
+    --plain.vlr_count;
     front.erase (las.laszip->begin, las.laszip->end - las.laszip->begin);
   }
-  const std::uint64_t end = endOfCompressed (las);
-  las.relocate (end, static_cast<std::int64_t> (header.pointsEnd() - end), front);
+  // No field of a header says where compressed points end.
+  std::uint64_t end = las.reader.fileSize();
+  for (const std::uint64_t next : {header.waveform_offset, header.evlr_offset})
+    if (next > header.points_offset)
+      end = std::min (end, next);
+  las.putHeader (
+      plain, end, static_cast<std::int64_t> (header.pointsEnd() - end), front);
   stream << front;
-  convertPoints (las, PointsAs::Plain, stream);
+  convertPoints (las, false, stream);
   las.copyRest (end, stream);
 }
 
 void
 compressLas (const std::string& file, std::ostream& stream)
 {
-  LasFrame las (file);
-  const LasHeader& header = las.header;
+  LasFile las (file);
+  LasHeader header = las.header;
+  header.format = header.pointFormat() | compressed;
+  ++header.vlr_count;
   std::string front = las.bytes (0, header.points_offset);
-  setNumber (front, las_field::format, std::uint8_t (header.format | compressed));
-  setNumber (front, las_field::vlr_count, header.vlr_count + 1);
   front.insert (las.vlrs_end, laszipVlr (las));
   stream << front;
-  convertPoints (las, PointsAs::Compressed, stream);
+  convertPoints (las, true, stream);
   const auto end = static_cast<std::int64_t> (std::streamoff (stream.tellp()));
   las.copyRest (header.pointsEnd(), stream);
   // How much shorter the points are is known only now.
   const auto size = static_cast<std::int64_t> (front.size());
-  const auto plain = static_cast<std::int64_t> (header.points * header.record_length);
-  las.relocate (header.pointsEnd(), end - size - plain, front);
+  const auto plain = static_cast<std::int64_t> (las.size() * header.record_length);
+  las.putHeader (header, header.pointsEnd(), end - size - plain, front);
   stream.seekp (0);
   stream << front;
   stream.seekp (0, std::ios::end);
+}
+
+bool
+hasLaszip ()
+{
+  return true;
 }
 
 #else
@@ -299,6 +248,12 @@ void
 compressLas (const std::string& file, std::ostream& stream)
 {
   decompressLaz (file, stream);
+}
+
+bool
+hasLaszip ()
+{
+  return false;
 }
 
 #endif

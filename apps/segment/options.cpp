@@ -8,7 +8,7 @@
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <io/inputs.h>
-#include <io/laz_file.h>
+#include <io/las_file.h>
 #include <io/output_file.h>
 #include <numbers/angles.h>
 

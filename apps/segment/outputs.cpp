@@ -7,7 +7,6 @@
 #include "report.h"
 #include <cli/errors.h>
 #include <io/las_file.h>
-#include <io/laz_file.h>
 #include <io/output_file.h>
 #include <numbers/angles.h>
 #include <pcl_ops/plane_edges.h>

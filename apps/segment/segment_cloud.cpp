@@ -4,7 +4,7 @@
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <io/las_file.h>
-#include <io/laz_file.h>
+#include <io/shifted_cloud.h>
 
 #include <algorithm>
 #include <iterator>

@@ -5,6 +5,7 @@
 #include "planes_json.h"
 #include "point_file.h"
 #include <io/inputs.h>
+#include <io/las_file.h>
 #include <io/output_file.h>
 
 namespace fs = std::filesystem;

@@ -8,6 +8,7 @@
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <detection/plane_list.h>
+#include <io/las_file.h>
 #include <io/output_file.h>
 #include <nlohmann/json.hpp>
 #include <pcl_ops/oriented_point_sampling.h>
@@ -45,7 +46,7 @@ isEmptyLas (const std::string& file)
   if (!isLasName (file) || !fs::is_regular_file (file, error))
     return false;
   HeaderReader reader (file, "LAS");
-  return readLasHeader (reader).points == 0;
+  return readLasHeader (reader).pointCount() == 0;
 }
 
 /** \brief By the names of the files, then those of the folders. */

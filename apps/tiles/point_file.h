@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 
 #include <io/las_file.h>
-#include <io/laz_file.h>
 #include <io/shifted_cloud.h>
 #include <picture/colors.h>
 
@@ -59,7 +58,7 @@ public:
   saveLabelled (const std::string& output, const LabelOfPlace& label)
   {
     if (las_)
-      return saveLabelledLas (output, *las_, label);
+      return saveLasWith (output, *las_, {{label_field, label}});
     std::vector<std::uint32_t> labels;
     forPlaces (
         [&] (const Eigen::Vector3d& place) { labels.push_back (label (place)); });

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <io/laz_file.h>
+#include <io/las_file.h>
 #include <segment/segment_program.h>
 
 #include <functional>

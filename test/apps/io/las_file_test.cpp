@@ -4,7 +4,6 @@
 
 #include <io/cloud_file.h>
 #include <io/las_file.h>
-#include <io/laz_file.h>
 #include <support/cloud_values.h>
 #include <support/las_bytes.h>
 
@@ -109,12 +108,12 @@ TEST_F (LasFileTest, IsLabelledWithEveryOtherByteKept)
     const std::string before = lasBytes (recipe);
     const auto points = lasNumber<std::uint32_t> (before, las_at::points_offset);
     std::string expected = before.substr (0, points);
-    setNumber (expected, las_at::points_offset, points + added);
-    setNumber (expected, las_at::vlr_count, std::uint32_t (3));
-    setNumber (expected, las_at::record_length, std::uint16_t (34 + 4));
+    put (expected, las_at::points_offset, littleEndian (points + added));
+    put (expected, las_at::vlr_count, littleEndian (std::uint32_t (3)));
+    put (expected, las_at::record_length, littleEndian (std::uint16_t (34 + 4)));
     expected += labelledRecord (recipe, 0, 70000) + labelledRecord (recipe, 1, 0);
     if (minor == 4) {
-      setNumber (expected, las_at::evlr_offset, expected.size() + added);
+      put (expected, las_at::evlr_offset, littleEndian (expected.size() + added));
       expected += recipe.evlrs[0];
     }
     std::string after = labelled (recipe, {70000, 0});
@@ -125,13 +124,12 @@ TEST_F (LasFileTest, IsLabelledWithEveryOtherByteKept)
 
 TEST_F (LasFileTest, MovesTheWaveformsBehindThePoints)
 {
-  constexpr std::size_t waveform_offset = 227;
   const LasRecipe recipe{3, 4};
   const std::uint64_t end = lasBytes (recipe).size();
-  const std::string las = changed (waveform_offset, littleEndian (end), recipe);
+  const std::string las = changed (las_at::waveform_offset, littleEndian (end), recipe);
   saveLabelledLas (folder_ / "out.las", *load (las + "waveforms").las, {1, 2});
   const std::string after = contentOf (folder_ / "out.las");
-  EXPECT_EQ (after.substr (lasNumber<std::uint64_t> (after, waveform_offset)),
+  EXPECT_EQ (after.substr (lasNumber<std::uint64_t> (after, las_at::waveform_offset)),
              "waveforms");
 }
 

@@ -5,7 +5,6 @@
 #include <cli/errors.h>
 #include <io/cloud_file.h>
 #include <io/las_file.h>
-#include <io/laz_file.h>
 #include <laszip/laszip_api.h>
 #include <support/las_bytes.h>
 #include <support/temporary_folder.h>
@@ -113,7 +112,7 @@ TEST_F (LazFileTest, HasThePointsThatLaszipCompressedOfEveryPointFormat)
     recipe.vlrs = {lasVlr ("LASF_Spec", 4, extraBytesField ("range", 3))};
     const std::string las = write (recipe);
     compressByLaszip (las, folder_ / "laszip.laz");
-    ASSERT_TRUE (isCompressedLas (folder_ / "laszip.laz"));
+    ASSERT_TRUE (LasFile (folder_ / "laszip.laz").isCompressed());
     EXPECT_TRUE (loadCloud (folder_ / "laszip.laz").points.data ==
                  loadCloud (las).points.data);
     const std::string again = decompressed (folder_ / "laszip.laz");
@@ -150,7 +149,7 @@ TEST_F (LazFileTest, IsLabelledAsTheLasIs)
   saveLabelledLas (folder_ / "a.las", *loadCloud (write (recipe)).las, {1, 2});
   saveLabelledLas (folder_ / "b.laz", *loadCloud (write (recipe)).las, {1, 2});
   saveLabelledLas (folder_ / "c.las", *loadCloud (compressed (recipe)).las, {1, 2});
-  ASSERT_TRUE (isCompressedLas (folder_ / "b.laz"));
+  ASSERT_TRUE (LasFile (folder_ / "b.laz").isCompressed());
   EXPECT_TRUE (decompressed (folder_ / "b.laz") == contentOf (folder_ / "a.las"));
   EXPECT_TRUE (contentOf (folder_ / "c.las") == contentOf (folder_ / "a.las"));
 }

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "segment_program.h"
-#include <io/laz_file.h>
+#include <io/las_file.h>
 #include <support/answers.h>
 
 #include <optional>

@@ -27,9 +27,11 @@ struct LasRecipe {
 
 /** \brief Where the fields of a header are. */
 namespace las_at {
-using namespace pcl_ops::apps::las_field;
-inline constexpr std::size_t signature = 0, major = major_version,
-                             minor = minor_version;
+inline constexpr std::size_t signature = 0, major = 24, minor = 25, header_size = 94,
+                             points_offset = 96, vlr_count = 100, format = 104,
+                             record_length = 105, legacy_points = 107, scale = 131,
+                             offset = 155, waveform_offset = 227, evlr_offset = 235,
+                             evlr_count = 243, points = 247;
 } // namespace las_at
 
 /** \brief Puts bytes in place of some. */
@@ -103,7 +105,7 @@ lasHeader (const LasRecipe& recipe, std::size_t points_offset, std::size_t point
   const auto points = static_cast<std::uint32_t> (recipe.points.size());
   std::string header (lasHeaderSize (recipe.minor_version), '\0');
   const auto set = [&] (std::size_t place, auto number) {
-    pcl_ops::apps::setNumber (header, place, number);
+    put (header, place, pcl_ops::apps::littleEndian (number));
   };
   put (header, las_at::signature, "LASF");
   put (header, 26, "a system, and the software that wrote it");

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <io/las_file.h>
-#include <io/laz_file.h>
 #include <numbers/random.h>
 #include <support/answers.h>
 #include <support/cloud_values.h>
@@ -34,7 +33,7 @@ wall ()
     double noise = -0.09;
     for (int k = 0; k < 12; ++k)
       noise += 0.015 * random.unit();
-    points.push_back ({{millimeters (x), millimeters (noise), millimeters (z)}, 0});
+    points.push_back ({{millimeters (x), millimeters (noise), millimeters (z)}});
   }
   return points;
 }
