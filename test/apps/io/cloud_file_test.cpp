@@ -10,9 +10,11 @@
 #include <io/cloud_file.h>
 #include <io/shifted_cloud.h>
 #include <support/cloud_values.h>
+#include <support/las_bytes.h>
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 using namespace pcl_ops::apps;
 
@@ -78,6 +80,25 @@ invalidPcd (const std::string& reason)
   return "is no valid PCD file: " + reason + "; write it again";
 }
 
+/** \brief A LAS with records in front of and behind its points, and with another
+ * number.
+ * \param[in] change e.g. "u16 94 374": type, place and number */
+std::string
+lasWith (const std::string& change)
+{
+  LasRecipe recipe;
+  recipe.vlrs = {lasVlr ("someone", 7, "content")};
+  recipe.evlrs = {lasVlr<std::uint64_t> ("someone", 9, "content")};
+  std::string las = lasBytes (recipe), type, number;
+  std::size_t place = 0;
+  std::istringstream (change) >> type >> place >> number;
+  const std::size_t bits = std::stoul (type.substr (1));
+  const std::string bytes = type[0] == 'f' ? littleEndian (std::stod (number))
+                                           : littleEndian (std::stoull (number));
+  put (las, place, bytes.substr (0, bits / 8));
+  return las;
+}
+
 /** \brief The file that a row of refused_files.tsv is about.
  * \param[in] made how, the first column \param[in] text the second */
 std::string
@@ -93,6 +114,8 @@ contentOfRow (const std::string& made, const std::string& text)
     return plyWith (two_vertices, text);
   if (made == "list.ply")
     return plyWith (triangle, "1 2 3\n4 5 6\n" + text + "\n");
+  if (made == "number.las")
+    return lasWith (text);
   return text;
 }
 

@@ -8,7 +8,6 @@
 #include <support/las_bytes.h>
 
 #include <cmath>
-#include <limits>
 
 using namespace pcl_ops::apps;
 
@@ -171,59 +170,6 @@ TEST_F (LasFileTest, SaysThatItHasNoRoomForLabels)
   EXPECT_EQ (load (full).las->validate ({label_field}),
              "has no room for a further extra-bytes field; give an OUTPUT.pcd");
   EXPECT_EQ (load (LasRecipe{}).las->validate ({label_field}), "");
-}
-
-TEST_F (LasFileTest, NamesWhatIsWrongWithItsHeaderAndItsRecords)
-{
-  const auto u16 = [] (std::uint16_t number) { return littleEndian (number); };
-  const auto u32 = [] (std::uint32_t number) { return littleEndian (number); };
-  const std::string infinite = littleEndian (std::numeric_limits<double>::infinity());
-  const std::string nan = littleEndian (std::numeric_limits<double>::quiet_NaN());
-  const std::string bad_scale =
-      "a scale factor of its coordinates is zero or no number";
-  const std::string bad_offset = "an offset of its coordinates is no number";
-  const std::string beyond = "a variable length record reaches beyond its place";
-  const std::string beyond_end = "its offset to extended variable length records is "
-                                 "within its points or behind its end";
-  LasRecipe recipe;
-  recipe.vlrs = {lasVlr ("someone", 7, "content")};
-  recipe.evlrs = {lasVlr<std::uint64_t> ("someone", 9, "content")};
-  const std::size_t vlr = lasHeaderSize (4);
-  const std::size_t evlr = lasBytes (recipe).size() - recipe.evlrs[0].size();
-  const struct {
-    std::size_t place;
-    std::string bytes, reason;
-  } rows[] = {
-      {las_at::signature, "FSAL", "its first bytes are not LASF"},
-      {las_at::minor, "\5", "its version 1.5 is not 1.2, 1.3 or 1.4"},
-      {las_at::major, "\2", "its version 2.4 is not 1.2, 1.3 or 1.4"},
-      {las_at::header_size,
-       u16 (374),
-       "its header size 374 is too small for its version"},
-      {las_at::points_offset,
-       u32 (100),
-       "its offset to point data 100 is within its header or behind its end"},
-      {las_at::points_offset,
-       u32 (4000000000),
-       "its offset to point data 4000000000 is within its header or behind its end"},
-      {las_at::format, "\13", "its point data record format 11 is not 0 to 10"},
-      {las_at::record_length,
-       u16 (29),
-       "its point data record length 29 is too small for the format 6"},
-      {las_at::scale + 8, littleEndian (0.0), bad_scale},
-      {las_at::scale + 8, nan, bad_scale},
-      {las_at::scale + 8, infinite, bad_scale},
-      {las_at::offset + 16, nan, bad_offset},
-      {las_at::offset + 16, infinite, bad_offset},
-      {las_at::legacy_points, u32 (1), "its numbers of points 2 and 1 (legacy) differ"},
-      {las_at::vlr_count, u32 (2), beyond},
-      {vlr + 20, u16 (8), beyond},
-      {evlr + 20, littleEndian (~std::uint64_t (0)), beyond},
-      {las_at::evlr_offset, littleEndian (std::uint64_t (400)), beyond_end},
-      {las_at::evlr_offset, littleEndian (std::uint64_t (4000000000)), beyond_end}};
-  for (const auto& row : rows)
-    EXPECT_EQ (complaintAbout (changed (row.place, row.bytes, recipe)),
-               invalid (row.reason));
 }
 
 TEST_F (LasFileTest, RefusesMorePointsThanItHolds)
