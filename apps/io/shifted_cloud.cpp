@@ -20,21 +20,6 @@ namespace {
 using boost::format;
 using Places = std::vector<Eigen::Vector3d>;
 
-/** \brief The median of each coordinate; NaN for no places. */
-Eigen::Vector3d
-medianPlace (const Places& places)
-{
-  Eigen::Vector3d median;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    std::vector<double> coordinates;
-    coordinates.reserve (places.size());
-    for (const Eigen::Vector3d& place : places)
-      coordinates.push_back (place[axis]);
-    median[axis] = quantile (std::move (coordinates), 0.5);
-  }
-  return median;
-}
-
 /** \brief Points spread over a cloud, but for those without coordinates: a share of
  * them is one of the cloud. */
 Places
@@ -68,7 +53,7 @@ std::size_t
 countFar (Places places)
 {
   constexpr double max_diagonals = 1000.0;
-  const Eigen::Vector3d middle = medianPlace (places);
+  const Eigen::Vector3d middle = quantileOfEach (places, 0.5);
   std::sort (places.begin(), places.end(), [&] (const auto& first, const auto& second) {
     return (first - middle).squaredNorm() < (second - middle).squaredNorm();
   });
@@ -167,7 +152,7 @@ usualPlace (std::size_t size, const PlaceOf& place)
   constexpr std::size_t looked_at = 1000;
   const Places places = somePlaces (size, place, looked_at);
   return places.empty() ? Eigen::Vector3d (Eigen::Vector3d::Zero())
-                        : medianPlace (places);
+                        : quantileOfEach (places, 0.5);
 }
 
 } // namespace pcl_ops::apps

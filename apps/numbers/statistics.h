@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace pcl_ops::apps {
@@ -31,6 +32,21 @@ quantile (std::vector<Number> values, double share)
       values.begin() + static_cast<std::ptrdiff_t> (std::max (rank, 1.0)) - 1;
   std::nth_element (values.begin(), place, values.end());
   return *place;
+}
+
+/** \brief That of each coordinate of points, which are vectors of Eigen. */
+template <typename Vector>
+Vector
+quantileOfEach (const std::vector<Vector>& points, double share)
+{
+  Vector place;
+  for (int axis = 0; axis < place.size(); ++axis) {
+    std::vector<typename Vector::Scalar> coordinates;
+    for (const Vector& point : points)
+      coordinates.push_back (point[axis]);
+    place[axis] = quantile (std::move (coordinates), share);
+  }
+  return place;
 }
 
 } // namespace pcl_ops::apps

@@ -43,19 +43,11 @@ somePointsOn (const std::vector<PlaneSegment>& planes, const XyzCloud& cloud)
   return points;
 }
 
-template <int size>
-Eigen::AlignedBox<float, size>
-boxOf (const std::vector<Eigen::Matrix<float, size, 1>>& points)
+template <typename Vector>
+Eigen::AlignedBox<float, Vector::SizeAtCompileTime>
+boxOf (const std::vector<Vector>& points)
 {
-  Eigen::AlignedBox<float, size> box;
-  for (int axis = 0; axis < size; ++axis) {
-    std::vector<float> coordinates;
-    for (const auto& point : points)
-      coordinates.push_back (point[axis]);
-    box.min()[axis] = quantile (coordinates, outliers);
-    box.max()[axis] = quantile (coordinates, 1.0 - outliers);
-  }
-  return box;
+  return {quantileOfEach (points, outliers), quantileOfEach (points, 1.0 - outliers)};
 }
 
 /** \brief Rows right, down, forward from a direction and roughly what is down. */
