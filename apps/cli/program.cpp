@@ -48,12 +48,7 @@ noteSignal (int signal)
   }
 }
 
-std::string&
-runningProgram ()
-{
-  static std::string name;
-  return name;
-}
+std::string running_program;
 
 int
 fail (const std::string& message, ExitCode code)
@@ -69,7 +64,7 @@ std::string
 errorLine (std::string message)
 {
   std::replace (message.begin(), message.end(), '\n', ' ');
-  return runningProgram() + ": " + message;
+  return running_program + ": " + message;
 }
 
 void
@@ -81,7 +76,7 @@ warn (const std::string& message)
 int
 runProgram (const std::string& name, const std::function<int()>& body)
 {
-  runningProgram() = name;
+  running_program = name;
   std::signal (SIGXFSZ, SIG_IGN);
   pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);
   try {

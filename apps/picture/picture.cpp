@@ -28,27 +28,6 @@ struct Dot {
   float column, row, depth;
 };
 
-std::vector<Dot>
-projectPoints (const XyzCloud& cloud,
-               const View& view,
-               int width,
-               int height,
-               const std::function<bool (pcl::index_t)>& is_shown)
-{
-  const Eigen::Array2f size = Eigen::Array2i (width, height).cast<float>();
-  std::vector<Dot> dots;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const auto index = static_cast<pcl::index_t> (i);
-    if (!pcl::isXYZFinite (cloud[i]) || !is_shown (index))
-      continue;
-    const Eigen::Vector3f pixel = view.project (cloud[i].getVector3fMap());
-    if (pixel.z() > 0.0f && (pixel.head<2>().array() >= 0.0f).all() &&
-        (pixel.head<2>().array() < size).all())
-      dots.push_back ({index, pixel.x(), pixel.y(), pixel.z()});
-  }
-  return dots;
-}
-
 /** \brief [pixel] of squares of which so many cover a part of the image twice. */
 float
 halfSideOf (float dots_in_part)
@@ -194,7 +173,17 @@ drawPoints (const XyzCloud& cloud,
   Raster raster{width, height, {}, {}};
   raster.points.assign (raster.at (0, height), Raster::nothing);
   raster.depths.assign (raster.at (0, height), far);
-  const std::vector<Dot> dots = projectPoints (cloud, view, width, height, is_shown);
+  const Eigen::Array2f size = Eigen::Array2i (width, height).cast<float>();
+  std::vector<Dot> dots;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const auto index = static_cast<pcl::index_t> (i);
+    if (!pcl::isXYZFinite (cloud[i]) || !is_shown (index))
+      continue;
+    const Eigen::Vector3f pixel = view.project (cloud[i].getVector3fMap());
+    if (pixel.z() > 0.0f && (pixel.head<2>().array() >= 0.0f).all() &&
+        (pixel.head<2>().array() < size).all())
+      dots.push_back ({index, pixel.x(), pixel.y(), pixel.z()});
+  }
   const std::vector<float> half_sides = halfSidesOf (dots, width, height);
   for (std::size_t i = 0; i < dots.size(); ++i)
     drawDot (dots[i], half_sides[i], raster);
