@@ -7,12 +7,16 @@
 
 #include <boost/algorithm/string/replace.hpp>
 
+#include <cli/errors.h>
 #include <io/cloud_file.h>
 #include <io/shifted_cloud.h>
 #include <support/cloud_values.h>
 #include <support/las_bytes.h>
+#include <unistd.h>
 
+#include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <sstream>
 
@@ -99,13 +103,19 @@ lasWith (const std::string& change)
   return las;
 }
 
-/** \brief The file that a row of refused_files.tsv is about.
+/** \brief The file that a row of read_files.tsv or refused_files.tsv is about.
  * \param[in] made how, the first column \param[in] text the second */
 std::string
-contentOfRow (const std::string& made, const std::string& text)
+contentOfRow (const std::string& made, std::string text)
 {
+  const std::pair<const char*, const char*> escapes[] = {
+      {"\\n", "\n"}, {"\\t", "\t"}, {"\\r", "\r"}, {"\\v", "\v"}};
+  for (const auto& [written, meant] : escapes)
+    boost::replace_all (text, written, meant);
   if (made == "header.pcd")
     return pcdWith (text);
+  if (made == "body.pcd")
+    return pcd_header + text;
   if (made == "line.pcd")
     return pcd_header + "1.00 2.00 3.00\n" + text + "\n";
   if (made == "elements.ply")
@@ -114,12 +124,31 @@ contentOfRow (const std::string& made, const std::string& text)
     return plyWith (two_vertices, text);
   if (made == "list.ply")
     return plyWith (triangle, "1 2 3\n4 5 6\n" + text + "\n");
-  if (made == "number.las")
-    return lasWith (text);
-  return text;
+  return made == "number.las" ? lasWith (text) : text;
+}
+
+/** \brief Every field and its numbers, and the height of an organized cloud. */
+std::string
+textOf (const FileCloud& cloud)
+{
+  std::string text;
+  for (const pcl::PCLPointField& field : cloud.points.fields) {
+    text += (text.empty() ? "" : "; ") + field.name;
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      char number[32];
+      const double value =
+          numberType (field.datatype)
+              .read (&cloud.points.data[i * cloud.points.point_step + field.offset]);
+      text.append (" ").append (
+          number, std::to_chars (number, number + sizeof (number), value).ptr);
+    }
+  }
+  const std::uint32_t height = cloud.points.height;
+  return text + (height > 1 ? "; height " + std::to_string (height) : "");
 }
 
 using CloudFile = CloudFolder;
+using TextFile = CloudFolder;
 
 } // namespace
 
@@ -209,51 +238,14 @@ TEST_F (CloudFile, HasNoPoseWhereItsViewpointIsNotFinite)
   EXPECT_EQ (cloud.orientation.w(), 1.0f);
 }
 
-TEST_F (CloudFile, ReadsColorsAndNormalsOfAPly)
+TEST_F (CloudFile, HasWhatTheTableSays)
 {
-  const FileCloud cloud = load (
-      "colors.ply",
-      plyWith ("element vertex 1\nproperty uchar blue\nproperty uchar alpha\n"
-               "property float x\nproperty float y\nproperty float z\n"
-               "property uchar red\nproperty float nx\nproperty uchar intensity\n",
-               "1 2 3 4 5 6 0.5 200\n"));
-  pcl::PointCloud<pcl::PointXYZRGBA> colored;
-  pcl::PointCloud<pcl::PointXYZI> others;
-  pcl::fromPCLPointCloud2 (cloud.points, colored);
-  pcl::fromPCLPointCloud2 (cloud.points, others);
-  EXPECT_EQ (colored[0].rgba, 0x02060001u);
-  EXPECT_EQ (others[0].intensity, 200.0f);
-  EXPECT_TRUE (hasField (cloud, "normal_x"));
-}
-
-TEST_F (CloudFile, IsOrganizedAsAPlySays)
-{
-  const std::string camera = two_vertices + "element camera 1\nproperty int viewportx\n"
-                                            "property int viewporty\n";
-  const std::string rows = "obj_info num_cols 1\nobj_info num_rows 2\n" + two_vertices;
-  const std::string body = "1 2 3\n4 5 6\n";
-  EXPECT_EQ (load ("camera.ply", plyWith (camera, body + "1 2\n")).points.height, 2u);
-  EXPECT_EQ (load ("wrong.ply", plyWith (camera, body + "3 2\n")).points.height, 1u);
-  EXPECT_EQ (load ("rows.ply", plyWith (rows, body)).points.height, 2u);
-}
-
-TEST_F (CloudFile, ReadsEverySpellingOfNumbersAndLineEnds)
-{
-  const ShiftedCloud shifted = shiftedCloudOf (
-      load ("fine.pcd", pcd_header + "\n +1.  .5\t-1e2 \r\n\nNaN -inf INFINITY\n\r\n"));
-  EXPECT_EQ ((*shifted.cloud)[0].getVector3fMap(), Eigen::Vector3f (1, 0.5f, -100));
-  EXPECT_TRUE (std::isnan ((*shifted.cloud)[1].x));
-  EXPECT_TRUE (std::isinf ((*shifted.cloud)[1].z));
-}
-
-TEST_F (CloudFile, ReadsWhatPclsReadersStumbleOver)
-{
-  for (const std::string blank : {" ", "\t", "\r", "\v", ""})
-    EXPECT_EQ (complaintAbout ("blank.pcd", pcdWith ("VERSION 0.7\n" + blank)), "");
-  const std::string info = " obj_info num_cols\v2\n\tobj_info num_rows 1\r\n";
-  EXPECT_EQ (
-      complaintAbout ("info.ply", plyWith (info + two_vertices, "1 2 3\r\n4 5 6\r\n")),
-      "");
+  const auto rows = tableIn (PCL_OPS_READ_FILES);
+  ASSERT_GT (rows.size(), 30u);
+  for (const auto& row : rows) {
+    SCOPED_TRACE (row.at (0) + " " + row.at (1));
+    EXPECT_EQ (textOf (load (row[0], contentOfRow (row[0], row[1]))), row.at (2));
+  }
 }
 
 TEST_F (CloudFile, IsRefusedForWhatTheTableSays)
@@ -261,13 +253,8 @@ TEST_F (CloudFile, IsRefusedForWhatTheTableSays)
   const auto rows = tableIn (PCL_OPS_REFUSED_FILES);
   ASSERT_GT (rows.size(), 60u);
   for (const auto& row : rows) {
-    const std::string &made = row.at (0), &complaint = row.at (2);
-    std::string text = row.at (1);
-    SCOPED_TRACE (made + " " + text);
-    for (const auto& [written, meant] :
-         {std::pair ("\\n", "\n"), std::pair ("\\t", "\t"), std::pair ("\\r", "\r")})
-      boost::replace_all (text, written, meant);
-    EXPECT_EQ (complaintAbout (made, contentOfRow (made, text)), complaint);
+    SCOPED_TRACE (row.at (0) + " " + row.at (1));
+    EXPECT_EQ (complaintAbout (row[0], contentOfRow (row[0], row[1])), row.at (2));
   }
 }
 
@@ -335,4 +322,41 @@ TEST_F (CloudFile, RefusesCompressedDataThatAreCutOrCannotHoldWhatIsPromised)
   bomb += std::string (reinterpret_cast<const char*> (sizes), sizeof (sizes)) +
           std::string (50, '\0');
   EXPECT_EQ (complaintAbout ("bomb.pcd", bomb), truncated);
+}
+
+TEST_F (TextFile, IsReadByEachOfItsExtensionsAndInFoldersByThoseOfClouds)
+{
+  for (const char* name : {"a.xyz", "a.txt", "a.pts", "a.csv", "a.XYZ"})
+    EXPECT_EQ (load (name, "1 2 3\n").size(), 1u) << name;
+  for (const char* name : {"a.xyz", "a.pts"})
+    EXPECT_TRUE (isCloudFile (name)) << name;
+  for (const char* name : {"README.txt", "planes.csv"})
+    EXPECT_FALSE (isCloudFile (name)) << name;
+}
+
+TEST_F (TextFile, IsRefusedAsWhatItIsNot)
+{
+  EXPECT_TRUE (contains (complaintAbout ("in.xyz", "\xff\xfe\x31"), "UTF-16"));
+  std::filesystem::create_directory (folder_ / "folder.csv");
+  EXPECT_THROW (loadCloud (folder_ / "folder.csv"), WorkError);
+  const std::string wide = "1" + std::string (2000, ',') + "\n";
+  EXPECT_TRUE (contains (complaintAbout ("in.xyz", wide), "more than 1000 numbers"));
+}
+
+TEST_F (TextFile, ThatCannotBeReadSaysSo)
+{
+  if (::geteuid() == 0)
+    GTEST_SKIP() << "root may read everything";
+  const std::string file = folder_.write ("in.xyz", "1 2 3\n");
+  std::filesystem::permissions (file, std::filesystem::perms::none);
+  EXPECT_THROW (loadCloud (file), WorkError);
+}
+
+TEST_F (TextFile, TakesNoMoreMemoryThanItHasPointsFor)
+{
+  // A million empty lines are no million points.
+  std::string text = "1 2 3\n" + std::string (1000000, '\n');
+  EXPECT_LT (load ("in.xyz", text).points.data.capacity(), 10u * text.size());
+  text = "1 2 3\n4 5 6\n" + std::string (1000000, '#');
+  EXPECT_LT (load ("in.xyz", text).points.data.capacity(), 10u * text.size());
 }
