@@ -147,7 +147,16 @@ fieldNames (const std::string& file, const Words& names, std::size_t count)
 class TextReader {
 public:
   explicit TextReader (const std::string& file) : file_ (file), reader_ (file, "text")
-  {}
+  {
+    // The mark of UTF-8 is left out.
+    std::string mark (std::min<std::uint64_t> (3, reader_.fileSize()), '\0');
+    reader_.read (mark.data(), mark.size());
+    const std::string start = mark.substr (0, 2);
+    if (start == "\xff\xfe" || start == "\xfe\xff")
+      reader_.fail ("it is UTF-16, not UTF-8");
+    if (mark != "\xef\xbb\xbf")
+      reader_.goTo (0);
+  }
 
   pcl::PCLPointCloud2
   read ()
@@ -198,30 +207,24 @@ private:
         continue;
       if (line_[begin] != '#' && line_.compare (begin, 2, "//") != 0)
         return true;
-      if (!has_points_)
-        readComment (line_.substr (begin));
+      if (has_points_)
+        continue;
+      const std::size_t text = line_.find_first_not_of ("#/ \t");
+      const Words words = wordsOf (line_.substr (std::min (text, line_.size())));
+      // A comment has names of columns where x, y and z are among them.
+      const auto has_name = [&] (const Axis& axis) {
+        return findAxis (words, axis) != words.end();
+      };
+      if (std::all_of (axes.begin(), axes.end(), has_name))
+        comment_names_ = words;
     }
     return false;
-  }
-
-  /** \brief A comment has names of columns where x, y and z are among them. */
-  void
-  readComment (const std::string& comment)
-  {
-    const std::size_t begin = comment.find_first_not_of ("#/ \t");
-    const Words words = wordsOf (comment.substr (std::min (begin, comment.size())));
-    const auto has_name = [&] (const Axis& axis) {
-      return findAxis (words, axis) != words.end();
-    };
-    if (std::all_of (axes.begin(), axes.end(), has_name))
-      comment_names_ = words;
   }
 
   /** \brief Reads up to the first point, that too. */
   void
   readHead ()
   {
-    checkEncoding();
     while (nextLine()) {
       const Words words = wordsOf (line_);
       const bool is_number_of_points = words.size() == 1 && !promised_;
@@ -241,19 +244,6 @@ private:
       return checkColumns();
     }
     reader_.failEmpty();
-  }
-
-  /** \brief Leaves out the mark of UTF-8. */
-  void
-  checkEncoding ()
-  {
-    std::string mark (std::min<std::uint64_t> (3, reader_.fileSize()), '\0');
-    reader_.read (mark.data(), mark.size());
-    const std::string start = mark.substr (0, 2);
-    if (start == "\xff\xfe" || start == "\xfe\xff")
-      reader_.fail ("it is UTF-16, not UTF-8");
-    if (mark != "\xef\xbb\xbf")
-      reader_.goTo (0);
   }
 
   void
