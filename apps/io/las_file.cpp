@@ -107,8 +107,8 @@ frontWith (const std::vector<LasField>& fields, LasFile& las)
     ++copy.vlr_count;
     front.insert (las.vlrs_end, extraBytesVlr (description));
   }
-  las.putHeader (
-      copy, header.pointsEnd(), static_cast<std::int64_t> (length * las.size()), front);
+  const std::uint64_t end = front.size() + las.size() * copy.record_length;
+  las.putHeader (copy, header.pointsEnd(), end, front);
   return front;
 }
 

@@ -72,12 +72,11 @@ struct LasFile {
   bytes (std::uint64_t begin, std::uint64_t end);
 
   /** \brief Lets the front of a copy say where its points and all behind them are.
-   * \param[in] points_end in the file
-   * \param[in] points_growth how many bytes more they have in the copy */
+   * \param[in] points_end, copy_points_end where they end in the file and in the copy */
   void
   putHeader (LasHeader copy,
              std::uint64_t points_end,
-             std::int64_t points_growth,
+             std::uint64_t copy_points_end,
              std::string& front) const;
 
   void

@@ -276,15 +276,14 @@ LasFile::bytes (std::uint64_t begin, std::uint64_t end)
 void
 LasFile::putHeader (LasHeader copy,
                     std::uint64_t points_end,
-                    std::int64_t points_growth,
+                    std::uint64_t copy_points_end,
                     std::string& front) const
 {
   copy.points_offset = static_cast<std::uint32_t> (front.size());
   for (LasHeader::LongLong* offset : {&copy.waveform_offset, &copy.evlr_offset})
     // Unsigned sums wrap to what is meant where a copy is shorter.
     if (*offset >= points_end && *offset <= reader.fileSize())
-      *offset += front.size() - header.points_offset +
-                 static_cast<std::uint64_t> (points_growth);
+      *offset += copy_points_end - points_end;
   const std::size_t length = headerLength (copy);
   front.replace (0, length, reinterpret_cast<const char*> (&copy), length);
 }

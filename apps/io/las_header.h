@@ -6,11 +6,10 @@
 
 #include "header_reader.h"
 
+#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace pcl_ops::apps {
 

@@ -201,8 +201,8 @@ decompressLaz (const std::string& file, std::ostream& stream)
   for (const std::uint64_t next : {header.waveform_offset, header.evlr_offset})
     if (next > header.points_offset)
       end = std::min (end, next);
-  las.putHeader (
-      plain, end, static_cast<std::int64_t> (header.pointsEnd() - end), front);
+  const std::uint64_t plain_size = las.size() * header.record_length;
+  las.putHeader (plain, end, front.size() + plain_size, front);
   stream << front;
   convertPoints (las, false, stream);
   las.copyRest (end, stream);
@@ -219,12 +219,10 @@ compressLas (const std::string& file, std::ostream& stream)
   front.insert (las.vlrs_end, laszipVlr (las));
   stream << front;
   convertPoints (las, true, stream);
-  const auto end = static_cast<std::int64_t> (std::streamoff (stream.tellp()));
+  // Only now it is known.
+  const auto end = static_cast<std::uint64_t> (std::streamoff (stream.tellp()));
   las.copyRest (header.pointsEnd(), stream);
-  // How much shorter the points are is known only now.
-  const auto size = static_cast<std::int64_t> (front.size());
-  const auto plain = static_cast<std::int64_t> (las.size() * header.record_length);
-  las.putHeader (header, header.pointsEnd(), end - size - plain, front);
+  las.putHeader (header, header.pointsEnd(), end, front);
   stream.seekp (0);
   stream << front;
   stream.seekp (0, std::ios::end);
