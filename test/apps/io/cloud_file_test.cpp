@@ -84,22 +84,22 @@ invalidPcd (const std::string& reason)
   return "is no valid PCD file: " + reason + "; write it again";
 }
 
-/** \brief A LAS with records in front of and behind its points, and with another
- * number.
- * \param[in] change e.g. "u16 94 374": type, place and number */
+/** \brief A LAS with records in front of and behind its points, and with other numbers.
+ * \param[in] changes e.g. "u16 94 374": type, place and number of each */
 std::string
-lasWith (const std::string& change)
+lasWith (const std::string& changes)
 {
   LasRecipe recipe;
   recipe.vlrs = {lasVlr ("someone", 7, "content")};
   recipe.evlrs = {lasVlr<std::uint64_t> ("someone", 9, "content")};
   std::string las = lasBytes (recipe), type, number;
-  std::size_t place = 0;
-  std::istringstream (change) >> type >> place >> number;
-  const std::size_t bits = std::stoul (type.substr (1));
-  const std::string bytes = type[0] == 'f' ? littleEndian (std::stod (number))
-                                           : littleEndian (std::stoull (number));
-  put (las, place, bytes.substr (0, bits / 8));
+  std::istringstream words (changes);
+  for (std::size_t place; words >> type >> place >> number;) {
+    const std::size_t bits = std::stoul (type.substr (1));
+    const std::string bytes = type[0] == 'f' ? littleEndian (std::stod (number))
+                                             : littleEndian (std::stoull (number));
+    put (las, place, bytes.substr (0, bits / 8));
+  }
   return las;
 }
 

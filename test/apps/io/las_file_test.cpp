@@ -172,24 +172,6 @@ TEST_F (LasFileTest, SaysThatItHasNoRoomForLabels)
   EXPECT_EQ (load (LasRecipe{}).las->validate ({label_field}), "");
 }
 
-TEST_F (LasFileTest, RefusesMorePointsThanItHolds)
-{
-  const std::string truncated =
-      "is truncated: its header promises more points than follow; copy or write it "
-      "again";
-  const std::pair<std::uint64_t, std::string> rows[] = {
-      {3, truncated},
-      {std::uint64_t (1e18), truncated},
-      {~std::uint64_t (0), truncated},
-      {0, "has no points; give a cloud that has"}};
-  for (const auto& [count, complaint] : rows)
-    EXPECT_EQ (complaintAbout (changed (las_at::points, littleEndian (count))),
-               complaint);
-  EXPECT_EQ (complaintAbout (changed (
-                 las_at::legacy_points, littleEndian (std::uint32_t{3}), {2, 0})),
-             truncated);
-}
-
 TEST_F (LasFileTest, IsRefusedWhereverItIsCut)
 {
   LasRecipe recipe;
