@@ -8,7 +8,6 @@
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/plane.h>
 
-#include <numeric>
 #include <vector>
 
 namespace pcl_ops {
@@ -28,9 +27,8 @@ detectPlanes (const CloudView& cloud,
               const Parameters& parameters,
               const Eigen::Vector3d& viewpoint = Eigen::Vector3d::Zero())
 {
-  pcl::Indices all (cloud.size);
-  std::iota (all.begin(), all.end(), 0);
-  return detail::detectChecked ({cloud, all, viewpoint, nullptr}, parameters).planes;
+  return detail::detectChecked ({cloud, nullptr, viewpoint, nullptr}, parameters)
+      .planes;
 }
 
 } // namespace pcl_ops

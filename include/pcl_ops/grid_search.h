@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -48,14 +47,7 @@ public:
   setInputCloud (const PointCloudConstPtr& cloud,
                  const IndicesConstPtr& indices = IndicesConstPtr()) override
   {
-    pcl::Indices used;
-    if (indices)
-      used = *indices;
-    else if (cloud) {
-      used.resize (cloud->size());
-      std::iota (used.begin(), used.end(), 0);
-    }
-    tree_ = cloud ? detail::buildBoxTree (CloudView (*cloud), used) : nullptr;
+    tree_ = cloud ? detail::buildBoxTree (CloudView (*cloud), indices.get()) : nullptr;
     return Base::setInputCloud (cloud, indices);
   }
 

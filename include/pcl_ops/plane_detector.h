@@ -35,11 +35,12 @@ toModels (std::vector<PlaneSegment>& planes,
 PCL_OPS_EXPORT bool
 runAndReport (const std::string& class_name, const std::function<void()>& detect);
 
-/** \brief What a detector works on, from what PCL hands in; no search, none used. */
+/** \brief What a detector works on, from what PCL hands in: no indices, all points; no
+ * search, none used. */
 template <typename PointT>
 DetectorInput
 detectorInput (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
-               const pcl::Indices& indices,
+               const pcl::Indices* indices,
                const typename pcl::search::Search<PointT>::Ptr& search,
                unsigned threads);
 
@@ -86,12 +87,14 @@ public:
   {
     last_ = detail::Detection();
     const bool success = detail::runAndReport (className(), [this] {
-      detail::throwOn (this->initCompute() ? "" : "no input cloud; call setInputCloud");
+      detail::throwOn (this->input_ ? "" : "no input cloud; call setInputCloud");
+      // Not initCompute, which would list all points.
+      const pcl::Indices* const indices =
+          this->fake_indices_ ? nullptr : this->indices_.get();
       last_ = detail::detectChecked (
           detail::detectorInput<PointT> (
-              this->input_, *this->indices_, search_, parameters_.threads),
+              this->input_, indices, search_, parameters_.threads),
           parameters_);
-      this->deinitCompute();
     });
     planes = std::move (last_.planes);
     last_.planes.clear();

@@ -31,9 +31,11 @@ validate (const DetectorInput& input)
 {
   if (input.cloud.size == 0)
     return "the input cloud is empty";
-  if (input.indices.empty())
+  if (!input.indices)
+    return {};
+  if (input.indices->empty())
     return "the indices are empty; leave them out to use the whole cloud";
-  if (largestOf (input.indices) >= input.cloud.size)
+  if (largestOf (*input.indices) >= input.cloud.size)
     return "an index lies outside the input cloud";
   return {};
 }

@@ -58,7 +58,7 @@ detectInFinitePoints (const DetectorInput& input,
   const StageClock clock;
   // P: drop NaN and Inf once; nothing later checks again
   const Points points =
-      finitePoints (input.cloud, input.indices, parameters.threads, step);
+      finitePoints (input.cloud, parameters.threads, input.indices, step);
   const LabelledPlanes planes =
       points.size() > 0 ? detect (points, found.durations) : LabelledPlanes();
   found.planes = toSegments (points, planes, input.viewpoint);

@@ -12,25 +12,42 @@
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 namespace pcl_ops::internal {
 namespace {
 
-// Whether indices follow each other without a gap.
-bool
-areConsecutive (const pcl::index_t* indices, std::size_t number)
-{
-  pcl::index_t different = 0;
-  for (std::size_t i = 0; i < number; ++i)
-    different |= (indices[i] - indices[0]) ^ static_cast<pcl::index_t> (i);
-  return different == 0;
-}
+/** \brief Points of a cloud: those of the indices, or all. */
+struct Chosen {
+  const CloudView& cloud;
+  const pcl::Indices* indices;
+
+  std::size_t
+  size () const
+  {
+    return indices ? indices->size() : cloud.size;
+  }
+
+  const float*
+  operator[] (std::size_t i) const
+  {
+    return cloud[indices ? static_cast<std::size_t> ((*indices)[i]) : i];
+  }
+};
 
 bool
-areAscending (const pcl::index_t* indices, std::size_t number)
+areAscending (const pcl::Indices& indices)
 {
-  return std::adjacent_find (indices, indices + number, std::greater_equal<>()) ==
-         indices + number;
+  return std::adjacent_find (indices.begin(), indices.end(), std::greater_equal<>()) ==
+         indices.end();
+}
+
+pcl::Indices
+allOf (const CloudView& cloud)
+{
+  pcl::Indices all (cloud.size);
+  std::iota (all.begin(), all.end(), 0);
+  return all;
 }
 
 bool
@@ -51,12 +68,6 @@ areFinite (const Coordinates& points, std::size_t begin, std::size_t end)
   for (std::size_t i = begin; i < end; ++i)
     all &= isFinite (points.x[i], points.y[i], points.z[i]) ? 1 : 0;
   return all != 0;
-}
-
-const float*
-positionOf (const CloudView& cloud, pcl::index_t index)
-{
-  return cloud[static_cast<std::size_t> (index)];
 }
 
 // Near the median, at a multiple of many times the deviation from it: nearly always the
@@ -83,14 +94,14 @@ roundedMedian (std::array<std::vector<float>, 3>& values)
 // Near the median of some of the points: near most of them, wherever a few stray to,
 // and whatever their order; zero for no points.
 Eigen::Vector3d
-localOrigin (const CloudView& cloud, const pcl::Indices& indices)
+localOrigin (const Chosen& chosen)
 {
   constexpr std::size_t looked_at = 100;
-  const std::size_t stride = indices.size() / looked_at + 1;
+  const std::size_t stride = chosen.size() / looked_at + 1;
   std::array<std::vector<float>, 3> values;
-  for (std::size_t begin = 0; begin < indices.size(); begin += stride)
-    for (std::size_t i = begin; i < std::min (begin + stride, indices.size()); ++i) {
-      const float* const position = positionOf (cloud, indices[i]);
+  for (std::size_t begin = 0; begin < chosen.size(); begin += stride)
+    for (std::size_t i = begin; i < std::min (begin + stride, chosen.size()); ++i) {
+      const float* const position = chosen[i];
       if (!isFinite (position[0], position[1], position[2]))
         continue;
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -100,21 +111,18 @@ localOrigin (const CloudView& cloud, const pcl::Indices& indices)
   return roundedMedian (values);
 }
 
-// Copies points in the order of the indices, in the frame of their origin; returns
-// whether all are finite.
+// Copies points in their order, in the frame of their origin; returns whether all are
+// finite.
 bool
-copyPoints (const CloudView& cloud,
-            const pcl::Indices& indices,
-            unsigned threads,
-            Points& points)
+copyPoints (const Chosen& chosen, unsigned threads, Points& points)
 {
   constexpr std::size_t points_per_piece = 8192;
   const Eigen::Vector3f origin = points.origin.cast<float>();
-  points.resize (indices.size());
+  points.resize (chosen.size());
   std::atomic<bool> all_finite (true);
   const auto copy = [&] (std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const float* const position = positionOf (cloud, indices[i]);
+      const float* const position = chosen[i];
       points.x[i] = position[0] - origin.x();
       points.y[i] = position[1] - origin.y();
       points.z[i] = position[2] - origin.z();
@@ -122,7 +130,7 @@ copyPoints (const CloudView& cloud,
     if (!areFinite (points, begin, end))
       all_finite = false;
   };
-  parallelFor (threads, indices.size(), points_per_piece, copy);
+  parallelFor (threads, chosen.size(), points_per_piece, copy);
   return all_finite;
 }
 
@@ -220,29 +228,29 @@ medianOf (std::vector<float>& values)
 
 Points
 finitePoints (const CloudView& cloud,
-              const pcl::Indices& indices,
               unsigned threads,
+              const pcl::Indices* indices,
               double step)
 {
-  const bool are_consecutive = areConsecutive (indices.data(), indices.size());
-  if (!are_consecutive && !areAscending (indices.data(), indices.size())) {
-    pcl::Indices sorted = indices;
+  if (indices && !areAscending (*indices)) {
+    pcl::Indices sorted = *indices;
     std::sort (sorted.begin(), sorted.end());
     sorted.erase (std::unique (sorted.begin(), sorted.end()), sorted.end());
-    return finitePoints (cloud, sorted, threads, step);
+    return finitePoints (cloud, threads, &sorted, step);
   }
+  const Chosen chosen{cloud, indices};
   Points points;
-  points.origin = localOrigin (cloud, indices);
+  points.origin = localOrigin (chosen);
   // Points are moved in single precision: by as much as it can tell.
   if (step > 0.0)
     points.origin = ((points.origin / step).array().round() * step)
                         .matrix()
                         .cast<float>()
                         .cast<double>();
-  const bool are_finite = copyPoints (cloud, indices, threads, points);
-  const bool are_all = are_consecutive && indices.size() == cloud.size;
-  if (!(are_finite && are_all))
-    points.index = indices;
+  const bool are_finite = copyPoints (chosen, threads, points);
+  if (are_finite && chosen.size() == cloud.size)
+    return points;
+  points.index = indices ? *indices : allOf (cloud);
   if (!are_finite)
     keepFinite (points);
   return points;

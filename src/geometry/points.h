@@ -83,14 +83,15 @@ medianOf (std::vector<float>& values);
 
 /** \brief Drops points with a NaN or infinite coordinate, once and for all stages.
  * is_dense is not believed: clouds that wrongly claim it exist.
- * \param[in] indices of the cloud's points to use, in any order, given twice or not
+ * \param[in] indices of the cloud's points to use, in any order, given twice or not;
+ * null: all
  * \param[in] step the origin is a whole multiple of it along each axis; 0: of whatever
  * suits the points
  * \return the finite ones, each once; their origin is near most of them */
 Points
 finitePoints (const CloudView& cloud,
-              const pcl::Indices& indices,
               unsigned threads,
+              const pcl::Indices* indices = nullptr,
               double step = 0.0);
 
 } // namespace pcl_ops::internal

@@ -238,10 +238,10 @@ BoxTree::find (const NeighborQuery& query,
 namespace pcl_ops::detail {
 
 std::shared_ptr<const internal::BoxTree>
-buildBoxTree (const CloudView& cloud, const pcl::Indices& indices)
+buildBoxTree (const CloudView& cloud, const pcl::Indices* indices)
 {
   constexpr unsigned one_thread = 1;
-  const internal::Points points = internal::finitePoints (cloud, indices, one_thread);
+  const internal::Points points = internal::finitePoints (cloud, one_thread, indices);
   return std::make_shared<const internal::BoxTree> (points, cloud);
 }
 

@@ -37,9 +37,8 @@ TEST (DetectInFinitePoints, RunsNoStageWithoutAFinitePoint)
 {
   pcl::PointCloud<pcl::PointXYZ> cloud;
   cloud.push_back ({std::numeric_limits<float>::quiet_NaN(), 0, 0});
-  const pcl::Indices all{0};
   const DetectorInput input{
-      pcl_ops::CloudView (cloud), all, Eigen::Vector3d::Zero(), nullptr};
+      pcl_ops::CloudView (cloud), nullptr, Eigen::Vector3d::Zero(), nullptr};
   const auto detect = [] (const Points&, auto&) {
     ADD_FAILURE() << "called";
     return LabelledPlanes();

@@ -87,7 +87,7 @@ const pcl::Indices some{0, 2, 4, 6, 7, 8};
 DetectorInput
 without (const CloudView& cloud = {})
 {
-  return {cloud, some, Eigen::Vector3d::Zero(), nullptr};
+  return {cloud, &some, Eigen::Vector3d::Zero(), nullptr};
 }
 
 /** The sphere around every point holds once what looking at all points finds, but for
@@ -274,7 +274,7 @@ TEST (Spheres, AreThoseOfTheUsersSearchWhereThereIsOne)
     };
     return search;
   };
-  const Points points = finitePoints (input.cloud, some, 1);
+  const Points points = finitePoints (input.cloud, 1, &some);
   Indices sphere;
   spheresAround (input, points, 1.5, 1).find (4, sphere);
   EXPECT_EQ (sphere, (Indices{2, 4})) << "positions of 4 and 7 among them";

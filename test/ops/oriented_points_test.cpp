@@ -31,7 +31,7 @@ orient (const Cloud::ConstPtr& cloud,
         tree.nearestKSearch ((*cloud)[point], number, neighbors, distances);
       };
   const pcl_ops::CloudView view (*cloud);
-  const Points points = finitePoints (view, upTo<pcl::Indices> (cloud->size()), 1);
+  const Points points = finitePoints (view, 1);
   return orientSamples (view, points, sample, search, k, sigma);
 }
 
@@ -81,12 +81,11 @@ struct Line {
       cloud.push_back ({static_cast<float> (i), 0, 0});
     cloud[2].x = std::numeric_limits<float>::quiet_NaN();
     input.cloud = pcl_ops::CloudView (cloud);
-    points = finitePoints (input.cloud, all, 1);
+    points = finitePoints (input.cloud, 1);
   }
 
   pcl::PointCloud<pcl::PointXYZ> cloud;
-  pcl::Indices all{0, 1, 2, 3, 4};
-  pcl_ops::detail::DetectorInput input{{}, all, Eigen::Vector3d::Zero(), nullptr};
+  pcl_ops::detail::DetectorInput input{{}, nullptr, Eigen::Vector3d::Zero(), nullptr};
   Points points;
 };
 

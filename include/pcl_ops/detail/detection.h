@@ -30,8 +30,9 @@ struct NeighborSearch {
 /** \brief What a detector works on. */
 struct DetectorInput {
   CloudView cloud;
-  /** \brief The points to use, within the cloud, in any order, given twice or not. */
-  const pcl::Indices& indices;
+  /** \brief The points to use, within the cloud, in any order, given twice or not;
+   * null: all. */
+  const pcl::Indices* indices;
   /** \brief Where the sensor was, in the frame of the cloud. */
   Eigen::Vector3d viewpoint;
   /** \brief Builds the user's search over the finite ones of the points, no indices

@@ -32,9 +32,9 @@ struct NeighborQuery {
 };
 
 /** \brief GridSearch for a cloud of any point type, which is not needed afterwards:
- * builds a tree of boxes over the finite ones of some points. */
+ * builds a tree of boxes over the finite ones of some points, or of all. */
 PCL_OPS_EXPORT std::shared_ptr<const internal::BoxTree>
-buildBoxTree (const CloudView& cloud, const pcl::Indices& indices);
+buildBoxTree (const CloudView& cloud, const pcl::Indices* indices);
 
 /** \brief Finds the nearest points within a radius, with their squared distances [m^2];
  * nothing without a tree or a finite position. */

@@ -39,7 +39,7 @@ neighborSearch (pcl::search::Search<PointT>& search,
 template <typename PointT>
 DetectorInput
 detectorInput (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
-               const pcl::Indices& indices,
+               const pcl::Indices* indices,
                const typename pcl::search::Search<PointT>::Ptr& search,
                unsigned threads)
 {
@@ -88,7 +88,7 @@ toRegions (const pcl::PointCloud<PointT>& cloud,
 #define PCL_INSTANTIATE_PlaneDetector(T)                                               \
   template PCL_OPS_EXPORT pcl_ops::detail::DetectorInput                               \
   pcl_ops::detail::detectorInput<T> (const pcl::PointCloud<T>::ConstPtr&,              \
-                                     const pcl::Indices&,                              \
+                                     const pcl::Indices*,                              \
                                      const pcl::search::Search<T>::Ptr&,               \
                                      unsigned);                                        \
   template PCL_OPS_EXPORT void pcl_ops::detail::toRegions (                            \
