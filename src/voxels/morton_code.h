@@ -13,18 +13,18 @@ struct VoxelKey {
   std::int32_t x = 0, y = 0, z = 0;
 };
 
-/** \brief The bits of a voxel's coordinates, z, y, x, from the highest on: sorted by
- * it, voxels that share a larger one follow each other. Divided by 8 it is the code of
- * the voxel of twice the edge. */
+/** \brief The bits of a voxel's coordinates, z, y, x, from the highest on, 60 in all:
+ * sorted by it, voxels that share a larger one follow each other. Divided by 8 it is
+ * the code of the voxel of twice the edge. */
 using MortonCode = std::uint64_t;
 
 /** \brief Largest distance of a key from zero [voxels]. */
-constexpr std::int32_t key_limit = 1 << 19;
+constexpr std::int32_t key_limit = 1 << 18;
 
 /** \brief What makes a key a number above zero: a multiple of 16, so that voxels
  * of up to 16 times the edge begin at zero, too. Above, its bits alternate: keys near
  * zero share the upper ones, which then need no sorting. */
-constexpr std::int32_t key_offset = 0x155550;
+constexpr std::int32_t key_offset = 0x55550;
 
 /** \brief Coordinates along one axis: rounded down, in voxels; those beyond \ref
  * key_limit are taken to it. */

@@ -42,6 +42,7 @@ findRuns (const Coordinates& positions,
 {
   std::array<MortonCode, batch> codes;
   std::size_t all = 0;
+  std::uint32_t run_begin = 0;
   for (std::size_t first = begin; first < end; first += batch) {
     const std::size_t number = std::min (batch, end - first);
     codesOf (&positions.x[first],
@@ -51,12 +52,12 @@ findRuns (const Coordinates& positions,
              voxels_per_meter,
              codes.data());
     for (std::size_t i = 0; i < number; ++i) {
-      const bool is_new = i == 0 || codes[i] != codes[i - 1];
+      const auto point = static_cast<std::uint32_t> (first + i);
+      const bool is_new =
+          i == 0 || codes[i] != codes[i - 1] || point - run_begin == PointRun::max_size;
       all += is_new ? 1 : 0;
-      PointRun& run = runs[all - 1];
-      run.code = codes[i];
-      run.first = is_new ? static_cast<std::uint32_t> (first + i) : run.first;
-      run.size = is_new ? 1 : run.size + 1;
+      run_begin = is_new ? point : run_begin;
+      runs[all - 1] = PointRun (codes[i], run_begin, point - run_begin + 1);
     }
   }
   return all;
@@ -81,7 +82,7 @@ sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads)
     runs.resize (runs.size() + pieces[p]);
   }
   PointRuns spare (runs.size());
-  const auto codeOf = [] (const PointRun& run) { return run.code; };
+  const auto codeOf = [] (const PointRun& run) { return run.code(); };
   if (radixSort (threads, runs.begin(), runs.size(), spare.begin(), codeOf) ==
       runs.begin())
     return runs;

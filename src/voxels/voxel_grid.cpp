@@ -23,7 +23,7 @@ addUp (const Coordinates& positions,
   double count = 0, sx = 0, sy = 0, sz = 0;
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
   for (const PointRun* run = begin; run != end; ++run) {
-    for (std::uint32_t i = run->first; i < run->first + run->size; ++i) {
+    for (std::uint32_t i = run->first(); i < run->end(); ++i) {
       const double x = positions.x[i], y = positions.y[i], z = positions.z[i];
       sx += x;
       sy += y;
@@ -36,7 +36,7 @@ addUp (const Coordinates& positions,
       zz += z * z;
       *order++ = i;
     }
-    count += run->size;
+    count += run->size();
   }
   Moments moments;
   moments.count = count;
@@ -52,12 +52,12 @@ divide (const PointRuns& runs, VoxelGrid& grid)
   Indices first_run;
   std::uint32_t points = 0;
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    if (r == 0 || runs[r].code != runs[r - 1].code) {
+    if (r == 0 || runs[r].code() != runs[r - 1].code()) {
       first_run.push_back (static_cast<std::uint32_t> (r));
-      grid.codes.push_back (runs[r].code);
+      grid.codes.push_back (runs[r].code());
       grid.first_point.push_back (points);
     }
-    points += runs[r].size;
+    points += runs[r].size();
   }
   first_run.push_back (static_cast<std::uint32_t> (runs.size()));
   return first_run;

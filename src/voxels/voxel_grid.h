@@ -49,7 +49,7 @@ struct VoxelizedPoints {
 };
 
 /** \brief Sorts points into voxels and adds up their moments.
- * \param[in] positions finite points; coordinates beyond 2^19 voxels from zero share
+ * \param[in] positions finite points; coordinates beyond 2^18 voxels from zero share
  * the outermost voxels
  * \param[in] voxel_size edge of a voxel, above 0
  * \param[in] threads number of threads; 0: all. The result does not depend on it

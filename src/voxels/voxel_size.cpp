@@ -17,7 +17,7 @@ countOccupied (const Coordinates& positions, double voxel_size)
   const PointRuns runs = sortedRuns (positions, voxel_size, 1);
   std::size_t voxels = runs.size() == 0 ? 0 : 1;
   for (std::size_t r = 1; r < runs.size(); ++r)
-    voxels += runs[r].code != runs[r - 1].code;
+    voxels += runs[r].code() != runs[r - 1].code();
   return voxels;
 }
 

@@ -38,7 +38,7 @@ TEST (VoxelNeighbors, AreThoseThatBruteForceFinds)
 TEST (VoxelNeighbors, ReachAcrossTheBordersOfAllLargerVoxels)
 {
   // On both sides of the middle of the largest possible grid.
-  const std::int32_t middle = (1 << 20) - key_offset;
+  const std::int32_t middle = (1 << 19) - key_offset;
   const std::vector<MortonCode> codes{mortonCode (middle - 1, middle - 1, middle - 1),
                                       mortonCode (middle, middle, middle)};
   const VoxelNeighbors neighbors = connected (codes, 1).neighbors;
