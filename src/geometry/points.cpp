@@ -13,6 +13,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace pcl_ops::internal {
 namespace {
@@ -70,20 +71,69 @@ areFinite (const Coordinates& points, std::size_t begin, std::size_t end)
   return all != 0;
 }
 
+// All bits of a coordinate; and its sign and twelve bits of its mantissa, a millimeter
+// at four meters: the same in any unit that is a power of two, as exponents are left
+// out, and however its last digits are rounded.
+constexpr std::uint32_t all_bits = 0xffffffff;
+constexpr std::uint32_t leading_bits = 0x807ff800;
+
+// Numbers as good as drawn, but the same for a position wherever it stands.
+PCL_OPS_VECTORIZED void
+hashAll (const float* x,
+         const float* y,
+         const float* z,
+         std::size_t number,
+         std::uint32_t used_bits,
+         std::uint32_t* hashes)
+{
+  const auto bits = [used_bits] (float value) {
+    std::uint32_t same;
+    std::memcpy (&same, &value, sizeof same);
+    return same & used_bits;
+  };
+  for (std::size_t i = 0; i < number; ++i) {
+    std::uint32_t hash = bits (x[i]) * 0x9e3779b1u ^ bits (y[i]) * 0x85ebca6bu ^
+                         bits (z[i]) * 0xc2b2ae35u;
+    hash = (hash ^ hash >> 16) * 0x7feb352du;
+    hashes[i] = hash ^ hash >> 15;
+  }
+}
+
+// About so many of the points, without those that are not finite.
+Coordinates
+sampleByHash (const Coordinates& positions, std::size_t wanted, std::uint32_t used_bits)
+{
+  constexpr std::size_t at_once = 1024;
+  const auto share = static_cast<std::uint32_t> (positions.size() / wanted + 1);
+  const std::uint32_t last_taken = std::numeric_limits<std::uint32_t>::max() / share;
+  std::array<std::uint32_t, at_once> hashes;
+  Coordinates some;
+  for (std::size_t begin = 0; begin < positions.size(); begin += at_once) {
+    const std::size_t number = std::min (at_once, positions.size() - begin);
+    const float *x = &positions.x[begin], *y = &positions.y[begin],
+                *z = &positions.z[begin];
+    hashAll (x, y, z, number, used_bits, hashes.data());
+    for (std::size_t i = 0; i < number; ++i)
+      if (hashes[i] <= last_taken && isFinite (x[i], y[i], z[i]))
+        some.add (x[i], y[i], z[i]);
+  }
+  return some;
+}
+
 // Near the median, at a multiple of many times the deviation from it: nearly always the
 // same for other points of the same surroundings.
 Eigen::Vector3d
-roundedMedian (std::array<std::vector<float>, 3>& values)
+roundedMedian (Coordinates points)
 {
   constexpr double deviations = 16.0;
   Eigen::Vector3d median;
   double deviation = 0.0;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    std::vector<float>& along = values[static_cast<std::size_t> (axis)];
-    median[axis] = medianOf (along);
-    for (float& value : along)
-      value = std::abs (value - static_cast<float> (median[axis]));
-    deviation = std::max (deviation, medianOf (along));
+  Eigen::Index axis = 0;
+  for (std::vector<float>* along : {&points.x, &points.y, &points.z}) {
+    const double middle = median[axis++] = medianOf (*along);
+    for (float& value : *along)
+      value = std::abs (value - static_cast<float> (middle));
+    deviation = std::max (deviation, medianOf (*along));
   }
   if (!(deviation > 0.0 && std::isfinite (deviation)))
     return median;
@@ -94,43 +144,45 @@ roundedMedian (std::array<std::vector<float>, 3>& values)
 // Near the median of some of the points: near most of them, wherever a few stray to,
 // and whatever their order; zero for no points.
 Eigen::Vector3d
-localOrigin (const Chosen& chosen)
+localOrigin (const Coordinates& points)
 {
   constexpr std::size_t looked_at = 100;
-  const std::size_t stride = chosen.size() / looked_at + 1;
-  std::array<std::vector<float>, 3> values;
-  for (std::size_t begin = 0; begin < chosen.size(); begin += stride)
-    for (std::size_t i = begin; i < std::min (begin + stride, chosen.size()); ++i) {
-      const float* const position = chosen[i];
-      if (!isFinite (position[0], position[1], position[2]))
-        continue;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        values[axis].push_back (position[axis]);
-      break;
-    }
-  return roundedMedian (values);
+  Coordinates some = sampleByHash (points, looked_at, all_bits);
+  // Of points at one place the hash takes none or all.
+  if (some.size() == 0)
+    some = sampleByHash (points, points.size() + 1, all_bits);
+  return roundedMedian (std::move (some));
 }
 
-// Copies points in their order, in the frame of their origin; returns whether all are
-// finite.
-bool
+void
 copyPoints (const Chosen& chosen, unsigned threads, Points& points)
+{
+  points.resize (chosen.size());
+  forEach (threads, chosen.size(), [&] (std::size_t i) {
+    const float* const position = chosen[i];
+    points.x[i] = position[0];
+    points.y[i] = position[1];
+    points.z[i] = position[2];
+  });
+}
+
+// Moves points into the frame of their origin; returns whether all are finite.
+bool
+moveToOrigin (unsigned threads, Points& points)
 {
   constexpr std::size_t points_per_piece = 8192;
   const Eigen::Vector3f origin = points.origin.cast<float>();
-  points.resize (chosen.size());
   std::atomic<bool> all_finite (true);
-  const auto copy = [&] (std::size_t begin, std::size_t end) {
+  const auto move = [&] (std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const float* const position = chosen[i];
-      points.x[i] = position[0] - origin.x();
-      points.y[i] = position[1] - origin.y();
-      points.z[i] = position[2] - origin.z();
+      points.x[i] -= origin.x();
+      points.y[i] -= origin.y();
+      points.z[i] -= origin.z();
     }
     if (!areFinite (points, begin, end))
       all_finite = false;
   };
-  parallelFor (threads, chosen.size(), points_per_piece, copy);
+  parallelFor (threads, points.size(), points_per_piece, move);
   return all_finite;
 }
 
@@ -151,36 +203,6 @@ keepFinite (Points& points)
   points.index.resize (left);
 }
 
-// A number as good as drawn, but the same for a position wherever it stands, in any
-// unit that is a power of two, as exponents are left out, and however its last digits
-// are rounded.
-inline std::uint32_t
-hashOf (float x, float y, float z)
-{
-  const auto bits = [] (float value) {
-    // Twelve bits of the mantissa: a millimeter at four meters.
-    constexpr std::uint32_t sign_and_mantissa = 0x807ff800;
-    std::uint32_t same;
-    std::memcpy (&same, &value, sizeof same);
-    return same & sign_and_mantissa;
-  };
-  std::uint32_t hash =
-      bits (x) * 0x9e3779b1u ^ bits (y) * 0x85ebca6bu ^ bits (z) * 0xc2b2ae35u;
-  hash = (hash ^ hash >> 16) * 0x7feb352du;
-  return hash ^ hash >> 15;
-}
-
-PCL_OPS_VECTORIZED void
-hashAll (const float* x,
-         const float* y,
-         const float* z,
-         std::size_t number,
-         std::uint32_t* hashes)
-{
-  for (std::size_t i = 0; i < number; ++i)
-    hashes[i] = hashOf (x[i], y[i], z[i]);
-}
-
 } // namespace
 
 Coordinates
@@ -199,21 +221,7 @@ selected (const Coordinates& points, const Indices& numbers)
 Coordinates
 samplePoints (const Coordinates& positions, std::size_t wanted)
 {
-  constexpr std::size_t at_once = 1024;
-  const auto share = static_cast<std::uint32_t> (positions.size() / wanted + 1);
-  const std::uint32_t last_taken = std::numeric_limits<std::uint32_t>::max() / share;
-  std::array<std::uint32_t, at_once> hashes;
-  Coordinates some;
-  for (std::size_t begin = 0; begin < positions.size(); begin += at_once) {
-    const std::size_t number = std::min (at_once, positions.size() - begin);
-    const float *x = &positions.x[begin], *y = &positions.y[begin],
-                *z = &positions.z[begin];
-    hashAll (x, y, z, number, hashes.data());
-    for (std::size_t i = 0; i < number; ++i)
-      if (hashes[i] <= last_taken)
-        some.add (x[i], y[i], z[i]);
-  }
-  return some;
+  return sampleByHash (positions, wanted, leading_bits);
 }
 
 double
@@ -240,14 +248,15 @@ finitePoints (const CloudView& cloud,
   }
   const Chosen chosen{cloud, indices};
   Points points;
-  points.origin = localOrigin (chosen);
+  copyPoints (chosen, threads, points);
+  points.origin = localOrigin (points);
   // Points are moved in single precision: by as much as it can tell.
   if (step > 0.0)
     points.origin = ((points.origin / step).array().round() * step)
                         .matrix()
                         .cast<float>()
                         .cast<double>();
-  const bool are_finite = copyPoints (chosen, threads, points);
+  const bool are_finite = moveToOrigin (threads, points);
   if (are_finite && chosen.size() == cloud.size)
     return points;
   points.index = indices ? *indices : allOf (cloud);

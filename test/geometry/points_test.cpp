@@ -59,6 +59,28 @@ TEST (FinitePoints, ShareAFrameWithOthersOfTheirSurroundings)
   EXPECT_NEAR (origin.x(), far, 32.0) << "near enough for single precision";
 }
 
+TEST (FinitePoints, HaveTheSameOriginInAnyOrder)
+{
+  // Every seventh point is elsewhere.
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (int i = 0; i < 600; ++i)
+    cloud.push_back ({static_cast<float> (i % 7 == 0 ? 5000 + i : i), 0, 0});
+  const Eigen::Vector3d origin = finitePoints (CloudView (cloud), 1).origin;
+  std::sort (cloud.begin(), cloud.end(), [] (auto& a, auto& b) { return a.x < b.x; });
+  EXPECT_EQ (finitePoints (CloudView (cloud), 1).origin, origin);
+}
+
+TEST (FinitePoints, HaveTheirOriginNearEqualOnesAndBesideMissingOnes)
+{
+  const float far = 1e6f;
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  cloud.resize (1000, pcl::PointXYZ (far, far, far));
+  EXPECT_EQ (finitePoints (CloudView (cloud), 1).origin.x(), far);
+  for (std::size_t i = 1; i < cloud.size(); ++i)
+    cloud[i].x = nan_value;
+  EXPECT_EQ (finitePoints (CloudView (cloud), 1).origin.x(), far);
+}
+
 TEST (FinitePoints, HaveTheirOriginAtAMultipleOfAStep)
 {
   const auto cloud = cloudOf ({{17, 2, -9}, {18, 3, -8}, {18, 2, -7}});
