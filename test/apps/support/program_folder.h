@@ -51,12 +51,6 @@ protected:
     return done;
   }
 
-  nlohmann::json
-  jsonIn (const std::string& file) const
-  {
-    return nlohmann::json::parse (contentOf (folder_ / file));
-  }
-
   std::string program_;
   TemporaryFolder folder_;
   TemporaryFolder streams_{"_streams"};

@@ -3,12 +3,9 @@
 #include <io/las_file.h>
 #include <numbers/random.h>
 #include <support/answers.h>
-#include <support/cloud_values.h>
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <map>
 
 namespace {
 
@@ -80,11 +77,6 @@ protected:
   }
 };
 
-class TilesProgram : public ProgramFolder {
-protected:
-  TilesProgram() : ProgramFolder (PCL_OPS_TILES_PROGRAM) {}
-};
-
 INSTANTIATE_TEST_SUITE_P (All,
                           TilesAnswers,
                           testing::ValuesIn (answersIn (PCL_OPS_ANSWERS)),
@@ -95,47 +87,4 @@ INSTANTIATE_TEST_SUITE_P (All,
 TEST_P (TilesAnswers, AreThoseOfTheTable)
 {
   expectAnswers ({{"with LASzip:", apps::hasLaszip()}});
-}
-
-TEST_F (TilesProgram, FindsInManyTilesThePlanesOfOne)
-{
-  constexpr double min_points = 50 * 20; // 50 cells and more
-  shell ("pcl_ops_simulate town --scene town --points 200000 --tiles 1");
-  expectDone ("town --output-dir one --cell 1 --tile 100000");
-  expectDone ("town --output-dir many --cell 1 --tile 24");
-  const nlohmann::json one = jsonIn ("one/planes.json"),
-                       many = jsonIn ("many/planes.json");
-  ASSERT_GT (many.at ("tiles"), 9);
-  const auto labels_in = [&] (const std::string& folder) {
-    const std::string file = folder_ / (folder + "/town_000_000.las");
-    return valuesOf<std::uint32_t> (apps::loadCloud (file), "label");
-  };
-  const auto in_one = labels_in ("one"), in_many = labels_in ("many");
-  std::map<std::pair<std::uint32_t, std::uint32_t>, double> counts;
-  for (std::size_t i = 0; i < in_one.size(); ++i)
-    ++counts[{in_one[i], in_many[i]}];
-  std::size_t large = 0;
-  for (std::uint32_t p = 1; p <= one.at ("planes").size(); ++p) {
-    SCOPED_TRACE (p);
-    const nlohmann::json& plane = one.at ("planes").at (p - 1);
-    if (plane.at ("points") < min_points)
-      continue;
-    ++large;
-    std::pair<double, std::uint32_t> match; // points shared, label
-    for (const auto& [labels, count] : counts)
-      if (labels.first == p && labels.second > 0)
-        match = std::max (match, {count, labels.second});
-    ASSERT_GT (match.second, 0u);
-    const nlohmann::json& other = many.at ("planes").at (match.second - 1);
-    const double sum =
-        plane.at ("points").get<double>() + other.at ("points").get<double>();
-    EXPECT_GE (match.first / (sum - match.first), 0.99);
-    const Eigen::Vector3d normal = toVector (other["normal"]);
-    EXPECT_LE (toVector (plane["normal"]).cross (normal).norm(),
-               std::sin (0.05 * M_PI / 180));
-    const double offset =
-        normal.dot (toVector (plane["centroid"]) - toVector (other["centroid"]));
-    EXPECT_LE (std::abs (offset), 0.001);
-  }
-  EXPECT_GT (large, 10u);
 }
