@@ -12,7 +12,6 @@
 #include <io/output_file.h>
 #include <numbers/angles.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <tuple>
@@ -28,12 +27,6 @@ constexpr const char* summary =
 
 /** \brief What stands for the name of the input in the outputs of a batch. */
 constexpr const char* name_of_input = "{}";
-
-#ifdef PCL_OPS_WITH_SURFACE
-constexpr bool has_concave_hulls = true;
-#else
-constexpr bool has_concave_hulls = false;
-#endif
 
 constexpr const char* in_and_out =
     "  INPUT       .pcd, .ply, .las (.laz by LASzip), .xyz, .txt, .pts, .csv; - for\n"
@@ -317,7 +310,7 @@ readOptions (int argc, const char* const* argv, SegmentOptions& options)
     return false;
   checkMethodOptions (line, methodCalled (options.method));
   storeArguments (arguments, options);
-  if (options.hull == "concave" && !has_concave_hulls)
+  if (options.hull == "concave" && PCL_OPS_WITH_SURFACE == 0)
     throw UsageError ("--hull",
                       "concave is not in this build, which was made without PCL's "
                       "surface module; give convex");

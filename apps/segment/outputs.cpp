@@ -28,7 +28,7 @@
 
 namespace fs = std::filesystem;
 
-#ifdef PCL_OPS_WITH_SURFACE
+#if PCL_OPS_WITH_SURFACE
 #include <pcl_ops/surface/triangulation.h>
 #endif
 
@@ -188,9 +188,8 @@ writeVtk (const PolyData& data, std::ostream& stream)
     stream << (color.getRGBVector3i().cast<float>() / 255.0f).format (in_a_row) << '\n';
 }
 
-/** \brief Writes an ASCII file: a .ply in the file's frame, or a .vtk for pcl_viewer,
- * which moves the labeled cloud by the pose of its sensor, but no mesh: it is written
- * moved. */
+/** \brief Writes an ASCII file: a .ply in the file's frame, or a .vtk moved by the pose
+ * of the sensor, as pcl_viewer moves clouds by it, but no mesh. */
 void
 savePolyData (const std::string& file, const FileCloud& cloud, PolyData data)
 {
@@ -210,15 +209,14 @@ savePolyData (const std::string& file, const FileCloud& cloud, PolyData data)
   });
 }
 
-/** \brief The faces of an outline, by its corners, ring after ring: triangles, or the
- * outer ring itself. */
+/** \brief Triangles of an outline, by its corners, or the outer ring itself. */
 std::vector<pcl::Indices>
 facesOf ([[maybe_unused]] const PlaneSegment& plane,
          [[maybe_unused]] const Eigen::Vector3d& center,
          const Rings& rings)
 {
   std::vector<pcl::Indices> faces;
-#ifdef PCL_OPS_WITH_SURFACE
+#if PCL_OPS_WITH_SURFACE
   const PlaneFrame frame (center, plane.normal);
   PlanarRings outline;
   for (const Ring& ring : rings) {
@@ -321,10 +319,10 @@ saveRest (const std::string& file,
   saveCloud (file, pointsOf (cloud, rest));
 }
 
-/** \brief Writes the points of each plane as plane_001_horizontal.pcd and so on,
- * numbered by their ids. Files of such names that an earlier run has left are removed,
- * so that the folder has the planes of one cloud. Nothing changes there until all are
- * written. */
+/** \brief Writes the points of each plane as plane_001_horizontal.pcd and so on, by
+ * ids, and removes such files of earlier runs. Nothing changes there until all are
+ * written.
+ */
 void
 savePlaneClouds (const std::string& folder,
                  const FileCloud& cloud,
@@ -351,8 +349,7 @@ savePlaneClouds (const std::string& folder,
   }
 }
 
-/** \brief Writes the outlines of planes, each in the color its points have in the
- * labeled cloud. Outlines without area are left out. */
+/** \brief Writes outlines in the colors of the labeled cloud; none without area. */
 void
 saveMesh (const std::string& file,
           const FileCloud& cloud,

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <numeric>
 
-#ifdef PCL_OPS_WITH_SURFACE
+#if PCL_OPS_WITH_SURFACE
 #include <pcl_ops/surface/concave_hull.h>
 #endif
 
@@ -60,7 +60,7 @@ checkTakesLabels (const SegmentOptions& options,
 PlanarRings
 outlineOf (const PlanarPoints& points, [[maybe_unused]] const std::string& hull)
 {
-#ifdef PCL_OPS_WITH_SURFACE
+#if PCL_OPS_WITH_SURFACE
   if (hull == "concave")
     return concaveOutline (points);
 #endif
