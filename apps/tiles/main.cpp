@@ -303,10 +303,9 @@ planFileOf (const RunFolder& folder)
           "remove its folder or give another --output-dir"};
 }
 
-/** \brief Gives a folder its plan, the one named or a new one, unless it has one. What
- * is in a folder without a plan is removed.
- * \throws UsageError or WorkError if the folder has another one, or unless all of the
- * run's outputs could be written */
+/** \brief Gives a folder its plan, the one named or a new one, unless it has one, and
+ * empties a folder without a plan.
+ * \throws UsageError or WorkError if it has another one, or outputs cannot be written */
 void
 preparePlan (const TilesOptions& options, const RunFolder& folder)
 {
@@ -335,9 +334,8 @@ preparePlan (const TilesOptions& options, const RunFolder& folder)
       writeTextFile (file.name, toText (plan));
 }
 
-/** \brief Does what the command line asks for, together with all other ranks: plan,
- * cells, detection, joining, labels. Parts that are done already, by files that are
- * there, are not done again. */
+/** \brief Does what the command line asks for, together with all other ranks. Phases
+ * leave files; what is done by those that are there is not done again. */
 int
 findInTiles (int argc, const char* const* argv, const Ranks& ranks)
 {

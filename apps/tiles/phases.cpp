@@ -60,35 +60,27 @@ public:
   std::uint32_t
   next ()
   {
-    if (next_ == pieces_.size())
-      refill();
-    const std::uint32_t piece = pieces_[next_++];
+    constexpr std::uint64_t most = 4096;
+    if (used_ % most == 0) {
+      BinaryReader read (file_);
+      const std::uint64_t left = read.size / sizeof (std::uint32_t) - used_;
+      pieces_.resize (std::min (most, left));
+      read.stream.seekg (used_ * sizeof (std::uint32_t));
+      read (pieces_.data(), pieces_.size());
+    }
+    if (used_ % most == pieces_.size())
+      throw WorkError (file_, "has too few labels; remove its folder and run it again");
+    const std::uint32_t piece = pieces_[used_++ % most];
     if (piece > numbers_.size())
       BinaryReader (file_).fail();
     return piece == 0 ? 0 : numbers_[piece - 1];
   }
 
 private:
-  void
-  refill ()
-  {
-    constexpr std::uint64_t most = 4096;
-    BinaryReader read (file_);
-    const std::uint64_t left = read.size() / sizeof (std::uint32_t) - used_;
-    if (left == 0)
-      throw WorkError (file_, "has too few labels; remove its folder and run it again");
-    pieces_.resize (std::min (most, left));
-    read.seek (used_ * sizeof (std::uint32_t));
-    read (pieces_.data(), pieces_.size());
-    used_ += pieces_.size();
-    next_ = 0;
-  }
-
   std::string file_;
   /** \brief Of the tile's pieces. */
   std::vector<std::uint32_t> numbers_;
   std::vector<std::uint32_t> pieces_;
-  std::size_t next_ = 0;
   std::uint64_t used_ = 0;
 };
 
@@ -134,13 +126,6 @@ RunFolder::finish() const
   writeTextFile (work (run_file::end), "");
 }
 
-bool
-isThere (const std::string& file)
-{
-  std::error_code error;
-  return fs::exists (file, error);
-}
-
 void
 partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input)
 {
@@ -169,9 +154,9 @@ SortedPoints::SortedPoints (const Plan& plan, const RunFolder& folder)
   std::map<TileKey, std::uint64_t> points;
   for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
     files.emplace_back (folder.cells (i));
-    for (const auto& [key, block] : files.back().blocks())
+    for (const auto& [key, blocks] : files.back().blocks)
       if (key[2] == 0)
-        points[{key[0], key[1]}] += block.points;
+        points[{key[0], key[1]}] += files.back().count (key);
   }
   for (const auto& [tile, count] : points) {
     tiles.push_back (tile);

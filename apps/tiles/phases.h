@@ -81,8 +81,12 @@ struct RunFolder {
   finish () const;
 };
 
-bool
-isThere (const std::string& file);
+inline bool
+isThere (const std::string& file)
+{
+  std::error_code error;
+  return std::filesystem::exists (file, error);
+}
 
 void
 partitionInput (const Plan& plan, const RunFolder& folder, std::size_t input);

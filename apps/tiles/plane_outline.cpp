@@ -51,8 +51,7 @@ sitesOf (const std::vector<OutlinePoint>& points,
   const Eigen::Vector3d weights (1.3, 1.0, 1.8);
   Eigen::Index axis = 0;
   normal.cwiseAbs().cwiseProduct (weights).maxCoeff (&axis);
-  auto u = static_cast<std::size_t> ((axis + 1) % 3);
-  auto v = static_cast<std::size_t> ((axis + 2) % 3);
+  Eigen::Index u = (axis + 1) % 3, v = (axis + 2) % 3;
   if (normal[axis] < 0.0)
     std::swap (u, v);
   const auto square_of = [cell] (std::int64_t along) {
@@ -92,8 +91,7 @@ squaresOf (const std::vector<Site>& sites)
   return squares;
 }
 
-/** \brief Calls visit (square) with what is taken, or nullptr, for those that are so
- * near. */
+/** \brief Calls visit (square) for those so near, with nullptr for one not taken. */
 template <typename Visit>
 void
 forSquaresAround (const Square& square,
@@ -193,9 +191,8 @@ struct Corner {
       return std::atan2 (way.y(), way.x());
     };
     const auto turn_to = [&] (const Corner* other) {
-      constexpr double full_turn = 6.283185307179586;
       const double turn = angle_of (previous) - angle_of (other);
-      return turn <= 0.0 ? turn + full_turn : turn;
+      return turn <= 0.0 ? turn + 2.0 * M_PI : turn;
     };
     auto best = next.begin();
     if (previous != nullptr && next.size() > 1)

@@ -18,8 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** \brief As one of the library; the normal of a vertical plane is towards the zero of
- * the frame. */
+/** \brief The normal of a vertical plane is towards the zero of the frame. */
 PlaneSegment
 segmentOf (const JoinedPlane& plane)
 {
@@ -32,8 +31,7 @@ segmentOf (const JoinedPlane& plane)
   return segment;
 }
 
-/** \brief Where a plane ends: the largest part, with the area of all and the rectangle
- * around them, and the others. */
+/** \brief The largest part, with area and rectangle of all parts, and the others. */
 std::pair<PlaneExtent, Polygons>
 extentOf (const Plan& plan, const PlaneSegment& segment, const JoinedPlane& plane)
 {

@@ -16,8 +16,7 @@
 
 namespace pcl_ops::apps {
 
-/** \brief The points of a file: those of a .las are read as they are asked for, those
- * of a .pcd or .ply are in memory. */
+/** \brief The points of a file; those of a .las are read as they are asked for. */
 class PointFile {
 public:
   /** \throws UsageError or WorkError as \ref loadCloud */

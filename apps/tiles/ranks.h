@@ -17,8 +17,7 @@ struct Ranks {
   void
   meet () const;
 
-  /** \brief Ends all with an exit code other than zero, at once; returns where there is
-   * only this one. */
+  /** \brief Ends all at once, by an exit code but 0; returns where only one is. */
   void
   endAll (int exit_code) const;
 

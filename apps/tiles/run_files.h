@@ -45,29 +45,15 @@ private:
   std::ostream& stream_;
 };
 
-/** \brief Reads them. Where the file is missing, or has not what is asked for, it
- * throws a WorkError. */
-class BinaryReader {
-public:
-  explicit BinaryReader (const std::string& file)
-  : file_ (file), stream_ (file, std::ios::binary | std::ios::ate)
+/** \brief Reads them, or throws a WorkError that names the file. */
+struct BinaryReader {
+  explicit BinaryReader (const std::string& name)
+  : file (name), stream (name, std::ios::binary | std::ios::ate)
   {
-    if (!stream_)
+    if (!stream)
       throw WorkError (file, "cannot be read; remove its folder and run it again");
-    size_ = stream_.tellg();
-    seek (0);
-  }
-
-  std::uint64_t
-  size () const
-  {
-    return size_;
-  }
-
-  void
-  seek (std::uint64_t place)
-  {
-    stream_.seekg (place);
+    size = stream.tellg();
+    stream.seekg (0);
   }
 
   template <typename Number>
@@ -75,7 +61,7 @@ public:
   operator() (Number* numbers, std::size_t count)
   {
     static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
-    if (!stream_.read (reinterpret_cast<char*> (numbers), count * sizeof (Number)))
+    if (!stream.read (reinterpret_cast<char*> (numbers), count * sizeof (Number)))
       fail();
   }
 
@@ -85,7 +71,7 @@ public:
   {
     std::uint64_t count = 0;
     (*this) (&count, 1);
-    if (count > size_ / sizeof (Number))
+    if (count > size / sizeof (Number))
       fail();
     numbers.resize (count);
     (*this) (numbers.data(), count);
@@ -94,28 +80,24 @@ public:
   [[noreturn]] void
   fail () const
   {
-    throw WorkError (file_, "is damaged; remove its folder and run it again");
+    throw WorkError (file, "is damaged; remove its folder and run it again");
   }
 
-private:
-  std::string file_;
-  std::ifstream stream_;
-  std::uint64_t size_ = 0;
+  std::string file;
+  std::ifstream stream;
+  std::uint64_t size = 0;
 };
 
-/** \brief Whose points a block has: x and y of a tile, and 0 for its own or 1 for those
- * of its halo. */
+/** \brief x and y of a tile, and 0 for its own points or 1 for those of its halo. */
 using BlockKey = std::array<std::int64_t, 3>;
 
-/** \brief Some of the points of an input, those of one key in their order, as a file
- * has it. */
+/** \brief Some of the points of a key in a file, in the order of the input. */
 struct Block {
   BlockKey key{};
   std::uint64_t offset = 0, points = 0;
 };
 
-/** \brief Writes the points of an input sorted into blocks, with little of it in
- * memory. */
+/** \brief Writes points sorted into blocks, with few of them in memory. */
 class CellFileWriter {
 public:
   explicit CellFileWriter (std::ostream& stream) : stream_ (stream) {}
@@ -165,36 +147,28 @@ private:
   std::vector<Block> blocks_;
 };
 
-class CellFile {
-public:
+struct CellFile {
   /** \throws WorkError if it cannot be read */
-  explicit CellFile (const std::string& file) : file_ (file)
+  explicit CellFile (const std::string& name) : file (name)
   {
     BinaryReader read (file);
     std::uint64_t end_of_points = 0;
-    read.seek (read.size() - sizeof (end_of_points));
+    read.stream.seekg (read.size - sizeof (end_of_points));
     read (&end_of_points, 1);
-    read.seek (end_of_points);
-    std::vector<Block> blocks;
-    read (blocks);
-    for (const Block& block : blocks)
-      blocks_.emplace (block.key, block);
-  }
-
-  /** \brief By key, those of one key in the order of their points. */
-  const std::multimap<BlockKey, Block>&
-  blocks () const
-  {
-    return blocks_;
+    read.stream.seekg (end_of_points);
+    std::vector<Block> all;
+    read (all);
+    for (const Block& block : all)
+      blocks[block.key].push_back (block);
   }
 
   std::uint64_t
   count (const BlockKey& key) const
   {
     std::uint64_t points = 0;
-    const auto [first, last] = blocks_.equal_range (key);
-    for (auto block = first; block != last; ++block)
-      points += block->second.points;
+    if (const auto found = blocks.find (key); found != blocks.end())
+      for (const Block& block : found->second)
+        points += block.points;
     return points;
   }
 
@@ -202,21 +176,21 @@ public:
   void
   read (const BlockKey& key, std::vector<Eigen::Vector3f>& points) const
   {
-    const auto [first, last] = blocks_.equal_range (key);
-    if (first == last)
+    const auto found = blocks.find (key);
+    if (found == blocks.end())
       return;
-    BinaryReader read (file_);
-    for (auto block = first; block != last; ++block) {
+    BinaryReader read (file);
+    for (const Block& block : found->second) {
       const std::size_t before = points.size();
-      points.resize (before + block->second.points);
-      read.seek (block->second.offset);
-      read (points[before].data(), 3 * block->second.points);
+      points.resize (before + block.points);
+      read.stream.seekg (block.offset);
+      read (points[before].data(), 3 * block.points);
     }
   }
 
-private:
-  std::string file_;
-  std::multimap<BlockKey, Block> blocks_;
+  std::string file;
+  /** \brief By key, those of one in the order of their points. */
+  std::map<BlockKey, std::vector<Block>> blocks;
 };
 
 } // namespace pcl_ops::apps

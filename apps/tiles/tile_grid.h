@@ -101,8 +101,7 @@ struct TileGrid {
   Eigen::Vector3d
   cornerOf (const CellKey& cell) const
   {
-    return edge *
-           Eigen::Vector3d (double (cell[0]), double (cell[1]), double (cell[2]));
+    return edge * Eigen::Vector3d (cell[0], cell[1], cell[2]);
   }
 
   /** \brief Calls visit (tile) for each other tile that looks at a point of this cell.

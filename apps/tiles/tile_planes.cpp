@@ -33,13 +33,10 @@ detectIn (const TileGrid& grid, const TilePoints& points)
 {
   OrientedPointSamplingParameters parameters;
   parameters.surfels.voxel_size = grid.edge;
-  CloudView view;
-  view.first = points.points.front().data();
-  view.stride = 3;
-  view.size = points.points.size();
-  if (view.size > std::size_t (std::numeric_limits<pcl::index_t>::max()))
+  const std::vector<Eigen::Vector3f>& all = points.points;
+  if (all.size() > std::size_t (std::numeric_limits<pcl::index_t>::max()))
     throw std::bad_alloc();
-  return detectPlanes (view, parameters);
+  return detectPlanes ({all.data(), 0, sizeof (all[0]), all.size()}, parameters);
 }
 
 /** \brief The inputs that the own points of a plane, its first inliers, are from. */

@@ -18,8 +18,7 @@ struct Piece {
   ExactMoments own;
   /** \brief Of those of the halo, too. */
   Moments all;
-  /** \brief Towards where the plane is seen from, whose edges go round it to the left.
-   */
+  /** \brief Towards where the plane is seen from; edges go round it to the left. */
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   std::vector<OutlineEdge> edges;
   /** \brief The inputs that its own points are from, by their position in the plan. */
@@ -54,8 +53,8 @@ saveTilePlanes (const std::string& file, const TilePlanes& planes);
 TilePlanes
 loadTilePlanes (const std::string& file);
 
-/** \brief The points a tile looks at, in its frame: its own of each input, then its
- * halo. */
+/** \brief What a tile looks at, in its frame: its own points by input, then the halo.
+ */
 struct TilePoints {
   TileKey tile;
   std::vector<Eigen::Vector3f> points;
