@@ -52,14 +52,13 @@ inline double
 medianSphereSize (const FinitePoints& points, double radius)
 {
   constexpr std::size_t spheres = 101;
-  const auto squared = static_cast<float> (radius * radius);
+  const auto squared = float (radius * radius);
   std::vector<double> sizes;
   for (std::size_t i = 0; i < spheres; ++i) {
     const Eigen::Vector3f& center = points[i * points.size() / spheres];
-    const auto size = std::count_if (points.begin(), points.end(), [&] (auto& point) {
+    sizes.push_back (std::count_if (points.begin(), points.end(), [&] (auto& point) {
       return (point - center).squaredNorm() <= squared;
-    });
-    sizes.push_back (static_cast<double> (size));
+    }));
   }
   return quantile (sizes, 0.5);
 }
@@ -69,8 +68,7 @@ adviceOn (const OrientedPointSamplingParameters& parameters,
           const FinitePoints& points,
           bool)
 {
-  const double samples =
-      std::floor (parameters.sampling_rate * static_cast<double> (points.size()));
+  const double samples = std::floor (parameters.sampling_rate * points.size());
   if (parameters.sampling == Sampling::Points && samples <= parameters.min_inliers)
     return str (
         boost::format ("only %1% of %2% points were sampled and a plane needs more "
@@ -138,8 +136,7 @@ adviceFor (const Parameters& parameters,
   std::size_t covered = 0;
   for (const PlaneSegment& plane : planes)
     covered += plane.inliers.size();
-  if (covered > 0 &&
-      static_cast<double> (covered) >= min_share * static_cast<double> (readings))
+  if (covered > 0 && covered >= min_share * readings)
     return "";
   if (readings == 0)
     return "every point is NaN or infinite";

@@ -32,7 +32,7 @@ relate (const GivenNumbers& given, std::size_t points, OpsParameters& parameters
     throw UsageError ("--cell", "has no meaning to --preset paper; leave it out");
   // Too many take as long as if there were so many points.
   const int k = parameters.k;
-  if (k > OpsParameters().k && static_cast<std::size_t> (k) > points)
+  if (k > OpsParameters().k && std::size_t (k) > points)
     throw UsageError ("--k",
                       str (boost::format ("%1% is more than the points of the cloud, "
                                           "%2%; give a smaller number") %
@@ -90,8 +90,7 @@ hintOnMinInliers (const GivenNumbers& given,
              asked % left % all));
 }
 
-/** \brief All parameters for a report, under the names of their options, and what no
- * option changes. */
+/** \brief By the names of options, and what no option changes. */
 template <typename Parameters>
 Settings
 reportOf (const std::string& preset, Parameters parameters)
@@ -224,10 +223,9 @@ hintOnUp (const DetectorOptions& options, const XyzCloud& cloud, Detected& detec
       !isSeenFromItsOrigin (cloud))
     return;
   detected.suggested_up = found->direction;
-  constexpr double hundred = 100.0;
   // The sum turns -0 into 0.
   const Eigen::Array3d rounded =
-      (hundred * found->direction.array()).round() / hundred + 0.0;
+      (100.0 * found->direction.array()).round() / 100.0 + 0.0;
   detected.hints.push_back (
       str (boost::format ("planes suggest that up is %.2f, %.2f, %.2f: --up auto") %
            rounded.x() % rounded.y() % rounded.z()));
@@ -249,8 +247,7 @@ labelsOf (const std::vector<PlaneSegment>& planes,
   std::vector<std::uint32_t> labels (points, 0);
   for (std::size_t i = 0; i < planes.size(); ++i)
     for (const pcl::index_t index : planes[i].inliers)
-      labels[static_cast<std::size_t> (index)] =
-          ids.empty() ? static_cast<std::uint32_t> (i + 1) : ids[i];
+      labels[index] = ids.empty() ? i + 1 : ids[i];
   return labels;
 }
 

@@ -147,8 +147,8 @@ meetingOf (const Line& a,
   return (meeting - corner).norm() <= tolerance ? meeting : corner;
 }
 
-/** \brief Moves the corners that are kept to where lines through all there was along
- * their sides meet: by themselves they cut off what noise took from others. */
+/** \brief Moves the corners that are kept to where lines fitted to their sides meet: by
+ * themselves they cut off what noise took from others. */
 Ring
 withFittedSides (const Ring& ring, std::vector<std::size_t> kept, double tolerance)
 {
@@ -219,8 +219,7 @@ columnsOf (const Json& plane)
           {"aspect", plane.at ("aspect")}, {"height", plane.at ("height")}};
 }
 
-/** \brief Of coordinates: three, or as many as a thousandth of the narrowest plane
- * takes. */
+/** \brief Three, or as many as a thousandth of the narrowest plane takes. */
 int
 decimalsFor (const Json& planes)
 {

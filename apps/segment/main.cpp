@@ -34,15 +34,13 @@ posesOf (const TrackOptions& options, std::size_t frames)
 
 struct Status {
   enum { Done, Failed, Interrupted } end;
-  std::string line = {};
-  std::string warning = {};
+  std::string problem = {}, summary = {};
 };
 
-/** \brief Segments one cloud after the other, options.jobs at a time. Goes on after one
- * that fails; ends early when the user interrupts it, with each cloud's outputs either
- * complete or untouched. Prints a line for each cloud done unless quiet, and one for
- * each problem, in the order of the tasks, in which planes are numbered, too: lines and
- * numbers are the same for any number of jobs. */
+/** \brief Segments clouds, options.jobs at a time. Goes on after one that fails; ends
+ * early when the user interrupts it, with each cloud's outputs either complete or
+ * untouched. Prints lines and numbers planes in the order of the tasks: both are the
+ * same for any number of jobs. */
 class BatchRun {
 public:
   BatchRun (const SegmentOptions& options, const Batch& batch)
@@ -122,8 +120,8 @@ private:
       stopIfInterrupted();
       const Report report = segmentCloud (optionsOf (i), task, tracked);
       return {Status::Done,
-              task.input + " -> " + task.outputs.cloud + ": " + summaryOf (report),
-              report.damage.empty() ? "" : task.input + ": " + report.damage};
+              report.damage.empty() ? "" : task.input + ": " + report.damage,
+              task.input + " -> " + task.outputs.cloud + ": " + summaryOf (report)};
     }
     catch (const Interrupted&) {
       return {Status::Interrupted};
@@ -149,12 +147,10 @@ private:
   print (const Status& status)
   {
     ++counts_.at (status.end);
-    if (status.end == Status::Failed)
-      progress_.note (errorLine (status.line), std::cerr);
-    if (!status.warning.empty())
-      progress_.note (errorLine (status.warning), std::cerr);
+    if (!status.problem.empty())
+      progress_.note (errorLine (status.problem), std::cerr);
     if (status.end == Status::Done && !options_.quiet)
-      progress_.note (status.line, std::cout);
+      progress_.note (status.summary, std::cout);
   }
 
   int

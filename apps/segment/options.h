@@ -15,8 +15,7 @@ namespace pcl_ops::apps {
 /** \brief Where to write what is found in one cloud; empty where not asked for. */
 struct Outputs {
   std::string cloud;
-  /** \brief The list of planes, .json, .csv or .geojson; "-" for JSON on the standard
-   * output. */
+  /** \brief .json, .csv or .geojson; "-" for JSON on the standard output. */
   std::string planes;
   std::string image;
   std::string mesh;
@@ -57,11 +56,10 @@ struct SegmentOptions {
   /** \brief Whether OUTPUT tells how far each point is from its plane. */
   bool distances = false;
   bool quiet = false;
-  /** \brief Of files that are not named one by one: "pcd", "ply", or empty where
-   * --format is not given. */
+  /** \brief "pcd" or "ply"; empty where --format is not given. */
   std::string format;
 
-  /** \brief The same as an extension. */
+  /** \brief The extension of clouds that are not named one by one. */
   std::string
   fileFormat () const
   {
@@ -101,9 +99,7 @@ struct Batch {
 Task
 taskOf (const SegmentOptions& options);
 
-/** \brief The tasks of a command line with --output-dir, which is created. Of each
- * input NAME.pcd, the labelled cloud becomes NAME.pcd and the planes NAME.json in there
- * unless --format or --planes say otherwise.
+/** \brief The tasks of a command line with --output-dir, which is created.
  * \throws UsageError if two inputs would be written to one file or an input would be
  * written over, WorkError if nothing can be written to the folder */
 Batch

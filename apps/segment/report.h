@@ -48,9 +48,8 @@ saveOutputs (const SegmentOptions& options,
              const ShiftedCloud& shifted,
              const Report& report);
 
-/** \brief What gives the planes of a cloud their ids, which are in the cloud's frame,
- * and gets to know where the sensor was or, where that is not known, a place among the
- * points. */
+/** \brief Gives planes in the frame of their cloud their ids.
+ * \param[in] sensor where it was or, if that is not known, a place among the points */
 using IdsOfPlanes = std::function<std::vector<std::uint32_t> (
     const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& sensor)>;
 

@@ -45,8 +45,7 @@ keysText ()
          "shift and click  say which plane this is";
 }
 
-/** \brief Changes a state as a key asks for. Other planes are shown without a selected
- * one.
+/** \brief Changes a state as a key asks for; other planes have none selected.
  * \return false if the key changes no state */
 inline bool
 pressKey (char key, ViewState& state)
@@ -123,8 +122,8 @@ planeText (const FoundPlanes& found,
               plane.offset);
 }
 
-/** \brief What the window says: the keys, the planes, which parameter to change where
- * none was found, and the selected plane. */
+/** \brief What the window says: keys, planes, advice where none was found, and the
+ * selected plane. */
 inline std::string
 statusText (const FoundPlanes& found,
             const ViewState& state,

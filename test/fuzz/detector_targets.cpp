@@ -206,10 +206,8 @@ indicesFrom (ByteReader& bytes, std::size_t points)
   return indices;
 }
 
-/** \brief Up to some 4,000 points as bytes say: planes, lines, balls, lattices, dust,
- * equal points, any bits as floats, points far away, not finite ones, all of it shrunk,
- * magnified or moved off. Bytes that were points themselves would hardly ever lie on a
- * plane.
+/** \brief Shapes as bytes say, all of it shrunk, magnified or moved off: bytes that
+ * were points themselves would hardly ever lie on a plane.
  * \return also which points to use, outside of it, double or without order; or none */
 std::pair<Cloud::Ptr, pcl::IndicesPtr>
 cloudFrom (ByteReader& bytes)
