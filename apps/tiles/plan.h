@@ -74,15 +74,4 @@ checkIsFor (const Plan& plan,
             std::vector<std::string> inputs,
             const PlanOptions& options);
 
-/** \brief Edge of cells that hold about 20 points where a surface is: by the density of
- * the points and not by their number. Measured on simulated surveys: larger cells miss
- * planes, smaller ones cost more. Rounded to two digits.
- * \param[in] places spread evenly over the points, most of them at one place or not
- * \param[in] zero near most of them
- * \param[in] points of the whole */
-double
-cellEdgeFor (std::vector<Eigen::Vector3d> places,
-             const Eigen::Vector3d& zero,
-             std::uint64_t points);
-
 } // namespace pcl_ops::apps

@@ -73,15 +73,14 @@ TEST (ExactMoments, TakeThePlaceOfTheLatticeNextToAPointIfAny)
 
 /** \brief A wall along x with 2 cm of noise, and what a tile sees of it. */
 Piece
-wall (int first, int last, double y, const Eigen::Vector3d& far = {0, 0, 0})
+wall (int first, int last, double y)
 {
   Random random (first);
   Piece piece;
   piece.own.unit = unit;
   for (int x = 10 * first; x < 10 * last; ++x)
     for (int z = 0; z < 30; ++z)
-      piece.own.add (
-          far + Eigen::Vector3d (0.1 * x, y + 0.04 * random.unit() - 0.02, 0.1 * z));
+      piece.own.add ({0.1 * x, y + 0.04 * random.unit() - 0.02, 0.1 * z});
   piece.all = piece.own.toMoments();
   return piece;
 }
@@ -147,24 +146,6 @@ TEST (PlaneJoining, LeavesPlanesThatAreApartOrShareHardlyACell)
   row[1].pieces[0].own = floor;
   row[1].pieces[0].all = floor.toMoments();
   EXPECT_EQ (joined (row).planes.size(), 2u) << "the floor at its foot";
-}
-
-TEST (PlaneJoining, FollowsAWallThroughTwentyTilesFarFromZero)
-{
-  const Eigen::Vector3d far (691'000, 5'334'000, 519);
-  Row row;
-  for (int i = 0; i < 20; ++i) {
-    TilePlanes planes{{wall (10 * i, 10 * i + 10, 5.0, far)},
-                      borderVoxelsAround (10 * i, 3, 0)};
-    for (const BorderVoxel& voxel : borderVoxelsAround (10 * i + 10, 3, 0))
-      planes.border_voxels.push_back (voxel);
-    row.push_back (planes);
-  }
-  const JoinedPlanes found = joined (row);
-  ASSERT_EQ (found.planes.size(), 1u);
-  EXPECT_EQ (found.planes[0].tiles.size(), 20u);
-  EXPECT_EQ (found.numbers, Numbers (20, {1}));
-  EXPECT_NEAR (std::abs (found.planes[0].fit.plane.normal.y()), 1.0, 1e-6);
 }
 
 TEST (PlaneJoining, NumbersPlanesByFallingSize)

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cli/errors.h>
-#include <tiles/plan.h>
 #include <tiles/ranks.h>
 #include <tiles/tile_grid.h>
 
@@ -11,7 +9,6 @@
 #include <tuple>
 
 using namespace pcl_ops::apps;
-using Eigen::Vector3d;
 
 namespace {
 
@@ -63,37 +60,6 @@ TEST (TileGrid, HasFramesInWholeCoarsestVoxelsNearThePlaceOfAllTiles)
   EXPECT_EQ (near_place.frameOf ({4, -3}), place) << "the place is in this tile";
   EXPECT_EQ (near_place.frameOf ({6, 0}), (CellKey{144, 0, 8}));
   EXPECT_EQ (near_place.frameOf ({0, -9}), (CellKey{24, -192, 8}));
-}
-
-TEST (TileGrid, LeavesOutWhatHasNoCell)
-{
-  EXPECT_TRUE (grid.reaches ({5e6, -5e6, 1e4}));
-  EXPECT_FALSE (grid.reaches ({std::nan (""), 0, 0}));
-  EXPECT_FALSE (grid.reaches ({0, 1e300, 0}));
-}
-
-/** \brief 50 x 50 places of a floor of 5 m x 5 m. */
-std::vector<Vector3d>
-floorPlaces ()
-{
-  std::vector<Vector3d> places;
-  for (int x = 0; x < 50; ++x)
-    for (int y = 0; y < 50; ++y)
-      places.emplace_back (0.1 * x, 0.1 * y, 0.0);
-  return places;
-}
-
-TEST (CellEdge, HoldsSomeTwentyPointsOfThoseThatAreNotAtOnePlace)
-{
-  constexpr std::uint64_t points = 50'000;
-  std::vector<Vector3d> places = floorPlaces();
-  // 2,000 points on a square meter: 20 on 10 cm x 10 cm.
-  EXPECT_NEAR (cellEdgeFor (places, Vector3d::Zero(), points), 0.1, 0.05);
-  const Vector3d usual (1, 1, 0);
-  places.insert (places.end(), 20'000, usual);
-  EXPECT_NEAR (cellEdgeFor (places, usual, points), 0.1, 0.05);
-  places.assign (100, usual);
-  EXPECT_THROW (cellEdgeFor (places, usual, points), WorkError) << "has to be given";
 }
 
 using Parts = std::vector<std::size_t>;

@@ -22,7 +22,7 @@ wall ()
   std::vector<LasPoint> points;
   apps::Random random (42);
   const auto millimeters = [] (double meters) {
-    return static_cast<std::int32_t> (std::lround (1000.0 * meters));
+    return std::int32_t (std::lround (1000.0 * meters));
   };
   for (int i = 0; i < 2000; ++i) {
     const double x = 20.0 * random.unit();
@@ -52,8 +52,8 @@ saveEast (const std::string& file)
   for (LasPoint& point : east) {
     point.raw[0] += 20'000;
     for (int axis = 0; axis < 3; ++axis)
-      point.raw[axis] = static_cast<std::int32_t> (
-          std::lround (0.1 * point.raw[axis] - 100.0 * (farther - far_away)[axis]));
+      point.raw[axis] =
+          std::lround (0.1 * point.raw[axis] - 100.0 * (farther - far_away)[axis]);
   }
   apps::saveLas (file, east, 0.01, farther);
 }
@@ -63,6 +63,9 @@ class TilesAnswers : public AnswersFolder {
 protected:
   TilesAnswers() : AnswersFolder (PCL_OPS_TILES_PROGRAM)
   {
+    namespace fs = std::filesystem;
+    const fs::path answers = PCL_OPS_ANSWERS;
+    fs::copy (answers.parent_path() / "outlines.json", folder_.path());
     const std::vector<LasPoint> all = wall();
     save (folder_ / "wall.las", all);
     saveEast (folder_ / "east.las");
