@@ -106,12 +106,11 @@ reportOf (const std::string& preset, Parameters parameters)
     settings["merging"] = parameters.merging.enabled;
   }
   visitAll (parameters, [&] (const auto& number, const NumberOption& option) {
-    std::string name = nameOf (option.usage);
-    std::replace (name.begin(), name.end(), '-', '_');
+    Settings& setting = settings[keyOf (nameOf (option.usage))];
     if constexpr (std::is_arithmetic_v<std::decay_t<decltype (number)>>)
-      settings[name] = number;
+      setting = number;
     else
-      settings[name] = number ? Settings (*number) : Settings ("auto");
+      setting = number ? Settings (*number) : Settings ("auto");
   });
   return settings;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <io/shifted_cloud.h>
 #include <nlohmann/json.hpp>
 #include <pcl_ops/plane.h>
@@ -43,6 +45,13 @@ struct Detected {
   std::vector<std::string> hints;
   std::string advice;
 };
+
+/** \brief The key of an option in reports. */
+inline std::string
+keyOf (const std::string& option)
+{
+  return boost::replace_all_copy (option, "-", "_");
+}
 
 /** \brief For each point the id of its plane, 0 for none.
  * \param[in] ids of the planes; empty: 1, 2, ... */

@@ -122,7 +122,7 @@ apply (const GivenNumbers& given, Parameters& parameters)
   visitAll (parameters, [&] (auto& number, const NumberOption& option) {
     using Value = ValueOf<std::decay_t<decltype (number)>>;
     if (const auto found = given.find (nameOf (option.usage)); found != given.end())
-      number = static_cast<Value> (found->second);
+      number = Value (found->second);
   });
 }
 
@@ -141,8 +141,7 @@ declare (Parameters parameters,
     const auto note = notes.find (name);
     line.add (option.usage,
               [=, &given] (const std::string& text) {
-                given[name] = static_cast<double> (
-                    parseNumber<Value> ("--" + name, text, option.range));
+                given[name] = parseNumber<Value> ("--" + name, text, option.range);
               })
         .help (option.help + (note == notes.end() ? "" : " (" + note->second + ")"));
   });

@@ -7,19 +7,9 @@
 #include <detection/plane_list.h>
 #include <numbers/angles.h>
 
-#include <algorithm>
-
 namespace pcl_ops::apps {
 
 namespace {
-
-/** \brief An option as keys of reports are called. */
-std::string
-underscored (std::string option)
-{
-  std::replace (option.begin(), option.end(), '-', '_');
-  return option;
-}
 
 /** \brief An option with its value and how many planes it dropped. */
 struct OptionReport {
@@ -135,7 +125,7 @@ finishChoice (const CommandLine& line, PlaneChoice& choice)
     const std::string option = name;
     // The angle is told wherever it matters.
     if (line.isGiven (option == "within" ? "direction" : option))
-      choice.given[underscored (option)] = setting;
+      choice.given[keyOf (option)] = setting;
   }
 }
 
@@ -186,7 +176,7 @@ toObject (const Dropped& dropped)
   nlohmann::ordered_json object;
   object["of"] = dropped.found;
   for (const auto& [option, count] : dropped.by_option)
-    object["by"][underscored (option)] = count;
+    object["by"][keyOf (option)] = count;
   return object;
 }
 

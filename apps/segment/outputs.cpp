@@ -50,13 +50,6 @@ pointsOf (const FileCloud& cloud, const pcl::Indices& indices)
   return part;
 }
 
-std::string
-planeFile (std::size_t id, const PlaneSegment& plane, const std::string& extension)
-{
-  return str (boost::format ("plane_%03d_%s%s") % id % toString (plane.orientation) %
-              extension);
-}
-
 std::set<std::string>
 planeFilesIn (const fs::path& folder)
 {
@@ -333,10 +326,11 @@ savePlaneClouds (const std::string& folder,
   makeFolder (folder);
   try {
     const TemporaryPath written (temporaryFolderIn (folder));
-    for (std::size_t i = 0; i < planes.size(); ++i)
-      saveCloud (
-          (written.path() / planeFile (report.ids[i], planes[i], extension)).string(),
-          pointsOf (cloud, planes[i].inliers));
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      const std::string name = str (boost::format ("plane_%03d_%s%s") % report.ids[i] %
+                                    toString (planes[i].orientation) % extension);
+      saveCloud (written.path() / name, pointsOf (cloud, planes[i].inliers));
+    }
     exchangePlanes (folder, written.path());
   }
   catch (const fs::filesystem_error& error) {

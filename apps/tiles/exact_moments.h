@@ -57,12 +57,10 @@ struct ExactMoments {
     moments.count = moved (3, 3);
     moments.sum = unit * moved.col (3).head<3>();
     const Eigen::Matrix3d products = unit * unit * moved.topLeftCorner<3, 3>();
-    moments.products = {products (0, 0),
-                        products (0, 1),
-                        products (0, 2),
-                        products (1, 1),
-                        products (1, 2),
-                        products (2, 2)};
+    double* product = moments.products.data();
+    for (int i = 0; i < 3; ++i)
+      for (int k = i; k < 3; ++k)
+        *product++ = products (i, k);
     return moments;
   }
 };

@@ -75,7 +75,6 @@ checkPlanes (const CommandLine& line, PlanesOutput& planes)
 bool
 readOptions (int argc, const char* const* argv, TilesOptions& options)
 {
-  constexpr double most_jobs = 256;
   CommandLine line (program_name, summary, PCL_OPS_VERSION);
   line.setUsage ({"INPUT... --output-dir DIR [options]"}, in_and_out);
   line.addArguments ("INPUT", options.inputs, "");
@@ -84,7 +83,7 @@ readOptions (int argc, const char* const* argv, TilesOptions& options)
       .help ("edge of a cell (by the density: some 20 points in one)");
   line.add ("tile M", options.plan.tile, above (0))
       .help ("edge of a tile, rounded to 4 cells (256 cells)");
-  line.add ("jobs N", options.jobs, from (0).upTo (most_jobs))
+  line.add ("jobs N", options.jobs, from (0).upTo (256))
       .help ("tiles at a time; 0: one for each processor (1)");
   line.add ("plan FILE", options.plan_file)
       .help ("the plan to follow; written if there is none (DIR/work/plan.json)");

@@ -103,7 +103,7 @@ choosePlanes (const PlaneChoice& choice, Json& list)
   for (const Json& plane : all)
     segments.push_back (segmentIn (plane));
   const auto extent_of = [&] (const PlaneSegment& segment) {
-    const Json& plane = all[static_cast<std::size_t> (&segment - segments.data())];
+    const Json& plane = all[std::size_t (&segment - segments.data())];
     PlaneExtent extent;
     plane.at ("area").get_to (extent.area);
     plane.at ("extent").at ("length").get_to (extent.length);

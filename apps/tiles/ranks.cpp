@@ -75,7 +75,7 @@ shareOf (std::size_t rank, std::size_t ranks, const std::vector<std::uint64_t>& 
   for (const std::size_t part : order) {
     const auto idlest = std::min_element (load.begin(), load.end());
     *idlest += parts[part];
-    if (static_cast<std::size_t> (idlest - load.begin()) == rank)
+    if (idlest == load.begin() + rank)
       own.push_back (part);
   }
   return own;

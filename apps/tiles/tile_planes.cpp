@@ -48,8 +48,7 @@ inputsOf (const PlaneSegment& plane, const TilePoints& points)
   auto first = plane.inliers.begin();
   for (const auto& [input, count] : points.own_of_input) {
     next += count;
-    const auto end =
-        std::lower_bound (first, plane.inliers.end(), static_cast<pcl::index_t> (next));
+    const auto end = std::lower_bound (first, plane.inliers.end(), pcl::index_t (next));
     if (first != end)
       inputs.push_back (input);
     first = end;
@@ -86,9 +85,8 @@ pieceOf (const PlaneSegment& plane,
       piece.own.add (corner + local);
     CellKey cell = grid.cellOf (local);
     BorderVoxel voxel{{}, number};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto k = static_cast<Eigen::Index> (axis);
-      outline[i].place[axis] = std::llround ((corner[k] + local[k]) / unit);
+    for (int axis = 0; axis < 3; ++axis) {
+      outline[i].place[axis] = std::llround ((corner[axis] + local[axis]) / unit);
       voxel.cell[axis] = cell[axis] += frame[axis];
     }
     if (!grid.isInside (points.tile, cell))
@@ -135,8 +133,8 @@ detectInTile (const TileGrid& grid, const TilePoints& points)
   auto& [pieces, border_voxels] = found.planes;
   for (const PlaneSegment& plane : detectIn (grid, points)) {
     const auto begin = plane.inliers.begin();
-    const auto end = std::lower_bound (
-        begin, plane.inliers.end(), static_cast<pcl::index_t> (own_points));
+    const auto end =
+        std::lower_bound (begin, plane.inliers.end(), pcl::index_t (own_points));
     if (begin == end)
       continue;
     pieces.push_back (

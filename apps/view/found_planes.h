@@ -30,20 +30,17 @@ struct ViewState {
 };
 
 /** \brief The keys of the viewer, one a line, for the window and --help. */
-inline std::string
-keysText ()
-{
-  return "1  color by plane\n"
-         "2  color by orientation: horizontal green, vertical blue, other orange\n"
-         "m  next method: OPS, FSPF, 3D-KHT\n"
-         "p  preset: default or paper\n"
-         "h  this list on or off\n"
-         "r  view as at the start\n"
-         "+  larger points\n"
-         "-  smaller points\n"
-         "q  quit\n"
-         "shift and click  say which plane this is";
-}
+inline constexpr const char* list_of_keys =
+    R"(1  color by plane
+2  color by orientation: horizontal green, vertical blue, other orange
+m  next method: OPS, FSPF, 3D-KHT
+p  preset: default or paper
+h  this list on or off
+r  view as at the start
++  larger points
+-  smaller points
+q  quit
+shift and click  say which plane this is)";
 
 /** \brief Changes a state as a key asks for; other planes have none selected.
  * \return false if the key changes no state */
@@ -133,9 +130,9 @@ statusText (const FoundPlanes& found,
   const std::size_t planes = detected.planes.size();
   std::string text =
       str (boost::format ("%1%%2% points\n%3%, %4% preset\n%5% plane%6%") %
-           (state.help ? keysText() + "\n\n" : "") % found.labels.size() %
-           methodCalled (state.method).title % state.detector.preset % planes %
-           (planes == 1 ? "" : "s"));
+           (state.help ? list_of_keys + std::string ("\n\n") : "") %
+           found.labels.size() % methodCalled (state.method).title %
+           state.detector.preset % planes % (planes == 1 ? "" : "s"));
   std::vector<std::string> notes = detected.hints;
   notes.push_back (detected.up_note);
   if (detected.planes.empty())

@@ -44,10 +44,9 @@ readOptions (int argc, const char* const* argv, ViewOptions& options)
 {
   const std::string summary =
       "Shows a point cloud with its planes in a window. Lengths are in the unit of "
-      "the\ncloud, meters by default; angles in degrees. Keys in the window:\n\n" +
-      keysText();
+      "the\ncloud, meters by default; angles in degrees. Keys in the window:\n\n";
   ViewState& state = options.state;
-  CommandLine line ("pcl_ops_view", summary, PCL_OPS_VERSION);
+  CommandLine line ("pcl_ops_view", summary + list_of_keys, PCL_OPS_VERSION);
   line.addArgument (
       "CLOUD", options.input, "the cloud, a .pcd, .ply, .las or text file");
   line.add ("color", state.coloring, {"planes", "orientations"})

@@ -94,11 +94,4 @@ protected:
   {
     pcl::io::savePCDFileBinary (folder_ / file, cloud);
   }
-
-  /** \brief What a run prints with --planes -. */
-  nlohmann::json
-  jsonOf (const std::string& arguments) const
-  {
-    return nlohmann::json::parse (expectDone (arguments + " --planes -").out);
-  }
 };

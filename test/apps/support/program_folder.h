@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
 #include <nlohmann/json.hpp>
 #include <support/temporary_folder.h>
 #include <support/text.h>
@@ -17,12 +15,6 @@ struct Outcome {
   int exit_code;
   std::string out, err;
 };
-
-inline Eigen::Vector3d
-toVector (const nlohmann::json& array)
-{
-  return {array[0].get<double>(), array[1].get<double>(), array[2].get<double>()};
-}
 
 /** \brief A folder to run a program in. */
 class ProgramFolder : public testing::Test {
