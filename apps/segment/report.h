@@ -48,22 +48,4 @@ saveOutputs (const SegmentOptions& options,
              const ShiftedCloud& shifted,
              const Report& report);
 
-/** \brief Gives planes in the frame of their cloud their ids.
- * \param[in] sensor where it was or, if that is not known, a place among the points */
-using IdsOfPlanes = std::function<std::vector<std::uint32_t> (
-    const std::vector<PlaneSegment>& planes, const Eigen::Vector3d& sensor)>;
-
-/** \brief What is told of each stage of the work on a cloud, when it begins. */
-using StageListener = std::function<void (const std::string& stage)>;
-
-/** \brief Reads a cloud, finds its planes and writes its outputs.
- * \param[in] ids_of where it is missing, planes are numbered by falling size
- * \throws UsageError or WorkError if the cloud cannot be read or an output cannot be
- * written, Interrupted before anything is written */
-Report
-segmentCloud (const SegmentOptions& options,
-              const Task& task,
-              const IdsOfPlanes& ids_of = {},
-              const StageListener& begin_stage = {});
-
 } // namespace pcl_ops::apps
