@@ -5,8 +5,9 @@
 #include <boost/format.hpp>
 
 #include "advice.h"
-#include "number_options.h"
 #include "plane_list.h"
+#include <cli/command_line.h>
+#include <numbers/angles.h>
 #include <pcl_ops/detect_planes.h>
 #include <pcl_ops/up_axis.h>
 #include <pcl_ops/visibility.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <type_traits>
 
 namespace pcl_ops::apps {
 
@@ -22,6 +24,140 @@ namespace {
 using OpsParameters = OrientedPointSamplingParameters;
 using FspfParameters = FastSamplingPlaneFilteringParameters;
 using KhtParameters = KernelHoughTransformParameters;
+
+struct NumberOption {
+  const char* usage;
+  Range range;
+  const char* help;
+};
+
+constexpr double points_of_a_plane = 3;
+
+/** \brief Calls \p visit (number, option) for what all detectors have. */
+template <typename Visit>
+void
+visitOwn (PlaneDetectorParameters& p, const Visit& visit)
+{
+  visit (p.distance_threshold,
+         {"threshold M", above (0), "farthest point of a plane (0.05; ops: auto)"});
+  visit (p.merging.distance_threshold,
+         {"merge-distance M",
+          from (0),
+          "planes this near are one (--threshold; ops: auto)"});
+  const double usual = toDegrees (p.angle_tolerance);
+  double degrees = usual;
+  visit (degrees,
+         {"angle-tolerance DEG",
+          from (0).upTo (90),
+          "largest tilt of horizontal and vertical planes (7)"});
+  if (degrees != usual)
+    p.angle_tolerance = toRadians (degrees);
+  visit (p.seed, {"seed S", from (0), "same seed, same result (42)"});
+  visit (
+      p.threads,
+      {"threads T", from (0).upTo (1024), "0 for all; the result stays the same (1)"});
+}
+
+/** \brief For what one detector has; the help goes on with the presets' values. */
+template <typename Visit>
+void
+visitOwn (OpsParameters& p, const Visit& visit)
+{
+  visit (
+      p.sampling_rate,
+      {"sampling-rate R", above (0).upTo (1), "share of the points that get a normal"});
+  visit (p.k, {"k K", from (2), "neighbors of a normal; on surfels the fewest points"});
+  visit (p.min_inliers,
+         {"min-inliers N", from (1), "a plane has more sampled points than this"});
+  visit (p.paper_only.probability,
+         {"probability P",
+          above (0).below (1),
+          "of drawing a point of the largest plane"});
+  double edge = p.surfels.voxel_size.value_or (0.0);
+  visit (edge, {"cell M", from (0), "edge of a voxel; 0: by the number of points"});
+  p.surfels.voxel_size = edge == 0.0 ? std::nullopt : std::make_optional (edge);
+}
+
+template <typename Visit>
+void
+visitOwn (FspfParameters& p, const Visit& visit)
+{
+  FspfParameters::Local& local = p.local;
+  visit (local.inner_radius,
+         {"inner-radius M", above (0), "three points this near make a hypothesis"});
+  visit (local.outer_radius,
+         {"outer-radius M", above (0), "it is tested on points this near"});
+  visit (
+      local.local_samples,
+      {"local-samples N", from (points_of_a_plane), "it is tested on so many of them"});
+  visit (local.min_inlier_fraction,
+         {"min-inlier-share R",
+          from (0).below (1),
+          "a larger share of these must be inliers"});
+  visit (local.max_inliers_per_point,
+         {"inliers-per-point R", above (0), "sampling ends at so many inliers"});
+}
+
+template <typename Visit>
+void
+visitOwn (KhtParameters& p, const Visit& visit)
+{
+  auto& clusters = p.clusters;
+  visit (p.phi_num, {"phi-num N", from (2).upTo (1000), "steps of half a turn"});
+  visit (p.rho_num,
+         {"rho-num N", from (2).upTo (10000), "steps out to the farthest point"});
+  visit (
+      clusters.min_samples,
+      {"min-samples N", from (points_of_a_plane), "smaller octree nodes are left out"});
+  visit (clusters.first_level,
+         {"s-level N", from (0).upTo (20), "first level of the octree that is tested"});
+  visit (clusters.s_alpha,
+         {"s-alpha R", above (0), "larger: a node must be thinner to count as flat"});
+  visit (clusters.s_beta, {"s-beta R", above (0), "larger: it may be more elongated"});
+}
+
+template <typename Parameters, typename Visit>
+void
+visitAll (Parameters& parameters, const Visit& visit)
+{
+  visitOwn (parameters, visit);
+  visitOwn (static_cast<PlaneDetectorParameters&> (parameters), visit);
+}
+
+template <typename Number>
+using ValueOf = std::conditional_t<std::is_arithmetic_v<Number>, Number, double>;
+
+template <typename Parameters>
+void
+apply (const GivenNumbers& given, Parameters& parameters)
+{
+  visitAll (parameters, [&] (auto& number, const NumberOption& option) {
+    using Value = ValueOf<std::decay_t<decltype (number)>>;
+    if (const auto found = given.find (nameOf (option.usage)); found != given.end())
+      number = Value (found->second);
+  });
+}
+
+/** \brief Declares the options of what these parameters have alone.
+ * \param[in] notes what follows the help of an option, by its name */
+template <typename Parameters>
+void
+declare (Parameters parameters,
+         const std::map<std::string, std::string>& notes,
+         CommandLine& line,
+         GivenNumbers& given)
+{
+  visitOwn (parameters, [&] (auto& number, const NumberOption& option) {
+    using Value = ValueOf<std::decay_t<decltype (number)>>;
+    const std::string name = nameOf (option.usage);
+    const auto note = notes.find (name);
+    line.add (option.usage,
+              [=, &given] (const std::string& text) {
+                given[name] = parseNumber<Value> ("--" + name, text, option.range);
+              })
+        .help (option.help + (note == notes.end() ? "" : " (" + note->second + ")"));
+  });
+}
 
 // What follows from options that were given, and what is refused.
 
@@ -45,7 +181,7 @@ void
 relate (const GivenNumbers& given, std::size_t, FspfParameters& parameters)
 {
   constexpr double ratio = 2.0;
-  FastSamplingPlaneFilteringParameters::Local& local = parameters.local;
+  FspfParameters::Local& local = parameters.local;
   const bool has_inner = given.count ("inner-radius") > 0;
   const bool has_outer = given.count ("outer-radius") > 0;
   if (has_inner && !has_outer)
