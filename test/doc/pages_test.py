@@ -24,7 +24,6 @@ RUN = ("pcl_ops_simulate ", "pcl_ops_segment ", "cat room.pcd | ", "pcl_ops_tile
        "pcl_ops_evaluate compare ", "pcl_ops_evaluate planes ", "pcl_ops_evaluate track ",
        "printf ")
 
-
 # What the tables of comparisons call the columns and rows of src/doc/comparison.csv.
 MEASURES = {"class.": ("classification_accuracy", 100, 1),
             "segm.": ("segmentation_accuracy", 100, 1), "F 0.5": ("f_score", 1, 2),

@@ -13,17 +13,12 @@ namespace pcl_ops::fuzz {
 /** \brief What a fuzzer makes up. */
 using Bytes = std::vector<std::uint8_t>;
 
-/** \brief Something that holds for whatever comes in did not. */
-struct BrokenPromise : std::logic_error {
-  using std::logic_error::logic_error;
-};
-
-/** \brief \throws BrokenPromise unless it holds */
+/** \brief Of something that holds for whatever comes in. */
 inline void
 promise (bool holds, const std::string& what)
 {
   if (!holds)
-    throw BrokenPromise ("broken promise: " + what);
+    throw std::logic_error ("broken promise: " + what);
 }
 
 using Targets = std::map<std::string, void (*) (const Bytes&)>;

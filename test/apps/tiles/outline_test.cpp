@@ -18,8 +18,6 @@ const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
 
 using Within = std::function<bool (const Eigen::Vector2d&)>;
 
-const Within anywhere = [] (const Eigen::Vector2d& /*point*/) { return true; };
-
 /** \brief Twenty points of each square meter of 20 m by 20 m that is within, on a level
  * plane or on a wall along x. */
 std::vector<OutlinePoint>
@@ -72,7 +70,8 @@ TEST (Outline, IsTheSameFromEitherSideAndOnAWall)
   for (const bool is_wall : {false, true})
     for (const double sign : {1.0, -1.0}) {
       const Eigen::Vector3d normal = is_wall ? Eigen::Vector3d::UnitY() : up;
-      const auto outline = outlineOf (placesIn (anywhere, is_wall), sign * normal);
+      const auto places = placesIn ([] (auto&) { return true; }, is_wall);
+      const auto outline = outlineOf (places, sign * normal);
       ASSERT_EQ (outline.size(), 1u);
       EXPECT_EQ (outline[0].size(), 1u) << "no holes";
       EXPECT_NEAR (areaOf (outline[0]), 400.0, 8.0) << "to the left: above zero";

@@ -6,8 +6,6 @@
 #include <tiles/exact_moments.h>
 #include <tiles/plane_joining.h>
 
-#include <algorithm>
-
 namespace {
 
 using namespace pcl_ops;
@@ -85,40 +83,25 @@ wall (int first, int last, double y)
   return piece;
 }
 
-/** \brief The cells that a wall is in around x, between two tiles. */
-std::vector<BorderVoxel>
-borderVoxelsAround (int x, int height, std::uint32_t piece)
-{
-  std::vector<BorderVoxel> border_voxels;
-  for (int i = x - 2; i < x + 2; ++i)
-    for (int z = 0; z < height; ++z)
-      border_voxels.push_back ({{i, 0, z}, piece});
-  return border_voxels;
-}
-
-/** \brief Tiles in a row along x, each with its planes. */
+/** \brief Two tiles in a row along x, each with its planes. */
 using Row = std::vector<TilePlanes>;
-using Numbers = std::vector<std::vector<std::uint32_t>>;
 
 JoinedPlanes
 joined (const Row& row)
 {
-  std::vector<TileKey> tiles;
-  for (std::size_t i = 0; i < row.size(); ++i)
-    tiles.push_back ({static_cast<std::int64_t> (i), 0});
-  return joinPlanes (tiles, [&row] (const TileKey& tile) {
-    TilePlanes planes = row[tile[0]];
-    std::sort (planes.border_voxels.begin(), planes.border_voxels.end());
-    return planes;
-  });
+  return joinPlanes ({{0, 0}, {1, 0}},
+                     [&row] (const TileKey& tile) { return row[tile[0]]; });
 }
 
 /** \brief Two tiles with a wall each, 10 m long, that share cells around x = 10. */
 Row
-twoTiles (double y_of_first, double y_of_second, int height = 3)
+twoTiles (double y_of_first, double y_of_second)
 {
-  return {{{wall (0, 10, y_of_first)}, borderVoxelsAround (10, height, 0)},
-          {{wall (10, 20, y_of_second)}, borderVoxelsAround (10, height, 0)}};
+  std::vector<BorderVoxel> shared;
+  for (int x = 8; x < 12; ++x)
+    for (int z = 0; z < 3; ++z)
+      shared.push_back ({{x, 0, z}, 0});
+  return {{{wall (0, 10, y_of_first)}, shared}, {{wall (10, 20, y_of_second)}, shared}};
 }
 
 TEST (PlaneJoining, AddsTheMomentsOfOwnPointsOnly)
@@ -153,7 +136,7 @@ TEST (PlaneJoining, NumbersPlanesByFallingSize)
   Row row = twoTiles (5.0, 7.0);
   row[1].pieces[0] = wall (10, 40, 7.0);
   const JoinedPlanes found = joined (row);
-  EXPECT_EQ (found.numbers, (Numbers{{2}, {1}}));
+  EXPECT_EQ (found.numbers, (std::vector<std::vector<std::uint32_t>>{{2}, {1}}));
   EXPECT_TRUE (found.planes[0].moments.sums == row[1].pieces[0].own.sums);
 }
 

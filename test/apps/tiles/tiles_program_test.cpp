@@ -4,7 +4,6 @@
 #include <numbers/random.h>
 #include <support/answers.h>
 
-#include <cmath>
 #include <fstream>
 
 namespace {
@@ -14,24 +13,15 @@ using apps::LasPoint;
 
 const Eigen::Vector3d far_away (691'000, 5'334'000, 519);
 
-/** \brief A wall along x from 0, 20 m long, 3 m high, with 1.5 cm of noise, in
- * millimeters. */
+/** \brief A wall along x, 20 m long, 3 m high and 5 cm thick, in millimeters. */
 std::vector<LasPoint>
 wall ()
 {
   std::vector<LasPoint> points;
   apps::Random random (42);
-  const auto millimeters = [] (double meters) {
-    return std::int32_t (std::lround (1000.0 * meters));
-  };
-  for (int i = 0; i < 2000; ++i) {
-    const double x = 20.0 * random.unit();
-    const double z = 3.0 * random.unit();
-    double noise = -0.09;
-    for (int k = 0; k < 12; ++k)
-      noise += 0.015 * random.unit();
-    points.push_back ({{millimeters (x), millimeters (noise), millimeters (z)}});
-  }
+  const auto below = [&] (int length) { return int (length * random.unit()); };
+  for (int i = 0; i < 2000; ++i)
+    points.push_back ({{10 * i, below (50) - 25, below (3'000)}});
   return points;
 }
 
@@ -47,15 +37,10 @@ save (const std::string& file,
 void
 saveEast (const std::string& file)
 {
-  const Eigen::Vector3d farther = far_away + Eigen::Vector3d (5000.0, -5000.0, 0.0);
   std::vector<LasPoint> east = wall();
-  for (LasPoint& point : east) {
-    point.raw[0] += 20'000;
-    for (int axis = 0; axis < 3; ++axis)
-      point.raw[axis] =
-          std::lround (0.1 * point.raw[axis] - 100.0 * (farther - far_away)[axis]);
-  }
-  apps::saveLas (file, east, 0.01, farther);
+  for (auto& [raw, others, label] : east)
+    raw = {raw[0] / 10 - 498'000, raw[1] / 10 + 500'000, raw[2] / 10};
+  apps::saveLas (file, east, 0.01, far_away + Eigen::Vector3d (5000, -5000, 0));
 }
 
 /** \brief A folder with the files of answers.tsv. */
