@@ -159,7 +159,8 @@ lookAt (const std::vector<std::string>& files)
       continue;
     }
     PointFile points (file);
-    if (const std::string problem = points.validateLabels(); !problem.empty())
+    const std::string problem = points.las ? points.las->validate ({label_field}) : "";
+    if (!problem.empty())
       throw WorkError (file, problem);
     const auto place = [&points] (std::uint64_t i) { return points.place (i); };
     Sample sample{stateOf (file), somePlaces (points.size(), place, wanted)};

@@ -17,35 +17,34 @@
 namespace pcl_ops::apps {
 
 /** \brief The points of a file; those of a .las are read as they are asked for. */
-class PointFile {
-public:
+struct PointFile {
   /** \throws UsageError or WorkError as \ref loadCloud */
   explicit PointFile (const std::string& file)
-  : las_ (isLasName (file) ? openLas (file) : nullptr)
-  , cloud_ (las_ ? FileCloud() : loadCloud (file))
+  : las (isLasName (file) ? openLas (file) : nullptr)
+  , cloud (las ? FileCloud() : loadCloud (file))
   {}
 
   std::uint64_t
   size () const
   {
-    return las_ ? las_->size() : cloud_.size();
+    return las ? las->size() : cloud.size();
   }
 
   /** \brief NaN for a point without coordinates. */
   Eigen::Vector3d
   place (std::uint64_t point)
   {
-    return las_ ? las_->place (point) : CoordinateReader (cloud_) (point);
+    return las ? las->place (point) : CoordinateReader (cloud) (point);
   }
 
   /** \brief Calls \p visit with the place of each point, in their order. */
   void
   forPlaces (const std::function<void (const Eigen::Vector3d&)>& visit)
   {
-    if (las_)
-      return las_->forPlaces (visit);
-    const CoordinateReader reader (cloud_);
-    for (std::size_t i = 0; i < cloud_.size(); ++i)
+    if (las)
+      return las->forPlaces (visit);
+    const CoordinateReader reader (cloud);
+    for (std::size_t i = 0; i < cloud.size(); ++i)
       visit (reader (i));
   }
 
@@ -56,24 +55,16 @@ public:
   void
   saveLabelled (const std::string& output, const LabelOfPlace& label)
   {
-    if (las_)
-      return saveLasWith (output, *las_, {{label_field, label}});
+    if (las)
+      return saveLasWith (output, *las, {{label_field, label}});
     std::vector<std::uint32_t> labels;
     forPlaces (
         [&] (const Eigen::Vector3d& place) { labels.push_back (label (place)); });
-    saveLabelledCloud (output, cloud_, labels, {}, false);
+    saveLabelledCloud (output, cloud, labels, {}, false);
   }
 
-  /** \brief Why there can be no labels, with the fix; empty where there can. */
-  std::string
-  validateLabels () const
-  {
-    return las_ ? las_->validate ({label_field}) : "";
-  }
-
-private:
-  std::shared_ptr<LasFile> las_;
-  FileCloud cloud_;
+  std::shared_ptr<LasFile> las;
+  FileCloud cloud;
 };
 
 } // namespace pcl_ops::apps

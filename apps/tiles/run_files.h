@@ -20,16 +20,13 @@
 namespace pcl_ops::apps {
 
 /** \brief Writes numbers as this machine has them. */
-class BinaryWriter {
-public:
-  explicit BinaryWriter (std::ostream& stream) : stream_ (stream) {}
-
+struct BinaryWriter {
   template <typename Number>
   void
   operator() (const Number* numbers, std::size_t count)
   {
     static_assert (std::is_trivially_copyable_v<Number>, "a file has its bytes");
-    stream_.write (reinterpret_cast<const char*> (numbers), count * sizeof (Number));
+    stream.write (reinterpret_cast<const char*> (numbers), count * sizeof (Number));
   }
 
   template <typename Number>
@@ -41,8 +38,7 @@ public:
     (*this) (numbers.data(), numbers.size());
   }
 
-private:
-  std::ostream& stream_;
+  std::ostream& stream;
 };
 
 /** \brief Reads them, or throws a WorkError that names the file. */
@@ -119,7 +115,7 @@ public:
   finish ()
   {
     flush();
-    BinaryWriter write (stream_);
+    BinaryWriter write{stream_};
     write (blocks_);
     write (&offset_, 1);
   }

@@ -102,7 +102,7 @@ void
 saveTilePlanes (const std::string& file, const TilePlanes& planes)
 {
   writeFile (file, [&] (std::ostream& stream) {
-    BinaryWriter write (stream);
+    BinaryWriter write{stream};
     const std::uint64_t pieces = planes.pieces.size();
     write (&pieces, 1);
     for (const Piece& piece : planes.pieces)
