@@ -18,7 +18,6 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <set>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -159,19 +158,19 @@ inputsOf (const TilesOptions& options)
 void
 checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& options)
 {
+  // By names of outputs; empty for that of an input or a list itself.
   std::map<std::string, std::string> input_of;
-  std::set<std::string> inputs;
   for (const PlannedInput& input : plan.inputs)
-    inputs.insert (resolvedName (input.file));
+    input_of.emplace (resolvedName (input.file), "");
   checkWritable (folder.output (planes_file));
   for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
     const std::string output = outputOf (plan, folder, i);
-    const std::string resolved = resolvedName (output);
-    if (inputs.count (resolved) > 0)
+    const std::string& input = plan.inputs[i].file;
+    const auto [first, is_new] = input_of.emplace (resolvedName (output), input);
+    if (!is_new && first->second.empty())
       throw UsageError (output, "is an input, too; give another --output-dir");
-    const auto [first, is_new] = input_of.emplace (resolved, plan.inputs[i].file);
     if (!is_new)
-      throw UsageError (first->second + " and " + plan.inputs[i].file,
+      throw UsageError (first->second + " and " + input,
                         "would both be written to " + output + "; rename one");
     checkWritable (output);
   }
@@ -180,8 +179,7 @@ checkClashes (const Plan& plan, const RunFolder& folder, const TilesOptions& opt
                                      std::pair ("--image", options.planes.image)}) {
     if (file.empty())
       continue;
-    const std::string resolved = resolvedName (file);
-    if (inputs.count (resolved) > 0 || !input_of.emplace (resolved, "").second)
+    if (!input_of.emplace (resolvedName (file), "").second)
       throw UsageError (
           file, std::string ("is an input or another output; give another ") + option);
     checkWritable (file);
