@@ -57,16 +57,7 @@ inCommon (const Intervals& first, const Intervals& second, double min_length)
   return common;
 }
 
-/** \brief The points origin + t direction, which has length 1. */
-struct Line {
-  Vector3d origin, direction;
-
-  Vector3d
-  at (double t) const
-  {
-    return origin + t * direction;
-  }
-};
+using Line = Eigen::ParametrizedLine<double, 3>;
 
 /** \brief Two planes with points of both along their line. */
 struct Meeting {
@@ -90,16 +81,6 @@ struct Body {
   double spacing;
 };
 
-/** \brief Mean distance between points spread evenly over a rectangle, whose sides are
- * the roots of 12 times its variances. */
-double
-spacingOf (const PlaneFit& fit, double points)
-{
-  constexpr double of_uniform = 12.0;
-  const double area = of_uniform * std::sqrt (fit.variances[1] * fit.variances[2]);
-  return std::sqrt (area / points);
-}
-
 std::optional<Body>
 bodyOf (const CloudView& cloud, const PlaneSegment& plane, const Vector3d& shift)
 {
@@ -107,11 +88,13 @@ bodyOf (const CloudView& cloud, const PlaneSegment& plane, const Vector3d& shift
   if (!fit)
     return {};
   const PlaneFrame in_cloud (plane.centroid - shift, plane.normal);
+  // Of a rectangle, whose sides are the roots of 12 times its variances.
+  const double area = 12.0 * std::sqrt (fit->variances[1] * fit->variances[2]);
   Body body{PlaneFrame (plane.centroid, plane.normal),
             pointsOnPlane (cloud, plane, in_cloud),
             {},
             std::sqrt (std::max (0.0, fit->variances[0])),
-            spacingOf (*fit, plane.moments.count)};
+            std::sqrt (area / plane.moments.count)};
   for (const Eigen::Vector2d& point : body.points)
     if (point.allFinite())
       body.box.extend (point);
@@ -170,8 +153,8 @@ meetingLine (const PlaneSegment& first, const PlaneSegment& second, double min_s
 std::vector<double>
 placesBeside (const Body& body, const Line& line, double reach)
 {
-  const Eigen::Vector2d origin = body.frame.toPlane (line.origin);
-  const Eigen::Vector2d along = body.frame.toPlane (line.at (1.0)) - origin;
+  const Eigen::Vector2d origin = body.frame.toPlane (line.origin());
+  const Eigen::Vector2d along = body.frame.toPlane (line.pointAt (1.0)) - origin;
   const double radius = 0.5 * body.box.diagonal().norm();
   if (std::abs (cross (along, body.box.center() - origin)) > radius + reach)
     return {};
@@ -218,24 +201,6 @@ meetingOf (const std::vector<PlaneSegment>& planes,
   return Meeting{first, second, *line, angle, gap, std::move (common)};
 }
 
-/** \brief All that meet, by their first plane, then by their second. */
-std::vector<Meeting>
-meetingsOf (const CloudView& cloud,
-            const std::vector<PlaneSegment>& planes,
-            const PlaneEdgeParameters& parameters,
-            const Vector3d& shift)
-{
-  std::vector<std::optional<Body>> bodies;
-  for (const PlaneSegment& plane : planes)
-    bodies.push_back (bodyOf (cloud, plane, shift));
-  std::vector<Meeting> meetings;
-  for (std::size_t i = 0; i < planes.size(); ++i)
-    for (std::size_t j = i + 1; j < planes.size(); ++j)
-      if (std::optional<Meeting> meeting = meetingOf (planes, bodies, i, j, parameters))
-        meetings.push_back (std::move (*meeting));
-  return meetings;
-}
-
 /** \brief The point that three planes have in common, each two of which meet; nothing
  * where one of them is at an angle with a smaller sine to the line of the others. */
 std::optional<Vector3d>
@@ -263,7 +228,7 @@ meetingPoint (const PlaneSegment& first,
 bool
 comesTo (const Meeting& meeting, const Vector3d& point)
 {
-  const double place = meeting.line.direction.dot (point - meeting.line.origin);
+  const double place = meeting.line.direction().dot (point - meeting.line.origin());
   for (const Interval& interval : meeting.intervals)
     if (place >= interval.from - meeting.max_gap &&
         place <= interval.to + meeting.max_gap)
@@ -330,12 +295,12 @@ edgeOf (const Interval& interval,
   PlaneEdge edge;
   edge.planes = {meeting.first, meeting.second};
   edge.angle = meeting.angle;
-  edge.from = meeting.line.at (interval.from);
-  edge.to = meeting.line.at (interval.to);
+  edge.from = meeting.line.pointAt (interval.from);
+  edge.to = meeting.line.pointAt (interval.to);
   const Vector3d from = drawn (edge.from, meeting, corners);
   const Vector3d to = drawn (edge.to, meeting, corners);
   const auto is_edge = [&] (const Vector3d& begin, const Vector3d& end) {
-    return meeting.line.direction.dot (end - begin) > 0.0;
+    return meeting.line.direction().dot (end - begin) > 0.0;
   };
   const bool is_begin_nearer = (from - edge.from).norm() <= (to - edge.to).norm();
   const bool is_long = is_edge (from, to);
@@ -379,7 +344,15 @@ findPlaneEdges (const CloudView& cloud,
 {
   detail::throwOn (validate (parameters));
   detail::throwOn (validate (cloud, planes));
-  const std::vector<Meeting> meetings = meetingsOf (cloud, planes, parameters, shift);
+  std::vector<std::optional<Body>> bodies;
+  for (const PlaneSegment& plane : planes)
+    bodies.push_back (bodyOf (cloud, plane, shift));
+  // By their first plane, then by their second.
+  std::vector<Meeting> meetings;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    for (std::size_t j = i + 1; j < planes.size(); ++j)
+      if (std::optional<Meeting> meeting = meetingOf (planes, bodies, i, j, parameters))
+        meetings.push_back (std::move (*meeting));
   PlaneEdges found;
   found.corners = cornersOf (meetings, planes, std::sin (parameters.min_angle));
   for (const Meeting& meeting : meetings)

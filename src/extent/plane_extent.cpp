@@ -103,56 +103,27 @@ innerHull (const PlanarPoints& points)
   return hull;
 }
 
-/** \brief Points in a plane, taken off from outside. Those clearly inside are not
- * looked at again. */
-class Rim {
-public:
-  /** \param[in] points finite ones */
-  explicit Rim (PlanarPoints points) : inner_hull_ (innerHull (points))
-  {
-    if (!inner_hull_.empty())
-      outer_ = splitOff (points, depthsWithin (inner_hull_, points), 0.0);
-    else
-      outer_ = std::move (points);
-  }
+/** \brief Removes the points on a hull of theirs and those nearest to it.
+ * \param[in] fewest how many points to remove at least
+ * \return how many points that were */
+std::size_t
+takeOff (PlanarPoints& points, const PlanarPoints& hull, std::size_t fewest)
+{
+  if (points.empty())
+    return 0;
+  const std::vector<double> depths = depthsWithin (hull, points);
+  std::vector<double> ordered = depths;
+  const auto last = ordered.begin() +
+                    static_cast<std::ptrdiff_t> (std::min (fewest, ordered.size()) - 1);
+  std::nth_element (ordered.begin(), last, ordered.end());
+  return splitOff (points, depths, std::max (*last, depthOfCorners (hull))).size();
+}
 
-  /** \brief The hull of the points that are left. */
-  PlanarPoints
-  hull () const
-  {
-    PlanarPoints points = outer_;
-    points.insert (points.end(), inner_hull_.begin(), inner_hull_.end());
-    return hullOfAll (points);
-  }
-
-  /** \brief Removes all points on the hull and those nearest to it.
-   * \param[in] hull of the points that are left
-   * \param[in] fewest how many points to remove at least
-   * \return how many points that were */
-  std::size_t
-  takeOff (const PlanarPoints& hull, std::size_t fewest)
-  {
-    if (outer_.empty())
-      return 0;
-    const std::vector<double> depths = depthsWithin (hull, outer_);
-    std::vector<double> ordered = depths;
-    const auto last = ordered.begin() + static_cast<std::ptrdiff_t> (
-                                            std::min (fewest, ordered.size()) - 1);
-    std::nth_element (ordered.begin(), last, ordered.end());
-    return splitOff (outer_, depths, std::max (*last, depthOfCorners (hull))).size();
-  }
-
-private:
-  PlanarPoints outer_;
-  /** \brief Points around all others; they stay. */
-  PlanarPoints inner_hull_;
-};
-
-/** \brief A rectangle around points, by its side u and the one to the left of it. */
+/** \brief A rectangle around points: a box along its side u and the one to the left of
+ * it. */
 struct Rectangle {
   Eigen::Vector2d u = Eigen::Vector2d::UnitX();
-  Eigen::Vector2d low = Eigen::Vector2d::Zero();
-  Eigen::Vector2d high = Eigen::Vector2d::Zero();
+  Eigen::AlignedBox2d box{Eigen::Vector2d::Zero()};
 
   Eigen::Vector2d
   left () const
@@ -160,31 +131,19 @@ struct Rectangle {
     return {-u.y(), u.x()};
   }
   Eigen::Vector2d
-  sides () const
-  {
-    return high - low;
-  }
-  Eigen::Vector2d
   center () const
   {
-    const Eigen::Vector2d middle = 0.5 * (low + high);
-    return middle.x() * u + middle.y() * left();
+    return box.center().x() * u + box.center().y() * left();
   }
 };
 
 Rectangle
 rectangleAlong (const Eigen::Vector2d& u, const PlanarPoints& points)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Rectangle rectangle;
-  rectangle.u = u;
-  rectangle.low.setConstant (infinity);
-  rectangle.high.setConstant (-infinity);
-  for (const Eigen::Vector2d& point : points) {
-    const Eigen::Vector2d turned (u.dot (point), rectangle.left().dot (point));
-    rectangle.low = rectangle.low.cwiseMin (turned);
-    rectangle.high = rectangle.high.cwiseMax (turned);
-  }
+  Rectangle rectangle{u, Eigen::AlignedBox2d()};
+  for (const Eigen::Vector2d& point : points)
+    rectangle.box.extend (
+        Eigen::Vector2d (u.dot (point), rectangle.left().dot (point)));
   return rectangle;
 }
 
@@ -197,7 +156,7 @@ smallestRectangle (const PlanarPoints& hull)
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Eigen::Vector2d edge = hull[(i + 1) % hull.size()] - hull[i];
     const Rectangle rectangle = rectangleAlong (edge.normalized(), hull);
-    const double area = rectangle.sides().prod();
+    const double area = rectangle.box.volume();
     if (area < least) {
       least = area;
       smallest = rectangle;
@@ -206,10 +165,12 @@ smallestRectangle (const PlanarPoints& hull)
   return smallest;
 }
 
-// Of points on one line: its direction, by two that lie far apart.
-Eigen::Vector2d
-directionOf (const PlanarPoints& points)
+Rectangle
+rectangleAlongLine (const PlanarPoints& points)
 {
+  if (points.empty())
+    return {};
+  // Its direction, by two that lie far apart.
   const auto farthestFrom = [&] (const Eigen::Vector2d& from) {
     return *std::max_element (
         points.begin(), points.end(), [&] (const auto& first, const auto& second) {
@@ -218,16 +179,10 @@ directionOf (const PlanarPoints& points)
   };
   const Eigen::Vector2d end = farthestFrom (points.front());
   const Eigen::Vector2d along = farthestFrom (end) - end;
-  return along.isZero (0.0) ? Eigen::Vector2d::UnitX() : along.normalized();
-}
-
-Rectangle
-rectangleAlongLine (const PlanarPoints& points)
-{
-  if (points.empty())
-    return {};
-  Rectangle rectangle = rectangleAlong (directionOf (points), points);
-  rectangle.low.y() = rectangle.high.y() = rectangle.center().dot (rectangle.left());
+  Rectangle rectangle = rectangleAlong (
+      along.isZero (0.0) ? Eigen::Vector2d::UnitX() : along.normalized(), points);
+  const double middle = rectangle.center().dot (rectangle.left());
+  rectangle.box.min().y() = rectangle.box.max().y() = middle;
   return rectangle;
 }
 
@@ -242,17 +197,25 @@ convexHull (const PlanarPoints& points, double max_outside)
 {
   constexpr double edge_density = 0.5;
   constexpr std::size_t layers = 16;
-  PlanarPoints finite = finiteOf (points);
-  const auto number = static_cast<double> (finite.size());
+  PlanarPoints rim = finiteOf (points);
+  const auto number = static_cast<double> (rim.size());
   const auto budget = static_cast<std::size_t> (max_outside * number);
-  Rim rim (std::move (finite));
-  PlanarPoints hull = rim.hull();
+  // Points clearly inside stay, and are not looked at again.
+  const PlanarPoints inner_hull = innerHull (rim);
+  if (!inner_hull.empty())
+    rim = splitOff (rim, depthsWithin (inner_hull, rim), 0.0);
+  const auto hull_of_rest = [&] {
+    PlanarPoints rest = rim;
+    rest.insert (rest.end(), inner_hull.begin(), inner_hull.end());
+    return hullOfAll (rest);
+  };
+  PlanarPoints hull = hull_of_rest();
   for (std::size_t outside = 0; !hull.empty();) {
-    const std::size_t layer = rim.takeOff (hull, budget / layers + 1);
+    const std::size_t layer = takeOff (rim, hull, budget / layers + 1);
     outside += layer;
     if (outside > budget)
       break;
-    const PlanarPoints next = rim.hull();
+    const PlanarPoints next = hull_of_rest();
     const double area = areaOf (next);
     const double lost = areaOf (hull) - area;
     const bool is_fringe =
@@ -271,7 +234,7 @@ extentOf (const PlanarRings& rings, const PlanarPoints& points, const PlaneFrame
   const PlanarPoints hull = hullOfAll (outline);
   const Rectangle rectangle =
       hull.empty() ? rectangleAlongLine (finiteOf (points)) : smallestRectangle (hull);
-  const Eigen::Vector2d sides = rectangle.sides();
+  const Eigen::Vector2d sides = rectangle.box.sizes();
   const bool is_long = sides.x() >= sides.y();
   PlaneExtent extent;
   for (const Eigen::Vector2d& corner : outline)

@@ -47,16 +47,6 @@ struct WeightedPoints {
 using Cell = std::pair<std::int64_t, std::int64_t>;
 using Cells = std::map<Cell, std::vector<std::size_t>>;
 
-bool
-isSurrounded (const Cells& cells, const Cell& cell)
-{
-  for (const std::int64_t x : {-1, 0, 1})
-    for (const std::int64_t y : {-1, 0, 1})
-      if (cells.count ({cell.first + x, cell.second + y}) == 0)
-        return false;
-  return true;
-}
-
 /** \brief All points near the rim, and one for each square cell that has points in all
  * cells around it.
  * \param[in] cell side of a cell [m] */
@@ -69,7 +59,10 @@ thinInside (const PlanarPoints& points, double cell)
         .push_back (i);
   WeightedPoints thinned;
   for (const auto& [place, members] : cells) {
-    const bool is_inside = isSurrounded (cells, place);
+    bool is_inside = true;
+    for (const std::int64_t x : {-1, 0, 1})
+      for (const std::int64_t y : {-1, 0, 1})
+        is_inside &= cells.count ({place.first + x, place.second + y}) > 0;
     for (std::size_t m = 0; m < (is_inside ? 1 : members.size()); ++m) {
       thinned.points.push_back (points[members[m]]);
       thinned.weights.push_back (is_inside ? members.size() : 1);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace pcl_ops {
 namespace {
@@ -18,17 +19,12 @@ using Numbers = std::vector<std::size_t>;
 
 /** \brief Where a ray to the right first meets a ring: the place of that side, and how
  * far to the right. */
-struct Landing {
-  std::size_t side = 0;
-  double x = std::numeric_limits<double>::infinity();
-};
-
-Landing
+std::pair<std::size_t, double>
 landingOf (const Eigen::Vector2d& from,
            const Numbers& ring,
            const PlanarPoints& corners)
 {
-  Landing landing;
+  std::pair landing (std::size_t (0), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < ring.size(); ++i) {
     // On the right the ring around runs upwards.
     const Eigen::Vector2d& low = corners[ring[i]];
@@ -37,7 +33,7 @@ landingOf (const Eigen::Vector2d& from,
       continue;
     const double share = (from.y() - low.y()) / (high.y() - low.y());
     const double x = low.x() + share * (high.x() - low.x());
-    if (x >= from.x() && x < landing.x)
+    if (x >= from.x() && x < landing.second)
       landing = {i, x};
   }
   return landing;
@@ -67,11 +63,10 @@ visibleFrom (const Eigen::Vector2d& from,
              const Numbers& ring,
              const PlanarPoints& corners)
 {
-  const Landing landing = landingOf (from, ring, corners);
-  const Eigen::Vector2d on_side (landing.x, from.y());
-  const std::size_t next = (landing.side + 1) % ring.size();
-  std::size_t visible =
-      corners[ring[landing.side]].x() > corners[ring[next]].x() ? landing.side : next;
+  const auto [side, x] = landingOf (from, ring, corners);
+  const Eigen::Vector2d on_side (x, from.y());
+  const std::size_t next = (side + 1) % ring.size();
+  std::size_t visible = corners[ring[side]].x() > corners[ring[next]].x() ? side : next;
   const Eigen::Vector2d& end = corners[ring[visible]];
   double steepest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring.size(); ++i) {
