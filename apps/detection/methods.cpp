@@ -263,7 +263,7 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   relate (options.numbers, cloud->size(), parameters);
   const std::string problem = validate (parameters);
   if (!problem.empty())
-    throw UsageError (Detector::className(), problem + "; see --help");
+    throw UsageError (Detector::Parameters::class_name, problem + "; see --help");
   Detector detector;
   detector.setParameters (parameters);
   detector.setInputCloud (cloud);

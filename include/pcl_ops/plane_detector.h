@@ -72,12 +72,6 @@ public:
   using SearchPtr = typename Search::Ptr;
   using PlanarRegions = detail::PlanarRegions<PointT>;
 
-  static std::string
-  className ()
-  {
-    return Parameters::class_name;
-  }
-
   /** \brief Finds the planes of the input cloud.
    * \param[out] planes by falling size; cleared first
    * \return false for misuse (no input, empty input, wrong indices or parameters), said
@@ -86,7 +80,7 @@ public:
   segment (std::vector<PlaneSegment>& planes)
   {
     last_ = detail::Detection();
-    const bool success = detail::runAndReport (className(), [this] {
+    const bool success = detail::runAndReport (Parameters::class_name, [this] {
       detail::throwOn (this->input_ ? "" : "no input cloud; call setInputCloud");
       // Not initCompute, which would list all points.
       const pcl::Indices* const indices =

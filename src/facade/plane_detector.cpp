@@ -46,10 +46,10 @@ runAndReport (const std::string& class_name, const std::function<void()>& detect
 
 #ifndef PCL_NO_PRECOMPILE
 #ifdef PCL_ONLY_CORE_POINT_TYPES
-#define PCL_OPS_POINT_TYPES                                                            \
-  (pcl::PointXYZ) (pcl::PointXYZI) (pcl::PointXYZRGBA) (pcl::PointXYZRGB)
+PCL_INSTANTIATE (
+    PlaneDetector,
+    (pcl::PointXYZ) (pcl::PointXYZI) (pcl::PointXYZRGBA) (pcl::PointXYZRGB))
 #else
-#define PCL_OPS_POINT_TYPES PCL_XYZ_POINT_TYPES
+PCL_INSTANTIATE (PlaneDetector, PCL_XYZ_POINT_TYPES)
 #endif
-PCL_INSTANTIATE (PlaneDetector, PCL_OPS_POINT_TYPES)
 #endif

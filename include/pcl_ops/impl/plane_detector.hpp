@@ -7,35 +7,6 @@
 
 namespace pcl_ops::detail {
 
-/** \brief A search over some points of a cloud, all if there are none; both must
- * outlive what is returned. */
-template <typename PointT>
-NeighborSearch
-neighborSearch (pcl::search::Search<PointT>& search,
-                const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
-                const pcl::Indices& finite,
-                unsigned threads)
-{
-  search.setInputCloud (
-      cloud, finite.empty() ? nullptr : pcl::make_shared<const pcl::Indices> (finite));
-  const pcl::PointCloud<PointT>& points = *cloud;
-  NeighborSearch neighbors;
-  neighbors.nearest =
-      [&search, &points] (auto point, int k, auto& nearest, auto& squared_distances) {
-        search.nearestKSearch (points[point], k, nearest, squared_distances);
-      };
-  neighbors.within =
-      [&search, &points] (auto point, double r, auto& within, auto& squared_distances) {
-        search.radiusSearch (points[point], r, within, squared_distances);
-      };
-  // Only GridSearch and kd-trees are known to be safe to ask from several threads at
-  // once.
-  const std::string& name = search.getName();
-  const bool is_safe = name == "GridSearch" || name == "KdTree";
-  neighbors.threads = is_safe ? threads : 1;
-  return neighbors;
-}
-
 template <typename PointT>
 DetectorInput
 detectorInput (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
@@ -47,10 +18,28 @@ detectorInput (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
                       indices,
                       cloud->sensor_origin_.template head<3>().template cast<double>(),
                       nullptr};
-  if (search)
-    input.search_over = [cloud, search, threads] (const pcl::Indices& finite) {
-      return neighborSearch<PointT> (*search, cloud, finite, threads);
-    };
+  if (!search)
+    return input;
+  input.search_over = [cloud, search, threads] (const pcl::Indices& finite) {
+    search->setInputCloud (
+        cloud,
+        finite.empty() ? nullptr : pcl::make_shared<const pcl::Indices> (finite));
+    NeighborSearch neighbors;
+    neighbors.nearest =
+        [cloud, search] (auto point, int k, auto& nearest, auto& squared_distances) {
+          search->nearestKSearch ((*cloud)[point], k, nearest, squared_distances);
+        };
+    neighbors.within =
+        [cloud, search] (auto point, double r, auto& within, auto& squared_distances) {
+          search->radiusSearch ((*cloud)[point], r, within, squared_distances);
+        };
+    // Only GridSearch and kd-trees are known to be safe to ask from several threads at
+    // once.
+    const std::string& name = search->getName();
+    const bool is_safe = name == "GridSearch" || name == "KdTree";
+    neighbors.threads = is_safe ? threads : 1;
+    return neighbors;
+  };
   return input;
 }
 
