@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 #include <utility>
 
 namespace pcl_ops::internal {
@@ -16,7 +15,6 @@ namespace {
 
 using Node = BoxTree::Node;
 using Child = BoxTree::Child;
-using OfChildren = BoxTree::OfChildren;
 
 using Distances = Eigen::Array<float, BoxTree::max_children, 1>;
 
@@ -24,13 +22,15 @@ using Distances = Eigen::Array<float, BoxTree::max_children, 1>;
 Distances
 squaredDistances (const Node& node, const Eigen::Vector3f& position)
 {
-  const auto outside = [] (const OfChildren& low, float value, const OfChildren& high) {
-    const Eigen::Map<const Distances> l (low.data()), h (high.data());
-    return (l - value).max (value - h).max (0.0f).square().eval();
+  const auto outside = [&] (Eigen::Index axis) {
+    const float value = position[axis];
+    return (node.low.col (axis) - value)
+        .max (value - node.high.col (axis))
+        .max (0.0f)
+        .square()
+        .eval();
   };
-  return outside (node.low_x, position.x(), node.high_x) +
-         outside (node.low_y, position.y(), node.high_y) +
-         outside (node.low_z, position.z(), node.high_z);
+  return outside (0) + outside (1) + outside (2);
 }
 
 void
@@ -85,29 +85,6 @@ postponeChildren (const std::vector<Node>& nodes,
     for (; place > first && postponed.children[place - 1] < child; --place)
       postponed.children[place] = postponed.children[place - 1];
     postponed.children[place] = child;
-  }
-}
-
-void
-visit (const std::vector<Node>& nodes,
-       const Coordinates& points,
-       const pcl::Indices& index,
-       const Eigen::Vector3f& position,
-       NearestCandidates& candidates)
-{
-  Postponed postponed;
-  postponeChildren (nodes, 0, position, candidates, postponed);
-  while (postponed.number > 0) {
-    const std::uint64_t next = postponed.children[--postponed.number];
-    if (!candidates.mayTake (next >> Postponed::child_bits))
-      continue;
-    const auto slot = static_cast<std::uint32_t> (next);
-    const Child& child =
-        nodes[slot / BoxTree::max_children].children[slot % BoxTree::max_children];
-    if (child.size > 0)
-      visitLeaf (child, points, index, position, candidates);
-    else
-      postponeChildren (nodes, child.first, position, candidates, postponed);
   }
 }
 
@@ -192,11 +169,8 @@ grow (const Item* first, const Range& items, std::vector<Node>& nodes)
     Node& node = nodes[number];
     const std::uint32_t i = node.number++;
     node.children[i] = child;
-    const Eigen::Vector3f &low = range.box.min(), &high = range.box.max();
-    std::tie (node.low_x[i], node.low_y[i], node.low_z[i]) =
-        std::make_tuple (low.x(), low.y(), low.z());
-    std::tie (node.high_x[i], node.high_y[i], node.high_z[i]) =
-        std::make_tuple (high.x(), high.y(), high.z());
+    node.low.row (i) = range.box.min().transpose();
+    node.high.row (i) = range.box.max().transpose();
   }
   return number;
 }
@@ -228,8 +202,20 @@ BoxTree::find (const NeighborQuery& query,
 {
   NearestCandidates candidates (std::min (query.max_neighbors, index_.size()),
                                 query.squared_radius);
+  Postponed postponed;
   if (!nodes_.empty() && query.max_neighbors > 0)
-    visit (nodes_, points_, index_, query.position, candidates);
+    postponeChildren (nodes_, 0, query.position, candidates, postponed);
+  while (postponed.number > 0) {
+    const std::uint64_t next = postponed.children[--postponed.number];
+    if (!candidates.mayTake (next >> Postponed::child_bits))
+      continue;
+    const auto slot = static_cast<std::uint32_t> (next);
+    const Child& child = nodes_[slot / max_children].children[slot % max_children];
+    if (child.size > 0)
+      visitLeaf (child, points_, index_, query.position, candidates);
+    else
+      postponeChildren (nodes_, child.first, query.position, candidates, postponed);
+  }
   candidates.take (query.sorted, indices, squared_distances);
 }
 

@@ -4,6 +4,8 @@
 
 #include <pcl/types.h>
 
+#include <Eigen/Core>
+
 #include "geometry/points.h"
 #include <pcl_ops/detail/neighbor_query.h>
 
@@ -23,8 +25,6 @@ public:
    */
   static constexpr std::uint32_t max_points_of_leaf = 40;
 
-  using OfChildren = std::array<float, max_children>;
-
   /** \brief Where the points of a child are. */
   struct Child {
     /** \brief Position of a leaf's first point, or number of a node. */
@@ -33,9 +33,9 @@ public:
     std::uint32_t size = 0;
   };
 
-  /** \brief The bounding boxes of all children side by side: one loop tests them. */
+  /** \brief The bounding boxes of all children, a row each: one loop tests them. */
   struct Node {
-    OfChildren low_x, low_y, low_z, high_x, high_y, high_z;
+    Eigen::Array<float, max_children, 3> low, high;
     std::array<Child, max_children> children;
     std::uint32_t number = 0;
   };

@@ -4,6 +4,7 @@
 #include <pcl/search/kdtree.h>
 
 #include "scene.h"
+#include "search/nearest_candidates.h"
 #include <pcl_ops/grid_search.h>
 
 #include <functional>
@@ -248,4 +249,14 @@ TEST (GridSearch, FindsNothingWhereThereIsNothing)
   EXPECT_TRUE (within (search, query, -9_m).indices.empty()) << "below zero";
   const PointXYZ nowhere (std::numeric_limits<float>::quiet_NaN(), 0, 0);
   EXPECT_TRUE (nearest (search, nowhere, 5).indices.empty()) << "of no position";
+}
+
+TEST (NearestCandidates, StopTakingWhatIsFarther)
+{
+  NearestCandidates candidates (1, std::numeric_limits<float>::infinity());
+  EXPECT_TRUE (candidates.mayTake (NearestCandidates::bitsOf (5.0f)));
+  const std::vector<float> near (50, 1.0f);
+  const pcl::Indices indices (50, 7);
+  candidates.add (near.data(), indices.data(), 50);
+  EXPECT_FALSE (candidates.mayTake (NearestCandidates::bitsOf (5.0f)));
 }
