@@ -11,55 +11,41 @@
 
 namespace pcl_ops {
 
-namespace internal {
-namespace {
-
-LabelledPlanes
-detectBySpheres (const DetectorInput& input,
-                 const Points& points,
-                 const FastSamplingPlaneFilteringParameters& parameters,
-                 StageDurations& durations)
-{
-  const double theta_h = *parameters.distance_threshold;
-  const MergingParameters merging = mergingOf (parameters);
-  StageClock clock;
-  const Spheres spheres =
-      spheresAround (input, points, parameters.local.outer_radius, parameters.threads);
-  clock.lap (durations.search);
-  // Pi: planes of spheres that pass the local test
-  const LocalPlanes local = sampleLocalPlanes (
-      spheres.points, spheres.find, parameters.local, theta_h, parameters.seed);
-  clock.lap (durations.extraction);
-  // section III-C: the coplanarity test on each pair
-  const MergedPlanes merged = mergePlanes (local.moments, merging);
-  clock.lap (durations.merging);
-  // every point of P, not of the spheres alone, to the largest plane within theta_h
-  std::vector<Plane> planes;
-  for (const PlaneFit& fit : merged.fits)
-    planes.push_back (fit.plane);
-  AssignedPoints assigned = assignToUnboundedPlanes (
-      points, planes, theta_h, AssignmentRule::First, parameters.threads);
-  clock.lap (durations.assignment);
-  // fitted to their points, and merged where they have become coplanar
-  LabelledPlanes found =
-      mergeAssigned (std::move (assigned), merging, parameters.threads);
-  found.planes_before_merging = local.moments.size();
-  clock.lap (durations.merging);
-  return found;
-}
-
-} // namespace
-} // namespace internal
-
 detail::Detection
 detail::detect (const DetectorInput& input,
                 const FastSamplingPlaneFilteringParameters& parameters)
 {
   using namespace internal;
-  return detectInFinitePoints (
-      input, parameters, [&] (const auto& points, auto& durations) {
-        return detectBySpheres (input, points, parameters, durations);
-      });
+  const auto detect_by_spheres = [&] (const Points& points, StageDurations& durations) {
+    const FastSamplingPlaneFilteringParameters::Local& local = parameters.local;
+    const double theta_h = *parameters.distance_threshold;
+    const MergingParameters merging = mergingOf (parameters);
+    StageClock clock;
+    const Spheres spheres =
+        spheresAround (input, points, local.outer_radius, parameters.threads);
+    clock.lap (durations.search);
+    // Pi: planes of spheres that pass the local test
+    const LocalPlanes sampled = sampleLocalPlanes (
+        spheres.points, spheres.find, local, theta_h, parameters.seed);
+    clock.lap (durations.extraction);
+    // section III-C: the coplanarity test on each pair
+    const MergedPlanes merged = mergePlanes (sampled.moments, merging);
+    clock.lap (durations.merging);
+    // every point of P, not of the spheres alone, to the largest plane within theta_h
+    std::vector<Plane> planes;
+    for (const PlaneFit& fit : merged.fits)
+      planes.push_back (fit.plane);
+    AssignedPoints assigned = assignToUnboundedPlanes (
+        points, planes, theta_h, AssignmentRule::First, parameters.threads);
+    clock.lap (durations.assignment);
+    // fitted to their points, and merged where they have become coplanar
+    LabelledPlanes found =
+        mergeAssigned (std::move (assigned), merging, parameters.threads);
+    found.planes_before_merging = sampled.moments.size();
+    clock.lap (durations.merging);
+    return found;
+  };
+  return detectInFinitePoints (input, parameters, detect_by_spheres);
 }
 
 FastSamplingPlaneFilteringParameters

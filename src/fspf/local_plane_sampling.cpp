@@ -69,55 +69,8 @@ struct FixedRadiusSearch {
   }
 };
 
-Spheres
-spheresByUsersSearch (const DetectorInput& input, const Points& points, double radius)
-{
-  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  Indices place_of (input.cloud.size, none);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    place_of[static_cast<std::size_t> (points.indexOf (i))] =
-        static_cast<std::uint32_t> (i);
-  return {points,
-          [&points,
-           radius,
-           search = input.search_over (points.index),
-           place_of = std::move (place_of)] (std::uint32_t center, Indices& sphere) {
-            pcl::Indices neighbors;
-            std::vector<float> squared_distances;
-            search.within (
-                points.indexOf (center), radius, neighbors, squared_distances);
-            sphere.clear();
-            for (const pcl::index_t neighbor : neighbors)
-              if (const auto place = place_of[std::size_t (neighbor)]; place != none)
-                sphere.push_back (place);
-            return sphere.size();
-          }};
-}
-
 /** Before a hypothesis is given up. */
 constexpr int max_draws = 1000;
-
-struct Hypothesis {
-  const Coordinates& points;
-  FloatPlane plane;
-  float threshold;
-
-  bool
-  isInlier (std::uint32_t i) const
-  {
-    return plane.distance (points.x[i], points.y[i], points.z[i]) < threshold;
-  }
-
-  Moments
-  inliersOf (const Indices& candidates) const
-  {
-    Moments moments;
-    for (const std::uint32_t i : candidates)
-      if (isInlier (i))
-        moments.add (points.x[i], points.y[i], points.z[i]);
-    return moments;
-  }
-};
 
 std::uint32_t
 drawFrom (const Indices& positions, RandomGenerator& generator)
@@ -126,69 +79,57 @@ drawFrom (const Indices& positions, RandomGenerator& generator)
   return positions[drawBelow (generator, size)];
 }
 
-/** The samples of a hypothesis that passes the local test, with more than alpha_min
- * N_loc inliers; none of one that fails. The test ends as soon as the samples not yet
- * drawn cannot change it. */
-Indices
-passTest (const Hypothesis& hypothesis,
-          const Indices& sphere,
-          const LocalSamplingParameters& parameters,
-          RandomGenerator& generator)
-{
-  const double needed = parameters.min_inlier_fraction * parameters.local_samples;
-  Indices samples;
-  unsigned inliers = 0;
-  for (unsigned to_come = parameters.local_samples; to_come > 0;) {
-    samples.push_back (drawFrom (sphere, generator));
-    inliers += hypothesis.isInlier (samples.back());
-    if (inliers + --to_come <= needed)
-      return {};
-    if (inliers > needed &&
-        parameters.inliers == LocalSamplingParameters::Inliers::Sphere)
-      break;
-  }
-  return samples;
-}
+struct PlaneSampler {
+  const Coordinates& points;
+  const LocalSamplingParameters& parameters;
+  float threshold;
+  RandomGenerator generator;
 
-/** What a sphere costs, in points visited: the search looks at three times as many as
- * there are in a sphere on a surface, at more in noise; an empty sphere costs, too. */
-double
-visitsOf (const Indices& sphere, std::size_t looked_at)
-{
-  constexpr double usually_looked_at = 3.0, visits_of_any_sphere = 100.0;
-  return visits_of_any_sphere +
-         std::max (static_cast<double> (sphere.size()),
-                   static_cast<double> (looked_at) / usually_looked_at);
-}
-
-/** One turn of the paper's loop: the inliers of a plane around p_r0, if there is one.
- * \param[in,out] visits what it costs beyond the sphere is added */
-std::optional<Moments>
-planeAround (const Coordinates& points,
-             std::uint32_t origin,
-             const Indices& sphere,
-             const LocalSamplingParameters& parameters,
-             double distance_threshold,
-             RandomGenerator& generator,
-             double& visits)
-{
-  if (sphere.size() < parameters.local_samples)
-    return std::nullopt;
-  const std::optional<Plane> plane =
-      drawHypothesis (points, origin, sphere, parameters.inner_radius, generator);
-  if (!plane) {
-    visits += max_draws;
-    return std::nullopt;
+  /** The inliers of a hypothesis that passes the local test, with more than alpha_min
+   * N_loc of them among the samples; nothing of one that fails. The test ends as soon
+   * as the samples not yet drawn cannot change it. */
+  std::optional<Moments>
+  inliersOf (const FloatPlane& plane, const Indices& sphere)
+  {
+    const auto is_inlier = [&] (std::uint32_t i) {
+      return plane.distance (points.x[i], points.y[i], points.z[i]) < threshold;
+    };
+    const bool counts_sphere =
+        parameters.inliers == LocalSamplingParameters::Inliers::Sphere;
+    const double needed = parameters.min_inlier_fraction * parameters.local_samples;
+    Indices samples;
+    unsigned inliers = 0;
+    for (unsigned to_come = parameters.local_samples; to_come > 0;) {
+      samples.push_back (drawFrom (sphere, generator));
+      inliers += is_inlier (samples.back());
+      if (inliers + --to_come <= needed)
+        return std::nullopt;
+      if (inliers > needed && counts_sphere)
+        break;
+    }
+    Moments moments;
+    for (const std::uint32_t i : counts_sphere ? sphere : samples)
+      if (is_inlier (i))
+        moments.add (points.x[i], points.y[i], points.z[i]);
+    return moments;
   }
-  const Hypothesis hypothesis{
-      points, FloatPlane (*plane), static_cast<float> (distance_threshold)};
-  const Indices samples = passTest (hypothesis, sphere, parameters, generator);
-  if (samples.empty())
-    return std::nullopt;
-  return hypothesis.inliersOf (
-      parameters.inliers == LocalSamplingParameters::Inliers::Sphere ? sphere
-                                                                     : samples);
-}
+
+  /** One turn of the paper's loop: the inliers of a plane around p_r0, if there is one.
+   * \param[in,out] visits what it costs beyond the sphere is added */
+  std::optional<Moments>
+  planeAround (std::uint32_t origin, const Indices& sphere, double& visits)
+  {
+    if (sphere.size() < parameters.local_samples)
+      return std::nullopt;
+    const std::optional<Plane> plane =
+        drawHypothesis (points, origin, sphere, parameters.inner_radius, generator);
+    if (!plane) {
+      visits += max_draws;
+      return std::nullopt;
+    }
+    return inliersOf (FloatPlane (*plane), sphere);
+  }
+};
 
 } // namespace
 
@@ -198,8 +139,28 @@ spheresAround (const DetectorInput& input,
                double radius,
                unsigned threads)
 {
-  if (input.search_over && points.size() > 0)
-    return spheresByUsersSearch (input, points, radius);
+  if (input.search_over && points.size() > 0) {
+    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    Indices place_of (input.cloud.size, none);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      place_of[static_cast<std::size_t> (points.indexOf (i))] =
+          static_cast<std::uint32_t> (i);
+    return {points,
+            [&points,
+             radius,
+             search = input.search_over (points.index),
+             place_of = std::move (place_of)] (std::uint32_t center, Indices& sphere) {
+              pcl::Indices neighbors;
+              std::vector<float> squared_distances;
+              search.within (
+                  points.indexOf (center), radius, neighbors, squared_distances);
+              sphere.clear();
+              for (const pcl::index_t neighbor : neighbors)
+                if (const auto place = place_of[std::size_t (neighbor)]; place != none)
+                  sphere.push_back (place);
+              return sphere.size();
+            }};
+  }
   const auto search =
       std::make_shared<const FixedRadiusSearch> (points, radius, threads);
   return {search->points, [search] (std::uint32_t center, Indices& sphere) {
@@ -241,15 +202,22 @@ sampleLocalPlanes (const Coordinates& points,
   const double n_max = parameters.max_inliers_per_point * size;
   const double k_max = parameters.max_hypotheses_per_point * size;
   const double max_visits = parameters.max_visits_per_point * size;
+  constexpr double usually_looked_at = 3.0, visits_of_any_sphere = 100.0;
   double n = 0.0, k = 0.0, visits = 0.0;
-  RandomGenerator generator (seed);
+  PlaneSampler sampler{points,
+                       parameters,
+                       static_cast<float> (distance_threshold),
+                       RandomGenerator (seed)};
   LocalPlanes found;
   Indices sphere;
   for (; n < n_max && k < k_max && visits < max_visits; ++k) {
-    const std::uint32_t origin = drawBelow (generator, size);
-    visits += visitsOf (sphere, find_sphere (origin, sphere));
-    const std::optional<Moments> inliers = planeAround (
-        points, origin, sphere, parameters, distance_threshold, generator, visits);
+    const std::uint32_t origin = drawBelow (sampler.generator, size);
+    // A search looks at three times as many points as there are in a sphere on a
+    // surface, at more in noise; an empty sphere costs, too.
+    const auto looked_at = static_cast<double> (find_sphere (origin, sphere));
+    visits += visits_of_any_sphere + std::max (static_cast<double> (sphere.size()),
+                                               looked_at / usually_looked_at);
+    const std::optional<Moments> inliers = sampler.planeAround (origin, sphere, visits);
     if (!inliers)
       continue;
     n += inliers->count;
