@@ -136,16 +136,6 @@ extent (const PointRows& inliers,
   return std::make_tuple (found.hull, found.area, found.length, found.width);
 }
 
-/** \brief Of noise that neighboring points share.
- * \param[in] inliers of the plane, relative to \p origin */
-std::optional<Eigen::Matrix3d>
-correlatedCovariance (const PointRows& inliers,
-                      const Eigen::Vector3d& origin,
-                      const PlaneSegment& plane)
-{
-  return matrixOf (planeCovariance (viewOf (inliers), ofItsInliers (plane, origin)));
-}
-
 /** \return the planes after merging, and into which of them each plane went */
 std::pair<PlaneSegments, Labels>
 merge (const PlaneSegments& planes, const MergePlanesParameters& parameters)
@@ -233,16 +223,15 @@ match (const PlaneSegments& previous,
   return {matches.previous, matches.pose.matrix()};
 }
 
-/** \return direction and confidence, or nothing */
-std::optional<std::pair<Eigen::Vector3d, double>>
+/** \return direction and confidence, or None */
+py::object
 upAxis (const PlaneSegments& planes,
         const Eigen::Vector3d& viewpoint,
         const UpAxisParameters& parameters)
 {
   const std::optional<UpAxis> found = estimateUpAxis (planes, viewpoint, parameters);
-  if (!found)
-    return std::nullopt;
-  return std::make_pair (found->direction, found->confidence);
+  return found ? py::object (py::make_tuple (found->direction, found->confidence))
+               : py::none();
 }
 
 /** \return (planes, start, end, angle) of each edge, (planes, position) of each corner
@@ -351,7 +340,13 @@ PYBIND11_MODULE (_pcl_ops, module)
   module.def ("segment", &segment<Fspf>);
   module.def ("segment", &segment<Kht>);
   module.def ("extent", &extent);
-  module.def ("correlated_covariance", &correlatedCovariance);
+  module.def ("correlated_covariance",
+              [] (const PointRows& inliers,
+                  const Eigen::Vector3d& origin,
+                  const PlaneSegment& plane) {
+                return matrixOf (
+                    planeCovariance (viewOf (inliers), ofItsInliers (plane, origin)));
+              });
   module.def ("merge", &merge);
   module.def ("filter", &filter);
   module.def ("match", &match);

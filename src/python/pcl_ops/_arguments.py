@@ -74,12 +74,6 @@ def named_parameters(*lists: str) -> Callable[[Any], Any]:
     return with_names
 
 
-def check_is_one_of(name: str, value: Any, words: Tuple[str, ...]) -> None:
-    if value not in words:
-        kind = ValueError if isinstance(value, str) else TypeError
-        raise kind(f"{name}: has to be one of {words}, not {value!r:.80}")
-
-
 def plain_array(name: str, numbers: Any, instead: str) -> NDArray[Any]:
     if isinstance(numbers, np.ma.MaskedArray):
         raise TypeError(f"{name}: a masked array; use {name}.filled({instead})")
@@ -113,21 +107,16 @@ def single_precision(points: NDArray[Any]) -> Tuple[NDArray[np.float32], NDArray
         return (points if in_order else np.ascontiguousarray(points)), origin
     with np.errstate(over="ignore", invalid="ignore"):
         single = points.astype(np.float32, order="C")
-        if not ((single == points) | np.isnan(points)).all():
-            origin = usual_place(points)
+        is_exact = ((single == points) | np.isnan(points)).all()
+        finite = [] if is_exact else np.flatnonzero(np.isfinite(points).all(axis=1))
+        if len(finite):
+            # The median of some thousand points: one outlier must not take the digits of all.
+            # The first finite point of each stretch, as the programs have it.
+            stretches = finite // (len(points) // 1000 + 1)
+            some = points[finite[np.flatnonzero(np.diff(stretches, prepend=-1))]]
+            origin = np.sort(some, axis=0)[(len(some) - 1) // 2]
             np.subtract(points, origin, out=single, casting="same_kind")
     return single, origin
-
-
-def usual_place(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The median of some thousand points: one outlier must not take the digits of all."""
-    finite = np.flatnonzero(np.isfinite(points).all(axis=1))
-    if not len(finite):
-        return np.zeros(3)
-    # The first finite point of each stretch, as the programs have it.
-    stretches = finite // (len(points) // 1000 + 1)
-    some = points[finite[np.flatnonzero(np.diff(stretches, prepend=-1))]]
-    return np.sort(some, axis=0)[(len(some) - 1) // 2]
 
 
 def place(name: str, given: Any) -> NDArray[np.float64]:

@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The planes of an array, and how right they are."""
 
-from typing import Any, Dict, List, Literal, Optional, Tuple
+from typing import Any, Dict, List, Literal, Optional, Tuple, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _pcl_ops
-from ._arguments import Points, Vector, check_is_one_of, named_parameters, parameters_of, place
-from ._arguments import plane_numbers, points_array, single_precision, with_given
+from ._arguments import Points, Vector, named_parameters, parameters_of, place, plane_numbers
+from ._arguments import points_array, single_precision, with_given
 from ._planes import Labels, Plane
 
 Method = Literal["ops", "fspf", "kht"]
@@ -17,8 +17,11 @@ Preset = Literal["default", "paper"]
 
 
 def _preset(method: Any, preset: Any) -> Any:
-    check_is_one_of("method", method, ("ops", "fspf", "kht"))
-    check_is_one_of("preset", preset, ("default", "paper"))
+    for name, value, words in (("method", method, get_args(Method)),
+                               ("preset", preset, get_args(Preset))):
+        if value not in words:
+            raise (ValueError if isinstance(value, str) else TypeError)(
+                f"{name}: has to be one of {words}, not {value!r:.80}")
     kind = getattr(_pcl_ops, method)
     return kind.paper() if preset == "paper" else kind()
 
