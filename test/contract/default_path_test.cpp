@@ -10,20 +10,6 @@ using pcl_ops::PlaneSegment;
 
 namespace {
 
-/** \brief Beyond a ditch of a meter a floor goes on 1 cm higher: two planes, as nothing
- * connects them, but no two surfaces to merging, which allows 1.5 times the noise of
- * 2 cm. */
-Ops
-onTwoHalves ()
-{
-  return defaultsOn (Scene()
-                         .floor (2, 3)
-                         .surface ({3, 0, 1_cm}, {2, 0, 0}, {0, 3, 0})
-                         .noise (2_cm)
-                         .build()
-                         .cloud);
-}
-
 /** \brief Points of three coordinates drawn from -1 to 1 each, made into others. */
 template <typename Make>
 Cloud::Ptr
@@ -82,7 +68,11 @@ const Surface ground = {{0, 0, 0}, {20, 0, 0}, {0, 20, 0}};
 
 TEST (DefaultPath, MergesHalvesOfOneFloorBeforePointsAreAssigned)
 {
-  Ops ops = onTwoHalves();
+  // Beyond a ditch of a meter a floor goes on 1 cm higher: two planes, as nothing
+  // connects them, but no two surfaces to merging, which allows 1.5 times the noise of
+  // 2 cm.
+  Scene halves = Scene().floor (2, 3).surface ({3, 0, 1_cm}, {2, 0, 0}, {0, 3, 0});
+  Ops ops = defaultsOn (halves.noise (2_cm).build().cloud);
   const auto planes = planesOf (ops);
   ASSERT_EQ (planes.size(), 1u);
   EXPECT_EQ (ops.getNumberOfPlanesBeforeMerging(), 2u);
