@@ -14,22 +14,6 @@ namespace {
  * the last three frames or so. */
 constexpr double kept_share = 0.7;
 
-/** \brief A plane in the common frame, without inliers. */
-PlaneSegment
-moved (const Eigen::Isometry3d& motion, const PlaneSegment& plane)
-{
-  const Eigen::Matrix3d turn = motion.linear();
-  const Moments& moments = plane.moments;
-  PlaneSegment result;
-  result.centroid = motion * plane.centroid;
-  result.normal = turn * plane.normal;
-  result.orientation = plane.orientation;
-  result.moments = Moments::of (moments.count,
-                                motion * moments.centroid(),
-                                turn * moments.covariance() * turn.transpose());
-  return result;
-}
-
 /** \brief Without what rounding has made of a rotation: over frames it would add up. */
 Eigen::Isometry3d
 rigid (Eigen::Isometry3d motion)
@@ -111,7 +95,7 @@ PlaneTracker::track (const std::vector<PlaneSegment>& planes,
   given_pose_ = pose;
   std::vector<std::uint32_t> numbers;
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    const PlaneSegment seen = moved (pose_, planes[i]);
+    const PlaneSegment seen = internal::moved (pose_, planes[i]);
     auto match = static_cast<std::size_t> (matches.previous[i]);
     if (matches.previous[i] == no_plane) {
       match = remembered_.size();

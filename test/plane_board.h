@@ -37,17 +37,3 @@ board (const Eigen::Vector3d& middle,
     }
   return plane;
 }
-
-/** \brief The plane in another frame. */
-inline pcl_ops::PlaneSegment
-moved (const Eigen::Isometry3d& pose, pcl_ops::PlaneSegment plane)
-{
-  const Eigen::Matrix3d turn = pose.linear();
-  plane.centroid = pose * plane.centroid;
-  plane.normal = turn * plane.normal;
-  plane.moments =
-      pcl_ops::Moments::of (plane.moments.count,
-                            plane.centroid,
-                            turn * plane.moments.covariance() * turn.transpose());
-  return plane;
-}

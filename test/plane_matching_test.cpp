@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "matching/patch.h"
 #include "plane_board.h"
 #include "scene.h"
 #include <pcl_ops/plane_matching.h>
@@ -11,6 +12,7 @@
 using namespace pcl_ops;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
+using pcl_ops::internal::moved;
 
 namespace {
 

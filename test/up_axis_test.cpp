@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plane_board.h"
+#include "matching/patch.h"
 #include "scene.h"
 #include <pcl_ops/oriented_point_sampling.h>
 #include <pcl_ops/up_axis.h>
 
 using Eigen::Vector3d;
+using pcl_ops::internal::moved;
 using namespace pcl_ops;
 
 namespace {

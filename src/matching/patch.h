@@ -75,6 +75,21 @@ moved (const Eigen::Isometry3d& motion, Patch patch)
   return patch;
 }
 
+/** \brief A plane in another frame, without inliers. */
+inline PlaneSegment
+moved (const Eigen::Isometry3d& motion, const PlaneSegment& plane)
+{
+  const Eigen::Matrix3d turn = motion.linear();
+  const Moments& moments = plane.moments;
+  return {motion * plane.centroid,
+          turn * plane.normal,
+          plane.orientation,
+          Moments::of (moments.count,
+                       motion * moments.centroid(),
+                       turn * moments.covariance() * turn.transpose()),
+          {}};
+}
+
 /** \brief In order around the patch. */
 inline std::array<Eigen::Vector3d, 4>
 cornersOf (const Patch& patch)
