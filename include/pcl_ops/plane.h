@@ -198,9 +198,7 @@ struct PCL_OPS_EXPORT PlaneSegment {
 inline double
 angleBetween (const PlaneSegment& first, const PlaneSegment& second)
 {
-  // By sine and cosine, for either alone is coarse somewhere.
-  return std::atan2 (first.normal.cross (second.normal).norm(),
-                     std::abs (first.normal.dot (second.normal)));
+  return slopeOf (first.normal, second.normal);
 }
 
 /** \brief How far the fit of a plane may be from the surface it is of. */

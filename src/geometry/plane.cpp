@@ -120,6 +120,7 @@ orientationOf (const Eigen::Vector3d& normal,
 double
 slopeOf (const Eigen::Vector3d& normal, const Eigen::Vector3d& up)
 {
+  // By sine and cosine, for either alone is coarse somewhere.
   return std::atan2 (normal.cross (up).norm(), std::abs (normal.dot (up)));
 }
 
