@@ -154,11 +154,11 @@ findLevels (const VoxelGrid& grid, int resolutions, double min_points, unsigned 
 }
 
 // The flattest of the planes around a voxel of a level that the finest voxel lies in.
-class FlattestPlane {
-public:
-  FlattestPlane (const Moments& voxel, double smallest_noise)
-  : voxel_ (voxel), smallest_noise_ (smallest_noise)
-  {}
+struct FlattestPlane {
+  const Moments& voxel;
+  double smallest_noise;
+  const Surfel* best = nullptr;
+  double thickness = 1.0;
 
   /** \brief Considers the planes around a voxel of a level. The flattest may mostly
    * serve, and spares a look at the others. */
@@ -166,10 +166,10 @@ public:
   considerAll (const Level& level, std::size_t at)
   {
     const std::uint32_t flattest = level.flattest_around[at];
-    if (level.thickness[flattest] >= thickness_)
+    if (level.thickness[flattest] >= thickness)
       return;
     consider (level, flattest);
-    if (best_ == &*level.normals[flattest])
+    if (best == &*level.normals[flattest])
       return;
     for (const std::uint32_t candidate : level.neighbors[at])
       consider (level, candidate);
@@ -178,53 +178,35 @@ public:
   void
   consider (const Level& level, std::size_t candidate)
   {
-    if (level.thickness[candidate] >= thickness_)
+    if (level.thickness[candidate] >= thickness)
       return;
     const Surfel& normal = *level.normals[candidate];
-    const double limit = like_noise * std::max (normal.noise, smallest_noise_);
-    if (meanSquaredDistance (voxel_, normal.plane) >= limit * limit)
+    const double limit = like_noise * std::max (normal.noise, smallest_noise);
+    if (meanSquaredDistance (voxel, normal.plane) >= limit * limit)
       return;
-    best_ = &normal;
-    thickness_ = normal.thickness;
+    best = &normal;
+    thickness = normal.thickness;
   }
-
-  double
-  thickness () const
-  {
-    return thickness_;
-  }
-
-  const Surfel*
-  best () const
-  {
-    return best_;
-  }
-
-private:
-  const Moments& voxel_;
-  double smallest_noise_;
-  const Surfel* best_ = nullptr;
-  double thickness_ = 1.0;
 };
 
 std::optional<Surfel>
 surfelOf (std::size_t voxel, const VoxelGrid& finest, const std::vector<Level>& levels)
 {
-  FlattestPlane plane (finest.moments[voxel], smallestNoise (finest));
+  FlattestPlane plane{finest.moments[voxel], smallestNoise (finest)};
   for (const Level& level : levels) {
     const std::size_t at = level.voxelHolding (voxel);
     if (level.thickness[at] < flat_enough)
       plane.consider (level, at);
     // Where nothing around is flat enough, a coarser level is likely to have better.
-    if (plane.thickness() >= flat_enough &&
+    if (plane.thickness >= flat_enough &&
         level.thickness[level.flattest_around[at]] < flat_enough)
       plane.considerAll (level, at);
-    if (plane.thickness() < flat_enough)
-      return *plane.best();
+    if (plane.thickness < flat_enough)
+      return *plane.best;
   }
   for (auto level = levels.rbegin(); level != levels.rend(); ++level)
     plane.considerAll (*level, level->voxelHolding (voxel));
-  return plane.best() ? std::optional<Surfel> (*plane.best()) : std::nullopt;
+  return plane.best ? std::optional<Surfel> (*plane.best) : std::nullopt;
 }
 
 // Whether a voxel's surroundings are far noisier than its own points: not noise, then,
