@@ -3,7 +3,6 @@
 #include "bounded/noise_measurement.h"
 
 #include "base/parallel.h"
-#include "bounded/noise_floors.h"
 
 #include <algorithm>
 #include <cmath>

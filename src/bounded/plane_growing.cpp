@@ -3,7 +3,6 @@
 #include "bounded/plane_growing.h"
 
 #include "base/parallel.h"
-#include "bounded/noise_floors.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,7 +3,7 @@
 #include "ops/surfel_extraction.h"
 
 #include "bounded/bending.h"
-#include "bounded/noise_floors.h"
+#include "bounded/noise_measurement.h"
 #include "geometry/noise_ratios.h"
 
 #include <algorithm>

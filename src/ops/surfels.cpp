@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include "base/parallel.h"
-#include "bounded/noise_floors.h"
+#include "bounded/noise_measurement.h"
 #include "geometry/noise_ratios.h"
 #include "geometry/principal_axes.h"
 

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bounded/noise_floors.h"
 #include "bounded/noise_measurement.h"
 #include "voxel_scene.h"
 
