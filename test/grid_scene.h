@@ -41,17 +41,28 @@ addGrid (pcl_ops::internal::Coordinates& points,
     }
 }
 
+/** \brief Those points of some surfaces. */
+inline pcl_ops::internal::Points
+gridsOf (const std::vector<Surface>& surfaces, int steps, double noise = 0.0)
+{
+  pcl_ops::internal::Points points;
+  for (const Surface& surface : surfaces)
+    addGrid (points, surface, steps, noise);
+  return points;
+}
+
 /** \brief Points in voxels, with their neighbors, and in those of half the edge. */
 inline pcl_ops::internal::VoxelLevels
 connectedVoxels (const pcl_ops::internal::Coordinates& points, double voxel_size)
 {
-  pcl_ops::internal::VoxelLevels voxels = voxelizeTwice (points, voxel_size, 1);
-  connect (voxels.coarse.grid, 1);
+  pcl_ops::internal::VoxelLevels voxels =
+      coarsen (voxelize (points, 0.5 * voxel_size, 1));
+  connect (voxels.coarse, 1);
   return voxels;
 }
 
 inline pcl_ops::internal::VoxelGrid
 connectedGrid (const pcl_ops::internal::Coordinates& points, double voxel_size)
 {
-  return connectedVoxels (points, voxel_size).coarse.grid;
+  return connectedVoxels (points, voxel_size).coarse;
 }

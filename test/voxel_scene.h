@@ -24,8 +24,7 @@ struct VoxelScene {
       addPlane (pcl_ops::planeThrough (plane[0].centre(), plane[0].normal()));
     }
     voxelize();
-    const pcl_ops::internal::Indices voxels =
-        voxelsOfPoints (grid(), voxelized.finest.order);
+    const pcl_ops::internal::Indices voxels = voxelsOfPoints (grid());
     planes.plane_of_voxel.assign (grid().size(), pcl_ops::no_plane);
     for (std::size_t i = points.size(); i-- > 0;)
       planes.plane_of_voxel[voxels[i]] = plane_of_point[i];
@@ -49,7 +48,7 @@ struct VoxelScene {
   const pcl_ops::internal::VoxelGrid&
   grid () const
   {
-    return voxelized.coarse.grid;
+    return voxelized.coarse;
   }
 
   Eigen::Vector3d

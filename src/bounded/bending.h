@@ -22,9 +22,7 @@ struct Bending {
 
 /** \brief Least squares of the mean heights of voxels above a plane by 1, u, v, u^2, u
  * v and v^2, u and v along the plane, each voxel weighing as much as its points.
- * \param[in] grid the voxels
- * \param[in] voxels those of the patch; a bending of 0 for fewer than eight
- * \param[in] fit the plane of the patch */
+ * \param[in] voxels those of the patch; a bending of 0 for fewer than eight */
 Bending
 bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit);
 

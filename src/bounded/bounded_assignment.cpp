@@ -17,30 +17,24 @@ namespace {
 // Each with moments of all planes.
 constexpr std::size_t voxels_at_once = 4096;
 
-// The planes of the voxels around one, each once.
-void
-findPlanesAround (const VoxelGrid& grid,
-                  const BoundedPlanes& planes,
-                  std::size_t voxel,
-                  Labels& around)
-{
-  around.clear();
-  for (const std::uint32_t neighbor : grid.neighbors[voxel]) {
-    const std::int32_t plane = planes.plane_of_voxel[neighbor];
-    addOnce (plane, around);
-  }
-}
-
 // Points, the planes each may be on, and where the labels go.
 struct Assignment {
   const Coordinates& points;
-  const Indices& order;
   const VoxelGrid& grid;
   const BoundedPlanes& planes;
   const std::vector<PlaneBand>& bands;
   // A threshold that was asked for is promised to every point.
   bool every_point_counts;
   Labels& labels;
+
+  /** \brief Finds the planes of the voxels around one, each once. */
+  void
+  findPlanesAround (std::size_t voxel, Labels& around) const
+  {
+    around.clear();
+    for (const std::uint32_t neighbor : grid.neighbors[voxel])
+      addOnce (planes.plane_of_voxel[neighbor], around);
+  }
 
   /** \brief Whether the points of a voxel are on a plane as noise is, so that none
    * needs to be looked at. */
@@ -56,16 +50,13 @@ struct Assignment {
   void
   assign (std::size_t voxel, const Labels& around, std::vector<Moments>& moments) const
   {
-    const std::uint32_t begin = grid.first_point[voxel];
-    const std::uint32_t end = grid.endOfPoints (voxel);
     if (around.size() == 1 && isAllOn (static_cast<std::size_t> (around[0]), voxel)) {
-      for (std::uint32_t i = begin; i < end; ++i)
-        labels[order[i]] = around[0];
+      for (const std::uint32_t point : grid.pointsOf (voxel))
+        labels[point] = around[0];
       moments[static_cast<std::size_t> (around[0])].addAligned (grid.moments[voxel]);
       return;
     }
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const std::uint32_t point = order[i];
+    for (const std::uint32_t point : grid.pointsOf (voxel)) {
       const std::int32_t plane = likeliestOf (around, bands, points, point);
       labels[point] = plane;
       if (plane != no_plane)
@@ -95,7 +86,6 @@ bandsOf (const BoundedPlanes& planes,
 
 void
 assignToBoundedPlanes (const Coordinates& points,
-                       const Indices& order,
                        const VoxelGrid& grid,
                        const BoundedPlanes& planes,
                        std::optional<double> distance_threshold,
@@ -108,20 +98,15 @@ assignToBoundedPlanes (const Coordinates& points,
       distance_threshold.value_or (std::numeric_limits<double>::infinity());
   const std::vector<PlaneBand> bands =
       bandsOf (planes, smallestNoise (grid), limit, noise_factor);
-  const Assignment assignment{points,
-                              order,
-                              grid,
-                              planes,
-                              bands,
-                              distance_threshold.has_value(),
-                              assigned.labels};
+  const Assignment assignment{
+      points, grid, planes, bands, distance_threshold.has_value(), assigned.labels};
   const auto pieces =
       parallelChunks (threads, grid.size(), voxels_at_once, [&] (auto begin, auto end) {
         std::vector<Moments> moments (planes.size());
         Labels around;
         for (std::size_t voxel = begin; voxel < end; ++voxel)
           if (is_left_out.empty() || is_left_out[voxel] == 0) {
-            findPlanesAround (grid, planes, voxel, around);
+            assignment.findPlanesAround (voxel, around);
             if (!around.empty())
               assignment.assign (voxel, around, moments);
           }

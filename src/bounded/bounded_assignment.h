@@ -11,19 +11,12 @@ namespace pcl_ops::internal {
 
 /** \brief Assigns points to bounded planes: to the likeliest of the planes whose
  * support has a voxel within one voxel of the point, see \ref likeliestOf.
- * \param[in] points all points
- * \param[in] order their numbers, voxel after voxel
- * \param[in] grid voxels
- * \param[in] planes on these voxels, with their noise
- * \param[in] distance_threshold theta_h: largest distance [m], if any
  * \param[in] noise_factor largest distance in units of the plane's noise
- * \param[in] threads number of threads; 0: all. The result does not depend on it
  * \param[in] is_left_out voxels whose points stay as they are; empty: none
  * \param[in,out] assigned labels of all points, and the moments of each plane's, which
  * are added */
 void
 assignToBoundedPlanes (const Coordinates& points,
-                       const Indices& order,
                        const VoxelGrid& grid,
                        const BoundedPlanes& planes,
                        std::optional<double> distance_threshold,

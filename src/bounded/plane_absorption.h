@@ -8,9 +8,6 @@ namespace pcl_ops::internal {
 
 /** \brief Finds planes that go into a larger neighbor: their points are no farther from
  * it than a multiple of the noise of both.
- * \param[in] grid the voxels
- * \param[in] noise_factor that multiple
- * \param[in] planes with their noise
  * \return for each plane the one that it ends in, itself if it stays */
 Labels
 absorbPlanes (const VoxelGrid& grid, double noise_factor, const BoundedPlanes& planes);

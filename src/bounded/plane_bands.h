@@ -38,8 +38,7 @@ struct PlaneBand {
 /** \brief Of some planes the one that a point most likely is of, or no_plane: the one
  * with the least d^2 / sigma^2 + 2 ln sigma. Distances in units of sigma alone would
  * give points of a clean plane to a noisy one that it meets.
- * \param[in] planes positions of the planes that are asked for
- * \param[in] bands of all planes */
+ * \param[in] planes positions of the planes that are asked for */
 inline std::int32_t
 likeliestOf (const Labels& planes,
              const std::vector<PlaneBand>& bands,

@@ -15,9 +15,7 @@ constexpr double noises_of_a_voxel = 3.0;
 /** \brief Lets planes grow, voxel by voxel: of the voxels without a plane, each goes to
  * that of the planes next to it which its points are nearest to, in units of the
  * plane's noise; up to \ref noises_of_a_voxel.
- * \param[in] grid the voxels
  * \param[in] distance_threshold theta_h: largest rms distance [m], if any
- * \param[in] threads number of threads; 0: all. The result does not depend on it
  * \param[in,out] planes with their noise; refitted to their voxels */
 void
 growPlanes (const VoxelGrid& grid,

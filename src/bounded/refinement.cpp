@@ -19,7 +19,7 @@ voxelsToRefine (const VoxelGrid& grid, unsigned threads, const Labels& plane_of_
   constexpr double min_points = 8.0;
   std::vector<char> is_refined (grid.size(), 0);
   forEach (threads, grid.size(), [&] (std::size_t i) {
-    const VoxelRange& around = grid.neighbors[i];
+    const IndexRange around = grid.neighbors[i];
     is_refined[i] =
         std::any_of (around.begin(), around.end(), [&] (std::uint32_t neighbor) {
           return plane_of_voxel[neighbor] == no_plane &&
@@ -45,6 +45,7 @@ selected (const VoxelGrid& grid, const Indices& voxels)
 {
   VoxelGrid some;
   some.voxel_size = grid.voxel_size;
+  some.order = grid.order;
   some.moments.reserve (voxels.size());
   for (const std::uint32_t voxel : voxels) {
     some.codes.push_back (grid.codes[voxel]);
@@ -78,35 +79,31 @@ inheritedPlanes (const BoundedPlanes& planes,
 // Of each plane the moments of voxels that are not refined.
 std::vector<Moments>
 momentsLeft (const VoxelGrid& coarse,
-             const BoundedPlanes& planes,
+             BoundedPlanes planes,
              const std::vector<char>& is_refined)
 {
-  std::vector<Moments> moments (planes.size());
   for (std::size_t i = 0; i < coarse.size(); ++i)
-    if (planes.plane_of_voxel[i] != no_plane && is_refined[i] == 0)
-      moments[static_cast<std::size_t> (planes.plane_of_voxel[i])].addAligned (
-          coarse.moments[i]);
-  return moments;
+    if (is_refined[i] != 0)
+      planes.plane_of_voxel[i] = no_plane;
+  return momentsOfPlanes (coarse, planes);
 }
 
 } // namespace
 
 Refinement
-refine (const VoxelGrid& finest,
-        const CoarserGrid& coarse,
-        const BoundedPlanes& planes,
-        unsigned threads)
+refine (const VoxelLevels& voxels, const BoundedPlanes& planes, unsigned threads)
 {
+  const VoxelGrid& coarse = voxels.coarse;
   Refinement finer;
-  finer.is_refined = voxelsToRefine (coarse.grid, threads, planes.plane_of_voxel);
-  const Indices voxels = voxelsIn (coarse.voxel_of_finer, finer.is_refined);
-  finer.grid = selected (finest, voxels);
+  finer.is_refined = voxelsToRefine (coarse, threads, planes.plane_of_voxel);
+  const Indices refined = voxelsIn (voxels.coarse_of_finest, finer.is_refined);
+  finer.grid = selected (voxels.finest, refined);
   connect (finer.grid, threads);
   finer.planes.planes = planes.planes;
   finer.planes.noise = planes.noise;
-  finer.planes.moments_elsewhere = momentsLeft (coarse.grid, planes, finer.is_refined);
+  finer.planes.moments_elsewhere = momentsLeft (coarse, planes, finer.is_refined);
   finer.planes.plane_of_voxel =
-      inheritedPlanes (planes, coarse.voxel_of_finer, voxels, finer.grid, threads);
+      inheritedPlanes (planes, voxels.coarse_of_finest, refined, finer.grid, threads);
   return finer;
 }
 

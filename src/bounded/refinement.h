@@ -21,14 +21,8 @@ struct Refinement {
 /** \brief Takes coarse voxels without a plane, and those next to them, to voxels of
  * half the edge. A voxel there keeps the plane of the coarse one that holds it if its
  * points lie on it.
- * \param[in] finest voxels of half the edge of all points
- * \param[in] coarse the voxels that hold them
- * \param[in] planes those found in coarse voxels, with their noise
- * \param[in] threads number of threads; 0: all. The result does not depend on it */
+ * \param[in] planes those found in coarse voxels, with their noise */
 Refinement
-refine (const VoxelGrid& finest,
-        const CoarserGrid& coarse,
-        const BoundedPlanes& planes,
-        unsigned threads);
+refine (const VoxelLevels& voxels, const BoundedPlanes& planes, unsigned threads);
 
 } // namespace pcl_ops::internal

@@ -36,12 +36,12 @@ struct FixedRadiusSearch {
     const double max_voxels =
         std::max (1.0, static_cast<double> (positions.size()) / points_per_voxel);
     const double edge = std::max (radius, voxelSizeFor (positions, max_voxels));
-    VoxelizedPoints voxelized = voxelize (positions, edge, threads);
-    connect (voxelized.grid, threads);
-    neighbors_of_voxel = std::move (voxelized.grid.neighbors);
-    voxel_begin = std::move (voxelized.grid.first_point);
+    VoxelGrid grid = voxelize (positions, edge, threads);
+    connect (grid, threads);
+    neighbors_of_voxel = std::move (grid.neighbors);
+    voxel_begin = std::move (grid.first_point);
     voxel_begin.push_back (static_cast<std::uint32_t> (positions.size()));
-    points = selected (positions, voxelized.order);
+    points = selected (positions, *grid.order);
   }
 
   std::size_t

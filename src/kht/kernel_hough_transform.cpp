@@ -24,11 +24,11 @@ constexpr double wanted_voxels = 9000.0;
 BoundedPlanes
 voxelsOfClusters (const std::vector<HoughPlane>& planes,
                   const OctreeClusters& found,
-                  const VoxelizedPoints& voxelized)
+                  const VoxelGrid& grid)
 {
-  const Indices voxel_of_point = voxelsOfPoints (voxelized.grid, voxelized.order);
+  const Indices voxel_of_point = voxelsOfPoints (grid);
   BoundedPlanes voxels;
-  voxels.plane_of_voxel.assign (voxelized.grid.size(), no_plane);
+  voxels.plane_of_voxel.assign (grid.size(), no_plane);
   for (const HoughPlane& plane : planes) {
     const auto label = static_cast<std::int32_t> (voxels.planes.size());
     voxels.planes.push_back (plane.plane);
@@ -128,17 +128,16 @@ assignToOutlinedPlanes (const Points& points,
     return {Labels (points.size(), no_plane), {}, 0};
   constexpr double follows_noise_up_to = 4.0;
   StageClock clock;
-  VoxelizedPoints voxelized =
+  VoxelGrid grid =
       voxelize (points, voxelSizeFor (points, wanted_voxels), parameters.threads);
-  connect (voxelized.grid, parameters.threads);
+  connect (grid, parameters.threads);
   clock.lap (durations.search);
-  BoundedPlanes planes = voxelsOfClusters (hough_planes, found, voxelized);
-  settleVoxels (voxelized.grid, parameters, planes);
+  BoundedPlanes planes = voxelsOfClusters (hough_planes, found, grid);
+  settleVoxels (grid, parameters, planes);
   clock.lap (durations.merging);
   AssignedPoints assigned{Labels (points.size(), no_plane), {}};
   assignToBoundedPlanes (points,
-                         voxelized.order,
-                         voxelized.grid,
+                         grid,
                          planes,
                          parameters.distance_threshold,
                          follows_noise_up_to,

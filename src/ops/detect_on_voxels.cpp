@@ -32,9 +32,9 @@ divide (const Points& points, const Parameters& parameters)
 {
   const std::optional<double> given = parameters.surfels.voxel_size;
   VoxelLevels voxels =
-      given ? voxelizeTwice (points, *given, parameters.threads)
+      given ? coarsen (voxelize (points, 0.5 * *given, parameters.threads))
             : voxelizeByNoise (points, parameters.sampling_rate, parameters.threads);
-  connect (voxels.coarse.grid, parameters.threads);
+  connect (voxels.coarse, parameters.threads);
   return voxels;
 }
 
@@ -129,7 +129,6 @@ assign (const Points& points,
                         const BoundedPlanes& bounded,
                         const std::vector<char>& is_left_out) {
     assignToBoundedPlanes (points,
-                           voxels.finest.order,
                            grid,
                            bounded,
                            parameters.distance_threshold,
@@ -138,7 +137,7 @@ assign (const Points& points,
                            is_left_out,
                            assigned);
   };
-  add (voxels.coarse.grid, planes, finer.is_refined);
+  add (voxels.coarse, planes, finer.is_refined);
   add (finer.grid, finer.planes, {});
   return assigned;
 }
@@ -187,15 +186,13 @@ labelSparsePoints (const Points& points,
   // Voxels of a given size do not change with the points.
   if (parameters.surfels.voxel_size)
     return;
-  const VoxelGrid& grid = voxels.coarse.grid;
-  const Indices& order = voxels.finest.order;
+  const VoxelGrid& grid = voxels.coarse;
   const Indices sparse = sparseVoxels (grid, times_k * parameters.k);
-  const auto open = [&] { return openPoints (grid, sparse, order, assigned.labels); };
+  const auto open = [&] { return openPoints (grid, sparse, assigned.labels); };
   const Indices numbers = sparsePoints (open(), points.size());
   if (!numbers.empty())
     labelAnew (points, numbers, parameters, durations, assigned);
   extendPlanes (points,
-                order,
                 grid,
                 open(),
                 parameters.surfels.resolutions,
@@ -214,7 +211,7 @@ labelPoints (const Points& points,
   StageClock clock;
   // P_s: the voxels of a grid
   const VoxelLevels voxels = divide (points, parameters);
-  const VoxelGrid& grid = voxels.coarse.grid;
+  const VoxelGrid& grid = voxels.coarse;
   if (grid.size() == 0)
     return {Labels (points.size(), no_plane), {}};
   BoundedPlanes planes;
@@ -224,8 +221,7 @@ labelPoints (const Points& points,
   findPlanes (grid, parameters, surfels.sure_thickness, planes, durations);
   clock = StageClock();
   // what no plane explains, in voxels of half the edge
-  Refinement finer =
-      refine (voxels.finest.grid, voxels.coarse, planes, parameters.threads);
+  Refinement finer = refine (voxels, planes, parameters.threads);
   clock.lap (durations.search);
   findPlanes (finer.grid, parameters, surfels.max_thickness, finer.planes, durations);
   clock = StageClock();

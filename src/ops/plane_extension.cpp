@@ -39,18 +39,15 @@ bandsOf (const std::vector<Moments>& planes,
 
 // The planes that the points of each larger voxel are on.
 std::vector<Labels>
-planesIn (const LargerVoxels& larger,
-          const VoxelGrid& grid,
-          const Indices& order,
-          const Labels& labels)
+planesIn (const LargerVoxels& larger, const VoxelGrid& grid, const Labels& labels)
 {
   std::vector<Labels> planes (larger.codes.size());
   for (std::size_t voxel = 0; voxel < grid.size(); ++voxel) {
     std::int32_t last = no_plane;
-    for (std::uint32_t i = grid.first_point[voxel]; i < grid.endOfPoints (voxel); ++i) {
-      if (labels[order[i]] != last)
-        addOnce (labels[order[i]], planes[larger.holding[voxel]]);
-      last = labels[order[i]];
+    for (const std::uint32_t point : grid.pointsOf (voxel)) {
+      if (labels[point] != last)
+        addOnce (labels[point], planes[larger.holding[voxel]]);
+      last = labels[point];
     }
   }
   return planes;
@@ -83,7 +80,6 @@ planesAround (const VoxelNeighbors& neighbors,
 
 void
 extendPlanes (const Coordinates& points,
-              const Indices& order,
               const VoxelGrid& grid,
               std::vector<OpenPoint> open,
               int levels,
@@ -103,8 +99,7 @@ extendPlanes (const Coordinates& points,
     voxel_size *= 2.0;
     const std::vector<PlaneBand> bands =
         bandsOf (assigned.moments, voxel_size, smallestNoise (grid), limit);
-    planes =
-        l == 0 ? planesIn (larger, grid, order, labels) : planesIn (larger, planes);
+    planes = l == 0 ? planesIn (larger, grid, labels) : planesIn (larger, planes);
     for (OpenPoint& at : open)
       at.voxel = larger.holding[at.voxel];
     Labels around;

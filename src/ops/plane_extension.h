@@ -15,17 +15,12 @@ namespace pcl_ops::internal {
 /** \brief Lets planes go on where points are sparse, as the rings of a lidar on the
  * ground are: a point on no plane goes to the likeliest of the planes in the larger
  * voxels around, first in those of twice the edge; planes as wide as these voxels.
- * \param[in] points all points
- * \param[in] order their numbers, voxel after voxel
- * \param[in] grid voxels with their neighbors
  * \param[in] open those on no plane where points are sparse, voxel after voxel
  * \param[in] levels how many times the edge is doubled
- * \param[in] distance_threshold theta_h: largest distance [m], if any
  * \param[in,out] assigned labels of all points, and the moments of each plane's, which
  * the new ones are added to */
 void
 extendPlanes (const Coordinates& points,
-              const Indices& order,
               const VoxelGrid& grid,
               std::vector<OpenPoint> open,
               int levels,

@@ -75,16 +75,13 @@ sparseVoxels (const VoxelGrid& grid, double min_points)
 }
 
 std::vector<OpenPoint>
-openPoints (const VoxelGrid& grid,
-            const Indices& voxels,
-            const Indices& order,
-            const Labels& labels)
+openPoints (const VoxelGrid& grid, const Indices& voxels, const Labels& labels)
 {
   std::vector<OpenPoint> open;
   for (const std::uint32_t voxel : voxels)
-    for (std::uint32_t i = grid.first_point[voxel]; i < grid.endOfPoints (voxel); ++i)
-      if (labels[order[i]] == no_plane)
-        open.push_back ({order[i], voxel});
+    for (const std::uint32_t point : grid.pointsOf (voxel))
+      if (labels[point] == no_plane)
+        open.push_back ({point, voxel});
   return open;
 }
 

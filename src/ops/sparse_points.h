@@ -15,7 +15,6 @@ namespace pcl_ops::internal {
 
 /** \brief The voxels that hold, with those around, too few points to tell: where a
  * cloud is far sparser than in most of its voxels.
- * \param[in] grid voxels with their neighbors
  * \param[in] min_points fewest points of voxels that can tell
  * \return them, or none where they hold less than a hundredth of the points */
 Indices
@@ -27,20 +26,12 @@ struct OpenPoint {
   std::uint32_t voxel;
 };
 
-/** \brief The points on no plane in some voxels, voxel after voxel.
- * \param[in] grid the voxels
- * \param[in] voxels numbers of some of them
- * \param[in] order numbers of all points, voxel after voxel
- * \param[in] labels plane of each point, or no_plane */
+/** \brief The points on no plane in some voxels, voxel after voxel. */
 std::vector<OpenPoint>
-openPoints (const VoxelGrid& grid,
-            const Indices& voxels,
-            const Indices& order,
-            const Labels& labels);
+openPoints (const VoxelGrid& grid, const Indices& voxels, const Labels& labels);
 
 /** \brief The points, ascending, that another voxel size does justice.
  * \param[in] open those of \ref sparseVoxels
- * \param[in] all number of all points
  * \return none where they are not a cloud of their own: less than a hundredth of all
  * points, or more than half, whose voxels these are */
 Indices
@@ -49,10 +40,7 @@ sparsePoints (const std::vector<OpenPoint>& open, std::size_t all);
 /** \brief Takes planes from sparse points that scatter far more than those of the dense
  * ones, and a quarter as far or more as they are from each other: voxels as large as
  * sparse points need make a plane of any mist.
- * \param[in] dense moments of the planes of dense points
- * \param[in] threads number of threads; 0: all. The result does not depend on it
- * \param[in,out] sparse points with their planes; moments of those rejected are empty
- */
+ * \param[in,out] sparse points with their planes; moments of rejected ones are empty */
 void
 rejectMist (const std::vector<Moments>& dense,
             unsigned threads,

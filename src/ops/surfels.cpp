@@ -122,7 +122,7 @@ levelOf (const Surroundings& surroundings, Indices voxel_of_finest, unsigned thr
     findNormals (surroundings, begin, end, level);
   });
   forEach (threads, size, [&] (std::size_t i) {
-    const VoxelRange around = level.neighbors[i];
+    const IndexRange around = level.neighbors[i];
     level.flattest_around[i] = *std::min_element (
         around.begin(), around.end(), [&level] (std::uint32_t a, std::uint32_t b) {
           return level.thickness[a] < level.thickness[b];

@@ -28,10 +28,8 @@ struct Surfel {
  * neighborhoods it needs. Next to an edge, where the voxel's own neighborhood bends,
  * the flattest one of those around its neighbors that the voxel lies in serves instead
  * (the idea of Kuwahara's edge-preserving filter).
- * \param[in] grid the voxels
  * \param[in] resolutions grids, each of twice the voxel size of the one before
  * \param[in] min_points fewest points of a neighborhood
- * \param[in] threads number of threads; 0: all. The result does not depend on it
  * \param[in] plane_of_voxel voxels on planes need no surfel; empty: none has one */
 std::vector<std::optional<Surfel>>
 findSurfels (const VoxelGrid& grid,

@@ -120,11 +120,11 @@ voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads)
     return {};
   // Of twice the edge, as they are halved where needed.
   const double smallest = 2.0 * smallestVoxel (points);
-  VoxelLevels voxels = voxelizeTwice (points, std::max (size, smallest), threads);
-  const VoxelGrid& grid = voxels.coarse.grid;
-  const double finer = std::max (voxelSizeByNoise (grid), smallest);
-  if (finer < grid.voxel_size)
-    voxels = voxelizeTwice (points, finer, threads);
+  VoxelLevels voxels =
+      coarsen (voxelize (points, 0.5 * std::max (size, smallest), threads));
+  const double finer = std::max (voxelSizeByNoise (voxels.coarse), smallest);
+  if (finer < voxels.coarse.voxel_size)
+    voxels = coarsen (voxelize (points, 0.5 * finer, threads));
   return voxels;
 }
 

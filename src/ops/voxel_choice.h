@@ -10,7 +10,6 @@ namespace pcl_ops::internal {
 /** \brief Divides a cloud into voxels as large as its noise asks for and as its points
  * allow.
  * \param[in] sampling_rate alpha_s, which the number of voxels grows with
- * \param[in] threads number of threads; 0: all. The result does not depend on it
  * \return an empty grid for fewer than two different points */
 VoxelLevels
 voxelizeByNoise (const Points& points, double sampling_rate, unsigned threads);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace pcl_ops::internal {
 
@@ -71,23 +72,20 @@ sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads)
   constexpr std::size_t points_per_piece = 32 * batch;
   const auto voxels_per_meter = static_cast<float> (1.0 / voxel_size);
   // Each piece where its points are; then without gaps.
-  PointRuns runs (positions.size());
+  PointRuns runs (positions.size(), boost::container::default_init);
   const std::vector<std::size_t> pieces = parallelChunks (
       threads, positions.size(), points_per_piece, [&] (auto begin, auto end) {
-        return findRuns (positions, voxels_per_meter, begin, end, runs.begin() + begin);
+        return findRuns (positions, voxels_per_meter, begin, end, runs.data() + begin);
       });
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    const PointRun* const piece = runs.begin() + p * points_per_piece;
-    std::copy (piece, piece + pieces[p], runs.end());
-    runs.resize (runs.size() + pieces[p]);
-  }
-  PointRuns spare (runs.size());
+  PointRun* last = runs.data();
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    last = std::copy_n (runs.data() + p * points_per_piece, pieces[p], last);
+  runs.resize (static_cast<std::size_t> (last - runs.data()));
+  PointRuns spare (runs.size(), boost::container::default_init);
   const auto codeOf = [] (const PointRun& run) { return run.code(); };
-  if (radixSort (threads, runs.begin(), runs.size(), spare.begin(), codeOf) ==
-      runs.begin())
-    return runs;
-  spare.resize (runs.size());
-  return spare;
+  const PointRun* const sorted =
+      radixSort (threads, runs.data(), runs.size(), spare.data(), codeOf);
+  return sorted == runs.data() ? std::move (runs) : std::move (spare);
 }
 
 } // namespace pcl_ops::internal

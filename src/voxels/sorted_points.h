@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <boost/container/vector.hpp>
+
 #include "geometry/points.h"
 #include "voxels/morton_code.h"
 
-#include <cstddef>
 #include <cstdint>
-#include <memory>
 
 namespace pcl_ops::internal {
 
@@ -55,56 +55,16 @@ private:
   std::uint32_t low_, high_, first_;
 };
 
-/** \brief Some runs. */
-class PointRuns {
-public:
-  PointRuns() = default;
-
-  /** \param[in] most runs there is room for; what is not written takes no memory */
-  explicit PointRuns (std::size_t most) : runs_ (new PointRun[most]) {}
-
-  std::size_t
-  size () const
-  {
-    return size_;
-  }
-
-  void
-  resize (std::size_t size)
-  {
-    size_ = size;
-  }
-
-  PointRun*
-  begin () const
-  {
-    return runs_.get();
-  }
-
-  PointRun*
-  end () const
-  {
-    return runs_.get() + size_;
-  }
-
-  const PointRun&
-  operator[] (std::size_t run) const
-  {
-    return runs_[run];
-  }
-
-private:
-  std::unique_ptr<PointRun[]> runs_;
-  std::size_t size_ = 0;
-};
+/** \brief Not those of the standard, which write to all the memory there may be need
+ * of.
+ */
+using PointRuns = boost::container::vector<PointRun>;
 
 /** \brief The points as runs, sorted by the Morton code of their voxel; runs of a voxel
  * in the order of the cloud. Where points come in the order of a scan only the runs,
  * several times fewer, have to be sorted.
  * \param[in] positions finite points; coordinates beyond 2^18 voxels from zero share
- * the outermost voxels
- * \param[in] voxel_size edge of a voxel, above 0
- * \param[in] threads number of threads; 0: all. The result does not depend on it */
+ * the outermost voxels */
 PointRuns
 sortedRuns (const Coordinates& positions, double voxel_size, unsigned threads);
 

@@ -6,6 +6,7 @@
 #include "voxels/sorted_points.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace pcl_ops::internal {
@@ -65,23 +66,23 @@ divide (const PointRuns& runs, VoxelGrid& grid)
 
 } // namespace
 
-VoxelizedPoints
+VoxelGrid
 voxelize (const Coordinates& positions, double voxel_size, unsigned threads)
 {
   const PointRuns runs = sortedRuns (positions, voxel_size, threads);
-  VoxelizedPoints voxelized;
-  VoxelGrid& grid = voxelized.grid;
+  VoxelGrid grid;
   grid.voxel_size = voxel_size;
   const Indices first_run = divide (runs, grid);
   grid.moments.resize (grid.size());
-  voxelized.order.resize (positions.size());
+  const auto order = std::make_shared<Indices> (positions.size());
   forEach (threads, grid.size(), [&] (std::size_t voxel) {
     grid.moments[voxel] = addUp (positions,
-                                 runs.begin() + first_run[voxel],
-                                 runs.begin() + first_run[voxel + 1],
-                                 voxelized.order.data() + grid.first_point[voxel]);
+                                 runs.data() + first_run[voxel],
+                                 runs.data() + first_run[voxel + 1],
+                                 order->data() + grid.first_point[voxel]);
   });
-  return voxelized;
+  grid.order = order;
+  return grid;
 }
 
 void
@@ -102,37 +103,30 @@ momentsOf (const std::vector<Moments>& moments, const LargerVoxels& larger)
 }
 
 Indices
-voxelsOfPoints (const VoxelGrid& grid, const Indices& order)
+voxelsOfPoints (const VoxelGrid& grid)
 {
-  Indices voxels (order.size());
+  Indices voxels (grid.order->size());
   for (std::size_t voxel = 0; voxel < grid.size(); ++voxel)
-    for (std::uint32_t i = grid.first_point[voxel]; i < grid.endOfPoints (voxel); ++i)
-      voxels[order[i]] = static_cast<std::uint32_t> (voxel);
+    for (const std::uint32_t point : grid.pointsOf (voxel))
+      voxels[point] = static_cast<std::uint32_t> (voxel);
   return voxels;
 }
 
-CoarserGrid
-coarsen (const VoxelGrid& finer)
-{
-  LargerVoxels larger = largerVoxels (finer.codes);
-  CoarserGrid coarser;
-  VoxelGrid& grid = coarser.grid;
-  grid.voxel_size = 2.0 * finer.voxel_size;
-  grid.moments = momentsOf (finer.moments, larger);
-  for (std::size_t i = 0; i < finer.size(); ++i)
-    if (larger.holding[i] == grid.first_point.size())
-      grid.first_point.push_back (finer.first_point[i]);
-  grid.codes = std::move (larger.codes);
-  coarser.voxel_of_finer = std::move (larger.holding);
-  return coarser;
-}
-
 VoxelLevels
-voxelizeTwice (const Coordinates& positions, double voxel_size, unsigned threads)
+coarsen (VoxelGrid finest)
 {
+  LargerVoxels larger = largerVoxels (finest.codes);
   VoxelLevels voxels;
-  voxels.finest = voxelize (positions, 0.5 * voxel_size, threads);
-  voxels.coarse = coarsen (voxels.finest.grid);
+  VoxelGrid& coarse = voxels.coarse;
+  coarse.voxel_size = 2.0 * finest.voxel_size;
+  coarse.order = finest.order;
+  coarse.moments = momentsOf (finest.moments, larger);
+  for (std::size_t i = 0; i < finest.size(); ++i)
+    if (larger.holding[i] == coarse.first_point.size())
+      coarse.first_point.push_back (finest.first_point[i]);
+  coarse.codes = std::move (larger.codes);
+  voxels.coarse_of_finest = std::move (larger.holding);
+  voxels.finest = std::move (finest);
   return voxels;
 }
 

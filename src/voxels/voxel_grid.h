@@ -7,6 +7,7 @@
 #include <pcl_ops/plane.h>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace pcl_ops::internal {
@@ -19,7 +20,10 @@ struct VoxelGrid {
   /** \brief Of each occupied voxel, ascending: neighbors in space are near in memory.
    */
   std::vector<MortonCode> codes;
-  /** \brief Where each voxel's points begin in \ref VoxelizedPoints::order. */
+  /** \brief Numbers of all points, voxel after voxel: one list for all grids of them.
+   */
+  std::shared_ptr<const Indices> order;
+  /** \brief Where each voxel's points begin there. */
   Indices first_point;
   /** \brief Moments of each voxel's points about the zero of their frame. */
   std::vector<Moments> moments;
@@ -34,27 +38,20 @@ struct VoxelGrid {
     return codes.size();
   }
 
-  /** \brief Where a voxel's points end there. */
-  std::uint32_t
-  endOfPoints (std::size_t voxel) const
+  /** \brief Numbers of a voxel's points. */
+  IndexRange
+  pointsOf (std::size_t voxel) const
   {
-    return first_point[voxel] + static_cast<std::uint32_t> (moments[voxel].count);
+    const std::uint32_t* const first = order->data() + first_point[voxel];
+    return {first, first + static_cast<std::uint32_t> (moments[voxel].count)};
   }
-};
-
-/** \brief Voxels with the numbers of their points, voxel after voxel. */
-struct VoxelizedPoints {
-  VoxelGrid grid;
-  Indices order;
 };
 
 /** \brief Sorts points into voxels and adds up their moments.
  * \param[in] positions finite points; coordinates beyond 2^18 voxels from zero share
  * the outermost voxels
- * \param[in] voxel_size edge of a voxel, above 0
- * \param[in] threads number of threads; 0: all. The result does not depend on it
  * \return voxels without neighbors */
-VoxelizedPoints
+VoxelGrid
 voxelize (const Coordinates& positions, double voxel_size, unsigned threads);
 
 /** \brief Finds the neighbors of each voxel. */
@@ -67,33 +64,20 @@ connect (VoxelGrid& grid, unsigned threads);
 std::vector<Moments>
 momentsOf (const std::vector<Moments>& moments, const LargerVoxels& larger);
 
-/** \brief The voxel of each point.
- * \param[in] grid the voxels
- * \param[in] order numbers of all points, voxel after voxel */
+/** \brief The voxel of each point. */
 Indices
-voxelsOfPoints (const VoxelGrid& grid, const Indices& order);
+voxelsOfPoints (const VoxelGrid& grid);
 
-/** \brief A grid of twice the voxel size whose voxels hold 2 x 2 x 2 voxels each. */
-struct CoarserGrid {
-  VoxelGrid grid;
-  /** \brief For each finer voxel the coarser one that holds it. */
-  Indices voxel_of_finer;
-};
-
-/** \brief Joins voxels by eight.
- * \return voxels without neighbors */
-CoarserGrid
-coarsen (const VoxelGrid& finer);
-
-/** \brief Points in voxels, and in those of twice the edge. */
+/** \brief Points in voxels, and in those of twice the edge, each of which holds 2 x 2 x
+ * 2 of the others. */
 struct VoxelLevels {
-  VoxelizedPoints finest;
-  CoarserGrid coarse;
+  VoxelGrid finest, coarse;
+  /** \brief For each of the finest voxels the coarse one that holds it. */
+  Indices coarse_of_finest;
 };
 
-/** \brief Divides points into voxels of a given edge [m] and of half of it; those of
- * the given edge have neighbors. The rest as \ref voxelize. */
+/** \brief Joins voxels by eight; the coarse ones have no neighbors. */
 VoxelLevels
-voxelizeTwice (const Coordinates& positions, double voxel_size, unsigned threads);
+coarsen (VoxelGrid finest);
 
 } // namespace pcl_ops::internal

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <boost/range/iterator_range_core.hpp>
+
 #include "voxels/morton_code.h"
 
 #include <cstddef>
@@ -10,23 +12,8 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Indices of voxels, one after the other. */
-struct VoxelRange {
-  const std::uint32_t* first;
-  const std::uint32_t* last;
-
-  const std::uint32_t*
-  begin () const
-  {
-    return first;
-  }
-
-  const std::uint32_t*
-  end () const
-  {
-    return last;
-  }
-};
+/** \brief Numbers of voxels or points, one after the other. */
+using IndexRange = boost::iterator_range<const std::uint32_t*>;
 
 /** \brief For each voxel the occupied ones among its 26 neighbors and, in the middle,
  * itself: most are empty where points are on surfaces. */
@@ -39,7 +26,7 @@ struct VoxelNeighbors {
    * 1, 1 is the middle. */
   std::vector<std::uint64_t> places;
 
-  VoxelRange
+  IndexRange
   operator[] (std::size_t voxel) const
   {
     return {neighbors.data() + begin[voxel], neighbors.data() + begin[voxel + 1]};
@@ -74,8 +61,7 @@ struct ConnectedVoxels {
 };
 
 /** \brief Finds the neighbors of voxels, from the root of the octree down.
- * \param[in] codes of the voxels, ascending, each once
- * \param[in] threads number of threads; 0: all. The result does not depend on it */
+ * \param[in] codes of the voxels, ascending, each once */
 ConnectedVoxels
 connected (const std::vector<MortonCode>& codes, unsigned threads);
 

@@ -3,8 +3,6 @@
 #include "bounded/bending.h"
 #include "voxel_scene.h"
 
-#include <numeric>
-
 using pcl_ops::fitPlane;
 using pcl_ops::PlaneFit;
 using namespace pcl_ops::internal;
@@ -18,11 +16,9 @@ template <typename HeightAt>
 VoxelGrid
 gridOver (double half_edge, double noise, HeightAt&& heightAt)
 {
-  Coordinates points;
-  addGrid (points,
-           {{-half_edge, -half_edge, 0}, {2 * half_edge, 0, 0}, {0, 2 * half_edge, 0}},
-           200,
-           noise);
+  const Surface square{
+      {-half_edge, -half_edge, 0}, {2 * half_edge, 0, 0}, {0, 2 * half_edge, 0}};
+  Coordinates points = gridsOf ({square}, 200, noise);
   for (std::size_t i = 0; i < points.size(); ++i)
     points.z[i] += static_cast<float> (heightAt (points.x[i], points.y[i]));
   return connectedGrid (points, 10_cm);
@@ -32,8 +28,7 @@ gridOver (double half_edge, double noise, HeightAt&& heightAt)
 Bending
 bendingOfAll (const VoxelGrid& grid, std::size_t number = 1000000)
 {
-  Indices voxels (std::min (number, grid.size()));
-  std::iota (voxels.begin(), voxels.end(), 0u);
+  const Indices voxels = upTo (std::min (number, grid.size()));
   const std::optional<PlaneFit> fit = fitPlane (momentsOf (grid, voxels));
   EXPECT_TRUE (fit);
   return bendingOf (grid, voxels, *fit);

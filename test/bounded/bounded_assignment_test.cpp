@@ -14,15 +14,8 @@ AssignedPoints
 assign (const VoxelScene& scene)
 {
   AssignedPoints assigned{Labels (scene.points.size(), no_plane), {}};
-  assignToBoundedPlanes (scene.points,
-                         scene.voxelized.finest.order,
-                         scene.grid(),
-                         scene.planes,
-                         std::nullopt,
-                         4.0,
-                         1,
-                         {},
-                         assigned);
+  assignToBoundedPlanes (
+      scene.points, scene.grid(), scene.planes, std::nullopt, 4.0, 1, {}, assigned);
   return assigned;
 }
 
@@ -41,34 +34,23 @@ TEST (BoundedAssignment, GivesTheMomentsOfThePointsItLabels)
   }
 }
 
-TEST (BoundedAssignment, GivesAPointBetweenTwoPlanesToTheNoisierOne)
+TEST (BoundedAssignment, GivesAPointBetweenPlanesToTheNoisierAndOneOnBothToTheCleaner)
 {
-  // Points at 5 cm; left of x = 1 a plane 3 cm below them, right of it one 3 cm above.
+  // Points at 5 cm; left of x = 1 a plane so far below them, right of it one as far
+  // above.
   VoxelScene scene ({{ground}});
-  scene.planes.planes = {Plane{Eigen::Vector3d::UnitZ(), -0.02},
-                         Plane{Eigen::Vector3d::UnitZ(), -0.08}};
   scene.label (1, [] (const auto& at) { return at.x() > 1.0; });
-  for (const std::int32_t noisier : {0, 1}) {
-    scene.planes.noise = {noisier == 0 ? 4_cm : 1_cm, noisier == 1 ? 4_cm : 1_cm};
-    const Labels labels = assign (scene).labels;
-    for (std::size_t i = 0; i < scene.points.size(); ++i)
-      EXPECT_TRUE (std::abs (scene.points.x[i] - 1.0f) > 0.1f || labels[i] == noisier);
-  }
-}
-
-TEST (BoundedAssignment, GivesAPointThatIsOnBothOfTwoPlanesToTheCleanerOne)
-{
-  // As the test before, but both planes are within a millimeter of the points.
-  VoxelScene scene ({{ground}});
-  scene.planes.planes = {Plane{Eigen::Vector3d::UnitZ(), -0.049},
-                         Plane{Eigen::Vector3d::UnitZ(), -0.051}};
-  scene.label (1, [] (const auto& at) { return at.x() > 1.0; });
-  for (const std::int32_t cleaner : {0, 1}) {
-    scene.planes.noise = {cleaner == 0 ? 1_cm : 4_cm, cleaner == 1 ? 1_cm : 4_cm};
-    const Labels labels = assign (scene).labels;
-    for (std::size_t i = 0; i < scene.points.size(); ++i)
-      EXPECT_TRUE (std::abs (scene.points.x[i] - 1.0f) > 0.1f || labels[i] == cleaner);
-  }
+  for (const double off : {3_cm, 1_mm})
+    for (const std::int32_t noisier : {0, 1}) {
+      scene.planes.planes = {Plane{Eigen::Vector3d::UnitZ(), off - 5_cm},
+                             Plane{Eigen::Vector3d::UnitZ(), -off - 5_cm}};
+      scene.planes.noise = {noisier == 0 ? 4_cm : 1_cm, noisier == 1 ? 4_cm : 1_cm};
+      const std::int32_t expected = off > 1_cm ? noisier : 1 - noisier;
+      const Labels labels = assign (scene).labels;
+      for (std::size_t i = 0; i < labels.size(); ++i)
+        EXPECT_TRUE (std::abs (scene.points.x[i] - 1.0f) > 0.1f ||
+                     labels[i] == expected);
+    }
 }
 
 TEST (BoundedAssignment, TakesPointsUpToAMultipleOfTheNoise)

@@ -21,7 +21,7 @@ atHeight (double z)
 }
 
 /** \brief Three points in three voxels side by side, at x = 5, 15 and 25 cm. */
-VoxelizedPoints
+VoxelGrid
 threeVoxels ()
 {
   Coordinates points;
@@ -32,12 +32,12 @@ threeVoxels ()
 
 /** \brief Voxels of \ref threeVoxels on planes. */
 BoundedPlanes
-planesOf (const VoxelizedPoints& voxelized, const Labels& plane_of_point)
+planesOf (const VoxelGrid& grid, const Labels& plane_of_point)
 {
   BoundedPlanes planes;
   planes.planes.resize (2);
   planes.plane_of_voxel.resize (3);
-  const Indices voxels = voxelsOfPoints (voxelized.grid, voxelized.order);
+  const Indices voxels = voxelsOfPoints (grid);
   for (std::size_t i = 0; i < 3; ++i)
     planes.plane_of_voxel[voxels[i]] = plane_of_point[i];
   return planes;
@@ -51,8 +51,8 @@ TEST (Refitting, FitsEachPlaneToItsVoxels)
   scene.planes.planes = {tilted, tilted};
   scene.label (no_plane, [] (const auto& at) { return at.x() < 0.1 && at.z() < 0.1; });
   refitPlanes (scene.grid(), scene.planes);
-  expectPlaneNear (scene.planes.planes[0], ground, 1e-6, 1e-6);
-  expectPlaneNear (scene.planes.planes[1], wall, 1e-6, 1e-6);
+  EXPECT_TRUE (isNear (scene.planes.planes[0], ground, 1e-6, 1e-6));
+  EXPECT_TRUE (isNear (scene.planes.planes[1], wall, 1e-6, 1e-6));
 }
 
 TEST (Refitting, LeavesAPlaneWithoutVoxelsAsItIs)
@@ -65,8 +65,8 @@ TEST (Refitting, LeavesAPlaneWithoutVoxelsAsItIs)
 
 TEST (MomentsOfPlanes, AddUpThePointsOfTheirVoxels)
 {
-  const VoxelizedPoints three = threeVoxels();
-  const auto moments = momentsOfPlanes (three.grid, planesOf (three, {1, no_plane, 1}));
+  const VoxelGrid three = threeVoxels();
+  const auto moments = momentsOfPlanes (three, planesOf (three, {1, no_plane, 1}));
   ASSERT_EQ (moments.size(), 2u);
   EXPECT_EQ (moments[0].count, 0.0);
   EXPECT_EQ (moments[1].count, 2.0);
@@ -75,11 +75,11 @@ TEST (MomentsOfPlanes, AddUpThePointsOfTheirVoxels)
 
 TEST (MomentsOfPlanes, HoldWhatPlanesHaveElsewhere)
 {
-  const VoxelizedPoints three = threeVoxels();
+  const VoxelGrid three = threeVoxels();
   BoundedPlanes planes = planesOf (three, {0, 0, 1});
   planes.moments_elsewhere.resize (1);
   planes.moments_elsewhere[0].add (1, 2, 3);
-  const auto moments = momentsOfPlanes (three.grid, planes);
+  const auto moments = momentsOfPlanes (three, planes);
   ASSERT_EQ (moments.size(), 2u);
   EXPECT_EQ (moments[0].count, 3.0);
   EXPECT_EQ (moments[1].count, 1.0);
@@ -87,8 +87,8 @@ TEST (MomentsOfPlanes, HoldWhatPlanesHaveElsewhere)
 
 TEST (MomentsOf, SomeVoxelsAreThoseOfTheirPoints)
 {
-  const VoxelizedPoints three = threeVoxels();
-  const Moments moments = momentsOf (three.grid, {0, 1});
+  const VoxelGrid three = threeVoxels();
+  const Moments moments = momentsOf (three, {0, 1});
   EXPECT_EQ (moments.count, 2.0);
   EXPECT_NEAR (moments.centroid().x(), 0.10, 1e-6);
 }

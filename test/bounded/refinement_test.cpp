@@ -27,8 +27,7 @@ halfExplained ()
 Refinement
 refined (const VoxelScene& scene, unsigned threads = 1)
 {
-  return refine (
-      scene.voxelized.finest.grid, scene.voxelized.coarse, scene.planes, threads);
+  return refine (scene.voxelized, scene.planes, threads);
 }
 
 } // namespace
@@ -46,11 +45,10 @@ TEST (Refinement, HasThePointsOfThoseVoxels)
 {
   const VoxelScene scene = halfExplained();
   const VoxelGrid finer = refined (scene).grid;
-  const Indices& order = scene.voxelized.finest.order;
   std::vector<char> is_refined (scene.points.size(), 0);
   for (std::size_t voxel = 0; voxel < finer.size(); ++voxel)
-    for (std::uint32_t i = finer.first_point[voxel]; i < finer.endOfPoints (voxel); ++i)
-      is_refined[order[i]] = 1;
+    for (const std::uint32_t point : finer.pointsOf (voxel))
+      is_refined[point] = 1;
   for (std::size_t i = 0; i < scene.points.size(); ++i)
     EXPECT_EQ (is_refined[i] != 0, scene.points.x[i] > 0.9f);
 }

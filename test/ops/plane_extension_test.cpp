@@ -4,7 +4,6 @@
 #include "ops/plane_extension.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 using pcl_ops::Labels;
@@ -37,20 +36,15 @@ struct FloorAndRows {
   Labels
   extended (int levels, std::optional<double> distance_threshold = {}) const
   {
-    const VoxelLevels voxels = connectedVoxels (points, 10_cm);
-    Indices all (voxels.coarse.grid.size());
-    std::iota (all.begin(), all.end(), 0u);
+    const VoxelGrid grid = connectedGrid (points, 10_cm);
     AssignedPoints assigned{Labels (points.size(), no_plane), {{}}};
     for (int i = 0; i < on_floor; ++i) {
       assigned.labels[i] = 0;
       assigned.moments[0].add (points.x[i], points.y[i], points.z[i]);
     }
-    const VoxelGrid& grid = voxels.coarse.grid;
-    const Indices& order = voxels.finest.order;
     extendPlanes (points,
-                  order,
                   grid,
-                  openPoints (grid, all, order, assigned.labels),
+                  openPoints (grid, upTo (grid.size()), assigned.labels),
                   levels,
                   distance_threshold,
                   assigned);
@@ -69,36 +63,22 @@ struct FloorAndRows {
 
 } // namespace
 
-TEST (PlaneExtension, TakesPointsOfThePlaneBeyondAGap)
-{
-  EXPECT_EQ (FloorAndRows().row (1.9, 0.0).extended (3), (Labels{0}));
-}
-
-TEST (PlaneExtension, EndsAtTheLargestVoxels)
+TEST (PlaneExtension, TakesPointsOfWidePlanesUpToTheLargestVoxelsAndTheThreshold)
 {
   // The floor ends where voxels of 20 and of 40 cm do.
-  EXPECT_EQ (FloorAndRows().row (1.9, 0.0).extended (1), (Labels{no_plane}));
-  EXPECT_EQ (FloorAndRows().row (1.9, 0.0).extended (2), (Labels{0}));
+  const FloorAndRows near = FloorAndRows().row (1.9, 0.0);
+  EXPECT_EQ (near.extended (3), (Labels{0})) << "beyond a gap";
+  EXPECT_EQ (near.extended (1), (Labels{no_plane}));
+  EXPECT_EQ (near.extended (2), (Labels{0}));
+  const FloorAndRows narrow = FloorAndRows (0.2).row (1.9, 0.0);
+  EXPECT_EQ (narrow.extended (3), (Labels{no_plane})) << "narrower than the voxels";
+  const FloorAndRows above = FloorAndRows().row (1.9, 1_mm).row (1.9, 5_cm);
+  EXPECT_EQ (above.extended (3), (Labels{0, no_plane}));
+  EXPECT_EQ (above.extended (3, 5e-4), (Labels{no_plane, no_plane}));
 }
 
 TEST (PlaneExtension, GoesOnFromPointsThatItTook)
 {
   EXPECT_EQ (FloorAndRows().row (2.9, 0.0).extended (3), (Labels{no_plane}));
   EXPECT_EQ (FloorAndRows().row (1.9, 0.0).row (2.9, 0.0).extended (3), (Labels{0, 0}));
-}
-
-TEST (PlaneExtension, IsNoneOfPlanesNarrowerThanTheVoxels)
-{
-  EXPECT_EQ (FloorAndRows (0.2).row (1.9, 0.0).extended (3), (Labels{no_plane}));
-}
-
-TEST (PlaneExtension, LeavesPointsBesideThePlaneAlone)
-{
-  EXPECT_EQ (FloorAndRows().row (1.9, 5_cm).extended (3), (Labels{no_plane}));
-}
-
-TEST (PlaneExtension, KeepsToAThreshold)
-{
-  EXPECT_EQ (FloorAndRows().row (1.9, 1_mm).extended (3), (Labels{0}));
-  EXPECT_EQ (FloorAndRows().row (1.9, 1_mm).extended (3, 5e-4), (Labels{no_plane}));
 }

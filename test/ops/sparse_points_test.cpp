@@ -14,24 +14,21 @@ constexpr double min_points = 30.0;
 
 /** \brief A dense square of 14,400 points, and a sparse one in another place, of so
  * many points a meter from each other, in voxels of 10 cm. */
-VoxelLevels
+VoxelGrid
 denseAndSparse (int sparse_steps)
 {
-  Coordinates points;
-  addGrid (points, {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, 120);
+  Coordinates points = gridsOf ({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}}, 120);
   const double edge = sparse_steps * 1_m;
   addGrid (points, {{10, 0, 0}, {edge, 0, 0}, {0, edge, 0}}, sparse_steps);
-  return connectedVoxels (points, 10_cm);
+  return connectedGrid (points, 10_cm);
 }
 
 Indices
-sparseAmong (const VoxelLevels& voxels, std::int32_t label = no_plane)
+sparseAmong (const VoxelGrid& grid, std::int32_t label = no_plane)
 {
-  const Indices& order = voxels.finest.order;
-  const pcl_ops::Labels labels (order.size(), label);
-  const VoxelGrid& grid = voxels.coarse.grid;
-  return sparsePoints (
-      openPoints (grid, sparseVoxels (grid, min_points), order, labels), order.size());
+  const pcl_ops::Labels labels (grid.order->size(), label);
+  return sparsePoints (openPoints (grid, sparseVoxels (grid, min_points), labels),
+                       labels.size());
 }
 
 } // namespace
@@ -43,19 +40,12 @@ TEST (SparsePoints, AreThoseWithFewAround)
   EXPECT_EQ (sparseAmong (denseAndSparse (20)), sparse);
 }
 
-TEST (SparsePoints, AreOnNoPlane)
+TEST (SparsePoints, AreOnNoPlaneAndAHundredthToHalfOfTheCloud)
 {
-  EXPECT_TRUE (sparseAmong (denseAndSparse (20), 0).empty());
-}
-
-TEST (SparsePoints, OfLessThanAHundredthOfTheCloudAreLeftAlone)
-{
-  EXPECT_TRUE (sparseAmong (denseAndSparse (12)).empty());
-}
-
-TEST (SparsePoints, OfMoreThanHalfOfTheCloudHaveVoxelsOfTheirOwnAlready)
-{
-  EXPECT_TRUE (sparseAmong (denseAndSparse (121)).empty());
+  EXPECT_TRUE (sparseAmong (denseAndSparse (20), 0).empty()) << "on a plane";
+  EXPECT_TRUE (sparseAmong (denseAndSparse (12)).empty()) << "left alone";
+  EXPECT_TRUE (sparseAmong (denseAndSparse (121)).empty())
+      << "more than half have voxels of their own already";
 }
 
 TEST (SparsePoints, AreOnNoPlaneIfTheyScatterLikeAMist)

@@ -25,28 +25,28 @@ gridOfFloorWithPatch (double patch_edge, double noise)
     addGrid (
         points, {{corner, corner, height}, {patch_edge, 0, 0}, {0, patch_edge, 0}}, 70);
   }
-  return voxelizeByNoise (points, usual_samples, 1).coarse.grid;
+  return voxelizeByNoise (points, usual_samples, 1).coarse;
 }
 
 /** \brief Of a floor of 4 m, one half of which is two layers so far apart. */
 VoxelGrid
 gridOfHalfALayer (double apart)
 {
-  Points points;
-  addGrid (points, {{-2, -2, 0}, {2, 0, 0}, {0, 4, 0}}, many);
-  for (const double height : {0.0, apart})
-    addGrid (points, {{0, -2, height}, {2, 0, 0}, {0, 4, 0}}, many);
-  return voxelizeByNoise (points, few_voxels, 1).coarse.grid;
+  const Points points = gridsOf ({{{-2, -2, 0}, {2, 0, 0}, {0, 4, 0}},
+                                  {{0, -2, 0}, {2, 0, 0}, {0, 4, 0}},
+                                  {{0, -2, apart}, {2, 0, 0}, {0, 4, 0}}},
+                                 many);
+  return voxelizeByNoise (points, few_voxels, 1).coarse;
 }
 
 /** \brief Of two floors of 4 m, so far above each other. */
 VoxelGrid
 gridOfFloors (double apart, int steps, double sampling_rate)
 {
-  Points points;
-  for (const double height : {0.0, apart})
-    addGrid (points, {{-2, -2, height}, {4, 0, 0}, {0, 4, 0}}, steps);
-  return voxelizeByNoise (points, sampling_rate, 1).coarse.grid;
+  const Points points = gridsOf (
+      {{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}, {{-2, -2, apart}, {4, 0, 0}, {0, 4, 0}}},
+      steps);
+  return voxelizeByNoise (points, sampling_rate, 1).coarse;
 }
 
 } // namespace
@@ -72,10 +72,9 @@ TEST (VoxelChoice, LeavesPointsEnoughInAVoxelOfASmallCloud)
 
 TEST (VoxelChoice, IsLargerThanTheStepsOfSinglePrecision)
 {
-  Points points;
-  addGrid (points, {{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}, many);
+  Points points = gridsOf ({{{-2, -2, 0}, {4, 0, 0}, {0, 4, 0}}}, many);
   points.origin = {0.0, 1e6, 0.0}; // steps of 6.25 cm
-  EXPECT_GE (voxelizeByNoise (points, few_voxels, 1).coarse.grid.voxel_size, 1_m);
+  EXPECT_GE (voxelizeByNoise (points, few_voxels, 1).coarse.voxel_size, 1_m);
 }
 
 TEST (VoxelChoice, TakesLargerVoxelsForFewerSamples)
@@ -110,6 +109,6 @@ TEST (VoxelChoice, HasVoxelsForAllOfACloudThatIsMostlyAtOnePlace)
   Points points;
   addGrid (points, {{-20, -20, 0}, {40, 0, 0}, {0, 40, 0}}, 300);
   addGrid (points, {{0, 0, 0}, {1_mm, 0, 0}, {0, 1_mm, 0}}, 200);
-  const VoxelGrid grid = voxelizeByNoise (points, few_voxels, 1).coarse.grid;
+  const VoxelGrid grid = voxelizeByNoise (points, few_voxels, 1).coarse;
   EXPECT_GT (grid.voxel_size, 10_cm);
 }

@@ -20,7 +20,7 @@ TEST (VoxelNeighbors, AreThoseThatBruteForceFinds)
 {
   // Sparse and dense: nearly every voxel alone, and nearly all occupied.
   for (const double edge : {0.2, 0.5, 1.5}) {
-    const VoxelGrid grid = voxelize (pointsInACube (400, 9.0), edge, 1).grid;
+    const VoxelGrid grid = voxelize (pointsInACube (400, 9.0), edge, 1);
     const VoxelNeighbors neighbors = connected (grid.codes, 1).neighbors;
     ASSERT_EQ (neighbors.size(), grid.size());
     for (std::size_t a = 0; a < grid.size(); ++a) {

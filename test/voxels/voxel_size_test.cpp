@@ -16,7 +16,7 @@ TEST (VoxelSize, FillsAboutAsManyVoxelsAsWanted)
   for (const Coordinates& points : {board, boards_far_apart})
     for (const double wanted : {300.0, 2000.0, 10000.0}) {
       const double size = voxelSizeFor (points, wanted);
-      const auto voxels = static_cast<double> (voxelize (points, size, 1).grid.size());
+      const auto voxels = static_cast<double> (voxelize (points, size, 1).size());
       EXPECT_NEAR (voxels / wanted, 1.0, 0.35) << wanted;
     }
 }
