@@ -2,58 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/detect_as_in_paper.h"
 
+#include "geometry/angles.h"
 #include "ops/point_extraction.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace pcl_ops::internal {
-
-namespace {
-
-RansacParameters
-ransacParameters (const OrientedPointSamplingParameters& parameters)
-{
-  constexpr unsigned fewest = 2; // more than two: three samples make a plane
-  RansacParameters ransac;
-  ransac.distance_threshold = *parameters.distance_threshold;
-  ransac.min_inliers = std::max (fewest, parameters.min_inliers);
-  ransac.probability = parameters.paper_only.probability;
-  ransac.local_optimization = parameters.paper_only.local_optimization;
-  return ransac;
-}
-
-std::vector<Indices>
-groupsOf (const OrientedSamples& samples,
-          const OrientedPointSamplingParameters& parameters)
-{
-  if (parameters.paper_only.strategy == PaperParameters::Strategy::DivideThenDetect) {
-    const auto groups =
-        groupByOrientation (samples,
-                            parameters.up_axis.cast<double>().normalized(),
-                            parameters.angle_tolerance);
-    return {groups.begin(), groups.end()};
-  }
-  Indices all (samples.size());
-  std::iota (all.begin(), all.end(), 0);
-  return {all};
-}
-
-} // namespace
 
 std::vector<Plane>
 extractPlanes (const Points& points,
                const OrientedSamples& samples,
                const OrientedPointSamplingParameters& parameters)
 {
-  const RansacParameters ransac = ransacParameters (parameters);
+  constexpr unsigned fewest = 2; // more than two: three samples make a plane
+  RansacParameters ransac = parameters;
+  ransac.min_inliers = std::max (fewest, parameters.min_inliers);
   RandomGenerator generator (parameters.seed);
+  const PaperParameters& paper = parameters.paper_only;
   const bool on_all_points =
-      parameters.paper_only.verification == PaperParameters::Verification::AllPoints;
+      paper.verification == PaperParameters::Verification::AllPoints;
   Coordinates remaining = on_all_points ? Coordinates (points) : Coordinates();
+  // Strategy 1 has one group: within a right angle all samples are horizontal.
+  const bool divides = paper.strategy == PaperParameters::Strategy::DivideThenDetect;
   std::vector<Plane> planes;
-  for (Indices& group : groupsOf (samples, parameters)) {
+  for (Indices& group :
+       groupByOrientation (samples,
+                           parameters.up_axis.cast<double>().normalized(),
+                           divides ? parameters.angle_tolerance : right_angle)) {
     Candidates candidates{samples, std::move (group)};
     if (on_all_points)
       candidates.remaining = &remaining;

@@ -13,8 +13,6 @@ namespace pcl_ops::internal {
 /** \brief Algorithm 1 of the paper on oriented samples: one-point RANSAC, plane by
  * plane.
  * \param[in] points all points, for Verification::AllPoints
- * \param[in] samples with their normals
- * \param[in] parameters those of Sampling::Points
  * \return planes in the order found */
 std::vector<Plane>
 extractPlanes (const Points& points,
@@ -24,8 +22,6 @@ extractPlanes (const Points& points,
 /** \brief The paper's sampling: points drawn at random, with the normals of their
  * nearest neighbors; planes do not end.
  * \param[in] input the cloud and, where there is one, the user's search
- * \param[in] points its finite points in their local frame
- * \param[in] parameters those of Sampling::Points
  * \param[in,out] durations what each stage took is added [ms] */
 LabelledPlanes
 detectAsInPaper (const DetectorInput& input,

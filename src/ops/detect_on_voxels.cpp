@@ -50,22 +50,6 @@ orient (const VoxelGrid& grid,
       grid, surfels.resolutions, min_points, parameters.threads, plane_of_voxel);
 }
 
-void
-spread (const VoxelGrid& grid,
-        const std::vector<std::optional<Surfel>>& surfels,
-        const Parameters& parameters,
-        double max_thickness,
-        BoundedPlanes& planes)
-{
-  SurfelExtractionParameters extraction;
-  extraction.noise_factor = parameters.surfels.noise_factor;
-  extraction.angle_threshold = parameters.surfels.angle_threshold;
-  extraction.max_thickness = max_thickness;
-  extraction.min_inliers = std::max (1u, parameters.min_inliers);
-  extractSurfelPlanes (grid, surfels, extraction, planes);
-  measureNoise (grid, parameters.threads, planes);
-}
-
 // Finds planes in voxels that have none, and lets all planes grow.
 void
 findPlanes (const VoxelGrid& grid,
@@ -78,9 +62,19 @@ findPlanes (const VoxelGrid& grid,
   const std::vector<std::optional<Surfel>> surfels =
       orient (grid, parameters, planes.plane_of_voxel);
   clock.lap (durations.normals);
-  spread (grid, surfels, parameters, max_thickness, planes);
+  extractSurfelPlanes (grid, surfels, parameters, max_thickness, planes);
+  measureNoise (grid, parameters.threads, planes);
   growPlanes (grid, parameters.distance_threshold, parameters.threads, planes);
   clock.lap (durations.extraction);
+}
+
+// Real walls are not flat: whether two planes are one follows their noise.
+MergingParameters
+mergingByNoise (MergingParameters merging)
+{
+  merging.distance_threshold = merging.distance_threshold.value_or (0.0);
+  merging.noise_factor = merging.noise_factor.value_or (like_noise);
+  return merging;
 }
 
 // Which planes are one: those that noise divided, and those that a gap did.
@@ -242,14 +236,6 @@ double
 coarsestVoxel (const SurfelParameters& surfels)
 {
   return std::ldexp (surfels.voxel_size.value_or (0.0), surfels.resolutions - 1);
-}
-
-MergingParameters
-mergingByNoise (MergingParameters merging)
-{
-  merging.distance_threshold = merging.distance_threshold.value_or (0.0);
-  merging.noise_factor = merging.noise_factor.value_or (like_noise);
-  return merging;
 }
 
 LabelledPlanes

@@ -15,15 +15,9 @@ using SurfelParameters = OrientedPointSamplingParameters::Surfels;
 double
 coarsestVoxel (const SurfelParameters& surfels);
 
-/** \brief Real walls are not flat: whether two planes are one follows their noise. */
-MergingParameters
-mergingByNoise (MergingParameters merging);
-
 /** \brief The recommended sampling: the flat voxels of a grid, with the normals of the
  * moments around; planes end where their voxels end. Coarse first: only points that no
  * plane explains are looked at in voxels of half the edge.
- * \param[in] points finite points in their local frame
- * \param[in] parameters those of Sampling::Surfels
  * \param[in,out] durations what each stage took is added [ms] */
 LabelledPlanes
 detectOnVoxels (const Points& points,

@@ -24,16 +24,13 @@ struct OrientedSamples : Coordinates {
 
 /** \brief Draws alpha_s N of the N points, each subset equally likely (Knuth's
  * selection sampling: one pass, no repetition).
- * \param[in] size N
- * \param[in] rate alpha_s, 0 .. 1; the number drawn is rounded to the nearest
- * \param[in] seed the same seed draws the same points */
+ * \param[in] rate alpha_s, 0 .. 1; the number drawn is rounded to the nearest */
 Indices
 drawSample (std::size_t size, double rate, std::uint32_t seed);
 
 /** \brief The user's search over the finite points, or, where there is none, the
  * library's own.
  * \param[in] input used as long as the search is
- * \param[in] points the finite points of it
  * \param[in] threads that may ask the library's own; 0: all */
 NeighborSearch
 searchOver (const DetectorInput& input, const Points& points, unsigned threads);
@@ -42,11 +39,6 @@ searchOver (const DetectorInput& input, const Points& points, unsigned threads);
  * eigenvalue of M_i = sum_j exp (-|q_ij - p_i|^2 / 2 sigma^2) (q_ij - p_i)(q_ij -
  * p_i)^T / |q_ij - p_i|^2 over the k nearest neighbors (paper, equation of section
  * III-A). Neighbors at distance 0 are skipped.
- * \param[in] cloud the input cloud
- * \param[in] points the finite points of it
- * \param[in] sample which of the points
- * \param[in] search over the points
- * \param[in] k neighbors of each
  * \param[in] sigma of the weight [m]; none: the distance to the farthest neighbor
  * \return position and normal of each sample, in order; samples whose neighbors are
  * fewer than two or on one line have no normal and are left out */

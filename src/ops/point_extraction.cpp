@@ -107,7 +107,7 @@ onePointRansac (const Candidates& candidates,
   if (left.size() <= parameters.min_inliers)
     return std::nullopt;
   const auto draws_for = [&] (std::size_t inliers, std::size_t among) {
-    return requiredDraws (parameters.probability,
+    return requiredDraws (parameters.paper_only.probability,
                           static_cast<double> (inliers) / static_cast<double> (among));
   };
   const Coordinates own = selected (samples, left);
@@ -121,7 +121,7 @@ onePointRansac (const Candidates& candidates,
     const std::uint32_t drawn =
         left[drawBelow (generator, static_cast<std::uint32_t> (left.size()))];
     const Plane hypothesis = planeThrough (samples[drawn], samples.normals[drawn]);
-    const double theta_h = parameters.distance_threshold;
+    const double theta_h = *parameters.distance_threshold;
     const std::size_t votes = countWithinDistance (voters, hypothesis, theta_h);
     if (votes <= most ||
         selectWithinDistance (samples, left, hypothesis, theta_h).size() <=
@@ -145,12 +145,12 @@ largestPlane (const Candidates& candidates,
     return std::nullopt;
   const auto select = [&] (const Plane& plane) {
     return selectWithinDistance (
-        candidates.samples, candidates.left, plane, parameters.distance_threshold);
+        candidates.samples, candidates.left, plane, *parameters.distance_threshold);
   };
   ExtractedPlane found{*hypothesis, select (*hypothesis)};
   while (const auto fit = fitTo (candidates.samples, found.inliers)) {
     found.plane = fit->plane;
-    if (!parameters.local_optimization)
+    if (!parameters.paper_only.local_optimization)
       break;
     Indices selected = select (found.plane);
     if (selected.size() <= found.inliers.size())
@@ -167,7 +167,7 @@ extractAll (Candidates& candidates,
 {
   std::vector<ExtractedPlane> planes;
   while (auto found = largestPlane (candidates, parameters, generator)) {
-    remove (*found, parameters.distance_threshold, candidates);
+    remove (*found, *parameters.distance_threshold, candidates);
     planes.push_back (std::move (*found));
   }
   return planes;

@@ -4,7 +4,7 @@
 
 #include "base/random.h"
 #include "ops/oriented_points.h"
-#include <pcl_ops/plane.h>
+#include <pcl_ops/oriented_point_sampling.h>
 
 #include <cstddef>
 #include <optional>
@@ -12,22 +12,11 @@
 
 namespace pcl_ops::internal {
 
-/** \brief One-point RANSAC on sampled points (paper section III-A, Algorithm 1). */
-struct RansacParameters {
-  /** \brief theta_h: largest distance of an inlier [m]. */
-  double distance_threshold = 0.05;
-  /** \brief theta_N: a plane needs more inliers than this among the samples. */
-  std::size_t min_inliers = 20;
-  /** \brief p: probability that one of the draws is an inlier of the largest plane. */
-  double probability = 0.99;
-  /** \brief Refit the winner to its inliers and select again while they grow in number
-   * (LO-RANSAC, Chum, Matas & Kittler 2003). Off in the paper. */
-  bool local_optimization = true;
-};
+/** \brief Those of Sampling::Points, theta_h given. */
+using RansacParameters = OrientedPointSamplingParameters;
 
 /** \brief N_iter = log (1 - p) / log (1 - w): draws of one point after which an inlier
  * was among them with probability p.
- * \param[in] probability p in (0, 1)
  * \param[in] inlier_ratio w = 1 - e; outside (0, 1) it is guarded: w >= 1 needs one
  * draw, w <= 0 as many as fit */
 std::size_t
@@ -43,8 +32,9 @@ struct Candidates {
   Coordinates* remaining = nullptr;
 };
 
-/** \brief A sample's own plane, drawn N_iter times, N_iter adapted to the best inlier
- * ratio so far (Algorithm 1, lines 7 to 24). theta_N is counted on the samples,
+/** \brief One-point RANSAC on sampled points (paper section III-A, Algorithm 1, lines 7
+ * to 24): a sample's own plane, drawn N_iter times, N_iter adapted to the best inlier
+ * ratio so far. theta_N is counted on the samples,
  * whatever hypotheses compete on.
  * \return the hypothesis with the most inliers; nothing if none has more than theta_N */
 std::optional<Plane>
@@ -58,7 +48,9 @@ struct ExtractedPlane {
   Indices inliers;
 };
 
-/** \brief The largest plane of the candidates, refitted to its inliers among them. */
+/** \brief The largest plane of the candidates, refitted to its inliers among them; with
+ * local optimization these are selected again while they grow in number (LO-RANSAC,
+ * Chum, Matas & Kittler 2003). */
 std::optional<ExtractedPlane>
 largestPlane (const Candidates& candidates,
               const RansacParameters& parameters,

@@ -25,33 +25,25 @@ struct SurfelPatch {
 /** \brief Spreads a plane from a surfel to those around it. */
 class SurfelSpread {
 public:
+  /** \brief Of each voxel, whether it has a surfel that no plane has yet. */
+  std::vector<char> is_open;
+
   SurfelSpread (const VoxelGrid& grid,
                 const Surfels& surfels,
-                const SurfelExtractionParameters& parameters,
+                const OrientedPointSamplingParameters::Surfels& parameters,
+                double max_thickness,
                 const Labels& plane_of_voxel)
-  : grid_ (grid)
+  : is_open (grid.size(), 0)
+  , grid_ (grid)
   , surfels_ (surfels)
   , squared_factor_ (parameters.noise_factor * parameters.noise_factor)
   , smallest_cosine_ (std::cos (parameters.angle_threshold))
-  , is_open_ (grid.size(), 0)
   , asked_in_ (grid.size(), 0)
   , noise_ (grid.size(), 0.0)
   {
     for (std::size_t i = 0; i < grid.size(); ++i)
-      is_open_[i] = plane_of_voxel[i] == no_plane && surfels[i] &&
-                    surfels[i]->thickness < parameters.max_thickness;
-  }
-
-  bool
-  isOpen (std::uint32_t voxel) const
-  {
-    return is_open_[voxel] != 0;
-  }
-
-  void
-  close (std::uint32_t voxel)
-  {
-    is_open_[voxel] = 0;
+      is_open[i] = plane_of_voxel[i] == no_plane && surfels[i] &&
+                   surfels[i]->thickness < max_thickness;
   }
 
   /** \brief What a plane reaches from a seed, refitted each time that has grown by
@@ -88,7 +80,7 @@ private:
         double noise_next_to_it,
         SurfelPatch& patch)
   {
-    if (asked_in_[voxel] == round_ || !is_open_[voxel] ||
+    if (asked_in_[voxel] == round_ || !is_open[voxel] ||
         std::abs (plane.normal.dot (surfels_[voxel]->plane.normal)) < smallest_cosine_)
       return;
     asked_in_[voxel] = round_;
@@ -107,21 +99,17 @@ private:
   const Surfels& surfels_;
   double squared_factor_;
   double smallest_cosine_;
-  std::vector<char> is_open_;
   std::vector<std::uint32_t> asked_in_;
   std::uint32_t round_ = 0;
   std::vector<double> noise_;
 };
 
 /** \brief The patches that are no planes. */
-class CurvedSurfaces {
-public:
-  CurvedSurfaces (const VoxelGrid& grid, const Surfels& surfels, double angle_threshold)
-  : grid_ (grid)
-  , surfels_ (surfels)
-  , smallest_cosine_ (std::cos (angle_threshold))
-  , is_curved_ (grid.size(), 0)
-  {}
+struct CurvedSurfaces {
+  const VoxelGrid& grid;
+  const Surfels& surfels;
+  double smallest_cosine;
+  std::vector<char> is_curved;
 
   /** \brief Adds a patch if it is curved together with the curved surfaces it
    * continues: the narrow strip that those leave of a cylinder is flat by itself.
@@ -129,35 +117,29 @@ public:
   bool
   take (const Indices& patch, const PlaneFit& fit)
   {
-    if (!isCurved (bendingOf (grid_, continued (patch, fit.plane), fit)))
+    if (!isCurved (bendingOf (grid, continued (patch, fit.plane), fit)))
       return false;
     for (const std::uint32_t voxel : patch)
-      is_curved_[voxel] = 1;
+      is_curved[voxel] = 1;
     return true;
   }
 
-private:
   Indices
   continued (Indices patch, const Plane& plane)
   {
     const std::size_t own = patch.size();
     for (std::size_t i = 0; i < own; ++i)
-      for (const std::uint32_t neighbor : grid_.neighbors[patch[i]])
-        if (is_curved_[neighbor] != 0 &&
-            std::abs (plane.normal.dot (surfels_[neighbor]->plane.normal)) >
-                smallest_cosine_) {
-          is_curved_[neighbor] = 0;
+      for (const std::uint32_t neighbor : grid.neighbors[patch[i]])
+        if (is_curved[neighbor] != 0 &&
+            std::abs (plane.normal.dot (surfels[neighbor]->plane.normal)) >
+                smallest_cosine) {
+          is_curved[neighbor] = 0;
           patch.push_back (neighbor);
         }
     for (std::size_t i = own; i < patch.size(); ++i)
-      is_curved_[patch[i]] = 1;
+      is_curved[patch[i]] = 1;
     return patch;
   }
-
-  const VoxelGrid& grid_;
-  const Surfels& surfels_;
-  double smallest_cosine_;
-  std::vector<char> is_curved_;
 };
 
 // Open voxels with their thickness, the thinnest first.
@@ -166,7 +148,7 @@ byThickness (const Surfels& surfels, const SurfelSpread& spread)
 {
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t i = 0; i < surfels.size(); ++i)
-    if (spread.isOpen (i))
+    if (spread.is_open[i] != 0)
       order.emplace_back (surfels[i]->thickness, i);
   std::sort (order.begin(), order.end());
   return order;
@@ -177,24 +159,29 @@ byThickness (const Surfels& surfels, const SurfelSpread& spread)
 void
 extractSurfelPlanes (const VoxelGrid& grid,
                      const Surfels& surfels,
-                     const SurfelExtractionParameters& parameters,
+                     const OrientedPointSamplingParameters& parameters,
+                     double max_thickness,
                      BoundedPlanes& planes)
 {
   planes.plane_of_voxel.resize (grid.size(), no_plane);
-  SurfelSpread spread (grid, surfels, parameters, planes.plane_of_voxel);
-  CurvedSurfaces curved (grid, surfels, parameters.angle_threshold);
+  SurfelSpread spread (
+      grid, surfels, parameters.surfels, max_thickness, planes.plane_of_voxel);
+  CurvedSurfaces curved{grid,
+                        surfels,
+                        std::cos (parameters.surfels.angle_threshold),
+                        std::vector<char> (grid.size(), 0)};
   for (const auto& [thickness, seed] : byThickness (surfels, spread)) {
-    if (!spread.isOpen (seed))
+    if (spread.is_open[seed] == 0)
       continue;
     const SurfelPatch patch = spread.from (seed);
-    spread.close (seed);
+    spread.is_open[seed] = 0;
     if (patch.voxels.size() < parameters.min_inliers)
       continue;
     const std::optional<PlaneFit> fit = fitPlane (patch.moments);
     if (!fit)
       continue;
     for (const std::uint32_t voxel : patch.voxels)
-      spread.close (voxel);
+      spread.is_open[voxel] = 0;
     if (curved.take (patch.voxels, *fit))
       continue;
     for (const std::uint32_t voxel : patch.voxels)

@@ -14,28 +14,22 @@ using Surfels = std::vector<std::optional<Surfel>>;
 
 const Surface tile = {{3, 0, 0.05}, {0.5, 0, 0}, {0, 0.5, 0}};
 
-/** \brief Thresholds for voxels of 10 cm. */
-SurfelExtractionParameters
-usual ()
-{
-  SurfelExtractionParameters parameters;
-  parameters.angle_threshold = 30_deg;
-  parameters.max_thickness = 0.25;
-  return parameters;
-}
+using Parameters = pcl_ops::OrientedPointSamplingParameters;
+
+constexpr double max_thickness = 0.25;
 
 BoundedPlanes
 planesAmong (const VoxelGrid& grid,
              const Surfels& surfels,
-             const SurfelExtractionParameters& parameters = usual())
+             const Parameters& parameters = {})
 {
   BoundedPlanes planes;
-  extractSurfelPlanes (grid, surfels, parameters, planes);
+  extractSurfelPlanes (grid, surfels, parameters, max_thickness, planes);
   return planes;
 }
 
 BoundedPlanes
-planesOf (const VoxelGrid& grid, const SurfelExtractionParameters& parameters = usual())
+planesOf (const VoxelGrid& grid, const Parameters& parameters = {})
 {
   return planesAmong (grid, findSurfels (grid, 3, 30.0, 1), parameters);
 }
@@ -133,7 +127,7 @@ TEST (VoxelExtraction, StopsAtAStepOfManyTimesTheNoise)
 TEST (VoxelExtraction, AsksForThetaNConnectedVoxels)
 {
   const VoxelGrid grid = gridOf ({tile});
-  SurfelExtractionParameters parameters = usual();
+  Parameters parameters;
   parameters.min_inliers = grid.size();
   EXPECT_EQ (planesOf (grid, parameters).size(), 1u);
   parameters.min_inliers = grid.size() + 1;
@@ -144,7 +138,7 @@ TEST (VoxelExtraction, LeavesAnIslandOfFewerThanThetaNVoxels)
 {
   // 25 voxels a meter beyond the end of the ground, in its plane.
   const VoxelGrid grid = gridOf ({ground, tile});
-  SurfelExtractionParameters parameters = usual();
+  Parameters parameters;
   parameters.min_inliers = 25;
   EXPECT_EQ (planesOf (grid, parameters).size(), 2u) << "not connected";
   parameters.min_inliers = 26;
@@ -180,7 +174,8 @@ TEST (VoxelExtraction, AddsToPlanesFoundBefore)
   planes.planes.push_back ({Eigen::Vector3d::UnitX(), 7.0});
   for (const pcl_ops::Moments& voxel : grid.moments)
     planes.plane_of_voxel.push_back (voxel.centroid().x() < 1.0 ? 0 : no_plane);
-  extractSurfelPlanes (grid, findSurfels (grid, 3, 30.0, 1), usual(), planes);
+  extractSurfelPlanes (
+      grid, findSurfels (grid, 3, 30.0, 1), Parameters(), max_thickness, planes);
   ASSERT_EQ (planes.size(), 2u);
   EXPECT_EQ (planes.planes[0].offset, 7.0);
   for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -197,9 +192,9 @@ TEST (VoxelExtraction, LeavesOutSurfelsThatLean)
     surfel.plane.normal = leaning (at.x() < 1.0 ? 0.0 : 40_deg);
     surfel.thickness = at.x() < 1.0 ? 0.0 : 0.1;
   });
-  SurfelExtractionParameters parameters = usual();
+  Parameters parameters;
   EXPECT_EQ (voxelsOn (0, planesAmong (grid, surfels, parameters)), 200u);
-  parameters.angle_threshold = 50_deg;
+  parameters.surfels.angle_threshold = 50_deg;
   EXPECT_EQ (voxelsOn (0, planesAmong (grid, surfels, parameters)), 400u);
 }
 
@@ -230,12 +225,12 @@ TEST (VoxelExtraction, RefitsAPlaneOnItsWay)
   const auto surfels = surfelsWith (grid, [] (Surfel& surfel, const auto&) {
     surfel.plane.normal = leaning (3_deg);
   });
-  SurfelExtractionParameters parameters = usual();
+  Parameters parameters;
   parameters.min_inliers = 400;
   const BoundedPlanes planes = planesAmong (grid, surfels, parameters);
   ASSERT_EQ (planes.size(), 1u);
   EXPECT_EQ (voxelsOn (0, planes), 400u);
-  expectPlaneNear (planes.planes[0], ground, 1e-3, 1e-3);
+  EXPECT_TRUE (isNear (planes.planes[0], ground, 1e-3, 1e-3));
 }
 
 TEST (VoxelExtraction, TakesNoMoreThanHalfAgainTheNoiseOfTheVoxelBefore)
