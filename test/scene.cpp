@@ -146,16 +146,6 @@ angleBetween (const Eigen::Vector3d& first, const Eigen::Vector3d& second)
   return std::atan2 (first.cross (second).norm(), std::abs (first.dot (second)));
 }
 
-void
-expectPlaneNear (const pcl_ops::Plane& plane,
-                 const Surface& truth,
-                 double angle,
-                 double offset)
-{
-  EXPECT_LE (angleBetween (plane.normal, truth.normal()), angle) << "normal [rad]";
-  EXPECT_LE (std::abs (plane.distance (truth.centre())), offset) << "offset [m]";
-}
-
 bool
 isNear (const pcl_ops::Plane& plane, const Surface& truth, double angle, double offset)
 {

@@ -203,15 +203,8 @@ planeOfPoints (const pcl::PointCloud<pcl::PointXYZ>& cloud,
 double
 angleBetween (const Eigen::Vector3d& first, const Eigen::Vector3d& second);
 
-/** \brief The plane's normal is within \p angle of the truth's, and the plane passes
- * within \p offset of the truth's centre. */
-void
-expectPlaneNear (const pcl_ops::Plane& plane,
-                 const Surface& truth,
-                 double angle,
-                 double offset);
-
-/** \brief True if the plane is near enough to the surface to be it. */
+/** \brief Whether the plane's normal is within \p angle of the truth's, and the plane
+ * passes within \p offset of the truth's centre. */
 bool
 isNear (const pcl_ops::Plane& plane, const Surface& truth, double angle, double offset);
 

@@ -67,8 +67,7 @@ TEST (RootCube, HoldsAStepAsWideAsTheRestAndAllWhereNearlyAllAreEqual)
 
 TEST (OctreeClusters, HoldThePointsOfOneCellOnTheirPlane)
 {
-  Coordinates points;
-  addGrid (points, tilted, 100, 0.001);
+  const Coordinates points = gridsOf ({tilted}, 100, 0.001);
   const OctreeClusters found = clustersOf (points, 3);
   ASSERT_GT (found.clusters.size(), 20u);
   constexpr double rounding = 1e-5;
@@ -88,9 +87,7 @@ TEST (OctreeClusters, HoldThePointsOfOneCellOnTheirPlane)
 
 TEST (OctreeClusters, ShareNoPoint)
 {
-  Coordinates points;
-  addGrid (points, level, 100, 0.002);
-  addGrid (points, upright, 100, 0.002);
+  const Coordinates points = gridsOf ({level, upright}, 100, 0.002);
   const OctreeClusters found = clustersOf (points, 4);
   for (std::size_t c = 1; c < found.clusters.size(); ++c)
     EXPECT_LE (found.clusters[c - 1].end, found.clusters[c].begin);
@@ -104,10 +101,7 @@ TEST (OctreeClusters, ShareNoPoint)
 
 TEST (OctreeClusters, AreCutWhereTwoPlanesMeet)
 {
-  Coordinates points;
-  addGrid (points, level, 200);
-  addGrid (points, upright, 200);
-  const OctreeClusters found = clustersOf (points, 2);
+  const OctreeClusters found = clustersOf (gridsOf ({level, upright}, 200), 2);
   for (const CoplanarCluster& cluster : found.clusters) {
     const double to_floor = angleBetween (cluster.fit.plane.normal, level.normal());
     const double to_wall = angleBetween (cluster.fit.plane.normal, upright.normal());
@@ -117,15 +111,13 @@ TEST (OctreeClusters, AreCutWhereTwoPlanesMeet)
 
 TEST (OctreeClusters, AreNoNarrowStrips)
 {
-  Coordinates points;
-  addGrid (points, Surface{{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {0.0, 0.4, 0.0}}, 100);
-  EXPECT_GT (clustersOf (points, 0).clusters.size(), 1u);
+  const Surface strip{{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {0.0, 0.4, 0.0}};
+  EXPECT_GT (clustersOf (gridsOf ({strip}, 100), 0).clusters.size(), 1u);
 }
 
 TEST (OctreeClusters, DropPointsFarFromTheirPlaneAndOutsideTheirRoot)
 {
-  Coordinates points, stray;
-  addGrid (points, level, 100);
+  Coordinates points = gridsOf ({level}, 100), stray;
   addGrid (points, Surface{{0.0, 0.0, 1.0}, {0.1, 0.0, 0.0}, {0.0, 0.1, 0.0}}, 3);
   stray.add (1e6f, 1e6f, 0.0f);
   addGrid (stray, level, 100);
@@ -140,12 +132,10 @@ TEST (OctreeClusters, DropPointsFarFromTheirPlaneAndOutsideTheirRoot)
 
 TEST (OctreeClusters, BeginAtTheFirstLevelWithTheMinimumOfSamples)
 {
-  Coordinates points, few;
-  addGrid (points, level, 200);
+  Coordinates points = gridsOf ({level}, 200), few = gridsOf ({level}, 5);
   for (const int first_level : {0, 2, 5, 6})
     for (const CoplanarCluster& cluster : clustersOf (points, first_level).clusters)
       EXPECT_EQ (cluster.level, first_level);
-  addGrid (few, level, 5);
   EXPECT_TRUE (clustersOf (few, 0).clusters.empty());
   addGrid (few, level, 4);
   EXPECT_FALSE (clustersOf (few, 0).clusters.empty());
@@ -153,8 +143,7 @@ TEST (OctreeClusters, BeginAtTheFirstLevelWithTheMinimumOfSamples)
 
 TEST (OctreeClusters, EndAtManyEqualPointsOnTheDeepestLevelThereMayBe)
 {
-  Coordinates points;
-  addGrid (points, level, 10);
+  Coordinates points = gridsOf ({level}, 10);
   for (int i = 0; i < 1000; ++i)
     points.add (1.0f, 1.0f, 1.0f);
   OctreeClusterParameters parameters;

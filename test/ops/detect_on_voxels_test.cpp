@@ -15,10 +15,7 @@ const Surface board = {{0, 0, 1.01}, {1.5, 0, 0}, {0, 0.1, 0}};
 Points
 pointsOf (const std::vector<Surface>& surfaces, double noise = 0.0)
 {
-  Points points;
-  for (const Surface& surface : surfaces)
-    addGrid (points, surface, 120, noise);
-  return points;
+  return gridsOf (surfaces, 120, noise);
 }
 
 /** \brief Parameters with voxels of 10 cm. */

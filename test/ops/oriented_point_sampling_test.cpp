@@ -95,8 +95,8 @@ TEST (Strategy, TwoDetectsPerGroupOfSamples)
   const auto planes =
       extractPlanes ({}, samples, OrientedPointSamplingParameters::paper());
   ASSERT_EQ (planes.size(), 2u);
-  expectPlaneNear (planes[0], scene.surfaces[0], 1e-5, 1e-5);
-  expectPlaneNear (planes[1], scene.surfaces[1], 1e-5, 1e-5);
+  EXPECT_TRUE (isNear (planes[0], scene.surfaces[0], 1e-5, 1e-5));
+  EXPECT_TRUE (isNear (planes[1], scene.surfaces[1], 1e-5, 1e-5));
 }
 
 TEST (MinInliers, OfZeroStillAsksForThreeSamples)

@@ -3,6 +3,7 @@
 #include "bounded/bounded_planes.h"
 #include "grid_scene.h"
 #include "ops/surfels.h"
+#include "ops/voxel_choice.h"
 
 using namespace pcl_ops::internal;
 
@@ -16,22 +17,20 @@ const Surface wall_of_the_scene = {{0, 0, 0}, {0, 2, 0}, {0, 0, 2}};
 std::vector<std::optional<Surfel>>
 surfelsOf (const VoxelGrid& grid, unsigned threads = 1)
 {
-  double points = 0.0;
-  for (const pcl_ops::Moments& voxel : grid.moments)
-    points += voxel.count;
-  return findSurfels (grid,
-                      3,
-                      std::max (30.0, 8.0 * points / static_cast<double> (grid.size())),
-                      threads);
+  return findSurfels (
+      grid, 3, std::max (30.0, 8.0 * meanPointsPerVoxel (grid)), threads);
+}
+
+VoxelGrid
+floorOf (int steps, double noise = 0.0)
+{
+  return connectedGrid (gridsOf ({floor_of_the_scene}, steps, noise), 0.1);
 }
 
 VoxelGrid
 edge ()
 {
-  Coordinates points;
-  addGrid (points, floor_of_the_scene, 120);
-  addGrid (points, wall_of_the_scene, 120);
-  return connectedGrid (points, 0.1);
+  return connectedGrid (gridsOf ({floor_of_the_scene, wall_of_the_scene}, 120), 0.1);
 }
 
 /** \brief Whether a normal at the edge is neither the floor's nor the wall's. */
@@ -46,11 +45,8 @@ isBent (const Eigen::Vector3d& normal)
 
 TEST (OrientedVoxels, HaveTheNormalOfAnExactPlane)
 {
-  Coordinates points;
   const Surface board = {{0, 0, 1}, {2, 0, 0.4}, {0, 2, 0.8}};
-  addGrid (points, board, 100);
-  const VoxelGrid grid = connectedGrid (points, 0.1);
-  for (const auto& normal : surfelsOf (grid)) {
+  for (const auto& normal : surfelsOf (connectedGrid (gridsOf ({board}, 100), 0.1))) {
     ASSERT_TRUE (normal.has_value());
     EXPECT_LT (angleBetween (normal->plane.normal, board.normal()), 1e-3);
     EXPECT_LT (normal->noise, 1e-5);
@@ -59,10 +55,8 @@ TEST (OrientedVoxels, HaveTheNormalOfAnExactPlane)
 
 TEST (OrientedVoxels, MeasureTheNoiseAroundThem)
 {
-  Coordinates points;
   // Evenly spread within +-2 cm: a standard deviation of 2 cm / sqrt (3).
-  addGrid (points, floor_of_the_scene, 200, 2_cm);
-  const VoxelGrid grid = connectedGrid (points, 0.1);
+  const VoxelGrid grid = floorOf (200, 2_cm);
   for (const auto& normal : surfelsOf (grid)) {
     ASSERT_TRUE (normal.has_value());
     EXPECT_NEAR (normal->noise, 2_cm / std::sqrt (3.0), 2_mm);
@@ -107,9 +101,8 @@ TEST (OrientedVoxels, OfABallAreThick)
 TEST (OrientedVoxels, TakeACoarserNeighborhoodWhereNoiseHidesTheFinest)
 {
   // Noise of 3 cm in voxels of 5 cm: thick at one resolution, flat at three.
-  Coordinates points;
-  addGrid (points, floor_of_the_scene, 200, 5_cm);
-  const VoxelGrid grid = connectedGrid (points, 0.05);
+  const VoxelGrid grid =
+      connectedGrid (gridsOf ({floor_of_the_scene}, 200, 5_cm), 0.05);
   const auto thickness = [&grid] (int resolutions) {
     double sum = 0.0;
     for (const auto& surfel : findSurfels (grid, resolutions, 30.0, 1))
@@ -122,10 +115,8 @@ TEST (OrientedVoxels, TakeACoarserNeighborhoodWhereNoiseHidesTheFinest)
 
 TEST (OrientedVoxels, HaveNoSurfelOfFewerPointsThanAsked)
 {
-  Coordinates points;
-  addGrid (points, floor_of_the_scene, 120); // 36 in a voxel, 324 in nine
-  const VoxelGrid grid = connectedGrid (points, 0.1);
-  for (const auto& surfel : findSurfels (grid, 1, 325.0, 1))
+  // 36 in a voxel, 324 in nine
+  for (const auto& surfel : findSurfels (floorOf (120), 1, 325.0, 1))
     EXPECT_FALSE (surfel);
 }
 
@@ -133,8 +124,7 @@ TEST (OrientedVoxels, HaveNoSurfelWhereSurfacesAreFinerThanTheirNeighborhoods)
 {
   // A roof of many slopes, each as long as a voxel: flat in every voxel, but not
   // around.
-  Coordinates points;
-  addGrid (points, floor_of_the_scene, 200);
+  Coordinates points = gridsOf ({floor_of_the_scene}, 200);
   for (std::size_t i = 0; i < points.size(); ++i)
     points.z[i] = 0.01f + 0.8f * std::abs (std::remainder (points.x[i], 0.2f));
   const VoxelGrid grid = connectedGrid (points, 0.1);
@@ -146,18 +136,13 @@ TEST (OrientedVoxels, HaveNoSurfelWhereSurfacesAreFinerThanTheirNeighborhoods)
 TEST (OrientedVoxels, HaveASurfelWhereTheVoxelItselfIsAsNoisyAsItsNeighborhood)
 {
   // As much unevenness as on that roof, but of every point by itself.
-  Coordinates points;
-  addGrid (points, floor_of_the_scene, 200, 2_cm);
-  const VoxelGrid grid = connectedGrid (points, 0.1);
-  for (const auto& surfel : surfelsOf (grid))
+  for (const auto& surfel : surfelsOf (floorOf (200, 2_cm)))
     EXPECT_TRUE (surfel);
 }
 
 TEST (OrientedVoxels, HaveNoSurfelWhereTheyAreOnAPlaneAlready)
 {
-  Coordinates points;
-  addGrid (points, floor_of_the_scene, 120);
-  const VoxelGrid grid = connectedGrid (points, 0.1);
+  const VoxelGrid grid = floorOf (120);
   pcl_ops::Labels plane_of_voxel (grid.size(), pcl_ops::no_plane);
   std::fill_n (plane_of_voxel.begin(), 100, 0);
   const auto surfels = findSurfels (grid, 3, 30.0, 1, plane_of_voxel);
@@ -168,17 +153,15 @@ TEST (OrientedVoxels, HaveNoSurfelWhereTheyAreOnAPlaneAlready)
 TEST (OrientedVoxels, HaveNoSurfelOnAWire)
 {
   // A millimeter wide in voxels of ten centimeters.
-  Coordinates points;
-  addGrid (points, {{0, 0, 0}, {2, 0, 0}, {0, 1_mm, 0}}, 120);
-  for (const auto& surfel : surfelsOf (connectedGrid (points, 0.1)))
+  const Surface wire = {{0, 0, 0}, {2, 0, 0}, {0, 1_mm, 0}};
+  for (const auto& surfel : surfelsOf (connectedGrid (gridsOf ({wire}, 120), 0.1)))
     EXPECT_FALSE (surfel.has_value());
 }
 
 TEST (OrientedVoxels, TakeNoNormalOfAPlaneThatTheyAreNotOn)
 {
   // Four stray points above a floor: their voxel has the flat floor around it.
-  Coordinates points;
-  addGrid (points, {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}}, 120);
+  Coordinates points = gridsOf ({{{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}}}, 120);
   addGrid (points, {{1.0, 1.0, 0.1}, {0.1, 0, 0}, {0, 0.1, 0.1}}, 2);
   const VoxelGrid grid = connectedGrid (points, 0.1);
   const auto surfels = surfelsOf (grid);

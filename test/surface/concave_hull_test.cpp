@@ -48,16 +48,32 @@ isInL (const Eigen::Vector2d& point)
   return point.maxCoeff() <= 2.0 + 1e-9 && point.minCoeff() <= 0.5;
 }
 
-/** \brief A wall of 3 m x 2.5 m with a window of 1 m x 0.8 m, in a grid of 2 cm. */
+/** \brief The points of a grid of a square of 3 m that are in a shape. */
+template <typename Shape>
+PlanarPoints
+gridOf (int steps, Shape&& isInShape)
+{
+  PlanarPoints grid;
+  for (int x = 0; x <= steps; ++x)
+    for (int y = 0; y <= steps; ++y)
+      if (const Eigen::Vector2d point = 3.0 / steps * Eigen::Vector2d (x, y);
+          isInShape (point))
+        grid.push_back (point);
+  return grid;
+}
+
+/** \brief A wall of 3 m x 2.5 m with a window of 1 m x 0.8 m. */
+bool
+isInWall (const Eigen::Vector2d& p)
+{
+  return p.y() < 2.501 &&
+         !(p.x() > 1.001 && p.x() < 1.999 && p.y() > 1.001 && p.y() < 1.799);
+}
+
 PlanarPoints
 wallWithWindow ()
 {
-  PlanarPoints wall;
-  for (int x = 0; x <= 150; ++x)
-    for (int y = 0; y <= 125; ++y)
-      if (!(x > 50 && x < 100 && y > 50 && y < 90))
-        wall.emplace_back (0.02 * x, 0.02 * y);
-  return wall;
+  return gridOf (150, isInWall);
 }
 
 constexpr double area_of_l = 1.75;
@@ -81,12 +97,7 @@ scattered (std::size_t number, double noise, Shape&& isInShape)
 PlanarPoints
 gridOfL ()
 {
-  PlanarPoints l;
-  for (int x = 0; x <= 200; ++x)
-    for (int y = 0; y <= 200; ++y)
-      if (isInL ({0.01 * x, 0.01 * y}))
-        l.emplace_back (0.01 * x, 0.01 * y);
-  return l;
+  return gridOf (300, isInL);
 }
 
 } // namespace
@@ -153,10 +164,7 @@ TEST (ConcaveOutline, HasTheWindowOfAWallAsAHoleAndTakesItOffTheArea)
 
 TEST (ConcaveOutline, HasTheWindowOfScatteredNoisyPoints)
 {
-  const auto is_in_wall = [] (const Eigen::Vector2d& p) {
-    return p.y() < 2.5 && !(p.x() > 1.0 && p.x() < 2.0 && p.y() > 1.0 && p.y() < 1.8);
-  };
-  const PlanarRings outline = concaveOutline (scattered (30000, 5_mm, is_in_wall));
+  const PlanarRings outline = concaveOutline (scattered (30000, 5_mm, isInWall));
   ASSERT_EQ (outline.size(), 2u);
   EXPECT_NEAR (areaOf (outline[1]), -0.8, 10_percent);
 }

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "geometry/planar_area.h"
 #include <pcl_ops/surface/triangulation.h>
-
-#include <cmath>
 
 using pcl_ops::PlanarPoints;
 
@@ -19,11 +18,9 @@ areaOfTriangles (const pcl_ops::PlanarRings& rings)
     corners.insert (corners.end(), ring.begin(), ring.end());
   double area = 0.0;
   for (const auto& [a, b, c] : pcl_ops::triangulate (rings)) {
-    const Eigen::Vector2d first = corners[b] - corners[a];
-    const Eigen::Vector2d second = corners[c] - corners[a];
-    const double twice = first.x() * second.y() - first.y() * second.x();
-    EXPECT_GE (twice, 0.0);
-    area += 0.5 * twice;
+    const double own = pcl_ops::internal::areaOf ({corners[a], corners[b], corners[c]});
+    EXPECT_GE (own, 0.0);
+    area += own;
   }
   return area;
 }
