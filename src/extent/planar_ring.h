@@ -5,6 +5,7 @@
 // Boost 1.74 remarks in every build on a header it includes itself.
 #define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry.hpp>
+#include <boost/geometry/geometries/register/point.hpp>
 #undef BOOST_ALLOW_DEPRECATED_HEADERS
 
 #include <pcl_ops/plane_extent.h>
@@ -12,12 +13,13 @@
 #include <algorithm>
 #include <cmath>
 
+BOOST_GEOMETRY_REGISTER_POINT_2D (Eigen::Vector2d, double, cs::cartesian, x(), y())
+
 namespace pcl_ops::internal {
 
 /** \brief A polygon as Boost.Geometry takes it, in the order our outlines have:
  * counter-clockwise, the first corner not repeated. */
-using RingPoint = boost::geometry::model::d2::point_xy<double>;
-using Ring = boost::geometry::model::ring<RingPoint, false, false>;
+using Ring = boost::geometry::model::ring<Eigen::Vector2d, false, false>;
 
 inline PlanarPoints
 finiteOf (const PlanarPoints& points)

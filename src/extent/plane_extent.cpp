@@ -62,16 +62,16 @@ hullOfAll (const PlanarPoints& points)
   if (points.size() < corners_of_an_area)
     return {};
   const double scale = unitScale (points);
-  boost::geometry::model::multi_point<RingPoint> cloud;
+  boost::geometry::model::multi_point<Eigen::Vector2d> cloud;
   cloud.reserve (points.size());
   for (const Eigen::Vector2d& point : points)
-    cloud.emplace_back (scale * point.x(), scale * point.y());
+    cloud.push_back (scale * point);
   Ring ring;
   boost::geometry::convex_hull (cloud, ring);
   PlanarPoints hull;
   double longest = 0.0;
-  for (const RingPoint& point : ring) {
-    hull.emplace_back (point.x() / scale, point.y() / scale);
+  for (const Eigen::Vector2d& corner : ring) {
+    hull.push_back (corner / scale);
     longest = std::max (longest, (hull.back() - hull.front()).norm());
   }
   // Rounding of the inputs (single precision) alone can give a line this much width.

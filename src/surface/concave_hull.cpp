@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <map>
 #include <utility>
 
@@ -20,20 +19,13 @@ namespace {
 
 namespace geometry = boost::geometry;
 
-RingPoint
-toPoint (const Eigen::Vector2d& point)
-{
-  return {point.x(), point.y()};
-}
-
 PlanarPoints
 pointsWithin (const PlanarPoints& outline, const PlanarPoints& points)
 {
-  Ring ring;
-  std::transform (outline.begin(), outline.end(), std::back_inserter (ring), toPoint);
+  const Ring ring (outline.begin(), outline.end());
   PlanarPoints within;
   for (const Eigen::Vector2d& point : points)
-    if (geometry::covered_by (toPoint (point), ring))
+    if (geometry::covered_by (point, ring))
       within.push_back (point);
   return within;
 }
@@ -76,7 +68,7 @@ weightWithin (const Ring& ring, const WeightedPoints& points)
 {
   std::size_t weight = 0;
   for (std::size_t i = 0; i < points.points.size(); ++i)
-    if (geometry::covered_by (toPoint (points.points[i]), ring))
+    if (geometry::covered_by (points.points[i], ring))
       weight += points.weights[i];
   return weight;
 }
@@ -104,7 +96,7 @@ ringsOf (const PlanarPoints& points, double alpha)
     rings.emplace_back();
     for (const auto vertex : polygon.vertices)
       rings.back().push_back (
-          toPoint (points[static_cast<std::size_t> (indices.indices[vertex])]));
+          points[static_cast<std::size_t> (indices.indices[vertex])]);
     geometry::correct (rings.back());
   }
   std::stable_sort (rings.begin(), rings.end(), [] (const Ring& a, const Ring& b) {
@@ -119,10 +111,7 @@ cornersOf (const Ring& ring, double tolerance)
   Ring corners;
   geometry::simplify (ring, corners, tolerance);
   geometry::correct (corners);
-  PlanarPoints outline;
-  for (const RingPoint& corner : corners)
-    outline.emplace_back (corner.x(), corner.y());
-  return outline;
+  return corners;
 }
 
 /** \brief The first ring as an outline, and those within it, not within each other, as

@@ -12,15 +12,6 @@ namespace {
 
 const PlaneFrame ground (Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ());
 
-Ring
-toRing (const PlanarPoints& outline)
-{
-  Ring ring;
-  for (const Eigen::Vector2d& corner : outline)
-    ring.emplace_back (corner.x(), corner.y());
-  return ring;
-}
-
 /** \brief The outer ring alone. */
 PlanarPoints
 concaveHull (const PlanarPoints& points, double alpha = 0.0)
@@ -33,9 +24,9 @@ concaveHull (const PlanarPoints& points, double alpha = 0.0)
 double
 shareInside (const PlanarPoints& points, const PlanarPoints& outline)
 {
-  const Ring ring = toRing (outline);
+  const Ring ring (outline.begin(), outline.end());
   const auto inside = std::count_if (points.begin(), points.end(), [&] (const auto& p) {
-    return boost::geometry::distance (RingPoint (p.x(), p.y()), ring) < 1e-6;
+    return boost::geometry::distance (p, ring) < 1e-6;
   });
   return static_cast<double> (inside) / static_cast<double> (points.size());
 }
@@ -119,7 +110,8 @@ TEST (ConcaveHull, HasTheAreaOfScatteredPointsAndNearlyAllInsideTheSameEveryTime
       EXPECT_NEAR (areaOf (hull) / area_of_l, 1.0, 5_percent)
           << points << ", " << noise << " m of noise";
       EXPECT_GE (shareInside (l, hull), 99_percent) << points;
-      EXPECT_TRUE (boost::geometry::is_valid (toRing (hull))) << "crosses itself";
+      EXPECT_TRUE (boost::geometry::is_valid (Ring (hull.begin(), hull.end())))
+          << "crosses itself";
       EXPECT_EQ (concaveHull (l), hull);
     }
 }
