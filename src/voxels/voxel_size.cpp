@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxels/voxel_size.h"
 
+#include <Eigen/Geometry>
+
 #include "voxels/sorted_points.h"
 
 #include <algorithm>
@@ -39,17 +41,6 @@ withoutOutliers (const Coordinates& positions)
   return kept;
 }
 
-double
-diagonal (const Coordinates& positions)
-{
-  Eigen::Vector3d low = positions[0], high = positions[0];
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    low = low.cwiseMin (positions[i]);
-    high = high.cwiseMax (positions[i]);
-  }
-  return (high - low).norm();
-}
-
 } // namespace
 
 double
@@ -67,12 +58,13 @@ voxelSizeFor (const Coordinates& positions, double wanted_voxels)
   constexpr std::size_t looked_at = 8192;
   // Several of the points looked at share a voxel: an empty one is empty indeed.
   constexpr double counted_voxels = 800.0;
-  if (positions.size() == 0)
-    return 0.0;
   const Coordinates some = withoutOutliers (samplePoints (positions, looked_at));
   if (some.size() == 0)
     return 0.0;
-  double voxel_size = diagonal (some) / 25.0;
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < some.size(); ++i)
+    box.extend (some[i]);
+  double voxel_size = box.diagonal().norm() / 25.0;
   if (!(voxel_size > 0.0 && std::isfinite (voxel_size)))
     return 0.0;
   constexpr int most_tries = 8;

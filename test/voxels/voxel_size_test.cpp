@@ -9,11 +9,10 @@ using namespace pcl_ops::internal;
 
 TEST (VoxelSize, FillsAboutAsManyVoxelsAsWanted)
 {
-  Coordinates board, boards_far_apart;
-  addGrid (board, {{0, 0, 0}, {5, 0, 0}, {0, 4, 0}}, 400);
-  for (const double x : {0.0, 1000.0})
-    addGrid (boards_far_apart, {{x, 0, 0}, {5, 0, 0}, {0, 4, 0}}, 400);
-  for (const Coordinates& points : {board, boards_far_apart})
+  const Surface board{{0, 0, 0}, {5, 0, 0}, {0, 4, 0}};
+  const Surface far_away{{1000, 0, 0}, {5, 0, 0}, {0, 4, 0}};
+  for (const Coordinates& points :
+       {gridsOf ({board}, 400), gridsOf ({board, far_away}, 400)})
     for (const double wanted : {300.0, 2000.0, 10000.0}) {
       const double size = voxelSizeFor (points, wanted);
       const auto voxels = static_cast<double> (voxelize (points, size, 1).size());
@@ -23,9 +22,9 @@ TEST (VoxelSize, FillsAboutAsManyVoxelsAsWanted)
 
 TEST (VoxelSize, GrowsWithTheUnitOfTheCloud)
 {
-  Coordinates meters, millimeters;
-  addGrid (meters, {{0, 0, 0}, {5, 0, 0}, {0, 4, 0}}, 200);
-  addGrid (millimeters, {{0, 0, 0}, {5000, 0, 0}, {0, 4000, 0}}, 200);
+  const Coordinates meters = gridsOf ({{{0, 0, 0}, {5, 0, 0}, {0, 4, 0}}}, 200);
+  const Coordinates millimeters =
+      gridsOf ({{{0, 0, 0}, {5000, 0, 0}, {0, 4000, 0}}}, 200);
   EXPECT_NEAR (voxelSizeFor (millimeters, 1000.0) / voxelSizeFor (meters, 1000.0),
                1000.0,
                100.0);
