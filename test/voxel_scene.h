@@ -9,6 +9,14 @@
 inline const Surface ground = {{0, 0, 0.05}, {2, 0, 0}, {0, 2, 0}};
 inline const Surface wall = {{0.05, 0, 0}, {0, 2, 0}, {0, 0, 2}};
 
+/** \brief Number of voxels on a plane, or on no_plane. */
+inline std::size_t
+voxelsOn (std::int32_t plane, const pcl_ops::internal::BoundedPlanes& planes)
+{
+  return static_cast<std::size_t> (
+      std::count (planes.plane_of_voxel.begin(), planes.plane_of_voxel.end(), plane));
+}
+
 /** \brief Points in voxels of 10 cm, each voxel on the plane it was made for. */
 struct VoxelScene {
   /** \param[in] surfaces of each plane
@@ -65,14 +73,6 @@ struct VoxelScene {
     for (std::size_t voxel = 0; voxel < grid().size(); ++voxel)
       if (isSuch (centroid (voxel)))
         planes.plane_of_voxel[voxel] = plane;
-  }
-
-  /** \brief Number of voxels on a plane, or on no_plane. */
-  std::size_t
-  voxelsOn (std::int32_t plane) const
-  {
-    return static_cast<std::size_t> (
-        std::count (planes.plane_of_voxel.begin(), planes.plane_of_voxel.end(), plane));
   }
 
   pcl_ops::internal::Coordinates points;

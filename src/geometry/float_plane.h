@@ -49,11 +49,4 @@ forDistances (const FloatPlane& plane,
     visit (i, p.distance (x[i], y[i], z[i]));
 }
 
-template <typename Visit>
-inline void
-forDistances (const FloatPlane& plane, const Coordinates& points, Visit&& visit)
-{
-  forDistances (plane, points, 0, points.size(), visit);
-}
-
 } // namespace pcl_ops::internal

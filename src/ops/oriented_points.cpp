@@ -14,15 +14,6 @@
 
 namespace pcl_ops::internal {
 
-void
-OrientedSamples::add (const Eigen::Vector3d& position, const Eigen::Vector3d& normal)
-{
-  const Eigen::Vector3f p = position.cast<float>();
-  const Eigen::Vector3f n = normal.cast<float>();
-  Coordinates::add (p.x(), p.y(), p.z());
-  normals.add (n.x(), n.y(), n.z());
-}
-
 Indices
 drawSample (std::size_t size, double rate, std::uint32_t seed)
 {

@@ -19,7 +19,12 @@ struct OrientedSamples : Coordinates {
 
   /** \brief Adds a sample. */
   void
-  add (const Eigen::Vector3d& position, const Eigen::Vector3d& normal);
+  add (const Eigen::Vector3d& position, const Eigen::Vector3d& normal)
+  {
+    const Eigen::Vector3f p = position.cast<float>(), n = normal.cast<float>();
+    Coordinates::add (p.x(), p.y(), p.z());
+    normals.add (n.x(), n.y(), n.z());
+  }
 };
 
 /** \brief Draws alpha_s N of the N points, each subset equally likely (Knuth's

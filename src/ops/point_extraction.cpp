@@ -78,10 +78,10 @@ countWithinDistance (const Coordinates& points,
 {
   const auto threshold = static_cast<float> (distance_threshold);
   std::int32_t count = 0;
-  forDistances (
-      FloatPlane (plane), points, [&count, threshold] (std::size_t, float distance) {
-        count += distance < threshold;
-      });
+  const auto add = [&count, threshold] (std::size_t, float distance) {
+    count += distance < threshold;
+  };
+  forDistances (FloatPlane (plane), points, 0, points.size(), add);
   return static_cast<std::size_t> (count);
 }
 

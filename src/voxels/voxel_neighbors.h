@@ -31,13 +31,6 @@ struct VoxelNeighbors {
   {
     return {neighbors.data() + begin[voxel], neighbors.data() + begin[voxel + 1]};
   }
-
-  /** \brief Number of voxels. */
-  std::size_t
-  size () const
-  {
-    return places.size();
-  }
 };
 
 /** \brief Voxels of twice the edge, which hold 2 x 2 x 2 others each. */

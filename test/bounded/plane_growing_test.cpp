@@ -27,10 +27,10 @@ TEST (Growing, ReachesTheVoxelsAtTheEdgeOfAPlane)
 {
   VoxelScene scene ({{ground}, {wall}}, 5_mm);
   scene.label (no_plane, [] (const auto& at) { return at.x() < 0.4 && at.z() < 0.4; });
-  EXPECT_GT (scene.voxelsOn (no_plane), 100u);
+  EXPECT_GT (voxelsOn (no_plane, scene.planes), 100u);
   grow (scene);
   // A row of voxels where ground and wall meet belongs to neither alone.
-  EXPECT_LE (scene.voxelsOn (no_plane), 21u);
+  EXPECT_LE (voxelsOn (no_plane, scene.planes), 21u);
 }
 
 TEST (Growing, GoesOnForAsFarAsThereAreVoxels)
@@ -38,9 +38,9 @@ TEST (Growing, GoesOnForAsFarAsThereAreVoxels)
   // All but the first row, so that each row can be taken after the one before only.
   VoxelScene scene ({{ground}});
   scene.label (no_plane, [] (const auto& at) { return at.x() > 0.1; });
-  EXPECT_EQ (scene.voxelsOn (0), 20u);
+  EXPECT_EQ (voxelsOn (0, scene.planes), 20u);
   grow (scene);
-  EXPECT_EQ (scene.voxelsOn (0), 400u);
+  EXPECT_EQ (voxelsOn (0, scene.planes), 400u);
 }
 
 TEST (Growing, StopsAtAStepOfManyTimesTheNoise)
@@ -48,8 +48,8 @@ TEST (Growing, StopsAtAStepOfManyTimesTheNoise)
   VoxelScene scene ({{ground}, {higherBy (10_cm)}});
   scene.label (no_plane, [] (const auto& at) { return at.x() > 1.5; });
   grow (scene);
-  EXPECT_EQ (scene.voxelsOn (0), 400u) << "all of the ground";
-  EXPECT_EQ (scene.voxelsOn (no_plane), 400u) << "nothing of the step";
+  EXPECT_EQ (voxelsOn (0, scene.planes), 400u) << "all of the ground";
+  EXPECT_EQ (voxelsOn (no_plane, scene.planes), 400u) << "nothing of the step";
 }
 
 TEST (Growing, GivesAVoxelToTheNearerOfThePlanesNextToIt)
@@ -59,10 +59,10 @@ TEST (Growing, GivesAVoxelToTheNearerOfThePlanesNextToIt)
     VoxelScene scene ({{ground}, {higherBy (1_cm)}});
     scene.label (no_plane,
                  [row] (const auto& at) { return at.x() > row && at.x() < row + 0.1; });
-    EXPECT_EQ (scene.voxelsOn (no_plane), 20u);
+    EXPECT_EQ (voxelsOn (no_plane, scene.planes), 20u);
     grow (scene);
-    EXPECT_EQ (scene.voxelsOn (0), 400u);
-    EXPECT_EQ (scene.voxelsOn (1), 400u);
+    EXPECT_EQ (voxelsOn (0, scene.planes), 400u);
+    EXPECT_EQ (voxelsOn (1, scene.planes), 400u);
   }
 }
 
@@ -72,7 +72,7 @@ TEST (Growing, KeepsToTheThreshold)
     VoxelScene scene ({{ground}, {higherBy (8_mm)}});
     scene.label (no_plane, [] (const auto& at) { return at.x() > 2.0; });
     grow (scene, theta_h);
-    EXPECT_EQ (scene.voxelsOn (0), theta_h < 8_mm ? 400u : 800u);
+    EXPECT_EQ (voxelsOn (0, scene.planes), theta_h < 8_mm ? 400u : 800u);
   }
 }
 
@@ -92,6 +92,6 @@ TEST (Growing, TakesVoxelsUpToThreeTimesTheNoise)
     scene.label (no_plane, [] (const auto& at) { return at.x() > 2.0; });
     scene.planes.noise[0] = noise;
     grow (scene);
-    EXPECT_EQ (scene.voxelsOn (0), noise < 0.0035 ? 400u : 800u);
+    EXPECT_EQ (voxelsOn (0, scene.planes), noise < 0.0035 ? 400u : 800u);
   }
 }

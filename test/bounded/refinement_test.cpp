@@ -59,7 +59,7 @@ TEST (Refinement, HalvesTheVoxels)
   const VoxelGrid& grid = refinement.grid;
   EXPECT_DOUBLE_EQ (grid.voxel_size, 5_cm);
   EXPECT_EQ (grid.size(), 22u * 40u) << "of eleven rows of twenty, four each";
-  EXPECT_EQ (grid.neighbors.size(), grid.size());
+  EXPECT_EQ (grid.neighbors.places.size(), grid.size());
 }
 
 TEST (Refinement, LeavesVoxelsOfTooFewPointsForAPlane)

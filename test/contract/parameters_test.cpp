@@ -34,33 +34,21 @@ rowsOf (const std::string& parameters, bool is_detector)
   return rows;
 }
 
+/** \brief Lengthens a direction, and sets the last of several numbers. */
 template <typename T>
 void
-setTo (double value, T& number)
+setTo (double value, T& member)
 {
   if constexpr (std::is_assignable_v<T&, double>)
-    number = static_cast<T> (value);
-}
-template <typename T>
-void
-setTo (double length, Eigen::Matrix<T, 3, 1>& direction)
-{
-  direction *= static_cast<T> (length);
-}
-void
-setTo (double length, std::optional<Eigen::Vector3d>& direction)
-{
-  direction = {0.0, 0.0, length};
-}
-void
-setTo (double largest, std::optional<std::array<double, 2>>& interval)
-{
-  interval = {0.1, largest};
-}
-void
-setTo (double tolerance, std::optional<std::array<double, 3>>& size)
-{
-  size = {1.0, 2.0, tolerance};
+    member = static_cast<T> (value);
+  else if constexpr (std::is_base_of_v<Eigen::MatrixBase<T>, T>)
+    member *= value;
+  else if constexpr (std::is_same_v<T, std::optional<Eigen::Vector3d>>)
+    member = {0.0, 0.0, value};
+  else if constexpr (std::is_same_v<T, std::optional<std::array<double, 2>>>)
+    member = {0.1, value};
+  else if constexpr (std::is_same_v<T, std::optional<std::array<double, 3>>>)
+    member = {1.0, 2.0, value};
 }
 
 /** \brief What validate says where one of good parameters has some value. */

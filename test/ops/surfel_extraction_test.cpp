@@ -78,13 +78,6 @@ leaning (double angle)
   return {std::sin (angle), 0, std::cos (angle)};
 }
 
-std::size_t
-voxelsOn (std::int32_t plane, const BoundedPlanes& planes)
-{
-  return static_cast<std::size_t> (
-      std::count (planes.plane_of_voxel.begin(), planes.plane_of_voxel.end(), plane));
-}
-
 } // namespace
 
 TEST (VoxelExtraction, DoesNotGoRoundACorner)

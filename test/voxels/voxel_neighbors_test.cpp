@@ -22,7 +22,7 @@ TEST (VoxelNeighbors, AreThoseThatBruteForceFinds)
   for (const double edge : {0.2, 0.5, 1.5}) {
     const VoxelGrid grid = voxelize (pointsInACube (400, 9.0), edge, 1);
     const VoxelNeighbors neighbors = connected (grid.codes, 1).neighbors;
-    ASSERT_EQ (neighbors.size(), grid.size());
+    ASSERT_EQ (neighbors.places.size(), grid.size());
     for (std::size_t a = 0; a < grid.size(); ++a) {
       Indices expected;
       for (std::size_t b = 0; b < grid.size(); ++b)
@@ -51,8 +51,8 @@ TEST (VoxelNeighbors, OfOneVoxelAreItself)
 {
   for (const MortonCode code : {MortonCode (0), mortonCode (5, -6, 7)}) {
     const VoxelNeighbors neighbors = connected ({code}, 1).neighbors;
-    ASSERT_EQ (neighbors.size(), 1u);
+    ASSERT_EQ (neighbors.places.size(), 1u);
     EXPECT_EQ (Indices (neighbors[0].begin(), neighbors[0].end()), (Indices{0}));
   }
-  EXPECT_EQ (connected ({}, 1).neighbors.size(), 0u);
+  EXPECT_EQ (connected ({}, 1).neighbors.places.size(), 0u);
 }
