@@ -174,8 +174,7 @@ candidatesOf (const Faces& faces, const UpAxisParameters& parameters)
   return distinct;
 }
 
-/** \brief Share of the planes that are floor, seat or table top if a direction is up.
- */
+/** \brief Share of planes that are floor, seat or table top if a direction is up. */
 double
 facingShare (const Faces& faces, const Vector3d& up, double limit)
 {

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include <pcl_ops/plane.h>
-#include <pcl_ops/plane_extent.h>
 
 #include <cmath>
 

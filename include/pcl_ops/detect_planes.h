@@ -19,8 +19,7 @@ namespace pcl_ops {
  * \param[in] viewpoint origin of the sensor in the frame of the cloud [m]; normals
  * point to its side
  * \return planes by falling size
- * \throw std::invalid_argument if the cloud is empty, or there is a problem with the
- * parameters */
+ * \throw std::invalid_argument if the cloud is empty or the parameters are wrong */
 template <typename Parameters>
 std::vector<PlaneSegment>
 detectPlanes (const CloudView& cloud,

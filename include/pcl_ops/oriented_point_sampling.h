@@ -28,8 +28,7 @@ struct PaperParameters {
   enum class Strategy {
     /** \brief Strategy 1: planes are found among all samples and then divided. */
     DetectThenDivide = 1,
-    /** \brief Strategy 2: samples are divided by their normals, planes found per
-     * group. */
+    /** \brief Strategy 2: samples are divided by normals, planes found per group. */
     DivideThenDetect = 2
   };
 
@@ -97,15 +96,13 @@ struct PCL_OPS_EXPORT OrientedPointSamplingParameters : PlaneDetectorParameters 
     /** \brief The same of the voxels of half the edge, the last to be looked at. */
     double max_thickness = 0.3;
     /** \brief A plane goes into a larger neighbor if its points are no farther from it
-     * than this, in units of the noise of both.
-     */
+     * than this, in units of the noise of both. */
     double absorption_noise_factor = 3.5;
     /** \brief Largest distance of a point to its plane in units of the noise there. */
     double assignment_noise_factor = 5.0;
   };
 
-  /** \brief theta_h is not given: what is near enough to a plane follows the measured
-   * noise. */
+  /** \brief theta_h is not given: what is near enough to a plane follows the noise. */
   OrientedPointSamplingParameters() { distance_threshold.reset(); }
 
   Sampling sampling = Sampling::Surfels;

@@ -179,8 +179,7 @@ public:
   {
     parameters_.up_axis = up_axis;
   }
-  /** \brief The same in double precision, as estimateUpAxis() and cameraUp() give it.
-   */
+  /** \brief In double precision, as estimateUpAxis() and cameraUp() give it. */
   template <typename Derived>
   void
   setUpAxis (const Eigen::MatrixBase<Derived>& up_axis)

@@ -12,8 +12,7 @@
 
 namespace pcl_ops {
 
-/** \brief A right-handed frame in a plane: u, v, and the plane's normal as the third
- * axis. */
+/** \brief A right-handed frame in a plane: u, v, and the normal as the third axis. */
 class PCL_OPS_EXPORT PlaneFrame {
 public:
   /** \param[in] origin zero of the frame, on the plane and near the points: that keeps

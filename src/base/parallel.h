@@ -30,8 +30,7 @@ parallelFor (unsigned threads,
              std::size_t grain,
              const std::function<void (std::size_t begin, std::size_t end)>& body);
 
-/** \brief Calls \p visit (i) for each of 0 .. size - 1; the rest as \ref parallelFor.
- */
+/** \brief Calls \p visit (i) for all of 0 .. size - 1, as \ref parallelFor does. */
 template <typename Visit>
 void
 forEach (unsigned threads, std::size_t size, Visit&& visit)

@@ -5,8 +5,6 @@
 #include "voxels/voxel_grid.h"
 #include <pcl_ops/plane.h>
 
-#include <vector>
-
 namespace pcl_ops::internal {
 
 /** \brief How far a patch bends away from its plane. */

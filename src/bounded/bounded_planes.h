@@ -7,7 +7,6 @@
 #include <pcl_ops/plane_merging.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace pcl_ops::internal {

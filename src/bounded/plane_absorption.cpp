@@ -5,7 +5,6 @@
 #include "geometry/noise_ratios.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <optional>
 

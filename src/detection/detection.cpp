@@ -12,8 +12,7 @@
 namespace pcl_ops::detail {
 namespace {
 
-// Negative ones are the largest. Without a way out of the loop, so that it is
-// vectorized.
+// Negative ones are the largest. A loop without a way out is vectorized.
 std::size_t
 largestOf (const pcl::Indices& indices)
 {

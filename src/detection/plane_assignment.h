@@ -5,7 +5,6 @@
 #include "geometry/points.h"
 #include <pcl_ops/plane.h>
 
-#include <cstdint>
 #include <vector>
 
 namespace pcl_ops::internal {

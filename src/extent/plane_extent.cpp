@@ -8,9 +8,7 @@
 #include <pcl_ops/plane_extent.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <utility>
 
 namespace pcl_ops {
 using namespace internal;
@@ -119,8 +117,7 @@ takeOff (PlanarPoints& points, const PlanarPoints& hull, std::size_t fewest)
   return splitOff (points, depths, std::max (*last, depthOfCorners (hull))).size();
 }
 
-/** \brief A rectangle around points: a box along its side u and the one to the left of
- * it. */
+/** \brief A rectangle around points: a box along its side u and the one to its left. */
 struct Rectangle {
   Eigen::Vector2d u = Eigen::Vector2d::UnitX();
   Eigen::AlignedBox2d box{Eigen::Vector2d::Zero()};

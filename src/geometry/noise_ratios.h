@@ -9,8 +9,7 @@ namespace pcl_ops::internal {
 /** \brief Noise that is up to this many times another is alike: of one surface. */
 inline constexpr double like_noise = 1.5;
 
-/** \brief Noise that is more than this many times another is not of the same surface.
- */
+/** \brief Noise that is more than this many times another is of another surface. */
 inline constexpr double other_noise = 6.0;
 
 /** \brief How much of a plane's squared noise explains that another plane's points are

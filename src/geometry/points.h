@@ -48,8 +48,7 @@ struct Coordinates {
 };
 
 /** \brief The finite points a detector works on. Their coordinates are relative to
- * \ref origin, so that single precision is enough however far the cloud is from its own
- * zero. */
+ * \ref origin: single precision is enough however far the cloud is from its zero. */
 struct Points : Coordinates {
   /** \brief Zero of the local frame, in the frame of the input cloud. */
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -76,8 +75,7 @@ selected (const Coordinates& points, const Indices& numbers);
 Coordinates
 samplePoints (const Coordinates& positions, std::size_t wanted);
 
-/** \brief The median, or the upper of the two middle ones; 0 for no values. Reorders.
- */
+/** \brief The median, or the upper of two middle ones; 0 for no values. Reorders. */
 double
 medianOf (std::vector<float>& values);
 

@@ -4,7 +4,6 @@
 
 #include "kht/spherical_accumulator.h"
 
-#include <algorithm>
 #include <optional>
 #include <queue>
 #include <utility>
@@ -39,8 +38,7 @@ momentsOf (const ClusterList& clusters, const OctreeClusters& found)
   return moments;
 }
 
-/** The clusters that no plane has taken yet and whose rms distance to a plane is small
- * enough. */
+/** The clusters that no plane has yet and whose rms distance to one is small enough. */
 ClusterList
 freeNear (const Plane& plane,
           double largest_rms,

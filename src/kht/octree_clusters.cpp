@@ -8,7 +8,6 @@
 #include "voxels/morton_code.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -29,8 +28,7 @@ constexpr double dropped_distance_share = 0.1;
 // code and the second level cache.
 constexpr int sorted_level = 5;
 
-// The nodes of this level, or of s_level if that is higher up, are shared out to
-// threads.
+// Threads share the nodes of this level, or of s_level if that is higher up.
 constexpr int max_start_level = 2;
 
 /** From where to where values are, 2 per cent at either end left out, which may be
@@ -199,8 +197,7 @@ private:
     return true;
   }
 
-  /** Its moments are about the center of the root, so that those of clusters can be
-   * added. */
+  /** Its moments are about the root's center: those of clusters can be added. */
   std::optional<PlaneFit>
   fitTo (CoplanarCluster& cluster) const
   {

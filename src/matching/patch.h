@@ -36,8 +36,7 @@ struct Patch {
   }
 };
 
-/** \return nothing for fewer than three points, or if they are on one line or all equal
- */
+/** \return nothing for fewer than three points, or if all are equal or on one line */
 inline std::optional<Patch>
 patchOf (const PlaneSegment& plane)
 {

@@ -10,8 +10,7 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Algorithm 1 of the paper on oriented samples: one-point RANSAC, plane by
- * plane.
+/** \brief The paper's Algorithm 1 on samples: one-point RANSAC, plane by plane.
  * \param[in] points all points, for Verification::AllPoints
  * \return planes in the order found */
 std::vector<Plane>

@@ -113,8 +113,7 @@ onePointRansac (const Candidates& candidates,
   const Coordinates own = selected (samples, left);
   const Coordinates& voters = remaining ? *remaining : own;
   std::optional<Plane> best;
-  // No plane smaller than theta_N is worth a draw: the cap of a round that finds
-  // nothing.
+  // No plane smaller than theta_N is worth a draw: that ends a round without any.
   std::size_t most = parameters.min_inliers;
   std::size_t n_iter = draws_for (most, left.size());
   for (std::size_t iter = 0; iter < n_iter; ++iter) {

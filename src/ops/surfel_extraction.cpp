@@ -46,8 +46,7 @@ public:
                    surfels[i]->thickness < max_thickness;
   }
 
-  /** \brief What a plane reaches from a seed, refitted each time that has grown by
-   * half. */
+  /** \brief What a plane reaches from a seed, refitted when that has grown by half. */
   SurfelPatch
   from (std::uint32_t seed)
   {

@@ -27,8 +27,7 @@ normalOf (const Moments& surroundings, const PrincipalAxes& axes)
   return normal;
 }
 
-// Thickness of a neighborhood over its width up to which it is flat enough to look no
-// further.
+// Thickness of a neighborhood over its width up to which no other is looked at.
 constexpr double flat_enough = 0.2;
 
 // The planes around the voxels of one resolution.

@@ -7,8 +7,7 @@
 
 namespace pcl_ops::internal {
 
-/** \brief Divides a cloud into voxels as large as its noise asks for and as its points
- * allow.
+/** \brief Divides a cloud into voxels as large as its noise asks and its points allow.
  * \param[in] sampling_rate alpha_s, which the number of voxels grows with
  * \return an empty grid for fewer than two different points */
 VoxelLevels

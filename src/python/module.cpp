@@ -234,8 +234,7 @@ upAxis (const PlaneSegments& planes,
                : py::none();
 }
 
-/** \return (planes, start, end, angle) of each edge, (planes, position) of each corner
- */
+/** \return (planes, start, end, angle) of edges, (planes, position) of corners */
 std::pair<py::list, py::list>
 edges (const PointRows& points,
        const Eigen::Vector3d& origin,

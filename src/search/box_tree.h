@@ -21,8 +21,7 @@ namespace pcl_ops::internal {
 class BoxTree {
 public:
   static constexpr std::size_t max_children = 8;
-  /** \brief Leaves have fewer points, or as many: their distances are computed at once.
-   */
+  /** \brief Of leaves; the distances of their points are computed at once. */
   static constexpr std::uint32_t max_points_of_leaf = 40;
 
   /** \brief Where the points of a child are. */

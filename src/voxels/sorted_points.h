@@ -55,9 +55,8 @@ private:
   std::uint32_t low_, high_, first_;
 };
 
-/** \brief Not those of the standard, which write to all the memory there may be need
- * of.
- */
+/** \brief Boost can make a vector without writing to it: room for as many runs as there
+ * may be takes no memory. */
 using PointRuns = boost::container::vector<PointRun>;
 
 /** \brief The points as runs, sorted by the Morton code of their voxel; runs of a voxel

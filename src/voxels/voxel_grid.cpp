@@ -5,7 +5,6 @@
 #include "base/parallel.h"
 #include "voxels/sorted_points.h"
 
-#include <algorithm>
 #include <memory>
 #include <utility>
 

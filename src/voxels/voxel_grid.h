@@ -12,16 +12,13 @@
 
 namespace pcl_ops::internal {
 
-/** \brief The occupied voxels of a uniform grid with the moments of the points in each.
- */
+/** \brief The occupied voxels of a uniform grid with the moments of their points. */
 struct VoxelGrid {
   /** \brief Edge of a voxel [m]. */
   double voxel_size = 0.0;
-  /** \brief Of each occupied voxel, ascending: neighbors in space are near in memory.
-   */
+  /** \brief Of each voxel, ascending: neighbors in space are near in memory. */
   std::vector<MortonCode> codes;
-  /** \brief Numbers of all points, voxel after voxel: one list for all grids of them.
-   */
+  /** \brief Numbers of all points, voxel after voxel; grids of the same share them. */
   std::shared_ptr<const Indices> order;
   /** \brief Where each voxel's points begin there. */
   Indices first_point;

@@ -30,8 +30,7 @@ lowestBit (std::uint64_t bits)
   return static_cast<unsigned> (__builtin_ctzll (bits));
 }
 
-/** \brief The 2 x 2 x 2 children of a voxel and those one around them: 4 x 4 x 4, x
- * fastest. */
+/** \brief The 2 x 2 x 2 children of a voxel and those around: 4 x 4 x 4, x fastest. */
 struct ChildrenAround {
   /** \brief A bit for each that is occupied. */
   std::uint64_t places = 0;

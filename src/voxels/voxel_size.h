@@ -9,8 +9,7 @@ namespace pcl_ops::internal {
 /** \brief The nearest of 1, 1.1, ... 2, 2.25, ... 5, 6, ... 10 times a power of ten.
  *
  * What a size is estimated from differs a little where a cloud is given in other units
- * or rounded otherwise; voxels of the size as it is would divide all of it elsewhere.
- */
+ * or rounded otherwise; voxels of the size as it is would divide it elsewhere. */
 double
 roundNumber (double size);
 

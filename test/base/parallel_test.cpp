@@ -9,7 +9,6 @@
 #include <chrono>
 #include <future>
 #include <limits>
-#include <set>
 #include <stdexcept>
 #include <thread>
 #include <utility>

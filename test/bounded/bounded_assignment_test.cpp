@@ -36,8 +36,7 @@ TEST (BoundedAssignment, GivesTheMomentsOfThePointsItLabels)
 
 TEST (BoundedAssignment, GivesAPointBetweenPlanesToTheNoisierAndOneOnBothToTheCleaner)
 {
-  // Points at 5 cm; left of x = 1 a plane so far below them, right of it one as far
-  // above.
+  // Points at 5 cm; left of x = 1 a plane so far below, right of it one above them.
   VoxelScene scene ({{ground}});
   scene.label (1, [] (const auto& at) { return at.x() > 1.0; });
   for (const double off : {3_cm, 1_mm})

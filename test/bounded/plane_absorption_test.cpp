@@ -7,8 +7,7 @@ using namespace pcl_ops::internal;
 
 namespace {
 
-/** \brief Adds a copy of the ground's plane that has its voxels up to some way along.
- */
+/** \brief Adds a copy of the ground's plane that has its voxels some way along. */
 void
 splitOff (double width, VoxelScene& scene)
 {

@@ -114,8 +114,7 @@ valuesOf (Parameters parameters)
   return values;
 }
 
-/** \brief Every field of every preset is in the table: a default that changes changes
- * results. */
+/** \brief Every field of every preset is in the table: defaults change results. */
 template <typename Parameters>
 void
 expectDetector (const std::string& name)

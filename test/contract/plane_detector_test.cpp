@@ -52,8 +52,7 @@ cloudsWithoutAPlane ()
           {"a line", cloudOf (5000, line)}};
 }
 
-/** \brief The largest planes are those of the scene; some clutter may be a small one.
- */
+/** \brief The largest planes are those of the scene; clutter may be a small one. */
 void
 expectHasEverySurface (std::vector<PlaneSegment> planes, const LabelledScene& scene)
 {

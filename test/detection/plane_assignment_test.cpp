@@ -4,7 +4,6 @@
 #include "grid_scene.h"
 
 using namespace pcl_ops::internal;
-
 using namespace pcl_ops;
 
 namespace {

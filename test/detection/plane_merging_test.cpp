@@ -4,7 +4,6 @@
 #include <pcl_ops/plane_merging.h>
 
 using namespace pcl_ops::internal;
-
 using namespace pcl_ops;
 
 namespace {
@@ -125,8 +124,7 @@ TEST (Merge, ByNoiseJoinsWhatTheNoiseExplainsWithinTheAngle)
 
 TEST (Merge, ByNoiseCarriesNoSmallPlaneOnToTheCentroidOfALargeOne)
 {
-  // A piece of a wall: its noise tilts it by 2 degrees, 35 cm over the 10 m between
-  // them.
+  // A piece of a wall 10 m away: its noise tilts it by 2 degrees, 35 cm there.
   const Moments wall = noisySquare ({0, 0, 0}, 1_cm, 8_m);
   const Moments piece = noisySquare ({10, 0, 0}, 1_cm, 30_cm, 2_deg);
   EXPECT_FALSE (areCoplanar (*fitPlane (wall), *fitPlane (piece), 7_deg, 5_cm));

@@ -5,7 +5,6 @@
 #include <pcl_ops/plane_extent.h>
 
 using namespace pcl_ops::internal;
-
 using namespace pcl_ops;
 
 namespace {

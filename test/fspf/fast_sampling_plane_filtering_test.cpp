@@ -50,8 +50,7 @@ TEST (Fspf, MergesHundredsOfPlanesIntoTheFewThereAreUnlessMergingIsOff)
 
 TEST (Fspf, LeavesNoPairOfPlanesThatAreOne)
 {
-  // With 3 cm of noise some planes are only found to be one when they have their
-  // points.
+  // With 3 cm of noise some planes are one only when they have their points.
   const auto cloud = denseRoom().noise (3_cm).build().cloud;
   Fspf fspf = fspfOn (cloud);
   const auto planes = planesOf (fspf);

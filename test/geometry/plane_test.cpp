@@ -5,7 +5,6 @@
 #include "scene.h"
 
 using namespace pcl_ops::internal;
-
 using namespace pcl_ops;
 
 namespace {

@@ -102,8 +102,7 @@ leastVote (const PlaneKernel& kernel)
   return std::exp (-2.0) * density (kernel, kernel.mean);
 }
 
-/** The density at a bin seen from either side of the poles and any number of turns on.
- */
+/** The density at a bin seen from either side of the poles, any number of turns on. */
 double
 largestDensity (const PlaneKernel& kernel, const Bin& bin)
 {

@@ -10,7 +10,6 @@
 #include "scene.h"
 
 using namespace pcl_ops::internal;
-
 using pcl_ops::MergingParameters;
 using pcl_ops::OrientedPointSamplingParameters;
 using pcl_ops::PaperParameters;
@@ -84,8 +83,7 @@ TEST (Strategy, TwoFindsThePlanesWhateverTheUpAxis)
 
 TEST (Strategy, TwoDetectsPerGroupOfSamples)
 {
-  // The ramp of 3 m x 1 m crosses the floor; the floor takes no sample that is not
-  // flat.
+  // The ramp of 3 m x 1 m crosses the floor, which takes no sample that is not flat.
   const auto scene =
       Scene().floor (3, 3).surface ({0, 1, -0.5}, {3, 0, 1}, {0, 1, 0}).build();
   OrientedSamples samples;

@@ -6,7 +6,6 @@
 #include "scene.h"
 
 using namespace pcl_ops::internal;
-
 using pcl_ops::Plane;
 
 namespace {

@@ -53,8 +53,7 @@ barrel (double radius)
   return connectedGrid (points, 0.1);
 }
 
-/** \brief Every voxel with a surfel of its own, through its centroid, that a test may
- * change.
+/** \brief Every voxel with a surfel through its centroid that a test may change.
  * \param[in] change (surfel, centroid) */
 template <typename Change>
 Surfels

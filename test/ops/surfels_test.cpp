@@ -122,8 +122,7 @@ TEST (OrientedVoxels, HaveNoSurfelOfFewerPointsThanAsked)
 
 TEST (OrientedVoxels, HaveNoSurfelWhereSurfacesAreFinerThanTheirNeighborhoods)
 {
-  // A roof of many slopes, each as long as a voxel: flat in every voxel, but not
-  // around.
+  // A roof of many slopes as long as a voxel: flat in every voxel, but not around.
   Coordinates points = gridsOf ({floor_of_the_scene}, 200);
   for (std::size_t i = 0; i < points.size(); ++i)
     points.z[i] = 0.01f + 0.8f * std::abs (std::remainder (points.x[i], 0.2f));

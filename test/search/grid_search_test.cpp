@@ -12,7 +12,6 @@
 #include <set>
 
 using namespace pcl_ops::internal;
-
 using pcl::PointXYZ;
 using Cloud = pcl::PointCloud<PointXYZ>;
 using Search = pcl_ops::GridSearch<PointXYZ>;

@@ -31,8 +31,7 @@ shareInside (const PlanarPoints& points, const PlanarPoints& outline)
   return static_cast<double> (inside) / static_cast<double> (points.size());
 }
 
-/** \brief An L of two bars, 2 m long and 0.5 m wide: 1.75 m^2 of a hull of 2.875 m^2.
- */
+/** \brief An L of two bars of 2 m x 0.5 m: 1.75 m^2 of a hull of 2.875 m^2. */
 bool
 isInL (const Eigen::Vector2d& point)
 {

@@ -3,8 +3,6 @@
 #include "grid_scene.h"
 #include "voxels/sorted_points.h"
 
-#include <numeric>
-
 using namespace pcl_ops::internal;
 
 namespace {

@@ -3,8 +3,6 @@
 #include "grid_scene.h"
 #include "voxels/voxel_grid.h"
 
-#include <numeric>
-
 using namespace pcl_ops::internal;
 
 namespace {

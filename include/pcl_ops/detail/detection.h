@@ -19,8 +19,7 @@ namespace pcl_ops::detail {
 struct NeighborSearch {
   /** \brief The k points nearest to a point of the cloud, itself included. */
   std::function<void (pcl::index_t, int k, pcl::Indices&, std::vector<float>&)> nearest;
-  /** \brief The points up to a radius [m] from a point of the cloud, itself included.
-   */
+  /** \brief The points up to a radius [m] from one of the cloud, itself included. */
   std::function<void (pcl::index_t, double radius, pcl::Indices&, std::vector<float>&)>
       within;
   /** \brief Threads that may ask at once; 0: all. */

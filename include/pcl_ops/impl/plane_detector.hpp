@@ -33,8 +33,7 @@ detectorInput (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
         [cloud, search] (auto point, double r, auto& within, auto& squared_distances) {
           search->radiusSearch ((*cloud)[point], r, within, squared_distances);
         };
-    // Only GridSearch and kd-trees are known to be safe to ask from several threads at
-    // once.
+    // Only GridSearch and kd-trees are known to be safe to ask from several threads.
     const std::string& name = search->getName();
     const bool is_safe = name == "GridSearch" || name == "KdTree";
     neighbors.threads = is_safe ? threads : 1;

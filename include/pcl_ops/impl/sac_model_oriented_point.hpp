@@ -5,8 +5,6 @@
 #include <pcl_ops/plane.h>
 #include <pcl_ops/sac_model_oriented_point.h>
 
-#include <cmath>
-
 namespace pcl_ops {
 
 template <typename PointNT>

@@ -22,8 +22,7 @@ namespace pcl_ops {
 PCL_OPS_EXPORT PlanarRings
 concaveOutline (const PlanarPoints& points, double alpha = 0.0);
 
-/** \brief As \ref planeExtent, with the \ref concaveOutline as its hull, and its holes.
- */
+/** \brief As \ref planeExtent, with the \ref concaveOutline as hull, and its holes. */
 PCL_OPS_EXPORT PlaneExtent
 concavePlaneExtent (const CloudView& cloud,
                     const PlaneSegment& plane,
