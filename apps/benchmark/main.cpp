@@ -11,6 +11,7 @@
 #include <io/output_file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <thread>
@@ -58,7 +59,7 @@ readOptions (int argc, const char* const* argv, Options& options)
   line.add ("peer-runs N", measures.peer_runs, runs)
       .help ("of others' detectors, which take seconds (1)");
   line.add ("no-peers", no_peers).help ("leave these out");
-  line.add ("seed S", measures.seed, from (0)).help ("of detectors (42)");
+  line.add ("seed S", measures.settings.seed, from (0)).help ("of detectors (42)");
   line.add ("memory-points N", options.memory_points, from (1).upTo (1e8))
       .help ("size of the simulated scan peak memory is measured on (3000000)");
   line.add ("scaling FOLDER", options.scaling_folder)
@@ -113,47 +114,39 @@ peakText (const Json& peak)
          " MB more at its peak.\n";
 }
 
-void
-printTimes (const Json& figures)
-{
-  const double points = figures["points"];
-  const double of_default = figures["times"]["ops"]["detection_ms"];
-  Json table = Json::array();
-  for (const auto& [name, time] : figures["times"].items()) {
-    Json row{{"measure", name}, {"runs", time["runs"]}};
-    for (const auto& stage : detection_stages) {
-      const double milliseconds = time[std::string (stage.first) + "_ms"];
-      row[stage.first] = milliseconds > 0.0 ? decimal (milliseconds, 1) : "";
-    }
-    const double whole = time["detection_ms"];
-    row["us per point"] = decimal (1e3 * whole / points, 3);
-    row["times ops"] = decimal (whole / of_default, 2);
-    table.push_back (row);
-  }
-  const std::string title = "Times [ms], " + figures["name"].get<std::string>() + ", " +
-                            figures["points"].dump() + " points";
-  std::cout << tableOf (title, table) << std::flush;
-}
-
+/** Prints the times, too. */
 Json
 figuresOf (const CloudSource& source, const MeasureParameters& parameters)
 {
   notify ("loading " + source.name);
   const XyzCloud::ConstPtr cloud = source.load().cloud;
-  const auto notifyOf = [&] (const std::string& what) {
-    notify (source.name + ": " + what);
-  };
-  Json figures{{"name", source.name}, {"points", cloud->size()}};
-  for (const BestTime& time :
-       measureInTurns (measuresOf (cloud, parameters), notifyOf)) {
+  const auto points = double (cloud->size());
+  const auto times =
+      measureInTurns (measuresOf (cloud, parameters), [&] (const std::string& what) {
+        notify (source.name + ": " + what);
+      });
+  const auto of_default = std::find_if (
+      times.begin(), times.end(), [] (const auto& time) { return time.name == "ops"; });
+  Json figures{{"name", source.name}, {"points", cloud->size()}}, table = Json::array();
+  for (const BestTime& time : times) {
     Json& measure = figures["times"][time.name];
     measure["runs"] = time.runs;
-    for (const auto& [stage, duration] : detection_stages)
-      measure[std::string (stage) + "_ms"] = time.durations.*duration;
+    Json row{{"measure", time.name}, {"runs", time.runs}};
+    for (const auto& [stage, duration] : detection_stages) {
+      const double milliseconds = time.durations.*duration;
+      measure[std::string (stage) + "_ms"] = milliseconds;
+      row[stage] = milliseconds > 0.0 ? decimal (milliseconds, 1) : "";
+    }
+    const double whole = time.durations.detection;
+    row["us per point"] = decimal (1e3 * whole / points, 3);
+    row["times ops"] = decimal (whole / of_default->durations.detection, 2);
+    table.push_back (row);
   }
   figures["peak_memory"] = peakOn (cloud);
   notify ("");
-  printTimes (figures);
+  const std::string title =
+      "Times [ms], " + source.name + ", " + std::to_string (cloud->size()) + " points";
+  std::cout << tableOf (title, table) << std::flush;
   return figures;
 }
 
@@ -241,7 +234,7 @@ run (int argc, const char* const* argv)
                 {"pcl", PCL_VERSION_PRETTY}}},
               {"runs", options.measures.runs},
               {"peer_runs", options.measures.peer_runs},
-              {"seed", options.measures.seed}};
+              {"seed", options.measures.settings.seed}};
   report["clouds"] = figuresOfAll (clouds, options.measures, left_out);
   notify ("memory");
   const std::string scan = "simulated:" + std::to_string (options.memory_points);

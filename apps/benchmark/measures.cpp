@@ -8,7 +8,6 @@
 #include <boost/interprocess/anonymous_shared_memory.hpp>
 
 #include <detection/methods.h>
-#include <pcl_ops/oriented_point_sampling.h>
 #include <simulation/simulated_cloud.h>
 
 #ifdef __GLIBC__
@@ -30,46 +29,42 @@ using namespace evaluation;
 
 namespace {
 
-/** Of one thread processor time, which other programs disturb less.
- * \param[in] sampling_rate none: that of the preset */
+/** \param[in] names of configurations; one of others may take any time: then it is said
+ * and ended */
 std::vector<Measure>
-presetsOn (const XyzCloud::ConstPtr& cloud,
-           const MeasureParameters& measuring,
-           unsigned threads = 1,
-           std::optional<double> sampling_rate = std::nullopt)
+detectorsOn (const XyzCloud::ConstPtr& cloud,
+             const std::string& names,
+             std::size_t runs,
+             const RunSettings& settings)
 {
-  using Ops = OrientedPointSampling<pcl::PointXYZ>;
   std::vector<Measure> measures;
-  for (const bool of_paper : {false, true}) {
-    auto parameters = of_paper ? Ops::Parameters::paper() : Ops::Parameters{};
-    parameters.seed = measuring.seed;
-    parameters.threads = threads;
-    parameters.sampling_rate = sampling_rate.value_or (parameters.sampling_rate);
-    measures.push_back ({of_paper ? "ops paper" : "ops", measuring.runs, [=] {
-                           return runDetector<Ops> (parameters, cloud).durations;
-                         }});
-  }
+  for (const Configuration& detector : selectConfigurations (names))
+    if (runs > 0 && !detector.needs_image)
+      measures.push_back (
+          {detector.name, runs, [=] {
+             constexpr unsigned time_limit = 600; // [s]
+             if (const auto run = runLimited (detector, cloud, settings, time_limit))
+               return run->durations;
+             std::cerr << detector.name << ": stopped after " << time_limit << " s\n";
+             StageDurations durations;
+             durations.detection = 1e3 * time_limit;
+             return durations;
+           }});
   return measures;
 }
 
-/** One of others may take any time: then it is said and ended. */
-Measure
-measureOf (const Configuration& detector,
-           const XyzCloud::ConstPtr& cloud,
-           std::size_t runs,
-           std::uint32_t seed)
+std::vector<Measure>
+presetsOn (const XyzCloud::ConstPtr& cloud,
+           const MeasureParameters& parameters,
+           unsigned threads = 1,
+           std::optional<double> sampling_rate = std::nullopt)
 {
-  return {detector.name, runs, [=] {
-            constexpr unsigned time_limit = 600; // [s]
-            RunSettings settings;
-            settings.seed = seed;
-            if (const auto run = runLimited (detector, cloud, settings, time_limit))
-              return run->durations;
-            std::cerr << detector.name << ": stopped after " << time_limit << " s\n";
-            StageDurations durations;
-            durations.detection = 1e3 * time_limit;
-            return durations;
-          }};
+  RunSettings settings = parameters.settings;
+  settings.threads = threads;
+  settings.sampling_rate = sampling_rate;
+  auto measures = detectorsOn (cloud, "ops,ops-3-30", parameters.runs, settings);
+  measures[1].name = "ops paper";
+  return measures;
 }
 
 std::vector<Measure>
@@ -91,14 +86,21 @@ leastMeasures (const XyzCloud::ConstPtr& cloud, std::size_t runs)
 }
 
 std::vector<Measure>
-allOn (const XyzCloud::ConstPtr& cloud, const MeasureParameters& measuring)
+joined (const std::vector<std::vector<Measure>>& lists)
 {
-  std::vector<Measure> measures = presetsOn (cloud, measuring);
-  const auto kht = selectConfigurations ("kht").front();
-  measures.push_back (measureOf (kht, cloud, measuring.runs, measuring.seed));
-  const std::vector<Measure> least = leastMeasures (cloud, measuring.runs);
-  measures.insert (measures.end(), least.begin(), least.end());
-  return measures;
+  std::vector<Measure> all;
+  for (const std::vector<Measure>& list : lists)
+    all.insert (all.end(), list.begin(), list.end());
+  return all;
+}
+
+std::vector<Measure>
+allOn (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters)
+{
+  const auto& [runs, peer_runs, settings] = parameters;
+  return joined ({presetsOn (cloud, parameters),
+                  detectorsOn (cloud, "kht", runs, settings),
+                  leastMeasures (cloud, runs)});
 }
 
 /** A number in /proc/self/status [byte]; NaN if there is none. */
@@ -149,16 +151,14 @@ measureInTurns (const std::vector<Measure>& measures, const Notify& notify)
 std::vector<Measure>
 measuresOf (const XyzCloud::ConstPtr& cloud, const MeasureParameters& parameters)
 {
-  std::vector<Measure> measures = leastMeasures (cloud, parameters.runs);
-  measures.push_back (presetsOn (cloud, parameters, 2).front());
-  measures.back().name = "ops, two threads";
-  for (const auto& [names, runs] :
-       {std::pair ("ops,ops-3-30,ops-0.3-10,kht,fspf-0.07-0.14", parameters.runs),
-        {"peers", parameters.peer_runs}})
-    for (const auto& detector : selectConfigurations (names))
-      if (runs > 0 && !detector.needs_image)
-        measures.push_back (measureOf (detector, cloud, runs, parameters.seed));
-  return measures;
+  const auto& [runs, peer_runs, settings] = parameters;
+  Measure on_two_threads = presetsOn (cloud, parameters, 2).front();
+  on_two_threads.name = "ops, two threads";
+  constexpr const char* ours = "ops,ops-3-30,ops-0.3-10,kht,fspf-0.07-0.14";
+  return joined ({leastMeasures (cloud, runs),
+                  {on_two_threads},
+                  detectorsOn (cloud, ours, runs, settings),
+                  detectorsOn (cloud, "peers", peer_runs, settings)});
 }
 
 double
@@ -248,7 +248,7 @@ measureScaling (const DataSet& clouds,
     add ("sampling_rate", 100.0 * rate, cloud, presetsOn (cloud, parameters, 1, rate));
   for (const unsigned planes : {1u, 3u, 10u, 30u, 100u, 300u}) {
     const auto scan = simulation::scanDensely (
-        makeBoards (planes), cloud->size(), 1.0, parameters.seed);
+        makeBoards (planes), cloud->size(), 1.0, parameters.settings.seed);
     const XyzCloud::Ptr boards (new XyzCloud);
     pcl::copyPointCloud (scan.cloud, *boards);
     add ("planes", planes, boards, allOn (boards, parameters));

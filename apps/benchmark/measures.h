@@ -42,7 +42,7 @@ constexpr double patience = 20000.0;
 struct MeasureParameters {
   std::size_t runs = 5;
   std::size_t peer_runs = 1; // of detectors of others; 0: they are left out
-  std::uint32_t seed = 42;
+  evaluation::RunSettings settings = {};
 };
 
 /** Copying the cloud onto memory that is there already and building pcl::KdTreeFLANN,

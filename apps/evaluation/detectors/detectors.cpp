@@ -18,6 +18,7 @@
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
+#include <type_traits>
 
 namespace pcl_ops::evaluation {
 
@@ -38,14 +39,33 @@ void
 add (std::vector<Configuration>& all,
      const std::string& name,
      const std::string& group,
-     const typename Detector::Parameters& parameters)
+     const typename Detector::Parameters& of_row)
 {
-  const auto run = [parameters] (const auto& cloud, const RunSettings& settings) {
-    auto complete = parameters;
-    complete.up_axis = settings.up.cast<float>();
-    complete.seed = settings.seed;
-    complete.threads = 1;
-    return runDetector<Detector> (complete, cloud);
+  const auto run = [of_row] (const auto& cloud, const RunSettings& settings) {
+    auto parameters = of_row;
+    parameters.up_axis = settings.up.cast<float>();
+    parameters.seed = settings.seed;
+    parameters.threads = settings.threads;
+    if constexpr (std::is_same_v<Detector, Ops>)
+      parameters.sampling_rate =
+          settings.sampling_rate.value_or (parameters.sampling_rate);
+    DetectorRun result;
+    double detection = 0.0;
+    const auto detect = [&] {
+      Detector detector;
+      detector.setParameters (parameters);
+      detector.setInputCloud (cloud);
+      std::vector<pcl::PointIndices> planes;
+      detector.extract (planes);
+      result = {labelsOf (planes, cloud->size()),
+                detector.getNumberOfPlanesBeforeMerging(),
+                detector.getStageDurations()};
+    };
+    timed (detection,
+           detect,
+           settings.threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC);
+    result.durations.detection = detection;
+    return result;
   };
   all.push_back ({name, {group}, run});
   for (const char* best_of_paper : {"ops-3-30", "fspf-0.07-0.14", "kht-80-800"})

@@ -28,6 +28,10 @@ struct RunSettings {
   double peer_threshold = usual_peer_threshold; // distance to a plane [m]
   /** Of the points; none: as measured from the cloud [m]. */
   std::optional<double> peer_noise = std::nullopt;
+  /** Of detectors of this project; with several, time is that of the wall. */
+  unsigned threads = 1;
+  /** Of OPS; none: that of its configuration. */
+  std::optional<double> sampling_rate = std::nullopt;
 };
 
 /** [ms] */
@@ -51,39 +55,11 @@ timed (double& duration, const Work& work, clockid_t clock = CLOCK_THREAD_CPUTIM
   duration += now (clock) - start;
 }
 
-/** Runs a detector of this project.
- * \param[in] parameters all of them: up axis, seed and threads too; with several
- * threads, and of stages, time is that of the wall
- * \param[in] cloud finite points */
-template <typename Detector>
-DetectorRun
-runDetector (const typename Detector::Parameters& parameters,
-             const XyzCloud::ConstPtr& cloud)
-{
-  DetectorRun result;
-  double detection = 0.0;
-  const auto detect = [&] {
-    Detector detector;
-    detector.setParameters (parameters);
-    detector.setInputCloud (cloud);
-    std::vector<pcl::PointIndices> planes;
-    detector.extract (planes);
-    result.labels = labelsOf (planes, cloud->size());
-    result.durations = detector.getStageDurations();
-    result.planes_before_merging = detector.getNumberOfPlanesBeforeMerging();
-  };
-  timed (detection,
-         detect,
-         parameters.threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC);
-  result.durations.detection = detection;
-  return result;
-}
-
 /** A detector with its parameters. */
 struct Configuration {
   std::string name;
   std::set<std::string> groups; // of allConfigurations
-  /** On one thread. The points are finite. */
+  /** The points are finite. */
   std::function<DetectorRun (const XyzCloud::ConstPtr& cloud,
                              const RunSettings& settings)>
       run;
