@@ -121,25 +121,27 @@ figuresOf (const CloudSource& source, const MeasureParameters& parameters)
   notify ("loading " + source.name);
   const XyzCloud::ConstPtr cloud = source.load().cloud;
   const auto points = double (cloud->size());
-  const auto times =
+  const auto measures =
       measureInTurns (measuresOf (cloud, parameters), [&] (const std::string& what) {
         notify (source.name + ": " + what);
       });
-  const auto of_default = std::find_if (
-      times.begin(), times.end(), [] (const auto& time) { return time.name == "ops"; });
+  const auto of_default =
+      std::find_if (measures.begin(), measures.end(), [] (const Measure& measure) {
+        return measure.name == "ops";
+      });
   Json figures{{"name", source.name}, {"points", cloud->size()}}, table = Json::array();
-  for (const BestTime& time : times) {
-    Json& measure = figures["times"][time.name];
-    measure["runs"] = time.runs;
-    Json row{{"measure", time.name}, {"runs", time.runs}};
+  for (const Measure& measure : measures) {
+    Json& times = figures["times"][measure.name];
+    times["runs"] = measure.runs;
+    Json row{{"measure", measure.name}, {"runs", measure.runs}};
     for (const auto& [stage, duration] : detection_stages) {
-      const double milliseconds = time.durations.*duration;
-      measure[std::string (stage) + "_ms"] = milliseconds;
+      const double milliseconds = measure.best.*duration;
+      times[std::string (stage) + "_ms"] = milliseconds;
       row[stage] = milliseconds > 0.0 ? decimal (milliseconds, 1) : "";
     }
-    const double whole = time.durations.detection;
+    const double whole = measure.best.detection;
     row["us per point"] = decimal (1e3 * whole / points, 3);
-    row["times ops"] = decimal (whole / of_default->durations.detection, 2);
+    row["times ops"] = decimal (whole / of_default->best.detection, 2);
     table.push_back (row);
   }
   figures["peak_memory"] = peakOn (cloud);

@@ -125,27 +125,23 @@ valueIn (const std::string& file, const std::string& name)
   return "";
 }
 
-std::vector<BestTime>
-measureInTurns (const std::vector<Measure>& measures, const Notify& notify)
+std::vector<Measure>
+measureInTurns (std::vector<Measure> measures, const Notify& notify)
 {
-  std::vector<BestTime> best (measures.size());
-  std::vector<double> spent (measures.size(), 0.0);
-  bool is_done = false;
-  for (std::size_t turn = 0; !is_done; ++turn) {
+  for (bool is_done = false; !is_done;) {
     is_done = true;
-    for (std::size_t i = 0; i < measures.size(); ++i) {
-      if (turn >= measures[i].runs || spent[i] > patience)
+    for (Measure& measure : measures) {
+      if (measure.runs == measure.max_runs || measure.spent > patience)
         continue;
       is_done = false;
-      notify (measures[i].name);
-      const StageDurations durations = measures[i].run();
-      spent[i] += durations.detection;
-      if (turn == 0 || durations.detection < best[i].durations.detection)
-        best[i] = {measures[i].name, durations, 0};
-      best[i].runs = turn + 1;
+      notify (measure.name);
+      const StageDurations durations = measure.run();
+      measure.spent += durations.detection;
+      if (measure.runs++ == 0 || durations.detection < measure.best.detection)
+        measure.best = durations;
     }
   }
-  return best;
+  return measures;
 }
 
 std::vector<Measure>
@@ -227,11 +223,11 @@ measureScaling (const DataSet& clouds,
                         double x,
                         const XyzCloud::ConstPtr& cloud,
                         const std::vector<Measure>& measures) {
-    for (const BestTime& time : measureInTurns (measures, notify)) {
-      csv << series << ',' << x << ',' << cloud->size() << ',' << time.name << ','
-          << time.runs << ',' << std::quoted (name, '"', '"');
+    for (const Measure& measure : measureInTurns (measures, notify)) {
+      csv << series << ',' << x << ',' << cloud->size() << ',' << measure.name << ','
+          << measure.runs << ',' << std::quoted (name, '"', '"');
       for (const auto& stage : apps::detection_stages)
-        csv << ',' << time.durations.*stage.second;
+        csv << ',' << measure.best.*stage.second;
       csv << '\n';
     }
   };

@@ -15,26 +15,22 @@ using evaluation::XyzCloud;
 std::string
 valueIn (const std::string& file, const std::string& name);
 
-/** Something to be timed. */
 struct Measure {
   std::string name;
-  std::size_t runs = 1;                // at most
+  std::size_t max_runs = 1;
   std::function<StageDurations()> run; // [ms]
-};
-
-/** The run of a measure with the shortest whole. */
-struct BestTime {
-  std::string name;
-  StageDurations durations;
+  /** How often it has run, how long that took, and the run with the shortest whole. */
   std::size_t runs = 0;
+  double spent = 0.0;
+  StageDurations best = {};
 };
 
 using Notify = std::function<void (const std::string& what)>;
 
 /** Runs each measure once, then each a second time, and so on, so that a slow phase of
  * the machine hits all alike. What has taken \ref patience is not repeated. */
-std::vector<BestTime>
-measureInTurns (const std::vector<Measure>& measures, const Notify& notify);
+std::vector<Measure>
+measureInTurns (std::vector<Measure> measures, const Notify& notify);
 
 /** [ms] */
 constexpr double patience = 20000.0;

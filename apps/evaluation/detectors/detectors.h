@@ -55,7 +55,6 @@ timed (double& duration, const Work& work, clockid_t clock = CLOCK_THREAD_CPUTIM
   duration += now (clock) - start;
 }
 
-/** A detector with its parameters. */
 struct Configuration {
   std::string name;
   std::set<std::string> groups; // of allConfigurations

@@ -10,7 +10,6 @@ namespace pcl_ops::evaluation {
 
 using Answer = nlohmann::ordered_json;
 
-/** A number with a fixed number of decimals. */
 std::string
 decimal (double number, int decimals);
 

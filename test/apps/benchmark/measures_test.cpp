@@ -41,15 +41,15 @@ measureTaking (const std::string& name, std::vector<double> times)
 TEST (Measures, TakeTurnsAndTheShortestRunCounts)
 {
   std::string told;
-  const std::vector<BestTime> best =
+  const std::vector<Measure> measured =
       measureInTurns ({measureTaking ("a", {5.0, 2.0, 4.0}),
                        measureTaking ("b", {7.0, 7.0}),
                        measureTaking ("c", {2.0 * patience, 1.0})}, // too long for more
                       [&] (const std::string& what) { told += what; });
   EXPECT_EQ (told, "abcaba");
-  EXPECT_EQ (best[0].durations.detection, 2.0);
-  EXPECT_EQ (best[0].runs, 3u);
-  EXPECT_EQ (best[2].runs, 1u);
+  EXPECT_EQ (measured[0].best.detection, 2.0);
+  EXPECT_EQ (measured[0].runs, 3u);
+  EXPECT_EQ (measured[2].runs, 1u);
 }
 
 TEST (Boards, EachIsAPlaneOfItsOwn)
@@ -149,10 +149,10 @@ TEST (WorstCases, KeepTheBounds)
     EXPECT_GT (room_bytes, 4.0 * points); // a label for every point
     for (const auto& [name, cloud] : clouds) {
       SCOPED_TRACE (detector.name + " on " + name);
-      const std::vector<BestTime> times = measureInTurns (
+      const std::vector<Measure> measured = measureInTurns (
           {measureOn (room), measureOn (cloud)}, [] (const std::string&) {});
-      EXPECT_LT (times[1].durations.detection,
-                 disturbance * time_bound * times[0].durations.detection);
+      EXPECT_LT (measured[1].best.detection,
+                 disturbance * time_bound * measured[0].best.detection);
       EXPECT_LT (peakMemoryOn (cloud, detector), memory_bound * room_bytes);
     }
   }
