@@ -74,8 +74,10 @@ readOptions (int argc, const char* const* argv, EvaluationPlan& plan)
   if (!line.parse (argc, argv))
     return false;
   plan.configurations = selectConfigurations (detectors);
-  for (const DataSet& data_set : dataSetsOf (data_sets, up))
-    plan.clouds.insert (plan.clouds.end(), data_set.begin(), data_set.end());
+  for (const std::string& data_set : data_sets) {
+    const DataSet clouds = dataSetOf (data_set, up);
+    plan.clouds.insert (plan.clouds.end(), clouds.begin(), clouds.end());
+  }
   makeFolder (folder);
   plan.file = (std::filesystem::path (folder) / "results.csv").string();
   return true;

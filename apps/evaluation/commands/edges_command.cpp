@@ -163,8 +163,11 @@ edgesCommand (int argc, const char* const* argv)
   line.addUpAxis (up).help ("against gravity in clouds; camera: 0,-1,0 (0,0,1)");
   if (!line.parse (argc, argv))
     return ExitCode::done;
+  std::vector<DataSet> data_sets;
+  for (const std::string& text : texts)
+    data_sets.push_back (dataSetOf (text, up));
   Answer edges = Answer::array();
-  for (const DataSet& data_set : dataSetsOf (texts, up)) {
+  for (const DataSet& data_set : data_sets) {
     EdgeScore score;
     for (const CloudSource& source : data_set) {
       inMemory (source.name, "give a smaller cloud", [&] {

@@ -52,11 +52,9 @@ struct Entry {
   Entry
   at (const char* key) const
   {
-    const Entry entry{file,
-                      name.empty() ? key : name + "." + key,
-                      has (key) ? value.at (key) : value};
-    entry.require (has (key), "is missing");
-    return entry;
+    const std::string path = name.empty() ? key : name + "." + key;
+    Entry{file, path, value}.require (has (key), "is missing");
+    return {file, path, value.at (key)};
   }
 
   std::vector<Entry>

@@ -110,45 +110,6 @@ scansDataSet (const std::string& name, const std::string& sizes)
   return clouds;
 }
 
-EvaluationCloud
-readCloud (const std::string& file, const Vector3d& up)
-{
-  const LabeledCloud all = loadLabeledCloud (file);
-  EvaluationCloud finite = finiteOf (all.cloud, all.labels);
-  finite.up = up;
-  if (finite.cloud->empty())
-    throw WorkError (file, "has no finite point; leave it out");
-  return finite;
-}
-
-DataSet
-cloudsDataSet (const std::string& path, const Vector3d& up)
-{
-  std::error_code error;
-  if (!fs::exists (path, error))
-    throw WorkError (path, "does not exist; give a cloud or a folder of clouds");
-  const bool is_folder = fs::is_directory (path, error);
-  std::set<fs::path> files;
-  if (!is_folder)
-    files = {path};
-  for (fs::recursive_directory_iterator entry (path, error), end; entry != end;
-       entry.increment (error))
-    if (isCloudFile (entry->path().string()))
-      files.insert (entry->path());
-  if (files.empty())
-    throw WorkError (path,
-                     std::string ("has no ") + folder_extensions +
-                         " file; give a folder with clouds");
-  const fs::path folder = is_folder ? fs::path (path) : fs::path (path).parent_path();
-  const std::string name = is_folder ? folder.filename().string() : "";
-  DataSet clouds;
-  for (const fs::path& file : files)
-    clouds.push_back ({name.empty() ? "clouds" : name,
-                       file.lexically_relative (folder).generic_string(),
-                       [file, up] { return readCloud (file.string(), up); }});
-  return clouds;
-}
-
 PlaneLabels
 labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
 {
@@ -175,6 +136,57 @@ labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
   return labels;
 }
 
+LabeledCloud
+loadLabeledCloud (const std::string& file, bool needs_labels)
+{
+  return inMemory (file, "give a smaller cloud", [&] {
+    const FileCloud cloud = loadCloud (file);
+    PlaneLabels labels;
+    if (needs_labels || hasField (cloud, "label"))
+      labels = labelsIn (cloud.points, file);
+    const LabeledCloud labeled{shiftedCloudOf (cloud), labels};
+    const std::string damage = damageOf (labeled);
+    if (!damage.empty())
+      warn (file + ": " + damage);
+    return labeled;
+  });
+}
+
+DataSet
+cloudsDataSet (const std::string& path, const Vector3d& up)
+{
+  std::error_code error;
+  if (!fs::exists (path, error))
+    throw WorkError (path, "does not exist; give a cloud or a folder of clouds");
+  const bool is_folder = fs::is_directory (path, error);
+  std::set<fs::path> files;
+  if (!is_folder)
+    files = {path};
+  for (fs::recursive_directory_iterator entry (path, error), end; entry != end;
+       entry.increment (error))
+    if (isCloudFile (entry->path().string()))
+      files.insert (entry->path());
+  if (files.empty())
+    throw WorkError (path,
+                     std::string ("has no ") + folder_extensions +
+                         " file; give a folder with clouds");
+  const fs::path folder = is_folder ? fs::path (path) : fs::path (path).parent_path();
+  const std::string name = is_folder ? folder.filename().string() : "";
+  DataSet clouds;
+  for (const fs::path& file : files)
+    clouds.push_back ({name.empty() ? "clouds" : name,
+                       file.lexically_relative (folder).generic_string(),
+                       [input = file.string(), up] {
+                         const LabeledCloud all = loadLabeledCloud (input, false);
+                         EvaluationCloud finite = finiteOf (all.cloud, all.labels);
+                         finite.up = up;
+                         if (finite.cloud->empty())
+                           throw WorkError (input, "has no finite point; leave it out");
+                         return finite;
+                       }});
+  return clouds;
+}
+
 } // namespace
 
 EvaluationCloud
@@ -192,7 +204,7 @@ finiteOf (const XyzCloud::ConstPtr& cloud, const PlaneLabels& labels)
 }
 
 DataSet
-dataSetOf (const std::string& text, const Vector3d& up)
+dataSetOf (const std::string& text, const Eigen::Vector3f& up)
 {
   const std::size_t colon = text.find (':');
   const std::string kind = text.substr (0, colon);
@@ -203,37 +215,12 @@ dataSetOf (const std::string& text, const Vector3d& up)
     if (kind == "simulated")
       return scansDataSet (kind, rest);
     if (kind == "clouds")
-      return cloudsDataSet (rest, up);
+      return cloudsDataSet (rest, up.cast<double>().normalized());
     for (const Scenes& scenes : all_scenes)
       if (kind == scenes.name)
         return scenesDataSet (scenes, rest);
   }
   throw UsageError (text, std::string ("is no data set; give ") + data_set_help);
-}
-
-std::vector<DataSet>
-dataSetsOf (const std::vector<std::string>& texts, const Eigen::Vector3f& up)
-{
-  std::vector<DataSet> data_sets;
-  for (const std::string& text : texts)
-    data_sets.push_back (dataSetOf (text, up.cast<double>().normalized()));
-  return data_sets;
-}
-
-LabeledCloud
-loadLabeledCloud (const std::string& file, bool needs_labels)
-{
-  return inMemory (file, "give a smaller cloud", [&] {
-    const FileCloud cloud = loadCloud (file);
-    PlaneLabels labels;
-    if (needs_labels || hasField (cloud, "label"))
-      labels = labelsIn (cloud.points, file);
-    const ShiftedCloud shifted = shiftedCloudOf (cloud);
-    const std::string damage = damageOf (shifted);
-    if (!damage.empty())
-      warn (file + ": " + damage);
-    return LabeledCloud{shifted.cloud, shifted.shift, labels};
-  });
 }
 
 std::pair<LabeledCloud, LabeledCloud>

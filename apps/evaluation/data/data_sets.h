@@ -8,20 +8,14 @@
 
 namespace pcl_ops::evaluation {
 
-/** Every point in the file's order; zero of its frame is at -shift. */
-struct LabeledCloud {
-  XyzCloud::Ptr cloud;
-  Vector3d shift = Vector3d::Zero();
-  PlaneLabels labels;
+/** Every point in the file's order. */
+struct LabeledCloud : apps::ShiftedCloud {
+  PlaneLabels labels = {};
 };
 
 /** By \ref apps::loadCloud, with an integer field `label` or, of a text, a column of
  * that name with whole numbers.
- * \throw apps::WorkError if that fails */
-LabeledCloud
-loadLabeledCloud (const std::string& file, bool needs_labels = false);
-
-/** \param[in] min_plane_points true planes with fewer points become none
+ * \param[in] min_plane_points true planes with fewer points become none
  * \throw apps::WorkError naming the file that has no labels, or \p result_file if the
  * points or their order differ */
 std::pair<LabeledCloud, LabeledCloud>
@@ -56,15 +50,12 @@ using DataSet = std::vector<CloudSource>;
 extern const char* const data_set_help;
 
 /** Simulated ones have exact truth; of files their field label is the truth.
- * \param[in] up direction against gravity in the files of "clouds"
+ * \param[in] up direction against gravity in the files of "clouds", of any length
  * \throw apps::UsageError for any other text, apps::WorkError if the folder has no
  * cloud */
 DataSet
-dataSetOf (const std::string& text, const Vector3d& up = Vector3d::UnitZ());
-
-/** The same of several, for a direction of any length. */
-std::vector<DataSet>
-dataSetsOf (const std::vector<std::string>& texts, const Eigen::Vector3f& up);
+dataSetOf (const std::string& text,
+           const Eigen::Vector3f& up = Eigen::Vector3f::UnitZ());
 
 /** All frames of SUN RGB-D (Song, Lichtenberg & Xiao, CVPR 2015) below a folder. A
  * frame is a folder with the PNG file of its depth, intrinsics.txt (3 x 3) and a folder
@@ -97,11 +88,5 @@ struct TruthParameters {
 /** The exact truth of a cloud, or else the one grown from it. */
 PlaneLabels
 truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters);
-
-inline std::string
-truthName (bool is_exact, const TruthParameters& parameters)
-{
-  return is_exact ? "exact" : "grown-k" + std::to_string (parameters.neighbors);
-}
 
 } // namespace pcl_ops::evaluation

@@ -156,9 +156,10 @@ struct Evaluation {
   std::string
   keyOf (const CloudSource& source, bool has_truth, const Configuration& configuration)
   {
-    return csvCell (source.data_set) + csvCell (source.name) +
-           csvCell (truthName (has_truth, plan.truth)) + csvCell (configuration.name) +
-           csvCell (std::to_string (plan.settings.seed));
+    const std::string truth =
+        has_truth ? "exact" : "grown-k" + std::to_string (plan.truth.neighbors);
+    return csvCell (source.data_set) + csvCell (source.name) + csvCell (truth) +
+           csvCell (configuration.name) + csvCell (std::to_string (plan.settings.seed));
   }
 
   void
