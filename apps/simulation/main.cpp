@@ -3,7 +3,6 @@
 #include <boost/format.hpp>
 
 #include "scenes.h"
-#include "simulate.h"
 #include <cli/command_line.h>
 #include <cli/errors.h>
 #include <cli/program.h>

@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenes.h"
-#include "sensors.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 
 namespace pcl_ops::simulation {

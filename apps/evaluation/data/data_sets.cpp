@@ -12,7 +12,7 @@
 #include <cli/errors.h>
 #include <cli/program.h>
 #include <io/cloud_file.h>
-#include <simulation/simulate.h>
+#include <simulation/scenes.h>
 
 #include <filesystem>
 #include <set>

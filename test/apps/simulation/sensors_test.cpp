@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scenes.h"
 #include <simulation/scenes.h>
-#include <simulation/simulate.h>
 
 #include <set>
 

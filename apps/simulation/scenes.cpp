@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate.h"
-
 #include "scenes.h"
 
 namespace pcl_ops::simulation {
