@@ -305,7 +305,6 @@ evaluate (const PlaneNumbers& truth,
         evaluation::compareLabels (cloud, labelsOf (truth), labelsOf (result), classes);
   });
   py::dict named = dictOf (metrics.named);
-  named[evaluation::off_planes_name] = metrics.points_off_planes_called_planes;
   named["points"] = metrics.points;
   named["truth_planes"] = metrics.truth_planes;
   named["result_planes"] = metrics.result_planes;

@@ -48,7 +48,6 @@ answerOf (const Metrics& metrics)
                 {"result_planes", metrics.result_planes}};
   for (const auto& [name, value] : metrics.named)
     answer[name] = value;
-  answer[off_planes_name] = metrics.points_off_planes_called_planes;
   answer["by_size"] = answerOf<std::size_t> (metrics.by_size, "fewest_points");
   answer["by_width"] = answerOf<double> (metrics.by_width, "narrowest");
   return answer;

@@ -379,8 +379,8 @@ compareLabels (const XyzCloud& cloud,
       {"segmentation_accuracy_all", fraction (right + off_in_both, all, 1.0)}};
   addInstanceMetrics (at_50, "", metrics.named);
   addInstanceMetrics (at_75, "_75", metrics.named);
-  metrics.points_off_planes_called_planes =
-      fraction (off_planes - off_in_both, off_planes, 0.0);
+  metrics.named.emplace_back ("points_off_planes_called_planes",
+                              fraction (off_planes - off_in_both, off_planes, 0.0));
   const std::vector<double> sizes (true_ids.points.begin(), true_ids.points.end());
   metrics.by_size = classesOf (at_50, at_75, sizes, {200, 500, 1000, 3000, 10'000});
   metrics.by_width =

@@ -120,10 +120,9 @@ struct Metrics {
   /** Under their published names, in order, which the page on accuracy defines: three
    * accuracies, then metrics of planes as instances at an intersection over union of
    * 0.5 and, with suffix _75, at 0.75. Where both sides have no plane the result is
-   * perfect, where one has none it has found nothing. */
+   * perfect, where one has none it has found nothing. The last are the points on no
+   * true plane that the result has on one / such points. */
   NamedValues named = {};
-  /** Points on no true plane that the result has on one / such points. */
-  double points_off_planes_called_planes = 0.0;
   /** By number of points. */
   SizeClasses by_size = {};
   /** The width is the smaller side of the rectangle whose points, spread evenly, have
@@ -132,9 +131,6 @@ struct Metrics {
    * it. */
   SizeClasses by_width = {};
 };
-
-/** As a column of results it is behind the times, so that the others stay. */
-constexpr const char* off_planes_name = "points_off_planes_called_planes";
 
 /** The largest sum of benefits of a pairing of rows with columns, each used at most
  * once: the Hungarian method by shortest augmenting paths (Kuhn 1955; Jonker &

@@ -37,10 +37,12 @@ namedValues (const Metrics& metrics = compareLabels ({}, {}, {}),
                      {"truth_planes", double (metrics.truth_planes)},
                      {"result_planes", double (metrics.result_planes)},
                      {"planes_before_merging", double (run.planes_before_merging)}};
-  values.insert (values.end(), metrics.named.begin(), metrics.named.end());
+  // Those of points off planes came later: their column is behind the times.
+  const auto last = metrics.named.end() - 1;
+  values.insert (values.end(), metrics.named.begin(), last);
   for (const auto& [stage, duration] : detection_stages)
     values.emplace_back (std::string (stage) + "_ms", run.durations.*duration);
-  values.emplace_back (off_planes_name, metrics.points_off_planes_called_planes);
+  values.push_back (*last);
   const NamedValues counts = namedCounts (metrics);
   values.insert (values.end(), counts.begin(), counts.end());
   return values;
