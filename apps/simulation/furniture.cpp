@@ -254,30 +254,22 @@ Body
 drawRoundClutter (Random& random)
 {
   enum { Ball, Bin, Lamp, Carpet, kinds };
+  constexpr double radii[][2] = {{0.1, 0.35}, {0.1, 0.2}, {0.12, 0.22}, {0.08, 0.15}};
   const std::uint32_t kind = random.below (kinds);
-  Body clutter;
-  if (kind == Ball) {
-    const double radius = random.between (0.1, 0.35);
-    clutter.footprint.setConstant (2.0 * radius);
+  const double height_of_lamp = kind == Lamp ? random.between (1.2, 1.7) : 0.0;
+  const double radius = random.between (radii[kind][0], radii[kind][1]);
+  Body clutter{Vector2d::Constant (2.0 * radius)};
+  if (kind == Ball)
     clutter.addSphere ({0, 0, radius}, radius);
-  }
-  else if (kind == Bin) {
-    const double radius = random.between (0.1, 0.2);
-    clutter.footprint.setConstant (2.0 * radius);
+  else if (kind == Bin)
     clutter.addPole ({0, 0, 0}, random.between (0.3, 0.6), radius);
-  }
   else if (kind == Lamp) {
-    const double height = random.between (1.2, 1.7),
-                 shade = random.between (0.12, 0.22);
-    clutter.footprint.setConstant (2.0 * shade);
-    clutter.addPole ({0, 0, 0}, height, 0.02);
+    clutter.addPole ({0, 0, 0}, height_of_lamp, 0.02);
     clutter.addPole ({0, 0, 0}, 0.03, 0.15);
-    clutter.addSphere ({0, 0, height}, shade);
+    clutter.addSphere ({0, 0, height_of_lamp}, radius);
   }
   else {
-    const double radius = random.between (0.08, 0.15),
-                 length = random.between (0.8, 1.6);
-    clutter.footprint = {length, 2.0 * radius};
+    const double length = clutter.footprint.x() = random.between (0.8, 1.6);
     clutter.addCylinder ({0, 0, radius}, Vector3d::UnitX(), 0.5 * length, radius);
   }
   return clutter;

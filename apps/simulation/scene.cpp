@@ -98,13 +98,10 @@ bounding_box (const Shape& shape)
 Shape
 makeRectangle (const Vector3d& center, const Vector3d& edge_u, const Vector3d& edge_v)
 {
-  const double half_u = 0.5 * edge_u.norm(), half_v = 0.5 * edge_v.norm();
-  return {Kind::Rectangle,
-          center,
-          edge_u.normalized(),
-          edge_v.normalized(),
-          half_u,
-          half_v};
+  Shape rectangle{Kind::Rectangle, center, edge_u.normalized(), edge_v.normalized()};
+  rectangle.half_u = 0.5 * edge_u.norm();
+  rectangle.half_v = 0.5 * edge_v.norm();
+  return rectangle;
 }
 
 void

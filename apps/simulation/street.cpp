@@ -222,12 +222,11 @@ addRows (Scene& scene, const Roadside& side, Random& random)
 void
 addSide (Site& street, const Isometry3d& pose, Random& random)
 {
-  Roadside side{};
-  side.pose = pose * at ({0, -0.5 * street.size.y(), 0});
-  side.length = street.size.x();
-  side.curb = random.between (0.10, 0.15);
-  side.sidewalk = random.between (2.5, 4.0);
-  side.slope = random.between (0.02, 0.03);
+  const Roadside side{pose * at ({0, -0.5 * street.size.y(), 0}),
+                      street.size.x(),
+                      random.between (0.10, 0.15),
+                      random.between (2.5, 4.0),
+                      random.between (0.02, 0.03)};
   constexpr double depth = 25.0; // of the ground, to behind the houses [m]
   Body ground;
   const Vector3d curb (0, 0, side.curb), along (side.length, 0, 0);

@@ -38,16 +38,12 @@ const std::vector<Kind> kinds = {
     {"street", std::nullopt, 50.0 * rounding, lidar_sigma, 10, "livox"}};
 
 bool
-haveSamePoints (const SimulatedCloud& a, const SimulatedCloud& b)
+haveSamePoints (const LabeledCloud& a, const LabeledCloud& b)
 {
-  return std::equal (a.cloud.begin(),
-                     a.cloud.end(),
-                     b.cloud.begin(),
-                     b.cloud.end(),
-                     [] (const auto& p, const auto& q) {
-                       return p.getVector3fMap() == q.getVector3fMap() &&
-                              p.label == q.label;
-                     });
+  const auto areSame = [] (const auto& p, const auto& q) {
+    return p.getVector3fMap() == q.getVector3fMap() && p.label == q.label;
+  };
+  return std::equal (a.begin(), a.end(), b.begin(), b.end(), areSame);
 }
 
 double
@@ -81,8 +77,8 @@ TEST (Clouds, HavePlanesBySizeAndPointsAboutThemByTheNoise)
   for (const Kind& kind : kinds) {
     SCOPED_TRACE (kind.scene);
     const SimulatedCloud cloud = kind.simulated (7), exact = kind.simulated (7, 0.0);
-    EXPECT_TRUE (haveSamePoints (cloud, kind.simulated (7)));
-    EXPECT_FALSE (haveSamePoints (cloud, kind.simulated (8)));
+    EXPECT_TRUE (haveSamePoints (cloud.cloud, kind.simulated (7).cloud));
+    EXPECT_FALSE (haveSamePoints (cloud.cloud, kind.simulated (8).cloud));
     EXPECT_GE (cloud.planes.size(), kind.min_planes);
     const auto counts = countsOf (cloud);
     EXPECT_TRUE (std::is_sorted (counts.rbegin(), counts.rend() - 1));
@@ -102,17 +98,17 @@ TEST (Clouds, OrganizedOnesKeepEveryPixelAndOnlyAddNan)
   EXPECT_EQ (cloud.height, 120u);
   EXPECT_FALSE (cloud.is_dense);
   const Eigen::Matrix3f to_camera = cloud.sensor_orientation_.conjugate().matrix();
-  SimulatedCloud finite;
+  LabeledCloud finite;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!std::isfinite (cloud[i].x))
       continue;
-    finite.cloud.push_back (cloud[i]);
+    finite.push_back (cloud[i]);
     const Eigen::Vector3f seen = // the sensor's pose leads back to the pixel
         to_camera * (cloud[i].getVector3fMap() - cloud.sensor_origin_.head<3>());
     const double column = 0.5 * 159 + 525.0 / 4.0 * seen.x() / seen.z();
     ASSERT_NEAR (column, double (i % 160), 1e-3);
   }
-  EXPECT_TRUE (haveSamePoints (finite, room.simulated (7)));
+  EXPECT_TRUE (haveSamePoints (finite, room.simulated (7).cloud));
 }
 
 TEST (Clouds, DenseScansCoverSurfacesByArea)
