@@ -199,7 +199,7 @@ surfacePlanes (const Scene& scene)
 ShapeTree
 treeOf (const Scene& scene)
 {
-  std::vector<Shape> shapes;
+  Shapes shapes;
   for (const Body& body : scene.bodies)
     shapes.insert (shapes.end(), body.shapes.begin(), body.shapes.end());
   return {shapes.begin(), shapes.end()};

@@ -118,6 +118,8 @@ struct Shape {
   }
 };
 
+using Shapes = std::vector<Shape>;
+
 /** Eigen's tree asks for this name. */
 Eigen::AlignedBox3d
 bounding_box (const Shape& shape);
@@ -146,7 +148,7 @@ enum class HiddenFace { None, Bottom, BottomAndTop };
 struct Body {
   /** Extent of furniture on the floor along x and y [m]. */
   Vector2d footprint = Vector2d::Zero();
-  std::vector<Shape> shapes = {};
+  Shapes shapes = {};
   SurfaceId surface_count = 0;
   /** What is narrower is called no plane [m]: usually the edges of boards. */
   double narrowest_surface = 0.05;

@@ -44,15 +44,12 @@ viewOf (const Simulation& simulation, std::size_t frames)
                       : simulation.hasLidar() ? Poses{drawSensorPose (site, seed)}
                                               : Poses{drawCameraPose (site, seed)};
   const auto scan = [=] (std::size_t frame) {
-    const std::uint32_t of_frame = seed + std::uint32_t (frame);
+    const View view{site.scene, poses[frame], seed + std::uint32_t (frame)};
     const double noise = simulation.noise;
-    if (simulation.hasLidar()) {
-      const Lidar lidar = lidarOf (simulation.sensor);
-      return scanAround (site.scene, lidar, poses[frame], noise, of_frame, frame);
-    }
-    const CameraNoise of_camera{noise, simulation.has_raw_depth};
-    return scanByCamera (
-        site.scene, simulation.camera, poses[frame], of_camera, of_frame);
+    return simulation.hasLidar()
+               ? scanAround (view, lidarOf (simulation.sensor), noise, frame)
+               : scanByCamera (
+                     view, simulation.camera, {noise, simulation.has_raw_depth});
   };
   return {site.scene, poses, scan};
 }
@@ -62,6 +59,8 @@ simulate (const Simulation& simulation)
 {
   const Seed seed = simulation.seed;
   const double noise = simulation.noise;
+  constexpr std::size_t points_of_survey = 600'000;
+  constexpr std::size_t points_of_shapes = 250'000; // about 5000 on a square meter
   const auto pointsOr = [&simulation] (std::size_t usual) {
     return simulation.points ? std::size_t (*simulation.points) : usual;
   };

@@ -87,8 +87,6 @@ struct Survey {
 /** Standard deviation of a surveyed point along each axis [m]. */
 constexpr double survey_sigma = 0.015;
 
-constexpr std::size_t points_of_survey = 600'000;
-
 /** 36 houses in rows, each on 30 m x 30 m. */
 Survey
 makeSurvey (Seed seed);
@@ -125,9 +123,6 @@ surveyTile (const Town& town, std::uint32_t column, std::uint32_t row, double no
 
 /** Standard deviation of the points of shapes [m]. */
 constexpr double shapes_sigma = 0.002;
-
-/** About 5000 points on a square meter. */
-constexpr std::size_t points_of_shapes = 250'000;
 
 /** A sphere, a cylinder, a cone and a torus in a row, behind them parts of four larger
  * ones, apart from each other and from a ground and a board on it. The radii are from

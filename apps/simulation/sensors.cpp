@@ -161,22 +161,18 @@ castDepthImage (const Scene& scene,
 }
 
 Scan
-scanByCamera (const Scene& scene,
-              const DepthCamera& camera,
-              const Isometry3d& pose,
-              const CameraNoise& noise,
-              Seed seed)
+scanByCamera (const View& view, const DepthCamera& camera, const CameraNoise& noise)
 {
   // Standard deviation of the rays' wandering along each image axis [px] (Nguyen et
   // al., see disturbDepths).
   constexpr double lateral_sigma = 0.8;
-  Random random = randomFor (Purpose::DepthNoise, seed);
+  Random random = randomFor (Purpose::DepthNoise, view.seed);
   const bool is_noisy = noise.scale > 0.0;
   Jitter jitter;
   if (is_noisy)
     for (Field& axis : jitter)
       axis = noise.scale * lateral_sigma * drawField (camera, noise, random);
-  DepthImage image = castDepthImage (scene, camera, pose, jitter);
+  DepthImage image = castDepthImage (view.scene, camera, view.pose, jitter);
   if (is_noisy)
     disturbDepths (image, camera, noise, random);
   Scan scan{std::size_t (camera.width), std::size_t (camera.height)};
@@ -200,26 +196,21 @@ lidarOf (const std::string& name)
 }
 
 Scan
-scanAround (const Scene& scene,
-            const Lidar& lidar,
-            const Isometry3d& pose,
-            double noise,
-            Seed seed,
-            std::size_t number)
+scanAround (const View& view, const Lidar& lidar, double noise, std::size_t number)
 {
-  Random random = randomFor (Purpose::LidarNoise, seed);
+  Random random = randomFor (Purpose::LidarNoise, view.seed);
   Scan scan{std::size_t (lidar.steps), std::size_t (lidar.beams), true};
   const std::size_t rays = scan.columns * scan.rows;
   scan.points.assign (rays, Vector3d::Constant (std::nan ("")));
   scan.surfaces.assign (rays, no_surface);
-  const ShapeTree shapes = treeOf (scene);
-  const Vector3d eye = pose.translation();
+  const ShapeTree shapes = treeOf (view.scene);
+  const Vector3d eye = view.pose.translation();
   for (std::size_t i = 0; i < rays; ++i) {
     const Vector3d ray =
         lidar.isRosette()
             ? rosetteRay (lidar, number * rays + i)
             : rotatingRay (lidar, int (i / scan.rows), int (i % scan.rows));
-    const Hit hit = castRay (shapes, eye, pose.linear() * ray);
+    const Hit hit = castRay (shapes, eye, view.pose.linear() * ray);
     // Drawn for each ray, so that one reading more leaves the others as they are.
     const double error = noise * lidar_sigma * random.gaussian();
     const double distance = hit.distance + error;

@@ -46,6 +46,13 @@ castDepthImage (const Scene& scene,
                 const Isometry3d& pose,
                 const Jitter& jitter = {});
 
+/** A scene from the pose of a sensor. */
+struct View {
+  const Scene& scene;
+  Isometry3d pose;
+  Seed seed; // of the noise
+};
+
 struct CameraNoise {
   /** Factor on all noise; 1 as measured on a Kinect, 0 none at all. */
   double scale = 1.0;
@@ -60,11 +67,7 @@ struct CameraNoise {
 /** Rays wander sideways, depths are noisy, pixels at depth edges fly between the two
  * sides, on no surface, or are lost, as is what is out of range. */
 Scan
-scanByCamera (const Scene& scene,
-              const DepthCamera& camera,
-              const Isometry3d& pose,
-              const CameraNoise& noise,
-              Seed seed);
+scanByCamera (const View& view, const DepthCamera& camera, const CameraNoise& noise);
 
 /** Standard deviation of a lidar's distances [m]. */
 constexpr double lidar_sigma = 0.02;
@@ -97,11 +100,6 @@ lidarOf (const std::string& name);
 
 /** \param[in] number of the scan: a rosette goes on where the last scan ended */
 Scan
-scanAround (const Scene& scene,
-            const Lidar& lidar,
-            const Isometry3d& pose,
-            double noise,
-            Seed seed,
-            std::size_t number = 0);
+scanAround (const View& view, const Lidar& lidar, double noise, std::size_t number = 0);
 
 } // namespace pcl_ops::simulation

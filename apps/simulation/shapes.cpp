@@ -92,7 +92,7 @@ SimulatedCloud
 simulateShapes (std::size_t points, double noise, Seed seed)
 {
   Random random = randomFor (Purpose::Shapes, seed);
-  std::vector<Shape> shapes;
+  Shapes shapes;
   for (int i = 0; i < 4; ++i)
     shapes.push_back (drawSmall (sizes_of_shapes[i], i, random));
   Shape ground = makeRectangle ({0, 2, 0}, {6, 0, 0}, {0, 4, 0});

@@ -138,10 +138,7 @@ drawPoint (const Shape& shape, Random& random)
 }
 
 LabeledCloud
-drawPoints (const std::vector<Shape>& shapes,
-            std::size_t points,
-            double sigma,
-            Random& random)
+drawPoints (const Shapes& shapes, std::size_t points, double sigma, Random& random)
 {
   LabeledCloud cloud;
   double whole_area = 0.0, area_so_far = 0.0;
@@ -167,7 +164,7 @@ drawPoints (const std::vector<Shape>& shapes,
 SimulatedCloud
 scanDensely (const Scene& scene, std::size_t points, double noise, Seed seed)
 {
-  std::vector<Shape> shapes;
+  Shapes shapes;
   for (const Body& body : scene.bodies)
     for (const Kind kind : {Kind::Rectangle, Kind::Sphere, Kind::Cylinder})
       for (const Shape& shape : body.shapes)

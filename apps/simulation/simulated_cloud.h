@@ -59,10 +59,7 @@ drawPoint (const Shape& shape, Random& random);
  * \param[in] points exact number; none if the shapes have no area
  * \param[in] sigma standard deviation along the normal [m] */
 LabeledCloud
-drawPoints (const std::vector<Shape>& shapes,
-            std::size_t points,
-            double sigma,
-            Random& random);
+drawPoints (const Shapes& shapes, std::size_t points, double sigma, Random& random);
 
 /** Standard deviation of a terrestrial laser scanner's distances [m]. */
 constexpr double laser_sigma = 0.003;

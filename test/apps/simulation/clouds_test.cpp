@@ -113,7 +113,7 @@ TEST (Clouds, OrganizedOnesKeepEveryPixelAndOnlyAddNan)
 
 TEST (Clouds, DenseScansCoverSurfacesByArea)
 {
-  Scene scene = wallAt (1.0); // 40 m x 40 m
+  Scene scene = wallsAt ({{0, 0, 1}}); // 40 m x 40 m
   Body half;
   half.addSurface (makeRectangle ({0, 0, 0}, {20, 0, 0}, {0, 40, 0}));
   scene.add (half, origin);

@@ -46,7 +46,7 @@ allPoints (const Town& town)
 
 TEST (Scene, RayMeetsTheNearestShapeOnItsSkin)
 {
-  Scene scene = stepScene (6.0, 8.0);
+  Scene scene = wallsAt ({{0, 0, 8}, {-20, 0, 6}});
   Body round;
   round.addSphere ({1, 0, 3}, 0.5);
   round.addCylinder ({3, 0, 3}, Vector3d::UnitY(), 1.0, 0.5);
@@ -100,7 +100,7 @@ TEST (BoardFurniture, EveryFaceIsAPlaneOfItsOwn)
 {
   Random random (7);
   for (const auto draw : {drawBoardTable, drawBoardBench, drawBoardRack}) {
-    const std::vector<Shape> faces = draw (random).shapes;
+    const Shapes faces = draw (random).shapes;
     for (std::size_t i = 0; i < faces.size(); ++i) {
       EXPECT_EQ (faces[i].surface, i + 1);
       for (std::size_t j = 0; j < i; ++j)

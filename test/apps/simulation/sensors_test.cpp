@@ -13,7 +13,8 @@ namespace {
 Field
 errorsOn (double depth, const CameraNoise& noise)
 {
-  const Scan scan = scanByCamera (wallAt (depth), {160, 120}, origin, noise, 7);
+  const Scan scan =
+      scanByCamera ({wallsAt ({{0, 0, depth}}), origin, 7}, {160, 120}, noise);
   Field errors (120, 160);
   for (Eigen::Index i = 0; i < errors.size(); ++i)
     errors (i) = scan.points[std::size_t (i)].z() - depth;
@@ -37,7 +38,7 @@ scanInABox (const Lidar& lidar, std::size_t number = 0, double noise = 0.0)
   box.addBox (origin, {9.0, 8.0, 7.0});
   Scene scene;
   scene.add (box, origin);
-  return scanAround (scene, lidar, origin, noise, 1, number);
+  return scanAround ({scene, origin, 1}, lidar, noise, number);
 }
 
 double
@@ -84,7 +85,8 @@ TEST (DepthNoise, RawErrorsAreIndependentInEighthsOfAPixelOfDisparity)
 
 TEST (DepthNoise, FlyingPixelsAreBetweenTheEdgesSidesAndOnNoSurface)
 {
-  const Scan image = scanByCamera (stepScene (2.0, 4.0), {160, 120}, origin, {}, 7);
+  const Scene step = wallsAt ({{0, 0, 4}, {-20, 0, 2}});
+  const Scan image = scanByCamera ({step, origin, 7}, {160, 120}, {});
   int flying = 0;
   for (std::size_t i = 0; i < image.points.size(); ++i)
     if (image.points[i].z() > 2.1 && image.points[i].z() < 3.85) {

@@ -17,30 +17,16 @@ constexpr double degree = pi / 180.0;
 
 inline const Isometry3d origin = Isometry3d::Identity();
 
-/** Adds a wall of 40 m x 40 m across the z axis. */
-inline void
-addWall (Scene& scene, double x, double depth)
+/** Walls of 40 m x 40 m across the z axis: before a camera at the origin one at x = 0
+ * is larger than the view, one at x = -20 covers its left half. */
+inline Scene
+wallsAt (const std::vector<Vector3d>& middles)
 {
   Body wall;
   wall.addSurface (makeRectangle ({0, 0, 0}, {40, 0, 0}, {0, 40, 0}));
-  scene.add (wall, at ({x, 0, depth}));
-}
-
-/** A wall across the view of a camera at the origin, larger than the view. */
-inline Scene
-wallAt (double depth)
-{
   Scene scene;
-  addWall (scene, 0.0, depth);
-  return scene;
-}
-
-/** A near wall that covers the left half of the view before a far one. */
-inline Scene
-stepScene (double near, double far)
-{
-  Scene scene = wallAt (far);
-  addWall (scene, -20.0, near);
+  for (const Vector3d& middle : middles)
+    scene.add (wall, at (middle));
   return scene;
 }
 
