@@ -258,15 +258,13 @@ dropSmallPlanes (PlaneLabels& labels, std::size_t min_points)
 }
 
 std::vector<PlaneSegment>
-planesOf (const XyzCloud& cloud,
-          const PlaneIds& planes,
-          const ClassParameters& parameters)
+planesOf (const XyzCloud& cloud, const PlaneIds& ids, const ClassParameters& classes)
 {
-  std::vector<PlaneSegment> segments (planes.size());
+  std::vector<PlaneSegment> segments (ids.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (planes.of_point[i] == PlaneIds::none)
+    if (ids.of_point[i] == PlaneIds::none)
       continue;
-    PlaneSegment& segment = segments[planes.of_point[i]];
+    PlaneSegment& segment = segments[ids.of_point[i]];
     const Vector3d point = cloud[i].getVector3fMap().cast<double>();
     if (segment.inliers.empty())
       segment.moments.origin = point;
@@ -278,7 +276,7 @@ planesOf (const XyzCloud& cloud,
     if (const std::optional<PlaneFit> fit = fitPlane (segment.moments)) {
       const Vector3d& normal = fit->plane.normal;
       segment.normal = fit->plane.distance (sensor) < 0.0 ? -normal : normal;
-      segment.orientation = orientationOf (normal, parameters.up, parameters.tolerance);
+      segment.orientation = orientationOf (normal, classes.up, classes.tolerance);
     }
     segment.centroid = segment.moments.centroid();
     segment.moments = segment.moments.about (segment.centroid);

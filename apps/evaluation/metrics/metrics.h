@@ -70,9 +70,7 @@ struct ClassParameters {
 /** Least squares through all finite points of a label, normals to the sensor's side;
  * class Other where they span no plane. */
 std::vector<PlaneSegment>
-planesOf (const XyzCloud& cloud,
-          const PlaneIds& planes,
-          const ClassParameters& parameters);
+planesOf (const XyzCloud& cloud, const PlaneIds& ids, const ClassParameters& classes);
 
 /** What a true plane and a found plane have in common. */
 struct Overlap {

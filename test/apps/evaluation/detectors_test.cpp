@@ -4,9 +4,9 @@
 
 #include <evaluation/detectors/detectors.h>
 #include <evaluation/detectors/peers.h>
+#include <numbers/random.h>
 
 #include <algorithm>
-#include <random>
 #include <thread>
 
 namespace {
@@ -17,12 +17,11 @@ using namespace pcl_ops::evaluation;
 XyzCloud::Ptr
 floorWithNoise (double sigma)
 {
-  std::mt19937 generator (1);
-  std::normal_distribution<float> noise (0.0f, float (sigma));
+  pcl_ops::apps::Random random (1);
   XyzCloud::Ptr cloud (new XyzCloud);
   for (int i = 0; i < 60; ++i)
     for (int j = 0; j < 60; ++j)
-      cloud->push_back (pcl::PointXYZ (0.02f * i, 0.02f * j, noise (generator)));
+      cloud->emplace_back (0.02f * i, 0.02f * j, float (sigma * random.gaussian()));
   return cloud;
 }
 

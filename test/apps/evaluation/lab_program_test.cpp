@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <numbers/random.h>
 #include <support/answers.h>
 
 #include <array>
-#include <random>
 
 namespace {
 
@@ -26,14 +26,13 @@ private:
   writeNoisyClouds () const
   {
     fs::create_directory (folder_ / "noisy");
-    std::mt19937 generator (1);
-    std::normal_distribution<> noise (0.0, 0.01);
+    pcl_ops::apps::Random random (1);
     std::string poses;
     for (int cloud = 100; cloud < 140; ++cloud) {
       const bool is_turned = cloud % 2 == 1;
       std::array<double, 100> errors{};
       for (double& error : errors)
-        error = noise (generator);
+        error = 0.01 * random.gaussian();
       std::ostringstream text ("x,y,z,label\n", std::ios::ate);
       for (int i = 0; i < 1600; ++i) {
         const int column = i % 40, row = i / 40;
