@@ -111,7 +111,7 @@ checkWritable (const std::string& file)
   const fs::file_status status = fs::status (target, error);
   const bool exists = fs::exists (status);
   const std::pair<bool, const char*> problems[] = {
-      {file.empty() || !target.has_filename(), "is no file name; give one to write to"},
+      {!target.has_filename(), "is no file name; give one to write to"},
       {error == std::errc::filename_too_long,
        "has a name that is too long; give a shorter one"},
       {error == std::errc::too_many_symbolic_link_levels,
@@ -127,7 +127,7 @@ checkWritable (const std::string& file)
        "its folder cannot be written to; choose another one"}};
   for (const auto& [is_so, problem] : problems)
     if (is_so)
-      throw WorkError (file.empty() ? "''" : file, problem);
+      throw WorkError (file, problem);
 }
 
 void

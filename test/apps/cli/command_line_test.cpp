@@ -57,14 +57,6 @@ TEST (CommandLine, TakesOneDashTwoDashesEqualsAndTheStartOfAName)
   }
 }
 
-TEST (CommandLine, TakesNoOptionBehindTwoDashes)
-{
-  EXPECT_EQ (Detector ({"--", "-in.pcd"}).input, "-in.pcd");
-  EXPECT_EQ (Detector ({"a", "--", "--quiet"}).complaint,
-             "--quiet: is one argument too many; see --help");
-  EXPECT_EQ (Detector ({"--"}).complaint, "INPUT: is missing; see --help");
-}
-
 TEST (CommandLine, TakesNegativeNumbersAndTheCameraForUp)
 {
   EXPECT_EQ (Detector ({"a", "--up", "-1,0,-0.5"}).up, Eigen::Vector3f (-1, 0, -0.5));

@@ -40,11 +40,13 @@ protected:
         {"short.xyz", "1 2 3\n4 5\n"},
         {"packed.xyz", "\x1f\x8b\x08"},
         {"poses.txt", "0 0 0 0 0 0 0 1\n"},
-        {"W\xe4nde.xyz", "1 2 3\n"}};
+        {"W\xe4nde.xyz", "1 2 3\n"},
+        {"room[1]/a.pcd", ""}};
+    for (const char* folder :
+         {"scans", "more", "none", "planes", "folder.pcd", "room[1]"})
+      fs::create_directory (folder_ / folder);
     for (const auto& [name, content] : files)
       folder_.write (name, content);
-    for (const char* folder : {"scans", "more", "none", "planes", "folder.pcd"})
-      fs::create_directory (folder_ / folder);
     for (const char* copy : {"scans/a.pcd",
                              "scans/b.pcd",
                              "more/b.pcd",
@@ -53,7 +55,10 @@ protected:
                              "planes/plane_001_horizontal.pcd",
                              "a_rest.pcd"})
       fs::copy_file (folder_ / "in.pcd", folder_ / copy);
+    fs::create_hard_link (folder_ / "in.pcd", folder_ / "hard.pcd");
     fs::create_symlink ("loop.las", folder_ / "loop.las");
+    fs::create_symlink ("gone", folder_ / "gone*.pcd");
+    fs::create_symlink ("/dev/null", folder_ / "null.pcd");
   }
 
   /** \brief What is there, and when it was written. */
