@@ -117,29 +117,18 @@ takeValue (const Option& option, const char* const*& token, const char* const* e
 
 } // namespace
 
-bool
-Range::contains (double number) const
-{
-  return std::isfinite (number) &&
-         (number > lowest || (lowest_included && number == lowest)) &&
-         (number < highest || (highest_included && number == highest));
-}
-
 std::string
 Range::text() const
 {
-  const std::string lower =
-      std::isinf (lowest) ? ""
-                          : (lowest_included ? "from " : "above ") + shortText (lowest);
-  const std::string upper =
-      std::isinf (highest)
-          ? (lowest_included ? "on" : "")
-          : (highest_included ? "up to " : "below ") + shortText (highest);
-  if (lower.empty() && std::isinf (highest))
-    return "that is finite";
-  if (lower.empty() || upper.empty())
-    return lower + upper;
-  return lower + (lowest_included ? " " : " and ") + upper;
+  const bool has_lowest = std::isfinite (lowest), has_highest = std::isfinite (highest);
+  std::string text = has_lowest || has_highest ? "" : "that is finite";
+  if (has_lowest)
+    text = (lowest_included ? "from " : "above ") + shortText (lowest);
+  if (has_lowest && has_highest)
+    text += lowest_included ? " " : " and ";
+  if (has_highest)
+    text += (highest_included ? "up to " : "below ") + shortText (highest);
+  return text + (has_highest || !lowest_included ? "" : " on");
 }
 
 double
@@ -185,12 +174,6 @@ parseUpAxis (const std::string& option, const std::string& text)
   if (text == "camera")
     return -Eigen::Vector3f::UnitY();
   return parseDirection (option, text);
-}
-
-std::string
-nameOf (const std::string& usage)
-{
-  return usage.substr (0, usage.find (' '));
 }
 
 std::string
@@ -245,32 +228,6 @@ CommandLine::CommandLine (const std::string& program,
 }
 
 void
-CommandLine::addArgument (const std::string& name,
-                          std::string& target,
-                          const std::string& help)
-{
-  arguments_.push_back (
-      {name, help, 1, [&target] (const std::string& text) { target = text; }});
-}
-
-void
-CommandLine::addArguments (const std::string& name,
-                           std::vector<std::string>& targets,
-                           const std::string& help)
-{
-  const auto store = [&targets] (const std::string& text) { targets.push_back (text); };
-  arguments_.push_back ({name, help, std::numeric_limits<std::size_t>::max(), store});
-}
-
-void
-CommandLine::setUsage (const std::vector<std::string>& ways,
-                       const std::string& explanation)
-{
-  ways_ = ways;
-  explanation_ = explanation;
-}
-
-void
 CommandLine::beginGroup (const std::string& title)
 {
   if (groups_.size() == 1)
@@ -287,12 +244,6 @@ CommandLine::add (const std::string& usage, const StoreText& store)
   std::vector<Option>& options = groups_.back().options;
   options.push_back ({name, placeholder, store});
   return options.back();
-}
-
-Option&
-CommandLine::add (const std::string& usage, bool& target)
-{
-  return add (usage, [&target] (const std::string&) { target = true; });
 }
 
 Option&
@@ -389,12 +340,6 @@ CommandLine::parse (int argc, const char* const* argv)
   return false;
 }
 
-bool
-CommandLine::isGiven (const std::string& name) const
-{
-  return given_.count (name) > 0;
-}
-
 std::vector<std::string>
 CommandLine::givenOf (const std::string& title) const
 {
@@ -404,14 +349,6 @@ CommandLine::givenOf (const std::string& title) const
       if (group.title == title && isGiven (option.name))
         given.push_back (option.name);
   return given;
-}
-
-void
-CommandLine::forbidTogether (const std::string& first, const std::string& second) const
-{
-  if (isGiven (first) && isGiven (second))
-    throw UsageError ("--" + first,
-                      "contradicts --" + second + "; give only one of them");
 }
 
 } // namespace pcl_ops::apps

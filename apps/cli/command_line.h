@@ -38,7 +38,13 @@ struct Range {
 
   /** \brief False for NaN and the infinities, whatever the bounds. */
   bool
-  contains (double number) const;
+  contains (double number) const
+  {
+    return std::isfinite (number) &&
+           (number > lowest || (lowest_included && number == lowest)) &&
+           (number < highest || (highest_included && number == highest));
+  }
+
   std::string
   text () const;
 };
@@ -129,8 +135,11 @@ struct Option {
 };
 
 /** \brief The name in "name PLACEHOLDER". */
-std::string
-nameOf (const std::string& usage);
+inline std::string
+nameOf (const std::string& usage)
+{
+  return usage.substr (0, usage.find (' '));
+}
 
 struct OptionGroup {
   std::string title;
@@ -148,18 +157,30 @@ public:
                const std::string& version);
 
   void
-  addArgument (const std::string& name, std::string& target, const std::string& help);
+  addArgument (const std::string& name, std::string& target, const std::string& help)
+  {
+    const auto store = [&target] (const std::string& text) { target = text; };
+    arguments_.push_back ({name, help, 1, store});
+  }
 
   /** \brief One or more. */
   void
   addArguments (const std::string& name,
                 std::vector<std::string>& targets,
-                const std::string& help);
+                const std::string& help)
+  {
+    const auto store = [&targets] (auto& text) { targets.push_back (text); };
+    arguments_.push_back ({name, help, std::numeric_limits<std::size_t>::max(), store});
+  }
 
   /** \brief Replaces what --help derives from the arguments after "Usage: program"; the
    * explanation goes below the summary. */
   void
-  setUsage (const std::vector<std::string>& ways, const std::string& explanation);
+  setUsage (const std::vector<std::string>& ways, const std::string& explanation)
+  {
+    ways_ = ways;
+    explanation_ = explanation;
+  }
 
   /** \brief Begins a group of options, of which --help lists the names and --help-all
    * the rest. */
@@ -173,7 +194,10 @@ public:
   add (const std::string& usage, const StoreText& store);
 
   Option&
-  add (const std::string& usage, bool& target);
+  add (const std::string& usage, bool& target)
+  {
+    return add (usage, [&target] (const std::string&) { target = true; });
+  }
 
   /** \brief Any text but an empty one. */
   Option&
@@ -213,14 +237,22 @@ public:
   parse (int argc, const char* const* argv);
 
   bool
-  isGiven (const std::string& name) const;
+  isGiven (const std::string& name) const
+  {
+    return given_.count (name) > 0;
+  }
 
   std::vector<std::string>
   givenOf (const std::string& title) const;
 
   /** \brief \throws UsageError if both options were given */
   void
-  forbidTogether (const std::string& first, const std::string& second) const;
+  forbidTogether (const std::string& first, const std::string& second) const
+  {
+    if (isGiven (first) && isGiven (second))
+      throw UsageError ("--" + first,
+                        "contradicts --" + second + "; give only one of them");
+  }
 
   /** \brief The text of --help, or of --help-all. */
   std::string

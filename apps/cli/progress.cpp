@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <future>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -20,28 +21,6 @@ constexpr std::size_t bar_width = 30;
 constexpr const char* erase_line = "\r\033[K";
 
 } // namespace
-
-Progress::Progress (std::size_t steps,
-                    std::ostream& stream,
-                    ProgressStyle style,
-                    std::string noun,
-                    std::chrono::milliseconds between)
-: steps_ (steps)
-, stream_ (stream)
-, style_ (style)
-, noun_ (std::move (noun))
-, between_ (between)
-{}
-
-Progress::~Progress() { erase(); }
-
-void
-Progress::step()
-{
-  const std::lock_guard<std::mutex> lock (mutex_);
-  ++done_;
-  draw();
-}
 
 void
 Progress::note (const std::string& line, std::ostream& stream)
@@ -113,15 +92,6 @@ StageLines::StageLines (std::ostream& stream, std::chrono::milliseconds between)
   }
 }
 
-StageLines::~StageLines() { end(); }
-
-void
-StageLines::begin (std::string stage)
-{
-  const std::lock_guard<std::mutex> lock (mutex_);
-  stage_ = std::move (stage);
-}
-
 void
 StageLines::end()
 {
@@ -151,32 +121,28 @@ runInParallel (std::size_t count,
                const std::function<void (std::size_t)>& work)
 {
   std::atomic<std::size_t> next{0};
-  std::atomic<bool> has_failed{false};
-  std::exception_ptr failure;
   const auto take_turns = [&] {
     try {
-      for (std::size_t i; !has_failed && (i = next++) < count;)
+      for (std::size_t i; (i = next++) < count;)
         work (i);
     }
     catch (...) {
-      if (!has_failed.exchange (true))
-        failure = std::current_exception();
+      next = count;
+      throw;
     }
   };
   const unsigned wanted = jobs == 0 ? std::thread::hardware_concurrency() : jobs;
-  std::vector<std::thread> threads;
+  std::vector<std::future<void>> others; // each waits for its thread at its end
   try {
     for (std::size_t i = 1; i < std::min<std::size_t> (wanted, count); ++i)
-      threads.emplace_back (take_turns);
+      others.push_back (std::async (std::launch::async, take_turns));
   }
   catch (const std::exception&) {
     // Those there are do the work, this one at least.
   }
   take_turns();
-  for (std::thread& thread : threads)
-    thread.join();
-  if (failure)
-    std::rethrow_exception (failure);
+  for (std::future<void>& other : others)
+    other.get();
 }
 
 } // namespace pcl_ops::apps

@@ -10,6 +10,7 @@
 #include <ostream>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace pcl_ops::apps {
 
@@ -36,11 +37,22 @@ public:
             std::ostream& stream,
             ProgressStyle style,
             std::string noun = "clouds",
-            std::chrono::milliseconds between = std::chrono::seconds (10));
-  ~Progress();
+            std::chrono::milliseconds between = std::chrono::seconds (10))
+  : steps_ (steps)
+  , stream_ (stream)
+  , style_ (style)
+  , noun_ (std::move (noun))
+  , between_ (between)
+  {}
+  ~Progress() { erase(); }
 
   void
-  step ();
+  step ()
+  {
+    const std::lock_guard<std::mutex> lock (mutex_);
+    ++done_;
+    draw();
+  }
 
   /** \brief Writes a line to a stream that may be the same terminal, above a bar. */
   void
@@ -83,10 +95,14 @@ public:
   /** \param[in] stream used by a thread of its own until \ref end */
   explicit StageLines (std::ostream& stream,
                        std::chrono::milliseconds between = std::chrono::seconds (10));
-  ~StageLines();
+  ~StageLines() { end(); }
 
   void
-  begin (std::string stage);
+  begin (std::string stage)
+  {
+    const std::lock_guard<std::mutex> lock (mutex_);
+    stage_ = std::move (stage);
+  }
 
   void
   end ();
