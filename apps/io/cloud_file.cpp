@@ -96,6 +96,20 @@ extensionOfContent (const std::string& start)
   return ".pcd";
 }
 
+pcl::PCLPointField
+fieldOf (const std::string& name,
+         pcl::uindex_t offset,
+         std::uint8_t datatype,
+         pcl::uindex_t count)
+{
+  pcl::PCLPointField field;
+  field.name = name;
+  field.offset = offset;
+  field.datatype = datatype;
+  field.count = count;
+  return field;
+}
+
 FileCloud
 partOf (const FileCloud& cloud,
         std::size_t first,
@@ -219,11 +233,7 @@ addField (const std::string& name,
           pcl::PCLPointCloud2& points,
           pcl::uindex_t count)
 {
-  pcl::PCLPointField& field = points.fields.emplace_back();
-  field.name = name;
-  field.offset = points.point_step;
-  field.datatype = datatype;
-  field.count = count;
+  points.fields.push_back (fieldOf (name, points.point_step, datatype, count));
   points.point_step += static_cast<pcl::uindex_t> (count * numberType (datatype).size);
 }
 
@@ -264,11 +274,7 @@ setField (FileCloud& file_cloud,
   if (known < 0)
     cloud.fields.insert (cloud.fields.begin() + static_cast<std::ptrdiff_t> (place),
                          pcl::PCLPointField());
-  pcl::PCLPointField& field = cloud.fields[place];
-  field.name = name;
-  field.offset = begin;
-  field.datatype = datatype;
-  field.count = 1;
+  cloud.fields[place] = fieldOf (name, begin, datatype, 1);
   for (std::size_t i = place + 1; i < cloud.fields.size(); ++i)
     cloud.fields[i].offset = begin + size + (cloud.fields[i].offset - end);
   cloud.data = std::move (bytes);

@@ -58,8 +58,7 @@ HeaderReader::HeaderReader (const std::string& file, std::string format)
 : file_ (file), format_ (std::move (format)), stream_ (file, std::ios::binary)
 {
   stream_.seekg (0, std::ios::end);
-  file_size_ =
-      static_cast<std::uint64_t> (std::max<std::streamoff> (stream_.tellg(), 0));
+  file_size_ = position();
   stream_.seekg (0);
   if (!stream_)
     throw WorkError (file_, "cannot be read; check its permissions");
@@ -87,33 +86,6 @@ HeaderReader::nextLine (const std::string& last)
   for (std::string word; parts >> word;)
     words.push_back (word);
   return words;
-}
-
-bool
-HeaderReader::readLine (std::string& line)
-{
-  ++lines_;
-  return static_cast<bool> (std::getline (stream_, line));
-}
-
-std::uint64_t
-HeaderReader::position()
-{
-  return static_cast<std::uint64_t> (std::max<std::streamoff> (stream_.tellg(), 0));
-}
-
-void
-HeaderReader::goTo (std::uint64_t position)
-{
-  stream_.clear();
-  stream_.seekg (static_cast<std::streamoff> (position));
-}
-
-void
-HeaderReader::read (char* bytes, std::size_t count)
-{
-  if (!stream_.read (bytes, static_cast<std::streamsize> (count)))
-    failTruncated();
 }
 
 std::uint64_t
@@ -165,13 +137,6 @@ HeaderReader::nextNumbers()
     failTruncated();
   takeNumbers (std::move (line_), ' ');
   return !line_.empty();
-}
-
-void
-HeaderReader::takeNumbers (std::string line, char separator)
-{
-  line_ = std::move (line);
-  splitWords (line_, separator, words_);
 }
 
 void

@@ -4,7 +4,9 @@
 
 #include "number_types.h"
 
+#include <algorithm>
 #include <fstream>
+#include <utility>
 #include <vector>
 
 namespace pcl_ops::apps {
@@ -32,10 +34,17 @@ public:
   nextLine (const std::string& last);
 
   std::uint64_t
-  position ();
+  position ()
+  {
+    return static_cast<std::uint64_t> (std::max<std::streamoff> (stream_.tellg(), 0));
+  }
 
   void
-  goTo (std::uint64_t position);
+  goTo (std::uint64_t position)
+  {
+    stream_.clear();
+    stream_.seekg (static_cast<std::streamoff> (position));
+  }
 
   std::uint64_t
   fileSize () const
@@ -44,11 +53,30 @@ public:
   }
 
   void
-  read (char* bytes, std::size_t count);
+  read (char* bytes, std::size_t count)
+  {
+    if (!stream_.read (bytes, static_cast<std::streamsize> (count)))
+      failTruncated();
+  }
+
+  /** \brief What is at a place of the file, without padding. */
+  template <typename What>
+  What
+  at (std::uint64_t place)
+  {
+    What what;
+    goTo (place);
+    read (reinterpret_cast<char*> (&what), sizeof (what));
+    return what;
+  }
 
   /** \return false where there is no further line */
   bool
-  readLine (std::string& line);
+  readLine (std::string& line)
+  {
+    ++lines_;
+    return static_cast<bool> (std::getline (stream_, line));
+  }
 
   /** \brief Goes on to the next line of numbers.
    * \return false where it has not a single character
@@ -59,7 +87,11 @@ public:
   /** \brief Takes the line that was read last for one of numbers; see \ref splitWords.
    */
   void
-  takeNumbers (std::string line, char separator);
+  takeNumbers (std::string line, char separator)
+  {
+    line_ = std::move (line);
+    splitWords (line_, separator, words_);
+  }
 
   /** \brief How many words the line of numbers has. */
   std::size_t

@@ -98,9 +98,8 @@ frontWith (const std::vector<LasField>& fields, LasFile& las)
   copy.record_length = static_cast<std::uint16_t> (header.record_length + length);
   if (las.extra_bytes) {
     const std::uint64_t size = las.extra_bytes->size() + description.size();
-    front.replace (las.extra_bytes->begin + vlr_length_field,
-                   sizeof (std::uint16_t),
-                   littleEndian (static_cast<std::uint16_t> (size)));
+    auto& vlr = reinterpret_cast<LasShortVlrHeader&> (front[las.extra_bytes->begin]);
+    vlr.length = static_cast<std::uint16_t> (size);
     front.insert (las.extra_bytes->end, description);
   }
   else {
@@ -135,8 +134,8 @@ writeWith (const std::vector<LasColumn>& columns, LasFile& las, std::ostream& st
     records.resize (begin + length);
     const Eigen::Vector3d place = placeIn (record, las);
     for (std::size_t i = 0; i < columns.size(); ++i)
-      records.replace (
-          begin + places[i], field_length, littleEndian (columns[i].second (place)));
+      reinterpret_cast<LasHeader::Long&> (records[begin + places[i]]) =
+          columns[i].second (place);
     if (records.size() < block)
       return;
     stream << records;
@@ -179,7 +178,6 @@ headerOf (const std::vector<LasPoint>& points,
 pcl::PCLPointCloud2
 LasFile::readPoints()
 {
-  constexpr std::size_t intensity = 12;
   pcl::PCLPointCloud2 cloud;
   for (const char* axis : {"x", "y", "z"})
     addField (axis, PCLPointField::FLOAT64, cloud);
@@ -194,10 +192,9 @@ LasFile::readPoints()
   forRecords (*this, [&] (const char* record) {
     for (const double coordinate : placeIn (record, *this))
       append (coordinate, point);
-    append (static_cast<float> (fromLittleEndian<std::uint16_t> (record + intensity)),
-            point);
+    append (float (reinterpret_cast<const LasPoint*> (record)->intensity), point);
     if (label)
-      append (fromLittleEndian<std::uint32_t> (record + *label), point);
+      append (reinterpret_cast<const LasHeader::Long&> (record[*label]).value(), point);
   });
   return cloud;
 }
@@ -206,7 +203,7 @@ Eigen::Vector3d
 LasFile::place (std::uint64_t point)
 {
   const std::uint64_t begin = header.points_offset + point * header.record_length;
-  return placeIn (bytes (begin, begin + 3 * sizeof (std::int32_t)).data(), *this);
+  return placeIn (bytes (begin, begin + sizeof (LasPoint::raw)).data(), *this);
 }
 
 void

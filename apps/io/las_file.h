@@ -122,7 +122,8 @@ saveLabelledLas (const std::string& file,
  * scale, relative to the offset, with which those of all formats begin. */
 struct LasPoint {
   std::array<boost::endian::little_int32_t, 3> raw{};
-  std::array<char, 8> others{};
+  LasHeader::Short intensity = 0;
+  std::array<char, 6> others{};
   LasHeader::Long label = 0;
 };
 static_assert (sizeof (LasPoint) == 24, "without padding");

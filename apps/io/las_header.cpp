@@ -8,6 +8,7 @@
 #include <cli/errors.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <ostream>
 
@@ -16,22 +17,24 @@ namespace pcl_ops::apps {
 namespace {
 
 constexpr std::uint8_t oldest_minor = 2, newest_minor = 4;
-constexpr std::uint64_t vlr_header = 54, evlr_header = 60;
-constexpr std::uint64_t id_length = 16, description_size = 192, name_length = 32;
 constexpr std::uint16_t extra_bytes_id = 4;
 constexpr const char* specification = "LASF_Spec";
 
-std::string
-textIn (const char* bytes, std::size_t length)
-{
-  return {bytes, std::find (bytes, bytes + length, '\0')};
-}
+/** \brief What an Extra Bytes VLR says about a field, as its bytes are. */
+struct Description {
+  LasHeader::Short reserved;
+  std::uint8_t type, options;
+  std::array<char, 32> name;
+  std::array<char, 124> limits_and_scales;
+  std::array<char, 32> text;
+};
+static_assert (sizeof (Description) == 192, "as in LAS 1.4");
 
+template <std::size_t size>
 std::string
-padded (std::string text, std::size_t length)
+textIn (const std::array<char, size>& bytes)
 {
-  text.resize (length, '\0');
-  return text;
+  return {bytes.begin(), std::find (bytes.begin(), bytes.end(), '\0')};
 }
 
 /** \return 0 for a type that does not exist */
@@ -101,35 +104,27 @@ check (const LasHeader& header, const HeaderReader& reader)
                to_string (header.legacy_points) + " (legacy) differ");
 }
 
+template <typename Length>
 std::vector<LasVlr>
 readVlrs (HeaderReader& reader,
           std::uint64_t begin,
           std::uint64_t end,
-          std::uint32_t count,
-          bool is_extended)
+          std::uint32_t count)
 {
   const auto check = [&] (std::uint64_t size) {
     if (size > end - begin)
       reader.fail ("a variable length record reaches beyond its place");
   };
-  const std::uint64_t header_size = is_extended ? evlr_header : vlr_header;
-  std::array<char, evlr_header> bytes{};
   std::vector<LasVlr> vlrs;
   for (; count > 0; --count) {
-    check (header_size);
-    reader.goTo (begin);
-    reader.read (bytes.data(), header_size);
-    const char* const length = &bytes[vlr_length_field];
-    const std::uint64_t size = is_extended ? fromLittleEndian<std::uint64_t> (length)
-                                           : fromLittleEndian<std::uint16_t> (length);
-    begin += header_size;
-    check (size);
-    vlrs.push_back ({begin - header_size,
-                     begin,
-                     begin + size,
-                     textIn (&bytes[2], id_length),
-                     fromLittleEndian<std::uint16_t> (&bytes[2 + id_length])});
-    begin += size;
+    check (sizeof (LasVlrHeader<Length>));
+    const auto header = reader.at<LasVlrHeader<Length>> (begin);
+    const std::uint64_t content = begin + sizeof (header);
+    LasVlr& vlr = vlrs.emplace_back();
+    vlr = {begin, content, content + header.length, textIn (header.user), header.id};
+    begin = content;
+    check (header.length);
+    begin = vlr.end;
   }
   return vlrs;
 }
@@ -142,18 +137,17 @@ describesExtraBytes (const LasVlr& vlr)
 
 /** \param[in,out] end of the fields in a record */
 std::vector<LasField>
-describedFields (const std::string& content,
-                 const HeaderReader& reader,
-                 std::uint64_t& end)
+describedFields (const LasVlr& vlr, HeaderReader& reader, std::uint64_t& end)
 {
-  if (content.size() % description_size != 0)
+  if (vlr.size() % sizeof (Description) != 0)
     reader.fail ("its Extra Bytes VLR ends within a description");
   std::vector<LasField> fields;
-  for (std::size_t at = 0; at < content.size(); at += description_size) {
+  for (std::uint64_t at = vlr.content; at < vlr.end; at += sizeof (Description)) {
+    const auto description = reader.at<Description> (at);
     LasField& field = fields.emplace_back();
-    field.name = textIn (&content[at + 4], name_length);
-    field.type = static_cast<std::uint8_t> (content[at + 2]);
-    field.options = static_cast<std::uint8_t> (content[at + 3]);
+    field.name = textIn (description.name);
+    field.type = description.type;
+    field.options = description.options;
     field.place = end;
     end += extraBytesLength (field);
     if (end == field.place)
@@ -188,20 +182,23 @@ readLasHeader (HeaderReader& reader)
 std::string
 descriptionOf (const LasField& field)
 {
-  const std::string begin = littleEndian<std::uint16_t> (0) +
-                            littleEndian (field.type) + littleEndian (field.options) +
-                            padded (field.name, name_length);
-  return padded (begin, description_size - name_length) +
-         padded (field.text, name_length);
+  Description description{};
+  description.type = field.type;
+  description.options = field.options;
+  field.name.copy (description.name.data(), description.name.size());
+  field.text.copy (description.text.data(), description.text.size());
+  return bytesOf (description);
 }
 
 std::string
 extraBytesVlr (const std::string& content)
 {
-  return littleEndian<std::uint16_t> (0) + padded (specification, id_length) +
-         littleEndian (extra_bytes_id) +
-         littleEndian (static_cast<std::uint16_t> (content.size())) +
-         padded ("Extra Bytes", name_length) + content;
+  LasShortVlrHeader header{};
+  std::strcpy (header.user.data(), specification);
+  header.id = extra_bytes_id;
+  header.length = static_cast<std::uint16_t> (content.size());
+  std::strcpy (header.description.data(), "Extra Bytes");
+  return bytesOf (header) + content;
 }
 
 LasFile::LasFile (const std::string& name)
@@ -220,8 +217,8 @@ LasFile::LasFile (const std::string& name)
           reader.fail (std::string ("it has two ") + kind + " VLRs");
         single = vlr;
       };
-  for (const LasVlr& vlr :
-       readVlrs (reader, header.size, header.points_offset, header.vlr_count, false)) {
+  for (const LasVlr& vlr : readVlrs<LasHeader::Short> (
+           reader, header.size, header.points_offset, header.vlr_count)) {
     vlrs_end = vlr.end;
     if (vlr.user == "laszip encoded" && vlr.id == laszip_id)
       set (laszip, vlr, "LASzip");
@@ -229,8 +226,7 @@ LasFile::LasFile (const std::string& name)
       set (extra_bytes, vlr, "Extra Bytes");
   }
   if (extra_bytes)
-    fields = describedFields (
-        bytes (extra_bytes->content, extra_bytes->end), reader, fields_end);
+    fields = describedFields (*extra_bytes, reader, fields_end);
   if (fields_end > header.record_length)
     reader.fail ("its Extra Bytes VLR describes more bytes than its records have");
 }
@@ -258,8 +254,8 @@ LasFile::checkPoints()
   if (header.evlr_offset < header.pointsEnd() || header.evlr_offset > reader.fileSize())
     reader.fail ("its offset to extended variable length records is within its points "
                  "or behind its end");
-  const auto vlrs =
-      readVlrs (reader, header.evlr_offset, reader.fileSize(), header.evlr_count, true);
+  const auto vlrs = readVlrs<LasHeader::LongLong> (
+      reader, header.evlr_offset, reader.fileSize(), header.evlr_count);
   if (std::any_of (vlrs.begin(), vlrs.end(), describesExtraBytes))
     reader.fail ("its Extra Bytes are described behind its points");
 }

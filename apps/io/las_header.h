@@ -13,25 +13,11 @@
 
 namespace pcl_ops::apps {
 
-/** \brief A number from its bytes, the lowest first, on any host. */
-template <typename Number>
-Number
-fromLittleEndian (const char* bytes)
-{
-  using namespace boost::endian;
-  return endian_load<Number, sizeof (Number), order::little> (
-      reinterpret_cast<const unsigned char*> (bytes));
-}
-
-template <typename Number>
+template <typename What>
 std::string
-littleEndian (Number number)
+bytesOf (const What& what)
 {
-  using namespace boost::endian;
-  std::string bytes (sizeof (number), '\0');
-  endian_store<Number, sizeof (Number), order::little> (
-      reinterpret_cast<unsigned char*> (bytes.data()), number);
-  return bytes;
+  return {reinterpret_cast<const char*> (&what), sizeof (what)};
 }
 
 /** \brief The public header block of a LAS 1.4, as its bytes are. In older versions it
@@ -87,11 +73,23 @@ static_assert (sizeof (LasHeader) == 375, "as in LAS 1.4");
 LasHeader
 readLasHeader (HeaderReader& reader);
 
+/** \brief In front of the content of a variable length record, as its bytes are. That
+ * of an extended one has more bytes for its length. */
+template <typename Length>
+struct LasVlrHeader {
+  LasHeader::Short reserved;
+  std::array<char, 16> user;
+  LasHeader::Short id;
+  Length length;
+  std::array<char, 32> description;
+};
+using LasShortVlrHeader = LasVlrHeader<LasHeader::Short>;
+
 /** \brief Where a variable length record begins, its content, and its end. */
 struct LasVlr {
-  std::uint64_t begin = 0, content = 0, end = 0;
+  std::uint64_t begin, content, end;
   std::string user;
-  std::uint16_t id = 0;
+  std::uint16_t id;
 
   std::uint64_t
   size () const
@@ -99,9 +97,6 @@ struct LasVlr {
     return end - content;
   }
 };
-
-/** \brief Where it has the two-byte length of its content. */
-inline constexpr std::uint64_t vlr_length_field = 20;
 
 /** \brief A field among the extra bytes of a record. */
 struct LasField {

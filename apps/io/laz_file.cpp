@@ -150,34 +150,33 @@ checkedDescription (LasFile& las, const LasVlr& laszip)
 void
 checkCompression (LasFile& las)
 {
-  constexpr std::size_t chunk_size_at = 12;
-  constexpr std::uint64_t head = 8;
+  struct Chunks {
+    LasHeader::Long version, count;
+  };
+  constexpr std::uint64_t chunk_size_at = 12, head = sizeof (Chunks);
   constexpr std::uint32_t of_any_size = std::numeric_limits<std::uint32_t>::max();
   constexpr std::uint64_t at_end = std::numeric_limits<std::uint64_t>::max();
-  const std::string content = checkedDescription (las, *las.laszip);
-  if (content[0] == in_one_chunk)
+  if (checkedDescription (las, *las.laszip)[0] == in_one_chunk)
     return;
-  const auto size = fromLittleEndian<std::uint32_t> (&content[chunk_size_at]);
+  HeaderReader& reader = las.reader;
+  const std::uint32_t size =
+      reader.at<LasHeader::Long> (las.laszip->content + chunk_size_at);
   const auto check = [&] (bool is_good) {
     if (!is_good)
       failDamagedPoints (las.file);
   };
-  const auto head_at = [&] (std::uint64_t place) {
-    return las.bytes (place, place + head);
-  };
   const LasHeader& header = las.header;
-  const std::uint64_t begin = header.points_offset + head, end = las.reader.fileSize();
+  const std::uint64_t begin = header.points_offset + head, end = reader.fileSize();
   check (begin + head <= end && size > 0);
-  auto table = fromLittleEndian<std::uint64_t> (head_at (header.points_offset).data());
+  std::uint64_t table = reader.at<LasHeader::LongLong> (header.points_offset);
   if (table == at_end)
-    table = fromLittleEndian<std::uint64_t> (head_at (end - head).data());
+    table = reader.at<LasHeader::LongLong> (end - head);
   check (begin <= table && table <= end - head);
-  const std::string table_head = head_at (table);
-  const auto version = fromLittleEndian<std::uint32_t> (&table_head[0]);
-  const std::uint64_t chunks = fromLittleEndian<std::uint32_t> (&table_head[4]);
+  const auto chunks = reader.at<Chunks> (table);
   // Each begins with a point that is not compressed.
-  check (version == 0 && chunks > 0 && chunks <= (end - begin) / header.record_length);
-  check (size == of_any_size || chunks == (las.size() + size - 1) / size);
+  check (chunks.version == 0 && chunks.count > 0 &&
+         chunks.count <= (end - begin) / header.record_length);
+  check (size == of_any_size || chunks.count == (las.size() + size - 1) / size);
 }
 
 } // namespace

@@ -14,7 +14,6 @@
 #include <support/las_bytes.h>
 #include <unistd.h>
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -91,14 +90,15 @@ lasWith (const std::string& changes)
 {
   LasRecipe recipe;
   recipe.vlrs = {lasVlr ("someone", 7, "content")};
-  recipe.evlrs = {lasVlr<std::uint64_t> ("someone", 9, "content")};
+  recipe.evlrs = {lasVlr<LasHeader::LongLong> ("someone", 9, "content")};
   std::string las = lasBytes (recipe), type, number;
   std::istringstream words (changes);
   for (std::size_t place; words >> type >> place >> number;) {
     const std::size_t bits = std::stoul (type.substr (1));
-    const std::string bytes = type[0] == 'f' ? littleEndian (std::stod (number))
-                                             : littleEndian (std::stoull (number));
-    put (las, place, bytes.substr (0, bits / 8));
+    const std::string bytes =
+        type[0] == 'f' ? bytesOf (boost::endian::little_float64_t (std::stod (number)))
+                       : bytesOf (LasHeader::LongLong (std::stoull (number)));
+    las.replace (place, bits / 8, bytes, 0, bits / 8);
   }
   return las;
 }
@@ -125,26 +125,6 @@ contentOfRow (const std::string& made, std::string text)
   if (made == "list.ply")
     return plyWith (triangle, "1 2 3\n4 5 6\n" + text + "\n");
   return made == "number.las" ? lasWith (text) : text;
-}
-
-/** \brief Every field and its numbers, and the height of an organized cloud. */
-std::string
-textOf (const FileCloud& cloud)
-{
-  std::string text;
-  for (const pcl::PCLPointField& field : cloud.points.fields) {
-    text += (text.empty() ? "" : "; ") + field.name;
-    for (std::size_t i = 0; i < cloud.size(); ++i) {
-      char number[32];
-      const double value =
-          numberType (field.datatype)
-              .read (&cloud.points.data[i * cloud.points.point_step + field.offset]);
-      text.append (" ").append (
-          number, std::to_chars (number, number + sizeof (number), value).ptr);
-    }
-  }
-  const std::uint32_t height = cloud.points.height;
-  return text + (height > 1 ? "; height " + std::to_string (height) : "");
 }
 
 using CloudFile = CloudFolder;

@@ -212,6 +212,7 @@ TEST (LabelledCloud, IsSavedWithoutRoomForAnother)
     EXPECT_LT (statusBytes ("VmHWM") - before, 2 * size) << name;
   }
   const FileCloud saved = loadCloud (folder / "a.pcd");
-  EXPECT_TRUE (valuesOf<std::uint32_t> (saved, "label") == labels);
-  EXPECT_TRUE (valuesOf<float> (saved, "distance") == distances);
+  const std::vector<double> numbers (labels.begin(), labels.end());
+  EXPECT_TRUE (valuesOf (saved, "label") == numbers);
+  EXPECT_TRUE (valuesOf (saved, "distance") == numbers);
 }

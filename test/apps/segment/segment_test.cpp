@@ -235,11 +235,11 @@ TEST_F (Segment, WritesDistancesTurnByTurnBehindTheRecordsOfALas)
 {
   folder_.write ("rough.las", lasBytes (roughWall()));
   expectDone ("rough.las out.las --distances");
-  const std::string las = contentOf (folder_ / "out.las");
-  const auto length = lasNumber<std::uint16_t> (las, las_at::record_length);
-  const auto points = lasNumber<std::uint32_t> (las, las_at::points_offset);
-  const auto distance_of = [&] (std::size_t i) {
-    return lasNumber<float> (las, points + (i + 1) * length - sizeof (float));
+  std::string las = contentOf (folder_ / "out.las");
+  const LasHeader& header = headerIn (las);
+  const auto distance_of = [&] (std::size_t i) -> float {
+    const std::size_t end = header.points_offset + (i + 1) * header.record_length;
+    return reinterpret_cast<boost::endian::little_float32_t&> (las[end - 4]);
   };
   const float first = std::copysign (0.002f, distance_of (0));
   for (std::size_t i = 0; i < points_of_plane; ++i)

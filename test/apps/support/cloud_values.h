@@ -2,35 +2,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl/common/io.h>
+
 #include <io/cloud_file.h>
 #include <support/temporary_folder.h>
 #include <support/text.h>
 
-#include <cstring>
+#include <charconv>
 
-/** \brief A field of a cloud that must have it. */
-inline pcl::PCLPointField
-fieldOf (const pcl_ops::apps::FileCloud& cloud, const std::string& name)
-{
-  for (const pcl::PCLPointField& field : cloud.points.fields)
-    if (field.name == name)
-      return field;
-  ADD_FAILURE() << "no field " << name;
-  return {};
-}
-
-/** \brief The values of a field, of each point. */
-template <typename Number>
-std::vector<Number>
+/** \brief The values of a field that a cloud must have, of each point. */
+inline std::vector<double>
 valuesOf (const pcl_ops::apps::FileCloud& cloud, const std::string& name)
 {
-  std::vector<Number> values (cloud.size());
-  const std::size_t offset = fieldOf (cloud, name).offset;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    std::memcpy (&values[i],
-                 &cloud.points.data[i * cloud.points.point_step + offset],
-                 sizeof (Number));
+  const pcl::PCLPointCloud2& points = cloud.points;
+  const auto index = std::size_t (pcl::getFieldIndex (points, name));
+  const pcl::PCLPointField& field = points.fields.at (index);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    values.push_back (pcl_ops::apps::numberType (field.datatype)
+                          .read (&points.data[i * points.point_step + field.offset]));
   return values;
+}
+
+/** \brief Every field and its numbers, and the height of an organized cloud. */
+inline std::string
+textOf (const pcl_ops::apps::FileCloud& cloud)
+{
+  std::string text;
+  for (const pcl::PCLPointField& field : cloud.points.fields) {
+    text += (text.empty() ? "" : "; ") + field.name;
+    for (const double value : valuesOf (cloud, field.name)) {
+      char number[32];
+      text.append (" ").append (
+          number, std::to_chars (number, number + sizeof (number), value).ptr);
+    }
+  }
+  const std::uint32_t height = cloud.points.height;
+  return text + (height > 1 ? "; height " + std::to_string (height) : "");
 }
 
 /** \brief A folder for clouds whose files are written byte by byte. */
