@@ -40,14 +40,9 @@ colorOfLabel (std::uint32_t label)
 pcl::RGB
 colorOf (Orientation orientation)
 {
-  switch (orientation) {
-  case Orientation::Horizontal:
-    return {64, 160, 72};
-  case Orientation::Vertical:
-    return {66, 120, 200};
-  default:
-    return {236, 148, 40};
-  }
+  return orientation == Orientation::Horizontal ? pcl::RGB (64, 160, 72)
+         : orientation == Orientation::Vertical ? pcl::RGB (66, 120, 200)
+                                                : pcl::RGB (236, 148, 40);
 }
 
 void

@@ -8,10 +8,8 @@
 #include "image.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace pcl_ops::apps {
@@ -44,66 +42,56 @@ halfSidesOf (const std::vector<Dot>& dots, int width, int height)
   constexpr float front_layer = 1.1f; // its depth, in units of the nearest
   constexpr float smallest = 0.5f;
   constexpr float largest = 5.0f;
-  const int columns = width / part + 1;
-  const auto part_of = [columns] (const Dot& dot) {
-    return static_cast<std::size_t> (static_cast<int> (dot.row) / part * columns +
-                                     static_cast<int> (dot.column) / part);
+  const int columns = width / part + 1, rows = height / part + 1;
+  Eigen::ArrayXXf nearest = Eigen::ArrayXXf::Constant (columns, rows, far);
+  Eigen::ArrayXXi counts = Eigen::ArrayXXi::Zero (columns, rows);
+  const auto in_part = [](auto& parts, const Dot& dot) -> auto&
+  {
+    return parts (static_cast<int> (dot.column) / part,
+                  static_cast<int> (dot.row) / part);
   };
-  const auto parts = static_cast<std::size_t> (columns * (height / part + 1));
-  std::vector<float> nearest (parts, far);
   for (const Dot& dot : dots)
-    nearest[part_of (dot)] = std::min (nearest[part_of (dot)], dot.depth);
-  std::vector<int> counts (parts, 0);
+    in_part (nearest, dot) = std::min (in_part (nearest, dot), dot.depth);
   for (const Dot& dot : dots)
-    if (dot.depth <= front_layer * nearest[part_of (dot)])
-      ++counts[part_of (dot)];
-  const auto used =
-      parts - static_cast<std::size_t> (std::count (counts.begin(), counts.end(), 0));
-  const auto in_front = std::accumulate (counts.begin(), counts.end(), 0);
-  const float mean = static_cast<float> (in_front) /
-                     static_cast<float> (std::max<std::size_t> (used, 1));
+    if (dot.depth <= front_layer * in_part (nearest, dot))
+      ++in_part (counts, dot);
+  const auto used = std::max<Eigen::Index> (1, (counts != 0).count());
+  const float mean = static_cast<float> (counts.sum()) / static_cast<float> (used);
   const float most = std::clamp (2.0f * halfSideOf (mean), smallest, largest);
   std::vector<float> half_sides;
-  for (const Dot& dot : dots)
-    half_sides.push_back (std::clamp (
-        halfSideOf (static_cast<float> (counts[part_of (dot)])), smallest, most));
+  for (const Dot& dot : dots) {
+    const auto count = static_cast<float> (in_part (counts, dot));
+    half_sides.push_back (std::clamp (halfSideOf (count), smallest, most));
+  }
   return half_sides;
 }
 
 void
 drawDot (const Dot& dot, float half_side, Raster& raster)
 {
-  const auto range = [half_side] (float middle, int end) {
+  const auto range = [half_side] (float middle, Eigen::Index end) {
     const float low = middle - half_side, high = middle + half_side;
-    return std::make_pair (std::max (static_cast<int> (std::lround (low)), 0),
-                           std::min (static_cast<int> (std::lround (high)), end));
+    return std::make_pair (std::max<Eigen::Index> (std::lround (low), 0),
+                           std::min<Eigen::Index> (std::lround (high), end));
   };
-  const auto [left, right] = range (dot.column, raster.width);
-  const auto [top, bottom] = range (dot.row, raster.height);
-  for (int row = top; row < bottom; ++row)
-    for (int column = left; column < right; ++column) {
-      const std::size_t pixel = raster.at (column, row);
-      if (dot.depth < raster.depths[pixel]) {
-        raster.depths[pixel] = dot.depth;
-        raster.points[pixel] = dot.point;
+  const auto [left, right] = range (dot.column, raster.points.rows());
+  const auto [top, bottom] = range (dot.row, raster.points.cols());
+  for (Eigen::Index row = top; row < bottom; ++row)
+    for (Eigen::Index column = left; column < right; ++column)
+      if (dot.depth < raster.depths (column, row)) {
+        raster.depths (column, row) = dot.depth;
+        raster.points (column, row) = dot.point;
       }
-    }
 }
 
-/** \brief Visits every pixel inside the border with the eight around it. */
+/** \brief Visits every pixel inside the border. */
 template <typename Visit>
 void
 forEachInnerPixel (const Raster& raster, Visit&& visit)
 {
-  const std::size_t line = raster.at (0, 1);
-  for (int row = 1; row + 1 < raster.height; ++row)
-    for (int column = 1; column + 1 < raster.width; ++column) {
-      const std::size_t i = raster.at (column, row), above = i - line, below = i + line;
-      visit (
-          i,
-          std::array{
-              above - 1, above, above + 1, i - 1, i + 1, below - 1, below, below + 1});
-    }
+  for (Eigen::Index row = 1; row + 1 < raster.points.cols(); ++row)
+    for (Eigen::Index column = 1; column + 1 < raster.points.rows(); ++column)
+      visit (column, row);
 }
 
 /** \brief Gives empty pixels that most neighbors surround the nearest of those. */
@@ -112,20 +100,16 @@ closeHoles (Raster& raster)
 {
   constexpr int most = 5;
   const Raster before = raster;
-  forEachInnerPixel (before, [&] (std::size_t pixel, const auto& around) {
-    if (before.points[pixel] != Raster::nothing)
+  forEachInnerPixel (before, [&] (Eigen::Index column, Eigen::Index row) {
+    if (before.points (column, row) != Raster::nothing)
       return;
-    const auto seen = std::count_if (around.begin(), around.end(), [&] (std::size_t i) {
-      return before.points[i] != Raster::nothing;
-    });
-    if (seen < most)
+    const auto points = before.points.block<3, 3> (column - 1, row - 1);
+    if ((points != Raster::nothing).count() < most)
       return;
-    const std::size_t nearest =
-        *std::min_element (around.begin(), around.end(), [&] (auto a, auto b) {
-          return before.depths[a] < before.depths[b];
-        });
-    raster.points[pixel] = before.points[nearest];
-    raster.depths[pixel] = before.depths[nearest];
+    const auto depths = before.depths.block<3, 3> (column - 1, row - 1);
+    Eigen::Index x, y; // of the nearest
+    raster.depths (column, row) = depths.minCoeff (&x, &y);
+    raster.points (column, row) = points (x, y);
   });
 }
 
@@ -141,22 +125,24 @@ facing (const PlaneSegment& plane, const View& view, const Eigen::Vector3f& poin
 /** \brief Brightness of each pixel, 0 to 1: pixels behind a near neighbor are darker,
  * which brings out edges and shape (eye-dome lighting; Boucheny, PhD thesis, Universite
  * Joseph Fourier, 2009). */
-std::vector<float>
+Eigen::ArrayXXf
 shadeDepths (const Raster& raster)
 {
   constexpr float strength = 6.0f;
   constexpr float largest_step = 0.05f; // of the logarithm: farther ones darken no more
-  std::vector<float> brightness (raster.points.size(), 1.0f);
-  forEachInnerPixel (raster, [&] (std::size_t pixel, const auto& around) {
-    if (raster.points[pixel] == Raster::nothing)
+  Eigen::ArrayXXf brightness =
+      Eigen::ArrayXXf::Ones (raster.depths.rows(), raster.depths.cols());
+  forEachInnerPixel (raster, [&] (Eigen::Index column, Eigen::Index row) {
+    if (raster.points (column, row) == Raster::nothing)
       return;
+    const float depth = raster.depths (column, row);
     float obscurance = 0.0f;
-    for (const std::size_t neighbor : around)
-      if (raster.depths[neighbor] < raster.depths[pixel])
-        obscurance += std::min (
-            std::log (raster.depths[pixel] / raster.depths[neighbor]), largest_step);
-    brightness[pixel] =
-        std::exp (-strength * obscurance / static_cast<float> (around.size()) * 2.0f);
+    for (Eigen::Index y = row - 1; y <= row + 1; ++y)
+      for (Eigen::Index x = column - 1; x <= column + 1; ++x)
+        if (raster.depths (x, y) < depth)
+          obscurance +=
+              std::min (std::log (depth / raster.depths (x, y)), largest_step);
+    brightness (column, row) = std::exp (-strength * obscurance / 4.0f);
   });
   return brightness;
 }
@@ -170,9 +156,9 @@ drawPoints (const XyzCloud& cloud,
             int height,
             const std::function<bool (pcl::index_t)>& is_shown)
 {
-  Raster raster{width, height, {}, {}};
-  raster.points.assign (raster.at (0, height), Raster::nothing);
-  raster.depths.assign (raster.at (0, height), far);
+  Raster raster;
+  raster.points.setConstant (width, height, Raster::nothing);
+  raster.depths.setConstant (width, height, far);
   const Eigen::Array2f size = Eigen::Array2i (width, height).cast<float>();
   std::vector<Dot> dots;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -210,17 +196,16 @@ savePicture (const std::string& file,
   };
   const Raster raster =
       drawPoints (cloud, view, Image::half_width, Image::height, is_shown);
-  const std::vector<float> brightness = shadeDepths (raster);
+  const Eigen::ArrayXXf brightness = shadeDepths (raster);
   Image image;
-  for (int row = 0; row < raster.height; ++row)
-    for (int column = 0; column < raster.width; ++column) {
-      const std::size_t pixel = raster.at (column, row);
-      const pcl::index_t point = raster.points[pixel];
+  for (int row = 0; row < Image::height; ++row)
+    for (int column = 0; column < Image::half_width; ++column) {
+      const pcl::index_t point = raster.points (column, row);
       if (point == Raster::nothing)
         continue;
       const std::uint32_t position = label (point);
       pcl::RGB by_plane = colorOfLabel (0), by_class = by_plane;
-      float light = brightness[pixel];
+      float light = brightness (column, row);
       if (position != 0) {
         const PlaneSegment& plane = planes[position - 1];
         by_plane = colorOfLabel (ids.empty() ? position : ids[position - 1]);

@@ -4,6 +4,8 @@
 
 #include <pcl/types.h>
 
+#include <Eigen/Core>
+
 #include "view.h"
 #include <io/shifted_cloud.h>
 #include <pcl_ops/plane.h>
@@ -14,23 +16,15 @@
 
 namespace pcl_ops::apps {
 
-/** \brief Which point each pixel of an image shows, and how far away it is. */
+/** \brief Which point each pixel of an image, by column and row, shows, and how far
+ * away it is. */
 struct Raster {
   static constexpr pcl::index_t nothing = -1;
 
-  int width = 0;
-  int height = 0;
-  /** \brief Row by row; nothing where no point is seen. */
-  std::vector<pcl::index_t> points;
+  /** \brief \ref nothing where no point is seen. */
+  Eigen::Array<pcl::index_t, Eigen::Dynamic, Eigen::Dynamic> points;
   /** \brief Along the viewing direction; infinite where no point is seen. */
-  std::vector<float> depths;
-
-  std::size_t
-  at (int column, int row) const
-  {
-    return static_cast<std::size_t> (row) * static_cast<std::size_t> (width) +
-           static_cast<std::size_t> (column);
-  }
+  Eigen::ArrayXXf depths;
 };
 
 /** \brief Draws points as squares just large enough to close the gaps between them, the

@@ -133,10 +133,8 @@ TEST (Raster, ShowsTheNearestOfAllPointsWithoutGapsAndNoneOfThoseNotShown)
   const Raster raster = draw (true);
   for (int row = image_height / 3; row < 2 * image_height / 3; ++row)
     for (int column = image_width / 3; column < 2 * image_width / 3; ++column)
-      ASSERT_GE (raster.points[raster.at (column, row)], far)
-          << "at " << column << ", " << row;
-  for (const pcl::index_t point : draw (false).points)
-    ASSERT_EQ (point, Raster::nothing);
+      ASSERT_GE (raster.points (column, row), far) << "at " << column << ", " << row;
+  EXPECT_TRUE ((draw (false).points == Raster::nothing).all());
 }
 
 TEST (Colors, TellNeighboringLabelsAndNoPlaneApart)
