@@ -241,9 +241,7 @@ CommandLine::add (const std::string& usage, const StoreText& store)
   const std::string name = nameOf (usage);
   const std::string placeholder =
       usage.substr (std::min (usage.size(), name.size() + 1));
-  std::vector<Option>& options = groups_.back().options;
-  options.push_back ({name, placeholder, store});
-  return options.back();
+  return groups_.back().options.emplace_back (Option{name, placeholder, store});
 }
 
 Option&

@@ -10,7 +10,6 @@
 #include <exception>
 #include <future>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 namespace pcl_ops::apps {

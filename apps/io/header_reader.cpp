@@ -130,15 +130,6 @@ HeaderReader::failEmpty() const
   throw WorkError (file_, "has no points; give a cloud that has");
 }
 
-bool
-HeaderReader::nextNumbers()
-{
-  if (!readLine (line_))
-    failTruncated();
-  takeNumbers (std::move (line_), ' ');
-  return !line_.empty();
-}
-
 void
 HeaderReader::readNumber (std::size_t word,
                           const NumberType& type,

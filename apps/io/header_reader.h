@@ -82,7 +82,13 @@ public:
    * \return false where it has not a single character
    * \throws WorkError if there is none */
   bool
-  nextNumbers ();
+  nextNumbers ()
+  {
+    if (!readLine (line_))
+      failTruncated();
+    splitWords (line_, ' ', words_);
+    return !line_.empty();
+  }
 
   /** \brief Takes the line that was read last for one of numbers; see \ref splitWords.
    */

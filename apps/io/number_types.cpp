@@ -96,14 +96,6 @@ constexpr std::array<NumberType, 10> types = {
      typeOf<std::int64_t> (9, 'I'),
      typeOf<std::uint64_t> (10, 'U')}};
 
-template <typename Is>
-const NumberType*
-find (Is&& is)
-{
-  const auto* const found = std::find_if (types.begin(), types.end(), is);
-  return found == types.end() ? nullptr : &*found;
-}
-
 } // namespace
 
 const NumberType&
@@ -113,19 +105,10 @@ numberType (std::uint8_t id)
 }
 
 const NumberType*
-findPcdType (const std::string& kind, const std::string& size)
+findNumberType (const std::function<bool (const NumberType&)>& is_it)
 {
-  return find ([&] (const NumberType& type) {
-    return kind == std::string (1, type.kind) && size == std::to_string (type.size);
-  });
-}
-
-const NumberType*
-findPlyType (std::string_view name)
-{
-  return find ([&] (const NumberType& type) {
-    return !name.empty() && (name == type.ply_name || name == type.ply_name_with_bits);
-  });
+  const auto* const found = std::find_if (types.begin(), types.end(), is_it);
+  return found == types.end() ? nullptr : &*found;
 }
 
 } // namespace pcl_ops::apps

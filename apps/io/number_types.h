@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -31,12 +32,8 @@ struct NumberType {
 const NumberType&
 numberType (std::uint8_t id);
 
-// nullptr for none:
-
+/** \return nullptr for none */
 const NumberType*
-findPcdType (const std::string& kind, const std::string& size);
-
-const NumberType*
-findPlyType (std::string_view name);
+findNumberType (const std::function<bool (const NumberType&)>& is_it);
 
 } // namespace pcl_ops::apps

@@ -65,7 +65,9 @@ readFields (const HeaderReader& reader,
   constexpr std::uint64_t max_bytes = std::numeric_limits<std::int32_t>::max();
   std::uint64_t bytes = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const NumberType* const type = findPcdType (types[i], sizes[i]);
+    const auto* const type = findNumberType ([&] (const NumberType& known) {
+      return types[i] + sizes[i] == known.kind + std::to_string (known.size);
+    });
     if (type == nullptr)
       reader.fail ("TYPE " + types[i] + " with SIZE " + sizes[i] + " does not exist");
     const std::uint64_t count = reader.count ("COUNT", counts[i]);

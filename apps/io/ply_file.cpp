@@ -78,7 +78,9 @@ readProperty (const HeaderReader& reader, const Words& words, PlyHeader& header)
   if (header.elements.empty() || (words.size() != 3 && !is_list))
     reader.fail ("its line property is incomplete");
   const auto type_of = [&] (const std::string& name) {
-    const NumberType* const type = findPlyType (name);
+    const auto* const type = findNumberType ([&] (const NumberType& known) {
+      return name == known.ply_name || name == known.ply_name_with_bits;
+    });
     if (type == nullptr)
       reader.fail ("the property type " + name + " does not exist");
     return type;
