@@ -115,6 +115,45 @@ takeValue (const Option& option, const char* const*& token, const char* const* e
   return is_joined ? text.substr (equals + 1) : *++token;
 }
 
+/** \brief The option of that name, or the only one whose name begins so. */
+const Option&
+find (const std::vector<OptionGroup>& groups, const std::string& start)
+{
+  const Option* candidate = nullptr;
+  std::string names;
+  for (const OptionGroup& group : groups)
+    for (const Option& option : group.options) {
+      if (option.name == start)
+        return option;
+      if (option.name.rfind (start, 0) == 0) {
+        names += (candidate == nullptr ? "--" : " or --") + option.name;
+        candidate = &option;
+      }
+    }
+  if (candidate == nullptr || start.empty())
+    throw UsageError ("--" + start, "is no option of this program; see --help");
+  if (names != "--" + candidate->name)
+    throw UsageError ("--" + start, "is ambiguous; write " + names + " in full");
+  return *candidate;
+}
+
+void
+store (const std::vector<Argument>& arguments, const std::vector<std::string>& given)
+{
+  std::size_t next = 0;
+  for (const Argument& argument : arguments) {
+    std::size_t taken = 0;
+    for (; taken < argument.max_count && next < given.size(); ++taken, ++next) {
+      requireText (argument.name, given[next]);
+      argument.store (given[next]);
+    }
+    if (taken == 0)
+      throw UsageError (argument.name, "is missing; see --help");
+  }
+  if (next < given.size())
+    throw UsageError (given[next], "is one argument too many; see --help");
+}
+
 } // namespace
 
 std::string
@@ -267,44 +306,6 @@ CommandLine::add (const std::string& usage,
   return add (name == usage ? name + " " + list : usage, store);
 }
 
-const Option&
-CommandLine::find (const std::string& start) const
-{
-  const Option* candidate = nullptr;
-  std::string names;
-  for (const OptionGroup& group : groups_)
-    for (const Option& option : group.options) {
-      if (option.name == start)
-        return option;
-      if (option.name.rfind (start, 0) == 0) {
-        names += (candidate == nullptr ? "--" : " or --") + option.name;
-        candidate = &option;
-      }
-    }
-  if (candidate == nullptr || start.empty())
-    throw UsageError ("--" + start, "is no option of this program; see --help");
-  if (names != "--" + candidate->name)
-    throw UsageError ("--" + start, "is ambiguous; write " + names + " in full");
-  return *candidate;
-}
-
-void
-CommandLine::storeArguments (const std::vector<std::string>& given) const
-{
-  std::size_t next = 0;
-  for (const Argument& argument : arguments_) {
-    std::size_t taken = 0;
-    for (; taken < argument.max_count && next < given.size(); ++taken, ++next) {
-      requireText (argument.name, given[next]);
-      argument.store (given[next]);
-    }
-    if (taken == 0)
-      throw UsageError (argument.name, "is missing; see --help");
-  }
-  if (next < given.size())
-    throw UsageError (given[next], "is one argument too many; see --help");
-}
-
 bool
 CommandLine::parse (int argc, const char* const* argv)
 {
@@ -320,7 +321,7 @@ CommandLine::parse (int argc, const char* const* argv)
       arguments.emplace_back (*token);
       continue;
     }
-    const Option& option = find (nameIn (*token));
+    const Option& option = find (groups_, nameIn (*token));
     options.emplace_back (&option, takeValue (option, token, end));
     if (!given_.insert (option.name).second)
       throw UsageError ("--" + option.name, "is given twice; keep one");
@@ -332,7 +333,7 @@ CommandLine::parse (int argc, const char* const* argv)
   else {
     for (const auto& [option, value] : options)
       option->store (value);
-    storeArguments (arguments);
+    store (arguments_, arguments);
     return true;
   }
   return false;

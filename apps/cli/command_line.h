@@ -268,13 +268,6 @@ private:
     using type = T;
   };
 
-  /** \brief Of that name, or the only one whose name begins so. */
-  const Option&
-  find (const std::string& start) const;
-
-  void
-  storeArguments (const std::vector<std::string>& given) const;
-
   /** \brief What is in front of the options in the help. */
   std::string
   usage () const;

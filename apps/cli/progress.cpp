@@ -8,7 +8,6 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
-#include <future>
 #include <system_error>
 #include <vector>
 
@@ -94,20 +93,18 @@ StageLines::StageLines (std::ostream& stream, std::chrono::milliseconds between)
 void
 StageLines::end()
 {
-  {
-    const std::lock_guard<std::mutex> lock (mutex_);
-    is_ended_ = true;
-  }
-  has_ended_.notify_all();
-  if (thread_.joinable())
-    thread_.join();
+  if (!thread_.joinable())
+    return;
+  end_.set_value();
+  thread_.join();
 }
 
 void
 StageLines::writeLines()
 {
-  std::unique_lock<std::mutex> lock (mutex_);
-  while (!has_ended_.wait_for (lock, between_, [this] { return is_ended_; })) {
+  const std::future<void> end = end_.get_future();
+  while (end.wait_for (between_) == std::future_status::timeout) {
+    const std::lock_guard<std::mutex> lock (mutex_);
     const std::chrono::duration<double> elapsed = Clock::now() - start_;
     stream_ << stage_ << ", " << durationText (elapsed.count()) << " so far"
             << std::endl;

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <cstddef>
 #include <functional>
+#include <future>
 #include <mutex>
 #include <ostream>
 #include <string>
@@ -117,9 +117,8 @@ private:
   std::chrono::milliseconds between_;
   Clock::time_point start_ = Clock::now();
   std::mutex mutex_;
-  std::condition_variable has_ended_;
   std::string stage_;
-  bool is_ended_ = false;
+  std::promise<void> end_;
   std::thread thread_;
 };
 
