@@ -138,12 +138,12 @@ writeFile (const std::string& file,
   // Renaming replaces the file and not a link to it.
   const fs::path target = resolvedName (file);
   const TemporaryPath temporary (newFileIn (target.parent_path(), file));
-  if (!fillFile (temporary.path(), write))
+  if (!fillFile (temporary.path, write))
     failToWrite (file);
   std::error_code error;
   if (fs::exists (target, error))
-    fs::permissions (temporary.path(), fs::status (target).permissions(), error);
-  if (std::rename (temporary.path().c_str(), target.c_str()) != 0)
+    fs::permissions (temporary.path, fs::status (target).permissions(), error);
+  if (std::rename (temporary.path.c_str(), target.c_str()) != 0)
     failToWrite (file);
 }
 
@@ -207,7 +207,7 @@ Spool::Spool (const std::string& extension, std::string subject)
 void
 Spool::fill (const std::function<void (std::ostream& stream)>& write) const
 {
-  if (!fillFile (file_.path(), write))
+  if (!fillFile (file_.path, write))
     failToSpool (subject_, name());
 }
 

@@ -59,26 +59,18 @@ isSameFile (const std::string& first, const std::string& second);
 
 /** \brief A file, or a folder with all in it, that is removed at the end of its life
  * unless it has been renamed by then. */
-class TemporaryPath {
-public:
-  explicit TemporaryPath (std::filesystem::path path) : path_ (std::move (path)) {}
+struct TemporaryPath {
+  explicit TemporaryPath (std::filesystem::path name) : path (std::move (name)) {}
   TemporaryPath (const TemporaryPath&) = delete;
   TemporaryPath&
   operator= (const TemporaryPath&) = delete;
   ~TemporaryPath()
   {
     std::error_code ignored;
-    std::filesystem::remove_all (path_, ignored);
+    std::filesystem::remove_all (path, ignored);
   }
 
-  const std::filesystem::path&
-  path () const
-  {
-    return path_;
-  }
-
-private:
-  std::filesystem::path path_;
+  const std::filesystem::path path;
 };
 
 /** \brief A new temporary file ($TMPDIR) for what takes files only. */
@@ -95,7 +87,7 @@ public:
   std::string
   name () const
   {
-    return file_.path().string();
+    return file_.path.string();
   }
 
 private:

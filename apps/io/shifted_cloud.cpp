@@ -90,7 +90,7 @@ shiftedCloudOf (const FileCloud& cloud, double step)
   };
   if (step > 0.0)
     shifted.shift = (usual() / step).array().round() * step;
-  else if (!reader.isSinglePrecision())
+  else if (!reader.is_single)
     shifted.shift = usual();
   shifted.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   shifted.cloud->points.reserve (size);

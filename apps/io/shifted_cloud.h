@@ -48,14 +48,8 @@ public:
       const pcl::PCLPointField& field = cloud_.fields.at (std::size_t (index));
       offsets_[i] = field.offset;
       readers_[i] = numberType (field.datatype).read;
-      is_single_ = is_single_ && field.datatype == pcl::PCLPointField::FLOAT32;
+      is_single = is_single && field.datatype == pcl::PCLPointField::FLOAT32;
     }
-  }
-
-  bool
-  isSinglePrecision () const
-  {
-    return is_single_;
   }
 
   Eigen::Vector3d
@@ -67,11 +61,13 @@ public:
                             readers_[2](point + offsets_[2]));
   }
 
+  /** \brief Whether all are in single precision. */
+  bool is_single = true;
+
 private:
   const pcl::PCLPointCloud2& cloud_;
   std::array<pcl::uindex_t, 3> offsets_{};
   std::array<NumberReader, 3> readers_{};
-  bool is_single_ = true;
 };
 
 using PlaceOf = std::function<Eigen::Vector3d (std::size_t)>;

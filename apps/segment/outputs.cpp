@@ -329,9 +329,9 @@ savePlaneClouds (const std::string& folder,
     for (std::size_t i = 0; i < planes.size(); ++i) {
       const std::string name = str (boost::format ("plane_%03d_%s%s") % report.ids[i] %
                                     toString (planes[i].orientation) % extension);
-      saveCloud (written.path() / name, pointsOf (cloud, planes[i].inliers));
+      saveCloud (written.path / name, pointsOf (cloud, planes[i].inliers));
     }
-    exchangePlanes (folder, written.path());
+    exchangePlanes (folder, written.path);
   }
   catch (const fs::filesystem_error& error) {
     throw OutputError (folder,
