@@ -5,8 +5,6 @@
 #include <pcl/PCLPointField.h>
 #include <pcl/types.h>
 
-#include <cli/errors.h>
-
 #include <algorithm>
 #include <charconv>
 #include <limits>
@@ -114,20 +112,6 @@ HeaderReader::failAtLine (const std::string& reason) const
   throw WorkError (file_,
                    "is damaged: line " + std::to_string (lines_) + " " +
                        printable (reason) + "; fix it or write the file again");
-}
-
-void
-HeaderReader::failTruncated() const
-{
-  throw WorkError (file_,
-                   "is truncated: its header promises more points than follow; "
-                   "copy or write it again");
-}
-
-void
-HeaderReader::failEmpty() const
-{
-  throw WorkError (file_, "has no points; give a cloud that has");
 }
 
 void

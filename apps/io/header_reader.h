@@ -3,6 +3,7 @@
 #pragma once
 
 #include "number_types.h"
+#include <cli/errors.h>
 
 #include <algorithm>
 #include <fstream>
@@ -134,10 +135,18 @@ public:
   failAtLine (const std::string& reason) const;
 
   [[noreturn]] void
-  failTruncated () const;
+  failTruncated () const
+  {
+    throw WorkError (file_,
+                     "is truncated: its header promises more points than follow; "
+                     "copy or write it again");
+  }
 
   [[noreturn]] void
-  failEmpty () const;
+  failEmpty () const
+  {
+    throw WorkError (file_, "has no points; give a cloud that has");
+  }
 
 private:
   std::string file_, format_, line_;

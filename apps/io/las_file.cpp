@@ -22,13 +22,12 @@ using pcl::PCLPointField;
 
 constexpr std::uint64_t field_length = sizeof (std::uint32_t);
 
-template <typename Number>
-void
-append (Number number, std::uint8_t*& point)
-{
-  std::memcpy (point, &number, sizeof (number));
-  point += sizeof (number);
-}
+/** \brief What is read of a record, in the order of the fields. */
+struct Point {
+  Eigen::Vector3d place;
+  float intensity;
+  std::uint32_t label;
+};
 
 template <typename Visit>
 void
@@ -189,11 +188,13 @@ LasFile::readPoints()
   cloud.data.resize (size() * cloud.point_step);
   std::uint8_t* point = cloud.data.data();
   forRecords (*this, [&] (const char* record) {
-    for (const double coordinate : placeIn (record, *this))
-      append (coordinate, point);
-    append (float (reinterpret_cast<const LasPoint*> (record)->intensity), point);
+    const LasHeader::Short intensity =
+        reinterpret_cast<const LasPoint*> (record)->intensity;
+    Point read{placeIn (record, *this), float (intensity), 0};
     if (label)
-      append (reinterpret_cast<const LasHeader::Long&> (record[*label]).value(), point);
+      read.label = reinterpret_cast<const LasHeader::Long&> (record[*label]);
+    std::memcpy (point, &read, cloud.point_step);
+    point += cloud.point_step;
   });
   return cloud;
 }
@@ -218,12 +219,10 @@ LasFile::validate (const std::vector<LasField>& wanted) const
   for (const LasField& field : wanted) {
     if (placeOf (field, *this))
       continue;
-    const auto has_its_name = [&] (const auto& known) {
-      return known.name == field.name;
-    };
-    if (std::any_of (fields.begin(), fields.end(), has_its_name))
-      return "has an extra-bytes field " + field.name + " that is no " +
-             field.type_name + "; rename it or give an OUTPUT.pcd";
+    for (const LasField& known : fields)
+      if (known.name == field.name)
+        return "has an extra-bytes field " + field.name + " that is no " +
+               field.type_name + "; rename it or give an OUTPUT.pcd";
     added.push_back (field);
   }
   if (added.empty())

@@ -69,7 +69,13 @@ struct LasFile {
   validate (const std::vector<LasField>& wanted) const;
 
   std::string
-  bytes (std::uint64_t begin, std::uint64_t end);
+  bytes (std::uint64_t begin, std::uint64_t end)
+  {
+    std::string bytes (end - begin, '\0');
+    reader.goTo (begin);
+    reader.read (bytes.data(), bytes.size());
+    return bytes;
+  }
 
   /** \brief Lets the front of a copy say where its points and all behind them are.
    * \param[in] points_end, copy_points_end where they end in the file and in the copy */

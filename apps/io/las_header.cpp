@@ -260,15 +260,6 @@ LasFile::checkPoints()
     reader.fail ("its Extra Bytes are described behind its points");
 }
 
-std::string
-LasFile::bytes (std::uint64_t begin, std::uint64_t end)
-{
-  std::string bytes (end - begin, '\0');
-  reader.goTo (begin);
-  reader.read (bytes.data(), bytes.size());
-  return bytes;
-}
-
 void
 LasFile::putHeader (LasHeader copy,
                     std::uint64_t points_end,

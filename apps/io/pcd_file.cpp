@@ -253,15 +253,13 @@ readPcd (const std::string& file)
 std::string
 pcdHeader (const FileCloud& cloud)
 {
-  std::ostringstream names, sizes, types, counts, header;
-  counts.imbue (std::locale::classic());
-  header.imbue (std::locale::classic());
+  std::string names, sizes, types, counts;
   const pcl::PCLPointCloud2& points = cloud.points;
   const auto add = [&] (const std::string& name, const NumberType& type, auto count) {
-    names << ' ' << name;
-    sizes << ' ' << type.size;
-    types << ' ' << type.kind;
-    counts << ' ' << count;
+    names += " " + name;
+    sizes += " " + std::to_string (type.size);
+    types += std::string (" ") + type.kind;
+    counts += " " + std::to_string (count);
   };
   pcl::uindex_t end = 0;
   const auto pad = [&] (pcl::uindex_t to) {
@@ -276,12 +274,14 @@ pcdHeader (const FileCloud& cloud)
   }
   pad (points.point_step);
   const Eigen::Quaternionf& q = cloud.orientation;
-  header << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS"
-         << names.str() << "\nSIZE" << sizes.str() << "\nTYPE" << types.str()
-         << "\nCOUNT" << counts.str() << "\nWIDTH " << points.width << "\nHEIGHT "
-         << points.height << "\nVIEWPOINT " << cloud.origin[0] << ' ' << cloud.origin[1]
-         << ' ' << cloud.origin[2] << ' ' << q.w() << ' ' << q.x() << ' ' << q.y()
-         << ' ' << q.z() << "\nPOINTS " << sizeOf (points) << "\nDATA binary\n";
+  std::ostringstream header;
+  header.imbue (std::locale::classic());
+  header << "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS" << names
+         << "\nSIZE" << sizes << "\nTYPE" << types << "\nCOUNT" << counts << "\nWIDTH "
+         << points.width << "\nHEIGHT " << points.height << "\nVIEWPOINT "
+         << cloud.origin[0] << ' ' << cloud.origin[1] << ' ' << cloud.origin[2] << ' '
+         << q.w() << ' ' << q.x() << ' ' << q.y() << ' ' << q.z() << "\nPOINTS "
+         << sizeOf (points) << "\nDATA binary\n";
   return header.str();
 }
 

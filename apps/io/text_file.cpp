@@ -3,6 +3,8 @@
 #include <pcl/types.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/trim.hpp>
 
 #include "cloud_formats.h"
 #include "header_reader.h"
@@ -93,12 +95,9 @@ wordsOf (const std::string& line)
 {
   std::vector<std::string_view> parts;
   splitWords (line, separatorOf (line), parts);
-  Words words;
-  for (std::string_view part : parts) {
-    constexpr std::string_view quotes = "\"'";
-    part.remove_prefix (std::min (part.find_first_not_of (quotes), part.size()));
-    words.emplace_back (part.substr (0, part.find_last_not_of (quotes) + 1));
-  }
+  Words words (parts.begin(), parts.end());
+  for (std::string& word : words)
+    boost::algorithm::trim_if (word, boost::algorithm::is_any_of ("\"'"));
   return words;
 }
 
