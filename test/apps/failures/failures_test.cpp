@@ -11,21 +11,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/** \brief A row of outputs.tsv. */
-struct Output {
-  std::string name, command, file, kept = {};
+/** \brief Of outputs.tsv. */
+using Row = std::vector<std::string>;
 
-  std::string
-  program () const
-  {
-    return command.substr (0, command.find (' '));
-  }
-};
-
-std::ostream&
-operator<< (std::ostream& stream, const Output& output)
+std::string
+programIn (const std::string& command)
 {
-  return stream << output.name;
+  return command.substr (0, command.find (' '));
 }
 
 constexpr const char* precious = "precious";
@@ -34,8 +26,11 @@ constexpr int killed = 128 + 9;
 /** \brief A folder in which things fail. */
 class Failing : public ProgramFolder {
 protected:
-  explicit Failing (const Output& output = {})
-  : ProgramFolder (PCL_OPS_SEGMENT_PROGRAM), output_ (output)
+  explicit Failing (const Row& row = {"", "", "out/a.pcd"})
+  : ProgramFolder (PCL_OPS_SEGMENT_PROGRAM)
+  , command_ (row.at (1))
+  , file_ (row.at (2))
+  , kept_ (row.back())
   {
     fs::create_directories (folder_ / "clouds");
     for (const char* file : {"in.pcd", "clouds/scene.pcd"})
@@ -53,7 +48,7 @@ protected:
   {
     fs::remove_all (folder_ / "out");
     fs::create_directories (folder_ / "out");
-    folder_.write (kept(), precious);
+    folder_.write (kept_, precious);
   }
 
   /** \brief Runs the program.
@@ -65,8 +60,8 @@ protected:
            const std::string& before = "",
            const std::optional<std::string>& file = {}) const
   {
-    std::string command = output_.command;
-    command.replace (command.find ("OUT"), 3, "'" + file.value_or (output_.file) + "'");
+    std::string command = command_;
+    command.replace (command.find ("OUT"), 3, "'" + file.value_or (file_) + "'");
     const std::string preload =
         trouble.empty() ? "" : "env LD_PRELOAD='" PCL_OPS_FAILING_CALLS "' " + trouble;
     const std::string script =
@@ -79,7 +74,7 @@ protected:
   bool
   isAsBefore () const
   {
-    return contentOf (folder_ / kept()) == precious;
+    return contentOf (folder_ / kept_) == precious;
   }
 
   /** \brief The promise of every program about every output: an exit code, one line
@@ -90,12 +85,12 @@ protected:
                  int exit_code = 1) const
   {
     EXPECT_EQ (done.exit_code, exit_code) << done.err;
-    EXPECT_EQ (done.err.rfind (output_.program() + ": ", 0), 0u) << done.err;
+    EXPECT_EQ (done.err.rfind (programIn (command_) + ": ", 0), 0u) << done.err;
     EXPECT_EQ (lines (done.err), 1u) << done.err;
     EXPECT_TRUE (contains (done.err, culprit));
     EXPECT_TRUE (contains (done.err, ";")) << "no fix";
     EXPECT_FALSE (contains (done.err, ".pcl_ops")) << "a temporary name";
-    EXPECT_TRUE (isAsBefore()) << kept();
+    EXPECT_TRUE (isAsBefore()) << kept_;
     for (const auto& entry : fs::recursive_directory_iterator (folder_.path()))
       EXPECT_NE (entry.path().filename().string().front(), '.') << entry.path();
   }
@@ -127,15 +122,9 @@ protected:
     EXPECT_LT (limit, most);
   }
 
-  Output output_;
+  std::string command_, file_, kept_;
 
 private:
-  std::string
-  kept () const
-  {
-    return output_.kept.empty() ? output_.file : output_.kept;
-  }
-
   /** \brief Without the lines that say how far a long run is. */
   static std::string
   ownLines (const std::string& text)
@@ -149,23 +138,20 @@ private:
   }
 };
 
-std::vector<Output>
+std::vector<Row>
 allOutputs ()
 {
-  std::vector<Output> outputs;
-  for (std::vector<std::string> row : tableIn (PCL_OPS_OUTPUTS)) {
-    row.resize (4);
-    const Output output{row[0], row[1], row[2], row[3]};
-    const std::string program = std::string (PCL_OPS_PROGRAMS "/") + output.program();
-    if (fs::exists (program) && (output.name != "Laz" || pcl_ops::apps::hasLaszip()))
-      outputs.push_back (output);
-  }
+  std::vector<Row> outputs;
+  for (const Row& row : tableIn (PCL_OPS_OUTPUTS))
+    if (fs::exists (PCL_OPS_PROGRAMS "/" + programIn (row.at (1))) &&
+        (row[0] != "Laz" || pcl_ops::apps::hasLaszip()))
+      outputs.push_back (row);
   return outputs;
 }
 
 constexpr int max_writes = 100;
 
-class Failures : public Failing, public testing::WithParamInterface<Output> {
+class Failures : public Failing, public testing::WithParamInterface<Row> {
 protected:
   Failures() : Failing (GetParam()) {}
 
@@ -190,10 +176,10 @@ protected:
   }
 
   /** \brief A name of so many characters. */
-  static std::string
-  nameOfLength (std::size_t length)
+  std::string
+  nameOfLength (std::size_t length) const
   {
-    const std::string extension = fs::path (GetParam().file).extension().string();
+    const std::string extension = fs::path (file_).extension().string();
     return (extension.empty() ? "" : "out/") +
            std::string (length - extension.size(), 'n') + extension;
   }
@@ -202,14 +188,14 @@ protected:
 INSTANTIATE_TEST_SUITE_P (All,
                           Failures,
                           testing::ValuesIn (allOutputs()),
-                          [] (const auto& info) { return info.param.name; });
+                          [] (const auto& info) { return info.param.at (0); });
 
 } // namespace
 
 TEST_P (Failures, ADiskThatIsFullAtAnyWriteIsSaidAndHarmsNothing)
 {
   expectAtEveryWrite ("FULL_AT_WRITE=", [this] (const Outcome& ending) {
-    expectPromise (ending, GetParam().file);
+    expectPromise (ending, file_);
     protect(); // or a run of many files goes on
   });
 }
@@ -225,7 +211,7 @@ TEST_P (Failures, ARunKilledAtAnyWriteLeavesTheOldFileAndIsRunAgain)
 
 TEST_P (Failures, AFolderThatCannotBeWrittenToIsNamed)
 {
-  expectPromise (failing ("READ_ONLY=1"), GetParam().file);
+  expectPromise (failing ("READ_ONLY=1"), file_);
 }
 
 TEST_P (Failures, ANameIsAsLongAsTheFolderTakesOrSaidToBeTooLong)
@@ -254,22 +240,19 @@ TEST_P (Failures, NoThreadIsNoFailure)
 
 TEST_F (Failing, MemoryIsNotTakenForADamagedCloud)
 {
-  output_ = {"", "pcl_ops_segment in.pcd OUT --quiet", "out/a.pcd"};
+  command_ = "pcl_ops_segment in.pcd OUT --quiet";
   pcl::io::savePCDFileBinary (folder_ / "in.pcd", floorAndWall (500));
-  protect();
   expectMemoryIsMissed();
 }
 
 TEST_F (Failing, LimitOfTheUserForFilesIsNotTheProgramsEnd)
 {
-  output_ = {"", "pcl_ops_segment in.pcd OUT", "out/a.pcd"};
-  protect();
+  command_ = "pcl_ops_segment in.pcd OUT";
   expectPromise (failing ("", "ulimit -f 1"), "a.pcd");
 }
 
 TEST_F (Failing, PipeIsSaidToNeedRoomForTemporaryFiles)
 {
-  output_ = {"", "pcl_ops_segment - OUT <in.pcd", "out/a.pcd"};
-  protect();
+  command_ = "pcl_ops_segment - OUT <in.pcd";
   expectPromise (failing ("FULL_AT_WRITE=1", "export TMPDIR=."), "standard input");
 }
