@@ -115,9 +115,7 @@ HeaderReader::failAtLine (const std::string& reason) const
 }
 
 void
-HeaderReader::readNumber (std::size_t word,
-                          const NumberType& type,
-                          std::uint8_t* bytes) const
+HeaderReader::readNumber (std::size_t word, const NumberType& type, void* bytes) const
 {
   const std::string_view text = words_[word];
   if (!type.parse (text.empty() ? "nan" : text, bytes))
@@ -127,10 +125,9 @@ HeaderReader::readNumber (std::size_t word,
 double
 HeaderReader::number (std::size_t word) const
 {
-  const NumberType& type = numberType (pcl::PCLPointField::FLOAT64);
-  std::uint8_t bytes[sizeof (double)];
-  readNumber (word, type, bytes);
-  return type.read (bytes);
+  double number = 0.0;
+  readNumber (word, numberType (pcl::PCLPointField::FLOAT64), &number);
+  return number;
 }
 
 void

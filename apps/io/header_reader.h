@@ -54,9 +54,9 @@ public:
   }
 
   void
-  read (char* bytes, std::size_t count)
+  read (void* bytes, std::size_t count)
   {
-    if (!stream_.read (bytes, static_cast<std::streamsize> (count)))
+    if (!stream_.read (static_cast<char*> (bytes), std::streamsize (count)))
       failTruncated();
   }
 
@@ -67,7 +67,7 @@ public:
   {
     What what;
     goTo (place);
-    read (reinterpret_cast<char*> (&what), sizeof (what));
+    read (&what, sizeof (what));
     return what;
   }
 
@@ -100,7 +100,6 @@ public:
     splitWords (line_, separator, words_);
   }
 
-  /** \brief How many words the line of numbers has. */
   std::size_t
   wordCount () const
   {
@@ -110,7 +109,7 @@ public:
   /** \brief Puts a number of the line into bytes, NaN for an empty word.
    * \throws WorkError if it is none or too large for its type */
   void
-  readNumber (std::size_t word, const NumberType& type, std::uint8_t* bytes) const;
+  readNumber (std::size_t word, const NumberType& type, void* bytes) const;
 
   double
   number (std::size_t word) const;

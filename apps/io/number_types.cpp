@@ -58,7 +58,7 @@ readInteger (std::string_view text, Integer& number)
 
 template <typename Number>
 bool
-parse (std::string_view text, std::uint8_t* bytes)
+parse (std::string_view text, void* bytes)
 {
   // A plus is the only difference to what the standard library reads.
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')

@@ -26,7 +26,7 @@ struct NumberType {
    * is too large for double precision. An integer ends at its decimals, as in PCL.
    * \param[in] text is followed by a character that is no part of it
    * \return false for anything else */
-  bool (*parse) (std::string_view text, std::uint8_t* bytes);
+  bool (*parse) (std::string_view text, void* bytes);
 };
 
 const NumberType&

@@ -112,8 +112,7 @@ readViewpoint (const HeaderReader& reader, const PcdHeader& header, FileCloud& c
   bool are_numbers = line->second.size() == numbers.size();
   for (std::size_t i = 0; are_numbers && i < numbers.size(); ++i)
     are_numbers =
-        numberType (pcl::PCLPointField::FLOAT32)
-            .parse (line->second[i], reinterpret_cast<std::uint8_t*> (&numbers[i]));
+        numberType (pcl::PCLPointField::FLOAT32).parse (line->second[i], &numbers[i]);
   if (!are_numbers)
     reader.fail ("VIEWPOINT is not seven numbers");
   cloud.origin << numbers[0], numbers[1], numbers[2], 0.0f;
@@ -190,14 +189,14 @@ readCompressed (HeaderReader& reader, pcl::PCLPointCloud2& points)
   constexpr std::uint64_t max_expansion = 100;
   const std::size_t size = sizeOf (points);
   std::array<std::uint32_t, 2> sizes{};
-  reader.read (reinterpret_cast<char*> (sizes.data()), sizeof (sizes));
+  reader.read (sizes.data(), sizeof (sizes));
   if (sizes[1] != size * points.point_step)
     reader.fail ("the size of its compressed data is not that of its points");
   if (sizes[0] > reader.fileSize() - reader.position() ||
       sizes[1] > max_expansion * sizes[0])
     reader.failTruncated();
   std::vector<std::uint8_t> compressed (sizes[0]), by_field (sizes[1]);
-  reader.read (reinterpret_cast<char*> (compressed.data()), compressed.size());
+  reader.read (compressed.data(), compressed.size());
   if (!decompressLzf (compressed, by_field))
     reader.fail ("its compressed data are damaged");
   points.data.resize (by_field.size());
@@ -216,7 +215,7 @@ readBinary (HeaderReader& reader, pcl::PCLPointCloud2& points)
   if (sizeOf (points) > rest / points.point_step)
     reader.failTruncated();
   points.data.resize (sizeOf (points) * points.point_step);
-  reader.read (reinterpret_cast<char*> (points.data.data()), points.data.size());
+  reader.read (points.data.data(), points.data.size());
 }
 
 } // namespace

@@ -165,7 +165,7 @@ public:
   {
     if (is_text_)
       return reader_.readNumber (nextWord(), type, bytes);
-    reader_.read (reinterpret_cast<char*> (bytes), type.size);
+    reader_.read (bytes, type.size);
     if (is_swapped_)
       std::reverse (bytes, bytes + type.size);
   }

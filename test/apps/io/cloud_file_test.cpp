@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <sstream>
@@ -249,18 +250,16 @@ TEST_F (CloudFile, IsRefusedForWhatIsTooLong)
     EXPECT_EQ (complaintAbout ("bad.ply", plyWith (elements, "")),
                "is no valid PLY file: " + reason + "; write it again");
   // Of 2^23 bytes each: those of the points would wrap to nothing.
-  std::string many = "FIELDS", sizes = "SIZE", types = "TYPE", counts = "COUNT";
-  for (int i = 0; i < 1 << 16; ++i) {
-    many += " x";
-    sizes += " 8";
-    types += " F";
-    counts += " 1048576";
+  std::string many;
+  for (const char* line : {"FIELDS x", "SIZE 8", "TYPE F", "COUNT 1048576"}) {
+    many += line;
+    for (int i = 1; i < 1 << 16; ++i)
+      many += std::strchr (line, ' ');
+    many += "\n";
   }
-  EXPECT_EQ (
-      complaintAbout ("bad.pcd",
-                      many + "\n" + sizes + "\n" + types + "\n" + counts +
-                          "\nWIDTH 33554432\nHEIGHT 1\nPOINTS 33554432\nDATA ascii\n"),
-      invalidPcd ("its points do not have 1 to 2147483647 bytes each"));
+  many += "WIDTH 33554432\nHEIGHT 1\nPOINTS 33554432\nDATA ascii\n";
+  EXPECT_EQ (complaintAbout ("bad.pcd", many),
+             invalidPcd ("its points do not have 1 to 2147483647 bytes each"));
 }
 
 TEST_F (CloudFile, ReadsBinaryOfEitherOrderAndListsOfAnyLength)
