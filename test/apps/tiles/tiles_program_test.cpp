@@ -38,8 +38,9 @@ void
 saveEast (const std::string& file)
 {
   std::vector<LasPoint> east = wall();
-  for (auto& [raw, others, label] : east)
-    raw = {raw[0] / 10 - 498'000, raw[1] / 10 + 500'000, raw[2] / 10};
+  for (LasPoint& point : east)
+    point.raw = {
+        point.raw[0] / 10 - 498'000, point.raw[1] / 10 + 500'000, point.raw[2] / 10};
   apps::saveLas (file, east, 0.01, far_away + Eigen::Vector3d (5000, -5000, 0));
 }
 
