@@ -87,9 +87,9 @@ Scene::addClutter (LabelledScene& scene)
 }
 
 Scene
-room ()
+room (std::uint32_t seed)
 {
-  return Scene()
+  return Scene (seed)
       .floor (4_m, 3_m)
       .wall ({0, 0}, {4, 0}, 2.5_m)
       .wall ({0, 0}, {0, 3}, 2.5_m)
@@ -106,7 +106,6 @@ denseRoom ()
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 roomSeenByCamera (std::uint32_t width, std::uint32_t height)
 {
-  constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (width, height);
   cloud->is_dense = false;
   const float focal = 0.8f * static_cast<float> (width);
@@ -116,10 +115,26 @@ roomSeenByCamera (std::uint32_t width, std::uint32_t height)
       const float y = (static_cast<float> (row) - 0.5f * height) / focal;
       const float depth = y > 0.0f ? std::min (3.0f, 1.0f / y) : 3.0f;
       const bool lost = (row + column) % 10 == 0;
-      cloud->at (column, row) = lost ? pcl::PointXYZ (nothing, nothing, nothing)
+      cloud->at (column, row) = lost ? pcl::PointXYZ (NAN, NAN, NAN)
                                      : pcl::PointXYZ (x * depth, y * depth, depth);
     }
   return cloud;
+}
+
+pcl_ops::Moments
+momentsOf (const Surface& surface, int columns, int rows, double noise)
+{
+  pcl_ops::Moments moments;
+  moments.origin = surface.centre();
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) {
+      const double height = (i + j) % 2 == 0 ? noise : -noise;
+      const Eigen::Vector3d offset =
+          surface.at ((i + 0.5) / columns, (j + 0.5) / rows) +
+          height * surface.normal() - moments.origin;
+      moments.add (offset.x(), offset.y(), offset.z());
+    }
+  return moments;
 }
 
 pcl_ops::PlaneSegment
@@ -155,13 +170,15 @@ isNear (const pcl_ops::Plane& plane, const Surface& truth, double angle, double 
 
 void
 expectFindsEverySurface (const std::vector<pcl_ops::PlaneSegment>& planes,
-                         const LabelledScene& scene)
+                         const LabelledScene& scene,
+                         double angle,
+                         double offset)
 {
   EXPECT_EQ (planes.size(), scene.surfaces.size());
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     const auto found =
         std::find_if (planes.begin(), planes.end(), [&] (const auto& plane) {
-          return isNear (plane.plane(), scene.surfaces[s], 1_deg, 1_cm);
+          return isNear (plane.plane(), scene.surfaces[s], angle, offset);
         });
     ASSERT_NE (found, planes.end()) << "surface " << s << " was not found";
     const auto label = static_cast<int> (s);

@@ -181,7 +181,7 @@ private:
  * little clutter. With a millimeter of noise the normal of any one point is good enough
  * for a whole surface: nobody has to be lucky. */
 Scene
-room ();
+room (std::uint32_t seed = seedOfTest());
 
 /** \brief The same with points as near to each other as a depth camera sees them: some
  * 300 in a sphere of FSPF's default radius. */
@@ -192,6 +192,11 @@ denseRoom ();
  * it (y down) and a wall 3 m ahead: organized, with pixels that saw nothing as NaN. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 roomSeenByCamera (std::uint32_t width, std::uint32_t height);
+
+/** \brief Those of columns x rows points evenly spread over a surface.
+ * \param[in] noise points lie so far before and behind the surface in turn [m] */
+pcl_ops::Moments
+momentsOf (const Surface& surface, int columns, int rows, double noise = 0.0);
 
 /** \brief Points of a cloud as a plane with this normal. */
 pcl_ops::PlaneSegment
@@ -209,7 +214,9 @@ bool
 isNear (const pcl_ops::Plane& plane, const Surface& truth, double angle, double offset);
 
 /** \brief Every surface of the scene is one of the planes, with nine tenths of its
- * points, and there is no plane besides. */
+ * points, and there is no plane besides; angle and offset as in \ref isNear. */
 void
 expectFindsEverySurface (const std::vector<pcl_ops::PlaneSegment>& planes,
-                         const LabelledScene& scene);
+                         const LabelledScene& scene,
+                         double angle = 1_deg,
+                         double offset = 1_cm);

@@ -19,19 +19,6 @@ square (const Eigen::Vector3d& centre, double tilt = 0.0, double edge = 1_m)
   return {centre - 0.5 * first - 0.5 * second, first, second};
 }
 
-/** \brief Moments of steps x steps points evenly spread over a surface. */
-Moments
-momentsOf (const Surface& surface, int steps = 10)
-{
-  Moments moments;
-  for (int i = 0; i < steps; ++i)
-    for (int j = 0; j < steps; ++j) {
-      const Eigen::Vector3d point = surface.at ((i + 0.5) / steps, (j + 0.5) / steps);
-      moments.add (point.x(), point.y(), point.z());
-    }
-  return moments;
-}
-
 /** \brief Moments of points so far off either side of a square. */
 Moments
 noisySquare (const Eigen::Vector3d& centre,
@@ -39,10 +26,14 @@ noisySquare (const Eigen::Vector3d& centre,
              double edge = 1_m,
              double tilt = 0.0)
 {
-  const Eigen::Vector3d off (noise * std::sin (tilt), 0, noise * std::cos (tilt));
-  Moments moments = momentsOf (square (centre + off, tilt, edge));
-  moments += momentsOf (square (centre - off, tilt, edge));
-  return moments;
+  return momentsOf (square (centre, tilt, edge), 10, 10, noise);
+}
+
+/** \brief Moments of steps x steps points of a square without noise. */
+Moments
+exactSquare (const Eigen::Vector3d& centre, double tilt = 0.0, int steps = 10)
+{
+  return momentsOf (square (centre, tilt), steps, steps);
 }
 
 /** \brief The noise decides alone. */
@@ -53,34 +44,25 @@ byNoise (double noise_factor)
 }
 
 PlaneFit
-fitOf (const Surface& surface)
+fitOf (const Eigen::Vector3d& centre, double tilt = 0.0)
 {
-  return fitPlane (momentsOf (surface)).value();
-}
-
-Moments
-lineOfPoints ()
-{
-  Moments line;
-  for (int i = 0; i < 100; ++i)
-    line.add (0.1 * i, 0.2 * i, 0.3 * i);
-  return line;
+  return fitPlane (exactSquare (centre, tilt)).value();
 }
 
 } // namespace
 
 TEST (AreCoplanar, ByTheAngleAndBothDistancesWhateverTheSignOfTheNormals)
 {
-  const PlaneFit floor = fitOf (square ({0, 0, 0}));
+  const PlaneFit floor = fitOf ({0, 0, 0});
   const struct {
     const char* plane;
     PlaneFit fit;
     bool are_one;
-  } rows[] = {{"another part of the floor", fitOf (square ({5, 3, 0})), true},
-              {"one through its centroid", fitOf (square ({0, 0, 0}, 6_deg)), true},
-              {"a steeper one", fitOf (square ({0, 0, 0}, 8_deg)), false},
+  } rows[] = {{"another part of the floor", fitOf ({5, 3, 0}), true},
+              {"one through its centroid", fitOf ({0, 0, 0}, 6_deg), true},
+              {"a steeper one", fitOf ({0, 0, 0}, 8_deg), false},
               {"one 20 cm up after 10 m, which passes through the floor's centroid",
-               fitOf (square ({10, 0, 0.2}, -std::atan (0.02))),
+               fitOf ({10, 0, 0.2}, -std::atan (0.02)),
                false}};
   EXPECT_LT (std::abs (rows[3].fit.plane.distance (floor.centroid)), 1_mm);
   for (const auto& [plane, fit, are_one] : rows) {
@@ -102,8 +84,8 @@ TEST (Merge, ByNoiseJoinsWhatTheNoiseExplainsWithinTheAngle)
   const Moments thick = noisySquare ({0, 0, 0}, 9_cm);
   const Moments clean = noisySquare ({2, 0, 15_cm}, 1_cm);
   const Moments rough = noisySquare ({2, 0, 15_cm}, 2_cm);
-  const Moments flat = momentsOf (square ({0, 0, 0}));
-  const Moments beside = momentsOf (square ({5, 3, 0}));
+  const Moments flat = exactSquare ({0, 0, 0});
+  const Moments beside = exactSquare ({5, 3, 0});
   const struct {
     Moments first, second;
     double noise_factor;
@@ -133,10 +115,10 @@ TEST (Merge, ByNoiseCarriesNoSmallPlaneOnToTheCentroidOfALargeOne)
 
 TEST (Merge, IsTheFitOfAllPoints)
 {
-  const Surface first = square ({0, 0, 0}), second = square ({0.5, 1, 2_cm}, 3_deg);
-  Moments all = momentsOf (first);
-  all += momentsOf (second);
-  const auto merged = mergePlanes ({momentsOf (first), momentsOf (second)}, usual);
+  const Moments first = exactSquare ({0, 0, 0});
+  Moments all = exactSquare ({0.5, 1, 2_cm}, 3_deg);
+  const auto merged = mergePlanes ({first, all}, usual);
+  all += first;
   ASSERT_EQ (merged.fits.size(), 1u);
   EXPECT_EQ (merged.moments[0].count, 200.0);
   EXPECT_LT (angleBetween (merged.fits[0].plane.normal, fitPlane (all)->plane.normal),
@@ -146,9 +128,9 @@ TEST (Merge, IsTheFitOfAllPoints)
 TEST (Merge, ChainsThroughPlanesThatPassOnlyPairwise)
 {
   // 8 degrees from end to end, which is too much; 5 and 3 between neighbors.
-  const std::vector<Moments> bend{momentsOf (square ({0, 0, 0}), 20),
-                                  momentsOf (square ({0, 0, 0}, 5_deg), 19),
-                                  momentsOf (square ({0, 0, 0}, 8_deg), 5)};
+  const std::vector<Moments> bend{exactSquare ({0, 0, 0}, 0_deg, 20),
+                                  exactSquare ({0, 0, 0}, 5_deg, 19),
+                                  exactSquare ({0, 0, 0}, 8_deg, 5)};
   EXPECT_EQ (mergePlanes (bend, usual).merged_into, (Labels{0, 0, 0}));
 }
 
@@ -158,8 +140,8 @@ TEST (Merge, GoesOnUntilNoPairPassesTheTest)
   std::vector<Moments> planes;
   for (int i = 0; i < 60; ++i)
     planes.push_back (
-        momentsOf (square ({5 * drawUnit (generator), 0, drawNormal (generator)},
-                           10_deg * drawNormal (generator))));
+        exactSquare ({5 * drawUnit (generator), 0, drawNormal (generator)},
+                     10_deg * drawNormal (generator)));
   const auto merged = mergePlanes (planes, usual);
   EXPECT_LT (merged.fits.size(), planes.size());
   for (std::size_t i = 0; i < merged.fits.size(); ++i)
@@ -172,7 +154,7 @@ TEST (Merge, LeavesPlanesAloneWhereDisabled)
   MergingParameters off = usual;
   off.enabled = false;
   const auto merged = mergePlanes (
-      {momentsOf (square ({0, 0, 0}), 5), momentsOf (square ({5, 3, 0}), 9)}, off);
+      {exactSquare ({0, 0, 0}, 0_deg, 5), exactSquare ({5, 3, 0}, 0_deg, 9)}, off);
   EXPECT_EQ (merged.fits.size(), 2u);
   EXPECT_EQ (merged.merged_into, (Labels{1, 0}))
       << "sorted by falling size all the same";
@@ -180,11 +162,12 @@ TEST (Merge, LeavesPlanesAloneWhereDisabled)
 
 TEST (Merge, SortsPlanesByFallingSizeAndDropsSetsThatAreNone)
 {
-  const auto merged = mergePlanes ({momentsOf (square ({0, 0, 0}), 5),
-                                    lineOfPoints(),
-                                    momentsOf (square ({0, 0, 1}), 9),
+  const Surface line = {{0, 0, 0}, {10, 20, 30}, {0, 0, 0}};
+  const auto merged = mergePlanes ({exactSquare ({0, 0, 0}, 0_deg, 5),
+                                    momentsOf (line, 100, 1),
+                                    exactSquare ({0, 0, 1}, 0_deg, 9),
                                     Moments(),
-                                    momentsOf (square ({0, 0, 2}), 7)},
+                                    exactSquare ({0, 0, 2}, 0_deg, 7)},
                                    usual);
   EXPECT_EQ (merged.merged_into, (Labels{2, no_plane, 0, no_plane, 1}));
   ASSERT_EQ (merged.fits.size(), 3u);
