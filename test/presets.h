@@ -25,7 +25,7 @@ cloudOf (std::size_t size, const std::function<pcl::PointXYZ (float)>& point)
 
 /** \brief With enough samples for a small scene. */
 inline Ops
-opsOn (const Cloud::ConstPtr& cloud, const Ops::Parameters& parameters)
+opsOn (const Cloud::ConstPtr& cloud, const Ops::Parameters& parameters = {})
 {
   Ops ops;
   ops.setParameters (parameters);
@@ -38,20 +38,6 @@ inline Ops
 paperOn (const Cloud::ConstPtr& cloud)
 {
   return opsOn (cloud, Ops::Parameters::paper());
-}
-
-inline Ops
-defaultsOn (const Cloud::ConstPtr& cloud)
-{
-  return opsOn (cloud, {});
-}
-
-inline pcl_ops::MergingParameters
-noMerging ()
-{
-  pcl_ops::MergingParameters merging;
-  merging.enabled = false;
-  return merging;
 }
 
 template <typename Detector>

@@ -39,15 +39,6 @@ TEST (Fspf, FindsEverySurfaceAsInThePaperAndFromTheTestedPointsAlone)
   }
 }
 
-TEST (Fspf, MergesHundredsOfPlanesIntoTheFewThereAreUnlessMergingIsOff)
-{
-  Fspf fspf = fspfOn (denseRoom().build().cloud);
-  EXPECT_EQ (planesOf (fspf).size(), 3u);
-  EXPECT_GT (fspf.getNumberOfPlanesBeforeMerging(), 300u);
-  fspf.setMergingParameters (noMerging());
-  EXPECT_GT (planesOf (fspf).size(), 3u);
-}
-
 TEST (Fspf, LeavesNoPairOfPlanesThatAreOne)
 {
   // With 3 cm of noise some planes are one only when they have their points.
@@ -86,7 +77,7 @@ TEST (SearchMethod, OfTheUserFindsEverySurface)
 {
   using Point = pcl::PointXYZ;
   const auto scene = room().spacing (3_cm).build();
-  scene.cloud->at (0).x = std::numeric_limits<float>::quiet_NaN();
+  scene.cloud->at (0).x = NAN;
   for (const Fspf::SearchPtr& search :
        {Fspf::SearchPtr (new pcl::search::KdTree<Point>),
         Fspf::SearchPtr (new pcl::search::KdTree<Point> (false)),

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kht/ball_directions.h"
+#include "presets.h"
 #include "scene.h"
 #include <pcl_ops/kernel_hough_transform.h>
 
@@ -41,9 +42,7 @@ planesOf (const LabelledScene& scene, const Parameters& parameters)
   Detector kht;
   kht.setInputCloud (scene.cloud);
   kht.setParameters (parameters);
-  std::vector<PlaneSegment> planes;
-  EXPECT_TRUE (kht.segment (planes));
-  return planes;
+  return ::planesOf (kht);
 }
 
 /** Which surface a plane is, or -1. */
@@ -97,16 +96,7 @@ TEST (KernelHoughTransform,
 TEST (KernelHoughTransform, FindsTheSixFacesOfANoisyBoxExactlyWithTheirPoints)
 {
   const LabelledScene scene = box (5_mm);
-  std::multiset<int> faces;
-  std::size_t right = 0;
-  for (const PlaneSegment& plane : planesOf (scene, Parameters())) {
-    const int face = surfaceOf (plane, scene, 0.3_deg, 3_mm);
-    faces.insert (face);
-    for (const pcl::index_t i : plane.inliers)
-      right += scene.labels[i] == face;
-  }
-  EXPECT_EQ (faces, (std::multiset<int>{0, 1, 2, 3, 4, 5}));
-  EXPECT_GT (right, 97_percent * scene.cloud->size());
+  expectFindsEverySurface (planesOf (scene, Parameters()), scene, 0.3_deg, 3_mm);
 }
 
 TEST (KernelHoughTransform, EndsPlanesWhereTheirClustersEnd)
@@ -135,26 +125,17 @@ TEST (KernelHoughTransform, GrowsPlanesOverPlacesWithoutACluster)
              97_percent * scene.cloud->size());
 }
 
-TEST (KernelHoughTransform, CountsPlanesBeforeAnyWereMerged)
+TEST (KernelHoughTransform, HasSettersThatWriteIntoTheParametersAndGetters)
 {
-  const LabelledScene scene = box();
-  for (Parameters parameters : {Parameters(), published (30, 300)}) {
-    parameters.merging.enabled = true;
-    parameters.merging.distance_threshold = 1.6_m; // top and bottom are 1.5 m apart
-    Detector kht;
-    kht.setInputCloud (scene.cloud);
-    kht.setPhiNum (parameters.phi_num);
-    kht.setRhoNum (parameters.rho_num);
-    kht.setClusterParameters (parameters.clusters);
-    kht.setRefitParameters (parameters.refit);
-    kht.setMergingParameters (parameters.merging);
-    EXPECT_EQ (kht.getPhiNum(), 30);
-    EXPECT_EQ (kht.getRhoNum(), 300);
-    EXPECT_EQ (kht.getClusterParameters().s_alpha, parameters.clusters.s_alpha);
-    EXPECT_EQ (kht.getRefitParameters().enabled, parameters.refit.enabled);
-    std::vector<PlaneSegment> planes;
-    ASSERT_TRUE (kht.segment (planes));
-    EXPECT_LT (planes.size(), kht.getNumberOfPlanesBeforeMerging());
-    EXPECT_GE (kht.getNumberOfPlanesBeforeMerging(), 6u);
-  }
+  Parameters parameters = published (31, 301);
+  parameters.refit.enabled = true;
+  Detector kht;
+  kht.setPhiNum (parameters.phi_num);
+  kht.setRhoNum (parameters.rho_num);
+  kht.setClusterParameters (parameters.clusters);
+  kht.setRefitParameters (parameters.refit);
+  EXPECT_EQ (kht.getPhiNum(), 31);
+  EXPECT_EQ (kht.getParameters().rho_num, kht.getRhoNum());
+  EXPECT_EQ (kht.getClusterParameters().first_level, 3);
+  EXPECT_EQ (kht.getRefitParameters().enabled, parameters.refit.enabled);
 }
