@@ -33,16 +33,16 @@ struct VoxelScene {
     }
     voxelize();
     const pcl_ops::internal::Indices voxels = voxelsOfPoints (grid());
-    planes.plane_of_voxel.assign (grid().size(), pcl_ops::no_plane);
     for (std::size_t i = points.size(); i-- > 0;)
       planes.plane_of_voxel[voxels[i]] = plane_of_point[i];
   }
 
-  /** \brief After points were added. */
+  /** \brief After points were added: puts all voxels on the first plane. */
   void
   voxelize ()
   {
     voxelized = connectedVoxels (points, 10_cm);
+    planes.plane_of_voxel.assign (grid().size(), 0);
   }
 
   /** \brief A plane without voxels and with a noise of 6 mm. */

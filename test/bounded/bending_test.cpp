@@ -9,12 +9,14 @@ using namespace pcl_ops::internal;
 
 namespace {
 
+/** \brief Of a surface above (x, y) [m]. */
+using Height = double (*) (double x, double y);
+
 /** \brief Points above a square of 200 x 200, in voxels of 10 cm.
- * \param[in] heightAt (x, y), both from -half_edge to half_edge [m]
+ * \param[in] heightAt x and y, both from -half_edge to half_edge [m]
  * \param[in] noise each point is moved up or down by up to this much [m] */
-template <typename HeightAt>
 VoxelGrid
-gridOver (double half_edge, double noise, HeightAt&& heightAt)
+gridOver (double half_edge, double noise, Height heightAt)
 {
   const Surface square{
       {-half_edge, -half_edge, 0}, {2 * half_edge, 0, 0}, {0, 2 * half_edge, 0}};
@@ -34,36 +36,12 @@ bendingOfAll (const VoxelGrid& grid, std::size_t number = 1000000)
   return bendingOf (grid, voxels, *fit);
 }
 
-double
-slope (double x, double y)
-{
-  return 0.3 * x - 0.2 * y;
-}
-
-double
-barrel (double x, double /*y*/)
-{
-  return std::sqrt (1.0 - x * x);
-}
-
-double
-ball (double x, double y)
-{
-  return std::sqrt (1.0 - x * x - y * y);
-}
-
-double
-saddle (double x, double y)
-{
-  return 0.5 * x * y;
-}
-
+const Height slope = [] (double x, double y) { return 0.3 * x - 0.2 * y; };
+const Height barrel = [] (double x, double) { return std::sqrt (1.0 - x * x); };
+const Height ball = [] (double x, double y) { return std::sqrt (1.0 - x * x - y * y); };
+const Height saddle = [] (double x, double y) { return 0.5 * x * y; };
 /** \brief Up to 5 mm in the middle of 4 m. */
-double
-bowedWall (double x, double /*y*/)
-{
-  return 5_mm * (1.0 - x * x / 4.0);
-}
+const Height bowed_wall = [] (double x, double) { return 5_mm * (1.0 - x * x / 4.0); };
 
 } // namespace
 
@@ -77,7 +55,7 @@ TEST (Bending, ExplainsNothingOfANoisyPlane)
 
 TEST (Bending, ExplainsCylindersAndBallsAndSaddles)
 {
-  for (const auto& surface : {barrel, ball, saddle}) {
+  for (const Height surface : {barrel, ball, saddle}) {
     const Bending bending = bendingOfAll (gridOver (50_cm, 5_mm, surface));
     EXPECT_GT (bending.explained, 90_percent);
     EXPECT_TRUE (isCurved (bending));
@@ -95,10 +73,10 @@ TEST (Bending, IsAsFarAsTheSurfaceBends)
 
 TEST (Bending, OfASlightlyBowedWallIsNoCurvature)
 {
-  const Bending exact = bendingOfAll (gridOver (2_m, 0.0, bowedWall));
+  const Bending exact = bendingOfAll (gridOver (2_m, 0.0, bowed_wall));
   EXPECT_GT (exact.explained, 90_percent) << "it is bowed all the same";
   EXPECT_FALSE (isCurved (exact));
-  EXPECT_FALSE (isCurved (bendingOfAll (gridOver (2_m, 1_cm, bowedWall))));
+  EXPECT_FALSE (isCurved (bendingOfAll (gridOver (2_m, 1_cm, bowed_wall))));
 }
 
 TEST (Bending, ThatExplainsLittleOfTheUnevennessIsNoCurvature)

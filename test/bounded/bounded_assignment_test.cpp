@@ -60,7 +60,6 @@ TEST (BoundedAssignment, TakesPointsUpToAMultipleOfTheNoise)
   scene.points.add (0.55f, 0.55f, 0.105f);
   scene.points.add (1.55f, 0.55f, 0.120f);
   scene.voxelize();
-  scene.planes.plane_of_voxel.assign (scene.grid().size(), 0);
   scene.label (no_plane, [] (const auto& at) { return at.z() > 0.1; });
   const Labels labels = assign (scene).labels;
   EXPECT_EQ (labels[on_the_ground], 0) << "15 mm off";

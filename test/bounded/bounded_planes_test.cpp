@@ -45,44 +45,30 @@ planesOf (const VoxelGrid& grid, const Labels& plane_of_point)
 
 } // namespace
 
-TEST (Refitting, FitsEachPlaneToItsVoxels)
+TEST (Refitting, FitsEachPlaneToItsVoxelsAndLeavesOneWithoutAsItIs)
 {
   VoxelScene scene ({{ground}, {wall}});
-  scene.planes.planes = {tilted, tilted};
+  scene.planes.planes = {tilted, tilted, tilted};
   scene.label (no_plane, [] (const auto& at) { return at.x() < 0.1 && at.z() < 0.1; });
   refitPlanes (scene.grid(), scene.planes);
   EXPECT_TRUE (isNear (scene.planes.planes[0], ground, 1e-6, 1e-6));
   EXPECT_TRUE (isNear (scene.planes.planes[1], wall, 1e-6, 1e-6));
+  EXPECT_EQ (scene.planes.planes[2].normal, tilted.normal);
 }
 
-TEST (Refitting, LeavesAPlaneWithoutVoxelsAsItIs)
-{
-  VoxelScene scene ({{ground}});
-  scene.planes.planes = {tilted, tilted};
-  refitPlanes (scene.grid(), scene.planes);
-  EXPECT_EQ (scene.planes.planes[1].normal, tilted.normal);
-}
-
-TEST (MomentsOfPlanes, AddUpThePointsOfTheirVoxels)
+TEST (MomentsOfPlanes, AddUpThePointsOfTheirVoxelsAndWhatTheyHaveElsewhere)
 {
   const VoxelGrid three = threeVoxels();
-  const auto moments = momentsOfPlanes (three, planesOf (three, {1, no_plane, 1}));
-  ASSERT_EQ (moments.size(), 2u);
-  EXPECT_EQ (moments[0].count, 0.0);
-  EXPECT_EQ (moments[1].count, 2.0);
-  EXPECT_NEAR (moments[1].sum.x(), 0.05 + 0.25, 1e-6);
-}
-
-TEST (MomentsOfPlanes, HoldWhatPlanesHaveElsewhere)
-{
-  const VoxelGrid three = threeVoxels();
-  BoundedPlanes planes = planesOf (three, {0, 0, 1});
-  planes.moments_elsewhere.resize (1);
-  planes.moments_elsewhere[0].add (1, 2, 3);
-  const auto moments = momentsOfPlanes (three, planes);
-  ASSERT_EQ (moments.size(), 2u);
-  EXPECT_EQ (moments[0].count, 3.0);
-  EXPECT_EQ (moments[1].count, 1.0);
+  BoundedPlanes planes = planesOf (three, {1, no_plane, 1});
+  for (const double elsewhere : {0.0, 1.0}) {
+    const auto moments = momentsOfPlanes (three, planes);
+    ASSERT_EQ (moments.size(), 2u);
+    EXPECT_EQ (moments[0].count, elsewhere);
+    EXPECT_EQ (moments[1].count, 2.0);
+    EXPECT_NEAR (moments[1].sum.x(), 0.05 + 0.25, 1e-6);
+    planes.moments_elsewhere.resize (1);
+    planes.moments_elsewhere[0].add (1, 2, 3);
+  }
 }
 
 TEST (MomentsOf, SomeVoxelsAreThoseOfTheirPoints)

@@ -32,7 +32,6 @@ absorberOfStrip (double height, double noise_of_ground, double noise_of_strip)
   addGrid (scene.points, strip, 12);
   scene.voxelize();
   scene.addPlane (pcl_ops::planeThrough (strip.centre(), strip.normal()));
-  scene.planes.plane_of_voxel.assign (scene.grid().size(), 0);
   scene.planes.noise = {noise_of_ground, noise_of_strip};
   scene.label (1, [] (const auto& at) { return at.x() > 2.0; });
   return absorbed (scene)[1];
@@ -54,37 +53,30 @@ TEST (Absorption, GivesSplintersToThePlaneAroundThem)
   }
 }
 
-TEST (Absorption, LeavesAStepOfManyTimesTheNoise)
+TEST (Absorption, TakesAPlaneThatTouchesOneAndIsNoHigherThanTheNoiseOfBothExplains)
 {
-  VoxelScene scene ({{ground}, {{{2, 0, 0.13}, {2, 0, 0}, {0, 2, 0}}}}, 5_mm);
-  EXPECT_EQ (absorbed (scene), (pcl_ops::Labels{0, 1}));
-}
-
-TEST (Absorption, TakesAStepThatTheNoiseOfBothExplains)
-{
-  // 3 cm up, with points within 3 mm and within 3 cm of their surface.
-  for (const double noise : {3_mm, 3_cm}) {
-    VoxelScene scene ({{ground}, {{{2, 0, 0.08}, {1, 0, 0}, {0, 2, 0}}}}, noise);
-    EXPECT_EQ (absorbed (scene)[1], noise < 1_cm ? 1 : 0);
+  const struct {
+    const char* other;
+    double x, height, noise;
+    std::int32_t into;
+  } rows[] = {{"a step of many times the noise", 2_m, 8_cm, 5_mm, 1},
+              {"one of seven times the noise", 2_m, 2_cm, 3_mm, 1},
+              {"not as high as the noise", 2_m, 2_cm, 3_cm, 0},
+              {"coplanar, but apart", 3_m, 0_m, 0_m, 1}};
+  for (const auto& row : rows) {
+    const Surface other = {{row.x, 0, 0.05 + row.height}, {1, 0, 0}, {0, 2, 0}};
+    EXPECT_EQ (absorbed (VoxelScene ({{ground}, {other}}, row.noise)),
+               (pcl_ops::Labels{0, row.into}))
+        << row.other;
   }
 }
 
-TEST (Absorption, TakesABumpThatTheNoiseOfBothExplains)
+TEST (Absorption, TakesABumpThatTheNoiseOfBothExplainsButNoRoughPatchOfACleanPlane)
 {
   EXPECT_EQ (absorberOfStrip (15_mm, 9_mm, 9_mm), 0);
   EXPECT_EQ (absorberOfStrip (15_mm, 9_mm, 1_mm), 1) << "of its own noise it is sure";
-}
-
-TEST (Absorption, LeavesARoughPatchBesideACleanPlane)
-{
   EXPECT_EQ (absorberOfStrip (8_cm, 5_cm, 5_cm), 0);
   EXPECT_EQ (absorberOfStrip (8_cm, 5_mm, 5_cm), 1);
-}
-
-TEST (Absorption, LeavesCoplanarPlanesThatDoNotTouch)
-{
-  VoxelScene scene ({{ground}, {{{3, 0, 0.05}, {1, 0, 0}, {0, 2, 0}}}});
-  EXPECT_EQ (absorbed (scene), (pcl_ops::Labels{0, 1}));
 }
 
 TEST (Absorption, WeighsWhatAPlaneHasElsewhere)

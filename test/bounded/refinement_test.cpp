@@ -25,9 +25,9 @@ halfExplained ()
 }
 
 Refinement
-refined (const VoxelScene& scene, unsigned threads = 1)
+refined (const VoxelScene& scene)
 {
-  return refine (scene.voxelized, scene.planes, threads);
+  return refine (scene.voxelized, scene.planes, 1);
 }
 
 } // namespace
@@ -70,7 +70,6 @@ TEST (Refinement, LeavesVoxelsOfTooFewPointsForAPlane)
     for (int i = 0; i < number; ++i)
       scene.points.add (0.55f, 0.55f, 1.01f + 0.01f * static_cast<float> (i));
     scene.voxelize();
-    scene.planes.plane_of_voxel.assign (scene.grid().size(), 0);
     scene.label (no_plane, [] (const auto& at) { return at.z() > 0.5; });
     EXPECT_EQ (refined (scene).grid.size() > 0, number == 8);
   }
@@ -92,14 +91,6 @@ TEST (Refinement, LosesNoPointOfAPlane)
   EXPECT_LT ((all.sum - sum).norm(), 1e-3);
 }
 
-TEST (Refinement, BeginsWithTheCoarsePlanes)
-{
-  const VoxelScene scene = halfExplained();
-  const Refinement refinement = refined (scene);
-  ASSERT_EQ (refinement.planes.size(), 1u);
-  EXPECT_EQ (refinement.planes.planes[0].offset, scene.planes.planes[0].offset);
-}
-
 TEST (Refinement, OfWhatIsAllExplainedIsEmpty)
 {
   const Refinement refinement = refined (VoxelScene ({{ground}}));
@@ -108,10 +99,13 @@ TEST (Refinement, OfWhatIsAllExplainedIsEmpty)
   EXPECT_EQ (refinement.planes.moments_elsewhere.at (0).count, 14400.0);
 }
 
-TEST (Refinement, KeepsThePlaneOfTheVoxelThatHoldsAFinerOne)
+TEST (Refinement, KeepsTheCoarsePlanesAndThatOfTheVoxelThatHoldsAFinerOne)
 {
-  const Refinement refinement = refined (halfExplained());
+  const VoxelScene scene = halfExplained();
+  const Refinement refinement = refined (scene);
   const VoxelGrid& grid = refinement.grid;
+  ASSERT_EQ (refinement.planes.size(), 1u);
+  EXPECT_EQ (refinement.planes.planes[0].offset, scene.planes.planes[0].offset);
   for (std::size_t i = 0; i < grid.size(); ++i)
     EXPECT_EQ (refinement.planes.plane_of_voxel[i],
                isRight (grid.moments[i].centroid()) ? no_plane : 0);
@@ -123,7 +117,6 @@ TEST (Refinement, KeepsNoPlaneThatTheFinerPointsAreNotOn)
   VoxelScene scene ({{ground}});
   addGrid (scene.points, {{0.95, 0.5, 0.09}, {0.05, 0, 0}, {0, 0.05, 0}}, 12);
   scene.voxelize();
-  scene.planes.plane_of_voxel.assign (scene.grid().size(), 0);
   scene.label (no_plane, isRight);
   const Refinement refinement = refined (scene);
   const VoxelGrid& grid = refinement.grid;
