@@ -3,9 +3,6 @@
 #include "grid_scene.h"
 #include "ops/plane_extension.h"
 
-#include <algorithm>
-#include <optional>
-
 using pcl_ops::Labels;
 using pcl_ops::no_plane;
 using namespace pcl_ops::internal;
@@ -48,9 +45,8 @@ struct FloorAndRows {
                   levels,
                   distance_threshold,
                   assigned);
-    const auto labelled =
-        std::count (assigned.labels.begin(), assigned.labels.end(), 0);
-    EXPECT_EQ (assigned.moments[0].count, static_cast<double> (labelled));
+    EXPECT_EQ (assigned.moments[0].count,
+               std::count (assigned.labels.begin(), assigned.labels.end(), 0));
     Labels of_rows;
     for (auto row = assigned.labels.begin() + on_floor; row != assigned.labels.end();
          row += of_row) {

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include "ops/point_extraction.h"
 #include "scene.h"
 
@@ -52,14 +50,21 @@ withinFiveCentimeters ()
 }
 
 std::optional<Plane>
-ransac (const OrientedSamples& samples,
-        const Indices& candidates,
-        RandomGenerator& generator,
+ransac (Candidates candidates,
         const RansacParameters& parameters = withinFiveCentimeters(),
-        std::optional<Coordinates> verified = std::nullopt)
+        std::uint32_t seed = seedOfTest())
 {
-  return onePointRansac (
-      {samples, candidates, verified ? &*verified : nullptr}, parameters, generator);
+  RandomGenerator generator (seed);
+  return onePointRansac (candidates, parameters, generator);
+}
+
+ExtractedPlane
+largest (const OrientedSamples& samples,
+         const RansacParameters& parameters,
+         std::uint32_t seed = seedOfTest())
+{
+  RandomGenerator generator (seed);
+  return largestPlane ({samples, upTo (samples.size())}, parameters, generator).value();
 }
 
 } // namespace
@@ -111,10 +116,9 @@ TEST (OnePointRansac, FindsThePlaneWithMostInliers)
   const auto scene = floorAndWall().build();
   const auto samples = samplesOf (scene);
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
-    RandomGenerator generator (seed);
-    const auto plane = ransac (samples, upTo (samples.size()), generator);
-    ASSERT_TRUE (plane);
-    EXPECT_TRUE (isNear (*plane, scene.surfaces[0], 1e-6, 1e-6));
+    const Candidates all{samples, upTo (samples.size())};
+    const auto plane = ransac (all, withinFiveCentimeters(), seed);
+    EXPECT_TRUE (isNear (plane.value(), scene.surfaces[0], 1e-6, 1e-6));
   }
 }
 
@@ -126,48 +130,31 @@ TEST (OnePointRansac, DrawsFromTheCandidatesOnly)
   for (std::uint32_t i = 0; i < samples.size(); ++i)
     if (scene.labels[i] == 1)
       on_wall.push_back (i);
-  RandomGenerator generator (seedOfTest());
-  const auto plane = ransac (samples, on_wall, generator);
-  ASSERT_TRUE (plane);
-  EXPECT_TRUE (isNear (*plane, scene.surfaces[1], 1e-6, 1e-6));
+  const auto plane = ransac ({samples, on_wall});
+  EXPECT_TRUE (isNear (plane.value(), scene.surfaces[1], 1e-6, 1e-6));
 }
 
-TEST (OnePointRansac, WantsMoreInliersThanThetaN)
-{
-  OrientedSamples samples;
-  for (int i = 0; i < 20; ++i)
-    samples.add (Eigen::Vector3d (i % 5, i / 5, 0), Eigen::Vector3d::UnitZ());
-  RansacParameters parameters = withinFiveCentimeters();
-  RandomGenerator generator (seedOfTest());
-  parameters.min_inliers = 20;
-  EXPECT_FALSE (ransac (samples, upTo (20), generator, parameters));
-  parameters.min_inliers = 19;
-  EXPECT_TRUE (ransac (samples, upTo (20), generator, parameters));
-}
-
-TEST (OnePointRansac, CountsThetaNOnTheCandidatesWhateverItVerifiesOn)
+TEST (OnePointRansac, WantsMoreCandidatesThanThetaNWhateverItVerifiesOn)
 {
   // Ten candidates on a floor that has a thousand points.
-  const auto scene = Scene().floor (4_m, 2.5_m).spacing (10_cm).build();
-  const auto samples = samplesOf (scene);
+  const auto samples = samplesOf (Scene().floor (4_m, 2.5_m).spacing (10_cm).build());
+  Coordinates all = samples;
   RansacParameters parameters = withinFiveCentimeters();
-  RandomGenerator generator (seedOfTest());
-  parameters.min_inliers = 10;
-  EXPECT_FALSE (ransac (samples, upTo (10), generator, parameters, samples));
-  parameters.min_inliers = 9;
-  EXPECT_TRUE (ransac (samples, upTo (10), generator, parameters, samples));
+  for (Coordinates* const verified : {static_cast<Coordinates*> (nullptr), &all})
+    for (const std::size_t min_inliers : {9, 10}) {
+      parameters.min_inliers = min_inliers;
+      EXPECT_EQ (ransac ({samples, upTo (10), verified}, parameters).has_value(),
+                 min_inliers < 10);
+    }
 }
 
 TEST (OnePointRansac, FindsNothingAmongNoCandidatesOrPointsOnNoPlane)
 {
-  const auto scene = floorAndWall().build();
-  const auto samples = samplesOf (scene);
-  RandomGenerator generator (seedOfTest());
-  EXPECT_FALSE (ransac (samples, {}, generator));
   OrientedSamples scattered;
   for (int i = 0; i < 100; ++i)
     scattered.add (Eigen::Vector3d::Constant (i), Eigen::Vector3d::Ones().normalized());
-  EXPECT_FALSE (ransac (scattered, upTo (100), generator));
+  for (const std::size_t number : {0, 100})
+    EXPECT_FALSE (ransac ({scattered, upTo (number)}));
 }
 
 TEST (LargestPlane, IsRefittedToItsInliers)
@@ -176,17 +163,13 @@ TEST (LargestPlane, IsRefittedToItsInliers)
   const auto samples = samplesOf (scene, 0.01);
   RansacParameters parameters = withinFiveCentimeters();
   parameters.paper_only.local_optimization = false;
-  RandomGenerator generator (seedOfTest());
-  const auto found =
-      largestPlane ({samples, upTo (samples.size())}, parameters, generator);
-  ASSERT_TRUE (found);
+  const ExtractedPlane found = largest (samples, parameters);
   pcl_ops::Moments moments;
-  for (const std::uint32_t i : found->inliers)
+  for (const std::uint32_t i : found.inliers)
     moments.add (samples.x[i], samples.y[i], samples.z[i]);
-  const auto fit = fitPlane (moments);
-  ASSERT_TRUE (fit);
-  EXPECT_LT (angleBetween (found->plane.normal, fit->plane.normal), 1e-9);
-  EXPECT_NEAR (found->plane.distance (fit->centroid), 0.0, 1e-9);
+  const pcl_ops::PlaneFit fit = fitPlane (moments).value();
+  EXPECT_LT (angleBetween (found.plane.normal, fit.plane.normal), 1e-9);
+  EXPECT_NEAR (found.plane.distance (fit.centroid), 0.0, 1e-9);
 }
 
 TEST (LargestPlane, GrowsItsSupportByLocalOptimisation)
@@ -194,47 +177,33 @@ TEST (LargestPlane, GrowsItsSupportByLocalOptimisation)
   const auto scene = floorAndWall().noise (1_cm).build();
   const auto samples = samplesOf (scene, 0.05);
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
-    RandomGenerator generator (seed), same_draws (seed);
     RansacParameters parameters = withinFiveCentimeters();
     // The wall is half as large as the floor: no seed may miss that.
     parameters.paper_only.probability = 1.0 - 1e-9;
-    const auto grown =
-        largestPlane ({samples, upTo (samples.size())}, parameters, generator);
+    const ExtractedPlane grown = largest (samples, parameters, seed);
     parameters.paper_only.local_optimization = false;
-    const auto plain =
-        largestPlane ({samples, upTo (samples.size())}, parameters, same_draws);
-    ASSERT_TRUE (grown && plain);
-    EXPECT_GE (grown->inliers.size(), plain->inliers.size());
-    EXPECT_TRUE (isNear (grown->plane, scene.surfaces[0], 1_deg, 1_cm));
+    const ExtractedPlane plain = largest (samples, parameters, seed);
+    EXPECT_GE (grown.inliers.size(), plain.inliers.size());
+    EXPECT_TRUE (isNear (grown.plane, scene.surfaces[0], 1_deg, 1_cm));
   }
 }
 
-TEST (ExtractAll, FindsTheLargestFirstAndUsesNoSampleTwice)
+TEST (ExtractAll, FindsTheLargestFirstAndTakesThemOutOfSamplesAndRemainingPoints)
 {
   const auto scene = floorAndWall().build();
   const auto samples = samplesOf (scene);
-  RandomGenerator generator (seedOfTest());
-  Candidates candidates{samples, upTo (samples.size())};
-  const auto planes = extractAll (candidates, withinFiveCentimeters(), generator);
-  ASSERT_EQ (planes.size(), 2u);
-  Indices all = candidates.left;
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    EXPECT_TRUE (isNear (planes[p].plane, scene.surfaces[p], 1_deg, 1_cm));
-    all.insert (all.end(), planes[p].inliers.begin(), planes[p].inliers.end());
-  }
-  std::sort (all.begin(), all.end());
-  EXPECT_EQ (all, upTo (samples.size()));
-}
-
-TEST (ExtractAll, TakesPlanesOutOfTheRemainingPoints)
-{
-  const auto samples = samplesOf (floorAndWall().build());
   Coordinates remaining = samples;
   RandomGenerator generator (seedOfTest());
   Candidates candidates{samples, upTo (samples.size()), &remaining};
   const auto planes = extractAll (candidates, withinFiveCentimeters(), generator);
   ASSERT_EQ (planes.size(), 2u);
+  Indices all = candidates.left;
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    EXPECT_TRUE (isNear (planes[p].plane, scene.surfaces[p], 1_deg, 1_cm));
+    EXPECT_EQ (countWithinDistance (remaining, planes[p].plane, 5_cm), 0u);
+    all.insert (all.end(), planes[p].inliers.begin(), planes[p].inliers.end());
+  }
+  std::sort (all.begin(), all.end());
+  EXPECT_EQ (all, upTo (samples.size()));
   EXPECT_EQ (remaining.size(), candidates.left.size());
-  for (const ExtractedPlane& found : planes)
-    EXPECT_EQ (countWithinDistance (remaining, found.plane, 5_cm), 0u);
 }

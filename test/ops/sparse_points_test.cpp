@@ -3,8 +3,6 @@
 #include "grid_scene.h"
 #include "ops/sparse_points.h"
 
-#include <numeric>
-
 using pcl_ops::no_plane;
 using namespace pcl_ops::internal;
 

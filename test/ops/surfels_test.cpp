@@ -84,17 +84,9 @@ TEST (OrientedVoxels, OfAnEdgeBendWithoutTheirNeighborsHelp)
   EXPECT_GT (bent, 20u);
 }
 
-TEST (OrientedVoxels, OfABallAreThick)
+TEST (OrientedVoxels, OfAVolumeAreThick)
 {
-  RandomGenerator generator (seedOfTest());
-  Coordinates points;
-  for (int i = 0; i < 2000; ++i) {
-    const auto draw = [&] { return static_cast<float> (drawNormal (generator)); };
-    const float x = draw(), y = draw(), z = draw();
-    points.add (x, y, z);
-  }
-  const VoxelGrid grid = connectedGrid (points, 20.0);
-  for (const auto& normal : surfelsOf (grid))
+  for (const auto& normal : surfelsOf (connectedGrid (pointsInACube (2000, 4_m), 20.0)))
     EXPECT_TRUE (!normal || normal->thickness > 0.8);
 }
 

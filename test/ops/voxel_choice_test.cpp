@@ -63,11 +63,8 @@ TEST (VoxelChoice, LeavesPointsEnoughInAVoxel)
   // Of exact planes and of those with hardly any noise, which would do with 36 mm.
   for (const double apart : {0.0, 1_mm})
     EXPECT_GT (meanPointsPerVoxel (gridOfFloors (apart, many, few_voxels)), 8.0);
-}
-
-TEST (VoxelChoice, LeavesPointsEnoughInAVoxelOfASmallCloud)
-{
-  EXPECT_GT (meanPointsPerVoxel (gridOfFloors (4_cm, 23, 0.03)), 3.0);
+  EXPECT_GT (meanPointsPerVoxel (gridOfFloors (4_cm, 23, 0.03)), 3.0)
+      << "a small cloud";
 }
 
 TEST (VoxelChoice, IsLargerThanTheStepsOfSinglePrecision)
