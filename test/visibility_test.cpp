@@ -60,9 +60,7 @@ TEST (Visibility, LeavesOutWhatIsNotFinite)
 {
   Cloud cloud = wallBehindABoard();
   const double before = occludedFraction (CloudView (cloud), camera);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (int i = 0; i < 1000; ++i)
-    cloud.push_back ({nan, nan, nan});
+  cloud.insert (cloud.end(), 1000, pcl::PointXYZ (NAN, NAN, NAN));
   EXPECT_EQ (occludedFraction (CloudView (cloud), camera), before);
-  EXPECT_EQ (occludedFraction (CloudView (cloud), Vector3d::Constant (nan)), 0.0);
+  EXPECT_EQ (occludedFraction (CloudView (cloud), Vector3d::Constant (NAN)), 0.0);
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A point type PCL does not know needs the bodies of all templates.
 #define PCL_NO_PRECOMPILE
-#include <gtest/gtest.h>
-
 #include "scene.h"
 #include <pcl_ops/oriented_point_sampling.h>
 

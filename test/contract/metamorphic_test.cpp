@@ -86,13 +86,8 @@ const std::map<std::string, void (*) (Variant&)> changes = {
     {"in_kilometers",
      [] (Variant& v) { move (v, Eigen::Affine3d (Eigen::Scaling (1e-3)), 1e-3); }},
     {"turned_about_z",
-     [] (Variant& v) {
-       move (v, turnAbout ({0, 0, 1}));
-     }},
-    {"turned",
-     [] (Variant& v) {
-       move (v, turnAbout ({1, 2, 3}));
-     }},
+     [] (Variant& v) { move (v, turnAbout (Eigen::Vector3d::UnitZ())); }},
+    {"turned", [] (Variant& v) { move (v, turnAbout (Eigen::Vector3d (1, 2, 3))); }},
     {"permuted",
      [] (Variant& v) {
        pcl::Indices order = v.original;
@@ -172,15 +167,8 @@ agreement (const Planes& planes, const Planes& of_variant, const Variant& varian
 Cloud
 furnishedRoom ()
 {
-  return *Scene (7)
-              .floor (4_m, 3_m)
-              .wall ({0, 0}, {4, 0}, 2.5_m)
-              .wall ({0, 0}, {0, 3}, 2.5_m)
-              .surface ({1.5, 1, 0.75}, {1.2, 0, 0}, {0, 0.8, 0})
-              .noise (3_mm)
-              .spacing (2_cm)
-              .build()
-              .cloud;
+  Scene scene = room (7).noise (3_mm).spacing (2_cm).clutter (0.0);
+  return *scene.surface ({1.5, 1, 0.75}, {1.2, 0, 0}, {0, 0.8, 0}).build().cloud;
 }
 
 class Metamorphic

@@ -10,18 +10,15 @@ TEST (MergeAssigned, FitsThePlanesToTheirPointsAndRelabelsThem)
 {
   // Plane 0 is a line, 1 and 2 are two halves of one floor, and a point is on none.
   Points points;
-  Labels labels, expected;
   for (int i = 0; i < 10; ++i)
     points.add (static_cast<float> (i), 7.0f, 7.0f);
   for (int i = 0; i < 100; ++i)
     points.add (static_cast<float> (i % 10), static_cast<float> (i / 10), 0.0f);
-  labels.insert (labels.end(), 10, 0);
-  labels.insert (labels.end(), 50, 1);
-  labels.insert (labels.end(), 49, 2);
-  labels.push_back (no_plane);
-  expected.insert (expected.end(), 10, no_plane);
-  expected.insert (expected.end(), 99, 0);
-  expected.push_back (no_plane);
+  Labels labels (110, 2), expected (110, 0);
+  std::fill_n (labels.begin(), 10, 0);
+  std::fill_n (labels.begin() + 10, 50, 1);
+  std::fill_n (expected.begin(), 10, no_plane);
+  labels.back() = expected.back() = no_plane;
   MergingParameters merging;
   merging.distance_threshold = 5_cm;
   const LabelledPlanes found =
@@ -36,7 +33,7 @@ TEST (MergeAssigned, FitsThePlanesToTheirPointsAndRelabelsThem)
 TEST (DetectInFinitePoints, RunsNoStageWithoutAFinitePoint)
 {
   pcl::PointCloud<pcl::PointXYZ> cloud;
-  cloud.push_back ({std::numeric_limits<float>::quiet_NaN(), 0, 0});
+  cloud.push_back ({NAN, 0, 0});
   const DetectorInput input{
       pcl_ops::CloudView (cloud), nullptr, Eigen::Vector3d::Zero(), nullptr};
   const auto detect = [] (const Points&, auto&) {

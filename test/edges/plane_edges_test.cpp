@@ -47,10 +47,7 @@ withLastIn (int plane, Scene scene)
 Scene
 corner ()
 {
-  return Scene()
-      .floor (4_m, 3_m)
-      .wall ({0, 0}, {4, 0}, 2.5_m)
-      .wall ({0, 0}, {0, 3}, 2.5_m);
+  return room().noise (0.0).clutter (0.0);
 }
 
 /** \brief The edge of two planes; fails unless there is one. */
@@ -82,16 +79,21 @@ expectRuns (const PlaneEdge& edge, Vector3d from, Vector3d to, double tolerance)
 
 TEST (PlaneEdges, OfTheCornerOfARoomAreThreeThatMeetThere)
 {
-  const PlaneEdges found = edgesOf (corner().build());
-  EXPECT_EQ (found.edges.size(), 3u);
-  expectRuns (edgeBetween (found, 0, 1), {0, 0, 0}, {4, 0, 0}, 5_cm);
-  expectRuns (edgeBetween (found, 0, 2), {0, 0, 0}, {0, 3, 0}, 5_cm);
-  expectRuns (edgeBetween (found, 1, 2), {0, 0, 0}, {0, 0, 2.5}, 5_cm);
-  ASSERT_EQ (found.corners.size(), 1u);
-  EXPECT_EQ (found.corners[0].planes, (std::array<std::size_t, 3>{0, 1, 2}));
-  EXPECT_LT (found.corners[0].position.norm(), 1e-6);
-  for (const PlaneEdge& edge : found.edges)
-    EXPECT_LT (std::min (edge.from.norm(), edge.to.norm()), 1e-6) << "drawn to it";
+  PlaneEdgeParameters usual, far_reaching; // the corner is near both ends then
+  far_reaching.max_gap = 100_m;
+  for (const PlaneEdgeParameters& parameters : {usual, far_reaching}) {
+    const PlaneEdges found = edgesOf (corner().build(), parameters);
+    EXPECT_EQ (found.edges.size(), 3u);
+    expectRuns (edgeBetween (found, 0, 1), {0, 0, 0}, {4, 0, 0}, 5_cm);
+    expectRuns (edgeBetween (found, 0, 2), {0, 0, 0}, {0, 3, 0}, 5_cm);
+    expectRuns (edgeBetween (found, 1, 2), {0, 0, 0}, {0, 0, 2.5}, 5_cm);
+    ASSERT_EQ (found.corners.size(), 1u);
+    EXPECT_EQ (found.corners[0].planes, (std::array<std::size_t, 3>{0, 1, 2}));
+    const Vector3d at = found.corners[0].position;
+    EXPECT_LT (at.norm(), 1e-6);
+    for (const PlaneEdge& edge : found.edges)
+      EXPECT_EQ (std::min ((edge.from - at).norm(), (edge.to - at).norm()), 0.0);
+  }
 }
 
 TEST (PlaneEdges, NeedPointsOfBothPlanesBesideTheLine)
@@ -225,18 +227,6 @@ TEST (PlaneEdges, AreTheSameInWhateverOrderThePointsAre)
   for (PlaneSegment& plane : planes)
     std::reverse (plane.inliers.begin(), plane.inliers.end());
   EXPECT_EQ (endsOf(), ends);
-}
-
-TEST (PlaneEdges, BeginInTheCornerThatIsNearBothEnds)
-{
-  PlaneEdgeParameters far_reaching;
-  far_reaching.max_gap = 100.0;
-  const PlaneEdges found = edgesOf (corner().build(), far_reaching);
-  ASSERT_EQ (found.corners.size(), 1u);
-  const Eigen::Vector3d at = found.corners[0].position;
-  EXPECT_EQ (found.edges.size(), 3u);
-  for (const PlaneEdge& edge : found.edges)
-    EXPECT_EQ (std::min ((edge.from - at).norm(), (edge.to - at).norm()), 0.0);
 }
 
 TEST (PlaneEdges, OfNothingOrAPlaneThatIsNotFiniteAreNone)

@@ -232,9 +232,7 @@ TEST (PlaneExtent, OfTwoPointsOrManyOnOneLineIsThatLine)
 
 TEST (PlaneExtent, OfALineAndOnePointBesideItIsATriangleAndOthersAreLeftOut)
 {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double infinity = std::numeric_limits<double>::infinity();
-  PlanarPoints points = {{0.5, 1.0}, {nan, 0.5}, {0.5, infinity}};
+  PlanarPoints points = {{0.5, 1.0}, {NAN, 0.5}, {0.5, INFINITY}};
   for (int i = 0; i <= 1000; ++i)
     points.emplace_back (0.001 * i, 0.0);
   const PlaneExtent extent = extentOnGround (points);

@@ -7,15 +7,12 @@
 #include "geometry/points.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 using pcl_ops::CloudView;
 using namespace pcl_ops::internal;
 
 namespace {
-
-constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinite = std::numeric_limits<float>::infinity();
 
 pcl::PointCloud<pcl::PointXYZ>
 cloudOf (std::initializer_list<pcl::PointXYZ> points)
@@ -36,7 +33,7 @@ inInputFrame (const Points& points, std::size_t i)
 TEST (FinitePoints, DropsNanAndInfinityWhateverIsDenseSays)
 {
   auto cloud = cloudOf (
-      {{nan_value, 0, 0}, {1, 2, 3}, {0, infinite, 0}, {4, 5, 6}, {0, 0, -infinite}});
+      {{NAN, 0, 0}, {1, 2, 3}, {0, INFINITY, 0}, {4, 5, 6}, {0, 0, -INFINITY}});
   for (const bool dense : {true, false}) {
     cloud.is_dense = dense;
     const Points points = finitePoints (CloudView (cloud), 1);
@@ -77,7 +74,7 @@ TEST (FinitePoints, HaveTheirOriginNearEqualOnesAndBesideMissingOnes)
   cloud.resize (1000, pcl::PointXYZ (far, far, far));
   EXPECT_EQ (finitePoints (CloudView (cloud), 1).origin.x(), far);
   for (std::size_t i = 1; i < cloud.size(); ++i)
-    cloud[i].x = nan_value;
+    cloud[i].x = NAN;
   EXPECT_EQ (finitePoints (CloudView (cloud), 1).origin.x(), far);
 }
 

@@ -19,9 +19,7 @@ const Surface shelf{{1.5, 0.5, 1.0}, {0.4, 0.0, 0.0}, {0.0, 0.4, 0.0}};
 OctreeClusters
 clustersOfCorner (double noise)
 {
-  Coordinates points;
-  addGrid (points, bottom, 100, noise);
-  addGrid (points, wall, 100, noise);
+  Coordinates points = gridsOf ({bottom, wall}, 100, noise);
   addGrid (points, shelf, 20, noise);
   OctreeClusterParameters parameters;
   parameters.first_level = 3;
@@ -44,7 +42,7 @@ TEST (HoughPlanes, WeighAClusterByItsEdgeAndPoints)
 TEST (HoughPlanes, ComeByFallingWeight)
 {
   const OctreeClusters found = clustersOfCorner (1_mm);
-  double before = std::numeric_limits<double>::infinity();
+  double before = INFINITY;
   for (const HoughPlane& plane : voteForPlanes (found, 45, 200)) {
     double weight = 0.0;
     for (const std::uint32_t cluster : plane.clusters)

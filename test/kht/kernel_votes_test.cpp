@@ -266,8 +266,8 @@ TEST (KernelVotes, EndAtTheLastRhoAndWhereTheLikeliestAzimuthIsManyTurnsAway)
 TEST (KernelVotes, AreNoneWithoutACovariance)
 {
   PlaneKernel kernel = kernelAt (1.0, 1.2, 2.0);
-  kernel.covariance.setZero();
-  EXPECT_TRUE (votesOf (kernel).empty());
-  kernel.covariance.setConstant (std::numeric_limits<double>::quiet_NaN());
-  EXPECT_TRUE (votesOf (kernel).empty());
+  for (const double none : {0.0, double (NAN)}) {
+    kernel.covariance.setConstant (none);
+    EXPECT_TRUE (votesOf (kernel).empty());
+  }
 }

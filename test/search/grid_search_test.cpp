@@ -54,11 +54,10 @@ onePoint ()
 std::map<std::string, Cloud::Ptr>
 clouds ()
 {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
   const Cloud::Ptr broken = uniformVolume(), beside_strays = uniformVolume();
   for (std::size_t i = 0; i < broken->size(); i += 2)
-    (*broken)[i].y = nan;
-  (*broken)[1].z = std::numeric_limits<float>::infinity();
+    (*broken)[i].y = NAN;
+  (*broken)[1].z = INFINITY;
   beside_strays->push_back ({1e7f, 0, 0});
   beside_strays->push_back ({-1e12f, 1e12f, 0});
   const auto draw_clusters = [] (auto& g) {
@@ -133,9 +132,7 @@ within (const pcl::search::Search<PointXYZ>& search,
 
 /** All points by rising distance, equal ones by rising index, up to a distance. */
 Neighbors
-bruteForce (const Cloud& cloud,
-            const PointXYZ& query,
-            float squared_radius = std::numeric_limits<float>::infinity())
+bruteForce (const Cloud& cloud, const PointXYZ& query, float squared_radius = INFINITY)
 {
   std::vector<std::pair<float, int>> all;
   for (int i = 0; i < static_cast<int> (cloud.size()); ++i)
@@ -246,13 +243,12 @@ TEST (GridSearch, FindsNothingWhereThereIsNothing)
   EXPECT_TRUE (nearest (search, query, 0).indices.empty()) << "of no neighbors";
   EXPECT_TRUE (within (search, query, 1_m).indices.empty()) << "within a meter";
   EXPECT_TRUE (within (search, query, -9_m).indices.empty()) << "below zero";
-  const PointXYZ nowhere (std::numeric_limits<float>::quiet_NaN(), 0, 0);
-  EXPECT_TRUE (nearest (search, nowhere, 5).indices.empty()) << "of no position";
+  EXPECT_TRUE (nearest (search, {NAN, 0, 0}, 5).indices.empty()) << "of no position";
 }
 
 TEST (NearestCandidates, StopTakingWhatIsFarther)
 {
-  NearestCandidates candidates (1, std::numeric_limits<float>::infinity());
+  NearestCandidates candidates (1, INFINITY);
   EXPECT_TRUE (candidates.mayTake (NearestCandidates::bitsOf (5.0f)));
   const std::vector<float> near (50, 1.0f);
   const pcl::Indices indices (50, 7);

@@ -60,12 +60,6 @@ isInWall (const Eigen::Vector2d& p)
          !(p.x() > 1.001 && p.x() < 1.999 && p.y() > 1.001 && p.y() < 1.799);
 }
 
-PlanarPoints
-wallWithWindow ()
-{
-  return gridOf (150, isInWall);
-}
-
 constexpr double area_of_l = 1.75;
 
 /** \brief Points of a square of 3 m, drawn until there are so many of a shape. */
@@ -84,17 +78,11 @@ scattered (std::size_t number, double noise, Shape&& isInShape)
   return points;
 }
 
-PlanarPoints
-gridOfL ()
-{
-  return gridOf (300, isInL);
-}
-
 } // namespace
 
 TEST (ConcaveHull, FollowsAnLWhereTheConvexHullDoesNot)
 {
-  const PlanarPoints l = gridOfL();
+  const PlanarPoints l = gridOf (300, isInL);
   EXPECT_NEAR (areaOf (convexHull (l)), 2.875, 1e-6);
   EXPECT_NEAR (areaOf (concaveHull (l)) / area_of_l, 1.0, 1_percent);
   EXPECT_NEAR (areaOf (concaveHull (l, 100.0)), 2.875, 0.01) << "with a radius given";
@@ -117,8 +105,8 @@ TEST (ConcaveHull, HasTheAreaOfScatteredPointsAndNearlyAllInsideTheSameEveryTime
 
 TEST (ConcaveHull, GoesAroundAllPartsOfAPlane)
 {
-  PlanarPoints parts = gridOfL();
-  for (const Eigen::Vector2d& point : gridOfL())
+  PlanarPoints parts = gridOf (300, isInL);
+  for (const Eigen::Vector2d& point : gridOf (300, isInL))
     parts.emplace_back (point + Eigen::Vector2d (3.0, 0.0));
   EXPECT_GE (shareInside (parts, concaveHull (parts)), 99_percent);
 }
@@ -136,7 +124,7 @@ TEST (ConcaveHull, OfPointsThatSpanNoAreaIsEmptyAndOfThreeTheirTriangle)
 
 TEST (ConcaveOutline, HasTheWindowOfAWallAsAHoleAndTakesItOffTheArea)
 {
-  const PlanarPoints wall = wallWithWindow();
+  const PlanarPoints wall = gridOf (150, isInWall);
   const PlanarRings outline = concaveOutline (wall);
   ASSERT_EQ (outline.size(), 2u);
   EXPECT_NEAR (areaOf (outline[0]), 7.5, 1_percent * 7.5);
@@ -153,16 +141,12 @@ TEST (ConcaveOutline, HasTheWindowOfAWallAsAHoleAndTakesItOffTheArea)
   EXPECT_NEAR (extent.length, 3.0, 1e-6) << "of the outer ring";
 }
 
-TEST (ConcaveOutline, HasTheWindowOfScatteredNoisyPoints)
+TEST (ConcaveOutline, HasTheWindowOfScatteredNoisyPointsAndOfAFullSurfaceNoHole)
 {
   const PlanarRings outline = concaveOutline (scattered (30000, 5_mm, isInWall));
   ASSERT_EQ (outline.size(), 2u);
   EXPECT_NEAR (areaOf (outline[1]), -0.8, 10_percent);
-}
-
-TEST (ConcaveOutline, OfAFullSurfaceHasNoHole)
-{
-  EXPECT_EQ (concaveOutline (gridOfL()).size(), 1u);
+  EXPECT_EQ (concaveOutline (gridOf (300, isInL)).size(), 1u);
   EXPECT_EQ (concaveOutline (scattered (30000, 5_mm, isInL)).size(), 1u);
 }
 
@@ -183,9 +167,9 @@ TEST (ConcaveOutline, HasNoHolesThatAreNextToNothing)
 
 TEST (ConcaveOutline, OfAWallOfAnySizeIsTheSame)
 {
-  const PlanarRings expected = concaveOutline (wallWithWindow());
+  const PlanarRings expected = concaveOutline (gridOf (150, isInWall));
   for (const double size : {1e-40, 1e-9, 1e-6, 1e-3, 1e6}) {
-    PlanarPoints wall = wallWithWindow();
+    PlanarPoints wall = gridOf (150, isInWall);
     for (Eigen::Vector2d& point : wall)
       point *= size;
     const PlanarRings outline = concaveOutline (wall);
@@ -213,7 +197,7 @@ TEST (ConcaveOutline, OfRoundedCoordinatesHasNoHoles)
 
 TEST (ConcaveOutline, HasHolesByFallingArea)
 {
-  PlanarPoints wall = wallWithWindow();
+  PlanarPoints wall = gridOf (150, isInWall);
   const auto is_vent = [] (const Eigen::Vector2d& point) {
     return (point - Eigen::Vector2d (2.5, 2.0)).lpNorm<Eigen::Infinity>() < 0.2;
   };

@@ -20,16 +20,12 @@ keyOfCoordinate (float coordinate, float voxels_per_meter = 10.0f)
 
 } // namespace
 
-TEST (VoxelKeys, AreRoundedDown)
+TEST (VoxelKeys, AreRoundedDownAndEndWhereTheirRangeEnds)
 {
   EXPECT_EQ (keyOfCoordinate (0.05f), 0);
   EXPECT_EQ (keyOfCoordinate (0.15f), 1);
   EXPECT_EQ (keyOfCoordinate (-0.05f), -1);
   EXPECT_EQ (keyOfCoordinate (-0.1f), -1) << "a whole number stays";
-}
-
-TEST (VoxelKeys, EndWhereTheirRangeEnds)
-{
   EXPECT_EQ (keyOfCoordinate (1e9f), key_limit);
   EXPECT_EQ (keyOfCoordinate (-1e9f), -key_limit);
 }

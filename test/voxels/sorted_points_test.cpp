@@ -29,8 +29,9 @@ TEST (SortedRuns, JoinPointsThatFollowEachOtherInAVoxel)
   EXPECT_EQ (runs[1].code(), mortonCode (5, 0, 0));
 }
 
-TEST (SortedRuns, OfMoreThanSixteenPointsAreSeveral)
+TEST (SortedRuns, OfMoreThanSixteenPointsAreSeveralAndOfNoneNone)
 {
+  EXPECT_EQ (runsAlongX ({}).size(), 0u);
   const PointRuns runs = runsAlongX (std::vector<float> (35, 0.5f));
   ASSERT_EQ (runs.size(), 3u);
   EXPECT_EQ (runs[0].end(), runs[1].first());
@@ -63,5 +64,3 @@ TEST (SortedRuns, AscendAndCoverEveryPointOnce)
   }
   EXPECT_EQ (covered, std::vector<int> (points.size(), 1));
 }
-
-TEST (SortedRuns, OfNoPointsAreNone) { EXPECT_EQ (sortedRuns ({}, 1.0, 1).size(), 0u); }
