@@ -148,7 +148,7 @@ TEST (MatchPlanes, RefusesWrongArguments)
   EXPECT_THROW (matchPlanes ({}, {}, stays, wrong), std::invalid_argument);
   EXPECT_THROW (PlaneTracker{wrong}, std::invalid_argument);
   Isometry3d nowhere = stays;
-  nowhere.translation().x() = std::nan ("");
+  nowhere.translation().x() = NAN;
   EXPECT_THROW (matchPlanes ({}, {}, nowhere), std::invalid_argument);
 }
 

@@ -236,9 +236,9 @@ TEST (PlaneEdges, OfNothingOrAPlaneThatIsNotFiniteAreNone)
   EXPECT_TRUE (findPlaneEdges (empty, std::vector<PlaneSegment> (3)).edges.empty());
   const LabelledScene built = corner().build();
   std::vector<PlaneSegment> planes = planesOf (built);
-  planes[1].normal.setConstant (std::nan (""));
+  planes[1].normal.setConstant (NAN);
   EXPECT_EQ (findPlaneEdges (*built.cloud, planes).edges.size(), 1u);
-  planes[0].centroid.setConstant (std::nan (""));
+  planes[0].centroid.setConstant (NAN);
   EXPECT_TRUE (findPlaneEdges (*built.cloud, planes).edges.empty());
 }
 
