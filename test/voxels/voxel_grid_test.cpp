@@ -57,6 +57,18 @@ TEST (VoxelGrid, AddsUpTheMomentsOfTheVoxelsPoints)
   }
 }
 
+TEST (VoxelGrid, IsTheSameForAnyNumberOfThreads)
+{
+  const Coordinates points = pointsInACube (400000, 4.0);
+  const VoxelGrid one = voxelize (points, 0.2, 1);
+  for (const unsigned threads : {2u, 3u, 4u, 8u}) {
+    const VoxelGrid many = voxelize (points, 0.2, threads);
+    EXPECT_EQ (*one.order, *many.order);
+    for (std::size_t c = 0; c < one.size(); ++c)
+      ASSERT_EQ (one.moments[c].sum, many.moments[c].sum);
+  }
+}
+
 TEST (CoarseVoxels, HoldsEightVoxelsEachAndLosesNoPoint)
 {
   const VoxelGrid fine = voxelize (pointsInACube (3000, 4.0), 0.25, 1);
