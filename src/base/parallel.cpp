@@ -23,35 +23,14 @@
 namespace pcl_ops::internal {
 namespace {
 
-class Workers {
-public:
-  /** \brief Never destroyed: the threads end with the process. The copy of a process
-   * has none of them to wait for. */
-  static Workers&
-  ofTheProcess ()
-  {
-    static Workers& workers = *new Workers;
-    return workers;
-  }
+/** \brief Threads that take what is posted to them. */
+struct Workers {
+  boost::asio::io_context tasks;
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> more_to_come{
+      tasks.get_executor()};
+  std::mutex guard;
+  std::size_t started = 0;
 
-  void
-  call (std::size_t number, const std::function<void()>& task)
-  {
-    {
-      const std::lock_guard<std::mutex> lock (guard_);
-      try {
-        for (; started_ < number; ++started_)
-          std::thread ([this] { serve(); }).detach();
-      }
-      catch (const std::system_error&) {
-        // As many as there are will do.
-      }
-    }
-    for (std::size_t i = 0; i < number; ++i)
-      boost::asio::post (tasks_, task);
-  }
-
-private:
   // The next task of a detector mostly comes at once: sooner than a thread wakes up.
   void
   serve ()
@@ -59,19 +38,13 @@ private:
     constexpr int patience = 200;
     while (true) {
       for (int idle = 0; idle < patience; ++idle) {
-        if (tasks_.poll_one() != 0)
+        if (tasks.poll_one() != 0)
           idle = 0;
         std::this_thread::yield();
       }
-      tasks_.run_one();
+      tasks.run_one();
     }
   }
-
-  boost::asio::io_context tasks_;
-  boost::asio::executor_work_guard<boost::asio::io_context::executor_type>
-      more_to_come_{tasks_.get_executor()};
-  std::mutex guard_;
-  std::size_t started_ = 0;
 };
 
 using PieceBody = std::function<void (std::size_t, std::size_t)>;
@@ -159,7 +132,21 @@ availableProcessors ()
 void
 callOnWorkers (std::size_t number, const std::function<void()>& task)
 {
-  Workers::ofTheProcess().call (number, task);
+  // Never destroyed: the threads end with the process. The copy of a process has none
+  // of them to wait for.
+  static Workers& workers = *new Workers;
+  {
+    const std::lock_guard<std::mutex> lock (workers.guard);
+    try {
+      for (; workers.started < number; ++workers.started)
+        std::thread ([] { workers.serve(); }).detach();
+    }
+    catch (const std::system_error&) {
+      // As many as there are will do.
+    }
+  }
+  for (std::size_t i = 0; i < number; ++i)
+    boost::asio::post (workers.tasks, task);
 }
 
 void
