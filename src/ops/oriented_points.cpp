@@ -48,13 +48,10 @@ weightedScatter (const CloudView& cloud,
                  const std::vector<float>& squared_distances,
                  std::optional<double> given_sigma)
 {
-  const auto farthest =
-      std::max_element (squared_distances.begin(), squared_distances.end());
-  const double sigma = given_sigma
-                           ? *given_sigma
-                           : static_cast<double> (farthest == squared_distances.end()
-                                                      ? 0.0f
-                                                      : std::sqrt (*farthest));
+  float farthest = 0.0f;
+  for (const float squared_distance : squared_distances)
+    farthest = std::max (farthest, squared_distance);
+  const double sigma = given_sigma.value_or (std::sqrt (farthest));
   const Eigen::Vector3d p = positionIn (cloud, sample);
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const pcl::index_t neighbor : neighbors) {
