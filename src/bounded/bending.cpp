@@ -6,8 +6,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-#include "bounded/bounded_planes.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -75,8 +73,7 @@ bendingOf (const VoxelGrid& grid, const Indices& voxels, const PlaneFit& fit)
   if (voxels.size() < min_voxels)
     return bending;
   const std::vector<Moments>& moments = grid.moments;
-  const Moments all = momentsOf (grid, voxels);
-  const PatchAxes axes = axesOf (all, fit.plane);
+  const PatchAxes axes = axesOf (momentsOf (moments, voxels), fit.plane);
   Equations equations;
   for (const std::uint32_t voxel : voxels) {
     const Eigen::Vector3d offset = moments[voxel].centroid() - fit.centroid;

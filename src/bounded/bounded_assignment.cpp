@@ -3,7 +3,6 @@
 #include "bounded/bounded_assignment.h"
 
 #include "base/parallel.h"
-#include "bounded/noise_measurement.h"
 #include "bounded/plane_bands.h"
 #include "geometry/noise_ratios.h"
 

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bounded/bounded_planes.h"
 
+#include "base/parallel.h"
 #include "detection/plane_assignment.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <utility>
 
 namespace pcl_ops::internal {
 
@@ -45,13 +49,28 @@ renumberPlanes (const MergedPlanes& merged, BoundedPlanes& planes)
     planes.planes.push_back (fit.plane);
 }
 
-Moments
-momentsOf (const VoxelGrid& grid, const Indices& voxels)
+void
+measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes)
 {
-  Moments moments;
-  for (const std::uint32_t voxel : voxels)
-    moments.addAligned (grid.moments[voxel]);
-  return moments;
+  const auto planeOf = [&] (std::size_t voxel) {
+    return static_cast<std::size_t> (planes.plane_of_voxel[voxel]);
+  };
+  std::vector<float> distances (grid.size());
+  forEach (threads, grid.size(), [&] (std::size_t i) {
+    if (planes.plane_of_voxel[i] != no_plane)
+      distances[i] = static_cast<float> (
+          meanSquaredDistance (grid.moments[i], planes.planes[planeOf (i)]));
+  });
+  std::vector<std::vector<float>> of_plane (planes.size());
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    if (planes.plane_of_voxel[i] != no_plane)
+      of_plane[planeOf (i)].push_back (distances[i]);
+  planes.noise.resize (planes.size(), smallestNoise (grid));
+  for (std::size_t p = 0; p < planes.size(); ++p)
+    if (!of_plane[p].empty())
+      planes.noise[p] =
+          std::max (std::sqrt (static_cast<double> (medianOf (of_plane[p]))),
+                    smallestNoise (grid));
 }
 
 } // namespace pcl_ops::internal

@@ -11,8 +11,6 @@
 namespace pcl_ops::internal {
 namespace {
 
-using ClusterList = std::vector<std::uint32_t>;
-
 // The rms distance of a cluster to its plane is at most this share of theta_h.
 constexpr double largest_rms_share = 0.5;
 
@@ -20,7 +18,7 @@ constexpr double largest_rms_share = 0.5;
 constexpr int fits_per_plane = 2;
 
 double
-weightOf (const ClusterList& clusters, const OctreeClusters& found)
+weightOf (const Indices& clusters, const OctreeClusters& found)
 {
   double weight = 0.0;
   for (const std::uint32_t cluster : clusters)
@@ -29,7 +27,7 @@ weightOf (const ClusterList& clusters, const OctreeClusters& found)
 }
 
 Moments
-momentsOf (const ClusterList& clusters, const OctreeClusters& found)
+momentsOfClusters (const Indices& clusters, const OctreeClusters& found)
 {
   Moments moments;
   moments.origin = found.root.center;
@@ -39,13 +37,13 @@ momentsOf (const ClusterList& clusters, const OctreeClusters& found)
 }
 
 /** The clusters that no plane has yet and whose rms distance to one is small enough. */
-ClusterList
+Indices
 freeNear (const Plane& plane,
           double largest_rms,
           const OctreeClusters& found,
           const std::vector<bool>& is_free)
 {
-  ClusterList near;
+  Indices near;
   for (std::uint32_t c = 0; c < is_free.size(); ++c)
     if (is_free[c] && meanSquaredDistance (found.clusters[c].moments, plane) <=
                           largest_rms * largest_rms)
@@ -119,7 +117,7 @@ refitPlanes (const std::vector<HoughPlane>& planes,
   for (auto ranks = rankPlanes (planes, found); !ranks.empty();) {
     const auto [last_weight, rank] = ranks.top();
     ranks.pop();
-    ClusterList clusters;
+    Indices clusters;
     for (const std::uint32_t cluster : planes[-rank].clusters)
       if (is_free[cluster])
         clusters.push_back (cluster);
@@ -128,12 +126,12 @@ refitPlanes (const std::vector<HoughPlane>& planes,
       ranks.emplace (weight, rank);
       continue;
     }
-    Moments moments = momentsOf (clusters, found);
+    Moments moments = momentsOfClusters (clusters, found);
     std::optional<PlaneFit> fit = fitPlane (moments);
     for (int i = 0; i < fits_per_plane && fit; ++i) {
       clusters =
           freeNear (fit->plane, largest_rms_share * distance_threshold, found, is_free);
-      moments = momentsOf (clusters, found);
+      moments = momentsOfClusters (clusters, found);
       fit = fitPlane (moments);
     }
     if (!fit || moments.count < min_count)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/stage_clock.h"
 #include "bounded/bounded_assignment.h"
-#include "bounded/noise_measurement.h"
+#include "bounded/bounded_planes.h"
 #include "bounded/plane_growing.h"
 #include "detection/labelled_planes.h"
 #include "kht/hough_planes.h"

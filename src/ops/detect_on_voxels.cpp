@@ -3,7 +3,7 @@
 #include "ops/detect_on_voxels.h"
 
 #include "bounded/bounded_assignment.h"
-#include "bounded/noise_measurement.h"
+#include "bounded/bounded_planes.h"
 #include "bounded/plane_absorption.h"
 #include "bounded/plane_growing.h"
 #include "bounded/refinement.h"

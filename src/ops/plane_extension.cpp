@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/plane_extension.h"
 
-#include "bounded/noise_measurement.h"
+#include "bounded/bounded_planes.h"
 #include "bounded/plane_bands.h"
 #include "geometry/noise_ratios.h"
 

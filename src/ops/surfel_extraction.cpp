@@ -3,7 +3,6 @@
 #include "ops/surfel_extraction.h"
 
 #include "bounded/bending.h"
-#include "bounded/noise_measurement.h"
 #include "geometry/noise_ratios.h"
 
 #include <algorithm>
@@ -22,29 +21,26 @@ struct SurfelPatch {
   Moments moments;
 };
 
-/** \brief Spreads a plane from a surfel to those around it. */
-class SurfelSpread {
-public:
-  /** \brief Of each voxel, whether it has a surfel that no plane has yet. */
-  std::vector<char> is_open;
+/** \brief Of each voxel, whether it has a surfel that no plane has yet. */
+std::vector<char>
+openVoxels (const Surfels& surfels, double max_thickness, const Labels& plane_of_voxel)
+{
+  std::vector<char> is_open (surfels.size());
+  for (std::size_t i = 0; i < surfels.size(); ++i)
+    is_open[i] = plane_of_voxel[i] == no_plane && surfels[i] &&
+                 surfels[i]->thickness < max_thickness;
+  return is_open;
+}
 
-  SurfelSpread (const VoxelGrid& grid,
-                const Surfels& surfels,
-                const OrientedPointSamplingParameters::Surfels& parameters,
-                double max_thickness,
-                const Labels& plane_of_voxel)
-  : is_open (grid.size(), 0)
-  , grid_ (grid)
-  , surfels_ (surfels)
-  , squared_factor_ (parameters.noise_factor * parameters.noise_factor)
-  , smallest_cosine_ (std::cos (parameters.angle_threshold))
-  , asked_in_ (grid.size(), 0)
-  , noise_ (grid.size(), 0.0)
-  {
-    for (std::size_t i = 0; i < grid.size(); ++i)
-      is_open[i] = plane_of_voxel[i] == no_plane && surfels[i] &&
-                   surfels[i]->thickness < max_thickness;
-  }
+/** \brief Spreads a plane from a surfel to those around it. */
+struct SurfelSpread {
+  const VoxelGrid& grid;
+  const Surfels& surfels;
+  double noise_factor, smallest_cosine;
+  std::vector<char> is_open;
+  std::vector<std::uint32_t> asked_in = std::vector<std::uint32_t> (grid.size(), 0);
+  std::uint32_t round = 0;
+  std::vector<double> noise_of = std::vector<double> (grid.size(), 0.0);
 
   /** \brief What a plane reaches from a seed, refitted when that has grown by half. */
   SurfelPatch
@@ -52,14 +48,14 @@ public:
   {
     constexpr std::size_t first_fit = 4;
     std::size_t next_fit = first_fit;
-    ++round_;
-    Plane plane = surfels_[seed]->plane;
+    ++round;
+    Plane plane = surfels[seed]->plane;
     SurfelPatch patch;
-    take (seed, plane, surfels_[seed]->noise, patch);
+    take (seed, plane, surfels[seed]->noise, patch);
     for (std::size_t i = 0; i < patch.voxels.size(); ++i) {
       const std::uint32_t voxel = patch.voxels[i];
-      for (const std::uint32_t neighbor : grid_.neighbors[voxel])
-        take (neighbor, plane, noise_[voxel], patch);
+      for (const std::uint32_t neighbor : grid.neighbors[voxel])
+        take (neighbor, plane, noise_of[voxel], patch);
       if (patch.voxels.size() < next_fit)
         continue;
       next_fit = patch.voxels.size() * 3 / 2 + 1;
@@ -79,28 +75,20 @@ private:
         double noise_next_to_it,
         SurfelPatch& patch)
   {
-    if (asked_in_[voxel] == round_ || !is_open[voxel] ||
-        std::abs (plane.normal.dot (surfels_[voxel]->plane.normal)) < smallest_cosine_)
+    if (asked_in[voxel] == round || !is_open[voxel] ||
+        std::abs (plane.normal.dot (surfels[voxel]->plane.normal)) < smallest_cosine)
       return;
-    asked_in_[voxel] = round_;
+    asked_in[voxel] = round;
     const double noise =
-        std::max (std::min (surfels_[voxel]->noise, like_noise * noise_next_to_it),
-                  smallestNoise (grid_));
-    if (meanSquaredDistance (grid_.moments[voxel], plane) >
-        squared_factor_ * noise * noise)
+        std::max (std::min (surfels[voxel]->noise, like_noise * noise_next_to_it),
+                  smallestNoise (grid));
+    if (meanSquaredDistance (grid.moments[voxel], plane) >
+        noise_factor * noise_factor * noise * noise)
       return;
-    noise_[voxel] = noise;
+    noise_of[voxel] = noise;
     patch.voxels.push_back (voxel);
-    patch.moments.addAligned (grid_.moments[voxel]);
+    patch.moments.addAligned (grid.moments[voxel]);
   }
-
-  const VoxelGrid& grid_;
-  const Surfels& surfels_;
-  double squared_factor_;
-  double smallest_cosine_;
-  std::vector<std::uint32_t> asked_in_;
-  std::uint32_t round_ = 0;
-  std::vector<double> noise_;
 };
 
 /** \brief The patches that are no planes. */
@@ -108,7 +96,7 @@ struct CurvedSurfaces {
   const VoxelGrid& grid;
   const Surfels& surfels;
   double smallest_cosine;
-  std::vector<char> is_curved;
+  std::vector<char> is_curved = std::vector<char> (grid.size(), 0);
 
   /** \brief Adds a patch if it is curved together with the curved surfaces it
    * continues: the narrow strip that those leave of a cylinder is flat by itself.
@@ -143,11 +131,11 @@ struct CurvedSurfaces {
 
 // Open voxels with their thickness, the thinnest first.
 std::vector<std::pair<double, std::uint32_t>>
-byThickness (const Surfels& surfels, const SurfelSpread& spread)
+byThickness (const Surfels& surfels, const std::vector<char>& is_open)
 {
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t i = 0; i < surfels.size(); ++i)
-    if (spread.is_open[i] != 0)
+    if (is_open[i] != 0)
       order.emplace_back (surfels[i]->thickness, i);
   std::sort (order.begin(), order.end());
   return order;
@@ -163,13 +151,14 @@ extractSurfelPlanes (const VoxelGrid& grid,
                      BoundedPlanes& planes)
 {
   planes.plane_of_voxel.resize (grid.size(), no_plane);
-  SurfelSpread spread (
-      grid, surfels, parameters.surfels, max_thickness, planes.plane_of_voxel);
-  CurvedSurfaces curved{grid,
-                        surfels,
-                        std::cos (parameters.surfels.angle_threshold),
-                        std::vector<char> (grid.size(), 0)};
-  for (const auto& [thickness, seed] : byThickness (surfels, spread)) {
+  const double smallest_cosine = std::cos (parameters.surfels.angle_threshold);
+  SurfelSpread spread{grid,
+                      surfels,
+                      parameters.surfels.noise_factor,
+                      smallest_cosine,
+                      openVoxels (surfels, max_thickness, planes.plane_of_voxel)};
+  CurvedSurfaces curved{grid, surfels, smallest_cosine};
+  for (const auto& [thickness, seed] : byThickness (surfels, spread.is_open)) {
     if (spread.is_open[seed] == 0)
       continue;
     const SurfelPatch patch = spread.from (seed);

@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include "base/parallel.h"
-#include "bounded/noise_measurement.h"
+#include "bounded/bounded_planes.h"
 #include "geometry/noise_ratios.h"
 #include "geometry/principal_axes.h"
 
@@ -30,39 +30,25 @@ normalOf (const Moments& surroundings, const PrincipalAxes& axes)
 // Thickness of a neighborhood over its width up to which no other is looked at.
 constexpr double flat_enough = 0.2;
 
-// The planes around the voxels of one resolution.
+// The voxels of one resolution, and the planes around them.
 struct Level {
   const VoxelNeighbors& neighbors;
+  double voxel_size;
   /** \brief Empty for the finest level. */
   Indices voxel_of_finest;
-  std::vector<std::optional<Surfel>> normals;
+  std::size_t size;
+  std::vector<std::optional<Surfel>> normals =
+      std::vector<std::optional<Surfel>> (size);
   /** \brief Of the normals, apart because most are looked at for this only; 1 where
    * there is none. */
-  std::vector<double> thickness;
+  std::vector<double> thickness = std::vector<double> (size, 1.0);
   /** \brief For each voxel the one around it, or itself, with the least thickness. */
-  Indices flattest_around;
+  Indices flattest_around = Indices (size);
 
   std::size_t
   voxelHolding (std::size_t finest_voxel) const
   {
     return voxel_of_finest.empty() ? finest_voxel : voxel_of_finest[finest_voxel];
-  }
-};
-
-// The voxels of one resolution, and what a normal takes.
-struct Surroundings {
-  const VoxelNeighbors& neighbors;
-  const std::vector<Moments>& moments;
-  double voxel_size;
-  double min_points;
-
-  Moments
-  around (std::size_t voxel) const
-  {
-    Moments sum;
-    for (const std::uint32_t neighbor : neighbors[voxel])
-      sum.addAligned (moments[neighbor]);
-    return sum;
   }
 };
 
@@ -77,7 +63,8 @@ isSurface (const PrincipalAxes& axes, double voxel_size)
 
 // The normals of a range of voxels.
 void
-findNormals (const Surroundings& surroundings,
+findNormals (const std::vector<Moments>& of_voxels,
+             double min_points,
              std::size_t begin,
              std::size_t end,
              Level& level)
@@ -89,8 +76,8 @@ findNormals (const Surroundings& surroundings,
   moments.reserve (end - begin);
   covariances.reserve (end - begin);
   for (std::size_t i = begin; i < end; ++i) {
-    const Moments around = surroundings.around (i);
-    if (around.count < surroundings.min_points)
+    const Moments around = momentsOf (of_voxels, level.neighbors[i]);
+    if (around.count < min_points)
       continue;
     voxels.push_back (static_cast<std::uint32_t> (i));
     moments.push_back (around);
@@ -99,7 +86,7 @@ findNormals (const Surroundings& surroundings,
   std::vector<PrincipalAxes> axes (voxels.size());
   principalAxes (covariances.data(), voxels.size(), axes.data());
   for (std::size_t i = 0; i < voxels.size(); ++i) {
-    if (axes[i].normal.isZero() || !isSurface (axes[i], surroundings.voxel_size))
+    if (axes[i].normal.isZero() || !isSurface (axes[i], level.voxel_size))
       continue;
     const Surfel normal = normalOf (moments[i], axes[i]);
     level.normals[voxels[i]] = normal;
@@ -107,35 +94,34 @@ findNormals (const Surroundings& surroundings,
   }
 }
 
-Level
-levelOf (const Surroundings& surroundings, Indices voxel_of_finest, unsigned threads)
+// Finds the planes around the voxels of a level.
+void
+findAllNormals (const std::vector<Moments>& moments,
+                double min_points,
+                unsigned threads,
+                Level& level)
 {
   // So few that what is noted of them stays in the processor's first cache.
   constexpr std::size_t voxels_at_once = 128;
-  const std::size_t size = surroundings.moments.size();
-  Level level{surroundings.neighbors, std::move (voxel_of_finest), {}, {}, {}};
-  level.normals.resize (size);
-  level.thickness.resize (size, 1.0);
-  level.flattest_around.resize (size);
-  parallelFor (threads, size, voxels_at_once, [&] (auto begin, auto end) {
-    findNormals (surroundings, begin, end, level);
+  parallelFor (threads, level.size, voxels_at_once, [&] (auto begin, auto end) {
+    findNormals (moments, min_points, begin, end, level);
   });
-  forEach (threads, size, [&] (std::size_t i) {
+  forEach (threads, level.size, [&] (std::size_t i) {
     const IndexRange around = level.neighbors[i];
     level.flattest_around[i] = *std::min_element (
         around.begin(), around.end(), [&level] (std::uint32_t a, std::uint32_t b) {
           return level.thickness[a] < level.thickness[b];
         });
   });
-  return level;
 }
 
 // Grids, each of twice the voxel size of the one before, as far as the octree goes.
 std::vector<Level>
 findLevels (const VoxelGrid& grid, int resolutions, double min_points, unsigned threads)
 {
-  std::vector<Level> levels{levelOf (
-      {grid.neighbors, grid.moments, grid.voxel_size, min_points}, {}, threads)};
+  std::vector<Level> levels;
+  levels.push_back ({grid.neighbors, grid.voxel_size, {}, grid.size()});
+  findAllNormals (grid.moments, min_points, threads, levels.back());
   std::vector<Moments> moments;
   const auto wanted = static_cast<std::size_t> (resolutions - 1);
   for (std::size_t l = 0; l < std::min (wanted, grid.larger.size()); ++l) {
@@ -144,10 +130,11 @@ findLevels (const VoxelGrid& grid, int resolutions, double min_points, unsigned 
     Indices voxel_of_finest (grid.size());
     for (std::size_t i = 0; i < grid.size(); ++i)
       voxel_of_finest[i] = larger.holding[levels.back().voxelHolding (i)];
-    const double voxel_size = std::ldexp (grid.voxel_size, static_cast<int> (l) + 1);
-    levels.push_back (levelOf ({larger.neighbors, moments, voxel_size, min_points},
-                               std::move (voxel_of_finest),
-                               threads));
+    levels.push_back ({larger.neighbors,
+                       2.0 * levels.back().voxel_size,
+                       std::move (voxel_of_finest),
+                       moments.size()});
+    findAllNormals (moments, min_points, threads, levels.back());
   }
   return levels;
 }

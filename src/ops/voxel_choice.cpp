@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ops/voxel_choice.h"
 
-#include "bounded/noise_measurement.h"
+#include "bounded/bounded_planes.h"
 #include "geometry/principal_axes.h"
 #include "voxels/voxel_size.h"
 #include <pcl_ops/oriented_point_sampling.h>

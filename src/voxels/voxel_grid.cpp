@@ -12,36 +12,19 @@ namespace pcl_ops::internal {
 
 namespace {
 
-// Moments of the points of some runs, and their numbers. Sums in local variables, which
-// stay in registers.
+// Moments of the points of some runs, and their numbers.
 Moments
 addUp (const Coordinates& positions,
        const PointRun* begin,
        const PointRun* end,
        std::uint32_t* order)
 {
-  double count = 0, sx = 0, sy = 0, sz = 0;
-  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-  for (const PointRun* run = begin; run != end; ++run) {
+  Moments moments;
+  for (const PointRun* run = begin; run != end; ++run)
     for (std::uint32_t i = run->first(); i < run->end(); ++i) {
-      const double x = positions.x[i], y = positions.y[i], z = positions.z[i];
-      sx += x;
-      sy += y;
-      sz += z;
-      xx += x * x;
-      xy += x * y;
-      xz += x * z;
-      yy += y * y;
-      yz += y * z;
-      zz += z * z;
+      moments.add (positions.x[i], positions.y[i], positions.z[i]);
       *order++ = i;
     }
-    count += run->size();
-  }
-  Moments moments;
-  moments.count = count;
-  moments.sum = {sx, sy, sz};
-  moments.products = {xx, xy, xz, yy, yz, zz};
   return moments;
 }
 

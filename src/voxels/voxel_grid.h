@@ -55,6 +55,17 @@ voxelize (const Coordinates& positions, double voxel_size, unsigned threads);
 void
 connect (VoxelGrid& grid, unsigned threads);
 
+/** \brief Moments of the points of some voxels. */
+template <typename Voxels>
+Moments
+momentsOf (const std::vector<Moments>& moments, const Voxels& voxels)
+{
+  Moments sum;
+  for (const std::uint32_t voxel : voxels)
+    sum.addAligned (moments[voxel]);
+  return sum;
+}
+
 /** \brief Moments of larger voxels.
  * \param[in] moments of the voxels that they hold
  * \param[in] larger voxels of twice the edge */

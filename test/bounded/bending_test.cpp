@@ -31,7 +31,7 @@ Bending
 bendingOfAll (const VoxelGrid& grid, std::size_t number = 1000000)
 {
   const Indices voxels = upTo (std::min (number, grid.size()));
-  const std::optional<PlaneFit> fit = fitPlane (momentsOf (grid, voxels));
+  const std::optional<PlaneFit> fit = fitPlane (momentsOf (grid.moments, voxels));
   EXPECT_TRUE (fit);
   return bendingOf (grid, voxels, *fit);
 }

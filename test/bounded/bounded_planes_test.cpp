@@ -74,7 +74,7 @@ TEST (MomentsOfPlanes, AddUpThePointsOfTheirVoxelsAndWhatTheyHaveElsewhere)
 TEST (MomentsOf, SomeVoxelsAreThoseOfTheirPoints)
 {
   const VoxelGrid three = threeVoxels();
-  const Moments moments = momentsOf (three, {0, 1});
+  const Moments moments = momentsOf (three.moments, Indices{0, 1});
   EXPECT_EQ (moments.count, 2.0);
   EXPECT_NEAR (moments.centroid().x(), 0.10, 1e-6);
 }

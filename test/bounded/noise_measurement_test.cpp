@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bounded/noise_measurement.h"
+#include "bounded/bounded_planes.h"
 #include "voxel_scene.h"
 
 using namespace pcl_ops::internal;

@@ -77,8 +77,7 @@ TEST (OrientedVoxels, OfAnEdgeBendWithoutTheirNeighborsHelp)
   const VoxelGrid grid = edge();
   std::size_t bent = 0;
   for (std::size_t voxel = 0; voxel < grid.size(); ++voxel) {
-    const Indices around (grid.neighbors[voxel].begin(), grid.neighbors[voxel].end());
-    const auto fit = fitPlane (momentsOf (grid, around));
+    const auto fit = fitPlane (momentsOf (grid.moments, grid.neighbors[voxel]));
     bent += !fit || isBent (fit->plane.normal);
   }
   EXPECT_GT (bent, 20u);
