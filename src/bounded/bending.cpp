@@ -53,14 +53,11 @@ struct PatchAxes {
 PatchAxes
 axesOf (const Moments& moments, const Plane& plane)
 {
-  const double half_extent_over_deviation = std::sqrt (3.0);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes (moments.covariance());
-  const auto halfExtent = [&] (int axis) {
-    return half_extent_over_deviation *
-           std::sqrt (std::max (axes.eigenvalues()[axis], 1e-300));
-  };
+  const Eigen::Vector3d half_extents =
+      std::sqrt (3.0) * axes.eigenvalues().cwiseMax (1e-300).cwiseSqrt();
   const Eigen::Vector3d u = axes.eigenvectors().col (2);
-  return {u, plane.normal.cross (u), halfExtent (2), halfExtent (1)};
+  return {u, plane.normal.cross (u), half_extents[2], half_extents[1]};
 }
 
 } // namespace

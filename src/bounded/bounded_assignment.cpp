@@ -38,7 +38,7 @@ struct Assignment {
   /** \brief Whether the points of a voxel are on a plane as noise is, so that none
    * needs to be looked at. */
   bool
-  isAllOn (std::size_t plane, std::size_t voxel) const
+  isAllOn (std::int32_t plane, std::size_t voxel) const
   {
     const double limit = like_noise * planes.noise[plane];
     return !every_point_counts &&
@@ -49,18 +49,17 @@ struct Assignment {
   void
   assign (std::size_t voxel, const Labels& around, std::vector<Moments>& moments) const
   {
-    if (around.size() == 1 && isAllOn (static_cast<std::size_t> (around[0]), voxel)) {
+    if (around.size() == 1 && isAllOn (around[0], voxel)) {
       for (const std::uint32_t point : grid.pointsOf (voxel))
         labels[point] = around[0];
-      moments[static_cast<std::size_t> (around[0])].addAligned (grid.moments[voxel]);
+      moments[around[0]].addAligned (grid.moments[voxel]);
       return;
     }
     for (const std::uint32_t point : grid.pointsOf (voxel)) {
       const std::int32_t plane = likeliestOf (around, bands, points, point);
       labels[point] = plane;
       if (plane != no_plane)
-        moments[static_cast<std::size_t> (plane)].add (
-            points.x[point], points.y[point], points.z[point]);
+        moments[plane].add (points.x[point], points.y[point], points.z[point]);
     }
   }
 };

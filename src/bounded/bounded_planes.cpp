@@ -19,8 +19,7 @@ momentsOfPlanes (const VoxelGrid& grid, const BoundedPlanes& planes)
   moments.resize (planes.planes.size());
   for (std::size_t i = 0; i < grid.size(); ++i)
     if (planes.plane_of_voxel[i] != no_plane)
-      moments[static_cast<std::size_t> (planes.plane_of_voxel[i])].addAligned (
-          grid.moments[i]);
+      moments[planes.plane_of_voxel[i]].addAligned (grid.moments[i]);
   return moments;
 }
 
@@ -40,8 +39,7 @@ renumberPlanes (const MergedPlanes& merged, BoundedPlanes& planes)
   std::vector<Moments> elsewhere (merged.fits.size());
   for (std::size_t p = 0; p < planes.moments_elsewhere.size(); ++p)
     if (merged.merged_into[p] != no_plane)
-      elsewhere[static_cast<std::size_t> (merged.merged_into[p])].addAligned (
-          planes.moments_elsewhere[p]);
+      elsewhere[merged.merged_into[p]].addAligned (planes.moments_elsewhere[p]);
   planes.moments_elsewhere = std::move (elsewhere);
   planes.noise.assign (merged.fits.size(), 0.0);
   planes.planes.clear();
@@ -52,19 +50,17 @@ renumberPlanes (const MergedPlanes& merged, BoundedPlanes& planes)
 void
 measureNoise (const VoxelGrid& grid, unsigned threads, BoundedPlanes& planes)
 {
-  const auto planeOf = [&] (std::size_t voxel) {
-    return static_cast<std::size_t> (planes.plane_of_voxel[voxel]);
-  };
+  const Labels& plane_of = planes.plane_of_voxel;
   std::vector<float> distances (grid.size());
   forEach (threads, grid.size(), [&] (std::size_t i) {
-    if (planes.plane_of_voxel[i] != no_plane)
+    if (plane_of[i] != no_plane)
       distances[i] = static_cast<float> (
-          meanSquaredDistance (grid.moments[i], planes.planes[planeOf (i)]));
+          meanSquaredDistance (grid.moments[i], planes.planes[plane_of[i]]));
   });
   std::vector<std::vector<float>> of_plane (planes.size());
   for (std::size_t i = 0; i < grid.size(); ++i)
-    if (planes.plane_of_voxel[i] != no_plane)
-      of_plane[planeOf (i)].push_back (distances[i]);
+    if (plane_of[i] != no_plane)
+      of_plane[plane_of[i]].push_back (distances[i]);
   planes.noise.resize (planes.size(), smallestNoise (grid));
   for (std::size_t p = 0; p < planes.size(); ++p)
     if (!of_plane[p].empty())

@@ -22,7 +22,6 @@ struct BoundedPlanes {
    * many planes. */
   std::vector<Moments> moments_elsewhere;
 
-  /** \brief Number of planes. */
   std::size_t
   size () const
   {

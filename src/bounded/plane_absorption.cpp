@@ -48,8 +48,7 @@ regionsOf (const VoxelGrid& grid, const BoundedPlanes& planes)
     for (const std::uint32_t neighbor : grid.neighbors[i]) {
       const std::int32_t other = planes.plane_of_voxel[neighbor];
       if (other != no_plane && other != own && other != last)
-        regions[static_cast<std::size_t> (own)].neighbors.push_back (
-            static_cast<std::size_t> (other));
+        regions[own].neighbors.push_back (other);
       last = other;
     }
   }
@@ -144,7 +143,7 @@ absorbPlanes (const VoxelGrid& grid, double noise_factor, const BoundedPlanes& p
         to = goes_into[to];
     has_changed = false;
     for (std::int32_t& to : absorbed) {
-      const std::size_t next = goes_into[static_cast<std::size_t> (to)];
+      const std::size_t next = goes_into[to];
       has_changed |= next != static_cast<std::size_t> (to);
       to = static_cast<std::int32_t> (next);
     }

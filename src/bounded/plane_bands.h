@@ -48,7 +48,7 @@ likeliestOf (const Labels& planes,
   std::int32_t likeliest = no_plane;
   float best = std::numeric_limits<float>::infinity();
   for (const std::int32_t plane : planes) {
-    const PlaneBand& candidate = bands[static_cast<std::size_t> (plane)];
+    const PlaneBand& candidate = bands[plane];
     const float distance =
         candidate.surface.distance (points.x[point], points.y[point], points.z[point]);
     const float cost =

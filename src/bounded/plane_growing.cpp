@@ -28,9 +28,9 @@ nearestPlaneAround (const VoxelGrid& grid,
     if (plane == last || plane == no_plane)
       continue;
     last = plane;
-    const auto p = static_cast<std::size_t> (plane);
-    const double ratio = meanSquaredDistance (grid.moments[voxel], planes.planes[p]) /
-                         (limits[p] * limits[p]);
+    const double ratio =
+        meanSquaredDistance (grid.moments[voxel], planes.planes[plane]) /
+        (limits[plane] * limits[plane]);
     if (ratio >= best)
       continue;
     best = ratio;

@@ -68,9 +68,8 @@ inheritedPlanes (const BoundedPlanes& planes,
     const std::int32_t plane = planes.plane_of_voxel[coarse_of_finest[voxels[i]]];
     if (plane == no_plane)
       return;
-    const auto p = static_cast<std::size_t> (plane);
-    const double limit = noises_of_a_voxel * planes.noise[p];
-    if (meanSquaredDistance (finer.moments[i], planes.planes[p]) < limit * limit)
+    const double limit = noises_of_a_voxel * planes.noise[plane];
+    if (meanSquaredDistance (finer.moments[i], planes.planes[plane]) < limit * limit)
       inherited[i] = plane;
   });
   return inherited;

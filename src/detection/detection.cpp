@@ -1,29 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Core>
+
 #include "geometry/angles.h"
 #include <pcl_ops/detail/detection.h>
 #include <pcl_ops/plane_detector_parameters.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <type_traits>
 
 namespace pcl_ops::detail {
-namespace {
-
-// Negative ones are the largest. A loop without a way out is vectorized.
-std::size_t
-largestOf (const pcl::Indices& indices)
-{
-  using Number = std::make_unsigned_t<pcl::index_t>;
-  Number largest = 0;
-  for (const pcl::index_t index : indices)
-    largest = std::max (largest, static_cast<Number> (index));
-  return largest;
-}
-
-} // namespace
 
 std::string
 validate (const DetectorInput& input)
@@ -34,7 +20,10 @@ validate (const DetectorInput& input)
     return {};
   if (input.indices->empty())
     return "the indices are empty; leave them out to use the whole cloud";
-  if (largestOf (*input.indices) >= input.cloud.size)
+  const Eigen::Map<const Eigen::Array<pcl::index_t, Eigen::Dynamic, 1>> indices (
+      input.indices->data(), static_cast<Eigen::Index> (input.indices->size()));
+  if (indices.minCoeff() < 0 ||
+      static_cast<std::size_t> (indices.maxCoeff()) >= input.cloud.size)
     return "an index lies outside the input cloud";
   return {};
 }

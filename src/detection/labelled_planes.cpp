@@ -13,13 +13,11 @@ toSegment (const Moments& moments,
            const Eigen::Vector3d& local_viewpoint)
 {
   const bool faces_sensor = fit.plane.distance (local_viewpoint) >= 0.0;
-  PlaneSegment segment;
-  segment.normal =
-      faces_sensor ? fit.plane.normal : Eigen::Vector3d (-fit.plane.normal);
-  segment.centroid = fit.centroid;
-  segment.moments = moments.about (fit.centroid);
-  segment.inliers.resize (static_cast<std::size_t> (moments.count));
-  return segment;
+  return {fit.centroid,
+          faces_sensor ? fit.plane.normal : Eigen::Vector3d (-fit.plane.normal),
+          Orientation::Other,
+          moments.about (fit.centroid),
+          pcl::Indices (static_cast<std::size_t> (moments.count))};
 }
 
 // Writes each label's indices to its segment, which has room for them. Points that
@@ -38,10 +36,10 @@ addInliers (const Points& points,
       ++i;
       continue;
     }
-    pcl::index_t* place = next[static_cast<std::size_t> (label)];
+    pcl::index_t* place = next[label];
     for (; i < labels.size() && labels[i] == label; ++i)
       *place++ = points.indexOf (i);
-    next[static_cast<std::size_t> (label)] = place;
+    next[label] = place;
   }
 }
 
@@ -52,10 +50,9 @@ mergeAssigned (AssignedPoints assigned,
                const MergingParameters& parameters,
                unsigned threads)
 {
-  LabelledPlanes found;
-  found.planes_before_merging = assigned.moments.size();
-  found.planes = mergePlanes (assigned.moments, parameters);
-  found.labels = std::move (assigned.labels);
+  LabelledPlanes found{std::move (assigned.labels),
+                       mergePlanes (assigned.moments, parameters),
+                       assigned.moments.size()};
   relabel (found.labels, found.planes.merged_into, threads);
   return found;
 }

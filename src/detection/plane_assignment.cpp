@@ -155,7 +155,7 @@ relabel (Labels& labels, const Labels& merged_into, unsigned threads)
   const auto replace = [&] (std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (labels[i] != no_plane)
-        labels[i] = merged_into[static_cast<std::size_t> (labels[i])];
+        labels[i] = merged_into[labels[i]];
   };
   parallelFor (threads, labels.size(), labels_per_piece, replace);
 }

@@ -292,11 +292,10 @@ edgeOf (const Interval& interval,
         const Meeting& meeting,
         const std::vector<PlaneCorner>& corners)
 {
-  PlaneEdge edge;
-  edge.planes = {meeting.first, meeting.second};
-  edge.angle = meeting.angle;
-  edge.from = meeting.line.pointAt (interval.from);
-  edge.to = meeting.line.pointAt (interval.to);
+  PlaneEdge edge{{meeting.first, meeting.second},
+                 meeting.line.pointAt (interval.from),
+                 meeting.line.pointAt (interval.to),
+                 meeting.angle};
   const Vector3d from = drawn (edge.from, meeting, corners);
   const Vector3d to = drawn (edge.to, meeting, corners);
   const auto is_edge = [&] (const Vector3d& begin, const Vector3d& end) {

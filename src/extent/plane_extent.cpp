@@ -111,8 +111,7 @@ takeOff (PlanarPoints& points, const PlanarPoints& hull, std::size_t fewest)
     return 0;
   const std::vector<double> depths = depthsWithin (hull, points);
   std::vector<double> ordered = depths;
-  const auto last = ordered.begin() +
-                    static_cast<std::ptrdiff_t> (std::min (fewest, ordered.size()) - 1);
+  const auto last = ordered.begin() + std::min (fewest, ordered.size()) - 1;
   std::nth_element (ordered.begin(), last, ordered.end());
   return splitOff (points, depths, std::max (*last, depthOfCorners (hull))).size();
 }
@@ -260,7 +259,7 @@ pointsOnPlane (const CloudView& cloud,
   PlanarPoints points;
   points.reserve (plane.inliers.size());
   for (const pcl::index_t index : plane.inliers) {
-    const float* const point = cloud[static_cast<std::size_t> (index)];
+    const float* const point = cloud[index];
     points.push_back (frame.toPlane (Eigen::Vector3d (point[0], point[1], point[2])));
   }
   return points;

@@ -143,8 +143,7 @@ spheresAround (const DetectorInput& input,
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     Indices place_of (input.cloud.size, none);
     for (std::size_t i = 0; i < points.size(); ++i)
-      place_of[static_cast<std::size_t> (points.indexOf (i))] =
-          static_cast<std::uint32_t> (i);
+      place_of[points.indexOf (i)] = static_cast<std::uint32_t> (i);
     return {points,
             [&points,
              radius,
@@ -156,7 +155,7 @@ spheresAround (const DetectorInput& input,
                   points.indexOf (center), radius, neighbors, squared_distances);
               sphere.clear();
               for (const pcl::index_t neighbor : neighbors)
-                if (const auto place = place_of[std::size_t (neighbor)]; place != none)
+                if (const auto place = place_of[neighbor]; place != none)
                   sphere.push_back (place);
               return sphere.size();
             }};

@@ -44,9 +44,7 @@ Moments::of (double count,
              const Eigen::Vector3d& mean,
              const Eigen::Matrix3d& covariance)
 {
-  Moments moments;
-  moments.origin = mean;
-  moments.count = count;
+  Moments moments{mean, count};
   addUpper (count * covariance, moments.products);
   return moments;
 }
@@ -81,11 +79,8 @@ fitPlane (const Moments& moments)
     axes.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> (covariance)
                       .eigenvectors()
                       .col (0);
-  PlaneFit fit;
-  fit.centroid = moments.centroid();
-  fit.variances = variances;
-  fit.plane = planeThrough (fit.centroid, axes.normal);
-  return fit;
+  const Eigen::Vector3d centroid = moments.centroid();
+  return PlaneFit{planeThrough (centroid, axes.normal), centroid, variances};
 }
 
 double

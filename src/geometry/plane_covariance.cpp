@@ -28,7 +28,7 @@ blocksOf (const CloudView& cloud,
 {
   Blocks blocks;
   for (const pcl::index_t i : plane.inliers) {
-    const float* const point = cloud[static_cast<std::size_t> (i)];
+    const float* const point = cloud[i];
     const Vector3d offset = Vector3d (point[0], point[1], point[2]) - plane.centroid;
     if (!offset.allFinite())
       continue;

@@ -29,8 +29,7 @@ weightOf (const Indices& clusters, const OctreeClusters& found)
 Moments
 momentsOfClusters (const Indices& clusters, const OctreeClusters& found)
 {
-  Moments moments;
-  moments.origin = found.root.center;
+  Moments moments{found.root.center};
   for (const std::uint32_t cluster : clusters)
     moments += found.clusters[cluster].moments;
   return moments;

@@ -50,9 +50,8 @@ releaseVoxels (const VoxelGrid& grid, BoundedPlanes& planes)
 {
   for (std::size_t i = 0; i < grid.size(); ++i)
     if (std::int32_t& plane = planes.plane_of_voxel[i]; plane != no_plane) {
-      const auto p = static_cast<std::size_t> (plane);
-      const double limit = noises_of_a_voxel * planes.noise[p];
-      if (meanSquaredDistance (grid.moments[i], planes.planes[p]) > limit * limit)
+      const double limit = noises_of_a_voxel * planes.noise[plane];
+      if (meanSquaredDistance (grid.moments[i], planes.planes[plane]) > limit * limit)
         plane = no_plane;
     }
 }

@@ -263,12 +263,10 @@ planeKernel (const PlaneFit& fit,
   jacobian.row (1) /= root_q;
   jacobian.row (2) << -std::sin (theta) / root_w, std::cos (theta) / root_w, 0.0;
 
-  PlaneKernel kernel;
   const double phi = std::acos (std::clamp (normal.z(), -1.0, 1.0));
-  kernel.mean = Eigen::Vector3d (rho, phi, theta);
-  kernel.covariance = jacobian * covariance * jacobian.transpose();
+  PlaneKernel kernel{
+      {rho, phi, theta}, jacobian * covariance * jacobian.transpose(), weight};
   kernel.covariance (0, 0) += min_rho_variance;
-  kernel.weight = weight;
   return kernel;
 }
 

@@ -202,8 +202,7 @@ private:
   fitTo (CoplanarCluster& cluster) const
   {
     const Eigen::Vector3d center = root.center;
-    Moments moments; // on its own: it stays in registers
-    moments.origin = center;
+    Moments moments{center}; // on its own: it stays in registers
     for (std::uint32_t i = cluster.begin; i < cluster.end; ++i)
       moments.add (
           points[i].x - center.x(), points[i].y - center.y(), points[i].z - center.z());

@@ -137,13 +137,9 @@ struct HoughPeak {
  * Oliveira 2015, sections 3.3 and 3.4). */
 struct SphericalAccumulator {
   HoughSpace space;
-  BallColumns votes;
+  BallColumns votes{space.directions.size(), space.rho_num};
 
-  explicit SphericalAccumulator (HoughSpace of)
-  : space (std::move (of))
-  , votes (space.directions.size(), space.rho_num)
-  , voters_ (space.directions.size())
-  {}
+  explicit SphericalAccumulator (HoughSpace of) : space (std::move (of)) {}
 
   /** \brief Adds the votes of a kernel, which peaks will know by its number. */
   void
@@ -237,7 +233,7 @@ private:
     int begin, end;
   };
   /** \brief For each direction who voted for which bins. */
-  std::vector<std::vector<VoterRange>> voters_;
+  std::vector<std::vector<VoterRange>> voters_{space.directions.size()};
 };
 
 } // namespace pcl_ops::internal

@@ -88,11 +88,11 @@ mergedPlanes (const VoxelGrid& grid,
   const std::vector<Moments> parts = momentsOfPlanes (grid, planes);
   std::vector<Moments> moments (parts.size());
   for (std::size_t p = 0; p < parts.size(); ++p)
-    moments[static_cast<std::size_t> (absorbed[p])].addAligned (parts[p]);
+    moments[absorbed[p]].addAligned (parts[p]);
   MergedPlanes merged = mergePlanes (moments, mergingByNoise (parameters.merging));
   const Labels of_absorbers = merged.merged_into;
   for (std::size_t p = 0; p < parts.size(); ++p)
-    merged.merged_into[p] = of_absorbers[static_cast<std::size_t> (absorbed[p])];
+    merged.merged_into[p] = of_absorbers[absorbed[p]];
   return merged;
 }
 

@@ -36,7 +36,7 @@ namespace {
 Eigen::Vector3d
 positionIn (const CloudView& cloud, pcl::index_t index)
 {
-  const float* const position = cloud[static_cast<std::size_t> (index)];
+  const float* const position = cloud[index];
   return {position[0], position[1], position[2]};
 }
 
@@ -73,19 +73,16 @@ searchOver (const DetectorInput& input, const Points& points, unsigned threads)
   if (input.search_over)
     return input.search_over (points.index);
   const auto tree = std::make_shared<const BoxTree> (points, input.cloud);
-  NeighborSearch search;
-  search.nearest = [tree, cloud = input.cloud] (pcl::index_t point,
-                                                int k,
-                                                pcl::Indices& neighbors,
-                                                std::vector<float>& squared_distances) {
-    NeighborQuery query;
-    query.position = positionIn (cloud, point).cast<float>();
-    query.max_neighbors = static_cast<std::size_t> (k);
+  const auto nearest = [tree, cloud = input.cloud] (pcl::index_t point,
+                                                    int k,
+                                                    pcl::Indices& neighbors,
+                                                    std::vector<float>& distances) {
+    const Eigen::Vector3f position = positionIn (cloud, point).cast<float>();
+    NeighborQuery query{position, static_cast<std::size_t> (k)};
     query.sorted = false;
-    tree->find (query, neighbors, squared_distances);
+    tree->find (query, neighbors, distances);
   };
-  search.threads = threads;
-  return search;
+  return {nearest, {}, threads};
 }
 
 Eigen::Vector3d

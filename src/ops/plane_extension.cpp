@@ -113,7 +113,7 @@ extendPlanes (const Coordinates& points,
   }
   for (const auto& [point, voxel] : open)
     if (labels[point] != no_plane)
-      assigned.moments[static_cast<std::size_t> (labels[point])].add (
+      assigned.moments[labels[point]].add (
           points.x[point], points.y[point], points.z[point]);
 }
 

@@ -5,7 +5,6 @@
 #include "detection/plane_assignment.h"
 #include "geometry/points.h"
 #include "voxels/voxel_grid.h"
-#include <pcl_ops/plane_merging.h>
 
 #include <cstddef>
 #include <cstdint>

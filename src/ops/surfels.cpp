@@ -20,11 +20,9 @@ namespace {
 Surfel
 normalOf (const Moments& surroundings, const PrincipalAxes& axes)
 {
-  Surfel normal;
-  normal.plane = planeThrough (surroundings.centroid(), axes.normal);
-  normal.noise = std::sqrt (axes.values[0]);
-  normal.thickness = std::sqrt (axes.values[0] / axes.values[1]);
-  return normal;
+  return {planeThrough (surroundings.centroid(), axes.normal),
+          std::sqrt (axes.values[0]),
+          std::sqrt (axes.values[0] / axes.values[1])};
 }
 
 // Thickness of a neighborhood over its width up to which no other is looked at.

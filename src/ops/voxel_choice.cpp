@@ -57,7 +57,7 @@ noiseOfFlatVoxels (const VoxelGrid& grid)
     if (const double own = std::sqrt (voxel.values[0]);
         own > smallest_share * grid.voxel_size)
       noise.push_back (static_cast<float> (own));
-  const auto quarter = noise.begin() + static_cast<std::ptrdiff_t> (noise.size() / 4);
+  const auto quarter = noise.begin() + noise.size() / 4;
   std::nth_element (noise.begin(), quarter, noise.end());
   return noise.empty() ? 0.0 : *quarter;
 }

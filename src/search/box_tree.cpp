@@ -182,7 +182,7 @@ BoxTree::BoxTree (const Points& points, const CloudView& cloud)
   items.reserve (points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const pcl::index_t index = points.indexOf (i);
-    const float* const position = cloud[static_cast<std::size_t> (index)];
+    const float* const position = cloud[index];
     items.push_back ({{position[0], position[1], position[2]}, index});
   }
   if (!items.empty())

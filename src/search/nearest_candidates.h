@@ -64,7 +64,7 @@ public:
     if (number_ > max_)
       shrink();
     if (sorted)
-      std::sort (keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t> (number_));
+      std::sort (keys_.begin(), keys_.begin() + number_);
     indices.resize (number_);
     squared_distances.resize (number_);
     for (std::size_t i = 0; i < number_; ++i) {
@@ -85,9 +85,8 @@ private:
   void
   shrink ()
   {
-    const auto farthest = keys_.begin() + static_cast<std::ptrdiff_t> (max_ - 1);
-    std::nth_element (
-        keys_.begin(), farthest, keys_.begin() + static_cast<std::ptrdiff_t> (number_));
+    const auto farthest = keys_.begin() + max_ - 1;
+    std::nth_element (keys_.begin(), farthest, keys_.begin() + number_);
     number_ = max_;
     limit_ = static_cast<std::uint32_t> (*farthest >> index_bits) + 1;
   }

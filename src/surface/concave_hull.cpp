@@ -95,8 +95,7 @@ ringsOf (const PlanarPoints& points, double alpha)
   for (const pcl::Vertices& polygon : polygons) {
     rings.emplace_back();
     for (const auto vertex : polygon.vertices)
-      rings.back().push_back (
-          points[static_cast<std::size_t> (indices.indices[vertex])]);
+      rings.back().push_back (points[indices.indices[vertex]]);
     geometry::correct (rings.back());
   }
   std::stable_sort (rings.begin(), rings.end(), [] (const Ring& a, const Ring& b) {
@@ -144,8 +143,7 @@ numberOfPlaces (PlanarPoints points)
   std::sort (points.begin(), points.end(), [] (const auto& a, const auto& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
   });
-  return static_cast<std::size_t> (std::unique (points.begin(), points.end()) -
-                                   points.begin());
+  return std::unique (points.begin(), points.end()) - points.begin();
 }
 
 PlanarPoints

@@ -117,9 +117,7 @@ joinByBridges (const PlanarRings& rings, const PlanarPoints& corners)
     const std::size_t visible = visibleFrom (corners[hole.front()], ring, corners);
     hole.push_back (hole.front());
     hole.push_back (ring[visible]);
-    ring.insert (ring.begin() + static_cast<std::ptrdiff_t> (visible) + 1,
-                 hole.begin(),
-                 hole.end());
+    ring.insert (ring.begin() + visible + 1, hole.begin(), hole.end());
   }
   return ring;
 }
@@ -184,7 +182,7 @@ clipEars (Numbers ring, const PlanarPoints& corners)
       break;
     if (ear)
       triangles.push_back (triangleAt (ring, *ear));
-    ring.erase (ring.begin() + static_cast<std::ptrdiff_t> (*clipped));
+    ring.erase (ring.begin() + *clipped);
     place = *clipped + 1; // every other ear: no fans of slivers
   }
   return triangles;

@@ -52,7 +52,7 @@ placesOfChildren ()
       const int y = parent / 4 % 4 * 2 + (octant >> 1 & 1) - 1;
       const int z = parent / 16 * 2 + (octant >> 2) - 1;
       const bool is_near = x >= 0 && x < 4 && y >= 0 && y < 4 && z >= 0 && z < 4;
-      places[static_cast<std::size_t> (parent)][static_cast<std::size_t> (octant)] =
+      places[parent][octant] =
           is_near ? static_cast<std::uint8_t> ((z * 4 + y) * 4 + x) : far_away;
     }
   return places;
