@@ -24,20 +24,16 @@ detectorInput (const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
     search->setInputCloud (
         cloud,
         finite.empty() ? nullptr : pcl::make_shared<const pcl::Indices> (finite));
-    NeighborSearch neighbors;
-    neighbors.nearest =
-        [cloud, search] (auto point, int k, auto& nearest, auto& squared_distances) {
-          search->nearestKSearch ((*cloud)[point], k, nearest, squared_distances);
-        };
-    neighbors.within =
-        [cloud, search] (auto point, double r, auto& within, auto& squared_distances) {
-          search->radiusSearch ((*cloud)[point], r, within, squared_distances);
-        };
+    const auto nearest = [=] (auto point, int k, auto& neighbors, auto& distances) {
+      search->nearestKSearch ((*cloud)[point], k, neighbors, distances);
+    };
+    const auto within = [=] (auto point, double r, auto& neighbors, auto& distances) {
+      search->radiusSearch ((*cloud)[point], r, neighbors, distances);
+    };
     // Only GridSearch and kd-trees are known to be safe to ask from several threads.
     const std::string& name = search->getName();
     const bool is_safe = name == "GridSearch" || name == "KdTree";
-    neighbors.threads = is_safe ? threads : 1;
-    return neighbors;
+    return NeighborSearch{nearest, within, is_safe ? threads : 1};
   };
   return input;
 }

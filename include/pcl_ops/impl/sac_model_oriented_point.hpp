@@ -73,12 +73,11 @@ SampleConsensusModelOrientedPoint<PointNT>::optimizeModelCoefficients (
   optimized_coefficients = model_coefficients;
   if (inliers.empty() || !this->isModelValid (model_coefficients))
     return;
-  Moments moments;
-  moments.origin =
-      (*this->input_)[inliers.front()].getVector3fMap().template cast<double>();
+  const PointNT& first = (*this->input_)[inliers.front()];
+  const Eigen::Vector3d o = first.getVector3fMap().template cast<double>();
+  Moments moments{o};
   for (const pcl::index_t i : inliers) {
     const PointNT& point = (*this->input_)[i];
-    const Eigen::Vector3d& o = moments.origin;
     moments.add (point.x - o.x(), point.y - o.y(), point.z - o.z());
   }
   const std::optional<PlaneFit> fit = fitPlane (moments);
