@@ -39,6 +39,13 @@ TEST (Fspf, FindsEverySurfaceAsInThePaperAndFromTheTestedPointsAlone)
   }
 }
 
+TEST (Fspf, MergesHundredsOfPlanesIntoTheFewThereAre)
+{
+  Fspf fspf = fspfOn (denseRoom().build().cloud);
+  EXPECT_EQ (planesOf (fspf).size(), 3u);
+  EXPECT_GT (fspf.getNumberOfPlanesBeforeMerging(), 300u);
+}
+
 TEST (Fspf, LeavesNoPairOfPlanesThatAreOne)
 {
   // With 3 cm of noise some planes are one only when they have their points.

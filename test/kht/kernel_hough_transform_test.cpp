@@ -96,7 +96,33 @@ TEST (KernelHoughTransform,
 TEST (KernelHoughTransform, FindsTheSixFacesOfANoisyBoxExactlyWithTheirPoints)
 {
   const LabelledScene scene = box (5_mm);
-  expectFindsEverySurface (planesOf (scene, Parameters()), scene, 0.3_deg, 3_mm);
+  std::multiset<int> faces;
+  std::size_t right = 0;
+  for (const PlaneSegment& plane : planesOf (scene, Parameters())) {
+    const int face = surfaceOf (plane, scene, 0.3_deg, 3_mm);
+    faces.insert (face);
+    for (const pcl::index_t i : plane.inliers)
+      right += scene.labels[i] == face;
+  }
+  EXPECT_EQ (faces, (std::multiset<int>{0, 1, 2, 3, 4, 5}));
+  EXPECT_GT (right, 97_percent * scene.cloud->size());
+}
+
+TEST (KernelHoughTransform, CountsPlanesBeforeAnyWereMerged)
+{
+  const LabelledScene scene = box();
+  for (const Parameters& parameters : {Parameters(), published (30, 300)}) {
+    MergingParameters merging;
+    merging.distance_threshold = 1.6_m; // top and bottom are 1.5 m apart
+    Detector kht;
+    kht.setInputCloud (scene.cloud);
+    kht.setClusterParameters (parameters.clusters);
+    kht.setRefitParameters (parameters.refit);
+    kht.setMergingParameters (merging);
+    const std::size_t planes = ::planesOf (kht).size();
+    EXPECT_LT (planes, kht.getNumberOfPlanesBeforeMerging());
+    EXPECT_GE (kht.getNumberOfPlanesBeforeMerging(), 6u);
+  }
 }
 
 TEST (KernelHoughTransform, EndsPlanesWhereTheirClustersEnd)

@@ -198,6 +198,8 @@ class BadInput(unittest.TestCase):
     def test_no_plane_is_an_answer_as_in_cpp(self):
         for nothing in (
             *(np.full((1000, 3), bad, kind) for bad in (np.nan, np.inf, -np.inf) for kind in "fd"),
+            np.zeros((1, 3), np.float32),
+            np.ones((5000, 3)),
             np.random.default_rng(1).normal(0, 1e300, (500, 3)),
         ):
             for method in ("ops", "fspf", "kht"):
