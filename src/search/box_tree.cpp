@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace pcl_ops::internal {
 namespace {
@@ -76,7 +77,7 @@ postponeChildren (const std::vector<Node>& nodes,
   const std::size_t first = postponed.number;
   for (std::uint32_t i = 0; i < node.number; ++i) {
     const std::uint64_t distance = NearestCandidates::bitsOf (distances[i]);
-    if (!candidates.mayTake (distance))
+    if (!candidates.mayTake (distance, node.lowest_index[i]))
       continue;
     const std::uint64_t child =
         distance << Postponed::child_bits | (number * BoxTree::max_children + i);
@@ -98,11 +99,14 @@ struct Range {
   Item* begin;
   Item* end;
   Eigen::AlignedBox3f box;
+  pcl::index_t lowest_index = std::numeric_limits<pcl::index_t>::max();
 
   Range (Item* first, Item* last) : begin (first), end (last)
   {
-    for (const Item* item = begin; item != end; ++item)
+    for (const Item* item = begin; item != end; ++item) {
       box.extend (item->position);
+      lowest_index = std::min (lowest_index, item->index);
+    }
   }
 
   bool
@@ -127,10 +131,12 @@ divide (const Range& items)
   constexpr std::ptrdiff_t min_share = 4;
   if (min_share * std::min (middle - items.begin, items.end - middle) >= size)
     return middle;
+  // Equal ones by their indices: a search among them ends with the lowest.
   Item* const median = items.begin + size / 2;
   std::nth_element (
       items.begin, median, items.end, [=] (const Item& first, const Item& second) {
-        return first.position[side] < second.position[side];
+        const float a = first.position[side], b = second.position[side];
+        return a != b ? a < b : first.index < second.index;
       });
   return median;
 }
@@ -168,6 +174,7 @@ grow (const Item* first, const Range& items, std::vector<Node>& nodes)
     Node& node = nodes[number];
     const std::uint32_t i = node.number++;
     node.children[i] = child;
+    node.lowest_index[i] = range.lowest_index;
     node.low.row (i) = range.box.min().transpose();
     node.high.row (i) = range.box.max().transpose();
   }
@@ -206,10 +213,12 @@ BoxTree::find (const NeighborQuery& query,
     postponeChildren (nodes_, 0, query.position, candidates, postponed);
   while (postponed.number > 0) {
     const std::uint64_t next = postponed.children[--postponed.number];
-    if (!candidates.mayTake (next >> Postponed::child_bits))
-      continue;
     const auto slot = static_cast<std::uint32_t> (next);
-    const Child& child = nodes_[slot / max_children].children[slot % max_children];
+    const Node& parent = nodes_[slot / max_children];
+    if (!candidates.mayTake (next >> Postponed::child_bits,
+                             parent.lowest_index[slot % max_children]))
+      continue;
+    const Child& child = parent.children[slot % max_children];
     if (child.size > 0)
       visitLeaf (child, points_, index_, query.position, candidates);
     else

@@ -36,6 +36,8 @@ public:
   struct Node {
     Eigen::Array<float, max_children, 3> low, high;
     std::array<Child, max_children> children;
+    /** \brief The lowest index of the points of each. */
+    std::array<pcl::index_t, max_children> lowest_index;
     std::uint32_t number = 0;
   };
 

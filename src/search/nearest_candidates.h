@@ -28,15 +28,17 @@ public:
   NearestCandidates (std::size_t most, float squared_radius)
   : max_ (most)
   , shrink_at_ (most + std::max (most / 2, min_more))
-  , limit_ (bitsOf (squared_radius) + 1)
+  , limit_ (keyOf (bitsOf (squared_radius), 0) + (Key (1) << index_bits))
   , keys_ (std::min (usual_room, shrink_at_))
   {}
 
-  /** \brief Whether points so far away, as bits, may be among the nearest still. */
+  /** \brief Whether points so far away, as bits, may be among the nearest still, if
+   * none has a lower index. Of equally far ones, as all are at one place or where their
+   * distances are beyond single precision, indices alone decide. */
   bool
-  mayTake (std::uint64_t squared_distance) const
+  mayTake (std::uint64_t squared_distance, pcl::index_t lowest_index) const
   {
-    return squared_distance < limit_;
+    return keyOf (squared_distance, lowest_index) < limit_;
   }
 
   void
@@ -45,12 +47,12 @@ public:
     if (keys_.size() < number_ + number)
       keys_.resize (std::max (2 * keys_.size(), number_ + number));
     Key* next = keys_.data() + number_;
-    const std::uint32_t limit = limit_;
+    const Key limit = limit_;
     for (std::size_t i = 0; i < number; ++i) {
-      const std::uint32_t distance = bitsOf (squared_distances[i]);
+      const Key key = keyOf (bitsOf (squared_distances[i]), indices[i]);
       // Written always, counted if near: no branch to mispredict.
-      *next = (Key (distance) << index_bits) | static_cast<Key> (indices[i]);
-      next += distance < limit ? 1 : 0;
+      *next = key;
+      next += key < limit ? 1 : 0;
     }
     number_ = static_cast<std::size_t> (next - keys_.data());
     if (number_ >= shrink_at_)
@@ -82,19 +84,25 @@ private:
   static constexpr std::size_t usual_room = 128;
   static_assert (sizeof (pcl::index_t) * 8 <= index_bits, "an index fits into a key");
 
+  static Key
+  keyOf (std::uint64_t squared_distance, pcl::index_t index)
+  {
+    return squared_distance << index_bits | static_cast<Key> (index);
+  }
+
   void
   shrink ()
   {
     const auto farthest = keys_.begin() + max_ - 1;
     std::nth_element (keys_.begin(), farthest, keys_.begin() + number_);
     number_ = max_;
-    limit_ = static_cast<std::uint32_t> (*farthest >> index_bits) + 1;
+    limit_ = *farthest + 1;
   }
 
   std::size_t max_;
   std::size_t shrink_at_;
-  /** \brief Points nearer than this, as bits, are collected. */
-  std::uint32_t limit_;
+  /** \brief Points with keys below this are collected. */
+  Key limit_;
   std::size_t number_ = 0;
   std::vector<Key> keys_;
 };

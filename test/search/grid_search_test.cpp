@@ -246,12 +246,14 @@ TEST (GridSearch, FindsNothingWhereThereIsNothing)
   EXPECT_TRUE (nearest (search, {NAN, 0, 0}, 5).indices.empty()) << "of no position";
 }
 
-TEST (NearestCandidates, StopTakingWhatIsFarther)
+TEST (NearestCandidates, StopTakingWhatIsFartherOrAsFarWithHigherIndices)
 {
   NearestCandidates candidates (1, INFINITY);
-  EXPECT_TRUE (candidates.mayTake (NearestCandidates::bitsOf (5.0f)));
+  EXPECT_TRUE (candidates.mayTake (NearestCandidates::bitsOf (5.0f), 0));
   const std::vector<float> near (50, 1.0f);
   const pcl::Indices indices (50, 7);
   candidates.add (near.data(), indices.data(), 50);
-  EXPECT_FALSE (candidates.mayTake (NearestCandidates::bitsOf (5.0f)));
+  EXPECT_FALSE (candidates.mayTake (NearestCandidates::bitsOf (5.0f), 0));
+  EXPECT_FALSE (candidates.mayTake (NearestCandidates::bitsOf (1.0f), 8));
+  EXPECT_TRUE (candidates.mayTake (NearestCandidates::bitsOf (1.0f), 6));
 }
