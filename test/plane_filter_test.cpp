@@ -144,6 +144,18 @@ TEST (PlaneFilter, TakesExtentsOfTheCloud)
   EXPECT_TRUE (planes.empty());
 }
 
+TEST (PlaneFilter, RefusesAnotherCloudThanThatOfThePlanes)
+{
+  const auto cloud = Scene().floor (1, 2).build().cloud;
+  std::vector<PlaneSegment> planes = {
+      planeOfPoints (*cloud, upTo<pcl::Indices> (cloud->size()), Vector3d::UnitZ())};
+  PlaneFilter filter;
+  filter.min_area = 1.0;
+  cloud->resize (10);
+  EXPECT_THROW (filterPlanes (planes, filter, *cloud), std::invalid_argument);
+  EXPECT_EQ (planes.size(), 1u);
+}
+
 TEST (PlaneFilter, RefusesWhatNoPlaneCanBeMeasuredBy)
 {
   PlaneFilter filter;

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <pcl/point_cloud.h>
+#include <pcl/types.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 
 namespace pcl_ops {
@@ -34,7 +36,8 @@ struct CloudView {
    * \param[in] x_offset bytes from the beginning of a point to its x, a multiple of 4
    * \param[in] point_step bytes from each point to the next, a multiple of 4
    * \param[in] points their number
-   * \throw std::invalid_argument if floats would not be aligned */
+   * \throw std::invalid_argument if floats would not be aligned, there is no buffer, or
+   * there are more points than indices can tell */
   CloudView (const void* data,
              std::size_t x_offset,
              std::size_t point_step,
@@ -47,6 +50,11 @@ struct CloudView {
     if (address % alignof (float) != 0 || point_step % sizeof (float) != 0)
       throw std::invalid_argument (
           "the positions in the buffer must be aligned floats");
+    if (!data && points > 0)
+      throw std::invalid_argument ("the buffer of the positions is null");
+    if (points > static_cast<std::size_t> (std::numeric_limits<pcl::index_t>::max()))
+      throw std::invalid_argument (
+          "a cloud must have fewer than 2^31 points; divide it");
   }
 
   const float*

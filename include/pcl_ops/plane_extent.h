@@ -106,14 +106,16 @@ extentOf (const PlanarRings& rings,
           const PlanarPoints& points,
           const PlaneFrame& frame);
 
-/** \brief The inliers of a plane in a cloud, projected onto a frame. */
+/** \brief The inliers of a plane in a cloud, projected onto a frame.
+ * \throw std::invalid_argument if an inlier lies outside the cloud */
 PCL_OPS_EXPORT PlanarPoints
 pointsOnPlane (const CloudView& cloud,
                const PlaneSegment& plane,
                const PlaneFrame& frame);
 
 /** \brief Extent, area and convex hull of a plane in its input cloud; at least 99 % of
- * its inliers lie inside (\ref convexHull). */
+ * its inliers lie inside (\ref convexHull).
+ * \throw std::invalid_argument if an inlier lies outside the cloud */
 PCL_OPS_EXPORT PlaneExtent
 planeExtent (const CloudView& cloud, const PlaneSegment& plane);
 

@@ -99,7 +99,8 @@ filterPlanes (std::vector<PlaneSegment>& planes,
               const PlaneFilter& filter,
               const ExtentOfPlane& extent_of);
 
-/** \brief The same with the extents of \ref planeExtent in the input cloud. */
+/** \brief The same with the extents of \ref planeExtent in the input cloud.
+ * \throw std::invalid_argument if one asked for has an inlier outside the cloud, too */
 PCL_OPS_EXPORT DroppedPlanes
 filterPlanes (std::vector<PlaneSegment>& planes,
               const PlaneFilter& filter,

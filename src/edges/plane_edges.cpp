@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include "geometry/angles.h"
+#include "geometry/inliers.h"
 #include "geometry/planar_area.h"
 #include <pcl_ops/plane_detector.h>
 #include <pcl_ops/plane_edges.h>
@@ -310,16 +311,6 @@ edgeOf (const Interval& interval,
   return edge;
 }
 
-std::string
-validate (const CloudView& cloud, const std::vector<PlaneSegment>& planes)
-{
-  for (const PlaneSegment& plane : planes)
-    for (const pcl::index_t index : plane.inliers)
-      if (index < 0 || static_cast<std::size_t> (index) >= cloud.size)
-        return "an inlier lies outside the cloud; give the one the planes are of";
-  return {};
-}
-
 } // namespace
 
 std::string
@@ -342,7 +333,8 @@ findPlaneEdges (const CloudView& cloud,
                 const Eigen::Vector3d& shift)
 {
   detail::throwOn (validate (parameters));
-  detail::throwOn (validate (cloud, planes));
+  for (const PlaneSegment& plane : planes)
+    checkInliers (cloud, plane);
   std::vector<std::optional<Body>> bodies;
   for (const PlaneSegment& plane : planes)
     bodies.push_back (bodyOf (cloud, plane, shift));

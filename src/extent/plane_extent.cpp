@@ -4,6 +4,7 @@
 
 #include "base/random.h"
 #include "extent/planar_ring.h"
+#include "geometry/inliers.h"
 #include "geometry/planar_area.h"
 #include <pcl_ops/plane_extent.h>
 
@@ -256,6 +257,7 @@ pointsOnPlane (const CloudView& cloud,
                const PlaneSegment& plane,
                const PlaneFrame& frame)
 {
+  checkInliers (cloud, plane);
   PlanarPoints points;
   points.reserve (plane.inliers.size());
   for (const pcl::index_t index : plane.inliers) {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/inliers.h"
 #include "geometry/planar_area.h"
 #include <pcl_ops/plane.h>
 
@@ -65,6 +66,7 @@ planeCovariance (const PlaneSegment& plane)
 std::optional<PlaneCovariance>
 planeCovariance (const CloudView& cloud, const PlaneSegment& plane)
 {
+  internal::checkInliers (cloud, plane);
   std::optional<PlaneCovariance> covariance = planeCovariance (plane);
   if (!covariance)
     return std::nullopt;

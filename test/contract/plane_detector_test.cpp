@@ -556,4 +556,8 @@ TEST (DetectPlanes, ThrowsWhatIsWrongWithABuffer)
     EXPECT_THROW (pcl_ops::CloudView (buffer.data(), offset, step, 6),
                   std::invalid_argument)
         << "no aligned floats";
+  EXPECT_THROW (pcl_ops::CloudView (nullptr, 0, 12, 100), std::invalid_argument);
+  EXPECT_NO_THROW (pcl_ops::CloudView (nullptr, 0, 12, 0));
+  EXPECT_THROW (pcl_ops::CloudView (buffer.data(), 0, 0, std::size_t (1) << 31),
+                std::invalid_argument);
 }

@@ -252,6 +252,17 @@ TEST (PlaneExtent, HasTheSmallestOfTheRectanglesAlongTheOutline)
     }
 }
 
+TEST (PlaneExtent, RefusesInliersOutsideTheCloud)
+{
+  const auto cloud = Scene().floor (1, 2).build().cloud;
+  for (const pcl::index_t outside : {-5, static_cast<int> (cloud->size())}) {
+    pcl_ops::PlaneSegment plane;
+    plane.inliers = {0, 1, 2, outside};
+    EXPECT_THROW (planeExtent (*cloud, plane), std::invalid_argument);
+    EXPECT_THROW (planeExtent (pcl_ops::CloudView(), plane), std::invalid_argument);
+  }
+}
+
 TEST (ConvexHull, HasTheFourCornersOfALatticeAlone)
 {
   for (const int last : {10, 100}) { // of many points most are set aside

@@ -114,6 +114,16 @@ TEST (PlaneCovariance, OfACloudDoesNotShrinkWhereNeighborsErrAlike)
       << "but for the measured factor";
 }
 
+TEST (PlaneCovariance, RefusesInliersOutsideTheCloud)
+{
+  const Cloud cloud = *Scene().floor (1, 2).build().cloud;
+  for (const pcl::index_t outside : {-5, static_cast<int> (cloud.size())}) {
+    PlaneSegment plane = fittedTo (cloud);
+    plane.inliers.push_back (outside);
+    EXPECT_THROW (planeCovariance (cloud, plane), std::invalid_argument);
+  }
+}
+
 TEST (PlaneCovariance, IsNoneWithoutAPlane)
 {
   PlaneSegment empty, line, residual_free;
