@@ -10,6 +10,9 @@
 
 #include <numbers/statistics.h>
 
+#include <cmath>
+#include <cstring>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -77,6 +80,92 @@ perCent (std::size_t count, std::size_t all)
   return str (format (share < nearly_all ? "%.2g %%" : "%.3g %%") % share);
 }
 
+/** \brief Whether single precision holds all coordinates as they are. */
+bool
+isExactInSingle (const CoordinateReader& reader, std::size_t size)
+{
+  const auto isExact = [] (double value) {
+    return std::isnan (value) ||
+           static_cast<double> (static_cast<float> (value)) == value;
+  };
+  for (std::size_t i = 0; i < size && !reader.is_single; ++i) {
+    const Eigen::Vector3d place = reader (i);
+    if (!std::all_of (place.begin(), place.end(), isExact))
+      return false;
+  }
+  return true;
+}
+
+/** \brief A number as good as drawn, but the same for a place wherever it stands. */
+std::uint32_t
+hashOf (const Eigen::Vector3d& place)
+{
+  std::uint64_t hash = 0;
+  for (const double coordinate : place) {
+    const double same = coordinate + 0.0; // of zero and minus zero
+    std::uint64_t bits;
+    std::memcpy (&bits, &same, sizeof bits);
+    hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 32;
+  }
+  return static_cast<std::uint32_t> (hash);
+}
+
+bool
+isBefore (const Eigen::Vector3d& first, const Eigen::Vector3d& second)
+{
+  return std::lexicographical_compare (
+      first.begin(), first.end(), second.begin(), second.end());
+}
+
+/** \brief About so many of the finite places, each once, whatever their order. */
+Places
+sampleByHash (const CoordinateReader& reader, std::size_t size, std::size_t wanted)
+{
+  const auto share = static_cast<std::uint32_t> (size / wanted + 1);
+  const std::uint32_t last_taken = std::numeric_limits<std::uint32_t>::max() / share;
+  Places places;
+  for (std::size_t i = 0; i < size; ++i)
+    if (const Eigen::Vector3d place = reader (i);
+        hashOf (place) <= last_taken && place.allFinite())
+      places.push_back (place);
+  std::sort (places.begin(), places.end(), isBefore);
+  places.erase (std::unique (places.begin(), places.end()), places.end());
+  return places;
+}
+
+/** \brief Near the median, at a multiple of many times the deviation from it, as the
+ * library takes its frame: nearly always the same for other points of the same
+ * surroundings, and zero for those around zero. Zero for no points. */
+Eigen::Vector3d
+roundedMedian (Places places)
+{
+  constexpr double deviations = 16.0;
+  if (places.empty())
+    return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d median = quantileOfEach (places, 0.5);
+  for (Eigen::Vector3d& place : places)
+    place = (place - median).cwiseAbs();
+  const double deviation = quantileOfEach (places, 0.5).maxCoeff();
+  if (!(deviation > 0.0 && std::isfinite (deviation)))
+    return median;
+  const double step = std::exp2 (std::ceil (std::log2 (deviations * deviation)));
+  return (median / step + Eigen::Vector3d::Constant (0.5)).array().floor() * step;
+}
+
+/** \brief Near most points, whatever their order; wherever few stray to, and however
+ * many are at one place. */
+Eigen::Vector3d
+placeNearMost (const CoordinateReader& reader, std::size_t size)
+{
+  constexpr std::size_t looked_at = 8192;
+  Places places = sampleByHash (reader, size, looked_at);
+  // Of points at one place the hash takes none or all.
+  if (places.empty())
+    places = sampleByHash (reader, size, size + 1);
+  return roundedMedian (std::move (places));
+}
+
 } // namespace
 
 ShiftedCloud
@@ -85,13 +174,10 @@ shiftedCloudOf (const FileCloud& cloud, double step)
   const CoordinateReader reader (cloud);
   ShiftedCloud shifted;
   const std::size_t size = cloud.size();
-  const auto usual = [&] {
-    return usualPlace (size, [&] (std::size_t i) { return reader (i); });
-  };
   if (step > 0.0)
-    shifted.shift = (usual() / step).array().round() * step;
-  else if (!reader.is_single)
-    shifted.shift = usual();
+    shifted.shift = (placeNearMost (reader, size) / step).array().round() * step;
+  else if (!isExactInSingle (reader, size))
+    shifted.shift = placeNearMost (reader, size);
   shifted.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   shifted.cloud->points.reserve (size);
   for (std::size_t i = 0; i < size; ++i) {

@@ -22,8 +22,8 @@ using XyzCloud = pcl::PointCloud<pcl::PointXYZ>;
 struct ShiftedCloud {
   /** \brief Every point, NaN too, and the sensor's pose relative to \ref shift. */
   XyzCloud::Ptr cloud;
-  /** \brief In the file's frame: near most points where the file has double precision,
-   * which single would lose far from zero; else zero. */
+  /** \brief In the file's frame: near most points, whatever their order, where the file
+   * has digits that single precision would lose; else zero. */
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
 };
 

@@ -61,6 +61,27 @@ class SameLabels(unittest.TestCase):
             with self.subTest(options):
                 self.assertSame(options, **arguments)
 
+    def test_of_double_precision_in_any_order(self):
+        points = self.room.points.astype(np.float64)
+        points = points[np.isfinite(points).all(axis=1)]
+        in_single = pcl_ops.segment(points.astype(np.float32))[0]
+        zeros = np.zeros((len(points) // 10, 3))
+        # Moved by a power of two single precision has no digits for millimeters.
+        for name, cloud in (("near zero", np.round(points, 6)),
+                            ("far", points + (2**19, 2**22, 256)),
+                            ("far, with missing readings",
+                             np.vstack([zeros, points + (2**19, 2**22, 256)]))):
+            with self.subTest(name):
+                labels = pcl_ops.segment(cloud)[0]
+                for order in (np.random.default_rng(1).permutation(len(cloud)),
+                              np.argsort(cloud[:, 0])):
+                    in_order = pcl_ops.segment(cloud[order])[0]
+                    self.assertGreater(np.mean(in_order == labels[order]), 0.999)
+                np.savetxt(self.folder / "far.xyz", cloud, fmt="%.17g")
+                self.run_program("pcl_ops_segment far.xyz far.pcd --quiet")
+                np.testing.assert_array_equal(labels, pcl_ops.read(self.folder / "far.pcd").labels)
+                self.assertGreater(np.mean(labels[-len(points):] == in_single), 0.9)
+
     def test_the_programs_metrics(self):
         self.assertSame("")
         said = json.loads(self.run_program("pcl_ops_evaluate compare room.pcd out.pcd --json"))

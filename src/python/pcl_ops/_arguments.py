@@ -94,6 +94,42 @@ def points_array(points: Any) -> NDArray[Any]:
     return np.require(array, array.dtype.newbyteorder("="), "A")
 
 
+def _hashes(places: NDArray[np.float64]) -> NDArray[np.uint64]:
+    """Numbers as good as drawn, but the same for a place wherever it stands."""
+    hashes = np.zeros(len(places), np.uint64)
+    for axis in range(3):
+        # Zero and minus zero are one.
+        hashes ^= (np.ascontiguousarray(places[:, axis]) + 0.0).view(np.uint64)
+        hashes *= np.uint64(0x9e3779b97f4a7c15)
+        hashes ^= hashes >> np.uint64(32)
+    return hashes
+
+
+def _place_near_most(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The median of some places, by their hashes, rounded, as the programs have it.
+
+    It is the same for any order of the points. One outlier must not take the digits of all, nor
+    many points at one place.
+    """
+    looked_at, deviations = 8192, 16.0
+    hashes = _hashes(points)
+    last_taken = (2**32 - 1) // (len(points) // looked_at + 1)
+    is_finite = np.isfinite(points).all(axis=1)
+    taken = np.flatnonzero(is_finite & ((hashes & np.uint64(2**32 - 1)) <= last_taken))
+    if not len(taken):
+        taken = np.flatnonzero(is_finite)
+    if not len(taken):
+        return np.zeros(3)
+    some = points[taken[np.unique(hashes[taken], return_index=True)[1]]]
+    middle = (len(some) - 1) // 2
+    median = np.sort(some, axis=0)[middle]
+    deviation = np.sort(np.abs(some - median), axis=0)[middle].max()
+    if not (deviation > 0.0 and np.isfinite(deviation)):
+        return median
+    step = np.exp2(np.ceil(np.log2(deviations * deviation)))
+    return np.floor(median / step + 0.5) * step
+
+
 def single_precision(points: NDArray[Any]) -> Tuple[NDArray[np.float32], NDArray[np.float64]]:
     """The points as the extension reads them, and where in their frame the zero of these is.
 
@@ -108,13 +144,8 @@ def single_precision(points: NDArray[Any]) -> Tuple[NDArray[np.float32], NDArray
     with np.errstate(over="ignore", invalid="ignore"):
         single = points.astype(np.float32, order="C")
         is_exact = ((single == points) | np.isnan(points)).all()
-        finite = [] if is_exact else np.flatnonzero(np.isfinite(points).all(axis=1))
-        if len(finite):
-            # The median of some thousand points: one outlier must not take the digits of all.
-            # The first finite point of each stretch, as the programs have it.
-            stretches = finite // (len(points) // 1000 + 1)
-            some = points[finite[np.flatnonzero(np.diff(stretches, prepend=-1))]]
-            origin = np.sort(some, axis=0)[(len(some) - 1) // 2]
+        if not is_exact:
+            origin = _place_near_most(points)
             np.subtract(points, origin, out=single, casting="same_kind")
     return single, origin
 

@@ -204,6 +204,30 @@ TEST_F (CloudFile, KeepsMillimetersFarFromZeroAndBesideAPointFarFromAllOthers)
   EXPECT_NEAR ((*shifted.cloud)[4].x + shifted.shift.x(), 512347.003, 1e-6);
 }
 
+TEST_F (CloudFile, OfDoublePrecisionIsMovedAlikeInAnyOrderAndBesideMissingReadings)
+{
+  std::string text, reversed, zeros;
+  for (int i = 0; i < 2000; ++i) {
+    const std::string line = std::to_string (512345.001 + i) + " 5412345.002 99.003\n";
+    text += line;
+    reversed = line + reversed;
+    zeros += "0 0 0\n";
+  }
+  const auto shiftOf = [&] (const std::string& lines) {
+    return shiftedCloudOf (load ("far.xyz", lines)).shift;
+  };
+  const Eigen::Vector3d shift = shiftOf (text);
+  EXPECT_NEAR (shift.x(), 513345.0, 16.0 * 500.0);
+  EXPECT_EQ (shiftOf (reversed), shift);
+  EXPECT_EQ (shiftOf (zeros + text + zeros), shift);
+}
+
+TEST_F (CloudFile, IsNotMovedWhereSinglePrecisionHoldsAllItsDigits)
+{
+  EXPECT_TRUE (shiftedCloudOf (load ("a.xyz", "1000 2.5 3\nnan nan nan\n-7 8 9\n"))
+                   .shift.isZero (0.0));
+}
+
 TEST_F (CloudFile, HasNoPoseWhereItsViewpointIsNotFinite)
 {
   const FileCloud cloud = load ("nowhere.pcd", pcdWith ("VIEWPOINT nan 2 3 nan 0 0 0"));
