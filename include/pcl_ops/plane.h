@@ -164,7 +164,7 @@ enum class AssignmentRule {
 /** \brief A detected plane with the points on it, in the frame of the input cloud. */
 struct PCL_OPS_EXPORT PlaneSegment {
   /** \brief Mean of the inliers; of a plane that is not fitted to them, as of 3D-KHT's
-   * paper preset, taken onto it along the normal. */
+   * paper preset or where equal points counted once, taken onto it along the normal. */
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   /** \brief Unit normal towards the sensor's origin. */
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
@@ -237,7 +237,8 @@ planeCovariance (const PlaneSegment& plane);
  * planes matched over exact poses then have a median of 0.53 to 0.75 (0.67 for a normal
  * distribution).
  * \return nothing where the moments alone give none, or the inliers lie in fewer than
- * four blocks */
+ * four blocks
+ * \throw std::invalid_argument if an inlier lies outside the cloud */
 PCL_OPS_EXPORT std::optional<PlaneCovariance>
 planeCovariance (const CloudView& cloud, const PlaneSegment& plane);
 

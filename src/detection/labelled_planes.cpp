@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detection/labelled_planes.h"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace pcl_ops::internal {
@@ -41,6 +43,34 @@ addInliers (const Points& points,
       *place++ = points.indexOf (i);
     next[label] = place;
   }
+  for (const Copy& copy : points.copies)
+    if (const std::int32_t label = labels[copy.point]; label != no_plane)
+      *next[label]++ = copy.index;
+  if (!points.copies.empty())
+    for (PlaneSegment& segment : segments)
+      std::sort (segment.inliers.begin(), segment.inliers.end());
+}
+
+void
+sortByFallingCount (LabelledPlanes& found)
+{
+  MergedPlanes& planes = found.planes;
+  std::vector<std::size_t> order (planes.moments.size());
+  std::iota (order.begin(), order.end(), 0);
+  std::stable_sort (order.begin(), order.end(), [&] (std::size_t a, std::size_t b) {
+    return planes.moments[a].count > planes.moments[b].count;
+  });
+  MergedPlanes sorted;
+  sorted.merged_into.resize (order.size());
+  for (const std::size_t p : order) {
+    sorted.merged_into[p] = static_cast<std::int32_t> (sorted.moments.size());
+    sorted.moments.push_back (planes.moments[p]);
+    sorted.fits.push_back (planes.fits[p]);
+  }
+  relabel (found.labels, sorted.merged_into, 1);
+  relabel (planes.merged_into, sorted.merged_into, 1);
+  sorted.merged_into = std::move (planes.merged_into);
+  planes = std::move (sorted);
 }
 
 } // namespace
@@ -55,6 +85,25 @@ mergeAssigned (AssignedPoints assigned,
                        assigned.moments.size()};
   relabel (found.labels, found.planes.merged_into, threads);
   return found;
+}
+
+void
+addCopies (const Points& points, LabelledPlanes& found)
+{
+  MergedPlanes& planes = found.planes;
+  for (const Copy& copy : points.copies)
+    if (const std::int32_t label = found.labels[copy.point]; label != no_plane) {
+      Moments& moments = planes.moments[label];
+      const Eigen::Vector3d place = points[copy.point] - moments.origin;
+      moments.add (place.x(), place.y(), place.z());
+    }
+  for (std::size_t p = 0; p < planes.fits.size(); ++p) {
+    PlaneFit& fit = planes.fits[p];
+    const Moments& moments = planes.moments[p];
+    fit.centroid = moments.centroid();
+    fit.centroid -= fit.plane.distance (fit.centroid) * fit.plane.normal;
+  }
+  sortByFallingCount (found);
 }
 
 std::vector<PlaneSegment>

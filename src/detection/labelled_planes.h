@@ -36,6 +36,11 @@ mergeAssigned (AssignedPoints assigned,
                const MergingParameters& parameters,
                unsigned threads);
 
+/** \brief Has the planes of points hold their copies, too, and sorts them anew by their
+ * numbers of points: equations stay those of the places. */
+void
+addCopies (const Points& points, LabelledPlanes& found);
+
 /** \brief The planes in the frame of the input cloud, by falling size, their normals
  * towards the viewpoint. */
 std::vector<PlaneSegment>
@@ -43,8 +48,8 @@ toSegments (const Points& points,
             const LabelledPlanes& found,
             const Eigen::Vector3d& viewpoint);
 
-/** \brief What all detectors begin and end with: the finite points, and the planes
- * among them in the frame of the input cloud.
+/** \brief What all detectors begin and end with: the finite points, equal ones as one
+ * where they would decide, and the planes among them in the frame of the input cloud.
  * \param[in] detect (points, durations) -> LabelledPlanes
  * \param[in] step of the local frame's zero, \ref finitePoints */
 template <typename Detect>
@@ -56,11 +61,13 @@ detectInFinitePoints (const DetectorInput& input,
 {
   Detection found;
   const StageClock clock;
-  // P: drop NaN and Inf once; nothing later checks again
+  // P: drop NaN, Inf and copies once; nothing later checks again
   const Points points =
-      finitePoints (input.cloud, parameters.threads, input.indices, step);
-  const LabelledPlanes planes =
+      distinctPoints (input.cloud, parameters.threads, input.indices, step);
+  LabelledPlanes planes =
       points.size() > 0 ? detect (points, found.durations) : LabelledPlanes();
+  if (!points.copies.empty())
+    addCopies (points, planes);
   found.planes = toSegments (points, planes, input.viewpoint);
   nameOrientations (
       found.planes, parameters.up_axis.cast<double>(), parameters.angle_tolerance);

@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "base/vectorized.h"
+#include "geometry/equal_points.h"
 
 #include <algorithm>
 #include <array>
@@ -141,6 +142,20 @@ roundedMedian (Coordinates points)
   return (median / step).array().round() * step;
 }
 
+Coordinates
+withoutCopies (const Coordinates& points)
+{
+  std::vector<std::array<float, 3>> places (points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    places[i] = {points.x[i], points.y[i], points.z[i]};
+  std::sort (places.begin(), places.end());
+  places.erase (std::unique (places.begin(), places.end()), places.end());
+  Coordinates distinct;
+  for (const auto& [x, y, z] : places)
+    distinct.add (x, y, z);
+  return distinct;
+}
+
 // Near the median of some of the points: near most of them, wherever a few stray to,
 // and whatever their order; zero for no points.
 Eigen::Vector3d
@@ -151,7 +166,7 @@ localOrigin (const Coordinates& points)
   // Of points at one place the hash takes none or all.
   if (some.size() == 0)
     some = sampleByHash (points, points.size() + 1, all_bits);
-  return roundedMedian (std::move (some));
+  return roundedMedian (withoutCopies (some));
 }
 
 void
@@ -203,6 +218,100 @@ keepFinite (Points& points)
   points.index.resize (left);
 }
 
+/** \brief The index of a first point at a place and that of another one there. */
+using IndexPair = std::pair<pcl::index_t, pcl::index_t>;
+
+// Leaves the first point at each place, and NaN where there is no reading.
+std::vector<IndexPair>
+takeCopies (Points& points, const FirstAtPlace& first)
+{
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  std::vector<IndexPair> copies;
+  const pcl::Indices index = points.index;
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool is_reading = first[i] != no_reading;
+    if (is_reading && first[i] != i) {
+      copies.emplace_back (index[first[i]], index[i]);
+      continue;
+    }
+    points.x[left] = is_reading ? points.x[i] : nan;
+    points.y[left] = is_reading ? points.y[i] : nan;
+    points.z[left] = is_reading ? points.z[i] : nan;
+    points.index[left] = index[i];
+    ++left;
+  }
+  points.resize (left);
+  points.index.resize (left);
+  return copies;
+}
+
+// Numbers of first points by their indices, which are ascending.
+std::vector<Copy>
+copiesOf (const pcl::Indices& index, std::vector<IndexPair> pairs)
+{
+  std::sort (pairs.begin(), pairs.end());
+  std::vector<Copy> copies;
+  copies.reserve (pairs.size());
+  auto place = index.begin();
+  for (const auto& [first, copy] : pairs) {
+    place = std::lower_bound (place, index.end(), first);
+    // Far from zero a first one may have been lost to infinity.
+    if (place != index.end() && *place == first)
+      copies.push_back ({copy, static_cast<std::uint32_t> (place - index.begin())});
+  }
+  std::sort (copies.begin(), copies.end(), [] (const Copy& one, const Copy& other) {
+    return one.index < other.index;
+  });
+  return copies;
+}
+
+// Near most points; single precision can tell it, as points are moved in it.
+Eigen::Vector3d
+originOf (const Coordinates& points, double step)
+{
+  const Eigen::Vector3d origin = localOrigin (points);
+  if (!(step > 0.0))
+    return origin;
+  return ((origin / step).array().round() * step).matrix().cast<float>().cast<double>();
+}
+
+// finitePoints, or distinctPoints.
+Points
+readPoints (const CloudView& cloud,
+            unsigned threads,
+            const pcl::Indices* indices,
+            double step,
+            bool takes_copies)
+{
+  if (indices && !areAscending (*indices)) {
+    pcl::Indices sorted = *indices;
+    std::sort (sorted.begin(), sorted.end());
+    sorted.erase (std::unique (sorted.begin(), sorted.end()), sorted.end());
+    return readPoints (cloud, threads, &sorted, step, takes_copies);
+  }
+  const auto chosenIndices = [&] { return indices ? *indices : allOf (cloud); };
+  Points points;
+  copyPoints ({cloud, indices}, threads, points);
+  std::vector<IndexPair> copies;
+  const FirstAtPlace first =
+      takes_copies ? firstAtPlace (points, threads) : FirstAtPlace();
+  if (!first.empty()) {
+    points.index = chosenIndices();
+    copies = takeCopies (points, first);
+  }
+  points.origin = originOf (points, step);
+  const bool are_finite = moveToOrigin (threads, points);
+  if (are_finite && points.size() == cloud.size)
+    return points;
+  if (points.index.empty())
+    points.index = chosenIndices();
+  if (!are_finite)
+    keepFinite (points);
+  points.copies = copiesOf (points.index, std::move (copies));
+  return points;
+}
+
 } // namespace
 
 Coordinates
@@ -240,29 +349,16 @@ finitePoints (const CloudView& cloud,
               const pcl::Indices* indices,
               double step)
 {
-  if (indices && !areAscending (*indices)) {
-    pcl::Indices sorted = *indices;
-    std::sort (sorted.begin(), sorted.end());
-    sorted.erase (std::unique (sorted.begin(), sorted.end()), sorted.end());
-    return finitePoints (cloud, threads, &sorted, step);
-  }
-  const Chosen chosen{cloud, indices};
-  Points points;
-  copyPoints (chosen, threads, points);
-  points.origin = localOrigin (points);
-  // Points are moved in single precision: by as much as it can tell.
-  if (step > 0.0)
-    points.origin = ((points.origin / step).array().round() * step)
-                        .matrix()
-                        .cast<float>()
-                        .cast<double>();
-  const bool are_finite = moveToOrigin (threads, points);
-  if (are_finite && chosen.size() == cloud.size)
-    return points;
-  points.index = indices ? *indices : allOf (cloud);
-  if (!are_finite)
-    keepFinite (points);
-  return points;
+  return readPoints (cloud, threads, indices, step, false);
+}
+
+Points
+distinctPoints (const CloudView& cloud,
+                unsigned threads,
+                const pcl::Indices* indices,
+                double step)
+{
+  return readPoints (cloud, threads, indices, step, true);
 }
 
 } // namespace pcl_ops::internal

@@ -47,6 +47,14 @@ struct Coordinates {
   }
 };
 
+/** \brief A point that another one at its place stands for. */
+struct Copy {
+  /** \brief Of the input cloud. */
+  pcl::index_t index;
+  /** \brief The number of the one that stands for it. */
+  std::uint32_t point;
+};
+
 /** \brief The finite points a detector works on. Their coordinates are relative to
  * \ref origin: single precision is enough however far the cloud is from its zero. */
 struct Points : Coordinates {
@@ -55,6 +63,8 @@ struct Points : Coordinates {
   /** \brief Index of each point in the input cloud; ascending, each once. Empty where
    * the points are the whole cloud, as they mostly are: see \ref indexOf. */
   pcl::Indices index;
+  /** \brief By rising indices; none but of \ref distinctPoints. */
+  std::vector<Copy> copies;
 
   pcl::index_t
   indexOf (std::size_t point) const
@@ -91,5 +101,18 @@ finitePoints (const CloudView& cloud,
               unsigned threads,
               const pcl::Indices* indices = nullptr,
               double step = 0.0);
+
+/** \brief The same without points that decide more than their place does, as nothing
+ * later counts places: many equal points would set the sizes that follow from how dense
+ * a cloud is, the zero of the frame and where a cloud ends.
+ *
+ * Where a good share of all points have equals the first one stands for the others at
+ * its place, \ref Points::copies. A place with so many that they are no readings but
+ * what a sensor writes for missing ones counts as if it were NaN, \ref firstAtPlace. */
+Points
+distinctPoints (const CloudView& cloud,
+                unsigned threads,
+                const pcl::Indices* indices = nullptr,
+                double step = 0.0);
 
 } // namespace pcl_ops::internal

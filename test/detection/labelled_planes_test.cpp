@@ -44,6 +44,41 @@ TEST (DetectInFinitePoints, RunsNoStageWithoutAFinitePoint)
       detectInFinitePoints (input, PlaneDetectorParameters(), detect).planes.empty());
 }
 
+TEST (DetectInFinitePoints, CountsEqualPointsOnceAndLeavesMissingReadingsOnNoPlane)
+{
+  // A floor of 100 points, half as many on the ceiling, each of those five times, and
+  // readings that a sensor wrote as zeros.
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  const auto addPlane = [&] (int number, float z) {
+    for (int i = 0; i < number; ++i)
+      cloud.push_back ({static_cast<float> (i % 10), static_cast<float> (i / 10), z});
+  };
+  cloud.resize (200, pcl::PointXYZ (0.0f, 0.0f, 0.0f));
+  addPlane (100, -1.0f);
+  for (int copy = 0; copy < 5; ++copy)
+    addPlane (50, 2.0f);
+  const auto detect = [] (const Points& points, auto&) {
+    EXPECT_EQ (points.size(), 150u);
+    Labels labels;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      labels.push_back (points.origin.z() + points.z[i] < 0.0 ? 0 : 1);
+    MergingParameters keep_apart;
+    keep_apart.enabled = false;
+    return mergeAssigned (
+        {labels, momentsOfLabels (points, labels, 2, 1)}, keep_apart, 1);
+  };
+  const DetectorInput input{
+      CloudView (cloud), nullptr, Eigen::Vector3d::Zero(), nullptr};
+  const std::vector<PlaneSegment> planes =
+      detectInFinitePoints (input, PlaneDetectorParameters(), detect).planes;
+  ASSERT_EQ (planes.size(), 2u);
+  EXPECT_NEAR (planes[0].centroid.z(), 2.0, 1e-9) << "the larger one of points";
+  EXPECT_EQ (planes[0].moments.count, 250.0);
+  EXPECT_EQ (planes[1].moments.count, 100.0);
+  for (int i = 0; i < 250; ++i)
+    EXPECT_EQ (planes[0].inliers.at (i), 300 + i);
+}
+
 TEST (MergingOf, TakesThetaHWhereMergingHasNoDistanceOfItsOwn)
 {
   PlaneDetectorParameters parameters;
