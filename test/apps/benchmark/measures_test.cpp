@@ -19,10 +19,10 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 constexpr std::size_t points = 10'000;
 
 Cloud::Ptr
-scanOf (const Scene& scene, double noise_scale)
+scanOf (const Scene& scene, double noise_scale, std::size_t number = points)
 {
   const Cloud::Ptr cloud (new Cloud);
-  pcl::copyPointCloud (scanDensely (scene, points, noise_scale, 1).cloud, *cloud);
+  pcl::copyPointCloud (scanDensely (scene, number, noise_scale, 1).cloud, *cloud);
   return cloud;
 }
 
@@ -125,6 +125,17 @@ worstClouds ()
            })}};
 }
 
+/** \brief A cloud with each point made into another one. */
+template <typename Change>
+Cloud::Ptr
+changed (const Cloud& cloud, const Change& change)
+{
+  const Cloud::Ptr other (new Cloud (cloud));
+  for (std::size_t i = 0; i < other->size(); ++i)
+    change (i, (*other)[i]);
+  return other;
+}
+
 /** No cloud costs a detector more than so many times the time per point, or the memory,
  * of a simulated room of as many points. */
 TEST (WorstCases, KeepTheBounds)
@@ -154,6 +165,42 @@ TEST (WorstCases, KeepTheBounds)
       EXPECT_LT (measured[1].best.detection,
                  disturbance * time_bound * measured[0].best.detection);
       EXPECT_LT (peakMemoryOn (cloud, detector), memory_bound * room_bytes);
+    }
+  }
+}
+
+// What grows with the square of the number of points does not show among few.
+TEST (WorstCases, DoNotGrowWithTheSquareOfTheNumberOfEqualOrFarPoints)
+{
+  constexpr double time_bound = 10.0;
+  constexpr std::size_t many = 100'000;
+  const Cloud::Ptr room = scanOf (pcl_ops::simulation::makeRoom (1).scene, 1.0, many);
+  const auto scaled = [&] (float unit) {
+    return changed (*room, [=] (std::size_t, pcl::PointXYZ& point) {
+      point.getVector3fMap() *= unit;
+    });
+  };
+  const pcl::PointXYZ place (1.0f, 2.0f, 3.0f);
+  const std::pair<const char*, Cloud::Ptr> clouds[] = {
+      {"half of them equal",
+       changed (*room,
+                [&] (std::size_t i, pcl::PointXYZ& point) {
+                  if (i % 2 == 0)
+                    point = place;
+                })},
+      {"all equal",
+       changed (*room, [&] (std::size_t, pcl::PointXYZ& point) { point = place; })},
+      {"squares beyond single precision", scaled (1e30f)},
+      {"squares below single precision", scaled (1e-25f)}};
+  for (const auto& detector : pcl_ops::evaluation::selectConfigurations ("ops-3-30")) {
+    const auto timeOf = [&] (const Cloud::Ptr& cloud) {
+      const std::clock_t begin = std::clock(); // of the processor
+      detector.run (cloud, {});
+      return double (std::clock() - begin);
+    };
+    for (const auto& [name, cloud] : clouds) {
+      const double of_room = timeOf (room);
+      EXPECT_LT (timeOf (cloud), time_bound * of_room) << name;
     }
   }
 }
