@@ -14,6 +14,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace pcl_ops::apps {
@@ -37,8 +38,8 @@ someOf (const XyzCloud& cloud)
   return places;
 }
 
-/** \brief The place that most points share, and how many do. */
-std::pair<Eigen::Vector3d, std::size_t>
+/** \brief The place that most points share, how many do, and how many places are. */
+std::tuple<Eigen::Vector3d, std::size_t, std::size_t>
 mostSharedPlace (const Places& places)
 {
   std::map<std::array<double, 3>, std::size_t> counts;
@@ -48,7 +49,7 @@ mostSharedPlace (const Places& places)
       counts.begin(), counts.end(), [] (const auto& a, const auto& b) {
         return a.second < b.second;
       });
-  return {Eigen::Vector3d (most->first.data()), most->second};
+  return {Eigen::Vector3d (most->first.data()), most->second, counts.size()};
 }
 
 /** \brief How many are beyond a thousand diagonals of the nearer half or more. */
@@ -198,23 +199,31 @@ damageOf (const ShiftedCloud& shifted)
 {
   // Of fewer, a share says nothing.
   constexpr std::size_t min_places = 10;
+  // Points on a coarse grid have equals, too, but all alike.
+  constexpr std::size_t times_of_a_place = 16;
   // One per cent, and room for what a sample may miss of it.
   constexpr double far_share = 0.005;
   const Places places = someOf (*shifted.cloud);
   if (places.size() < min_places)
     return "";
-  const auto [shared_place, shared] = mostSharedPlace (places);
+  const auto [shared_place, shared, different] = mostSharedPlace (places);
   const Eigen::Vector3d place = shared_place + shifted.shift;
+  // UTM to the millimeter
+  const std::string shared_share =
+      str (format ("%s of its points are at (%.10g, %.10g, %.10g)") %
+           perCent (shared, places.size()) % place.x() % place.y() % place.z());
   const std::size_t far = countFar (places);
   if (2 * shared > places.size())
-    // UTM to the millimeter
-    return str (format ("looks damaged: %s of its points are at (%.10g, %.10g, %.10g); "
-                        "leave missing readings out or write them as NaN") %
-                perCent (shared, places.size()) % place.x() % place.y() % place.z());
+    return "looks damaged: " + shared_share +
+           "; leave missing readings out or write them as NaN";
   if (static_cast<double> (far) > far_share * static_cast<double> (places.size()))
     return "looks damaged: " + perCent (far, places.size()) +
            " of its points are more than 1000 times as far away as the rest is wide; "
            "leave them out";
+  if (100 * shared >= places.size() && shared >= min_places &&
+      shared * different > times_of_a_place * places.size())
+    return shared_share + ", like missing readings, and count as such; leave them out "
+                          "or write them as NaN";
   return "";
 }
 

@@ -34,7 +34,8 @@ shiftedCloudOf (const FileCloud& cloud, double step = 0.0);
 
 /** \brief What makes a cloud look damaged though it can be read, with the fix: most of
  * some thousand points are at one place, or some are a thousand times as far away as
- * the rest is wide. Empty where nothing does. */
+ * the rest is wide; or that one per cent or more are at one place, as missing readings
+ * are. Empty where nothing does. */
 std::string
 damageOf (const ShiftedCloud& shifted);
 

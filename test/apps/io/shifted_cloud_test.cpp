@@ -74,7 +74,6 @@ TEST (CloudDamage, IsSeenWhereMostPointsAreAtOnePlaceOrOnePerCentIsVeryFarAway)
       {"no points", XyzCloud(), zero, ""},
       {"most readings are missing", missing, zero, ""},
       {"most points are far from a dense spot", dense_spot, zero, ""},
-      {"a third at one place", withMoved (floor, 3, {0, 0, 0}, 0.0f), zero, ""},
       {"few are far away", withMoved (floor, 1000, {1e6f, 0, 0}, 1e3f), zero, ""},
       {"not that far", withMoved (floor, 97, {1e3f, 0, 0}, 1.0f), zero, ""},
       {"at one", at_place, zero, "60 % of its points are at (1, 0, -0.5); " + fix},
@@ -95,4 +94,21 @@ TEST (CloudDamage, IsSeenWhereMostPointsAreAtOnePlaceOrOnePerCentIsVeryFarAway)
     EXPECT_EQ (damageOf (ShiftedCloud{cloud.makeShared(), shift}),
                (damage.empty() ? "" : "looks damaged: ") + damage)
         << name;
+}
+
+TEST (CloudDamage, IsNoneOfMissingReadingsAtOnePlaceButToldFromOnePerCentOn)
+{
+  const std::string said = " % of its points are at (0, 0, 0), like missing readings, "
+                           "and count as such; leave them out or write them as NaN";
+  const XyzCloud floor = floorOfPoints();
+  const auto damageWithZeros = [&] (int one_of) {
+    return damageOf ({withMoved (floor, one_of, {0, 0, 0}, 0.0f).makeShared()});
+  };
+  EXPECT_EQ (damageWithZeros (3), "33" + said);
+  EXPECT_EQ (damageWithZeros (49), "2.1" + said);
+  EXPECT_EQ (damageWithZeros (501), "");
+  XyzCloud on_a_grid = floor; // of nine places, each shared by a ninth
+  for (pcl::PointXYZ& point : on_a_grid)
+    point.getVector3fMap() = point.getVector3fMap().array().round();
+  EXPECT_EQ (damageOf ({on_a_grid.makeShared()}), "");
 }
