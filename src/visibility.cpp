@@ -72,7 +72,7 @@ detail::occludedFraction (const CloudView& cloud, const Eigen::Vector3d& viewpoi
   constexpr std::size_t fewest = 5;
   if (!viewpoint.allFinite())
     return 0.0;
-  const Points points = distinctPoints (cloud, 1);
+  const Points points = finitePoints (cloud, 1);
   const std::vector<Sighting> sightings =
       sightingsFrom (viewpoint - points.origin, samplePoints (points, looked_at));
   std::size_t hidden = 0, told = 0;
