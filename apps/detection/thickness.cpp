@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "thickness.h"
+
+#include <pcl/common/point_tests.h>
+
+#include <Eigen/Geometry>
+
+#include <numbers/statistics.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace pcl_ops::apps {
+
+namespace {
+
+using Eigen::Vector3f;
+
+/** \brief Exact nearest neighbors by the bounding boxes of blocks of points, which take
+ * hardly longer to make than to read the points. */
+class BlockSearch {
+public:
+  /** \param[in] sorts whether points that follow one another are first made neighbors:
+   * pays for many queries */
+  BlockSearch (const XyzCloud& cloud, bool sorts)
+  {
+    for (const pcl::PointXYZ& point : cloud)
+      if (pcl::isXYZFinite (point))
+        points_.emplace_back (point.getVector3fMap());
+    if (sorts)
+      sort (0, points_.size());
+    for (std::size_t first = 0; first < points_.size(); first += block) {
+      Box box;
+      for (std::size_t i = first; i < std::min (points_.size(), first + block); ++i)
+        box.extend (points_[i]);
+      boxes_.push_back (box);
+    }
+    for (auto& [axis, coordinates] : {std::pair (0, &x_), {1, &y_}, {2, &z_}})
+      for (const Vector3f& point : points_)
+        coordinates->push_back (point[axis]);
+  }
+
+  /** \return as many as there are of \p count, in any order */
+  std::vector<Vector3f>
+  nearest (const Vector3f& query, std::size_t count) const
+  {
+    std::vector<Candidate> blocks;
+    for (const Box& box : boxes_)
+      blocks.push_back ({box.squaredExteriorDistance (query), blocks.size()});
+    const auto is_farther = std::greater<>();
+    std::make_heap (blocks.begin(), blocks.end(), is_farther);
+    std::vector<Candidate> best;
+    while (!blocks.empty() &&
+           (best.size() < count || blocks.front().first <= best.front().first)) {
+      visit (blocks.front().second, query, count, best);
+      std::pop_heap (blocks.begin(), blocks.end(), is_farther);
+      blocks.pop_back();
+    }
+    std::vector<Vector3f> neighbors;
+    for (const Candidate& candidate : best)
+      neighbors.push_back (points_[candidate.second]);
+    return neighbors;
+  }
+
+private:
+  using Box = Eigen::AlignedBox3f;
+  /** \brief A squared distance, and whose it is. */
+  using Candidate = std::pair<float, std::size_t>;
+  static constexpr std::size_t block = 64;
+
+  void
+  sort (std::size_t first, std::size_t last)
+  {
+    if (last - first <= block)
+      return;
+    Box box;
+    for (std::size_t i = first; i < last; ++i)
+      box.extend (points_[i]);
+    int axis = 0;
+    box.sizes().maxCoeff (&axis);
+    // Blocks stay whole.
+    const std::size_t half = (last - first + block) / (2 * block) * block,
+                      middle = first + std::max (half, block);
+    const auto begin = points_.begin();
+    std::nth_element (
+        begin + std::ptrdiff_t (first),
+        begin + std::ptrdiff_t (middle),
+        begin + std::ptrdiff_t (last),
+        [axis] (const Vector3f& a, const Vector3f& b) { return a[axis] < b[axis]; });
+    sort (first, middle);
+    sort (middle, last);
+  }
+
+  /** \param[in,out] best a heap, the farthest first */
+  void
+  visit (std::size_t which,
+         const Vector3f& query,
+         std::size_t count,
+         std::vector<Candidate>& best) const
+  {
+    const std::size_t first = which * block,
+                      size = std::min (block, points_.size() - first);
+    std::array<float, block> squared{};
+    for (std::size_t i = 0; i < size; ++i) {
+      const float x = x_[first + i] - query.x(), y = y_[first + i] - query.y(),
+                  z = z_[first + i] - query.z();
+      squared[i] = x * x + y * y + z * z;
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      if (best.size() == count && squared[i] >= best.front().first)
+        continue;
+      if (best.size() == count) {
+        std::pop_heap (best.begin(), best.end());
+        best.pop_back();
+      }
+      best.emplace_back (squared[i], first + i);
+      std::push_heap (best.begin(), best.end());
+    }
+  }
+
+  std::vector<Vector3f> points_;
+  std::vector<float> x_, y_, z_;
+  std::vector<Box> boxes_;
+};
+
+struct Surroundings {
+  double scatter, spacing; // [m]
+};
+
+/** \brief Nothing where even the most of its neighbors are on a line. */
+std::optional<Surroundings>
+surroundingsOf (const Vector3f& point, const BlockSearch& search)
+{
+  constexpr std::size_t fewest = 20, most = 320;
+  // The rings of a lidar are up to some twenty times as far apart as their points.
+  constexpr double least_width = 1.0 / 3.0; // by length
+  constexpr double floor_by_spacing = 0.1;
+  constexpr double pi = 3.14159265358979323846;
+  for (std::size_t count = fewest; count <= most; count *= 2) {
+    Moments moments;
+    moments.origin = point.cast<double>();
+    for (const Vector3f& neighbor : search.nearest (point, count)) {
+      const Eigen::Vector3d local = neighbor.cast<double>() - moments.origin;
+      moments.add (local.x(), local.y(), local.z());
+    }
+    const std::optional<PlaneFit> fit = fitPlane (moments);
+    if (!fit || moments.count <= 3.0)
+      continue;
+    const Eigen::Vector3d& variances = fit->variances;
+    if (variances[1] < least_width * least_width * variances[2])
+      continue;
+    // Even points fill an ellipse of area 4 pi sqrt (v1 v2).
+    const double area = 4.0 * pi * std::sqrt (variances[1] * variances[2]),
+                 spacing = std::sqrt (area / moments.count);
+    const double scatter = std::sqrt (std::max (0.0, variances[0]) * moments.count /
+                                      (moments.count - 3.0));
+    return Surroundings{std::max (scatter, floor_by_spacing * spacing), spacing};
+  }
+  return std::nullopt;
+}
+
+std::uint64_t
+hashOf (const pcl::PointXYZ& point)
+{
+  std::uint64_t hash = 0;
+  for (const float coordinate : {point.x, point.y, point.z}) {
+    std::uint32_t bits = 0;
+    std::memcpy (&bits, &coordinate, sizeof bits);
+    hash = (hash ^ bits) * 0x9e3779b97f4a7c15U;
+    hash ^= hash >> 29U;
+  }
+  return hash;
+}
+
+/** \brief Chosen by their coordinates, whatever their order. */
+pcl::Indices
+someOf (const pcl::Indices& inliers, const XyzCloud& cloud, std::size_t count)
+{
+  std::vector<std::pair<std::uint64_t, pcl::index_t>> hashed;
+  for (const pcl::index_t i : inliers)
+    hashed.emplace_back (hashOf (cloud[std::size_t (i)]), i);
+  const auto last = hashed.begin() + std::ptrdiff_t (std::min (count, hashed.size()));
+  std::partial_sort (hashed.begin(), last, hashed.end());
+  pcl::Indices chosen;
+  for (auto i = hashed.begin(); i != last; ++i)
+    chosen.push_back (i->second);
+  return chosen;
+}
+
+} // namespace
+
+std::vector<Thickness>
+thicknessOf (const XyzCloud& cloud,
+             const std::vector<PlaneSegment>& planes,
+             std::size_t probes)
+{
+  constexpr std::size_t few_queries = 50;
+  const BlockSearch search (cloud, planes.size() * probes > few_queries);
+  std::vector<Thickness> all;
+  for (const PlaneSegment& plane : planes) {
+    Thickness thickness;
+    if (const std::optional<PlaneFit> fit = fitPlane (plane.moments))
+      thickness.rms = std::sqrt (std::max (0.0, fit->variances[0]));
+    std::vector<double> scatters, spacings;
+    for (const pcl::index_t i : someOf (plane.inliers, cloud, probes))
+      if (const auto around =
+              surroundingsOf (cloud[std::size_t (i)].getVector3fMap(), search)) {
+        scatters.push_back (around->scatter);
+        spacings.push_back (around->spacing);
+      }
+    thickness.noise = quantile (scatters, 0.5);
+    thickness.spacing = quantile (spacings, 0.5);
+    all.push_back (thickness);
+  }
+  return all;
+}
+
+} // namespace pcl_ops::apps

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <io/shifted_cloud.h>
+#include <pcl_ops/plane.h>
+
+#include <limits>
+#include <vector>
+
+namespace pcl_ops::apps {
+
+/** \brief How far the points of a plane are from it, beside how far they are from the
+ * planes of their own surroundings. */
+struct Thickness {
+  /** \brief About the plane [m]; NaN where the points span none. */
+  double rms = std::numeric_limits<double>::quiet_NaN();
+  /** \brief Median over some points of the rms of their nearest neighbors about the
+   * plane of these, corrected for its three degrees of freedom, and at least a tenth
+   * of the spacing: exact points, and those of quantized depth, have none [m]. */
+  double noise = rms;
+  /** \brief Median distance between neighbors, were they even [m]. */
+  double spacing = rms;
+
+  double
+  factor () const
+  {
+    return rms / noise;
+  }
+};
+
+/** \brief A plane is thick above this factor. Walls and floors as they are bend by up
+ * to four times what they scatter in a place; the two sides of a wall, or a hill, are
+ * beyond. */
+constexpr double thick_factor = 5.0;
+
+/** \brief By nearest neighbors in the whole cloud, which may be on other planes or on
+ * none: 20, and twice as many while they are as good as on a line, like those of one
+ * beam of a lidar. Independent of the order of the points.
+ * \param[in] planes with inliers and their moments
+ * \param[in] probes how many points of each plane are looked at */
+std::vector<Thickness>
+thicknessOf (const XyzCloud& cloud,
+             const std::vector<PlaneSegment>& planes,
+             std::size_t probes = 30);
+
+} // namespace pcl_ops::apps
