@@ -37,6 +37,19 @@ constexpr const char* help =
     "  --help                       print this and exit, after COMMAND what it takes\n"
     "  --version                    print the version and exit\n";
 
+Eigen::Vector3f
+parseShift (const std::string& text)
+{
+  constexpr double most = 1e6; // single precision has no room for more
+  return Eigen::Vector3f (
+      parseNumbers<float, 3> ("--shift",
+                              text,
+                              from (-most).upTo (most),
+                              "'" + text +
+                                  "' is not x,y,z; give three lengths, as 0.3,0.1,0.2")
+          .data());
+}
+
 /** \return false if the answer was --help or --version */
 bool
 readOptions (int argc, const char* const* argv, EvaluationPlan& plan)
@@ -70,6 +83,9 @@ readOptions (int argc, const char* const* argv, EvaluationPlan& plan)
       .help ("noise that those of the group peers-measured are tuned to (measured)");
   line.add ("time-limit S", plan.time_limit, from (0).upTo (1e6))
       .help ("for a detector of others on a cloud, 0 for none (600)");
+  line.add ("shift X,Y,Z",
+            [&plan] (const std::string& text) { plan.shift = parseShift (text); })
+      .help ("added to all points: voxels begin elsewhere in them (0,0,0)");
   line.add ("seed S", plan.settings.seed, from (0)).help ("of detectors (42)");
   if (!line.parse (argc, argv))
     return false;

@@ -47,7 +47,7 @@ def means_of(rows):
     numbers = list(rows[0])[5:]  # behind data set, cloud, truth, configuration, seed
     means = {}
     for configuration, rows_of in by_configuration.items():
-        finished = [row for row in rows_of if row["f_score"] != "nan"]  # and not stopped
+        finished = [row for row in rows_of if row["result_planes"] != "nan"]  # and not stopped
         count = len(finished)
         means[configuration] = {
             name: sum(float(row[name]) for row in finished) / count if count else math.nan
@@ -77,7 +77,9 @@ METRICS = {"class. %": "classification_accuracy", "segm. %": "segmentation_accur
            "F 0.75": "f_score_75", "precision": "precision", "recall": "recall",
            "mean IoU": "mean_iou", "PQ": "panoptic_quality", "over": "over_segmentation",
            "under": "under_segmentation", "noise": "noise", "missed": "missed",
-           "off planes %": "points_off_planes_called_planes"}
+           "off planes %": "points_off_planes_called_planes",
+           "on planes %": "on_planes_share", "thick, factor %": "thick_factor_share",
+           "thick, length %": "thick_length_share", "rms of largest": "rms_largest"}
 
 
 def metrics_table(name, means):
@@ -162,7 +164,7 @@ def write_comparison(means_of_sets, folder):
                 seconds = 1e3 * mean["detection_ms"] / mean["points"] if mean["clouds"] else ""
                 table.writerow([data_set, method, versions.get(method, ""), values_of(method),
                                 mean["clouds"], mean["stopped"]] +
-                               [round(mean[column], 4) if mean["clouds"] else ""
+                               ["" if math.isnan(mean[column]) else round(mean[column], 4)
                                 for column in SUMMARY] + [seconds and f"{seconds:.3g}"])
 
 

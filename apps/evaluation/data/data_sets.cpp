@@ -33,7 +33,14 @@ const char* const data_set_help =
     "streets-livox:FIRST-LAST (a street around a lidar with 64, 32 or 16 beams or a "
     "rosette, by seed), "
     "clouds:PATH (.pcd, .ply, .las and text, field label as truth; a folder is a data "
-    "set of its name)";
+    "set of its name), "
+    "real:PATH or real-instances:PATH (field label or instance as truth, which field "
+    "ignore says is unknown where it is 1), wild:PATH (no truth: how thick planes "
+    "are); "
+    "these take FOLDER/BEGINNING*, too, and make a data set of files of the same first "
+    "two words, as in room_office_3.pcd; @M behind a PATH: planes with a larger rms "
+    "are "
+    "thick (0.03)";
 
 namespace {
 
@@ -64,6 +71,16 @@ const struct Scenes {
                   {"streets-16", "street", "lidar-16"},
                   {"streets-livox", "street", "livox"}};
 
+/** Noise and the unevenness of grounds grow with how far is looked [m]. */
+double
+thickLengthOf (const Scenes& scenes)
+{
+  const std::string scene = scenes.scene;
+  return scene == "airborne"                   ? 0.5
+         : std::string (scenes.sensor).empty() ? usual_thick_length
+                                               : 0.1;
+}
+
 /** \param[in] seeds "3-20", or "7" for one scene */
 DataSet
 scenesDataSet (const Scenes& scenes, const std::string& seeds)
@@ -84,11 +101,16 @@ scenesDataSet (const Scenes& scenes, const std::string& seeds)
   simulation.has_raw_depth = scenes.has_raw_depth;
   simulation.sensor = scenes.sensor;
   simulation.organized = simulation.scene == "room" || simulation.scene == "furniture";
+  const double thick_length = thickLengthOf (scenes);
   for (std::uint32_t i = 0; i <= last - first; ++i) {
     simulation.seed = first + i;
     clouds.push_back ({scenes.name,
                        str (boost::format ("%s-%04u") % scenes.scene % (first + i)),
-                       [simulation] { return simulated (simulation); }});
+                       [simulation, thick_length] {
+                         EvaluationCloud cloud = simulated (simulation);
+                         cloud.thick_length = thick_length;
+                         return cloud;
+                       }});
   }
   return clouds;
 }
@@ -111,26 +133,29 @@ scansDataSet (const std::string& name, const std::string& sizes)
 }
 
 PlaneLabels
-labelsIn (const pcl::PCLPointCloud2& cloud, const std::string& file)
+labelsIn (const pcl::PCLPointCloud2& cloud,
+          const std::string& file,
+          const std::string& name = "label")
 {
-  const int index = pcl::getFieldIndex (cloud, "label");
+  const int index = pcl::getFieldIndex (cloud, name);
   if (index < 0)
-    throw WorkError (file, "has no field label; give a cloud with labels");
+    throw WorkError (file, "has no field " + name + "; give a cloud with labels");
   const pcl::PCLPointField& field = cloud.fields[std::size_t (index)];
   const NumberType& type = numberType (field.datatype);
   // Double precision is that of texts, which have no other.
   const bool is_integer = type.kind != 'F' && type.size <= 4;
   if (!is_integer && field.datatype != pcl::PCLPointField::FLOAT64)
-    throw WorkError (file, "its label is no integer of up to 4 bytes; convert it");
+    throw WorkError (file,
+                     "its " + name + " is no integer of up to 4 bytes; convert it");
   constexpr double largest = std::numeric_limits<std::uint32_t>::max();
   PlaneLabels labels (std::size_t (cloud.width) * cloud.height);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const double label = type.read (&cloud.data[i * cloud.point_step + field.offset]);
     if (!(label >= 0.0 && label <= largest && label == std::floor (label)))
       throw WorkError (file,
-                       "point " + std::to_string (i) +
-                           " has a label that is no whole number from 0 on; 0 means no "
-                           "plane");
+                       "point " + std::to_string (i) + " has " +
+                           (name == "label" ? "a label" : "an " + name) +
+                           " that is no whole number from 0 on; 0 means no plane");
     labels[i] = std::uint32_t (label);
   }
   return labels;
@@ -152,16 +177,16 @@ loadLabeledCloud (const std::string& file, bool needs_labels)
   });
 }
 
-DataSet
-cloudsDataSet (const std::string& path, const Vector3d& up)
+/** Those of a folder and below, or a file. */
+std::set<fs::path>
+cloudFilesAt (const std::string& path)
 {
   std::error_code error;
   if (!fs::exists (path, error))
     throw WorkError (path, "does not exist; give a cloud or a folder of clouds");
-  const bool is_folder = fs::is_directory (path, error);
+  if (!fs::is_directory (path, error))
+    return {path};
   std::set<fs::path> files;
-  if (!is_folder)
-    files = {path};
   for (fs::recursive_directory_iterator entry (path, error), end; entry != end;
        entry.increment (error))
     if (isCloudFile (entry->path().string()))
@@ -170,20 +195,108 @@ cloudsDataSet (const std::string& path, const Vector3d& up)
     throw WorkError (path,
                      std::string ("has no ") + folder_extensions +
                          " file; give a folder with clouds");
+  return files;
+}
+
+EvaluationCloud
+withPoints (EvaluationCloud cloud, const std::string& file)
+{
+  if (cloud.cloud->empty())
+    throw WorkError (file, "has no finite point; leave it out");
+  return cloud;
+}
+
+/** What is behind the last @ of a text is taken from it, unless it is a file's name. */
+double
+takeThickLength (std::string& text)
+{
+  const std::size_t at = text.rfind ('@');
+  std::error_code error;
+  if (at == std::string::npos || fs::exists (text, error))
+    return usual_thick_length;
+  const std::string length = text.substr (at + 1);
+  text.resize (at);
+  return parseNumber<double> ("length behind @", length, above (0));
+}
+
+DataSet
+cloudsDataSet (std::string path, const Vector3d& up)
+{
+  const double thick_length = takeThickLength (path);
+  const std::set<fs::path> files = cloudFilesAt (path);
+  const bool is_folder = fs::is_directory (path);
   const fs::path folder = is_folder ? fs::path (path) : fs::path (path).parent_path();
   const std::string name = is_folder ? folder.filename().string() : "";
   DataSet clouds;
   for (const fs::path& file : files)
     clouds.push_back ({name.empty() ? "clouds" : name,
                        file.lexically_relative (folder).generic_string(),
-                       [input = file.string(), up] {
+                       [input = file.string(), up, thick_length] {
                          const LabeledCloud all = loadLabeledCloud (input, false);
                          EvaluationCloud finite = finiteOf (all.cloud, all.labels);
                          finite.up = up;
-                         if (finite.cloud->empty())
-                           throw WorkError (input, "has no finite point; leave it out");
-                         return finite;
+                         finite.thick_length = thick_length;
+                         return withPoints (std::move (finite), input);
                        }});
+  return clouds;
+}
+
+/** A cloud of others as it is: with truth where its points are known, or with none. */
+EvaluationCloud
+loadRealCloud (const std::string& file, const std::string& truth_field)
+{
+  return inMemory (file, "give a smaller cloud", [&] {
+    const FileCloud cloud = loadCloud (file);
+    const XyzCloud::ConstPtr points = shiftedCloudOf (cloud).cloud;
+    const bool has_truth = !truth_field.empty();
+    EvaluationCloud finite = finiteOf (
+        points, has_truth ? labelsIn (cloud.points, file, truth_field) : PlaneLabels());
+    finite.grows_truth = has_truth;
+    if (has_truth && hasField (cloud, "ignore"))
+      for (const std::uint32_t mark : selectLabels (
+               labelsIn (cloud.points, file, "ignore"), finitePointsOf (*points)))
+        finite.is_ignored.push_back (mark != 0);
+    return withPoints (std::move (finite), file);
+  });
+}
+
+/** "room_office" of room_office_3.pcd: the first two words say of which kind it is. */
+std::string
+kindOf (const fs::path& file)
+{
+  const std::string stem = file.stem().string();
+  const std::size_t first = stem.find ('_');
+  return stem.substr (0,
+                      first == std::string::npos ? first : stem.find ('_', first + 1));
+}
+
+/** \param[in] truth_field empty: there is no truth */
+DataSet
+realDataSet (const std::string& kind,
+             std::string path,
+             const std::string& truth_field,
+             const Vector3d& up)
+{
+  const double thick_length = takeThickLength (path);
+  const bool is_pattern = !path.empty() && path.back() == '*';
+  const fs::path pattern (path.substr (0, path.size() - (is_pattern ? 1 : 0)));
+  const std::string beginning = is_pattern ? pattern.filename().string() : "";
+  const fs::path above = pattern.parent_path();
+  const std::string given = is_pattern ? (above.empty() ? "." : above.string()) : path;
+  const fs::path folder = fs::is_directory (given) ? fs::path (given) : above;
+  DataSet clouds;
+  for (const fs::path& file : cloudFilesAt (given))
+    if (file.filename().string().rfind (beginning, 0) == 0)
+      clouds.push_back ({kind + '-' + kindOf (file),
+                         file.lexically_relative (folder).generic_string(),
+                         [input = file.string(), truth_field, up, thick_length] {
+                           EvaluationCloud cloud = loadRealCloud (input, truth_field);
+                           cloud.up = up;
+                           cloud.thick_length = thick_length;
+                           return cloud;
+                         }});
+  if (clouds.empty())
+    throw WorkError (path, "is the beginning of no cloud's name; give another");
   return clouds;
 }
 
@@ -216,6 +329,10 @@ dataSetOf (const std::string& text, const Eigen::Vector3f& up)
       return scansDataSet (kind, rest);
     if (kind == "clouds")
       return cloudsDataSet (rest, up.cast<double>().normalized());
+    for (const auto& [real, truth_field] :
+         {std::pair ("real", "label"), {"real-instances", "instance"}, {"wild", ""}})
+      if (kind == real)
+        return realDataSet (kind, rest, truth_field, up.cast<double>().normalized());
     for (const Scenes& scenes : all_scenes)
       if (kind == scenes.name)
         return scenesDataSet (scenes, rest);

@@ -23,12 +23,21 @@ loadLabeledClouds (const std::string& truth_file,
                    const std::string& result_file,
                    std::size_t min_plane_points);
 
+/** In rooms, what walls bend and sensors err by is below [m]. */
+constexpr double usual_thick_length = 0.03;
+
 struct EvaluationCloud {
   XyzCloud::Ptr cloud;
   std::optional<PlaneLabels> truth; // exact, if there is one
   Vector3d up = Vector3d::UnitZ();  // against gravity, of length 1
   /** The organized cloud whose finite points these are, if any. */
   XyzCloud::ConstPtr image = nullptr;
+  /** Of each point, whether its truth is unknown; empty: all are known. */
+  std::vector<char> is_ignored = {};
+  /** Without truth one is grown, except where nobody has asked for it. */
+  bool grows_truth = true;
+  /** A plane with a larger rms is none of a cloud like this [m]. */
+  double thick_length = usual_thick_length;
 };
 
 /** \param[in] labels empty: not known */
@@ -85,7 +94,8 @@ struct TruthParameters {
   std::size_t min_points = 50;
 };
 
-/** The exact truth of a cloud, or else the one grown from it. */
+/** The exact truth of a cloud, or else the one grown from it, or no plane where none is
+ * grown. */
 PlaneLabels
 truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters);
 

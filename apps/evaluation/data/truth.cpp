@@ -116,6 +116,8 @@ growRegions (const XyzCloud& cloud, int neighbors)
 PlaneLabels
 truthOf (const EvaluationCloud& cloud, const TruthParameters& parameters)
 {
+  if (!cloud.truth && !cloud.grows_truth)
+    return PlaneLabels (cloud.cloud->size(), 0);
   PlaneLabels labels =
       cloud.truth ? *cloud.truth : growRegions (*cloud.cloud, parameters.neighbors);
   dropSmallPlanes (labels, parameters.min_points);

@@ -183,6 +183,33 @@ classesOf (const Matching& at_50,
   return classes;
 }
 
+pcl::Indices
+knownOf (const pcl::Indices& points, const std::vector<char>& is_ignored)
+{
+  pcl::Indices known;
+  for (const pcl::index_t i : points)
+    if (is_ignored.empty() || is_ignored[std::size_t (i)] == 0)
+      known.push_back (i);
+  return known;
+}
+
+/** Without the found planes of which less than half is known. */
+PlaneLabels
+planesKnown (PlaneLabels result, const std::vector<char>& is_ignored)
+{
+  if (is_ignored.empty())
+    return result;
+  std::map<std::uint32_t, std::size_t> points, ignored;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    ++points[result[i]];
+    ignored[result[i]] += is_ignored[i] != 0;
+  }
+  for (std::uint32_t& label : result)
+    if (2 * ignored[label] > points[label])
+      label = 0;
+  return result;
+}
+
 std::vector<double>
 widthsOf (const std::vector<PlaneSegment>& planes)
 {
@@ -350,17 +377,20 @@ Metrics
 compareLabels (const XyzCloud& cloud,
                const PlaneLabels& truth,
                const PlaneLabels& result,
-               const ClassParameters& parameters)
+               const ClassParameters& parameters,
+               const std::vector<char>& is_ignored)
 {
-  if (truth.size() != cloud.size() || result.size() != cloud.size())
+  if (truth.size() != cloud.size() || result.size() != cloud.size() ||
+      !(is_ignored.empty() || is_ignored.size() == cloud.size()))
     throw std::invalid_argument (std::to_string (cloud.size()) + " points, " +
                                  std::to_string (truth.size()) + " true labels and " +
                                  std::to_string (result.size()) +
                                  " found ones do not belong together");
-  const pcl::Indices finite = finitePointsOf (cloud);
-  const XyzCloud points (cloud, finite);
+  const pcl::Indices known = knownOf (finitePointsOf (cloud), is_ignored);
+  const XyzCloud points (cloud, known);
   const Confusion confusion =
-      confusionOf (selectLabels (truth, finite), selectLabels (result, finite));
+      confusionOf (selectLabels (truth, known),
+                   selectLabels (planesKnown (result, is_ignored), known));
   const auto& [true_ids, result_ids, overlaps, off_in_both, off_planes] = confusion;
   const Matching at_50 = matchPlanes (confusion, 0.50),
                  at_75 = matchPlanes (confusion, 0.75);

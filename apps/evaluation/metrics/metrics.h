@@ -137,14 +137,17 @@ struct Metrics {
 double
 maximumAssignment (const Eigen::MatrixXd& benefit);
 
-/** Points without finite coordinates do not count.
+/** Points without finite coordinates do not count, nor those whose truth is unknown; a
+ * found plane counts if at least half of its points are known.
+ * \param[in] is_ignored of each point, whether its truth is unknown; empty: none
  * \throw std::invalid_argument if the sizes differ
  * \throw std::length_error for more labels than any segmentation into planes has */
 Metrics
 compareLabels (const XyzCloud& cloud,
                const PlaneLabels& truth,
                const PlaneLabels& result,
-               const ClassParameters& parameters = {});
+               const ClassParameters& parameters = {},
+               const std::vector<char>& is_ignored = {});
 
 /** Of \ref SizeClasses by their published names, "found_75_by_width_below_0.03". */
 NamedValues

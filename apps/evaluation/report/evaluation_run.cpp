@@ -8,8 +8,10 @@
 #include <cli/program.h>
 #include <cli/progress.h>
 #include <detection/methods.h>
+#include <detection/thickness.h>
 #include <io/labeled_pcd.h>
 #include <io/output_file.h>
+#include <numbers/statistics.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -29,9 +31,50 @@ namespace fs = std::filesystem;
 
 constexpr const char* fewer_at_a_time = "give a smaller cloud or fewer --jobs";
 
+/** Of all points of a cloud, those on found planes, and on thick ones. */
+struct ThicknessSummary {
+  double on_planes = 0.0, on_thick_by_factor = 0.0, on_thick_by_length = 0.0;
+  double rms_largest = 0.0, thick_length = 0.0; // [m]
+};
+
+ThicknessSummary
+thicknessSummary (const EvaluationCloud& cloud, const PlaneLabels& labels)
+{
+  const std::vector<PlaneSegment> planes =
+      planesOf (*cloud.cloud, planeIds (labels), {cloud.up});
+  const std::vector<Thickness> all = thicknessOf (*cloud.cloud, planes);
+  ThicknessSummary summary;
+  summary.thick_length = cloud.thick_length;
+  std::size_t largest = 0;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const std::size_t size = planes[i].inliers.size();
+    const double share = fraction (size, cloud.cloud->size(), 0.0);
+    summary.on_planes += share;
+    if (all[i].factor() > thick_factor)
+      summary.on_thick_by_factor += share;
+    if (all[i].rms > cloud.thick_length)
+      summary.on_thick_by_length += share;
+    if (size > largest)
+      summary.rms_largest = all[i].rms;
+    largest = std::max (largest, size);
+  }
+  return summary;
+}
+
+NamedValues
+namedThickness (const ThicknessSummary& summary)
+{
+  return {{"on_planes_share", summary.on_planes},
+          {"thick_factor_share", summary.on_thick_by_factor},
+          {"thick_length_share", summary.on_thick_by_length},
+          {"thick_length", summary.thick_length},
+          {"rms_largest", summary.rms_largest}};
+}
+
 NamedValues
 namedValues (const Metrics& metrics = compareLabels ({}, {}, {}),
-             const DetectorRun& run = {})
+             const DetectorRun& run = {},
+             const ThicknessSummary& thickness = {})
 {
   NamedValues values{{"points", double (metrics.points)},
                      {"truth_planes", double (metrics.truth_planes)},
@@ -45,7 +88,29 @@ namedValues (const Metrics& metrics = compareLabels ({}, {}, {}),
   values.push_back (*last);
   const NamedValues counts = namedCounts (metrics);
   values.insert (values.end(), counts.begin(), counts.end());
+  const NamedValues thickness_values = namedThickness (thickness);
+  values.insert (values.end(), thickness_values.begin(), thickness_values.end());
   return values;
+}
+
+bool
+hasTruth (const EvaluationCloud& cloud)
+{
+  return cloud.truth || cloud.grows_truth;
+}
+
+/** Those that compare with a truth; what is found and what it takes stay. */
+void
+clearMetrics (NamedValues& values)
+{
+  const Metrics nothing = compareLabels ({}, {}, {});
+  std::set<std::string> cleared{"truth_planes"};
+  for (const NamedValues& metrics : {nothing.named, namedCounts (nothing)})
+    for (const auto& named : metrics)
+      cleared.insert (named.first);
+  for (auto& [column, value] : values)
+    if (cleared.count (column) > 0)
+      value = std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string
@@ -133,6 +198,25 @@ private:
   mutable std::mutex mutex_;
 };
 
+/** Everything, and where the sensor is, but a truth as it was. */
+EvaluationCloud
+shifted (EvaluationCloud cloud, const Eigen::Vector3f& shift)
+{
+  if (shift.isZero())
+    return cloud;
+  const auto moved = [&shift] (const XyzCloud& points) {
+    const XyzCloud::Ptr result (new XyzCloud (points));
+    for (pcl::PointXYZ& point : *result)
+      point.getVector3fMap() += shift;
+    result->sensor_origin_.head<3>() += shift;
+    return result;
+  };
+  cloud.cloud = moved (*cloud.cloud);
+  if (cloud.image)
+    cloud.image = moved (*cloud.image);
+  return cloud;
+}
+
 struct LoadedCloud {
   const CloudSource& source;
   EvaluationCloud loaded = {};
@@ -156,10 +240,22 @@ struct Evaluation {
   }
 
   std::string
-  keyOf (const CloudSource& source, bool has_truth, const Configuration& configuration)
+  grownTruth () const
   {
-    const std::string truth =
-        has_truth ? "exact" : "grown-k" + std::to_string (plan.truth.neighbors);
+    return "grown-k" + std::to_string (plan.truth.neighbors);
+  }
+
+  std::string
+  truthNameOf (const EvaluationCloud& cloud) const
+  {
+    return cloud.truth ? "exact" : cloud.grows_truth ? grownTruth() : "none";
+  }
+
+  std::string
+  keyOf (const CloudSource& source,
+         const std::string& truth,
+         const Configuration& configuration) const
+  {
     return csvCell (source.data_set) + csvCell (source.name) + csvCell (truth) +
            csvCell (configuration.name) + csvCell (std::to_string (plan.settings.seed));
   }
@@ -169,8 +265,11 @@ struct Evaluation {
   {
     // Known without loading the cloud only where its rows say which truth it has.
     const auto is_there = [&] (const Configuration& configuration) {
-      return results.has (keyOf (source, false, configuration)) ||
-             results.has (keyOf (source, true, configuration));
+      for (const std::string& truth :
+           {grownTruth(), std::string ("exact"), std::string ("none")})
+        if (results.has (keyOf (source, truth, configuration)))
+          return true;
+      return false;
     };
     const std::vector<Configuration>& all = plan.configurations;
     if (std::all_of (all.begin(), all.end(), is_there))
@@ -178,7 +277,7 @@ struct Evaluation {
     LoadedCloud cloud{source};
     try {
       inMemory (source.name, fewer_at_a_time, [&] {
-        cloud.loaded = source.load();
+        cloud.loaded = shifted (source.load(), plan.shift);
         cloud.truth = truthOf (cloud.loaded, plan.truth);
       });
     }
@@ -225,8 +324,14 @@ struct Evaluation {
     if (const std::optional<DetectorRun> run =
             runLimited (configuration, loaded.cloud, settings, plan.time_limit)) {
       saveLabels (cloud, configuration.name, run->labels);
-      return namedValues (
-          compareLabels (*loaded.cloud, cloud.truth, run->labels, {loaded.up}), *run);
+      NamedValues values = namedValues (
+          compareLabels (
+              *loaded.cloud, cloud.truth, run->labels, {loaded.up}, loaded.is_ignored),
+          *run,
+          thicknessSummary (loaded, run->labels));
+      if (!hasTruth (loaded))
+        clearMetrics (values);
+      return values;
     }
     count (&EvaluationSummary::stopped_runs,
            configuration.name + " on " + cloud.source.name + ": stopped after " +
@@ -242,7 +347,7 @@ struct Evaluation {
   evaluateConfiguration (const LoadedCloud& cloud, const Configuration& configuration)
   {
     const std::string key =
-        keyOf (cloud.source, cloud.loaded.truth.has_value(), configuration);
+        keyOf (cloud.source, truthNameOf (cloud.loaded), configuration);
     if (results.has (key))
       return;
     NamedValues values;

@@ -19,6 +19,8 @@ struct EvaluationPlan {
   unsigned jobs = 1;         // clouds at a time
   /** For DATA_SET/CLOUD/CONFIGURATION.pcd of new rows, and truth.pcd; empty: none. */
   std::string labels_folder = {};
+  /** Added to every point: voxels begin elsewhere in the same cloud [m]. */
+  Eigen::Vector3f shift = Eigen::Vector3f::Zero();
 };
 
 /** Clouds count with all their rows in the file; stopped runs have a row without

@@ -59,6 +59,50 @@ TEST (Metrics, AreWhatTheirDefinitionSays)
   }
 }
 
+/** Whether the truth of each is unknown, by \ref runs of 1 and 0. */
+std::vector<char>
+ignoring (const std::string& text)
+{
+  const PlaneLabels marks = runs (text);
+  return {marks.begin(), marks.end()};
+}
+
+double
+valueOf (const Metrics& metrics, const std::string& name)
+{
+  for (const auto& named : metrics.named)
+    if (named.first == name)
+      return named.second;
+  return -1.0;
+}
+
+TEST (Metrics, PointsWhoseTruthIsUnknownAreLeftOut)
+{
+  // Of the wall the truth knows nothing; half of the floor's plane is missing.
+  const Metrics metrics = compareLabels (floorAndWall(),
+                                         runs ("10x1 10x0"),
+                                         runs ("5x1 15x0"),
+                                         {},
+                                         ignoring ("10x0 10x1"));
+  EXPECT_EQ (metrics.points, 10u);
+  EXPECT_DOUBLE_EQ (valueOf (metrics, "segmentation_accuracy_all"), 0.5);
+  EXPECT_DOUBLE_EQ (valueOf (metrics, "mean_iou"), 0.5);
+}
+
+TEST (Metrics, AFoundPlaneCountsIfAtLeastHalfOfItIsKnown)
+{
+  // The floor is found; on the wall another plane, four or five points of which are
+  // known to be on none.
+  const PlaneLabels truth = runs ("10x1 10x0"), found = runs ("10x1 10x2");
+  for (const auto& [marks, precision] :
+       {std::pair ("10x0 4x0 6x1", 1.0), {"10x0 5x0 5x1", 0.5}})
+    EXPECT_DOUBLE_EQ (
+        valueOf (compareLabels (floorAndWall(), truth, found, {}, ignoring (marks)),
+                 "precision"),
+        precision)
+        << marks;
+}
+
 TEST (Metrics, LabelsThatAreNoneOfPlanesAreRefused)
 {
   EXPECT_THROW (
