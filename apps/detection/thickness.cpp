@@ -131,9 +131,9 @@ struct Surroundings {
 
 /** \brief Nothing where even the most of its neighbors are on a line. */
 std::optional<Surroundings>
-surroundingsOf (const Vector3f& point, const BlockSearch& search)
+surroundingsOf (const Vector3f& point, std::size_t fewest, const BlockSearch& search)
 {
-  constexpr std::size_t fewest = 20, most = 320;
+  const std::size_t most = 16 * fewest;
   // The rings of a lidar are up to some twenty times as far apart as their points.
   constexpr double least_width = 1.0 / 3.0; // by length
   constexpr double floor_by_spacing = 0.1;
@@ -196,6 +196,8 @@ thicknessOf (const XyzCloud& cloud,
              const std::vector<PlaneSegment>& planes,
              std::size_t probes)
 {
+  // A quarter of a small plane: what is around it must not outweigh it.
+  constexpr std::size_t fewest_neighbors = 20, most_neighbors = 80, share = 4;
   constexpr std::size_t few_queries = 50;
   const BlockSearch search (cloud, planes.size() * probes > few_queries);
   std::vector<Thickness> all;
@@ -203,10 +205,12 @@ thicknessOf (const XyzCloud& cloud,
     Thickness thickness;
     if (const std::optional<PlaneFit> fit = fitPlane (plane.moments))
       thickness.rms = std::sqrt (std::max (0.0, fit->variances[0]));
+    const std::size_t neighbors =
+        std::clamp (plane.inliers.size() / share, fewest_neighbors, most_neighbors);
     std::vector<double> scatters, spacings;
     for (const pcl::index_t i : someOf (plane.inliers, cloud, probes))
-      if (const auto around =
-              surroundingsOf (cloud[std::size_t (i)].getVector3fMap(), search)) {
+      if (const auto around = surroundingsOf (
+              cloud[std::size_t (i)].getVector3fMap(), neighbors, search)) {
         scatters.push_back (around->scatter);
         spacings.push_back (around->spacing);
       }
