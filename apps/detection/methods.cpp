@@ -277,6 +277,13 @@ detectBy (const DetectorOptions& options, const XyzCloud::ConstPtr& cloud)
   if constexpr (std::is_same_v<Parameters, OpsParameters>)
     hintOnMinInliers (options.numbers, parameters, *cloud, detected);
   detected.advice = adviceFor (parameters, *cloud, detected.planes);
+  if constexpr (std::is_same_v<Parameters, OpsParameters>)
+    if (parameters.sampling == Sampling::Surfels &&
+        options.numbers.count ("cell") == 0) {
+      const std::string hint = hintOnThickPlanes (*cloud, detected.planes);
+      if (!hint.empty())
+        detected.hints.push_back (hint);
+    }
   return detected;
 }
 

@@ -171,9 +171,12 @@ sunRgbdDataSet (const std::string& folder, bool is_raw)
            "has no SUN RGB-D frame (a folder with depth or depth_bfx, "
            "intrinsics.txt and extrinsics); give the folder SUNRGBD");
   DataSet clouds;
+  // A frame that is given by itself has its own name.
+  const fs::path base =
+      frames.count (folder) == 0 ? fs::path (folder) : fs::path (folder).parent_path();
   for (const fs::path& frame : frames)
     clouds.push_back ({is_raw ? "sunrgbd-raw" : "sunrgbd",
-                       frame.lexically_relative (folder).generic_string(),
+                       frame.lexically_relative (base).generic_string(),
                        [frame, is_raw] { return readFrame (frame, is_raw); }});
   return clouds;
 }

@@ -4,10 +4,40 @@
 
 #include <detection/advice.h>
 
+#include <cmath>
+#include <functional>
 #include <limits>
 
 using namespace pcl_ops;
 using namespace pcl_ops::apps;
+
+/** Points 5 cm apart on a surface above 4 x 4 m, as one plane. */
+std::string
+hintOn (const std::function<double (double, double)>& height)
+{
+  XyzCloud cloud;
+  PlaneSegment plane;
+  for (int i = 0; i < 6400; ++i) {
+    const double x = 0.05 * (i / 80), y = 0.05 * (i % 80);
+    cloud.emplace_back (float (x), float (y), float (height (x, y)));
+    plane.moments.add (x, y, height (x, y));
+    plane.inliers.push_back (i);
+  }
+  return hintOnThickPlanes (cloud, {plane});
+}
+
+TEST (Advice, NamesAVoxelSizeWhereAHillIsAPlane)
+{
+  const std::string hint =
+      hintOn ([] (double x, double y) { return std::sin (x) * std::cos (y); });
+  EXPECT_NE (hint.find ("100 % of the points on planes"), std::string::npos) << hint;
+  EXPECT_NE (hint.find ("--cell 0.1"), std::string::npos) << hint;
+}
+
+TEST (Advice, IsSilentOnAFloorThatBendsALittle)
+{
+  EXPECT_EQ (hintOn ([] (double x, double) { return 0.005 * std::sin (x); }), "");
+}
 
 TEST (Advice, IsGivenWherePlanesHaveLessThanATwentiethOfTheReadings)
 {
