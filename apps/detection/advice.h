@@ -149,66 +149,41 @@ adviceFor (const Parameters& parameters,
   return on_unit.empty() ? adviceOn (parameters, points, planes.empty()) : on_unit;
 }
 
-/** \brief Of the points on planes, those on thick ones, and what is around them. */
-struct ThickShare {
-  double share = 0.0;
-  double spacing = 0.0; // [m]
-};
-
-inline ThickShare
-thickShareOf (const XyzCloud& cloud,
-              const std::vector<PlaneSegment>& planes,
-              std::size_t found_points,
-              std::size_t probes,
-              double factor)
-{
-  const std::vector<Thickness> all = thicknessOf (cloud, planes, probes);
-  std::size_t thick = 0;
-  std::vector<double> spacings;
-  for (std::size_t i = 0; i < planes.size(); ++i)
-    if (all[i].factor() > factor) {
-      thick += planes[i].inliers.size();
-      spacings.insert (spacings.end(), planes[i].inliers.size(), all[i].spacing);
-    }
-  return {fraction (thick, found_points, 0.0), quantile (spacings, 0.5)};
-}
-
 /** \brief Says that most points are on planes that are far thicker than what is around
- * their points, and which voxels follow these; empty where it is not so. A first look
- * at a few points of the largest planes leaves the rest out for nearly all clouds.
+ * their points, and which voxels follow these; empty where it is not so. Looks at some
+ * points of the largest planes alone, so that it costs hardly more than to read the
+ * cloud.
  * \param[in] planes by falling size */
 inline std::string
 hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes)
 {
   constexpr double min_share = 0.6;
-  constexpr std::size_t largest = 6, few_probes = 5, probes = 30;
-  // Five points tell a median to some third.
-  constexpr double suspicious_factor = 0.7 * thick_factor;
-  std::size_t found = 0;
-  for (const PlaneSegment& plane : planes)
-    found += plane.inliers.size();
+  constexpr std::size_t largest = 6, probes = 8;
   const auto last = planes.begin() + std::ptrdiff_t (std::min (largest, planes.size()));
-  const std::vector<PlaneSegment> first (planes.begin(), last);
-  // Where even all others are as thick there is no need to know.
-  std::size_t looked_at = 0;
-  for (const PlaneSegment& plane : first)
-    looked_at += plane.inliers.size();
-  const ThickShare sample =
-      thickShareOf (cloud, first, looked_at, few_probes, suspicious_factor);
-  if (sample.share < min_share)
-    return "";
-  const ThickShare all = thickShareOf (cloud, planes, found, probes, thick_factor);
-  if (all.share < min_share)
+  const std::vector<PlaneSegment> looked_at (planes.begin(), last);
+  const std::vector<Thickness> all = thicknessOf (cloud, looked_at, probes);
+  std::size_t thick = 0, found = 0;
+  std::optional<double> spacing; // of the largest thick plane
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const std::size_t size = planes[i].inliers.size();
+    found += size;
+    if (i >= all.size() || !(all[i].factor() > thick_factor))
+      continue;
+    thick += size;
+    spacing = spacing.value_or (all[i].spacing);
+  }
+  const double share = fraction (thick, found, 0.0);
+  if (share < min_share)
     return "";
   // Surfels need some points, and more of them than of empty voxels around.
   constexpr double cell_by_spacing = 2.0;
-  const double cell = cell_by_spacing * all.spacing,
+  const double cell = cell_by_spacing * *spacing,
                digit = std::pow (10.0, std::floor (std::log10 (cell)));
   return str (
       boost::format ("planes are thick: %1$.0f %% of the points on planes are on "
                      "such as are more than %2% times thicker than their "
                      "surroundings: give --cell %3%, or more for larger planes") %
-      (100.0 * all.share) % thick_factor % (digit * std::round (cell / digit)));
+      (100.0 * share) % thick_factor % (digit * std::round (cell / digit)));
 }
 
 } // namespace pcl_ops::apps

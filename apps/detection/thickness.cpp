@@ -26,6 +26,7 @@ public:
    * pays for many queries */
   BlockSearch (const XyzCloud& cloud, bool sorts)
   {
+    points_.reserve (cloud.size());
     for (const pcl::PointXYZ& point : cloud)
       if (pcl::isXYZFinite (point))
         points_.emplace_back (point.getVector3fMap());
@@ -37,9 +38,11 @@ public:
         box.extend (points_[i]);
       boxes_.push_back (box);
     }
-    for (auto& [axis, coordinates] : {std::pair (0, &x_), {1, &y_}, {2, &z_}})
-      for (const Vector3f& point : points_)
-        coordinates->push_back (point[axis]);
+    for (auto& [axis, coordinates] : {std::pair (0, &x_), {1, &y_}, {2, &z_}}) {
+      coordinates->resize (points_.size());
+      for (std::size_t i = 0; i < points_.size(); ++i)
+        (*coordinates)[i] = points_[i][axis];
+    }
   }
 
   /** \return as many as there are of \p count, in any order */
@@ -178,14 +181,23 @@ hashOf (const pcl::PointXYZ& point)
 pcl::Indices
 someOf (const pcl::Indices& inliers, const XyzCloud& cloud, std::size_t count)
 {
-  std::vector<std::pair<std::uint64_t, pcl::index_t>> hashed;
-  for (const pcl::index_t i : inliers)
-    hashed.emplace_back (hashOf (cloud[std::size_t (i)]), i);
-  const auto last = hashed.begin() + std::ptrdiff_t (std::min (count, hashed.size()));
-  std::partial_sort (hashed.begin(), last, hashed.end());
+  std::vector<std::pair<std::uint64_t, pcl::index_t>> least; // a heap
+  for (const pcl::index_t i : inliers) {
+    least.emplace_back (hashOf (cloud[std::size_t (i)]), i);
+    if (least.size() > count && least.back() >= least.front()) {
+      least.pop_back();
+      continue;
+    }
+    std::push_heap (least.begin(), least.end());
+    if (least.size() > count) {
+      std::pop_heap (least.begin(), least.end());
+      least.pop_back();
+    }
+  }
+  std::sort (least.begin(), least.end());
   pcl::Indices chosen;
-  for (auto i = hashed.begin(); i != last; ++i)
-    chosen.push_back (i->second);
+  for (const auto& hashed : least)
+    chosen.push_back (hashed.second);
   return chosen;
 }
 
