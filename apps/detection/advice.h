@@ -149,29 +149,49 @@ adviceFor (const Parameters& parameters,
   return on_unit.empty() ? adviceOn (parameters, points, planes.empty()) : on_unit;
 }
 
+/** \brief Whether the rms of a plane is larger than how far its points would be apart,
+ * were they even: no voxel follows less. */
+inline bool
+isThickerThanSpacing (const PlaneSegment& plane)
+{
+  constexpr double pi = 3.14159265358979323846;
+  const std::optional<PlaneFit> fit = fitPlane (plane.moments);
+  if (!fit)
+    return false;
+  // Even points fill an ellipse of area 4 pi sqrt (v1 v2).
+  const Eigen::Vector3d& variances = fit->variances;
+  const double area = 4.0 * pi * std::sqrt (variances[1] * variances[2]);
+  return variances[0] * plane.moments.count > area;
+}
+
 /** \brief Says that most points are on planes that are far thicker than what is around
  * their points, and which voxels follow these; empty where it is not so. Looks at some
- * points of the largest planes alone, so that it costs hardly more than to read the
- * cloud.
+ * points of the largest planes alone, and at none where these are thin.
  * \param[in] planes by falling size */
 inline std::string
 hintOnThickPlanes (const XyzCloud& cloud, const std::vector<PlaneSegment>& planes)
 {
   constexpr double min_share = 0.6;
-  constexpr std::size_t largest = 6, probes = 8;
-  const auto last = planes.begin() + std::ptrdiff_t (std::min (largest, planes.size()));
-  const std::vector<PlaneSegment> looked_at (planes.begin(), last);
-  const std::vector<Thickness> all = thicknessOf (cloud, looked_at, probes);
-  std::size_t thick = 0, found = 0;
-  std::optional<double> spacing; // of the largest thick plane
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    const std::size_t size = planes[i].inliers.size();
-    found += size;
-    if (i >= all.size() || !(all[i].factor() > thick_factor))
-      continue;
-    thick += size;
-    spacing = spacing.value_or (all[i].spacing);
+  constexpr std::size_t largest = 4, probes = 8;
+  std::vector<PlaneSegment> candidates;
+  std::size_t found = 0, suspicious = 0;
+  for (const PlaneSegment& plane : planes) {
+    found += plane.inliers.size();
+    if (candidates.size() < largest && isThickerThanSpacing (plane)) {
+      candidates.push_back (plane);
+      suspicious += plane.inliers.size();
+    }
   }
+  if (fraction (suspicious, found, 0.0) < min_share)
+    return "";
+  const std::vector<Thickness> all = thicknessOf (cloud, candidates, probes);
+  std::size_t thick = 0;
+  std::optional<double> spacing; // of the largest thick plane
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (all[i].factor() > thick_factor) {
+      thick += candidates[i].inliers.size();
+      spacing = spacing.value_or (all[i].spacing);
+    }
   const double share = fraction (thick, found, 0.0);
   if (share < min_share)
     return "";

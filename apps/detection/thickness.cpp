@@ -49,18 +49,18 @@ public:
   std::vector<Vector3f>
   nearest (const Vector3f& query, std::size_t count) const
   {
-    std::vector<Candidate> blocks;
+    std::vector<float> distances; // squared, of the boxes
     for (const Box& box : boxes_)
-      blocks.push_back ({box.squaredExteriorDistance (query), blocks.size()});
-    const auto is_farther = std::greater<>();
-    std::make_heap (blocks.begin(), blocks.end(), is_farther);
+      distances.push_back (box.squaredExteriorDistance (query));
+    const auto nearest_box = std::size_t (
+        std::min_element (distances.begin(), distances.end()) - distances.begin());
     std::vector<Candidate> best;
-    while (!blocks.empty() &&
-           (best.size() < count || blocks.front().first <= best.front().first)) {
-      visit (blocks.front().second, query, count, best);
-      std::pop_heap (blocks.begin(), blocks.end(), is_farther);
-      blocks.pop_back();
-    }
+    if (!boxes_.empty())
+      visit (nearest_box, query, count, best);
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      if (i != nearest_box &&
+          (best.size() < count || distances[i] < best.front().first))
+        visit (i, query, count, best);
     std::vector<Vector3f> neighbors;
     for (const Candidate& candidate : best)
       neighbors.push_back (points_[candidate.second]);
@@ -111,6 +111,10 @@ private:
                   z = z_[first + i] - query.z();
       squared[i] = x * x + y * y + z * z;
     }
+    if (best.size() == count &&
+        *std::min_element (squared.begin(), squared.begin() + size) >=
+            best.front().first)
+      return;
     for (std::size_t i = 0; i < size; ++i) {
       if (best.size() == count && squared[i] >= best.front().first)
         continue;
