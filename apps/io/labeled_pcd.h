@@ -9,25 +9,34 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace pcl_ops::apps {
 
-/** \brief Writes a binary PCD without the padding of pcl::PointXYZL. */
+/** \brief Writes a binary PCD without the padding of pcl::PointXYZL.
+ * \param[in] is_ignored of each point, the field ignore; empty: there is none */
 inline void
-saveLabeledPcd (const std::string& file, const pcl::PointCloud<pcl::PointXYZL>& cloud)
+saveLabeledPcd (const std::string& file,
+                const pcl::PointCloud<pcl::PointXYZL>& cloud,
+                const std::vector<char>& is_ignored = {})
 {
   FileCloud packed{{}, cloud.sensor_origin_, cloud.sensor_orientation_};
   pcl::PCLPointCloud2& points = packed.points;
   for (const char* axis : {"x", "y", "z"})
     addField (axis, pcl::PCLPointField::FLOAT32, points);
   addField ("label", pcl::PCLPointField::UINT32, points);
+  if (!is_ignored.empty())
+    addField ("ignore", pcl::PCLPointField::UINT8, points);
   points.width = cloud.width;
   points.height = cloud.height;
-  for (const pcl::PointXYZL& point : cloud) {
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const pcl::PointXYZL& point = cloud[i];
     const auto* const place = reinterpret_cast<const std::uint8_t*> (point.data);
     const auto* const label = reinterpret_cast<const std::uint8_t*> (&point.label);
     points.data.insert (points.data.end(), place, place + 3 * sizeof (float));
     points.data.insert (points.data.end(), label, label + sizeof (point.label));
+    if (!is_ignored.empty())
+      points.data.push_back (std::uint8_t (is_ignored[i]));
   }
   saveCloud (file, packed);
 }

@@ -27,16 +27,10 @@ struct Facade {
   }
 };
 
-Isometry3d
-poseOf (const House& house)
-{
-  return at (house.center) * turnZ (house.yaw);
-}
-
 bool
 covers (const House& house, const Vector3d& point)
 {
-  const Vector3d local = poseOf (house).inverse() * point;
+  const Vector3d local = house.pose().inverse() * point;
   return std::abs (local.x()) < 0.5 * house.length &&
          std::abs (local.y()) < 0.5 * house.width;
 }
@@ -47,8 +41,7 @@ facadesOf (const Survey& survey)
   std::vector<Facade> facades;
   for (const House& house : survey.houses) {
     const auto corner = [&] (double x, double y, double z) -> Vector3d {
-      return poseOf (house) *
-             Vector3d (0.5 * x * house.length, 0.5 * y * house.width, z);
+      return house.pose() * Vector3d (0.5 * x * house.length, 0.5 * y * house.width, z);
     };
     const auto add = [&] (const Vector3d& left,
                           const Vector3d& right,

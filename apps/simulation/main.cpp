@@ -61,22 +61,37 @@ declareScene (CommandLine& line, SimulationOptions& options)
   line.addArgument ("OUTPUT.pcd",
                     options.output,
                     "the cloud to write (binary); of town, walk and drive the folder");
-  line.add (
-          "scene",
-          simulation.scene,
-          {"room", "furniture", "survey", "shapes", "town", "walk", "street", "drive"})
+  line.add ("scene",
+            simulation.scene,
+            {"room",
+             "furniture",
+             "survey",
+             "shapes",
+             "town",
+             "walk",
+             "street",
+             "drive",
+             "airborne",
+             "street-hills",
+             "table",
+             "plaster",
+             "slabs",
+             "missing"})
       .help ("a room, a corner of one with boards on posts, 36 houses on a ground, "
              "round shapes beside a ground, terraces of houses in tiles of .las, "
              "a camera's way through a room, a street around a lidar, "
-             "a lidar's way along a street (room)");
+             "a lidar's way along a street, hills, woods and roofs from above, "
+             "a street on hills with bushes, a table whose depth is bent, "
+             "a room of wavy walls, a thin wall and a board from both sides, "
+             "a room with readings at zero (room)");
   line.add ("seed S",
             simulation.seed,
             from (0).upTo (std::numeric_limits<std::uint32_t>::max()))
-      .help ("which room, furniture, houses, shapes or street (1)");
+      .help ("which room, furniture, houses, shapes, street and so on (1)");
   line.add ("points N", simulation.points, from (1).upTo (max_points_of_town))
       .help ("scan the whole room with N points instead of one camera image; "
-             "points of survey (600000), shapes (250000), about those of town "
-             "(1000000)");
+             "points of survey (600000), shapes (250000), airborne, plaster and slabs "
+             "(by the seed), about those of town (1000000)");
   line.add ("tiles N", options.tiles, from (1).upTo (1e6))
       .help ("tiles of town, rounded up to a square number (4)");
   line.add ("frames N", options.frames, from (1).upTo (1000))
@@ -99,8 +114,9 @@ declareSensor (CommandLine& line, SimulationOptions& options)
   line.add ("height H", simulation.camera.height, image_size).help ("rows (480)");
   line.add ("noise X", simulation.noise, from (0).upTo (10))
       .help ("factor on the noise (1)");
-  line.add ("profile", options.profile, {"correlated", "raw"})
-      .help ("the noise: smoothed depth, raw depth (correlated)");
+  line.add ("profile", options.profile, {"correlated", "raw", "kinect"})
+      .help ("the noise: smoothed depth, raw depth, smoothed depth in steps of 6.5 "
+             "to 8 cm at 5 m (correlated)");
   std::vector<std::string> lidars;
   for (const Lidar& lidar : known_lidars)
     lidars.push_back (lidar.name);
@@ -135,17 +151,25 @@ checkOptions (const CommandLine& line, const SimulationOptions& options)
               ", which has no rows; leave it out");
   refuse ("points", is_walk, "is not for --scene walk; give --width, --height");
   refuse ("points", has_lidar, "is not for --scene " + scene + "; give --sensor");
+  refuse ("points",
+          options.isOfAny ({"street-hills", "table", "missing"}),
+          "is not for --scene " + scene + "; leave it out");
   refuse ("tiles", !is_town, "is about --scene town; leave it out");
   refuse ("points",
           !is_town && simulation.points.value_or (1) > max_points,
           "is more than 10000000, which only --scene town takes; give fewer");
   if (!options.isOfAny (scenes_of_files) && extensionOf (options.output) != ".pcd")
     throw UsageError (options.output, "has an unknown extension; give a .pcd file");
-  for (const std::string of_camera : {"width", "height", "profile", "organized"}) {
-    line.forbidTogether ("points", of_camera);
-    if (!options.isOfAny ({"room", "furniture", "walk"}) &&
-        !(has_lidar && of_camera == "organized"))
-      line.forbidTogether ("scene", of_camera);
+  const bool is_room = options.isOfAny ({"room", "furniture", "walk", "missing"});
+  const bool has_camera = is_room || scene == "table";
+  const bool has_rays = has_camera || has_lidar || scene == "street-hills";
+  for (const auto& [option, is_right] : {std::pair{"width", has_camera},
+                                         {"height", has_camera},
+                                         {"profile", is_room},
+                                         {"organized", has_rays}}) {
+    line.forbidTogether ("points", option);
+    if (!is_right)
+      line.forbidTogether ("scene", option);
   }
 }
 
@@ -260,7 +284,7 @@ runCloud (const SimulationOptions& options)
   const SimulatedCloud simulated =
       inMemory (options.output, "give fewer --points or a smaller image", [&] {
         SimulatedCloud cloud = simulate (options.simulation);
-        saveLabeledPcd (options.output, cloud.cloud);
+        saveLabeledPcd (options.output, cloud.cloud, cloud.is_ignored);
         return cloud;
       });
   lines.reset();
@@ -276,14 +300,18 @@ run (int argc, const char* const* argv)
   CommandLine line (
       program_name,
       "Simulates a furnished room as a depth camera sees it, or another scene. The\n"
-      "field label is the true plane of each point: 0 none, 1..P by falling size.",
+      "field label is the true plane of each point: 0 none, 1..P by falling size. "
+      "Where\n"
+      "the field ignore is 1, as on hilly ground, any answer is right.",
       PCL_OPS_VERSION);
   declareScene (line, options);
   declareSensor (line, options);
   if (!line.parse (argc, argv)) // the answer was --help or --version
     return ExitCode::done;
   checkOptions (line, options);
-  options.simulation.has_raw_depth = options.profile == "raw";
+  options.simulation.profile = options.profile == "raw"      ? DepthProfile::Raw
+                               : options.profile == "kinect" ? DepthProfile::Kinect
+                                                             : DepthProfile::Correlated;
   options.isOfAny (scenes_of_files) ? runFiles (options) : runCloud (options);
   return ExitCode::done;
 }

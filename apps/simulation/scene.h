@@ -41,13 +41,33 @@ enum class Purpose : std::uint32_t {
   Street,
   SensorPose,
   LidarNoise,
-  Drive
+  Drive,
+  Quantization,
+  Missing,
+  Airborne,
+  AirborneScan,
+  HillyStreet,
+  Bushes,
+  Table,
+  TableNoise,
+  Plaster,
+  PlasterScan,
+  Slabs,
+  PointsOfSlabs,
+  SlabsScan
 };
 
 inline Random
 randomFor (Purpose purpose, Seed seed)
 {
   return Random (std::seed_seq{seed, std::uint32_t (purpose)});
+}
+
+/** Of equal chance for each octave. */
+inline double
+drawLogUniform (double lowest, double highest, Random& random)
+{
+  return lowest * std::pow (highest / lowest, random.unit());
 }
 
 inline Isometry3d

@@ -2,6 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenes.h"
 
+#include "airborne.h"
+#include "hilly_street.h"
+#include "missing.h"
+#include "plaster.h"
+#include "slabs.h"
+#include "table.h"
+
 namespace pcl_ops::simulation {
 
 namespace {
@@ -13,6 +20,115 @@ siteOf (const Simulation& simulation)
          : simulation.hasLidar()         ? makeStreet (simulation.seed)
                                          : makeRoom (simulation.seed);
 }
+
+CameraNoise
+noiseOf (const Simulation& simulation)
+{
+  CameraNoise noise{simulation.noise, simulation.profile == DepthProfile::Raw};
+  if (simulation.profile == DepthProfile::Kinect)
+    noise.quantization = drawQuantization (simulation.seed);
+  return noise;
+}
+
+std::size_t
+pointsOr (double usual, const Simulation& simulation)
+{
+  return std::size_t (simulation.points.value_or (usual));
+}
+
+SimulatedCloud
+simulateSurvey (const Simulation& simulation)
+{
+  constexpr double points = 600'000;
+  return scanSurvey (makeSurvey (simulation.seed),
+                     pointsOr (points, simulation),
+                     simulation.noise,
+                     simulation.seed);
+}
+
+SimulatedCloud
+simulateRoundShapes (const Simulation& simulation)
+{
+  constexpr double points = 250'000; // about 5000 on a square meter
+  return simulateShapes (
+      pointsOr (points, simulation), simulation.noise, simulation.seed);
+}
+
+SimulatedCloud
+simulateAirborne (const Simulation& simulation)
+{
+  const Airborne site = makeAirborne (simulation.seed);
+  const double points = site.density * site.width() * site.width();
+  return scanAirborne (
+      site, pointsOr (points, simulation), simulation.noise, simulation.seed);
+}
+
+SimulatedCloud
+simulateHillyStreet (const Simulation& simulation)
+{
+  return scanHillyStreet (makeHillyStreet (simulation.seed),
+                          simulation.noise,
+                          simulation.seed,
+                          simulation.organized);
+}
+
+SimulatedCloud
+simulateTable (const Simulation& simulation)
+{
+  return scanTable (drawTableView (simulation.seed),
+                    simulation.camera,
+                    simulation.noise,
+                    simulation.seed,
+                    simulation.organized);
+}
+
+SimulatedCloud
+simulatePlaster (const Simulation& simulation)
+{
+  Plaster plaster = drawPlaster (simulation.seed);
+  plaster.points = pointsOr (double (plaster.points), simulation);
+  return scanPlaster (plaster, simulation.noise, simulation.seed);
+}
+
+SimulatedCloud
+simulateSlabs (const Simulation& simulation)
+{
+  const double points = drawPointsOfSlabs (simulation.seed);
+  return scanSlabs (makeSlabs (simulation.seed),
+                    pointsOr (points, simulation),
+                    simulation.noise,
+                    simulation.seed);
+}
+
+/** A room turned as it is, with the camera at the origin: there are the zeros. */
+SimulatedCloud
+simulateMissing (const Simulation& simulation)
+{
+  const SensorView view = viewOf (simulation);
+  Isometry3d turned = view.poses[0];
+  turned.translation().setZero();
+  Scene moved = view.scene;
+  for (Body& body : moved.bodies)
+    for (Shape& shape : body.shapes)
+      shape.center -= view.poses[0].translation();
+  Scan scan = view.scan (0);
+  zeroReadings (scan, missingShare (simulation.seed), simulation.seed);
+  return labeledBySize (toSurfaceCloud (scan, turned, simulation.organized),
+                        surfacePlanes (moved));
+}
+
+/** Scenes that are not seen by \ref viewOf alone. */
+constexpr struct {
+  const char* scene;
+  SimulatedCloud (*simulate) (const Simulation&);
+} scenes_of_their_own[] = {{"survey", simulateSurvey},
+                           {"shapes", simulateRoundShapes},
+                           {"airborne", simulateAirborne},
+                           {"street-hills", simulateHillyStreet},
+                           {"table", simulateTable},
+                           {"plaster", simulatePlaster},
+                           {"slabs", simulateSlabs},
+                           {"missing", simulateMissing}};
 
 Isometry3d
 drawError (Random& random, double size)
@@ -45,11 +161,9 @@ viewOf (const Simulation& simulation, std::size_t frames)
                                               : Poses{drawCameraPose (site, seed)};
   const auto scan = [=] (std::size_t frame) {
     const View view{site.scene, poses[frame], seed + std::uint32_t (frame)};
-    const double noise = simulation.noise;
     return simulation.hasLidar()
-               ? scanAround (view, lidarOf (simulation.sensor), noise, frame)
-               : scanByCamera (
-                     view, simulation.camera, {noise, simulation.has_raw_depth});
+               ? scanAround (view, lidarOf (simulation.sensor), simulation.noise, frame)
+               : scanByCamera (view, simulation.camera, noiseOf (simulation));
   };
   return {site.scene, poses, scan};
 }
@@ -57,19 +171,14 @@ viewOf (const Simulation& simulation, std::size_t frames)
 SimulatedCloud
 simulate (const Simulation& simulation)
 {
-  const Seed seed = simulation.seed;
-  const double noise = simulation.noise;
-  constexpr std::size_t points_of_survey = 600'000;
-  constexpr std::size_t points_of_shapes = 250'000; // about 5000 on a square meter
-  const auto pointsOr = [&simulation] (std::size_t usual) {
-    return simulation.points ? std::size_t (*simulation.points) : usual;
-  };
-  if (simulation.scene == "survey")
-    return scanSurvey (makeSurvey (seed), pointsOr (points_of_survey), noise, seed);
-  if (simulation.scene == "shapes")
-    return simulateShapes (pointsOr (points_of_shapes), noise, seed);
+  for (const auto& [scene, simulateIt] : scenes_of_their_own)
+    if (simulation.scene == scene)
+      return simulateIt (simulation);
   if (simulation.points)
-    return scanDensely (siteOf (simulation).scene, pointsOr (0), noise, seed);
+    return scanDensely (siteOf (simulation).scene,
+                        std::size_t (*simulation.points),
+                        simulation.noise,
+                        simulation.seed);
   const SensorView view = viewOf (simulation);
   return labeledBySize (
       toSurfaceCloud (view.scan (0), view.poses[0], simulation.organized),

@@ -76,6 +76,12 @@ struct House {
   double yaw = 0.0;                   // of the length against the x axis [rad]
   double length = 15.0, width = 11.0; // [m]
   double eaves = 5.0, ridge = 8.0;    // heights of the roof's edges [m]
+
+  Isometry3d
+  pose () const
+  {
+    return at (center) * turnZ (yaw);
+  }
 };
 
 /** Houses on a square of ground, whose middle is the origin; z is up. */
@@ -131,11 +137,18 @@ constexpr double shapes_sigma = 0.002;
 SimulatedCloud
 simulateShapes (std::size_t points, double noise, Seed seed);
 
+enum class DepthProfile {
+  Correlated,
+  Raw,
+  /** Correlated, and in steps that are 6.5 to 8 cm at 5 m, by the seed. */
+  Kinect
+};
+
 struct Simulation {
   std::string scene = "room";
   Seed seed = 1;
-  DepthCamera camera = {}; // of rooms, corners with furniture and walks
-  bool has_raw_depth = false;
+  DepthCamera camera = {}; // of rooms, corners with furniture, walks and tables
+  DepthProfile profile = DepthProfile::Correlated;
   std::string sensor = "lidar-64"; // of streets and drives
   double noise = 1.0;
   /** Of scans from everywhere; none: as many as usual, and rooms are seen by the

@@ -81,6 +81,7 @@ disturbDepths (DepthImage& image,
   // Sensors 2012. The steps are those of the Kinect's own image also in a smaller one.
   constexpr double baseline = 0.075, disparity_steps = 8.0;
   constexpr double steps_times_depth = disparity_steps * kinect_focal_length * baseline;
+  const double quantization = noise.is_raw ? steps_times_depth : noise.quantization;
   disturbEdges (image, noise, random);
   const Field field = drawField (camera, noise, random);
   for (Eigen::Index i = 0; i < field.size(); ++i) {
@@ -90,17 +91,15 @@ disturbDepths (DepthImage& image,
     // degrees.
     const double sigma = 0.0012 + 0.0019 * (depth - 0.4) * (depth - 0.4);
     depth += noise.scale * sigma * field (i);
-    if (noise.is_raw && depth > 0.0)
-      depth = steps_times_depth / std::round (steps_times_depth / depth);
+    if (quantization > 0.0 && depth > 0.0)
+      depth = quantization / std::round (quantization / depth);
   }
 }
 
 Vector3d
 rotatingRay (const Lidar& lidar, int step, int beam)
 {
-  const double share = double (beam) / (lidar.beams - 1);
-  const double elevation =
-      (lidar.highest + share * (lidar.lowest - lidar.highest)) * pi / 180.0;
+  const double elevation = lidar.elevation (beam) * pi / 180.0;
   const double azimuth = -2.0 * pi * step / lidar.steps;
   return {std::cos (elevation) * std::cos (azimuth),
           std::cos (elevation) * std::sin (azimuth),
@@ -175,6 +174,20 @@ scanByCamera (const View& view, const DepthCamera& camera, const CameraNoise& no
   DepthImage image = castDepthImage (view.scene, camera, view.pose, jitter);
   if (is_noisy)
     disturbDepths (image, camera, noise, random);
+  return toScan (std::move (image), camera);
+}
+
+double
+drawQuantization (Seed seed)
+{
+  constexpr double depth = 5.0, finest = 0.065, coarsest = 0.08; // [m]
+  Random random = randomFor (Purpose::Quantization, seed);
+  return depth * depth / random.between (finest, coarsest);
+}
+
+Scan
+toScan (DepthImage image, const DepthCamera& camera)
+{
   Scan scan{std::size_t (camera.width), std::size_t (camera.height)};
   scan.surfaces = std::move (image.surface);
   for (int row = 0; row < camera.height; ++row)
@@ -185,6 +198,28 @@ scanByCamera (const View& view, const DepthCamera& camera, const CameraNoise& no
                                      : Vector3d::Constant (std::nan ("")));
     }
   return scan;
+}
+
+double
+Lidar::elevation (int beam) const
+{
+  const auto spread = [] (double from, double to, int number, int beams_of_it) {
+    const double share = double (number) / (beams_of_it - 1);
+    return from + share * (to - from);
+  };
+  if (!is_dense_at_level)
+    return spread (highest, lowest, beam, beams);
+  constexpr struct {
+    double highest, lowest; // [degree]
+    int beams;
+  } ranges[] = {{15.0, 3.0, 2}, {2.0, -6.0, 49}, {-6.5, -13.0, 7}, {-14.0, -25.0, 6}};
+  int number = beam;
+  for (const auto& range : ranges) {
+    if (number < range.beams)
+      return spread (range.highest, range.lowest, number, range.beams);
+    number -= range.beams;
+  }
+  return lowest;
 }
 
 Lidar
@@ -198,19 +233,31 @@ lidarOf (const std::string& name)
 Scan
 scanAround (const View& view, const Lidar& lidar, double noise, std::size_t number)
 {
-  Random random = randomFor (Purpose::LidarNoise, view.seed);
+  const ShapeTree shapes = treeOf (view.scene);
+  const auto cast = [&] (const Vector3d& ray) {
+    return castRay (shapes, view.pose.translation(), view.pose.linear() * ray);
+  };
+  return scanAround (cast, lidar, noise, view.seed, number);
+}
+
+Scan
+scanAround (const CastRay& cast,
+            const Lidar& lidar,
+            double noise,
+            Seed seed,
+            std::size_t number)
+{
+  Random random = randomFor (Purpose::LidarNoise, seed);
   Scan scan{std::size_t (lidar.steps), std::size_t (lidar.beams), true};
   const std::size_t rays = scan.columns * scan.rows;
   scan.points.assign (rays, Vector3d::Constant (std::nan ("")));
   scan.surfaces.assign (rays, no_surface);
-  const ShapeTree shapes = treeOf (view.scene);
-  const Vector3d eye = view.pose.translation();
   for (std::size_t i = 0; i < rays; ++i) {
     const Vector3d ray =
         lidar.isRosette()
             ? rosetteRay (lidar, number * rays + i)
             : rotatingRay (lidar, int (i / scan.rows), int (i % scan.rows));
-    const Hit hit = castRay (shapes, eye, view.pose.linear() * ray);
+    const Hit hit = cast (ray);
     // Drawn for each ray, so that one reading more leaves the others as they are.
     const double error = noise * lidar_sigma * random.gaussian();
     const double distance = hit.distance + error;

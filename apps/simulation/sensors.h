@@ -5,6 +5,7 @@
 #include "simulated_cloud.h"
 
 #include <array>
+#include <functional>
 #include <string>
 
 namespace pcl_ops::simulation {
@@ -62,7 +63,18 @@ struct CameraNoise {
   /** Standard deviation s of the Gaussian filter of smoothed depth [px]: at a distance
    * d the correlation is exp (-d^2 / (4 s^2)). */
   double smoothing = 3.0;
+  /** q if a smoothed depth is q / n with a whole number n, so that at a depth z it
+   * comes in steps of z^2 / q; 0: as it is [m]. */
+  double quantization = 0.0;
 };
+
+/** Of a Kinect, by the seed: steps of 6.5 to 8 cm at 5 m. */
+double
+drawQuantization (Seed seed);
+
+/** One point for each pixel; none where its depth is out of range. */
+Scan
+toScan (DepthImage image, const DepthCamera& camera);
 
 /** Rays wander sideways, depths are noisy, pixels at depth edges fly between the two
  * sides, on no surface, or are lost, as is what is out of range. */
@@ -80,25 +92,44 @@ struct Lidar {
   int beams, steps;       // how many at once, and how often in a scan
   double highest, lowest; // elevations of the outer beams or the edge [degree]
   double farthest;        // readings beyond are lost [m]
+  /** Most beams are within 6 degrees of the level; else they are equally far apart. */
+  bool is_dense_at_level = false;
 
   bool
   isRosette () const
   {
     return beams == 1;
   }
+
+  /** Of a rotating lidar's beam, the highest first [degree]. */
+  double
+  elevation (int beam) const;
 };
 
-/** Like a Velodyne HDL-64E, HDL-32E, VLP-16 and a Livox Avia. */
-constexpr Lidar known_lidars[] = {{"lidar-64", 64, 1900, 2.0, -24.8, 120.0},
-                                  {"lidar-32", 32, 1080, 10.0, -30.0, 100.0},
-                                  {"lidar-16", 16, 1800, 15.0, -15.0, 100.0},
-                                  {"livox", 1, 100'000, 35.0, -35.0, 120.0}};
+/** Like a Velodyne HDL-64E, HDL-32E, VLP-16, a Hesai Pandar64 and a Livox Avia. */
+constexpr Lidar known_lidars[] = {
+    {"lidar-64", 64, 1900, 2.0, -24.8, 120.0},
+    {"lidar-32", 32, 1080, 10.0, -30.0, 100.0},
+    {"lidar-16", 16, 1800, 15.0, -15.0, 100.0},
+    {"lidar-64-level", 64, 1800, 15.0, -25.0, 130.0, true},
+    {"livox", 1, 100'000, 35.0, -35.0, 120.0}};
 
 /** That of a name; of another one the last. */
 Lidar
 lidarOf (const std::string& name);
 
-/** \param[in] number of the scan: a rosette goes on where the last scan ended */
+/** What a ray in the sensor's frame meets. */
+using CastRay = std::function<Hit (const Vector3d& ray)>;
+
+/** \param[in] seed of the noise
+ * \param[in] number of the scan: a rosette goes on where the last scan ended */
+Scan
+scanAround (const CastRay& cast,
+            const Lidar& lidar,
+            double noise,
+            Seed seed,
+            std::size_t number = 0);
+
 Scan
 scanAround (const View& view, const Lidar& lidar, double noise, std::size_t number = 0);
 

@@ -66,12 +66,31 @@ drawOfWhole (const Shape& shape, Random& random)
   return {shape.center + shape.half_v * normal, normal};
 }
 
+/** Points of unknown surfaces are on none from then on.
+ * \return which these are; empty if there is none */
+std::vector<char>
+takeUnknown (LabeledCloud& cloud)
+{
+  std::vector<char> is_unknown;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (cloud[i].label != unknown_surface)
+      continue;
+    cloud[i].label = no_surface;
+    is_unknown.resize (cloud.size(), 0);
+    is_unknown[i] = 1;
+  }
+  return is_unknown;
+}
+
 } // namespace
 
 SimulatedCloud
-labeledBySize (LabeledCloud cloud, const std::vector<Plane>& surfaces)
+labeledBySize (LabeledCloud cloud,
+               const std::vector<Plane>& surfaces,
+               std::size_t min_points)
 {
   SimulatedCloud result{std::move (cloud), {}};
+  result.is_ignored = takeUnknown (result.cloud);
   std::vector<std::size_t> counts (surfaces.size() + 1, 0);
   for (const auto& point : result.cloud)
     ++counts[point.label];
@@ -82,7 +101,7 @@ labeledBySize (LabeledCloud cloud, const std::vector<Plane>& surfaces)
   });
   std::vector<std::uint32_t> label_of (surfaces.size() + 1, 0);
   for (const SurfaceId surface : by_size)
-    if (counts[surface] >= min_points_of_plane) {
+    if (counts[surface] >= min_points) {
       result.planes.push_back (surfaces[surface - 1]);
       label_of[surface] = std::uint32_t (result.planes.size());
     }

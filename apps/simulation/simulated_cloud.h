@@ -15,15 +15,25 @@ using LabeledCloud = pcl::PointCloud<pcl::PointXYZL>;
 struct SimulatedCloud {
   LabeledCloud cloud;
   std::vector<Plane> planes; // that of label 1 first
+  /** Of each point whether its truth is unknown, as on hilly ground: any answer is
+   * right there. Empty: all are known. */
+  std::vector<char> is_ignored = {};
 };
+
+/** Stands in for a surface where it is no plane, but parts of it may be called one. */
+constexpr SurfaceId unknown_surface = std::numeric_limits<SurfaceId>::max();
 
 /** A surface with fewer has label 0. */
 constexpr std::size_t min_points_of_plane = 50;
 
-/** \param[in] cloud its labels are surfaces; NaN points 0
- * \param[in] surfaces the plane of each */
+/** \param[in] cloud its labels are surfaces; NaN points 0; points of \ref
+ * unknown_surface are ignored and get label 0
+ * \param[in] surfaces the plane of each
+ * \param[in] min_points a surface with fewer has label 0 */
 SimulatedCloud
-labeledBySize (LabeledCloud cloud, const std::vector<Plane>& surfaces);
+labeledBySize (LabeledCloud cloud,
+               const std::vector<Plane>& surfaces,
+               std::size_t min_points = min_points_of_plane);
 
 pcl::PointXYZL
 pointAt (const Vector3d& position, SurfaceId surface);

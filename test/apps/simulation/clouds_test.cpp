@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_ops authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_scenes.h"
+#include <simulation/airborne.h>
 #include <simulation/scenes.h>
+#include <simulation/slabs.h>
 
 using namespace pcl_ops::simulation;
 
@@ -17,12 +19,12 @@ struct Kind {
   double sigma;
   std::size_t min_planes;
   const char* sensor = "lidar-16";
+  std::size_t min_points = min_points_of_plane;
 
   SimulatedCloud
   simulated (std::uint32_t seed, double noise = 1.0, bool organized = false) const
   {
-    return simulate (
-        {scene, seed, {160, 120}, false, sensor, noise, points, organized});
+    return simulate ({scene, seed, {160, 120}, {}, sensor, noise, points, organized});
   }
 };
 
@@ -35,7 +37,13 @@ const std::vector<Kind> kinds = {
     {"shapes", 5000, rounding, shapes_sigma, 2},
     {"survey", 90000, 50.0 * rounding, std::sqrt (3.0) * survey_sigma, 217},
     {"street", std::nullopt, 50.0 * rounding, lidar_sigma, 10},
-    {"street", std::nullopt, 50.0 * rounding, lidar_sigma, 10, "livox"}};
+    {"street", std::nullopt, 50.0 * rounding, lidar_sigma, 10, "livox"},
+    {"airborne", 20000, 500.0 * rounding, airborne_sigma, 5, "", min_points_of_roof},
+    {"street-hills", std::nullopt, 65.0 * rounding, lidar_sigma, 3},
+    {"table", std::nullopt, rounding, 0.0, 1},
+    {"plaster", 5000, rounding, 0.0, 6},
+    {"slabs", 5000, rounding, slabs_sigma, 6},
+    {"missing", std::nullopt, rounding, 0.0, 5}};
 
 bool
 haveSamePoints (const LabeledCloud& a, const LabeledCloud& b)
@@ -82,7 +90,7 @@ TEST (Clouds, HavePlanesBySizeAndPointsAboutThemByTheNoise)
     EXPECT_GE (cloud.planes.size(), kind.min_planes);
     const auto counts = countsOf (cloud);
     EXPECT_TRUE (std::is_sorted (counts.rbegin(), counts.rend() - 1));
-    EXPECT_GE (counts.back(), min_points_of_plane);
+    EXPECT_GE (counts.back(), kind.min_points);
     EXPECT_LT (largestDistanceToTruth (exact), kind.largest_rounding);
     const double largest = largestDistanceToTruth (kind.simulated (7, 2.0));
     EXPECT_GT (largest, 2.0 * kind.sigma);

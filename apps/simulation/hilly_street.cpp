@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hilly_street.h"
+
+#include <algorithm>
+
+namespace pcl_ops::simulation {
+
+namespace {
+
+constexpr double sensor_height = 2.0;   // [m]
+constexpr double half_length = 110.0;   // of the street [m]
+constexpr double nearest_reading = 2.0; // [m]
+constexpr double no_hit = std::numeric_limits<double>::infinity();
+
+/** From below the ground on, so that a slope leaves no gap. */
+void
+addWall (HillyStreet& street, double x, double side, Random& random)
+{
+  constexpr double depth = 9.0, above = 6.0, below = 1.0; // [m]
+  const double length = random.between (12, 20), y = side * random.between (11, 15);
+  const double foot = street.ground (x + 0.5 * length, y);
+  const double middle = foot + 0.5 * (above - below);
+  const Vector3d up (0, 0, above + below);
+  Body house;
+  house.addSurface (makeRectangle ({x + 0.5 * length, y, middle}, {length, 0, 0}, up));
+  house.addSurface (
+      makeRectangle ({x, y + 0.5 * side * depth, middle}, {0, depth, 0}, up));
+  street.walls.add (house, Isometry3d::Identity());
+}
+
+Bush
+drawBush (const HillyStreet& street, Random& random)
+{
+  Bush bush;
+  const double x = random.between (-half_length, half_length);
+  const double side = random.chance (0.5) ? 1.0 : -1.0;
+  const double y = side * random.between (6, 60);
+  bush.radius = random.between (0.6, 3.0);
+  bush.center = {x, y, street.ground (x, y) + random.between (0.3, 4.0)};
+  return bush;
+}
+
+/** Where a ray from the origin first goes below the ground. */
+double
+distanceToGround (const HillyStreet& street, const Vector3d& ray)
+{
+  constexpr int steps = 500;
+  const double growth = std::pow (street.lidar.farthest / nearest_reading, 1.0 / steps);
+  const auto heightAt = [&] (double distance) {
+    const Vector3d place = distance * ray;
+    return place.z() - street.ground (place.x(), place.y());
+  };
+  double distance = nearest_reading, height = heightAt (distance);
+  for (int step = 0; step < steps; ++step) {
+    const double next = growth * distance, next_height = heightAt (next);
+    if (height > 0.0 && next_height <= 0.0)
+      return distance + (next - distance) * height / (height - next_height);
+    distance = next;
+    height = next_height;
+  }
+  return no_hit;
+}
+
+/** A reading anywhere in the ball, if the ray meets it and leaves; else none. */
+double
+distanceToBush (const Bush& bush, const Vector3d& ray, Random& random)
+{
+  constexpr double chance_of_leaf = 0.6;
+  const double middle = ray.dot (bush.center);
+  const double rest =
+      bush.radius * bush.radius + middle * middle - bush.center.squaredNorm();
+  if (!(middle > 0.0 && rest > 0.0))
+    return no_hit;
+  const double distance = middle + std::sqrt (rest) * random.between (-1, 1);
+  return random.chance (chance_of_leaf) ? distance : no_hit;
+}
+
+} // namespace
+
+double
+HillyStreet::ground (double x, double y) const
+{
+  return relief.height (x, y) - relief.height (0, 0) - sensor_height;
+}
+
+HillyStreet
+makeHillyStreet (Seed seed)
+{
+  constexpr double distance_of_walls = 26.0; // [m]
+  constexpr double chance_of_wall = 0.65;
+  Random random = randomFor (Purpose::HillyStreet, seed);
+  HillyStreet street;
+  const double amplitude = random.between (0.5, 2), length = random.between (70, 110);
+  street.relief = drawRelief (amplitude, length, random);
+  street.lidar.steps = int (drawLogUniform (370, 1800, random));
+  for (const double side : {-1.0, 1.0})
+    for (double x = -half_length; x < half_length; x += distance_of_walls)
+      if (random.chance (chance_of_wall))
+        addWall (street, x, side, random);
+  const auto bushes = std::size_t (random.between (300, 700));
+  while (street.bushes.size() < bushes)
+    street.bushes.push_back (drawBush (street, random));
+  return street;
+}
+
+SimulatedCloud
+scanHillyStreet (const HillyStreet& street, double noise, Seed seed, bool organized)
+{
+  const ShapeTree walls = treeOf (street.walls);
+  const Vector3d eye = Vector3d::Zero();
+  Random leaves = randomFor (Purpose::Bushes, seed);
+  const auto cast = [&] (const Vector3d& ray) {
+    Hit nearest{distanceToGround (street, ray), unknown_surface};
+    const auto meet = [&nearest] (const Hit& hit) {
+      if (hit.distance > nearest_reading && hit.distance < nearest.distance)
+        nearest = hit;
+    };
+    meet (castRay (walls, eye, ray));
+    for (const Bush& bush : street.bushes)
+      meet ({distanceToBush (bush, ray, leaves), no_surface});
+    return nearest;
+  };
+  const Scan scan = scanAround (cast, street.lidar, noise, seed);
+  return labeledBySize (toSurfaceCloud (scan, Isometry3d::Identity(), organized),
+                        surfacePlanes (street.walls));
+}
+
+} // namespace pcl_ops::simulation

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scene.h"
+
+namespace pcl_ops::simulation {
+
+/** Hills as the sum of waves across each other. */
+struct Relief {
+  double amplitude = 0.0;             // of the longer waves; 0: flat [m]
+  double length = 180.0;              // of the longer waves [m]
+  Vector3d phases = Vector3d::Zero(); // [rad]
+
+  double
+  height (double x, double y) const
+  {
+    const double turns = 2.0 * pi / length;
+    const double long_waves =
+        std::sin (turns * x + phases[0]) * std::cos (turns / 1.3 * y + phases[1]);
+    const double short_waves = std::sin (turns / 0.5 * (x + y) + phases[2]);
+    return amplitude * (long_waves + 0.35 * short_waves);
+  }
+};
+
+inline Relief
+drawRelief (double amplitude, double length, Random& random)
+{
+  Relief relief{amplitude, length};
+  for (double& phase : relief.phases)
+    phase = random.angle (0, 360);
+  return relief;
+}
+
+} // namespace pcl_ops::simulation

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slabs.h"
+
+namespace pcl_ops::simulation {
+
+namespace {
+
+/** Two faces of it, the others have no points.
+ * \param[in] face its first; the second is shifted along the normal [m] */
+void
+addSlab (Body& body, const Shape& face, double thickness)
+{
+  body.addSurface (face);
+  Shape back = face;
+  back.center += thickness * face.normal();
+  body.addSurface (back);
+}
+
+} // namespace
+
+Scene
+makeSlabs (Seed seed)
+{
+  constexpr double thinnest = 0.04, thickest = 0.15; // [m]
+  constexpr double floor = -0.9, edge = 4.0;         // [m]
+  Random random = randomFor (Purpose::Slabs, seed);
+  Body body;
+  const double length = random.between (2, 4), height = random.between (2, 2.5);
+  const double thickness_of_wall = random.between (thinnest, thickest);
+  addSlab (
+      body,
+      makeRectangle ({1.0, 1.2, floor + 0.5 * height}, {length, 0, 0}, {0, 0, height}),
+      thickness_of_wall);
+  const double width = random.between (0.8, 1.6), depth = random.between (0.6, 1.0);
+  const double thickness_of_board = random.between (thinnest, thickest);
+  addSlab (body,
+           makeRectangle (
+               {0.6, -0.5, random.between (-0.4, 0.3)}, {width, 0, 0}, {0, depth, 0}),
+           thickness_of_board);
+  const double middle = 0.5;
+  body.addSurface (makeRectangle ({middle, middle, floor}, {edge, 0, 0}, {0, edge, 0}));
+  body.addSurface (makeRectangle (
+      {middle, middle - 0.5 * edge, floor + 1.25}, {edge, 0, 0}, {0, 0, 2.5}));
+  Scene scene;
+  scene.add (body, Isometry3d::Identity());
+  return scene;
+}
+
+double
+drawPointsOfSlabs (Seed seed)
+{
+  constexpr double fewest = 1e4, most = 3e5;
+  Random random = randomFor (Purpose::PointsOfSlabs, seed);
+  return std::floor (drawLogUniform (fewest, most, random));
+}
+
+SimulatedCloud
+scanSlabs (const Scene& scene, std::size_t points, double noise, Seed seed)
+{
+  Random random = randomFor (Purpose::SlabsScan, seed);
+  const Shapes& shapes = scene.bodies.front().shapes;
+  return labeledBySize (drawPoints (shapes, points, noise * slabs_sigma, random),
+                        surfacePlanes (scene));
+}
+
+} // namespace pcl_ops::simulation

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The pcl_ops authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "table.h"
+
+namespace pcl_ops::simulation {
+
+namespace {
+
+/** Error at a pixel in multiples of the bend: a parabola in both directions. */
+double
+errorAt (const DepthCamera& camera, int column, int row)
+{
+  constexpr double share_of_rows = 0.4, in_the_middle = -0.5;
+  const double right = 2.0 * column / (camera.width - 1) - 1.0;
+  const double down = 2.0 * row / (camera.height - 1) - 1.0;
+  return in_the_middle + right * right + share_of_rows * down * down;
+}
+
+/** In steps that the noise blurs a little. */
+double
+disturbed (double depth, double bend, const Table& table, double noise, Random& random)
+{
+  constexpr double blur = 0.35; // [steps]
+  const double sigma = noise * table_sigma / table.distance;
+  const double measured =
+      depth * (1.0 + noise * bend / table.distance + sigma * random.gaussian());
+  const double offset = blur * random.between (-0.5, 0.5);
+  if (!(noise > 0.0))
+    return depth;
+  return table.quantization / (std::round (table.quantization / measured) + offset);
+}
+
+} // namespace
+
+Shape
+Table::top() const
+{
+  constexpr double edge = 20.0; // more than any view [m]
+  const Isometry3d pose = at ({0, 0, distance}) * turnX (-tilt);
+  const Eigen::Matrix3d axes = edge * pose.linear();
+  Shape top = makeRectangle (pose.translation(), axes.col (0), axes.col (1));
+  top.surface = 1;
+  return top;
+}
+
+Table
+drawTableView (Seed seed)
+{
+  Random random = randomFor (Purpose::Table, seed);
+  Table table;
+  table.bend = random.between (0.001, 0.006);
+  table.distance = random.between (0.8, 1.2);
+  table.tilt = random.angle (25, 50);
+  table.quantization = drawQuantization (seed);
+  return table;
+}
+
+SimulatedCloud
+scanTable (const Table& table,
+           const DepthCamera& camera,
+           double noise,
+           Seed seed,
+           bool organized)
+{
+  const Isometry3d pose = Isometry3d::Identity();
+  Body body;
+  body.addSurface (table.top());
+  Scene scene;
+  scene.add (body, pose);
+  DepthImage image = castDepthImage (scene, camera, pose);
+  Random random = randomFor (Purpose::TableNoise, seed);
+  for (int row = 0; row < camera.height; ++row)
+    for (int column = 0; column < camera.width; ++column) {
+      double& depth = image.depth (row, column);
+      const double bend = table.bend * errorAt (camera, column, row);
+      depth = disturbed (depth, bend, table, noise, random);
+    }
+  return labeledBySize (toSurfaceCloud (toScan (image, camera), pose, organized),
+                        surfacePlanes (scene));
+}
+
+} // namespace pcl_ops::simulation
